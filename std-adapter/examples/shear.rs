@@ -88,7 +88,7 @@ fn momentum_flux<F: ContactFriction<f64> + Coefficients>(
         .lengths()
         .map(|side| side.unwrap_or(1.0));
     let mut flux = Matrix3::zeros();
-    for link in &world.problem().pairs {
+    for link in world.problem().pairs.iter() {
         let (contact, normal) = (&link.contact, link.contact.normal());
         let [a, b] = contact.arms();
         flux += contact.impulse().linear(normal) * (normal * (a + b)).transpose();

@@ -38,10 +38,10 @@ pub fn pressed<F: ContactFriction<f64>>(
         let apart = space.displacement(&positions[i], &positions[j]);
         let touch = Touch::spheres(&apart, [radii[i], radii[j]]).map_err(refused)?;
         let contact = Contact::new(&touch, &law, &spheres[i], &spheres[j], STEP);
-        problem.pairs.push(Link {
-            bodies: [a, b],
-            contact,
-        });
+        let bodies = [a, b];
+        problem
+            .pairs
+            .push(&Link { bodies, contact }, Some([&spheres[i], &spheres[j]]));
     }
     // A floor, and a plate under load.
     let up = Vector3::z();

@@ -7,7 +7,7 @@ use crate::timing::median;
 use crate::written::{Sheet, short};
 use std::hint::black_box;
 use tribos::cd::internals::{
-    Accelerated, Coefficients, Link, NoMonitor, Operator, Spheres, Visit, residual,
+    Accelerated, Coefficients, NoMonitor, Operator, Spheres, Visit, residual,
 };
 use tribos_core::contact::{
     AllModes, ContactFriction, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
@@ -116,7 +116,7 @@ where
             modes,
             state,
             unknowns: M::UNKNOWNS,
-            bytes: size_of::<Link<M>>(),
+            bytes: problem.pairs.contact_bytes(),
             contacts: problem.contacts(),
             seconds: f64::NAN,
         },

@@ -214,7 +214,7 @@ impl World {
         let all = PyDict::new(py);
         let spheres = problem.pairs.iter().map(|link| (link, false));
         let links: Vec<_> = spheres
-            .chain(problem.walls.iter().map(|link| (link, true)))
+            .chain(problem.walls.iter().map(|link| (*link, true)))
             .collect();
         let bodies: Vec<i64> = links
             .iter()
@@ -230,7 +230,7 @@ impl World {
             .map(|(link, _)| *link.contact.normal())
             .collect();
         let load = |angular: bool| -> Vec<Vector3<f64>> {
-            let of = |(link, _): &(&tribos::cd::internals::Link<AllModes>, bool)| {
+            let of = |(link, _): &(tribos::cd::internals::Link<AllModes>, bool)| {
                 let (impulse, normal) = (link.contact.impulse(), link.contact.normal());
                 let sum = match angular {
                     true => impulse.angular(normal),

@@ -39,7 +39,7 @@ use super::operator::{GlobalChange, Impulse, Operator, Visit};
 /// # let contact = Contact::new(&touch, &law, &ball, &ball, dt);
 /// # let mut column = Spheres::new([Thresholds::sliding(0.3)?; 2]);
 /// # column.free = (vec![ball; 20], vec![floor]);
-/// # column.pairs = (1..20).map(|top| Link { bodies: [top - 1, top], contact }).collect();
+/// # (1..20).for_each(|top| column.join(&Link { bodies: [top - 1, top], contact }));
 /// # let touch = Touch::plate(0.05, &up, 0.05)?;
 /// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
 /// # column.walls.push(Link { bodies: [0, 0], contact });

@@ -115,10 +115,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                 let contact = Contact::new(touch, &law, a, b, dt);
                 let number = problem.pairs.len() as u32;
                 problem.images.extend(image.map(|image| (number, image)));
-                problem.pairs.push(Link {
-                    bodies: *bodies,
-                    contact,
-                });
+                let bodies = *bodies;
+                problem.join(&Link { bodies, contact });
             }
         }
         problem.walls.clear();

@@ -2,50 +2,11 @@
 //! with selections in place of branches, so that every bit is the same.
 
 use super::aligned::Aligned;
-use super::spheres::Link;
+use super::alike::{Alike, AlikePair};
 use super::vectors::{Bodies, Impulses, Vectors, clamp, cross, dot, minus, plus, project, scaled};
-use tribos_core::contact::{Contact, ContactModes, Modal};
+use tribos_core::contact::{ContactModes, Modal};
 use tribos_core::internals::{AxialPart, PlanarPart};
 use tribos_lanes::Four;
-
-/// What the contacts that are solved side by side have in common.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Alike {
-    /// Inverse mass and inertia of the spheres.
-    pub inv_mass: f64,
-    pub inv_inertia: f64,
-    /// r_eff
-    pub lever: f64,
-    /// Effective masses along the normal, and of rolling and torsion.
-    pub mass_normal: f64,
-    pub inertia: f64,
-}
-
-impl Alike {
-    /// What a contact of two spheres would have in common with others.
-    pub fn of<M: ContactModes<f64>>(contact: &Contact<f64, M>, sphere: &Aligned) -> Self {
-        Self {
-            inv_mass: sphere.inv_mass,
-            inv_inertia: sphere.inv_inertia,
-            lever: contact.lever(),
-            mass_normal: contact.block().mass_normal,
-            inertia: contact.block().inertia,
-        }
-    }
-
-    /// Whether a contact is one of these, to the bit.
-    pub fn includes<M: ContactModes<f64>>(
-        &self,
-        contact: &Contact<f64, M>,
-        spheres: [&Aligned; 2],
-    ) -> bool {
-        let [first, second] = contact.arms();
-        let alike = spheres
-            .iter()
-            .all(|sphere| *self == Self::of(contact, sphere));
-        alike && first == second && contact.block().coupling == 0.0 && !contact.rests_open()
-    }
-}
 
 /// Limits of friction, as [`Thresholds`](tribos_core::contact::Thresholds) has them: sliding, rolling, torsion.
 pub(super) type Limits = [f64; 3];
@@ -63,11 +24,11 @@ struct Places<L> {
 }
 
 impl<L: Four> Places<L> {
-    /// Those of four links; the first of the spheres has the number `first`.
+    /// Those of four pairs; the first of the spheres has the number `first`.
     #[inline(always)]
-    fn of<M: ContactModes<f64>>(links: &[Link<M>; 4], first: u32) -> Self {
-        let place = |lane: usize, end: usize| (links[lane].bodies[end] - first) as usize;
-        let [a, b, c, d] = links;
+    fn of(pairs: &[AlikePair; 4], first: u32) -> Self {
+        let place = |lane: usize, end: usize| (pairs[lane].bodies()[end] - first) as usize;
+        let [a, b, c, d] = pairs;
         let [x, y, z, arm] = L::transpose([place_row(a), place_row(b), place_row(c), place_row(d)]);
         Self {
             bodies: [
@@ -123,11 +84,11 @@ impl<L: Four> Places<L> {
     }
 }
 
-/// Normal and arm of a link.
+/// Normal and arm of a pair.
 #[inline(always)]
-fn place_row<L: Four, M: ContactModes<f64>>(link: &Link<M>) -> L {
-    let (normal, [arm, _]) = (link.contact.normal(), link.contact.arms());
-    L::new([normal.x, normal.y, normal.z, arm])
+fn place_row<L: Four>(pair: &AlikePair) -> L {
+    let normal = &pair.normal;
+    L::new([normal.x, normal.y, normal.z, pair.arm])
 }
 
 /// Whether contacts have torques of their own.
@@ -136,22 +97,21 @@ fn turns<M: ContactModes<f64>>() -> bool {
     M::Rolling::PRESENT || M::Torsion::PRESENT
 }
 
-/// Solves four links without a common sphere, the first of `spheres` having the number `first`; returns what
+/// Solves four pairs without a common sphere, the first of `spheres` having the number `first`; returns what
 /// monitors record. The step before led from `swept` to the impulses.
 ///
 /// `None`, and nothing is done, if there is no such sphere.
 #[inline(always)]
 pub(super) fn update<L: Four, M: ContactModes<f64>>(
-    links: &mut [Link<M>; 4],
+    pairs: &[AlikePair; 4],
+    impulses: &mut [Modal<f64, M>; 4],
     swept: Option<&[Modal<f64, M>; 4]>,
     (first, spheres): (u32, &mut [Aligned]),
     (alike, limits): &(Alike, Limits),
 ) -> Option<Records> {
-    let places = Places::<L>::of(links, first);
-    let mass_sliding: L = gather(links, |contact| contact.block().mass_sliding);
-    let cohesion: L = gather(links, |contact| contact.cohesion());
-    let allowance: L = gather(links, |contact| contact.allowance());
-    let old = impulses::<L, M>(links);
+    let places = Places::<L>::of(pairs, first);
+    let [cohesion, allowance] = limits_of::<L>(pairs);
+    let old = read::<L, M>(impulses);
     let [a, b] = places.bodies(spheres)?;
     let (n, arm) = (places.normal, places.arm);
     let (mass_normal, inertia) = (L::splat(alike.mass_normal), L::splat(alike.inertia));
@@ -168,7 +128,7 @@ pub(super) fn update<L: Four, M: ContactModes<f64>>(
     if M::Sliding::PRESENT {
         let rim = plus(scaled(a.spin, arm), scaled(b.spin, arm));
         let slip = minus(minus(drift, scaled(n, approach)), cross(rim, n));
-        new.sliding = minus(old.sliding, scaled(slip, mass_sliding));
+        new.sliding = minus(old.sliding, scaled(slip, mass_sliding(alike, arm)));
     }
     if M::Torsion::PRESENT {
         new.torsion = old.torsion - inertia * spin;
@@ -183,15 +143,15 @@ pub(super) fn update<L: Four, M: ContactModes<f64>>(
     let lever_sq = L::splat(alike.lever * alike.lever);
     let change_sq = change.dot::<M>(&change, lever_sq);
     let along = match swept {
-        Some([a, b, c, d]) => {
-            let before = old.minus::<M>(&Impulses::read([a, b, c, d]));
+        Some(swept) => {
+            let before = old.minus::<M>(&read::<L, M>(swept));
             change.dot::<M>(&before, lever_sq)
         }
         None => L::splat(0.0),
     };
 
     places.apply::<M>(&change, alike, [a, b], spheres);
-    set(links, &new.write());
+    *impulses = new.write();
     let speed = change.normal.abs() / mass_normal;
     Some([
         change_sq.lanes(),
@@ -201,23 +161,22 @@ pub(super) fn update<L: Four, M: ContactModes<f64>>(
     ])
 }
 
-/// Moves the impulses of four links without a common sphere on by `beta` times their last step, to what the
-/// contacts admit, and applies them to the spheres. `swept` are the impulses before that step, then those after it.
+/// Moves the impulses of four pairs without a common sphere on by `beta` times their last step, to what the
+/// contacts admit, and applies them to the spheres. `swept` are the impulses before that step, then those further on.
 ///
 /// `None`, and nothing is done, if there is no such sphere.
 #[inline(always)]
 pub(super) fn extrapolate<L: Four, M: ContactModes<f64>>(
-    links: &mut [Link<M>; 4],
+    pairs: &[AlikePair; 4],
+    now: &[Modal<f64, M>; 4],
     swept: &mut [Modal<f64, M>; 4],
     (first, spheres): (u32, &mut [Aligned]),
     beta: f64,
     (alike, limits): &(Alike, Limits),
 ) -> Option<()> {
-    let places = Places::<L>::of(links, first);
+    let places = Places::<L>::of(pairs, first);
     let bodies = places.bodies(spheres)?;
-    let now = impulses::<L, M>(links);
-    let [a, b, c, d] = &*swept;
-    let old = Impulses::<L>::read([a, b, c, d]);
+    let (now, old) = (read::<L, M>(now), read::<L, M>(swept));
     let mut new = Impulses::zero();
     new.normal = ahead(now.normal, old.normal, beta);
     if M::Sliding::PRESENT {
@@ -229,13 +188,10 @@ pub(super) fn extrapolate<L: Four, M: ContactModes<f64>>(
     if M::Torsion::PRESENT {
         new.torsion = ahead(now.torsion, old.torsion, beta);
     }
-    let cohesion: L = gather(links, |contact| contact.cohesion());
+    let [cohesion, _] = limits_of::<L>(pairs);
     admit::<L, M>(&mut new, cohesion, alike.lever, limits);
     places.apply::<M>(&new, alike, bodies, spheres);
-    for (swept, link) in swept.iter_mut().zip(links.iter()) {
-        *swept = *link.contact.impulse();
-    }
-    set(links, &new.write());
+    *swept = new.write();
     Some(())
 }
 
@@ -278,37 +234,25 @@ fn admit<L: Four, M: ContactModes<f64>>(
     bound
 }
 
-/// The impulses of four links.
+/// Effective masses of sliding, as the kernel computes them.
 #[inline(always)]
-fn impulses<L: Four, M: ContactModes<f64>>(links: &[Link<M>; 4]) -> Impulses<L> {
-    let [a, b, c, d] = links;
-    Impulses::read([
-        a.contact.impulse(),
-        b.contact.impulse(),
-        c.contact.impulse(),
-        d.contact.impulse(),
-    ])
+fn mass_sliding<L: Four>(alike: &Alike, arm: L) -> L {
+    let turning = arm * arm * L::splat(alike.inv_inertia);
+    let inverse = L::splat(alike.inv_mass + alike.inv_mass) + turning + turning;
+    L::splat(1.0) / inverse
 }
 
-/// Gives four links these impulses.
+/// Cohesion and allowance of four pairs.
 #[inline(always)]
-fn set<M: ContactModes<f64>>(links: &mut [Link<M>; 4], impulses: &[Modal<f64, M>; 4]) {
-    for (link, impulse) in links.iter_mut().zip(impulses) {
-        link.contact.set_impulse_in_plane(impulse);
-    }
+fn limits_of<L: Four>([a, b, c, d]: &[AlikePair; 4]) -> [L; 2] {
+    [
+        L::new([a.cohesion, b.cohesion, c.cohesion, d.cohesion]),
+        L::new([a.allowance, b.allowance, c.allowance, d.allowance]),
+    ]
 }
 
-/// A number of each contact.
+/// The impulses of four pairs.
 #[inline(always)]
-fn gather<L: Four, M: ContactModes<f64>>(
-    links: &[Link<M>; 4],
-    value: impl Fn(&Contact<f64, M>) -> f64,
-) -> L {
-    let [a, b, c, d] = links;
-    L::new([
-        value(&a.contact),
-        value(&b.contact),
-        value(&c.contact),
-        value(&d.contact),
-    ])
+fn read<L: Four, M: ContactModes<f64>>([a, b, c, d]: &[Modal<f64, M>; 4]) -> Impulses<L> {
+    Impulses::read([a, b, c, d])
 }

@@ -1,10 +1,9 @@
 //! Which pairs are solved four at a time.
 
-use super::aligned::Aligned;
-use super::four::{Alike, Limits};
-use super::spheres::Link;
+use super::alike::{Alike, AlikePair};
+use super::four::Limits;
+use super::pairs::View;
 use std::ops::Range;
-use tribos_core::contact::ContactModes;
 
 /// Number of pairs solved at a time.
 pub(super) const LANES: usize = 4;
@@ -43,31 +42,22 @@ impl Groups<'_> {
 
 impl Grouping {
     /// Groups the pairs of each part, greedily in their order. Without `limits` there are no groups.
-    pub fn arrange<M: ContactModes<f64>>(
+    pub fn arrange(
         &mut self,
         limits: Option<Limits>,
         parts: impl Iterator<Item = Range<usize>>,
-        pairs: &[Link<M>],
-        spheres: &[Aligned],
+        pairs: View<'_>,
     ) {
         self.clear();
-        let (Some(limits), Some(first)) = (limits, pairs.first()) else {
+        let (Some(limits), View::Alike(alike, pairs)) = (limits, pairs) else {
             return;
         };
-        let Some(sphere) = spheres.get(first.bodies[0] as usize) else {
-            return;
-        };
-        let alike = Alike::of(&first.contact, sphere);
-        self.common = Some((alike, limits));
+        self.common = Some((*alike, limits));
         self.begins.resize(pairs.len(), false);
-        let is_alike = |link: &Link<M>| {
-            let [a, b] = link.bodies.map(|body| spheres.get(body as usize));
-            matches!((a, b), (Some(a), Some(b)) if alike.includes(&link.contact, [a, b]))
-        };
         for part in parts {
             let mut at = part.start;
             while let Some(four) = pairs[..part.end].get(at..at + LANES) {
-                let grouped = are_apart(four) && four.iter().all(is_alike);
+                let grouped = are_apart(four) && !four.iter().any(AlikePair::rests_open);
                 self.begins[at] = grouped;
                 at += if grouped { LANES } else { 1 };
             }
@@ -93,9 +83,11 @@ impl Grouping {
 }
 
 /// Whether no two of these pairs share a sphere.
-fn are_apart<M: ContactModes<f64>>(four: &[Link<M>]) -> bool {
-    four.iter().enumerate().all(|(at, link)| {
-        let others = four.iter().take(at).flat_map(|other| other.bodies);
-        others.into_iter().all(|body| !link.bodies.contains(&body))
+fn are_apart(four: &[AlikePair]) -> bool {
+    four.iter().enumerate().all(|(at, pair)| {
+        let others = four.iter().take(at).flat_map(AlikePair::bodies);
+        others
+            .into_iter()
+            .all(|body| !pair.bodies().contains(&body))
     })
 }

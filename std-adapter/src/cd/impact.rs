@@ -205,10 +205,10 @@ impl<F: ContactFriction<f64>> Impacts<F> {
                     fastest = fastest.max(-speed);
                     let number = reflection.pairs.len() as u32;
                     reflection.images.extend(image.map(|image| (number, image)));
-                    reflection.pairs.push(Link {
-                        bodies: *bodies,
-                        contact,
-                    });
+                    let bodies = *bodies;
+                    reflection
+                        .pairs
+                        .push(&Link { bodies, contact }, Some([a, b]));
                 }
             }
         }

@@ -57,8 +57,8 @@ pub(super) fn rests<F: ContactFriction<f64>>(problem: &mut Spheres<F>) -> bool {
         ];
         rounding(link, velocities)
     };
-    let pairs = problem.pairs.iter().map(|link| (link, spheres(link)));
-    let walls = problem.walls.iter().map(|link| (link, walls(link)));
+    let pairs = problem.pairs.iter().map(|link| (link, spheres(&link)));
+    let walls = problem.walls.iter().map(|link| (*link, walls(link)));
     pairs
         .chain(walls)
         .zip(before)

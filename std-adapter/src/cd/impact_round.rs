@@ -62,10 +62,12 @@ impl<F: ContactFriction<f64>> Impacts<F> {
             1.0
         };
         let factor = 1.0 + restitution.min(highest).max(0.0);
-        for link in problem.pairs.iter_mut().chain(&mut problem.walls) {
+        let rebound = |link: &mut Link<_>| {
             let normal = factor * link.contact.impulse().normal;
             link.contact.set_impulse_in_plane(&modal(normal));
-        }
+        };
+        problem.pairs.change(rebound);
+        problem.walls.iter_mut().for_each(rebound);
         problem.refresh();
         let after = normal_velocities(problem);
         for (link, (before, after)) in problem.links().zip(before.iter().zip(after)) {
@@ -82,7 +84,9 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         problem.free.0.extend(source.moving());
         problem.free.1.clone_from(&source.plates);
         problem.pairs.clear();
-        problem.pairs.extend(source.pairs.iter().map(rough));
+        for link in source.pairs.iter() {
+            problem.join(&rough(&link));
+        }
         problem.images.clone_from(&source.images);
         problem.walls.clear();
         problem.walls.extend(source.walls.iter().map(rough));
@@ -101,7 +105,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     pub(super) fn add_to(&self, problem: &mut Spheres<F>) {
         let [pairs, walls] = &self.impulses;
         let (spheres, plates) = (&mut problem.free.0, &mut problem.free.1);
-        for link in &mut problem.pairs {
+        problem.pairs.change(|link| {
             let bodies = link.bodies.map(|body| body as usize);
             if let (Some(impulse), Ok([a, b])) =
                 (find(pairs, link.bodies), spheres.get_disjoint_mut(bodies))
@@ -109,7 +113,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
                 link.contact.apply(&Modal::default().minus(impulse), a, b);
                 add(&mut link.contact, impulse);
             }
-        }
+        });
         for link in &mut problem.walls {
             let [a, b] = link.bodies.map(|body| body as usize);
             if let (Some(impulse), Some(a), Some(b)) = (
@@ -125,20 +129,14 @@ impl<F: ContactFriction<f64>> Impacts<F> {
 
     /// Stores the impulses of the round.
     fn keep(&mut self, frictionless: bool) {
-        let links = [&self.reflection.pairs, &self.reflection.walls];
-        let rough = [&self.friction.pairs, &self.friction.walls];
-        for ((kept, links), rough) in self.impulses.iter_mut().zip(links).zip(rough) {
-            kept.extend(links.iter().map(|link| {
-                let normal = link.contact.impulse().normal;
-                (link.bodies, modal(normal))
-            }));
-            if !frictionless {
-                kept.extend(
-                    rough
-                        .iter()
-                        .map(|link| (link.bodies, *link.contact.impulse())),
-                );
-            }
+        let [pairs, walls] = &mut self.impulses;
+        let normal = |link: Link<_>| (link.bodies, modal(link.contact.impulse().normal));
+        let rough = |link: Link<F::Modes>| (link.bodies, *link.contact.impulse());
+        pairs.extend(self.reflection.pairs.iter().map(normal));
+        walls.extend(self.reflection.walls.iter().copied().map(normal));
+        if !frictionless {
+            pairs.extend(self.friction.pairs.iter().map(rough));
+            walls.extend(self.friction.walls.iter().copied().map(rough));
         }
     }
 }
@@ -202,7 +200,10 @@ fn drives<F: ContactFriction<f64>>(problem: &Spheres<F>) -> f64 {
 /// Energy −p·U⁺ taken by sliding, rolling and torsion, over all contacts.
 fn slipped<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
     let pairs = problem.pair_velocities();
-    let walls = problem.walls.iter().map(|l| (l, wall_velocity(problem, l)));
+    let walls = problem
+        .walls
+        .iter()
+        .map(|l| (*l, wall_velocity(problem, l)));
     let mut sums = [0.0; 3];
     for (link, u) in pairs.chain(walls) {
         let p = link.contact.impulse();

@@ -64,8 +64,9 @@ impl<M: ContactModes<f64>> Memory<M> {
         let (friction, mixture) = (problem.friction, problem.mixture.as_deref());
         let pair = |bodies| mixture.map_or(friction[0], |mixture| mixture.of_pair(bodies).friction);
         let wall = |bodies| mixture.map_or(friction[1], |mixture| mixture.at_wall(bodies).friction);
-        recall(&self.forces[0], &mut problem.pairs, pair, dt);
-        recall(&self.forces[1], &mut problem.walls, wall, dt);
+        problem.pairs.change(recalled(&self.forces[0], pair, dt));
+        let recall_wall = recalled(&self.forces[1], wall, dt);
+        problem.walls.iter_mut().for_each(recall_wall);
     }
 
     /// Stores the forces of this step, and keeps those between bodies that slept through it.
@@ -75,7 +76,7 @@ impl<M: ContactModes<f64>> Memory<M> {
         dt: f64,
         awake: &[bool],
     ) {
-        let force = |link: &Link<M>| {
+        let force = |link: Link<M>| {
             let force = Modal::default().plus_scaled(1.0 / dt, link.contact.impulse());
             (link.bodies, force)
         };
@@ -84,7 +85,7 @@ impl<M: ContactModes<f64>> Memory<M> {
         pairs.retain(|(bodies, _)| bodies.iter().all(|&body| sleeps(body)));
         pairs.extend(problem.pairs.iter().map(force));
         walls.retain(|(bodies, _)| sleeps(bodies[0]));
-        walls.extend(problem.walls.iter().map(force));
+        walls.extend(problem.walls.iter().copied().map(force));
         // Sleeping bodies, then the others, each in order: the list is nearly sorted.
         for forces in [pairs, walls] {
             forces.sort_by_key(|(bodies, _)| *bodies);
@@ -101,15 +102,15 @@ pub(super) fn find<M: ContactModes<f64>>(
     kept.get(place.ok()?).map(|(_, modal)| modal)
 }
 
-/// Finds the former forces of links; both lists are in ascending order of their bodies.
-fn recall<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
+/// Gives links their former forces; these and the links that follow one another are in ascending order of their
+/// bodies.
+fn recalled<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
     forces: &[StoredForce<M>],
-    links: &mut [Link<M>],
     friction: impl Fn([u32; 2]) -> F,
     dt: f64,
-) {
+) -> impl FnMut(&mut Link<M>) {
     let mut old = forces.iter().peekable();
-    for link in links {
+    move |link| {
         while old.next_if(|(bodies, _)| *bodies < link.bodies).is_some() {}
         if let Some((_, force)) = old.next_if(|(bodies, _)| *bodies == link.bodies) {
             // The normal has turned since the last step.

@@ -24,6 +24,7 @@
 
 mod accelerated;
 mod aligned;
+mod alike;
 mod assemble;
 mod energy;
 mod error;
@@ -40,6 +41,7 @@ mod mixture_tests;
 mod momentum;
 mod nsgs;
 mod operator;
+mod pairs;
 mod residual;
 mod schedule;
 mod setup;
@@ -76,6 +78,7 @@ pub mod internals {
     pub use super::operator::{
         GlobalChange, Impulse, LocalChange, Monitor, NoMonitor, Operator, Visit,
     };
+    pub use super::pairs::Pairs;
     pub use super::residual::{Coefficients, residual};
     pub use super::sleep::Sleep;
     pub use super::spheres::{Link, Spheres};

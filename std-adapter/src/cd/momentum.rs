@@ -2,17 +2,19 @@
 //! with the same bits as one after the other.
 
 use super::aligned::Aligned;
+use super::alike::AlikePair;
 use super::four;
 use super::groups::{Groups, LANES};
 use super::mixture::PairFriction;
-use super::spheres::Link;
+use super::pairs::View;
 use super::sweep::{AHEAD, fetch};
 use tribos_core::contact::{ContactFriction, ContactModes, Modal};
 use tribos_lanes::{Four, Task};
 
-/// Pairs and their impulses after the sweep before, which become those after this one.
+/// Pairs, their impulses, and those after the sweep before, which become the impulses further on.
 pub(super) struct Moving<'a, M: ContactModes<f64>> {
-    pub links: &'a mut [Link<M>],
+    pub pairs: View<'a>,
+    pub now: &'a [Modal<f64, M>],
     pub swept: &'a mut [Modal<f64, M>],
     pub groups: Option<Groups<'a>>,
 }
@@ -20,21 +22,25 @@ pub(super) struct Moving<'a, M: ContactModes<f64>> {
 /// Moves impulses on by `beta` times their last step, as far as friction admits, and applies them to the spheres, the
 /// first of which has the number `first`.
 pub(super) fn extrapolate<F: ContactFriction<f64>>(
-    pairs: Moving<'_, F::Modes>,
+    moving: Moving<'_, F::Modes>,
     (first, spheres): (u32, &mut [Aligned]),
     friction: &impl PairFriction<F>,
     beta: f64,
 ) {
     let Moving {
-        links,
+        pairs,
+        now,
         swept,
         groups,
-    } = pairs;
+    } = moving;
     let mut at = 0;
-    while at < links.len() {
-        if let Some(groups) = groups.filter(|groups| groups.begins(at)) {
+    while at < now.len() {
+        if let View::Alike(_, pairs) = pairs
+            && let Some(groups) = groups.filter(|groups| groups.begins(at))
+        {
             let done = all_groups(Run {
-                links: &mut links[at..],
+                pairs: &pairs[at..],
+                now: &now[at..],
                 swept: &mut swept[at..],
                 groups: groups.after(at),
                 first,
@@ -46,35 +52,19 @@ pub(super) fn extrapolate<F: ContactFriction<f64>>(
                 continue;
             }
         }
-        fetch(links.get(at + AHEAD), spheres, first);
-        extrapolate_one(
-            &mut links[at],
-            &mut swept[at],
-            (first, spheres),
-            friction,
-            beta,
-        );
+        fetch(pairs.bodies(at + AHEAD), spheres, first);
+        let (now, swept) = (&now[at], &mut swept[at]);
+        let further = now.plus_scaled(beta, &now.minus(swept));
+        if let (Some(numbers), Some(mut contact)) = (pairs.bodies(at), pairs.contact(at, &further))
+        {
+            contact.admit(friction.of(numbers));
+            *swept = *contact.impulse();
+            let bodies = numbers.map(|body| (body - first) as usize);
+            if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
+                contact.apply(swept, &mut a.0, &mut b.0);
+            }
+        }
         at += 1;
-    }
-}
-
-#[inline(always)]
-fn extrapolate_one<F: ContactFriction<f64>>(
-    link: &mut Link<F::Modes>,
-    swept: &mut Modal<f64, F::Modes>,
-    (first, spheres): (u32, &mut [Aligned]),
-    friction: &impl PairFriction<F>,
-    beta: f64,
-) {
-    let contact = &mut link.contact;
-    let now = *contact.impulse();
-    let step = now.minus(swept);
-    contact.set_impulse_in_plane(&now.plus_scaled(beta, &step));
-    contact.admit(friction.of(link.bodies));
-    *swept = now;
-    let bodies = link.bodies.map(|body| (body - first) as usize);
-    if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
-        contact.apply(contact.impulse(), &mut a.0, &mut b.0);
     }
 }
 
@@ -87,7 +77,8 @@ fn all_groups<M: ContactModes<f64>>(run: Run<'_, M>) -> usize {
 
 /// Groups one after the other.
 struct Run<'a, M: ContactModes<f64>> {
-    links: &'a mut [Link<M>],
+    pairs: &'a [AlikePair],
+    now: &'a [Modal<f64, M>],
     swept: &'a mut [Modal<f64, M>],
     groups: Groups<'a>,
     first: u32,
@@ -101,7 +92,8 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
     #[inline(always)]
     fn run<L: Four>(self) -> usize {
         let Self {
-            links,
+            pairs,
+            now,
             swept,
             groups,
             first,
@@ -111,15 +103,17 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
         let mut done = 0;
         while groups.begins(done) {
             for lane in 0..LANES {
-                fetch(links.get(done + lane + AHEAD), spheres, first);
+                let ahead = pairs.get(done + lane + AHEAD);
+                fetch(ahead.map(AlikePair::bodies), spheres, first);
             }
-            let four = links.get_mut(done..).and_then(<[_]>::first_chunk_mut);
+            let four = pairs.get(done..).and_then(<[_]>::first_chunk);
+            let new = now.get(done..).and_then(<[_]>::first_chunk);
             let old = swept.get_mut(done..).and_then(<[_]>::first_chunk_mut);
-            let (Some(four), Some(old)) = (four, old) else {
+            let (Some(four), Some(new), Some(old)) = (four, new, old) else {
                 break;
             };
             let bodies = (first, &mut *spheres);
-            if four::extrapolate::<L, M>(four, old, bodies, beta, groups.common).is_none() {
+            if four::extrapolate::<L, M>(four, new, old, bodies, beta, groups.common).is_none() {
                 break;
             }
             done += LANES;

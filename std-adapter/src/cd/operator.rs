@@ -133,8 +133,8 @@ pub trait Operator {
     }
 
     /// Goes on to x + β (x − x₋), as far as admissible, from the impulses x now and `swept` x₋, which become x;
-    /// velocities follow.
-    fn extrapolate(&mut self, beta: f64, swept: &mut [Self::Impulse]) {
+    /// velocities follow. An operator may keep the list and give another one of the same length.
+    fn extrapolate(&mut self, beta: f64, swept: &mut Vec<Self::Impulse>) {
         for (contact, swept) in swept.iter_mut().enumerate() {
             let now = self.impulse(contact);
             let step = now.plus_scaled(-1.0, swept);

@@ -109,7 +109,7 @@ where
         let velocity = faster.map_or(b.velocity, |(_, faster)| b.velocity + faster);
         let b = Sphere { velocity, ..b };
         sum.add(
-            link,
+            &link,
             &link.contact.velocity(&a, &b),
             problem.pair_friction(link.bodies),
         );
@@ -127,7 +127,7 @@ fn velocities<F: ContactFriction<f64>>(
     problem: &Spheres<F>,
 ) -> (Vec<Sphere<f64>>, Vec<Plate<f64>>) {
     let (mut spheres, mut plates) = problem.free.clone();
-    for Link { bodies, contact } in &problem.pairs {
+    for Link { bodies, contact } in problem.pairs.iter() {
         let bodies = bodies.map(|body| body as usize);
         if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
             contact.apply(contact.impulse(), a, b);

@@ -7,7 +7,7 @@
 //! by side. The order depends only on the contacts, never on the number of threads.
 
 use super::image::ImageVelocity;
-use super::spheres::Link;
+use super::pairs::{Pairs, View};
 use std::ops::Range;
 use tribos_core::contact::ContactModes;
 
@@ -44,25 +44,25 @@ impl Schedule {
     pub fn arrange<M: ContactModes<f64>>(
         &mut self,
         spheres: usize,
-        pairs: &mut Vec<Link<M>>,
+        pairs: &mut Pairs<M>,
         images: &mut [ImageVelocity],
     ) {
         let count = spheres.div_ceil(BLOCK).max(1);
         let across = count as u32;
         let block = |sphere: u32| sphere / BLOCK as u32;
         self.keys.clear();
-        for (index, link) in pairs.iter().enumerate() {
-            let [a, b] = link.bodies.map(block);
+        let view = pairs.view();
+        for (index, bodies) in (0..).map_while(|at| Some((at, view.bodies(at)?))) {
+            let [a, b] = bodies.map(block);
             let group = if a == b { a } else { across };
             self.keys.push((group, 0, index as u32));
         }
         for (pair, _) in images.iter() {
             self.keys[*pair as usize].0 = across + 1;
         }
-        self.colour(spheres, across, pairs);
+        self.colour(spheres, across, view);
         self.keys.sort_unstable();
-        let sorted: Vec<_> = self.keys.iter().map(|key| pairs[key.2 as usize]).collect();
-        *pairs = sorted;
+        pairs.arrange(self.keys.iter().map(|key| key.2 as usize));
         self.images = pairs.len() - images.len();
         self.renumber(images);
 
@@ -102,12 +102,15 @@ impl Schedule {
 
     /// Gives each pair the first colour that neither of its spheres has yet, separately inside and across
     /// blocks. Spheres with very many contacts share the last colour.
-    fn colour<M: ContactModes<f64>>(&mut self, spheres: usize, across: u32, pairs: &[Link<M>]) {
+    fn colour(&mut self, spheres: usize, across: u32, pairs: View<'_>) {
         self.taken.clear();
         self.taken.resize(2 * spheres, 0);
-        for (key, link) in self.keys.iter_mut().zip(pairs) {
+        for (at, key) in self.keys.iter_mut().enumerate() {
             let apart = if key.0 >= across { spheres } else { 0 };
-            let [a, b] = link.bodies.map(|body| body as usize + apart);
+            let Some(bodies) = pairs.bodies(at) else {
+                continue;
+            };
+            let [a, b] = bodies.map(|body| body as usize + apart);
             let free = (self.taken[a] | self.taken[b]).trailing_ones();
             let colour = free.min(SHARED);
             self.taken[a] |= 1 << colour;

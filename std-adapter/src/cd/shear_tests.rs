@@ -160,7 +160,7 @@ fn works<F: ContactFriction<f64> + Coefficients>(
     let mut flux = 0.0;
     for _ in 0..steps {
         let dt = world.step()?.dt;
-        for link in &world.problem().pairs {
+        for link in world.problem().pairs.iter() {
             let (contact, normal) = (&link.contact, link.contact.normal());
             let [a, b] = contact.arms();
             flux += contact.impulse().linear(normal).x * (a + b) * normal.z;
@@ -329,7 +329,7 @@ fn flow_law(mu: f64, spacing: f64) -> Result<[f64; 2], Box<dyn std::error::Error
             continue;
         }
         time += dt;
-        for link in &world.problem().pairs {
+        for link in world.problem().pairs.iter() {
             let (contact, normal) = (&link.contact, link.contact.normal());
             let [a, b] = contact.arms();
             let impulse = contact.impulse().linear(normal) * (a + b);

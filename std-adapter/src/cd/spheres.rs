@@ -6,9 +6,10 @@ use super::image::{ImageVelocity, Images, seen};
 use super::mixture::{Mixture, PairFriction, Same};
 use super::momentum::{Moving, extrapolate};
 use super::operator::{Impulse, Monitor, Operator, Visit};
+use super::pairs::Pairs;
 use super::schedule::Schedule;
 use super::sweep::{
-    AHEAD, Pairs, WORTHWHILE, Way, fetch, solve_one, sweep_images, sweep_links, update,
+    AHEAD, Stretch, WORTHWHILE, Way, fetch, solve_one, sweep_images, sweep_pairs, update,
 };
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -51,7 +52,7 @@ pub struct Link<M: ContactModes<f64>> {
 /// stack.free = (vec![ball; 2], vec![floor]);
 /// let touch = Touch::spheres(&(up * 0.1), [0.05; 2])?;
 /// let contact = Contact::new(&touch, &law, &ball, &ball, dt);
-/// stack.pairs.push(Link { bodies: [0, 1], contact });
+/// stack.join(&Link { bodies: [0, 1], contact });
 /// let touch = Touch::plate(0.05, &up, 0.05)?;
 /// let contact = Contact::new(&touch, &law, &ball, &floor, dt);
 /// stack.walls.push(Link { bodies: [0, 0], contact });
@@ -74,7 +75,7 @@ pub struct Spheres<F: ContactFriction<f64>> {
     /// Spheres and plates with their velocities in the absence of contacts.
     pub free: (Vec<Sphere<f64>>, Vec<Plate<f64>>),
     /// Contacts of spheres.
-    pub pairs: Vec<Link<F::Modes>>,
+    pub pairs: Pairs<F::Modes>,
     /// Pairs whose second sphere takes part as an image across the border of a sheared cell, in ascending order.
     pub images: Vec<ImageVelocity>,
     /// Contacts of a sphere with a plate.
@@ -94,7 +95,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             spheres: Vec::new(),
             plates: Vec::new(),
             free: (Vec::new(), Vec::new()),
-            pairs: Vec::new(),
+            pairs: Pairs::default(),
             images: Vec::new(),
             walls: Vec::new(),
             friction,
@@ -102,6 +103,12 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             schedule: Schedule::default(),
             grouping: Grouping::default(),
         }
+    }
+
+    /// Adds a contact of two of the free spheres.
+    pub fn join(&mut self, link: &Link<F::Modes>) {
+        let [a, b] = link.bodies.map(|body| self.free.0.get(body as usize));
+        self.pairs.push(link, a.zip(b).map(|(a, b)| [a, b]));
     }
 
     /// Sorts the pairs into the order of the sweep, and updates the velocities for new bodies, contacts and
@@ -125,8 +132,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             Some(_) => None,
         };
         let parts = self.schedule.parts();
-        self.grouping
-            .arrange(limits, parts, &self.pairs, &self.spheres);
+        self.grouping.arrange(limits, parts, self.pairs.view());
     }
 
     /// Solves every pair by itself until the next [`Spheres::start`]; for comparisons, as the bits are the same.
@@ -163,14 +169,14 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     }
 
     /// All links in the order of their numbers.
-    pub fn links(&self) -> impl Iterator<Item = &Link<F::Modes>> {
-        self.pairs.iter().chain(&self.walls)
+    pub fn links(&self) -> impl Iterator<Item = Link<F::Modes>> {
+        self.pairs.iter().chain(self.walls.iter().copied())
     }
 
     /// The pairs with their relative velocities, those of images where these take part.
     pub(super) fn pair_velocities(
         &self,
-    ) -> impl Iterator<Item = (&Link<F::Modes>, Modal<f64, F::Modes>)> {
+    ) -> impl Iterator<Item = (Link<F::Modes>, Modal<f64, F::Modes>)> {
         let mut images = Images::new(&self.images);
         self.pairs.iter().enumerate().map(move |(pair, link)| {
             let [a, b] = link.bodies.map(|body| &self.spheres[body as usize]);
@@ -195,14 +201,14 @@ impl<F: ContactFriction<f64>> Spheres<F> {
 
     /// Sweeps the pairs: blocks in parallel, then pairs across blocks. The data of the monitor do not depend
     /// on the number of threads. `swept` are the impulses after the sweep before, or empty.
-    fn sweep_pairs<W: Monitor>(&mut self, way: Way, swept: &[Modal<f64, F::Modes>], watch: &mut W) {
+    fn sweep_all<W: Monitor>(&mut self, way: Way, swept: &[Modal<f64, F::Modes>], watch: &mut W) {
         match self.mixture.clone() {
-            None => self.sweep_pairs_with(&Same(self.friction[0]), way, swept, watch),
-            Some(mixture) => self.sweep_pairs_with(&*mixture, way, swept, watch),
+            None => self.sweep_with(&Same(self.friction[0]), way, swept, watch),
+            Some(mixture) => self.sweep_with(&*mixture, way, swept, watch),
         }
     }
 
-    fn sweep_pairs_with<W: Monitor>(
+    fn sweep_with<W: Monitor>(
         &mut self,
         friction: &impl PairFriction<F>,
         way: Way,
@@ -215,20 +221,22 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         }
         let across = self.schedule.across().start;
         let mut parts = Vec::with_capacity(self.schedule.blocks.len());
-        let (mut spheres, mut pairs) = (&mut self.spheres[..], &mut self.pairs[..across]);
+        let (view, impulses) = self.pairs.split();
+        let (mut spheres, mut impulses) = (&mut self.spheres[..], &mut impulses[..across]);
         for block in &self.schedule.blocks {
-            let (own, rest) = spheres.split_at_mut(block.spheres.len());
-            let (links, others) = pairs.split_at_mut(block.pairs.len());
-            (spheres, pairs) = (rest, others);
-            let stretch = Pairs {
-                links,
+            let (bodies, own);
+            (bodies, spheres) = spheres.split_at_mut(block.spheres.len());
+            (own, impulses) = impulses.split_at_mut(block.pairs.len());
+            let stretch = Stretch {
+                pairs: view.range(block.pairs.clone()),
+                impulses: own,
                 swept: swept.get(block.pairs.clone()).unwrap_or_default(),
                 groups: self.grouping.of(block.pairs.clone()),
             };
-            parts.push((stretch, (block.spheres.start as u32, own), watch.fork()));
+            parts.push((stretch, (block.spheres.start as u32, bodies), watch.fork()));
         }
-        let sweep = |(pairs, spheres, mut watch): (Pairs<'_, F::Modes>, (u32, &mut [_]), W)| {
-            sweep_links(pairs, spheres, friction, way, &mut watch);
+        let sweep = |(pairs, spheres, mut watch): (Stretch<'_, F::Modes>, (u32, &mut [_]), W)| {
+            sweep_pairs(pairs, spheres, friction, way, &mut watch);
             watch
         };
         let seen: Vec<W> = if shared(across) {
@@ -254,12 +262,14 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         watch: &mut W,
     ) {
         let across = self.schedule.across();
-        let pairs = Pairs {
+        let (view, impulses) = self.pairs.split();
+        let stretch = Stretch {
+            pairs: view.range(across.clone()),
             swept: swept.get(across.clone()).unwrap_or_default(),
             groups: self.grouping.of(across.clone()),
-            links: &mut self.pairs[across],
+            impulses: &mut impulses[across],
         };
-        sweep_links(pairs, (0, &mut self.spheres), friction, way, watch);
+        sweep_pairs(stretch, (0, &mut self.spheres), friction, way, watch);
     }
 
     /// Sweeps the pairs with an image.
@@ -270,38 +280,59 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         swept: &[Modal<f64, F::Modes>],
         watch: &mut W,
     ) {
-        let border = self.schedule.images;
-        let pairs = Pairs {
-            swept: swept.get(border..self.pairs.len()).unwrap_or_default(),
+        let border = self.schedule.images..self.pairs.len();
+        let (view, impulses) = self.pairs.split();
+        let stretch = Stretch {
+            pairs: view.range(border.clone()),
+            swept: swept.get(border.clone()).unwrap_or_default(),
             groups: None,
-            links: &mut self.pairs[border..],
+            impulses: &mut impulses[border],
         };
         let spheres = &mut self.spheres[..];
-        sweep_images(pairs, &self.images, spheres, friction, way, watch);
+        sweep_images(stretch, &self.images, spheres, friction, way, watch);
     }
 
     fn extrapolate_with(
         &mut self,
         friction: &impl PairFriction<F>,
         beta: f64,
-        swept: &mut [Modal<f64, F::Modes>],
+        swept: &mut Vec<Modal<f64, F::Modes>>,
     ) {
         self.release();
-        let across = self.schedule.across().start;
         let pairs = self.pairs.len();
-        let (inside, rest) = self.pairs.split_at_mut(across);
-        let (swept_inside, swept) = swept.split_at_mut(across);
-        let (swept_rest, swept_walls) = swept.split_at_mut(pairs - across);
+        let mut at_walls = swept.split_off(pairs);
+        self.extrapolate_pairs(friction, beta, swept);
+        std::mem::swap(&mut self.pairs.impulses, swept);
+        for (wall, swept) in at_walls.iter_mut().enumerate() {
+            let now = self.impulse(pairs + wall);
+            let step = now.minus(swept);
+            self.guess(pairs + wall, &now.plus_scaled(beta, &step));
+            *swept = now;
+        }
+        swept.append(&mut at_walls);
+        self.apply_walls();
+    }
+
+    /// Applies the impulses of pairs further on, and puts them in the place of those after the sweep before.
+    fn extrapolate_pairs(
+        &mut self,
+        friction: &impl PairFriction<F>,
+        beta: f64,
+        swept: &mut [Modal<f64, F::Modes>],
+    ) {
+        let across = self.schedule.across().start;
+        let (view, now) = (self.pairs.view(), &self.pairs.impulses);
+        let (swept, swept_across) = swept.split_at_mut(across);
         let mut parts = Vec::with_capacity(self.schedule.blocks.len());
-        let (mut spheres, mut links, mut swept) = (&mut self.spheres[..], inside, swept_inside);
+        let (mut spheres, mut swept) = (&mut self.spheres[..], swept);
         for block in &self.schedule.blocks {
-            let (bodies, own, old);
+            let (bodies, own);
             (bodies, spheres) = spheres.split_at_mut(block.spheres.len());
-            (own, links) = links.split_at_mut(block.pairs.len());
-            (old, swept) = swept.split_at_mut(block.pairs.len());
+            (own, swept) = swept.split_at_mut(block.pairs.len());
             let moving = Moving {
-                links: own,
-                swept: old,
+                pairs: view.range(block.pairs.clone()),
+                now: &now[block.pairs.clone()],
+                swept: own,
                 groups: self.grouping.of(block.pairs.clone()),
             };
             parts.push((moving, (block.spheres.start as u32, bodies)));
@@ -315,18 +346,12 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             parts.into_iter().for_each(go_on);
         }
         let moving = Moving {
-            links: rest,
-            swept: swept_rest,
-            groups: self.grouping.of(across..pairs),
+            pairs: view.range(across..now.len()),
+            now: &now[across..],
+            swept: swept_across,
+            groups: self.grouping.of(across..now.len()),
         };
         extrapolate(moving, (0, &mut self.spheres), friction, beta);
-        for (wall, swept) in swept_walls.iter_mut().enumerate() {
-            let now = self.impulse(pairs + wall);
-            let step = now.minus(swept);
-            self.guess(pairs + wall, &now.plus_scaled(beta, &step));
-            *swept = now;
-        }
-        self.apply_walls();
     }
 
     /// Gives all bodies their velocities in the absence of contacts.
@@ -351,24 +376,26 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     fn visit_pair<W: Monitor>(&mut self, index: usize, watch: &mut W) {
         let spheres = &mut self.spheres[..];
         let (one, both) = (Same(self.friction[0]), self.mixture.as_deref());
+        let (view, impulses) = self.pairs.split();
         let Some(image) = index.checked_sub(self.schedule.images) else {
-            let link = self.pairs.get_mut(index).map(|link| (link, None));
+            let pair = (view, index, &mut impulses[..], None);
             match both {
-                None => solve_one(link, (0, spheres), &one, watch),
-                Some(both) => solve_one(link, (0, spheres), both, watch),
+                None => solve_one(pair, (0, spheres), &one, watch),
+                Some(both) => solve_one(pair, (0, spheres), both, watch),
             }
             return;
         };
-        if let Some(links) = self.pairs.get_mut(index..=index) {
-            let pairs = Pairs {
-                links,
+        if let Some(impulses) = impulses.get_mut(index..=index) {
+            let stretch = Stretch {
+                pairs: view.range(index..index + 1),
+                impulses,
                 swept: &[],
                 groups: None,
             };
             let images = &self.images[image..];
             match both {
-                None => sweep_images(pairs, images, spheres, &one, Way::Forward, watch),
-                Some(both) => sweep_images(pairs, images, spheres, both, Way::Forward, watch),
+                None => sweep_images(stretch, images, spheres, &one, Way::Forward, watch),
+                Some(both) => sweep_images(stretch, images, spheres, both, Way::Forward, watch),
             }
         }
     }
@@ -403,28 +430,28 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
 
     fn impulse(&self, contact: usize) -> Self::Impulse {
         let walls = contact.wrapping_sub(self.pairs.len());
-        let link = self.pairs.get(contact).or_else(|| self.walls.get(walls));
-        link.map_or_else(Modal::default, |link| *link.contact.impulse())
+        let wall = || Some(self.walls.get(walls)?.contact.impulse());
+        let impulse = self.pairs.impulses.get(contact).or_else(wall);
+        impulse.copied().unwrap_or_default()
     }
 
     fn dot(&self, contact: usize, a: &Self::Impulse, b: &Self::Impulse) -> f64 {
         let walls = contact.wrapping_sub(self.pairs.len());
-        let link = self.pairs.get(contact).or_else(|| self.walls.get(walls));
+        let wall = || self.walls.get(walls).copied();
+        let link = self.pairs.get(contact).or_else(wall);
         link.map_or(0.0, |link| a.dot_with_lever(b, link.contact.lever()))
     }
 
     fn guess(&mut self, contact: usize, impulse: &Self::Impulse) {
         let walls = contact.wrapping_sub(self.pairs.len());
-        let mixture = self.mixture.as_deref();
-        let (link, kind) = match self.pairs.get_mut(contact) {
-            Some(link) => (Some(link), 0),
-            None => (self.walls.get_mut(walls), 1),
-        };
-        if let Some(link) = link {
-            let friction = match (mixture, kind) {
-                (None, _) => &self.friction[kind],
-                (Some(mixture), 0) => &mixture.of_pair(link.bodies).friction,
-                (Some(mixture), _) => &mixture.at_wall(link.bodies).friction,
+        if let Some(mut link) = self.pairs.get(contact) {
+            link.contact.set_impulse_in_plane(impulse);
+            link.contact.admit(self.pair_friction(link.bodies));
+            self.pairs.impulses[contact] = *link.contact.impulse();
+        } else if let Some(link) = self.walls.get_mut(walls) {
+            let friction = match &self.mixture {
+                None => &self.friction[1],
+                Some(mixture) => &mixture.at_wall(link.bodies).friction,
             };
             link.contact.set_impulse_in_plane(impulse);
             link.contact.admit(friction);
@@ -433,8 +460,9 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
 
     fn refresh(&mut self) {
         self.release();
+        let view = self.pairs.view();
         for (at, link) in self.pairs.iter().enumerate() {
-            fetch(self.pairs.get(at + AHEAD), &self.spheres, 0);
+            fetch(view.bodies(at + AHEAD), &self.spheres, 0);
             let bodies = link.bodies.map(|body| body as usize);
             if let Ok([a, b]) = self.spheres.get_disjoint_mut(bodies) {
                 let contact = &link.contact;
@@ -445,7 +473,7 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
     }
 
     fn sweep_on<W: Monitor>(&mut self, swept: &[Self::Impulse], watch: &mut W) {
-        self.sweep_pairs(Way::Forward, swept, watch);
+        self.sweep_all(Way::Forward, swept, watch);
         let pairs = self.pairs.len();
         for wall in 0..self.walls.len() {
             self.visit_wall(wall, swept.get(pairs + wall), watch);
@@ -453,7 +481,7 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
     }
 
     /// *Panics* if `swept` has no impulse for a pair.
-    fn extrapolate(&mut self, beta: f64, swept: &mut [Self::Impulse]) {
+    fn extrapolate(&mut self, beta: f64, swept: &mut Vec<Self::Impulse>) {
         match self.mixture.clone() {
             None => self.extrapolate_with(&Same(self.friction[0]), beta, swept),
             Some(mixture) => self.extrapolate_with(&*mixture, beta, swept),
@@ -468,7 +496,7 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
                 for wall in (0..walls).rev() {
                     self.visit_wall(wall, None, watch);
                 }
-                self.sweep_pairs(Way::Backward, &[], watch);
+                self.sweep_all(Way::Backward, &[], watch);
             }
             Visit::Listed(order) => {
                 for &index in order {

@@ -1,12 +1,13 @@
 //! Sweeps over the pairs of spheres: one after the other, or four at a time.
 
 use super::aligned::Aligned;
+use super::alike::AlikePair;
 use super::four::{self, Records};
 use super::groups::{Groups, LANES};
 use super::image::{Image, ImageVelocity};
 use super::mixture::PairFriction;
 use super::operator::Monitor;
-use super::spheres::Link;
+use super::pairs::View;
 use tribos_core::contact::{Body, Contact, ContactFriction, ContactModes, Modal};
 use tribos_lanes::{Four, Task};
 use tribos_prefetch::prefetch;
@@ -25,8 +26,9 @@ pub(super) const WORTHWHILE: usize = 10_000;
 pub(super) const AHEAD: usize = 24;
 
 /// Pairs that are swept together.
-pub(super) struct Pairs<'a, M: ContactModes<f64>> {
-    pub links: &'a mut [Link<M>],
+pub(super) struct Stretch<'a, M: ContactModes<f64>> {
+    pub pairs: View<'a>,
+    pub impulses: &'a mut [Modal<f64, M>],
     /// Their impulses after the sweep before, if a monitor follows the steps; empty else.
     pub swept: &'a [Modal<f64, M>],
     /// Which of them are solved four at a time.
@@ -35,26 +37,33 @@ pub(super) struct Pairs<'a, M: ContactModes<f64>> {
 
 /// Solves pairs one after the other, or four at a time where they are grouped; the first element of `spheres`
 /// has the number `first`. Both give the same bits.
-pub(super) fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
-    pairs: Pairs<'_, F::Modes>,
+pub(super) fn sweep_pairs<F: ContactFriction<f64>, W: Monitor>(
+    stretch: Stretch<'_, F::Modes>,
     (first, spheres): (u32, &mut [Aligned]),
     friction: &impl PairFriction<F>,
     way: Way,
     watch: &mut W,
 ) {
-    let Pairs {
-        links,
+    let Stretch {
+        pairs,
+        impulses,
         swept,
         groups,
-    } = pairs;
-    let count = links.len();
+    } = stretch;
+    let count = impulses.len();
     let mut records = [Records::default(); RUN];
     let mut done = 0;
     while done < count {
         let at = way.place(done, count);
         if let Some(groups) = groups.filter(|groups| groups.begins(way.start(at))) {
             let bodies = (first, &mut *spheres);
-            let solved = solve_run((links, swept), groups, bodies, (way, at), &mut records);
+            let solved = match pairs {
+                View::Alike(_, pairs) => {
+                    let stretch = (pairs, &mut *impulses, swept);
+                    solve_run(stretch, groups, bodies, (way, at), &mut records)
+                }
+                View::Any(_) => 0,
+            };
             for group in records.iter().take(solved) {
                 show(group, way, watch);
             }
@@ -63,9 +72,9 @@ pub(super) fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
                 continue;
             }
         }
-        fetch(links.get(way.ahead(at)), spheres, first);
-        let link = links.get_mut(at).map(|link| (link, swept.get(at)));
-        solve_one(link, (first, spheres), friction, watch);
+        fetch(pairs.bodies(way.ahead(at)), spheres, first);
+        let one = (pairs, at, &mut *impulses, swept.get(at));
+        solve_one(one, (first, spheres), friction, watch);
         done += 1;
     }
 }
@@ -109,11 +118,11 @@ fn show<W: Monitor>([change_sq, bound, speed, along]: &Records, way: Way, watch:
     }
 }
 
-/// Asks for the bodies of a link, which lie anywhere in memory, before they are needed.
+/// Asks for the bodies of a pair, which lie anywhere in memory, before they are needed.
 #[inline(always)]
-pub(super) fn fetch<M: ContactModes<f64>>(soon: Option<&Link<M>>, spheres: &[Aligned], first: u32) {
-    if let Some(soon) = soon {
-        for body in soon.bodies {
+pub(super) fn fetch(soon: Option<[u32; 2]>, spheres: &[Aligned], first: u32) {
+    if let Some(bodies) = soon {
+        for body in bodies {
             if let Some(sphere) = spheres.get((body - first) as usize) {
                 prefetch(sphere);
             }
@@ -121,24 +130,32 @@ pub(super) fn fetch<M: ContactModes<f64>>(soon: Option<&Link<M>>, spheres: &[Ali
     }
 }
 
-/// A pair, and its impulse after the sweep before if a monitor follows it.
-pub(super) type One<'a, M> = (&'a mut Link<M>, Option<&'a Modal<f64, M>>);
+/// The place of one pair among others, all impulses, and its own after the sweep before if a monitor follows it.
+pub(super) type One<'a, M> = (
+    View<'a>,
+    usize,
+    &'a mut [Modal<f64, M>],
+    Option<&'a Modal<f64, M>>,
+);
 
 /// Solves one pair; the first element of `spheres` has the number `first`.
 #[inline(always)]
 pub(super) fn solve_one<F: ContactFriction<f64>, W: Monitor>(
-    pair: Option<One<'_, F::Modes>>,
+    (pairs, at, impulses, swept): One<'_, F::Modes>,
     (first, spheres): (u32, &mut [Aligned]),
     friction: &impl PairFriction<F>,
     watch: &mut W,
 ) {
-    let Some((link, swept)) = pair else {
+    let (Some(numbers), Some(impulse)) = (pairs.bodies(at), impulses.get_mut(at)) else {
         return;
     };
-    let bodies = link.bodies.map(|body| (body - first) as usize);
-    if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
-        let friction = friction.of(link.bodies);
-        update(&mut link.contact, swept, friction, &mut a.0, &mut b.0).tell(watch);
+    let bodies = numbers.map(|body| (body - first) as usize);
+    if let (Some(mut contact), Ok([a, b])) =
+        (pairs.contact(at, impulse), spheres.get_disjoint_mut(bodies))
+    {
+        let friction = friction.of(numbers);
+        update(&mut contact, swept, friction, &mut a.0, &mut b.0).tell(watch);
+        *impulse = *contact.impulse();
     }
 }
 
@@ -192,14 +209,15 @@ const RUN: usize = 16;
 /// of these would take minutes to compile.
 #[inline(never)]
 fn solve_run<M: ContactModes<f64>>(
-    (links, swept): (&mut [Link<M>], &[Modal<f64, M>]),
+    (pairs, impulses, swept): (&[AlikePair], &mut [Modal<f64, M>], &[Modal<f64, M>]),
     groups: Groups<'_>,
     (first, spheres): (u32, &mut [Aligned]),
     (way, at): (Way, usize),
     records: &mut [Records; RUN],
 ) -> usize {
     tribos_lanes::run(Run {
-        links,
+        pairs,
+        impulses,
         swept,
         groups,
         spheres,
@@ -212,7 +230,8 @@ fn solve_run<M: ContactModes<f64>>(
 
 /// Groups one after the other.
 struct Run<'a, M: ContactModes<f64>> {
-    links: &'a mut [Link<M>],
+    pairs: &'a [AlikePair],
+    impulses: &'a mut [Modal<f64, M>],
     swept: &'a [Modal<f64, M>],
     groups: Groups<'a>,
     spheres: &'a mut [Aligned],
@@ -228,7 +247,8 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
     #[inline(always)]
     fn run<L: Four>(self) -> usize {
         let Self {
-            links,
+            pairs,
+            impulses,
             swept,
             groups,
             spheres,
@@ -239,19 +259,23 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
         } = self;
         let mut start = way.start(at);
         for (solved, record) in records.iter_mut().enumerate() {
-            let group = links.get_mut(start..).filter(|_| groups.begins(start));
-            let Some(four) = group.and_then(|rest| rest.first_chunk_mut::<LANES>()) else {
+            if !groups.begins(start) {
+                return solved;
+            }
+            let four = pairs.get(start..).and_then(<[_]>::first_chunk);
+            let now = impulses.get_mut(start..).and_then(<[_]>::first_chunk_mut);
+            let (Some(four), Some(now)) = (four, now) else {
                 return solved;
             };
             let old = swept.get(start..).and_then(<[_]>::first_chunk);
             let bodies = (first, &mut *spheres);
-            let Some(seen) = four::update::<L, M>(four, old, bodies, groups.common) else {
+            let Some(seen) = four::update::<L, M>(four, now, old, bodies, groups.common) else {
                 return solved;
             };
             *record = seen;
             for lane in 0..LANES {
-                let ahead = way.ahead(start).wrapping_add(lane);
-                fetch(links.get(ahead), spheres, first);
+                let ahead = pairs.get(way.ahead(start).wrapping_add(lane));
+                fetch(ahead.map(AlikePair::bodies), spheres, first);
             }
             start = match way {
                 Way::Forward => start + LANES,
@@ -264,34 +288,39 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
 
 /// Solves pairs with an image one after the other.
 pub(super) fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
-    pairs: Pairs<'_, F::Modes>,
+    stretch: Stretch<'_, F::Modes>,
     images: &[ImageVelocity],
     spheres: &mut [Aligned],
     friction: &impl PairFriction<F>,
     way: Way,
     watch: &mut W,
 ) {
-    let Pairs { links, swept, .. } = pairs;
-    let mut solve = |(at, (link, (_, velocity))): (usize, (&mut Link<_>, &ImageVelocity))| {
-        let bodies = link.bodies.map(|body| body as usize);
-        if let Ok([a, sphere]) = spheres.get_disjoint_mut(bodies) {
-            let (velocity, friction) = (*velocity, friction.of(link.bodies));
-            let sphere = &mut sphere.0;
-            let mut image = Image { sphere, velocity };
-            let seen = update(
-                &mut link.contact,
-                swept.get(at),
-                friction,
-                &mut a.0,
-                &mut image,
-            );
-            seen.tell(watch);
-        }
-    };
-    let pairs = links.iter_mut().zip(images).enumerate();
+    let Stretch {
+        pairs,
+        impulses,
+        swept,
+        ..
+    } = stretch;
+    let mut solve =
+        |(at, (impulse, (_, velocity))): (usize, (&mut Modal<_, _>, &ImageVelocity))| {
+            let (Some(numbers), Some(mut contact)) = (pairs.bodies(at), pairs.contact(at, impulse))
+            else {
+                return;
+            };
+            let bodies = numbers.map(|body| body as usize);
+            if let Ok([a, sphere]) = spheres.get_disjoint_mut(bodies) {
+                let (velocity, friction) = (*velocity, friction.of(numbers));
+                let sphere = &mut sphere.0;
+                let mut image = Image { sphere, velocity };
+                let seen = update(&mut contact, swept.get(at), friction, &mut a.0, &mut image);
+                seen.tell(watch);
+                *impulse = *contact.impulse();
+            }
+        };
+    let all = impulses.iter_mut().zip(images).enumerate();
     if way == Way::Forward {
-        pairs.for_each(solve);
+        all.for_each(solve);
     } else {
-        pairs.rev().for_each(&mut solve);
+        all.rev().for_each(&mut solve);
     }
 }

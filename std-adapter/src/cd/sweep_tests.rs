@@ -56,7 +56,7 @@ fn tangle<F: ContactFriction<f64>>(friction: F) -> Spheres<F> {
         let [first, second] = [a, b].map(|body| &problem.free.0[body]);
         let contact = Contact::new(&touch, &law, first, second, 0.01);
         let bodies = [a as u32, b as u32];
-        problem.pairs.push(Link { bodies, contact });
+        problem.join(&Link { bodies, contact });
     }
     problem.start();
     problem

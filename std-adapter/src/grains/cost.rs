@@ -125,12 +125,14 @@ pub fn cost(scene: &GrainsScene) -> Result<GrainsCost, GrainsError> {
     };
     let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
     let longest_step = scene.longest_step();
+    let spread = scene.radius_spread > 0.0 || scene.sizes.is_some();
+    let unequal = spread || scene.share_second > 0.0 || scene.start.is_some();
     Ok(GrainsCost {
         grains: count(scene),
         contacts: CONTACTS.map(|share| (share * count(scene) as f64).round() as usize),
         unknowns: modes.unknowns(),
         bytes: match scene.method {
-            ContactMethod::ContactDynamics => modes.bytes(),
+            ContactMethod::ContactDynamics => modes.bytes()[usize::from(unequal)],
             ContactMethod::Soft => modes.soft_bytes(),
         },
         longest_step,

@@ -1,7 +1,7 @@
 //! Modes that the contacts of a scene carry, and their limits.
 
 use super::Material;
-use crate::cd::internals::Link;
+use crate::cd::internals::Pairs;
 use crate::scene::Coupling;
 use crate::soft::SoftContact;
 use tribos_core::contact::{
@@ -15,7 +15,8 @@ use tribos_core::contact::{
 /// let modes = CarriedModes::SlidingTorsion;
 /// assert_eq!(modes.has(), [true, false, true]);
 /// assert_eq!(modes.unknowns(), 4); // normal, two of sliding, torsion
-/// assert!(modes.bytes() < CarriedModes::All.bytes());
+/// let [alike, any] = modes.bytes();
+/// assert!(alike < any && any < CarriedModes::All.bytes()[1]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CarriedModes {
@@ -82,14 +83,14 @@ impl CarriedModes {
         }
     }
 
-    /// Size of a contact in the solver, in bytes.
-    pub fn bytes(self) -> usize {
+    /// Size of a contact in the solver, in bytes: of spheres of one mass and radius, and of any.
+    pub fn bytes(self) -> [usize; 2] {
         match self {
-            Self::Normal => size_of::<Link<Frictionless>>(),
-            Self::Sliding => size_of::<Link<Sliding>>(),
-            Self::SlidingTorsion => size_of::<Link<SlidingTorsion>>(),
-            Self::SlidingRolling => size_of::<Link<SlidingRolling>>(),
-            Self::All => size_of::<Link<AllModes>>(),
+            Self::Normal => Pairs::<Frictionless>::BYTES,
+            Self::Sliding => Pairs::<Sliding>::BYTES,
+            Self::SlidingTorsion => Pairs::<SlidingTorsion>::BYTES,
+            Self::SlidingRolling => Pairs::<SlidingRolling>::BYTES,
+            Self::All => Pairs::<AllModes>::BYTES,
         }
     }
 

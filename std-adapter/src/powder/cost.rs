@@ -152,13 +152,15 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
         ..scene.clone()
     };
     let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
+    let spread = scene.radius_spread > 0.0 || scene.sizes.is_some();
+    let unequal = spread || scene.share_second > 0.0 || scene.start.is_some();
     Ok(PowderCost {
         spheres,
         contacts: contacts_a_sphere(carried.modes)
             .map(|share| (share * spheres as f64).round() as usize),
         unknowns: carried.modes.unknowns(),
         bytes: match scene.method {
-            ContactMethod::ContactDynamics => carried.modes.bytes(),
+            ContactMethod::ContactDynamics => carried.modes.bytes()[usize::from(unequal)],
             ContactMethod::Soft => carried.modes.soft_bytes(),
         },
         update_seconds,

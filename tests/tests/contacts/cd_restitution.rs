@@ -159,7 +159,7 @@ fn an_oblique_impact_of_two_balls_depends_on_the_step_in_the_first_order() {
             turning.sum::<Vector3<f64>>()
         };
         assert!(momentum(&world).norm() < ROUNDING);
-        let impulse = *world.problem().pairs[0].contact.impulse();
+        let impulse = world.problem().pairs.impulses[0];
         [impulse.normal, impulse.sliding().norm()]
     };
     let finest = impulses(1e-5);

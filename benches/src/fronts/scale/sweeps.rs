@@ -8,7 +8,7 @@ use crate::timing::median;
 use crate::written::{Sheet, short};
 use std::hint::black_box;
 use std::time::Instant;
-use tribos::cd::internals::{Coefficients, Link, NoMonitor, Operator, Spheres, Visit};
+use tribos::cd::internals::{Coefficients, NoMonitor, Operator, Spheres, Visit};
 use tribos::powder::deposit::Deposit;
 use tribos_core::contact::{ContactFriction, Thresholds};
 
@@ -107,7 +107,7 @@ where
                 order,
                 spheres: deposit.positions.len(),
                 contacts: start.contacts(),
-                bytes: size_of::<Link<F::Modes>>(),
+                bytes: start.pairs.contact_bytes(),
                 processor,
                 day,
             });
