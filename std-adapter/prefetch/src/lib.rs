@@ -8,7 +8,8 @@
 /// Bytes of a cache line.
 const LINE: usize = 64;
 
-/// Asks for the cache lines of a value's first and last byte; nothing on other processors than x86-64 and AArch64.
+/// Asks for the cache lines of the first and last byte of a value, if there is one at this place; nothing on other
+/// processors than x86-64 and AArch64.
 ///
 /// ```
 /// use tribos_prefetch::prefetch;
@@ -16,15 +17,15 @@ const LINE: usize = 64;
 /// let mut sum = 0.0;
 /// for (turn, at) in order.into_iter().enumerate() {
 ///     if let Some(next) = order.get(turn + 1) {
-///         prefetch(&places[*next]);
+///         prefetch(&raw const places[*next]);
 ///     }
 ///     sum += places[at];
 /// }
 /// assert_eq!(sum, 6.0);
 /// ```
 #[inline(always)]
-pub fn prefetch<T>(value: &T) {
-    let first = core::ptr::from_ref(value).cast::<u8>();
+pub fn prefetch<T>(place: *const T) {
+    let first = place.cast::<u8>();
     line(first);
     let size = size_of::<T>();
     // A value may begin in one line and end in the next.

@@ -13,6 +13,7 @@ use tribos_lanes::{Four, Task};
 
 /// Pairs, their impulses, and those after the sweep before, which become the impulses further on.
 pub(super) struct Moving<'a, M: ContactModes<f64>> {
+    /// They themselves, and those that come after them, whose bodies are fetched.
     pub pairs: View<'a>,
     pub now: &'a [Modal<f64, M>],
     pub swept: &'a mut [Modal<f64, M>],

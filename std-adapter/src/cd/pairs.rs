@@ -2,7 +2,6 @@
 
 use super::alike::{Alike, AlikePair};
 use super::spheres::Link;
-use std::ops::Range;
 use tribos_core::contact::{Contact, ContactModes, Modal, Sphere};
 use tribos_core::internals::PreparedContact;
 
@@ -158,7 +157,7 @@ fn arrange<T: Copy>(list: &mut Vec<T>, order: impl Iterator<Item = usize>) {
     *list = order.map(|at| list[at]).collect();
 }
 
-/// Contacts without their impulses, or a range of them.
+/// Contacts without their impulses.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum View<'a> {
     Alike(&'a Alike, &'a [AlikePair]),
@@ -166,11 +165,11 @@ pub(super) enum View<'a> {
 }
 
 impl View<'_> {
-    /// Those of a range; none if it is not there.
-    pub fn range(self, range: Range<usize>) -> Self {
+    /// Those from one on.
+    pub fn after(self, at: usize) -> Self {
         match self {
-            Self::Alike(common, pairs) => Self::Alike(common, pairs.get(range).unwrap_or_default()),
-            Self::Any(pairs) => Self::Any(pairs.get(range).unwrap_or_default()),
+            Self::Alike(common, pairs) => Self::Alike(common, pairs.get(at..).unwrap_or_default()),
+            Self::Any(pairs) => Self::Any(pairs.get(at..).unwrap_or_default()),
         }
     }
 

@@ -228,7 +228,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             (bodies, spheres) = spheres.split_at_mut(block.spheres.len());
             (own, impulses) = impulses.split_at_mut(block.pairs.len());
             let stretch = Stretch {
-                pairs: view.range(block.pairs.clone()),
+                pairs: view.after(block.pairs.start),
                 impulses: own,
                 swept: swept.get(block.pairs.clone()).unwrap_or_default(),
                 groups: self.grouping.of(block.pairs.clone()),
@@ -264,7 +264,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let across = self.schedule.across();
         let (view, impulses) = self.pairs.split();
         let stretch = Stretch {
-            pairs: view.range(across.clone()),
+            pairs: view.after(across.start),
             swept: swept.get(across.clone()).unwrap_or_default(),
             groups: self.grouping.of(across.clone()),
             impulses: &mut impulses[across],
@@ -283,7 +283,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let border = self.schedule.images..self.pairs.len();
         let (view, impulses) = self.pairs.split();
         let stretch = Stretch {
-            pairs: view.range(border.clone()),
+            pairs: view.after(border.start),
             swept: swept.get(border.clone()).unwrap_or_default(),
             groups: None,
             impulses: &mut impulses[border],
@@ -330,7 +330,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             (bodies, spheres) = spheres.split_at_mut(block.spheres.len());
             (own, swept) = swept.split_at_mut(block.pairs.len());
             let moving = Moving {
-                pairs: view.range(block.pairs.clone()),
+                pairs: view.after(block.pairs.start),
                 now: &now[block.pairs.clone()],
                 swept: own,
                 groups: self.grouping.of(block.pairs.clone()),
@@ -346,7 +346,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             parts.into_iter().for_each(go_on);
         }
         let moving = Moving {
-            pairs: view.range(across..now.len()),
+            pairs: view.after(across),
             now: &now[across..],
             swept: swept_across,
             groups: self.grouping.of(across..now.len()),
@@ -387,7 +387,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         };
         if let Some(impulses) = impulses.get_mut(index..=index) {
             let stretch = Stretch {
-                pairs: view.range(index..index + 1),
+                pairs: view.after(index),
                 impulses,
                 swept: &[],
                 groups: None,

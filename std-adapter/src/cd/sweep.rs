@@ -27,6 +27,7 @@ pub(super) const AHEAD: usize = 24;
 
 /// Pairs that are swept together.
 pub(super) struct Stretch<'a, M: ContactModes<f64>> {
+    /// They themselves, and those that come after them, whose bodies are fetched.
     pub pairs: View<'a>,
     pub impulses: &'a mut [Modal<f64, M>],
     /// Their impulses after the sweep before, if a monitor follows the steps; empty else.
@@ -118,14 +119,13 @@ fn show<W: Monitor>([change_sq, bound, speed, along]: &Records, way: Way, watch:
     }
 }
 
-/// Asks for the bodies of a pair, which lie anywhere in memory, before they are needed.
+/// Asks for the bodies of a pair, which lie anywhere in memory, before they are needed: those of the next block, too.
 #[inline(always)]
 pub(super) fn fetch(soon: Option<[u32; 2]>, spheres: &[Aligned], first: u32) {
     if let Some(bodies) = soon {
         for body in bodies {
-            if let Some(sphere) = spheres.get((body - first) as usize) {
-                prefetch(sphere);
-            }
+            let place = body as isize - first as isize;
+            prefetch(spheres.as_ptr().wrapping_offset(place));
         }
     }
 }
