@@ -56,15 +56,20 @@ pub(super) fn sweep_pairs<F: ContactFriction<f64>, W: Monitor>(
     let mut done = 0;
     while done < count {
         let at = way.place(done, count);
-        if let Some(groups) = groups.filter(|groups| groups.begins(way.start(at))) {
-            let bodies = (first, &mut *spheres);
-            let solved = match pairs {
-                View::Alike(_, pairs) => {
-                    let stretch = (pairs, &mut *impulses, swept);
-                    solve_run(stretch, groups, bodies, (way, at), &mut records)
-                }
-                View::Any(_) => 0,
-            };
+        if let View::Alike(_, pairs) = pairs
+            && let Some(groups) = groups.filter(|groups| groups.begins(way.start(at)))
+        {
+            let solved = solve_run(Run {
+                pairs,
+                impulses: &mut *impulses,
+                swept,
+                groups,
+                spheres: &mut *spheres,
+                first,
+                way,
+                at,
+                records: &mut records,
+            });
             for group in records.iter().take(solved) {
                 show(group, way, watch);
             }
@@ -208,24 +213,8 @@ const RUN: usize = 16;
 /// another; gives what a monitor records, and returns their number. Apart from monitors and frictions: a copy for each
 /// of these would take minutes to compile.
 #[inline(never)]
-fn solve_run<M: ContactModes<f64>>(
-    (pairs, impulses, swept): (&[AlikePair], &mut [Modal<f64, M>], &[Modal<f64, M>]),
-    groups: Groups<'_>,
-    (first, spheres): (u32, &mut [Aligned]),
-    (way, at): (Way, usize),
-    records: &mut [Records; RUN],
-) -> usize {
-    tribos_lanes::run(Run {
-        pairs,
-        impulses,
-        swept,
-        groups,
-        spheres,
-        first,
-        way,
-        at,
-        records,
-    })
+fn solve_run<M: ContactModes<f64>>(run: Run<'_, M>) -> usize {
+    tribos_lanes::run(run)
 }
 
 /// Groups one after the other.
