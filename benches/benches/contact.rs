@@ -89,18 +89,29 @@ fn time<F: ContactFriction<f64>>(
     radii: [f64; 2],
     friction: F,
 ) {
+    time_after(0, criterion, name, radii, friction);
+}
+
+/// Updates of contacts that were updated that often before.
+fn time_after<F: ContactFriction<f64>>(
+    updates: usize,
+    criterion: &mut Criterion,
+    name: &str,
+    radii: [f64; 2],
+    friction: F,
+) {
     let law = NormalLaw::new(Cohesion::NONE, 0.0).expect("in range");
     let mut group = criterion.benchmark_group("contact");
     group.throughput(Throughput::Elements(PAIRS as u64));
     for motion in Motion::ALL {
         let meetings = meetings(motion, radii);
         let prepared = |m: &Meeting| {
-            let [a, b] = m.spheres;
-            (
-                Contact::<_, F::Modes>::new(&m.touch, &law, &a, &b, DT),
-                a,
-                b,
-            )
+            let [mut a, mut b] = m.spheres;
+            let mut contact = Contact::<_, F::Modes>::new(&m.touch, &law, &a, &b, DT);
+            for _ in 0..updates {
+                contact.update(&friction, &mut a, &mut b);
+            }
+            (contact, a, b)
         };
         let fresh: Vec<_> = meetings.iter().map(prepared).collect();
         for (mut contact, mut a, mut b) in fresh.iter().copied() {
@@ -220,7 +231,9 @@ fn contacts(criterion: &mut Criterion) {
     time(criterion, "sliding torsion", equal, torsion);
     time(criterion, "sliding rolling", equal, rolling);
     time(criterion, "all modes", equal, all);
-    time(criterion, "all modes, unequal", [1.0, 0.5], all);
+    let unequal = [1.0, 0.5];
+    time(criterion, "all modes, unequal", unequal, all);
+    time_after(2, criterion, "all modes, unequal, solved", unequal, all);
     let coupled = CoupledFriction::sliding_torsion(exact);
     time(criterion, "coupled exact", equal, coupled);
     let coupled = CoupledFriction::sliding_torsion(usual);

@@ -40,9 +40,11 @@ mod friction;
 mod modes;
 mod normal;
 mod pair;
+mod plane;
 mod prepared;
 mod time_step;
 mod touch;
+mod two_circles;
 mod update;
 mod vector;
 
