@@ -38,7 +38,7 @@ mod profile;
 mod rings;
 mod side;
 mod speeds;
-mod tip;
+pub(crate) mod tip;
 mod wide;
 
 pub mod closed;
