@@ -7,6 +7,7 @@ use crate::coupling::flat::{DryPatch, FlatPower, Motion, PointLoad, Reduced};
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
 use crate::coupling::table::{Disk, Table};
 use crate::coupling::tall::TallWrench;
+use crate::coupling::tip::Exponent;
 use crate::coupling::{DryCoupling, Lateral, Profile, compact::CompactPower};
 use crate::limit_surface::{AnyPressure, Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
 use crate::patch::bar::Bar;
@@ -81,7 +82,8 @@ formats! {
         e.force_limit(), e.torque_limit(), e.radius();
     [R: Real + Format, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>: |t|
         "table of the disk, exponent {}", t.exponent();
-    [R: Real + Format, const CELLS: usize, const TERMS: usize] Disk<R, CELLS, TERMS>: |t|
+    [R: Real + Format, E: Exponent<R>, const CELLS: usize, const TERMS: usize]
+        Disk<R, E, CELLS, TERMS>: |t|
         "table of the disk without a power, exponent {}", t.exponent();
     [R: Real + Format, const CELLS: usize, const TERMS: usize] RoundTable<R, CELLS, TERMS>: |t|
         "table of exponent {}, mean r² {}", t.exponent(), t.mean_square_radius();

@@ -11,7 +11,7 @@ use tribos_core::coupling::table::{Table32, Table64};
 #[repr(C)]
 pub struct tribos_power_table_f64 {
     /// Internal data.
-    pub opaque: [f64; 3202],
+    pub opaque: [f64; 1694],
     /// Marker of a completed build.
     pub built: u32,
 }
@@ -22,7 +22,7 @@ pub struct tribos_power_table_f64 {
 #[repr(C)]
 pub struct tribos_power_table_f32 {
     /// Internal data.
-    pub opaque: [f32; 906],
+    pub opaque: [f32; 714],
     /// Marker of a completed build.
     pub built: u32,
 }

@@ -10,6 +10,13 @@ pub(super) fn moment<R: Real>(order: R, alpha: R) -> R {
     order + R::HALF * (R::ONE + R::TWO + alpha)
 }
 
+/// Θ from Φ and zΦ', for pressure of order q under exponent α.
+#[inline]
+pub(super) fn theta<R: Real>(order: R, alpha: R, [phi, z_slope]: [R; 2]) -> R {
+    let inv_n = R::ONE / moment(order, alpha);
+    inv_n * (R::HALF * (R::ONE + alpha) * phi + z_slope)
+}
+
 /// Χ from Φ and Φ', for pressure of order q under exponent α.
 #[inline]
 pub(super) fn torque_factor<R: Real>(
@@ -19,13 +26,12 @@ pub(super) fn torque_factor<R: Real>(
     [phi, slope]: [R; 2],
 ) -> R {
     let (x, z) = at.square_and_complement();
-    let inv_n = R::ONE / moment(order, alpha);
     // The slope's singularity is weaker than 1/z.
     let z_slope = if z == R::ZERO { R::ZERO } else { z * slope };
-    let theta = inv_n * (R::HALF * (R::ONE + alpha) * phi + z_slope);
+    let theta = theta(order, alpha, [phi, z_slope]);
     match at.lead() {
         Lead::Sliding => theta,
-        Lead::Spinning => inv_n * z * phi + x * theta,
+        Lead::Spinning => R::ONE / moment(order, alpha) * z * phi + x * theta,
     }
 }
 

@@ -13,7 +13,7 @@
 //! Polygons, bars and meshes under Coulomb's law have closed forms, a few ulp without a table: [`flat`]; polygons
 //! under |v|^α need 127 prepared numbers.
 //!
-//! Tables take 25 KiB a law on the uniform disk and 48 KiB elsewhere (f32: 4 and 7 KiB) and the same
+//! Tables take 14 KiB a law on the uniform disk and 48 KiB elsewhere (f32: 3 and 7 KiB) and the same
 //! time for every pressure and exponent; compact tiers are code only, 5 times as slow, 150 times for
 //! any exponent.
 //!
@@ -38,6 +38,7 @@ mod profile;
 mod rings;
 mod side;
 mod speeds;
+pub(crate) mod tip;
 mod wide;
 
 pub mod closed;

@@ -21,6 +21,18 @@ impl<const CELLS: usize, const TERMS: usize> Side<f64, CELLS, TERMS> {
         }
     }
 
+    /// Φ and dΦ/dz at z = 0.
+    pub const fn end_terms(&self) -> [f64; 2] {
+        [self.cells[0].terms[0][0], self.cells[0].terms[1][0]]
+    }
+
+    /// With terms of second and third degree in the cell of z = 0.
+    pub const fn with_end(mut self, [second, third]: [[f64; 2]; 2]) -> Self {
+        self.cells[0].terms[2] = second;
+        self.cells[0].terms[3] = third;
+        self
+    }
+
     fn empty() -> Self {
         let cell = Cell {
             center: 0.0,
@@ -95,22 +107,27 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
         cell.unwrap_or(&self.cells[0])
     }
 
+    /// The cell that holds z in (0, 1] unless it is that of z = 0; none if z is NaN. Next to nothing,
+    /// since what is below wraps around.
+    #[inline]
+    pub fn cell_above_end(&self, z: R) -> Option<&Cell<R, TERMS>> {
+        let (_, above) = self.cells.split_first()?;
+        let below = const { R::HALF_OCTAVE_OF_ONE - (CELLS - 2) };
+        above.get(z.half_octave().wrapping_sub(below))
+    }
+
+    /// The smallest z above the cell of z = 0.
+    #[allow(dead_code, reason = "for targets with vectors")]
+    #[inline]
+    pub fn end(&self) -> R {
+        R::of_half_octave(const { R::HALF_OCTAVE_OF_ONE - (CELLS - 2) })
+    }
+
     /// The cell of z = 0; out of line, so that finding the others needs no clamp.
     #[cold]
     #[inline(never)]
-    fn end_cell(&self) -> &Cell<R, TERMS> {
+    pub fn end_cell(&self) -> &Cell<R, TERMS> {
         &self.cells[0]
-    }
-
-    /// Both functions at x = h², for functions as smooth as those of the uniform disk: near z = 0
-    /// the rounding of z does not matter to them.
-    #[inline(always)]
-    pub fn at_square(&self, x: R) -> [R; 2] {
-        let cell = match self.cell(R::ONE - x) {
-            Some(cell) => cell,
-            None => self.end_cell(),
-        };
-        evaluated(cell, cell.mirror - x)
     }
 
     /// Both functions at z, for functions that may leave z = 0 with infinite slope.
@@ -139,16 +156,10 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
             Some(cell) => cell,
             None => self.end_cell(),
         };
-        let u = z - cell.center;
-        let mut phi = cell.terms[TERMS - 1][0];
-        let mut slope = R::ZERO;
-        for [a, _] in cell.terms.iter().rev().skip(1) {
-            slope = slope * u + phi;
-            phi = phi * u + *a;
-        }
-        [phi, -slope]
+        value_and_slope(cell, z)
     }
 
+    /// Φ and Φ' at z = 0.
     #[cold]
     fn end_and_slope(&self) -> [R; 2] {
         let [[phi, _], [slope, _], ..] = self.cells[0].terms[..] else {
@@ -158,9 +169,22 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
     }
 }
 
+/// Φ and Φ' = −dΦ/dz at z.
+#[inline]
+pub(super) fn value_and_slope<R: Real, const TERMS: usize>(cell: &Cell<R, TERMS>, z: R) -> [R; 2] {
+    let u = z - cell.center;
+    let mut phi = cell.terms[TERMS - 1][0];
+    let mut slope = R::ZERO;
+    for [a, _] in cell.terms.iter().rev().skip(1) {
+        slope = slope * u + phi;
+        phi = phi * u + *a;
+    }
+    [phi, -slope]
+}
+
 /// Both functions at `u` from the center.
 #[inline(always)]
-fn evaluated<R: Real, const TERMS: usize>(cell: &Cell<R, TERMS>, u: R) -> [R; 2] {
+pub(super) fn evaluated<R: Real, const TERMS: usize>(cell: &Cell<R, TERMS>, u: R) -> [R; 2] {
     R::sums(&cell.terms, u)
 }
 

@@ -4,18 +4,24 @@ use super::DryCoupling;
 use super::family;
 use super::member::Member;
 use super::profile::{Profile, SmoothProfile};
-use super::side::Side;
+use super::side::{self, Side};
 use super::speeds::{Lead, Speeds};
+use super::tip::{Any, Exponent, Tip, Zero};
 use crate::law::{LawError, validated_exponent};
 use crate::power::FixedPower;
 use crate::real::Real;
 
-/// f64: 52 octaves of z reach the smallest gap between two speeds; degree 12.
+/// Any pressure in f64: 52 octaves of z reach the smallest gap between two speeds; degree 12.
 pub(super) const CELLS_F64: usize = 2 * 52 + 2;
 pub(super) const TERMS_F64: usize = 13;
 /// f32: 23 octaves; degree 5.
 pub(super) const CELLS_F32: usize = 2 * 23 + 2;
 pub(super) const TERMS_F32: usize = 6;
+/// The uniform disk in f64: below 25 octaves an expansion serves, which neglects z³ < 2⁻⁷⁵ and, in
+/// values for α ≥ 0, at most z²/70 < 2⁻⁵⁶ of them.
+pub(super) const DISK_CELLS_F64: usize = 2 * 25 + 2;
+/// f32: 16 octaves; for α ≥ 0 Jacobians need no expansion either, but for z/28 < 2⁻²⁰ of F/v.
+pub(super) const DISK_CELLS_F32: usize = 2 * 16 + 2;
 /// One degree less is enough for α = 0 in f32, whose singularity is weaker than that of α < 0.
 const TERMS_COULOMB_F32: usize = 5;
 
@@ -29,20 +35,21 @@ const CLOSE: f64 = 64.0;
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-pub struct Disk<R, const CELLS: usize, const TERMS: usize> {
+pub struct Disk<R, E, const CELLS: usize, const TERMS: usize> {
     pub(super) side: Side<R, CELLS, TERMS>,
-    alpha: R,
+    pub(super) tip: Tip<R>,
+    pub(super) exponent: E,
 }
 
 /// Both tables: a disk, and the power of its scale.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Table<R, const CELLS: usize, const TERMS: usize> {
-    pub(super) disk: Disk<R, CELLS, TERMS>,
+    pub(super) disk: Disk<R, Any<R>, CELLS, TERMS>,
     pub(super) power: FixedPower<R>,
 }
 
-/// Friction v^α on a uniform disk, from a table of one exponent in f64 (25 KiB).
+/// Friction v^α on a uniform disk, from a table of one exponent in f64 (14 KiB).
 ///
 /// ```
 /// use tribos_core::coupling::{Coupling, table::Table64};
@@ -53,8 +60,8 @@ pub struct Table<R, const CELLS: usize, const TERMS: usize> {
 /// assert_eq!(Table64::new(10.5).err(), Some(LawError::Exponent { given: 10.5, max }));
 /// # Ok::<(), LawError>(())
 /// ```
-pub type Table64 = Table<f64, CELLS_F64, TERMS_F64>;
-/// Friction v^α on a uniform disk, from a table of one exponent in f32 (4 KiB).
+pub type Table64 = Table<f64, DISK_CELLS_F64, TERMS_F64>;
+/// Friction v^α on a uniform disk, from a table of one exponent in f32 (3 KiB).
 ///
 /// ```
 /// use tribos_core::coupling::{Coupling, table::Table32};
@@ -62,7 +69,7 @@ pub type Table64 = Table<f64, CELLS_F64, TERMS_F64>;
 /// assert!((Table32::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-6);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
-pub type Table32 = Table<f32, CELLS_F32, TERMS_F32>;
+pub type Table32 = Table<f32, DISK_CELLS_F32, TERMS_F32>;
 
 impl<R, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
     /// Largest exponent that a table resolves to its stated bound; it holds for all tables.
@@ -73,7 +80,7 @@ impl Table64 {
     /// Builds the table of exponent α; `const`, so that a `static` table can live in flash.
     ///
     /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque: 1.5e-15 relative for
-    /// α ≥ −0.75 (5 ulp at α = 0), 1.2e-14 below; Jacobian 2e-13 of F/v. *Cost*: about 350,000
+    /// α ≥ −0.75 (5 ulp at α = 0), 1.2e-14 below; Jacobian 2e-13 of F/v. *Cost*: about 300,000
     /// floating-point operations.
     ///
     /// ```
@@ -88,7 +95,7 @@ impl Table64 {
     pub const fn new(alpha: f64) -> Result<Self, LawError> {
         match validated_exponent(alpha, MAX_EXPONENT) {
             Ok(alpha) => Ok(Self {
-                disk: Disk::<f64, _, _>::build(alpha),
+                disk: Disk::<f64, _, _, _>::build(alpha, Any(alpha)),
                 power: FixedPower::<f64>::new(alpha),
             }),
             Err(error) => Err(error),
@@ -96,12 +103,36 @@ impl Table64 {
     }
 }
 
-impl Disk<f64, CELLS_F64, TERMS_F64> {
-    const fn build(alpha: f64) -> Self {
-        let disk = Member { alpha, order: 0.0 };
+/// The cells of exponent α with their end, in f64.
+const fn cells_and_tip<const CELLS: usize, const TERMS: usize>(
+    alpha: f64,
+) -> (Side<f64, CELLS, TERMS>, Tip<f64>) {
+    let disk = Member { alpha, order: 0.0 }.sliding();
+    let side = Side::build(&disk);
+    let octaves = (CELLS as u32 - 2) / 2;
+    let tip = Tip::fitted(&disk, side.end_terms(), octaves);
+    (side.with_end(tip.tangents(&disk, octaves)), tip)
+}
+
+impl<E: Copy, const CELLS: usize, const TERMS: usize> Disk<f64, E, CELLS, TERMS> {
+    const fn build(alpha: f64, exponent: E) -> Self {
+        let (side, tip) = cells_and_tip(alpha);
         Self {
-            alpha,
-            side: Side::build(&disk.sliding()),
+            side,
+            tip,
+            exponent,
+        }
+    }
+}
+
+impl<E: Copy, const CELLS: usize, const TERMS: usize> Disk<f32, E, CELLS, TERMS> {
+    /// Built in f64, then rounded.
+    const fn build(alpha: f64, exponent: E) -> Self {
+        let (side, tip) = cells_and_tip(alpha);
+        Self {
+            side: Side::rounded(&side),
+            tip: tip.rounded(),
+            exponent,
         }
     }
 }
@@ -110,12 +141,12 @@ impl Table32 {
     /// Builds the table of exponent α in f64 arithmetic and rounds it; `const`.
     ///
     /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque: 5 ulp for
-    /// −0.75 ≤ α ≤ 5, 8 ulp up to 10; Jacobian 6e-6 of F/v. *Cost*: about 200,000 operations in
+    /// −0.75 ≤ α ≤ 5, 8 ulp up to 10; Jacobian 6e-6 of F/v. *Cost*: about 240,000 operations in
     /// f64.
     ///
     /// ```
     /// use tribos_core::coupling::{Coupling, table::Table32};
-    /// assert!(size_of::<Table32>() < 4 * 1024); // bytes of flash
+    /// assert!(size_of::<Table32>() < 3 * 1024); // bytes of flash
     /// let wrench = Table32::new(1.0)?.reduced_wrench(0.3, 0.4); // F = v, T = w/2
     /// assert!((wrench.force - 0.3).abs() < 1e-6 && (wrench.torque - 0.2).abs() < 1e-6);
     /// # Ok::<(), tribos_core::law::LawError>(())
@@ -123,7 +154,7 @@ impl Table32 {
     pub const fn new(alpha: f32) -> Result<Self, LawError> {
         match validated_exponent(alpha as f64, MAX_EXPONENT) {
             Ok(_) => Ok(Self {
-                disk: Disk::<f32, _, _>::build(alpha),
+                disk: Disk::<f32, _, _, _>::build(alpha as f64, Any(alpha)),
                 power: FixedPower::<f32>::new(alpha),
             }),
             Err(error) => Err(error),
@@ -131,29 +162,18 @@ impl Table32 {
     }
 }
 
-impl<const TERMS: usize> Disk<f32, CELLS_F32, TERMS> {
-    const fn build(alpha: f32) -> Self {
-        let disk = Member {
-            alpha: alpha as f64,
-            order: 0.0,
-        };
-        Self {
-            alpha,
-            side: Side::rounded(&Side::build(&disk.sliding())),
-        }
-    }
-}
-
-impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Disk<R, CELLS, TERMS> {
+impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Profile<R>
+    for Disk<R, E, CELLS, TERMS>
+{
     #[inline]
     fn exponent(&self) -> R {
-        self.alpha
+        self.exponent.value()
     }
     #[inline]
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
         let [phi, theta] = self.force_and_theta(at);
         let a_sq = at.slide * at.slide;
-        let spin = pure_spin_torque(self.alpha) * (R::ONE - a_sq);
+        let spin = pure_spin_torque(self.exponent.value()) * (R::ONE - a_sq);
         [phi, spin * phi + a_sq * theta]
     }
     /// One formula for both regimes, since which speed leads is a coin toss to a branch predictor,
@@ -162,7 +182,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Disk<R, CEL
     fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
         let [phi, theta] = self.force_and_theta(at);
         let (a, h) = (at.slide, at.ratio());
-        let spin = pure_spin_torque(self.alpha) * (R::ONE - a * a);
+        let spin = pure_spin_torque(self.exponent.value()) * (R::ONE - a * a);
         [phi, spin * phi + a * h * theta]
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
@@ -173,11 +193,45 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Disk<R, CEL
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Disk<R, CELLS, TERMS> {
-    #[inline]
+impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Disk<R, E, CELLS, TERMS> {
+    /// Φ and Θ at x = h²: near z = 0 the rounding of z = 1 − x does not matter to them.
+    #[inline(always)]
     fn force_and_theta(&self, at: &Speeds<R>) -> [R; 2] {
         let h = at.ratio();
-        self.side.at_square(h * h)
+        let x = h * h;
+        let cell = match self.side.cell_above_end(R::ONE - x) {
+            Some(cell) => cell,
+            None if self.exponent.bends_values() => return self.bent_force_and_theta(R::ONE - x),
+            None => self.side.end_cell(),
+        };
+        side::evaluated(cell, cell.mirror - x)
+    }
+
+    /// Φ and Φ' at z.
+    #[inline]
+    fn force_and_slope(&self, z: R) -> [R; 2] {
+        let cell = match self.side.cell_above_end(z) {
+            Some(cell) => cell,
+            None if self.exponent.bends_slopes() => return self.bent_force_and_slope(z),
+            None => self.side.end_cell(),
+        };
+        side::value_and_slope(cell, z)
+    }
+
+    /// Φ and Θ at z in the cell of z = 0, from their expansion; NaN for NaN.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn bent_force_and_theta(&self, z: R) -> [R; 2] {
+        let [phi, slope] = self.bent_force_and_slope(z);
+        let alpha = self.exponent.value();
+        [phi, family::theta(R::ZERO, alpha, [phi, z * slope])]
+    }
+
+    /// Φ and Φ' at z in the cell of z = 0, from their expansion; NaN for NaN.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn bent_force_and_slope(&self, z: R) -> [R; 2] {
+        self.tip.value_and_slope(self.exponent, z)
     }
 }
 
@@ -187,12 +241,14 @@ pub(super) fn pure_spin_torque<R: Real>(alpha: R) -> R {
     R::TWO / (R::ONE + R::TWO + alpha)
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Disk<R, CELLS, TERMS> {
+impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> SmoothProfile<R>
+    for Disk<R, E, CELLS, TERMS>
+{
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
-        let [phi, slope] = self.side.value_and_slope(at.complement());
+        let [phi, slope] = self.force_and_slope(at.complement());
         // One table read serves all.
-        let chi = family::torque_factor(R::ZERO, self.alpha, at, [phi, slope]);
+        let chi = family::torque_factor(R::ZERO, self.exponent.value(), at, [phi, slope]);
         [phi, slope, chi]
     }
     /// Φ' from Θ, next to equal speeds from the polynomial.
@@ -203,10 +259,10 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Disk<
         if z < R::from_f64(CLOSE) * R::EPSILON.sqrt() {
             return self.factors_and_slope(at);
         }
-        let moment = family::moment(R::ZERO, self.alpha);
-        let slope = (moment * theta - R::HALF * (R::ONE + self.alpha) * phi) / z;
+        let moment = family::moment(R::ZERO, self.exponent.value());
+        let slope = (moment * theta - R::HALF * (R::ONE + self.exponent.value()) * phi) / z;
         let a_sq = at.slide * at.slide;
-        let spin = pure_spin_torque(self.alpha) * (R::ONE - a_sq);
+        let spin = pure_spin_torque(self.exponent.value()) * (R::ONE - a_sq);
         let chi = match at.lead() {
             Lead::Sliding => theta,
             Lead::Spinning => spin * phi + a_sq * theta,
@@ -218,7 +274,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Disk<
 impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CELLS, TERMS> {
     #[inline]
     fn exponent(&self) -> R {
-        self.disk.alpha
+        self.disk.exponent.value()
     }
     #[inline]
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
@@ -256,8 +312,8 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
 }
 
 /// Tables of α = 0, which need no power.
-pub(crate) type CoulombTable64 = Disk<f64, CELLS_F64, TERMS_F64>;
-pub(crate) type CoulombTable32 = Disk<f32, CELLS_F32, TERMS_COULOMB_F32>;
+pub(crate) type CoulombTable64 = Disk<f64, Zero, DISK_CELLS_F64, TERMS_F64>;
+pub(crate) type CoulombTable32 = Disk<f32, Zero, DISK_CELLS_F32, TERMS_COULOMB_F32>;
 
 /// Aligned for vectors, which then take a cell's numbers as operands: its size is a multiple of 16.
 #[derive(Debug)]
@@ -265,8 +321,8 @@ pub(crate) type CoulombTable32 = Disk<f32, CELLS_F32, TERMS_COULOMB_F32>;
 pub(crate) struct Aligned<T>(pub T);
 
 /// The tables of α = 0, in read-only memory.
-pub(crate) static COULOMB_F64: Aligned<CoulombTable64> = Aligned(CoulombTable64::build(0.0));
-pub(crate) static COULOMB_F32: Aligned<CoulombTable32> = Aligned(CoulombTable32::build(0.0));
+pub(crate) static COULOMB_F64: Aligned<CoulombTable64> = Aligned(CoulombTable64::build(0.0, Zero));
+pub(crate) static COULOMB_F32: Aligned<CoulombTable32> = Aligned(CoulombTable32::build(0.0, Zero));
 
 /// Coulomb friction, α = 0, from a table built by the compiler: no constructor, no RAM, no power.
 ///

@@ -190,6 +190,27 @@ const fn octaves(alpha: f64) -> [Double; OCTAVES] {
     out
 }
 
+/// Exponents below this make no difference to a difference quotient at exponent 0.
+const NO_EXPONENT: f64 = 1e-18;
+
+/// x^α and (x^α − 1)/α for x = 2^−`halvings`; the second is ln x for α = 0.
+///
+/// *Domain*: −1 < `alpha` ≤ 10. *Accuracy*: half a unit in the last place, about.
+pub(crate) const fn halved(alpha: f64, halvings: u32) -> [f64; 2] {
+    if alpha.abs() < NO_EXPONENT {
+        return [1.0, -(halvings as f64) * core::f64::consts::LN_2];
+    }
+    let half = exp(product(exact(-alpha), LN_2));
+    let mut power = ONE;
+    let mut n = 0;
+    while n < halvings {
+        power = product(power, half);
+        n += 1;
+    }
+    let rest = sum(power, exact(-1.0));
+    [power.high, (rest.high + rest.low) / alpha]
+}
+
 impl FixedPower<f64> {
     /// *Domain*: −1 < `alpha` ≤ 10. *Cost*: about 50,000 floating-point operations.
     pub const fn new(alpha: f64) -> Self {

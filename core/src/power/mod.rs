@@ -12,6 +12,8 @@
 
 mod build;
 
+pub(crate) use build::halved;
+
 use crate::real::Real;
 use core::ops::{Add, Mul, Sub};
 

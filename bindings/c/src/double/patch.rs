@@ -49,7 +49,7 @@ unsafe fn jacobian_of<C: Coupling<f64>>(
     Ok(friction.wrench_jacobian(load, &twist.into()).into())
 }
 
-/// Uniform disk under Coulomb friction, by table, the fastest method. Flash: 23 KiB of table (f32: 3).
+/// Uniform disk under Coulomb friction, by table, the fastest method. Flash: 12 KiB of table (f32: 2).
 /// Accuracy: 5 ulp in force and torque.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_wrench_f64(
@@ -238,7 +238,7 @@ pub unsafe extern "C" fn tribos_power_compact_jacobian_f64(
 }
 
 /// Builds the table of one exponent for the uniform disk, -1 < alpha <= 10, in the caller's memory:
-/// 23 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, also in
+/// 14 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, also in
 /// double precision), and 49 KiB of stack on a Cortex-M4 (f32: 13).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_table_build_f64(

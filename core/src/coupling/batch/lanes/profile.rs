@@ -9,6 +9,7 @@ use crate::coupling::octave::Cell;
 use crate::coupling::round::RoundTable;
 use crate::coupling::side::Sides;
 use crate::coupling::table::{Coulomb, Disk, Table, pure_spin_torque};
+use crate::coupling::tip::Exponent;
 use crate::coupling::{Profile, SmoothProfile};
 use crate::real::Real;
 
@@ -58,22 +59,53 @@ fn value_and_slope<R: Real, const TERMS: usize>(
     [phi, -slope]
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Disk<R, CELLS, TERMS> {
+impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Disk<R, E, CELLS, TERMS> {
     #[inline(always)]
     fn cells(&self, z: Lanes<R>) -> Group<&Cell<R, TERMS>> {
         let z = z.larger(Vector::splat(self.side.least()));
         z.to_array().map(|z| self.side.cell_from_least(z))
     }
+
+    /// True if none is in the cell of z = 0.
+    #[inline(always)]
+    fn above_end(&self, z: Lanes<R>) -> bool {
+        z.at_least(Vector::splat(self.side.end())).all()
+    }
+
+    /// The two functions with those of lanes in the cell of z = 0 from `near`.
+    #[cold]
+    #[inline(never)]
+    fn with_ends(
+        &self,
+        z: Lanes<R>,
+        [first, second]: [Lanes<R>; 2],
+        near: impl Fn(R) -> [R; 2],
+    ) -> [Lanes<R>; 2] {
+        let (mut first, mut second) = (first.to_array(), second.to_array());
+        for ((z, first), second) in z.to_array().into_iter().zip(&mut first).zip(&mut second) {
+            if z < self.side.end() {
+                [*first, *second] = near(z);
+            }
+        }
+        [Vector::new(first), Vector::new(second)]
+    }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Disk<R, CELLS, TERMS> {
+impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> LaneProfile<R>
+    for Disk<R, E, CELLS, TERMS>
+{
     #[inline(always)]
     fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
         let one = Lanes::<R>::splat(R::ONE);
         let (a, h) = (at.slide(), at.ratio);
         let x = h * h;
-        let cells = self.cells(one - x);
-        let [phi, theta] = evaluated(&cells, of_each(&cells, |cell| cell.mirror) - x);
+        let z = one - x;
+        let cells = self.cells(z);
+        let mut factors = evaluated(&cells, of_each(&cells, |cell| cell.mirror) - x);
+        if self.exponent.bends_values() && !self.above_end(z) {
+            factors = self.with_ends(z, factors, |z| self.bent_force_and_theta(z));
+        }
+        let [phi, theta] = factors;
         let spin = Lanes::<R>::splat(pure_spin_torque(self.exponent())) * (one - a * a);
         Some([phi, spin * phi + a * h * theta])
     }
@@ -81,10 +113,11 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Disk<R,
     #[inline(always)]
     fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
         let z = at.complement();
-        if !z.above(Vector::splat(R::ZERO)).all() {
-            return None;
+        let mut factors = value_and_slope(&self.cells(z), z);
+        if self.exponent.bends_slopes() && !self.above_end(z) {
+            factors = self.with_ends(z, factors, |z| self.bent_force_and_slope(z));
         }
-        let [phi, slope] = value_and_slope(&self.cells(z), z);
+        let [phi, slope] = factors;
         let alpha = self.exponent();
         let inv_n = Lanes::<R>::splat(R::ONE / moment(R::ZERO, alpha));
         let half = Lanes::<R>::splat(R::HALF * (R::ONE + alpha));
