@@ -17,10 +17,11 @@ macro_rules! impulse {
 macro_rules! exact {
     ($($more:literal),*) => {
         round!(
-            "coupling::table coupling::side coupling::batch::ways",
+            "coupling::table coupling::tip special::log_quotient coupling::side coupling::batch::ways",
             "limit_surface limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
             "contact contact::block contact::body contact::update contact::coupled",
             "contact::friction contact::modes contact::normal contact::pair contact::both_slip",
+            "contact::plane contact::two_circles",
             "contact::touch contact::vector" $(, $more)*
         )
     };
@@ -32,7 +33,7 @@ macro_rules! ellipsoid {
         impulse!(
             "limit_surface limit_surface::ellipsoid limit_surface::exact",
             "limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
-            "contact::coupled contact::pair contact::both_slip"
+            "contact::coupled contact::pair contact::both_slip contact::plane contact::two_circles"
         )
     };
 }
@@ -70,19 +71,19 @@ pub const IMPULSES: [Item; 11] = [
     struck(
         "sliding, rolling",
         NARROW,
-        impulse!("contact::pair contact::both_slip"),
+        impulse!("contact::pair contact::both_slip contact::plane contact::two_circles"),
         "Struck::on_floor(Thresholds::sliding_rolling(b, a).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion",
         BOTH,
-        impulse!("contact::pair contact::both_slip"),
+        impulse!("contact::pair contact::both_slip contact::plane contact::two_circles"),
         "Struck::on_floor(Thresholds::all(b, a, b).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion: two balls",
         NARROW,
-        impulse!("contact::pair contact::both_slip"),
+        impulse!("contact::pair contact::both_slip contact::plane contact::two_circles"),
         "Struck::on_ball(Thresholds::all(b, a, b).ok()?)?",
     ),
     struck(

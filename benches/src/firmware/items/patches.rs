@@ -76,7 +76,9 @@ pub const PATCHES: [Item; 19] = [
     coupled(
         "annulus: table: Coulomb",
         NARROW,
-        round!("coupling::annulus coupling::table coupling::side coupling::batch::ways"),
+        round!(
+            "coupling::annulus coupling::table coupling::tip special::log_quotient coupling::side coupling::batch::ways"
+        ),
         "Annulus::new(table::Coulomb, 0.5 as R).ok()?",
     ),
     coupled(

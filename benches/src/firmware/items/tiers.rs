@@ -25,13 +25,17 @@ pub const TIERS: [Item; 7] = [
     tier(
         "table: Coulomb",
         BOTH,
-        round!("coupling::table coupling::side coupling::batch::ways"),
+        round!(
+            "coupling::table coupling::tip special::log_quotient coupling::side coupling::batch::ways"
+        ),
         "table::Coulomb",
     ),
     item(
         [TIER, "table: alpha 0.5"],
         BOTH,
-        round!("coupling::table coupling::side coupling::batch::ways power"),
+        round!(
+            "coupling::table coupling::tip special::log_quotient coupling::side coupling::batch::ways power"
+        ),
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HALF_TABLE),
     ),
     tier(
