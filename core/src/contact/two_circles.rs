@@ -10,7 +10,7 @@ use crate::real::Real;
 use nalgebra::Vector3;
 
 /// Square of the share of its threshold from which on an impulse is taken to have slipped before.
-const SLIPPED_BEFORE: f64 = 0.8;
+const SLIPPED_BEFORE: f64 = 0.95;
 
 /// Vectors of sliding and of rolling in space.
 pub(super) type Motions<'a, R> = [&'a Vector3<R>; 2];
@@ -85,9 +85,10 @@ impl<'a, R: Real> TwoCircles<'a, R> {
     pub(super) fn solve(&self, left: R) -> Option<[Vector3<R>; 2]> {
         let ([p, t], [slip, roll]) = (self.old_share, self.excess);
         let [to_sliding, to_rolling] = self.both.couplings;
-        // Both slip as before.
+        // Both slip as before: at their thresholds, and against their impulses.
         let slipped = R::from_f64(SLIPPED_BEFORE);
-        if dot(p, p) >= slipped && dot(t, t) >= slipped {
+        let at_thresholds = dot(p, p) >= slipped && dot(t, t) >= slipped;
+        if at_thresholds && dot(p, slip) < R::ZERO && dot(t, roll) < R::ZERO {
             let found = self.slipping([unit(p), unit(t)]);
             if found.is_some() {
                 return found;

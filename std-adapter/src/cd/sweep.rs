@@ -9,6 +9,7 @@ use super::mixture::PairFriction;
 use super::operator::Monitor;
 use super::pairs::View;
 use tribos_core::contact::{Body, Contact, ContactFriction, ContactModes, Modal};
+use tribos_core::internals::PreparedContact;
 use tribos_lanes::{Four, Task};
 use tribos_prefetch::prefetch;
 
@@ -135,6 +136,9 @@ pub(super) fn fetch(soon: Option<[u32; 2]>, spheres: &[Aligned], first: u32) {
     }
 }
 
+/// A pair's impulse, and the one after the sweep before if a monitor follows it.
+type Steps<'a, M> = (&'a mut Modal<f64, M>, Option<&'a Modal<f64, M>>);
+
 /// The place of one pair among others, all impulses, and its own after the sweep before if a monitor follows it.
 pub(super) type One<'a, M> = (
     View<'a>,
@@ -147,17 +151,41 @@ pub(super) type One<'a, M> = (
 #[inline(always)]
 pub(super) fn solve_one<F: ContactFriction<f64>, W: Monitor>(
     (pairs, at, impulses, swept): One<'_, F::Modes>,
+    bodies: (u32, &mut [Aligned]),
+    friction: &impl PairFriction<F>,
+    watch: &mut W,
+) {
+    let Some(impulse) = impulses.get_mut(at) else {
+        return;
+    };
+    // Apart: a contact that comes from either kind would go through memory.
+    match pairs {
+        View::Alike(common, pairs) => {
+            if let Some(pair) = pairs.get(at) {
+                let contact = (pair.bodies(), &pair.prepared(common));
+                solve_contact(contact, (impulse, swept), bodies, friction, watch);
+            }
+        }
+        View::Any(pairs) => {
+            if let Some((numbers, prepared)) = pairs.get(at) {
+                let contact = (*numbers, prepared);
+                solve_contact(contact, (impulse, swept), bodies, friction, watch);
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn solve_contact<F: ContactFriction<f64>, W: Monitor>(
+    (numbers, prepared): ([u32; 2], &PreparedContact<f64>),
+    (impulse, swept): Steps<'_, F::Modes>,
     (first, spheres): (u32, &mut [Aligned]),
     friction: &impl PairFriction<F>,
     watch: &mut W,
 ) {
-    let (Some(numbers), Some(impulse)) = (pairs.bodies(at), impulses.get_mut(at)) else {
-        return;
-    };
     let bodies = numbers.map(|body| (body - first) as usize);
-    if let (Some(mut contact), Ok([a, b])) =
-        (pairs.contact(at, impulse), spheres.get_disjoint_mut(bodies))
-    {
+    if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
+        let mut contact = Contact::resume(prepared, impulse);
         let friction = friction.of(numbers);
         update(&mut contact, swept, friction, &mut a.0, &mut b.0).tell(watch);
         *impulse = *contact.impulse();
