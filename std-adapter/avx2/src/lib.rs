@@ -2,17 +2,25 @@
 //!
 //! A program built for any x86-64 has registers of two numbers; nearly all processors since 2013 have four.
 //! [`run`] asks the processor and calls a loop with a proof that it has them, [`Avx2`]; with the proof, [`F64x4`]
-//! computes. The call and the instructions need unsafe code, which this crate keeps apart from a library that
+//! and [`F32x8`] compute. The call and the instructions need unsafe code, which this crate keeps apart from a library that
 //! denies it.
 //!
 //! AVX2 alone has no fused multiply-add, and the compiler neither fuses nor reorders on its own: every operation
 //! rounds as the scalar one does, so that results do not depend on the processor.
 
 #[cfg(target_arch = "x86_64")]
+mod eight;
+#[cfg(target_arch = "x86_64")]
 mod four;
+#[cfg(target_arch = "x86_64")]
+mod pick;
 
 #[cfg(target_arch = "x86_64")]
+pub use eight::F32x8;
+#[cfg(target_arch = "x86_64")]
 pub use four::F64x4;
+#[cfg(target_arch = "x86_64")]
+pub use pick::{pick, pick_of_eight};
 
 /// Proof that the processor has AVX2.
 #[derive(Clone, Copy, Debug)]

@@ -1,5 +1,9 @@
 //! Four pairs of an atom side by side.
 
+mod rough;
+
+pub(super) use rough::{ROUGH_LANES, Rough};
+
 use super::neighbours::{LANES, Site};
 use std::ops::{Add, Div, Mul, Sub};
 use tribos_avx2::Avx2;
@@ -11,6 +15,9 @@ pub(super) trait Lanes:
 {
     /// What allows to make them.
     type Key: Copy;
+
+    /// Registers of the same processor with eight rough numbers.
+    type Rough: Rough<Key = Self::Key>;
 
     fn new(key: Self::Key, lanes: [f64; LANES]) -> Self;
 
@@ -26,6 +33,12 @@ pub(super) trait Lanes:
 
     /// `chosen` where these are less than `others`, `other` elsewhere.
     fn if_below(self, others: Self, chosen: Self, other: Self) -> Self;
+
+    /// The numbers in some lanes, each below four.
+    #[inline(always)]
+    fn pick(_: Self::Key, numbers: &[u32; LANES], lanes: &[u32; LANES]) -> [u32; LANES] {
+        std::array::from_fn(|lane| numbers[lanes[lane] as usize % LANES])
+    }
 
     /// Places of a block of sites, axis by axis.
     #[inline(always)]
@@ -49,6 +62,7 @@ pub(super) trait Lanes:
 
 impl Lanes for wide::f64x4 {
     type Key = ();
+    type Rough = wide::f32x8;
 
     #[inline(always)]
     fn new((): (), lanes: [f64; LANES]) -> Self {
@@ -84,6 +98,7 @@ impl Lanes for wide::f64x4 {
 #[cfg(target_arch = "x86_64")]
 impl Lanes for tribos_avx2::F64x4 {
     type Key = Avx2;
+    type Rough = tribos_avx2::F32x8;
 
     #[inline(always)]
     fn new(key: Avx2, lanes: [f64; LANES]) -> Self {
@@ -113,6 +128,11 @@ impl Lanes for tribos_avx2::F64x4 {
     #[inline(always)]
     fn if_below(self, others: Self, chosen: Self, other: Self) -> Self {
         self.below(others).select(chosen, other)
+    }
+
+    #[inline(always)]
+    fn pick(key: Avx2, numbers: &[u32; LANES], lanes: &[u32; LANES]) -> [u32; LANES] {
+        tribos_avx2::pick(key, numbers, lanes)
     }
 
     #[inline(always)]

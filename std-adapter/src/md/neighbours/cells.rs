@@ -1,7 +1,8 @@
 //! Slots sorted into cells as wide as the reach of the list.
 
-use super::LANES;
 use super::images::{Slot, fill_slots};
+use super::rough::RoughPlaces;
+use super::window::Window;
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::ops::Range;
@@ -19,6 +20,7 @@ const DOUBT: f64 = 1e-6;
 #[derive(Clone, Copy, Debug, Default)]
 struct Axis {
     low: f64,
+    width: f64,
     inv_width: f64,
     cells: usize,
 }
@@ -30,31 +32,46 @@ impl Axis {
         let inv_width = cells / (high - low).max(width);
         Self {
             low,
+            width: 1.0 / inv_width,
             inv_width,
             cells: cells as usize + 2,
         }
     }
 
+    #[inline(always)]
     fn cell(&self, x: f64) -> usize {
-        let inner = ((x - self.low) * self.inv_width) as usize;
+        // The cells of all axes together are numbered in 32 bits.
+        let inner = ((x - self.low) * self.inv_width) as u32 as usize;
         inner.min(self.cells - 3) + 1
     }
 
     /// First and last cell within `reach` of `x`, with some doubt.
+    #[inline(always)]
     fn span(&self, x: f64, reach: f64) -> [usize; 2] {
-        let reach = reach + DOUBT / self.inv_width;
+        let reach = reach + DOUBT * self.width;
         [self.cell(x - reach), self.cell(x + reach)]
     }
 
     /// Squares of the least distances from `x` to the cell before its own, its own and the next,
     /// rounded down.
+    #[inline(always)]
     fn gaps_sq(&self, x: f64) -> [f64; 3] {
         let inside = (x - self.low) * self.inv_width - (self.cell(x) - 1) as f64;
-        [inside, 0.0, 1.0 - inside].map(|gap| {
-            let gap = (gap - DOUBT).max(0.0) / self.inv_width;
-            gap * gap
-        })
+        let before = (inside - DOUBT).max(0.0) * self.width;
+        let after = (1.0 - inside - DOUBT).max(0.0) * self.width;
+        [before * before, 0.0, after * after]
     }
+}
+
+/// The nine rows of cells along x around a cell, numbered along y within three layers along z.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Rows {
+    /// First cell of the first row.
+    first: usize,
+    /// First and last cell of all rows along x within the reach of the cell.
+    span: [usize; 2],
+    /// Whether there may be images in reach before the slots of the cell.
+    pub(super) has_image_before: bool,
 }
 
 /// Slots in the order of their cells: x varies fastest, z slowest.
@@ -62,13 +79,15 @@ impl Axis {
 pub struct Cells {
     axes: [Axis; 3],
     slots: Vec<Slot>,
-    /// Positions of the slots, one array per axis, and a block of none.
-    places: [Vec<f64>; 3],
+    /// Rough positions of the slots.
+    rough: RoughPlaces,
     /// Cell of each slot.
     cell_of: Vec<u32>,
     /// First slot of each cell, and the end of the last.
     starts: Vec<u32>,
     /// Number of images before each slot, and in total.
+    images_before: Vec<u32>,
+    /// The slots that are images.
     images: Vec<u32>,
     /// Memory of the sorting: slots with their cells, and the place of the next slot of each cell.
     unsorted: Vec<Slot>,
@@ -97,30 +116,32 @@ impl Cells {
             self.starts[cell] += self.starts[cell - 1];
         }
         self.next.clone_from(&self.starts);
-        self.slots.clone_from(&slots);
+        self.slots.resize(count, Slot::NOWHERE);
         self.cell_of.resize(count, 0);
-        for along in &mut self.places {
-            along.clear();
-            along.resize(count + LANES, f64::NAN);
-        }
+        self.rough.resize(count);
         for (slot, &cell) in slots.iter().zip(&cells) {
             let next = &mut self.next[cell as usize];
             let at = *next as usize;
             *next += 1;
             self.slots[at] = *slot;
             self.cell_of[at] = cell;
-            for (along, x) in self.places.iter_mut().zip(place(slot).iter()) {
-                along[at] = *x;
+            self.rough.set(at, &place(slot));
+        }
+        self.list_images();
+        (self.unsorted, self.unsorted_cells) = (slots, cells);
+    }
+
+    /// Lists and counts the images.
+    fn list_images(&mut self) {
+        self.images.clear();
+        self.images_before.clear();
+        for (slot, Slot { is_image, .. }) in self.slots.iter().enumerate() {
+            self.images_before.push(self.images.len() as u32);
+            if *is_image {
+                self.images.push(slot as u32);
             }
         }
-        let count = |before: &mut u32, slot: &Slot| {
-            *before += u32::from(slot.is_image);
-            Some(*before)
-        };
-        self.images.clear();
-        self.images.push(0);
-        self.images.extend(self.slots.iter().scan(0, count));
-        (self.unsorted, self.unsorted_cells) = (slots, cells);
+        self.images_before.push(self.images.len() as u32);
     }
 
     /// Fits the cells to all positions.
@@ -135,6 +156,7 @@ impl Cells {
         if count == 0 {
             extent = [[0.0; 2]; 3];
         }
+        self.rough.fit(extent, reach);
         let most = (CELLS_PER_SLOT * count as f64).max(64.0);
         let mut width = reach;
         while extent
@@ -162,66 +184,89 @@ impl Cells {
         &self.slots
     }
 
-    /// Positions of the sorted slots along x, y and z, and of a block more that is nowhere.
-    pub fn places(&self) -> [&[f64]; 3] {
-        let [x, y, z] = &self.places;
-        [x, y, z]
+    /// Rough positions of the sorted slots.
+    pub fn rough(&self) -> &RoughPlaces {
+        &self.rough
     }
 
-    /// Position of a slot.
-    pub fn place(&self, slot: usize) -> [f64; 3] {
-        self.places().map(|along| along[slot])
+    /// Cell of a slot.
+    pub fn cell_of(&self, slot: usize) -> u32 {
+        self.cell_of[slot]
     }
 
-    /// True if one of these slots is an image.
-    pub fn has_image(&self, slots: &Range<usize>) -> bool {
-        self.images[slots.end] > self.images[slots.start]
+    /// Number of images before a slot.
+    pub fn images_before(&self, slot: usize) -> usize {
+        self.images_before[slot] as usize
     }
 
-    /// The slots of one of the nine rows around the cell of `slot`, in cells `first` to `last` along x.
-    fn row(&self, slot: usize, row: usize, [first, last]: [usize; 2]) -> Range<usize> {
+    /// The images among some slots.
+    pub fn images(&self, slots: &Range<usize>) -> &[u32] {
+        let [start, end] = [slots.start, slots.end].map(|slot| self.images_before(slot));
+        self.images.get(start..end).unwrap_or_default()
+    }
+
+    /// The rows around a cell.
+    pub fn rows(&self, cell: u32) -> Rows {
         let [x, y, _] = self.axes.map(|axis| axis.cells);
-        let own = self.cell_of[slot] as usize;
-        let (dz, dy) = (row / 3, row % 3);
-        let start = own - own % x + dz * x * y + dy * x - x * y - x;
-        self.starts[start + first] as usize..self.starts[start + last + 1] as usize
+        let along = cell as usize % x;
+        let rows = Rows {
+            first: cell as usize - along - x * y - x,
+            ..Rows::default()
+        };
+        let span = [along.saturating_sub(SLIM), (along + SLIM).min(x - 1)];
+        let rows = Rows { span, ..rows };
+        let mut before = (0..5).map(|row| self.near(&rows, row));
+        Rows {
+            has_image_before: before.any(|slots| !self.images(&slots).is_empty()),
+            ..rows
+        }
     }
 
-    /// The slots of some of the nine rows of cells around `slot`, the row `from` and the next ones,
-    /// without cells entirely beyond `reach_sq`.
+    /// The slots of one of nine rows that may be near the slots of the cell.
+    pub fn near(&self, rows: &Rows, row: usize) -> Range<usize> {
+        self.cells(self.row_start(rows, row), rows.span)
+    }
+
+    /// First slot of a cell.
+    pub fn start(&self, cell: u32) -> usize {
+        self.starts[cell as usize] as usize
+    }
+
+    /// First cell of one of nine rows.
     #[inline(always)]
-    pub fn in_reach<const ROWS: usize>(
-        &self,
-        slot: usize,
-        reach_sq: f64,
-        from: usize,
-    ) -> [Range<usize>; ROWS] {
-        let [x, y, z] = self.place(slot);
-        let [y, z] = [(1, y), (2, z)].map(|(axis, place)| self.axes[axis].gaps_sq(place));
+    fn row_start(&self, rows: &Rows, row: usize) -> usize {
+        let [x, y, _] = &self.axes;
+        rows.first + (row / 3 * y.cells + row % 3) * x.cells
+    }
+
+    /// The slots in some cells after the first of a row.
+    #[inline(always)]
+    fn cells(&self, row_start: usize, [first, last]: [usize; 2]) -> Range<usize> {
+        self.starts[row_start + first] as usize..self.starts[row_start + last + 1] as usize
+    }
+
+    /// All slots of one of the nine rows around the cell of `slot`.
+    pub fn row(&self, slot: usize, row: usize) -> Range<usize> {
+        let whole = [0, self.axes[0].cells - 1];
+        self.cells(self.row_start(&self.rows(self.cell_of[slot]), row), whole)
+    }
+
+    /// The slots of the rows before a place and of its own, without cells entirely beyond `reach_sq` of it.
+    pub fn before(&self, rows: &Rows, [x, y, z]: [f64; 3], reach_sq: f64) -> [Range<usize>; 5] {
+        let y = self.axes[1].gaps_sq(y);
+        let z = self.axes[2].gaps_sq(z);
         std::array::from_fn(|row| {
-            let row = from + row;
             let left_sq = reach_sq - (z[row / 3] + y[row % 3]);
             if left_sq <= 0.0 {
                 return 0..0;
             }
-            self.row(slot, row, self.axes[0].span(x, left_sq.sqrt()))
+            let span = self.axes[0].span(x, left_sq.sqrt());
+            self.cells(self.row_start(rows, row), span)
         })
     }
 
-    /// Whether there may be images in reach before `slot`.
-    #[inline]
-    pub fn has_image_before(&self, slot: usize) -> bool {
-        let own = self.cell_of[slot] as usize % self.axes[0].cells;
-        let span = [own.saturating_sub(SLIM), own + SLIM];
-        let last = self.axes[0].cells - 1;
-        (0..5).any(|row| self.has_image(&self.row(slot, row, span.map(|cell| cell.min(last)))))
-    }
-
-    /// Slots of all cells around those of `owned`.
-    pub fn window(&self, owned: &Range<usize>) -> Range<usize> {
-        let whole = [0, self.axes[0].cells - 1];
-        let first = self.row(owned.start, 0, whole).start;
-        let last = self.row(owned.end - 1, 8, whole).end;
-        first.min(owned.start)..last.max(owned.end)
+    /// Slots that a chunk needs.
+    pub fn window(&self, owned: Range<usize>) -> Window {
+        Window::new(self, owned)
     }
 }

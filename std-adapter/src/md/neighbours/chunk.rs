@@ -1,8 +1,10 @@
 //! A part of a Verlet list: its slots, their neighbours, and the pairs.
 
-use super::cells::Cells;
+use super::candidates::Candidates;
+use super::cells::{Cells, Rows};
 use super::images::Slot;
-use super::row::Row;
+use super::row::{Around, RowWriter};
+use super::window::Window;
 use crate::md::lanes::{InLanes, Lanes};
 use nalgebra::Vector3;
 use std::ops::Range;
@@ -28,12 +30,10 @@ pub struct Site {
 
 impl Site {
     /// A site out of reach.
-    fn nowhere(species: u8) -> Self {
-        Self {
-            place: [NOWHERE, NOWHERE, NOWHERE, species.into()],
-            force: [0.0; 4],
-        }
-    }
+    const NOWHERE: Self = Self {
+        place: [NOWHERE, NOWHERE, NOWHERE, 0.0],
+        force: [0.0; 4],
+    };
 
     /// Species.
     #[inline(always)]
@@ -100,53 +100,65 @@ pub struct Chunk {
     owned: Range<usize>,
     /// First block of `neighbours` of each owned slot, and the end of the last.
     starts: Vec<u32>,
-    neighbours: Vec<[u32; LANES]>,
+    /// Neighbours in blocks, and unused memory.
+    neighbours: Vec<u32>,
     pairs: usize,
     /// What a law of several passes keeps of every block from one to the next.
     pub(crate) kept: Vec<[f64; LANES]>,
     /// Whether it kept something of each block.
     pub(crate) near: Vec<bool>,
-    /// Number of the site of each slot of the cells around, while the list is built.
-    numbers: Vec<u32>,
 }
 
 impl Chunk {
-    /// Adds a row of `first`-based slots and pads its last block with the slot after the last.
-    fn push_row(&mut self, row: &mut Row, nowhere: u32) {
-        let (pairs, blocks) = row.blocks(nowhere);
-        self.pairs += pairs;
-        self.neighbours.extend_from_slice(blocks);
-        self.starts.push(self.neighbours.len() as u32);
+    /// Makes sites for the slots of a window, in place.
+    fn lay(
+        &mut self,
+        cells: &Cells,
+        around: &Window,
+        owned: usize,
+        (positions, species): (&[Vector3<f64>], &[u8]),
+    ) {
+        let slots = cells.slots();
+        self.window.clear();
+        let images = slots[around.before.clone()].iter();
+        self.window.extend(images.filter(|slot| slot.is_image));
+        self.owned = self.window.len()..self.window.len() + owned;
+        self.window.extend_from_slice(&slots[around.here.clone()]);
+        self.window.extend_from_slice(&slots[around.next.clone()]);
+        self.sites.clear();
+        let site = |slot: &Slot| {
+            let atom = slot.atom as usize;
+            let place = positions[atom] + slot.shift;
+            Site {
+                place: [place.x, place.y, place.z, species[atom].into()],
+                force: [0.0; 4],
+            }
+        };
+        self.sites.extend(self.window.iter().map(site));
+        self.sites.push(Site::NOWHERE);
     }
 
-    /// Makes sites for the slots of `around` that are owned or neighbours, and renumbers the
-    /// neighbours.
-    fn number(&mut self, around: &[Slot], owned: Range<usize>, species: &[u8]) {
-        const UNUSED: u32 = u32::MAX;
-        let numbers = &mut self.numbers;
-        numbers.clear();
-        numbers.resize(around.len() + 1, UNUSED);
-        numbers[owned.clone()].fill(0);
-        for &slot in self.neighbours.as_flattened() {
-            numbers[slot as usize] = 0;
+    /// Keeps the sites that are owned or in a row, and renumbers those of the rows.
+    fn keep_used(&mut self, rows: &mut RowWriter) {
+        let (sites, is_used) = rows.sites_mut();
+        is_used[self.owned.clone()].fill(true);
+        // The last site pads the lanes.
+        is_used[self.window.len()] = true;
+        let count = |number: &mut u32, is_used: &bool| {
+            let own = *number;
+            *number += u32::from(*is_used);
+            Some(own)
+        };
+        let numbers: Vec<u32> = is_used.iter().scan(0, count).collect();
+        for site in sites {
+            *site = numbers[*site as usize];
         }
-        self.window.clear();
-        self.sites.clear();
-        for (number, slot) in numbers.iter_mut().zip(around) {
-            if *number != UNUSED {
-                *number = self.window.len() as u32;
-                self.window.push(*slot);
-                let species = species[slot.atom as usize];
-                self.sites.push(Site::nowhere(species));
-            }
-        }
-        self.sites.push(Site::nowhere(0));
-        numbers[around.len()] = self.window.len() as u32;
-        for slot in self.neighbours.as_flattened_mut() {
-            *slot = numbers[*slot as usize];
-        }
-        let start = numbers[owned.start] as usize;
-        self.owned = start..start + owned.len();
+        let start = numbers[self.owned.start] as usize;
+        self.owned = start..start + self.owned.len();
+        let mut each = is_used.iter();
+        self.window.retain(|_| each.next() == Some(&true));
+        let mut each = is_used.iter();
+        self.sites.retain(|_| each.next() == Some(&true));
     }
 
     /// Copies the positions of the atoms and clears the forces.
@@ -181,7 +193,7 @@ impl Chunk {
         &mut [Site],
         impl Iterator<Item = (usize, &[[u32; LANES]])> + Clone,
     ) {
-        let blocks = &self.neighbours;
+        let blocks = self.neighbours.as_chunks::<LANES>().0;
         let ends = self.starts.windows(2);
         let rows = self
             .owned
@@ -204,8 +216,8 @@ pub(super) struct Build<'a> {
     pub(super) owned: Range<usize>,
     /// Squares of the cut-off, and of the cut-off plus the skin.
     pub(super) reaches_sq: [f64; 2],
-    /// Species of the atoms.
-    pub(super) species: &'a [u8],
+    /// Positions and species of the atoms.
+    pub(super) atoms: (&'a [Vector3<f64>], &'a [u8]),
 }
 
 impl InLanes for Build<'_> {
@@ -214,21 +226,34 @@ impl InLanes for Build<'_> {
     #[inline(always)]
     fn go<N: Lanes>(self, key: N::Key) {
         let Self { chunk, cells, .. } = self;
-        let window = cells.window(&self.owned);
-        let around = &cells.slots()[window.clone()];
-        chunk.pairs = 0;
-        chunk.neighbours.clear();
+        let window = cells.window(self.owned.clone());
+        chunk.lay(cells, &window, self.owned.len(), self.atoms);
         chunk.starts.clear();
         chunk.starts.push(0);
-        let mut row = Row::default();
-        for slot in self.owned.clone() {
-            row.clear();
+        let sites = std::mem::take(&mut chunk.sites);
+        let around = Around {
+            cells,
+            window: &window,
+            sites: &sites,
+            reaches_sq: self.reaches_sq,
+        };
+        let mut row = RowWriter::new(std::mem::take(&mut chunk.neighbours), sites.len());
+        let mut candidates = Candidates::default();
+        let (mut cell, mut rows) = (u32::MAX, Rows::default());
+        for slot in self.owned {
             if !cells.slots()[slot].is_image {
-                row.fill::<N>(key, cells, slot, self.reaches_sq, window.start);
+                if cells.cell_of(slot) != cell {
+                    cell = cells.cell_of(slot);
+                    rows = cells.rows(cell);
+                    candidates.gather(cells, &window, (cell, &rows), sites.len() as u32 - 1);
+                }
+                row.fill::<N>(key, around, slot, (&rows, &candidates));
             }
-            chunk.push_row(&mut row, around.len() as u32);
+            chunk.starts.push(row.blocks() as u32);
         }
-        let owned = self.owned.start - window.start..self.owned.end - window.start;
-        chunk.number(around, owned, self.species);
+        chunk.sites = sites;
+        chunk.keep_used(&mut row);
+        chunk.pairs = row.pairs();
+        chunk.neighbours = row.into_memory();
     }
 }

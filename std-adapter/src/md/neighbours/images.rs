@@ -30,6 +30,15 @@ pub struct Slot {
     pub shift: Vector3<f64>,
 }
 
+impl Slot {
+    /// No atom's.
+    pub(super) const NOWHERE: Self = Self {
+        atom: u32::MAX,
+        is_image: false,
+        shift: Vector3::new(0.0, 0.0, 0.0),
+    };
+}
+
 /// The atoms, each wrapped into the cell, and the images that pairs need.
 ///
 /// Of two opposite images one suffices, since (i, j + L) and (i − L, j) are the same pair: the one

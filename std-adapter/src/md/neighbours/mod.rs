@@ -1,9 +1,14 @@
 //! Verlet lists: all near pairs, each once, valid while atoms move less than the skin allows.
 
+mod candidates;
 mod cells;
 mod chunk;
 mod images;
+mod rough;
 mod row;
+#[cfg(test)]
+mod tests;
+mod window;
 
 #[doc(hidden)]
 pub use chunk::{Chunk, LANES, Site};
@@ -187,8 +192,9 @@ impl VerletList {
         let is_stale = self.reference.len() != positions.len() || self.is_stale(positions);
         if is_stale {
             self.build(positions, species)?;
+        } else {
+            self.refresh(positions);
         }
-        self.refresh(positions);
         Ok(is_stale)
     }
 
@@ -211,7 +217,7 @@ impl VerletList {
                 cells,
                 owned: start..(start + SLOTS_PER_CHUNK).min(count),
                 reaches_sq,
-                species,
+                atoms: (positions, species),
             });
         };
         self.chunks.par_iter_mut().enumerate().for_each(build);

@@ -1,129 +1,182 @@
-//! The neighbours of one slot.
+//! The search for the neighbours of one slot after the other.
 
-use super::LANES;
-use super::cells::Cells;
-use crate::md::lanes::Lanes;
+use super::candidates::Candidates;
+use super::cells::{Cells, Rows};
+use super::window::Window;
+use super::{LANES, Site};
+use crate::md::lanes::{Lanes, ROUGH_LANES, Rough, spread, ways};
 use std::ops::Range;
 
-/// Lanes of each set of lanes, and how many.
-static CHOSEN: [([u32; LANES], usize); 1 << LANES] = chosen();
+/// Lanes of each set of eight lanes. Those of four lanes come first.
+static CHOSEN: [[u32; ROUGH_LANES]; 1 << ROUGH_LANES] = chosen();
+/// Number of lanes of each set.
+static COUNTS: [u8; 1 << ROUGH_LANES] = counts();
 
-/// Neighbours of one slot; the memory is reused for the next slot.
+/// Rows of neighbours, one slot after the other.
 #[derive(Debug, Default)]
-pub(super) struct Row {
-    /// Within the cut-off.
+pub(super) struct RowWriter {
+    /// Those of the slot in reach, and some a little beyond.
+    found: Kept,
+    /// The rows so far, then the neighbours of the slot within the cut-off.
     near: Kept,
-    /// Beyond it, within the skin.
+    /// Those beyond it, within the skin.
     far: Kept,
+    /// Whether each site is in a row.
+    is_used: Vec<bool>,
+    pairs: usize,
 }
 
-impl Row {
-    pub(super) fn clear(&mut self) {
-        self.near.count = 0;
-        self.far.count = 0;
+/// What neighbours are searched in.
+#[derive(Clone, Copy)]
+pub(super) struct Around<'a> {
+    pub(super) cells: &'a Cells,
+    pub(super) window: &'a Window,
+    /// Sites of the window, in place, and one that is nowhere.
+    pub(super) sites: &'a [Site],
+    /// Squares of the cut-off, and of the cut-off plus the skin.
+    pub(super) reaches_sq: [f64; 2],
+}
+
+impl RowWriter {
+    /// No rows yet, in the memory of others; there will be neighbours among some sites.
+    pub(super) fn new(memory: Vec<u32>, sites: usize) -> Self {
+        Self {
+            near: Kept {
+                sites: memory,
+                count: 0,
+            },
+            is_used: vec![false; sites],
+            ..Self::default()
+        }
     }
 
-    /// Finds the neighbours of a slot that is not an image: all images in reach, and the atoms after it.
+    /// Appends the neighbours of a slot that is not an image: all images in reach, and the atoms after it.
     #[inline(always)]
     pub(super) fn fill<N: Lanes>(
         &mut self,
         key: N::Key,
-        cells: &Cells,
+        around: Around<'_>,
         slot: usize,
-        reaches_sq: [f64; 2],
-        first: usize,
+        (rows, candidates): (&Rows, &Candidates),
     ) {
-        let here = cells.place(slot);
-        let place = here.map(|x| N::splat(key, x));
-        let limits = reaches_sq.map(|reach_sq| N::splat(key, reach_sq));
-        let slots = cells.slots();
+        let Around { cells, window, .. } = around;
+        self.found.count = 0;
+        let site = &around.sites[window.site(slot) as usize];
+        let [x, y, z, _] = site.place;
+        let reach_sq = around.reaches_sq[1];
         // Rows before the slot matter only for their images.
-        if cells.has_image_before(slot) {
-            for range in cells.in_reach::<5>(slot, reaches_sq[1], 0) {
-                let before = range.start..range.end.min(slot);
-                for image in before.filter(|&other| slots[other].is_image) {
-                    self.test(key, cells, place, limits, image..image + 1, first);
-                }
+        if rows.has_image_before {
+            for range in cells.before(rows, [x, y, z], reach_sq) {
+                let before = range.start..range.end.min(slot).max(range.start);
+                self.find_images(cells, window, before);
             }
         }
-        for range in cells.in_reach::<5>(slot, reaches_sq[1], 4) {
-            let later = range.start.max(slot + 1)..range.end;
-            if !later.is_empty() {
-                self.test(key, cells, place, limits, later, first);
-            }
+        self.find::<N>(key, candidates, (slot, cells.rough().limit()));
+        self.judge::<N>(key, around, site);
+    }
+
+    /// Finds the images of a range, wherever they are.
+    fn find_images(&mut self, cells: &Cells, window: &Window, range: Range<usize>) {
+        let images = cells.images(&range);
+        self.found.make_room(images.len());
+        for &slot in images {
+            let slot = slot as usize;
+            let site = if slot < window.before.end {
+                window.site_of_image(cells, slot)
+            } else {
+                window.site(slot)
+            };
+            self.found.sites[self.found.count] = site;
+            self.found.count += 1;
         }
     }
 
-    /// Keeps the slots of a range that are in reach, testing several distances at once.
+    /// Finds the candidates after the slot that may be in reach, by rough distances.
     #[inline(always)]
-    fn test<N: Lanes>(
+    fn find<N: Lanes>(
         &mut self,
         key: N::Key,
-        cells: &Cells,
-        place: [N; 3],
-        limits: [N; 2],
-        range: Range<usize>,
-        first: usize,
+        candidates: &Candidates,
+        (slot, limit): (usize, f32),
     ) {
-        let full = range.len().next_multiple_of(LANES);
-        self.near.make_room(full);
-        self.far.make_room(full);
-        let mut site = (range.start - first) as u32;
-        let [x, y, z] = cells.places().map(|along| {
-            along[range.start..range.start + full]
-                .as_chunks::<LANES>()
-                .0
-        });
-        let blocks = x.iter().zip(y).zip(z);
-        let mut near = self.near.free();
-        let mut far = self.far.free();
-        let whole = range.len() / LANES;
-        for block in blocks.clone().take(whole) {
-            let [inner, outer] = below(key, place, block, limits);
-            near.keep(site, inner);
-            far.keep(site, outer & !inner);
-            site += LANES as u32;
+        let limit = N::Rough::splat(key, limit);
+        let here: [N::Rough; 3] = candidates.place(key, slot);
+        let range = candidates.after(slot);
+        self.found.make_room(range.len() + ROUGH_LANES);
+        let to = &mut self.found.sites[..];
+        let mut count = self.found.count;
+        for ([x, y, z], sites) in candidates.blocks(range) {
+            let x = N::Rough::new(key, x) - here[0];
+            let y = N::Rough::new(key, y) - here[1];
+            let z = N::Rough::new(key, z) - here[2];
+            let which = (x * x + y * y + z * z).which_not_above(limit) & (CHOSEN.len() - 1);
+            // A block is always written, so there is no branch to predict.
+            let chosen = N::Rough::pick(key, sites, &CHOSEN[which]);
+            to[count..count + ROUGH_LANES].copy_from_slice(&chosen);
+            count += usize::from(COUNTS[which]);
         }
-        // The last block goes on into the next cell.
-        if let Some(block) = blocks.clone().nth(whole) {
-            let inside = (1 << (range.len() % LANES)) - 1;
-            let [inner, outer] = below(key, place, block, limits).map(|bits| bits & inside);
-            near.keep(site, inner);
-            far.keep(site, outer & !inner);
-        }
-        let [near, far] = [near.count, far.count];
-        self.near.count += near;
-        self.far.count += far;
+        self.found.count = count;
     }
 
-    /// Number of the neighbours, and their blocks; the last one is padded.
-    pub(super) fn blocks(&mut self, nowhere: u32) -> (usize, &[[u32; LANES]]) {
-        let Kept { sites: far, count } = &self.far;
-        let near = &mut self.near;
-        near.make_room(*count + LANES);
-        near.sites[near.count..near.count + count].copy_from_slice(&far[..*count]);
-        let pairs = near.count + count;
-        let full = pairs.next_multiple_of(LANES);
-        near.sites[pairs..full].fill(nowhere);
-        (pairs, near.sites[..full].as_chunks().0)
+    /// Appends those that are in reach, near ones first, and fills up the last block.
+    #[inline(always)]
+    fn judge<N: Lanes>(&mut self, key: N::Key, around: Around<'_>, site: &Site) {
+        let place = spread::<N>(key, site);
+        let [cutoff_sq, reach_sq] = around.reaches_sq;
+        let [cutoff_sq, reach_sq] = [N::splat(key, cutoff_sq), N::splat(key, reach_sq)];
+        let nowhere = around.sites.len() as u32 - 1;
+        let Self {
+            found, near, far, ..
+        } = self;
+        found.fill_up(nowhere);
+        let blocks = found.sites[..found.count].as_chunks::<LANES>().0;
+        near.make_room(found.count);
+        far.make_room(found.count);
+        far.count = 0;
+        let start = near.count;
+        for block in blocks {
+            let [x, y, z] = ways(key, &place, block, around.sites);
+            let r_sq = x * x + y * y + z * z;
+            let inner = r_sq.which_below(cutoff_sq);
+            let outer = r_sq.which_below(reach_sq);
+            near.keep::<N>(key, block, inner);
+            far.keep::<N>(key, block, outer & !inner);
+        }
+        let end = near.count + far.count;
+        let far = far.sites[..far.count.next_multiple_of(LANES)]
+            .as_chunks::<LANES>()
+            .0;
+        for block in far {
+            near.sites[near.count..near.count + LANES].copy_from_slice(block);
+            near.count += LANES;
+        }
+        near.count = end;
+        self.pairs += end - start;
+        near.fill_up(nowhere);
+        for &site in &near.sites[start..near.count] {
+            self.is_used[site as usize] = true;
+        }
     }
-}
 
-/// Which slots of a block are nearer than each of the limits.
-#[inline(always)]
-fn below<N: Lanes>(
-    key: N::Key,
-    here: [N; 3],
-    ((x, y), z): ((&[f64; LANES], &[f64; LANES]), &[f64; LANES]),
-    [cutoff_sq, reach_sq]: [N; 2],
-) -> [usize; 2] {
-    let way = [
-        N::new(key, *x) - here[0],
-        N::new(key, *y) - here[1],
-        N::new(key, *z) - here[2],
-    ];
-    let r_sq = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
-    [r_sq.which_below(cutoff_sq), r_sq.which_below(reach_sq)]
+    /// Number of blocks so far.
+    pub(super) fn blocks(&self) -> usize {
+        self.near.count / LANES
+    }
+
+    /// Number of pairs so far.
+    pub(super) fn pairs(&self) -> usize {
+        self.pairs
+    }
+
+    /// The sites of all rows, and whether each site is among them.
+    pub(super) fn sites_mut(&mut self) -> (&mut [u32], &mut [bool]) {
+        (&mut self.near.sites[..self.near.count], &mut self.is_used)
+    }
+
+    /// The rows, and unused memory.
+    pub(super) fn into_memory(self) -> Vec<u32> {
+        self.near.sites
+    }
 }
 
 /// Some sites.
@@ -137,51 +190,53 @@ struct Kept {
 impl Kept {
     /// Makes room for some more, and for a whole block after the last.
     fn make_room(&mut self, more: usize) {
-        let needed = self.count + more + LANES;
+        let needed = self.count + more + ROUGH_LANES;
         if self.sites.len() < needed {
             self.sites.resize(needed.next_power_of_two(), 0);
         }
     }
 
-    fn free(&mut self) -> Free<'_> {
-        Free {
-            sites: &mut self.sites[self.count..],
-            count: 0,
-        }
-    }
-}
-
-/// Free memory after some sites, and how many more are kept in it.
-struct Free<'a> {
-    sites: &'a mut [u32],
-    count: usize,
-}
-
-impl Free<'_> {
-    /// Keeps the lanes of a block of sites whose bits are set. A block is always written, so there
-    /// is no branch to predict.
+    /// Fills up the last block.
     #[inline(always)]
-    fn keep(&mut self, site: u32, which: usize) {
-        let (lanes, count) = &CHOSEN[which & (CHOSEN.len() - 1)];
-        let sites: [u32; LANES] = lanes.map(|lane| site + lane);
+    fn fill_up(&mut self, site: u32) {
+        self.make_room(LANES);
+        self.sites[self.count..self.count + LANES].fill(site);
+        self.count = self.count.next_multiple_of(LANES);
+    }
+
+    /// Keeps the sites of a block whose bits are set; a block is always written.
+    #[inline(always)]
+    fn keep<N: Lanes>(&mut self, key: N::Key, block: &[u32; LANES], which: usize) {
+        let which = which & ((1 << LANES) - 1);
+        let [a, b, c, d, ..] = CHOSEN[which];
+        let sites = N::pick(key, block, &[a, b, c, d]);
         self.sites[self.count..self.count + LANES].copy_from_slice(&sites);
-        self.count += *count;
+        self.count += usize::from(COUNTS[which]);
     }
 }
 
-const fn chosen() -> [([u32; LANES], usize); 1 << LANES] {
-    let mut all = [([0; LANES], 0); 1 << LANES];
+const fn chosen() -> [[u32; ROUGH_LANES]; 1 << ROUGH_LANES] {
+    let mut all = [[0; ROUGH_LANES]; 1 << ROUGH_LANES];
     let mut which = 0;
     while which < all.len() {
-        let mut lane = 0;
-        while lane < LANES {
+        let (mut lane, mut count) = (0, 0);
+        while lane < ROUGH_LANES {
             if which >> lane & 1 == 1 {
-                let (lanes, count) = &mut all[which];
-                lanes[*count] = lane as u32;
-                *count += 1;
+                all[which][count] = lane as u32;
+                count += 1;
             }
             lane += 1;
         }
+        which += 1;
+    }
+    all
+}
+
+const fn counts() -> [u8; 1 << ROUGH_LANES] {
+    let mut all = [0; 1 << ROUGH_LANES];
+    let mut which = 0;
+    while which < all.len() {
+        all[which] = which.count_ones() as u8;
         which += 1;
     }
     all
