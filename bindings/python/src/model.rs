@@ -48,7 +48,31 @@ pub trait Contact: Send + Sync {
     fn wrench(&self, load: f64, twist: &Twist<f64>) -> Wrench<f64>;
     /// Its derivative.
     fn jacobian(&self, load: f64, twist: &Twist<f64>) -> WrenchJacobian<f64>;
+
+    /// The wrenches of some twists under one load, to the same bits.
+    #[inline]
+    fn wrench_batch(&self, load: f64, twists: &[Twist<f64>], wrenches: &mut [Wrench<f64>]) {
+        for (wrench, twist) in wrenches.iter_mut().zip(twists) {
+            *wrench = self.wrench(load, twist);
+        }
+    }
+
+    /// Their derivatives.
+    #[inline]
+    fn jacobian_batch(
+        &self,
+        load: f64,
+        twists: &[Twist<f64>],
+        jacobians: &mut [WrenchJacobian<f64>],
+    ) {
+        for (jacobian, twist) in jacobians.iter_mut().zip(twists) {
+            *jacobian = self.jacobian(load, twist);
+        }
+    }
 }
+
+/// Number of elements that are computed together: in the cache, and enough for tables that go side by side.
+const TOGETHER: usize = 64;
 
 /// The same for batches; compiled for each type of the kernel.
 pub trait Model: Contact {
@@ -62,8 +86,13 @@ impl<C: Contact> Model for C {
     fn wrenches(&self, batch: Batch<'_>, from: usize, out: &mut [[f64; 3]]) {
         // One load for all is the usual case, and the quickest.
         if let (View::One([load]), View::Each(twists)) = (batch.loads, batch.twists) {
-            for (row, &twist) in out.iter_mut().zip(&twists[from..]) {
-                *row = numbers(&self.wrench(load, &twist_of(twist)));
+            let mut wrenches = [Wrench::ZERO; TOGETHER];
+            for (rows, twists) in pieces(out, &twists[from..]) {
+                let (twists, count) = (together(twists), rows.len());
+                self.wrench_batch(load, &twists[..count], &mut wrenches[..count]);
+                for (row, wrench) in rows.iter_mut().zip(&wrenches) {
+                    *row = numbers(wrench);
+                }
             }
             return;
         }
@@ -74,6 +103,17 @@ impl<C: Contact> Model for C {
     }
 
     fn jacobians(&self, batch: Batch<'_>, from: usize, out: &mut [[f64; 9]]) {
+        if let (View::One([load]), View::Each(twists)) = (batch.loads, batch.twists) {
+            let mut jacobians = [WrenchJacobian::zeros(); TOGETHER];
+            for (rows, twists) in pieces(out, &twists[from..]) {
+                let (twists, count) = (together(twists), rows.len());
+                self.jacobian_batch(load, &twists[..count], &mut jacobians[..count]);
+                for (row, jacobian) in rows.iter_mut().zip(&jacobians) {
+                    row.copy_from_slice(jacobian.as_slice());
+                }
+            }
+            return;
+        }
         for (index, row) in (from..).zip(out) {
             let [load] = batch.loads.at(index);
             let jacobian = self.jacobian(load, &twist_of(batch.twists.at(index)));
@@ -81,6 +121,26 @@ impl<C: Contact> Model for C {
             row.copy_from_slice(jacobian.as_slice());
         }
     }
+}
+
+/// Results and the rows of their twists, piece by piece.
+fn pieces<'a, const N: usize>(
+    out: &'a mut [[f64; N]],
+    twists: &'a [[f64; 3]],
+) -> impl Iterator<Item = (&'a mut [[f64; N]], &'a [[f64; 3]])> {
+    let count = out.len().min(twists.len());
+    let rows = out[..count].chunks_mut(TOGETHER);
+    rows.zip(twists[..count].chunks(TOGETHER))
+}
+
+/// Rows as twists; zero after the last.
+#[inline(always)]
+fn together(rows: &[[f64; 3]]) -> [Twist<f64>; TOGETHER] {
+    let mut twists = [Twist::ZERO; TOGETHER];
+    for (twist, row) in twists.iter_mut().zip(rows) {
+        *twist = twist_of(*row);
+    }
+    twists
 }
 
 /// A row as a twist.
@@ -116,6 +176,19 @@ impl<C: Coupling<f64> + Send + Sync> Contact for Round<C> {
     }
     fn jacobian(&self, load: f64, twist: &Twist<f64>) -> WrenchJacobian<f64> {
         self.0.wrench_jacobian(load, twist)
+    }
+    #[inline]
+    fn wrench_batch(&self, load: f64, twists: &[Twist<f64>], wrenches: &mut [Wrench<f64>]) {
+        self.0.wrench_batch(load, twists, wrenches);
+    }
+    #[inline]
+    fn jacobian_batch(
+        &self,
+        load: f64,
+        twists: &[Twist<f64>],
+        jacobians: &mut [WrenchJacobian<f64>],
+    ) {
+        self.0.jacobian_batch(load, twists, jacobians);
     }
 }
 
