@@ -3,9 +3,10 @@
 
 use crate::contact::internals::{InPlane, PreparedContact, TangentialLoad};
 use crate::contact::{Contact, ContactModes, Modal, Plate, Sphere, Touch};
+use crate::coupling::disk::Disk;
 use crate::coupling::flat::{DryPatch, FlatPower, Motion, PointLoad, Reduced};
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
-use crate::coupling::table::{Disk, Table};
+use crate::coupling::table::Table;
 use crate::coupling::tall::TallWrench;
 use crate::coupling::tip::Exponent;
 use crate::coupling::{DryCoupling, Lateral, Profile, compact::CompactPower};

@@ -26,6 +26,7 @@
 mod annulus;
 mod batch;
 mod beyond;
+pub(crate) mod disk;
 mod dry;
 mod family;
 mod friction;

@@ -1,12 +1,11 @@
 //! The quickest tier: polynomial tables, a few ulp, the same cost for every exponent.
 
 use super::DryCoupling;
+use super::disk::Disk;
 use super::family;
-use super::member::Member;
 use super::profile::{Profile, SmoothProfile};
-use super::side::{self, Side};
 use super::speeds::{Lead, Speeds};
-use super::tip::{Any, Exponent, Tip, Zero};
+use super::tip::{Any, Exponent, Zero};
 use crate::law::{LawError, validated_exponent};
 use crate::power::FixedPower;
 use crate::real::Real;
@@ -27,19 +26,6 @@ const TERMS_COULOMB_F32: usize = 5;
 
 /// [`Table64::MAX_EXPONENT`], and that of every other table.
 pub(super) const MAX_EXPONENT: f64 = 10.0;
-
-/// Below this many roots of rounding Φ' is not taken from Θ, which loses its digits like 1/z.
-const CLOSE: f64 = 64.0;
-
-/// Φ and Θ of one exponent; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct Disk<R, E, const CELLS: usize, const TERMS: usize> {
-    pub(super) side: Side<R, CELLS, TERMS>,
-    pub(super) tip: Tip<R>,
-    pub(super) exponent: E,
-}
 
 /// Both tables: a disk, and the power of its scale.
 #[doc(hidden)]
@@ -103,40 +89,6 @@ impl Table64 {
     }
 }
 
-/// The cells of exponent α with their end, in f64.
-const fn cells_and_tip<const CELLS: usize, const TERMS: usize>(
-    alpha: f64,
-) -> (Side<f64, CELLS, TERMS>, Tip<f64>) {
-    let disk = Member { alpha, order: 0.0 }.sliding();
-    let side = Side::build(&disk);
-    let octaves = (CELLS as u32 - 2) / 2;
-    let tip = Tip::fitted(&disk, side.end_terms(), octaves);
-    (side.with_end(tip.tangents(&disk, octaves)), tip)
-}
-
-impl<E: Copy, const CELLS: usize, const TERMS: usize> Disk<f64, E, CELLS, TERMS> {
-    const fn build(alpha: f64, exponent: E) -> Self {
-        let (side, tip) = cells_and_tip(alpha);
-        Self {
-            side,
-            tip,
-            exponent,
-        }
-    }
-}
-
-impl<E: Copy, const CELLS: usize, const TERMS: usize> Disk<f32, E, CELLS, TERMS> {
-    /// Built in f64, then rounded.
-    const fn build(alpha: f64, exponent: E) -> Self {
-        let (side, tip) = cells_and_tip(alpha);
-        Self {
-            side: Side::rounded(&side),
-            tip: tip.rounded(),
-            exponent,
-        }
-    }
-}
-
 impl Table32 {
     /// Builds the table of exponent α in f64 arithmetic and rounds it; `const`.
     ///
@@ -159,115 +111,6 @@ impl Table32 {
             }),
             Err(error) => Err(error),
         }
-    }
-}
-
-impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Profile<R>
-    for Disk<R, E, CELLS, TERMS>
-{
-    #[inline]
-    fn exponent(&self) -> R {
-        self.exponent.value()
-    }
-    #[inline]
-    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
-        let [phi, theta] = self.force_and_theta(at);
-        let a_sq = at.slide * at.slide;
-        let spin = pure_spin_torque(self.exponent.value()) * (R::ONE - a_sq);
-        [phi, spin * phi + a_sq * theta]
-    }
-    /// One formula for both regimes, since which speed leads is a coin toss to a branch predictor,
-    /// and one whose two lines the compiler computes side by side.
-    #[inline(always)]
-    fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
-        let [phi, theta] = self.force_and_theta(at);
-        let (a, h) = (at.slide, at.ratio());
-        let spin = pure_spin_torque(self.exponent.value()) * (R::ONE - a * a);
-        [phi, spin * phi + a * h * theta]
-    }
-    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
-        family::inertia_excess(self, R::ZERO, at, inertia_ratio)
-    }
-    fn inertia_ends(&self) -> [R; 2] {
-        family::inertia_ends(self.exponent(), R::ZERO)
-    }
-}
-
-impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Disk<R, E, CELLS, TERMS> {
-    /// Φ and Θ at x = h²: near z = 0 the rounding of z = 1 − x does not matter to them.
-    #[inline(always)]
-    fn force_and_theta(&self, at: &Speeds<R>) -> [R; 2] {
-        let h = at.ratio();
-        let x = h * h;
-        let cell = match self.side.cell_above_end(R::ONE - x) {
-            Some(cell) => cell,
-            None if self.exponent.bends_values() => return self.bent_force_and_theta(R::ONE - x),
-            None => self.side.end_cell(),
-        };
-        side::evaluated(cell, cell.mirror - x)
-    }
-
-    /// Φ and Φ' at z.
-    #[inline]
-    fn force_and_slope(&self, z: R) -> [R; 2] {
-        let cell = match self.side.cell_above_end(z) {
-            Some(cell) => cell,
-            None if self.exponent.bends_slopes() => return self.bent_force_and_slope(z),
-            None => self.side.end_cell(),
-        };
-        side::value_and_slope(cell, z)
-    }
-
-    /// Φ and Θ at z in the cell of z = 0, from their expansion; NaN for NaN.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn bent_force_and_theta(&self, z: R) -> [R; 2] {
-        let [phi, slope] = self.bent_force_and_slope(z);
-        let alpha = self.exponent.value();
-        [phi, family::theta(R::ZERO, alpha, [phi, z * slope])]
-    }
-
-    /// Φ and Φ' at z in the cell of z = 0, from their expansion; NaN for NaN.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn bent_force_and_slope(&self, z: R) -> [R; 2] {
-        self.tip.value_and_slope(self.exponent, z)
-    }
-}
-
-/// 2/(3+α): the reduced torque of pure spinning.
-#[inline]
-pub(super) fn pure_spin_torque<R: Real>(alpha: R) -> R {
-    R::TWO / (R::ONE + R::TWO + alpha)
-}
-
-impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> SmoothProfile<R>
-    for Disk<R, E, CELLS, TERMS>
-{
-    #[inline]
-    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
-        let [phi, slope] = self.force_and_slope(at.complement());
-        // One table read serves all.
-        let chi = family::torque_factor(R::ZERO, self.exponent.value(), at, [phi, slope]);
-        [phi, slope, chi]
-    }
-    /// Φ' from Θ, next to equal speeds from the polynomial.
-    #[inline]
-    fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
-        let [phi, theta] = self.force_and_theta(at);
-        let z = at.complement();
-        if z < R::from_f64(CLOSE) * R::EPSILON.sqrt() {
-            return self.factors_and_slope(at);
-        }
-        let moment = family::moment(R::ZERO, self.exponent.value());
-        let slope = (moment * theta - R::HALF * (R::ONE + self.exponent.value()) * phi) / z;
-        let a_sq = at.slide * at.slide;
-        let spin = pure_spin_torque(self.exponent.value()) * (R::ONE - a_sq);
-        let chi = match at.lead() {
-            Lead::Sliding => theta,
-            Lead::Spinning => spin * phi + a_sq * theta,
-        };
-        [phi, slope, chi]
     }
 }
 

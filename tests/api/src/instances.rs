@@ -248,8 +248,8 @@ pub const CONSTANTS: &[(&str, [&[&str]; 2])] = &[
     ("CAPACITY", [&["12"], &["12"]]),
     ("BODIES", [&["3"], &["3"]]),
     ("CONTACTS", [&["2"], &["2"]]),
-    // Those of `Table32` and `Table64`.
-    ("CELLS", [&["48"], &["106"]]),
+    // Those of `Table32`, `RoundTable32`; `Table64`, `RoundTable64`.
+    ("CELLS", [&["34", "48"], &["52", "106"]]),
     ("TERMS", [&["6"], &["13"]]),
 ];
 

@@ -5,7 +5,7 @@ use super::{BOTH, Code, Item, NARROW, item, round};
 /// Modules of every item built on the disk's Coulomb table.
 macro_rules! on_table {
     ($($more:literal),*) => {
-        round!("coupling::table coupling::tip special::log_quotient coupling::side coupling::batch::ways" $(, $more)*)
+        round!("coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways" $(, $more)*)
     };
 }
 

@@ -65,7 +65,7 @@ pub const HOLDING: [Item; 12] = [
         ["holding", "holds, slips or undecided: disk"],
         NARROW,
         round!(
-            "coupling::table coupling::tip special::log_quotient coupling::side coupling::batch::ways holding limit_surface limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch"
+            "coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways holding limit_surface limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch"
         ),
         Code::new(
             "(LimitSurface::new(table::Coulomb, 1.0 as R, 1.0).ok()?, LimitSurface::new(table::Coulomb, 1.5 as R, 1.0).ok()?)",

@@ -17,7 +17,7 @@ macro_rules! impulse {
 macro_rules! exact {
     ($($more:literal),*) => {
         round!(
-            "coupling::table coupling::tip special::log_quotient coupling::side coupling::batch::ways",
+            "coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways",
             "limit_surface limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
             "contact contact::block contact::body contact::update contact::coupled",
             "contact::friction contact::modes contact::normal contact::pair contact::both_slip",

@@ -77,7 +77,7 @@ pub const PATCHES: [Item; 19] = [
         "annulus: table: Coulomb",
         NARROW,
         round!(
-            "coupling::annulus coupling::table coupling::tip special::log_quotient coupling::side coupling::batch::ways"
+            "coupling::annulus coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways"
         ),
         "Annulus::new(table::Coulomb, 0.5 as R).ok()?",
     ),

@@ -26,7 +26,7 @@ pub const TIERS: [Item; 7] = [
         "table: Coulomb",
         BOTH,
         round!(
-            "coupling::table coupling::tip special::log_quotient coupling::side coupling::batch::ways"
+            "coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways"
         ),
         "table::Coulomb",
     ),
@@ -34,7 +34,7 @@ pub const TIERS: [Item; 7] = [
         [TIER, "table: alpha 0.5"],
         BOTH,
         round!(
-            "coupling::table coupling::tip special::log_quotient coupling::side coupling::batch::ways power"
+            "coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways power"
         ),
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HALF_TABLE),
     ),
