@@ -1,94 +1,78 @@
-//! The case that sliding and rolling both slip: two angles instead of two vectors.
+//! The case that sliding and rolling both slip: two Lagrange multipliers instead of two motions.
 //!
-//! In the contact plane, with the rolling torque turned by a right angle and both in units of their
-//! thresholds, the equations of the contact are
+//! In the plane, with the rolling torque turned by a right angle (τ′ = n × τ), the two equations of
+//! a contact whose sliding force has the length a and whose rolling torque has the length b are
 //!
 //! ```text
-//! α p − κ₁ t = P,   β t − κ₂ p = T,   |p| = |t| = 1
+//! A p − k τ′ = P,   B τ′ − k p = T,   |p| = a,   |τ′| = b
 //! ```
 //!
-//! with the multipliers α ≥ 1 and β ≥ 1 of the two circles. Their components across p and t,
-//! p × (P + κ₁ t) = 0 and t × (T + κ₂ p) = 0, determine the two directions. Newton's method turns
-//! these, without a square root. The problem is convex: a solution with such α and β is the only one.
+//! with A ≥ 1/m and B ≥ 1/I, the multipliers of the two circles added to the inverse masses. For
+//! given A and B they are linear; Newton's method finds A and B, on 1/|p| and 1/|τ′|, which are
+//! nearly linear in them (Moré & Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553).
 
-use super::plane::{Planar, add_scaled, cross, dot, unit};
+use super::vector::dot;
 use crate::real::Real;
+use nalgebra::Vector3;
 
-/// Newton steps at most; from a guess within 0.1 rad three bring nearly all contacts to rounding.
-const MOST_STEPS: usize = 7;
+/// Newton steps at most; four bring most contacts to rounding.
+const MOST_STEPS: usize = 6;
 
-/// The equations, in units of the thresholds.
-pub(super) struct BothSlip<R> {
-    /// P
-    pub(super) sliding: Planar<R>,
-    /// T
-    pub(super) rolling: Planar<R>,
-    /// κ₁ and κ₂
-    pub(super) couplings: [R; 2],
+/// The linear system.
+pub(super) struct BothSlip<R: Real> {
+    pub(super) inv_mass: R,
+    pub(super) inv_inertia: R,
+    /// k
+    pub(super) coupling: R,
+    /// P and T
+    pub(super) sliding: Vector3<R>,
+    pub(super) rolling: Vector3<R>,
 }
 
 impl<R: Real> BothSlip<R> {
-    /// P + κ₁ t, along which the contact slides.
-    #[inline(always)]
-    pub(super) fn pull(&self, t: Planar<R>) -> Planar<R> {
-        add_scaled(self.sliding, self.couplings[0], t)
-    }
-
-    /// T + κ₂ p, along which it rolls.
-    #[inline(always)]
-    pub(super) fn twist(&self, p: Planar<R>) -> Planar<R> {
-        add_scaled(self.rolling, self.couplings[1], p)
-    }
-
-    /// Directions nearer to the solution than [p, t]: each under the other.
-    #[inline(always)]
-    pub(super) fn nearer(&self, [p, t]: [Planar<R>; 2]) -> [Planar<R>; 2] {
-        [unit(self.pull(t)), unit(self.twist(p))]
-    }
-
-    /// The directions p and t, from a guess.
+    /// The turned rolling torque τ′, from a guess `[p, τ′]` whose lengths are a and b.
     ///
-    /// `None` where not both slip, and where Newton's method does not find them.
-    #[inline(always)]
-    pub(super) fn solve(&self, [mut p, mut t]: [Planar<R>; 2]) -> Option<[Planar<R>; 2]> {
-        let [to_sliding, to_rolling] = self.couplings;
-        let shared = to_sliding * to_rolling;
+    /// `None` where Newton's method leaves the domain, and where squares leave the number range.
+    #[inline(never)]
+    pub(super) fn rolling(&self, [p, t]: [&Vector3<R>; 2]) -> Option<Vector3<R>> {
+        let (k, a, b) = (self.coupling, length(p), length(t));
+        let mut multiplier = [
+            length(&(self.sliding + t * k)) / a,
+            length(&(self.rolling + p * k)) / b,
+        ];
         for _ in 0..MOST_STEPS {
-            let (pull, twist) = (self.pull(t), self.twist(p));
-            let (alpha, beta, cosine) = (dot(p, pull), dot(t, twist), dot(p, t));
-            let (across_p, across_t) = (cross(p, pull), cross(t, twist));
-            let inverse = R::ONE / (alpha * beta - shared * (cosine * cosine));
-            let angle_p = (across_p * beta + across_t * (to_sliding * cosine)) * inverse;
-            let angle_t = (across_t * alpha + across_p * (to_rolling * cosine)) * inverse;
-            let convex = alpha > R::ZERO && inverse > R::ZERO;
-            if !convex {
+            let [first, second] = multiplier;
+            let inverse = R::ONE / (first * second - k * k);
+            let p = (self.sliding * second + self.rolling * k) * inverse;
+            let t = (self.rolling * first + self.sliding * k) * inverse;
+            let (pp, tt, pt) = (length(&p), length(&t), dot(&p, &t));
+            let [over_p, over_t] = [pp / a - R::ONE, tt / b - R::ONE];
+            // −∂(|p|, |τ′|)/∂(A, B) and the lengths that are too many.
+            let [xx, xy] = [second * pp * inverse, k * pt * inverse / pp];
+            let [yx, yy] = [k * pt * inverse / tt, first * tt * inverse];
+            let determinant = xx * yy - xy * yx;
+            let [x, y] = [over_p * pp, over_t * tt];
+            multiplier = [
+                first + (x * yy - y * xy) / determinant,
+                second + (y * xx - x * yx) / determinant,
+            ];
+            let admissible = multiplier[0] >= self.inv_mass && multiplier[1] >= self.inv_inertia;
+            if !admissible {
                 return None;
             }
             // The next error is the square of this one.
-            if angle_p * angle_p + angle_t * angle_t <= R::EPSILON {
-                (p, t) = (turned_little(p, angle_p), turned_little(t, angle_t));
-                let slips = dot(p, self.pull(t)) >= R::ONE && dot(t, self.twist(p)) >= R::ONE;
-                return slips.then_some([p, t]);
+            if over_p * over_p + over_t * over_t <= R::EPSILON {
+                let [first, second] = multiplier;
+                let inverse = R::ONE / (first * second - k * k);
+                return Some((self.rolling * first + self.sliding * k) * inverse);
             }
-            (p, t) = (turned(p, angle_p), turned(t, angle_t));
         }
         None
     }
 }
 
-/// A unit vector turned by an angle, to the third order; its length stays.
+/// |a|, if its square is in the number range.
 #[inline(always)]
-fn turned<R: Real>([x, y]: Planar<R>, angle: R) -> Planar<R> {
-    let half = R::HALF * angle;
-    let inverse = R::ONE / (R::ONE + half * half);
-    let (cos, sin) = ((R::ONE - half * half) * inverse, angle * inverse);
-    [x * cos - y * sin, y * cos + x * sin]
-}
-
-/// A vector near unit length turned by an angle whose third power is below rounding, and brought to
-/// unit length.
-#[inline(always)]
-fn turned_little<R: Real>([x, y]: Planar<R>, angle: R) -> Planar<R> {
-    let less = R::HALF * (angle * angle + (dot([x, y], [x, y]) - R::ONE));
-    [x - (y * angle + x * less), y + (x * angle - y * less)]
+fn length<R: Real>(a: &Vector3<R>) -> R {
+    dot(a, a).sqrt()
 }

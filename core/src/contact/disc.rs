@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 /// Rounding of a projected vector's own square: within it a vector counts as inside, so that
 /// projecting twice changes nothing. Root, reciprocal, two products, the components and the sum of
 /// their squares each round by half a unit, all but the last counted twice in the square.
-pub(super) const COLLAR_ULPS: f64 = 8.0;
+const COLLAR_ULPS: f64 = 8.0;
 
 /// The vector of length ≤ `bound` nearest to `q`: dry friction that resists as much as it may.
 ///

@@ -40,11 +40,9 @@ mod friction;
 mod modes;
 mod normal;
 mod pair;
-mod plane;
 mod prepared;
 mod time_step;
 mod touch;
-mod two_circles;
 mod update;
 mod vector;
 

@@ -1,16 +1,15 @@
 //! Sliding and rolling at one contact, solved together.
 //!
-//! There are four cases, by which of the two slips. While one sticks, its equation eliminates it, and
-//! what is left is isotropic in the plane: one projection with the mass that the other feels then.
-//! Where both slip two directions are found. The problem is convex: the first case that does not
-//! contradict itself is the answer. Thresholds that are independent are [`TwoCircles`]; where sliding
-//! is coupled to torsion the two motions take turns from there.
+//! There are four cases, by which of the two slips. While one sticks, its equation eliminates it, and what is
+//! left is isotropic in the plane: one projection with the mass that the other feels then. Where
+//! both slip two multipliers are found, and the two motions take turns from there. The problem is
+//! convex: the first case that does not contradict itself is the answer.
 
 use super::block::{Block, Masses};
+use super::both_slip::BothSlip;
 use super::friction::{ContactFriction, TangentialLoad};
 use super::modes::Modal;
-use super::two_circles::TwoCircles;
-use super::vector::{cross, magnitude};
+use super::vector::cross;
 use crate::real::Real;
 use nalgebra::Vector3;
 
@@ -68,29 +67,12 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
     /// The impulses that obey their thresholds.
     #[inline(never)]
     pub fn solve(&self) -> (TangentialLoad<R>, Vector3<R>) {
-        // An open contact carries nothing.
-        if self.bound == R::ZERO {
-            let rolling = self.old_rolling - self.roll * self.block.inertia;
-            let held = self.hold(&self.slip, self.block.mass_sliding);
-            return (held, self.hold_rolling(&rolling));
-        }
-        let left = self.left();
-        let distinct = left > R::from_f64(SINGULAR_ULPS) * R::EPSILON;
-        if !distinct {
-            let held = self.hold(&self.slip, self.block.mass_sliding);
-            return self.take_turns(held);
-        }
-        match self.within_circles(left) {
-            Some(found) => found,
-            None => self.by_cases(left),
-        }
-    }
-
-    /// 1 − k² m I, the share of each mass' inverse that is left when the other motion is stopped.
-    #[inline(always)]
-    fn left(&self) -> R {
-        let (m, inertia) = (self.block.mass_sliding, self.block.inertia);
-        let k = self.block.coupling;
+        let (m, inertia, k) = (
+            self.block.mass_sliding,
+            self.block.inertia,
+            self.block.coupling,
+        );
+        // 1 − k² m I, the share of each mass' inverse that is left when the other motion is stopped.
         // Without k² where its square is out of range, which the share is not.
         let square = k * k;
         let shared = if square > R::MIN_POSITIVE && square < R::INFINITY {
@@ -98,31 +80,13 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         } else {
             (k * m) * (k * inertia)
         };
-        R::ONE - shared
-    }
+        let left = R::ONE - shared;
+        let distinct = left > R::from_f64(SINGULAR_ULPS) * R::EPSILON;
+        if !distinct {
+            let held = self.hold(&self.slip, m);
+            return self.take_turns(held);
+        }
 
-    /// The impulses if sliding and rolling have thresholds of their own.
-    #[inline(always)]
-    fn within_circles(&self, left: R) -> Option<(TangentialLoad<R>, Vector3<R>)> {
-        let [sliding, rolling, _] = self.friction.independent_limits()?;
-        let limits = [sliding * self.bound, rolling * (self.bound * self.lever)];
-        let [sliding, rolling] = self.two_circles(limits)?.solve(left)?;
-        let load = TangentialLoad {
-            sliding,
-            torsion: self.old.torsion,
-        };
-        let torsion = self.hold_load(&load, self.block.mass_sliding).torsion;
-        Some((TangentialLoad { sliding, torsion }, rolling))
-    }
-
-    /// The impulses under any friction, and where squares leave the number range.
-    #[inline(never)]
-    fn by_cases(&self, left: R) -> (TangentialLoad<R>, Vector3<R>) {
-        let (m, inertia, k) = (
-            self.block.mass_sliding,
-            self.block.inertia,
-            self.block.coupling,
-        );
         // Rolling sticks: sliding feels the mass m/left.
         let slip = self.slip - cross(&self.roll, self.normal) * (k * inertia);
         let held = self.hold(&slip, m / left);
@@ -148,11 +112,7 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
     #[cold]
     fn take_turns(&self, mut held: TangentialLoad<R>) -> (TangentialLoad<R>, Vector3<R>) {
         let turned = self.hold_rolling(&self.rolling_that_sticks(&held.sliding));
-        let limits = [magnitude(&held.sliding), magnitude(&turned)];
-        let mut rolling = self
-            .two_circles(limits)
-            .and_then(|circles| circles.both_slip([&held.sliding, &turned]))
-            .map_or(turned, |[_, rolling]| rolling);
+        let mut rolling = self.near_balance(&held.sliding, &turned).unwrap_or(turned);
         held = self.hold(&self.slip_after(&rolling), self.block.mass_sliding);
         for _ in 0..MOST_ROUNDS {
             let turned = self.hold_rolling(&self.rolling_that_sticks(&held.sliding));
@@ -167,17 +127,21 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         (held, rolling)
     }
 
-    /// The contact in coordinates, under thresholds of force and torque.
-    #[inline(always)]
-    fn two_circles(&self, limits: [R; 2]) -> Option<TwoCircles<'_, R>> {
-        let block = self.block;
-        TwoCircles::new(
-            self.normal,
-            limits,
-            ([block.mass_sliding, block.inertia], block.coupling),
-            [&self.old.sliding, &self.old_rolling],
-            [&self.slip, &self.roll],
-        )
+    /// The rolling torque at which the turns end, if both thresholds stay what they are now.
+    fn near_balance(&self, sliding: &Vector3<R>, rolling: &Vector3<R>) -> Option<Vector3<R>> {
+        let (n, k) = (self.normal, self.block.coupling);
+        let [inv_mass, inv_inertia] =
+            [self.block.mass_sliding, self.block.inertia].map(|m| R::ONE / m);
+        let old = cross(n, &self.old_rolling);
+        let both = BothSlip {
+            inv_mass,
+            inv_inertia,
+            coupling: k,
+            sliding: self.old.sliding * inv_mass - self.slip - old * k,
+            rolling: old * inv_inertia - cross(n, &self.roll) - self.old.sliding * k,
+        };
+        let turned = both.rolling([sliding, &cross(n, rolling)])?;
+        sum(&turned).is_finite().then(|| cross(&turned, n))
     }
 
     /// Sliding velocity after a rolling torque.
@@ -200,16 +164,11 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
             sliding: self.old.sliding - slip * mass,
             torsion: self.old.torsion,
         };
-        self.hold_load(&trial, mass)
-    }
-
-    #[inline(always)]
-    fn hold_load(&self, trial: &TangentialLoad<R>, mass: R) -> TangentialLoad<R> {
         let masses = Masses {
             sliding: mass,
             torsion: self.block.inertia,
         };
-        self.friction.hold(trial, self.bound, self.lever, &masses)
+        self.friction.hold(&trial, self.bound, self.lever, &masses)
     }
 
     #[inline(always)]

@@ -277,9 +277,8 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     /// Solves the contact with everything else held fixed, applies the change of its impulse to the
     /// bodies and returns it.
     ///
-    /// The solution is in closed form, unless sliding and rolling are coupled and both slip (then
-    /// Newton's method, two to four steps, or at most 96 iterations where it fails, to rounding) or
-    /// the friction's set has no closed form.
+    /// The solution is in closed form, unless sliding and rolling are coupled and both slip (then at
+    /// most 96 iterations, to rounding) or the friction's set has no closed form.
     #[inline(always)]
     pub fn update<F: ContactFriction<R, Modes = M>>(
         &mut self,

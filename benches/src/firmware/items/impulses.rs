@@ -21,7 +21,6 @@ macro_rules! exact {
             "limit_surface limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
             "contact contact::block contact::body contact::update contact::coupled",
             "contact::friction contact::modes contact::normal contact::pair contact::both_slip",
-            "contact::plane contact::two_circles",
             "contact::touch contact::vector" $(, $more)*
         )
     };
@@ -33,7 +32,7 @@ macro_rules! ellipsoid {
         impulse!(
             "limit_surface limit_surface::ellipsoid limit_surface::exact",
             "limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
-            "contact::coupled contact::pair contact::both_slip contact::plane contact::two_circles"
+            "contact::coupled contact::pair contact::both_slip"
         )
     };
 }
@@ -71,19 +70,19 @@ pub const IMPULSES: [Item; 11] = [
     struck(
         "sliding, rolling",
         NARROW,
-        impulse!("contact::pair contact::both_slip contact::plane contact::two_circles"),
+        impulse!("contact::pair contact::both_slip"),
         "Struck::on_floor(Thresholds::sliding_rolling(b, a).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion",
         BOTH,
-        impulse!("contact::pair contact::both_slip contact::plane contact::two_circles"),
+        impulse!("contact::pair contact::both_slip"),
         "Struck::on_floor(Thresholds::all(b, a, b).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion: two balls",
         NARROW,
-        impulse!("contact::pair contact::both_slip contact::plane contact::two_circles"),
+        impulse!("contact::pair contact::both_slip"),
         "Struck::on_ball(Thresholds::all(b, a, b).ok()?)?",
     ),
     struck(
