@@ -128,19 +128,12 @@ impl<M: ContactModes<f64>> Pairs<M> {
 
     /// The contacts without their impulses.
     pub(super) fn view(&self) -> View<'_> {
-        match &self.geometry {
-            Geometry::Alike(common, pairs) => View::Alike(common, pairs),
-            Geometry::Any(pairs) => View::Any(pairs),
-        }
+        self.geometry.view()
     }
 
     /// Contacts without impulses, and the impulses.
-    pub(super) fn split(&mut self) -> (View<'_>, &mut Vec<Modal<f64, M>>) {
-        let view = match &self.geometry {
-            Geometry::Alike(common, pairs) => View::Alike(common, pairs),
-            Geometry::Any(pairs) => View::Any(pairs),
-        };
-        (view, &mut self.impulses)
+    pub(super) fn split(&mut self) -> (View<'_>, &mut [Modal<f64, M>]) {
+        (self.geometry.view(), &mut self.impulses)
     }
 
     /// Puts the contacts into the order of a list of their numbers.
@@ -150,6 +143,15 @@ impl<M: ContactModes<f64>> Pairs<M> {
             Geometry::Any(pairs) => arrange(pairs, order.clone()),
         }
         arrange(&mut self.impulses, order);
+    }
+}
+
+impl Geometry {
+    fn view(&self) -> View<'_> {
+        match self {
+            Self::Alike(common, pairs) => View::Alike(common, pairs),
+            Self::Any(pairs) => View::Any(pairs),
+        }
     }
 }
 
