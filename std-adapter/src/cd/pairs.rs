@@ -200,3 +200,54 @@ impl View<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+    use tribos_core::contact::{AllModes, Attraction, Cohesion, NormalLaw, Touch};
+
+    /// A contact at this gap of a unit sphere with one of this radius, and both spheres.
+    fn link(number: u32, gap: f64, radius: f64) -> (Link<AllModes>, [Sphere<f64>; 2]) {
+        let spheres = [1.0, radius].map(|radius| crate::cd::solid(radius, 1.0));
+        let [a, b] = &spheres;
+        let cohesion = Cohesion::new(2.0, 0.1, Attraction::Resistance).expect("in range");
+        let law = NormalLaw::new(cohesion, 0.0).expect("in range");
+        let apart = Vector3::new(0.3, -0.2, 0.9).normalize() * (1.0 + radius + gap);
+        let touch = Touch::spheres(&apart, [1.0, radius]).expect("they are apart");
+        let mut contact = Contact::new(&touch, &law, a, b, 0.01);
+        let vector = Vector3::repeat(f64::from(number));
+        contact.set_impulse(&Modal::new(0.5, vector, -vector, 0.1));
+        let bodies = [number, number + 1];
+        (Link { bodies, contact }, spheres)
+    }
+
+    #[test]
+    fn contacts_come_back_as_they_were_given() {
+        let given: Vec<_> = [
+            (0.02, 1.0),
+            (0.0, 1.0),
+            (-0.01, 1.0),
+            (-0.01, 0.5),
+            (0.0, 1.0),
+        ]
+        .into_iter()
+        .zip(0..)
+        .map(|((gap, radius), number)| link(number, gap, radius))
+        .collect();
+        assert!(given[0].0.contact.rests_open() && !given[2].0.contact.rests_open());
+        let mut pairs = Pairs::default();
+        // Twice: memory is kept.
+        for _ in 0..2 {
+            pairs.clear();
+            for (number, (link, [a, b])) in given.iter().enumerate() {
+                pairs.push(link, Some([a, b]));
+                let alike = number < 3;
+                assert_eq!(pairs.contact_bytes(), if alike { 120 } else { 176 });
+                let there: Vec<_> = pairs.iter().collect();
+                let here: Vec<_> = given[..=number].iter().map(|(link, _)| *link).collect();
+                assert_eq!(there, here);
+            }
+        }
+    }
+}
