@@ -104,6 +104,7 @@ pub mod onset;
 mod packing;
 pub mod powder;
 pub mod prelude;
+pub mod problem;
 pub mod push;
 #[doc(hidden)]
 pub mod random;

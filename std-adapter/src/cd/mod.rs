@@ -42,6 +42,7 @@ mod momentum;
 mod nsgs;
 mod operator;
 mod pairs;
+mod posed;
 mod residual;
 mod schedule;
 mod setup;
@@ -79,6 +80,7 @@ pub mod internals {
         GlobalChange, Impulse, LocalChange, Monitor, NoMonitor, Operator, Visit,
     };
     pub use super::pairs::Pairs;
+    pub use super::posed::Posed;
     pub use super::residual::{Coefficients, residual};
     pub use super::sleep::Sleep;
     pub use super::spheres::{Link, Spheres};

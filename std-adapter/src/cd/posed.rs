@@ -1,0 +1,299 @@
+//! The contact problem of a step as data, for solvers that know nothing of spheres.
+
+use super::image::{Images, seen};
+use super::operator::Operator;
+use super::residual::Coefficients;
+use super::spheres::{Link, Spheres};
+use crate::problem::{ContactLaw, Global, Layout, Matrix};
+use nalgebra::Vector3;
+use tribos_core::contact::{ContactFriction, ContactModes, Modal, Plate, Sphere};
+use tribos_core::internals::{AxialPart, PlanarPart};
+
+/// A contact problem, and the directions that its components stand for.
+#[derive(Clone, Debug)]
+pub struct Posed {
+    /// The problem. Components of a contact: along its normal, along both tangents, then rolling about
+    /// the tangents and torsion where the contacts have these modes.
+    pub problem: Global,
+    /// Two tangents of each contact.
+    pub tangents: Vec<[Vector3<f64>; 2]>,
+}
+
+/// Degrees of freedom of bodies: number of the first, three for a velocity and three for a spin.
+#[derive(Clone, Copy, Debug, Default)]
+struct Freedoms {
+    linear: Option<usize>,
+    angular: Option<usize>,
+}
+
+impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
+    /// The problem as data; `None` if one of its laws has no such form: sliding and torsion under a common set,
+    /// or an open gap under a resistance.
+    pub fn posed(&self) -> Option<Posed> {
+        let mut posing = Posing::<F::Modes>::new(self);
+        let mut images = Images::new(&self.images);
+        for (number, link) in self.pairs.iter().enumerate() {
+            let [a, b] = link.bodies.map(|body| body as usize);
+            let (a, b) = (posing.sphere(self, a), posing.sphere(self, b));
+            let prescribed = seen(&b.1, images.of(number));
+            let rows = |impulse: &Modal<f64, F::Modes>| {
+                let (mut first, mut second) = (unit_sphere(), unit_sphere());
+                link.contact.apply(impulse, &mut first, &mut second);
+                [(a.0, first), (b.0, second)]
+            };
+            let still = link.contact.velocity(&a.1, &prescribed);
+            posing.add(&link, self.pair_friction(link.bodies), rows, &still)?;
+        }
+        for link in &self.walls {
+            let [a, b] = link.bodies.map(|body| body as usize);
+            let a = posing.sphere(self, a);
+            let (normal, b) = posing.plate(self, b, link.contact.normal());
+            let rows = |impulse: &Modal<f64, F::Modes>| {
+                let mut first = unit_sphere();
+                let mut second = Plate {
+                    velocity: Vector3::zeros(),
+                    inv_mass: 1.0,
+                };
+                link.contact.apply(impulse, &mut first, &mut second);
+                let along = second.velocity.dot(link.contact.normal());
+                let pushed = Sphere {
+                    velocity: Vector3::x() * along,
+                    ..still_sphere()
+                };
+                [(a.0, first), (normal, pushed)]
+            };
+            let still = link.contact.velocity(&a.1, &b);
+            posing.add(link, self.wall_friction(link.bodies), rows, &still)?;
+        }
+        posing.finish()
+    }
+
+    /// Takes over the impulses of a solution, as far as the contacts admit them, and the velocities that follow.
+    pub fn take(&mut self, posed: &Posed, impulses: &[f64]) {
+        let layout = posed.problem.layout();
+        for (contact, (r, t)) in impulses
+            .chunks_exact(layout.size())
+            .zip(&posed.tangents)
+            .enumerate()
+        {
+            let plane = |range: std::ops::Range<usize>| match r.get(range) {
+                Some([a, b]) => t[0] * *a + t[1] * *b,
+                _ => Vector3::zeros(),
+            };
+            let torsion = r
+                .get(layout.torsion())
+                .and_then(|part| part.first())
+                .copied();
+            let impulse = Modal::new(
+                r[0],
+                plane(layout.sliding()),
+                plane(layout.rolling()),
+                torsion.unwrap_or(0.0),
+            );
+            self.guess(contact, &impulse);
+        }
+        self.refresh();
+    }
+}
+
+fn still_sphere() -> Sphere<f64> {
+    Sphere {
+        velocity: Vector3::zeros(),
+        spin: Vector3::zeros(),
+        inv_mass: 0.0,
+        inv_inertia: 0.0,
+    }
+}
+
+/// A sphere whose velocities are the impulses it receives.
+fn unit_sphere() -> Sphere<f64> {
+    Sphere {
+        inv_mass: 1.0,
+        inv_inertia: 1.0,
+        ..still_sphere()
+    }
+}
+
+/// Matrices under construction.
+struct Posing<M> {
+    layout: Layout,
+    spheres: Vec<Option<Freedoms>>,
+    plates: Vec<Option<usize>>,
+    masses: Vec<(usize, usize, f64)>,
+    momenta: Vec<f64>,
+    arms: Vec<(usize, usize, f64)>,
+    prescribed: Vec<f64>,
+    laws: Vec<ContactLaw>,
+    tangents: Vec<[Vector3<f64>; 2]>,
+    modes: std::marker::PhantomData<M>,
+}
+
+impl<M: ContactModes<f64>> Posing<M> {
+    fn new<F: ContactFriction<f64, Modes = M>>(problem: &Spheres<F>) -> Self {
+        let layout = match (M::Rolling::PRESENT, M::Torsion::PRESENT) {
+            (true, true) => Layout::All,
+            (true, false) => Layout::Rolling,
+            (false, true) => Layout::Torsion,
+            (false, false) => Layout::Space,
+        };
+        Self {
+            layout,
+            spheres: vec![None; problem.free.0.len()],
+            plates: vec![None; problem.free.1.len()],
+            masses: Vec::new(),
+            momenta: Vec::new(),
+            arms: Vec::new(),
+            prescribed: Vec::new(),
+            laws: Vec::new(),
+            tangents: Vec::new(),
+            modes: std::marker::PhantomData,
+        }
+    }
+
+    /// Adds degrees of freedom with a common mass; returns the number of the first. A body of infinite mass has
+    /// none.
+    fn free(&mut self, inverse: f64, velocity: &[f64]) -> Option<usize> {
+        if inverse == 0.0 {
+            return None;
+        }
+        let first = self.momenta.len();
+        for v in velocity {
+            let at = self.momenta.len();
+            self.masses.push((at, at, inverse.recip()));
+            self.momenta.push(v / inverse);
+        }
+        Some(first)
+    }
+
+    /// Degrees of freedom of a sphere, and the sphere with its prescribed velocities alone.
+    fn sphere<F: ContactFriction<f64>>(
+        &mut self,
+        problem: &Spheres<F>,
+        body: usize,
+    ) -> (Freedoms, Sphere<f64>) {
+        let sphere = &problem.free.0[body];
+        let freedoms = match self.spheres[body] {
+            Some(known) => known,
+            None => Freedoms {
+                linear: self.free(sphere.inv_mass, sphere.velocity.as_slice()),
+                angular: self.free(sphere.inv_inertia, sphere.spin.as_slice()),
+            },
+        };
+        self.spheres[body] = Some(freedoms);
+        let mut prescribed = *sphere;
+        if freedoms.linear.is_some() {
+            prescribed.velocity = Vector3::zeros();
+        }
+        if freedoms.angular.is_some() {
+            prescribed.spin = Vector3::zeros();
+        }
+        (freedoms, prescribed)
+    }
+
+    /// The degree of freedom of a plate along its normal, and the plate with its prescribed velocities alone.
+    fn plate<F: ContactFriction<f64>>(
+        &mut self,
+        problem: &Spheres<F>,
+        body: usize,
+        normal: &Vector3<f64>,
+    ) -> (Freedoms, Plate<f64>) {
+        let plate = &problem.free.1[body];
+        let along = plate.velocity.dot(normal);
+        let linear = match self.plates[body] {
+            Some(known) => Some(known),
+            None => self.free(plate.inv_mass, &[along]),
+        };
+        self.plates[body] = linear;
+        let mut prescribed = *plate;
+        if linear.is_some() {
+            prescribed.velocity -= normal * along;
+        }
+        let angular = None;
+        (Freedoms { linear, angular }, prescribed)
+    }
+
+    /// Adds a contact, from the impulses on bodies that an impulse at it means and its velocity if only
+    /// prescribed velocities remain.
+    fn add(
+        &mut self,
+        link: &Link<M>,
+        friction: &impl Coefficients,
+        rows: impl Fn(&Modal<f64, M>) -> [(Freedoms, Sphere<f64>); 2],
+        still: &Modal<f64, M>,
+    ) -> Option<()> {
+        let contact = &link.contact;
+        if friction.joint().is_some() || contact.rests_open() {
+            return None;
+        }
+        let normal = contact.normal();
+        let tangents = tangents(normal);
+        let zero = Vector3::zeros();
+        let mut directions = vec![Modal::new(1.0, zero, zero, 0.0)];
+        let mut velocities = vec![still.normal + contact.allowance()];
+        for t in &tangents {
+            directions.push(Modal::new(0.0, *t, zero, 0.0));
+            velocities.push(still.sliding().dot(t));
+        }
+        if M::Rolling::PRESENT {
+            for t in &tangents {
+                directions.push(Modal::new(0.0, zero, *t, 0.0));
+                velocities.push(still.rolling().dot(t));
+            }
+        }
+        if M::Torsion::PRESENT {
+            directions.push(Modal::new(0.0, zero, zero, 1.0));
+            velocities.push(still.torsion());
+        }
+        for (component, direction) in directions.iter().enumerate() {
+            let column = self.prescribed.len() + component;
+            for (freedoms, pushed) in rows(direction) {
+                self.enter(column, freedoms.linear, &pushed.velocity);
+                self.enter(column, freedoms.angular, &pushed.spin);
+            }
+        }
+        self.prescribed.extend(velocities);
+        let [mu, mu_rolling, mu_torsion] = friction.coefficients();
+        self.laws.push(ContactLaw {
+            sliding: if M::Sliding::PRESENT { mu } else { 0.0 },
+            rolling: mu_rolling * contact.lever(),
+            torsion: mu_torsion * contact.lever(),
+            cohesion: contact.cohesion(),
+            ..ContactLaw::default()
+        });
+        self.tangents.push(tangents);
+        Some(())
+    }
+
+    /// Adds the entries of a column of H for three degrees of freedom.
+    fn enter(&mut self, column: usize, first: Option<usize>, pushed: &Vector3<f64>) {
+        let Some(first) = first else { return };
+        let entries = pushed
+            .iter()
+            .enumerate()
+            .filter(|(_, value)| **value != 0.0);
+        self.arms
+            .extend(entries.map(|(at, value)| (first + at, column, *value)));
+    }
+
+    fn finish(self) -> Option<Posed> {
+        let (freedoms, components) = (self.momenta.len(), self.prescribed.len());
+        let m = Matrix::from_triplets([freedoms; 2], &self.masses).ok()?;
+        let h = Matrix::from_triplets([freedoms, components], &self.arms).ok()?;
+        let problem =
+            Global::new(self.layout, m, h, self.momenta, self.prescribed, self.laws).ok()?;
+        Some(Posed {
+            problem,
+            tangents: self.tangents,
+        })
+    }
+}
+
+/// Two unit vectors that make a right-handed frame with a unit normal.
+///
+/// The normal's smallest component tells the axis that is farthest from it.
+fn tangents(normal: &Vector3<f64>) -> [Vector3<f64>; 2] {
+    let axis = Vector3::ith(normal.iamin(), 1.0);
+    let first = axis - normal * normal.dot(&axis);
+    let first = first / first.norm_squared().sqrt();
+    [first, normal.cross(&first)]
+}

@@ -1,0 +1,222 @@
+//! How far impulses are from solving a contact problem, judged without the solvers' code.
+
+use super::law::{ContactLaw, Friction, Layout};
+use super::reduced::Reduced;
+
+/// Residuals of impulses: 0 for a solution.
+///
+/// Both are sizes of the natural map r − P_K(r − ũ) over all contacts, with K the set of impulses that the laws
+/// admit and ũ_N = u_N + Σ m_k |u_k| (De Saxcé and Feng 1998).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Residual {
+    /// The map in the units of the problem, over the largest of |q|, |r| and |u|.
+    ///
+    /// It depends on the units of mass and length, and is weak for badly scaled problems.
+    pub relative: f64,
+    /// The map in scaled unknowns, over |r|: W has a mean diagonal of one third at every contact, in each mode.
+    pub scaled: f64,
+    /// Largest speed at which a contact closes.
+    pub penetration: f64,
+    /// The part of it that rounding of W r does not explain, over the largest |q|.
+    ///
+    /// Both sizes of the map are relative to impulses. Where a problem has no solution, impulses grow until
+    /// their sizes hide the map, and this number stays.
+    pub closing: f64,
+}
+
+/// Largest [`Residual::closing`] of a solution.
+const CLOSING: f64 = 0.01;
+/// Rounding of W r, in units of Σ |W_ij r_j| ε.
+const ROUNDING: f64 = 8.0;
+
+impl Residual {
+    /// The larger of both sizes of the map; NaN if either is.
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        if self.relative >= self.scaled {
+            self.relative
+        } else {
+            self.scaled
+        }
+    }
+
+    /// Whether both sizes are at most `tolerance`, and no contact closes at a hundredth of the largest |q|.
+    #[must_use]
+    pub fn meets(&self, tolerance: f64) -> bool {
+        self.relative <= tolerance && self.scaled <= tolerance && self.closing <= CLOSING
+    }
+}
+
+/// Judges impulses in the units and in the order of the problem.
+///
+/// ```
+/// use tribos::problem::{ContactLaw, Layout, Matrix, Reduced, residual};
+/// let w = Matrix::from_triplets([3, 3], &[(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5)])?;
+/// let fall = Reduced::new(Layout::Space, w, vec![-3.0, 4.0, 0.0], vec![ContactLaw::coulomb(0.5)])?;
+/// assert!(residual(&fall, &[6.0, -3.0, 0.0]).largest() < 1e-15);
+/// assert_eq!(residual(&fall, &[0.0, 0.0, 0.0]).penetration, 3.0);
+/// # Ok::<(), tribos::problem::ProblemError>(())
+/// ```
+///
+/// # Panics
+/// If there are fewer impulses than the problem has.
+#[must_use]
+pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
+    let (all, u) = (r, problem.velocities(r));
+    let size = problem.layout.size();
+    let mut plain = Sum::default();
+    let mut scaled = Sum::default();
+    let (mut penetration, mut unexplained) = (0.0_f64, 0.0_f64);
+    for (contact, law) in problem.laws.iter().enumerate() {
+        let range = contact * size..(contact + 1) * size;
+        let diagonal: Vec<f64> = range.clone().map(|at| problem.diagonal(at)).collect();
+        let (mut r, u) = (r[range.clone()].to_vec(), &u[range]);
+        r[0] += law.cohesion;
+        penetration = penetration.max(-u[0]);
+        let sum: f64 = problem
+            .w
+            .row(contact * size)
+            .iter()
+            .map(|&(at, w)| (w * all[at]).abs())
+            .sum();
+        unexplained = unexplained.max(-u[0] - ROUNDING * f64::EPSILON * sum);
+        plain.add(&r, u, &modes(problem.layout, law, None));
+        scaled.add(&r, u, &modes(problem.layout, law, Some(&diagonal)));
+    }
+    let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let largest = problem.q.iter().fold(0.0_f64, |most, q| most.max(q.abs()));
+    let scale = norm(&problem.q).max(norm(r)).max(norm(&u));
+    Residual {
+        relative: ratio(plain.map_sq.sqrt(), scale),
+        scaled: ratio(scaled.map_sq.sqrt(), scaled.size_sq.sqrt()),
+        penetration,
+        closing: ratio(unexplained, largest),
+    }
+}
+
+fn ratio(part: f64, whole: f64) -> f64 {
+    if part == 0.0 { 0.0 } else { part / whole }
+}
+
+/// Components of one mode with their units, and the threshold in those units.
+struct ModeTerms {
+    components: Vec<(usize, f64)>,
+    threshold: f64,
+    /// Unit of the normal component.
+    normal: f64,
+}
+
+/// Modes of a contact, in the units of the problem or scaled by its diagonal. Those without a threshold remain,
+/// with a threshold of zero.
+fn modes(layout: Layout, law: &ContactLaw, diagonal: Option<&[f64]>) -> Vec<ModeTerms> {
+    let unit = |range: std::ops::Range<usize>| -> f64 {
+        let Some(diagonal) = diagonal else { return 1.0 };
+        let count = range.len().max(1) as f64;
+        let mean: f64 = diagonal
+            .get(range)
+            .map_or(0.0, |part| part.iter().sum::<f64>() / count);
+        if mean > 0.0 {
+            (mean * 3.0).sqrt().recip()
+        } else {
+            1.0
+        }
+    };
+    let normal = unit(0..layout.sliding().end);
+    let mode = |range: std::ops::Range<usize>, unit: f64, threshold: f64| ModeTerms {
+        components: range.map(|at| (at, unit)).collect(),
+        threshold: threshold * normal / unit,
+        normal,
+    };
+    let mut all = vec![mode(layout.sliding(), normal, law.sliding)];
+    let rolling = layout.rolling();
+    all.push(mode(rolling.clone(), unit(rolling), law.rolling));
+    let torsion = layout.torsion();
+    let joint = law.friction == Friction::Ellipsoid && law.sliding > 0.0 && law.torsion > 0.0;
+    if joint {
+        // In units in which the set is a ball.
+        let round = normal * law.torsion / law.sliding;
+        all[0].components.extend(torsion.map(|at| (at, round)));
+    } else {
+        all.push(mode(torsion.clone(), unit(torsion), law.torsion));
+    }
+    all.retain(|mode| !mode.components.is_empty());
+    all
+}
+
+#[derive(Default)]
+struct Sum {
+    map_sq: f64,
+    size_sq: f64,
+}
+
+impl Sum {
+    /// Adds |r − P_K(r − ũ)|² of a contact.
+    fn add(&mut self, r: &[f64], u: &[f64], modes: &[ModeTerms]) {
+        let unit = modes.first().map_or(1.0, |mode| mode.normal);
+        let (normal, mut speed) = (r[0] / unit, u[0] * unit);
+        let length = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let mut trials = Vec::new();
+        for mode in modes {
+            let r: Vec<f64> = mode
+                .components
+                .iter()
+                .map(|&(at, unit)| r[at] / unit)
+                .collect();
+            let u: Vec<f64> = mode
+                .components
+                .iter()
+                .map(|&(at, unit)| u[at] * unit)
+                .collect();
+            speed += mode.threshold * length(&u);
+            let trial: Vec<f64> = r.iter().zip(&u).map(|(r, u)| r - u).collect();
+            trials.push((r, length(&trial), trial, mode.threshold));
+        }
+        let nearest = nearest(normal - speed, &trials);
+        let mut add = |r: f64, nearest: f64| {
+            self.map_sq += (r - nearest) * (r - nearest);
+            self.size_sq += r * r;
+        };
+        add(normal, nearest);
+        for (r, length, trial, threshold) in &trials {
+            let limit = threshold * nearest;
+            let factor = if *length > limit { limit / length } else { 1.0 };
+            for (r, trial) in r.iter().zip(trial) {
+                add(*r, trial * factor);
+            }
+        }
+    }
+}
+
+/// Normal component of the nearest point of K: the P ≥ 0 at which the slope of half the square of the distance,
+/// (P − n) − Σ m_k max(|x_k| − m_k P, 0), is zero, or 0 if it is positive there.
+fn nearest(normal: f64, trials: &[(Vec<f64>, f64, Vec<f64>, f64)]) -> f64 {
+    let slope = |p: f64| {
+        let beyond = |length: f64, m: f64| m * (length - m * p).max(0.0);
+        (p - normal)
+            - trials
+                .iter()
+                .map(|(_, length, _, m)| beyond(*length, *m))
+                .sum::<f64>()
+    };
+    if normal.is_nan() {
+        return f64::NAN;
+    }
+    if slope(0.0) >= 0.0 {
+        return 0.0;
+    }
+    let mut best = normal.max(0.0);
+    for set in 1..1_usize << trials.len() {
+        let (mut sum, mut steep) = (normal, 1.0);
+        for (number, (_, length, _, m)) in trials.iter().enumerate() {
+            if set >> number & 1 == 1 {
+                sum += m * length;
+                steep += m * m;
+            }
+        }
+        let candidate = (sum / steep).max(0.0);
+        if slope(candidate).abs() < slope(best).abs() {
+            best = candidate;
+        }
+    }
+    best
+}

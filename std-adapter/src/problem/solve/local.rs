@@ -1,0 +1,188 @@
+//! The solution of one contact with all others held.
+
+use super::cone::{Cone, Local, Square, solve_small};
+use super::natural::linearised;
+
+/// Steps of the search for the multiplier of sliding.
+const SEARCH: usize = 40;
+/// Relative width at which it ends.
+const CLOSE: f64 = 1e-14;
+/// Newton steps, and projections where those do not lead on.
+const STEPS: usize = 20;
+
+/// W of one contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Own {
+    pub w: Square,
+    /// Its inverse, if it has one.
+    inverse: Option<Square>,
+    /// 1/W_NN, and W_TT − W_TN W_NT/W_NN for two components of sliding.
+    inv_normal: f64,
+    sliding: [[f64; 2]; 2],
+}
+
+impl Own {
+    pub fn new(w: Square, size: usize) -> Self {
+        let mut inverse = Some(Square::default());
+        for column in 0..size {
+            let mut unit = Local::default();
+            unit[column] = 1.0;
+            let solved = solve_small(w, unit, size);
+            inverse = inverse.zip(solved).map(|(mut square, solved)| {
+                for (row, value) in square.iter_mut().zip(solved) {
+                    row[column] = value;
+                }
+                square
+            });
+        }
+        let inv_normal = w[0][0].recip();
+        let reduced =
+            |row: usize, column: usize| w[row][column] - w[row][0] * w[0][column] * inv_normal;
+        let mut sliding = [
+            [reduced(1, 1), reduced(1, 2)],
+            [reduced(2, 1), reduced(2, 2)],
+        ];
+        if size == 2 {
+            sliding[1][1] = 1.0;
+        }
+        Self {
+            w,
+            inverse,
+            inv_normal,
+            sliding,
+        }
+    }
+}
+
+/// r with ũ ∈ K* ⊥ r ∈ K and u = W r + q for one contact's W; near `guess` where it is found by iteration.
+pub(super) fn solve_contact(cone: &Cone, own: &Own, q: &Local, guess: &Local) -> Local {
+    let size = cone.size();
+    let w = &own.w;
+    // The contact opens.
+    if q[0] >= 0.0 {
+        return Local::default();
+    }
+    if size == 1 {
+        let mut pushed = Local::default();
+        pushed[0] = if w[0][0] > 0.0 {
+            -q[0] / w[0][0]
+        } else {
+            guess[0]
+        };
+        return pushed;
+    }
+    // It sticks.
+    if let Some(inverse) = &own.inverse {
+        let mut stuck = Local::default();
+        for (value, row) in stuck.iter_mut().zip(inverse).take(size) {
+            *value = -row.iter().zip(q).map(|(a, b)| a * b).sum::<f64>();
+        }
+        let inside = |mode: &super::cone::Mode| mode.length(&stuck) <= mode.threshold * stuck[0];
+        if stuck[0] >= 0.0 && cone.modes().iter().all(inside) {
+            return stuck;
+        }
+    }
+    match cone.modes() {
+        [mode] if mode.end <= 3 && w[0][0] > 0.0 => slide(mode.threshold, own, q),
+        _ => iterate(cone, w, q, guess),
+    }
+}
+
+/// Sliding at its threshold: r_T = (A + λ)⁻¹ b with |r_T| = μ r_N, and r_N from u_N = 0.
+fn slide(mu: f64, own: &Own, q: &Local) -> Local {
+    let (w, inv, a) = (&own.w, own.inv_normal, &own.sliding);
+    let b = [1, 2].map(|row| w[row][0] * q[0] * inv - q[row]);
+    let divide = |lambda: f64, x: [f64; 2]| {
+        let (p, s) = (a[0][0] + lambda, a[1][1] + lambda);
+        let det = p * s - a[0][1] * a[1][0];
+        [
+            (s * x[0] - a[0][1] * x[1]) / det,
+            (p * x[1] - a[1][0] * x[0]) / det,
+        ]
+    };
+    let normal = |t: [f64; 2]| -(q[0] + w[0][1] * t[0] + w[0][2] * t[1]) * inv;
+    let (mut low, mut high) = (0.0, f64::INFINITY);
+    let mut lambda = 0.0;
+    let mut best = [0.0; 2];
+    for _ in 0..SEARCH {
+        best = divide(lambda, b);
+        let length = (best[0] * best[0] + best[1] * best[1]).sqrt();
+        let excess = length - mu * normal(best);
+        if excess > 0.0 {
+            low = lambda;
+        } else {
+            high = lambda;
+        }
+        let change = divide(lambda, best).map(|x| -x);
+        let slope = (best[0] * change[0] + best[1] * change[1]) / length
+            + mu * inv * (w[0][1] * change[0] + w[0][2] * change[1]);
+        let mut next = lambda - excess / slope;
+        // Outside the bracket, or not a number: halve it, or look farther.
+        if !(next > low && next < high) {
+            next = if high.is_finite() {
+                0.5 * (low + high)
+            } else {
+                2.0 * lambda + a[0][0] + a[1][1]
+            };
+        }
+        if (next - lambda).abs() <= CLOSE * next {
+            break;
+        }
+        lambda = next;
+    }
+    // On the cone to the last bit.
+    let pushed = normal(best).max(0.0);
+    let length = (best[0] * best[0] + best[1] * best[1]).sqrt();
+    let factor = if length > 0.0 {
+        mu * pushed / length
+    } else {
+        0.0
+    };
+    let mut out = Local::default();
+    (out[0], out[1], out[2]) = (pushed, best[0] * factor, best[1] * factor);
+    out
+}
+
+/// Newton steps on the natural map; projected steps where they do not shorten it.
+fn iterate(cone: &Cone, w: &Square, q: &Local, guess: &Local) -> Local {
+    let size = cone.size();
+    let velocity = |r: &Local| -> Local {
+        let mut u = *q;
+        for (u, row) in u.iter_mut().zip(w).take(size) {
+            *u += row.iter().zip(r).map(|(w, r)| w * r).sum::<f64>();
+        }
+        u
+    };
+    let length = |x: &Local| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let trace: f64 = (0..size).map(|at| w[at][at]).sum();
+    let mut r = *guess;
+    for _ in 0..STEPS {
+        let u = velocity(&r);
+        let (map, linear) = linearised(cone, &r, &u);
+        let now = length(&map);
+        if now <= CLOSE * length(&r) {
+            break;
+        }
+        let mut matrix = linear.impulse;
+        for (entries, velocity) in matrix.iter_mut().zip(&linear.velocity).take(size) {
+            for (factor, source) in velocity.iter().zip(w).take(size) {
+                for (entry, w) in entries.iter_mut().zip(source) {
+                    *entry += factor * w;
+                }
+            }
+        }
+        let trial = solve_small(matrix, map.map(|x| -x), size)
+            .map(|step| -> Local { std::array::from_fn(|at| r[at] + step[at]) });
+        let better = trial.filter(|trial| {
+            let u = velocity(trial);
+            length(&linearised(cone, trial, &u).0) < 0.9 * now
+        });
+        r = better.unwrap_or_else(|| {
+            let corrected = cone.corrected(&u);
+            let step = if trace > 0.0 { 1.0 / trace } else { 1.0 };
+            cone.project(&std::array::from_fn(|at| r[at] - step * corrected[at]))
+                .point
+        });
+    }
+    cone.project(&r).point
+}

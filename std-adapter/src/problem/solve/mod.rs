@@ -1,0 +1,21 @@
+//! Solvers of contact problems, and the policy that chooses among them.
+
+mod blocks;
+mod bodies;
+mod cone;
+mod factor;
+mod interior;
+mod local;
+mod natural;
+mod newton;
+mod policy;
+mod prepared;
+mod proximal;
+mod scaling;
+mod sweeps;
+mod symbolic;
+mod system;
+#[cfg(test)]
+mod tests;
+
+pub use policy::{Ending, Method, Progress, Settings, Solution, solve};

@@ -1,0 +1,355 @@
+//! Which method, for how long.
+
+use super::super::reduced::Reduced;
+use super::super::residual::{Residual, residual};
+use super::interior::Interior;
+use super::newton::{Near, newton};
+use super::prepared::Prepared;
+use super::proximal::proximal;
+use super::sweeps::Sweeps;
+use super::system::System;
+
+/// A method for a contact problem.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Sweeps, then, where their foreseen cost is that of several factorisations, the interior point method,
+    /// Newton's method near its end, and proximal points.
+    #[default]
+    Automatic,
+    /// Gauss–Seidel sweeps with momentum.
+    Sweeps,
+    /// Interior point method and Newton's method near its end.
+    Interior,
+    /// Proximal points with Newton's method.
+    Proximal,
+}
+
+/// What is asked of a solver.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Largest residual of a solution, plain and scaled.
+    pub tolerance: f64,
+    /// Method.
+    pub method: Method,
+    /// Most sweeps.
+    pub most_sweeps: usize,
+    /// Most factorisations.
+    pub most_factorisations: usize,
+    /// Impulses to start from, in the units of the problem; without them from zero.
+    pub start: Option<Vec<f64>>,
+}
+
+impl Default for Settings {
+    /// 1e-8, the method chosen by foreseen cost, at most 200,000 sweeps and 1,000 factorisations.
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-8,
+            method: Method::Automatic,
+            most_sweeps: 200_000,
+            most_factorisations: 1000,
+            start: None,
+        }
+    }
+}
+
+/// How a solver ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// Both residuals are at most the tolerance.
+    Converged,
+    /// All methods stopped above the tolerance, with work left.
+    Stalled,
+    /// The work allowed was spent.
+    OutOfWork,
+}
+
+/// Work done, and the residual.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Progress {
+    /// Sweeps so far.
+    pub sweeps: usize,
+    /// Factorisations so far.
+    pub factorisations: usize,
+    /// Scaled residual of the point at hand.
+    pub residual: f64,
+}
+
+/// Impulses, and what is known of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// Impulses, in the units and in the order of the problem.
+    pub impulses: Vec<f64>,
+    /// Velocities u = W r + q.
+    pub velocities: Vec<f64>,
+    /// Their residuals, judged apart from the solver.
+    pub residual: Residual,
+    /// Why the solver ended.
+    pub ending: Ending,
+    /// The method that found them.
+    pub method: Method,
+    /// Sweeps made.
+    pub sweeps: usize,
+    /// Interior point, Newton and proximal steps made, one factorisation each.
+    pub factorisations: usize,
+}
+
+/// Sweeps between two judgements.
+const BETWEEN: usize = 10;
+/// Steps of the interior point method.
+const INTERIOR_STEPS: usize = 100;
+/// Factorisations that the interior point method and its finish are expected to take.
+const EXPECTED: f64 = 20.0;
+/// Newton's method is tried below this scaled residual, and then at each further factor.
+const NEAR: f64 = 1e-4;
+const NEARER: f64 = 0.03;
+const FINISH: usize = 10;
+/// Steps without a lower residual, and steps that are short, after which the interior point method ends; and a step
+/// that is none.
+const MOST_IDLE: usize = 12;
+const MOST_SHORT: usize = 3;
+const SHORT_STEP: f64 = 0.2;
+const NO_STEP: f64 = 1e-8;
+const PROXIMAL_STEPS: usize = 60;
+
+/// Solves a contact problem. `watch` sees the work and the residual as they go.
+///
+/// The answer is the same on every machine. A problem without a solution ends as [`Ending::Stalled`] or
+/// [`Ending::OutOfWork`], with the best point found.
+///
+/// [`Reduced`] has an example.
+#[must_use]
+pub fn solve(problem: &Reduced, settings: &Settings, watch: impl FnMut(&Progress)) -> Solution {
+    let prepared = Prepared::new(problem);
+    let mut run = Run {
+        problem,
+        settings,
+        prepared: &prepared,
+        watch,
+        best: vec![0.0; problem.q.len()],
+        judged: Residual::default(),
+        sweeps: 0,
+        method: settings.method,
+        goal: settings.tolerance,
+    };
+    run.judged = residual(problem, &run.best);
+    let factorisations = run.all();
+    let ending = if run.judged.meets(settings.tolerance) {
+        Ending::Converged
+    } else if run.sweeps >= settings.most_sweeps || factorisations >= settings.most_factorisations {
+        Ending::OutOfWork
+    } else {
+        Ending::Stalled
+    };
+    Solution {
+        velocities: problem.velocities(&run.best),
+        impulses: run.best,
+        residual: run.judged,
+        ending,
+        method: run.method,
+        sweeps: run.sweeps,
+        factorisations,
+    }
+}
+
+struct Run<'a, W> {
+    problem: &'a Reduced,
+    settings: &'a Settings,
+    prepared: &'a Prepared,
+    watch: W,
+    /// The best impulses, in the units of the problem, and their residual.
+    best: Vec<f64>,
+    judged: Residual,
+    sweeps: usize,
+    method: Method,
+    /// Scaled residual that the methods aim at: it falls below the tolerance where the plain one is larger.
+    goal: f64,
+}
+
+impl<W: FnMut(&Progress)> Run<'_, W> {
+    /// Runs the methods; returns the number of factorisations.
+    fn all(&mut self) -> usize {
+        let start = match &self.settings.start {
+            Some(start) => self.prepared.scaled(start, self.problem),
+            None => vec![0.0; self.prepared.q.len()],
+        };
+        if self.done(&start, self.settings.method) {
+            return 0;
+        }
+        let mut system = None;
+        let swept = match self.settings.method {
+            Method::Automatic | Method::Sweeps => self.sweep(start, &mut system),
+            _ => Some(start),
+        };
+        let Some(swept) = swept else {
+            return system.map_or(0, |system: System| system.factorisations);
+        };
+        if self.settings.method == Method::Sweeps {
+            return 0;
+        }
+        let mut system = system.unwrap_or_else(|| System::new(self.prepared));
+        let solved = self.settings.method != Method::Proximal && self.interior(&mut system);
+        if !solved && self.settings.method != Method::Interior {
+            let from = self.prepared.scaled(&self.best, self.problem);
+            if !self.approach(&mut system, from) {
+                let _ = self.approach(&mut system, swept);
+            }
+        }
+        system.factorisations
+    }
+
+    /// Judges a point, keeps it if it is the best, and tells whether it solves the problem.
+    fn done(&mut self, r: &[f64], method: Method) -> bool {
+        let impulses = self.prepared.unscaled(r, self.problem);
+        let judged = residual(self.problem, &impulses);
+        let meets = judged.meets(self.settings.tolerance);
+        if meets || judged.largest() < self.judged.largest() || self.judged.largest().is_nan() {
+            self.best = impulses;
+            self.judged = judged;
+            self.method = method;
+        }
+        if meets {
+            return true;
+        }
+        // The scaled residual is small enough, the plain one is not: aim lower.
+        if judged.scaled <= self.goal {
+            self.goal =
+                (0.3 * judged.scaled * (self.settings.tolerance / judged.relative).min(1.0))
+                    .max(1e-16);
+        }
+        false
+    }
+
+    /// Sweeps until they solve the problem (`None`) or until something else is cheaper.
+    fn sweep(&mut self, start: Vec<f64>, system: &mut Option<System>) -> Option<Vec<f64>> {
+        let problem = self.prepared;
+        let mut sweeps = Sweeps::new(problem, start);
+        let mut u = vec![0.0; problem.q.len()];
+        let mut history: Vec<f64> = Vec::new();
+        let cost = Sweeps::cost(problem);
+        while self.sweeps < self.settings.most_sweeps {
+            for _ in 0..BETWEEN {
+                sweeps.sweep(problem);
+            }
+            self.sweeps += BETWEEN;
+            problem.velocities(&sweeps.r, &mut u);
+            let residual = problem.residual(&sweeps.r, &u);
+            (self.watch)(&Progress {
+                sweeps: self.sweeps,
+                factorisations: 0,
+                residual,
+            });
+            if residual <= self.goal && self.done(&sweeps.r, Method::Sweeps) {
+                return None;
+            }
+            history.push(residual);
+            if self.settings.method == Method::Automatic {
+                let left = foreseen(&history, self.goal);
+                let other = system.get_or_insert_with(|| System::new(problem));
+                if left * cost > EXPECTED * other.cost(problem) {
+                    break;
+                }
+            }
+        }
+        self.done(&sweeps.r, Method::Sweeps);
+        Some(sweeps.r)
+    }
+
+    /// The interior point method from one start, and from another one if steps are short.
+    fn interior(&mut self, system: &mut System) -> bool {
+        let cold = Interior::cold(self.prepared);
+        if self.follow(system, cold, true) {
+            return true;
+        }
+        let laden = Interior::laden(self.prepared, system);
+        self.follow(system, laden, false)
+    }
+
+    /// Follows the interior point method, and tries Newton's where it is near. Ends without an answer after a few
+    /// short steps if `impatient`.
+    fn follow(&mut self, system: &mut System, mut point: Interior, impatient: bool) -> bool {
+        let problem = self.prepared;
+        let mut next = NEAR;
+        let mut lowest = f64::INFINITY;
+        let (mut idle, mut short) = (0, 0);
+        for _ in 0..INTERIOR_STEPS {
+            if system.factorisations >= self.settings.most_factorisations
+                || !point.advance(problem, system)
+            {
+                break;
+            }
+            let residual = problem.residual(&point.r, &point.u);
+            self.tell(system, residual);
+            if residual <= self.goal && self.done(&point.r, Method::Interior) {
+                return true;
+            }
+            if residual < next {
+                next = NEARER * residual;
+                let mut trial = point.r.clone();
+                let near = Near {
+                    weight: 0.0,
+                    centre: &[],
+                };
+                let solved = newton(problem, system, near, &mut trial, (0.5 * self.goal, FINISH));
+                if solved && self.done(&trial, Method::Interior) {
+                    return true;
+                }
+            }
+            idle = if residual < 0.9 * lowest { 0 } else { idle + 1 };
+            lowest = lowest.min(residual);
+            short = if point.step < SHORT_STEP {
+                short + 1
+            } else {
+                0
+            };
+            if idle > MOST_IDLE || point.step < NO_STEP || (impatient && short > MOST_SHORT) {
+                break;
+            }
+        }
+        self.done(&point.r, Method::Interior)
+    }
+
+    /// Proximal points.
+    fn approach(&mut self, system: &mut System, mut r: Vec<f64>) -> bool {
+        let problem = self.prepared;
+        for _ in 0..3 {
+            let most = self.settings.most_factorisations;
+            let goal = (0.5 * self.goal, PROXIMAL_STEPS);
+            let solved = proximal(problem, system, &mut r, goal, |_, system| {
+                system.factorisations >= most
+            });
+            if self.done(&r, Method::Proximal) {
+                return true;
+            }
+            if !solved {
+                return false;
+            }
+        }
+        false
+    }
+
+    fn tell(&mut self, system: &System, residual: f64) {
+        (self.watch)(&Progress {
+            sweeps: self.sweeps,
+            factorisations: system.factorisations,
+            residual,
+        });
+    }
+}
+
+/// Sweeps that remain if the residual falls as it did over the second half of its history.
+fn foreseen(history: &[f64], goal: f64) -> f64 {
+    let [.., now] = history else { return 0.0 };
+    if history.len() < 3 {
+        return 0.0;
+    }
+    let middle = history.len() / 2;
+    let before = history[middle.min(history.len() - 2)];
+    let steps = (history.len() - 1 - middle.min(history.len() - 2)) as f64;
+    let rate = libm::log(before / now) / steps;
+    let left = libm::log(now / goal);
+    if rate > 0.0 {
+        left / rate * BETWEEN as f64
+    } else {
+        f64::INFINITY
+    }
+}

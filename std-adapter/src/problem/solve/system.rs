@@ -1,0 +1,117 @@
+//! The linear systems of Newton's methods: B Δr + C W Δr = right, with a square of B and of C at each contact.
+
+use super::blocks::Blocks;
+use super::bodies::Bodies;
+use super::cone::Square;
+use super::factor::Lu;
+use super::prepared::Prepared;
+
+/// B and C of one contact.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Linear {
+    pub impulse: Square,
+    pub velocity: Square,
+}
+
+/// Measured time of a step for each contact, apart from the factorisation, in multiplications.
+const A_CONTACT: f64 = 2500.0;
+/// Corrections of a solution with the matrix itself.
+const REFINEMENTS: usize = 2;
+
+/// The system, factorised over contacts or over bodies.
+#[derive(Clone, Debug)]
+pub(super) struct System {
+    /// B + C W.
+    matrix: Blocks,
+    factors: Factors,
+    pub factorisations: usize,
+}
+
+#[derive(Clone, Debug)]
+enum Factors {
+    Contacts(Lu),
+    Bodies(Box<Bodies>),
+}
+
+impl System {
+    /// Prepares the way with fewer multiplications.
+    pub fn new(problem: &Prepared) -> Self {
+        let contacts = Lu::new(&problem.w);
+        let bodies = problem
+            .bodies
+            .as_ref()
+            .filter(|bodies| bodies.cost() < contacts.cost());
+        let factors = match bodies {
+            Some(bodies) => Factors::Bodies(Box::new(bodies.clone())),
+            None => Factors::Contacts(contacts),
+        };
+        Self {
+            matrix: problem.w.clone(),
+            factors,
+            factorisations: 0,
+        }
+    }
+
+    /// Time of a step with a factorisation, in multiplications.
+    pub fn cost(&self, problem: &Prepared) -> f64 {
+        let factors = match &self.factors {
+            Factors::Contacts(lu) => lu.cost(),
+            Factors::Bodies(bodies) => bodies.cost(),
+        };
+        factors + A_CONTACT * problem.contacts() as f64
+    }
+
+    /// Factorises for these squares.
+    pub fn factorise(&mut self, problem: &Prepared, linear: &[Linear]) {
+        for (contact, own) in linear.iter().enumerate() {
+            let rows = problem.w.size(contact);
+            for number in problem.w.row(contact) {
+                let column = problem.w.columns[number];
+                let width = problem.w.size(column);
+                let from = problem.w.block(number);
+                let to = self.matrix.block_mut(number);
+                for row in 0..rows {
+                    for at in 0..width {
+                        let mut sum = 0.0;
+                        for inner in 0..rows {
+                            sum += own.velocity[row][inner] * from[inner * width + at];
+                        }
+                        if column == contact {
+                            sum += own.impulse[row][at];
+                        }
+                        to[row * width + at] = sum;
+                    }
+                }
+            }
+        }
+        match &mut self.factors {
+            Factors::Contacts(lu) => lu.factorise(&self.matrix),
+            Factors::Bodies(bodies) => bodies.factorise(problem, linear),
+        }
+        self.factorisations += 1;
+    }
+
+    /// Replaces the right-hand side by the solution.
+    pub fn solve(&self, problem: &Prepared, vector: &mut [f64]) {
+        let right = vector.to_vec();
+        let mut left = vec![0.0; right.len()];
+        self.divide(problem, vector);
+        for _ in 0..REFINEMENTS {
+            self.matrix.multiply(vector, &mut left);
+            for (left, right) in left.iter_mut().zip(&right) {
+                *left = right - *left;
+            }
+            self.divide(problem, &mut left);
+            for (value, change) in vector.iter_mut().zip(&left) {
+                *value += change;
+            }
+        }
+    }
+
+    fn divide(&self, problem: &Prepared, vector: &mut [f64]) {
+        match &self.factors {
+            Factors::Contacts(lu) => lu.solve(vector),
+            Factors::Bodies(bodies) => bodies.solve(problem, vector),
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! Contact problems that are known, and random ones, by every method.
+
+use super::{ContactLaw, Ending, Friction, Global, Layout, Matrix, Method, Reduced, Settings};
+use super::{ProblemError, Solution, residual, solve};
+use crate::random::Random;
+
+const METHODS: [Method; 4] = [
+    Method::Automatic,
+    Method::Sweeps,
+    Method::Interior,
+    Method::Proximal,
+];
+
+fn by(problem: &Reduced, method: Method) -> Solution {
+    let settings = Settings {
+        method,
+        most_sweeps: 20_000,
+        ..Settings::default()
+    };
+    solve(problem, &settings, |_| ())
+}
+
+/// Bodies of six degrees of freedom each, and contacts between two of them or with the ground.
+fn assembly(layout: Layout, bodies: usize, contacts: usize, seed: u64) -> Global {
+    let mut random = Random::new(seed, 0);
+    let mut signed = || 2.0 * random.unit() - 1.0;
+    let size = layout.size();
+    let (mut m, mut h) = (Vec::new(), Vec::new());
+    for at in 0..6 * bodies {
+        m.push((at, at, libm::exp(2.0 * signed())));
+    }
+    for contact in 0..contacts {
+        let first = contact % bodies;
+        let second = (first + 1 + contact / bodies) % (bodies + 1);
+        for component in 0..size {
+            for (body, sign) in [(first, 1.0), (second, -1.0)] {
+                // The body after the last is the ground.
+                for axis in (0..6).filter(|_| body < bodies) {
+                    let entry = sign * (signed() + if axis == component { 2.0 } else { 0.0 });
+                    h.push((6 * body + axis, contact * size + component, entry));
+                }
+            }
+        }
+    }
+    let f = (0..6 * bodies).map(|_| signed()).collect();
+    let w = vec![0.0; size * contacts];
+    // A third of the thresholds is zero.
+    let mut threshold = || (1.5 * signed()).max(0.0);
+    let laws = (0..contacts)
+        .map(|contact| ContactLaw {
+            sliding: threshold(),
+            rolling: threshold(),
+            torsion: threshold(),
+            cohesion: if contact % 4 == 0 { 0.1 } else { 0.0 },
+            friction: if contact % 2 == 0 {
+                Friction::Ellipsoid
+            } else {
+                Friction::Separate
+            },
+        })
+        .collect();
+    let shape = [6 * bodies, size * contacts];
+    let m = Matrix::from_triplets([shape[0]; 2], &m).expect("entries are inside");
+    let h = Matrix::from_triplets(shape, &h).expect("entries are inside");
+    Global::new(layout, m, h, f, w, laws).expect("the problem is valid")
+}
+
+#[test]
+fn every_method_solves_random_assemblies_of_every_layout() {
+    for size in 2..=6 {
+        let layout = Layout::of_size(size).expect("a layout");
+        for seed in 0..6 {
+            let problem = assembly(layout, 4, 7, seed)
+                .reduced()
+                .expect("masses are positive");
+            let mut solved = 0;
+            for method in METHODS {
+                let end = by(&problem, method);
+                let meets = end.residual.meets(1e-8);
+                assert_eq!(
+                    meets,
+                    end.ending == Ending::Converged,
+                    "{layout:?} {seed} {method:?}"
+                );
+                assert_eq!(end.residual, residual(&problem, &end.impulses));
+                solved += usize::from(meets);
+                assert!(
+                    meets || method != Method::Automatic,
+                    "{layout:?} {seed}: {end:?}"
+                );
+            }
+            assert!(solved >= 3, "{layout:?} {seed}: {solved} methods");
+        }
+    }
+}
+
+#[test]
+fn bodies_and_contacts_are_two_ways_to_the_same_answer() {
+    let global = assembly(Layout::All, 3, 9, 11);
+    let with_bodies = global.reduced().expect("masses are positive");
+    let mut without = with_bodies.clone();
+    without.bodies = None;
+    let [a, b] = [&with_bodies, &without].map(|problem| by(problem, Method::Interior));
+    assert_eq!([a.ending, b.ending], [Ending::Converged; 2]);
+    for (a, b) in a.velocities.iter().zip(&b.velocities) {
+        assert!((a - b).abs() < 1e-7, "{a} {b}");
+    }
+}
+
+#[test]
+fn a_wedge_that_sticks_with_other_forces_keeps_them() {
+    // A mass between two walls, squeezed: any common squeeze is a solution with friction.
+    let m = Matrix::from_triplets([2, 2], &[(0, 0, 1.0), (1, 1, 1.0)]).expect("valid");
+    let arms = [(0, 0, 1.0), (1, 1, 1.0), (0, 2, -1.0), (1, 3, 1.0)];
+    let h = Matrix::from_triplets([2, 4], &arms).expect("valid");
+    let laws = vec![ContactLaw::coulomb(0.5); 2];
+    let jam = Global::new(Layout::Plane, m, h, vec![0.0, -1.0], vec![0.0; 4], laws);
+    let jam = jam.and_then(|jam| jam.reduced()).expect("valid");
+    for squeeze in [2.0, 5.0] {
+        let start = Some(vec![squeeze, 0.5, squeeze, 0.5]);
+        let held = solve(
+            &jam,
+            &Settings {
+                start,
+                ..Settings::default()
+            },
+            |_| (),
+        );
+        assert_eq!(held.ending, Ending::Converged);
+        assert!((held.impulses[0] - squeeze).abs() < 1e-8, "{held:?}");
+    }
+    // Without a squeeze it falls: the other solution.
+    let falls = solve(&jam, &Settings::default(), |_| ());
+    assert_eq!(falls.ending, Ending::Converged);
+    assert!((falls.velocities[1] + 1.0).abs() < 1e-7 || falls.velocities[1].abs() < 1e-7);
+}
+
+#[test]
+fn what_cannot_be_solved_is_not_called_solved() {
+    // A contact between bodies that do not move, which closes.
+    let w = Matrix::from_triplets([3, 3], &[]).expect("valid");
+    let laws = vec![ContactLaw::coulomb(0.3)];
+    let hopeless = Reduced::new(Layout::Space, w, vec![-1.0, 0.0, 0.0], laws).expect("valid");
+    for method in METHODS {
+        let end = by(&hopeless, method);
+        assert_ne!(end.ending, Ending::Converged, "{method:?}");
+        assert!(end.impulses.iter().all(|r| r.is_finite()), "{end:?}");
+    }
+}
+
+#[test]
+fn units_of_mass_change_nothing_but_the_units() {
+    let problem = assembly(Layout::Space, 4, 8, 3)
+        .reduced()
+        .expect("masses are positive");
+    let reference = by(&problem, Method::Automatic);
+    for unit in [1e-12, 1e12] {
+        let entries: Vec<_> = problem
+            .w()
+            .triplets()
+            .map(|(i, j, v)| (i, j, v * unit))
+            .collect();
+        let w = Matrix::from_triplets([24, 24], &entries).expect("valid");
+        let mut laws = problem.laws().to_vec();
+        laws.iter_mut().for_each(|law| law.cohesion /= unit);
+        let other = Reduced::new(Layout::Space, w, problem.q().to_vec(), laws).expect("valid");
+        let end = by(&other, Method::Automatic);
+        for (a, b) in end.impulses.iter().zip(&reference.impulses) {
+            assert!((a * unit - b).abs() < 1e-7, "{a} {b}");
+        }
+    }
+}
+
+#[test]
+fn data_that_is_no_problem_is_refused() {
+    let w = || Matrix::from_triplets([3, 3], &[]).expect("valid");
+    let law = ContactLaw::coulomb(0.3);
+    let new = |q: Vec<f64>, law| Reduced::new(Layout::Space, w(), q, vec![law]);
+    assert!(matches!(
+        new(vec![0.0; 2], law),
+        Err(ProblemError::Size { what: "q", .. })
+    ));
+    assert!(matches!(
+        new(vec![f64::NAN; 3], law),
+        Err(ProblemError::NotFinite { .. })
+    ));
+    let bad = ContactLaw::coulomb(-0.3);
+    assert!(matches!(
+        new(vec![0.0; 3], bad),
+        Err(ProblemError::Law { contact: 0, .. })
+    ));
+    let outside = Matrix::from_triplets([2, 2], &[(0, 2, 1.0)]);
+    assert!(matches!(
+        outside,
+        Err(ProblemError::OutOfRange { column: 2, .. })
+    ));
+}
