@@ -146,10 +146,14 @@ impl Global {
         }
         let size = self.w.len();
         let w = Matrix::from_triplets([size, size], &triplets)?;
-        let mut q = self.h.transposed().times(&bodies.divide(&self.f));
-        q.iter_mut().zip(&self.w).for_each(|(q, w)| *q += w);
+        let made = Made {
+            arms: self.h.transposed(),
+            bodies,
+            global: self.clone(),
+        };
+        let q = made.velocities(&vec![0.0; size]);
         let mut reduced = Reduced::new(self.layout, w, q, self.laws.clone())?;
-        reduced.bodies = Some([self.m.clone(), self.h.clone()]);
+        reduced.made = Some(Box::new(made));
         Ok(reduced)
     }
 
@@ -167,19 +171,64 @@ impl Global {
     }
 }
 
+/// The bodies that a reduced problem was made from. Velocities that follow from theirs are as accurate as their
+/// momenta; a sum W r may lose a light body's part beside the impulses of heavy ones.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Made {
+    pub global: Global,
+    pub bodies: Bodies,
+    /// Hᵀ
+    arms: Matrix,
+}
+
+impl Made {
+    /// u = Hᵀ M⁻¹ (H r + f) + w.
+    pub fn velocities(&self, r: &[f64]) -> Vec<f64> {
+        let Global { h, f, w, .. } = &self.global;
+        let mut momenta = h.times(r);
+        momenta.iter_mut().zip(f).for_each(|(p, f)| *p += f);
+        let mut u = self.arms.times(&self.bodies.divide(&momenta));
+        u.iter_mut().zip(w).for_each(|(u, w)| *u += w);
+        u
+    }
+
+    /// Rounding of the velocities at each contact component, in units of ε: the sizes of momenta that cancel.
+    pub fn rounding(&self, r: &[f64]) -> Vec<f64> {
+        let Global { h, f, .. } = &self.global;
+        let sizes: Vec<f64> = (0..h.rows())
+            .map(|row| {
+                let sum: f64 = h.row(row).iter().map(|&(at, h)| (h * r[at]).abs()).sum();
+                sum + f[row].abs()
+            })
+            .collect();
+        let speeds = self.bodies.divide(&sizes);
+        (0..self.arms.rows())
+            .map(|row| {
+                self.arms
+                    .row(row)
+                    .iter()
+                    .map(|&(at, h)| (h * speeds[at]).abs())
+                    .sum()
+            })
+            .collect()
+    }
+}
+
 /// Degrees of freedom that M joins, and the inverse of their part of it.
-struct Body {
-    freedoms: Vec<usize>,
-    inverse: DMatrix<f64>,
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Body {
+    pub freedoms: Vec<usize>,
+    pub inverse: DMatrix<f64>,
 }
 
 /// The parts of M that are independent of each other, in the order of their first degree of freedom.
-struct Bodies {
-    all: Vec<Body>,
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Bodies {
+    pub all: Vec<Body>,
 }
 
 impl Bodies {
-    fn new(m: &Matrix) -> Result<Self, ProblemError> {
+    pub fn new(m: &Matrix) -> Result<Self, ProblemError> {
         let all = components(m)
             .into_iter()
             .map(|freedoms| {
@@ -204,7 +253,7 @@ impl Bodies {
     }
 
     /// M⁻¹ times a vector.
-    fn divide(&self, vector: &[f64]) -> Vec<f64> {
+    pub fn divide(&self, vector: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; vector.len()];
         for body in &self.all {
             let part = DVector::from_iterator(

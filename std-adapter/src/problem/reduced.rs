@@ -1,6 +1,7 @@
 //! A contact problem between impulses alone: u = W r + q.
 
 use super::error::ProblemError;
+use super::global::Made;
 use super::law::{ContactLaw, Layout};
 use super::matrix::Matrix;
 
@@ -28,8 +29,8 @@ pub struct Reduced {
     pub(super) w: Matrix,
     pub(super) q: Vec<f64>,
     pub(super) laws: Vec<ContactLaw>,
-    /// M and H of the bodies that W was made from, with W = Hᵀ M⁻¹ H.
-    pub(super) bodies: Option<[Matrix; 2]>,
+    /// The bodies that W was made from.
+    pub(super) made: Option<Box<Made>>,
 }
 
 impl Reduced {
@@ -59,7 +60,7 @@ impl Reduced {
             w,
             q,
             laws,
-            bodies: None,
+            made: None,
         })
     }
 
@@ -93,12 +94,31 @@ impl Reduced {
         &self.laws
     }
 
-    /// u = W r + q.
+    /// u = W r + q, from the motion of the bodies where the problem was made from them.
     #[must_use]
     pub fn velocities(&self, r: &[f64]) -> Vec<f64> {
+        if let Some(made) = &self.made {
+            return made.velocities(r);
+        }
         let mut u = self.w.times(r);
         u.iter_mut().zip(&self.q).for_each(|(u, q)| *u += q);
         u
+    }
+
+    /// Rounding of each velocity, in units of ε.
+    pub(super) fn rounding(&self, r: &[f64]) -> Vec<f64> {
+        match &self.made {
+            Some(made) => made.rounding(r),
+            None => (0..self.w.rows())
+                .map(|row| {
+                    self.w
+                        .row(row)
+                        .iter()
+                        .map(|&(at, w)| (w * r[at]).abs())
+                        .sum()
+                })
+                .collect(),
+        }
     }
 
     pub(super) fn diagonal(&self, at: usize) -> f64 {

@@ -26,8 +26,6 @@ pub struct Residual {
 
 /// Largest [`Residual::closing`] of a solution.
 const CLOSING: f64 = 0.01;
-/// Rounding of W r, in units of Σ |W_ij r_j| ε.
-const ROUNDING: f64 = 8.0;
 
 impl Residual {
     /// The larger of both sizes of the map; NaN if either is.
@@ -62,7 +60,7 @@ impl Residual {
 /// If there are fewer impulses than the problem has.
 #[must_use]
 pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
-    let (all, u) = (r, problem.velocities(r));
+    let (sums, u) = (problem.rounding(r), problem.velocities(r));
     let size = problem.layout.size();
     let mut plain = Sum::default();
     let mut scaled = Sum::default();
@@ -73,13 +71,8 @@ pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
         let (mut r, u) = (r[range.clone()].to_vec(), &u[range]);
         r[0] += law.cohesion;
         penetration = penetration.max(-u[0]);
-        let sum: f64 = problem
-            .w
-            .row(contact * size)
-            .iter()
-            .map(|&(at, w)| (w * all[at]).abs())
-            .sum();
-        unexplained = unexplained.max(-u[0] - ROUNDING * f64::EPSILON * sum);
+        let rounding = f64::EPSILON * sums[contact * size];
+        unexplained = unexplained.max(-u[0] - rounding);
         plain.add(&r, u, &modes(problem.layout, law, None));
         scaled.add(&r, u, &modes(problem.layout, law, Some(&diagonal)));
     }

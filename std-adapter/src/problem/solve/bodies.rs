@@ -8,7 +8,7 @@
 //!
 //! with at most six unknowns a body. In packings it has fewer entries than W: all contacts of a body meet in W.
 
-use super::super::global::components;
+use super::super::global::{Made, components};
 use super::super::matrix::Matrix;
 use super::blocks::Blocks;
 use super::cone::{Local, MOST, Square, solve_small};
@@ -35,17 +35,15 @@ pub(super) struct Bodies {
     /// B⁻¹ and S of each contact.
     inverses: Vec<(Square, Square)>,
     lu: Lu,
+    /// M⁻¹ of each node, by rows.
+    inverse_mass: Vec<Vec<f64>>,
 }
 
 impl Bodies {
-    /// `m` and `h` in the units of the problem; `place` tells the contact, the unknown and its unit of each column
+    /// The bodies of a problem; `place` tells the contact, the unknown and its unit of each column
     /// of H that is left.
-    pub fn new(
-        m: &Matrix,
-        h: &Matrix,
-        contacts: usize,
-        place: &[Option<(usize, usize, f64)>],
-    ) -> Self {
+    pub fn new(made: &Made, contacts: usize, place: &[Option<(usize, usize, f64)>]) -> Self {
+        let (m, h) = (made.global.m(), made.global.h());
         let nodes = nodes(m, h, place);
         let mut first = vec![0];
         let mut home = vec![(0, 0); m.rows()];
@@ -95,7 +93,20 @@ impl Bodies {
                 matrix.block_mut(number)[at * width + to] += value;
             }
         }
+        let mut inverse_mass: Vec<Vec<f64>> = nodes
+            .iter()
+            .map(|node| vec![0.0; node.len() * node.len()])
+            .collect();
+        for body in &made.bodies.all {
+            for (a, &row) in body.freedoms.iter().enumerate() {
+                for (b, &column) in body.freedoms.iter().enumerate() {
+                    let ((node, at), (_, to)) = (home[row], home[column]);
+                    inverse_mass[node][at * nodes[node].len() + to] = body.inverse[(a, b)];
+                }
+            }
+        }
         Self {
+            inverse_mass,
             mass: matrix.values.clone(),
             lu: Lu::new(&matrix),
             inverses: vec![Default::default(); contacts],
@@ -109,12 +120,53 @@ impl Bodies {
         self.lu.cost()
     }
 
+    /// W times a vector, as Hᵀ M⁻¹ H: what heavy bodies receive does not hide what light ones do.
+    pub fn apply(&self, problem: &Prepared, vector: &[f64], out: &mut [f64]) {
+        let mut momenta = vec![0.0; self.matrix.unknowns()];
+        for (contact, arms) in self.arms.iter().enumerate() {
+            let r = problem.local(contact, vector);
+            for arm in arms {
+                let start = self.matrix.first[arm.node];
+                for (momentum, row) in momenta[start..].iter_mut().zip(&arm.rows) {
+                    *momentum += dot(row, &r);
+                }
+            }
+        }
+        let mut speeds = Vec::with_capacity(momenta.len());
+        for (node, inverse) in self.inverse_mass.iter().enumerate() {
+            let part = &momenta[self.matrix.first[node]..self.matrix.first[node + 1]];
+            for row in inverse.chunks_exact(part.len()) {
+                speeds.push(row.iter().zip(part).map(|(a, b)| a * b).sum::<f64>());
+            }
+        }
+        for (contact, arms) in self.arms.iter().enumerate() {
+            problem.put(contact, &self.relative(arms, &speeds), out);
+        }
+    }
+
+    /// Hᵀ times velocities, at one contact.
+    fn relative(&self, arms: &[Arm], speeds: &[f64]) -> Local {
+        let mut velocity = Local::default();
+        for arm in arms {
+            let start = self.matrix.first[arm.node];
+            for (v, row) in speeds[start..].iter().zip(&arm.rows) {
+                for (velocity, entry) in velocity.iter_mut().zip(row) {
+                    *velocity += entry * v;
+                }
+            }
+        }
+        velocity
+    }
+
     pub fn factorise(&mut self, problem: &Prepared, linear: &[Linear]) {
         self.matrix.values.copy_from_slice(&self.mass);
         for (contact, own) in linear.iter().enumerate() {
             let size = problem.w.size(contact);
             let inverse = invert(&own.impulse, size);
-            let schur = product(&inverse, &own.velocity, size);
+            let schur = match &own.velocity {
+                Some(velocity) => product(&inverse, velocity, size),
+                None => inverse,
+            };
             self.inverses[contact] = (inverse, schur);
             for a in &self.arms[contact] {
                 let moved: Vec<Local> = a
@@ -152,15 +204,7 @@ impl Bodies {
         }
         self.lu.solve(&mut momenta);
         for (contact, (_, schur)) in self.inverses.iter().enumerate() {
-            let mut velocity = Local::default();
-            for arm in &self.arms[contact] {
-                let start = self.matrix.first[arm.node];
-                for (v, row) in momenta[start..].iter().zip(&arm.rows) {
-                    for (velocity, entry) in velocity.iter_mut().zip(row) {
-                        *velocity += entry * v;
-                    }
-                }
-            }
+            let velocity = self.relative(&self.arms[contact], &momenta);
             let moved = problem.local(contact, vector);
             let change = times(schur, &velocity);
             problem.put(

@@ -32,8 +32,8 @@ const NOTHING: f64 = 1e-6;
 const SHIFT: f64 = 1e-10;
 
 /// Added to W for the first guess of P, and the largest guess.
-const SOFT: f64 = 1e-6;
-const LARGEST_START: f64 = 1e6;
+const SOFT: f64 = 1e-17;
+const LARGEST_START: f64 = 1e18;
 
 /// Second-order cone points of one mode: the first component, and at most three others.
 pub(super) type Point = [f64; 4];
@@ -75,7 +75,6 @@ fn load(problem: &Prepared, system: &mut System) -> f64 {
 fn softened() -> Linear {
     let mut linear = Linear::default();
     for at in 0..MOST {
-        linear.velocity[at][at] = 1.0;
         linear.impulse[at][at] = SOFT;
     }
     linear
@@ -200,7 +199,6 @@ impl Interior {
         for (contact, cone) in problem.cones.iter().enumerate() {
             let mut linear = Linear::default();
             for at in 0..cone.size() {
-                linear.velocity[at][at] = 1.0;
                 linear.impulse[at][at] = SHIFT;
             }
             let start = self.first[contact];

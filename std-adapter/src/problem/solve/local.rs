@@ -158,13 +158,13 @@ fn iterate(cone: &Cone, w: &Square, q: &Local, guess: &Local) -> Local {
     let mut r = *guess;
     for _ in 0..STEPS {
         let u = velocity(&r);
-        let (map, linear) = linearised(cone, &r, &u);
+        let (map, impulse, velocity_slope) = linearised(cone, &r, &u);
         let now = length(&map);
         if now <= CLOSE * length(&r) {
             break;
         }
-        let mut matrix = linear.impulse;
-        for (entries, velocity) in matrix.iter_mut().zip(&linear.velocity).take(size) {
+        let mut matrix = impulse;
+        for (entries, velocity) in matrix.iter_mut().zip(&velocity_slope).take(size) {
             for (factor, source) in velocity.iter().zip(w).take(size) {
                 for (entry, w) in entries.iter_mut().zip(source) {
                     *entry += factor * w;

@@ -1,7 +1,6 @@
 //! The natural map r − P_K(r − ũ), which is zero at solutions only, and its derivative.
 
-use super::cone::{Cone, Local, MOST};
-use super::system::Linear;
+use super::cone::{Cone, Local, MOST, Square};
 
 /// The map at one contact.
 pub(super) fn map(cone: &Cone, r: &Local, u: &Local) -> Local {
@@ -16,7 +15,7 @@ fn trial(cone: &Cone, r: &Local, u: &Local) -> Local {
 }
 
 /// The map, and its derivative (I − P′) dr + P′ (I + e_N m gᵀ) du with g = u_T/|u_T|.
-pub(super) fn linearised(cone: &Cone, r: &Local, u: &Local) -> (Local, Linear) {
+pub(super) fn linearised(cone: &Cone, r: &Local, u: &Local) -> (Local, Square, Square) {
     let trial = trial(cone, r, u);
     let end = cone.project(&trial);
     let slope = cone.derivative(&trial, &end);
@@ -31,14 +30,14 @@ pub(super) fn linearised(cone: &Cone, r: &Local, u: &Local) -> (Local, Linear) {
             }
         }
     }
-    let mut linear = Linear::default();
+    let (mut impulse, mut velocity) = (Square::default(), Square::default());
     for (row, slope) in slope.iter().enumerate().take(cone.size()) {
         for (column, (slope_of, normal)) in slope.iter().zip(&normal).enumerate().take(cone.size())
         {
             let same = f64::from(u8::from(row == column));
-            linear.impulse[row][column] = same - slope_of;
-            linear.velocity[row][column] = slope_of + slope[0] * normal;
+            impulse[row][column] = same - slope_of;
+            velocity[row][column] = slope_of + slope[0] * normal;
         }
     }
-    (map, linear)
+    (map, impulse, velocity)
 }

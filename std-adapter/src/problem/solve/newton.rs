@@ -55,13 +55,16 @@ pub(super) fn newton(
         let shift = SHIFT.max(near.weight);
         for (contact, cone) in problem.cones.iter().enumerate() {
             let (r, u) = (problem.local(contact, r), problem.local(contact, &u));
-            let (_, mut own) = linearised(cone, &r, &u);
-            for (row, velocity) in own.impulse.iter_mut().zip(&own.velocity) {
+            let (_, mut impulse, velocity) = linearised(cone, &r, &u);
+            for (row, velocity) in impulse.iter_mut().zip(&velocity) {
                 for (entry, velocity) in row.iter_mut().zip(velocity) {
                     *entry += shift * velocity;
                 }
             }
-            linear[contact] = own;
+            linear[contact] = Linear {
+                impulse,
+                velocity: Some(velocity),
+            };
         }
         system.factorise(problem, &linear);
         let mut step: Vec<f64> = value.iter().map(|x| -x).collect();

@@ -95,6 +95,8 @@ pub struct Solution {
 
 /// Sweeps between two judgements.
 const BETWEEN: usize = 10;
+/// Sweeps without half the residual after which sweeping on ends, beside twice those before.
+const PATIENCE: usize = 2000;
 /// Steps of the interior point method.
 const INTERIOR_STEPS: usize = 100;
 /// Factorisations that the interior point method and its finish are expected to take.
@@ -175,26 +177,28 @@ impl<W: FnMut(&Progress)> Run<'_, W> {
         if self.done(&start, self.settings.method) {
             return 0;
         }
+        let asked = self.settings.method;
+        let mut sweeps = Sweeps::new(self.prepared, start);
         let mut system = None;
-        let swept = match self.settings.method {
-            Method::Automatic | Method::Sweeps => self.sweep(start, &mut system),
-            _ => Some(start),
-        };
-        let Some(swept) = swept else {
+        if matches!(asked, Method::Automatic | Method::Sweeps)
+            && (self.sweep(&mut sweeps, &mut system) || asked == Method::Sweeps)
+        {
             return system.map_or(0, |system: System| system.factorisations);
-        };
-        if self.settings.method == Method::Sweeps {
-            return 0;
         }
         let mut system = system.unwrap_or_else(|| System::new(self.prepared));
-        let solved = self.settings.method != Method::Proximal && self.interior(&mut system);
-        if !solved && self.settings.method != Method::Interior {
-            let from = self.prepared.scaled(&self.best, self.problem);
-            if !self.approach(&mut system, from) {
-                let _ = self.approach(&mut system, swept);
-            }
+        let solved = (asked != Method::Proximal && self.interior(&mut system))
+            || (asked != Method::Interior && self.proximal(&mut system, &sweeps.r));
+        if !solved && asked == Method::Automatic {
+            // Slow, but some problems yield to nothing else.
+            self.sweep_on(&mut sweeps);
         }
         system.factorisations
+    }
+
+    /// Proximal points from the best point, then from where sweeps ended.
+    fn proximal(&mut self, system: &mut System, swept: &[f64]) -> bool {
+        let best = self.prepared.scaled(&self.best, self.problem);
+        self.approach(system, best) || self.approach(system, swept.to_vec())
     }
 
     /// Judges a point, keeps it if it is the best, and tells whether it solves the problem.
@@ -219,39 +223,62 @@ impl<W: FnMut(&Progress)> Run<'_, W> {
         false
     }
 
-    /// Sweeps until they solve the problem (`None`) or until something else is cheaper.
-    fn sweep(&mut self, start: Vec<f64>, system: &mut Option<System>) -> Option<Vec<f64>> {
+    /// Sweeps until they solve the problem, or until something else is cheaper. Tells whether they do.
+    fn sweep(&mut self, sweeps: &mut Sweeps, system: &mut Option<System>) -> bool {
         let problem = self.prepared;
-        let mut sweeps = Sweeps::new(problem, start);
-        let mut u = vec![0.0; problem.q.len()];
         let mut history: Vec<f64> = Vec::new();
         let cost = Sweeps::cost(problem);
         while self.sweeps < self.settings.most_sweeps {
-            for _ in 0..BETWEEN {
-                sweeps.sweep(problem);
-            }
-            self.sweeps += BETWEEN;
-            problem.velocities(&sweeps.r, &mut u);
-            let residual = problem.residual(&sweeps.r, &u);
-            (self.watch)(&Progress {
-                sweeps: self.sweeps,
-                factorisations: 0,
-                residual,
-            });
-            if residual <= self.goal && self.done(&sweeps.r, Method::Sweeps) {
-                return None;
+            let (residual, solved) = self.some_sweeps(sweeps);
+            if solved {
+                return true;
             }
             history.push(residual);
             if self.settings.method == Method::Automatic {
-                let left = foreseen(&history, self.goal);
-                let other = system.get_or_insert_with(|| System::new(problem));
-                if left * cost > EXPECTED * other.cost(problem) {
-                    break;
+                let left = foreseen(&history, self.goal) * cost;
+                // The pattern's factors are worth looking at.
+                if left > EXPECTED * System::least_cost(problem) {
+                    let other = system.get_or_insert_with(|| System::new(problem));
+                    if left > EXPECTED * other.cost(problem) {
+                        break;
+                    }
                 }
             }
         }
+        self.done(&sweeps.r, Method::Sweeps)
+    }
+
+    /// Sweeps for as long as the residual falls.
+    fn sweep_on(&mut self, sweeps: &mut Sweeps) {
+        let (mut lowest, mut since) = (f64::INFINITY, self.sweeps);
+        while self.sweeps < self.settings.most_sweeps && self.sweeps < 2 * since + PATIENCE {
+            let (residual, solved) = self.some_sweeps(sweeps);
+            if solved {
+                return;
+            }
+            if residual < 0.5 * lowest {
+                (lowest, since) = (residual, self.sweeps);
+            }
+        }
         self.done(&sweeps.r, Method::Sweeps);
-        Some(sweeps.r)
+    }
+
+    /// A few sweeps; returns the scaled residual, and whether the problem is solved.
+    fn some_sweeps(&mut self, sweeps: &mut Sweeps) -> (f64, bool) {
+        for _ in 0..BETWEEN {
+            sweeps.sweep(self.prepared);
+        }
+        self.sweeps += BETWEEN;
+        let mut u = vec![0.0; sweeps.r.len()];
+        self.prepared.velocities(&sweeps.r, &mut u);
+        let residual = self.prepared.residual(&sweeps.r, &u);
+        (self.watch)(&Progress {
+            sweeps: self.sweeps,
+            factorisations: 0,
+            residual,
+        });
+        let solved = residual <= self.goal && self.done(&sweeps.r, Method::Sweeps);
+        (residual, solved)
     }
 
     /// The interior point method from one start, and from another one if steps are short.

@@ -45,13 +45,13 @@ impl Prepared {
         for (at, &(from, _)) in origin.iter().enumerate() {
             place[from] = Some(at);
         }
-        let bodies = problem.bodies.as_ref().map(|[m, h]| {
+        let bodies = problem.made.as_ref().map(|made| {
             let columns: Vec<_> = place
                 .iter()
                 .enumerate()
                 .map(|(from, at)| at.map(|at| (from / size, at - first[from / size], origin[at].1)))
                 .collect();
-            Bodies::new(m, h, cones.len(), &columns)
+            Bodies::new(made, cones.len(), &columns)
         });
         let w = gather(problem, &place, &origin, first);
         let shifted = problem.without_cohesion();
@@ -91,9 +91,17 @@ impl Prepared {
         part.copy_from_slice(&local[..part.len()]);
     }
 
+    /// W times a vector.
+    pub fn apply(&self, vector: &[f64], out: &mut [f64]) {
+        match &self.bodies {
+            Some(bodies) => bodies.apply(self, vector, out),
+            None => self.w.multiply(vector, out),
+        }
+    }
+
     /// u = W r + q.
     pub fn velocities(&self, r: &[f64], u: &mut [f64]) {
-        self.w.multiply(r, u);
+        self.apply(r, u);
         for (u, q) in u.iter_mut().zip(&self.q) {
             *u += q;
         }
