@@ -2,7 +2,10 @@
 
 use super::accelerated::{Accelerated, Tolerance};
 use super::nsgs::{self, Iterations, Order, Stop, Sweeper};
+use super::operator::Operator;
+use super::residual::Coefficients;
 use super::spheres::Spheres;
+use crate::problem::solve_directly;
 use tribos_core::contact::{ContactFriction, ContactModes, Modal};
 
 /// Method that solves the contacts.
@@ -64,22 +67,58 @@ impl<M: ContactModes<f64>> Default for Workspace<M> {
 impl<M: ContactModes<f64>> Workspace<M> {
     /// Solves the contact problem of a step. The number of the step selects the stream of random orders;
     /// `speed` is the closing speed that the accelerated method may leave.
-    pub fn solve<F: ContactFriction<f64, Modes = M>>(
+    pub fn solve<F: ContactFriction<f64, Modes = M> + Coefficients>(
         &mut self,
         solver: &Solver,
         problem: &mut Spheres<F>,
         (step, speed): (u64, f64),
-    ) -> Iterations {
+    ) -> Answer {
         let most = solver.most_sweeps;
-        match solver.method {
+        let mut handed_over = false;
+        let iterations = match solver.method {
             Method::GaussSeidel { order, stop } => {
                 nsgs::solve(problem, &mut Sweeper::new(order, step), stop, most)
             }
             Method::Accelerated { tolerance } => {
                 let relative = tolerance;
-                self.accelerated
-                    .solve(problem, Tolerance { relative, speed }, most)
+                let goal = Tolerance { relative, speed };
+                self.accelerated.solve_or(problem, goal, most, |problem| {
+                    handed_over = solve_as_data(problem, relative, most).is_some();
+                    handed_over
+                })
             }
+        };
+        Answer {
+            iterations,
+            handed_over,
         }
     }
+}
+
+/// How a contact problem was solved.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Answer {
+    pub iterations: Iterations,
+    /// Whether the impulses are those of a solver for general contact problems, improved by sweeps.
+    pub handed_over: bool,
+}
+
+/// Time of a contact in a sweep, in multiplications.
+const A_CONTACT: f64 = 40.0;
+/// Largest foreseen cost of the other solver, in units of all sweeps that a step may take.
+const DEARER: f64 = 4.0;
+/// Largest residual of the other solver's answer, in units of the tolerance.
+const FINER: f64 = 0.1;
+
+/// Solves the problem with a factorisation, unless that is foreseen to be much dearer than all sweeps.
+fn solve_as_data<F>(problem: &mut Spheres<F>, tolerance: f64, most: usize) -> Option<()>
+where
+    F: ContactFriction<f64> + Coefficients,
+{
+    let most_cost = DEARER * A_CONTACT * (problem.contacts() * most) as f64;
+    let posed = problem.posed()?;
+    let reduced = posed.problem.reduced().ok()?;
+    let found = solve_directly(&reduced, FINER * tolerance, most_cost)?;
+    problem.take(&posed, &found.impulses);
+    Some(())
 }

@@ -9,7 +9,7 @@ use super::operator::Operator;
 use super::residual::{Coefficients, Residual, residual};
 use super::setup::Setup;
 use super::sleep::Sleep;
-use super::solver::Workspace;
+use super::solver::{Answer, Workspace};
 use super::spheres::Spheres;
 use super::wall::Wall;
 use crate::space::pairs::Cells;
@@ -24,6 +24,9 @@ pub struct StepReport {
     pub dt: f64,
     /// Cost of the solver for lasting contacts, and whether it met its stopping rule.
     pub iterations: Iterations,
+    /// Whether sweeps handed the problem over to a solver with factorisations ([`crate::problem`]), because they
+    /// missed their tolerance or foresaw that they would.
+    pub handed_over: bool,
     /// Residual of the contact problem.
     pub residual: Residual,
     /// Number of contacts in the problem.
@@ -198,13 +201,13 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                 self.state.steps,
                 OVERLAP * self.setup.step_limits.motion / dt,
             );
-            let iterations = self
+            let answer = self
                 .workspace
                 .solve(&self.setup.solver, &mut self.problem, step);
             let speed = self.fastest(self.problem.moving(), &self.problem.plates)?;
             // Contacts were searched up to the distance that two bodies can cover with this motion.
             if speed * dt <= 2.0 * self.setup.step_limits.motion {
-                return Ok(self.commit(dt, iterations));
+                return Ok(self.commit(dt, answer));
             }
             dt *= 0.5;
         }
@@ -253,7 +256,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 
     /// Applies the solution: velocities, positions, memory, energy.
-    fn commit(&mut self, dt: f64, iterations: Iterations) -> StepReport {
+    fn commit(&mut self, dt: f64, answer: Answer) -> StepReport {
         let residual = residual(&self.problem);
         let (problem, state) = (&self.problem, &mut self.state);
         let (mut before, mut loaded) = ((&state.spheres[..], &state.walls[..]), dt);
@@ -296,7 +299,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         }
         StepReport {
             dt,
-            iterations,
+            iterations: answer.iterations,
+            handed_over: answer.handed_over,
             residual,
             contacts,
             impacts: counts.impacts,

@@ -36,6 +36,8 @@ pub struct Outcome {
     pub iterations: u64,
     /// Steps in which any tolerance or rule was not met.
     pub unmet: u64,
+    /// Steps that sweeps handed over to a solver with factorisations.
+    pub handed_over: u64,
     /// Energy balance.
     pub energy: EnergyBalance,
     /// Wall-clock time, in s.
@@ -65,6 +67,7 @@ impl Outcome {
         put("steps", self.steps.into());
         put("iterations_total", self.iterations.into());
         put("steps_unmet", self.unmet.into());
+        put("steps_handed_over", self.handed_over.into());
         put("contacts", self.statistics.contacts.into());
         let energies = COLUMNS.iter().position(|name| *name == "work");
         let last = COLUMNS.iter().zip(self.last);

@@ -235,6 +235,7 @@ impl Grains {
                 .of_materials(self.scene().share_second),
             iterations: totals.iterations,
             unmet: totals.unmet,
+            handed_over: totals.handed_over,
             energy: *now.packing.energy(),
             wall_seconds: totals.wall_seconds,
         }

@@ -14,6 +14,8 @@ pub(crate) struct Totals {
     pub unmet: u64,
     /// Those in which the solver missed its stopping rule.
     pub solver_unmet: u64,
+    /// Steps that sweeps handed over to a solver with factorisations.
+    pub handed_over: u64,
     /// Those in which the impacts were cut off.
     pub cut: u64,
     /// Those in which a part of the impacts missed its tolerance.
@@ -28,6 +30,7 @@ impl Totals {
         self.iterations += report.iterations.sweeps as u64;
         self.unmet += u64::from(!report.is_met());
         self.solver_unmet += u64::from(!report.iterations.met);
+        self.handed_over += u64::from(report.handed_over);
         self.cut += u64::from(report.impacts_cut);
         self.impacts_unmet += u64::from(report.impacts_unmet > 0);
     }
@@ -39,6 +42,7 @@ impl Totals {
             ("iterations", self.iterations),
             ("unmet", self.unmet),
             ("solver_unmet", self.solver_unmet),
+            ("handed_over", self.handed_over),
             ("cut", self.cut),
             ("impacts_unmet", self.impacts_unmet),
         ] {
@@ -53,6 +57,8 @@ impl Totals {
             iterations: whole("iterations")?,
             unmet: whole("unmet")?,
             solver_unmet: whole("solver_unmet")?,
+            // Checkpoints of earlier versions have no such number.
+            handed_over: value["handed_over"].as_u64().unwrap_or(0),
             cut: whole("cut")?,
             impacts_unmet: whole("impacts_unmet")?,
             wall_seconds: one(value, "wall_seconds")?,

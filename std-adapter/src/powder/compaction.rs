@@ -374,6 +374,7 @@ impl Compaction {
             iterations: totals.iterations,
             unmet: totals.unmet,
             solver_unmet: totals.solver_unmet,
+            handed_over: totals.handed_over,
             impacts_cut: totals.cut,
             impacts_unmet: totals.impacts_unmet,
             energy: *seen.packing.energy(),

@@ -68,6 +68,8 @@ pub struct Outcome {
     pub unmet: u64,
     /// Steps in which the solver for lasting contacts missed its stopping rule.
     pub solver_unmet: u64,
+    /// Steps that sweeps handed over to a solver with factorisations.
+    pub handed_over: u64,
     /// Steps in which impacts with restitution still caused further impacts after the last round.
     pub impacts_cut: u64,
     /// Steps in which a reflection of impacts, or friction under it, missed its tolerance.
@@ -108,6 +110,7 @@ impl Outcome {
         put("steps", self.steps.into());
         put("iterations_total", self.iterations.into());
         put("steps_unmet", self.unmet.into());
+        put("steps_handed_over", self.handed_over.into());
         if scene.restitution > 0.0 {
             put("steps_solver_unmet", self.solver_unmet.into());
             put("steps_impacts_cut", self.impacts_cut.into());

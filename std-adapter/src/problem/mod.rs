@@ -19,4 +19,5 @@ pub use law::{ContactLaw, Friction, Layout};
 pub use matrix::Matrix;
 pub use reduced::Reduced;
 pub use residual::{Residual, residual};
+pub(crate) use solve::solve_directly;
 pub use solve::{Ending, Method, Progress, Settings, Solution, solve};

@@ -63,8 +63,10 @@ pub fn text(scene: &GrainsScene) -> Result<String, Failure> {
 fn solver(scene: &GrainsScene, longest: f64) -> String {
     let Some(step) = stable_step(scene) else {
         let (tolerance, sweeps) = (scene.tolerance, scene.sweeps);
-        let how =
-            format!("accelerated Gauss-Seidel to {tolerance:e}, at most {sweeps} sweeps a step");
+        let how = format!(
+            "accelerated Gauss-Seidel to {tolerance:e}, at most {sweeps} sweeps a step; where they foresee to miss \
+             it, an interior point method if that is not much dearer"
+        );
         return line("solver", how);
     };
     let stiffness = scene.spring();

@@ -203,7 +203,10 @@ fn solver(scene: &PowderScene) -> String {
     let most = solver.most_sweeps;
     let text = match solver.method {
         Method::Accelerated { tolerance } => {
-            format!("accelerated Gauss-Seidel to {tolerance:e}, at most {most} sweeps a step")
+            format!(
+                "accelerated Gauss-Seidel to {tolerance:e}, at most {most} sweeps a step; where they foresee to \
+                 miss it, an interior point method if that is not much dearer"
+            )
         }
         Method::GaussSeidel { .. } => format!("Gauss-Seidel, at most {most} sweeps a step"),
     };

@@ -18,4 +18,5 @@ mod system;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use policy::solve_directly;
 pub use policy::{Ending, Method, Progress, Settings, Solution, solve};

@@ -97,6 +97,8 @@ pub struct Solution {
 const BETWEEN: usize = 10;
 /// Sweeps without half the residual after which sweeping on ends, beside twice those before.
 const PATIENCE: usize = 2000;
+/// Residual that a solution by factorisations alone aims at: light bodies under heavy ones need it.
+const FINEST: f64 = 1e-14;
 /// Steps of the interior point method.
 const INTERIOR_STEPS: usize = 100;
 /// Factorisations that the interior point method and its finish are expected to take.
@@ -122,35 +124,34 @@ const PROXIMAL_STEPS: usize = 60;
 #[must_use]
 pub fn solve(problem: &Reduced, settings: &Settings, watch: impl FnMut(&Progress)) -> Solution {
     let prepared = Prepared::new(problem);
-    let mut run = Run {
-        problem,
-        settings,
-        prepared: &prepared,
-        watch,
-        best: vec![0.0; problem.q.len()],
-        judged: Residual::default(),
-        sweeps: 0,
-        method: settings.method,
-        goal: settings.tolerance,
-    };
-    run.judged = residual(problem, &run.best);
+    let mut run = Run::new(problem, settings, &prepared, watch);
     let factorisations = run.all();
-    let ending = if run.judged.meets(settings.tolerance) {
-        Ending::Converged
-    } else if run.sweeps >= settings.most_sweeps || factorisations >= settings.most_factorisations {
-        Ending::OutOfWork
-    } else {
-        Ending::Stalled
-    };
-    Solution {
-        velocities: problem.velocities(&run.best),
-        impulses: run.best,
-        residual: run.judged,
-        ending,
-        method: run.method,
-        sweeps: run.sweeps,
-        factorisations,
+    run.end(factorisations)
+}
+
+/// Solves a problem with factorisations alone; `None` if that is foreseen to take more than `most_cost`
+/// multiplications, or does not converge.
+pub(crate) fn solve_directly(
+    problem: &Reduced,
+    tolerance: f64,
+    most_cost: f64,
+) -> Option<Solution> {
+    let prepared = Prepared::new(problem);
+    if EXPECTED * System::least_cost(&prepared) > most_cost {
+        return None;
     }
+    let mut system = System::new(&prepared);
+    if EXPECTED * system.cost(&prepared) > most_cost {
+        return None;
+    }
+    let settings = Settings {
+        tolerance: FINEST.min(tolerance),
+        ..Settings::default()
+    };
+    let mut run = Run::new(problem, &settings, &prepared, |_: &Progress| ());
+    let solved =
+        run.interior(&mut system) || run.proximal(&mut system, &vec![0.0; prepared.q.len()]);
+    (solved || run.judged.meets(tolerance)).then(|| run.end(system.factorisations))
 }
 
 struct Run<'a, W> {
@@ -167,7 +168,44 @@ struct Run<'a, W> {
     goal: f64,
 }
 
-impl<W: FnMut(&Progress)> Run<'_, W> {
+impl<'a, W: FnMut(&Progress)> Run<'a, W> {
+    fn new(problem: &'a Reduced, settings: &'a Settings, prepared: &'a Prepared, watch: W) -> Self {
+        let best = vec![0.0; problem.q.len()];
+        Self {
+            judged: residual(problem, &best),
+            problem,
+            settings,
+            prepared,
+            watch,
+            best,
+            sweeps: 0,
+            method: settings.method,
+            goal: settings.tolerance,
+        }
+    }
+
+    fn end(self, factorisations: usize) -> Solution {
+        let settings = self.settings;
+        let ending = if self.judged.meets(settings.tolerance) {
+            Ending::Converged
+        } else if self.sweeps >= settings.most_sweeps
+            || factorisations >= settings.most_factorisations
+        {
+            Ending::OutOfWork
+        } else {
+            Ending::Stalled
+        };
+        Solution {
+            velocities: self.problem.velocities(&self.best),
+            impulses: self.best,
+            residual: self.judged,
+            ending,
+            method: self.method,
+            sweeps: self.sweeps,
+            factorisations,
+        }
+    }
+
     /// Runs the methods; returns the number of factorisations.
     fn all(&mut self) -> usize {
         let start = match &self.settings.start {

@@ -119,6 +119,13 @@ fn unmet(outcome: &Outcome) -> String {
             outcome.impacts_unmet
         );
     }
+    if outcome.handed_over > 0 {
+        text += &format!(
+            "handed over   {} steps, in which sweeps foresaw that they would miss the tolerance, to an interior \
+             point method\n",
+            outcome.handed_over
+        );
+    }
     if outcome.solver_unmet > 0 {
         text += &format!(
             "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate\n",
