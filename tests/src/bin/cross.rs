@@ -6,7 +6,6 @@
 use clap::Parser;
 use std::process::ExitCode;
 use std::sync::mpsc;
-use std::time::Duration;
 use std::{fs, thread};
 use tribos_tests::cross::options::Options;
 use tribos_tests::cross::platforms::PLATFORMS;
@@ -38,7 +37,6 @@ fn run(options: &Options) -> Result<bool, String> {
 
 /// Builds one row after the other; each runs while the next is being built.
 fn rows(options: &Options) -> Vec<Row> {
-    let limit = Duration::from_secs(options.limit);
     let wanted = PLATFORMS.into_iter().filter(|p| options.wants(p.name));
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {
@@ -55,7 +53,7 @@ fn rows(options: &Options) -> Vec<Row> {
             match work::build(&platform) {
                 Err(message) => drop(sender.send(end(Outcome::Failed(message)))),
                 Ok(images) => drop(scope.spawn(move || {
-                    let outcome = match work::run(&platform, &images, limit) {
+                    let outcome = match work::run(&platform, &images, options) {
                         Err(message) => Outcome::Failed(message),
                         Ok((answers, time)) => Outcome::Ran {
                             answers,

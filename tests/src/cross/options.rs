@@ -16,6 +16,9 @@ pub struct Options {
     /// Longest time for one program to run
     #[arg(long, value_name = "SECONDS", default_value_t = 1200)]
     pub limit: u64,
+    /// Instructions are not counted, which lets the emulators run faster
+    #[arg(long)]
+    pub quick: bool,
     /// A promised row whose tools are missing is a failure, not a warning
     #[arg(long)]
     pub require_all: bool,

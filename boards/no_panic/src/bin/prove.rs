@@ -30,8 +30,8 @@ struct Options {
 
 fn main() -> ExitCode {
     let outcome = match Options::parse().quick {
-        true => prove(&LEVELS[..1], 1),
-        false => prove(&LEVELS, TARGETS.len() * LEVELS.len()),
+        true => prove(&LEVELS[..1], &TARGETS[..1]),
+        false => prove(&LEVELS, &TARGETS),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -42,8 +42,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Builds all targets at `levels`, the first `controls` of them with their control.
-fn prove(levels: &[&str], controls: usize) -> Result<(), String> {
+/// Builds all targets at `levels`, and the control for some of them.
+fn prove(levels: &[&str], controlled: &[&str]) -> Result<(), String> {
     let functions::Image {
         source,
         names,
@@ -56,31 +56,30 @@ fn prove(levels: &[&str], controls: usize) -> Result<(), String> {
         "{functions} public functions; {} instances of them",
         names.len()
     );
-    let cases = TARGETS
-        .iter()
-        .flat_map(|target| levels.iter().map(move |level| (target, level)));
-    for (number, (target, level)) in cases.enumerate() {
-        let image = build("no_panic", &file, target, level)?
-            .map_err(|complaint| format!("{target}, opt-level {level}: {complaint}"))?;
-        let text = constants(&image)?;
-        if let Some(name) = names.iter().find(|name| !text.contains(&**name)) {
-            return Err(format!(
-                "{target}, opt-level {level}: the image lacks {name}"
-            ));
+    for level in levels {
+        let images = build("no_panic", &file, &TARGETS, level)?
+            .map_err(|complaint| format!("opt-level {level}: {complaint}"))?;
+        for (target, image) in TARGETS.iter().zip(&images) {
+            let text = constants(image)?;
+            if let Some(name) = names.iter().find(|name| !text.contains(&**name)) {
+                return Err(format!(
+                    "{target}, opt-level {level}: the image lacks {name}"
+                ));
+            }
+            let control = if controlled.contains(target) {
+                control(&file, target, level)?
+            } else {
+                "not built"
+            };
+            println!("{target}, opt-level {level}: no panic; control: {control}");
         }
-        let control = if number < controls {
-            control(&file, target, level)?
-        } else {
-            "not built"
-        };
-        println!("{target}, opt-level {level}: no panic; control: {control}");
     }
     Ok(())
 }
 
 /// The control must fail, and because of its panic.
 fn control(functions: &Path, target: &str, level: &str) -> Result<&'static str, String> {
-    match build("control", functions, target, level)? {
+    match build("control", functions, &[target], level)? {
         Err(complaint) if complaint.contains(PANIC) => Ok("refused by the linker"),
         Err(complaint) => Err(format!(
             "{target}, opt-level {level}: the control fails for another reason: {complaint}"
@@ -91,41 +90,45 @@ fn control(functions: &Path, target: &str, level: &str) -> Result<&'static str, 
     }
 }
 
-/// Path of the image, or the messages of compiler and linker.
+/// Paths of the images, one for each target, or the messages of compiler and linker.
+///
+/// All targets are built by one cargo: each is one long compilation, and they run side by side.
 fn build(
     bin: &str,
     functions: &Path,
-    target: &str,
+    targets: &[&str],
     level: &str,
-) -> Result<Result<PathBuf, String>, String> {
+) -> Result<Result<Vec<PathBuf>, String>, String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let output = Command::new(cargo)
         .args(["build", "--release", "--package", "tribos-no-panic"])
-        .args([
-            "--bin",
-            bin,
-            "--target",
-            target,
-            "--message-format",
-            "json-render-diagnostics",
-        ])
+        .args(["--bin", bin, "--message-format", "json-render-diagnostics"])
+        .args(targets.iter().flat_map(|target| ["--target", target]))
         .args(["--config", &format!("profile.release.opt-level={level}")])
         .env("TRIBOS_NO_PANIC", functions)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()
         .map_err(|error| format!("cannot run cargo: {error}"))?;
-    let said = String::from_utf8_lossy(&output.stdout);
     if !output.status.success() {
         let complaint = String::from_utf8_lossy(&output.stderr);
         return Ok(Err(complaint.into()));
     }
-    // The output line of the image contains the file name; the rest is ignored.
-    let path = said
+    let said = String::from_utf8_lossy(&output.stdout);
+    // The output line of an image contains its path; the rest is ignored.
+    let images: Vec<&Path> = said
         .split("\"executable\":\"")
         .skip(1)
-        .find_map(|rest| rest.split('"').next())
-        .ok_or_else(|| format!("cargo names no image of {bin}"))?;
-    Ok(Ok(PathBuf::from(path)))
+        .filter_map(|rest| rest.split('"').next())
+        .map(Path::new)
+        .collect();
+    let image = |target: &&str| {
+        let of_target = |path: &&&Path| path.iter().any(|folder| folder == *target);
+        let found = images.iter().find(of_target);
+        found
+            .map(|path| path.to_path_buf())
+            .ok_or_else(|| format!("cargo names no image of {bin} for {target}"))
+    };
+    targets.iter().map(image).collect::<Result<_, _>>().map(Ok)
 }
 
 /// The constants of an image, as text.

@@ -1,6 +1,6 @@
 //! Takes one input of every target of the kernel: the program whose symbols tell what is fuzzed.
 
-use tribos_tests::fuzz::{KERNEL, take};
+use tribos_fuzz::{KERNEL, take};
 
 fn main() {
     for target in KERNEL {
