@@ -155,7 +155,7 @@ impl Forecast {
         let rate = libm::log(before / now) / (sweeps - at) as f64;
         let left = (most - sweeps.min(most)) as f64;
         // No decrease foresees no end.
-        !(rate * HOPELESS * left > libm::log(now))
+        rate.is_nan() || rate * HOPELESS * left <= libm::log(now)
     }
 }
 
