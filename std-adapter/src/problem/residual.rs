@@ -17,15 +17,17 @@ pub struct Residual {
     pub scaled: f64,
     /// Largest speed at which a contact closes.
     pub penetration: f64,
-    /// The part of it that rounding of W r does not explain, over the largest |q|.
+    /// Largest error of a normal speed that rounding of W r does not explain, over the largest |q|: the speed of a
+    /// contact that pushes, or closes.
     ///
-    /// Both sizes of the map are relative to impulses. Where a problem has no solution, impulses grow until
-    /// their sizes hide the map, and this number stays.
-    pub closing: f64,
+    /// Both sizes of the map are relative to impulses. Where heavy bodies lie on light ones, or a problem has no
+    /// solution, impulses may hide the map; this number is the relative error of what accelerates.
+    pub speed: f64,
 }
 
-/// Largest [`Residual::closing`] of a solution.
-const CLOSING: f64 = 0.01;
+/// Largest [`Residual::speed`] of a solution, in units of its tolerance: where a heavy body lies on a light one, this
+/// is the error of the force.
+const SPEED: f64 = 100.0;
 
 impl Residual {
     /// The larger of both sizes of the map; NaN if either is.
@@ -38,10 +40,11 @@ impl Residual {
         }
     }
 
-    /// Whether both sizes are at most `tolerance`, and no contact closes at a hundredth of the largest |q|.
+    /// Whether both sizes are at most `tolerance`, and [`Residual::speed`] at most
+    /// a hundred times it.
     #[must_use]
     pub fn meets(&self, tolerance: f64) -> bool {
-        self.relative <= tolerance && self.scaled <= tolerance && self.closing <= CLOSING
+        self.relative <= tolerance && self.scaled <= tolerance && self.speed <= SPEED * tolerance
     }
 }
 
@@ -71,8 +74,9 @@ pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
         let (mut r, u) = (r[range.clone()].to_vec(), &u[range]);
         r[0] += law.cohesion;
         penetration = penetration.max(-u[0]);
-        let rounding = f64::EPSILON * sums[contact * size];
-        unexplained = unexplained.max(-u[0] - rounding);
+        // Either nothing pushes or nothing closes.
+        let error = u[0].min(r[0] * diagonal[0]).abs();
+        unexplained = unexplained.max(error - f64::EPSILON * sums[contact * size]);
         plain.add(&r, u, &modes(problem.layout, law, None));
         scaled.add(&r, u, &modes(problem.layout, law, Some(&diagonal)));
     }
@@ -83,7 +87,7 @@ pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
         relative: ratio(plain.map_sq.sqrt(), scale),
         scaled: ratio(scaled.map_sq.sqrt(), scaled.size_sq.sqrt()),
         penetration,
-        closing: ratio(unexplained, largest),
+        speed: ratio(unexplained, largest),
     }
 }
 

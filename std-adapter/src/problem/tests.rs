@@ -4,9 +4,10 @@ use super::{ContactLaw, Ending, Friction, Global, Layout, Matrix, Method, Reduce
 use super::{ProblemError, Solution, residual, solve};
 use crate::random::Random;
 
-const METHODS: [Method; 4] = [
+const METHODS: [Method; 5] = [
     Method::Automatic,
     Method::Sweeps,
+    Method::Gradient,
     Method::Interior,
     Method::Proximal,
 ];
@@ -89,7 +90,7 @@ fn every_method_solves_random_assemblies_of_every_layout() {
                     "{layout:?} {seed}: {end:?}"
                 );
             }
-            assert!(solved >= 3, "{layout:?} {seed}: {solved} methods");
+            assert!(solved >= 4, "{layout:?} {seed}: {solved} methods");
         }
     }
 }

@@ -4,6 +4,7 @@ mod blocks;
 mod bodies;
 mod cone;
 mod factor;
+mod gradient;
 mod interior;
 mod local;
 mod natural;

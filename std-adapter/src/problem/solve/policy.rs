@@ -2,6 +2,7 @@
 
 use super::super::reduced::Reduced;
 use super::super::residual::{Residual, residual};
+use super::gradient::Gradient;
 use super::interior::Interior;
 use super::newton::{Near, newton};
 use super::prepared::Prepared;
@@ -18,6 +19,8 @@ pub enum Method {
     Automatic,
     /// Gauss–Seidel sweeps with momentum.
     Sweeps,
+    /// Projected gradients with momentum.
+    Gradient,
     /// Interior point method and Newton's method near its end.
     Interior,
     /// Proximal points with Newton's method.
@@ -216,6 +219,10 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             return 0;
         }
         let asked = self.settings.method;
+        if asked == Method::Gradient {
+            self.gradient(start);
+            return 0;
+        }
         let mut sweeps = Sweeps::new(self.prepared, start);
         let mut system = None;
         if matches!(asked, Method::Automatic | Method::Sweeps)
@@ -299,6 +306,33 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             }
         }
         self.done(&sweeps.r, Method::Sweeps);
+    }
+
+    /// Projected gradients for as long as the residual falls.
+    fn gradient(&mut self, start: Vec<f64>) {
+        let mut gradient = Gradient::new(self.prepared, start);
+        let mut u = vec![0.0; gradient.r.len()];
+        let (mut lowest, mut since) = (f64::INFINITY, 0);
+        while self.sweeps < self.settings.most_sweeps && self.sweeps < 2 * since + PATIENCE {
+            for _ in 0..BETWEEN {
+                gradient.advance(self.prepared);
+            }
+            self.sweeps += BETWEEN;
+            self.prepared.velocities(&gradient.r, &mut u);
+            let residual = self.prepared.residual(&gradient.r, &u);
+            (self.watch)(&Progress {
+                sweeps: self.sweeps,
+                factorisations: 0,
+                residual,
+            });
+            if residual <= self.goal && self.done(&gradient.r, Method::Gradient) {
+                return;
+            }
+            if residual < 0.5 * lowest {
+                (lowest, since) = (residual, self.sweeps);
+            }
+        }
+        self.done(&gradient.r, Method::Gradient);
     }
 
     /// A few sweeps; returns the scaled residual, and whether the problem is solved.
