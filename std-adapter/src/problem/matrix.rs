@@ -25,7 +25,7 @@ impl Matrix {
     /// the order given.
     ///
     /// # Errors
-    /// [`ProblemError::OutOfRange`] if an entry is outside, [`ProblemError::NotFinite`] if a value is not finite.
+    /// [`ProblemError::OutOfRange`] if an entry is outside, [`ProblemError::NotFinite`] if a value or a sum is not finite.
     pub fn from_triplets(
         shape: [usize; 2],
         triplets: &[(usize, usize, f64)],
@@ -58,6 +58,11 @@ impl Matrix {
             entries,
         };
         matrix.merge();
+        if !matrix.entries.iter().all(|entry| entry.1.is_finite()) {
+            return Err(ProblemError::NotFinite {
+                what: "a sum of entries of a matrix",
+            });
+        }
         Ok(matrix)
     }
 

@@ -4,6 +4,7 @@
 //! judges them without the solvers' code.
 
 mod error;
+mod file;
 mod global;
 mod law;
 mod matrix;
@@ -14,6 +15,7 @@ mod solve;
 mod tests;
 
 pub use error::ProblemError;
+pub use file::{Fault, FileError, Format, Place, Problem};
 pub use global::Global;
 pub use law::{ContactLaw, Friction, Layout};
 pub use matrix::Matrix;

@@ -1,0 +1,107 @@
+//! Problems from HDF5: vectors first, because they tell the shapes of the matrices.
+
+use super::super::Problem;
+use super::super::error::{Fault, Place, Refusal};
+use super::store::Store;
+use super::{matrix, names};
+use crate::problem::{ContactLaw, Friction, Global, Layout, ProblemError, Reduced};
+
+pub(in super::super) fn read(bytes: &[u8]) -> Result<Problem, Refusal> {
+    let store = Store::open(bytes, &[names::LOCAL, names::GLOBAL].concat())?;
+    for name in names::CONSTRAINTS {
+        if store.has(name)? {
+            let refusal = "equality constraints beside contacts are not supported";
+            return Err((store.place(name), Fault::Unsupported(refusal)));
+        }
+    }
+    let layout = layout(&store)?;
+    let laws = laws(&store)?;
+    let size = layout.size() * laws.len();
+    let problem = if names::LOCAL.contains(&store.group()) {
+        let q = vector(&store, "vectors/q", size)?;
+        let w = matrix::read(&store, "W", [size, size])?;
+        Reduced::new(layout, w, q, laws).map(Problem::Reduced)
+    } else {
+        let f = store.numbers("vectors/f")?;
+        let w = vector(&store, "vectors/w", size)?;
+        let m = matrix::read(&store, "M", [f.len(), f.len()])?;
+        let h = matrix::read(&store, "H", [f.len(), size])?;
+        Global::new(layout, m, h, f, w, laws).map(Problem::Global)
+    };
+    problem.map_err(|error| (place(&store, &error), Fault::Problem(error)))
+}
+
+/// The vector that a refusal is about.
+fn place(store: &Store, error: &ProblemError) -> Place {
+    let name = match *error {
+        ProblemError::Law { what, .. } => match what {
+            "the friction coefficient" => names::SLIDING,
+            "the rolling threshold" => names::ROLLING,
+            "the torsion threshold" => names::TORSION,
+            _ => names::COHESION,
+        },
+        ProblemError::NotFinite { what: "q" } => "vectors/q",
+        ProblemError::NotFinite { what: "f" } => "vectors/f",
+        ProblemError::NotFinite { what: "w" } => "vectors/w",
+        _ => return Place::File,
+    };
+    store.place(name)
+}
+
+fn layout(store: &Store) -> Result<Layout, Refusal> {
+    let size = store.integer(names::SIZE)?;
+    let layout = usize::try_from(size).ok().and_then(Layout::of_size);
+    layout.ok_or_else(|| {
+        let what = "the number of components of a contact";
+        store.wrong_count(names::SIZE, what, size, "from 2 to 6")
+    })
+}
+
+fn vector(store: &Store, name: &str, size: usize) -> Result<Vec<f64>, Refusal> {
+    let numbers = store.numbers(name)?;
+    if numbers.len() == size {
+        return Ok(numbers);
+    }
+    Err(store.wrong_count(name, "the number of elements", numbers.len(), size))
+}
+
+/// Laws of all contacts; what a file does not mention is zero.
+fn laws(store: &Store) -> Result<Vec<ContactLaw>, Refusal> {
+    let sliding = store.numbers(names::SLIDING)?;
+    let optional = |name| match store.has(name)? {
+        true => vector(store, name, sliding.len()),
+        false => Ok(vec![0.0; sliding.len()]),
+    };
+    let [rolling, torsion, cohesion] = [
+        optional(names::ROLLING)?,
+        optional(names::TORSION)?,
+        optional(names::COHESION)?,
+    ];
+    let friction = friction(store, sliding.len())?;
+    Ok((0..sliding.len())
+        .map(|contact| ContactLaw {
+            sliding: sliding[contact],
+            rolling: rolling[contact],
+            torsion: torsion[contact],
+            cohesion: cohesion[contact],
+            friction: friction[contact],
+        })
+        .collect())
+}
+
+fn friction(store: &Store, contacts: usize) -> Result<Vec<Friction>, Refusal> {
+    if !store.has(names::ELLIPSOID)? {
+        return Ok(vec![Friction::Separate; contacts]);
+    }
+    let marks = store.integers(names::ELLIPSOID)?;
+    if marks.len() != contacts {
+        let what = "the number of elements";
+        return Err(store.wrong_count(names::ELLIPSOID, what, marks.len(), contacts));
+    }
+    let friction = |mark| match mark {
+        0 => Ok(Friction::Separate),
+        1 => Ok(Friction::Ellipsoid),
+        _ => Err(store.wrong_count(names::ELLIPSOID, "a mark", mark, "0 or 1")),
+    };
+    marks.into_iter().map(friction).collect()
+}

@@ -1,0 +1,149 @@
+//! Files of contact problems: HDF5 of FCLib and text of Siconos.
+
+mod error;
+mod fclib;
+mod siconos;
+#[cfg(test)]
+mod tests;
+
+pub use error::{Fault, FileError, Place};
+
+use super::{ContactLaw, Global, Layout, ProblemError, Reduced};
+use crate::record::write_atomically;
+use std::path::Path;
+
+/// A contact problem of either kind.
+///
+/// ```
+/// use tribos::problem::{ContactLaw, Format, Layout, Matrix, Problem, Reduced};
+/// let w = Matrix::from_triplets([3, 3], &[(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5)])?;
+/// let fall = Reduced::new(Layout::Space, w, vec![-3.0, 4.0, 0.0], vec![ContactLaw::coulomb(0.5)])?;
+/// let problem = Problem::from(fall);
+/// let home = tempfile::tempdir()?;
+/// for (name, format) in [("fall.hdf5", Format::FclibHdf5), ("fall.dat", Format::SiconosText)] {
+///     problem.write(&home.path().join(name), format)?;
+///     assert_eq!(Problem::read(&home.path().join(name))?, problem);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub enum Problem {
+    /// Between impulses: u = W r + q.
+    Reduced(Reduced),
+    /// Between bodies: M v = H r + f.
+    Global(Global),
+}
+
+/// Format of a file of a contact problem.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// HDF5 as the library FCLib lays it out.
+    ///
+    /// Groups `fclib_local` (W, q) or `fclib_global` (M, H, f, w), with `_rolling` where contacts have rolling
+    /// components. Coefficients are `vectors/mu` and `vectors/mu_r`. FCLib knows neither torsion nor cohesion:
+    /// `vectors/mu_n`, `vectors/cohesion` and `vectors/ellipsoid` (0 or 1 for each contact) are our extension,
+    /// written where a law needs them.
+    FclibHdf5,
+    /// Text as Siconos writes it.
+    ///
+    /// W is in square blocks, M and H in triplets; numbers have the shortest digits that keep their bits. Entries
+    /// of W that are zero are not kept apart from absent ones. There is no place for torsion, cohesion and
+    /// ellipsoids.
+    SiconosText,
+}
+
+impl Problem {
+    /// Reads a file; its contents tell the format, not its name.
+    ///
+    /// Text of Siconos does not say which kind of problem it holds: a file of one matrix is [`Self::Reduced`], one of two
+    /// is [`Self::Global`]. Matrices may be dense (stored by columns), in blocks, or as CSparse prints them
+    /// (triplets, columns or rows).
+    ///
+    /// HDF5 must be without compression; solutions and guesses in it are not read, and equality constraints
+    /// (`G`, `V`, `R`) are refused.
+    ///
+    /// # Errors
+    /// [`FileError`] if the file cannot be read, or is not a contact problem. Memory is bounded by a multiple
+    /// of the file's size, whatever sizes it claims.
+    pub fn read(path: &Path) -> Result<Self, FileError> {
+        let parsed = match std::fs::read(path) {
+            Ok(bytes) => Self::parse(&bytes),
+            Err(cause) => Err((Place::File, Fault::Read(cause))),
+        };
+        parsed.map_err(|(place, fault)| FileError {
+            path: path.to_path_buf(),
+            place,
+            fault,
+        })
+    }
+
+    fn parse(bytes: &[u8]) -> Result<Self, error::Refusal> {
+        if fclib::is_hdf5(bytes) {
+            return fclib::read(bytes);
+        }
+        match std::str::from_utf8(bytes) {
+            Ok(text) => siconos::read(text),
+            Err(_) => Err((Place::File, Fault::NeitherFormat)),
+        }
+    }
+
+    /// Writes a file; it is complete, or an earlier one at `path` is unchanged.
+    ///
+    /// # Errors
+    /// [`FileError`] if the format has no place for a law or a layout, or the file cannot be written.
+    pub fn write(&self, path: &Path, format: Format) -> Result<(), FileError> {
+        let bytes = match format {
+            Format::FclibHdf5 => fclib::write(self),
+            Format::SiconosText => siconos::write(self).map(String::into_bytes),
+        };
+        let written = bytes.and_then(|bytes| {
+            write_atomically(path, &bytes).map_err(|error| (Place::File, Fault::Write(error.cause)))
+        });
+        written.map_err(|(place, fault)| FileError {
+            path: path.to_path_buf(),
+            place,
+            fault,
+        })
+    }
+
+    /// The problem between impulses: W = Hᵀ M⁻¹ H where it is between bodies.
+    ///
+    /// # Errors
+    /// [`ProblemError::Singular`] if M has no inverse.
+    pub fn reduced(&self) -> Result<Reduced, ProblemError> {
+        match self {
+            Self::Reduced(problem) => Ok(problem.clone()),
+            Self::Global(problem) => problem.reduced(),
+        }
+    }
+
+    /// Components of each contact.
+    #[must_use]
+    pub fn layout(&self) -> Layout {
+        match self {
+            Self::Reduced(problem) => problem.layout(),
+            Self::Global(problem) => problem.layout(),
+        }
+    }
+
+    /// Laws of the contacts.
+    #[must_use]
+    pub fn laws(&self) -> &[ContactLaw] {
+        match self {
+            Self::Reduced(problem) => problem.laws(),
+            Self::Global(problem) => problem.laws(),
+        }
+    }
+}
+
+impl From<Reduced> for Problem {
+    fn from(problem: Reduced) -> Self {
+        Self::Reduced(problem)
+    }
+}
+
+impl From<Global> for Problem {
+    fn from(problem: Global) -> Self {
+        Self::Global(problem)
+    }
+}

@@ -1,0 +1,117 @@
+//! Text of Siconos: dimension, number of contacts, matrices, vectors, coefficients.
+
+mod compressed;
+mod matrix;
+mod words;
+mod write;
+
+pub(super) use write::write;
+
+use super::Problem;
+use super::error::{Fault, Place, Refusal};
+use crate::problem::{ContactLaw, Global, Layout, Matrix, ProblemError, Reduced};
+use words::Words;
+
+/// What precedes the vectors in both kinds of problems.
+struct Head {
+    layout: Layout,
+    contacts: usize,
+    first: Matrix,
+}
+
+/// Reads a problem. The two kinds have different numbers of words for the same first matrix, so that at most one of
+/// the readings ends with the file.
+pub(super) fn read(text: &str) -> Result<Problem, Refusal> {
+    let mut words = Words::new(text);
+    let head = head(&mut words)?;
+    let local = reduced(&head, words.clone());
+    if local.is_err() && matrix::may_follow(words.clone()) {
+        return global(&head, words);
+    }
+    local
+}
+
+fn head(words: &mut Words) -> Result<Head, Refusal> {
+    let size = words.count("the number of components of a contact", usize::MAX)?;
+    let layout = match size {
+        2 | 3 | 5 => Layout::of_size(size),
+        _ => None,
+    };
+    let Some(layout) = layout else {
+        let what = "the number of components of a contact";
+        return Err(words.wrong_count(what, size, "2, 3 or 5".to_string()));
+    };
+    let contacts = words.count("the number of contacts", words.room())?;
+    let first = matrix::read(words)?;
+    Ok(Head {
+        layout,
+        contacts,
+        first,
+    })
+}
+
+/// W, then q and the coefficients.
+fn reduced(head: &Head, mut words: Words) -> Result<Problem, Refusal> {
+    let size = head.layout.size() * head.contacts;
+    for (what, found) in [
+        ("rows", head.first.rows()),
+        ("columns", head.first.columns()),
+    ] {
+        if found != size {
+            return Err(words.not_a_problem(ProblemError::Size {
+                what: "W",
+                of: what,
+                found,
+                wanted: size,
+            }));
+        }
+    }
+    let q = words.numbers("an element of q", size)?;
+    let laws = laws(head, &mut words)?;
+    let problem = Reduced::new(head.layout, head.first.clone(), q, laws);
+    problem
+        .map(Problem::Reduced)
+        .map_err(|error| (Place::File, Fault::Problem(error)))
+}
+
+/// M, then H, f, w and the coefficients.
+fn global(head: &Head, mut words: Words) -> Result<Problem, Refusal> {
+    let m = head.first.clone();
+    let h = matrix::read(&mut words)?;
+    let f = words.numbers("an element of f", m.rows())?;
+    let w = words.numbers("an element of w", h.columns())?;
+    let laws = laws(head, &mut words)?;
+    Global::new(head.layout, m, h, f, w, laws)
+        .map(Problem::Global)
+        .map_err(|error| (Place::File, Fault::Problem(error)))
+}
+
+/// Coefficients of all contacts, to the end of the file.
+fn laws(head: &Head, words: &mut Words) -> Result<Vec<ContactLaw>, Refusal> {
+    let sliding = words.numbers("a friction coefficient", head.contacts)?;
+    let rolling = match head.layout.rolling().is_empty() {
+        true => vec![0.0; head.contacts],
+        false => words.numbers("a rolling threshold", head.contacts)?,
+    };
+    end(words)?;
+    let laws = sliding.into_iter().zip(rolling);
+    Ok(laws
+        .map(|(sliding, rolling)| ContactLaw {
+            sliding,
+            rolling,
+            ..ContactLaw::default()
+        })
+        .collect())
+}
+
+/// Nothing may follow but a flag that old versions of Siconos wrote.
+fn end(words: &mut Words) -> Result<(), Refusal> {
+    let mut after = words.clone();
+    if let Some("0" | "1") = after.next_word() {
+        *words = after;
+    }
+    match words.next_word() {
+        None => Ok(()),
+        Some(word) => Err((words.place(), Fault::Beyond(words::shortened(word)))),
+    }
+}
