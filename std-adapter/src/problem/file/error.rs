@@ -25,7 +25,7 @@ pub struct FileError {
     pub place: Place,
     /// What is wrong there, and what would be valid.
     #[source]
-    pub fault: Fault,
+    pub fault: Box<Fault>,
 }
 
 /// A fault and its place, before the file's path is known.

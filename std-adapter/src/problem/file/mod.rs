@@ -73,7 +73,7 @@ impl Problem {
         parsed.map_err(|(place, fault)| FileError {
             path: path.to_path_buf(),
             place,
-            fault,
+            fault: fault.into(),
         })
     }
 
@@ -102,7 +102,7 @@ impl Problem {
         written.map_err(|(place, fault)| FileError {
             path: path.to_path_buf(),
             place,
-            fault,
+            fault: fault.into(),
         })
     }
 

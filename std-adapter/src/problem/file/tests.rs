@@ -91,7 +91,7 @@ fn parsed(bytes: &[u8]) -> Result<Problem, FileError> {
     Problem::parse(bytes).map_err(|(place, fault)| FileError {
         path: "problem".into(),
         place,
-        fault,
+        fault: fault.into(),
     })
 }
 
@@ -132,7 +132,7 @@ fn extensions_are_kept_in_hdf5_and_refused_in_text() {
         let home = tempfile::tempdir().unwrap();
         let path = home.path().join("problem.dat");
         let error = problem.write(&path, Format::SiconosText).unwrap_err();
-        match error.fault {
+        match *error.fault {
             Fault::Layout(size) => assert_eq!(size, layout.size()),
             Fault::NoPlace { contact, .. } => assert!(layout == Layout::Space && contact == 1),
             fault => panic!("{fault}"),
@@ -291,9 +291,9 @@ fn refusals_say_where_and_what_would_be_valid() {
         assert_eq!(refused(text), message);
     }
     let binary = parsed(&[0xff, 0xfe, 0]).unwrap_err();
-    assert!(matches!(binary.fault, Fault::NeitherFormat));
+    assert!(matches!(*binary.fault, Fault::NeitherFormat));
     let absent = Problem::read(Path::new("/no/such/file")).unwrap_err();
-    assert!(matches!(absent.fault, Fault::Read(_)) && absent.place == Place::File);
+    assert!(matches!(*absent.fault, Fault::Read(_)) && absent.place == Place::File);
 }
 
 #[test]

@@ -89,10 +89,10 @@ fn blocks(words: &mut Words, shape: [usize; 2]) -> Result<Vec<Triplet>, Refusal>
         (0..count).map(|_| words.integer("the column of a block", [0, columns as i128 - 1]));
     let places = places.collect::<Result<Vec<_>, _>>()?;
     for (row, pair) in starts.windows(2).enumerate() {
-        for number in pair[0]..pair[1] {
+        for (number, place) in places.iter().enumerate().take(pair[1]).skip(pair[0]) {
             words.same("the number of a block", number)?;
             let [top, height] = span(&row_ends, row);
-            let [left, width] = span(&column_ends, places[number] as usize);
+            let [left, width] = span(&column_ends, *place as usize);
             block(words, [top, left], [height, width], &mut triplets)?;
         }
     }
