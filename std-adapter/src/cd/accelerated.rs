@@ -77,10 +77,6 @@ const DAMPED: [f64; 2] = [0.2, 0.05];
 /// change in the quarter before; for convergence like 1/t the fraction is one half.
 const CIRCLING: f64 = 0.7;
 
-/// Looks at the decrease of the changes in `most` sweeps, and how many times the sweeps left must be foreseen for
-/// another way to be tried at once.
-const LOOKS: usize = 8;
-const HOPELESS: f64 = 4.0;
 /// Sweeps that judge another solver's impulses.
 const JUDGING: usize = 20;
 
@@ -121,42 +117,6 @@ impl Tolerance {
     fn is_met(&self, change: &GlobalChange) -> bool {
         change.relative() <= self.relative && change.speed <= self.speed
     }
-
-    /// How many times too large a change is.
-    fn excess(&self, change: &GlobalChange) -> f64 {
-        (change.relative() / self.relative).max(change.speed / self.speed)
-    }
-}
-
-/// Foresees from the decrease of the changes whether sweeps will meet their tolerance.
-#[derive(Clone, Copy, Debug, Default)]
-struct Forecast {
-    /// Sweeps and excess at the last look.
-    last: Option<(usize, f64)>,
-}
-
-impl Forecast {
-    /// Whether many times the sweeps that are left would be needed. Looks at each eighth of `most`.
-    fn misses(
-        &mut self,
-        change: &GlobalChange,
-        goal: Tolerance,
-        sweeps: usize,
-        most: usize,
-    ) -> bool {
-        let due = self.last.map_or(0, |(at, _)| at) + most / LOOKS;
-        if sweeps < due.max(1) {
-            return false;
-        }
-        let now = goal.excess(change);
-        let Some((at, before)) = self.last.replace((sweeps, now)) else {
-            return false;
-        };
-        let rate = libm::log(before / now) / (sweeps - at) as f64;
-        let left = (most - sweeps.min(most)) as f64;
-        // No decrease foresees no end.
-        rate.is_nan() || rate * HOPELESS * left <= libm::log(now)
-    }
 }
 
 impl From<f64> for Tolerance {
@@ -181,8 +141,8 @@ impl<I: Impulse> Accelerated<I> {
         self.solve_or(problem, goal, most, |_| false)
     }
 
-    /// [`Accelerated::solve`] with a `rescue`: another way to a solution, taken when sweeps miss the tolerance or
-    /// foresee that they will. It tells whether it has set the impulses; a few sweeps then judge them.
+    /// [`Accelerated::solve`] with a `rescue`: another way to a solution, taken when all sweeps have missed the
+    /// tolerance. It tells whether it has set the impulses; a few sweeps then judge them.
     pub fn solve_or<O: Operator<Impulse = I>>(
         &mut self,
         problem: &mut O,
@@ -191,50 +151,35 @@ impl<I: Impulse> Accelerated<I> {
         rescue: impl FnOnce(&mut O) -> bool,
     ) -> Iterations {
         let goal = goal.into();
-        let mut forecast = Forecast::default();
-        let mut progress = Progress::default();
-        let rescuable = |change: &GlobalChange, sweeps| forecast.misses(change, goal, sweeps, most);
-        let mut sweeps = 0;
-        if self.iterate(problem, goal, (&mut sweeps, most), &mut progress, rescuable) {
-            return Iterations { sweeps, met: true };
+        let mut end = self.iterate(problem, goal, most);
+        if !end.met && rescue(problem) {
+            end.met = self.judge(problem, goal, &mut end.sweeps);
         }
-        if rescue(problem) && self.judge(problem, goal, &mut sweeps) {
-            return Iterations { sweeps, met: true };
-        }
-        if self.iterate(problem, goal, (&mut sweeps, most), &mut progress, |_, _| {
-            false
-        }) {
-            return Iterations { sweeps, met: true };
-        }
-        if progress.is_circling(goal.relative) {
-            self.damp(problem, goal, sweeps, sweeps + most / 2)
-        } else {
-            Iterations { sweeps, met: false }
-        }
+        end
     }
 
-    /// Sweeps with momentum from the impulses at hand. Tells whether the tolerance is met; ends earlier if `hopeless`.
+    /// Sweeps with momentum, then damped ones if they cycle.
     fn iterate<O: Operator<Impulse = I>>(
         &mut self,
         problem: &mut O,
         goal: Tolerance,
-        (sweeps, most): (&mut usize, usize),
-        progress: &mut Progress,
-        mut hopeless: impl FnMut(&GlobalChange, usize) -> bool,
-    ) -> bool {
+        most: usize,
+    ) -> Iterations {
         let contacts = problem.contacts();
         self.swept.clear();
         self.swept
             .extend((0..contacts).map(|contact| problem.impulse(contact)));
         let mut age = 1.0_f64;
-        while *sweeps < most {
+        let mut sweeps = 0;
+        let mut progress = Progress::default();
+        while sweeps < most {
             let mut change = GlobalChange::default();
             problem.sweep_on(&self.swept, &mut change);
-            *sweeps += 1;
+            sweeps += 1;
             if goal.is_met(&change) {
-                return true;
+                return Iterations { sweeps, met: true };
             }
-            progress.see(change.relative(), *sweeps, most);
+            progress.see(change.relative(), sweeps, most);
             let older = 0.5 * (1.0 + (1.0 + 4.0 * age * age).sqrt());
             if change.along < 0.0 {
                 age = (LEFT * age).max(1.0);
@@ -242,13 +187,14 @@ impl<I: Impulse> Accelerated<I> {
             } else {
                 problem.extrapolate((age - 1.0) / older, &mut self.swept);
                 age = older;
-                *sweeps += EXTRAPOLATION;
-            }
-            if hopeless(&change, *sweeps) {
-                break;
+                sweeps += EXTRAPOLATION;
             }
         }
-        false
+        if progress.is_circling(goal.relative) {
+            self.damp(problem, goal, sweeps, sweeps + most / 2)
+        } else {
+            Iterations { sweeps, met: false }
+        }
     }
 
     /// A few plain sweeps from impulses that should solve the problem. Tells whether they meet the tolerance.

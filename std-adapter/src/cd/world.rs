@@ -25,7 +25,7 @@ pub struct StepReport {
     /// Cost of the solver for lasting contacts, and whether it met its stopping rule.
     pub iterations: Iterations,
     /// Whether sweeps handed the problem over to a solver with factorisations ([`crate::problem`]), because they
-    /// missed their tolerance or foresaw that they would.
+    /// missed their tolerance.
     pub handed_over: bool,
     /// Residual of the contact problem.
     pub residual: Residual,

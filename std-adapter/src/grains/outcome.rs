@@ -67,7 +67,9 @@ impl Outcome {
         put("steps", self.steps.into());
         put("iterations_total", self.iterations.into());
         put("steps_unmet", self.unmet.into());
-        put("steps_handed_over", self.handed_over.into());
+        if self.handed_over > 0 {
+            put("steps_handed_over", self.handed_over.into());
+        }
         put("contacts", self.statistics.contacts.into());
         let energies = COLUMNS.iter().position(|name| *name == "work");
         let last = COLUMNS.iter().zip(self.last);

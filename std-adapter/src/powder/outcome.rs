@@ -110,7 +110,9 @@ impl Outcome {
         put("steps", self.steps.into());
         put("iterations_total", self.iterations.into());
         put("steps_unmet", self.unmet.into());
-        put("steps_handed_over", self.handed_over.into());
+        if self.handed_over > 0 {
+            put("steps_handed_over", self.handed_over.into());
+        }
         if scene.restitution > 0.0 {
             put("steps_solver_unmet", self.solver_unmet.into());
             put("steps_impacts_cut", self.impacts_cut.into());

@@ -64,8 +64,8 @@ fn solver(scene: &GrainsScene, longest: f64) -> String {
     let Some(step) = stable_step(scene) else {
         let (tolerance, sweeps) = (scene.tolerance, scene.sweeps);
         let how = format!(
-            "accelerated Gauss-Seidel to {tolerance:e}, at most {sweeps} sweeps a step; where they foresee to miss \
-             it, an interior point method if that is not much dearer"
+            "accelerated Gauss-Seidel to {tolerance:e}, at most {sweeps} sweeps a step; where they miss it, \
+             an interior point method if that is not much dearer"
         );
         return line("solver", how);
     };

@@ -204,8 +204,8 @@ fn solver(scene: &PowderScene) -> String {
     let text = match solver.method {
         Method::Accelerated { tolerance } => {
             format!(
-                "accelerated Gauss-Seidel to {tolerance:e}, at most {most} sweeps a step; where they foresee to \
-                 miss it, an interior point method if that is not much dearer"
+                "accelerated Gauss-Seidel to {tolerance:e}, at most {most} sweeps a step; where they miss it, \
+                 an interior point method if that is not much dearer"
             )
         }
         Method::GaussSeidel { .. } => format!("Gauss-Seidel, at most {most} sweeps a step"),

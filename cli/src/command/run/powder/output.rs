@@ -121,8 +121,7 @@ fn unmet(outcome: &Outcome) -> String {
     }
     if outcome.handed_over > 0 {
         text += &format!(
-            "handed over   {} steps, in which sweeps foresaw that they would miss the tolerance, to an interior \
-             point method\n",
+            "handed over   {} steps, in which sweeps missed the tolerance, to an interior point method\n",
             outcome.handed_over
         );
     }
