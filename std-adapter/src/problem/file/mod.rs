@@ -39,10 +39,11 @@ pub enum Problem {
 pub enum Format {
     /// HDF5 as the library FCLib lays it out.
     ///
-    /// Groups `fclib_local` (W, q) or `fclib_global` (M, H, f, w), with `_rolling` where contacts have rolling
-    /// components. Coefficients are `vectors/mu` and `vectors/mu_r`. FCLib knows neither torsion nor cohesion:
-    /// `vectors/mu_n`, `vectors/cohesion` and `vectors/ellipsoid` (0 or 1 for each contact) are our extension,
-    /// written where a law needs them.
+    /// Groups `fclib_local` (W, q), `fclib_global` or `fclib_global_rolling` (M, H, f, w). Coefficients are
+    /// `vectors/mu` and `vectors/mu_r`. FCLib has neither torsion nor cohesion, and rolling only between bodies:
+    /// `fclib_local_rolling`, `vectors/mu_n`, `vectors/cohesion` and `vectors/ellipsoid` (0 or 1 for each contact)
+    /// are our extension, written where a layout or a law needs them. Rolling in a plane (FCLib's three components
+    /// with rolling) is refused.
     FclibHdf5,
     /// Text as Siconos writes it.
     ///

@@ -251,7 +251,7 @@ fn refusals_say_where_and_what_would_be_valid() {
         ),
         (
             "2\n-3",
-            "problem, line 2: the number of contacts is -3, not between 0 and 0",
+            "problem, line 2: the number of contacts is -3, not 0 or more",
         ),
         (
             "2\nnan",
@@ -263,7 +263,7 @@ fn refusals_say_where_and_what_would_be_valid() {
         ),
         (
             "2\n1\n0\n999999999999 2",
-            "problem, line 4: the number of rows is 999999999999, not between 0 and 1",
+            "problem, line 4: the number of rows is 999999999999, not at most 8, for which the file has room",
         ),
         (
             "2\n1\n0\n2 2\n2 2\n1 0 inf 1",
@@ -285,6 +285,20 @@ fn refusals_say_where_and_what_would_be_valid() {
         (
             "2\n1\n0 1 1 1 1\n1\n.5 0\n0.5",
             "problem, line 4: not a contact problem: W has 1 rows, not 2",
+        ),
+        // Whole numbers after W could begin a second matrix.
+        (
+            "2\n1\n0 2 2 2 2\n1 0 0 1\n0 2\n",
+            "problem, line 6: the file ends where a friction coefficient should follow",
+        ),
+        (
+            "3\n1\n0 3 3 3 3\n1 0 0 0 1 0 0 0 1\n0 0 0\n-1",
+            "problem: not a contact problem: the friction coefficient of contact 0 is -1; \
+            it must be finite and not negative",
+        ),
+        (
+            "3\n1\n0 1 1 1 1\n1\n0 1 3 1\n3 1 2 3\n0.5",
+            "problem, line 7: the file ends where an element of w should follow",
         ),
     ];
     for (text, message) in cases {
@@ -365,6 +379,53 @@ fn refusals_of_hdf5_name_the_dataset() {
             .unwrap_err()
             .to_string()
             .starts_with("problem: missing; ")
+    );
+}
+
+#[test]
+fn rolling_is_never_dropped() {
+    let write = |group: &str, size: i32, rolling: &[f64]| {
+        let count = size as usize;
+        let mut file = hdf5_pure::FileBuilder::new();
+        let mut group = file.create_group(group);
+        group.create_dataset("spacedim").with_i32_data(&[size]);
+        for name in ["M", "H"] {
+            let mut matrix = group.create_group(name);
+            for part in ["m", "n", "nz"] {
+                matrix.create_dataset(part).with_i32_data(&[size]);
+            }
+            let diagonal: Vec<i32> = (0..size).collect();
+            matrix.create_dataset("i").with_i32_data(&diagonal);
+            matrix.create_dataset("p").with_i32_data(&diagonal);
+            matrix.create_dataset("x").with_f64_data(&vec![1.0; count]);
+            group.add_group(matrix.finish());
+        }
+        let mut vectors = group.create_group("vectors");
+        for name in ["f", "w"] {
+            vectors
+                .create_dataset(name)
+                .with_f64_data(&vec![0.0; count]);
+        }
+        vectors.create_dataset("mu").with_f64_data(&[0.5]);
+        if !rolling.is_empty() {
+            vectors.create_dataset("mu_r").with_f64_data(rolling);
+        }
+        group.add_group(vectors.finish());
+        file.add_group(group.finish());
+        parsed(&file.finish().unwrap()).map_err(|error| error.to_string())
+    };
+    assert!(write("fclib_global_rolling", 5, &[0.1]).is_ok());
+    assert!(write("fclib_global", 5, &[0.1]).is_ok());
+    assert!(write("fclib_global", 3, &[]).is_ok());
+    // Three components with rolling are those of a plane, not two of sliding.
+    assert_eq!(
+        write("fclib_global_rolling", 3, &[0.1]).unwrap_err(),
+        "problem, fclib_global_rolling/spacedim: the number of components of a contact is 3, \
+        not 5 or 6, as rolling in space has"
+    );
+    assert_eq!(
+        write("fclib_global", 5, &[]).unwrap_err(),
+        "problem, fclib_global/vectors/mu_r: missing; a problem needs this dataset"
     );
 }
 

@@ -15,7 +15,7 @@ pub(in super::super) fn read(bytes: &[u8]) -> Result<Problem, Refusal> {
         }
     }
     let layout = layout(&store)?;
-    let laws = laws(&store)?;
+    let laws = laws(&store, layout)?;
     let size = layout.size() * laws.len();
     let problem = if names::LOCAL.contains(&store.group()) {
         let q = vector(&store, "vectors/q", size)?;
@@ -48,13 +48,22 @@ fn place(store: &Store, error: &ProblemError) -> Place {
     store.place(name)
 }
 
+/// Components of each contact. A group without rolling may hold it all the same, but not the reverse: FCLib's
+/// three components with rolling are normal, sliding and rolling in a plane, not those of [`Layout::Space`].
 fn layout(store: &Store) -> Result<Layout, Refusal> {
     let size = store.integer(names::SIZE)?;
     let layout = usize::try_from(size).ok().and_then(Layout::of_size);
-    layout.ok_or_else(|| {
-        let what = "the number of components of a contact";
-        store.wrong_count(names::SIZE, what, size, "from 2 to 6")
-    })
+    let with_rolling = [names::LOCAL[1], names::GLOBAL[1]].contains(&store.group());
+    let wanted = match with_rolling {
+        true => "5 or 6, as rolling in space has",
+        false => "from 2 to 6",
+    };
+    layout
+        .filter(|layout| !with_rolling || !layout.rolling().is_empty())
+        .ok_or_else(|| {
+            let what = "the number of components of a contact";
+            store.wrong_count(names::SIZE, what, size, wanted)
+        })
 }
 
 fn vector(store: &Store, name: &str, size: usize) -> Result<Vec<f64>, Refusal> {
@@ -65,18 +74,19 @@ fn vector(store: &Store, name: &str, size: usize) -> Result<Vec<f64>, Refusal> {
     Err(store.wrong_count(name, "the number of elements", numbers.len(), size))
 }
 
-/// Laws of all contacts; what a file does not mention is zero.
-fn laws(store: &Store) -> Result<Vec<ContactLaw>, Refusal> {
+/// Laws of all contacts. Rolling thresholds must be there if contacts have rolling components; else what a file
+/// does not mention is zero.
+fn laws(store: &Store, layout: Layout) -> Result<Vec<ContactLaw>, Refusal> {
     let sliding = store.numbers(names::SLIDING)?;
     let optional = |name| match store.has(name)? {
         true => vector(store, name, sliding.len()),
         false => Ok(vec![0.0; sliding.len()]),
     };
-    let [rolling, torsion, cohesion] = [
-        optional(names::ROLLING)?,
-        optional(names::TORSION)?,
-        optional(names::COHESION)?,
-    ];
+    let rolling = match layout.rolling().is_empty() {
+        true => optional(names::ROLLING)?,
+        false => vector(store, names::ROLLING, sliding.len())?,
+    };
+    let [torsion, cohesion] = [optional(names::TORSION)?, optional(names::COHESION)?];
     let friction = friction(store, sliding.len())?;
     Ok((0..sliding.len())
         .map(|contact| ContactLaw {

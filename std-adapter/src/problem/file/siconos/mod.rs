@@ -20,15 +20,26 @@ struct Head {
 }
 
 /// Reads a problem. The two kinds have different numbers of words for the same first matrix, so that at most one of
-/// the readings ends with the file.
+/// the readings ends with the file; if both fail, the one that got further tells what is wrong.
 pub(super) fn read(text: &str) -> Result<Problem, Refusal> {
     let mut words = Words::new(text);
     let head = head(&mut words)?;
-    let local = reduced(&head, words.clone());
-    if local.is_err() && matrix::may_follow(words.clone()) {
-        return global(&head, words);
+    let local = match reduced(&head, words.clone()) {
+        Err(refusal) if matrix::may_follow(words.clone()) => refusal,
+        other => return other,
+    };
+    global(&head, words).map_err(|global| match reached(&local) >= reached(&global) {
+        true => local,
+        false => global,
+    })
+}
+
+/// The line that a reading reached; a refusal without one came after the last.
+fn reached((place, _): &Refusal) -> usize {
+    match place {
+        Place::Line(line) => *line,
+        Place::File | Place::Dataset(_) => usize::MAX,
     }
-    local
 }
 
 fn head(words: &mut Words) -> Result<Head, Refusal> {
@@ -41,7 +52,7 @@ fn head(words: &mut Words) -> Result<Head, Refusal> {
         let what = "the number of components of a contact";
         return Err(words.wrong_count(what, size, "2, 3 or 5".to_string()));
     };
-    let contacts = words.count("the number of contacts", words.room())?;
+    let contacts = words.amount("the number of contacts")?;
     let first = matrix::read(words)?;
     Ok(Head {
         layout,
