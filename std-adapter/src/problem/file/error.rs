@@ -13,7 +13,7 @@ use std::path::PathBuf;
 /// std::fs::write(&path, "3\n1\n0\n3 x")?;
 /// let error = Problem::read(&path).unwrap_err();
 /// assert!(matches!(error.place, Place::Line(4)));
-/// assert!(error.to_string().contains("fall.dat, line 4: found x instead of "), "{error}");
+/// assert!(error.to_string().contains("fall.dat, line 4: the number of rows is 3, not at most 2"));
 /// # Ok::<(), std::io::Error>(())
 /// ```
 #[derive(Debug, thiserror::Error)]
