@@ -17,8 +17,8 @@ pub struct Residual {
     pub scaled: f64,
     /// Largest speed at which a contact closes.
     pub penetration: f64,
-    /// Largest error of a normal speed that rounding of W r does not explain, over the largest |q|: the speed of a
-    /// contact that pushes, or closes.
+    /// Largest error of a normal speed that rounding of W r does not explain, over the largest |q| (or the largest
+    /// velocity under the pull of cohesion): the speed of a contact that pushes, or closes.
     ///
     /// Both sizes of the map are relative to impulses. Where heavy bodies lie on light ones, or a problem has no
     /// solution, impulses may hide the map; this number is the relative error of what accelerates.
@@ -65,6 +65,12 @@ impl Residual {
 pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
     let (sums, u) = (problem.rounding(r), problem.velocities(r));
     let size = problem.layout.size();
+    // Speeds without impulses, and with the pull of cohesion alone.
+    let pulled = problem.without_cohesion();
+    let speeds = problem.q.iter().chain(&pulled);
+    let largest = speeds.fold(0.0_f64, |most, q| most.max(q.abs()));
+    // The map grows with impulses and velocities alike: in these units squares keep their digits.
+    let unit = if largest > 0.0 { largest } else { 1.0 };
     let mut plain = Sum::default();
     let mut scaled = Sum::default();
     let (mut penetration, mut unexplained) = (0.0_f64, 0.0_f64);
@@ -77,11 +83,15 @@ pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
         // Either nothing pushes or nothing closes.
         let error = u[0].min(r[0] * diagonal[0]).abs();
         unexplained = unexplained.max(error - f64::EPSILON * sums[contact * size]);
-        plain.add(&r, u, &modes(problem.layout, law, None));
-        scaled.add(&r, u, &modes(problem.layout, law, Some(&diagonal)));
+        r.iter_mut().for_each(|r| *r /= unit);
+        let u: Vec<f64> = u.iter().map(|u| u / unit).collect();
+        plain.add(&r, &u, &modes(problem.layout, law, None));
+        scaled.add(&r, &u, &modes(problem.layout, law, Some(&diagonal)));
     }
-    let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let largest = problem.q.iter().fold(0.0_f64, |most, q| most.max(q.abs()));
+    let norm = |x: &[f64]| {
+        let sum: f64 = x.iter().map(|x| (x / unit) * (x / unit)).sum();
+        sum.sqrt()
+    };
     let scale = norm(&problem.q).max(norm(r)).max(norm(&u));
     Residual {
         relative: ratio(plain.map_sq.sqrt(), scale),

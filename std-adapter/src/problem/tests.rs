@@ -196,3 +196,61 @@ fn data_that_is_no_problem_is_refused() {
         Err(ProblemError::OutOfRange { column: 2, .. })
     ));
 }
+
+#[test]
+fn odd_starts_and_sizes_end_honestly() {
+    let fall = |unit: f64| {
+        let w = Matrix::from_triplets([3, 3], &[(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5)]);
+        let q = [-3.0, 4.0, 0.0].map(|x| x * unit).to_vec();
+        Reduced::new(
+            Layout::Space,
+            w.expect("valid"),
+            q,
+            vec![ContactLaw::coulomb(0.5)],
+        )
+    };
+    let problem = fall(1.0).expect("valid");
+    for start in [
+        vec![],
+        vec![1.0; 4],
+        vec![f64::NAN; 3],
+        vec![f64::INFINITY, 0.0, 0.0],
+        vec![1e9; 3],
+    ] {
+        for method in METHODS {
+            let start = Some(start.clone());
+            let settings = Settings {
+                method,
+                start,
+                ..Settings::default()
+            };
+            let end = solve(&problem, &settings, |_| ());
+            assert_eq!(end.ending, Ending::Converged, "{method:?}: {end:?}");
+            assert!((end.impulses[0] - 6.0).abs() < 1e-6, "{end:?}");
+        }
+    }
+    // Where squares would leave the range of numbers.
+    for unit in [1e-100, 1e-200, 1e100, 1e200] {
+        let end = by(&fall(unit).expect("valid"), Method::Automatic);
+        let right = (end.impulses[0] / (6.0 * unit) - 1.0).abs() < 1e-6
+            && (end.impulses[1] / (-3.0 * unit) - 1.0).abs() < 1e-6;
+        assert!(right && end.ending == Ending::Converged, "{unit}: {end:?}");
+    }
+    // Cohesion alone, without a velocity: the contact rests, and holds no force.
+    let still = Reduced {
+        q: vec![0.0; 3],
+        laws: vec![ContactLaw {
+            cohesion: 2.0,
+            ..ContactLaw::coulomb(0.5)
+        }],
+        ..problem
+    };
+    for method in METHODS {
+        let end = by(&still, method);
+        assert_eq!(end.ending, Ending::Converged, "{method:?}: {end:?}");
+        assert!(end.impulses[0].abs() < 1e-7, "{end:?}");
+    }
+    let none = Matrix::from_triplets([0, 0], &[]).expect("valid");
+    let none = Reduced::new(Layout::All, none, Vec::new(), Vec::new()).expect("valid");
+    assert_eq!(by(&none, Method::Automatic).ending, Ending::Converged);
+}

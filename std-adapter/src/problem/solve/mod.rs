@@ -1,5 +1,6 @@
 //! Solvers of contact problems, and the policy that chooses among them.
 
+mod asked;
 mod blocks;
 mod bodies;
 mod cone;
@@ -19,5 +20,6 @@ mod system;
 #[cfg(test)]
 mod tests;
 
+pub use asked::{Ending, Method, Progress, Settings, Solution};
+pub use policy::solve;
 pub(crate) use policy::solve_directly;
-pub use policy::{Ending, Method, Progress, Settings, Solution, solve};

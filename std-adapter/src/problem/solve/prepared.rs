@@ -59,9 +59,14 @@ impl Prepared {
             .iter()
             .map(|&(from, unit)| shifted[from] * unit)
             .collect();
-        let sum: f64 = q.iter().map(|x| x * x).sum();
-        let unit = (sum / cones.len().max(1) as f64).sqrt();
-        let unit = if unit > 0.0 { unit } else { 1.0 };
+        // In units of the largest, squares keep their digits.
+        let largest = q.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let unit = if largest > 0.0 {
+            let sum: f64 = q.iter().map(|x| (x / largest) * (x / largest)).sum();
+            largest * (sum / cones.len() as f64).sqrt()
+        } else {
+            1.0
+        };
         q.iter_mut().for_each(|x| *x /= unit);
         Self {
             w,

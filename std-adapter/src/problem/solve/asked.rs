@@ -1,0 +1,90 @@
+//! What is asked of a solver, and what it answers.
+
+use super::super::residual::Residual;
+
+/// A method for a contact problem.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Sweeps, then, where their foreseen cost is that of several factorisations, the interior point method,
+    /// Newton's method near its end, and proximal points.
+    #[default]
+    Automatic,
+    /// Gauss–Seidel sweeps with momentum.
+    Sweeps,
+    /// Projected gradients with momentum.
+    Gradient,
+    /// Interior point method and Newton's method near its end.
+    Interior,
+    /// Proximal points with Newton's method.
+    Proximal,
+}
+
+/// What is asked of a solver.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Largest residual of a solution, plain and scaled.
+    pub tolerance: f64,
+    /// Method.
+    pub method: Method,
+    /// Most sweeps.
+    pub most_sweeps: usize,
+    /// Most factorisations.
+    pub most_factorisations: usize,
+    /// Impulses to start from, in the units of the problem; without them from zero, as from a list of another
+    /// length or with numbers that are not finite.
+    pub start: Option<Vec<f64>>,
+}
+
+impl Default for Settings {
+    /// 1e-8, the method chosen by foreseen cost, at most 200,000 sweeps and 1,000 factorisations.
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-8,
+            method: Method::Automatic,
+            most_sweeps: 200_000,
+            most_factorisations: 1000,
+            start: None,
+        }
+    }
+}
+
+/// How a solver ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// Both residuals are at most the tolerance.
+    Converged,
+    /// All methods stopped above the tolerance, with work left.
+    Stalled,
+    /// The work allowed was spent.
+    OutOfWork,
+}
+
+/// Work done, and the residual.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Progress {
+    /// Sweeps so far.
+    pub sweeps: usize,
+    /// Factorisations so far.
+    pub factorisations: usize,
+    /// Scaled residual of the point at hand.
+    pub residual: f64,
+}
+
+/// Impulses, and what is known of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// Impulses, in the units and in the order of the problem.
+    pub impulses: Vec<f64>,
+    /// Velocities u = W r + q.
+    pub velocities: Vec<f64>,
+    /// Their residuals, judged apart from the solver.
+    pub residual: Residual,
+    /// Why the solver ended.
+    pub ending: Ending,
+    /// The method that found them.
+    pub method: Method,
+    /// Sweeps made.
+    pub sweeps: usize,
+    /// Interior point, Newton and proximal steps made, one factorisation each.
+    pub factorisations: usize,
+}
