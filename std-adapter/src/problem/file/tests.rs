@@ -251,7 +251,7 @@ fn refusals_say_where_and_what_would_be_valid() {
         ),
         (
             "2\n-3",
-            "problem, line 2: the number of contacts is -3, not between 0 and 0",
+            "problem, line 2: the number of contacts is -3, not 0 or more",
         ),
         (
             "2\nnan",
@@ -263,7 +263,7 @@ fn refusals_say_where_and_what_would_be_valid() {
         ),
         (
             "2\n1\n0\n999999999999 2",
-            "problem, line 4: the number of rows is 999999999999, not between 0 and 1",
+            "problem, line 4: the number of rows is 999999999999, not at most 8, for which the file has room",
         ),
         (
             "2\n1\n0\n2 2\n2 2\n1 0 inf 1",

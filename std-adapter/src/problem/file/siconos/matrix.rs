@@ -24,10 +24,9 @@ pub(super) fn read(words: &mut Words) -> Result<Matrix, Refusal> {
         COMPRESSED,
     )?;
     // Vectors of the same sizes follow.
-    let most = words.room();
     let shape = [
-        words.count("the number of rows", most)?,
-        words.count("the number of columns", most)?,
+        words.amount("the number of rows")?,
+        words.amount("the number of columns")?,
     ];
     let triplets = match storage {
         DENSE => dense(words, shape)?,
@@ -71,15 +70,14 @@ fn block(
 /// Blocks by rows of blocks: ends of the rows and columns of blocks, first block of each row, column of each block,
 /// then each block's number and elements.
 fn blocks(words: &mut Words, shape: [usize; 2]) -> Result<Vec<Triplet>, Refusal> {
-    let count = words.count("the number of blocks", words.room())?;
+    let count = words.amount("the number of blocks")?;
     let mut triplets = Vec::new();
     // Siconos writes nothing more.
     if count == 0 {
         return Ok(triplets);
     }
-    let most = words.room();
-    let rows = words.count("the number of rows of blocks", most)?;
-    let columns = words.count("the number of columns of blocks", most)?;
+    let rows = words.amount("the number of rows of blocks")?;
+    let columns = words.amount("the number of columns of blocks")?;
     let row_ends = ends(words, "the end of a row of blocks", rows, shape[0])?;
     let column_ends = ends(words, "the end of a column of blocks", columns, shape[1])?;
     let starts = words.count("the number of starts of rows of blocks", rows + 1)?;

@@ -41,7 +41,7 @@ fn head(words: &mut Words) -> Result<Head, Refusal> {
         let what = "the number of components of a contact";
         return Err(words.wrong_count(what, size, "2, 3 or 5".to_string()));
     };
-    let contacts = words.count("the number of contacts", words.room())?;
+    let contacts = words.amount("the number of contacts")?;
     let first = matrix::read(words)?;
     Ok(Head {
         layout,

@@ -93,6 +93,7 @@ impl<'a> Words<'a> {
         }
         let wanted = match least == most {
             true => least.to_string(),
+            false if number < 0 && least == 0 => "0 or more".to_string(),
             false => format!("between {least} and {most}"),
         };
         Err(self.wrong_count(what, number, wanted))
@@ -111,6 +112,19 @@ impl<'a> Words<'a> {
     pub fn count(&mut self, what: &str, most: usize) -> Result<usize, Refusal> {
         let number = self.integer(what, [0, most as i128])?;
         Ok(number as usize)
+    }
+
+    /// A number of things that take a word each, at least.
+    pub fn amount(&mut self, what: &str) -> Result<usize, Refusal> {
+        let most = self.room();
+        let number = self.integer(what, [0, i128::MAX])?;
+        match usize::try_from(number) {
+            Ok(amount) if amount <= most => Ok(amount),
+            _ => {
+                let wanted = format!("at most {most}, for which the file has room");
+                Err(self.wrong_count(what, number, wanted))
+            }
+        }
     }
 
     /// A count that must be `wanted`.
