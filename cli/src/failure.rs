@@ -21,6 +21,8 @@ const RUN_FAILED: u8 = 1;
 const BAD_INPUT: u8 = 2;
 /// Exit code of results that differ from those pinned.
 const MISMATCH: u8 = 3;
+/// Exit code of contact problems that did not converge.
+const UNSOLVED: u8 = 4;
 
 /// A failed command.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -37,6 +39,9 @@ pub enum Failure {
     /// The work was done and its results differ from those pinned.
     #[error("{0}")]
     Mismatch(String),
+    /// A solver ended above its tolerance; its best point is kept.
+    #[error("{0}")]
+    Unsolved(String),
     /// The user asked the command to end; what it has done is kept as the message says.
     #[error("{0}")]
     Interrupted(String),
@@ -72,17 +77,19 @@ impl Failure {
             Self::Run(message) => Self::Run(word(message)),
             Self::NoRoom(message) => Self::NoRoom(word(message)),
             Self::Mismatch(message) => Self::Mismatch(word(message)),
+            Self::Unsolved(message) => Self::Unsolved(word(message)),
             Self::Interrupted(message) => Self::Interrupted(word(message)),
         }
     }
 
     /// 2 for bad input, 1 for a failed run, 3 for results that differ from those pinned,
-    /// 130 for an interrupted command.
+    /// 4 for a contact problem that is not solved, 130 for an interrupted command.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Input(_) => BAD_INPUT,
             Self::Run(_) | Self::NoRoom(_) => RUN_FAILED,
             Self::Mismatch(_) => MISMATCH,
+            Self::Unsolved(_) => UNSOLVED,
             Self::Interrupted(_) => interrupt::EXIT_CODE,
         }
     }

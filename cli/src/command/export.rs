@@ -1,17 +1,19 @@
-//! `tribos export`: a scene, or the trajectory of a run, as files of another program.
+//! `tribos export`: a scene, the trajectory or a contact problem of a run, as files of another program.
 
+mod problem;
 mod trajectory;
 
 use self::trajectory::Trajectory;
 use crate::failure::Failure;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tribos::record::trajectory::Format;
 use tribos::record::write_atomically;
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos::scene::Scene;
 use tribos::tip::export;
 
-/// Write the trajectory of a run for another program, or a scene that the program runs itself.
+/// Write the trajectory of a run, or the contact problem of a step, for another program; or a scene that the program
+/// runs itself.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -30,6 +32,8 @@ enum Program {
     Xyz(Trajectory),
     /// LAMMPS, OVITO: a run as trajectory.dump, a text dump.
     LammpsDump(Trajectory),
+    /// FCLib, Siconos, `tribos contact`: the contact problem of one step of a run.
+    Problem(problem::Step),
 }
 
 /// Of a scene with body = "tip". Run it with `lmp -in in.tip` in the folder; its first lines write
@@ -53,6 +57,7 @@ Examples:
   tribos run compaction-small --out out/powder && tribos export vtk out/powder
   tribos export xyz out/powder --out out/ovito
   tribos run tip-reversible --out out/tip && tribos export lammps-dump out/tip
+  tribos export problem out/powder --step 5
   tribos export lammps scenes/tip-irreversible.toml --out out/lammps
   cd out/lammps && lmp -in in.tip";
 
@@ -64,8 +69,14 @@ impl Arguments {
             Program::Vtk(run) => run.write(Format::Vtk),
             Program::Xyz(run) => run.write(Format::Xyz),
             Program::LammpsDump(run) => run.write(Format::LammpsDump),
+            Program::Problem(step) => step.write(),
         }
     }
+}
+
+/// Whether both are the same folder, which is there.
+fn is_same(one: &Path, other: &Path) -> bool {
+    matches!((one.canonicalize(), other.canonicalize()), (Ok(one), Ok(other)) if one == other)
 }
 
 impl Lammps {

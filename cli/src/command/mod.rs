@@ -4,6 +4,7 @@ pub(crate) mod bodies;
 mod columns;
 mod completion;
 mod completions;
+mod contact;
 mod deposit;
 mod digits;
 mod eval;
@@ -67,7 +68,7 @@ pub fn program() -> clap::Command {
 }
 
 /// What `--help` of a command begins with: the documentation of its arguments.
-fn documentation() -> [(&'static str, StyledStr); 20] {
+fn documentation() -> [(&'static str, StyledStr); 21] {
     fn of<A: clap::Args>() -> StyledStr {
         let command = A::augment_args(clap::Command::new(""));
         let text = command.get_long_about().or(command.get_about());
@@ -94,6 +95,7 @@ fn documentation() -> [(&'static str, StyledStr); 20] {
         ("scene", of::<scene::Arguments>()),
         ("explain", of::<explain::Arguments>()),
         ("fit", of::<fit::Arguments>()),
+        ("contact", of::<contact::Arguments>()),
     ]
 }
 
@@ -154,6 +156,8 @@ pub enum Command {
     Measure(measure::Arguments),
     /// Parameters of a friction law from measurements, with their standard errors.
     Fit(fit::Arguments),
+    /// Contact problems of other programs (FCLib, Siconos): impulses at all contacts.
+    Contact(contact::Arguments),
     /// Forces, energy and pressure of atoms as a file has them.
     Eval(eval::Arguments),
     /// A scene as files of another program.
@@ -189,6 +193,7 @@ impl Command {
             Self::Deposit(arguments) => arguments.execute(),
             Self::Measure(arguments) => arguments.execute(),
             Self::Fit(arguments) => arguments.execute(),
+            Self::Contact(arguments) => arguments.execute(),
             Self::Eval(arguments) => arguments.execute(),
             Self::Export(arguments) => arguments.execute(),
             Self::Golden(arguments) => arguments.execute(),

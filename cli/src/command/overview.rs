@@ -14,7 +14,7 @@ pub const GROUPS: [(&str, &[&str]); 6] = [
     (
         "Bodies, powders, atoms",
         &[
-            "run", "view", "inverse", "deposit", "measure", "eval", "export",
+            "run", "view", "inverse", "deposit", "measure", "contact", "eval", "export",
         ],
     ),
     ("What a run needs", &["scene", "explain"]),
@@ -39,7 +39,7 @@ More:
   tribos scene list        scenes that run as they are
   docs/index.md            the book: theory, laws, accuracy; docs/how-to.md, tasks one by one
 Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input, 3 results differ from those pinned,
-130 interrupted.";
+4 a contact problem is not solved, 130 interrupted.";
 
 /// The command with its first page.
 pub fn with_page(command: Command) -> Command {

@@ -3,6 +3,7 @@
 mod bad_input;
 mod breaks;
 mod browser;
+mod contact;
 mod deposit;
 mod eval;
 mod explain;

@@ -106,6 +106,10 @@ impl<R: Real> FrictionSet<R> for Ellipsoid<R> {
         self.surface.force_limit()
     }
     #[inline]
+    fn is_ellipsoid(&self) -> bool {
+        true
+    }
+    #[inline]
     fn radius(&self) -> R {
         self.surface.radius()
     }

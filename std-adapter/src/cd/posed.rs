@@ -4,7 +4,7 @@ use super::image::{Images, seen};
 use super::operator::Operator;
 use super::residual::Coefficients;
 use super::spheres::{Link, Spheres};
-use crate::problem::{ContactLaw, Global, Layout, Matrix};
+use crate::problem::{ContactLaw, Friction, Global, Layout, Matrix};
 use nalgebra::Vector3;
 use tribos_core::contact::{ContactFriction, ContactModes, Modal, Plate, Sphere};
 use tribos_core::internals::{AxialPart, PlanarPart};
@@ -27,8 +27,8 @@ struct Freedoms {
 }
 
 impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
-    /// The problem as data; `None` if one of its laws has no such form: sliding and torsion under a common set,
-    /// or an open gap under a resistance.
+    /// The problem as data; `None` if one of its laws has no such form: sliding and torsion under a common set that
+    /// is no ellipsoid, or an open gap under a resistance.
     pub fn posed(&self) -> Option<Posed> {
         let mut posing = Posing::<F::Modes>::new(self);
         let mut images = Images::new(&self.images);
@@ -222,7 +222,12 @@ impl<M: ContactModes<f64>> Posing<M> {
         still: &Modal<f64, M>,
     ) -> Option<()> {
         let contact = &link.contact;
-        if friction.joint().is_some() || contact.rests_open() {
+        let coupling = match friction.joint() {
+            None => Friction::Separate,
+            Some(set) if set.is_ellipsoid() => Friction::Ellipsoid,
+            Some(_) => return None,
+        };
+        if contact.rests_open() {
             return None;
         }
         let normal = contact.normal();
@@ -258,7 +263,7 @@ impl<M: ContactModes<f64>> Posing<M> {
             rolling: mu_rolling * contact.lever(),
             torsion: mu_torsion * contact.lever(),
             cohesion: contact.cohesion(),
-            ..ContactLaw::default()
+            friction: coupling,
         });
         self.tangents.push(tangents);
         Some(())

@@ -11,6 +11,7 @@ use super::parts::packing;
 use crate::cd::StepReport;
 use crate::golden::Measurement;
 use crate::packing::{Drive, Kept, Limits, Statistics, Told};
+use crate::problem::Global;
 use crate::record::frames::{Bodies, Frame, Kind};
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
@@ -164,6 +165,15 @@ impl Grains {
     /// Contacts after the last step with their forces.
     pub fn contacts(&self) -> &[ContactRow] {
         &self.drive.seen.contacts
+    }
+
+    /// The contact problem of the last step as data, before any impact with restitution.
+    ///
+    /// Its contacts are pairs of spheres, then spheres at walls; bodies that sleep are not in it. `None` before
+    /// the first step (also of a run that goes on), without contacts, with springs in place of rigid contacts, and
+    /// where sliding and torsion share a limit surface that is no ellipsoid.
+    pub fn problem(&self) -> Option<Global> {
+        self.drive.problem()
     }
 
     /// The current state for measurements.

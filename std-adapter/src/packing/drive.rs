@@ -7,6 +7,7 @@ use super::kept::Kept;
 use super::{Limits, Packing, PackingRunError, Shape, Stored, Totals};
 use crate::cd::{EnergyBalance, StepReport};
 use crate::golden::{Digest, Measurement, contacts, digest};
+use crate::problem::Global;
 use crate::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
 use crate::record::kept::hex;
 use crate::record::{ContactRow, Snapshot, json_number, sealed};
@@ -171,6 +172,14 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
             wall_seconds: self.totals.wall_seconds + self.started.elapsed().as_secs_f64(),
             ..self.totals
         }
+    }
+
+    /// The contact problem of the last step; before the first there is none.
+    pub fn problem(&self) -> Option<Global> {
+        if self.seen.report.contacts == 0 {
+            return None;
+        }
+        self.seen.packing.problem()
     }
 
     /// Contacts at the current places: between two lines of the series they are found anew.

@@ -41,6 +41,7 @@ pub use stress::Stress;
 pub(crate) use totals::Totals;
 
 use crate::cd::{EnergyBalance, Solver, StepLimits, StepReport, Wall, WorldError};
+use crate::problem::Global;
 use crate::record::{ContactRow, Partner};
 use crate::soft::Stiffness;
 use crate::space::PeriodicBox;
@@ -123,6 +124,8 @@ pub(crate) trait Packing: Debug {
     /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last
     /// step, including its impacts, at the current positions.
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError>;
+    /// The contact problem of the last step, as data; `None` where the contacts have none of that form.
+    fn problem(&self) -> Option<Global>;
     /// The complete state of a run.
     fn freeze(&self) -> Frozen;
 }

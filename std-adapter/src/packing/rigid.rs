@@ -9,6 +9,7 @@ use crate::cd::{
     ContactLaws, EnergyBalance, Laws, Mixture, Setup, State, StepReport, Wall, World, WorldError,
     solid,
 };
+use crate::problem::Global;
 use crate::record::{ContactRow, Partner};
 use crate::scene::{Coupling, WallLaw};
 use crate::space::PeriodicBox;
@@ -270,6 +271,10 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
 
     fn energy(&self) -> &EnergyBalance {
         &self.state().energy
+    }
+
+    fn problem(&self) -> Option<Global> {
+        self.problem().posed().map(|posed| posed.problem)
     }
 
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {

@@ -2,6 +2,7 @@
 
 use super::{Bodies, Force, Forces, Frozen, Packing, PackingError, Springs};
 use crate::cd::{EnergyBalance, Laws, StepLimits, StepReport, Wall, WorldError, solid};
+use crate::problem::Global;
 use crate::record::{ContactRow, Partner};
 use crate::soft::{Setup, SoftContact, State, World};
 use crate::space::PeriodicBox;
@@ -145,6 +146,10 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
 
     fn energy(&self) -> &EnergyBalance {
         &self.world.state().energy
+    }
+
+    fn problem(&self) -> Option<Global> {
+        None
     }
 
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {

@@ -8,6 +8,7 @@ use super::press::{Press, Watch, bounds, height};
 use super::start::Start;
 use crate::cd::StepReport;
 use crate::packing::{Drive, Kept, Limits, Statistics, Told};
+use crate::problem::Global;
 use crate::record::frames::{Bodies, Frame, Kind};
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
@@ -284,6 +285,29 @@ impl Compaction {
     /// Contacts after the last step with their forces; before the first step, the contacts of the deposit.
     pub fn contacts(&self) -> &[ContactRow] {
         &self.drive.seen.contacts
+    }
+
+    /// The contact problem of the last step as data, before any impact with restitution.
+    ///
+    /// Its contacts are pairs of spheres, then spheres at walls; bodies that sleep are not in it. `None` before
+    /// the first step (also of a run that goes on), without contacts, with springs in place of rigid contacts, and
+    /// where sliding and torsion share a limit surface that is no ellipsoid.
+    ///
+    /// ```
+    /// use tribos::powder::Compaction;
+    /// use tribos::problem::solve;
+    /// use tribos::run::Simulation;
+    /// # use tribos::scene::PowderScene;
+    /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
+    /// let mut compaction = Compaction::new(&scene)?;
+    /// compaction.step()?;
+    /// let problem = compaction.problem().expect("rigid contacts after a step").reduced()?;
+    /// assert_eq!(problem.contacts(), compaction.last_step().contacts);
+    /// assert!(solve(&problem, &Default::default(), |_| ()).residual.meets(1e-8));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn problem(&self) -> Option<Global> {
+        self.drive.problem()
     }
 
     /// Calls `export` with the current state.

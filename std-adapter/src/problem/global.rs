@@ -4,7 +4,7 @@ use super::error::ProblemError;
 use super::law::{ContactLaw, Layout};
 use super::matrix::Matrix;
 use super::reduced::{Reduced, check_laws, check_sizes};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 /// Bodies of mass M, velocities v and contacts: M v = H r + f, u = Hᵀ v + w.
 ///
@@ -256,12 +256,11 @@ impl Bodies {
     pub fn divide(&self, vector: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; vector.len()];
         for body in &self.all {
-            let part = DVector::from_iterator(
-                body.freedoms.len(),
-                body.freedoms.iter().map(|&at| vector[at]),
-            );
-            for (&at, value) in body.freedoms.iter().zip(&(&body.inverse * part)) {
-                out[at] = *value;
+            for (row, &at) in body.freedoms.iter().enumerate() {
+                let columns = body.freedoms.iter().enumerate();
+                out[at] = columns
+                    .map(|(column, &from)| body.inverse[(row, column)] * vector[from])
+                    .sum();
             }
         }
         out

@@ -3,6 +3,9 @@
 use super::law::{ContactLaw, Friction, Layout};
 use super::reduced::Reduced;
 
+/// Most components of a contact.
+const MOST: usize = 6;
+
 /// Residuals of impulses: 0 for a solution.
 ///
 /// Both are sizes of the natural map r − P_K(r − ũ) over all contacts, with K the set of impulses that the laws
@@ -76,17 +79,24 @@ pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
     let (mut penetration, mut unexplained) = (0.0_f64, 0.0_f64);
     for (contact, law) in problem.laws.iter().enumerate() {
         let range = contact * size..(contact + 1) * size;
-        let diagonal: Vec<f64> = range.clone().map(|at| problem.diagonal(at)).collect();
-        let (mut r, u) = (r[range.clone()].to_vec(), &u[range]);
+        let (mut diagonal, mut local) = ([0.0; MOST], [[0.0; MOST]; 2]);
+        for (at, from) in range.enumerate() {
+            diagonal[at] = problem.diagonal(from);
+            local[0][at] = r[from];
+            local[1][at] = u[from];
+        }
+        let [mut r, mut u] = local;
         r[0] += law.cohesion;
         penetration = penetration.max(-u[0]);
         // Either nothing pushes or nothing closes.
         let error = u[0].min(r[0] * diagonal[0]).abs();
         unexplained = unexplained.max(error - f64::EPSILON * sums[contact * size]);
-        r.iter_mut().for_each(|r| *r /= unit);
-        let u: Vec<f64> = u.iter().map(|u| u / unit).collect();
+        for x in r.iter_mut().chain(&mut u) {
+            *x /= unit;
+        }
         plain.add(&r, &u, &modes(problem.layout, law, None));
-        scaled.add(&r, &u, &modes(problem.layout, law, Some(&diagonal)));
+        let own = &diagonal[..size];
+        scaled.add(&r, &u, &modes(problem.layout, law, Some(own)));
     }
     let norm = |x: &[f64]| {
         let sum: f64 = x.iter().map(|x| (x / unit) * (x / unit)).sum();
@@ -105,17 +115,45 @@ fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
 }
 
-/// Components of one mode with their units, and the threshold in those units.
+/// One mode: a few components with their units, and the threshold in those units.
+#[derive(Clone, Copy, Debug, Default)]
 struct ModeTerms {
-    components: Vec<(usize, f64)>,
+    components: [(usize, f64); 3],
+    count: usize,
     threshold: f64,
-    /// Unit of the normal component.
-    normal: f64,
 }
 
-/// Modes of a contact, in the units of the problem or scaled by its diagonal. Those without a threshold remain,
-/// with a threshold of zero.
-fn modes(layout: Layout, law: &ContactLaw, diagonal: Option<&[f64]>) -> Vec<ModeTerms> {
+impl ModeTerms {
+    fn new(range: std::ops::Range<usize>, unit: f64, threshold: f64) -> Self {
+        let mut mode = Self {
+            threshold,
+            ..Self::default()
+        };
+        mode.extend(range, unit);
+        mode
+    }
+
+    fn extend(&mut self, range: std::ops::Range<usize>, unit: f64) {
+        for at in range {
+            self.components[self.count] = (at, unit);
+            self.count += 1;
+        }
+    }
+
+    /// The mode's part of an impulse and of a velocity.
+    fn part(&self, r: &[f64], u: &[f64]) -> [[f64; 3]; 2] {
+        let mut parts = [[0.0; 3]; 2];
+        for (place, &(at, unit)) in self.components[..self.count].iter().enumerate() {
+            parts[0][place] = r[at] / unit;
+            parts[1][place] = u[at] * unit;
+        }
+        parts
+    }
+}
+
+/// Modes of a contact, at most three, and the unit of its normal component; in the units of the problem or scaled by
+/// its diagonal. Those without a threshold remain, with a threshold of zero.
+fn modes(layout: Layout, law: &ContactLaw, diagonal: Option<&[f64]>) -> ([ModeTerms; 3], f64) {
     let unit = |range: std::ops::Range<usize>| -> f64 {
         let Some(diagonal) = diagonal else { return 1.0 };
         let count = range.len().max(1) as f64;
@@ -129,25 +167,25 @@ fn modes(layout: Layout, law: &ContactLaw, diagonal: Option<&[f64]>) -> Vec<Mode
         }
     };
     let normal = unit(0..layout.sliding().end);
-    let mode = |range: std::ops::Range<usize>, unit: f64, threshold: f64| ModeTerms {
-        components: range.map(|at| (at, unit)).collect(),
-        threshold: threshold * normal / unit,
-        normal,
+    let own = |range: std::ops::Range<usize>, threshold: f64| {
+        let unit = unit(range.clone());
+        ModeTerms::new(range, unit, threshold * normal / unit)
     };
-    let mut all = vec![mode(layout.sliding(), normal, law.sliding)];
-    let rolling = layout.rolling();
-    all.push(mode(rolling.clone(), unit(rolling), law.rolling));
-    let torsion = layout.torsion();
+    let mut sliding = ModeTerms::new(layout.sliding(), normal, law.sliding);
+    let rolling = own(layout.rolling(), law.rolling);
     let joint = law.friction == Friction::Ellipsoid && law.sliding > 0.0 && law.torsion > 0.0;
-    if joint {
+    let torsion = if joint {
         // In units in which the set is a ball.
-        let round = normal * law.torsion / law.sliding;
-        all[0].components.extend(torsion.map(|at| (at, round)));
+        sliding.extend(layout.torsion(), normal * law.torsion / law.sliding);
+        ModeTerms::default()
     } else {
-        all.push(mode(torsion.clone(), unit(torsion), law.torsion));
-    }
-    all.retain(|mode| !mode.components.is_empty());
-    all
+        own(layout.torsion(), law.torsion)
+    };
+    ([sliding, rolling, torsion], normal)
+}
+
+fn length(x: &[f64; 3]) -> f64 {
+    (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt()
 }
 
 #[derive(Default)]
@@ -158,25 +196,19 @@ struct Sum {
 
 impl Sum {
     /// Adds |r − P_K(r − ũ)|² of a contact.
-    fn add(&mut self, r: &[f64], u: &[f64], modes: &[ModeTerms]) {
-        let unit = modes.first().map_or(1.0, |mode| mode.normal);
+    fn add(&mut self, r: &[f64], u: &[f64], (modes, unit): &([ModeTerms; 3], f64)) {
         let (normal, mut speed) = (r[0] / unit, u[0] * unit);
-        let length = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let mut trials = Vec::new();
-        for mode in modes {
-            let r: Vec<f64> = mode
-                .components
-                .iter()
-                .map(|&(at, unit)| r[at] / unit)
-                .collect();
-            let u: Vec<f64> = mode
-                .components
-                .iter()
-                .map(|&(at, unit)| u[at] * unit)
-                .collect();
+        let mut trials = [Trial::default(); 3];
+        for (trial, mode) in trials.iter_mut().zip(modes) {
+            let [r, u] = mode.part(r, u);
             speed += mode.threshold * length(&u);
-            let trial: Vec<f64> = r.iter().zip(&u).map(|(r, u)| r - u).collect();
-            trials.push((r, length(&trial), trial, mode.threshold));
+            let point = std::array::from_fn(|at| r[at] - u[at]);
+            *trial = Trial {
+                from: r,
+                length: length(&point),
+                point,
+                threshold: mode.threshold,
+            };
         }
         let nearest = nearest(normal - speed, &trials);
         let mut add = |r: f64, nearest: f64| {
@@ -184,25 +216,38 @@ impl Sum {
             self.size_sq += r * r;
         };
         add(normal, nearest);
-        for (r, length, trial, threshold) in &trials {
-            let limit = threshold * nearest;
-            let factor = if *length > limit { limit / length } else { 1.0 };
-            for (r, trial) in r.iter().zip(trial) {
-                add(*r, trial * factor);
+        for trial in &trials {
+            let limit = trial.threshold * nearest;
+            let factor = if trial.length > limit {
+                limit / trial.length
+            } else {
+                1.0
+            };
+            for (r, x) in trial.from.iter().zip(&trial.point) {
+                add(*r, x * factor);
             }
         }
     }
 }
 
+/// r and r − u of one mode, and the length of the latter.
+#[derive(Clone, Copy, Debug, Default)]
+struct Trial {
+    from: [f64; 3],
+    point: [f64; 3],
+    length: f64,
+    threshold: f64,
+}
+
 /// Normal component of the nearest point of K: the P ≥ 0 at which the slope of half the square of the distance,
 /// (P − n) − Σ m_k max(|x_k| − m_k P, 0), is zero, or 0 if it is positive there.
-fn nearest(normal: f64, trials: &[(Vec<f64>, f64, Vec<f64>, f64)]) -> f64 {
+fn nearest(normal: f64, trials: &[Trial; 3]) -> f64 {
     let slope = |p: f64| {
         let beyond = |length: f64, m: f64| m * (length - m * p).max(0.0);
         (p - normal)
             - trials
                 .iter()
-                .map(|(_, length, _, m)| beyond(*length, *m))
+                .map(|trial| beyond(trial.length, trial.threshold))
                 .sum::<f64>()
     };
     if normal.is_nan() {
@@ -214,10 +259,10 @@ fn nearest(normal: f64, trials: &[(Vec<f64>, f64, Vec<f64>, f64)]) -> f64 {
     let mut best = normal.max(0.0);
     for set in 1..1_usize << trials.len() {
         let (mut sum, mut steep) = (normal, 1.0);
-        for (number, (_, length, _, m)) in trials.iter().enumerate() {
+        for (number, trial) in trials.iter().enumerate() {
             if set >> number & 1 == 1 {
-                sum += m * length;
-                steep += m * m;
+                sum += trial.threshold * trial.length;
+                steep += trial.threshold * trial.threshold;
             }
         }
         let candidate = (sum / steep).max(0.0);

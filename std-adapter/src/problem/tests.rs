@@ -154,7 +154,12 @@ fn units_of_mass_change_nothing_but_the_units() {
     let problem = assembly(Layout::Space, 4, 8, 3)
         .reduced()
         .expect("masses are positive");
-    let reference = by(&problem, Method::Automatic);
+    // A residual leaves some digits of impulses that hardly move anything.
+    let closely = Settings {
+        tolerance: 1e-12,
+        ..Settings::default()
+    };
+    let reference = solve(&problem, &closely, |_| ());
     for unit in [1e-12, 1e12] {
         let entries: Vec<_> = problem
             .w()
@@ -165,7 +170,7 @@ fn units_of_mass_change_nothing_but_the_units() {
         let mut laws = problem.laws().to_vec();
         laws.iter_mut().for_each(|law| law.cohesion /= unit);
         let other = Reduced::new(Layout::Space, w, problem.q().to_vec(), laws).expect("valid");
-        let end = by(&other, Method::Automatic);
+        let end = solve(&other, &closely, |_| ());
         for (a, b) in end.impulses.iter().zip(&reference.impulses) {
             assert!((a * unit - b).abs() < 1e-7, "{a} {b}");
         }

@@ -44,6 +44,24 @@ macro_rules! bodies {
                 self.as_body().json()
             }
 
+            /// A scene with these [values in force](Self::json), as summaries of runs have them; `None` if no
+            /// scene has them. Values that followed from others are given ones in it.
+            ///
+            /// ```
+            /// use tribos::scene::{Scene, parse_scene};
+            /// let scene = parse_scene("small.toml", "body = \"powder\"\npressure = 0.02", &[])?;
+            /// let again = Scene::of_json(&scene.json()).expect("the values are a scene's");
+            /// assert_eq!(again.json(), scene.json());
+            /// # Ok::<(), tribos::scene::SceneError>(())
+            /// ```
+            pub fn of_json(values: &Value) -> Option<Self> {
+                let body = values.get(BODY.name).map_or(Some(DEFAULT_BODY), Value::as_str)?;
+                $(if body == <$scene>::BODY {
+                    return <$scene>::of_values(values).map(Self::$variant);
+                })+
+                None
+            }
+
             /// The scene of a body's entries.
             fn of(
                 body: &str,

@@ -266,6 +266,23 @@ pub(super) trait Table: Clone + Debug + Default + Measure + PartialEq + 'static 
         Value::Object(map)
     }
 
+    /// The scene with these [values](Self::values), if it is right and has them all.
+    fn of_values(values: &Value) -> Option<Self> {
+        let mut scene = Self::default();
+        for (key, field) in Self::rows() {
+            let written = match values.get(key.name) {
+                Some(Value::Number(x)) => Written::Number(x.as_f64()?),
+                Some(Value::String(word)) => Written::Text(word.clone()),
+                _ => continue,
+            };
+            if key.objection(&written).is_some() {
+                return None;
+            }
+            (field.set)(&mut scene, &written);
+        }
+        (reader::check(&scene).is_empty() && scene.values() == *values).then_some(scene)
+    }
+
     /// Reads a file of this body.
     fn read(name: &str, text: &str, overrides: &[String]) -> Result<Self, SceneError> {
         Entries::parse(text, overrides)

@@ -34,6 +34,20 @@ fn the_default_scene_of_a_body_is_what_its_least_file_says() {
     }
 }
 
+#[test]
+fn a_scene_comes_back_from_its_values_in_force() {
+    for scene in LIBRARY {
+        let read = parse_scene(scene.name, scene.text, &[]).unwrap();
+        let mut values = read.json();
+        let again = Scene::of_json(&values).expect(scene.name);
+        assert_eq!(again.json(), values, "{}", scene.name);
+        let keys = values.as_object_mut().unwrap();
+        keys.insert("unheard_of".into(), 1.into());
+        assert_eq!(Scene::of_json(&values), None);
+    }
+    assert_eq!(Scene::of_json(&serde_json::Value::Null), None);
+}
+
 /// Keys of a slid tip, which has no torque.
 fn is_of_slide(key: &Key) -> bool {
     key.need == Need::PartOf("drive", "slide")

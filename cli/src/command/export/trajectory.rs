@@ -58,7 +58,7 @@ impl Trajectory {
         format: Format,
     ) -> Result<(&Path, Option<OutputFolder>), Failure> {
         match &self.out {
-            Some(out) if !is_same(out, &self.run) => {
+            Some(out) if !super::is_same(out, &self.run) => {
                 let contents = Contents {
                     about: kept.manifest.about.clone(),
                     ..Contents::of("export", files(format))
@@ -119,11 +119,6 @@ impl Trajectory {
         }
         Ok((film.states(), film.finish()?))
     }
-}
-
-/// Whether both are the same folder, which is there.
-fn is_same(one: &Path, other: &Path) -> bool {
-    matches!((one.canonicalize(), other.canonicalize()), (Ok(one), Ok(other)) if one == other)
 }
 
 /// A body in the plane z = 0, line by line of its series.

@@ -19,6 +19,29 @@ pub enum Method {
     Proximal,
 }
 
+impl Method {
+    /// All methods.
+    pub const ALL: [Self; 5] = [
+        Self::Automatic,
+        Self::Sweeps,
+        Self::Gradient,
+        Self::Interior,
+        Self::Proximal,
+    ];
+
+    /// Its name in commands and summaries.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Automatic => "automatic",
+            Self::Sweeps => "sweeps",
+            Self::Gradient => "gradient",
+            Self::Interior => "interior",
+            Self::Proximal => "proximal",
+        }
+    }
+}
+
 /// What is asked of a solver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
@@ -57,6 +80,18 @@ pub enum Ending {
     Stalled,
     /// The work allowed was spent.
     OutOfWork,
+}
+
+impl Ending {
+    /// Its name in summaries.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::Stalled => "stalled",
+            Self::OutOfWork => "out of work",
+        }
+    }
 }
 
 /// Work done, and the residual.

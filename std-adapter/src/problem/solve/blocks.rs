@@ -70,11 +70,12 @@ impl Blocks {
     }
 
     /// Adds the product of one row of blocks with a vector to `sum`, which has the size of the node.
+    #[inline]
     pub fn add_row_product(&self, node: usize, vector: &[f64], sum: &mut [f64]) {
         for number in self.row(node) {
             let column = self.columns[number];
             let part = &vector[self.first[column]..self.first[column + 1]];
-            if let ([x, y, z], [a, b, c], [p, q, r, s, t, u, v, w, o]) =
+            if let (&[x, y, z], [a, b, c], &[p, q, r, s, t, u, v, w, o]) =
                 (part, &mut *sum, self.block(number))
             {
                 *a += p * x + q * y + r * z;

@@ -16,27 +16,34 @@ use super::factor::Lu;
 use super::prepared::Prepared;
 use super::system::Linear;
 
-/// The part of H of one contact and one node: rows are the node's degrees of freedom.
-#[derive(Clone, Debug)]
+/// The part of H of one contact and one node.
+#[derive(Clone, Copy, Debug)]
 struct Arm {
     node: usize,
+    /// First of its rows in [`Bodies::rows`], one for each degree of freedom of the node.
+    start: usize,
+}
+
+/// M and H.
+#[derive(Clone, Debug)]
+pub(super) struct Bodies {
+    /// M, with a block for all that contacts join.
+    mass: Blocks,
+    /// M⁻¹ of each node, by rows.
+    inverse_mass: Vec<f64>,
+    /// Nodes that each contact acts on: its first one in `arms`, and their number.
+    starts: Vec<usize>,
+    arms: Vec<Arm>,
     rows: Vec<Local>,
 }
 
-/// M, H and the factors.
+/// M + H S Hᵀ and its factors.
 #[derive(Clone, Debug)]
-pub(super) struct Bodies {
-    /// M + H S Hᵀ.
+pub(super) struct ByBodies {
     matrix: Blocks,
-    /// M in the same pattern.
-    mass: Vec<f64>,
-    /// Nodes that each contact acts on.
-    arms: Vec<Vec<Arm>>,
+    lu: Lu,
     /// B⁻¹ and S of each contact.
     inverses: Vec<(Square, Square)>,
-    lu: Lu,
-    /// M⁻¹ of each node, by rows.
-    inverse_mass: Vec<Vec<f64>>,
 }
 
 impl Bodies {
@@ -53,103 +60,104 @@ impl Bodies {
             }
             first.push(first[node] + freedoms.len());
         }
-        let mut arms: Vec<Vec<Arm>> = vec![Vec::new(); contacts];
-        for (row, column, value) in h.triplets() {
-            let Some((contact, unknown, unit)) = place[column] else {
-                continue;
+        // Entries of H by contacts and nodes.
+        let mut entries: Vec<(usize, usize, usize, usize, f64)> = h
+            .triplets()
+            .filter_map(|(row, column, value)| {
+                let (contact, unknown, unit) = place[column]?;
+                let (node, at) = home[row];
+                Some((contact, node, at, unknown, value * unit))
+            })
+            .collect();
+        entries.sort_unstable_by_key(|entry| (entry.0, entry.1));
+        let (mut starts, mut arms, mut rows) = (vec![0], Vec::<Arm>::new(), Vec::new());
+        for (contact, node, at, unknown, value) in entries {
+            while starts.len() <= contact {
+                starts.push(arms.len());
+            }
+            let begun = starts[contact];
+            let start = match arms[begun..].last() {
+                Some(arm) if arm.node == node => arm.start,
+                _ => {
+                    let start = rows.len();
+                    arms.push(Arm { node, start });
+                    rows.resize(start + nodes[node].len(), Local::default());
+                    start
+                }
             };
-            let (node, at) = home[row];
-            let own = &mut arms[contact];
-            let number = own
-                .iter()
-                .position(|arm| arm.node == node)
-                .unwrap_or_else(|| {
-                    let rows = vec![Local::default(); nodes[node].len()];
-                    own.push(Arm { node, rows });
-                    own.len() - 1
-                });
-            own[number].rows[at][unknown] = value * unit;
+            rows[start + at][unknown] = value;
         }
-        let mut rows: Vec<Vec<usize>> = (0..nodes.len()).map(|node| vec![node]).collect();
+        starts.resize(contacts + 1, arms.len());
+        let mut joined: Vec<Vec<usize>> = (0..nodes.len()).map(|node| vec![node]).collect();
         for (row, column, value) in m.triplets() {
             if value != 0.0 {
-                rows[home[row].0].push(home[column].0);
+                joined[home[row].0].push(home[column].0);
             }
         }
-        for own in &arms {
+        for own in starts.windows(2).map(|ends| &arms[ends[0]..ends[1]]) {
             for arm in own {
-                rows[arm.node].extend(own.iter().map(|other| other.node));
+                joined[arm.node].extend(own.iter().map(|other| other.node));
             }
         }
-        for row in &mut rows {
+        for row in &mut joined {
             row.sort_unstable();
             row.dedup();
         }
-        let mut matrix = Blocks::zeros(first, &rows);
+        let mut mass = Blocks::zeros(first, &joined);
         for (row, column, value) in m.triplets() {
             let ((a, at), (b, to)) = (home[row], home[column]);
-            if let Some(number) = matrix.find(a, b) {
-                let width = matrix.size(b);
-                matrix.block_mut(number)[at * width + to] += value;
+            if let Some(number) = mass.find(a, b) {
+                let width = mass.size(b);
+                mass.block_mut(number)[at * width + to] += value;
             }
         }
-        let mut inverse_mass: Vec<Vec<f64>> = nodes
-            .iter()
-            .map(|node| vec![0.0; node.len() * node.len()])
-            .collect();
+        let mut places = vec![0];
+        for node in &nodes {
+            places.push(places.last().copied().unwrap_or(0) + node.len() * node.len());
+        }
+        let mut inverse_mass = vec![0.0; places.last().copied().unwrap_or(0)];
         for body in &made.bodies.all {
             for (a, &row) in body.freedoms.iter().enumerate() {
                 for (b, &column) in body.freedoms.iter().enumerate() {
                     let ((node, at), (_, to)) = (home[row], home[column]);
-                    inverse_mass[node][at * nodes[node].len() + to] = body.inverse[(a, b)];
+                    inverse_mass[places[node] + at * nodes[node].len() + to] = body.inverse[(a, b)];
                 }
             }
         }
         Self {
+            mass,
             inverse_mass,
-            mass: matrix.values.clone(),
-            lu: Lu::new(&matrix),
-            inverses: vec![Default::default(); contacts],
+            starts,
             arms,
-            matrix,
+            rows,
         }
     }
 
-    /// Multiplications of a factorisation.
-    pub fn cost(&self) -> f64 {
-        self.lu.cost()
+    /// Nodes that a contact acts on, with the part of H of each.
+    fn arms(&self, contact: usize) -> impl Iterator<Item = (usize, &[Local])> + Clone {
+        let own = &self.arms[self.starts[contact]..self.starts[contact + 1]];
+        own.iter().map(|arm| {
+            let end = arm.start + self.mass.size(arm.node);
+            (arm.node, &self.rows[arm.start..end])
+        })
     }
 
-    /// W times a vector, as Hᵀ M⁻¹ H: what heavy bodies receive does not hide what light ones do.
-    pub fn apply(&self, problem: &Prepared, vector: &[f64], out: &mut [f64]) {
-        let mut momenta = vec![0.0; self.matrix.unknowns()];
-        for (contact, arms) in self.arms.iter().enumerate() {
-            let r = problem.local(contact, vector);
-            for arm in arms {
-                let start = self.matrix.first[arm.node];
-                for (momentum, row) in momenta[start..].iter_mut().zip(&arm.rows) {
-                    *momentum += dot(row, &r);
-                }
+    /// Adds H r of one contact.
+    fn push(&self, contact: usize, r: &Local, momenta: &mut [f64]) {
+        for (node, rows) in self.arms(contact) {
+            let start = self.mass.first[node];
+            for (momentum, row) in momenta[start..].iter_mut().zip(rows) {
+                *momentum += dot(row, r);
             }
-        }
-        let mut speeds = Vec::with_capacity(momenta.len());
-        for (node, inverse) in self.inverse_mass.iter().enumerate() {
-            let part = &momenta[self.matrix.first[node]..self.matrix.first[node + 1]];
-            for row in inverse.chunks_exact(part.len()) {
-                speeds.push(row.iter().zip(part).map(|(a, b)| a * b).sum::<f64>());
-            }
-        }
-        for (contact, arms) in self.arms.iter().enumerate() {
-            problem.put(contact, &self.relative(arms, &speeds), out);
         }
     }
 
     /// Hᵀ times velocities, at one contact.
-    fn relative(&self, arms: &[Arm], speeds: &[f64]) -> Local {
+    fn relative(&self, contact: usize, speeds: &[f64]) -> Local {
         let mut velocity = Local::default();
-        for arm in arms {
-            let start = self.matrix.first[arm.node];
-            for (v, row) in speeds[start..].iter().zip(&arm.rows) {
+        for (node, rows) in self.arms(contact) {
+            let start = self.mass.first[node];
+            for (v, row) in speeds[start..].iter().zip(rows) {
                 for (velocity, entry) in velocity.iter_mut().zip(row) {
                     *velocity += entry * v;
                 }
@@ -158,8 +166,46 @@ impl Bodies {
         velocity
     }
 
-    pub fn factorise(&mut self, problem: &Prepared, linear: &[Linear]) {
-        self.matrix.values.copy_from_slice(&self.mass);
+    /// W times a vector, as Hᵀ M⁻¹ H: what heavy bodies receive does not hide what light ones do.
+    pub fn apply(&self, problem: &Prepared, vector: &[f64], out: &mut [f64]) {
+        let mut momenta = vec![0.0; self.mass.unknowns()];
+        for contact in 0..problem.contacts() {
+            self.push(contact, &problem.local(contact, vector), &mut momenta);
+        }
+        let mut speeds = Vec::with_capacity(momenta.len());
+        let mut inverse = self.inverse_mass.as_slice();
+        for ends in self.mass.first.windows(2) {
+            let part = &momenta[ends[0]..ends[1]];
+            let (own, rest) = inverse.split_at(part.len() * part.len());
+            inverse = rest;
+            for row in own.chunks_exact(part.len()) {
+                speeds.push(row.iter().zip(part).map(|(a, b)| a * b).sum::<f64>());
+            }
+        }
+        for contact in 0..problem.contacts() {
+            problem.put(contact, &self.relative(contact, &speeds), out);
+        }
+    }
+}
+
+impl ByBodies {
+    /// Prepares factorisations.
+    pub fn new(bodies: &Bodies) -> Self {
+        Self {
+            lu: Lu::new(&bodies.mass),
+            inverses: vec![Default::default(); bodies.starts.len() - 1],
+            matrix: bodies.mass.clone(),
+        }
+    }
+
+    /// Multiplications of a factorisation.
+    pub fn cost(&self) -> f64 {
+        self.lu.cost()
+    }
+
+    pub fn factorise(&mut self, bodies: &Bodies, problem: &Prepared, linear: &[Linear]) {
+        self.matrix.values.copy_from_slice(&bodies.mass.values);
+        let mut moved: Vec<Local> = Vec::new();
         for (contact, own) in linear.iter().enumerate() {
             let size = problem.w.size(contact);
             let inverse = invert(&own.impulse, size);
@@ -168,19 +214,16 @@ impl Bodies {
                 None => inverse,
             };
             self.inverses[contact] = (inverse, schur);
-            for a in &self.arms[contact] {
-                let moved: Vec<Local> = a
-                    .rows
-                    .iter()
-                    .map(|row| row_times(row, &schur, size))
-                    .collect();
-                for b in &self.arms[contact] {
-                    let Some(number) = self.matrix.find(a.node, b.node) else {
+            for (a, rows) in bodies.arms(contact) {
+                moved.clear();
+                moved.extend(rows.iter().map(|row| row_times(row, &schur, size)));
+                for (b, others) in bodies.arms(contact) {
+                    let Some(number) = self.matrix.find(a, b) else {
                         continue;
                     };
                     let block = self.matrix.block_mut(number);
-                    for (line, left) in block.chunks_exact_mut(b.rows.len()).zip(&moved) {
-                        for (entry, right) in line.iter_mut().zip(&b.rows) {
+                    for (line, left) in block.chunks_exact_mut(others.len()).zip(&moved) {
+                        for (entry, right) in line.iter_mut().zip(others) {
                             *entry += dot(left, right);
                         }
                     }
@@ -190,23 +233,17 @@ impl Bodies {
         self.lu.factorise(&self.matrix);
     }
 
-    pub fn solve(&self, problem: &Prepared, vector: &mut [f64]) {
+    pub fn solve(&self, bodies: &Bodies, problem: &Prepared, vector: &mut [f64]) {
         let mut momenta = vec![0.0; self.matrix.unknowns()];
         for (contact, (inverse, _)) in self.inverses.iter().enumerate() {
             let moved = times(inverse, &problem.local(contact, vector));
             problem.put(contact, &moved, vector);
-            for arm in &self.arms[contact] {
-                let start = self.matrix.first[arm.node];
-                for (momentum, row) in momenta[start..].iter_mut().zip(&arm.rows) {
-                    *momentum += dot(row, &moved);
-                }
-            }
+            bodies.push(contact, &moved, &mut momenta);
         }
         self.lu.solve(&mut momenta);
         for (contact, (_, schur)) in self.inverses.iter().enumerate() {
-            let velocity = self.relative(&self.arms[contact], &momenta);
             let moved = problem.local(contact, vector);
-            let change = times(schur, &velocity);
+            let change = times(schur, &bodies.relative(contact, &momenta));
             problem.put(
                 contact,
                 &std::array::from_fn(|at| moved[at] - change[at]),

@@ -77,6 +77,15 @@ impl Cone {
         self.modes().last().map_or(1, |mode| mode.end)
     }
 
+    /// μ of a contact whose only mode is sliding in two directions.
+    #[inline]
+    pub fn sliding_alone(&self) -> Option<f64> {
+        match self.modes() {
+            [mode] if mode.end == 3 => Some(mode.threshold),
+            _ => None,
+        }
+    }
+
     /// The velocity with De Saxcé's correction: ũ_N = u_N + Σ m_k |u_k|.
     pub fn corrected(&self, velocity: &Local) -> Local {
         let mut corrected = *velocity;

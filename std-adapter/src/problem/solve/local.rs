@@ -5,10 +5,11 @@ use super::natural::linearised;
 
 /// Steps of the search for the multiplier of sliding.
 const SEARCH: usize = 40;
-/// Relative width at which it ends.
-const CLOSE: f64 = 1e-14;
-/// Newton steps, and projections where those do not lead on.
+/// Relative step after which the next one would be rounding: Newton's steps are squared.
+const CLOSE: f64 = 1e-8;
+/// Newton steps on the natural map, and projections where those do not lead on; relative size at which they end.
 const STEPS: usize = 20;
+const CLOSED: f64 = 1e-14;
 
 /// W of one contact.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +55,32 @@ impl Own {
     }
 }
 
+/// As [`solve_contact`] for |r_T| ≤ μ r_N with two components of sliding.
+pub(super) fn solve_three(mu: f64, own: &Own, q: [f64; 3]) -> [f64; 3] {
+    if q[0] >= 0.0 {
+        return [0.0; 3];
+    }
+    if let Some(inverse) = &own.inverse {
+        let row = |row: usize| {
+            let [a, b, c, ..] = inverse[row];
+            -(a * q[0] + b * q[1] + c * q[2])
+        };
+        let [n, a, b] = [row(0), row(1), row(2)];
+        if n >= 0.0 && (a * a + b * b).sqrt() <= mu * n {
+            return [n, a, b];
+        }
+    }
+    if own.w[0][0] > 0.0 {
+        return slide(mu, own, q);
+    }
+    let mut all = Local::default();
+    all[..3].copy_from_slice(&q);
+    let mut cone = Cone::default();
+    cone.push(2, mu);
+    let [n, a, b, ..] = iterate(&cone, &own.w, &all, &Local::default());
+    [n, a, b]
+}
+
 /// r with ũ ∈ K* ⊥ r ∈ K and u = W r + q for one contact's W; near `guess` where it is found by iteration.
 pub(super) fn solve_contact(cone: &Cone, own: &Own, q: &Local, guess: &Local) -> Local {
     let size = cone.size();
@@ -83,64 +110,76 @@ pub(super) fn solve_contact(cone: &Cone, own: &Own, q: &Local, guess: &Local) ->
         }
     }
     match cone.modes() {
-        [mode] if mode.end <= 3 && w[0][0] > 0.0 => slide(mode.threshold, own, q),
+        [mode] if mode.end <= 3 && w[0][0] > 0.0 => {
+            let mut out = Local::default();
+            let slid = slide(mode.threshold, own, [q[0], q[1], q[2]]);
+            out[..3].copy_from_slice(&slid);
+            out
+        }
         _ => iterate(cone, w, q, guess),
     }
 }
 
 /// Sliding at its threshold: r_T = (A + λ)⁻¹ b with |r_T| = μ r_N, and r_N from u_N = 0.
-fn slide(mu: f64, own: &Own, q: &Local) -> Local {
+///
+/// Newton's method for λ on μ r_N/|r_T| = 1, whose left side is almost a straight line (Moré and Sorensen, SIAM J.
+/// Sci. Stat. Comput. 4 (1983) 553, have it for trust regions), within a bracket.
+fn slide(mu: f64, own: &Own, q: [f64; 3]) -> [f64; 3] {
     let (w, inv, a) = (&own.w, own.inv_normal, &own.sliding);
     let b = [1, 2].map(|row| w[row][0] * q[0] * inv - q[row]);
-    let divide = |lambda: f64, x: [f64; 2]| {
-        let (p, s) = (a[0][0] + lambda, a[1][1] + lambda);
-        let det = p * s - a[0][1] * a[1][0];
-        [
-            (s * x[0] - a[0][1] * x[1]) / det,
-            (p * x[1] - a[1][0] * x[0]) / det,
-        ]
-    };
+    let (trace, cross) = (a[0][0] + a[1][1], a[0][1] * a[1][0]);
     let normal = |t: [f64; 2]| -(q[0] + w[0][1] * t[0] + w[0][2] * t[1]) * inv;
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let mut lambda = 0.0;
-    let mut best = [0.0; 2];
+    let mut is_last = false;
+    let (mut best, mut length_sq) = ([0.0; 2], 0.0);
     for _ in 0..SEARCH {
-        best = divide(lambda, b);
-        let length = (best[0] * best[0] + best[1] * best[1]).sqrt();
-        let excess = length - mu * normal(best);
-        if excess > 0.0 {
+        let (p, s) = (a[0][0] + lambda, a[1][1] + lambda);
+        let over = (p * s - cross).recip();
+        let divide = |x: [f64; 2]| {
+            [
+                (s * x[0] - a[0][1] * x[1]) * over,
+                (p * x[1] - a[1][0] * x[0]) * over,
+            ]
+        };
+        best = divide(b);
+        length_sq = best[0] * best[0] + best[1] * best[1];
+        let pushed = normal(best);
+        if is_last {
+            break;
+        }
+        let length = length_sq.sqrt();
+        let limit = mu * pushed;
+        if length > limit {
             low = lambda;
         } else {
             high = lambda;
         }
-        let change = divide(lambda, best).map(|x| -x);
-        let slope = (best[0] * change[0] + best[1] * change[1]) / length
-            + mu * inv * (w[0][1] * change[0] + w[0][2] * change[1]);
-        let mut next = lambda - excess / slope;
+        // Derivatives by λ, the length's times the length.
+        let change = divide(best);
+        let longer = -(best[0] * change[0] + best[1] * change[1]);
+        let rise = mu * inv * (w[0][1] * change[0] + w[0][2] * change[1]);
+        let mut next = lambda + (length - limit) * length_sq / (rise * length_sq - limit * longer);
         // Outside the bracket, or not a number: halve it, or look farther.
         if !(next > low && next < high) {
             next = if high.is_finite() {
                 0.5 * (low + high)
             } else {
-                2.0 * lambda + a[0][0] + a[1][1]
+                2.0 * lambda + trace
             };
         }
-        if (next - lambda).abs() <= CLOSE * next {
-            break;
-        }
+        is_last = (next - lambda).abs() <= CLOSE * next;
         lambda = next;
     }
     // On the cone to the last bit.
     let pushed = normal(best).max(0.0);
-    let length = (best[0] * best[0] + best[1] * best[1]).sqrt();
+    let length = length_sq.sqrt();
     let factor = if length > 0.0 {
         mu * pushed / length
     } else {
         0.0
     };
-    let mut out = Local::default();
-    (out[0], out[1], out[2]) = (pushed, best[0] * factor, best[1] * factor);
-    out
+    [pushed, best[0] * factor, best[1] * factor]
 }
 
 /// Newton steps on the natural map; projected steps where they do not shorten it.
@@ -160,7 +199,7 @@ fn iterate(cone: &Cone, w: &Square, q: &Local, guess: &Local) -> Local {
         let u = velocity(&r);
         let (map, impulse, velocity_slope) = linearised(cone, &r, &u);
         let now = length(&map);
-        if now <= CLOSE * length(&r) {
+        if now <= CLOSED * length(&r) {
             break;
         }
         let mut matrix = impulse;

@@ -12,7 +12,7 @@ use super::sweeps::Sweeps;
 use super::system::System;
 
 /// Sweeps between two judgements.
-const BETWEEN: usize = 10;
+const BETWEEN: usize = 5;
 /// Sweeps without half the residual after which sweeping on ends, beside twice those before.
 const PATIENCE: usize = 2000;
 /// Residual that a solution by factorisations alone aims at: light bodies under heavy ones need it.
@@ -136,7 +136,12 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             Some(start) => self.prepared.scaled(start, self.problem),
             None => vec![0.0; self.prepared.q.len()],
         };
-        if self.done(&start, self.settings.method) {
+        // No impulses have been judged already.
+        let solved = match given {
+            Some(_) => self.done(&start, self.settings.method),
+            None => self.judged.meets(self.settings.tolerance),
+        };
+        if solved {
             return 0;
         }
         let asked = self.settings.method;

@@ -1,7 +1,7 @@
 //! The linear systems of Newton's methods: B Δr + C W Δr = right, with a square of B and of C at each contact.
 
 use super::blocks::Blocks;
-use super::bodies::Bodies;
+use super::bodies::ByBodies;
 use super::cone::Square;
 use super::factor::Lu;
 use super::prepared::Prepared;
@@ -33,20 +33,17 @@ pub(super) struct System {
 #[derive(Clone, Debug)]
 enum Factors {
     Contacts(Lu),
-    Bodies(Box<Bodies>),
+    Bodies(Box<ByBodies>),
 }
 
 impl System {
     /// Prepares the way with fewer multiplications.
     pub fn new(problem: &Prepared) -> Self {
         let contacts = Lu::new(&problem.w);
-        let bodies = problem
-            .bodies
-            .as_ref()
-            .filter(|bodies| bodies.cost() < contacts.cost());
+        let bodies = problem.bodies.as_ref().map(ByBodies::new);
         let factors = match bodies {
-            Some(bodies) => Factors::Bodies(Box::new(bodies.clone())),
-            None => Factors::Contacts(contacts),
+            Some(bodies) if bodies.cost() < contacts.cost() => Factors::Bodies(Box::new(bodies)),
+            _ => Factors::Contacts(contacts),
         };
         Self {
             matrix: problem.w.clone(),
@@ -95,9 +92,10 @@ impl System {
             }
             self.add(contact, rows, &own.impulse);
         }
-        match &mut self.factors {
-            Factors::Contacts(lu) => lu.factorise(&self.matrix),
-            Factors::Bodies(bodies) => bodies.factorise(problem, linear),
+        match (&mut self.factors, &problem.bodies) {
+            (Factors::Bodies(factors), Some(bodies)) => factors.factorise(bodies, problem, linear),
+            (Factors::Contacts(lu), _) => lu.factorise(&self.matrix),
+            (Factors::Bodies(_), None) => {}
         }
         self.factorisations += 1;
     }
@@ -140,9 +138,10 @@ impl System {
     }
 
     fn divide(&self, problem: &Prepared, vector: &mut [f64]) {
-        match &self.factors {
-            Factors::Contacts(lu) => lu.solve(vector),
-            Factors::Bodies(bodies) => bodies.solve(problem, vector),
+        match (&self.factors, &problem.bodies) {
+            (Factors::Bodies(factors), Some(bodies)) => factors.solve(bodies, problem, vector),
+            (Factors::Contacts(lu), _) => lu.solve(vector),
+            (Factors::Bodies(_), None) => {}
         }
     }
 }

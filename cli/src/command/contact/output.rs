@@ -1,0 +1,103 @@
+//! What a solved problem leaves behind, and its line in the table.
+
+use super::solved::{Posed, Solved};
+use crate::failure::Failure;
+use serde_json::{Value, json};
+use std::path::Path;
+use tribos::problem::{Ending, Layout};
+use tribos::record::{json_number, number, write_atomically};
+
+/// A problem, and what came of it.
+pub struct Row<'a> {
+    pub posed: &'a Posed<'a>,
+    pub solved: &'a Solved,
+}
+
+/// Names of the columns on the terminal.
+pub fn heading() -> String {
+    format!(
+        "{:>8} {:>10} {:>10} {:>8} {:>8} {:>9} {:<10} {:<11} file\n",
+        "contacts", "residual", "scaled", "sweeps", "factors", "seconds", "method", "ending"
+    )
+}
+
+impl Row<'_> {
+    fn contacts(&self) -> usize {
+        self.solved.solution.impulses.len() / self.posed.layout.size()
+    }
+
+    /// For the person at the terminal.
+    pub fn line(&self) -> String {
+        let solution = &self.solved.solution;
+        format!(
+            "{:>8} {:>10.3e} {:>10.3e} {:>8} {:>8} {:>9.4} {:<10} {:<11} {}\n",
+            self.contacts(),
+            solution.residual.relative,
+            solution.residual.scaled,
+            solution.sweeps,
+            solution.factorisations,
+            self.solved.seconds,
+            solution.method.name(),
+            solution.ending.name(),
+            self.posed.file.display()
+        )
+    }
+
+    /// summary.json and reactions.csv.
+    pub fn write(&self, folder: &Path) -> Result<(), Failure> {
+        let summary = format!("{:#}\n", self.summary());
+        write_atomically(&folder.join("summary.json"), summary.as_bytes())?;
+        write_atomically(&folder.join("reactions.csv"), self.reactions().as_bytes())?;
+        Ok(())
+    }
+
+    fn summary(&self) -> Value {
+        let solution = &self.solved.solution;
+        json!({
+            "file": self.posed.file.display().to_string(),
+            "contacts": self.contacts(),
+            "converged": solution.ending == Ending::Converged,
+            "ending": solution.ending.name(),
+            "method": solution.method.name(),
+            "residual": json_number(solution.residual.relative),
+            "residual_scaled": json_number(solution.residual.scaled),
+            "residual_speed": json_number(solution.residual.speed),
+            "penetration": json_number(solution.residual.penetration),
+            // Sweeps, and steps of Newton's methods, which take a factorisation each.
+            "iterations": solution.sweeps + solution.factorisations,
+            "factorisations": solution.factorisations,
+            "seconds": json_number(self.solved.seconds),
+        })
+    }
+
+    /// A row a contact, components in the file's order.
+    fn reactions(&self) -> String {
+        let mut text = format!("contact,{}\n", components(self.posed.layout).join(","));
+        let contacts = self
+            .solved
+            .solution
+            .impulses
+            .chunks(self.posed.layout.size());
+        for (contact, impulse) in contacts.enumerate() {
+            let numbers: Vec<String> = impulse.iter().map(|&r| number(r)).collect();
+            text += &format!("{contact},{}\n", numbers.join(","));
+        }
+        text
+    }
+}
+
+/// Names of the components of an impulse.
+fn components(layout: Layout) -> Vec<&'static str> {
+    let mut names = vec!["normal"];
+    match layout {
+        Layout::Plane => names.push("sliding"),
+        _ => names.extend(["sliding_1", "sliding_2"]),
+    }
+    if !layout.rolling().is_empty() {
+        names.extend(["rolling_1", "rolling_2"]);
+    }
+    if !layout.torsion().is_empty() {
+        names.push("torsion");
+    }
+    names
+}

@@ -1,0 +1,110 @@
+//! Problems solved one after the other.
+
+use super::output::{Row, heading};
+use super::solved::Posed;
+use super::{method, plot};
+use crate::command::number;
+use crate::failure::Failure;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use tribos::problem::{Ending, Method, Settings};
+use tribos::run::folder::{Contents, OutputFolder};
+
+/// Problems, and how to solve them.
+#[derive(Debug, clap::Args)]
+pub struct Solve {
+    /// Problems, FCLib's HDF5 or text of Siconos.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Largest residual of a solution.
+    #[arg(long, default_value = "1e-8", value_parser = number::positive)]
+    tolerance: f64,
+    /// Method.
+    #[arg(long, default_value = "automatic", value_parser = method::parser())]
+    method: Method,
+    /// Folder for summary.json, reactions.csv, convergence.svg and convergence.png, created if missing; files of an
+    /// earlier command in it are removed first. Several problems have a folder each in it, named like
+    /// the file without its ending.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+impl Solve {
+    /// Reads all files, then solves, writes and prints one problem after the other.
+    pub fn execute(self) -> Result<(), Failure> {
+        let folders = self.folders()?;
+        let problems = Posed::read(&self.files)?;
+        let settings = Settings {
+            tolerance: self.tolerance,
+            method: self.method,
+            ..Settings::default()
+        };
+        crate::command::print(&heading())?;
+        let mut left = Vec::new();
+        for (folder, posed) in folders.iter().zip(&problems) {
+            let solved = posed.solve(&settings);
+            let row = Row {
+                posed,
+                solved: &solved,
+            };
+            if let Some(folder) = folder {
+                write(folder, &row)?;
+            }
+            crate::command::print(&row.line())?;
+            if solved.solution.ending != Ending::Converged {
+                left.push(posed.file.display().to_string());
+            }
+        }
+        if let Some(out) = &self.out {
+            crate::command::print(&format!("written to    {}\n", out.display()))?;
+        }
+        if left.is_empty() {
+            return Ok(());
+        }
+        Err(Failure::Unsolved(format!(
+            "not solved to {:e}: {}\n  The best impulses are kept; try another --method, or a larger --tolerance.",
+            self.tolerance,
+            left.join(", ")
+        )))
+    }
+
+    /// The folder of each file, if any; two files must not share one.
+    fn folders(&self) -> Result<Vec<Option<PathBuf>>, Failure> {
+        let Some(out) = &self.out else {
+            return Ok(vec![None; self.files.len()]);
+        };
+        if self.files.len() == 1 {
+            return Ok(vec![Some(out.clone())]);
+        }
+        let mut taken: BTreeMap<PathBuf, &Path> = BTreeMap::new();
+        let mut folders = Vec::new();
+        for file in &self.files {
+            let stem = file.file_stem().unwrap_or(file.as_os_str());
+            let folder = out.join(stem);
+            if let Some(other) = taken.insert(folder.clone(), file) {
+                return Err(Failure::input(format!(
+                    "{} and {} would both have the folder {}; rename one, or give them one at a time",
+                    other.display(),
+                    file.display(),
+                    folder.display()
+                )));
+            }
+            folders.push(Some(folder));
+        }
+        Ok(folders)
+    }
+}
+
+/// Leaves a problem's files in its folder.
+fn write(folder: &Path, row: &Row<'_>) -> Result<(), Failure> {
+    let files = [
+        "summary.json",
+        "reactions.csv",
+        "convergence.svg",
+        "convergence.png",
+    ];
+    let _folder = OutputFolder::begin(folder, &Contents::of("contact", &files))?;
+    let figure = plot::convergence(&row.solved.history);
+    tribos_report::image::write_both(folder, "convergence", &figure)?;
+    row.write(folder)
+}

@@ -1,0 +1,147 @@
+//! `tribos export problem`: the contact problem of one step.
+
+use crate::command::progress::Meter;
+use crate::command::view::kept::Kept;
+use crate::failure::Failure;
+use serde_json::Value;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use tribos::grains::Grains;
+use tribos::powder::Compaction;
+use tribos::problem::{self, Global};
+use tribos::run::folder::{self, Contents, OutputFolder};
+use tribos::run::{CHECKPOINT, LongRun, read_checkpoint};
+use tribos::scene::Scene;
+
+/// Of a run with body = "powder" or "grains", by contact dynamics. The steps up to it are taken again, from the
+/// run's checkpoint if that is of an earlier step, else from its beginning.
+///
+/// Bodies and contacts have the units of the scene: M v = H r + f, u = H^T v + w. Contacts are pairs of spheres, then
+/// spheres at walls; bodies that sleep are not among them, and impacts with restitution come later.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = super::EXAMPLES)]
+pub struct Step {
+    /// The folder of the run.
+    run: PathBuf,
+    /// The step, from 1.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    step: u64,
+    /// Format of the file.
+    #[arg(long, value_enum, default_value = "hdf5")]
+    format: Format,
+    /// Folder for the file, created if missing. [default: that of the run]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// HDF5 of FCLib: problem-N.hdf5.
+    Hdf5,
+    /// Text of Siconos, without torsion and cohesion: problem-N.dat.
+    Text,
+}
+
+/// What an export leaves.
+const FILES: [&str; 2] = ["problem-#.hdf5", "problem-#.dat"];
+
+impl Step {
+    /// Runs up to the step, and writes its problem.
+    pub fn write(self) -> Result<(), Failure> {
+        let kept = Kept::read(&self.run)?;
+        let scene = scene(&self.run, &kept.manifest.about)?;
+        let problem = match scene {
+            Scene::Powder(scene) => self.problem::<Compaction>(&scene, Compaction::problem)?,
+            Scene::Grains(scene) => self.problem::<Grains>(&scene, Grains::problem)?,
+            _ => {
+                return Err(Failure::input(format!(
+                    "{}: only runs with body = \"powder\" or \"grains\" have contact problems",
+                    self.run.display()
+                )));
+            }
+        };
+        let (format, ending) = match self.format {
+            Format::Hdf5 => (problem::Format::FclibHdf5, "hdf5"),
+            Format::Text => (problem::Format::SiconosText, "dat"),
+        };
+        let out = self.out.as_deref().unwrap_or(&self.run);
+        let _lock = if super::is_same(out, &self.run) {
+            folder::add(out, &FILES)?;
+            None
+        } else {
+            let contents = Contents {
+                about: kept.manifest.about.clone(),
+                ..Contents::of("export", &FILES)
+            };
+            Some(OutputFolder::go_on(out, &contents)?)
+        };
+        let contacts = problem.laws().len();
+        let file = out.join(format!("problem-{}.{ending}", self.step));
+        let problem = problem::Problem::from(problem);
+        problem.write(&file, format).map_err(Failure::input)?;
+        crate::command::print(&format!(
+            "written to    {}, {contacts} contacts\n",
+            file.display()
+        ))
+    }
+
+    /// The problem of the step of a run.
+    fn problem<R>(
+        &self,
+        scene: &R::Scene,
+        problem: impl Fn(&R) -> Option<Global>,
+    ) -> Result<Global, Failure>
+    where
+        R: LongRun<Error: Error + 'static>,
+    {
+        let mut run: R = self.begin(scene)?;
+        let mut meter = Meter::new();
+        let from = run.steps();
+        while run.steps() < self.step {
+            let goes_on = run.step().map_err(Failure::run)?;
+            if !goes_on && run.steps() < self.step {
+                return Err(Failure::input(format!(
+                    "--step {}: the run ends with step {}",
+                    self.step,
+                    run.steps()
+                )));
+            }
+            let done = (run.steps() - from) as f64 / (self.step - from) as f64;
+            if meter.is_due(done) {
+                meter.tell(done, format_args!("step {}", run.steps()));
+            }
+        }
+        problem(&run).ok_or_else(|| {
+            Failure::input(format!(
+                "--step {}: the step has no contact problem that a file can hold: no contacts, springs in their place, or \
+                 sliding and torsion under an exact limit surface",
+                self.step
+            ))
+        })
+    }
+
+    /// The run at its checkpoint, if that is of an earlier step; else at its beginning.
+    fn begin<R>(&self, scene: &R::Scene) -> Result<R, Failure>
+    where
+        R: LongRun<Error: Error + 'static>,
+    {
+        let mut growing = |_: usize| std::ops::ControlFlow::Continue(());
+        if let Ok(text) = read_checkpoint(&self.run.join(CHECKPOINT))
+            && let Ok(run) = R::begin(scene, Some(&text), &mut growing)
+            && run.steps() < self.step
+        {
+            return Ok(run);
+        }
+        R::begin(scene, None, &mut growing).map_err(Failure::run)
+    }
+}
+
+/// The scene that a run's folder tells.
+fn scene(run: &Path, about: &Value) -> Result<Scene, Failure> {
+    Scene::of_json(about).ok_or_else(|| {
+        Failure::input(format!(
+            "{}: the run is of another version of tribos; run the scene again",
+            run.display()
+        ))
+    })
+}
