@@ -19,6 +19,7 @@ pub mod meshes;
 pub mod outlines;
 pub mod packings;
 pub mod patches;
+pub mod problems;
 pub mod pucks;
 pub mod rebounds;
 pub mod reference;

@@ -89,12 +89,55 @@ fn files_are_refused_before_anything_is_solved() -> Outcome {
         &said,
         &[
             "bad.dat, line 4",
-            "found x instead of the number of columns",
+            "the number of rows is 3, not at most 2, for which the file has room",
         ],
     );
     assert!(told.is_empty() && !folder.path().join("out").exists());
     let (code, _, said) = tribos(folder.path(), ["contact", &rover, &rover, "--out", "out"])?;
     assert_eq!(code, Some(2), "{said}");
     assert_has(&said, &["would both have the folder"]);
+    Ok(())
+}
+
+#[test]
+fn methods_are_compared_on_the_problem_of_a_step() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let scene = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 4";
+    std::fs::write(folder.path().join("tiny.toml"), scene)?;
+    let (code, _, said) = tribos(folder.path(), ["run", "tiny.toml", "--out", "run"])?;
+    assert_eq!(code, Some(0), "{said}");
+    let (code, told, said) = tribos(folder.path(), ["export", "problem", "run", "--step", "3"])?;
+    assert_eq!(code, Some(0), "{said}");
+    assert_has(&told, &["problem-3.hdf5", "contacts"]);
+    let file = "run/problem-3.hdf5";
+    let line = [
+        "contact",
+        "compare",
+        file,
+        "--method",
+        "sweeps,interior",
+        "--out",
+        "out",
+    ];
+    let (code, told, said) = tribos(folder.path(), line)?;
+    assert_eq!(code, Some(0), "{said}");
+    assert_has(
+        &told,
+        &["sweeps     solves 1 of 1", "interior   solves 1 of 1"],
+    );
+    let times = std::fs::read_to_string(folder.path().join("out/times.csv"))?;
+    assert_eq!(times.lines().count(), 3);
+    for name in ["profile.csv", "profile.svg", "profile.png"] {
+        assert!(folder.path().join("out").join(name).exists(), "{name}");
+    }
+    let (code, _, said) = tribos(folder.path(), ["export", "problem", "run", "--step", "5"])?;
+    assert_eq!(code, Some(2), "{said}");
+    assert_has(&said, &["--step 5: the run ends with step 4"]);
+    // A disk has no contact problem.
+    let (code, _, said) = tribos(folder.path(), ["run", "disk", "--out", "disk"])?;
+    assert_eq!(code, Some(0), "{said}");
+    let (code, _, said) = tribos(folder.path(), ["export", "problem", "disk", "--step", "1"])?;
+    assert_eq!(code, Some(2), "{said}");
+    assert_has(&said, &["only runs with body = \"powder\" or \"grains\""]);
     Ok(())
 }

@@ -106,10 +106,6 @@ impl<R: Real> FrictionSet<R> for Ellipsoid<R> {
         self.surface.force_limit()
     }
     #[inline]
-    fn is_ellipsoid(&self) -> bool {
-        true
-    }
-    #[inline]
     fn radius(&self) -> R {
         self.surface.radius()
     }

@@ -85,11 +85,6 @@ pub trait FrictionSet<R: Real> {
     /// The largest force, μN.
     fn force_limit(&self) -> R;
 
-    /// Whether the surface is an ellipsoid, of revolution about the torque.
-    fn is_ellipsoid(&self) -> bool {
-        false
-    }
-
     /// The radius R of the patch, the lever that makes a speed of a spin.
     fn radius(&self) -> R;
 

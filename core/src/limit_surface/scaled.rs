@@ -59,10 +59,6 @@ impl<R: Real, S: FrictionSet<R> + ?Sized> FrictionSet<R> for Scaled<'_, R, S> {
         self.strength * self.set.force_limit()
     }
     #[inline]
-    fn is_ellipsoid(&self) -> bool {
-        self.set.is_ellipsoid()
-    }
-    #[inline]
     fn radius(&self) -> R {
         self.set.radius()
     }

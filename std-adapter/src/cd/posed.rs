@@ -224,7 +224,7 @@ impl<M: ContactModes<f64>> Posing<M> {
         let contact = &link.contact;
         let coupling = match friction.joint() {
             None => Friction::Separate,
-            Some(set) if set.is_ellipsoid() => Friction::Ellipsoid,
+            Some(_) if friction.is_ellipsoid() => Friction::Ellipsoid,
             Some(_) => return None,
         };
         if contact.rests_open() {

@@ -6,11 +6,12 @@
 use super::operator::largest;
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
+use std::any::TypeId;
 use tribos_core::contact::{
     Contact, ContactFriction, ContactModes, CoupledFriction, Modal, Plate, Sphere, Thresholds,
 };
 use tribos_core::internals::{AxialPart, PlanarPart};
-use tribos_core::limit_surface::FrictionSet;
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet};
 use tribos_core::twist::{Twist, Wrench};
 
 /// Violation of the contact laws. *Units*: those of the problem.
@@ -52,15 +53,24 @@ pub trait Coefficients {
     fn joint(&self) -> Option<&dyn FrictionSet<f64>> {
         None
     }
+
+    /// Whether that set is an ellipsoid.
+    fn is_ellipsoid(&self) -> bool {
+        false
+    }
 }
 
-impl<S: FrictionSet<f64>, M> Coefficients for CoupledFriction<f64, S, M> {
+impl<S: FrictionSet<f64> + 'static, M> Coefficients for CoupledFriction<f64, S, M> {
     fn coefficients(&self) -> [f64; 3] {
         [self.mu(), self.mu_rolling(), self.mu_torsion()]
     }
 
     fn joint(&self) -> Option<&dyn FrictionSet<f64>> {
         Some(self.set())
+    }
+
+    fn is_ellipsoid(&self) -> bool {
+        TypeId::of::<S>() == TypeId::of::<Ellipsoid<f64>>()
     }
 }
 

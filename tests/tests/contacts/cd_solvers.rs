@@ -12,7 +12,7 @@ use tribos_tests::least_distance::least_distance;
 use tribos_tests::packings::{Rough, Smooth, dry, first_problem, jammed_box, rough};
 
 /// A jammed box shaken: random velocities and spins on top of the load.
-fn shaken<F>(count: usize, seed: u64, laws: Laws<F>, speed: f64) -> Spheres<F>
+pub(super) fn shaken<F>(count: usize, seed: u64, laws: Laws<F>, speed: f64) -> Spheres<F>
 where
     F: ContactFriction<f64> + Coefficients,
 {
@@ -30,7 +30,7 @@ where
     problem
 }
 
-fn cohesive() -> NormalLaw<f64> {
+pub(super) fn cohesive() -> NormalLaw<f64> {
     let cohesion = Cohesion::new(2.0, 0.05, Attraction::Pull).expect("cohesion is valid");
     NormalLaw::new(cohesion, 0.0).expect("the law is valid")
 }

@@ -20,5 +20,6 @@ mod manifold;
 mod manifold_extremes;
 mod patch_surface;
 mod point_surface;
+mod problems;
 mod projection;
 mod surface_batch;

@@ -1,0 +1,105 @@
+//! Contact problems as data: solved, or said not to be.
+
+use super::cd_solvers::{cohesive, shaken};
+use tribos::cd::Laws;
+use tribos::cd::internals::residual as judged;
+use tribos::problem::{Ending, Method, Reduced, Settings, Solution, residual, solve};
+use tribos_core::contact::CoupledFriction;
+use tribos_core::coupling::table::Coulomb;
+use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
+use tribos_tests::packings::{dry, rough};
+use tribos_tests::problems::{CHANGES, changed, random};
+
+/// A solution whose ending is what its impulses say.
+fn honest(name: &str, problem: &Reduced, settings: &Settings) -> Solution {
+    let end = solve(problem, settings, |_| ());
+    let judged = residual(problem, &end.impulses);
+    assert_eq!(judged, end.residual, "{name}");
+    let meets = judged.meets(settings.tolerance);
+    assert_eq!(meets, end.ending == Ending::Converged, "{name}");
+    end
+}
+
+#[test]
+fn random_problems_are_solved() {
+    for number in 0..500 {
+        let (kind, problem) = random(number);
+        let problem = problem.reduced().expect("masses are positive");
+        let name = format!("{kind} {number}");
+        let end = honest(&name, &problem, &Settings::default());
+        assert_eq!(end.ending, Ending::Converged, "{name}: {:?}", end.residual);
+    }
+}
+
+#[test]
+fn changed_problems_are_solved() {
+    let settings = Settings {
+        most_sweeps: 20_000,
+        ..Settings::default()
+    };
+    for number in 0..20 {
+        let (kind, problem) = random(number);
+        let problem = problem.reduced().expect("masses are positive");
+        for (change, what) in CHANGES.iter().enumerate() {
+            let name = format!("{kind} {number}, {what}");
+            let end = honest(&name, &changed(&problem, change), &settings);
+            // Of bodies that can wedge, what W and q say together has a solution; neither alone has to.
+            let may_have_none = what.starts_with("W unsymmetric") || what.starts_with("q changed");
+            let solved = end.ending == Ending::Converged;
+            assert!(solved || may_have_none, "{name}: {:?}", end.residual);
+        }
+    }
+}
+
+/// Solutions to 1e-10 of a jammed, shaken box of 30: from no impulses, and from normal ones of 10.
+fn solutions(seed: u64) -> [Solution; 2] {
+    let laws = Laws::uniform(cohesive(), rough(0.3, 0.2, 0.2));
+    let posed = shaken(30, seed, laws, 0.3).posed();
+    let problem = posed.expect("thresholds are separate").problem.reduced();
+    let problem = problem.expect("masses are positive");
+    [0.0, 10.0].map(|pushed| {
+        let mut start = vec![0.0; problem.q().len()];
+        let normals = start.iter_mut().step_by(problem.layout().size());
+        normals.for_each(|r| *r = pushed);
+        let settings = Settings {
+            tolerance: 1e-10,
+            method: Method::Sweeps,
+            start: Some(start),
+            ..Settings::default()
+        };
+        let end = honest(&format!("box {seed}"), &problem, &settings);
+        assert_eq!(end.ending, Ending::Converged, "{:?}", end.residual);
+        end
+    })
+}
+
+fn farthest(a: &[f64], b: &[f64]) -> f64 {
+    let apart = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+    apart.fold(0.0, f64::max)
+}
+
+#[test]
+fn a_jammed_box_may_have_one_motion_under_many_forces_or_two_motions() {
+    let [rest, pressed] = solutions(1);
+    assert!(farthest(&rest.impulses, &pressed.impulses) > 1.0);
+    assert!(farthest(&rest.velocities, &pressed.velocities) < 1e-6);
+    let [rest, pressed] = solutions(0);
+    assert!(farthest(&rest.velocities, &pressed.velocities) > 0.1);
+}
+
+#[test]
+fn a_box_under_ellipsoids_is_data_and_one_under_exact_surfaces_is_not() {
+    let usual = Ellipsoid::new(0.3, 0.5, 2.0 / 3.0).expect("valid");
+    let usual = CoupledFriction::all(usual, 0.1).expect("valid");
+    let mut jammed = shaken(30, 0, Laws::uniform(dry(), usual), 0.3);
+    let posed = jammed.posed().expect("an ellipsoid is data");
+    let problem = posed.problem.reduced().expect("masses are positive");
+    let end = honest("ellipsoids", &problem, &Settings::default());
+    assert_eq!(end.ending, Ending::Converged, "{:?}", end.residual);
+    jammed.take(&posed, &end.impulses);
+    assert!(judged(&jammed).relative < 1e-6, "{:?}", judged(&jammed));
+    let exact = LimitSurface::new(Coulomb, 0.3, 0.5).expect("valid");
+    let exact = CoupledFriction::all(exact, 0.1).expect("valid");
+    let jammed = shaken(30, 0, Laws::uniform(dry(), exact), 0.3);
+    assert!(jammed.posed().is_none());
+}
