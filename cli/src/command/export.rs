@@ -57,7 +57,7 @@ Examples:
   tribos run compaction-small --out out/powder && tribos export vtk out/powder
   tribos export xyz out/powder --out out/ovito
   tribos run tip-reversible --out out/tip && tribos export lammps-dump out/tip
-  tribos export problem out/powder --step 5
+  tribos export problem out/powder --step 2
   tribos export lammps scenes/tip-irreversible.toml --out out/lammps
   cd out/lammps && lmp -in in.tip";
 

@@ -45,7 +45,7 @@ Examples:
   tribos contact compare rover.dat spheres.dat --out out/compared
 The problem of one step of a powder:
   tribos run compaction-small --set height=20 --out out/powder
-  tribos export problem out/powder --step 5 && tribos contact out/powder/problem-5.hdf5
+  tribos export problem out/powder --step 2 && tribos contact out/powder/problem-2.hdf5
 Summaries of all problems in one table:
   jq -r '[.file, .converged, .residual] | @tsv' out/contacts/*/summary.json";
 
