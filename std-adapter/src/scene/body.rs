@@ -48,8 +48,9 @@ macro_rules! bodies {
             /// scene has them. Values that followed from others are given ones in it.
             ///
             /// ```
-            /// use tribos::scene::{Scene, parse_scene};
-            /// let scene = parse_scene("small.toml", "body = \"powder\"\npressure = 0.02", &[])?;
+            /// use tribos::scene::{LIBRARY, Scene, parse_scene};
+            /// let disk = &LIBRARY[0];
+            /// let scene = parse_scene(disk.name, disk.text, &[])?;
             /// let again = Scene::of_json(&scene.json()).expect("the values are a scene's");
             /// assert_eq!(again.json(), scene.json());
             /// # Ok::<(), tribos::scene::SceneError>(())
