@@ -10,7 +10,9 @@ use std::path::PathBuf;
 Instructions need qemu-system-arm and the targets thumbv7em-none-eabihf and thumbv6m-none-eabi of
 rustup. Without QEMU the firmware front tells flash alone, and the kernel's columns say so.
 The batch front counts instructions with Valgrind if it is installed (Debian: valgrind).
-The atoms front runs LAMMPS beside ours if `lmp` is on the PATH (Debian: lammps).")]
+The atoms front runs LAMMPS beside ours if `lmp` is on the PATH (Debian: lammps).
+The problems front runs Siconos beside ours if gcc and its library are installed (Debian: gcc,
+libsiconos-numerics-dev).")]
 pub struct Options {
     /// These fronts only: again, or NAME,NAME, for more of them
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
@@ -21,6 +23,9 @@ pub struct Options {
     /// Where tables and pictures go (docs/fronts; with --quick target/fronts)
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Folder of contact problems for the problems front (those of the library's tests)
+    #[arg(long, value_name = "DIR")]
+    problems: Option<PathBuf>,
     /// Runs the items of the batch front once, for the count of their instructions
     #[arg(long, hide = true)]
     pub run_batch_items: bool,
@@ -44,10 +49,19 @@ impl Options {
         self.out.clone().unwrap_or_else(usual)
     }
 
-    /// The command that makes the same, but for the folder.
+    /// Folder of contact problems.
+    pub fn problems(&self) -> PathBuf {
+        let usual = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../std-adapter/src/problem/file/samples"
+        );
+        self.problems.clone().unwrap_or_else(|| usual.into())
+    }
+
+    /// The command that makes the same, but for the folders.
     pub fn command(&self) -> String {
         let mut words = vec!["cargo run --release -p tribos-benches --bin fronts".to_string()];
-        if self.quick || !self.only.is_empty() {
+        if self.quick || !self.only.is_empty() || self.problems.is_some() {
             words.push("--".into());
         }
         if !self.only.is_empty() {
@@ -56,6 +70,9 @@ impl Options {
         }
         if self.quick {
             words.push("--quick".into());
+        }
+        if self.problems.is_some() {
+            words.push("--problems DIR".into());
         }
         words.join(" ")
     }
@@ -88,7 +105,12 @@ mod tests {
 
     #[test]
     fn the_command_told_makes_the_same_fronts() {
-        for words in [&["--only", "patches", "--quick"][..], &["--quick"], &[]] {
+        for words in [
+            &["--only", "patches", "--quick"][..],
+            &["--quick"],
+            &["--problems", "here"],
+            &[],
+        ] {
             let options = read(words).unwrap();
             let told = options.command();
             let again: Vec<&str> = told.split(' ').skip_while(|&word| word != "--").collect();

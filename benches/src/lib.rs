@@ -3,9 +3,9 @@
 //! One program, `fronts`, makes the fronts that the documentation shows: kernel (one evaluation of force
 //! and torque), batch (calls one by one and in batches), patches (every patch, law and tier), integrators (one
 //! stop of a sliding, spinning disk), contacts (of packings, and their solvers), scale (packings of a thousand
-//! to a million spheres), methods (events, contact dynamics and soft particles), atoms
-//! (molecular dynamics beside LAMMPS) and firmware (the cost of each on a microcontroller). The benches under
-//! `benches/` time the same methods with criterion.
+//! to a million spheres), methods (events, contact dynamics and soft particles), problems (contact problems beside
+//! Siconos), atoms (molecular dynamics beside LAMMPS) and firmware (the cost of each on a microcontroller). The
+//! benches under `benches/` time the same methods with criterion.
 
 pub mod args;
 pub mod baselines;

@@ -11,6 +11,7 @@ pub mod made;
 pub mod methods;
 pub mod patches;
 pub mod polygons;
+pub mod problems;
 pub mod scale;
 
 use crate::args::Options;
@@ -37,6 +38,8 @@ pub enum Front {
     Scale,
     /// Events, contact dynamics and soft particles.
     Methods,
+    /// Contact problems beside Siconos.
+    Problems,
     /// Molecular dynamics beside LAMMPS.
     Atoms,
     /// What each item costs a microcontroller.
@@ -45,7 +48,7 @@ pub enum Front {
 
 impl Front {
     /// In the order of the index.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Kernel,
         Self::Batch,
         Self::Patches,
@@ -54,13 +57,14 @@ impl Front {
         Self::Contacts,
         Self::Scale,
         Self::Methods,
+        Self::Problems,
         Self::Atoms,
         Self::Firmware,
     ];
 
     /// The order of work: what builds comes before what is timed, and the kernel's front shows
     /// instructions that the firmware's counts.
-    const WORK: [Self; 10] = [
+    const WORK: [Self; 11] = [
         Self::Firmware,
         Self::Kernel,
         Self::Batch,
@@ -70,6 +74,7 @@ impl Front {
         Self::Contacts,
         Self::Scale,
         Self::Methods,
+        Self::Problems,
         Self::Atoms,
     ];
 
@@ -84,6 +89,7 @@ impl Front {
             Self::Contacts => "contacts",
             Self::Scale => "scale",
             Self::Methods => "methods",
+            Self::Problems => "problems",
             Self::Atoms => "atoms",
             Self::Firmware => "firmware",
         }
@@ -100,6 +106,7 @@ impl Front {
             Self::Contacts => "Contacts of packings: speed, residual, size",
             Self::Scale => "Packings up to a million spheres: speed, order, threads, memory",
             Self::Methods => "Three methods: error against time",
+            Self::Problems => "Contact problems: speed and reliability beside Siconos",
             Self::Atoms => "Atoms in motion: speed, conserved energy",
             Self::Firmware => "What the kernel costs a microcontroller",
         }
@@ -171,6 +178,7 @@ pub fn run(options: &Options) -> Result<(), String> {
             Front::Contacts => contacts::run(&setting)?,
             Front::Scale => scale::run(&setting)?,
             Front::Methods => methods::run(&setting)?,
+            Front::Problems => problems::run(&setting, &options.problems())?,
             Front::Atoms => atoms::run(&setting)?,
         };
         index::enter(&setting, front, &finding)?;
