@@ -129,7 +129,13 @@ pub fn residuals(folder: &Path, name: &str, all: &[Judged]) -> Result<(), String
         for method in Method::ALL {
             let curve = ours::trace(&judged.case.problem, method);
             let shown = curve.into_iter().map(|(t, r)| (t, r.max(ROUNDING)));
-            figure = figure.series(Series::line(method.name(), shown.collect()));
+            let shown: Vec<(f64, f64)> = shown.collect();
+            // A method that does not tell its progress has its end alone.
+            let series = match shown.len() {
+                1 => Series::points(method.name(), shown),
+                _ => Series::line(method.name(), shown),
+            };
+            figure = figure.series(series);
         }
         panels = panels.figure(figure);
     }
