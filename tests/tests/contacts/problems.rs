@@ -33,22 +33,24 @@ fn random_problems_are_solved() {
 
 #[test]
 fn changed_problems_are_solved() {
-    let settings = Settings {
-        most_sweeps: 20_000,
-        ..Settings::default()
-    };
+    let settings = Settings::default();
+    let mut unsymmetric = 0;
     for number in 0..20 {
         let (kind, problem) = random(number);
         let problem = problem.reduced().expect("masses are positive");
         for (change, what) in CHANGES.iter().enumerate() {
             let name = format!("{kind} {number}, {what}");
             let end = honest(&name, &changed(&problem, change), &settings);
-            // Of bodies that can wedge, what W and q say together has a solution; neither alone has to.
-            let may_have_none = what.starts_with("W unsymmetric") || what.starts_with("q changed");
-            let solved = end.ending == Ending::Converged;
-            assert!(solved || may_have_none, "{name}: {:?}", end.residual);
+            let is_solved = end.ending == Ending::Converged;
+            if what.starts_with("W unsymmetric") {
+                // Without full rank such a W need not have a solution: no method solves the eight others.
+                unsymmetric += usize::from(is_solved);
+            } else {
+                assert!(is_solved, "{name}: {:?}", end.residual);
+            }
         }
     }
+    assert!(unsymmetric >= 32, "{unsymmetric} of 40");
 }
 
 /// Solutions to 1e-10 of a jammed, shaken box of 30: from no impulses, and from normal ones of 10.

@@ -160,8 +160,10 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         let solved = (asked != Method::Proximal && self.interior(&mut system))
             || (asked != Method::Interior && self.proximal(&mut system, &sweeps.r));
         if !solved && asked == Method::Automatic {
-            // Slow, but some problems yield to nothing else.
-            self.sweep_on(&mut sweeps);
+            // Slow, but some problems yield to nothing else: unsymmetric ones to gradients alone.
+            if !self.sweep_on(&mut sweeps) {
+                self.gradient(vec![0.0; self.prepared.q.len()]);
+            }
         }
         system.factorisations
     }
@@ -219,27 +221,29 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         self.done(&sweeps.r, Method::Sweeps)
     }
 
-    /// Sweeps for as long as the residual falls.
-    fn sweep_on(&mut self, sweeps: &mut Sweeps) {
+    /// Sweeps for as long as the residual falls. Tells whether they solve the problem.
+    fn sweep_on(&mut self, sweeps: &mut Sweeps) -> bool {
         let (mut lowest, mut since) = (f64::INFINITY, self.sweeps);
         while self.sweeps < self.settings.most_sweeps && self.sweeps < 2 * since + PATIENCE {
             let (residual, solved) = self.some_sweeps(sweeps);
             if solved {
-                return;
+                return true;
             }
             if residual < 0.5 * lowest {
                 (lowest, since) = (residual, self.sweeps);
             }
         }
-        self.done(&sweeps.r, Method::Sweeps);
+        self.done(&sweeps.r, Method::Sweeps)
     }
 
     /// Projected gradients for as long as the residual falls.
     fn gradient(&mut self, start: Vec<f64>) {
         let mut gradient = Gradient::new(self.prepared, start);
         let mut u = vec![0.0; gradient.r.len()];
-        let (mut lowest, mut since) = (f64::INFINITY, 0);
-        while self.sweeps < self.settings.most_sweeps && self.sweeps < 2 * since + PATIENCE {
+        let (mut lowest, begun) = (f64::INFINITY, self.sweeps);
+        let mut since = 0;
+        while self.sweeps < self.settings.most_sweeps && self.sweeps - begun < 2 * since + PATIENCE
+        {
             for _ in 0..BETWEEN {
                 gradient.advance(self.prepared);
             }
@@ -255,7 +259,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
                 return;
             }
             if residual < 0.5 * lowest {
-                (lowest, since) = (residual, self.sweeps);
+                (lowest, since) = (residual, self.sweeps - begun);
             }
         }
         self.done(&gradient.r, Method::Gradient);
