@@ -12,14 +12,28 @@ use super::system::{Linear, System};
 const SHIFT: f64 = 1e-9;
 /// Least part of the foreseen decrease of |F| that a step must reach.
 const DECREASE: f64 = 1e-4;
-/// Halvings of a step before the iteration gives up.
-const HALVINGS: usize = 12;
-
 /// A problem with W + a I in place of W and q − a r₀ in place of q: its solution stays near r₀.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Near<'a> {
     pub weight: f64,
     pub centre: &'a [f64],
+}
+
+/// What an iteration may cost.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Effort {
+    /// Steps, each with a factorisation.
+    pub steps: usize,
+    /// Halvings of a step before the iteration gives up.
+    pub halvings: usize,
+}
+
+impl Near<'static> {
+    /// The problem itself.
+    pub const NOTHING: Self = Self {
+        weight: 0.0,
+        centre: &[],
+    };
 }
 
 impl Near<'_> {
@@ -33,19 +47,19 @@ impl Near<'_> {
     }
 }
 
-/// Iterates from r until the map is at most `goal` · |r|, at most `most` times. Tells whether it is.
+/// Iterates from r until the map is at most `goal` · |r|, with at most this effort. Tells whether it is.
 pub(super) fn newton(
     problem: &Prepared,
     system: &mut System,
     near: Near<'_>,
     r: &mut Vec<f64>,
-    (goal, most): (f64, usize),
+    (goal, most): (f64, Effort),
 ) -> bool {
     let mut u = vec![0.0; r.len()];
     let mut value = vec![0.0; r.len()];
     let mut linear = vec![Linear::default(); problem.contacts()];
     let mut size = evaluate(problem, near, r, &mut u, &mut value);
-    for _ in 0..most {
+    for _ in 0..most.steps {
         if !size.is_finite() {
             return false;
         }
@@ -71,7 +85,7 @@ pub(super) fn newton(
         system.solve(problem, &mut step);
         let mut length = 1.0;
         let mut best: Option<(f64, Vec<f64>)> = None;
-        for _ in 0..HALVINGS {
+        for _ in 0..most.halvings {
             let trial: Vec<f64> = r
                 .iter()
                 .zip(&step)

@@ -5,7 +5,7 @@ use super::super::residual::{Residual, residual};
 use super::asked::{Ending, Method, Progress, Settings, Solution};
 use super::gradient::Gradient;
 use super::interior::Interior;
-use super::newton::{Near, newton};
+use super::newton::{Effort, Near, newton};
 use super::prepared::Prepared;
 use super::proximal::proximal;
 use super::sweeps::Sweeps;
@@ -22,9 +22,13 @@ const INTERIOR_STEPS: usize = 100;
 /// Factorisations that the interior point method and its finish are expected to take.
 const EXPECTED: f64 = 20.0;
 /// Newton's method is tried below this scaled residual, and then at each further factor.
-const NEAR: f64 = 1e-4;
-const NEARER: f64 = 0.03;
-const FINISH: usize = 10;
+const NEAR: f64 = 0.03;
+const NEARER: f64 = 0.01;
+/// Steps of that trial, and halvings of each: a trial that fails costs one factorisation.
+const FINISH: Effort = Effort {
+    steps: 10,
+    halvings: 3,
+};
 /// Steps without a lower residual, and steps that are short, after which the interior point method ends; and a step
 /// that is none.
 const MOST_IDLE: usize = 12;
@@ -32,6 +36,8 @@ const MOST_SHORT: usize = 3;
 const SHORT_STEP: f64 = 0.2;
 const NO_STEP: f64 = 1e-8;
 const PROXIMAL_STEPS: usize = 60;
+/// Rounds of sweeps and proximal points from the best point.
+const ROUNDS: usize = 10;
 
 /// Solves a contact problem. `watch` sees the work and the residual as they go.
 ///
@@ -161,11 +167,36 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             || (asked != Method::Interior && self.proximal(&mut system, &sweeps.r));
         if !solved && asked == Method::Automatic {
             // Slow, but some problems yield to nothing else: unsymmetric ones to gradients alone.
-            if !self.sweep_on(&mut sweeps) {
+            if !self.alternate(&mut system) && !self.sweep_on(&mut sweeps) {
                 self.gradient(vec![0.0; self.prepared.q.len()]);
             }
         }
         system.factorisations
+    }
+
+    /// Sweeps and proximal points in turn from the best point: packings with weak friction stall under each alone.
+    fn alternate(&mut self, system: &mut System) -> bool {
+        for _ in 0..ROUNDS {
+            let best = self.prepared.scaled(&self.best, self.problem);
+            let mut sweeps = Sweeps::new(self.prepared, best);
+            for _ in 0..PATIENCE / BETWEEN {
+                if self.sweeps >= self.settings.most_sweeps {
+                    return false;
+                }
+                if self.some_sweeps(&mut sweeps).1 {
+                    return true;
+                }
+            }
+            self.done(&sweeps.r, Method::Sweeps);
+            let best = self.prepared.scaled(&self.best, self.problem);
+            if self.approach(system, best) {
+                return true;
+            }
+            if system.factorisations >= self.settings.most_factorisations {
+                break;
+            }
+        }
+        false
     }
 
     /// Proximal points from the best point, then from where sweeps ended.
@@ -314,11 +345,8 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             if residual < next {
                 next = NEARER * residual;
                 let mut trial = point.r.clone();
-                let near = Near {
-                    weight: 0.0,
-                    centre: &[],
-                };
-                let solved = newton(problem, system, near, &mut trial, (0.5 * self.goal, FINISH));
+                let goal = 0.5 * self.goal;
+                let solved = newton(problem, system, Near::NOTHING, &mut trial, (goal, FINISH));
                 if solved && self.done(&trial, Method::Interior) {
                     return true;
                 }

@@ -4,7 +4,7 @@
 //! and stays near r. The weight a falls while that succeeds and grows where it fails (Rockafellar, SIAM J. Control
 //! Optim. 14 (1976) 877; Acary, Brémond and Huber 2018 on contacts).
 
-use super::newton::{Near, newton};
+use super::newton::{Effort, Near, newton};
 use super::prepared::Prepared;
 use super::system::System;
 
@@ -14,8 +14,14 @@ const LEAST: f64 = 1e-12;
 const MOST: f64 = 1e3;
 /// Change of the weight with success and failure.
 const CHANGE: f64 = 10.0;
-/// Newton steps of an inner problem.
-const STEPS: usize = 12;
+/// Newton's steps of an inner problem, and their halvings.
+const INNER: Effort = Effort {
+    steps: 12,
+    halvings: 12,
+};
+/// Iterations in a row after which the method ends if none of them leaves less than this part of the residual.
+const MOST_IDLE: usize = 15;
+const LEFT: f64 = 0.7;
 
 /// Iterates from r at most `most` times, until the scaled residual is at most `goal`. Tells whether it is, and
 /// leaves the best point.
@@ -31,6 +37,7 @@ pub(super) fn proximal(
     let mut centre = r.to_vec();
     problem.velocities(&centre, &mut u);
     let mut best = problem.residual(&centre, &u);
+    let (mut lowest, mut idle) = (best, 0);
     for _ in 0..most {
         let mut trial = centre.clone();
         let near = Near {
@@ -39,7 +46,7 @@ pub(super) fn proximal(
         };
         // The inner problem's accuracy follows the distance that is left.
         let inner = (0.01 * best).clamp(0.01 * goal, 1e-3);
-        let solved = newton(problem, system, near, &mut trial, (inner, STEPS));
+        let solved = newton(problem, system, near, &mut trial, (inner, INNER));
         problem.velocities(&trial, &mut u);
         let residual = problem.residual(&trial, &u);
         if solved || residual < best {
@@ -51,6 +58,13 @@ pub(super) fn proximal(
         }
         if best <= goal || watch(r, system) {
             return best <= goal;
+        }
+        idle += 1;
+        if best <= LEFT * lowest {
+            (lowest, idle) = (best, 0);
+        }
+        if idle > MOST_IDLE {
+            return false;
         }
         weight = if solved {
             weight / CHANGE
