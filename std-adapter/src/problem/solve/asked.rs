@@ -59,13 +59,13 @@ pub struct Settings {
 }
 
 impl Default for Settings {
-    /// 1e-8, the method chosen by foreseen cost, at most 200,000 sweeps and 1,000 factorisations.
+    /// 1e-8, the method chosen by foreseen cost, at most 200,000 sweeps and 2,000 factorisations.
     fn default() -> Self {
         Self {
             tolerance: 1e-8,
             method: Method::Automatic,
             most_sweeps: 200_000,
-            most_factorisations: 1000,
+            most_factorisations: 2000,
             start: None,
         }
     }

@@ -2,6 +2,7 @@
 
 use super::blocks::Blocks;
 use super::symbolic::{Front, Symbolic};
+use tribos_avx2::{Avx2, Work, run};
 
 /// Factors of one front of n unknowns, p of them eliminated.
 #[derive(Clone, Debug, Default)]
@@ -54,7 +55,12 @@ impl Lu {
             let front = &self.symbolic.fronts[number];
             let size = front.unknowns.len();
             let factors = &mut self.factors[number];
-            eliminate(&mut self.work, size, front.pivots, &mut factors.rows);
+            run(Elimination {
+                matrix: &mut self.work,
+                size,
+                pivots: front.pivots,
+                rows: &mut factors.rows,
+            });
             self.keep(number);
         }
     }
@@ -108,6 +114,11 @@ impl Lu {
 
     /// Replaces a right-hand side by the solution.
     pub fn solve(&self, vector: &mut [f64]) {
+        run(Division { lu: self, vector });
+    }
+
+    #[inline(always)]
+    fn divide(&self, vector: &mut [f64]) {
         let mut part = Vec::new();
         for (front, factors) in self.symbolic.fronts.iter().zip(&self.factors) {
             let (own, rest) = front.unknowns.split_at(front.pivots);
@@ -143,7 +154,50 @@ impl Lu {
     }
 }
 
+/// The division of a right-hand side by the factors, for both kinds of processors: none of its sums has another order.
+struct Division<'a> {
+    lu: &'a Lu,
+    vector: &'a mut [f64],
+}
+
+impl Work for Division<'_> {
+    type Out = ();
+
+    #[inline(always)]
+    fn with_avx2(self, _: Avx2) {
+        self.without();
+    }
+
+    #[inline(always)]
+    fn without(self) {
+        self.lu.divide(self.vector);
+    }
+}
+
+/// The elimination of a front, likewise.
+struct Elimination<'a> {
+    matrix: &'a mut [f64],
+    size: usize,
+    pivots: usize,
+    rows: &'a mut Vec<usize>,
+}
+
+impl Work for Elimination<'_> {
+    type Out = ();
+
+    #[inline(always)]
+    fn with_avx2(self, _: Avx2) {
+        self.without();
+    }
+
+    #[inline(always)]
+    fn without(self) {
+        eliminate(self.matrix, self.size, self.pivots, self.rows);
+    }
+}
+
 /// Σ a b in four sums, which a processor adds side by side.
+#[inline(always)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 4];
     let (fours, rest) = (a.chunks_exact(4), a.len() - a.len() % 4);
@@ -157,6 +211,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Eliminates the first `pivots` unknowns of a dense matrix by rows, with exchanges of rows among them.
+#[inline(always)]
 fn eliminate(matrix: &mut [f64], size: usize, pivots: usize, rows: &mut Vec<usize>) {
     rows.clear();
     rows.extend(0..pivots);
@@ -202,6 +257,7 @@ fn eliminate(matrix: &mut [f64], size: usize, pivots: usize, rows: &mut Vec<usiz
 }
 
 /// Brings the largest entry of a column among the rows from `step` up to `pivots` to the diagonal.
+#[inline(always)]
 fn exchange(matrix: &mut [f64], size: usize, (step, pivots): (usize, usize), rows: &mut [usize]) {
     let mut best = step;
     for row in step + 1..pivots {
@@ -217,6 +273,7 @@ fn exchange(matrix: &mut [f64], size: usize, (step, pivots): (usize, usize), row
 }
 
 /// Subtracts the product of a panel's columns and rows from all that is below and right of it.
+#[inline(always)]
 fn update(matrix: &mut [f64], size: usize, start: usize, end: usize) {
     let (above, below) = matrix.split_at_mut(end * size);
     let panel: Vec<&[f64]> = above[start * size..]

@@ -19,9 +19,6 @@ const INNER: Effort = Effort {
     steps: 12,
     halvings: 12,
 };
-/// Iterations in a row after which the method ends if none of them leaves less than this part of the residual.
-const MOST_IDLE: usize = 15;
-const LEFT: f64 = 0.7;
 
 /// Iterates from r at most `most` times, until the scaled residual is at most `goal`. Tells whether it is, and
 /// leaves the best point.
@@ -37,7 +34,6 @@ pub(super) fn proximal(
     let mut centre = r.to_vec();
     problem.velocities(&centre, &mut u);
     let mut best = problem.residual(&centre, &u);
-    let (mut lowest, mut idle) = (best, 0);
     for _ in 0..most {
         let mut trial = centre.clone();
         let near = Near {
@@ -58,13 +54,6 @@ pub(super) fn proximal(
         }
         if best <= goal || watch(r, system) {
             return best <= goal;
-        }
-        idle += 1;
-        if best <= LEFT * lowest {
-            (lowest, idle) = (best, 0);
-        }
-        if idle > MOST_IDLE {
-            return false;
         }
         weight = if solved {
             weight / CHANGE
