@@ -4,7 +4,7 @@ use crate::exchange::Refused;
 use crate::modes::FinalMotion;
 use crate::slide::{End, Free};
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Coupling, DryCoupling, PatchFriction};
+use tribos_core::coupling::{Coupling, PatchFriction};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 use tribos_core::slider::{Motion, SliderParameters};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
@@ -67,26 +67,6 @@ pub type Work<'a> = &'a mut dyn FnMut(&dyn FrictionSet<f64>);
 pub trait Sets {
     /// Hands the surface of the force limit μN, in N, to `work`.
     fn with(&self, force_limit: f64, work: Work<'_>) -> Result<(), Refused>;
-}
-
-/// The limit surfaces of a round patch.
-#[derive(Clone, Copy, Debug)]
-pub struct RoundSets<C> {
-    /// Its dry friction.
-    pub coupling: C,
-    /// Its radius, in m.
-    pub radius: f64,
-}
-
-impl<C: DryCoupling<f64>> Sets for RoundSets<C> {
-    fn with(&self, force_limit: f64, work: Work<'_>) -> Result<(), Refused> {
-        work(&LimitSurface::new(
-            &self.coupling,
-            force_limit,
-            self.radius,
-        )?);
-        Ok(())
-    }
 }
 
 /// Free motion on a round patch under a power of the speed.

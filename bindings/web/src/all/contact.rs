@@ -10,7 +10,10 @@ use tribos_core::contact::{
     AllModes, Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Frictionless,
     NormalLaw, Plate, Sliding, SlidingRolling, SlidingTorsion, Sphere, Thresholds, TimeStep, Touch,
 };
-use tribos_core::coupling::{Annulus, closed, table::Coulomb};
+use tribos_core::coupling::{
+    Annulus, Coupling, DryCoupling, ReducedJacobian, ReducedWrench, closed, table::Coulomb,
+};
+use tribos_core::internals::Lead;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection};
 use tribos_core::twist::{Twist, Wrench};
 
@@ -26,13 +29,35 @@ enum AnyFriction {
     CoupledRolling(CoupledFriction<f64, RoundSet, AllModes>),
 }
 
+/// Dry friction that needs no memory, behind a pointer, so that the module has its limit surface once.
+#[derive(Clone, Copy)]
+struct Closed(&'static (dyn DryCoupling<f64> + Send + Sync));
+
+impl core::fmt::Debug for Closed {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Closed").finish_non_exhaustive()
+    }
+}
+
+impl Coupling<f64> for Closed {
+    fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
+        self.0.reduced_wrench(slide, rim)
+    }
+    fn reduced_jacobian(&self, slide: f64, rim: f64) -> ReducedJacobian<f64> {
+        self.0.reduced_jacobian(slide, rim)
+    }
+}
+
+impl DryCoupling<f64> for Closed {
+    fn reduced_point(&self, lead: Lead, ratio: f64) -> [f64; 3] {
+        self.0.reduced_point(lead, ratio)
+    }
+}
+
 /// Exact sets of round patches whose size is known without memory.
 #[derive(Clone, Copy, Debug)]
 enum RoundSet {
-    Disk(LimitSurface<f64, Coulomb>),
-    Ring(LimitSurface<f64, closed::Ring>),
-    Hertz(LimitSurface<f64, closed::Hertz>),
-    Punch(LimitSurface<f64, closed::FlatPunch>),
+    Closed(LimitSurface<f64, Closed>),
     Annulus(LimitSurface<f64, Annulus<f64, Coulomb>>),
 }
 
@@ -41,29 +66,27 @@ impl RoundSet {
         let Shape::Round(kind, r) = Shape::round(text, radius)? else {
             return Err(said(friction::Refusal::NoAxis));
         };
-        Ok(match kind {
-            friction::Patch::Disk => Self::Disk(LimitSurface::new(Coulomb, mu, r)?),
-            friction::Patch::Ring => Self::Ring(LimitSurface::new(closed::Ring, mu, r)?),
-            friction::Patch::Hertz => Self::Hertz(LimitSurface::new(closed::Hertz, mu, r)?),
-            friction::Patch::Punch => Self::Punch(LimitSurface::new(closed::FlatPunch, mu, r)?),
+        let closed: &'static (dyn DryCoupling<f64> + Send + Sync) = match kind {
+            friction::Patch::Disk => &Coulomb,
+            friction::Patch::Ring => &closed::Ring,
+            friction::Patch::Hertz => &closed::Hertz,
+            friction::Patch::Punch => &closed::FlatPunch,
             friction::Patch::Annulus(inner) => {
                 let annulus = Annulus::new(Coulomb, inner).map_err(Error::from)?;
-                Self::Annulus(LimitSurface::new(annulus, mu, r)?)
+                return Ok(Self::Annulus(LimitSurface::new(annulus, mu, r)?));
             }
             other => {
                 return Err(said(format!(
                     "contacts have the exact set of disk, ring, annulus, hertz and punch, not of {other}"
                 )));
             }
-        })
+        };
+        Ok(Self::Closed(LimitSurface::new(Closed(closed), mu, r)?))
     }
 
     fn set(&self) -> &dyn FrictionSet<f64> {
         match self {
-            Self::Disk(set) => set,
-            Self::Ring(set) => set,
-            Self::Hertz(set) => set,
-            Self::Punch(set) => set,
+            Self::Closed(set) => set,
             Self::Annulus(set) => set,
         }
     }
@@ -227,6 +250,7 @@ impl ContactLaw {
         })
     }
 
+    #[inline(never)]
     fn update<F: ContactFriction<f64>, B: Body<f64>>(
         &self,
         friction: &F,

@@ -3,7 +3,7 @@
 use super::shape::{Nodes, Shape, said};
 use crate::exchange::Refused;
 use crate::modes::FinalMotion;
-use crate::patch::{Contact, Glides, RoundSets, Sets, Work};
+use crate::patch::{Contact, Glides, Sets, Work};
 use crate::slide::{End, Free};
 use alloc::boxed::Box;
 use alloc::format;
@@ -17,7 +17,7 @@ use tribos_core::coupling::flat::{
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::round::{PolynomialTable, RoundTable64};
 use tribos_core::coupling::{Annulus, Dry, DryCoupling, PatchFriction, closed, table::Coulomb};
-use tribos_core::limit_surface::PatchSurface;
+use tribos_core::limit_surface::{LimitSurface, PatchSurface};
 use tribos_core::slider::{Motion, SliderParameters};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -83,7 +83,7 @@ impl Prepared {
         let made = self.glides.get_or_init(|| {
             let (patch, alpha) = self.round_power()?;
             let slide = Tier::serving::<f64>(patch, &self.law, None)
-                .and_then(|tier| visit(patch, alpha, tier, Gliding))
+                .and_then(|tier| visit(patch, alpha, tier, Kept))
                 .map_err(said)?;
             let profile = upright(patch, alpha).map_err(said)?;
             let powered: Box<dyn Glides> = Box::new(Powered { slide, profile });
@@ -110,45 +110,32 @@ impl Prepared {
     }
 }
 
-/// Free motions in the quickest tier, final motion from closed forms where there are any.
+/// Free motions in the quickest tier, final motion from closed forms where there are any. Behind a pointer, so
+/// that the module has the integrator once and not for each patch.
 struct Powered {
-    slide: Box<dyn Glides>,
+    slide: Box<dyn RoundPower<f64>>,
     profile: Box<dyn RoundPower<f64>>,
 }
 
 impl Glides for Powered {
     fn to_rest(&self, parameters: SliderParameters<f64>, from: &Motion<f64>) -> Free {
-        self.slide.to_rest(parameters, from)
+        End::to_rest(&*self.slide, parameters, from)
     }
     fn advance(&self, parameters: SliderParameters<f64>, from: &Motion<f64>, time: f64) -> Free {
-        self.slide.advance(parameters, from, time)
+        End::advance(&*self.slide, parameters, from, time)
     }
     fn modes(&self, inertia_ratio: f64, initial_ratio: f64) -> Result<FinalMotion, Refused> {
         FinalMotion::new(&*self.profile, inertia_ratio, initial_ratio)
     }
 }
 
-/// The kernel's type of a power of the speed, for its free motions alone.
-struct Slides<P>(P);
+/// Puts the kernel's type behind a pointer.
+struct Kept;
 
-impl<P: RoundPower<f64>> Glides for Slides<P> {
-    fn to_rest(&self, parameters: SliderParameters<f64>, from: &Motion<f64>) -> Free {
-        End::to_rest(&self.0, parameters, from)
-    }
-    fn advance(&self, parameters: SliderParameters<f64>, from: &Motion<f64>, time: f64) -> Free {
-        End::advance(&self.0, parameters, from, time)
-    }
-    fn modes(&self, inertia_ratio: f64, initial_ratio: f64) -> Result<FinalMotion, Refused> {
-        FinalMotion::new(&self.0, inertia_ratio, initial_ratio)
-    }
-}
-
-struct Gliding;
-
-impl Visitor<f64> for Gliding {
-    type Output = Box<dyn Glides>;
+impl Visitor<f64> for Kept {
+    type Output = Box<dyn RoundPower<f64>>;
     fn visit<P: RoundPower<f64> + 'static>(self, friction: P) -> Self::Output {
-        Box::new(Slides(friction))
+        Box::new(friction)
     }
 }
 
@@ -280,30 +267,39 @@ fn sets(shape: &Shape) -> Result<Box<dyn Sets>, Refused> {
     }
 }
 
-fn round_sets(patch: &Patch, radius: f64) -> Result<Box<dyn Sets>, Refused> {
-    fn boxed<C: DryCoupling<f64> + 'static>(
-        coupling: C,
-        radius: f64,
-    ) -> Result<Box<dyn Sets>, Refused> {
-        Ok(Box::new(RoundSets { coupling, radius }))
+/// The sets of a round patch, whose dry friction is behind a pointer for the same reason.
+struct KeptSets {
+    coupling: Box<dyn DryCoupling<f64>>,
+    radius: f64,
+}
+
+impl Sets for KeptSets {
+    fn with(&self, force_limit: f64, work: Work<'_>) -> Result<(), Refused> {
+        let coupling = &*self.coupling;
+        work(&LimitSurface::new(coupling, force_limit, self.radius)?);
+        Ok(())
     }
-    match patch {
-        Patch::Disk => boxed(Coulomb, radius),
-        Patch::Ring => boxed(closed::Ring, radius),
-        Patch::Hertz => boxed(closed::Hertz, radius),
-        Patch::Punch => boxed(closed::FlatPunch, radius),
-        Patch::Annulus(inner) => boxed(Annulus::new(Coulomb, *inner).map_err(Error::from)?, radius),
+}
+
+fn round_sets(patch: &Patch, radius: f64) -> Result<Box<dyn Sets>, Refused> {
+    let coupling: Box<dyn DryCoupling<f64>> = match patch {
+        Patch::Disk => Box::new(Coulomb),
+        Patch::Ring => Box::new(closed::Ring),
+        Patch::Hertz => Box::new(closed::Hertz),
+        Patch::Punch => Box::new(closed::FlatPunch),
+        Patch::Annulus(inner) => Box::new(Annulus::new(Coulomb, *inner).map_err(Error::from)?),
         Patch::Polynomial(coefficients) => {
             let pressure = friction::polynomial(coefficients).map_err(said)?;
             let table = PolynomialTable::new(0.0, &pressure).map_err(said)?;
-            boxed(Dry::new(table)?, radius)
+            Box::new(Dry::new(table)?)
         }
         _ => {
             let pressure = patch.pressure().ok_or(friction::Refusal::NoAxis);
             let table = RoundTable64::new(0.0, pressure.map_err(said)?).map_err(said)?;
-            boxed(Dry::new(table)?, radius)
+            Box::new(Dry::new(table)?)
         }
-    }
+    };
+    Ok(Box::new(KeptSets { coupling, radius }))
 }
 
 /// The profile that launches are computed from.
