@@ -5,5 +5,5 @@ import { loader, syncLoader } from "./js/wasm.js";
 
 export * from "./js/everything.js";
 
-export const init = loader(bytes);
-export const initSync = syncLoader(bytes);
+export const init = loader("all", bytes);
+export const initSync = syncLoader("all", bytes);

@@ -12,7 +12,7 @@
  * WebAssembly. It is freed when the object is collected, or at once by `free()` or `using`.
  */
 
-import type { Body, DiskOptions, Friction, Pose, Rows, Twist, Wrench } from "./index.js";
+import type { Body, BodyOptions, Friction, Rows, Twist, Wrench } from "./index.js";
 
 export {
   init,
@@ -59,19 +59,19 @@ export interface RoundOptions extends LawOptions {
 }
 
 /** A disk under uniform pressure. */
-export function disk(options: RoundOptions): Friction & Launching;
+export function disk(options: RoundOptions): RoundFriction;
 /** All load on the rim, evenly: a cup, a curling stone. */
-export function ring(options: RoundOptions): Friction & Launching;
+export function ring(options: RoundOptions): RoundFriction;
 /** Uniform pressure between an inner radius (in m, from 0) and the radius. */
-export function annulus(options: RoundOptions & { inner: number }): Friction & Launching;
+export function annulus(options: RoundOptions & { inner: number }): RoundFriction;
 /** The pressure √(1 − (r/radius)²) of elastic spheres (Hertz 1882). */
-export function hertz(options: RoundOptions): Friction & Launching;
+export function hertz(options: RoundOptions): RoundFriction;
 /** The pressure 1/√(1 − (r/radius)²) under a rigid flat punch. */
-export function punch(options: RoundOptions): Friction & Launching;
+export function punch(options: RoundOptions): RoundFriction;
 /** The pressure 1 − (r/radius)². */
-export function paraboloid(options: RoundOptions): Friction & Launching;
+export function paraboloid(options: RoundOptions): RoundFriction;
 /** The pressure (1 − (r/radius)²)^order, of an order above −1. */
-export function power(options: RoundOptions & { order: number }): Friction & Launching;
+export function power(options: RoundOptions & { order: number }): RoundFriction;
 
 /** A patch with straight edges. Corners are pairs of numbers, flat (x, y, x, y, …) or nested. */
 export interface PolygonOptions extends LawOptions {
@@ -96,9 +96,22 @@ export function points(
   options: LawOptions & { points: Rows | readonly (readonly [number, number, number])[] },
 ): Friction;
 
-/** What a body on a round patch has besides. */
-export interface Launching {
-  body(options: import("./index.js").BodyOptions): Body & { launches: Launches };
+/** Friction of a round patch. */
+export interface RoundFriction extends Friction {
+  body(options: BodyOptions): RoundBody;
+}
+
+/** A body on a round patch. */
+export interface RoundBody extends Body {
+  /**
+   * Every launch after which the body comes to rest at a wanted pose, in the order of kinetic energy; at
+   * least one. Under α < 1. To each distance and angle turned belongs exactly one launch; several numbers
+   * of turns give several launches.
+   *
+   * RangeError if no launch within the limits leads there, with the launch that it would need.
+   * Accuracy: the pose is met to 1e-12 of the distance and of the angle turned.
+   */
+  launches(options: LaunchOptions): Launch[];
 }
 
 /** Where a body is to come to rest, and how fast it may be launched. */
@@ -136,15 +149,6 @@ export interface Launch extends Twist {
   readonly energyPerMass: number;
 }
 
-/**
- * Every launch after which a body on a round patch under α < 1 comes to rest at a wanted pose, in the
- * order of kinetic energy; at least one. To each distance and angle turned belongs exactly one.
- *
- * RangeError if no launch within the limits leads there, with the launch that it would need.
- * Accuracy: the pose is met to 1e-12 of the distance and of the angle turned.
- */
-export type Launches = (options: LaunchOptions) => Launch[];
-
 /** A law of the local speed: friction per load as a function of the speed. */
 export interface Law {
   /** Its name in the catalogue. */
@@ -159,6 +163,8 @@ export interface Law {
   slope(speed: number): number;
   /** Friction per load at many speeds. */
   frictions(speeds: Rows, out?: Float64Array): Float64Array;
+  free(): void;
+  [Symbol.dispose](): void;
 }
 
 /**

@@ -4,5 +4,5 @@ import { loader, syncLoader } from "./js/wasm.js";
 
 export * from "./js/everything.js";
 
-export const init = loader(() => new URL("./dist/all.wasm", import.meta.url));
-export const initSync = syncLoader();
+export const init = loader("all", () => new URL("./dist/all.wasm", import.meta.url));
+export const initSync = syncLoader("all");

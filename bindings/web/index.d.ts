@@ -10,8 +10,8 @@
  * ```
  *
  * This entry, `tribos`, has disks under Coulomb friction. The entry `tribos/all` has everything that
- * this one has, and all other patches, laws, launches and contacts: import from one of the two, not
- * from both. `tribos/inline` and `tribos/all/inline` are the same two with the WebAssembly inside.
+ * this one has, and all other patches, laws, launches and contacts: a program needs one of the two.
+ * `tribos/inline` and `tribos/all/inline` are the same two with the WebAssembly inside.
  *
  * Units are SI in this documentation; any consistent set serves. A positive spin turns x towards y.
  * Every function is synchronous after `init`. Numbers that describe a body, a patch or a law are
@@ -238,12 +238,12 @@ export interface LimitSurface {
 
   /**
    * The ellipsoid with the same largest force, and the same largest torque about the origin: the usual
-   * approximation, to compare.
+   * approximation, to compare. In `tribos/all`; RangeError in `tribos`.
    */
   ellipsoid(): LimitSurface;
   /**
    * Force and torque limited each by itself, as in engines with a separate torsional friction: a
-   * cylinder, which holds the exact set.
+   * cylinder, which holds the exact set. In `tribos/all`; RangeError in `tribos`.
    */
   separate(): LimitSurface;
 }
@@ -261,7 +261,7 @@ export interface BodyOptions {
   load?: number;
   /** In m/s²; 9.81 if it is left out. */
   gravity?: number;
-  /** Friction of the time steps, exact if it is left out. */
+  /** Friction of the time steps, exact if it is left out. The approximations are in `tribos/all`. */
   model?: Model;
 }
 

@@ -4,5 +4,5 @@ import { loader, syncLoader } from "./js/wasm.js";
 
 export { disk, PATH_COLUMNS, version } from "./js/disk.js";
 
-export const init = loader(() => new URL("./dist/tribos.wasm", import.meta.url));
-export const initSync = syncLoader();
+export const init = loader("small", () => new URL("./dist/tribos.wasm", import.meta.url));
+export const initSync = syncLoader("small");

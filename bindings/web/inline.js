@@ -5,5 +5,5 @@ import { loader, syncLoader } from "./js/wasm.js";
 
 export { disk, PATH_COLUMNS, version } from "./js/disk.js";
 
-export const init = loader(bytes);
-export const initSync = syncLoader(bytes);
+export const init = loader("small", bytes);
+export const initSync = syncLoader("small", bytes);

@@ -1,8 +1,7 @@
 // Supports of which the pressure is not known.
 
-import { allNumbers, fields, number } from "./checks.js";
+import { allNumbers, fields, flat, number, pair } from "./checks.js";
 import { FREED, disposable, forget, remember } from "./friction.js";
-import { flat, pair } from "./patches.js";
 import { answer, check, place, room, wasm } from "./wasm.js";
 
 const TWIST = ["vx", "vy", "spin"];

@@ -57,15 +57,16 @@ export class Body {
 
   step(twist, push, dt, angle = 0) {
     const [model, lever, spinTorque] = this.#dry();
-    const { handle, radius, mu } = this.friction;
+    const { handle, radius, mu, isRound } = this.friction;
     const limit = mu * this.load;
     const { vx, vy, spin } = twist;
     const { fx, fy, torque } = push ?? NOTHING;
     const { mass, inertia } = this;
+    const turned = isRound ? 0 : angle;
     check(
       // prettier-ignore
       wasm.step(
-        handle, radius, limit, model, lever, spinTorque, mass, inertia, dt, angle,
+        handle, radius, limit, model, lever, spinTorque, mass, inertia, dt, turned,
         vx, vy, spin, fx, fy, torque,
       ),
     );

@@ -74,3 +74,26 @@ export function shown(value) {
   }
   return typeof value === "object" && value !== null ? "an object" : String(value);
 }
+
+/** Numbers in rows of `width`, flat or nested, as one array. */
+export function flat(name, rows, width) {
+  if (rows === undefined || typeof rows[Symbol.iterator] !== "function") {
+    throw new TypeError(`${name} must be an array, not ${shown(rows)}`);
+  }
+  const all = Array.from(rows, (row) => (typeof row === "number" ? row : Array.from(row ?? [NaN])));
+  for (const row of all) {
+    if (typeof row !== "number" && row.length !== width) {
+      throw new TypeError(`${name} must have rows of ${width} numbers`);
+    }
+  }
+  const flattened = all.flat();
+  rowsOf(name, flattened, width);
+  for (const value of flattened) number(name, value);
+  return flattened;
+}
+
+/** Two numbers. */
+export function pair(name, value) {
+  const [x, y] = flat(name, value, 2);
+  return [x, y];
+}

@@ -1,8 +1,7 @@
 // Contacts of spheres and plates.
 
-import { fields, number, numberOr, word } from "./checks.js";
+import { fields, flat, number, numberOr, word } from "./checks.js";
 import { FREED, disposable, forget, remember } from "./friction.js";
-import { flat } from "./patches.js";
 import { answer, check, place, room, texts, wasm } from "./wasm.js";
 
 /** Numbers of a body, and of both with normal and gap. */

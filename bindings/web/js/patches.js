@@ -1,7 +1,7 @@
 // All patches, under any law.
 
 import { Body } from "./body.js";
-import { fields, number, rowsOf, shown, whole, word } from "./checks.js";
+import { fields, flat, number, pair, whole, word } from "./checks.js";
 import { Friction, plainDisk, remember } from "./friction.js";
 import { lawLine } from "./law.js";
 import { answer, check, place, room, texts, wasm } from "./wasm.js";
@@ -130,27 +130,4 @@ export function points(options) {
   room(all.length).set(all);
   const status = wasm.make_points(place(), all.length / 3, lawAt, lawLength);
   return prepared("points", false, status);
-}
-
-/** Numbers in rows of `width`, flat or nested, as one array. */
-export function flat(name, rows, width) {
-  if (rows === undefined || typeof rows[Symbol.iterator] !== "function") {
-    throw new TypeError(`${name} must be an array, not ${shown(rows)}`);
-  }
-  const all = Array.from(rows, (row) => (typeof row === "number" ? row : Array.from(row ?? [NaN])));
-  for (const row of all) {
-    if (typeof row !== "number" && row.length !== width) {
-      throw new TypeError(`${name} must have rows of ${width} numbers`);
-    }
-  }
-  const flattened = all.flat();
-  rowsOf(name, flattened, width);
-  for (const value of flattened) number(name, value);
-  return flattened;
-}
-
-/** Two numbers. */
-export function pair(name, value) {
-  const [x, y] = flat(name, value, 2);
-  return [x, y];
 }

@@ -14,13 +14,15 @@ const encoder = new TextEncoder();
 export let wasm = new Proxy(
   {},
   {
-    get() {
+    get(_, name) {
+      if (name === "memory") return undefined;
       throw new Error("tribos is not loaded yet: await init() first");
     },
   },
 );
 
-let loading;
+// What is on its way or there, of the small module and of the one with everything.
+const loading = {};
 let resultAddress = 0;
 let result = new Float64Array();
 // Pages of our own, which the kernel does not use: memory for arguments and results of any length.
@@ -28,28 +30,30 @@ let ownAddress = 0;
 let ownLength = 0;
 let own = new Float64Array();
 
-/** A function that loads the module from what it is given, or from what `standard` gives. */
-export function loader(standard) {
+/** A function that loads the module `name` from what it is given, or from what `standard` gives. */
+export function loader(name, standard) {
   return function init(source) {
-    loading ??= instantiate(source ?? standard()).catch((error) => {
-      loading = undefined;
+    // Everything has what is in the small module.
+    if (loading.all !== undefined) return loading.all;
+    loading[name] ??= instantiate(source ?? standard()).catch((error) => {
+      loading[name] = undefined;
       throw error;
     });
-    return loading;
+    return loading[name];
   };
 }
 
 /** The same at once. */
-export function syncLoader(standard) {
+export function syncLoader(name, standard) {
   return function initSync(source) {
-    if (loading !== undefined) return;
+    if (wasm.memory !== undefined && (name !== "all" || wasm.release !== undefined)) return;
     const given = source ?? standard?.();
     if (given === undefined) {
       throw new TypeError("initSync needs the bytes of the module, or a WebAssembly.Module");
     }
     const module = given instanceof WebAssembly.Module ? given : new WebAssembly.Module(given);
     use(new WebAssembly.Instance(module));
-    loading = Promise.resolve();
+    loading[name] = Promise.resolve();
   };
 }
 
@@ -83,7 +87,11 @@ async function fetched(address) {
 }
 
 function use(instance) {
+  // The small module may come late.
+  if (wasm.memory !== undefined && wasm.release !== undefined) return;
   wasm = instance.exports;
+  ownAddress = 0;
+  ownLength = 0;
   resultAddress = wasm.result();
 }
 

@@ -54,7 +54,7 @@ impl Stepper {
         twist: [f64; 3],
         push: [f64; 3],
     ) -> Stepped {
-        // On disks it does not matter.
+        // The small module has round patches alone, to which it does not matter.
         if angle == 0.0 || cfg!(not(feature = "all")) {
             return self.step_along_axes(set, twist, push);
         }

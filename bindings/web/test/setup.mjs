@@ -18,3 +18,12 @@ export function stream(seed) {
     return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
   };
 }
+
+/** Digests that the kernel computed natively, a line each; undefined if there are none. */
+export function expected() {
+  try {
+    return text("dist/bits.txt").trim().split("\n");
+  } catch {
+    return undefined;
+  }
+}
