@@ -64,6 +64,16 @@ test("examples run", () => {
   assert.match(run("batch.mjs"), /ns a wrench/);
 });
 
+test("examples of the pages run", () => {
+  const pages = [text("README.md"), text("../../docs/web.md")].join("\n");
+  const blocks = [...pages.matchAll(/^```js\n(.*?)^```/gms)];
+  assert.equal(blocks.length, 4);
+  for (const [, code] of blocks) {
+    // By its own name the package is found from its folder.
+    execFileSync(process.execPath, ["--input-type=module", "-e", code], { cwd: here });
+  }
+});
+
 test("types are those of the scripts", (context) => {
   if (!installed("typescript")) return context.skip("npm ci installs typescript");
   const compiler = fileURLToPath(file("node_modules/typescript/bin/tsc"));

@@ -446,8 +446,11 @@ fn contacts(chapter: &mut Chapter) {
     }
 }
 
+/// Computes a chapter.
+type Run = Box<dyn Fn(&mut Chapter)>;
+
 /// All chapters, those of both modules first.
-fn chapters() -> Vec<(&'static str, Box<dyn Fn(&mut Chapter)>)> {
+fn chapters() -> Vec<(&'static str, Run)> {
     vec![
         (
             "disk friction",
