@@ -142,6 +142,14 @@ const NATIVE: Platform = Platform {
     promised: true,
 };
 
+const WASM: Platform = Platform {
+    name: "wasm32",
+    target: Some("wasm32-unknown-unknown"),
+    machine: Machine::Node,
+    tools: &[NODE],
+    ..NATIVE
+};
+
 const M4: Platform = Platform {
     name: "thumbv7em-release",
     target: Some("thumbv7em-none-eabihf"),
@@ -186,7 +194,7 @@ const RISCV32: Platform = Platform {
 };
 
 /// All rows, fast ones first.
-pub const PLATFORMS: [Platform; 14] = [
+pub const PLATFORMS: [Platform; 15] = [
     NATIVE,
     Platform {
         name: "native-debug",
@@ -221,12 +229,12 @@ pub const PLATFORMS: [Platform; 14] = [
         tools: &[QEMU_USER, GCC_AARCH64],
         ..NATIVE
     },
+    WASM,
+    // As the npm package has it.
     Platform {
-        name: "wasm32",
-        target: Some("wasm32-unknown-unknown"),
-        machine: Machine::Node,
-        tools: &[NODE],
-        ..NATIVE
+        name: "wasm32-simd",
+        flags: "-Ctarget-feature=+simd128",
+        ..WASM
     },
     M0,
     Platform {

@@ -1,0 +1,19 @@
+//! What is prepared and kept: patches, laws, contact laws, supports of any pressure.
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`store`] | prepared things by their handles |
+//! | [`shape`] | patches: round ones by name, polygons, bars, points |
+//! | [`prepared`] | friction of a patch under a law, with its limit surfaces and free motions |
+//! | [`separate`] | force and torque limited each by itself |
+//! | [`launches`] | launches that end at a wanted pose |
+//! | [`contact`] | contacts of spheres and plates |
+//! | [`catalogue`] | the laws of the library |
+
+pub mod catalogue;
+pub mod contact;
+pub mod launches;
+pub mod prepared;
+pub mod separate;
+pub mod shape;
+pub mod store;
