@@ -11,6 +11,8 @@ import { gzipSync } from "node:zlib";
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const PACKED = {
   "all-wasm": "../dist/all.wasm",
+  "curling-data": "data/curling.json",
+  "powder-data": "data/powder.json",
 };
 
 let esbuild;

@@ -1,13 +1,23 @@
 // The page: languages, panels, and the first throw.
 
 import { find } from "./controls.js";
+import { startCurling } from "./curling.js";
 import { disksReady } from "./kernel.js";
-import { firstLanguage, onLanguage, setLanguage, language } from "./language.js";
+import { firstLanguage, language, onLanguage, setLanguage } from "./language.js";
+import { startModes } from "./modes.js";
+import { startPowder } from "./powder.js";
+import { startSurface } from "./surface.js";
 import { completeThrow, startThrow } from "./throw.js";
+import { startWorksheet } from "./worksheet.js";
 
 /** What starts a panel when it is first shown. */
 const STARTS = {
   throw: () => {},
+  surface: startSurface,
+  modes: startModes,
+  curling: startCurling,
+  powder: startPowder,
+  worksheet: startWorksheet,
 };
 const started = new Set();
 
