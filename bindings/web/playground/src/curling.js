@@ -8,7 +8,7 @@ import { axes } from "./modes-draw.js";
 
 /** Limits of the picture: spin in rad/s, curl in m. */
 const SPINS = [0, 3.05];
-const CURLS = [-0.1, 1.3];
+const CURLS = [-0.22, 1.3];
 const EDGE = { left: 54, right: 100, top: 12, bottom: 42 };
 /** Least distance of two names, in pixels. */
 const APART = 15;
@@ -66,9 +66,11 @@ function nameCurves(context, toScreen) {
 function fillTable() {
   find("curling-rows").replaceChildren(
     ...curves.map(({ model, points }) => {
+      // Narrow pages lay the rows out by themselves: the roles of a table have to be said.
       const row = document.createElement("tr");
+      row.role = "row";
       const head = document.createElement("th");
-      head.scope = "row";
+      Object.assign(head, { scope: "row", role: "rowheader" });
       const button = document.createElement("button");
       Object.assign(button, { type: "button", textContent: model });
       button.setAttribute("aria-pressed", model === chosen);
@@ -83,6 +85,7 @@ function fillTable() {
 
 function cell(text) {
   const made = document.createElement("td");
+  made.role = "cell";
   made.textContent = text;
   return made;
 }

@@ -1,16 +1,16 @@
 // The friction kernel: disks at once, everything else after the first draw.
 
 import { bytes } from "../../dist/tribos.inline.js";
-import { loader } from "../../js/wasm.js";
+import { loader, syncLoader } from "../../js/wasm.js";
 
 export * as kernel from "../../js/everything.js";
 
-const loadDisks = loader("small", bytes);
+const loadDisks = syncLoader("small", bytes);
 const loadAll = loader("all", () => unpacked("all-wasm"));
 let all;
 
-/** Disks under Coulomb friction. */
-export const disksReady = () => loadDisks();
+/** Disks under Coulomb friction, at once: waiting would let the browser lay out the page in between. */
+export const startDisks = () => loadDisks();
 
 /** All patches, laws and launches. */
 export function everythingReady() {

@@ -2,7 +2,7 @@
 
 import { find } from "./controls.js";
 import { startCurling } from "./curling.js";
-import { disksReady } from "./kernel.js";
+import { startDisks } from "./kernel.js";
 import { firstLanguage, language, onLanguage, setLanguage } from "./language.js";
 import { startModes } from "./modes.js";
 import { startPowder } from "./powder.js";
@@ -45,7 +45,7 @@ async function start() {
     for (const name of ["en", "de"]) find(`language-${name}`).setAttribute("aria-pressed", language() === name);
   });
   for (const name of Object.keys(STARTS)) find(`panel-${name}`).hidden = name !== "throw";
-  await disksReady();
+  startDisks();
   startThrow();
   performance.mark("first-draw");
   await painted();

@@ -76,7 +76,10 @@ function nameRegions(context, rows, w, h) {
   for (const [name, { count, x, y }] of Object.entries(regions)) {
     if (count < SMALLEST) continue;
     context.fillStyle = name === "Together" ? "#000" : "#fff";
-    context.fillText(t(`region${name}`), EDGE.left + (w * x) / count, EDGE.top + (h * y) / count);
+    const text = t(`region${name}`);
+    const half = context.measureText(text).width / 2 + 4;
+    const at = Math.min(Math.max((w * x) / count, half), w - half);
+    context.fillText(text, EDGE.left + at, EDGE.top + (h * y) / count);
   }
 }
 

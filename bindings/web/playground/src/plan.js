@@ -7,21 +7,21 @@ import { centreOf, velocityAt } from "./push.js";
 /** Largest displacement of the moved outline, in radii. */
 const SHIFT = 0.55;
 /** Lengths of the arrows of push and motion, in radii. */
-const PUSH = 1.1;
+const PUSH = 0.9;
 const MOTION = 0.9;
 const RAYS = 121;
 const DASHES = { exact: [], ellipsoid: [7, 5], separate: [2, 5] };
 
 /** Place and scale of the plan: its middle is the middle of the patch. */
 export function planView(width, height) {
-  const scale = Math.min(width, height) / 4.4;
+  const scale = Math.min(width, height) / 3.8;
   const toScreen = ([x, y]) => [width / 2 + scale * x, height / 2 - scale * y];
   const toWorld = ([x, y]) => [(x - width / 2) / scale, (height / 2 - y) / scale];
   return { scale, toScreen, toWorld };
 }
 
 export function drawPlan(context, view, { rim, isRing, push, contact, motion, cone }) {
-  const { exact, ink, soft, target } = palette();
+  const { exact, ink, panel, soft, target } = palette();
   polyline(context, rim.map(view.toScreen), { color: ink, width: 2, isClosed: true });
   if (isRing) polyline(context, rim.map(([x, y]) => view.toScreen([0.93 * x, 0.93 * y])), { color: ink, width: 1, isClosed: true });
   const moved = movedOutline(rim, motion);
@@ -49,6 +49,9 @@ export function drawPlan(context, view, { rim, isRing, push, contact, motion, co
   context.font = "13px system-ui, sans-serif";
   context.textAlign = "center";
   context.fillStyle = soft;
+  context.lineWidth = 4;
+  context.strokeStyle = panel;
+  context.strokeText(t("centre"), x, y + 20);
   context.fillText(t("centre"), x, y + 20);
 }
 

@@ -18,7 +18,7 @@ const PRESSURES = ["hertz", "punch"];
 /** A press that moves less, in pixels, is a click. */
 const CLICK = 4;
 
-const state = { shape: "puck", pressure: "uniform", alpha: 0, mu: 1, radius: 1, part: 0.72, angle: 35 * DEGREE, cone: 0.3 };
+const state = { shape: "box", pressure: "uniform", alpha: 0, mu: 1, radius: 1, part: 0.23, angle: 0, cone: 0.3 };
 const eye = { yaw: 0.55, pitch: 0.42 };
 const shows = { exact: true, ellipsoid: true, separate: true };
 let friction;

@@ -4,7 +4,7 @@ import { GROUNDS, isRound } from "./bodies.js";
 import { onDrag, painter, wantsStillness } from "./canvas.js";
 import { choice, find, range, slider } from "./controls.js";
 import { canPlay, judged, newTarget } from "./game.js";
-import { everythingReady } from "./kernel.js";
+import { everythingReady, isComplete } from "./kernel.js";
 import { onLanguage, t } from "./language.js";
 import { durationOf, race } from "./race.js";
 import { startDrawing } from "./outline.js";
@@ -65,9 +65,8 @@ function compute() {
   }
   time = Infinity;
   if (aim === undefined) view = undefined;
-  for (const id of ["throw-alpha", "throw-pressure"]) find(id).disabled = true;
-  find("throw-pressure").disabled = setup.shape !== "puck";
-  find("throw-alpha").disabled = !isRound(setup);
+  find("throw-pressure").disabled = !isComplete || setup.shape !== "puck";
+  find("throw-alpha").disabled = !isComplete || !isRound(setup);
   find("game-start").disabled = !canPlay(setup);
   if (game && !game.isThrown) showNumbers(undefined, setup);
   else showNumbers(result, setup);
@@ -221,6 +220,8 @@ export function startThrow() {
 /** Adds the other models once their kernel is there. */
 export async function completeThrow() {
   await everythingReady();
-  for (const id of ["throw-shape", "throw-pressure", "throw-go"]) find(id).disabled = false;
+  find("throw-shape").disabled = false;
   compute();
+  // A race says more than its end, to those who did not ask for stillness.
+  if (!wantsStillness() && !find("panel-throw").hidden) launch();
 }

@@ -4,6 +4,7 @@
 import { existsSync } from "node:fs";
 import { delimiter, join } from "node:path";
 import { test } from "node:test";
+import { fileURLToPath } from "node:url";
 
 const NAMES = ["chromium", "chromium-browser", "google-chrome"];
 const OPTIONS = ["--no-sandbox", "--disable-background-networking", "--disable-component-update", "--hide-scrollbars"];
@@ -16,11 +17,16 @@ const browserPath = (process.env.PATH ?? "")
   .flatMap((folder) => NAMES.map((name) => join(folder, name)))
   .find(existsSync);
 const puppeteer = await import("puppeteer-core").then((module) => module.default, () => undefined);
+const checker = new URL("../../node_modules/axe-core/axe.min.js", import.meta.url);
+
+/** The accessibility checker axe, to be loaded into a page. */
+export const checkerPath = fileURLToPath(checker);
 
 /** What is missing, or false. */
 export const missing =
   (browserPath === undefined && "missing Chromium: apt-get install -y chromium") ||
   (puppeteer === undefined && "missing puppeteer-core: npm ci --prefix bindings/web") ||
+  (!existsSync(checker) && "missing axe-core: npm ci --prefix bindings/web") ||
   false;
 
 /** A test that needs the browser. */

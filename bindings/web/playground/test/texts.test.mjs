@@ -26,3 +26,14 @@ test("the page asks for texts that there are", () => {
   assert.ok(wanted.length > 50);
   for (const key of wanted) assert.ok(key in en, key);
 });
+
+test("docs/playground.html is made from these texts", () => {
+  const page = readFileSync(new URL("../../../../docs/playground.html", import.meta.url), "utf8");
+  for (const texts of [de, en]) {
+    for (const [key, text] of Object.entries(texts)) {
+      // Quotation marks and line ends are written in several ways.
+      const parts = text.split(/["'`\n\\]|<\/script/);
+      for (const part of parts) assert.ok(page.includes(part), `${key}: node bindings/web/playground/build.mjs`);
+    }
+  }
+});

@@ -3,6 +3,7 @@
 export default {
   title: "Tribos-Spielwiese: Reibung von Körpern, die gleiten und sich drehen",
   heading: "Spielwiese: Körper, die zugleich gleiten und sich drehen",
+  decimalPoint: ",",
   languages: "Sprache",
   panels: "Tafeln",
   navThrow: "Wurf",

@@ -3,6 +3,7 @@
 export default {
   title: "Tribos playground: friction of bodies that slide and spin",
   heading: "playground: bodies that slide and spin at once",
+  decimalPoint: ".",
   languages: "Language",
   panels: "Panels",
   navThrow: "Throw",
