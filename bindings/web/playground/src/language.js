@@ -17,7 +17,7 @@ export function t(key, values = {}) {
   return text.replace(/\{(\w+)\}/g, (_, name) => values[name] ?? "");
 }
 
-/** A number with so many decimals, as the language writes it. Intl would take 20 ms of the first draw. */
+/** A number with so many decimals, as the language writes it; without Intl, whose first use is slow. */
 export function digits(value, decimals) {
   if (!Number.isFinite(value)) return value === Infinity ? "∞" : value === -Infinity ? "−∞" : "–";
   const text = value.toFixed(decimals).replace("-", "−").replace(".", t("decimalPoint"));

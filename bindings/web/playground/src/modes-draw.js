@@ -88,8 +88,8 @@ export function drawRuns(context, width, height, { runs, modes }) {
   const { toScreen } = placed(width, height, [0, 1], logs);
   const log = (ratio) => Math.min(Math.max(Math.log10(ratio), logs[0]), logs[1]);
   const { accent, target } = palette();
-  const shares = modes.restsInFiniteTime ? ["0 %", "90 %", "99 %", "99.9 %"] : ["0", "9", "99", "999"];
-  const xs = shares.map((text, index) => [index / 3, text]);
+  const share = (index) => `${digits(100 * (1 - 10 ** -index), Math.max(0, index - 2))} %`;
+  const xs = [0, 1, 2, 3].map((index) => [index / 3, modes.restsInFiniteTime ? share(index) : digits(10 ** index - 1, 0)]);
   const ys = [-2, -1, 0, 1, 2].map((y) => [y, digits(10 ** y, Math.max(0, -y))]);
   const x = t(modes.restsInFiniteTime ? "axisShare" : "axisTime");
   axes(context, width, height, toScreen, { xs, ys, x, y: "v/(ωR)" });

@@ -27,6 +27,8 @@ export function drawPlan(context, view, { rim, isRing, push, contact, motion, co
   const moved = movedOutline(rim, motion);
   polyline(context, moved.map(view.toScreen), { color: exact, width: 2, dash: [5, 5], isClosed: true });
   const place = contact?.place ?? onLine(push);
+  // A push beside the body acts through a lever.
+  if (!contact) polyline(context, [[0, 0], place].map(view.toScreen), { color: soft, width: 1, dash: [2, 4] });
   if (cone) {
     for (const twist of cone) drawFrom(context, view, place, velocityAt(twist, place), target, MOTION);
   }

@@ -26,7 +26,8 @@ export function showNumbers(result, setup) {
   }
   const farther = exact && setup.alpha === 0 ? 100 * (exact.distance / plainDistance(setup) - 1) : NaN;
   const words = { percent: digits(farther, 0) };
-  find("throw-farther").textContent = farther >= 0.5 ? t("farther", words) : "";
+  const carried = farther >= 0.5 ? t("farther", words) : "";
+  find("throw-farther").textContent = setup.alpha === 0 ? carried : t("onlyDry");
 }
 
 /** The end of a throw in words. */

@@ -79,7 +79,15 @@ function changed(key) {
   if (["ground", "shape", "pressure", "mu", "radius", "alpha"].includes(key)) endGame();
   if (game?.isThrown) game = { target: game.target, isThrown: false };
   cancelAnimationFrame(playing);
+  // What was said was of another throw.
+  say(game ? () => t("gameStart") : () => "");
   compute();
+}
+
+/** Says something, in the language of the page. */
+function say(words) {
+  summary = words;
+  find("throw-say").textContent = words();
 }
 
 function bindControls() {
@@ -101,11 +109,11 @@ function bindControls() {
 
 function drawShape() {
   cancelAnimationFrame(playing);
-  find("throw-say").textContent = t("drawNow");
+  say(() => t("drawNow"));
   startDrawing(canvas, (corners) => {
     Object.assign(setup, corners ? { shape: "drawn", drawn: corners } : { shape: "puck" });
-    find("throw-say").textContent = t(corners ? "drawn" : "drawAgain");
     changed("shape");
+    say(() => t(corners ? "drawn" : "drawAgain"));
   });
 }
 
@@ -136,15 +144,14 @@ function launch() {
 function ended() {
   time = Infinity;
   const thrown = result;
-  summary = () => spoken(thrown, setup);
-  if (game) {
+  if (!game) say(() => spoken(thrown, setup));
+  else {
     const { target } = game;
     const verdict = judged(setup, result.body, target, result.runs[0].rest);
     game = { target, isThrown: true, verdict };
-    summary = () => spokenGame(verdict);
+    say(() => spokenGame(verdict));
   }
   find("game-answer").hidden = game === undefined;
-  find("throw-say").textContent = summary();
   paint();
 }
 
@@ -153,8 +160,7 @@ function startGame() {
   game = { target: newTarget(setup, result.body), isThrown: false };
   find("game-answer").hidden = true;
   find("game-end").hidden = false;
-  summary = () => t("gameStart");
-  find("throw-say").textContent = summary();
+  say(() => t("gameStart"));
   compute();
 }
 
@@ -193,7 +199,7 @@ function bindThrow() {
   });
   find("throw-go").addEventListener("click", launch);
   find("game-start").addEventListener("click", startGame);
-  find("game-end").addEventListener("click", () => (endGame(), compute()));
+  find("game-end").addEventListener("click", () => (endGame(), changed()));
   find("game-answer").addEventListener("click", throwAnswer);
 }
 

@@ -45,6 +45,25 @@ inBrowser("a throw has the bits of the kernel in Node", async (browser) => {
   assert.deepEqual(errors, []);
 });
 
+inBrowser("every body, pressure, ground and exponent can be thrown", async (browser) => {
+  const { page, errors } = await open(browser, { motion: "reduce" });
+  const distance = () => page.$eval("#row-exact td", (cell) => Number(cell.textContent));
+  for (const [id, values] of [
+    ["throw-pressure", ["hertz", "paraboloid", "punch", "uniform"]],
+    ["throw-alpha", ["-0.9", "0.9", "0.5", "0"]],
+    ["throw-shape", ["ring", "box", "triangle", "ell", "puck"]],
+    ["throw-ground", ["ice", "floor", "carrom"]],
+    ["throw-speed", ["0"]],
+  ]) {
+    for (const value of values) {
+      await setValue(page, id, value);
+      await page.click("#throw-go");
+      if (value !== "0") assert.ok((await distance()) > 0, `${id} ${value}`);
+    }
+  }
+  assert.deepEqual(errors, []);
+});
+
 inBrowser("the keyboard throws, and the end is told", async (browser) => {
   const { page, errors } = await open(browser, { motion: "reduce" });
   const before = await bitsOfRow(page, "exact");
