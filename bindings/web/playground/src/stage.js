@@ -1,5 +1,6 @@
 // The picture of a throw: the field seen from above, and a lane for each model.
 
+import { drawBase } from "./base.js";
 import { outline } from "./bodies.js";
 import { arrow, palette, polyline, turnArrow } from "./canvas.js";
 import { digits, t } from "./language.js";
@@ -46,6 +47,8 @@ export function drawStage(context, width, height, scene) {
   drawBody(context, scene, pose, palette().exact, true);
   if (aim) arrow(context, view.toScreen([0, 0]), aim, palette().ink, 4);
   else if (!isHidden) drawFriction(context, scene, pose);
+  const size = width < 500 ? 34 : 52;
+  if (!isHidden) drawBase(context, [width - 1.6 * size - 6, view.room - 1.3 * size - 22], size, scene);
   context.clearRect(0, view.room + 1, width, height);
   drawLanes(context, width, view.room + 8, scene);
 }

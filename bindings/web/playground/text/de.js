@@ -17,6 +17,8 @@ export default {
   throwTitle: "Ein Puck, der sich dreht, gleitet weiter",
   throwIntro: "Die Reibung an einem Körper, der gleitet und sich dreht, wirkt an jeder Stelle der Unterseite gegen die Bewegung dieser Stelle. Bei schneller Drehung zeigen die meisten dieser kleinen Kräfte zur Seite und heben sich auf, sodass wenig bleibt, was das Gleiten bremst. Werfen Sie etwas: Das exakte Gesetz tritt gegen die zwei Abkürzungen an, die Physik-Engines nehmen.",
   throwCanvas: "Feld: den Körper werfen",
+  baseLaunch: "Reibung beim Abwurf",
+  baseNow: "Reibung jetzt",
   throwKeys: "Vom Körper aus in Wurfrichtung ziehen. Tasten auf dem Feld: Pfeile ändern Geschwindigkeit und Richtung, + und − die Drehung, Eingabe wirft.",
   throwCaption: "Wo jedes Modell zur Ruhe kommt, und sein Fehler gegenüber dem exakten Gesetz",
   model: "Modell",
@@ -71,7 +73,7 @@ export default {
   differs: "{model}: {error} % Weg.",
   hit: "Getroffen! {miss} cm und {off}° daneben, {points} Punkte. {count} Würfe treffen genau; der sanfteste hat {speed} m/s unter {direction}° mit einer Drehung von {spin} rad/s.",
   missed: "Um {miss} cm und {off}° verfehlt, {points} Punkte. {count} Würfe treffen genau; der sanfteste hat {speed} m/s unter {direction}° mit einer Drehung von {spin} rad/s.",
-  throwWhy: "<h3>Warum sich Engines unterscheiden</h3><p>„Getrennte Grenzen“ ist der Kontakt mit einer Reibungsgrenze für das Gleiten und einer weiteren für die Drehung, wie ihn viele Engines haben: Dort merkt das Gleiten nichts von der Drehung, und der Körper bleibt zu früh liegen. „Ellipsoid“ lässt beide aus einem gemeinsamen Vorrat von elliptischer Form schöpfen: näher daran, aber noch falsch. „Exakt“ summiert die Reibung aller Stellen der Unterseite. Die dicken Pfeile sind Reibungskraft und Reibungsmoment am Körper; ein Kreuz zeigt den Ort der Ruhe.</p>",
+  throwWhy: "<h3>Warum sich Engines unterscheiden</h3><p>„Getrennte Grenzen“ ist der Kontakt mit einer Reibungsgrenze für das Gleiten und einer weiteren für die Drehung, wie ihn viele Engines haben: Dort merkt das Gleiten nichts von der Drehung, und der Körper bleibt zu früh liegen. „Ellipsoid“ lässt beide aus einem gemeinsamen Vorrat von elliptischer Form schöpfen: näher daran, aber noch falsch. „Exakt“ summiert die Reibung aller Stellen der Unterseite. Die vergrößerte Unterseite rechts zeigt die Reibung an jeder Stelle (kleine Pfeile) und die Summe, die das Gleiten bremst (dicker Pfeil, ohne Drehung so lang wie der Radius). Auf dem Feld sind die dicken Pfeile Reibungskraft und Reibungsmoment; ein Kreuz zeigt den Ort der Ruhe.</p>",
   throwFormula: "<h3>Die Formel</h3><p class=\"math\">F = −μ ∫ p(r) (v + ω × r)/|v + ω × r| dA<br>T = −μ ∫ p(r) r × (v + ω × r)/|v + ω × r| dA</p><p>F ist die Kraft und T das Moment der Reibung, μ der Reibungskoeffizient, p der Druck an der Stelle r, v die Geschwindigkeit der Mitte und ω die Winkelgeschwindigkeit. Mit einem Exponenten α zählt jede Stelle außerdem mit ihrer Geschwindigkeit hoch α. Für runde Unterseiten haben die Integrale geschlossene Formen, mit denen diese Seite rechnet.</p>",
   throwCommand: "<h3>Auf der Kommandozeile</h3><pre><code>tribos run disk --out out/fast --set spin=50</code></pre><pre><code>tribos inverse --x 1.2 --y 0.3 --angle 90deg --coefficient 0.3 --radius 0.08 --inertia-ratio 0.5 --max-speed 3 --max-spin 100</code></pre><p>Der zweite Befehl findet wie das Spiel jeden Wurf, der an einem bestimmten Ort mit bestimmtem Winkel endet.</p>",
 

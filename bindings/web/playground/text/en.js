@@ -17,6 +17,8 @@ export default {
   throwTitle: "A puck that spins slides farther",
   throwIntro: "Friction on a body that slides and spins points, at each spot of its base, against the motion of that spot. A fast spin turns most of these small forces sideways, where they cancel, so that little is left to brake the slide. Throw something: the exact law races against the two shortcuts that physics engines take.",
   throwCanvas: "Field: throw the body",
+  baseLaunch: "friction at launch",
+  baseNow: "friction now",
   throwKeys: "Drag from the body in the direction of the throw. Keys on the field: arrows change speed and direction, + and − the spin, Enter throws.",
   throwCaption: "Where each model comes to rest, and its error against the exact law",
   model: "Model",
@@ -71,7 +73,7 @@ export default {
   differs: "{model}: {error} % distance.",
   hit: "Hit! {miss} cm and {off}° off, {points} points. {count} throws hit exactly; the gentlest has {speed} m/s at {direction}° with a spin of {spin} rad/s.",
   missed: "Missed by {miss} cm and {off}°, {points} points. {count} throws hit exactly; the gentlest has {speed} m/s at {direction}° with a spin of {spin} rad/s.",
-  throwWhy: "<h3>Why engines differ</h3><p>“Separate limits” is the contact with one friction limit for sliding and another for spin, as many engines have it: there the slide does not notice the spin, and the body stops short. “Ellipsoid” lets both share one budget of elliptic shape: closer, still wrong. “Exact” adds up the friction of every spot of the base. The thick arrows are force and torque of friction on the body; a cross marks the place of rest.</p>",
+  throwWhy: "<h3>Why engines differ</h3><p>“Separate limits” is the contact with one friction limit for sliding and another for spin, as many engines have it: there the slide does not notice the spin, and the body stops short. “Ellipsoid” lets both share one budget of elliptic shape: closer, still wrong. “Exact” adds up the friction of every spot of the base. The magnified base at the right shows friction at each spot (small arrows) and the sum that brakes the slide (thick arrow, as long as the radius without spin). On the field the thick arrows are force and torque of friction; a cross marks the place of rest.</p>",
   throwFormula: "<h3>The formula</h3><p class=\"math\">F = −μ ∫ p(r) (v + ω × r)/|v + ω × r| dA<br>T = −μ ∫ p(r) r × (v + ω × r)/|v + ω × r| dA</p><p>F is the force and T the torque of friction, μ the coefficient, p the pressure at the spot r, v the velocity of the centre and ω the spin. With an exponent α each spot is also weighted with its speed to the power α. For round bases the integrals have closed forms, which this page uses.</p>",
   throwCommand: "<h3>From the command line</h3><pre><code>tribos run disk --out out/fast --set spin=50</code></pre><pre><code>tribos inverse --x 1.2 --y 0.3 --angle 90deg --coefficient 0.3 --radius 0.08 --inertia-ratio 0.5 --max-speed 3 --max-spin 100</code></pre><p>The second one finds every throw that ends at a pose, as the game does.</p>",
 
