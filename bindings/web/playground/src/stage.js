@@ -48,7 +48,7 @@ export function drawStage(context, width, height, scene) {
   if (aim) arrow(context, view.toScreen([0, 0]), aim, palette().ink, 4);
   else if (!isHidden) drawFriction(context, scene, pose);
   const size = width < 500 ? 34 : 52;
-  if (!isHidden) drawBase(context, [width - 1.6 * size - 6, view.room - 1.3 * size - 22], size, scene);
+  if (!isHidden) drawBase(context, [width - Math.max(1.6 * size, 58) - 8, view.room - 1.3 * size - 22], size, scene);
   context.clearRect(0, view.room + 1, width, height);
   drawLanes(context, width, view.room + 8, scene);
 }
