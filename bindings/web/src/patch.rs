@@ -71,9 +71,9 @@ pub trait Sets {
 
 /// Free motion on a round patch under a power of the speed.
 pub trait Glides {
-    /// See [`Free::to_rest`].
+    /// See [`End::to_rest`].
     fn to_rest(&self, parameters: SliderParameters<f64>, from: &Motion<f64>) -> Free;
-    /// See [`Free::advance`].
+    /// See [`End::advance`].
     fn advance(&self, parameters: SliderParameters<f64>, from: &Motion<f64>, time: f64) -> Free;
     /// Fixed points and last motion.
     fn modes(&self, inertia_ratio: f64, initial_ratio: f64) -> Result<FinalMotion, Refused>;
