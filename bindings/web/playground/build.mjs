@@ -30,6 +30,7 @@ const bundle = await esbuild.build({
   format: "iife",
   target: "es2022",
   charset: "utf8",
+  loader: { ".wasm": "binary" },
   write: false,
   // Only code for Node asks where it is; the page is one script.
   logOverride: { "empty-import-meta": "silent" },

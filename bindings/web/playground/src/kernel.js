@@ -1,11 +1,11 @@
 // The friction kernel: disks at once, everything else after the first draw.
 
-import { bytes } from "../../dist/tribos.inline.js";
+import disks from "../../dist/tribos.wasm";
 import { loader, syncLoader } from "../../js/wasm.js";
 
 export * as kernel from "../../js/everything.js";
 
-const loadDisks = syncLoader("small", bytes);
+const loadDisks = syncLoader("small", () => disks);
 const loadAll = loader("all", () => unpacked("all-wasm"));
 let all;
 
@@ -24,7 +24,8 @@ export let isComplete = false;
 /** Bytes that the page has packed under an id. */
 export async function unpacked(id) {
   const text = atob(document.getElementById(id).textContent);
-  const packed = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+  const packed = new Uint8Array(text.length);
+  for (let at = 0; at < text.length; at += 1) packed[at] = text.charCodeAt(at);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream).arrayBuffer();
 }
