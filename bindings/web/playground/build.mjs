@@ -43,7 +43,10 @@ const parts = {
   DATA: Object.entries(PACKED).map(packed).join("\n"),
 };
 const template = readFileSync(here("page.html"), "utf8");
-const page = template.replace(/<!--(STYLE|SCRIPT|DATA)-->|\/\*(STYLE|SCRIPT)\*\//g, (_, a, b) => parts[a ?? b]);
+const page = template.replace(
+  /<!--(STYLE|SCRIPT|DATA)-->|\/\*(STYLE|SCRIPT)\*\//g,
+  (_, a, b) => parts[a ?? b],
+);
 const target = here("../../../docs/playground.html");
 writeFileSync(target, page);
 console.log(`docs/playground.html  ${(Buffer.byteLength(page) / 1e6).toFixed(2)} MB`);

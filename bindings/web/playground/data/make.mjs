@@ -8,7 +8,12 @@ import { join } from "node:path";
 
 const MODELS = ["dry", "left-right", "front-back", "back-heavy", "film", "pivot-slide", "scratch-guide"];
 const SPINS = "0.25:3:0.25";
-const CORNERS = [[0, 0], [0, 1], [1, 0], [1, 1]];
+const CORNERS = [
+  [0, 0],
+  [0, 1],
+  [1, 0],
+  [1, 1],
+];
 /** Steps of a coordinate per radius. */
 const FINE = 25;
 const FRAMES = 40;
@@ -38,7 +43,9 @@ function curling() {
   run(command);
   const [head, ...lines] = readFileSync(join(folder, "out/curling/runs.csv"), "utf8").trim().split("\n");
   const names = head.split(",");
-  const rows = lines.map((line) => Object.fromEntries(line.split(",").map((value, at) => [names[at], value])));
+  const rows = lines.map((line) =>
+    Object.fromEntries(line.split(",").map((value, at) => [names[at], value])),
+  );
   const curves = MODELS.map((model) => {
     const points = rows.filter((row) => row.model === model);
     return { model, points: points.map(({ spin, curl }) => [Number(spin), Number(Number(curl).toFixed(4))]) };
@@ -53,7 +60,9 @@ function powder() {
     const command = `tribos run compaction-small --set rolling=${rolling} --set torsion=${torsion} --frames ${FRAMES} --out ${out}`;
     run(command);
     const frames = join(folder, out, "frames");
-    const names = readdirSync(frames).filter((name) => name.endsWith(".frame")).sort();
+    const names = readdirSync(frames)
+      .filter((name) => name.endsWith(".frame"))
+      .sort();
     return { rolling, torsion, command, frames: changes(names.map((name) => frameOf(join(frames, name)))) };
   });
   return { fine: FINE, corners };

@@ -76,11 +76,16 @@ export function drawBase(context, [x0, y0], size, { result, setup, time }) {
   const load = result.body.load;
   const sliding = Math.abs(result.friction.wrench({ vx: rimSpeed, vy: 0, spin: 0 }, load).fx);
   const { fx, fy } = frictionAt(result.friction, motion, load, result.isRound);
-  if (sliding > 0) arrow(context, [x0, y0], [(FORCE * size * fx) / sliding, (-FORCE * size * fy) / sliding], ink, 4);
+  if (sliding > 0)
+    arrow(context, [x0, y0], [(FORCE * size * fx) / sliding, (-FORCE * size * fy) / sliding], ink, 4);
   context.font = "12px system-ui, sans-serif";
   context.textAlign = "center";
   context.fillStyle = soft;
   context.fillText(t(isOver ? "baseLaunch" : "baseNow"), x0, y0 + 1.3 * size + 12);
 }
 
-const circle = () => Array.from({ length: 60 }, (_, index) => [Math.cos((index * Math.PI) / 30), Math.sin((index * Math.PI) / 30)]);
+const circle = () =>
+  Array.from({ length: 60 }, (_, index) => [
+    Math.cos((index * Math.PI) / 30),
+    Math.sin((index * Math.PI) / 30),
+  ]);

@@ -15,8 +15,19 @@ export const GROUNDS = {
 const SIDES = [0.8, 0.6];
 const OUTLINES = {
   box: [[-SIDES[0], -SIDES[1]], [SIDES[0], -SIDES[1]], SIDES, [-SIDES[0], SIDES[1]]],
-  triangle: [[0, 0], [1, 0], [0.5, Math.sqrt(3) / 2]],
-  ell: [[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]],
+  triangle: [
+    [0, 0],
+    [1, 0],
+    [0.5, Math.sqrt(3) / 2],
+  ],
+  ell: [
+    [0, 0],
+    [3, 0],
+    [3, 1],
+    [1, 1],
+    [1, 3],
+    [0, 3],
+  ],
 };
 /** I/(m radius²) of round bodies that are as heavy everywhere as their patch. */
 const ROUND_INERTIA = { ring: 1 };

@@ -2,7 +2,18 @@
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const still = matchMedia("(prefers-reduced-motion: reduce)");
-const NAMES = ["ink", "soft", "line", "ground", "panel", "exact", "ellipsoid", "separate", "accent", "target"];
+const NAMES = [
+  "ink",
+  "soft",
+  "line",
+  "ground",
+  "panel",
+  "exact",
+  "ellipsoid",
+  "separate",
+  "accent",
+  "target",
+];
 let colors;
 
 /** Whether the reader asked for little motion. */
@@ -112,7 +123,11 @@ export function turnArrow(context, [x, y], radius, from, turn, color, width = 3)
   context.stroke();
   const at = (angle, r) => [x + r * Math.cos(angle), y - r * Math.sin(angle)];
   context.beginPath();
-  for (const [angle, r] of [[to, radius], [to - short, radius + 6], [to - short, radius - 6]]) {
+  for (const [angle, r] of [
+    [to, radius],
+    [to - short, radius + 6],
+    [to - short, radius - 6],
+  ]) {
     context.lineTo(...at(angle, r));
   }
   context.fillStyle = color;

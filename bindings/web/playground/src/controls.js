@@ -9,7 +9,12 @@ export const find = (id) => document.getElementById(id);
  * Binds a slider to a number of `state`: `read` makes the number of the slider's, `write` the reverse. Returns
  * a function that shows the number of the state.
  */
-export function slider(id, state, key, { decimals = 2, unit = "", read = (x) => x, write = (x) => x, changed }) {
+export function slider(
+  id,
+  state,
+  key,
+  { decimals = 2, unit = "", read = (x) => x, write = (x) => x, changed },
+) {
   const input = find(id);
   const output = document.querySelector(`output[for="${id}"]`);
   const show = () => {

@@ -29,7 +29,10 @@ function draw(context, width, height) {
     EDGE.top + (h * (CURLS[1] - curl)) / (CURLS[1] - CURLS[0]),
   ];
   const colors = palette();
-  const [a, b] = [toScreen([OBSERVED.spin[0], OBSERVED.curl[1]]), toScreen([OBSERVED.spin[1], OBSERVED.curl[0]])];
+  const [a, b] = [
+    toScreen([OBSERVED.spin[0], OBSERVED.curl[1]]),
+    toScreen([OBSERVED.spin[1], OBSERVED.curl[0]]),
+  ];
   context.globalAlpha = 0.18;
   context.fillStyle = colors.target;
   context.fillRect(a[0], a[1], b[0] - a[0], b[1] - a[1]);

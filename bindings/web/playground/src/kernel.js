@@ -14,7 +14,9 @@ export const startDisks = () => loadDisks();
 
 /** All patches, laws and launches. */
 export function everythingReady() {
-  all ??= pageRead().then(() => loadAll()).then(() => (isComplete = true));
+  all ??= pageRead()
+    .then(() => loadAll())
+    .then(() => (isComplete = true));
   return all;
 }
 

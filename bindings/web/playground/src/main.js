@@ -39,10 +39,12 @@ function showPanel() {
 const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
 
 async function start() {
-  for (const name of ["en", "de"]) find(`language-${name}`).addEventListener("click", () => setLanguage(name));
+  for (const name of ["en", "de"])
+    find(`language-${name}`).addEventListener("click", () => setLanguage(name));
   setLanguage(firstLanguage());
   onLanguage(() => {
-    for (const name of ["en", "de"]) find(`language-${name}`).setAttribute("aria-pressed", language() === name);
+    for (const name of ["en", "de"])
+      find(`language-${name}`).setAttribute("aria-pressed", language() === name);
   });
   for (const name of Object.keys(STARTS)) find(`panel-${name}`).hidden = name !== "throw";
   startDisks();

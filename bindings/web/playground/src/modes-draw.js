@@ -9,7 +9,12 @@ const EDGE = { left: 54, right: 14, top: 12, bottom: 42 };
 /** Ratios from 1/LARGEST to LARGEST have a colour between the ends. */
 const LARGEST = 20;
 /** Ends of the colours: what spins last, what slides last, and where it depends on the launch. */
-const COLORS = { spin: [143, 29, 107], both: [240, 238, 230], slide: [11, 90, 148], depends: [120, 124, 132] };
+const COLORS = {
+  spin: [143, 29, 107],
+  both: [240, 238, 230],
+  slide: [11, 90, 148],
+  depends: [120, 124, 132],
+};
 const RATIOS = [0.01, 100];
 /** Regions with fewer cells have no name in them. */
 const SMALLEST = 40;
@@ -21,7 +26,10 @@ export function mapPlace(width, height) {
 
 function placed(width, height, [x0, x1], [y0, y1]) {
   const [w, h] = [width - EDGE.left - EDGE.right, height - EDGE.top - EDGE.bottom];
-  const toScreen = ([x, y]) => [EDGE.left + (w * (x - x0)) / (x1 - x0), EDGE.top + (h * (y1 - y)) / (y1 - y0)];
+  const toScreen = ([x, y]) => [
+    EDGE.left + (w * (x - x0)) / (x1 - x0),
+    EDGE.top + (h * (y1 - y)) / (y1 - y0),
+  ];
   const toWorld = ([x, y]) => [x0 + ((x - EDGE.left) / w) * (x1 - x0), y1 - ((y - EDGE.top) / h) * (y1 - y0)];
   return { w, h, toScreen, toWorld };
 }
@@ -64,7 +72,8 @@ function nameRegions(context, rows, w, h) {
   const regions = {};
   rows.forEach((row, index) => {
     row.forEach((ratio, column) => {
-      const name = ratio === null ? "Depends" : ratio === 0 ? "Spinning" : ratio === Infinity ? "Sliding" : "Together";
+      const name =
+        ratio === null ? "Depends" : ratio === 0 ? "Spinning" : ratio === Infinity ? "Sliding" : "Together";
       const region = (regions[name] ??= { count: 0, x: 0, y: 0 });
       region.count += 1;
       region.x += (column + 0.5) / row.length;
@@ -89,17 +98,27 @@ export function drawRuns(context, width, height, { runs, modes }) {
   const log = (ratio) => Math.min(Math.max(Math.log10(ratio), logs[0]), logs[1]);
   const { accent, target } = palette();
   const share = (index) => `${digits(100 * (1 - 10 ** -index), Math.max(0, index - 2))} %`;
-  const xs = [0, 1, 2, 3].map((index) => [index / 3, modes.restsInFiniteTime ? share(index) : digits(10 ** index - 1, 0)]);
+  const xs = [0, 1, 2, 3].map((index) => [
+    index / 3,
+    modes.restsInFiniteTime ? share(index) : digits(10 ** index - 1, 0),
+  ]);
   const ys = [-2, -1, 0, 1, 2].map((y) => [y, digits(10 ** y, Math.max(0, -y))]);
   const x = t(modes.restsInFiniteTime ? "axisShare" : "axisTime");
   axes(context, width, height, toScreen, { xs, ys, x, y: "v/(ωR)" });
   for (const { ratio, stability } of modes.fixedPoints) {
     if (ratio === 0 || ratio === Infinity) continue;
-    const points = [[0, log(ratio)], [1, log(ratio)]].map(toScreen);
+    const points = [
+      [0, log(ratio)],
+      [1, log(ratio)],
+    ].map(toScreen);
     polyline(context, points, { color: target, width: 3, dash: stability === "stable" ? [8, 5] : [2, 6] });
   }
   for (const run of runs) {
-    polyline(context, run.map(([part, ratio]) => toScreen([part, log(ratio)])), { color: accent, width: 2 });
+    polyline(
+      context,
+      run.map(([part, ratio]) => toScreen([part, log(ratio)])),
+      { color: accent, width: 2 },
+    );
   }
 }
 
@@ -111,13 +130,27 @@ export function axes(context, width, height, toScreen, { xs, ys, x, y }) {
   const [bottom, top] = [height - EDGE.bottom, EDGE.top];
   for (const [value, text] of xs) {
     const [at] = toScreen([value, 0]);
-    polyline(context, [[at, top], [at, bottom]], { color: line, width: 1 });
+    polyline(
+      context,
+      [
+        [at, top],
+        [at, bottom],
+      ],
+      { color: line, width: 1 },
+    );
     context.textAlign = at > width - 40 ? "right" : "center";
     context.fillText(text, at > width - 40 ? width - 4 : at, bottom + 16);
   }
   for (const [value, text] of ys) {
     const [, at] = toScreen([0, value]);
-    polyline(context, [[EDGE.left, at], [width - EDGE.right, at]], { color: line, width: 1 });
+    polyline(
+      context,
+      [
+        [EDGE.left, at],
+        [width - EDGE.right, at],
+      ],
+      { color: line, width: 1 },
+    );
     context.textAlign = "right";
     context.fillText(text, EDGE.left - 6, at + 4);
   }

@@ -14,7 +14,12 @@ const POINTS = 60;
 const DECADES = 3;
 /** Rows of the diagram that are computed before the browser may draw. */
 const AT_ONCE = 6;
-const KEYS = { ArrowLeft: ["inertia", -0.02], ArrowRight: ["inertia", 0.02], ArrowUp: ["alpha", 0.05], ArrowDown: ["alpha", -0.05] };
+const KEYS = {
+  ArrowLeft: ["inertia", -0.02],
+  ArrowRight: ["inertia", 0.02],
+  ArrowUp: ["alpha", 0.05],
+  ArrowDown: ["alpha", -0.05],
+};
 
 const state = { pressure: "disk", inertia: 0.5, alpha: 0 };
 let map;
@@ -104,8 +109,12 @@ export async function startModes() {
   await everythingReady();
   computeRuns();
   paints = [
-    painter(find("modes-map"), (context, width, height) => drawMap(context, width, height, { map, state, count: ROWS })),
-    painter(find("modes-runs"), (context, width, height) => drawRuns(context, width, height, { runs, modes })),
+    painter(find("modes-map"), (context, width, height) =>
+      drawMap(context, width, height, { map, state, count: ROWS }),
+    ),
+    painter(find("modes-runs"), (context, width, height) =>
+      drawRuns(context, width, height, { runs, modes }),
+    ),
   ];
   controls = [
     slider("modes-inertia", state, "inertia", { changed }),

@@ -32,7 +32,12 @@ export function startDrawing(canvas, done) {
     const kept = corners.filter((_, index) => index % step === 0).map(([x, y]) => [x, -y]);
     done(kept.length < 3 ? null : kept);
   };
-  const listeners = Object.entries({ pointerdown: add, pointermove: move, pointerup: end, pointercancel: end });
+  const listeners = Object.entries({
+    pointerdown: add,
+    pointermove: move,
+    pointerup: end,
+    pointercancel: end,
+  });
   for (const [name, listener] of listeners) canvas.addEventListener(name, listener, true);
   cover();
 }

@@ -23,12 +23,18 @@ export function planView(width, height) {
 export function drawPlan(context, view, { rim, isRing, push, contact, motion, cone }) {
   const { exact, ink, panel, soft, target } = palette();
   polyline(context, rim.map(view.toScreen), { color: ink, width: 2, isClosed: true });
-  if (isRing) polyline(context, rim.map(([x, y]) => view.toScreen([0.93 * x, 0.93 * y])), { color: ink, width: 1, isClosed: true });
+  if (isRing)
+    polyline(
+      context,
+      rim.map(([x, y]) => view.toScreen([0.93 * x, 0.93 * y])),
+      { color: ink, width: 1, isClosed: true },
+    );
   const moved = movedOutline(rim, motion);
   polyline(context, moved.map(view.toScreen), { color: exact, width: 2, dash: [5, 5], isClosed: true });
   const place = contact?.place ?? onLine(push);
   // A push beside the body acts through a lever.
-  if (!contact) polyline(context, [[0, 0], place].map(view.toScreen), { color: soft, width: 1, dash: [2, 4] });
+  if (!contact)
+    polyline(context, [[0, 0], place].map(view.toScreen), { color: soft, width: 1, dash: [2, 4] });
   if (cone) {
     for (const twist of cone) drawFrom(context, view, place, velocityAt(twist, place), target, MOTION);
   }
@@ -87,8 +93,22 @@ export function drawSection(context, width, height, { models, push, shows }) {
   const { forceLimit, torqueLimit } = models.exact;
   const scale = Math.min((0.4 * width) / forceLimit, (0.38 * height) / torqueLimit);
   const toScreen = ([f, torque]) => [width / 2 + scale * f, height / 2 - scale * torque];
-  polyline(context, [[8, height / 2], [width - 8, height / 2]], { color: line, width: 1 });
-  polyline(context, [[width / 2, 8], [width / 2, height - 8]], { color: line, width: 1 });
+  polyline(
+    context,
+    [
+      [8, height / 2],
+      [width - 8, height / 2],
+    ],
+    { color: line, width: 1 },
+  );
+  polyline(
+    context,
+    [
+      [width / 2, 8],
+      [width / 2, height - 8],
+    ],
+    { color: line, width: 1 },
+  );
   context.font = "italic 14px Georgia, serif";
   context.fillStyle = soft;
   context.textAlign = "right";

@@ -46,7 +46,9 @@ function stateAt({ frames }, time) {
   const part = b.time > a.time ? (time - a.time) / (b.time - a.time) : 0;
   const mixed = (x, y) => x + part * (y - x);
   // Spheres leave the periodic cell on one side and enter on the other.
-  const places = a.places.map((x, index) => (Math.abs(b.places[index] - x) > WIDTH / 2 ? x : mixed(x, b.places[index])));
+  const places = a.places.map((x, index) =>
+    Math.abs(b.places[index] - x) > WIDTH / 2 ? x : mixed(x, b.places[index]),
+  );
   return { height: mixed(a.height, b.height), porosity: mixed(a.porosity, b.porosity), places };
 }
 
@@ -84,7 +86,12 @@ function drawCorner(context, width, height, corner) {
   spheres.sort((a, b) => places[b + 1] - places[a + 1]);
   const { ink } = palette();
   const drawPlate = (z) => {
-    const plate = [toScreen(0, 0, z), toScreen(WIDTH, 0, z), toScreen(WIDTH, WIDTH, z), toScreen(0, WIDTH, z)];
+    const plate = [
+      toScreen(0, 0, z),
+      toScreen(WIDTH, 0, z),
+      toScreen(WIDTH, WIDTH, z),
+      toScreen(0, WIDTH, z),
+    ];
     polyline(context, plate, { color: ink, width: 1.5, isClosed: true });
   };
   drawPlate(0);
@@ -113,7 +120,10 @@ function show() {
 /** Says the end in words, once the film is over or the slider is let go. */
 function tell() {
   const names = Object.fromEntries(
-    corners.map((corner, index) => [`p${index}`, digits(100 * stateAt(corner, share * duration()).porosity, 1)]),
+    corners.map((corner, index) => [
+      `p${index}`,
+      digits(100 * stateAt(corner, share * duration()).porosity, 1),
+    ]),
   );
   find("powder-say").textContent = t("powderSay", names);
 }

@@ -59,7 +59,11 @@ function drawAxes(context, view) {
   const { soft } = palette();
   context.font = "italic 15px Georgia, serif";
   context.textAlign = "center";
-  for (const [name, end] of [["Fx", [1.35, 0, 0]], ["Fy", [0, 1.35, 0]], ["T", [0, 0, 1.25]]]) {
+  for (const [name, end] of [
+    ["Fx", [1.35, 0, 0]],
+    ["Fy", [0, 1.35, 0]],
+    ["T", [0, 0, 1.25]],
+  ]) {
     const [from, to] = [view.toScreen(end.map((x) => -0.9 * x)), view.toScreen(end)];
     polyline(context, [from, to], { color: soft, width: 1 });
     context.fillStyle = soft;
@@ -108,7 +112,8 @@ function drawWires(context, view, wires, model, dash) {
   }
 }
 
-const around = (make, count = 72) => Array.from({ length: count + 1 }, (_, index) => make((TURN * index) / count));
+const around = (make, count = 72) =>
+  Array.from({ length: count + 1 }, (_, index) => make((TURN * index) / count));
 
 function ellipsoidWires(force, torque) {
   const parallels = [-0.75, -0.4, 0, 0.4, 0.75].map((z) => {
@@ -117,16 +122,25 @@ function ellipsoidWires(force, torque) {
   });
   const meridians = [0, 1, 2, 3].map((index) => {
     const [c, s] = [Math.cos((index * Math.PI) / 4), Math.sin((index * Math.PI) / 4)];
-    return around((angle) => [force * Math.cos(angle) * c, force * Math.cos(angle) * s, torque * Math.sin(angle)]);
+    return around((angle) => [
+      force * Math.cos(angle) * c,
+      force * Math.cos(angle) * s,
+      torque * Math.sin(angle),
+    ]);
   });
   return [...parallels, ...meridians];
 }
 
 function cylinderWires(force, torque) {
-  const rims = [-1, 1].map((z) => around((angle) => [force * Math.cos(angle), force * Math.sin(angle), z * torque]));
+  const rims = [-1, 1].map((z) =>
+    around((angle) => [force * Math.cos(angle), force * Math.sin(angle), z * torque]),
+  );
   const edges = Array.from({ length: 12 }, (_, index) => {
     const [x, y] = [force * Math.cos((index * TURN) / 12), force * Math.sin((index * TURN) / 12)];
-    return [[x, y, -torque], [x, y, torque]];
+    return [
+      [x, y, -torque],
+      [x, y, torque],
+    ];
   });
   return [...rims, ...edges];
 }

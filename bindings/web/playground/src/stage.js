@@ -48,7 +48,8 @@ export function drawStage(context, width, height, scene) {
   if (aim) arrow(context, view.toScreen([0, 0]), aim, palette().ink, 4);
   else if (!isHidden) drawFriction(context, scene, pose);
   const size = width < 500 ? 34 : 52;
-  if (!isHidden) drawBase(context, [width - Math.max(1.6 * size, 58) - 8, view.room - 1.3 * size - 22], size, scene);
+  if (!isHidden)
+    drawBase(context, [width - Math.max(1.6 * size, 58) - 8, view.room - 1.3 * size - 22], size, scene);
   context.clearRect(0, view.room + 1, width, height);
   drawLanes(context, width, view.room + 8, scene);
 }
@@ -63,13 +64,30 @@ function drawGrid(context, width, { scale, room, toScreen, toWorld }) {
   const { line, soft } = palette();
   for (let x = Math.ceil(left / step) * step; x <= right; x += step) {
     const [at] = toScreen([x, 0]);
-    polyline(context, [[at, 0], [at, room]], { color: line, width: 1 });
+    polyline(
+      context,
+      [
+        [at, 0],
+        [at, room],
+      ],
+      { color: line, width: 1 },
+    );
   }
   for (let y = Math.ceil(bottom / step) * step; y <= top; y += step) {
     const [, at] = toScreen([0, y]);
-    polyline(context, [[0, at], [width, at]], { color: line, width: 1 });
+    polyline(
+      context,
+      [
+        [0, at],
+        [width, at],
+      ],
+      { color: line, width: 1 },
+    );
   }
-  const bar = [[12, room - 12], [12 + step * scale, room - 12]];
+  const bar = [
+    [12, room - 12],
+    [12 + step * scale, room - 12],
+  ];
   polyline(context, bar, { color: soft, width: 3 });
   const decimals = Math.max(0, -Math.floor(Math.log10(step)));
   write(context, `${digits(step, decimals)} m`, [12, room - 20], soft);
@@ -97,7 +115,14 @@ function drawRuns(context, scene) {
 /** A cross where the body rests. */
 function drawRest(context, [x, y], color) {
   for (const sign of [1, -1]) {
-    polyline(context, [[x - 5, y - 5 * sign], [x + 5, y + 5 * sign]], { color, width: 2.5 });
+    polyline(
+      context,
+      [
+        [x - 5, y - 5 * sign],
+        [x + 5, y + 5 * sign],
+      ],
+      { color, width: 2.5 },
+    );
   }
 }
 
@@ -166,7 +191,10 @@ function drawTarget(context, { view, target, setup }) {
   context.stroke();
   context.setLineDash([]);
   const [c, s] = [Math.cos(target.angle), Math.sin(target.angle)];
-  polyline(context, [center, [center[0] + (radius + 14) * c, center[1] - (radius + 14) * s]], { color, width: 3 });
+  polyline(context, [center, [center[0] + (radius + 14) * c, center[1] - (radius + 14) * s]], {
+    color,
+    width: 3,
+  });
 }
 
 /** The throw that would have hit, as a dashed line and its launch. */
@@ -189,12 +217,26 @@ function drawLanes(context, width, top, { result, setup, time, isHidden }) {
     const y = top + LANE * (index + 0.5);
     const color = palette()[run.model];
     write(context, t(width < 500 ? `${run.model}Short` : run.model), [4, y + 4], color);
-    polyline(context, [[left, y], [left + farthest * scale, y]], { color: line, width: 1 });
+    polyline(
+      context,
+      [
+        [left, y],
+        [left + farthest * scale, y],
+      ],
+      { color: line, width: 1 },
+    );
     if (isHidden) return;
     const { x, y: side, angle } = at(run, time);
     const share = Math.hypot(x, side) / Math.max(Math.hypot(run.rest.x, run.rest.y), 1e-12);
     const end = left + Math.min(share, 1) * run.rest.distance * scale;
-    polyline(context, [[left, y], [end, y]], { color, width: 3, dash: DASHES[run.model] });
+    polyline(
+      context,
+      [
+        [left, y],
+        [end, y],
+      ],
+      { color, width: 3, dash: DASHES[run.model] },
+    );
     context.beginPath();
     context.arc(end, y, 9, 0, 2 * Math.PI);
     context.fillStyle = color;

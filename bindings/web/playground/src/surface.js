@@ -12,13 +12,27 @@ import { drawSolid, meshOf, picked, viewOf } from "./solid.js";
 
 const DEGREE = Math.PI / 180;
 const STEP = 5 * DEGREE;
-const ORBIT = { ArrowLeft: ["yaw", 1], ArrowRight: ["yaw", -1], ArrowUp: ["pitch", 1], ArrowDown: ["pitch", -1] };
+const ORBIT = {
+  ArrowLeft: ["yaw", 1],
+  ArrowRight: ["yaw", -1],
+  ArrowUp: ["pitch", 1],
+  ArrowDown: ["pitch", -1],
+};
 /** Choices of the list that are pressures under a disk. */
 const PRESSURES = ["hertz", "punch"];
 /** A press that moves less, in pixels, is a click. */
 const CLICK = 4;
 
-const state = { shape: "box", pressure: "uniform", alpha: 0, mu: 1, radius: 1, part: 0.23, angle: 0, cone: 0.3 };
+const state = {
+  shape: "box",
+  pressure: "uniform",
+  alpha: 0,
+  mu: 1,
+  radius: 1,
+  part: 0.23,
+  angle: 0,
+  cone: 0.3,
+};
 const eye = { yaw: 0.55, pitch: 0.42 };
 const shows = { exact: true, ellipsoid: true, separate: true };
 let friction;
@@ -69,7 +83,14 @@ function bindPaints() {
     const [contact, push] = [contactOf(), pushOf()];
     const cone = contact && motionCone(models.exact, contact, state.cone);
     const motion = models.exact.normal(push);
-    drawPlan(context, planView(width, height), { rim, isRing: state.shape === "ring", push, contact, motion, cone });
+    drawPlan(context, planView(width, height), {
+      rim,
+      isRing: state.shape === "ring",
+      push,
+      contact,
+      motion,
+      cone,
+    });
   });
   const section = painter(find("section-canvas"), (context, width, height) =>
     drawSection(context, width, height, { models, push: pushOf(), shows }),
@@ -85,10 +106,18 @@ function tell() {
     const motion = models[model].normal(push);
     const speed = Math.hypot(motion.vx, motion.vy);
     const centre = centreOf(motion);
-    const values = [Math.hypot(on.fx, on.fy), on.torque, motion.spin / speed, centre ? Math.hypot(...centre) : Infinity];
+    const values = [
+      Math.hypot(on.fx, on.fy),
+      on.torque,
+      motion.spin / speed,
+      centre ? Math.hypot(...centre) : Infinity,
+    ];
     const cells = find(`surface-${model}`).querySelectorAll("td");
     cells.forEach((cell, index) => {
-      cell.textContent = digits(Math.abs(values[index]) > 1e6 ? Math.sign(values[index]) * Infinity : values[index], 3);
+      cell.textContent = digits(
+        Math.abs(values[index]) > 1e6 ? Math.sign(values[index]) * Infinity : values[index],
+        3,
+      );
     });
   }
   const { vx, vy, spin } = models.exact.normal(push);
@@ -180,8 +209,20 @@ export async function startSurface() {
   makeSurface();
   bindPaints();
   controls = [
-    slider("surface-part", state, "part", { unit: "%", decimals: 0, read: (x) => x / 100, write: (x) => 100 * x, changed }),
-    slider("surface-angle", state, "angle", { unit: "°", decimals: 0, read: (x) => x * DEGREE, write: (x) => x / DEGREE, changed }),
+    slider("surface-part", state, "part", {
+      unit: "%",
+      decimals: 0,
+      read: (x) => x / 100,
+      write: (x) => 100 * x,
+      changed,
+    }),
+    slider("surface-angle", state, "angle", {
+      unit: "°",
+      decimals: 0,
+      read: (x) => x * DEGREE,
+      write: (x) => x / DEGREE,
+      changed,
+    }),
     slider("surface-cone", state, "cone", { changed }),
     choice("surface-shape", state, "shape", () => (state.shape === "drawn" ? drawShape() : changeShape())),
   ];

@@ -15,9 +15,21 @@ import { showNumbers, spoken, spokenGame } from "./throw-numbers.js";
 const AIM = 180;
 const DEGREE = Math.PI / 180;
 /** Change of speed and direction by an arrow key. */
-const KEYS = { ArrowUp: ["direction", 1], ArrowDown: ["direction", -1], ArrowRight: ["speed", 1], ArrowLeft: ["speed", -1] };
+const KEYS = {
+  ArrowUp: ["direction", 1],
+  ArrowDown: ["direction", -1],
+  ArrowRight: ["speed", 1],
+  ArrowLeft: ["speed", -1],
+};
 
-const setup = { ground: "carrom", shape: "puck", pressure: "uniform", alpha: 0, direction: 8 * DEGREE, rate: "0.5" };
+const setup = {
+  ground: "carrom",
+  shape: "puck",
+  pressure: "uniform",
+  alpha: 0,
+  direction: 8 * DEGREE,
+  rate: "0.5",
+};
 const canvas = find("throw-canvas");
 let result;
 let view;
@@ -42,7 +54,12 @@ const paint = painter(canvas, (context, width, height) => {
   view ??= fitted(width, height, setup.view, seen(), 2 * setup.radius);
   const scene = { view, result, setup, aim, time: Math.min(time, durationOf(result)) };
   const isHidden = game !== undefined && !game.isThrown;
-  drawStage(context, width, height, { ...scene, isHidden, target: game?.target, answer: game?.verdict?.best });
+  drawStage(context, width, height, {
+    ...scene,
+    isHidden,
+    target: game?.target,
+    answer: game?.verdict?.best,
+  });
 });
 
 /** Points that the view has to hold. */

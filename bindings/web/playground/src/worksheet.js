@@ -19,7 +19,10 @@ ${t(`sheet${number}Do`)}
 </article>`,
     )
     .join("\n");
-  const answers = numbers.map((number) => `<h3>${number}. ${t(`sheet${number}Title`)}</h3><ol class="questions">${t(`sheet${number}Answer`)}</ol>`);
+  const answers = numbers.map(
+    (number) =>
+      `<h3>${number}. ${t(`sheet${number}Title`)}</h3><ol class="questions">${t(`sheet${number}Answer`)}</ol>`,
+  );
   find("sheet-answers").innerHTML = `<h2>${t("answers")}</h2>${answers.join("")}`;
 }
 

@@ -7,7 +7,12 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
 const NAMES = ["chromium", "chromium-browser", "google-chrome"];
-const OPTIONS = ["--no-sandbox", "--disable-background-networking", "--disable-component-update", "--hide-scrollbars"];
+const OPTIONS = [
+  "--no-sandbox",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--hide-scrollbars",
+];
 export const PAGE = new URL("../../../../docs/playground.html", import.meta.url).href;
 export const WIDE = { width: 1280, height: 800 };
 export const PHONE = { width: 360, height: 740, isMobile: true, hasTouch: true };
@@ -16,7 +21,10 @@ const browserPath = (process.env.PATH ?? "")
   .split(delimiter)
   .flatMap((folder) => NAMES.map((name) => join(folder, name)))
   .find(existsSync);
-const puppeteer = await import("puppeteer-core").then((module) => module.default, () => undefined);
+const puppeteer = await import("puppeteer-core").then(
+  (module) => module.default,
+  () => undefined,
+);
 const checker = new URL("../../node_modules/axe-core/axe.min.js", import.meta.url);
 
 /** The accessibility checker axe, to be loaded into a page. */
@@ -44,7 +52,10 @@ export function inBrowser(name, run) {
 }
 
 /** The page at an address, complete; `errors` collects what goes wrong in it. */
-export async function open(browser, { hash = "#throw", language = "en", scheme = "light", view = WIDE, motion = "no-preference" } = {}) {
+export async function open(
+  browser,
+  { hash = "#throw", language = "en", scheme = "light", view = WIDE, motion = "no-preference" } = {},
+) {
   const page = await browser.newPage();
   const errors = [];
   page.on("console", (message) => message.type() === "error" && errors.push(message.text()));

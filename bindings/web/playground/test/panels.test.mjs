@@ -32,18 +32,21 @@ async function show(page, panel) {
 
 for (const look of LOOKS) {
   const { language, scheme, view } = look;
-  inBrowser(`panels open without errors: ${language}, ${scheme}, ${view.width} pixels wide`, async (browser) => {
-    const { page, errors } = await open(browser, { ...look, motion: "reduce" });
-    const texts = { de, en }[language];
-    assert.equal(await page.$eval("html", (root) => root.lang), language);
-    for (const panel of PANELS) {
-      assert.equal(await show(page, panel), texts[`${panel}Title`]);
-      const [width, room] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-      assert.ok(width <= room, `${panel} is ${width} pixels wide, the window ${room}`);
-      await accessible(page, panel);
-    }
-    assert.deepEqual(errors, []);
-  });
+  inBrowser(
+    `panels open without errors: ${language}, ${scheme}, ${view.width} pixels wide`,
+    async (browser) => {
+      const { page, errors } = await open(browser, { ...look, motion: "reduce" });
+      const texts = { de, en }[language];
+      assert.equal(await page.$eval("html", (root) => root.lang), language);
+      for (const panel of PANELS) {
+        assert.equal(await show(page, panel), texts[`${panel}Title`]);
+        const [width, room] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+        assert.ok(width <= room, `${panel} is ${width} pixels wide, the window ${room}`);
+        await accessible(page, panel);
+      }
+      assert.deepEqual(errors, []);
+    },
+  );
 }
 
 /** No violations of WCAG 2 A and AA that axe knows of. */
@@ -67,22 +70,25 @@ inBrowser("the language switches without a reload, numbers included", async (bro
   assert.equal(await page.$eval("html", (root) => root.lang), "de");
 });
 
-inBrowser("a push on a box, a body of the diagram, and the end of the powder have their numbers", async (browser) => {
-  const { page, errors } = await open(browser, { motion: "reduce" });
-  const text = (id) => page.$eval(`#${id}`, (element) => element.textContent);
-  await show(page, "surface");
-  const before = await text("surface-say");
-  await page.click("#surface-canvas");
-  assert.notEqual(await text("surface-say"), before);
-  await show(page, "modes");
-  assert.match(await text("modes-say"), /0\.653/);
-  await page.focus("#modes-map");
-  await page.keyboard.press("ArrowRight");
-  assert.doesNotMatch(await text("modes-say"), /0\.653/);
-  await show(page, "powder");
-  assert.match(await text("powder-say"), /66\.3 %.*73\.8 %.*82\.7 %.*89\.4 %/);
-  assert.deepEqual(errors, []);
-});
+inBrowser(
+  "a push on a box, a body of the diagram, and the end of the powder have their numbers",
+  async (browser) => {
+    const { page, errors } = await open(browser, { motion: "reduce" });
+    const text = (id) => page.$eval(`#${id}`, (element) => element.textContent);
+    await show(page, "surface");
+    const before = await text("surface-say");
+    await page.click("#surface-canvas");
+    assert.notEqual(await text("surface-say"), before);
+    await show(page, "modes");
+    assert.match(await text("modes-say"), /0\.653/);
+    await page.focus("#modes-map");
+    await page.keyboard.press("ArrowRight");
+    assert.doesNotMatch(await text("modes-say"), /0\.653/);
+    await show(page, "powder");
+    assert.match(await text("powder-say"), /66\.3 %.*73\.8 %.*82\.7 %.*89\.4 %/);
+    assert.deepEqual(errors, []);
+  },
+);
 
 inBrowser("the worksheet has five experiments, and prints its answers apart", async (browser) => {
   const { page } = await open(browser);

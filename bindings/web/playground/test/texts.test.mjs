@@ -33,7 +33,8 @@ test("docs/playground.html is made from these texts", () => {
     for (const [key, text] of Object.entries(texts)) {
       // Quotation marks and line ends are written in several ways.
       const parts = text.split(/["'`\n\\]|<\/script/);
-      for (const part of parts) assert.ok(page.includes(part), `${key}: node bindings/web/playground/build.mjs`);
+      for (const part of parts)
+        assert.ok(page.includes(part), `${key}: node bindings/web/playground/build.mjs`);
     }
   }
 });

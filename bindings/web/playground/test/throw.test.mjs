@@ -18,11 +18,15 @@ const bitsOfRow = (page, model) =>
   page.$$eval(`#row-${model} td`, (cells) => cells.map((cell) => cell.dataset.bits));
 
 const setValue = (page, id, value) =>
-  page.$eval(`#${id}`, (input, wanted) => {
-    input.value = wanted;
-    input.dispatchEvent(new Event(input.tagName === "SELECT" ? "change" : "input"));
-    return input.value;
-  }, String(value));
+  page.$eval(
+    `#${id}`,
+    (input, wanted) => {
+      input.value = wanted;
+      input.dispatchEvent(new Event(input.tagName === "SELECT" ? "change" : "input"));
+      return input.value;
+    },
+    String(value),
+  );
 
 /** What the first throw of the page is, in Node. */
 function firstThrow(model, direction) {
