@@ -94,7 +94,7 @@ export default {
   showModels: "Show",
   separateCylinder: "Separate limits (cylinder)",
   centre: "turns about here",
-  surfaceHelp: "Press on the surface to push with that force and torque, or on the outline of the body to push there. The thick arrow is the push, blue the motion of the pushed point, green the edges of the motion cone: a finger with friction can move the point anywhere between them without slipping.",
+  surfaceHelp: "Press on the surface to push with that force and torque, or on the outline of the body to push there. On the surface, coloured arrows are the motion under each model. On the plan the thick arrow is the push, blue the motion of the pushed point, green the edges of the motion cone: a finger with friction can move the point anywhere between them without slipping. Below the plan is the section of the surface through the push: force F against torque T.",
   surfaceKeys: "Drag the surface, or use the arrow keys on it, to look from elsewhere.",
   surfaceFormula: "<h3>The formula</h3><p class=\"math\">F · v + T ω ≤ D(v, ω) = μ ∫ p(r) |v + ω × r| dA   for every motion (v, ω)</p><p>A force F with a torque T can be held if no motion takes more power from it than friction, D, consumes. The motions for which both are equal stand at right angles on the surface. The ellipsoid of a round body has the same width and height but is too full between; the cylinder of separate limits is fuller still. With the ellipsoid the spin of a pushed disk is wrong by a factor from 2/3 to 16/9.</p>",
   surfaceCommand: "<h3>From the command line</h3><pre><code>tribos surface --patch box:0.3x0.2 --coefficient 0.4 --load 20 --picture box.svg --page box.html</code></pre><pre><code>tribos push push-box --output box.csv --picture box.svg</code></pre>",
