@@ -59,4 +59,10 @@ fn the_package_passes_its_tests_and_computes_the_bits_of_the_kernel() {
         "test/all.test.mjs",
         "test/package.test.mjs",
     ]);
+    node(&[
+        "--test",
+        "playground/test/texts.test.mjs",
+        "playground/test/panels.test.mjs",
+        "playground/test/throw.test.mjs",
+    ]);
 }

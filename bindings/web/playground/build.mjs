@@ -1,0 +1,63 @@
+// Makes docs/playground.html: `node bindings/web/playground/build.mjs`.
+//
+// Needs the WebAssembly that `node bindings/web/build.mjs` makes, and esbuild (`npm ci --prefix bindings/web`).
+// The page is one file that opens from the disk. The script with the disk module comes first and draws at
+// once; what only later panels need follows it, packed, and is read after that.
+
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const PACKED = {
+  "all-wasm": "../dist/all.wasm",
+  "curling-data": "data/curling.json",
+  "powder-data": "data/powder.json",
+};
+
+let esbuild;
+try {
+  esbuild = await import("esbuild");
+} catch {
+  stop("esbuild is missing: npm ci --prefix bindings/web");
+}
+if (!existsSync(here("../dist/all.wasm"))) stop("WebAssembly is missing: node bindings/web/build.mjs");
+
+const bundle = await esbuild.build({
+  entryPoints: [here("src/main.js")],
+  bundle: true,
+  minify: true,
+  format: "iife",
+  target: "es2022",
+  charset: "utf8",
+  loader: { ".wasm": "binary" },
+  write: false,
+  // Only code for Node asks where it is; the page is one script.
+  logOverride: { "empty-import-meta": "silent" },
+});
+const css = await esbuild.transform(readFileSync(here("style.css"), "utf8"), { loader: "css", minify: true });
+const parts = {
+  STYLE: css.code,
+  // An end tag inside the script would end it.
+  SCRIPT: bundle.outputFiles[0].text.replaceAll("</script", "<\\/script"),
+  DATA: Object.entries(PACKED).map(packed).join("\n"),
+};
+const template = readFileSync(here("page.html"), "utf8");
+const page = template.replace(
+  /<!--(STYLE|SCRIPT|DATA)-->|\/\*(STYLE|SCRIPT)\*\//g,
+  (_, a, b) => parts[a ?? b],
+);
+const target = here("../../../docs/playground.html");
+writeFileSync(target, page);
+console.log(`docs/playground.html  ${(Buffer.byteLength(page) / 1e6).toFixed(2)} MB`);
+
+/** A file as text in the page: gzip, then base64. */
+function packed([id, path]) {
+  const bytes = gzipSync(readFileSync(here(path)), { level: 9 });
+  return `<script type="text/plain" id="${id}">${bytes.toString("base64")}</script>`;
+}
+
+function stop(reason) {
+  console.error(reason);
+  process.exit(1);
+}

@@ -1,0 +1,60 @@
+// The page: languages, panels, and the first throw.
+
+import { find } from "./controls.js";
+import { startCurling } from "./curling.js";
+import { startDisks } from "./kernel.js";
+import { firstLanguage, language, onLanguage, setLanguage } from "./language.js";
+import { startModes } from "./modes.js";
+import { startPowder } from "./powder.js";
+import { startSurface } from "./surface.js";
+import { completeThrow, startThrow } from "./throw.js";
+import { startWorksheet } from "./worksheet.js";
+
+/** What starts a panel when it is first shown. */
+const STARTS = {
+  throw: () => {},
+  surface: startSurface,
+  modes: startModes,
+  curling: startCurling,
+  powder: startPowder,
+  worksheet: startWorksheet,
+};
+const started = new Set();
+
+/** Shows the panel of the address. */
+function showPanel() {
+  const wanted = location.hash.slice(1);
+  const name = wanted in STARTS ? wanted : "throw";
+  for (const other of Object.keys(STARTS)) find(`panel-${other}`).hidden = other !== name;
+  for (const link of document.querySelectorAll("nav a")) {
+    if (link.hash === `#${name}`) link.setAttribute("aria-current", "page");
+    else link.removeAttribute("aria-current");
+  }
+  if (started.has(name)) return;
+  started.add(name);
+  STARTS[name]();
+}
+
+/** Panels come after the first draw: the browser paints between. */
+const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+
+async function start() {
+  for (const name of ["en", "de"])
+    find(`language-${name}`).addEventListener("click", () => setLanguage(name));
+  setLanguage(firstLanguage());
+  onLanguage(() => {
+    for (const name of ["en", "de"])
+      find(`language-${name}`).setAttribute("aria-pressed", language() === name);
+  });
+  for (const name of Object.keys(STARTS)) find(`panel-${name}`).hidden = name !== "throw";
+  startDisks();
+  startThrow();
+  performance.mark("first-draw");
+  await painted();
+  addEventListener("hashchange", showPanel);
+  showPanel();
+  await completeThrow();
+  performance.mark("complete");
+}
+
+start();

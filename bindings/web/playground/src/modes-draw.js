@@ -1,0 +1,164 @@
+// Pictures of the final motion.
+
+import { palette, polyline } from "./canvas.js";
+import { digits, t } from "./language.js";
+
+/** What the diagram shows. */
+export const RANGES = { inertia: [0.02, 1.2], alpha: [-0.9, 2] };
+const EDGE = { left: 54, right: 14, top: 12, bottom: 42 };
+/** Ratios from 1/LARGEST to LARGEST have a colour between the ends. */
+const LARGEST = 20;
+/** Ends of the colours: what spins last, what slides last, and where it depends on the launch. */
+const COLORS = {
+  spin: [143, 29, 107],
+  both: [240, 238, 230],
+  slide: [11, 90, 148],
+  depends: [120, 124, 132],
+};
+const RATIOS = [0.01, 100];
+/** Regions with fewer cells have no name in them. */
+const SMALLEST = 40;
+
+/** Place and scale of the diagram. */
+export function mapPlace(width, height) {
+  return placed(width, height, RANGES.inertia, RANGES.alpha);
+}
+
+function placed(width, height, [x0, x1], [y0, y1]) {
+  const [w, h] = [width - EDGE.left - EDGE.right, height - EDGE.top - EDGE.bottom];
+  const toScreen = ([x, y]) => [
+    EDGE.left + (w * (x - x0)) / (x1 - x0),
+    EDGE.top + (h * (y1 - y)) / (y1 - y0),
+  ];
+  const toWorld = ([x, y]) => [x0 + ((x - EDGE.left) / w) * (x1 - x0), y1 - ((y - EDGE.top) / h) * (y1 - y0)];
+  return { w, h, toScreen, toWorld };
+}
+
+/** A colour of a final ratio; null where it depends on the launch. */
+function colorOf(ratio) {
+  if (ratio === null) return COLORS.depends;
+  const part = Math.min(Math.max(Math.log(ratio) / Math.log(LARGEST), -1), 1);
+  const end = part < 0 ? COLORS.spin : COLORS.slide;
+  return COLORS.both.map((value, index) => value + Math.abs(part) * (end[index] - value));
+}
+
+export function drawMap(context, width, height, { map, state, count }) {
+  const { w, h, toScreen } = mapPlace(width, height);
+  const rows = map?.rows ?? [];
+  rows.forEach((row, index) => {
+    row.forEach((ratio, column) => {
+      context.fillStyle = `rgb(${colorOf(ratio).map(Math.round)})`;
+      const [x, y] = [EDGE.left + (w * column) / row.length, EDGE.top + h - (h * (index + 1)) / count];
+      context.fillRect(x, y, w / row.length + 0.7, h / count + 0.7);
+    });
+  });
+  const xs = [0.2, 0.4, 0.6, 0.8, 1, 1.2].map((x) => [x, digits(x, 1)]);
+  const ys = [-0.5, 0, 0.5, 1, 1.5, 2].map((y) => [y, digits(y, 1)]);
+  axes(context, width, height, toScreen, { xs, ys, x: t("axisInertia"), y: "α" });
+  if (rows.length === count) nameRegions(context, rows, w, h);
+  const [x, y] = toScreen([state.inertia, state.alpha]);
+  context.beginPath();
+  context.arc(x, y, 8, 0, 2 * Math.PI);
+  context.lineWidth = 5;
+  context.strokeStyle = "#fff";
+  context.stroke();
+  context.lineWidth = 2.5;
+  context.strokeStyle = "#000";
+  context.stroke();
+}
+
+/** Writes into each region what is last there. */
+function nameRegions(context, rows, w, h) {
+  const regions = {};
+  rows.forEach((row, index) => {
+    row.forEach((ratio, column) => {
+      const name =
+        ratio === null ? "Depends" : ratio === 0 ? "Spinning" : ratio === Infinity ? "Sliding" : "Together";
+      const region = (regions[name] ??= { count: 0, x: 0, y: 0 });
+      region.count += 1;
+      region.x += (column + 0.5) / row.length;
+      region.y += 1 - (index + 0.5) / rows.length;
+    });
+  });
+  context.font = "600 13px system-ui, sans-serif";
+  context.textAlign = "center";
+  for (const [name, { count, x, y }] of Object.entries(regions)) {
+    if (count < SMALLEST) continue;
+    context.fillStyle = name === "Together" ? "#000" : "#fff";
+    const text = t(`region${name}`);
+    const half = context.measureText(text).width / 2 + 4;
+    const at = Math.min(Math.max((w * x) / count, half), w - half);
+    context.fillText(text, EDGE.left + at, EDGE.top + (h * y) / count);
+  }
+}
+
+export function drawRuns(context, width, height, { runs, modes }) {
+  const logs = RATIOS.map(Math.log10);
+  const { toScreen } = placed(width, height, [0, 1], logs);
+  const log = (ratio) => Math.min(Math.max(Math.log10(ratio), logs[0]), logs[1]);
+  const { accent, target } = palette();
+  const share = (index) => `${digits(100 * (1 - 10 ** -index), Math.max(0, index - 2))} %`;
+  const xs = [0, 1, 2, 3].map((index) => [
+    index / 3,
+    modes.restsInFiniteTime ? share(index) : digits(10 ** index - 1, 0),
+  ]);
+  const ys = [-2, -1, 0, 1, 2].map((y) => [y, digits(10 ** y, Math.max(0, -y))]);
+  const x = t(modes.restsInFiniteTime ? "axisShare" : "axisTime");
+  axes(context, width, height, toScreen, { xs, ys, x, y: "v/(ωR)" });
+  for (const { ratio, stability } of modes.fixedPoints) {
+    if (ratio === 0 || ratio === Infinity) continue;
+    const points = [
+      [0, log(ratio)],
+      [1, log(ratio)],
+    ].map(toScreen);
+    polyline(context, points, { color: target, width: 3, dash: stability === "stable" ? [8, 5] : [2, 6] });
+  }
+  for (const run of runs) {
+    polyline(
+      context,
+      run.map(([part, ratio]) => toScreen([part, log(ratio)])),
+      { color: accent, width: 2 },
+    );
+  }
+}
+
+/** Lines, numbers and names of two axes. */
+export function axes(context, width, height, toScreen, { xs, ys, x, y }) {
+  const { soft, line } = palette();
+  context.font = "12px system-ui, sans-serif";
+  context.fillStyle = soft;
+  const [bottom, top] = [height - EDGE.bottom, EDGE.top];
+  for (const [value, text] of xs) {
+    const [at] = toScreen([value, 0]);
+    polyline(
+      context,
+      [
+        [at, top],
+        [at, bottom],
+      ],
+      { color: line, width: 1 },
+    );
+    context.textAlign = at > width - 40 ? "right" : "center";
+    context.fillText(text, at > width - 40 ? width - 4 : at, bottom + 16);
+  }
+  for (const [value, text] of ys) {
+    const [, at] = toScreen([0, value]);
+    polyline(
+      context,
+      [
+        [EDGE.left, at],
+        [width - EDGE.right, at],
+      ],
+      { color: line, width: 1 },
+    );
+    context.textAlign = "right";
+    context.fillText(text, EDGE.left - 6, at + 4);
+  }
+  context.textAlign = "center";
+  context.fillText(x, (EDGE.left + width - EDGE.right) / 2, height - 8);
+  context.save();
+  context.translate(13, (top + bottom) / 2);
+  context.rotate(-Math.PI / 2);
+  context.fillText(y, 0, 0);
+  context.restore();
+}

@@ -1,0 +1,238 @@
+// The panel of the limit surface. Forces are in μN, torques in μNR, lengths in radii.
+
+import { MODELS, centred, frictionOf, outline } from "./bodies.js";
+import { onDrag, painter } from "./canvas.js";
+import { choice, find, slider } from "./controls.js";
+import { everythingReady } from "./kernel.js";
+import { digits, onLanguage, t } from "./language.js";
+import { startDrawing } from "./outline.js";
+import { drawPlan, drawSection, planView } from "./plan.js";
+import { centreOf, contactAt, motionCone, rimOf, wrenchAt } from "./push.js";
+import { drawSolid, meshOf, picked, viewOf } from "./solid.js";
+
+const DEGREE = Math.PI / 180;
+const STEP = 5 * DEGREE;
+const ORBIT = {
+  ArrowLeft: ["yaw", 1],
+  ArrowRight: ["yaw", -1],
+  ArrowUp: ["pitch", 1],
+  ArrowDown: ["pitch", -1],
+};
+/** Choices of the list that are pressures under a disk. */
+const PRESSURES = ["hertz", "punch"];
+/** A press that moves less, in pixels, is a click. */
+const CLICK = 4;
+
+const state = {
+  shape: "box",
+  pressure: "uniform",
+  alpha: 0,
+  mu: 1,
+  radius: 1,
+  part: 0.23,
+  angle: 0,
+  cone: 0.3,
+};
+const eye = { yaw: 0.55, pitch: 0.42 };
+const shows = { exact: true, ellipsoid: true, separate: true };
+let friction;
+let models;
+let mesh;
+let rim;
+let free = null;
+let paints = [];
+let controls = [];
+
+/** The push: at the contact, or the one that was picked on the surface. */
+const contactOf = () => (free === null ? contactAt(rim, state.part) : null);
+const pushOf = () => free ?? wrenchAt(contactOf(), state.angle);
+const row = ({ fx, fy, torque }) => [fx, fy, torque];
+
+function makeSurface() {
+  friction?.free();
+  const isPressure = PRESSURES.includes(state.shape);
+  const body = isPressure ? { ...state, shape: "puck", pressure: state.shape } : state;
+  friction = frictionOf(body);
+  const exact = friction.limitSurface(1);
+  models = { exact, ellipsoid: exact.ellipsoid(), separate: exact.separate() };
+  mesh = meshOf(exact);
+  rim = rimOf(outline(body));
+}
+
+/** Where each model carries the push, and the motion there. */
+function normalsOf(push) {
+  return Object.fromEntries(
+    MODELS.map((model) => {
+      const { vx, vy, spin } = models[model].normal(push);
+      return [model, { at: row(models[model].scaleToSurface(push)), normal: [vx, vy, spin] }];
+    }),
+  );
+}
+
+function paintAll() {
+  for (const paint of paints) paint();
+}
+
+function bindPaints() {
+  const solid = painter(find("surface-canvas"), (context, width, height) => {
+    const push = pushOf();
+    const scene = { mesh, surface: models.exact, shows, push: row(models.exact.scaleToSurface(push)) };
+    drawSolid(context, viewOf(width, height, eye), { ...scene, normals: normalsOf(push) });
+  });
+  const plan = painter(find("plan-canvas"), (context, width, height) => {
+    const [contact, push] = [contactOf(), pushOf()];
+    const cone = contact && motionCone(models.exact, contact, state.cone);
+    const motion = models.exact.normal(push);
+    drawPlan(context, planView(width, height), {
+      rim,
+      isRing: state.shape === "ring",
+      push,
+      contact,
+      motion,
+      cone,
+    });
+  });
+  const section = painter(find("section-canvas"), (context, width, height) =>
+    drawSection(context, width, height, { models, push: pushOf(), shows }),
+  );
+  paints = [solid, plan, section];
+}
+
+/** Numbers of the motion under each model, and the motion in words. */
+function tell() {
+  const push = pushOf();
+  for (const model of MODELS) {
+    const on = models[model].scaleToSurface(push);
+    const motion = models[model].normal(push);
+    const speed = Math.hypot(motion.vx, motion.vy);
+    const centre = centreOf(motion);
+    const values = [
+      Math.hypot(on.fx, on.fy),
+      on.torque,
+      motion.spin / speed,
+      centre ? Math.hypot(...centre) : Infinity,
+    ];
+    const cells = find(`surface-${model}`).querySelectorAll("td");
+    cells.forEach((cell, index) => {
+      cell.textContent = digits(
+        Math.abs(values[index]) > 1e6 ? Math.sign(values[index]) * Infinity : values[index],
+        3,
+      );
+    });
+  }
+  const { vx, vy, spin } = models.exact.normal(push);
+  const degrees = (Math.atan2(vy, vx) * 180) / Math.PI;
+  find("surface-say").textContent = t("surfaceSay", {
+    direction: digits(Math.hypot(vx, vy) < 1e-9 ? NaN : degrees, 0),
+    ratio: digits(Math.abs(spin) / Math.hypot(vx, vy), 2),
+  });
+}
+
+function changed(key) {
+  if (key === "part" || key === "angle") free = null;
+  for (const show of controls) show();
+  tell();
+  paintAll();
+}
+
+function changeShape() {
+  free = null;
+  try {
+    makeSurface();
+    find("surface-error").textContent = "";
+  } catch (error) {
+    find("surface-error").textContent = `${t("refused")} ${error.message}`;
+    state.shape = "puck";
+    makeSurface();
+  }
+  changed();
+}
+
+function drawShape() {
+  find("surface-error").textContent = t("drawNow");
+  startDrawing(find("plan-canvas"), (corners) => {
+    Object.assign(state, corners ? { shape: "drawn", drawn: centred(corners, 1) } : { shape: "puck" });
+    changeShape();
+  });
+}
+
+function bindOrbit(canvas) {
+  let from;
+  let moved;
+  onDrag(canvas, {
+    down: (point) => ([from, moved] = [point, 0]),
+    move: ([x, y]) => {
+      eye.yaw -= 0.01 * (x - from[0]);
+      tilt(0.01 * (y - from[1]));
+      moved += Math.hypot(x - from[0], y - from[1]);
+      from = [x, y];
+      paints[0]();
+    },
+    up: (point) => {
+      if (moved > CLICK) return;
+      const [fx, fy, torque] = picked(mesh, viewOf(canvas.clientWidth, canvas.clientHeight, eye), point);
+      free = { fx, fy, torque };
+      changed();
+    },
+  });
+  canvas.addEventListener("keydown", (event) => {
+    const [key, sign] = ORBIT[event.key] ?? [];
+    if (key === undefined) return;
+    event.preventDefault();
+    if (key === "yaw") eye.yaw += sign * STEP;
+    else tilt(sign * STEP);
+    paints[0]();
+  });
+}
+
+function tilt(by) {
+  eye.pitch = Math.min(Math.max(eye.pitch + by, -1.5), 1.5);
+}
+
+/** A press on the plan pushes at the nearest point of the outline, from there. */
+function bindPlan(canvas) {
+  const at = (point) => {
+    const [x, y] = planView(canvas.clientWidth, canvas.clientHeight).toWorld(point);
+    let best = Infinity;
+    for (let index = 0; index < 200; index += 1) {
+      const { place } = contactAt(rim, index / 200);
+      const distance = Math.hypot(place[0] - x, place[1] - y);
+      if (distance < best) [best, state.part] = [distance, index / 200];
+    }
+    changed("part");
+  };
+  onDrag(canvas, { down: at, move: at });
+}
+
+export async function startSurface() {
+  await everythingReady();
+  makeSurface();
+  bindPaints();
+  controls = [
+    slider("surface-part", state, "part", {
+      unit: "%",
+      decimals: 0,
+      read: (x) => x / 100,
+      write: (x) => 100 * x,
+      changed,
+    }),
+    slider("surface-angle", state, "angle", {
+      unit: "°",
+      decimals: 0,
+      read: (x) => x * DEGREE,
+      write: (x) => x / DEGREE,
+      changed,
+    }),
+    slider("surface-cone", state, "cone", { changed }),
+    choice("surface-shape", state, "shape", () => (state.shape === "drawn" ? drawShape() : changeShape())),
+  ];
+  for (const model of MODELS) {
+    find(`show-${model}`).addEventListener("change", (event) => {
+      shows[model] = event.target.checked;
+      paintAll();
+    });
+  }
+  bindOrbit(find("surface-canvas"));
+  bindPlan(find("plan-canvas"));
+  onLanguage(changed);
+}
