@@ -54,6 +54,12 @@ fn several_problems_have_a_folder_each() -> Outcome {
     // Again into the same folder; alone a problem has the folder itself.
     let (code, _, said) = tribos(folder.path(), line)?;
     assert_eq!(code, Some(0), "{said}");
+    // Other problems: what the first ones left is gone.
+    let (code, _, said) = tribos(folder.path(), ["contact", &spheres, "--out", "out"])?;
+    assert_eq!(code, Some(0), "{said}");
+    for name in ["Rover1041", "NESpheres_10_1"] {
+        assert!(!folder.path().join("out").join(name).exists(), "{name}");
+    }
     let alone = ["contact", &rover, "--method", "interior", "--out", "alone"];
     let (code, _, said) = tribos(folder.path(), alone)?;
     assert_eq!(code, Some(0), "{said}");
@@ -94,6 +100,11 @@ fn files_are_refused_before_anything_is_solved() -> Outcome {
     );
     assert!(told.is_empty() && !folder.path().join("out").exists());
     let (code, _, said) = tribos(folder.path(), ["contact", &rover, &rover, "--out", "out"])?;
+    assert_eq!(code, Some(2), "{said}");
+    assert_has(&said, &["is given twice"]);
+    std::fs::copy(&rover, folder.path().join("Rover1041.hdf5"))?;
+    let line = ["contact", &rover, "Rover1041.hdf5", "--out", "out"];
+    let (code, _, said) = tribos(folder.path(), line)?;
     assert_eq!(code, Some(2), "{said}");
     assert_has(&said, &["would both have the folder"]);
     Ok(())

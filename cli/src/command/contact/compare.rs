@@ -1,13 +1,13 @@
 //! Several methods over several problems.
 
 use super::solved::Posed;
-use super::{method, profile};
+use super::{folder, method, profile};
 use crate::command::number;
 use crate::failure::Failure;
 use std::path::PathBuf;
 use tribos::problem::{Ending, Method, Settings};
 use tribos::record::{number, write_atomically};
-use tribos::run::folder::{Contents, OutputFolder};
+use tribos::run::folder::Contents;
 
 /// Run several methods over several problems: which solve them, in what time, and the share of the problems that each
 /// solves within a multiple of the fastest time (performance profile of Dolan and More).
@@ -20,9 +20,9 @@ pub struct Compare {
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Largest residual of a solution.
-    #[arg(long, default_value = "1e-8", value_parser = number::positive)]
+    #[arg(long, default_value = "1e-8", value_parser = number::positive, allow_negative_numbers = true)]
     tolerance: f64,
-    /// Methods, with commas between them [default: all].
+    /// Methods, with commas between them; all if it is left out.
     #[arg(long = "method", value_name = "METHODS", value_delimiter = ',', value_parser = method::parser())]
     methods: Vec<Method>,
     /// Runs of each method on each problem.
@@ -62,7 +62,7 @@ impl Compare {
         let problems = Posed::read(&self.files)?;
         let out = match &self.out {
             None => None,
-            Some(out) => Some(OutputFolder::begin(
+            Some(out) => Some(folder::begin(
                 out,
                 &Contents::of("contact compare", &FILES),
             )?),
@@ -89,7 +89,21 @@ impl Compare {
             tribos_report::image::write_both(path, "profile", &profile.figure())?;
             crate::command::print(&format!("written to    {}\n", path.display()))?;
         }
-        Ok(())
+        let unsolved = problems
+            .iter()
+            .zip(&times)
+            .filter(|(_, times)| times.iter().all(Option::is_none));
+        let unsolved: Vec<String> = unsolved
+            .map(|(posed, _)| posed.file.display().to_string())
+            .collect();
+        if unsolved.is_empty() {
+            return Ok(());
+        }
+        Err(Failure::Unsolved(format!(
+            "no method solves to {:e}: {}",
+            self.tolerance,
+            unsolved.join(", ")
+        )))
     }
 
     /// Methods in turn, as often as asked.
@@ -134,15 +148,15 @@ fn without_repeats(methods: &[Method]) -> Result<Vec<Method>, Failure> {
 fn heading(methods: &[Method]) -> String {
     let names = methods
         .iter()
-        .map(|method| format!("{:>11}", method.name()));
+        .map(|method| format!("{:>12}", method.name()));
     format!("{} file (ms)\n", names.collect::<String>())
 }
 
 /// Milliseconds, or why there are none.
 fn cell(trial: &Trial) -> String {
     match trial.time() {
-        Some(seconds) => format!("{:>11.3}", 1e3 * seconds),
-        None => format!("{:>11}", trial.ending.name()),
+        Some(seconds) => format!("{:>12.3}", 1e3 * seconds),
+        None => format!("{:>12}", trial.ending.name()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! `tribos contact`: contact problems of other programs, solved; methods compared.
 
 mod compare;
+mod folder;
 mod method;
 mod output;
 mod plot;

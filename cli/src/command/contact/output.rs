@@ -16,8 +16,16 @@ pub struct Row<'a> {
 /// Names of the columns on the terminal.
 pub fn heading() -> String {
     format!(
-        "{:>8} {:>10} {:>10} {:>8} {:>8} {:>9} {:<10} {:<11} file\n",
-        "contacts", "residual", "scaled", "sweeps", "factors", "seconds", "method", "ending"
+        "{:>8} {:>10} {:>10} {:>10} {:>8} {:>8} {:>9} {:<10} {:<11} file\n",
+        "contacts",
+        "residual",
+        "scaled",
+        "speed",
+        "sweeps",
+        "factors",
+        "seconds",
+        "method",
+        "ending"
     )
 }
 
@@ -30,10 +38,11 @@ impl Row<'_> {
     pub fn line(&self) -> String {
         let solution = &self.solved.solution;
         format!(
-            "{:>8} {:>10.3e} {:>10.3e} {:>8} {:>8} {:>9.4} {:<10} {:<11} {}\n",
+            "{:>8} {:>10.3e} {:>10.3e} {:>10.3e} {:>8} {:>8} {:>9.4} {:<10} {:<11} {}\n",
             self.contacts(),
             solution.residual.relative,
             solution.residual.scaled,
+            solution.residual.speed,
             solution.sweeps,
             solution.factorisations,
             self.solved.seconds,
@@ -41,6 +50,16 @@ impl Row<'_> {
             solution.ending.name(),
             self.posed.file.display()
         )
+    }
+
+    /// What keeps the problem from being solved.
+    pub fn lack(&self, tolerance: f64) -> String {
+        let residual = &self.solved.solution.residual;
+        let largest = residual.largest();
+        if largest <= tolerance {
+            return format!("normal speeds wrong by {:.1e}", residual.speed);
+        }
+        format!("residual {largest:.1e}")
     }
 
     /// summary.json and reactions.csv.

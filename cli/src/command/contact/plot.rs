@@ -1,37 +1,46 @@
 //! The residual as work goes on.
 
-use tribos::problem::Progress;
+use tribos::problem::{Method, Progress};
 use tribos_report::figure::{Axis, Figure, Series};
 
 /// Most points that are drawn of a series.
 const MOST_DRAWN: usize = 2000;
+/// Residuals below this are rounding, and are drawn there: a logarithmic axis has no zero.
+const ROUNDING: f64 = 1e-17;
 
-/// Scaled residual over sweeps and factorisations, each with its own colour.
-pub fn convergence(history: &[Progress]) -> Figure {
+/// Residual over sweeps and factorisations, each method with its own colour, and the tolerance.
+pub fn convergence(history: &[Progress], tolerance: f64) -> Figure {
     let stride = history.len().div_ceil(MOST_DRAWN).max(1);
-    let mut sweeps = Vec::new();
-    let mut factorisations = Vec::new();
+    let mut drawn: Vec<(Method, Vec<(f64, f64)>)> = Vec::new();
     for (at, progress) in history.iter().enumerate() {
         let is_drawn = at % stride == 0 || at + 1 == history.len();
-        // A logarithmic axis has no place for others.
-        if !is_drawn || !progress.residual.is_finite() || progress.residual <= 0.0 {
+        if !is_drawn || !progress.residual.is_finite() {
             continue;
         }
         let work = (progress.sweeps + progress.factorisations) as f64;
-        let series = match progress.factorisations {
-            0 => &mut sweeps,
-            _ => &mut factorisations,
-        };
-        series.push((work, progress.residual));
+        let point = (work, progress.residual.max(ROUNDING));
+        match drawn
+            .iter_mut()
+            .find(|(method, _)| *method == progress.method)
+        {
+            Some((_, points)) => points.push(point),
+            None => drawn.push((progress.method, vec![point])),
+        }
     }
+    let most = history
+        .iter()
+        .map(|progress| progress.sweeps + progress.factorisations);
+    let width = most.max().unwrap_or(0).max(1) as f64;
     let figure = Figure::new(
         "Convergence",
         Axis::linear("sweeps and factorisations"),
-        Axis::log10("scaled residual"),
+        Axis::log10("residual"),
     );
-    let named = [("sweeps", sweeps), ("factorisations", factorisations)];
-    let drawn = named.into_iter().filter(|(_, points)| !points.is_empty());
-    drawn.fold(figure, |figure, (name, points)| {
-        figure.series(Series::line_points(name, points))
-    })
+    let figure = drawn.into_iter().fold(figure, |figure, (method, points)| {
+        figure.series(Series::line_points(method.name(), points))
+    });
+    figure.series(Series::line(
+        "tolerance",
+        vec![(0.0, tolerance), (width, tolerance)],
+    ))
 }

@@ -2,13 +2,12 @@
 
 use super::output::{Row, heading};
 use super::solved::Posed;
-use super::{method, plot};
+use super::{folder, method, plot};
 use crate::command::number;
 use crate::failure::Failure;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tribos::problem::{Ending, Method, Settings};
-use tribos::run::folder::{Contents, OutputFolder};
 
 /// Problems, and how to solve them.
 #[derive(Debug, clap::Args)]
@@ -17,7 +16,7 @@ pub struct Solve {
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Largest residual of a solution.
-    #[arg(long, default_value = "1e-8", value_parser = number::positive)]
+    #[arg(long, default_value = "1e-8", value_parser = number::positive, allow_negative_numbers = true)]
     tolerance: f64,
     /// Method.
     #[arg(long, default_value = "automatic", value_parser = method::parser())]
@@ -34,6 +33,16 @@ impl Solve {
     pub fn execute(self) -> Result<(), Failure> {
         let folders = self.folders()?;
         let problems = Posed::read(&self.files)?;
+        let _several = match &self.out {
+            Some(out) if folders.len() > 1 => {
+                let names = folders.iter().flatten().filter_map(|path| path.file_name());
+                let names: Vec<String> = names
+                    .map(|name| name.to_string_lossy().into_owned())
+                    .collect();
+                Some(folder::of_several(out, &names)?)
+            }
+            _ => None,
+        };
         let settings = Settings {
             tolerance: self.tolerance,
             method: self.method,
@@ -48,11 +57,15 @@ impl Solve {
                 solved: &solved,
             };
             if let Some(folder) = folder {
-                write(folder, &row)?;
+                write(folder, &row, self.tolerance)?;
             }
             crate::command::print(&row.line())?;
             if solved.solution.ending != Ending::Converged {
-                left.push(posed.file.display().to_string());
+                left.push(format!(
+                    "{} ({})",
+                    posed.file.display(),
+                    row.lack(self.tolerance)
+                ));
             }
         }
         if let Some(out) = &self.out {
@@ -62,7 +75,7 @@ impl Solve {
             return Ok(());
         }
         Err(Failure::Unsolved(format!(
-            "not solved to {:e}: {}\n  The best impulses are kept; try another --method, or a larger --tolerance.",
+            "not solved to {:e}: {}\n  The best impulses are kept; try another --method, or a larger --tolerance (rounding allows about 1e-14).",
             self.tolerance,
             left.join(", ")
         )))
@@ -82,6 +95,9 @@ impl Solve {
             let stem = file.file_stem().unwrap_or(file.as_os_str());
             let folder = out.join(stem);
             if let Some(other) = taken.insert(folder.clone(), file) {
+                if other == file {
+                    return Err(Failure::input(format!("{} is given twice", file.display())));
+                }
                 return Err(Failure::input(format!(
                     "{} and {} would both have the folder {}; rename one, or give them one at a time",
                     other.display(),
@@ -96,15 +112,9 @@ impl Solve {
 }
 
 /// Leaves a problem's files in its folder.
-fn write(folder: &Path, row: &Row<'_>) -> Result<(), Failure> {
-    let files = [
-        "summary.json",
-        "reactions.csv",
-        "convergence.svg",
-        "convergence.png",
-    ];
-    let _folder = OutputFolder::begin(folder, &Contents::of("contact", &files))?;
-    let figure = plot::convergence(&row.solved.history);
-    tribos_report::image::write_both(folder, "convergence", &figure)?;
-    row.write(folder)
+fn write(path: &Path, row: &Row<'_>, tolerance: f64) -> Result<(), Failure> {
+    let folder = folder::of_a_problem(path)?;
+    let figure = plot::convergence(&row.solved.history, tolerance);
+    tribos_report::image::write_both(folder.path(), "convergence", &figure)?;
+    row.write(folder.path())
 }

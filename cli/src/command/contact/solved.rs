@@ -53,6 +53,7 @@ impl<'a> Posed<'a> {
                     sweeps,
                     factorisations,
                     residual,
+                    ..
                 } = progress;
                 meter.tell_open(format_args!(
                     "{}: {sweeps} sweeps, {factorisations} factorisations, residual {residual:.1e}",

@@ -38,7 +38,7 @@ pub struct Step {
 enum Format {
     /// HDF5 of FCLib: problem-N.hdf5.
     Hdf5,
-    /// Text of Siconos, without torsion and cohesion: problem-N.dat.
+    /// Text of Siconos: problem-N.dat. It has no place for torsion and cohesion, which powders have: `column` fits.
     Text,
 }
 

@@ -542,3 +542,11 @@ fn damaged_files_are_read_or_refused_but_never_panic() {
     // Most words of a text count; most bytes of HDF5 are numbers or room.
     assert!(refused[0] > 400 && refused[1] > 150, "{refused:?}");
 }
+
+#[test]
+fn a_file_cut_short_is_refused() {
+    let bytes = written(&local(3, Layout::Space, 2), Format::FclibHdf5);
+    for left in (0..bytes.len()).rev().step_by(7) {
+        assert!(parsed(&bytes[..left]).is_err(), "{left} of {}", bytes.len());
+    }
+}

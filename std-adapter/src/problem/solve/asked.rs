@@ -101,8 +101,10 @@ pub struct Progress {
     pub sweeps: usize,
     /// Factorisations so far.
     pub factorisations: usize,
-    /// Scaled residual of the point at hand.
+    /// Scaled residual of the point at hand; the larger of both sizes where it was judged.
     pub residual: f64,
+    /// The method at work.
+    pub method: Method,
 }
 
 /// Impulses, and what is known of them.

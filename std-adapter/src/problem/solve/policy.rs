@@ -90,6 +90,7 @@ struct Run<'a, W> {
     best: Vec<f64>,
     judged: Residual,
     sweeps: usize,
+    factorisations: usize,
     method: Method,
     /// Scaled residual that the methods aim at: it falls below the tolerance where the plain one is larger.
     goal: f64,
@@ -106,6 +107,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             watch,
             best,
             sweeps: 0,
+            factorisations: 0,
             method: settings.method,
             goal: settings.tolerance,
         }
@@ -210,6 +212,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         let impulses = self.prepared.unscaled(r, self.problem);
         let judged = residual(self.problem, &impulses);
         let meets = judged.meets(self.settings.tolerance);
+        self.tell(method, judged.largest());
         if meets || judged.largest() < self.judged.largest() || self.judged.largest().is_nan() {
             self.best = impulses;
             self.judged = judged;
@@ -281,11 +284,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             self.sweeps += BETWEEN;
             self.prepared.velocities(&gradient.r, &mut u);
             let residual = self.prepared.residual(&gradient.r, &u);
-            (self.watch)(&Progress {
-                sweeps: self.sweeps,
-                factorisations: 0,
-                residual,
-            });
+            self.tell(Method::Gradient, residual);
             if residual <= self.goal && self.done(&gradient.r, Method::Gradient) {
                 return;
             }
@@ -305,11 +304,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         let mut u = vec![0.0; sweeps.r.len()];
         self.prepared.velocities(&sweeps.r, &mut u);
         let residual = self.prepared.residual(&sweeps.r, &u);
-        (self.watch)(&Progress {
-            sweeps: self.sweeps,
-            factorisations: 0,
-            residual,
-        });
+        self.tell(Method::Sweeps, residual);
         let solved = residual <= self.goal && self.done(&sweeps.r, Method::Sweeps);
         (residual, solved)
     }
@@ -338,7 +333,8 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
                 break;
             }
             let residual = problem.residual(&point.r, &point.u);
-            self.tell(system, residual);
+            self.factorisations = system.factorisations;
+            self.tell(Method::Interior, residual);
             if residual <= self.goal && self.done(&point.r, Method::Interior) {
                 return true;
             }
@@ -347,6 +343,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
                 let mut trial = point.r.clone();
                 let goal = 0.5 * self.goal;
                 let solved = newton(problem, system, Near::NOTHING, &mut trial, (goal, FINISH));
+                self.factorisations = system.factorisations;
                 if solved && self.done(&trial, Method::Interior) {
                     return true;
                 }
@@ -371,7 +368,9 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         for _ in 0..3 {
             let most = self.settings.most_factorisations;
             let goal = (0.5 * self.goal, PROXIMAL_STEPS);
-            let solved = proximal(problem, system, &mut r, goal, |_, system| {
+            let solved = proximal(problem, system, &mut r, goal, |residual, system| {
+                self.factorisations = system.factorisations;
+                self.tell(Method::Proximal, residual);
                 system.factorisations >= most
             });
             if self.done(&r, Method::Proximal) {
@@ -384,11 +383,12 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         false
     }
 
-    fn tell(&mut self, system: &System, residual: f64) {
+    fn tell(&mut self, method: Method, residual: f64) {
         (self.watch)(&Progress {
             sweeps: self.sweeps,
-            factorisations: system.factorisations,
+            factorisations: self.factorisations,
             residual,
+            method,
         });
     }
 }

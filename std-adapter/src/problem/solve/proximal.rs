@@ -27,7 +27,7 @@ pub(super) fn proximal(
     system: &mut System,
     r: &mut [f64],
     (goal, most): (f64, usize),
-    mut watch: impl FnMut(&[f64], &System) -> bool,
+    mut watch: impl FnMut(f64, &System) -> bool,
 ) -> bool {
     let mut u = vec![0.0; r.len()];
     let mut weight = FIRST;
@@ -52,7 +52,7 @@ pub(super) fn proximal(
             }
             centre = trial;
         }
-        if best <= goal || watch(r, system) {
+        if best <= goal || watch(best, system) {
             return best <= goal;
         }
         weight = if solved {

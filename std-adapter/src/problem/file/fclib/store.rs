@@ -21,6 +21,10 @@ impl Store {
             Ok((file, names))
         });
         let (file, names) = opened.map_err(|message| (Place::File, Fault::Hdf5(message)))?;
+        if let Some(length) = length(bytes).filter(|&length| length > bytes.len() as u64) {
+            let message = format!("it has {} bytes of {length}", bytes.len());
+            return Err((Place::File, Fault::Hdf5(message)));
+        }
         let found = groups
             .iter()
             .find(|group| names.iter().any(|name| name == *group));
@@ -147,6 +151,18 @@ impl Store {
         }
         Ok(dataset)
     }
+}
+
+/// Length of a whole file, as its superblock at the beginning has it: with addresses of eight bytes, versions 0 to 3.
+fn length(bytes: &[u8]) -> Option<u64> {
+    let (width, end) = match bytes.get(8)? {
+        0 => (13, 40),
+        1 => (13, 44),
+        2 | 3 => (9, 28),
+        _ => return None,
+    };
+    let address = bytes.get(end..end + 8)?.try_into().ok()?;
+    (*bytes.get(width)? == 8).then(|| u64::from_le_bytes(address))
 }
 
 /// What the library answers, its errors in words. A panic of the library is an error as well: its files may be damaged.
