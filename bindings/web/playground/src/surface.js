@@ -7,7 +7,7 @@ import { everythingReady } from "./kernel.js";
 import { digits, onLanguage, t } from "./language.js";
 import { startDrawing } from "./outline.js";
 import { drawPlan, drawSection, planView } from "./plan.js";
-import { centreOf, contactAt, motionCone, rimOf, wrenchAt } from "./push.js";
+import { centreOf, circleContactAt, contactAt, motionCone, rimOf, wrenchAt } from "./push.js";
 import { drawSolid, meshOf, picked, viewOf } from "./solid.js";
 
 const DEGREE = Math.PI / 180;
@@ -39,12 +39,14 @@ let friction;
 let models;
 let mesh;
 let rim;
+let isRound;
 let free = null;
 let paints = [];
 let controls = [];
 
 /** The push: at the contact, or the one that was picked on the surface. */
-const contactOf = () => (free === null ? contactAt(rim, state.part) : null);
+const outlineAt = (part) => (isRound ? circleContactAt(part) : contactAt(rim, part));
+const contactOf = () => (free === null ? outlineAt(state.part) : null);
 const pushOf = () => free ?? wrenchAt(contactOf(), state.angle);
 const row = ({ fx, fy, torque }) => [fx, fy, torque];
 
@@ -56,7 +58,9 @@ function makeSurface() {
   const exact = friction.limitSurface(1);
   models = { exact, ellipsoid: exact.ellipsoid(), separate: exact.separate() };
   mesh = meshOf(exact);
-  rim = rimOf(outline(body));
+  const corners = outline(body);
+  isRound = corners === null;
+  rim = rimOf(corners);
 }
 
 /** Where each model carries the push, and the motion there. */
@@ -195,7 +199,7 @@ function bindPlan(canvas) {
     const [x, y] = planView(canvas.clientWidth, canvas.clientHeight).toWorld(point);
     let best = Infinity;
     for (let index = 0; index < 200; index += 1) {
-      const { place } = contactAt(rim, index / 200);
+      const { place } = outlineAt(index / 200);
       const distance = Math.hypot(place[0] - x, place[1] - y);
       if (distance < best) [best, state.part] = [distance, index / 200];
     }

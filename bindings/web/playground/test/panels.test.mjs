@@ -61,7 +61,7 @@ async function accessible(page, panel) {
 }
 
 inBrowser("the language switches without a reload, numbers included", async (browser) => {
-  const { page } = await open(browser);
+  const { page } = await open(browser, { motion: "reduce" });
   const distance = () => page.$eval("#row-exact td", (cell) => cell.textContent);
   assert.match(await distance(), /^0\.661$/);
   await page.click("#language-de");
@@ -84,6 +84,18 @@ inBrowser(
     await page.focus("#modes-map");
     await page.keyboard.press("ArrowRight");
     assert.doesNotMatch(await text("modes-say"), /0\.653/);
+    const set = (id, value) =>
+      page.$eval(
+        `#${id}`,
+        (input, wanted) => {
+          input.value = wanted;
+          input.dispatchEvent(new Event("input"));
+        },
+        value,
+      );
+    await set("modes-inertia", "0.5");
+    await set("modes-alpha", "1");
+    assert.match(await text("modes-say"), /^Every ratio stays as thrown/);
     await show(page, "powder");
     assert.match(await text("powder-say"), /66\.3 %.*73\.8 %.*82\.7 %.*89\.4 %/);
     assert.deepEqual(errors, []);
