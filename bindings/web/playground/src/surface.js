@@ -41,6 +41,8 @@ let mesh;
 let rim;
 let isRound;
 let free = null;
+/** Gives up the drawing of an outline; while there is one, nothing else is shown. */
+let stopDrawing;
 let paints = [];
 let controls = [];
 
@@ -79,11 +81,13 @@ function paintAll() {
 
 function bindPaints() {
   const solid = painter(find("surface-canvas"), (context, width, height) => {
+    if (stopDrawing) return;
     const push = pushOf();
     const scene = { mesh, surface: models.exact, shows, push: row(models.exact.scaleToSurface(push)) };
     drawSolid(context, viewOf(width, height, eye), { ...scene, normals: normalsOf(push) });
   });
   const plan = painter(find("plan-canvas"), (context, width, height) => {
+    if (stopDrawing) return;
     const [contact, push] = [contactOf(), pushOf()];
     const cone = contact && motionCone(models.exact, contact, state.cone);
     const motion = models.exact.normal(push);
@@ -96,9 +100,9 @@ function bindPaints() {
       cone,
     });
   });
-  const section = painter(find("section-canvas"), (context, width, height) =>
-    drawSection(context, width, height, { models, push: pushOf(), shows }),
-  );
+  const section = painter(find("section-canvas"), (context, width, height) => {
+    if (!stopDrawing) drawSection(context, width, height, { models, push: pushOf(), shows });
+  });
   paints = [solid, plan, section];
 }
 
@@ -135,11 +139,14 @@ function tell() {
 function changed(key) {
   if (key === "part" || key === "angle") free = null;
   for (const show of controls) show();
+  if (stopDrawing) return askForOutline();
   tell();
   paintAll();
 }
 
 function changeShape() {
+  stopDrawing?.();
+  stopDrawing = undefined;
   free = null;
   try {
     makeSurface();
@@ -153,11 +160,21 @@ function changeShape() {
 }
 
 function drawShape() {
-  find("surface-error").textContent = t("drawNow");
-  startDrawing(find("plan-canvas"), (corners) => {
+  stopDrawing?.();
+  stopDrawing = startDrawing(find("plan-canvas"), (corners) => {
     Object.assign(state, corners ? { shape: "drawn", drawn: centred(corners, 1) } : { shape: "puck" });
     changeShape();
+    if (!corners) find("surface-error").textContent = t("drawAgain");
   });
+  paintAll();
+  askForOutline();
+}
+
+/** Says where to draw; what was shown was of another body. */
+function askForOutline() {
+  find("surface-error").textContent = "";
+  find("surface-say").textContent = t("drawInBox");
+  for (const cell of document.querySelectorAll("#panel-surface td")) cell.textContent = "–";
 }
 
 function bindOrbit(canvas) {
@@ -173,7 +190,7 @@ function bindOrbit(canvas) {
       paints[0]();
     },
     up: (point) => {
-      if (moved > CLICK) return;
+      if (moved > CLICK || stopDrawing) return;
       const [fx, fy, torque] = picked(mesh, viewOf(canvas.clientWidth, canvas.clientHeight, eye), point);
       free = { fx, fy, torque };
       changed();

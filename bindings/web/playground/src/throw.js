@@ -135,6 +135,7 @@ function bindControls() {
 function drawShape() {
   cancelAnimationFrame(playing);
   say(() => t("drawNow"));
+  showNumbers(undefined, setup);
   startDrawing(canvas, (corners) => {
     Object.assign(setup, corners ? { shape: "drawn", drawn: corners } : { shape: "puck" });
     changed("shape");
