@@ -1,7 +1,7 @@
 // The panel of the limit surface. Forces are in μN, torques in μNR, lengths in radii.
 
 import { MODELS, centred, frictionOf, outline } from "./bodies.js";
-import { onDrag, painter } from "./canvas.js";
+import { onDrag, painter, palette } from "./canvas.js";
 import { choice, find, slider } from "./controls.js";
 import { everythingReady } from "./kernel.js";
 import { digits, onLanguage, t } from "./language.js";
@@ -87,7 +87,7 @@ function bindPaints() {
     drawSolid(context, viewOf(width, height, eye), { ...scene, normals: normalsOf(push) });
   });
   const plan = painter(find("plan-canvas"), (context, width, height) => {
-    if (stopDrawing) return;
+    if (stopDrawing) return nameDrawing(context, width, height);
     const [contact, push] = [contactOf(), pushOf()];
     const cone = contact && motionCone(models.exact, contact, state.cone);
     const motion = models.exact.normal(push);
@@ -139,7 +139,10 @@ function tell() {
 function changed(key) {
   if (key === "part" || key === "angle") free = null;
   for (const show of controls) show();
-  if (stopDrawing) return askForOutline();
+  if (stopDrawing) {
+    paintAll();
+    return askForOutline();
+  }
   tell();
   paintAll();
 }
@@ -168,6 +171,15 @@ function drawShape() {
   });
   paintAll();
   askForOutline();
+  find("plan-canvas").scrollIntoView({ block: "nearest" });
+}
+
+/** Says in the empty box that it is the one to draw in. */
+function nameDrawing(context, width, height) {
+  context.font = "600 16px system-ui, sans-serif";
+  context.textAlign = "center";
+  context.fillStyle = palette().soft;
+  context.fillText(t("drawHere"), width / 2, height / 2);
 }
 
 /** Says where to draw; what was shown was of another body. */
