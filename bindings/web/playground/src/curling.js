@@ -67,6 +67,9 @@ function nameCurves(context, toScreen) {
 
 /** A row for each model: numbers, and what is wrong with it. */
 function fillTable() {
+  document.querySelectorAll("#panel-curling th.spin").forEach((head, index) => {
+    head.textContent = digits(SHOWN[index], 2).replace(/[.,]?0+$/, "");
+  });
   find("curling-rows").replaceChildren(
     ...curves.map(({ model, points }) => {
       // Narrow pages lay the rows out by themselves: the roles of a table have to be said.

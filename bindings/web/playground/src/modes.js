@@ -78,10 +78,23 @@ function changed(key) {
   computeRuns();
   if (key === "pressure") computeMap();
   for (const show of controls) show();
-  const { finalMode, finalRatio } = modes;
-  const ratio = digits(finalRatio ?? NaN, 3);
-  find("modes-say").textContent = t(`mode_${finalMode ?? "depends"}`, { ratio });
+  find("modes-say").textContent = `${endInWords()} ${intervalInWords()}`;
   for (const paint of paints) paint();
+}
+
+/** Which motion is last. */
+function endInWords() {
+  const { finalMode, finalRatio } = modes;
+  // A linear law brakes both motions at fixed rates: if the rates are equal, every ratio stays.
+  const undecided = state.alpha === 1 ? "neutral" : "depends";
+  return t(`mode_${finalMode ?? undecided}`, { ratio: digits(finalRatio ?? NaN, 3) });
+}
+
+/** For which inertia there is no motion that is always last. */
+function intervalInWords() {
+  const [low, high] = modes.inertiaInterval.map((inertia) => digits(inertia, 3));
+  const name = state.alpha === 1 ? "Neutral" : state.alpha < 1 ? "Together" : "Depends";
+  return t(`interval${name}`, { low, high });
 }
 
 /** Moves the point of the diagram. */

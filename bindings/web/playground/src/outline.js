@@ -6,7 +6,10 @@ import { palette, pointOf, polyline } from "./canvas.js";
 const APART = 14;
 const MOST = 24;
 
-/** Follows one stroke; calls `done` with corners [[x, y], …], y upwards, or null if they are too few. */
+/**
+ * Follows one stroke; calls `done` with corners [[x, y], …], y upwards, or null if they are too few. Returns a
+ * function that gives up.
+ */
 export function startDrawing(canvas, done) {
   const corners = [];
   const context = canvas.getContext("2d");
@@ -27,7 +30,7 @@ export function startDrawing(canvas, done) {
   const move = (event) => event.buttons && add(event);
   const end = (event) => {
     event.stopImmediatePropagation();
-    for (const [name, listener] of listeners) canvas.removeEventListener(name, listener, true);
+    stop();
     const step = Math.ceil(corners.length / MOST);
     const kept = corners.filter((_, index) => index % step === 0).map(([x, y]) => [x, -y]);
     done(kept.length < 3 ? null : kept);
@@ -38,6 +41,10 @@ export function startDrawing(canvas, done) {
     pointerup: end,
     pointercancel: end,
   });
+  const stop = () => {
+    for (const [name, listener] of listeners) canvas.removeEventListener(name, listener, true);
+  };
   for (const [name, listener] of listeners) canvas.addEventListener(name, listener, true);
   cover();
+  return stop;
 }

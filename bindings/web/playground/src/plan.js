@@ -17,11 +17,11 @@ export function planView(width, height) {
   const scale = Math.min(width, height) / 3.8;
   const toScreen = ([x, y]) => [width / 2 + scale * x, height / 2 - scale * y];
   const toWorld = ([x, y]) => [(x - width / 2) / scale, (height / 2 - y) / scale];
-  return { scale, toScreen, toWorld };
+  return { width, height, scale, toScreen, toWorld };
 }
 
 export function drawPlan(context, view, { rim, isRing, push, contact, motion, cone }) {
-  const { exact, ink, panel, soft, target } = palette();
+  const { exact, ink, soft, target } = palette();
   polyline(context, rim.map(view.toScreen), { color: ink, width: 2, isClosed: true });
   if (isRing)
     polyline(
@@ -48,7 +48,13 @@ export function drawPlan(context, view, { rim, isRing, push, contact, motion, co
   }
   const centre = centreOf(motion);
   if (centre === null) return;
-  const [x, y] = view.toScreen(centre);
+  drawCentre(context, view, view.toScreen(centre));
+}
+
+/** The centre of rotation; its name is at the edge of the plan, where no body is. */
+function drawCentre(context, { width, height }, [x, y]) {
+  if (x < 0 || x > width || y < 0 || y > height) return;
+  const { exact, soft } = palette();
   context.beginPath();
   context.arc(x, y, 5, 0, 2 * Math.PI);
   context.strokeStyle = exact;
@@ -57,10 +63,20 @@ export function drawPlan(context, view, { rim, isRing, push, contact, motion, co
   context.font = "13px system-ui, sans-serif";
   context.textAlign = "center";
   context.fillStyle = soft;
-  context.lineWidth = 4;
-  context.strokeStyle = panel;
-  context.strokeText(t("centre"), x, y + 20);
-  context.fillText(t("centre"), x, y + 20);
+  const half = context.measureText(t("centre")).width / 2 + 6;
+  const isLow = y > height / 2;
+  const at = Math.min(Math.max(x, half), width - half);
+  context.fillText(t("centre"), at, isLow ? height - 8 : 18);
+  const ends = isLow
+    ? [
+        [x, y + 7],
+        [at, height - 24],
+      ]
+    : [
+        [x, y - 7],
+        [at, 24],
+      ];
+  polyline(context, ends, { color: soft, width: 1 });
 }
 
 function drawFrom(context, view, place, [dx, dy], color, length) {

@@ -115,10 +115,12 @@ function show() {
     find(`porosity-${index}`).textContent = t("emptySpace", { percent: digits(100 * porosity, 1) });
     paints[index]();
   });
+  tell("off");
 }
 
-/** Says the end in words, once the film is over or the slider is let go. */
-function tell() {
+/** The time shown in words; read aloud ("polite") once the film is over or the slider is let go. */
+function tell(aloud) {
+  find("powder-say").setAttribute("aria-live", aloud);
   const names = Object.fromEntries(
     corners.map((corner, index) => [
       `p${index}`,
@@ -133,7 +135,7 @@ function play() {
   if (wantsStillness()) {
     share = 1;
     show();
-    return tell();
+    return tell("polite");
   }
   if (share >= 1) share = 0;
   const [start, from] = [performance.now(), share];
@@ -151,7 +153,7 @@ function stopped() {
   cancelAnimationFrame(playing);
   playing = 0;
   find("powder-play").textContent = t("play");
-  tell();
+  tell("polite");
 }
 
 export async function startPowder() {
@@ -166,10 +168,9 @@ export async function startPowder() {
     share = target.value / 1000;
     show();
   });
-  find("powder-time").addEventListener("change", tell);
+  find("powder-time").addEventListener("change", () => tell("polite"));
   onLanguage(() => {
     show();
     find("powder-play").textContent = t(playing ? "pause" : "play");
-    tell();
   });
 }

@@ -31,6 +31,12 @@ export function contactAt(rim, part) {
   return { place, normal: [-edge.dy / edge.length, edge.dx / edge.length] };
 }
 
+/** The same on the unit circle, whose normal is the radius: a push along it has no torque. */
+export function circleContactAt(part) {
+  const [x, y] = [Math.cos(TURN * part), Math.sin(TURN * part)];
+  return { place: [x, y], normal: [-x, -y] };
+}
+
 /** The wrench of a unit force at a contact, turned from the normal by an angle. */
 export function wrenchAt({ place: [x, y], normal: [nx, ny] }, angle) {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];

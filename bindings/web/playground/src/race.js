@@ -17,6 +17,9 @@ export function twistOf({ speed, direction, spin }) {
   return { vx: speed * Math.cos(direction), vy: speed * Math.sin(direction), spin };
 }
 
+/** Whether a throw has any motion. */
+export const moves = ({ speed, spin }) => speed !== 0 || spin !== 0;
+
 /** Path and rest of each model that runs; `friction` and `body` are those of the exact law. */
 export function race(setup) {
   const friction = frictionOf(setup);
@@ -24,7 +27,10 @@ export function race(setup) {
   const twist = twistOf(setup);
   const runs = runnable(setup).map((model) => {
     const body = friction.body({ ...options, model });
-    return { model, rest: body.slide(twist), rows: body.slidePath(twist, ROWS) };
+    const rest = body.slide(twist);
+    // Without any motion nothing takes time.
+    if (!moves(setup)) rest.time = 0;
+    return { model, rest, rows: body.slidePath(twist, ROWS) };
   });
   return { friction, body: friction.body(options), runs, twist, isRound: isRound(setup) };
 }

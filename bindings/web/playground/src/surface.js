@@ -1,13 +1,13 @@
 // The panel of the limit surface. Forces are in μN, torques in μNR, lengths in radii.
 
 import { MODELS, centred, frictionOf, outline } from "./bodies.js";
-import { onDrag, painter } from "./canvas.js";
+import { onDrag, painter, palette } from "./canvas.js";
 import { choice, find, slider } from "./controls.js";
 import { everythingReady } from "./kernel.js";
 import { digits, onLanguage, t } from "./language.js";
 import { startDrawing } from "./outline.js";
 import { drawPlan, drawSection, planView } from "./plan.js";
-import { centreOf, contactAt, motionCone, rimOf, wrenchAt } from "./push.js";
+import { centreOf, circleContactAt, contactAt, motionCone, rimOf, wrenchAt } from "./push.js";
 import { drawSolid, meshOf, picked, viewOf } from "./solid.js";
 
 const DEGREE = Math.PI / 180;
@@ -39,12 +39,16 @@ let friction;
 let models;
 let mesh;
 let rim;
+let isRound;
 let free = null;
+/** Gives up the drawing of an outline; while there is one, nothing else is shown. */
+let stopDrawing;
 let paints = [];
 let controls = [];
 
 /** The push: at the contact, or the one that was picked on the surface. */
-const contactOf = () => (free === null ? contactAt(rim, state.part) : null);
+const outlineAt = (part) => (isRound ? circleContactAt(part) : contactAt(rim, part));
+const contactOf = () => (free === null ? outlineAt(state.part) : null);
 const pushOf = () => free ?? wrenchAt(contactOf(), state.angle);
 const row = ({ fx, fy, torque }) => [fx, fy, torque];
 
@@ -56,7 +60,9 @@ function makeSurface() {
   const exact = friction.limitSurface(1);
   models = { exact, ellipsoid: exact.ellipsoid(), separate: exact.separate() };
   mesh = meshOf(exact);
-  rim = rimOf(outline(body));
+  const corners = outline(body);
+  isRound = corners === null;
+  rim = rimOf(corners);
 }
 
 /** Where each model carries the push, and the motion there. */
@@ -75,11 +81,13 @@ function paintAll() {
 
 function bindPaints() {
   const solid = painter(find("surface-canvas"), (context, width, height) => {
+    if (stopDrawing) return;
     const push = pushOf();
     const scene = { mesh, surface: models.exact, shows, push: row(models.exact.scaleToSurface(push)) };
     drawSolid(context, viewOf(width, height, eye), { ...scene, normals: normalsOf(push) });
   });
   const plan = painter(find("plan-canvas"), (context, width, height) => {
+    if (stopDrawing) return nameDrawing(context, width, height);
     const [contact, push] = [contactOf(), pushOf()];
     const cone = contact && motionCone(models.exact, contact, state.cone);
     const motion = models.exact.normal(push);
@@ -92,9 +100,9 @@ function bindPaints() {
       cone,
     });
   });
-  const section = painter(find("section-canvas"), (context, width, height) =>
-    drawSection(context, width, height, { models, push: pushOf(), shows }),
-  );
+  const section = painter(find("section-canvas"), (context, width, height) => {
+    if (!stopDrawing) drawSection(context, width, height, { models, push: pushOf(), shows });
+  });
   paints = [solid, plan, section];
 }
 
@@ -131,11 +139,17 @@ function tell() {
 function changed(key) {
   if (key === "part" || key === "angle") free = null;
   for (const show of controls) show();
+  if (stopDrawing) {
+    paintAll();
+    return askForOutline();
+  }
   tell();
   paintAll();
 }
 
 function changeShape() {
+  stopDrawing?.();
+  stopDrawing = undefined;
   free = null;
   try {
     makeSurface();
@@ -149,11 +163,30 @@ function changeShape() {
 }
 
 function drawShape() {
-  find("surface-error").textContent = t("drawNow");
-  startDrawing(find("plan-canvas"), (corners) => {
+  stopDrawing?.();
+  stopDrawing = startDrawing(find("plan-canvas"), (corners) => {
     Object.assign(state, corners ? { shape: "drawn", drawn: centred(corners, 1) } : { shape: "puck" });
     changeShape();
+    if (!corners) find("surface-error").textContent = t("drawAgain");
   });
+  paintAll();
+  askForOutline();
+  find("plan-canvas").scrollIntoView({ block: "nearest" });
+}
+
+/** Says in the empty box that it is the one to draw in. */
+function nameDrawing(context, width, height) {
+  context.font = "600 16px system-ui, sans-serif";
+  context.textAlign = "center";
+  context.fillStyle = palette().soft;
+  context.fillText(t("drawHere"), width / 2, height / 2);
+}
+
+/** Says where to draw; what was shown was of another body. */
+function askForOutline() {
+  find("surface-error").textContent = "";
+  find("surface-say").textContent = t("drawInBox");
+  for (const cell of document.querySelectorAll("#panel-surface td")) cell.textContent = "–";
 }
 
 function bindOrbit(canvas) {
@@ -169,7 +202,7 @@ function bindOrbit(canvas) {
       paints[0]();
     },
     up: (point) => {
-      if (moved > CLICK) return;
+      if (moved > CLICK || stopDrawing) return;
       const [fx, fy, torque] = picked(mesh, viewOf(canvas.clientWidth, canvas.clientHeight, eye), point);
       free = { fx, fy, torque };
       changed();
@@ -195,7 +228,7 @@ function bindPlan(canvas) {
     const [x, y] = planView(canvas.clientWidth, canvas.clientHeight).toWorld(point);
     let best = Infinity;
     for (let index = 0; index < 200; index += 1) {
-      const { place } = contactAt(rim, index / 200);
+      const { place } = outlineAt(index / 200);
       const distance = Math.hypot(place[0] - x, place[1] - y);
       if (distance < best) [best, state.part] = [distance, index / 200];
     }

@@ -6,7 +6,7 @@ import { choice, find, range, slider } from "./controls.js";
 import { canPlay, judged, newTarget } from "./game.js";
 import { everythingReady, isComplete } from "./kernel.js";
 import { onLanguage, t } from "./language.js";
-import { durationOf, race } from "./race.js";
+import { durationOf, moves, race } from "./race.js";
 import { startDrawing } from "./outline.js";
 import { drawStage, fitted } from "./stage.js";
 import { showNumbers, spoken, spokenGame } from "./throw-numbers.js";
@@ -14,6 +14,9 @@ import { showNumbers, spoken, spokenGame } from "./throw-numbers.js";
 /** Pixels of an aim per m/s of the largest speed: the whole arrow is the largest speed. */
 const AIM = 180;
 const DEGREE = Math.PI / 180;
+const USUAL_DIRECTION = 8 * DEGREE;
+/** Step of the speed, in m/s. */
+const FINE = 0.01;
 /** Change of speed and direction by an arrow key. */
 const KEYS = {
   ArrowUp: ["direction", 1],
@@ -27,7 +30,7 @@ const setup = {
   shape: "puck",
   pressure: "uniform",
   alpha: 0,
-  direction: 8 * DEGREE,
+  direction: USUAL_DIRECTION,
   rate: "0.5",
 };
 const canvas = find("throw-canvas");
@@ -36,6 +39,7 @@ let view;
 let time = Infinity;
 let aim;
 let game;
+let isAnswer = false;
 let shows = [];
 let playing = 0;
 let summary = () => "";
@@ -44,7 +48,7 @@ let summary = () => "";
 function useGround(name) {
   Object.assign(setup, { ground: name, alpha: 0 }, GROUNDS[name]);
   setup.maxSpin = Math.round((3 * setup.maxSpeed) / setup.radius / 10) * 10;
-  range("throw-speed", 0, setup.maxSpeed, setup.maxSpeed / 300);
+  range("throw-speed", 0, setup.maxSpeed, FINE);
   range("throw-spin", -setup.maxSpin, setup.maxSpin, 1);
   range("throw-radius", setup.radius * 50, setup.radius * 250, setup.radius);
 }
@@ -58,7 +62,7 @@ const paint = painter(canvas, (context, width, height) => {
     ...scene,
     isHidden,
     target: game?.target,
-    answer: game?.verdict?.best,
+    answer: game?.verdict?.gentle,
   });
 });
 
@@ -67,6 +71,11 @@ function seen() {
   const points = game ? [[game.target.x, game.target.y]] : [];
   if (game && !game.isThrown) return points;
   return points.concat(result.runs.map(({ rest }) => [rest.x, rest.y]));
+}
+
+/** Shows the numbers of the models that are at rest by now; in a game, of what was thrown. */
+function tabulate() {
+  showNumbers(game && !game.isThrown ? undefined : result, setup, time);
 }
 
 /** Computes the throw anew, and shows its end. */
@@ -85,8 +94,7 @@ function compute() {
   find("throw-pressure").disabled = !isComplete || setup.shape !== "puck";
   find("throw-alpha").disabled = !isComplete || !isRound(setup);
   find("game-start").disabled = !canPlay(setup);
-  if (game && !game.isThrown) showNumbers(undefined, setup);
-  else showNumbers(result, setup);
+  tabulate();
   for (const show of shows) show();
   paint();
 }
@@ -127,6 +135,7 @@ function bindControls() {
 function drawShape() {
   cancelAnimationFrame(playing);
   say(() => t("drawNow"));
+  showNumbers(undefined, setup);
   startDrawing(canvas, (corners) => {
     Object.assign(setup, corners ? { shape: "drawn", drawn: corners } : { shape: "puck" });
     changed("shape");
@@ -140,8 +149,10 @@ function launch() {
   aim = undefined;
   if (game) game = { ...game, isThrown: true, verdict: undefined };
   compute();
-  if (wantsStillness()) return ended();
+  if (wantsStillness() || !moves(setup)) return ended();
   time = 0;
+  say(() => "");
+  tabulate();
   const rate = Number(setup.rate);
   const start = performance.now();
   let frames = 0;
@@ -149,6 +160,7 @@ function launch() {
     frames += 1;
     time = (Math.max(now - start, 0) / 1000) * rate;
     paint();
+    tabulate();
     if (time < durationOf(result)) playing = requestAnimationFrame(frame);
     else {
       performance.measure("race", { start, end: now, detail: { frames } });
@@ -160,6 +172,7 @@ function launch() {
 
 function ended() {
   time = Infinity;
+  tabulate();
   const thrown = result;
   if (!game) say(() => spoken(thrown, setup));
   else {
@@ -168,28 +181,38 @@ function ended() {
     game = { target, isThrown: true, verdict };
     say(() => spokenGame(verdict));
   }
-  find("game-answer").hidden = game === undefined;
+  showAnswers(game !== undefined);
   paint();
 }
 
 function startGame() {
   cancelAnimationFrame(playing);
   game = { target: newTarget(setup, result.body), isThrown: false };
-  find("game-answer").hidden = true;
+  showAnswers(false);
   find("game-end").hidden = false;
   say(() => t("gameStart"));
   compute();
 }
 
+/** Ends a game; what the answer had set is as usual again. */
 function endGame() {
+  const { speed, spin } = GROUNDS[setup.ground];
+  if (isAnswer) Object.assign(setup, { speed, spin, direction: USUAL_DIRECTION });
   game = undefined;
-  find("game-answer").hidden = find("game-end").hidden = true;
+  isAnswer = false;
+  find("game-end").hidden = true;
+  showAnswers(false);
 }
 
-/** Throws the answer of the inverse problem. */
-function throwAnswer() {
-  const { speed, direction, spin } = game.verdict.best;
+function showAnswers(areShown) {
+  for (const name of ["gentle", "spinning"]) find(`game-${name}`).hidden = !areShown;
+}
+
+/** Throws an answer of the inverse problem: "gentle" or "spinning". */
+function throwAnswer(name) {
+  const { speed, direction, spin } = game.verdict[name];
   Object.assign(setup, { speed, direction, spin });
+  isAnswer = true;
   launch();
 }
 
@@ -199,7 +222,7 @@ function bindThrow() {
     const length = Math.min(Math.hypot(x - x0, y - y0), AIM) || 1;
     const direction = Math.atan2(y0 - y, x - x0);
     aim = [length * Math.cos(direction), -length * Math.sin(direction)];
-    Object.assign(setup, { direction, speed: (length / AIM) * setup.maxSpeed });
+    Object.assign(setup, { direction, speed: rounded((length / AIM) * setup.maxSpeed) });
     if (game) game = { target: game.target, isThrown: false };
     compute();
   };
@@ -208,7 +231,7 @@ function bindThrow() {
     const [key, sign] = KEYS[event.key] ?? [];
     if (event.key === "Enter" || event.key === " ") launch();
     else if (key === "direction") turn("direction", sign * DEGREE, Math.PI);
-    else if (key === "speed") turn("speed", (sign * setup.maxSpeed) / 50, setup.maxSpeed, 0);
+    else if (key === "speed") turn("speed", sign * rounded(setup.maxSpeed / 50), setup.maxSpeed, 0);
     else if (event.key === "+" || event.key === "-") {
       turn("spin", ((event.key === "+" ? 1 : -1) * setup.maxSpin) / 50, setup.maxSpin);
     } else return;
@@ -217,12 +240,18 @@ function bindThrow() {
   find("throw-go").addEventListener("click", launch);
   find("game-start").addEventListener("click", startGame);
   find("game-end").addEventListener("click", () => (endGame(), changed()));
-  find("game-answer").addEventListener("click", throwAnswer);
+  for (const name of ["gentle", "spinning"]) {
+    find(`game-${name}`).addEventListener("click", () => throwAnswer(name));
+  }
 }
+
+/** A speed that the slider can have. */
+const rounded = (speed) => Math.round(speed / FINE) * FINE;
 
 /** Changes a number of the throw within its limits. */
 function turn(key, by, most, least = -most) {
-  setup[key] = Math.min(Math.max(setup[key] + by, least), most);
+  const value = setup[key] + by;
+  setup[key] = Math.min(Math.max(key === "speed" ? rounded(value) : value, least), most);
   changed(key);
 }
 
@@ -234,7 +263,7 @@ export function startThrow() {
   compute();
   onLanguage(() => {
     for (const show of shows) show();
-    if (!game || game.isThrown) showNumbers(result, setup);
+    tabulate();
     find("throw-say").textContent = summary();
     paint();
   });

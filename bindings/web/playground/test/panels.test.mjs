@@ -61,7 +61,7 @@ async function accessible(page, panel) {
 }
 
 inBrowser("the language switches without a reload, numbers included", async (browser) => {
-  const { page } = await open(browser);
+  const { page } = await open(browser, { motion: "reduce" });
   const distance = () => page.$eval("#row-exact td", (cell) => cell.textContent);
   assert.match(await distance(), /^0\.661$/);
   await page.click("#language-de");
@@ -84,11 +84,62 @@ inBrowser(
     await page.focus("#modes-map");
     await page.keyboard.press("ArrowRight");
     assert.doesNotMatch(await text("modes-say"), /0\.653/);
+    const set = (id, value) =>
+      page.$eval(
+        `#${id}`,
+        (input, wanted) => {
+          input.value = wanted;
+          input.dispatchEvent(new Event("input"));
+        },
+        value,
+      );
+    await set("modes-inertia", "0.5");
+    await set("modes-alpha", "1");
+    assert.match(await text("modes-say"), /^Every ratio stays as thrown/);
     await show(page, "powder");
     assert.match(await text("powder-say"), /66\.3 %.*73\.8 %.*82\.7 %.*89\.4 %/);
     assert.deepEqual(errors, []);
   },
 );
+
+inBrowser("while an outline is drawn, nothing of the former body is shown", async (browser) => {
+  const { page, errors } = await open(browser, { motion: "reduce" });
+  await show(page, "surface");
+  const cells = () => page.$$eval("#panel-surface td", (found) => found.map((cell) => cell.textContent));
+  const choose = (shape) =>
+    page.$eval(
+      "#surface-shape",
+      (input, wanted) => {
+        input.value = wanted;
+        input.dispatchEvent(new Event("change"));
+      },
+      shape,
+    );
+  await choose("drawn");
+  assert.ok((await cells()).every((text) => text === "–"));
+  assert.equal(await page.$eval("#surface-say", (line) => line.textContent), en.drawInBox);
+  for (const id of ["surface-canvas", "section-canvas"]) {
+    assert.equal(await page.$eval(`#${id}`, isDrawn), false, id);
+  }
+  // Another choice gives up the drawing.
+  await choose("box");
+  assert.ok((await cells()).every((text) => text !== "–"));
+  await choose("drawn");
+  const { x, y } = await (await page.$("#plan-canvas")).boundingBox();
+  await page.mouse.move(x + 80, y + 60);
+  await page.mouse.down();
+  for (const [right, down] of [
+    [200, 60],
+    [200, 160],
+    [80, 160],
+    [80, 90],
+  ]) {
+    await page.mouse.move(x + right, y + down, { steps: 6 });
+  }
+  await page.mouse.up();
+  assert.ok((await cells()).every((text) => text !== "–"));
+  assert.deepEqual(errors, []);
+});
 
 inBrowser("the worksheet has five experiments, and prints its answers apart", async (browser) => {
   const { page } = await open(browser);
