@@ -117,7 +117,7 @@ impl Course {
         let (mut twist, mut pose) = (self.twist, self.pose);
         let half = 0.5 * stepper.dt.dt();
         let is_free = self.push == [0.0; 3];
-        let mut is_at_rest = false;
+        let mut is_at_rest = twist == [0.0; 3];
         let mut count = 0;
         for row in rows {
             if count > 0 {

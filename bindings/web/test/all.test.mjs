@@ -59,6 +59,14 @@ test("a polygon need not be convex, has holes, and is centred where it is", () =
   near(corner.centre[0], 5 / 6);
 });
 
+test("a body at rest stays there, in no time", () => {
+  const still = { vx: 0, vy: 0, spin: 0 };
+  for (const model of ["exact", "ellipsoid", "separate"]) {
+    const { time, distance } = tribos.disk({ radius: 0.1, mu: 0.3 }).body({ mass: 1, inertia: 0.01, model }).slide(still);
+    assert.deepEqual([time, distance], [0, 0], model);
+  }
+});
+
 test("a polygon slides to rest and turns as it goes", () => {
   const crate = tribos.box({ a: 0.4, b: 0.2, mu: 0.5 });
   const body = crate.body({ mass: 2, inertia: (2 * (0.16 + 0.04)) / 12 });
