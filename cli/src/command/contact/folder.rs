@@ -40,6 +40,10 @@ pub fn begin(path: &Path, contents: &Contents<'_>) -> Result<OutputFolder, Failu
         .flatten()
         .filter_map(Value::as_str)
     {
+        // A folder in this one, whatever the manifest says.
+        if Path::new(name).file_name() != Some(name.as_ref()) {
+            continue;
+        }
         let inner = path.join(name);
         let is_ours = Manifest::read(&inner)?.is_some_and(|inner| inner.command == SOLVE);
         if is_ours {
