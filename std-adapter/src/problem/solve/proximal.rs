@@ -52,7 +52,8 @@ pub(super) fn proximal(
             }
             centre = trial;
         }
-        if best <= goal || watch(best, system) {
+        let is_enough = watch(best, system);
+        if best <= goal || is_enough {
             return best <= goal;
         }
         weight = if solved {
