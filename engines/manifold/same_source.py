@@ -7,6 +7,7 @@ Preprocesses the named sources of both compile_commands.json, or all of the libr
 """
 
 import json
+import re
 import shlex
 import subprocess
 import sys
@@ -14,12 +15,14 @@ from pathlib import Path
 
 
 def preprocessed(entry):
-    """The source without comments, macros and line markers."""
+    """The source without comments, macros, line markers and white space."""
     words = shlex.split(entry["command"])
     output = words.index("-o")
     words = words[:output] + words[output + 2 :]
     words = [word for word in words if word != "-c"] + ["-E", "-P", "-w"]
-    return subprocess.run(words, cwd=entry["directory"], check=True, capture_output=True).stdout
+    text = subprocess.run(words, cwd=entry["directory"], check=True, capture_output=True).stdout
+    # Names that an engine's macro makes of the number of the line.
+    return re.sub(rb"scope_exit\d+", b"scope_exit", b"".join(text.split()))
 
 
 def entries(build, names):
