@@ -25,7 +25,7 @@ scenes() { # SOURCE BUILD PROGRAM
 }
 
 tests() { # BUILD
-    "$1/bin/test"
+    (cd "$1" && bin/test) # leaves files where it runs
 }
 
 summary() { # LOG

@@ -28,7 +28,7 @@ scenes() { # SOURCE BUILD PROGRAM
 }
 
 tests() { # BUILD
-    "$1/UnitTests"
+    (cd "$1" && ./UnitTests)
 }
 
 summary() { # LOG
