@@ -18,10 +18,14 @@ const PACKED = {
 let esbuild;
 try {
   esbuild = await import("esbuild");
-} catch {
-  stop("esbuild is missing: npm ci --prefix bindings/web");
+} catch (error) {
+  if (error.code !== "ERR_MODULE_NOT_FOUND") throw error;
+  stop("esbuild is missing. Install it: npm ci --prefix bindings/web");
 }
-if (!existsSync(here("../dist/all.wasm"))) stop("WebAssembly is missing: node bindings/web/build.mjs");
+for (const name of ["tribos.wasm", "all.wasm"]) {
+  if (existsSync(here(`../dist/${name}`))) continue;
+  stop(`bindings/web/dist/${name} is missing. Build it: node bindings/web/build.mjs`);
+}
 
 const bundle = await esbuild.build({
   entryPoints: [here("src/main.js")],

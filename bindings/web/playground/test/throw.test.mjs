@@ -1,6 +1,7 @@
 // Throws in the page: the bits of the kernel, keyboard, game, and how quick it is.
 
 import assert from "node:assert/strict";
+import "../../test/built.mjs";
 import { inBrowser, open } from "./browser.mjs";
 import * as kernel from "../../all.js";
 
