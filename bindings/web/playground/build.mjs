@@ -33,8 +33,9 @@ const bundle = await esbuild.build({
   minify: true,
   format: "iife",
   target: "es2022",
-  charset: "utf8",
-  loader: { ".wasm": "binary" },
+  // A page of ASCII alone takes the browser half the memory, and is read sooner.
+  charset: "ascii",
+  loader: { ".wasm": "base64" },
   write: false,
   // Only code for Node asks where it is; the page is one script.
   logOverride: { "empty-import-meta": "silent" },

@@ -3,7 +3,7 @@
 import { find } from "./controls.js";
 import { startCurling } from "./curling.js";
 import { startDisks } from "./kernel.js";
-import { firstLanguage, language, onLanguage, setLanguage } from "./language.js";
+import { fill, firstLanguage, language, onLanguage, setLanguage } from "./language.js";
 import { startModes } from "./modes.js";
 import { startPowder } from "./powder.js";
 import { startSurface } from "./surface.js";
@@ -35,13 +35,27 @@ function showPanel() {
   STARTS[name]();
 }
 
+/** What the first picture is seen with. Texts of the rest come after it: to lay them out takes as long as all else. */
+const FIRST = "header, nav, #panel-throw > :is(h2, .intro, .split)";
+
+/** Elements with texts, those of the first picture and the others. */
+function textsInOrder() {
+  const first = [];
+  const others = [];
+  for (const element of document.querySelectorAll("[data-t], [data-label]")) {
+    (element.closest(FIRST) ? first : others).push(element);
+  }
+  return [first, others];
+}
+
 /** Panels come after the first draw: the browser paints between. */
 const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
 
 async function start() {
   for (const name of ["en", "de"])
     find(`language-${name}`).addEventListener("click", () => setLanguage(name));
-  setLanguage(firstLanguage());
+  const [first, others] = textsInOrder();
+  setLanguage(firstLanguage(), first);
   onLanguage(() => {
     for (const name of ["en", "de"])
       find(`language-${name}`).setAttribute("aria-pressed", language() === name);
@@ -51,6 +65,7 @@ async function start() {
   startThrow();
   performance.mark("first-draw");
   await painted();
+  fill(others);
   addEventListener("hashchange", showPanel);
   showPanel();
   await completeThrow();
