@@ -48,6 +48,11 @@ export function setLanguage(name, elements = document.querySelectorAll("[data-t]
   document.title = t("title");
   fill(elements);
   for (const call of listeners) call();
+}
+
+/** Writes the page in the language that the reader chose, now and the next time. */
+export function chooseLanguage(name) {
+  setLanguage(name);
   try {
     localStorage.setItem(KEY, name);
   } catch {

@@ -3,7 +3,7 @@
 import { find } from "./controls.js";
 import { startCurling } from "./curling.js";
 import { startDisks } from "./kernel.js";
-import { fill, firstLanguage, language, onLanguage, setLanguage } from "./language.js";
+import { chooseLanguage, fill, firstLanguage, language, onLanguage, setLanguage } from "./language.js";
 import { startModes } from "./modes.js";
 import { startPowder } from "./powder.js";
 import { startSurface } from "./surface.js";
@@ -53,7 +53,7 @@ const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeo
 
 async function start() {
   for (const name of ["en", "de"])
-    find(`language-${name}`).addEventListener("click", () => setLanguage(name));
+    find(`language-${name}`).addEventListener("click", () => chooseLanguage(name));
   const [first, others] = textsInOrder();
   setLanguage(firstLanguage(), first);
   onLanguage(() => {

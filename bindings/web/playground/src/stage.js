@@ -34,7 +34,7 @@ export function fitted(width, height, view, points, margin) {
   const y0 = room / 2 + (scale * (low + high)) / 2;
   const toScreen = ([x, y]) => [x0 + scale * x, y0 - scale * y];
   const toWorld = ([x, y]) => [(x - x0) / scale, (y0 - y) / scale];
-  return { scale, room, toScreen, toWorld };
+  return { width, height, scale, room, toScreen, toWorld };
 }
 
 /** Everything: field, bodies at a time, target, aim, and lanes. */

@@ -55,6 +55,7 @@ function useGround(name) {
 
 const paint = painter(canvas, (context, width, height) => {
   if (result === undefined) return;
+  if (view?.width !== width || view.height !== height) view = undefined;
   view ??= fitted(width, height, setup.view, seen(), 2 * setup.radius);
   const scene = { view, result, setup, aim, time: Math.min(time, durationOf(result)) };
   const isHidden = game !== undefined && !game.isThrown;
