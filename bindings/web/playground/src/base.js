@@ -6,7 +6,7 @@ import { t } from "./language.js";
 import { at, frictionAt } from "./race.js";
 
 /** Room for half of the name, in pixels. */
-export const HALF_NAME = 68;
+const HALF_NAME = 68;
 const SPACING = 0.38;
 const RIM = 16;
 /** Length of the arrow of a spot under the mean pressure, and of the largest force, in radii. */
@@ -52,6 +52,24 @@ function isInside(corners, [x, y]) {
   }, false);
 }
 
+/** Half width, and heights above and below the middle, of the box about a base of a radius in pixels. */
+const boxOf = (size) => ({ half: Math.max(1.45 * size, HALF_NAME), above: 1.3 * size, below: 1.3 * size + 22 });
+
+/** Radius of what is seen about a place, in pixels. */
+const ABOUT = 24;
+
+/** Where the base is drawn: at the right, below if none of some places is covered there, or else above. */
+export function placeOfBase(width, height, size, places) {
+  const { half, above, below } = boxOf(size);
+  const x = width - half - 4;
+  const covers = (y) =>
+    places.some(
+      ([a, b]) => Math.abs(a - x) < half + ABOUT && b > y - above - ABOUT && b < y + below + ABOUT,
+    );
+  const candidates = [height - below, above + 4];
+  return [x, candidates.find((y) => !covers(y)) ?? candidates[0]];
+}
+
 /** Draws the base about a place with a radius in pixels; at rest as it was at the launch. */
 export function drawBase(context, [x0, y0], size, { result, setup, time }) {
   const [exact] = result.runs;
@@ -60,8 +78,8 @@ export function drawBase(context, [x0, y0], size, { result, setup, time }) {
   const { ink, soft, panel, exact: blue } = palette();
   context.fillStyle = panel;
   context.globalAlpha = 0.9;
-  const half = Math.max(1.45 * size, HALF_NAME);
-  context.fillRect(x0 - half, y0 - 1.3 * size, 2 * half, 2.6 * size + 22);
+  const { half, above, below } = boxOf(size);
+  context.fillRect(x0 - half, y0 - above, 2 * half, above + below);
   context.globalAlpha = 1;
   const [c, s] = [Math.cos(motion.angle), Math.sin(motion.angle)];
   const turned = ([x, y]) => [c * x - s * y, s * x + c * y];

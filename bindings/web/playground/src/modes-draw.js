@@ -97,8 +97,9 @@ function nameRegions(context, rows, w, h) {
   const regions = {};
   rows.forEach((row, index) => {
     for (const { name, from, to } of partsOf(row)) {
-      const region = (regions[name] ??= { area: 0, x: 0, y: 0 });
+      const region = (regions[name] ??= { area: 0, x: 0, y: 0, widest: 0 });
       const area = (to - from) / (most - least) / rows.length;
+      region.widest = Math.max(region.widest, (w * (to - from)) / (most - least));
       region.area += area;
       region.x += (area * ((from + to) / 2 - least)) / (most - least);
       region.y += area * (1 - (index + 0.5) / rows.length);
@@ -106,11 +107,11 @@ function nameRegions(context, rows, w, h) {
   });
   context.font = "600 13px system-ui, sans-serif";
   context.textAlign = "center";
-  for (const [name, { area, x, y }] of Object.entries(regions)) {
-    if (area < SMALLEST) continue;
-    context.fillStyle = name === "Together" ? "#000" : "#fff";
+  for (const [name, { area, x, y, widest }] of Object.entries(regions)) {
     const text = t(`region${name}`);
     const half = context.measureText(text).width / 2 + 4;
+    if (area < SMALLEST || 2 * half > widest) continue;
+    context.fillStyle = name === "Together" ? "#000" : "#fff";
     const at = Math.min(Math.max((w * x) / area, half), w - half);
     context.fillText(text, EDGE.left + at, EDGE.top + (h * y) / area);
   }

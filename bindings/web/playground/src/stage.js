@@ -1,6 +1,6 @@
 // The picture of a throw: the field seen from above, and a lane for each model.
 
-import { HALF_NAME, drawBase } from "./base.js";
+import { drawBase, placeOfBase } from "./base.js";
 import { HOLES, outline } from "./bodies.js";
 import { arrow, palette, polyline, turnArrow } from "./canvas.js";
 import { digits, t } from "./language.js";
@@ -50,10 +50,15 @@ export function drawStage(context, width, height, scene) {
   if (aim) arrow(context, view.toScreen([0, 0]), aim, palette().ink, 4);
   else if (!isHidden) drawFriction(context, scene, pose);
   const size = width < 500 ? 34 : 52;
-  if (!isHidden)
-    drawBase(context, [width - Math.max(1.6 * size, HALF_NAME) - 4, view.room - 1.3 * size - 22], size, scene);
+  if (!isHidden) drawBase(context, placeOfBase(width, view.room, size, endsOf(scene)), size, scene);
   context.clearRect(0, view.room + 1, width, height);
   drawLanes(context, width, view.room + 8, scene);
+}
+
+/** Places on the canvas that have to be seen: where bodies rest, and the target. */
+function endsOf({ view, result, target }) {
+  const ends = result.runs.map(({ rest }) => rest);
+  return (target ? [...ends, target] : ends).map(({ x, y }) => view.toScreen([x, y]));
 }
 
 /** A line every round length, and the length. */

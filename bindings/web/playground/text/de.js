@@ -46,7 +46,7 @@ export default {
   floor: "Fußboden",
   shape: "Körper",
   puck: "Puck (Scheibe)",
-  annulus: "Unterlegscheibe (Kreisring)",
+  annulus: "Lochscheibe",
   ring: "Ring",
   box: "Kiste",
   triangle: "Dreieck",
