@@ -60,9 +60,11 @@ for (const [name, view] of Object.entries(VIEWS)) {
       }
     });
   }
+  // The checker takes most of the time of these tests: one language for each view.
+  const language = name === "wide" ? "en" : "de";
   for (const scheme of SCHEMES) {
-    inBrowser(`panels are accessible: ${name}, ${scheme}`, async (browser) => {
-      await inEveryPanel(browser, { language: "en", scheme, view }, accessible);
+    inBrowser(`panels are accessible: ${language}, ${name}, ${scheme}`, async (browser) => {
+      await inEveryPanel(browser, { language, scheme, view }, accessible);
     });
   }
 }
@@ -108,7 +110,10 @@ inBrowser("the language switches without a reload, numbers included", async (bro
   const { page } = await open(browser, { motion: "reduce" });
   const distance = () => page.$eval("#row-exact td", (cell) => cell.textContent);
   assert.match(await distance(), /^0\.661$/);
+  const kept = () => page.evaluate(() => localStorage.getItem("tribos-language"));
+  assert.equal(await kept(), null);
   await page.click("#language-de");
+  assert.equal(await kept(), "de");
   assert.match(await distance(), /^0,661$/);
   assert.equal(await page.title(), de.title);
   assert.equal(await page.$eval("html", (root) => root.lang), "de");
@@ -213,6 +218,25 @@ inBrowser("the worksheet has five experiments, and prints its answers apart", as
   await page.emulateMediaType("print");
   assert.equal(await shown("#sheet-answers"), true);
   assert.equal(await shown("#sheet details"), false);
+});
+
+inBrowser("paper has dark letters, also where the screen has light ones", async (browser) => {
+  const { page } = await open(browser, { scheme: "dark", motion: "reduce" });
+  const blue = () =>
+    page.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue("--exact").trim());
+  const canvas = await page.$("#throw-canvas");
+  const [screen, before] = [await blue(), await canvas.evaluate((drawn) => drawn.toDataURL())];
+  await page.emulateMediaType("print");
+  await page.waitForFunction((drawn, old) => drawn.toDataURL() !== old, {}, canvas, before);
+  assert.ok(luminanceOf(await blue()) < luminanceOf(screen));
+  // Nothing has the dark ground of the screen.
+  const share = await canvas.evaluate((drawn) => {
+    const { data } = drawn.getContext("2d").getImageData(0, 0, drawn.width, drawn.height);
+    let dark = 0;
+    for (let at = 0; at < data.length; at += 4) dark += data[at + 3] > 200 && data[at] < 60 && data[at + 2] < 60;
+    return (4 * dark) / data.length;
+  });
+  assert.ok(share < 0.01, `${100 * share} % of the canvas is dark`);
 });
 
 inBrowser("every command of the page is printed in the book, where a test runs it", async (browser) => {
