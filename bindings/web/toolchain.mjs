@@ -5,7 +5,7 @@ import { existsSync } from "node:fs";
 
 const TARGET = "wasm32-unknown-unknown";
 
-/** What is missing to build the WebAssembly in a folder, with the command that installs it; undefined if nothing is. */
+/** What is missing to build the WebAssembly in a folder, and how to install it; undefined if nothing is. */
 export function missingTool(folder) {
   const run = (program, ...args) => spawnSync(program, args, { cwd: folder, encoding: "utf8" });
   const cargo = run("cargo", "--version");

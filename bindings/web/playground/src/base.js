@@ -53,7 +53,11 @@ function isInside(corners, [x, y]) {
 }
 
 /** Half width, and heights above and below the middle, of the box about a base of a radius in pixels. */
-const boxOf = (size) => ({ half: Math.max(1.45 * size, HALF_NAME), above: 1.3 * size, below: 1.3 * size + 22 });
+const boxOf = (size) => ({
+  half: Math.max(1.45 * size, HALF_NAME),
+  above: 1.3 * size,
+  below: 1.3 * size + 22,
+});
 
 /** Radius of what is seen about a place, in pixels. */
 const ABOUT = 24;
@@ -63,9 +67,7 @@ export function placeOfBase(width, height, size, places) {
   const { half, above, below } = boxOf(size);
   const x = width - half - 4;
   const covers = (y) =>
-    places.some(
-      ([a, b]) => Math.abs(a - x) < half + ABOUT && b > y - above - ABOUT && b < y + below + ABOUT,
-    );
+    places.some(([a, b]) => Math.abs(a - x) < half + ABOUT && b > y - above - ABOUT && b < y + below + ABOUT);
   const candidates = [height - below, above + 4];
   return [x, candidates.find((y) => !covers(y)) ?? candidates[0]];
 }

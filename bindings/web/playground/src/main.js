@@ -35,7 +35,7 @@ function showPanel() {
   STARTS[name]();
 }
 
-/** What the first picture is seen with. Texts of the rest come after it: to lay them out takes as long as all else. */
+/** What is seen around the first picture. Other texts come after it: their layout would delay it. */
 const FIRST = "header, nav, #panel-throw > :is(h2, .intro, .split)";
 
 /** Elements with texts, those of the first picture and the others. */

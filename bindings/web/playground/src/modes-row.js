@@ -6,9 +6,9 @@ const STOPS = 21;
 const RATIOS = Array.from({ length: STOPS }, (_, index) => LARGEST ** (1 - (2 * index) / (STOPS - 1)));
 
 /**
- * The motion that is last under the friction of a patch of radius 1. Below the inertia ratio `low` it is sliding,
- * above `high` spinning. Between them both end together, at the ratio of `stops` ([inertia, ratio], inertia rising),
- * or it depends on the launch, and there are no stops.
+ * The motion that is last under the friction of a patch of radius 1. Below the inertia ratio `low` it is
+ * sliding, above `high` spinning. Between them both end together, at the ratios of `stops` (pairs of inertia
+ * ratio and v/(ωR), the inertia ratio rising), or the launch decides, and there are no stops.
  */
 export function rowOf(friction) {
   const [low, high] = friction.modes(1).inertiaInterval;

@@ -4,7 +4,7 @@ import { MODELS, frictionOf, inertiaOf, isRound } from "./bodies.js";
 import { isComplete } from "./kernel.js";
 
 const COLUMNS = 7;
-/** Rows of a path. Round bodies slide straight ahead; other paths have more rows than the picture has pixels in a bend. */
+/** Rows of a path. Round bodies slide straight; other paths have more rows than a bend has pixels. */
 const ROWS = { straight: 100, bent: 300 };
 
 /** Which models can run a throw: approximations are made for dry friction. */

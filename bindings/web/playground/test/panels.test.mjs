@@ -72,10 +72,13 @@ for (const [name, view] of Object.entries(VIEWS)) {
 inBrowser("letters on the canvases have contrast, light and dark", async (browser) => {
   for (const scheme of SCHEMES) {
     const { page } = await open(browser, { scheme, motion: "reduce" });
-    const colors = await page.evaluate((names) => {
-      const style = getComputedStyle(document.documentElement);
-      return names.map((name) => style.getPropertyValue(`--${name}`).trim());
-    }, ["panel", ...LETTERS]);
+    const colors = await page.evaluate(
+      (names) => {
+        const style = getComputedStyle(document.documentElement);
+        return names.map((name) => style.getPropertyValue(`--${name}`).trim());
+      },
+      ["panel", ...LETTERS],
+    );
     const [panel, ...letters] = colors.map(luminanceOf);
     letters.forEach((letter, index) => {
       const contrast = (Math.max(letter, panel) + 0.05) / (Math.min(letter, panel) + 0.05);
@@ -161,7 +164,10 @@ test("the diagram has the ratios and limits of the kernel", () => {
       for (const [inertia, ratio] of stops) {
         assert.ok(inertia > low && inertia < high, `${friction.kind}, exponent ${alpha}, ratio ${ratio}`);
         const found = friction.modes(inertia).finalRatio;
-        assert.ok(Math.abs(found / ratio - 1) < 1e-6, `${friction.kind}, exponent ${alpha}: ${found}, ${ratio}`);
+        assert.ok(
+          Math.abs(found / ratio - 1) < 1e-6,
+          `${friction.kind}, exponent ${alpha}: ${found}, ${ratio}`,
+        );
       }
       const middle = friction.modes((low + high) / 2).finalRatio;
       assert.equal(middle === null, alpha > 1);
@@ -233,7 +239,8 @@ inBrowser("paper has dark letters, also where the screen has light ones", async 
   const share = await canvas.evaluate((drawn) => {
     const { data } = drawn.getContext("2d").getImageData(0, 0, drawn.width, drawn.height);
     let dark = 0;
-    for (let at = 0; at < data.length; at += 4) dark += data[at + 3] > 200 && data[at] < 60 && data[at + 2] < 60;
+    for (let at = 0; at < data.length; at += 4)
+      dark += data[at + 3] > 200 && data[at] < 60 && data[at + 2] < 60;
     return (4 * dark) / data.length;
   });
   assert.ok(share < 0.01, `${100 * share} % of the canvas is dark`);
