@@ -45,7 +45,8 @@ export async function unpackedJson(id) {
   return JSON.parse(new TextDecoder().decode(await unpacked(id)));
 }
 
-function pageRead() {
+/** The whole page is there. */
+export function pageRead() {
   if (document.readyState !== "loading") return Promise.resolve();
   return new Promise((done) => document.addEventListener("DOMContentLoaded", done, { once: true }));
 }

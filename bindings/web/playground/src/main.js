@@ -2,7 +2,7 @@
 
 import { find } from "./controls.js";
 import { startCurling } from "./curling.js";
-import { startDisks } from "./kernel.js";
+import { pageRead, startDisks } from "./kernel.js";
 import { chooseLanguage, fill, firstLanguage, language, onLanguage, setLanguage } from "./language.js";
 import { startModes } from "./modes.js";
 import { startPowder } from "./powder.js";
@@ -35,18 +35,11 @@ function showPanel() {
   STARTS[name]();
 }
 
+/** Elements with texts. */
+const textsOf = () => [...document.querySelectorAll("[data-t], [data-label]")];
+
 /** What is seen around the first picture. Other texts come after it: their layout would delay it. */
 const FIRST = "header, nav, #panel-throw > :is(h2, .intro, .split)";
-
-/** Elements with texts, those of the first picture and the others. */
-function textsInOrder() {
-  const first = [];
-  const others = [];
-  for (const element of document.querySelectorAll("[data-t], [data-label]")) {
-    (element.closest(FIRST) ? first : others).push(element);
-  }
-  return [first, others];
-}
 
 /** Panels come after the first draw: the browser paints between. */
 const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
@@ -54,18 +47,19 @@ const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeo
 async function start() {
   for (const name of ["en", "de"])
     find(`language-${name}`).addEventListener("click", () => chooseLanguage(name));
-  const [first, others] = textsInOrder();
+  const first = new Set(textsOf().filter((element) => element.closest(FIRST)));
   setLanguage(firstLanguage(), first);
   onLanguage(() => {
     for (const name of ["en", "de"])
       find(`language-${name}`).setAttribute("aria-pressed", language() === name);
   });
-  for (const name of Object.keys(STARTS)) find(`panel-${name}`).hidden = name !== "throw";
   startDisks();
   startThrow();
   performance.mark("first-draw");
   await painted();
-  fill(others);
+  // The other panels follow the script.
+  await pageRead();
+  fill(textsOf().filter((element) => !first.has(element)));
   addEventListener("hashchange", showPanel);
   showPanel();
   await completeThrow();
