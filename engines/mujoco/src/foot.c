@@ -98,8 +98,7 @@ void foot_mobility_roots(foot *foot, const mjModel *m, const mjData *d)
     for (int side = 0; side < 2; side++) {
         const int body = foot->bodies[side];
         double *root = foot->roots[side];
-        memset(root, 0, sizeof foot->roots[side]);
-        if (m->body_weldid[body] == 0) continue;
+        if (!foot->moves[side]) continue;
         const double sign = side == 0 ? 1 : -1;
         const double inv_mass = sign / sqrt(m->body_mass[body]);
         double lever[3];

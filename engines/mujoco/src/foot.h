@@ -37,6 +37,7 @@ typedef struct foot {
     int *geoms, geom_count;
     int *grounds, ground_count;
     int bodies[2];  // of the foot, of the ground
+    bool moves[2];  // false if the body is fixed to the world
     frame_kind frame;
     int frame_index;
     double mu;
@@ -73,7 +74,7 @@ void foot_turn(foot *foot, const mjData *d);
 // Its motions for velocities of all degrees of freedom, or accelerations.
 void foot_motion(const foot *foot, const mjtNum *velocities, double motion[MOTIONS]);
 
-// Roots of the inverse masses of foot and ground, where these move freely; zero for a ground at rest.
+// Roots of the inverse masses of foot and ground, of those that move.
 void foot_mobility_roots(foot *foot, const mjModel *m, const mjData *d);
 
 // Adds a contact to the stiffness of its normal forces: `stiffness` in acceleration's inverse units.

@@ -192,9 +192,10 @@ static bool read_foot(const mjModel *m, foot *foot, const refusal *to)
         !check_side(m, "geom", foot->geoms, foot->geom_count, &foot->bodies[0], to) ||
         !check_side(m, "ground", foot->grounds, foot->ground_count, &foot->bodies[1], to))
         return false;
+    for (int side = 0; side < 2; side++) foot->moves[side] = foot->bodies[side] != 0;
     if (foot->bodies[0] == foot->bodies[1])
         return refuse(to, "geom \"%s\" and ground \"%s\" are of one body", geom, ground);
-    if (!*texts[3]) return refuse(to, "patch is missing: give \"disk\", \"box\" or \"polygon\"");
+    if (!*texts[3]) return refuse(to, "patch is missing: give one of " PATCH_NAMES);
     if (!patch_read(&foot->patch, texts[3], texts[4], texts[5], to->why, to->room)) return false;
     if (read_numbers(mu, &foot->mu, 1) != 1 || !(foot->mu >= 0) || isinf(foot->mu))
         return refuse(to, "mu must be one number >= 0 and finite, not \"%s\"", mu);
@@ -229,7 +230,7 @@ static bool link_geoms(tribos_system *system, const mjModel *m, int *blamed, con
                     for (int at = system->geom_first[ends[way][0]]; at >= 0;
                          at = system->memberships[at].next) {
                         const int other = system->memberships[at].foot;
-                        if (other == i && way == 0) continue;
+                        if (other >= i) continue;
                         for (int l = 0; l < system->feet[other].ground_count; l++) {
                             if (system->feet[other].grounds[l] != ends[way][1]) continue;
                             *blamed = system->feet[i].instance;
@@ -253,8 +254,7 @@ static bool shares_tree(const foot *a, const foot *b)
 static bool is_free(const mjModel *m, const foot *foot)
 {
     for (int side = 0; side < 2; side++) {
-        const int body = foot->bodies[side];
-        if (m->body_weldid[body] != 0 && !body_is_free(m, body)) return false;
+        if (foot->moves[side] && !body_is_free(m, foot->bodies[side])) return false;
     }
     return true;
 }

@@ -6,15 +6,30 @@
 #include <stddef.h>
 #include "tribos.h"
 
-typedef enum patch_kind { PATCH_DISK, PATCH_POLYGON } patch_kind;
+typedef enum patch_kind {
+    PATCH_DISK,
+    PATCH_ANNULUS,
+    PATCH_RING,
+    PATCH_HERTZ,
+    PATCH_PUNCH,
+    PATCH_POLYGON,
+    PATCH_POINTS
+} patch_kind;
 
 typedef struct patch {
     patch_kind kind;
-    double radius;  // of a disk, in m
+    double radius;       // of a round patch, in m
+    double inner_ratio;  // of an annulus
     tribos_polygon_f64 polygon;
     tribos_edge_f64 *edges;  // memory of the polygon
+    tribos_node_f64 *nodes;  // points with equal loads
+    size_t node_count;
     double arm;              // largest torque per force about the origin, in m
 } patch;
+
+// The kinds, by the names in a model.
+#define PATCH_NAMES                                                                                  \
+    "\"disk\", \"annulus\", \"ring\", \"hertz\", \"punch\", \"box\", \"polygon\", \"points\""
 
 // Reads a patch from the text of its attributes. False with the reason in `why`.
 bool patch_read(patch *out, const char *kind, const char *size, const char *corners, char *why,

@@ -23,16 +23,27 @@
 #define REVERSAL 1e-9
 // Off-diagonal elements up to which the circles of Gershgorin bound the eigenvalues closely enough.
 #define NEARLY_DIAGONAL 1e-2
+// Bound of the rounding of eigenvalues from an angle, whose cosine is flat at both ends.
+#define ROUNDING 1e-7
+
+static double norm2(double x, double y) { return sqrt(x * x + y * y); }
 
 // Bounds of the eigenvalues of a symmetric matrix.
 static void eigenvalues(const double m[9], double *least, double *most)
 {
     const double xy = fabs(m[1]), xz = fabs(m[2]), yz = fabs(m[5]);
     if (xy + xz + yz > NEARLY_DIAGONAL) {
-        double values[3], vectors[9], turn[4];
-        mju_eig3(values, vectors, turn, m);  // in decreasing order
-        *least = values[2];
-        *most = values[0];
+        // The roots of the characteristic polynomial by the angle of its trigonometric form.
+        const double mean = (m[0] + m[4] + m[8]) / 3;
+        const double x = m[0] - mean, y = m[4] - mean, z = m[8] - mean;
+        const double size =
+            sqrt((x * x + y * y + z * z + 2 * (xy * xy + xz * xz + yz * yz)) / 6);
+        const double determinant =
+            x * y * z + 2 * m[1] * m[2] * m[5] - x * yz * yz - y * xz * xz - z * xy * xy;
+        const double cosine = determinant / (2 * size * size * size);
+        const double angle = acos(fmin(fmax(cosine, -1), 1)) / 3;
+        *most = mean + 2 * size * cos(angle) + ROUNDING * size;
+        *least = mean + 2 * size * cos(angle + 2 * mjPI / 3) - ROUNDING * size;
         return;
     }
     *least = fmin(m[0] - xy - xz, fmin(m[4] - xy - yz, m[8] - xz - yz));
@@ -52,7 +63,7 @@ static void prepare(planar_foot *foot, const double block[9])
     foot->has_inverse = inverse3(foot->inverse, c);
 
     // The largest compliance of forces in the plane, and the length with which that of torques is equal to it.
-    const double largest = 0.5 * (c[0] + c[4]) + hypot(0.5 * (c[0] - c[4]), c[1]);
+    const double largest = 0.5 * (c[0] + c[4]) + norm2(0.5 * (c[0] - c[4]), c[1]);
     foot->length = sqrt(largest / c[8]);
     const double scale[3] = {1, 1, foot->length};
     double scaled[9], least, most;
@@ -86,7 +97,7 @@ static bool needed(const planar_foot *foot, const double start[3], const double 
     product3(step, foot->inverse, slope);
     add_scaled3(wrench, step, -1);
     const double most = BEYOND * foot->limit;
-    return hypot(wrench[0], wrench[1]) <= most && fabs(wrench[2]) <= most * foot->patch->arm;
+    return norm2(wrench[0], wrench[1]) <= most && fabs(wrench[2]) <= most * foot->patch->arm;
 }
 
 // The friction that leaves the least energy, from `at` where the motion is `slope`; true if it brings the
@@ -111,7 +122,7 @@ static bool minimise(const planar_foot *foot, double at[3], const double slope[3
         project(foot, next, next);
         subtract3(change, next, at);
         memcpy(at, next, sizeof next);
-        const double moved = fmax(hypot(change[0], change[1]), fabs(change[2]) / foot->length);
+        const double moved = fmax(norm2(change[0], change[1]), fabs(change[2]) / foot->length);
         if (!(left * moved > TOLERANCE * foot->limit)) break;
     }
     return false;
@@ -155,7 +166,7 @@ static bool minimise_all(planar_foot *feet, int count, const double *compliance,
             foot->is_held = minimise(foot, foot->friction, slope);
             is_held = is_held && foot->is_held;
             subtract3(moved, foot->friction, before);
-            change = fmax(change, hypot(moved[0], moved[1]));
+            change = fmax(change, norm2(moved[0], moved[1]));
             change = fmax(change, fabs(moved[2]) / foot->patch->arm);
         }
         if (count == 1 || !(change > TOLERANCE * limit)) break;
@@ -179,10 +190,10 @@ static bool is_beyond(planar_foot *feet, int count, const double *compliance, do
         for (int j = 0; j < count; j++) {
             const double *c = compliance + 9 * (count * i + j);
             const double force = sqrt(c[0] * c[0] + c[1] * c[1] + c[3] * c[3] + c[4] * c[4]);
-            most += (force + hypot(c[2], c[5]) * feet[j].patch->arm) * feet[j].limit;
+            most += (force + norm2(c[2], c[5]) * feet[j].patch->arm) * feet[j].limit;
         }
         for (int k = 0; k < 2; k++) rate[k] = feet[i].acceleration[k] + feet[i].velocity[k] / dt;
-        if (!(hypot(rate[0], rate[1]) > BEYOND * most)) return false;
+        if (!(norm2(rate[0], rate[1]) > BEYOND * most)) return false;
     }
     return true;
 }
@@ -214,7 +225,7 @@ static bool hold_together(planar_foot *feet, int count, const double *compliance
         slope_of(feet, count, compliance, 1 / dt, i, slope);
         const double none = REST * feet[i].bound * feet[i].limit;
         const bool is_at_rest =
-            hypot(slope[0], slope[1]) <= none && fabs(slope[2]) * feet[i].patch->arm <= none;
+            norm2(slope[0], slope[1]) <= none && fabs(slope[2]) * feet[i].patch->arm <= none;
         if (!is_at_rest || !is_inside(feet + i, feet[i].friction)) return false;
     }
     for (int i = 0; i < count; i++) feet[i].is_held = true;

@@ -123,18 +123,21 @@ static void settle(const tribos_system *system, const mjModel *m, const mjData *
 static void free_mobility(foot **feet, int count, double *mobility)
 {
     for (int i = 0; i < count; i++)
-        for (int j = 0; j < count; j++) {
+        for (int j = i; j < count; j++) {
             double *block = mobility + 36 * (count * i + j);
             memset(block, 0, 36 * sizeof(double));
             for (int a = 0; a < 2; a++)
                 for (int b = 0; b < 2; b++) {
-                    if (feet[i]->bodies[a] != feet[j]->bodies[b]) continue;
+                    if (!feet[i]->moves[a] || feet[i]->bodies[a] != feet[j]->bodies[b]) continue;
                     const double *left = feet[i]->roots[a], *right = feet[j]->roots[b];
                     for (int row = 0; row < 6; row++)
-                        for (int column = 0; column < 6; column++)
-                            for (int k = 0; k < 6; k++)
-                                block[6 * row + column] += left[6 * row + k] * right[6 * column + k];
+                        for (int column = 0; column < 6; column++) {
+                            double sum = 0;
+                            for (int k = 0; k < 6; k++) sum += left[6 * row + k] * right[6 * column + k];
+                            block[6 * row + column] += sum;
+                        }
                 }
+            if (i != j) mju_transpose(mobility + 36 * (count * j + i), block, 6, 6);
         }
 }
 
@@ -221,25 +224,27 @@ static void respond(foot **feet, int count, const double *mobility, double *scra
                     right[at] = block[6 * (3 + row) + column];
                 }
         }
-    const bool is_solved = eliminate(system, right, size, size);
+    // The forces of the springs.
+    if (!eliminate(system, right, size, size)) memset(right, 0, sizeof(double) * size * size);
+    for (int k = 0; k < count; k++)
+        for (int column = 0; column < size; column++) {
+            double *at = right + 3 * size * k + column, motion[3] = {at[0], at[size], at[2 * size]};
+            for (int row = 0; row < 3; row++) at[size * row] = dot3(feet[k]->stiffness + 3 * row, motion);
+        }
     for (int i = 0; i < count; i++)
         for (int j = 0; j < count; j++) {
-            const double *block = mobility + 36 * (count * i + j);
+            double *block = compliance + 9 * (count * i + j);
+            const double *whole = mobility + 36 * (count * i + j);
             for (int row = 0; row < 3; row++)
-                for (int column = 0; column < 3; column++) {
-                    double sum = block[6 * row + column];
-                    for (int k = 0; is_solved && k < count; k++) {
-                        const double *between = mobility + 36 * (count * i + k);
-                        for (int a = 0; a < 3; a++) {
-                            double push = 0;
-                            for (int b = 0; b < 3; b++)
-                                push += feet[k]->stiffness[3 * a + b] *
-                                        right[size * (3 * k + b) + 3 * j + column];
-                            sum -= between[6 * row + 3 + a] * push;
-                        }
-                    }
-                    compliance[9 * (count * i + j) + 3 * row + column] = sum;
-                }
+                for (int column = 0; column < 3; column++) block[3 * row + column] = whole[6 * row + column];
+            for (int k = 0; k < count; k++) {
+                const double *between = mobility + 36 * (count * i + k), *push = right + 3 * size * k + 3 * j;
+                for (int row = 0; row < 3; row++)
+                    for (int column = 0; column < 3; column++)
+                        block[3 * row + column] -= between[6 * row + 3] * push[column] +
+                                                   between[6 * row + 4] * push[size + column] +
+                                                   between[6 * row + 5] * push[2 * size + column];
+            }
         }
 }
 
