@@ -94,7 +94,8 @@ static void advance(const mjModel *m, mjData *d, int instance)
     system_remember(system, m, d);
 }
 
-mjPLUGIN_LIB_INIT(tribos)
+// MuJoCo's macro for this has other arguments in other versions.
+__attribute__((constructor)) static void add_plugin(void)
 {
     static const char *const attributes[] = ATTRIBUTES;
     mjpPlugin plugin;
