@@ -43,8 +43,18 @@ static void list_names(const mjModel *m, mjtObj kind, char *out, size_t room)
     if (!used) snprintf(out, room, "none");
 }
 
-static int find(const mjModel *m, mjtObj kind, const char *name, const refusal *to)
+// Finds an element by its name. Names in attributes stay as they are where MuJoCo attaches a model to another and puts
+// a prefix such as "left/" before all others, that of the instance among them.
+static int find(const mjModel *m, int instance, mjtObj kind, const char *name, const refusal *to)
 {
+    const char *own = mj_id2name(m, mjOBJ_PLUGIN, instance);
+    const char *slash = own ? strrchr(own, '/') : NULL;
+    char prefixed[500];
+    if (slash) {
+        snprintf(prefixed, sizeof prefixed, "%.*s%s", (int)(slash + 1 - own), own, name);
+        const int found = mj_name2id(m, kind, prefixed);
+        if (found >= 0) return found;
+    }
     const int found = mj_name2id(m, kind, name);
     if (found >= 0) return found;
     char names[300];
@@ -55,8 +65,8 @@ static int find(const mjModel *m, mjtObj kind, const char *name, const refusal *
 }
 
 // Reads names of geoms, separated by white space.
-static bool read_geoms(const mjModel *m, const char *key, const char *text, int **out, int *count,
-                       const refusal *to)
+static bool read_geoms(const mjModel *m, int instance, const char *key, const char *text, int **out,
+                       int *count, const refusal *to)
 {
     *out = malloc((strlen(text) / 2 + 1) * sizeof(int));
     char *copy = malloc(strlen(text) + 1);
@@ -74,7 +84,7 @@ static bool read_geoms(const mjModel *m, const char *key, const char *text, int 
         while (*end && !isspace((unsigned char)*end)) end++;
         const bool is_last = !*end;
         *end = 0;
-        const int geom = find(m, mjOBJ_GEOM, word, to);
+        const int geom = find(m, instance, mjOBJ_GEOM, word, to);
         is_read = geom >= 0;
         for (int i = 0; is_read && i < *count; i++)
             if ((*out)[i] == geom) is_read = refuse(to, "%s names geom \"%s\" twice", key, word);
@@ -138,7 +148,7 @@ static bool read_frame(const mjModel *m, foot *foot, const char *site, const ref
 {
     if (*site) {
         foot->frame = FRAME_SITE;
-        foot->frame_index = find(m, mjOBJ_SITE, site, to);
+        foot->frame_index = find(m, foot->instance, mjOBJ_SITE, site, to);
         if (foot->frame_index < 0) return false;
         if (m->body_weldid[m->site_bodyid[foot->frame_index]] != foot->bodies[0])
             return refuse(to, "site \"%s\" is not on the body of the foot", site);
@@ -187,8 +197,8 @@ static bool read_foot(const mjModel *m, foot *foot, const refusal *to)
         if (!texts[i]) texts[i] = "";
     }
     const char *geom = texts[0], *ground = texts[1], *site = texts[2], *mu = texts[6];
-    if (!read_geoms(m, "geom", geom, &foot->geoms, &foot->geom_count, to) ||
-        !read_geoms(m, "ground", ground, &foot->grounds, &foot->ground_count, to) ||
+    if (!read_geoms(m, foot->instance, "geom", geom, &foot->geoms, &foot->geom_count, to) ||
+        !read_geoms(m, foot->instance, "ground", ground, &foot->grounds, &foot->ground_count, to) ||
         !check_side(m, "geom", foot->geoms, foot->geom_count, &foot->bodies[0], to) ||
         !check_side(m, "ground", foot->grounds, foot->ground_count, &foot->bodies[1], to))
         return false;
@@ -306,7 +316,7 @@ static bool check_options(const mjModel *m, const refusal *to)
     if (m->opt.integrator == mjINT_RK4)
         return refuse(to, "the integrator RK4 evaluates forces within a step: choose Euler, implicit or "
                           "implicitfast");
-#if mjVERSION_HEADER >= 334
+#if mjVERSION_HEADER >= 336
     const int both = mjDSBL_SPRING | mjDSBL_DAMPER;
     if ((m->opt.disableflags & both) == both)
 #else
@@ -357,4 +367,34 @@ void system_free(tribos_system *system)
     free(system->touches);
     free(system->scratch);
     free(system);
+}
+
+// Takes what a foot of an equal system found in this step; what it owns stays its own.
+static void copy_foot(foot *to, const foot *from)
+{
+    const foot own = *to;
+    *to = *from;
+    to->geoms = own.geoms;
+    to->grounds = own.grounds;
+    to->patch = own.patch;
+    to->freedoms = own.freedoms;
+    to->jacobian = own.jacobian;
+    memcpy(to->jacobian, from->jacobian, (size_t)to->freedom_count * MOTIONS * sizeof(double));
+}
+
+void system_copy(tribos_system *to, const tribos_system *from)
+{
+    to->is_current = false;
+    if (!from->is_current || to->count != from->count) return;
+    if (to->touch_room < from->touch_count) {
+        touch *touches = realloc(to->touches, (size_t)from->touch_count * sizeof *touches);
+        if (!touches) return;
+        to->touches = touches;
+        to->touch_room = from->touch_count;
+    }
+    to->touch_count = from->touch_count;
+    if (from->touch_count)
+        memcpy(to->touches, from->touches, (size_t)from->touch_count * sizeof *to->touches);
+    for (int i = 0; i < to->count; i++) copy_foot(to->feet + i, from->feet + i);
+    to->is_current = true;
 }

@@ -12,4 +12,7 @@
 tribos_system *system_new(const mjModel *m, int lead, int *blamed, char *why, size_t room);
 void system_free(tribos_system *system);
 
+// Takes what a system of the same model found in the step that it is in.
+void system_copy(tribos_system *to, const tribos_system *from);
+
 #endif

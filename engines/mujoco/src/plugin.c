@@ -21,7 +21,10 @@ static tribos_system *system_of(const mjData *d, int instance)
 static void fail(const mjModel *m, int instance, const char *why)
 {
     const char *name = mj_id2name(m, mjOBJ_PLUGIN, instance);
-    mju_error(NAME " \"%s\": %s", name ? name : "", why);
+    if (name && *name)
+        mju_error(NAME " \"%s\": %s", name, why);
+    else
+        mju_error(NAME ", instance %d: %s", instance, why);
 }
 
 static int state_size(const mjModel *m, int instance)
@@ -56,12 +59,12 @@ static void destroy(mjData *d, int instance)
     d->plugin_data[instance] = 0;
 }
 
-// All that matters is in the state, which MuJoCo copies; what is prepared of a step is not of this one.
+// MuJoCo copies the state; a copy in the middle of a step needs what was found in it, too.
 static void copy(mjData *to, const mjModel *m, const mjData *from, int instance)
 {
-    (void)m, (void)from;
+    (void)m;
     tribos_system *system = system_of(to, instance);
-    if (system) system->is_current = false;
+    if (system) system_copy(system, system_of(from, instance));
 }
 
 static void reset(const mjModel *m, mjtNum *state, void *data, int instance)
@@ -88,7 +91,7 @@ static void advance(const mjModel *m, mjData *d, int instance)
     if (!system) return;
     if (!system->is_current) {
         fail(m, instance, "the step ended without its passive forces: they were disabled after the simulation "
-                          "was made, or its data were copied in the middle of a step");
+                          "was made");
         return;
     }
     system_remember(system, m, d);

@@ -125,3 +125,39 @@ def test_an_instance_for_another_geom_of_the_same_name_prefix_is_not_taken():
         <body pos="0 0 0.01"><freejoint/><geom name="foot1" type="box" size="0.1 0.1 0.01" {FRICTIONLESS}/></body>"""
     with pytest.raises(ValueError, match='no geom "foot"'):
         model_of({"foot": {"geom": "foot", "ground": "floor"} | DISK}, bodies)
+
+
+CHILD = f"""
+    <mujoco>
+      <extension><plugin plugin="tribos.patch"><instance name="puck">
+        <config key="geom" value="puck"/><config key="ground" value="table"/>
+        <config key="patch" value="disk"/><config key="size" value="0.05"/><config key="mu" value="0.3"/>
+      </instance></plugin></extension>
+      <worldbody>
+        <geom name="table" type="plane" size="2 2 0.1"/>
+        <body name="puck" pos="0 0 0.01"><freejoint/><plugin instance="puck"/><geom name="puck" {PUCK_GEOM}/></body>
+      </worldbody>
+    </mujoco>"""
+
+
+@pytest.mark.parametrize("prefix", ["", "left/"])
+def test_a_model_can_be_attached_to_another(prefix):
+    parent = mujoco.MjSpec.from_string(
+        '<mujoco><extension><plugin plugin="tribos.patch"/></extension><worldbody/></mujoco>'
+    )
+    child = mujoco.MjSpec.from_string(CHILD)
+    parent.attach(child, prefix=prefix, frame=parent.worldbody.add_frame())
+    model = parent.compile()
+    data = mujoco.MjData(model)
+    mujoco.mj_step(model, data, nstep=300)
+    assert data.plugin_state[0] == pytest.approx(0.2 * 9.81, rel=1e-2)
+
+
+def test_an_instance_without_name_is_told_by_its_number():
+    text = CHILD.replace('<instance name="puck">', "").replace("</instance>", "")
+    start, end = text.index("<config"), text.rindex("/>", 0, text.index("</plugin>")) + 2
+    configs, text = text[start:end], text[:start] + text[end:]
+    text = text.replace('<plugin instance="puck"/>', f'<plugin plugin="tribos.patch">{configs}</plugin>')
+    mujoco.MjModel.from_xml_string(text)
+    with pytest.raises(ValueError, match="tribos.patch, instance 0: mu must be"):
+        mujoco.MjModel.from_xml_string(text.replace('value="0.3"', 'value="-1"'))
