@@ -9,8 +9,11 @@ import pytest
 BUILT = pathlib.Path(__file__).parents[1] / "build" / "libtribos_patch.so"
 
 
+def library():
+    return pathlib.Path(os.environ.get("TRIBOS_PATCH", BUILT)).resolve()
+
+
 @pytest.fixture(autouse=True, scope="session")
 def plugin():
-    path = pathlib.Path(os.environ.get("TRIBOS_PATCH", BUILT))
-    assert path.exists(), f"no {path}: run make"
-    mujoco.mj_loadPluginLibrary(str(path))
+    assert library().exists(), f"no {library()}: run make"
+    mujoco.mj_loadPluginLibrary(str(library()))

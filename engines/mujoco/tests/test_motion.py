@@ -63,7 +63,8 @@ def test_a_sliding_box_meets_the_friction_of_its_patch(integrator, jacobian):
 
 
 @pytest.mark.parametrize(
-    ("geom", "height"), [(PUCK_GEOM, 0.01), (BOX_GEOM, 0.01), (BOX_GEOM.replace("0.01", "0.03"), 0.03)]
+    ("geom", "height"),
+    [(PUCK_GEOM, 0.01), (BOX_GEOM, 0.01), (BOX_GEOM.replace("0.01", "0.03"), 0.03)],
 )
 @pytest.mark.parametrize("share", [0.9, 0.99, 1.01, 1.1])
 def test_on_a_tilted_floor_a_body_slides_beyond_the_angle_of_friction_alone(geom, height, share):
@@ -142,7 +143,7 @@ def test_a_conveyor_takes_a_body_along(is_turned):
     belt = '<geom name="floor" type="box" size="9 9 0.1" pos="0 0 -0.1" surfacevel="0.2 -0.1 0 0 0 0.5"/>'
     body = f'<body pos="0 0 0.01"><freejoint/><geom name="foot" {PUCK_GEOM}/></body>'
     if is_turned:
-        belt = f'<body>{belt}</body>'
+        belt = f"<body>{belt}</body>"
     bodies = body + belt if is_turned else belt + body
     model = model_of({"foot": {"geom": "foot", "ground": "floor"} | DISK}, bodies)
     data = mujoco.MjData(model)
@@ -181,7 +182,9 @@ def test_a_body_that_is_pinched_too_weakly_falls_and_else_hangs_still():
         if share < 1.0:
             # The fingers press a little less while the body turns, and the rest of the weight accelerates it.
             assert load == pytest.approx(share * 0.1 * GRAVITY / 2.0, rel=5e-2)
-            assert (data.qvel[4] - speed) / 0.03 == pytest.approx(load.sum() / 0.1 - GRAVITY, rel=1e-2)
+            assert (data.qvel[4] - speed) / 0.03 == pytest.approx(
+                load.sum() / 0.1 - GRAVITY, rel=1e-2
+            )
             continue
         assert abs(data.qpos[4] - place) < 2e-10
         states = [state(model, data, name) for name in ("left", "right")]
@@ -267,7 +270,14 @@ def test_several_geoms_are_one_foot_in_the_frame_of_a_site():
         <body pos="0 0 0.0099"><freejoint/><site name="sole" pos="0.01 0 0" euler="0 0 30"/>
           <geom name="heel" type="box" size="0.02 0.03 0.01" pos="-0.05 0 0" mass="0.5" {FRICTIONLESS}/>
           <geom name="toe" type="box" size="0.02 0.03 0.01" pos="0.07 0 0" mass="0.5" {FRICTIONLESS}/></body>"""
-    keys = {"geom": "heel toe", "ground": "floor", "site": "sole", "patch": "box", "size": "0.08 0.03", "mu": 0.3}
+    keys = {
+        "geom": "heel toe",
+        "ground": "floor",
+        "site": "sole",
+        "patch": "box",
+        "size": "0.08 0.03",
+        "mu": 0.3,
+    }
     model = model_of({"sole": keys}, bodies)
     data = mujoco.MjData(model)
     mujoco.mj_step(model, data, nstep=300)

@@ -8,7 +8,10 @@ from worlds import BOX_GEOM, DISK, FRICTIONLESS, PUCK_GEOM, model_of, world
 @pytest.mark.parametrize(
     ("keys", "message"),
     [
-        ({"geom": "fot"}, r'"foot": the model has no geom "fot"; its named geoms are: "floor", "foot"'),
+        (
+            {"geom": "fot"},
+            r'"foot": the model has no geom "fot"; its named geoms are: "floor", "foot"',
+        ),
         ({"geom": ""}, "geom is missing"),
         ({"geom": "foot foot"}, 'geom names geom "foot" twice'),
         ({"ground": "ice"}, 'no geom "ice".*"floor", "foot"'),
@@ -30,9 +33,15 @@ from worlds import BOX_GEOM, DISK, FRICTIONLESS, PUCK_GEOM, model_of, world
         ({"patch": "polygon"}, "leave out size"),
         ({"patch": "polygon", "size": "", "corners": "0 0 1 0"}, "three or more pairs"),
         ({"patch": "polygon", "size": "", "corners": "0 0 1 0 1 1 2"}, "three or more pairs"),
-        ({"patch": "polygon", "size": "", "corners": "0 0 1 1 1 0 0 1"}, "corners do not make a patch: edges must not touch"),
+        (
+            {"patch": "polygon", "size": "", "corners": "0 0 1 1 1 0 0 1"},
+            "corners do not make a patch: edges must not touch",
+        ),
         ({"patch": "polygon", "size": "", "corners": "0 0 1 0 2 0"}, "corners do not make a patch"),
-        ({"patch": "polygon", "size": "", "corners": "0 0 1 0 nan 1"}, "corners do not make a patch"),
+        (
+            {"patch": "polygon", "size": "", "corners": "0 0 1 0 nan 1"},
+            "corners do not make a patch",
+        ),
         ({"patch": "points", "size": "", "corners": "0 0"}, "two or more pairs"),
         ({"patch": "points", "size": "", "corners": "1 0 1 0"}, "in one place"),
         ({"mu": ""}, "mu must be one number >= 0"),
@@ -49,7 +58,9 @@ def test_attributes_without_sense_are_refused(keys, message):
 
 
 def test_friction_of_mujocos_own_is_refused():
-    with pytest.raises(ValueError, match=r'"foot" and "floor".*\(condim 3\): give "foot" condim="1"'):
+    with pytest.raises(
+        ValueError, match=r'"foot" and "floor".*\(condim 3\): give "foot" condim="1"'
+    ):
         world('type="cylinder" size="0.05 0.01" mass="0.2"', DISK)
     # Without priority the larger condim counts.
     with pytest.raises(ValueError, match="condim 3"):
@@ -80,7 +91,9 @@ def test_two_feet_of_the_same_geoms_are_refused():
     bodies = f"""<geom name="floor" type="plane" size="9 9 0.1"/>
         <body pos="0 0 0.01"><freejoint/><geom name="foot" {PUCK_GEOM}/></body>
         <body pos="0 0 1"><freejoint/><geom name="other" {BOX_GEOM}/></body>"""
-    with pytest.raises(ValueError, match='"foot" and ground "floor" have the friction of instance "one" already'):
+    with pytest.raises(
+        ValueError, match='"foot" and ground "floor" have the friction of instance "one" already'
+    ):
         model_of({"one": foot, "two": foot | {"mu": 0.1}}, bodies)
     # The other way round is the same pair.
     first = {"geom": "foot", "ground": "other"} | DISK
@@ -140,13 +153,12 @@ CHILD = f"""
     </mujoco>"""
 
 
-@pytest.mark.parametrize("prefix", ["", "left/"])
-def test_a_model_can_be_attached_to_another(prefix):
+def test_a_model_can_be_attached_to_another():
     parent = mujoco.MjSpec.from_string(
         '<mujoco><extension><plugin plugin="tribos.patch"/></extension><worldbody/></mujoco>'
     )
     child = mujoco.MjSpec.from_string(CHILD)
-    parent.attach(child, prefix=prefix, frame=parent.worldbody.add_frame())
+    parent.attach(child, prefix="left/", frame=parent.worldbody.add_frame())
     model = parent.compile()
     data = mujoco.MjData(model)
     mujoco.mj_step(model, data, nstep=300)
@@ -157,7 +169,9 @@ def test_an_instance_without_name_is_told_by_its_number():
     text = CHILD.replace('<instance name="puck">', "").replace("</instance>", "")
     start, end = text.index("<config"), text.rindex("/>", 0, text.index("</plugin>")) + 2
     configs, text = text[start:end], text[:start] + text[end:]
-    text = text.replace('<plugin instance="puck"/>', f'<plugin plugin="tribos.patch">{configs}</plugin>')
+    text = text.replace(
+        '<plugin instance="puck"/>', f'<plugin plugin="tribos.patch">{configs}</plugin>'
+    )
     mujoco.MjModel.from_xml_string(text)
     with pytest.raises(ValueError, match="tribos.patch, instance 0: mu must be"):
         mujoco.MjModel.from_xml_string(text.replace('value="0.3"', 'value="-1"'))

@@ -92,7 +92,9 @@ def test_threads_with_data_of_one_model_have_states_of_their_own():
     assert (np.array(found) == np.array(alone)).all()
 
 
-@pytest.mark.skipif(not hasattr(mujoco.mjtEnableBit, "mjENBL_SLEEP"), reason="this MuJoCo has no sleep")
+@pytest.mark.skipif(
+    not hasattr(mujoco.mjtEnableBit, "mjENBL_SLEEP"), reason="this MuJoCo has no sleep"
+)
 def test_a_sleeping_body_keeps_its_load_and_wakes_with_it():
     pusher = f"""<body pos="-0.2 0 0.02"><joint name="push" type="slide" axis="1 0 0"/>
         <geom type="sphere" size="0.01" mass="1" {FRICTIONLESS}/></body>"""
@@ -103,7 +105,9 @@ def test_a_sleeping_body_keeps_its_load_and_wakes_with_it():
     mujoco.mj_step(model, data, nstep=1500)
     assert data.body_awake[1] == 0
     load, *_ = state(model, data)
-    assert load == pytest.approx(0.2 * GRAVITY, rel=3e-3)  # it sleeps before it is at rest to the last bit
+    assert load == pytest.approx(
+        0.2 * GRAVITY, rel=3e-3
+    )  # it sleeps before it is at rest to the last bit
     place = data.qpos[:3].copy()
     mujoco.mj_step(model, data, nstep=200)
     assert (data.qpos[:3] == place).all()
@@ -129,7 +133,8 @@ def test_numbers_that_are_none_end_in_mujocos_own_reset():
 
 def test_many_feet_do_not_disturb_each_other():
     more = "".join(
-        f'<body pos="{0.3 * i} 1 0.01"><freejoint/><geom name="p{i}" {PUCK_GEOM}/></body>' for i in range(20)
+        f'<body pos="{0.3 * i} 1 0.01"><freejoint/><geom name="p{i}" {PUCK_GEOM}/></body>'
+        for i in range(20)
     )
     from worlds import model_of
 
