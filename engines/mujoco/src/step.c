@@ -1,30 +1,26 @@
 #include "step.h"
 
 #include <float.h>
-#include <mujoco/mujoco.h>
 #include "vectors.h"
 
 // By how much friction must be exceeded to be exceeded beyond all rounding.
 #define BEYOND 1.01
 // Change of friction at which iterations end, in units of the largest friction: far below a time step's error.
 #define TOLERANCE 1e-7
-// Acceleration that counts as none, in units of what the largest friction gives.
-#define REST 1e-9
+// Velocity that counts as none after sweeps, in units of what the largest friction changes in a step.
+#define STILL 1e-6
 // Sweeps over the feet, and steps on one foot within a sweep, at most.
 #define SWEEPS 200
-#define STEPS 60
+#define STEPS 500
 // Share of the largest compliance that is added to all, such that a mechanism that lacks motions has an inverse.
 #define FLOOR 1e-12
-// Share of its own compliance that is added to each foot where several feet of one body have no inverse, and
-// how often the solution is refined for that.
-#define REGULARISATION 1e-7
-#define REFINEMENTS 3
 // Reversals of motions slower than this share of the foot's speed are rounding.
 #define REVERSAL 1e-9
 // Off-diagonal elements up to which the circles of Gershgorin bound the eigenvalues closely enough.
 #define NEARLY_DIAGONAL 1e-2
 // Bound of the rounding of eigenvalues from an angle, whose cosine is flat at both ends.
 #define ROUNDING 1e-7
+#define PI 3.14159265358979323846
 
 static double norm2(double x, double y) { return sqrt(x * x + y * y); }
 
@@ -43,7 +39,7 @@ static void eigenvalues(const double m[9], double *least, double *most)
         const double cosine = determinant / (2 * size * size * size);
         const double angle = acos(fmin(fmax(cosine, -1), 1)) / 3;
         *most = mean + 2 * size * cos(angle) + ROUNDING * size;
-        *least = mean + 2 * size * cos(angle + 2 * mjPI / 3) - ROUNDING * size;
+        *least = mean + 2 * size * cos(angle + 2 * PI / 3) - ROUNDING * size;
         return;
     }
     *least = fmin(m[0] - xy - xz, fmin(m[4] - xy - yz, m[8] - xz - yz));
@@ -71,7 +67,7 @@ static void prepare(planar_foot *foot, const double block[9])
         for (int j = 0; j < 3; j++) scaled[3 * i + j] = c[3 * i + j] * scale[i] * scale[j] / largest;
     eigenvalues(scaled, &least, &most);
     foot->bound = largest * most;
-    foot->contraction = fmin(fmax(1 - least / most, 0), 1 - DBL_EPSILON);
+    foot->condition = sqrt(most / fmax(least, DBL_EPSILON * most));
 }
 
 static void project(const planar_foot *foot, const double wrench[3], double nearest[3])
@@ -109,21 +105,27 @@ static bool minimise(const planar_foot *foot, double at[3], const double slope[3
         memcpy(at, rest, sizeof rest);
         return true;
     }
-    // Steps in the isotropic metric, each brought back to the set.
+    // Gradient steps in the isotropic metric, each brought back to the set, with the momentum of Nesterov (2004,
+    // section 2.2) for the known condition, which is dropped where it leads uphill.
     const double rates[3] = {1 / foot->bound, 1 / foot->bound,
                              foot->length * foot->length / foot->bound};
-    const double left = foot->contraction / (1 - foot->contraction);
+    const double momentum = (foot->condition - 1) / (foot->condition + 1);
     const double start[3] = {at[0], at[1], at[2]};
+    double ahead[3] = {at[0], at[1], at[2]};
     for (int step = 0; step < STEPS; step++) {
-        double change[3], here[3] = {slope[0], slope[1], slope[2]}, next[3];
-        subtract3(change, at, start);
-        add_product3(here, foot->compliance, change);
-        for (int i = 0; i < 3; i++) next[i] = at[i] - here[i] * rates[i];
+        double change[3], motion[3] = {slope[0], slope[1], slope[2]}, next[3];
+        subtract3(change, ahead, start);
+        add_product3(motion, foot->compliance, change);
+        for (int i = 0; i < 3; i++) next[i] = ahead[i] - motion[i] * rates[i];
         project(foot, next, next);
         subtract3(change, next, at);
+        double uphill = 0;
+        for (int i = 0; i < 3; i++) uphill += (ahead[i] - next[i]) * change[i] / rates[i];
         memcpy(at, next, sizeof next);
+        memcpy(ahead, next, sizeof next);
+        if (!(uphill > 0)) add_scaled3(ahead, change, momentum);
         const double moved = fmax(norm2(change[0], change[1]), fabs(change[2]) / foot->length);
-        if (!(left * moved > TOLERANCE * foot->limit)) break;
+        if (!(foot->condition * moved > TOLERANCE * foot->limit)) break;
     }
     return false;
 }
@@ -198,40 +200,6 @@ static bool is_beyond(planar_foot *feet, int count, const double *compliance, do
     return true;
 }
 
-// Friction that brings several feet to rest at once, if they can carry it: the least change from the step before, as
-// feet of one body share what none of them needs to carry alone.
-static bool hold_together(planar_foot *feet, int count, const double *compliance, double dt,
-                          double *scratch)
-{
-    const int size = 3 * count;
-    double *system = scratch, *left = scratch + size * size;
-    for (int i = 0; i < count; i++)
-        for (int j = 0; j < count; j++)
-            for (int k = 0; k < 9; k++) {
-                const double own = i == j && k % 4 == 0 ? REGULARISATION * feet[i].compliance[k] : 0;
-                system[size * (3 * i + k / 3) + 3 * j + k % 3] =
-                    compliance[9 * (count * i + j) + k] + own;
-            }
-    if (mju_cholFactor(system, size, DBL_MIN) < size) return false;
-    for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].start, sizeof feet[i].friction);
-    for (int refinement = 0; refinement < REFINEMENTS; refinement++) {
-        for (int i = 0; i < count; i++)
-            slope_of(feet, count, compliance, 1 / dt, i, left + 3 * i);
-        mju_cholSolve(left, system, left, size);
-        for (int i = 0; i < count; i++) add_scaled3(feet[i].friction, left + 3 * i, -1);
-    }
-    for (int i = 0; i < count; i++) {
-        double slope[3];
-        slope_of(feet, count, compliance, 1 / dt, i, slope);
-        const double none = REST * feet[i].bound * feet[i].limit;
-        const bool is_at_rest =
-            norm2(slope[0], slope[1]) <= none && fabs(slope[2]) * feet[i].patch->arm <= none;
-        if (!is_at_rest || !is_inside(feet + i, feet[i].friction)) return false;
-    }
-    for (int i = 0; i < count; i++) feet[i].is_held = true;
-    return true;
-}
-
 // The velocity of a foot at the end of the step.
 static void velocity_after(const planar_foot *feet, int count, const double *compliance, double dt,
                            int foot, double after[3])
@@ -270,6 +238,24 @@ static double power(const planar_foot *feet, int count, const double *compliance
     return sum;
 }
 
+// Friction where not all feet come to rest at the end of the step.
+static void slide(planar_foot *feet, int count, const double *compliance, double dt, bool is_ended,
+                  double *scratch)
+{
+    // Friction of the motion at half time.
+    minimise_all(feet, count, compliance, 2 / dt);
+    if (!turns_about(feet, count, compliance, dt)) return;
+    // A motion that would turn about takes the friction of its end, unless that gives power.
+    double *midway = scratch;
+    for (int i = 0; i < count; i++) memcpy(midway + 3 * i, feet[i].friction, 3 * sizeof(double));
+    if (is_ended)
+        for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].ended, sizeof feet[i].ended);
+    else
+        minimise_all(feet, count, compliance, 1 / dt);
+    if (power(feet, count, compliance, dt) > 0)
+        for (int i = 0; i < count; i++) memcpy(feet[i].friction, midway + 3 * i, 3 * sizeof(double));
+}
+
 void step_solve(planar_foot *feet, int count, const double *compliance, double dt, double *scratch)
 {
     for (int i = 0; i < count; i++) prepare(feet + i, compliance + 9 * (count * i + i));
@@ -277,20 +263,16 @@ void step_solve(planar_foot *feet, int count, const double *compliance, double d
     // Rest at the end of the step.
     const bool is_sliding = is_beyond(feet, count, compliance, dt);
     if (!is_sliding) {
-        if (count > 1 && hold_together(feet, count, compliance, dt, scratch)) return;
         if (minimise_all(feet, count, compliance, 1 / dt)) return;
         for (int i = 0; i < count; i++) memcpy(feet[i].ended, feet[i].friction, sizeof feet[i].ended);
     }
-    // Friction of the motion at half time.
-    minimise_all(feet, count, compliance, 2 / dt);
-    if (!turns_about(feet, count, compliance, dt)) return;
-    // A motion that would turn about takes the friction of its end, unless that gives power.
-    double *midway = scratch;
-    for (int i = 0; i < count; i++) memcpy(midway + 3 * i, feet[i].friction, 3 * sizeof(double));
-    if (is_sliding)
-        minimise_all(feet, count, compliance, 1 / dt);
-    else
-        for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].ended, sizeof feet[i].ended);
-    if (power(feet, count, compliance, dt) > 0)
-        for (int i = 0; i < count; i++) memcpy(feet[i].friction, midway + 3 * i, 3 * sizeof(double));
+    slide(feet, count, compliance, dt, !is_sliding, scratch);
+
+    // A foot may be at rest at half time alone, where it turns about.
+    for (int i = 0; i < count; i++) {
+        double after[3];
+        velocity_after(feet, count, compliance, dt, i, after);
+        const double none = STILL * feet[i].bound * feet[i].limit * dt;
+        feet[i].is_held = norm2(after[0], after[1]) <= none && fabs(after[2]) * feet[i].patch->arm <= none;
+    }
 }

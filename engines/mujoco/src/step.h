@@ -22,12 +22,12 @@ typedef struct planar_foot {
     bool has_inverse;
     double bound;        // of an isotropic metric above it: acceleration per force
     double length;       // which makes a force of a torque there
-    double contraction;  // by which a step in that metric reduces the error, at least
+    double condition;    // root of the condition number of the compliance in that metric
     double ended[3];     // friction that would bring the foot to rest at the step's end
 } planar_foot;
 
 // Numbers of `scratch` that a step of so many feet uses.
-#define STEP_SCRATCH(count) (9 * (count) * (count) + 6 * (count))
+#define STEP_SCRATCH(count) (3 * (count))
 
 // Finds friction such that each foot is at rest at the end of the step where the patches can carry that;
 // otherwise friction opposes the motion at half time, or at the end where a foot turns about.
