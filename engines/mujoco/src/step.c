@@ -110,6 +110,8 @@ static bool minimise(const planar_foot *foot, double at[3], const double slope[3
     const double rates[3] = {1 / foot->bound, 1 / foot->bound,
                              foot->length * foot->length / foot->bound};
     const double momentum = (foot->condition - 1) / (foot->condition + 1);
+    // Distance from the solution in units of the last step.
+    const double left = fmin(foot->condition, foot->condition * foot->condition - 1);
     const double start[3] = {at[0], at[1], at[2]};
     double ahead[3] = {at[0], at[1], at[2]};
     for (int step = 0; step < STEPS; step++) {
@@ -125,7 +127,7 @@ static bool minimise(const planar_foot *foot, double at[3], const double slope[3
         memcpy(ahead, next, sizeof next);
         if (!(uphill > 0)) add_scaled3(ahead, change, momentum);
         const double moved = fmax(norm2(change[0], change[1]), fabs(change[2]) / foot->length);
-        if (!(foot->condition * moved > TOLERANCE * foot->limit)) break;
+        if (!(left * moved > TOLERANCE * foot->limit)) break;
     }
     return false;
 }
@@ -239,24 +241,22 @@ static double power(const planar_foot *feet, int count, const double *compliance
 }
 
 // Friction where not all feet come to rest at the end of the step.
-static void slide(planar_foot *feet, int count, const double *compliance, double dt, bool is_ended,
-                  double *scratch)
+static void slide(planar_foot *feet, int count, const double *compliance, double dt, bool is_ended)
 {
     // Friction of the motion at half time.
     minimise_all(feet, count, compliance, 2 / dt);
     if (!turns_about(feet, count, compliance, dt)) return;
     // A motion that would turn about takes the friction of its end, unless that gives power.
-    double *midway = scratch;
-    for (int i = 0; i < count; i++) memcpy(midway + 3 * i, feet[i].friction, 3 * sizeof(double));
+    for (int i = 0; i < count; i++) memcpy(feet[i].midway, feet[i].friction, sizeof feet[i].midway);
     if (is_ended)
         for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].ended, sizeof feet[i].ended);
     else
         minimise_all(feet, count, compliance, 1 / dt);
     if (power(feet, count, compliance, dt) > 0)
-        for (int i = 0; i < count; i++) memcpy(feet[i].friction, midway + 3 * i, 3 * sizeof(double));
+        for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].midway, sizeof feet[i].friction);
 }
 
-void step_solve(planar_foot *feet, int count, const double *compliance, double dt, double *scratch)
+void step_solve(planar_foot *feet, int count, const double *compliance, double dt)
 {
     for (int i = 0; i < count; i++) prepare(feet + i, compliance + 9 * (count * i + i));
 
@@ -266,7 +266,7 @@ void step_solve(planar_foot *feet, int count, const double *compliance, double d
         if (minimise_all(feet, count, compliance, 1 / dt)) return;
         for (int i = 0; i < count; i++) memcpy(feet[i].ended, feet[i].friction, sizeof feet[i].ended);
     }
-    slide(feet, count, compliance, dt, !is_sliding, scratch);
+    slide(feet, count, compliance, dt, !is_sliding);
 
     // A foot may be at rest at half time alone, where it turns about.
     for (int i = 0; i < count; i++) {

@@ -23,16 +23,14 @@ typedef struct planar_foot {
     double bound;        // of an isotropic metric above it: acceleration per force
     double length;       // which makes a force of a torque there
     double condition;    // root of the condition number of the compliance in that metric
-    double ended[3];     // friction that would bring the foot to rest at the step's end
+    double midway[3];    // friction of the motion at half time
+    double ended[3];     // friction of the motion at the end
 } planar_foot;
-
-// Numbers of `scratch` that a step of so many feet uses.
-#define STEP_SCRATCH(count) (3 * (count))
 
 // Finds friction such that each foot is at rest at the end of the step where the patches can carry that;
 // otherwise friction opposes the motion at half time, or at the end where a foot turns about.
 // `compliance` has a row-major 3 x 3 block for each pair of feet: the acceleration of the first by unit friction on
 // the second.
-void step_solve(planar_foot *feet, int count, const double *compliance, double dt, double *scratch);
+void step_solve(planar_foot *feet, int count, const double *compliance, double dt);
 
 #endif

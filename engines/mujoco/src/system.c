@@ -256,7 +256,7 @@ static void respond(foot **feet, int count, const double *mobility, double *scra
 size_t system_scratch(int count)
 {
     const size_t numbers = (size_t)MOBILITY(count) + 2 * (size_t)COMPLIANCE(count) +
-                           (size_t)SPRINGS(count) + (size_t)STEP_SCRATCH(count);
+                           (size_t)SPRINGS(count);
     return sizeof(double) * numbers + (size_t)count * (sizeof(planar_foot) + sizeof(foot *));
 }
 
@@ -278,7 +278,7 @@ static void step_group(tribos_system *system, const mjModel *m, mjData *d, const
     const int room = group->count;
     double *mobility = system->scratch, *compliance = mobility + MOBILITY(room),
            *among = compliance + COMPLIANCE(room), *rest = among + COMPLIANCE(room);
-    planar_foot *planar = (planar_foot *)(rest + SPRINGS(room) + STEP_SCRATCH(room));
+    planar_foot *planar = (planar_foot *)(rest + SPRINGS(room));
     foot **touching = (foot **)(planar + room);
 
     int count = 0;
@@ -311,7 +311,7 @@ static void step_group(tribos_system *system, const mjModel *m, mjData *d, const
         for (int j = 0; j < loaded; j++)
             memcpy(among + 9 * (loaded * i + j),
                    compliance + 9 * (count * planar[i].index + planar[j].index), 9 * sizeof(double));
-    step_solve(planar, loaded, among, m->opt.timestep, rest);
+    step_solve(planar, loaded, among, m->opt.timestep);
     for (int j = 0; j < loaded; j++) {
         foot *foot = touching[planar[j].index];
         memcpy(foot->friction, planar[j].friction, sizeof foot->friction);

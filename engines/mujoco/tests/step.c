@@ -51,14 +51,13 @@ static void draw_motion(planar_foot *foot, const double per_force[3])
 static void beside_the_kernel(double *worst, int *held, int *others)
 {
     patch disk = read("disk", "0.05");
-    double scratch[STEP_SCRATCH(1)];
     for (int i = 0; i < CASES; i++) {
         const tribos_planar_body_f64 body = {pow(10, drawn()), 1e-3 * pow(10, drawn())};
         const double per_force[3] = {1 / body.mass, 1 / body.mass, 1 / body.inertia};
         const double compliance[9] = {per_force[0], 0, 0, 0, per_force[1], 0, 0, 0, per_force[2]};
         planar_foot foot = {.patch = &disk, .limit = pow(10, drawn())};
         draw_motion(&foot, per_force);
-        step_solve(&foot, 1, compliance, DT, scratch);
+        step_solve(&foot, 1, compliance, DT);
 
         const tribos_disk_surface_f64 surface = {foot.limit, disk.radius};
         const tribos_twist_f64 twist = {foot.velocity[0], foot.velocity[1], foot.velocity[2]};
@@ -108,14 +107,13 @@ static double residual(const planar_foot *foot, const double compliance[9], doub
 static void by_its_conditions(double *worst, int *held)
 {
     patch patches[2] = {read("disk", "0.05"), read("box", "0.05 0.02")};
-    double scratch[STEP_SCRATCH(1)];
     for (int i = 0; i < CASES; i++) {
         planar_foot foot = {.patch = patches + i % 2, .limit = pow(10, drawn())};
         double compliance[9];
         draw_compliance(compliance, foot.patch->arm);
         const double per_force[3] = {1, 1, 1 / (foot.patch->arm * foot.patch->arm)};
         draw_motion(&foot, per_force);
-        step_solve(&foot, 1, compliance, DT, scratch);
+        step_solve(&foot, 1, compliance, DT);
         const double at_end = residual(&foot, compliance, 1 / DT), midway = residual(&foot, compliance, 2 / DT);
         *worst = most(foot.is_held ? at_end : fmin(at_end, midway), *worst);
         *held += foot.is_held;
@@ -128,7 +126,6 @@ static void by_its_conditions(double *worst, int *held)
 static void together(double *left, double *changed, int *held)
 {
     patch disk = read("disk", "0.02");
-    double scratch[STEP_SCRATCH(FEET)];
     for (int i = 0; i < CASES / 20; i++) {
         planar_foot feet[FEET];
         double compliance[9 * FEET * FEET], root[FEET][9];
@@ -150,7 +147,7 @@ static void together(double *left, double *changed, int *held)
                 feet[f].velocity[k] = 0.3 * DT * feet[f].acceleration[k];
             }
         }
-        step_solve(feet, FEET, compliance, DT, scratch);
+        step_solve(feet, FEET, compliance, DT);
         bool all_held = true;
         double here = 0;
         for (int f = 0; f < FEET; f++) {
@@ -166,7 +163,7 @@ static void together(double *left, double *changed, int *held)
         *left = most(here, *left);
         // Again from this friction, with the same motion.
         for (int f = 0; f < FEET; f++) memcpy(feet[f].start, feet[f].friction, sizeof feet[f].start);
-        step_solve(feet, FEET, compliance, DT, scratch);
+        step_solve(feet, FEET, compliance, DT);
         for (int f = 0; f < FEET; f++)
             for (int k = 0; k < 2; k++)
                 *changed = most(fabs(feet[f].friction[k] - feet[f].start[k]), *changed);
