@@ -8,6 +8,7 @@ import subprocess
 
 import mujoco
 import pytest
+
 from conftest import library
 
 HERE = pathlib.Path(__file__).resolve().parents[1]

@@ -5,6 +5,7 @@ import math
 import mujoco
 import numpy as np
 import pytest
+
 from worlds import (
     BOX,
     BOX_GEOM,

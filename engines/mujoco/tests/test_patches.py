@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+
 from worlds import FRICTIONLESS, GRAVITY, disk_nodes, model_of, state, world, wrench
 
 RADIUS = 0.05

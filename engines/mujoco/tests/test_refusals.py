@@ -2,6 +2,7 @@
 
 import mujoco
 import pytest
+
 from worlds import BOX_GEOM, DISK, FRICTIONLESS, PUCK_GEOM, model_of, world
 
 

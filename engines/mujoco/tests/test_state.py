@@ -5,6 +5,7 @@ import threading
 import mujoco
 import numpy as np
 import pytest
+
 from worlds import BOX, BOX_GEOM, DISK, FRICTIONLESS, GRAVITY, PUCK_GEOM, slide, state, world
 
 
