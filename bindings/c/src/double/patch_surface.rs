@@ -174,7 +174,9 @@ pub unsafe extern "C" fn tribos_nodes_gauge_f64(
     wrench: *const tribos_wrench_f64,
     gauge: *mut f64,
 ) -> tribos_status {
-    answer(gauge, || gauge_of(points(nodes, count, force_limit), wrench))
+    answer(gauge, || {
+        gauge_of(points(nodes, count, force_limit), wrench)
+    })
 }
 
 /// The nearest wrench that `count` nodes can carry, as tribos_polygon_project_f64.
