@@ -48,7 +48,7 @@
 #define TRIBOS_MANIFOLD_FRICTION_H
 
 /* Limit curves that are the same in all directions: h1, h2, h4. */
-#define TRIBOS_CURVE_AREA { -0.245000005f, -0.0368126035f, 0.0341449976f }
+#define TRIBOS_CURVE_AREA { -0.245f, -0.036812603f, 0.034142315f }
 #define TRIBOS_CURVE_POINTS { -0.5203f, 0.2304f, 0.0135f }
 #define TRIBOS_CURVE_ELLIPSOID { 0.0f, 0.0f, 0.0f }
 
@@ -329,7 +329,7 @@ static inline void TMF_OWN_(_search_)(TMF_T k, TMF_T kt, TMF_T force, TMF_T leve
 		inv = TMF_DIV(one, TMF_ADD(TMF_SQRT(TMF_ADD(TMF_MUL(x, x), TMF_MUL(y, y))), tiny));
 		d1 = TMF_MUL(x, inv);
 		d2 = TMF_MUL(y, inv);
-		along = TMF_ADD(TMF_MUL(*p1, d1), TMF_MUL(*p2, d2));
+		along = TMF_MAX(TMF_ADD(TMF_MUL(*p1, d1), TMF_MUL(*p2, d2)), zero);
 		ap = TMF_MUL(fw, along);
 		TMF_OWN_(_curve_)(spinning, slipping, d1, d2, h);
 	}

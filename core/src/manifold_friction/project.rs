@@ -99,7 +99,7 @@ pub(super) fn project<T: Lanes, O: Outline<T>>(
         let [multiplier, spinning_sq] = circle;
         let coupled = multiplier * spinning_sq;
         direction = outline.turned(direction, scaled.a + (multiplier - coupled), coupled);
-        along = p1 * direction[0] + p2 * direction[1];
+        along = (p1 * direction[0] + p2 * direction[1]).larger(zero);
         scaled.a_force = force_weight * along;
         curve = outline.curve(direction);
     }
