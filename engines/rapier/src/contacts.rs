@@ -5,8 +5,12 @@ use crate::handed::Lent;
 use crate::pair::{Friction, Pair, Stop, Touching};
 use crate::patch::Patch;
 use crate::refusal::{PairError, check};
-use crate::touching::touching;
+use crate::stand::Stand;
+use crate::touching::{Awake, bodies_of, colliders_of};
 use rapier3d::prelude::*;
+
+/// Number of contacts whose results are fetched together.
+const BLOCK: usize = 16;
 
 /// Pairs of colliders whose friction is that of a patch.
 ///
@@ -55,11 +59,19 @@ use rapier3d::prelude::*;
 )]
 pub struct PatchContacts {
     pairs: Vec<Pair>,
-    /// Forces and offsets that each group has received for the current step.
-    lent: Vec<Vec<Lent>>,
-    /// Prediction for each group.
+    /// Forces and offsets that bodies have received for the current step, group after group.
+    lent: Vec<Lent>,
+    /// Prediction for each group, by the handle of its body.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     begun: Vec<Begun>,
+    /// Positions of the feet of all groups.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    stands: Vec<Stand>,
+    /// Memory that each step uses again.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    members: Vec<Member>,
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    group: Vec<Member>,
 }
 
 impl PatchContacts {
@@ -185,19 +197,25 @@ impl PatchContacts {
     ) {
         // For a step that was begun and not finished.
         self.cancel_step(bodies);
-        let is_there =
-            |pair: &Pair| colliders.contains(pair.foot) && colliders.contains(pair.ground);
-        self.pairs.retain(is_there);
-        let members = self.members(bodies, colliders, |pair, _| {
-            pair.known.map(|known| known.touching)
-        });
-        for group in group::grouped(members, bodies) {
-            let begun = group::begin(&group, &self.pairs, gravity, parameters, bodies, colliders);
-            if let Some((begun, lent)) = begun {
-                self.begun.push(begun);
-                self.lent.push(lent);
+        let mut members = core::mem::take(&mut self.members);
+        self.collect_known(&mut members, bodies, colliders);
+        let mut rest = &mut members[..];
+        while !rest.is_empty() {
+            let size = group::bring_forward(rest, bodies);
+            let (group, others) = rest.split_at_mut(size);
+            let (stands, lent) = (&mut self.stands, &mut self.lent);
+            let from = stands.len();
+            let pairs = &self.pairs;
+            let begun = group::begin(
+                group, pairs, gravity, parameters, bodies, colliders, stands, lent,
+            );
+            match begun {
+                Some(begun) => self.begun.push(begun),
+                None => self.stands.truncate(from),
             }
+            rest = others;
         }
+        self.members = members;
     }
 
     /// Corrects the motion with the loads that the engine has found, after its step.
@@ -209,23 +227,57 @@ impl PatchContacts {
         narrow_phase: &NarrowPhase,
     ) {
         // Restored in the middle of a step: forces are restored, the step is not corrected.
-        if self.begun.len() != self.lent.len() {
+        if self.begun.is_empty() {
             self.cancel_step(bodies);
         }
-        let mut members = self.members(bodies, colliders, |pair, foot| {
-            touching(pair, foot, colliders, narrow_phase, parameters.dt)
-        });
-        self.forget_open(&members, bodies, colliders);
-        while let (Some(begun), Some(lent)) = (self.begun.pop(), self.lent.pop()) {
-            lent.into_iter().for_each(|lent| lent.take_back(bodies));
-            let is_of = |member: &mut Member| begun.takes(member, &self.pairs, bodies);
-            let group: Vec<Member> = members.extract_if(.., is_of).collect();
+        let mut members = core::mem::take(&mut self.members);
+        let mut group = core::mem::take(&mut self.group);
+        self.collect_touching(&mut members, bodies, colliders, narrow_phase, parameters.dt);
+        // Groups that began the step, each with the members of its body.
+        let mut end = members.len();
+        while let Some(begun) = self.begun.pop() {
+            self.take_back(begun.lent, bodies);
+            let is_after = |member: &Member| index(member.body) > index(begun.body);
+            let run = members[..end].iter().rposition(|member| !is_after(member));
+            end = run.map_or(0, |at| at + 1);
+            let stands = &self.stands[begun.stands.clone()];
+            group.clear();
+            let same_body = |member: &&mut Member| index(member.body) == index(begun.body);
+            for member in members[..end].iter_mut().rev().take_while(same_body) {
+                if !member.is_done && begun.takes(member, stands, &self.pairs, bodies) {
+                    member.is_done = true;
+                    group.push(*member);
+                }
+            }
+            group.reverse();
             let pairs = &mut self.pairs;
-            group::finish(Some(begun), &group, pairs, parameters, bodies, colliders);
+            group::finish(
+                Some((begun, stands)),
+                &group,
+                pairs,
+                parameters,
+                bodies,
+                colliders,
+            );
         }
-        for group in group::grouped(members, bodies).into_iter().rev() {
-            group::finish(None, &group, &mut self.pairs, parameters, bodies, colliders);
+        self.stands.clear();
+        members.retain(|member| !member.is_done);
+        // Contacts that are new in this step.
+        let mut rest = &mut members[..];
+        let mut sizes = Vec::new();
+        while !rest.is_empty() {
+            let size = group::bring_forward(rest, bodies);
+            sizes.push(size);
+            rest = &mut rest[size..];
         }
+        let mut end = members.len();
+        for size in sizes.into_iter().rev() {
+            let group = &members[end - size..end];
+            group::finish(None, group, &mut self.pairs, parameters, bodies, colliders);
+            end -= size;
+        }
+        self.members = members;
+        self.group = group;
     }
 
     /// Undoes the changes of [`begin_step`](Self::begin_step) to bodies, for a step that will not be
@@ -253,44 +305,88 @@ impl PatchContacts {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn cancel_step(&mut self, bodies: &mut RigidBodySet) {
-        while let Some(lent) = self.lent.pop() {
-            lent.into_iter().for_each(|lent| lent.take_back(bodies));
-        }
+        self.take_back(self.lent.len(), bodies);
         self.begun.clear();
+        self.stands.clear();
     }
 
-    /// Pairs that the engine treats and that touch, by `touching`.
-    fn members(
-        &self,
-        bodies: &RigidBodySet,
-        colliders: &ColliderSet,
-        touching: impl Fn(&Pair, &RigidBody) -> Option<Touching>,
-    ) -> Vec<Member> {
-        let member = |(number, pair): (usize, &Pair)| {
-            let (body, ground) = bodies_of(pair, bodies, colliders)?;
-            let foot = bodies.get(body).filter(|foot| !foot.is_sleeping())?;
-            Some(Member {
-                pair: number,
-                body,
-                ground,
-                touching: touching(pair, foot)?,
-            })
-        };
-        self.pairs.iter().enumerate().filter_map(member).collect()
-    }
-
-    /// Pairs that no longer touch carry nothing.
-    fn forget_open(&mut self, members: &[Member], bodies: &RigidBodySet, colliders: &ColliderSet) {
-        for (number, pair) in self.pairs.iter_mut().enumerate() {
-            pair.stop = None;
-            let handles = bodies_of(pair, bodies, colliders);
-            let foot = handles.and_then(|(body, _)| bodies.get(body));
-            let is_awake = foot.is_some_and(|foot| !foot.is_sleeping());
-            if is_awake && members.iter().all(|member| member.pair != number) {
-                pair.friction = Friction::default();
-                pair.known = None;
+    /// Undoes the last `count` changes.
+    fn take_back(&mut self, count: usize, bodies: &mut RigidBodySet) {
+        for _ in 0..count {
+            if let Some(lent) = self.lent.pop() {
+                lent.take_back(bodies);
             }
         }
+    }
+
+    /// Pairs that the engine treats and that carried load in the last step, by the handle of the foot's
+    /// body. Pairs of removed colliders are dropped.
+    fn collect_known(
+        &mut self,
+        members: &mut Vec<Member>,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+    ) {
+        members.clear();
+        let mut is_any_gone = false;
+        for (number, pair) in self.pairs.iter().enumerate() {
+            let Some([foot, ground]) = colliders_of(pair, colliders) else {
+                is_any_gone = true;
+                continue;
+            };
+            let Some(known) = pair.known else {
+                continue;
+            };
+            let bodies = bodies_of(foot, ground, bodies);
+            if let Some((body, _, ground)) = bodies.filter(|(_, foot, _)| !foot.is_sleeping()) {
+                members.push(Member::new(number, body, ground, known.touching));
+            }
+        }
+        if is_any_gone {
+            // Indices of pairs change.
+            self.pairs
+                .retain(|pair| colliders_of(pair, colliders).is_some());
+            return self.collect_known(members, bodies, colliders);
+        }
+        by_body(members);
+    }
+
+    /// Pairs that carry load after the engine's step; the others carry nothing.
+    fn collect_touching(
+        &mut self,
+        members: &mut Vec<Member>,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+        narrow_phase: &NarrowPhase,
+        dt: f32,
+    ) {
+        members.clear();
+        for (block, pairs) in self.pairs.chunks_mut(BLOCK).enumerate() {
+            let mut awake = [const { None }; BLOCK];
+            for (awake, pair) in awake.iter_mut().zip(pairs.iter_mut()) {
+                pair.stop = None;
+                *awake = Awake::of(pair, bodies, colliders, narrow_phase);
+            }
+            // The engine's results are spread over memory.
+            awake.iter().flatten().for_each(Awake::fetch_manifolds);
+            awake.iter().flatten().for_each(Awake::fetch_points);
+            for (at, (awake, pair)) in awake.iter().zip(pairs).enumerate() {
+                let Some(awake) = awake else {
+                    continue;
+                };
+                let number = block * BLOCK + at;
+                match awake.touching(pair, dt) {
+                    Some(touching) => {
+                        members.push(Member::new(number, awake.body, awake.ground, touching));
+                    }
+                    None => {
+                        pair.friction = Friction::default();
+                        pair.known = None;
+                    }
+                }
+            }
+        }
+        by_body(members);
     }
 
     /// Friction on the foot in the last step. `None` for a pair without patch.
@@ -313,8 +409,9 @@ impl PatchContacts {
 impl PhysicsHooks for PatchContacts {
     fn modify_solver_contacts(&self, context: &mut ContactModificationContext) {
         let pair = self.pair(context.collider1, context.collider2);
+        let both = pair.and_then(|pair| colliders_of(pair, context.colliders));
         let is_ours =
-            pair.is_some_and(|pair| bodies_of(pair, context.bodies, context.colliders).is_some());
+            both.is_some_and(|[foot, ground]| bodies_of(foot, ground, context.bodies).is_some());
         if is_ours && let Some(contact) = context.rigid_mut() {
             *contact.friction = 0.0;
         }
@@ -335,24 +432,28 @@ impl Pair {
     }
 }
 
-/// The bodies of foot and ground, if the engine treats the pair and forces move the foot.
-fn bodies_of(
-    pair: &Pair,
-    bodies: &RigidBodySet,
-    colliders: &ColliderSet,
-) -> Option<(RigidBodyHandle, Option<RigidBodyHandle>)> {
-    let [foot, ground] = [pair.foot, pair.ground].map(|handle| colliders.get(handle));
-    let (foot, ground) = (foot?, ground?);
-    if !(foot.is_enabled() && ground.is_enabled()) {
-        return None;
+impl Member {
+    fn new(
+        pair: usize,
+        body: RigidBodyHandle,
+        ground: Option<RigidBodyHandle>,
+        touching: Touching,
+    ) -> Self {
+        Self {
+            pair,
+            body,
+            ground,
+            touching,
+            is_done: false,
+        }
     }
-    let is_there = |handle| bodies.get(handle).is_some_and(RigidBody::is_enabled);
-    let is_dynamic = |handle| bodies.get(handle).is_some_and(RigidBody::is_dynamic);
-    let body = foot
-        .parent()
-        .filter(|&handle| is_there(handle) && is_dynamic(handle))?;
-    match ground.parent() {
-        Some(below) => (is_there(below) && below != body).then_some((body, Some(below))),
-        None => Some((body, None)),
-    }
+}
+
+fn index(body: RigidBodyHandle) -> u32 {
+    body.into_raw_parts().0
+}
+
+/// Puts the feet of each body next to each other.
+fn by_body(members: &mut [Member]) {
+    members.sort_unstable_by_key(|member| (index(member.body), member.pair));
 }

@@ -46,14 +46,10 @@
 //! after another. Links of multibodies are not moved. With `max_ccd_substeps` above 1 a step that the
 //! engine splits is corrected by its last part.
 
-mod area;
-mod balance;
 mod contacts;
-mod feet;
 mod frame;
 mod group;
 mod handed;
-mod judge;
 mod pair;
 mod patch;
 mod reduced;

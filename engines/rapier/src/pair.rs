@@ -144,7 +144,7 @@ impl Pair {
 }
 
 impl Known {
-    pub(crate) fn new(touching: Touching, held: Option<&Wrench<f32>>) -> Self {
+    pub(crate) fn new(touching: Touching, held: Option<Wrench<f32>>) -> Self {
         Self {
             touching,
             held: held.map(|held| [held.force.x, held.force.y, held.torque]),
