@@ -1,6 +1,6 @@
 //! All feet of a body on the ground as elements of area, through one implicit step.
 
-use crate::area::Element;
+use crate::area::{Area, Element};
 use crate::balance::Balance;
 use crate::ended::{Ended, FootFriction};
 use crate::standing::Foot;
@@ -31,6 +31,22 @@ impl Elements {
             elements,
             places: feet.iter().map(|foot| foot.place).collect(),
             drifts: feet.iter().map(|foot| foot.drift).collect(),
+        }
+    }
+
+    /// Points of one foot, whose middle is below the centre of mass.
+    pub(crate) fn of_points(points: &[([f64; 2], f32)]) -> Self {
+        let presses = points.iter().filter(|(_, limit)| *limit > 0.0);
+        let element = |&(place, limit): &([f64; 2], f32)| Element {
+            place,
+            area: Area::Point,
+            limit: f64::from(limit),
+            foot: 0,
+        };
+        Self {
+            elements: presses.map(element).collect(),
+            places: vec![[0.0; 2]],
+            drifts: vec![[0.0; 3]],
         }
     }
 

@@ -1,19 +1,16 @@
 //! Shapes of feet.
 
 use crate::area::{Area, Element};
+use crate::points::{POINTS, bar_points, disk_points, polygon_points, ring_points};
 use crate::refusal::FootprintError;
 use crate::standing::Foot;
 use crate::surface::Surface;
 use std::sync::Arc;
-use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
+use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::polygon::polygon;
 
-/// Largest number of points of a polygon.
-const POINTS: usize = 256;
 /// Distance from the centre of mass, as a fraction of the radius, up to which a footprint counts as centred.
 pub(crate) const CENTRED: f64 = 1e-3;
-/// Points of a bar, where the body stands on several feet.
-const ALONG: usize = 16;
 
 /// The shape of a foot's area under uniform pressure. Copies share their data.
 ///
@@ -41,6 +38,8 @@ struct Inner {
     surface: Option<Surface>,
     /// Distance of the farthest point from the centre, in metres.
     radius: f32,
+    /// Points that stand for the area, with their shares of the load.
+    points: Vec<[f32; 3]>,
 }
 
 #[derive(Clone, Debug)]
@@ -54,8 +53,8 @@ enum Outline {
     },
     Polygon {
         corners: Vec<[f32; 2]>,
-        /// Points with their shares of the load, for a body on several feet.
-        points: Vec<[f32; 3]>,
+        /// Of every edge, for the points.
+        divisions: u32,
     },
     Bar {
         half: f32,
@@ -91,13 +90,26 @@ impl Footprint {
     /// friction within 1.2 % (root mean square) with 56 points where it stands on several feet or on a
     /// ground that moves.
     pub fn polygon(corners: &[[f32; 2]], divisions: u32) -> Result<Self, FootprintError> {
-        let points: NodeList<f32, POINTS> =
+        let _: NodeList<f32, POINTS> =
             polygon(corners, divisions).map_err(FootprintError::Polygon)?;
-        let whole = points.total_weight();
-        let point = |node: &Node<f32>| [node.x, node.y, node.weight / whole];
-        let points = points.nodes().iter().map(point).collect();
         let corners = corners.to_vec();
-        Ok(Outline::Polygon { corners, points }.into())
+        Ok(Outline::Polygon { corners, divisions }.into())
+    }
+
+    /// Points that stand for the area, each with its share of the load: x, y in metres and the share, whose
+    /// sum is 1.
+    ///
+    /// ```
+    /// use tribos_feet::{Footprint, FootprintError};
+    /// let disk = Footprint::disk(0.5)?;
+    /// let sum = |f: fn(&[f32; 3]) -> f32| disk.points().iter().map(f).sum::<f32>();
+    /// assert!((sum(|p| p[2]) - 1.0).abs() < 1e-6);
+    /// let mean_square = sum(|p| p[2] * (p[0] * p[0] + p[1] * p[1]));
+    /// assert!((mean_square - 0.5 * 0.5 * 0.5).abs() < 1e-6); // R²/2
+    /// # Ok::<(), FootprintError>(())
+    /// ```
+    pub fn points(&self) -> &[[f32; 3]] {
+        &self.inner.points
     }
 
     /// Distance of the farthest point from the foot's centre, in metres.
@@ -164,11 +176,8 @@ impl Footprint {
             Outline::Ring { radius } => {
                 to.push(one(Area::Ring(f64::from(*radius)), place, 1.0));
             }
-            Outline::Polygon { points, .. } => to.extend(points.iter().map(point)),
-            Outline::Bar { half } => {
-                let share = 1.0 / ALONG as f32;
-                let at = |k: usize| [half * ((2 * k + 1) as f32 * share - 1.0), 0.0, share];
-                to.extend((0..ALONG).map(|k| point(&at(k))));
+            Outline::Polygon { .. } | Outline::Bar { .. } => {
+                to.extend(self.inner.points.iter().map(point));
             }
         }
     }
@@ -190,10 +199,17 @@ impl From<Outline> for Footprint {
             }
             Outline::Bar { half } => *half,
         };
+        let points = match &outline {
+            Outline::Disk { radius } => disk_points(*radius),
+            Outline::Ring { radius } => ring_points(*radius, 1.0),
+            Outline::Polygon { corners, divisions } => polygon_points(corners, *divisions),
+            Outline::Bar { half } => bar_points(*half),
+        };
         let inner = Arc::new(Inner {
             outline,
             surface,
             radius,
+            points,
         });
         Self { inner }
     }

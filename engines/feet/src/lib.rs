@@ -30,6 +30,7 @@ mod balance;
 mod elements;
 mod ended;
 mod footprint;
+mod points;
 mod prediction;
 mod refusal;
 mod standing;

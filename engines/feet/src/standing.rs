@@ -110,6 +110,35 @@ impl<'a> Standing<'a> {
         push(self.body, self.coupled.as_ref(), change, dt)
     }
 
+    /// `body` on points in the plane, each given by its place from the centre of mass in metres and its
+    /// friction limit in newtons: where a foot lies on several materials.
+    ///
+    /// ```
+    /// use tribos_core::contact::TimeStep;
+    /// use tribos_core::planar::PlanarBody;
+    /// use tribos_core::twist::{Twist, Wrench};
+    /// use tribos_feet::Standing;
+    /// // The left runner of a sledge is on snow, the right one on gravel.
+    /// let sledge = PlanarBody::new(20.0, 2.0)?;
+    /// let points = [([0.0, 0.2], 5.0), ([0.0, -0.2], 50.0)];
+    /// let standing = Standing::on_points(&sledge, &points);
+    /// let dt = TimeStep::new(1.0 / 60.0)?;
+    /// let end = standing.step(&Twist::new(2.0, 0.0, 0.0), &Wrench::ZERO, dt).ok_or("not finite")?;
+    /// assert!(end.twist.velocity.x < 2.0 && end.twist.spin < 0.0); // it turns to the right
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn on_points(body: &'a PlanarBody<f32>, points: &[([f64; 2], f32)]) -> Self {
+        let [mass, inertia] = [body.mass(), body.inertia()].map(f64::from);
+        Self {
+            body,
+            coupled: None,
+            on: On::Elements {
+                mass: [mass, 0.0, mass, 0.0, 0.0, inertia],
+                elements: Elements::of_points(points),
+            },
+        }
+    }
+
     /// The motion after `dt` from `before` under a constant push. `None` for a motion that is not finite.
     pub fn step(
         &self,
