@@ -1,6 +1,7 @@
 //! Shapes of feet.
 
 use crate::area::{Area, Element};
+use crate::convex::{centroid, divisions, thinned};
 use crate::points::{POINTS, bar_points, disk_points, polygon_points, ring_points};
 use crate::refusal::FootprintError;
 use crate::standing::Foot;
@@ -94,6 +95,24 @@ impl Footprint {
             polygon(corners, divisions).map_err(FootprintError::Polygon)?;
         let corners = corners.to_vec();
         Ok(Outline::Polygon { corners, divisions }.into())
+    }
+
+    /// A convex polygon about the middle of its area, and the middle; of more than 38 corners, 38 are kept,
+    /// scaled to the same area.
+    ///
+    /// ```
+    /// use tribos_feet::{Footprint, FootprintError};
+    /// let (tile, middle) = Footprint::convex(&[[0.0, 0.0], [0.4, 0.0], [0.4, 0.2], [0.0, 0.2]])?;
+    /// assert!((middle[0] - 0.2).abs() < 1e-6 && (middle[1] - 0.1).abs() < 1e-6);
+    /// assert!((tile.radius() - 0.05_f32.sqrt()).abs() < 1e-6);
+    /// # Ok::<(), FootprintError>(())
+    /// ```
+    pub fn convex(corners: &[[f32; 2]]) -> Result<(Self, [f32; 2]), FootprintError> {
+        let kept = thinned(corners);
+        let middle = centroid(&kept);
+        let about = |[x, y]: [f32; 2]| [x - middle[0], y - middle[1]];
+        let kept: Vec<[f32; 2]> = kept.into_iter().map(about).collect();
+        Ok((Self::polygon(&kept, divisions(kept.len()))?, middle))
     }
 
     /// Points that stand for the area, each with its share of the load: x, y in metres and the share, whose

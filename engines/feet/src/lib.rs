@@ -27,6 +27,7 @@
 
 mod area;
 mod balance;
+mod convex;
 mod elements;
 mod ended;
 mod footprint;

@@ -1,5 +1,6 @@
 //! All pairs with a patch, around the engine's step.
 
+use crate::grounds::{Ground, GroundMu};
 use crate::group::{self, Begun, Member};
 use crate::handed::Lent;
 use crate::pair::{Friction, Pair, Stop, Touching};
@@ -8,9 +9,6 @@ use crate::refusal::{PairError, check};
 use crate::stand::Stand;
 use crate::touching::{Awake, bodies_of, colliders_of};
 use rapier3d::prelude::*;
-
-/// Number of contacts whose results are fetched together.
-const BLOCK: usize = 16;
 
 /// Pairs of colliders whose friction is that of a patch.
 ///
@@ -59,6 +57,8 @@ const BLOCK: usize = 16;
 )]
 pub struct PatchContacts {
     pairs: Vec<Pair>,
+    /// Grounds on which feet get patches from their shapes.
+    grounds: Vec<Ground>,
     /// Forces and offsets that bodies have received for the current step, group after group.
     lent: Vec<Lent>,
     /// Prediction for each group, by the handle of its body.
@@ -95,10 +95,7 @@ impl PatchContacts {
     ) -> Result<(), PairError> {
         check(foot, ground, bodies, colliders)?;
         for handle in [foot, ground] {
-            if let Some(collider) = colliders.get_mut(handle) {
-                let hooks = collider.active_hooks() | ActiveHooks::MODIFY_SOLVER_CONTACTS;
-                collider.set_active_hooks(hooks);
-            }
+            enable_hooks(handle, colliders)?;
         }
         let pair = Pair::new(foot, ground, patch);
         match self.pairs.binary_search_by_key(&pair.key(), Pair::key) {
@@ -120,6 +117,62 @@ impl PatchContacts {
             self.pairs.remove(at);
         }
         at.is_ok()
+    }
+
+    /// Gives everything that stands flat on `ground` a patch of its own shape, now and in future.
+    ///
+    /// A collider of a dynamic body gets a patch when one of its flat faces lies on the ground: the base of a
+    /// cylinder or a cone is a disk, the face of a cuboid or of a convex hull a polygon, rounded ones without
+    /// their rounding. Everything else is
+    /// left to the engine: balls and capsules, bodies on an edge or a corner, cylinders that roll, compound
+    /// shapes and meshes. A pair with a patch by [`PatchContacts::insert`] keeps that. The whole face counts, even
+    /// where it extends beyond the rim of the ground. A second call exchanges `mu`.
+    ///
+    /// ```
+    /// use rapier3d::prelude::*;
+    /// use tribos_rapier::{GroundMu, PatchContacts};
+    /// let mut world = PhysicsWorld::new();
+    /// world.gravity = Vector::new(0.0, -9.81, 0.0);
+    /// let table = world.insert_collider(ColliderBuilder::cuboid(2.0, 0.1, 2.0), None);
+    /// let mut patches = PatchContacts::new();
+    /// patches.insert_ground(table, GroundMu::Combined, &mut world.colliders)?;
+    /// let body = RigidBodyBuilder::dynamic()
+    ///     .translation(Vector::new(0.0, 0.11, 0.0))
+    ///     .linvel(Vector::new(1.0, 0.0, 0.0));
+    /// let (_, foot) = world.insert(body, ColliderBuilder::cylinder(0.01, 0.08));
+    /// for _ in 0..10 {
+    ///     patches.step(&mut world);
+    /// }
+    /// assert!(patches.friction(foot, table).is_some());
+    /// # Ok::<(), tribos_rapier::PairError>(())
+    /// ```
+    pub fn insert_ground(
+        &mut self,
+        ground: ColliderHandle,
+        mu: GroundMu,
+        colliders: &mut ColliderSet,
+    ) -> Result<(), PairError> {
+        if let Some(given) = mu.unsound() {
+            return Err(PairError::Coefficient { given });
+        }
+        enable_hooks(ground, colliders)?;
+        self.grounds.retain(|other| other.collider != ground);
+        let ground = Ground {
+            collider: ground,
+            mu,
+        };
+        self.grounds.push(ground);
+        Ok(())
+    }
+
+    /// Returns everything on `ground` to the engine's friction, except pairs with patches by
+    /// [`PatchContacts::insert`]; true if it was there.
+    pub fn remove_ground(&mut self, ground: ColliderHandle) -> bool {
+        let before = self.grounds.len();
+        self.grounds.retain(|other| other.collider != ground);
+        self.pairs
+            .retain(|pair| pair.ground != ground || pair.face.is_none());
+        self.grounds.len() < before
     }
 
     /// Number of pairs. Pairs of removed colliders disappear in the next step.
@@ -230,6 +283,9 @@ impl PatchContacts {
         if self.begun.is_empty() {
             self.cancel_step(bodies);
         }
+        if !self.grounds.is_empty() {
+            self.meet_grounds(bodies, colliders, narrow_phase, parameters.dt);
+        }
         let mut members = core::mem::take(&mut self.members);
         let mut group = core::mem::take(&mut self.group);
         self.collect_touching(&mut members, bodies, colliders, narrow_phase, parameters.dt);
@@ -276,8 +332,71 @@ impl PatchContacts {
             group::finish(None, group, &mut self.pairs, parameters, bodies, colliders);
             end -= size;
         }
+        self.leave_grounds(colliders);
         self.members = members;
         self.group = group;
+    }
+
+    /// Patches for what has come to stand on the grounds.
+    fn meet_grounds(
+        &mut self,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+        narrow_phase: &NarrowPhase,
+        dt: f32,
+    ) {
+        self.grounds
+            .retain(|ground| colliders.contains(ground.collider));
+        for ground in &self.grounds {
+            for contact in narrow_phase.contact_pairs_with(ground.collider) {
+                let foot = match contact.collider1 == ground.collider {
+                    true => contact.collider2,
+                    false => contact.collider1,
+                };
+                let key = key(foot, ground.collider);
+                let Err(at) = self.pairs.binary_search_by_key(&key, Pair::key) else {
+                    continue;
+                };
+                let met = ground.met(foot, bodies, colliders, narrow_phase, dt);
+                if let Some(pair) = met {
+                    self.pairs.insert(at, pair);
+                }
+            }
+        }
+    }
+
+    /// Drops the patches of what no longer lies flat on its ground.
+    fn leave_grounds(&mut self, colliders: &ColliderSet) {
+        let grounds = &self.grounds;
+        self.pairs.retain_mut(|pair| {
+            let of_pair = |ground: &&Ground| ground.collider == pair.ground;
+            pair.face.is_none()
+                || grounds
+                    .iter()
+                    .find(of_pair)
+                    .is_some_and(|ground| ground.still(pair, colliders).is_some())
+        });
+    }
+
+    /// Whether a contact without patch will get one from its shape.
+    fn is_covered(&self, context: &mut ContactModificationContext) -> bool {
+        let both = [context.collider1, context.collider2];
+        let of_pair = |ground: &&Ground| both.contains(&ground.collider);
+        let Some(ground) = self.grounds.iter().find(of_pair) else {
+            return false;
+        };
+        // The engine's normal points from the first collider to the second.
+        let (foot, towards) = match both[0] == ground.collider {
+            true => (both[1], 1.0),
+            false => (both[0], -1.0),
+        };
+        let colliders = context.colliders;
+        let Some([shape, below]) = colliders_of([foot, ground.collider], colliders) else {
+            return false;
+        };
+        let is_treated = bodies_of(shape, below, context.bodies).is_some();
+        let normal = context.rigid_mut().map(|contact| *contact.normal * towards);
+        is_treated && normal.is_some_and(|normal| ground.face(shape, normal).is_some())
     }
 
     /// Undoes the changes of [`begin_step`](Self::begin_step) to bodies, for a step that will not be
@@ -330,7 +449,7 @@ impl PatchContacts {
         members.clear();
         let mut is_any_gone = false;
         for (number, pair) in self.pairs.iter().enumerate() {
-            let Some([foot, ground]) = colliders_of(pair, colliders) else {
+            let Some([foot, ground]) = colliders_of([pair.foot, pair.ground], colliders) else {
                 is_any_gone = true;
                 continue;
             };
@@ -345,7 +464,7 @@ impl PatchContacts {
         if is_any_gone {
             // Indices of pairs change.
             self.pairs
-                .retain(|pair| colliders_of(pair, colliders).is_some());
+                .retain(|pair| colliders_of([pair.foot, pair.ground], colliders).is_some());
             return self.collect_known(members, bodies, colliders);
         }
         by_body(members);
@@ -361,28 +480,22 @@ impl PatchContacts {
         dt: f32,
     ) {
         members.clear();
-        for (block, pairs) in self.pairs.chunks_mut(BLOCK).enumerate() {
-            let mut awake = [const { None }; BLOCK];
-            for (awake, pair) in awake.iter_mut().zip(pairs.iter_mut()) {
-                pair.stop = None;
-                *awake = Awake::of(pair, bodies, colliders, narrow_phase);
+        for (number, pair) in self.pairs.iter_mut().enumerate() {
+            pair.stop = None;
+            if core::mem::take(&mut pair.is_next) {
+                continue;
             }
-            // The engine's results are spread over memory.
-            awake.iter().flatten().for_each(Awake::fetch_manifolds);
-            awake.iter().flatten().for_each(Awake::fetch_points);
-            for (at, (awake, pair)) in awake.iter().zip(pairs).enumerate() {
-                let Some(awake) = awake else {
-                    continue;
-                };
-                let number = block * BLOCK + at;
-                match awake.touching(pair, dt) {
-                    Some(touching) => {
-                        members.push(Member::new(number, awake.body, awake.ground, touching));
-                    }
-                    None => {
-                        pair.friction = Friction::default();
-                        pair.known = None;
-                    }
+            let Some(awake) = Awake::of([pair.foot, pair.ground], bodies, colliders, narrow_phase)
+            else {
+                continue;
+            };
+            match awake.touching(pair.ground, dt) {
+                Some(touching) => {
+                    members.push(Member::new(number, awake.body, awake.ground, touching));
+                }
+                None => {
+                    pair.friction = Friction::default();
+                    pair.known = None;
                 }
             }
         }
@@ -408,10 +521,13 @@ impl PatchContacts {
 
 impl PhysicsHooks for PatchContacts {
     fn modify_solver_contacts(&self, context: &mut ContactModificationContext) {
-        let pair = self.pair(context.collider1, context.collider2);
-        let both = pair.and_then(|pair| colliders_of(pair, context.colliders));
-        let is_ours =
-            both.is_some_and(|[foot, ground]| bodies_of(foot, ground, context.bodies).is_some());
+        let is_ours = match self.pair(context.collider1, context.collider2) {
+            Some(pair) => {
+                let both = colliders_of([pair.foot, pair.ground], context.colliders);
+                both.is_some_and(|[foot, ground]| bodies_of(foot, ground, context.bodies).is_some())
+            }
+            None => self.is_covered(context),
+        };
         if is_ours && let Some(contact) = context.rigid_mut() {
             *contact.friction = 0.0;
         }
@@ -420,6 +536,14 @@ impl PhysicsHooks for PatchContacts {
 
 /// The same for both orders of two colliders.
 type Key = [(u32, u32); 2];
+
+/// Lets the engine ask about the contacts of a collider.
+fn enable_hooks(collider: ColliderHandle, colliders: &mut ColliderSet) -> Result<(), PairError> {
+    let found = colliders.get_mut(collider);
+    let found = found.ok_or(PairError::Missing { collider })?;
+    found.set_active_hooks(found.active_hooks() | ActiveHooks::MODIFY_SOLVER_CONTACTS);
+    Ok(())
+}
 
 fn key(a: ColliderHandle, b: ColliderHandle) -> Key {
     let [a, b] = [a, b].map(ColliderHandle::into_raw_parts);

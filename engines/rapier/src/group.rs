@@ -70,16 +70,19 @@ impl Begun {
 ///
 /// Feet of one body lie next to each other.
 pub(crate) fn bring_forward(members: &mut [Member], bodies: &RigidBodySet) -> usize {
-    let mut size = 0;
-    for at in 0..members.len() {
-        let (group, rest) = members.split_at(size);
-        let Some(member) = rest.get(at - size) else {
-            break;
-        };
-        if group.first().is_some_and(|first| first.body != member.body) {
+    let Some(body) = members.first().map(|first| first.body) else {
+        return 0;
+    };
+    let mut size = 1;
+    for at in 1..members.len() {
+        let member = members[at];
+        if member.body != body {
             break;
         }
-        if group.iter().all(|other| joins(member, other, bodies)) {
+        if members[..size]
+            .iter()
+            .all(|other| joins(&member, other, bodies))
+        {
             members[size..=at].rotate_right(1);
             size += 1;
         }

@@ -48,16 +48,19 @@
 
 mod contacts;
 mod frame;
+mod grounds;
 mod group;
 mod handed;
 mod pair;
 mod patch;
 mod reduced;
 mod refusal;
+mod soles;
 mod stand;
 mod touching;
 
 pub use contacts::PatchContacts;
+pub use grounds::GroundMu;
 pub use pair::{Friction, Stop};
 pub use patch::{Patch, PatchError};
 pub use refusal::PairError;

@@ -27,6 +27,8 @@ pub struct Patch {
     mu: f32,
     /// Point of the collider's frame below which the patch is centred.
     center: Vector,
+    /// Direction of the footprint's x axis in the collider's frame.
+    along: Vector,
     footprint: Footprint,
 }
 
@@ -114,11 +116,12 @@ impl Patch {
         self.center
     }
 
-    fn new(mu: f32, footprint: Footprint) -> Result<Self, PatchError> {
+    pub(crate) fn new(mu: f32, footprint: Footprint) -> Result<Self, PatchError> {
         if mu >= 0.0 && mu.is_finite() {
             Ok(Self {
                 mu,
                 center: Vector::ZERO,
+                along: Vector::X,
                 footprint,
             })
         } else {
@@ -129,6 +132,21 @@ impl Patch {
     /// The coefficient of friction.
     pub fn mu(&self) -> f32 {
         self.mu
+    }
+
+    /// The same patch with its x axis along a direction of the collider's own frame.
+    pub(crate) fn along(self, along: Vector) -> Self {
+        Self { along, ..self }
+    }
+
+    /// Direction of the x axis in the collider's frame.
+    pub(crate) fn axis(&self) -> Vector {
+        self.along
+    }
+
+    /// The same patch with another coefficient of friction, which is sound.
+    pub(crate) fn set_mu(&mut self, mu: f32) {
+        self.mu = mu;
     }
 
     /// The shape.

@@ -1,9 +1,8 @@
 //! Pairs that the engine treats, and the results of its solver at a contact.
 
-use crate::pair::{Pair, Touching};
+use crate::pair::Touching;
 use rapier3d::parry::utils::PoseOpt;
 use rapier3d::prelude::*;
-use tribos_prefetch::prefetch;
 
 /// A pair whose foot is not asleep.
 pub(crate) struct Awake<'a> {
@@ -17,8 +16,9 @@ pub(crate) struct Awake<'a> {
 }
 
 impl<'a> Awake<'a> {
+    /// Of foot and ground.
     pub(crate) fn of(
-        pair: &Pair,
+        pair: [ColliderHandle; 2],
         bodies: &'a RigidBodySet,
         colliders: &'a ColliderSet,
         narrow_phase: &'a NarrowPhase,
@@ -28,48 +28,30 @@ impl<'a> Awake<'a> {
         if foot.is_sleeping() {
             return None;
         }
-        let contact = narrow_phase.contact_pair(pair.foot, pair.ground);
-        contact.into_iter().for_each(|contact| prefetch(contact));
         Some(Self {
             body,
             ground,
             foot,
             place: collider.position(),
-            contact,
+            contact: narrow_phase.contact_pair(pair[0], pair[1]),
         })
     }
 
-    /// Asks for the memory that [`Self::fetch_points`] reads.
-    pub(crate) fn fetch_manifolds(&self) {
-        for manifold in self
+    /// Whether the engine resisted the sliding of this contact.
+    pub(crate) fn has_friction(&self) -> bool {
+        let manifolds = self
             .contact
             .into_iter()
-            .flat_map(ContactPair::solver_manifolds)
-        {
-            prefetch(manifold);
-        }
-    }
-
-    /// Asks for the memory that [`Self::touching`] reads.
-    pub(crate) fn fetch_points(&self) {
-        for manifold in self
-            .contact
+            .flat_map(ContactPair::solver_manifolds);
+        manifolds
             .into_iter()
-            .flat_map(ContactPair::solver_manifolds)
-        {
-            manifold
-                .data
-                .solver_contacts
-                .iter()
-                .for_each(|solved| prefetch(solved));
-            manifold.points.iter().for_each(|point| prefetch(point));
-        }
+            .any(|manifold| manifold.data.friction != 0.0)
     }
 
     /// The contact after a step of length `dt`; `None` if nothing pushed.
-    pub(crate) fn touching(&self, pair: &Pair, dt: f32) -> Option<Touching> {
+    pub(crate) fn touching(&self, ground: ColliderHandle, dt: f32) -> Option<Touching> {
         // The engine's normal points from the first collider to the second.
-        let is_second = self.contact?.collider1 == pair.ground;
+        let is_second = self.contact?.collider1 == ground;
         let mut impulse = Vector::ZERO;
         let mut moment = Vector::ZERO;
         // Parts of a shape share the solver's manifolds.
@@ -111,10 +93,10 @@ impl<'a> Awake<'a> {
 
 /// Foot and ground, if both exist.
 pub(crate) fn colliders_of<'a>(
-    pair: &Pair,
+    [foot, ground]: [ColliderHandle; 2],
     colliders: &'a ColliderSet,
 ) -> Option<[&'a Collider; 2]> {
-    Some([colliders.get(pair.foot)?, colliders.get(pair.ground)?])
+    Some([colliders.get(foot)?, colliders.get(ground)?])
 }
 
 /// The bodies of foot and ground, if the engine treats the pair and forces move the foot.

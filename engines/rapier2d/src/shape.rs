@@ -7,12 +7,8 @@ use std::sync::Arc;
 use tribos_core::real::Real;
 use tribos_feet::Footprint;
 
-/// Largest number of points of a polygon by which several feet are solved.
-const POINTS: usize = 256;
-/// Points of a triangle that is not divided.
-const TRIANGLE: usize = 7;
-/// Largest number of corners of a footprint.
-const MOST_CORNERS: usize = POINTS / TRIANGLE + 2;
+/// Corners up to which a rounded shape is fine.
+const MOST_CORNERS: usize = 38;
 
 /// The feet of a body by the shapes of its colliders, with what they were derived from.
 #[derive(Clone, Debug, Default)]
@@ -136,15 +132,9 @@ fn polygon(points: &[Vector], border: f32) -> Option<(Footprint, Pose)> {
         true => rounded(points, border, turns),
         false => points.to_vec(),
     };
-    let outline = thinned(outline);
-    let middle = centroid(&outline)?;
-    let corners: Vec<[f32; 2]> = outline
-        .iter()
-        .map(|&corner| (corner - middle).into())
-        .collect();
-    let divisions = (POINTS / (TRIANGLE * (corners.len() - 2))).isqrt().min(2);
-    let footprint = Footprint::polygon(&corners, divisions as u32).ok()?;
-    Some((footprint, Pose::from_translation(middle)))
+    let corners: Vec<[f32; 2]> = outline.into_iter().map(Into::into).collect();
+    let (footprint, middle) = Footprint::convex(&corners).ok()?;
+    Some((footprint, Pose::from_translation(middle.into())))
 }
 
 /// Each corner becomes an arc of points, on a circle such that the arc's area is kept.
@@ -191,20 +181,6 @@ fn between(from: Vector, to: Vector, turns: f32) -> Vector {
     }
 }
 
-/// At most as many corners as a footprint takes, scaled to the same area.
-fn thinned(corners: Vec<Vector>) -> Vec<Vector> {
-    if corners.len() <= MOST_CORNERS {
-        return corners;
-    }
-    let kept = |k: usize| corners[k * corners.len() / MOST_CORNERS];
-    let kept: Vec<Vector> = (0..MOST_CORNERS).map(kept).collect();
-    let scale = (signed_area(&corners) / signed_area(&kept)).sqrt();
-    let middle = centroid(&kept).unwrap_or_default();
-    kept.into_iter()
-        .map(|corner| middle + (corner - middle) * scale)
-        .collect()
-}
-
 /// Area of a polygon in m², negative if its corners run clockwise.
 fn signed_area(corners: &[Vector]) -> f32 {
     let cross = |(a, b): (&Vector, &Vector)| 0.5 * a.perp_dot(*b);
@@ -213,18 +189,4 @@ fn signed_area(corners: &[Vector]) -> f32 {
         .zip(corners.iter().cycle().skip(1))
         .map(cross)
         .sum()
-}
-
-/// Centre of a polygon's area; `None` for one without area.
-fn centroid(corners: &[Vector]) -> Option<Vector> {
-    let first = *corners.first()?;
-    let (mut sum, mut whole) = (Vector::ZERO, 0.0);
-    for (a, b) in corners.iter().zip(corners.iter().skip(1)) {
-        let (a, b) = (*a - first, *b - first);
-        let twice = a.perp_dot(b);
-        sum += (a + b) * twice;
-        whole += 3.0 * twice;
-    }
-    let middle = first + sum / whole;
-    middle.is_finite().then_some(middle)
 }
