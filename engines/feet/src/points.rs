@@ -7,15 +7,15 @@ use tribos_core::patch::polygon::polygon;
 pub(crate) const POINTS: usize = 256;
 /// Points of a bar.
 const ALONG: usize = 16;
-/// Gauss's four points on 0 … 1 and their weights (Abramowitz & Stegun 25.4.30): exact for r² r⁵ over a disk.
+/// Gauss's four points on 0 … 1 and their weights (Abramowitz & Stegun 25.4.30): exact for moments up to degree 6.
 const GAUSS: [[f32; 2]; 4] = [
     [0.069_431_84, 0.173_927_42],
-    [0.330_009_48, 0.326_072_58],
+    [0.330_009_5, 0.326_072_58],
     [0.669_990_52, 0.326_072_58],
     [0.930_568_16, 0.173_927_42],
 ];
 /// Directions of an eighth of a turn, four steps apart: cosine and sine of 11.25° + 22.5° k.
-const EIGHTH: [[f32; 2]; 2] = [[0.980_785_28, 0.195_090_32], [0.831_469_61, 0.555_570_23]];
+const EIGHTH: [[f32; 2]; 2] = [[0.980_785_28, 0.195_090_32], [0.831_469_6, 0.555_570_23]];
 
 pub(crate) fn bar_points(half: f32) -> Vec<[f32; 3]> {
     let share = 1.0 / ALONG as f32;

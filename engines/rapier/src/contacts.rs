@@ -256,14 +256,13 @@ impl PatchContacts {
         while !rest.is_empty() {
             let size = group::bring_forward(rest, bodies);
             let (group, others) = rest.split_at_mut(size);
-            let (stands, lent) = (&mut self.stands, &mut self.lent);
-            let from = stands.len();
-            let pairs = &self.pairs;
-            let begun = group::begin(
-                group, pairs, gravity, parameters, bodies, colliders, stands, lent,
-            );
-            match begun {
-                Some(begun) => self.begun.push(begun),
+            let from = self.stands.len();
+            let (pairs, stands) = (&self.pairs, &mut self.stands);
+            match group::begin(group, pairs, gravity, parameters, bodies, colliders, stands) {
+                Some((begun, lent)) => {
+                    self.begun.push(begun);
+                    self.lent.extend(lent.into_iter().flatten());
+                }
                 None => self.stands.truncate(from),
             }
             rest = others;

@@ -172,8 +172,7 @@ pub(crate) fn begin(
     bodies: &mut RigidBodySet,
     colliders: &ColliderSet,
     all_stands: &mut Vec<Stand>,
-    all_lent: &mut Vec<Lent>,
-) -> Option<Begun> {
+) -> Option<(Begun, [Option<Lent>; 2])> {
     let first = members.first()?;
     let foot = bodies.get(first.body)?;
     let ground = first.ground.and_then(|handle| bodies.get(handle));
@@ -205,21 +204,20 @@ pub(crate) fn begin(
     }
     let forces = forces(&step.friction, &frame, depth, foot, ground);
     let handles = [Some(first.body), first.ground];
-    let already = all_lent.len();
-    for i in [0, 1] {
-        if let Some(handle) = handles[i].filter(|_| reduced.moved[i]) {
-            all_lent.extend(Lent::to(bodies, handle, forces[i], offsets[i]));
-        }
-    }
-    Some(Begun {
+    let lent = [0, 1].map(|i| {
+        let handle = handles[i].filter(|_| reduced.moved[i])?;
+        Lent::to(bodies, handle, forces[i], offsets[i])
+    });
+    let begun = Begun {
         body: first.body,
         ground: first.ground,
         frame,
         reduced,
         step,
         stands,
-        lent: all_lent.len() - already,
-    })
+        lent: lent.iter().flatten().count(),
+    };
+    Some((begun, lent))
 }
 
 /// Corrects the step with the loads and pushes that the engine has found. Feet of `members` that did

@@ -92,10 +92,10 @@ impl<'a> Awake<'a> {
 }
 
 /// Foot and ground, if both exist.
-pub(crate) fn colliders_of<'a>(
+pub(crate) fn colliders_of(
     [foot, ground]: [ColliderHandle; 2],
-    colliders: &'a ColliderSet,
-) -> Option<[&'a Collider; 2]> {
+    colliders: &ColliderSet,
+) -> Option<[&Collider; 2]> {
     Some([colliders.get(foot)?, colliders.get(ground)?])
 }
 

@@ -86,7 +86,7 @@ fn add_feet(shape: &dyn Shape, pose: &Pose, mass: f32, feet: &mut Vec<PlacedFoot
     let found = footprint(shape);
     feet.extend(found.map(|(footprint, place)| PlacedFoot {
         footprint,
-        pose: pose * &place,
+        pose: pose * place,
         share: mass,
     }));
 }
@@ -147,7 +147,7 @@ fn rounded(points: &[Vector], border: f32, turns: f32) -> Vec<Vector> {
         (-turns * along.perp()).try_normalize()
     };
     let mut outline = Vec::new();
-    for at in 0..sides {
+    for (at, corner) in points.iter().enumerate() {
         let (Some(before), Some(after)) = (out((at + sides - 1) % sides), out(at)) else {
             continue;
         };
@@ -165,10 +165,7 @@ fn rounded(points: &[Vector], border: f32, turns: f32) -> Vec<Vector> {
         } else {
             1.0
         };
-        outline.extend(
-            arc.into_iter()
-                .map(|out| points[at] + out * (border * scale)),
-        );
+        outline.extend(arc.into_iter().map(|out| *corner + out * (border * scale)));
     }
     outline
 }

@@ -40,7 +40,7 @@ impl Game {
     }
 
     /// Travel and time until rest of a body that began at the origin.
-    pub fn to_rest(&mut self, body: RigidBodyHandle) -> [f64; 2] {
+    pub fn run_to_rest(&mut self, body: RigidBodyHandle) -> [f64; 2] {
         let dt = f64::from(self.world.integration_parameters.dt);
         for step in 0..600 {
             self.steps(1);

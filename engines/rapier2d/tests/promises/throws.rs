@@ -45,7 +45,7 @@ fn a_disk_stops_where_and_when_the_exact_one_does() {
         let puck = game.put(thrown(1.0, spin), disk());
         assert_near(
             &format!("disk, {spin} rad/s"),
-            game.to_rest(puck),
+            game.run_to_rest(puck),
             exact_disk!(Coulomb, spin),
         );
     }
@@ -60,7 +60,7 @@ fn a_disk_on_a_ring_stops_where_and_when_the_exact_one_does() {
         game.floor.set_feet(cup, vec![ring]).unwrap();
         assert_near(
             &format!("ring, {spin} rad/s"),
-            game.to_rest(cup),
+            game.run_to_rest(cup),
             exact_disk!(Ring, spin),
         );
     }
@@ -79,7 +79,7 @@ fn boxes_stop_where_and_when_their_cells_do() {
             let exact = exact::to_rest(&cells, gyration, 1.0, f64::from(spin));
             assert_near(
                 &format!("box {half:?}, {spin} rad/s"),
-                game.to_rest(body),
+                game.run_to_rest(body),
                 exact,
             );
         }
@@ -118,6 +118,6 @@ fn a_body_of_two_boxes_stops_where_and_when_their_cells_do() {
         // The velocity is that of the centre of mass.
         game.world.bodies[body].recompute_mass_properties_from_colliders(&game.world.colliders);
         let exact = exact::to_rest(&cells, square.sqrt(), 1.0, f64::from(spin));
-        assert_near(&format!("T, {spin} rad/s"), game.to_rest(body), exact);
+        assert_near(&format!("T, {spin} rad/s"), game.run_to_rest(body), exact);
     }
 }
