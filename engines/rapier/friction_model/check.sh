@@ -16,6 +16,8 @@ folder=$(cd "$folder" && pwd)
 
 git -C "$repository" cat-file -e "$COMMIT^{commit}" ||
     { echo "check.sh: $repository does not have the commit $COMMIT" >&2; exit 1; }
+[ ! -e "$folder/before" ] ||
+    { echo "check.sh: $folder has results of an earlier check: give a new folder" >&2; exit 1; }
 for copy in before after; do
     mkdir -p "$folder/$copy/rapier/crates/rapier3d"
     git -C "$repository" archive "$COMMIT" Cargo.toml LICENSE src > "$folder/$copy/rapier.tar"

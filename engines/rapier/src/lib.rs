@@ -32,6 +32,8 @@
 //! *Feet*: a foot is a collider, its patch is centred below the collider's origin
 //! ([`Patch::centered_at`] moves it). All feet of a body on one ground, or on grounds that friction
 //! does not move, are solved together, each with its own lever and its own share of the load.
+//! *Grounds*: [`PatchContacts::insert_ground`] gives everything that stands flat on a ground the patch of its
+//! face.
 //! *Accuracy*: travel and stop of a puck, and of a body on 1, 2, 4 or 8 feet on and off its centre of
 //! mass, within 0.5 % of the exact solution at 60 steps a second.
 //! *At rest*: a patch that friction holds has no relative motion, to the last bit where the contact's
