@@ -33,6 +33,7 @@ mod ended;
 mod footprint;
 mod points;
 mod prediction;
+mod pressed;
 mod refusal;
 mod standing;
 mod surface;

@@ -1,42 +1,49 @@
 //! The exact limit surface of one foot, prepared once and scaled by the friction limit of each step.
 
+use crate::pressed::Prepared;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface, Scaled};
+use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::twist::{Twist, Wrench};
 
+type Outline = Polygon<f32, Vec<Edge<f32>>>;
+
 /// All wrenches that a foot carries under a friction limit of 1 N, in the foot's axes.
 #[derive(Debug)]
 pub(crate) enum Surface {
-    Disk(LimitSurface<f32, Coulomb>),
-    Ring(LimitSurface<f32, Ring>),
-    Polygon(PatchSurface<f32, Polygon<f32, Vec<Edge<f32>>>>),
-    Bar(PatchSurface<f32, Bar<f32>>),
+    Disk(Prepared<LimitSurface<f32, Coulomb>>),
+    Ring(Prepared<LimitSurface<f32, Ring>>),
+    Polygon(Prepared<PatchSurface<f32, Outline>>),
+    Bar(Prepared<PatchSurface<f32, Bar<f32>>>),
 }
 
 impl Surface {
     pub(crate) fn disk(radius: f32) -> Option<Self> {
-        LimitSurface::new(Coulomb, 1.0, radius).ok().map(Self::Disk)
+        let set = LimitSurface::new(Coulomb, 1.0, radius).ok()?;
+        Some(Self::Disk(Prepared::new(set)))
     }
 
     pub(crate) fn ring(radius: f32) -> Option<Self> {
-        LimitSurface::new(Ring, 1.0, radius).ok().map(Self::Ring)
+        let set = LimitSurface::new(Ring, 1.0, radius).ok()?;
+        Some(Self::Ring(Prepared::new(set)))
     }
 
     /// `None` if edges touch.
     pub(crate) fn polygon(corners: Vec<[f32; 2]>) -> Option<Self> {
         let memory = vec![Edge::default(); corners.len()];
         let outline = Polygon::with_holes(&[&corners], memory).ok()?;
-        PatchSurface::new(outline, 1.0).ok().map(Self::Polygon)
+        let set = PatchSurface::new(outline, 1.0).ok()?;
+        Some(Self::Polygon(Prepared::new(set)))
     }
 
     pub(crate) fn bar(from: [f32; 2], to: [f32; 2]) -> Option<Self> {
         let bar = Bar::new(from, to).ok()?;
-        PatchSurface::new(bar, 1.0).ok().map(Self::Bar)
+        let set = PatchSurface::new(bar, 1.0).ok()?;
+        Some(Self::Bar(Prepared::new(set)))
     }
 
     /// The kernel's step of a body on this foot alone, whose x axis has the direction `axis`.
@@ -60,10 +67,10 @@ impl Surface {
     /// `friction` as a fraction of the largest that this foot alone can carry.
     pub(crate) fn share(&self, limit: f32, axis: [f64; 2], friction: &Wrench<f32>) -> f32 {
         let gauge = match self {
-            Self::Disk(set) => set.gauge(friction),
-            Self::Ring(set) => set.gauge(friction),
-            Self::Polygon(set) => set.gauge(&to_foot_wrench(axis, friction)),
-            Self::Bar(set) => set.gauge(&to_foot_wrench(axis, friction)),
+            Self::Disk(set) => set.set.gauge(friction),
+            Self::Ring(set) => set.set.gauge(friction),
+            Self::Polygon(set) => set.set.gauge(&to_foot_wrench(axis, friction)),
+            Self::Bar(set) => set.set.gauge(&to_foot_wrench(axis, friction)),
         };
         let share = gauge / limit;
         // No friction under no load: no fraction.
@@ -72,20 +79,19 @@ impl Surface {
 }
 
 fn step<S: FrictionSet<f32>>(
-    set: &S,
+    set: &Prepared<S>,
     limit: f32,
     body: &PlanarBody<f32>,
     twist: &Twist<f32>,
     push: &Wrench<f32>,
     dt: TimeStep<f32>,
 ) -> Option<PlanarStep<f32>> {
-    let set = Scaled::new(set, limit).ok()?;
-    Some(body.step(&set, twist, push, dt))
+    Some(body.step(&set.under(limit)?, twist, push, dt))
 }
 
 /// The step in the axes of the foot.
 fn turned_step<S: FrictionSet<f32>>(
-    set: &S,
+    set: &Prepared<S>,
     limit: f32,
     axis: [f64; 2],
     body: &PlanarBody<f32>,
