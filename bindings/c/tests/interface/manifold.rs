@@ -39,13 +39,22 @@ impl Digest {
 
     fn impulse(&mut self, impulse: &FrictionImpulse<f32>) {
         let [p1, p2] = impulse.tangential;
-        [p1, p2, impulse.twist].into_iter().for_each(|x| self.feed(x));
+        [p1, p2, impulse.twist]
+            .into_iter()
+            .for_each(|x| self.feed(x));
     }
 }
 
 fn of_the_kernel() -> u64 {
-    let mut digest = Digest { state: 5, hash: 0xcbf2_9ce4_8422_2325 };
-    let compact = [CompactOutline::area(), CompactOutline::points(), CompactOutline::ellipsoid()];
+    let mut digest = Digest {
+        state: 5,
+        hash: 0xcbf2_9ce4_8422_2325,
+    };
+    let compact = [
+        CompactOutline::area(),
+        CompactOutline::points(),
+        CompactOutline::ellipsoid(),
+    ];
     for _ in 0..4000 {
         let count = (digest.bits() % 6) as usize;
         let mut corners = [[0.0; 2]; 5];
@@ -54,18 +63,36 @@ fn of_the_kernel() -> u64 {
         }
         let area = ContactArea::of_corners(&corners[..count]);
         let [x, y] = area.centre;
-        let matrices = area.outline.spinning.into_iter().chain(area.outline.slipping);
-        [x, y, area.lever].into_iter().chain(matrices).for_each(|x| digest.feed(x));
-        let inverse = InverseMasses { tangential: digest.size(), twist: digest.size() * 1024.0 };
+        let matrices = area
+            .outline
+            .spinning
+            .into_iter()
+            .chain(area.outline.slipping);
+        [x, y, area.lever]
+            .into_iter()
+            .chain(matrices)
+            .for_each(|x| digest.feed(x));
+        let inverse = InverseMasses {
+            tangential: digest.size(),
+            twist: digest.size() * 1024.0,
+        };
         let (force, lever) = (digest.size(), digest.size());
         let slip = if digest.bits() & 1 == 1 { 1.0 } else { 0.75 };
         let budget = FrictionBudget { force, lever, slip };
         let tangential = [digest.either(), digest.either()];
-        let candidate = FrictionImpulse { tangential, twist: digest.either() };
+        let candidate = FrictionImpulse {
+            tangential,
+            twist: digest.either(),
+        };
         for outline in &compact {
             digest.impulse(&manifold_friction(&candidate, &budget, &inverse, outline));
         }
-        digest.impulse(&manifold_friction(&candidate, &budget, &inverse, &area.outline));
+        digest.impulse(&manifold_friction(
+            &candidate,
+            &budget,
+            &inverse,
+            &area.outline,
+        ));
     }
     digest.hash
 }
@@ -76,10 +103,22 @@ fn compiled(compiler: &str, flags: &[&str], program: &Path) -> bool {
     }
     let mut cc = Command::new(compiler);
     cc.current_dir(folder("examples")).args(flags);
-    cc.args(["-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", "-ffp-contract=off"]);
-    cc.args(["-I../include", "manifold.c", "-lm", "-o"]).arg(program);
+    cc.args([
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-pedantic",
+        "-O2",
+        "-ffp-contract=off",
+    ]);
+    cc.args(["-I../include", "manifold.c", "-lm", "-o"])
+        .arg(program);
     let output = cc.output().expect("a compiler");
-    assert!(output.status.success(), "{cc:?}\n{}", String::from_utf8_lossy(&output.stderr));
+    assert!(
+        output.status.success(),
+        "{cc:?}\n{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
     true
 }
 
@@ -93,7 +132,11 @@ fn the_header_of_manifold_friction_has_the_kernels_bits() {
     ] {
         let program = scratch("manifold");
         if compiled(compiler, flags, &program) {
-            assert_eq!(printed(&mut Command::new(&program)), wanted, "{compiler} {flags:?}");
+            assert_eq!(
+                printed(&mut Command::new(&program)),
+                wanted,
+                "{compiler} {flags:?}"
+            );
         }
     }
 }
