@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// Files of `src/double`, in the order of the header.
-const MODULES: [&str; 12] = [
+const MODULES: [&str; 13] = [
     "vectors",
     "law",
     "patch",
@@ -13,6 +13,7 @@ const MODULES: [&str; 12] = [
     "surface",
     "batch",
     "polygon",
+    "patch_surface",
     "slider",
     "planar",
     "contact",

@@ -16,6 +16,7 @@ import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+import { missingTool } from "./toolchain.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const root = join(here, "..", "..");
@@ -24,6 +25,9 @@ const MODULES = [
   { name: "tribos", features: ["--no-default-features"] },
   { name: "all", features: [] },
 ];
+
+const missing = missingTool(root);
+if (missing !== undefined) stop(missing);
 
 const dist = join(here, "dist");
 mkdirSync(dist, { recursive: true });
@@ -43,11 +47,8 @@ for (const { name, features } of MODULES) {
   // The environment must not change the result.
   const { RUSTFLAGS: _, CARGO_ENCODED_RUSTFLAGS: __, ...env } = process.env;
   env.CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS = "-Ctarget-feature=+simd128";
-  const { status, error } = spawnSync("cargo", cargo, { cwd: root, stdio: "inherit", env });
-  if (status !== 0) {
-    console.error(error ? `cargo does not start: ${error.message}` : "cargo failed");
-    process.exit(1);
-  }
+  const { status } = spawnSync("cargo", cargo, { cwd: root, stdio: "inherit", env });
+  if (status !== 0) stop(`dist/${name}.wasm is not built: cargo failed, its messages are above`);
   const built = join(folder, "wasm32-unknown-unknown", "release", "tribos_web.wasm");
   copyFileSync(built, join(dist, `${name}.wasm`));
   const bytes = readFileSync(built);
@@ -81,4 +82,9 @@ function report(what, bytes) {
   const size = (count) => `${(count / 1000).toFixed(1)} kB`.padStart(10);
   const packed = gzipSync(bytes, { level: 9 }).length;
   console.log(`${what.padEnd(24)}${size(bytes.length)}${size(packed)} gzipped`);
+}
+
+function stop(reason) {
+  console.error(reason);
+  process.exit(1);
 }

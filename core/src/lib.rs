@@ -84,6 +84,7 @@
 //! | [`presliding`] | elastic hold before sliding: exact, without creep, with micro-slip and its losses |
 //! | [`contact`] | contacts of rigid bodies that open, slide, roll and spin: impulses under thresholds |
 //! | [`manifold`] | a few such contacts solved together, in a fixed amount of memory |
+//! | [`manifold_friction`] | friction of a contact manifold in a game engine: one projection in place of two clamps |
 //!
 //! Every typed error converts into [`Error`], [`Real`] is the scalar, and [`prelude`] has the names of
 //! everyday use. Vectors are those of [`nalgebra`], re-exported here in the matching version.
@@ -109,6 +110,7 @@ pub mod limit_surface;
 #[cfg(feature = "defmt")]
 mod logging;
 pub mod manifold;
+pub mod manifold_friction;
 pub mod modes;
 pub mod patch;
 pub mod planar;

@@ -373,6 +373,7 @@ static void LOCAL(surfaces)(struct stream *s, enum range range)
 }
 
 #include "digest_polygons.h"
+#include "digest_surfaces.h"
 
 static void LOCAL(steps)(struct stream *s, enum range range)
 {
@@ -555,6 +556,7 @@ static void LOCAL(all)(struct stream *s)
         LOCAL(patches)(s);
         LOCAL(points)(s);
         LOCAL(surfaces)(s, n % 2 ? WIDE : MILD);
+        LOCAL(other_surfaces)(s, n % 2 ? WIDE : MILD);
         LOCAL(steps)(s, n % 2 ? WIDE : MILD);
         LOCAL(contacts)(s);
     }

@@ -1376,6 +1376,77 @@ tribos_status tribos_polygon_project_f64(const struct tribos_polygon_f64 *polygo
                                          double length,
                                          struct tribos_projection_f64 *projection);
 
+// Gauge of a wrench on an annulus under uniform pressure, as tribos_disk_surface_gauge_f64 with
+// force_limit = coefficient x load.
+tribos_status tribos_annulus_gauge_f64(const struct tribos_round_f64 *patch,
+                                       double inner_ratio,
+                                       double load,
+                                       const struct tribos_wrench_f64 *wrench,
+                                       double *gauge);
+
+// The nearest wrench that an annulus can carry, as tribos_disk_surface_project_f64.
+tribos_status tribos_annulus_project_f64(const struct tribos_round_f64 *patch,
+                                         double inner_ratio,
+                                         double load,
+                                         const struct tribos_wrench_f64 *wrench,
+                                         double length,
+                                         struct tribos_projection_f64 *projection);
+
+// Gauge of a wrench under Hertz' pressure, as tribos_disk_surface_gauge_f64.
+tribos_status tribos_hertz_gauge_f64(const struct tribos_round_f64 *patch,
+                                     double load,
+                                     const struct tribos_wrench_f64 *wrench,
+                                     double *gauge);
+
+// The nearest wrench that a Hertz contact can carry, as tribos_disk_surface_project_f64.
+tribos_status tribos_hertz_project_f64(const struct tribos_round_f64 *patch,
+                                       double load,
+                                       const struct tribos_wrench_f64 *wrench,
+                                       double length,
+                                       struct tribos_projection_f64 *projection);
+
+// Gauge of a wrench on a ring, as tribos_disk_surface_gauge_f64.
+tribos_status tribos_ring_gauge_f64(const struct tribos_round_f64 *patch,
+                                    double load,
+                                    const struct tribos_wrench_f64 *wrench,
+                                    double *gauge);
+
+// The nearest wrench that a ring can carry, as tribos_disk_surface_project_f64.
+tribos_status tribos_ring_project_f64(const struct tribos_round_f64 *patch,
+                                      double load,
+                                      const struct tribos_wrench_f64 *wrench,
+                                      double length,
+                                      struct tribos_projection_f64 *projection);
+
+// Gauge of a wrench on a rigid flat punch, as tribos_disk_surface_gauge_f64.
+tribos_status tribos_punch_gauge_f64(const struct tribos_round_f64 *patch,
+                                     double load,
+                                     const struct tribos_wrench_f64 *wrench,
+                                     double *gauge);
+
+// The nearest wrench that a rigid flat punch can carry, as tribos_disk_surface_project_f64.
+tribos_status tribos_punch_project_f64(const struct tribos_round_f64 *patch,
+                                       double load,
+                                       const struct tribos_wrench_f64 *wrench,
+                                       double length,
+                                       struct tribos_projection_f64 *projection);
+
+// Gauge of a wrench on `count` nodes, as tribos_polygon_gauge_f64. Two or more places carry load.
+// Cost: the number of nodes times a few.
+tribos_status tribos_nodes_gauge_f64(const struct tribos_node_f64 *nodes,
+                                     size_t count,
+                                     double force_limit,
+                                     const struct tribos_wrench_f64 *wrench,
+                                     double *gauge);
+
+// The nearest wrench that `count` nodes can carry, as tribos_polygon_project_f64.
+tribos_status tribos_nodes_project_f64(const struct tribos_node_f64 *nodes,
+                                       size_t count,
+                                       double force_limit,
+                                       const struct tribos_wrench_f64 *wrench,
+                                       double length,
+                                       struct tribos_projection_f64 *projection);
+
 // One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never reverses
 // it. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
 tribos_status tribos_slider_verlet_step_f64(const struct tribos_slider_f64 *slider,
@@ -2022,6 +2093,77 @@ tribos_status tribos_polygon_project_f32(const struct tribos_polygon_f32 *polygo
                                          const struct tribos_wrench_f32 *wrench,
                                          float length,
                                          struct tribos_projection_f32 *projection);
+
+// Gauge of a wrench on an annulus under uniform pressure, as tribos_disk_surface_gauge_f32 with
+// force_limit = coefficient x load.
+tribos_status tribos_annulus_gauge_f32(const struct tribos_round_f32 *patch,
+                                       float inner_ratio,
+                                       float load,
+                                       const struct tribos_wrench_f32 *wrench,
+                                       float *gauge);
+
+// The nearest wrench that an annulus can carry, as tribos_disk_surface_project_f32.
+tribos_status tribos_annulus_project_f32(const struct tribos_round_f32 *patch,
+                                         float inner_ratio,
+                                         float load,
+                                         const struct tribos_wrench_f32 *wrench,
+                                         float length,
+                                         struct tribos_projection_f32 *projection);
+
+// Gauge of a wrench under Hertz' pressure, as tribos_disk_surface_gauge_f32.
+tribos_status tribos_hertz_gauge_f32(const struct tribos_round_f32 *patch,
+                                     float load,
+                                     const struct tribos_wrench_f32 *wrench,
+                                     float *gauge);
+
+// The nearest wrench that a Hertz contact can carry, as tribos_disk_surface_project_f32.
+tribos_status tribos_hertz_project_f32(const struct tribos_round_f32 *patch,
+                                       float load,
+                                       const struct tribos_wrench_f32 *wrench,
+                                       float length,
+                                       struct tribos_projection_f32 *projection);
+
+// Gauge of a wrench on a ring, as tribos_disk_surface_gauge_f32.
+tribos_status tribos_ring_gauge_f32(const struct tribos_round_f32 *patch,
+                                    float load,
+                                    const struct tribos_wrench_f32 *wrench,
+                                    float *gauge);
+
+// The nearest wrench that a ring can carry, as tribos_disk_surface_project_f32.
+tribos_status tribos_ring_project_f32(const struct tribos_round_f32 *patch,
+                                      float load,
+                                      const struct tribos_wrench_f32 *wrench,
+                                      float length,
+                                      struct tribos_projection_f32 *projection);
+
+// Gauge of a wrench on a rigid flat punch, as tribos_disk_surface_gauge_f32.
+tribos_status tribos_punch_gauge_f32(const struct tribos_round_f32 *patch,
+                                     float load,
+                                     const struct tribos_wrench_f32 *wrench,
+                                     float *gauge);
+
+// The nearest wrench that a rigid flat punch can carry, as tribos_disk_surface_project_f32.
+tribos_status tribos_punch_project_f32(const struct tribos_round_f32 *patch,
+                                       float load,
+                                       const struct tribos_wrench_f32 *wrench,
+                                       float length,
+                                       struct tribos_projection_f32 *projection);
+
+// Gauge of a wrench on `count` nodes, as tribos_polygon_gauge_f32. Two or more places carry load.
+// Cost: the number of nodes times a few.
+tribos_status tribos_nodes_gauge_f32(const struct tribos_node_f32 *nodes,
+                                     size_t count,
+                                     float force_limit,
+                                     const struct tribos_wrench_f32 *wrench,
+                                     float *gauge);
+
+// The nearest wrench that `count` nodes can carry, as tribos_polygon_project_f32.
+tribos_status tribos_nodes_project_f32(const struct tribos_node_f32 *nodes,
+                                       size_t count,
+                                       float force_limit,
+                                       const struct tribos_wrench_f32 *wrench,
+                                       float length,
+                                       struct tribos_projection_f32 *projection);
 
 // One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never reverses
 // it. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.

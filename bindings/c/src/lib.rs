@@ -33,6 +33,7 @@ pub mod double {
     pub mod nodes;
     pub mod patch;
     pub mod patch_batch;
+    pub mod patch_surface;
     pub mod planar;
     pub mod polygon;
     pub mod slider;

@@ -1,6 +1,7 @@
 // What tests share.
 
 import { readFileSync } from "node:fs";
+import "./built.mjs";
 
 /** A file of the package. */
 export const file = (path) => new URL(`../${path}`, import.meta.url);

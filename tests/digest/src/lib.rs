@@ -18,6 +18,7 @@ mod hash;
 mod holding;
 mod inputs;
 mod laws;
+mod manifolds;
 mod memory;
 mod meshes;
 mod motions;
@@ -76,7 +77,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 43] = [
+pub const CHAPTERS: [Chapter; 44] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -120,6 +121,7 @@ pub const CHAPTERS: [Chapter; 43] = [
     little("presliding", presliding::presliding),
     little("bonds", bonds::bonds),
     memory("batches", batches::batches),
+    little("manifold friction", manifolds::manifold_friction_bits),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

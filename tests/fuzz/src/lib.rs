@@ -15,6 +15,7 @@ mod check;
 mod contacts;
 mod couplings;
 mod laws;
+mod manifolds;
 mod motions;
 mod patches;
 mod planes;
@@ -52,9 +53,9 @@ pub const fn target(
 }
 
 /// Targets in the kernel.
-pub const KERNEL: [Target; 16] = [
-    target("laws", 110, laws::memoryless),
-    target("laws with memory", 110, laws::with_memory),
+pub const KERNEL: [Target; 17] = [
+    target("laws", 100, laws::memoryless),
+    target("laws with memory", 100, laws::with_memory),
     target("bonds", 20, bonds::bonds),
     target("special functions", 100, special::special),
     target("couplings", 90, couplings::couplings),
@@ -63,6 +64,7 @@ pub const KERNEL: [Target; 16] = [
     target("limit surfaces", 60, sets::sets),
     target("contacts", 110, contacts::contacts),
     target("manifolds", 40, contacts::manifolds),
+    target("manifold friction", 20, manifolds::manifold),
     target("modes", 40, motions::modes),
     target("sliders", 13, motions::sliders),
     target("planar steps", 30, planes::steps),

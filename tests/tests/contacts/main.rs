@@ -18,6 +18,7 @@ mod ellipsoid;
 mod limit_surface;
 mod manifold;
 mod manifold_extremes;
+mod manifold_friction;
 mod patch_surface;
 mod point_surface;
 mod problems;

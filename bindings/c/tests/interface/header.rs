@@ -50,6 +50,7 @@ fn generated() -> String {
         "surface",
         "batch",
         "polygon",
+        "patch_surface",
         "slider",
         "planar",
         "contact",

@@ -4,5 +4,6 @@ mod batches;
 mod digest;
 mod examples;
 mod header;
+mod manifold;
 mod programs;
 mod refusals;

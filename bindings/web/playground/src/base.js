@@ -1,10 +1,12 @@
 // The base of the body, magnified, with friction at each spot: why spin eases the slide.
 
-import { outline } from "./bodies.js";
+import { HOLES, outline } from "./bodies.js";
 import { arrow, palette, polyline } from "./canvas.js";
 import { t } from "./language.js";
 import { at, frictionAt } from "./race.js";
 
+/** Room for half of the name, in pixels. */
+const HALF_NAME = 68;
 const SPACING = 0.38;
 const RIM = 16;
 /** Length of the arrow of a spot under the mean pressure, and of the largest force, in radii. */
@@ -28,6 +30,7 @@ function spotsOf(setup) {
       return [Math.cos(angle), Math.sin(angle), 1];
     });
   }
+  const hole = HOLES[setup.shape] ?? 0;
   const corners = outline(setup)?.map(([x, y]) => [x / setup.radius, y / setup.radius]);
   const pressure = PRESSURES[setup.shape === "puck" ? setup.pressure : "uniform"];
   const spots = [];
@@ -35,7 +38,7 @@ function spotsOf(setup) {
     for (let column = -3; column <= 3; column += 1) {
       const [x, y] = [SPACING * (column + (row % 2) / 2), SPACING * row * 0.87];
       const r = Math.hypot(x, y);
-      if (corners ? isInside(corners, [x, y]) : r < 0.97) spots.push([x, y, pressure(r)]);
+      if (corners ? isInside(corners, [x, y]) : r < 0.97 && r >= hole) spots.push([x, y, pressure(r)]);
     }
   }
   return spots;
@@ -49,6 +52,26 @@ function isInside(corners, [x, y]) {
   }, false);
 }
 
+/** Half width, and heights above and below the middle, of the box about a base of a radius in pixels. */
+const boxOf = (size) => ({
+  half: Math.max(1.45 * size, HALF_NAME),
+  above: 1.3 * size,
+  below: 1.3 * size + 22,
+});
+
+/** Radius of what is seen about a place, in pixels. */
+const ABOUT = 24;
+
+/** Where the base is drawn: at the right, below if none of some places is covered there, or else above. */
+export function placeOfBase(width, height, size, places) {
+  const { half, above, below } = boxOf(size);
+  const x = width - half - 4;
+  const covers = (y) =>
+    places.some(([a, b]) => Math.abs(a - x) < half + ABOUT && b > y - above - ABOUT && b < y + below + ABOUT);
+  const candidates = [height - below, above + 4];
+  return [x, candidates.find((y) => !covers(y)) ?? candidates[0]];
+}
+
 /** Draws the base about a place with a radius in pixels; at rest as it was at the launch. */
 export function drawBase(context, [x0, y0], size, { result, setup, time }) {
   const [exact] = result.runs;
@@ -57,13 +80,18 @@ export function drawBase(context, [x0, y0], size, { result, setup, time }) {
   const { ink, soft, panel, exact: blue } = palette();
   context.fillStyle = panel;
   context.globalAlpha = 0.9;
-  context.fillRect(x0 - 1.45 * size, y0 - 1.3 * size, 2.9 * size, 2.6 * size + 22);
+  const { half, above, below } = boxOf(size);
+  context.fillRect(x0 - half, y0 - above, 2 * half, above + below);
   context.globalAlpha = 1;
   const [c, s] = [Math.cos(motion.angle), Math.sin(motion.angle)];
   const turned = ([x, y]) => [c * x - s * y, s * x + c * y];
   const toScreen = ([x, y]) => [x0 + size * x, y0 - size * y];
   const rim = outline(setup)?.map(([x, y]) => [x / setup.radius, y / setup.radius]) ?? circle();
   polyline(context, rim.map(turned).map(toScreen), { color: blue, width: 1.5, isClosed: true });
+  if (setup.shape === "annulus") {
+    const inner = circle().map(([x, y]) => toScreen([HOLES.annulus * x, HOLES.annulus * y]));
+    polyline(context, inner, { color: blue, width: 1.5, isClosed: true });
+  }
   const rimSpeed = Math.hypot(motion.vx, motion.vy) + Math.abs(motion.spin) * setup.radius;
   for (const [a, b, pressure] of spotsOf(setup)) {
     const [x, y] = turned([a, b]);

@@ -29,11 +29,10 @@ const OUTLINES = {
     [0, 3],
   ],
 };
-/** I/(m radius²) of round bodies that are as heavy everywhere as their patch. */
-const ROUND_INERTIA = { ring: 1 };
-const PLATE_INERTIA = 0.5;
+/** Inner radius of round bodies with a hole, in radii. */
+export const HOLES = { annulus: 0.5, ring: 1 };
 
-export const isRound = ({ shape }) => shape === "puck" || shape === "ring";
+export const isRound = ({ shape }) => shape === "puck" || shape in HOLES;
 
 /** Corners about the centroid, the farthest at the radius; null for round bodies. */
 export function outline({ shape, radius, drawn }) {
@@ -70,14 +69,16 @@ export function frictionOf(body) {
   if (corners !== null) return kernel.polygon({ corners, mu });
   const alpha = body.alpha === 0 ? {} : { alpha: body.alpha };
   if (shape === "ring") return kernel.ring({ radius, mu, ...alpha });
+  if (shape === "annulus") return kernel.annulus({ radius, inner: HOLES.annulus * radius, mu, ...alpha });
   const make = pressure === "uniform" ? kernel.disk : kernel[pressure];
   return make({ radius, mu, ...alpha });
 }
 
-/** Moment of inertia about the normal, in kg m². */
+/** Moment of inertia about the normal, in kg m², of a body that is as heavy everywhere as its patch. */
 export function inertiaOf(body) {
   const { shape, mass, radius } = body;
   const corners = outline(body);
-  const ratio = ROUND_INERTIA[shape] ?? PLATE_INERTIA;
+  const hole = HOLES[shape] ?? 0;
+  const ratio = 0.5 * (1 + hole * hole);
   return mass * (corners === null ? ratio * radius * radius : momentsOf(corners).second);
 }

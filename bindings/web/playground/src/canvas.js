@@ -1,6 +1,7 @@
 // Canvases with the pixels of the screen and the colours of the theme.
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
+const paper = matchMedia("print");
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 const NAMES = [
   "ink",
@@ -49,10 +50,12 @@ export function painter(canvas, draw) {
     draw(context, width, height);
   };
   new ResizeObserver(paint).observe(canvas);
-  dark.addEventListener("change", () => {
-    colors = undefined;
-    paint();
-  });
+  for (const theme of [dark, paper]) {
+    theme.addEventListener("change", () => {
+      colors = undefined;
+      paint();
+    });
+  }
   return paint;
 }
 

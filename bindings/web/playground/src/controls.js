@@ -18,7 +18,7 @@ export function slider(
   const input = find(id);
   const output = document.querySelector(`output[for="${id}"]`);
   const show = () => {
-    const text = `${digits(write(state[key]), decimals)}${unit && `\u202f${unit}`}`;
+    const text = `${digits(write(state[key]), decimals)}${spaced(unit)}`;
     input.value = write(state[key]);
     output.textContent = text;
     input.setAttribute("aria-valuetext", text);
@@ -30,6 +30,9 @@ export function slider(
   });
   return show;
 }
+
+/** A unit as it follows a number. Fonts without the narrow space would make the browser look for another font. */
+const spaced = (unit) => (unit === "" || unit === "°" ? unit : `\u00a0${unit}`);
 
 /** Binds a list of choices to a word of `state`. */
 export function choice(id, state, key, changed) {

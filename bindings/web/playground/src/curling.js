@@ -8,7 +8,7 @@ import { axes } from "./modes-draw.js";
 
 /** Limits of the picture: spin in rad/s, curl in m. */
 const SPINS = [0, 3.05];
-const CURLS = [-0.22, 1.3];
+const CURLS = [-0.22, 1.4];
 const EDGE = { left: 54, right: 100, top: 12, bottom: 42 };
 /** Least distance of two names, in pixels. */
 const APART = 15;
@@ -40,10 +40,10 @@ function draw(context, width, height) {
   context.font = "13px system-ui, sans-serif";
   context.textAlign = "left";
   context.fillStyle = colors.target;
-  context.fillText(t("observed"), a[0] + 6, a[1] + 16);
+  context.fillText(t("observed"), a[0], a[1] - 6);
   const xs = [0, 1, 2, 3].map((x) => [x, digits(x, 0)]);
   const ys = [0, 0.5, 1].map((y) => [y, digits(y, 1)]);
-  axes(context, width, height, toScreen, { xs, ys, x: t("axisSpin"), y: t("axisCurl") });
+  axes(context, width, height, toScreen, { xs, ys, x: t("axisSpin"), y: t("axisCurl"), right: EDGE.right });
   curves.forEach(({ model, points }, index) => {
     const width = model === chosen ? 5 : 2.2;
     polyline(context, points.map(toScreen), { color: colors[COLORS[index]], width, dash: DASHES[index] });

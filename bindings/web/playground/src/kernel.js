@@ -5,7 +5,7 @@ import { loader, syncLoader } from "../../js/wasm.js";
 
 export * as kernel from "../../js/everything.js";
 
-const loadDisks = syncLoader("small", () => disks);
+const loadDisks = syncLoader("small", () => bytesOf(disks));
 const loadAll = loader("all", () => unpacked("all-wasm"));
 let all;
 
@@ -25,11 +25,18 @@ export let isComplete = false;
 
 /** Bytes that the page has packed under an id. */
 export async function unpacked(id) {
-  const text = atob(document.getElementById(id).textContent);
-  const packed = new Uint8Array(text.length);
-  for (let at = 0; at < text.length; at += 1) packed[at] = text.charCodeAt(at);
+  const packed = bytesOf(document.getElementById(id).textContent);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream).arrayBuffer();
+}
+
+/** Bytes of base64, quickest by what browsers have since 2025. */
+function bytesOf(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let at = 0; at < letters.length; at += 1) bytes[at] = letters.charCodeAt(at);
+  return bytes;
 }
 
 /** Data that the page has packed under an id. */
@@ -38,7 +45,8 @@ export async function unpackedJson(id) {
   return JSON.parse(new TextDecoder().decode(await unpacked(id)));
 }
 
-function pageRead() {
+/** The whole page is there. */
+export function pageRead() {
   if (document.readyState !== "loading") return Promise.resolve();
   return new Promise((done) => document.addEventListener("DOMContentLoaded", done, { once: true }));
 }

@@ -30,19 +30,29 @@ export function signed(value, decimals) {
   return value > 0 && /[1-9]/.test(text) ? `+${text}` : text;
 }
 
+/** Calls a function whenever the language changes. */
+export function onNewLanguage(call) {
+  listeners.push(call);
+}
+
 /** Calls a function now and whenever the language changes. */
 export function onLanguage(call) {
-  listeners.push(call);
+  onNewLanguage(call);
   call();
 }
 
-/** Writes the page in a language. */
-export function setLanguage(name) {
+/** Writes the elements of the page in a language. */
+export function setLanguage(name, elements = document.querySelectorAll("[data-t], [data-label]")) {
   current = name;
   document.documentElement.lang = name;
   document.title = t("title");
-  fill(document);
+  fill(elements);
   for (const call of listeners) call();
+}
+
+/** Writes the page in the language that the reader chose, now and the next time. */
+export function chooseLanguage(name) {
+  setLanguage(name);
   try {
     localStorage.setItem(KEY, name);
   } catch {
@@ -62,10 +72,31 @@ export function firstLanguage() {
   return wanted.toLowerCase().startsWith("de") ? "de" : "en";
 }
 
-/** Puts texts into all elements that name one. */
-export function fill(root) {
-  for (const element of root.querySelectorAll("[data-t]")) element.innerHTML = t(element.dataset.t);
-  for (const element of root.querySelectorAll("[data-label]")) {
-    element.setAttribute("aria-label", t(element.dataset.label));
+/** Plain text needs no parser. */
+function write(element, text) {
+  if (!/[<&]/.test(text)) {
+    element.textContent = text;
+    return;
+  }
+  element.innerHTML = text;
+  for (const command of element.querySelectorAll("pre code")) keepWords(command);
+}
+
+/** Lines of a command break between its words only: browsers would also break behind a hyphen. */
+function keepWords(command) {
+  const words = command.textContent.split(" ").map((word) => {
+    const span = document.createElement("span");
+    span.textContent = word;
+    return span;
+  });
+  command.replaceChildren(...words.flatMap((word, index) => (index === 0 ? [word] : [" ", word])));
+}
+
+/** Puts the texts that elements name into them. */
+export function fill(elements) {
+  for (const element of elements) {
+    const { t: key, label } = element.dataset;
+    if (key) write(element, t(key));
+    if (label) element.setAttribute("aria-label", t(label));
   }
 }

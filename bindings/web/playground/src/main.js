@@ -2,8 +2,8 @@
 
 import { find } from "./controls.js";
 import { startCurling } from "./curling.js";
-import { startDisks } from "./kernel.js";
-import { firstLanguage, language, onLanguage, setLanguage } from "./language.js";
+import { pageRead, startDisks } from "./kernel.js";
+import { chooseLanguage, fill, firstLanguage, language, onLanguage, setLanguage } from "./language.js";
 import { startModes } from "./modes.js";
 import { startPowder } from "./powder.js";
 import { startSurface } from "./surface.js";
@@ -35,22 +35,31 @@ function showPanel() {
   STARTS[name]();
 }
 
+/** Elements with texts. */
+const textsOf = () => [...document.querySelectorAll("[data-t], [data-label]")];
+
+/** What is seen around the first picture. Other texts come after it: their layout would delay it. */
+const FIRST = "header, nav, #panel-throw > :is(h2, .intro, .split)";
+
 /** Panels come after the first draw: the browser paints between. */
 const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
 
 async function start() {
   for (const name of ["en", "de"])
-    find(`language-${name}`).addEventListener("click", () => setLanguage(name));
-  setLanguage(firstLanguage());
+    find(`language-${name}`).addEventListener("click", () => chooseLanguage(name));
+  const first = new Set(textsOf().filter((element) => element.closest(FIRST)));
+  setLanguage(firstLanguage(), first);
   onLanguage(() => {
     for (const name of ["en", "de"])
       find(`language-${name}`).setAttribute("aria-pressed", language() === name);
   });
-  for (const name of Object.keys(STARTS)) find(`panel-${name}`).hidden = name !== "throw";
   startDisks();
   startThrow();
   performance.mark("first-draw");
   await painted();
+  // The other panels follow the script.
+  await pageRead();
+  fill(textsOf().filter((element) => !first.has(element)));
   addEventListener("hashchange", showPanel);
   showPanel();
   await completeThrow();

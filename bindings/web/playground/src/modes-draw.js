@@ -8,16 +8,16 @@ export const RANGES = { inertia: [0.02, 1.2], alpha: [-0.9, 2] };
 const EDGE = { left: 54, right: 14, top: 12, bottom: 42 };
 /** Ratios from 1/LARGEST to LARGEST have a colour between the ends. */
 const LARGEST = 20;
-/** Ends of the colours: what spins last, what slides last, and where it depends on the launch. */
+/** Colours of what is last, and of both at equal speeds. */
 const COLORS = {
-  spin: [143, 29, 107],
+  Spinning: [143, 29, 107],
   both: [240, 238, 230],
-  slide: [11, 90, 148],
-  depends: [120, 124, 132],
+  Sliding: [11, 90, 148],
+  Depends: [112, 116, 124],
 };
 const RATIOS = [0.01, 100];
-/** Regions with fewer cells have no name in them. */
-const SMALLEST = 40;
+/** Regions that are a smaller part of the diagram have no name in them. */
+const SMALLEST = 0.02;
 
 /** Place and scale of the diagram. */
 export function mapPlace(width, height) {
@@ -34,23 +34,25 @@ function placed(width, height, [x0, x1], [y0, y1]) {
   return { w, h, toScreen, toWorld };
 }
 
-/** A colour of a final ratio; null where it depends on the launch. */
+/** The colour of a final ratio. */
 function colorOf(ratio) {
-  if (ratio === null) return COLORS.depends;
   const part = Math.min(Math.max(Math.log(ratio) / Math.log(LARGEST), -1), 1);
-  const end = part < 0 ? COLORS.spin : COLORS.slide;
-  return COLORS.both.map((value, index) => value + Math.abs(part) * (end[index] - value));
+  const end = part < 0 ? COLORS.Spinning : COLORS.Sliding;
+  return css(COLORS.both.map((value, index) => value + Math.abs(part) * (end[index] - value)));
 }
+
+const css = (color) => `rgb(${color.map(Math.round)})`;
 
 export function drawMap(context, width, height, { map, state, count }) {
   const { w, h, toScreen } = mapPlace(width, height);
   const rows = map?.rows ?? [];
   rows.forEach((row, index) => {
-    row.forEach((ratio, column) => {
-      context.fillStyle = `rgb(${colorOf(ratio).map(Math.round)})`;
-      const [x, y] = [EDGE.left + (w * column) / row.length, EDGE.top + h - (h * (index + 1)) / count];
-      context.fillRect(x, y, w / row.length + 0.7, h / count + 0.7);
-    });
+    const [y, thickness] = [EDGE.top + h - (h * (index + 1)) / count, h / count + 0.7];
+    for (const { name, from, to } of partsOf(row)) {
+      const [left, right] = [from, to].map((inertia) => toScreen([inertia, 0])[0]);
+      context.fillStyle = name === "Together" ? shadeOf(context, row, toScreen) : css(COLORS[name]);
+      context.fillRect(left, y, right - left, thickness);
+    }
   });
   const xs = [0.2, 0.4, 0.6, 0.8, 1, 1.2].map((x) => [x, digits(x, 1)]);
   const ys = [-0.5, 0, 0.5, 1, 1.5, 2].map((y) => [y, digits(y, 1)]);
@@ -67,28 +69,51 @@ export function drawMap(context, width, height, { map, state, count }) {
   context.stroke();
 }
 
+/** The parts of a row that the diagram shows: what is last there, from which inertia ratio to which. */
+function partsOf({ low, high, stops }) {
+  const [least, most] = RANGES.inertia;
+  const ends = [least, low, high, most].map((inertia) => Math.min(Math.max(inertia, least), most));
+  const names = ["Sliding", stops.length > 0 ? "Together" : "Depends", "Spinning"];
+  const parts = names.map((name, index) => ({ name, from: ends[index], to: ends[index + 1] }));
+  return parts.filter(({ from, to }) => to > from);
+}
+
+/** Colours between the inertia ratios `low` and `high`. */
+function shadeOf(context, { low, high, stops }, toScreen) {
+  const [[left], [right]] = [toScreen([low, 0]), toScreen([high, 0])];
+  const shade = context.createLinearGradient(left, 0, right, 0);
+  shade.addColorStop(0, css(COLORS.Sliding));
+  for (const [inertia, ratio] of stops) {
+    const part = Math.min(Math.max((inertia - low) / (high - low), 0), 1);
+    shade.addColorStop(part, colorOf(ratio));
+  }
+  shade.addColorStop(1, css(COLORS.Spinning));
+  return shade;
+}
+
 /** Writes into each region what is last there. */
 function nameRegions(context, rows, w, h) {
+  const [least, most] = RANGES.inertia;
   const regions = {};
   rows.forEach((row, index) => {
-    row.forEach((ratio, column) => {
-      const name =
-        ratio === null ? "Depends" : ratio === 0 ? "Spinning" : ratio === Infinity ? "Sliding" : "Together";
-      const region = (regions[name] ??= { count: 0, x: 0, y: 0 });
-      region.count += 1;
-      region.x += (column + 0.5) / row.length;
-      region.y += 1 - (index + 0.5) / rows.length;
-    });
+    for (const { name, from, to } of partsOf(row)) {
+      const region = (regions[name] ??= { area: 0, x: 0, y: 0, widest: 0 });
+      const area = (to - from) / (most - least) / rows.length;
+      region.widest = Math.max(region.widest, (w * (to - from)) / (most - least));
+      region.area += area;
+      region.x += (area * ((from + to) / 2 - least)) / (most - least);
+      region.y += area * (1 - (index + 0.5) / rows.length);
+    }
   });
   context.font = "600 13px system-ui, sans-serif";
   context.textAlign = "center";
-  for (const [name, { count, x, y }] of Object.entries(regions)) {
-    if (count < SMALLEST) continue;
-    context.fillStyle = name === "Together" ? "#000" : "#fff";
+  for (const [name, { area, x, y, widest }] of Object.entries(regions)) {
     const text = t(`region${name}`);
     const half = context.measureText(text).width / 2 + 4;
-    const at = Math.min(Math.max((w * x) / count, half), w - half);
-    context.fillText(text, EDGE.left + at, EDGE.top + (h * y) / count);
+    if (area < SMALLEST || 2 * half > widest) continue;
+    context.fillStyle = name === "Together" ? "#000" : "#fff";
+    const at = Math.min(Math.max((w * x) / area, half), w - half);
+    context.fillText(text, EDGE.left + at, EDGE.top + (h * y) / area);
   }
 }
 
@@ -123,7 +148,7 @@ export function drawRuns(context, width, height, { runs, modes }) {
 }
 
 /** Lines, numbers and names of two axes. */
-export function axes(context, width, height, toScreen, { xs, ys, x, y }) {
+export function axes(context, width, height, toScreen, { xs, ys, x, y, right = EDGE.right }) {
   const { soft, line } = palette();
   context.font = "12px system-ui, sans-serif";
   context.fillStyle = soft;
@@ -147,7 +172,7 @@ export function axes(context, width, height, toScreen, { xs, ys, x, y }) {
       context,
       [
         [EDGE.left, at],
-        [width - EDGE.right, at],
+        [width - right, at],
       ],
       { color: line, width: 1 },
     );
@@ -155,7 +180,7 @@ export function axes(context, width, height, toScreen, { xs, ys, x, y }) {
     context.fillText(text, EDGE.left - 6, at + 4);
   }
   context.textAlign = "center";
-  context.fillText(x, (EDGE.left + width - EDGE.right) / 2, height - 8);
+  context.fillText(x, (EDGE.left + width - right) / 2, height - 8);
   context.save();
   context.translate(13, (top + bottom) / 2);
   context.rotate(-Math.PI / 2);

@@ -5,15 +5,17 @@ import { choice, find, slider } from "./controls.js";
 import { everythingReady, kernel } from "./kernel.js";
 import { digits, onLanguage, t } from "./language.js";
 import { drawMap, drawRuns, mapPlace, RANGES } from "./modes-draw.js";
+import { rowOf } from "./modes-row.js";
 
-/** Columns and rows of the diagram, and ratios v/(ωR) of the launches. */
-const [COLUMNS, ROWS] = [56, 36];
+/** Rows of the diagram. */
+const ROWS = 120;
+/** Ratios v/(ωR) of the launches. */
 const LAUNCHES = [0.03, 0.1, 0.3, 1, 3, 10, 30];
 const POINTS = 60;
 /** Decades of the time that is left, or of the time itself where nothing rests. */
 const DECADES = 3;
 /** Rows of the diagram that are computed before the browser may draw. */
-const AT_ONCE = 6;
+const AT_ONCE = 20;
 const KEYS = {
   ArrowLeft: ["inertia", -0.02],
   ArrowRight: ["inertia", 0.02],
@@ -41,12 +43,7 @@ async function computeMap() {
   map = mine;
   for (let row = 0; row < ROWS && map === mine; row += 1) {
     const friction = patch(between(RANGES.alpha, (row + 0.5) / ROWS));
-    mine.rows.push(
-      Array.from({ length: COLUMNS }, (_, column) => {
-        const inertia = between(RANGES.inertia, (column + 0.5) / COLUMNS);
-        return friction.modes(inertia).finalRatio;
-      }),
-    );
+    mine.rows.push(rowOf(friction));
     friction.free();
     if (row % AT_ONCE < AT_ONCE - 1 && row + 1 < ROWS) continue;
     paints[0]();

@@ -9,6 +9,8 @@ const SHIFT = 0.55;
 /** Lengths of the arrows of push and motion, in radii. */
 const PUSH = 0.9;
 const MOTION = 0.9;
+/** Largest drawn hole, in radii: a ring has some width to be seen. */
+const LARGEST_HOLE = 0.93;
 const RAYS = 121;
 const DASHES = { exact: [], ellipsoid: [7, 5], separate: [2, 5] };
 
@@ -20,15 +22,17 @@ export function planView(width, height) {
   return { width, height, scale, toScreen, toWorld };
 }
 
-export function drawPlan(context, view, { rim, isRing, push, contact, motion, cone }) {
+export function drawPlan(context, view, { rim, hole, push, contact, motion, cone }) {
   const { exact, ink, soft, target } = palette();
   polyline(context, rim.map(view.toScreen), { color: ink, width: 2, isClosed: true });
-  if (isRing)
+  if (hole > 0) {
+    const inner = Math.min(hole, LARGEST_HOLE);
     polyline(
       context,
-      rim.map(([x, y]) => view.toScreen([0.93 * x, 0.93 * y])),
+      rim.map(([x, y]) => view.toScreen([inner * x, inner * y])),
       { color: ink, width: 1, isClosed: true },
     );
+  }
   const moved = movedOutline(rim, motion);
   polyline(context, moved.map(view.toScreen), { color: exact, width: 2, dash: [5, 5], isClosed: true });
   const place = contact?.place ?? onLine(push);
@@ -107,7 +111,7 @@ export function drawSection(context, width, height, { models, push, shows }) {
   const size = Math.hypot(push.fx, push.fy);
   const [dx, dy] = size < 1e-9 ? [1, 0] : [push.fx / size, push.fy / size];
   const { forceLimit, torqueLimit } = models.exact;
-  const scale = Math.min((0.4 * width) / forceLimit, (0.38 * height) / torqueLimit);
+  const scale = Math.min((0.4 * width) / forceLimit, (0.36 * height) / torqueLimit);
   const toScreen = ([f, torque]) => [width / 2 + scale * f, height / 2 - scale * torque];
   polyline(
     context,
@@ -129,7 +133,7 @@ export function drawSection(context, width, height, { models, push, shows }) {
   context.fillStyle = soft;
   context.textAlign = "right";
   context.fillText("F", width - 10, height / 2 - 6);
-  context.fillText("T", width / 2 - 6, 20);
+  context.fillText("T", width / 2 - 6, 15);
   for (const [name, surface] of Object.entries(models)) {
     if (!shows[name]) continue;
     const points = Array.from({ length: RAYS }, (_, index) => {

@@ -4,8 +4,8 @@ import { MODELS, frictionOf, inertiaOf, isRound } from "./bodies.js";
 import { isComplete } from "./kernel.js";
 
 const COLUMNS = 7;
-/** Rows of a path: more than the picture has pixels across a bend. */
-const ROWS = 300;
+/** Rows of a path. Round bodies slide straight; other paths have more rows than a bend has pixels. */
+const ROWS = { straight: 100, bent: 300 };
 
 /** Which models can run a throw: approximations are made for dry friction. */
 export function runnable(body) {
@@ -25,12 +25,13 @@ export function race(setup) {
   const friction = frictionOf(setup);
   const options = { mass: setup.mass, inertia: inertiaOf(setup) };
   const twist = twistOf(setup);
+  const count = isRound(setup) ? ROWS.straight : ROWS.bent;
   const runs = runnable(setup).map((model) => {
     const body = friction.body({ ...options, model });
     const rest = body.slide(twist);
     // Without any motion nothing takes time.
     if (!moves(setup)) rest.time = 0;
-    return { model, rest, rows: body.slidePath(twist, ROWS) };
+    return { model, rest, rows: body.slidePath(twist, count) };
   });
   return { friction, body: friction.body(options), runs, twist, isRound: isRound(setup) };
 }

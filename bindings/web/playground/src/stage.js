@@ -1,7 +1,7 @@
 // The picture of a throw: the field seen from above, and a lane for each model.
 
-import { drawBase } from "./base.js";
-import { outline } from "./bodies.js";
+import { drawBase, placeOfBase } from "./base.js";
+import { HOLES, outline } from "./bodies.js";
 import { arrow, palette, polyline, turnArrow } from "./canvas.js";
 import { digits, t } from "./language.js";
 import { at, frictionAt, pathUntil } from "./race.js";
@@ -13,6 +13,8 @@ const FORCE_ARROW = 64;
 const TORQUE_ARROW = 4.2;
 /** Least radius of a drawn body, in pixels. */
 const LEAST = 7;
+/** Largest drawn hole, in radii: a ring has some width to be seen. */
+const LARGEST_HOLE = 0.75;
 /** Part of the view beside the start. */
 const BEHIND = 0.1;
 
@@ -32,7 +34,7 @@ export function fitted(width, height, view, points, margin) {
   const y0 = room / 2 + (scale * (low + high)) / 2;
   const toScreen = ([x, y]) => [x0 + scale * x, y0 - scale * y];
   const toWorld = ([x, y]) => [(x - x0) / scale, (y0 - y) / scale];
-  return { scale, room, toScreen, toWorld };
+  return { width, height, scale, room, toScreen, toWorld };
 }
 
 /** Everything: field, bodies at a time, target, aim, and lanes. */
@@ -48,10 +50,15 @@ export function drawStage(context, width, height, scene) {
   if (aim) arrow(context, view.toScreen([0, 0]), aim, palette().ink, 4);
   else if (!isHidden) drawFriction(context, scene, pose);
   const size = width < 500 ? 34 : 52;
-  if (!isHidden)
-    drawBase(context, [width - Math.max(1.6 * size, 58) - 8, view.room - 1.3 * size - 22], size, scene);
+  if (!isHidden) drawBase(context, placeOfBase(width, view.room, size, endsOf(scene)), size, scene);
   context.clearRect(0, view.room + 1, width, height);
   drawLanes(context, width, view.room + 8, scene);
+}
+
+/** Places on the canvas that have to be seen: where bodies rest, and the target. */
+function endsOf({ view, result, target }) {
+  const ends = result.runs.map(({ rest }) => rest);
+  return (target ? [...ends, target] : ends).map(({ x, y }) => view.toScreen([x, y]));
 }
 
 /** A line every round length, and the length. */
@@ -130,7 +137,7 @@ function drawBody(context, { view, setup }, { x, y, angle }, color, isFilled) {
   const center = view.toScreen([x, y]);
   const radius = Math.max(setup.radius * view.scale, LEAST);
   const corners = outline(setup);
-  shape(context, center, radius, angle, corners && { corners, size: setup.radius }, setup.shape === "ring");
+  shape(context, center, radius, angle, corners && { corners, size: setup.radius }, HOLES[setup.shape]);
   if (isFilled) {
     context.globalAlpha = 0.22;
     context.fillStyle = color;
@@ -145,13 +152,14 @@ function drawBody(context, { view, setup }, { x, y, angle }, color, isFilled) {
 }
 
 /** The outline of a body as the path of the context. */
-function shape(context, [x, y], radius, angle, polygon, isRing) {
+function shape(context, [x, y], radius, angle, polygon, hole = 0) {
   context.beginPath();
   if (!polygon) {
     context.arc(x, y, radius, 0, 2 * Math.PI);
-    if (isRing) {
-      context.moveTo(x + 0.75 * radius, y);
-      context.arc(x, y, 0.75 * radius, 0, 2 * Math.PI);
+    const inner = radius * Math.min(hole, LARGEST_HOLE);
+    if (inner > 0) {
+      context.moveTo(x + inner, y);
+      context.arc(x, y, inner, 0, 2 * Math.PI);
     }
     return;
   }

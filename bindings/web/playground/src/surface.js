@@ -1,6 +1,6 @@
 // The panel of the limit surface. Forces are in μN, torques in μNR, lengths in radii.
 
-import { MODELS, centred, frictionOf, outline } from "./bodies.js";
+import { HOLES, MODELS, centred, frictionOf, outline } from "./bodies.js";
 import { onDrag, painter, palette } from "./canvas.js";
 import { choice, find, slider } from "./controls.js";
 import { everythingReady } from "./kernel.js";
@@ -93,7 +93,7 @@ function bindPaints() {
     const motion = models.exact.normal(push);
     drawPlan(context, planView(width, height), {
       rim,
-      isRing: state.shape === "ring",
+      hole: HOLES[state.shape] ?? 0,
       push,
       contact,
       motion,

@@ -5,7 +5,7 @@ import { onDrag, painter, wantsStillness } from "./canvas.js";
 import { choice, find, range, slider } from "./controls.js";
 import { canPlay, judged, newTarget } from "./game.js";
 import { everythingReady, isComplete } from "./kernel.js";
-import { onLanguage, t } from "./language.js";
+import { onNewLanguage, t } from "./language.js";
 import { durationOf, moves, race } from "./race.js";
 import { startDrawing } from "./outline.js";
 import { drawStage, fitted } from "./stage.js";
@@ -55,6 +55,7 @@ function useGround(name) {
 
 const paint = painter(canvas, (context, width, height) => {
   if (result === undefined) return;
+  if (view?.width !== width || view.height !== height) view = undefined;
   view ??= fitted(width, height, setup.view, seen(), 2 * setup.radius);
   const scene = { view, result, setup, aim, time: Math.min(time, durationOf(result)) };
   const isHidden = game !== undefined && !game.isThrown;
@@ -261,7 +262,7 @@ export function startThrow() {
   bindControls();
   bindThrow();
   compute();
-  onLanguage(() => {
+  onNewLanguage(() => {
     for (const show of shows) show();
     tabulate();
     find("throw-say").textContent = summary();

@@ -37,12 +37,17 @@ export const missing =
   (!existsSync(checker) && "missing axe-core: npm ci --prefix bindings/web") ||
   false;
 
+/** Starts the browser. */
+export function launch() {
+  if (missing) throw new Error(missing);
+  return puppeteer.launch({ executablePath: browserPath, args: OPTIONS });
+}
+
 /** A test that needs the browser. */
 export function inBrowser(name, run) {
   const skip = process.env.TRIBOS_REQUIRE_TARGETS === undefined && missing;
   test(name, { skip }, async () => {
-    if (missing) throw new Error(missing);
-    const browser = await puppeteer.launch({ executablePath: browserPath, args: OPTIONS });
+    const browser = await launch();
     try {
       await run(browser);
     } finally {

@@ -2,17 +2,24 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import "../../test/built.mjs";
 import { PHONE, WIDE, checkerPath, inBrowser, open } from "./browser.mjs";
 import de from "../text/de.js";
 import en from "../text/en.js";
+import { rowOf } from "../src/modes-row.js";
+import * as kernel from "../../all.js";
+
+await kernel.init();
 
 const PANELS = ["throw", "surface", "modes", "curling", "powder", "worksheet"];
-const LOOKS = [
-  { language: "en", scheme: "light", view: WIDE },
-  { language: "en", scheme: "dark", view: PHONE },
-  { language: "de", scheme: "dark", view: WIDE },
-  { language: "de", scheme: "light", view: PHONE },
-];
+const TEXTS = { de, en };
+const VIEWS = { wide: WIDE, phone: PHONE };
+const SCHEMES = ["light", "dark"];
+/** Colours of letters on the canvases. */
+const LETTERS = ["soft", "exact", "ellipsoid", "separate", "accent", "target", "ink"];
+/** Least contrast of letters, WCAG 2 AA. */
+const LEAST_CONTRAST = 4.5;
 
 /** A canvas has been drawn on. */
 const isDrawn = (canvas) => {
@@ -30,23 +37,65 @@ async function show(page, panel) {
   return title.evaluate((heading) => heading.textContent);
 }
 
-for (const look of LOOKS) {
-  const { language, scheme, view } = look;
-  inBrowser(
-    `panels open without errors: ${language}, ${scheme}, ${view.width} pixels wide`,
-    async (browser) => {
-      const { page, errors } = await open(browser, { ...look, motion: "reduce" });
-      const texts = { de, en }[language];
-      assert.equal(await page.$eval("html", (root) => root.lang), language);
-      for (const panel of PANELS) {
-        assert.equal(await show(page, panel), texts[`${panel}Title`]);
-        const [width, room] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-        assert.ok(width <= room, `${panel} is ${width} pixels wide, the window ${room}`);
-        await accessible(page, panel);
+/** Shows all panels in a look, and runs a check on each. */
+async function inEveryPanel(browser, look, check) {
+  const { page, errors } = await open(browser, { ...look, motion: "reduce" });
+  for (const panel of PANELS) {
+    assert.equal(await show(page, panel), TEXTS[look.language][`${panel}Title`]);
+    await check(page, panel);
+  }
+  assert.deepEqual(errors, []);
+  await page.close();
+}
+
+for (const [name, view] of Object.entries(VIEWS)) {
+  for (const language of Object.keys(TEXTS)) {
+    inBrowser(`panels open without errors and fit: ${language}, ${name}`, async (browser) => {
+      for (const scheme of SCHEMES) {
+        await inEveryPanel(browser, { language, scheme, view }, async (page, panel) => {
+          assert.equal(await page.$eval("html", (root) => root.lang), language);
+          const width = await page.evaluate(() => document.documentElement.scrollWidth);
+          assert.ok(width <= view.width, `${panel} is ${width} pixels wide, the window ${view.width}`);
+        });
       }
-      assert.deepEqual(errors, []);
-    },
-  );
+    });
+  }
+  // The checker takes most of the time of these tests: one language for each view.
+  const language = name === "wide" ? "en" : "de";
+  for (const scheme of SCHEMES) {
+    inBrowser(`panels are accessible: ${language}, ${name}, ${scheme}`, async (browser) => {
+      await inEveryPanel(browser, { language, scheme, view }, accessible);
+    });
+  }
+}
+
+inBrowser("letters on the canvases have contrast, light and dark", async (browser) => {
+  for (const scheme of SCHEMES) {
+    const { page } = await open(browser, { scheme, motion: "reduce" });
+    const colors = await page.evaluate(
+      (names) => {
+        const style = getComputedStyle(document.documentElement);
+        return names.map((name) => style.getPropertyValue(`--${name}`).trim());
+      },
+      ["panel", ...LETTERS],
+    );
+    const [panel, ...letters] = colors.map(luminanceOf);
+    letters.forEach((letter, index) => {
+      const contrast = (Math.max(letter, panel) + 0.05) / (Math.min(letter, panel) + 0.05);
+      assert.ok(contrast >= LEAST_CONTRAST, `${scheme}: ${LETTERS[index]} has ${contrast.toFixed(2)}`);
+    });
+    await page.close();
+  }
+});
+
+/** Relative luminance of a colour "#rrggbb", as WCAG 2 defines it. */
+function luminanceOf(color) {
+  assert.match(color, /^#[\da-f]{6}$/);
+  const [red, green, blue] = [1, 3, 5].map((at) => {
+    const value = parseInt(color.slice(at, at + 2), 16) / 255;
+    return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+  });
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }
 
 /** No violations of WCAG 2 A and AA that axe knows of. */
@@ -64,7 +113,10 @@ inBrowser("the language switches without a reload, numbers included", async (bro
   const { page } = await open(browser, { motion: "reduce" });
   const distance = () => page.$eval("#row-exact td", (cell) => cell.textContent);
   assert.match(await distance(), /^0\.661$/);
+  const kept = () => page.evaluate(() => localStorage.getItem("tribos-language"));
+  assert.equal(await kept(), null);
   await page.click("#language-de");
+  assert.equal(await kept(), "de");
   assert.match(await distance(), /^0,661$/);
   assert.equal(await page.title(), de.title);
   assert.equal(await page.$eval("html", (root) => root.lang), "de");
@@ -97,10 +149,32 @@ inBrowser(
     await set("modes-alpha", "1");
     assert.match(await text("modes-say"), /^Every ratio stays as thrown/);
     await show(page, "powder");
-    assert.match(await text("powder-say"), /66\.3 %.*73\.8 %.*82\.7 %.*89\.4 %/);
+    assert.match(await text("powder-say"), /66\.3\s%.*73\.8\s%.*82\.7\s%.*89\.4\s%/);
     assert.deepEqual(errors, []);
   },
 );
+
+test("the diagram has the ratios and limits of the kernel", () => {
+  for (const make of [kernel.disk, kernel.ring, kernel.hertz, kernel.paraboloid, kernel.punch]) {
+    for (const alpha of [-0.88, -0.3, 0.4, 0.95, 1.5]) {
+      const friction = make({ radius: 1, mu: 1, alpha });
+      const { low, high, stops } = rowOf(friction);
+      assert.deepEqual([low, high], friction.modes(0.5).inertiaInterval);
+      assert.equal(stops.length > 0, alpha < 1);
+      for (const [inertia, ratio] of stops) {
+        assert.ok(inertia > low && inertia < high, `${friction.kind}, exponent ${alpha}, ratio ${ratio}`);
+        const found = friction.modes(inertia).finalRatio;
+        assert.ok(
+          Math.abs(found / ratio - 1) < 1e-6,
+          `${friction.kind}, exponent ${alpha}: ${found}, ${ratio}`,
+        );
+      }
+      const middle = friction.modes((low + high) / 2).finalRatio;
+      assert.equal(middle === null, alpha > 1);
+      friction.free();
+    }
+  }
+});
 
 inBrowser("while an outline is drawn, nothing of the former body is shown", async (browser) => {
   const { page, errors } = await open(browser, { motion: "reduce" });
@@ -150,6 +224,26 @@ inBrowser("the worksheet has five experiments, and prints its answers apart", as
   await page.emulateMediaType("print");
   assert.equal(await shown("#sheet-answers"), true);
   assert.equal(await shown("#sheet details"), false);
+});
+
+inBrowser("paper has dark letters, also where the screen has light ones", async (browser) => {
+  const { page } = await open(browser, { scheme: "dark", motion: "reduce" });
+  const blue = () =>
+    page.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue("--exact").trim());
+  const canvas = await page.$("#throw-canvas");
+  const [screen, before] = [await blue(), await canvas.evaluate((drawn) => drawn.toDataURL())];
+  await page.emulateMediaType("print");
+  await page.waitForFunction((drawn, old) => drawn.toDataURL() !== old, {}, canvas, before);
+  assert.ok(luminanceOf(await blue()) < luminanceOf(screen));
+  // Nothing has the dark ground of the screen.
+  const share = await canvas.evaluate((drawn) => {
+    const { data } = drawn.getContext("2d").getImageData(0, 0, drawn.width, drawn.height);
+    let dark = 0;
+    for (let at = 0; at < data.length; at += 4)
+      dark += data[at + 3] > 200 && data[at] < 60 && data[at + 2] < 60;
+    return (4 * dark) / data.length;
+  });
+  assert.ok(share < 0.01, `${100 * share} % of the canvas is dark`);
 });
 
 inBrowser("every command of the page is printed in the book, where a test runs it", async (browser) => {

@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import "../../test/built.mjs";
 import { inBrowser, open } from "./browser.mjs";
 import { circleContactAt, wrenchAt } from "../src/push.js";
 import * as kernel from "../../all.js";

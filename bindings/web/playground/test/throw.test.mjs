@@ -1,6 +1,7 @@
 // Throws in the page: the bits of the kernel, keyboard, game, and how quick it is.
 
 import assert from "node:assert/strict";
+import "../../test/built.mjs";
 import { inBrowser, open } from "./browser.mjs";
 import * as kernel from "../../all.js";
 
@@ -57,7 +58,7 @@ inBrowser("every body, pressure, ground and exponent can be thrown", async (brow
   for (const [id, values] of [
     ["throw-pressure", ["hertz", "paraboloid", "punch", "uniform"]],
     ["throw-alpha", ["-0.9", "0.9", "0.5", "0"]],
-    ["throw-shape", ["ring", "box", "triangle", "ell", "puck"]],
+    ["throw-shape", ["annulus", "ring", "box", "triangle", "ell", "puck"]],
     ["throw-ground", ["ice", "floor", "carrom"]],
     ["throw-speed", ["0"]],
   ]) {

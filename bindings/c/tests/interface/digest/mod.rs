@@ -3,6 +3,7 @@
 
 mod contacts;
 mod laws;
+mod patch_surfaces;
 mod patches;
 mod points;
 mod polygons;
@@ -29,6 +30,7 @@ fn all<R: Precision>(s: &mut Stream) {
         patches::round::<R>(s);
         points::at_points::<R>(s);
         surfaces::both::<R>(s, range);
+        patch_surfaces::all::<R>(s, range);
         sliders::steps::<R>(s, range);
         contacts::both::<R>(s);
     }

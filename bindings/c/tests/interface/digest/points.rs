@@ -15,16 +15,7 @@ pub fn at_points<R: Precision>(s: &mut Stream) {
     let p: [R; 5] = s.draws(Range::Fit);
     let x: [R; 12] = s.draws(Range::Mild);
     let twist = s.twist(Range::Mild);
-    let nodes = Nodes::new([0, 3, 6, 9].map(|i| Node {
-        x: x[i],
-        y: x[i + 1],
-        // -0 stays -0, as in C.
-        weight: if x[i + 2] < R::ZERO {
-            -x[i + 2]
-        } else {
-            x[i + 2]
-        },
-    }));
+    let nodes = four_nodes(&x);
     let dry = DryFriction::new(p[0] + p[1], p[1]);
     let stribeck = dry.and_then(|dry| {
         Stribeck::new(StribeckParameters {
@@ -43,6 +34,20 @@ pub fn at_points<R: Precision>(s: &mut Stream) {
         &twist,
     );
     feed(s, stribeck.ok(), &nodes, p[4], &twist);
+}
+
+/// Four nodes of three numbers each.
+pub fn four_nodes<R: Real>(x: &[R; 12]) -> Result<Nodes<R, 4>, PatchError> {
+    Nodes::new([0, 3, 6, 9].map(|i| Node {
+        x: x[i],
+        y: x[i + 1],
+        // -0 stays -0, as in C.
+        weight: if x[i + 2] < R::ZERO {
+            -x[i + 2]
+        } else {
+            x[i + 2]
+        },
+    }))
 }
 
 fn feed<R: Precision, L: LocalLaw<R>>(

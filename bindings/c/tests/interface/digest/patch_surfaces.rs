@@ -1,0 +1,64 @@
+//! Limit surfaces besides the disk's.
+
+use super::points::four_nodes;
+use super::stream::{Precision, Range, Stream};
+use super::surfaces::feed_projection;
+use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::table::Coulomb;
+use tribos_core::coupling::{Annulus, DryCoupling, PatchFriction};
+use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::patch::points::Points;
+use tribos_core::real::Real;
+use tribos_core::twist::Wrench;
+
+/// A push on a round patch with its load.
+struct Case<R: Real> {
+    coefficient: R,
+    radius: R,
+    load: R,
+    wrench: Wrench<R>,
+    length: R,
+}
+
+impl<R: Precision> Case<R> {
+    fn feed<C: DryCoupling<R> + Copy>(&self, s: &mut Stream, coupling: Option<C>) {
+        let set = coupling.and_then(|coupling| {
+            PatchFriction::new(coupling, self.coefficient, self.radius).ok()?;
+            LimitSurface::new(coupling, self.coefficient * self.load, self.radius).ok()
+        });
+        self.feed_set(s, set.as_ref());
+    }
+
+    fn feed_set(&self, s: &mut Stream, set: Option<&impl FrictionSet<R>>) {
+        s.result(set.map(|set| set.gauge(&self.wrench)).ok_or(()));
+        let nearest = set.map(|set| {
+            // In C a length of 0 represents the radius.
+            let length = if self.length == R::ZERO {
+                set.radius()
+            } else {
+                self.length
+            };
+            set.project_with_length(&self.wrench, length)
+        });
+        feed_projection(s, nearest);
+    }
+}
+
+pub fn all<R: Precision>(s: &mut Stream, range: Range) {
+    let [coefficient, radius, load, length, inner]: [R; 5] = s.draws(Range::Fit);
+    let x: [R; 12] = s.draws(Range::Mild);
+    let case = Case {
+        coefficient,
+        radius,
+        load,
+        wrench: s.wrench(range),
+        length,
+    };
+    case.feed(s, Annulus::new(Coulomb, inner / R::TWO).ok());
+    case.feed(s, Some(Hertz));
+    case.feed(s, Some(Ring));
+    case.feed(s, Some(FlatPunch));
+    let points = four_nodes(&x).and_then(Points::new).ok();
+    let points = points.and_then(|points| PatchSurface::new(points, coefficient).ok());
+    case.feed_set(s, points.as_ref());
+}

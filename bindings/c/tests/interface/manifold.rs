@@ -1,0 +1,142 @@
+//! The header of manifold friction has the bits of the kernel, in every language it claims.
+
+use crate::programs::{folder, has, printed, scratch};
+use std::path::Path;
+use std::process::Command;
+use tribos_core::manifold_friction::{
+    CompactOutline, ContactArea, FrictionBudget, FrictionImpulse, InverseMasses, manifold_friction,
+};
+
+/// The generator and hash of `manifold.c`.
+struct Digest {
+    state: u64,
+    hash: u64,
+}
+
+impl Digest {
+    fn bits(&mut self) -> u32 {
+        self.state = self.state.wrapping_mul(6_364_136_223_846_793_005);
+        self.state = self.state.wrapping_add(1_442_695_040_888_963_407);
+        (self.state >> 32) as u32
+    }
+
+    fn size(&mut self) -> f32 {
+        let bits = self.bits();
+        (bits >> 8) as f32 / 16_777_216.0 * (1_u32 << (bits & 15)) as f32 / 4096.0
+    }
+
+    fn either(&mut self) -> f32 {
+        let size = self.size();
+        if self.bits() & 1 == 1 { size } else { -size }
+    }
+
+    fn feed(&mut self, x: f32) {
+        let bits = if x.is_nan() { 0x7fc0_0000 } else { x.to_bits() };
+        for byte in bits.to_le_bytes() {
+            self.hash = (self.hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
+        }
+    }
+
+    fn impulse(&mut self, impulse: &FrictionImpulse<f32>) {
+        let [p1, p2] = impulse.tangential;
+        [p1, p2, impulse.twist]
+            .into_iter()
+            .for_each(|x| self.feed(x));
+    }
+}
+
+fn of_the_kernel() -> u64 {
+    let mut digest = Digest {
+        state: 5,
+        hash: 0xcbf2_9ce4_8422_2325,
+    };
+    let compact = [
+        CompactOutline::area(),
+        CompactOutline::points(),
+        CompactOutline::ellipsoid(),
+    ];
+    for _ in 0..4000 {
+        let count = (digest.bits() % 6) as usize;
+        let mut corners = [[0.0; 2]; 5];
+        for corner in &mut corners[..count] {
+            *corner = [digest.size(), digest.size()];
+        }
+        let area = ContactArea::of_corners(&corners[..count]);
+        let [x, y] = area.centre;
+        let matrices = area
+            .outline
+            .spinning
+            .into_iter()
+            .chain(area.outline.slipping);
+        [x, y, area.lever]
+            .into_iter()
+            .chain(matrices)
+            .for_each(|x| digest.feed(x));
+        let inverse = InverseMasses {
+            tangential: digest.size(),
+            twist: digest.size() * 1024.0,
+        };
+        let (force, lever) = (digest.size(), digest.size());
+        let slip = if digest.bits() & 1 == 1 { 1.0 } else { 0.75 };
+        let budget = FrictionBudget { force, lever, slip };
+        let tangential = [digest.either(), digest.either()];
+        let candidate = FrictionImpulse {
+            tangential,
+            twist: digest.either(),
+        };
+        for outline in &compact {
+            digest.impulse(&manifold_friction(&candidate, &budget, &inverse, outline));
+        }
+        digest.impulse(&manifold_friction(
+            &candidate,
+            &budget,
+            &inverse,
+            &area.outline,
+        ));
+    }
+    digest.hash
+}
+
+fn compiled(compiler: &str, flags: &[&str], program: &Path) -> bool {
+    if !has(compiler) {
+        return false;
+    }
+    let mut cc = Command::new(compiler);
+    cc.current_dir(folder("examples")).args(flags);
+    cc.args([
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-pedantic",
+        "-O2",
+        "-ffp-contract=off",
+    ]);
+    cc.args(["-I../include", "manifold.c", "-lm", "-o"])
+        .arg(program);
+    let output = cc.output().expect("a compiler");
+    assert!(
+        output.status.success(),
+        "{cc:?}\n{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    true
+}
+
+#[test]
+fn the_header_of_manifold_friction_has_the_kernels_bits() {
+    let wanted = format!("{:016x}\n", of_the_kernel());
+    for (compiler, flags) in [
+        ("cc", &["-std=c99"][..]),
+        ("cc", &["-std=c99", "-march=native"]),
+        ("c++", &["-x", "c++", "-std=c++17"]),
+    ] {
+        let program = scratch("manifold");
+        if compiled(compiler, flags, &program) {
+            assert_eq!(
+                printed(&mut Command::new(&program)),
+                wanted,
+                "{compiler} {flags:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! Numbers side by side: one function body for a manifold and for four or eight of them.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number, or several numbers side by side that are computed independently.
+///
+/// `f32` and `f64` are one lane; `wide::f32x4` and `wide::f32x8` are four and eight where the target
+/// has vectors. An engine with vectors of its own implements it for them: its results have
+/// the bits of the scalar ones if its operations round to nearest and are not contracted.
+///
+/// Comparisons with NaN are false.
+pub trait Lanes:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// One truth value a lane.
+    type Mask: Copy;
+
+    /// The same number in every lane.
+    fn splat(value: f32) -> Self;
+    /// Square root, rounded to nearest.
+    fn sqrt(self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// `self` < `other`.
+    fn below(self, other: Self) -> Self::Mask;
+    /// `self` ≤ `other`.
+    fn at_most(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask is true, else `no`.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// True if the mask is true in every lane.
+    fn all(mask: Self::Mask) -> bool;
+
+    /// The smaller number; `self` if either is NaN.
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        Self::select(other.below(self), other, self)
+    }
+
+    /// The larger number; `self` if either is NaN.
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self::select(self.below(other), other, self)
+    }
+
+    /// This magnitude with the sign of `other`, which counts as positive if it is zero.
+    #[inline(always)]
+    fn signed_as(self, other: Self) -> Self {
+        Self::select(other.below(Self::splat(0.0)), -self, self)
+    }
+}
+
+macro_rules! one_lane {
+    ($real:ty) => {
+        impl Lanes for $real {
+            type Mask = bool;
+
+            #[inline(always)]
+            fn splat(value: f32) -> Self {
+                <$real>::from(value)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                crate::real::Real::sqrt(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                crate::real::Real::abs(self)
+            }
+            #[inline(always)]
+            fn below(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline(always)]
+            fn at_most(self, other: Self) -> bool {
+                self <= other
+            }
+            #[inline(always)]
+            fn select(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+            #[inline(always)]
+            fn all(mask: bool) -> bool {
+                mask
+            }
+        }
+    };
+}
+one_lane!(f32);
+one_lane!(f64);
+
+#[cfg(any(
+    target_feature = "sse2",
+    all(target_arch = "aarch64", target_feature = "neon"),
+    target_feature = "simd128"
+))]
+mod vectors {
+    use super::Lanes;
+    use wide::{f32x4, f32x8};
+
+    macro_rules! lanes {
+        ($lanes:ty) => {
+            impl Lanes for $lanes {
+                type Mask = Self;
+
+                #[inline(always)]
+                fn splat(value: f32) -> Self {
+                    <$lanes>::splat(value)
+                }
+                #[inline(always)]
+                fn sqrt(self) -> Self {
+                    self.sqrt()
+                }
+                #[inline(always)]
+                fn abs(self) -> Self {
+                    self.abs()
+                }
+                #[inline(always)]
+                fn below(self, other: Self) -> Self {
+                    self.simd_lt(other)
+                }
+                #[inline(always)]
+                fn at_most(self, other: Self) -> Self {
+                    self.simd_le(other)
+                }
+                #[inline(always)]
+                fn select(mask: Self, yes: Self, no: Self) -> Self {
+                    <$lanes>::select(mask, yes, no)
+                }
+                #[inline(always)]
+                fn all(mask: Self) -> bool {
+                    mask.all()
+                }
+                // One instruction each, of the same meaning.
+                #[cfg(target_feature = "sse2")]
+                #[inline(always)]
+                fn smaller(self, other: Self) -> Self {
+                    other.fast_min(self)
+                }
+                #[cfg(target_feature = "sse2")]
+                #[inline(always)]
+                fn larger(self, other: Self) -> Self {
+                    other.fast_max(self)
+                }
+                #[cfg(target_feature = "simd128")]
+                #[inline(always)]
+                fn smaller(self, other: Self) -> Self {
+                    self.fast_min(other)
+                }
+                #[cfg(target_feature = "simd128")]
+                #[inline(always)]
+                fn larger(self, other: Self) -> Self {
+                    self.fast_max(other)
+                }
+            }
+        };
+    }
+    lanes!(f32x4);
+    lanes!(f32x8);
+}

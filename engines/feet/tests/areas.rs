@@ -1,0 +1,89 @@
+//! Footprints against many small cells, wherever they lie under the body.
+
+use tribos_core::contact::TimeStep;
+use tribos_core::planar::PlanarBody;
+use tribos_core::twist::{Twist, Wrench};
+use tribos_feet::{Ended, Foot, Footprint, Standing};
+
+const LIMIT: f32 = 8.0;
+const HALF: [f32; 2] = [0.12, 0.05];
+const COUNT: usize = 60;
+/// Error of friction over its limit, and of its torque over limit and half length.
+const NEAR: f32 = 3e-3;
+
+fn body() -> PlanarBody<f32> {
+    PlanarBody::new(1.5, 0.02).unwrap()
+}
+
+/// A rectangle as a footprint, and as cells.
+fn rectangle(place: [f64; 2], angle: f64, motion: &Twist<f32>, push: &Wrench<f32>) -> [Ended; 2] {
+    let (body, dt) = (body(), TimeStep::new(1.0 / 60.0).unwrap());
+    let [a, b] = HALF;
+    let footprint = Footprint::polygon(&[[-a, -b], [a, -b], [a, b], [-a, b]], 2).unwrap();
+    let (sin, cos) = angle.sin_cos();
+    let foot = Foot {
+        axis: [cos, sin],
+        ..Foot::new(&footprint, LIMIT, place)
+    };
+    let at = |k: usize| f64::from((2 * k + 1) as f32 / COUNT as f32 - 1.0);
+    let cell = |k: usize| {
+        let [x, y] = [f64::from(a) * at(k / COUNT), f64::from(b) * at(k % COUNT)];
+        let turned = [place[0] + cos * x - sin * y, place[1] + sin * x + cos * y];
+        (turned, LIMIT / (COUNT * COUNT) as f32)
+    };
+    let cells: Vec<_> = (0..COUNT * COUNT).map(cell).collect();
+    let whole = Standing::new(&body, None, &[foot]);
+    let many = Standing::on_points(&body, &cells);
+    [whole, many].map(|standing| standing.step(motion, push, dt).unwrap())
+}
+
+#[test]
+fn a_turned_polygon_resists_as_its_cells_do() {
+    let push = Wrench::new(1.0, -2.0, 0.05);
+    for place in [[0.0, 0.0], [0.03, -0.02]] {
+        for angle in [0.0, 0.7, -2.1] {
+            for motion in [
+                Twist::new(1.0, 0.3, 0.0),
+                Twist::new(0.4, -0.5, 9.0),
+                Twist::new(0.05, 0.0, -20.0),
+            ] {
+                let [is, right] = rectangle(place, angle, &motion, &push);
+                let off = is.friction - right.friction;
+                let force = off.force.norm() / LIMIT;
+                let torque = off.torque.abs() / (LIMIT * HALF[0]);
+                assert!(
+                    force < NEAR && torque < NEAR,
+                    "{place:?} {angle} {motion:?}: {:?} for {:?}",
+                    is.friction,
+                    right.friction
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_held_push_is_balanced_to_the_last_bit() {
+    for angle in [0.0, 0.7] {
+        let push = Wrench::new(3.1, -4.3, 0.07);
+        let [is, right] = rectangle([0.0, 0.0], angle, &Twist::ZERO, &push);
+        assert!(is.is_at_rest() && right.is_at_rest());
+        assert_eq!(is.twist, Twist::ZERO);
+        assert_eq!(is.friction, Wrench::new(-3.1, 4.3, -0.07));
+        // Beyond the limit it slides.
+        let push = Wrench::new(6.1, -6.3, 0.07);
+        assert!(!rectangle([0.0, 0.0], angle, &Twist::ZERO, &push)[0].is_at_rest());
+    }
+}
+
+#[test]
+fn a_body_without_friction_moves_freely() {
+    let (body, dt) = (body(), TimeStep::new(0.5).unwrap());
+    let disk = Footprint::disk(0.1).unwrap();
+    let feet = [Foot::new(&disk, 0.0, [0.0; 2])];
+    let standing = Standing::new(&body, None, &feet);
+    let push = Wrench::new(3.0, 0.0, 0.04);
+    let end = standing.step(&Twist::ZERO, &push, dt).unwrap();
+    assert_eq!(end.friction, Wrench::ZERO);
+    assert!((end.twist.velocity.x - 1.0).abs() < 1e-6 && (end.twist.spin - 1.0).abs() < 1e-6);
+}

@@ -1,0 +1,137 @@
+#include "compliance.h"
+
+#include <string.h>
+#include "vectors.h"
+
+// Where all bodies move freely.
+static void free_mobility(foot **feet, int count, double *mobility)
+{
+    for (int i = 0; i < count; i++)
+        for (int j = i; j < count; j++) {
+            double *block = mobility + 36 * (count * i + j);
+            memset(block, 0, 36 * sizeof(double));
+            for (int a = 0; a < 2; a++)
+                for (int b = 0; b < 2; b++) {
+                    if (!feet[i]->moves[a] || feet[i]->bodies[a] != feet[j]->bodies[b]) continue;
+                    const double *left = feet[i]->roots[a], *right = feet[j]->roots[b];
+                    for (int row = 0; row < 6; row++)
+                        for (int column = 0; column < 6; column++) {
+                            double sum = 0;
+                            for (int k = 0; k < 6; k++) sum += left[6 * row + k] * right[6 * column + k];
+                            block[6 * row + column] += sum;
+                        }
+                }
+            if (i != j) mju_transpose(mobility + 36 * (count * j + i), block, 6, 6);
+        }
+}
+
+// For any bodies, with MuJoCo's factors of the mass.
+static void solved_mobility(const mjModel *m, mjData *d, foot **feet, int count, double *mobility)
+{
+    mj_markStack(d);
+    const int nv = m->nv;
+    mjtNum *rows = mj_stackAllocNum(d, (size_t)6 * count * nv);
+    mjtNum *solved = mj_stackAllocNum(d, (size_t)6 * count * nv);
+    memset(rows, 0, sizeof(mjtNum) * 6 * count * nv);
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < feet[i]->freedom_count; k++)
+            for (int row = 0; row < 6; row++)
+                rows[nv * (6 * i + row) + feet[i]->freedoms[k].index] =
+                    feet[i]->jacobian[MOTIONS * k + row];
+    mj_solveM(m, d, solved, rows, 6 * count);
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < count; j++)
+            for (int row = 0; row < 6; row++)
+                for (int column = 0; column < 6; column++) {
+                    double sum = 0;
+                    for (int k = 0; k < feet[i]->freedom_count; k++)
+                        sum += feet[i]->jacobian[MOTIONS * k + row] *
+                               solved[nv * (6 * j + column) + feet[i]->freedoms[k].index];
+                    mobility[36 * (count * i + j) + 6 * row + column] = sum;
+                }
+    mj_freeStack(d);
+}
+
+void find_mobility(const mjModel *m, mjData *d, foot **feet, int count, bool is_free, double *mobility)
+{
+    if (is_free)
+        free_mobility(feet, count, mobility);
+    else
+        solved_mobility(m, d, feet, count, mobility);
+}
+
+// Solves system * x = right of `size` rows for `columns` right sides at once, in place, with row pivots.
+static bool eliminate(double *system, double *right, int size, int columns)
+{
+    for (int k = 0; k < size; k++) {
+        int pivot = k;
+        for (int i = k + 1; i < size; i++)
+            if (fabs(system[size * i + k]) > fabs(system[size * pivot + k])) pivot = i;
+        if (!(fabs(system[size * pivot + k]) > 0)) return false;
+        if (pivot != k) {
+            for (int j = 0; j < size; j++) {
+                const double kept = system[size * k + j];
+                system[size * k + j] = system[size * pivot + j];
+                system[size * pivot + j] = kept;
+            }
+            for (int j = 0; j < columns; j++) {
+                const double kept = right[columns * k + j];
+                right[columns * k + j] = right[columns * pivot + j];
+                right[columns * pivot + j] = kept;
+            }
+        }
+        for (int i = k + 1; i < size; i++) {
+            const double factor = system[size * i + k] / system[size * k + k];
+            for (int j = k + 1; j < size; j++) system[size * i + j] -= factor * system[size * k + j];
+            for (int j = 0; j < columns; j++) right[columns * i + j] -= factor * right[columns * k + j];
+        }
+    }
+    for (int k = size - 1; k >= 0; k--)
+        for (int j = 0; j < columns; j++) {
+            for (int i = k + 1; i < size; i++)
+                right[columns * k + j] -= system[size * k + i] * right[columns * i + j];
+            right[columns * k + j] /= system[size * k + k];
+        }
+    return true;
+}
+
+void find_compliance(foot **feet, int count, const double *mobility, double *scratch, double *compliance)
+{
+    const int size = 3 * count;
+    double *system = scratch, *right = scratch + size * size;
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < count; j++) {
+            const double *block = mobility + 36 * (count * i + j), *stiffness = feet[j]->stiffness;
+            for (int row = 0; row < 3; row++)
+                for (int column = 0; column < 3; column++) {
+                    double sum = i == j && row == column ? 1 : 0;
+                    for (int k = 0; k < 3; k++)
+                        sum += block[6 * (3 + row) + 3 + k] * stiffness[3 * k + column];
+                    const int at = size * (3 * i + row) + 3 * j + column;
+                    system[at] = sum;
+                    right[at] = block[6 * (3 + row) + column];
+                }
+        }
+    // The forces of the springs.
+    if (!eliminate(system, right, size, size)) memset(right, 0, sizeof(double) * size * size);
+    for (int k = 0; k < count; k++)
+        for (int column = 0; column < size; column++) {
+            double *at = right + 3 * size * k + column, motion[3] = {at[0], at[size], at[2 * size]};
+            for (int row = 0; row < 3; row++) at[size * row] = dot3(feet[k]->stiffness + 3 * row, motion);
+        }
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < count; j++) {
+            double *block = compliance + 9 * (count * i + j);
+            const double *whole = mobility + 36 * (count * i + j);
+            for (int row = 0; row < 3; row++)
+                for (int column = 0; column < 3; column++) block[3 * row + column] = whole[6 * row + column];
+            for (int k = 0; k < count; k++) {
+                const double *between = mobility + 36 * (count * i + k), *push = right + 3 * size * k + 3 * j;
+                for (int row = 0; row < 3; row++)
+                    for (int column = 0; column < 3; column++)
+                        block[3 * row + column] -= between[6 * row + 3] * push[column] +
+                                                   between[6 * row + 4] * push[size + column] +
+                                                   between[6 * row + 5] * push[2 * size + column];
+            }
+        }
+}

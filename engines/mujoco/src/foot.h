@@ -1,0 +1,87 @@
+// A foot: geoms of one body that stand on a ground, where their patch lies and what moves it.
+#ifndef TRIBOS_MUJOCO_FOOT_H
+#define TRIBOS_MUJOCO_FOOT_H
+
+#include <mujoco/mujoco.h>
+#include <stdbool.h>
+#include "patch.h"
+
+// What a foot remembers from step to step, in MuJoCo's `plugin_state`: it is saved, copied and reset with the
+// simulation. Vectors are in the frame of the world.
+enum {
+    STATE_LOAD = 0,          // sum of its normal forces in the last step, N
+    STATE_FORCE = 1,         // friction on it in the last step, N, 3 numbers
+    STATE_TORQUE = 4,        // friction's torque about its normal, N m
+    STATE_HELD = 5,          // 1 if friction held it, else 0
+    STATE_ACCELERATION = 6,  // of its centre without friction of the feet, m/s^2, 3 numbers
+    STATE_TURNING = 9,       // angular acceleration about its normal without that friction, rad/s^2
+    STATE_SIZE = 10
+};
+
+typedef enum frame_kind { FRAME_GEOM, FRAME_BODY, FRAME_SITE } frame_kind;
+
+// A degree of freedom that moves a foot or its ground.
+typedef struct freedom {
+    int index;
+    int root;     // root body of its tree
+    double sign;  // 1 for the foot, -1 for the ground
+} freedom;
+
+// Motions of a foot, relative to its ground, are those of its patch's centre in the patch's axes.
+enum { ALONG_X, ALONG_Y, SPIN, LIFT, TILT_X, TILT_Y, MOTIONS };
+
+typedef struct foot {
+    // From the model.
+    int instance;  // of the plugin
+    int state;     // address in plugin_state
+    int *geoms, geom_count;
+    int *grounds, ground_count;
+    int bodies[2];  // of the foot, of the ground
+    bool moves[2];  // false if the body is fixed to the world
+    frame_kind frame;
+    int frame_index;
+    double mu;
+    patch patch;
+    freedom *freedoms;
+    int freedom_count;
+
+    // Of this step.
+    int first;              // of its contacts, -1 without
+    int contact_count;
+    double normal_sum[3];   // of the contacts' normals, from the ground to the foot
+    double position_sum[3];
+    double axes[9];         // the patch's x, y and normal in the rows
+    double centre[3];
+    double *jacobian;       // a row of MOTIONS numbers for each of its freedoms
+    double roots[2][36];    // of the inverse mass of foot and ground, if they move freely: [motion][column]
+    double stiffness[9];    // of its contacts in lift and tilts
+    double motion[3];       // by the degrees of freedom, along x, y, about the normal
+    double velocity[3];     // the same with the velocity of conveyors' surfaces
+    double friction[3];     // on the foot
+    double response[3];     // its acceleration by the friction of all feet
+    bool is_held;
+} foot;
+
+// Whether a body moves freely: alone in its tree, on a free joint without armature.
+bool body_is_free(const mjModel *m, int body);
+
+// The patch's plane, centre and axes, from the sums over its contacts and its frame.
+void foot_place(foot *foot, const mjData *d);
+
+// Its motions by each of its degrees of freedom.
+void foot_turn(foot *foot, const mjData *d);
+
+// Its motions for velocities of all degrees of freedom, or accelerations.
+void foot_motion(const foot *foot, const mjtNum *velocities, double motion[MOTIONS]);
+
+// Roots of the inverse masses of foot and ground, of those that move.
+void foot_mobility_roots(foot *foot, const mjModel *m, const mjData *d);
+
+// Adds a contact to the stiffness of its normal forces: `stiffness` in acceleration's inverse units.
+void foot_press(foot *foot, const double position[3], const double normal[3], double stiffness);
+
+// A force in the frame of the world as one in the patch's plane, and back.
+void foot_in_plane(const foot *foot, const double world[3], double plane[2]);
+void foot_in_world(const foot *foot, const double plane[2], double world[3]);
+
+#endif

@@ -1,0 +1,278 @@
+#include "step.h"
+
+#include <float.h>
+#include "vectors.h"
+
+// By how much friction must be exceeded to be exceeded beyond all rounding.
+#define BEYOND 1.01
+// Change of friction at which iterations end, in units of the largest friction: far below a time step's error.
+#define TOLERANCE 1e-7
+// Velocity that counts as none after sweeps, in units of what the largest friction changes in a step.
+#define STILL 1e-6
+// Sweeps over the feet, and steps on one foot within a sweep, at most.
+#define SWEEPS 200
+#define STEPS 500
+// Share of the largest compliance that is added to all, such that a mechanism that lacks motions has an inverse.
+#define FLOOR 1e-12
+// Reversals of motions slower than this share of the foot's speed are rounding.
+#define REVERSAL 1e-9
+// Off-diagonal elements up to which the circles of Gershgorin bound the eigenvalues closely enough.
+#define NEARLY_DIAGONAL 1e-2
+// Bound of the rounding of eigenvalues from an angle, whose cosine is flat at both ends.
+#define ROUNDING 1e-7
+#define PI 3.14159265358979323846
+
+static double norm2(double x, double y) { return sqrt(x * x + y * y); }
+
+// Bounds of the eigenvalues of a symmetric matrix.
+static void eigenvalues(const double m[9], double *least, double *most)
+{
+    const double xy = fabs(m[1]), xz = fabs(m[2]), yz = fabs(m[5]);
+    if (xy + xz + yz > NEARLY_DIAGONAL) {
+        // The roots of the characteristic polynomial by the angle of its trigonometric form.
+        const double mean = (m[0] + m[4] + m[8]) / 3;
+        const double x = m[0] - mean, y = m[4] - mean, z = m[8] - mean;
+        const double size =
+            sqrt((x * x + y * y + z * z + 2 * (xy * xy + xz * xz + yz * yz)) / 6);
+        const double determinant =
+            x * y * z + 2 * m[1] * m[2] * m[5] - x * yz * yz - y * xz * xz - z * xy * xy;
+        const double cosine = determinant / (2 * size * size * size);
+        const double angle = acos(fmin(fmax(cosine, -1), 1)) / 3;
+        *most = mean + 2 * size * cos(angle) + ROUNDING * size;
+        *least = mean + 2 * size * cos(angle + 2 * PI / 3) - ROUNDING * size;
+        return;
+    }
+    *least = fmin(m[0] - xy - xz, fmin(m[4] - xy - yz, m[8] - xz - yz));
+    *most = fmax(m[0] + xy + xz, fmax(m[4] + xy + yz, m[8] + xz + yz));
+}
+
+// The foot's own block of the compliance as a metric.
+static void prepare(planar_foot *foot, const double block[9])
+{
+    double *c = foot->compliance;
+    memcpy(c, block, 9 * sizeof(double));
+    const double arm_sq = foot->patch->arm * foot->patch->arm;
+    const double floor = FLOOR * (c[0] + c[4] + c[8] * arm_sq);
+    c[0] += floor;
+    c[4] += floor;
+    c[8] += floor / arm_sq;
+    foot->has_inverse = inverse3(foot->inverse, c);
+
+    // The largest compliance of forces in the plane, and the length with which that of torques is equal to it.
+    const double largest = 0.5 * (c[0] + c[4]) + norm2(0.5 * (c[0] - c[4]), c[1]);
+    foot->length = sqrt(largest / c[8]);
+    const double scale[3] = {1, 1, foot->length};
+    double scaled[9], least, most;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) scaled[3 * i + j] = c[3 * i + j] * scale[i] * scale[j] / largest;
+    eigenvalues(scaled, &least, &most);
+    foot->bound = largest * most;
+    foot->condition = sqrt(most / fmax(least, DBL_EPSILON * most));
+}
+
+static void project(const planar_foot *foot, const double wrench[3], double nearest[3])
+{
+    patch_project(foot->patch, foot->limit, wrench, foot->length, nearest);
+}
+
+static bool is_inside(const planar_foot *foot, const double wrench[3])
+{
+    double nearest[3];
+    project(foot, wrench, nearest);
+    return nearest[0] == wrench[0] && nearest[1] == wrench[1] && nearest[2] == wrench[2];
+}
+
+// The friction that would bring the foot to rest, from `start` where its motion is `slope`. False if it is
+// surely too large.
+static bool needed(const planar_foot *foot, const double start[3], const double slope[3],
+                   double wrench[3])
+{
+    memcpy(wrench, start, 3 * sizeof(double));
+    if (!foot->has_inverse) return false;
+    double step[3];
+    product3(step, foot->inverse, slope);
+    add_scaled3(wrench, step, -1);
+    const double most = BEYOND * foot->limit;
+    return norm2(wrench[0], wrench[1]) <= most && fabs(wrench[2]) <= most * foot->patch->arm;
+}
+
+// The friction that leaves the least energy, from `at` where the motion is `slope`; true if it brings the
+// foot to rest.
+static bool minimise(const planar_foot *foot, double at[3], const double slope[3])
+{
+    double rest[3];
+    if (needed(foot, at, slope, rest) && is_inside(foot, rest)) {
+        memcpy(at, rest, sizeof rest);
+        return true;
+    }
+    // Gradient steps in the isotropic metric, each brought back to the set, with the momentum of Nesterov (2004,
+    // section 2.2) for the known condition, which is dropped where it leads uphill.
+    const double rates[3] = {1 / foot->bound, 1 / foot->bound,
+                             foot->length * foot->length / foot->bound};
+    const double momentum = (foot->condition - 1) / (foot->condition + 1);
+    // Distance from the solution in units of the last step.
+    const double left = fmin(foot->condition, foot->condition * foot->condition - 1);
+    const double start[3] = {at[0], at[1], at[2]};
+    double ahead[3] = {at[0], at[1], at[2]};
+    for (int step = 0; step < STEPS; step++) {
+        double change[3], motion[3] = {slope[0], slope[1], slope[2]}, next[3];
+        subtract3(change, ahead, start);
+        add_product3(motion, foot->compliance, change);
+        for (int i = 0; i < 3; i++) next[i] = ahead[i] - motion[i] * rates[i];
+        project(foot, next, next);
+        subtract3(change, next, at);
+        double uphill = 0;
+        for (int i = 0; i < 3; i++) uphill += (ahead[i] - next[i]) * change[i] / rates[i];
+        memcpy(at, next, sizeof next);
+        memcpy(ahead, next, sizeof next);
+        if (!(uphill > 0)) add_scaled3(ahead, change, momentum);
+        const double moved = fmax(norm2(change[0], change[1]), fabs(change[2]) / foot->length);
+        if (!(left * moved > TOLERANCE * foot->limit)) break;
+    }
+    return false;
+}
+
+// sum += the acceleration of a foot by the friction of all.
+static void add_response(const planar_foot *feet, int count, const double *compliance, int foot,
+                         double sum[3])
+{
+    const double *row = compliance + 9 * count * foot;
+    for (int j = 0; j < count; j++) add_product3(sum, row + 9 * j, feet[j].friction);
+}
+
+// The acceleration that friction must take from a foot for rest after the time 1/inv_time, with what
+// friction of all takes now.
+static void slope_of(const planar_foot *feet, int count, const double *compliance, double inv_time,
+                     int foot, double slope[3])
+{
+    memcpy(slope, feet[foot].acceleration, 3 * sizeof(double));
+    add_scaled3(slope, feet[foot].velocity, inv_time);
+    add_response(feet, count, compliance, foot, slope);
+}
+
+// Friction of all feet with the least energy, in sweeps from that of the step before. True if all are held.
+static bool minimise_all(planar_foot *feet, int count, const double *compliance, double inv_time)
+{
+    double limit = 0;
+    for (int i = 0; i < count; i++) {
+        memcpy(feet[i].friction, feet[i].start, sizeof feet[i].friction);
+        limit = fmax(limit, feet[i].limit);
+    }
+    bool is_held = true;
+    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+        double change = 0;
+        is_held = true;
+        for (int i = 0; i < count; i++) {
+            planar_foot *foot = feet + i;
+            double slope[3], before[3], moved[3];
+            memcpy(before, foot->friction, sizeof before);
+            slope_of(feet, count, compliance, inv_time, i, slope);
+            foot->is_held = minimise(foot, foot->friction, slope);
+            is_held = is_held && foot->is_held;
+            subtract3(moved, foot->friction, before);
+            change = fmax(change, norm2(moved[0], moved[1]));
+            change = fmax(change, fabs(moved[2]) / foot->patch->arm);
+        }
+        if (count == 1 || !(change > TOLERANCE * limit)) break;
+    }
+    return is_held;
+}
+
+// True if surely no foot comes to rest within the step.
+static bool is_beyond(planar_foot *feet, int count, const double *compliance, double dt)
+{
+    if (count == 1) {
+        double rate[3], wrench[3];
+        memcpy(rate, feet->acceleration, sizeof rate);
+        add_scaled3(rate, feet->velocity, 1 / dt);
+        const double zero[3] = {0, 0, 0};
+        return !needed(feet, zero, rate, wrench);
+    }
+    // More acceleration of each foot than all of them can give it.
+    for (int i = 0; i < count; i++) {
+        double most = 0, rate[2];
+        for (int j = 0; j < count; j++) {
+            const double *c = compliance + 9 * (count * i + j);
+            const double force = sqrt(c[0] * c[0] + c[1] * c[1] + c[3] * c[3] + c[4] * c[4]);
+            most += (force + norm2(c[2], c[5]) * feet[j].patch->arm) * feet[j].limit;
+        }
+        for (int k = 0; k < 2; k++) rate[k] = feet[i].acceleration[k] + feet[i].velocity[k] / dt;
+        if (!(norm2(rate[0], rate[1]) > BEYOND * most)) return false;
+    }
+    return true;
+}
+
+// The velocity of a foot at the end of the step.
+static void velocity_after(const planar_foot *feet, int count, const double *compliance, double dt,
+                           int foot, double after[3])
+{
+    double change[3];
+    memcpy(change, feet[foot].acceleration, sizeof change);
+    add_response(feet, count, compliance, foot, change);
+    memcpy(after, feet[foot].velocity, 3 * sizeof(double));
+    add_scaled3(after, change, dt);
+}
+
+// True if a foot's velocity or spin has another sense at the end.
+static bool turns_about(const planar_foot *feet, int count, const double *compliance, double dt)
+{
+    for (int i = 0; i < count; i++) {
+        const double *u = feet[i].velocity, arm_sq = feet[i].patch->arm * feet[i].patch->arm;
+        double v[3];
+        velocity_after(feet, count, compliance, dt, i, v);
+        const double speed_sq = u[0] * u[0] + u[1] * u[1] + arm_sq * u[2] * u[2];
+        const double least = -REVERSAL * REVERSAL * speed_sq;
+        if (u[0] * v[0] + u[1] * v[1] < least || arm_sq * u[2] * v[2] < least) return true;
+    }
+    return false;
+}
+
+// Power that friction would give to the feet's mean motion.
+static double power(const planar_foot *feet, int count, const double *compliance, double dt)
+{
+    double sum = 0;
+    for (int i = 0; i < count; i++) {
+        double motion[3];
+        velocity_after(feet, count, compliance, dt, i, motion);
+        add_scaled3(motion, feet[i].velocity, 1);
+        sum += dot3(motion, feet[i].friction);
+    }
+    return sum;
+}
+
+// Friction where not all feet come to rest at the end of the step.
+static void slide(planar_foot *feet, int count, const double *compliance, double dt, bool is_ended)
+{
+    // Friction of the motion at half time.
+    minimise_all(feet, count, compliance, 2 / dt);
+    if (!turns_about(feet, count, compliance, dt)) return;
+    // A motion that would turn about takes the friction of its end, unless that gives power.
+    for (int i = 0; i < count; i++) memcpy(feet[i].midway, feet[i].friction, sizeof feet[i].midway);
+    if (is_ended)
+        for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].ended, sizeof feet[i].ended);
+    else
+        minimise_all(feet, count, compliance, 1 / dt);
+    if (power(feet, count, compliance, dt) > 0)
+        for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].midway, sizeof feet[i].friction);
+}
+
+void step_solve(planar_foot *feet, int count, const double *compliance, double dt)
+{
+    for (int i = 0; i < count; i++) prepare(feet + i, compliance + 9 * (count * i + i));
+
+    // Rest at the end of the step.
+    const bool is_sliding = is_beyond(feet, count, compliance, dt);
+    if (!is_sliding) {
+        if (minimise_all(feet, count, compliance, 1 / dt)) return;
+        for (int i = 0; i < count; i++) memcpy(feet[i].ended, feet[i].friction, sizeof feet[i].ended);
+    }
+    slide(feet, count, compliance, dt, !is_sliding);
+
+    // A foot may be at rest at half time alone, where it turns about.
+    for (int i = 0; i < count; i++) {
+        double after[3];
+        velocity_after(feet, count, compliance, dt, i, after);
+        const double none = STILL * feet[i].bound * feet[i].limit * dt;
+        feet[i].is_held = norm2(after[0], after[1]) <= none && fabs(after[2]) * feet[i].patch->arm <= none;
+    }
+}

@@ -1,0 +1,49 @@
+"""What the pages print runs as printed, and so does the program in C."""
+
+import contextlib
+import io
+import pathlib
+import re
+import subprocess
+
+import mujoco
+import pytest
+
+from conftest import library
+
+HERE = pathlib.Path(__file__).resolve().parents[1]
+
+
+def block(page, language):
+    return re.search(rf"```{language}\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+
+
+def test_the_program_of_the_readme_prints_what_follows_it():
+    page = HERE / "README.md"
+    found = block(page, "python")
+    code = found.group(1).replace("build/libtribos_patch.so", str(library()))
+    code = code.replace("examples/puck.xml", str(HERE / "examples" / "puck.xml"))
+    said = io.StringIO()
+    with contextlib.redirect_stdout(said):
+        exec(compile(code, "README.md", "exec"), {})
+    after = page.read_text(encoding="utf-8")[found.end() :]
+    assert after.startswith(f"\n\nprints `{said.getvalue().strip()}`")
+
+
+def test_the_model_of_the_page_compiles():
+    page = HERE.parents[1] / "docs" / "mujoco.md"
+    model = mujoco.MjModel.from_xml_string(block(page, "xml").group(1))
+    assert model.nplugin == 1
+
+
+def test_the_program_in_c_prints_the_table():
+    host = library().parent / "host"
+    if not host.exists():
+        pytest.skip("the program is not built: make host")
+    examples = [HERE / "examples" / name for name in ("puck.xml", "cone.xml")]
+    said = subprocess.run([host, library(), *examples], capture_output=True, text=True, check=True)
+    rows = [re.findall(r"[-+]?[\d.]+", line) for line in said.stdout.splitlines()[1:5]]
+    assert [float(row[0]) for row in rows] == [0.0, 5.0, 12.5, 50.0]
+    # Half a step of the first speed is 0.30 % of the shortest way.
+    assert all(abs(float(row[2])) <= 0.31 for row in rows)
+    assert said.stdout.splitlines()[5].startswith("time of a step")

@@ -1,0 +1,26 @@
+"""The step of feet alone, without MuJoCo around it."""
+
+import subprocess
+
+import pytest
+
+from conftest import library
+
+
+def test_friction_of_a_step_is_the_kernels_and_meets_its_conditions():
+    program = library().parent / "step"
+    if not program.exists():
+        pytest.skip("the program is not built: make test")
+    said = subprocess.run([program], capture_output=True, text=True, check=True).stdout
+    found = {name: float(number) for name, number in map(str.split, said.splitlines())}
+    # A body on a disk, beside the kernel's step: friction in units of the largest one, and rest.
+    assert found["kernel"] < 1e-8
+    assert found["others"] == 0
+    assert 4000 < found["held"] < 16000
+    # Any mechanism: friction opposes the motion.
+    assert found["conditions"] < 1e-6
+    assert 1000 < found["held_alone"] < 19000
+    # Four feet of a body that they can hold: forces in N that are left or change.
+    assert found["held_together"] == 1000
+    assert found["left"] < 1e-5
+    assert found["changed"] < 1e-6
