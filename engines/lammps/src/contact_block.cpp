@@ -4,6 +4,9 @@
 // The energy of a sliding force F and a torque T is |F|^2/(2 k_t) + T^2/(2 k_n): the distance is that of the wrench
 // (F, T/l) with l^2 = k_n/k_t, l = a/sqrt(2) for k_n = k_t a^2/2. With this length, and with no other, steady motion
 // ends at the wrench whose outward normal on the limit surface is the twist: the friction of the moving disk.
+//
+// Dashpots beside the springs of a contact that sticks obey the same threshold. A contact that slips under a common
+// threshold of sliding and torsion carries the force of its springs alone, which is all that friction allows.
 
 #include "contact_block.h"
 
@@ -64,7 +67,7 @@ void ContactBlock::prepare(const Contact &c, Grip &g) const
   g.bound = overlap == 0 ? 0 : positive_part(push - g.dashpot * dot(c.velocity, c.normal));
 
   g.k_sliding = law.tangential * g.slope;
-  g.k_rolling = g.slope * c.inertia / c.mass;
+  g.k_rolling = law.turns_with_inertia() ? g.slope * c.inertia / c.mass : 0;
   g.force_limit = law.mu * g.bound;
   g.rolling_limit = law.mu_rolling * g.bound * c.r_eff;
   if (law.disk_of_overlap) {
@@ -120,13 +123,14 @@ void ContactBlock::relax(const Contact &c, const Grip &g, ContactStore &store) c
   if (g.held_torque != g.trial_torque) s.torsion = g.k_torsion > 0 ? g.held_torque / g.k_torsion : 0;
   s.slope = g.slope;
   s.torsion_stiffness = g.k_torsion;
+  s.slips = g.slips;
 }
 
-// Adds the dashpots to the springs, which stay as they are.
+// Adds the dashpots to springs that stick.
 void ContactBlock::load_with_dashpots(const Contact &c, Grip &g, ContactStore &store) const
 {
   const Springs &s = store.springs(c.slot.now);
-  const double share = g.dashpot / g.slope;
+  const double share = s.slips ? 0 : g.dashpot / g.slope;
   const double c_sliding = g.slope > 0 ? g.k_sliding * share : 0;
   const double c_torsion = g.slope > 0 ? g.k_torsion * share : 0;
   const Vec3 slip = c.velocity - c.normal * dot(c.velocity, c.normal);
@@ -135,7 +139,7 @@ void ContactBlock::load_with_dashpots(const Contact &c, Grip &g, ContactStore &s
 }
 
 // The nearest admissible pair of force and torque of every trial.
-const char *ContactBlock::hold()
+const char *ContactBlock::hold(bool except_slipping)
 {
   double loads[CAPACITY], lengths[CAPACITY];
   tribos_wrench_f64 wrenches[CAPACITY];
@@ -144,12 +148,15 @@ const char *ContactBlock::hold()
   const auto take = [this](int k, const tribos_wrench_f64 &nearest, const tribos_wrench_f64 &trial) {
     Grip &g = grips[k];
     if (nearest.x == trial.x && nearest.torque == trial.torque) return;
+    g.slips = true;
     g.held = trial.x > 0 ? g.trial * (nearest.x / trial.x) : g.trial;
     g.held_torque = nearest.torque * g.disk;
   };
 
   for (int k = 0; k < count; k++) {
     Grip &g = grips[k];
+    if (except_slipping && g.slips) continue;
+    g.slips = false;
     const ContactLaw &law = *contacts[k].law;
     if (law.coupling == Coupling::SEPARATE || !law.twists()) {
       g.held = nearest_on_disc(g.trial, g.force_limit);
@@ -164,9 +171,10 @@ const char *ContactBlock::hold()
       continue;
     }
     // A convex set holds everything between its poles: most contacts stick and end here.
-    const double size = norm(g.trial);
-    if (size * g.torque_limit + std::fabs(g.trial_torque) * g.force_limit < g.force_limit * g.torque_limit)
-      continue;
+    const double size_sq = dot(g.trial, g.trial);
+    const double left = g.force_limit * (g.torque_limit - std::fabs(g.trial_torque));
+    if (left > 0 && size_sq * g.torque_limit * g.torque_limit < left * left) continue;
+    const double size = std::sqrt(size_sq);
     const tribos_wrench_f64 trial = {size, 0, g.trial_torque / g.disk};
     if (law.coupling == Coupling::ELLIPSOID) {
       const tribos_ellipsoid_f64 ellipsoid = {g.force_limit, 1, SPIN_TORQUE};
@@ -225,11 +233,12 @@ const char *ContactBlock::evaluate(ContactStore &store, double dt, bool advances
   for (int k = 0; k < count; k++) prepare(contacts[k], grips[k]);
   if (advances) {
     for (int k = 0; k < count; k++) stretch(contacts[k], grips[k], store, dt);
-    if (const char *refusal = hold()) return refusal;
+    if (const char *refusal = hold(false)) return refusal;
     for (int k = 0; k < count; k++) relax(contacts[k], grips[k], store);
   }
-  for (int k = 0; k < count; k++) load_with_dashpots(contacts[k], grips[k], store);
-  if (const char *refusal = hold()) return refusal;
+  for (int k = 0; k < count; k++)
+    if (!advances || !grips[k].slips) load_with_dashpots(contacts[k], grips[k], store);
+  if (const char *refusal = hold(advances)) return refusal;
   for (int k = 0; k < count; k++) finish(contacts[k], grips[k], store, with_energy);
   return nullptr;
 }

@@ -62,6 +62,7 @@ class ContactBlock {
     double force_limit, torque_limit, rolling_limit;
     Vec3 trial, held;        // sliding force on the first body
     double trial_torque, held_torque;
+    bool slips;              // the springs have reached the common threshold of sliding and torsion
     Vec3 elastic_rolling;    // rolling torque of the spring
   };
 
@@ -70,7 +71,7 @@ class ContactBlock {
   void relax(const Contact &contact, const Grip &grip, ContactStore &store) const;
   void load_with_dashpots(const Contact &contact, Grip &grip, ContactStore &store) const;
   void finish(Contact &contact, const Grip &grip, ContactStore &store, bool with_energy) const;
-  const char *hold();
+  const char *hold(bool except_slipping);
 
   int count = 0;
   Contact contacts[CAPACITY];

@@ -42,16 +42,9 @@ struct ContactLaw {
   double cohesion = 0;          // constant pull, force
   double range = 0;             // largest gap across which it pulls, length
 
-  bool slides() const { return mu > 0 || twists(); }
   bool twists() const { return coupling != Coupling::NONE && (disk_of_overlap ? mu > 0 : mu_torsion > 0); }
   bool rolls() const { return mu_rolling > 0; }
-  // True if the stiffness of a contact changes with its overlap.
-  bool stiffens() const
-  {
-    return normal == Normal::HERTZ ||
-        (twists() && disk_of_overlap && torsion_spring == TorsionSpring::AREA);
-  }
-
+  bool turns_with_inertia() const { return rolls() || torsion_spring == TorsionSpring::INERTIA; }
   // Reads "hooke K" or "hertz E" and the keywords after it, from arg[first] on, and stops before the first word
   // of `ends`. Returns the index of what follows; on bad input `problem` says what and what would be valid.
   int parse(int narg, char **arg, int first, bool (*ends)(const std::string &), std::string &problem);

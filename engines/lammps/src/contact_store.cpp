@@ -151,7 +151,7 @@ int ContactStore::pack_one(const StoredContact &contact, double *to)
   const double numbers[NUMBERS - 1] = {
       s.sliding.x,       s.sliding.y,       s.sliding.z,  s.torsion,    s.slope,      s.torsion_stiffness,
       contact.rolling.x, contact.rolling.y, contact.rolling.z, l.force.x,  l.force.y,    l.force.z,
-      l.moment.x,        l.moment.y,        l.moment.z,   l.overlap};
+      l.moment.x,        l.moment.y,        l.moment.z,   l.overlap,  (double) s.slips};
   std::memcpy(to + 1, numbers, sizeof(numbers));
   return NUMBERS;
 }
@@ -169,6 +169,7 @@ int ContactStore::unpack_one(const double *from, StoredContact &contact)
   l.force = Vec3(from + 10);
   l.moment = Vec3(from + 13);
   l.overlap = from[16];
+  s.slips = (int64_t) from[17];
   return NUMBERS;
 }
 

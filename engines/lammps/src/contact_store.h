@@ -14,6 +14,7 @@ namespace tribos {
 // Springs of a contact as the atom that stores them sees it: it is the first body.
 struct Springs {
   int64_t partner = 0;           // tag of the second body
+  int64_t slips = 0;             // 1 if sliding and torsion together have reached their common threshold
   Vec3 sliding;                  // displacement of the second surface against the first, length
   double torsion = 0;            // turn of the second body against the first about the normal, radians
   double slope = 0;              // tangent stiffness of the normal spring at which these were measured
@@ -86,7 +87,7 @@ class ContactStore {
   static int pack_one(const StoredContact &contact, double *to);
   static int unpack_one(const double *from, StoredContact &contact);
   int unpack(int atom, const double *from);
-  static constexpr int HEADER = 1, NUMBERS = 17;
+  static constexpr int HEADER = 1, NUMBERS = 18;
 
   double memory_usage() const;
 

@@ -65,9 +65,12 @@ void FixContactHistory::post_run()
   share_with_partners();
 }
 
-void FixContactHistory::write_restart(FILE *)
+void FixContactHistory::write_restart(FILE *fp)
 {
   share_with_partners();
+  // Nothing global belongs to the fix.
+  const int bytes = 0;
+  if (comm->me == 0) fwrite(&bytes, sizeof(int), 1, fp);
 }
 
 void FixContactHistory::share_with_partners()

@@ -178,7 +178,7 @@ double PairGranTribos::init_one(int i, int j)
   return sum + widest;
 }
 
-// Fills in a contact of atoms i and j but for law and slot; its overlap is negative across a gap.
+// Fills in a contact of atoms i and j whose law is known, but for the slot. Returns the distance of the centres.
 double PairGranTribos::touch(int i, int j, Contact &c) const
 {
   const double *radius = atom->radius;
@@ -193,13 +193,15 @@ double PairGranTribos::touch(int i, int j, Contact &c) const
   c.second_lever = radius[j] - 0.5 * c.overlap;
 
   const double mi = atom->rmass[i], mj = atom->rmass[j];
-  const double inertia_i = SOLID_SPHERE * mi * radius[i] * radius[i];
-  const double inertia_j = SOLID_SPHERE * mj * radius[j] * radius[j];
   c.mass = mi * mj / (mi + mj);
-  c.inertia = inertia_i * inertia_j / (inertia_i + inertia_j);
-  if (frozen) {
-    if (atom->mask[i] & frozen) c.mass = mj, c.inertia = inertia_j;
-    if (atom->mask[j] & frozen) c.mass = mi, c.inertia = inertia_i;
+  if (frozen && atom->mask[i] & frozen) c.mass = mj;
+  if (frozen && atom->mask[j] & frozen) c.mass = mi;
+  if (c.law->turns_with_inertia()) {
+    const double inertia_i = SOLID_SPHERE * mi * radius[i] * radius[i];
+    const double inertia_j = SOLID_SPHERE * mj * radius[j] * radius[j];
+    c.inertia = inertia_i * inertia_j / (inertia_i + inertia_j);
+    if (frozen && atom->mask[i] & frozen) c.inertia = inertia_j;
+    if (frozen && atom->mask[j] & frozen) c.inertia = inertia_i;
   }
 
   const Vec3 wi(atom->omega[i]), wj(atom->omega[j]);
@@ -262,17 +264,18 @@ void PairGranTribos::compute(int eflag, int vflag)
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     const Vec3 xi(x[i]);
+    const ContactLaw *laws_of_i = laws[type[i]].data();
     store.begin_atom(i);
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const ContactLaw &law = laws[type[i]][type[j]];
+      const ContactLaw &law = laws_of_i[type[j]];
       const Vec3 branch = xi - Vec3(x[j]);
       const double reach = radius[i] + radius[j] + law.range;
       if (dot(branch, branch) >= reach * reach) continue;
       if (block.is_full()) collect(block, advances);
       Contact &contact = block.add();
-      touch(i, j, contact);
       contact.law = &law;
+      touch(i, j, contact);
       contact.slot = store.carry(atom->tag[j]);
       history->partners.push_back(j);
     }
@@ -288,8 +291,8 @@ void PairGranTribos::compute(int eflag, int vflag)
 double PairGranTribos::single(int i, int j, int itype, int jtype, double, double, double, double &fforce)
 {
   Contact c;
-  const double distance = touch(i, j, c);
   c.law = &laws[itype][jtype];
+  const double distance = touch(i, j, c);
   fforce = 0;
   std::fill(svector, svector + single_extra, 0.0);
   if (c.overlap <= -c.law->range) return 0;
