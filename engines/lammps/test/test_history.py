@@ -107,5 +107,25 @@ class Restart(unittest.TestCase):
             self.assertGreater(push, 1)
 
 
+class Ranks(unittest.TestCase):
+    def test_a_packing_goes_on_the_same_way_on_other_numbers_of_ranks(self):
+        short = REST.replace("run 2000", "run 60").replace("custom 4000", "custom 1")
+        frames = {}
+        with tempfile.TemporaryDirectory() as folder:
+            launch.run(WHOLE.replace("run 4000", "run 2000"), folder=folder)
+            for ranks in (1, 2, 4):
+                launch.run(short, ranks=ranks, folder=folder)
+                frames[ranks] = launch.last_frame(folder + "/rest")
+        kinds = {"places": (0, 3), "velocities": (3, 6), "spins": (6, 9), "forces": (9, 12), "torques": (12, 15)}
+        for kind, (first, end) in kinds.items():
+            values = {ranks: [float(word) for row in frame.values() for word in row[first:end]]
+                      for ranks, frame in frames.items()}
+            largest = max(map(abs, values[1]))
+            for ranks in (2, 4):
+                off = max(abs(a - b) for a, b in zip(values[1], values[ranks])) / largest
+                print(f"{kind} on {ranks} ranks differ from those on 1 by {off:.1e} of the largest after 60 steps")
+                self.assertLess(off, 1e-11, (kind, ranks))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -94,8 +94,7 @@ pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
 
 /// Spheres of density 1 as a data file.
 fn data(scene: &PowderScene, deposit: &Deposit) -> String {
-    let [width, low, high] =
-        [scene.width, -ROOM, deposit.height + ROOM].map(number);
+    let [width, low, high] = [scene.width, -ROOM, deposit.height + ROOM].map(number);
     let mut text = format!(
         "LAMMPS data file by tribos\n\n{} atoms\n1 atom types\n\n\
          0 {width} xlo xhi\n0 {width} ylo yhi\n{low} {high} zlo zhi\n\nAtoms # sphere\n\n",
@@ -148,14 +147,21 @@ fn laws(scene: &PowderScene) -> [String; 2] {
 /// The input script.
 fn script(scene: &PowderScene, deposit: &Deposit, time_step: f64) -> String {
     let [spheres, walls] = laws(scene);
-    let solid: f64 = deposit.radii.iter().map(|r| 4.0 / 3.0 * PI * r.powi(3)).sum();
+    let solid: f64 = deposit
+        .radii
+        .iter()
+        .map(|r| 4.0 / 3.0 * PI * r.powi(3))
+        .sum();
     let window = (window_time(scene.piston_mass, scene.load()) / time_step).ceil() as u64;
     // As long as the run may take here: `steps` steps of `time_step`, or `duration`.
     let most = scene.steps as f64 * scene.time_step;
     let most = scene.duration.map_or(most, |duration| duration.min(most));
     let windows = (most / (window as f64 * time_step)).ceil().max(1.0) as u64;
     let weight = if scene.gravity > 0.0 {
-        format!("fix weight all gravity {} vector 0 0 -1\n", number(scene.gravity))
+        format!(
+            "fix weight all gravity {} vector 0 0 -1\n",
+            number(scene.gravity)
+        )
     } else {
         String::new()
     };
