@@ -75,17 +75,15 @@ impl std::error::Error for ExportError {
     }
 }
 
-impl From<CompactionError> for ExportError {
-    fn from(error: CompactionError) -> Self {
-        Self::Start(error)
-    }
-}
-
 /// The start of a scene's run.
 pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
     let stable = stable_step(scene).ok_or(ExportError::Rigid)?;
-    scene.check().map_err(CompactionError::from)?;
-    let Start { deposit, .. } = Start::of(scene, |_| ControlFlow::Continue(()))?;
+    scene
+        .check()
+        .map_err(CompactionError::from)
+        .map_err(ExportError::Start)?;
+    let Start { deposit, .. } =
+        Start::of(scene, |_| ControlFlow::Continue(())).map_err(ExportError::Start)?;
     Ok(Export {
         data: data(scene, &deposit),
         script: script(scene, &deposit, stable.min(scene.time_step)),
@@ -188,7 +186,8 @@ fn script(scene: &PowderScene, deposit: &Deposit, time_step: f64) -> String {
          fix move all nve/sphere\n{weight}\
          fix walls all wall/gran/tribos {walls} zlo 0 zhi {height} piston {load} {mass}\n\n\
          variable porosity equal 1-{solid}/({area}*f_walls[2][1])\n\
-         fix mean all ave/time 1 {window} {window} f_walls[2][5]\n\
+         variable push equal f_walls[2][5]\n\
+         fix mean all ave/time 1 {window} {window} v_push\n\
          thermo {lines}\n\
          thermo_style custom step time ke f_walls[2][1] f_walls[2][2] f_walls[2][5] v_porosity\n\n\
          # Windows until the piston stands and bears its load in the mean.\n\

@@ -6,6 +6,7 @@ mod cost;
 #[doc(hidden)]
 pub mod deposit;
 mod error;
+#[doc(hidden)]
 pub mod export;
 mod outcome;
 mod parts;
