@@ -6,11 +6,12 @@ mod trajectory;
 use self::trajectory::Trajectory;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
+use tribos::powder;
 use tribos::record::trajectory::Format;
 use tribos::record::write_atomically;
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos::scene::Scene;
-use tribos::tip::export;
+use tribos::tip;
 
 /// Write the trajectory of a run, or the contact problem of a step, for another program; or a scene that the program
 /// runs itself.
@@ -24,7 +25,7 @@ pub struct Arguments {
 /// Programs.
 #[derive(Debug, clap::Subcommand)]
 enum Program {
-    /// LAMMPS: a scene as tip.data, the atoms at the start, and in.tip, the input script.
+    /// LAMMPS: a tip or a powder of soft spheres, the bodies at the start and the input script.
     Lammps(Lammps),
     /// ParaView: a run as trajectory.pvd, a collection of trajectory/<step>.vtp.
     Vtk(Trajectory),
@@ -36,8 +37,11 @@ enum Program {
     Problem(problem::Step),
 }
 
-/// Of a scene with body = "tip". Run it with `lmp -in in.tip` in the folder; its first lines write
-/// energies and forces of the start to compare with ours: start.dump.
+/// Of a scene with body = "tip": tip.data and in.tip. Run it with `lmp -in in.tip` in the folder; its first lines
+/// write energies and forces of the start to compare with ours: start.dump.
+///
+/// Of a scene with body = "powder" and method = "soft": powder.data and in.powder, which needs the pair style
+/// gran/tribos (engines/lammps). It runs until the piston stands and writes porosity.txt.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 struct Lammps {
@@ -59,7 +63,8 @@ Examples:
   tribos run tip-reversible --out out/tip && tribos export lammps-dump out/tip
   tribos export problem out/powder --step 2
   tribos export lammps scenes/tip-irreversible.toml --out out/lammps
-  cd out/lammps && lmp -in in.tip";
+  cd out/lammps && lmp -in in.tip
+  tribos export lammps compaction-soft --out out/powder-lammps";
 
 impl Arguments {
     /// Writes.
@@ -82,20 +87,35 @@ fn is_same(one: &Path, other: &Path) -> bool {
 impl Lammps {
     fn write(self) -> Result<(), Failure> {
         let scene = super::scene::read(&self.scene, &self.overrides)?;
-        let Scene::Tip(scene) = scene else {
-            return Err(Failure::input(format!(
-                "{}: only scenes with body = \"tip\" are made of atoms",
-                self.scene.display()
-            )));
+        let (names, texts) = match scene {
+            Scene::Tip(scene) => {
+                let files = tip::export::start(&scene).map_err(Failure::input)?;
+                (["tip.data", "in.tip"], [files.data, files.script])
+            }
+            Scene::Powder(scene) => {
+                let files = powder::export::start(&scene).map_err(Failure::input)?;
+                (["powder.data", "in.powder"], [files.data, files.script])
+            }
+            _ => {
+                return Err(Failure::input(format!(
+                    "{}: only scenes with body = \"tip\", and with body = \"powder\" and method = \"soft\", are exported",
+                    self.scene.display()
+                )));
+            }
         };
-        let files = export::start(&scene).map_err(Failure::input)?;
-        let contents = Contents::of("export", &["tip.data", "in.tip"]);
+        let contents = Contents::of("export", &names);
         let _folder = OutputFolder::begin(&self.out, &contents)?;
-        write_atomically(&self.out.join("tip.data"), files.data.as_bytes())?;
-        write_atomically(&self.out.join("in.tip"), files.script.as_bytes())?;
+        for (name, text) in names.iter().zip(&texts) {
+            write_atomically(&self.out.join(name), text.as_bytes())?;
+        }
+        let hint = match names {
+            [_, "in.powder"] => " with the plugin of engines/lammps",
+            _ => "",
+        };
         super::print(&format!(
-            "written to    {0}; run it with `lmp -in in.tip` there\n",
-            self.out.display()
+            "written to    {0}; run it with `lmp -in {1}` there{hint}\n",
+            self.out.display(),
+            names[1],
         ))
     }
 }

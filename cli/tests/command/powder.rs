@@ -342,3 +342,74 @@ fn impossible_sweeps_are_refused_before_any_run() -> Outcome {
     }
     Ok(())
 }
+
+#[test]
+fn a_soft_powder_is_exported_for_lammps_and_starts_a_run_of_ours() -> Outcome {
+    let home = tempfile::tempdir()?;
+    let export = |sets: &[&str]| -> Result<std::process::Output, Error> {
+        tribos(home.path(), "export")?; // writes the scene
+        let mut command = Command::cargo_bin("tribos")?;
+        command.args(["export", "lammps"]);
+        command.arg(home.path().join("tiny.toml"));
+        for set in sets {
+            command.args(["--set", set]);
+        }
+        Ok(command
+            .arg("--out")
+            .arg(home.path().join("files"))
+            .output()?)
+    };
+    let soft = export(&[
+        "method=soft",
+        "torsion=0.2",
+        "rolling=0.1",
+        "coupling=exact",
+        "wall=smooth",
+        "gravity=0.001",
+    ])?;
+    let said = String::from_utf8(soft.stderr)?;
+    assert!(soft.status.success(), "{said}");
+    assert!(String::from_utf8(soft.stdout)?.contains("lmp -in in.powder"));
+    let script = std::fs::read_to_string(home.path().join("files/in.powder"))?;
+    assert_has(
+        &script,
+        &[
+            "read_data powder.data",
+            "pair_coeff * * hooke 1000 damping 1 sliding 0.3 coupling exact torsion 0.2 torsion/spring inertia \
+             rolling 0.1 cohesion 1 0.01\n",
+            "fix weight all gravity 0.001 vector 0 0 -1\n",
+            "fix walls all wall/gran/tribos hooke 1000 damping 1 cohesion 1 0.01 zlo 0 zhi ",
+            // The load on 64 R² and the mass of the piston.
+            " piston 0.64 100\n",
+        ],
+    );
+
+    // The same spheres start a run of ours.
+    let data = home.path().join("files/powder.data");
+    let mut porosities = Vec::new();
+    for start in [None, Some(format!("start={}", data.display()))] {
+        let out = home.path().join("out");
+        let mut command = tribos(home.path(), "run")?;
+        command.args(["--set", "method=soft", "--set", "steps=1"]);
+        if let Some(start) = &start {
+            command.args(["--set", start]);
+        }
+        let output = command.arg("--out").arg(&out).output()?;
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(matches!(output.status.code(), Some(0 | 3)), "{said}");
+        let summary = summary(&out)?;
+        porosities.push((
+            number(&summary, "/particles"),
+            number(&summary, "/porosity_initial"),
+        ));
+        std::fs::remove_dir_all(&out)?;
+    }
+    assert_eq!(porosities[0].0, porosities[1].0);
+    assert!((porosities[0].1 - porosities[1].1).abs() < 1e-3);
+
+    // Rigid spheres have no springs.
+    let rigid = export(&[])?;
+    assert_eq!(rigid.status.code(), Some(2));
+    assert!(String::from_utf8(rigid.stderr)?.contains("--set method=soft"));
+    Ok(())
+}

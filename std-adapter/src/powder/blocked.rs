@@ -8,12 +8,12 @@ use crate::scene::Criterion;
 pub const WINDOW_STEPS: u64 = 200;
 /// Largest motion of the piston in a window, in R: 10⁻⁵ of the porosity. The thesis says "has not changed".
 /// The motion that an iterative solver leaves behind, its pseudo-elastic waves, stays below this bound.
-const PISTON_MOTION: f64 = 1e-3;
+pub(super) const PISTON_MOTION: f64 = 1e-3;
 /// A window is long enough for a piston without resistance to travel this multiple of that distance.
 const DECISIVE: f64 = 100.0;
 /// Largest deviation of the force on the piston and of σ_zz from the applied load: one per cent,
 /// a tenth of the last digit of table 4.1.
-const LOAD_DEVIATION: f64 = 1e-2;
+pub(super) const LOAD_DEVIATION: f64 = 1e-2;
 /// Largest ratio of the mean net force on a sphere to the mean contact force.
 const UNBALANCED: f64 = 1e-2;
 
@@ -89,8 +89,7 @@ impl Window {
 
     /// True if the window is long enough to judge a piston of this mass under this load.
     pub fn is_full(&self, mass: f64, load: f64) -> bool {
-        let least = (2.0 * DECISIVE * PISTON_MOTION * mass / load).sqrt();
-        self.steps >= WINDOW_STEPS && self.time >= least
+        self.steps >= WINDOW_STEPS && self.time >= window_time(mass, load)
     }
 
     /// Means over the window, given the current height of the piston.
@@ -104,6 +103,11 @@ impl Window {
             stress: Stress::default().plus_scaled(1.0 / self.time, &self.stress),
         }
     }
+}
+
+/// Time in which a piston without resistance travels far enough to be judged.
+pub(super) fn window_time(mass: f64, load: f64) -> f64 {
+    (2.0 * DECISIVE * PISTON_MOTION * mass / load).sqrt()
 }
 
 impl Means {

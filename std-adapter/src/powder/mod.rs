@@ -6,6 +6,8 @@ mod cost;
 #[doc(hidden)]
 pub mod deposit;
 mod error;
+#[doc(hidden)]
+pub mod export;
 mod outcome;
 mod parts;
 mod press;
