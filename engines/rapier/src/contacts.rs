@@ -1,11 +1,13 @@
 //! All pairs with a patch, around the engine's step.
 
+use crate::grounds::{Ground, GroundMu};
 use crate::group::{self, Begun, Member};
 use crate::handed::Lent;
 use crate::pair::{Friction, Pair, Stop, Touching};
 use crate::patch::Patch;
 use crate::refusal::{PairError, check};
-use crate::touching::touching;
+use crate::stand::Stand;
+use crate::touching::{Awake, bodies_of, colliders_of};
 use rapier3d::prelude::*;
 
 /// Pairs of colliders whose friction is that of a patch.
@@ -55,11 +57,21 @@ use rapier3d::prelude::*;
 )]
 pub struct PatchContacts {
     pairs: Vec<Pair>,
-    /// Forces and offsets that each group has received for the current step.
-    lent: Vec<Vec<Lent>>,
-    /// Prediction for each group.
+    /// Grounds on which feet get patches from their shapes.
+    grounds: Vec<Ground>,
+    /// Forces and offsets that bodies have received for the current step, group after group.
+    lent: Vec<Lent>,
+    /// Prediction for each group, by the handle of its body.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     begun: Vec<Begun>,
+    /// Positions of the feet of all groups.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    stands: Vec<Stand>,
+    /// Memory that each step uses again.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    members: Vec<Member>,
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    group: Vec<Member>,
 }
 
 impl PatchContacts {
@@ -83,10 +95,7 @@ impl PatchContacts {
     ) -> Result<(), PairError> {
         check(foot, ground, bodies, colliders)?;
         for handle in [foot, ground] {
-            if let Some(collider) = colliders.get_mut(handle) {
-                let hooks = collider.active_hooks() | ActiveHooks::MODIFY_SOLVER_CONTACTS;
-                collider.set_active_hooks(hooks);
-            }
+            enable_hooks(handle, colliders)?;
         }
         let pair = Pair::new(foot, ground, patch);
         match self.pairs.binary_search_by_key(&pair.key(), Pair::key) {
@@ -108,6 +117,62 @@ impl PatchContacts {
             self.pairs.remove(at);
         }
         at.is_ok()
+    }
+
+    /// Gives everything that stands flat on `ground` a patch of its own shape, now and in future.
+    ///
+    /// A collider of a dynamic body gets a patch when one of its flat faces lies on the ground: the base of a
+    /// cylinder or a cone is a disk, the face of a cuboid or of a convex hull a polygon, rounded ones without
+    /// their rounding. Everything else is
+    /// left to the engine: balls and capsules, bodies on an edge or a corner, cylinders that roll, compound
+    /// shapes and meshes. A pair with a patch by [`PatchContacts::insert`] keeps that. The whole face counts, even
+    /// where it extends beyond the rim of the ground. A second call exchanges `mu`.
+    ///
+    /// ```
+    /// use rapier3d::prelude::*;
+    /// use tribos_rapier::{GroundMu, PatchContacts};
+    /// let mut world = PhysicsWorld::new();
+    /// world.gravity = Vector::new(0.0, -9.81, 0.0);
+    /// let table = world.insert_collider(ColliderBuilder::cuboid(2.0, 0.1, 2.0), None);
+    /// let mut patches = PatchContacts::new();
+    /// patches.insert_ground(table, GroundMu::Combined, &mut world.colliders)?;
+    /// let body = RigidBodyBuilder::dynamic()
+    ///     .translation(Vector::new(0.0, 0.11, 0.0))
+    ///     .linvel(Vector::new(1.0, 0.0, 0.0));
+    /// let (_, foot) = world.insert(body, ColliderBuilder::cylinder(0.01, 0.08));
+    /// for _ in 0..10 {
+    ///     patches.step(&mut world);
+    /// }
+    /// assert!(patches.friction(foot, table).is_some());
+    /// # Ok::<(), tribos_rapier::PairError>(())
+    /// ```
+    pub fn insert_ground(
+        &mut self,
+        ground: ColliderHandle,
+        mu: GroundMu,
+        colliders: &mut ColliderSet,
+    ) -> Result<(), PairError> {
+        if let Some(given) = mu.unsound() {
+            return Err(PairError::Coefficient { given });
+        }
+        enable_hooks(ground, colliders)?;
+        self.grounds.retain(|other| other.collider != ground);
+        let ground = Ground {
+            collider: ground,
+            mu,
+        };
+        self.grounds.push(ground);
+        Ok(())
+    }
+
+    /// Returns everything on `ground` to the engine's friction, except pairs with patches by
+    /// [`PatchContacts::insert`]; true if it was there.
+    pub fn remove_ground(&mut self, ground: ColliderHandle) -> bool {
+        let before = self.grounds.len();
+        self.grounds.retain(|other| other.collider != ground);
+        self.pairs
+            .retain(|pair| pair.ground != ground || pair.face.is_none());
+        self.grounds.len() < before
     }
 
     /// Number of pairs. Pairs of removed colliders disappear in the next step.
@@ -185,19 +250,25 @@ impl PatchContacts {
     ) {
         // For a step that was begun and not finished.
         self.cancel_step(bodies);
-        let is_there =
-            |pair: &Pair| colliders.contains(pair.foot) && colliders.contains(pair.ground);
-        self.pairs.retain(is_there);
-        let members = self.members(bodies, colliders, |pair, _| {
-            pair.known.map(|known| known.touching)
-        });
-        for group in group::grouped(members, bodies) {
-            let begun = group::begin(&group, &self.pairs, gravity, parameters, bodies, colliders);
-            if let Some((begun, lent)) = begun {
-                self.begun.push(begun);
-                self.lent.push(lent);
+        let mut members = core::mem::take(&mut self.members);
+        self.collect_known(&mut members, bodies, colliders);
+        let mut rest = &mut members[..];
+        while !rest.is_empty() {
+            let size = group::bring_forward(rest, bodies);
+            let (group, others) = rest.split_at_mut(size);
+            let (stands, lent) = (&mut self.stands, &mut self.lent);
+            let from = stands.len();
+            let pairs = &self.pairs;
+            let begun = group::begin(
+                group, pairs, gravity, parameters, bodies, colliders, stands, lent,
+            );
+            match begun {
+                Some(begun) => self.begun.push(begun),
+                None => self.stands.truncate(from),
             }
+            rest = others;
         }
+        self.members = members;
     }
 
     /// Corrects the motion with the loads that the engine has found, after its step.
@@ -209,23 +280,123 @@ impl PatchContacts {
         narrow_phase: &NarrowPhase,
     ) {
         // Restored in the middle of a step: forces are restored, the step is not corrected.
-        if self.begun.len() != self.lent.len() {
+        if self.begun.is_empty() {
             self.cancel_step(bodies);
         }
-        let mut members = self.members(bodies, colliders, |pair, foot| {
-            touching(pair, foot, colliders, narrow_phase, parameters.dt)
-        });
-        self.forget_open(&members, bodies, colliders);
-        while let (Some(begun), Some(lent)) = (self.begun.pop(), self.lent.pop()) {
-            lent.into_iter().for_each(|lent| lent.take_back(bodies));
-            let is_of = |member: &mut Member| begun.takes(member, &self.pairs, bodies);
-            let group: Vec<Member> = members.extract_if(.., is_of).collect();
+        if !self.grounds.is_empty() {
+            self.meet_grounds(bodies, colliders, narrow_phase, parameters.dt);
+        }
+        let mut members = core::mem::take(&mut self.members);
+        let mut group = core::mem::take(&mut self.group);
+        self.collect_touching(&mut members, bodies, colliders, narrow_phase, parameters.dt);
+        // Groups that began the step, each with the members of its body.
+        let mut end = members.len();
+        while let Some(begun) = self.begun.pop() {
+            self.take_back(begun.lent, bodies);
+            let is_after = |member: &Member| index(member.body) > index(begun.body);
+            let run = members[..end].iter().rposition(|member| !is_after(member));
+            end = run.map_or(0, |at| at + 1);
+            let stands = &self.stands[begun.stands.clone()];
+            group.clear();
+            let same_body = |member: &&mut Member| index(member.body) == index(begun.body);
+            for member in members[..end].iter_mut().rev().take_while(same_body) {
+                if !member.is_done && begun.takes(member, stands, &self.pairs, bodies) {
+                    member.is_done = true;
+                    group.push(*member);
+                }
+            }
+            group.reverse();
             let pairs = &mut self.pairs;
-            group::finish(Some(begun), &group, pairs, parameters, bodies, colliders);
+            group::finish(
+                Some((begun, stands)),
+                &group,
+                pairs,
+                parameters,
+                bodies,
+                colliders,
+            );
         }
-        for group in group::grouped(members, bodies).into_iter().rev() {
-            group::finish(None, &group, &mut self.pairs, parameters, bodies, colliders);
+        self.stands.clear();
+        members.retain(|member| !member.is_done);
+        // Contacts that are new in this step.
+        let mut rest = &mut members[..];
+        let mut sizes = Vec::new();
+        while !rest.is_empty() {
+            let size = group::bring_forward(rest, bodies);
+            sizes.push(size);
+            rest = &mut rest[size..];
         }
+        let mut end = members.len();
+        for size in sizes.into_iter().rev() {
+            let group = &members[end - size..end];
+            group::finish(None, group, &mut self.pairs, parameters, bodies, colliders);
+            end -= size;
+        }
+        self.leave_grounds(colliders);
+        self.members = members;
+        self.group = group;
+    }
+
+    /// Patches for what has come to stand on the grounds.
+    fn meet_grounds(
+        &mut self,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+        narrow_phase: &NarrowPhase,
+        dt: f32,
+    ) {
+        self.grounds
+            .retain(|ground| colliders.contains(ground.collider));
+        for ground in &self.grounds {
+            for contact in narrow_phase.contact_pairs_with(ground.collider) {
+                let foot = match contact.collider1 == ground.collider {
+                    true => contact.collider2,
+                    false => contact.collider1,
+                };
+                let key = key(foot, ground.collider);
+                let Err(at) = self.pairs.binary_search_by_key(&key, Pair::key) else {
+                    continue;
+                };
+                let met = ground.met(foot, bodies, colliders, narrow_phase, dt);
+                if let Some(pair) = met {
+                    self.pairs.insert(at, pair);
+                }
+            }
+        }
+    }
+
+    /// Drops the patches of what no longer lies flat on its ground.
+    fn leave_grounds(&mut self, colliders: &ColliderSet) {
+        let grounds = &self.grounds;
+        self.pairs.retain_mut(|pair| {
+            let of_pair = |ground: &&Ground| ground.collider == pair.ground;
+            pair.face.is_none()
+                || grounds
+                    .iter()
+                    .find(of_pair)
+                    .is_some_and(|ground| ground.still(pair, colliders).is_some())
+        });
+    }
+
+    /// Whether a contact without patch will get one from its shape.
+    fn is_covered(&self, context: &mut ContactModificationContext) -> bool {
+        let both = [context.collider1, context.collider2];
+        let of_pair = |ground: &&Ground| both.contains(&ground.collider);
+        let Some(ground) = self.grounds.iter().find(of_pair) else {
+            return false;
+        };
+        // The engine's normal points from the first collider to the second.
+        let (foot, towards) = match both[0] == ground.collider {
+            true => (both[1], 1.0),
+            false => (both[0], -1.0),
+        };
+        let colliders = context.colliders;
+        let Some([shape, below]) = colliders_of([foot, ground.collider], colliders) else {
+            return false;
+        };
+        let is_treated = bodies_of(shape, below, context.bodies).is_some();
+        let normal = context.rigid_mut().map(|contact| *contact.normal * towards);
+        is_treated && normal.is_some_and(|normal| ground.face(shape, normal).is_some())
     }
 
     /// Undoes the changes of [`begin_step`](Self::begin_step) to bodies, for a step that will not be
@@ -253,44 +424,82 @@ impl PatchContacts {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn cancel_step(&mut self, bodies: &mut RigidBodySet) {
-        while let Some(lent) = self.lent.pop() {
-            lent.into_iter().for_each(|lent| lent.take_back(bodies));
-        }
+        self.take_back(self.lent.len(), bodies);
         self.begun.clear();
+        self.stands.clear();
     }
 
-    /// Pairs that the engine treats and that touch, by `touching`.
-    fn members(
-        &self,
-        bodies: &RigidBodySet,
-        colliders: &ColliderSet,
-        touching: impl Fn(&Pair, &RigidBody) -> Option<Touching>,
-    ) -> Vec<Member> {
-        let member = |(number, pair): (usize, &Pair)| {
-            let (body, ground) = bodies_of(pair, bodies, colliders)?;
-            let foot = bodies.get(body).filter(|foot| !foot.is_sleeping())?;
-            Some(Member {
-                pair: number,
-                body,
-                ground,
-                touching: touching(pair, foot)?,
-            })
-        };
-        self.pairs.iter().enumerate().filter_map(member).collect()
-    }
-
-    /// Pairs that no longer touch carry nothing.
-    fn forget_open(&mut self, members: &[Member], bodies: &RigidBodySet, colliders: &ColliderSet) {
-        for (number, pair) in self.pairs.iter_mut().enumerate() {
-            pair.stop = None;
-            let handles = bodies_of(pair, bodies, colliders);
-            let foot = handles.and_then(|(body, _)| bodies.get(body));
-            let is_awake = foot.is_some_and(|foot| !foot.is_sleeping());
-            if is_awake && members.iter().all(|member| member.pair != number) {
-                pair.friction = Friction::default();
-                pair.known = None;
+    /// Undoes the last `count` changes.
+    fn take_back(&mut self, count: usize, bodies: &mut RigidBodySet) {
+        for _ in 0..count {
+            if let Some(lent) = self.lent.pop() {
+                lent.take_back(bodies);
             }
         }
+    }
+
+    /// Pairs that the engine treats and that carried load in the last step, by the handle of the foot's
+    /// body. Pairs of removed colliders are dropped.
+    fn collect_known(
+        &mut self,
+        members: &mut Vec<Member>,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+    ) {
+        members.clear();
+        let mut is_any_gone = false;
+        for (number, pair) in self.pairs.iter().enumerate() {
+            let Some([foot, ground]) = colliders_of([pair.foot, pair.ground], colliders) else {
+                is_any_gone = true;
+                continue;
+            };
+            let Some(known) = pair.known else {
+                continue;
+            };
+            let bodies = bodies_of(foot, ground, bodies);
+            if let Some((body, _, ground)) = bodies.filter(|(_, foot, _)| !foot.is_sleeping()) {
+                members.push(Member::new(number, body, ground, known.touching));
+            }
+        }
+        if is_any_gone {
+            // Indices of pairs change.
+            self.pairs
+                .retain(|pair| colliders_of([pair.foot, pair.ground], colliders).is_some());
+            return self.collect_known(members, bodies, colliders);
+        }
+        by_body(members);
+    }
+
+    /// Pairs that carry load after the engine's step; the others carry nothing.
+    fn collect_touching(
+        &mut self,
+        members: &mut Vec<Member>,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+        narrow_phase: &NarrowPhase,
+        dt: f32,
+    ) {
+        members.clear();
+        for (number, pair) in self.pairs.iter_mut().enumerate() {
+            pair.stop = None;
+            if core::mem::take(&mut pair.is_next) {
+                continue;
+            }
+            let Some(awake) = Awake::of([pair.foot, pair.ground], bodies, colliders, narrow_phase)
+            else {
+                continue;
+            };
+            match awake.touching(pair.ground, dt) {
+                Some(touching) => {
+                    members.push(Member::new(number, awake.body, awake.ground, touching));
+                }
+                None => {
+                    pair.friction = Friction::default();
+                    pair.known = None;
+                }
+            }
+        }
+        by_body(members);
     }
 
     /// Friction on the foot in the last step. `None` for a pair without patch.
@@ -312,9 +521,13 @@ impl PatchContacts {
 
 impl PhysicsHooks for PatchContacts {
     fn modify_solver_contacts(&self, context: &mut ContactModificationContext) {
-        let pair = self.pair(context.collider1, context.collider2);
-        let is_ours =
-            pair.is_some_and(|pair| bodies_of(pair, context.bodies, context.colliders).is_some());
+        let is_ours = match self.pair(context.collider1, context.collider2) {
+            Some(pair) => {
+                let both = colliders_of([pair.foot, pair.ground], context.colliders);
+                both.is_some_and(|[foot, ground]| bodies_of(foot, ground, context.bodies).is_some())
+            }
+            None => self.is_covered(context),
+        };
         if is_ours && let Some(contact) = context.rigid_mut() {
             *contact.friction = 0.0;
         }
@@ -323,6 +536,14 @@ impl PhysicsHooks for PatchContacts {
 
 /// The same for both orders of two colliders.
 type Key = [(u32, u32); 2];
+
+/// Lets the engine ask about the contacts of a collider.
+fn enable_hooks(collider: ColliderHandle, colliders: &mut ColliderSet) -> Result<(), PairError> {
+    let found = colliders.get_mut(collider);
+    let found = found.ok_or(PairError::Missing { collider })?;
+    found.set_active_hooks(found.active_hooks() | ActiveHooks::MODIFY_SOLVER_CONTACTS);
+    Ok(())
+}
 
 fn key(a: ColliderHandle, b: ColliderHandle) -> Key {
     let [a, b] = [a, b].map(ColliderHandle::into_raw_parts);
@@ -335,24 +556,28 @@ impl Pair {
     }
 }
 
-/// The bodies of foot and ground, if the engine treats the pair and forces move the foot.
-fn bodies_of(
-    pair: &Pair,
-    bodies: &RigidBodySet,
-    colliders: &ColliderSet,
-) -> Option<(RigidBodyHandle, Option<RigidBodyHandle>)> {
-    let [foot, ground] = [pair.foot, pair.ground].map(|handle| colliders.get(handle));
-    let (foot, ground) = (foot?, ground?);
-    if !(foot.is_enabled() && ground.is_enabled()) {
-        return None;
+impl Member {
+    fn new(
+        pair: usize,
+        body: RigidBodyHandle,
+        ground: Option<RigidBodyHandle>,
+        touching: Touching,
+    ) -> Self {
+        Self {
+            pair,
+            body,
+            ground,
+            touching,
+            is_done: false,
+        }
     }
-    let is_there = |handle| bodies.get(handle).is_some_and(RigidBody::is_enabled);
-    let is_dynamic = |handle| bodies.get(handle).is_some_and(RigidBody::is_dynamic);
-    let body = foot
-        .parent()
-        .filter(|&handle| is_there(handle) && is_dynamic(handle))?;
-    match ground.parent() {
-        Some(below) => (is_there(below) && below != body).then_some((body, Some(below))),
-        None => Some((body, None)),
-    }
+}
+
+fn index(body: RigidBodyHandle) -> u32 {
+    body.into_raw_parts().0
+}
+
+/// Puts the feet of each body next to each other.
+fn by_body(members: &mut [Member]) {
+    members.sort_unstable_by_key(|member| (index(member.body), member.pair));
 }

@@ -5,16 +5,16 @@
 //! the same step is repeated with the loads and pushes that the engine has found. Its result is the
 //! motion: at rest it is zero to the last bit.
 
-use crate::feet::Solved;
 use crate::frame::{Frame, carried, relative};
 use crate::handed::Lent;
-use crate::judge::Judge;
 use crate::pair::{Friction, Known, Pair, Stop, Touching};
 use crate::reduced::{Reduced, accelerate, is_free};
 use crate::stand::Stand;
+use core::ops::Range;
 use rapier3d::prelude::*;
 use tribos_core::contact::TimeStep;
 use tribos_core::twist::{Twist, Wrench};
+use tribos_feet::{Foot, FootFriction, Prediction, Standing};
 
 /// Least cosine of the angle between the normals of two feet on one plane.
 const ONE_PLANE: f32 = 0.99;
@@ -28,6 +28,8 @@ pub(crate) struct Member {
     /// Body of the ground; a collider without body is at rest.
     pub(crate) ground: Option<RigidBodyHandle>,
     pub(crate) touching: Touching,
+    /// Belongs to a group that has been solved.
+    pub(crate) is_done: bool,
 }
 
 /// Prediction made before the engine's step.
@@ -35,21 +37,27 @@ pub(crate) struct Member {
 pub(crate) struct Begun {
     pub(crate) body: RigidBodyHandle,
     /// The body of the first foot's ground.
-    pub(crate) ground: Option<RigidBodyHandle>,
-    pub(crate) frame: Frame,
+    ground: Option<RigidBodyHandle>,
+    frame: Frame,
     reduced: Reduced,
-    before: Twist<f32>,
-    /// Pushes that were expected.
-    push: Wrench<f32>,
-    friction: Wrench<f32>,
-    pub(crate) stands: Vec<Stand>,
+    step: Prediction,
+    /// The positions of its feet in the list of all.
+    pub(crate) stands: Range<usize>,
+    /// Number of bodies with temporary changes.
+    pub(crate) lent: usize,
 }
 
 impl Begun {
-    /// Whether a foot belongs to the group.
-    pub(crate) fn takes(&self, member: &Member, pairs: &[Pair], bodies: &RigidBodySet) -> bool {
+    /// Whether a foot belongs to the group, whose feet began at `stands`.
+    pub(crate) fn takes(
+        &self,
+        member: &Member,
+        stands: &[Stand],
+        pairs: &[Pair],
+        bodies: &RigidBodySet,
+    ) -> bool {
         let pair = pairs.get(member.pair);
-        let was_here = |pair| self.stands.iter().any(|stand| stand.is_of(pair));
+        let was_here = |pair| stands.iter().any(|stand| stand.is_of(pair));
         member.body == self.body
             && share_motion(member.ground, self.ground, bodies)
             && (pair.is_some_and(was_here)
@@ -57,27 +65,38 @@ impl Begun {
     }
 }
 
-/// Joins feet of one body on one plane: on grounds that friction does not move, or on the same one.
-pub(crate) fn grouped(members: Vec<Member>, bodies: &RigidBodySet) -> Vec<Vec<Member>> {
-    let mut groups: Vec<Vec<Member>> = Vec::new();
-    for member in members {
-        let fits = |group: &Vec<Member>| group.iter().all(|other| joins(&member, other, bodies));
-        match groups.iter_mut().find(|group| fits(group)) {
-            Some(group) => group.push(member),
-            None => groups.push(vec![member]),
+/// Joins feet of one body on one plane: on grounds that friction does not move, or on the same one. Brings
+/// those that go with the first one of `members` to the front, and returns their number.
+///
+/// Feet of one body lie next to each other.
+pub(crate) fn bring_forward(members: &mut [Member], bodies: &RigidBodySet) -> usize {
+    let Some(body) = members.first().map(|first| first.body) else {
+        return 0;
+    };
+    let mut size = 1;
+    for at in 1..members.len() {
+        let member = members[at];
+        if member.body != body {
+            break;
+        }
+        if members[..size]
+            .iter()
+            .all(|other| joins(&member, other, bodies))
+        {
+            members[size..=at].rotate_right(1);
+            size += 1;
         }
     }
-    groups
+    size
 }
 
 fn joins(one: &Member, other: &Member, bodies: &RigidBodySet) -> bool {
-    one.body == other.body
-        && share_motion(one.ground, other.ground, bodies)
+    share_motion(one.ground, other.ground, bodies)
         && one.touching.normal.dot(other.touching.normal) > ONE_PLANE
 }
 
 /// Whether both grounds can be treated as one.
-pub(crate) fn share_motion(
+fn share_motion(
     one: Option<RigidBodyHandle>,
     other: Option<RigidBodyHandle>,
     bodies: &RigidBodySet,
@@ -85,7 +104,48 @@ pub(crate) fn share_motion(
     let movable = |ground: Option<RigidBodyHandle>| {
         ground.filter(|&handle| bodies.get(handle).is_some_and(RigidBody::is_dynamic))
     };
-    movable(one) == movable(other)
+    one == other || movable(one) == movable(other)
+}
+
+/// The feet of a group on their ground.
+fn standing<'a>(
+    members: &[Member],
+    stands: &[Stand],
+    pairs: &'a [Pair],
+    reduced: &'a Reduced,
+    drift: impl Fn(&Member) -> [f64; 3],
+) -> Option<Standing<'a>> {
+    let foot = |(member, stand): (&Member, &Stand)| {
+        let patch = &pairs.get(member.pair)?.patch;
+        Some(Foot {
+            footprint: patch.footprint(),
+            limit: patch.mu() * member.touching.load,
+            place: stand.place,
+            axis: stand.axis,
+            drift: [0.0; 3],
+        })
+    };
+    let coupled = reduced.coupled();
+    if let ([member], [stand]) = (members, stands) {
+        return Some(Standing::new(
+            &reduced.body,
+            coupled,
+            &[foot((member, stand))?],
+        ));
+    }
+    let with_drift = |both: (&Member, &Stand)| {
+        let drift = drift(both.0);
+        Some(Foot {
+            drift,
+            ..foot(both)?
+        })
+    };
+    let feet: Vec<Foot> = members
+        .iter()
+        .zip(stands)
+        .map(with_drift)
+        .collect::<Option<_>>()?;
+    Some(Standing::new(&reduced.body, coupled, &feet))
 }
 
 /// Mean normal and depth of some contacts, weighted by load.
@@ -111,7 +171,9 @@ pub(crate) fn begin(
     parameters: &IntegrationParameters,
     bodies: &mut RigidBodySet,
     colliders: &ColliderSet,
-) -> Option<(Begun, Vec<Lent>)> {
+    all_stands: &mut Vec<Stand>,
+    all_lent: &mut Vec<Lent>,
+) -> Option<Begun> {
     let first = members.first()?;
     let foot = bodies.get(first.body)?;
     let ground = first.ground.and_then(|handle| bodies.get(handle));
@@ -122,60 +184,48 @@ pub(crate) fn begin(
     let before = relative(&frame, foot, ground);
     let push = expected(gravity, &reduced, &frame, foot, ground);
     let held = pairs.get(first.pair)?.known.and_then(|known| known.held());
-    let pushed = held.map_or(push, |held| push + held);
     // The feet at the middle of the step.
     let half_turn = 0.25 * parameters.dt * foot.angvel().dot(normal);
-    let stand = |member: &Member| {
-        let pair = pairs.get(member.pair)?;
-        Stand::now(pair, &frame, foot, colliders).map(|stand| stand.turned(half_turn))
-    };
-    let stands: Vec<Stand> = members.iter().map(stand).collect::<Option<_>>()?;
+    let from = all_stands.len();
+    for member in members {
+        let stand = Stand::now(pairs.get(member.pair)?, &frame, foot, colliders)?;
+        all_stands.push(stand.turned(half_turn));
+    }
+    let stands = from..all_stands.len();
     let drift = |member: &Member| drift(member, &before, &frame, foot, bodies);
-    let judge = Judge {
-        pairs,
-        members,
-        stands: &stands,
-        drifts: members.iter().map(drift).collect(),
-        reduced: &reduced,
-    };
-    // The motion at the end, and the part of the step that it takes to stop.
-    let foreseen = judge.step(&before, &pushed, dt)?;
-    let share = match foreseen.is_at_rest() && !is_zero(&before) {
-        true => judge.share(&foreseen, &before)?,
-        false => 1.0,
-    };
+    let standing = standing(members, &all_stands[from..], pairs, &reduced, drift)?;
     let extra = |body: &RigidBody| body.additional_solver_iterations();
     let most = extra(foot).max(ground.map_or(0, extra));
     let substeps = (parameters.num_solver_iterations + most).max(1);
-    let mut offsets = reduced.shared(&offset(&before, &foreseen.twist, share, substeps), &frame);
+    let step = standing.predict(&before, &push, held, dt, substeps)?;
+    let mut offsets = reduced.shared(&step.offset, &frame);
     let turned = frame.flat(carried(foot, ground)) * parameters.dt;
     if reduced.moved[0] {
         offsets[0][0] -= turned * (0.5 / substeps as f32);
     }
-    let forces = forces(&foreseen.friction, &frame, depth, foot, ground);
+    let forces = forces(&step.friction, &frame, depth, foot, ground);
     let handles = [Some(first.body), first.ground];
-    let begun = Begun {
+    let already = all_lent.len();
+    for i in [0, 1] {
+        if let Some(handle) = handles[i].filter(|_| reduced.moved[i]) {
+            all_lent.extend(Lent::to(bodies, handle, forces[i], offsets[i]));
+        }
+    }
+    Some(Begun {
         body: first.body,
         ground: first.ground,
         frame,
         reduced,
-        before,
-        push,
-        friction: foreseen.friction,
+        step,
         stands,
-    };
-    let lend = |i: usize| {
-        let handle = handles[i].filter(|_| begun.reduced.moved[i])?;
-        Lent::to(bodies, handle, forces[i], offsets[i])
-    };
-    let lent = [0, 1].into_iter().filter_map(lend).collect();
-    Some((begun, lent))
+        lent: all_lent.len() - already,
+    })
 }
 
 /// Corrects the step with the loads and pushes that the engine has found. Feet of `members` that did
 /// not begin the step are taken at their current position.
 pub(crate) fn finish(
-    begun: Option<Begun>,
+    begun: Option<(Begun, &[Stand])>,
     members: &[Member],
     pairs: &mut [Pair],
     parameters: &IntegrationParameters,
@@ -183,95 +233,86 @@ pub(crate) fn finish(
     colliders: &ColliderSet,
 ) -> Option<()> {
     let handles = match (&begun, members.first()) {
-        (Some(begun), _) => (begun.body, begun.ground),
+        (Some((begun, _)), _) => (begun.body, begun.ground),
         (None, first) => first.map(|first| (first.body, first.ground))?,
     };
     let foot = bodies.get(handles.0).filter(|foot| !foot.is_sleeping())?;
     let ground = handles.1.and_then(|handle| bodies.get(handle));
     let dt = TimeStep::new(parameters.dt).ok()?;
     let (frame, reduced) = match &begun {
-        Some(begun) => (begun.frame, begun.reduced),
+        Some((begun, _)) => (begun.frame, begun.reduced),
         None => {
             let frame = Frame::new(mean_contact(members)?.0);
             (frame, Reduced::new(foot, ground, &frame)?)
         }
     };
     let after = relative(&frame, foot, ground);
-    // All pushes except friction, as their mean over the step, and the expected part of them.
-    let (before, others, push) = match &begun {
-        Some(begun) => {
-            let all = reduced.push(&(after - begun.before), parameters.dt);
-            (begun.before, all - begun.friction, begun.push)
-        }
-        None => (after, Wrench::ZERO, Wrench::ZERO),
-    };
+    let step = begun.as_ref().map(|(begun, _)| &begun.step);
     let stand_of = |member: &Member| {
         let pair = pairs.get(member.pair)?;
-        let begun = begun.iter().flat_map(|begun| &begun.stands);
+        let begun = begun.iter().flat_map(|(_, stands)| *stands);
         let kept = begun.copied().find(|stand| stand.is_of(pair));
         kept.or_else(|| Stand::now(pair, &frame, foot, colliders))
     };
-    let stands: Vec<Stand> = members.iter().map(stand_of).collect::<Option<_>>()?;
     let drift = |member: &Member| drift(member, &after, &frame, foot, bodies);
-    let judge = Judge {
-        pairs,
-        members,
-        stands: &stands,
-        drifts: members.iter().map(drift).collect(),
-        reduced: &reduced,
+    let on = |stands: &[Stand]| {
+        let standing = standing(members, stands, pairs, &reduced, drift)?;
+        let end = standing.correct(step, &after, dt)?;
+        let stops = end.ended.is_at_rest() && was_sliding(members, pairs);
+        let stop = stops.then(|| Stop {
+            within_step: standing.share_until_rest(step, &end) * parameters.dt,
+        });
+        Some((end, stop))
     };
-    let judged = judge.step(&before, &others, dt)?;
-    let share = match judged.is_at_rest() {
-        true => judge.share(&judged, &before)?,
-        false => 1.0,
+    let (end, stop) = match members {
+        [one] => on(&[stand_of(one)?])?,
+        _ => on(&members.iter().map(stand_of).collect::<Option<Vec<_>>>()?)?,
     };
-    let changes = reduced.shared(&(judged.twist - after), &frame);
+    let changes = reduced.shared(&end.change, &frame);
     for (handle, change) in [Some(handles.0), handles.1].into_iter().zip(&changes) {
         let body = handle.and_then(|handle| bodies.get_mut(handle));
         if let Some(body) = body.filter(|body| is_free(body)) {
             accelerate(body, change, 1.0);
         }
     }
-    let unexpected = others - push;
-    let held = judged.is_at_rest().then_some(&unexpected);
     for (number, member) in members.iter().enumerate() {
-        let stop = (judged.is_at_rest()).then_some(Stop {
-            within_step: share * parameters.dt,
-        });
+        let foot = end.ended.foot(number);
         remember(
             &mut pairs[member.pair],
             member,
-            &judged,
-            number,
+            &foot,
             &frame,
-            held,
+            end.held,
             stop,
         );
     }
     Some(())
 }
 
+/// Whether a foot was not at rest before.
+fn was_sliding(members: &[Member], pairs: &[Pair]) -> bool {
+    let holds = |member: &Member| {
+        pairs
+            .get(member.pair)
+            .is_some_and(|pair| pair.friction.holds)
+    };
+    !members.iter().all(holds)
+}
+
 /// Stores the results of a step for a foot.
 fn remember(
     pair: &mut Pair,
     member: &Member,
-    judged: &Solved,
-    number: usize,
+    foot: &FootFriction,
     frame: &Frame,
-    held: Option<&Wrench<f32>>,
+    held: Option<Wrench<f32>>,
     stop: Option<Stop>,
 ) {
-    let none = (Wrench::ZERO, false);
-    let each = judged
-        .each
-        .iter()
-        .copied()
-        .zip(judged.holds.iter().copied());
-    let (friction, holds) = each.into_iter().nth(number).unwrap_or(none);
+    let FootFriction { wrench, holds } = *foot;
     pair.stop = stop.filter(|_| !pair.friction.holds);
     pair.friction = Friction {
-        force: frame.world(&friction.force),
-        torque: frame.normal * friction.torque,
+        force: frame.world(&wrench.force),
+        torque: frame.normal * wrench.torque,
         load: member.touching.load,
         holds,
     };
@@ -331,19 +372,4 @@ fn expected(
     let linear = pull(foot) - ground.map_or(Vector::ZERO, pull) - carried(foot, ground);
     let angular = turn(foot) - ground.map_or(Vector::ZERO, turn);
     reduced.push(&frame.twist(linear, angular), 1.0)
-}
-
-/// The velocity offset during the step that makes the engine's displacement that of the mean
-/// velocity.
-///
-/// The engine moves a body by its velocity at the end of each of its n substeps, so that a body under
-/// constant deceleration lags by half a substep's change. Friction that ends the motion needs the
-/// given `share` of the step for it, and the remaining displacement is cut.
-fn offset(before: &Twist<f32>, after: &Twist<f32>, share: f32, substeps: usize) -> Twist<f32> {
-    let [late, cut] = [0.5 / substeps as f32, 0.5 * (1.0 - share)];
-    (*after - *before) * -late - *before * cut
-}
-
-fn is_zero(twist: &Twist<f32>) -> bool {
-    *twist == Twist::ZERO
 }

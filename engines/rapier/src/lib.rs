@@ -46,22 +46,21 @@
 //! after another. Links of multibodies are not moved. With `max_ccd_substeps` above 1 a step that the
 //! engine splits is corrected by its last part.
 
-mod area;
-mod balance;
 mod contacts;
-mod feet;
 mod frame;
+mod grounds;
 mod group;
 mod handed;
-mod judge;
 mod pair;
 mod patch;
 mod reduced;
 mod refusal;
+mod soles;
 mod stand;
 mod touching;
 
 pub use contacts::PatchContacts;
+pub use grounds::GroundMu;
 pub use pair::{Friction, Stop};
 pub use patch::{Patch, PatchError};
 pub use refusal::PairError;

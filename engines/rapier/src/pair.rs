@@ -116,6 +116,10 @@ pub(crate) struct Pair {
     pub(crate) foot: ColliderHandle,
     pub(crate) ground: ColliderHandle,
     pub(crate) patch: Patch,
+    /// Outward normal of the face in the foot's frame, if the patch follows from its shape.
+    pub(crate) face: Option<Vector>,
+    /// Whether the current step is the engine's own, and the patch begins with the next one.
+    pub(crate) is_next: bool,
     pub(crate) known: Option<Known>,
     pub(crate) friction: Friction,
     pub(crate) stop: Option<Stop>,
@@ -127,6 +131,8 @@ impl Pair {
             foot,
             ground,
             patch,
+            face: None,
+            is_next: false,
             known: None,
             friction: Friction::default(),
             stop: None,
@@ -136,7 +142,7 @@ impl Pair {
     /// Continues with the patch of `other` from the current state of the contact.
     pub(crate) fn repatch(&mut self, other: Self) {
         if self.foot == other.foot {
-            self.patch = other.patch;
+            (self.patch, self.face) = (other.patch, other.face);
         } else {
             *self = other;
         }
@@ -144,7 +150,7 @@ impl Pair {
 }
 
 impl Known {
-    pub(crate) fn new(touching: Touching, held: Option<&Wrench<f32>>) -> Self {
+    pub(crate) fn new(touching: Touching, held: Option<Wrench<f32>>) -> Self {
         Self {
             touching,
             held: held.map(|held| [held.force.x, held.force.y, held.torque]),

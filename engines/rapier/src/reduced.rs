@@ -1,11 +1,12 @@
 //! Two bodies as one: the mass and inertia with which a common impulse meets their relative motion.
 
-use crate::balance::{solved, times};
 use crate::frame::Frame;
 use nalgebra::Vector2;
 use rapier3d::prelude::*;
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
+use tribos_feet::push;
+use tribos_feet::symmetric::solved;
 
 /// Radius of gyration in metres of a pair that cannot turn; its inverse, of one that cannot shift.
 const LOCKED: f32 = 1e3;
@@ -50,8 +51,13 @@ impl Reduced {
         })
     }
 
+    /// The mass matrix of the relative motion if friction moves the ground.
+    pub(crate) fn coupled(&self) -> Option<[f64; 6]> {
+        self.moved[1].then(|| self.mass())
+    }
+
     /// The mass matrix of the relative motion at the foot's centre of mass: xx, xy, yy, xn, yn, nn.
-    pub(crate) fn mass(&self) -> [f64; 6] {
+    fn mass(&self) -> [f64; 6] {
         let [mass, inertia] = [self.body.mass(), self.body.inertia()].map(f64::from);
         let [x, y] = self.lever.map(f64::from);
         let turn = f64::from(self.inverse[1][1]);
@@ -98,15 +104,7 @@ impl Reduced {
 
     /// The mean push that makes `change` of the relative twist in a time `dt`.
     pub(crate) fn push(&self, change: &Twist<f32>, dt: f32) -> Wrench<f32> {
-        if self.moved[1] {
-            let change = [change.velocity.x, change.velocity.y, change.spin].map(f64::from);
-            let [x, y, torque] = times(&self.mass(), &change).map(|x| (x / f64::from(dt)) as f32);
-            return Wrench::new(x, y, torque);
-        }
-        Wrench {
-            force: change.velocity * (self.body.mass() / dt),
-            torque: change.spin * (self.body.inertia() / dt),
-        }
+        push(&self.body, self.coupled().as_ref(), change, dt)
     }
 }
 

@@ -23,7 +23,7 @@ use rapier3d::prelude::*;
 /// assert_eq!(insert(foot, nobody), Err(PairError::Missing { collider: nobody }));
 /// assert_eq!(insert(foot, table), Ok(()));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PairError {
     /// No collider has this handle.
     Missing {
@@ -35,6 +35,11 @@ pub enum PairError {
     FootIsNotDynamic,
     /// Foot and ground are parts of one body.
     OneBody,
+    /// A coefficient of friction of a ground is negative, infinite or NaN.
+    Coefficient {
+        /// The rejected value.
+        given: f32,
+    },
 }
 
 /// Refuses pairs that the adapter cannot handle.
@@ -63,6 +68,10 @@ impl fmt::Display for PairError {
             Self::Missing { collider } => write!(f, "there is no collider {collider:?}"),
             Self::FootIsNotDynamic => f.write_str(
                 "the foot must belong to a dynamic body; the order is foot, then ground",
+            ),
+            Self::Coefficient { given } => write!(
+                f,
+                "the coefficient of friction must be finite and not negative, not {given}"
             ),
             Self::OneBody => f.write_str("foot and ground belong to one body"),
         }

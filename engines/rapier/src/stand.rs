@@ -24,7 +24,7 @@ impl Stand {
     ) -> Option<Self> {
         let pose = colliders.get(pair.foot)?.position_wrt_parent()?;
         let arm = pose.transform_point(pair.patch.center()) - foot.local_center_of_mass();
-        let along = *foot.rotation() * (pose.rotation * Vector::X);
+        let along = *foot.rotation() * (pose.rotation * pair.patch.axis());
         let [c, s] = frame.plane(along).map(f64::from);
         let length = (c * c + s * s).sqrt();
         // A direction within a hundredth of the normal is undefined in the plane.

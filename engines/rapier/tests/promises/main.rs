@@ -3,6 +3,7 @@
 mod engine;
 mod feet;
 mod foot;
+mod grounds;
 mod order;
 mod pushes;
 mod rest;

@@ -1,59 +1,69 @@
-//! All feet of a body on the ground, through one implicit step.
+//! All feet of a body on the ground as elements of area, through one implicit step.
 
-use crate::area::Element;
-use crate::balance::{Balance, dot, minus, plus, solved, times};
-use crate::reduced::Reduced;
+use crate::area::{Area, Element};
+use crate::balance::Balance;
+use crate::ended::{Ended, FootFriction};
+use crate::standing::Foot;
+use crate::symmetric::{dot, minus, plus, solved, times};
 use tribos_core::twist::{Twist, Wrench};
 
 /// The feet of a body, positioned relative to the centre of mass.
 #[derive(Debug, Default)]
-pub(crate) struct Feet {
+pub(crate) struct Elements {
     /// Elements of the feet that press on the ground.
-    pub(crate) elements: Vec<Element>,
+    elements: Vec<Element>,
     /// Middle of each foot in metres, in the contact's axes.
-    pub(crate) places: Vec<[f64; 2]>,
+    places: Vec<[f64; 2]>,
     /// Motion of each foot relative to its ground minus that of the first foot relative to its own.
-    pub(crate) drifts: Vec<[f64; 3]>,
-}
-
-/// Result of friction on the feet in a step.
-#[derive(Debug)]
-pub(crate) struct Solved {
-    /// The motion of the first foot relative to its ground after the step, at the centre of mass.
-    pub(crate) twist: Twist<f32>,
-    /// Friction of all feet at the centre of mass, as its mean over the step.
-    pub(crate) friction: Wrench<f32>,
-    /// Each foot's friction about its own middle.
-    pub(crate) each: Vec<Wrench<f32>>,
-    /// Whether each foot is at rest relative to its ground.
-    pub(crate) holds: Vec<bool>,
+    drifts: Vec<[f64; 3]>,
 }
 
 /// Factor of the friction limit beyond which rest is certainly impossible, given rounding.
 const BEYOND: f64 = 1.01;
 
-impl Solved {
-    /// Whether all feet are at rest relative to their ground.
-    pub(crate) fn is_at_rest(&self) -> bool {
-        !self.holds.is_empty() && self.holds.iter().all(|&holds| holds)
+impl Elements {
+    pub(crate) fn of(feet: &[Foot]) -> Self {
+        let mut elements = Vec::new();
+        for (number, foot) in feet.iter().enumerate() {
+            foot.footprint.add_elements(number, foot, &mut elements);
+        }
+        Self {
+            elements,
+            places: feet.iter().map(|foot| foot.place).collect(),
+            drifts: feet.iter().map(|foot| foot.drift).collect(),
+        }
     }
-}
 
-impl Feet {
+    /// Points of one foot, whose middle is below the centre of mass.
+    pub(crate) fn of_points(points: &[([f64; 2], f32)]) -> Self {
+        let presses = points.iter().filter(|(_, limit)| *limit > 0.0);
+        let element = |&(place, limit): &([f64; 2], f32)| Element {
+            place,
+            area: Area::Point,
+            limit: f64::from(limit),
+            foot: 0,
+        };
+        Self {
+            elements: presses.map(element).collect(),
+            places: vec![[0.0; 2]],
+            drifts: vec![[0.0; 3]],
+        }
+    }
+
     /// The motion after `dt` under a constant push, in newtons and newton metres.
     ///
     /// The friction of the motion at half time, of second order; that of the motion at the end where
     /// a foot comes to rest or the body would turn about.
     pub(crate) fn step(
         &self,
-        reduced: &Reduced,
+        mass: &[f64; 6],
         before: &Twist<f32>,
         push: &Wrench<f32>,
         dt: f32,
-    ) -> Option<Solved> {
+    ) -> Option<Ended> {
         let dt = f64::from(dt);
         let balance = Balance {
-            mass: reduced.mass(),
+            mass: *mass,
             elements: &self.elements,
             drifts: &self.drifts,
         };
@@ -143,7 +153,7 @@ impl Feet {
     }
 
     /// Friction in all, and of each foot.
-    fn whole(&self, balance: &Balance, end: &End, free: &[f64; 3], dt: f64) -> Option<Solved> {
+    fn whole(&self, balance: &Balance, end: &End, free: &[f64; 3], dt: f64) -> Option<Ended> {
         let away = minus(&end.twist, free);
         let friction = times(&balance.mass, &away).map(|x| x / dt);
         let mut each = vec![[0.0; 3]; self.places.len()];
@@ -165,18 +175,17 @@ impl Feet {
             }
         }
         // About each foot's own middle.
-        let moved = |(of, [x, y]): (&[f64; 3], &[f64; 2])| {
-            wrench_of(&[of[0], of[1], of[2] - (x * of[1] - y * of[0])])
+        let of_foot = |((of, [x, y]), &holds): ((&[f64; 3], &[f64; 2]), &bool)| {
+            let wrench = wrench_of(&[of[0], of[1], of[2] - (x * of[1] - y * of[0])])?;
+            Some(FootFriction { wrench, holds })
         };
-        Some(Solved {
+        let feet = each.iter().zip(&self.places).zip(&end.holds);
+        let all: Vec<FootFriction> = feet.map(of_foot).collect::<Option<_>>()?;
+        Some(Ended {
             twist: twist_of(&end.twist)?,
             friction: wrench_of(&friction)?,
-            each: each
-                .iter()
-                .zip(&self.places)
-                .map(moved)
-                .collect::<Option<_>>()?,
-            holds: end.holds.clone(),
+            first: all.first().copied().unwrap_or_default(),
+            all,
         })
     }
 }

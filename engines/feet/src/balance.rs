@@ -13,6 +13,7 @@
 //! in double precision, with roots and products only, so that results are bit-identical on every platform.
 
 use crate::area::{Element, Response};
+use crate::symmetric::{dot, minus, plus, solved, times};
 
 /// First smoothing, in units of the speed without friction.
 const FIRST: f64 = 0.25;
@@ -163,41 +164,8 @@ fn size(twist: &[f64; 3], arm: f64) -> f64 {
     (twist[0] * twist[0] + twist[1] * twist[1] + rim * rim).sqrt()
 }
 
-pub(crate) fn plus(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-pub(crate) fn minus(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub(crate) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 fn add<const N: usize>(sum: &mut [f64; N], part: &[f64; N], factor: f64) {
     for (sum, part) in sum.iter_mut().zip(part) {
         *sum += factor * part;
     }
-}
-
-/// A symmetric matrix times a vector.
-pub(crate) fn times([xx, xy, yy, xn, yn, nn]: &[f64; 6], v: &[f64; 3]) -> [f64; 3] {
-    [
-        xx * v[0] + xy * v[1] + xn * v[2],
-        xy * v[0] + yy * v[1] + yn * v[2],
-        xn * v[0] + yn * v[1] + nn * v[2],
-    ]
-}
-
-/// The solution of a system with a symmetric positive matrix (L D Lᵀ).
-pub(crate) fn solved([xx, xy, yy, xn, yn, nn]: &[f64; 6], right: &[f64; 3]) -> [f64; 3] {
-    let (a, b) = (xy / xx, xn / xx);
-    let second = yy - a * xy;
-    let c = (yn - a * xn) / second;
-    let third = nn - b * xn - c * c * second;
-    let y = right[1] - a * right[0];
-    let z = (right[2] - b * right[0] - c * y) / third;
-    let y = y / second - c * z;
-    [right[0] / xx - a * y - b * z, y, z]
 }

@@ -1,0 +1,51 @@
+//! Points that stand for an area, with their shares of the load: x, y and the share.
+
+use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
+use tribos_core::patch::polygon::polygon;
+
+/// Largest number of points of a polygon.
+pub(crate) const POINTS: usize = 256;
+/// Points of a bar.
+const ALONG: usize = 16;
+/// Gauss's four points on 0 … 1 and their weights (Abramowitz & Stegun 25.4.30): exact for r² r⁵ over a disk.
+const GAUSS: [[f32; 2]; 4] = [
+    [0.069_431_84, 0.173_927_42],
+    [0.330_009_48, 0.326_072_58],
+    [0.669_990_52, 0.326_072_58],
+    [0.930_568_16, 0.173_927_42],
+];
+/// Directions of an eighth of a turn, four steps apart: cosine and sine of 11.25° + 22.5° k.
+const EIGHTH: [[f32; 2]; 2] = [[0.980_785_28, 0.195_090_32], [0.831_469_61, 0.555_570_23]];
+
+pub(crate) fn bar_points(half: f32) -> Vec<[f32; 3]> {
+    let share = 1.0 / ALONG as f32;
+    let at = |k: usize| [half * ((2 * k + 1) as f32 * share - 1.0), 0.0, share];
+    (0..ALONG).map(at).collect()
+}
+
+/// 16 points on a circle.
+pub(crate) fn ring_points(radius: f32, whole: f32) -> Vec<[f32; 3]> {
+    let share = whole / 16.0;
+    let quarter = EIGHTH.into_iter().flat_map(|[c, s]| [[c, s], [s, c]]);
+    let around = quarter.flat_map(|[c, s]| [[c, s], [-s, c], [-c, -s], [s, -c]]);
+    around
+        .map(|[c, s]| [radius * c, radius * s, share])
+        .collect()
+}
+
+/// 64 points, exact for moments of the distance up to degree 6.
+pub(crate) fn disk_points(radius: f32) -> Vec<[f32; 3]> {
+    let circle = |[r, weight]: [f32; 2]| ring_points(radius * r, 2.0 * r * weight);
+    GAUSS.into_iter().flat_map(circle).collect()
+}
+
+/// Nothing for a polygon that has been refused.
+pub(crate) fn polygon_points(corners: &[[f32; 2]], divisions: u32) -> Vec<[f32; 3]> {
+    let Ok(points) = polygon::<f32, POINTS>(corners, divisions) else {
+        return Vec::new();
+    };
+    let points: NodeList<f32, POINTS> = points;
+    let whole = points.total_weight();
+    let point = |node: &Node<f32>| [node.x, node.y, node.weight / whole];
+    points.nodes().iter().map(point).collect()
+}

@@ -1,0 +1,236 @@
+//! The feet of one body on the ground: the kernel's step for one foot with an exact limit surface,
+//! elements of area for any others.
+
+use crate::elements::Elements;
+use crate::ended::{Ended, FootFriction};
+use crate::footprint::Footprint;
+use crate::surface::Surface;
+use crate::symmetric::times;
+use tribos_core::contact::TimeStep;
+use tribos_core::limit_surface::Ellipsoid;
+use tribos_core::planar::PlanarBody;
+use tribos_core::twist::{Twist, Wrench};
+
+/// A foot under a body.
+///
+/// ```
+/// use tribos_feet::{Foot, Footprint};
+/// let blade = Footprint::bar(0.14)?;
+/// let aside = Foot { axis: [0.0, 1.0], ..Foot::new(&blade, 8.0, [0.0, 0.1]) }; // along the second axis
+/// assert_eq!(aside.place, [0.0, 0.1]);
+/// # Ok::<(), tribos_feet::FootprintError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Foot<'a> {
+    /// The shape.
+    pub footprint: &'a Footprint,
+    /// Friction limit μN in newtons.
+    pub limit: f32,
+    /// The foot's centre from the centre of mass in metres, in the plane.
+    pub place: [f64; 2],
+    /// Direction of its x axis in the plane, of length 1.
+    pub axis: [f64; 2],
+    /// Motion of the foot relative to its ground minus that of the first foot relative to its own, at the
+    /// centre of mass: two velocities in m/s and the spin in rad/s.
+    pub drift: [f64; 3],
+}
+
+impl<'a> Foot<'a> {
+    /// A foot whose x axis is the plane's, on the ground of the first foot.
+    pub fn new(footprint: &'a Footprint, limit: f32, place: [f64; 2]) -> Self {
+        Self {
+            footprint,
+            limit,
+            place,
+            axis: [1.0, 0.0],
+            drift: [0.0; 3],
+        }
+    }
+}
+
+/// A body on its feet. See the [crate's example](crate).
+#[derive(Debug)]
+pub struct Standing<'a> {
+    body: &'a PlanarBody<f32>,
+    coupled: Option<[f64; 6]>,
+    on: On<'a>,
+}
+
+#[derive(Debug)]
+enum On<'a> {
+    /// One foot with its exact limit surface.
+    Exact {
+        surface: Exact<'a>,
+        foot: Foot<'a>,
+    },
+    Elements {
+        mass: [f64; 6],
+        elements: Elements,
+    },
+    /// Nothing resists.
+    Nothing,
+}
+
+/// A limit surface about the centre of mass.
+#[derive(Debug)]
+enum Exact<'a> {
+    Prepared(&'a Surface),
+    Moved(Box<Surface>),
+}
+
+impl Exact<'_> {
+    fn surface(&self) -> &Surface {
+        match self {
+            Self::Prepared(surface) => surface,
+            Self::Moved(surface) => surface,
+        }
+    }
+}
+
+impl<'a> Standing<'a> {
+    /// `body` on `feet`. `coupled` has the components xx, xy, yy, xn, yn, nn of the mass matrix of the
+    /// relative motion if friction moves the ground as well, by x, y and the rotation about the normal.
+    pub fn new(body: &'a PlanarBody<f32>, coupled: Option<[f64; 6]>, feet: &[Foot<'a>]) -> Self {
+        let on = match (feet, coupled) {
+            ([foot], None) => On::alone(foot),
+            _ => None,
+        };
+        let on = on.unwrap_or_else(|| {
+            let [mass, inertia] = [body.mass(), body.inertia()].map(f64::from);
+            On::Elements {
+                mass: coupled.unwrap_or([mass, 0.0, mass, 0.0, 0.0, inertia]),
+                elements: Elements::of(feet),
+            }
+        });
+        Self { body, coupled, on }
+    }
+
+    /// The mean push that makes `change` of the motion in a time `dt`.
+    pub(crate) fn push(&self, change: &Twist<f32>, dt: f32) -> Wrench<f32> {
+        push(self.body, self.coupled.as_ref(), change, dt)
+    }
+
+    /// `body` on points in the plane, each given by its place from the centre of mass in metres and its
+    /// friction limit in newtons: where a foot lies on several materials.
+    ///
+    /// ```
+    /// use tribos_core::contact::TimeStep;
+    /// use tribos_core::planar::PlanarBody;
+    /// use tribos_core::twist::{Twist, Wrench};
+    /// use tribos_feet::Standing;
+    /// // The left runner of a sledge is on snow, the right one on gravel.
+    /// let sledge = PlanarBody::new(20.0, 2.0)?;
+    /// let points = [([0.0, 0.2], 5.0), ([0.0, -0.2], 50.0)];
+    /// let standing = Standing::on_points(&sledge, &points);
+    /// let dt = TimeStep::new(1.0 / 60.0)?;
+    /// let end = standing.step(&Twist::new(2.0, 0.0, 0.0), &Wrench::ZERO, dt).ok_or("not finite")?;
+    /// assert!(end.twist.velocity.x < 2.0 && end.twist.spin < 0.0); // it turns to the right
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn on_points(body: &'a PlanarBody<f32>, points: &[([f64; 2], f32)]) -> Self {
+        let [mass, inertia] = [body.mass(), body.inertia()].map(f64::from);
+        Self {
+            body,
+            coupled: None,
+            on: On::Elements {
+                mass: [mass, 0.0, mass, 0.0, 0.0, inertia],
+                elements: Elements::of_points(points),
+            },
+        }
+    }
+
+    /// The motion after `dt` from `before` under a constant push. `None` for a motion that is not finite.
+    pub fn step(
+        &self,
+        before: &Twist<f32>,
+        push: &Wrench<f32>,
+        dt: TimeStep<f32>,
+    ) -> Option<Ended> {
+        let step = match &self.on {
+            On::Elements { mass, elements } => return elements.step(mass, before, push, dt.dt()),
+            On::Exact { surface, foot } => {
+                let surface = surface.surface();
+                surface.step(foot.limit, foot.axis, self.body, before, push, dt)?
+            }
+            On::Nothing => {
+                let nothing = Ellipsoid::new(0.0, 1.0, 1.0).ok()?;
+                self.body.step(&nothing, before, push, dt)
+            }
+        };
+        Some(Ended {
+            twist: step.twist,
+            friction: step.friction,
+            first: FootFriction {
+                wrench: step.friction,
+                holds: step.is_at_rest,
+            },
+            all: Vec::new(),
+        })
+    }
+
+    /// The fraction of a step until rest, for a step that began with `before` and ended at rest.
+    pub(crate) fn share(&self, ended: &Ended, before: &Twist<f32>) -> f32 {
+        let friction = &ended.friction;
+        match &self.on {
+            On::Exact { surface, foot } => surface.surface().share(foot.limit, foot.axis, friction),
+            On::Elements { elements, .. } => {
+                let share = -friction.power(before) / elements.dissipation(before);
+                // No friction under no load: no fraction.
+                if share > 0.0 { share.min(1.0) } else { 0.0 }
+            }
+            On::Nothing => 0.0,
+        }
+    }
+}
+
+/// The mean push that makes `change` of the motion of a body in `dt` seconds; `coupled` is the mass matrix
+/// of the relative motion where the ground moves as well, as in [`Standing::new`].
+///
+/// ```
+/// use tribos_core::planar::PlanarBody;
+/// use tribos_core::twist::{Twist, Wrench};
+/// let puck = PlanarBody::new(0.5, 0.25)?; // kg, kg m²
+/// let push = tribos_feet::push(&puck, None, &Twist::new(1.0, 0.0, 2.0), 0.5);
+/// assert_eq!(push, Wrench::new(1.0, 0.0, 1.0)); // N, N, N m
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
+pub fn push(
+    body: &PlanarBody<f32>,
+    coupled: Option<&[f64; 6]>,
+    change: &Twist<f32>,
+    dt: f32,
+) -> Wrench<f32> {
+    if let Some(mass) = coupled {
+        let change = [change.velocity.x, change.velocity.y, change.spin].map(f64::from);
+        let [x, y, torque] = times(mass, &change).map(|x| (x / f64::from(dt)) as f32);
+        return Wrench::new(x, y, torque);
+    }
+    Wrench {
+        force: change.velocity * (body.mass() / dt),
+        torque: change.spin * (body.inertia() / dt),
+    }
+}
+
+impl<'a> On<'a> {
+    /// A foot alone, if the kernel has its exact limit surface.
+    fn alone(foot: &Foot<'a>) -> Option<Self> {
+        if foot.limit == 0.0 {
+            return Some(Self::Nothing);
+        }
+        let footprint = foot.footprint;
+        if !footprint.is_exact_at(foot.place) {
+            return None;
+        }
+        let surface = if footprint.is_centred(foot.place) {
+            Exact::Prepared(footprint.surface()?)
+        } else {
+            let ([x, y], [c, s]) = (foot.place, foot.axis);
+            let in_foot = [c * x + s * y, c * y - s * x];
+            Exact::Moved(Box::new(footprint.surface_from(in_foot)?))
+        };
+        Some(Self::Exact {
+            surface,
+            foot: *foot,
+        })
+    }
+}
