@@ -28,4 +28,6 @@ pub(crate) struct Last {
     pub(crate) force: Vec3,
     /// Torque about the patch's centre in N m.
     pub(crate) torque: Vec3,
+    /// Normal impulse in N s that the engine has added after friction had been solved.
+    pub(crate) late: f32,
 }

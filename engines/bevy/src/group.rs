@@ -52,6 +52,8 @@ pub(crate) struct Member {
     pub(crate) contacts: Vec<[usize; 2]>,
     /// Friction of the last substep.
     pub(crate) last: Last,
+    /// Normal impulse in N s with which friction was last solved.
+    solved: Option<f32>,
     /// Sums over the substeps.
     sums: Sums,
 }
@@ -80,6 +82,7 @@ impl Member {
             lever: Vec3::ZERO,
             contacts: Vec::new(),
             last: Last::default(),
+            solved: None,
             sums: Sums::default(),
         }
     }
@@ -92,6 +95,20 @@ impl Member {
             Some(impulses.sum::<f32>())
         };
         self.contacts.iter().filter_map(contact).sum()
+    }
+
+    /// Stores what the engine's relaxation has added to the normal impulse after friction had been solved.
+    fn relaxed(&mut self, graph: &ConstraintGraph) {
+        if let Some(solved) = self.solved.take() {
+            self.last.late = self.impulse(graph) - solved;
+        }
+    }
+
+    /// The normal force of a substep of `dt` seconds, with what came late in the substep before.
+    fn load(&mut self, graph: &ConstraintGraph, dt: f32) -> f32 {
+        let impulse = self.impulse(graph);
+        self.solved = Some(impulse);
+        (impulse + self.last.late).max(0.0) / dt
     }
 
     /// Place and direction in the plane, after the body has turned and for half of the coming turn: `half` is a
@@ -157,7 +174,7 @@ impl Group {
             stopped_after: None,
         };
         for member in &group.members {
-            let Last { force, torque } = member.last;
+            let Last { force, torque, .. } = member.last;
             let torque = torque + member.arm.cross(frame.flat(force));
             group.friction = group.friction + frame.flat_wrench(force, torque);
         }
@@ -168,9 +185,22 @@ impl Group {
         self.members.first().and_then(|first| first.ground)
     }
 
+    /// To be called after the engine has relaxed its normal impulses.
+    pub(crate) fn relaxed(&mut self, graph: &ConstraintGraph) {
+        for member in &mut self.members {
+            member.relaxed(graph);
+        }
+    }
+
     /// Applies the friction of the last substep, so that the engine's normal impulses meet its lever.
-    pub(crate) fn begin(&mut self, bodies: &mut Bodies, dt: f32) -> Option<()> {
+    pub(crate) fn begin(
+        &mut self,
+        bodies: &mut Bodies,
+        graph: &ConstraintGraph,
+        dt: f32,
+    ) -> Option<()> {
         self.reduced = None;
+        self.relaxed(graph);
         let ground = self.ground();
         let (foot, foot_inertia, _) = bodies.get(self.body).ok()?;
         let mut arms = self.arms;
@@ -292,6 +322,11 @@ impl Group {
     ) -> Option<(Correction, f32)> {
         let seconds = dt.dt();
         let frame = self.frame;
+        let loads: Vec<f32> = self
+            .members
+            .iter_mut()
+            .map(|member| member.load(graph, seconds))
+            .collect();
         let below = |ground, lever| relative(&Change::ZERO, &self.velocity(ground, bodies), lever);
         let reference = self.members.first()?;
         let reference = frame.twist(&below(reference.ground, reference.lever));
@@ -299,11 +334,6 @@ impl Group {
             let drift = frame.twist(&below(member.ground, member.lever)) - reference;
             [drift.velocity.x, drift.velocity.y, drift.spin].map(f64::from)
         };
-        let loads: Vec<f32> = self
-            .members
-            .iter()
-            .map(|member| member.impulse(graph) / seconds)
-            .collect();
         let members = self.members.iter().zip(stands).zip(&loads);
         let feet: Vec<Foot> = members
             .map(|((member, &[place, axis]), load)| Foot {
@@ -322,7 +352,7 @@ impl Group {
         };
         for (number, (member, load)) in self.members.iter_mut().zip(loads).enumerate() {
             let [force, torque] = frame.wrench(&end.ended.foot(number).wrench);
-            member.last = Last { force, torque };
+            (member.last.force, member.last.torque) = (force, torque);
             member.sums.force += force;
             member.sums.torque += torque;
             member.sums.load += load;

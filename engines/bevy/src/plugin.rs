@@ -55,11 +55,16 @@ impl Plugin for FrictionPatchPlugin {
     }
 }
 
-fn begin(mut groups: ResMut<Groups>, mut bodies: Bodies, time: Res<Time>) {
+fn begin(
+    mut groups: ResMut<Groups>,
+    mut bodies: Bodies,
+    constraints: Res<ConstraintGraph>,
+    time: Res<Time>,
+) {
     let dt = time.delta_secs();
     for group in &mut groups.0 {
         // A body that is gone has no friction.
-        let _ = group.begin(&mut bodies, dt);
+        let _ = group.begin(&mut bodies, &constraints, dt);
     }
 }
 
@@ -84,7 +89,14 @@ fn end(mut groups: ResMut<Groups>, mut bodies: Bodies) {
 }
 
 /// Writes the friction of the step to the components.
-fn report(groups: Res<Groups>, mut frictions: Query<&mut PatchFriction>) {
+fn report(
+    mut groups: ResMut<Groups>,
+    constraints: Res<ConstraintGraph>,
+    mut frictions: Query<&mut PatchFriction>,
+) {
+    for group in &mut groups.0 {
+        group.relaxed(&constraints);
+    }
     for mut friction in &mut frictions {
         friction.set_if_neq(PatchFriction::default());
     }
