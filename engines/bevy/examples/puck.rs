@@ -1,6 +1,6 @@
 //! A spinning puck thrown on a table: exact, by Avian alone, with a friction patch. Opens no window.
 //!
-//! `cargo run --release --example puck`
+//! `cargo run --example puck`
 
 use avian3d::prelude::*;
 use bevy::prelude::*;

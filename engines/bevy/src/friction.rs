@@ -4,7 +4,8 @@ use bevy::prelude::*;
 
 /// Friction of a [`FrictionPatch`](crate::FrictionPatch) in the last physics step; inserted with it.
 ///
-/// All values are zero, and `holds` is false, while the patch touches nothing.
+/// All values are zero, and `holds` is false, while the patch touches nothing. A sleeping body keeps those of its
+/// last step.
 #[derive(Component, Clone, Copy, Debug, Default, PartialEq)]
 pub struct PatchFriction {
     /// Force on the foot in newtons, in the world, as its mean over the step.

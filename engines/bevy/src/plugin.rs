@@ -3,6 +3,7 @@
 use crate::friction::PatchFriction;
 use crate::gather::{Groups, gather_feet};
 use crate::group::Bodies;
+use crate::patch::FrictionPatch;
 use avian3d::dynamics::integrator::IntegrationSystems;
 use avian3d::dynamics::solver::constraint_graph::ConstraintGraph;
 use avian3d::dynamics::solver::schedule::{SolverSystems, SubstepSchedule, SubstepSolverSystems};
@@ -10,7 +11,7 @@ use avian3d::prelude::*;
 use bevy::prelude::*;
 use tribos_core::contact::TimeStep;
 
-/// Gives the colliders with a [`FrictionPatch`](crate::FrictionPatch) their friction. Add it after
+/// Gives the colliders with a [`FrictionPatch`] their friction. Add it after
 /// [`PhysicsPlugins`](avian3d::PhysicsPlugins), whose schedules it extends.
 ///
 /// # Panics
@@ -88,21 +89,25 @@ fn end(mut groups: ResMut<Groups>, mut bodies: Bodies) {
     }
 }
 
-/// Writes the friction of the step to the components.
+/// Writes the friction of the step to the components. Feet of sleeping bodies keep theirs.
 fn report(
     mut groups: ResMut<Groups>,
     constraints: Res<ConstraintGraph>,
-    mut frictions: Query<&mut PatchFriction>,
+    mut frictions: Query<(&mut PatchFriction, Option<&ColliderOf>, Has<FrictionPatch>)>,
+    sleeping: Query<(), With<Sleeping>>,
 ) {
+    for (mut friction, body, is_foot) in &mut frictions {
+        let sleeps = is_foot && body.is_some_and(|of| sleeping.contains(of.body));
+        if !sleeps {
+            friction.set_if_neq(PatchFriction::default());
+        }
+    }
     for group in &mut groups.0 {
         group.relaxed(&constraints);
-    }
-    for mut friction in &mut frictions {
-        friction.set_if_neq(PatchFriction::default());
-    }
-    for (collider, friction) in groups.0.iter().flat_map(|group| group.report()) {
-        if let Ok(mut to) = frictions.get_mut(collider) {
-            *to = friction;
+        for (collider, friction) in group.report() {
+            if let Ok((mut to, ..)) = frictions.get_mut(collider) {
+                *to = friction;
+            }
         }
     }
 }

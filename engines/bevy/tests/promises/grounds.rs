@@ -51,29 +51,6 @@ fn a_plank_is_dragged_along() {
 }
 
 #[test]
-fn two_tables_in_a_row_are_one() {
-    let mut table = Table::level();
-    let world = table.app.world_mut();
-    world.despawn(table.ground);
-    for x in [-5.0, 5.0] {
-        world.spawn((
-            RigidBody::Static,
-            Collider::cuboid(10.0, 0.2, 10.0),
-            Transform::from_xyz(x, -0.1, 0.0),
-        ));
-    }
-    let puck = table.puck(Vec3::X * -0.15, Vec3::X, 20.0);
-    table.give(puck, disk(MU));
-    table.steps(150);
-    let travel = f64::from(table.place(puck).x + 0.15);
-    let exact = crate::exact::disk(20.0).travel;
-    assert!(
-        (travel / exact - 1.0).abs() < 1e-2,
-        "{travel} m for {exact} m"
-    );
-}
-
-#[test]
 fn a_rim_keeps_the_friction_of_the_engine() {
     let spin = |friction: f32| {
         let mut table = Table::level();

@@ -19,7 +19,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table of 20 m width whose top is the plane y = 0, turned about the origin.
+    /// A table of 10 m width whose top is the plane y = 0, turned about the origin.
     pub fn turned(rotation: Quat, gravity: Vec3) -> Self {
         Self::on(RigidBody::Static, rotation, gravity)
     }
@@ -40,7 +40,7 @@ impl Table {
         let place = Transform::from_translation(rotation * (Vec3::NEG_Y * 0.1));
         let ground = app.world_mut().spawn((
             body,
-            Collider::cuboid(20.0, 0.2, 20.0),
+            Collider::cuboid(10.0, 0.2, 10.0),
             Friction::new(MU),
             place.with_rotation(rotation),
         ));

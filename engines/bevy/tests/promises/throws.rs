@@ -9,7 +9,9 @@ use tribos_bevy::FrictionPatch;
 const SPINS: [f32; 6] = [0.0, 5.0, 12.5, 20.0, 30.0, 50.0];
 const STEPS: usize = 150;
 /// Largest relative error of travel and stop.
-const TOLERANCE: f64 = 2e-3;
+const TOLERANCE: f64 = 2e-4;
+/// The same on several feet, among which the engine shares the load.
+const SHARED: f64 = 2e-2;
 
 /// Follows a thrown body to rest, which its foot reports.
 fn followed(table: &mut Table, body: Entity, foot: Entity) -> Throw {
@@ -59,11 +61,12 @@ fn a_thrown_ring_stops_where_and_when_the_exact_one_does() {
 }
 
 #[test]
-fn a_puck_without_a_patch_stops_short() {
+fn a_puck_without_a_patch_stops_early() {
     let mut table = Table::level();
     let puck = table.puck(Vec3::ZERO, Vec3::X, 50.0);
-    table.steps(STEPS);
-    assert!(f64::from(table.place(puck).x) < 0.5 * exact::disk(50.0).travel);
+    let exact = exact::disk(50.0);
+    table.steps((0.9 * exact.stop * f64::from(STEPS_A_SECOND)) as usize);
+    assert!(table.velocity(puck)[0].x < 1e-3);
 }
 
 #[test]
@@ -91,7 +94,7 @@ fn a_thrown_box_goes_as_far_as_its_integral() {
     let cells = (0..60).flat_map(|i| (0..60).map(move |j| ([cell(i), cell(j)], 1.0 / 3600.0)));
     let inertia = 2.0 / 3.0 * f64::from(half * half);
     let exact = exact::on_points(&cells.collect::<Vec<_>>(), inertia, f64::from(spin));
-    is.assert_near(&exact, 3e-3, "box");
+    is.assert_near(&exact, 1e-3, "box");
 }
 
 #[test]
@@ -107,7 +110,6 @@ fn a_body_on_four_feet_goes_as_far_as_its_integral() {
         AngularInertia::new(Vec3::splat(inertia)),
         CenterOfMass(Vec3::ZERO),
         (NoAutoMass, NoAutoAngularInertia, NoAutoCenterOfMass),
-        LockedAxes::new().lock_rotation_x().lock_rotation_z(),
         Transform::from_xyz(0.0, 0.01, 0.0),
         LinearVelocity(Vec3::X),
         AngularVelocity(Vec3::Y * spin),
@@ -138,5 +140,5 @@ fn a_body_on_four_feet_goes_as_far_as_its_integral() {
         }
     }
     let exact = exact::on_points(&points, f64::from(inertia), f64::from(spin));
-    is.assert_near(&exact, 1e-2, "four feet");
+    is.assert_near(&exact, SHARED, "four feet");
 }
