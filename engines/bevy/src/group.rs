@@ -176,7 +176,7 @@ impl Group {
         for member in &group.members {
             let Last { force, torque, .. } = member.last;
             let torque = torque + member.arm.cross(frame.flat(force));
-            group.friction = group.friction + frame.flat_wrench(force, torque);
+            group.friction += frame.flat_wrench(force, torque);
         }
         group
     }
