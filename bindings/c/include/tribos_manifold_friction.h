@@ -10,8 +10,8 @@
  *
  *   tribos_manifold_friction(k, kt, F, lever, slip, curve, &p1, &p2, &t);
  *
- *   k, kt   inverse effective masses: tangential (the larger one of both tangents) in 1/kg, > 0;
- *           about the normal in 1/(kg m2), >= 0
+ *   k, kt   inverse effective masses: tangential in 1/kg, > 0, the one that made the candidate (the
+ *           mean of both tangents if that was a 2x2 matrix); about the normal in 1/(kg m2), >= 0
  *   F       mu sum(lambda) in N s, >= 0, with the dynamic coefficient
  *   lever   mean distance of the contact from the friction centre in m, >= 0; 0 for one point:
  *           disk 2/3 of the radius, square 0.3826 of the side, ring the radius, or of the area

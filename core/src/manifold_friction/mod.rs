@@ -74,7 +74,8 @@ pub struct FrictionBudget<T> {
 /// Inverse effective masses of the two bodies at the manifold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InverseMasses<T> {
-    /// k, of the tangential motion at the friction centre, in 1/kg: the larger one of both tangents. *Domain*: > 0.
+    /// k, of the tangential motion at the friction centre, in 1/kg: the one that made the candidate, the mean of both
+    /// tangents if that was a matrix. *Domain*: > 0.
     pub tangential: T,
     /// kt, of the rotation about the normal, in 1/(kg m²). *Domain*: ≥ 0.
     pub twist: T,
