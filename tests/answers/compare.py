@@ -23,7 +23,9 @@ def read(path):
         rows = csv.DictReader(line for line in file if not line.startswith("#"))
         missing = {*KEY, "value"} - set(rows.fieldnames or ())
         if missing:
-            raise ValueError(f"{path} has no column {sorted(missing)[0]}; it needs {', '.join(KEY)} and value")
+            raise ValueError(
+                f"{path} has no column {sorted(missing)[0]}; it needs {', '.join(KEY)} and value"
+            )
         found = {}
         for number, row in enumerate(rows, start=2):
             try:
@@ -60,16 +62,23 @@ def errors(exact, got):
 
 
 def table(exact, got):
-    lines = ["| scene | spin, rad/s | quantity | exact | yours | error |", "|---|---|---|---|---|---|"]
+    lines = [
+        "| scene | spin, rad/s | quantity | exact | yours | error |",
+        "|---|---|---|---|---|---|",
+    ]
     for key, error in errors(exact, got).items():
         scene, spin, quantity = key
         text = f"{100 * error:+.3g} %" if unit_of(exact, *key) else f"{error:+.3g}"
-        lines.append(f"| {scene} | {spin:g} | {quantity} | {exact[key]:.6g} | {got[key]:.6g} | {text} |")
+        lines.append(
+            f"| {scene} | {spin:g} | {quantity} | {exact[key]:.6g} | {got[key]:.6g} | {text} |"
+        )
     return "\n".join(lines)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("results", type=Path)
     parser.add_argument("--answers", default="v1", help="version of the set")
     args = parser.parse_args()

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Makes answers.csv from problems.csv with 30 digits, independently of the library.
 
-    python3 make.py [SCENE ...]        # prints the rows; all scenes take about half an hour
+    python3 make.py [SCENE ...]        # prints the rows; all scenes take some minutes
     python3 make.py --write            # all scenes, into answers.csv
 
-Needs Python 3.10, mpmath and numpy; with gmpy2 it is much quicker. Each row is computed twice: by integrators of different
-order and tolerance (`Extrapolation`), or by Gauss rules with 26 and 20 nodes on graded panels (round
-bodies, `tests/tables/generate_motions.py`). The last column is their relative difference.
+Needs Python 3.11 and mpmath; with gmpy2 it is ten times quicker. Each value is computed twice: by integrators
+of different order and tolerance (`Extrapolation`), or by Gauss rules with 26 and 20 nodes on graded panels (round
+bodies, `tests/tables/generate_motions.py`). Their relative difference is printed.
 """
 
 import argparse
@@ -240,7 +240,9 @@ class Pivot:
             length = mp.sqrt((x - px) ** 2 + (y - py) ** 2)
             strength = -sense * face.mu * self.g
             constant, slope = constant + strength * length * fixed, slope + strength * length * rate
-            friction.append((-(y - py) / length * strength, (x - px) / length * strength, fixed, rate))
+            friction.append(
+                (-(y - py) / length * strength, (x - px) / length * strength, fixed, rate)
+            )
         rate = constant / (self.gyration_sq + dx * dx + dy * dy - slope)
         fx, fy = -rate * dy - spin * spin * dx, rate * dx - spin * spin * dy
         for ux, uy, fixed, load in friction:
@@ -328,7 +330,9 @@ class Motion:
             if pivot:
                 return pivot.to_rest(state, columns, tolerance), steps
         ax, ay, turn = self.acceleration(*state[:3], state[5])
-        slowing = -(state[0] * ax + state[1] * ay + self.gyration_sq * state[2] * turn) / self.size(state)
+        slowing = -(state[0] * ax + state[1] * ay + self.gyration_sq * state[2] * turn) / self.size(
+            state
+        )
         return [*state[3:6], state[6] + self.size(state) / slowing], steps
 
 
@@ -356,7 +360,9 @@ class Extrapolation:
                     row.append([a + (a - b) / ratio for a, b in zip(row[j], table[-1][j])])
                 table.append(row)
             error = max(abs(a - b) / w for a, b, w in zip(table[-1][-1], table[-1][-2], weights))
-            factor = (self.tolerance / (error + real("1e-40"))) ** (real(1) / (2 * self.columns - 1))
+            factor = (self.tolerance / (error + real("1e-40"))) ** (
+                real(1) / (2 * self.columns - 1)
+            )
             factor = min(max(real("0.9") * factor, real("0.1")), real(3))
             if error <= self.tolerance:
                 self.taken = h
@@ -396,7 +402,12 @@ def round_body(problem, spin):
         for nodes in gm.NODES:
             end = gm.to_rest(force, c, 0, number["speed"], spin * radius, bounds, nodes)[0]
             results.append(
-                [end.position.real / rate, end.position.imag / rate, end.angle / rate / radius, end.time / rate]
+                [
+                    end.position.real / rate,
+                    end.position.imag / rate,
+                    end.angle / rate / radius,
+                    end.time / rate,
+                ]
             )
     return (*results, "26 and 20 nodes")
 
@@ -436,7 +447,12 @@ def capsule(problem, _):
 
 UNITS = {
     "ball": {"rolling_speed_m_s": "m/s", "slide_s": "s", "slide_m": "m"},
-    "capsule": {"creep_m_s": "m/s", "margin": "", "margin_off_middle": "", "torque_limit_N_m": "N m"},
+    "capsule": {
+        "creep_m_s": "m/s",
+        "margin": "",
+        "margin_off_middle": "",
+        "torque_limit_N_m": "N m",
+    },
 }
 
 
@@ -456,7 +472,11 @@ def answers(scene, problem):
         if quantities is MOTION:
             size[0] = size[1] = max(size[0], size[1])
         worst = max(abs(a - b) / s if s else abs(a - b) for a, b, s in zip(fine, coarse, size))
-        print(f"{scene} at {text}: {how}, which differ by {float(worst):.1e}", file=sys.stderr, flush=True)
+        print(
+            f"{scene} at {text}: {how}, which differ by {float(worst):.1e}",
+            file=sys.stderr,
+            flush=True,
+        )
         for (quantity, unit), value, s in zip(quantities.items(), fine, size):
             # Of the size of rounding errors: symmetry makes it nothing.
             is_zero = abs(value) <= real("1e-20") * (s or 1)
@@ -472,7 +492,9 @@ def digits(value):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("scenes", nargs="*")
     parser.add_argument("--write", action="store_true")
     args = parser.parse_args()
