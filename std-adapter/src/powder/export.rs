@@ -148,7 +148,7 @@ fn script(scene: &PowderScene, deposit: &Deposit, time_step: f64) -> String {
     let solid: f64 = deposit
         .radii
         .iter()
-        .map(|r| 4.0 / 3.0 * PI * r.powi(3))
+        .map(|r| 4.0 / 3.0 * PI * r * r * r)
         .sum();
     let window = (window_time(scene.piston_mass, scene.load()) / time_step).ceil() as u64;
     // As long as the run may take here: `steps` steps of `time_step`, or `duration`.

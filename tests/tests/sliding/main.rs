@@ -1,5 +1,6 @@
 //! Bodies that slide and spin: paths, rests, final motion, launches.
 
+mod answers;
 mod curling;
 mod elastic_steps;
 mod final_motion;
