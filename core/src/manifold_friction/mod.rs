@@ -40,6 +40,7 @@ mod outline;
 mod project;
 mod rolling;
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;
 
 pub use anisotropy::Anisotropy;
