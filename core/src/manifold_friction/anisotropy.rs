@@ -25,6 +25,7 @@ use super::{FrictionImpulse, Lanes};
 /// assert!((impulse.tangential[0] / impulse.tangential[1] - 0.01).abs() < 1e-4);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Anisotropy<T> {
     /// Coefficients over the larger one.
     shares: [T; 2],

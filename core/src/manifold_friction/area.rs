@@ -7,6 +7,7 @@ use crate::real::Real;
 ///
 /// Computed once when a manifold is made, from the clip polygon before it is reduced to a few points, or from those points.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ContactArea<R> {
     /// Centre of the area, in m.
     pub centre: [R; 2],

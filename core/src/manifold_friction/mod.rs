@@ -54,6 +54,7 @@ const TINY: f32 = 1e-30;
 
 /// Impulses of friction of one manifold, or of several side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FrictionImpulse<T> {
     /// Tangential impulse at the friction centre, along both tangents, in N s.
     pub tangential: [T; 2],
@@ -63,6 +64,7 @@ pub struct FrictionImpulse<T> {
 
 /// What friction can carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FrictionBudget<T> {
     /// F = μΣλ, the largest tangential impulse, in N s: with the dynamic coefficient. *Domain*: ≥ 0.
     pub force: T,
@@ -74,6 +76,7 @@ pub struct FrictionBudget<T> {
 
 /// Inverse effective masses of the two bodies at the manifold.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InverseMasses<T> {
     /// k, of the tangential motion at the friction centre, in 1/kg: the one that made the candidate, the mean of both
     /// tangents if that was a matrix. *Domain*: > 0.

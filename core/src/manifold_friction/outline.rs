@@ -12,6 +12,7 @@ use super::Lanes;
 /// Both ends have the curvature of the exact curve: h₁ = −c₀/2 with 1 + c₀ = 1/(r̄ ⟨r∥²/r³⟩) at pure spin and
 /// h(1)² = w = ⟨r∥²⟩/r̄² at pure slip, r∥ along the slip. h₂ is the fit between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Curve<T> {
     pub(super) h1: T,
     pub(super) h2: T,
@@ -35,12 +36,14 @@ pub trait Outline<T: Lanes>: Copy {
 
 /// Patches whose limit curve is the same in all directions, or nearly so: disks, squares, hexagons, rings.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CompactOutline<T>(Curve<T>);
 
 /// Patches of any outline, such as planks: limit curves that depend on the direction of slip.
 ///
 /// Symmetric matrices have the components xx, xy, yy in the frame of the tangential impulse.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DirectedOutline<T> {
     /// 1 + C₀ = ⟨r r/r³⟩⁻¹/r̄, dimensionless: curvatures of the limit surface at pure spin.
     pub spinning: [T; 3],

@@ -61,6 +61,7 @@ fn of<R: Real + Lanes>(source: &mut Source) -> Result<(), Broken> {
     let rolling = limited_rolling(candidate.tangential, budget.force);
     finite(source, "rolling impulse", rolling)?;
     let grooved = Anisotropy::new([source.positive(), source.positive()]);
+    finite(source, "larger coefficient", [grooved.largest()])?;
     let velocity = [source.number(), source.number()];
     let stretched = grooved.candidate(&candidate, velocity, source.number(), &inverse);
     let back = grooved.unstretched(&stretched);
