@@ -32,7 +32,7 @@ const LINES: u64 = 4;
 /// };
 /// let files: Export = start(&soft)?;
 /// assert!(files.data.contains("Atoms # sphere"));
-/// assert!(files.script.contains("pair_coeff * * hooke 1000 damping 1 sliding 0.3"));
+/// assert!(files.script.contains("pair_coeff * * hooke 1000.0 damping 1.0 sliding 0.3"));
 /// // Rigid spheres have no springs.
 /// assert!(start(&PowderScene { method: ContactMethod::ContactDynamics, ..soft }).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
