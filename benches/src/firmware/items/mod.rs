@@ -4,6 +4,7 @@ mod bodies;
 mod holding;
 mod impulses;
 mod laws;
+mod manifold_friction;
 mod patches;
 mod tiers;
 
@@ -11,6 +12,7 @@ use bodies::BODIES;
 use holding::HOLDING;
 use impulses::IMPULSES;
 use laws::LAWS;
+use manifold_friction::MANIFOLD_FRICTION;
 use patches::PATCHES;
 use tiers::TIERS;
 
@@ -123,5 +125,6 @@ pub const BASELINE: Item = item(["baseline", "nothing"], BOTH, "", Code::new("()
 pub fn all() -> impl Iterator<Item = Item> {
     let items = [BASELINE].into_iter().chain(LAWS).chain(TIERS);
     let bodies = PATCHES.into_iter().chain(BODIES).chain(HOLDING);
-    items.chain(bodies).chain(IMPULSES)
+    let impulses = IMPULSES.into_iter().chain(MANIFOLD_FRICTION);
+    items.chain(bodies).chain(impulses)
 }
