@@ -1,11 +1,12 @@
-/* Digest of the friction of manifolds as the header computes it: one at a time, and with SSE four side by side. */
+/* Digest of the friction of manifolds as the header computes it: one at a time, and with SSE or NEON four side by side. */
 #include "tribos_manifold_friction.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
-#ifdef __SSE2__
+#if defined(__SSE2__)
 #include <emmintrin.h>
+#define FOUR_LANES
 #define TMF_NAME four_manifolds
 #define TMF_T __m128
 #define TMF_SPLAT(f) _mm_set1_ps(f)
@@ -22,6 +23,36 @@
 #define TMF_AT_MOST(a, b) _mm_cmple_ps(a, b)
 #define TMF_SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
 #define TMF_ALL(m) (_mm_movemask_ps(m) == 15)
+typedef __m128 four;
+static four loaded(const float *x) { return _mm_loadu_ps(x); }
+static void store(float *x, four lanes) { _mm_storeu_ps(x, lanes); }
+#elif defined(__ARM_NEON) && defined(__aarch64__)
+#include <arm_neon.h>
+#define FOUR_LANES
+#define TMF_NAME four_manifolds
+#define TMF_T float32x4_t
+#define TMF_SPLAT(f) vdupq_n_f32(f)
+#define TMF_ADD(a, b) vaddq_f32(a, b)
+#define TMF_SUB(a, b) vsubq_f32(a, b)
+#define TMF_MUL(a, b) vmulq_f32(a, b)
+#define TMF_DIV(a, b) vdivq_f32(a, b)
+#define TMF_SQRT(a) vsqrtq_f32(a)
+#define TMF_ABS(a) vabsq_f32(a)
+/* vminq_f32 and vmaxq_f32 give NaN wherever there is one. */
+#define TMF_MIN(a, b) smaller(a, b)
+#define TMF_MAX(a, b) larger(a, b)
+#define TMF_MASK uint32x4_t
+#define TMF_LESS(a, b) vcltq_f32(a, b)
+#define TMF_AT_MOST(a, b) vcleq_f32(a, b)
+#define TMF_SELECT(m, a, b) vbslq_f32(m, a, b)
+#define TMF_ALL(m) (vminvq_u32(m) != 0)
+typedef float32x4_t four;
+static four smaller(four a, four b) { return vbslq_f32(vcltq_f32(b, a), b, a); }
+static four larger(four a, four b) { return vbslq_f32(vcltq_f32(a, b), b, a); }
+static four loaded(const float *x) { return vld1q_f32(x); }
+static void store(float *x, four lanes) { vst1q_f32(x, lanes); }
+#endif
+#ifdef FOUR_LANES
 #include "tribos_manifold_friction.h"
 #endif
 
@@ -96,26 +127,35 @@ int main(void)
 			feed(p1);
 			feed(p2);
 			feed(t);
-#ifdef __SSE2__
+#ifdef FOUR_LANES
 			{
-				__m128 w[8], m[3], s[3];
+				four w[8], m[3], s[3];
 				float lanes[3][4], want[3];
 				int k, l;
 				want[0] = p1;
 				want[1] = p2;
 				want[2] = t;
-				for (k = 0; k < 8; ++k) /* the third lane is another manifold */
-					w[k] = _mm_setr_ps(in[k], in[k], k == 5 ? 0.0f : in[k], in[k]);
+				for (k = 0; k < 8; ++k) { /* the third lane is another manifold */
+					float one[4];
+					for (l = 0; l < 4; ++l)
+						one[l] = k == 5 && l == 2 ? 0.0f : in[k];
+					w[k] = loaded(one);
+				}
 				for (k = 0; k < 3; ++k) {
-					m[k] = _mm_set1_ps(i < 3 ? curves[i][k] : area.spinning[k]);
-					s[k] = _mm_set1_ps(area.slipping[k]);
+					float one[2][4];
+					for (l = 0; l < 4; ++l) {
+						one[0][l] = i < 3 ? curves[i][k] : area.spinning[k];
+						one[1][l] = area.slipping[k];
+					}
+					m[k] = loaded(one[0]);
+					s[k] = loaded(one[1]);
 				}
 				if (i < 3)
 					four_manifolds(w[0], w[1], w[2], w[3], w[4], m, w + 5, w + 6, w + 7);
 				else
 					four_manifolds_directed(w[0], w[1], w[2], w[3], w[4], m, s, w + 5, w + 6, w + 7);
 				for (k = 0; k < 3; ++k)
-					_mm_storeu_ps(lanes[k], w[5 + k]);
+					store(lanes[k], w[5 + k]);
 				for (k = 0; k < 3; ++k)
 					for (l = 0; l < 4; ++l)
 						if (l != 2 && memcmp(&lanes[k][l], &want[k], sizeof(float)) != 0 && want[k] == want[k]) {

@@ -272,7 +272,8 @@ static inline void TMF_OWN_(_search_)(TMF_T k, TMF_T kt, TMF_T force, TMF_T leve
 	TMF_T p = TMF_SQRT(TMF_ADD(TMF_MUL(*p1, *p1), TMF_MUL(*p2, *p2))), q = TMF_ABS(twist);
 	/* A candidate that static friction holds is left as it is. */
 	TMF_T inv = TMF_DIV(one, TMF_ADD(p, tiny)), d1 = TMF_MUL(*p1, inv), d2 = TMF_MUL(*p2, inv);
-	TMF_T x, y, x2, at[3], a, b, fw, tw, sum, least, start, bq, unit, ap, l, spin2, s, c, along, last = zero, before = zero;
+	TMF_T x, y, x2, at[3], a, b, fw, tw, sum, least, start, bq, unit, ap, l, spin2, radius, widening;
+	TMF_T s, c, along, last = zero, before = zero;
 	TMF_MASK holds;
 	int i;
 	if (spinning)
@@ -306,17 +307,21 @@ static inline void TMF_OWN_(_search_)(TMF_T k, TMF_T kt, TMF_T force, TMF_T leve
 	ap = TMF_MUL(fw, p);
 	bq = TMF_MUL(bq, unit);
 	start = TMF_MUL(start, unit);
-	/* Multiplier of the nearest point of the unit circle: Newton's method from below. */
+	/* Multiplier of the nearest point of a circle like the curve: Newton's method from below. */
 	l = TMF_ADD(TMF_MUL(diagonal, start), TMF_SUB(TMF_MUL(diagonal, bq), TMF_MAX(a, b)));
 	l = TMF_MAX(TMF_MAX(TMF_SUB(start, a), TMF_SUB(bq, b)), TMF_MAX(l, zero));
 	spin2 = zero;
+	radius = one;
+	widening = TMF_MUL(TMF_F_(0.55f), TMF_ADD(h[0], TMF_MUL(half, h[1])));
 	for (i = 0; i < 2; ++i) {
 		TMF_T oa = TMF_ADD(a, l), ob = TMF_ADD(b, l), u = TMF_MUL(ap, ob), v = TMF_MUL(bq, oa);
-		TMF_T u2 = TMF_MUL(u, u), v2 = TMF_MUL(v, v), n2 = TMF_ADD(u2, v2), r = TMF_MUL(oa, ob), r2 = TMF_MUL(r, r);
+		TMF_T u2 = TMF_MUL(u, u), v2 = TMF_MUL(v, v), n2 = TMF_ADD(u2, v2);
+		TMF_T r = TMF_MUL(TMF_MUL(oa, ob), radius), r2 = TMF_MUL(r, r);
 		TMF_T rise = TMF_MUL(TMF_MUL(n2, TMF_ADD(r, r)), TMF_SUB(n2, r2));
 		TMF_T slope = TMF_MUL(TMF_ADD(n2, TMF_MUL(three, r2)), TMF_ADD(TMF_MUL(u2, ob), TMF_MUL(v2, oa)));
 		l = TMF_MAX(TMF_ADD(l, TMF_DIV(rise, TMF_MAX(slope, tiny))), zero);
 		spin2 = TMF_DIV(v2, TMF_MAX(n2, tiny));
+		radius = TMF_ADD(one, TMF_MUL(widening, TMF_MUL(spin2, TMF_SUB(one, spin2))));
 	}
 	along = p;
 	if (spinning) {

@@ -144,7 +144,8 @@ fn overrides_are_kept_with_the_scene() -> Outcome {
     assert_eq!(tribos(folder.path(), write)?.0, DONE);
     let (code, said, _) = tribos(folder.path(), "golden verify fast.toml")?;
     assert_eq!(code, DONE);
-    assert!(said.starts_with("in/disk.toml: same"), "{said}");
+    let scene = "in/disk.toml spin=50 stepper=verlet: same";
+    assert!(said.starts_with(scene), "{said}");
     let text = std::fs::read_to_string(folder.path().join("fast.toml"))?;
     assert!(
         text.contains("set = [\"spin=50\", \"stepper=verlet\"]"),
@@ -220,5 +221,37 @@ fn what_cannot_be_checked_is_refused_with_its_reason() -> Outcome {
         assert!(err.contains(words), "{err}");
     }
     assert!(!folder.path().join("new.toml").exists());
+    Ok(())
+}
+
+#[test]
+fn pins_with_other_settings_are_added_and_renewed() -> Outcome {
+    let folder = pinned()?;
+    let file = folder.path().join("out/golden.toml");
+    let once = std::fs::read(&file)?;
+    let append = "golden write in/disk.toml --set spin=9 --append --out out/golden.toml";
+    for _ in 0..2 {
+        let (code, said, err) = tribos(folder.path(), append)?;
+        assert_eq!(code, DONE, "{err}");
+        assert_has(&said, &["../in/disk.toml spin=9: 201 rows"]);
+    }
+    let (code, said, err) = tribos(folder.path(), VERIFY)?;
+    assert_eq!(code, DONE, "{said}{err}");
+    assert_eq!(said.lines().count(), 4);
+    assert_has(
+        &said,
+        &["../in/disk.toml: same", "../in/disk.toml spin=9: same"],
+    );
+
+    // A file that is no golden file is not added to, and stays.
+    std::fs::write(&file, &once[..once.len() / 2])?;
+    let (code, _, err) = tribos(folder.path(), append)?;
+    assert_eq!(code, BAD_INPUT, "{err}");
+    assert_eq!(std::fs::read(&file)?, once[..once.len() / 2]);
+
+    // A new file is begun.
+    let begin = "golden write in/disk.toml --set spin=9 --append --out out/new.toml";
+    let (code, _, err) = tribos(folder.path(), begin)?;
+    assert_eq!(code, DONE, "{err}");
     Ok(())
 }

@@ -5,7 +5,8 @@ use crate::real::Real;
 
 /// A contact area under uniform pressure: friction centre, lever and limit curves.
 ///
-/// Computed once when a manifold is made, from the clip polygon before it is reduced to a few points, or from those points.
+/// Computed once when a manifold is made, from the clip polygon before it is reduced to a few points, or from
+/// those points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ContactArea<R> {
@@ -28,7 +29,8 @@ const SERIES: [f64; 4] = [1.0 / 9.0, 1.0 / 7.0, 1.0 / 5.0, 1.0 / 3.0];
 impl<R: Real> ContactArea<R> {
     /// The area bounded by these corners, clockwise or counterclockwise, in m.
     ///
-    /// Two corners, or a polygon without area, are a line; one corner and none have no lever, their friction no torque.
+    /// Two corners, or a polygon without area, are a line; one corner and none have no lever, their friction no
+    /// torque.
     ///
     /// *Domain*: finite coordinates, edges that do not cross; else components may be NaN.
     ///

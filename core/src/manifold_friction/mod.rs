@@ -2,13 +2,14 @@
 //!
 //! Engines that keep one friction centre a manifold have a tangential impulse p, limited by F = μΣλ, and an
 //! angular impulse t about the normal, limited by T = F r̄ with r̄ the mean distance of the contact from the
-//! centre. Two clamps, one after the other, give a body that slides and spins both limits at once; friction of an area has
-//! one budget for both: spin turns the friction of every element sideways, where it cancels. A box thrown at
-//! 1 m/s and spun at 50 rad/s travels 2.7 times as far as two clamps let it.
+//! centre. Two clamps, one after the other, give a body that slides and spins both limits at once; friction of
+//! an area has one budget for both: spin turns the friction of every element sideways, where it cancels. A box
+//! thrown at 1 m/s and spun at 50 rad/s travels 2.7 times as far as two clamps let it.
 //!
-//! [`manifold_friction`] replaces both clamps. From the impulses that would stop the contact it gives the nearest ones that
-//! friction can carry, in the metric k |dp|² + kt dt² of the inverse effective masses, which makes it the solution of the
-//! contact's friction alone. The set is (|p|/F, |t|/T) within a [limit curve](Curve) of the outline.
+//! [`manifold_friction`] replaces both clamps. From the impulses that would stop the contact it gives the
+//! nearest ones that friction can carry, in the metric k |dp|² + kt dt² of the inverse effective masses, which
+//! makes it the solution of the contact's friction alone. The set is (|p|/F, |t|/T) within a [limit
+//! curve](Curve) of the outline.
 //!
 //! ```
 //! use tribos_core::manifold_friction::{
@@ -25,13 +26,14 @@
 //! assert!(carried.twist > 0.0 && carried.twist < 0.05 * sole.lever);
 //! ```
 //!
-//! *Lanes*: the same function computes four or eight manifolds side by side, [`Lanes`]; every lane has the
-//! bits of the scalar. Only + − × ÷ and square roots are used. The header `tribos_manifold_friction.h` is the same function, to
-//! the bit, in C and C++.
+//! *Lanes*: the same function computes four or eight manifolds side by side, [`Lanes`]; every lane has the bits
+//! of the scalar. Only + − × ÷ and square roots are used. The header `tribos_manifold_friction.h` is the same
+//! function, to the bit, in C and C++.
 //!
-//! *What to keep of the engine*: warm starts (the candidate starts from the accumulated impulses, so no clamp of its own
-//! is needed when the load falls); the order of its rows inside of the set. *Friction centre*: the mean of
-//! the contact points, or, for sideways forces of bodies that tilt, their mean weighted by the last normal impulses.
+//! *What to keep of the engine*: warm starts (the candidate starts from the accumulated impulses, so no clamp
+//! of its own is needed when the load falls); the order of its rows inside of the set. *Friction centre*: the
+//! mean of the contact points, or, for sideways forces of bodies that tilt, their mean weighted by the last
+//! normal impulses.
 
 mod anisotropy;
 mod area;
@@ -87,13 +89,15 @@ pub struct InverseMasses<T> {
 
 /// The friction impulse nearest to `candidate` that the manifold can carry.
 ///
-/// *Domain*: energies k F², kt T², k F |p| and kt T |t| between 1e-37 and 1e38 J in f32; |p| < 1e18 N s. Limits of zero
-/// give zero. NaN gives NaN, also in impulses that could do without it; an infinite impulse gives NaN or its limit.
+/// *Domain*: energies k F², kt T², k F |p| and kt T |t| between 1e-37 and 1e38 J in f32; |p| < 1e18 N s. Limits
+/// of zero give zero. NaN gives NaN, also in impulses that could do without it; an infinite impulse gives NaN
+/// or its limit.
 ///
-/// *Accuracy*: distance from the nearest point of the set, in units of the limits, for k_t T²/(k F²) of 0.01…100 and
-/// candidates up to 10⁴ limits away: area and ellipsoid 5e-4, points 3e-3 (in three steps of [`manifold_friction_in`]
-/// 1e-4), [`DirectedOutline`] in a given direction of planks up to 4 : 1 5e-4, of bars that slide across themselves 3e-2. The result is
-/// in the set to rounding, and no component exceeds the candidate's.
+/// *Accuracy*: distance from the nearest point of the set, in units of the limits, for k_t T²/(k F²) of
+/// 0.01…100 and candidates up to 10⁴ limits away: area, points and ellipsoid 5e-4 (in three steps of
+/// [`manifold_friction_in`] 1e-5), [`DirectedOutline`] in a given direction of planks up to 4 : 1 3e-4, of bars
+/// that slide across themselves 3e-2. The result is in the set to rounding, and no component exceeds the
+/// candidate's.
 ///
 /// *Cost*: about 0.1 µs for one, 23 ns a manifold in four lanes of f32 (directed: 38 ns).
 #[inline]

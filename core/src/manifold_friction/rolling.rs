@@ -4,7 +4,8 @@ use super::{Lanes, TINY};
 
 /// The angular impulse of rolling nearest to `candidate` within `limit` = μ_r Σλ, in N m s; μ_r is a length.
 ///
-/// Independent of sliding and spinning, whose budget rolling does not share. *Domain*: `limit` ≥ 0; |candidate| < 1e18.
+/// Independent of sliding and spinning, whose budget rolling does not share. *Domain*: `limit` ≥ 0; |candidate|
+/// < 1e18.
 ///
 /// ```
 /// use tribos_core::manifold_friction::limited_rolling;

@@ -23,16 +23,15 @@
 //! ```
 //!
 //! *Shapes*: a ball is a disk, cuboids, triangles and convex polygons are polygons, capsules and rounded shapes
-//! polygons with rounded corners, a segment is a bar, a compound all of these together; sensors carry nothing. [`Floor::set_feet`] gives
-//! a body other areas: a ring, four wheels, two runners. *Materials*: one coefficient for the floor,
-//! [`Floor::add_region`] for ice and carpets, [`Floor::set_mu`] for single bodies.
-//! *Accuracy*: travel and stop of a disk and of a box within 0.1 % of the exact solution at 60 steps a second.
-//! *At rest*: a body that friction holds does not move, to the last bit.
-//! *Load*: mass times gravity, shared among the colliders of a body in proportion to their masses, so that the
-//! centre of pressure is below the centre of mass. *State*: [`Floor`] can be cloned, and serialised with the
-//! feature `serde-serialize`; a simulation then continues with the same bits. *Limits*: the pressure is uniform
-//! within each collider; friction responds one step late to a new push from another body; the engine's joints
-//! are treated like contacts.
+//! polygons with rounded corners, a segment is a bar, a compound all of these together; sensors carry nothing.
+//! [`Floor::set_feet`] gives a body other areas: a ring, four wheels, two runners. *Materials*: one coefficient
+//! for the floor, [`Floor::add_region`] for ice and carpets, [`Floor::set_mu`] for single bodies. *Accuracy*:
+//! travel and stop of a disk and of a box within 0.1 % of the exact solution at 60 steps a second. *At rest*: a
+//! body that friction holds does not move, to the last bit. *Load*: mass times gravity, shared among the
+//! colliders of a body in proportion to their masses, so that the centre of pressure is below the centre of
+//! mass. *State*: [`Floor`] can be cloned, and serialised with the feature `serde-serialize`; a simulation then
+//! continues with the same bits. *Limits*: the pressure is uniform within each collider; friction responds one
+//! step late to a new push from another body; the engine's joints are treated like contacts.
 
 mod body;
 mod feet;

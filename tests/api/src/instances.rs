@@ -62,7 +62,7 @@ const CORNERS: &[&str] = &["AsRef<[[R; 2]]>"];
 
 /// All of them.
 pub const INSTANCES: &[Instance] = &[
-    instance("R", &["Real"]),
+    instance("R", &["Real", "Lanes"]),
     // Local laws.
     instance("law::CoulombLaw<R>", LAW),
     instance("law::DryFriction<R>", LAW),
@@ -193,6 +193,9 @@ pub const INSTANCES: &[Instance] = &[
         "limit_surface::Scaled<'static, R, limit_surface::Ellipsoid<R>>",
         &["FrictionSet"],
     ),
+    // Manifolds of engines.
+    instance("manifold_friction::CompactOutline<R>", &["Outline"]),
+    instance("manifold_friction::DirectedOutline<R>", &["Outline"]),
     // Contacts.
     instance("contact::Sphere<R>", &["Body"]),
     instance("contact::Plate<R>", &["Body"]),
@@ -248,6 +251,7 @@ pub const CONSTANTS: &[(&str, [&[&str]; 2])] = &[
     ("CAPACITY", [&["12"], &["12"]]),
     ("BODIES", [&["3"], &["3"]]),
     ("CONTACTS", [&["2"], &["2"]]),
+    ("STEPS", [&["3"], &["3"]]),
     // Those of `Table32`, `RoundTable32`; `Table64`, `RoundTable64`.
     ("CELLS", [&["34", "48"], &["52", "106"]]),
     ("TERMS", [&["6"], &["13"]]),

@@ -110,12 +110,12 @@ fn the_result_is_the_nearest_point_of_the_set() {
     let ellipsoid = worst_error::<2, _>([0.0; 3], &CompactOutline::ellipsoid());
     let [of_area, of_points] = [area, points].map(|(h, outline)| worst_error::<2, _>(h, &outline));
     println!("two steps: area {of_area:.1e}, points {of_points:.1e}, ellipsoid {ellipsoid:.1e}");
-    assert!(of_area < 5e-4 && of_points < 3e-3 && ellipsoid < 1e-4);
+    assert!(of_area < 5e-4 && of_points < 5e-4 && ellipsoid < 5e-4);
     let [of_area, of_points] = [area, points].map(|(h, outline)| worst_error::<3, _>(h, &outline));
     println!("three steps: area {of_area:.1e}, points {of_points:.1e}");
-    assert!(of_area < 1e-5 && of_points < 1e-4);
+    assert!(of_area < 1e-5 && of_points < 1e-5);
     for (name, spinning, slipping, bound) in [
-        ("plank 4 : 1 across", 1.91, 0.074, 5e-4),
+        ("plank 4 : 1 across", 1.91, 0.074, 3e-4),
         ("plank 4 : 1 along", 0.90, 1.185, 3e-4),
         ("plank 2 : 1 across", 1.754, 0.237, 3e-4),
         ("bar across", 1.99, 0.05, 3e-2),

@@ -139,4 +139,10 @@ fn the_header_of_manifold_friction_has_the_kernels_bits() {
             );
         }
     }
+    let program = scratch("manifold-aarch64");
+    let flags = ["-std=c99", "-static"];
+    if has("qemu-aarch64") && compiled("aarch64-linux-gnu-gcc", &flags, &program) {
+        let mut emulated = Command::new("qemu-aarch64");
+        assert_eq!(printed(emulated.arg(&program)), wanted, "NEON");
+    }
 }

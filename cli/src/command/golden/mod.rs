@@ -6,6 +6,12 @@ mod write;
 
 use crate::command::progress::Meter;
 use crate::failure::Failure;
+use std::path::Path;
+use tribos::golden::{Golden, Pinned};
+use tribos::record::read_text;
+
+/// Bytes of a golden file at most.
+const MOST_BYTES: u64 = 256 << 20;
 
 /// Pins what scenes compute, and checks that they still compute it, to the last bit.
 #[derive(Debug, clap::Args)]
@@ -40,6 +46,24 @@ impl Arguments {
             Task::Verify(arguments) => arguments.execute(),
         }
     }
+}
+
+/// Reads a golden file.
+fn read(file: &Path) -> Result<Golden, Failure> {
+    let name = file.display().to_string();
+    let text = read_text(file, MOST_BYTES)
+        .map_err(|error| Failure::input(format!("cannot read {name}: {error}")))?;
+    Golden::parse(&name, &text).map_err(Failure::input)
+}
+
+/// A scene as it is told: its file, and what is set otherwise there.
+fn label(pinned: &Pinned) -> String {
+    let mut label = pinned.path.clone();
+    for setting in &pinned.overrides {
+        label += " ";
+        label += setting;
+    }
+    label
 }
 
 /// Tells on standard error which scene is being run, for how long.

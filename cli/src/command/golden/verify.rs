@@ -1,16 +1,12 @@
 //! `tribos golden verify`
 
 use super::place::folder_of;
-use super::ticker;
+use super::{label, read, ticker};
 use crate::command::print;
 use crate::command::scene;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::golden::{Golden, Pinned, Verdict, measure};
-use tribos::record::read_text;
-
-/// Bytes of a golden file at most.
-const MOST_BYTES: u64 = 256 << 20;
 
 /// Runs the scenes of a golden file again and compares: one line a scene.
 #[derive(Debug, clap::Args)]
@@ -30,9 +26,7 @@ impl Arguments {
     /// Runs, compares, and tells every scene.
     pub fn execute(self) -> Result<(), Failure> {
         let name = self.file.display().to_string();
-        let text = read_text(&self.file, MOST_BYTES)
-            .map_err(|error| Failure::input(format!("cannot read {name}: {error}")))?;
-        let golden = Golden::parse(&name, &text).map_err(Failure::input)?;
+        let golden = read(&self.file)?;
         let chosen = self.chosen(&golden)?;
 
         let folder = folder_of(&self.file);
@@ -41,7 +35,7 @@ impl Arguments {
             match check(pinned, folder) {
                 Ok(line) => print(&line)?,
                 Err(failure) => {
-                    print(&format!("{}: {failure}\n", pinned.path))?;
+                    print(&format!("{}: {failure}\n", label(pinned)))?;
                     failures.push(failure);
                 }
             }
@@ -76,13 +70,13 @@ fn check(pinned: &Pinned, folder: &Path) -> Result<String, Failure> {
         &file
     };
     let scene = scene::read(path, &pinned.overrides)?;
-    let measured = measure(&scene, ticker(&pinned.path))?;
+    let measured = measure(&scene, ticker(&label(pinned)))?;
     match pinned.compare(&measured) {
         Verdict::Same => {
             let [columns, quantities, _] = pinned.results();
             Ok(format!(
                 "{}: same, {} rows of {columns} columns, {quantities} quantities\n",
-                pinned.path,
+                label(pinned),
                 pinned.rows()
             ))
         }

@@ -2,6 +2,7 @@
 
 mod feet;
 mod march;
+mod pinned;
 mod sheet;
 
 use feet::Standing;
