@@ -293,10 +293,10 @@ def page(ways, missing):
         "- The bar is a box of 2 mm width. Feet are balls of 1 cm radius; `tribos.patch` and `tribos-rapier` have a disk of their own on each.",
         "- Jolt's body on feet has no manifold reduction (`mUseManifoldReduction`), which would make one contact of the three.",
         "- `tall` under `tribos.patch` and `tribos-rapier` has a uniform pressure, which does not follow the moment of friction: the body goes straight.",
-        "- MuJoCo's contacts of a cylinder that stands exactly upright jump between three and four points and throw it up a little; a puck that slides tilts",
-        "  enough to escape that, one that only spins does not (`spin_down`).",
+        "- MuJoCo loses the contacts of a cylinder that spins exactly upright for tens of milliseconds, in which it drops or is thrown up by 1 to 2 mm",
+        "  (`spin_down`). Under `tribos.patch` a puck that slides tilts enough to keep all three.",
         "- Drake: its points serve bodies on feet, hydroelastic contact (1e7 Pa) those with faces, with the default contact approximation.",
-        "- Place and angle are read half a second after 1.5 times the exact time until rest.",
+        "- Place and angle are read half a second later than 1.5 times the exact time until rest after the launch.",
         "",
     ]
     return "\n".join(out)
