@@ -22,9 +22,9 @@ configure() { # SOURCE BUILD ON|OFF
 }
 
 scenes() { # SOURCE BUILD PROGRAM
-    cmake -S "$repository/engines/jolt/scenes" -B "$2/scenes" -DCMAKE_BUILD_TYPE=Release -DJolt_DIR="$2"
-    cmake --build "$2/scenes"
-    cp "$2/scenes/scenes" "$3"
+    cmake -S "$repository/engines/jolt/scenes" -B "$2/scenes" -DCMAKE_BUILD_TYPE=Release -DJolt_DIR="$2" &&
+        cmake --build "$2/scenes" &&
+        cp "$2/scenes/scenes" "$3"
 }
 
 tests() { # BUILD

@@ -77,10 +77,12 @@ def cost_table(path):
             [float(row[state]) for row in measured if row["scene"] == scene] for state in STATES
         )
         ratios = [after / before for before, after in zip(old, new, strict=True)]
-        low, middle, high = statistics.quantiles(ratios, n=4)
+        low, middle, high = statistics.quantiles(ratios, n=4) if len(ratios) > 1 else 3 * ratios
         times = [f"{min(t):.0f}, {statistics.median(t):.0f} µs" for t in (old, new)]
         spread = f"{middle:.3f}, {low:.3f} to {high:.3f}"
-        lines.append(f"| {scene} | {times[0]} | {times[1]} | {min(new) / min(old):.3f} | {spread} |")
+        lines.append(
+            f"| {scene} | {times[0]} | {times[1]} | {min(new) / min(old):.3f} | {spread} |"
+        )
     return lines
 
 

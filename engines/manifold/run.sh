@@ -70,6 +70,8 @@ run() {
     [ $# -eq 1 ] || die "usage: $0 SOURCE_DIR, a git checkout of $engine at $commit"
     local source=$1 state switch=OFF
     check_commit "$source"
+    mkdir -p "$work"
+    python3 "$repository/engines/ranking/scenes.py" >"$work/launches.txt"
     for state in before after; do
         export_tree "$source" "$work/$state/source"
         if [ "$state" = after ]; then
@@ -81,6 +83,7 @@ run() {
         scenes "$work/$state/source" "$work/$state/build" "$work/$state/scenes" >>"$work/$state/build.log" 2>&1 ||
             die "the scenes do not compile: see $work/$state/build.log"
         "$work/$state/scenes" throws >"$work/$state/throws.csv"
+        "$work/$state/scenes" answers <"$work/launches.txt" >"$work/$state/answers.csv"
         "$work/$state/scenes" rest >"$work/$state/rest.csv"
         tests "$work/$state/build" >"$work/$state/tests.log" 2>&1 || echo "some tests of the engine fail: $state" >&2
         summary "$work/$state/tests.log" >"$work/$state/tests.txt"

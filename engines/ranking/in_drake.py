@@ -92,7 +92,7 @@ class Simulator:
     def launch(self, speed, spin):
         turn = [0, spin, 0] if self.is_ball else [0, 0, spin]
         velocity = SpatialVelocity(w=turn, v=[speed, 0, 0])
-        self.plant.SetFreeBodySpatialVelocity(context=self.context, body=self.body, V_PB=velocity)
+        self.plant.SetFreeBodySpatialVelocity(self.context, self.body, velocity)
 
     def step(self):
         self.simulator.AdvanceTo(self.simulator.get_context().get_time() + STEP)

@@ -158,4 +158,6 @@ def results():
 
 
 if __name__ == "__main__":
+    # Simulations that diverge are counted, not logged.
+    mujoco.set_mju_user_warning(lambda message: None)
     print_results(f"MuJoCo {mujoco.__version__}, Apache-2.0, steps of {1e3 * STEP:g} ms", results())

@@ -1,4 +1,10 @@
-"""The scenes of the reference answers as simulators need them, and how a throw is measured."""
+#!/usr/bin/env python3
+"""The scenes of the reference answers as simulators need them, and how a throw is measured.
+
+As a program it prints them for simulators without Python, one launch a line: name, shape, six sizes, mu, gravity, height of
+the shape's middle, of the centre of mass above that, moments of inertia about a level and the upright axis, speed, spin and
+duration, in SI units for 1 kg.
+"""
 
 import csv
 import importlib.util
@@ -162,6 +168,35 @@ def creep(simulate):
     yield ["capsule", "0", "creep_m_s", f"{speed:.6g}"]
 
 
+def shape_of(scene):
+    """Name of a shape and its sizes: half sides, radius, or places of feet."""
+    if scene.feet:
+        return "feet", [size for foot in scene.feet for size in foot]
+    if scene.half_sides:
+        return "box", scene.half_sides
+    return ("ball" if scene.name == "ball" else "cylinder"), [scene.radius]
+
+
+def launch_lines():
+    for scene in SCENES.values():
+        if scene.name == "capsule":
+            continue
+        is_ball = scene.name == "ball"
+        middle = scene.radius if is_ball else scene.half_height
+        low = 0.0 if is_ball else scene.height - middle
+        level, _, upright = [0.4 * MASS * scene.radius**2] * 3 if is_ball else scene.inertia
+        shape, sizes = shape_of(scene)
+        sizes = [*sizes, *[0.0] * (6 - len(sizes))]
+        about = [*sizes, scene.mu, scene.gravity, middle, low, level, upright, scene.speed]
+        for spin in scene.spins:
+            seconds = (
+                2 * scene.exact(spin, "slide_s")
+                if is_ball
+                else 1.5 * scene.exact(spin, "stop_s") + 0.5
+            )
+            yield " ".join([scene.name, shape, *(f"{x:.9g}" for x in (*about, spin, seconds))])
+
+
 def print_results(engine, results):
     """A line that names the engine, its version, licence and step, then CSV; results are (way, repaired, rows)."""
     print(f"# {engine}")
@@ -171,3 +206,7 @@ def print_results(engine, results):
         for row in rows:
             writer.writerow([way, int(repaired), *row])
         sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    print("\n".join(launch_lines()))

@@ -3,7 +3,6 @@
 #include <Jolt/Core/Factory.h>
 #include <Jolt/Core/JobSystemSingleThreaded.h>
 #include <Jolt/Core/TempAllocator.h>
-#include <Jolt/Physics/Body/BodyCreationSettings.h>
 #include <Jolt/Physics/Collision/Shape/BoxShape.h>
 #include <Jolt/RegisterTypes.h>
 
@@ -45,7 +44,7 @@ World::World(double inSlope, float inFloorMu)
 	mSystem.GetBodyInterfaceNoLock().CreateAndAddBody(floor, EActivation::DontActivate);
 }
 
-BodyID World::AddBody(const Shape *inShape, RVec3Arg inPosition, QuatArg inRotation, float inMu)
+BodyCreationSettings World::sMakeBody(const Shape *inShape, RVec3Arg inPosition, QuatArg inRotation, float inMu)
 {
 	BodyCreationSettings body(inShape, inPosition, inRotation, EMotionType::Dynamic, cBodyLayer);
 	body.mFriction = inMu;
@@ -53,12 +52,32 @@ BodyID World::AddBody(const Shape *inShape, RVec3Arg inPosition, QuatArg inRotat
 	body.mAngularDamping = 0;
 	body.mMaxAngularVelocity = 1000;
 	body.mAllowSleeping = false;
-	return mSystem.GetBodyInterfaceNoLock().CreateAndAddBody(body, EActivation::Activate);
+	return body;
+}
+
+BodyID World::AddBody(const BodyCreationSettings &inBody)
+{
+	return mSystem.GetBodyInterfaceNoLock().CreateAndAddBody(inBody, EActivation::Activate);
+}
+
+BodyID World::AddBody(const Shape *inShape, RVec3Arg inPosition, QuatArg inRotation, float inMu)
+{
+	return AddBody(sMakeBody(inShape, inPosition, inRotation, inMu));
+}
+
+void World::SetVelocities(BodyID inBody, Vec3Arg inVelocity, Vec3Arg inAngularVelocity)
+{
+	mSystem.GetBodyInterfaceNoLock().SetLinearAndAngularVelocity(inBody, inVelocity, inAngularVelocity);
+}
+
+void World::AddForce(BodyID inBody, Vec3Arg inForce)
+{
+	mSystem.GetBodyInterfaceNoLock().AddForce(inBody, inForce);
 }
 
 void World::Throw(BodyID inBody, Vec3Arg inVelocity, float inSpin)
 {
-	mSystem.GetBodyInterfaceNoLock().SetLinearAndAngularVelocity(inBody, inVelocity, Vec3(0, inSpin, 0));
+	SetVelocities(inBody, inVelocity, Vec3(0, inSpin, 0));
 }
 
 void World::StepOnce(double inRate)
@@ -76,6 +95,11 @@ void World::StepFor(double inSeconds, double inRate)
 RVec3 World::GetPosition(BodyID inBody) const
 {
 	return mSystem.GetBodyInterfaceNoLock().GetCenterOfMassPosition(inBody);
+}
+
+Vec3 World::GetVelocity(BodyID inBody) const
+{
+	return mSystem.GetBodyInterfaceNoLock().GetLinearVelocity(inBody);
 }
 
 double World::GetHeading(BodyID inBody) const

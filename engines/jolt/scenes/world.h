@@ -4,6 +4,7 @@
 
 #include <Jolt/Jolt.h>
 
+#include <Jolt/Physics/Body/BodyCreationSettings.h>
 #include <Jolt/Physics/Body/BodyInterface.h>
 #include <Jolt/Physics/Collision/BroadPhase/BroadPhaseLayer.h>
 #include <Jolt/Physics/Collision/ObjectLayer.h>
@@ -25,13 +26,21 @@ class World
 public:
 	World(double inSlope, float inFloorMu);
 
+	// A dynamic body of these scenes, which may be changed before it is added.
+	static JPH::BodyCreationSettings sMakeBody(const JPH::Shape *inShape, JPH::RVec3Arg inPosition, JPH::QuatArg inRotation, float inMu);
+	JPH::BodyID AddBody(const JPH::BodyCreationSettings &inBody);
 	JPH::BodyID AddBody(const JPH::Shape *inShape, JPH::RVec3Arg inPosition, JPH::QuatArg inRotation, float inMu);
+
+	void SetGravity(JPH::Vec3Arg inGravity) { mSystem.SetGravity(inGravity); }
+	void SetVelocities(JPH::BodyID inBody, JPH::Vec3Arg inVelocity, JPH::Vec3Arg inAngularVelocity);
+	void AddForce(JPH::BodyID inBody, JPH::Vec3Arg inForce);
 	void Throw(JPH::BodyID inBody, JPH::Vec3Arg inVelocity, float inSpin);
 
 	void StepOnce(double inRate);
 	void StepFor(double inSeconds, double inRate);
 
 	JPH::RVec3 GetPosition(JPH::BodyID inBody) const;
+	JPH::Vec3 GetVelocity(JPH::BodyID inBody) const;
 	// Angle about the vertical, in (-pi, pi].
 	double GetHeading(JPH::BodyID inBody) const;
 
