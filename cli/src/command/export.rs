@@ -40,8 +40,8 @@ enum Program {
 /// Of a scene with body = "tip": tip.data and in.tip. Run it with `lmp -in in.tip` in the folder; its first lines
 /// write energies and forces of the start to compare with ours: start.dump.
 ///
-/// Of a scene with body = "powder" and method = "soft": powder.data and in.powder, which needs the pair style
-/// gran/tribos (engines/lammps). It runs until the piston stands and writes porosity.txt.
+/// Of a scene with body = "powder" and method = "soft": powder.data, the spheres at rest, and in.powder, which needs the
+/// pair style gran/tribos: a plugin, engines/lammps. It runs until the piston stands and writes porosity.txt.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 struct Lammps {
@@ -108,14 +108,19 @@ impl Lammps {
         for (name, text) in names.iter().zip(&texts) {
             write_atomically(&self.out.join(name), text.as_bytes())?;
         }
-        let hint = match names {
-            [_, "in.powder"] => " with the plugin of engines/lammps",
-            _ => "",
+        let plugin = match names {
+            [_, "in.powder"] => [
+                " -var plugin PATH/tribosplugin.so",
+                "; the plugin is that of engines/lammps",
+            ],
+            _ => ["", ""],
         };
         super::print(&format!(
-            "written to    {0}; run it with `lmp -in {1}` there{hint}\n",
+            "written to    {}; run it there with `lmp -in {}{}`{}\n",
             self.out.display(),
             names[1],
+            plugin[0],
+            plugin[1],
         ))
     }
 }

@@ -10,6 +10,7 @@
 
 #include "contact_block.h"
 
+#include "ellipse.h"
 #include "transport.h"
 #include "tribos.h"
 
@@ -175,15 +176,18 @@ const char *ContactBlock::hold(bool except_slipping)
     const double left = g.force_limit * (g.torque_limit - std::fabs(g.trial_torque));
     if (left > 0 && size_sq * g.torque_limit * g.torque_limit < left * left) continue;
     const double size = std::sqrt(size_sq);
-    const tribos_wrench_f64 trial = {size, 0, g.trial_torque / g.disk};
     if (law.coupling == Coupling::ELLIPSOID) {
-      const tribos_ellipsoid_f64 ellipsoid = {g.force_limit, 1, SPIN_TORQUE};
-      tribos_projection_f64 projection;
-      const auto status = tribos_ellipsoid_project_f64(&ellipsoid, &trial, g.length, &projection);
-      if (status != TRIBOS_STATUS_OK) return tribos_status_text(status);
-      take(k, projection.wrench, trial);
+      // In units of the largest force, and of that force times the length.
+      const double force_unit = 1 / g.force_limit, torque_unit = 1 / (g.force_limit * g.length * g.disk);
+      double force = size * force_unit, torque = std::fabs(g.trial_torque) * torque_unit;
+      const double trial_force = force, trial_torque = torque;
+      if (!move_into_ellipse(force, torque, SPIN_TORQUE / g.length)) continue;
+      g.slips = true;
+      if (trial_force > 0) g.held = g.trial * (force / trial_force);
+      if (trial_torque > 0) g.held_torque = g.trial_torque * (torque / trial_torque);
       continue;
     }
+    const tribos_wrench_f64 trial = {size, 0, g.trial_torque / g.disk};
     loads[slipping] = g.force_limit;
     lengths[slipping] = g.length;
     wrenches[slipping] = trial;

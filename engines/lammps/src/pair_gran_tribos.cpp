@@ -266,15 +266,23 @@ void PairGranTribos::compute(int eflag, int vflag)
     const Vec3 xi(x[i]);
     const ContactLaw *laws_of_i = laws[type[i]].data();
     store.begin_atom(i);
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const ContactLaw &law = laws_of_i[type[j]];
+    // First who touches, without a branch: a processor guesses it wrong at every third neighbour.
+    const int *neighbours = list->firstneigh[i];
+    const int count = list->numneigh[i];
+    if ((size_t) count > touching.size()) touching.resize(count);
+    int found = 0;
+    for (int jj = 0; jj < count; jj++) {
+      const int j = neighbours[jj] & NEIGHMASK;
       const Vec3 branch = xi - Vec3(x[j]);
-      const double reach = radius[i] + radius[j] + law.range;
-      if (dot(branch, branch) >= reach * reach) continue;
+      const double reach = radius[i] + radius[j] + (attracts ? laws_of_i[type[j]].range : 0);
+      touching[found] = j;
+      found += !(dot(branch, branch) >= reach * reach);
+    }
+    for (int k = 0; k < found; k++) {
+      const int j = touching[k];
       if (block.is_full()) collect(block, advances);
       Contact &contact = block.add();
-      contact.law = &law;
+      contact.law = &laws_of_i[type[j]];
       touch(i, j, contact);
       contact.slot = store.carry(atom->tag[j]);
       history->partners.push_back(j);

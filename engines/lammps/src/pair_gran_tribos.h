@@ -39,6 +39,7 @@ class PairGranTribos : public Pair {
   bool rolls = false, attracts = false;
   bool changed = true;    // laws may have changed since the last run
   double widest = 0;      // largest gap across which cohesion acts
+  std::vector<int> touching;    // neighbours of an atom that it touches, while a step looks for them
   int frozen = 0;         // group bit of frozen atoms
   std::vector<double> radius_moving, radius_frozen;    // largest ones, by type
 };

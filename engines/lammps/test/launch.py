@@ -11,6 +11,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 ENGINE = HERE.parent
 ROOT = ENGINE.parent.parent
 BIN = pathlib.Path(sys.prefix) / "bin"
+# Whether every case runs on every number of ranks. Ranks wait for each other by computing: on few cores that takes long.
+LONG = os.environ.get("TRIBOS_LONG", "0") not in ("", "0")
 
 
 @functools.cache
@@ -25,12 +27,12 @@ def plugin():
 
 
 @functools.cache
-def kernel():
-    """A program that prints the exact friction of a disk, linked to the C library."""
-    program = plugin().parent / "disk_wrench"
+def kernel(source="disk_wrench.c"):
+    """A program linked to the C library: the one that prints the exact friction of a disk, or another one."""
+    program = plugin().parent / pathlib.Path(source).stem
     subprocess.run(
-        ["gcc", "-O2", HERE / "disk_wrench.c", f"-I{ROOT}/bindings/c/include",
-         plugin().parent.parent / "release" / "libtribos_c.a", "-lm", "-o", program],
+        ["gcc" if source.endswith(".c") else "g++", "-O2", "-ffp-contract=off", HERE / source, f"-I{ENGINE}/src",
+         f"-I{ROOT}/bindings/c/include", plugin().parent.parent / "release" / "libtribos_c.a", "-lm", "-o", program],
         check=True)
     return program
 

@@ -1,6 +1,7 @@
 """Two spheres, and a sphere on a wall, that slide and spin steadily under 600 N."""
 
 import math
+import subprocess
 import tempfile
 import unittest
 
@@ -99,8 +100,11 @@ class SteadySliding(unittest.TestCase):
         for ratio in RATIOS:
             found, motion, digits = self.between_spheres(ratio)
             self.assert_near(found, friction.by_kernel(*motion), motion)
-            # More ranks than cores wait for each other: once is enough.
-            others = [(1, "off"), (2, "on"), (2, "off")] + ([(4, "on"), (4, "off")] if ratio == 0.8 else [])
+            others = [(1, "off")]
+            if launch.LONG:
+                others += [(2, "on"), (2, "off")]
+            if ratio == 0.8:
+                others += [(4, "on"), (4, "off")] if launch.LONG else [(2, "on")]
             for ranks, newton in others:
                 _, _, same = self.between_spheres(ratio, ranks=ranks, newton=newton)
                 self.assertEqual(digits, same, (ranks, newton))
@@ -115,6 +119,12 @@ class SteadySliding(unittest.TestCase):
             for ratio in RATIOS[1:]:
                 found, motion, _ = self.between_spheres(ratio, coupling=coupling)
                 self.assert_near(found, EXPECTED[coupling](*motion), motion)
+
+    def test_the_projection_on_the_ellipsoid_is_that_of_the_kernel(self):
+        program = launch.kernel("ellipse_distance.cpp")
+        off = float(subprocess.run([program], check=True, capture_output=True, text=True).stdout)
+        print(f"the nearest points of an ellipse differ by {off:.1e} from those of the kernel")
+        self.assertLess(off, 1e-13)
 
     def test_hertz_spheres_slide_as_hooke_spheres_under_the_same_load(self):
         # The same overlap carries 600 N: E = 3/4 F/(sqrt(r_eff) overlap^1.5).
@@ -143,7 +153,8 @@ class SteadySliding(unittest.TestCase):
             spin = ratio * speed / radius
             case = dict(newton="on", coupling="exact", overlap=OVERLAP, speed=speed, spin=spin)
             found, digits = forces(WALL, **case)
-            self.assertEqual(digits, forces(WALL, ranks=2, **case)[1])
+            if launch.LONG or ratio == 0.8:
+                self.assertEqual(digits, forces(WALL, ranks=2, **case)[1])
             fx, fy, fz, _, _, torque = found[1]
             # The first body is the sphere, and the wall moves against it. The plane of the contact turns with the mean
             # spin of both, and the spring lags by this angle where it slips over this length; errors are of second order.

@@ -1,7 +1,7 @@
 //! What updates of contacts cost, measured, and how long stable steps of springs are.
 
 use super::{Material, Packing, Springs};
-use crate::cd::{WorldError, solid};
+use crate::cd::{Wall, WorldError, solid};
 use crate::soft::{self, StepLength};
 use std::time::Instant;
 
@@ -38,6 +38,15 @@ pub(crate) fn update_seconds<S, E: From<WorldError>>(
 
 /// Length of the stable steps of spheres at rest, of a smallest radius and under a force.
 pub(crate) fn stable_step(springs: &Springs, material: &Material, radius: f64, force: f64) -> f64 {
+    stable_step_between((springs, material), (radius, force), (&[], &[]))
+}
+
+/// The same between walls, each with a number of spheres that touch it.
+pub(crate) fn stable_step_between(
+    (springs, material): (&Springs, &Material),
+    (radius, force): (f64, f64),
+    (walls, touching): (&[Wall], &[usize]),
+) -> f64 {
     let sphere = solid(radius, material.density);
     let damping = if material.restitution > 0.0 {
         soft::damping(material.restitution)
@@ -47,5 +56,6 @@ pub(crate) fn stable_step(springs: &Springs, material: &Material, radius: f64, f
     let stiffness = springs.stiffness;
     let laws = (stiffness, damping);
     let length = StepLength::of_spheres(laws, 1.0 / sphere.inv_mass, radius, material.cohesion);
-    length.next(&[], &[], stiffness.overlap(force, 0.5 * radius), &[])
+    let overlap = stiffness.overlap(force, 0.5 * radius);
+    length.next(&[], walls, overlap, touching)
 }

@@ -24,7 +24,7 @@ mod totals;
 
 pub(crate) use body::{Body, Bounds, Cadence, Ending, Seen};
 pub use carried::{Carried, CarriedModes};
-pub(crate) use cost::{stable_step, update_seconds};
+pub(crate) use cost::{stable_step, stable_step_between, update_seconds};
 pub(crate) use drive::{Drive, Told, losses, object};
 pub(crate) use extras::{Differences, Extras, Second};
 pub(crate) use frozen::{Force, Forces, Frozen};

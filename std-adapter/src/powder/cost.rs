@@ -106,7 +106,7 @@ pub fn stable_step(scene: &PowderScene) -> Option<f64> {
     match scene.contact_method() {
         Method::ContactDynamics { .. } => None,
         Method::Soft(springs) => {
-            let radius = 1.0 - scene.radius_spread;
+            let radius = scene.least_radius();
             Some(packing::stable_step(
                 &springs,
                 &scene.material(),
