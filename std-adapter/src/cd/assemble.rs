@@ -5,6 +5,7 @@ use super::image::{ImageVelocity, Images, seen};
 use super::impact::{self, Surroundings};
 use super::residual::Coefficients;
 use super::spheres::Link;
+use super::wall::Facing;
 use super::world::World;
 use tribos_core::contact::{Contact, ContactFriction, NormalLaw, Touch};
 
@@ -53,6 +54,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     /// Sets up the problem of a step of length `dt`.
     pub(super) fn assemble(&mut self, dt: f64) -> Result<(), WorldError> {
         let (pairs, walls) = (self.touching_pairs()?, self.touching_walls()?);
+        let gaps = pairs.iter().chain(&walls).map(|(_, touch)| touch.gap);
+        self.overlap = gaps.fold(0.0, |deepest, gap| deepest.max(-gap));
         let images = self.images(&pairs);
         let state = &mut self.state;
         state
@@ -192,11 +195,11 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             .enumerate()
         {
             for (w, wall) in self.state.walls.iter().enumerate() {
-                let height = wall.outward.dot(x) - wall.place;
-                if height - radius > reach || !wall.acts_on(x) {
+                let Facing { outward, height } = wall.facing(&self.setup.space, x);
+                if height - radius > reach {
                     continue;
                 }
-                let touch = Touch::plate(height, &wall.outward, radius);
+                let touch = Touch::plate(height, &outward, radius);
                 let touch = touch.map_err(|cause| WorldError::Touch {
                     step: self.state.steps,
                     body: i,

@@ -65,7 +65,7 @@ pub struct EnergyBalance {
     pub stilled: f64,
     /// Current kinetic energy.
     pub kinetic: f64,
-    /// Kinetic energy at the first entry.
+    /// Kinetic energy at the first entry; `None` before it.
     pub kinetic_initial: Option<f64>,
 }
 
@@ -73,7 +73,7 @@ impl EnergyBalance {
     /// Residual of the balance: rounding errors of rigid contacts, errors of the step of soft ones.
     pub fn imbalance(&self) -> f64 {
         let spent = self.normal + self.sliding + self.rolling + self.torsion + self.cohesion;
-        let kept = self.kinetic - self.kinetic_initial.unwrap_or(0.0);
+        let kept = self.kinetic - self.kinetic_initial.unwrap_or(self.kinetic);
         self.work - spent - self.stilled - kept - self.elastic
     }
 

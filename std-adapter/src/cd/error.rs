@@ -140,8 +140,11 @@ pub enum WorldError {
          Attraction::Pull"
     )]
     Resistance,
-    /// A wall's normal is not a unit vector, or its state is not finite.
-    #[error("wall {wall}: the normal must have length 1, place, velocity and force must be finite")]
+    /// A wall's normal is not a unit vector, its state is not finite, or its edges bound no rectangle.
+    #[error(
+        "wall {wall}: the normal must have length 1, place, velocity and force must be finite; a wall with edges \
+         is fixed, and along a periodic axis it has both ends or none"
+    )]
     Wall {
         /// Number of the wall.
         wall: usize,

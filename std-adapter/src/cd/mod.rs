@@ -57,6 +57,8 @@ mod sweep;
 mod sweep_tests;
 mod vectors;
 mod wall;
+#[cfg(test)]
+mod wall_tests;
 mod world;
 
 pub use energy::EnergyBalance;
@@ -66,7 +68,8 @@ pub use nsgs::{Iterations, Order, Stop};
 pub use residual::Residual;
 pub use setup::{ContactLaws, Laws, Setup, StepLimits, solid};
 pub use solver::{Method, Solver};
-pub use wall::{HalfSpace, Wall};
+pub(crate) use wall::Facing;
+pub use wall::{Rectangle, Wall};
 pub use world::{State, StepReport, World};
 
 /// Internals of the solvers, public only for tests and benches of this project: no stable interface.

@@ -4,7 +4,7 @@ use super::error::WorldError;
 use super::mixture::{LawBook, Mixture};
 use super::shear::flow;
 use super::solver::Solver;
-use super::wall::Wall;
+use super::wall::{UNIT, Wall};
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use tribos_core::contact::{NormalLaw, Sphere};
@@ -211,8 +211,6 @@ impl<F> Setup<F> {
 
 /// Range of masses whose squared impulses neither vanish nor overflow: the solvers compare squares.
 const MASSES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
-/// Largest deviation of a unit normal's length from 1.
-const UNIT: f64 = 1e-12;
 
 impl<F> Setup<F> {
     /// Refuses parameters with which no step is possible.
@@ -256,7 +254,12 @@ impl<F> Setup<F> {
             return Err(WorldError::Sphere { body });
         }
         let wall = |wall: &Wall| {
-            (wall.outward.norm() - 1.0).abs() <= UNIT
+            // An edge pushes along other lines than a piston moves.
+            let has_edges = wall.edges.as_ref().is_none_or(|edges| {
+                wall.plate.inv_mass == 0.0 && edges.fits(&wall.outward, &self.space)
+            });
+            has_edges
+                && (wall.outward.norm() - 1.0).abs() <= UNIT
                 && (wall.place + wall.force + wall.plate.velocity.norm()).is_finite()
                 && wall.plate.inv_mass >= 0.0
                 && wall.plate.inv_mass.is_finite()

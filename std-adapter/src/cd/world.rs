@@ -43,6 +43,9 @@ pub struct StepReport {
     pub impacts_unmet: usize,
     /// Number of spheres that were awake.
     pub awake: usize,
+    /// Deepest overlap of two bodies as the step began, a length; 0 without one. Rigid bodies overlap by what the
+    /// solver has missed so far.
+    pub overlap: f64,
 }
 
 impl StepReport {
@@ -114,6 +117,8 @@ pub struct World<F: ContactFriction<f64>> {
     pub(super) listed_at: Vec<Vector3<f64>>,
     /// Motion of the images since then, relative to the spheres.
     pub(super) drift: f64,
+    /// Deepest overlap as the last step began.
+    pub(super) overlap: f64,
     workspace: Workspace<F::Modes>,
     pub(super) impacts: Impacts<F>,
 }
@@ -128,7 +133,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     /// A world at time 0.
     pub fn new(setup: Setup<F>) -> Result<Self, WorldError> {
         setup.check()?;
-        let state = State {
+        let mut state = State {
             time: 0.0,
             steps: 0,
             positions: setup.positions.clone(),
@@ -140,6 +145,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             impacts: Memory::default(),
             sleep: Sleep::new(setup.spheres.len()),
         };
+        state.energy.before_first(state.spheres.iter());
         Ok(Self::resume(setup, state))
     }
 
@@ -156,6 +162,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             neighbours: Vec::new(),
             listed_at: Vec::new(),
             drift: 0.0,
+            overlap: 0.0,
             workspace: Workspace::default(),
             impacts,
             setup,
@@ -308,6 +315,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             impacts_cut: counts.cut,
             impacts_unmet: counts.unmet,
             awake,
+            overlap: self.overlap,
         }
     }
 }

@@ -1,17 +1,15 @@
 //! Where the grains of a run come from: random places, a file, or the last state of another run.
 
 use super::error::GrainsError;
-use super::layout::Layout;
+use super::layout::{Face, Layout, Part};
 use super::placement::{self, Start};
+use crate::cd::Wall;
 use crate::measure::AssemblyError;
-use crate::packing::{Frozen, Second, given};
-use crate::scene::{ContactMethod, Ends, GrainsScene, Sides};
+use crate::packing::{Frozen, Second, deepest, given};
+use crate::scene::{ContactMethod, Container, Ends, GrainsScene, Sides};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
-
-/// How far a grain of a file may reach beyond a wall, over its radius.
-const BEYOND: f64 = 0.05;
 
 /// Grains at their random places, or those that the scene names.
 pub(super) fn start(
@@ -30,7 +28,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     let x = (scene.x == Sides::Periodic).then_some((scene.width, "width"));
     let y = (scene.y == Sides::Periodic && !flat).then_some((depth, "depth"));
     let z = (scene.z == Ends::Periodic).then(|| (scene.height.unwrap_or(0.0), "height"));
-    let mut assembly = given(path, [x, y, z], scene.radius)?;
+    let mut assembly = given(path, [x, y, z], (scene.radius, scene.method))?;
     let frozen = assembly.frozen.take();
     let mut start = Start {
         positions: assembly.positions.clone(),
@@ -48,9 +46,14 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
         return Ok(start);
     }
 
-    // The box of the file begins where that of the scene does, and the lowest grain lies on the floor.
+    // The box of the file begins where that of the scene does, and the lowest grain lies on the floor. In a hopper
+    // or a drum grains stay where they are in the box of the file, or at their coordinates without one.
     let mut origin = Vector3::from(assembly.bounds.map(|[low, _]| low));
-    if z.is_none() {
+    if scene.container != Container::Box {
+        if !assembly.has_box {
+            (origin.x, origin.z) = (0.0, 0.0);
+        }
+    } else if z.is_none() {
         origin.z = assembly.extent(2)[0];
     }
     if flat {
@@ -59,15 +62,20 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     for place in &mut start.positions {
         *place -= origin;
     }
-    check_inside(scene, path, &start)?;
     let layout = Layout::of(scene, &start)?;
+    check_inside(scene, path, &start, &layout)?;
     let walls = layout.parts.iter().map(|part| part.place);
     start.frozen = Some(Frozen::moving(start.positions.clone(), &assembly, walls));
     Ok(start)
 }
 
 /// Refuses grains beyond a wall, and grains beside the plane of a flat box.
-fn check_inside(scene: &GrainsScene, path: &Path, start: &Start) -> Result<(), AssemblyError> {
+fn check_inside(
+    scene: &GrainsScene,
+    path: &Path,
+    start: &Start,
+    layout: &Layout,
+) -> Result<(), AssemblyError> {
     let refused = |reason: String| AssemblyError::Content {
         file: path.display().to_string(),
         reason,
@@ -80,17 +88,38 @@ fn check_inside(scene: &GrainsScene, path: &Path, start: &Start) -> Result<(), A
             .filter(|_| scene.z == Ends::Walls)
             .map(|height| (height, "z", "height")),
     ];
+    // Soft grains may reach as far into a wall as into each other.
+    let beyond = deepest(scene.method);
+    let is_shut = |part: &&Part| part.face != Face::Lid || scene.opening > 0.0;
+    let is_side = |part: &&Part| matches!(part.face, Face::Side(..));
+    let inner: Vec<Wall> = layout
+        .parts
+        .iter()
+        .filter(|part| !is_side(part))
+        .filter(is_shut)
+        .map(Part::wall)
+        .collect();
     for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {
         for (axis, end) in ends.into_iter().enumerate() {
             let Some((length, name, key)) = end else {
                 continue;
             };
-            let room = (1.0 - BEYOND) * radius;
+            let room = (1.0 - beyond) * radius;
             if place[axis] < room || place[axis] > length - room {
                 return Err(refused(format!(
                     "grain {grain} (from 0) reaches beyond the walls at {name} = 0 and {length}; make `{key}` larger"
                 )));
             }
+        }
+        let meets =
+            |wall: &Wall| wall.facing(&layout.space, place).height < (1.0 - beyond) * radius;
+        if inner.iter().any(meets) {
+            let container = scene.container;
+            return Err(refused(format!(
+                "grain {grain} (from 0), at x = {} and z = {}, reaches into the {container}; grains keep the places of \
+                 the file in it",
+                place.x, place.z
+            )));
         }
         if scene.is_flat() && place.y != 0.0 {
             return Err(refused(format!(

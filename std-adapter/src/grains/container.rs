@@ -1,14 +1,16 @@
 //! Hoppers and drums: walls beside those of the box, and the room that they leave.
 
 use super::layout::{Face, Part};
-use crate::cd::HalfSpace;
-use crate::scene::{Container, GrainsScene};
+use crate::cd::Rectangle;
+use crate::scene::{Container, GrainsScene, Sides};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
 /// Planes around a drum. A polygon of 64 sides lies within 0.12 % of the radius from its circle, and each
 /// side moves along itself, so that the drum turns without a bump.
 const FACETS: usize = 64;
+/// Ends of a side without edges.
+const ENDLESS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// Walls of the container.
 pub(super) fn walls(scene: &GrainsScene) -> Vec<Part> {
@@ -19,30 +21,41 @@ pub(super) fn walls(scene: &GrainsScene) -> Vec<Part> {
     }
 }
 
-/// Two planes that end at the slot, and the lid of the slot.
+/// Two plates from the sides down to the slot, and the lid between their edges.
 fn hopper(scene: &GrainsScene) -> [Part; 3] {
-    let above = HalfSpace {
-        direction: Vector3::z(),
-        from: scene.outlet_height,
-    };
     let (sin, cos) = libm::sincos(scene.slope.to_radians());
-    let plane = |side: f64| {
+    let plate = |side: f64| {
         let edge = 0.5 * (scene.width + side * scene.outlet);
+        let slot = Vector3::new(edge, 0.0, scene.outlet_height);
         let inward = Vector3::new(-side * sin, 0.0, cos);
+        // Up the plate, from the slot on. Without walls the two plates meet where the box repeats.
+        let along = Vector3::new(side * cos, 0.0, sin);
+        let low = along.dot(&slot);
+        let high = match scene.x {
+            Sides::Walls => f64::INFINITY,
+            Sides::Periodic => low + 0.5 * (scene.width - scene.outlet) / cos,
+        };
         Part {
             face: Face::Slope,
             inward,
-            place: inward.dot(&Vector3::new(edge, 0.0, scene.outlet_height)),
-            acts: Some(above),
+            place: inward.dot(&slot),
+            edges: Some(Rectangle {
+                along,
+                ends: [[low, high], ENDLESS],
+            }),
         }
     };
+    let ends = [-1.0, 1.0].map(|side| 0.5 * (scene.width + side * scene.outlet));
     let lid = Part {
         face: Face::Lid,
         inward: Vector3::z(),
         place: scene.outlet_height,
-        acts: Some(above),
+        edges: Some(Rectangle {
+            along: Vector3::x(),
+            ends: [ends, ENDLESS],
+        }),
     };
-    [plane(-1.0), plane(1.0), lid]
+    [plate(-1.0), plate(1.0), lid]
 }
 
 /// Facets around the axis of a drum.
@@ -57,7 +70,7 @@ fn drum(scene: &GrainsScene) -> Vec<Part> {
             face: Face::Facet(Vector3::new(sin, 0.0, -cos)),
             inward: -out,
             place: -out.dot(&centre) - radius,
-            acts: None,
+            edges: None,
         }
     };
     (0..FACETS).map(facet).collect()

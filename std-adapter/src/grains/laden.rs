@@ -59,6 +59,11 @@ impl Body<{ COLUMNS.len() }> for Laden {
         self.loads.apply(&self.layout, packing);
     }
 
+    fn solid_fraction(&self, seen: &Seen) -> f64 {
+        let now = self.now(seen);
+        now.solid_fraction(now.extents().map(|[low, high]| high - low))
+    }
+
     fn line(&self, _: &Slow, seen: &Seen) -> [f64; COLUMNS.len()] {
         self.now(seen).line()
     }

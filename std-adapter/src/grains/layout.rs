@@ -2,7 +2,7 @@
 
 use super::container;
 use super::placement::Start;
-use crate::cd::{HalfSpace, Wall};
+use crate::cd::{Rectangle, Wall};
 use crate::scene::{Axis, Container, Ends, GrainsScene, Sides};
 use crate::space::{PeriodicBox, PeriodicBoxError};
 use nalgebra::Vector3;
@@ -35,8 +35,18 @@ pub(super) struct Part {
     pub inward: Vector3<f64>,
     /// Position along the normal.
     pub place: f64,
-    /// Where it acts.
-    pub acts: Option<HalfSpace>,
+    /// The part of its plane that is there.
+    pub edges: Option<Rectangle>,
+}
+
+impl Part {
+    /// A fixed wall.
+    pub fn wall(&self) -> Wall {
+        Wall {
+            edges: self.edges,
+            ..Wall::fixed(self.inward, self.place)
+        }
+    }
 }
 
 /// The plate above.
@@ -104,7 +114,7 @@ impl Layout {
                 End::Low => 0.0,
                 End::High => -lengths[face.0.index()],
             },
-            acts: None,
+            edges: None,
         };
         let mut parts = Vec::new();
         match scene.z {

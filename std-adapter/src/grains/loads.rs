@@ -2,7 +2,7 @@
 
 use super::layout::{End, Face, Layout, PLATE, Part};
 use super::ramp::Ramp;
-use crate::cd::HalfSpace;
+use crate::cd::Rectangle;
 use crate::packing::Packing;
 use crate::scene::{Axis, GrainsScene};
 use nalgebra::Vector3;
@@ -40,12 +40,6 @@ pub(super) struct Loads {
     shake: Shake,
     repeat: Option<f64>,
 }
-
-/// Where an open lid acts.
-const NOWHERE: HalfSpace = HalfSpace {
-    direction: Vector3::new(0.0, 0.0, 1.0),
-    from: f64::INFINITY,
-};
 
 /// A harmonic motion of the box.
 #[derive(Clone, Copy, Debug)]
@@ -164,7 +158,7 @@ impl Loads {
                     wall.plate.velocity = along * (rate * radius);
                 }
                 Control::Lid if time >= self.opening => {
-                    wall.acts = Some(NOWHERE);
+                    wall.edges = Some(Rectangle::NONE);
                 }
                 Control::Lid | Control::Fixed => {}
             }

@@ -210,15 +210,35 @@ impl Now<'_> {
     /// Slope of the free surface along x, in degrees, positive where it falls towards +x: the line of
     /// least squares through the highest grain of each strip of two diameters. 0 without a free surface.
     fn surface_angle(&self) -> f64 {
+        fall(&self.tops())
+    }
+
+    /// The same of the lower and the upper half of the width: of a heap they have opposite signs.
+    pub fn surface_angles(&self) -> [f64; 2] {
+        let tops = self.tops();
+        let middle = tops.partition_point(|[x, _]| *x < 0.5 * self.scene.width);
+        let (low, high) = tops.split_at(middle);
+        [fall(low), fall(high)]
+    }
+
+    /// The highest grain of each strip along x, above the slot of a hopper.
+    fn tops(&self) -> Vec<[f64; 2]> {
         if self.scene.z != Ends::Floor {
-            return 0.0;
+            return Vec::new();
         }
+        let above = match self.scene.container {
+            Container::Hopper => self.scene.outlet_height,
+            _ => f64::NEG_INFINITY,
+        };
         let strip = 4.0 * self.scene.radius;
         let strips = (self.scene.width / strip).floor().max(1.0);
         let length = self.scene.width / strips;
         let mut tops = vec![None; strips as usize];
         for (x, radius) in self.packing.positions().iter().zip(self.packing.radii()) {
             let place = self.layout.space.wrap(x);
+            if place.z < above {
+                continue;
+            }
             let top = place.z + radius;
             // The cast saturates: grains beyond an open end belong to the last strip.
             let index = ((place.x / length) as usize).min(tops.len() - 1);
@@ -227,19 +247,23 @@ impl Now<'_> {
                 *highest = Some([place.x, top]);
             }
         }
-        let tops: Vec<[f64; 2]> = tops.into_iter().flatten().collect();
-        let count = tops.len() as f64;
-        let mean = |axis: usize| tops.iter().map(|at| at[axis]).sum::<f64>() / count;
-        let [x, z] = [0, 1].map(mean);
-        let (mut square, mut product) = (0.0, 0.0);
-        for at in &tops {
-            square += (at[0] - x) * (at[0] - x);
-            product += (at[0] - x) * (at[1] - z);
-        }
-        if square > 0.0 {
-            libm::atan(-product / square).to_degrees()
-        } else {
-            0.0
-        }
+        tops.into_iter().flatten().collect()
+    }
+}
+
+/// Fall of the line of least squares through points of x and z, in degrees; 0 through less than two.
+fn fall(tops: &[[f64; 2]]) -> f64 {
+    let count = tops.len() as f64;
+    let mean = |axis: usize| tops.iter().map(|at| at[axis]).sum::<f64>() / count;
+    let [x, z] = [0, 1].map(mean);
+    let (mut square, mut product) = (0.0, 0.0);
+    for at in tops {
+        square += (at[0] - x) * (at[0] - x);
+        product += (at[0] - x) * (at[1] - z);
+    }
+    if square > 0.0 {
+        libm::atan(-product / square).to_degrees()
+    } else {
+        0.0
     }
 }

@@ -28,6 +28,9 @@ pub struct Outcome {
     pub mass: f64,
     /// Force of the grains on the floor, downwards.
     pub floor_force: f64,
+    /// Slopes of the lower and the upper half of the free surface along x, in degrees, positive where they fall
+    /// towards +x: a heap has one of each sign, and its `surface_angle` says nothing.
+    pub surface_angles: [f64; 2],
     /// The last line of the series, with the columns of [`COLUMNS`].
     pub last: [f64; COLUMNS.len()],
     /// Numbers and forces of the contacts at the end.
@@ -78,6 +81,10 @@ impl Outcome {
                 put(name, json_number(value));
             }
         }
+        put(
+            "surface_angles",
+            self.surface_angles.map(json_number).to_vec().into(),
+        );
         put("max_overlap", json_number(self.statistics.max_overlap));
         put("statistics", self.statistics.json());
         put("dissipation", object(&self.dissipation()));

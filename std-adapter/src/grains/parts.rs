@@ -49,7 +49,7 @@ pub(super) fn packing(
             f64::INFINITY
         };
         Wall {
-            acts: part.acts,
+            edges: part.edges,
             ..Wall::piston(part.inward, part.place, mass, 0.0)
         }
     };

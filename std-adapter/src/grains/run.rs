@@ -240,9 +240,11 @@ impl Grains {
             grains: radii.len(),
             mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
             floor_force: now.push(Axis::Z, End::Low),
+            surface_angles: now.surface_angles(),
             last: self.record(),
             statistics: Statistics::of(self.contacts(), radii, &limits)
-                .of_materials(self.scene().share_second),
+                .of_materials(self.scene().share_second)
+                .since(totals.overlap),
             iterations: totals.iterations,
             unmet: totals.unmet,
             handed_over: totals.handed_over,

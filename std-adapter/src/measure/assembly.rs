@@ -28,6 +28,8 @@ pub struct Assembly {
     /// Low and high end along each axis: the box, or the outermost points of the spheres along open axes
     /// without a box.
     pub bounds: [[f64; 2]; 3],
+    /// Whether the file says the box, or walls of a run are one.
+    pub(crate) has_box: bool,
     /// Centres.
     pub positions: Vec<Vector3<f64>>,
     /// Radii.
@@ -65,6 +67,7 @@ impl Assembly {
         let mut assembly = Self {
             space,
             bounds: [[0.0; 2]; 3],
+            has_box: false,
             positions,
             radii,
             velocities: None,

@@ -29,6 +29,8 @@ pub(crate) trait Body<const N: usize>: Debug {
     fn prepare(&self, watch: &mut Self::Watch, packing: &mut dyn Packing);
     /// Measures after a step, in the cadence of the body.
     fn measure(&self, _watch: &mut Self::Watch, _seen: &Seen) {}
+    /// Share of the volume below the lid, or of the area, that is solid.
+    fn solid_fraction(&self, seen: &Seen) -> f64;
     /// The current line of the series.
     fn line(&self, watch: &Self::Watch, seen: &Seen) -> [f64; N];
     /// Whether the run is over before its bounds, asked once after every step.

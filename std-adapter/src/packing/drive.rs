@@ -16,6 +16,9 @@ use std::borrow::Cow;
 use std::error::Error;
 use std::time::Instant;
 
+/// Overlap of rigid spheres over the smaller radius beyond which their packing is none: twice what a start may have.
+const TOO_DEEP: f64 = 0.1;
+
 /// A packing in motion.
 #[derive(Debug)]
 pub(crate) struct Drive<B: Body<N>, const N: usize> {
@@ -92,6 +95,7 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
         self.body.prepare(watch, &mut *seen.packing);
         seen.report = seen.packing.step()?;
         self.totals.add(&seen.report);
+        self.check_overlap()?;
         if B::CADENCE == Cadence::Steps {
             self.look()?;
         }
@@ -107,6 +111,9 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
         if is_line && B::CADENCE == Cadence::Lines {
             self.look()?;
         }
+        if is_line {
+            self.judge_overlap()?;
+        }
         if is_line || B::CADENCE == Cadence::Steps {
             let line = self.finite_line()?;
             if is_line {
@@ -115,6 +122,33 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
         }
         self.ending = ending;
         Ok(ending.is_none())
+    }
+
+    /// Refuses a packing that rigid spheres cannot have, where the step began with such an overlap for the smallest.
+    fn check_overlap<P: Error>(&mut self) -> Result<(), PackingRunError<P>> {
+        let radii = self.seen.packing.radii().iter();
+        let smallest = radii.copied().fold(f64::INFINITY, f64::min);
+        if self.seen.packing.is_rigid() && self.seen.report.overlap > TOO_DEEP * smallest {
+            self.find_contacts()?;
+            self.judge_overlap()?;
+        }
+        Ok(())
+    }
+
+    /// Refuses such a packing by its contacts.
+    fn judge_overlap<P: Error>(&self) -> Result<(), PackingRunError<P>> {
+        let radii = self.seen.packing.radii();
+        let radius = |body: Option<u32>| body.map_or(f64::INFINITY, |body| radii[body as usize]);
+        let depth = |row: &ContactRow| -row.gap / radius(Some(row.a)).min(radius(row.b.particle()));
+        let overlap = self.seen.contacts.iter().map(depth).fold(0.0, f64::max);
+        if self.seen.packing.is_rigid() && overlap > TOO_DEEP {
+            return Err(PackingRunError::Overlap {
+                step: self.steps(),
+                overlap,
+                solid_fraction: self.body.solid_fraction(&self.seen),
+            });
+        }
+        Ok(())
     }
 
     /// Finds the contacts after a step and measures them.

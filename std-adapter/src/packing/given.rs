@@ -3,24 +3,35 @@
 use super::{Forces, Frozen};
 use crate::cd::EnergyBalance;
 use crate::measure::{Assembly, AssemblyError};
+use crate::scene::ContactMethod;
 use crate::space::AXES;
 use nalgebra::Vector3;
 use std::path::Path;
 
-/// Deepest overlap of spheres in a file, over the smaller radius: packings of soft spheres are that deep, and
-/// rigid ones push such spheres apart.
+/// Deepest overlap of rigid spheres in a file, over the smaller radius: packings of soft spheres are that deep, and
+/// rigid ones keep such an overlap without adding to it.
 const DEEPEST: f64 = 0.05;
+/// The same of soft spheres: a spring bears any overlap, until the centre of the smaller sphere enters the larger.
+const DEEPEST_SOFT: f64 = 1.0;
 /// Largest relative difference of a period from the scene's.
 const SAME_PERIOD: f64 = 1e-9;
 /// Range of the mean radius of a file, over that of the scene.
 const MEAN_RADII: [f64; 2] = [0.5, 2.0];
+
+/// How far spheres of a file may overlap under a method, over the smaller radius.
+pub(crate) fn deepest(method: ContactMethod) -> f64 {
+    match method {
+        ContactMethod::ContactDynamics => DEEPEST,
+        ContactMethod::Soft => DEEPEST_SOFT,
+    }
+}
 
 /// Spheres with the periods of a scene; `periods` has the lengths of its periodic axes with their keys, and
 /// `radius` is the mean radius that it expects.
 pub(crate) fn given(
     path: &Path,
     periods: [Option<(f64, &'static str)>; 3],
-    radius: f64,
+    (radius, method): (f64, ContactMethod),
 ) -> Result<Assembly, AssemblyError> {
     let file = path.display().to_string();
     let refused = |reason: String| AssemblyError::Content {
@@ -51,20 +62,25 @@ pub(crate) fn given(
         }
     }
     if assembly.frozen.is_none() {
-        check_spheres(&file, &assembly, radius)?;
+        check_spheres(&file, &assembly, radius, deepest(method))?;
     }
     Ok(assembly)
 }
 
 /// Refuses lengths in other units and spheres that overlap deeply.
-fn check_spheres(file: &str, assembly: &Assembly, radius: f64) -> Result<(), AssemblyError> {
+fn check_spheres(
+    file: &str,
+    assembly: &Assembly,
+    radius: f64,
+    most: f64,
+) -> Result<(), AssemblyError> {
     let refused = |reason: String| AssemblyError::Content {
         file: file.into(),
         reason,
     };
     let mean = assembly.mean_radius();
-    let [least, most] = MEAN_RADII;
-    if !(least..=most).contains(&(mean / radius)) {
+    let [smallest, largest] = MEAN_RADII;
+    if !(smallest..=largest).contains(&(mean / radius)) {
         let factor = radius / mean;
         return Err(refused(format!(
             "the mean radius is {mean}, and that of the scene is {radius}; multiply all lengths by {factor}"
@@ -77,10 +93,10 @@ fn check_spheres(file: &str, assembly: &Assembly, radius: f64) -> Result<(), Ass
             cause,
         })?;
     match deepest {
-        Some((depth, [a, b])) if depth > DEEPEST => Err(refused(format!(
+        Some((depth, [a, b])) if depth > most => Err(refused(format!(
             "spheres {a} and {b} (from 0) overlap by {:.3} % of the smaller radius; at most {} % is taken",
             100.0 * depth,
-            100.0 * DEEPEST
+            100.0 * most
         ))),
         _ => Ok(()),
     }

@@ -28,7 +28,7 @@ pub(crate) use cost::{stable_step, stable_step_between, update_seconds};
 pub(crate) use drive::{Drive, Told, losses, object};
 pub(crate) use extras::{Differences, Extras, Second};
 pub(crate) use frozen::{Force, Forces, Frozen};
-pub(crate) use given::given;
+pub(crate) use given::{deepest, given};
 pub(crate) use kept::Kept;
 pub use limits::Limits;
 pub use material::Material;
@@ -126,6 +126,8 @@ pub(crate) trait Packing: Debug {
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError>;
     /// The contact problem of the last step, as data; `None` where the contacts have none of that form.
     fn problem(&self) -> Option<Global>;
+    /// Whether an overlap is an error of the solver, and not the strain of a spring.
+    fn is_rigid(&self) -> bool;
     /// The complete state of a run.
     fn freeze(&self) -> Frozen;
 }

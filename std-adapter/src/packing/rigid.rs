@@ -6,8 +6,8 @@ use super::{
 };
 use crate::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
 use crate::cd::{
-    ContactLaws, EnergyBalance, Laws, Mixture, Setup, State, StepReport, Wall, World, WorldError,
-    solid,
+    ContactLaws, EnergyBalance, Facing, Laws, Mixture, Setup, State, StepReport, Wall, World,
+    WorldError, solid,
 };
 use crate::problem::Global;
 use crate::record::{ContactRow, Partner};
@@ -277,6 +277,10 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         self.problem().posed().map(|posed| posed.problem)
     }
 
+    fn is_rigid(&self) -> bool {
+        true
+    }
+
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {
         let (setup, state, space) = (self.setup(), self.state(), self.space());
         let [pairs, walls] = &state.memory.forces;
@@ -299,8 +303,8 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         for ([a, b], force) in walls {
             let force = with_impact(1, [*a, *b], force);
             let (i, wall) = (*a as usize, &state.walls[*b as usize]);
-            let height = wall.outward.dot(&state.positions[i]) - wall.place;
-            let touch = Touch::plate(height, &wall.outward, setup.radii[i])?;
+            let Facing { outward, height } = wall.facing(&setup.space, &state.positions[i]);
+            let touch = Touch::plate(height, &outward, setup.radii[i])?;
             if force.normal != 0.0 || touch.gap <= book.at_wall([*a, *b]).normal.cohesion().range()
             {
                 rows.push(Force::of(&force).row(*a, Partner::Wall(*b), &touch));

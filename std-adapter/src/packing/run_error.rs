@@ -67,6 +67,21 @@ pub enum PackingRunError<P: Error + 'static> {
         /// The value.
         value: f64,
     },
+    /// Rigid spheres overlap as in no packing of rigid spheres.
+    #[error(
+        "after step {step}: rigid spheres overlap by {:.3} % of a radius, at a solid fraction of {solid_fraction:.4}; \
+         more `sweeps` or a shorter `time_step` help where there is still room, otherwise press with a pressure in \
+         place of a velocity, end the run earlier, or take method = \"soft\"",
+        100.0 * overlap
+    )]
+    Overlap {
+        /// Number of the step.
+        step: u64,
+        /// The deepest overlap over the smaller radius.
+        overlap: f64,
+        /// Solid share of the volume.
+        solid_fraction: f64,
+    },
     /// The checkpoint cannot be used.
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),
@@ -85,7 +100,7 @@ impl<P: Error + 'static> PackingRunError<P> {
     pub fn is_of_course(&self) -> bool {
         matches!(
             self,
-            Self::World(_) | Self::Touch { .. } | Self::NotFinite { .. }
+            Self::World(_) | Self::Touch { .. } | Self::NotFinite { .. } | Self::Overlap { .. }
         )
     }
 

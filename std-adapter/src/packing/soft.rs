@@ -102,14 +102,16 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
         // As far as contact dynamics would go: the longest step, or the largest motion.
         let speed = self.world.fastest();
         let span = self.limits.longest.min(self.limits.motion / speed);
-        let mut elapsed = 0.0;
+        let (mut elapsed, mut overlap) = (0.0, 0.0_f64);
         loop {
             let report = self.world.step()?;
             elapsed += report.dt;
+            overlap = overlap.max(report.overlap);
             if elapsed + 0.5 * report.dt >= span {
                 self.steps += 1;
                 return Ok(StepReport {
                     dt: elapsed,
+                    overlap,
                     ..report
                 });
             }
@@ -150,6 +152,10 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
 
     fn problem(&self) -> Option<Global> {
         None
+    }
+
+    fn is_rigid(&self) -> bool {
+        false
     }
 
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {

@@ -48,7 +48,7 @@ pub struct Statistics {
     /// torsion; `None` for modes without friction, and in a packing of two materials, which has more
     /// thresholds than one. See [`Limits`].
     pub at_threshold: [Option<f64>; 3],
-    /// Deepest overlap, a length; 0 if there is none.
+    /// Deepest overlap, a length; 0 if there is none. Results of a run have that of all its steps.
     pub max_overlap: f64,
 }
 
@@ -104,6 +104,12 @@ impl Statistics {
         if share_second > 0.0 {
             self.at_threshold = [None; 3];
         }
+        self
+    }
+
+    /// With an overlap that was deeper before.
+    pub(crate) fn since(mut self, overlap: f64) -> Self {
+        self.max_overlap = self.max_overlap.max(overlap);
         self
     }
 

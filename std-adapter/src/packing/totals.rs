@@ -20,6 +20,8 @@ pub(crate) struct Totals {
     pub cut: u64,
     /// Those in which a part of the impacts missed its tolerance.
     pub impacts_unmet: u64,
+    /// Deepest overlap, a length.
+    pub overlap: f64,
     /// Wall-clock time in s, up to the last start.
     pub wall_seconds: f64,
 }
@@ -33,11 +35,13 @@ impl Totals {
         self.handed_over += u64::from(report.handed_over);
         self.cut += u64::from(report.impacts_cut);
         self.impacts_unmet += u64::from(report.impacts_unmet > 0);
+        self.overlap = self.overlap.max(report.overlap);
     }
 
     /// Adds the totals to a checkpoint.
     pub fn put(&self, map: &mut Map<String, Value>) {
         map.insert("wall_seconds".into(), hex(&[self.wall_seconds]).into());
+        map.insert("overlap".into(), hex(&[self.overlap]).into());
         for (name, count) in [
             ("iterations", self.iterations),
             ("unmet", self.unmet),
@@ -57,8 +61,9 @@ impl Totals {
             iterations: whole("iterations")?,
             unmet: whole("unmet")?,
             solver_unmet: whole("solver_unmet")?,
-            // Checkpoints of earlier versions have no such number.
+            // Checkpoints of earlier versions have no such numbers.
             handed_over: value["handed_over"].as_u64().unwrap_or(0),
+            overlap: one(value, "overlap").unwrap_or(0.0),
             cut: whole("cut")?,
             impacts_unmet: whole("impacts_unmet")?,
             wall_seconds: one(value, "wall_seconds")?,

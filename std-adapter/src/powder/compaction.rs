@@ -393,7 +393,8 @@ impl Compaction {
             pressure: scene.pressure,
             area,
             statistics: Statistics::of(&seen.contacts, radii, &Limits::of(&scene.material()))
-                .of_materials(scene.share_second),
+                .of_materials(scene.share_second)
+                .since(totals.overlap),
             residual: seen.report.residual.relative,
             iterations: totals.iterations,
             unmet: totals.unmet,

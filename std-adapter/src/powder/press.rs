@@ -141,6 +141,10 @@ impl Body<{ COLUMNS.len() }> for Press {
         watch.window.add(seen.report.dt, &watch.stress, forces);
     }
 
+    fn solid_fraction(&self, seen: &Seen) -> f64 {
+        1.0 - self.porosity(seen)
+    }
+
     fn line(&self, watch: &Watch, seen: &Seen) -> [f64; COLUMNS.len()] {
         let (time, step) = seen.packing.clock();
         let energy = seen.packing.energy();

@@ -44,7 +44,7 @@ impl Start {
 /// Spheres of a file or a run, between substrate and piston.
 fn read(scene: &PowderScene, path: &Path) -> Result<Start, AssemblyError> {
     let width = Some((scene.width, "width"));
-    let mut assembly = given(path, [width, width, None], 1.0)?;
+    let mut assembly = given(path, [width, width, None], (1.0, scene.method))?;
     let [x, y, _] = assembly.space.lengths();
     assembly.space = PeriodicBox::new([x, y, None]).map_err(|cause| AssemblyError::Box {
         file: path.display().to_string(),

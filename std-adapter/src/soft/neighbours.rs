@@ -42,7 +42,8 @@ impl<F: ContactFriction<f64>> World<F> {
         let mut lists = [pairs.collect(), Vec::new()];
         for (i, x) in positions.iter().enumerate() {
             for (w, wall) in self.state.walls.iter().enumerate() {
-                if wall.outward.dot(x) - wall.place - radii[i] <= at_walls + self.skin {
+                let height = wall.facing(&self.setup.space, x).height;
+                if height - radii[i] <= at_walls + self.skin {
                     let block = block([radii[i], 0.0], &spheres[i], &wall.plate);
                     lists[1].push(SoftContact::apart([i as u32, w as u32], &block));
                 }

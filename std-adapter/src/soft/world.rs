@@ -3,7 +3,7 @@
 use super::contact::{Energies, Law, Motion, SoftContact};
 use super::setup::Setup;
 use super::step_length::{StepLength, fastest};
-use crate::cd::{EnergyBalance, Iterations, StepReport, Wall, WorldError};
+use crate::cd::{EnergyBalance, Facing, Iterations, StepReport, Wall, WorldError};
 use crate::space::PeriodicBox;
 use crate::space::pairs::Cells;
 use nalgebra::Vector3;
@@ -178,8 +178,8 @@ impl<F: ContactFriction<f64>> World<F> {
                     let (apart, _) = nearest_image(space, &positions[i], &positions[j]);
                     Touch::spheres(&apart, [radii[i], radii[j]])
                 } else {
-                    let height = walls[j].outward.dot(&positions[i]) - walls[j].place;
-                    Touch::plate(height, &walls[j].outward, radii[i])
+                    let Facing { outward, height } = walls[j].facing(space, &positions[i]);
+                    Touch::plate(height, &outward, radii[i])
                 };
                 let touch = touch.map_err(|cause| WorldError::Touch {
                     step: *steps,
@@ -215,6 +215,7 @@ impl<F: ContactFriction<f64>> World<F> {
             },
             contacts: contacts.filter(|contact| contact.in_range).count(),
             awake: self.state.spheres.len(),
+            overlap: deepest,
             ..StepReport::default()
         })
     }
@@ -345,18 +346,18 @@ impl<F: ContactFriction<f64>> World<F> {
         for contact in at_walls.iter_mut() {
             let [i, w] = contact.bodies.map(|body| body as usize);
             let plate = &walls[w];
-            let height = plate.outward.dot(&positions[i]) - plate.place;
+            let Facing { outward, height } = plate.facing(space, &positions[i]);
             let gap = height - radii[i];
-            let is_apart = is_apart(gap, wall.cohesion.range());
-            self.energies
-                .push(if is_apart || !plate.acts_on(&positions[i]) {
-                    Ok(contact.part(gap, wall, radii[i]))
-                } else {
-                    Touch::plate(height, &plate.outward, radii[i]).map(|touch| {
-                        let motion = relative(&touch, &spheres[i], &plate.plate, &Vector3::zeros());
-                        contact.advance(&touch, &motion, wall, dt)
-                    })
-                });
+            self.energies.push(if is_apart(gap, wall.cohesion.range()) {
+                // A wall that was taken away has not opened a gap.
+                let gap = if gap.is_finite() { gap } else { contact.gap };
+                Ok(contact.part(gap, wall, radii[i]))
+            } else {
+                Touch::plate(height, &outward, radii[i]).map(|touch| {
+                    let motion = relative(&touch, &spheres[i], &plate.plate, &Vector3::zeros());
+                    contact.advance(&touch, &motion, wall, dt)
+                })
+            });
         }
         self.sum()
     }

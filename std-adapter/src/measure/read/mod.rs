@@ -184,16 +184,28 @@ impl Assembly {
             scene: stored.scene,
             ..Self::new(shape.space, stored.frozen.positions.clone(), shape.radii)
         };
-        // Walls across an open axis bound the box.
+        // The outermost walls across an open axis bound the box: a hopper has a lid in it.
+        let mut walls = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
         for (outward, (place, _)) in shape.outward.iter().zip(&stored.frozen.walls) {
-            for axis in 0..3 {
+            for (axis, [low, high]) in walls.iter_mut().enumerate() {
                 if outward[axis] == 1.0 {
-                    assembly.bounds[axis][0] = *place;
+                    *low = low.min(*place);
                 } else if outward[axis] == -1.0 {
-                    assembly.bounds[axis][1] = -*place;
+                    *high = high.max(-*place);
                 }
             }
         }
+        for (bounds, walls) in assembly
+            .bounds
+            .iter_mut()
+            .flatten()
+            .zip(walls.as_flattened())
+        {
+            if walls.is_finite() {
+                *bounds = *walls;
+            }
+        }
+        assembly.has_box = true;
         assembly.outward = shape.outward;
         assembly.frozen = Some(stored.frozen);
         assembly
@@ -239,7 +251,7 @@ fn assembly(
         ..Assembly::new(space, positions, radii)
     };
     if atoms.has_box {
-        assembly.bounds = bounds;
+        (assembly.bounds, assembly.has_box) = (bounds, true);
     }
     Ok(assembly)
 }
