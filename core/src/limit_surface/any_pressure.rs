@@ -142,9 +142,10 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
     /// cannot.
     ///
     /// *Accuracy* (f64): `carried` and `outer` differ by less than 1e-9 of force limit times radius (f32: 2e-3)
-    /// for forces up to 1 − 1e-11 of the limit; the last rounding errors of a force are worth up to 1e-7. Both
-    /// are sound to rounding, whatever their distance: how the search ended is their difference. *Cost*: about 100 Newton steps of five unknowns, each a
-    /// sum over the corners. *Special values*: NaN for NaN.
+    /// for forces up to 1 − 1e-11 of the limit; the last rounding errors of a force are worth up to 1e-7.
+    /// Both are sound to rounding, whatever their distance, which says how near the search came.
+    /// *Cost*: about 100 Newton steps of five unknowns, each a sum over the corners. *Special values*: NaN
+    /// for NaN.
     ///
     /// ```
     /// use tribos_core::limit_surface::AnyPressure;
@@ -402,8 +403,8 @@ mod tests {
         worst
     }
 
-    /// Largest gap of the limits of two corners that carry half the load each: a force across their line leaves 1 − F to the torque, one along it
-    /// √(1 − F²), in units of force limit and radius.
+    /// Largest gap of the limits of two corners that carry half the load each. Across their line a force
+    /// leaves the torque 1 − F, along it √(1 − F²), in units of force limit and radius.
     fn gap_of_two<R: Real>(left: f64) -> f64 {
         let pair = AnyPressure::new(
             [[-R::ONE, R::ZERO], [R::ONE, R::ZERO]],

@@ -31,7 +31,9 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 /// that, up to 100:1), and what counts as on the surface widens with it, so that no projection moves a
 /// projected wrench.
 /// Points: the same on facets; between them the gauge 1e-9, next to a facet's rim normals to its square
-/// root. *Cost*, in wrenches with Jacobian: gauge, normal and projection about 5 each, at most 12.
+/// root. *Special values*: gauge and normal are NaN should their search not end, which was never seen; a
+/// projection is a point of the surface all the same. *Cost*, in wrenches with Jacobian: gauge, normal and
+/// projection about 5 each, at most 12.
 ///
 /// ```
 /// use tribos_core::limit_surface::{FrictionSet, PatchSurface};
