@@ -89,7 +89,7 @@ bounds! {
     /// Supports under any pressure, relative.
     ANY_PRESSURE_SUPPORT = 2e-15, "1e-14 is promised; shares and speeds, each rounded a few times";
     /// Yaw limits under any pressure in f32, of μN times the radius.
-    ANY_PRESSURE_SINGLE = 1e-2, "promised in limit_surface::AnyPressure; the barrier's last weight, of single precision, next to the largest force";
+    ANY_PRESSURE_SINGLE = 2e-3, "promised in limit_surface::AnyPressure; the barrier's last weight, of single precision, next to the largest force";
     /// Polygons in f32, of μN and μN (R + |centre|).
     POLYGON_SINGLE = 4e-6, "promised in coupling::flat; opposite edges cancel, most where the shape is long";
     /// Their Jacobian, of its largest entry.

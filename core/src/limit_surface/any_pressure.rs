@@ -16,6 +16,9 @@ use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 use nalgebra::{Vector2, Vector3};
 
+/// Rounding errors of a force over the force limit: two quotients, a root and their sum.
+const FORCE_ULPS: f64 = 2.0;
+
 /// All wrenches that dry friction can carry on a support of which only the corners, the load and the
 /// centre of pressure are known: about the origin of the corners' coordinates.
 ///
@@ -138,9 +141,11 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
     /// The yaw torques about the origin that can be carried together with `force`; none if the force alone
     /// cannot.
     ///
-    /// *Accuracy* (f64): `carried` and `outer` differ by less than 1e-9 of force limit times radius (f32: 1e-2);
-    /// both are sound to rounding, whatever their distance. *Cost*: about 100 Newton steps of five unknowns, each a
-    /// sum over the corners. *Special values*: NaN for NaN.
+    /// *Accuracy* (f64): `carried` and `outer` differ by less than 1e-9 of force limit times radius (f32: 2e-3)
+    /// for forces up to 1 − 1e-11 of the limit; the last rounding errors of a force are worth up to 1e-7.
+    /// Both are sound to rounding, whatever their distance, which says how near the search came.
+    /// *Cost*: about 100 Newton steps of five unknowns, each a sum over the corners. *Special values*: NaN
+    /// for NaN.
     ///
     /// ```
     /// use tribos_core::limit_surface::AnyPressure;
@@ -176,14 +181,9 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
         }
         let zero = R::ZERO;
         let [low, high] = if self.torque > zero && unit > zero {
-            let ray = |sign: R| Ray {
-                from: Vector3::new(sign * reduced.x, sign * reduced.y, zero),
-                along: Vector3::new(zero, zero, R::ONE),
-                margin: R::ONE - size,
-                torque: self.torque,
-            };
             // −x is carried with x.
-            [-R::ONE, R::ONE].map(|sign| reach(&self.sharing, &ray(sign)).map(|s| unit * s))
+            let signs = [-R::ONE, R::ONE];
+            signs.map(|sign| self.beside(&(reduced * sign), size).map(|s| unit * s))
         } else {
             [[zero; 2]; 2]
         };
@@ -233,6 +233,8 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
             return [R::INFINITY; 2];
         }
         let ray = Ray {
+            direction: Vector2::new(R::ONE, R::ZERO),
+            lead: R::ZERO,
             from: Vector3::new(R::ZERO, R::ZERO, R::ZERO),
             along: over(&reduced, size),
             margin: R::ONE,
@@ -240,6 +242,40 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
         };
         let [lower, upper] = reach(&self.sharing, &ray);
         [size / upper, size / lower]
+    }
+
+    /// Bounds of the greatest torque about the centre beside a force of this `size`, in units of force limit
+    /// and radius.
+    fn beside(&self, force: &Vector2<R>, size: R) -> [R; 2] {
+        let (zero, one) = (R::ZERO, R::ONE);
+        let along = Vector3::new(zero, zero, one);
+        if size == zero {
+            let ray = Ray {
+                direction: Vector2::new(one, zero),
+                lead: zero,
+                from: Vector3::new(zero, zero, zero),
+                along,
+                margin: one,
+                torque: self.torque,
+            };
+            return reach(&self.sharing, &ray);
+        }
+        // What the force leaves of the limit, as far as it is known.
+        let rounding = R::from_f64(FORCE_ULPS) * R::EPSILON;
+        let left = one - size;
+        let margin = if left > rounding { left } else { rounding };
+        let ray = Ray {
+            direction: Vector2::new(force.x / size, force.y / size),
+            lead: one,
+            from: Vector3::new(-margin, zero, zero),
+            along,
+            margin,
+            torque: self.torque,
+        };
+        let [low, high] = reach(&self.sharing, &ray);
+        // The torque is concave in what is left, and none where nothing is.
+        let doubt = rounding / margin;
+        [low * (one - doubt), high * (one + doubt)]
     }
 
     /// Velocity of the centre and spin times radius.
@@ -365,6 +401,74 @@ mod tests {
             }
         }
         worst
+    }
+
+    /// Largest gap of the limits of two corners that carry half the load each. Across their line a force
+    /// leaves the torque 1 − F, along it √(1 − F²), in units of force limit and radius.
+    fn gap_of_two<R: Real>(left: f64) -> f64 {
+        let pair = AnyPressure::new(
+            [[-R::ONE, R::ZERO], [R::ONE, R::ZERO]],
+            [R::ZERO; 2],
+            R::ONE,
+        );
+        let (pair, zero, force) = (pair.unwrap(), R::ZERO, R::from_f64(1.0 - left));
+        // What the rounded force leaves.
+        let left = 1.0 - force.to_f64();
+        let mut worst = 0.0_f64;
+        for (force, exact) in [
+            ([zero, force], left),
+            ([zero, -force], left),
+            ([force, zero], libm::sqrt(left * (2.0 - left))),
+        ] {
+            let yaw = pair.torque_limits(force).unwrap();
+            let rounding = 4.0 * R::EPSILON.to_f64() * exact / left;
+            for (sign, side) in [(-1.0, 0), (1.0, 1)] {
+                let [carried, outer] =
+                    [yaw.carried[side], yaw.outer[side]].map(|torque| sign * torque.to_f64());
+                assert!(
+                    carried <= exact + rounding && outer >= exact - rounding,
+                    "{left:e} {exact:e} {carried:e} {outer:e}"
+                );
+                worst = worst.max(outer - carried);
+            }
+        }
+        worst
+    }
+
+    #[test]
+    fn bounds_meet_next_to_the_largest_force() {
+        for left in [1e-1, 1e-3, 1e-6, 1e-8, 1e-10, 1e-11] {
+            let gap = gap_of_two::<f64>(left);
+            assert!(gap < 1e-9, "{left:e} {gap:e}");
+        }
+        for left in [1e-12, 1e-14, 4e-16] {
+            let gap = gap_of_two::<f64>(left);
+            assert!(gap < 1e-7, "{left:e} {gap:e}");
+        }
+        for left in [0.3, 1e-2, 1e-3, 1e-4, 1e-6, 1e-7] {
+            let gap = gap_of_two::<f32>(left);
+            assert!(gap < 2e-3, "{left:e} {gap:e}");
+        }
+        // Any corners, in any direction.
+        for i in 0..2000 {
+            let corners: [[f64; 2]; 5] = corners(i);
+            let centre = [0, 1].map(|k| corners.iter().map(|corner| corner[k]).sum::<f64>() / 5.0);
+            let foot = AnyPressure::new(corners, centre, 3.0).unwrap();
+            let size = 3.0 * (1.0 - libm::exp(-25.0 * part(i, 0.445_041_867_9).abs()));
+            let angle = 3.2 * part(i, 0.671_043_606_7);
+            let yaw = foot
+                .torque_limits([size * libm::cos(angle), size * libm::sin(angle)])
+                .unwrap();
+            let unit = 3.0 * foot.radius();
+            assert!(
+                (yaw.outer[1] - yaw.carried[1]).abs() < 1e-9 * unit,
+                "{i} {yaw:?}"
+            );
+            assert!(
+                (yaw.outer[0] - yaw.carried[0]).abs() < 1e-9 * unit,
+                "{i} {yaw:?}"
+            );
+        }
     }
 
     #[test]

@@ -14,6 +14,16 @@
 //! D the barrier's argument, tend to those that carry the wrench. Neither bound relies on the method: the
 //! upper one is the support at the motion, the lower one the wrench of these forces, after the shares
 //! are put right.
+//!
+//! Next to the largest force all corners move almost along it, ever faster. Speeds, planes and forces are
+//! therefore counted from a *lead*, the part g = u·e of the velocities along the force e, which is itself a
+//! plane: with z = g + w and b the velocity across,
+//!
+//! ```text
+//! |u| − g = b²/(|u| + g),     z − |u| = w − b²/(|u| + g),     Σ(share − force·e) = 1 − |x|
+//! ```
+//!
+//! and nothing cancels. Without a lead g counts as velocity across.
 
 use super::quadratic::{Factors, dot, norm};
 use super::search::pivot;
@@ -34,9 +44,14 @@ const QUADRATIC: f64 = 0.25;
 /// Bounds this near, of 1, are as near as they get.
 const NEAR_ULPS: f64 = 256.0;
 
-/// Wrenches `from` + s `along` about the centre, in units of force limit and radius.
+/// Wrenches `from` + s `along` about the centre, in units of force limit and radius, with the first axis
+/// along `direction`.
 #[derive(Debug)]
 pub(super) struct Ray<R: Real> {
+    pub(super) direction: Vector2<R>,
+    /// 1 if speeds are counted from those along the first axis, 0 if not.
+    pub(super) lead: R,
+    /// From the wrench of a force `lead` along the first axis.
     pub(super) from: Vector3<R>,
     /// Of length 1.
     pub(super) along: Vector3<R>,
@@ -48,6 +63,8 @@ pub(super) struct Ray<R: Real> {
 
 /// Two motions across the ray, and one along it.
 struct Axes<R: Real> {
+    direction: Vector2<R>,
+    lead: R,
     along: Vector3<R>,
     across: [Vector3<R>; 2],
 }
@@ -57,18 +74,18 @@ type Unknowns<R> = [R; 5];
 
 /// A lower and an upper bound of the greatest s ≥ 0.
 pub(super) fn reach<R: Real, S: AsRef<[[R; 2]]>>(sharing: &Sharing<R, S>, ray: &Ray<R>) -> [R; 2] {
-    let axes = Axes::of(&ray.along);
+    let axes = Axes::of(ray);
     let mut at = [R::ZERO; 5];
-    // A level plane at twice the greatest speed.
+    // A plane that is higher than twice the greatest speed above the lead.
     let mut fastest = R::ZERO;
     sharing.for_each(|d, _| {
-        let speed = speed(&velocity(&axes.along, d));
+        let speed = speed(&axes.velocity(&axes.along, d));
         if speed > fastest {
             fastest = speed;
         }
     });
     let [_, _, heights @ ..] = &mut at;
-    *heights = [R::TWO * fastest + R::EPSILON; 3];
+    *heights = [(R::TWO + axes.lead) * fastest + R::EPSILON; 3];
     let mut bounds = [R::ZERO, R::INFINITY];
     let mut weight = R::ONE;
     let last = R::from_f64(LAST_WEIGHT) / R::EPSILON;
@@ -94,9 +111,9 @@ pub(super) fn reach<R: Real, S: AsRef<[[R; 2]]>>(sharing: &Sharing<R, S>, ray: &
 }
 
 impl<R: Real> Axes<R> {
-    /// Two directions across one of length 1, and each other.
-    fn of(along: &Vector3<R>) -> Self {
-        let (x, y, z) = (along.x, along.y, along.z);
+    /// Two directions across that of the ray, and each other.
+    fn of(ray: &Ray<R>) -> Self {
+        let (x, y, z) = (ray.along.x, ray.along.y, ray.along.z);
         let zero = R::ZERO;
         let side = if x.abs() <= y.abs() && x.abs() <= z.abs() {
             Vector3::new(zero, z, -y)
@@ -112,9 +129,38 @@ impl<R: Real> Axes<R> {
             x * first.y - y * first.x,
         );
         Self {
-            along: *along,
+            direction: ray.direction,
+            lead: ray.lead,
+            along: ray.along,
             across: [first, second],
         }
+    }
+
+    /// A corner's place.
+    fn turned(&self, d: &Vector2<R>) -> Vector2<R> {
+        let (c, s) = (self.direction.x, self.direction.y);
+        Vector2::new(c * d.x + s * d.y, c * d.y - s * d.x)
+    }
+
+    /// Velocity of a corner.
+    fn velocity(&self, motion: &Vector3<R>, d: &Vector2<R>) -> Vector2<R> {
+        let d = self.turned(d);
+        Vector2::new(motion.x - motion.z * d.y, motion.y + motion.z * d.x)
+    }
+
+    /// Speed above the lead.
+    fn excess(&self, u: &Vector2<R>) -> R {
+        let (speed, lead) = (speed(u), self.lead * u.x);
+        if lead > R::ZERO {
+            u.y * u.y / (speed + lead)
+        } else {
+            speed - lead
+        }
+    }
+
+    /// `height` above the lead where the plane is counted from there, else the velocity's part against it.
+    fn lean(&self, height: R, u: &Vector2<R>) -> R {
+        if self.lead > R::ZERO { height } else { -u.x }
     }
 
     /// The motion of the centre.
@@ -124,34 +170,38 @@ impl<R: Real> Axes<R> {
     }
 }
 
-/// Velocity of a corner.
-fn velocity<R: Real>(motion: &Vector3<R>, d: &Vector2<R>) -> Vector2<R> {
-    Vector2::new(motion.x - motion.z * d.y, motion.y + motion.z * d.x)
-}
-
 pub(super) fn speed<R: Real>(u: &Vector2<R>) -> R {
     u.x.hypot(u.y)
 }
 
-/// Height of the plane above a corner, the corner's velocity, and the barrier's argument.
-fn slack<R: Real>(
-    axes: &Axes<R>,
-    at: &Unknowns<R>,
-    d: &Vector2<R>,
-    [a, b, c]: [R; 3],
-) -> (R, Vector2<R>, R) {
+/// What the barrier is made of at a corner.
+struct Slack<R: Real> {
+    /// Heights of the plane, above the lead and in all.
+    height: R,
+    plane: R,
+    u: Vector2<R>,
+    /// The barrier's argument.
+    argument: R,
+}
+
+fn slack<R: Real>(axes: &Axes<R>, at: &Unknowns<R>, d: &Vector2<R>, [a, b, c]: [R; 3]) -> Slack<R> {
     let [_, _, x, y, z] = *at;
-    let plane = a * x + b * y + c * z;
-    let u = velocity(&axes.motion(at), d);
-    let speed = speed(&u);
-    let gap = plane - speed;
+    let height = a * x + b * y + c * z;
+    let u = axes.velocity(&axes.motion(at), d);
+    let plane = height + axes.lead * u.x;
+    let gap = height - axes.excess(&u);
     // NaN stays.
     let argument = if plane <= R::ZERO {
         -R::ONE
     } else {
-        gap * (plane + speed)
+        gap * (plane + speed(&u))
     };
-    (plane, u, argument)
+    Slack {
+        height,
+        plane,
+        u,
+        argument,
+    }
 }
 
 /// The minimum at one weight, by damped Newton steps, which never leave the domain.
@@ -212,8 +262,7 @@ fn is_inside<R: Real, S: AsRef<[[R; 2]]>>(
 ) -> bool {
     let mut all = true;
     sharing.for_each(|d, parts| {
-        let (_, _, argument) = slack(axes, at, d, parts);
-        all &= argument > R::ZERO;
+        all &= slack(axes, at, d, parts).argument > R::ZERO;
     });
     all
 }
@@ -236,25 +285,29 @@ fn newton<R: Real, S: AsRef<[[R; 2]]>>(
             *gradient = weight * slope;
         }
     }
+    let (lead, rest) = (axes.lead, R::ONE - axes.lead);
     sharing.for_each(|d, [a, b, c]| {
-        let (plane, u, argument) = slack(axes, at, d, [a, b, c]);
-        let [one, other] = [velocity(&first, d), velocity(&second, d)];
-        // How plane and velocity follow the unknowns.
-        let plane_by = [zero, zero, a, b, c];
+        let slack = slack(axes, at, d, [a, b, c]);
+        let [one, other] = [axes.velocity(&first, d), axes.velocity(&second, d)];
+        // How height and velocity follow the unknowns.
+        let height_by = [zero, zero, a, b, c];
         let x_by = [one.x, other.x, zero, zero, zero];
         let y_by = [one.y, other.y, zero, zero, zero];
-        let inverse = R::TWO / argument;
+        let (plane, u) = (slack.plane, &slack.u);
+        let lean = axes.lean(slack.height, u);
+        let inverse = R::TWO / slack.argument;
         let mut slope = [zero; 5];
-        for ((s, p), (x, y)) in slope.iter_mut().zip(plane_by).zip(x_by.iter().zip(y_by)) {
-            *s = inverse * (plane * p - u.x * *x - u.y * y);
+        for ((s, p), (x, y)) in slope.iter_mut().zip(height_by).zip(x_by.iter().zip(y_by)) {
+            *s = inverse * (plane * p + lean * *x - u.y * y);
         }
         for (row, ((s, p), (x, y))) in rows
             .iter_mut()
-            .zip(slope.iter().zip(plane_by).zip(x_by.iter().zip(y_by)))
+            .zip(slope.iter().zip(height_by).zip(x_by.iter().zip(y_by)))
         {
-            let columns = slope.iter().zip(plane_by).zip(x_by.iter().zip(y_by));
+            let columns = slope.iter().zip(height_by).zip(x_by.iter().zip(y_by));
             for (entry, ((t, q), (v, w))) in row.iter_mut().zip(columns) {
-                *entry += *s * *t - inverse * (p * q - *x * *v - y * w);
+                let bend = p * q + lead * (p * *v + *x * q) - rest * (*x * *v) - y * w;
+                *entry += *s * *t - inverse * bend;
             }
             if let Some(gradient) = row.last_mut() {
                 *gradient -= *s;
@@ -310,8 +363,10 @@ fn bounds_at<R: Real, S: AsRef<[[R; 2]]>>(
 ) -> [R; 2] {
     let motion = axes.motion(at);
     let mut support = R::ZERO;
-    for share in sharing.greatest(|d| speed(&velocity(&motion, d))) {
-        support += share.part * speed(&velocity(&motion, &share.at));
+    // The lead itself has the same mean under every pressure.
+    let excess = |d: &Vector2<R>| axes.excess(&axes.velocity(&motion, d));
+    for share in sharing.greatest(excess) {
+        support += share.part * excess(&share.at);
     }
     let upper = (support - dot(&ray.from, &motion)) / dot(&ray.along, &motion);
     let step = solved(newton(sharing, ray, axes, weight, at));
@@ -320,7 +375,8 @@ fn bounds_at<R: Real, S: AsRef<[[R; 2]]>>(
     [lower, upper]
 }
 
-/// Share and force of a corner after one more Newton step, to first order in it, without the factor 2/τ.
+/// Share of a corner, and its force from that of a force `lead` · share along the first axis, after one more
+/// Newton step, to first order in it, without the factor 2/τ.
 ///
 /// To this order they satisfy all equations, however much rounding there is in the barrier.
 fn dual<R: Real>(
@@ -330,17 +386,33 @@ fn dual<R: Real>(
     d: &Vector2<R>,
     parts: [R; 3],
 ) -> (R, Vector2<R>) {
-    let (plane, u, argument) = slack(axes, at, d, parts);
+    let slack = slack(axes, at, d, parts);
+    let (plane, u) = (slack.plane, &slack.u);
     let [p, q, x, y, z] = *step;
     let [first, second] = axes.across;
     let [a, b, c] = parts;
-    let plane_step = a * x + b * y + c * z;
-    let u_step = velocity(&(first * p + second * q), d);
+    let height_step = a * x + b * y + c * z;
+    let u_step = axes.velocity(&(first * p + second * q), d);
+    let lean = axes.lean(slack.height, u);
+    let lean_step = axes.lean(height_step, &u_step);
     // How the barrier's argument shrinks, of itself.
-    let shrinks = (plane * plane_step - u.x * u_step.x - u.y * u_step.y) * (R::TWO / argument);
-    let share = (plane * (R::ONE + shrinks) - plane_step) / argument;
-    let force = (u * (R::ONE + shrinks) - u_step) * (R::ONE / argument);
-    (share, force)
+    let shrinks =
+        (plane * height_step + lean * u_step.x - u.y * u_step.y) * (R::TWO / slack.argument);
+    let later = |now: R, step: R| (now * (R::ONE + shrinks) - step) / slack.argument;
+    let plane_step = height_step + axes.lead * u_step.x;
+    let force = Vector2::new(-later(lean, lean_step), later(u.y, u_step.y));
+    (later(plane, plane_step), force)
+}
+
+/// How far a force exceeds its share, as the factor by which all forces must be nearer to the lead.
+fn strain<R: Real>(axes: &Axes<R>, share: R, force: &Vector2<R>) -> R {
+    if axes.lead > R::ZERO {
+        // |force| ≤ share, squared, with what is missing along the lead.
+        let missing = -force.x;
+        force.y * force.y / (missing * (R::TWO * share - missing))
+    } else {
+        speed(force) / share
+    }
 }
 
 /// A wrench that the forces of the central path carry, with shares that add up as they must.
@@ -369,18 +441,21 @@ fn carried<R: Real, S: AsRef<[[R; 2]]>>(
     };
     let mut wrench = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
     // No force may exceed its share.
-    let (mut is_right, mut excess) = (true, R::ONE);
+    let (mut is_right, mut most) = (true, R::ONE);
     sharing.for_each(|d, [a, b, c]| {
         let (share, force) = dual(axes, at, step, d, [a, b, c]);
         let factor = a * plane.x + b * plane.y + c * plane.z;
-        let size = speed(&force);
-        if size > excess * share {
-            excess = size / share;
+        let strain = strain(axes, share, &force);
+        if strain > most {
+            most = strain;
         }
-        is_right &= share > R::ZERO && factor >= R::ZERO;
-        wrench += Vector3::new(force.x, force.y, cross(d, &force)) * factor;
+        let is_short = axes.lead == R::ZERO || force.x < R::ZERO;
+        is_right &= share > R::ZERO && factor >= R::ZERO && is_short;
+        // Forces along the lead have no torque about the centre, all together.
+        let torque = cross(&axes.turned(d), &force);
+        wrench += Vector3::new(force.x, force.y, torque) * factor;
     });
-    is_right.then(|| wrench * (R::ONE / excess))
+    is_right.then(|| wrench * (R::ONE / most))
 }
 
 /// The s for which the ray's wrench is a mean of a carried one nearby and of carried ones around its start.

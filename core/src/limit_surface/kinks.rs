@@ -14,7 +14,7 @@
 //! Of all twists that were seen the one with the least value is kept.
 
 use super::quadratic::{Factors, dot, norm};
-use super::search::{Goal, Least, MOST_HALVINGS, Power, pivot, rough};
+use super::search::{Ended, Goal, Least, MOST_HALVINGS, Power, pivot, rough};
 use crate::real::Real;
 use nalgebra::Vector3;
 
@@ -123,11 +123,17 @@ pub(super) fn least<R: Real>(
         }
         (at, power) = (next, next_power);
     }
+    let ended = if steps < MOST_STEPS && !power.value.is_nan() {
+        Ended::Rounding
+    } else {
+        Ended::Missed
+    };
     power.gradient = goal.balanced(&at, power.value);
     Least {
         at,
         power,
         steps,
+        ended,
         is_flat: false,
     }
 }
@@ -171,6 +177,7 @@ fn beside<R: Real>(
             at,
             power,
             steps: 0,
+            ended: Ended::Level,
             is_flat: true,
         });
     }

@@ -14,7 +14,7 @@
 
 use super::kinks::{self, Kink};
 use super::quadratic::{Factors, dot, norm, outer, over, product, stretched, unit_matrix};
-use super::search::{self, Goal, Least, Nearest, Power, Radial, pivot};
+use super::search::{self, Ended, Goal, Least, Nearest, Power, Radial, pivot};
 use super::{FrictionSet, Projection, Region, collar};
 use crate::coupling::flat::{DryPatch, FlatFriction};
 use crate::law::{LawError, validated_not_negative};
@@ -26,9 +26,14 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 /// coordinates.
 ///
 /// *Accuracy* (f64): gauge 1e-14, surface points and normals 1e-13 of the limits (f32: 1e-5), with the
-/// origin at most a few radii away from the centre of pressure; about a distant one their ratio is lost.
+/// origin at most a few radii away from the centre of pressure; about a distant one their ratio is lost. A
+/// patch or a wall that is more than 10 times as long as wide loses its aspect ratio over 10 (f32: twice
+/// that, up to 100:1), and what counts as on the surface widens with it, so that no projection moves a
+/// projected wrench.
 /// Points: the same on facets; between them the gauge 1e-9, next to a facet's rim normals to its square
-/// root. *Cost*, in wrenches with Jacobian: gauge, normal and projection about 5 each, at most 12.
+/// root. *Special values*: gauge and normal are NaN should their search not end, which was never seen; a
+/// projection is a point of the surface all the same. *Cost*, in wrenches with Jacobian: gauge, normal and
+/// projection about 5 each, at most 12.
 ///
 /// ```
 /// use tribos_core::limit_surface::{FrictionSet, PatchSurface};
@@ -52,6 +57,8 @@ pub struct PatchSurface<R, P> {
     /// Largest torque about the origin over the force limit: the unit of length of the search.
     arm: R,
     radius: R,
+    /// Half width of the surface, of the gauge.
+    collar: R,
 }
 
 impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
@@ -61,6 +68,7 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         let limit = validated_not_negative("force limit", force_limit)?.abs();
         let centre = patch.centre();
         let radius = patch.radius() + centre.x.hypot(centre.y);
+        let collar = collar_of(patch.rounding());
         let turn = Twist::new(R::ZERO, R::ZERO, R::ONE);
         let friction = FlatFriction::new(patch, R::ONE)?;
         let arm = friction.wrench(R::ONE, &turn).torque.abs();
@@ -69,6 +77,7 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
             limit,
             arm,
             radius,
+            collar,
         })
     }
 
@@ -111,10 +120,11 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         let goal = Radial {
             wrench: over(&wanted, size),
         };
+        let found = self.above(&goal);
+        let gauge = self.gauge_of(&goal, &found);
         let Least {
             at, power, is_flat, ..
-        } = self.above(&goal);
-        let gauge = dot(&goal.wrench, &at) / power.value;
+        } = found;
         let normal = at * (R::ONE / power.value);
         let hessian = if is_flat {
             Matrix3::from_element(R::ZERO)
@@ -204,7 +214,7 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         let middle = Vector2::new(R::ZERO, R::ZERO);
         let power_at = |at: &Vector3<R>| self.power(at);
         if self.patch().nearest_point(&middle).is_none() {
-            return search::least(goal, start, power_at);
+            return search::least(goal, start, self.patch().rounding(), power_at);
         }
         kinks::least(goal, start, power_at, |at| self.kink(at))
     }
@@ -230,6 +240,15 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
             share: point.share,
             place: [x, y],
         })
+    }
+
+    /// The gauge of a wrench above which the search has ended: from below at any twist, so that it is no number
+    /// where the search has missed.
+    fn gauge_of(&self, goal: &Radial<R>, found: &Least<R>) -> R {
+        match found.ended {
+            Ended::Level | Ended::Rounding => dot(&goal.wrench, &found.at) / found.power.value,
+            Ended::Missed => R::NAN,
+        }
     }
 
     /// A twist of the search with |velocity|² + (spin · radius)² = 1.
@@ -258,14 +277,16 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         let radial = Radial {
             wrench: over(&wanted, size),
         };
+        let found = self.above(&radial);
+        // No number where the search has missed: the wrench is then brought to the surface.
+        let gauge = size * self.gauge_of(&radial, &found);
         let Least {
             at: above, power, ..
-        } = self.above(&radial);
-        let gauge = dot(&wanted, &above) / power.value;
-        if gauge < R::ONE - collar() {
+        } = found;
+        if gauge < R::ONE - self.collar {
             return stays(Region::Inside);
         }
-        if gauge <= R::ONE + collar() {
+        if gauge <= R::ONE + self.collar {
             let normal = self.normal(&above);
             return stays(Region::OnSurface { normal });
         }
@@ -307,6 +328,25 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
             wrench,
             region: Region::OnSurface { normal },
         })
+    }
+}
+
+/// Half width of the surface of a slender patch, in units of the rounding of its power; 11 were seen. And
+/// the largest one, of the gauge: beyond, single precision does not know the width of the patch.
+const SLENDER_COLLAR: f64 = 24.0;
+const LARGEST_COLLAR: f64 = 1.0 / 64.0;
+
+/// Half width of the surface of a patch with this rounding.
+fn collar_of<R: Real>(rounding: R) -> R {
+    let own = R::from_f64(SLENDER_COLLAR) * rounding;
+    let most = R::from_f64(LARGEST_COLLAR);
+    let least = collar();
+    if own > most {
+        most
+    } else if own > least {
+        own
+    } else {
+        least
     }
 }
 
@@ -353,8 +393,11 @@ impl<R: Real, P: DryPatch<R>> FrictionSet<R> for PatchSurface<R, P> {
         let goal = Radial {
             wrench: over(&wanted, size),
         };
-        let Least { at, power, .. } = self.above(&goal);
-        size * (dot(&goal.wrench, &at) / power.value)
+        size * self.gauge_of(&goal, &self.above(&goal))
+    }
+
+    fn contains(&self, wrench: &Wrench<R>) -> bool {
+        self.gauge(wrench) <= R::ONE + self.collar
     }
 
     fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {
@@ -369,7 +412,11 @@ impl<R: Real, P: DryPatch<R>> FrictionSet<R> for PatchSurface<R, P> {
         let goal = Radial {
             wrench: over(&wanted, norm(&wanted)),
         };
-        self.normal(&self.above(&goal).at)
+        let found = self.above(&goal);
+        match found.ended {
+            Ended::Level | Ended::Rounding => self.normal(&found.at),
+            Ended::Missed => self.normal(&(found.at * R::NAN)),
+        }
     }
 
     fn scale_to_surface(&self, wrench: &Wrench<R>) -> Wrench<R> {
@@ -409,6 +456,99 @@ mod tests {
     /// A number of −1 … 1 that golden angles and their like spread evenly.
     fn part(i: u32, k: f64) -> f64 {
         2.0 * (f64::from(i) * k).fract() - 1.0
+    }
+
+    /// A rectangle of sides 2 and 2/`aspect`, or a U of such walls, turned by `angle`.
+    fn slender<R: Real, const N: usize>(
+        corners: [[f64; 2]; N],
+        angle: f64,
+    ) -> PatchSurface<R, Polygon<R, [crate::patch::outline::Edge<R>; N]>> {
+        let (c, s) = (libm::cos(angle), libm::sin(angle));
+        let turned = corners.map(|[x, y]| [c * x - s * y, s * x + c * y].map(R::from_f64));
+        PatchSurface::new(Polygon::new(turned).unwrap(), R::ONE).unwrap()
+    }
+
+    /// Largest distance of the friction of a normal from the wrench below it, and whether a projection stays.
+    fn normals_of<R: Real, const N: usize>(corners: [[f64; 2]; N]) -> f64 {
+        let mut worst = 0.0_f64;
+        for i in 0..600 {
+            let surface = slender::<R, N>(corners, 3.2 * part(i / 30, 0.754_877_666_25));
+            // Some pushes lie next to the rim or next to an axis.
+            let narrow = libm::exp(6.0 * part(i, 0.671_043_606_7) - 6.0);
+            let torque = surface.arm.to_f64() * part(i, 0.819_172_513_4);
+            let [x, y] = [part(i, 0.569_840_290_99), part(i, 0.445_041_867_9)];
+            let [x, y, torque] = match i % 3 {
+                0 => [x, y * narrow, torque * narrow],
+                1 => [x, y, torque * narrow],
+                _ => [x, y, torque],
+            }
+            .map(R::from_f64);
+            let push = Wrench::new(x, y, torque);
+            let gauge = surface.gauge(&push);
+            let friction =
+                surface.wrench(&surface.twist_normal_to(&push)) + push * (R::ONE / gauge);
+            let off = [
+                friction.force.x,
+                friction.force.y,
+                friction.torque / surface.arm,
+            ];
+            for part in off {
+                worst = worst.max(part.to_f64().abs());
+            }
+            // Far outside and near, in several lengths.
+            let far = R::from_f64(1.0 + libm::exp(7.0 * part(i, 0.324_717_957_2)));
+            let length = surface.radius * R::from_f64(libm::exp(2.0 * part(i, 0.618_033_988_7)));
+            let once = surface.project_with_length(&(push * (far / gauge)), length);
+            let twice = surface.project_with_length(&once.wrench, length);
+            assert_eq!(once.wrench, twice.wrench, "{corners:?} {i}");
+            assert!(surface.contains(&once.wrench), "{corners:?} {i}");
+        }
+        worst
+    }
+
+    #[test]
+    fn thin_strips_and_walls_have_the_normals_of_their_surface() {
+        let strip = |a: f64| {
+            [
+                [-1.0, -1.0 / a],
+                [1.0, -1.0 / a],
+                [1.0, 1.0 / a],
+                [-1.0, 1.0 / a],
+            ]
+        };
+        // Three walls of length 2 and this aspect ratio.
+        let walls = |a: f64| {
+            let (outer, inner) = (1.0, 1.0 - 2.0 / a);
+            [
+                [-outer, -outer],
+                [outer, -outer],
+                [outer, outer],
+                [inner, outer],
+                [inner, -inner],
+                [-inner, -inner],
+                [-inner, outer],
+                [-outer, outer],
+            ]
+        };
+        for aspect in [10.0, 100.0, 1000.0, 1e4] {
+            let lost = aspect / 10.0;
+            let double = [
+                normals_of::<f64, 4>(strip(aspect)),
+                normals_of::<f64, 8>(walls(aspect)),
+            ];
+            for off in double {
+                assert!(off < 1e-13 * lost, "{aspect}: {double:?}");
+            }
+            if aspect < 200.0 {
+                let single = [
+                    normals_of::<f32, 4>(strip(aspect)),
+                    normals_of::<f32, 8>(walls(aspect)),
+                ];
+                for off in single {
+                    assert!(off < 2e-5 * lost, "{aspect}: {single:?}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -11,7 +11,9 @@ use nalgebra::{Matrix3, Vector3};
 const PIVOT_ULPS: f64 = 4.0;
 /// A gradient of this many rounding errors of the wrench is none.
 const DONE_ULPS: f64 = 8.0;
-/// Most Newton steps; 12 were seen.
+/// A gradient of so many may be.
+const ROUGH_ULPS: f64 = 32.0;
+/// Most Newton steps; 12 were seen, 20 on strips of 1000:1.
 const MOST_STEPS: usize = 40;
 /// Halvings of a step.
 pub(super) const MOST_HALVINGS: usize = 30;
@@ -25,12 +27,24 @@ pub(super) struct Power<R: Real> {
     pub(super) hessian: Matrix3<R>,
 }
 
+/// How a search ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Ended {
+    /// The gradient is zero to rounding.
+    Level,
+    /// A full step of Newton's method no longer shortens the gradient, which is its own rounding.
+    Rounding,
+    /// Neither, within the steps allowed or for want of numbers.
+    Missed,
+}
+
 /// Where a function is least.
 pub(super) struct Least<R: Real> {
     pub(super) at: Vector3<R>,
     pub(super) power: Power<R>,
     /// How many steps were tried.
     pub(super) steps: usize,
+    pub(super) ended: Ended,
     /// True on a facet, whose normal is the same everywhere.
     pub(super) is_flat: bool,
 }
@@ -124,49 +138,82 @@ impl<R: Real> Goal<R> for Nearest<R> {
     }
 }
 
-/// The twist at which `goal` is least, from `start` on.
+/// A twist that a step leads to.
+struct Trial<R: Real> {
+    at: Vector3<R>,
+    power: Power<R>,
+    value: R,
+    gradient: Vector3<R>,
+}
+
+impl<R: Real> Trial<R> {
+    fn of(
+        goal: &impl Goal<R>,
+        at: Vector3<R>,
+        power_at: &impl Fn(&Vector3<R>) -> Power<R>,
+    ) -> Self {
+        let power = power_at(&at);
+        Self {
+            value: goal.value(&at, power.value),
+            gradient: goal.gradient(&at, &power),
+            at,
+            power,
+        }
+    }
+}
+
+/// The twist at which `goal` is least, from `start` on, of a power whose `rounding` is given.
 pub(super) fn least<R: Real>(
     goal: &impl Goal<R>,
     start: Vector3<R>,
+    rounding: R,
     power_at: impl Fn(&Vector3<R>) -> Power<R>,
 ) -> Least<R> {
+    let noise = R::from_f64(DONE_ULPS) * rounding;
     let mut at = start;
     let mut power = power_at(&at);
     let mut steps = 0;
-    while steps < MOST_STEPS {
+    let ended = loop {
         let gradient = goal.gradient(&at, &power);
         let size = norm(&gradient);
-        if size.is_nan() || size <= R::from_f64(DONE_ULPS) * R::EPSILON {
-            break;
+        if size <= noise {
+            break Ended::Level;
+        }
+        if steps == MOST_STEPS || size.is_nan() {
+            break Ended::Missed;
         }
         steps += 1;
         let step = Factors::of(&goal.matrix(&power), pivot()).solve(&gradient);
         let descent = dot(&gradient, &step);
         let before = goal.value(&at, power.value);
+        let slack = noise * (R::ONE + before.abs());
         let mut factor = R::ONE;
-        let mut next = at - step;
-        let mut next_power = power_at(&next);
+        let mut trial = Trial::of(goal, at - step, &power_at);
+        // Where rounding hides what a step gains, its slope at the end decides.
+        let most = -(R::from_f64(1.0 - 2.0 * ENOUGH) * descent);
         for _ in 0..MOST_HALVINGS {
             let enough = before - R::from_f64(ENOUGH) * factor * descent;
-            let rounding = R::from_f64(DONE_ULPS) * R::EPSILON * (R::ONE + before.abs());
-            if goal.value(&next, next_power.value) <= enough + rounding {
+            let is_level = trial.value <= before + slack && dot(&trial.gradient, &step) >= most;
+            if trial.value <= enough || is_level {
                 break;
             }
             factor = R::HALF * factor;
-            next = at - step * factor;
-            next_power = power_at(&next);
+            trial = Trial::of(goal, at - step * factor, &power_at);
         }
-        // Rounding decides from here on.
-        if norm(&goal.gradient(&next, &next_power)) >= size && factor == R::ONE && size < rough() {
-            break;
+        let gains = norm(&trial.gradient) < size || trial.value < before - slack;
+        // A step into a narrow bend levels the slope along it before it shortens the gradient.
+        let is_level = dot(&trial.gradient, &step).abs() < R::HALF * descent;
+        let bends = size > R::from_f64(ROUGH_ULPS) * rounding && is_level;
+        if factor == R::ONE && size < rounding.sqrt() && !(gains || bends) {
+            break Ended::Rounding;
         }
-        at = next;
-        power = next_power;
-    }
+        (at, power) = (trial.at, trial.power);
+    };
     Least {
         at,
         power,
         steps,
+        ended,
         is_flat: false,
     }
 }

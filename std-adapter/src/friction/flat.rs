@@ -274,6 +274,14 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Mesh(patch) => patch.radius(),
         }
     }
+    fn rounding(&self) -> R {
+        match self {
+            Self::Polygon(patch) => patch.rounding(),
+            Self::Leaning(patch) => patch.rounding(),
+            Self::Bar(patch) => patch.rounding(),
+            Self::Mesh(patch) => patch.rounding(),
+        }
+    }
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
         match self {
             Self::Polygon(patch) => patch.reduced(motion),

@@ -115,6 +115,12 @@ impl DryPatch<f64> for Patch<'_> {
             Self::Leaning(patch) => patch.radius(),
         }
     }
+    fn rounding(&self) -> f64 {
+        match self {
+            Self::Uniform(patch) => patch.rounding(),
+            Self::Leaning(patch) => patch.rounding(),
+        }
+    }
     fn reduced(&self, motion: &Motion<f64>) -> Reduced<f64> {
         match self {
             Self::Uniform(patch) => patch.reduced(motion),

@@ -77,7 +77,8 @@ class AnyPressure:
 
         Notes
         -----
-        Both limits are sound to rounding and differ by less than 1e-9 of force limit times radius.
+        Both limits are sound to rounding and differ by less than 1e-9 of force limit times radius for
+        forces up to 1 - 1e-11 of the limit, by less than 1e-7 beyond.
         """
         rows = self._handle.torque_limits(forces)
         return TorqueLimits(carried=rows[..., :2].copy(), outer=rows[..., 2:].copy())

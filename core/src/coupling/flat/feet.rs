@@ -19,6 +19,17 @@ impl<R: Real, P: DryPatch<R>> DryPatch<R> for Feet<'_, R, P> {
         Feet::radius(self)
     }
 
+    fn rounding(&self) -> R {
+        let mut most = R::EPSILON;
+        for foot in self.feet() {
+            let own = foot.patch.rounding();
+            if own > most {
+                most = own;
+            }
+        }
+        most
+    }
+
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
         let mut sum = Reduced {
             force: Vector2::new(R::ZERO, R::ZERO),

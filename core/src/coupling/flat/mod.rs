@@ -56,6 +56,9 @@ pub struct Hessian<R> {
     pub nn: R,
 }
 
+/// Area over boundary and radius below which a patch is slender: a square has 0.35, a strip of 4:1 0.23.
+const COMPACT: f64 = 0.25;
+
 /// A point of contact, with lengths in units of the patch's radius about its centre.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,6 +79,13 @@ pub trait DryPatch<R: Real> {
 
     /// Distance of the farthest point from the centre of pressure.
     fn radius(&self) -> R;
+
+    /// Rounding of its dissipated power, of the power: grows with the aspect ratio of thin walls.
+    #[doc(hidden)]
+    #[inline]
+    fn rounding(&self) -> R {
+        R::EPSILON
+    }
 
     /// Friction at a motion of the centre.
     #[doc(hidden)]
@@ -101,6 +111,9 @@ impl<R: Real, P: DryPatch<R> + ?Sized> DryPatch<R> for &P {
     fn radius(&self) -> R {
         (**self).radius()
     }
+    fn rounding(&self) -> R {
+        (**self).rounding()
+    }
     #[inline]
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
         (**self).reduced(motion)
@@ -120,6 +133,16 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> DryPatch<R> for Polygon<R
 
     fn radius(&self) -> R {
         Polygon::radius(self)
+    }
+
+    /// Integrals along opposite edges cancel each other but for the width between them.
+    fn rounding(&self) -> R {
+        let mut boundary = R::ZERO;
+        for edge in self.edges() {
+            boundary += edge.length();
+        }
+        let slender = R::from_f64(COMPACT) * boundary / self.reduced_area();
+        R::EPSILON * if slender > R::ONE { slender } else { R::ONE }
     }
 
     #[inline]
