@@ -305,10 +305,14 @@ impl Film {
         self.steps.clone()
     }
 
-    /// Sides of the cell along x and y, radii, layers and parts of the bodies.
+    /// Sides of the cell along x and y, periods along x, y and z (None along an open axis), radii, densities,
+    /// materials, layers and parts of the bodies.
     fn bodies<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
+        all.set_item("sides", self.bodies.sides)?;
         all.set_item("periods", self.bodies.periods)?;
+        all.set_item("densities", PyArray1::from_slice(py, &self.bodies.densities))?;
+        all.set_item("materials", PyArray1::from_slice(py, &self.bodies.materials))?;
         all.set_item("radii", PyArray1::from_slice(py, &self.bodies.radii))?;
         all.set_item("layers", PyArray1::from_slice(py, &self.bodies.layers))?;
         all.set_item("parts", PyArray1::from_slice(py, &self.bodies.parts))?;
@@ -335,6 +339,7 @@ fn arrays(py: Python<'_>, frame: Frame) -> PyResult<Bound<'_, PyDict>> {
     all.set_item("time", frame.time)?;
     all.set_item("height", frame.height)?;
     all.set_item("measure", frame.measure)?;
+    all.set_item("tilt", frame.tilt)?;
     let places: Vec<f64> = frame.places.iter().flatten().copied().collect();
     let places = PyArray1::from_vec(py, places).reshape([frame.places.len(), 3])?;
     all.set_item("positions", places)?;

@@ -59,9 +59,10 @@ pub struct Arguments {
     #[arg(long, conflicts_with = "resume")]
     anew: bool,
     /// Powders, grains, gases and tips: seconds between checkpoints in DIR.
-    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = number::pause)]
+    /// [default: 60]
+    #[arg(long, value_name = "SECONDS", value_parser = number::pause)]
     #[arg(allow_negative_numbers = true)]
-    checkpoint: Duration,
+    checkpoint: Option<Duration>,
     /// Powders, grains, gases and tips: largest number of frames kept in DIR/frames, evenly spread over the steps;
     /// 0 for none. Frames do not change the results. [default: 100, or with --resume the number that
     /// the run began with]
@@ -71,6 +72,9 @@ pub struct Arguments {
     #[arg(long)]
     allow_large: bool,
 }
+
+/// Usual time between checkpoints.
+const PAUSE: Duration = Duration::from_secs(60);
 
 /// Where the frames of a run are.
 pub fn frames_folder(out: &Path) -> PathBuf {
@@ -121,6 +125,16 @@ impl Arguments {
                 "--frames is for powders, grains, gases and tips only; `tribos view` shows this scene from its series",
             ));
         }
+        let long_only = [
+            ("--checkpoint", self.checkpoint.is_some()),
+            ("--allow-large", self.allow_large),
+        ];
+        let idle = long_only.iter().find(|(_, is_given)| *is_given);
+        if let (Some((option, _)), false) = (idle, body.is_long()) {
+            return Err(Failure::input(format!(
+                "{option} is for powders, grains, gases and tips only; this scene runs in a moment"
+            )));
+        }
         let done = body.simulate(&Order {
             out: &self.out,
             broken: if self.anew {
@@ -129,7 +143,7 @@ impl Arguments {
                 Broken::Kept
             },
             resume: self.resume,
-            pause: self.checkpoint,
+            pause: self.checkpoint.unwrap_or(PAUSE),
             frames: self.frames,
             allowed: Allowed::of(self.allow_large),
             pictures: Pictures::Drawn,

@@ -26,7 +26,7 @@ pub struct Arguments {
     /// The folder of a run.
     folder: PathBuf,
     /// File for the page. [default: DIR/view.html]
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["still", "film"])]
     out: Option<PathBuf>,
     /// PNG pictures of these frames instead of a page, into DIR/still-<frame>.png: numbers from 1,
     /// or `last`.
@@ -72,7 +72,7 @@ impl Arguments {
             )));
         };
         let body = summary["scene"]["body"].as_str().unwrap_or("disk");
-        if ["powder", "grains", "tip"].contains(&body) {
+        if ["powder", "grains", "gas", "tip"].contains(&body) {
             return Err(Failure::input(format!(
                 "{folder}: the run kept no frames; run it again without `--frames 0`"
             )));

@@ -5,9 +5,16 @@
 use crate::program::{Error, Outcome, assert_has, prepared, wait_for};
 use serde_json::Value;
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
+use tribos::gas::Gas;
+use tribos::grains::Grains;
+use tribos::powder::Compaction;
+use tribos::run::LongRun;
+use tribos::scene::{Scene, read_scene};
+use tribos::tip::TipRun;
 
 /// Some twenty spheres, and 748 atoms: a second or two each.
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
@@ -15,6 +22,20 @@ const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01
 const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
                    rest_time = 0.5\nsamples = 5\n";
+/// Grains of two materials, at walls, in a sheared cell and as springs; a gas with events and with steps.
+const GRAINS: &str = "body = \"grains\"\nwidth = 0.06\ncount = 60\nradius = 0.005\ndensity = 2500\n\
+                      share_second = 0.4\ndensity_second = 7800\nsliding_second = 0.2\nduration = 1\nsamples = 7\n";
+const COLUMN: &str = "x = \"walls\"\nsteps = 500\n";
+const SHEARED: &str = "z = \"periodic\"\nheight = 0.09\ngravity = 0\nshear_rate = 5\nsteps = 500\n";
+const SOFT: &str = "body = \"grains\"\nwidth = 0.06\ncount = 60\nradius = 0.005\ndensity = 2500\nduration = 1\n\
+                    method = \"soft\"\nstiffness = 1e4\nsteps = 100\nsamples = 7\n";
+const GAS: &str = "body = \"gas\"\ncount = 800\ncollisions = 60\n";
+const STEPPED: &str =
+    "body = \"gas\"\ncount = 100\ncollisions = 4\nmethod = \"contact-dynamics\"\n";
+/// Scenes that are broken off.
+const BROKEN: [&str; 7] = [
+    "powder", "tip", "column", "sheared", "soft", "gas", "stepped",
+];
 /// Breaks of each kind and scene; more by this variable of the environment.
 const BREAKS: (&str, u64) = ("TRIBOS_BREAKS", 3);
 /// A run that does not end meanwhile.
@@ -26,6 +47,11 @@ fn home() -> Result<tempfile::TempDir, Error> {
         ("powder.toml", POWDER),
         ("tip.toml", TIP),
         ("long.toml", LONG),
+        ("column.toml", &format!("{GRAINS}{COLUMN}")),
+        ("sheared.toml", &format!("{GRAINS}{SHEARED}")),
+        ("soft.toml", SOFT),
+        ("gas.toml", GAS),
+        ("stepped.toml", STEPPED),
     ] {
         std::fs::write(home.path().join(name), text)?;
     }
@@ -74,7 +100,7 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
         .ok()
         .and_then(|text| text.parse().ok());
     let mut moment = 12_345_u64;
-    for scene in ["powder", "tip"] {
+    for scene in BROKEN {
         let run = format!("run {scene}.toml --frames 10 --out");
         let began = Instant::now();
         let whole = prepared(home.path(), format!("{run} whole-{scene}")).output()?;
@@ -118,6 +144,50 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
             assert_eq!(names(&ours), names(&whole), "{out} after {broken} breaks");
             assert!(ours == whole, "{out} after {broken} breaks");
         }
+    }
+    Ok(())
+}
+
+/// The checkpoint of the end of a scene's run, which stands until the results are written.
+fn last_checkpoint(scene: &Path) -> Result<String, Error> {
+    fn ended<R: LongRun<Error: 'static>>(scene: &R::Scene) -> Result<String, Error> {
+        let mut run = R::begin(scene, None, &mut |_| ControlFlow::Continue(()))?;
+        while run.step()? {}
+        Ok(run.checkpoint())
+    }
+    match read_scene(scene, &[])? {
+        Scene::Powder(scene) => ended::<Compaction>(&scene),
+        Scene::Grains(scene) => ended::<Grains>(&scene),
+        Scene::Gas(scene) => ended::<Gas>(&scene),
+        Scene::Tip(scene) => ended::<TipRun>(&scene),
+        _ => Err("a short run".into()),
+    }
+}
+
+#[test]
+fn a_run_broken_while_it_writes_its_results_goes_on_to_the_same_bytes() -> Outcome {
+    let home = home()?;
+    for scene in BROKEN {
+        let run = format!("run {scene}.toml --frames 10 --out {scene}");
+        let output = prepared(home.path(), &run).output()?;
+        assert!(output.status.success(), "{scene}: {}", said(&output));
+        let out = home.path().join(scene);
+        let whole = files(&out)?;
+        let checkpoint = last_checkpoint(&home.path().join(format!("{scene}.toml")))?;
+        std::fs::write(out.join("checkpoint.json"), checkpoint)?;
+        let is_result = |name: &&String| !name.starts_with("frames/") && *name != "tribos.json";
+        for name in whole.keys().filter(is_result) {
+            if name != "series.csv" {
+                std::fs::remove_file(out.join(name))?;
+            }
+        }
+        let output = prepared(home.path(), format!("{run} --resume")).output()?;
+        assert!(output.status.success(), "{scene}: {}", said(&output));
+        let ours = files(&out)?;
+        for (name, bytes) in &whole {
+            assert!(ours.get(name) == Some(bytes), "{scene}: {name}");
+        }
+        assert_eq!(ours.len(), whole.len(), "{scene}");
     }
     Ok(())
 }

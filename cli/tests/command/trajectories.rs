@@ -84,7 +84,7 @@ fn a_tip_and_a_powder_are_read_back_frame_by_frame() -> Outcome {
         for (read, frame) in read.iter().zip(&frames) {
             assert_eq!(read.step, frame.step);
             assert_eq!(read.is_periodic, [true, true, false]);
-            assert_eq!(read.bounds[0], [0.0, bodies.periods[0]]);
+            assert_eq!(read.bounds[0], [0.0, bodies.sides[0]]);
             assert_places(&read.atoms.positions, frame);
             let types = bodies.parts.iter().zip(&read.atoms.species);
             assert!(types.into_iter().all(|(part, species)| part == species));

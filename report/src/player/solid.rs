@@ -45,7 +45,7 @@ pub fn solid_film(title: &str, bodies: &Bodies, frames: &[Frame]) -> Result<Film
         "body": bodies.kind.name(),
         "units": units(bodies.kind),
         "particles": count,
-        "periods": bodies.periods,
+        "periods": bodies.sides,
         "box": bounds,
         "radii": radii(&bodies.radii),
         "marked": bodies.marked,

@@ -1,6 +1,7 @@
 //! Frames of a film of a gas.
 
 use super::run::Gas;
+use super::stepped::DENSITY;
 use crate::record::frames::{Bodies, Frame, Kind};
 
 impl Gas {
@@ -11,8 +12,11 @@ impl Gas {
             scene: self.scene().json(),
             limit,
             stride: 1,
-            periods: [self.length(); 2],
+            sides: [self.length(); 2],
+            periods: [Some(self.length()); 3],
             radii: vec![1.0; self.scene().count],
+            materials: Vec::new(),
+            densities: vec![DENSITY; self.scene().count],
             layers: Vec::new(),
             parts: Vec::new(),
             marked: Vec::new(),
@@ -27,6 +31,7 @@ impl Gas {
             step: self.steps(),
             time: self.time(),
             height: self.length(),
+            tilt: 0.0,
             measure: state.temperatures().translational,
             corners: [[0.0; 3], [length; 3]],
             places: state.places,

@@ -7,6 +7,7 @@ use super::outcome::Outcome;
 use super::room::edge;
 use super::start::start;
 use super::state::GasState;
+use super::stepped::DENSITY;
 use crate::event::{Advance, Impact, Temperatures, collision_rate};
 use crate::record::Snapshot;
 use crate::run::Simulation;
@@ -254,6 +255,8 @@ impl Gas {
             velocities: Some(&velocities),
             spins: Some(&spins),
             species: None,
+            materials: None,
+            densities: Some(&vec![DENSITY; self.radii.len()]),
             contacts: &[],
         }))
     }

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 use tribos_core::contact::Attraction;
 
 /// Density of spheres of mass 1 and radius 1.
-const DENSITY: f64 = 3.0 / (4.0 * PI);
+pub(super) const DENSITY: f64 = 3.0 / (4.0 * PI);
 /// Tolerance of lasting contacts, which a gas hardly has, and the most sweeps of a step.
 const TOLERANCE: f64 = 1e-4;
 const SWEEPS: usize = 1000;

@@ -5,7 +5,7 @@ use super::layout::{Face, Layout, Part};
 use super::placement::{self, Start};
 use crate::cd::Wall;
 use crate::measure::AssemblyError;
-use crate::packing::{Frozen, Second, deepest, given};
+use crate::packing::{Frozen, Kinds, deepest, given};
 use crate::scene::{ContactMethod, Container, Ends, GrainsScene, Sides};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
@@ -29,11 +29,24 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     let y = (scene.y == Sides::Periodic && !flat).then_some((depth, "depth"));
     let z = (scene.z == Ends::Periodic).then(|| (scene.height.unwrap_or(0.0), "height"));
     let mut assembly = given(path, [x, y, z], (scene.radius, scene.method))?;
+    if scene.method == ContactMethod::Soft && assembly.space.offset() != 0.0 {
+        return Err(AssemblyError::Content {
+            file: path.display().to_string(),
+            reason: "its cell leans along x over z, and springs know no sheared images; \
+                     set method = \"contact-dynamics\""
+                .into(),
+        }
+        .into());
+    }
     let frozen = assembly.frozen.take();
     let mut start = Start {
         positions: assembly.positions.clone(),
         radii: assembly.radii.clone(),
-        is_second: Second::choose(scene.seed, scene.share_second, assembly.radii.len()),
+        kinds: Kinds::given(
+            &assembly,
+            (scene.seed, scene.share_second),
+            (&scene.material(), &scene.differences()),
+        ),
         contacts: Vec::new(),
         frozen: None,
     };

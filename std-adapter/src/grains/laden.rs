@@ -44,7 +44,7 @@ impl Body<{ COLUMNS.len() }> for Laden {
     type Ending = Ending;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
-    const FORMAT: (&'static str, u64) = ("tribos_grains", 2);
+    const FORMAT: (&'static str, u64) = ("tribos_grains", 3);
     const CADENCE: Cadence = Cadence::Lines;
 
     fn scene(&self) -> Value {

@@ -26,14 +26,10 @@ pub(super) fn packing(
     frozen: Option<&Frozen>,
 ) -> Result<Box<dyn Packing>, GrainsError> {
     let material = scene.material();
-    let other = Differences {
-        density: scene.density_second,
-        sliding: scene.sliding_second,
-        sliding_mixed: scene.sliding_mixed,
-    };
     let extras = Extras {
         shear_rate: scene.shear_rate.unwrap_or(0.0),
-        second: Second::beside(&material, &other, start.is_second),
+        second: Second::beside(&material, &scene.differences(), start.kinds.is_second()),
+        densities: start.kinds.densities,
         velocities: scene.agitation(start.radii.len()),
     };
     let mass = scene.piston_mass.unwrap_or_else(|| {
@@ -125,6 +121,15 @@ impl GrainsScene {
         let fall = (2.0 * self.motion * self.radius / strongest).sqrt();
         let longest = fall.min(self.duration / STEPS);
         self.time_step.unwrap_or(longest)
+    }
+
+    /// What the second material has of its own.
+    pub(super) fn differences(&self) -> Differences {
+        Differences {
+            density: self.density_second,
+            sliding: self.sliding_second,
+            sliding_mixed: self.sliding_mixed,
+        }
     }
 
     /// The material of the grains.

@@ -1,7 +1,7 @@
 //! The start: grains that touch neither each other nor a wall, at random places of a lattice.
 
 use super::container::has_room;
-use crate::packing::{Frozen, Radii, Second, SizesError};
+use crate::packing::{Frozen, Kinds, Radii, Second, SizesError};
 use crate::random::Random;
 use crate::record::ContactRow;
 use crate::scene::{Container, Ends, GrainsScene, Sides};
@@ -19,8 +19,7 @@ const BATCH: usize = 1000;
 pub(super) struct Start {
     pub positions: Vec<Vector3<f64>>,
     pub radii: Vec<f64>,
-    /// One flag a grain, true if it is of the second material.
-    pub is_second: Vec<bool>,
+    pub kinds: Kinds,
     pub contacts: Vec<ContactRow>,
     /// Motion, walls and forces of grains that were not placed at random.
     pub frozen: Option<Frozen>,
@@ -129,7 +128,7 @@ pub(super) fn start(
     Ok(Start {
         positions,
         radii,
-        is_second,
+        kinds: Kinds::of(&is_second, &scene.material(), &scene.differences()),
         contacts: Vec::new(),
         frozen: None,
     })

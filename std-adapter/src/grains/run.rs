@@ -10,7 +10,7 @@ use super::outcome::Outcome;
 use super::parts::packing;
 use crate::cd::StepReport;
 use crate::golden::Measurement;
-use crate::packing::{Drive, Kept, Limits, Statistics, Told};
+use crate::packing::{Drive, Kept, Limits, Statistics, Told, origin};
 use crate::problem::Global;
 use crate::record::frames::{Bodies, Frame, Kind};
 use crate::record::{ContactRow, Snapshot};
@@ -105,8 +105,11 @@ impl Grains {
         let start = start(scene, watch)?;
         let layout = Layout::of(scene, &start)?;
         let loads = Loads::of(scene, &layout);
+        let kinds = start.kinds.clone();
+        let began_with = origin(&start.positions, &start.radii, &kinds);
         if let Some(kept) = &kept {
-            kept.fits(start.radii.len(), layout.parts.len(), bounds(scene))?;
+            let counts = (start.radii.len(), layout.parts.len());
+            kept.fits(counts, &began_with, bounds(scene))?;
         }
         let (contacts, frozen) = (start.contacts.clone(), start.frozen.clone());
         let kept_frozen = kept.as_ref().map(|kept: &Kept<Laden, _>| &kept.frozen);
@@ -117,7 +120,8 @@ impl Grains {
             layout,
             loads,
         };
-        let drive = Drive::begin((body, Slow(0)), (packing, contacts), kept)?;
+        let begun = (kinds, began_with);
+        let drive = Drive::begin((body, Slow(0)), (packing, contacts), begun, kept)?;
         Ok(Self { drive })
     }
 
@@ -210,8 +214,8 @@ impl Grains {
 
     /// Data common to all frames of the film, which keeps at most `limit` of them.
     pub fn bodies(&self, limit: u64) -> Bodies {
-        let periods = [self.scene().width, self.scene().box_depth()];
-        self.drive.bodies(Kind::Grains, periods, limit)
+        let sides = [self.scene().width, self.scene().box_depth()];
+        self.drive.bodies(Kind::Grains, sides, limit)
     }
 
     /// The current state.
@@ -243,7 +247,7 @@ impl Grains {
             surface_angles: now.surface_angles(),
             last: self.record(),
             statistics: Statistics::of(self.contacts(), radii, &limits)
-                .of_materials(self.scene().share_second)
+                .of_materials(self.drive.kinds.mixed().is_some())
                 .since(totals.overlap),
             iterations: totals.iterations,
             unmet: totals.unmet,

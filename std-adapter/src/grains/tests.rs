@@ -484,6 +484,10 @@ fn a_run_resumes_to_the_byte() {
             broken.step().unwrap();
         }
         assert_eq!(whole.series(), broken.series());
+        // Between two lines, too, and once a run has ended.
+        let resumed = Grains::resume(&scene, &whole.checkpoint()).unwrap();
+        assert_eq!(resumed.record(), whole.record());
+        assert_eq!(resumed.last_step(), whole.last_step());
         let bits = |run: &Grains| run.with_snapshot(|now| now.positions.to_vec());
         assert_eq!(bits(&whole), bits(&broken));
     }

@@ -1,4 +1,4 @@
-//! Reading extended XYZ, as ASE and OVITO write it; orthogonal cells.
+//! Reading extended XYZ, as ASE and OVITO write it; orthogonal cells, and of spheres those that lean along x over z.
 
 mod header;
 
@@ -11,6 +11,8 @@ use nalgebra::Vector3;
 use std::collections::HashSet;
 
 const CUT_SHORT: &str = "is the file cut short?";
+/// Species of spheres in a file without them.
+const NAMELESS: &str = "X";
 
 /// The last frame of a file; all before it must be readable.
 ///
@@ -28,17 +30,20 @@ const CUT_SHORT: &str = "is the file cut short?";
 /// ```
 ///
 /// Columns `species` and `pos` are required, `vel` (or `velo`, `velocities`) and `id` are optional,
-/// others are ignored. Species that are all numbers from 1 keep them; names are numbered in the
+/// others are ignored; a file with a column `radius` may do without `species`. Species that are all numbers from 1 keep them; names are numbered in the
 /// order of their first appearance. Masses are 1. Without `Lattice` all axes are open and the box
 /// encloses the atoms.
 pub fn last_frame(text: &str) -> Result<Configuration, TextError> {
     let mut last = None;
-    each_frame(text, |frame, _| last = Some(frame))?;
-    last.ok_or_else(|| {
+    each_frame(text, |frame, spheres| last = Some((frame, spheres)))?;
+    let last = last.ok_or_else(|| {
         Lines::new("")
             .here()
             .missing("a frame", "is the file empty?")
-    })
+    });
+    let (frame, spheres) = last?;
+    spheres.upright()?;
+    Ok(frame)
 }
 
 /// Reads all frames, of which there is one at least.
@@ -67,7 +72,17 @@ fn frame(lines: &mut Lines) -> Result<(Configuration, Spheres), TextError> {
     let count = line.whole("the number of atoms", 0..=most, line.text.trim())?;
     let line = lines.need("the line of properties", CUT_SHORT)?;
     let header = Header::read(line)?;
-    let mut spheres = Spheres::begin(line, header.radius.is_some(), header.spin.is_some());
+    let has = [
+        header.radius.is_some(),
+        header.spin.is_some(),
+        header.weight.is_some(),
+    ];
+    let mut spheres = Spheres {
+        materials: header.material.map(|_| Vec::new()),
+        tilt: header.tilt,
+        is_silent: header.is_silent,
+        ..Spheres::begin(line, has)
+    };
     let mut atoms = Atoms::at(Vec::new());
     let (mut ids, mut names) = (Vec::new(), Vec::new());
     let mut seen = HashSet::new();
@@ -89,10 +104,17 @@ fn frame(lines: &mut Lines) -> Result<(Configuration, Spheres), TextError> {
         if let Some(at) = header.radius {
             spheres.add_radius(line, words[at], 1.0)?;
         }
+        if let Some((at, kind)) = header.weight {
+            spheres.add_density(line, words[at], kind)?;
+        }
+        if let (Some(at), Some(materials)) = (header.material, &mut spheres.materials) {
+            let kinds = 1..=MOST_SPECIES as u64;
+            materials.push(line.whole("the material", kinds, words[at])? as u8);
+        }
         if let (Some(at), Some(spins)) = (header.spin, &mut spheres.spins) {
             spins.push(vector(line, "an angular velocity", &words, at)?);
         }
-        names.push((line, words[header.species]));
+        names.push((line, header.species.map_or(NAMELESS, |at| words[at])));
         let id = match header.id {
             Some(at) => line.whole("the number of an atom", 0..=u64::MAX, words[at])?,
             None => index + 1,

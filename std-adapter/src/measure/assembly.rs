@@ -34,6 +34,10 @@ pub struct Assembly {
     pub positions: Vec<Vector3<f64>>,
     /// Radii.
     pub radii: Vec<f64>,
+    /// Numbers of the materials, from 1; none if all spheres are of one.
+    pub materials: Option<Vec<u8>>,
+    /// Densities, if they are known.
+    pub densities: Option<Vec<f64>>,
     /// Velocities, if they are known.
     pub velocities: Option<Vec<Vector3<f64>>>,
     /// Angular velocities, if they are known.
@@ -44,6 +48,8 @@ pub struct Assembly {
     pub forces: Forces,
     /// The scene of the run that the spheres come from; null for files of other programs.
     pub scene: Value,
+    /// Whether the periods are assumed: the file does not say which axes are periodic.
+    pub(crate) is_assumed: bool,
     /// The complete state of a run.
     pub(crate) frozen: Option<Frozen>,
     /// Normals of the walls of that state.
@@ -70,11 +76,14 @@ impl Assembly {
             has_box: false,
             positions,
             radii,
+            materials: None,
+            densities: None,
             velocities: None,
             spins: None,
             contacts: Vec::new(),
             forces: Forces::Unknown,
             scene: Value::Null,
+            is_assumed: false,
             frozen: None,
             outward: Vec::new(),
         };

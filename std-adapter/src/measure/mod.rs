@@ -54,7 +54,7 @@ pub struct Options {
     pub slices: usize,
     /// Axis of the profile: 0, 1 or 2 for x, y or z.
     pub axis: usize,
-    /// Density of the spheres, for the kinetic stress; that of the scene, or 1, if left out.
+    /// Density of all spheres, for the kinetic stress; their own, that of the scene, or 1, if left out.
     pub density: Option<f64>,
 }
 

@@ -25,13 +25,10 @@ impl StressTensor {
         let volume = assembly.volume();
         let along = |row: &_| branch(row, &assembly.radii);
         let stress = Stress::of(&assembly.contacts, along, volume);
-        let density = density
-            .or(assembly.scene["density"].as_f64())
-            .unwrap_or(1.0);
         Self {
             plus: stress.plus,
             minus: stress.minus,
-            kinetic: kinetic(assembly) * (density / volume),
+            kinetic: kinetic(assembly, density) / volume,
         }
     }
 
@@ -54,16 +51,18 @@ impl StressTensor {
     }
 }
 
-/// Σ m u u for spheres of density 1.
-fn kinetic(assembly: &Assembly) -> Matrix3<f64> {
+/// Σ m u u with the density that is given, or those of the spheres, or that of the scene, or 1.
+fn kinetic(assembly: &Assembly, density: Option<f64>) -> Matrix3<f64> {
     let Some(velocities) = &assembly.velocities else {
         return Matrix3::zeros();
     };
-    let masses: Vec<f64> = assembly
-        .radii
-        .iter()
-        .map(|r| 4.0 / 3.0 * PI * r * r * r)
-        .collect();
+    let of_scene = assembly.scene["density"].as_f64().unwrap_or(1.0);
+    let own = |sphere: usize| assembly.densities.as_ref()?.get(sphere).copied();
+    let mass = |(sphere, r): (usize, &f64)| {
+        let density = density.or_else(|| own(sphere)).unwrap_or(of_scene);
+        density * (4.0 / 3.0 * PI * r * r * r)
+    };
+    let masses: Vec<f64> = assembly.radii.iter().enumerate().map(mass).collect();
     let moving = || velocities.iter().zip(&masses);
     let total: f64 = masses.iter().sum();
     let momentum: Vector3<f64> = moving().map(|(velocity, mass)| velocity * *mass).sum();

@@ -14,7 +14,7 @@ pub(crate) trait Body<const N: usize>: Debug {
     /// Why a run ends.
     type Ending: Ending;
 
-    /// Columns of the series; one of them is `residual`.
+    /// Columns of the series.
     const COLUMNS: [&'static str; N];
     /// First key of a checkpoint, and the version of its format.
     const FORMAT: (&'static str, u64);

@@ -3,8 +3,9 @@
 //! A [`Body`] says its loads, its measures and when it ends; all else of a run is here.
 
 use super::body::{Body, Cadence, Ending, Seen};
-use super::kept::Kept;
-use super::{Limits, Packing, PackingRunError, Shape, Stored, Totals};
+use super::kept::{Kept, ORIGIN};
+use super::last::put_report;
+use super::{Kinds, Limits, Packing, PackingRunError, Shape, Stored, Totals};
 use crate::cd::{EnergyBalance, StepReport};
 use crate::golden::{Digest, Measurement, contacts, digest};
 use crate::problem::Global;
@@ -28,6 +29,9 @@ pub(crate) struct Drive<B: Body<N>, const N: usize> {
     pub series: Vec<[f64; N]>,
     /// Why the run ended, if it has.
     pub ending: Option<B::Ending>,
+    pub kinds: Kinds,
+    /// Digest of what the run began with.
+    origin: String,
     totals: Totals,
     started: Instant,
 }
@@ -47,6 +51,7 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
     pub fn begin<P: Error>(
         (body, watch): (B, B::Watch),
         (packing, contacts): (Box<dyn Packing>, Vec<ContactRow>),
+        (kinds, origin): (Kinds, String),
         kept: Option<Kept<B, N>>,
     ) -> Result<Self, PackingRunError<P>> {
         let mut run = Self {
@@ -59,6 +64,8 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
             },
             series: Vec::new(),
             ending: None,
+            kinds,
+            origin,
             totals: Totals::default(),
             started: Instant::now(),
         };
@@ -75,13 +82,9 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
         self.totals = kept.totals;
         self.series = kept.series;
         self.ending = kept.ending;
+        self.seen.report = kept.report;
         if self.steps() > 0 {
             self.find_contacts()?;
-        }
-        // The last line of a run has the residual of its last step.
-        let residual = B::COLUMNS.iter().position(|name| *name == "residual");
-        if let (Some(_), Some(last), Some(column)) = (self.ending, self.series.last(), residual) {
-            self.seen.report.residual.relative = last[column];
         }
         Ok(())
     }
@@ -208,12 +211,10 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
         }
     }
 
-    /// The contact problem of the last step; before the first there is none.
+    /// The contact problem of the last step; before the first there is none, nor after a restart.
     pub fn problem(&self) -> Option<Global> {
-        if self.seen.report.contacts == 0 {
-            return None;
-        }
-        self.seen.packing.problem()
+        let problem = self.seen.packing.problem();
+        problem.filter(|problem| !problem.laws().is_empty())
     }
 
     /// Contacts at the current places: between two lines of the series they are found anew.
@@ -231,6 +232,7 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
             // Without the displacement of sheared images.
             space: self.seen.packing.space().sheared(0.0),
             radii: self.seen.packing.radii().to_vec(),
+            kinds: self.kinds.clone(),
             outward: walls.map(|wall| wall.outward).collect(),
             contacts: self.contacts_now().into_owned(),
         }
@@ -245,6 +247,8 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
         self.shape().put(&mut map);
         self.seen.packing.freeze().put(&mut map);
         self.totals().put(&mut map);
+        put_report(&self.seen.report, &mut map);
+        map.insert(ORIGIN.into(), self.origin.clone().into());
         B::put(&self.watch, &mut map);
         let series: Vec<f64> = self.series.iter().flatten().copied().collect();
         map.insert("series".into(), hex(&series).into());
@@ -281,19 +285,24 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
             velocities: Some(&velocities),
             spins: Some(&spins),
             species: None,
+            materials: self.kinds.mixed(),
+            densities: Some(&self.kinds.densities),
             contacts: &self.seen.contacts,
         })
     }
 
     /// Data common to all frames of a film.
-    pub fn bodies(&self, kind: Kind, periods: [f64; 2], limit: u64) -> Bodies {
+    pub fn bodies(&self, kind: Kind, sides: [f64; 2], limit: u64) -> Bodies {
         Bodies {
             kind,
             scene: self.body.scene(),
             limit,
             stride: 1,
-            periods,
+            sides,
+            periods: self.seen.packing.space().lengths(),
             radii: self.seen.packing.radii().to_vec(),
+            materials: self.kinds.mixed().unwrap_or_default().to_vec(),
+            densities: self.kinds.densities.clone(),
             layers: Vec::new(),
             parts: Vec::new(),
             marked: Vec::new(),
@@ -318,6 +327,7 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
             height: told.height,
             measure: told.measure,
             corners: [corner(0), corner(1)],
+            tilt: space.offset(),
             places: packing.positions().iter().map(|x| space.wrap(x)).collect(),
             speeds: spheres
                 .map(|sphere| sphere.velocity.norm() as f32)

@@ -10,6 +10,8 @@ pub(crate) struct Extras {
     /// Rate of a simple shear, velocity along x over height along z.
     pub shear_rate: f64,
     pub second: Option<Second>,
+    /// Densities of the spheres; those of the material if there are none.
+    pub densities: Vec<f64>,
     /// Velocities at the start, beside that of the shear; none if there are fewer than spheres.
     pub velocities: Vec<Vector3<f64>>,
 }
@@ -19,8 +21,9 @@ pub(crate) struct Extras {
 pub(crate) struct Second {
     /// One flag a sphere, true if it is of the second material.
     pub is_second: Vec<bool>,
+    /// Its law; spheres have their own densities.
     pub material: Material,
-    /// What holds between spheres of the two; its density has no meaning.
+    /// What holds between spheres of the two.
     pub mixed: Material,
 }
 
@@ -50,17 +53,14 @@ impl Second {
         (0..count).map(&mut choose).collect()
     }
 
-    /// The second material beside a first one; `None` if there is no sphere of it.
+    /// The second material beside a first one; `None` if there is no sphere of it, or if its law is the first's.
     pub fn beside(first: &Material, other: &Differences, is_second: Vec<bool>) -> Option<Self> {
         let sliding = other.sliding.unwrap_or(first.sliding);
         let mean = (first.sliding * sliding).sqrt();
-        is_second.contains(&true).then(|| Self {
+        let is_other = other.sliding.is_some() || other.sliding_mixed.is_some();
+        (is_other && is_second.contains(&true)).then(|| Self {
             is_second,
-            material: Material {
-                density: other.density.unwrap_or(first.density),
-                sliding,
-                ..*first
-            },
+            material: Material { sliding, ..*first },
             mixed: Material {
                 sliding: other.sliding_mixed.unwrap_or(mean),
                 ..*first
@@ -72,9 +72,7 @@ impl Second {
 impl Extras {
     /// Density of a sphere.
     pub fn density(&self, first: &Material, sphere: usize) -> f64 {
-        let second = self.second.as_ref();
-        let of = second.filter(|second| second.is_second.get(sphere) == Some(&true));
-        of.map_or(first.density, |second| second.material.density)
+        self.densities.get(sphere).copied().unwrap_or(first.density)
     }
 
     /// The largest coefficients of any two spheres: which modes the contacts carry.

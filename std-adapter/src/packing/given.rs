@@ -42,6 +42,7 @@ pub(crate) fn given(
     if assembly.radii.is_empty() {
         return Err(refused("there is no sphere; give one or more".into()));
     }
+    let mut lengths = [None; 3];
     for (axis, wanted) in periods.into_iter().enumerate() {
         let Some((length, key)) = wanted else {
             continue;
@@ -53,18 +54,47 @@ pub(crate) fn given(
                     "its period along {name} is {period}, and `{key}` is {length}; set {key} = {period}"
                 )));
             }
-            Some(_) => {}
+            Some(period) => lengths[axis] = Some(period),
             None => {
-                let mut missing = [None; 3];
-                missing[axis] = Some(length);
-                assembly = assembly.with_periods(&file, missing)?;
+                check_within(&file, &assembly, axis, length)?;
+                lengths[axis] = Some(length);
             }
         }
+    }
+    // Axes repeat in the box of the scene, not in that of the file.
+    assembly.set_periods(&file, lengths)?;
+    let known = 1..=2;
+    if let Some(materials) = &assembly.materials
+        && let Some(other) = materials.iter().find(|material| !known.contains(*material))
+    {
+        return Err(refused(format!(
+            "there is a sphere of type {other}, and a scene has two materials; give types 1 and 2"
+        )));
     }
     if assembly.frozen.is_none() {
         check_spheres(&file, &assembly, radius, deepest(method))?;
     }
     Ok(assembly)
+}
+
+/// Refuses spheres out of a period that the file does not have.
+fn check_within(
+    file: &str,
+    assembly: &Assembly,
+    axis: usize,
+    length: f64,
+) -> Result<(), AssemblyError> {
+    let is_out = |place: &Vector3<f64>| !(0.0..=length).contains(&place[axis]);
+    match assembly.positions.iter().position(is_out) {
+        Some(sphere) => Err(AssemblyError::Content {
+            file: file.into(),
+            reason: format!(
+                "sphere {sphere} is at {} = {}, beyond the period from 0 to {length}",
+                AXES[axis], assembly.positions[sphere][axis]
+            ),
+        }),
+        None => Ok(()),
+    }
 }
 
 /// Refuses lengths in other units and spheres that overlap deeply.
@@ -145,7 +175,7 @@ impl Frozen {
             energy: EnergyBalance::default(),
             forces: [Vec::new(), Vec::new()],
             impacts: [Vec::new(), Vec::new()],
-            shear_offset: 0.0,
+            shear_offset: assembly.space.offset(),
             awake: vec![true; count],
             still: vec![0; count],
             origin: None,

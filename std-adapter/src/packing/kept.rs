@@ -1,16 +1,25 @@
 //! Checkpoint files of a run: its complete state, from which it continues with identical bits.
 
 use super::body::{Body, Bounds, Ending};
+use super::last::read_report;
 use super::{Frozen, Totals};
+use crate::cd::StepReport;
 use crate::record::CheckpointError;
 use crate::record::kept::{damaged, groups, opened, same_scene};
 use serde_json::Value;
+
+/// Key of the digest of what a run began with.
+pub(super) const ORIGIN: &str = "began_with";
 
 /// State of a run between two steps.
 #[derive(Debug)]
 pub(crate) struct Kept<B: Body<N>, const N: usize> {
     pub frozen: Frozen,
     pub totals: Totals,
+    /// Report of the last step.
+    pub report: StepReport,
+    /// Digest of what the run began with.
+    pub origin: String,
     pub watch: B::Watch,
     pub series: Vec<[f64; N]>,
     /// Why the run ended, if it has.
@@ -28,6 +37,11 @@ impl<B: Body<N>, const N: usize> Kept<B, N> {
         Ok(Some(Self {
             frozen: Frozen::read(&value)?,
             totals: Totals::read(&value)?,
+            report: read_report(&value)?,
+            origin: value[ORIGIN]
+                .as_str()
+                .ok_or_else(|| damaged(ORIGIN))?
+                .into(),
             watch: B::read(&value)?,
             series: groups(&value, "series")?,
             ending: match &value["ending"] {
@@ -40,9 +54,21 @@ impl<B: Body<N>, const N: usize> Kept<B, N> {
         }))
     }
 
-    /// Whether the state has these numbers of spheres and walls, forces only between them, and as many lines
-    /// of the series as the scene writes in its number of steps.
-    pub fn fits(&self, spheres: usize, walls: usize, to: Bounds) -> Result<(), CheckpointError> {
+    /// Whether the state has these numbers of spheres and walls, forces only between them, as many lines of the
+    /// series as the scene writes in its number of steps, and began with what the scene begins with now.
+    pub fn fits(
+        &self,
+        (spheres, walls): (usize, usize),
+        origin: &str,
+        to: Bounds,
+    ) -> Result<(), CheckpointError> {
+        if self.origin != origin {
+            return Err(CheckpointError::Scene {
+                key: "start".into(),
+                kept: "of other spheres".into(),
+                given: "changed since".into(),
+            });
+        }
         let steps = self.frozen.steps;
         let last = self.ending.is_some() && !steps.is_multiple_of(to.samples);
         let lines = 1 + steps / to.samples + u64::from(last);

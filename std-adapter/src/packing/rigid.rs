@@ -143,7 +143,8 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
         }
         Method::Soft(_) if mixture.is_some() => return Err(WorldError::Mixture.into()),
         Method::Soft(springs) => {
-            return soft::boxed(material.density, bodies, &springs, frozen, first);
+            let density = |sphere: usize| extras.density(material, sphere);
+            return soft::boxed(density, bodies, &springs, frozen, first);
         }
     };
     let density = |sphere: usize| extras.density(material, sphere);

@@ -21,15 +21,16 @@ struct SoftPacking<F: ContactFriction<f64>> {
 
 /// A packing with these contact modes.
 pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
-    density: f64,
+    density: impl Fn(usize) -> f64,
     bodies: Bodies,
     springs: &Springs,
     frozen: Option<&Frozen>,
     laws: Laws<F>,
 ) -> Result<Box<dyn Packing>, PackingError> {
     let limits = springs.step_limits;
+    let spheres = bodies.radii.iter().enumerate();
     let setup = Setup {
-        spheres: bodies.radii.iter().map(|&r| solid(r, density)).collect(),
+        spheres: spheres.map(|(i, &r)| solid(r, density(i))).collect(),
         space: bodies.space,
         positions: bodies.positions,
         radii: bodies.radii,

@@ -100,8 +100,8 @@ impl Statistics {
     }
 
     /// Without a share of contacts at their thresholds if a second material has thresholds of its own.
-    pub(crate) fn of_materials(mut self, share_second: f64) -> Self {
-        if share_second > 0.0 {
+    pub(crate) fn of_materials(mut self, is_mixed: bool) -> Self {
+        if is_mixed {
             self.at_threshold = [None; 3];
         }
         self

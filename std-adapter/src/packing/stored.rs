@@ -1,6 +1,6 @@
 //! The last state of a packing as a file, complete to the bit: spheres, walls, contacts, motion.
 
-use super::Frozen;
+use super::{Frozen, Kinds};
 use crate::record::kept::{damaged, groups, hex, numbers, triple};
 use crate::record::{CheckpointError, ContactRow, Partner, sealed, unsealed};
 use crate::space::PeriodicBox;
@@ -11,7 +11,7 @@ use serde_json::{Map, Value};
 pub const STATE: &str = "final-state.json";
 /// First key of the file, and the version of its format.
 const NAME: &str = "tribos_state";
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
 /// Numbers of a stored contact: bodies, normal, gap, force, torque.
 const CONTACT: usize = 12;
 
@@ -20,6 +20,7 @@ const CONTACT: usize = 12;
 pub(crate) struct Shape {
     pub space: PeriodicBox,
     pub radii: Vec<f64>,
+    pub kinds: Kinds,
     /// Normals of the walls, into the space of the spheres.
     pub outward: Vec<Vector3<f64>>,
     pub contacts: Vec<ContactRow>,
@@ -48,6 +49,7 @@ impl Shape {
         ] {
             map.insert(name.into(), hex(numbers).into());
         }
+        self.kinds.put(map);
     }
 
     fn read(value: &Value) -> Result<Self, CheckpointError> {
@@ -57,9 +59,11 @@ impl Shape {
         };
         let period = |length: f64| (length != 0.0).then_some(length);
         let contacts = groups(value, "contacts")?;
+        let radii = numbers(value, "radii")?;
         Ok(Self {
             space: PeriodicBox::new([x, y, z].map(period)).map_err(|_| damaged("periods"))?,
-            radii: numbers(value, "radii")?,
+            kinds: Kinds::read(value, radii.len())?,
+            radii,
             outward: groups(value, "outward")?
                 .into_iter()
                 .map(Vector3::from)

@@ -7,7 +7,7 @@ use super::parts::packing;
 use super::press::{Press, Watch, bounds, height};
 use super::start::Start;
 use crate::cd::StepReport;
-use crate::packing::{Drive, Kept, Limits, Statistics, Told};
+use crate::packing::{Drive, Kept, Limits, Statistics, Told, origin};
 use crate::problem::Global;
 use crate::record::frames::{Bodies, Frame, Kind};
 use crate::record::{ContactRow, Snapshot};
@@ -195,16 +195,23 @@ impl Compaction {
         scene.check()?;
         let kept = Kept::read(checkpoint, &scene.json())?;
         let start = Start::of(scene, watch)?;
-        let deposit = start.deposit;
+        let (deposit, kinds) = (start.deposit, start.kinds);
+        let began_with = origin(&deposit.positions, &deposit.radii, &kinds);
         if let Some(kept) = &kept {
-            kept.fits(deposit.positions.len(), 2, bounds(scene))?;
+            kept.fits((deposit.positions.len(), 2), &began_with, bounds(scene))?;
         }
         let frozen = kept.as_ref().map(|kept: &Kept<Press, _>| &kept.frozen);
-        let packing = packing(scene, &deposit, frozen.or(start.frozen.as_ref()))?;
+        let begun = (&deposit, &kinds);
+        let packing = packing(scene, begun, frozen.or(start.frozen.as_ref()))?;
         let watch = Watch::starting(deposit.height);
         let body = Press::new(scene, deposit);
         let first_contacts = start.contacts;
-        let drive = Drive::begin((body, watch), (packing, first_contacts.clone()), kept)?;
+        let drive = Drive::begin(
+            (body, watch),
+            (packing, first_contacts.clone()),
+            (kinds, began_with),
+            kept,
+        )?;
         Ok(Self {
             drive,
             first_contacts,
@@ -393,7 +400,7 @@ impl Compaction {
             pressure: scene.pressure,
             area,
             statistics: Statistics::of(&seen.contacts, radii, &Limits::of(&scene.material()))
-                .of_materials(scene.share_second)
+                .of_materials(self.drive.kinds.mixed().is_some())
                 .since(totals.overlap),
             residual: seen.report.residual.relative,
             iterations: totals.iterations,

@@ -209,7 +209,8 @@ fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
         warm_start: false,
         ..scene.clone()
     };
-    Ok(parts::packing(&timed, &deposit, None)?)
+    let kinds = timed.kinds(count);
+    Ok(parts::packing(&timed, (&deposit, &kinds), None)?)
 }
 
 impl PowderCost {

@@ -5,7 +5,7 @@ use super::deposit::Deposit;
 use super::error::CompactionError;
 use super::start::Start;
 use crate::cd::Wall;
-use crate::packing::{Method, Springs, stable_step_between};
+use crate::packing::{Kinds, Material, Method, Springs, stable_step_between};
 use crate::record::number;
 use crate::scene::{Coupling, PowderScene, WallLaw};
 use crate::soft::{Stiffness, damping};
@@ -91,21 +91,29 @@ pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
         .check()
         .map_err(CompactionError::from)
         .map_err(ExportError::Start)?;
-    let Start { deposit, .. } =
+    let Start { deposit, kinds, .. } =
         Start::of(scene, |_| ControlFlow::Continue(())).map_err(ExportError::Start)?;
-    let stable = stable_step(scene, &springs, &deposit);
+    let stable = stable_step(scene, &springs, (&deposit, &kinds));
     Ok(Export {
-        data: data(scene, &deposit),
+        data: data(scene, (&deposit, &kinds)),
         script: script(scene, &deposit, stable.min(scene.time_step)),
     })
 }
 
 /// A step that is stable during the whole run: for the smallest sphere, the largest force and a piston on as many
 /// spheres as find room.
-fn stable_step(scene: &PowderScene, springs: &Springs, deposit: &Deposit) -> f64 {
+fn stable_step(
+    scene: &PowderScene,
+    springs: &Springs,
+    (deposit, kinds): (&Deposit, &Kinds),
+) -> f64 {
     let smallest = deposit.radii.iter().copied().fold(f64::INFINITY, f64::min);
     let area = scene.width * scene.width;
-    let pressure = scene.pressure + scene.gravity * solid(deposit) / area;
+    let weighed = deposit.radii.iter().zip(&kinds.densities);
+    let mass: f64 = weighed
+        .map(|(radius, density)| density * volume(*radius))
+        .sum();
+    let pressure = scene.pressure + scene.gravity * mass / area;
     let touching = (CLOSEST * area / (smallest * smallest)).ceil() as usize;
     let piston = Wall::piston(
         -Vector3::z(),
@@ -113,8 +121,17 @@ fn stable_step(scene: &PowderScene, springs: &Springs, deposit: &Deposit) -> f64
         scene.piston_mass,
         scene.load(),
     );
+    // The lightest sphere is the quickest.
+    let material = Material {
+        density: kinds
+            .densities
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min),
+        ..scene.material()
+    };
     stable_step_between(
-        (springs, &scene.material()),
+        (springs, &material),
         (smallest, LARGEST_FORCE * pressure),
         (&[piston], &[touching.min(deposit.radii.len())]),
     )
@@ -122,21 +139,31 @@ fn stable_step(scene: &PowderScene, springs: &Springs, deposit: &Deposit) -> f64
 
 /// Volume of the spheres.
 fn solid(deposit: &Deposit) -> f64 {
-    let volume = |radius: &f64| 4.0 / 3.0 * PI * radius * radius * radius;
-    deposit.radii.iter().map(volume).sum()
+    deposit.radii.iter().map(|radius| volume(*radius)).sum()
 }
 
-/// Spheres of density 1 as a data file.
-fn data(scene: &PowderScene, deposit: &Deposit) -> String {
+/// Volume of a sphere.
+fn volume(radius: f64) -> f64 {
+    4.0 / 3.0 * PI * radius * radius * radius
+}
+
+/// Spheres with their materials as types and their densities as a data file.
+fn data(scene: &PowderScene, (deposit, kinds): (&Deposit, &Kinds)) -> String {
+    let types = if kinds.mixed().is_some() { 2 } else { 1 };
     let [width, low, high] = [scene.width, -ROOM, deposit.height + ROOM].map(number);
     let mut text = format!(
-        "LAMMPS data file by tribos\n\n{} atoms\n1 atom types\n\n\
+        "LAMMPS data file by tribos\n\n{} atoms\n{types} atom types\n\n\
          0 {width} xlo xhi\n0 {width} ylo yhi\n{low} {high} zlo zhi\n\nAtoms # sphere\n\n",
         deposit.radii.len()
     );
     for (index, (radius, at)) in deposit.radii.iter().zip(&deposit.positions).enumerate() {
-        let [diameter, x, y, z] = [2.0 * radius, at.x, at.y, at.z].map(number);
-        let _ = writeln!(text, "{} 1 {diameter} 1 {x} {y} {z}", index + 1);
+        let (kind, density) = (kinds.materials[index], kinds.densities[index]);
+        let [diameter, density, x, y, z] = [2.0 * radius, density, at.x, at.y, at.z].map(number);
+        let _ = writeln!(
+            text,
+            "{} {kind} {diameter} {density} {x} {y} {z}",
+            index + 1
+        );
     }
     text
 }

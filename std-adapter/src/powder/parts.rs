@@ -3,8 +3,8 @@
 use super::deposit::{Deposit, SUBSTRATE};
 use crate::cd::Wall;
 use crate::packing::{
-    Bodies, Differences, Extras, Frozen, Material, Method, Packing, PackingError, Second, Springs,
-    build_with,
+    Bodies, Differences, Extras, Frozen, Kinds, Material, Method, Packing, PackingError, Second,
+    Springs, build_with,
 };
 use crate::scene::{ContactMethod, PowderScene};
 use nalgebra::Vector3;
@@ -32,18 +32,13 @@ const _: () = assert!(SUBSTRATE == 0 && PISTON == 1);
 /// The packing of a scene, at its start or from a stored state.
 pub(super) fn packing(
     scene: &PowderScene,
-    deposit: &Deposit,
+    (deposit, kinds): (&Deposit, &Kinds),
     frozen: Option<&Frozen>,
 ) -> Result<Box<dyn Packing>, PackingError> {
     let material = scene.material();
-    let other = Differences {
-        density: scene.density_second,
-        sliding: scene.sliding_second,
-        sliding_mixed: scene.sliding_mixed,
-    };
-    let is_second = Second::choose(scene.seed, scene.share_second, deposit.radii.len());
     let extras = Extras {
-        second: Second::beside(&material, &other, is_second),
+        second: Second::beside(&material, &scene.differences(), kinds.is_second()),
+        densities: kinds.densities.clone(),
         ..Extras::default()
     };
     let bodies = (bodies(scene, deposit), &extras);
@@ -68,6 +63,21 @@ fn bodies(scene: &PowderScene, deposit: &Deposit) -> Bodies {
 }
 
 impl PowderScene {
+    /// Materials and densities of spheres that no file has.
+    pub(super) fn kinds(&self, count: usize) -> Kinds {
+        let is_second = Second::choose(self.seed, self.share_second, count);
+        Kinds::of(&is_second, &self.material(), &self.differences())
+    }
+
+    /// What the second material has of its own.
+    pub(super) fn differences(&self) -> Differences {
+        Differences {
+            density: self.density_second,
+            sliding: self.sliding_second,
+            sliding_mixed: self.sliding_mixed,
+        }
+    }
+
     /// The material of the spheres, in the units of the scene: cohesion and density are 1.
     #[doc(hidden)]
     pub fn material(&self) -> Material {

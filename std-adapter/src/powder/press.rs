@@ -13,8 +13,9 @@ use serde_json::{Map, Value};
 use std::f64::consts::PI;
 use tribos_core::contact::Sphere;
 
-/// Numbers of a window in a checkpoint.
+/// Numbers of a window in a checkpoint, and of a stress.
 const WINDOW: usize = 24;
+const TENSORS: usize = 18;
 
 /// A powder under its piston.
 #[derive(Debug)]
@@ -115,7 +116,7 @@ impl Body<{ COLUMNS.len() }> for Press {
     type Ending = Ending;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
-    const FORMAT: (&'static str, u64) = ("tribos_compaction", 3);
+    const FORMAT: (&'static str, u64) = ("tribos_compaction", 4);
     // A window has the stress of every step.
     const CADENCE: Cadence = Cadence::Steps;
 
@@ -188,18 +189,24 @@ impl Body<{ COLUMNS.len() }> for Press {
         let complete: Vec<f64> = complete.collect();
         map.insert("window".into(), hex(&window_numbers(&watch.window)).into());
         map.insert("complete_window".into(), hex(&complete).into());
+        let stress = [&watch.stress.plus, &watch.stress.minus];
+        let stress: Vec<f64> = stress.into_iter().flatten().copied().collect();
+        map.insert("last_stress".into(), hex(&stress).into());
     }
 
     fn read(value: &Value) -> Result<Watch, CheckpointError> {
         let read = |numbers: &[f64], name| window(numbers).ok_or_else(|| damaged(name));
         let complete = numbers(value, "complete_window")?;
+        let stress = numbers(value, "last_stress")?;
+        let stress = <&[f64; TENSORS]>::try_from(stress.as_slice());
         Ok(Watch {
             window: read(&numbers(value, "window")?, "window")?,
             complete: match complete.split_last() {
                 None => None,
                 Some((height, numbers)) => Some((read(numbers, "complete_window")?, *height)),
             },
-            ..Watch::starting(0.0)
+            stress: tensors(stress.map_err(|_| damaged("last_stress"))?),
+            before: Vec::new(),
         })
     }
 }
@@ -239,15 +246,24 @@ fn window_numbers(window: &Window) -> [f64; WINDOW] {
 
 fn window(numbers: &[f64]) -> Option<Window> {
     let numbers = <&[f64; WINDOW]>::try_from(numbers).ok()?;
-    let tensor = |start: usize| Matrix3::from_column_slice(&numbers[start..start + 9]);
+    let (head, stress) = numbers.split_last_chunk::<TENSORS>()?;
+    let &[steps, time, start, piston, net, normal] = head else {
+        return None;
+    };
     Some(Window {
-        steps: numbers[0] as u64,
-        time: numbers[1],
-        start: numbers[2],
-        forces: [numbers[3], numbers[4], numbers[5]],
-        stress: Stress {
-            plus: tensor(6),
-            minus: tensor(15),
-        },
+        steps: steps as u64,
+        time,
+        start,
+        forces: [piston, net, normal],
+        stress: tensors(stress),
     })
+}
+
+/// The shares that push and that pull.
+fn tensors(numbers: &[f64; TENSORS]) -> Stress {
+    let (plus, minus) = numbers.split_at(TENSORS / 2);
+    Stress {
+        plus: Matrix3::from_column_slice(plus),
+        minus: Matrix3::from_column_slice(minus),
+    }
 }

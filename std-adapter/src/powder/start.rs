@@ -3,10 +3,9 @@
 use super::deposit::Deposit;
 use super::error::CompactionError;
 use crate::measure::{Assembly, AssemblyError};
-use crate::packing::{Frozen, given};
+use crate::packing::{Frozen, Kinds, given};
 use crate::record::ContactRow;
 use crate::scene::{ContactMethod, PowderScene};
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -15,6 +14,7 @@ use std::path::Path;
 #[derive(Debug)]
 pub(super) struct Start {
     pub deposit: Deposit,
+    pub kinds: Kinds,
     pub contacts: Vec<ContactRow>,
     /// Motion and forces of spheres that were not deposited.
     pub frozen: Option<Frozen>,
@@ -34,6 +34,7 @@ impl Start {
             .grow_watched(scene.until(), scene.seed, watch)?
             .numbered_for_run();
         Ok(Self {
+            kinds: scene.kinds(deposit.radii.len()),
             contacts: deposit.contacts(),
             deposit,
             frozen: None,
@@ -45,11 +46,7 @@ impl Start {
 fn read(scene: &PowderScene, path: &Path) -> Result<Start, AssemblyError> {
     let width = Some((scene.width, "width"));
     let mut assembly = given(path, [width, width, None], (1.0, scene.method))?;
-    let [x, y, _] = assembly.space.lengths();
-    assembly.space = PeriodicBox::new([x, y, None]).map_err(|cause| AssemblyError::Box {
-        file: path.display().to_string(),
-        cause,
-    })?;
+    in_units_of_first(&mut assembly);
     let of_powder = [Vector3::z(), -Vector3::z()];
     match assembly.frozen.take() {
         // The walls are those of a powder: everything goes on where it was.
@@ -60,9 +57,30 @@ fn read(scene: &PowderScene, path: &Path) -> Result<Start, AssemblyError> {
     }
 }
 
+/// Densities of a file in units of that of its first sphere of the first material: that of a powder is 1.
+fn in_units_of_first(assembly: &mut Assembly) {
+    let is_first = |sphere: &usize| match &assembly.materials {
+        Some(materials) => materials.get(*sphere) == Some(&1),
+        None => true,
+    };
+    let first = (0..assembly.radii.len()).find(is_first);
+    if let (Some(first), Some(densities)) = (first, &mut assembly.densities)
+        && let Some(unit) = densities.get(first).copied()
+    {
+        densities.iter_mut().for_each(|density| *density /= unit);
+    }
+}
+
+/// Materials and densities of the spheres of a file or a run.
+fn kinds(scene: &PowderScene, assembly: &Assembly) -> Kinds {
+    let drawn = (scene.seed, scene.share_second);
+    Kinds::given(assembly, drawn, (&scene.material(), &scene.differences()))
+}
+
 /// A run that goes on with other parameters.
 fn go_on(scene: &PowderScene, assembly: Assembly, frozen: &Frozen) -> Start {
     Start {
+        kinds: kinds(scene, &assembly),
         contacts: assembly.contacts,
         deposit: Deposit {
             positions: frozen.positions.clone(),
@@ -84,6 +102,7 @@ fn between_plates(scene: &PowderScene, assembly: &Assembly) -> Start {
     let walls = [0.0, low - high].into_iter();
     Start {
         frozen: Some(Frozen::moving(positions.clone(), assembly, walls)),
+        kinds: kinds(scene, assembly),
         contacts: Vec::new(),
         deposit: Deposit {
             positions,

@@ -465,6 +465,8 @@ fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
         "window",
         "series",
         "time",
+        "last_step",
+        "last_stress",
     ] {
         let numbers = whole[name].as_str().unwrap_or_default();
         for damage in [
@@ -481,7 +483,10 @@ fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
     }
     assert!(with("awake", "2".into()).contains("cannot be read"));
     assert!(with("still", serde_json::json!([300])).contains("cannot be read"));
-    assert!(with("tribos_compaction", 4.into()).contains("has format 4"));
+    assert!(with("last_step_counts", serde_json::json!([1, 2])).contains("cannot be read"));
+    // What the run began with has changed.
+    assert!(with("began_with", "0".into()).contains("`start` is of other spheres"));
+    assert!(with("tribos_compaction", 5.into()).contains("has format 5"));
     Ok(())
 }
 

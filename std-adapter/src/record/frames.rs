@@ -13,8 +13,11 @@
 //!     scene: serde_json::json!({"pressure": 0.01}),
 //!     limit: 20,
 //!     stride: 1,
-//!     periods: [10.0; 2],
+//!     sides: [10.0; 2],
+//!     periods: [Some(10.0), Some(10.0), None],
 //!     radii: vec![1.0],
+//!     materials: Vec::new(),
+//!     densities: Vec::new(),
 //!     layers: Vec::new(),
 //!     parts: Vec::new(),
 //!     marked: Vec::new(),
@@ -45,9 +48,10 @@
 //!
 //! # Format
 //!
-//! `bodies.json`: `format` (2), `body` (`powder` or `tip`), `scene`, `frames` (largest number that is
-//! kept), `stride` (steps between states that may be kept), `periods` (sides of the cell along x and y),
-//! `radii` (one for all or one each); of a tip also `layers` and `parts` (one number an atom) and `marked`
+//! `bodies.json`: `format` (3), `body` (`powder`, `grains`, `gas` or `tip`), `scene`, `frames` (largest number that
+//! is kept), `stride` (steps between states that may be kept), `sides` (of the cell along x and y), `periods` (along
+//! x, y and z, null along an open axis), `radii` and, if they are known, `densities` (one for all or one each),
+//! `materials` if there are several (numbers from 1); of a tip also `layers` and `parts` (one number an atom) and `marked`
 //! (atoms drawn in another colour); at the end `digest`, see [`sealed`](crate::record::sealed).
 //!
 //! `<step>.frame`, all numbers little-endian, n particles and m contacts:
@@ -55,11 +59,12 @@
 //! | bytes | what |
 //! |---|---|
 //! | 4 | `TrFr` |
-//! | 4 | u32, version: 2 |
+//! | 4 | u32, version: 3 |
 //! | 8 | u64, step |
 //! | 8 | f64, time |
 //! | 8 | f64, height: of the piston's face, or the mean of the driven atoms |
 //! | 8 | f64, measure: porosity of a powder, angle of the driven layers in degrees |
+//! | 8 | f64, tilt: displacement along x of the images one period higher along z |
 //! | 4, 4 | u32, n and m |
 //! | 12, 12 | f32, low and high corner of the box in which places are counted |
 //! | 6 n | u16, places: 0 is the low side, 65535 the high one |

@@ -24,6 +24,9 @@ pub enum ReadError {
         /// Largest number of bytes.
         most: u64,
     },
+    /// The file is compressed.
+    #[error("the file is compressed ({0}); unpack it first")]
+    Compressed(&'static str),
     /// The file contains a zero byte or is not UTF-8.
     #[error("the file is not a text: byte {at} is not of one")]
     NotText {
@@ -38,6 +41,15 @@ impl ReadError {
         matches!(self, Self::Io(error) if error.kind() == ErrorKind::NotFound)
     }
 }
+
+/// First bytes of compressed files (RFC 1952; bzip2; .xz 1.2.1; RFC 8878; APPNOTE 6.3), and what unpacks them.
+const COMPRESSED: [(&[u8], &str); 5] = [
+    (&[0x1f, 0x8b], "gunzip"),
+    (b"BZh", "bunzip2"),
+    (&[0xfd, b'7', b'z', b'X', b'Z', 0], "unxz"),
+    (&[0x28, 0xb5, 0x2f, 0xfd], "unzstd"),
+    (b"PK\x03\x04", "unzip"),
+];
 
 /// Bytes that are read at a time.
 const CHUNK: u64 = 1 << 16;
@@ -69,6 +81,11 @@ fn read_text_from(source: &mut impl Read, most: u64) -> Result<String, ReadError
         if bytes.len() == before {
             break;
         }
+        if before == 0
+            && let Some((_, cure)) = COMPRESSED.iter().find(|(head, _)| bytes.starts_with(head))
+        {
+            return Err(ReadError::Compressed(cure));
+        }
         if let Some(at) = bytes[before..].iter().position(|byte| *byte == 0) {
             let at = (before + at) as u64;
             return Err(ReadError::NotText { at });
@@ -97,5 +114,11 @@ mod tests {
             read_text_from(&mut &b"\xff"[..], 9),
             Err(ReadError::NotText { at: 0 })
         ));
+        let packed = read_text_from(&mut &b"\x1f\x8b\x08\0rest"[..], 99);
+        let told = packed.map_err(|error| error.to_string());
+        assert_eq!(
+            told,
+            Err("the file is compressed (gunzip); unpack it first".into())
+        );
     }
 }

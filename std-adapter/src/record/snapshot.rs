@@ -18,6 +18,8 @@ use nalgebra::Vector3;
 ///     velocities: None,
 ///     spins: None,
 ///     species: None,
+///     materials: None,
+///     densities: None,
 ///     contacts: &[],
 /// };
 /// assert_eq!(pair.check(), Ok(()));
@@ -45,6 +47,10 @@ pub struct Snapshot<'a> {
     pub spins: Option<&'a [Vector3<f64>]>,
     /// Names of the species without blanks, `X` if absent.
     pub species: Option<&'a [&'a str]>,
+    /// Numbers of the materials, from 1, if there are several.
+    pub materials: Option<&'a [u8]>,
+    /// Densities, if they are known.
+    pub densities: Option<&'a [f64]>,
     /// Contacts.
     pub contacts: &'a [ContactRow],
 }
@@ -112,6 +118,8 @@ pub enum Partner {
 /// #     velocities: None,
 /// #     spins: None,
 /// #     species: None,
+/// #     materials: None,
+/// #     densities: None,
 /// #     contacts: &[],
 /// # };
 /// // A blank would make two columns of the name.
@@ -184,6 +192,8 @@ impl Snapshot<'_> {
             ("velocities", self.velocities.map(<[_]>::len)),
             ("spins", self.spins.map(<[_]>::len)),
             ("species", self.species.map(<[_]>::len)),
+            ("materials", self.materials.map(<[_]>::len)),
+            ("densities", self.densities.map(<[_]>::len)),
         ] {
             if let Some(given) = given.filter(|&given| given != positions) {
                 return Err(SnapshotError::Lengths {

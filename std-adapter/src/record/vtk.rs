@@ -7,8 +7,8 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use nalgebra::Vector3;
 
-/// Particles as points in the cell with their id from 0, radius and coordination, then velocity
-/// and angular velocity where there are any. In ParaView: Glyph, Sphere, scaled by `radius` × 2.
+/// Particles as points in the cell with their id from 0, radius and coordination, then material,
+/// density, velocity and angular velocity where there are any. In ParaView: Glyph, Sphere, scaled by `radius` × 2.
 ///
 /// ```
 /// # use nalgebra::Vector3;
@@ -23,6 +23,8 @@ use nalgebra::Vector3;
 /// #     velocities: None,
 /// #     spins: None,
 /// #     species: None,
+/// #     materials: None,
+/// #     densities: None,
 /// #     contacts: &[],
 /// # };
 /// // A snapshot of two spheres.
@@ -40,6 +42,12 @@ pub fn particles_vtp(snapshot: &Snapshot) -> Result<String, SnapshotError> {
     data += &scalars("radius", snapshot.radii.iter().copied());
     let coordination = snapshot.coordination();
     data += &integers("coordination", coordination.into_iter().map(i64::from));
+    if let Some(materials) = snapshot.materials {
+        data += &integers("material", materials.iter().copied().map(i64::from));
+    }
+    if let Some(densities) = snapshot.densities {
+        data += &scalars("density", densities.iter().copied());
+    }
     for (name, values) in [
         ("velocity", snapshot.velocities),
         ("angular_velocity", snapshot.spins),
@@ -53,6 +61,7 @@ pub fn particles_vtp(snapshot: &Snapshot) -> Result<String, SnapshotError> {
     let cells = integers("connectivity", ids()) + &integers("offsets", (1..).take(count));
     Ok(document(
         snapshot.time,
+        &cell_of(snapshot),
         &format!("NumberOfPoints=\"{count}\" NumberOfVerts=\"{count}\""),
         &format!(
             "<PointData>\n{data}</PointData>\n<Points>\n{points}</Points>\n\
@@ -89,6 +98,8 @@ pub fn particles_vtp(snapshot: &Snapshot) -> Result<String, SnapshotError> {
 /// #     velocities: None,
 /// #     spins: None,
 /// #     species: None,
+/// #     materials: None,
+/// #     densities: None,
 /// #     contacts: &contacts,
 /// # };
 /// // Two spheres that touch.
@@ -123,6 +134,7 @@ pub fn contacts_vtp(snapshot: &Snapshot) -> Result<String, SnapshotError> {
     let offsets = integers("offsets", (1..=count as i64).map(|n| 2 * n));
     Ok(document(
         snapshot.time,
+        &cell_of(snapshot),
         &format!("NumberOfPoints=\"{}\" NumberOfLines=\"{count}\"", 2 * count),
         &format!(
             "<CellData>\n{data}</CellData>\n<Points>\n{points}</Points>\n\
@@ -152,17 +164,37 @@ fn label(partner: Partner) -> i64 {
     }
 }
 
-pub(super) fn document(time: f64, counts: &str, inside: &str) -> String {
-    let time = array(
-        "Float64",
-        "TimeValue",
-        "NumberOfTuples=\"1\"",
-        &time.to_le_bytes(),
-    );
+/// The cell of a snapshot.
+fn cell_of(snapshot: &Snapshot) -> String {
+    let lengths = snapshot.space.lengths();
+    let ends = [0, 1, 2].map(|axis| match lengths[axis] {
+        Some(length) => [0.0, length],
+        None => snapshot.extents[axis],
+    });
+    let is_periodic = lengths.map(|length| length.is_some());
+    cell(ends, is_periodic, snapshot.space.offset())
+}
+
+/// The box as field data: its ends along x, y and z, 1 for an axis that repeats and 0 for an open one, and the
+/// displacement along x of the images one period higher along z.
+pub(super) fn cell(ends: [[f64; 2]; 3], is_periodic: [bool; 3], tilt: f64) -> String {
+    let repeats = is_periodic.map(|is| f64::from(u8::from(is)));
+    field("box", ends.as_flattened()) + &field("periodic", &repeats) + &field("tilt", &[tilt])
+}
+
+/// Numbers of the whole file.
+fn field(name: &str, values: &[f64]) -> String {
+    let bytes: Vec<u8> = values.iter().flat_map(|x| x.to_le_bytes()).collect();
+    let shape = format!("NumberOfTuples=\"{}\"", values.len());
+    array("Float64", name, &shape, &bytes)
+}
+
+pub(super) fn document(time: f64, cell: &str, counts: &str, inside: &str) -> String {
+    let time = field("TimeValue", &[time]);
     format!(
         "<?xml version=\"1.0\"?>\n\
          <VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" \
-         header_type=\"UInt64\">\n<PolyData>\n<FieldData>\n{time}</FieldData>\n\
+         header_type=\"UInt64\">\n<PolyData>\n<FieldData>\n{time}{cell}</FieldData>\n\
          <Piece {counts}>\n{inside}</Piece>\n</PolyData>\n</VTKFile>\n"
     )
 }

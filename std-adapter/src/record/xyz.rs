@@ -6,8 +6,8 @@ use nalgebra::Vector3;
 /// Species without a name; chemistry programs read it as "no element".
 const NAMELESS: &str = "X";
 
-/// One frame of extended XYZ: species, id from 0, position in the cell, radius and coordination,
-/// then velocity and angular velocity if present, in the shortest form that keeps the bits.
+/// One frame of extended XYZ: species, id from 0, position in the cell, radius and coordination, then
+/// material, density, velocity and angular velocity if present, in the shortest form that keeps the bits.
 ///
 /// Columns have OVITO's names (`velo`, `omega`, `n_neighb`). Concatenated frames form a
 /// trajectory. OVITO takes positions for fractions of the cell if all lie between 0 and 1.
@@ -25,6 +25,8 @@ const NAMELESS: &str = "X";
 /// #     velocities: None,
 /// #     spins: None,
 /// #     species: None,
+/// #     materials: None,
+/// #     densities: None,
 /// #     contacts: &[],
 /// # };
 /// // Two spheres, the first just outside of a cell with sides of 10, periodic along x.
@@ -47,6 +49,12 @@ pub fn extended_xyz(snapshot: &Snapshot) -> Result<String, SnapshotError> {
         let radius = number(snapshot.radii[index]);
         let contacts = coordination[index];
         text += &format!("{species} {index} {place} {radius} {contacts}");
+        if let Some(materials) = snapshot.materials {
+            text += &format!(" {}", materials[index]);
+        }
+        if let Some(densities) = snapshot.densities {
+            text += &format!(" {}", number(densities[index]));
+        }
         for vectors in [snapshot.velocities, snapshot.spins].into_iter().flatten() {
             text += " ";
             text += &triple(&vectors[index]);
@@ -69,6 +77,12 @@ fn header(snapshot: &Snapshot) -> String {
     lattice[6] = snapshot.space.offset();
     let flag = |length: Option<f64>| if length.is_some() { "T" } else { "F" };
     let mut columns = String::from("species:S:1:id:I:1:pos:R:3:radius:R:1:n_neighb:I:1");
+    if snapshot.materials.is_some() {
+        columns += ":material:I:1";
+    }
+    if snapshot.densities.is_some() {
+        columns += ":density:R:1";
+    }
     if snapshot.velocities.is_some() {
         columns += ":velo:R:3";
     }

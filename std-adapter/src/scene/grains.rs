@@ -117,13 +117,13 @@ scene! {
     radius_spread: f64 = 0.0, "-", NotNegative, Without("start");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
     sizes: Option<Sizes> = None, "-", Sizes, Without("start");
-    /// Density of the grains.
+    /// Density of the grains; those of `start` that have one keep it.
     density: f64 = 2500.0, "kg/m^3", Positive, Required;
     /// Seed of the random start.
     seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
     /// Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
     spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
-    /// Share of the grains that are of a second material, chosen at random.
+    /// Share of the grains that are of a second material, chosen at random; those of `start` that have materials keep them.
     share_second: f64 = 0.0, "-", Fraction;
     /// Radius of these, in mean radii of the others.
     radius_second: f64 = 1.0, "-", Between { above: 0.0, up_to: 100.0 };
@@ -340,7 +340,9 @@ fn not_negative(judge: &mut Judge<'_>, key: &'static str, ramp: Option<&Ramp>) {
 fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<Written> {
     let starts = scene.start.is_some();
     written.filter(|_| match key {
-        "count" | "seed" | "spacing" => !starts,
+        "count" | "spacing" => !starts,
+        // A file may lack materials, which are drawn then.
+        "seed" => !starts || scene.share_second > 0.0,
         "radius_spread" => scene.sizes.is_none() && !starts,
         "damping" => scene.restitution == 0.0,
         _ => true,

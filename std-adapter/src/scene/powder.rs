@@ -136,7 +136,7 @@ scene! {
     torsion: f64 = 0.0, "-", NotNegative;
     /// How the thresholds of sliding and torsion depend on each other.
     coupling: Coupling = Coupling::Independent, "-", OneOf(Coupling::WORDS);
-    /// Share of the spheres that are of a second material, chosen at random.
+    /// Share of the spheres that are of a second material, chosen at random; those of `start` that have materials keep them.
     share_second: f64 = 0.0, "-", Fraction;
     /// Density of the second material; that of the first if it is left out.
     density_second: Option<f64> = None, "rho", Positive;
@@ -260,7 +260,9 @@ fn in_force(scene: &PowderScene, key: &str, written: Option<Written>) -> Option<
     written.filter(|_| match key {
         "height" => scene.count.is_none() && !starts,
         "radius_spread" => scene.sizes.is_none() && !starts,
-        "capture_radius" | "seed" => !starts,
+        "capture_radius" => !starts,
+        // A file may lack materials, which are drawn then.
+        "seed" => !starts || scene.share_second > 0.0,
         "damping" => scene.restitution == 0.0,
         "order" | "stop" | "tolerance" => !soft,
         _ => true,

@@ -72,6 +72,8 @@ impl Sample {
             velocities: Some(&self.velocities),
             spins: Some(&self.spins),
             species: Some(&["Cu", "Cu", "Ni"]),
+            materials: Some(&[1, 1, 2]),
+            densities: Some(&[2.5, 2.5, 7.8]),
             contacts: &self.contacts,
         }
     }
@@ -105,7 +107,7 @@ fn extended_xyz_reads_back() {
     assert_eq!(numbers(value(header, "Origin")), [0.0, 0.0, -1.0]);
     assert_eq!(value(header, "pbc"), "T T F");
     assert!(header.contains(
-        " Properties=species:S:1:id:I:1:pos:R:3:radius:R:1:n_neighb:I:1:velo:R:3:omega:R:3 "
+        "species:S:1:id:I:1:pos:R:3:radius:R:1:n_neighb:I:1:material:I:1:density:R:1:velo:R:3:omega:R:3 "
     ));
     let (_, time) = header.split_once("Time=").unwrap();
     assert_eq!(time.parse(), Ok(0.1));
@@ -115,6 +117,7 @@ fn extended_xyz_reads_back() {
         let mut wanted = vec![index as f64];
         wanted.extend(sample.placed()[index]);
         wanted.extend([sample.radii[index], [2.0, 1.0, 1.0][index]]);
+        wanted.extend([[1.0, 1.0, 2.0][index], [2.5, 2.5, 7.8][index]]);
         wanted.extend(sample.velocities[index].iter());
         wanted.extend(sample.spins[index].iter());
         assert_eq!(numbers(rest), wanted);
@@ -124,6 +127,8 @@ fn extended_xyz_reads_back() {
         velocities: None,
         spins: None,
         species: None,
+        materials: None,
+        densities: None,
         contacts: &[],
         ..sample.snapshot()
     };
@@ -329,6 +334,8 @@ fn nothing_is_exported_too() {
         velocities: None,
         spins: None,
         species: None,
+        materials: None,
+        densities: None,
         contacts: &[],
     };
     assert_eq!(extended_xyz(&nothing).unwrap().lines().count(), 2);

@@ -13,8 +13,8 @@ use tribos::run::folder::{self, Contents, OutputFolder};
 /// All frames of a powder or a tip, or the path of a body in the plane, from a finished or interrupted
 /// run.
 ///
-/// Writes positions in the cell, radii and speeds; the number of contacts of each particle of a
-/// powder, the layer and part of each atom of a tip, or the velocity, spin and angle of a body in the
+/// Writes the box with its periods and tilt, positions in the cell, radii, speeds, densities and materials; the
+/// number of contacts of each sphere, the layer and part of each atom of a tip, or the velocity, spin and angle of a body in the
 /// plane. It has the frames that `tribos run --frames` kept, with positions exact to a 130,000th of
 /// the box.
 #[derive(Debug, clap::Args)]
@@ -104,7 +104,7 @@ impl Trajectory {
                 frames_folder(&self.run).display()
             )));
         };
-        if ["powder", "grains", "tip"]
+        if ["powder", "grains", "gas", "tip"]
             .contains(&summary["scene"]["body"].as_str().unwrap_or_default())
         {
             return Err(Failure::input(format!(
@@ -138,6 +138,7 @@ fn states(run: &Path, kept: &Kept) -> Result<Vec<State>, Failure> {
             step: step as u64,
             time,
             sides,
+            tilt: 0.0,
             places: vec![Vector3::new(x, y, 0.0)],
             columns: vec![
                 Column::new("radius", Values::Numbers(vec![radius])),

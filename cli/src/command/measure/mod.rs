@@ -6,7 +6,7 @@ use super::number;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use tribos::measure::{Assembly, AssemblyError, Measures, Options, Table, series};
+use tribos::measure::{Assembly, AssemblyError, Forces, Measures, Options, Table, series};
 use tribos::record::{write_atomically, write_series};
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_report::image;
@@ -42,9 +42,9 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value = "200", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     bins: u32,
     /// Largest angle, in degrees, between a contact and the principal stresses of its spheres in a force
-    /// chain.
-    #[arg(long, value_name = "DEGREES", default_value = "45", value_parser = angle, allow_negative_numbers = true)]
-    angle: f64,
+    /// chain, where forces are known [default: 45].
+    #[arg(long, value_name = "DEGREES", value_parser = angle, allow_negative_numbers = true)]
+    angle: Option<f64>,
     /// Fewest contacts of a sphere that is no rattler.
     #[arg(long, value_name = "N", default_value = "2")]
     least_contacts: usize,
@@ -54,13 +54,13 @@ pub struct Arguments {
     /// Axis of the porosity profile.
     #[arg(long, value_enum, default_value = "z")]
     axis: Axis,
-    /// Largest gap of contacts, in mean radii, where no forces are known.
-    #[arg(long, value_name = "GAP", default_value = "0.001", value_parser = number::not_negative, allow_negative_numbers = true)]
-    gap: f64,
-    /// Density of the spheres, for the stress of their motion [default: that of the scene, or 1].
+    /// Largest gap of contacts, in mean radii, where no forces are known [default: 0.001].
+    #[arg(long, value_name = "GAP", value_parser = number::not_negative, allow_negative_numbers = true)]
+    gap: Option<f64>,
+    /// Density of all spheres, for the stress of their motion, where forces are known [default: their own].
     #[arg(long, value_name = "DENSITY", value_parser = number::positive, allow_negative_numbers = true)]
     density: Option<f64>,
-    /// Periods along x, y and z, with - for an open axis, where the file does not have them.
+    /// Periods along x, y and z, with - for an open axis, where the file does not say them.
     #[arg(long, value_name = "X,Y,Z", value_parser = periods)]
     periods: Option<Periods>,
     /// Output format of the summary.
@@ -150,6 +150,7 @@ impl Arguments {
                 self.source.display()
             )));
         }
+        self.refuse_idle(state.forces)?;
         let measures = Measures::of(state, &options).map_err(Failure::input)?;
         let over_time = self.series(&options)?;
         if let Some(out) = &self.out {
@@ -165,12 +166,42 @@ impl Arguments {
         }
     }
 
+    /// Refuses options that would change nothing.
+    fn refuse_idle(&self, forces: Forces) -> Result<(), Failure> {
+        let is_known = forces != Forces::Unknown;
+        let idle = [
+            (
+                "--gap",
+                self.gap.is_some() && is_known,
+                "are those of the run",
+            ),
+            (
+                "--angle",
+                self.angle.is_some() && !is_known,
+                "have no forces, so there are no force chains",
+            ),
+            (
+                "--density",
+                self.density.is_some() && !is_known,
+                "have no forces, so there is no stress",
+            ),
+        ];
+        match idle.into_iter().find(|(_, is_idle, _)| *is_idle) {
+            Some((option, _, reason)) => Err(Failure::input(format!(
+                "{option} has no effect: the contacts of {} {reason}",
+                self.source.display()
+            ))),
+            None => Ok(()),
+        }
+    }
+
     fn options(&self) -> Options {
+        let usual = Options::default();
         Options {
-            gap: self.gap,
+            gap: self.gap.unwrap_or(usual.gap),
             reach: self.reach,
             bins: self.bins as usize,
-            angle: self.angle.to_radians(),
+            angle: self.angle.map_or(usual.angle, f64::to_radians),
             least_contacts: self.least_contacts,
             slices: self.slices as usize,
             axis: match self.axis {

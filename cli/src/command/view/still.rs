@@ -46,7 +46,7 @@ pub fn png(run: &RunFrames, look: &Look, index: usize) -> Result<Vec<u8>, Failur
     let places: Vec<[f64; 3]> = frame.places.iter().map(|at| [at.x, at.y, at.z]).collect();
     let is_powder = run.bodies.kind != Kind::Tip;
     let piston = (run.bodies.kind == Kind::Powder).then_some(frame.height);
-    let packing = Packing::new(&places, &run.bodies.radii, run.bodies.periods, piston);
+    let packing = Packing::new(&places, &run.bodies.radii, run.bodies.sides, piston);
     let packing = packing.map_err(Failure::run)?;
     let title = title(frame, run.bodies.kind);
     let picture = match look.full_force {

@@ -1,8 +1,9 @@
-use crate::grains::Grains;
+use crate::grains::{Grains, Ramp};
 use crate::measure::{Assembly, Measures, Options};
-use crate::record::extended_xyz;
+use crate::packing::STATE;
+use crate::record::{extended_xyz, particles_vtp};
 use crate::run::Simulation;
-use crate::scene::{GrainsScene, Sides, Sizes};
+use crate::scene::{Ends, GrainsScene, Sides, Sizes};
 use nalgebra::Vector3;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
@@ -144,5 +145,120 @@ fn grains_of_a_distribution_keep_the_mean_and_the_bounds() -> Tested {
                 .all(|radius| (low..=high).contains(&(radius / 0.005)))
         );
     });
+    Ok(())
+}
+
+#[test]
+fn grains_of_a_run_or_a_file_keep_materials_and_densities_whatever_the_seed() -> Tested {
+    let home = tempfile::tempdir()?;
+    let mixed = GrainsScene {
+        share_second: 0.4,
+        density_second: Some(7800.0),
+        sliding_second: Some(0.1),
+        ..scene()
+    };
+    let run = after(&mixed, 100)?;
+    let kinds = |run: &Grains| {
+        run.with_snapshot(|now| {
+            let materials = now.materials.map(<[u8]>::to_vec);
+            (materials, now.densities.map(<[f64]>::to_vec))
+        })
+    };
+    let (xyz, vtp) = run.with_snapshot(|now| (extended_xyz(now), particles_vtp(now)));
+    for (name, text) in [
+        (STATE, run.state()),
+        ("checkpoint.json", run.checkpoint()),
+        ("a.xyz", xyz?),
+        ("a.vtp", vtp?),
+    ] {
+        let file = home.path().join(name);
+        std::fs::write(&file, text)?;
+        // Another draw by another seed would be another packing.
+        for (seed, share_second) in [(1, 0.4), (2, 0.4), (3, 0.9), (4, 0.0)] {
+            let other = Grains::new(&GrainsScene {
+                start: Some(file.clone()),
+                seed,
+                share_second,
+                density: 1000.0,
+                ..mixed.clone()
+            })?;
+            assert_eq!(kinds(&other), kinds(&run), "{name}");
+            assert_eq!(other.outcome().mass, run.outcome().mass, "{name}");
+        }
+    }
+    Ok(())
+}
+
+/// Grains of a diameter of 4 mm as LAMMPS data, which do not say which axes repeat.
+fn data(grains: &str) -> String {
+    let count = grains.lines().count();
+    format!(
+        "two materials\n\n{count} atoms\n2 atom types\n\n0 0.08 xlo xhi\n0 0.04 ylo yhi\n0 0.08 zlo zhi\n\n\
+         Atoms # sphere\n\n{grains}"
+    )
+}
+
+#[test]
+fn imported_grains_have_the_density_and_the_material_of_each() -> Tested {
+    let home = tempfile::tempdir()?;
+    let file = home.path().join("dens.data");
+    let scene = GrainsScene {
+        width: 0.08,
+        depth: Some(0.04),
+        radius: 0.002,
+        density: 1000.0,
+        start: Some(file.clone()),
+        ..GrainsScene::default()
+    };
+    std::fs::write(
+        &file,
+        data("1 1 0.004 2500 0.04 0.02 0.04\n2 2 0.004 7800 0.05 0.02 0.04\n"),
+    )?;
+    let run = Grains::new(&scene)?;
+    let volume = 4.0 / 3.0 * std::f64::consts::PI * 8e-9;
+    assert!((run.outcome().mass / (volume * 10300.0) - 1.0).abs() < 1e-14);
+    assert_eq!(
+        run.with_snapshot(|now| now.materials.map(<[u8]>::to_vec)),
+        Some(vec![1, 2])
+    );
+    // A third material has no coefficients.
+    std::fs::write(
+        &file,
+        data("1 3 0.004 2500 0.04 0.02 0.04\n").replace("2 atom", "3 atom"),
+    )?;
+    let refused = Grains::new(&scene).map_or_else(|error| error.to_string(), |_| "taken".into());
+    assert!(refused.contains("a scene has two materials"), "{refused}");
+    Ok(())
+}
+
+#[test]
+fn axes_repeat_in_the_box_of_the_scene_and_not_in_that_of_the_file() -> Tested {
+    let home = tempfile::tempdir()?;
+    let file = home.path().join("two.data");
+    // They would overlap across the border of z.
+    std::fs::write(
+        &file,
+        data("1 1 0.004 2500 0.04 0.02 0.0015\n2 1 0.004 2500 0.04 0.02 0.0795\n"),
+    )?;
+    let scene = GrainsScene {
+        width: 0.08,
+        depth: Some(0.04),
+        radius: 0.002,
+        start: Some(file),
+        ..GrainsScene::default()
+    };
+    let run = Grains::new(&scene)?;
+    run.with_snapshot(|now| {
+        assert_eq!(now.space.lengths(), [Some(0.08), Some(0.04), None]);
+        assert!((now.positions[1].z - 0.08).abs() < 1e-15);
+    });
+    let closed = Grains::new(&GrainsScene {
+        z: Ends::Periodic,
+        height: Some(0.08),
+        gravity: Ramp::from(0.0),
+        ..scene
+    });
+    let refused = closed.map_or_else(|error| error.to_string(), |_| "taken".into());
+    assert!(refused.contains("overlap by"), "{refused}");
     Ok(())
 }

@@ -32,6 +32,37 @@ impl Format {
     }
 }
 
+/// Lines of a data file that are searched for its head.
+const HEAD: usize = 200;
+
+/// The format of a file that has what each begins with; others are refused, with what was expected.
+pub(crate) fn recognised(text: &str) -> Result<Format, TextError> {
+    let format = Format::of(text);
+    let is_head = |line: &str| {
+        let line = line.split('#').next().unwrap_or_default();
+        let words: Vec<&str> = line.split_whitespace().collect();
+        matches!(
+            words[..],
+            [_, "atoms"] | [_, "atom", "types"] | [_, _, "xlo", "xhi"]
+        )
+    };
+    if format != Format::Data || text.trim().is_empty() || text.lines().take(HEAD).any(is_head) {
+        return Ok(format);
+    }
+    let first = text.lines().next().unwrap_or_default().trim();
+    let is_plain_xyz = first.parse::<u64>().is_ok();
+    Err(TextError::Unsupported {
+        line: if is_plain_xyz { 2 } else { 1 },
+        what: if is_plain_xyz {
+            "plain XYZ, without cell and columns".into()
+        } else {
+            "a file that is none of extended XYZ, LAMMPS data and LAMMPS text dump".into()
+        },
+        cure: "extended XYZ begins with the number alone and a line of `Lattice=\"…\" Properties=…`, a dump with \
+               `ITEM:`, and data have lines `N atoms` and `LOW HIGH xlo xhi` before the sections",
+    })
+}
+
 /// The atoms of a file in any of the formats; if it has several frames, the last.
 ///
 /// ```
@@ -47,7 +78,7 @@ impl Format {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read(text: &str) -> Result<Configuration, TextError> {
-    match Format::of(text) {
+    match recognised(text)? {
         Format::Data => lammps::read_data(text),
         Format::Dump => lammps::last_frame(text),
         Format::ExtendedXyz => extended_xyz::last_frame(text),

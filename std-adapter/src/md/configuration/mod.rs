@@ -2,6 +2,7 @@
 
 mod format;
 
+pub(crate) use format::recognised;
 pub use format::{Format, read};
 
 use super::atoms::Atoms;

@@ -1,5 +1,6 @@
 //! The second line of a frame: `key=value`, values with blanks in quotes.
 
+use crate::md::spheres::Weight;
 use crate::md::text::{Line, TextError};
 
 /// Contents of the line.
@@ -7,16 +8,23 @@ use crate::md::text::{Line, TextError};
 pub(super) struct Header {
     /// Ends of the cell, if there is one.
     pub bounds: Option<[[f64; 2]; 3]>,
+    /// Displacement along x of the third edge of the cell.
+    pub tilt: f64,
     pub is_periodic: [bool; 3],
+    /// Whether the line says neither `pbc` nor `Lattice`.
+    pub is_silent: bool,
     /// Number of columns.
     pub count: usize,
     /// First column of each property.
-    pub species: usize,
+    /// None of spheres that are all alike.
+    pub species: Option<usize>,
     pub place: usize,
     pub velocity: Option<usize>,
     pub id: Option<usize>,
     pub radius: Option<usize>,
     pub spin: Option<usize>,
+    pub material: Option<usize>,
+    pub weight: Option<(usize, Weight)>,
 }
 
 /// Columns of a file without `Properties`.
@@ -45,6 +53,16 @@ impl Header {
         if lattice.is_none() && is_periodic.contains(&true) {
             return Err(line.missing("Lattice", "a periodic axis needs its length"));
         }
+        let (lattice, tilt) = match lattice {
+            Some((edges, tilt)) => (Some(edges), tilt),
+            None => (None, 0.0),
+        };
+        if tilt != 0.0 && !(is_periodic[0] && is_periodic[2]) {
+            return Err(line.missing(
+                "pbc",
+                "a cell that leans along x over z is periodic along both",
+            ));
+        }
         let bounds = |lengths: [f64; 3]| {
             std::array::from_fn(|axis| [origin[axis], origin[axis] + lengths[axis]])
         };
@@ -55,19 +73,32 @@ impl Header {
                 |p: &&Property| names.contains(&p.name) && p.kind == kind && p.width == width;
             properties.find(matches).map(|property| property.from)
         };
+        let radius = column(&["radius", "radii", "Radius"], "R", 1);
+        let species = column(&["species"], "S", 1).or_else(|| column(&["species"], "I", 1));
+        if species.is_none() && radius.is_none() {
+            return Err(line.missing(
+                "species:S:1",
+                "Properties must name it, or radius:R:1 of spheres",
+            ));
+        }
+        let density = column(&["density", "Density"], "R", 1).map(|at| (at, Weight::Density));
+        let mass = column(&["mass", "masses", "Mass"], "R", 1).map(|at| (at, Weight::Mass));
         Ok(Self {
             bounds: lattice.map(bounds),
+            tilt,
             is_periodic,
+            is_silent: find("pbc").is_none() && lattice.is_none(),
             count: properties.iter().map(|property| property.width).sum(),
-            species: column(&["species"], "S", 1)
-                .or_else(|| column(&["species"], "I", 1))
-                .ok_or_else(|| line.missing("species:S:1", "Properties must name it"))?,
+            species,
             place: column(&["pos"], "R", 3)
                 .ok_or_else(|| line.missing("pos:R:3", "Properties must name it"))?,
             velocity: column(&["vel", "velo", "velocities"], "R", 3),
             id: column(&["id"], "I", 1),
-            radius: column(&["radius", "radii", "Radius"], "R", 1),
+            radius,
             spin: column(&["omega", "angular_velocity"], "R", 3),
+            material: column(&["material"], "I", 1),
+            // A mass is a density where there is a radius.
+            weight: density.or(mass.filter(|_| radius.is_some())),
         })
     }
 }
@@ -117,15 +148,15 @@ fn numbers<const N: usize>(
     Ok(numbers)
 }
 
-/// Edges of an orthogonal cell.
-fn lattice(line: Line, text: &str) -> Result<[f64; 3], TextError> {
+/// Edges of a cell that is orthogonal, or leans along x over z, and how far.
+fn lattice(line: Line, text: &str) -> Result<([f64; 3], f64), TextError> {
     let all: [f64; 9] = numbers(line, "Lattice", text)?;
     let edges = [all[0], all[4], all[8]];
-    let others = [all[1], all[2], all[3], all[5], all[6], all[7]];
+    let others = [all[1], all[2], all[3], all[5], all[7]];
     if edges.iter().all(|&edge| edge > 0.0) && others.iter().all(|&other| other == 0.0) {
-        Ok(edges)
+        Ok((edges, all[6]))
     } else {
-        let valid = "of an orthogonal cell, `LX 0 0 0 LY 0 0 0 LZ` with lengths > 0";
+        let valid = "of a cell `LX 0 0 0 LY 0 XZ 0 LZ` with lengths > 0";
         Err(line.invalid("Lattice", valid, text))
     }
 }

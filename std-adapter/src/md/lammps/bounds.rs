@@ -19,9 +19,5 @@ pub(super) fn bounds(line: Line, low: &str, high: &str) -> Result<[f64; 2], Text
 
 /// The refusal of a box with angles.
 pub(super) fn tilted(line: Line) -> TextError {
-    TextError::Unsupported {
-        line: line.number,
-        what: "a tilted box".into(),
-        cure: "only orthogonal boxes are known: cut an orthogonal cell",
-    }
+    crate::md::spheres::tilted(line.number)
 }

@@ -1,5 +1,6 @@
 //! Columns of a dump.
 
+use crate::md::spheres::Weight;
 use crate::md::text::{Line, TextError};
 
 /// Indices of the columns that are read.
@@ -17,6 +18,8 @@ pub(super) struct Columns {
     pub forces: Option<[usize; 3]>,
     /// Column of the size of spheres, and its ratio to the radius.
     pub size: Option<(usize, f64)>,
+    /// Column of density or mass of spheres.
+    pub weight: Option<(usize, Weight)>,
     pub spin: Option<[usize; 3]>,
 }
 
@@ -47,6 +50,11 @@ impl Columns {
             let cure = "dump x y z, xu yu zu, xs ys zs or xsu ysu zsu";
             item.missing("a place", cure)
         })?;
+        let size = find("radius")
+            .map(|at| (at, 1.0))
+            .or(find("diameter").map(|at| (at, 0.5)));
+        let density = find("density").map(|at| (at, Weight::Density));
+        let mass = find("mass").map(|at| (at, Weight::Mass));
         Ok(Self {
             count: names.len(),
             id: need("id")?,
@@ -56,9 +64,9 @@ impl Columns {
             images: three(["ix", "iy", "iz"]).filter(|_| is_wrapped),
             velocity: three(["vx", "vy", "vz"]),
             forces: three(["fx", "fy", "fz"]),
-            size: find("radius")
-                .map(|at| (at, 1.0))
-                .or(find("diameter").map(|at| (at, 0.5))),
+            size,
+            // A mass is a density where there is a size.
+            weight: density.or(mass.filter(|_| size.is_some())),
             spin: three(["omegax", "omegay", "omegaz"]),
         })
     }

@@ -3,7 +3,7 @@
 use super::header::{Header, section};
 use crate::md::atoms::Atoms;
 use crate::md::configuration::Configuration;
-use crate::md::spheres::Spheres;
+use crate::md::spheres::{Spheres, Weight};
 use crate::md::text::{Line, Lines, TextError};
 use nalgebra::Vector3;
 use std::collections::HashMap;
@@ -23,7 +23,9 @@ use std::collections::HashMap;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read_data(text: &str) -> Result<Configuration, TextError> {
-    Ok(read(text, Style::Atomic)?.configuration)
+    let reader = read(text, Style::Atomic)?;
+    reader.spheres.upright()?;
+    Ok(reader.configuration)
 }
 
 /// The spheres of a data file (`atom_style sphere`).
@@ -174,7 +176,10 @@ impl Reader {
                 cure: self.style.cure(),
             });
         }
-        self.spheres = Spheres::begin(heading, self.style == Style::Sphere, false);
+        let is_sphere = self.style == Style::Sphere;
+        self.spheres = Spheres::begin(heading, [is_sphere, false, is_sphere]);
+        self.spheres.tilt = self.header.tilt;
+        self.spheres.is_silent = true;
         if !self.configuration.ids.is_empty() {
             return Err(twice(heading, "the section", "Atoms"));
         }
@@ -201,6 +206,7 @@ impl Reader {
         );
         if self.style == Style::Sphere {
             self.spheres.add_radius(line, words[2], 0.5)?;
+            self.spheres.add_density(line, words[3], Weight::Density)?;
         }
         let number = line.whole("the number of an atom", 1..=u64::MAX, id)?;
         let index = self.configuration.ids.len();
@@ -215,6 +221,9 @@ impl Reader {
                 .map_err(|_| line.invalid("an image flag", "a whole number", flag))?;
             if images != 0 {
                 place[axis] += f64::from(images) * lengths[axis];
+                if axis == 2 {
+                    place.x += f64::from(images) * self.header.tilt;
+                }
             }
         }
         let species = self.species(line, species)? as u8;

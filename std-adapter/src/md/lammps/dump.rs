@@ -34,7 +34,11 @@ const CUT_SHORT: &str = "is the file cut short?";
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn frames(text: &str) -> impl Iterator<Item = Result<Configuration, TextError>> {
-    sphere_frames(text).map(|frame| frame.map(|(frame, _)| frame))
+    sphere_frames(text).map(|frame| {
+        let (frame, spheres) = frame?;
+        spheres.upright()?;
+        Ok(frame)
+    })
 }
 
 /// All frames with the columns of spheres: `radius` or `diameter`, and `omegax omegay omegaz`.
@@ -102,6 +106,11 @@ fn frame(lines: &mut Lines) -> Result<(Configuration, Spheres), TextError> {
     }
 }
 
+/// Whether a box can lean along x over z: both axes repeat.
+fn is_sheared([x, _, z]: [bool; 3]) -> bool {
+    x && z
+}
+
 /// A whole number on a line of its own.
 fn count(lines: &mut Lines, what: &'static str, most: u64) -> Result<u64, TextError> {
     let line = lines.need(what, CUT_SHORT)?;
@@ -114,6 +123,8 @@ struct Head {
     step: u64,
     atoms: Option<u64>,
     space: Option<([[f64; 2]; 3], [bool; 3])>,
+    /// Tilt xz of the box.
+    tilt: f64,
 }
 
 impl Head {
@@ -121,18 +132,29 @@ impl Head {
         let is_periodic = match flags {
             // Old dumps do not specify the boundaries.
             [] => [true; 3],
-            &[x, y, z] => [x, y, z].map(|flag| flag == "pp"),
+            &[x, y, z] | &["xy", "xz", "yz", x, y, z] => [x, y, z].map(|flag| flag == "pp"),
             _ => return Err(tilted(item)),
         };
         let mut ends = [[0.0; 2]; 3];
-        for ends in &mut ends {
+        let mut tilts = [0.0; 3];
+        for (ends, tilt) in ends.iter_mut().zip(&mut tilts) {
             let line = lines.need("an axis of the box", CUT_SHORT)?;
             match line.words().as_slice() {
                 &[low, high] => *ends = bounds(line, low, high)?,
-                [_, _, _] => return Err(tilted(line)),
+                &[low, high, leans] => {
+                    *ends = bounds(line, low, high)?;
+                    *tilt = line.number("a tilt factor", leans)?;
+                }
                 _ => return Err(line.invalid("an axis of the box", "LOW HIGH", line.text)),
             }
         }
+        let [_, tilt, _] = tilts;
+        if tilts != [0.0, tilt, 0.0] || (tilt != 0.0 && !is_sheared(is_periodic)) {
+            return Err(tilted(item));
+        }
+        // The ends of a slanted box are those of what encloses it.
+        ends[0] = [ends[0][0] - tilt.min(0.0), ends[0][1] - tilt.max(0.0)];
+        self.tilt = tilt;
         self.space = Some((ends, is_periodic));
         Ok(())
     }
@@ -159,11 +181,17 @@ impl Head {
             step: self.step,
             forces: columns.forces.map(|_| Vec::new()),
         };
-        let mut spheres = Spheres::begin(item, columns.size.is_some(), columns.spin.is_some());
+        let has = [
+            columns.size.is_some(),
+            columns.spin.is_some(),
+            columns.weight.is_some(),
+        ];
+        let mut spheres = Spheres::begin(item, has);
+        spheres.tilt = self.tilt;
         let mut seen = HashSet::new();
         for _ in 0..count {
             let line = lines.need("an atom", CUT_SHORT)?;
-            atom(&mut all, columns, line)?;
+            atom(&mut all, columns, spheres.tilt, line)?;
             sphere(&mut spheres, columns, line)?;
             if let Some(id) = all.ids.last().filter(|&&id| !seen.insert(id)) {
                 return Err(TextError::Twice {
@@ -185,6 +213,9 @@ fn sphere(spheres: &mut Spheres, columns: &Columns, line: Line) -> Result<(), Te
     if let Some((at, factor)) = columns.size {
         spheres.add_radius(line, words[at], factor)?;
     }
+    if let Some((at, kind)) = columns.weight {
+        spheres.add_density(line, words[at], kind)?;
+    }
     if let (Some(at), Some(spins)) = (columns.spin, &mut spheres.spins) {
         let words = at.map(|column| words[column]);
         spins.push(vector(line, "an angular velocity", words)?);
@@ -192,7 +223,12 @@ fn sphere(spheres: &mut Spheres, columns: &Columns, line: Line) -> Result<(), Te
     Ok(())
 }
 
-fn atom(all: &mut Configuration, columns: &Columns, line: Line) -> Result<(), TextError> {
+fn atom(
+    all: &mut Configuration,
+    columns: &Columns,
+    tilt: f64,
+    line: Line,
+) -> Result<(), TextError> {
     let words = line.words();
     if words.len() != columns.count {
         let valid = format!("{} columns as in ITEM: ATOMS", columns.count);
@@ -205,6 +241,7 @@ fn atom(all: &mut Configuration, columns: &Columns, line: Line) -> Result<(), Te
     let mut place = three("a coordinate", columns.place)?;
     let lengths = all.lengths();
     if columns.is_scaled {
+        place.x += place.z * (tilt / lengths[0]);
         for axis in 0..3 {
             place[axis] = all.bounds[axis][0] + place[axis] * lengths[axis];
         }
@@ -216,6 +253,7 @@ fn atom(all: &mut Configuration, columns: &Columns, line: Line) -> Result<(), Te
                 place[axis] += images[axis] * lengths[axis];
             }
         }
+        place.x += images[2] * tilt;
     }
     let velocity = columns.velocity.map(|at| three("a velocity", at));
     all.ids.push(id);

@@ -10,6 +10,8 @@ pub(super) struct Header {
     pub atoms: usize,
     pub species: usize,
     pub bounds: [[f64; 2]; 3],
+    /// Tilt xz.
+    pub tilt: f64,
 }
 
 /// The name of a section, if the line begins one: all other lines begin with a number.
@@ -24,6 +26,7 @@ impl Header {
         lines.need("a line of title", "is the file empty?")?;
         let (mut atoms, mut species) = (None, None);
         let mut ends = [None; 3];
+        let mut tilt = 0.0;
         lines.skip_blank();
         while let Some(line) = lines.peek()
             && section(line).is_none()
@@ -42,11 +45,12 @@ impl Header {
                 [low, high, "ylo", "yhi"] => ends[1] = Some(bounds(line, low, high)?),
                 [low, high, "zlo", "zhi"] => ends[2] = Some(bounds(line, low, high)?),
                 [xy, xz, yz, "xy", "xz", "yz"] => {
-                    for word in [xy, xz, yz] {
+                    for word in [xy, yz] {
                         if line.number("a tilt factor", word)? != 0.0 {
                             return Err(tilted(line));
                         }
                     }
+                    tilt = line.number("a tilt factor", xz)?;
                 }
                 // A count of zero of other items is the same as no count.
                 ["0", ..] => {}
@@ -67,6 +71,7 @@ impl Header {
             species: species
                 .ok_or_else(|| end.missing("the number of types", line_of("N atom types")))?,
             bounds: [axis(0)?, axis(1)?, axis(2)?],
+            tilt,
         })
     }
 }

@@ -4,11 +4,11 @@ mod run;
 mod vtp;
 
 use super::assembly::{Assembly, Forces};
-use crate::md::configuration::{Configuration, Format};
+use crate::md::configuration::{Configuration, Format, recognised};
 use crate::md::spheres::Spheres;
 use crate::md::text::TextError;
 use crate::md::{extended_xyz, lammps};
-use crate::packing::Stored;
+use crate::packing::{Stored, mixed};
 use crate::record::{CheckpointError, FrameError, ReadError, read_text};
 use crate::space::pairs::NeighbourError;
 use crate::space::{AXES, PeriodicBox, PeriodicBoxError};
@@ -146,7 +146,7 @@ impl Assembly {
             cause,
         };
         let mut all = Vec::new();
-        match Format::of(text) {
+        match recognised(text).map_err(refused)? {
             Format::ExtendedXyz => {
                 let mut frames = Vec::new();
                 extended_xyz::each_frame(text, |atoms, spheres| frames.push((atoms, spheres)))
@@ -176,13 +176,17 @@ impl Assembly {
         let motions = stored.frozen.motions.iter();
         let (velocities, spins) = motions.map(|[velocity, spin]| (*velocity, *spin)).unzip();
         let shape = stored.shape;
+        // The images of a sheared box are where they were.
+        let space = shape.space.sheared(stored.frozen.shear_offset);
         let mut assembly = Self {
+            materials: shape.kinds.mixed().map(<[u8]>::to_vec),
+            densities: Some(shape.kinds.densities),
             velocities: Some(velocities),
             spins: Some(spins),
             contacts: shape.contacts,
             forces: Forces::Complete,
             scene: stored.scene,
-            ..Self::new(shape.space, stored.frozen.positions.clone(), shape.radii)
+            ..Self::new(space, stored.frozen.positions.clone(), shape.radii)
         };
         // The outermost walls across an open axis bound the box: a hopper has a lid in it.
         let mut walls = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
@@ -245,7 +249,21 @@ fn assembly(
             *low = 0.0;
         }
     }
+    // A column of materials, or several species.
+    let species = || {
+        atoms
+            .atoms
+            .species
+            .iter()
+            .map(|species| species + 1)
+            .collect()
+    };
+    let materials: Vec<u8> = spheres.materials.unwrap_or_else(species);
+    let space = space.sheared(spheres.tilt);
     let mut assembly = Assembly {
+        materials: mixed(&materials).then_some(materials),
+        densities: spheres.densities,
+        is_assumed: spheres.is_silent,
         velocities: Some(atoms.atoms.velocities),
         spins: spheres.spins,
         ..Assembly::new(space, positions, radii)
@@ -257,31 +275,33 @@ fn assembly(
 }
 
 impl Assembly {
-    /// Makes open axes periodic, where the file does not say it. *Domain*: periods finite and positive, no
-    /// sphere out of its period.
+    /// Sets the periods, `None` for an open axis, where the file does not say them. *Domain*: periods finite and
+    /// positive, no sphere out of its period; those that the file says.
     pub fn with_periods(
         mut self,
         file: &str,
         periods: [Option<f64>; 3],
     ) -> Result<Self, AssemblyError> {
-        let lengths: [Option<f64>; 3] =
-            std::array::from_fn(|axis| periods[axis].or(self.space.lengths()[axis]));
         for (axis, name) in AXES.iter().enumerate() {
-            let (Some(given), old) = (periods[axis], self.space.lengths()[axis]) else {
-                continue;
+            let old = self.space.lengths()[axis];
+            let outside = |length: &f64| {
+                let mut places = self.positions.iter();
+                places.position(|place| !(0.0..=*length).contains(&place[axis]))
             };
-            let outside = self
-                .positions
-                .iter()
-                .position(|place| !(0.0..=given).contains(&place[axis]));
-            let reason = match (old, outside) {
-                (Some(old), _) if old != given => {
+            let reason = match (old, periods[axis]) {
+                (Some(old), None) if !self.is_assumed => {
+                    format!("its period along {name} is {old}, and the axis is no open one")
+                }
+                (Some(old), Some(given)) if old != given => {
                     format!("its period along {name} is {old}, not {given}")
                 }
-                (None, Some(sphere)) => format!(
-                    "sphere {sphere} is at {name} = {}, beyond the period from 0 to {given}",
-                    self.positions[sphere][axis]
-                ),
+                (None, Some(given)) => match outside(&given) {
+                    Some(sphere) => format!(
+                        "sphere {sphere} is at {name} = {}, beyond the period from 0 to {given}",
+                        self.positions[sphere][axis]
+                    ),
+                    None => continue,
+                },
                 _ => continue,
             };
             return Err(AssemblyError::Content {
@@ -289,16 +309,29 @@ impl Assembly {
                 reason,
             });
         }
-        self.space = PeriodicBox::new(lengths).map_err(|cause| AssemblyError::Box {
+        self.set_periods(file, periods)?;
+        Ok(self)
+    }
+
+    /// Sets the periods; a new one begins at 0. An axis that is opened keeps the ends of its box.
+    pub(crate) fn set_periods(
+        &mut self,
+        file: &str,
+        periods: [Option<f64>; 3],
+    ) -> Result<(), AssemblyError> {
+        let before = self.space;
+        let leans = periods[0].is_some() && periods[2].is_some();
+        let space = PeriodicBox::new(periods).map_err(|cause| AssemblyError::Box {
             file: file.into(),
             cause,
         })?;
-        for (bounds, length) in self.bounds.iter_mut().zip(periods) {
-            if let Some(length) = length {
+        self.space = space.sheared(if leans { before.offset() } else { 0.0 });
+        for (axis, bounds) in self.bounds.iter_mut().enumerate() {
+            if let (None, Some(length)) = (before.lengths()[axis], periods[axis]) {
                 *bounds = [0.0, length];
             }
         }
-        Ok(self)
+        Ok(())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Assembly, AssemblyError, text};
 use crate::measure::Forces;
-use crate::packing::STATE;
+use crate::packing::{STATE, mixed};
 use crate::record::frames::{Bodies, Frame, FrameContact, FrameFolder, Kind};
 use crate::record::{ContactRow, Partner};
 use crate::run::{CHECKPOINT, FRAMES};
@@ -50,19 +50,8 @@ pub(super) fn frames(folder: &Path) -> Result<Vec<(u64, Assembly)>, AssemblyErro
 }
 
 fn of_frame(bodies: &Bodies, frame: &Frame) -> Assembly {
-    let scene = &bodies.scene;
-    // Grains may have walls along x and y and a period along z; a powder is periodic along x and y.
-    let is_open = |key: &str| scene[key] == "walls" || (key == "y" && scene["dimension"] == 2);
-    let [x, y] = bodies.periods;
-    let upright = scene["height"]
-        .as_f64()
-        .filter(|_| scene["z"] == "periodic");
-    let periods = [
-        Some(x).filter(|_| !is_open("x")),
-        Some(y).filter(|_| !is_open("y")),
-        upright,
-    ];
-    let space = PeriodicBox::new(periods).unwrap_or_default();
+    let space = PeriodicBox::new(bodies.periods).unwrap_or_default();
+    let space = space.sheared(frame.tilt);
     let mut assembly = Assembly::new(space, frame.places.clone(), bodies.radii.clone());
     for axis in 0..3 {
         if space.lengths()[axis].is_none() {
@@ -76,7 +65,10 @@ fn of_frame(bodies: &Bodies, frame: &Frame) -> Assembly {
     let row = |contact: &FrameContact| row(&assembly, &walls, contact);
     assembly.contacts = frame.contacts.iter().filter_map(row).collect();
     assembly.forces = Forces::Normal;
-    assembly.scene = scene.clone();
+    assembly.scene = bodies.scene.clone();
+    let known = |all: &Vec<f64>| !all.is_empty();
+    assembly.densities = Some(bodies.densities.clone()).filter(known);
+    assembly.materials = mixed(&bodies.materials).then(|| bodies.materials.clone());
     assembly
 }
 
@@ -87,7 +79,10 @@ fn walls(bodies: &Bodies) -> Vec<(usize, bool)> {
     if bodies.kind == Kind::Powder {
         return both(2).to_vec();
     }
+    let is_drum = scene["container"] == "drum";
     let mut walls = match scene["z"].as_str() {
+        // Facets stand in place of floor and sides.
+        _ if is_drum => Vec::new(),
         Some("floor") => vec![(2, false)],
         Some("walls") => both(2).to_vec(),
         _ => Vec::new(),

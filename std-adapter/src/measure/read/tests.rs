@@ -1,8 +1,16 @@
+use crate::gas::Gas;
+use crate::grains::Grains;
 use crate::measure::{Assembly, Forces};
+use crate::powder::{self, Compaction};
 use crate::random::Random;
-use crate::record::{Snapshot, extended_xyz, particles_vtp};
+use crate::record::frames::{Bodies, Frame, FrameFolder};
+use crate::record::trajectory::{Format, State, Trajectory};
+use crate::record::{Snapshot, SnapshotError, extended_xyz, particles_vtp};
+use crate::run::LongRun;
+use crate::scene::{ContactMethod, PowderScene, Scene, parse_scene};
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use std::ops::ControlFlow;
 
 /// Places, velocities, spins and radii with all their bits in use.
 fn cloud(count: usize) -> ([Vec<Vector3<f64>>; 3], Vec<f64>) {
@@ -36,6 +44,8 @@ fn exports_of_our_own_come_back_to_the_bit() {
         velocities: Some(&velocities),
         spins: Some(&spins),
         species: None,
+        materials: None,
+        densities: None,
         contacts: &[],
     };
     for (name, text) in [
@@ -48,22 +58,20 @@ fn exports_of_our_own_come_back_to_the_bit() {
         assert_eq!(read.velocities.as_ref(), Some(&velocities), "{name}");
         assert_eq!(read.spins.as_ref(), Some(&spins), "{name}");
         assert_eq!(read.forces, Forces::Unknown);
-        let is_xyz = name.ends_with("xyz");
-        assert_eq!(read.space, if is_xyz { space } else { PeriodicBox::OPEN });
-        if is_xyz {
-            assert_eq!(read.bounds, state.extents);
-        }
+        assert_eq!(read.space, space);
+        assert_eq!(read.bounds, state.extents);
         let periodic = read
             .with_periods(name, [Some(9.0), Some(9.5), None])
             .unwrap();
         assert_eq!(periodic.space, space);
-        let other = periodic.with_periods(name, [Some(8.0), None, None]);
-        let other = other.map(|_| ()).map_err(|error| error.to_string());
-        let told = if is_xyz { "a.xyz" } else { "a.vtp" };
-        assert_eq!(
-            other,
-            Err(format!("{told}: its period along x is 9, not 8"))
-        );
+        for (x, reason) in [
+            (Some(8.0), "its period along x is 9, not 8"),
+            (None, "its period along x is 9, and the axis is no open one"),
+        ] {
+            let other = periodic.clone().with_periods(name, [x, Some(9.5), None]);
+            let other = other.map(|_| ()).map_err(|error| error.to_string());
+            assert_eq!(other, Err(format!("{name}: {reason}")));
+        }
     }
 }
 
@@ -81,6 +89,14 @@ fn files_of_lammps_give_radii_from_diameters_in_a_box_from_zero() {
     assert_eq!(read.velocities.unwrap()[0], Vector3::new(1.0, 2.0, 3.0));
     assert_eq!(read.spins.unwrap()[1], Vector3::new(7.0, 8.0, 9.0));
     assert_eq!(read.space.lengths(), [Some(10.0); 3]);
+    assert_eq!(read.densities, Some(vec![2600.0; 2]));
+    // Data do not say which axes repeat.
+    let open = Assembly::parse("g.data", data).unwrap();
+    let open = open.with_periods("g.data", [Some(10.0), Some(10.0), None]);
+    assert_eq!(
+        open.unwrap().space.lengths(),
+        [Some(10.0), Some(10.0), None]
+    );
 
     let frame = |x: f64| {
         format!(
@@ -149,8 +165,7 @@ fn files_without_radii_tilted_or_cut_are_refused_by_line() {
         (format!("{head}:radius:R:1\nX 1 1 1 0\n"), "f: line 3: the size of a sphere must be a number > 0, not `0`"),
         (
             "1\nLattice=\"4 0 0 1 4 0 0 0 4\" Properties=species:S:1:pos:R:3:radius:R:1\nX 1 1 1 1\n".into(),
-            "f: line 2: Lattice must be of an orthogonal cell, `LX 0 0 0 LY 0 0 0 LZ` with lengths > 0, \
-             not `4 0 0 1 4 0 0 0 4`",
+            "f: line 2: Lattice must be of a cell `LX 0 0 0 LY 0 XZ 0 LZ` with lengths > 0, not `4 0 0 1 4 0 0 0 4`",
         ),
         (
             "t\n\n1 atoms\n1 atom types\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms # atomic\n\n1 1 1 1 1\n".into(),
@@ -170,5 +185,231 @@ fn files_without_radii_tilted_or_cut_are_refused_by_line() {
              wrote"),
     ] {
         assert_eq!(refusal("f", &text), reason);
+    }
+}
+
+/// Some bodies of each kind, with several sizes, materials and densities, after some steps.
+fn bodies() -> Vec<(&'static str, Scene)> {
+    let grains = "body = \"grains\"\nwidth = 0.08\nradius = 0.005\ncount = 40\nduration = 1\ndensity = 2500\n\
+                  share_second = 0.4\nradius_second = 0.7\ndensity_second = 7800\nsliding_second = 0.2\n";
+    let scene = |name: &'static str, text: &str| {
+        let scene = parse_scene(name, text, &[]);
+        (
+            name,
+            scene.unwrap_or_else(|error| panic!("{name}: {error}")),
+        )
+    };
+    let of = |name, more: &str| scene(name, &format!("{grains}{more}"));
+    vec![
+        of("bed", ""),
+        of("column", "x = \"walls\"\ny = \"walls\"\n"),
+        of("flat", "dimension = 2\n"),
+        of("drum", "container = \"drum\"\ndepth = 0.03\n"),
+        of("cell", "z = \"periodic\"\nheight = 0.08\ngravity = 0\n"),
+        of(
+            "sheared",
+            "z = \"periodic\"\nheight = 0.08\ngravity = 0\nshear_rate = 2\n",
+        ),
+        scene(
+            "powder",
+            "body = \"powder\"\nwidth = 8\nheight = 10\npressure = 0.02\nradius_spread = 0.2\n\
+             share_second = 0.3\ndensity_second = 2\nsliding_second = 0.1\n",
+        ),
+        scene("gas", "body = \"gas\"\ncount = 60\n"),
+    ]
+}
+
+/// What no file may lose.
+#[derive(Clone, Debug, PartialEq)]
+struct Kept {
+    positions: Vec<Vector3<f64>>,
+    radii: Vec<f64>,
+    densities: Option<Vec<f64>>,
+    materials: Option<Vec<u8>>,
+    periods: [Option<f64>; 3],
+    tilt: f64,
+}
+
+impl Kept {
+    fn of(read: &Assembly) -> Self {
+        Self {
+            positions: read.positions.iter().map(|x| read.space.wrap(x)).collect(),
+            radii: read.radii.clone(),
+            densities: read.densities.clone(),
+            materials: read.materials.clone(),
+            periods: read.space.lengths(),
+            tilt: read.space.offset(),
+        }
+    }
+
+    /// The same, with places as near as `share` of the cell, and boxes to rounding.
+    #[track_caller]
+    fn assert_is(&self, other: &Self, share: f64, what: &str) {
+        assert_eq!(self.radii, other.radii, "{what}");
+        assert_eq!(self.densities, other.densities, "{what}");
+        assert_eq!(self.materials, other.materials, "{what}");
+        let ulps = |a: f64, b: f64| (a - b).abs() <= 4.0 * f64::EPSILON * a.abs();
+        let mut size: f64 = 0.0;
+        for (mine, theirs) in self.periods.iter().zip(other.periods) {
+            assert_eq!(mine.is_some(), theirs.is_some(), "{what}");
+            let pair = mine.zip(theirs);
+            assert!(pair.is_none_or(|(a, b)| ulps(a, b)), "{what}");
+            size = size.max(mine.unwrap_or(0.0));
+        }
+        // A tilt is the same after a whole period.
+        if let Some(length) = self.periods[0] {
+            let apart = (self.tilt - other.tilt) / length;
+            assert!((apart - apart.round()).abs() < 1e-15 * 8.0, "{what}");
+        }
+        let space = PeriodicBox::new(self.periods).unwrap().sheared(self.tilt);
+        for (mine, theirs) in self.positions.iter().zip(&other.positions) {
+            size = size.max(mine.amax());
+            let way = space.displacement(mine, theirs);
+            assert!(way.amax() <= share * size, "{what}: {way:?}");
+        }
+        assert_eq!(self.positions.len(), other.positions.len(), "{what}");
+    }
+}
+
+/// The spheres as a file again.
+fn again(read: &Assembly) -> Assembly {
+    let text = extended_xyz(&Snapshot {
+        time: 0.0,
+        space: read.space,
+        extents: read.bounds,
+        positions: &read.positions,
+        radii: &read.radii,
+        velocities: read.velocities.as_deref(),
+        spins: read.spins.as_deref(),
+        species: None,
+        materials: read.materials.as_deref(),
+        densities: read.densities.as_deref(),
+        contacts: &[],
+    });
+    Assembly::parse("again.xyz", &text.unwrap()).unwrap()
+}
+
+/// A run after some steps: its exports, its frames, and the files that only spheres with contacts have.
+fn exports(scene: &Scene) -> (Kept, Vec<(&'static str, String)>, Bodies, Frame) {
+    fn all<R: LongRun>(
+        scene: &R::Scene,
+        export: impl Fn(&R, fn(&Snapshot<'_>) -> Result<String, SnapshotError>) -> String,
+    ) -> (R, [String; 2]) {
+        let mut run = R::begin(scene, None, &mut |_| ControlFlow::Continue(())).unwrap();
+        for _ in 0..30 {
+            run.step().unwrap();
+        }
+        let texts = [export(&run, extended_xyz), export(&run, particles_vtp)];
+        (run, texts)
+    }
+    let kept = |now: &Snapshot<'_>| Kept {
+        positions: now.positions.iter().map(|x| now.space.wrap(x)).collect(),
+        radii: now.radii.to_vec(),
+        densities: now.densities.map(<[f64]>::to_vec),
+        materials: now.materials.map(<[u8]>::to_vec),
+        periods: now.space.lengths(),
+        tilt: now.space.offset(),
+    };
+    match scene {
+        Scene::Grains(scene) => {
+            let (run, [xyz, vtp]) =
+                all::<Grains>(scene, |run, export| run.with_snapshot(export).unwrap());
+            let texts = vec![
+                ("a.xyz", xyz),
+                ("a.vtp", vtp),
+                ("state", run.state()),
+                ("checkpoint", run.checkpoint()),
+            ];
+            (run.with_snapshot(kept), texts, run.bodies(9), run.frame())
+        }
+        Scene::Powder(scene) => {
+            let (run, [xyz, vtp]) =
+                all::<Compaction>(scene, |run, export| run.with_snapshot(export).unwrap());
+            let texts = vec![
+                ("a.xyz", xyz),
+                ("a.vtp", vtp),
+                ("state", run.state()),
+                ("checkpoint", run.checkpoint()),
+            ];
+            (run.with_snapshot(kept), texts, run.bodies(9), run.frame())
+        }
+        Scene::Gas(scene) => {
+            let (run, [xyz, vtp]) = all::<Gas>(scene, |run, export| {
+                run.with_snapshot(export).unwrap().unwrap()
+            });
+            let texts = vec![("a.xyz", xyz), ("a.vtp", vtp)];
+            let kept = run.with_snapshot(kept).unwrap();
+            (kept, texts, run.bodies(9), run.frame())
+        }
+        _ => unreachable!(),
+    }
+}
+
+#[test]
+fn no_format_loses_a_radius_a_density_a_material_a_period_or_the_tilt() {
+    for (body, scene) in bodies() {
+        let (run, texts, bodies, frame) = exports(&scene);
+        // A film begins with its first step.
+        let frame = Frame { step: 0, ..frame };
+        assert_eq!(run.materials.is_some(), body != "gas", "{body}");
+        assert_eq!(run.tilt != 0.0, body == "sheared", "{body}");
+        let texts_of_state = texts.iter().find(|(format, _)| *format == "state");
+        let texts_of_state = texts_of_state.map_or(String::new(), |(_, text)| text.clone());
+        for (format, text) in texts {
+            let what = format!("{body}, {format}");
+            let read = Assembly::parse(format, &text).unwrap();
+            Kept::of(&read).assert_is(&run, 0.0, &what);
+            Kept::of(&again(&read)).assert_is(&run, 0.0, &what);
+        }
+        // Data of LAMMPS: the start of the same spheres as springs, in a box of room above and below.
+        if let Scene::Powder(scene) = &scene {
+            let home = tempfile::tempdir().unwrap();
+            let file = home.path().join("state.json");
+            std::fs::write(&file, &texts_of_state).unwrap();
+            let soft = PowderScene {
+                method: ContactMethod::Soft,
+                start: Some(file),
+                share_second: 0.0,
+                sliding_second: None,
+                density_second: None,
+                radius_spread: 0.0,
+                ..scene.clone()
+            };
+            let data = powder::export::start(&soft).unwrap().data;
+            let read = Assembly::parse("powder.data", &data).unwrap();
+            let open = read.with_periods("powder.data", [Some(8.0), Some(8.0), None]);
+            let mut read = Kept::of(&open.unwrap());
+            // The box begins below the substrate.
+            let low = read.positions[0].z - run.positions[0].z;
+            read.positions.iter_mut().for_each(|place| place.z -= low);
+            read.assert_is(&run, 1e-14, "powder, data of LAMMPS");
+        }
+        // Frames have places to a 65535th of the box, trajectories in single precision.
+        let home = tempfile::tempdir().unwrap();
+        let frames = home.path().join("frames");
+        let mut film = FrameFolder::begin(&frames, &bodies).unwrap();
+        film.add(&frame);
+        film.finish(&frame).unwrap();
+        let [(_, read)] = &Assembly::read_all(home.path()).unwrap()[..] else {
+            panic!("{body}: one frame");
+        };
+        let coarse = Kept::of(read);
+        coarse.assert_is(&run, 2e-5, body);
+        let stored = FrameFolder::read(&frames, &bodies, frame.step).unwrap();
+        let state = State::of_frame(&bodies, &stored);
+        for format in [Format::Vtk, Format::Xyz, Format::LammpsDump] {
+            let what = format!("{body}, {format:?}");
+            let mut trajectory = Trajectory::begin(home.path(), format).unwrap();
+            trajectory.add(&state).unwrap();
+            let mut file = trajectory.finish().unwrap();
+            if format == Format::Vtk {
+                file = home
+                    .path()
+                    .join(format!("trajectory/{:012}.vtp", frame.step));
+            }
+            let read = Assembly::read(&file).unwrap();
+            Kept::of(&read).assert_is(&coarse, 1e-7, &what);
+            Kept::of(&again(&read)).assert_is(&coarse, 1e-7, &what);
+        }
     }
 }

@@ -1,7 +1,8 @@
 //! VTK PolyData (.vtp): arrays as text or base64 in place, without compression.
 
 use super::{Assembly, AssemblyError};
-use crate::space::PeriodicBox;
+use crate::packing::mixed;
+use crate::space::{PeriodicBox, PeriodicBoxError};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use nalgebra::Vector3;
@@ -9,7 +10,8 @@ use nalgebra::Vector3;
 /// How to write a file that is read here.
 const CURE: &str = "in ParaView save it with Data Mode Ascii or Binary and Compressor Type None";
 
-/// The spheres of a file. It has no periods: all axes are open.
+/// The spheres of a file. All axes are open unless it has the field data that Tribos writes: the ends of the box and
+/// which axes repeat.
 pub(super) fn read(file: &str, text: &str) -> Result<Assembly, AssemblyError> {
     let refused = |reason: String| AssemblyError::Content {
         file: file.into(),
@@ -29,6 +31,23 @@ pub(super) fn read(file: &str, text: &str) -> Result<Assembly, AssemblyError> {
     let optional = |name: &str| -> Result<Option<Vec<Vector3<f64>>>, AssemblyError> {
         Ok(vtp.array(name).map_err(refused)?.map(|all| vectors(&all)))
     };
+    let numbers =
+        |name: &str, [least, most]: [f64; 2]| -> Result<Option<Vec<f64>>, AssemblyError> {
+            let all = vtp.array(name).map_err(refused)?;
+            let is_out = |value: &f64| !(least..=most).contains(value);
+            match all.iter().flatten().find(|value| is_out(value)) {
+                Some(value) => Err(refused(format!(
+                    "{name} must be numbers from {least} to {most}, not {value}"
+                ))),
+                None if all.as_ref().is_some_and(|all| all.len() != positions.len()) => {
+                    let points = positions.len();
+                    Err(refused(format!(
+                        "{points} points need as many values of {name}"
+                    )))
+                }
+                None => Ok(all),
+            }
+        };
     let (velocities, spins) = (optional("velocity")?, optional("angular_velocity")?);
     for (name, given) in [
         ("radius", Some(radii.len())),
@@ -59,11 +78,62 @@ pub(super) fn read(file: &str, text: &str) -> Result<Assembly, AssemblyError> {
             "point {at}: its coordinates must be finite"
         )));
     }
-    Ok(Assembly {
+    let materials = numbers("material", [1.0, f64::from(u8::MAX)])?;
+    let materials = materials.map(|all| all.into_iter().map(|material| material as u8).collect());
+    let densities = numbers("density", [f64::MIN_POSITIVE, f64::MAX])?;
+    let cell = cell(&vtp).map_err(refused)?;
+    let space = cell.map_or(Ok(PeriodicBox::OPEN), |cell| cell.space());
+    let space = space.map_err(|cause| AssemblyError::Box {
+        file: file.into(),
+        cause,
+    })?;
+    let mut assembly = Assembly {
+        materials: materials.filter(|all: &Vec<u8>| mixed(all)),
+        densities,
+        is_assumed: cell.is_none(),
         velocities,
         spins,
-        ..Assembly::new(PeriodicBox::OPEN, positions, radii)
-    })
+        ..Assembly::new(space, positions, radii)
+    };
+    if let Some(cell) = cell {
+        assembly.bounds = cell.ends;
+    }
+    Ok(assembly)
+}
+
+/// The box in the field data.
+#[derive(Clone, Copy)]
+struct Cell {
+    ends: [[f64; 2]; 3],
+    is_periodic: [bool; 3],
+    tilt: f64,
+}
+
+impl Cell {
+    fn space(&self) -> Result<PeriodicBox, PeriodicBoxError> {
+        let period = |axis: usize| {
+            let [low, high] = self.ends[axis];
+            self.is_periodic[axis].then_some(high - low)
+        };
+        Ok(PeriodicBox::new([0, 1, 2].map(period))?.sheared(self.tilt))
+    }
+}
+
+/// The box, if the file has one.
+fn cell(vtp: &Document) -> Result<Option<Cell>, String> {
+    let field = |name: &str| vtp.array_in(("<FieldData", "</FieldData>"), name);
+    let (Some(ends), Some(repeats)) = (field("box")?, field("periodic")?) else {
+        return Ok(None);
+    };
+    let tilt = field("tilt")?.and_then(|tilt| tilt.first().copied());
+    match (ends.as_slice(), repeats.as_slice()) {
+        (&[x0, x1, y0, y1, z0, z1], &[x, y, z]) => Ok(Some(Cell {
+            ends: [[x0, x1], [y0, y1], [z0, z1]],
+            is_periodic: [x, y, z].map(|repeats| repeats != 0.0),
+            tilt: tilt.unwrap_or(0.0),
+        })),
+        _ => Err("its field data `box` and `periodic` need 6 and 3 numbers".into()),
+    }
 }
 
 fn vectors(numbers: &[f64]) -> Vec<Vector3<f64>> {
@@ -107,11 +177,17 @@ impl<'a> Document<'a> {
 
     /// Numbers of the array of this name; `Points` is the array within that element.
     fn array(&self, name: &str) -> Result<Option<Vec<f64>>, String> {
-        let whole = self.text;
-        let (from, to) = match name {
-            "Points" => (whole.find("<Points>"), whole.find("</Points>")),
-            _ => (whole.find("<PointData"), whole.find("</PointData>")),
+        let ends = match name {
+            "Points" => ("<Points>", "</Points>"),
+            _ => ("<PointData", "</PointData>"),
         };
+        self.array_in(ends, name)
+    }
+
+    /// Numbers of an array in the element between two tags.
+    fn array_in(&self, (begin, end): (&str, &str), name: &str) -> Result<Option<Vec<f64>>, String> {
+        let whole = self.text;
+        let (from, to) = (whole.find(begin), whole.find(end));
         let Some(part) = from.zip(to).and_then(|(from, to)| whole.get(from..to)) else {
             return Ok(None);
         };
@@ -170,8 +246,20 @@ impl<'a> Document<'a> {
                 .iter()
                 .map(|bytes| f64::from(f32::from_le_bytes(*bytes)))
                 .collect()),
+            "Int64" => Ok(data
+                .as_chunks()
+                .0
+                .iter()
+                .map(|bytes| i64::from_le_bytes(*bytes) as f64)
+                .collect()),
+            "Int32" => Ok(data
+                .as_chunks()
+                .0
+                .iter()
+                .map(|bytes| f64::from(i32::from_le_bytes(*bytes)))
+                .collect()),
             other => Err(format!(
-                "the array {name} has the type {other}; Float32 and Float64 are read"
+                "the array {name} has the type {other}; Float32, Float64, Int32 and Int64 are read"
             )),
         }
     }

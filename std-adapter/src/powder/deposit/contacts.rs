@@ -43,6 +43,8 @@ impl Deposit {
             velocities: None,
             spins: None,
             species: None,
+            materials: None,
+            densities: None,
             contacts,
         }
     }

@@ -4,7 +4,7 @@ use crate::record::{digest, sealed, unsealed};
 use serde_json::{Map, Value, json};
 
 /// The version of `bodies.json`.
-const FORMAT: u64 = 2;
+const FORMAT: u64 = 3;
 
 /// Kind of simulation.
 ///
@@ -35,8 +35,11 @@ pub enum Kind {
 ///     scene: serde_json::json!({"lambda": 0.02}),
 ///     limit: 100,
 ///     stride: 10,
-///     periods: [8.0, 8.0],
+///     sides: [8.0, 8.0],
+///     periods: [Some(8.0), Some(8.0), None],
 ///     radii: vec![0.5; 2],
+///     materials: Vec::new(),
+///     densities: Vec::new(),
 ///     layers: vec![0, 1],
 ///     parts: vec![0, 1],
 ///     marked: vec![1],
@@ -58,10 +61,16 @@ pub struct Bodies {
     pub limit: u64,
     /// Steps between states that may be kept, at least 1.
     pub stride: u64,
-    /// Sides of the cell along x and y, which are periodic.
-    pub periods: [f64; 2],
+    /// Sides of the cell along x and y.
+    pub sides: [f64; 2],
+    /// Periods along x, y and z, `None` along an open axis.
+    pub periods: [Option<f64>; 3],
     /// Radii.
     pub radii: Vec<f64>,
+    /// Numbers of the materials, from 1; empty if there is one.
+    pub materials: Vec<u8>,
+    /// Densities; empty if they are not known.
+    pub densities: Vec<f64>,
     /// Layer of each body from below; empty if there are none.
     pub layers: Vec<u16>,
     /// Part of each body, as an index into [`Part::ALL`](crate::tip::Part::ALL); empty if there are none.
@@ -98,12 +107,6 @@ impl Kind {
 impl Bodies {
     /// The text of `bodies.json`.
     pub(super) fn text(&self) -> String {
-        let one = self.radii.first().copied().unwrap_or_default();
-        let radii = if self.radii.iter().all(|&radius| radius == one) {
-            json!(one)
-        } else {
-            json!(self.radii)
-        };
         let mut value = json!({
             "format": FORMAT,
             "body": self.kind.name(),
@@ -111,9 +114,16 @@ impl Bodies {
             "particles": self.radii.len(),
             "frames": self.limit,
             "stride": self.stride,
+            "sides": self.sides,
             "periods": self.periods,
-            "radii": radii,
+            "radii": one_or_all(&self.radii),
         });
+        if !self.materials.is_empty() {
+            value["materials"] = json!(self.materials);
+        }
+        if !self.densities.is_empty() {
+            value["densities"] = one_or_all(&self.densities);
+        }
         if !self.layers.is_empty() {
             value["layers"] = json!(self.layers);
             value["parts"] = json!(self.parts);
@@ -144,9 +154,13 @@ impl Bodies {
         if u32::try_from(count).ok()? > u32::MAX / 2 {
             return None;
         }
-        let radii = match value["radii"].as_f64() {
-            Some(one) => vec![one; count],
-            None => list(&value["radii"], Value::as_f64)?,
+        let numbers = |name: &str| match value[name].as_f64() {
+            Some(one) => Some(vec![one; count]),
+            None => list(&value[name], Value::as_f64),
+        };
+        let period = |value: &Value| match value {
+            Value::Null => Some(None),
+            period => period.as_f64().map(Some),
         };
         let small = |value: &Value| u16::try_from(value.as_u64()?).ok();
         let tiny = |value: &Value| u8::try_from(value.as_u64()?).ok();
@@ -156,8 +170,11 @@ impl Bodies {
             scene: value["scene"].clone(),
             limit: value["frames"].as_u64()?,
             stride: value["stride"].as_u64()?,
-            periods: <[f64; 2]>::try_from(list(&value["periods"], Value::as_f64)?).ok()?,
-            radii,
+            sides: <[f64; 2]>::try_from(list(&value["sides"], Value::as_f64)?).ok()?,
+            periods: <[_; 3]>::try_from(list(&value["periods"], period)?).ok()?,
+            radii: numbers("radii")?,
+            materials: list(&value["materials"], tiny)?,
+            densities: numbers("densities")?,
             layers: list(&value["layers"], small)?,
             parts: list(&value["parts"], tiny)?,
             marked: list(&value["marked"], index)?,
@@ -168,11 +185,27 @@ impl Bodies {
     fn is_sound(&self) -> bool {
         let positive = |x: &f64| *x > 0.0 && x.is_finite();
         let count = self.radii.len();
+        let lengths = [
+            self.layers.len(),
+            self.parts.len(),
+            self.materials.len(),
+            self.densities.len(),
+        ];
+        let numbers = self.sides.iter().chain(self.periods.iter().flatten());
+        let mut numbers = numbers.chain(&self.radii).chain(&self.densities);
         self.stride > 0
-            && self.periods.iter().chain(&self.radii).all(positive)
-            && [self.layers.len(), self.parts.len()].map(|given| given == 0 || given == count)
-                == [true; 2]
+            && numbers.all(positive)
+            && lengths.iter().all(|&given| given == 0 || given == count)
+            && self.materials.iter().all(|&material| material > 0)
             && self.marked.iter().all(|&body| (body as usize) < count)
+    }
+}
+
+/// One number if it is that of all, else all.
+fn one_or_all(numbers: &[f64]) -> Value {
+    match numbers {
+        [one, rest @ ..] if rest.iter().all(|other| other == one) => json!(one),
+        all => json!(all),
     }
 }
 

@@ -18,8 +18,11 @@ const ENDING: &str = ".frame";
 /// #     scene: serde_json::json!({}),
 /// #     limit: 20,
 /// #     stride: 1,
-/// #     periods: [10.0; 2],
+/// #     sides: [10.0; 2],
+/// #     periods: [Some(10.0), Some(10.0), None],
 /// #     radii: vec![1.0],
+/// #     materials: Vec::new(),
+/// #     densities: Vec::new(),
 /// #     layers: Vec::new(),
 /// #     parts: Vec::new(),
 /// #     marked: Vec::new(),
@@ -51,7 +54,7 @@ pub enum FrameError {
     },
     /// A file is damaged or of another run.
     #[error(
-        "{} is damaged, of another run or of another version; run the scene again",
+        "{} is damaged, of another run or of another version; run the scene again, with --anew if it was broken off",
         .0.display()
     )]
     Damaged(PathBuf),
@@ -84,8 +87,11 @@ pub enum FrameError {
 /// #     scene: serde_json::json!({}),
 /// #     limit: 20,
 /// #     stride: 1,
-/// #     periods: [10.0; 2],
+/// #     sides: [10.0; 2],
+/// #     periods: [Some(10.0), Some(10.0), None],
 /// #     radii: vec![1.0],
+/// #     materials: Vec::new(),
+/// #     densities: Vec::new(),
 /// #     layers: Vec::new(),
 /// #     parts: Vec::new(),
 /// #     marked: Vec::new(),
@@ -134,10 +140,15 @@ impl FrameFolder {
         Ok(Self::of(path, bodies))
     }
 
-    /// The folder of a resumed run; `None` if it has no frames.
+    /// The folder of a resumed run; `None` if it has no frames. Refuses a damaged frame: the run would keep it.
     pub fn resume(path: &Path) -> Result<Option<Self>, FrameError> {
-        let bodies = Self::bodies(path)?;
-        Ok(bodies.map(|bodies| Self::of(path, &bodies)))
+        let Some(bodies) = Self::bodies(path)? else {
+            return Ok(None);
+        };
+        for step in names(path)?.iter().filter_map(|name| step(name)) {
+            Self::read(path, &bodies, step)?;
+        }
+        Ok(Some(Self::of(path, &bodies)))
     }
 
     fn of(path: &Path, bodies: &Bodies) -> Self {
@@ -306,8 +317,11 @@ mod tests {
             scene: serde_json::json!({"lambda": 0.02}),
             limit,
             stride,
-            periods: [3.0, 4.0],
+            sides: [3.0, 4.0],
+            periods: [Some(3.0), Some(4.0), None],
             radii: vec![0.5],
+            materials: Vec::new(),
+            densities: Vec::new(),
             layers: vec![9],
             parts: vec![5],
             marked: vec![0],
@@ -380,6 +394,9 @@ mod tests {
         assert_eq!(FrameFolder::read(&path, &given, 3)?.step, 3);
         std::fs::write(path.join("000000000004.frame"), "TrFr")?;
         let refused = FrameFolder::read(&path, &given, 4);
+        assert!(matches!(refused, Err(FrameError::Damaged(_))));
+        // A run does not go on beside it.
+        let refused = FrameFolder::resume(&path);
         assert!(matches!(refused, Err(FrameError::Damaged(_))));
         // A frame of the same step from another run, and one that is not there.
         let other = home.path().join("other");

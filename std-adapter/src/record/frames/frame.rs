@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 /// The first bytes of a frame, and the version that follows.
 const MAGIC: [u8; 4] = *b"TrFr";
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 /// Largest encoded coordinate.
 const STEPS: f64 = u16::MAX as f64;
 
@@ -21,8 +21,11 @@ const STEPS: f64 = u16::MAX as f64;
 /// #     scene: serde_json::json!({}),
 /// #     limit: 2,
 /// #     stride: 1,
-/// #     periods: [10.0; 2],
+/// #     sides: [10.0; 2],
+/// #     periods: [Some(10.0), Some(10.0), None],
 /// #     radii: vec![1.0],
+/// #     materials: Vec::new(),
+/// #     densities: Vec::new(),
 /// #     layers: Vec::new(),
 /// #     parts: Vec::new(),
 /// #     marked: Vec::new(),
@@ -54,6 +57,8 @@ pub struct Frame {
     pub height: f64,
     /// Porosity of a powder, angle of a tip's driven layers in degrees.
     pub measure: f64,
+    /// Displacement along x of the images one period higher along z, 0 unless the cell is sheared.
+    pub tilt: f64,
     /// Low and high corner of the box in which positions are encoded.
     pub corners: [[f32; 3]; 2],
     /// Centres; in a file to half a 65535th of the box's sides.
@@ -130,11 +135,11 @@ impl Frame {
     /// Contents of the file before its digest.
     fn content(&self) -> Vec<u8> {
         let (n, m) = (self.places.len(), self.contacts.len());
-        let mut bytes = Vec::with_capacity(72 + 8 * n + 11 * m);
+        let mut bytes = Vec::with_capacity(80 + 8 * n + 11 * m);
         bytes.extend(MAGIC);
         bytes.extend(VERSION.to_le_bytes());
         bytes.extend(self.step.to_le_bytes());
-        for number in [self.time, self.height, self.measure] {
+        for number in [self.time, self.height, self.measure, self.tilt] {
             bytes.extend(number.to_le_bytes());
         }
         for count in [n, m] {
@@ -170,6 +175,7 @@ impl Frame {
             time: f64::from_le_bytes(source.take()?),
             height: f64::from_le_bytes(source.take()?),
             measure: f64::from_le_bytes(source.take()?),
+            tilt: f64::from_le_bytes(source.take()?),
             ..Self::default()
         };
         let n = u32::from_le_bytes(source.take()?) as usize;
@@ -258,6 +264,7 @@ mod tests {
             time: -0.1,
             height: 61.5,
             measure: f64::NAN,
+            tilt: 0.1,
             corners: [[0.0, 0.0, -1.0], [20.0, 20.0, 61.5]],
             places: (0..50)
                 .map(|k| Vector3::new(0.4, 0.399, 1.2) * f64::from(k))
@@ -277,9 +284,10 @@ mod tests {
         let written = frame();
         let read = Frame::parse(&written.bytes(RUN), RUN).ok_or("unread")?;
         assert_eq!(
-            (read.step, read.time, read.height, read.corners),
-            (written.step, written.time, written.height, written.corners)
+            (read.step, read.time, read.height, read.tilt),
+            (written.step, written.time, written.height, written.tilt)
         );
+        assert_eq!(read.corners, written.corners);
         assert!(read.measure.is_nan());
         for (a, b) in written.places.iter().zip(&read.places) {
             for (axis, side) in [20.0, 20.0, 62.5].into_iter().enumerate() {
@@ -309,7 +317,7 @@ mod tests {
         longer.push(0);
         assert!(Frame::of_content(&longer).is_none());
         // Another format, another version, and a particle that is not there.
-        let first_contact = 72 + 8 * 50;
+        let first_contact = 80 + 8 * 50;
         for at in [0, 4, first_contact] {
             let mut other = bytes.clone();
             other[at] = 77;
@@ -317,7 +325,7 @@ mod tests {
         }
         // A count larger than memory.
         let mut huge = bytes;
-        huge[40..44].fill(0xff);
+        huge[48..52].fill(0xff);
         assert!(Frame::of_content(&huge).is_none());
     }
 

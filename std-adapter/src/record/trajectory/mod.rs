@@ -16,6 +16,7 @@
 //!         step,
 //!         time,
 //!         sides: [Side::periodic(10.0), Side::periodic(10.0), Side::open(0.0, 5.0)],
+//!         tilt: 0.0,
 //!         places: vec![Vector3::new(5.0, 5.0, 4.0 - 0.5 * time * time)],
 //!         columns: vec![
 //!             Column::new("radius", Values::Numbers(vec![0.5])),

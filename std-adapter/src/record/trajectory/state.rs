@@ -12,6 +12,8 @@ pub struct State {
     pub time: f64,
     /// The box along x, y and z.
     pub sides: [Side; 3],
+    /// Displacement along x of the images one period higher along z, 0 unless the box is sheared.
+    pub tilt: f64,
     /// Centres of the bodies.
     pub places: Vec<Vector3<f64>>,
     /// Further properties of each body.
@@ -33,7 +35,7 @@ pub struct Side {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Name, one word. `radius`, `velocity` and `angular_velocity` are written under the names that
-    /// each program uses.
+    /// each program uses; `material`, from 1, is the type of LAMMPS.
     pub name: &'static str,
     /// A value for each body.
     pub values: Values,
@@ -78,8 +80,9 @@ impl Column {
 }
 
 impl State {
-    /// The state of a stored frame, with the accuracy of [frames](crate::record::frames): positions, radii,
-    /// speeds, the number of contacts of each particle of a powder, layer and part of each atom of a tip.
+    /// The state of a stored frame, with the accuracy of [frames](crate::record::frames): the box with its periods,
+    /// positions, radii, speeds, densities and materials where they are known, the number of contacts of each
+    /// sphere, layer and part of each atom of a tip.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -90,8 +93,11 @@ impl State {
     ///     scene: serde_json::json!({"body": "powder"}),
     ///     limit: 2,
     ///     stride: 1,
-    ///     periods: [10.0; 2],
+    ///     sides: [10.0; 2],
+    ///     periods: [Some(10.0), Some(10.0), None],
     ///     radii: vec![1.0],
+    ///     materials: Vec::new(),
+    ///     densities: Vec::new(),
     ///     layers: Vec::new(),
     ///     parts: Vec::new(),
     ///     marked: Vec::new(),
@@ -109,8 +115,13 @@ impl State {
     /// ```
     pub fn of_frame(bodies: &Bodies, frame: &Frame) -> Self {
         let count = frame.places.len();
-        let [x, y] = bodies.periods;
-        let [low, high] = frame.corners.map(|corner| f64::from(corner[2]));
+        let side = |axis: usize| match bodies.periods[axis] {
+            Some(length) => Side::periodic(length),
+            None => {
+                let [low, high] = frame.corners.map(|corner| f64::from(corner[axis]));
+                Side::open(low, high)
+            }
+        };
         let mut columns = vec![
             Column::new("id", Values::Integers((0..count as i64).collect())),
             Column::new("radius", Values::Numbers(bodies.radii.clone())),
@@ -119,6 +130,14 @@ impl State {
                 Values::Numbers(frame.speeds.iter().copied().map(f64::from).collect()),
             ),
         ];
+        if !bodies.densities.is_empty() {
+            let densities = Values::Numbers(bodies.densities.clone());
+            columns.push(Column::new("density", densities));
+        }
+        if !bodies.materials.is_empty() {
+            let materials = bodies.materials.iter().copied().map(i64::from).collect();
+            columns.push(Column::new("material", Values::Integers(materials)));
+        }
         if bodies.layers.is_empty() {
             let touching = touching(frame);
             columns.push(Column::new("coordination", Values::Integers(touching)));
@@ -131,7 +150,8 @@ impl State {
         Self {
             step: frame.step,
             time: frame.time,
-            sides: [Side::periodic(x), Side::periodic(y), Side::open(low, high)],
+            sides: [0, 1, 2].map(side),
+            tilt: frame.tilt,
             places: frame.places.clone(),
             columns,
         }

@@ -2,7 +2,7 @@
 
 use super::{State, Values};
 use crate::record::number;
-use crate::record::vtk::{document, integers, scalars, vectors};
+use crate::record::vtk::{cell, document, integers, scalars, vectors};
 
 /// Beginning and end of a collection.
 pub(super) const COLLECTION_BEGIN: &str = "<?xml version=\"1.0\"?>\n\
@@ -27,13 +27,18 @@ pub(super) fn file(state: &State) -> String {
         };
     }
     let points = vectors("Points", state.places.iter().copied());
-    let cells = integers("connectivity", 0..count) + &integers("offsets", 1..=count);
+    let verts = integers("connectivity", 0..count) + &integers("offsets", 1..=count);
     document(
         state.time,
+        &cell(
+            state.sides.map(|side| [side.low, side.high]),
+            state.sides.map(|side| side.is_periodic),
+            state.tilt,
+        ),
         &format!("NumberOfPoints=\"{count}\" NumberOfVerts=\"{count}\""),
         &format!(
             "<PointData>\n{data}</PointData>\n<Points>\n{points}</Points>\n\
-             <Verts>\n{cells}</Verts>\n"
+             <Verts>\n{verts}</Verts>\n"
         ),
     )
 }

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 /// Species without a name; chemistry programs know it as "no element".
 const NAMELESS: &str = "X";
 
-/// Number of bodies, header, and one line per body. Numbers of bodies have single precision.
+/// Number of bodies, header, and one line per body. Places and vectors have single precision.
 pub(super) fn frame(state: &State) -> String {
     let mut text = format!("{}\n{}\n", state.places.len(), header(state));
     for (body, place) in state.places.iter().enumerate() {
@@ -25,6 +25,7 @@ pub(super) fn frame(state: &State) -> String {
 fn header(state: &State) -> String {
     let lengths = state.sides.map(|side| number(side.high - side.low));
     let [x, y, z] = lengths;
+    let tilt = number(state.tilt);
     let origin = state.sides.map(|side| number(side.low)).join(" ");
     let flags = state
         .sides
@@ -39,7 +40,7 @@ fn header(state: &State) -> String {
         columns += &format!(":{}:{kind}:{width}", name(column));
     }
     format!(
-        "Lattice=\"{x} 0 0 0 {y} 0 0 0 {z}\" Origin=\"{origin}\" pbc=\"{}\" Properties={columns} \
+        "Lattice=\"{x} 0 0 0 {y} 0 {tilt} 0 {z}\" Origin=\"{origin}\" pbc=\"{}\" Properties={columns} \
          Time={} Step={}",
         flags.join(" "),
         number(state.time),
@@ -63,7 +64,10 @@ pub(super) fn push(text: &mut String, column: &Column, body: usize) {
         Values::Integers(values) => {
             let _ = write!(text, " {}", values.get(body).copied().unwrap_or_default());
         }
-        Values::Numbers(values) => push_number(text, values.get(body).copied()),
+        Values::Numbers(values) => {
+            let value = values.get(body).copied().unwrap_or(f64::NAN);
+            let _ = write!(text, " {value:e}");
+        }
         Values::Vectors(values) => {
             push_vector(text, &values.get(body).copied().unwrap_or_default());
         }
@@ -72,11 +76,11 @@ pub(super) fn push(text: &mut String, column: &Column, body: usize) {
 
 pub(super) fn push_vector(text: &mut String, vector: &Vector3<f64>) {
     for axis in 0..3 {
-        push_number(text, Some(vector[axis]));
+        push_number(text, vector[axis]);
     }
 }
 
 /// The shortest digits that single precision needs.
-fn push_number(text: &mut String, value: Option<f64>) {
-    let _ = write!(text, " {:e}", value.unwrap_or(f64::NAN) as f32);
+fn push_number(text: &mut String, value: f64) {
+    let _ = write!(text, " {:e}", value as f32);
 }

@@ -37,9 +37,16 @@ pub fn write(
     write_series(&out.join("series.csv"), &COLUMNS, rows)?;
 
     let deposit = compaction.deposit();
-    let first = deposit.snapshot(compaction.first_contacts());
-    states(&first, "initial", folder, order)?;
-    compaction.with_snapshot(|snapshot| states(snapshot, "final", folder, order))?;
+    compaction.with_snapshot(|last| {
+        // Spheres are of the same materials all the time.
+        let first = Snapshot {
+            materials: last.materials,
+            densities: last.densities,
+            ..deposit.snapshot(compaction.first_contacts())
+        };
+        states(&first, "initial", folder, order)?;
+        states(last, "final", folder, order)
+    })?;
     folder.write(STATE, compaction.state().as_bytes())?;
 
     order.interrupted()?;

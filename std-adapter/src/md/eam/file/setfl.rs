@@ -25,6 +25,7 @@ pub(super) fn read(text: &str) -> Result<PotentialFile, TextError> {
         pairs: Vec::new(),
     };
     let pairs = names.len() * (names.len() + 1) / 2;
+    refuse_finnis_sinclair(text, names.len(), &grids)?;
     for name in names {
         let line = lines.need("the line of an element", CUT_SHORT)?;
         let (number, mass) = number_and_mass(line)?;
@@ -41,6 +42,25 @@ pub(super) fn read(text: &str) -> Result<PotentialFile, TextError> {
     }
     end(&mut lines)?;
     Ok(file)
+}
+
+/// Refuses tables with a density for each pair of elements, as `pair_style eam/fs` has them: these have more
+/// numbers than the lines of the elements could add to a `setfl` file.
+fn refuse_finnis_sinclair(text: &str, elements: usize, grids: &Grids) -> Result<(), TextError> {
+    let (embedding, distances) = (grids.density_knots as u64, grids.distance_knots as u64);
+    let elements = elements as u64;
+    let pairs = elements * (elements + 1) / 2;
+    let needed = elements * embedding + (elements * elements + pairs) * distances;
+    let words = text.lines().skip(5).flat_map(str::split_whitespace).count() as u64;
+    if elements > 1 && words >= needed {
+        return Err(TextError::Unsupported {
+            line: 4,
+            what: "a Finnis-Sinclair file (*.eam.fs) of several elements, a density for each pair,"
+                .into(),
+            cure: "give setfl (*.eam.alloy), with one density for each element",
+        });
+    }
+    Ok(())
 }
 
 /// The line `count name name …`.
