@@ -11,7 +11,9 @@
 //! - *Polar steps*. Next to a kink the velocity of the point turns by large angles within a step: its
 //!   direction and its length are changed by themselves (Newton's step read in polar coordinates).
 //!
-//! Of all twists that were seen the one with the least value is kept.
+//! Of all twists that were seen the one with the least value is kept. Its wrench is a sum of forces of which
+//! each lies within its own disc: it belongs to the set wherever the search ends, and as the friction of a
+//! twist next to the right one it is as far from the right wrench as the balance is from zero, or nearer.
 
 use super::quadratic::{Factors, dot, norm};
 use super::search::{Ended, Goal, Least, MOST_HALVINGS, Power, pivot, rough};
@@ -28,9 +30,17 @@ pub(super) struct Kink<R: Real> {
     pub(super) place: [R; 2],
 }
 
+impl<R: Real> Kink<R> {
+    /// A force at the point.
+    fn wrench(&self, [fx, fy]: [R; 2]) -> Vector3<R> {
+        let [x, y] = self.place;
+        Vector3::new(fx, fy, x * fy - y * fx)
+    }
+}
+
 /// Most steps, each with a look at the nearest point.
 const MOST_STEPS: usize = 60;
-/// What a facet's point may carry beyond its limit, in rounding errors of the force limit.
+/// What a facet's point may be asked for beyond its limit, in rounding errors of the balance.
 const FACET_ULPS: f64 = 32.0;
 /// Largest residual that counts as rounding next to a kink, in units of the square root of a rounding
 /// error.
@@ -39,9 +49,14 @@ const NEAR_KINK: f64 = 8.0;
 const DONE_ULPS: f64 = 8.0;
 /// Least decrease that makes leaving a kink worth it, in rounding errors.
 const WORTH_ULPS: f64 = 64.0;
-/// Least speed of a point beside the twist, in rounding errors: below, its direction is not known.
-const SLOW_ULPS: f64 = 4e5;
-/// What is added to the diagonal of Newton's matrix, of the residual.
+/// Least speed of a point beside the twist, in rounding errors of double and of single precision: below,
+/// its direction is not known.
+const SLOW_ULPS: [f64; 2] = [4e5, 256.0];
+/// Distance of a point from the centre of rotation below which it should rest and does not, in rounding
+/// errors of the arm: the patch's own coordinates round by that much.
+const RESTLESS_ULPS: f64 = 4096.0;
+/// What is added to the diagonal of Newton's matrix, of the goal's own part of it and of a residual
+/// below 1.
 const DAMPING: f64 = 1e-3;
 /// Share of the linear decrease that a step must bring.
 const ENOUGH: f64 = 1e-4;
@@ -96,10 +111,10 @@ pub(super) fn least<R: Real>(
         }
         // Points in a line leave a direction without curvature.
         let mut matrix = goal.matrix(&power);
-        let shift = R::from_f64(DAMPING) * size;
+        let shift = R::from_f64(DAMPING) * if size < R::ONE { size } else { R::ONE };
         matrix.m11 += shift;
         matrix.m22 += shift;
-        matrix.m33 += shift;
+        matrix.m33 += shift * goal.spin_weight();
         let step = Factors::of(&matrix, pivot()).solve(&gradient);
         let descent = dot(&gradient, &step);
         let mut factor = R::ONE;
@@ -128,7 +143,13 @@ pub(super) fn least<R: Real>(
     } else {
         Ended::Missed
     };
-    power.gradient = goal.balanced(&at, power.value);
+    // Next to a kink the balance tells the force of a point better than its motion.
+    if norm(&goal.gradient(&at, &power)) > ulps(DONE_ULPS)
+        && let Some(kink) = kink_at(&at)
+        && let Some(carried) = balanced(goal, &at, &power, &kink, &power_at)
+    {
+        power.gradient = carried;
+    }
     Least {
         at,
         power,
@@ -136,6 +157,62 @@ pub(super) fn least<R: Real>(
         ended,
         is_flat: false,
     }
+}
+
+/// The wrench of the surface at a twist next to the rotation about a point: that of all other points, and the
+/// force on the rim of the point's disc that the balance asks for. `None` where the motion tells it better.
+fn balanced<R: Real>(
+    goal: &impl Goal<R>,
+    at: &Vector3<R>,
+    power: &Power<R>,
+    kink: &Kink<R>,
+    power_at: impl Fn(&Vector3<R>) -> Power<R>,
+) -> Option<Vector3<R>> {
+    let [x, y] = velocity(at, &kink.place);
+    let speed = x.hypot(y);
+    let reach = goal.reach(power);
+    // Rounding of the point's direction against that of the balance.
+    let is_slow = kink.share * reach * norm(at) > speed * largest_term(goal, reach);
+    if !(is_slow && speed > R::ZERO) {
+        return None;
+    }
+    let spin = at.z.abs();
+    let others = if speed <= rough::<R>() * spin {
+        let (_, turn) = rotation(kink, at.z, power_at)?;
+        let (h, dx, dy) = (&turn.hessian, x / spin, y / spin);
+        let by = |a, b| a * dx + b * dy;
+        turn.gradient + Vector3::new(by(h.m11, h.m12), by(h.m21, h.m22), by(h.m31, h.m32))
+    } else {
+        power.gradient - kink.wrench([x / speed, y / speed]) * kink.share
+    };
+    let rest = Power {
+        gradient: others,
+        ..*power
+    };
+    let left = goal.gradient(at, &rest);
+    let size = left.x.hypot(left.y);
+    let force = [-(left.x / size), -(left.y / size)];
+    (size > R::ZERO).then(|| others + kink.wrench(force) * kink.share)
+}
+
+/// What the balance rounds by, over the rounding error.
+fn largest_term<R: Real>(goal: &impl Goal<R>, reach: R) -> R {
+    let wrench = norm(goal.wrench());
+    if wrench > reach { wrench } else { reach }
+}
+
+/// The rotation about a point in the sense of `spin`, and the power of all others: the point itself rests and
+/// adds nothing. `None` if it does not rest in the coordinates of its patch.
+fn rotation<R: Real>(
+    kink: &Kink<R>,
+    spin: R,
+    power_at: impl Fn(&Vector3<R>) -> Power<R>,
+) -> Option<(Vector3<R>, Power<R>)> {
+    let turn = kink.turn * R::ONE.copysign(spin);
+    let power = power_at(&turn);
+    let bend = power.hessian.m11 + power.hessian.m22;
+    let least = R::from_f64(RESTLESS_ULPS) * R::EPSILON;
+    (bend * least <= kink.share).then_some((turn, power))
 }
 
 /// What is found at the rotation about a point.
@@ -153,13 +230,10 @@ fn beside<R: Real>(
     kink: &Kink<R>,
     power_at: impl Fn(&Vector3<R>) -> Power<R>,
 ) -> Beside<R> {
-    let turn = if dot(goal.wrench(), &kink.turn) < R::ZERO {
-        -kink.turn
-    } else {
-        kink.turn
+    let sense = dot(goal.wrench(), &kink.turn);
+    let Some((turn, mut power)) = rotation(kink, sense, &power_at) else {
+        return Beside::Nowhere;
     };
-    // The point itself rests and adds nothing.
-    let mut power = power_at(&turn);
     let length = goal.length_along(&turn, power.value);
     if !(length > R::ZERO && length.is_finite()) {
         return Beside::Nowhere;
@@ -171,8 +245,15 @@ fn beside<R: Real>(
     let left = goal.gradient(&at, &power);
     let (x, y) = (-(left.x / reach), -(left.y / reach));
     let force = x.hypot(y);
-    if force <= kink.share + R::from_f64(FACET_ULPS) * R::EPSILON {
-        power.gradient = goal.balanced(&at, power.value);
+    // Rounding of the balance, in units of the force limit.
+    let rounding = R::from_f64(FACET_ULPS) * R::EPSILON * largest_term(goal, reach) / reach;
+    if force <= kink.share + rounding {
+        let within = if force > kink.share {
+            kink.share / force
+        } else {
+            R::ONE
+        };
+        power.gradient += kink.wrench([x, y]) * within;
         return Beside::Facet(Least {
             at,
             power,
@@ -182,10 +263,9 @@ fn beside<R: Real>(
         });
     }
     // Translation along the force that the point cannot carry.
-    let [px, py] = kink.place;
     let (cx, cy) = (x / force, y / force);
     let along = Vector3::new(cx, cy, R::ZERO);
-    power.gradient += Vector3::new(cx, cy, px * cy - py * cx) * kink.share;
+    power.gradient += kink.wrench([cx, cy]) * kink.share;
     let before = goal.value(&at, power.value);
     let slope = (force - kink.share) * reach;
     let matrix = goal.matrix(&power);
@@ -208,6 +288,12 @@ struct Way<R: Real> {
     slow: Option<Slow<R>>,
 }
 
+/// Least speed of a point beside the twist.
+fn slowest<R: Real>() -> R {
+    let [double, single] = SLOW_ULPS;
+    R::from_f64(if R::IS_SINGLE { single } else { double }) * R::EPSILON
+}
+
 /// The slowest point.
 struct Slow<R: Real> {
     place: [R; 2],
@@ -228,7 +314,7 @@ impl<R: Real> Way<R> {
                 share: kink.share,
                 speed,
                 direction: [x / speed, y / speed],
-                least: R::from_f64(SLOW_ULPS) * R::EPSILON * norm(at),
+                least: slowest::<R>() * norm(at),
             })
         });
         Self { at: *at, slow }

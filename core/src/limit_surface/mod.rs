@@ -119,7 +119,8 @@ pub trait FrictionSet<R: Real> {
 
     /// The nearest wrench of the set by the distance √(|Δforce|² + (Δtorque/`length`)²).
     ///
-    /// The displacement is (velocity, `length`²·spin) of the normal times a factor ≥ 0.
+    /// The displacement is (velocity, `length`²·spin) of the normal times a factor ≥ 0. The result lies in
+    /// the set to rounding, wherever the search for it ends.
     /// *Domain*: 0 < `length` < ∞, NaN otherwise for wrenches outside. *Special values*: NaN for
     /// an infinite wrench.
     fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R>;
@@ -148,6 +149,52 @@ pub trait FrictionSet<R: Real> {
 #[inline]
 fn collar<R: Real>() -> R {
     R::from_f64(COLLAR_ULPS) * R::EPSILON
+}
+
+/// The wrench that a projection of `wanted` carries, made so short that it does not oppose the displacement
+/// from it to `wanted`, by the distance of [`FrictionSet::project_with_length`]: friction then gives no energy.
+///
+/// A nearest wrench is changed by rounding at most, because a convex set contains 0. No shorter one leaves the
+/// set, wherever a search ended.
+#[inline]
+pub(crate) fn without_gain<R: Real>(
+    carried: &Wrench<R>,
+    wanted: &Wrench<R>,
+    length: R,
+) -> Wrench<R> {
+    let rest = *wanted - *carried;
+    let planar = carried.force.x * rest.force.x + carried.force.y * rest.force.y;
+    let gain = planar * (length * length) + carried.torque * rest.torque;
+    if gain > R::ZERO || carried == wanted {
+        return *carried;
+    }
+    shortened(carried, wanted, length)
+}
+
+/// The same where the displacement opposes the wrench, vanishes, or has no square.
+#[cold]
+fn shortened<R: Real>(carried: &Wrench<R>, wanted: &Wrench<R>, length: R) -> Wrench<R> {
+    let parts = |wrench: &Wrench<R>| [wrench.force.x, wrench.force.y, wrench.torque / length];
+    let (own, given) = (parts(carried), parts(wanted));
+    // In units of its own largest part no product leaves the range of numbers.
+    let size = own.iter().fold(
+        R::ZERO,
+        |size, part| {
+            if part.abs() > size { part.abs() } else { size }
+        },
+    );
+    let along = |other: [R; 3]| {
+        let products = own.iter().zip(other).map(|(a, b)| *a / size * (b / size));
+        products.fold(R::ZERO, |sum, product| sum + product)
+    };
+    let reached = along(given) / along(own);
+    if reached >= R::ONE || reached.is_nan() {
+        *carried
+    } else if reached > R::ZERO {
+        *carried * reached
+    } else {
+        *carried * R::ZERO
+    }
 }
 
 /// A wrench of the set nearest to a given one.

@@ -22,6 +22,13 @@ use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 use nalgebra::{Matrix3, Vector2, Vector3};
 
+/// Force limits up to which the search of a smooth surface takes the wrench as it is: beyond, rounding of
+/// the wrench is more than that of its balance.
+const FAR: f64 = 1_048_576.0;
+
+/// Gauge from which on the displacement of a projection is nearly along the wrench.
+const BEYOND: f64 = 8.0;
+
 /// All wrenches that the dry friction of a patch of any shape can carry, about the origin of its
 /// coordinates.
 ///
@@ -31,9 +38,9 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 /// that, up to 100:1), and what counts as on the surface widens with it, so that no projection moves a
 /// projected wrench.
 /// Points: the same on facets; between them the gauge 1e-9, next to a facet's rim normals to its square
-/// root. *Special values*: gauge and normal are NaN should their search not end, which was never seen; a
-/// projection is a point of the surface all the same. *Cost*, in wrenches with Jacobian: gauge, normal and
-/// projection about 5 each, at most 12.
+/// root. A projected wrench lies in the set to 16 rounding errors, however far the given one, whatever the
+/// length, and wherever the search has ended. *Special values*: gauge and normal are NaN should their search not
+/// end. *Cost*, in wrenches with Jacobian: gauge, normal and projection about 5 each, at most 12.
 ///
 /// ```
 /// use tribos_core::limit_surface::{FrictionSet, PatchSurface};
@@ -172,7 +179,7 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
                     flattened(&goal, &found.at)
                 } else {
                     let inverse = Factors::of(&goal.matrix(&found.power), pivot()).inverse();
-                    product(&found.power.hessian, &inverse)
+                    product(&(found.power.hessian * goal.reach), &inverse)
                 };
                 let rate = stretched(&rate, R::ONE, [self.arm, R::ONE / self.arm]);
                 (projection, rate)
@@ -210,10 +217,24 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         self.least(goal, goal.wrench)
     }
 
-    fn least(&self, goal: &impl Goal<R>, start: Vector3<R>) -> Least<R> {
+    /// True if points carry load: the surface has facets.
+    fn has_points(&self) -> bool {
         let middle = Vector2::new(R::ZERO, R::ZERO);
+        self.patch().nearest_point(&middle).is_some()
+    }
+
+    /// Force limits from which on a wrench is the unit of its own search.
+    fn far(&self) -> R {
+        if self.has_points() {
+            R::ONE
+        } else {
+            R::from_f64(FAR)
+        }
+    }
+
+    fn least(&self, goal: &impl Goal<R>, start: Vector3<R>) -> Least<R> {
         let power_at = |at: &Vector3<R>| self.power(at);
-        if self.patch().nearest_point(&middle).is_none() {
+        if !self.has_points() {
             return search::least(goal, start, self.patch().rounding(), power_at);
         }
         kinks::least(goal, start, power_at, |at| self.kink(at))
@@ -290,13 +311,24 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
             let normal = self.normal(&above);
             return stays(Region::OnSurface { normal });
         }
+        // A wrench of any size is one of order 1 to the search.
+        let (wrench, reach) = if size > self.far() {
+            (radial.wrench, R::ONE / size)
+        } else {
+            (wanted, R::ONE)
+        };
         let goal = Nearest {
-            wrench: wanted,
+            wrench,
+            reach,
             length_sq: arm * arm,
         };
-        // Along the normal above the wrench ψ is a parabola.
-        let far = dot(&wanted, &above) - power.value;
-        let start = above * (far / dot(&above, &goal.displacement(&above)));
+        let start = if gauge > R::from_f64(BEYOND) && self.has_points() {
+            // What is left of a wrench far outside is along it.
+            goal.twist_along(&(goal.wrench * (R::ONE - R::ONE / gauge)))
+        } else {
+            // Along the normal above the wrench ψ is a parabola.
+            above * goal.length_along(&above, power.value)
+        };
         let found = self.least(&goal, start);
         let g = &found.power.gradient;
         Pulled::Back {
@@ -581,6 +613,7 @@ mod tests {
                 residual = residual.max(norm(&radial.gradient(&found.at, &found.power)));
                 let goal = Nearest {
                     wrench: radial.wrench * (1.5 + part(i, 0.445_041_867_9)),
+                    reach: 1.0,
                     length_sq,
                 };
                 let far = dot(&goal.wrench, &found.at) - found.power.value;

@@ -3,7 +3,7 @@
 //! Newton's method with steps that are halved until they descend; the derivation stands in
 //! [`super::patch`].
 
-use super::quadratic::{Factors, dot, norm, outer, over};
+use super::quadratic::{Factors, dot, norm, outer};
 use crate::real::Real;
 use nalgebra::{Matrix3, Vector3};
 
@@ -60,10 +60,10 @@ pub(super) trait Goal<R: Real> {
     fn wrench(&self) -> &Vector3<R>;
     /// What the wrench of the surface counts in the gradient.
     fn reach(&self, power: &Power<R>) -> R;
+    /// What a spin counts in the goal's own size of a twist, where the velocities count 1.
+    fn spin_weight(&self) -> R;
     /// Where the function is least along a twist, in units of it.
     fn length_along(&self, twist: &Vector3<R>, power: R) -> R;
-    /// The wrench of the surface with which the gradient is zero.
-    fn balanced(&self, at: &Vector3<R>, power: R) -> Vector3<R>;
 }
 
 /// φ
@@ -71,9 +71,11 @@ pub(super) struct Radial<R: Real> {
     pub(super) wrench: Vector3<R>,
 }
 
-/// ψ
+/// ψ, with wrench and twist in units of 1/`reach`: a wrench of any size is one of order 1.
 pub(super) struct Nearest<R: Real> {
     pub(super) wrench: Vector3<R>,
+    /// What the force limit counts, of the unit of the wrench.
+    pub(super) reach: R,
     /// Squared length of the distance, in arms.
     pub(super) length_sq: R,
 }
@@ -95,11 +97,11 @@ impl<R: Real> Goal<R> for Radial<R> {
     fn reach(&self, power: &Power<R>) -> R {
         power.value
     }
+    fn spin_weight(&self) -> R {
+        R::ONE
+    }
     fn length_along(&self, twist: &Vector3<R>, power: R) -> R {
         dot(&self.wrench, twist) / (power * power)
-    }
-    fn balanced(&self, _: &Vector3<R>, power: R) -> Vector3<R> {
-        over(&self.wrench, power)
     }
 }
 
@@ -108,17 +110,26 @@ impl<R: Real> Nearest<R> {
     pub(super) fn displacement(&self, at: &Vector3<R>) -> Vector3<R> {
         Vector3::new(at.x, at.y, self.length_sq * at.z)
     }
+
+    /// M⁻¹ displacement
+    pub(super) fn twist_along(&self, displacement: &Vector3<R>) -> Vector3<R> {
+        Vector3::new(
+            displacement.x,
+            displacement.y,
+            displacement.z / self.length_sq,
+        )
+    }
 }
 
 impl<R: Real> Goal<R> for Nearest<R> {
     fn value(&self, at: &Vector3<R>, power: R) -> R {
-        R::HALF * dot(at, &self.displacement(at)) + power - dot(&self.wrench, at)
+        R::HALF * dot(at, &self.displacement(at)) + power * self.reach - dot(&self.wrench, at)
     }
     fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R> {
-        self.displacement(at) + power.gradient - self.wrench
+        self.displacement(at) + power.gradient * self.reach - self.wrench
     }
     fn matrix(&self, power: &Power<R>) -> Matrix3<R> {
-        let mut matrix = power.hessian;
+        let mut matrix = power.hessian * self.reach;
         matrix.m11 += R::ONE;
         matrix.m22 += R::ONE;
         matrix.m33 += self.length_sq;
@@ -128,13 +139,13 @@ impl<R: Real> Goal<R> for Nearest<R> {
         &self.wrench
     }
     fn reach(&self, _: &Power<R>) -> R {
-        R::ONE
+        self.reach
+    }
+    fn spin_weight(&self) -> R {
+        self.length_sq
     }
     fn length_along(&self, twist: &Vector3<R>, power: R) -> R {
-        (dot(&self.wrench, twist) - power) / dot(twist, &self.displacement(twist))
-    }
-    fn balanced(&self, at: &Vector3<R>, _: R) -> Vector3<R> {
-        self.wrench - self.displacement(at)
+        (dot(&self.wrench, twist) - power * self.reach) / dot(twist, &self.displacement(twist))
     }
 }
 

@@ -29,8 +29,10 @@ pub struct Foot<R, P> {
 /// Feet of different kinds have a common type as `&dyn DryPatch`. How the load is shared is the
 /// caller's to know: statics gives it for three feet ([`super::tripod`]).
 ///
-/// *Units*: length. *Accuracy*: that of the feet; the torque of a body that hardly turns has that
-/// of μN R, not of itself. *Cost*: that of all feet.
+/// *Units*: length. *Accuracy*: that of the feet times R over the radius of the smallest one, with R the
+/// distance within which all lie, or that of the common centre from the origin if it is longer: places are
+/// rounded in units of R (feet of 1e-6 m one metre from the origin: 1e-10). The torque of a body that hardly
+/// turns has that of μN R, not of itself. *Cost*: that of all feet.
 ///
 /// ```
 /// use tribos_core::coupling::flat::FlatFriction;

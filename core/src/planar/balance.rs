@@ -25,7 +25,8 @@ use crate::patch::nodes::Node;
 use crate::real::Real;
 use nalgebra::Vector3;
 
-/// The points, with lengths in units of the norm's own and their share of friction.
+/// The points, with lengths in units of the norm's own and their share of friction; forces in a unit that
+/// makes the wrench one of order 1.
 pub(super) struct Balance<'a, R: Real> {
     pub(super) nodes: &'a [Node<R>],
     /// 1/length
@@ -36,11 +37,11 @@ pub(super) struct Balance<'a, R: Real> {
     pub(super) wanted: Vector3<f64>,
 }
 
-/// The remainder, and σ at the end.
+/// The motion of the remainder, wherever the search ended.
 pub(super) struct Remainder {
-    pub(super) left: Vector3<f64>,
     pub(super) motion: Motion,
-    pub(super) is_held: bool,
+    /// True unless the motion proves that the foot slides: φ < 0.
+    pub(super) may_hold: bool,
 }
 
 /// e as a motion: the velocity of one point and the spin, with σ.
@@ -138,12 +139,8 @@ impl<R: Real> Balance<'_, R> {
             }
         }
         let left = motion.left();
-        let is_held = norm(&left) <= none || !self.moves(&left);
-        Remainder {
-            left,
-            motion,
-            is_held,
-        }
+        let may_hold = norm(&left) <= none || !self.moves(&left);
+        Remainder { motion, may_hold }
     }
 
     /// Makes the velocity of the slowest point an unknown.
@@ -188,12 +185,14 @@ impl<R: Real> Balance<'_, R> {
         let spin = sense * (pull.abs() - torque) / (d.x * d.x + d.y * d.y + 1.0);
         let force = [force[0] - spin * d.x, force[1] - spin * d.y];
         let rounding = HELD_ULPS * f64::EPSILON * size;
-        let rests = Real::hypot(force[0], force[1]) <= own + rounding;
+        let asked = Real::hypot(force[0], force[1]);
+        let rests = asked <= own + rounding;
+        let most = if asked > own { asked } else { own };
         (pull.abs() > torque && rests && own > 0.0).then_some(Motion {
             origin,
             at: Vector3::new(0.0, 0.0, spin),
             smoothing: 0.0,
-            at_rest: force.map(|part| part / own),
+            at_rest: force.map(|part| part / most),
         })
     }
 
@@ -304,15 +303,18 @@ impl<R: Real> Balance<'_, R> {
         Model { gradient, matrix }
     }
 
-    /// Force of one point under a motion.
-    pub(super) fn force(&self, node: &Node<R>, motion: &Motion) -> [R; 2] {
+    /// Force of one point under a motion, within its disc, and the wrench of it.
+    pub(super) fn force(&self, node: &Node<R>, motion: &Motion) -> ([f64; 2], Vector3<f64>) {
         let [ux, uy, speed] = self.speeds(node, motion);
         let limit = self.unit * node.weight.to_f64();
-        if speed == 0.0 {
-            return motion.at_rest.map(|part| R::from_f64(limit * part));
-        }
-        let rate = limit / speed;
-        [rate * ux, rate * uy].map(R::from_f64)
+        let [x, y] = self.place(node);
+        let [fx, fy] = if speed == 0.0 {
+            motion.at_rest.map(|part| limit * part)
+        } else {
+            let rate = limit / speed;
+            [rate * ux, rate * uy]
+        };
+        ([fx, fy], Vector3::new(fx, fy, x * fy - y * fx))
     }
 }
 

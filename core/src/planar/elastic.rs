@@ -23,7 +23,7 @@
 use super::PlanarBody;
 use crate::contact::TimeStep;
 use crate::law::Grip;
-use crate::limit_surface::FrictionSet;
+use crate::limit_surface::{FrictionSet, without_gain};
 use crate::presliding::{Anchor, Axes, Pose, Presliding, Stiffness, not_below_zero};
 use crate::real::Real;
 use crate::twist::{Displacement, Twist, Wrench};
@@ -251,7 +251,8 @@ impl<R: Real> PlanarBody<R> {
             };
             return self.ended(bonds, state, after, wanted, None, dt);
         }
-        // Bonds that slip pull with what the set carries.
+        // Bonds that slip pull with what the set carries, and take power from the slip.
+        let carried = without_gain(&carried, &trial, length);
         let pull = axes.wrench_to_floor(&carried);
         let twist = Twist::new(
             u.velocity.x + sliding.mobility * (push.force.x - pull.force.x),

@@ -103,9 +103,10 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
     /// The wrench of the foot's friction nearest to `wrench`, by √(|Δforce|² + (Δtorque/`length`)²).
     ///
     /// *Domain*: 0 < `length` < ∞. *Special values*: `wrench` itself, to the bit, where the foot
-    /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-14 of the wrench,
-    /// also where the foot turns about one of them or next to one; f32: 1e-6; wrenches outside by less than 64 rounding errors count as carried. Both precisions
-    /// compute in f64.
+    /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-14 of the wrench or of
+    /// the force limit, whichever is less, also where the foot turns about one of them or next to one; f32:
+    /// 1e-6; wrenches outside by less than 64 rounding errors count as carried. The result is a sum of
+    /// forces within their discs, wherever the search ends. Both precisions compute in f64.
     /// *Cost*: one pass over the points where the forces of the last call carry the wrench, else 20
     /// to 60 passes of four roots a point, up to 400 where it turns next to a point.
     pub fn nearest(&mut self, wrench: &Wrench<R>, length: R) -> Wrench<R> {
@@ -119,34 +120,36 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
             return *wrench;
         }
         let torque = wrench.torque.to_f64() / length.to_f64();
+        let wanted = Vector3::new(wrench.force.x.to_f64(), wrench.force.y.to_f64(), torque);
+        let scale = unit_of(norm(&wanted), self.force_limit.to_f64());
         let balance = Balance {
             nodes: self.patch.nodes(),
             inv_length: 1.0 / length.to_f64(),
-            unit: self.force_limit.to_f64() / self.patch.total_weight().to_f64(),
-            wanted: Vector3::new(wrench.force.x.to_f64(), wrench.force.y.to_f64(), torque),
+            unit: self.force_limit.to_f64() * scale / self.patch.total_weight().to_f64(),
+            wanted: wanted * scale,
         };
-        let found = balance.solve(norm(&balance.wanted));
-        let Remainder {
-            left,
-            motion,
-            is_held,
-        } = &found;
+        let Remainder { motion, may_hold } = balance.solve(norm(&balance.wanted));
+        // What the points carry, each within its own disc: no difference of two large wrenches.
+        let mut carried = Vector3::new(0.0, 0.0, 0.0);
         for (node, force) in self.patch.nodes().iter().zip(&mut self.forces) {
-            *force = balance.force(node, motion).into();
+            let (own, part) = balance.force(node, &motion);
+            *force = own.map(|part| R::from_f64(part / scale)).into();
+            carried += part;
         }
-        if *is_held {
-            for _ in 0..PASSES {
+        // A wrench is held if forces are found that add up to it.
+        if may_hold {
+            for _ in 0..=PASSES {
                 if self.carries_as_it_is(wrench, inv_length, size) {
-                    break;
+                    return *wrench;
                 }
                 self.settle(wrench, inv_length);
             }
-            return *wrench;
+            return -self.left(&Wrench::ZERO);
         }
         Wrench::new(
-            R::from_f64(balance.wanted.x - left.x),
-            R::from_f64(balance.wanted.y - left.y),
-            R::from_f64((balance.wanted.z - left.z) * length.to_f64()),
+            R::from_f64(carried.x / scale),
+            R::from_f64(carried.y / scale),
+            R::from_f64(carried.z / scale * length.to_f64()),
         )
     }
 
@@ -195,6 +198,17 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
         }
         left
     }
+}
+
+/// The power of two that makes the larger of two sizes one of order 1: no digit is lost.
+fn unit_of<R: Real>(wrench: R, limit: R) -> R {
+    let larger = if wrench > limit { wrench } else { limit };
+    let size = if larger > R::MIN_POSITIVE {
+        larger
+    } else {
+        R::MIN_POSITIVE
+    };
+    R::power_of_two(-size.octaves_above(R::ONE))
 }
 
 /// The point of the disc |f| ≤ `bound` nearest to `wanted`.

@@ -43,6 +43,9 @@ mod balance;
 mod elastic;
 mod foot;
 mod step;
+#[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
+mod tests;
 
 pub use elastic::{ElasticState, ElasticStep, StepLosses};
 pub use foot::NodeFoot;

@@ -2,7 +2,7 @@
 
 use super::{NodeFoot, PlanarBody};
 use crate::contact::TimeStep;
-use crate::limit_surface::FrictionSet;
+use crate::limit_surface::{FrictionSet, without_gain};
 use crate::patch::nodes::NodePatch;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
@@ -40,7 +40,7 @@ impl<R: Real> PlanarBody<R> {
     /// *Units*: velocity, 1/time; force, force × length; time. *Accuracy*: second order in `dt`
     /// while the body slides, first order in the step in which it starts, stops or turns about; rest
     /// is exact. *Passivity*, up to rounding: friction · (`twist` + twist after) ≤ 0 unless the body is
-    /// brought to rest. Without push the kinetic energy falls and the motion is not reversed:
+    /// brought to rest, whatever set and step. Without push the kinetic energy falls and the motion is not reversed:
     /// m v·v⁺ + I ω ω⁺ ≥ 0, and on a round patch both terms.
     /// *Cost*: a wrench, and one projection far from rest, two near it.
     /// *Special values*: NaN for NaN, and where momentum/`dt` overflows.
@@ -125,6 +125,9 @@ impl<R: Real> PlanarBody<R> {
         mut nearest: impl FnMut(&Wrench<R>) -> Wrench<R>,
     ) -> (PlanarStep<R>, Option<R>) {
         let dt = dt.dt();
+        // Friction takes power at the instant whose motion it opposes, whatever the search has missed.
+        let mut nearest =
+            |needed: &Wrench<R>| without_gain(&nearest(needed), needed, self.gyration);
         // Friction that would end the step at rest, and the one that is.
         let at_end = self.needed_for_rest(twist, push, dt);
         let ended = (!is_beyond(&at_end, limits)).then(|| nearest(&at_end));

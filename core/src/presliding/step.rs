@@ -3,7 +3,7 @@
 use super::pose::{Anchor, Axes, Pose};
 use super::{Presliding, Stiffness};
 use crate::law::Grip;
-use crate::limit_surface::FrictionSet;
+use crate::limit_surface::{FrictionSet, without_gain};
 use crate::real::Real;
 use crate::twist::{Displacement, Wrench};
 
@@ -115,6 +115,7 @@ fn settled<R: Real, S: FrictionSet<R> + ?Sized>(
     if carried == wanted {
         return Settled::held(trial, &wanted);
     }
+    let carried = without_gain(&carried, &wanted, stiffness.length);
     Settled::slipped(stiffness, &wanted, &carried)
 }
 
