@@ -165,7 +165,8 @@ fn files_without_radii_tilted_or_cut_are_refused_by_line() {
         (format!("{head}:radius:R:1\nX 1 1 1 0\n"), "f: line 3: the size of a sphere must be a number > 0, not `0`"),
         (
             "1\nLattice=\"4 0 0 1 4 0 0 0 4\" Properties=species:S:1:pos:R:3:radius:R:1\nX 1 1 1 1\n".into(),
-            "f: line 2: Lattice must be of a cell `LX 0 0 0 LY 0 XZ 0 LZ` with lengths > 0, not `4 0 0 1 4 0 0 0 4`",
+            "f: line 2: Lattice must be of an orthogonal cell, or one that leans along x over z, `LX 0 0 0 LY 0 XZ 0 LZ` \
+             with lengths > 0, not `4 0 0 1 4 0 0 0 4`",
         ),
         (
             "t\n\n1 atoms\n1 atom types\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms # atomic\n\n1 1 1 1 1\n".into(),
