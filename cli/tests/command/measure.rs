@@ -146,7 +146,7 @@ fn options_that_would_change_nothing_are_refused() -> Outcome {
         ("measure run --gap 0.01", "--gap has no effect"),
         ("measure pair.xyz --angle 30", "--angle has no effect"),
         ("measure pair.xyz --density 2", "--density has no effect"),
-        ("measure pair.xyz --periods 20,20,-", "the axis is no open one"),
+        ("measure pair.xyz --periods 20,20,-", "it says that it repeats along z after 20"),
         ("view run --out page.html --still 1", "cannot be used with"),
         ("run disk --out disk --checkpoint 9", "--checkpoint is for"),
         ("run disk --out disk --allow-large", "--allow-large is for"),
