@@ -191,7 +191,7 @@ fn files_without_radii_tilted_or_cut_are_refused_by_line() {
 
 /// Some bodies of each kind, with several sizes, materials and densities, after some steps.
 fn bodies() -> Vec<(&'static str, Scene)> {
-    let grains = "body = \"grains\"\nwidth = 0.08\nradius = 0.005\ncount = 40\nduration = 1\ndensity = 2500\n\
+    let grains = "body = \"grains\"\nwidth = 0.08\nradius = 0.005\ncount = 30\nduration = 1\ndensity = 2500\n\
                   share_second = 0.4\nradius_second = 0.7\ndensity_second = 7800\nsliding_second = 0.2\n";
     let scene = |name: &'static str, text: &str| {
         let scene = parse_scene(name, text, &[]);
