@@ -1,6 +1,6 @@
 //! `tribos measure` measures runs and files, and runs start from both.
 
-use crate::program::{Error, Outcome, number, summary};
+use crate::program::{self, Error, Outcome, number, summary};
 use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;
@@ -131,5 +131,60 @@ fn a_finished_run_and_its_export_start_other_runs() -> Outcome {
     let output = powder(&second, &["start=nowhere"])?;
     assert_eq!(output.status.code(), Some(2));
     assert!(!second.join("tribos.json").exists());
+    Ok(())
+}
+
+#[test]
+fn options_that_would_change_nothing_are_refused() -> Outcome {
+    let home = tempfile::tempdir()?;
+    let home = home.path();
+    let run = home.join("run");
+    assert!(powder(&run, &["height=12", "steps=20"])?.status.success());
+    let pair = "2\nLattice=\"20 0 0 0 20 0 0 0 20\" Properties=pos:R:3:radius:R:1\n1 1 1 1\n3 1 1 1\n";
+    std::fs::write(home.join("pair.xyz"), pair)?;
+    for (command, words) in [
+        ("measure run --gap 0.01", "--gap has no effect"),
+        ("measure pair.xyz --angle 30", "--angle has no effect"),
+        ("measure pair.xyz --density 2", "--density has no effect"),
+        ("measure pair.xyz --periods 20,20,-", "it says that it repeats along z after 20"),
+        ("view run --out page.html --still 1", "cannot be used with"),
+        ("run disk --out disk --checkpoint 9", "--checkpoint is for"),
+        ("run disk --out disk --allow-large", "--allow-large is for"),
+    ] {
+        let (code, _, told) = program::tribos(home, command)?;
+        assert_eq!(code, Some(2), "{command}: {told}");
+        assert!(told.contains(words), "{command}: {told}");
+    }
+    // LAMMPS data do not say which axes repeat: across the border of z there is a contact, or none.
+    let data = "two\n\n2 atoms\n1 atom types\n\n0 10 xlo xhi\n0 10 ylo yhi\n0 10 zlo zhi\n\nAtoms # sphere\n\n\
+                1 1 1 2500 5 5 0.5\n2 1 1 2500 5 5 9.5\n";
+    std::fs::write(home.join("two.data"), data)?;
+    for (periods, contacts) in [("10,10,10", 1), ("10,10,-", 0)] {
+        let command = format!("measure two.data --periods {periods} --format json");
+        let (_, out, told) = program::tribos(home, &command)?;
+        let measures: Value = serde_json::from_str(&out).map_err(|_| told)?;
+        assert_eq!(measures["contacts"], contacts, "{periods}");
+    }
+    Ok(())
+}
+
+#[test]
+fn files_of_no_known_format_are_refused_with_what_was_expected() -> Outcome {
+    let home = tempfile::tempdir()?;
+    let home = home.path();
+    for (name, text, words) in [
+        ("plain.xyz", "2\n\nAu 0 0 0\nAu 2.9 0 0\n", "plain XYZ"),
+        ("table.csv", "x,y,z,radius\n0,0,0,1\n", "none of extended XYZ"),
+        ("yade.txt", "#format x_y_z_r\n0 0 0 1\n", "none of extended XYZ"),
+        ("mercury.data", "2 0 0 0 0 10 10 10\n1 1 1 0 0 0 1\n", "none of extended XYZ"),
+        ("packed.zip", "PK\u{3}\u{4}\0", "unzip"),
+    ] {
+        std::fs::write(home.join(name), text)?;
+        for command in ["measure", "eval --pair lj:cutoff=2.5 --out out"] {
+            let (code, _, told) = program::tribos(home, &format!("{command} {name}"))?;
+            assert_eq!(code, Some(2), "{command} {name}: {told}");
+            assert!(told.contains(words), "{command} {name}: {told}");
+        }
+    }
     Ok(())
 }

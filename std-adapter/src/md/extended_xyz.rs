@@ -30,9 +30,9 @@ const NAMELESS: &str = "X";
 /// ```
 ///
 /// Columns `species` and `pos` are required, `vel` (or `velo`, `velocities`) and `id` are optional,
-/// others are ignored; a file with a column `radius` may do without `species`. Species that are all numbers from 1 keep them; names are numbered in the
-/// order of their first appearance. Masses are 1. Without `Lattice` all axes are open and the box
-/// encloses the atoms.
+/// others are ignored; a file with a column `radius` may do without `species`. Species that are all
+/// numbers from 1 keep them; names are numbered in the order of their first appearance. Masses are 1.
+/// Without `Lattice` all axes are open and the box encloses the atoms.
 pub fn last_frame(text: &str) -> Result<Configuration, TextError> {
     let mut last = None;
     each_frame(text, |frame, spheres| last = Some((frame, spheres)))?;

@@ -33,6 +33,8 @@ class Frame:
     """Height of the piston's face, or mean height of the driven atoms."""
     measure: float
     """Porosity of a powder, angle of a tip's driven layers in degrees."""
+    tilt: float
+    """Displacement along x of the images one period higher along z, 0 unless the cell is sheared."""
     positions: Floats
     """Centres, shape (n, 3)."""
     radii: Floats

@@ -156,7 +156,7 @@ fn lattice(line: Line, text: &str) -> Result<([f64; 3], f64), TextError> {
     if edges.iter().all(|&edge| edge > 0.0) && others.iter().all(|&other| other == 0.0) {
         Ok((edges, all[6]))
     } else {
-        let valid = "of a cell `LX 0 0 0 LY 0 XZ 0 LZ` with lengths > 0";
+        let valid = "of an orthogonal cell, or one that leans along x over z, `LX 0 0 0 LY 0 XZ 0 LZ` with lengths > 0";
         Err(line.invalid("Lattice", valid, text))
     }
 }

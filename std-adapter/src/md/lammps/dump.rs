@@ -125,6 +125,8 @@ struct Head {
     space: Option<([[f64; 2]; 3], [bool; 3])>,
     /// Tilt xz of the box.
     tilt: f64,
+    /// Whether the box does not say which axes are periodic.
+    is_silent: bool,
 }
 
 impl Head {
@@ -155,6 +157,7 @@ impl Head {
         // The ends of a slanted box are those of what encloses it.
         ends[0] = [ends[0][0] - tilt.min(0.0), ends[0][1] - tilt.max(0.0)];
         self.tilt = tilt;
+        self.is_silent = flags.is_empty();
         self.space = Some((ends, is_periodic));
         Ok(())
     }
@@ -188,6 +191,7 @@ impl Head {
         ];
         let mut spheres = Spheres::begin(item, has);
         spheres.tilt = self.tilt;
+        spheres.is_silent = self.is_silent;
         let mut seen = HashSet::new();
         for _ in 0..count {
             let line = lines.need("an atom", CUT_SHORT)?;

@@ -90,3 +90,20 @@ fn refusals_name_the_line_and_the_cure() {
     );
     assert!(PotentialFile::read("").is_err());
 }
+
+#[test]
+fn a_file_with_a_density_for_each_pair_is_told_from_one_with_one_for_each_element() {
+    let table = "0 0 0 0 0 0\n";
+    let head = "comment\n\n\n2 Cu Ni\n6 0.5 6 1.0 4.5\n";
+    let element = |number: u8, densities: usize| {
+        format!("{number} 60 3.6 fcc\n{table}{}", table.repeat(densities))
+    };
+    let file = |densities: usize| {
+        let elements = element(29, densities) + &element(28, densities);
+        PotentialFile::read(&format!("{head}{elements}{}", table.repeat(3)))
+    };
+    assert!(file(1).is_ok());
+    let refused = file(2).map_or_else(|error| error.to_string(), |_| "read".into());
+    assert!(refused.contains("*.eam.fs"), "{refused}");
+    assert!(refused.contains("give setfl"), "{refused}");
+}
