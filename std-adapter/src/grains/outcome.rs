@@ -8,7 +8,7 @@ use crate::golden::{Measure, MeasureError, Measurement};
 use crate::packing::{Statistics, losses, object};
 use crate::record::json_number;
 use crate::run::drive;
-use crate::scene::{ContactMethod, GrainsScene};
+use crate::scene::{ContactMethod, Ends, GrainsScene};
 use serde_json::{Map, Value};
 
 /// Results of a run of grains, in the units of its scene.
@@ -81,10 +81,10 @@ impl Outcome {
                 put(name, json_number(value));
             }
         }
-        put(
-            "surface_angles",
-            self.surface_angles.map(json_number).to_vec().into(),
-        );
+        if scene.z == Ends::Floor {
+            let angles = self.surface_angles.map(json_number).to_vec();
+            put("surface_angles", angles.into());
+        }
         put("max_overlap", json_number(self.statistics.max_overlap));
         put("statistics", self.statistics.json());
         put("dissipation", object(&self.dissipation()));

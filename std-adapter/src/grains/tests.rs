@@ -427,6 +427,216 @@ fn a_hopper_holds_its_grains_until_it_is_opened_and_loses_none() {
     });
 }
 
+/// A file with one grain a place, in a box of 16 by 3 cm.
+fn placed(places: &[[f64; 3]], radius: f64) -> tempfile::NamedTempFile {
+    let file = tempfile::Builder::new().suffix(".xyz").tempfile().unwrap();
+    let mut text = format!(
+        "{}\nLattice=\"0.16 0 0 0 0.03 0 0 0 1\" Properties=species:S:1:pos:R:3:radius:R:1 pbc=\"F T F\"\n",
+        places.len()
+    );
+    for [x, y, z] in places {
+        text += &format!("G {x} {y} {z} {radius}\n");
+    }
+    std::fs::write(file.path(), text).unwrap();
+    file
+}
+
+#[test]
+fn a_grain_over_a_slot_falls_freely_whatever_the_slope() {
+    let (high, duration) = (0.1, 0.12);
+    let file = placed(&[[0.08, 0.015, high]], 0.0025);
+    for slope in [0.5, 5.0, 60.0] {
+        let scene = GrainsScene {
+            slope,
+            start: Some(file.path().into()),
+            radius: 0.0025,
+            radius_spread: 0.0,
+            time_step: Some(1e-3),
+            duration,
+            ..hopper()
+        };
+        for scene in [scene.clone(), soft(scene)] {
+            let grains = run(&scene);
+            let fallen = 0.5 * 9.81 * grains.time() * grains.time();
+            let z = grains.with_snapshot(|now| now.positions[0].z);
+            // The last step counts whole.
+            let late = 9.81 * duration * 1e-3;
+            assert!((high - z - fallen).abs() < late, "{slope}: {z}");
+            assert!(z < scene.outlet_height - 0.04);
+        }
+    }
+}
+
+#[test]
+fn a_flat_silo_keeps_no_more_than_slopes_of_repose_beside_its_slot() {
+    for x in [Sides::Walls, Sides::Periodic] {
+        let scene = GrainsScene {
+            dimension: 2,
+            width: 0.08,
+            depth: None,
+            x,
+            outlet: 0.03,
+            slope: 0.1,
+            opening: 0.2,
+            count: 90,
+            radius: 0.002,
+            sliding: 0.3,
+            duration: 1.0,
+            ..hopper()
+        };
+        let grains = run(&scene);
+        let (mut kept, mut fallen) = (0, 0.0);
+        grains.with_snapshot(|now| {
+            assert_eq!(now.positions.len(), 90);
+            for (x, radius) in now.positions.iter().zip(now.radii) {
+                let above = x.z - scene.outlet_height;
+                if above < 0.0 {
+                    fallen += radius * radius * radius;
+                    continue;
+                }
+                kept += 1;
+                // A wedge of 35 degrees from the edge on, and two diameters for its roughness.
+                let x = now.space.wrap(x).x;
+                let behind = (x - 0.04).abs() - 0.5 * scene.outlet;
+                let wedge = 0.7 * behind + 4.0 * scene.radius;
+                assert!(above < wedge, "{x} {above}: {wedge}");
+            }
+        });
+        // Two wedges of 2.5 cm at 35 degrees hold 4.4e-4 m² at a solid fraction of 0.85, 30 grains.
+        assert!((1..30).contains(&kept), "{kept}");
+        let mass = 2500.0 * 4.0 / 3.0 * std::f64::consts::PI * fallen;
+        let told = column(&grains, "discharged").pop().unwrap();
+        assert!((told / mass - 1.0).abs() < 1e-12, "{told} {mass}");
+        let energy = grains.outcome().energy;
+        assert!(energy.imbalance().abs() < 1e-9 * energy.work);
+    }
+}
+
+#[test]
+fn rigid_grains_that_are_pressed_beyond_any_packing_end_the_run() {
+    let pressed = GrainsScene {
+        z: Ends::Walls,
+        height: Some(0.1),
+        gravity: 0.0.into(),
+        // At the end the box has the volume of its grains.
+        velocity_z: Some(ramp("-0.4")),
+        duration: 0.215,
+        ..beads(60)
+    };
+    let mut grains = Grains::new(&pressed).unwrap();
+    let error = drive(&mut grains, |_, _| ()).unwrap_err();
+    let told = error.to_string();
+    let GrainsError::Overlap {
+        step,
+        overlap,
+        solid_fraction,
+    } = error
+    else {
+        panic!("{told}");
+    };
+    // No rigid packing is denser than 0.74; overlaps of a tenth of a radius shorten lengths by 5 %.
+    assert!(
+        (0.1..0.3).contains(&overlap) && step == grains.steps(),
+        "{told}"
+    );
+    assert!((0.5..0.9).contains(&solid_fraction), "{told}");
+    let words = ["after step", "solid fraction of 0.", "method = \"soft\""];
+    assert!(words.iter().all(|words| told.contains(words)), "{told}");
+    // Springs take it.
+    run(&soft(pressed));
+}
+
+#[test]
+fn the_first_line_of_a_sheared_box_has_the_energy_of_its_flow() {
+    let sheared = GrainsScene {
+        z: Ends::Periodic,
+        height: Some(0.05),
+        gravity: 0.0.into(),
+        shear_rate: Some(5.0),
+        duration: 0.01,
+        ..beads(20)
+    };
+    let grains = Grains::new(&sheared).unwrap();
+    let wanted: f64 = grains.with_snapshot(|now| {
+        let moving = now.velocities.unwrap().iter().zip(now.radii);
+        let mass = |radius: &f64| 2500.0 * 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
+        moving
+            .map(|(v, radius)| 0.5 * mass(radius) * v.norm_squared())
+            .sum()
+    });
+    let first = column(&grains, "kinetic")[0];
+    assert!(
+        wanted > 0.0 && (first / wanted - 1.0).abs() < 1e-12,
+        "{first} {wanted}"
+    );
+    assert_eq!(grains.outcome().energy.imbalance(), 0.0);
+}
+
+#[test]
+fn the_deepest_overlap_of_a_bounce_stays_in_the_summary() {
+    // A grain of a file lies on the floor: it falls to the plate above and comes back.
+    let (radius, height, stiffness) = (0.005, 0.05, 1e4);
+    let file = placed(&[[0.08, 0.015, 0.1]], radius);
+    let scene = GrainsScene {
+        width: 0.16,
+        depth: Some(0.03),
+        x: Sides::Walls,
+        z: Ends::Walls,
+        height: Some(height),
+        gravity_angle: ramp("180"),
+        start: Some(file.path().into()),
+        radius_spread: 0.0,
+        stiffness,
+        damping: 0.0,
+        time_step: Some(1e-4),
+        duration: 0.12,
+        ..soft(beads(1))
+    };
+    let grains = run(&scene);
+    assert!(grains.contacts().is_empty(), "it is in flight again");
+    // The spring takes the energy of the fall: k δ²/2 = m g (h + δ).
+    let outcome = grains.outcome();
+    let weight = outcome.mass * 9.81;
+    let fall = height - 2.0 * radius;
+    let deepest = (weight + (weight * weight + 2.0 * stiffness * weight * fall).sqrt()) / stiffness;
+    let told = outcome.statistics.max_overlap;
+    assert!((told / deepest - 1.0).abs() < 0.1, "{told} {deepest}");
+}
+
+#[test]
+fn a_heap_falls_to_both_sides() {
+    // A ridge of 20 degrees in the middle of the box, and a slope of 20 degrees.
+    let tan = 20_f64.to_radians().tan();
+    for (is_heap, wanted) in [(true, [-20.0, 20.0]), (false, [20.0, 20.0])] {
+        let places: Vec<[f64; 3]> = (0..16)
+            .map(|strip| {
+                let x = 0.005 + 0.01 * f64::from(strip);
+                let way = if is_heap { (x - 0.08).abs() } else { x };
+                [x, 0.015, 0.1 - way * tan]
+            })
+            .collect();
+        let file = placed(&places, 0.0025);
+        let scene = GrainsScene {
+            width: 0.16,
+            depth: Some(0.03),
+            x: Sides::Walls,
+            start: Some(file.path().into()),
+            radius: 0.0025,
+            radius_spread: 0.0,
+            ..beads(1)
+        };
+        let outcome = Grains::new(&scene).unwrap().outcome();
+        for (found, wanted) in outcome.surface_angles.iter().zip(wanted) {
+            assert!((found - wanted).abs() < 1e-9, "{found} {wanted}");
+        }
+        let whole = outcome.column("surface_angle").unwrap();
+        let wanted = if is_heap { 0.0 } else { 20.0 };
+        assert!((whole - wanted).abs() < 1e-9, "{whole}");
+        let told = outcome.json(&scene);
+        assert_eq!(told["surface_angles"].as_array().unwrap().len(), 2);
+    }
+}
+
 /// A drum.
 fn drum(rate: f64) -> GrainsScene {
     GrainsScene {

@@ -101,7 +101,7 @@ scene! {
     outlet: f64 = 0.05, "m", Positive, OnlyWith("container", "hopper");
     /// Height of the slot above the floor.
     outlet_height: f64 = 0.1, "m", Positive, OnlyWith("container", "hopper");
-    /// Angle of the planes of the hopper with the horizontal.
+    /// Angle of the plates of the hopper with the horizontal.
     slope: f64 = 45.0, "degree", Between { above: 0.0, up_to: 89.0 }, OnlyWith("container", "hopper");
     /// Time at which the slot is opened.
     opening: f64 = 0.0, "s", NotNegative, OnlyWith("container", "hopper");

@@ -791,7 +791,7 @@ class GrainsScene(Scene):
     outlet_height
         Height of the slot above the floor. *Unit*: m. *Value*: a finite number > 0.
     slope
-        Angle of the planes of the hopper with the horizontal. *Unit*: degree. *Value*: a number > 0
+        Angle of the plates of the hopper with the horizontal. *Unit*: degree. *Value*: a number > 0
         and <= 89.
     opening
         Time at which the slot is opened. *Unit*: s. *Value*: a finite number >= 0.

@@ -3,7 +3,7 @@ use crate::measure::{Assembly, Measures, Options};
 use crate::packing::STATE;
 use crate::record::{extended_xyz, particles_vtp};
 use crate::run::Simulation;
-use crate::scene::{Ends, GrainsScene, Sides, Sizes};
+use crate::scene::{ContactMethod, Container, Ends, GrainsScene, Sides, Sizes};
 use nalgebra::Vector3;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
@@ -123,6 +123,86 @@ fn grains_of_a_file_lie_on_the_floor_and_inside_the_walls() -> Tested {
         ..scene()
     });
     assert!(fine.contains("multiply all lengths by"), "{fine}");
+    Ok(())
+}
+
+#[test]
+fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
+    let home = tempfile::tempdir()?;
+    let file = home.path().join("a.xyz");
+    let write = |x: f64, z: f64| {
+        let text = format!("1\nProperties=species:S:1:pos:R:3:radius:R:1\nG {x} 0.05 {z} 0.005\n");
+        std::fs::write(&file, text)
+    };
+    let hopper = GrainsScene {
+        width: 0.16,
+        depth: Some(0.1),
+        x: Sides::Walls,
+        container: Container::Hopper,
+        outlet: 0.04,
+        slope: 45.0,
+        start: Some(file.clone()),
+        ..scene()
+    };
+    let drum = GrainsScene {
+        x: Sides::Periodic,
+        container: Container::Drum,
+        ..hopper.clone()
+    };
+    // In the slot, above a plate, below the slot, at the bottom and at the side of the drum.
+    for (scene, x, z) in [
+        (&hopper, 0.08, 0.1),
+        (&hopper, 0.03, 0.2),
+        (&hopper, 0.08, 0.02),
+        (&drum, 0.08, 0.006),
+        (&drum, 0.154, 0.08),
+    ] {
+        write(x, z)?;
+        let run = Grains::new(scene)?;
+        let place = run.with_snapshot(|now| now.positions[0]);
+        assert_eq!([place.x, place.z], [x, z]);
+    }
+    // Across a plate, and beyond the drum.
+    let refusal = |scene: &GrainsScene| {
+        Grains::new(scene).map_or_else(|error| error.to_string(), |_| "taken".into())
+    };
+    for (scene, x, z) in [(&hopper, 0.05, 0.11), (&drum, 0.01, 0.01)] {
+        write(x, z)?;
+        let refused = refusal(scene);
+        let container = scene.container;
+        let wanted = format!("at x = {x} and z = {z}, reaches into the {container}");
+        assert!(refused.contains(&wanted), "{refused}");
+    }
+    // A closed slot cuts through what lies in it.
+    write(0.08, 0.1)?;
+    let opening = 1.0;
+    let refused = refusal(&GrainsScene { opening, ..hopper });
+    assert!(refused.contains("reaches into the hopper"), "{refused}");
+    Ok(())
+}
+
+#[test]
+fn springs_take_overlaps_that_rigid_grains_cannot_have() -> Tested {
+    let home = tempfile::tempdir()?;
+    let file = home.path().join("a.xyz");
+    let text = "2\nLattice=\"0.06 0 0 0 0.06 0 0 0 0.1\" pbc=\"T T F\" \
+                Properties=species:S:1:pos:R:3:radius:R:1\nG 0.03 0.03 0.005 0.005\nG 0.03 0.03 0.014 0.005\n";
+    std::fs::write(&file, text)?;
+    let rigid = GrainsScene {
+        start: Some(file),
+        ..scene()
+    };
+    let refused = Grains::new(&rigid).map_or_else(|error| error.to_string(), |_| "taken".into());
+    let wanted = "overlap by 20.000 % of the smaller radius; at most 5 %";
+    assert!(refused.contains(wanted), "{refused}");
+    let mut run = Grains::new(&GrainsScene {
+        method: ContactMethod::Soft,
+        ..rigid
+    })?;
+    run.step()?;
+    // The spring of 1 mm parts them.
+    let speed = run.with_snapshot(|now| now.velocities.unwrap_or_default()[1].z);
+    assert!(speed > 0.0 && run.outcome().statistics.max_overlap > 0.99e-3);
     Ok(())
 }
 

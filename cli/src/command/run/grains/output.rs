@@ -74,8 +74,10 @@ pub fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
     );
     if outcome.unmet > 0 {
         text += &format!(
-            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate\n",
-            outcome.unmet
+            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate, overlaps \
+             reach {} m\n",
+            outcome.unmet,
+            shown(outcome.statistics.max_overlap)
         );
     }
     text += &format!("work          {} J, of which\n", shown(outcome.energy.work));
