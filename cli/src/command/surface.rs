@@ -19,7 +19,7 @@ use tribos_report::limit_surface::LimitSurfacePage;
 /// rounding.
 ///
 /// On a terminal the limits are printed; with --output, --points or in a pipe a table of points with
-/// the motion under each, and the limits on standard error. A row has the push (force on the body in its plane, torque about the origin of the patch) and the
+/// the motion under each, and without --points the limits on standard error. A row has the push (force on the body in its plane, torque about the origin of the patch) and the
 /// unit motion that it causes, velocity and spin with |velocity|^2 + (spin*R)^2 = 1 for the
 /// farthest distance R of the patch from the origin. With --pushes the motion of each given push is
 /// added, and its gauge: below 1 friction holds, from 1 on the body slides.
@@ -142,7 +142,10 @@ impl Arguments {
                 super::print(&(limits(&*set) + CURE))?;
             }
             (None, points) => {
-                super::tell(format_args!("{}", limits(&*set).trim_end()));
+                // Whoever names the points wants them alone.
+                if points.is_none() {
+                    super::tell(format_args!("{}", limits(&*set).trim_end()));
+                }
                 self.tabulate(&*set, points.unwrap_or(POINTS))?;
             }
         }
