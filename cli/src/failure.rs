@@ -159,7 +159,7 @@ impl<E: Error + Into<Failure>> From<RunError<E>> for Failure {
             RunError::Cancelled(step) => {
                 Self::Interrupted(format!("interrupted after step {step}"))
             }
-            RunError::CancelledEarly => interrupt::ended_early("the deposit grew"),
+            RunError::CancelledEarly => interrupt::ended_early("the start was prepared"),
         }
     }
 }
@@ -168,6 +168,7 @@ impl From<SlideError> for Failure {
     fn from(error: SlideError) -> Self {
         match error {
             SlideError::NotFinite { .. } | SlideError::TooStiff { .. } => Self::run(error),
+            SlideError::Interrupted { .. } => Self::Interrupted(error.to_string()),
             // The kernel or the planning refused a number of the scene.
             _ => Self::input(error),
         }
@@ -178,6 +179,8 @@ impl From<StickError> for Failure {
     fn from(error: StickError) -> Self {
         match error {
             StickError::NotFinite { .. } | StickError::TooManySteps { .. } => Self::run(error),
+            StickError::TooSlow { .. } | StickError::Unbalanced { .. } => Self::run(error),
+            StickError::Interrupted { .. } => Self::Interrupted(error.to_string()),
             StickError::Choice(refusal) => refusal.into(),
             _ => Self::input(error),
         }

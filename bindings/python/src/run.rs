@@ -245,7 +245,7 @@ pub fn run_at_once<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Opt
 
 /// A body that holds and slips.
 fn held<'py>(py: Python<'py>, scene: &(impl HeldScene + Sync)) -> PyResult<AtOnce<'py>> {
-    let run = detached(py, || scene.follow())?.map_err(slid)?;
+    let run = detached(py, || scene.follow(&mut |_| true))?.map_err(slid)?;
     let rows = table(py, &run.rows.concat(), run.columns.len())?;
     let summary = python(py, &run.json(scene))?;
     Ok((summary, run.columns.to_vec(), rows))

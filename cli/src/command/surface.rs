@@ -19,7 +19,7 @@ use tribos_report::limit_surface::LimitSurfacePage;
 /// rounding.
 ///
 /// On a terminal the limits are printed; with --output, --points or in a pipe a table of points with
-/// the motion under each. A row has the push (force on the body in its plane, torque about the origin of the patch) and the
+/// the motion under each, and without --points the limits on standard error. A row has the push (force on the body in its plane, torque about the origin of the patch) and the
 /// unit motion that it causes, velocity and spin with |velocity|^2 + (spin*R)^2 = 1 for the
 /// farthest distance R of the patch from the origin. With --pushes the motion of each given push is
 /// added, and its gauge: below 1 friction holds, from 1 on the body slides.
@@ -83,6 +83,7 @@ const JUDGED: [&str; 7] = [
     "velocity_y",
     "spin",
 ];
+const CURE: &str = "For a table give --output FILE or --points N, for pictures --picture FILE and --page FILE.html.\n";
 /// Points of a table.
 const POINTS: u32 = 1000;
 /// Points of a section.
@@ -138,9 +139,15 @@ impl Arguments {
             // A picture alone needs no table.
             (None, None) if is_drawn && self.output.is_none() => {}
             (None, None) if self.output.is_none() && std::io::stdout().is_terminal() => {
-                super::print(&limits(&*set))?;
+                super::print(&(limits(&*set) + CURE))?;
             }
-            (None, points) => self.tabulate(&*set, points.unwrap_or(POINTS))?,
+            (None, points) => {
+                // Whoever names the points wants them alone.
+                if points.is_none() {
+                    super::tell(format_args!("{}", limits(&*set).trim_end()));
+                }
+                self.tabulate(&*set, points.unwrap_or(POINTS))?;
+            }
         }
         if let Some(path) = &self.output {
             super::tell(format_args!("written to    {}", path.display()));
@@ -208,8 +215,7 @@ fn limits(set: &dyn FrictionSet<f64>) -> String {
          \x20 along x        with the torque {x} N m about the origin\n\
          \x20 along y        with the torque {y} N m\n\
          largest torque   {} N m about the origin{about}\n\
-         farthest point   {} m from the origin\n\
-         For a table give --output FILE or --points N, for pictures --picture FILE and --page FILE.html.\n",
+         farthest point   {} m from the origin\n",
         digits::shown(set.force_limit()),
         digits::shown(spinning.torque),
         digits::shown(set.radius()),

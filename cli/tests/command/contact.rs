@@ -82,6 +82,26 @@ fn what_is_not_solved_is_kept_and_has_its_own_exit_code() -> Outcome {
 }
 
 #[test]
+fn what_no_impulses_solve_says_so_with_its_proof() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    // A body between two plates that close: u_0 + u_1 = -2, whatever r.
+    let matrix = "1 0 0 -1 0 0\n0 0 0 0 0 0\n0 0 0 0 0 0\n-1 0 0 1 0 0\n0 0 0 0 0 0\n0 0 0 0 0 0";
+    let text = format!("3\n2\n0\n6\n6\n6\t6\n{matrix}\n-1 0 0 -1 0 0\n0.5 0.5\n");
+    std::fs::write(folder.path().join("plates.dat"), text)?;
+    for method in ["automatic", "sweeps", "gradient", "interior", "proximal"] {
+        let line = ["contact", "plates.dat", "--method", method, "--out", "out"];
+        let (code, told, said) = tribos(folder.path(), line)?;
+        assert_eq!(code, Some(4), "{method}: {told}{said}");
+        assert_has(&said, &["insoluble: 2 contacts close at 1.000e0"]);
+        let summary = summary(&folder.path().join("out"))?;
+        assert_eq!(summary["ending"], "insoluble", "{method}");
+        let certificate = summary["certificate"].as_str().unwrap_or_default();
+        assert!(certificate.starts_with("insoluble: "), "{certificate}");
+    }
+    Ok(())
+}
+
+#[test]
 fn files_are_refused_before_anything_is_solved() -> Outcome {
     let folder = tempfile::tempdir()?;
     std::fs::write(folder.path().join("bad.dat"), "3\n1\n0\n3 x")?;

@@ -1,7 +1,7 @@
 //! Pair correlation of the centres.
 
 use super::{Assembly, Table};
-use crate::space::pairs::{NeighbourError, neighbours};
+use crate::space::pairs::{Cells, NeighbourError};
 use std::f64::consts::PI;
 
 /// Reach without a choice, in mean radii.
@@ -85,7 +85,6 @@ fn counts(
     bins: usize,
 ) -> Result<(Vec<f64>, Vec<f64>), NeighbourError> {
     let points = vec![0.0; assembly.positions.len()];
-    let pairs = neighbours(&assembly.space, &assembly.positions, &points, reach)?;
     let scale = bins as f64 / reach;
     // Number of bins for which each sphere is far enough from open faces.
     let inner = |place: &nalgebra::Vector3<f64>| {
@@ -97,20 +96,20 @@ fn counts(
         (depth.fold(reach, f64::min).max(0.0) * scale).floor() as usize
     };
     let inner: Vec<usize> = assembly.positions.iter().map(inner).collect();
-    let mut counts = vec![0.0; bins];
     let farther = |bin: usize| inner.iter().filter(|last| **last > bin).count() as f64;
     let centres = (0..bins).map(farther).collect();
-    for [a, b] in pairs
-        .into_iter()
-        .map(|pair| pair.map(|index| index as usize))
-    {
-        let way = assembly
-            .space
-            .displacement(&assembly.positions[a], &assembly.positions[b]);
-        let bin = (way.norm() * scale) as usize;
-        if let Some(count) = counts.get_mut(bin) {
-            *count += [a, b].iter().filter(|index| inner[**index] > bin).count() as f64;
+    let (space, positions) = (&assembly.space, &assembly.positions);
+    let count = |pairs: &[[u32; 2]], counts: &mut [f64]| {
+        for pair in pairs {
+            let [a, b] = pair.map(|index| index as usize);
+            let way = space.displacement(&positions[a], &positions[b]);
+            let bin = (way.norm() * scale) as usize;
+            if let Some(count) = counts.get_mut(bin) {
+                *count += [a, b].iter().filter(|index| inner[**index] > bin).count() as f64;
+            }
         }
-    }
+    };
+    let zeros = vec![0.0; bins];
+    let counts = Cells::default().sums(space, positions, &points, (reach, &zeros), count)?;
     Ok((counts, centres))
 }

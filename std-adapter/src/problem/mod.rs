@@ -11,6 +11,7 @@ mod matrix;
 mod reduced;
 mod residual;
 mod solve;
+mod squeeze;
 #[cfg(test)]
 mod tests;
 
@@ -23,3 +24,4 @@ pub use reduced::Reduced;
 pub use residual::{Residual, residual};
 pub(crate) use solve::solve_directly;
 pub use solve::{Ending, Method, Progress, Settings, Solution, solve};
+pub use squeeze::Squeeze;

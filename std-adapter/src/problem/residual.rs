@@ -24,13 +24,17 @@ pub struct Residual {
     /// velocity under the pull of cohesion): the speed of a contact that pushes, or closes.
     ///
     /// Both sizes of the map are relative to impulses. Where heavy bodies lie on light ones, or a problem has no
-    /// solution, impulses may hide the map; this number is the relative error of what accelerates.
+    /// solution, impulses may hide the map; this number is the relative error of what accelerates. Rounding
+    /// explains at most 1e-6 of the largest |q|: where it blurs a speed by more, the blur counts as an error.
     pub speed: f64,
 }
 
 /// Largest [`Residual::speed`] of a solution, in units of its tolerance: where a heavy body lies on a light one, this
 /// is the error of the force.
 const SPEED: f64 = 100.0;
+/// Largest share of |q| that rounding may explain: that of the default tolerance. Beside impulses that blur more,
+/// speeds mean nothing.
+const COARSEST: f64 = 1e-6;
 
 impl Residual {
     /// The larger of both sizes of the map; NaN if either is.
@@ -43,8 +47,18 @@ impl Residual {
         }
     }
 
-    /// Whether both sizes are at most `tolerance`, and [`Residual::speed`] at most
-    /// a hundred times it.
+    /// The larger of [`Self::largest`] and the error of normal speeds, in units of the tolerance; NaN if either is.
+    pub(super) fn worst(&self) -> f64 {
+        let (map, speed) = (self.largest(), self.speed / SPEED);
+        if map >= speed || map.is_nan() {
+            map
+        } else {
+            speed
+        }
+    }
+
+    /// Whether both sizes are at most `tolerance`, and [`Residual::speed`] at most a hundred times it: no contact
+    /// closes faster than at the larger of a hundred times the tolerance and 1e-6, times the largest |q|.
     #[must_use]
     pub fn meets(&self, tolerance: f64) -> bool {
         self.relative <= tolerance && self.scaled <= tolerance && self.speed <= SPEED * tolerance
@@ -68,10 +82,7 @@ impl Residual {
 pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
     let (sums, u) = (problem.rounding(r), problem.velocities(r));
     let size = problem.layout.size();
-    // Speeds without impulses, and with the pull of cohesion alone.
-    let pulled = problem.without_cohesion();
-    let speeds = problem.q.iter().chain(&pulled);
-    let largest = speeds.fold(0.0_f64, |most, q| most.max(q.abs()));
+    let largest = largest(problem, &problem.without_cohesion());
     // The map grows with impulses and velocities alike: in these units squares keep their digits.
     let unit = if largest > 0.0 { largest } else { 1.0 };
     let mut plain = Sum::default();
@@ -90,7 +101,13 @@ pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
         penetration = penetration.max(-u[0]);
         // Either nothing pushes or nothing closes.
         let error = u[0].min(r[0] * diagonal[0]).abs();
-        unexplained = unexplained.max(error - f64::EPSILON * sums[contact * size]);
+        let blur = f64::EPSILON * sums[contact * size];
+        let is_resolved = largest == 0.0 || error.max(blur) <= COARSEST * largest;
+        unexplained = unexplained.max(if is_resolved {
+            error - blur
+        } else {
+            error.max(blur)
+        });
         for x in r.iter_mut().chain(&mut u) {
             *x /= unit;
         }
@@ -109,6 +126,17 @@ pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
         penetration,
         speed: ratio(unexplained, largest),
     }
+}
+
+/// Largest speed without impulses, and with the pull of cohesion alone.
+fn largest(problem: &Reduced, pulled: &[f64]) -> f64 {
+    let speeds = problem.q.iter().chain(pulled);
+    speeds.fold(0.0_f64, |most, q| most.max(q.abs()))
+}
+
+/// Largest speed at which a contact closes in a solution to `tolerance`, and largest blur of a speed by rounding.
+pub(super) fn allowed(problem: &Reduced, pulled: &[f64], tolerance: f64) -> f64 {
+    COARSEST.max(SPEED * tolerance) * largest(problem, pulled)
 }
 
 fn ratio(part: f64, whole: f64) -> f64 {

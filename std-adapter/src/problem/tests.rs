@@ -3,6 +3,10 @@
 use super::{ContactLaw, Ending, Friction, Global, Layout, Matrix, Method, Reduced, Settings};
 use super::{ProblemError, Solution, residual, solve};
 use crate::random::Random;
+use nalgebra::{DMatrix, DVector};
+
+/// Problems that are squeezed; 10,000 take a minute and a half.
+const SQUEEZED: u64 = 100;
 
 const METHODS: [Method; 5] = [
     Method::Automatic,
@@ -258,4 +262,132 @@ fn odd_starts_and_sizes_end_honestly() {
     let none = Matrix::from_triplets([0, 0], &[]).expect("valid");
     let none = Reduced::new(Layout::All, none, Vec::new(), Vec::new()).expect("valid");
     assert_eq!(by(&none, Method::Automatic).ending, Ending::Converged);
+}
+
+/// Contacts of one body with walls that move, and weights of the first few that move nothing: u · y = w · y whatever
+/// the impulses, up to a share `slip` of the arms.
+fn squeezed(seed: u64, slip: f64) -> (Reduced, Vec<f64>) {
+    let mut random = Random::new(seed, 7);
+    let mut signed = || 2.0 * random.unit() - 1.0;
+    let layout = if signed() < 0.0 {
+        Layout::Plane
+    } else {
+        Layout::Space
+    };
+    let (size, freedoms) = (layout.size(), 6);
+    let squeezed = 2 + (2.0 * (signed() + 1.0)) as usize;
+    let contacts = squeezed + (1.5 * (signed() + 1.0)) as usize;
+    let mut arms = DMatrix::from_fn(freedoms, size * contacts, |_, _| signed());
+    let mut weights = DVector::zeros(contacts);
+    for contact in 0..squeezed {
+        weights[contact] = libm::exp(2.0 * signed());
+    }
+    // The last of them closes the chain.
+    let last = squeezed - 1;
+    let mut balance = DVector::zeros(freedoms);
+    for contact in 0..last {
+        balance += arms.column(size * contact) * weights[contact];
+    }
+    let off = DVector::from_fn(freedoms, |_, _| slip * signed());
+    let closing = -balance / weights[last] + off;
+    arms.set_column(size * last, &closing);
+    let masses = DMatrix::from_diagonal(&DVector::from_fn(freedoms, |_, _| {
+        libm::exp(2.0 * signed())
+    }));
+    let product = arms.transpose() * &masses * &arms;
+    let free = DVector::from_fn(freedoms, |_, _| signed());
+    let mut q = arms.transpose() * free;
+    for contact in 0..squeezed {
+        // Walls that close, at 1e-8 to 1.
+        let speed = libm::exp(-18.0 * (0.5 + 0.5 * signed()));
+        q[size * contact] -= speed;
+    }
+    let laws = (0..contacts).map(|_| ContactLaw::coulomb((1.5 * signed()).max(0.0)));
+    let laws = laws.collect();
+    let entries: Vec<_> = (0..q.len())
+        .flat_map(|row| (0..q.len()).map(move |column| (row, column)))
+        .map(|(row, column)| (row, column, product[(row, column)]))
+        .collect();
+    let w = Matrix::from_triplets([q.len(); 2], &entries).expect("entries are inside");
+    let problem = Reduced::new(layout, w, q.as_slice().to_vec(), laws).expect("valid");
+    (problem, weights.as_slice().to_vec())
+}
+
+/// A normal speed in twice the working precision (Ogita, Rump and Oishi, SIAM J. Sci. Comput. 26 (2005) 1955).
+fn speed_of(problem: &Reduced, r: &[f64], at: usize) -> f64 {
+    let (mut sum, mut rest) = (problem.q()[at], 0.0);
+    for &(column, w) in problem.w().row(at) {
+        let product = w * r[column];
+        let low = w.mul_add(r[column], -product);
+        let new = sum + product;
+        let part = new - sum;
+        rest += (sum - (new - part)) + (product - part) + low;
+        sum = new;
+    }
+    sum + rest
+}
+
+/// The proof of a solution that there is none: its impulses move no contact that could help, and close.
+fn assert_squeezes(problem: &Reduced, end: &Solution) {
+    let size = problem.layout().size();
+    let weights = &end.squeeze.as_ref().expect("a proof").weights;
+    assert!(weights.iter().all(|&y| y >= 0.0));
+    let mut normals = vec![0.0; problem.q().len()];
+    for (normal, y) in normals.iter_mut().step_by(size).zip(weights) {
+        *normal = *y;
+    }
+    let moved = problem.w().transposed().times(&normals);
+    let closing: f64 = normals.iter().zip(problem.q()).map(|(y, q)| -y * q).sum();
+    let mut opened = 0.0;
+    for (contact, law) in problem.laws().iter().enumerate() {
+        let z = &moved[size * contact..size * (contact + 1)];
+        let sliding: f64 = z[1..].iter().map(|z| z * z).sum();
+        opened += (z[0] + law.sliding * sliding.sqrt()).max(0.0);
+    }
+    // Impulses of 1e6 times what stops the contacts do not open them.
+    assert!(
+        closing > 0.0 && 1e6 * opened < closing,
+        "{opened:e} {closing:e}"
+    );
+}
+
+#[test]
+fn no_insoluble_or_nearly_insoluble_problem_is_called_solved() {
+    for seed in 0..SQUEEZED {
+        let slip = [0.0, 1e-14, 1e-9, 1e-4][seed as usize % 4];
+        let (problem, weights) = squeezed(seed, slip);
+        let size = problem.layout().size();
+        let largest = problem
+            .q()
+            .iter()
+            .fold(0.0_f64, |most, q| most.max(q.abs()));
+        // What the judgement allows, and as much for its own rounding.
+        let allowed = 2e-6 * largest;
+        let normals = problem.q().iter().step_by(size);
+        let closing: f64 = weights.iter().zip(normals).map(|(y, q)| -y * q).sum();
+        let closing = closing / weights.iter().sum::<f64>();
+        for method in METHODS {
+            let settings = Settings {
+                method,
+                most_sweeps: 2000,
+                most_factorisations: 300,
+                ..Settings::default()
+            };
+            let end = solve(&problem, &settings, |_| ());
+            let least = (0..problem.contacts())
+                .map(|contact| speed_of(&problem, &end.impulses, size * contact))
+                .fold(f64::INFINITY, f64::min);
+            match end.ending {
+                Ending::Converged => {
+                    assert!(-least <= allowed, "{seed} {method:?}: {least:e}");
+                    assert!(slip > 1e-10 || closing <= allowed, "{seed} {method:?}");
+                }
+                Ending::Insoluble => assert_squeezes(&problem, &end),
+                Ending::Stalled | Ending::OutOfWork => {
+                    let is_plain = slip == 0.0 && closing > 1e-4 * largest;
+                    assert!(!is_plain, "{seed} {method:?}: no proof");
+                }
+            }
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! The motion of a body under a pusher of given velocity.
 
 use super::cone::{ConeEdge, MotionCone, edge, motion_cone};
-use super::contact::PointContact;
+use super::contact::{PointContact, cross};
 use super::error::{PushError, finite};
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::nalgebra::Vector2;
@@ -9,8 +9,10 @@ use tribos_core::twist::{Twist, Wrench};
 
 /// Most halvings and secants of the search for a force; 14 were seen.
 const MOST_STEPS: usize = 100;
-/// A contact velocity has the pusher's direction to this angle, in rad.
+/// A contact velocity has the pusher's direction to this angle, in rad; one that is farther off at the end of the search
+/// turns at once there, under a force at an edge of the set.
 const PARALLEL: f64 = 1e-15;
+const CORNER: f64 = 1e-9;
 
 /// What a contact does while its pusher moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,7 +139,8 @@ pub(super) fn within(
 /// The force between the edges under which the contact moves in the pusher's direction.
 ///
 /// The velocity turns with the force: a bracket of the friction's share, made smaller by the Illinois
-/// variant of the secant (Dowell and Jarratt, BIT 11 (1971) 168).
+/// variant of the secant (Dowell and Jarratt, BIT 11 (1971) 168). Sets with edges, such as those of points, have many
+/// normals under one force: the motion is then the one between those of both ends of the bracket.
 fn sticking(set: &dyn FrictionSet<f64>, cone: &MotionCone, velocity: Vector2<f64>) -> ConeEdge {
     let contact = &cone.contact;
     let wanted = cone.angle(velocity);
@@ -145,7 +148,7 @@ fn sticking(set: &dyn FrictionSet<f64>, cone: &MotionCone, velocity: Vector2<f64
     let off = |at: &ConeEdge| cone.angle(at.velocity) - wanted;
     let (mut low, mut high) = (-1.0, 1.0);
     let (mut below, mut above) = (off(&cone.right), off(&cone.left));
-    let mut at = cone.left;
+    let (mut at, mut ends) = (cone.left, [cone.right, cone.left]);
     if above <= PARALLEL {
         return at;
     }
@@ -173,17 +176,58 @@ fn sticking(set: &dyn FrictionSet<f64>, cone: &MotionCone, velocity: Vector2<f64
         // An end that stays twice counts half.
         let is_above = found > 0.0;
         if is_above {
-            (high, above) = (share, found);
+            (high, above, ends[1]) = (share, found, at);
             if was_above == Some(true) {
                 below *= 0.5;
             }
         } else {
-            (low, below) = (share, found);
+            (low, below, ends[0]) = (share, found, at);
             if was_above == Some(false) {
                 above *= 0.5;
             }
         }
         was_above = Some(is_above);
     }
+    if off(&at).abs() > CORNER {
+        let [right, left] = ends.map(|end| cross(&velocity, &end.velocity).abs());
+        let share = right / (right + left);
+        at.twist = ends[0].twist * (1.0 - share) + ends[1].twist * share;
+        at.velocity = contact.velocity(&at.twist);
+    }
     at
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::HeldNodes;
+    use tribos_core::limit_surface::PatchSurface;
+    use tribos_core::patch::nodes::Node;
+    use tribos_core::patch::points::Points;
+
+    #[test]
+    fn a_body_on_feet_that_sticks_follows_its_pusher() {
+        let feet = [[0.1, 0.05, 1.0], [-0.1, 0.06, 2.0], [0.0, -0.05, 1.5]];
+        let node = |[x, y, weight]: [f64; 3]| Node { x, y, weight };
+        let nodes = HeldNodes::new(feet.map(node).to_vec()).unwrap();
+        let set = PatchSurface::new(Points::new(nodes).unwrap(), 3.0).unwrap();
+        let contact = PointContact::new([-0.12, 0.02], [1.0, 0.0], 2.0).unwrap();
+        let cone = motion_cone(&set, &contact).unwrap();
+        let [right, left] = cone.angles();
+        for i in 1..200 {
+            let angle = right + (left - right) * f64::from(i) / 200.0;
+            let velocity = Vector2::new(libm::cos(angle), libm::sin(angle));
+            if velocity.x <= 0.0 {
+                continue;
+            }
+            let push = within(&set, &cone, velocity);
+            assert_eq!(push.mode, Mode::Sticking, "{angle}");
+            let off = contact.velocity(&push.twist) - velocity;
+            assert!(off.norm() < 1e-8, "{angle}: {push:?}");
+            // The push is where the set is farthest along the motion.
+            let spent = push.wrench.force.dot(&velocity);
+            let dissipated = set.support(&push.twist);
+            assert!((spent / dissipated - 1.0).abs() < 1e-8, "{angle}: {push:?}");
+        }
+    }
 }

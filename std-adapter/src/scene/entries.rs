@@ -117,6 +117,9 @@ fn read_value(value: &DeValue<'_>) -> Written {
     match value {
         DeValue::Float(number) => parsed(number.as_str()),
         DeValue::Integer(number) => match i64::from_str_radix(number.as_str(), number.radix()) {
+            Ok(integer) if (integer as f64) as i128 != i128::from(integer) => {
+                Written::Other("an integer beyond 2^53, which would be rounded")
+            }
             Ok(integer) => Written::Number(integer as f64),
             Err(_) => parsed(number.as_str()),
         },

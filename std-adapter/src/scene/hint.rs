@@ -21,20 +21,24 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         .map(|(_, known)| known)
 }
 
-/// Why a text in the place of a number is none, where that can be told: a unit after the number, or
-/// a decimal comma.
+/// Why a text in the place of a number is none in a scene, where that can be told: a unit after the number,
+/// a decimal comma, or a form that TOML does not have.
 ///
 /// ```
 /// use tribos::scene::number_hint;
 /// assert_eq!(number_hint("1kPa").as_deref(), Some("numbers carry no units"));
 /// assert_eq!(number_hint("0,5").as_deref(), Some("write a decimal point: 0.5"));
+/// assert_eq!(number_hint(".5").as_deref(), Some("write 0.5"));
 /// assert_eq!(number_hint("high"), None);
 /// ```
 pub fn number_hint(text: &str) -> Option<String> {
     let text = text.trim();
     let is_number = |text: &str| text.parse::<f64>().is_ok_and(f64::is_finite);
     if is_number(text) {
-        return None;
+        // As in Rust: with digits before and after the point.
+        let is_read = toml::de::DeValue::parse(text).is_ok();
+        let value = text.parse::<f64>().ok().filter(|_| !is_read)?;
+        return Some(format!("write {value:?}"));
     }
     let pointed = text.replacen(',', ".", 1);
     if is_number(&pointed) && pointed != text {

@@ -42,7 +42,7 @@ impl SliderScene {
         of_law(&Patch::Disk, &self.law()?)
     }
 
-    /// Times evaluations over a mix of speeds for a tenth of a second. *Accuracy*: a few per cent for the
+    /// Times evaluations over a mix of speeds for some tenths of a second. *Accuracy*: a few per cent for the
     /// ratio of the two times, about ten per cent for the times.
     pub fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
         let law = self.law()?;
@@ -82,8 +82,9 @@ pub(super) fn resistance_cost(body: &dyn Resistance) -> EvaluationCost {
 const EVALUATIONS: usize = 256;
 /// Shortest duration of a round: a million ticks of the clock, much longer than an interrupt.
 const ROUND: Duration = Duration::from_millis(1);
-/// Rounds of each of the two; the fastest one counts.
+/// Rounds of each of the two, and their time in all where evaluations are slow; the fastest one counts.
 const ROUNDS: usize = 40;
+const LONGEST: Duration = Duration::from_millis(200);
 
 /// Force and torque at a sliding speed and a rim speed. Both methods are called through a pointer, so that
 /// two methods of the same kind execute the same instructions.
@@ -93,6 +94,7 @@ type Evaluated<'a> = &'a dyn Fn(f64, f64) -> [f64; 2];
 fn timed(evaluate: Evaluated<'_>) -> EvaluationCost {
     let table = |v, w| both(Coulomb.reduced_wrench(v, w));
     let passes = [passes(evaluate), passes(&table)];
+    let begun = Instant::now();
     let mut cost = EvaluationCost {
         seconds: f64::INFINITY,
         table_seconds: f64::INFINITY,
@@ -100,6 +102,9 @@ fn timed(evaluate: Evaluated<'_>) -> EvaluationCost {
     for _ in 0..ROUNDS {
         cost.seconds = cost.seconds.min(round(evaluate, passes[0]));
         cost.table_seconds = cost.table_seconds.min(round(&table, passes[1]));
+        if begun.elapsed() >= LONGEST {
+            break;
+        }
     }
     cost
 }

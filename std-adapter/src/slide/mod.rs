@@ -16,7 +16,7 @@ pub use cost::EvaluationCost;
 pub(crate) use cost::of_law;
 pub use outcome::{Ending, Outcome};
 #[doc(hidden)]
-pub use path::{PATH_COLUMNS, PlanarCourse, PlanarScene};
+pub use path::{PATH_COLUMNS, PlanarCourse, PlanarScene, follow_path};
 pub use path::{PathOutcome, PathRun, run_path};
 #[doc(hidden)]
 pub use simulation::{COLUMNS, SlideSimulation};
@@ -57,6 +57,12 @@ pub enum SlideError {
         most: f64,
         /// Shortest time step allowed.
         at_least: f64,
+    },
+    /// Whoever asked for the run ended it.
+    #[error("interrupted after {steps} steps")]
+    Interrupted {
+        /// Number of steps taken.
+        steps: u64,
     },
     /// A number left the range of f64, or the time no longer advances.
     #[error("the motion is no longer finite after step {step}; its scales are too far apart")]

@@ -64,7 +64,7 @@ pub trait PlanarScene: Body {
     /// Method by which force and torque are evaluated.
     fn evaluation(&self) -> Result<Evaluation, SlideError>;
 
-    /// Times evaluations over a mix of speeds for a tenth of a second. *Accuracy*: a few per cent for the
+    /// Times evaluations over a mix of speeds for some tenths of a second. *Accuracy*: a few per cent for the
     /// ratio of the two times, about ten per cent for the times.
     fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
         Ok(resistance_cost(&self.resistance()?))
@@ -119,6 +119,15 @@ pub struct PathOutcome {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run_path(scene: &dyn PlanarScene) -> Result<PathRun, SlideError> {
+    follow_path(scene, &mut |_| true)
+}
+
+/// The same; `watch` sees the share of the work that is done, roughly, and ends the run by answering false.
+#[doc(hidden)]
+pub fn follow_path(
+    scene: &dyn PlanarScene,
+    watch: &mut dyn FnMut(f64) -> bool,
+) -> Result<PathRun, SlideError> {
     scene.check()?;
     let body = scene.resistance()?;
     let scene = scene.course();
@@ -130,7 +139,8 @@ pub fn run_path(scene: &dyn PlanarScene) -> Result<PathRun, SlideError> {
     let rim = scene.spin * body.radius();
     let per_mass = 0.5 * (scene.speed * scene.speed + body.inertia_ratio() * rim * rim);
     energy_at_launch(scene.mass * per_mass)?;
-    let scouted = journey()?.to_end()?;
+    // Twice the same way: to its end, then with a row at each time.
+    let scouted = journey()?.watched(&[], |_| (), &mut |share| watch(0.5 * share))?;
     if let (Tipping::Refuse, Some(time)) = (scene.tipping, scouted.tips_at) {
         let lean = scouted.most_lean;
         return Err(SlideError::Tips { time, lean });
@@ -141,9 +151,8 @@ pub fn run_path(scene: &dyn PlanarScene) -> Result<PathRun, SlideError> {
         .collect();
     let energy = |point: &Point| scene.mass * energy_per_mass(&body, point);
     let mut series = Vec::new();
-    let arrival = journey()?.follow(&times, |point| {
-        series.push(row(point, energy(point), scene.mass));
-    })?;
+    let observe = |point: &Point| series.push(row(point, energy(point), scene.mass));
+    let arrival = journey()?.watched(&times, observe, &mut |share| watch(0.5 + 0.5 * share))?;
     let initial_energy = series.first().map_or(f64::NAN, |row| row[9]);
     let lost = initial_energy - energy(&arrival.point);
     let work = scene.mass * arrival.point.work;

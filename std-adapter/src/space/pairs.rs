@@ -109,6 +109,10 @@ pub struct Cells {
 
 /// Entries whose neighbours one thread searches at a time.
 const STRETCH: usize = 8192;
+/// The same where pairs are not kept: as many as fill a few megabytes at some hundred neighbours each.
+const PART: usize = 1024;
+/// Parts with one sum.
+const TOGETHER: usize = 16;
 
 /// All pairs i < j with |xⱼ − xᵢ| − rᵢ − rⱼ < `skin`, in ascending order of (i, j); distances are
 /// those of [`PeriodicBox::displacement`].
@@ -149,11 +153,64 @@ impl Cells {
         skin: f64,
     ) -> Result<&[[u32; 2]], NeighbourError> {
         self.pairs.clear();
+        let (grid, median) = self.prepare(space, positions, radii, skin)?;
+        self.search(&Search::new(&grid, space, radii, (median, skin)));
+        self.order(positions.len());
+        if space.offset() != 0.0 {
+            self.pairs.dedup();
+        }
+        Ok(&self.pairs)
+    }
+
+    /// Sums of what `see` adds up over the pairs of [`neighbours`], some thousand particles' at a time: for searches so
+    /// wide that all pairs are too many to keep. The sums start from zeros, and should be of whole numbers, whose sum
+    /// is the same in any order.
+    pub(crate) fn sums(
+        &mut self,
+        space: &PeriodicBox,
+        positions: &[Vector3<f64>],
+        radii: &[f64],
+        (skin, zeros): (f64, &[f64]),
+        see: impl Fn(&[[u32; 2]], &mut [f64]) + Sync,
+    ) -> Result<Vec<f64>, NeighbourError> {
+        let (grid, median) = self.prepare(space, positions, radii, skin)?;
+        let search = Search::new(&grid, space, radii, (median, skin));
+        let (entries, starts) = (&self.entries[..], &self.starts[..]);
+        let parts = (0..entries.len()).into_par_iter().step_by(PART);
+        let part = |mut sums: Vec<f64>, first: usize| {
+            let found = &mut Vec::new();
+            let last = entries.len().min(first + PART);
+            search.around(first..last, entries, starts, found);
+            if space.offset() != 0.0 {
+                // Images of one particle may find another twice.
+                found.sort_unstable();
+                found.dedup();
+            }
+            see(found, &mut sums);
+            sums
+        };
+        let both = |mut sums: Vec<f64>, others: Vec<f64>| {
+            let pairs = sums.iter_mut().zip(others);
+            pairs.for_each(|(sum, other)| *sum += other);
+            sums
+        };
+        let zeros = || zeros.to_vec();
+        let folded = parts.with_min_len(TOGETHER).fold(zeros, part);
+        Ok(folded.reduce(zeros, both))
+    }
+
+    /// Checks, and sorts the particles into cells; returns these, and the median radius.
+    fn prepare(
+        &mut self,
+        space: &PeriodicBox,
+        positions: &[Vector3<f64>],
+        radii: &[f64],
+        skin: f64,
+    ) -> Result<(Grid, f64), NeighbourError> {
         check(positions, radii, skin)?;
         check_reach(space, radii, skin)?;
         // A sheared border is crossed by images of the searching sphere instead of by the grid.
-        let is_sheared = space.offset() != 0.0;
-        let cut = if is_sheared {
+        let cut = if space.offset() != 0.0 {
             space.open_upwards()
         } else {
             *space
@@ -161,12 +218,7 @@ impl Cells {
         let median = self.median(radii);
         let grid = Grid::new(&cut, positions, 2.0 * median + skin);
         self.sort_into(&grid, space, positions, radii);
-        self.search(&Search::new(&grid, space, radii, (median, skin)));
-        self.order(positions.len());
-        if is_sheared {
-            self.pairs.dedup();
-        }
-        Ok(&self.pairs)
+        Ok((grid, median))
     }
 
     /// Median radius, 0 of none.

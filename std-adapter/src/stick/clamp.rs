@@ -8,9 +8,10 @@
 //! z₁(q) + z₂(q) = w(t),
 //! ```
 //!
-//! quasi-static. The step of each pad is the gradient of a convex function of the pose q, so that
-//! q ← q + (S₁ + S₂)⁻¹ (w − z₁ − z₂) approaches the balance monotonically; where there is none, the pinch
-//! lets go. One pad that slips while the other holds is Iwan's assembly of two elements, which obeys Masing's
+//! quasi-static. Pads of one shape hold together what lies in the sum of their limit surfaces (Melan's theorem):
+//! where the load leaves it, and there alone, the pinch lets go. Below, the step of each pad is the gradient of a
+//! convex function of the pose q, whose least value is the balance; quasi-Newton steps find it where one pad slips that is
+//! a million times stiffer than the other. One pad that slips while the other holds is Iwan's assembly of two elements, which obeys Masing's
 //! rule: a branch of the loop is the first loading twice as large.
 
 use super::StickError;
@@ -18,12 +19,13 @@ use super::held::{HeldRun, HeldScene};
 use crate::friction::limit_surface;
 use crate::record::json_number;
 use crate::scene::ClampScene;
+use nalgebra::{Matrix3, Vector3};
 use serde_json::{Map, Value};
 use std::f64::consts::TAU;
 use tribos_core::Real;
 use tribos_core::law::Grip;
 use tribos_core::limit_surface::FrictionSet;
-use tribos_core::presliding::{Anchor, Pose, Presliding};
+use tribos_core::presliding::{Anchor, Pose, Presliding, PreslidingStep};
 use tribos_core::twist::{Displacement, Wrench};
 
 /// Columns of the series: s, N, N m, m, rad, J of heat so far, and whether each pad slips.
@@ -78,6 +80,11 @@ pub struct ClampRun {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run(scene: &ClampScene) -> Result<ClampRun, StickError> {
+    watched(scene, &mut |_| true)
+}
+
+/// The same; `watch` sees the share of the cycles that is done, and ends the run by answering false.
+fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<ClampRun, StickError> {
     scene.check()?;
     let mut pinch = Pinch::new(scene)?;
     let mut rows = vec![pinch.row(0.0, &Wrench::ZERO, [Grip::Stick; 2])];
@@ -87,12 +94,18 @@ pub fn run(scene: &ClampScene) -> Result<ClampRun, StickError> {
         for index in 1..=samples {
             let share = f64::from(index) / f64::from(samples);
             let time = scene.period * (f64::from(cycle) + share);
-            let load = load(scene, cycle, share);
-            let Some(grips) = pinch.settle(&load) else {
-                let held = f64::from(index - 1) / f64::from(samples);
-                release = Some(release_between(scene, cycle, [held, share])?);
+            let held = f64::from(index - 1) / f64::from(samples);
+            release = pinch.release_between(scene, cycle, [held, share]);
+            if release.is_some() {
                 break 'cycles;
-            };
+            }
+            let load = load(scene, cycle, share);
+            let grips = pinch
+                .settle(&load)
+                .map_err(|left| StickError::Unbalanced { time, left })?;
+            if !watch((f64::from(cycle) + share) / f64::from(scene.cycles)) {
+                return Err(StickError::Interrupted { time });
+            }
             rows.push(pinch.row(time, &load, grips));
         }
     }
@@ -114,28 +127,6 @@ pub fn run(scene: &ClampScene) -> Result<ClampRun, StickError> {
         ],
     };
     Ok(ClampRun { rows, outcome })
-}
-
-/// The time, between two shares of a cycle, at which the load leaves what the pads carry together. They have
-/// one shape, so that their sets add up to that of the sum of their coefficients.
-fn release_between(
-    scene: &ClampScene,
-    cycle: u32,
-    [mut held, mut lost]: [f64; 2],
-) -> Result<f64, StickError> {
-    let limit = (scene.mu_first + scene.mu_second) * scene.load;
-    let both = limit_surface(&scene.patch, limit, scene.radius, None)?;
-    loop {
-        let middle = 0.5 * (held + lost);
-        if middle <= held || middle >= lost {
-            return Ok(scene.period * (f64::from(cycle) + lost));
-        }
-        if both.gauge(&load(scene, cycle, middle)) > 1.0 {
-            lost = middle;
-        } else {
-            held = middle;
-        }
-    }
 }
 
 /// The load at a share of a cycle.
@@ -161,15 +152,31 @@ struct Pinch {
     pads: [Pad; 2],
     pose: Pose<f64>,
     heat: f64,
-    /// Largest force that both hold, and the lever of torques.
+    /// What both hold together, the largest force of that, and the lever of torques.
+    both: Box<dyn FrictionSet<f64>>,
     limit: f64,
     lever: f64,
 }
 
-/// What the balance may leave, as a share of the limits.
+/// The pads at a pose of the body, and what they leave of the load; a torque over the lever.
+struct Trial {
+    pose: Pose<f64>,
+    steps: [PreslidingStep<f64>; 2],
+    left: Vector3<f64>,
+}
+
+/// Shares of a cycle at which the load turns.
+const TURNS: [f64; 2] = [0.25, 0.75];
+/// What the balance may leave, as a share of the limits; more where the rounding of a pose is more, up to a cap.
 const BALANCED: f64 = 1e-12;
-/// Iterations after which there is no balance; a hundred are usual where one pad slips.
-const MOST_ITERATIONS: u32 = 20_000;
+const MOST_ROUNDED: f64 = 1e-8;
+/// Iterations of the search for the balance, a few are usual, and steps along a line: each halves it, or goes on
+/// to four times its length.
+const MOST_ITERATIONS: u32 = 400;
+const MOST_TRIALS: u32 = 100;
+const FARTHER: f64 = 4.0;
+/// Share of the slope at the start of a line that its end may have.
+const FLATTER: f64 = 0.5;
 
 impl Pinch {
     fn new(scene: &ClampScene) -> Result<Self, StickError> {
@@ -182,46 +189,120 @@ impl Pinch {
             let anchor = Anchor::at(origin);
             Ok(Pad { set, bonds, anchor })
         };
+        let limit = (scene.mu_first + scene.mu_second) * scene.load;
         Ok(Self {
+            both: limit_surface(&scene.patch, limit, scene.radius, None)?,
             pads: [
                 pad(scene.mu_first, scene.stiffness_first)?,
                 pad(scene.mu_second, scene.stiffness_second)?,
             ],
             pose: origin,
             heat: 0.0,
-            limit: (scene.mu_first + scene.mu_second) * scene.load,
+            limit,
             lever: Real::sqrt(lever_sq),
         })
     }
 
-    /// Moves the body to where the pads balance the load; none if they cannot.
-    fn settle(&mut self, load: &Wrench<f64>) -> Option<[Grip; 2]> {
-        let sliding: f64 = self.pads.iter().map(|pad| pad.bonds.stiffness()).sum();
-        let torsion: f64 = self
-            .pads
-            .iter()
-            .map(|pad| pad.bonds.torsional_stiffness())
-            .sum();
-        let mut pose = self.pose;
+    /// The time, between two shares of a cycle, at which the load leaves what the pads carry together; none if
+    /// they hold it. They have one shape, so that their sets add up to that of the sum of their coefficients.
+    fn release_between(&self, scene: &ClampScene, cycle: u32, shares: [f64; 2]) -> Option<f64> {
+        let leaves = |share: f64| self.both.gauge(&load(scene, cycle, share)) > 1.0;
+        let [mut held, end] = shares;
+        // Between its turns the load is monotone, and what is held is convex.
+        let turns = TURNS.into_iter().filter(|turn| *turn > held && *turn < end);
+        let mut lost = turns.chain([end]).find(|share| leaves(*share))?;
+        loop {
+            let middle = 0.5 * (held + lost);
+            if middle <= held || middle >= lost {
+                return Some(scene.period * (f64::from(cycle) + lost));
+            }
+            if leaves(middle) {
+                lost = middle;
+            } else {
+                held = middle;
+            }
+        }
+    }
+
+    /// Moves the body to where the pads balance the load, which they hold; else the force that is left.
+    fn settle(&mut self, load: &Wrench<f64>) -> Result<[Grip; 2], f64> {
+        let stiffness: f64 = self.pads.iter().map(|pad| pad.bonds.stiffness()).sum();
+        let mut inverse = Matrix3::identity() / stiffness;
+        let mut moved = Vector3::zeros();
+        let mut here = self.trial(load, &moved);
         for _ in 0..MOST_ITERATIONS {
-            let steps = self
-                .pads
-                .each_ref()
-                .map(|pad| pad.bonds.step(&*pad.set, &pad.anchor, &pose));
-            let left = *load + steps[0].friction + steps[1].friction;
-            let size = left.force.norm().max(left.torque.abs() / self.lever);
-            if size <= BALANCED * self.limit {
-                for (pad, step) in self.pads.iter_mut().zip(&steps) {
+            let size = here.left.xy().norm().max(here.left.z.abs());
+            let place = here
+                .pose
+                .position
+                .norm()
+                .max(here.pose.angle.abs() * self.lever);
+            let rounded = (f64::EPSILON * stiffness * place).min(MOST_ROUNDED * self.limit);
+            if size <= (BALANCED * self.limit).max(rounded) {
+                for (pad, step) in self.pads.iter_mut().zip(&here.steps) {
                     pad.anchor = step.anchor;
                     self.heat += step.dissipated;
                 }
-                self.pose = pose;
-                return Some(steps.map(|step| step.grip));
+                self.pose = here.pose;
+                return Ok(here.steps.map(|step| step.grip));
             }
-            let force = left.force / sliding;
-            pose = pose.moved(&Displacement::new(force.x, force.y, left.torque / torsion));
+            let along = inverse * here.left;
+            let (length, there) = self.along(load, &moved, &along, here.left.dot(&along));
+            let (step, fall) = (along * length, here.left - there.left);
+            moved += step;
+            here = there;
+            // Broyden, Fletcher, Goldfarb and Shanno: the inverse of the stiffness that this step has met.
+            let work = step.dot(&fall);
+            if work > 0.0 {
+                let project = Matrix3::identity() - fall * step.transpose() / work;
+                inverse = project.transpose() * inverse * project + step * step.transpose() / work;
+            }
         }
-        None
+        Err(here.left.xy().norm().max(here.left.z.abs()))
+    }
+
+    /// The pads where the body has moved from its pose by a vector whose last component is its turn times the lever.
+    fn trial(&self, load: &Wrench<f64>, moved: &Vector3<f64>) -> Trial {
+        let by = Displacement::new(moved.x, moved.y, moved.z / self.lever);
+        let pose = self.pose.moved(&by);
+        let steps = self
+            .pads
+            .each_ref()
+            .map(|pad| pad.bonds.step(&*pad.set, &pad.anchor, &pose));
+        let left = *load + steps[0].friction + steps[1].friction;
+        let left = Vector3::new(left.force.x, left.force.y, left.torque / self.lever);
+        Trial { pose, steps, left }
+    }
+
+    /// A point along a line at which the force that is left along it has fallen to a share of `slope`, and how far
+    /// that is: it falls all the way, to zero at the least value.
+    fn along(
+        &self,
+        load: &Wrench<f64>,
+        from: &Vector3<f64>,
+        line: &Vector3<f64>,
+        slope: f64,
+    ) -> (f64, Trial) {
+        let (mut low, mut high, mut length) = (0.0, f64::INFINITY, 1.0);
+        let mut there = self.trial(load, &(from + line));
+        for _ in 0..MOST_TRIALS {
+            let left = there.left.dot(line);
+            if left.abs() <= FLATTER * slope {
+                break;
+            }
+            if left > 0.0 {
+                low = length;
+            } else {
+                high = length;
+            }
+            length = if high.is_finite() {
+                0.5 * (low + high)
+            } else {
+                FARTHER * length
+            };
+            there = self.trial(load, &(from + line * length));
+        }
+        (length, there)
     }
 
     fn row(&self, time: f64, load: &Wrench<f64>, grips: [Grip; 2]) -> [f64; CLAMP_COLUMNS.len()] {
@@ -265,8 +346,8 @@ impl ClampOutcome {
 }
 
 impl HeldScene for ClampScene {
-    fn follow(&self) -> Result<HeldRun, StickError> {
-        let result = run(self)?;
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError> {
+        let result = watched(self, watch)?;
         let outcome = &result.outcome;
         let ending = match outcome.release {
             Some(time) => format!("lets go at {time:.6} s"),
@@ -401,5 +482,59 @@ mod tests {
             );
             assert!(most <= 16.0 + 1e-9 && most > 15.9, "{most}");
         }
+    }
+
+    #[test]
+    fn pads_hold_what_both_carry_however_much_stiffer_one_is() {
+        // The first slips at 6 N, at next to no displacement; the second carries the rest.
+        for ratio in [1e-5, 2e3, 1e5] {
+            let scene = ClampScene {
+                stiffness_first: 1e4 * ratio,
+                force_amplitude: 15.9,
+                samples: 40,
+                ..ClampScene::default()
+            };
+            let [first, second] = [6.0 / scene.stiffness_first, 10.0 / scene.stiffness_second];
+            let (weak, strong) = if first < second {
+                (6.0, first)
+            } else {
+                (10.0, second)
+            };
+            let soft = if first < second { 1e4 } else { 1e4 * ratio };
+            let end = (15.9 - weak) / soft;
+            let outcome = run(&scene).unwrap().outcome;
+            assert_eq!(outcome.release, None, "{ratio}");
+            let loss = 4.0 * weak * (end - strong);
+            assert!(
+                (outcome.loss / loss - 1.0).abs() < 1e-7,
+                "{ratio}: {outcome:?} {loss}"
+            );
+            assert!(
+                (outcome.swing[1] / end - 1.0).abs() < 1e-7,
+                "{ratio}: {outcome:?} {end}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_load_that_leaves_between_two_rows_is_seen() {
+        // Rows at thirds of a cycle, where the sine is 0.87.
+        let scene = ClampScene {
+            force_amplitude: 17.0,
+            samples: 3,
+            ..ClampScene::default()
+        };
+        let release = run(&scene).unwrap().outcome.release.unwrap();
+        assert!(
+            (17.0 * (TAU * release).sin() - 16.0).abs() < 1e-9,
+            "{release}"
+        );
+    }
+
+    #[test]
+    fn a_run_ends_when_it_is_asked_to() {
+        let scene = ClampScene::default();
+        let ended = watched(&scene, &mut |share| share < 0.5);
+        assert!(matches!(ended, Err(StickError::Interrupted { time }) if time == 2.5));
     }
 }

@@ -32,6 +32,32 @@ pub enum StickError {
         /// Time reached, in s.
         time: f64,
     },
+    /// Under rate and state the body came to rest so closely that its speed is no number any more.
+    #[error(
+        "the speed falls below 1e-300 m/s at {time:e} s: rate and state cannot be followed to rest; \
+         raise `a`"
+    )]
+    TooSlow {
+        /// Time reached, in s.
+        time: f64,
+    },
+    /// The pads of a clamp hold the load, but their forces were not found.
+    #[error(
+        "the pads hold the load at {time:e} s, but the search for their balance stopped with {left:e} N left; \
+         their stiffnesses are too far apart, or the pads turn too far"
+    )]
+    Unbalanced {
+        /// Time of the load, in s.
+        time: f64,
+        /// Force that is left, in N.
+        left: f64,
+    },
+    /// Whoever asked for the run ended it.
+    #[error("interrupted at {time:e} s")]
+    Interrupted {
+        /// Time reached, in s.
+        time: f64,
+    },
     /// The run needs more steps than it may take.
     #[error("{steps} steps reach {time:e} s only; shorten the run or soften its scales")]
     TooManySteps {

@@ -22,8 +22,9 @@ pub struct HeldRun {
 
 /// The scene of a body that holds and slips.
 pub trait HeldScene: Body {
-    /// Runs the scene to its end.
-    fn follow(&self) -> Result<HeldRun, StickError>;
+    /// Runs the scene to its end. `watch` sees now and then the share of the time that is done, and ends the run by
+    /// answering false.
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError>;
 
     /// Unknowns, law and method, for `tribos explain`: head and text.
     fn carried(&self) -> Vec<(&'static str, String)>;
@@ -44,7 +45,7 @@ pub(crate) fn measured(
     scene: &impl HeldScene,
     watch: &mut dyn FnMut(),
 ) -> Result<Measurement, MeasureError> {
-    let run = scene.follow()?;
+    let run = scene.follow(&mut |_| true)?;
     watch();
     let summary = run.json(scene);
     let columns = run.columns;

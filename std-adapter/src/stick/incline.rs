@@ -266,7 +266,7 @@ impl InclineOutcome {
 }
 
 impl HeldScene for InclineScene {
-    fn follow(&self) -> Result<HeldRun, StickError> {
+    fn follow(&self, _: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError> {
         let result = run(self)?;
         let outcome = &result.outcome;
         let told = match outcome.release {

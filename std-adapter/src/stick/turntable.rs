@@ -75,6 +75,14 @@ pub struct TurntableRun {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run(scene: &TurntableScene) -> Result<TurntableRun, StickError> {
+    watched(scene, &mut |_| true)
+}
+
+/// The same; `watch` sees the share of the time that is done, and ends the run by answering false.
+fn watched(
+    scene: &TurntableScene,
+    watch: &mut dyn FnMut(f64) -> bool,
+) -> Result<TurntableRun, StickError> {
     scene.check()?;
     let table = Table::new(scene)?;
     let release = table.release();
@@ -87,7 +95,7 @@ pub fn run(scene: &TurntableScene) -> Result<TurntableRun, StickError> {
             None => state.time = until,
             Some(release) => {
                 state.time = state.time.max(release.time);
-                left = table.slide(&mut state, until)?;
+                left = table.slide(&mut state, until, watch)?;
             }
         }
         rows.push(table.row(&state));
@@ -135,6 +143,8 @@ struct Table<'a> {
 
 /// Halvings that exhaust the digits of a rate.
 const HALVINGS: u32 = 200;
+/// Steps between two looks at the watch.
+const BETWEEN: u64 = 1024;
 /// Doublings from 1 rad/s that reach every rate that a number can square.
 const DOUBLINGS: u32 = 500;
 
@@ -204,8 +214,19 @@ impl<'a> Table<'a> {
     }
 
     /// Slides on to a time, to the rim of the table at most; returns when it reached that.
-    fn slide(&self, state: &mut State, until: f64) -> Result<Option<f64>, StickError> {
+    fn slide(
+        &self,
+        state: &mut State,
+        until: f64,
+        watch: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<Option<f64>, StickError> {
+        let mut steps = 0_u64;
         while state.time < until {
+            steps += 1;
+            if steps.is_multiple_of(BETWEEN) && !watch(state.time / self.scene.duration) {
+                let time = state.time;
+                return Err(StickError::Interrupted { time });
+            }
             let step = self.scene.time_step.min(until - state.time);
             let before = state.clone();
             self.step(state, step)?;
@@ -325,8 +346,8 @@ impl TurntableOutcome {
 }
 
 impl HeldScene for TurntableScene {
-    fn follow(&self) -> Result<HeldRun, StickError> {
-        let result = run(self)?;
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError> {
+        let result = watched(self, watch)?;
         let outcome = &result.outcome;
         let mut told = Vec::new();
         match outcome.release {

@@ -2,7 +2,8 @@
 
 use super::kind::{Kind, told};
 use super::{Commands, Unfinished, at_once};
-use crate::command::explain::held as text;
+use crate::command::explain::{held as text, within};
+use crate::command::interrupt;
 use crate::command::run::held;
 use crate::command::run::order::Order;
 use crate::failure::Failure;
@@ -125,7 +126,7 @@ impl Commands for Held<'_> {
     }
 
     fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
-        let run = self.scene.follow()?;
+        let run = self.scene.follow(&mut |_| !interrupt::is_asked())?;
         let told = run.told.first();
         let told = told.map_or(String::new(), |(head, text)| format!("{head} {text}"));
         Ok((run.json(self.scene), told))
@@ -137,6 +138,9 @@ impl Commands for Held<'_> {
 
     fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
         at_once(out)?;
-        Ok(text::lines(&self.scene.follow()?.told))
+        Ok(match within(|go_on| self.scene.follow(go_on)) {
+            Ok(run) => text::lines(&run?.told),
+            Err(text) => text,
+        })
     }
 }

@@ -4,6 +4,7 @@ use super::kind::{Kind, told};
 use super::{Commands, Unfinished, at_once};
 use crate::command::digits::shown;
 use crate::command::explain::{after, slide as text};
+use crate::command::interrupt;
 use crate::command::run::order::Order;
 use crate::command::run::path;
 use crate::failure::Failure;
@@ -58,7 +59,8 @@ impl Commands for InPlane<'_> {
     }
 
     fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
-        let outcome = slide::run_path(self.scene)?.outcome;
+        let run = slide::follow_path(self.scene, &mut |_| !interrupt::is_asked())?;
+        let outcome = run.outcome;
         let [x, y] = outcome.arrival.point.position.map(shown);
         Ok((
             outcome.json(self.scene),

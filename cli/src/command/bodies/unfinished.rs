@@ -28,12 +28,18 @@ impl<E: Error + Into<Failure>> From<RunError<E>> for Unfinished {
 
 impl From<SlideError> for Unfinished {
     fn from(error: SlideError) -> Self {
+        if matches!(error, SlideError::Interrupted { .. }) {
+            return Self::Stopped(error.into());
+        }
         Self::Refused(error.into())
     }
 }
 
 impl From<StickError> for Unfinished {
     fn from(error: StickError) -> Self {
+        if matches!(error, StickError::Interrupted { .. }) {
+            return Self::Stopped(error.into());
+        }
         Self::Refused(error.into())
     }
 }

@@ -20,7 +20,8 @@ use crate::failure::Failure;
 ///
 /// A solution has both residuals at or below the tolerance: the natural map r - P(r - u~) over the largest of |q|, |r|
 /// and |u|, and the same in scaled unknowns; and normal speeds right to a hundred times it. A problem
-/// that is not solved leaves its best impulses, and the exit code is 4.
+/// that is not solved leaves its best impulses, and the exit code is 4; where no impulses can solve it, `insoluble` and
+/// its `certificate` in summary.json say so.
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 #[command(after_long_help = EXAMPLES)]

@@ -54,12 +54,25 @@ impl Row<'_> {
 
     /// What keeps the problem from being solved.
     pub fn lack(&self, tolerance: f64) -> String {
+        if let Some(certificate) = self.certificate() {
+            return certificate;
+        }
         let residual = &self.solved.solution.residual;
         let largest = residual.largest();
         if largest <= tolerance {
             return format!("normal speeds wrong by {:.1e}", residual.speed);
         }
         format!("residual {largest:.1e}")
+    }
+
+    /// Why nothing solves the problem, where that is proven.
+    fn certificate(&self) -> Option<String> {
+        let squeeze = self.solved.solution.squeeze.as_ref()?;
+        Some(format!(
+            "insoluble: {} contacts close at {:.3e} in the weighted mean, whatever the impulses",
+            squeeze.contacts(),
+            squeeze.closing
+        ))
     }
 
     /// summary.json and reactions.csv.
@@ -77,6 +90,7 @@ impl Row<'_> {
             "contacts": self.contacts(),
             "converged": solution.ending == Ending::Converged,
             "ending": solution.ending.name(),
+            "certificate": self.certificate(),
             "method": solution.method.name(),
             "residual": json_number(solution.residual.relative),
             "residual_scaled": json_number(solution.residual.scaled),

@@ -49,7 +49,7 @@ impl Solve {
             ..Settings::default()
         };
         crate::command::print(&heading())?;
-        let mut left = Vec::new();
+        let (mut left, mut can_help) = (Vec::new(), false);
         for (folder, posed) in folders.iter().zip(&problems) {
             let solved = posed.solve(&settings);
             let row = Row {
@@ -60,6 +60,7 @@ impl Solve {
                 write(folder, &row, self.tolerance)?;
             }
             crate::command::print(&row.line())?;
+            can_help |= matches!(solved.solution.ending, Ending::Stalled | Ending::OutOfWork);
             if solved.solution.ending != Ending::Converged {
                 left.push(format!(
                     "{} ({})",
@@ -74,8 +75,13 @@ impl Solve {
         if left.is_empty() {
             return Ok(());
         }
+        let cure = if can_help {
+            "; try another --method, or a larger --tolerance (rounding allows about 1e-14)"
+        } else {
+            ""
+        };
         Err(Failure::Unsolved(format!(
-            "not solved to {:e}: {}\n  The best impulses are kept; try another --method, or a larger --tolerance (rounding allows about 1e-14).",
+            "not solved to {:e}: {}\n  The best impulses are kept{cure}.",
             self.tolerance,
             left.join(", ")
         )))

@@ -119,5 +119,5 @@ fn price(cost: &EvaluationCost, with: &str) -> String {
             NANO * cost.seconds,
             cost.seconds / cost.table_seconds
         ),
-    ) + &line("", "the whole run takes less than a second")
+    )
 }

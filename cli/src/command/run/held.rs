@@ -11,7 +11,14 @@ use tribos_report::figure::{Axis, Figure, Series};
 
 /// Runs the scene and writes its results into the folder.
 pub fn run(scene: &dyn HeldScene, order: &Order<'_>) -> Result<(), Failure> {
-    let result = scene.follow()?;
+    order.caller.watch()?;
+    let mut meter = order.caller.meter();
+    let result = scene.follow(&mut |done| {
+        if meter.is_due(done) {
+            meter.tell(done, format_args!("holding and slipping"));
+        }
+        !order.caller.is_asked()
+    })?;
     let folder = order.begin(scene.json(), files::HELD)?;
     let rows = result.rows.iter().map(Vec::as_slice);
     write_series(&order.out.join("series.csv"), result.columns, rows)?;

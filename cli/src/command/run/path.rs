@@ -6,13 +6,20 @@ use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::record::write_series;
 use tribos::slide::planar::Ending;
-use tribos::slide::{PATH_COLUMNS, PathRun, PlanarScene, run_path};
+use tribos::slide::{PATH_COLUMNS, PathRun, PlanarScene, follow_path};
 use tribos_report::figure::{Axis, Figure, Series};
 
 /// Runs the scene and writes its results into the folder.
 pub fn run(scene: &dyn PlanarScene, order: &Order<'_>) -> Result<(), Failure> {
     let out = order.out;
-    let result = run_path(scene)?;
+    order.caller.watch()?;
+    let mut meter = order.caller.meter();
+    let result = follow_path(scene, &mut |done| {
+        if meter.is_due(done) {
+            meter.tell(done, format_args!("sliding"));
+        }
+        !order.caller.is_asked()
+    })?;
     let folder = order.begin(scene.json(), files::PATH)?;
     let rows = result
         .series

@@ -100,17 +100,23 @@ impl Table {
     /// For the terminal.
     pub fn text(&self) -> String {
         let mut text = String::new();
-        for name in &self.names {
-            text += &format!("{name:>14}");
+        let width = |at: usize, name: &String| {
+            let values = self.rows.iter().map(|row| row.values[at].chars().count());
+            values.fold(name.chars().count().max(12), usize::max)
+        };
+        let names = self.names.iter().enumerate();
+        let widths: Vec<usize> = names.map(|(at, name)| width(at, name)).collect();
+        for (name, width) in self.names.iter().zip(&widths) {
+            text += &format!("  {name:>width$}");
         }
-        text += &format!("{:>14}", self.kind.share[0]);
+        text += &format!("  {:>12}", self.kind.share[0]);
         for column in self.kind.told {
-            text += &format!("{:>24}", column.head);
+            text += &format!("  {:>22}", column.head);
         }
         text.push('\n');
         for row in &self.rows {
-            for value in &row.values {
-                text += &format!("{value:>14}");
+            for (value, width) in row.values.iter().zip(&widths) {
+                text += &format!("  {value:>width$}");
             }
             if row.runs == 0 {
                 let reason = row.reason.as_deref().unwrap_or_default();
@@ -118,7 +124,7 @@ impl Table {
                 continue;
             }
             let share = (row.share * row.runs as f64).round();
-            text += &format!("{:>14}", format!("{share}/{}", row.runs));
+            text += &format!("  {:>12}", format!("{share}/{}", row.runs));
             for column in self.kind.told {
                 let (mean, deviation) = row.means[column.quantity];
                 let [mean, deviation] = [mean, deviation].map(|x| column.factor * x);
@@ -127,7 +133,7 @@ impl Table {
                 } else {
                     format!("{} ± {}", shown(mean), shown(deviation))
                 };
-                text += &format!("{cell:>24}");
+                text += &format!("  {cell:>22}");
             }
             if let Some(reason) = &row.reason {
                 let all = row.runs + row.refused;

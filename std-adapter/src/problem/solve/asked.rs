@@ -1,6 +1,7 @@
 //! What is asked of a solver, and what it answers.
 
 use super::super::residual::Residual;
+use super::super::squeeze::Squeeze;
 
 /// A method for a contact problem.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -80,6 +81,8 @@ pub enum Ending {
     Stalled,
     /// The work allowed was spent.
     OutOfWork,
+    /// The problem has no solution: [`Solution::squeeze`] is the proof.
+    Insoluble,
 }
 
 impl Ending {
@@ -90,6 +93,7 @@ impl Ending {
             Self::Converged => "converged",
             Self::Stalled => "stalled",
             Self::OutOfWork => "out of work",
+            Self::Insoluble => "insoluble",
         }
     }
 }
@@ -118,6 +122,8 @@ pub struct Solution {
     pub residual: Residual,
     /// Why the solver ended.
     pub ending: Ending,
+    /// Proof that there is no solution, where one was found.
+    pub squeeze: Option<Squeeze>,
     /// The method that found them.
     pub method: Method,
     /// Sweeps made.

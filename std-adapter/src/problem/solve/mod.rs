@@ -12,6 +12,7 @@ mod natural;
 mod newton;
 mod policy;
 mod prepared;
+mod proof;
 mod proximal;
 mod scaling;
 mod sweeps;

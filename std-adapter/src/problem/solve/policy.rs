@@ -2,11 +2,13 @@
 
 use super::super::reduced::Reduced;
 use super::super::residual::{Residual, residual};
+use super::super::squeeze::Squeeze;
 use super::asked::{Ending, Method, Progress, Settings, Solution};
 use super::gradient::Gradient;
 use super::interior::Interior;
 use super::newton::{Effort, Near, newton};
 use super::prepared::Prepared;
+use super::proof::squeeze;
 use super::proximal::proximal;
 use super::sweeps::Sweeps;
 use super::system::System;
@@ -41,8 +43,9 @@ const ROUNDS: usize = 10;
 
 /// Solves a contact problem. `watch` sees the work and the residual as they go.
 ///
-/// The answer is the same on every machine. A problem without a solution ends as [`Ending::Stalled`] or
-/// [`Ending::OutOfWork`], with the best point found.
+/// The answer is the same on every machine. A problem that is not solved ends with the best point found: as
+/// [`Ending::Insoluble`] where it is proven that nothing solves it, else as [`Ending::Stalled`] or
+/// [`Ending::OutOfWork`].
 ///
 /// [`Reduced`] has an example.
 #[must_use]
@@ -50,6 +53,7 @@ pub fn solve(problem: &Reduced, settings: &Settings, watch: impl FnMut(&Progress
     let prepared = Prepared::new(problem);
     let mut run = Run::new(problem, settings, &prepared, watch);
     let factorisations = run.all();
+    run.prove();
     run.end(factorisations)
 }
 
@@ -92,6 +96,9 @@ struct Run<'a, W> {
     sweeps: usize,
     factorisations: usize,
     method: Method,
+    /// Whether a proof that there is no solution was looked for, and what was found.
+    is_searched: bool,
+    squeeze: Option<Squeeze>,
     /// Scaled residual that the methods aim at: it falls below the tolerance where the plain one is larger.
     goal: f64,
 }
@@ -109,6 +116,8 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             sweeps: 0,
             factorisations: 0,
             method: settings.method,
+            is_searched: false,
+            squeeze: None,
             goal: settings.tolerance,
         }
     }
@@ -117,6 +126,8 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         let settings = self.settings;
         let ending = if self.judged.meets(settings.tolerance) {
             Ending::Converged
+        } else if self.squeeze.is_some() {
+            Ending::Insoluble
         } else if self.sweeps >= settings.most_sweeps
             || factorisations >= settings.most_factorisations
         {
@@ -129,6 +140,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             impulses: self.best,
             residual: self.judged,
             ending,
+            squeeze: self.squeeze,
             method: self.method,
             sweeps: self.sweeps,
             factorisations,
@@ -167,13 +179,30 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         let mut system = system.unwrap_or_else(|| System::new(self.prepared));
         let solved = (asked != Method::Proximal && self.interior(&mut system))
             || (asked != Method::Interior && self.proximal(&mut system, &sweeps.r));
-        if !solved && asked == Method::Automatic {
+        if !solved && asked == Method::Automatic && !self.prove() {
             // Slow, but some problems yield to nothing else: unsymmetric ones to gradients alone.
             if !self.alternate(&mut system) && !self.sweep_on(&mut sweeps) {
                 self.gradient(vec![0.0; self.prepared.q.len()]);
             }
         }
         system.factorisations
+    }
+
+    /// Looks once for a proof that a problem that is not solved has no solution. Tells whether there is one.
+    fn prove(&mut self) -> bool {
+        let tolerance = self.settings.tolerance;
+        if !self.is_searched && !self.judged.meets(tolerance) {
+            self.is_searched = true;
+            // Methods without factorisations may be asked for because these are too dear.
+            let most_cost = match self.settings.method {
+                Method::Sweeps | Method::Gradient => {
+                    self.sweeps as f64 * Sweeps::cost(self.prepared)
+                }
+                Method::Automatic | Method::Interior | Method::Proximal => f64::INFINITY,
+            };
+            self.squeeze = squeeze(self.problem, tolerance, most_cost);
+        }
+        self.squeeze.is_some()
     }
 
     /// Sweeps and proximal points in turn from the best point: packings with weak friction stall under each alone.
@@ -213,7 +242,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         let judged = residual(self.problem, &impulses);
         let meets = judged.meets(self.settings.tolerance);
         self.tell(method, judged.largest());
-        if meets || judged.largest() < self.judged.largest() || self.judged.largest().is_nan() {
+        if meets || judged.worst() < self.judged.worst() || self.judged.worst().is_nan() {
             self.best = impulses;
             self.judged = judged;
             self.method = method;

@@ -175,10 +175,17 @@ impl<'a, B: Resistance> Journey<'a, B> {
 
     /// Like [`Journey::to_end`]; `observe` receives the launch, the given times, which must ascend,
     /// intermediate points wherever the path has turned by 15 degrees, and the end.
-    pub fn follow(
+    pub fn follow(self, times: &[f64], observe: impl FnMut(&Point)) -> Result<Arrival, SlideError> {
+        self.watched(times, observe, &mut |_| true)
+    }
+
+    /// The same; `watch` sees the share of the e-folds that is done, roughly that of the steps, and ends the
+    /// motion by answering false.
+    pub(in crate::slide) fn watched(
         mut self,
         times: &[f64],
         mut observe: impl FnMut(&Point),
+        watch: &mut dyn FnMut(f64) -> bool,
     ) -> Result<Arrival, SlideError> {
         let mut times = times.iter().copied().peekable();
         let mut shown = self.state;
@@ -190,6 +197,9 @@ impl<'a, B: Resistance> Journey<'a, B> {
         let mut steps = 0;
         while !self.is_over() {
             let from = self.state;
+            if !watch((from[9] / ends::FOLDS).min(1.0)) {
+                return Err(SlideError::Interrupted { steps });
+            }
             let taken = self.step(&mut size, &mut steps)?;
             let taken = self.cut_at_fading(&from, taken);
             while let Some(time) = times.next_if(|&time| time < self.state[3]) {

@@ -50,6 +50,10 @@ enum Phase {
 
 /// Phase of the oscillation, in rad, within which an instant counts as now: its rounding.
 const NOW: f64 = 1e-9;
+/// Shares of the swing of the force and of what friction holds, beyond which a force exceeds what friction holds: its
+/// rounding over as many pieces as an arc may have. Without friction in motion a body stops where it began.
+const ROUNDED: f64 = 1e-9;
+const MOST_ROUNDED: f64 = 1e-6;
 /// Newton steps from above on a convex function; some ten are taken.
 const MOST_CORRECTIONS: u32 = 100;
 /// Doublings until the force exceeds what the age has brought.
@@ -84,8 +88,8 @@ impl DryMotion {
             return f64::INFINITY;
         }
         let force = self.force() * speed.signum();
-        // Contacts that do not grow stronger.
-        let young = (self.limit(age) - force) / rate;
+        // Contacts that do not grow stronger; a force that rounding puts beyond the limit lets go at once.
+        let young = ((self.limit(age) - force) / rate).max(0.0);
         let strengthens = self.block.mu_static.rate(Age { time: age + young }) > 0.0;
         if !strengthens {
             return young;
@@ -163,7 +167,7 @@ impl DryMotion {
         };
         self.phase = match stops {
             false => slides_on,
-            true if self.force().abs() <= self.limit(0.0) => Phase::Sticks { age: 0.0 },
+            true if self.holds_after(&arc) => Phase::Sticks { age: 0.0 },
             // The spring pulls it back at once.
             true => Phase::Slips {
                 velocity: 0.0,
@@ -173,6 +177,13 @@ impl DryMotion {
         let impulse = self.block.mass * (after - velocity) + friction * step;
         self.advance(step, speed);
         impulse
+    }
+
+    /// Whether friction holds the force at the end of an arc, up to its rounding.
+    fn holds_after(&self, arc: &Arc) -> bool {
+        let limit = self.limit(0.0);
+        let swing = self.block.stiffness * (arc.cosine.abs() + arc.sine.abs() + arc.drift.abs());
+        self.force().abs() - limit <= (ROUNDED * swing).min(MOST_ROUNDED * limit)
     }
 }
 
@@ -194,7 +205,15 @@ impl Arc {
             return f64::INFINITY;
         }
         let half = libm::atan2(Real::sqrt(square), -self.drift);
-        later(sign * half - lead)
+        let phase = (sign * half - lead).rem_euclid(TAU);
+        let slows_down = sign * self.cosine > 0.0;
+        match phase {
+            // It has just been released.
+            now if now <= NOW && !slows_down => now + TAU,
+            // The body stops now, and rounding says before.
+            now if now >= TAU - NOW && slows_down => 0.0,
+            ahead => ahead,
+        }
     }
 
     /// Phase at which the body is as fast as the end of the spring: an extremum of the force.
@@ -203,12 +222,6 @@ impl Arc {
         let phase = (FRAC_PI_2 - lead).rem_euclid(PI);
         if phase > NOW { phase } else { phase + PI }
     }
-}
-
-/// The phase in (0, 2π] that is the same angle, and not now.
-fn later(phase: f64) -> f64 {
-    let phase = phase.rem_euclid(TAU);
-    if phase > NOW { phase } else { phase + TAU }
 }
 
 impl Follower for DryMotion {

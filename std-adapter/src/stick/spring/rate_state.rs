@@ -30,6 +30,8 @@ pub enum AgeLaw {
 #[derive(Debug)]
 pub(super) struct RateStateMotion {
     law: RateState<f64, Dieterich>,
+    /// The law without its viscous term: for a small `a` a difference of slopes would lose T.
+    dry: RateState<f64, Dieterich>,
     ages: AgeLaw,
     mass: f64,
     stiffness: f64,
@@ -46,13 +48,16 @@ pub(super) struct RateStateMotion {
 
 /// Speed, in speeds of the pull, from which a motion without inertia counts as running away.
 const RUNAWAY: f64 = 1e9;
+/// Speed, in m/s, below which rest cannot be told from numbers that underflow: v falls as e^(−Δμ/a), to nothing where
+/// `a` is a few ten-thousandths.
+const SLOWEST: f64 = 1e-300;
 /// Share of the shortest time scale that the first step takes.
 const FIRST: f64 = 1e-3;
 
 impl RateStateMotion {
-    /// Sliding steadily with `start`, under a pull with `speed`.
+    /// Sliding steadily with `start`, under a pull with `speed`; under a law, and the same without its viscous term.
     pub fn new(
-        law: RateState<f64, Dieterich>,
+        [law, dry]: [RateState<f64, Dieterich>; 2],
         ages: AgeLaw,
         [mass, stiffness, load]: [f64; 3],
         [speed, start]: [f64; 2],
@@ -65,6 +70,7 @@ impl RateStateMotion {
         let first = FIRST * p.slip_distance / start.max(speed);
         Self {
             law,
+            dry,
             ages,
             mass,
             stiffness,
@@ -118,7 +124,7 @@ impl RateStateMotion {
     fn regularised(&self, w: f64, phi: f64) -> [f64; 3] {
         let p = self.law.parameters();
         let speed = self.speed_of(w);
-        let slope = self.law.slope(speed, self.age_of(phi)) - p.viscous;
+        let slope = self.dry.slope(speed, self.age_of(phi));
         [speed, slope * speed / p.a, p.viscous * speed]
     }
 }
@@ -244,6 +250,9 @@ impl Follower for RateStateMotion {
         let mut pace = self.pace.clone();
         let lost = StickError::NotFinite { time: self.time };
         let (end, step) = self.next(&mut pace, speed, left).ok_or(lost)?;
+        if self.speed_of(end[0]) < SLOWEST {
+            return Err(StickError::TooSlow { time: self.time });
+        }
         if self.mass > 0.0 && end[2] < 0.0 {
             return Err(StickError::Backwards { time: self.time });
         }

@@ -11,7 +11,7 @@ use super::tally::Tally;
 use crate::friction::Law;
 use crate::scene::{SpringFriction, SpringScene};
 use crate::stick::{HeldRun, HeldScene, StickError};
-use tribos_core::law::{Ageing, LocalLaw, LuGre, RateState};
+use tribos_core::law::{Ageing, LocalLaw, LuGre, RateState, RateStateParameters};
 
 /// Columns of the series: s, m, m, m/s, N, N, s or m, 0 or 1.
 pub const SPRING_COLUMNS: [&str; 8] = [
@@ -25,8 +25,9 @@ pub const SPRING_COLUMNS: [&str; 8] = [
     "slips",
 ];
 
-/// Most steps of a run.
+/// Most steps of a run, and steps between two looks at the watch.
 const MOST_STEPS: u64 = 20_000_000;
+const BETWEEN: u64 = 1024;
 
 /// Series and summary of a run.
 ///
@@ -62,9 +63,17 @@ pub struct SpringRun {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run(scene: &SpringScene) -> Result<SpringRun, StickError> {
+    watched(scene, &mut |_| true)
+}
+
+/// The same; `watch` sees the share of the time that is done, and ends the run by answering false.
+fn watched(
+    scene: &SpringScene,
+    watch: &mut dyn FnMut(f64) -> bool,
+) -> Result<SpringRun, StickError> {
     scene.check()?;
     let mut body = follower(scene)?;
-    let mut course = Course::new(scene, &*body);
+    let mut course = Course::new(scene, &*body, watch);
     for piece in pieces(scene) {
         course.follow(&mut *body, &piece)?;
         if course.ran_away {
@@ -100,11 +109,17 @@ fn follower(scene: &SpringScene) -> Result<Box<dyn Follower>, StickError> {
             },
         },
         SpringFriction::RateState => {
-            let law = RateState::new(scene.rate_state())?;
+            let parameters = scene.rate_state();
+            let viscous = 0.0;
+            let dry = RateStateParameters {
+                viscous,
+                ..parameters
+            };
+            let laws = [RateState::new(parameters)?, RateState::new(dry)?];
             let masses = [mass, stiffness, load];
             let speeds = [speed, scene.start()];
             let ages = scene.evolution;
-            Box::new(RateStateMotion::new(law, ages, masses, speeds, tolerance))
+            Box::new(RateStateMotion::new(laws, ages, masses, speeds, tolerance))
         }
         SpringFriction::Bristles => {
             let law = LuGre::new(scene.lugre())?;
@@ -157,6 +172,9 @@ fn pieces(scene: &SpringScene) -> Vec<Piece> {
 /// A run on its way.
 struct Course<'a> {
     scene: &'a SpringScene,
+    watch: &'a mut dyn FnMut(f64) -> bool,
+    /// Time of all pulls and holds.
+    duration: f64,
     moments: Vec<Moment>,
     /// Of the whole run; of the third and the last quarter of the last pull.
     whole: Tally,
@@ -171,11 +189,17 @@ struct Course<'a> {
 }
 
 impl<'a> Course<'a> {
-    fn new(scene: &'a SpringScene, body: &dyn Follower) -> Self {
+    fn new(
+        scene: &'a SpringScene,
+        body: &dyn Follower,
+        watch: &'a mut dyn FnMut(f64) -> bool,
+    ) -> Self {
         let tally = Tally::new(scene.pull_speed, body.holds_exactly());
         let first = body.moment();
         Self {
             scene,
+            watch,
+            duration: pieces(scene).iter().map(|piece| piece.duration).sum(),
             moments: vec![first],
             whole: tally.clone(),
             quarters: [tally.clone(), tally],
@@ -248,9 +272,12 @@ impl<'a> Course<'a> {
                 self.ran_away = true;
                 return Ok(());
             }
-            if self.steps > MOST_STEPS {
-                let (steps, time) = (self.steps, after.time);
+            let (steps, time) = (self.steps, after.time);
+            if steps > MOST_STEPS {
                 return Err(StickError::TooManySteps { steps, time });
+            }
+            if steps.is_multiple_of(BETWEEN) && !(self.watch)(time / self.duration) {
+                return Err(StickError::Interrupted { time });
             }
             before = after;
         }
@@ -344,8 +371,8 @@ impl Moment {
 }
 
 impl HeldScene for SpringScene {
-    fn follow(&self) -> Result<HeldRun, StickError> {
-        let result = run(self)?;
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError> {
+        let result = watched(self, watch)?;
         let outcome = &result.outcome;
         let mut told = vec![
             ("regime", outcome.regime.to_string()),

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::scene::{SpringFriction, SpringScene};
+use crate::stick::StickError;
 use std::f64::consts::PI;
 
 /// ΔF, ω and the closed form of the period: rest 2ΔF/(kV), slip (2/ω)(π − atan(ωΔF/(kV))).
@@ -109,6 +110,46 @@ fn equal_coefficients_leave_an_oscillation_about_the_dynamic_friction() {
     );
     assert!((outcome.least_force - 0.3 * 9.81 + swing).abs() < 1e-9);
     assert!((outcome.most_speed / scene.pull_speed - 2.0).abs() < 0.01);
+}
+
+#[test]
+fn without_friction_in_motion_the_series_does_not_decide_whether_a_body_holds() {
+    // It stops where the spring presses with what friction holds, and stays: ΔF is all of it.
+    for samples in [10, 50, 100, 333, 500, 2000, 20_000] {
+        let scene = SpringScene {
+            mu_dynamic: 0.0,
+            samples,
+            ..SpringScene::default()
+        };
+        let [_, _, period] = closed_form(&scene);
+        let outcome = run(&scene).unwrap().outcome;
+        assert_eq!(outcome.regime, Regime::StickSlip, "{samples}");
+        let found = outcome.period.unwrap();
+        assert!(
+            (found / period - 1.0).abs() < 1e-9,
+            "{samples}: {found} {period}"
+        );
+    }
+}
+
+#[test]
+fn a_body_stops_however_slowly_it_is_pulled() {
+    // The spring force is extremal within 1e-9 of an oscillation before the body stops.
+    for pull_speed in [1e-9, 1e-10, 1e-12] {
+        let scene = SpringScene {
+            pull_speed,
+            pull_time: 0.4 / pull_speed,
+            ..SpringScene::default()
+        };
+        let [_, _, period] = closed_form(&scene);
+        let outcome = run(&scene).unwrap().outcome;
+        assert_eq!(outcome.regime, Regime::StickSlip, "{pull_speed}");
+        let found = outcome.period.unwrap();
+        assert!(
+            (found / period - 1.0).abs() < 1e-9,
+            "{pull_speed}: {found} {period}"
+        );
+    }
 }
 
 #[test]
@@ -266,6 +307,22 @@ fn without_mass_and_viscous_term_a_soft_spring_ends_in_a_run_that_says_so() {
     assert_eq!(outcome.regime, Regime::Creeps);
     // mu_0 at V_0.
     assert!((outcome.mean_force / 3.5 - 1.0).abs() < 1e-5, "{outcome:?}");
+}
+
+#[test]
+fn a_direct_effect_too_small_to_follow_is_told() {
+    for a in [1e-4, 1e-10, 1e-30] {
+        let scene = SpringScene {
+            a,
+            viscous: 20.0,
+            ..paper()
+        };
+        let ended = run(&scene);
+        assert!(
+            matches!(ended, Err(StickError::TooSlow { .. })),
+            "{a}: {ended:?}"
+        );
+    }
 }
 
 #[test]

@@ -1,7 +1,8 @@
-//! A sliding body: run here and now, which takes a moment.
+//! A sliding body: run here and now, for a moment at most if it is one in the plane.
 
-use crate::command::explain::line;
+use crate::command::explain::{line, takes, within};
 use crate::failure::Failure;
+use std::time::Instant;
 use tribos::scene::SliderScene;
 use tribos::slide::{self, PlanarScene, Spent};
 
@@ -10,7 +11,9 @@ const LITTLE: f64 = 0.01;
 
 /// A disk on its straight path.
 pub fn disk(scene: &SliderScene) -> Result<String, Failure> {
+    let begun = Instant::now();
     let spent = slide::run(scene, |_| ())?.spent(scene);
+    let time = takes(begun.elapsed());
     let idle = if spent.spinning_share() < LITTLE && scene.spin != 0.0 {
         line(
             "could go",
@@ -19,15 +22,20 @@ pub fn disk(scene: &SliderScene) -> Result<String, Failure> {
     } else {
         String::new()
     };
-    Ok(account(&spent) + &idle)
+    Ok(account(&spent) + &time + &idle)
 }
 
 /// A body in the plane.
 pub fn planar(scene: &dyn PlanarScene) -> Result<String, Failure> {
-    let run = slide::run_path(scene)?;
+    let begun = Instant::now();
+    let run = match within(|go_on| slide::follow_path(scene, go_on)) {
+        Ok(run) => run?,
+        Err(text) => return Ok(text),
+    };
+    let time = takes(begun.elapsed());
     let [along, aside] = run.outcome.arrival.point.position;
     let bend = (aside / along).abs();
-    let mut text = account(&run.spent());
+    let mut text = account(&run.spent()) + &time;
     text += &line(
         "path",
         format!(

@@ -5,7 +5,7 @@ use tribos_core::Real;
 use tribos_core::internals::runge_kutta;
 
 /// No motion has ended before the speed has fallen by this many e-folds: e⁻⁴⁰ = 4e-18.
-const FOLDS: f64 = 40.0;
+pub(super) const FOLDS: f64 = 40.0;
 /// Largest relative contribution of a further e-fold of the speed to path or angle at their end.
 const REACHED: f64 = 4e-18;
 /// e-folds of the remaining time granted to the velocity ratio to reach its limit.
