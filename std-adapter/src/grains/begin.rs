@@ -6,7 +6,7 @@ use super::placement::{self, Start};
 use crate::cd::Wall;
 use crate::measure::AssemblyError;
 use crate::packing::{Frozen, Kinds, deepest, given};
-use crate::scene::{ContactMethod, Container, Ends, GrainsScene, Sides};
+use crate::scene::{Axis, ContactMethod, Container, Ends, GrainsScene, Sides};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -104,7 +104,7 @@ fn check_inside(
     // Soft grains may reach as far into a wall as into each other.
     let beyond = deepest(scene.method);
     let is_shut = |part: &&Part| part.face != Face::Lid || scene.opening > 0.0;
-    let is_side = |part: &&Part| matches!(part.face, Face::Side(..));
+    let is_side = |part: &&Part| matches!(part.face, Face::Side(Axis::X | Axis::Y, _));
     let inner: Vec<Wall> = layout
         .parts
         .iter()

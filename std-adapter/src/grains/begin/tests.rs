@@ -162,11 +162,15 @@ fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
         let place = run.with_snapshot(|now| now.positions[0]);
         assert_eq!([place.x, place.z], [x, z]);
     }
-    // Across a plate, and beyond the drum.
+    // Across a plate, in the floor, and beyond the drum.
     let refusal = |scene: &GrainsScene| {
         Grains::new(scene).map_or_else(|error| error.to_string(), |_| "taken".into())
     };
-    for (scene, x, z) in [(&hopper, 0.05, 0.11), (&drum, 0.01, 0.01)] {
+    for (scene, x, z) in [
+        (&hopper, 0.05, 0.11),
+        (&hopper, 0.08, 0.001),
+        (&drum, 0.01, 0.01),
+    ] {
         write(x, z)?;
         let refused = refusal(scene);
         let container = scene.container;
