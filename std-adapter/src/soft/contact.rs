@@ -203,7 +203,11 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         Passage {
             gaps: [from, gap],
             push: self.push(law),
-            pull: if self.in_range { law.pull(self.gap) } else { 0.0 },
+            pull: if self.in_range {
+                law.pull(self.gap)
+            } else {
+                0.0
+            },
             opening,
             mass: self.shares.mass,
             lever,

@@ -54,7 +54,11 @@ impl Passage {
     /// Part of the step within a gap, if exactly one of its ends is.
     fn part_within(&self, gap: f64) -> f64 {
         let [start, end] = self.gaps;
-        let (inner, outer) = if end < start { (end, start) } else { (start, end) };
+        let (inner, outer) = if end < start {
+            (end, start)
+        } else {
+            (start, end)
+        };
         let way = outer - inner;
         if way > 0.0 { (gap - inner) / way } else { 1.0 }
     }

@@ -252,7 +252,10 @@ impl<F: ContactFriction<f64>> World<F> {
         self.at_walls.clear();
         self.at_walls.resize(self.state.walls.len(), 0);
         let [pairs, walls] = &self.state.contacts;
-        for (contact, load) in pairs.iter().filter_map(|contact| Some((contact, of(contact)?))) {
+        for (contact, load) in pairs
+            .iter()
+            .filter_map(|contact| Some((contact, of(contact)?)))
+        {
             let [i, j] = contact.bodies.map(|body| body as usize);
             let (force, couple) = (load.linear(&contact.normal), load.angular(&contact.normal));
             let turn = contact.normal.cross(&force);
@@ -264,7 +267,10 @@ impl<F: ContactFriction<f64>> World<F> {
             self.loads[j][1] -= turn * (share * radii[j]) - couple;
             deepest = deepest.max(-contact.gap);
         }
-        for (contact, load) in walls.iter().filter_map(|contact| Some((contact, of(contact)?))) {
+        for (contact, load) in walls
+            .iter()
+            .filter_map(|contact| Some((contact, of(contact)?)))
+        {
             let [i, w] = contact.bodies.map(|body| body as usize);
             let (force, couple) = (load.linear(&contact.normal), load.angular(&contact.normal));
             self.loads[i][0] -= force;

@@ -327,7 +327,11 @@ impl<'a> Table<'a> {
         // with it.
         let [mass, inertia] = [self.body.mass(), self.body.inertia()];
         let gained = (before.velocity - after.velocity) * (mass / step);
-        let push = Wrench::new(gained.x, gained.y, (before.spin - after.spin) * (inertia / step));
+        let push = Wrench::new(
+            gained.x,
+            gained.y,
+            (before.spin - after.spin) * (inertia / step),
+        );
         let slip = turned(&difference(&state.twist, &before), -angle);
         let push = turned_wrench(&push, -angle);
         let friction = self.body.step(&*self.in_motion, &slip, &push, dt).friction;
@@ -366,9 +370,14 @@ impl<'a> Table<'a> {
             }
             Some(state) => {
                 let slip = difference(&state.twist, &self.under(time, &state.place));
-                let [place, velocity] =
-                    [state.place, slip.velocity].map(|v| rotated(v, -turned));
-                (place, velocity, slip.spin, state.angle - turned, state.place)
+                let [place, velocity] = [state.place, slip.velocity].map(|v| rotated(v, -turned));
+                (
+                    place,
+                    velocity,
+                    slip.spin,
+                    state.angle - turned,
+                    state.place,
+                )
             }
         };
         [
@@ -616,7 +625,10 @@ mod tests {
                 ..quick.clone()
             };
             let left = run(&scene).unwrap().outcome.left.unwrap();
-            assert!((left - expected).abs() < 1e-5, "{time_step}: {left} {expected}");
+            assert!(
+                (left - expected).abs() < 1e-5,
+                "{time_step}: {left} {expected}"
+            );
         }
     }
 

@@ -124,8 +124,7 @@ fn small() -> Result<Setup<LennardJones>, Error> {
 #[test]
 fn nose_hoover_keeps_the_mean_temperature_of_few_atoms_that_nothing_holds() -> Result<(), Error> {
     let mut setup = small()?;
-    setup.groups[0].thermostat =
-        Thermostat::NoseHoover(NoseHoover::new(0.7, 0.5, Spin::Counts)?);
+    setup.groups[0].thermostat = Thermostat::NoseHoover(NoseHoover::new(0.7, 0.5, Spin::Counts)?);
     let mut system = System::new(setup)?;
     let (mut sum, mut count) = (0.0, 0.0);
     for step in 0..24_000 {
@@ -151,7 +150,10 @@ fn momentum_is_no_heat_where_nothing_changes_it() -> Result<(), Error> {
     assert_eq!(freedoms(&|_| ())?, 93.0);
     let bath = Thermostat::NoseHoover(NoseHoover::new(0.7, 0.5, Spin::Counts)?);
     assert_eq!(freedoms(&|setup| setup.groups[0].thermostat = bath)?, 93.0);
-    assert_eq!(freedoms(&|setup| setup.groups[0].frame = Frame::Mean)?, 93.0);
+    assert_eq!(
+        freedoms(&|setup| setup.groups[0].frame = Frame::Mean)?,
+        93.0
+    );
     assert_eq!(freedoms(&|setup| setup.groups[0].hold = Hold::Plane)?, 62.0);
     // Noise, a load and other groups change it.
     let noise = Thermostat::Langevin(Langevin::new(0.7, 1.0)?);

@@ -33,11 +33,11 @@ fn run<F: ContactFriction<f64>>(world: &mut World<F>, end: f64) {
 /// Speed after, deepest overlap and duration of a head-on impact of two equal spheres that start at a gap.
 fn impact(setup: Setup<Smooth>, speed: f64, gap: f64) -> [f64; 3] {
     let x = Vector3::x();
-    let mut world = world(
-        setup
-            .sphere(Vector3::zeros(), 1.0, solid(1.0, 1.0))
-            .sphere(x * (2.0 + gap), 1.0, solid(1.0, 1.0)),
-    );
+    let mut world = world(setup.sphere(Vector3::zeros(), 1.0, solid(1.0, 1.0)).sphere(
+        x * (2.0 + gap),
+        1.0,
+        solid(1.0, 1.0),
+    ));
     world.state_mut().spheres[0].velocity = x * (0.5 * speed);
     world.state_mut().spheres[1].velocity = x * (-0.5 * speed);
     let (mut deepest, mut began) = (0.0_f64, false);
@@ -64,7 +64,7 @@ fn smooth(law: NormalLaw<f64>, stiffness: Stiffness) -> Setup<Smooth> {
     }
 }
 
-/// Springs at which an impact takes as long as one of linear springs of this stiffness at a speed of 0.1.
+/// One of each law.
 const SPRINGS: [Stiffness; 2] = [Stiffness::Linear(1e3), Stiffness::Hertz(1e3)];
 
 /// Gaps from which steps meet an impact at different instants, in shares of the way of a step at these speeds.
@@ -82,10 +82,7 @@ fn impacts_have_the_restitution_that_was_asked_for_at_default_settings() {
             {
                 let setup = Setup {
                     longest: 0.1,
-                    ..Setup::new(
-                        Laws::uniform(bouncy(wanted), Thresholds::none()),
-                        stiffness,
-                    )
+                    ..Setup::new(Laws::uniform(bouncy(wanted), Thresholds::none()), stiffness)
                 };
                 let [after, ..] = impact(setup, speed, gap);
                 let error = after / speed / wanted - 1.0;
@@ -284,14 +281,24 @@ fn sticks_exactly(stiffness: f64, restitution: f64, speed: f64) -> bool {
     let mass = 0.5 / solid(radius, density).inv_mass;
     let c = 2.0 * damping(restitution) * (stiffness * mass).sqrt();
     let acceleration = |x: f64, v: f64| {
-        let push = if x > 0.0 { (stiffness * x + c * v).max(0.0) } else { 0.0 };
+        let push = if x > 0.0 {
+            (stiffness * x + c * v).max(0.0)
+        } else {
+            0.0
+        };
         (PULL[0] - push) / mass
     };
     let (mut x, mut v) = (-PULL[1], speed);
     while x >= -PULL[1] {
         let [k1, l1] = [v, acceleration(x, v)];
-        let [k2, l2] = [v + 0.5 * DT * l1, acceleration(x + 0.5 * DT * k1, v + 0.5 * DT * l1)];
-        let [k3, l3] = [v + 0.5 * DT * l2, acceleration(x + 0.5 * DT * k2, v + 0.5 * DT * l2)];
+        let [k2, l2] = [
+            v + 0.5 * DT * l1,
+            acceleration(x + 0.5 * DT * k1, v + 0.5 * DT * l1),
+        ];
+        let [k3, l3] = [
+            v + 0.5 * DT * l2,
+            acceleration(x + 0.5 * DT * k2, v + 0.5 * DT * l2),
+        ];
         let [k4, l4] = [v + DT * l3, acceleration(x + DT * k3, v + DT * l3)];
         x += DT / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
         let after = v + DT / 6.0 * (l1 + 2.0 * (l2 + l3) + l4);
