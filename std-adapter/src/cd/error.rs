@@ -128,9 +128,9 @@ pub enum WorldError {
         /// Value given.
         given: f64,
     },
-    /// The step of soft spheres is no share of the longest stable one.
-    #[error("the share of the longest stable step must lie above 0 and not above 1, not {given}")]
-    StepShare {
+    /// A collision of soft spheres has too few steps.
+    #[error("a collision needs at least 2 steps, and a finite number of them, not {given}")]
+    StepsPerCollision {
         /// Value given.
         given: f64,
     },

@@ -7,7 +7,7 @@ use crate::scene::{GasMethod, GasScene, NormalForce};
 use crate::soft::{StepLength, Stiffness, damping};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
-use tribos_core::contact::Sphere;
+use tribos_core::contact::{Cohesion, Sphere};
 
 /// Effective mass and radius of a pair of spheres of mass 1 and radius 1.
 const PAIR: f64 = 0.5;
@@ -15,9 +15,6 @@ const PAIR: f64 = 0.5;
 const USUAL_SPEED: f64 = 1.772_453_850_905_516;
 /// Speed of the fastest of some thousand spheres in a gas of temperature 1.
 const FASTEST: f64 = 4.0;
-/// Least steps of a collision on linear springs: its restitution is then right to 0.001 at e = 0.9 and to 0.01 at
-/// e = 0.4, on the average over the instants at which steps meet it.
-const STEPS: f64 = 20.0;
 /// Duration of an undamped Hertz collision over its largest overlap and speed:
 /// 4 √π Γ(2/5)/(5 Γ(9/10)) (Landau and Lifshitz, Theory of Elasticity, § 9).
 const HERTZ_DURATION: f64 = 2.943_275_3;
@@ -33,7 +30,7 @@ const HERTZ_DURATION: f64 = 2.943_275_3;
 /// let hit = soft_collision(&soft).ok_or("no springs")?;
 /// // π √(m/(2 k)) and √(π m/(2 k)).
 /// assert!((hit.duration - 0.022214).abs() < 1e-6 && (hit.overlap - 0.012533).abs() < 1e-6);
-/// assert!(hit.step < hit.duration / 19.9);
+/// assert!(hit.step < hit.duration / 34.9);
 /// # Ok::<(), &str>(())
 /// ```
 #[doc(hidden)]
@@ -63,13 +60,16 @@ pub fn soft_collision(scene: &GasScene) -> Option<SoftCollision> {
         velocity: Vector3::x() * FASTEST,
         ..solid(1.0, 3.0 / (4.0 * PI))
     };
-    let length = StepLength::of_spheres((stiffness, damping(scene.restitution)), 1.0, 1.0, 0.0);
+    let length = StepLength::of_spheres(
+        (stiffness, damping(scene.restitution)),
+        [1.0; 2],
+        Cohesion::NONE,
+        scene.steps_per_collision,
+    );
     Some(SoftCollision {
         overlap,
         duration: factor * overlap / USUAL_SPEED,
-        step: length
-            .next(&[sphere], &[], 0.0, &[])
-            .min(longest(stiffness)),
+        step: length.next(&[sphere], &[], 0.0, &[]),
     })
 }
 
@@ -80,10 +80,11 @@ pub(super) fn springs(scene: &GasScene) -> Springs {
         stiffness,
         // The restitution is above 0 and decides.
         damping: 1.0,
+        steps_per_collision: scene.steps_per_collision,
         step_limits: StepLimits {
             // A stable step of the spheres is one of the gas, so that no collision passes between two looks.
             motion: 0.0,
-            longest: longest(stiffness),
+            longest: LONGEST,
         },
     }
 }
@@ -92,13 +93,5 @@ fn stiffness(scene: &GasScene) -> Stiffness {
     match scene.normal_law {
         NormalForce::Linear => Stiffness::Linear(scene.stiffness),
         NormalForce::Hertz => Stiffness::Hertz(scene.stiffness),
-    }
-}
-
-/// Longest step: a share of a collision, whose duration on Hertz contacts depends on the speed.
-fn longest(stiffness: Stiffness) -> f64 {
-    match stiffness {
-        Stiffness::Linear(k) => PI * (PAIR / k).sqrt() / STEPS,
-        Stiffness::Hertz(_) => LONGEST,
     }
 }

@@ -83,9 +83,9 @@ pub fn size(scene: &GrainsScene) -> RunSize {
 /// ```
 /// use tribos::grains::stable_step;
 /// use tribos::scene::{ContactMethod, GrainsScene};
-/// // 0.1 √(m/k) with m = 1.3 g and k = 10 kN/m.
+/// // 2 √(m/(2 k)) in 35 steps, with m = 1.3 g and k = 10 kN/m.
 /// let soft = GrainsScene { method: ContactMethod::Soft, ..GrainsScene::default() };
-/// assert!(stable_step(&soft).is_some_and(|dt| (dt / 3.6e-5 - 1.0).abs() < 0.03));
+/// assert!(stable_step(&soft).is_some_and(|dt| (dt / 1.462e-5 - 1.0).abs() < 0.01));
 /// assert_eq!(stable_step(&GrainsScene::default()), None);
 /// ```
 pub fn stable_step(scene: &GrainsScene) -> Option<f64> {

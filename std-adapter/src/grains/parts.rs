@@ -93,6 +93,7 @@ impl GrainsScene {
             ContactMethod::Soft => Method::Soft(Springs {
                 stiffness: self.spring(),
                 damping: self.damping,
+                steps_per_collision: self.steps_per_collision,
                 step_limits,
             }),
         }

@@ -4,6 +4,7 @@ use super::{Material, Packing, Springs};
 use crate::cd::{Wall, WorldError, solid};
 use crate::soft::{self, StepLength};
 use std::time::Instant;
+use tribos_core::contact::Cohesion;
 
 /// Number of timings.
 const ROUNDS: usize = 31;
@@ -55,7 +56,15 @@ pub(crate) fn stable_step_between(
     };
     let stiffness = springs.stiffness;
     let laws = (stiffness, damping);
-    let length = StepLength::of_spheres(laws, 1.0 / sphere.inv_mass, radius, material.cohesion);
+    // What the kernel refuses has no steps.
+    let laws_of = material.normal_laws();
+    let cohesion = laws_of.map_or(Cohesion::NONE, |[pairs, _]| *pairs.cohesion());
+    let length = StepLength::of_spheres(
+        laws,
+        [1.0 / sphere.inv_mass, radius],
+        cohesion,
+        springs.steps_per_collision,
+    );
     let overlap = stiffness.overlap(force, 0.5 * radius);
     length.next(&[], walls, overlap, touching)
 }

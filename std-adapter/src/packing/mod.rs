@@ -85,6 +85,7 @@ pub(crate) struct Springs {
     pub stiffness: Stiffness,
     /// Damping ratio of a material without restitution.
     pub damping: f64,
+    pub steps_per_collision: f64,
     pub step_limits: StepLimits,
 }
 

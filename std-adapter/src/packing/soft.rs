@@ -38,6 +38,7 @@ pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
         gravity: bodies.gravity,
         damping: springs.damping,
         longest: limits.longest,
+        steps_per_collision: springs.steps_per_collision,
         ..Setup::new(laws, springs.stiffness)
     };
     let mut world = World::new(setup)?;

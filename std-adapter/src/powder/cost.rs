@@ -98,8 +98,8 @@ pub fn size(scene: &PowderScene) -> RunSize {
 /// use tribos::powder::stable_step;
 /// use tribos::scene::{ContactMethod, PowderScene};
 /// let soft = PowderScene { method: ContactMethod::Soft, stiffness: 1e4, ..PowderScene::default() };
-/// // 0.1 √(m/k) with m = 4π/3.
-/// assert!(stable_step(&soft).is_some_and(|dt| (dt / 2.05e-3 - 1.0).abs() < 0.02));
+/// // 2 √(m/(2 k)) in 35 steps, with m = 4π/3.
+/// assert!(stable_step(&soft).is_some_and(|dt| (dt / 8.27e-4 - 1.0).abs() < 1e-3));
 /// assert_eq!(stable_step(&PowderScene::default()), None);
 /// ```
 pub fn stable_step(scene: &PowderScene) -> Option<f64> {

@@ -106,6 +106,7 @@ impl PowderScene {
             ContactMethod::Soft => Method::Soft(Springs {
                 stiffness: self.spring(),
                 damping: self.damping,
+                steps_per_collision: self.steps_per_collision,
                 step_limits: self.step_limits(),
             }),
         }

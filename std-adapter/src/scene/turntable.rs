@@ -43,7 +43,7 @@ scene! {
     table_radius: f64 = 0.5, "m", Positive;
     /// End of the run, if the body stays on the table.
     duration: f64 = 10.0, "s", Positive, Required;
-    /// Length of a step of the sliding body.
+    /// Longest step of the sliding body; its error makes it shorter.
     time_step: f64 = 5e-4, "s", Positive;
     /// Number of intervals of time in the series.
     samples: u32 = 400, "-", Count { up_to: MOST_SAMPLES };

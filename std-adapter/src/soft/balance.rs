@@ -1,9 +1,8 @@
 //! The energy balance of soft spheres.
 
 use super::contact::Energies;
-use super::world::{State, World, loads};
+use super::world::{State, World};
 use crate::cd::{Wall, WorldError};
-use nalgebra::Vector3;
 use tribos_core::contact::{ContactFriction, Sphere};
 
 impl<F: ContactFriction<f64>> World<F> {
@@ -47,33 +46,10 @@ impl<F: ContactFriction<f64>> World<F> {
         0.5 * (spheres + pistons.map(piston).sum::<f64>())
     }
 
-    /// Enters a step into the energy balance.
-    pub(super) fn enter(&mut self, taken: &Energies, dt: f64) {
-        let gravity = self.setup.gravity;
+    /// Enters the energies of a step into the balance.
+    pub(super) fn enter(&mut self, taken: &Energies) {
         let kinetic = self.kinetic();
-        let State {
-            spheres,
-            walls,
-            contacts,
-            energy,
-            origin,
-            ..
-        } = &mut self.state;
-        let weight = |sphere: &Sphere<f64>| gravity.dot(&sphere.velocity) / sphere.inv_mass;
-        energy.work += spheres.iter().map(weight).sum::<f64>() * dt;
-        for wall in walls.iter().filter(|wall| wall.plate.inv_mass > 0.0) {
-            energy.work += wall.force * wall.outward.dot(&wall.plate.velocity) * dt;
-        }
-        // What moves a wall without regard to forces does their work.
-        for contact in contacts[1].iter().filter(|contact| contact.in_range) {
-            let wall = &walls[contact.bodies[1] as usize];
-            let felt = if wall.plate.inv_mass > 0.0 {
-                wall.outward * wall.outward.dot(&wall.plate.velocity)
-            } else {
-                Vector3::zeros()
-            };
-            energy.work -= loads(contact).0.dot(&(wall.plate.velocity - felt)) * dt;
-        }
+        let State { energy, origin, .. } = &mut self.state;
         let [elastic, cohesion] = origin.unwrap_or_default();
         energy.elastic = taken.elastic - elastic;
         energy.cohesion = taken.cohesion - cohesion;

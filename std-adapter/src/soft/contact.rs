@@ -1,5 +1,6 @@
 //! One contact: springs and dashpots in all modes, with thresholds.
 
+use super::kick::{Kick, Passage};
 use super::law::Stiffness;
 use super::transport::Transport;
 use nalgebra::Vector3;
@@ -21,6 +22,8 @@ pub struct SoftContact<M: ContactModes<f64>> {
     pub in_range: bool,
     /// Force and torque on the second body.
     pub force: Modal<f64, M>,
+    /// Impulse on the second body in the second half of the last step.
+    pub(super) impulse: Modal<f64, M>,
     /// Tangent stiffness of the normal spring at which `springs` are measured.
     pub(crate) slope: f64,
     /// Elongations of the springs across the normal: displacement of the second body against the first.
@@ -69,25 +72,25 @@ pub(super) struct Energies {
 }
 
 impl Motion {
-    /// Power that forces on the second body take from the motion, by mode.
-    fn power_lost<M: ContactModes<f64>>(
+    /// Energy that impulses on the second body across the normal take from the motion, by mode.
+    fn lost_across<M: ContactModes<f64>>(
         &self,
         by: &Modal<f64, M>,
         normal: &Vector3<f64>,
     ) -> [f64; 4] {
-        let power = [
-            by.normal * self.velocity.dot(normal),
+        let work = [
+            0.0,
             by.sliding().dot(&self.velocity),
             by.rolling().dot(&self.spin),
             by.torsion() * self.spin.dot(normal),
         ];
-        not_gained(power.map(|power| -power))
+        not_gained(work.map(|work| -work))
     }
 }
 
 impl<F> Law<F> {
     /// Cohesion across a gap.
-    fn pull(&self, gap: f64) -> f64 {
+    pub(super) fn pull(&self, gap: f64) -> f64 {
         if gap <= self.cohesion.range() {
             self.cohesion.strength()
         } else {
@@ -108,6 +111,7 @@ impl<M: ContactModes<f64>> SoftContact<M> {
             gap: f64::INFINITY,
             in_range: false,
             force: Modal::default(),
+            impulse: Modal::default(),
             slope: 0.0,
             springs: Modal::default(),
             shares: Shares {
@@ -151,27 +155,75 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         )
     }
 
-    /// Lets go: the energy of the springs is lost.
-    pub(super) fn part<F>(&mut self, gap: f64, law: &Law<F>, lever: f64) -> Energies {
-        let opened = gap - self.gap;
-        let last = self.dashpots(law, lever).normal;
-        self.gap = gap;
+    /// Lets go in a step of length `dt`: the energy of the springs is lost.
+    pub(super) fn part<F>(&mut self, gap: f64, law: &Law<F>, lever: f64, dt: f64) -> Energies {
+        self.impulse = Modal::default();
         if !self.in_range {
+            self.gap = gap;
             return Energies::default();
         }
-        // The last half of what the dashpot takes: it holds a spring back that opens faster than it may.
-        let normal = -0.5 * last * opened;
-        let stored = self.stored_energies();
+        let kick = self
+            .passage(gap, (gap - self.gap) / dt, law, [lever, dt])
+            .kick(law);
+        self.gap = gap;
+        let [sliding, rolling, torsion] = self.stored_energies();
+        self.impulse = Self::impulse_of(&self.force, &kick);
         self.in_range = false;
         (self.force, self.springs, self.slope) = (Modal::default(), Modal::default(), 0.0);
-        let [sliding, rolling, torsion] = stored;
+        let [normal, ..] = not_gained([kick.lost, 0.0, 0.0, 0.0]);
         Energies {
-            normal: if normal > 0.0 { normal } else { 0.0 },
+            normal,
             sliding,
             rolling,
             torsion,
             ..Energies::default()
         }
+    }
+
+    /// Force of spring and dashpot along the normal.
+    fn push<F>(&self, law: &Law<F>) -> f64 {
+        if self.in_range {
+            self.force.normal + law.pull(self.gap)
+        } else {
+            0.0
+        }
+    }
+
+    /// The way through a step to a gap.
+    fn passage<F>(&self, gap: f64, opening: f64, law: &Law<F>, [lever, dt]: [f64; 2]) -> Passage {
+        // Neighbours that were out of range have come from its border or farther.
+        let border = law.cohesion.range().max(0.0);
+        let from = if self.in_range {
+            self.gap
+        } else if dt > 0.0 {
+            (gap - opening * dt).max(border)
+        } else {
+            gap
+        };
+        Passage {
+            gaps: [from, gap],
+            push: self.push(law),
+            pull: if self.in_range {
+                law.pull(self.gap)
+            } else {
+                0.0
+            },
+            opening,
+            mass: self.shares.mass,
+            lever,
+            dt,
+        }
+    }
+
+    /// Impulse of a kick, with the friction of a force.
+    fn impulse_of(force: &Modal<f64, M>, kick: &Kick) -> Modal<f64, M> {
+        let time = kick.time;
+        Modal::new(
+            kick.pushed - kick.pulled,
+            force.sliding() * time,
+            force.rolling() * time,
+            force.torsion() * time,
+        )
     }
 
     /// Elastic energies of sliding, rolling and torsion.
@@ -204,61 +256,55 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         dt: f64,
     ) -> Energies {
         let n = &touch.normal;
-        let pull = law.pull(touch.gap);
         let opening = motion.velocity.dot(n);
-        let before = self.dashpots(law, touch.lever);
+        let old_force = self.force;
+        let before = self.dashpots(&(self.force, 0.5 * dt), 0.5 * dt);
+        let kick = self
+            .passage(touch.gap, opening, law, [touch.lever, dt])
+            .kick(law);
         self.carry(n, motion, dt);
         self.gap = touch.gap;
         self.in_range = true;
 
-        // Spring and dashpot along the normal push, or do nothing.
+        // Friction at the threshold of what pushes at the end of the step.
         let overlap = if touch.gap < 0.0 { -touch.gap } else { 0.0 };
-        let [push, slope] = law.stiffness.force(overlap, touch.lever);
+        let [elastic, slope] = law.stiffness.force(overlap, touch.lever);
         let dashpot = law.stiffness.dashpot(law.damping, slope, self.shares.mass);
-        let damped = push - dashpot * opening;
-        // P; NaN stays.
-        let bound = if overlap == 0.0 || damped < 0.0 {
-            0.0
+        let slipped = self.resist(touch, motion, law, [kick.push, slope, dashpot], dt);
+        self.force.normal = kick.push - kick.pull;
+        self.impulse = if kick.push > 0.0 {
+            Self::impulse_of(&self.force, &kick)
         } else {
-            damped
+            Self::impulse_of(&old_force, &kick)
         };
-
-        let slipped = self.resist(touch, motion, law, [bound, slope, dashpot], dt);
-        self.force.normal = bound - pull;
-        // The force at the start of a step acts until its end, at the mean of the velocities there: half of its
-        // work is booked with each.
-        let after = self.dashpots(law, touch.lever);
-        let viscous = |by: &Modal<f64, M>| motion.power_lost(by, n).map(|rate| 0.5 * dt * rate);
-        let [old, new] = [viscous(&before), viscous(&after)];
+        // What friction does beyond its springs is lost, in both halves of the step.
+        let after = self.dashpots(&(self.impulse, 1.0), 0.5 * dt);
+        let [old, new] = [before, after].map(|by| motion.lost_across(&by, n));
         let lost = |mode: usize| old[mode] + new[mode] + slipped[mode];
+        let [normal, ..] = not_gained([kick.lost, 0.0, 0.0, 0.0]);
         Energies {
-            elastic: law.stiffness.energy(overlap, push)
+            elastic: law.stiffness.energy(overlap, elastic)
                 + self.stored_energies().iter().sum::<f64>(),
-            cohesion: pull * (touch.gap - law.cohesion.range()),
-            normal: lost(0),
+            cohesion: kick.pull * (touch.gap - law.cohesion.range()),
+            normal,
             sliding: lost(1),
             rolling: lost(2),
             torsion: lost(3),
         }
     }
 
-    /// Forces and torques on the second body beyond those of the springs and of cohesion.
-    fn dashpots<F>(&self, law: &Law<F>, lever: f64) -> Modal<f64, M> {
-        if !self.in_range {
-            return Modal::default();
-        }
-        let pull = law.pull(self.gap);
-        let [push, _] = law.stiffness.force((-self.gap).max(0.0), lever);
+    /// Impulses of friction on the second body, a force times a time, beyond those of the springs in half a step.
+    fn dashpots(&self, (force, time): &(Modal<f64, M>, f64), half: f64) -> Modal<f64, M> {
         let (k, k_turn) = (
-            self.shares.sliding * self.slope,
-            self.shares.turning * self.slope,
+            self.shares.sliding * self.slope * half,
+            self.shares.turning * self.slope * half,
         );
-        let (force, springs) = (&self.force, &self.springs);
+        let springs = &self.springs;
         Modal::new(
-            force.normal + pull - push,
-            force.sliding() + springs.sliding() * k,
-            force.rolling() + springs.rolling() * k_turn,
-            force.torsion() + springs.torsion() * k_turn,
+            0.0,
+            force.sliding() * *time + springs.sliding() * k,
+            force.rolling() * *time + springs.rolling() * k_turn,
+            force.torsion() * *time + springs.torsion() * k_turn,
         )
     }
 

@@ -86,6 +86,16 @@ impl Stiffness {
         }
     }
 
+    /// Impulse of a dashpot while an overlap grows from none, over overlap times the constant at its end:
+    /// the constant does not change on a linear spring and grows as δ^(1/4) on a Hertz contact.
+    pub(crate) fn dashpot_path(&self) -> f64 {
+        const HERTZ: f64 = 0.8;
+        match self {
+            Self::Linear(_) => 1.0,
+            Self::Hertz(_) => HERTZ,
+        }
+    }
+
     /// The number that the law is made of.
     pub(crate) fn given(&self) -> f64 {
         match *self {
@@ -111,6 +121,11 @@ impl Stiffness {
 /// assert!((restitution(1.0) - (-2.0_f64).exp()).abs() < 1e-15);
 /// ```
 pub fn restitution(damping: f64) -> f64 {
+    Real::exp(-damping * duration(damping))
+}
+
+/// Duration of that impact, in units of √(m/k): 2 arccos(ζ)/√(1 − ζ²).
+pub(super) fn duration(damping: f64) -> f64 {
     // Near ζ = 1 both expressions are differences of small numbers: there arccos(ζ)/√(1 − ζ²) = 1 + (1 − ζ)/3
     // + 2 (1 − ζ)²/15 + …; the next term is below 1e-17.
     const NEAR: f64 = 1e-5;
@@ -124,7 +139,7 @@ pub fn restitution(damping: f64) -> f64 {
         let root = (-below * (1.0 + damping)).sqrt();
         Real::asinh(root) / root
     };
-    Real::exp(-2.0 * damping * angle)
+    2.0 * angle
 }
 
 /// Damping ratio ζ whose [`restitution`] is e.

@@ -29,6 +29,7 @@
 
 mod balance;
 mod contact;
+mod kick;
 mod law;
 mod neighbours;
 mod setup;
@@ -38,6 +39,7 @@ mod world;
 
 pub use contact::SoftContact;
 pub use law::{Stiffness, damping, restitution};
+pub(crate) use setup::STEPS_PER_COLLISION;
 pub use setup::Setup;
 pub(crate) use step_length::StepLength;
 pub use world::{State, World};

@@ -32,16 +32,18 @@ pub struct Setup<F> {
     pub gravity: Vector3<f64>,
     /// Longest step, in time; contacts usually need shorter ones.
     pub longest: f64,
-    /// Step in units of the longest stable one: above 0, at most 1.
-    pub share: f64,
+    /// Least number of steps of a collision: at least 2.
+    pub steps_per_collision: f64,
 }
 
-/// Usual share of the longest stable step: overlaps of a bounce are right to some per cent.
-pub(super) const SHARE: f64 = 0.6;
+/// Usual steps of a collision: its restitution is then right to 0.5 % from e = 0.1 to 1.
+pub(crate) const STEPS_PER_COLLISION: f64 = 35.0;
+/// Fewest steps of a collision: with one the bodies could pass each other's centres.
+const FEWEST_STEPS: f64 = 2.0;
 
 impl<F> Setup<F> {
-    /// Open space without bodies and gravity, with critical damping, steps of at most 1 ms and 0.6 of the
-    /// longest stable step.
+    /// Open space without bodies and gravity, with critical damping, steps of at most 1 ms and 35 steps a
+    /// collision.
     pub fn new(laws: Laws<F>, stiffness: Stiffness) -> Self {
         Self {
             space: PeriodicBox::OPEN,
@@ -54,7 +56,7 @@ impl<F> Setup<F> {
             damping: 1.0,
             gravity: Vector3::zeros(),
             longest: StepLimits::default().longest,
-            share: SHARE,
+            steps_per_collision: STEPS_PER_COLLISION,
         }
     }
 
@@ -92,9 +94,9 @@ impl<F: Copy> Setup<F> {
         if !(given >= 0.0 && given.is_finite()) {
             return Err(WorldError::Damping { given });
         }
-        let given = self.share;
-        if !(given > 0.0 && given <= 1.0) {
-            return Err(WorldError::StepShare { given });
+        let given = self.steps_per_collision;
+        if !(given >= FEWEST_STEPS && given.is_finite()) {
+            return Err(WorldError::StepsPerCollision { given });
         }
         let resists = |law: tribos_core::contact::NormalLaw<f64>| {
             law.cohesion().attraction() == Attraction::Resistance

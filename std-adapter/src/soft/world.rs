@@ -1,4 +1,4 @@
-//! Motion of soft spheres and plates: semi-implicit Euler.
+//! Motion of soft spheres and plates: leapfrog, with velocities at the ends of the steps.
 
 use super::contact::{Energies, Law, Motion, SoftContact};
 use super::setup::Setup;
@@ -193,19 +193,24 @@ impl<F: ContactFriction<f64>> World<F> {
         Ok(())
     }
 
-    /// Takes one step: forces change the velocities, these move the bodies and load the springs.
+    /// Takes one step: forces change the velocities for its first half, these move the bodies and load the springs,
+    /// the new forces change the velocities for its second half.
     pub fn step(&mut self) -> Result<StepReport, WorldError> {
         self.begin()?;
-        let deepest = self.add_loads();
+        let deepest = self.add_loads(|contact| contact.in_range.then_some(&contact.force));
         let State { spheres, walls, .. } = &self.state;
         let dt = self.length.next(spheres, walls, deepest, &self.at_walls);
-        self.advance(dt);
+        self.kick(0.5 * dt, 0.5 * dt);
+        self.drift(dt);
         self.check_motion()?;
         self.list_neighbours()?;
         let taken = self.find_forces(dt)?;
+        self.add_loads(|contact| Some(&contact.impulse));
+        self.kick(1.0, 0.5 * dt);
+        self.check_motion()?;
         self.state.time += dt;
         self.state.steps += 1;
-        self.enter(&taken, dt);
+        self.enter(&taken);
         let contacts = self.state.contacts.iter().flatten();
         Ok(StepReport {
             dt,
@@ -233,8 +238,11 @@ impl<F: ContactFriction<f64>> World<F> {
         Ok(())
     }
 
-    /// Sums the forces of the contacts on the bodies; returns the deepest overlap.
-    fn add_loads(&mut self) -> f64 {
+    /// Sums forces or impulses of the contacts on the bodies; returns the deepest overlap.
+    fn add_loads(
+        &mut self,
+        of: impl Fn(&SoftContact<F::Modes>) -> Option<&Modal<f64, F::Modes>>,
+    ) -> f64 {
         let radii = &self.setup.radii;
         let mut deepest = 0.0_f64;
         self.loads.clear();
@@ -245,9 +253,12 @@ impl<F: ContactFriction<f64>> World<F> {
         self.at_walls.clear();
         self.at_walls.resize(self.state.walls.len(), 0);
         let [pairs, walls] = &self.state.contacts;
-        for contact in pairs.iter().filter(|contact| contact.in_range) {
+        for (contact, load) in pairs
+            .iter()
+            .filter_map(|contact| Some((contact, of(contact)?)))
+        {
             let [i, j] = contact.bodies.map(|body| body as usize);
-            let (force, couple) = loads(contact);
+            let (force, couple) = (load.linear(&contact.normal), load.angular(&contact.normal));
             let turn = contact.normal.cross(&force);
             let distance = contact.gap + (radii[i] + radii[j]);
             let share = distance / (radii[i] + radii[j]);
@@ -257,9 +268,12 @@ impl<F: ContactFriction<f64>> World<F> {
             self.loads[j][1] -= turn * (share * radii[j]) - couple;
             deepest = deepest.max(-contact.gap);
         }
-        for contact in walls.iter().filter(|contact| contact.in_range) {
+        for (contact, load) in walls
+            .iter()
+            .filter_map(|contact| Some((contact, of(contact)?)))
+        {
             let [i, w] = contact.bodies.map(|body| body as usize);
-            let (force, couple) = loads(contact);
+            let (force, couple) = (load.linear(&contact.normal), load.angular(&contact.normal));
             self.loads[i][0] -= force;
             let turn = contact.normal.cross(&force);
             self.loads[i][1] -= turn * (contact.gap + radii[i]) + couple;
@@ -270,23 +284,55 @@ impl<F: ContactFriction<f64>> World<F> {
         deepest
     }
 
-    /// New velocities from the loads, new places from the new velocities.
-    fn advance(&mut self, dt: f64) {
-        let gravity = self.setup.gravity;
-        let state = &mut self.state;
-        let bodies = state.spheres.iter_mut().zip(&mut state.positions);
-        for ((sphere, x), [force, torque]) in bodies.zip(&self.loads) {
-            sphere.velocity += (force * sphere.inv_mass + gravity) * dt;
-            sphere.spin += torque * (sphere.inv_inertia * dt);
-            *x += sphere.velocity * dt;
+    /// New velocities after half a step, from the loads times a time.
+    fn kick(&mut self, time: f64, half: f64) {
+        let gravity = self.setup.gravity * half;
+        let State {
+            spheres,
+            walls,
+            energy,
+            ..
+        } = &mut self.state;
+        for (sphere, [force, torque]) in spheres.iter_mut().zip(&self.loads) {
+            sphere.velocity += force * (sphere.inv_mass * time) + gravity;
+            sphere.spin += torque * (sphere.inv_inertia * time);
         }
-        for (wall, load) in state.walls.iter_mut().zip(&self.wall_loads) {
-            let push = wall.force + wall.outward.dot(load);
+        for (wall, load) in walls.iter_mut().zip(&self.wall_loads) {
+            let along = wall.outward.dot(load) * time;
+            // What moves a wall without regard to forces does their work.
+            let velocity = wall.plate.velocity;
+            energy.work -= load.dot(&velocity) * time;
             if wall.plate.inv_mass > 0.0 {
-                wall.plate.velocity += wall.outward * (push * wall.plate.inv_mass * dt);
+                energy.work += along * wall.outward.dot(&velocity);
+                let push = along + wall.force * half;
+                wall.plate.velocity += wall.outward * (push * wall.plate.inv_mass);
             }
-            wall.place += wall.outward.dot(&wall.plate.velocity) * dt;
         }
+    }
+
+    /// New places after a step, and the work of weight and of the loads of pistons on the way.
+    fn drift(&mut self, dt: f64) {
+        let gravity = self.setup.gravity;
+        let State {
+            positions,
+            spheres,
+            walls,
+            energy,
+            ..
+        } = &mut self.state;
+        let mut work = 0.0;
+        for (sphere, x) in spheres.iter().zip(positions) {
+            *x += sphere.velocity * dt;
+            work += gravity.dot(&sphere.velocity) / sphere.inv_mass;
+        }
+        for wall in walls {
+            let speed = wall.outward.dot(&wall.plate.velocity);
+            wall.place += speed * dt;
+            if wall.plate.inv_mass > 0.0 {
+                work += wall.force * speed;
+            }
+        }
+        energy.work += work * dt;
     }
 
     /// Refuses velocities that have left the range of numbers.
@@ -325,7 +371,11 @@ impl<F: ContactFriction<f64>> World<F> {
             let gap = apart.norm() - (radii[i] + radii[j]);
             if is_apart(gap, pair.cohesion.range()) {
                 let lever = radii[i] * radii[j] / (radii[i] + radii[j]);
-                return Ok(contact.part(gap, pair, lever));
+                // What acts in the last half step acts here.
+                if contact.in_range {
+                    contact.normal = apart / (gap + (radii[i] + radii[j]));
+                }
+                return Ok(contact.part(gap, pair, lever, dt));
             }
             let touch = Touch::spheres(&apart, [radii[i], radii[j]])?;
             let motion = relative(&touch, &spheres[i], &spheres[j], &border);
@@ -351,7 +401,7 @@ impl<F: ContactFriction<f64>> World<F> {
             self.energies.push(if is_apart(gap, wall.cohesion.range()) {
                 // A wall that was taken away has not opened a gap.
                 let gap = if gap.is_finite() { gap } else { contact.gap };
-                Ok(contact.part(gap, wall, radii[i]))
+                Ok(contact.part(gap, wall, radii[i], dt))
             } else {
                 Touch::plate(height, &outward, radii[i]).map(|touch| {
                     let motion = relative(&touch, &spheres[i], &plate.plate, &Vector3::zeros());
@@ -361,14 +411,6 @@ impl<F: ContactFriction<f64>> World<F> {
         }
         self.sum()
     }
-}
-
-/// Force and couple of a contact on its second body.
-pub(super) fn loads<M: ContactModes<f64>>(
-    contact: &SoftContact<M>,
-) -> (Vector3<f64>, Vector3<f64>) {
-    let SoftContact { normal, force, .. } = contact;
-    (force.linear(normal), force.angular(normal))
 }
 
 /// Whether nothing acts across a gap.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use tribos::md::atoms::Atoms;
-use tribos::md::group::{Group, Hold};
+use tribos::md::group::{Frame, Group, Hold};
 use tribos::md::interaction::Wanted;
 use tribos::md::neighbours::ListError;
 use tribos::md::observe::{conserved_energy, kinetic_energies, temperature};
@@ -108,23 +108,62 @@ fn nose_hoover_conserves_its_energy_to_second_order() -> Result<(), Error> {
     Ok(())
 }
 
+/// 32 atoms in a periodic box.
+fn small() -> Result<Setup<LennardJones>, Error> {
+    let mut setup = crystal(2, 0.8442, 0.7)?;
+    let pairing = Pairing {
+        epsilon: 1.0,
+        sigma: 1.0,
+        cutoff: 1.33,
+    };
+    setup.interaction = LennardJones::single(pairing, Shift::Force)?;
+    setup.skin = 0.3;
+    Ok(setup)
+}
+
 #[test]
-fn nose_hoover_keeps_the_mean_temperature() -> Result<(), Error> {
-    let mut setup = crystal(4, 0.8442, 1.4)?;
-    let thermostat = NoseHoover::new(0.7, 0.2, Spin::Counts)?;
-    setup.groups[0].thermostat = Thermostat::NoseHoover(thermostat);
-    setup.interaction = lennard_jones(Shift::Force)?;
-    setup.skin = 0.2;
+fn nose_hoover_keeps_the_mean_temperature_of_few_atoms_that_nothing_holds() -> Result<(), Error> {
+    let mut setup = small()?;
+    setup.groups[0].thermostat = Thermostat::NoseHoover(NoseHoover::new(0.7, 0.5, Spin::Counts)?);
     let mut system = System::new(setup)?;
-    let mut sum = 0.0;
-    for step in 0..6000 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for step in 0..24_000 {
         system.step(Wanted::Forces)?;
-        if step >= 2000 {
-            sum += temperature(kinetic_energies(&system)[0], system.heat_freedoms(0));
+        if step >= 4_000 {
+            // The mean velocity is none of their heat: 3 (N - 1) T/2.
+            sum += 2.0 * kinetic_energies(&system)[0] / (3.0 * 31.0);
+            count += 1.0;
         }
     }
-    // The thermostat forces the mean: 4000 steps, 768 freedoms.
-    assert!((sum / 4000.0 - 0.7).abs() < 0.005, "{}", sum / 4000.0);
+    // The thermostat forces the mean.
+    assert!((sum / count - 0.7).abs() < 0.003, "{}", sum / count);
+    Ok(())
+}
+
+#[test]
+fn momentum_is_no_heat_where_nothing_changes_it() -> Result<(), Error> {
+    let freedoms = |change: &dyn Fn(&mut Setup<LennardJones>)| -> Result<f64, Error> {
+        let mut setup = small()?;
+        change(&mut setup);
+        Ok(System::new(setup)?.heat_freedoms(0))
+    };
+    assert_eq!(freedoms(&|_| ())?, 93.0);
+    let bath = Thermostat::NoseHoover(NoseHoover::new(0.7, 0.5, Spin::Counts)?);
+    assert_eq!(freedoms(&|setup| setup.groups[0].thermostat = bath)?, 93.0);
+    assert_eq!(
+        freedoms(&|setup| setup.groups[0].frame = Frame::Mean)?,
+        93.0
+    );
+    assert_eq!(freedoms(&|setup| setup.groups[0].hold = Hold::Plane)?, 62.0);
+    // Noise, a load and other groups change it.
+    let noise = Thermostat::Langevin(Langevin::new(0.7, 1.0)?);
+    assert_eq!(freedoms(&|setup| setup.groups[0].thermostat = noise)?, 96.0);
+    assert_eq!(freedoms(&|setup| setup.groups[0].load = -0.1)?, 96.0);
+    let two = |setup: &mut Setup<LennardJones>| {
+        setup.groups.push(Group::default());
+        setup.group_of[..2].fill(1);
+    };
+    assert_eq!(freedoms(&two)?, 90.0);
     Ok(())
 }
 

@@ -39,9 +39,9 @@ impl Trial for Column {
     fn ready(&self, method: Method) -> Result<Ready> {
         let (column, up) = (*self, Vector3::z());
         let method = match method {
-            Method::Soft { stiffness, share } => Method::Soft {
+            Method::Soft { stiffness, steps } => Method::Soft {
                 stiffness: stiffness * column.weight(),
-                share,
+                steps,
             },
             other => other,
         };

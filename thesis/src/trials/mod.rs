@@ -36,15 +36,15 @@ pub enum Method {
     Soft {
         /// Normal stiffness, in the trial's unit.
         stiffness: f64,
-        /// Step in units of the longest stable one.
-        share: f64,
+        /// Least number of steps of a collision.
+        steps: f64,
     },
 }
 
 /// Most sweeps where a tolerance is to end them.
 pub const SWEEPS: usize = 10_000;
-/// Usual share of the longest stable step.
-pub const SHARE: f64 = 0.6;
+/// Usual number of steps of a collision.
+pub const STEPS: f64 = 35.0;
 
 impl Method {
     /// Contact dynamics whose sweeps end by their tolerance.
@@ -59,8 +59,8 @@ impl Method {
 
     /// Soft particles with the usual step.
     pub fn soft(stiffness: f64) -> Self {
-        let share = SHARE;
-        Self::Soft { stiffness, share }
+        let steps = STEPS;
+        Self::Soft { stiffness, steps }
     }
 
     /// Name of the method.
@@ -88,8 +88,8 @@ impl fmt::Display for Method {
             Self::ContactDynamics {
                 tolerance, step, ..
             } => write!(f, "tolerance {tolerance:e}; step {step}"),
-            Self::Soft { stiffness, share } if share != SHARE => {
-                write!(f, "k {stiffness:e}; {share} of the stable step")
+            Self::Soft { stiffness, steps } if steps > STEPS => {
+                write!(f, "k {stiffness:e}; {steps} steps a collision")
             }
             Self::Soft { stiffness, .. } => write!(f, "k {stiffness:e}"),
         }

@@ -38,7 +38,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
         match method {
             Method::Events => bail!("events know no lasting contacts"),
             Method::ContactDynamics { .. } => self.rigid(method, until, see),
-            Method::Soft { stiffness, share } => self.soft([stiffness, share], until, see),
+            Method::Soft { stiffness, steps } => self.soft([stiffness, steps], until, see),
         }
     }
 
@@ -92,7 +92,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
 
     fn soft(
         self,
-        [stiffness, share]: [f64; 2],
+        [stiffness, steps]: [f64; 2],
         until: f64,
         mut see: impl FnMut(&Look<'_>),
     ) -> Result<f64> {
@@ -100,7 +100,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
             .wall(Wall::fixed(self.up, 0.0))
             .gravity(self.gravity);
         setup.longest = LONGEST;
-        setup.share = share;
+        setup.steps_per_collision = steps;
         for (place, sphere) in &self.spheres {
             setup = setup.sphere(*place, 1.0, *sphere);
         }

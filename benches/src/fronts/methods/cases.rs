@@ -105,7 +105,7 @@ fn ball() -> Case {
     methods.extend(STIFFNESSES.map(Method::soft));
     methods.push(Method::Soft {
         stiffness: STIFFNESSES[1],
-        share: 0.1,
+        steps: 200.0,
     });
     Case {
         stem: "ball",

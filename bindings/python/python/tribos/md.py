@@ -283,7 +283,12 @@ class System:
 
     @property
     def temperature(self) -> float:
-        """Twice the kinetic energy over the degrees of freedom, 3n."""
+        """Twice the kinetic energy over the degrees of freedom.
+
+        These are 3n with a Langevin thermostat, whose noise changes the total momentum, and 3n - 3 else: start
+        without momentum (subtract the mean of m v), which would be taken for heat. NaN for a single atom without
+        noise.
+        """
         return self._inside.energies()[0][3]
 
     @property

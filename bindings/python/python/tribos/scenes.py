@@ -510,7 +510,8 @@ class TurntableScene(Scene):
     duration
         End of the run, if the body stays on the table. *Unit*: s. *Value*: a finite number > 0.
     time_step
-        Length of a step of the sliding body. *Unit*: s. *Value*: a finite number > 0.
+        Longest step of the sliding body; its error makes it shorter. *Unit*: s. *Value*: a finite
+        number > 0.
     samples
         Number of intervals of time in the series. *Value*: a whole number from 1 to 1000000.
     """
@@ -678,6 +679,8 @@ class PowderScene(Scene):
     normal_law
         Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus
         `stiffness`/R. *Value*: one of "linear", "hertz".
+    steps_per_collision
+        Least number of steps of a collision of soft contacts. *Value*: a number > 2 and <= 10000.
     solver
         Method for the contacts of a step. *Value*: one of "accelerated", "gauss-seidel".
     order
@@ -743,6 +746,7 @@ class PowderScene(Scene):
     stiffness: float | None = None
     damping: float | None = None
     normal_law: Literal["linear", "hertz"] | None = None
+    steps_per_collision: float | None = None
     solver: Literal["accelerated", "gauss-seidel"] = "accelerated"
     order: Literal["alternating", "fixed", "random"] = "alternating"
     stop: Literal["global", "local", "fixed"] = "global"
@@ -915,6 +919,8 @@ class GrainsScene(Scene):
     normal_law
         Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus
         `stiffness`/`radius`. *Value*: one of "linear", "hertz".
+    steps_per_collision
+        Least number of steps of a collision of soft contacts. *Value*: a number > 2 and <= 10000.
     tolerance
         Change of a sweep, relative to P, at which sweeps stop. *Value*: a number > 0 and <= 1.
     sweeps
@@ -993,6 +999,7 @@ class GrainsScene(Scene):
     stiffness: float | None = None
     damping: float | None = None
     normal_law: Literal["linear", "hertz"] | None = None
+    steps_per_collision: float | None = None
     tolerance: float = 0.0001
     sweeps: int = 1000
     motion: float = 0.05
@@ -1052,6 +1059,8 @@ class GasScene(Scene):
     normal_law
         Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus
         `stiffness`/R. *Value*: one of "linear", "hertz".
+    steps_per_collision
+        Least number of steps of a collision of soft contacts. *Value*: a number > 2 and <= 10000.
     """
 
     BODY: ClassVar[str] = "gas"
@@ -1072,6 +1081,7 @@ class GasScene(Scene):
     motion: float | None = None
     stiffness: float | None = None
     normal_law: Literal["linear", "hertz"] | None = None
+    steps_per_collision: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

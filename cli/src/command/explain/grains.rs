@@ -80,6 +80,7 @@ fn solver(scene: &GrainsScene, longest: f64) -> String {
         restitution: scene.restitution,
         overlap: ("the weight of a grain", format!("{} m", shown(overlap))),
         steps: [step, longest],
+        per_collision: scene.steps_per_collision,
     })
 }
 

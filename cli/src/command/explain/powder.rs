@@ -156,6 +156,8 @@ pub struct Springs<'a> {
     pub overlap: (&'a str, String),
     /// Lengths of a stable step and of the longest step.
     pub steps: [f64; 2],
+    /// Least number of steps of a collision.
+    pub per_collision: f64,
 }
 
 /// Springs, dashpots and their step.
@@ -177,8 +179,9 @@ pub fn springs(told: &Springs<'_>) -> String {
     );
     let ((force, overlap), [stable, longest]) = (&told.overlap, told.steps);
     let steps = format!(
-        "{force} overlaps by {overlap}; stable steps of {}, {:.0} in a longest step",
+        "{force} overlaps by {overlap}; steps of {}, {} a collision or more, {:.0} in a longest step",
         shown(stable),
+        told.per_collision,
         (longest / stable).ceil()
     );
     line("solver", method) + &line("", steps)
@@ -197,6 +200,7 @@ fn solver(scene: &PowderScene) -> String {
                 format!("{} R", shown(stiffness.overlap(1.0, 0.5))),
             ),
             steps: [step, scene.time_step],
+            per_collision: scene.steps_per_collision,
         });
     }
     let solver = scene.contact_solver();

@@ -92,6 +92,10 @@ impl<I: Interaction> System<I> {
 
     /// Degrees of freedom of a group that its thermostat controls.
     ///
+    /// The total momentum is no heat where nothing changes it: if all atoms are in the group, and neither a load, a
+    /// support, a drive nor noise acts on them, the components that `hold` leaves free are not counted. Such a group
+    /// must start without momentum, which would be taken for heat.
+    ///
     /// ```
     /// # use nalgebra::Vector3;
     /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
@@ -100,7 +104,7 @@ impl<I: Interaction> System<I> {
     /// # use tribos::md::system::{Integrator, Setup, System};
     /// # use tribos::md::thermostat::{NoseHoover, Spin, Thermostat};
     /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
-    /// // The common rotation of a turned body is no heat: one freedom less.
+    /// // The common rotation of a turned body is no heat, nor is the momentum of one that nothing holds.
     /// let bath = NoseHoover::new(0.1, 0.5, Spin::Spared { axis: [0.0; 2] })?;
     /// let turned = Group { thermostat: Thermostat::NoseHoover(bath), ..Group::default() };
     /// # let system = System::new(Setup {
@@ -117,7 +121,7 @@ impl<I: Interaction> System<I> {
     /// # })?;
     /// assert_eq!(system.groups()[0], turned);
     /// assert_eq!(system.members(0), [0, 1]);
-    /// assert_eq!(system.heat_freedoms(0), 3.0 * 2.0 - 1.0);
+    /// assert_eq!(system.heat_freedoms(0), 3.0 * 2.0 - 3.0 - 1.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn heat_freedoms(&self, index: usize) -> f64 {
@@ -129,12 +133,23 @@ impl<I: Interaction> System<I> {
             }
             _ => 0,
         };
-        // The mean velocity has two components.
+        // The mean velocity of a frame has two components.
         let carried = match group.frame {
-            Frame::Mean if all > 1 => 2,
-            _ => 0,
+            _ if self.is_isolated(index) => group.hold.freedoms(1),
+            Frame::Mean => 2,
+            Frame::Box => 0,
         };
-        (all - spared - carried) as f64
+        all.saturating_sub(spared + carried) as f64
+    }
+
+    /// Whether all atoms are in a group and its momentum stays.
+    fn is_isolated(&self, index: usize) -> bool {
+        let group = &self.groups[index];
+        self.members[index].len() == self.atoms.len()
+            && group.load == 0.0
+            && !matches!(group.thermostat, Thermostat::Langevin(_))
+            && self.support.is_none()
+            && self.drive.is_none()
     }
 
     /// Kinetic energy of a group that its thermostat takes for heat, but for a spared rotation;
