@@ -101,7 +101,9 @@ fn check_folds<R: Real>(
         let [_, c] = other.map(|corner| scale.at(corner));
         let (before, next) = (b - a, c - b);
         if side_of(&a, &b, &c) == Side::On && before.x * next.x + before.y * next.y < R::ZERO {
-            let edges = [[in_loop, edge], [in_loop, (edge + 1) % corners.len()]];
+            let next = edge + 1;
+            let next = if next < corners.len() { next } else { 0 };
+            let edges = [[in_loop, edge], [in_loop, next]];
             return Err(OutlineError::Crossing { edges });
         }
     }
