@@ -60,6 +60,9 @@ const RESTLESS_ULPS: f64 = 4096.0;
 const DAMPING: f64 = 1e-3;
 /// Share of the linear decrease that a step must bring.
 const ENOUGH: f64 = 1e-4;
+/// Speed of a point, in units of its share, up to which its direction is an unknown of its own: the bend of
+/// its power over that of the goal's own part is 1/16 there.
+const FELT: f64 = 16.0;
 /// Largest angle by which a point's velocity turns in a step.
 const LARGEST_ANGLE: f64 = 1.5;
 
@@ -99,7 +102,7 @@ pub(super) fn least<R: Real>(
                 Beside::Nowhere => {}
             }
         }
-        let way = Way::new(&at, kink.as_ref());
+        let way = Way::new(&at, kink.as_ref(), goal.reach(&power));
         // Rounding of the slowest point's direction.
         if let Some(slow) = &way.slow {
             let noise = slow.share * goal.reach(&power) * norm(&at) / slow.speed;
@@ -298,11 +301,13 @@ struct Slow<R: Real> {
 }
 
 impl<R: Real> Way<R> {
-    fn new(at: &Vector3<R>, kink: Option<&Kink<R>>) -> Self {
+    fn new(at: &Vector3<R>, kink: Option<&Kink<R>>, reach: R) -> Self {
         let slow = kink.and_then(|kink| {
             let [x, y] = velocity(at, &kink.place);
             let speed = x.hypot(y);
-            (speed > R::ZERO).then(|| Slow {
+            // The wrench of a fast point hardly bends, and its goal's own part is straight.
+            let is_felt = speed < R::from_f64(FELT) * kink.share * reach;
+            (speed > R::ZERO && is_felt).then(|| Slow {
                 place: kink.place,
                 share: kink.share,
                 speed,

@@ -82,6 +82,10 @@ const ROUGH: f64 = 1e-5;
 const SHARP: f64 = 1e-20;
 /// Rounding errors of |q| below which e counts as none.
 const HELD_ULPS: f64 = 16.0;
+/// Most Newton steps at the last σ of a wrench that is held, and the step after which it is solved to
+/// rounding, of e: the next one is its square.
+const LAST_STEPS: usize = 12;
+const SETTLED: f64 = 1e-8;
 /// Newton steps in all; fewer than 100 were seen.
 const MOST_STEPS: usize = 200;
 /// Halvings of a step.
@@ -136,6 +140,15 @@ impl<R: Real> Balance<'_, R> {
                 motion.smoothing *= SHRINK;
             } else if whole <= HELD_ULPS * f64::EPSILON * size {
                 break;
+            }
+        }
+        // A wrench that is held is the sum of its forces: the last σ is solved to rounding.
+        if norm(&motion.left()) <= none {
+            for _ in 0..LAST_STEPS {
+                let step = self.newton(&mut motion);
+                if norm(&step) <= SETTLED * norm(&motion.left()) {
+                    break;
+                }
             }
         }
         let left = motion.left();
