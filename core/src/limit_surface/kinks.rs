@@ -142,11 +142,15 @@ pub(super) fn least<R: Real>(
         (at, power) = (next, next_power);
     }
     // Next to a kink the balance tells the force of a point better than its motion.
-    if norm(&goal.gradient(&at, &power)) > ulps(DONE_ULPS)
+    let left = norm(&goal.gradient(&at, &power));
+    if left > ulps(DONE_ULPS)
         && let Some(kink) = kink_at(&at)
-        && let Some(carried) = balanced(goal, &at, &power, &kink, &power_at)
+        && let Some(gradient) = balanced(goal, &at, &power, &kink, &power_at)
     {
-        power.gradient = carried;
+        let carried = Power { gradient, ..power };
+        if norm(&goal.gradient(&at, &carried)) < left {
+            power = carried;
+        }
     }
     Least {
         at,

@@ -40,8 +40,8 @@ pub(super) struct Balance<'a, R: Real> {
 /// The motion of the remainder, wherever the search ended.
 pub(super) struct Remainder {
     pub(super) motion: Motion,
-    /// True unless the motion proves that the foot slides: φ < 0.
-    pub(super) may_hold: bool,
+    /// False where the motion proves that the foot slides: φ < 0.
+    pub(super) is_held: bool,
 }
 
 /// e as a motion: the velocity of one point and the spin, with σ.
@@ -82,10 +82,6 @@ const ROUGH: f64 = 1e-5;
 const SHARP: f64 = 1e-20;
 /// Rounding errors of |q| below which e counts as none.
 const HELD_ULPS: f64 = 16.0;
-/// Most Newton steps at the last σ of a wrench that is held, and the step after which it is solved to
-/// rounding, of e: the next one is its square.
-const LAST_STEPS: usize = 12;
-const SETTLED: f64 = 1e-8;
 /// Newton steps in all; fewer than 100 were seen.
 const MOST_STEPS: usize = 200;
 /// Halvings of a step.
@@ -142,18 +138,9 @@ impl<R: Real> Balance<'_, R> {
                 break;
             }
         }
-        // A wrench that is held is the sum of its forces: the last σ is solved to rounding.
-        if norm(&motion.left()) <= none {
-            for _ in 0..LAST_STEPS {
-                let step = self.newton(&mut motion);
-                if norm(&step) <= SETTLED * norm(&motion.left()) {
-                    break;
-                }
-            }
-        }
         let left = motion.left();
-        let may_hold = norm(&left) <= none || !self.moves(&left);
-        Remainder { motion, may_hold }
+        let is_held = norm(&left) <= none || !self.moves(&left);
+        Remainder { motion, is_held }
     }
 
     /// Makes the velocity of the slowest point an unknown.
