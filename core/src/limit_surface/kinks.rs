@@ -60,6 +60,9 @@ const RESTLESS_ULPS: f64 = 4096.0;
 const DAMPING: f64 = 1e-3;
 /// Share of the linear decrease that a step must bring.
 const ENOUGH: f64 = 1e-4;
+/// Speed of a point, in units of its share, up to which its direction is an unknown of its own: the bend of
+/// its power over that of the goal's own part is 1/16 there.
+const FELT: f64 = 16.0;
 /// Largest angle by which a point's velocity turns in a step.
 const LARGEST_ANGLE: f64 = 1.5;
 
@@ -99,7 +102,7 @@ pub(super) fn least<R: Real>(
                 Beside::Nowhere => {}
             }
         }
-        let way = Way::new(&at, kink.as_ref());
+        let way = Way::new(&at, kink.as_ref(), goal.reach(&power));
         // Rounding of the slowest point's direction.
         if let Some(slow) = &way.slow {
             let noise = slow.share * goal.reach(&power) * norm(&at) / slow.speed;
@@ -144,11 +147,15 @@ pub(super) fn least<R: Real>(
         Ended::Missed
     };
     // Next to a kink the balance tells the force of a point better than its motion.
-    if norm(&goal.gradient(&at, &power)) > ulps(DONE_ULPS)
+    let left = norm(&goal.gradient(&at, &power));
+    if left > ulps(DONE_ULPS)
         && let Some(kink) = kink_at(&at)
-        && let Some(carried) = balanced(goal, &at, &power, &kink, &power_at)
+        && let Some(gradient) = balanced(goal, &at, &power, &kink, &power_at)
     {
-        power.gradient = carried;
+        let carried = Power { gradient, ..power };
+        if norm(&goal.gradient(&at, &carried)) < left {
+            power = carried;
+        }
     }
     Least {
         at,
@@ -305,11 +312,13 @@ struct Slow<R: Real> {
 }
 
 impl<R: Real> Way<R> {
-    fn new(at: &Vector3<R>, kink: Option<&Kink<R>>) -> Self {
+    fn new(at: &Vector3<R>, kink: Option<&Kink<R>>, reach: R) -> Self {
         let slow = kink.and_then(|kink| {
             let [x, y] = velocity(at, &kink.place);
             let speed = x.hypot(y);
-            (speed > R::ZERO).then(|| Slow {
+            // The wrench of a fast point hardly bends, and its goal's own part is straight.
+            let is_felt = speed < R::from_f64(FELT) * kink.share * reach;
+            (speed > R::ZERO && is_felt).then(|| Slow {
                 place: kink.place,
                 share: kink.share,
                 speed,

@@ -40,8 +40,8 @@ pub(super) struct Balance<'a, R: Real> {
 /// The motion of the remainder, wherever the search ended.
 pub(super) struct Remainder {
     pub(super) motion: Motion,
-    /// True unless the motion proves that the foot slides: φ < 0.
-    pub(super) may_hold: bool,
+    /// False where the motion proves that the foot slides: φ < 0.
+    pub(super) is_held: bool,
 }
 
 /// e as a motion: the velocity of one point and the spin, with σ.
@@ -139,8 +139,8 @@ impl<R: Real> Balance<'_, R> {
             }
         }
         let left = motion.left();
-        let may_hold = norm(&left) <= none || !self.moves(&left);
-        Remainder { motion, may_hold }
+        let is_held = norm(&left) <= none || !self.moves(&left);
+        Remainder { motion, is_held }
     }
 
     /// Makes the velocity of the slowest point an unknown.

@@ -105,8 +105,8 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
     /// *Domain*: 0 < `length` < ∞. *Special values*: `wrench` itself, to the bit, where the foot
     /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-14 of the wrench or of
     /// the force limit, whichever is less, also where the foot turns about one of them or next to one; f32:
-    /// 1e-6; wrenches outside by less than 64 rounding errors count as carried. The result is a sum of
-    /// forces within their discs, wherever the search ends. Both precisions compute in f64.
+    /// 1e-6; wrenches outside by less than 64 rounding errors count as carried. A wrench that
+    /// is not held becomes a sum of forces within their discs, wherever the search ends. Both precisions compute in f64.
     /// *Cost*: one pass over the points where the forces of the last call carry the wrench, else 20
     /// to 60 passes of four roots a point, up to 400 where it turns next to a point.
     pub fn nearest(&mut self, wrench: &Wrench<R>, length: R) -> Wrench<R> {
@@ -128,7 +128,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
             unit: self.force_limit.to_f64() * scale / self.patch.total_weight().to_f64(),
             wanted: wanted * scale,
         };
-        let Remainder { motion, may_hold } = balance.solve(norm(&balance.wanted));
+        let Remainder { motion, is_held } = balance.solve(norm(&balance.wanted));
         // What the points carry, each within its own disc: no difference of two large wrenches.
         let mut carried = Vector3::new(0.0, 0.0, 0.0);
         for (node, force) in self.patch.nodes().iter().zip(&mut self.forces) {
@@ -136,15 +136,14 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
             *force = own.map(|part| R::from_f64(part / scale)).into();
             carried += part;
         }
-        // A wrench is held if forces are found that add up to it.
-        if may_hold {
-            for _ in 0..=PASSES {
+        if is_held {
+            for _ in 0..PASSES {
                 if self.carries_as_it_is(wrench, inv_length, size) {
-                    return *wrench;
+                    break;
                 }
                 self.settle(wrench, inv_length);
             }
-            return -self.left(&Wrench::ZERO);
+            return *wrench;
         }
         Wrench::new(
             R::from_f64(carried.x / scale),

@@ -36,7 +36,7 @@ fn feet() -> [NodeList<f64, MOST>; 6] {
     let chair = [[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]].map(|[x, y]| at(x, y, 1.0));
     let middle = at(0.0, 0.0, 3.0);
     let ring = |i: u32| {
-        let angle = 0.785_398_163 * f64::from(i);
+        let angle = core::f64::consts::FRAC_PI_4 * f64::from(i);
         at(
             0.1 * libm::cos(angle),
             0.1 * libm::sin(angle),
