@@ -226,6 +226,15 @@ def test_wrong_shapes_and_laws_are_refused() -> None:
         tj.gauge(tribos.Friction(tribos.disk(0.1), mu=0.5, alpha=0.5), jnp.ones(3), 1.0)
 
 
+def test_a_step_on_four_feet_has_no_more_friction_than_they_carry() -> None:
+    places = [[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]
+    feet = tribos.Friction(tribos.points(places), mu=0.3)
+    twists = np.random.default_rng(0).normal(size=(500, 3)) * [3.0, 3.0, 30.0]
+    for dt in (1e-3, 1e-5, 1e-7):
+        step = tj.planar_step(feet, twists, jnp.zeros(3), 50.0, mass=5.0, inertia=0.3, dt=dt)
+        assert tj.gauge(feet, step.friction, 50.0).max() < 1.0 + 1e-9
+
+
 def test_the_package_does_not_import_jax_by_itself() -> None:
     code = "import sys, tribos; assert 'jax' not in sys.modules and 'torch' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True)
