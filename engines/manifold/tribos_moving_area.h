@@ -31,14 +31,14 @@ typedef struct tribos_moving_area {
 #define TRIBOS_ISOTROPIC 1.0e-2f
 
 /* Whether a tensor depends on the direction. */
-static inline int tribos_is_directed(const float tensor[3])
+TRIBOS_FN int tribos_is_directed(const float tensor[3])
 {
 	float limit = 0.5f * TRIBOS_ISOTROPIC * (tensor[0] + tensor[2]);
 	return fabsf(tensor[0] - tensor[2]) > limit || fabsf(2.0f * tensor[1]) > limit;
 }
 
 /* The tensor of a frame whose first axis is (c, s), in the outer frame. */
-static inline void tribos_turn_tensor(const float own[3], float c, float s, float out[3])
+TRIBOS_FN void tribos_turn_tensor(const float own[3], float c, float s, float out[3])
 {
 	float mean = 0.5f * (own[0] + own[2]), half = 0.5f * (own[0] - own[2]);
 	float c2 = (c - s) * (c + s), s2 = 2.0f * c * s, along = c2 * half - s2 * own[1];
@@ -48,7 +48,7 @@ static inline void tribos_turn_tensor(const float own[3], float c, float s, floa
 }
 
 /* Sets the area from `count` corners (x, y in turn) in m. 0 if they bound no area: the old one is forgotten then. */
-static inline int tribos_moving_area_set(tribos_moving_area *moving, const float *corners, int count)
+TRIBOS_FN int tribos_moving_area_set(tribos_moving_area *moving, const float *corners, int count)
 {
 	float twice = 0.0f, cx = 0.0f, cy = 0.0f, polar = 0.0f, inverse, first, c = 1.0f, s = 0.0f;
 	int i;

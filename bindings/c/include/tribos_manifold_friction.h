@@ -27,6 +27,10 @@
  * Accuracy, domain and derivation: the Rust module tribos_core::manifold_friction, whose bits these are if the
  * compiler does not contract or reorder (-ffp-contract=off, no -ffast-math).
  *
+ * On a device: define TRIBOS_FN before the header, for CUDA and HIP
+ *
+ *   #define TRIBOS_FN static inline __host__ __device__
+ *
  * Lanes: define the macros below for a vector type, and include this header again for another name:
  *
  *   #define TMF_NAME     my_manifold_friction   gives also my_manifold_friction_directed
@@ -46,6 +50,11 @@
 
 #ifndef TRIBOS_MANIFOLD_FRICTION_H
 #define TRIBOS_MANIFOLD_FRICTION_H
+
+/* What stands before each function. */
+#ifndef TRIBOS_FN
+#define TRIBOS_FN static inline
+#endif
 
 /* Limit curves that are the same in all directions: h1, h2, h4. */
 #define TRIBOS_CURVE_AREA { -0.245f, -0.036812603f, 0.034142315f }
@@ -72,7 +81,7 @@ typedef struct tribos_contact_area_f32 {
 } tribos_contact_area_f32;
 
 /* 2 artanh z, 0 <= z <= 1, without logarithm. */
-static inline float tribos_twice_artanh_(float z)
+TRIBOS_FN float tribos_twice_artanh_(float z)
 {
 	float factor = 2.0f, z2, sum;
 	int i;
@@ -92,7 +101,7 @@ static inline float tribos_twice_artanh_(float z)
 /* The area bounded by `count` corners (x, y in turn) in m, clockwise or counterclockwise. Two corners, or a
  * polygon without area, are a line; fewer have no lever. Call it when the manifold is made, with the clip polygon
  * before it is reduced. */
-static inline tribos_contact_area_f32 tribos_contact_area(const float *corners, int count)
+TRIBOS_FN tribos_contact_area_f32 tribos_contact_area(const float *corners, int count)
 {
 	tribos_contact_area_f32 area;
 	float most2 = 0.0f, end[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
@@ -220,8 +229,8 @@ static inline tribos_contact_area_f32 tribos_contact_area(const float *corners, 
 #define TMF_AT_MOST(a, b) ((a) <= (b))
 #define TMF_SELECT(m, a, b) ((m) ? (a) : (b))
 #define TMF_ALL(m) (m)
-static inline float tribos_min_(float a, float b) { return b < a ? b : a; }
-static inline float tribos_max_(float a, float b) { return a < b ? b : a; }
+TRIBOS_FN float tribos_min_(float a, float b) { return b < a ? b : a; }
+TRIBOS_FN float tribos_max_(float a, float b) { return a < b ? b : a; }
 #endif
 #endif
 
@@ -235,7 +244,7 @@ static inline float tribos_max_(float a, float b) { return a < b ? b : a; }
 #endif
 
 /* h and its first two derivatives at X. */
-static inline void TMF_OWN_(_height_)(const TMF_T h[3], TMF_T x2, TMF_T out[3])
+TRIBOS_FN void TMF_OWN_(_height_)(const TMF_T h[3], TMF_T x2, TMF_T out[3])
 {
 	TMF_T x4 = TMF_MUL(x2, x2), twice = TMF_ADD(h[1], h[1]), four = TMF_MUL(TMF_F_(4.0f), h[2]);
 	out[0] = TMF_ADD(TMF_ADD(TMF_F_(1.0f), TMF_MUL(h[0], x2)), TMF_MUL(x4, TMF_ADD(h[1], TMF_MUL(h[2], x4))));
@@ -244,14 +253,14 @@ static inline void TMF_OWN_(_height_)(const TMF_T h[3], TMF_T x2, TMF_T out[3])
 }
 
 /* Quadratic form of a symmetric matrix. */
-static inline TMF_T TMF_OWN_(_form_)(const TMF_T m[3], TMF_T x, TMF_T y)
+TRIBOS_FN TMF_T TMF_OWN_(_form_)(const TMF_T m[3], TMF_T x, TMF_T y)
 {
 	return TMF_ADD(TMF_ADD(TMF_MUL(TMF_MUL(m[0], x), x), TMF_MUL(TMF_MUL(TMF_ADD(m[1], m[1]), x), y)),
 				   TMF_MUL(TMF_MUL(m[2], y), y));
 }
 
 /* Limit curve for a force along (x, y). */
-static inline void TMF_OWN_(_curve_)(const TMF_T spinning[3], const TMF_T slipping[3], TMF_T x, TMF_T y, TMF_T h[3])
+TRIBOS_FN void TMF_OWN_(_curve_)(const TMF_T spinning[3], const TMF_T slipping[3], TMF_T x, TMF_T y, TMF_T h[3])
 {
 	TMF_T g = TMF_MIN(TMF_MAX(TMF_OWN_(_form_)(spinning, x, y), TMF_F_(0.3f)), TMF_F_(2.0f));
 	TMF_T w = TMF_MIN(TMF_MAX(TMF_OWN_(_form_)(slipping, x, y), TMF_F_(0.05f)), TMF_F_(1.5f));
@@ -261,7 +270,7 @@ static inline void TMF_OWN_(_curve_)(const TMF_T spinning[3], const TMF_T slippi
 }
 
 /* The whole search. `h` is the limit curve, that of `spinning` and `slipping` unless these are null. */
-static inline void TMF_OWN_(_search_)(TMF_T k, TMF_T kt, TMF_T force, TMF_T lever, TMF_T slip, TMF_T h[3],
+TRIBOS_FN void TMF_OWN_(_search_)(TMF_T k, TMF_T kt, TMF_T force, TMF_T lever, TMF_T slip, TMF_T h[3],
 									  const TMF_T *spinning, const TMF_T *slipping, int steps, TMF_T *p1, TMF_T *p2,
 									  TMF_T *t)
 {
@@ -388,7 +397,7 @@ static inline void TMF_OWN_(_search_)(TMF_T k, TMF_T kt, TMF_T force, TMF_T leve
 	*t = TMF_SELECT(holds, twist, y);
 }
 
-static inline void TMF_NAME(TMF_T k, TMF_T kt, TMF_T force, TMF_T lever, TMF_T slip, const TMF_T curve[3], TMF_T *p1,
+TRIBOS_FN void TMF_NAME(TMF_T k, TMF_T kt, TMF_T force, TMF_T lever, TMF_T slip, const TMF_T curve[3], TMF_T *p1,
 							TMF_T *p2, TMF_T *t)
 {
 	TMF_T h[3];
@@ -398,7 +407,7 @@ static inline void TMF_NAME(TMF_T k, TMF_T kt, TMF_T force, TMF_T lever, TMF_T s
 	TMF_OWN_(_search_)(k, kt, force, lever, slip, h, 0, 0, 2, p1, p2, t);
 }
 
-static inline void TMF_OWN_(_directed)(TMF_T k, TMF_T kt, TMF_T force, TMF_T lever, TMF_T slip, const TMF_T spinning[3],
+TRIBOS_FN void TMF_OWN_(_directed)(TMF_T k, TMF_T kt, TMF_T force, TMF_T lever, TMF_T slip, const TMF_T spinning[3],
 									   const TMF_T slipping[3], TMF_T *p1, TMF_T *p2, TMF_T *t)
 {
 	TMF_T h[3];

@@ -4,10 +4,12 @@
 //! gone when its passive forces are asked for, but each is D·max(0, a_ref − a) with the normal
 //! acceleration a that the solver found, which is kept.
 
+mod carry;
 mod foot;
 mod planar;
 
 use crate::arrays::refused;
+use carry::Joints;
 use foot::{Contact, Foot, Given};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
@@ -25,6 +27,10 @@ struct Places {
     axes: usize,
     /// Centres of mass of the trees.
     centres: usize,
+    /// Origins of the bodies.
+    origins: usize,
+    /// Anchors of the joints.
+    anchors: usize,
     /// Orientations of the bodies' inertias.
     inertias: usize,
     /// Position and orientation of each foot's frame.
@@ -33,6 +39,8 @@ struct Places {
     freedoms: usize,
     /// Bodies.
     bodies: usize,
+    /// Joints.
+    joints: usize,
 }
 
 /// Places of the fields in a contact of MuJoCo's: of numbers, the last two of integers of half the size.
@@ -108,6 +116,7 @@ impl MujocoFeet {
         if time < self.time {
             self.lift();
         }
+        let was_step = time > self.time;
         self.time = time;
         let constraints = Constraints {
             layout: &self.layout,
@@ -118,6 +127,7 @@ impl MujocoFeet {
         let mut memory = self.memory.bind(py).readwrite();
         let memory = memory.as_slice_mut().map_err(refused)?;
         let view = View::new(memory, &self.places);
+        let joints = view.joints();
         let mut is_loaded = false;
         for (foot, &[place, turn]) in self.feet.iter_mut().zip(&self.places.frames) {
             foot.weigh(view.acceleration);
@@ -133,6 +143,8 @@ impl MujocoFeet {
             foot.place(&self.contacts, &(*origin).into(), &frame);
             foot.turn(view.axes, view.centres);
             foot.press(&self.contacts, view.velocity);
+            let origin = Vector3::from(view.origins[foot.bodies[0]]);
+            foot.follow(&joints, dt, &origin, was_step);
             is_loaded |= foot.load > 0.0;
         }
         if !is_loaded {
@@ -198,20 +210,35 @@ struct View<'a> {
     acceleration: &'a [f64],
     axes: &'a [[f64; 6]],
     centres: &'a [Triple],
+    origins: &'a [Triple],
+    anchors: &'a [Triple],
     inertias: &'a [[f64; 9]],
 }
 
 impl<'a> View<'a> {
     fn new(memory: &'a [f64], places: &Places) -> Self {
         let &Places {
-            freedoms, bodies, ..
+            freedoms,
+            bodies,
+            joints,
+            ..
         } = places;
         Self {
             velocity: &memory[places.velocity..][..freedoms],
             acceleration: &memory[places.acceleration..][..freedoms],
             axes: memory[places.axes..][..6 * freedoms].as_chunks().0,
             centres: memory[places.centres..][..3 * bodies].as_chunks().0,
+            origins: memory[places.origins..][..3 * bodies].as_chunks().0,
+            anchors: memory[places.anchors..][..3 * joints].as_chunks().0,
             inertias: memory[places.inertias..][..9 * bodies].as_chunks().0,
+        }
+    }
+
+    fn joints(&self) -> Joints<'a> {
+        Joints {
+            anchors: self.anchors,
+            axes: self.axes,
+            velocity: self.velocity,
         }
     }
 }
@@ -354,7 +381,7 @@ fn solution(
     };
     let compliance = compliance(&feet, &mobility);
     let last: Rows = feet.iter().map(|foot| foot.friction()).collect();
-    let velocity: Rows = feet.iter().map(|foot| foot.twist).collect();
+    let velocity: Rows = feet.iter().map(|foot| foot.unrest(&feet, dt)).collect();
     let mut acceleration: Rows = Vec::with_capacity(feet.len());
     for (row, foot) in compliance.chunks_exact(feet.len()).zip(&feet) {
         let motion = foot.motion(view.acceleration);

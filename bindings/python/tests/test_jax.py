@@ -91,9 +91,38 @@ def test_a_step_into_rest_depends_on_nothing() -> None:
     assert tj.planar_step(DISK, jnp.zeros(3), jnp.zeros(3), 10.0, **BODY).at_rest.dtype == bool
 
 
-def test_gradients_at_rest_are_no_numbers_under_coulombs_law() -> None:
-    slope = jax.jacrev(lambda twist: tj.wrench(DISK, twist, 10.0))(jnp.zeros(3))
-    assert not np.isfinite(slope).all()
+def test_a_row_at_rest_passes_zero_on_and_disturbs_no_other() -> None:
+    at_rest = np.array([TWISTS[0], np.zeros(3), TWISTS[1]])
+    for friction in FRICTIONS:
+        of = lambda twist, made=friction: tj.wrench(made, twist, 7.0)  # noqa: E731
+        slopes = jax.vmap(jax.jacrev(of))(at_rest)
+        assert not slopes[1].any()
+        assert np.array_equal(slopes[::2], jax.vmap(jax.jacfwd(of))(TWISTS))
+        # The gradient of a mean is that without the row.
+        mean = jax.grad(lambda size, of=of: jnp.mean(of(at_rest * size)))(1.0)
+        moving = jax.grad(lambda size, of=of: jnp.sum(of(TWISTS * size)) / 9.0)(1.0)
+        assert np.isclose(mean, moving, rtol=1e-12, atol=1e-12)
+    assert not jax.grad(lambda wrench: tj.gauge(DISK, wrench, 7.0))(jnp.zeros(3)).any()
+    # What is no number stays none, in its row.
+    at_rest[1, 0] = np.nan
+    slopes = jax.vmap(jax.jacrev(lambda twist: tj.wrench(DISK, twist, 7.0)))(at_rest)
+    assert np.isnan(slopes[1]).any() and np.isfinite(slopes[::2]).all()
+
+
+def test_second_derivatives_are_refused_in_words() -> None:
+    with pytest.raises(NotImplementedError, match="first derivatives only"):
+        jax.hessian(lambda twist: tj.support(DISK, twist, 7.0))(TWISTS[0])
+    with pytest.raises(NotImplementedError, match="first derivatives only"):
+        jax.jit(jax.grad(jax.grad(lambda load: tj.wrench(DISK, TWISTS[0], load)[0])))(7.0)
+
+
+def test_calls_outside_of_jit_compile_once() -> None:
+    friction = tribos.Friction(tribos.disk(0.1), mu=0.31)
+    tj.wrench(friction, TWISTS, LOADS)
+    before = tj._compiled._cache_size()
+    for _ in range(3):
+        tj.wrench(tribos.Friction(tribos.disk(0.1), mu=0.31), TWISTS + 1.0, LOADS)
+    assert tj._compiled._cache_size() == before
 
 
 def test_a_turned_box_has_the_slopes_of_differences() -> None:
@@ -195,6 +224,15 @@ def test_wrong_shapes_and_laws_are_refused() -> None:
         tj.wrench(DISK, jnp.zeros(2), 1.0)
     with pytest.raises(ValueError, match="no limit surface"):
         tj.gauge(tribos.Friction(tribos.disk(0.1), mu=0.5, alpha=0.5), jnp.ones(3), 1.0)
+
+
+def test_a_step_on_four_feet_has_no_more_friction_than_they_carry() -> None:
+    places = [[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]
+    feet = tribos.Friction(tribos.points(places), mu=0.3)
+    twists = np.random.default_rng(0).normal(size=(500, 3)) * [3.0, 3.0, 30.0]
+    for dt in (1e-3, 1e-5, 1e-7):
+        step = tj.planar_step(feet, twists, jnp.zeros(3), 50.0, mass=5.0, inertia=0.3, dt=dt)
+        assert tj.gauge(feet, step.friction, 50.0).max() < 1.0 + 1e-9
 
 
 def test_the_package_does_not_import_jax_by_itself() -> None:

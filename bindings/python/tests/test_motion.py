@@ -715,3 +715,17 @@ def test_everything_is_frozen_and_picklable() -> None:
         throw.spin = 1.0  # type: ignore[misc]
     with pytest.raises(AttributeError):
         rest.time = 1.0  # type: ignore[misc]
+
+
+FEET = tribos.Friction(tribos.points([[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]), mu=0.3)
+
+
+@pytest.mark.parametrize("dt", [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7])
+@pytest.mark.parametrize("inertia", [0.3, 0.003])
+def test_a_step_on_four_feet_has_no_more_friction_than_they_carry(dt, inertia):
+    body = tribos.PlanarBody(FEET, mass=5.0, inertia=inertia, load=50.0)
+    surface = FEET.limit_surface(load=50.0)
+    twists = np.random.default_rng(0).normal(size=(2000, 3)) * [3.0, 3.0, 30.0]
+    step = body.step(twists, np.zeros(3), dt=dt)
+    assert surface.gauge(step.friction).max() < 1.0 + 1e-9
+    assert (body.energy(step.twists) <= body.energy(twists) * (1.0 + 1e-12)).all()

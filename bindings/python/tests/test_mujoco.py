@@ -351,6 +351,49 @@ def test_models_can_be_compiled_in_a_pause():
         assert feet["foot"].friction[0] == pytest.approx(-0.3 * 0.2 * GRAVITY, rel=1e-2)
 
 
+@pytest.mark.parametrize(
+    ("joint", "rate"),
+    [
+        ('axis="0 0 1"', 1.94),  # half of the rate at which it would slip
+        ('axis="0 0 1"', 3.68),  # 0.95 of it
+        ('axis="0.1 0 1"', 2.0),  # tilted against its axis
+    ],
+)
+def test_what_rests_on_a_turning_floor_stays(joint, rate):
+    model = mujoco.MjModel.from_xml_string(
+        f"""
+        <mujoco>
+          <option timestep="0.002" gravity="0 0 -{GRAVITY}"/>
+          <worldbody>
+            <body><joint name="axle" type="hinge" {joint}/>
+              <geom name="floor" type="cylinder" size="0.5 0.02" mass="100"/></body>
+            <body pos="0.2 0 0.0299"><freejoint/><geom name="foot" {PUCK} mass="0.2"/></body>
+          </worldbody>
+          <actuator><velocity joint="axle" kv="2e3"/></actuator>
+        </mujoco>"""
+    )
+    data = mujoco.MjData(model)
+
+    def place():
+        mujoco.mj_kinematics(model, data)
+        turn = data.geom("floor").xmat.reshape(3, 3).T
+        x = turn @ data.xmat[-1].reshape(3, 3)[:, 0]
+        return np.array([*(turn @ data.xpos[-1])[:2], math.atan2(x[1], x[0])])
+
+    with tribos.mujoco.attach(model, data, {"foot": DISK}, floor="floor") as feet:
+        for share in np.linspace(0.0, 1.0, 1000):
+            data.ctrl[:] = share * rate
+            mujoco.mj_step(model, data)
+        mujoco.mj_step(model, data, nstep=1000)
+        start, places = place(), []
+        for _ in range(20):
+            mujoco.mj_step(model, data, nstep=500)
+            places.append(place() - start)
+        assert feet["foot"].is_held
+    # The first order of the step would carry it by 15 mm and more; contacts' springs let it sway.
+    assert np.abs(places).max() < 2e-5
+
+
 @pytest.mark.parametrize("jacobian", ["dense", "sparse"])
 def test_a_sliding_ball_rolls_at_last_without_loss(jacobian):
     model, data = world('type="sphere" size="0.05"', height=0.05, option=f'jacobian="{jacobian}"')

@@ -146,7 +146,7 @@ pub enum Command {
     Run(run::Arguments),
     /// Which laws, modes and unknowns a scene carries, and what they cost.
     Explain(explain::Arguments),
-    /// Scenes that come with the program; check a scene, start one, its JSON Schema.
+    /// Scenes that come with the program; `scene new` starts one, `scene check` checks it.
     Scene(scene::Arguments),
     /// A run as a film in a web page, as pictures or as a film file.
     View(view::Arguments),

@@ -93,6 +93,85 @@ void foot_motion(const foot *foot, const mjtNum *velocities, double motion[MOTIO
             motion[k] += foot->jacobian[MOTIONS * i + k] * velocities[foot->freedoms[i].index];
 }
 
+// sin(x)/x
+static double sinc(double x) { return fabs(x) > 0 ? sin(x) / x : 1; }
+
+// change += what a turn by a vector of angles makes of another vector (Rodrigues, in half angles without
+// cancellation).
+static void add_turn(double change[3], const double turn[3], const double vector[3])
+{
+    const double angle = sqrt(dot3(turn, turn)), half = sinc(0.5 * angle);
+    double once[3], twice[3];
+    cross3(once, turn, vector);
+    cross3(twice, turn, once);
+    add_scaled3(change, once, sinc(angle));
+    add_scaled3(change, twice, 0.5 * half * half);
+}
+
+// How a point moves, and how it would along the tangent.
+typedef struct carried {
+    double shift[3], straight[3];
+} carried;
+
+// Adds how the joints of a body move a point of it in a time, from the innermost outwards.
+static void carry(const mjModel *m, const mjData *d, int body, const mjtNum *velocities, double dt,
+                  const double point[3], carried *out)
+{
+    for (; body; body = m->body_parentid[body])
+        for (int k = m->body_jntnum[body] - 1; k >= 0; k--) {
+            const int joint = m->body_jntadr[body] + k, type = m->jnt_type[joint], first = m->jnt_dofadr[joint];
+            const int shifts = type == mjJNT_FREE ? 3 : type == mjJNT_SLIDE;
+            const int turns = type == mjJNT_HINGE ? 1 : type == mjJNT_SLIDE ? 0 : 3;
+            double turn[3] = {0, 0, 0}, lever[3], tangent[3];
+            for (int i = first + shifts; i < first + shifts + turns; i++)
+                add_scaled3(turn, d->cdof + 6 * i, velocities[i] * dt);
+            subtract3(lever, point, d->xanchor + 3 * joint);
+            cross3(tangent, turn, lever);
+            add_scaled3(out->straight, tangent, 1);
+            add_scaled3(lever, out->shift, 1);
+            add_turn(out->shift, turn, lever);
+            for (int i = first; i < first + shifts; i++) {
+                add_scaled3(out->shift, d->cdof + 6 * i + 3, velocities[i] * dt);
+                add_scaled3(out->straight, d->cdof + 6 * i + 3, velocities[i] * dt);
+            }
+        }
+}
+
+// A conveyor's surface goes on ahead of its body.
+static void convey(const foot *foot, const double point[3], double dt, carried *out)
+{
+    double lever[3], spin[3] = {0, 0, 0}, half[3] = {0, 0, 0};
+    foot_in_world(foot, foot->surface, out->straight);
+    add_scaled3(spin, foot->axes + 6, foot->surface[SPIN]);
+    subtract3(lever, point, foot->centre);
+    cross3(out->shift, spin, lever);
+    add_scaled3(out->straight, out->shift, 1);
+    // The chord of a turn about the normal is the tangent turned by half of it.
+    add_scaled3(half, spin, 0.5 * dt);
+    memcpy(out->shift, out->straight, sizeof out->shift);
+    add_turn(out->shift, half, out->straight);
+    const double chord = sinc(0.5 * foot->surface[SPIN] * dt);
+    for (int k = 0; k < 3; k++) {
+        out->shift[k] *= chord * dt;
+        out->straight[k] *= dt;
+    }
+}
+
+void foot_bend(const foot *foot, const mjModel *m, const mjData *d, const mjtNum *velocities, double dt,
+               double bend[2])
+{
+    const double *origin = d->xpos + 3 * foot->bodies[0];
+    carried own = {{0}, {0}}, under = {{0}, {0}};
+    convey(foot, origin, dt, &under);
+    carry(m, d, foot->bodies[0], velocities, dt, origin, &own);
+    carry(m, d, foot->bodies[1], velocities, dt, origin, &under);
+    double way[3], straight[3];
+    subtract3(way, own.shift, under.shift);
+    subtract3(straight, own.straight, under.straight);
+    add_scaled3(way, straight, -1);
+    foot_in_plane(foot, way, bend);
+}
+
 void foot_mobility_roots(foot *foot, const mjModel *m, const mjData *d)
 {
     for (int side = 0; side < 2; side++) {

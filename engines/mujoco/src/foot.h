@@ -15,7 +15,8 @@ enum {
     STATE_HELD = 5,          // 1 if friction held it, else 0
     STATE_ACCELERATION = 6,  // of its centre without friction of the feet, m/s^2, 3 numbers
     STATE_TURNING = 9,       // angular acceleration about its normal without that friction, rad/s^2
-    STATE_SIZE = 10
+    STATE_SLIP = 10,         // of its centre on its ground since friction holds it: m along the patch's x and y, rad
+    STATE_SIZE = 13
 };
 
 typedef enum frame_kind { FRAME_GEOM, FRAME_BODY, FRAME_SITE } frame_kind;
@@ -38,6 +39,7 @@ typedef struct foot {
     int *grounds, ground_count;
     int bodies[2];  // of the foot, of the ground
     bool moves[2];  // false if the body is fixed to the world
+    bool is_afloat; // its body has all six motions by a joint of its own
     frame_kind frame;
     int frame_index;
     double mu;
@@ -56,7 +58,8 @@ typedef struct foot {
     double roots[2][36];    // of the inverse mass of foot and ground, if they move freely: [motion][column]
     double stiffness[9];    // of its contacts in lift and tilts
     double motion[3];       // by the degrees of freedom, along x, y, about the normal
-    double velocity[3];     // the same with the velocity of conveyors' surfaces
+    double surface[3];      // motion of a conveyor's surface, along x, along y, about the normal
+    double velocity[3];     // mean over the step, relative to the surface, if no velocity changes
     double friction[3];     // on the foot
     double response[3];     // its acceleration by the friction of all feet
     bool is_held;
@@ -73,6 +76,12 @@ void foot_turn(foot *foot, const mjData *d);
 
 // Its motions for velocities of all degrees of freedom, or accelerations.
 void foot_motion(const foot *foot, const mjtNum *velocities, double motion[MOTIONS]);
+
+// By how much the way of its body along its ground's surface, in a time in which no velocity changes, is not straight:
+// MuJoCo gives the joints whole turns, which carry what they hold in a circle and not along its tangent.
+// It is that of the body's origin, which a free joint moves straight, such that feet of one body have one bend.
+void foot_bend(const foot *foot, const mjModel *m, const mjData *d, const mjtNum *velocities, double dt,
+               double bend[2]);
 
 // Roots of the inverse masses of foot and ground, of those that move.
 void foot_mobility_roots(foot *foot, const mjModel *m, const mjData *d);

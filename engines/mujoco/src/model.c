@@ -203,6 +203,9 @@ static bool read_foot(const mjModel *m, foot *foot, const refusal *to)
         !check_side(m, "ground", foot->grounds, foot->ground_count, &foot->bodies[1], to))
         return false;
     for (int side = 0; side < 2; side++) foot->moves[side] = foot->bodies[side] != 0;
+    int jointed = foot->bodies[0];
+    while (jointed && !m->body_jntnum[jointed]) jointed = m->body_parentid[jointed];
+    foot->is_afloat = jointed && m->jnt_type[m->body_jntadr[jointed]] == mjJNT_FREE;
     if (foot->bodies[0] == foot->bodies[1])
         return refuse(to, "geom \"%s\" and ground \"%s\" are of one body", geom, ground);
     if (!*texts[3]) return refuse(to, "patch is missing: give one of " PATCH_NAMES);

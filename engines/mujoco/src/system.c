@@ -4,6 +4,11 @@
 #include "compliance.h"
 #include "vectors.h"
 
+// Share of its slip that friction takes back in a step from a body that it holds: what it knows a step late, of third
+// order in the step, carries the body no further than fifty times what one step of it does. A larger share would
+// move a body back visibly that a sudden push has moved in the step in which friction did not know of it.
+#define RETURN 0.02
+
 // A foot whose body sleeps keeps what it remembers: MuJoCo leaves its contacts out.
 static bool is_asleep(const mjModel *m, const mjData *d, const foot *foot)
 {
@@ -73,8 +78,8 @@ static const char *collect(tribos_system *system, const mjData *d)
 }
 
 #if mjVERSION_HEADER >= 4000000
-// Adds the velocity of the surfaces of conveyors, as the mean of the motions that each contact shows.
-static void add_surface_velocity(const tribos_system *system, const mjData *d, foot *foot)
+// The motion of the surfaces of conveyors, as the mean of those that each contact shows.
+static void find_surface_velocity(const tribos_system *system, const mjData *d, foot *foot)
 {
     double shift[3] = {0, 0, 0}, spin = 0;
     for (int at = foot->first; at >= 0; at = system->touches[at].next) {
@@ -89,11 +94,12 @@ static void add_surface_velocity(const tribos_system *system, const mjData *d, f
         // The spin about the contact's normal is `sign` times that about the foot's, as is its sense.
         spin += v[2];
     }
+    // MuJoCo's are those of the foot against the surface.
     double plane[2];
     foot_in_plane(foot, shift, plane);
-    foot->velocity[0] += plane[0] / foot->contact_count;
-    foot->velocity[1] += plane[1] / foot->contact_count;
-    foot->velocity[2] += spin / foot->contact_count;
+    foot->surface[ALONG_X] = -plane[0] / foot->contact_count;
+    foot->surface[ALONG_Y] = -plane[1] / foot->contact_count;
+    foot->surface[SPIN] = -spin / foot->contact_count;
 }
 #endif
 
@@ -114,10 +120,14 @@ static void settle(const tribos_system *system, const mjModel *m, const mjData *
     double motion[MOTIONS];
     foot_motion(foot, d->qvel, motion);
     memcpy(foot->motion, motion, sizeof foot->motion);
-    memcpy(foot->velocity, motion, sizeof foot->velocity);
+    memset(foot->surface, 0, sizeof foot->surface);
 #if mjVERSION_HEADER >= 4000000
-    if (m->flg_surfacevel) add_surface_velocity(system, d, foot);
+    if (m->flg_surfacevel) find_surface_velocity(system, d, foot);
 #endif
+    double bend[2];
+    foot_bend(foot, m, d, d->qvel, m->opt.timestep, bend);
+    subtract3(foot->velocity, motion, foot->surface);
+    for (int k = 0; k < 2; k++) foot->velocity[k] += bend[k] / m->opt.timestep;
 }
 
 size_t system_scratch(int count)
@@ -137,6 +147,34 @@ static planar_foot planar_of(const foot *foot, const mjtNum *state)
     foot_in_plane(foot, state + STATE_FORCE, planar.start);
     planar.start[2] = state[STATE_TORQUE];
     return planar;
+}
+
+// Adds the velocity with which slip is taken back, as one motion of the body: slips of feet that differ would turn
+// into forces between them. A body that stands on two grounds, or lacks a motion, might not be able to follow.
+static void take_back(foot **touching, planar_foot *planar, int loaded, const mjData *d, double dt)
+{
+    for (int i = 0; i < loaded; i++) {
+        const foot *own = touching[planar[i].index], *first = NULL;
+        bool is_on_one = own->is_afloat;
+        for (int j = 0; j < loaded; j++) {
+            const foot *other = touching[planar[j].index];
+            if (other->bodies[0] != own->bodies[0]) continue;
+            if (!first && d->plugin_state[other->state + STATE_HELD] > 0) first = other;
+            is_on_one = is_on_one && other->bodies[1] == own->bodies[1];
+        }
+        if (!first || !is_on_one) continue;
+        const mjtNum *slip = d->plugin_state + first->state + STATE_SLIP;
+        double way[3], lever[3], turn[3] = {0, 0, 0}, moved[3], plane[2];
+        foot_in_world(first, slip, way);
+        add_scaled3(turn, first->axes + 6, slip[SPIN]);
+        subtract3(lever, own->centre, first->centre);
+        cross3(moved, turn, lever);
+        add_scaled3(way, moved, 1);
+        foot_in_plane(own, way, plane);
+        planar[i].velocity[ALONG_X] += RETURN / dt * plane[0];
+        planar[i].velocity[ALONG_Y] += RETURN / dt * plane[1];
+        planar[i].velocity[SPIN] += RETURN / dt * slip[SPIN];
+    }
 }
 
 // Friction of a group of feet.
@@ -171,6 +209,7 @@ static void step_group(tribos_system *system, const mjModel *m, mjData *d, const
         planar[loaded++].index = i;
     }
     if (!loaded) return;
+    take_back(touching, planar, loaded, d, m->opt.timestep);
     for (int i = 0; i < loaded; i++)
         for (int j = 0; j < loaded; j++)
             memcpy(among + 9 * (loaded * i + j),
@@ -229,6 +268,17 @@ static void remember(const tribos_system *system, const mjModel *m, const mjData
             (motion[k] - foot->motion[k]) / m->opt.timestep - foot->response[k];
     foot_in_world(foot, acceleration, state + STATE_ACCELERATION);
     state[STATE_TURNING] = acceleration[2];
+
+    // How far it has moved on its ground in spite of being held.
+    double slip[3], bend[2];
+    subtract3(slip, motion, foot->surface);
+    for (int k = 0; k < 3; k++) slip[k] *= m->opt.timestep;
+    foot_bend(foot, m, d, d->qvel, m->opt.timestep, bend);
+    for (int k = 0; k < 2; k++) slip[k] += bend[k];
+    if (foot->is_held)
+        add_scaled3(state + STATE_SLIP, slip, 1);
+    else
+        memset(state + STATE_SLIP, 0, sizeof slip);
 }
 
 void system_remember(tribos_system *system, const mjModel *m, mjData *d)

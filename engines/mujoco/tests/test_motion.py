@@ -117,9 +117,12 @@ def test_a_tall_body_that_is_pushed_suddenly_is_held_in_the_next_step():
         mujoco.mj_step(model, data)
         assert state(model, data)[3]
         speeds.append(data.qvel[0] - 0.15 * data.qvel[4])
-    # The contacts' springs take what is left of the tilt.
-    assert np.abs(speeds[1:3]).max() < 0.03 * speeds[0]
-    assert np.abs(speeds[3:]).max() < 1e-3 * speeds[0]
+    # A fiftieth of the way of the first step is taken back in each of the next; the contacts' springs take what is
+    # left of the tilt.
+    back = -0.02 * speeds[0] * 0.98 ** np.arange(5)
+    left = np.abs(speeds[1:] - back) / speeds[0]
+    assert left[:2].max() < 0.03
+    assert left[2:].max() < 1e-3
 
 
 def cart(gear):
@@ -171,6 +174,90 @@ def test_a_conveyor_takes_a_body_along(is_turned):
     expected = [0.2 - 0.5 * y, -0.1 + 0.5 * x, 0.5]
     assert data.qvel[[0, 1, 5]] == pytest.approx(expected, abs=1e-3)
     assert state(model, data)[3]
+
+
+TABLE = '<geom name="floor" type="cylinder" size="0.5 0.02" mass="100" {more}/>'
+
+
+def feet_of(places):
+    legs = "".join(
+        f'<geom name="foot{i}" type="cylinder" size="0.03 0.01" pos="{x} {y} 0" mass="0.2" {FRICTIONLESS}/>'
+        for i, (x, y) in enumerate(places)
+    )
+    keys = {"ground": "floor", "patch": "disk", "size": 0.03, "mu": 0.3}
+    return legs, {f"foot{i}": {"geom": f"foot{i}"} | keys for i in range(len(places))}
+
+
+def against_floor(model, data):
+    """Place of the last body on the floor, and the angle by which it is turned there."""
+    mujoco.mj_kinematics(model, data)
+    floor = data.geom("floor")
+    turn = floor.xmat.reshape(3, 3).T
+    x = turn @ data.xmat[-1].reshape(3, 3)[:, 0]
+    return np.array([*(turn @ (data.xpos[-1] - floor.xpos))[:2], math.atan2(x[1], x[0])])
+
+
+@pytest.mark.parametrize("places", [[(0.0, 0.0)], [(0.04, 0.0), (-0.04, 0.04), (-0.04, -0.04)]])
+@pytest.mark.parametrize(
+    ("floor", "tilt", "drive", "wanted"),
+    [
+        # Half, and 0.95, of the rate at which it would slip.
+        ('<joint name="a" type="hinge" axis="0 0 1"/>', 0.0, "velocity", lambda t: [1.94]),
+        ('<joint name="a" type="hinge" axis="0 0 1"/>', 0.0, "velocity", lambda t: [3.68]),
+        # Tilted against its axis; with its axis; to and fro.
+        ('<joint name="a" type="hinge" axis="0.1 0 1"/>', 0.0, "velocity", lambda t: [2.0]),
+        ('<joint name="a" type="hinge" axis="0 0 1"/>', 6.0, "velocity", lambda t: [2.0]),
+        (
+            '<joint name="a" type="hinge" axis="0 0 1"/>',
+            0.0,
+            "position",
+            lambda t: [math.sin(3.0 * t)],
+        ),
+        # Rocking about an axis below it; shaken while it turns.
+        (
+            '<joint name="a" type="hinge" axis="1 0 0" pos="0 0 -0.3"/>',
+            0.0,
+            "position",
+            lambda t: [0.15 * math.sin(math.pi * t)],
+        ),
+        (
+            '<joint name="a" type="slide" axis="1 0 0"/><joint name="b" type="hinge" axis="0 0 1"/>',
+            0.0,
+            "position",
+            lambda t: [0.05 * math.sin(3.0 * t), math.sin(3.0 * t)],
+        ),
+    ],
+)
+def test_what_rests_on_a_moving_floor_stays(places, floor, tilt, drive, wanted):
+    legs, feet = feet_of(places)
+    tilted = math.radians(tilt)
+    x, z = 0.2, 0.0299
+    at = (x * math.cos(tilted) + z * math.sin(tilted), z * math.cos(tilted) - x * math.sin(tilted))
+    bodies = f"""
+        <body euler="0 {tilt} 0">{floor}{TABLE.format(more="")}</body>
+        <body pos="{at[0]} 0 {at[1]}" euler="0 {tilt} 0"><freejoint/>{legs}</body>"""
+    gain = 'kp="2e4" kv="2e3"' if drive == "position" else 'kv="2e3"'
+    count = floor.count("<joint")
+    drives = "".join(f'<{drive} joint="{name}" {gain}/>' for name in "ab"[:count])
+    model = model_of(feet, bodies, more=f"<actuator>{drives}</actuator>")
+    model.opt.timestep = 2e-3
+    data = mujoco.MjData(model)
+
+    def steps(count):
+        for _ in range(count):
+            data.ctrl[:] = np.array(wanted(data.time)) * min(1.0, data.time / 2.0)
+            mujoco.mj_step(model, data)
+
+    steps(2000)
+    places, start = [], against_floor(model, data)
+    for _ in range(20):
+        steps(250)
+        places.append(against_floor(model, data) - start)
+    # The first order of the step would carry it by 3 to 15 mm. Contacts' springs let it sway, and forces between its
+    # feet, which nothing determines, wander until one of them gives.
+    room = 2e-5 if len(feet) == 1 else 5e-4
+    assert np.abs(places)[:, :2].max() < room
+    assert np.abs(places)[:, 2].max() < 5 * room
 
 
 def test_a_body_that_is_pinched_too_weakly_falls_and_else_hangs_still():

@@ -3,6 +3,7 @@
 mod batches;
 mod digest;
 mod examples;
+mod feet;
 mod header;
 mod manifold;
 mod programs;

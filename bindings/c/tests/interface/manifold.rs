@@ -129,6 +129,8 @@ fn the_header_of_manifold_friction_has_the_kernels_bits() {
         ("cc", &["-std=c99"][..]),
         ("cc", &["-std=c99", "-march=native"]),
         ("c++", &["-x", "c++", "-std=c++17"]),
+        // What a device's compiler wants before each function.
+        ("cc", &["-std=c99", "-DTRIBOS_FN=static __inline__"]),
     ] {
         let program = scratch("manifold");
         if compiled(compiler, flags, &program) {

@@ -260,6 +260,36 @@ class Operation:
         raise NotImplementedError
 
 
+def finite_derivatives(operation: Operation, *given: Any) -> tuple[Any, list[list[Any]]]:
+    """Outputs and derivatives, with zero for those of a row in which one is infinite, as at rest.
+
+    Zero is what they tend to on average over the senses of a motion around rest. An infinite one would
+    make no numbers of the other rows' wherever derivatives are summed. Rows with an argument or an
+    output that is not finite keep theirs.
+    """
+    values, by = operation.derivatives(*given)
+    is_finite: Any = True
+    for array, row in zip(given, operation.inputs, strict=True):
+        is_finite = is_finite & _is_finite(array, row > 0)
+
+    def kept(output: int, at: int, slope: Any) -> Any:
+        slope = np.asarray(slope)
+        axes = (operation.outputs[output] > 0) + (operation.inputs[at] > 0)
+        is_known = is_finite & _is_finite(values[output], operation.outputs[output] > 0)
+        is_kept = _is_finite(slope, axes) | ~np.asarray(is_known)
+        return np.where(is_kept[(...,) + (None,) * axes], slope, 0.0)
+
+    return values, [
+        [kept(output, at, slope) for at, slope in enumerate(slopes)]
+        for output, slopes in enumerate(by)
+    ]
+
+
+def _is_finite(array: Any, axes: int) -> Any:
+    """Whether all numbers along the last axes are finite."""
+    return np.isfinite(array).all(axis=tuple(range(-int(axes), 0)))
+
+
 def _rows(given: Any) -> Any:
     """Numbers as rows of one."""
     return np.asarray(given)[..., None]

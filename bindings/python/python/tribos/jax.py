@@ -17,17 +17,32 @@ Notes
 *Precision*: the kernel computes in float64. JAX rounds arguments and results to float32 unless 64-bit
 numbers are on: ``jax.config.update("jax_enable_x64", True)`` is advised where derivatives matter.
 
-*Static arguments*: friction, `length` and `inertia_ratio` are not arrays and have no derivatives. They are hashable, and may be ``static_argnums`` of ``jit``. Friction depends on mu and
-load by their product: a derivative by mu is one by the load, of a `Friction` with ``mu=1``.
+*Static arguments*: friction, `length` and `inertia_ratio` are not arrays and have no derivatives.
+They are hashable, and may be ``static_argnums`` of ``jit``.
 
-*At rest* Coulomb friction jumps, and its derivative is infinite: a gradient through `wrench` there
-is not a number. `planar_step` has finite derivatives everywhere, because an implicit step smooths
-the jump, and its motion after a step that ends at rest has a derivative of exactly zero; so a body
-that has come to rest passes no gradient on, which is right but may surprise an optimiser. Where
-`wrench` itself must be differentiated through rest, `tribos.softened` has a law that is smooth.
+*A coefficient or a radius for each row*: friction depends on mu and load by their product, so that
+a `Friction` with ``mu=1`` takes ``mu * load`` as its load, and has the derivative by mu. Equal shapes
+of other sizes are one patch of size 1 whose spins and torques are scaled:
+
+>>> disk = tribos.Friction(tribos.disk(1.0), mu=1.0)
+>>> def sized(twist, mu, radius, load):
+...     size = jax.numpy.array([1.0, 1.0, radius])
+...     return tribos.jax.wrench(disk, twist * size, mu * load) * size
+>>> bool(jax.numpy.allclose(sized(jax.numpy.array([1.0, 0.0, 20.0]), 0.3, 0.04, 1.7),
+...                         puck.wrench([1.0, 0.0, 20.0], 1.7), rtol=1e-5))
+True
+
+*At rest* Coulomb friction jumps, and its derivative is infinite. A row whose derivative is infinite
+passes zero on, so that it disturbs no other row of a batch: gradients through a body at rest are
+zero, through `wrench` and `gauge` too. `planar_step` has finite derivatives everywhere, because an
+implicit step smooths the jump, and its motion after a step that ends at rest has a derivative of
+exactly zero; so a body that has come to rest passes no gradient on, which is right but may surprise
+an optimiser. Where slopes through rest are needed, `tribos.softened` has a law that is smooth.
 
 *Cost*: a callback costs 0.1 to 0.3 ms a call, whatever it computes; per item the kernel's time and
-that of three copies. Many items a call cost little more than those of numpy arrays.
+that of three copies. Many items a call cost little more than those of numpy arrays. The first call
+with a friction and with shapes takes tens of milliseconds, in which JAX compiles it; a derivative
+outside of ``jit`` takes some milliseconds in every call.
 """
 
 from __future__ import annotations
@@ -43,7 +58,7 @@ from jax.custom_derivatives import SymbolicZero
 from tribos import _gradients
 from tribos._checks import positive
 from tribos._friction import Friction
-from tribos._gradients import Operation, length_of
+from tribos._gradients import Operation, finite_derivatives, length_of
 from tribos._planar import Step
 
 __all__ = [
@@ -109,7 +124,7 @@ def support(friction: Friction, twists: Any, load: Any) -> Any:
 def gauge(friction: Friction, wrenches: Any, load: Any) -> Any:
     """The least factor by which the limit surface must grow, as `tribos.LimitSurface.gauge`.
 
-    Its derivative with respect to the zero wrench is not a number: it has a kink there.
+    It has a kink at the zero wrench, and zero as the derivative there.
     """
     (made,) = _apply(_gradients.Gauge(friction), wrenches, load)
     return made
@@ -242,7 +257,7 @@ def _apply(operation: Operation, *given: Any) -> tuple[Any, ...]:
     aligned = [
         array.reshape(more + array.shape) for array, more in zip(arrays, missing, strict=True)
     ]
-    made: tuple[Any, ...] = _operate(operation, *aligned)
+    made: tuple[Any, ...] = _compiled(operation, *aligned)
     return made
 
 
@@ -279,21 +294,37 @@ def _operate(operation: Operation, *given: Any) -> tuple[Any, ...]:
     return _called(operation, operation.value, rows, given)
 
 
+@partial(jax.custom_jvp, nondiff_argnums=(0, 1))
+def _slopes(
+    operation: Operation, pairs: tuple[tuple[int, int], ...], *given: Any
+) -> tuple[Any, ...]:
+    """The outputs, and derivatives of pairs of an output and an input."""
+
+    def every(*arrays: Any) -> list[Any]:
+        values, by = finite_derivatives(operation, *arrays)
+        return [*values, *(by[output][at] for output, at in pairs)]
+
+    rows = [(row,) * (row > 0) for row in operation.outputs]
+    for output, at in pairs:
+        rows.append(tuple(n for n in (operation.outputs[output], operation.inputs[at]) if n))
+    return _called(operation, every, rows, given)
+
+
+@_slopes.defjvp
+def _refuse(*_: Any) -> Any:
+    raise NotImplementedError(
+        "tribos.jax has first derivatives only: difference them for second ones, "
+        "or take jax.lax.stop_gradient of the inner one"
+    )
+
+
 def _rule(
     operation: Operation, given: tuple[Any, ...], tangents: tuple[Any, ...]
 ) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
     """Values, and the derivatives in a direction: linear in it, so that reverse mode transposes them."""
     moving = [at for at, tangent in enumerate(tangents) if not isinstance(tangent, SymbolicZero)]
     pairs = [(output, at) for output in operation.smooth for at in moving]
-
-    def every(*arrays: Any) -> list[Any]:
-        values, by = operation.derivatives(*arrays)
-        return [*values, *(by[output][at] for output, at in pairs)]
-
-    rows = [(row,) * (row > 0) for row in operation.outputs]
-    for output, at in pairs:
-        rows.append(tuple(n for n in (operation.outputs[output], operation.inputs[at]) if n))
-    found = _called(operation, every, rows, given)
+    found = _slopes(operation, tuple(pairs), *given)
     count = len(operation.outputs)
     values = found[:count]
     rates = [jnp.zeros_like(value) for value in values]
@@ -306,3 +337,5 @@ def _rule(
 
 
 _operate.defjvp(_rule, symbolic_zeros=True)
+# Without it every call outside of a compiled function would compile its callback anew.
+_compiled = jax.jit(_operate, static_argnums=0)

@@ -34,8 +34,10 @@ Contacts of the geoms with their floor are made frictionless while the feet are 
 step the load of a foot is the sum of its normal forces of the step before, and friction is that of
 an implicit step: the wrench that would bring the foot to rest relative to its floor, against its
 momentum and all other forces, brought to the nearest point of the limit surface in the metric of
-the effective masses. A foot that friction can hold therefore stands still exactly. Several feet of
-one body are solved together. Reactions act on the floor, which may move.
+the effective masses. A foot that friction can hold therefore stands still exactly; on a floor that
+moves it is brought to where the floor will be at the end of the step, by the whole turns of the
+floor's joints, and what it has slipped meanwhile is taken back, a fiftieth in each step. Several
+feet of one body are solved together. Reactions act on the floor.
 
 MuJoCo runs its callbacks when it compiles a model, and fails where they are Python's: compile
 models before feet are attached, or within `paused`.
@@ -282,6 +284,8 @@ class _Given(NamedTuple):
     frame: tuple[int, int]
     freedoms: list[tuple[int, float, int]]
     free: list[tuple[int, float, float, list[float]]]
+    bodies: tuple[int, int]
+    chains: tuple[list[tuple[int, int, int, int]], ...]
     is_free: bool
 
 
@@ -293,10 +297,13 @@ class _Places(NamedTuple):
     force: int
     axes: int
     centres: int
+    origins: int
+    anchors: int
     inertias: int
     frames: list[tuple[int, int]]
     freedoms: int
     bodies: int
+    joints: int
 
 
 class _Layout(NamedTuple):
@@ -341,11 +348,13 @@ class _State:
                 data.qfrc_passive,
                 data.cdof,
                 data.subtree_com,
+                data.xpos,
+                data.xanchor,
                 data.ximat,
                 *rows,
             ],
         )
-        velocity, acceleration, force, axes, centres, inertias, *others = places
+        velocity, acceleration, force, axes, centres, origins, anchors, inertias, *others = places
         self.native = _native.MujocoFeet(
             given,
             memory,
@@ -355,10 +364,13 @@ class _State:
                 force,
                 axes,
                 centres,
+                origins,
+                anchors,
                 inertias,
                 frames=list(zip(others[::2], others[1::2], strict=True)),
                 freedoms=model.nv,
                 bodies=model.nbody,
+                joints=model.njnt,
             ),
             _layout(),
             self._mass,
@@ -491,6 +503,8 @@ def _given(
             (side, sign, float(model.body_mass[side]), model.body_inertia[side].tolist())
             for side, sign in moving
         ],
+        bodies=(body, other),
+        chains=tuple(_joints(model, side) for side, _ in sides),
         is_free=all(_is_free(model, side) for side, _ in moving),
     )
 
@@ -503,6 +517,24 @@ def _freedoms(model: Any, body: int) -> list[int]:
         found.extend(range(start, start + int(model.body_dofnum[body])))
         body = int(model.body_parentid[body])
     return found
+
+
+def _joints(model: Any, body: int) -> list[tuple[int, int, int, int]]:
+    """Joints that carry a body, from the innermost on: index, first freedom, how many shift and turn."""
+    kinds = {
+        int(getattr(mujoco.mjtJoint, f"mjJNT_{name}")): counts for name, counts in _FREEDOMS.items()
+    }
+    found: list[tuple[int, int, int, int]] = []
+    while body:
+        start = int(model.body_jntadr[body])
+        for joint in reversed(range(start, start + int(model.body_jntnum[body]))):
+            first = int(model.jnt_dofadr[joint])
+            found.append((joint, first, *kinds[int(model.jnt_type[joint])]))
+        body = int(model.body_parentid[body])
+    return found
+
+
+_FREEDOMS = {"FREE": (3, 3), "BALL": (0, 3), "SLIDE": (1, 0), "HINGE": (0, 1)}
 
 
 def _is_free(model: Any, body: int) -> bool:

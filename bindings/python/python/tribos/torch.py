@@ -18,9 +18,10 @@ torch's default type for numbers. Derivatives that matter want float64.
 *Constants*: friction, `length` and `inertia_ratio` have no derivatives. Friction depends on mu and load by their product: a derivative by mu is one by the load, of a `tribos.Friction`
 with ``mu=1``.
 
-*At rest* Coulomb friction jumps, and its derivative is infinite: a gradient through `wrench` there
-is not a number. `planar_step` has finite derivatives everywhere, and its motion after a step that
-ends at rest has a derivative of exactly zero. `tribos.softened` has a law that is smooth at rest.
+*At rest* Coulomb friction jumps, and its derivative is infinite. A row whose derivative is infinite
+passes zero on, so that it disturbs no other: gradients through a body at rest are zero.
+`planar_step` has finite derivatives everywhere, and its motion after a step that ends at rest has a
+derivative of exactly zero. `tribos.softened` has a law that is smooth at rest.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ from torch.autograd.function import (  # type: ignore[import-not-found, unused-i
 from tribos import _gradients
 from tribos._checks import positive
 from tribos._friction import Friction
-from tribos._gradients import Operation, length_of
+from tribos._gradients import Operation, finite_derivatives, length_of
 from tribos._planar import Step
 
 __all__ = [
@@ -207,7 +208,7 @@ class _Operated(torch.autograd.Function):  # type: ignore[misc, unused-ignore]
         ctx.needed = [at for at, is_needed in enumerate(ctx.needs_input_grad[1:]) if is_needed]
         slopes: list[Any] = []
         if ctx.needed:
-            values, by = operation.derivatives(*arrays)
+            values, by = finite_derivatives(operation, *arrays)
             slopes = [by[output][at] for at in ctx.needed for output in operation.smooth]
         else:
             values = operation.value(*arrays)

@@ -1,10 +1,16 @@
 //! A foot: where its patch lies, what moves it, and what presses it.
 
+use super::carry::{Joint, Joints};
 use super::planar::{self, Limits};
 use crate::model::{Sets, sets};
 use crate::patch::Patch;
 use nalgebra::{Matrix3, Matrix6, SVector, Vector3, Vector6};
 use pyo3::prelude::*;
+
+/// Share of its slip that friction takes back in a step from a body that it holds: what it knows a step late, of third
+/// order in the step, carries the body no further than fifty times what one step of it does. A larger share would
+/// move a body back visibly that a sudden push has moved in the step in which friction did not know of it.
+const RETURN: f64 = 0.02;
 
 /// What a foot is, from Python.
 #[derive(FromPyObject)]
@@ -15,6 +21,8 @@ pub struct Given<'py> {
     floor: i32,
     freedoms: Vec<(usize, f64, usize)>,
     free: Vec<(usize, f64, f64, [f64; 3])>,
+    bodies: [usize; 2],
+    chains: [Vec<(usize, usize, usize, usize)>; 2],
 }
 
 /// A degree of freedom that moves a foot, or its floor.
@@ -66,6 +74,12 @@ pub struct Foot {
     pub floor: i32,
     pub freedoms: Vec<Freedom>,
     pub free: Vec<Free>,
+    /// The foot's and the floor's.
+    pub bodies: [usize; 2],
+    /// Their joints, the innermost first.
+    chains: [Vec<Joint>; 2],
+    /// The foot's body has all six motions by a joint of its own.
+    is_afloat: bool,
     /// Sum of the normal forces of the last step, in N.
     pub load: f64,
     /// Axes of the patch in its columns: x, y, normal.
@@ -79,6 +93,10 @@ pub struct Foot {
     /// Torque on it about its normal.
     torque: f64,
     pub twist: Vector3<f64>,
+    /// Its mean motion over the step if no velocity changes.
+    mean: Vector3<f64>,
+    /// How far it has moved since friction holds it, in m, m and rad.
+    slip: Vector3<f64>,
     pub is_held: bool,
 }
 
@@ -104,6 +122,19 @@ impl Given<'_> {
                     inertia,
                 })
                 .collect(),
+            bodies: self.bodies,
+            is_afloat: matches!(self.chains[0][..], [(_, _, 3, 3)]),
+            chains: self.chains.map(|chain| {
+                chain
+                    .into_iter()
+                    .map(|(index, first, shifts, turns)| Joint {
+                        index,
+                        first,
+                        shifts,
+                        turns,
+                    })
+                    .collect()
+            }),
             load: 0.0,
             axes: Matrix3::identity(),
             centre: Vector3::zeros(),
@@ -112,6 +143,8 @@ impl Given<'_> {
             force: Vector3::zeros(),
             torque: 0.0,
             twist: Vector3::zeros(),
+            mean: Vector3::zeros(),
+            slip: Vector3::zeros(),
             is_held: false,
         })
     }
@@ -154,6 +187,7 @@ impl Foot {
         self.load = 0.0;
         self.normals.clear();
         self.twist = Vector3::zeros();
+        self.slip = Vector3::zeros();
         self.take(&Vector3::zeros(), false);
     }
 
@@ -226,6 +260,49 @@ impl Foot {
             });
         }
         self.twist = motion.fixed_rows::<3>(0).into_owned();
+    }
+
+    /// By how much the way of its body on its floor, in a time in which no velocity changes, is not straight:
+    /// MuJoCo gives the joints whole turns, which carry what they hold in a circle and not along its tangent. It is
+    /// that of the body's `origin`, which a free joint moves straight, such that feet of one body have one bend.
+    fn bend(&self, joints: &Joints<'_>, dt: f64, origin: &Vector3<f64>) -> Vector3<f64> {
+        let sides = self.chains.each_ref();
+        let [own, under] = sides.map(|chain| joints.bend(chain, dt, origin));
+        let way = self.axes.tr_mul(&(own - under));
+        Vector3::new(way.x, way.y, 0.0)
+    }
+
+    /// Its mean motion over the step. What it has slipped, where friction holds it, grows by the way back over the
+    /// step before, if there `was_step`.
+    pub fn follow(&mut self, joints: &Joints<'_>, dt: f64, origin: &Vector3<f64>, was_step: bool) {
+        if !self.is_held {
+            self.slip = Vector3::zeros();
+        } else if was_step {
+            self.slip += self.twist * dt - self.bend(joints, -dt, origin);
+        }
+        self.mean = self.twist + self.bend(joints, dt, origin) / dt;
+    }
+
+    /// The motion of this foot by the velocity with which slip of the `first` foot of its body is taken back: slips
+    /// of feet that differ would turn into forces between them.
+    fn returned(&self, first: &Foot, dt: f64) -> Vector3<f64> {
+        let slip = first.slip * (RETURN / dt);
+        let turn = first.axes.column(2) * slip.z;
+        let shift = first.axes.column(0) * slip.x
+            + first.axes.column(1) * slip.y
+            + turn.cross(&(self.centre - first.centre));
+        self.in_axes(&shift, &turn).fixed_rows::<3>(0).into_owned()
+    }
+
+    /// The motion that friction has to end for rest, among the loaded `feet`. A body that stands on two floors, or
+    /// lacks a motion, might not be able to take its slip back.
+    pub fn unrest(&self, feet: &[&Foot], dt: f64) -> Vector3<f64> {
+        let mut own = feet.iter().filter(|foot| foot.bodies[0] == self.bodies[0]);
+        let is_on_one = own.clone().all(|foot| foot.bodies[1] == self.bodies[1]);
+        match own.find(|foot| foot.is_held) {
+            Some(first) if self.is_afloat && is_on_one => self.mean + self.returned(first, dt),
+            _ => self.mean,
+        }
     }
 
     /// Sum of stiffness · row rowᵀ of its normal forces.

@@ -33,7 +33,7 @@ pub struct Step<'a> {
     /// Acceleration of each foot, row by row, that unit friction of each foot gives, the response of the
     /// normal forces included.
     pub compliance: &'a [Matrix3<f64>],
-    /// Relative velocity now.
+    /// Relative motion of the step if no velocity changes, as a mean velocity.
     pub velocity: &'a [Vector3<f64>],
     /// Relative acceleration without friction.
     pub acceleration: &'a [Vector3<f64>],
