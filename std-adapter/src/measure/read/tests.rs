@@ -250,7 +250,9 @@ impl Kept {
         assert_eq!(self.densities, other.densities, "{what}");
         assert_eq!(self.materials, other.materials, "{what}");
         let ulps = |a: f64, b: f64| (a - b).abs() <= 4.0 * f64::EPSILON * a.abs();
-        let mut size: f64 = 0.0;
+        // The cell along periodic axes, the reach of the spheres along open ones.
+        let reaches = self.positions.iter().map(Vector3::amax);
+        let mut size = reaches.fold(0.0, f64::max);
         for (mine, theirs) in self.periods.iter().zip(other.periods) {
             assert_eq!(mine.is_some(), theirs.is_some(), "{what}");
             let pair = mine.zip(theirs);
@@ -264,7 +266,6 @@ impl Kept {
         }
         let space = PeriodicBox::new(self.periods).unwrap().sheared(self.tilt);
         for (mine, theirs) in self.positions.iter().zip(&other.positions) {
-            size = size.max(mine.amax());
             let way = space.displacement(mine, theirs);
             assert!(way.amax() <= share * size, "{what}: {way:?}");
         }
