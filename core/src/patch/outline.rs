@@ -147,13 +147,15 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
             (y - self.centre.y) / self.radius,
         );
         // ∫k x = S g for the pressure k = 1 + g·x about the centroid.
-        let [xx, xy, yy] = self.second_moments();
+        let axis = self.principal_axis();
+        let [xx, xy, yy] = self.second_moments(&axis);
         let determinant = xx * yy - xy * xy;
-        let slope = Vector2::new(
-            (yy * shift.x - xy * shift.y) / determinant,
-            (xx * shift.y - xy * shift.x) / determinant,
-        );
-        self.about(shift, slope, Vector2::new(x, y))
+        let [x_shift, y_shift] = along(&axis, &shift);
+        let slope = [
+            (yy * x_shift - xy * y_shift) / determinant,
+            (xx * y_shift - xy * x_shift) / determinant,
+        ];
+        self.about(shift, back(&axis, slope), Vector2::new(x, y))
     }
 
     /// The polygon under the pressure p₀ (1 + `slope`·(x − centroid)). *Units*: 1/length.
@@ -169,8 +171,10 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
     /// ```
     pub fn with_slope(self, slope: [R; 2]) -> Result<Polygon<R, S, Linear<R>>, OutlineError> {
         let slope = Vector2::new(slope[0] * self.radius, slope[1] * self.radius);
-        let [xx, xy, yy] = self.second_moments();
-        let shift = Vector2::new(xx * slope.x + xy * slope.y, xy * slope.x + yy * slope.y);
+        let axis = self.principal_axis();
+        let [xx, xy, yy] = self.second_moments(&axis);
+        let [g, h] = along(&axis, &slope);
+        let shift = back(&axis, [xx * g + xy * h, xy * g + yy * h]);
         let centre = self.centre + shift * self.radius;
         self.about(shift, slope, centre)
     }
@@ -190,8 +194,9 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
         let mut radius = R::ZERO;
         for edge in self.edges().iter() {
             let corner = edge.start();
-            let pressure = R::ONE + slope.x * corner.x + slope.y * corner.y;
-            if pressure < -collar {
+            let (by_x, by_y) = (slope.x * corner.x, slope.y * corner.y);
+            let pressure = R::ONE + by_x + by_y;
+            if pressure < -(collar * (R::ONE + by_x.abs() + by_y.abs())) {
                 return Err(OutlineError::LiftOff {
                     lowest: pressure.to_f64(),
                 });
@@ -221,7 +226,17 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
     }
 }
 
-/// Rounding of a pressure that is zero at a corner.
+/// A vector's parts along an axis of length 1 and across it.
+fn along<R: Real>(axis: &Vector2<R>, v: &Vector2<R>) -> [R; 2] {
+    [v.x * axis.x + v.y * axis.y, v.y * axis.x - v.x * axis.y]
+}
+
+/// The vector with these parts.
+fn back<R: Real>(axis: &Vector2<R>, [x, y]: [R; 2]) -> Vector2<R> {
+    Vector2::new(x * axis.x - y * axis.y, x * axis.y + y * axis.x)
+}
+
+/// Rounding of a pressure that is zero at a corner, of the terms that it is a sum of.
 const LIFT_ULPS: f64 = 64.0;
 
 impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> Polygon<R, S, K> {
@@ -270,24 +285,44 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> Polygon<R, S, K> {
     /// # Ok::<(), tribos_core::patch::outline::OutlineError>(())
     /// ```
     pub fn radius_of_gyration(&self) -> R {
-        let [xx, _, yy] = self.second_moments();
+        let [xx, _, yy] = self.second_moments(&Vector2::new(R::ONE, R::ZERO));
         let mean_sq = xx + yy;
         // Nothing but rounding makes it negative.
         let mean_sq = if mean_sq > R::ZERO { mean_sq } else { R::ZERO };
         self.radius * mean_sq.sqrt()
     }
 
-    /// Means of x², xy and y² about the centre, in units of radius².
-    fn second_moments(&self) -> [R; 3] {
+    /// The direction in which the patch is longest: about it the second moments of a thin patch are apart,
+    /// where along others they would cancel.
+    fn principal_axis(&self) -> Vector2<R> {
+        let [xx, xy, yy] = self.second_moments(&Vector2::new(R::ONE, R::ZERO));
+        let half = R::HALF * (xx - yy);
+        let size = half.hypot(xy);
+        let (x, y) = if half >= R::ZERO {
+            (size + half, xy)
+        } else {
+            (xy, size - half)
+        };
+        let length = x.hypot(y);
+        if length > R::ZERO {
+            Vector2::new(x / length, y / length)
+        } else {
+            Vector2::new(R::ONE, R::ZERO)
+        }
+    }
+
+    /// Means of x², xy and y² about the centre, in units of radius², with x along an axis.
+    fn second_moments(&self, axis: &Vector2<R>) -> [R; 3] {
         let mut sums = [R::ZERO; 3];
         for edge in self.edges() {
-            let [a, b] = [edge.start(), edge.end()];
+            let [[ax, ay], [bx, by]] =
+                [edge.start(), edge.end()].map(|corner| along(axis, &corner));
             let area = edge.offset() * edge.length();
             let mixed = |p: R, q: R, r: R, s: R| p * (R::TWO * q + s) + r * (R::TWO * s + q);
             for (sum, [[p, q], [r, s]]) in sums.iter_mut().zip([
-                [[a.x, a.x], [b.x, b.x]],
-                [[a.x, a.y], [b.x, b.y]],
-                [[a.y, a.y], [b.y, b.y]],
+                [[ax, ax], [bx, bx]],
+                [[ax, ay], [bx, by]],
+                [[ay, ay], [by, by]],
             ]) {
                 *sum += area * mixed(p, q, r, s);
             }

@@ -58,7 +58,7 @@ pub(super) fn about_centre<R: Real, const WITH_HESSIAN: bool>(
 
 /// The share of one cone.
 #[inline(always)]
-fn over_edge<R: Real, const WITH_HESSIAN: bool>(
+pub(super) fn over_edge<R: Real, const WITH_HESSIAN: bool>(
     seen: &Seen<R>,
     tangent: &Vector2<R>,
     [here, base, rate]: [R; 3],

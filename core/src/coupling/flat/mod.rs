@@ -17,6 +17,7 @@ mod bar;
 mod cone;
 mod far;
 mod feet;
+mod layer;
 mod mesh;
 mod motion;
 mod near;
@@ -30,6 +31,7 @@ use crate::patch::outline::{Edge, FlatPressure, Polygon};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
 use far::Slide;
+use layer::Layer;
 #[doc(hidden)]
 pub use motion::Motion;
 use nalgebra::{Matrix3, Vector2};
@@ -148,27 +150,42 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> DryPatch<R> for Polygon<R
     #[inline]
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
         let (edges, pressure, area) = (self.edges(), self.pressure(), self.reduced_area());
+        let layer = Layer::of(edges, pressure);
         let whole = match motion {
             Motion::Turns { centre, spin } => {
-                near::friction(edges, pressure, centre, R::ONE.copysign(*spin))
+                let sense = R::ONE.copysign(*spin);
+                match layer {
+                    Some(layer) => layer.turns::<false>(centre, sense).0,
+                    None => near::friction(edges, pressure, centre, sense),
+                }
             }
             Motion::Slides {
                 direction, turn, ..
-            } => Slide {
-                direction,
-                spin: *turn,
+            } => {
+                let slide = Slide {
+                    direction,
+                    spin: *turn,
+                };
+                let size = [area, self.longest_half()];
+                match layer {
+                    Some(layer) => layer.slides(&slide, size),
+                    None => slide.friction(edges, pressure, size),
+                }
             }
-            .friction(edges, pressure, [area, self.longest_half()]),
         };
         whole.scaled(R::ONE / area)
     }
 
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
         let (edges, pressure, area) = (self.edges(), self.pressure(), self.reduced_area());
+        let layer = Layer::of(edges, pressure);
         let (whole, hessian, rate) = match motion {
             Motion::Turns { centre, spin } => {
-                let (whole, hessian) =
-                    near::friction_and_hessian(edges, pressure, centre, R::ONE.copysign(*spin));
+                let sense = R::ONE.copysign(*spin);
+                let (whole, hessian) = match layer {
+                    Some(layer) => layer.turns::<true>(centre, sense),
+                    None => near::friction_and_hessian(edges, pressure, centre, sense),
+                };
                 (whole, hessian, spin.abs())
             }
             Motion::Slides {
@@ -180,8 +197,17 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> DryPatch<R> for Polygon<R
                     direction,
                     spin: *turn,
                 };
-                let whole = slide.friction(edges, pressure, [area, self.longest_half()]);
-                let hessian = slide.hessian(edges, pressure, self.longest_half());
+                let half = self.longest_half();
+                let (whole, hessian) = match layer {
+                    Some(layer) => (
+                        layer.slides(&slide, [area, half]),
+                        layer.bends(&slide, half),
+                    ),
+                    None => (
+                        slide.friction(edges, pressure, [area, half]),
+                        slide.hessian(edges, pressure, half),
+                    ),
+                };
                 (whole, hessian, *speed)
             }
         };
@@ -234,8 +260,8 @@ impl<R: Real> Hessian<R> {
 ///
 /// *Units*: any consistent set; twist and wrench refer to the origin of the patch's coordinates.
 /// *Domain*: load · μ · radius and spin · radius are zero or normal numbers. *Accuracy*, of μN and
-/// μN R about the centre of pressure, for patches up to 10 times as long as wide: 2e-14, under linear
-/// pressure 5e-14 (f32: 4e-6); a patch that is longer loses its aspect ratio. The torque of a patch
+/// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 2e-14, under
+/// linear pressure 5e-14 (f32: 4e-6); one that is longer loses its aspect ratio. The torque of a patch
 /// that hardly turns keeps that accuracy relative to itself.
 /// *Cost*: an edge takes two roots, a logarithm and four quotients; where the centre of rotation
 /// is farther away than 3 radii, 4 to 10 points, each with a root and two quotients.
