@@ -311,8 +311,14 @@ impl Film {
         let all = PyDict::new(py);
         all.set_item("sides", self.bodies.sides)?;
         all.set_item("periods", self.bodies.periods)?;
-        all.set_item("densities", PyArray1::from_slice(py, &self.bodies.densities))?;
-        all.set_item("materials", PyArray1::from_slice(py, &self.bodies.materials))?;
+        all.set_item(
+            "densities",
+            PyArray1::from_slice(py, &self.bodies.densities),
+        )?;
+        all.set_item(
+            "materials",
+            PyArray1::from_slice(py, &self.bodies.materials),
+        )?;
         all.set_item("radii", PyArray1::from_slice(py, &self.bodies.radii))?;
         all.set_item("layers", PyArray1::from_slice(py, &self.bodies.layers))?;
         all.set_item("parts", PyArray1::from_slice(py, &self.bodies.parts))?;

@@ -13,6 +13,7 @@ use tribos::gas::Gas;
 use tribos::grains::Grains;
 use tribos::powder::Compaction;
 use tribos::run::LongRun;
+use tribos::run::folder::Manifest;
 use tribos::scene::{Scene, read_scene};
 use tribos::tip::TipRun;
 
@@ -175,6 +176,9 @@ fn a_run_broken_while_it_writes_its_results_goes_on_to_the_same_bytes() -> Outco
         let whole = files(&out)?;
         let checkpoint = last_checkpoint(&home.path().join(format!("{scene}.toml")))?;
         std::fs::write(out.join("checkpoint.json"), checkpoint)?;
+        let mut manifest = Manifest::read(&out)?.ok_or("a manifest")?;
+        manifest.add(&["checkpoint.json"]);
+        manifest.write(&out)?;
         let is_result = |name: &&String| !name.starts_with("frames/") && *name != "tribos.json";
         for name in whole.keys().filter(is_result) {
             if name != "series.csv" {

@@ -140,13 +140,17 @@ fn options_that_would_change_nothing_are_refused() -> Outcome {
     let home = home.path();
     let run = home.join("run");
     assert!(powder(&run, &["height=12", "steps=20"])?.status.success());
-    let pair = "2\nLattice=\"20 0 0 0 20 0 0 0 20\" Properties=pos:R:3:radius:R:1\n1 1 1 1\n3 1 1 1\n";
+    let pair =
+        "2\nLattice=\"20 0 0 0 20 0 0 0 20\" Properties=pos:R:3:radius:R:1\n1 1 1 1\n3 1 1 1\n";
     std::fs::write(home.join("pair.xyz"), pair)?;
     for (command, words) in [
         ("measure run --gap 0.01", "--gap has no effect"),
         ("measure pair.xyz --angle 30", "--angle has no effect"),
         ("measure pair.xyz --density 2", "--density has no effect"),
-        ("measure pair.xyz --periods 20,20,-", "it says that it repeats along z after 20"),
+        (
+            "measure pair.xyz --periods 20,20,-",
+            "it says that it repeats along z after 20",
+        ),
         ("view run --out page.html --still 1", "cannot be used with"),
         ("run disk --out disk --checkpoint 9", "--checkpoint is for"),
         ("run disk --out disk --allow-large", "--allow-large is for"),
@@ -174,14 +178,26 @@ fn files_of_no_known_format_are_refused_with_what_was_expected() -> Outcome {
     let home = home.path();
     for (name, text, words) in [
         ("plain.xyz", "2\n\nAu 0 0 0\nAu 2.9 0 0\n", "plain XYZ"),
-        ("table.csv", "x,y,z,radius\n0,0,0,1\n", "none of extended XYZ"),
-        ("yade.txt", "#format x_y_z_r\n0 0 0 1\n", "none of extended XYZ"),
-        ("mercury.data", "2 0 0 0 0 10 10 10\n1 1 1 0 0 0 1\n", "none of extended XYZ"),
+        (
+            "table.csv",
+            "x,y,z,radius\n0,0,0,1\n",
+            "none of extended XYZ",
+        ),
+        (
+            "yade.txt",
+            "#format x_y_z_r\n0 0 0 1\n",
+            "none of extended XYZ",
+        ),
+        (
+            "mercury.data",
+            "2 0 0 0 0 10 10 10\n1 1 1 0 0 0 1\n",
+            "none of extended XYZ",
+        ),
         ("packed.zip", "PK\u{3}\u{4}\0", "unzip"),
     ] {
         std::fs::write(home.join(name), text)?;
         for command in ["measure", "eval --pair lj:cutoff=2.5 --out out"] {
-            let (code, _, told) = program::tribos(home, &format!("{command} {name}"))?;
+            let (code, _, told) = program::tribos(home, format!("{command} {name}"))?;
             assert_eq!(code, Some(2), "{command} {name}: {told}");
             assert!(told.contains(words), "{command} {name}: {told}");
         }

@@ -16,7 +16,7 @@
 //! twist next to the right one it is as far from the right wrench as the balance is from zero, or nearer.
 
 use super::quadratic::{Factors, dot, norm};
-use super::search::{Ended, Goal, Least, MOST_HALVINGS, Power, pivot, rough};
+use super::search::{Ended, Goal, Least, MOST_HALVINGS, Power, ended_at, pivot, rough};
 use crate::real::Real;
 use nalgebra::Vector3;
 
@@ -66,6 +66,14 @@ const FELT: f64 = 16.0;
 /// Largest angle by which a point's velocity turns in a step.
 const LARGEST_ANGLE: f64 = 1.5;
 
+/// The rotation about a point whose force lies on the rim of its disc.
+struct Rim<R: Real> {
+    at: Vector3<R>,
+    power: Power<R>,
+    /// What the point is asked for beyond its limit: all that the balance leaves.
+    left: R,
+}
+
 /// The twist at which `goal` is least, from `start` on.
 pub(super) fn least<R: Real>(
     goal: &impl Goal<R>,
@@ -77,6 +85,7 @@ pub(super) fn least<R: Real>(
     let mut at = start;
     let mut power = power_at(&at);
     let mut steps = 0;
+    let mut rim: Option<Rim<R>> = None;
     while steps < MOST_STEPS {
         let gradient = goal.gradient(&at, &power);
         let size = norm(&gradient);
@@ -92,11 +101,18 @@ pub(super) fn least<R: Real>(
                     found.steps = steps;
                     return found;
                 }
-                Beside::Leaves(next, next_power) => {
-                    let gain = before - goal.value(&next, next_power.value);
-                    if gain > ulps(WORTH_ULPS) * (R::ONE + before.abs()) {
-                        (at, power) = (next, next_power);
-                        continue;
+                Beside::Leaves(from, next) => {
+                    if rim.as_ref().is_none_or(|rim| from.left < rim.left) {
+                        rim = Some(from);
+                    }
+                    if let Some((next, next_power)) = next {
+                        let gain = before - goal.value(&next, next_power.value);
+                        let worth = ulps(WORTH_ULPS) * (R::ONE + before.abs());
+                        let is_closer = norm(&goal.gradient(&next, &next_power)) < size;
+                        if gain > worth || (gain >= -worth && is_closer) {
+                            (at, power) = (next, next_power);
+                            continue;
+                        }
                     }
                 }
                 Beside::Nowhere => {}
@@ -141,22 +157,22 @@ pub(super) fn least<R: Real>(
         }
         (at, power) = (next, next_power);
     }
-    let ended = if steps < MOST_STEPS && !power.value.is_nan() {
-        Ended::Rounding
-    } else {
-        Ended::Missed
-    };
     // Next to a kink the balance tells the force of a point better than its motion.
-    let left = norm(&goal.gradient(&at, &power));
+    let mut left = norm(&goal.gradient(&at, &power));
     if left > ulps(DONE_ULPS)
         && let Some(kink) = kink_at(&at)
         && let Some(gradient) = balanced(goal, &at, &power, &kink, &power_at)
     {
         let carried = Power { gradient, ..power };
-        if norm(&goal.gradient(&at, &carried)) < left {
-            power = carried;
+        let closer = norm(&goal.gradient(&at, &carried));
+        if closer < left {
+            (power, left) = (carried, closer);
         }
     }
+    if let Some(rim) = rim.filter(|rim| rim.left < left) {
+        (at, power, left) = (rim.at, rim.power, rim.left);
+    }
+    let ended = ended_at(left);
     Least {
         at,
         power,
@@ -226,8 +242,8 @@ fn rotation<R: Real>(
 enum Beside<R: Real> {
     /// The answer.
     Facet(Least<R>),
-    /// A twist next to it with a lower value.
-    Leaves(Vector3<R>, Power<R>),
+    /// The rotation with the most that the point carries, and a twist next to it that is better.
+    Leaves(Rim<R>, Option<(Vector3<R>, Power<R>)>),
     /// The rotation is of no use.
     Nowhere,
 }
@@ -277,16 +293,26 @@ fn beside<R: Real>(
     let slope = (force - kink.share) * reach;
     let matrix = goal.matrix(&power);
     let bend = matrix.m11 * cx * cx + R::TWO * matrix.m12 * cx * cy + matrix.m22 * cy * cy;
+    let rim = Rim {
+        at,
+        power,
+        left: slope,
+    };
+    let slack = R::from_f64(DONE_ULPS) * R::EPSILON * (R::ONE + before.abs());
     let mut by = slope / bend;
     for _ in 0..MOST_HALVINGS {
         let next = at + along * by;
         let next_power = power_at(&next);
-        if goal.value(&next, next_power.value) < before - R::from_f64(ENOUGH) * by * slope {
-            return Beside::Leaves(next, next_power);
+        let value = goal.value(&next, next_power.value);
+        // Where rounding hides what the step gains, the slope at its end decides.
+        let end = dot(&goal.gradient(&next, &next_power), &along);
+        let is_level = value <= before + slack && end.abs() < R::HALF * slope;
+        if is_level || value < before - R::from_f64(ENOUGH) * by * slope {
+            return Beside::Leaves(rim, Some((next, next_power)));
         }
         by = R::HALF * by;
     }
-    Beside::Nowhere
+    Beside::Leaves(rim, None)
 }
 
 /// From a twist along a step, which changes the velocity of the slowest point in polar coordinates.

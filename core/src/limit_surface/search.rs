@@ -32,7 +32,8 @@ pub(super) struct Power<R: Real> {
 pub(super) enum Ended {
     /// The gradient is zero to rounding.
     Level,
-    /// A full step of Newton's method no longer shortens the gradient, which is its own rounding.
+    /// A full step of Newton's method no longer shortens the gradient, which is its own rounding, or what is left of
+    /// it is small.
     Rounding,
     /// Neither, within the steps allowed or for want of numbers.
     Missed,
@@ -191,7 +192,7 @@ pub(super) fn least<R: Real>(
             break Ended::Level;
         }
         if steps == MOST_STEPS || size.is_nan() {
-            break Ended::Missed;
+            break ended_at(size);
         }
         steps += 1;
         let step = Factors::of(&goal.matrix(&power), pivot()).solve(&gradient);
@@ -232,6 +233,19 @@ pub(super) fn least<R: Real>(
 /// Least pivot, of its diagonal.
 pub(super) fn pivot<R: Real>() -> R {
     R::from_f64(PIVOT_ULPS) * R::EPSILON
+}
+
+/// What a gradient may leave where a search has ended otherwise, in units of the square root of a rounding error:
+/// values are right to its square.
+const MISSED: f64 = 64.0;
+
+/// The end of a search whose gradient has this size.
+pub(super) fn ended_at<R: Real>(size: R) -> Ended {
+    if size <= R::from_f64(MISSED) * rough() {
+        Ended::Rounding
+    } else {
+        Ended::Missed
+    }
 }
 
 /// A gradient below which a full step that does not shrink it shows rounding.

@@ -303,8 +303,48 @@ impl<R: Real> Balance<'_, R> {
         Model { gradient, matrix }
     }
 
+    /// What the points carry under a motion, each within its own disc; `tell` hears the force of each in turn.
+    ///
+    /// The direction of a point that hardly moves is rounding, and then the balance knows its force better.
+    pub(super) fn carried(
+        &self,
+        motion: &Motion,
+        mut tell: impl FnMut(usize, [f64; 2]),
+    ) -> Vector3<f64> {
+        let mut sum = Vector3::new(0.0, 0.0, 0.0);
+        let mut slowest = None;
+        let mut least = f64::INFINITY;
+        for (index, node) in self.nodes.iter().enumerate() {
+            let (force, wrench) = self.force(node, motion);
+            tell(index, force);
+            sum += wrench;
+            let [.., speed] = self.speeds(node, motion);
+            if speed < least {
+                least = speed;
+                slowest = Some((index, node, force));
+            }
+        }
+        let Some((index, node, [fx, fy])) = slowest else {
+            return sum;
+        };
+        let left = motion.left();
+        let limit = self.unit * node.weight.to_f64();
+        if limit * norm(&left) <= least * norm(&self.wanted) {
+            return sum;
+        }
+        let rest = self.wanted - left - sum;
+        let (x, y) = (fx + rest.x, fy + rest.y);
+        let size = Real::hypot(x, y);
+        let share = if size > limit { limit / size } else { 1.0 };
+        let force = [x * share, y * share];
+        tell(index, force);
+        let [x, y] = self.place(node);
+        let [dx, dy] = [force[0] - fx, force[1] - fy];
+        sum + Vector3::new(dx, dy, x * dy - y * dx)
+    }
+
     /// Force of one point under a motion, within its disc, and the wrench of it.
-    pub(super) fn force(&self, node: &Node<R>, motion: &Motion) -> ([f64; 2], Vector3<f64>) {
+    fn force(&self, node: &Node<R>, motion: &Motion) -> ([f64; 2], Vector3<f64>) {
         let [ux, uy, speed] = self.speeds(node, motion);
         let limit = self.unit * node.weight.to_f64();
         let [x, y] = self.place(node);

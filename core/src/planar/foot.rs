@@ -130,12 +130,12 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
         };
         let Remainder { motion, is_held } = balance.solve(norm(&balance.wanted));
         // What the points carry, each within its own disc: no difference of two large wrenches.
-        let mut carried = Vector3::new(0.0, 0.0, 0.0);
-        for (node, force) in self.patch.nodes().iter().zip(&mut self.forces) {
-            let (own, part) = balance.force(node, &motion);
-            *force = own.map(|part| R::from_f64(part / scale)).into();
-            carried += part;
-        }
+        let forces = &mut self.forces;
+        let carried = balance.carried(&motion, |point, own| {
+            if let Some(force) = forces.get_mut(point) {
+                *force = own.map(|part| R::from_f64(part / scale)).into();
+            }
+        });
         if is_held {
             for _ in 0..PASSES {
                 if self.carries_as_it_is(wrench, inv_length, size) {

@@ -44,15 +44,7 @@ pub(super) fn put_report(report: &StepReport, map: &mut Map<String, Value>) {
 /// Reads the report of the last step.
 pub(super) fn read_report(value: &Value) -> Result<StepReport, CheckpointError> {
     let numbers = numbers(value, NUMBERS)?;
-    let &[
-        dt,
-        overlap,
-        penetration,
-        excess,
-        complementarity,
-        relative,
-    ] = numbers.as_slice()
-    else {
+    let &[dt, overlap, penetration, excess, complementarity, relative] = numbers.as_slice() else {
         return Err(damaged(NUMBERS));
     };
     let counts = value[COUNTS].as_array().ok_or_else(|| damaged(COUNTS))?;

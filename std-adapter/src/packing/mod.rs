@@ -130,7 +130,8 @@ pub(crate) trait Packing: Debug {
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError>;
     /// The contact problem of the last step, as data; `None` where the contacts have none of that form.
     fn problem(&self) -> Option<Global>;
-    /// Whether an overlap is an error of the solver, and not the strain of a spring.
+    /// Whether an overlap is an error of the solver, and neither the strain of a spring nor what a number of sweeps
+    /// that was asked for leaves.
     fn is_rigid(&self) -> bool;
     /// The complete state of a run.
     fn freeze(&self) -> Frozen;

@@ -6,8 +6,8 @@ use super::{
 };
 use crate::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
 use crate::cd::{
-    ContactLaws, EnergyBalance, Facing, Laws, Mixture, Setup, State, StepReport, Wall, World,
-    WorldError, solid,
+    self, ContactLaws, EnergyBalance, Facing, Laws, Mixture, Setup, State, StepReport, Stop, Wall,
+    World, WorldError, solid,
 };
 use crate::problem::Global;
 use crate::record::{ContactRow, Partner};
@@ -279,7 +279,15 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
     }
 
     fn is_rigid(&self) -> bool {
-        true
+        // Whoever asks for a number of sweeps takes what they leave.
+        let method = self.setup().solver.method;
+        !matches!(
+            method,
+            cd::Method::GaussSeidel {
+                stop: Stop::Fixed,
+                ..
+            }
+        )
     }
 
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {

@@ -318,7 +318,7 @@ fn speed_of(problem: &Reduced, r: &[f64], at: usize) -> f64 {
     let (mut sum, mut rest) = (problem.q()[at], 0.0);
     for &(column, w) in problem.w().row(at) {
         let product = w * r[column];
-        let low = w.mul_add(r[column], -product);
+        let low = libm::fma(w, r[column], -product);
         let new = sum + product;
         let part = new - sum;
         rest += (sum - (new - part)) + (product - part) + low;

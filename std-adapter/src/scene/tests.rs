@@ -72,6 +72,9 @@ fn every_key_sets_its_field() {
                 Domain::Sizes => "\"normal:0.1\"".into(),
                 Domain::Path => "\"out/powder\"".into(),
                 Domain::Count { .. } => format!("{}", was.as_u64().unwrap_or(30) + 4),
+                Domain::Between { above, .. } if was.is_null() && above >= 0.8 => {
+                    format!("{}", above + 1.0)
+                }
                 _ => format!("{}", 0.98 * was.as_f64().unwrap_or(0.8) + 0.0017),
             };
             let rest: String = known

@@ -162,9 +162,9 @@ impl<M: ContactModes<f64>> SoftContact<M> {
             self.gap = gap;
             return Energies::default();
         }
-        let kick = self
-            .passage(gap, (gap - self.gap) / dt, law, [lever, dt])
-            .kick(law);
+        // A state that goes on has its forces found anew, in no time.
+        let opening = if dt > 0.0 { (gap - self.gap) / dt } else { 0.0 };
+        let kick = self.passage(gap, opening, law, [lever, dt]).kick(law);
         self.gap = gap;
         let [sliding, rolling, torsion] = self.stored_energies();
         self.impulse = Self::impulse_of(&self.force, &kick);

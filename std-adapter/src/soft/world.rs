@@ -400,7 +400,8 @@ impl<F: ContactFriction<f64>> World<F> {
             let gap = height - radii[i];
             self.energies.push(if is_apart(gap, wall.cohesion.range()) {
                 // A wall that was taken away has not opened a gap.
-                let gap = if gap.is_finite() { gap } else { contact.gap };
+                let known = [gap, contact.gap].into_iter().find(|gap| gap.is_finite());
+                let gap = known.unwrap_or(0.0);
                 Ok(contact.part(gap, wall, radii[i], dt))
             } else {
                 Touch::plate(height, &outward, radii[i]).map(|touch| {

@@ -526,7 +526,7 @@ mod tests {
         };
         let release = run(&scene).unwrap().outcome.release.unwrap();
         assert!(
-            (17.0 * (TAU * release).sin() - 16.0).abs() < 1e-9,
+            (17.0 * libm::sin(TAU * release) - 16.0).abs() < 1e-9,
             "{release}"
         );
     }

@@ -114,7 +114,7 @@ fn faces<R: Real>(source: &mut Source) -> Result<(), Broken> {
         placed(&lone.centre(), lone.radius())?;
     }
     if is_ordinary {
-        rubs(source, &mesh)
+        borne(source, &mesh)
     } else {
         Ok(())
     }
@@ -144,7 +144,7 @@ fn spikes<R: Real>(source: &mut Source) -> Result<(), Broken> {
     if !is_ordinary {
         return Ok(());
     }
-    rubs(source, &points)
+    borne(source, &points)
 }
 
 /// Two blades under one body.
@@ -166,7 +166,7 @@ fn sledge<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let radius = body.radius();
     holds(body.feet().len() == 2, "two feet", &[radius])?;
     placed(&body.centre(), body.radius())?;
-    rubs(source, &body)
+    borne(source, &body)
 }
 
 /// A patch that is at most a few times as long as wide, at times with a hole.
@@ -257,6 +257,17 @@ fn used<R: Real, K: FlatPressure<R>>(
             body.step(&set, twist, push, dt)
         }),
         _ => derived(source, &set),
+    }
+}
+
+/// Friction at any motion, or the set of what is carried.
+fn borne<R: Real>(source: &mut Source, patch: &impl DryPatch<R>) -> Result<(), Broken> {
+    if source.one_in(2) {
+        return rubs(source, patch);
+    }
+    match PatchSurface::new(patch, source.size()) {
+        Ok(set) => asked(source, &set),
+        Err(_) => Ok(()),
     }
 }
 

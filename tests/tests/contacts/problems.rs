@@ -46,7 +46,6 @@ fn changed_problems_are_solved() {
                 // Without full rank such a W need not have a solution: no method solves the eight others.
                 unsymmetric += usize::from(is_solved);
             } else if what.starts_with("q changed") && !is_solved {
-                // Jams that another q squeezes: impulses grow without bound.
                 unsolved.push((name, end.ending, end.residual));
             } else {
                 assert!(is_solved, "{name}: {:?} {:?}", end.ending, end.residual);
@@ -54,7 +53,12 @@ fn changed_problems_are_solved() {
         }
     }
     assert!(unsymmetric >= 32, "{unsymmetric} of 40");
-    assert!(unsolved.len() <= 1, "{unsolved:?}");
+    // One jam: large impulses leave contacts that close, and whether others would not is not known.
+    let is_known = |name: &str| name.starts_with("wedge 12, ");
+    assert!(
+        unsolved.iter().all(|(name, ..)| is_known(name)),
+        "{unsolved:?}"
+    );
 }
 
 /// Solutions to 1e-10 of a jammed, shaken box of 30: from no impulses, and from normal ones of 10.

@@ -5,7 +5,7 @@ use tribos::md::atoms::Atoms;
 use tribos::md::group::{Frame, Group, Hold};
 use tribos::md::interaction::Wanted;
 use tribos::md::neighbours::ListError;
-use tribos::md::observe::{conserved_energy, kinetic_energies, temperature};
+use tribos::md::observe::{conserved_energy, kinetic_energies};
 use tribos::md::pair::{LennardJones, Pairing, Shift};
 use tribos::md::system::{Integrator, Setup, System, SystemError};
 use tribos::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat};

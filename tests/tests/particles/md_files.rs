@@ -225,7 +225,7 @@ fn wrong_dumps_are_refused_by_their_line() {
     says(
         5,
         "ITEM: BOX BOUNDS xy xz yz pp ff pp",
-        &["line 5", "a tilted box"],
+        &["line 6", "an axis of the box", "LOW HIGH TILT"],
     );
     says(6, "-1 3 0.5", &["line 6", "a tilted box"]);
     says(6, "3 -1", &["line 6", "the high end of the box"]);

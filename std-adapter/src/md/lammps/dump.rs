@@ -141,13 +141,17 @@ impl Head {
         let mut tilts = [0.0; 3];
         for (ends, tilt) in ends.iter_mut().zip(&mut tilts) {
             let line = lines.need("an axis of the box", CUT_SHORT)?;
-            match line.words().as_slice() {
-                &[low, high] => *ends = bounds(line, low, high)?,
-                &[low, high, leans] => {
+            match (line.words().as_slice(), flags.len() > 3) {
+                (&[low, high], false) => *ends = bounds(line, low, high)?,
+                (&[low, high, leans], true) => {
                     *ends = bounds(line, low, high)?;
                     *tilt = line.number("a tilt factor", leans)?;
                 }
-                _ => return Err(line.invalid("an axis of the box", "LOW HIGH", line.text)),
+                ([_, _, _], false) => return Err(tilted(line)),
+                (_, false) => return Err(line.invalid("an axis of the box", "LOW HIGH", line.text)),
+                (_, true) => {
+                    return Err(line.invalid("an axis of the box", "LOW HIGH TILT", line.text));
+                }
             }
         }
         let [_, tilt, _] = tilts;

@@ -290,7 +290,9 @@ impl Assembly {
             };
             let reason = match (old, periods[axis]) {
                 (Some(old), None) if !self.is_assumed => {
-                    format!("it says that it repeats along {name} after {old}; give {old} in place of -")
+                    format!(
+                        "it says that it repeats along {name} after {old}; give {old} in place of -"
+                    )
                 }
                 (Some(old), Some(given)) if old != given => {
                     format!("its period along {name} is {old}, not {given}")

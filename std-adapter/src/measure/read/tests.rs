@@ -66,7 +66,10 @@ fn exports_of_our_own_come_back_to_the_bit() {
         assert_eq!(periodic.space, space);
         for (x, reason) in [
             (Some(8.0), "its period along x is 9, not 8"),
-            (None, "it says that it repeats along x after 9; give 9 in place of -"),
+            (
+                None,
+                "it says that it repeats along x after 9; give 9 in place of -",
+            ),
         ] {
             let other = periodic.clone().with_periods(name, [x, Some(9.5), None]);
             let other = other.map(|_| ()).map_err(|error| error.to_string());

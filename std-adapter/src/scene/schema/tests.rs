@@ -180,6 +180,7 @@ fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
             let value = match key.domain {
                 Domain::OneOf(words) => format!("\"{}\"", words[0]),
                 Domain::Count { .. } => "1".to_owned(),
+                Domain::Between { above, .. } if above >= 0.5 => format!("{}", above + 1.0),
                 _ => "0.5".to_owned(),
             };
             let text = format!("{}{} = {value}\n", known.least_text(), key.name);
