@@ -38,11 +38,11 @@ const BEYOND: f64 = 8.0;
 /// that, up to 100:1), and what counts as on the surface widens with it, so that no projection moves a
 /// projected wrench.
 /// Points: the same on facets; between them the gauge 1e-9, next to a facet's rim normals to its square
-/// root. A projected wrench lies in the set to 16 rounding errors, however far the given one, whatever the
-/// length, and wherever the search has ended; on points it is the nearest one for lengths of 10⁻³ to 10³ radii
-/// (f32: 0.1 to 10), while for others one in 5000 is a more distant one (f32: one in 20). *Special values*: gauge
-/// and normal are NaN should their search not end. *Cost*, in wrenches with Jacobian: gauge, normal and projection
-/// about 5 each, at most 12.
+/// root; projections 1e-8 of the wrench there (f32: 1e-3). A projected wrench lies in the set to 16 rounding
+/// errors, however far the given one, whatever the length, and wherever the search has ended. It is the nearest
+/// one for lengths of 10⁻⁶ to 10⁶ radii in f64; in f32, beyond 0.1 to 10 radii, one in 200 is a more distant one.
+/// *Special values*: gauge and normal are NaN should their search not end. *Cost*, in wrenches with Jacobian:
+/// gauge, normal and projection about 5 each, at most 12 (more next to the rotation about a point).
 ///
 /// ```
 /// use tribos_core::limit_surface::{FrictionSet, PatchSurface};
