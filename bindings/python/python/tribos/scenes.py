@@ -638,8 +638,8 @@ class PowderScene(Scene):
         How the thresholds of sliding and torsion depend on each other. *Value*: one of
         "independent", "ellipsoid", "exact".
     share_second
-        Share of the spheres that are of a second material, chosen at random. *Value*: a number from
-        0 to 1.
+        Share of the spheres that are of a second material, chosen at random; those of `start` that
+        have materials keep them. *Value*: a number from 0 to 1.
     density_second
         Density of the second material; that of the first if it is left out. *Unit*: rho. *Value*: a
         finite number > 0.
@@ -817,15 +817,16 @@ class GrainsScene(Scene):
         Distribution of the radii about their mean, in place of `radius_spread`. *Value*: a
         distribution such as "uniform:0.2", "normal:0.1", "lognormal:0.3" or "table:FILE.csv".
     density
-        Density of the grains. *Unit*: kg/m^3. *Value*: a finite number > 0.
+        Density of the grains; those of `start` that have one keep it. *Unit*: kg/m^3. *Value*: a
+        finite number > 0.
     seed
         Seed of the random start. *Value*: a whole number from 1 to 9007199254740992.
     spacing
         Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
         *Value*: a number > 1 and <= 100.
     share_second
-        Share of the grains that are of a second material, chosen at random. *Value*: a number from
-        0 to 1.
+        Share of the grains that are of a second material, chosen at random; those of `start` that
+        have materials keep them. *Value*: a number from 0 to 1.
     radius_second
         Radius of these, in mean radii of the others. *Value*: a number > 0 and <= 100.
     density_second

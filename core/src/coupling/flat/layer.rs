@@ -455,7 +455,8 @@ mod tests {
             let found = friction.wrench(1.0, &Twist::new(x, y, spin));
             let [x, y, torque] = strip.wrench;
             // Torques about the origin, of at most twice the radius.
-            let off = (found.force.x - x).hypot(found.force.y - y) + (found.torque - torque).abs();
+            let off =
+                libm::hypot(found.force.x - x, found.force.y - y) + (found.torque - torque).abs();
             assert!(
                 off < 5e-14 * strip.aspect / 10.0,
                 "{} {off:e}",

@@ -148,7 +148,9 @@ impl Head {
                     *tilt = line.number("a tilt factor", leans)?;
                 }
                 ([_, _, _], false) => return Err(tilted(line)),
-                (_, false) => return Err(line.invalid("an axis of the box", "LOW HIGH", line.text)),
+                (_, false) => {
+                    return Err(line.invalid("an axis of the box", "LOW HIGH", line.text));
+                }
                 (_, true) => {
                     return Err(line.invalid("an axis of the box", "LOW HIGH TILT", line.text));
                 }
