@@ -197,7 +197,7 @@ fn no_step_on_points_leaves_their_set_or_gains_energy() {
 }
 
 #[test]
-#[ignore = "half an hour: cargo test --release -p tribos-core no_step_on_points -- --ignored"]
+#[ignore = "over a minute: cargo test --release -p tribos-core no_step_on_points -- --ignored"]
 fn no_step_on_points_of_very_many_leaves_their_set_or_gains_energy() {
     check(MANY);
 }
