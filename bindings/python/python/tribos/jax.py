@@ -310,12 +310,14 @@ def _slopes(
     return _called(operation, every, rows, given)
 
 
-@_slopes.defjvp
 def _refuse(*_: Any) -> Any:
     raise NotImplementedError(
         "tribos.jax has first derivatives only: difference them for second ones, "
         "or take jax.lax.stop_gradient of the inner one"
     )
+
+
+_slopes.defjvp(_refuse)
 
 
 def _rule(
