@@ -60,7 +60,7 @@ impl Options {
 
     /// The command that makes the same, but for the folders.
     pub fn command(&self) -> String {
-        let mut words = vec!["cargo run --release -p tribos-benches --bin fronts".to_string()];
+        let mut words = vec!["cargo run --profile dist -p tribos-benches --bin fronts".to_string()];
         if self.quick || !self.only.is_empty() || self.problems.is_some() {
             words.push("--".into());
         }

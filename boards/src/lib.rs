@@ -18,7 +18,7 @@
 //! }
 //! ```
 //!
-//! `cargo run -p tribos-boards --release --bin hello --target thumbv7em-none-eabihf` runs it; the
+//! `cargo run -p tribos-boards --profile dist --bin hello --target thumbv7em-none-eabihf` runs it; the
 //! command of the emulator is in `.cargo/config.toml`. The program ends with an error if it
 //! panics, faults, or if its stack has overwritten its statics. On a host the same file compiles
 //! to a line that says for which targets to build.

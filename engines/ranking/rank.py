@@ -9,8 +9,7 @@
 
 BOX3D and JOLT are git checkouts at the commits that the scripts name; their results stay in target/engines, from where they
 are read here. All others run here, one after the other, which takes some minutes: the Python packages under the Python of
-this script, MuJoCo's repair if its plugin is built, and Rapier by `cargo run --release -p tribos-rapier --example answers
-tests/answers/v1`. Whatever is missing is left out, and the page says so. The page has the time of a step: nothing else should
+this script, MuJoCo's repair if its plugin is built, and Rapier by the example `answers` of tribos-rapier. Whatever is missing is left out, and the page says so. The page has the time of a step: nothing else should
 run. --rows keeps the raw rows in a folder and takes from there what is there already.
 """
 
@@ -62,6 +61,7 @@ COMMANDS = {
         "run",
         "--quiet",
         "--release",
+        "--manifest-path=engines/Cargo.toml",
         "-p",
         "tribos-rapier",
         "--example",

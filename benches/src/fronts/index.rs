@@ -8,7 +8,7 @@ const PAGE: &str = "index.md";
 const OPENING: &str = "\
 # Speed against error
 
-`cargo run --release -p tribos-benches --bin fronts` makes this folder; `--help` tells how to make one
+`cargo run --profile dist -p tribos-benches --bin fronts` makes this folder; `--help` tells how to make one
 front alone. Ratios within a run are steadier than times: the load average in the headers tells how
 busy the machine was.
 ";

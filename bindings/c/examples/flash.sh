@@ -1,8 +1,8 @@
 #!/bin/sh
 # Flash used by single functions on a Cortex-M4F, code and data: a table for docs/c.md.
 #
-#     cargo build --release -p tribos-c --target thumbv7em-none-eabihf
-#     bindings/c/examples/flash.sh target/thumbv7em-none-eabihf/release/libtribos_c.a
+#     cargo build --profile dist -p tribos-c --target thumbv7em-none-eabihf
+#     bindings/c/examples/flash.sh target/thumbv7em-none-eabihf/dist/libtribos_c.a
 set -eu
 if [ $# -ne 1 ] || [ ! -f "$1" ]; then
   echo "usage: flash.sh path/to/libtribos_c.a (built for thumbv7em-none-eabihf)" >&2

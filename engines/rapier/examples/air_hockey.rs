@@ -1,6 +1,6 @@
 //! Air hockey: a puck on nearly no friction, cushions, and a mallet that strikes.
 //!
-//! `cargo run --release -p tribos-rapier --example air_hockey [PICTURE.svg]`
+//! `cargo run --release --manifest-path engines/Cargo.toml -p tribos-rapier --example air_hockey [PICTURE.svg]`
 
 mod picture;
 

@@ -1,6 +1,6 @@
 //! The scenes of the reference answers in Rapier, alone and with patches, as CSV.
 //!
-//! `cargo run --release -p tribos-rapier --example answers tests/answers/v1`
+//! `cargo run --release --manifest-path engines/Cargo.toml -p tribos-rapier --example answers tests/answers/v1`
 
 use rapier3d::prelude::*;
 use std::collections::HashMap;

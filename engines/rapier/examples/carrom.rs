@@ -1,6 +1,6 @@
 //! A spinning striker into a row of pieces on a board with cushions.
 //!
-//! `cargo run --release -p tribos-rapier --example carrom [PICTURE.svg]`
+//! `cargo run --release --manifest-path engines/Cargo.toml -p tribos-rapier --example carrom [PICTURE.svg]`
 
 mod picture;
 

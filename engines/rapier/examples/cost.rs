@@ -1,6 +1,6 @@
 //! What the patches cost: many pucks that slide apart on one table, by contact and step.
 //!
-//! `cargo run --release -p tribos-rapier --example cost`
+//! `cargo run --release --manifest-path engines/Cargo.toml -p tribos-rapier --example cost`
 
 use rapier3d::prelude::*;
 use std::error::Error;

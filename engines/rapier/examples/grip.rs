@@ -1,6 +1,6 @@
 //! How far blocks creep in ten seconds that friction holds: by Rapier alone, and with their patch.
 //!
-//! `cargo run --release -p tribos-rapier --example grip`
+//! `cargo run --release --manifest-path engines/Cargo.toml -p tribos-rapier --example grip`
 //!
 //! The blocks of `bindings/python/benches/hold.py`, which puts them into other engines.
 

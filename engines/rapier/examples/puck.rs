@@ -1,6 +1,6 @@
 //! A spinning puck thrown on a table: exact, by Rapier alone, with its patch.
 //!
-//! `cargo run --release -p tribos-rapier --example puck [PICTURE.svg]`
+//! `cargo run --release --manifest-path engines/Cargo.toml -p tribos-rapier --example puck [PICTURE.svg]`
 
 mod picture;
 

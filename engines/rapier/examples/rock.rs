@@ -3,7 +3,7 @@
 //! The stone does not curl here: Coulomb friction that is even along the ring does not bend a path.
 //! What curls is told by the models of `docs/curling.md`.
 //!
-//! `cargo run --release -p tribos-rapier --example rock [PICTURE.svg]`
+//! `cargo run --release --manifest-path engines/Cargo.toml -p tribos-rapier --example rock [PICTURE.svg]`
 
 mod picture;
 

@@ -1,6 +1,6 @@
 //! Travel and stop of thrown pucks and boxes seen from above, against the exact law.
 //!
-//! `cargo run --release -p tribos-rapier2d --example disks_and_boxes`
+//! `cargo run --release --manifest-path engines/Cargo.toml -p tribos-rapier2d --example disks_and_boxes`
 
 #[path = "../tests/promises/exact.rs"]
 mod exact;

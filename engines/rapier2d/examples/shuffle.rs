@@ -1,6 +1,6 @@
 //! A shuffleboard seen from above: pucks and boxes, walls, a strip of ice.
 //!
-//! `cargo run --release -p tribos-rapier2d --example shuffle [PICTURE.svg]`
+//! `cargo run --release --manifest-path engines/Cargo.toml -p tribos-rapier2d --example shuffle [PICTURE.svg]`
 
 mod picture;
 
