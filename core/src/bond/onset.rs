@@ -165,7 +165,8 @@ fn is_finite<R: Real>(displacement: &Twist<R>) -> bool {
 
 /// True if a symmetric matrix is positive definite, by its pivots; `None` where it has no finite entries.
 fn is_definite<R: Real>(m: &Matrix3<R>) -> Option<bool> {
-    if !m.iter().all(|entry| entry.is_finite()) {
+    let entries = [m.m11, m.m12, m.m13, m.m22, m.m23, m.m33];
+    if !entries.iter().all(|entry| entry.is_finite()) {
         return None;
     }
     let (xx, xy, xn) = (m.m11, m.m12, m.m13);
