@@ -37,6 +37,9 @@ pub enum Release {
     Softens,
     /// All bonds yield and none weakens: the push is the limit of large displacements.
     Yields,
+    /// They had not let go where the search ended, 4e8 times beyond the displacement at which the first bond weakens:
+    /// the push there is carried, and where the body lets go is not known.
+    Holds,
 }
 
 /// Where a body lets go.
@@ -55,7 +58,7 @@ pub enum Release {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Onset<R: Real> {
-    /// Displacement reached, in length and angle; infinite parts where bonds yield.
+    /// Displacement up to which the bonds hold, in length and angle; infinite parts where bonds yield.
     pub displacement: Twist<R>,
     /// The load on the body that its bonds balance there: minus their wrench.
     pub push: Wrench<R>,
@@ -63,9 +66,10 @@ pub struct Onset<R: Real> {
     pub release: Release,
 }
 
-/// Step of the search, as a factor of the displacement. A law whose peak is narrower is not made.
+/// Step of the search, as a factor of the displacement: half of the peak of [`super::ReForming`] with most stages.
 const STEP: f64 = 1.02;
-/// Most steps: a factor of 4e8.
+/// Most steps: a factor of 4e8. Along the displacement nothing resists where all bonds weaken, so that more
+/// steps need bonds nearer than 2e-9 of the reach to the centre of rotation, which carry nearly all.
 const STEPS: u32 = 1000;
 /// Most halvings of a step.
 const HALVINGS: u32 = 60;
@@ -74,9 +78,10 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
     /// The onset of sliding along a direction of displacement; only ratios of its parts count.
     ///
     /// *Units*: load as the push. *Accuracy*: displacement 1e-12 (f32: 1e-5), push to the rounding of its sum;
-    /// both for the nodes, see [`Bonds`]. *Cost*: none for bonds of one strength, otherwise some 100 wrenches with stiffness.
-    /// *Special values*: `None` for a direction that is zero, infinite or NaN, and where displacement or push are
-    /// NaN or out of range.
+    /// both for the nodes, see [`Bonds`]. The stiffness is looked at in steps of 2 %: a singular point is passed over
+    /// where it is definite again within one. *Cost*: none for bonds of one strength, otherwise some 100 wrenches
+    /// with stiffness. *Special values*: `None` for a direction that is zero, infinite or NaN, and where
+    /// displacement, stiffness or push are NaN or out of range; a search without result is [`Release::Holds`].
     pub fn onset(&self, load: R, direction: &Twist<R>) -> Option<Onset<R>> {
         let reach = self.largest_strain(direction);
         // Only ratios count: the farthest bond moves by 1.
@@ -94,9 +99,10 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
             let springs = NodeFriction::new(Spring(self.law().stiffness()), self.patch());
             (first, -springs.wrench(load, &first), Release::Breaks)
         } else {
-            let displacement = first * self.singular_at(&first)?;
+            let (factor, release) = self.definite_up_to(&first)?;
+            let displacement = first * factor;
             let push = -self.wrench(load, &displacement);
-            (displacement, push, Release::Softens)
+            (displacement, push, release)
         };
         let parts = [push.force.x, push.force.y, push.torque];
         let is_in_range = is_finite(&displacement) && parts.iter().all(|part| part.is_finite());
@@ -125,14 +131,14 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
         }
     }
 
-    /// The factor of `first` at which the stiffness first turns singular; `None` if it does not.
-    fn singular_at(&self, first: &Twist<R>) -> Option<R> {
+    /// The factor of `first` up to which the stiffness is definite, and what follows; `None` where it is out of range.
+    fn definite_up_to(&self, first: &Twist<R>) -> Option<(R, Release)> {
         let holds = |factor: R| is_definite(&self.stiffness(R::ONE, &(*first * factor)));
         let (mut low, mut high) = (R::ONE, R::ONE);
         let mut steps = 0;
-        while holds(high) {
+        while holds(high)? {
             if steps == STEPS {
-                return None;
+                return Some((high, Release::Holds));
             }
             steps += 1;
             (low, high) = (high, high * R::from_f64(STEP));
@@ -142,13 +148,13 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
             if middle <= low || middle >= high {
                 break;
             }
-            if holds(middle) {
+            if holds(middle)? {
                 low = middle;
             } else {
                 high = middle;
             }
         }
-        Some(low)
+        Some((low, Release::Softens))
     }
 }
 
@@ -157,14 +163,18 @@ fn is_finite<R: Real>(displacement: &Twist<R>) -> bool {
     velocity.x.is_finite() && velocity.y.is_finite() && spin.is_finite()
 }
 
-/// True if a symmetric matrix is positive definite, by its pivots.
-fn is_definite<R: Real>(m: &Matrix3<R>) -> bool {
+/// True if a symmetric matrix is positive definite, by its pivots; `None` where it has no finite entries.
+fn is_definite<R: Real>(m: &Matrix3<R>) -> Option<bool> {
+    let entries = [m.m11, m.m12, m.m13, m.m22, m.m23, m.m33];
+    if !entries.iter().all(|entry| entry.is_finite()) {
+        return None;
+    }
     let (xx, xy, xn) = (m.m11, m.m12, m.m13);
     let (ratio_y, ratio_n) = (xy / xx, xn / xx);
     let yy = m.m22 - ratio_y * xy;
     let yn = m.m23 - ratio_y * xn;
     let nn = m.m33 - ratio_n * xn;
-    xx > R::ZERO && yy > R::ZERO && nn - (yn / yy) * yn > R::ZERO
+    Some(xx > R::ZERO && yy > R::ZERO && nn - (yn / yy) * yn > R::ZERO)
 }
 
 /// k d

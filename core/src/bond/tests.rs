@@ -419,6 +419,38 @@ fn onsets_do_not_depend_on_the_length_of_the_direction() {
     }
 }
 
+/// Two feet far from the centre of rotation and four at the distance `near`, which carry all but 1e-21. What holds
+/// the body to the end are those four: springs up to their peak at one displacement.
+#[test]
+fn a_search_that_ends_before_the_bonds_let_go_is_told_from_an_onset() {
+    let turned = |near: f64| {
+        let node = |x, y, weight| Node { x, y, weight };
+        let inner = [[near, 0.0], [-near, 0.0], [0.0, near], [0.0, -near]];
+        let [a, b, c, d] = inner.map(|[x, y]| node(x, y, 0.25));
+        let feet = [a, b, c, d, node(1.0, 0.0, 1e-21), node(-1.0, 0.0, 1e-21)];
+        let bonds = Bonds::new(
+            Exponential::new(1.0, 1.0).unwrap(),
+            Nodes::new(feet).unwrap(),
+        );
+        let onset = bonds.unwrap().onset(1.0, &Twist::new(0.0, 0.0, 1.0));
+        onset.unwrap()
+    };
+    let found = turned(1e-8);
+    assert_eq!(found.release, Release::Softens);
+    assert!((found.displacement.spin * 1e-8 - 1.0).abs() < 1e-4);
+    let missed = turned(1e-10);
+    assert_eq!(missed.release, Release::Holds);
+    assert!((3e8..1e10).contains(&missed.displacement.spin));
+    // Numbers that are no stiffness are not read as one.
+    let far = [[1e200, 0.0], [-1e200, 0.0]].map(|[x, y]| Node { x, y, weight: 0.5 });
+    let bonds = Bonds::new(
+        Exponential::new(1.0, 1.0).unwrap(),
+        Nodes::new(far).unwrap(),
+    )
+    .unwrap();
+    assert_eq!(bonds.onset(1.0, &Twist::new(0.0, 0.0, 1.0)), None);
+}
+
 #[test]
 fn what_no_law_and_no_patch_can_be_is_refused() {
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {

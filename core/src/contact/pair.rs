@@ -14,7 +14,8 @@ use crate::real::Real;
 use nalgebra::Vector3;
 
 /// Turns of sliding and rolling while both slip. Each brings the pair nearer by k² m_t I, at most
-/// 5/7 for touching solid spheres and plates, so that this many leave less than 1e-14.
+/// 5/7 for touching solid spheres and plates, so that this many leave less than 1e-14. Bodies that turn more
+/// easily may be left with more: each impulse obeys its threshold, and the residual of the problem tells the rest.
 const MOST_ROUNDS: usize = 96;
 /// Relative change below which the rounds end, in units of rounding.
 const SETTLED_ULPS: f64 = 4.0;

@@ -9,7 +9,7 @@
 
 use super::central_path::{Ray, reach, speed};
 use super::quadratic::{norm, over};
-use super::sharing::{Share, Sharing, cross};
+use super::sharing::{Greatest, Sharing, cross};
 use crate::error::Error;
 use crate::law::validated_not_negative;
 use crate::real::Real;
@@ -77,7 +77,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
         // Forces λd across d add up to none, and none exceeds its share: the torque is Σλ|d|².
         let square = |d: &Vector2<R>| d.x * d.x + d.y * d.y;
         let mut torque = R::ZERO;
-        for share in sharing.greatest(square) {
+        for share in sharing.greatest(square).shares {
             torque += share.part * square(&share.at);
         }
         Ok(Self {
@@ -104,11 +104,13 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
 
     /// Support function: the largest wrench·twist that any pressure gives.
     ///
-    /// *Units*: power. *Special values*: 0 at rest, NaN for NaN.
+    /// Should the simplex method end before it has found that pressure, a bound from above; then the power of
+    /// [`AnyPressure::wrench`] is one from below. *Units*: power. *Special values*: 0 at rest, NaN for NaN.
     pub fn support(&self, twist: &Twist<R>) -> R {
         let motion = self.at_centre(twist);
-        let mut mean = R::ZERO;
-        for share in self.worst_pressure(&motion) {
+        let worst = self.worst_pressure(&motion);
+        let mut mean = worst.excess;
+        for share in &worst.shares {
             mean += share.part * speed(&velocity(&motion, &share.at));
         }
         // An empty sum would hide NaN.
@@ -116,13 +118,13 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
     }
 
     /// Friction on the support that moves with `twist` under a pressure that dissipates most: of the
-    /// set, one of the points whose outward normal is −`twist`.
+    /// set, one of the points whose outward normal is −`twist`; a point of the set in any case.
     ///
     /// *Special values*: zero at rest; NaN for an infinite twist.
     pub fn wrench(&self, twist: &Twist<R>) -> Wrench<R> {
         let motion = self.at_centre(twist);
         let mut sum = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
-        for share in self.worst_pressure(&motion) {
+        for share in self.worst_pressure(&motion).shares {
             let u = velocity(&motion, &share.at);
             let size = speed(&u);
             // A corner at rest may rub in any direction; it rubs in none.
@@ -289,7 +291,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
     }
 
     /// The pressure under which a motion dissipates most.
-    fn worst_pressure(&self, motion: &Vector3<R>) -> [Share<R>; 3] {
+    fn worst_pressure(&self, motion: &Vector3<R>) -> Greatest<R> {
         self.sharing.greatest(|d| speed(&velocity(motion, d)))
     }
 

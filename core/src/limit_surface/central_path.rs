@@ -365,9 +365,12 @@ fn bounds_at<R: Real, S: AsRef<[[R; 2]]>>(
     let mut support = R::ZERO;
     // The lead itself has the same mean under every pressure.
     let excess = |d: &Vector2<R>| axes.excess(&axes.velocity(&motion, d));
-    for share in sharing.greatest(excess) {
+    let greatest = sharing.greatest(excess);
+    for share in &greatest.shares {
         support += share.part * excess(&share.at);
     }
+    // From outside whatever the search for the corners left.
+    support += greatest.excess;
     let upper = (support - dot(&ray.from, &motion)) / dot(&ray.along, &motion);
     let step = solved(newton(sharing, ray, axes, weight, at));
     let carried = carried(sharing, axes, at, &step);

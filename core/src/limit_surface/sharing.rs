@@ -13,7 +13,7 @@ use nalgebra::Vector2;
 const ROUNDING_ULPS: f64 = 64.0;
 /// Pivots for each corner before the rule that cannot cycle takes over.
 const QUICK_PIVOTS: usize = 2;
-/// Most pivots for each corner; 3 were seen.
+/// Most pivots for each corner; 3 were seen. What they leave is known: [`Greatest::excess`].
 const MOST_PIVOTS: usize = 8;
 
 /// Corners about the centre of pressure.
@@ -40,6 +40,14 @@ enum Kind<R: Real> {
 pub(super) struct Share<R: Real> {
     pub(super) at: Vector2<R>,
     pub(super) part: R,
+}
+
+/// Shares with a sum that is greatest, or as near to it as is told.
+pub(super) struct Greatest<R: Real> {
+    pub(super) shares: [Share<R>; 3],
+    /// A bound of what the greatest sum has more than theirs: how far a corner is above their plane. 0 where
+    /// none is, to rounding.
+    pub(super) excess: R,
 }
 
 /// Three corners around the centre.
@@ -213,39 +221,50 @@ impl<R: Real, S: AsRef<[[R; 2]]>> Sharing<R, S> {
     }
 
     /// The shares for which the sum of `height` is greatest.
-    pub(super) fn greatest(&self, height: impl Fn(&Vector2<R>) -> R) -> [Share<R>; 3] {
+    pub(super) fn greatest(&self, height: impl Fn(&Vector2<R>) -> R) -> Greatest<R> {
+        let pivots = self.corners.as_ref().len().saturating_mul(MOST_PIVOTS);
+        self.greatest_within(pivots, height)
+    }
+
+    /// The same after a number of pivots.
+    fn greatest_within(&self, pivots: usize, height: impl Fn(&Vector2<R>) -> R) -> Greatest<R> {
         let mut tripod = match self.kind {
             Kind::Fixed([one, other]) => {
-                let none = Share {
-                    part: R::ZERO,
-                    ..one
+                let part = R::ZERO;
+                return Greatest {
+                    shares: [one, other, Share { part, ..one }],
+                    excess: R::ZERO,
                 };
-                return [one, other, none];
             }
             Kind::Free(tripod) => tripod,
         };
-        let corners = self.corners.as_ref();
-        let quick = corners.len().saturating_mul(QUICK_PIVOTS);
-        let most = corners.len().saturating_mul(MOST_PIVOTS);
-        for pivot in 0..most {
-            let Some(entering) = self.above(&tripod, &height, pivot < quick) else {
-                break;
+        let quick = self.corners.as_ref().len().saturating_mul(QUICK_PIVOTS);
+        for pivot in 0..pivots {
+            let above = self.above(&tripod, &height, pivot < quick);
+            let Some((_, entering)) = above else {
+                let (shares, excess) = (tripod.shares, R::ZERO);
+                return Greatest { shares, excess };
             };
             let Some(next) = tripod.exchanged(entering) else {
                 break;
             };
             tripod = next;
         }
-        tripod.shares
+        // No place is above the plane lifted to the farthest corner.
+        let excess = self.above(&tripod, &height, true);
+        Greatest {
+            shares: tripod.shares,
+            excess: excess.map_or(R::ZERO, |(excess, _)| excess),
+        }
     }
 
-    /// The corner farthest above the plane through three, or the first one above it.
+    /// The corner farthest above the plane through three, or the first one above it, and by how much it is.
     fn above(
         &self,
         tripod: &Tripod<R>,
         height: &impl Fn(&Vector2<R>) -> R,
         farthest: bool,
-    ) -> Option<(usize, Vector2<R>)> {
+    ) -> Option<(R, (usize, Vector2<R>))> {
         let rounding = R::from_f64(ROUNDING_ULPS) * R::EPSILON;
         let heights = tripod.shares.map(|share| height(&share.at));
         let [x, y, z] = heights;
@@ -261,7 +280,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> Sharing<R, S> {
             let excess = own - (a * x + b * y + c * z);
             let size = own.abs() + (a * x).abs() + (b * y).abs() + (c * z).abs();
             if excess > rounding * size && excess > most {
-                (most, found) = (excess, Some((index, at)));
+                (most, found) = (excess, Some((excess, (index, at))));
                 if !farthest {
                     break;
                 }
@@ -361,4 +380,34 @@ fn coordinates<R: Real>(at: &Vector2<R>, [a, b, c]: &[Vector2<R>; 3]) -> Option<
 /// The component about the normal of a × b.
 pub(super) fn cross<R: Real>(a: &Vector2<R>, b: &Vector2<R>) -> R {
     a.x * b.y - a.y * b.x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 24 corners on a circle; that sums from complete walks are greatest is a test of `any_pressure`.
+    #[test]
+    fn a_walk_cut_short_tells_how_far_it_is_from_the_greatest_sum() {
+        let corners: [[f64; 2]; 24] = core::array::from_fn(|i| {
+            let angle = core::f64::consts::TAU * i as f64 / 24.0;
+            [libm::cos(angle), libm::sin(angle)]
+        });
+        let sharing = Sharing::new(corners, [0.1, 0.05]).unwrap();
+        // |d − c| of a place beside the centre.
+        let height = |d: &Vector2<f64>| libm::hypot(d.x - 0.7, d.y + 0.4);
+        let sum = |found: &Greatest<f64>| -> f64 {
+            let shares = found.shares.iter();
+            shares.map(|share| share.part * height(&share.at)).sum()
+        };
+        let greatest = sum(&sharing.greatest(height));
+        let mut was_short = false;
+        for pivots in 0..12 {
+            let found = sharing.greatest_within(pivots, height);
+            let own = sum(&found);
+            assert!(own <= greatest + 1e-14 && own + found.excess >= greatest - 1e-14);
+            was_short |= own < greatest - 1e-3;
+        }
+        assert!(was_short && sharing.greatest(height).excess == 0.0);
+    }
 }

@@ -54,24 +54,25 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         Some([lowest, highest])
     }
 
-    /// The highest torque with a force that leaves room for some.
+    /// The highest torque with a force that leaves room for some; NaN where the gauge is.
     fn highest(&self, [x, y]: [R; 2], offset: R) -> R {
-        // About the centre: carried for certain, and not.
+        // About the centre: carried for certain, with what its gauge leaves of 1, and not.
         let reach = self.patch().radius() * self.force_limit();
-        let (mut inside, mut outside) = (R::ZERO, reach);
         let share = x.hypot(y) / self.force_limit();
+        let (mut inside, mut room) = (R::ZERO, R::ONE - share);
+        let (mut outside, mut beyond) = (reach, R::INFINITY);
         let mut torque = R::HALF * reach * ((R::ONE - share) * (R::ONE + share)).sqrt();
         for _ in 0..MOST_STEPS {
             let wrench = Wrench::new(x, y, offset + torque);
             let (normal, _) = self.gauge_derivatives(&wrench);
             let excess = wrench.power(&normal) - R::ONE;
-            if excess.abs() <= R::from_f64(DONE_ULPS) * R::EPSILON {
-                break;
+            if excess.abs() <= R::from_f64(DONE_ULPS) * R::EPSILON || excess.is_nan() {
+                return offset + torque + excess * R::ZERO;
             }
             if excess > R::ZERO {
-                outside = torque;
+                (outside, beyond) = (torque, excess);
             } else {
-                inside = torque;
+                (inside, room) = (torque, -excess);
             }
             let next = torque - excess / normal.spin;
             // Not true for NaN either.
@@ -81,12 +82,14 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
             } else {
                 R::HALF * (inside + outside)
             };
-            if next == torque {
+            let is_settled = !(next > inside && next < outside);
+            if is_settled {
                 break;
             }
             torque = next;
         }
-        offset + torque
+        // The gauge is convex: on the chord between both ends what is within 1 there is carried.
+        offset + inside + (outside - inside) * (room / (room + beyond))
     }
 }
 
@@ -120,6 +123,26 @@ mod tests {
                 let gauge = floor.gauge(&Wrench::new(force[0], force[1], torque));
                 assert!((gauge - 1.0).abs() < 1e-14, "{share} {angle} {gauge}");
             }
+        }
+    }
+
+    #[test]
+    fn torques_next_to_the_largest_force_are_carried_and_nan_stays() {
+        let sole = [[-0.1_f64, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]];
+        let floor = PatchSurface::new(Polygon::new(sole).unwrap(), 300.0).unwrap();
+        for octave in 0..53 {
+            for angle in [0.0, 0.4, 1.1, 2.0, 4.0] {
+                let size = 300.0 * (1.0 - libm::exp2(-f64::from(octave)));
+                let force = [size * libm::cos(angle), size * libm::sin(angle)];
+                for torque in floor.torque_limits(force).unwrap() {
+                    let gauge = floor.gauge(&Wrench::new(force[0], force[1], torque));
+                    assert!((gauge - 1.0).abs() < 2e-14, "{octave} {angle} {gauge}");
+                }
+            }
+        }
+        for force in [[f64::NAN, 0.0], [0.0, f64::NAN]] {
+            let limits = floor.torque_limits(force).unwrap();
+            assert!(limits.iter().all(|torque| torque.is_nan()));
         }
     }
 }

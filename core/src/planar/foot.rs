@@ -102,13 +102,14 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
 
     /// The wrench of the foot's friction nearest to `wrench`, by √(|Δforce|² + (Δtorque/`length`)²).
     ///
-    /// *Domain*: 0 < `length` < ∞. *Special values*: `wrench` itself, to the bit, where the foot
-    /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-14 of the wrench or of
-    /// the force limit, whichever is less, also where the foot turns about one of them or next to one; f32:
-    /// 1e-6; wrenches outside by less than 64 rounding errors count as carried. A wrench that
-    /// is not held becomes a sum of forces within their discs, wherever the search ends. Both precisions compute in f64.
+    /// *Domain*: 0 < `length` < ∞. *Special values*: `wrench` itself, to the bit, where forces within their discs
+    /// were found that carry it but for 64 rounding errors; NaN for NaN and infinities. Any other answer is
+    /// the sum of forces within their discs, wherever the search ends. *Accuracy*: for the given points 1e-14 of
+    /// the wrench or of the force limit, whichever is less, also where the foot turns about one of them or next to
+    /// one; 1e-8 where a wrench that is carried is within 1e-7 of the limit. f32: 1e-6, and 1e-4 within 1e-5. Both
+    /// precisions compute in f64.
     /// *Cost*: one pass over the points where the forces of the last call carry the wrench, else 20
-    /// to 60 passes of four roots a point, up to 400 where it turns next to a point.
+    /// to 150 passes of four roots a point, up to 400 where it turns next to a point.
     pub fn nearest(&mut self, wrench: &Wrench<R>, length: R) -> Wrench<R> {
         let inv_length = R::ONE / length;
         let wanted = Vector3::new(wrench.force.x, wrench.force.y, wrench.torque * inv_length);
@@ -136,20 +137,21 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
                 *force = own.map(|part| R::from_f64(part / scale)).into();
             }
         });
-        if is_held {
-            for _ in 0..PASSES {
-                if self.carries_as_it_is(wrench, inv_length, size) {
-                    break;
-                }
-                self.settle(wrench, inv_length);
-            }
-            return *wrench;
+        if !is_held {
+            return Wrench::new(
+                R::from_f64(carried.x / scale),
+                R::from_f64(carried.y / scale),
+                R::from_f64(carried.z / scale * length.to_f64()),
+            );
         }
-        Wrench::new(
-            R::from_f64(carried.x / scale),
-            R::from_f64(carried.y / scale),
-            R::from_f64(carried.z / scale * length.to_f64()),
-        )
+        for _ in 0..=PASSES {
+            if self.carries_as_it_is(wrench, inv_length, size) {
+                return *wrench;
+            }
+            self.settle(wrench, inv_length);
+        }
+        // No motion was found, and no forces either: what they carry is in the set.
+        -self.left(&Wrench::ZERO)
     }
 
     /// μN/(sum of weights)

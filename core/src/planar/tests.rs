@@ -4,7 +4,7 @@ extern crate std;
 
 use super::{NodeFoot, PlanarBody};
 use crate::contact::TimeStep;
-use crate::limit_surface::PatchSurface;
+use crate::limit_surface::{FrictionSet, PatchSurface};
 use crate::patch::nodes::{Node, NodeList, NodePatch};
 use crate::patch::points::Points;
 use crate::real::Real;
@@ -200,4 +200,67 @@ fn no_step_on_points_leaves_their_set_or_gains_energy() {
 #[ignore = "over a minute: cargo test --release -p tribos-core no_step_on_points -- --ignored"]
 fn no_step_on_points_of_very_many_leaves_their_set_or_gains_energy() {
     check(MANY);
+}
+
+/// Wrenches in all directions whose gauge, by the search on the limit surface, is 1 + `beyond`, with a length of the
+/// norm and the nearest wrench of a foot without forces.
+fn answers<R: Real>(
+    nodes: &NodeList<f64, MOST>,
+    beyond: f64,
+    mut judge: impl FnMut(f64, &Wrench<R>, &Wrench<R>, R),
+) {
+    let (mut own, mut exact) = (NodeList::<R, MOST>::new(), NodeList::<f64, MOST>::new());
+    for node in nodes.nodes() {
+        let [x, y, weight] = [node.x, node.y, node.weight].map(R::from_f64);
+        own.push(Node { x, y, weight }).unwrap();
+        let [x, y, weight] = [x, y, weight].map(R::to_f64);
+        exact.push(Node { x, y, weight }).unwrap();
+    }
+    let set = PatchSurface::new(Points::new(exact).unwrap(), 15.0).unwrap();
+    let gauge = |wrench: &Wrench<R>| {
+        let parts = [wrench.force.x, wrench.force.y, wrench.torque].map(R::to_f64);
+        set.gauge(&Wrench::new(parts[0], parts[1], parts[2]))
+    };
+    let limit = R::from_f64(15.0);
+    let mut foot: NodeFoot<R, _, MOST> = NodeFoot::new(own, limit).unwrap();
+    for i in 0..100 {
+        let arm = 0.3 * libm::exp(3.0 * part(i, 0.324_717_957_2));
+        let length = R::from_f64(0.2 * libm::exp(2.0 * part(i, 0.819_172_513_4)));
+        let of = |size: f64| {
+            let [x, y, n] = [0.671_043_606_7, 0.549_700_477_9, 0.445_041_867_9].map(|k| part(i, k));
+            let [x, y, n] = [x, y, arm * n].map(|part| R::from_f64(size * part));
+            Wrench::new(x, y, n)
+        };
+        let wrench = of((1.0 + beyond) / gauge(&of(1.0)));
+        foot.release();
+        let answer = foot.nearest(&wrench, length);
+        judge(gauge(&answer), &wrench, &answer, length);
+    }
+}
+
+/// The gauge of points is exact to 8e-13; 64 rounding errors of a wrench in single precision are at most four times
+/// as many of its gauge, with these lengths.
+#[test]
+fn forces_are_found_for_what_points_carry_and_no_wrench_outside_is_held() {
+    fn check<R: Real>(nodes: &NodeList<f64, MOST>, [near, least, rounding]: [f64; 3]) {
+        for decade in 1..17 {
+            let room = libm::pow(10.0, -f64::from(decade));
+            answers::<R>(nodes, -room, |_, wrench, answer, length| {
+                if room >= near {
+                    assert_eq!(answer, wrench, "{room:e}");
+                }
+                let off = (*answer - *wrench) * (R::ONE / R::from_f64(15.0));
+                let off = off.force.x.hypot(off.force.y).hypot(off.torque / length);
+                assert!(off.to_f64() < least, "{room:e} {off:?}");
+            });
+            answers::<R>(nodes, room, |gauge, wrench, answer, _| {
+                assert!(gauge < 1.0 + rounding, "{room:e} {gauge}");
+                assert!(answer != wrench || room < rounding, "{room:e} {wrench:?}");
+            });
+        }
+    }
+    for nodes in &feet() {
+        check::<f64>(nodes, [1e-7, 1e-8, 1e-12]);
+        check::<f32>(nodes, [1e-5, 1e-4, 3e-5]);
+    }
 }

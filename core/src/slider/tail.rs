@@ -20,8 +20,11 @@ pub(super) struct Tail<R> {
     pub settling: R,
 }
 
-/// Newton's method for a time: the first guess is right to the small number.
-const MOST_CORRECTIONS: u32 = 8;
+/// Newton's method for a time. The first guess is right to the small number; next to rest, where what is left is
+/// smaller than that, a step is worth 1/k, and after 36 of these all that is left is rounding.
+const MOST_CORRECTIONS: u32 = 48;
+/// Rounding errors of the integral, two differences of exponentials, within which a time is met.
+const MET_ULPS: f64 = 16.0;
 
 impl<R: Real> Tail<R> {
     /// The whole integral of an integrand that falls at the rate `here` and in the end at `end`.
@@ -50,8 +53,8 @@ impl<R: Real> Tail<R> {
         ]
     }
 
-    /// The s at which the integral is `wanted`.
-    pub fn inverse(&self, here: R, end: R, wanted: R) -> R {
+    /// The s at which the integral is `wanted`; `None` if none was found, and for NaN.
+    pub fn inverse(&self, here: R, end: R, wanted: R) -> Option<R> {
         let rate = if self.is_slow(end) { here } else { end };
         let product = rate * wanted;
         let mut s = if product == R::ZERO {
@@ -61,16 +64,30 @@ impl<R: Real> Tail<R> {
         } else {
             -R::EPSILON.ln() / rate
         };
+        let (mut low, mut high) = (R::ZERO, R::INFINITY);
         for _ in 0..MOST_CORRECTIONS {
             let off = wanted - self.until(here, end, s);
-            let step = off * self.faded_at(here, end, s).exp();
+            if off > R::ZERO {
+                low = s;
+            } else {
+                high = s;
+            }
+            let newton = off * self.faded_at(here, end, s).exp();
+            // From beyond, where the integral hardly grows, it would lead far back.
+            let step = if s + newton < low {
+                R::HALF * (low + high) - s
+            } else {
+                newton
+            };
             s += step;
-            let is_met = step.abs() <= R::EPSILON * s.abs();
+            let is_met = s.is_finite() && step.abs() <= R::EPSILON * s.abs();
             if is_met {
-                break;
+                return Some(s);
             }
         }
-        s
+        // Where the integral hardly grows any more a rounding error of it is a long step.
+        let off = wanted - self.until(here, end, s);
+        (off.abs() <= R::from_f64(MET_ULPS) * R::EPSILON * wanted.abs()).then_some(s)
     }
 
     /// ∫k from 0 to `s`.
@@ -95,5 +112,34 @@ fn faded_time<R: Real>(k: R, s: R) -> R {
         s
     } else {
         s * (-(-product).exp_m1() / product)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_that_is_found_is_the_one_asked_for_and_a_miss_is_told() {
+        let tail = |settling: f64| Tail {
+            here: [1.0; 2],
+            end: [1.0; 2],
+            settling,
+        };
+        for (here, end, settling) in [(1.01, 1.0, 0.7), (2.0, 2.1, 3.0), (0.5, 0.5, 0.0)] {
+            for share in [1e-9, 0.1, 0.5, 0.9, 0.999, 1.0 - 1e-12] {
+                let tail = tail(settling);
+                let wanted = share * tail.all(here, end);
+                let s = tail.inverse(here, end, wanted).unwrap();
+                assert!(
+                    (tail.until(here, end, s) / wanted - 1.0).abs() < 1e-14,
+                    "{share}"
+                );
+            }
+        }
+        // Beyond all that there is.
+        let endless = tail(0.7).inverse(1.01, 1.0, 2.0);
+        assert_eq!(endless, None);
+        assert_eq!(tail(0.7).inverse(f64::NAN, 1.0, 0.5), None);
     }
 }

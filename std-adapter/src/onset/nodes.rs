@@ -23,7 +23,7 @@ pub(super) struct Spread {
 const ON_DISK: usize = PolarRule::<f64>::STANDARD_NODES;
 const ON_RING: u32 = 256;
 /// Nodes of a bar.
-const ON_BAR: usize = 64;
+pub(super) const ON_BAR: usize = 64;
 /// Nodes of a triangle.
 const ON_TRIANGLE: usize = 7;
 

@@ -231,9 +231,15 @@ impl Rays<'_> {
         let found = onsets.into_iter().zip(directions).enumerate();
         found
             .map(|(i, (onset, direction))| match onset {
+                Some(onset) if onset.release == Release::Holds => Err(Refusal::Syntax(format!(
+                    "where the bonds let go along the ray of {} degrees is not known: they hold as far as the \
+                     search goes, some 4e8 strains",
+                    share(i)
+                ))),
                 Some(onset) => Ok(self.judged(share(i), onset, &direction)),
                 None => Err(Refusal::Syntax(format!(
-                    "the bonds hold along the ray of {} degrees",
+                    "along the ray of {} degrees the onset is out of the range of numbers: take units in which \
+                     lengths and loads are nearer to 1",
                     share(i)
                 ))),
             })

@@ -88,6 +88,7 @@ fn onsets<R: Real, L: BondLaw<R>, P: NodePatch<R>>(hash: &mut Fnv, bonds: &Bonds
                 Release::Breaks => 1,
                 Release::Softens => 2,
                 Release::Yields => 3,
+                Release::Holds => 4,
             });
         }
     }

@@ -91,7 +91,15 @@ fn judged<R: Real, L: BondLaw<R>>(source: &mut Source, name: &str, law: L) -> Re
         "push at the onset",
         [push.force.x, push.force.y, push.torque],
     )?;
+    // Where they may hold on there is a displacement at which they do.
+    let Twist { velocity, spin } = onset.displacement;
+    let is_reached = [velocity.x, velocity.y, spin].iter().all(|part| part.is_finite());
     let is_endless = onset.release == Release::Yields;
+    holds(
+        is_endless || is_reached,
+        "a finite displacement",
+        &[velocity.x, velocity.y, spin],
+    )?;
     holds(
         !is_endless || !law.peak().is_finite(),
         "only what never weakens yields",

@@ -53,7 +53,9 @@ impl<R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'_, R, P, N> {
             return Outcome::Rest;
         }
         let left = (time - self.sums[0]) / pace;
-        let s = tail.inverse(here[0], end[0], left);
+        let Some(s) = tail.inverse(here[0], end[0], left) else {
+            return Outcome::Unfit;
+        };
         let parts = pairs.map(|[here, end]| tail.until(here, end, s));
         self.sums = added(self.sums, parts);
         for (faded, more) in self.faded.iter_mut().zip(tail.faded(s)) {
@@ -116,7 +118,8 @@ impl<R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'_, R, P, N> {
                 NEARLY_LINEAR
             };
             let linear = R::from_f64(limit) * R::EPSILON.sqrt() + rounding;
-            if turn.abs() <= linear || turn.is_nan() {
+            // Not for NaN.
+            if turn.abs() <= linear {
                 self.sums = [
                     time,
                     self.sums[1] + panel.sums[1] + missing * pace * (-faded[0]).exp(),
