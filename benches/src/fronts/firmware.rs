@@ -4,10 +4,10 @@
 use super::{Finding, Front, Setting};
 use crate::firmware::board;
 use crate::firmware::budgets::BUDGETS;
+use crate::firmware::items::BASELINE;
 use crate::firmware::prices::{self, Boards};
 use crate::firmware::programs::{LEVELS, Program};
 use crate::firmware::report::{self, Row};
-use crate::firmware::items::BASELINE;
 use crate::firmware::{TIER, all_programs};
 use crate::picture::{self, Place};
 use std::path::Path;

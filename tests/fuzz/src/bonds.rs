@@ -93,7 +93,9 @@ fn judged<R: Real, L: BondLaw<R>>(source: &mut Source, name: &str, law: L) -> Re
     )?;
     // Where they may hold on there is a displacement at which they do.
     let Twist { velocity, spin } = onset.displacement;
-    let is_reached = [velocity.x, velocity.y, spin].iter().all(|part| part.is_finite());
+    let is_reached = [velocity.x, velocity.y, spin]
+        .iter()
+        .all(|part| part.is_finite());
     let is_endless = onset.release == Release::Yields;
     holds(
         is_endless || is_reached,
