@@ -11,6 +11,10 @@ use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
 
+/// Largest distance of grains from the plane of a flat box that counts as the rounding of a file, in radii of the
+/// largest: twice that of frames, which count in 65535ths of two such radii.
+const OFF_PLANE: f64 = 2.0 / 65_535.0;
+
 /// Grains at their random places, or those that the scene names.
 pub(super) fn start(
     scene: &GrainsScene,
@@ -77,6 +81,9 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     }
     let layout = Layout::of(scene, &start)?;
     check_inside(scene, path, &start, &layout)?;
+    if flat {
+        start.positions.iter_mut().for_each(|place| place.y = 0.0);
+    }
     let walls = layout.parts.iter().map(|part| part.place);
     start.frozen = Some(Frozen::moving(start.positions.clone(), &assembly, walls));
     Ok(start)
@@ -112,6 +119,7 @@ fn check_inside(
         .filter(is_shut)
         .map(Part::wall)
         .collect();
+    let off_plane = OFF_PLANE * start.radii.iter().copied().fold(0.0, f64::max);
     for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {
         for (axis, end) in ends.into_iter().enumerate() {
             let Some((length, name, key)) = end else {
@@ -134,7 +142,7 @@ fn check_inside(
                 place.x, place.z
             )));
         }
-        if scene.is_flat() && place.y != 0.0 {
+        if scene.is_flat() && place.y.abs() > off_plane {
             return Err(refused(format!(
                 "grain {grain} (from 0) is at y = {}; with dimension = 2 all are at y = 0",
                 place.y
