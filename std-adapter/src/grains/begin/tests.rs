@@ -269,7 +269,21 @@ fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
     // A closed slot cuts through what lies in it.
     write(0.08, 0.1)?;
     let opening = 1.0;
-    let refused = refusal(&GrainsScene { opening, ..hopper });
+    let refused = refusal(&GrainsScene {
+        opening,
+        ..hopper.clone()
+    });
+    assert!(refused.contains("reaches into the hopper"), "{refused}");
+    // Also where everything else goes on from a state.
+    write(0.08, 0.1)?;
+    std::fs::write(
+        home.path().join("state.json"),
+        Grains::new(&hopper)?.state(),
+    )?;
+    let start = Some(home.path().join("state.json"));
+    let open = GrainsScene { start, ..hopper };
+    assert!(Grains::new(&open).is_ok());
+    let refused = refusal(&GrainsScene { opening, ..open });
     assert!(refused.contains("reaches into the hopper"), "{refused}");
     Ok(())
 }
