@@ -20,42 +20,97 @@ use tribos::tip::TipRun;
 /// Some twenty spheres, and 748 atoms: a second or two each.
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
                       piston_mass = 100\nrolling = 0.1\ntorsion = 0.1\nsteps = 900\n";
-const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
+const TIP: &str = "body = \"tip\"\ncolumns = 12\nrows = 14\nside = 3\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
                    rest_time = 0.5\nsamples = 5\n";
-/// Grains of two materials, at walls, in a sheared cell and as springs; a gas with events and with steps.
-const GRAINS: &str = "body = \"grains\"\nwidth = 0.06\ncount = 60\nradius = 0.005\ndensity = 2500\n\
-                      share_second = 0.4\ndensity_second = 7800\nsliding_second = 0.2\nduration = 1\nsamples = 7\n";
-const COLUMN: &str = "x = \"walls\"\nsteps = 500\n";
-const SHEARED: &str = "z = \"periodic\"\nheight = 0.09\ngravity = 0\nshear_rate = 5\nsteps = 500\n";
-const SOFT: &str = "body = \"grains\"\nwidth = 0.06\ncount = 60\nradius = 0.005\ndensity = 2500\nduration = 1\n\
-                    method = \"soft\"\nstiffness = 1e4\nsteps = 100\nsamples = 7\n";
-const GAS: &str = "body = \"gas\"\ncount = 800\ncollisions = 60\n";
-const STEPPED: &str =
-    "body = \"gas\"\ncount = 100\ncollisions = 4\nmethod = \"contact-dynamics\"\n";
-/// Scenes that are broken off.
-const BROKEN: [&str; 7] = [
-    "powder", "tip", "column", "sheared", "soft", "gas", "stepped",
+/// Grains of two materials.
+const GRAINS: &str = "body = \"grains\"\ncount = 60\nradius = 0.005\ndensity = 2500\nshare_second = 0.4\n\
+                      density_second = 7800\nsliding_second = 0.2\nduration = 1\nsamples = 7\n";
+const SOFT: &str = "body = \"grains\"\ncount = 60\nradius = 0.005\ndensity = 2500\nduration = 1\n\
+                    method = \"soft\"\nstiffness = 1e4\nsamples = 7\n";
+const GAS: &str = "body = \"gas\"\n";
+/// Scenes that are broken off, each of two parts: every body, container and method that keeps checkpoints.
+const BROKEN: [(&str, [&str; 2]); 14] = [
+    ("powder", [POWDER, ""]),
+    (
+        "springs",
+        [POWDER, "method = \"soft\"\nstiffness = 1e3\ndamping = 1\n"],
+    ),
+    ("tip", [TIP, "lambda = 0.02\n"]),
+    (
+        "slid",
+        [
+            TIP,
+            "drive = \"slide\"\nspeed = 0.5\nstroke = 0.3\nstiffness = 40\nhold = \"level\"\nload = 0.5\n",
+        ],
+    ),
+    (
+        "column",
+        [GRAINS, "width = 0.06\nx = \"walls\"\nsteps = 500\n"],
+    ),
+    (
+        "sheared",
+        [
+            GRAINS,
+            "width = 0.06\nz = \"periodic\"\nheight = 0.09\ngravity = 0\nshear_rate = 5\nsteps = 500\n",
+        ],
+    ),
+    (
+        "plates",
+        [
+            GRAINS,
+            "width = 0.06\nz = \"walls\"\ngravity = 0\npressure_z = 1000\nplate_speed = 0.1\nsteps = 300\n",
+        ],
+    ),
+    (
+        "flat",
+        [GRAINS, "width = 0.2\ndimension = 2\nsteps = 500\n"],
+    ),
+    (
+        "drum",
+        [
+            GRAINS,
+            "width = 0.2\ncontainer = \"drum\"\ndimension = 2\nsteps = 300\n",
+        ],
+    ),
+    (
+        "hopper",
+        [
+            GRAINS,
+            "width = 0.12\ndepth = 0.03\nx = \"walls\"\ncontainer = \"hopper\"\noutlet = 0.03\n\
+             outlet_height = 0.05\nopening = 0.1\nsteps = 300\n",
+        ],
+    ),
+    ("soft", [SOFT, "width = 0.06\nsteps = 100\n"]),
+    ("gas", [GAS, "count = 800\ncollisions = 60\n"]),
+    (
+        "stepped",
+        [
+            GAS,
+            "count = 100\ncollisions = 4\nmethod = \"contact-dynamics\"\n",
+        ],
+    ),
+    (
+        "bouncing",
+        [
+            GAS,
+            "count = 100\ncollisions = 2\nmethod = \"soft\"\nstiffness = 1e5\n",
+        ],
+    ),
 ];
 /// Breaks of each kind and scene; more by this variable of the environment.
 const BREAKS: (&str, u64) = ("TRIBOS_BREAKS", 3);
+/// Numbers of threads of the stretches.
+const THREADS: [&str; 3] = ["1", "2", "7"];
 /// A run that does not end meanwhile.
 const LONG: &str = "body = \"powder\"\nwidth = 20\nheight = 61.5\n";
 
 fn home() -> Result<tempfile::TempDir, Error> {
     let home = tempfile::tempdir()?;
-    for (name, text) in [
-        ("powder.toml", POWDER),
-        ("tip.toml", TIP),
-        ("long.toml", LONG),
-        ("column.toml", &format!("{GRAINS}{COLUMN}")),
-        ("sheared.toml", &format!("{GRAINS}{SHEARED}")),
-        ("soft.toml", SOFT),
-        ("gas.toml", GAS),
-        ("stepped.toml", STEPPED),
-    ] {
-        std::fs::write(home.path().join(name), text)?;
+    for (scene, parts) in BROKEN {
+        std::fs::write(home.path().join(format!("{scene}.toml")), parts.concat())?;
     }
+    std::fs::write(home.path().join("long.toml"), LONG)?;
     Ok(home)
 }
 
@@ -101,7 +156,7 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
         .ok()
         .and_then(|text| text.parse().ok());
     let mut moment = 12_345_u64;
-    for scene in BROKEN {
+    for (scene, _) in BROKEN {
         let run = format!("run {scene}.toml --frames 10 --out");
         let began = Instant::now();
         let whole = prepared(home.path(), format!("{run} whole-{scene}")).output()?;
@@ -114,10 +169,14 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
             let mut resume = "";
             for _ in 0..breaks.unwrap_or(usual) {
                 let command = format!("{run} {out} --checkpoint 0.05{resume}");
-                let child = prepared(home.path(), &command).spawn()?;
                 moment = moment
                     .wrapping_mul(6_364_136_223_846_793_005)
                     .wrapping_add(1);
+                // Each stretch on its own number of threads.
+                let threads = THREADS[(moment >> 40) as usize % THREADS.len()];
+                let child = prepared(home.path(), &command)
+                    .env("RAYON_NUM_THREADS", threads)
+                    .spawn()?;
                 std::thread::sleep(Duration::from_millis((moment >> 33) % lasts.max(2)));
                 signal(&child, name)?;
                 let output = child.wait_with_output()?;
@@ -135,7 +194,8 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
                     resume = " --resume";
                 }
             }
-            if !home.path().join(&out).join("summary.json").exists() {
+            // A run that was killed after its last result is tidied up.
+            if !resume.is_empty() || !home.path().join(&out).join("summary.json").exists() {
                 let end = prepared(home.path(), format!("{run} {out}{resume}")).output()?;
                 assert!(end.status.success(), "{out}: {}", said(&end));
             }
@@ -168,12 +228,20 @@ fn last_checkpoint(scene: &Path) -> Result<String, Error> {
 #[test]
 fn a_run_broken_while_it_writes_its_results_goes_on_to_the_same_bytes() -> Outcome {
     let home = home()?;
-    for scene in BROKEN {
+    for (scene, _) in BROKEN {
         let run = format!("run {scene}.toml --frames 10 --out {scene}");
         let output = prepared(home.path(), &run).output()?;
         assert!(output.status.success(), "{scene}: {}", said(&output));
         let out = home.path().join(scene);
         let whole = files(&out)?;
+        // Killed after its last result, it leaves half a file and names of files that are gone.
+        std::fs::write(out.join(".tribos-x7.tmp"), "half")?;
+        let mut manifest = Manifest::read(&out)?.ok_or("a manifest")?;
+        manifest.add(&["checkpoint.json"]);
+        manifest.write(&out)?;
+        let output = prepared(home.path(), format!("{run} --resume")).output()?;
+        assert!(output.status.success(), "{scene}: {}", said(&output));
+        assert!(files(&out)? == whole, "{scene}");
         let checkpoint = last_checkpoint(&home.path().join(format!("{scene}.toml")))?;
         std::fs::write(out.join("checkpoint.json"), checkpoint)?;
         let mut manifest = Manifest::read(&out)?.ok_or("a manifest")?;

@@ -11,6 +11,10 @@ use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
 
+/// Largest distance of grains from the plane of a flat box that counts as the rounding of a file, in radii of the
+/// largest: twice that of frames, which count in 65535ths of two such radii.
+const OFF_PLANE: f64 = 2.0 / 65_535.0;
+
 /// Grains at their random places, or those that the scene names.
 pub(super) fn start(
     scene: &GrainsScene,
@@ -54,6 +58,8 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     let inward: Vec<Vector3<f64>> = layout.parts.iter().map(|part| part.inward).collect();
     if let Some(frozen) = frozen.filter(|_| assembly.outward == inward) {
         // The walls are those of the scene: everything goes on where it was.
+        // What closes the slot anew cuts through grains that were on their way.
+        check_walls(scene, path, &start, &layout, |part| part.face == Face::Lid)?;
         start.contacts = assembly.contacts;
         start.frozen = Some(frozen.at_start(scene.method == ContactMethod::Soft));
         return Ok(start);
@@ -77,6 +83,9 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     }
     let layout = Layout::of(scene, &start)?;
     check_inside(scene, path, &start, &layout)?;
+    if flat {
+        start.positions.iter_mut().for_each(|place| place.y = 0.0);
+    }
     let walls = layout.parts.iter().map(|part| part.place);
     start.frozen = Some(Frozen::moving(start.positions.clone(), &assembly, walls));
     Ok(start)
@@ -103,15 +112,7 @@ fn check_inside(
     ];
     // Soft grains may reach as far into a wall as into each other.
     let beyond = deepest(scene.method);
-    let is_shut = |part: &&Part| part.face != Face::Lid || scene.opening > 0.0;
-    let is_side = |part: &&Part| matches!(part.face, Face::Side(Axis::X | Axis::Y, _));
-    let inner: Vec<Wall> = layout
-        .parts
-        .iter()
-        .filter(|part| !is_side(part))
-        .filter(is_shut)
-        .map(Part::wall)
-        .collect();
+    let off_plane = OFF_PLANE * start.radii.iter().copied().fold(0.0, f64::max);
     for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {
         for (axis, end) in ends.into_iter().enumerate() {
             let Some((length, name, key)) = end else {
@@ -124,21 +125,42 @@ fn check_inside(
                 )));
             }
         }
-        let meets =
-            |wall: &Wall| wall.facing(&layout.space, place).height < (1.0 - beyond) * radius;
-        if inner.iter().any(meets) {
-            let container = scene.container;
-            return Err(refused(format!(
-                "grain {grain} (from 0), at x = {} and z = {}, reaches into the {container}; grains keep the places of \
-                 the file in it",
-                place.x, place.z
-            )));
-        }
-        if scene.is_flat() && place.y != 0.0 {
+        if scene.is_flat() && place.y.abs() > off_plane {
             return Err(refused(format!(
                 "grain {grain} (from 0) is at y = {}; with dimension = 2 all are at y = 0",
                 place.y
             )));
+        }
+    }
+    let is_side = |part: &Part| matches!(part.face, Face::Side(Axis::X | Axis::Y, _));
+    check_walls(scene, path, start, layout, |part| !is_side(part))
+}
+
+/// Refuses grains that reach into some of the walls, as far as these are shut.
+fn check_walls(
+    scene: &GrainsScene,
+    path: &Path,
+    start: &Start,
+    layout: &Layout,
+    is_meant: impl Fn(&Part) -> bool,
+) -> Result<(), AssemblyError> {
+    let beyond = deepest(scene.method);
+    let is_shut = |part: &&Part| part.face != Face::Lid || scene.opening > 0.0;
+    let meant = layout.parts.iter().filter(|part| is_meant(part));
+    let walls: Vec<Wall> = meant.filter(is_shut).map(Part::wall).collect();
+    for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {
+        let meets =
+            |wall: &Wall| wall.facing(&layout.space, place).height < (1.0 - beyond) * radius;
+        if walls.iter().any(meets) {
+            let container = scene.container;
+            return Err(AssemblyError::Content {
+                file: path.display().to_string(),
+                reason: format!(
+                    "grain {grain} (from 0), at x = {} and z = {}, reaches into the {container}; grains keep the places \
+                     of the file in it",
+                    place.x, place.z
+                ),
+            });
         }
     }
     Ok(())

@@ -15,7 +15,7 @@ use crate::problem::Global;
 use crate::record::frames::{Bodies, Frame, Kind};
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
-use crate::scene::{Axis, GrainsScene};
+use crate::scene::{Axis, Container, Ends, GrainsScene};
 use serde_json::Value;
 use std::ops::ControlFlow;
 
@@ -185,22 +185,28 @@ impl Grains {
         self.drive.body.now(&self.drive.seen)
     }
 
-    /// Low and high corner of a box that holds the grains, open ends included.
+    /// Low and high corner of the box: its walls, and the highest grain below an open top. All centres are inside.
     fn corners(&self) -> [[f64; 2]; 3] {
         let Now {
-            layout, packing, ..
+            layout,
+            packing,
+            scene,
+            ..
         } = self.now();
         let mut corners = layout.extents(packing.walls());
-        if self.scene().is_flat() {
+        if scene.is_flat() {
             let most = packing.radii().iter().copied().fold(0.0, f64::max);
             corners[1] = [-most, most];
         }
+        // Grains that press a wall reach beyond it by their overlap, and the box ends at the wall.
+        let is_open = scene.z == Ends::Floor && scene.container != Container::Drum;
         for (x, radius) in packing.positions().iter().zip(packing.radii()) {
             let x = layout.space.wrap(x);
             for (axis, [low, high]) in corners.iter_mut().enumerate() {
                 if layout.space.lengths()[axis].is_none() {
-                    *low = low.min(x[axis] - radius);
-                    *high = high.max(x[axis] + radius);
+                    let above = if is_open && axis == 2 { *radius } else { 0.0 };
+                    *low = low.min(x[axis]);
+                    *high = high.max(x[axis] + above);
                 }
             }
         }

@@ -1,6 +1,7 @@
 //! Text files line by line: words as numbers, errors that name the line and the valid input.
 
 use super::atoms::AtomsError;
+use crate::scene::number_hint;
 
 /// An error in a file, with its line.
 ///
@@ -83,7 +84,10 @@ impl<'a> Line<'a> {
     /// A finite number.
     pub fn number(self, what: &'static str, word: &str) -> Result<f64, TextError> {
         let number = word.parse::<f64>().ok().filter(|number| number.is_finite());
-        number.ok_or_else(|| self.invalid(what, "a finite number", word))
+        number.ok_or_else(|| {
+            let hint = number_hint(word).map_or(String::new(), |hint| format!(" ({hint})"));
+            self.invalid(what, format!("a finite number{hint}"), word)
+        })
     }
 
     /// A finite number > 0.

@@ -51,11 +51,13 @@ const COMPRESSED: [(&[u8], &str); 5] = [
     (b"PK\x03\x04", "unzip"),
 ];
 
+/// Mark of the byte order that some programs put before UTF-8 text.
+const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
 /// Bytes that are read at a time.
 const CHUNK: u64 = 1 << 16;
 
-/// The text of a file or a pipe, of at most `most` bytes. Stops at the first byte that is not text
-/// or exceeds the limit, so that an endless device is refused at once.
+/// The text of a file or a pipe, of at most `most` bytes; a byte order mark before it is dropped. Stops at the first
+/// byte that is not text or exceeds the limit, so that an endless device is refused at once.
 ///
 /// ```
 /// use tribos::record::{ReadError, read_text};
@@ -64,6 +66,8 @@ const CHUNK: u64 = 1 << 16;
 /// std::fs::write(&file, "speed = 1")?;
 /// assert_eq!(read_text(&file, 9)?, "speed = 1");
 /// assert!(matches!(read_text(&file, 8), Err(ReadError::TooLarge { most: 8 })));
+/// std::fs::write(&file, "\u{feff}speed = 1")?;
+/// assert_eq!(read_text(&file, 99)?, "speed = 1");
 /// std::fs::write(&file, "speed\0= 1")?;
 /// assert!(matches!(read_text(&file, 100), Err(ReadError::NotText { at: 5 })));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -93,6 +97,9 @@ fn read_text_from(source: &mut impl Read, most: u64) -> Result<String, ReadError
         if bytes.len() as u64 > most {
             return Err(ReadError::TooLarge { most });
         }
+    }
+    if bytes.starts_with(BYTE_ORDER_MARK) {
+        bytes.drain(..BYTE_ORDER_MARK.len());
     }
     String::from_utf8(bytes).map_err(|error| ReadError::NotText {
         at: error.utf8_error().valid_up_to() as u64,

@@ -21,7 +21,7 @@ impl Film {
         limit: Option<u64>,
     ) -> Result<Self, RunError<R::Error>> {
         if start == Start::Resume {
-            return Self::resume(folder, limit).map_err(RunError::Frames);
+            return Self::resume(folder, run.steps(), limit).map_err(RunError::Frames);
         }
         let begun = match limit.unwrap_or(USUAL) {
             0 => FrameFolder::clear(folder).map(|()| None),
@@ -31,8 +31,8 @@ impl Film {
     }
 
     /// The limit must be that of the run's start: another would give a different set of frames.
-    fn resume(folder: &Path, limit: Option<u64>) -> Result<Self, FrameError> {
-        let there = FrameFolder::resume(folder)?;
+    fn resume(folder: &Path, steps: u64, limit: Option<u64>) -> Result<Self, FrameError> {
+        let there = FrameFolder::resume(folder, steps)?;
         let kept = there.as_ref().map_or(0, FrameFolder::limit);
         match limit {
             Some(given) if given != kept => {

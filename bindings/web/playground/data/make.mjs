@@ -71,11 +71,13 @@ function powder() {
 /** A frame file, as docs/view.md describes it. */
 function frameOf(path) {
   const bytes = readFileSync(path);
-  const count = bytes.readUInt32LE(40);
+  const version = bytes.readUInt32LE(4);
+  if (version !== 3) throw new Error(`${path} has version ${version}, and 3 is read`);
+  const count = bytes.readUInt32LE(48);
   const corner = (at) => [0, 4, 8].map((offset) => bytes.readFloatLE(at + offset));
-  const [low, high] = [corner(48), corner(60)];
+  const [low, high] = [corner(56), corner(68)];
   const places = Array.from({ length: 3 * count }, (_, index) => {
-    const [axis, part] = [index % 3, bytes.readUInt16LE(72 + 2 * index) / 65535];
+    const [axis, part] = [index % 3, bytes.readUInt16LE(80 + 2 * index) / 65535];
     return Math.round(FINE * (low[axis] + part * (high[axis] - low[axis])));
   });
   const [time, height, porosity] = [16, 24, 32].map((at) => Number(bytes.readDoubleLE(at).toPrecision(6)));

@@ -6,7 +6,7 @@ use crate::command::view::path;
 use crate::failure::Failure;
 use nalgebra::Vector3;
 use std::path::{Path, PathBuf};
-use tribos::record::frames::{Bodies, FrameFolder};
+use tribos::record::frames::{Bodies, FrameFolder, Kind};
 use tribos::record::trajectory::{self, Column, Format, Side, State, Values};
 use tribos::run::folder::{self, Contents, OutputFolder};
 
@@ -92,6 +92,15 @@ impl Trajectory {
             let frame = FrameFolder::read(frames, bodies, step)?;
             film.add(&State::of_frame(bodies, &frame))?;
         }
+        // What frames cannot hold.
+        let exact = match bodies.kind {
+            Kind::Tip => "final.data",
+            Kind::Powder | Kind::Grains | Kind::Gas => "final.xyz",
+        };
+        crate::command::tell(format_args!(
+            "frames have positions to half a 65535th of the box, speeds without directions and no spins; {exact} of a \
+             finished run has all of its last state"
+        ));
         Ok((film.states(), film.finish()?))
     }
 

@@ -125,6 +125,7 @@ impl<'a> Order<'a> {
         }
         let lock = Lock::take(self.out, Sharing::Alone)?;
         let Some(start) = self.start(&contents.about)? else {
+            OutputFolder::tidy(lock)?;
             let out = self.out.display();
             let told = format!("finished already; its results are in {out}\n");
             self.caller.report(&told)?;

@@ -1,10 +1,13 @@
 use crate::grains::{Grains, Ramp};
 use crate::measure::{Assembly, Measures, Options};
 use crate::packing::STATE;
+use crate::record::frames::{Frame, FrameFolder};
+use crate::record::trajectory::{Format, State, Trajectory};
 use crate::record::{extended_xyz, particles_vtp};
 use crate::run::Simulation;
 use crate::scene::{ContactMethod, Container, Ends, GrainsScene, Sides, Sizes};
 use nalgebra::Vector3;
+use std::path::PathBuf;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -127,6 +130,92 @@ fn grains_of_a_file_lie_on_the_floor_and_inside_the_walls() -> Tested {
 }
 
 #[test]
+fn the_box_of_an_export_ends_at_its_walls_though_grains_press_them() -> Tested {
+    let home = tempfile::tempdir()?;
+    let scene = GrainsScene {
+        x: Sides::Walls,
+        method: ContactMethod::Soft,
+        stiffness: 1e3,
+        ..scene()
+    };
+    let run = after(&scene, 3000)?;
+    let reach = motion(&run)
+        .iter()
+        .map(|[place, ..]| place.x - scene.radius)
+        .fold(f64::INFINITY, f64::min);
+    assert!(reach < 0.0, "{reach}");
+    for (name, text) in [
+        ("a.xyz", run.with_snapshot(extended_xyz)?),
+        ("a.vtp", run.with_snapshot(particles_vtp)?),
+    ] {
+        let file = home.path().join(name);
+        std::fs::write(&file, text)?;
+        assert_eq!(
+            Assembly::read(&file)?.bounds[0],
+            [0.0, scene.width],
+            "{name}"
+        );
+        let other = Grains::new(&GrainsScene {
+            start: Some(file),
+            ..scene.clone()
+        })?;
+        for (was, is) in motion(&run).iter().zip(motion(&other)) {
+            assert_eq!(was[0].x, is[0].x, "{name}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn a_flat_run_goes_on_from_its_trajectories_in_its_plane() -> Tested {
+    let home = tempfile::tempdir()?;
+    let scene = GrainsScene {
+        dimension: 2,
+        width: 0.3,
+        share_second: 0.3,
+        radius_second: 0.1,
+        ..scene()
+    };
+    let run = after(&scene, 100)?;
+    let state = {
+        let (bodies, frame) = (
+            run.bodies(9),
+            Frame {
+                step: 0,
+                ..run.frame()
+            },
+        );
+        let frames = home.path().join("frames");
+        FrameFolder::begin(&frames, &bodies)?.finish(&frame)?;
+        State::of_frame(&bodies, &FrameFolder::read(&frames, &bodies, 0)?)
+    };
+    for format in [Format::Xyz, Format::LammpsDump] {
+        let mut trajectory = Trajectory::begin(home.path(), format)?;
+        trajectory.add(&state)?;
+        let file = trajectory.finish()?;
+        let start = |file: PathBuf| {
+            Grains::new(&GrainsScene {
+                start: Some(file),
+                ..scene.clone()
+            })
+        };
+        let other = start(file.clone())?;
+        for (was, is) in motion(&run).iter().zip(motion(&other)) {
+            let apart = (was[0] - is[0]).x / scene.width;
+            assert!((apart - apart.round()).abs() < 1e-5, "{format:?}");
+            assert_eq!(is[0].y, 0.0, "{format:?}");
+        }
+        // A grain beside the plane by a thousandth of its radius is none of a flat box.
+        let y = format!("{:e}", state.places[0].y as f32);
+        let beside = std::fs::read_to_string(&file)?.replacen(&y, "5e-6", 1);
+        std::fs::write(&file, beside)?;
+        let refused = start(file).map_or_else(|error| error.to_string(), |_| "taken".into());
+        assert!(refused.contains("all are at y = 0"), "{refused}");
+    }
+    Ok(())
+}
+
+#[test]
 fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
     let home = tempfile::tempdir()?;
     let file = home.path().join("a.xyz");
@@ -180,7 +269,21 @@ fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
     // A closed slot cuts through what lies in it.
     write(0.08, 0.1)?;
     let opening = 1.0;
-    let refused = refusal(&GrainsScene { opening, ..hopper });
+    let refused = refusal(&GrainsScene {
+        opening,
+        ..hopper.clone()
+    });
+    assert!(refused.contains("reaches into the hopper"), "{refused}");
+    // Also where everything else goes on from a state.
+    write(0.08, 0.1)?;
+    std::fs::write(
+        home.path().join("state.json"),
+        Grains::new(&hopper)?.state(),
+    )?;
+    let start = Some(home.path().join("state.json"));
+    let open = GrainsScene { start, ..hopper };
+    assert!(Grains::new(&open).is_ok());
+    let refused = refusal(&GrainsScene { opening, ..open });
     assert!(refused.contains("reaches into the hopper"), "{refused}");
     Ok(())
 }

@@ -10,9 +10,12 @@ use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::path::Path;
 
+/// The spheres at the end of a gas, which keeps no state with forces.
+const SPHERES: &str = "final.xyz";
+
 /// The state at the end of a run, or at the last checkpoint of one that goes on.
 pub(super) fn last_state(folder: &Path) -> Result<Assembly, AssemblyError> {
-    for name in [STATE, CHECKPOINT] {
+    for name in [STATE, CHECKPOINT, SPHERES] {
         let file = folder.join(name);
         if file.exists() {
             return Assembly::parse(&file.display().to_string(), &text(&file)?);
@@ -21,7 +24,7 @@ pub(super) fn last_state(folder: &Path) -> Result<Assembly, AssemblyError> {
     Err(AssemblyError::Content {
         file: folder.display().to_string(),
         reason: format!(
-            "there is neither {STATE} nor {CHECKPOINT}; run a scene of spheres with `tribos run SCENE --out {}`",
+            "there is none of {STATE}, {CHECKPOINT} and {SPHERES}; run a scene of spheres with `tribos run SCENE --out {}`",
             folder.display()
         ),
     })

@@ -59,7 +59,7 @@ pub enum FrameError {
     )]
     Damaged(PathBuf),
     /// A required frame is missing.
-    #[error("{} is missing; run the scene again", .0.display())]
+    #[error("{} is missing; run the scene again, with --anew if it was broken off", .0.display())]
     Missing(PathBuf),
     /// The folder contains frames of another limit.
     #[error(
@@ -108,7 +108,7 @@ pub enum FrameError {
 /// let mut film = FrameFolder::begin(&path, &bodies)?;
 /// film.add(&frame(0));
 /// film.save()?; // the run is broken off here, and goes on:
-/// let mut film = FrameFolder::resume(&path)?.ok_or("no frames")?;
+/// let mut film = FrameFolder::resume(&path, 0)?.ok_or("no frames")?;
 /// assert_eq!(film.limit(), 20);
 /// film.add(&frame(1));
 /// film.finish(&frame(2))?;
@@ -116,7 +116,7 @@ pub enum FrameError {
 /// assert_eq!(FrameFolder::bodies(&path)?, Some(bodies));
 ///
 /// FrameFolder::clear(&path)?;
-/// assert!(FrameFolder::resume(&path)?.is_none());
+/// assert!(FrameFolder::resume(&path, 2)?.is_none());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
@@ -130,6 +130,8 @@ pub struct FrameFolder {
     apart: u64,
     /// Bytes of frames by their steps.
     held: BTreeMap<u64, Vec<u8>>,
+    /// Step of the frame added last.
+    newest: u64,
 }
 
 impl FrameFolder {
@@ -140,14 +142,26 @@ impl FrameFolder {
         Ok(Self::of(path, bodies))
     }
 
-    /// The folder of a resumed run; `None` if it has no frames. Refuses a damaged frame: the run would keep it.
-    pub fn resume(path: &Path) -> Result<Option<Self>, FrameError> {
-        let Some(bodies) = Self::bodies(path)? else {
-            return Ok(None);
+    /// The folder of a run resumed after this many steps; `None` if it has no frames. Refuses damaged and missing
+    /// frames: the run would not make them again.
+    pub fn resume(path: &Path, after: u64) -> Result<Option<Self>, FrameError> {
+        let steps = if path.exists() {
+            there(path)?
+        } else {
+            Vec::new()
         };
-        for step in names(path)?.iter().filter_map(|name| step(name)) {
-            Self::read(path, &bodies, step)?;
+        let Some(bodies) = Self::bodies(path)? else {
+            return match steps[..] {
+                [] => Ok(None),
+                _ => Err(FrameError::Missing(path.join(BODIES))),
+            };
+        };
+        for step in &steps {
+            Self::read(path, &bodies, *step)?;
         }
+        // Frames that were saved after the checkpoint say how far apart those before it are by now.
+        let newest = steps.last().map_or(after, |last| after.max(*last));
+        refuse_gap(path, &bodies, &steps, (newest, after))?;
         Ok(Some(Self::of(path, &bodies)))
     }
 
@@ -159,6 +173,7 @@ impl FrameFolder {
             stride: bodies.stride.max(1),
             apart: 1,
             held: BTreeMap::new(),
+            newest: 0,
         }
     }
 
@@ -188,18 +203,26 @@ impl FrameFolder {
     /// Adds a frame that is [wanted](Self::wants), and discards those no longer wanted.
     pub fn add(&mut self, frame: &Frame) {
         self.thin(frame.step);
+        self.hold(frame);
+    }
+
+    fn hold(&mut self, frame: &Frame) {
         self.held.insert(frame.step, frame.bytes(self.run));
+        self.newest = frame.step;
     }
 
     /// Writes all frames so far to disk, except those no longer wanted. Call it before each
     /// checkpoint: a resumed run does not make earlier frames again.
     pub fn save(&mut self) -> Result<(), FrameError> {
-        let apart = self.apart;
-        remove_where(&self.path, |step| !step.is_multiple_of(apart))?;
         for (step, bytes) in std::mem::take(&mut self.held) {
             write_atomically_there(&file(&self.path, step), &bytes)?;
         }
-        Ok(())
+        // The newest frame is there before old ones go: it says how far apart they are. Later ones are those of an
+        // interruption.
+        let (apart, newest) = (self.apart, self.newest);
+        remove_where(&self.path, |step| {
+            step < newest && !step.is_multiple_of(apart)
+        })
     }
 
     /// Adds the last state, wanted or not, and writes all frames.
@@ -207,7 +230,7 @@ impl FrameFolder {
         self.thin(frame.step);
         // Frames from steps after the last checkpoint of an interrupted run.
         remove_where(&self.path, |step| step > frame.step)?;
-        self.held.insert(frame.step, frame.bytes(self.run));
+        self.hold(frame);
         self.save()
     }
 
@@ -236,16 +259,9 @@ impl FrameFolder {
     /// Steps of the existing frames, in order. Refuses a gap: the number of steps determines which
     /// frames are kept.
     pub fn steps(path: &Path) -> Result<Vec<u64>, FrameError> {
-        let mut steps: Vec<u64> = names(path)?.iter().filter_map(|name| step(name)).collect();
-        steps.sort_unstable();
+        let steps = there(path)?;
         if let (Some(bodies), Some(&last)) = (Self::bodies(path)?, steps.last()) {
-            let apart = spacing(last / bodies.stride, bodies.limit).saturating_mul(bodies.stride);
-            let kept = (0..=last).step_by(usize::try_from(apart).unwrap_or(usize::MAX));
-            for wanted in kept {
-                if steps.binary_search(&wanted).is_err() {
-                    return Err(FrameError::Missing(file(path, wanted)));
-                }
-            }
+            refuse_gap(path, &bodies, &steps, (last, last))?;
         }
         Ok(steps)
     }
@@ -281,6 +297,28 @@ fn names(path: &Path) -> Result<Vec<String>, FrameError> {
         names.extend(entry.map_err(fail)?.file_name().into_string().ok());
     }
     Ok(names)
+}
+
+/// Steps of the frames in a folder, in order.
+fn there(path: &Path) -> Result<Vec<u64>, FrameError> {
+    let mut steps: Vec<u64> = names(path)?.iter().filter_map(|name| step(name)).collect();
+    steps.sort_unstable();
+    Ok(steps)
+}
+
+/// Refuses a gap among the frames that are kept of a run up to its `newest` step, as far as `end`.
+fn refuse_gap(
+    path: &Path,
+    bodies: &Bodies,
+    steps: &[u64],
+    (newest, end): (u64, u64),
+) -> Result<(), FrameError> {
+    let apart = spacing(newest / bodies.stride, bodies.limit).saturating_mul(bodies.stride);
+    let mut kept = (0..=end).step_by(usize::try_from(apart).unwrap_or(usize::MAX));
+    match kept.find(|wanted| steps.binary_search(wanted).is_err()) {
+        Some(wanted) => Err(FrameError::Missing(file(path, wanted))),
+        None => Ok(()),
+    }
 }
 
 /// The step in a frame's name.
@@ -358,25 +396,65 @@ mod tests {
         assert_eq!(steps, [0, 16, 32, 48, 64, 77]);
 
         for (checkpoint, killed) in [(0, 5), (30, 31), (30, 44), (31, 77), (76, 77)] {
-            let path = home.path().join("broken");
-            let mut folder = FrameFolder::begin(&path, &bodies(10, 2))?;
-            run(&mut folder, 0..checkpoint + 1);
-            folder.save()?;
-            // On the way to the next checkpoint some frames are written, some removed.
-            run(&mut folder, checkpoint + 1..killed);
-            folder.save()?;
-            let newest = FrameFolder::steps(&path)?.pop().unwrap_or(0);
-            if newest > checkpoint {
-                std::fs::remove_file(file(&path, newest))?;
+            for written in [0, 1, 9] {
+                let path = home.path().join("broken");
+                let mut folder = FrameFolder::begin(&path, &bodies(10, 2))?;
+                run(&mut folder, 0..checkpoint + 1);
+                folder.save()?;
+                // On the way to the next checkpoint some new frames are written, and old ones go once all are.
+                run(&mut folder, checkpoint + 1..killed);
+                let new: Vec<u64> = folder.held.keys().copied().collect();
+                if let Some(&unwritten) = new.get(written) {
+                    folder.held.retain(|step, _| *step < unwritten);
+                    folder.apart = 1;
+                    folder.save()?;
+                } else if killed == 77 {
+                    folder.finish(&frame(77))?;
+                } else {
+                    folder.save()?;
+                }
+                std::fs::write(path.join(".tribos-x7.tmp"), "half")?;
+                // It goes on twice.
+                let middle = checkpoint.midpoint(76);
+                let mut folder = FrameFolder::resume(&path, checkpoint)?.ok_or("no frames")?;
+                assert_eq!(folder.limit(), 10);
+                run(&mut folder, checkpoint..middle + 1);
+                folder.save()?;
+                let mut folder = FrameFolder::resume(&path, middle)?.ok_or("no frames")?;
+                run(&mut folder, middle..77);
+                folder.finish(&frame(77))?;
+                assert_eq!(
+                    FrameFolder::steps(&path)?,
+                    steps,
+                    "{checkpoint} {killed} {written}"
+                );
+                assert_eq!(std::fs::read_dir(&path)?.count(), 1 + steps.len());
             }
-            std::fs::write(path.join(".tribos-x7.tmp"), "half")?;
-            let mut folder = FrameFolder::resume(&path)?.ok_or("no frames")?;
-            assert_eq!(folder.limit(), 10);
-            run(&mut folder, checkpoint..77);
-            folder.finish(&frame(77))?;
-            assert_eq!(FrameFolder::steps(&path)?, steps, "{checkpoint} {killed}");
-            assert_eq!(std::fs::read_dir(&path)?.count(), 1 + steps.len());
         }
+        Ok(())
+    }
+
+    #[test]
+    fn a_run_does_not_go_on_without_a_frame_that_it_made() -> Result<(), Box<dyn std::error::Error>>
+    {
+        let home = tempfile::tempdir()?;
+        let path = home.path().join("frames");
+        let mut folder = FrameFolder::begin(&path, &bodies(10, 2))?;
+        run(&mut folder, 0..31);
+        folder.save()?;
+        for step in FrameFolder::steps(&path)? {
+            let (gone, kept) = (file(&path, step), home.path().join("kept"));
+            std::fs::rename(&gone, &kept)?;
+            let refused = FrameFolder::resume(&path, 30).map(|_| ());
+            assert!(
+                matches!(&refused, Err(FrameError::Missing(missing)) if *missing == gone),
+                "{step}: {refused:?}"
+            );
+            std::fs::rename(&kept, &gone)?;
+        }
+        std::fs::remove_file(path.join(BODIES))?;
+        let refused = FrameFolder::resume(&path, 30);
+        assert!(matches!(refused, Err(FrameError::Missing(_))));
         Ok(())
     }
 
@@ -384,7 +462,7 @@ mod tests {
     fn a_folder_tells_what_it_holds() -> Result<(), Box<dyn std::error::Error>> {
         let home = tempfile::tempdir()?;
         let path = home.path().join("frames");
-        assert!(FrameFolder::resume(&path)?.is_none());
+        assert!(FrameFolder::resume(&path, 0)?.is_none());
         let given = bodies(5, 1);
         let mut film = FrameFolder::begin(&path, &given)?;
         film.add(&frame(0));
@@ -396,7 +474,7 @@ mod tests {
         let refused = FrameFolder::read(&path, &given, 4);
         assert!(matches!(refused, Err(FrameError::Damaged(_))));
         // A run does not go on beside it.
-        let refused = FrameFolder::resume(&path);
+        let refused = FrameFolder::resume(&path, 3);
         assert!(matches!(refused, Err(FrameError::Damaged(_))));
         // A frame of the same step from another run, and one that is not there.
         let other = home.path().join("other");

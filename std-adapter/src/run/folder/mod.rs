@@ -75,6 +75,14 @@ impl OutputFolder {
         })
     }
 
+    /// Finishes the folder of a command that was killed after its last result: half-written files go, and the manifest
+    /// names the existing files.
+    pub fn tidy(lock: Lock) -> Result<(), FolderError> {
+        remove_unfinished(lock.folder())?;
+        let lock = Arc::new(lock);
+        Self { lock }.trim()
+    }
+
     fn claim(
         lock: Lock,
         contents: &Contents<'_>,
