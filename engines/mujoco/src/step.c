@@ -251,14 +251,23 @@ static bool is_rest(const planar_foot *feet, int count, double share)
     return true;
 }
 
+static bool all_inside(const planar_foot *feet, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (!is_inside(feet + i, feet[i].friction)) return false;
+    return true;
+}
+
 // Friction that brings several feet to rest at the end of the step, if they can carry it. Of the many that do where
 // feet belong to one body, it is the one with the least sum of squares in units of each foot's limit: forces between
 // feet, which nothing determines, are none and do not wander. Conjugate residuals from no friction (Stiefel, Comment.
-// Math. Helv. 29 (1955) 157) meet such forces last, and end before; what they leave is judged at each step.
+// Math. Helv. 29 (1955) 157) meet such forces last; what they leave is judged at each step. Where feet cannot carry
+// them, friction without them is enough.
 static bool hold_together(planar_foot *feet, int count, const double *compliance, double dt)
 {
     for (int i = 0; i < count; i++) {
         planar_foot *foot = feet + i;
+        foot->is_held = true;
         for (int k = 0; k < 3; k++) {
             foot->unit[k] = k == 2 ? foot->limit * foot->patch->arm : foot->limit;
             foot->left[k] = -foot->unit[k] * (foot->acceleration[k] + foot->velocity[k] / dt);
@@ -266,12 +275,19 @@ static bool hold_together(planar_foot *feet, int count, const double *compliance
         }
     }
     double before = INFINITY;
+    bool has_enough = false;
     // As many steps as unknowns are exact but for rounding.
-    for (int step = 0;; step++) {
-        if (step == 6 * count) return false;
+    for (int step = 0; step <= 6 * count; step++) {
         double alone, square = 0;
         const double power = respond(feet, count, compliance, &alone);
-        if (is_rest(feet, count, power > BETWEEN * alone ? REST : STILL)) break;
+        if (is_rest(feet, count, REST)) {
+            if (all_inside(feet, count)) return true;
+            break;
+        }
+        if (!has_enough && power <= BETWEEN * alone && is_rest(feet, count, STILL)) {
+            has_enough = true;
+            for (int i = 0; i < count; i++) memcpy(feet[i].enough, feet[i].friction, sizeof feet[i].enough);
+        }
         for (int i = 0; i < count; i++) {
             planar_foot *foot = feet + i;
             for (int k = 0; k < 3; k++) {
@@ -280,17 +296,16 @@ static bool hold_together(planar_foot *feet, int count, const double *compliance
             }
             square += dot3(foot->change, foot->change);
         }
-        if (!(power > 0 && square > 0)) return false;
+        if (!(power > 0 && square > 0)) break;
         for (int i = 0; i < count; i++) {
             add_scaled3(feet[i].friction, feet[i].along, power / square);
             add_scaled3(feet[i].left, feet[i].change, -power / square);
         }
         before = power;
     }
-    for (int i = 0; i < count; i++)
-        if (!is_inside(feet + i, feet[i].friction)) return false;
-    for (int i = 0; i < count; i++) feet[i].is_held = true;
-    return true;
+    if (!has_enough) return false;
+    for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].enough, sizeof feet[i].friction);
+    return all_inside(feet, count);
 }
 
 // True if surely no foot comes to rest within the step.

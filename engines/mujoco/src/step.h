@@ -35,6 +35,7 @@ typedef struct planar_foot {
     double moved[3];   // acceleration by that
     double along[3];   // direction of the search: N, N, N m
     double change[3];  // acceleration by it
+    double enough[3];  // friction without forces between feet
 } planar_foot;
 
 // Finds friction such that each foot is at rest at the end of the step where the patches can carry that;

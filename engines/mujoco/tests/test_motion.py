@@ -280,7 +280,7 @@ def test_a_body_that_is_pinched_too_weakly_falls_and_else_hangs_still():
     feet = {name: {"geom": name} | finger for name in ("left", "right")}
     more = '<actuator><motor joint="left"/><motor joint="right"/></actuator>'
     model = model_of(feet, text, gravity="0 0 0", more=more)
-    for share in (2.0, 20.0, 0.8):
+    for share in (2.0, 20.0, 95.0, 0.8):
         data = mujoco.MjData(model)
         model.opt.gravity[2] = 0.0
         data.ctrl[:] = share * 0.1 * GRAVITY / 2.0

@@ -186,8 +186,8 @@ impl Step<'_> {
     /// Friction that brings several feet to rest at the end of the step, if they can carry it. Of the many that do
     /// where feet belong to one body, it is the one with the least sum of squares in units of each foot's limit: forces
     /// between feet, which nothing determines, are none and do not wander. Conjugate residuals from no friction
-    /// (Stiefel, Comment. Math. Helv. 29 (1955) 157) meet such forces last, and end before; what they leave is judged
-    /// at each step.
+    /// (Stiefel, Comment. Math. Helv. 29 (1955) 157) meet such forces last; what they leave is judged at each step.
+    /// Where feet cannot carry them, friction without them is enough.
     fn held_together(&self, metrics: &[Metric], rate: &[Vector3<f64>]) -> PyResult<Option<Rows>> {
         let count = self.limits.len();
         if count == 1 {
@@ -204,7 +204,7 @@ impl Step<'_> {
         let mut left: Rows = in_units(rate).iter().map(|row| -row).collect();
         let none = vec![Vector3::zeros(); count];
         let (mut friction, mut along, mut change) = (none.clone(), none.clone(), none);
-        let (mut before, mut is_found) = (f64::INFINITY, false);
+        let (mut before, mut enough) = (f64::INFINITY, None);
         // As many steps as unknowns are exact but for rounding.
         for _ in 0..=6 * count {
             // What friction along the acceleration that is left would change of it.
@@ -216,10 +216,15 @@ impl Step<'_> {
                 .map(|(f, metric)| f.dot(&(metric.compliance * f)))
                 .sum();
             let moved = in_units(&response);
-            let share = if power > BETWEEN * alone { REST } else { STILL };
-            is_found = self.is_rest(metrics, [&left, &moved], share);
-            if is_found {
+            if self.is_rest(metrics, [&left, &moved], REST) {
+                if self.are_inside(metrics, &friction)? {
+                    return Ok(Some(friction));
+                }
                 break;
+            }
+            let is_between = power <= BETWEEN * alone;
+            if enough.is_none() && is_between && self.is_rest(metrics, [&left, &moved], STILL) {
+                enough = Some(friction.clone());
             }
             for foot in 0..count {
                 along[foot] = force[foot] + along[foot] * (power / before);
@@ -235,19 +240,21 @@ impl Step<'_> {
             }
             before = power;
         }
-        if !is_found {
-            return Ok(None);
+        match enough {
+            Some(friction) if self.are_inside(metrics, &friction)? => Ok(Some(friction)),
+            _ => Ok(None),
         }
-        for ((metric, limits), friction) in metrics.iter().zip(self.limits).zip(&friction) {
-            let mut is_carried = false;
+    }
+
+    /// Whether all feet can carry their friction.
+    fn are_inside(&self, metrics: &[Metric], friction: &[Vector3<f64>]) -> PyResult<bool> {
+        let mut are_inside = true;
+        for ((metric, limits), friction) in metrics.iter().zip(self.limits).zip(friction) {
             limits.sets.with(limits.force, &mut |set| {
-                is_carried = metric.project(set, friction) == *friction;
+                are_inside = are_inside && metric.project(set, friction) == *friction;
             })?;
-            if !is_carried {
-                return Ok(None);
-            }
         }
-        Ok(Some(friction))
+        Ok(are_inside)
     }
 
     /// Whether the acceleration that is left is rest: each foot's velocity is none but for the give of contacts, and
