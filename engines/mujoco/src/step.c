@@ -10,7 +10,7 @@
 // Velocity that counts as none after sweeps, in units of what the largest friction changes in a step.
 #define STILL 1e-6
 // The same for friction that is found for all feet at once, which is accurate to rounding.
-#define REST 1e-9
+#define REST 1e-12
 // The same for velocities of feet against each other, which friction does not change: a body that tilts on its contacts'
 // springs moves feet of different heights.
 #define GIVE 1e-3
@@ -262,16 +262,20 @@ static bool all_inside(const planar_foot *feet, int count)
 // feet belong to one body, it is the one with the least sum of squares in units of each foot's limit: forces between
 // feet, which nothing determines, are none and do not wander. Conjugate residuals from no friction (Stiefel, Comment.
 // Math. Helv. 29 (1955) 157) meet such forces last; what they leave is judged at each step. Where feet cannot carry
-// them, friction without them is enough.
-static bool hold_together(planar_foot *feet, int count, const double *compliance, double dt)
+// them, friction without them is enough. From the friction of the step before it is the least change instead.
+static bool hold_together(planar_foot *feet, int count, const double *compliance, double dt, bool from_start)
 {
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) feet[i].friction[k] = from_start ? feet[i].start[k] : 0;
     for (int i = 0; i < count; i++) {
         planar_foot *foot = feet + i;
+        double slope[3];
+        slope_of(feet, count, compliance, 1 / dt, i, slope);
         foot->is_held = true;
         for (int k = 0; k < 3; k++) {
             foot->unit[k] = k == 2 ? foot->limit * foot->patch->arm : foot->limit;
-            foot->left[k] = -foot->unit[k] * (foot->acceleration[k] + foot->velocity[k] / dt);
-            foot->friction[k] = foot->along[k] = foot->change[k] = 0;
+            foot->left[k] = -foot->unit[k] * slope[k];
+            foot->along[k] = foot->change[k] = 0;
         }
     }
     double before = INFINITY;
@@ -397,7 +401,8 @@ void step_solve(planar_foot *feet, int count, const double *compliance, double d
     // Rest at the end of the step.
     const bool is_sliding = is_beyond(feet, count, compliance, dt);
     if (!is_sliding) {
-        if (count > 1 && hold_together(feet, count, compliance, dt)) return;
+        for (int from_start = 0; from_start < 2; from_start++)
+            if (count > 1 && hold_together(feet, count, compliance, dt, from_start)) return;
         // A foot alone was held exactly; of several the last sweep moves those before.
         if (minimise_all(feet, count, compliance, 1 / dt) &&
             (count == 1 || mark_held(feet, count, compliance, dt, STILL)))

@@ -59,7 +59,7 @@ const TOLERANCE: f64 = 1e-7;
 /// Velocity that counts as none after sweeps, in units of what the largest friction changes in a step.
 const STILL: f64 = 1e-6;
 /// The same for friction that is found for all feet at once, which is accurate to rounding.
-const REST: f64 = 1e-9;
+const REST: f64 = 1e-12;
 /// The same for velocities of feet against each other, which friction does not change: a body that tilts on its contacts'
 /// springs moves feet of different heights.
 const GIVE: f64 = 1e-3;
@@ -90,7 +90,12 @@ impl Step<'_> {
         let mut ended = None;
         if !self.is_beyond(&metrics, &at_end, start) {
             let is_held = vec![true; count];
-            if let Some(friction) = self.held_together(&metrics, &at_end)? {
+            let none = vec![Vector3::zeros(); count];
+            let mut together = self.held_together(&metrics, &at_end, &none)?;
+            if together.is_none() {
+                together = self.held_together(&metrics, &at_end, start)?;
+            }
+            if let Some(friction) = together {
                 return Ok(Solution {
                     friction,
                     is_held,
@@ -187,8 +192,14 @@ impl Step<'_> {
     /// where feet belong to one body, it is the one with the least sum of squares in units of each foot's limit: forces
     /// between feet, which nothing determines, are none and do not wander. Conjugate residuals from no friction
     /// (Stiefel, Comment. Math. Helv. 29 (1955) 157) meet such forces last; what they leave is judged at each step.
-    /// Where feet cannot carry them, friction without them is enough.
-    fn held_together(&self, metrics: &[Metric], rate: &[Vector3<f64>]) -> PyResult<Option<Rows>> {
+    /// Where feet cannot carry them, friction without them is enough. From the friction of the step before it is
+    /// the least change instead.
+    fn held_together(
+        &self,
+        metrics: &[Metric],
+        rate: &[Vector3<f64>],
+        from: &[Vector3<f64>],
+    ) -> PyResult<Option<Rows>> {
         let count = self.limits.len();
         if count == 1 {
             return Ok(None);
@@ -201,9 +212,12 @@ impl Step<'_> {
             let each = rows.iter().zip(&units);
             each.map(|(row, unit)| row.component_mul(unit)).collect()
         };
-        let mut left: Rows = in_units(rate).iter().map(|row| -row).collect();
-        let none = vec![Vector3::zeros(); count];
-        let (mut friction, mut along, mut change) = (none.clone(), none.clone(), none);
+        let feet = rate.iter().enumerate();
+        let left: Rows = feet
+            .map(|(foot, rate)| -(rate + self.response(foot, from)))
+            .collect();
+        let (mut left, none) = (in_units(&left), vec![Vector3::zeros(); count]);
+        let (mut friction, mut along, mut change) = (from.to_vec(), none.clone(), none);
         let (mut before, mut enough) = (f64::INFINITY, None);
         // As many steps as unknowns are exact but for rounding.
         for _ in 0..=6 * count {

@@ -100,13 +100,14 @@ mod tests {
     use super::*;
     use crate::random::Random;
 
+    fn error(rows: &[(DVector<f64>, f64)], x: &DVector<f64>) -> f64 {
+        let each = rows.iter().map(|(row, right)| row.dot(x) - right);
+        each.map(|left| left * left).sum()
+    }
+
     /// The least sum of squares over all choices of unknowns that may be positive.
     fn enumerated(rows: &[(DVector<f64>, f64)], unknowns: usize) -> f64 {
-        let error = |x: &DVector<f64>| -> f64 {
-            let each = rows.iter().map(|(row, right)| (row.dot(x) - right).powi(2));
-            each.sum()
-        };
-        let mut least = error(&DVector::zeros(unknowns));
+        let mut least = error(rows, &DVector::zeros(unknowns));
         for choice in 1_u32..1 << unknowns {
             let free: Vec<usize> = (0..unknowns).filter(|i| choice >> i & 1 == 1).collect();
             let system = DMatrix::from_fn(rows.len(), free.len(), |i, j| rows[i].0[free[j]]);
@@ -117,7 +118,7 @@ mod tests {
                 for (&i, &value) in free.iter().zip(found.iter()) {
                     x[i] = value;
                 }
-                least = least.min(error(&x));
+                least = least.min(error(rows, &x));
             }
         }
         least
@@ -134,10 +135,7 @@ mod tests {
             let mut normal = Normal::new(5);
             rows.iter().for_each(|(row, right)| normal.add(row, *right));
             let x = DVector::from_vec(normal.solve(0.0).unwrap());
-            let each = rows
-                .iter()
-                .map(|(row, right)| (row.dot(&x) - right).powi(2));
-            let (found, least) = (each.sum::<f64>(), enumerated(&rows, 5));
+            let (found, least) = (error(&rows, &x), enumerated(&rows, 5));
             assert!((found / least - 1.0).abs() < 1e-12, "{found} {least}");
             // One row that is no number leaves no least.
             let mut lost = Normal::new(5);

@@ -317,7 +317,10 @@ fn judged(
     })
 }
 
-fn boxed<M: Model + 'static>(model: Option<M>) -> Result<Box<dyn Model>, MeasuredPushError> {
+/// A model, or why there is none.
+type Fitted = Result<Box<dyn Model>, MeasuredPushError>;
+
+fn boxed<M: Model + 'static>(model: Option<M>) -> Fitted {
     model
         .map(|model| Box::new(model) as Box<dyn Model>)
         .ok_or_else(not_found)
@@ -331,10 +334,7 @@ fn not_found() -> MeasuredPushError {
 }
 
 /// Angles of all pushes, each foretold by a model of the parts that it does not belong to.
-fn crossed(
-    rows: &[Row],
-    fitted: &dyn Fn(&[Row]) -> Result<Box<dyn Model>, MeasuredPushError>,
-) -> Result<Vec<f64>, MeasuredPushError> {
+fn crossed(rows: &[Row], fitted: &dyn Fn(&[Row]) -> Fitted) -> Result<Vec<f64>, MeasuredPushError> {
     let mut angles = Vec::with_capacity(rows.len());
     for part in 0..PARTS {
         let is_in = |i: usize| i % PARTS == part;
