@@ -190,7 +190,7 @@ impl From<StickError> for Failure {
 impl From<PushError> for Failure {
     fn from(error: PushError) -> Self {
         match error {
-            PushError::Steps { .. } => Self::run(error),
+            PushError::Steps { .. } | PushError::NotFound { .. } => Self::run(error),
             PushError::Refusal(refusal) => refusal.into(),
             _ => Self::input(error),
         }

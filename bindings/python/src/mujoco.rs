@@ -73,6 +73,7 @@ pub struct MujocoFeet {
 
 type Mass = (Py<PyArray2<f64>>, Py<PyArray2<f64>>);
 type Triple = [f64; 3];
+type FootState = (f64, Triple, Triple, [Triple; 3], Triple, bool, u64);
 
 #[pymethods]
 impl MujocoFeet {
@@ -190,8 +191,9 @@ impl MujocoFeet {
         )
     }
 
-    /// Of a foot: load, friction on it, its twist before the step, axes, centre, and whether it is held.
-    fn state(&self, foot: usize) -> PyResult<(f64, Triple, Triple, [Triple; 3], Triple, bool)> {
+    /// Of a foot: load, friction on it, its twist before the step, axes, centre, whether it is held, and how many
+    /// searches for its friction stopped at their count.
+    fn state(&self, foot: usize) -> PyResult<FootState> {
         let foot = self.feet.get(foot).ok_or_else(|| refused("no such foot"))?;
         Ok((
             foot.load,
@@ -200,6 +202,7 @@ impl MujocoFeet {
             foot.axes.into(),
             foot.centre.into(),
             foot.is_held,
+            foot.missed,
         ))
     }
 }
@@ -356,9 +359,11 @@ fn add_friction(
         let solution = solution(feet, &loaded, &View::new(memory, places), (solved, dt))?;
         let force = &mut memory[places.force..][..places.freedoms];
         let found = solution.friction.iter().zip(&solution.is_held);
-        for (&foot, (friction, is_held)) in loaded.iter().zip(found) {
+        let found = found.zip(&solution.is_missed);
+        for (&foot, ((friction, is_held), is_missed)) in loaded.iter().zip(found) {
             let foot = &mut feet[foot];
             foot.take(friction, *is_held);
+            foot.missed += u64::from(*is_missed);
             for (freedom, column) in foot.freedoms.iter().zip(&foot.jacobian) {
                 force[freedom.index] += column.fixed_rows::<3>(0).dot(friction);
             }

@@ -351,6 +351,7 @@ def test_models_can_be_compiled_in_a_pause():
         assert feet["foot"].friction[0] == pytest.approx(-0.3 * 0.2 * GRAVITY, rel=1e-2)
 
 
+@pytest.mark.parametrize("places", [[(0.0, 0.0)], [(0.04, 0.0), (-0.04, 0.04), (-0.04, -0.04)]])
 @pytest.mark.parametrize(
     ("joint", "rate"),
     [
@@ -359,7 +360,14 @@ def test_models_can_be_compiled_in_a_pause():
         ('axis="0.1 0 1"', 2.0),  # tilted against its axis
     ],
 )
-def test_what_rests_on_a_turning_floor_stays(joint, rate):
+def test_what_rests_on_a_turning_floor_stays(joint, rate, places):
+    names = [f"foot{i}" for i in range(len(places))]
+    radius = 0.05 if len(places) == 1 else 0.03
+    legs = "".join(
+        f'<geom name="{name}" type="cylinder" size="{radius} 0.01" pos="{x} {y} 0" mass="0.2"/>'
+        for name, (x, y) in zip(names, places, strict=True)
+    )
+    patch = tribos.Friction(tribos.disk(radius), mu=0.3)
     model = mujoco.MjModel.from_xml_string(
         f"""
         <mujoco>
@@ -367,7 +375,7 @@ def test_what_rests_on_a_turning_floor_stays(joint, rate):
           <worldbody>
             <body><joint name="axle" type="hinge" {joint}/>
               <geom name="floor" type="cylinder" size="0.5 0.02" mass="100"/></body>
-            <body pos="0.2 0 0.0299"><freejoint/><geom name="foot" {PUCK} mass="0.2"/></body>
+            <body pos="0.2 0 0.0299"><freejoint/>{legs}</body>
           </worldbody>
           <actuator><velocity joint="axle" kv="2e3"/></actuator>
         </mujoco>"""
@@ -380,18 +388,18 @@ def test_what_rests_on_a_turning_floor_stays(joint, rate):
         x = turn @ data.xmat[-1].reshape(3, 3)[:, 0]
         return np.array([*(turn @ data.xpos[-1])[:2], math.atan2(x[1], x[0])])
 
-    with tribos.mujoco.attach(model, data, {"foot": DISK}, floor="floor") as feet:
+    with tribos.mujoco.attach(model, data, dict.fromkeys(names, patch), floor="floor") as feet:
         for share in np.linspace(0.0, 1.0, 1000):
             data.ctrl[:] = share * rate
             mujoco.mj_step(model, data)
         mujoco.mj_step(model, data, nstep=1000)
-        start, places = place(), []
+        start, shifts = place(), []
         for _ in range(20):
             mujoco.mj_step(model, data, nstep=500)
-            places.append(place() - start)
-        assert feet["foot"].is_held
+            shifts.append(place() - start)
+        assert all(feet[name].is_held and feet[name].missed == 0 for name in names)
     # The first order of the step would carry it by 15 mm and more; contacts' springs let it sway.
-    assert np.abs(places).max() < 2e-5
+    assert np.abs(shifts).max() < 2e-5
 
 
 @pytest.mark.parametrize("jacobian", ["dense", "sparse"])

@@ -16,7 +16,8 @@ enum {
     STATE_ACCELERATION = 6,  // of its centre without friction of the feet, m/s^2, 3 numbers
     STATE_TURNING = 9,       // angular acceleration about its normal without that friction, rad/s^2
     STATE_SLIP = 10,         // of its centre on its ground since friction holds it: m along the patch's x and y, rad
-    STATE_SIZE = 13
+    STATE_MISSED = 13,       // steps so far in which a search for its friction stopped at its count
+    STATE_SIZE = 14
 };
 
 typedef enum frame_kind { FRAME_GEOM, FRAME_BODY, FRAME_SITE } frame_kind;
@@ -62,7 +63,7 @@ typedef struct foot {
     double velocity[3];     // mean over the step, relative to the surface, if no velocity changes
     double friction[3];     // on the foot
     double response[3];     // its acceleration by the friction of all feet
-    bool is_held;
+    bool is_held, is_missed;
 } foot;
 
 // Whether a body moves freely: alone in its tree, on a free joint without armature.

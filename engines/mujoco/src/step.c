@@ -9,8 +9,18 @@
 #define TOLERANCE 1e-7
 // Velocity that counts as none after sweeps, in units of what the largest friction changes in a step.
 #define STILL 1e-6
+// The same for friction that is found for all feet at once, which is accurate to rounding.
+#define REST 1e-12
+// The same for velocities of feet against each other, which friction does not change: a body that tilts on its contacts'
+// springs moves feet of different heights.
+#define GIVE 1e-3
+// Forces that move the feet together by less than this share of what each would do to a foot alone are forces between
+// feet: their heights differ by less than a hundredth of their distances.
+#define BETWEEN 1e-4
 // Sweeps over the feet, and steps on one foot within a sweep, at most.
+#ifndef SWEEPS
 #define SWEEPS 200
+#endif
 #define STEPS 500
 // Share of the largest compliance that is added to all, such that a mechanism that lacks motions has an inverse.
 #define FLOOR 1e-12
@@ -50,6 +60,7 @@ static void eigenvalues(const double m[9], double *least, double *most)
 static void prepare(planar_foot *foot, const double block[9])
 {
     double *c = foot->compliance;
+    foot->is_missed = false;
     memcpy(c, block, 9 * sizeof(double));
     const double arm_sq = foot->patch->arm * foot->patch->arm;
     const double floor = FLOOR * (c[0] + c[4] + c[8] * arm_sq);
@@ -98,9 +109,10 @@ static bool needed(const planar_foot *foot, const double start[3], const double 
 
 // The friction that leaves the least energy, from `at` where the motion is `slope`; true if it brings the
 // foot to rest.
-static bool minimise(const planar_foot *foot, double at[3], const double slope[3])
+static bool minimise(planar_foot *foot, double at[3], const double slope[3])
 {
     double rest[3];
+    foot->is_cut = false;
     if (needed(foot, at, slope, rest) && is_inside(foot, rest)) {
         memcpy(at, rest, sizeof rest);
         return true;
@@ -127,8 +139,9 @@ static bool minimise(const planar_foot *foot, double at[3], const double slope[3
         memcpy(ahead, next, sizeof next);
         if (!(uphill > 0)) add_scaled3(ahead, change, momentum);
         const double moved = fmax(norm2(change[0], change[1]), fabs(change[2]) / foot->length);
-        if (!(left * moved > TOLERANCE * foot->limit)) break;
+        if (!(left * moved > TOLERANCE * foot->limit)) return false;
     }
+    foot->is_cut = true;
     return false;
 }
 
@@ -150,7 +163,33 @@ static void slope_of(const planar_foot *feet, int count, const double *complianc
     add_response(feet, count, compliance, foot, slope);
 }
 
-// Friction of all feet with the least energy, in sweeps from that of the step before. True if all are held.
+// The velocity of a foot at the end of the step.
+static void velocity_after(const planar_foot *feet, int count, const double *compliance, double dt,
+                           int foot, double after[3])
+{
+    double change[3];
+    memcpy(change, feet[foot].acceleration, sizeof change);
+    add_response(feet, count, compliance, foot, change);
+    memcpy(after, feet[foot].velocity, 3 * sizeof(double));
+    add_scaled3(after, change, dt);
+}
+
+// Marks the feet that are at rest at the end, to a share of what the largest friction changes in a step. True if all are.
+static bool mark_held(planar_foot *feet, int count, const double *compliance, double dt, double share)
+{
+    bool all = true;
+    for (int i = 0; i < count; i++) {
+        double after[3];
+        velocity_after(feet, count, compliance, dt, i, after);
+        const double none = share * feet[i].bound * feet[i].limit * dt;
+        feet[i].is_held = norm2(after[0], after[1]) <= none && fabs(after[2]) * feet[i].patch->arm <= none;
+        all = all && feet[i].is_held;
+    }
+    return all;
+}
+
+// Friction of all feet with the least energy, in sweeps from that of the step before. True if the last sweep left
+// all of them held.
 static bool minimise_all(planar_foot *feet, int count, const double *compliance, double inv_time)
 {
     double limit = 0;
@@ -158,8 +197,8 @@ static bool minimise_all(planar_foot *feet, int count, const double *compliance,
         memcpy(feet[i].friction, feet[i].start, sizeof feet[i].friction);
         limit = fmax(limit, feet[i].limit);
     }
-    bool is_held = true;
-    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+    bool is_held = true, is_met = false;
+    for (int sweep = 0; sweep < SWEEPS && !is_met; sweep++) {
         double change = 0;
         is_held = true;
         for (int i = 0; i < count; i++) {
@@ -173,9 +212,104 @@ static bool minimise_all(planar_foot *feet, int count, const double *compliance,
             change = fmax(change, norm2(moved[0], moved[1]));
             change = fmax(change, fabs(moved[2]) / foot->patch->arm);
         }
-        if (count == 1 || !(change > TOLERANCE * limit)) break;
+        is_met = count == 1 || !(change > TOLERANCE * limit);
     }
+    for (int i = 0; i < count; i++) feet[i].is_missed = feet[i].is_missed || feet[i].is_cut || !is_met;
     return is_held;
+}
+
+// What friction along the acceleration that is left would change of it, all in units of each foot's limit. Returns the
+// power of that; `alone`, the power if no foot moved another.
+static double respond(planar_foot *feet, int count, const double *compliance, double *alone)
+{
+    double power = 0;
+    *alone = 0;
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) feet[i].force[k] = feet[i].unit[k] * feet[i].left[k];
+    for (int i = 0; i < count; i++) {
+        double sum[3] = {0, 0, 0}, own[3];
+        for (int j = 0; j < count; j++) add_product3(sum, compliance + 9 * (count * i + j), feet[j].force);
+        product3(own, feet[i].compliance, feet[i].force);
+        power += dot3(sum, feet[i].force);
+        *alone += dot3(own, feet[i].force);
+        for (int k = 0; k < 3; k++) feet[i].moved[k] = feet[i].unit[k] * sum[k];
+    }
+    return power;
+}
+
+// Whether what is left is rest: each foot's velocity is none but for the give of contacts, and friction would change none
+// of it, to this share of what the largest friction does.
+static bool is_rest(const planar_foot *feet, int count, double share)
+{
+    for (int i = 0; i < count; i++) {
+        const planar_foot *foot = feet + i;
+        const double *u = foot->unit, full = foot->bound * foot->limit;
+        const double left = fmax(norm2(foot->left[0], foot->left[1]), fabs(foot->left[2])) / u[0];
+        const double moved = fmax(norm2(foot->moved[0], foot->moved[1]), fabs(foot->moved[2])) / (u[0] * u[0]);
+        if (!(left <= GIVE * full && moved <= share * full * full)) return false;
+    }
+    return true;
+}
+
+static bool all_inside(const planar_foot *feet, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (!is_inside(feet + i, feet[i].friction)) return false;
+    return true;
+}
+
+// Friction that brings several feet to rest at the end of the step, if they can carry it. Of the many that do where
+// feet belong to one body, it is the one with the least sum of squares in units of each foot's limit: forces between
+// feet, which nothing determines, are none and do not wander. Conjugate residuals from no friction (Stiefel, Comment.
+// Math. Helv. 29 (1955) 157) meet such forces last; what they leave is judged at each step. Where feet cannot carry
+// them, friction without them is enough. From the friction of the step before it is the least change instead.
+static bool hold_together(planar_foot *feet, int count, const double *compliance, double dt, bool from_start)
+{
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) feet[i].friction[k] = from_start ? feet[i].start[k] : 0;
+    for (int i = 0; i < count; i++) {
+        planar_foot *foot = feet + i;
+        double slope[3];
+        slope_of(feet, count, compliance, 1 / dt, i, slope);
+        foot->is_held = true;
+        for (int k = 0; k < 3; k++) {
+            foot->unit[k] = k == 2 ? foot->limit * foot->patch->arm : foot->limit;
+            foot->left[k] = -foot->unit[k] * slope[k];
+            foot->along[k] = foot->change[k] = 0;
+        }
+    }
+    double before = INFINITY;
+    bool has_enough = false;
+    // As many steps as unknowns are exact but for rounding.
+    for (int step = 0; step <= 6 * count; step++) {
+        double alone, square = 0;
+        const double power = respond(feet, count, compliance, &alone);
+        if (is_rest(feet, count, REST)) {
+            if (all_inside(feet, count)) return true;
+            break;
+        }
+        if (!has_enough && power <= BETWEEN * alone && is_rest(feet, count, STILL)) {
+            has_enough = true;
+            for (int i = 0; i < count; i++) memcpy(feet[i].enough, feet[i].friction, sizeof feet[i].enough);
+        }
+        for (int i = 0; i < count; i++) {
+            planar_foot *foot = feet + i;
+            for (int k = 0; k < 3; k++) {
+                foot->along[k] = foot->force[k] + power / before * foot->along[k];
+                foot->change[k] = foot->moved[k] + power / before * foot->change[k];
+            }
+            square += dot3(foot->change, foot->change);
+        }
+        if (!(power > 0 && square > 0)) break;
+        for (int i = 0; i < count; i++) {
+            add_scaled3(feet[i].friction, feet[i].along, power / square);
+            add_scaled3(feet[i].left, feet[i].change, -power / square);
+        }
+        before = power;
+    }
+    if (!has_enough) return false;
+    for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].enough, sizeof feet[i].friction);
+    return all_inside(feet, count);
 }
 
 // True if surely no foot comes to rest within the step.
@@ -202,17 +336,6 @@ static bool is_beyond(planar_foot *feet, int count, const double *compliance, do
     return true;
 }
 
-// The velocity of a foot at the end of the step.
-static void velocity_after(const planar_foot *feet, int count, const double *compliance, double dt,
-                           int foot, double after[3])
-{
-    double change[3];
-    memcpy(change, feet[foot].acceleration, sizeof change);
-    add_response(feet, count, compliance, foot, change);
-    memcpy(after, feet[foot].velocity, 3 * sizeof(double));
-    add_scaled3(after, change, dt);
-}
-
 // True if a foot's velocity or spin has another sense at the end.
 static bool turns_about(const planar_foot *feet, int count, const double *compliance, double dt)
 {
@@ -227,17 +350,31 @@ static bool turns_about(const planar_foot *feet, int count, const double *compli
     return false;
 }
 
-// Power that friction would give to the feet's mean motion.
-static double power(const planar_foot *feet, int count, const double *compliance, double dt)
+// Power that friction would give to the feet's mean motion; `own`, the part of it that grows with its square.
+static double power(const planar_foot *feet, int count, const double *compliance, double dt, double *own)
 {
     double sum = 0;
+    *own = 0;
     for (int i = 0; i < count; i++) {
-        double motion[3];
+        double motion[3], response[3] = {0, 0, 0};
         velocity_after(feet, count, compliance, dt, i, motion);
         add_scaled3(motion, feet[i].velocity, 1);
         sum += dot3(motion, feet[i].friction);
+        add_response(feet, count, compliance, i, response);
+        *own += dt * dot3(response, feet[i].friction);
     }
     return sum;
+}
+
+// Less friction, along itself, where a search that stopped at its count would have it give power.
+static void give_no_power(planar_foot *feet, int count, const double *compliance, double dt)
+{
+    double own;
+    const double all = power(feet, count, compliance, dt, &own);
+    if (!(all > 0)) return;
+    const double share = own > 0 ? fmax(1 - all / own, 0) : 0;
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) feet[i].friction[k] *= share;
 }
 
 // Friction where not all feet come to rest at the end of the step.
@@ -252,7 +389,8 @@ static void slide(planar_foot *feet, int count, const double *compliance, double
         for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].ended, sizeof feet[i].ended);
     else
         minimise_all(feet, count, compliance, 1 / dt);
-    if (power(feet, count, compliance, dt) > 0)
+    double own;
+    if (power(feet, count, compliance, dt, &own) > 0)
         for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].midway, sizeof feet[i].friction);
 }
 
@@ -263,16 +401,16 @@ void step_solve(planar_foot *feet, int count, const double *compliance, double d
     // Rest at the end of the step.
     const bool is_sliding = is_beyond(feet, count, compliance, dt);
     if (!is_sliding) {
-        if (minimise_all(feet, count, compliance, 1 / dt)) return;
+        for (int from_start = 0; from_start < 2; from_start++)
+            if (count > 1 && hold_together(feet, count, compliance, dt, from_start)) return;
+        // A foot alone was held exactly; of several the last sweep moves those before.
+        if (minimise_all(feet, count, compliance, 1 / dt) &&
+            (count == 1 || mark_held(feet, count, compliance, dt, STILL)))
+            return;
         for (int i = 0; i < count; i++) memcpy(feet[i].ended, feet[i].friction, sizeof feet[i].ended);
     }
     slide(feet, count, compliance, dt, !is_sliding);
-
+    give_no_power(feet, count, compliance, dt);
     // A foot may be at rest at half time alone, where it turns about.
-    for (int i = 0; i < count; i++) {
-        double after[3];
-        velocity_after(feet, count, compliance, dt, i, after);
-        const double none = STILL * feet[i].bound * feet[i].limit * dt;
-        feet[i].is_held = norm2(after[0], after[1]) <= none && fabs(after[2]) * feet[i].patch->arm <= none;
-    }
+    mark_held(feet, count, compliance, dt, STILL);
 }

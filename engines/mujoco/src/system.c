@@ -191,7 +191,7 @@ static void step_group(tribos_system *system, const mjModel *m, mjData *d, const
         foot *foot = system->feet + group->feet[i];
         memset(foot->friction, 0, sizeof foot->friction);
         memset(foot->response, 0, sizeof foot->response);
-        foot->is_held = false;
+        foot->is_held = foot->is_missed = false;
         if (foot->first < 0) continue;
         settle(system, m, d, foot, group->is_free);
         touching[count++] = foot;
@@ -219,6 +219,7 @@ static void step_group(tribos_system *system, const mjModel *m, mjData *d, const
         foot *foot = touching[planar[j].index];
         memcpy(foot->friction, planar[j].friction, sizeof foot->friction);
         foot->is_held = planar[j].is_held;
+        foot->is_missed = planar[j].is_missed;
         for (int i = 0; i < count; i++)
             add_product3(touching[i]->response, compliance + 9 * (count * i + planar[j].index),
                          foot->friction);
@@ -259,6 +260,7 @@ static void remember(const tribos_system *system, const mjModel *m, const mjData
     foot_in_world(foot, foot->friction, state + STATE_FORCE);
     state[STATE_TORQUE] = foot->friction[2];
     state[STATE_HELD] = foot->is_held;
+    state[STATE_MISSED] += foot->is_missed;
 
     // Its acceleration in this step, as the integrator made it, less that by friction.
     double motion[MOTIONS], acceleration[3];
@@ -289,7 +291,7 @@ void system_remember(tribos_system *system, const mjModel *m, mjData *d)
         if (foot->first >= 0)
             remember(system, m, d, foot, state);
         else if (!is_asleep(m, d, foot))
-            memset(state, 0, STATE_SIZE * sizeof(mjtNum));
+            memset(state, 0, STATE_MISSED * sizeof(mjtNum));
     }
     system->is_current = false;
 }

@@ -170,14 +170,63 @@ static void together(double *left, double *changed, int *held)
     }
 }
 
+// Four feet at other heights of a body that slides and tilts: searches stop at their counts, friction is in its sets and
+// gives no power to the mean motion all the same. Outside and power are in units of what the limits would do.
+static void sliding(double *outside, double *given, int *missed)
+{
+    patch disk = read("disk", "0.02");
+    for (int i = 0; i < CASES / 20; i++) {
+        planar_foot feet[FEET];
+        double compliance[9 * FEET * FEET], root[FEET][15], body[5];
+        for (int k = 0; k < 5; k++) body[k] = 10 * pow(10, drawn()) * drawn();
+        for (int f = 0; f < FEET; f++) {
+            const double x = drawn(), y = drawn(), height = pow(10, drawn() - 3) * drawn(), b = sqrt(10), c = 30 * height;
+            const double row[15] = {1, 0, -y * b, 0, c, 0, 1, x * b, -c, 0, 0, 0, b, 0, 0};
+            memcpy(root[f], row, sizeof row);
+            feet[f] = (planar_foot){.patch = &disk, .limit = 2 + drawn()};
+            for (int k = 0; k < 3; k++) {
+                for (int j = 0; j < 5; j++) feet[f].acceleration[k] += row[5 * k + j] * body[j];
+                feet[f].velocity[k] = DT * drawn() * feet[f].acceleration[k];
+                feet[f].start[k] = 0.7 * drawn() * feet[f].limit * (k == 2 ? disk.arm : 1);
+            }
+            patch_project(&disk, feet[f].limit, feet[f].start, disk.arm, feet[f].start);
+        }
+        for (int f = 0; f < FEET; f++)
+            for (int g = 0; g < FEET; g++)
+                for (int k = 0; k < 9; k++) {
+                    const double *a = root[f] + 5 * (k / 3), *b = root[g] + 5 * (k % 3);
+                    compliance[9 * (FEET * f + g) + k] = dot3(a, b) + a[3] * b[3] + a[4] * b[4];
+                }
+        step_solve(feet, FEET, compliance, DT);
+        double power = 0, full = 0;
+        for (int f = 0; f < FEET; f++) {
+            double motion[3], nearest[3];
+            memcpy(motion, feet[f].acceleration, sizeof motion);
+            for (int g = 0; g < FEET; g++) add_product3(motion, compliance + 9 * (FEET * f + g), feet[g].friction);
+            for (int k = 0; k < 3; k++) motion[k] = 2 * feet[f].velocity[k] + DT * motion[k];
+            power += dot3(motion, feet[f].friction);
+            full += feet[f].limit * (fabs(motion[0]) + fabs(motion[1]) + disk.arm * fabs(motion[2]));
+            patch_project(&disk, feet[f].limit, feet[f].friction, disk.arm, nearest);
+            subtract3(nearest, nearest, feet[f].friction);
+            nearest[2] /= disk.arm;
+            *outside = most(sqrt(dot3(nearest, nearest)) / feet[f].limit, *outside);
+        }
+        *given = most(power / full, *given);
+        *missed += feet[0].is_missed;
+    }
+    patch_free(&disk);
+}
+
 int main(void)
 {
-    double kernel = 0, conditions = 0, left = 0, changed = 0;
-    int held = 0, others = 0, held_alone = 0, held_together = 0;
+    double kernel = 0, conditions = 0, left = 0, changed = 0, outside = 0, given = -1;
+    int held = 0, others = 0, held_alone = 0, held_together = 0, missed = 0;
+    sliding(&outside, &given, &missed);
     beside_the_kernel(&kernel, &held, &others);
     by_its_conditions(&conditions, &held_alone);
     together(&left, &changed, &held_together);
     printf("kernel %g\nheld %d\nothers %d\nconditions %g\nheld_alone %d\nleft %g\nchanged %g\nheld_together %d\n", kernel,
            held, others, conditions, held_alone, left, changed, held_together);
+    printf("outside %g\ngiven %g\nmissed %d\n", outside, given, missed);
     return 0;
 }

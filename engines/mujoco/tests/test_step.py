@@ -7,12 +7,16 @@ import pytest
 from conftest import library
 
 
-def test_friction_of_a_step_is_the_kernels_and_meets_its_conditions():
-    program = library().parent / "step"
+def numbers_of(name):
+    program = library().parent / name
     if not program.exists():
         pytest.skip("the program is not built: make test")
     said = subprocess.run([program], capture_output=True, text=True, check=True).stdout
-    found = {name: float(number) for name, number in map(str.split, said.splitlines())}
+    return {name: float(number) for name, number in map(str.split, said.splitlines())}
+
+
+def test_friction_of_a_step_is_the_kernels_and_meets_its_conditions():
+    found = numbers_of("step")
     # A body on a disk, beside the kernel's step: friction in units of the largest one, and rest.
     assert found["kernel"] < 1e-8
     assert found["others"] == 0
@@ -24,3 +28,11 @@ def test_friction_of_a_step_is_the_kernels_and_meets_its_conditions():
     assert found["held_together"] == 1000
     assert found["left"] < 1e-5
     assert found["changed"] < 1e-6
+
+
+def test_searches_that_stop_early_leave_friction_in_its_sets_without_power_and_count():
+    for name, fewest in (("step", 1), ("step_cut", 900)):
+        found = numbers_of(name)
+        assert found["outside"] == 0
+        assert -1 < found["given"] <= 1e-15
+        assert fewest <= found["missed"] <= 1000

@@ -53,6 +53,12 @@ def state(model, data, name="foot"):
     return numbers[0], numbers[1:4].copy(), numbers[4], bool(numbers[5])
 
 
+def missed(model, data, name):
+    """In how many steps a search for the friction of a foot stopped at its count."""
+    index = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_PLUGIN, name)
+    return data.plugin_state[model.plugin_stateadr[index] + 13]
+
+
 def slide(model, data, speed, spin, steps=1500, settle=400):
     """Path of the body to rest, once it has settled."""
     mujoco.mj_step(model, data, nstep=settle)

@@ -31,6 +31,15 @@ pub enum PushError {
     /// The floor carries no friction: any force moves the body at any speed.
     #[error("the force limit of the body on the floor must be finite and > 0, not {0}")]
     Frictionless(f64),
+    /// The search for the motion under a push missed: the body would not follow its pusher.
+    #[error(
+        "the motion under the push was not found: {left:e} m/s of the pusher's velocity are left at the contact; lengths \
+         and loads of the patch are too far apart"
+    )]
+    NotFound {
+        /// Velocity of the pusher that neither the body nor the slip takes, in m/s.
+        left: f64,
+    },
     /// The steps of a path became too short to go on.
     #[error(
         "the path cannot be followed beyond {time} s to a tolerance of {tolerance}; allow a larger one"

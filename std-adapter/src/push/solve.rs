@@ -7,12 +7,14 @@ use tribos_core::limit_surface::FrictionSet;
 use tribos_core::nalgebra::Vector2;
 use tribos_core::twist::{Twist, Wrench};
 
-/// Most halvings and secants of the search for a force; 14 were seen.
-const MOST_STEPS: usize = 100;
+/// Secants of the search for a force; 14 were seen. Halvings follow until no number lies between both ends.
+const MOST_SECANTS: usize = 100;
 /// A contact velocity has the pusher's direction to this angle, in rad; one that is farther off at the end of the search
 /// turns at once there, under a force at an edge of the set.
 const PARALLEL: f64 = 1e-15;
 const CORNER: f64 = 1e-9;
+/// Part of the pusher's velocity that may be left at the contact: ten times what is left within a corner's angle.
+const MOST_LEFT: f64 = 1e-8;
 
 /// What a contact does while its pusher moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,6 +73,7 @@ pub struct Push {
 /// The motion of a body of this friction under a pusher whose contact point has this `velocity`.
 ///
 /// A pusher with no velocity along the inward normal leaves the body at rest, though a wedged one might drag it.
+/// *Errors*: [`PushError::NotFound`] if the motion that was found does not take the pusher's velocity.
 /// *Accuracy*: contact velocities 1e-14 of the pusher's, motions what the set's normals allow. *Cost*:
 /// about 8 normals if it sticks, 2 if not.
 pub fn push(
@@ -84,7 +87,16 @@ pub fn push(
         finite("y of the pusher's velocity", y)?,
     );
     let cone = motion_cone(set, contact)?;
-    Ok(within(set, &cone, velocity))
+    followed(within(set, &cone, velocity), velocity)
+}
+
+/// The push, if the body at the contact and the slip take the pusher's velocity.
+fn followed(push: Push, velocity: Vector2<f64>) -> Result<Push, PushError> {
+    let left = (push.contact_velocity + push.slip - velocity).norm();
+    match left <= MOST_LEFT * velocity.norm() && push.twist.spin.is_finite() {
+        true => Ok(push),
+        false => Err(PushError::NotFound { left }),
+    }
 }
 
 /// The same with the motion cone at hand.
@@ -156,14 +168,14 @@ fn sticking(set: &dyn FrictionSet<f64>, cone: &MotionCone, velocity: Vector2<f64
         return cone.right;
     }
     let mut was_above = None;
-    for _ in 0..MOST_STEPS {
+    for step in 0_usize.. {
         let secant = (low * above - high * below) / (above - below);
-        let share = if secant > low && secant < high {
+        let share = if step < MOST_SECANTS && secant > low && secant < high {
             secant
         } else {
             0.5 * (low + high)
         };
-        if share == low || share == high {
+        if share <= low || share >= high {
             break;
         }
         let side = share * contact.coefficient();
@@ -202,8 +214,70 @@ mod tests {
     use super::*;
     use crate::friction::HeldNodes;
     use tribos_core::limit_surface::PatchSurface;
+    use tribos_core::limit_surface::Projection;
     use tribos_core::patch::nodes::Node;
     use tribos_core::patch::points::Points;
+
+    /// A disk whose normals have this share of their spin.
+    struct Astray(f64);
+
+    impl Astray {
+        fn disk(&self) -> Box<dyn FrictionSet<f64>> {
+            crate::friction::limit_surface(&"disk".parse().unwrap(), 1.0, 0.05, None).unwrap()
+        }
+    }
+
+    impl FrictionSet<f64> for Astray {
+        fn force_limit(&self) -> f64 {
+            1.0
+        }
+        fn radius(&self) -> f64 {
+            0.05
+        }
+        fn support(&self, twist: &Twist<f64>) -> f64 {
+            self.disk().support(twist)
+        }
+        fn wrench(&self, twist: &Twist<f64>) -> Wrench<f64> {
+            self.disk().wrench(twist)
+        }
+        fn gauge(&self, wrench: &Wrench<f64>) -> f64 {
+            self.disk().gauge(wrench)
+        }
+        fn twist_normal_to(&self, push: &Wrench<f64>) -> Twist<f64> {
+            let normal = self.disk().twist_normal_to(push);
+            Twist::new(normal.velocity.x, normal.velocity.y, normal.spin * self.0)
+        }
+        fn scale_to_surface(&self, wrench: &Wrench<f64>) -> Wrench<f64> {
+            self.disk().scale_to_surface(wrench)
+        }
+        fn project_with_length(&self, wrench: &Wrench<f64>, length: f64) -> Projection<f64> {
+            self.disk().project_with_length(wrench, length)
+        }
+    }
+
+    #[test]
+    fn a_push_without_a_normal_is_an_error_and_ends_no_path() {
+        use crate::push::{Drive, Pose, Side, push_along};
+        let contact = PointContact::new([-0.05, 0.01], [1.0, 0.0], 0.3).unwrap();
+        assert!(push(&Astray(1.0), &contact, [0.01, 0.001]).is_ok());
+        let lost = push(&Astray(f64::NAN), &contact, [0.01, 0.001]);
+        assert!(matches!(lost, Err(PushError::NotFound { .. })), "{lost:?}");
+        let drive = Drive {
+            contact,
+            side: Side::Straight {
+                right: 0.02,
+                left: 0.02,
+            },
+            start: Pose::ORIGIN,
+            velocity: [0.01, 0.0],
+            duration: 1.0,
+            samples: 3,
+            tolerance: 1e-6,
+        };
+        assert!(push_along(&Astray(1.0), &drive).is_ok());
+        let lost = push_along(&Astray(f64::NAN), &drive);
+        assert!(matches!(lost, Err(PushError::NotFound { .. })), "{lost:?}");
+    }
 
     #[test]
     fn a_body_on_feet_that_sticks_follows_its_pusher() {

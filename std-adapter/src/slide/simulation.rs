@@ -30,7 +30,8 @@ pub(super) const MOST_STEPS: f64 = 1e7;
 const VERLET_REFINEMENT: f64 = 50.0;
 /// Relative margin added to a chosen step: far above rounding and far below any visible effect.
 pub(super) const SLIVER: f64 = 1e-12;
-/// Iterations of the search for the end of a fading run: three per bit of its time.
+/// Iterations of the search for the end of a fading run. Every third halves a bracket of one e-fold of the time: at the
+/// last one it is 2⁻⁶⁶ of the time, below its rounding, so that this count decides nothing.
 const MOST_CORRECTIONS: u32 = 200;
 /// Fraction of the initial energy whose loss is neglected.
 const NOTHING: f64 = 1e-18;

@@ -83,6 +83,10 @@ class FootState(NamedTuple):
         Origin of the patch, in m, in the frame of the world.
     is_held
         Friction holds the foot: it stands still on its floor.
+    missed
+        Steps since it was attached in which a search for its friction stopped at its count: it is in
+        its limit surface and gives no power all the same, but may be another than that of the
+        motion.
     """
 
     load: float
@@ -91,6 +95,7 @@ class FootState(NamedTuple):
     axes: NDArray[np.float64]
     centre: NDArray[np.float64]
     is_held: bool
+    missed: int
 
 
 def attach(
@@ -214,9 +219,10 @@ class Feet:
             raise KeyError(f"no foot {name!r}: there are {list(self._names)}")
         chosen = self._data if data is None else data
         native = self._state_of(chosen).native
-        load, friction, twist, axes, centre, is_held = native.state(self._names.index(name))
+        index = self._names.index(name)
+        load, friction, twist, axes, centre, is_held, missed = native.state(index)
         arrays = (np.array(friction), np.array(twist), np.array(axes), np.array(centre))
-        return FootState(load, *arrays, is_held)
+        return FootState(load, *arrays, is_held, missed)
 
     def close(self) -> None:
         """Gives the contacts their own friction back; nothing more happens when it is called again."""

@@ -98,6 +98,8 @@ pub struct Foot {
     /// How far it has moved since friction holds it, in m, m and rad.
     slip: Vector3<f64>,
     pub is_held: bool,
+    /// Steps so far in which a search for its friction stopped at its count.
+    pub missed: u64,
 }
 
 impl Given<'_> {
@@ -146,6 +148,7 @@ impl Given<'_> {
             mean: Vector3::zeros(),
             slip: Vector3::zeros(),
             is_held: false,
+            missed: 0,
         })
     }
 }

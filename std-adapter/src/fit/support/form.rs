@@ -28,8 +28,8 @@ const LEFT: f64 = 1e-12;
 
 impl Form {
     /// The form of degree 2 or 4 with the least squares of H − 1 and of the parts of its gradient across the
-    /// measured motions, for wrenches in units of their mean.
-    pub fn fitted(degree: i32, rows: &[Row]) -> Self {
+    /// measured motions, for wrenches in units of their mean; `None` if they are not found.
+    pub fn fitted(degree: i32, rows: &[Row]) -> Option<Self> {
         let mean = rows.iter().map(|row| size(&row.wrench)).sum::<f64>() / rows.len() as f64;
         let directions: Vec<Vector3<f64>> = (0..DIRECTIONS).map(direction).collect();
         let mut normal = Normal::new(DIRECTIONS);
@@ -48,21 +48,21 @@ impl Form {
                 normal.add(&DVector::from_iterator(DIRECTIONS, line), 0.0);
             }
         }
-        let found = normal.solve(RIDGE);
+        let found = normal.solve(RIDGE)?;
         let terms = directions.into_iter().zip(found);
-        Self {
+        Some(Self {
             degree,
             mean,
             terms: terms.filter(|(_, c)| *c > 0.0).collect(),
-        }
+        })
     }
 }
 
 impl Form {
     /// The wrench with H = 1 whose normal is along a motion: where the gradient of H/n is the motion, by Newton's
-    /// method, scaled.
+    /// method, scaled; NaN if that does not end.
     pub fn wrench(&self, motion: &Vector3<f64>) -> Vector3<f64> {
-        let mut at = *motion;
+        let (mut at, mut is_met) = (*motion, false);
         for _ in 0..MOST_STEPS {
             let (mut slope, mut curvature) = (-motion, Matrix3::zeros());
             for (d, c) in &self.terms {
@@ -77,9 +77,13 @@ impl Form {
             };
             let step = factors.solve(&slope);
             at -= step;
-            if size(&step) <= LEFT * size(&at) {
+            is_met = size(&step) <= LEFT * size(&at);
+            if is_met {
                 break;
             }
+        }
+        if !is_met {
+            return Vector3::repeat(f64::NAN);
         }
         let value = |(d, c): &(Vector3<f64>, f64)| c * power(d.dot(&at), self.degree);
         let value: f64 = self.terms.iter().map(value).sum();

@@ -34,14 +34,15 @@ pub struct MeasuredPush {
     pub wrench: Wrench<f64>,
 }
 
-/// Angles between the motions that a model foretells and the measured ones.
+/// Angles between the motions that a model foretells and the measured ones. A motion that is not found is farther off than
+/// all others, and there is no mean then.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Score {
     /// `known`, `pressure`, `ellipsoid` or `quartic`.
     pub name: &'static str,
     /// Median in degrees.
     pub median: f64,
-    /// Mean in degrees.
+    /// Mean in degrees; NaN if the motion under some push is not found.
     pub mean: f64,
 }
 
@@ -119,7 +120,7 @@ pub fn fit_support(
 ) -> Result<SupportFit, MeasuredPushError> {
     let length = checked(pushes)?;
     match known {
-        None => Ok(judged(pushes, length, &nodes::disc(length), None)),
+        None => judged(pushes, length, &nodes::disc(length), None),
         Some(patch @ Patch::Flat(flat)) => {
             let surface = limit_surface(patch, 1.0, 1.0, None)?;
             fit_support_within(pushes, &flat.loops()?, surface)
@@ -141,7 +142,7 @@ pub fn fit_support_within(
 ) -> Result<SupportFit, MeasuredPushError> {
     let length = checked(pushes)?;
     let truth = Box::new(Exact { surface, length });
-    Ok(judged(pushes, length, &nodes::of(loops), Some(truth)))
+    judged(pushes, length, &nodes::of(loops), Some(truth))
 }
 
 /// As [`fit_support`], for a foot that stands on these points; only ratios of weights matter.
@@ -160,7 +161,7 @@ pub fn fit_support_at(
         .map(|place| place.map(|x| x / length))
         .collect();
     let truth = Points::new(scaled, loads);
-    Ok(judged(pushes, length, &places, Some(Box::new(truth))))
+    judged(pushes, length, &places, Some(Box::new(truth)))
 }
 
 /// The convex quartic fitted to pushes, for comparisons.
@@ -175,7 +176,7 @@ impl ConvexQuartic {
     /// As in [`fit_support`].
     pub fn fitted(pushes: &[MeasuredPush]) -> Result<Self, MeasuredPushError> {
         let length = checked(pushes)?;
-        let form = Form::fitted(4, &rows(pushes, length));
+        let form = Form::fitted(4, &rows(pushes, length)).ok_or_else(not_found)?;
         Ok(Self { form, length })
     }
 
@@ -284,7 +285,7 @@ fn judged(
     length: f64,
     places: &[[f64; 2]],
     truth: Option<Box<dyn Model>>,
-) -> SupportFit {
+) -> Result<SupportFit, MeasuredPushError> {
     let rows = rows(pushes, length);
     let mut models: Vec<Score> = truth
         .iter()
@@ -294,38 +295,55 @@ fn judged(
         .iter()
         .map(|place| place.map(|x| x / length))
         .collect();
-    let pressure = |rows: &[Row]| -> Box<dyn Model> { Box::new(Points::fitted(&places, rows)) };
-    let ellipsoid = |rows: &[Row]| -> Box<dyn Model> { Box::new(Form::fitted(2, rows)) };
-    let quartic = |rows: &[Row]| -> Box<dyn Model> { Box::new(Form::fitted(4, rows)) };
-    models.push(score("pressure", crossed(&rows, &pressure)));
-    models.push(score("ellipsoid", crossed(&rows, &ellipsoid)));
-    models.push(score("quartic", crossed(&rows, &quartic)));
-    let pressure = Points::fitted(&places, &rows).nodes(length);
+    let pressure = |rows: &[Row]| boxed(Points::fitted(&places, rows));
+    let ellipsoid = |rows: &[Row]| boxed(Form::fitted(2, rows));
+    let quartic = |rows: &[Row]| boxed(Form::fitted(4, rows));
+    models.push(score("pressure", crossed(&rows, &pressure)?.into_iter()));
+    models.push(score("ellipsoid", crossed(&rows, &ellipsoid)?.into_iter()));
+    models.push(score("quartic", crossed(&rows, &quartic)?.into_iter()));
+    let pressure = Points::fitted(&places, &rows).ok_or_else(not_found)?;
+    let pressure = pressure.nodes(length);
     let force_limit: f64 = pressure.iter().map(|node| node.weight).sum();
     let mean = |of: fn(&Node<f64>) -> f64| {
         let moments = pressure.iter().map(|node| node.weight * of(node));
         moments.sum::<f64>() / force_limit
     };
-    SupportFit {
+    Ok(SupportFit {
         models,
         centre_of_pressure: [mean(|node| node.x), mean(|node| node.y)],
         pressure,
         force_limit,
         length,
-    }
+    })
+}
+
+/// A model, or why there is none.
+type Fitted = Result<Box<dyn Model>, MeasuredPushError>;
+
+fn boxed<M: Model + 'static>(model: Option<M>) -> Fitted {
+    model
+        .map(|model| Box::new(model) as Box<dyn Model>)
+        .ok_or_else(not_found)
+}
+
+fn not_found() -> MeasuredPushError {
+    MeasuredPushError::Whole(
+        "the search for the least squares did not end: the motions are too much alike; give pushes in more directions"
+            .into(),
+    )
 }
 
 /// Angles of all pushes, each foretold by a model of the parts that it does not belong to.
-fn crossed(rows: &[Row], fitted: &dyn Fn(&[Row]) -> Box<dyn Model>) -> impl Iterator<Item = f64> {
+fn crossed(rows: &[Row], fitted: &dyn Fn(&[Row]) -> Fitted) -> Result<Vec<f64>, MeasuredPushError> {
     let mut angles = Vec::with_capacity(rows.len());
     for part in 0..PARTS {
         let is_in = |i: usize| i % PARTS == part;
         let others = rows.iter().enumerate().filter(|(i, _)| !is_in(*i));
-        let model = fitted(&others.map(|(_, row)| *row).collect::<Vec<Row>>());
+        let model = fitted(&others.map(|(_, row)| *row).collect::<Vec<Row>>())?;
         let mine = rows.iter().enumerate().filter(|(i, _)| is_in(*i));
         angles.extend(mine.map(|(_, row)| off(&*model, row)));
     }
-    angles.into_iter()
+    Ok(angles)
 }
 
 /// Angle between the measured motion and the one foretold, in degrees.
@@ -338,7 +356,7 @@ fn off(model: &dyn Model, row: &Row) -> f64 {
 }
 
 fn score(name: &'static str, angles: impl Iterator<Item = f64>) -> Score {
-    let mut angles: Vec<f64> = angles.collect();
+    let mut angles: Vec<f64> = angles.map(f64::abs).collect();
     angles.sort_by(f64::total_cmp);
     let (count, half) = (angles.len(), angles.len() / 2);
     let middle = if count.is_multiple_of(2) {

@@ -24,8 +24,9 @@ const ROUNDING: [f64; 6] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 /// Most steps for one of them, and halvings of a step.
 const MOST_STEPS: u32 = 40;
 const MOST_HALVINGS: u32 = 30;
-/// Part of the wrench that may be left.
+/// Part of the wrench at which a search ends, and that may be left at most at the end of the last one.
 const LEFT: f64 = 1e-9;
+const MOST_LEFT: f64 = 1e-6;
 
 /// Velocity of a place.
 fn velocity([x, y]: [f64; 2], motion: &Vector3<f64>) -> Vector2<f64> {
@@ -43,8 +44,8 @@ impl Points {
         Self { places, loads }
     }
 
-    /// The loads with the least squares.
-    pub fn fitted(places: &[[f64; 2]], rows: &[Row]) -> Self {
+    /// The loads with the least squares; `None` if they are not found.
+    pub fn fitted(places: &[[f64; 2]], rows: &[Row]) -> Option<Self> {
         let mut normal = Normal::new(places.len());
         for row in rows {
             let unit = |place: &[f64; 2]| {
@@ -62,11 +63,11 @@ impl Points {
                 normal.add(&line, row.wrench[part]);
             }
         }
-        let loads = normal.solve(RIDGE * places.len() as f64);
+        let loads = normal.solve(RIDGE * places.len() as f64)?;
         let least = NO_LOAD * loads.iter().sum::<f64>();
         let kept = places.iter().zip(loads).filter(|(_, load)| *load > least);
         let (places, loads) = kept.map(|(place, load)| (*place, load)).unzip();
-        Self { places, loads }
+        Some(Self { places, loads })
     }
 
     /// The points, with places in units of 1/`length`.
@@ -98,12 +99,13 @@ impl Points {
 }
 
 impl Model for Points {
-    /// The motion with the least D²/2 − wrench·motion, by Newton's method with ever less smoothing.
+    /// The motion with the least D²/2 − wrench·motion, by Newton's method with ever less smoothing; NaN if friction at
+    /// the end does not balance the wrench.
     fn motion(&self, wanted: &Vector3<f64>) -> Vector3<f64> {
         let total: f64 = self.loads.iter().sum();
-        let mut at = wanted / total;
+        let (mut at, mut smooth) = (wanted / total, 0.0);
         for part in ROUNDING {
-            let smooth = part * size(&at);
+            smooth = part * size(&at);
             for _ in 0..MOST_STEPS {
                 let (power, gradient, hessian) = self.power(&at, smooth);
                 let slope = gradient * power - wanted;
@@ -130,6 +132,11 @@ impl Model for Points {
                 at += step * share;
             }
         }
-        at
+        let (power, gradient, _) = self.power(&at, smooth);
+        if size(&(gradient * power - wanted)) <= MOST_LEFT * size(wanted) {
+            at
+        } else {
+            Vector3::repeat(f64::NAN)
+        }
     }
 }

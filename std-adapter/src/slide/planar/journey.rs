@@ -94,8 +94,10 @@ const MOST_STEPS: u64 = 200_000;
 const NOTHING: f64 = 1e-200;
 /// The sliding or spinning part of e is accurate relative to this fraction of its initial length.
 const FLOOR: f64 = 1e-6;
-/// Newton iterations for a time within a step; three are sufficient.
+/// Newton iterations for a time within a step; three are sufficient, and after the last the step is halved instead.
 const MOST_CORRECTIONS: u32 = 8;
+/// Distance from a time that is its rounding, in ulps.
+const ROUNDING_ULPS: f64 = 2.0;
 /// Squared cosine of 15 degrees, which gives 24 points for each turn of the path.
 const BEND: f64 = 0.933_012_701_892_219_3;
 /// Points of a turn are recorded while the remaining path exceeds this fraction of the whole.
@@ -328,19 +330,18 @@ impl<'a, B: Resistance> Journey<'a, B> {
             .fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
     }
 
-    /// The state at a time within the step of length `taken` from `from`.
+    /// The state at a time within the step of length `taken` from `from`, to the rounding of the step's end.
     fn at_time(&self, from: &State, taken: f64, time: f64) -> State {
         let mut part = taken * (time - from[3]) / (self.state[3] - from[3]);
-        let mut at = *from;
         for _ in 0..MOST_CORRECTIONS {
-            at = runge_kutta::step(from, part, |y| self.derivative(y)).0;
+            let at = runge_kutta::step(from, part, |y| self.derivative(y)).0;
             let off = time - at[3];
-            if off.abs() <= 2.0 * f64::EPSILON * time {
-                break;
+            if off.abs() <= ROUNDING_ULPS * f64::EPSILON * time {
+                return normalized(at);
             }
             part += off / self.derivative(&at)[3];
         }
-        normalized(at)
+        self.first(from, taken, |at| at[3] >= time).1
     }
 
     /// True if the path has turned by 15 degrees since `shown` and the remaining path is visible.
@@ -416,4 +417,44 @@ fn normalized(mut state: State) -> State {
         *part /= length;
     }
     state
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::slide::planar::TallCylinder;
+
+    #[test]
+    fn times_within_a_step_are_met_to_rounding_by_corrections_and_by_halvings() {
+        let puck = TallCylinder {
+            height: 0.1,
+            ..TallCylinder::solid(0.3, 0.08)
+        };
+        let body = puck.body(9.81).unwrap();
+        let launch = Launch {
+            velocity: [1.0, 0.0],
+            spin: 20.0,
+        };
+        let mut journey = Journey::new(&body, &launch, 1e-4).unwrap();
+        let (mut size, mut steps) = (FIRST, 0);
+        for _ in 0..40 {
+            let from = journey.state;
+            let taken = journey.step(&mut size, &mut steps).unwrap();
+            for share in [0.01, 0.3, 0.5, 0.99] {
+                let time = from[3] + share * (journey.state[3] - from[3]);
+                let at = journey.at_time(&from, taken, time);
+                let halved = journey.first(&from, taken, |at| at[3] >= time).1;
+                for found in [&at, &halved] {
+                    let off = (found[3] - time).abs();
+                    assert!(
+                        off <= 4.0 * f64::EPSILON * journey.state[3],
+                        "{share}: {found:?}"
+                    );
+                }
+                for (part, other) in at.iter().zip(&halved) {
+                    assert!((part - other).abs() <= 1e-14, "{share}: {at:?} {halved:?}");
+                }
+            }
+        }
+    }
 }

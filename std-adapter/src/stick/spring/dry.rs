@@ -54,10 +54,10 @@ const NOW: f64 = 1e-9;
 /// rounding over as many pieces as an arc may have. Without friction in motion a body stops where it began.
 const ROUNDED: f64 = 1e-9;
 const MOST_ROUNDED: f64 = 1e-6;
-/// Newton steps from above on a convex function; some ten are taken.
-const MOST_CORRECTIONS: u32 = 100;
-/// Doublings until the force exceeds what the age has brought.
-const MOST_DOUBLINGS: u32 = 1000;
+/// Bits from the smallest to the largest number of f64, more than any count here reaches. A step of Newton's method from
+/// above on a convex function leaves at most a quarter of the function times its slope: as many steps bring both below
+/// every number, and some ten are taken. As many doublings make any time infinite, and then the body holds for ever.
+const ALL_BITS: u32 = 2100;
 
 impl DryMotion {
     /// At rest with a relaxed spring.
@@ -96,14 +96,14 @@ impl DryMotion {
         }
         // What is missing is a convex function of the time, negative now: Newton's method from above.
         let missing = |wait: f64| force + rate * wait - self.limit(age + wait);
-        let mut wait = young;
-        for _ in 0..MOST_DOUBLINGS {
+        let mut wait = young.max(f64::MIN_POSITIVE);
+        for _ in 0..ALL_BITS {
             if missing(wait) >= 0.0 {
                 break;
             }
             wait *= 2.0;
         }
-        for _ in 0..MOST_CORRECTIONS {
+        for _ in 0..ALL_BITS {
             let growth = self.block.load * self.block.mu_static.rate(Age { time: age + wait });
             let next = wait - missing(wait) / (rate - growth);
             if next >= wait || next.is_nan() {
@@ -264,5 +264,54 @@ impl Follower for DryMotion {
 
     fn holds_exactly(&self) -> bool {
         true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_lets_go_where_its_force_first_meets_what_its_age_brings() {
+        // Growth and speed, with force and age at the start: from growth that is far quicker than the pull to none.
+        for growth in [1e-3, 0.1, 1.0, 30.0] {
+            for speed in [1e-12, 1e-6, 1e-3, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 50.0] {
+                for (offset, age) in [(0.0, 0.0), (-0.4, 0.0), (-0.4, 1.0), (-0.39, 1e3)] {
+                    let block = DryBlock {
+                        mass: 1.0,
+                        stiffness: 1.0,
+                        load: 1.0,
+                        mu_dynamic: 0.2,
+                        mu_static: Ageing::new(0.4, growth, 1e-2).unwrap(),
+                    };
+                    let mut motion = DryMotion::new(block);
+                    motion.offset = offset;
+                    let wait = motion.release(age, speed);
+                    let held =
+                        |wait: f64| motion.limit(age + wait) - (motion.force() + speed * wait);
+                    let scale = motion.limit(age + wait);
+                    // It meets it there, and nowhere before.
+                    let about = 1e-12 * scale;
+                    assert!(
+                        held(wait).abs() <= about,
+                        "{growth} {speed} {offset} {age}: {wait}"
+                    );
+                    for i in 1..1000 {
+                        let before = wait * f64::from(i) / 1000.0;
+                        assert!(
+                            held(before) >= -about,
+                            "{growth} {speed} {offset} {age}: {before}"
+                        );
+                    }
+                    // A force that is met at once is a tie; otherwise it exceeds it from then on.
+                    if wait > 0.0 {
+                        assert!(
+                            held(wait * 1.001) < 0.0,
+                            "{growth} {speed} {offset} {age}: {wait}"
+                        );
+                    }
+                }
+            }
+        }
     }
 }
