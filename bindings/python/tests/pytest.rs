@@ -42,29 +42,14 @@ fn succeeds(command: &mut Command) -> bool {
     command.status().is_ok_and(|status| status.success())
 }
 
-/// A folder that holds the package with its library, built as the tests are.
+/// A folder that holds the package with its library, built as this test is and found beside it.
 fn built(package: &Path, folder: &Path) -> PathBuf {
-    let mut cargo = Command::new(env!("CARGO"));
-    cargo.args([
-        "build",
-        "--package",
-        "tribos-python",
-        "--message-format",
-        "json",
-    ]);
-    let output = cargo.current_dir(package).output().expect("cargo runs");
-    let told = String::from_utf8_lossy(&output.stderr);
-    assert!(
-        output.status.success(),
-        "the library does not build:\n{told}"
-    );
-    let messages = String::from_utf8_lossy(&output.stdout);
-    let library = messages
-        .split('"')
-        .map(Path::new)
-        .filter(|word| word.is_absolute())
+    let here = env::current_exe().expect("a path of this program");
+    let beside = fs::read_dir(here.parent().expect("a folder")).expect("its folder");
+    let library = beside
+        .filter_map(|entry| Some(entry.ok()?.path()))
         .find(|path| is_library(path))
-        .expect("cargo names the library");
+        .expect("the library beside this program");
     let target = folder.join("tribos");
     fs::create_dir(&target).expect("a folder for the package");
     for entry in fs::read_dir(package.join("python/tribos")).expect("the package") {

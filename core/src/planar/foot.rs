@@ -135,6 +135,10 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
         let carried = balance.carried(&motion, |point, own| {
             if let Some(force) = forces.get_mut(point) {
                 *force = own.map(|part| R::from_f64(part / scale)).into();
+                // Squares of places over the length are out of range: no force is certain.
+                if !force.x.hypot(force.y).is_finite() {
+                    *force = Vector2::new(R::ZERO, R::ZERO);
+                }
             }
         });
         if !is_held {
@@ -182,6 +186,9 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
                 force.x + (left.force.x - turn * node.y) / slowness,
                 force.y + (left.force.y + turn * node.x) / slowness,
             );
+            if !wanted.x.hypot(wanted.y).is_finite() {
+                continue;
+            }
             let after = within(&wanted, unit * node.weight);
             let change = after - *force;
             left.force -= change;
