@@ -100,7 +100,8 @@ TRIBOS_FN float tribos_twice_artanh_(float z)
 
 /* The area bounded by `count` corners (x, y in turn) in m, clockwise or counterclockwise. Two corners, or a
  * polygon without area, are a line; fewer have no lever. Call it when the manifold is made, with the clip polygon
- * before it is reduced. */
+ * before it is reduced. Moments to 1e-5, 5e-5 where the width is 1 % of the length; below 3e-10 m they leave the range
+ * of floats, and components may be 0 or NaN. */
 TRIBOS_FN tribos_contact_area_f32 tribos_contact_area(const float *corners, int count)
 {
 	tribos_contact_area_f32 area;

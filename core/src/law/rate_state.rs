@@ -37,7 +37,7 @@ pub struct RateStateParameters<R> {
 /// term gives the strengthening, inertial branch that Heslot et al. measured on paper.
 ///
 /// *Units*: V, V₀ in speed, D_c in length, η in 1/speed, the rest dimensionless.
-/// *Accuracy*: a few ulp times μ₀/a, which multiplies the rounding of the exponent.
+/// *Accuracy*: a few ulp times (μ₀ + b |ln(V₀θ/D_c)|)/a, the size of the exponent, whose rounding it multiplies.
 /// *Source*: Dieterich 1979, Ruina 1983; asinh: Rice, Lapusta and Ranjith 2001; thesis 2.3.1.
 ///
 /// ```
