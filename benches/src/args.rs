@@ -1,6 +1,6 @@
 //! Command line of the fronts.
 
-use crate::fronts::Front;
+use crate::front::Front;
 use clap::Parser;
 use std::path::PathBuf;
 
@@ -53,7 +53,7 @@ impl Options {
     pub fn problems(&self) -> PathBuf {
         let usual = concat!(
             env!("CARGO_MANIFEST_DIR"),
-            "/../std-adapter/src/problem/file/samples"
+            "/../std-adapter/contacts/src/problem/file/samples"
         );
         self.problems.clone().unwrap_or_else(|| usual.into())
     }

@@ -1,7 +1,7 @@
 //! Why a command ended without its result, and the exit code that tells.
 
-use crate::command::interrupt;
 use std::error::Error;
+use std::path::Path;
 use tribos::friction::Refusal;
 use tribos::golden::MeasureError;
 use tribos::push::PushError;
@@ -15,6 +15,8 @@ use tribos_report::figure::FigureError;
 use tribos_report::image::ImageError;
 use tribos_report::runs::FilmError;
 
+/// Exit code of an interrupted command, as shells have it for SIGINT.
+pub(crate) const INTERRUPTED: u8 = 130;
 /// Exit code of a run that failed.
 const RUN_FAILED: u8 = 1;
 /// Exit code of bad usage or input; clap uses the same.
@@ -58,6 +60,21 @@ impl Failure {
         Self::Run(message.to_string())
     }
 
+    /// The end of a run whose checkpoint and frames are in its folder.
+    pub(crate) fn ended(out: &Path, told: &str) -> Self {
+        Self::Interrupted(format!(
+            "{told}; its results so far are in {}\n  Continue with the same command and --resume.",
+            out.display()
+        ))
+    }
+
+    /// The end of a command of which there was nothing to keep yet.
+    pub(crate) fn ended_early(what: &str) -> Self {
+        Self::Interrupted(format!(
+            "interrupted while {what}; what was finished is kept\n  Give the same command again."
+        ))
+    }
+
     /// The same failure with where it happened before it.
     pub fn within(self, place: &str) -> Self {
         self.reworded(|message| format!("{place}: {message}"))
@@ -90,7 +107,7 @@ impl Failure {
             Self::Run(_) | Self::NoRoom(_) => RUN_FAILED,
             Self::Mismatch(_) => MISMATCH,
             Self::Unsolved(_) => UNSOLVED,
-            Self::Interrupted(_) => interrupt::EXIT_CODE,
+            Self::Interrupted(_) => INTERRUPTED,
         }
     }
 }
@@ -159,7 +176,7 @@ impl<E: Error + Into<Failure>> From<RunError<E>> for Failure {
             RunError::Cancelled(step) => {
                 Self::Interrupted(format!("interrupted after step {step}"))
             }
-            RunError::CancelledEarly => interrupt::ended_early("the start was prepared"),
+            RunError::CancelledEarly => Self::ended_early("the start was prepared"),
         }
     }
 }
@@ -204,7 +221,6 @@ impl From<MeasureError> for Failure {
             MeasureError::Compaction(error) => error.into(),
             MeasureError::Gas(error) => error.into(),
             MeasureError::Tip(error) => error.into(),
-            MeasureError::Push(error) => error.into(),
             MeasureError::Grains(error) => error.into(),
             MeasureError::Stick(error) => error.into(),
         }

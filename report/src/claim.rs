@@ -1,7 +1,7 @@
 //! One row of the comparison: a statement of the thesis, our result and the verdict.
 
 use super::digits::{brief, short};
-use super::page::{escape, inline};
+use super::html::{escape, inline};
 use super::verdict::{Agreement, Allowance, Stated, Verdict};
 use serde::{Deserialize, Serialize};
 use std::fmt::Display;

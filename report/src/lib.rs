@@ -4,6 +4,7 @@ pub mod claim;
 pub mod diagram;
 pub mod digits;
 pub mod figure;
+mod html;
 pub mod image;
 pub mod limit_surface;
 pub mod packing;

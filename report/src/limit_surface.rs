@@ -2,7 +2,7 @@
 //!
 //! Nothing is loaded: the page opens from a file, without a network.
 
-use super::page::escape;
+use super::html::escape;
 use super::solid::{paper::hex, ramp};
 use serde_json::json;
 

@@ -1,6 +1,7 @@
 //! A self-contained web page that compares our results with a thesis.
 
 use super::claim::Claim;
+use super::html::{escape, inline};
 use super::player;
 use super::verdict::{Counts, KINDS};
 use serde::{Deserialize, Serialize};
@@ -238,35 +239,6 @@ fn paragraphs(texts: &[String]) -> String {
         .iter()
         .map(|text| format!("<p>{}</p>\n", inline(text)));
     paragraphs.collect()
-}
-
-// Text with HTML's special characters escaped.
-pub(super) fn escape(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '&' => safe.push_str("&amp;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            other => safe.push(other),
-        }
-    }
-    safe
-}
-
-// Escaped text, with parts between backticks as code.
-pub(super) fn inline(text: &str) -> String {
-    let mut html = String::new();
-    for (at, part) in text.split('`').enumerate() {
-        if at % 2 == 1 {
-            let _ = write!(html, "<code>{}</code>", escape(part));
-        } else {
-            html += &escape(part);
-        }
-    }
-    html
 }
 
 // A section name for use in a link.

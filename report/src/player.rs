@@ -9,7 +9,7 @@ mod solid;
 pub use path::{PathBody, Row, path_film};
 pub use solid::{MovieError, PART_COLORS, solid_film};
 
-use super::page::escape;
+use super::html::escape;
 use serde_json::Value;
 
 /// The player in the order its parts build on each other.

@@ -90,32 +90,37 @@
 //! [`prelude`] has the names of everyday use. Items that this documentation does not show serve the
 //! command of this repository: they are no part of the promise and change without notice.
 
-pub mod cd;
-pub mod event;
-pub mod fit;
-pub mod friction;
-pub mod gas;
 #[doc(hidden)]
 pub mod golden;
-pub mod grains;
-pub mod md;
-pub mod measure;
-pub mod onset;
-mod packing;
-pub mod powder;
 pub mod prelude;
-pub mod problem;
-pub mod push;
-#[doc(hidden)]
-pub mod random;
-pub mod record;
-pub mod run;
 pub mod scene;
-pub mod slide;
-pub mod soft;
-pub mod space;
-pub mod stick;
-pub mod tip;
+
+/// Friction chosen at run time: a patch, a law and a tier by name.
+pub mod friction {
+    #[doc(inline)]
+    pub use tribos_friction::*;
+}
+
+/// The driver of simulations: step, observe, record, checkpoint, resume, cancel.
+pub mod run {
+    #[doc(inline)]
+    pub use tribos_base::run::*;
+    #[doc(inline)]
+    pub use tribos_grains::packing::PackingRunError;
+}
+
+#[doc(inline)]
+pub use tribos_atoms::{md, tip};
+#[doc(hidden)]
+pub use tribos_base::random;
+#[doc(inline)]
+pub use tribos_base::{record, space};
+#[doc(inline)]
+pub use tribos_contacts::{cd, event, problem, soft};
+#[doc(inline)]
+pub use tribos_grains::{gas, grains, measure, powder};
+#[doc(inline)]
+pub use tribos_motion::{fit, onset, push, slide, stick};
 
 pub use tribos_core as kernel;
 pub use tribos_core::nalgebra;

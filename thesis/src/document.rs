@@ -1,7 +1,7 @@
 //! What the report is written as: its page, the claims as a table, lines for the terminal.
 
 use super::coverage;
-use super::runs::Effort;
+use super::effort::Effort;
 use super::text::{Prose, Text};
 use std::fmt::Display;
 use tribos_report::claim::Claim;

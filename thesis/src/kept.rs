@@ -1,6 +1,6 @@
 //! What a report goes on from: finished sections, and runs with their checkpoints.
 
-use super::runs::Effort;
+use super::effort::Effort;
 use anyhow::{Context, Result};
 use std::hash::{DefaultHasher, Hasher};
 use std::path::PathBuf;

@@ -1,5 +1,6 @@
 //! The compactions behind chapter 4, each run once for all exhibits.
 
+pub use super::effort::Effort;
 use super::kept::Kept;
 use super::{Reader, plan};
 use anyhow::{Result, anyhow};
@@ -23,25 +24,6 @@ use tribos_report::runs::powder::State;
 pub const FRAMES: u64 = 80;
 /// Rolling and torsion coefficients of the compactions in films (thesis, appendix B).
 pub const FILMED: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
-
-/// How much is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Effort {
-    /// What takes a minute or two.
-    Quick,
-    /// Everything that the thesis shows.
-    Full,
-}
-
-impl Effort {
-    /// In folders and on the page.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Quick => "quick",
-            Self::Full => "full",
-        }
-    }
-}
 
 /// A system: two of the thesis (section 4.5), and a tiny one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,6 +1,6 @@
 //! The texts of the exhibits: Markdown beside the code, with `{name}` where a number or a word is filled in.
 
-use super::runs::Effort;
+use super::effort::Effort;
 use std::fmt::Display;
 use tribos_report::claim::Statement;
 

@@ -1,6 +1,6 @@
 //! Cost of calls on emulated microcontrollers.
 
-use crate::fronts::made::first_line;
+use crate::command_line::first_line;
 use std::path::Path;
 use std::process::Command;
 

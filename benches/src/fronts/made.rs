@@ -1,8 +1,8 @@
 //! Date, machine and command of a front.
 
 use crate::args::Options;
+use crate::command_line::first_line;
 use std::fs;
-use std::process::Command;
 
 /// Date, machine, load, compiler and command, in one line.
 pub fn now(options: &Options) -> String {
@@ -18,17 +18,6 @@ pub fn now(options: &Options) -> String {
         processor(),
         options.command()
     )
-}
-
-/// The first line of a program's output.
-pub fn first_line(program: &str, arguments: &[&str]) -> Result<String, String> {
-    let output = Command::new(program).args(arguments).output();
-    let output = output.map_err(|error| format!("cannot run {program}: {error}"))?;
-    let text = String::from_utf8_lossy(&output.stdout);
-    match text.lines().next() {
-        Some(line) if output.status.success() => Ok(line.to_string()),
-        _ => Err(format!("{program} says nothing")),
-    }
 }
 
 /// The model that Linux reports, else the architecture.

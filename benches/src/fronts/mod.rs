@@ -15,103 +15,10 @@ pub mod problems;
 pub mod scale;
 
 use crate::args::Options;
+use crate::front::Front;
 use crate::written::{self, Sheet};
 use std::path::Path;
 use std::time::Instant;
-
-/// A front.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Front {
-    /// One evaluation of force and torque.
-    Kernel,
-    /// Calls one by one and in batches.
-    Batch,
-    /// Every patch, law and tier.
-    Patches,
-    /// Flat feet with straight edges.
-    Polygons,
-    /// One stop of a sliding, spinning disk.
-    Integrators,
-    /// Contacts of packings and their solvers.
-    Contacts,
-    /// Sweeps of packings from a thousand to a million spheres.
-    Scale,
-    /// Events, contact dynamics and soft particles.
-    Methods,
-    /// Contact problems beside Siconos.
-    Problems,
-    /// Molecular dynamics beside LAMMPS.
-    Atoms,
-    /// What each item costs a microcontroller.
-    Firmware,
-}
-
-impl Front {
-    /// In the order of the index.
-    pub const ALL: [Self; 11] = [
-        Self::Kernel,
-        Self::Batch,
-        Self::Patches,
-        Self::Polygons,
-        Self::Integrators,
-        Self::Contacts,
-        Self::Scale,
-        Self::Methods,
-        Self::Problems,
-        Self::Atoms,
-        Self::Firmware,
-    ];
-
-    /// The order of work: what builds comes before what is timed, and the kernel's front shows
-    /// instructions that the firmware's counts.
-    const WORK: [Self; 11] = [
-        Self::Firmware,
-        Self::Kernel,
-        Self::Batch,
-        Self::Patches,
-        Self::Polygons,
-        Self::Integrators,
-        Self::Contacts,
-        Self::Scale,
-        Self::Methods,
-        Self::Problems,
-        Self::Atoms,
-    ];
-
-    /// Of the option, and of the front's files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Kernel => "kernel",
-            Self::Batch => "batch",
-            Self::Patches => "patches",
-            Self::Polygons => "polygons",
-            Self::Integrators => "integrators",
-            Self::Contacts => "contacts",
-            Self::Scale => "scale",
-            Self::Methods => "methods",
-            Self::Problems => "problems",
-            Self::Atoms => "atoms",
-            Self::Firmware => "firmware",
-        }
-    }
-
-    /// The heading of its page.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Kernel => "Force and torque: speed against error",
-            Self::Batch => "One by one and in batches: time, instructions",
-            Self::Patches => "Every patch, law and tier: speed, error, size",
-            Self::Polygons => "Flat feet: speed against error",
-            Self::Integrators => "A disk brought to rest: step, order, error, cost",
-            Self::Contacts => "Contacts of packings: speed, residual, size",
-            Self::Scale => "Packings up to a million spheres: speed, order, threads, memory",
-            Self::Methods => "Three methods: error against time",
-            Self::Problems => "Contact problems: speed and reliability beside Siconos",
-            Self::Atoms => "Atoms in motion: speed, conserved energy",
-            Self::Firmware => "What the kernel costs a microcontroller",
-        }
-    }
-}
 
 /// Output folder of a front, length of its measurements, and text above its tables.
 #[derive(Clone, Debug)]

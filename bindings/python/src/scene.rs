@@ -31,10 +31,8 @@ pub fn vocabularies(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
             let (kind, words) = match key.domain {
                 Domain::Count { .. } => ("count", &[][..]),
                 Domain::OneOf(words) => ("word", words),
-                Domain::Law | Domain::Patch | Domain::Potential | Domain::Sizes | Domain::Path => {
-                    ("text", &[][..])
-                }
-                Domain::Ramp => ("ramp", &[][..]),
+                Domain::Form(form) if form.has_numbers => ("ramp", &[][..]),
+                Domain::Form(_) | Domain::Path => ("text", &[][..]),
                 _ => ("number", &[][..]),
             };
             row.set_item("kind", kind)?;

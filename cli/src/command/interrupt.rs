@@ -1,12 +1,8 @@
 //! Ctrl-C and SIGTERM: a long run leaves what it has and says how to go on.
 
-use crate::failure::Failure;
-use std::path::Path;
+use crate::failure::{Failure, INTERRUPTED};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
-
-/// Exit code of an interrupted command, as shells have it for SIGINT.
-pub const EXIT_CODE: u8 = 130;
 
 static ASKED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
@@ -21,7 +17,7 @@ pub fn watch() -> Result<(), Failure> {
     let asked = ASKED.get_or_init(Arc::default);
     for signal in [SIGINT, SIGTERM] {
         // In this order: the first signal finds that nobody has asked yet.
-        register_conditional_shutdown(signal, EXIT_CODE.into(), asked.clone()).map_err(fail)?;
+        register_conditional_shutdown(signal, INTERRUPTED.into(), asked.clone()).map_err(fail)?;
         register(signal, asked.clone()).map_err(fail)?;
     }
     Ok(())
@@ -32,19 +28,4 @@ pub fn is_asked() -> bool {
     ASKED
         .get()
         .is_some_and(|asked| asked.load(Ordering::Relaxed))
-}
-
-/// The end of a run whose checkpoint and frames are in its folder.
-pub fn ended(out: &Path, told: &str) -> Failure {
-    Failure::Interrupted(format!(
-        "{told}; its results so far are in {}\n  Continue with the same command and --resume.",
-        out.display()
-    ))
-}
-
-/// The end of a command of which there was nothing to keep yet.
-pub fn ended_early(what: &str) -> Failure {
-    Failure::Interrupted(format!(
-        "interrupted while {what}; what was finished is kept\n  Give the same command again."
-    ))
 }

@@ -108,7 +108,7 @@ fn failure(error: anyhow::Error) -> Failure {
         .or_else(downcast::<RunError<TipError>>)
         .unwrap_or_else(|error| Failure::run(format!("{error:#}")));
     match failure {
-        Failure::Interrupted(_) => interrupt::ended_early("exhibits were made"),
+        Failure::Interrupted(_) => Failure::ended_early("exhibits were made"),
         failure => {
             failure.going_on("Then give the same command again; a name after it makes one exhibit.")
         }

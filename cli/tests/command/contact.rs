@@ -7,7 +7,7 @@ use std::path::Path;
 /// Samples of Siconos.
 fn sample(name: &str) -> String {
     let root = env!("CARGO_MANIFEST_DIR");
-    format!("{root}/../std-adapter/src/problem/file/samples/{name}")
+    format!("{root}/../std-adapter/contacts/src/problem/file/samples/{name}")
 }
 
 fn summary(folder: &Path) -> Result<Value, Error> {

@@ -196,7 +196,7 @@ fn prepare(folder: &Path) -> Outcome {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     copy(&root.join("scenes"), &folder.join("scenes"))?;
     fs::copy(root.join("scenes/disk.toml"), folder.join("my.toml"))?;
-    let contacts = root.join("std-adapter/src/problem/file/samples");
+    let contacts = root.join("std-adapter/contacts/src/problem/file/samples");
     for (theirs, ours) in [
         ("Rover1041.dat", "rover.dat"),
         ("NESpheres_10_1.dat", "spheres.dat"),

@@ -1,17 +1,20 @@
 //! The one list of bodies, and scenes of any of them.
 
 use super::entries::{Entries, Written};
-use super::key::{Domain, Key, Need};
+use super::key::{Domain, Key};
 use super::problem::{Origin, Problem};
 use super::table::Table;
 use super::vocabulary::Vocabulary;
 use super::words::meant;
 use super::{
-    Body, ClampScene, CurlingScene, CylinderScene, GasScene, GrainsScene, InclineScene, PipeScene,
-    PlateScene, PowderScene, SceneError, SliderScene, SpringScene, TipScene, TurntableScene,
+    Body, ClampScene, CurlingScene, CylinderScene, DEFAULT_BODY, GasScene, GrainsScene,
+    InclineScene, PipeScene, PlateScene, PowderScene, SceneError, SliderScene, SpringScene,
+    TipScene, TurntableScene,
 };
+use crate::golden::MeasureError;
 use serde_json::Value;
 use std::path::Path;
+use tribos_base::golden::{Measure, Measurement};
 
 /// Declares the bodies: the enum of their scenes, and what is the same for all of them.
 macro_rules! bodies {
@@ -61,6 +64,16 @@ macro_rules! bodies {
                     return <$scene>::of_values(values).map(Self::$variant);
                 })+
                 None
+            }
+
+            /// Runs the scene to its end for a golden file; `watch` is called after every step.
+            pub(crate) fn measured(
+                &self,
+                watch: &mut dyn FnMut(),
+            ) -> Result<Measurement, MeasureError> {
+                match self {
+                    $(Self::$variant(scene) => Ok(scene.measured(watch)?)),+
+                }
             }
 
             /// The scene of a body's entries.
@@ -115,16 +128,10 @@ bodies! {
     Tip(TipScene),
 }
 
-/// The body of a file that names none.
-pub(super) const DEFAULT_BODY: &str = BODIES[0];
-
-/// The key that every vocabulary has.
+/// The key that every vocabulary has, with the bodies that there are.
 pub(super) const BODY: Key = Key {
-    name: "body",
-    unit: "-",
-    meaning: "What the scene is about; a disk if it is left out.",
     domain: Domain::OneOf(BODIES),
-    need: Need::Optional,
+    ..tribos_base::scene::BODY
 };
 
 /// Reads the scene in `path` with `overrides` of the form `key=value` put over it.

@@ -91,10 +91,8 @@ fn domain(domain: &Domain) -> Map<String, Value> {
         Domain::Count { up_to } => {
             json!({"type": "integer", "minimum": 1, "maximum": up_to as u64})
         }
-        Domain::Law | Domain::Patch | Domain::Potential | Domain::Sizes | Domain::Path => {
-            json!({"type": "string"})
-        }
-        Domain::Ramp => json!({"type": ["number", "string"]}),
+        Domain::Form(form) if form.has_numbers => json!({"type": ["number", "string"]}),
+        Domain::Form(_) | Domain::Path => json!({"type": "string"}),
         Domain::OneOf(words) => json!({"type": "string", "enum": words}),
     };
     match rules {

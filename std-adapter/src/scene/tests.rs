@@ -3,6 +3,7 @@
 use super::*;
 use crate::powder::{Compaction, CompactionError};
 use crate::record::CheckpointError;
+use std::time::{Duration, Instant};
 
 /// Every body's default scene.
 fn defaults() -> [Scene; 13] {
@@ -66,10 +67,16 @@ fn every_key_sets_its_field() {
                     let other = words.iter().find(|word| was.as_str() != Some(*word));
                     format!("\"{}\"", other.unwrap())
                 }
-                Domain::Law => "\"dry:mu_s=0.4,mu_d=0.3\"".into(),
-                Domain::Patch => "\"box:0.2x0.1\"".into(),
-                Domain::Potential => "\"sutton-chen:Ag\"".into(),
-                Domain::Sizes => "\"normal:0.1\"".into(),
+                Domain::Form(form) if !form.has_numbers => {
+                    let text = match form.name {
+                        "law" => "dry:mu_s=0.4,mu_d=0.3",
+                        "patch" => "box:0.2x0.1",
+                        "potential" => "sutton-chen:Ag",
+                        "sizes" => "normal:0.1",
+                        other => unreachable!("the form {other}"),
+                    };
+                    format!("\"{text}\"")
+                }
                 Domain::Path => "\"out/powder\"".into(),
                 Domain::Count { .. } => format!("{}", was.as_u64().unwrap_or(30) + 4),
                 Domain::Between { above, .. } if was.is_null() && above >= 0.8 => {
@@ -244,4 +251,33 @@ fn a_checkpoint_of_edited_fields_belongs_to_no_other_scene() {
             other => panic!("{other:?}"),
         }
     }
+}
+
+/// A disk with so many keys that nobody knows, and how long it takes to refuse it.
+fn refused(strangers: usize) -> (String, usize, Duration) {
+    let mut text = String::from("speed = 1\n");
+    for key in 0..strangers {
+        text += &format!("key_{key} = 1\n");
+    }
+    let began = Instant::now();
+    let refusal = parse_scene("many.toml", &text, &[]);
+    let took = began.elapsed();
+    let Err(error @ SceneError::Invalid { .. }) = refusal else {
+        unreachable!("unknown keys");
+    };
+    let told = error.to_string();
+    (told.clone(), told.lines().count(), took)
+}
+
+#[test]
+fn any_number_of_unknown_keys_is_refused_in_a_time_in_proportion() {
+    let (told, lines, few) = refused(20_000);
+    assert!(told.contains("and 19980 more keys that are unknown"));
+    let (told, more_lines, many) = refused(200_000);
+    assert!(told.contains("and 199980 more keys that are unknown"));
+    // Twenty are named, as with few; every missing key is named too.
+    assert_eq!(lines, more_lines);
+    assert!(lines < 40, "{lines}");
+    // Ten times the keys: a time that grew as the square would be a hundred times as long.
+    assert!(many < 50 * few, "{few:?} {many:?}");
 }

@@ -1,5 +1,7 @@
 //! rustdoc's JSON, and the walk along public paths.
 
+use crate::merge::merged;
+use crate::parts;
 use serde_json::{Map, Value};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -26,15 +28,18 @@ impl Library {
     /// # Errors
     /// rustdoc fails, or writes a format that this reader does not know.
     pub fn read(package: &str, features: &[&str]) -> Result<Self, String> {
-        let file = document(package, features)?;
-        let told = |error: &dyn std::fmt::Display| format!("{}: {error}", file.display());
-        let text = std::fs::read_to_string(&file).map_err(|error| told(&error))?;
-        let document: Value = serde_json::from_str(&text).map_err(|error| told(&error))?;
+        let read = |part: &str| -> Result<Value, String> {
+            let file = document(package, part, if part == package { features } else { &[] })?;
+            let told = |error: &dyn std::fmt::Display| format!("{}: {error}", file.display());
+            let text = std::fs::read_to_string(&file).map_err(|error| told(&error))?;
+            serde_json::from_str(&text).map_err(|error| told(&error))
+        };
+        let all = parts(package).iter().copied().chain([package]).map(read);
+        let document = merged(all.collect::<Result<_, _>>()?)?;
         let version = document["format_version"].as_u64().unwrap_or_default();
         Self::of(document).map_err(|error| {
             format!(
-                "{}: rustdoc wrote format {version}, tests/api reads format {FORMAT}: {error}",
-                file.display()
+                "{package}: rustdoc wrote format {version}, tests/api reads format {FORMAT}: {error}"
             )
         })
     }
@@ -188,8 +193,8 @@ pub(crate) fn ids(list: &Value) -> Result<Vec<String>, String> {
         .collect()
 }
 
-/// Runs rustdoc; where it wrote.
-fn document(package: &str, features: &[&str]) -> Result<PathBuf, String> {
+/// Runs rustdoc for a part of a package; where it wrote.
+fn document(package: &str, part: &str, features: &[&str]) -> Result<PathBuf, String> {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from);
     // A folder of its own, so that the switch below rebuilds nothing else; one for each set of
@@ -200,7 +205,7 @@ fn document(package: &str, features: &[&str]) -> Result<PathBuf, String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let output = Command::new(cargo)
         .current_dir(root)
-        .args(["rustdoc", "--quiet", "--lib", "--package", package])
+        .args(["rustdoc", "--quiet", "--lib", "--package", part])
         .args(["--features", &features.join(","), "--target-dir"])
         .arg(&target)
         .args(["--", "-Zunstable-options", "--output-format=json"])
@@ -214,8 +219,8 @@ fn document(package: &str, features: &[&str]) -> Result<PathBuf, String> {
         .map_err(|error| format!("cannot run cargo: {error}"))?;
     if !output.status.success() {
         let complaint = String::from_utf8_lossy(&output.stderr);
-        return Err(format!("rustdoc of {package} failed: {complaint}"));
+        return Err(format!("rustdoc of {part} failed: {complaint}"));
     }
-    let name = package.replace('-', "_") + ".json";
+    let name = part.replace('-', "_") + ".json";
     Ok(target.join("doc").join(name))
 }

@@ -9,6 +9,7 @@
 mod document;
 mod functions;
 mod instances;
+mod merge;
 mod surface;
 mod types;
 
@@ -18,6 +19,21 @@ pub use instances::{CONSTANTS, INSTANCES, Instance, THOROUGH, UNBOUNDED};
 
 /// The libraries whose surface is kept.
 pub const LIBRARIES: [&str; 2] = ["tribos-core", "tribos"];
+
+/// The crates whose items a library shows as its own.
+pub(crate) fn parts(package: &str) -> &'static [&'static str] {
+    match package {
+        "tribos" => &[
+            "tribos-base",
+            "tribos-friction",
+            "tribos-contacts",
+            "tribos-grains",
+            "tribos-atoms",
+            "tribos-motion",
+        ],
+        _ => &[],
+    }
+}
 
 /// The file that keeps the surface of a library.
 pub fn kept(package: &str) -> std::path::PathBuf {

@@ -1,7 +1,7 @@
 //! Running Siconos: building the driver, problems as its files, and answers from its output.
 
 use super::TOLERANCE;
-use crate::fronts::made::first_line;
+use crate::command_line::first_line;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;

@@ -3,7 +3,6 @@
 use super::caller::Caller;
 use super::files;
 use super::size::Allowed;
-use crate::command::interrupt;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -85,7 +84,7 @@ impl<'a> Order<'a> {
     /// Ends a run that was interrupted after its last step: it is in its checkpoint.
     pub fn interrupted(&self) -> Result<(), Failure> {
         if self.caller.is_asked() {
-            return Err(interrupt::ended(
+            return Err(Failure::ended(
                 self.out,
                 "interrupted while results were written",
             ));
@@ -97,7 +96,7 @@ impl<'a> Order<'a> {
     pub fn failure<E: std::error::Error + Into<Failure>>(&self, error: RunError<E>) -> Failure {
         match error {
             RunError::Cancelled(step) => {
-                interrupt::ended(self.out, &format!("interrupted after step {step}"))
+                Failure::ended(self.out, &format!("interrupted after step {step}"))
             }
             other => other.into(),
         }

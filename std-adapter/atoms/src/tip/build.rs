@@ -1,0 +1,264 @@
+//! From a scene to atoms, groups, potential and drive.
+
+use super::forces::TipForces;
+use super::shape::{Part, Site};
+use crate::md::atoms::Atoms;
+use crate::md::drive::TorqueDrive;
+use crate::md::group::{Frame, Group, Hold};
+use crate::md::pair::{LennardJones, LennardJonesError, Mixing, Pairing};
+use crate::md::support::Support;
+use crate::md::system::Setup;
+use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat, ThermostatError};
+use crate::space::{PeriodicBox, PeriodicBoxError};
+use crate::tip::scene::{BathKind, BathSpin, DriveKind, DrivenHold, Reading, TipScene};
+use nalgebra::Vector3;
+use tribos_base::scene::InvalidScene;
+
+/// Stream of the initial velocities, separate from the noise of the steps.
+const FIRST: u64 = u64::MAX;
+
+/// A tip that cannot be built.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BuildError {
+    /// A field of the scene is wrong.
+    #[error(transparent)]
+    Scene(#[from] InvalidScene),
+    /// The box.
+    #[error(transparent)]
+    Space(#[from] PeriodicBoxError),
+    /// The potential.
+    #[error(transparent)]
+    Potential(#[from] LennardJonesError),
+    /// The thermostats.
+    #[error(transparent)]
+    Thermostat(#[from] ThermostatError),
+}
+
+/// The setup of a run, with the support of a slid tip and the layer of each atom.
+#[derive(Debug)]
+pub struct TipSystem {
+    /// Atoms, groups in the order of [`Part::ALL`], drive.
+    pub setup: Setup<TipForces>,
+    /// The support of a slid tip.
+    pub support: Option<Support>,
+    /// Layer of each atom, from the lowest of the substrate.
+    pub layer_of: Vec<usize>,
+}
+
+/// Builds the system of a scene.
+///
+/// ```
+/// use tribos::scene::TipScene;
+/// use tribos::tip::{BuildError, Part, TipSystem, build};
+/// let mut scene = TipScene {
+///     lambda: 0.01,
+///     columns: 8,
+///     rows: 8,
+///     substrate_layers: 4,
+///     tip_layers: 4,
+///     side: 2,
+///     ..TipScene::default()
+/// };
+/// let TipSystem { setup, support, layer_of } = build(&scene)?;
+/// assert_eq!(layer_of.last(), Some(&7)); // the highest of eight layers
+/// // The lowest layers are held, and all driven atoms have the angular acceleration λ.
+/// let base = (0..setup.atoms.len()).filter(|&atom| setup.group_of[atom] == 0);
+/// assert!(base.clone().all(|atom| setup.atoms.velocities[atom].norm() == 0.0));
+/// assert_eq!(base.count(), 2 * 8 * 8);
+/// assert_eq!(setup.drive.map(|drive| drive.acceleration), Some(0.01));
+/// assert!(support.is_none()); // it is not slid
+/// scene.cutoff = 0.0; // no potential
+/// assert!(matches!(build(&scene), Err(BuildError::Scene(_))));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
+    scene.check()?;
+    let shape = scene.shape();
+    let (sites, [x, y]) = (shape.sites(), shape.periods());
+    let groups = groups(scene)?;
+    let mut atoms = atoms(scene, &sites);
+    let number = |part: Part| Part::ALL.iter().position(|&other| other == part);
+    let group_of: Vec<u8> = sites
+        .iter()
+        .map(|site| number(site.part).unwrap_or_default() as u8)
+        .collect();
+    warm(scene, &groups, &group_of, &mut atoms);
+    let setup = Setup {
+        drive: (scene.drive == DriveKind::Torque).then(|| drive(scene, &sites)),
+        atoms,
+        space: PeriodicBox::new([Some(x), Some(y), None])?,
+        interaction: potential(scene)?,
+        skin: scene.skin,
+        groups,
+        group_of,
+        integrator: scene.integrator,
+        time_step: scene.time_step,
+        seed: scene.seed,
+    };
+    let layer_of = sites.iter().map(|site| site.layer).collect();
+    Ok(TipSystem {
+        setup,
+        support: support(scene, &sites),
+        layer_of,
+    })
+}
+
+/// Whether an atom belongs to the tip.
+pub(super) fn is_of_tip(part: Part) -> bool {
+    matches!(part, Part::Apex | Part::TipBath | Part::Driven)
+}
+
+/// One species, or one each for the substrate and the tip if they differ.
+fn atoms(scene: &TipScene, sites: &[Site]) -> Atoms {
+    let mut atoms = Atoms::at(sites.iter().map(|site| site.place).collect());
+    let of_site = |[substrate, tip]: [u8; 2], site: &Site| {
+        if is_of_tip(site.part) { tip } else { substrate }
+    };
+    if let Some((_, species)) = scene.potential.forces() {
+        let [substrate, tip] = scene.potential.masses();
+        atoms.masses = vec![substrate; 1 + usize::from(species[1])];
+        atoms.masses[usize::from(species[1])] = tip;
+        atoms.species = sites.iter().map(|site| of_site(species, site)).collect();
+    } else if scene.adhesion != 1.0 {
+        atoms.masses = vec![1.0; 2];
+        atoms.species = sites.iter().map(|site| of_site([0, 1], site)).collect();
+    }
+    atoms
+}
+
+fn potential(scene: &TipScene) -> Result<TipForces, LennardJonesError> {
+    match scene.potential.forces() {
+        Some((forces, _)) => Ok(forces.clone()),
+        None => lennard_jones(scene).map(TipForces::LennardJones),
+    }
+}
+
+fn lennard_jones(scene: &TipScene) -> Result<LennardJones, LennardJonesError> {
+    let like = Pairing {
+        epsilon: 1.0,
+        sigma: 1.0,
+        cutoff: scene.cutoff,
+    };
+    if scene.adhesion == 1.0 {
+        return LennardJones::single(like, scene.shift);
+    }
+    let mut potential = LennardJones::mixed(&[like, like], Mixing::default(), scene.shift)?;
+    let across = Pairing {
+        epsilon: scene.adhesion,
+        ..like
+    };
+    potential.set(0, 1, across)?;
+    Ok(potential)
+}
+
+/// Groups in the order of their parts.
+fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
+    let axis = scene.shape().axis();
+    let of_part = |part: Part| {
+        let mut group = Group::default();
+        match part {
+            Part::Base => group.hold = Hold::Frozen,
+            Part::SubstrateBath => group.thermostat = thermostat(scene, Spin::Counts)?,
+            Part::TipBath if is_carried(scene) => {
+                group.thermostat = thermostat(scene, Spin::Counts)?;
+                group.frame = Frame::Mean;
+            }
+            Part::TipBath => group.thermostat = thermostat(scene, Spin::Spared { axis })?,
+            Part::Surface | Part::Apex => {}
+            Part::Driven => {
+                group.damping = scene.damping;
+                (group.hold, group.load) = match scene.hold {
+                    DrivenHold::Plane => (Hold::Plane, 0.0),
+                    DrivenHold::Level => (Hold::Level, scene.lift()),
+                };
+            }
+        }
+        Ok(group)
+    };
+    Part::ALL.into_iter().map(of_part).collect()
+}
+
+/// Whether the tip's bath moves with a mean velocity that is not heat.
+fn is_carried(scene: &TipScene) -> bool {
+    scene.drive == DriveKind::Slide && scene.spin == BathSpin::Spared
+}
+
+fn thermostat(scene: &TipScene, wanted: Spin) -> Result<Thermostat, ThermostatError> {
+    let temperature = scene.temperature * scene.potential.boltzmann();
+    Ok(match scene.thermostat {
+        BathKind::NoseHoover => {
+            let spin = match scene.spin {
+                BathSpin::Spared => wanted,
+                BathSpin::Counts => Spin::Counts,
+            };
+            Thermostat::NoseHoover(NoseHoover::new(temperature, scene.relaxation, spin)?)
+        }
+        BathKind::Langevin => Thermostat::Langevin(Langevin::new(temperature, scene.friction)?),
+        BathKind::None => Thermostat::None,
+    })
+}
+
+/// Velocities at twice the temperature, since atoms on lattice sites lose half of it to potential energy.
+fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) {
+    let mut noise = Noise::new(scene.seed, FIRST, 0);
+    let heat = 2.0 * scene.temperature * scene.potential.boltzmann();
+    for (atom, &group) in group_of.iter().enumerate() {
+        let drawn = noise.vector() * (heat / atoms.mass(atom)).sqrt();
+        let velocity = &mut atoms.velocities[atom];
+        *velocity = match groups[usize::from(group)].hold {
+            Hold::Frozen | Hold::Turning { .. } => Vector3::zeros(),
+            Hold::Plane | Hold::Level => Vector3::new(drawn.x, drawn.y, 0.0),
+            Hold::Free => drawn,
+        };
+    }
+}
+
+/// The support of a slid tip: one spring for each driven atom, all together of the scene's stiffness.
+fn support(scene: &TipScene, sites: &[Site]) -> Option<Support> {
+    let speed = scene.speed.filter(|_| scene.drive == DriveKind::Slide)?;
+    let driven = sites.iter().filter(|site| site.part == Part::Driven);
+    let anchors: Vec<[f64; 2]> = driven.map(|site| [site.place.x, site.place.y]).collect();
+    let (sin, cos) = libm::sincos(scene.direction.to_radians());
+    let [from, until] = drive_times(scene);
+    Some(Support {
+        group: Part::ALL.len() - 1,
+        stiffness: scene.stiffness / anchors.len() as f64,
+        anchors,
+        direction: [cos, sin],
+        speed,
+        stroke: scene.stroke.unwrap_or(f64::INFINITY),
+        from,
+        until,
+    })
+}
+
+/// Times from the start of the run at which the drive begins and ends.
+fn drive_times(scene: &TipScene) -> [f64; 2] {
+    let steps = scene.stage_steps();
+    [steps.before, steps.before + steps.driven].map(|steps| steps as f64 * scene.time_step)
+}
+
+/// The torque of the second stage.
+pub(super) fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
+    let axis = scene.shape().axis();
+    let arm = |site: &Site| libm::hypot(site.place.x - axis[0], site.place.y - axis[1]);
+    let arms = || {
+        sites
+            .iter()
+            .filter(|site| site.part == Part::Driven)
+            .map(arm)
+    };
+    let length = match scene.reading {
+        Reading::Angular => 1.0,
+        Reading::Mean => arms().sum::<f64>() / arms().count() as f64,
+        Reading::Largest => arms().fold(0.0, f64::max),
+    };
+    let [from, until] = drive_times(scene);
+    TorqueDrive {
+        axis,
+        acceleration: scene.lambda / (length * scene.potential.masses()[1]),
+        from,
+        until,
+        groups: vec![Part::ALL.len() - 1],
+    }
+}

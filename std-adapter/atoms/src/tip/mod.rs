@@ -1,0 +1,44 @@
+//! The tip on a substrate, turned by a torque or slid by a support (thesis, section 5.3): a [`scene::TipScene`] becomes a
+//! [`TipRun`], whose [`Outcome`] says whether it turned back, where it locked in and which layers
+//! slipped.
+//!
+//! [`scene::TipScene`]: crate::tip::scene::TipScene
+
+mod build;
+mod checkpoint;
+mod cost;
+mod energy;
+#[doc(hidden)]
+pub mod export;
+mod forces;
+mod frames;
+mod lattice;
+mod loops;
+mod outcome;
+mod potential;
+mod run;
+pub(crate) mod scene;
+mod session;
+mod shape;
+mod slid;
+mod start;
+mod watch;
+
+pub use crate::md::system::{Integrator, SystemError};
+pub use crate::md::thermostat::ThermostatError;
+pub use build::BuildError;
+#[doc(hidden)]
+pub use build::{TipSystem, build};
+#[doc(hidden)]
+pub use cost::{TipCost, cost, size};
+pub use energy::DriveEnergy;
+pub use forces::TipForces;
+pub use lattice::Face;
+pub use outcome::{Outcome, Plateau, Verdict};
+pub use potential::{Potential, PotentialError};
+pub use run::{TipError, TipRun};
+pub use shape::Outline;
+#[doc(hidden)]
+pub use shape::{LAYERS_OF_A_KIND, Part, Shape, Site};
+pub use slid::Slid;
+pub use start::Start;

@@ -1,0 +1,352 @@
+//! The outcome of a run: reversible or not, where it locked in, which layers slipped.
+
+use super::energy::DriveEnergy;
+use super::loops::Loops;
+use super::slid::{Look, Slid};
+use super::start::{Columns, Start};
+use super::{TipError, TipRun};
+use crate::golden::{Measure, Measurement, digest};
+use crate::record::json_number;
+use crate::run::drive;
+use crate::tip::scene::{DriveKind, StageSteps, TipScene};
+use serde_json::{Value, json};
+
+/// Column of the driven layers' angle.
+const ANGLE: usize = 1;
+/// Column of the torque against the drive.
+const TORQUE: usize = 2;
+/// Column of the driven layers' height.
+const HEIGHT: usize = 3;
+/// Columns of the temperatures of the baths.
+const TEMPERATURES: [usize; 2] = [4, 5];
+/// Column of the potential energy.
+const POTENTIAL: usize = 6;
+/// Columns of a slid tip: position of the support, force of the spring, normal force.
+const SUPPORT: usize = 7;
+const LATERAL: usize = 9;
+const NORMAL: usize = 10;
+/// Time at the end of a stage over which angles are averaged, in τ.
+const END: f64 = 20.0;
+/// An angle below which the tip counts as turned back, in degrees. Thermal motion is a tenth of it.
+const BACK: f64 = 1.0;
+/// Two layers slipped if their angles differ by more, in degrees.
+const SLIPPED: f64 = 1.0;
+/// An angle is locked while it stays within this width, in degrees, ...
+const LOCKED_WIDTH: f64 = 1.0;
+/// ... for at least so long, in τ.
+const LOCKED_TIME: f64 = 15.0;
+
+/// Whether the driven layers turned back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The driven layers turned back.
+    Reversible,
+    /// The driven layers did not turn back.
+    Irreversible,
+    /// Undecided: the run ended too early, or has no time after the drive; or the tip was slid.
+    Open,
+}
+
+/// An interval during which the driven layers rested.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plateau {
+    /// Start of the interval, in τ from the start of the drive.
+    pub from: f64,
+    /// End of the interval, in τ from the start of the drive.
+    pub to: f64,
+    /// Mean angle, in degrees.
+    pub angle: f64,
+}
+
+/// The result of a run. Angles in degrees, times in τ from the start of the drive.
+///
+/// Turns and work are accumulated at every step, averages use lines 0.5 τ apart (closer if a
+/// stage is short): how often a series or frames are written changes only `samples`.
+///
+/// ```
+/// use tribos::run::drive;
+/// use tribos::scene::TipScene;
+/// use tribos::tip::{Outcome, Plateau, TipRun, Verdict};
+/// // A weak torque for a moment: nothing can slip, nothing stays turned.
+/// let scene = TipScene {
+///     lambda: 0.001,
+///     columns: 8,
+///     rows: 8,
+///     substrate_layers: 4,
+///     tip_layers: 4,
+///     side: 2,
+///     temperature: 0.0,
+///     equilibration: 0.0,
+///     drive_time: 0.1,
+///     rest_time: 0.1,
+///     time_step: 0.005,
+///     samples: 5,
+///     ..TipScene::default()
+/// };
+/// let mut run = TipRun::new(&scene)?;
+/// drive(&mut run, |_, _| ())?;
+/// let outcome: Outcome = run.outcome();
+/// assert_eq!(outcome.verdict, Verdict::Reversible);
+/// assert_eq!(outcome.json(&scene)["verdict"], "reversible");
+/// assert!(outcome.slipped.is_empty() && outcome.samples == 1 + 40 / 5);
+/// let stood: &[Plateau] = &outcome.plateaus;
+/// assert!(stood.is_empty()); // it was not driven for long enough
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Whether the driven layers turned back.
+    pub verdict: Verdict,
+    /// Mean angle of the driven layers before the drive ended.
+    pub driven_angle: f64,
+    /// Largest angle of the driven layers.
+    pub largest_angle: f64,
+    /// Mean angle of the driven layers at the end.
+    pub final_angle: f64,
+    /// Mean angles of the tip's layers at the end, from below.
+    pub layer_angles: Vec<f64>,
+    /// Interfaces that slipped for good: 0 between substrate and tip, k above the tip's k-th layer.
+    pub slipped: Vec<usize>,
+    /// Interfaces that had slipped before the drive ended.
+    pub slipped_driven: Vec<usize>,
+    /// Intervals in which the driven layers rested while they were driven.
+    pub plateaus: Vec<Plateau>,
+    /// Mean temperature of the tip's bath while driven, ε/k_B.
+    pub tip_temperature: f64,
+    /// Energy balance of the drive.
+    pub energy: DriveEnergy,
+    /// How well the tip was in equilibrium when the drive began.
+    pub start: Start,
+    /// Friction of a slid tip.
+    pub slid: Option<Slid>,
+    /// Lines of the series.
+    pub samples: usize,
+}
+
+/// Measurements of a run.
+pub(super) struct Measured<'a> {
+    /// Lines like those of the series, at times independent of it.
+    pub lines: &'a [Vec<f64>],
+    /// Column at which the angles of the tip's layers begin.
+    pub layers: usize,
+    /// Turning points of a slid tip.
+    pub loops: &'a Loops,
+    /// Work of the drive, in ε.
+    pub work: f64,
+    /// Lines of the series.
+    pub samples: usize,
+}
+
+impl Outcome {
+    /// The outcome of what was measured.
+    pub(super) fn of(scene: &TipScene, measured: &Measured) -> Self {
+        let (series, layers) = (measured.lines, measured.layers);
+        let StageSteps {
+            before,
+            driven,
+            after,
+        } = scene.stage_steps();
+        let off = driven as f64 * scene.time_step;
+        let end = (driven + after) as f64 * scene.time_step;
+        let begin = -(before as f64) * scene.time_step;
+        let width = layers + scene.tip_layers;
+        let first = means(series, begin.max(-END), 0.0, width);
+        let driven = means(series, (off - END).max(0.0), off, width);
+        let last = means(series, (end - END).max(off), end, width);
+        let is_over = series.last().is_some_and(|line| line[0] >= end);
+        let on: Vec<[f64; 2]> = series
+            .iter()
+            .filter(|line| line[0] >= begin.max(0.0) && line[0] <= off)
+            .map(|line| [line[0], line[ANGLE]])
+            .collect();
+        let verdict = if !is_over || after == 0 || scene.drive == DriveKind::Slide {
+            Verdict::Open
+        } else if last[ANGLE].abs() < BACK {
+            Verdict::Reversible
+        } else {
+            Verdict::Irreversible
+        };
+        let largest = series.iter().map(|line| line[ANGLE]);
+        Self {
+            verdict,
+            driven_angle: driven[ANGLE],
+            largest_angle: largest.fold(
+                0.0,
+                |most: f64, x| if x.abs() > most.abs() { x } else { most },
+            ),
+            final_angle: last[ANGLE],
+            layer_angles: last[layers..].to_vec(),
+            slipped: slipped(&last[layers..]),
+            slipped_driven: slipped(&driven[layers..]),
+            plateaus: plateaus(&on),
+            tip_temperature: means(series, 0.0, off, width)[5],
+            energy: DriveEnergy {
+                work: measured.work,
+                stored: driven[POTENTIAL] - first[POTENTIAL],
+                released: driven[POTENTIAL] - last[POTENTIAL],
+                uncertainty: libm::hypot(
+                    standard_error(series, begin.max(-END), 0.0),
+                    standard_error(series, (off - END).max(0.0), off),
+                ),
+            },
+            start: start(series, begin.max(-END), width),
+            slid: (scene.drive == DriveKind::Slide)
+                .then(|| Slid::of(scene, &looks(series, off), measured.loops)),
+            samples: measured.samples,
+        }
+    }
+
+    /// As JSON, with the scene.
+    pub fn json(&self, scene: &TipScene) -> Value {
+        let verdict = match self.verdict {
+            Verdict::Reversible => "reversible",
+            Verdict::Irreversible => "irreversible",
+            Verdict::Open => "open",
+        };
+        let plateau = |plateau: &Plateau| {
+            json!({
+                "from": json_number(plateau.from),
+                "to": json_number(plateau.to),
+                "angle_degrees": json_number(plateau.angle),
+            })
+        };
+        let mut json = json!({
+            "scene": scene.json(),
+            "verdict": verdict,
+            "driven_angle_degrees": json_number(self.driven_angle),
+            "largest_angle_degrees": json_number(self.largest_angle),
+            "final_angle_degrees": json_number(self.final_angle),
+            "layer_angles_degrees": self.layer_angles.iter().copied().map(json_number).collect::<Vec<_>>(),
+            "slipped_interfaces": self.slipped,
+            "slipped_interfaces_while_driven": self.slipped_driven,
+            "plateaus": self.plateaus.iter().map(plateau).collect::<Vec<_>>(),
+            "tip_temperature": json_number(self.tip_temperature),
+            "drive_energy": self.energy.json(),
+            "start": self.start.json(),
+            "samples": self.samples,
+        });
+        if let Some(slid) = &self.slid {
+            json["slid"] = slid.json();
+        }
+        json
+    }
+}
+
+/// Equilibrium before the drive, from lines with three more numbers than the series.
+fn start(lines: &[Vec<f64>], from: f64, width: usize) -> Start {
+    let before = lines
+        .iter()
+        .filter(|line| line[0] >= from && line[0] <= 0.0);
+    let before: Vec<&[f64]> = before.map(Vec::as_slice).collect();
+    let columns = Columns {
+        angle: ANGLE,
+        torque: TORQUE,
+        height: HEIGHT,
+        temperatures: TEMPERATURES,
+        energy: POTENTIAL,
+        force: [width, width + 1, width + 2],
+    };
+    Start::of(&before, columns)
+}
+
+/// Looks at a slid tip while it is driven.
+fn looks(lines: &[Vec<f64>], off: f64) -> Vec<Look> {
+    let driven = lines.iter().filter(|line| line[0] >= 0.0 && line[0] <= off);
+    let look = |line: &Vec<f64>| Look {
+        time: line[0],
+        support: line[SUPPORT],
+        force: line[LATERAL],
+        normal: line[NORMAL],
+    };
+    driven.map(look).collect()
+}
+
+/// Means of all columns over an interval of time; NaN if it has no line.
+fn means(series: &[Vec<f64>], from: f64, to: f64, width: usize) -> Vec<f64> {
+    let mut sums = vec![0.0; width];
+    let mut count = 0.0;
+    for line in series
+        .iter()
+        .filter(|line| line[0] >= from && line[0] <= to)
+    {
+        count += 1.0;
+        for (sum, value) in sums.iter_mut().zip(line) {
+            *sum += value;
+        }
+    }
+    sums.into_iter().map(|sum| sum / count).collect()
+}
+
+/// Standard error of the mean potential energy over an interval of time, with lines treated as independent.
+fn standard_error(series: &[Vec<f64>], from: f64, to: f64) -> f64 {
+    let within = |line: &&Vec<f64>| line[0] >= from && line[0] <= to;
+    let energies: Vec<f64> = series
+        .iter()
+        .filter(within)
+        .map(|line| line[POTENTIAL])
+        .collect();
+    let count = energies.len() as f64;
+    let mean = energies.iter().sum::<f64>() / count;
+    let square: f64 = energies
+        .iter()
+        .map(|energy| (energy - mean) * (energy - mean))
+        .sum();
+    (square / (count * (count - 1.0))).sqrt()
+}
+
+/// Interfaces across which the angles differ; the substrate has angle 0.
+fn slipped(layers: &[f64]) -> Vec<usize> {
+    let below = std::iter::once(&0.0).chain(layers);
+    let is_slip = |(below, above): (&f64, &f64)| (above - below).abs() > SLIPPED;
+    let pairs = below.zip(layers).map(is_slip).enumerate();
+    pairs
+        .filter(|(_, is)| *is)
+        .map(|(index, _)| index)
+        .collect()
+}
+
+/// Successive longest intervals in which the angle stays within a width.
+fn plateaus(curve: &[[f64; 2]]) -> Vec<Plateau> {
+    let mut found = Vec::new();
+    let mut start = 0;
+    while start < curve.len() {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        let stays = |[_, angle]: &&[f64; 2]| {
+            low = low.min(*angle);
+            high = high.max(*angle);
+            high - low <= LOCKED_WIDTH
+        };
+        let stretch: Vec<&[f64; 2]> = curve[start..].iter().take_while(stays).collect();
+        let [from, to] = [0, stretch.len() - 1].map(|at| stretch[at][0]);
+        if to - from >= LOCKED_TIME {
+            let sum: f64 = stretch.iter().map(|[_, angle]| angle).sum();
+            let angle = sum / stretch.len() as f64;
+            found.push(Plateau { from, to, angle });
+            start += stretch.len();
+        } else {
+            start += 1;
+        }
+    }
+    found
+}
+
+impl Measure for TipScene {
+    type Error = TipError;
+
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, TipError> {
+        let mut run = TipRun::new(self)?;
+        drive(&mut run, |_, _| watch())?;
+        let summary = run.outcome().json(self);
+        let rows = run.series().iter().cloned();
+        let mut measurement = Measurement::new(&summary, &run.columns(), rows);
+        let atoms = run.system().atoms();
+        measurement.state = vec![
+            ("positions", digest(&atoms.positions)),
+            ("velocities", digest(&atoms.velocities)),
+        ];
+        Ok(measurement)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,104 @@
+//! Writing data and dump files; every number reads back to the same bits.
+
+use crate::exchange::configuration::Configuration;
+use crate::record::number;
+use nalgebra::Vector3;
+use std::fmt::Write as _;
+
+/// A data file. Positions are not wrapped into the box; velocities are omitted if all are 0. The
+/// step, the periods and the forces are not written.
+///
+/// ```
+/// use tribos::md::{configuration::read, lammps::{data_file, read_data}};
+/// let atoms = read("2\nLattice=\"4 0 0 0 4 0 0 0 4\"\n1 0.1 0.2 0.3\n1 2 2 2\n")?;
+/// assert_eq!(read_data(&data_file(&atoms))?, atoms); // 0.1 to the bit
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn data_file(configuration: &Configuration) -> String {
+    let atoms = &configuration.atoms;
+    let mut text = format!(
+        "LAMMPS data file by tribos\n\n{} atoms\n{} atom types\n\n",
+        atoms.len(),
+        atoms.masses.len()
+    );
+    for (axis, ends) in ["x", "y", "z"].iter().zip(configuration.bounds) {
+        let [low, high] = ends.map(number);
+        let _ = writeln!(text, "{low} {high} {axis}lo {axis}hi");
+    }
+    text += "\nMasses\n\n";
+    for (species, &mass) in atoms.masses.iter().enumerate() {
+        let _ = writeln!(text, "{} {}", species + 1, number(mass));
+    }
+    text += "\nAtoms # atomic\n\n";
+    for (index, id) in configuration.ids.iter().enumerate() {
+        let species = atoms.species[index] + 1;
+        let _ = writeln!(text, "{id} {species} {}", triple(&atoms.positions[index]));
+    }
+    if atoms.velocities.iter().flatten().any(|v| v.to_bits() != 0) {
+        text += "\nVelocities\n\n";
+        for (id, velocity) in configuration.ids.iter().zip(&atoms.velocities) {
+            let _ = writeln!(text, "{id} {}", triple(velocity));
+        }
+    }
+    text
+}
+
+/// One frame of a text dump: unwrapped positions, velocities, and forces if there are any.
+/// Concatenated frames form a trajectory.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::md::{configuration::read, lammps::{dump_frame, frames}};
+/// let start = read("1\nLattice=\"4 0 0 0 4 0 0 0 4\"\n1 3.9 2 2\n")?;
+/// let mut later = start.clone();
+/// later.step = 50;
+/// later.atoms.positions[0].x = 4.1; // beyond the end of the period, and left there
+/// later.forces = Some(vec![Vector3::new(0.0, 0.0, -1.0 / 3.0)]);
+/// let trajectory = dump_frame(&start) + &dump_frame(&later);
+/// let read_back: Vec<_> = frames(&trajectory).flatten().collect();
+/// assert_eq!(read_back, [start, later]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn dump_frame(configuration: &Configuration) -> String {
+    let atoms = &configuration.atoms;
+    let flags = configuration
+        .is_periodic
+        .map(|is| if is { "pp" } else { "ff" });
+    let mut text = format!(
+        "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS {}\n",
+        configuration.step,
+        atoms.len(),
+        flags.join(" ")
+    );
+    for ends in configuration.bounds {
+        let [low, high] = ends.map(number);
+        let _ = writeln!(text, "{low} {high}");
+    }
+    text += "ITEM: ATOMS id type xu yu zu vx vy vz";
+    let forces = configuration.forces.as_deref();
+    text += if forces.is_some() {
+        " fx fy fz\n"
+    } else {
+        "\n"
+    };
+    for (index, id) in configuration.ids.iter().enumerate() {
+        let species = atoms.species[index] + 1;
+        let (place, velocity) = (&atoms.positions[index], &atoms.velocities[index]);
+        let _ = write!(
+            text,
+            "{id} {species} {} {}",
+            triple(place),
+            triple(velocity)
+        );
+        if let Some(forces) = forces {
+            let _ = write!(text, " {}", triple(&forces[index]));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn triple(vector: &Vector3<f64>) -> String {
+    let [x, y, z] = [vector.x, vector.y, vector.z].map(number);
+    format!("{x} {y} {z}")
+}

@@ -1,0 +1,8 @@
+//! Atoms and spheres in files of other programs: LAMMPS data and dumps, extended XYZ.
+
+pub mod atoms;
+pub mod configuration;
+pub mod extended_xyz;
+pub mod lammps;
+pub mod spheres;
+pub mod text;

@@ -1,0 +1,39 @@
+//! Output of runs: numbers as text, files written atomically.
+
+mod atomic;
+#[doc(hidden)]
+pub mod frames;
+#[doc(hidden)]
+pub mod kept;
+mod number;
+mod read;
+mod seal;
+mod series;
+mod snapshot;
+mod target;
+#[doc(hidden)]
+pub mod trajectory;
+mod vtk;
+mod xyz;
+
+pub(crate) use atomic::AtomicFile;
+pub use atomic::WriteError;
+#[doc(hidden)]
+pub use atomic::{is_unfinished, write_atomically, write_atomically_there, write_atomically_with};
+pub use frames::FrameError;
+pub use kept::CheckpointError;
+#[doc(hidden)]
+pub use number::{json_number, number};
+pub use read::ReadError;
+#[doc(hidden)]
+pub use read::read_text;
+#[doc(hidden)]
+pub use seal::{digest, sealed, unsealed};
+#[doc(hidden)]
+pub use series::{series_csv, write_series};
+#[doc(hidden)]
+pub use snapshot::{ContactRow, Partner, Snapshot, SnapshotError};
+#[doc(hidden)]
+pub use vtk::{contacts_vtp, particles_vtp};
+#[doc(hidden)]
+pub use xyz::extended_xyz;

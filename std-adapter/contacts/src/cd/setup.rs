@@ -1,0 +1,292 @@
+//! Initial state, laws and parameters of a world.
+
+use super::error::WorldError;
+use super::mixture::{LawBook, Mixture};
+use super::shear::flow;
+use super::solver::Solver;
+use super::wall::{UNIT, Wall};
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use tribos_core::contact::{NormalLaw, Sphere};
+
+/// Laws of one kind of contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactLaws<F> {
+    /// Along the normal: cohesion and restitution.
+    pub normal: NormalLaw<f64>,
+    /// Friction.
+    pub friction: F,
+}
+
+/// Contact laws of a world.
+///
+/// ```
+/// use tribos::cd::Laws;
+/// use tribos::kernel::contact::{Attraction, Cohesion, NormalLaw, Thresholds};
+/// // Cohesive spheres that also roll and spin with resistance, between walls without friction.
+/// let cohesion = Cohesion::new(1.0, 0.01, Attraction::Pull)?;
+/// let mut laws = Laws::uniform(NormalLaw::new(cohesion, 0.0)?, Thresholds::all(0.3, 0.1, 0.1)?);
+/// laws.walls.friction = Thresholds::all(0.0, 0.0, 0.0)?;
+/// assert_eq!(laws.pairs.normal, laws.walls.normal);
+/// assert_eq!([laws.pairs, laws.walls].map(|law| law.friction.mu()), [0.3, 0.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Laws<F> {
+    /// Between spheres.
+    pub pairs: ContactLaws<F>,
+    /// At walls.
+    pub walls: ContactLaws<F>,
+}
+
+impl<F: Copy> Laws<F> {
+    /// The same laws between spheres and at walls.
+    pub fn uniform(normal: NormalLaw<f64>, friction: F) -> Self {
+        let laws = ContactLaws { normal, friction };
+        Self {
+            pairs: laws,
+            walls: laws,
+        }
+    }
+
+    /// Friction of pairs and of walls.
+    pub(crate) fn friction(&self) -> [F; 2] {
+        [self.pairs.friction, self.walls.friction]
+    }
+}
+
+impl<F> Laws<F> {
+    /// Laws along the normal, of pairs and of walls.
+    pub(crate) fn normal(&self) -> [NormalLaw<f64>; 2] {
+        [self.pairs.normal, self.walls.normal]
+    }
+}
+
+/// Limits of the time step. The default, 1 ms and 1 cm, suits bodies of centimetres in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepLimits {
+    /// Longest step, in time.
+    pub longest: f64,
+    /// Largest motion of a body that is expected in a step, a length. A step with a motion of
+    /// more than twice this length is repeated with half the step.
+    pub motion: f64,
+}
+
+impl Default for StepLimits {
+    fn default() -> Self {
+        Self {
+            longest: 1e-3,
+            motion: 1e-2,
+        }
+    }
+}
+
+/// Parameters of a world at time 0.
+///
+/// The [module](super) has an example.
+#[derive(Clone, Debug)]
+pub struct Setup<F> {
+    /// Periodic axes.
+    pub space: PeriodicBox,
+    /// Centres of the spheres.
+    pub positions: Vec<Vector3<f64>>,
+    /// Radii of the spheres.
+    pub radii: Vec<f64>,
+    /// Velocities, inverse masses and inertias of the spheres; see [`solid`].
+    pub spheres: Vec<Sphere<f64>>,
+    /// Walls and pistons.
+    pub walls: Vec<Wall>,
+    /// Contact laws.
+    pub laws: Laws<F>,
+    /// Materials of the bodies and their laws, in place of `laws`, if there are several.
+    pub mixture: Option<Mixture<F>>,
+    /// Acceleration of all spheres.
+    pub gravity: Vector3<f64>,
+    /// Rate of a simple shear, the velocity along x over the height along z; 0 for none. It needs periods along
+    /// both axes; see [`Setup::sheared`].
+    pub shear_rate: f64,
+    /// Limits of the time step.
+    pub step_limits: StepLimits,
+    /// How contacts are solved.
+    pub solver: Solver,
+    /// Sleep threshold: a group of touching bodies slower than this, surface speed included, is put to
+    /// sleep until disturbed; 0 keeps everything awake.
+    pub sleep_speed: f64,
+}
+
+impl<F> Setup<F> {
+    /// Open space without bodies and gravity, where nothing sleeps, with the default [`StepLimits`] and
+    /// [`Solver`].
+    pub fn new(laws: Laws<F>) -> Self {
+        Self {
+            space: PeriodicBox::OPEN,
+            positions: Vec::new(),
+            radii: Vec::new(),
+            spheres: Vec::new(),
+            walls: Vec::new(),
+            laws,
+            mixture: None,
+            gravity: Vector3::zeros(),
+            shear_rate: 0.0,
+            step_limits: StepLimits::default(),
+            solver: Solver::default(),
+            sleep_speed: 0.0,
+        }
+    }
+
+    /// Adds one sphere with its centre at `position`.
+    #[must_use]
+    pub fn sphere(mut self, position: Vector3<f64>, radius: f64, sphere: Sphere<f64>) -> Self {
+        self.positions.push(position);
+        self.radii.push(radius);
+        self.spheres.push(sphere);
+        self
+    }
+
+    /// Adds one wall.
+    #[must_use]
+    pub fn wall(mut self, wall: Wall) -> Self {
+        self.walls.push(wall);
+        self
+    }
+
+    /// Sets the acceleration of all spheres.
+    #[must_use]
+    pub fn gravity(self, gravity: Vector3<f64>) -> Self {
+        Self { gravity, ..self }
+    }
+
+    /// Shears the periodic cell, and adds the velocity of the flow at its height to every sphere given so far.
+    ///
+    /// *Formula*: v_x = rate (z − L_z/2). Images one period L_z higher move faster by rate L_z (Lees and
+    /// Edwards 1972). *Domain*: x and z are periodic, walls are parallel to the flow and its gradient, and
+    /// nothing sleeps.
+    ///
+    /// ```
+    /// use tribos::cd::{Laws, Setup, World, solid};
+    /// use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+    /// use tribos::kernel::nalgebra::Vector3;
+    /// use tribos::space::PeriodicBox;
+    /// let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Thresholds::sliding(0.5)?);
+    /// let mut setup = Setup::new(laws).sphere(Vector3::z() * 7.5, 1.0, solid(1.0, 1.0));
+    /// setup.space = PeriodicBox::new([Some(10.0), Some(10.0), Some(10.0)])?;
+    /// let mut world = World::new(setup.sheared(0.1))?;
+    /// world.step()?;
+    /// // A lone sphere moves with the flow at its height, and the images above it faster by 0.1 · 10.
+    /// let state = world.state();
+    /// assert_eq!(state.spheres[0].velocity, Vector3::x() * 0.25);
+    /// assert!((state.shear_offset - state.time).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn sheared(mut self, rate: f64) -> Self {
+        self.shear_rate = rate;
+        for (x, sphere) in self.positions.iter().zip(&mut self.spheres) {
+            sphere.velocity += flow(rate, &self.space, x.z);
+        }
+        self
+    }
+
+    /// The laws of the bodies.
+    #[doc(hidden)]
+    pub fn book(&self) -> LawBook<'_, F> {
+        LawBook {
+            laws: &self.laws,
+            mixture: self.mixture.as_ref(),
+        }
+    }
+
+    /// Refuses a shear of a cell that cannot be sheared.
+    fn check_shear(&self) -> Result<(), WorldError> {
+        let rate = self.shear_rate;
+        let [x, _, z] = self.space.lengths();
+        let beside = |wall: &Wall| wall.outward.x == 0.0 && wall.outward.z == 0.0;
+        let can = x.is_some() && z.is_some() && self.sleep_speed == 0.0;
+        if rate == 0.0 || (can && rate.is_finite() && self.walls.iter().all(beside)) {
+            Ok(())
+        } else {
+            Err(WorldError::Shear { rate })
+        }
+    }
+}
+
+/// Range of masses whose squared impulses neither vanish nor overflow: the solvers compare squares.
+const MASSES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
+
+impl<F> Setup<F> {
+    /// Refuses parameters with which no step is possible.
+    pub(crate) fn check(&self) -> Result<(), WorldError> {
+        let StepLimits { longest, motion } = self.step_limits;
+        let valid = |x: f64| x > 0.0 && x.is_finite();
+        if !(valid(longest) && valid(motion)) {
+            return Err(WorldError::StepLimits { longest, motion });
+        }
+        let given = self.sleep_speed;
+        if !(given >= 0.0 && given.is_finite()) {
+            return Err(WorldError::StillSpeed { given });
+        }
+        let [positions, radii] = [self.positions.len(), self.radii.len()];
+        let spheres = self.spheres.len();
+        if positions != spheres || radii != spheres {
+            return Err(WorldError::Count {
+                positions,
+                radii,
+                spheres,
+            });
+        }
+        if let Some(body) = self.radii.iter().position(|radius| !valid(*radius)) {
+            let given = self.radii[body];
+            return Err(WorldError::Radius { body, given });
+        }
+        if !self.gravity.iter().all(|part| part.is_finite()) {
+            return Err(WorldError::Gravity);
+        }
+        self.check_shear()?;
+        let fits = |mixture: &Mixture<F>| mixture.fits(spheres, self.walls.len());
+        if !self.mixture.as_ref().is_none_or(fits) {
+            return Err(WorldError::Mixture);
+        }
+        let sphere = |sphere: &Sphere<f64>| {
+            MASSES.contains(&(1.0 / sphere.inv_mass))
+                && valid(sphere.inv_inertia)
+                && (sphere.velocity.norm() + sphere.spin.norm()).is_finite()
+        };
+        if let Some(body) = self.spheres.iter().position(|body| !sphere(body)) {
+            return Err(WorldError::Sphere { body });
+        }
+        let wall = |wall: &Wall| {
+            // An edge pushes along other lines than a piston moves.
+            let has_edges = wall.edges.as_ref().is_none_or(|edges| {
+                wall.plate.inv_mass == 0.0 && edges.fits(&wall.outward, &self.space)
+            });
+            has_edges
+                && (wall.outward.norm() - 1.0).abs() <= UNIT
+                && (wall.place + wall.force + wall.plate.velocity.norm()).is_finite()
+                && wall.plate.inv_mass >= 0.0
+                && wall.plate.inv_mass.is_finite()
+        };
+        match self.walls.iter().position(|plane| !wall(plane)) {
+            Some(wall) => Err(WorldError::Wall { wall }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A solid sphere at rest.
+///
+/// ```
+/// use tribos::cd::solid;
+/// // A steel ball with a radius of 1 cm: 33 g, and an inertia of 2/5 m R².
+/// let ball = solid(0.01, 7850.0);
+/// assert!((1.0 / ball.inv_mass - 0.0329).abs() < 1e-4);
+/// assert!((ball.inv_mass / ball.inv_inertia - 0.4 * 0.01 * 0.01).abs() < 1e-18);
+/// ```
+pub fn solid(radius: f64, density: f64) -> Sphere<f64> {
+    let mass = 4.0 / 3.0 * std::f64::consts::PI * (radius * radius * radius) * density;
+    Sphere {
+        velocity: Vector3::zeros(),
+        spin: Vector3::zeros(),
+        inv_mass: 1.0 / mass,
+        inv_inertia: 1.0 / (0.4 * mass * radius * radius),
+    }
+}

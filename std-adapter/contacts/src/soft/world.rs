@@ -1,0 +1,452 @@
+//! Motion of soft spheres and plates: leapfrog, with velocities at the ends of the steps.
+
+use super::contact::{Energies, Law, Motion, SoftContact};
+use super::setup::Setup;
+use super::step_length::{StepLength, fastest};
+use crate::cd::{EnergyBalance, Facing, Iterations, StepReport, Wall, WorldError};
+use crate::space::PeriodicBox;
+use crate::space::pairs::Cells;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+use tribos_core::contact::{Body, ContactFriction, ContactModes, Modal, Sphere, Touch, TouchError};
+
+/// The complete state of a world of soft spheres: a run continues from it with identical bits.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State<M: ContactModes<f64>> {
+    /// Elapsed time.
+    pub time: f64,
+    /// Number of steps so far.
+    pub steps: u64,
+    /// Centres of the spheres, not wrapped into the periodic box.
+    pub positions: Vec<Vector3<f64>>,
+    /// Velocities, inverse masses and inertias of the spheres.
+    pub spheres: Vec<Sphere<f64>>,
+    /// Walls with their current positions and velocities.
+    pub walls: Vec<Wall>,
+    /// Energy balance so far.
+    pub energy: EnergyBalance,
+    /// Pairs of neighbours, and spheres near walls, in ascending order of the bodies. Most of them are apart.
+    pub contacts: [Vec<SoftContact<M>>; 2],
+    /// Energies of springs and cohesion at the start, once it has been left.
+    #[doc(hidden)]
+    pub origin: Option<[f64; 2]>,
+}
+
+/// Soft spheres, walls and their contacts.
+///
+/// ```
+/// use tribos::cd::{Laws, solid};
+/// use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+/// use tribos::kernel::nalgebra::Vector3;
+/// use tribos::soft::{Setup, SoftContact, State, Stiffness, World};
+/// let bouncy = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.8)?, Thresholds::none());
+/// let ball = solid(0.05, 1900.0); // m, kg/m³
+/// let setup = Setup::new(bouncy, Stiffness::Linear(1e6)) // N/m
+///     .sphere(Vector3::zeros(), 0.05, ball)
+///     .sphere(Vector3::x() * 0.101, 0.05, ball);
+/// let mut world = World::new(setup)?;
+/// world.state_mut().spheres[0].velocity.x = 2.0; // m/s
+/// let mut deepest = 0.0_f64;
+/// for _ in 0..200 {
+///     world.step()?;
+///     let contacts: &[SoftContact<_>] = &world.state().contacts[0];
+///     deepest = contacts.iter().fold(deepest, |deepest, contact| deepest.max(-contact.gap));
+/// }
+/// assert!(deepest > 1e-3 && deepest < 1.5e-3); // m
+/// // 1 m/s each of the common motion, and 0.8 of the relative one the other way.
+/// let end: &State<_> = world.state();
+/// assert!((end.spheres[0].velocity.x - 0.2).abs() < 0.05);
+/// assert!((end.spheres[1].velocity.x - 1.8).abs() < 0.05);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct World<F: ContactFriction<f64>> {
+    pub(super) setup: Setup<F>,
+    pub(super) state: State<F::Modes>,
+    pub(super) laws: [Law<F>; 2],
+    length: StepLength,
+    pub(super) cells: Cells,
+    pub(super) skin: f64,
+    /// Whether there is a list of neighbours, and the places for which it was built.
+    pub(super) listed: bool,
+    pub(super) listed_at: Vec<Vector3<f64>>,
+    pub(super) listed_walls: Vec<f64>,
+    /// Energies of all contacts in the last step.
+    pub(super) energies: Vec<Result<Energies, TouchError>>,
+    /// Force and torque on each sphere, force on each wall.
+    loads: Vec<[Vector3<f64>; 2]>,
+    wall_loads: Vec<Vector3<f64>>,
+    /// Contacts in range at each wall.
+    at_walls: Vec<usize>,
+}
+
+/// Force and springs of a contact, with its bodies.
+pub(crate) type StoredContact<M> = ([u32; 2], [Modal<f64, M>; 2]);
+
+/// Least number of neighbours for which threads are worth their start, and for one of them.
+const WORTHWHILE: usize = 4096;
+const SHARE_OF_THREAD: usize = 1024;
+
+impl<F: ContactFriction<f64>> World<F> {
+    /// A world at time 0.
+    pub fn new(setup: Setup<F>) -> Result<Self, WorldError> {
+        setup.check()?;
+        let state = State {
+            time: 0.0,
+            steps: 0,
+            positions: setup.positions.clone(),
+            spheres: setup.spheres.clone(),
+            walls: setup.walls.clone(),
+            energy: EnergyBalance::default(),
+            contacts: [Vec::new(), Vec::new()],
+            origin: None,
+        };
+        Ok(Self::resume(setup, state))
+    }
+
+    /// A world that continues from a state of a world with the same setup.
+    pub fn resume(setup: Setup<F>, state: State<F::Modes>) -> Self {
+        let mut world = Self {
+            laws: setup.contact_laws(),
+            length: StepLength::of(&setup),
+            state,
+            cells: Cells::default(),
+            skin: 0.0,
+            listed: false,
+            listed_at: Vec::new(),
+            listed_walls: Vec::new(),
+            energies: Vec::new(),
+            loads: Vec::new(),
+            wall_loads: Vec::new(),
+            at_walls: Vec::new(),
+            setup,
+        };
+        world.skin = world.usual_skin();
+        world
+    }
+
+    /// Initial state and laws of the world.
+    pub fn setup(&self) -> &Setup<F> {
+        &self.setup
+    }
+
+    /// The current state.
+    pub fn state(&self) -> &State<F::Modes> {
+        &self.state
+    }
+
+    /// The current state, which may be changed between two steps.
+    pub fn state_mut(&mut self) -> &mut State<F::Modes> {
+        &mut self.state
+    }
+
+    /// Sets the acceleration of all spheres from the next step on.
+    pub fn set_gravity(&mut self, gravity: Vector3<f64>) {
+        self.setup.gravity = gravity;
+        self.length.set_gravity(&gravity);
+    }
+
+    /// Largest speed of any body.
+    #[doc(hidden)]
+    pub fn fastest(&self) -> f64 {
+        fastest(&self.state.spheres, &self.state.walls)
+    }
+
+    /// Restores forces and springs of pairs and at walls, in ascending order of their bodies.
+    #[doc(hidden)]
+    pub fn restore(
+        &mut self,
+        stored: &[Vec<StoredContact<F::Modes>>; 2],
+    ) -> Result<(), WorldError> {
+        self.listed = false;
+        self.list_neighbours()?;
+        let State {
+            positions,
+            walls,
+            contacts,
+            steps,
+            ..
+        } = &mut self.state;
+        let (space, radii) = (&self.setup.space, &self.setup.radii);
+        for (kind, (contacts, stored)) in contacts.iter_mut().zip(stored).enumerate() {
+            let mut stored = stored.iter().peekable();
+            for contact in contacts {
+                let Some((bodies, [force, springs])) =
+                    stored.next_if(|(bodies, _)| *bodies == contact.bodies)
+                else {
+                    continue;
+                };
+                let [i, j] = bodies.map(|body| body as usize);
+                let touch = if kind == 0 {
+                    let (apart, _) = nearest_image(space, &positions[i], &positions[j]);
+                    Touch::spheres(&apart, [radii[i], radii[j]])
+                } else {
+                    let Facing { outward, height } = walls[j].facing(space, &positions[i]);
+                    Touch::plate(height, &outward, radii[i])
+                };
+                let touch = touch.map_err(|cause| WorldError::Touch {
+                    step: *steps,
+                    body: i,
+                    other: format!("body {j}"),
+                    cause,
+                })?;
+                contact.restore(&touch, *force, *springs);
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes one step: forces change the velocities for its first half, these move the bodies and load the springs,
+    /// the new forces change the velocities for its second half.
+    pub fn step(&mut self) -> Result<StepReport, WorldError> {
+        self.begin()?;
+        let deepest = self.add_loads(|contact| contact.in_range.then_some(&contact.force));
+        let State { spheres, walls, .. } = &self.state;
+        let dt = self.length.next(spheres, walls, deepest, &self.at_walls);
+        self.kick(0.5 * dt, 0.5 * dt);
+        self.drift(dt);
+        self.check_motion()?;
+        self.list_neighbours()?;
+        let taken = self.find_forces(dt)?;
+        self.add_loads(|contact| Some(&contact.impulse));
+        self.kick(1.0, 0.5 * dt);
+        self.check_motion()?;
+        self.state.time += dt;
+        self.state.steps += 1;
+        self.enter(&taken);
+        let contacts = self.state.contacts.iter().flatten();
+        Ok(StepReport {
+            dt,
+            iterations: Iterations {
+                sweeps: 0,
+                met: true,
+            },
+            contacts: contacts.filter(|contact| contact.in_range).count(),
+            awake: self.state.spheres.len(),
+            overlap: deepest,
+            ..StepReport::default()
+        })
+    }
+
+    /// Forces and energies at the start of a run.
+    fn begin(&mut self) -> Result<(), WorldError> {
+        if !self.listed {
+            self.list_neighbours()?;
+        }
+        if self.state.origin.is_none() {
+            let start = self.find_forces(0.0)?;
+            self.state.origin = Some([start.elastic, start.cohesion]);
+            self.state.energy.kinetic_initial = Some(self.kinetic());
+        }
+        Ok(())
+    }
+
+    /// Sums forces or impulses of the contacts on the bodies; returns the deepest overlap.
+    fn add_loads(
+        &mut self,
+        of: impl Fn(&SoftContact<F::Modes>) -> Option<&Modal<f64, F::Modes>>,
+    ) -> f64 {
+        let radii = &self.setup.radii;
+        let mut deepest = 0.0_f64;
+        self.loads.clear();
+        self.loads.resize(radii.len(), [Vector3::zeros(); 2]);
+        self.wall_loads.clear();
+        self.wall_loads
+            .resize(self.state.walls.len(), Vector3::zeros());
+        self.at_walls.clear();
+        self.at_walls.resize(self.state.walls.len(), 0);
+        let [pairs, walls] = &self.state.contacts;
+        for (contact, load) in pairs
+            .iter()
+            .filter_map(|contact| Some((contact, of(contact)?)))
+        {
+            let [i, j] = contact.bodies.map(|body| body as usize);
+            let (force, couple) = (load.linear(&contact.normal), load.angular(&contact.normal));
+            let turn = contact.normal.cross(&force);
+            let distance = contact.gap + (radii[i] + radii[j]);
+            let share = distance / (radii[i] + radii[j]);
+            self.loads[i][0] -= force;
+            self.loads[i][1] -= turn * (share * radii[i]) + couple;
+            self.loads[j][0] += force;
+            self.loads[j][1] -= turn * (share * radii[j]) - couple;
+            deepest = deepest.max(-contact.gap);
+        }
+        for (contact, load) in walls
+            .iter()
+            .filter_map(|contact| Some((contact, of(contact)?)))
+        {
+            let [i, w] = contact.bodies.map(|body| body as usize);
+            let (force, couple) = (load.linear(&contact.normal), load.angular(&contact.normal));
+            self.loads[i][0] -= force;
+            let turn = contact.normal.cross(&force);
+            self.loads[i][1] -= turn * (contact.gap + radii[i]) + couple;
+            self.wall_loads[w] += force;
+            self.at_walls[w] += 1;
+            deepest = deepest.max(-contact.gap);
+        }
+        deepest
+    }
+
+    /// New velocities after half a step, from the loads times a time.
+    fn kick(&mut self, time: f64, half: f64) {
+        let gravity = self.setup.gravity * half;
+        let State {
+            spheres,
+            walls,
+            energy,
+            ..
+        } = &mut self.state;
+        for (sphere, [force, torque]) in spheres.iter_mut().zip(&self.loads) {
+            sphere.velocity += force * (sphere.inv_mass * time) + gravity;
+            sphere.spin += torque * (sphere.inv_inertia * time);
+        }
+        for (wall, load) in walls.iter_mut().zip(&self.wall_loads) {
+            let along = wall.outward.dot(load) * time;
+            // What moves a wall without regard to forces does their work.
+            let velocity = wall.plate.velocity;
+            energy.work -= load.dot(&velocity) * time;
+            if wall.plate.inv_mass > 0.0 {
+                energy.work += along * wall.outward.dot(&velocity);
+                let push = along + wall.force * half;
+                wall.plate.velocity += wall.outward * (push * wall.plate.inv_mass);
+            }
+        }
+    }
+
+    /// New places after a step, and the work of weight and of the loads of pistons on the way.
+    fn drift(&mut self, dt: f64) {
+        let gravity = self.setup.gravity;
+        let State {
+            positions,
+            spheres,
+            walls,
+            energy,
+            ..
+        } = &mut self.state;
+        let mut work = 0.0;
+        for (sphere, x) in spheres.iter().zip(positions) {
+            *x += sphere.velocity * dt;
+            work += gravity.dot(&sphere.velocity) / sphere.inv_mass;
+        }
+        for wall in walls {
+            let speed = wall.outward.dot(&wall.plate.velocity);
+            wall.place += speed * dt;
+            if wall.plate.inv_mass > 0.0 {
+                work += wall.force * speed;
+            }
+        }
+        energy.work += work * dt;
+    }
+
+    /// Refuses velocities that have left the range of numbers.
+    fn check_motion(&self) -> Result<(), WorldError> {
+        let is_lost =
+            |sphere: &Sphere<f64>| !(sphere.velocity.norm() + sphere.spin.norm()).is_finite();
+        let step = self.state.steps;
+        if let Some(body) = self.state.spheres.iter().position(is_lost) {
+            return Err(WorldError::NotFinite { step, body });
+        }
+        match self
+            .state
+            .walls
+            .iter()
+            .position(|wall| !wall.place.is_finite())
+        {
+            Some(wall) => Err(WorldError::Wall { wall }),
+            None => Ok(()),
+        }
+    }
+
+    /// Springs, forces and energies of all contacts after a step of length `dt`.
+    fn find_forces(&mut self, dt: f64) -> Result<Energies, WorldError> {
+        let State {
+            positions,
+            spheres,
+            walls,
+            contacts,
+            ..
+        } = &mut self.state;
+        let (space, radii, [pair, wall]) = (&self.setup.space, &self.setup.radii, &self.laws);
+        let [pairs, at_walls] = contacts;
+        let across = |contact: &mut SoftContact<F::Modes>| {
+            let [i, j] = contact.bodies.map(|body| body as usize);
+            let (apart, border) = nearest_image(space, &positions[i], &positions[j]);
+            let gap = apart.norm() - (radii[i] + radii[j]);
+            if is_apart(gap, pair.cohesion.range()) {
+                let lever = radii[i] * radii[j] / (radii[i] + radii[j]);
+                // What acts in the last half step acts here.
+                if contact.in_range {
+                    contact.normal = apart / (gap + (radii[i] + radii[j]));
+                }
+                return Ok(contact.part(gap, pair, lever, dt));
+            }
+            let touch = Touch::spheres(&apart, [radii[i], radii[j]])?;
+            let motion = relative(&touch, &spheres[i], &spheres[j], &border);
+            Ok(contact.advance(&touch, &motion, pair, dt))
+        };
+        self.energies.resize(pairs.len(), Ok(Energies::default()));
+        if pairs.len() >= WORTHWHILE && rayon::current_num_threads() > 1 {
+            let shared = pairs.par_iter_mut().with_min_len(SHARE_OF_THREAD);
+            let energies = self.energies.par_iter_mut();
+            shared
+                .zip(energies)
+                .for_each(|(contact, energy)| *energy = across(contact));
+        } else {
+            for (contact, energy) in pairs.iter_mut().zip(&mut self.energies) {
+                *energy = across(contact);
+            }
+        }
+        for contact in at_walls.iter_mut() {
+            let [i, w] = contact.bodies.map(|body| body as usize);
+            let plate = &walls[w];
+            let Facing { outward, height } = plate.facing(space, &positions[i]);
+            let gap = height - radii[i];
+            self.energies.push(if is_apart(gap, wall.cohesion.range()) {
+                // A wall that was taken away has not opened a gap.
+                let known = [gap, contact.gap].into_iter().find(|gap| gap.is_finite());
+                let gap = known.unwrap_or(0.0);
+                Ok(contact.part(gap, wall, radii[i], dt))
+            } else {
+                Touch::plate(height, &outward, radii[i]).map(|touch| {
+                    let motion = relative(&touch, &spheres[i], &plate.plate, &Vector3::zeros());
+                    contact.advance(&touch, &motion, wall, dt)
+                })
+            });
+        }
+        self.sum()
+    }
+}
+
+/// Whether nothing acts across a gap.
+fn is_apart(gap: f64, range: f64) -> bool {
+    gap >= 0.0 && gap > range
+}
+
+/// Vector from a sphere to the nearest image of another, and the velocity of that image against the other
+/// itself: zero in a cell at rest.
+#[inline]
+fn nearest_image(
+    space: &PeriodicBox,
+    a: &Vector3<f64>,
+    b: &Vector3<f64>,
+) -> (Vector3<f64>, Vector3<f64>) {
+    (space.displacement(a, b), Vector3::zeros())
+}
+
+/// Motion of the second body against the first at their contact; `border` is the velocity of the second's
+/// image against itself.
+#[inline]
+fn relative(
+    touch: &Touch<f64>,
+    a: &impl Body<f64>,
+    b: &impl Body<f64>,
+    border: &Vector3<f64>,
+) -> Motion {
+    let (spin_a, spin_b) = (a.spin(), b.spin());
+    let turning = spin_a * touch.arms[0] + spin_b * touch.arms[1];
+    Motion {
+        velocity: b.velocity() + border - a.velocity() - turning.cross(&touch.normal),
+        spin: spin_b - spin_a,
+        turning: (spin_a + spin_b) * 0.5,
+    }
+}

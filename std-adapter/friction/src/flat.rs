@@ -1,0 +1,405 @@
+//! Patches with straight edges and meshes by name, and their corners from files.
+
+use super::refusal::finite_number;
+use super::{Refusal, columns};
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use tribos_core::coupling::flat::{DryPatch, Hessian, Motion, Reduced};
+use tribos_core::patch::bar::Bar;
+use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
+use tribos_core::patch::outline::{Edge, Linear, OutlineError, Polygon};
+use tribos_core::real::Real;
+
+/// A patch with straight edges or a mesh, as it is written. Lengths are in m.
+///
+/// ```
+/// use tribos::friction::FlatPatch;
+/// use tribos::kernel::coupling::flat::DryPatch;
+/// let crate_: FlatPatch = "box:0.3x0.2".parse()?;
+/// assert_eq!(crate_, FlatPatch::Box([0.3, 0.2]));
+/// assert!((crate_.loaded::<f64>(None)?.radius() - 0.15_f64.hypot(0.1)).abs() < 1e-16);
+/// assert!("box:0.3".parse::<FlatPatch>().is_err());
+/// # Ok::<(), tribos::friction::Refusal>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub enum FlatPatch {
+    /// A rectangle of these sides along x and y, about the origin.
+    Box([f64; 2]),
+    /// A polygon with its corners in a file.
+    Polygon(PathBuf),
+    /// A straight bar of this length along x, about the origin.
+    Bar(f64),
+    /// Triangles with a pressure at each corner, in a file.
+    Mesh(PathBuf),
+}
+
+/// A patch with straight edges or a mesh, ready for the kernel.
+#[derive(Clone, Debug)]
+pub enum Flat<R: Real> {
+    /// Under uniform pressure.
+    Polygon(Polygon<R, Vec<Edge<R>>>),
+    /// Under linear pressure.
+    Leaning(Polygon<R, Vec<Edge<R>>, Linear<R>>),
+    /// Without an area.
+    Bar(Bar<R>),
+    /// Of triangles, each under linear pressure.
+    Mesh(Mesh<R, Vec<Triangle<R>>>),
+}
+
+/// Most corners of a file: the check that no edges cross takes the square of their number.
+const MOST_CORNERS: usize = 10_000;
+/// Most triangles of a file.
+const MOST_TRIANGLES: usize = 1_000_000;
+/// Columns of a file of triangles: place and pressure of each corner.
+const TRIANGLE: [&str; 9] = ["x1", "y1", "p1", "x2", "y2", "p2", "x3", "y3", "p3"];
+/// Most bytes of a file of corners.
+const MOST_BYTES: u64 = 1 << 20;
+
+impl FlatPatch {
+    /// Every patch as it is written, and what it is.
+    pub const SYNTAX: &[(&str, &str)] = &[
+        (
+            "box:AxB",
+            "a rectangle of sides A and B, in m, about the origin",
+        ),
+        ("polygon:FILE", "a CSV file with columns x,y[,loop], in m"),
+        (
+            "bar:L",
+            "a line of length L, in m, along x about the origin",
+        ),
+        (
+            "mesh:FILE",
+            "a CSV file of triangles with columns x1,y1,p1,x2,y2,p2,x3,y3,p3: corners in m, and \
+             pressures of which only the ratios count",
+        ),
+    ];
+
+    /// True if `text` begins with the name of such a patch.
+    pub fn is_named_by(text: &str) -> bool {
+        let name = text.split(':').next().unwrap_or(text).trim();
+        let mut all = Self::SYNTAX
+            .iter()
+            .filter_map(|(syntax, _)| syntax.split(':').next());
+        all.any(|known| known == name)
+    }
+
+    /// The corners of all loops, the outer one first; of a bar both ends, of a mesh its triangles.
+    #[doc(hidden)]
+    pub fn loops(&self) -> Result<Vec<Vec<[f64; 2]>>, Refusal> {
+        Ok(match self {
+            Self::Bar(length) => vec![vec![[-0.5 * length, 0.0], [0.5 * length, 0.0]]],
+            Self::Mesh(path) => {
+                let triangle =
+                    |row: &[f64; 9]| vec![[row[0], row[1]], [row[3], row[4]], [row[6], row[7]]];
+                let rows = columns::read(path, TRIANGLE, MOST_TRIANGLES)?;
+                rows.iter().map(triangle).collect()
+            }
+            Self::Box([a, b]) => {
+                let (x, y) = (0.5 * a, 0.5 * b);
+                vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]]
+            }
+            Self::Polygon(path) => {
+                let text = crate::record::read_text(path, MOST_BYTES)
+                    .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))?;
+                read_loops(path, &text)?
+            }
+        })
+    }
+
+    /// The patch for the kernel, its file read; with a centre of pressure under linear pressure.
+    pub fn loaded<R: Real>(&self, centre: Option<[f64; 2]>) -> Result<Flat<R>, Refusal> {
+        let narrow = |[x, y]: [f64; 2]| [x, y].map(R::from_f64);
+        if let Self::Mesh(path) = self {
+            if centre.is_some() {
+                return Err(Refusal::Syntax(
+                    "a mesh has its own pressure; leave the centre of pressure out".into(),
+                ));
+            }
+            return Ok(Flat::Mesh(mesh(path)?));
+        }
+        if let Self::Bar(length) = self {
+            if centre.is_some() {
+                return Err(Refusal::Syntax(
+                    "a bar carries its load evenly; leave the centre of pressure out".into(),
+                ));
+            }
+            let half = 0.5 * length;
+            let bar = Bar::new(narrow([-half, 0.0]), narrow([half, 0.0]));
+            return Ok(Flat::Bar(bar.map_err(tribos_core::Error::from)?));
+        }
+        let narrowed: Vec<Vec<[R; 2]>> = self
+            .loops()?
+            .iter()
+            .map(|corners| corners.iter().map(|&corner| narrow(corner)).collect())
+            .collect();
+        let slices: Vec<&[[R; 2]]> = narrowed.iter().map(Vec::as_slice).collect();
+        let count = slices.iter().map(|corners| corners.len()).sum();
+        let refused = |error: OutlineError| match self {
+            Self::Polygon(path) => Refusal::Syntax(format!("{}: {error}", path.display())),
+            _ => tribos_core::Error::from(error).into(),
+        };
+        let polygon =
+            Polygon::with_holes(&slices, vec![Edge::default(); count]).map_err(refused)?;
+        Ok(match centre {
+            None => Flat::Polygon(polygon),
+            Some(at) => {
+                let leaning = polygon.with_centre_of_pressure(narrow(at));
+                let leaning = leaning.map_err(|error| match (error, self) {
+                    (OutlineError::LiftOff { .. }, Self::Box([a, b])) => Refusal::Syntax(format!(
+                        "with this centre of pressure the box lifts off: give |X|/{a} + |Y|/{b} <= 1/6"
+                    )),
+                    (OutlineError::LiftOff { .. }, _) => Refusal::Syntax(format!(
+                        "with this centre of pressure the patch lifts off: {error}; move it nearer to the \
+                         centroid"
+                    )),
+                    _ => refused(error),
+                })?;
+                Flat::Leaning(leaning)
+            }
+        })
+    }
+}
+
+/// Place and pressure of the three corners of each triangle of a file.
+#[doc(hidden)]
+pub fn triangles_of(path: &Path) -> Result<Vec<[f64; 9]>, Refusal> {
+    columns::read(path, TRIANGLE, MOST_TRIANGLES)
+}
+
+/// The mesh of a file of triangles.
+fn mesh<R: Real>(path: &Path) -> Result<Mesh<R, Vec<Triangle<R>>>, Refusal> {
+    let rows = triangles_of(path)?;
+    let corners = rows.as_flattened().chunks_exact(3);
+    let vertices: Vec<Vertex<R>> = corners
+        .map(|corner| {
+            let [x, y, pressure] = [corner[0], corner[1], corner[2]].map(R::from_f64);
+            Vertex { x, y, pressure }
+        })
+        .collect();
+    let count = rows.len();
+    let triangles: Vec<[usize; 3]> = (0..count).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
+    Mesh::with_vertices(&vertices, &triangles, vec![Triangle::default(); count])
+        .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))
+}
+
+/// The corners of a file with columns x, y and perhaps loop: the first loop is the outer one.
+fn read_loops(path: &Path, text: &str) -> Result<Vec<Vec<[f64; 2]>>, Refusal> {
+    let refused = |line: usize, reason: &str| {
+        Refusal::Syntax(format!("{}:{}: {reason}", path.display(), line + 1))
+    };
+    let rows = text.lines().enumerate();
+    let mut rows = rows.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+    let (first, header) = rows
+        .next()
+        .ok_or_else(|| refused(0, "the file is empty; give columns x,y[,loop]"))?;
+    let names: Vec<&str> = header.split(',').map(str::trim).collect();
+    let place = |wanted: &str| names.iter().position(|name| *name == wanted);
+    let known = names.iter().all(|name| ["x", "y", "loop"].contains(name));
+    let repeated = (1..names.len()).any(|i| names[..i].contains(&names[i]));
+    let (Some(x), Some(y), true, false) = (place("x"), place("y"), known, repeated) else {
+        return Err(refused(first, "the columns must be x,y or x,y,loop"));
+    };
+    let in_loop = place("loop");
+    let mut order: Vec<&str> = Vec::new();
+    let mut loops: Vec<Vec<[f64; 2]>> = Vec::new();
+    let mut count = 0;
+    for (number, row) in rows {
+        let fields: Vec<&str> = row.split(',').map(str::trim).collect();
+        if fields.len() != names.len() {
+            let expected = names.len();
+            let reason = format!("{} values where there are {expected} columns", fields.len());
+            return Err(refused(number, &reason));
+        }
+        let part = |at: usize, name: &str| {
+            finite_number(fields[at]).map_err(|error| refused(number, &format!("{name}: {error}")))
+        };
+        let corner = [part(x, "x")?, part(y, "y")?];
+        let name = in_loop.map_or("", |at| fields[at]);
+        match order.iter().position(|known| *known == name) {
+            Some(last) if last + 1 == order.len() => loops[last].push(corner),
+            Some(_) => {
+                let reason = format!("the corners of loop {name} must follow each other");
+                return Err(refused(number, &reason));
+            }
+            None => {
+                order.push(name);
+                loops.push(vec![corner]);
+            }
+        }
+        count += 1;
+        if count > MOST_CORNERS {
+            return Err(refused(
+                number,
+                &format!("more than {MOST_CORNERS} corners"),
+            ));
+        }
+    }
+    if loops.is_empty() {
+        return Err(refused(first, "there are no corners; give at least 3"));
+    }
+    Ok(loops)
+}
+
+impl<R: Real> Flat<R> {
+    /// Radius of gyration about the upright axis through the centre, of a plate of uniform thickness on the
+    /// patch.
+    #[doc(hidden)]
+    pub fn radius_of_gyration(&self) -> Result<R, Refusal> {
+        Ok(match self {
+            Self::Polygon(patch) => patch.radius_of_gyration(),
+            Self::Leaning(patch) => patch.radius_of_gyration(),
+            Self::Bar(bar) => bar.radius() / R::from_f64(3.0).sqrt(),
+            Self::Mesh(_) => {
+                return Err(Refusal::Syntax(
+                    "a plate is a box, a polygon or a bar, not a mesh".into(),
+                ));
+            }
+        })
+    }
+}
+
+impl<R: Real> DryPatch<R> for Flat<R> {
+    fn centre(&self) -> nalgebra::Vector2<R> {
+        match self {
+            Self::Polygon(patch) => patch.centre(),
+            Self::Leaning(patch) => patch.centre(),
+            Self::Bar(patch) => patch.centre(),
+            Self::Mesh(patch) => patch.centre(),
+        }
+    }
+    fn radius(&self) -> R {
+        match self {
+            Self::Polygon(patch) => patch.radius(),
+            Self::Leaning(patch) => patch.radius(),
+            Self::Bar(patch) => patch.radius(),
+            Self::Mesh(patch) => patch.radius(),
+        }
+    }
+    fn rounding(&self) -> R {
+        match self {
+            Self::Polygon(patch) => patch.rounding(),
+            Self::Leaning(patch) => patch.rounding(),
+            Self::Bar(patch) => patch.rounding(),
+            Self::Mesh(patch) => patch.rounding(),
+        }
+    }
+    fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
+        match self {
+            Self::Polygon(patch) => patch.reduced(motion),
+            Self::Leaning(patch) => patch.reduced(motion),
+            Self::Bar(patch) => patch.reduced(motion),
+            Self::Mesh(patch) => patch.reduced(motion),
+        }
+    }
+    fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
+        match self {
+            Self::Polygon(patch) => patch.reduced_with_hessian(motion),
+            Self::Leaning(patch) => patch.reduced_with_hessian(motion),
+            Self::Bar(patch) => patch.reduced_with_hessian(motion),
+            Self::Mesh(patch) => patch.reduced_with_hessian(motion),
+        }
+    }
+}
+
+impl fmt::Display for FlatPatch {
+    /// As [`FlatPatch::from_str`] takes it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Box([a, b]) => write!(f, "box:{a}x{b}"),
+            Self::Polygon(path) => write!(f, "polygon:{}", path.display()),
+            Self::Bar(length) => write!(f, "bar:{length}"),
+            Self::Mesh(path) => write!(f, "mesh:{}", path.display()),
+        }
+    }
+}
+
+impl FromStr for FlatPatch {
+    type Err = Refusal;
+
+    fn from_str(text: &str) -> Result<Self, Refusal> {
+        let (name, rest) = text.split_once(':').unwrap_or((text, ""));
+        let positive = |what: &str, part: &str| {
+            let number = finite_number(part).map_err(|error| format!("{what}: {error}"));
+            match number {
+                Ok(x) if x > 0.0 => Ok(x),
+                Ok(x) => Err(Refusal::Syntax(format!("{what} must be > 0, not {x}"))),
+                Err(error) => Err(Refusal::Syntax(error)),
+            }
+        };
+        match (name.trim(), rest.trim()) {
+            ("box", sides) => {
+                let Some((a, b)) = sides.split_once('x') else {
+                    return Err(Refusal::Syntax(
+                        "give two sides in m, such as box:0.3x0.2".into(),
+                    ));
+                };
+                Ok(Self::Box([positive("side A", a)?, positive("side B", b)?]))
+            }
+            ("polygon", "") => Err(Refusal::Syntax(
+                "give a CSV file of corners, such as polygon:sole.csv".into(),
+            )),
+            ("polygon", file) => Ok(Self::Polygon(file.into())),
+            ("bar", "") => Err(Refusal::Syntax(
+                "give a length in m, such as bar:0.2".into(),
+            )),
+            ("mesh", "") => Err(Refusal::Syntax(
+                "give a CSV file of triangles, such as mesh:pad.csv".into(),
+            )),
+            ("mesh", file) => Ok(Self::Mesh(file.into())),
+            ("bar", length) => Ok(Self::Bar(positive("the length", length)?)),
+            _ => {
+                let all: Vec<&str> = Self::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();
+                let names = all.iter().filter_map(|syntax| syntax.split(':').next());
+                let list = format!("the patches with straight edges are {}", all.join(", "));
+                Err(Refusal::unknown("patch", text, names, list))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_and_holes_are_read_and_faults_named_by_line() {
+        let read = |text: &str| {
+            read_loops(Path::new("sole.csv"), text).map_err(|refusal| refusal.to_string())
+        };
+        let plain = read("# a triangle\nx,y\n0,0\n1,0\n0,1\n");
+        assert_eq!(plain, Ok(vec![vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]]));
+        let holed = read("loop,y,x\no,0,0\no,0,4\no,4,0\nh,1,1\nh,1,2\nh,2,1\n");
+        assert_eq!(
+            holed.map(|loops| loops[1].clone()),
+            Ok(vec![[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]])
+        );
+        for (text, reason) in [
+            ("", "sole.csv:1: the file is empty; give columns x,y[,loop]"),
+            (
+                "x,z\n0,0",
+                "sole.csv:1: the columns must be x,y or x,y,loop",
+            ),
+            (
+                "x,x,y\n0,0,0",
+                "sole.csv:1: the columns must be x,y or x,y,loop",
+            ),
+            (
+                "x,y\n0,0\n1",
+                "sole.csv:3: 1 values where there are 2 columns",
+            ),
+            (
+                "x,y\n0,0\n1,abc",
+                "sole.csv:3: y: give a number such as 0.5 or 1e-3",
+            ),
+            ("x,y\n0,nan", "sole.csv:2: y: give a finite number, not NaN"),
+            (
+                "x,y,loop\n0,0,a\n0,0,b\n0,0,a",
+                "sole.csv:4: the corners of loop a must follow each other",
+            ),
+            ("x,y\n", "sole.csv:1: there are no corners; give at least 3"),
+        ] {
+            assert_eq!(read(text), Err(reason.to_owned()), "{text:?}");
+        }
+    }
+}

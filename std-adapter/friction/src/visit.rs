@@ -1,0 +1,239 @@
+//! The kernel's own type of a patch, an exponent and a tier: decided here and nowhere else.
+
+use super::{Law, Patch, Precision, Refusal, Tier};
+use tribos_core::coupling::{Annulus, Dry, DryCoupling, Lateral, Profile, closed, compact, table};
+use tribos_core::internals::{LeanProfile, SmoothProfile};
+use tribos_core::patch::PowerPressure;
+use tribos_core::real::Real;
+
+/// Work to be done with the kernel's own type of a power of the speed on a round patch.
+///
+/// A loop inside of [`Visitor::visit`] is compiled for that type, so that an evaluation costs what it
+/// costs where the type is written down.
+///
+/// ```
+/// use tribos::friction::{Patch, RoundPower, Tier, Visitor, visit};
+/// /// Mean torque of a rim that slows down.
+/// struct Mean;
+/// impl Visitor<f64> for Mean {
+///     type Output = f64;
+///     fn visit<P: RoundPower<f64> + 'static>(self, friction: P) -> f64 {
+///         (1..=100).map(|k| friction.reduced_wrench(0.0, 0.01 * f64::from(k)).torque).sum::<f64>() / 100.0
+///     }
+/// }
+/// let dry = visit(&Patch::Ring, 0.0, Tier::Compact, Mean)?;
+/// assert!((dry - 1.0).abs() < 1e-14); // Coulomb friction does not depend on the speed
+/// # Ok::<(), tribos::friction::Refusal>(())
+/// ```
+pub trait Visitor<R: Real> {
+    /// What the work gives.
+    type Output;
+    /// Does the work.
+    fn visit<P: RoundPower<R> + 'static>(self, friction: P) -> Self::Output;
+}
+
+/// A power of the speed on a round patch, whatever its type: wrench, Jacobian, lateral force, and the
+/// profile that final motion and sliders are computed from.
+///
+/// ```
+/// use tribos::friction::{Friction, Law, Patch, RoundPower};
+/// use tribos::kernel::modes::{FinalMode, Modes};
+/// let disk = Friction::<f64>::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?;
+/// let profile: &dyn RoundPower<f64> = disk.power().ok_or("a power of the speed")?;
+/// let mode = Modes::new(profile, 0.5)?.final_mode(1.0);
+/// assert!(matches!(mode, FinalMode::Together { ratio } if (ratio - 0.653).abs() < 1e-3));
+/// let lateral = profile.as_lateral().lateral(1.0, 1.0);
+/// assert!((lateral - 32.0 / (45.0 * std::f64::consts::PI)).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait RoundPower<R: Real>: Profile<R> + Lateral<R> + Send + Sync {
+    /// The same as a lateral coupling.
+    fn as_lateral(&self) -> &dyn Lateral<R>;
+}
+
+impl<R: Real, P: Profile<R> + Lateral<R> + Send + Sync> RoundPower<R> for P {
+    fn as_lateral(&self) -> &dyn Lateral<R> {
+        self
+    }
+}
+
+/// Hands the kernel's type for |v|^`alpha` on `patch` in `tier` to `visitor`.
+///
+/// *Domain*: what [`Tier::serving`] admits; otherwise the kernel's refusal. Quadrature has no such
+/// type.
+pub fn visit<R: Precision, V: Visitor<R>>(
+    patch: &Patch,
+    alpha: f64,
+    tier: Tier,
+    visitor: V,
+) -> Result<V::Output, Refusal> {
+    match patch {
+        Patch::Annulus(inner) => {
+            let inner = R::from_f64(*inner);
+            disk(alpha, tier, InAnnulus { inner, visitor })
+        }
+        _ => smooth(patch, alpha, tier, Plain(visitor)),
+    }
+}
+
+/// [`visit`] on the uniform disk, for work that is long to compile.
+#[doc(hidden)]
+pub fn visit_disk<R: Precision, V: Visitor<R>>(
+    alpha: f64,
+    tier: Tier,
+    visitor: V,
+) -> Result<V::Output, Refusal> {
+    disk(alpha, tier, Plain(visitor))
+}
+
+/// Dry friction on the foot of a body that leans by `lean`, from 0 to 1: what the final motion of a
+/// tall body is computed from.
+///
+/// ```
+/// use tribos::friction::{Patch, leaning};
+/// use tribos::kernel::modes::{FinalMode, Modes};
+/// let ratio = |lean: f64| -> Result<f64, Box<dyn std::error::Error>> {
+///     let tall = leaning(&Patch::Disk, lean)?;
+///     match Modes::new(&*tall, 0.5)?.final_mode(1.0) {
+///         FinalMode::Together { ratio } => Ok(ratio),
+///         other => Err(format!("{other:?}").into()),
+///     }
+/// };
+/// assert!(ratio(0.8)? > ratio(0.0)?); // it settles at a larger ratio of sliding to spinning
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn Profile<f64>>, Refusal> {
+    match patch {
+        Patch::Annulus(inner) => Leaned(lean).dry(Annulus::new(table::Coulomb, *inner)?),
+        _ if patch.has_closed_form() => smooth(patch, 0.0, Tier::Compact, Leaned(lean)),
+        _ => smooth(patch, 0.0, Tier::Table, Leaned(lean)),
+    }
+}
+
+/// |v|^`alpha` on an upright `patch`, for final motion and launches: the closed form where there is one,
+/// else the quickest tier.
+///
+/// ```
+/// use tribos::friction::{Patch, upright};
+/// use tribos::kernel::modes::{Modes, inertia_interval};
+/// let ring = upright(&Patch::Ring, 0.0)?;
+/// assert_eq!(Modes::new(&*ring, 1.0)?.inertia_interval(), inertia_interval(0.0, -1.0));
+/// assert!(upright(&Patch::Polynomial(vec![1.0]), 20.0).is_err()); // tables end at 10
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn upright(patch: &Patch, alpha: f64) -> Result<Box<dyn RoundPower<f64>>, Refusal> {
+    let closed = alpha == 0.0 && patch.has_closed_form();
+    let asked = closed.then_some(Tier::Compact);
+    let tier = Tier::serving::<f64>(patch, &Law::power(1.0, alpha)?, asked)?;
+    visit(patch, alpha, tier, Boxed)
+}
+
+/// [`visit`] for every patch but the annulus.
+fn smooth<R: Precision, V: Smooth<R>>(
+    patch: &Patch,
+    alpha: f64,
+    tier: Tier,
+    visitor: V,
+) -> Result<V::Output, Refusal> {
+    let narrow = R::from_f64(alpha);
+    let is_dry = alpha == 0.0;
+    let pressure = patch.pressure().unwrap_or(PowerPressure::UNIFORM);
+    match (patch, tier) {
+        (Patch::Points(_) | Patch::Flat(_), _) => Err(Refusal::NoAxis),
+        (Patch::Disk, _) => disk(alpha, tier, visitor),
+        (_, Tier::Quadrature) => Err(Refusal::NoProfile),
+        (Patch::Polynomial(a), _) => R::polynomial(narrow, a, visitor),
+        (_, Tier::Table) => visitor.smooth(R::round(narrow, pressure)?),
+        (Patch::Ring, _) if is_dry => visitor.smooth(closed::Ring),
+        (Patch::Hertz, _) if is_dry => visitor.smooth(closed::Hertz),
+        (Patch::Punch, _) if is_dry => visitor.smooth(closed::FlatPunch),
+        _ => visitor.smooth(compact::CompactPower::with_pressure(narrow, pressure)?),
+    }
+}
+
+/// [`smooth`] for the uniform disk.
+fn disk<R: Precision, V: Smooth<R>>(
+    alpha: f64,
+    tier: Tier,
+    visitor: V,
+) -> Result<V::Output, Refusal> {
+    let narrow = R::from_f64(alpha);
+    match tier {
+        Tier::Table if alpha == 0.0 => visitor.smooth(table::Coulomb),
+        Tier::Table => visitor.smooth(R::disk(narrow)?),
+        Tier::Compact if alpha == 0.0 => visitor.smooth(compact::CompactCoulomb),
+        Tier::Compact => visitor.smooth(compact::CompactPower::new(narrow)?),
+        Tier::Quadrature => Err(Refusal::NoProfile),
+    }
+}
+
+/// Work with a profile that knows its slope: what an annulus and a lean are made of.
+pub trait Smooth<R: Real> {
+    /// What the work gives.
+    type Output;
+    /// Does the work.
+    fn smooth<P>(self, friction: P) -> Result<Self::Output, Refusal>
+    where
+        P: SmoothProfile<R> + Lateral<R> + Send + Sync + 'static;
+}
+
+/// A visitor of patches that are no annulus.
+struct Plain<V>(V);
+
+impl<R: Real, V: Visitor<R>> Smooth<R> for Plain<V> {
+    type Output = V::Output;
+    fn smooth<P>(self, friction: P) -> Result<V::Output, Refusal>
+    where
+        P: SmoothProfile<R> + Lateral<R> + Send + Sync + 'static,
+    {
+        Ok(self.0.visit(friction))
+    }
+}
+
+/// A visitor of an annulus, given its disk.
+struct InAnnulus<R, V> {
+    inner: R,
+    visitor: V,
+}
+
+impl<R: Real + 'static, V: Visitor<R>> Smooth<R> for InAnnulus<R, V> {
+    type Output = V::Output;
+    fn smooth<P>(self, disk: P) -> Result<V::Output, Refusal>
+    where
+        P: SmoothProfile<R> + Lateral<R> + Send + Sync + 'static,
+    {
+        Ok(self.visitor.visit(Annulus::new(disk, self.inner)?))
+    }
+}
+
+/// Leans dry friction by a fraction of the largest pressure gradient.
+struct Leaned(f64);
+
+impl Leaned {
+    fn dry<P>(&self, foot: P) -> Result<Box<dyn Profile<f64>>, Refusal>
+    where
+        P: Profile<f64> + DryCoupling<f64> + Lateral<f64> + 'static,
+    {
+        Ok(Box::new(LeanProfile::new(foot, self.0)?))
+    }
+}
+
+impl Smooth<f64> for Leaned {
+    type Output = Box<dyn Profile<f64>>;
+    fn smooth<P>(self, foot: P) -> Result<Self::Output, Refusal>
+    where
+        P: SmoothProfile<f64> + Lateral<f64> + Send + Sync + 'static,
+    {
+        self.dry(Dry::new(foot)?)
+    }
+}
+
+/// Puts the type behind a pointer.
+pub(super) struct Boxed;
+
+impl<R: Real> Visitor<R> for Boxed {
+    type Output = Box<dyn RoundPower<R>>;
+    fn visit<P: RoundPower<R> + 'static>(self, friction: P) -> Self::Output {
+        Box::new(friction)
+    }
+}

@@ -1,0 +1,63 @@
+//! Checkpoint files of a gas.
+
+use super::medium::Kept;
+use super::run::{Ending, Row};
+use crate::gas::scene::GasScene;
+use crate::record::kept::{damaged, groups, hex, one, opened, same_scene};
+use crate::record::{CheckpointError, sealed};
+use serde_json::{Map, Value};
+
+/// Version of the format.
+const VERSION: u64 = 1;
+/// First key of a checkpoint file.
+const NAME: &str = "tribos_gas";
+
+/// State of a run between two steps.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Checkpoint {
+    pub medium: Kept,
+    pub steps: u64,
+    pub series: Vec<Row>,
+    pub ending: Option<Ending>,
+    pub wall_seconds: f64,
+}
+
+impl Checkpoint {
+    /// Text of the checkpoint file.
+    pub fn text(&self, scene: &GasScene) -> String {
+        let mut map = Map::new();
+        map.insert(NAME.into(), VERSION.into());
+        map.insert("scene".into(), scene.json());
+        self.medium.put(&mut map);
+        let series: Vec<f64> = self.series.iter().flatten().copied().collect();
+        map.insert("series".into(), hex(&series).into());
+        map.insert("wall_seconds".into(), hex(&[self.wall_seconds]).into());
+        map.insert("gas_steps".into(), self.steps.into());
+        map.insert("ending".into(), self.ending.map(Ending::name).into());
+        sealed(map)
+    }
+
+    /// Reads a checkpoint of the same scene.
+    pub fn read(text: &str, scene: &GasScene) -> Result<Self, CheckpointError> {
+        let value = opened(text, NAME, VERSION)?;
+        same_scene(&value["scene"], &scene.json())?;
+        let series: Vec<Row> = groups(&value, "series")?;
+        if series.is_empty() {
+            return Err(damaged("series"));
+        }
+        let steps = value["gas_steps"].as_u64();
+        Ok(Self {
+            medium: Kept::read(&value, scene)?,
+            steps: steps.ok_or_else(|| damaged("gas_steps"))?,
+            series,
+            ending: match &value["ending"] {
+                Value::Null => None,
+                name => {
+                    let ending = name.as_str().and_then(Ending::named);
+                    Some(ending.ok_or_else(|| damaged("ending"))?)
+                }
+            },
+            wall_seconds: one(&value, "wall_seconds")?,
+        })
+    }
+}

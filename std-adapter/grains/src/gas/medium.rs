@@ -1,0 +1,147 @@
+//! The methods that move a gas, behind one face.
+
+use super::error::GasError;
+use super::room::edge;
+use super::state::GasState;
+use super::stepped::{KeptSteps, Stepped};
+use crate::event::{Advance, HardSpheres, Motion, Stored};
+use crate::gas::scene::{GasMethod, GasScene};
+use crate::record::CheckpointError;
+use nalgebra::Vector3;
+use serde_json::{Map, Value};
+
+/// A gas in motion.
+#[derive(Debug)]
+pub(super) enum Medium {
+    Events(Box<HardSpheres>),
+    Steps(Stepped),
+}
+
+/// What a checkpoint holds of a gas.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Kept {
+    Events(Stored),
+    Steps(Box<KeptSteps>),
+}
+
+impl Medium {
+    /// A gas at its start.
+    pub fn new(scene: &GasScene, bodies: &[(Vector3<f64>, Motion)]) -> Result<Self, GasError> {
+        let length = edge(scene.count, scene.fraction);
+        match scene.method {
+            GasMethod::Events => {
+                let gas = HardSpheres::new(length, bodies, scene.impact()?, scene.contact_time)?;
+                Ok(Self::Events(Box::new(gas)))
+            }
+            GasMethod::ContactDynamics | GasMethod::Soft => {
+                Stepped::new(scene, length, bodies).map(Self::Steps)
+            }
+        }
+    }
+
+    /// A gas that goes on from a checkpoint.
+    pub fn thawed(scene: &GasScene, kept: Kept) -> Result<Self, GasError> {
+        let length = edge(scene.count, scene.fraction);
+        match kept {
+            Kept::Events(stored) => {
+                let (law, tc) = (scene.impact()?, scene.contact_time);
+                let gas = HardSpheres::thawed(stored, length, law, tc);
+                Ok(Self::Events(Box::new(gas)))
+            }
+            Kept::Steps(kept) => Stepped::thawed(scene, length, &kept).map(Self::Steps),
+        }
+    }
+
+    /// What a checkpoint holds.
+    pub fn kept(&self) -> Kept {
+        match self {
+            Self::Events(gas) => Kept::Events(gas.freeze()),
+            Self::Steps(gas) => Kept::Steps(Box::new(gas.kept())),
+        }
+    }
+
+    /// Goes on to a number of collisions or a time, with one step at most; none if neither is reached.
+    pub fn advance(&mut self, collisions: u64, until: f64) -> Result<Option<Advance>, GasError> {
+        match self {
+            Self::Events(gas) => Ok(Some(gas.advance(collisions, until))),
+            Self::Steps(gas) => {
+                gas.step()?;
+                Ok(if gas.collisions() >= collisions {
+                    Some(Advance::Collisions)
+                } else {
+                    (gas.time() >= until).then_some(Advance::Time)
+                })
+            }
+        }
+    }
+
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::Events(gas) => gas.time(),
+            Self::Steps(gas) => gas.time(),
+        }
+    }
+
+    /// Collisions of pairs since the start.
+    pub fn collisions(&self) -> u64 {
+        match self {
+            Self::Events(gas) => gas.collisions(),
+            Self::Steps(gas) => gas.collisions(),
+        }
+    }
+
+    /// Energy lost in collisions since the start.
+    pub fn lost(&self) -> f64 {
+        match self {
+            Self::Events(gas) => gas.lost(),
+            Self::Steps(gas) => gas.lost(),
+        }
+    }
+
+    /// Collisions without loss within the contact time.
+    pub fn cured(&self) -> u64 {
+        match self {
+            Self::Events(gas) => gas.cured(),
+            Self::Steps(_) => 0,
+        }
+    }
+
+    /// Steps whose impacts were not solved to their tolerance.
+    pub fn unmet(&self) -> u64 {
+        match self {
+            Self::Events(_) => 0,
+            Self::Steps(gas) => gas.unmet(),
+        }
+    }
+
+    /// Places within the cube, velocities and spins.
+    pub fn state(&self) -> GasState {
+        match self {
+            Self::Events(gas) => GasState {
+                places: gas.places(),
+                motions: gas.motions().copied().collect(),
+            },
+            Self::Steps(gas) => gas.state(),
+        }
+    }
+}
+
+impl Kept {
+    /// Adds the state to a checkpoint.
+    pub fn put(&self, map: &mut Map<String, Value>) {
+        match self {
+            Self::Events(stored) => stored.put(map),
+            Self::Steps(kept) => kept.put(map),
+        }
+    }
+
+    /// Reads the state of a scene from a checkpoint.
+    pub fn read(value: &Value, scene: &GasScene) -> Result<Self, CheckpointError> {
+        match scene.method {
+            GasMethod::Events => Stored::read(value, scene.count).map(Self::Events),
+            GasMethod::ContactDynamics | GasMethod::Soft => {
+                KeptSteps::read(value, scene.count).map(|kept| Self::Steps(Box::new(kept)))
+            }
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Granular gases: spheres in a periodic cube that cool by their collisions.
+
+mod checkpoint;
+mod error;
+mod frames;
+mod medium;
+mod outcome;
+mod room;
+mod run;
+pub(crate) mod scene;
+mod session;
+mod size;
+mod soft;
+mod start;
+mod state;
+mod stepped;
+#[cfg(test)]
+mod tests;
+
+pub use crate::record::CheckpointError;
+pub use error::GasError;
+pub use outcome::Outcome;
+pub(crate) use room::edge;
+#[doc(hidden)]
+pub use run::COLUMNS;
+pub use run::{Ending, Gas};
+#[doc(hidden)]
+pub use size::size;
+#[doc(hidden)]
+pub use soft::{SoftCollision, soft_collision};

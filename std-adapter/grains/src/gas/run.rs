@@ -1,0 +1,402 @@
+//! A gas from its start to its end.
+
+use super::checkpoint::Checkpoint;
+use super::error::GasError;
+use super::medium::Medium;
+use super::outcome::Outcome;
+use super::room::edge;
+use super::start::start;
+use super::state::GasState;
+use super::stepped::DENSITY;
+use crate::event::{Advance, Impact, Temperatures, collision_rate};
+use crate::gas::scene::GasScene;
+use crate::record::Snapshot;
+use crate::run::Simulation;
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+/// Columns of the series: temperatures in T0; energies a sphere; `theory` the mean-field temperatures after as
+/// many collisions, `haff` the translational one after the same time.
+pub const COLUMNS: [&str; 12] = [
+    "time",
+    "collisions",
+    "temperature",
+    "temperature_rotational",
+    "theory",
+    "theory_rotational",
+    "haff",
+    "enskog_rate",
+    "energy",
+    "lost",
+    "momentum",
+    "density_variance",
+];
+
+/// Indices of columns.
+pub(super) const TIME: usize = 0;
+pub(super) const COLLISIONS: usize = 1;
+pub(super) const TRANSLATIONAL: usize = 2;
+pub(super) const ROTATIONAL: usize = 3;
+pub(super) const THEORY: usize = 4;
+pub(super) const THEORY_ROTATIONAL: usize = 5;
+pub(super) const HAFF: usize = 6;
+pub(super) const ENERGY: usize = 8;
+pub(super) const LOST: usize = 9;
+pub(super) const MOMENTUM: usize = 10;
+pub(super) const VARIANCE: usize = 11;
+
+/// A row of the series.
+pub(super) type Row = [f64; COLUMNS.len()];
+
+/// Why a run ended.
+///
+/// ```
+/// use tribos::gas::{Ending, Gas};
+/// use tribos::run::drive;
+/// # use tribos::scene::GasScene;
+/// // Dense and dissipative: infinitely many collisions in a finite time.
+/// let scene = GasScene { count: 500, fraction: 0.5, restitution: 0.2, collisions: 1e3, ..GasScene::default() };
+/// let mut gas = Gas::new(&scene)?;
+/// drive(&mut gas, |_, _| ())?;
+/// assert_eq!(gas.ending(), Some(Ending::Collapse));
+/// # Ok::<(), tribos::gas::GasError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// The scene's number of collisions was reached.
+    Collisions,
+    /// The scene's duration elapsed.
+    Time,
+    /// Inelastic collapse: time stands still while collisions go on.
+    Collapse,
+    /// No sphere will meet another one.
+    Rest,
+}
+
+impl Ending {
+    const ALL: [Self; 4] = [Self::Collisions, Self::Time, Self::Collapse, Self::Rest];
+
+    /// Name in summaries and checkpoints.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Collisions => "collisions",
+            Self::Time => "time",
+            Self::Collapse => "collapse",
+            Self::Rest => "rest",
+        }
+    }
+
+    pub(super) fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|ending| ending.name() == name)
+    }
+}
+
+/// A gas in progress.
+///
+/// ```
+/// use tribos::gas::{COLUMNS, Gas};
+/// use tribos::run::drive;
+/// use tribos::scene::GasScene;
+/// let scene = GasScene { count: 500, restitution: 0.95, collisions: 6.0, ..GasScene::default() };
+/// let mut gas = Gas::new(&scene)?;
+/// drive(&mut gas, |_, _| ())?;
+/// // Haff's law: T = exp(-(1 - e²) C/3) after C collisions a sphere.
+/// let end = gas.outcome();
+/// assert!((end.temperature / (-0.195_f64).exp() - 1.0).abs() < 0.03);
+/// assert!(end.momentum < 1e-10);
+/// assert_eq!(gas.series().last().map(|row| row.len()), Some(COLUMNS.len()));
+/// # Ok::<(), tribos::gas::GasError>(())
+/// ```
+#[derive(Debug)]
+pub struct Gas {
+    scene: GasScene,
+    law: Impact,
+    length: f64,
+    medium: Medium,
+    steps: u64,
+    series: Vec<Row>,
+    ending: Option<Ending>,
+    radii: Vec<f64>,
+    wall_seconds: f64,
+    started: Instant,
+}
+
+impl Gas {
+    /// Starts from the scene's mixed state.
+    pub fn new(scene: &GasScene) -> Result<Self, GasError> {
+        Self::begin(scene, None, |_| ControlFlow::Continue(()))
+    }
+
+    /// Continues from a [checkpoint](Gas::checkpoint) of a run of the same scene, with the same bits as without
+    /// interruption.
+    ///
+    /// ```
+    /// use tribos::gas::Gas;
+    /// use tribos::run::Simulation;
+    /// # use tribos::scene::GasScene;
+    /// # let scene = GasScene { count: 100, ..GasScene::default() };
+    /// let mut whole = Gas::new(&scene)?;
+    /// whole.step()?;
+    /// let mut broken = Gas::resume(&scene, &whole.checkpoint())?;
+    /// whole.step()?;
+    /// broken.step()?;
+    /// assert_eq!(broken.series(), whole.series());
+    /// # Ok::<(), tribos::gas::GasError>(())
+    /// ```
+    pub fn resume(scene: &GasScene, checkpoint: &str) -> Result<Self, GasError> {
+        Self::begin(scene, Some(checkpoint), |_| ControlFlow::Continue(()))
+    }
+
+    /// Starts [anew](Self::new) or [resumes](Self::resume); `watch` can stop the mixing of the start.
+    pub fn begin(
+        scene: &GasScene,
+        checkpoint: Option<&str>,
+        mut watch: impl FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Self, GasError> {
+        scene.check()?;
+        let kept = checkpoint.map(|text| Checkpoint::read(text, scene));
+        let (medium, steps, series, ending, wall_seconds) = match kept.transpose()? {
+            Some(kept) => (
+                Medium::thawed(scene, kept.medium)?,
+                kept.steps,
+                kept.series,
+                kept.ending,
+                kept.wall_seconds,
+            ),
+            None => {
+                let bodies = start(scene, &mut watch)?;
+                (Medium::new(scene, &bodies)?, 0, Vec::new(), None, 0.0)
+            }
+        };
+        let mut gas = Self {
+            scene: scene.clone(),
+            law: scene.impact()?,
+            length: edge(scene.count, scene.fraction),
+            medium,
+            steps,
+            series,
+            ending,
+            radii: vec![1.0; scene.count],
+            wall_seconds,
+            started: Instant::now(),
+        };
+        if gas.series.is_empty() {
+            let first = gas.record();
+            gas.series.push(first);
+        }
+        Ok(gas)
+    }
+
+    /// The run as a checkpoint file.
+    pub fn checkpoint(&self) -> String {
+        let checkpoint = Checkpoint {
+            medium: self.medium.kept(),
+            steps: self.steps,
+            series: self.series.clone(),
+            ending: self.ending,
+            wall_seconds: self.wall_seconds(),
+        };
+        checkpoint.text(&self.scene)
+    }
+
+    /// The scene of the run.
+    pub(super) fn scene(&self) -> &GasScene {
+        &self.scene
+    }
+
+    /// Edge of the cube, in R.
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// Number of steps so far: of lines of the series with events, of time steps else.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Current time.
+    pub fn time(&self) -> f64 {
+        self.medium.time()
+    }
+
+    /// Collisions a sphere since the start; one of a pair counts for both.
+    pub fn collisions(&self) -> f64 {
+        2.0 * self.medium.collisions() as f64 / self.scene.count as f64
+    }
+
+    /// Why the run has ended, if it has.
+    pub fn ending(&self) -> Option<Ending> {
+        self.ending
+    }
+
+    /// Rows of the series so far, with the columns of [`COLUMNS`].
+    pub fn series(&self) -> &[[f64; COLUMNS.len()]] {
+        &self.series
+    }
+
+    /// The current state.
+    pub(super) fn state(&self) -> GasState {
+        self.medium.state()
+    }
+
+    /// Calls `export` with the current state.
+    pub fn with_snapshot<T>(&self, export: impl FnOnce(&Snapshot<'_>) -> T) -> Result<T, GasError> {
+        let state = self.state();
+        let velocities: Vec<Vector3<f64>> = state.motions.iter().map(|m| m.velocity).collect();
+        let spins: Vec<Vector3<f64>> = state.motions.iter().map(|m| m.spin).collect();
+        Ok(export(&Snapshot {
+            time: self.time(),
+            space: PeriodicBox::new([Some(self.length); 3])?,
+            extents: [[0.0, self.length]; 3],
+            positions: &state.places,
+            radii: &self.radii,
+            velocities: Some(&velocities),
+            spins: Some(&spins),
+            species: None,
+            materials: None,
+            densities: Some(&vec![DENSITY; self.radii.len()]),
+            contacts: &[],
+        }))
+    }
+
+    /// Summary of the run so far.
+    pub fn outcome(&self) -> Outcome {
+        let now = self.record();
+        let first = self.series.first().copied().unwrap_or(now);
+        Outcome {
+            ending: self.ending,
+            time: now[TIME],
+            steps: self.steps,
+            particles: self.scene.count,
+            length: self.length,
+            collisions: now[COLLISIONS],
+            temperature: now[TRANSLATIONAL],
+            temperature_rotational: now[ROTATIONAL],
+            theory: now[THEORY],
+            theory_rotational: now[THEORY_ROTATIONAL],
+            haff: now[HAFF],
+            energy: [first[ENERGY], now[ENERGY]],
+            lost: now[LOST],
+            momentum: now[MOMENTUM],
+            density_variance: [first[VARIANCE], now[VARIANCE]],
+            cured: self.medium.cured(),
+            unmet: self.medium.unmet(),
+            wall_seconds: self.wall_seconds(),
+        }
+    }
+
+    fn wall_seconds(&self) -> f64 {
+        self.wall_seconds + self.started.elapsed().as_secs_f64()
+    }
+
+    /// Collisions of pairs for so many a sphere.
+    fn pairs(&self, collisions: f64) -> u64 {
+        (0.5 * collisions * self.scene.count as f64).ceil() as u64
+    }
+
+    /// Collisions of pairs at the next line of the series.
+    fn next_line(&self) -> u64 {
+        let line = self.series.len() as f64 * self.scene.sample;
+        self.pairs(line.min(self.scene.collisions))
+    }
+
+    /// Mean-field temperatures, on from the last line.
+    fn theory(&self, collisions: f64, measured: Temperatures) -> Temperatures {
+        let Some(last) = self.series.last() else {
+            return measured;
+        };
+        let then = Temperatures {
+            translational: last[THEORY],
+            rotational: last[THEORY_ROTATIONAL],
+        };
+        let since = collisions - last[COLLISIONS];
+        if since > 0.0 {
+            then.after(since, &self.law)
+        } else {
+            then
+        }
+    }
+
+    /// Haff's law of smooth spheres: T₀/(1 + t/τ)², 1/τ = (1 − e²)/6 of the collision rate at the start.
+    fn haff(&self, time: f64, now: f64) -> f64 {
+        let first = self.series.first().map_or(now, |row| row[TRANSLATIONAL]);
+        let e = self.law.restitution();
+        let rate = (1.0 - e * e) / 6.0 * collision_rate(self.scene.fraction, first);
+        let slowed = 1.0 + rate * time;
+        first / (slowed * slowed)
+    }
+
+    /// The current row, if all its values are finite.
+    fn finite_record(&self) -> Result<Row, GasError> {
+        let record = self.record();
+        let bad = COLUMNS.into_iter().zip(record);
+        match bad.into_iter().find(|(_, value)| !value.is_finite()) {
+            Some((column, value)) => Err(GasError::NotFinite {
+                step: self.steps,
+                column,
+                value,
+            }),
+            None => Ok(record),
+        }
+    }
+}
+
+impl Simulation for Gas {
+    type Record = Row;
+    type Error = GasError;
+
+    fn record(&self) -> Row {
+        let state = self.state();
+        let now = state.temperatures();
+        let (time, collisions) = (self.time(), self.collisions());
+        let theory = self.theory(collisions, now);
+        [
+            time,
+            collisions,
+            now.translational,
+            now.rotational,
+            theory.translational,
+            theory.rotational,
+            self.haff(time, now.translational),
+            collision_rate(self.scene.fraction, now.translational),
+            state.energy(),
+            self.medium.lost() / self.scene.count as f64,
+            state.momentum().norm(),
+            state.density_variance(self.length),
+        ]
+    }
+
+    /// A run that has ended takes no more steps.
+    fn step(&mut self) -> Result<bool, GasError> {
+        if self.ending.is_some() {
+            return Ok(false);
+        }
+        let (next, all) = (self.next_line(), self.pairs(self.scene.collisions));
+        let until = self.scene.duration.unwrap_or(f64::INFINITY);
+        let stop = self.medium.advance(next, until)?;
+        self.steps += 1;
+        self.ending = match stop {
+            Some(Advance::Time) => Some(Ending::Time),
+            Some(Advance::Collapse) => Some(Ending::Collapse),
+            Some(Advance::Rest) => Some(Ending::Rest),
+            Some(Advance::Collisions) if self.medium.collisions() >= all => {
+                Some(Ending::Collisions)
+            }
+            _ => None,
+        };
+        if stop.is_some() {
+            let record = self.finite_record()?;
+            self.series.push(record);
+        }
+        Ok(self.ending.is_none())
+    }
+
+    fn progress(&self) -> f64 {
+        let of_time = self.scene.duration.map_or(0.0, |end| self.time() / end);
+        of_time
+            .max(self.collisions() / self.scene.collisions)
+            .min(1.0)
+    }
+}

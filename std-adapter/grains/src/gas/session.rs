@@ -1,0 +1,43 @@
+//! Gases as long runs.
+
+use super::{Gas, GasError};
+use crate::gas::scene::GasScene;
+use crate::record::frames::{Bodies, Frame};
+use crate::run::{Cause, LongRun};
+use std::ops::ControlFlow;
+
+impl LongRun for Gas {
+    type Scene = GasScene;
+
+    fn begin(
+        scene: &GasScene,
+        checkpoint: Option<&str>,
+        growing: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Self, GasError> {
+        Self::begin(scene, checkpoint, growing)
+    }
+
+    fn cause(error: &GasError) -> Cause {
+        match error {
+            GasError::Checkpoint(_) => Cause::Checkpoint,
+            GasError::Stopped => Cause::Stopped,
+            _ => Cause::Scene,
+        }
+    }
+
+    fn checkpoint(&self) -> String {
+        self.checkpoint()
+    }
+
+    fn steps(&self) -> u64 {
+        self.steps()
+    }
+
+    fn bodies(&self, limit: u64) -> Bodies {
+        self.bodies(limit)
+    }
+
+    fn frame(&self) -> Frame {
+        self.frame()
+    }
+}

@@ -1,0 +1,171 @@
+//! Where the grains of a run come from: random places, a file, or the last state of another run.
+
+use super::error::GrainsError;
+use super::layout::{Face, Layout, Part};
+use super::placement::{self, Start};
+use crate::cd::Wall;
+use crate::grains::scene::{Axis, Container, Ends, GrainsScene, Sides};
+use crate::packing::AssemblyError;
+use crate::packing::method::ContactMethod;
+use crate::packing::{Frozen, Kinds, deepest, given};
+use nalgebra::Vector3;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+/// Largest distance of grains from the plane of a flat box that counts as the rounding of a file, in radii of the
+/// largest: twice that of frames, which count in 65535ths of two such radii.
+const OFF_PLANE: f64 = 2.0 / 65_535.0;
+
+/// Grains at their random places, or those that the scene names.
+pub(super) fn start(
+    scene: &GrainsScene,
+    watch: impl FnMut(usize) -> ControlFlow<()>,
+) -> Result<Start, GrainsError> {
+    match &scene.start {
+        Some(path) => read(scene, path),
+        None => Ok(placement::start(scene, watch)?),
+    }
+}
+
+/// Grains of a file or a run in the box of the scene.
+fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
+    let (flat, depth) = (scene.is_flat(), scene.box_depth());
+    let x = (scene.x == Sides::Periodic).then_some((scene.width, "width"));
+    let y = (scene.y == Sides::Periodic && !flat).then_some((depth, "depth"));
+    let z = (scene.z == Ends::Periodic).then(|| (scene.height.unwrap_or(0.0), "height"));
+    let mut assembly = given(path, [x, y, z], (scene.radius, scene.method))?;
+    if scene.method == ContactMethod::Soft && assembly.space.offset() != 0.0 {
+        return Err(AssemblyError::Content {
+            file: path.display().to_string(),
+            reason: "its cell leans along x over z, and springs know no sheared images; \
+                     set method = \"contact-dynamics\""
+                .into(),
+        }
+        .into());
+    }
+    let frozen = assembly.frozen.take();
+    let mut start = Start {
+        positions: assembly.positions.clone(),
+        radii: assembly.radii.clone(),
+        kinds: Kinds::given(
+            &assembly,
+            (scene.seed, scene.share_second),
+            (&scene.material(), &scene.differences()),
+        ),
+        contacts: Vec::new(),
+        frozen: None,
+    };
+    let layout = Layout::of(scene, &start)?;
+    let inward: Vec<Vector3<f64>> = layout.parts.iter().map(|part| part.inward).collect();
+    if let Some(frozen) = frozen.filter(|_| assembly.outward == inward) {
+        // The walls are those of the scene: everything goes on where it was.
+        // What closes the slot anew cuts through grains that were on their way.
+        check_walls(scene, path, &start, &layout, |part| part.face == Face::Lid)?;
+        start.contacts = assembly.contacts;
+        start.frozen = Some(frozen.at_start(scene.method == ContactMethod::Soft));
+        return Ok(start);
+    }
+
+    // The box of the file begins where that of the scene does, and the lowest grain lies on the floor. In a hopper
+    // or a drum grains stay where they are in the box of the file, or at their coordinates without one.
+    let mut origin = Vector3::from(assembly.bounds.map(|[low, _]| low));
+    if scene.container != Container::Box {
+        if !assembly.has_box {
+            (origin.x, origin.z) = (0.0, 0.0);
+        }
+    } else if z.is_none() {
+        origin.z = assembly.extent(2)[0];
+    }
+    if flat {
+        origin.y = 0.0;
+    }
+    for place in &mut start.positions {
+        *place -= origin;
+    }
+    let layout = Layout::of(scene, &start)?;
+    check_inside(scene, path, &start, &layout)?;
+    if flat {
+        start.positions.iter_mut().for_each(|place| place.y = 0.0);
+    }
+    let walls = layout.parts.iter().map(|part| part.place);
+    start.frozen = Some(Frozen::moving(start.positions.clone(), &assembly, walls));
+    Ok(start)
+}
+
+/// Refuses grains beyond a wall, and grains beside the plane of a flat box.
+fn check_inside(
+    scene: &GrainsScene,
+    path: &Path,
+    start: &Start,
+    layout: &Layout,
+) -> Result<(), AssemblyError> {
+    let refused = |reason: String| AssemblyError::Content {
+        file: path.display().to_string(),
+        reason,
+    };
+    let ends = [
+        (scene.x == Sides::Walls).then_some((scene.width, "x", "width")),
+        (scene.y == Sides::Walls).then_some((scene.box_depth(), "y", "depth")),
+        scene
+            .height
+            .filter(|_| scene.z == Ends::Walls)
+            .map(|height| (height, "z", "height")),
+    ];
+    // Soft grains may reach as far into a wall as into each other.
+    let beyond = deepest(scene.method);
+    let off_plane = OFF_PLANE * start.radii.iter().copied().fold(0.0, f64::max);
+    for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {
+        for (axis, end) in ends.into_iter().enumerate() {
+            let Some((length, name, key)) = end else {
+                continue;
+            };
+            let room = (1.0 - beyond) * radius;
+            if place[axis] < room || place[axis] > length - room {
+                return Err(refused(format!(
+                    "grain {grain} (from 0) reaches beyond the walls at {name} = 0 and {length}; make `{key}` larger"
+                )));
+            }
+        }
+        if scene.is_flat() && place.y.abs() > off_plane {
+            return Err(refused(format!(
+                "grain {grain} (from 0) is at y = {}; with dimension = 2 all are at y = 0",
+                place.y
+            )));
+        }
+    }
+    let is_side = |part: &Part| matches!(part.face, Face::Side(Axis::X | Axis::Y, _));
+    check_walls(scene, path, start, layout, |part| !is_side(part))
+}
+
+/// Refuses grains that reach into some of the walls, as far as these are shut.
+fn check_walls(
+    scene: &GrainsScene,
+    path: &Path,
+    start: &Start,
+    layout: &Layout,
+    is_meant: impl Fn(&Part) -> bool,
+) -> Result<(), AssemblyError> {
+    let beyond = deepest(scene.method);
+    let is_shut = |part: &&Part| part.face != Face::Lid || scene.opening > 0.0;
+    let meant = layout.parts.iter().filter(|part| is_meant(part));
+    let walls: Vec<Wall> = meant.filter(is_shut).map(Part::wall).collect();
+    for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {
+        let meets =
+            |wall: &Wall| wall.facing(&layout.space, place).height < (1.0 - beyond) * radius;
+        if walls.iter().any(meets) {
+            let container = scene.container;
+            return Err(AssemblyError::Content {
+                file: path.display().to_string(),
+                reason: format!(
+                    "grain {grain} (from 0), at x = {} and z = {}, reaches into the {container}; grains keep the places \
+                     of the file in it",
+                    place.x, place.z
+                ),
+            });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,84 @@
+//! Hoppers and drums: walls beside those of the box, and the room that they leave.
+
+use super::layout::{Face, Part};
+use crate::cd::Rectangle;
+use crate::grains::scene::{Container, GrainsScene, Sides};
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+/// Planes around a drum. A polygon of 64 sides lies within 0.12 % of the radius from its circle, and each
+/// side moves along itself, so that the drum turns without a bump.
+const FACETS: usize = 64;
+/// Ends of a side without edges.
+const ENDLESS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// Walls of the container.
+pub(super) fn walls(scene: &GrainsScene) -> Vec<Part> {
+    match scene.container {
+        Container::Box => Vec::new(),
+        Container::Hopper => hopper(scene).into(),
+        Container::Drum => drum(scene),
+    }
+}
+
+/// Two plates from the sides down to the slot, and the lid between their edges.
+fn hopper(scene: &GrainsScene) -> [Part; 3] {
+    let (sin, cos) = libm::sincos(scene.slope.to_radians());
+    let plate = |side: f64| {
+        let edge = 0.5 * (scene.width + side * scene.outlet);
+        let slot = Vector3::new(edge, 0.0, scene.outlet_height);
+        let inward = Vector3::new(-side * sin, 0.0, cos);
+        // Up the plate, from the slot on. Without walls the two plates meet where the box repeats.
+        let along = Vector3::new(side * cos, 0.0, sin);
+        let low = along.dot(&slot);
+        let high = match scene.x {
+            Sides::Walls => f64::INFINITY,
+            Sides::Periodic => low + 0.5 * (scene.width - scene.outlet) / cos,
+        };
+        Part {
+            face: Face::Slope,
+            inward,
+            place: inward.dot(&slot),
+            edges: Some(Rectangle {
+                along,
+                ends: [[low, high], ENDLESS],
+            }),
+        }
+    };
+    let ends = [-1.0, 1.0].map(|side| 0.5 * (scene.width + side * scene.outlet));
+    let lid = Part {
+        face: Face::Lid,
+        inward: Vector3::z(),
+        place: scene.outlet_height,
+        edges: Some(Rectangle {
+            along: Vector3::x(),
+            ends: [ends, ENDLESS],
+        }),
+    };
+    [plate(-1.0), plate(1.0), lid]
+}
+
+/// Facets around the axis of a drum.
+fn drum(scene: &GrainsScene) -> Vec<Part> {
+    let radius = 0.5 * scene.width;
+    let centre = Vector3::new(radius, 0.0, radius);
+    let facet = |index: usize| {
+        let (sin, cos) = libm::sincos(TAU * index as f64 / FACETS as f64);
+        let out = Vector3::new(cos, 0.0, sin);
+        Part {
+            // A rotation about y moves what lies at `out` along y × out.
+            face: Face::Facet(Vector3::new(sin, 0.0, -cos)),
+            inward: -out,
+            place: -out.dot(&centre) - radius,
+            edges: None,
+        }
+    };
+    (0..FACETS).map(facet).collect()
+}
+
+/// Whether a grain may start at a place.
+pub(super) fn has_room(scene: &GrainsScene, place: &Vector3<f64>, radius: f64) -> bool {
+    let is_lower = scene.container == Container::Hopper && place.z < scene.outlet_height + radius;
+    let fits = |part: &Part| part.inward.dot(place) - part.place >= radius;
+    !is_lower && walls(scene).iter().all(fits)
+}

@@ -1,0 +1,182 @@
+//! What drives the grains: gravity, pistons, moving plates, shaking, each at its time.
+
+use super::layout::{End, Face, Layout, PLATE, Part};
+use super::ramp::Ramp;
+use crate::cd::Rectangle;
+use crate::grains::scene::{Axis, GrainsScene};
+use crate::packing::Packing;
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+/// How a wall is driven along its normal.
+#[derive(Clone, Debug)]
+enum Control {
+    /// With the box, which may be shaken.
+    Box,
+    /// By a stress.
+    Stress(Ramp),
+    /// With a speed along the axis.
+    Speed(Ramp),
+    /// Not at all.
+    Fixed,
+    /// Opened at the time of the scene.
+    Lid,
+    /// Along itself with the drum.
+    Facet(Vector3<f64>),
+}
+
+/// The loads of a scene.
+#[derive(Clone, Debug)]
+pub(super) struct Loads {
+    gravity: Ramp,
+    angle: Ramp,
+    plate_speed: Ramp,
+    wall_speed: Ramp,
+    /// Controls of the walls, in their order, with their places at the start.
+    walls: Vec<(Face, Control, f64)>,
+    /// Rate of rotation of a drum, its radius, and the opening of a hopper.
+    drum: (Ramp, f64),
+    opening: f64,
+    shake: Shake,
+    repeat: Option<f64>,
+}
+
+/// A harmonic motion of the box.
+#[derive(Clone, Copy, Debug)]
+struct Shake {
+    amplitude: f64,
+    /// Angular frequency.
+    rate: f64,
+    axis: Axis,
+}
+
+impl Loads {
+    /// The loads of a scene on the walls of its box.
+    pub fn of(scene: &GrainsScene, layout: &Layout) -> Self {
+        let control = |face: Face| match face {
+            Face::Side(_, End::Low) => Control::Box,
+            Face::Side(axis, End::High) => match (scene.pressure(axis), scene.velocity(axis)) {
+                (Some(stress), _) => Control::Stress(stress.clone()),
+                (None, Some(speed)) => Control::Speed(speed.clone()),
+                (None, None) => Control::Box,
+            },
+            Face::Slope => Control::Fixed,
+            Face::Lid => Control::Lid,
+            Face::Facet(along) => Control::Facet(along),
+        };
+        let wall = |part: &Part| (part.face, control(part.face), part.place);
+        Self {
+            gravity: scene.gravity.clone(),
+            angle: scene.gravity_angle.clone(),
+            plate_speed: scene.plate_speed.clone(),
+            wall_speed: scene.wall_speed.clone(),
+            walls: layout.parts.iter().map(wall).collect(),
+            drum: (scene.drum_rate.clone(), 0.5 * scene.width),
+            opening: scene.opening,
+            shake: Shake {
+                amplitude: scene.shake_amplitude,
+                rate: TAU * scene.shake_frequency,
+                axis: scene.shake_axis,
+            },
+            repeat: scene.repeat,
+        }
+    }
+
+    /// Whether a wall is a piston.
+    pub fn is_piston(&self, wall: usize) -> bool {
+        let control = self.walls.get(wall).map(|(_, control, _)| control);
+        matches!(control, Some(Control::Stress(_)))
+    }
+
+    /// The value of a ramp at a time, and its integral from the start.
+    fn follow(&self, ramp: &Ramp, time: f64) -> [f64; 2] {
+        match self.repeat {
+            None => [ramp.at(time), ramp.integral(time)],
+            Some(period) => {
+                let cycles = (time / period).floor();
+                let phase = time - cycles * period;
+                let whole = cycles * ramp.integral(period);
+                [ramp.at(phase), whole + ramp.integral(phase)]
+            }
+        }
+    }
+
+    /// Acceleration of the grains at a time.
+    pub fn gravity(&self, time: f64) -> Vector3<f64> {
+        let [strength, _] = self.follow(&self.gravity, time);
+        let [angle, _] = self.follow(&self.angle, time);
+        let (sin, cos) = libm::sincos(angle.to_radians());
+        Vector3::new(strength * sin, 0.0, -strength * cos)
+    }
+
+    /// Speed of the plate above along x at a time.
+    pub fn plate_speed(&self, time: f64) -> f64 {
+        self.follow(&self.plate_speed, time)[0]
+    }
+
+    /// Sets gravity and walls for a step from this time on. Walls that follow a speed or the shaking are
+    /// put where their motion has taken them by then.
+    pub fn apply(&self, layout: &Layout, packing: &mut dyn Packing) {
+        let (time, _) = packing.clock();
+        let extents = layout.extents(packing.walls());
+        packing.set_gravity(self.gravity(time));
+        let (shift, swing) = self.shake.at(time);
+        let walls = packing.walls_mut().iter_mut();
+        for (wall, (face, control, start)) in walls.zip(&self.walls) {
+            let (area, axis) = match face {
+                Face::Side(axis, _) => (Layout::area(&extents, *axis), axis.unit()),
+                _ => (0.0, Vector3::zeros()),
+            };
+            let across = match face {
+                &PLATE => Vector3::x() * self.plate_speed(time),
+                Face::Side(Axis::X | Axis::Y, _) => {
+                    Vector3::z() * self.follow(&self.wall_speed, time)[0]
+                }
+                _ => Vector3::zeros(),
+            };
+            match control {
+                Control::Box => {
+                    wall.place = start + wall.outward.dot(&shift);
+                    wall.plate.velocity = swing + across;
+                }
+                Control::Stress(stress) => {
+                    let [stress, _] = self.follow(stress, time);
+                    wall.force = stress * area;
+                    let along = axis * axis.dot(&wall.plate.velocity);
+                    wall.plate.velocity = along + across;
+                }
+                Control::Speed(speed) => {
+                    let [speed, way] = self.follow(speed, time);
+                    wall.place = start + wall.outward.dot(&axis) * way;
+                    wall.plate.velocity = axis * speed + across;
+                }
+                Control::Facet(along) => {
+                    let (rate, radius) = &self.drum;
+                    let [rate, _] = self.follow(rate, time);
+                    // Roundings of its motion must not add up.
+                    wall.place = *start;
+                    wall.plate.velocity = along * (rate * radius);
+                }
+                Control::Lid if time >= self.opening => {
+                    wall.edges = Some(Rectangle::NONE);
+                }
+                Control::Lid | Control::Fixed => {}
+            }
+        }
+    }
+}
+
+impl Shake {
+    /// Displacement and velocity of the box at a time.
+    fn at(&self, time: f64) -> (Vector3<f64>, Vector3<f64>) {
+        if self.amplitude == 0.0 {
+            return (Vector3::zeros(), Vector3::zeros());
+        }
+        let (sin, cos) = libm::sincos(self.rate * time);
+        let axis = self.axis.unit();
+        (
+            axis * (self.amplitude * sin),
+            axis * (self.amplitude * self.rate * cos),
+        )
+    }
+}

@@ -1,0 +1,269 @@
+//! What is measured of the grains after a step.
+
+use super::layout::{End, Face, Layout, PLATE, inward};
+use super::loads::Loads;
+use super::parts::volume;
+use crate::cd::StepReport;
+use crate::grains::scene::{Axis, Container, Ends, GrainsScene};
+use crate::packing::{Packing, Stress, branch, is_at};
+use crate::record::ContactRow;
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+/// Columns of the series, in the units of the scene.
+pub const COLUMNS: [&str; 35] = [
+    "time",
+    "step",
+    "width",
+    "depth",
+    "height",
+    "solid_fraction",
+    "kinetic",
+    "speed",
+    "contacts",
+    "coordination",
+    "floor_force",
+    "plate_force",
+    "side_force_x",
+    "side_force_y",
+    "stress_xx",
+    "stress_yy",
+    "stress_zz",
+    "stress_xz",
+    "plate_stress",
+    "shear_stress",
+    "plate_speed",
+    "shear_rate",
+    "gravity_x",
+    "gravity_z",
+    "surface_angle",
+    "discharged",
+    "sweeps",
+    "residual",
+    "work",
+    "dissipated_normal",
+    "dissipated_sliding",
+    "dissipated_rolling",
+    "dissipated_torsion",
+    "dissipated_cohesion",
+    "viscosity",
+];
+
+/// A line of the series.
+pub(super) type Line = [f64; COLUMNS.len()];
+
+/// State of the packing after a step, for measurements.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Now<'a> {
+    pub scene: &'a GrainsScene,
+    pub layout: &'a Layout,
+    pub loads: &'a Loads,
+    pub packing: &'a dyn Packing,
+    pub contacts: &'a [ContactRow],
+    pub report: &'a StepReport,
+}
+
+impl Now<'_> {
+    /// Low and high coordinates of the volume that the grains fill. Below an open top it ends at twice the
+    /// mean height of the centres, weighted with mass: the surface of a level bed.
+    pub fn extents(&self) -> [[f64; 2]; 3] {
+        let mut extents = self.layout.extents(self.packing.walls());
+        if self.scene.z == Ends::Floor && self.scene.container != Container::Drum {
+            let low = extents[2][0];
+            let (mut sum, mut mass) = (0.0, 0.0);
+            for (x, radius) in self.packing.positions().iter().zip(self.packing.radii()) {
+                let cube = radius * radius * radius;
+                sum += cube * (x.z - low);
+                mass += cube;
+            }
+            extents[2][1] = low + 2.0 * sum / mass;
+        }
+        extents
+    }
+
+    /// Share of the volume, or of the area in two dimensions, that is solid.
+    pub fn solid_fraction(&self, [width, depth, height]: [f64; 3]) -> f64 {
+        let radii = self.packing.radii().iter();
+        if self.scene.is_flat() {
+            let area: f64 = radii.map(|radius| PI * radius * radius).sum();
+            area / (width * height)
+        } else {
+            let solid: f64 = radii.map(|radius| volume(*radius)).sum();
+            solid / (width * depth * height)
+        }
+    }
+
+    /// Force of the grains on a wall; zero if there is none.
+    pub fn force(&self, face: Face) -> Vector3<f64> {
+        let Some(wall) = self.layout.wall(face) else {
+            return Vector3::zeros();
+        };
+        let at_wall = self.contacts.iter().filter(|row| is_at(row, wall));
+        at_wall.map(|row| row.force).sum()
+    }
+
+    /// Force of the grains that pushes a wall outwards.
+    pub fn push(&self, axis: Axis, end: End) -> f64 {
+        -self.force(Face::Side(axis, end)).dot(&inward(axis, end))
+    }
+
+    /// Stress of the contacts in a volume.
+    pub fn stress(&self, volume: f64) -> Stress {
+        let radii = self.packing.radii();
+        Stress::of(self.contacts, |contact| branch(contact, radii), volume)
+    }
+
+    /// Root mean square speed of the grains.
+    pub fn speed(&self) -> f64 {
+        let spheres = self.packing.spheres();
+        let squares = spheres.iter().map(|sphere| sphere.velocity.norm_squared());
+        (squares.sum::<f64>() / spheres.len().max(1) as f64).sqrt()
+    }
+
+    /// Mean number of contacts of a grain, walls included.
+    fn coordination(&self) -> f64 {
+        let ends = |row: &ContactRow| 1 + usize::from(row.b.particle().is_some());
+        let ends: usize = self.contacts.iter().map(ends).sum();
+        ends as f64 / self.packing.radii().len().max(1) as f64
+    }
+
+    /// The current line of the series.
+    pub fn line(&self) -> Line {
+        let (time, step) = self.packing.clock();
+        let extents = self.extents();
+        let [width, depth, height] = extents.map(|[low, high]| high - low);
+        let stress = self.stress(width * depth * height).total();
+        let energy = self.packing.energy();
+        let gravity = self.loads.gravity(time);
+        let plate_area = Layout::area(&extents, Axis::Z);
+        let plate = self.force(PLATE);
+        let plate_speed = self.loads.plate_speed(time);
+        [
+            time,
+            step as f64,
+            width,
+            depth,
+            height,
+            self.solid_fraction([width, depth, height]),
+            energy.kinetic,
+            self.speed(),
+            self.contacts.len() as f64,
+            self.coordination(),
+            self.push(Axis::Z, End::Low),
+            self.push(Axis::Z, End::High),
+            self.push(Axis::X, End::High),
+            self.push(Axis::Y, End::High),
+            stress.m11,
+            stress.m22,
+            stress.m33,
+            stress.m13,
+            plate.z / plate_area,
+            self.shear_stress(-plate.x / plate_area, stress.m13),
+            plate_speed,
+            self.scene.shear_rate.unwrap_or(plate_speed / height),
+            gravity.x,
+            gravity.z,
+            self.surface_angle(),
+            self.discharged(),
+            self.report.iterations.sweeps as f64,
+            self.report.residual.relative,
+            energy.work,
+            energy.normal,
+            energy.sliding,
+            energy.rolling,
+            energy.torsion,
+            energy.cohesion,
+            self.viscosity(stress.m13),
+        ]
+    }
+
+    /// Shear stress on the plate; of the contacts in a sheared box without walls.
+    fn shear_stress(&self, plate: f64, stress_xz: f64) -> f64 {
+        if self.scene.shear_rate.is_none() {
+            plate
+        } else {
+            -stress_xz
+        }
+    }
+
+    /// Shear stress of the contacts over the rate of a sheared box; 0 without a rate.
+    fn viscosity(&self, stress_xz: f64) -> f64 {
+        match self.scene.shear_rate {
+            Some(rate) if rate != 0.0 => -stress_xz / rate,
+            _ => 0.0,
+        }
+    }
+
+    /// Mass of the grains below the slot of a hopper; 0 without one.
+    fn discharged(&self) -> f64 {
+        if self.scene.container != Container::Hopper {
+            return 0.0;
+        }
+        let positions = self.packing.positions().iter();
+        let grains = positions.zip(self.packing.spheres());
+        grains
+            .filter(|(x, _)| x.z < self.scene.outlet_height)
+            .map(|(_, grain)| 1.0 / grain.inv_mass)
+            .sum()
+    }
+
+    /// Slope of the free surface along x, in degrees, positive where it falls towards +x: the line of
+    /// least squares through the highest grain of each strip of two diameters. 0 without a free surface.
+    fn surface_angle(&self) -> f64 {
+        fall(&self.tops())
+    }
+
+    /// The same of the lower and the upper half of the width: of a heap they have opposite signs.
+    pub fn surface_angles(&self) -> [f64; 2] {
+        let tops = self.tops();
+        let middle = tops.partition_point(|[x, _]| *x < 0.5 * self.scene.width);
+        let (low, high) = tops.split_at(middle);
+        [fall(low), fall(high)]
+    }
+
+    /// The highest grain of each strip along x, above the slot of a hopper.
+    fn tops(&self) -> Vec<[f64; 2]> {
+        if self.scene.z != Ends::Floor {
+            return Vec::new();
+        }
+        let above = match self.scene.container {
+            Container::Hopper => self.scene.outlet_height,
+            _ => f64::NEG_INFINITY,
+        };
+        let strip = 4.0 * self.scene.radius;
+        let strips = (self.scene.width / strip).floor().max(1.0);
+        let length = self.scene.width / strips;
+        let mut tops = vec![None; strips as usize];
+        for (x, radius) in self.packing.positions().iter().zip(self.packing.radii()) {
+            let place = self.layout.space.wrap(x);
+            if place.z < above {
+                continue;
+            }
+            let top = place.z + radius;
+            // The cast saturates: grains beyond an open end belong to the last strip.
+            let index = ((place.x / length) as usize).min(tops.len() - 1);
+            let highest: &mut Option<[f64; 2]> = &mut tops[index];
+            if highest.is_none_or(|[_, z]| top > z) {
+                *highest = Some([place.x, top]);
+            }
+        }
+        tops.into_iter().flatten().collect()
+    }
+}
+
+/// Fall of the line of least squares through points of x and z, in degrees; 0 through less than two.
+fn fall(tops: &[[f64; 2]]) -> f64 {
+    let count = tops.len() as f64;
+    let mean = |axis: usize| tops.iter().map(|at| at[axis]).sum::<f64>() / count;
+    let [x, z] = [0, 1].map(mean);
+    let (mut square, mut product) = (0.0, 0.0);
+    for at in tops {
+        square += (at[0] - x) * (at[0] - x);
+        product += (at[0] - x) * (at[1] - z);
+    }
+    if square > 0.0 {
+        libm::atan(-product / square).to_degrees()
+    } else {
+        0.0
+    }
+}

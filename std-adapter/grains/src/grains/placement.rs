@@ -1,0 +1,229 @@
+//! The start: grains that touch neither each other nor a wall, at random places of a lattice.
+
+use super::container::has_room;
+use crate::grains::scene::{Container, Ends, GrainsScene, Sides};
+use crate::packing::{Frozen, Kinds, Radii, Second, SizesError};
+use crate::random::Random;
+use crate::record::ContactRow;
+use nalgebra::Vector3;
+use std::ops::ControlFlow;
+
+/// Streams of the seed: one for the radii, one for the places.
+const RADII: u64 = 0;
+const PLACES: u64 = 1;
+/// Grains between two reports of the placement.
+const BATCH: usize = 1000;
+
+/// Grains at the start.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Start {
+    pub positions: Vec<Vector3<f64>>,
+    pub radii: Vec<f64>,
+    pub kinds: Kinds,
+    pub contacts: Vec<ContactRow>,
+    /// Motion, walls and forces of grains that were not placed at random.
+    pub frozen: Option<Frozen>,
+}
+
+/// Why grains cannot be placed.
+///
+/// ```
+/// use tribos::grains::{Grains, GrainsError, PlacementError};
+/// # use tribos::scene::GrainsScene;
+/// // Grains as wide as their box.
+/// let wide = GrainsScene { width: 0.01, radius: 0.005, ..GrainsScene::default() };
+/// let refused = Grains::new(&wide);
+/// assert!(matches!(refused, Err(GrainsError::Placement(PlacementError::Narrow { .. }))));
+/// ```
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PlacementError {
+    /// The distribution of the radii is refused.
+    #[error(transparent)]
+    Sizes(#[from] SizesError),
+    /// The box is narrower than one place of the lattice.
+    #[error(
+        "the box is {given} wide along {axis}, and a grain needs {needed} there at the start; \
+         make the box wider, the grains smaller or `spacing` less"
+    )]
+    Narrow {
+        /// Name of the axis.
+        axis: &'static str,
+        /// Length of the box.
+        given: f64,
+        /// Length of a place.
+        needed: f64,
+    },
+    /// There are more grains than places.
+    #[error(
+        "`count` is {given}, and the box has room for {room} grains at the start; \
+         {}, or `count` or `spacing` less",
+        larger(*.is_drum)
+    )]
+    Full {
+        /// Number of grains.
+        given: usize,
+        /// Number of places.
+        room: usize,
+        /// Whether the box is a drum, whose height is its width.
+        is_drum: bool,
+    },
+    /// The caller stopped the placement.
+    #[error("the placement was stopped")]
+    Stopped,
+}
+
+/// What has to be larger for more grains.
+fn larger(is_drum: bool) -> &'static str {
+    if is_drum {
+        "make the `width` of the drum more"
+    } else {
+        "make the box wider or higher"
+    }
+}
+
+/// Radii and places of a scene's grains; `watch` receives the number placed so far and can stop.
+///
+/// The box is divided into equal places of at least `spacing` diameters of the largest grain, which are
+/// filled from below. In its place a grain sits at random where it does not leave it.
+pub(super) fn start(
+    scene: &GrainsScene,
+    mut watch: impl FnMut(usize) -> ControlFlow<()>,
+) -> Result<Start, PlacementError> {
+    let distribution = scene.radii()?;
+    let distribution = distribution.as_ref();
+    let largest = distribution.map_or(1.0 + scene.radius_spread, |radii| radii.bounds()[1]);
+    let widest = if scene.share_second > 0.0 {
+        scene.radius_second.max(1.0)
+    } else {
+        1.0
+    };
+    let lattice = Lattice::of(scene, widest * largest)?;
+    let is_second = Second::choose(scene.seed, scene.share_second, scene.count);
+    let mut radii = radii(scene, distribution);
+    for (radius, _) in radii.iter_mut().zip(&is_second).filter(|(_, is)| **is) {
+        *radius *= scene.radius_second;
+    }
+    let mut random = Random::new(scene.seed, PLACES);
+    let mut positions = Vec::with_capacity(scene.count);
+    // Places outside a container stay empty.
+    let mut index = 0;
+    while let Some(&radius) = radii.get(positions.len()) {
+        if index % BATCH == 0 && watch(positions.len()).is_break() {
+            return Err(PlacementError::Stopped);
+        }
+        let place = lattice.place(index, radius, &mut random);
+        if has_room(scene, &place, radius) {
+            positions.push(place);
+        }
+        index += 1;
+        if scene.container == Container::Drum && place.z > scene.width + radius {
+            let (given, room) = (scene.count, positions.len());
+            return Err(PlacementError::Full {
+                given,
+                room,
+                is_drum: true,
+            });
+        }
+    }
+    Ok(Start {
+        positions,
+        radii,
+        kinds: Kinds::of(&is_second, &scene.material(), &scene.differences()),
+        contacts: Vec::new(),
+        frozen: None,
+    })
+}
+
+/// Radii of a distribution, or uniform within their spread.
+fn radii(scene: &GrainsScene, distribution: Option<&Radii>) -> Vec<f64> {
+    let mut random = Random::new(scene.seed, RADII);
+    let mut radius = || {
+        if let Some(distribution) = distribution {
+            return scene.radius * distribution.at(random.unit());
+        }
+        let share = 2.0 * random.unit() - 1.0;
+        scene.radius * (1.0 + scene.radius_spread * share)
+    };
+    (0..scene.count).map(|_| radius()).collect()
+}
+
+/// Places for single grains.
+struct Lattice {
+    /// Number of places along x and y.
+    across: [usize; 2],
+    /// Lengths of a place.
+    cell: Vector3<f64>,
+    flat: bool,
+}
+
+impl Lattice {
+    /// Places for grains up to `largest` mean radii.
+    fn of(scene: &GrainsScene, largest: f64) -> Result<Self, PlacementError> {
+        let needed = 2.0 * scene.radius * largest * scene.spacing;
+        let flat = scene.is_flat();
+        let divide = |axis: &'static str, given: f64| {
+            let places = (given / needed).floor();
+            if places < 1.0 {
+                return Err(PlacementError::Narrow {
+                    axis,
+                    given,
+                    needed,
+                });
+            }
+            Ok(places)
+        };
+        let nx = divide("x", scene.width)?;
+        let depth = scene.box_depth();
+        let ny = if flat { 1.0 } else { divide("y", depth)? };
+        // A grain must not meet its own image.
+        let lonely = |sides: Sides, places: f64| sides == Sides::Periodic && places < 2.0;
+        for (axis, sides, places, given) in [
+            ("x", scene.x, nx, scene.width),
+            ("y", scene.y, if flat { 2.0 } else { ny }, depth),
+        ] {
+            if lonely(sides, places) {
+                let needed = 2.0 * needed;
+                return Err(PlacementError::Narrow {
+                    axis,
+                    given,
+                    needed,
+                });
+            }
+        }
+        let (mut high, mut rise) = (f64::INFINITY, needed);
+        if let (Some(height), Ends::Walls | Ends::Periodic) = (scene.height, scene.z) {
+            high = divide("z", height)?;
+            rise = rise.max(if scene.z == Ends::Periodic {
+                height / high
+            } else {
+                needed
+            });
+        }
+        let room = nx * ny * high;
+        if (scene.count as f64) > room {
+            return Err(PlacementError::Full {
+                given: scene.count,
+                room: room as usize,
+                is_drum: false,
+            });
+        }
+        Ok(Self {
+            across: [nx, ny].map(|places| places as usize),
+            cell: Vector3::new(scene.width / nx, depth / ny, rise),
+            flat,
+        })
+    }
+
+    /// The centre of a grain in one of the places, which count along x, then y, then z.
+    fn place(&self, index: usize, radius: f64, random: &mut Random) -> Vector3<f64> {
+        let [nx, ny] = self.across;
+        let number = [index % nx, index / nx % ny, index / (nx * ny)];
+        let mut along = |axis: usize| {
+            let cell = self.cell[axis];
+            let free = cell - 2.0 * radius;
+            number[axis] as f64 * cell + radius + free * random.unit()
+        };
+        let [x, y, z] = [0, 1, 2].map(&mut along);
+        Vector3::new(x, if self.flat { 0.0 } else { y }, z)
+    }
+}

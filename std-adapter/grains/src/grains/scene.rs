@@ -1,0 +1,407 @@
+//! The scene of grains in a box: loads and walls that follow time.
+
+use super::ramp::{RAMP, Ramp};
+use crate::packing::method::{ContactMethod, Coupling, NormalForce, WallLaw, soft_rules};
+use crate::packing::{Radii, SIZES, Sizes, SizesError};
+use crate::soft::{STEPS_PER_COLLISION, Stiffness};
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+use tribos_base::scene::entries::Written;
+use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
+use tribos_base::scene::reader::Judge;
+use tribos_base::scene::table::scene;
+use tribos_base::scene::words::{Word, words};
+use tribos_core::contact::Attraction;
+
+/// What bounds the grains along a horizontal axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sides {
+    /// Space repeats.
+    Periodic,
+    /// A wall on each side.
+    Walls,
+}
+words!(Sides { Periodic = "periodic", Walls = "walls" });
+
+/// What bounds the grains along the vertical axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// A floor, open above.
+    Floor,
+    /// A floor and a plate above.
+    Walls,
+    /// Space repeats.
+    Periodic,
+}
+words!(Ends { Floor = "floor", Walls = "walls", Periodic = "periodic" });
+
+/// What holds the grains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Container {
+    /// The box.
+    Box,
+    /// Two inclined planes above the floor of the box, with a slot between them.
+    Hopper,
+    /// A lying drum that turns about y, as wide as the box.
+    Drum,
+}
+words!(Container { Box = "box", Hopper = "hopper", Drum = "drum" });
+
+/// An axis of the box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Along `width`.
+    X,
+    /// Along `depth`.
+    Y,
+    /// Upwards.
+    Z,
+}
+words!(Axis { X = "x", Y = "y", Z = "z" });
+
+scene! {
+    /// Grains in a box under gravity, pistons, moving plates and shaking. *Units*: SI; any other
+    /// consistent set of units works, because no constant of nature is inside.
+    ///
+    /// x runs along `width`, y along `depth`, z upwards. Loads are numbers or ramps in time, see
+    /// [`Ramp`].
+    ///
+    /// ```
+    /// use tribos::{grains::Grains, run::drive, scene::GrainsScene};
+    /// // Twenty beads of 1 cm fall on a floor and carry their weight to it.
+    /// let scene = GrainsScene { width: 0.1, count: 20, duration: 1.0, ..Default::default() };
+    /// let mut beads = Grains::new(&scene)?;
+    /// drive(&mut beads, |_, _| ())?;
+    /// let outcome = beads.outcome();
+    /// assert!((outcome.floor_force / (outcome.mass * 9.81) - 1.0).abs() < 0.01);
+    /// # Ok::<(), tribos::grains::GrainsError>(())
+    /// ```
+    pub struct GrainsScene = "grains", "Grains in a box",
+        rules, in_force;
+
+    /// Length of the box along x.
+    width: f64 = 0.1, "m", Positive, Required;
+    /// Length of the box along y; as long as `width` if it is left out. A two-dimensional box has none.
+    depth: Option<f64> = None, "m", Positive;
+    /// Height of the box: where the plate above starts, or the period; a floor alone does not use it. If it
+    /// is left out, a plate starts at the highest grain.
+    height: Option<f64> = None, "m", Positive;
+    /// What bounds the box along x.
+    x: Sides = Sides::Periodic, "-", OneOf(Sides::WORDS);
+    /// What bounds the box along y.
+    y: Sides = Sides::Periodic, "-", OneOf(Sides::WORDS);
+    /// What bounds the box along z: a floor, floor and plate, or nothing.
+    z: Ends = Ends::Floor, "-", OneOf(Ends::WORDS);
+    /// 3, or 2 for spheres that stay in the plane y = 0 and spin about y.
+    dimension: u32 = 3, "-", Count { up_to: 3.0 };
+    /// What holds the grains: the box, a hopper in it, or a drum of diameter `width` about y.
+    container: Container = Container::Box, "-", OneOf(Container::WORDS);
+    /// Width of the slot of the hopper.
+    outlet: f64 = 0.05, "m", Positive, OnlyWith("container", "hopper");
+    /// Height of the slot above the floor.
+    outlet_height: f64 = 0.1, "m", Positive, OnlyWith("container", "hopper");
+    /// Angle of the plates of the hopper with the horizontal.
+    slope: f64 = 45.0, "degree", Between { above: 0.0, up_to: 89.0 }, OnlyWith("container", "hopper");
+    /// Time at which the slot is opened.
+    opening: f64 = 0.0, "s", NotNegative, OnlyWith("container", "hopper");
+    /// Rate of rotation of the drum.
+    drum_rate: Ramp = Ramp::from(1.0), "rad/s", RAMP, OnlyWith("container", "drum");
+    /// Number of grains, unless `start` has them.
+    count: usize = 100, "-", Count { up_to: 1e6 }, UnlessGiven("start");
+    /// Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
+    start: Option<PathBuf> = None, "-", Path;
+    /// Mean radius of the grains.
+    radius: f64 = 0.005, "m", Positive, Required;
+    /// Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread.
+    radius_spread: f64 = 0.0, "-", NotNegative, Without("start");
+    /// Distribution of the radii about their mean, in place of `radius_spread`.
+    sizes: Option<Sizes> = None, "-", SIZES, Without("start");
+    /// Density of the grains; those of `start` that have one keep it.
+    density: f64 = 2500.0, "kg/m^3", Positive, Required;
+    /// Seed of the random start.
+    seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
+    /// Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
+    spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
+    /// Share of the grains that are of a second material, chosen at random; those of `start` that have materials keep them.
+    share_second: f64 = 0.0, "-", Fraction;
+    /// Radius of these, in mean radii of the others.
+    radius_second: f64 = 1.0, "-", Between { above: 0.0, up_to: 100.0 };
+    /// Density of the second material; that of the first if it is left out.
+    density_second: Option<f64> = None, "kg/m^3", Positive;
+    /// Sliding coefficient of the second material; that of the first if it is left out.
+    sliding_second: Option<f64> = None, "-", NotNegative;
+    /// Sliding coefficient between the two materials; the geometric mean of theirs if it is left out.
+    sliding_mixed: Option<f64> = None, "-", NotNegative;
+    /// Cohesion F_coh: largest pull of a contact.
+    cohesion: f64 = 0.0, "N", NotNegative;
+    /// Gap up to which cohesion acts.
+    cohesion_range: f64 = 0.0, "m", NotNegative;
+    /// Cohesion at a gap: a constant pull, or a resistance to opening.
+    attraction: Attraction = Attraction::Pull, "-", OneOf(Attraction::WORDS);
+    /// Coefficient of restitution: speed after an impact over speed before, at walls too.
+    restitution: f64 = 0.0, "-", Fraction;
+    /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.
+    // Glass beads, steel and sand lie between 0.2 and 0.6.
+    sliding: f64 = 0.5, "-", NotNegative;
+    /// Rolling coefficient mu_t: largest rolling torque over P r_eff.
+    rolling: f64 = 0.0, "-", NotNegative;
+    /// Torsion coefficient mu_n: largest torsion torque over P r_eff.
+    torsion: f64 = 0.0, "-", NotNegative;
+    /// How the thresholds of sliding and torsion depend on each other.
+    coupling: Coupling = Coupling::Independent, "-", OneOf(Coupling::WORDS);
+    /// Law at walls: that of grains, cohesion only, or neither.
+    wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
+    /// Gravity, downwards; 0 where nothing bears the grains, as in a sheared box.
+    // Standard gravity, to three digits.
+    gravity: Ramp = Ramp::from(9.81), "m/s^2", RAMP;
+    /// Angle by which gravity leans from -z towards x.
+    gravity_angle: Ramp = Ramp::from(0.0), "degree", RAMP;
+    /// Stress on the wall at the far end of x, which moves as a piston.
+    pressure_x: Option<Ramp> = None, "Pa", RAMP, OnlyWith("x", "walls");
+    /// Stress on the wall at the far end of y, which moves as a piston.
+    pressure_y: Option<Ramp> = None, "Pa", RAMP, OnlyWith("y", "walls");
+    /// Stress on the plate above, which moves as a piston without weight.
+    pressure_z: Option<Ramp> = None, "Pa", RAMP, OnlyWith("z", "walls");
+    /// Mass of every piston; that of all grains together if it is left out.
+    piston_mass: Option<f64> = None, "kg", Positive;
+    /// Speed of the wall at the far end of x along x; negative compresses.
+    velocity_x: Option<Ramp> = None, "m/s", RAMP, OnlyWith("x", "walls");
+    /// Speed of the wall at the far end of y along y; negative compresses.
+    velocity_y: Option<Ramp> = None, "m/s", RAMP, OnlyWith("y", "walls");
+    /// Speed of the plate above along z; negative compresses.
+    velocity_z: Option<Ramp> = None, "m/s", RAMP, OnlyWith("z", "walls");
+    /// Speed of the plate above along x, which shears the grains.
+    plate_speed: Ramp = Ramp::from(0.0), "m/s", RAMP, OnlyWith("z", "walls");
+    /// Rate at which a box without walls along x and z is sheared: speed along x over height along z.
+    shear_rate: Option<f64> = None, "1/s", Finite, OnlyWith("z", "periodic");
+    /// Speed of the walls along x and y upwards, which mobilizes their friction; negative downwards.
+    wall_speed: Ramp = Ramp::from(0.0), "m/s", RAMP;
+    /// Amplitude with which the box is shaken: all walls that are neither piston nor moved otherwise.
+    shake_amplitude: f64 = 0.0, "m", NotNegative;
+    /// Frequency of the shaking.
+    shake_frequency: f64 = 25.0, "1/s", NotNegative;
+    /// Direction of the shaking.
+    shake_axis: Axis = Axis::Z, "-", OneOf(Axis::WORDS);
+    /// Time after which all ramps start again; without it they are followed once.
+    repeat: Option<f64> = None, "s", Positive;
+    /// Rigid grains with constraint forces, or soft ones with springs and dashpots.
+    method: ContactMethod = ContactMethod::ContactDynamics, "-", OneOf(ContactMethod::WORDS);
+    /// Stiffness of soft contacts: force over overlap.
+    // A bead of 1 cm under its weight overlaps by a quarter of a thousandth of its radius.
+    stiffness: f64 = 1e4, "N/m", Positive, PartOf("method", "soft");
+    /// Damping ratio of soft contacts in all modes, unless `restitution` is above 0.
+    damping: f64 = 1.0, "-", NotNegative, PartOf("method", "soft");
+    /// Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus `stiffness`/`radius`.
+    normal_law: NormalForce = NormalForce::Linear, "-", OneOf(NormalForce::WORDS),
+        PartOf("method", "soft");
+    /// Least number of steps of a collision of soft contacts.
+    // Restitution is right to 0.5 % with so many.
+    steps_per_collision: f64 = STEPS_PER_COLLISION, "-", Between { above: 2.0, up_to: 1e4 },
+        PartOf("method", "soft");
+    /// Change of a sweep, relative to P, at which sweeps stop.
+    tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 }, PartOf("method", "contact-dynamics");
+    /// Most sweeps of a step.
+    sweeps: usize = 1000, "-", Count { up_to: 1e6 }, PartOf("method", "contact-dynamics");
+    /// Largest distance that a grain may move in a step, in mean radii; soft contacts divide it into stable ones.
+    // A twentieth of a radius keeps the angle by which a normal turns in a step small.
+    motion: f64 = 0.05, "-", Between { above: 0.0, up_to: 0.5 };
+    /// Longest time step; if it is left out, the time in which gravity moves a grain by `motion` from
+    /// rest, and at most a hundredth of `duration`.
+    time_step: Option<f64> = None, "s", Positive;
+    /// Time after which the run ends.
+    duration: f64 = 1.0, "s", Positive, Required;
+    /// Speed below which the grains are at rest: the run ends once their root mean square speed was lower
+    /// for 100 steps.
+    rest: Option<f64> = None, "m/s", Positive;
+    /// Steps after which a run ends in any case.
+    steps: u64 = 10_000_000, "-", Count { up_to: 1e9 };
+    /// Steps from one line of the series to the next.
+    samples: u64 = 50, "-", Count { up_to: 1e9 };
+}
+
+/// Masses of a mean grain whose inertia and energies are numbers too.
+const MASSES: RangeInclusive<f64> = 1e-90..=1e90;
+
+/// Keys of the controls of the three axes: stress and speed.
+const CONTROLS: [[&str; 2]; 3] = [
+    ["pressure_x", "velocity_x"],
+    ["pressure_y", "velocity_y"],
+    ["pressure_z", "velocity_z"],
+];
+
+/// Dimension, walls and loads must fit together.
+fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
+    if scene.dimension < 2 {
+        let message = format!("`dimension` must be 2 or 3, not {}", scene.dimension);
+        judge.refuse(&["dimension"], message);
+    }
+    if scene.is_flat() && (scene.depth.is_some() || scene.y == Sides::Walls) {
+        let message = "a scene with dimension = 2 has no `depth` and no walls along y";
+        judge.refuse(&["depth", "y", "dimension"], message);
+    }
+    if scene.radius_spread >= 1.0 {
+        let spread = scene.radius_spread;
+        let message = format!("`radius_spread` must be less than 1, not {spread}");
+        judge.refuse(&["radius_spread"], message);
+    }
+    if scene.sizes.is_some() && scene.radius_spread > 0.0 {
+        let message = "give `radius_spread` or `sizes`, not both";
+        judge.refuse(&["sizes", "radius_spread"], message);
+    } else if let Err(error) = scene.radii() {
+        judge.refuse(&["sizes"], error.to_string());
+    }
+    if scene.start.is_some() && (scene.sizes.is_some() || scene.radius_spread > 0.0) {
+        let message = "`start` has its own radii; leave out `sizes` and `radius_spread`";
+        judge.refuse(&["start"], message);
+    }
+    if scene.z == Ends::Periodic && scene.height.is_none() {
+        let message = "`height` is the period where z = \"periodic\"; give it";
+        judge.refuse(&["height", "z"], message);
+    }
+    if scene.shear_rate.is_some() && scene.x == Sides::Walls {
+        let message = "a shear needs x = \"periodic\"; leave `shear_rate` out or `x`";
+        judge.refuse(&["shear_rate", "x"], message);
+    }
+    let mass = scene.density
+        * std::f64::consts::TAU
+        * (scene.radius * scene.radius * scene.radius)
+        * (2.0 / 3.0);
+    if !MASSES.contains(&mass) {
+        let message = format!(
+            "`density` and `radius` make grains of {mass:e} kg, and masses must lie between {:e} and {:e}",
+            MASSES.start(),
+            MASSES.end()
+        );
+        judge.refuse(&["density", "radius"], message);
+    }
+    gravity_rule(scene, judge);
+    if scene.method == ContactMethod::Soft {
+        soft_rules(
+            judge,
+            scene.attraction,
+            [scene.restitution, scene.share_second],
+        );
+        if scene.shear_rate.is_some() {
+            let message =
+                "`shear_rate` needs method = \"contact-dynamics\"; springs know no sheared images";
+            judge.refuse(&["shear_rate", "method"], message);
+        }
+    }
+    if scene.container != Container::Box && (scene.z != Ends::Floor || scene.shake_amplitude > 0.0)
+    {
+        let message = "a hopper or a drum has z = \"floor\" and is not shaken";
+        judge.refuse(&["container", "z", "shake_amplitude"], message);
+    }
+    if scene.container == Container::Hopper && scene.outlet >= scene.width {
+        let message = format!(
+            "`outlet` must be less than the `width` of the box, {}, not {}",
+            scene.width, scene.outlet
+        );
+        judge.refuse(&["outlet", "width"], message);
+    }
+    if scene.container == Container::Drum && scene.x == Sides::Walls {
+        judge.refuse(
+            &["x", "container"],
+            "a drum has no walls along x; leave `x` out",
+        );
+    }
+    for (keys, axis) in CONTROLS.iter().zip([Axis::X, Axis::Y, Axis::Z]) {
+        let [pressure, velocity] = [scene.pressure(axis), scene.velocity(axis)];
+        if pressure.is_some() && velocity.is_some() {
+            let message = format!("give `{}` or `{}`, not both", keys[0], keys[1]);
+            judge.refuse(keys, message);
+        }
+        not_negative(judge, keys[0], pressure);
+    }
+    not_negative(judge, "gravity", Some(&scene.gravity));
+}
+
+/// Refuses gravity where nothing bears the grains: they would fall for ever.
+fn gravity_rule(scene: &GrainsScene, judge: &mut Judge<'_>) {
+    let walls = [scene.x, scene.y].contains(&Sides::Walls) && scene.shear_rate.is_none();
+    let [_, most] = scene.gravity.range();
+    if scene.z == Ends::Periodic && !walls && most > 0.0 {
+        let message = format!(
+            "nothing bears the grains against a `gravity` of up to {most} where z = \"periodic\" without walls, \
+             or with `shear_rate`; set gravity = 0"
+        );
+        judge.refuse(&["gravity", "z"], message);
+    }
+}
+
+/// Refuses a ramp that becomes negative.
+fn not_negative(judge: &mut Judge<'_>, key: &'static str, ramp: Option<&Ramp>) {
+    if let Some([least, _]) = ramp.map(Ramp::range)
+        && least < 0.0
+    {
+        judge.refuse(&[key], format!("`{key}` must be >= 0, not {least}"));
+    }
+}
+
+/// A start stands in place of the keys of random grains, a distribution in place of the spread, restitution in
+/// place of damping.
+fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<Written> {
+    let starts = scene.start.is_some();
+    written.filter(|_| match key {
+        "count" | "spacing" => !starts,
+        // A file may lack materials, which are drawn then.
+        "seed" => !starts || scene.share_second > 0.0,
+        "radius_spread" => scene.sizes.is_none() && !starts,
+        "damping" => scene.restitution == 0.0,
+        _ => true,
+    })
+}
+
+impl GrainsScene {
+    /// Distribution of the radii, in mean radii, if `sizes` gives one.
+    pub(crate) fn radii(&self) -> Result<Option<Radii>, SizesError> {
+        self.sizes.as_ref().map(Sizes::radii).transpose()
+    }
+
+    /// Smallest radius, in mean radii; 0 if the distribution is refused.
+    pub(crate) fn least_radius(&self) -> f64 {
+        match self.radii() {
+            Ok(Some(radii)) => radii.bounds()[0],
+            Ok(None) => 1.0 - self.radius_spread,
+            Err(_) => 0.0,
+        }
+    }
+
+    /// Normal spring of soft contacts.
+    #[doc(hidden)]
+    pub fn spring(&self) -> Stiffness {
+        self.normal_law.spring(self.stiffness, self.radius)
+    }
+
+    /// Whether the grains stay in a plane.
+    pub(crate) fn is_flat(&self) -> bool {
+        self.dimension == 2
+    }
+
+    /// Depth of the box; of a two-dimensional one the mean diameter, so that stresses keep their unit.
+    pub(crate) fn box_depth(&self) -> f64 {
+        if self.is_flat() {
+            2.0 * self.radius
+        } else {
+            self.depth.unwrap_or(self.width)
+        }
+    }
+
+    /// Stress on the moving wall of an axis.
+    pub(crate) fn pressure(&self, axis: Axis) -> Option<&Ramp> {
+        match axis {
+            Axis::X => self.pressure_x.as_ref(),
+            Axis::Y => self.pressure_y.as_ref(),
+            Axis::Z => self.pressure_z.as_ref(),
+        }
+    }
+
+    /// Speed of the moving wall of an axis.
+    pub(crate) fn velocity(&self, axis: Axis) -> Option<&Ramp> {
+        match axis {
+            Axis::X => self.velocity_x.as_ref(),
+            Axis::Y => self.velocity_y.as_ref(),
+            Axis::Z => self.velocity_z.as_ref(),
+        }
+    }
+}

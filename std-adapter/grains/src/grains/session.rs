@@ -1,0 +1,39 @@
+//! Grains as long runs.
+
+use super::{Grains, GrainsError, PlacementError};
+use crate::grains::scene::GrainsScene;
+use crate::record::frames::{Bodies, Frame};
+use crate::run::{Cause, LongRun};
+use std::ops::ControlFlow;
+
+impl LongRun for Grains {
+    type Scene = GrainsScene;
+
+    fn begin(
+        scene: &GrainsScene,
+        checkpoint: Option<&str>,
+        growing: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Self, GrainsError> {
+        Self::begin(scene, checkpoint, growing)
+    }
+
+    fn cause(error: &GrainsError) -> Cause {
+        error.cause(|placement| matches!(placement, PlacementError::Stopped))
+    }
+
+    fn checkpoint(&self) -> String {
+        self.checkpoint()
+    }
+
+    fn steps(&self) -> u64 {
+        self.steps()
+    }
+
+    fn bodies(&self, limit: u64) -> Bodies {
+        self.bodies(limit)
+    }
+
+    fn frame(&self) -> Frame {
+        self.frame()
+    }
+}

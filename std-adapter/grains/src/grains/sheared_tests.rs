@@ -1,0 +1,169 @@
+//! Boxes without walls that are sheared, and grains of two materials.
+
+use super::{COLUMNS, Grains};
+use crate::grains::scene::{Ends, GrainsScene, Sides};
+use crate::record::extended_xyz;
+use crate::run::{Simulation, drive};
+
+type Answer = Result<(), Box<dyn std::error::Error>>;
+
+/// 64 beads in a box that repeats, sheared at a rate.
+fn sheared(rate: f64) -> GrainsScene {
+    GrainsScene {
+        width: 4.0 * 0.0112,
+        height: Some(4.0 * 0.0112),
+        radius_spread: 0.1,
+        z: Ends::Periodic,
+        count: 64,
+        spacing: 1.01,
+        gravity: 0.0.into(),
+        shear_rate: Some(rate),
+        restitution: 0.3,
+        duration: 0.3,
+        samples: 10,
+        ..GrainsScene::default()
+    }
+}
+
+fn last(grains: &Grains, name: &str) -> f64 {
+    let column = COLUMNS.iter().position(|column| *column == name);
+    column.map_or(f64::NAN, |column| grains.record()[column])
+}
+
+#[test]
+fn a_sheared_box_resists_with_stress_and_viscosity_of_one_sign() -> Answer {
+    for rate in [10.0, -10.0] {
+        let mut grains = Grains::new(&sheared(rate))?;
+        drive(&mut grains, |_, _| ())?;
+        assert_eq!(last(&grains, "shear_rate"), rate);
+        // Mean over the second half of the run: a single step may have no contacts.
+        let rows = grains.series();
+        let mean = |name: &str| {
+            let column = COLUMNS.iter().position(|column| *column == name);
+            let later = rows.iter().skip(rows.len() / 2);
+            later.map(|row| row[column.unwrap_or(0)]).sum::<f64>()
+        };
+        assert!(mean("shear_stress") * rate > 0.0);
+        assert!(mean("viscosity") > 0.0);
+        assert!((mean("viscosity") * rate / mean("shear_stress") - 1.0).abs() < 1e-12);
+        assert!(mean("stress_zz") > 0.0);
+        let book = *grains.now().packing.energy();
+        assert!(book.work > 0.0, "{book:?}");
+        assert!(book.imbalance().abs() < 1e-9 * book.work, "{book:?}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_sheared_run_goes_on_from_its_checkpoint_with_the_same_bits() -> Answer {
+    let scene = sheared(15.0);
+    let mut whole = Grains::new(&scene)?;
+    for _ in 0..60 {
+        whole.step()?;
+    }
+    let mut again = Grains::resume(&scene, &whole.checkpoint())?;
+    for _ in 0..60 {
+        whole.step()?;
+        again.step()?;
+    }
+    assert_eq!(again.record(), whole.record());
+    assert_eq!(again.contacts(), whole.contacts());
+    Ok(())
+}
+
+#[test]
+fn exports_tell_how_far_a_sheared_box_leans() -> Answer {
+    let mut grains = Grains::new(&sheared(10.0))?;
+    for _ in 0..20 {
+        grains.step()?;
+    }
+    let frame = grains.with_snapshot(extended_xyz)?;
+    let lattice = frame.split('"').nth(1).unwrap_or_default();
+    let vectors: Result<Vec<f64>, _> = lattice.split(' ').map(str::parse).collect();
+    let vectors = vectors?;
+    // Speed of the images times the time, in a box of one width and height.
+    let side = vectors[0];
+    let offset = (10.0 * side * grains.time()).rem_euclid(side);
+    assert!((vectors[6] - offset).abs() < 1e-9 && offset > 0.0);
+    assert_eq!(vectors[8], side);
+    Ok(())
+}
+
+#[test]
+fn shears_of_boxes_with_walls_across_are_refused() {
+    for scene in [
+        GrainsScene {
+            x: Sides::Walls,
+            ..sheared(1.0)
+        },
+        GrainsScene {
+            shear_rate: Some(f64::NAN),
+            ..sheared(1.0)
+        },
+        GrainsScene {
+            shear_rate: Some(1.0),
+            ..GrainsScene::default()
+        },
+    ] {
+        assert!(Grains::new(&scene).is_err());
+    }
+    let beside = GrainsScene {
+        y: Sides::Walls,
+        ..sheared(1.0)
+    };
+    assert!(Grains::new(&beside).is_ok());
+}
+
+/// Grains that fall on a floor, of two materials.
+fn mixed(share: f64) -> GrainsScene {
+    GrainsScene {
+        width: 0.05,
+        count: 50,
+        share_second: share,
+        duration: 0.2,
+        ..GrainsScene::default()
+    }
+}
+
+#[test]
+fn so_many_grains_are_of_the_second_material() -> Answer {
+    let scene = GrainsScene {
+        radius_second: 0.5,
+        density_second: Some(1000.0),
+        ..mixed(0.3)
+    };
+    let grains = Grains::new(&scene)?;
+    let packing = grains.now().packing;
+    let (radii, spheres) = (packing.radii(), packing.spheres());
+    assert_eq!(radii.iter().filter(|r| **r == 0.0025).count(), 15);
+    assert_eq!(radii.iter().filter(|r| **r == 0.005).count(), 35);
+    for (radius, sphere) in radii.iter().zip(spheres) {
+        let density = if *radius == 0.005 { 2500.0 } else { 1000.0 };
+        let volume = 4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius;
+        let mass = 1.0 / sphere.inv_mass;
+        assert!((mass / (density * volume) - 1.0).abs() < 1e-12);
+    }
+    Ok(())
+}
+
+#[test]
+fn grains_all_of_the_second_material_run_as_grains_of_it_alone() -> Answer {
+    let second = GrainsScene {
+        sliding_second: Some(0.2),
+        density_second: Some(4000.0),
+        ..mixed(1.0)
+    };
+    let alone = GrainsScene {
+        sliding: 0.2,
+        density: 4000.0,
+        ..mixed(0.0)
+    };
+    let runs = [second, alone].map(|scene| -> Result<_, super::GrainsError> {
+        let mut grains = Grains::new(&scene)?;
+        drive(&mut grains, |_, _| ())?;
+        Ok(grains.series().to_vec())
+    });
+    let [second, alone] = runs;
+    assert_eq!(second?, alone?);
+    Ok(())
+}

@@ -1,0 +1,22 @@
+//! Packings of grains: powders under a piston, grains in boxes, granular gases, and what is measured
+//! on them.
+//!
+//! Users take it through the crate `tribos`, whose paths are the promise; what else is public here
+//! serves the crates beside it and changes without notice.
+
+pub mod gas;
+pub mod grains;
+pub mod measure;
+pub mod packing;
+pub mod powder;
+
+use tribos_base::{exchange, golden, random, record, run, space};
+use tribos_contacts::{cd, event, problem, soft};
+
+/// The scenes of all of them.
+pub mod scene {
+    pub use crate::gas::scene::{GasMethod, GasScene};
+    pub use crate::grains::scene::{Axis, Container, Ends, GrainsScene, Sides};
+    pub use crate::packing::method::{ContactMethod, Coupling, NormalForce, WallLaw};
+    pub use crate::powder::scene::{Criterion, PowderScene, SweepMethod, SweepOrder, SweepStop};
+}

@@ -1,0 +1,184 @@
+//! Spheres that a scene starts from in place of its own: read, and checked against its box.
+
+use super::{Forces, Frozen};
+use crate::cd::EnergyBalance;
+use crate::packing::method::ContactMethod;
+use crate::packing::{Assembly, AssemblyError};
+use crate::space::AXES;
+use nalgebra::Vector3;
+use std::path::Path;
+
+/// Deepest overlap of rigid spheres in a file, over the smaller radius: packings of soft spheres are that deep, and
+/// rigid ones keep such an overlap without adding to it.
+const DEEPEST: f64 = 0.05;
+/// The same of soft spheres: a spring bears any overlap, until the centre of the smaller sphere enters the larger.
+const DEEPEST_SOFT: f64 = 1.0;
+/// Largest relative difference of a period from the scene's.
+const SAME_PERIOD: f64 = 1e-9;
+/// Range of the mean radius of a file, over that of the scene.
+const MEAN_RADII: [f64; 2] = [0.5, 2.0];
+
+/// How far spheres of a file may overlap under a method, over the smaller radius.
+pub(crate) fn deepest(method: ContactMethod) -> f64 {
+    match method {
+        ContactMethod::ContactDynamics => DEEPEST,
+        ContactMethod::Soft => DEEPEST_SOFT,
+    }
+}
+
+/// Spheres with the periods of a scene; `periods` has the lengths of its periodic axes with their keys, and
+/// `radius` is the mean radius that it expects.
+pub(crate) fn given(
+    path: &Path,
+    periods: [Option<(f64, &'static str)>; 3],
+    (radius, method): (f64, ContactMethod),
+) -> Result<Assembly, AssemblyError> {
+    let file = path.display().to_string();
+    let refused = |reason: String| AssemblyError::Content {
+        file: file.clone(),
+        reason,
+    };
+    let mut assembly = Assembly::read(path)?;
+    if assembly.radii.is_empty() {
+        return Err(refused("there is no sphere; give one or more".into()));
+    }
+    let mut lengths = [None; 3];
+    for (axis, wanted) in periods.into_iter().enumerate() {
+        let Some((length, key)) = wanted else {
+            continue;
+        };
+        match assembly.space.lengths()[axis] {
+            Some(period) if (period / length - 1.0).abs() > SAME_PERIOD => {
+                let name = AXES[axis];
+                return Err(refused(format!(
+                    "its period along {name} is {period}, and `{key}` is {length}; set {key} = {period}"
+                )));
+            }
+            Some(period) => lengths[axis] = Some(period),
+            None => {
+                check_within(&file, &assembly, axis, length)?;
+                lengths[axis] = Some(length);
+            }
+        }
+    }
+    // Axes repeat in the box of the scene, not in that of the file.
+    assembly.set_periods(&file, lengths)?;
+    let known = 1..=2;
+    if let Some(materials) = &assembly.materials
+        && let Some(other) = materials.iter().find(|material| !known.contains(*material))
+    {
+        return Err(refused(format!(
+            "there is a sphere of type {other}, and a scene has two materials; give types 1 and 2"
+        )));
+    }
+    if assembly.frozen.is_none() {
+        check_spheres(&file, &assembly, radius, deepest(method))?;
+    }
+    Ok(assembly)
+}
+
+/// Refuses spheres out of a period that the file does not have.
+fn check_within(
+    file: &str,
+    assembly: &Assembly,
+    axis: usize,
+    length: f64,
+) -> Result<(), AssemblyError> {
+    let is_out = |place: &Vector3<f64>| !(0.0..=length).contains(&place[axis]);
+    match assembly.positions.iter().position(is_out) {
+        Some(sphere) => Err(AssemblyError::Content {
+            file: file.into(),
+            reason: format!(
+                "sphere {sphere} is at {} = {}, beyond the period from 0 to {length}",
+                AXES[axis], assembly.positions[sphere][axis]
+            ),
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Refuses lengths in other units and spheres that overlap deeply.
+fn check_spheres(
+    file: &str,
+    assembly: &Assembly,
+    radius: f64,
+    most: f64,
+) -> Result<(), AssemblyError> {
+    let refused = |reason: String| AssemblyError::Content {
+        file: file.into(),
+        reason,
+    };
+    let mean = assembly.mean_radius();
+    let [smallest, largest] = MEAN_RADII;
+    if !(smallest..=largest).contains(&(mean / radius)) {
+        let factor = radius / mean;
+        return Err(refused(format!(
+            "the mean radius is {mean}, and that of the scene is {radius}; multiply all lengths by {factor}"
+        )));
+    }
+    let deepest = assembly
+        .deepest()
+        .map_err(|cause| AssemblyError::Neighbours {
+            file: file.into(),
+            cause,
+        })?;
+    match deepest {
+        Some((depth, [a, b])) if depth > most => Err(refused(format!(
+            "spheres {a} and {b} (from 0) overlap by {:.3} % of the smaller radius; at most {} % is taken",
+            100.0 * depth,
+            100.0 * most
+        ))),
+        _ => Ok(()),
+    }
+}
+
+impl Frozen {
+    /// The same state at time 0 of a run with other parameters: clock, energies and sleep begin anew. Springs
+    /// are of no use to constraint forces, nor impacts to springs.
+    pub(crate) fn at_start(&self, is_soft: bool) -> Self {
+        let count = self.positions.len();
+        let impacts = if self.origin.is_some() == is_soft {
+            self.impacts.clone()
+        } else {
+            Forces::default()
+        };
+        Self {
+            time: 0.0,
+            steps: 0,
+            energy: EnergyBalance::default(),
+            awake: vec![true; count],
+            still: vec![0; count],
+            origin: None,
+            impacts,
+            ..self.clone()
+        }
+    }
+
+    /// Spheres that move as an assembly does, between walls at rest and without forces.
+    pub(crate) fn moving(
+        positions: Vec<Vector3<f64>>,
+        assembly: &Assembly,
+        walls: impl Iterator<Item = f64>,
+    ) -> Self {
+        let count = positions.len();
+        let of = |all: &Option<Vec<Vector3<f64>>>, index: usize| {
+            let vector = all.as_ref().and_then(|all| all.get(index));
+            vector.copied().unwrap_or_else(Vector3::zeros)
+        };
+        let motion = |index| [of(&assembly.velocities, index), of(&assembly.spins, index)];
+        Self {
+            time: 0.0,
+            steps: 0,
+            positions,
+            motions: (0..count).map(motion).collect(),
+            walls: walls.map(|place| (place, Vector3::zeros())).collect(),
+            energy: EnergyBalance::default(),
+            forces: [Vec::new(), Vec::new()],
+            impacts: [Vec::new(), Vec::new()],
+            shear_offset: assembly.space.offset(),
+            awake: vec![true; count],
+            still: vec![0; count],
+            origin: None,
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! States in the folder of a run.
+
+use super::{Assembly, AssemblyError, text};
+use crate::packing::assembly::Forces;
+use crate::packing::{STATE, mixed};
+use crate::record::frames::{Bodies, Frame, FrameContact, FrameFolder, Kind};
+use crate::record::{ContactRow, Partner};
+use crate::run::{CHECKPOINT, FRAMES};
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use std::path::Path;
+
+/// The spheres at the end of a gas, which keeps no state with forces.
+const SPHERES: &str = "final.xyz";
+
+/// The state at the end of a run, or at the last checkpoint of one that goes on.
+pub(super) fn last_state(folder: &Path) -> Result<Assembly, AssemblyError> {
+    for name in [STATE, CHECKPOINT, SPHERES] {
+        let file = folder.join(name);
+        if file.exists() {
+            return Assembly::parse(&file.display().to_string(), &text(&file)?);
+        }
+    }
+    Err(AssemblyError::Content {
+        file: folder.display().to_string(),
+        reason: format!(
+            "there is none of {STATE}, {CHECKPOINT} and {SPHERES}; run a scene of spheres with `tribos run SCENE --out {}`",
+            folder.display()
+        ),
+    })
+}
+
+/// The frames of a run: positions to a 130,000th of the box, normal forces to 2⁻⁸ of each.
+pub(super) fn frames(folder: &Path) -> Result<Vec<(u64, Assembly)>, AssemblyError> {
+    let path = folder.join(FRAMES);
+    let missing = |reason: &str| AssemblyError::Content {
+        file: path.display().to_string(),
+        reason: reason.into(),
+    };
+    let bodies = FrameFolder::bodies(&path)?
+        .ok_or_else(|| missing("there are no frames; run the scene without `--frames 0`"))?;
+    if bodies.kind == Kind::Tip {
+        return Err(missing(
+            "the frames are of atoms, not of spheres in contact",
+        ));
+    }
+    let mut all = Vec::new();
+    for step in FrameFolder::steps(&path)? {
+        let frame = FrameFolder::read(&path, &bodies, step)?;
+        all.push((step, of_frame(&bodies, &frame)));
+    }
+    Ok(all)
+}
+
+fn of_frame(bodies: &Bodies, frame: &Frame) -> Assembly {
+    let space = PeriodicBox::new(bodies.periods).unwrap_or_default();
+    let space = space.sheared(frame.tilt);
+    let mut assembly = Assembly::new(space, frame.places.clone(), bodies.radii.clone());
+    for axis in 0..3 {
+        if space.lengths()[axis].is_none() {
+            assembly.bounds[axis] = frame.corners.map(|corner| f64::from(corner[axis]));
+        }
+    }
+    if bodies.kind == Kind::Powder {
+        assembly.bounds[2] = [0.0, frame.height];
+    }
+    let walls = walls(bodies);
+    let row = |contact: &FrameContact| row(&assembly, &walls, contact);
+    assembly.contacts = frame.contacts.iter().filter_map(row).collect();
+    assembly.forces = Forces::Normal;
+    assembly.scene = bodies.scene.clone();
+    let known = |all: &Vec<f64>| !all.is_empty();
+    assembly.densities = Some(bodies.densities.clone()).filter(known);
+    assembly.materials = mixed(&bodies.materials).then(|| bodies.materials.clone());
+    assembly
+}
+
+/// Axis of each wall, and whether it is at the high end: above and below, then at the sides.
+fn walls(bodies: &Bodies) -> Vec<(usize, bool)> {
+    let scene = &bodies.scene;
+    let both = |axis: usize| [(axis, false), (axis, true)];
+    if bodies.kind == Kind::Powder {
+        return both(2).to_vec();
+    }
+    let is_drum = scene["container"] == "drum";
+    let mut walls = match scene["z"].as_str() {
+        // Facets stand in place of floor and sides.
+        _ if is_drum => Vec::new(),
+        Some("floor") => vec![(2, false)],
+        Some("walls") => both(2).to_vec(),
+        _ => Vec::new(),
+    };
+    for (axis, key) in ["x", "y"].into_iter().enumerate() {
+        if scene[key] == "walls" {
+            walls.extend(both(axis));
+        }
+    }
+    walls
+}
+
+/// A contact with its geometry.
+fn row(assembly: &Assembly, walls: &[(usize, bool)], contact: &FrameContact) -> Option<ContactRow> {
+    let (a, radii) = (contact.a as usize, &assembly.radii);
+    let from = assembly.positions[a];
+    let (way, other) = match contact.b {
+        Partner::Particle(b) => {
+            let way = assembly
+                .space
+                .displacement(&from, &assembly.positions[b as usize]);
+            (way, radii[b as usize])
+        }
+        Partner::Wall(wall) => {
+            let &(axis, is_high) = walls.get(wall as usize)?;
+            let mut way = Vector3::zeros();
+            way[axis] = assembly.bounds[axis][usize::from(is_high)] - from[axis];
+            (way, 0.0)
+        }
+    };
+    let normal = way.normalize();
+    Some(ContactRow {
+        a: contact.a,
+        b: contact.b,
+        normal,
+        gap: way.norm() - radii[a] - other,
+        force: normal * f64::from(contact.normal_force),
+        torque: Vector3::zeros(),
+    })
+}

@@ -1,0 +1,454 @@
+use crate::gas::Gas;
+use crate::gas::scene::GasScene;
+use crate::grains::Grains;
+use crate::grains::scene::GrainsScene;
+use crate::packing::assembly::{Assembly, Forces};
+use crate::packing::method::ContactMethod;
+use crate::powder::scene::PowderScene;
+use crate::powder::{self, Compaction};
+use crate::random::Random;
+use crate::record::frames::{Bodies, Frame, FrameFolder};
+use crate::record::trajectory::{Format, State, Trajectory};
+use crate::record::{Snapshot, SnapshotError, extended_xyz, particles_vtp};
+use crate::run::LongRun;
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use std::ops::ControlFlow;
+use tribos_base::scene::SceneError;
+
+/// Places, velocities, spins and radii with all their bits in use.
+fn cloud(count: usize) -> ([Vec<Vector3<f64>>; 3], Vec<f64>) {
+    let mut random = Random::new(5, 0);
+    let mut some = |scale: f64, shift: f64| -> Vec<Vector3<f64>> {
+        (0..count)
+            .map(|_| Vector3::from_fn(|_, _| scale * (random.unit() - shift)))
+            .collect()
+    };
+    let vectors = [some(9.0, 0.0), some(1e-3, 0.5), some(7.0, 0.5)];
+    (
+        vectors,
+        (0..count).map(|_| 0.1 + 0.2 * random.unit()).collect(),
+    )
+}
+
+fn refusal(name: &str, text: &str) -> String {
+    Assembly::parse(name, text).map_or_else(|error| error.to_string(), |_| "read".into())
+}
+
+#[test]
+fn exports_of_our_own_come_back_to_the_bit() {
+    let ([places, velocities, spins], radii) = cloud(50);
+    let space = PeriodicBox::new([Some(9.0), Some(9.5), None]).unwrap();
+    let state = Snapshot {
+        time: 0.3,
+        space,
+        extents: [[0.0, 9.0], [0.0, 9.5], [-1.0, 12.0]],
+        positions: &places,
+        radii: &radii,
+        velocities: Some(&velocities),
+        spins: Some(&spins),
+        species: None,
+        materials: None,
+        densities: None,
+        contacts: &[],
+    };
+    for (name, text) in [
+        ("a.xyz", extended_xyz(&state).unwrap()),
+        ("a.vtp", particles_vtp(&state).unwrap()),
+    ] {
+        let read = Assembly::parse(name, &text).unwrap();
+        assert_eq!(read.positions, places, "{name}");
+        assert_eq!(read.radii, radii, "{name}");
+        assert_eq!(read.velocities.as_ref(), Some(&velocities), "{name}");
+        assert_eq!(read.spins.as_ref(), Some(&spins), "{name}");
+        assert_eq!(read.forces, Forces::Unknown);
+        assert_eq!(read.space, space);
+        assert_eq!(read.bounds, state.extents);
+        let periodic = read
+            .with_periods(name, [Some(9.0), Some(9.5), None])
+            .unwrap();
+        assert_eq!(periodic.space, space);
+        for (x, reason) in [
+            (Some(8.0), "its period along x is 9, not 8"),
+            (
+                None,
+                "it says that it repeats along x after 9; give 9 in place of -",
+            ),
+        ] {
+            let other = periodic.clone().with_periods(name, [x, Some(9.5), None]);
+            let other = other.map(|_| ()).map_err(|error| error.to_string());
+            assert_eq!(other, Err(format!("{name}: {reason}")));
+        }
+    }
+}
+
+#[test]
+fn files_of_lammps_give_radii_from_diameters_in_a_box_from_zero() {
+    let data = "grains\n\n2 atoms\n1 atom types\n-1 9 xlo xhi\n0 10 ylo yhi\n0 10 zlo zhi\n\n\
+                Atoms # sphere\n\n1 1 0.5 2600 0 1 2\n2 1 1.5 2600 9 1 2 0 0 1\n\n\
+                Velocities\n\n2 0 0 -1 7 8 9\n1 1 2 3 4 5 6\n";
+    let read = Assembly::parse("g.data", data).unwrap();
+    assert_eq!(read.radii, [0.25, 0.75]);
+    assert_eq!(
+        read.positions,
+        [Vector3::new(1.0, 1.0, 2.0), Vector3::new(10.0, 1.0, 12.0)]
+    );
+    assert_eq!(read.velocities.unwrap()[0], Vector3::new(1.0, 2.0, 3.0));
+    assert_eq!(read.spins.unwrap()[1], Vector3::new(7.0, 8.0, 9.0));
+    assert_eq!(read.space.lengths(), [Some(10.0); 3]);
+    assert_eq!(read.densities, Some(vec![2600.0; 2]));
+    // Data do not say which axes repeat.
+    let open = Assembly::parse("g.data", data).unwrap();
+    let open = open.with_periods("g.data", [Some(10.0), Some(10.0), None]);
+    assert_eq!(
+        open.unwrap().space.lengths(),
+        [Some(10.0), Some(10.0), None]
+    );
+
+    let frame = |x: f64| {
+        format!(
+            "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp ff ff\n0 4\n0 4\n-2 9\n\
+             ITEM: ATOMS id type diameter x y z omegax omegay omegaz\n3 1 0.5 {x} 1 1 4 5 6\n"
+        )
+    };
+    let read = Assembly::parse("g.dump", &(frame(1.0) + &frame(2.0))).unwrap();
+    assert_eq!((read.radii[0], read.positions[0].x), (0.25, 2.0)); // the last frame
+    assert_eq!(read.spins.unwrap()[0], Vector3::new(4.0, 5.0, 6.0));
+    assert_eq!(read.space.lengths(), [Some(4.0), None, None]);
+    assert_eq!(read.bounds, [[0.0, 4.0], [0.0, 4.0], [-2.0, 9.0]]);
+}
+
+#[test]
+fn arrays_as_text_and_in_single_precision_are_read() {
+    let file = |format: &str, points: &str, radii: &str| {
+        format!(
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\">\n<PolyData>\n\
+             <Piece NumberOfPoints=\"2\">\n<PointData Scalars=\"radius\">\n\
+             <DataArray type=\"Float32\" Name=\"radius\" {format}>\n{radii}\n</DataArray>\n</PointData>\n\
+             <Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n\
+             {points}\n</DataArray>\n</Points>\n</Piece>\n</PolyData>\n</VTKFile>\n"
+        )
+    };
+    let points = "0 0 0\n 2 0.5 0";
+    let read = Assembly::parse("a.vtp", &file("format=\"ascii\"", points, "1 0.5")).unwrap();
+    assert_eq!(read.positions[1], Vector3::new(2.0, 0.5, 0.0));
+    assert_eq!(read.radii, [1.0, 0.5]);
+    // 8, 0, 0, 0 as the length in 32 bits; then 1.0 and 0.5 as f32.
+    let read = Assembly::parse(
+        "a.vtp",
+        &file("format=\"binary\"", points, "CAAAAAAAgD8AAAA/"),
+    )
+    .unwrap();
+    assert_eq!(read.radii, [1.0, 0.5]);
+    for (text, reason) in [
+        (
+            file("format=\"ascii\"", points, "1"),
+            "a.vtp: 2 points need as many values of radius, not 1",
+        ),
+        (
+            file("format=\"ascii\"", points, "1 -1"),
+            "a.vtp: point 1: the radius must be a finite number > 0, not -1",
+        ),
+        (
+            file("format=\"binary\"", points, "CAAAAAAAgD8="),
+            "a.vtp: the array radius is damaged",
+        ),
+        (
+            file("format=\"appended\" offset=\"0\"", points, ""),
+            "a.vtp: the array radius is appended to the file; in ParaView save it with Data Mode Ascii or \
+             Binary and Compressor Type None",
+        ),
+        ("<html></html>".into(), "a.vtp: it is no VTK file"),
+    ] {
+        assert_eq!(refusal("a.vtp", &text), reason);
+    }
+}
+
+#[test]
+fn files_without_radii_tilted_or_cut_are_refused_by_line() {
+    let head = "1\nLattice=\"4 0 0 0 4 0 0 0 4\" Properties=species:S:1:pos:R:3";
+    for (text, reason) in [
+        (format!("{head}\nX 1 1 1\n"), "f: line 2: there are no radii; give a column radius:R:1"),
+        (format!("{head}:radius:R:1\nX 1 1 1 0\n"), "f: line 3: the size of a sphere must be a number > 0, not `0`"),
+        (format!("{head}:radius:R:1\nX 1 1 1 0,5\n"), "f: line 3: the size of a sphere must be a finite number (write a decimal point: 0.5), not `0,5`"),
+        (
+            "1\nLattice=\"4 0 0 1 4 0 0 0 4\" Properties=species:S:1:pos:R:3:radius:R:1\nX 1 1 1 1\n".into(),
+            "f: line 2: Lattice must be of an orthogonal cell, or one that leans along x over z, `LX 0 0 0 LY 0 XZ 0 LZ` \
+             with lengths > 0, not `4 0 0 1 4 0 0 0 4`",
+        ),
+        (
+            "t\n\n1 atoms\n1 atom types\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms # atomic\n\n1 1 1 1 1\n".into(),
+            "f: line 9: the atom style `atomic` cannot be read; write the file with atom_style sphere",
+        ),
+        (
+            "t\n\n1 atoms\n1 atom types\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms\n\n1 1 1 1 1\n".into(),
+            "f: line 11: a line of Atoms must be ID TYPE DIAMETER DENSITY X Y Z, and three image flags or none \
+             (atom_style sphere), not `1 1 1 1 1`",
+        ),
+        (
+            "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp ff ff\n0 4\n0 4\n0 9\n\
+             ITEM: ATOMS id type x y z\n3 1 1 1 1\n".into(),
+            "f: line 9: there are no radii; dump the column radius or diameter",
+        ),
+        ("{\"tribos_state\":1}".into(), "f: it is damaged (its digest is not that of its bytes); give a state or a checkpoint that a run of spheres \
+             wrote"),
+    ] {
+        assert_eq!(refusal("f", &text), reason);
+    }
+}
+
+/// A scene of spheres.
+enum Scene {
+    Grains(GrainsScene),
+    Powder(PowderScene),
+    Gas(GasScene),
+}
+
+impl Scene {
+    fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
+        let powder = PowderScene::parse(name, text, &[]).map(Self::Powder);
+        let gas = || GasScene::parse(name, text, &[]).map(Self::Gas);
+        let grains = || GrainsScene::parse(name, text, &[]).map(Self::Grains);
+        powder.or_else(|_| gas()).or_else(|_| grains())
+    }
+}
+
+/// Some bodies of each kind, with several sizes, materials and densities, after some steps.
+fn bodies() -> Vec<(&'static str, Scene)> {
+    let grains = "body = \"grains\"\nwidth = 0.08\nradius = 0.005\ncount = 30\nduration = 1\ndensity = 2500\n\
+                  share_second = 0.4\nradius_second = 0.7\ndensity_second = 7800\nsliding_second = 0.2\n";
+    let scene = |name: &'static str, text: &str| {
+        let scene = Scene::parse(name, text);
+        (
+            name,
+            scene.unwrap_or_else(|error| panic!("{name}: {error}")),
+        )
+    };
+    let of = |name, more: &str| scene(name, &format!("{grains}{more}"));
+    vec![
+        of("bed", ""),
+        of("column", "x = \"walls\"\ny = \"walls\"\n"),
+        of("flat", "dimension = 2\n"),
+        of(
+            "plates",
+            "z = \"walls\"\ngravity = 0\npressure_z = 1000\nplate_speed = 0.1\n",
+        ),
+        of(
+            "hopper",
+            "x = \"walls\"\ncontainer = \"hopper\"\noutlet = 0.03\noutlet_height = 0.02\n",
+        ),
+        of("drum", "container = \"drum\"\ndepth = 0.03\n"),
+        of("cell", "z = \"periodic\"\nheight = 0.08\ngravity = 0\n"),
+        of(
+            "sheared",
+            "z = \"periodic\"\nheight = 0.08\ngravity = 0\nshear_rate = 2\n",
+        ),
+        scene(
+            "powder",
+            "body = \"powder\"\nwidth = 8\nheight = 10\npressure = 0.02\nradius_spread = 0.2\n\
+             share_second = 0.3\ndensity_second = 2\nsliding_second = 0.1\n",
+        ),
+        scene("gas", "body = \"gas\"\ncount = 60\n"),
+    ]
+}
+
+/// What no file may lose.
+#[derive(Clone, Debug, PartialEq)]
+struct Kept {
+    positions: Vec<Vector3<f64>>,
+    radii: Vec<f64>,
+    densities: Option<Vec<f64>>,
+    materials: Option<Vec<u8>>,
+    periods: [Option<f64>; 3],
+    tilt: f64,
+}
+
+impl Kept {
+    fn of(read: &Assembly) -> Self {
+        Self {
+            positions: read.positions.iter().map(|x| read.space.wrap(x)).collect(),
+            radii: read.radii.clone(),
+            densities: read.densities.clone(),
+            materials: read.materials.clone(),
+            periods: read.space.lengths(),
+            tilt: read.space.offset(),
+        }
+    }
+
+    /// The same, with places as near as `share` of the cell, and boxes to rounding.
+    #[track_caller]
+    fn assert_is(&self, other: &Self, share: f64, what: &str) {
+        assert_eq!(self.radii, other.radii, "{what}");
+        assert_eq!(self.densities, other.densities, "{what}");
+        assert_eq!(self.materials, other.materials, "{what}");
+        let ulps = |a: f64, b: f64| (a - b).abs() <= 4.0 * f64::EPSILON * a.abs();
+        // The cell along periodic axes, the reach of the spheres along open ones.
+        let reaches = self.positions.iter().map(Vector3::amax);
+        let mut size = reaches.fold(0.0, f64::max);
+        for (mine, theirs) in self.periods.iter().zip(other.periods) {
+            assert_eq!(mine.is_some(), theirs.is_some(), "{what}");
+            let pair = mine.zip(theirs);
+            assert!(pair.is_none_or(|(a, b)| ulps(a, b)), "{what}");
+            size = size.max(mine.unwrap_or(0.0));
+        }
+        // A tilt is the same after a whole period.
+        if let Some(length) = self.periods[0] {
+            let apart = (self.tilt - other.tilt) / length;
+            assert!((apart - apart.round()).abs() < 1e-15 * 8.0, "{what}");
+        }
+        let space = PeriodicBox::new(self.periods).unwrap().sheared(self.tilt);
+        for (mine, theirs) in self.positions.iter().zip(&other.positions) {
+            let way = space.displacement(mine, theirs);
+            assert!(way.amax() <= share * size, "{what}: {way:?}");
+        }
+        assert_eq!(self.positions.len(), other.positions.len(), "{what}");
+    }
+}
+
+/// The spheres as a file again.
+fn again(read: &Assembly) -> Assembly {
+    let text = extended_xyz(&Snapshot {
+        time: 0.0,
+        space: read.space,
+        extents: read.bounds,
+        positions: &read.positions,
+        radii: &read.radii,
+        velocities: read.velocities.as_deref(),
+        spins: read.spins.as_deref(),
+        species: None,
+        materials: read.materials.as_deref(),
+        densities: read.densities.as_deref(),
+        contacts: &[],
+    });
+    Assembly::parse("again.xyz", &text.unwrap()).unwrap()
+}
+
+/// A run after some steps: its exports, its frames, and the files that only spheres with contacts have.
+fn exports(scene: &Scene) -> (Kept, Vec<(&'static str, String)>, Bodies, Frame) {
+    fn all<R: LongRun>(
+        scene: &R::Scene,
+        export: impl Fn(&R, fn(&Snapshot<'_>) -> Result<String, SnapshotError>) -> String,
+    ) -> (R, [String; 2]) {
+        let mut run = R::begin(scene, None, &mut |_| ControlFlow::Continue(())).unwrap();
+        for _ in 0..30 {
+            run.step().unwrap();
+        }
+        let texts = [export(&run, extended_xyz), export(&run, particles_vtp)];
+        (run, texts)
+    }
+    let kept = |now: &Snapshot<'_>| Kept {
+        positions: now.positions.iter().map(|x| now.space.wrap(x)).collect(),
+        radii: now.radii.to_vec(),
+        densities: now.densities.map(<[f64]>::to_vec),
+        materials: now.materials.map(<[u8]>::to_vec),
+        periods: now.space.lengths(),
+        tilt: now.space.offset(),
+    };
+    match scene {
+        Scene::Grains(scene) => {
+            let (run, [xyz, vtp]) =
+                all::<Grains>(scene, |run, export| run.with_snapshot(export).unwrap());
+            let texts = vec![
+                ("a.xyz", xyz),
+                ("a.vtp", vtp),
+                ("state", run.state()),
+                ("checkpoint", run.checkpoint()),
+            ];
+            (run.with_snapshot(kept), texts, run.bodies(9), run.frame())
+        }
+        Scene::Powder(scene) => {
+            let (run, [xyz, vtp]) =
+                all::<Compaction>(scene, |run, export| run.with_snapshot(export).unwrap());
+            let texts = vec![
+                ("a.xyz", xyz),
+                ("a.vtp", vtp),
+                ("state", run.state()),
+                ("checkpoint", run.checkpoint()),
+            ];
+            (run.with_snapshot(kept), texts, run.bodies(9), run.frame())
+        }
+        Scene::Gas(scene) => {
+            let (run, [xyz, vtp]) = all::<Gas>(scene, |run, export| {
+                run.with_snapshot(export).unwrap().unwrap()
+            });
+            let texts = vec![("a.xyz", xyz), ("a.vtp", vtp)];
+            let kept = run.with_snapshot(kept).unwrap();
+            (kept, texts, run.bodies(9), run.frame())
+        }
+    }
+}
+
+#[test]
+fn no_format_loses_a_radius_a_density_a_material_a_period_or_the_tilt() {
+    for (body, scene) in bodies() {
+        let (run, texts, bodies, frame) = exports(&scene);
+        // A film begins with its first step.
+        let frame = Frame { step: 0, ..frame };
+        assert_eq!(run.materials.is_some(), body != "gas", "{body}");
+        assert_eq!(run.tilt != 0.0, body == "sheared", "{body}");
+        let texts_of_state = texts.iter().find(|(format, _)| *format == "state");
+        let texts_of_state = texts_of_state.map_or(String::new(), |(_, text)| text.clone());
+        for (format, text) in texts {
+            let what = format!("{body}, {format}");
+            let read = Assembly::parse(format, &text).unwrap();
+            Kept::of(&read).assert_is(&run, 0.0, &what);
+            Kept::of(&again(&read)).assert_is(&run, 0.0, &what);
+            // The folder of a gas has the spheres of its end in no other form.
+            if (body, format) == ("gas", "a.xyz") {
+                let home = tempfile::tempdir().unwrap();
+                std::fs::write(home.path().join("final.xyz"), &text).unwrap();
+                Kept::of(&Assembly::read(home.path()).unwrap()).assert_is(&run, 0.0, "a folder");
+            }
+        }
+        // Data of LAMMPS: the start of the same spheres as springs, in a box of room above and below.
+        if let Scene::Powder(scene) = &scene {
+            let home = tempfile::tempdir().unwrap();
+            let file = home.path().join("state.json");
+            std::fs::write(&file, &texts_of_state).unwrap();
+            let soft = PowderScene {
+                method: ContactMethod::Soft,
+                start: Some(file),
+                share_second: 0.0,
+                sliding_second: None,
+                density_second: None,
+                radius_spread: 0.0,
+                ..scene.clone()
+            };
+            let data = powder::export::start(&soft).unwrap().data;
+            let read = Assembly::parse("powder.data", &data).unwrap();
+            let open = read.with_periods("powder.data", [Some(8.0), Some(8.0), None]);
+            let mut read = Kept::of(&open.unwrap());
+            // The box begins below the substrate.
+            let low = read.positions[0].z - run.positions[0].z;
+            read.positions.iter_mut().for_each(|place| place.z -= low);
+            read.assert_is(&run, 1e-14, "powder, data of LAMMPS");
+        }
+        // Frames have places to a 65535th of the box, trajectories in single precision.
+        let home = tempfile::tempdir().unwrap();
+        let frames = home.path().join("frames");
+        let mut film = FrameFolder::begin(&frames, &bodies).unwrap();
+        film.add(&frame);
+        film.finish(&frame).unwrap();
+        let [(_, read)] = &Assembly::read_all(home.path()).unwrap()[..] else {
+            panic!("{body}: one frame");
+        };
+        let coarse = Kept::of(read);
+        coarse.assert_is(&run, 2e-5, body);
+        let stored = FrameFolder::read(&frames, &bodies, frame.step).unwrap();
+        let state = State::of_frame(&bodies, &stored);
+        for format in [Format::Vtk, Format::Xyz, Format::LammpsDump] {
+            let what = format!("{body}, {format:?}");
+            let mut trajectory = Trajectory::begin(home.path(), format).unwrap();
+            trajectory.add(&state).unwrap();
+            let mut file = trajectory.finish().unwrap();
+            if format == Format::Vtk {
+                file = home
+                    .path()
+                    .join(format!("trajectory/{:012}.vtp", frame.step));
+            }
+            let read = Assembly::read(&file).unwrap();
+            Kept::of(&read).assert_is(&coarse, 1e-7, &what);
+            Kept::of(&again(&read)).assert_is(&coarse, 1e-7, &what);
+        }
+    }
+}

@@ -1,0 +1,346 @@
+//! A world of contact dynamics with its contact modes hidden behind the trait of packings.
+
+use super::{
+    Bodies, CarriedModes, Extras, Force, Forces, Frozen, Material, Method, Packing, PackingError,
+    soft,
+};
+use crate::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
+use crate::cd::{
+    self, ContactLaws, EnergyBalance, Facing, Laws, Mixture, Setup, State, StepReport, Stop, Wall,
+    World, WorldError, solid,
+};
+use crate::packing::method::{Coupling, WallLaw};
+use crate::problem::Global;
+use crate::record::{ContactRow, Partner};
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use std::fmt::Debug;
+use tribos_core::contact::{
+    ContactFriction, ContactModes, CoupledFriction, Modal, Sphere, Thresholds, Touch, TouchError,
+};
+use tribos_core::limit_surface::FrictionSet;
+
+/// What a world starts from.
+type Parts<'a> = (
+    &'a Material,
+    (Bodies, &'a Extras),
+    &'a Method,
+    Option<&'a Frozen>,
+);
+
+/// Builds a world whose type has the modes that resist.
+pub(super) fn build(
+    material: &Material,
+    bodies: (Bodies, &Extras),
+    method: &Method,
+    frozen: Option<&Frozen>,
+) -> Result<Box<dyn Packing>, PackingError> {
+    let carried = bodies.1.widest(material).carried();
+    let at = (material, bodies, method, frozen);
+    match carried.coupling {
+        Coupling::Independent => {}
+        Coupling::Ellipsoid => {
+            return coupled(at, |m| Ok([m.ellipsoid(m.sliding)?, m.ellipsoid(0.0)?]));
+        }
+        Coupling::Exact => {
+            return coupled(at, |m| Ok([m.exact(m.sliding)?, m.exact(0.0)?]));
+        }
+    }
+    match carried.modes {
+        CarriedModes::Normal => boxed(at, |_| Ok([Thresholds::none(); 2])),
+        CarriedModes::Sliding => boxed(at, |m| {
+            let of = Thresholds::sliding;
+            Ok(both(m, of(m.sliding)?, of(0.0)?))
+        }),
+        CarriedModes::SlidingTorsion => boxed(at, |m| {
+            let of = Thresholds::sliding_torsion;
+            Ok(both(m, of(m.sliding, m.torsion)?, of(0.0, 0.0)?))
+        }),
+        CarriedModes::SlidingRolling => boxed(at, |m| {
+            let of = Thresholds::sliding_rolling;
+            Ok(both(m, of(m.sliding, m.rolling)?, of(0.0, 0.0)?))
+        }),
+        CarriedModes::All => boxed(at, |m| {
+            let of = Thresholds::all;
+            let rough = of(m.sliding, m.rolling, m.torsion)?;
+            Ok(both(m, rough, of(0.0, 0.0, 0.0)?))
+        }),
+    }
+}
+
+/// A world in which sliding and torsion share a set: one between spheres, one at smooth walls.
+fn coupled<S: FrictionSet<f64> + Copy + Debug + Send + Sync + 'static>(
+    at: Parts<'_>,
+    sets: impl Fn(&Material) -> Result<[S; 2], PackingError>,
+) -> Result<Box<dyn Packing>, PackingError> {
+    if at.1.1.widest(at.0).rolling > 0.0 {
+        boxed(at, |m| {
+            let [rough, smooth] = sets(m)?;
+            let law = |set, mu_t| CoupledFriction::all(set, mu_t);
+            Ok(both(m, law(rough, m.rolling)?, law(smooth, 0.0)?))
+        })
+    } else {
+        boxed(at, |m| {
+            let law = CoupledFriction::sliding_torsion;
+            let [rough, smooth] = sets(m)?;
+            Ok(both(m, law(rough), law(smooth)))
+        })
+    }
+}
+
+/// Friction between spheres and at walls.
+fn both<F: Copy>(material: &Material, rough: F, smooth: F) -> [F; 2] {
+    match material.wall {
+        WallLaw::Full => [rough, rough],
+        WallLaw::Smooth | WallLaw::Bare => [rough, smooth],
+    }
+}
+
+/// Laws of a material with this friction.
+fn laws<F: Copy>(material: &Material, friction: [F; 2]) -> Result<Laws<F>, PackingError> {
+    let normal = material.normal_laws()?;
+    let law = |kind: usize| ContactLaws {
+        normal: normal[kind],
+        friction: friction[kind],
+    };
+    Ok(Laws {
+        pairs: law(0),
+        walls: law(1),
+    })
+}
+
+/// A world with these contact modes; `friction` gives that of a material between spheres and at walls.
+fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
+    (material, (bodies, extras), method, frozen): Parts<'_>,
+    friction: impl Fn(&Material) -> Result<[F; 2], PackingError>,
+) -> Result<Box<dyn Packing>, PackingError> {
+    let of = |material: &Material| laws(material, friction(material)?);
+    let first = of(material)?;
+    let mixture = match &extras.second {
+        None => None,
+        Some(second) => {
+            let laws = [first, of(&second.mixed)?, of(&second.material)?];
+            let materials = second.is_second.iter().map(|is| u8::from(*is));
+            // The law at a wall is that of the sphere.
+            let law = |[a, b]: [u8; 2]| Laws {
+                pairs: laws[usize::from(a + b)].pairs,
+                walls: laws[2 * usize::from(a)].walls,
+            };
+            let walls = vec![0; bodies.walls.len()];
+            Some(Mixture::new(materials.collect(), walls, law))
+        }
+    };
+    let (solver, step_limits, still_speed) = match *method {
+        Method::ContactDynamics {
+            solver,
+            step_limits,
+            still_speed,
+        } => (solver, step_limits, still_speed),
+        // Springs know neither a shear nor several materials.
+        Method::Soft(_) if extras.shear_rate != 0.0 => {
+            let rate = extras.shear_rate;
+            return Err(WorldError::Shear { rate }.into());
+        }
+        Method::Soft(_) if mixture.is_some() => return Err(WorldError::Mixture.into()),
+        Method::Soft(springs) => {
+            let density = |sphere: usize| extras.density(material, sphere);
+            return soft::boxed(density, bodies, &springs, frozen, first);
+        }
+    };
+    let density = |sphere: usize| extras.density(material, sphere);
+    let spheres = bodies.radii.iter().enumerate();
+    let setup = Setup {
+        spheres: spheres.map(|(i, &r)| solid(r, density(i))).collect(),
+        mixture,
+        space: bodies.space,
+        positions: bodies.positions,
+        radii: bodies.radii,
+        walls: bodies.walls,
+        gravity: bodies.gravity,
+        step_limits,
+        solver,
+        sleep_speed: still_speed,
+        ..Setup::new(first)
+    };
+    let mut setup = setup.sheared(extras.shear_rate);
+    for (sphere, velocity) in setup.spheres.iter_mut().zip(&extras.velocities) {
+        sphere.velocity += velocity;
+    }
+    let mut world = World::new(setup)?;
+    if let Some(frozen) = frozen {
+        thaw(frozen, world.state_mut());
+    }
+    Ok(Box::new(world))
+}
+
+/// Restores a stored state in a new world of the same bodies.
+fn thaw<M: ContactModes<f64>>(frozen: &Frozen, state: &mut State<M>) {
+    state.time = frozen.time;
+    state.steps = frozen.steps;
+    state.positions.clone_from(&frozen.positions);
+    for (sphere, [velocity, spin]) in state.spheres.iter_mut().zip(&frozen.motions) {
+        (sphere.velocity, sphere.spin) = (*velocity, *spin);
+    }
+    for (wall, (place, velocity)) in state.walls.iter_mut().zip(&frozen.walls) {
+        (wall.place, wall.plate.velocity) = (*place, *velocity);
+    }
+    state.shear_offset = frozen.shear_offset;
+    state.energy = frozen.energy;
+    state.energy.before_first(state.spheres.iter());
+    state.sleep = Sleep::restored(frozen.awake.clone(), frozen.still.clone());
+    state.memory = memory(&frozen.forces);
+    state.impacts = memory(&frozen.impacts);
+}
+
+/// Forces in the modes of a world.
+fn memory<M: ContactModes<f64>>(forces: &Forces) -> Memory<M> {
+    let modal = |(bodies, force): &([u32; 2], Force)| {
+        let modal = Modal::new(force.normal, force.sliding, force.rolling, force.torsion);
+        (*bodies, modal)
+    };
+    Memory {
+        forces: [0, 1].map(|kind: usize| forces[kind].iter().map(modal).collect()),
+    }
+}
+
+/// Forces in all modes.
+fn forces<M: ContactModes<f64>>(memory: &Memory<M>) -> Forces {
+    let force = |(bodies, modal): &StoredForce<M>| (*bodies, Force::of(modal));
+    [0, 1].map(|kind: usize| memory.forces[kind].iter().map(force).collect())
+}
+
+impl Force {
+    pub(super) fn of<M: ContactModes<f64>>(modal: &Modal<f64, M>) -> Self {
+        Self {
+            normal: modal.normal,
+            sliding: modal.sliding(),
+            rolling: modal.rolling(),
+            torsion: modal.torsion(),
+        }
+    }
+
+    /// A row of the contact table, with the geometry of the contact.
+    pub(super) fn row(&self, a: u32, b: Partner, touch: &Touch<f64>) -> ContactRow {
+        let normal = touch.normal;
+        ContactRow {
+            a,
+            b,
+            normal,
+            gap: touch.gap,
+            force: normal * self.normal + self.sliding,
+            torque: normal * self.torsion + self.rolling,
+        }
+    }
+}
+
+impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
+    fn step(&mut self) -> Result<StepReport, WorldError> {
+        World::step(self)
+    }
+
+    fn clock(&self) -> (f64, u64) {
+        (self.state().time, self.state().steps)
+    }
+
+    fn positions(&self) -> &[Vector3<f64>] {
+        &self.state().positions
+    }
+
+    fn radii(&self) -> &[f64] {
+        &self.setup().radii
+    }
+
+    fn spheres(&self) -> &[Sphere<f64>] {
+        &self.state().spheres
+    }
+
+    fn walls(&self) -> &[Wall] {
+        &self.state().walls
+    }
+
+    fn walls_mut(&mut self) -> &mut [Wall] {
+        &mut self.state_mut().walls
+    }
+
+    fn space(&self) -> PeriodicBox {
+        World::space(self)
+    }
+
+    fn set_gravity(&mut self, gravity: Vector3<f64>) {
+        World::set_gravity(self, gravity);
+    }
+
+    fn energy(&self) -> &EnergyBalance {
+        &self.state().energy
+    }
+
+    fn problem(&self) -> Option<Global> {
+        self.problem().posed().map(|posed| posed.problem)
+    }
+
+    fn is_rigid(&self) -> bool {
+        // Whoever asks for a number of sweeps takes what they leave.
+        let method = self.setup().solver.method;
+        !matches!(
+            method,
+            cd::Method::GaussSeidel {
+                stop: Stop::Fixed,
+                ..
+            }
+        )
+    }
+
+    fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {
+        let (setup, state, space) = (self.setup(), self.state(), self.space());
+        let [pairs, walls] = &state.memory.forces;
+        let book = setup.book();
+        let mut rows = Vec::with_capacity(pairs.len() + walls.len());
+        let with_impact = |kind, bodies, force: &Modal<f64, F::Modes>| {
+            let impact = state.impacts.force(kind, bodies);
+            impact.map_or(*force, |impact| force.plus_scaled(1.0, impact))
+        };
+        for ([a, b], force) in pairs {
+            let force = with_impact(0, [*a, *b], force);
+            let [i, j] = [*a as usize, *b as usize];
+            let apart = space.displacement(&state.positions[i], &state.positions[j]);
+            let touch = Touch::spheres(&apart, [setup.radii[i], setup.radii[j]])?;
+            if force.normal != 0.0 || touch.gap <= book.of_pair([*a, *b]).normal.cohesion().range()
+            {
+                rows.push(Force::of(&force).row(*a, Partner::Particle(*b), &touch));
+            }
+        }
+        for ([a, b], force) in walls {
+            let force = with_impact(1, [*a, *b], force);
+            let (i, wall) = (*a as usize, &state.walls[*b as usize]);
+            let Facing { outward, height } = wall.facing(&setup.space, &state.positions[i]);
+            let touch = Touch::plate(height, &outward, setup.radii[i])?;
+            if force.normal != 0.0 || touch.gap <= book.at_wall([*a, *b]).normal.cohesion().range()
+            {
+                rows.push(Force::of(&force).row(*a, Partner::Wall(*b), &touch));
+            }
+        }
+        Ok(rows)
+    }
+
+    fn freeze(&self) -> Frozen {
+        let state = self.state();
+        Frozen {
+            time: state.time,
+            steps: state.steps,
+            positions: state.positions.clone(),
+            motions: state.spheres.iter().map(|s| [s.velocity, s.spin]).collect(),
+            walls: state
+                .walls
+                .iter()
+                .map(|wall| (wall.place, wall.plate.velocity))
+                .collect(),
+            shear_offset: state.shear_offset,
+            energy: state.energy,
+            forces: forces(&state.memory),
+            impacts: forces(&state.impacts),
+            awake: state.sleep.awake().to_vec(),
+            still: state.sleep.still().to_vec(),
+            origin: None,
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Why a run of a packing cannot start or continue.
+
+use super::PackingError;
+use crate::cd::WorldError;
+use crate::packing::AssemblyError;
+use crate::record::CheckpointError;
+use crate::run::Cause;
+use crate::space::PeriodicBoxError;
+use std::error::Error;
+use tribos_base::scene::InvalidScene;
+use tribos_core::contact::TouchError;
+use tribos_core::law::LawError;
+
+/// Why a run of a packing cannot start or continue; `P` says why its spheres cannot be placed.
+///
+/// ```
+/// use tribos::powder::{Compaction, CompactionError};
+/// use tribos::record::CheckpointError;
+/// use tribos::run::PackingRunError;
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
+/// let refused: Result<_, CompactionError> = Compaction::resume(&scene, "{}");
+/// assert!(matches!(refused, Err(PackingRunError::Checkpoint(CheckpointError::Format(_)))));
+/// ```
+#[derive(Debug, thiserror::Error)]
+pub enum PackingRunError<P: Error + 'static> {
+    /// A field of the scene is wrong.
+    #[error(transparent)]
+    Scene(#[from] InvalidScene),
+    /// The spheres cannot be placed.
+    #[error(transparent)]
+    Placement(P),
+    /// The spheres that the scene starts from cannot be used.
+    #[error("`start`: {0}")]
+    Start(#[from] AssemblyError),
+    /// A length of the box cannot be a period.
+    #[error(transparent)]
+    Space(#[from] PeriodicBoxError),
+    /// The kernel refused a law.
+    #[error(transparent)]
+    Law(#[from] LawError),
+    /// The kernel refused a set of sliding and torsion.
+    #[error(transparent)]
+    Surface(#[from] tribos_core::Error),
+    /// The world cannot start or go on.
+    #[error(transparent)]
+    World(#[from] WorldError),
+    /// A contact of two bodies has no normal.
+    #[error("after step {step}: {cause}")]
+    Touch {
+        /// Number of the step.
+        step: u64,
+        /// The kernel's reason.
+        #[source]
+        cause: TouchError,
+    },
+    /// A number of the series left the range of f64.
+    #[error(
+        "after step {step}: `{column}` is {value:e}; the scene's loads, masses and lengths are too \
+         far apart"
+    )]
+    NotFinite {
+        /// Number of the step.
+        step: u64,
+        /// Column of the series.
+        column: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// Rigid spheres overlap as in no packing of rigid spheres.
+    #[error(
+        "after step {step}: rigid spheres overlap by {:.3} % of a radius, at a solid fraction of {solid_fraction:.4}; \
+         more `sweeps` or a shorter `time_step` help where there is still room, otherwise press with a pressure in \
+         place of a velocity, end the run earlier, or take method = \"soft\"",
+        100.0 * overlap
+    )]
+    Overlap {
+        /// Number of the step.
+        step: u64,
+        /// The deepest overlap over the smaller radius.
+        overlap: f64,
+        /// Solid share of the volume.
+        solid_fraction: f64,
+    },
+    /// The checkpoint cannot be used.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
+}
+
+impl<P: Error + 'static> PackingRunError<P> {
+    /// Whether the run failed on its course, after its scene had been accepted.
+    ///
+    /// ```
+    /// use tribos::grains::Grains;
+    /// use tribos::scene::GrainsScene;
+    /// let refused = Grains::new(&GrainsScene { width: -1.0, ..Default::default() });
+    /// assert!(refused.is_err_and(|error| !error.is_of_course()));
+    /// ```
+    #[doc(hidden)]
+    pub fn is_of_course(&self) -> bool {
+        matches!(
+            self,
+            Self::World(_) | Self::Touch { .. } | Self::NotFinite { .. } | Self::Overlap { .. }
+        )
+    }
+
+    /// Cause for a long run; `is_stop` tells a placement that its caller stopped.
+    pub(crate) fn cause(&self, is_stop: impl Fn(&P) -> bool) -> Cause {
+        match self {
+            Self::Checkpoint(_) => Cause::Checkpoint,
+            Self::Placement(error) if is_stop(error) => Cause::Stopped,
+            _ => Cause::Scene,
+        }
+    }
+}
+
+impl<P: Error + 'static> From<PackingError> for PackingRunError<P> {
+    fn from(error: PackingError) -> Self {
+        match error {
+            PackingError::Law(error) => Self::Law(error),
+            PackingError::Surface(error) => Self::Surface(error),
+            PackingError::World(error) => Self::World(error),
+        }
+    }
+}

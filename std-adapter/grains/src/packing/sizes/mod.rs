@@ -1,0 +1,184 @@
+//! Distributions of the radii of spheres about their mean.
+
+mod normal;
+mod radii;
+mod table;
+
+pub use radii::Radii;
+
+use crate::record::read_text;
+use std::fmt;
+use std::path::PathBuf;
+use std::str::FromStr;
+use tribos_base::scene::key::{Domain, Form, refusal_of};
+
+/// Distance of the cuts of normal and log-normal distributions from the middle, in standard deviations:
+/// the quantiles 0.00135 and 0.99865.
+const CUT: f64 = 3.0;
+/// Largest standard deviation of a normal distribution: its smallest radius would be 0.
+const WIDEST_NORMAL: f64 = 1.0 / CUT;
+/// Largest standard deviation of the logarithm: the largest radius is e⁶ = 403 times the smallest.
+const WIDEST_LOG_NORMAL: f64 = 1.0;
+/// Largest size of a table in bytes.
+const MOST_BYTES: u64 = 16 << 20;
+
+/// Distribution of radii by number, in units of the mean radius.
+///
+/// | text | distribution | domain |
+/// |---|---|---|
+/// | `uniform:S` | uniform from 1 − S to 1 + S | 0 < S < 1 |
+/// | `normal:S` | normal with standard deviation S, cut at 1 ± 3S | 0 < S < 1/3 |
+/// | `lognormal:S` | the logarithm is normal with standard deviation S, cut at its quantiles ±3S | 0 < S ≤ 1 |
+/// | `table:FILE` | the radii of a CSV file with columns `radius,weight`, weights by number | both > 0 |
+///
+/// The mean is 1 after the cut; the radii of a table are scaled to it. A file is named relative to the
+/// working directory.
+///
+/// ```
+/// use tribos::scene::Sizes;
+/// let sizes: Sizes = "lognormal:0.3".parse()?;
+/// assert_eq!(sizes, Sizes::LogNormal(0.3));
+/// assert_eq!(sizes.to_string(), "lognormal:0.3");
+/// let [low, high] = sizes.radii()?.bounds();
+/// assert!((high / low - 1.8_f64.exp()).abs() < 1e-12); // six standard deviations of the logarithm
+/// # Ok::<(), tribos::scene::SizesError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub enum Sizes {
+    /// Uniform between bounds at this distance from the mean.
+    Uniform(f64),
+    /// Normal with this standard deviation before the cut.
+    Normal(f64),
+    /// The logarithm is normal with this standard deviation before the cut.
+    LogNormal(f64),
+    /// Radii and their numbers in a file.
+    Table(PathBuf),
+}
+
+/// Why a distribution of radii is refused.
+///
+/// ```
+/// use tribos::scene::{Sizes, SizesError};
+/// let wide: Result<Sizes, SizesError> = "normal:0.5".parse();
+/// assert!(matches!(wide, Err(SizesError::Width { given, .. }) if given == 0.5));
+/// ```
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SizesError {
+    /// The text names no distribution.
+    #[error(
+        "give \"uniform:0.2\", \"normal:0.1\", \"lognormal:0.3\" or \"table:FILE.csv\", not \"{0}\""
+    )]
+    Form(String),
+    /// The width of a distribution is out of its domain.
+    #[error("{name}: the width must be {valid}, not {given}")]
+    Width {
+        /// Name of the distribution.
+        name: &'static str,
+        /// Description of valid values.
+        valid: &'static str,
+        /// The rejected value.
+        given: f64,
+    },
+    /// A table cannot be read.
+    #[error("{file}: {reason}")]
+    File {
+        /// Name of the file.
+        file: String,
+        /// What is wrong, and what would be valid.
+        reason: String,
+    },
+    /// A line of a table is wrong.
+    #[error("{file}:{line}: {reason}")]
+    Line {
+        /// Name of the file.
+        file: String,
+        /// Line number, from 1.
+        line: usize,
+        /// What is wrong, and what would be valid.
+        reason: String,
+    },
+}
+
+impl Sizes {
+    /// What a message says would be valid.
+    pub(crate) const FORMS: &'static str = "a distribution such as \"uniform:0.2\", \"normal:0.1\", \"lognormal:0.3\" or \"table:FILE.csv\"";
+
+    /// The distribution, ready to be drawn from; reads the file of a table.
+    pub fn radii(&self) -> Result<Radii, SizesError> {
+        self.check()?;
+        match self {
+            Self::Uniform(spread) => Ok(Radii::uniform(1.0 - spread, 1.0 + spread)),
+            Self::Normal(deviation) => Ok(Radii::normal(*deviation)),
+            Self::LogNormal(deviation) => Ok(Radii::log_normal(*deviation)),
+            Self::Table(path) => {
+                let file = path.display().to_string();
+                let text = read_text(path, MOST_BYTES).map_err(|error| SizesError::File {
+                    file: file.clone(),
+                    reason: error.to_string(),
+                })?;
+                Ok(Radii::table(table::read(&file, &text)?))
+            }
+        }
+    }
+
+    /// Refuses widths out of their domains.
+    fn check(&self) -> Result<(), SizesError> {
+        let (name, given, holds, valid) = match *self {
+            Self::Uniform(s) => ("uniform", s, s < 1.0, "> 0 and < 1"),
+            Self::Normal(s) => ("normal", s, s < WIDEST_NORMAL, "> 0 and < 1/3"),
+            Self::LogNormal(s) => ("lognormal", s, s <= WIDEST_LOG_NORMAL, "> 0 and <= 1"),
+            Self::Table(_) => return Ok(()),
+        };
+        if given > 0.0 && holds {
+            Ok(())
+        } else {
+            Err(SizesError::Width { name, valid, given })
+        }
+    }
+}
+
+/// A distribution of radii, as [`Sizes`] reads it.
+pub(crate) const SIZES: Domain = Domain::Form(&Form {
+    name: "sizes",
+    valid: Sizes::FORMS,
+    refusal: refusal_of::<Sizes>,
+    has_numbers: false,
+    names_absence: true,
+});
+
+tribos_base::spelled!(Sizes);
+
+impl fmt::Display for Sizes {
+    /// As [`Sizes::from_str`] takes it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Uniform(spread) => write!(f, "uniform:{spread}"),
+            Self::Normal(deviation) => write!(f, "normal:{deviation}"),
+            Self::LogNormal(deviation) => write!(f, "lognormal:{deviation}"),
+            Self::Table(path) => write!(f, "table:{}", path.display()),
+        }
+    }
+}
+
+impl FromStr for Sizes {
+    type Err = SizesError;
+
+    fn from_str(text: &str) -> Result<Self, SizesError> {
+        let refused = || SizesError::Form(text.into());
+        let (name, rest) = text.split_once(':').ok_or_else(refused)?;
+        let rest = rest.trim();
+        let width = || rest.parse::<f64>().map_err(|_| refused());
+        let sizes = match name.trim() {
+            "uniform" => Self::Uniform(width()?),
+            "normal" => Self::Normal(width()?),
+            "lognormal" => Self::LogNormal(width()?),
+            "table" if !rest.is_empty() => Self::Table(rest.into()),
+            _ => return Err(refused()),
+        };
+        sizes.check()?;
+        Ok(sizes)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,299 @@
+//! Forecast of the cost of a compaction: spheres, contacts, unknowns, and the time of an update.
+
+use super::deposit::{Ballistic, Deposit};
+use super::error::CompactionError;
+use super::parts;
+use super::start::Start;
+use crate::packing::Assembly;
+use crate::packing::method::{ContactMethod, Coupling};
+use crate::packing::{self, CarriedModes, Method, Packing};
+use crate::powder::scene::{PowderScene, SweepMethod, SweepOrder, SweepStop};
+use crate::run::RunSize;
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use std::ops::ControlFlow;
+use tribos_core::contact::Sphere;
+
+/// Size of a scene and time of its updates. *Units*: times in s on one core of this machine.
+///
+/// ```
+/// use tribos::powder::{PowderCost, cost};
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
+/// // A small powder whose contacts slide with friction: a normal and two tangential unknowns.
+/// let cost = cost(&scene)?;
+/// assert_eq!((cost.unknowns, PowderCost::unknowns_without(&scene, 0)), (3, 1));
+/// assert!(cost.memory() > cost.contacts[1] * cost.bytes); // and the spheres
+/// assert!(cost.update_seconds > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct PowderCost {
+    /// Number of spheres in the deposit; an estimate from 200,000 on, where it is not grown.
+    pub spheres: usize,
+    /// Lower and upper estimate of the number of contacts in the compacted packing.
+    pub contacts: [usize; 2],
+    /// Unknowns per contact.
+    pub unknowns: usize,
+    /// Bytes per contact in the solver, or per pair of soft neighbours.
+    pub bytes: usize,
+    /// Time of one contact update.
+    pub update_seconds: f64,
+    /// Time of an update with sliding friction only, measured alternately with the other.
+    pub sliding_seconds: f64,
+}
+
+/// Contacts per sphere after compaction. The thesis' small system ends with 2.8 if smooth, with 2.1
+/// under sliding friction, and with 1.5 and 1.0 for rolling and torsion coefficients of 0.1 and 1:
+/// the more a contact can bear, the fewer are needed.
+fn contacts_a_sphere(modes: CarriedModes) -> [f64; 2] {
+    match modes {
+        CarriedModes::Normal => [2.6, 3.0],
+        CarriedModes::Sliding | CarriedModes::SlidingTorsion => [2.0, 2.6],
+        CarriedModes::SlidingRolling | CarriedModes::All => [1.0, 2.0],
+    }
+}
+
+/// Memory of a run per sphere, in bytes, including contacts, neighbours and exports: measured with
+/// 3,000 and 12,000 spheres.
+const BYTES_A_SPHERE: f64 = 5e3;
+/// Time per sphere until the thesis' systems of 470 to 4,193 spheres are blocked.
+const SECONDS_A_SPHERE: f64 = 25e-3;
+/// Time of a step per sphere, with the usual number of sweeps.
+const SECONDS_A_STEP: f64 = 5e-6;
+/// Time of a stable step of soft contacts per sphere, and time in the scene's unit until the thesis' small
+/// system is blocked.
+const SOFT_SECONDS: f64 = 0.25e-6;
+const SOFT_TIME: f64 = 500.0;
+/// Largest number of spheres for which the deposit is grown to count them.
+const COUNTED: f64 = 2e5;
+
+/// Rough cost of a run of the scene, before its deposit is grown.
+///
+/// *Accuracy*: a tenth for the spheres, a factor of 1.5 for the memory, the order of magnitude for
+/// the time.
+///
+/// ```
+/// use tribos::powder::size;
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene { width: 20.0, height: 61.5, ..PowderScene::default() };
+/// let small = size(&scene);
+/// assert!((420.0..520.0).contains(&small.bodies) && (1.0..60.0).contains(&small.seconds));
+/// ```
+pub fn size(scene: &PowderScene) -> RunSize {
+    let bodies = expected_spheres(scene);
+    let [step, sphere] = match stable_step(scene) {
+        None => [SECONDS_A_STEP, SECONDS_A_SPHERE],
+        Some(stable) => [scene.time_step, SOFT_TIME].map(|time| time / stable * SOFT_SECONDS),
+    };
+    RunSize {
+        bodies,
+        bytes: bodies * BYTES_A_SPHERE,
+        seconds: (bodies * scene.steps as f64 * step).min(bodies * sphere),
+    }
+}
+
+/// Usual length of the stable steps of soft contacts, in the scene's unit of time; `None` for rigid ones.
+///
+/// ```
+/// use tribos::powder::stable_step;
+/// use tribos::scene::{ContactMethod, PowderScene};
+/// let soft = PowderScene { method: ContactMethod::Soft, stiffness: 1e4, ..PowderScene::default() };
+/// // 2 √(m/(2 k)) in 35 steps, with m = 4π/3.
+/// assert!(stable_step(&soft).is_some_and(|dt| (dt / 8.27e-4 - 1.0).abs() < 1e-3));
+/// assert_eq!(stable_step(&PowderScene::default()), None);
+/// ```
+pub fn stable_step(scene: &PowderScene) -> Option<f64> {
+    match scene.contact_method() {
+        Method::ContactDynamics { .. } => None,
+        Method::Soft(springs) => {
+            let radius = scene.least_radius();
+            Some(packing::stable_step(
+                &springs,
+                &scene.material(),
+                radius,
+                0.0,
+            ))
+        }
+    }
+}
+
+/// Number of spheres in the deposit; `None` if width and capture radius are incompatible.
+fn expected_spheres(scene: &PowderScene) -> f64 {
+    if let Some(path) = &scene.start {
+        return Assembly::read(path).map_or(0.0, |spheres| spheres.radii.len() as f64);
+    }
+    let spheres = |ballistic: Ballistic| ballistic.expected_spheres(scene.until());
+    scene.ballistic().map_or(0.0, spheres)
+}
+
+/// Grows the deposit if it is not too large, and times updates in a small block of spheres under load.
+///
+/// *Accuracy*: about ten per cent for the times; the updates of unequal spheres, or with all contacts at
+/// their thresholds, take longer.
+pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
+    scene.check()?;
+    let expected = expected_spheres(scene);
+    let spheres = if expected <= COUNTED {
+        let start = Start::of(scene, |_| ControlFlow::Continue(()))?;
+        start.deposit.positions.len()
+    } else {
+        expected.round() as usize
+    };
+    /// A dry friction coefficient.
+    const USUAL: f64 = 0.3;
+    let carried = scene.material().carried();
+    let mu = scene.sliding;
+    let plain = PowderScene {
+        // The same coefficient, or the usual one for smooth spheres.
+        sliding: if mu > 0.0 { mu } else { USUAL },
+        rolling: 0.0,
+        torsion: 0.0,
+        coupling: Coupling::Independent,
+        ..scene.clone()
+    };
+    let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
+    let spread = scene.radius_spread > 0.0 || scene.sizes.is_some();
+    let unequal = spread || scene.share_second > 0.0 || scene.start.is_some();
+    Ok(PowderCost {
+        spheres,
+        contacts: contacts_a_sphere(carried.modes)
+            .map(|share| (share * spheres as f64).round() as usize),
+        unknowns: carried.modes.unknowns(),
+        bytes: match scene.method {
+            ContactMethod::ContactDynamics => carried.modes.bytes()[usize::from(unequal)],
+            ContactMethod::Soft => carried.modes.soft_bytes(),
+        },
+        update_seconds,
+        sliding_seconds,
+    })
+}
+
+/// Spheres along an edge of the block, and their distance, slightly less than a diameter.
+const EDGE: usize = 6;
+const SPACING: f64 = 2.0 - 1e-6;
+/// Shear of the block per layer, which mixes normals and tangents.
+const SHEAR: f64 = 0.05;
+/// Sweeps per step, so that the rest of the step is negligible.
+const SWEEPS: usize = 50;
+
+/// A block of equal spheres under the scene's laws and a fixed number of sweeps.
+fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
+    let width = EDGE as f64 * SPACING;
+    let rise = (SPACING * SPACING - 2.0 * SHEAR * SHEAR).sqrt();
+    let at = |index: usize| {
+        let place = [index % EDGE, index / EDGE % EDGE, index / (EDGE * EDGE)];
+        let [x, y, z] = place.map(|i| i as f64);
+        let aside = |x: f64| (x * SPACING + z * SHEAR).rem_euclid(width);
+        Vector3::new(aside(x), aside(y), 1.0 + z * rise)
+    };
+    let count = EDGE.pow(3);
+    let deposit = Deposit {
+        positions: (0..count).map(at).collect(),
+        radii: vec![1.0; count],
+        parents: vec![None; count],
+        width,
+        space: PeriodicBox::new([Some(width), Some(width), None]).unwrap_or_default(),
+        height: 2.0 + (EDGE - 1) as f64 * rise,
+    };
+    let timed = PowderScene {
+        width,
+        still_speed: 0.0,
+        // One stable step of soft contacts; sweeps do not depend on it.
+        time_step: scene
+            .time_step
+            .min(stable_step(scene).unwrap_or(f64::INFINITY)),
+        solver: SweepMethod::GaussSeidel,
+        order: SweepOrder::Fixed,
+        stop: SweepStop::Fixed,
+        sweeps: SWEEPS,
+        warm_start: false,
+        ..scene.clone()
+    };
+    let kinds = timed.kinds(count);
+    Ok(parts::packing(&timed, (&deposit, &kinds), None)?)
+}
+
+impl PowderCost {
+    /// Memory of the spheres and of the most contacts in the solver, in bytes, without neighbour lists.
+    pub fn memory(&self) -> usize {
+        // Place and radius; velocities and masses of the state, of the trial and without contacts.
+        let sphere = size_of::<Vector3<f64>>() + size_of::<f64>() + 3 * size_of::<Sphere<f64>>();
+        self.spheres * sphere + self.contacts[1] * self.bytes
+    }
+
+    /// Unknowns per contact if one of the modes (sliding, rolling, torsion) were left out.
+    pub fn unknowns_without(scene: &PowderScene, mode: usize) -> usize {
+        let mut less = scene.clone();
+        match mode {
+            0 => less.sliding = 0.0,
+            1 => less.rolling = 0.0,
+            _ => less.torsion = 0.0,
+        }
+        less.material().carried().modes.unknowns()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene(keys: &str) -> PowderScene {
+        let text = format!("body = \"powder\"\nwidth = 6\nheight = 8\n{keys}");
+        PowderScene::parse("tiny.toml", &text, &[]).unwrap()
+    }
+
+    #[test]
+    fn contacts_carry_the_unknowns_of_the_modes_that_resist() {
+        for (keys, unknowns, coupling) in [
+            ("sliding = 0", 1, Coupling::Independent),
+            (
+                "sliding = 0\ncoupling = \"exact\"",
+                1,
+                Coupling::Independent,
+            ),
+            ("", 3, Coupling::Independent),
+            ("torsion = 0.1", 4, Coupling::Independent),
+            ("torsion = 0.1\ncoupling = \"exact\"", 4, Coupling::Exact),
+            (
+                "rolling = 0.1\ncoupling = \"ellipsoid\"",
+                5,
+                Coupling::Independent,
+            ),
+            ("rolling = 0.1\ntorsion = 0.1", 6, Coupling::Independent),
+            ("sliding = 0\nrolling = 0.1", 6, Coupling::Independent),
+        ] {
+            let carried = scene(keys).material().carried();
+            assert_eq!(carried.modes.unknowns(), unknowns, "{keys}");
+            assert_eq!(carried.coupling, coupling, "{keys}");
+        }
+        let all = scene("rolling = 0.1\ntorsion = 0.1");
+        let without = [1, 2].map(|mode| PowderCost::unknowns_without(&all, mode));
+        assert_eq!(without, [4, 5]);
+    }
+
+    #[test]
+    fn a_block_under_any_laws_sweeps_all_of_its_contacts() {
+        for keys in [
+            "sliding = 0",
+            "",
+            "rolling = 1\ntorsion = 1\ncoupling = \"exact\"",
+            "cohesion_range = 0",
+        ] {
+            let report = block(&scene(keys)).unwrap().step().unwrap();
+            // Three contacts per sphere and two walls; the top layer has no layer above it.
+            let expected = 3 * EDGE.pow(3) + EDGE.pow(2);
+            assert_eq!(
+                (report.iterations.sweeps, report.contacts),
+                (SWEEPS, expected),
+                "{keys}"
+            );
+        }
+        let cost = cost(&scene("rolling = 0.1")).unwrap();
+        assert!(
+            cost.update_seconds > 0.0 && cost.update_seconds < 1e-4,
+            "{cost:?}"
+        );
+        assert!(cost.memory() > cost.spheres * 100);
+    }
+}

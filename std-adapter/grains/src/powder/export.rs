@@ -1,0 +1,285 @@
+//! Files with which LAMMPS runs the same powder, by the pair style `gran/tribos` of `engines/lammps`.
+
+use super::blocked::{LOAD_DEVIATION, PISTON_MOTION, window_time};
+use super::deposit::Deposit;
+use super::error::CompactionError;
+use super::start::Start;
+use crate::cd::Wall;
+use crate::packing::method::{Coupling, WallLaw};
+use crate::packing::{Kinds, Material, Method, Springs, stable_step_between};
+use crate::powder::scene::PowderScene;
+use crate::record::number;
+use crate::soft::{Stiffness, damping};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+use std::ops::ControlFlow;
+
+/// Room above the piston and below the substrate in the box of the files, in R.
+const ROOM: f64 = 2.0;
+/// Distance by which neighbour lists reach beyond a contact, in R.
+const SKIN: f64 = 0.2;
+/// Lines of thermodynamic output in a window.
+const LINES: u64 = 4;
+/// Largest force of a contact, over that of the load and the weight on R². The mean at the walls of the thesis'
+/// powders, of which 35 % are solid, is 9; single forces exceed it several times.
+const LARGEST_FORCE: f64 = 100.0;
+/// Most spheres at a wall, times the square of the radius over the area: disks in hexagonal order, 1/(2 √3).
+const CLOSEST: f64 = 0.288_675_134_594_812_9;
+
+/// A data file and an input script.
+///
+/// ```
+/// use tribos::powder::export::{Export, start};
+/// use tribos::scene::{ContactMethod, PowderScene};
+/// let soft = PowderScene {
+///     width: 6.0,
+///     height: 8.0,
+///     method: ContactMethod::Soft,
+///     ..PowderScene::default()
+/// };
+/// let files: Export = start(&soft)?;
+/// assert!(files.data.contains("Atoms # sphere"));
+/// assert!(files.script.contains("pair_coeff * * hooke 1000.0 damping 1.0 sliding 0.3"));
+/// // Rigid spheres have no springs.
+/// assert!(start(&PowderScene { method: ContactMethod::ContactDynamics, ..soft }).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Export {
+    /// Spheres at the start, at rest.
+    pub data: String,
+    /// Laws, walls and the run until the piston stands; reads the data as `powder.data`.
+    pub script: String,
+}
+
+/// Why a scene is not exported.
+#[derive(Debug)]
+pub enum ExportError {
+    /// Rigid spheres have no springs that LAMMPS could integrate.
+    Rigid,
+    /// The spheres cannot be made or read.
+    Start(CompactionError),
+}
+
+impl std::fmt::Display for ExportError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Rigid => write!(
+                f,
+                "LAMMPS integrates springs: export the scene with method = \"soft\", or `--set method=soft`"
+            ),
+            Self::Start(error) => write!(f, "{error}"),
+        }
+    }
+}
+
+impl std::error::Error for ExportError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Rigid => None,
+            Self::Start(error) => Some(error),
+        }
+    }
+}
+
+/// The start of a scene's run.
+pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
+    let Method::Soft(springs) = scene.contact_method() else {
+        return Err(ExportError::Rigid);
+    };
+    scene
+        .check()
+        .map_err(CompactionError::from)
+        .map_err(ExportError::Start)?;
+    let Start { deposit, kinds, .. } =
+        Start::of(scene, |_| ControlFlow::Continue(())).map_err(ExportError::Start)?;
+    let stable = stable_step(scene, &springs, (&deposit, &kinds));
+    Ok(Export {
+        data: data(scene, (&deposit, &kinds)),
+        script: script(scene, &deposit, stable.min(scene.time_step)),
+    })
+}
+
+/// A step that is stable during the whole run: for the smallest sphere, the largest force and a piston on as many
+/// spheres as find room.
+fn stable_step(
+    scene: &PowderScene,
+    springs: &Springs,
+    (deposit, kinds): (&Deposit, &Kinds),
+) -> f64 {
+    let smallest = deposit.radii.iter().copied().fold(f64::INFINITY, f64::min);
+    let area = scene.width * scene.width;
+    let weighed = deposit.radii.iter().zip(&kinds.densities);
+    let mass: f64 = weighed
+        .map(|(radius, density)| density * volume(*radius))
+        .sum();
+    let pressure = scene.pressure + scene.gravity * mass / area;
+    let touching = (CLOSEST * area / (smallest * smallest)).ceil() as usize;
+    let piston = Wall::piston(
+        -Vector3::z(),
+        -deposit.height,
+        scene.piston_mass,
+        scene.load(),
+    );
+    // The lightest sphere is the quickest.
+    let material = Material {
+        density: kinds
+            .densities
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min),
+        ..scene.material()
+    };
+    stable_step_between(
+        (springs, &material),
+        (smallest, LARGEST_FORCE * pressure),
+        (&[piston], &[touching.min(deposit.radii.len())]),
+    )
+}
+
+/// Volume of the spheres.
+fn solid(deposit: &Deposit) -> f64 {
+    deposit.radii.iter().map(|radius| volume(*radius)).sum()
+}
+
+/// Volume of a sphere.
+fn volume(radius: f64) -> f64 {
+    4.0 / 3.0 * PI * radius * radius * radius
+}
+
+/// Spheres with their materials as types and their densities as a data file.
+fn data(scene: &PowderScene, (deposit, kinds): (&Deposit, &Kinds)) -> String {
+    let types = if kinds.mixed().is_some() { 2 } else { 1 };
+    let [width, low, high] = [scene.width, -ROOM, deposit.height + ROOM].map(number);
+    let mut text = format!(
+        "LAMMPS data file by tribos\n\n{} atoms\n{types} atom types\n\n\
+         0 {width} xlo xhi\n0 {width} ylo yhi\n{low} {high} zlo zhi\n\nAtoms # sphere\n\n",
+        deposit.radii.len()
+    );
+    for (index, (radius, at)) in deposit.radii.iter().zip(&deposit.positions).enumerate() {
+        let (kind, density) = (kinds.materials[index], kinds.densities[index]);
+        let [diameter, density, x, y, z] = [2.0 * radius, density, at.x, at.y, at.z].map(number);
+        let _ = writeln!(
+            text,
+            "{} {kind} {diameter} {density} {x} {y} {z}",
+            index + 1
+        );
+    }
+    text
+}
+
+/// The law of the spheres, and that of substrate and piston, in the words of the pair style.
+fn laws(scene: &PowderScene) -> [String; 2] {
+    let spring = match scene.spring() {
+        Stiffness::Linear(k) => format!("hooke {}", number(k)),
+        Stiffness::Hertz(modulus) => format!("hertz {}", number(modulus)),
+    };
+    let ratio = if scene.restitution > 0.0 {
+        damping(scene.restitution)
+    } else {
+        scene.damping
+    };
+    let spring = format!("{spring} damping {}", number(ratio));
+    let coupling = match scene.coupling {
+        Coupling::Independent => "separate",
+        Coupling::Ellipsoid => "ellipsoid",
+        Coupling::Exact => "exact",
+    };
+    let [sliding, torsion, rolling, range] = [
+        scene.sliding,
+        scene.torsion,
+        scene.rolling,
+        scene.cohesion_range,
+    ]
+    .map(number);
+    let friction = format!(
+        "sliding {sliding} coupling {coupling} torsion {torsion} torsion/spring inertia rolling {rolling}"
+    );
+    let cohesion = format!("cohesion 1 {range}");
+    let full = format!("{spring} {friction} {cohesion}");
+    let wall = match scene.wall {
+        WallLaw::Full => full.clone(),
+        WallLaw::Smooth => format!("{spring} {cohesion}"),
+        WallLaw::Bare => spring,
+    };
+    [full, wall]
+}
+
+/// The input script.
+fn script(scene: &PowderScene, deposit: &Deposit, time_step: f64) -> String {
+    let [spheres, walls] = laws(scene);
+    let window = (window_time(scene.piston_mass, scene.load()) / time_step).ceil() as u64;
+    // As long as the run may take here: `steps` steps of `time_step`, or `duration`.
+    let most = scene.steps as f64 * scene.time_step;
+    let most = scene.duration.map_or(most, |duration| duration.min(most));
+    let windows = (most / (window as f64 * time_step)).ceil().max(1.0) as u64;
+    let weight = if scene.gravity > 0.0 {
+        format!(
+            "fix weight all gravity {} vector 0 0 -1\n",
+            number(scene.gravity)
+        )
+    } else {
+        String::new()
+    };
+    let [height, load, mass, area, solid, dt, skin, motion, deviation] = [
+        deposit.height,
+        scene.load(),
+        scene.piston_mass,
+        scene.width * scene.width,
+        solid(deposit),
+        time_step,
+        SKIN,
+        PISTON_MOTION,
+        LOAD_DEVIATION,
+    ]
+    .map(number);
+    format!(
+        "# A powder under a piston, written by `tribos export lammps`. Run it in this folder:\n\
+         #\n\
+         #   mpiexec -np 2 lmp -in in.powder -var plugin PATH/tribosplugin.so\n\
+         #\n\
+         # The plugin belongs to engines/lammps of Tribos. LAMMPS splits a path with spaces: set LD_LIBRARY_PATH to\n\
+         # the folder of the plugin and leave -var out. The run ends when the piston stands under its load, and\n\
+         # writes porosity.txt, powder.restart and the spheres at the end as end.dump.\n\
+         #\n\
+         # Units: lengths in R, the mean radius; forces in F_coh, the cohesion; densities in rho, that of the spheres;\n\
+         # times in sqrt(rho R^4/F_coh).\n\n\
+         variable plugin index tribosplugin.so\n\
+         plugin load ${{plugin}}\n\
+         shell rm -f porosity.txt\n\n\
+         units lj\natom_style sphere\ncomm_modify vel yes\nboundary p p f\n\
+         # The spheres at rest.\n\
+         read_data powder.data\n\n\
+         # Springs, dashpots, thresholds of friction over P = F_n + F_coh, cohesion and the gap that it spans.\n\
+         # LAMMPS does not know the style gran/tribos unless the plugin is loaded.\n\
+         pair_style gran/tribos\npair_coeff * * {spheres}\n\
+         neighbor {skin} bin\nneigh_modify delay 0 every 1 check yes\ntimestep {dt}\n\n\
+         fix move all nve/sphere\n{weight}\
+         # Wall 1 is the substrate, wall 2 the piston with its load and its mass.\n\
+         fix walls all wall/gran/tribos {walls} zlo 0 zhi {height} piston {load} {mass}\n\n\
+         # Kinetic energy; height and velocity of the piston, the force of the spheres on it; porosity below it.\n\
+         variable porosity equal 1-{solid}/({area}*f_walls[2][1])\n\
+         variable push equal f_walls[2][5]\n\
+         fix mean all ave/time 1 {window} {window} v_push\n\
+         thermo {lines}\n\
+         thermo_style custom step time ke f_walls[2][1] f_walls[2][2] f_walls[2][5] v_porosity\n\n\
+         # Windows of a run until the piston moves less than {motion} in one and bears its load of {load} in the mean\n\
+         # within {deviation} of it.\n\
+         variable window loop {windows}\n\
+         label next\n\
+         variable before equal $(f_walls[2][1])\n\
+         run {window}\n\
+         variable moved equal abs(f_walls[2][1]-v_before)\n\
+         variable error equal abs(f_mean/{load}-1)\n\
+         if \"${{moved}} < {motion} && ${{error}} < {deviation}\" then \"jump SELF end\"\n\
+         next window\n\
+         jump SELF next\n\
+         print \"not blocked within the time of the scene: the piston still moves\"\n\
+         label end\n\
+         print \"${{porosity}}\" file porosity.txt\n\
+         write_restart powder.restart\n\
+         write_dump all custom end.dump id type radius x y z vx vy vz modify sort id format float %.17g\n",
+        lines = (window / LINES).max(1),
+    )
+}

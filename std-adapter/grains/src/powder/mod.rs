@@ -1,0 +1,36 @@
+//! Cohesive powders of spheres.
+
+mod blocked;
+mod compaction;
+mod cost;
+#[doc(hidden)]
+pub mod deposit;
+mod error;
+#[doc(hidden)]
+pub mod export;
+mod outcome;
+mod parts;
+mod press;
+pub(crate) mod scene;
+mod session;
+mod start;
+
+pub use crate::packing::Statistics;
+#[doc(hidden)]
+pub use crate::packing::{Carried, CarriedModes, Limits, Material, STATE, Stress};
+pub use crate::record::CheckpointError;
+#[doc(hidden)]
+pub use blocked::{Means, Window};
+#[doc(hidden)]
+pub use compaction::COLUMNS;
+pub use compaction::{Compaction, Ending};
+#[doc(hidden)]
+pub use cost::{PowderCost, cost, size, stable_step};
+pub use deposit::DepositError;
+pub use error::CompactionError;
+pub use outcome::Outcome;
+#[doc(hidden)]
+pub use parts::PISTON;
+
+#[cfg(test)]
+mod tests;

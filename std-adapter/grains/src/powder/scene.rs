@@ -1,0 +1,316 @@
+//! The scene of a cohesive powder under a piston (thesis, section 4.5).
+
+use crate::cd::{Method, Order, Solver, StepLimits, Stop};
+use crate::packing::method::{ContactMethod, Coupling, NormalForce, WallLaw, soft_rules};
+use crate::packing::{SIZES, Sizes};
+use crate::powder::deposit::{Ballistic, DepositError, Until};
+use crate::soft::{STEPS_PER_COLLISION, Stiffness};
+use std::path::PathBuf;
+use tribos_base::scene::entries::Written;
+use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
+use tribos_base::scene::reader::Judge;
+use tribos_base::scene::table::scene;
+use tribos_base::scene::words::{Word, words};
+use tribos_core::contact::Attraction;
+
+/// When a packing counts as blocked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Criterion {
+    /// Forces balance and the piston stands.
+    Balance,
+    /// The piston stands (thesis, section 4.5).
+    Piston,
+}
+words!(Criterion { Balance = "balance", Piston = "piston" });
+
+/// Method for the contacts of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SweepMethod {
+    /// Gauss–Seidel sweeps with momentum.
+    Accelerated,
+    /// Plain non-linear Gauss–Seidel sweeps.
+    GaussSeidel,
+}
+words!(SweepMethod { Accelerated = "accelerated", GaussSeidel = "gauss-seidel" });
+
+/// Order in which a plain sweep visits the contacts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SweepOrder {
+    /// Forward and backward by turns.
+    Alternating,
+    /// Always the same.
+    Fixed,
+    /// Another one for each sweep.
+    Random,
+}
+words!(SweepOrder { Alternating = "alternating", Fixed = "fixed", Random = "random" });
+
+/// When plain sweeps stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SweepStop {
+    /// When the change of all contacts together is small.
+    Global,
+    /// When the change of every contact is small.
+    Local,
+    /// After a fixed number.
+    Fixed,
+}
+words!(SweepStop { Global = "global", Local = "local", Fixed = "fixed" });
+
+/// Stream of random orders of sweeps: another seed than the deposit's is of no use.
+const ORDER_SEED: u64 = 1;
+
+scene! {
+    /// A cohesive powder under a piston. *Units*: lengths in mean radii R of the spheres, forces in
+    /// F_coh, the density of the spheres is 1: times are in √(ρR⁴/F_coh).
+    ///
+    /// The default is the thesis' small system: 470 spheres on a base of 20 R by 20 R.
+    ///
+    /// ```
+    /// use tribos::{powder::Compaction, run::drive, scene::PowderScene};
+    /// let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..Default::default() };
+    /// let mut compaction = Compaction::new(&scene)?;
+    /// drive(&mut compaction, |_, _| ())?;
+    /// let [before, after] = compaction.outcome().porosity;
+    /// assert!(after < before);
+    /// # Ok::<(), tribos::powder::CompactionError>(())
+    /// ```
+    pub struct PowderScene = "powder", "A powder under a piston",
+        rules, in_force;
+
+    /// Side of the square base, periodic in x and y.
+    width: f64 = 20.0, "R", Positive, Required;
+    /// Height at which the deposit is cut and the piston starts, unless `count` or `start` is given.
+    height: f64 = 61.5, "R", Positive, UnlessEither("count", "start");
+    /// Number of spheres, in place of `height`.
+    count: Option<usize> = None, "-", Count { up_to: 1e6 };
+    /// Spheres to start from in place of a deposit: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
+    start: Option<PathBuf> = None, "-", Path;
+    /// Distance of centres at which a falling sphere is captured.
+    // Thesis, section 4.5.
+    capture_radius: f64 = 3.0, "R", Positive;
+    /// Spread of the radii, which are uniform from 1 - spread to 1 + spread.
+    radius_spread: f64 = 0.0, "R", NotNegative, Without("start");
+    /// Distribution of the radii about their mean, in place of `radius_spread`.
+    sizes: Option<Sizes> = None, "-", SIZES, Without("start");
+    /// Seed of the deposit's random numbers.
+    seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
+    /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.
+    // Thesis, section 4.6.
+    sliding: f64 = 0.3, "-", NotNegative;
+    /// Rolling coefficient mu_t: largest rolling torque over P r_eff.
+    rolling: f64 = 0.0, "-", NotNegative;
+    /// Torsion coefficient mu_n: largest torsion torque over P r_eff.
+    torsion: f64 = 0.0, "-", NotNegative;
+    /// How the thresholds of sliding and torsion depend on each other.
+    coupling: Coupling = Coupling::Independent, "-", OneOf(Coupling::WORDS);
+    /// Share of the spheres that are of a second material, chosen at random; those of `start` that have materials keep them.
+    share_second: f64 = 0.0, "-", Fraction;
+    /// Density of the second material; that of the first if it is left out.
+    density_second: Option<f64> = None, "rho", Positive;
+    /// Sliding coefficient of the second material; that of the first if it is left out.
+    sliding_second: Option<f64> = None, "-", NotNegative;
+    /// Sliding coefficient between the two materials; the geometric mean of theirs if it is left out.
+    sliding_mixed: Option<f64> = None, "-", NotNegative;
+    /// Pressure on the piston.
+    // Thesis, section 4.5.
+    pressure: f64 = 1.0 / 400.0, "F_coh/R^2", Positive;
+    /// Acceleration of the spheres, downwards; the piston has its pressure alone.
+    gravity: f64 = 0.0, "F_coh/(rho R^3)", NotNegative;
+    /// Gap d_c up to which cohesion acts.
+    // Van der Waals attraction, F = A R/(12 D²) beyond the closest distance D₀ = 0.165 nm
+    // (Israelachvili, Intermolecular and Surface Forces), takes the work F(D₀) D₀ to break: d_c is
+    // D₀. A hundredth of R belongs to spheres of 16 nm, a nano-powder.
+    cohesion_range: f64 = 1e-2, "R", NotNegative;
+    /// Cohesion at a gap: a constant pull, or a resistance to opening.
+    attraction: Attraction = Attraction::Pull, "-", OneOf(Attraction::WORDS);
+    /// Coefficient of restitution: speed after an impact over speed before, at walls too.
+    restitution: f64 = 0.0, "-", Fraction;
+    /// Law at substrate and piston: that of spheres, cohesion only, or neither.
+    wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
+    /// Mass of the piston.
+    // Thesis, section 4.5.
+    piston_mass: f64 = 1000.0, "rho R^3", Positive;
+    /// Rigid spheres with constraint forces, or soft ones with springs and dashpots.
+    method: ContactMethod = ContactMethod::ContactDynamics, "-", OneOf(ContactMethod::WORDS);
+    /// Stiffness of soft contacts: the overlap under the force F_coh is R over this number.
+    // Overlaps of a thousandth of the radius: ten times stiffer ones do not change the porosity.
+    stiffness: f64 = 1e3, "F_coh/R", Positive, PartOf("method", "soft");
+    /// Damping ratio of soft contacts in all modes, unless `restitution` is above 0.
+    damping: f64 = 1.0, "-", NotNegative, PartOf("method", "soft");
+    /// Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus `stiffness`/R.
+    normal_law: NormalForce = NormalForce::Linear, "-", OneOf(NormalForce::WORDS),
+        PartOf("method", "soft");
+    /// Least number of steps of a collision of soft contacts.
+    // Restitution is right to 0.5 % with so many.
+    steps_per_collision: f64 = STEPS_PER_COLLISION, "-", Between { above: 2.0, up_to: 1e4 },
+        PartOf("method", "soft");
+    /// Method for the contacts of a step.
+    solver: SweepMethod = SweepMethod::Accelerated, "-", OneOf(SweepMethod::WORDS),
+        PartOf("method", "contact-dynamics");
+    /// Order of the contacts in a sweep of gauss-seidel.
+    order: SweepOrder = SweepOrder::Alternating, "-", OneOf(SweepOrder::WORDS),
+        OnlyWith("solver", "gauss-seidel");
+    /// When gauss-seidel stops: by the change of all or of any contacts, or after `sweeps`.
+    stop: SweepStop = SweepStop::Global, "-", OneOf(SweepStop::WORDS),
+        OnlyWith("solver", "gauss-seidel");
+    /// Change of a sweep, relative to P, at which sweeps stop.
+    // A tenfold smaller or larger tolerance leaves the final porosity as it is.
+    tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 }, NotWith("stop", "fixed");
+    /// Most sweeps of a step, N_I; all of them with stop = "fixed".
+    // A bound for steps in which the tolerance is out of reach.
+    sweeps: usize = 1000, "-", Count { up_to: 1e6 }, PartOf("method", "contact-dynamics");
+    /// Whether a step starts from the forces of the last one.
+    warm_start: bool = true, "-", OneOf(bool::WORDS), PartOf("method", "contact-dynamics");
+    /// Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
+    // A twentieth of a radius keeps the angle by which a normal turns in a step small.
+    motion: f64 = 0.05, "R", Between { above: 0.0, up_to: 0.5 };
+    /// Longest time step.
+    // The pressure moves the piston by 10⁻⁵ R in it from rest.
+    time_step: f64 = 0.2, "sqrt(rho R^4/F_coh)", Positive;
+    /// Sleep threshold: slower groups that nothing touches are left alone; with 0 none is.
+    // A speed with which a sphere would cross a hundredth of its radius in 10⁵ units of time.
+    still_speed: f64 = 1e-7, "sqrt(F_coh/rho)/R", NotNegative,
+        PartOf("method", "contact-dynamics");
+    /// Criterion of the end: forces balance and the piston stands, or the piston stands.
+    blocked: Criterion = Criterion::Balance, "-", OneOf(Criterion::WORDS);
+    /// Steps after which a run ends that is not blocked before.
+    // Runs of the thesis' systems block within some thousand steps.
+    steps: u64 = 200_000, "-", Count { up_to: 1e9 };
+    /// Time after which a run ends that is not blocked before; if left out there is no such bound.
+    duration: Option<f64> = None, "sqrt(rho R^4/F_coh)", Positive;
+    /// Steps from one line of the series to the next.
+    samples: u64 = 20, "-", Count { up_to: 1e9 };
+}
+
+/// Width, capture radius and spread of the radii must fit together, and so must method and cohesion.
+fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
+    if scene.method == ContactMethod::Soft {
+        for key in ["order", "stop", "tolerance"] {
+            if judge.is_given(key) {
+                let message = format!("`{key}` is not used with method = \"soft\"; leave it out");
+                judge.refuse(&[key, "method"], message);
+            }
+        }
+        soft_rules(
+            judge,
+            scene.attraction,
+            [scene.restitution, scene.share_second],
+        );
+    }
+    if let Some(start) = &scene.start {
+        if scene.count.is_some() || scene.sizes.is_some() || scene.radius_spread > 0.0 {
+            let message = format!(
+                "`start` has its own spheres, those of {}; leave out `count`, `sizes` and `radius_spread`",
+                start.display()
+            );
+            judge.refuse(&["start"], message);
+        }
+    } else if scene.sizes.is_some() && scene.radius_spread > 0.0 {
+        judge.refuse(
+            &["sizes", "radius_spread"],
+            "give `radius_spread` or `sizes`, not both",
+        );
+    } else if scene.radius_spread >= 1.0 {
+        let spread = scene.radius_spread;
+        let message = format!("`radius_spread` must be less than 1, not {spread}");
+        judge.refuse(&["radius_spread"], message);
+    } else if let Err(error) = scene.ballistic() {
+        let keys: &[&'static str] = match error {
+            DepositError::Sizes(_) => &["sizes"],
+            _ => &["capture_radius", "width", "radius_spread", "sizes"],
+        };
+        judge.refuse(keys, error.to_string());
+    }
+}
+
+/// A number of spheres or a start stands in place of the height, a start or a distribution in place of the
+/// keys of the deposit, restitution in place of damping, springs in place of sweeps.
+fn in_force(scene: &PowderScene, key: &str, written: Option<Written>) -> Option<Written> {
+    let starts = scene.start.is_some();
+    let soft = scene.method == ContactMethod::Soft;
+    written.filter(|_| match key {
+        "height" => scene.count.is_none() && !starts,
+        "radius_spread" => scene.sizes.is_none() && !starts,
+        "capture_radius" => !starts,
+        // A file may lack materials, which are drawn then.
+        "seed" => !starts || scene.share_second > 0.0,
+        "damping" => scene.restitution == 0.0,
+        "order" | "stop" | "tolerance" => !soft,
+        _ => true,
+    })
+}
+
+impl PowderScene {
+    /// Force on the piston.
+    ///
+    /// ```
+    /// let scene = tribos::scene::PowderScene::default();
+    /// assert!((scene.load() - 1.0).abs() < 1e-15); // 400 R² under F_coh/400 a square radius
+    /// ```
+    pub fn load(&self) -> f64 {
+        self.pressure * self.width * self.width
+    }
+
+    /// How the deposit grows, if width, capture radius and spread fit together.
+    pub fn ballistic(&self) -> Result<Ballistic, DepositError> {
+        if let Some(sizes) = &self.sizes {
+            return Ballistic::sized(self.width, sizes.radii()?, self.capture_radius);
+        }
+        let radii = [1.0 - self.radius_spread, 1.0 + self.radius_spread];
+        Ballistic::uneven(self.width, radii, self.capture_radius)
+    }
+
+    /// Smallest radius of the deposit; 0 if the distribution is refused.
+    pub(crate) fn least_radius(&self) -> f64 {
+        match &self.sizes {
+            Some(sizes) => sizes.radii().map_or(0.0, |radii| radii.bounds()[0]),
+            None => 1.0 - self.radius_spread,
+        }
+    }
+
+    /// When the deposit is complete.
+    pub fn until(&self) -> Until {
+        self.count.map_or(Until::Cut(self.height), Until::Count)
+    }
+
+    /// How contacts are solved.
+    pub fn contact_solver(&self) -> Solver {
+        let tolerance = self.tolerance;
+        let method = match self.solver {
+            SweepMethod::Accelerated => Method::Accelerated { tolerance },
+            SweepMethod::GaussSeidel => Method::GaussSeidel {
+                order: match self.order {
+                    SweepOrder::Alternating => Order::Alternating,
+                    SweepOrder::Fixed => Order::Fixed,
+                    SweepOrder::Random => Order::Random { seed: ORDER_SEED },
+                },
+                stop: match self.stop {
+                    SweepStop::Global => Stop::Global(tolerance),
+                    SweepStop::Local => Stop::Local(tolerance),
+                    SweepStop::Fixed => Stop::Fixed,
+                },
+            },
+        };
+        Solver {
+            method,
+            most_sweeps: self.sweeps,
+            warm_start: self.warm_start,
+        }
+    }
+
+    /// Normal spring of soft contacts.
+    #[doc(hidden)]
+    pub fn spring(&self) -> Stiffness {
+        // The mean radius is 1.
+        self.normal_law.spring(self.stiffness, 1.0)
+    }
+
+    /// Bounds of the time step.
+    pub fn step_limits(&self) -> StepLimits {
+        StepLimits {
+            motion: self.motion,
+            longest: self.time_step,
+        }
+    }
+}

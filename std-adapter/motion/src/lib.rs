@@ -1,0 +1,27 @@
+//! Bodies that slide, stick, are pushed and let go, and friction laws from measurements.
+//!
+//! Users take it through the crate `tribos`, whose paths are the promise; what else is public here
+//! serves the crates beside it and changes without notice.
+
+pub mod fit;
+pub mod onset;
+pub mod push;
+pub mod slide;
+pub mod stick;
+
+#[cfg(test)]
+use tribos_base::random;
+use tribos_base::{golden, record, run};
+use tribos_friction as friction;
+
+/// The scenes of all of them.
+pub mod scene {
+    pub use crate::push::scene::PushScene;
+    pub use crate::slide::scene::{
+        CurlingScene, CylinderScene, FootPressure, IceModel, PipeScene, PlateScene, SliderScene,
+        Stepper, Tipping, Units,
+    };
+    pub use crate::stick::scene::{
+        ClampScene, InclineScene, SpringFriction, SpringScene, TurntableScene,
+    };
+}

@@ -1,0 +1,119 @@
+//! A flat disk under any law of the local speed.
+
+use super::planar::{Gradient, Journey, Launch, Point, Resistance, TallBody};
+use super::simulation::{MOST_STEPS, SLIVER};
+use super::{COLUMNS, Ending, Outcome, SlideError, SlideRun, energy_at_launch, run};
+use crate::friction::{Friction, Law, Patch};
+use crate::slide::scene::{SliderScene, Stepper};
+use tribos_core::modes::Modes;
+
+/// Runs a scene to its end under `law`, which replaces the scene's `coefficient` and `alpha`.
+///
+/// For a power of the speed this is [`run`]. Under any other law the motion is integrated over the logarithm
+/// of the speed, like that of a body in the plane ([`Journey`]).
+pub(super) fn run_law(
+    scene: &SliderScene,
+    law: &Law,
+    mut progress: impl FnMut(f64),
+) -> Result<SlideRun, SlideError> {
+    if let Some([coefficient, alpha]) = law.power_of_speed() {
+        let scene = SliderScene {
+            coefficient,
+            alpha,
+            law: None,
+            ..*scene
+        };
+        return run(&scene, progress);
+    }
+    scene.check()?;
+    if scene.stepper == Stepper::Verlet {
+        return Err(SlideError::OnlyPowers { law: law.name() });
+    }
+    let friction = Friction::new(&Patch::Disk, law, None)?.with_radius(scene.radius)?;
+    let upright = [scene.gravity, scene.inertia_ratio];
+    let body = TallBody::new(friction, 0.0, Gradient::AllRound, upright)?;
+    let launch = Launch {
+        velocity: [scene.speed, 0.0],
+        spin: scene.spin,
+    };
+    let journey = || Journey::new(&body, &launch, scene.stop_fraction);
+    let energy = |point: &Point| scene.mass * super::path::energy_per_mass(&body, point);
+
+    // A first pass finds the end and thus the length of a sample.
+    let scouted = journey()?.to_end()?.point.time;
+    let end = scene
+        .duration
+        .map_or(scouted, |duration| duration.min(scouted));
+    let times = sample_times(scene, end)?;
+    let mut points: Vec<Point> = Vec::new();
+    let arrival = journey()?.follow(&times, |point| {
+        // Sample times are met to 2 ulp.
+        if point.time <= end * (1.0 + SLIVER) {
+            points.push(*point);
+            progress((point.time / end).clamp(0.0, 1.0));
+        }
+    })?;
+    let (Some(first), Some(last)) = (points.first(), points.last()) else {
+        return Err(SlideError::NotFinite { step: 0 });
+    };
+    let initial_energy = energy_at_launch(energy(first))?;
+    let dissipated = scene.mass * last.work;
+    let lost = initial_energy - energy(last);
+    // Towards rest the law tends to a power of the speed, whose fixed points give the limit of the ratio.
+    let near_rest = Law::power(1.0, body.exponent())?;
+    let near_rest = Friction::<f64>::new(&Patch::Disk, &near_rest, None)?;
+    let profile = near_rest.power().ok_or(SlideError::NotFinite { step: 0 })?;
+    Ok(SlideRun {
+        series: points
+            .iter()
+            .map(|point| row(point, energy(point), scene.mass))
+            .collect(),
+        outcome: Outcome {
+            ending: match (arrival.ending, scene.duration) {
+                (_, Some(duration)) if duration < scouted => Ending::Duration,
+                (super::planar::Ending::Rest, _) => Ending::Rest,
+                (super::planar::Ending::Faded, _) => Ending::Faded,
+            },
+            time: last.time,
+            distance: last.distance,
+            angle: last.angle,
+            ratio: last.ratio,
+            limit: Modes::new(profile, scene.inertia_ratio)?.final_mode(last.ratio),
+            steps: points.len() as u64 - 1,
+            initial_energy,
+            dissipated_energy: dissipated,
+            energy_error: (dissipated - lost).abs() / initial_energy,
+        },
+    })
+}
+
+/// Times of the samples up to and including `end`.
+fn sample_times(scene: &SliderScene, end: f64) -> Result<Vec<f64>, SlideError> {
+    let interval = scene.time_step.unwrap_or(end / f64::from(scene.samples));
+    let steps = end / interval;
+    if steps > MOST_STEPS {
+        return Err(SlideError::TooManySteps {
+            time_step: interval,
+            steps,
+            most: MOST_STEPS,
+            at_least: end / MOST_STEPS,
+        });
+    }
+    let all = (1..=steps.ceil() as u64).map(|k| interval * k as f64);
+    let mut times: Vec<f64> = all.filter(|time| *time < end * (1.0 - SLIVER)).collect();
+    times.push(end);
+    Ok(times)
+}
+
+fn row(point: &Point, kinetic: f64, mass: f64) -> [f64; COLUMNS.len()] {
+    [
+        point.time,
+        point.velocity[0],
+        point.spin,
+        point.distance,
+        point.angle,
+        point.ratio,
+        kinetic,
+        mass * point.work,
+    ]
+}

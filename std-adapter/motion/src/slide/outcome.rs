@@ -1,0 +1,118 @@
+//! The summary of a slide.
+
+use super::SlideError;
+use crate::golden::{Measure, Measurement};
+use crate::record::json_number;
+use crate::slide::scene::SliderScene;
+use serde_json::{Map, Value};
+use tribos_core::modes::FinalMode;
+
+/// Why a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// Sliding and spinning stopped at the same instant.
+    Rest,
+    /// Both speeds fell below the scene's `stop_fraction`.
+    Faded,
+    /// The scene's `duration` elapsed.
+    Duration,
+}
+
+/// Results of a run, in the units of its scene.
+///
+/// ```
+/// use tribos::kernel::modes::FinalMode;
+/// use tribos::scene::SliderScene;
+/// use tribos::slide::{Ending, Outcome, run};
+/// let scene = SliderScene::default(); // 1 m/s, 5 rad/s, 8 cm, 0.1 kg
+/// let end: Outcome = run(&scene, |_| ())?.outcome;
+/// assert_eq!(end.ending, Ending::Rest);
+/// // A disk under Coulomb friction stops at v = 0.653 ωR, whatever the launch.
+/// assert!((end.ratio - 0.653).abs() < 1e-3);
+/// assert!(matches!(end.limit, FinalMode::Together { ratio } if (ratio - end.ratio).abs() < 1e-6));
+/// let energy = 0.5 * 0.1 * (1.0 + 0.5 * 0.4 * 0.4); // M (v² + C (ωR)²)/2
+/// assert!((end.initial_energy - energy).abs() < 1e-15);
+/// assert!((end.dissipated_energy - energy).abs() < 1e-9 * energy);
+/// assert_eq!(end.json(&scene)["ending"], "rest");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outcome {
+    /// Why the run ended.
+    pub ending: Ending,
+    /// Time at the end, in s; the stop time if the body comes to rest.
+    pub time: f64,
+    /// Distance covered, in m.
+    pub distance: f64,
+    /// Angle turned, in rad.
+    pub angle: f64,
+    /// Velocity ratio v/(|ω|R) at the end; its limit if the body comes to rest.
+    pub ratio: f64,
+    /// Final motion predicted by the theory of fixed points.
+    pub limit: FinalMode<f64>,
+    /// Number of steps taken.
+    pub steps: u64,
+    /// Kinetic energy at the launch, in J.
+    pub initial_energy: f64,
+    /// Work of friction, integrated from its power, in J.
+    pub dissipated_energy: f64,
+    /// |work − loss of kinetic energy| / initial energy.
+    pub energy_error: f64,
+}
+
+impl Outcome {
+    /// The summary as JSON; `stop_time` is null if the body does not come to rest.
+    pub fn json(&self, scene: &SliderScene) -> Value {
+        let mut map = Map::new();
+        let ending = match self.ending {
+            Ending::Rest => "rest",
+            Ending::Faded => "faded",
+            Ending::Duration => "duration",
+        };
+        map.insert("ending".into(), ending.into());
+        let rests = self.ending == Ending::Rest;
+        let stop_time = if rests {
+            json_number(self.time)
+        } else {
+            Value::Null
+        };
+        map.insert("stop_time".into(), stop_time);
+        let (mode, limit) = match self.limit {
+            FinalMode::Spinning => ("spinning", 0.0),
+            FinalMode::Sliding => ("sliding", f64::INFINITY),
+            FinalMode::Together { ratio } => ("together", ratio),
+        };
+        for (name, value) in [
+            ("end_time", self.time),
+            ("distance", self.distance),
+            ("angle", self.angle),
+            ("final_ratio", self.ratio),
+            ("limit_ratio", limit),
+        ] {
+            map.insert(name.into(), json_number(value));
+        }
+        map.insert("final_mode".into(), mode.into());
+        map.insert("steps".into(), self.steps.into());
+        for (name, value) in [
+            ("initial_energy", self.initial_energy),
+            ("energy_dissipated", self.dissipated_energy),
+            ("energy_error", self.energy_error),
+        ] {
+            map.insert(name.into(), json_number(value));
+        }
+        map.insert("scene".into(), scene.json());
+        map.insert("version".into(), env!("CARGO_PKG_VERSION").into());
+        Value::Object(map)
+    }
+}
+
+impl Measure for SliderScene {
+    type Error = SlideError;
+
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, SlideError> {
+        let run = super::run(self, |_| watch())?;
+        let rows = run.series.iter().map(|row| row.to_vec());
+        let summary = run.outcome.json(self);
+        Ok(Measurement::new(&summary, &super::COLUMNS, rows))
+    }
+}

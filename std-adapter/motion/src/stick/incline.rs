@@ -1,0 +1,405 @@
+//! A block on an incline that is raised: it holds to the bit, lets go at Euler's angle and slides down.
+//!
+//! The block's weight pulls with m g sin θ through the centre of its patch, which presses with m g cos θ. The
+//! patch holds what lies in its limit surface; a push through the centre is the largest force of every
+//! patch, so that neither size nor shape nor load matter:
+//!
+//! ```text
+//! holds while tan θ ≤ μ_s(age);    then a = g (sin θ − μ_d cos θ)
+//! ```
+
+use super::StickError;
+use super::held::{HeldRun, HeldScene};
+use crate::friction::limit_surface;
+use crate::record::json_number;
+use crate::stick::scene::InclineScene;
+use serde_json::{Map, Value};
+use tribos_core::Real;
+use tribos_core::law::{Age, Ageing};
+use tribos_core::twist::Wrench;
+
+/// Columns of the series: s, rad, m, m/s, N, N.
+pub const INCLINE_COLUMNS: [&str; 6] =
+    ["time", "angle", "position", "velocity", "drive", "friction"];
+
+/// The instant at which the block lets go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Release {
+    /// Time, in s.
+    pub time: f64,
+    /// Angle of the incline, in rad.
+    pub angle: f64,
+    /// Acceleration with which it starts, in m/s²: the jump from μ_s to μ_d.
+    pub acceleration: f64,
+}
+
+/// Results of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InclineOutcome {
+    /// When it lets go; none if it holds to the end.
+    pub release: Option<Release>,
+    /// Distance slid, in m: zero to the bit while it holds.
+    pub distance: f64,
+    /// Speed at the end, in m/s.
+    pub speed: f64,
+    /// Angle at the end, in rad.
+    pub angle: f64,
+}
+
+/// Series and summary of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InclineRun {
+    /// Rows of the series, with the columns of [`INCLINE_COLUMNS`].
+    pub rows: Vec<[f64; INCLINE_COLUMNS.len()]>,
+    /// The summary.
+    pub outcome: InclineOutcome,
+}
+
+/// Runs a scene to its end.
+///
+/// *Accuracy*: rounding. *Special values*: while the block holds, position and velocity are zero to the bit.
+///
+/// ```
+/// use tribos::{scene::InclineScene, stick::incline::run};
+/// let fixed = InclineScene { start_angle: 0.6, raise_rate: 0.0, duration: 2.0, ..InclineScene::default() };
+/// let end = run(&fixed)?.outcome;
+/// let acceleration = 9.81 * (0.6_f64.sin() - 0.3 * 0.6_f64.cos());
+/// assert!((end.distance / (0.5 * acceleration * 4.0) - 1.0).abs() < 1e-14);
+/// # Ok::<(), tribos::stick::StickError>(())
+/// ```
+pub fn run(scene: &InclineScene) -> Result<InclineRun, StickError> {
+    scene.check()?;
+    let slope = Slope::new(scene)?;
+    let release = slope.release();
+    let mut state = Sliding::default();
+    let mut rows = vec![slope.row(0.0, &state, release)];
+    let samples = scene.samples;
+    for index in 1..=samples {
+        let time = scene.duration * (f64::from(index) / f64::from(samples));
+        if let Some(start) = release.filter(|start| *start < time) {
+            state.time = state.time.max(start);
+            slope.slide(&mut state, time);
+        }
+        rows.push(slope.row(time, &state, release));
+    }
+    let release = release.map(|time| {
+        let angle = slope.angle(time);
+        let acceleration = slope.acceleration(angle);
+        Release {
+            time,
+            angle,
+            acceleration,
+        }
+    });
+    let outcome = InclineOutcome {
+        release,
+        distance: state.position,
+        speed: state.velocity,
+        angle: slope.angle(scene.duration),
+    };
+    Ok(InclineRun { rows, outcome })
+}
+
+/// What the block has done since it let go.
+#[derive(Debug, Default)]
+struct Sliding {
+    time: f64,
+    position: f64,
+    velocity: f64,
+}
+
+/// The incline under its block.
+struct Slope<'a> {
+    scene: &'a InclineScene,
+    ageing: Ageing<f64>,
+    /// Push through the centre over the largest that the patch carries, per unit of both: 1.
+    gauge: f64,
+}
+
+/// Nodes and weights of Gauss and Legendre's rule of five points on [0, 1].
+const RULE: [[f64; 2]; 5] = [
+    [0.046_910_077_030_668, 0.118_463_442_528_094_54],
+    [0.230_765_344_947_158_45, 0.239_314_335_249_683_23],
+    [0.5, 0.284_444_444_444_444_44],
+    [0.769_234_655_052_841_5, 0.239_314_335_249_683_23],
+    [0.953_089_922_969_332, 0.118_463_442_528_094_54],
+];
+/// Largest turn, in rad, over which the rule is exact to rounding.
+const TURN: f64 = 0.1;
+/// Halvings that exhaust the digits of a time.
+const HALVINGS: u32 = 200;
+
+impl<'a> Slope<'a> {
+    fn new(scene: &'a InclineScene) -> Result<Self, StickError> {
+        let surface = limit_surface(&scene.patch, 1.0, scene.radius, None)?;
+        Ok(Self {
+            scene,
+            ageing: Ageing::new(scene.mu_static, scene.growth, scene.cut_off)?,
+            gauge: surface.gauge(&Wrench::new(1.0, 0.0, 0.0)),
+        })
+    }
+
+    fn angle(&self, time: f64) -> f64 {
+        let raised = self.scene.start_angle + self.scene.raise_rate * time;
+        raised.min(self.scene.end_angle)
+    }
+
+    /// Time at which the incline reaches an angle.
+    fn time_of(&self, angle: f64) -> f64 {
+        if angle <= self.scene.start_angle {
+            0.0
+        } else if angle > self.scene.end_angle {
+            f64::INFINITY
+        } else {
+            (angle - self.scene.start_angle) / self.scene.raise_rate
+        }
+    }
+
+    /// Time at which the block lets go, within the run.
+    fn release(&self) -> Option<f64> {
+        let young = self.time_of(Real::atan(self.scene.mu_static / self.gauge));
+        let grows = self.scene.growth > 0.0 && young > self.scene.cut_off;
+        let release = if grows { self.aged_release() } else { young };
+        (release <= self.scene.duration).then_some(release)
+    }
+
+    /// The same for contacts that have grown stronger. What is missing to slip is convex in the time, and
+    /// negative at the cut-off: it has one root or none.
+    fn aged_release(&self) -> f64 {
+        let excess = |time: f64| {
+            let angle = self.angle(time);
+            let held = self.ageing.mu_static(Age { time }) * Real::cos(angle);
+            Real::sin(angle) * self.gauge - held
+        };
+        let mut high = self.time_of(self.scene.end_angle);
+        if !(high.is_finite() && excess(high) > 0.0) {
+            return f64::INFINITY;
+        }
+        let mut low = self.scene.cut_off;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if excess(middle) > 0.0 {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        high
+    }
+
+    fn acceleration(&self, angle: f64) -> f64 {
+        let friction = self.scene.mu_dynamic / self.gauge;
+        self.scene.gravity * (Real::sin(angle) - friction * Real::cos(angle))
+    }
+
+    /// Slides on to a time, in pieces over which the angle hardly turns.
+    fn slide(&self, state: &mut Sliding, until: f64) {
+        let top = self.time_of(self.scene.end_angle);
+        while state.time < until {
+            let mut end = until;
+            if state.time < top && self.scene.raise_rate > 0.0 {
+                end = end.min(top).min(state.time + TURN / self.scene.raise_rate);
+            }
+            let step = end - state.time;
+            let (mut gained, mut moved) = (0.0, 0.0);
+            for [node, weight] in RULE {
+                let acceleration = self.acceleration(self.angle(state.time + node * step));
+                gained += weight * acceleration;
+                moved += weight * (1.0 - node) * acceleration;
+            }
+            state.position += step * (state.velocity + step * moved);
+            state.velocity += step * gained;
+            state.time = end;
+        }
+    }
+
+    fn row(
+        &self,
+        time: f64,
+        state: &Sliding,
+        release: Option<f64>,
+    ) -> [f64; INCLINE_COLUMNS.len()] {
+        let angle = self.angle(time);
+        let weight = self.scene.mass * self.scene.gravity;
+        let drive = weight * Real::sin(angle);
+        let friction = if release.is_some_and(|release| release < time) {
+            weight * Real::cos(angle) * self.scene.mu_dynamic / self.gauge
+        } else {
+            drive
+        };
+        [time, angle, state.position, state.velocity, drive, friction]
+    }
+}
+
+impl InclineOutcome {
+    fn json(&self) -> Map<String, Value> {
+        let mut map = Map::new();
+        let ending = if self.release.is_some() {
+            "slides"
+        } else {
+            "holds"
+        };
+        map.insert("ending".into(), ending.into());
+        let of = |part: fn(&Release) -> f64| {
+            let value = self.release.as_ref().map(part);
+            value.map_or(Value::Null, json_number)
+        };
+        map.insert("release_time".into(), of(|release| release.time));
+        map.insert("release_angle".into(), of(|release| release.angle));
+        map.insert(
+            "release_slope".into(),
+            of(|release| libm::tan(release.angle)),
+        );
+        map.insert(
+            "release_acceleration".into(),
+            of(|release| release.acceleration),
+        );
+        for (name, value) in [
+            ("distance", self.distance),
+            ("speed", self.speed),
+            ("end_angle", self.angle),
+        ] {
+            map.insert(name.into(), json_number(value));
+        }
+        map
+    }
+}
+
+impl HeldScene for InclineScene {
+    fn follow(&self, _: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError> {
+        let result = run(self)?;
+        let outcome = &result.outcome;
+        let told = match outcome.release {
+            None => vec![("ending", format!("holds up to {:.6} rad", outcome.angle))],
+            Some(release) => vec![
+                (
+                    "lets go",
+                    format!(
+                        "at {:.6} s and {:.6} rad, a slope of {:.6}",
+                        release.time,
+                        release.angle,
+                        libm::tan(release.angle)
+                    ),
+                ),
+                ("starts with", format!("{:.6} m/s^2", release.acceleration)),
+                (
+                    "slides",
+                    format!("{:.6} m, to {:.6} m/s", outcome.distance, outcome.speed),
+                ),
+            ],
+        };
+        Ok(HeldRun {
+            columns: &INCLINE_COLUMNS,
+            rows: result.rows.iter().map(|row| row.to_vec()).collect(),
+            outcome: outcome.json(),
+            told,
+            drawn: (&["drive", "friction"], "force along the incline [N]"),
+        })
+    }
+
+    fn carried(&self) -> Vec<(&'static str, String)> {
+        vec![
+            ("unknowns", "1: velocity down the incline".into()),
+            (
+                "law",
+                format!("dry, mu_s = {}, mu_d = {}", self.mu_static, self.mu_dynamic),
+            ),
+            ("patch", self.patch.to_string()),
+            (
+                "method",
+                "limit surface at rest, integrals to rounding in motion".into(),
+            ),
+        ]
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
+mod tests {
+    use super::*;
+    use std::f64::consts::FRAC_PI_4;
+
+    #[test]
+    fn below_eulers_angle_a_block_stays_to_the_bit_and_above_it_starts_with_the_jump() {
+        for (mu_static, mu_dynamic, patch, mass) in [
+            (0.5, 0.3, "disk", 1.0),
+            (0.25, 0.25, "box:0.3x0.01", 1e-3),
+            (1.0, 0.2, "hertz", 40.0),
+            (0.05, 0.0, "bar:0.2", 1e6),
+        ] {
+            let scene = InclineScene {
+                patch: patch.parse().unwrap(),
+                mass,
+                mu_static,
+                mu_dynamic,
+                end_angle: 1.4,
+                duration: 28.0,
+                samples: 1000,
+                ..InclineScene::default()
+            };
+            let result = run(&scene).unwrap();
+            let release = result.outcome.release.unwrap();
+            assert!(
+                (release.angle.tan() / mu_static - 1.0).abs() < 1e-13,
+                "{patch}"
+            );
+            let jump = 9.81 * (mu_static - mu_dynamic) * release.angle.cos();
+            assert!((release.acceleration - jump).abs() < 1e-12 * 9.81);
+            for row in &result.rows {
+                let [time, angle, position, velocity, drive, friction] = *row;
+                if time <= release.time {
+                    assert_eq!((position.to_bits(), velocity.to_bits()), (0, 0));
+                    assert_eq!(drive, friction);
+                    continue;
+                }
+                // Energy per mass: the work of weight and friction along the way.
+                let raised = 0.05;
+                let [t, s] = [release.angle, angle].map(|at| at.min(1.4));
+                let gained =
+                    9.81 / raised * ((t.cos() - s.cos()) - mu_dynamic * (s.sin() - t.sin()));
+                let beyond = time - (1.4 / raised).min(time);
+                let gained = gained + beyond * 9.81 * (s.sin() - mu_dynamic * s.cos());
+                assert!(
+                    (velocity - gained).abs() < 1e-10,
+                    "{time} {velocity} {gained}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_fixed_incline_below_the_angle_holds_for_any_time() {
+        let scene = InclineScene {
+            start_angle: Real::atan(0.5) - 1e-12,
+            raise_rate: 0.0,
+            duration: 1e9,
+            ..InclineScene::default()
+        };
+        let outcome = run(&scene).unwrap().outcome;
+        assert_eq!((outcome.release, outcome.distance), (None, 0.0));
+        let steeper = InclineScene {
+            start_angle: FRAC_PI_4,
+            duration: 3.0,
+            ..scene
+        };
+        let outcome = run(&steeper).unwrap().outcome;
+        let acceleration = 9.81 * (1.0 - 0.3) / 2_f64.sqrt();
+        assert!((outcome.distance / (4.5 * acceleration) - 1.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn a_contact_that_ages_holds_longer_and_lets_go_where_the_slope_meets_its_age() {
+        for rate in [0.05, 1e-3, 1e-5] {
+            let scene = InclineScene {
+                growth: 0.02,
+                raise_rate: rate,
+                duration: 2.0 / rate,
+                ..InclineScene::default()
+            };
+            let release = run(&scene).unwrap().outcome.release.unwrap();
+            let held = 0.5 + 0.02 * release.time.ln();
+            assert!((release.angle.tan() / held - 1.0).abs() < 1e-12, "{rate}");
+            assert!(release.angle > Real::atan(0.5));
+        }
+    }
+}

@@ -1,0 +1,342 @@
+//! A body on a turntable that is spun up: it turns with the table to the bit, lets go where the limit surface
+//! of its patch is reached, and slides outward.
+//!
+//! At rest on the table at the distance r, friction has to give the body the acceleration of its circle and
+//! its spin-up α together:
+//!
+//! ```text
+//! (−m Ω² r, m α r, I α) in the static limit surface of the patch
+//! ```
+//!
+//! Without the torque I α that is r √(Ω⁴ + α²) ≤ μ_s g. Afterwards the body is followed in the room, where only
+//! friction acts: by the kernel's implicit planar step against the velocity of the table under it. Without friction
+//! its path is straight to rounding, however quick the table is. Each step is compared with two of half its length.
+
+mod path;
+
+use super::StickError;
+use super::held::{HeldRun, HeldScene};
+use crate::friction::limit_surface;
+use crate::record::json_number;
+use crate::stick::scene::TurntableScene;
+use nalgebra::Vector2;
+use path::{Sliding, State};
+use serde_json::{Map, Value};
+use tribos_core::Real;
+use tribos_core::limit_surface::FrictionSet;
+use tribos_core::planar::PlanarBody;
+use tribos_core::twist::{Twist, Wrench};
+
+/// Columns of the series: s, rad/s, then relative to the table m, m, m/s, m/s, rad/s, rad, and the
+/// place in the room in m, m.
+pub const TURNTABLE_COLUMNS: [&str; 10] = [
+    "time", "rate", "x", "y", "vx", "vy", "spin", "angle", "room_x", "room_y",
+];
+
+/// The instant at which the body lets go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Release {
+    /// Time, in s.
+    pub time: f64,
+    /// Angular velocity of the table, in rad/s.
+    pub rate: f64,
+}
+
+/// Results of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TurntableOutcome {
+    /// When it lets go; none if it holds to the end.
+    pub release: Option<Release>,
+    /// When it reaches the rim of the table, in s.
+    pub left: Option<f64>,
+    /// Its place on the table at the end, in m.
+    pub place: [f64; 2],
+    /// Its velocity relative to the table at the end, in m/s.
+    pub velocity: [f64; 2],
+    /// Angle by which it has turned on the table, in rad.
+    pub angle: f64,
+}
+
+/// Series and summary of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TurntableRun {
+    /// Rows of the series, with the columns of [`TURNTABLE_COLUMNS`].
+    pub rows: Vec<[f64; TURNTABLE_COLUMNS.len()]>,
+    /// The summary.
+    pub outcome: TurntableOutcome,
+}
+
+/// Runs a scene to its end.
+///
+/// *Accuracy*: the release to rounding; each step of the path to 1e-9 of the table's radius, and of its velocity to
+/// 1e-9 of the rim's or of √(μ_s g R).
+///
+/// ```
+/// use tribos::{scene::TurntableScene, stick::turntable::run};
+/// let outcome = run(&TurntableScene::default())?.outcome;
+/// let (release, left) = (outcome.release.ok_or("holds")?, outcome.left.ok_or("stays")?);
+/// assert!(release.time < left && outcome.place[1] < 0.0); // it stays behind
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn run(scene: &TurntableScene) -> Result<TurntableRun, StickError> {
+    watched(scene, &mut |_| true)
+}
+
+/// The same; `watch` sees the share of the time that is done, and ends the run by answering false.
+fn watched(
+    scene: &TurntableScene,
+    watch: &mut dyn FnMut(f64) -> bool,
+) -> Result<TurntableRun, StickError> {
+    scene.check()?;
+    let table = Table::new(scene)?;
+    let release = table.release();
+    let mut sliding: Option<Sliding> = None;
+    let mut rows = vec![table.row(0.0, None)];
+    let mut left = None;
+    for index in 1..=scene.samples {
+        let until = scene.duration * (f64::from(index) / f64::from(scene.samples));
+        let mut time = until;
+        if let Some(release) = release.filter(|release| release.time < until) {
+            let sliding = sliding.get_or_insert_with(|| table.let_go(&release));
+            left = sliding.until(&table, until, watch)?;
+            time = sliding.state.time;
+        }
+        rows.push(table.row(time, sliding.as_ref().map(|sliding| &sliding.state)));
+        if left.is_some() {
+            break;
+        }
+    }
+    let [.., x, y, vx, vy, _, angle, _, _] = rows[rows.len() - 1];
+    let outcome = TurntableOutcome {
+        release,
+        left,
+        place: [x, y],
+        velocity: [vx, vy],
+        angle,
+    };
+    Ok(TurntableRun { rows, outcome })
+}
+
+/// The table and the body on it.
+struct Table<'a> {
+    scene: &'a TurntableScene,
+    body: PlanarBody<f64>,
+    at_rest: Box<dyn FrictionSet<f64>>,
+    in_motion: Box<dyn FrictionSet<f64>>,
+}
+
+/// Halvings that exhaust the digits of a rate.
+const HALVINGS: u32 = 200;
+/// Doublings from 1 rad/s that reach every rate that a number can square.
+const DOUBLINGS: u32 = 500;
+
+impl<'a> Table<'a> {
+    fn new(scene: &'a TurntableScene) -> Result<Self, StickError> {
+        let weight = scene.mass * scene.gravity;
+        let surface = |mu: f64| limit_surface(&scene.patch, mu * weight, scene.radius, None);
+        let gyration = scene.gyration_radius;
+        Ok(Self {
+            scene,
+            body: PlanarBody::new(scene.mass, scene.mass * gyration * gyration)
+                .map_err(tribos_core::Error::from)?,
+            at_rest: surface(scene.mu_static)?,
+            in_motion: surface(scene.mu_dynamic)?,
+        })
+    }
+
+    /// What friction has to carry at rest over what it can, at a rate of the table.
+    fn gauge(&self, rate: f64) -> f64 {
+        let [mass, inertia] = [self.body.mass(), self.body.inertia()];
+        let (arm, spin_up) = (self.scene.distance, self.scene.spin_up);
+        let inward = -mass * rate * rate * arm;
+        self.at_rest.gauge(&Wrench::new(
+            inward,
+            mass * spin_up * arm,
+            inertia * spin_up,
+        ))
+    }
+
+    /// The gauge is convex in Ω²: from below 1 at rest it passes 1 once.
+    fn release(&self) -> Option<Release> {
+        let last = self.scene.spin_up * self.scene.duration;
+        if self.gauge(0.0) > 1.0 {
+            let (time, rate) = (0.0, 0.0);
+            return Some(Release { time, rate });
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..DOUBLINGS {
+            if self.gauge(high) > 1.0 {
+                break;
+            }
+            high *= 2.0;
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if self.gauge(middle) > 1.0 {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        let (rate, time) = (high, high / self.scene.spin_up);
+        (rate <= last).then_some(Release { time, rate })
+    }
+
+    fn rate(&self, time: f64) -> f64 {
+        self.scene.spin_up * time
+    }
+
+    /// Angle by which the table has turned.
+    fn turned(&self, time: f64) -> f64 {
+        0.5 * self.scene.spin_up * time * time
+    }
+
+    /// The body that turns with the table, at its release.
+    fn let_go(&self, release: &Release) -> Sliding {
+        let angle = self.turned(release.time);
+        let place = rotated(Vector2::new(self.scene.distance, 0.0), angle);
+        let state = State {
+            time: release.time,
+            place,
+            angle,
+            twist: self.under(release.time, &place),
+        };
+        Sliding {
+            state,
+            next: self.scene.time_step,
+            steps: 0,
+        }
+    }
+
+    /// Motion of the table at a place.
+    fn under(&self, time: f64, place: &Vector2<f64>) -> Twist<f64> {
+        let rate = self.rate(time);
+        Twist::new(-rate * place.y, rate * place.x, rate)
+    }
+
+    /// A row of the series; without a state the body turns with the table.
+    fn row(&self, time: f64, state: Option<&State>) -> [f64; TURNTABLE_COLUMNS.len()] {
+        let (rate, turned) = (self.rate(time), self.turned(time));
+        let (place, velocity, spin, angle, room) = match state {
+            None => {
+                let place = Vector2::new(self.scene.distance, 0.0);
+                (place, Vector2::zeros(), 0.0, 0.0, rotated(place, turned))
+            }
+            Some(state) => {
+                let slip = difference(&state.twist, &self.under(time, &state.place));
+                let [place, velocity] = [state.place, slip.velocity].map(|v| rotated(v, -turned));
+                (
+                    place,
+                    velocity,
+                    slip.spin,
+                    state.angle - turned,
+                    state.place,
+                )
+            }
+        };
+        [
+            time, rate, place.x, place.y, velocity.x, velocity.y, spin, angle, room.x, room.y,
+        ]
+    }
+}
+
+fn difference(a: &Twist<f64>, b: &Twist<f64>) -> Twist<f64> {
+    Twist {
+        velocity: a.velocity - b.velocity,
+        spin: a.spin - b.spin,
+    }
+}
+
+fn rotated(v: Vector2<f64>, angle: f64) -> Vector2<f64> {
+    let (sin, cos) = (Real::sin(angle), Real::cos(angle));
+    Vector2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
+}
+
+impl TurntableOutcome {
+    fn json(&self, scene: &TurntableScene) -> Map<String, Value> {
+        let mut map = Map::new();
+        let ending = match (self.release, self.left) {
+            (None, _) => "holds",
+            (_, None) => "slides",
+            _ => "leaves",
+        };
+        map.insert("ending".into(), ending.into());
+        let some = |value: Option<f64>| value.map_or(Value::Null, json_number);
+        let release = |part: fn(&Release) -> f64| some(self.release.as_ref().map(part));
+        map.insert("release_time".into(), release(|release| release.time));
+        map.insert("release_rate".into(), release(|release| release.rate));
+        let limit = scene.mu_static * scene.gravity;
+        let share = self
+            .release
+            .map(|release| release.rate * release.rate * scene.distance / limit);
+        map.insert("release_share".into(), some(share));
+        map.insert("leave_time".into(), some(self.left));
+        for (name, value) in [
+            ("x", self.place[0]),
+            ("y", self.place[1]),
+            ("speed", Real::hypot(self.velocity[0], self.velocity[1])),
+            ("angle", self.angle),
+        ] {
+            map.insert(name.into(), json_number(value));
+        }
+        map
+    }
+}
+
+impl HeldScene for TurntableScene {
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError> {
+        let result = watched(self, watch)?;
+        let outcome = &result.outcome;
+        let mut told = Vec::new();
+        match outcome.release {
+            None => told.push(("ending", "turns with the table to the end".into())),
+            Some(release) => told.push((
+                "lets go",
+                format!(
+                    "at {:.6} s and {:.6} rad/s, omega^2 r = {:.6} mu_s g",
+                    release.time,
+                    release.rate,
+                    release.rate * release.rate * self.distance / (self.mu_static * self.gravity)
+                ),
+            )),
+        }
+        if let Some(left) = outcome.left {
+            let [x, y] = outcome.place;
+            told.push((
+                "leaves",
+                format!("the table at {left:.6} s, at {x:.6} m, {y:.6} m on it"),
+            ));
+            told.push(("turns", format!("{:.6} rad on the table", outcome.angle)));
+        }
+        Ok(HeldRun {
+            columns: &TURNTABLE_COLUMNS,
+            rows: result.rows.iter().map(|row| row.to_vec()).collect(),
+            outcome: outcome.json(self),
+            told,
+            drawn: (&["x", "y"], "place on the table [m]"),
+        })
+    }
+
+    fn carried(&self) -> Vec<(&'static str, String)> {
+        vec![
+            (
+                "unknowns",
+                "3: two of the velocity, and the spin, relative to the table".into(),
+            ),
+            (
+                "law",
+                format!("dry, mu_s = {}, mu_d = {}", self.mu_static, self.mu_dynamic),
+            ),
+            ("patch", self.patch.to_string()),
+            (
+                "method",
+                "limit surface at rest, the implicit planar step in the room in motion, its error controlled"
+                    .into(),
+            ),
+        ]
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
+mod tests;

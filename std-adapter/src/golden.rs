@@ -1,0 +1,50 @@
+//! Golden files: results of scenes, pinned to the bit, to be checked later and on other machines.
+
+use crate::gas::GasError;
+use crate::grains::GrainsError;
+use crate::powder::CompactionError;
+use crate::scene::Scene;
+use crate::slide::SlideError;
+use crate::stick::StickError;
+use crate::tip::TipError;
+pub use tribos_base::golden::{
+    Difference, Digest, FORMAT, Golden, GoldenError, Measurement, Pinned, Quantity,
+    SeriesDifference, SummaryDifference, Verdict, canonical_bits,
+};
+
+/// A scene could not be run to its end.
+///
+/// ```
+/// use tribos::golden::{MeasureError, measure};
+/// use tribos::scene::CylinderScene;
+/// use tribos::slide::SlideError;
+/// let tower = CylinderScene { radius: 0.08, height: 1.0, ..CylinderScene::default() };
+/// let tipped = measure(&tower.into(), || ());
+/// assert!(matches!(tipped, Err(MeasureError::Slide(SlideError::Tips { .. }))));
+/// ```
+#[derive(Debug, thiserror::Error)]
+pub enum MeasureError {
+    /// A sliding body.
+    #[error(transparent)]
+    Slide(#[from] SlideError),
+    /// A powder.
+    #[error(transparent)]
+    Compaction(#[from] CompactionError),
+    /// Grains in a box.
+    #[error(transparent)]
+    Grains(#[from] GrainsError),
+    /// A gas.
+    #[error(transparent)]
+    Gas(#[from] GasError),
+    /// A tip.
+    #[error(transparent)]
+    Tip(#[from] TipError),
+    /// A body that holds and slips.
+    #[error(transparent)]
+    Stick(#[from] StickError),
+}
+
+/// Runs the scene to its end; `watch` is called after every step.
+pub fn measure(scene: &Scene, mut watch: impl FnMut()) -> Result<Measurement, MeasureError> {
+    scene.measured(&mut watch)
+}
