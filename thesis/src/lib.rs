@@ -12,8 +12,6 @@ mod plan;
 mod runs;
 mod text;
 #[doc(hidden)]
-pub mod trials;
-
 use Maker::{Alone, Checked, Running};
 use anyhow::{Result, bail, ensure};
 use document::{claims_csv, counts, page};

@@ -10,3 +10,4 @@ mod golden;
 mod scene_bits;
 mod surface;
 mod tip_bits;
+mod walls;

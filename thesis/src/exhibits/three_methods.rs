@@ -3,11 +3,11 @@
 use crate::exhibit::Exhibit;
 use crate::runs::{Effort, Runs};
 use crate::text::Text;
-use crate::trials::{Ball, Column, Cooling, Found, Method, Slope, Trial, run};
 use anyhow::Result;
 use tribos::powder::deposit::curve::straight_line;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Guide, Panels, Series};
+use tribos_trials::{Ball, Column, Cooling, Found, Method, Slope, Trial, run};
 
 const TEXT: Text = Text(include_str!("section-4.4.1.md"));
 

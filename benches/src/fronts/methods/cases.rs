@@ -1,6 +1,6 @@
 //! The trials, their methods and parameters.
 
-use tribos_thesis::trials::{Ball, Column, Compacted, Cooling, Method, Slope, Trial};
+use tribos_trials::{Ball, Column, Compacted, Cooling, Method, Slope, Trial};
 
 /// A trial with what is compared on it.
 pub struct Case {

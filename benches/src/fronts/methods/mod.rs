@@ -8,7 +8,7 @@ use crate::clock::Clock;
 use crate::written::{self, Sheet, short};
 use cases::{Case, cases};
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
-use tribos_thesis::trials::Method;
+use tribos_trials::Method;
 
 const PICTURE: &str = "methods.svg";
 /// Size of a panel in pixels.
