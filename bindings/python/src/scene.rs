@@ -34,7 +34,7 @@ pub fn vocabularies(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
                 Domain::Law | Domain::Patch | Domain::Potential | Domain::Sizes | Domain::Path => {
                     ("text", &[][..])
                 }
-                Domain::Ramp => ("ramp", &[][..]),
+                Domain::Ramp(_) => ("ramp", &[][..]),
                 _ => ("number", &[][..]),
             };
             row.set_item("kind", kind)?;

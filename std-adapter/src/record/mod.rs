@@ -21,8 +21,9 @@ pub use atomic::WriteError;
 pub use atomic::{is_unfinished, write_atomically, write_atomically_there, write_atomically_with};
 pub use frames::FrameError;
 pub use kept::CheckpointError;
+pub(crate) use number::brief;
 #[doc(hidden)]
-pub use number::{json_number, number};
+pub use number::{json_number, number, significant};
 pub use read::ReadError;
 #[doc(hidden)]
 pub use read::read_text;

@@ -49,10 +49,19 @@ pub enum Domain {
         /// Inclusive upper end.
         up_to: f64,
     },
+    /// `from` ≤ value < `below`.
+    Below {
+        /// Inclusive lower end.
+        from: f64,
+        /// Exclusive upper end.
+        below: f64,
+    },
     /// From 0 to 1, both included.
     Fraction,
-    /// A whole number from 1 to `up_to`.
+    /// A whole number from `from` to `up_to`.
     Count {
+        /// Smallest.
+        from: f64,
         /// Largest.
         up_to: f64,
     },
@@ -68,8 +77,8 @@ pub enum Domain {
     Sizes,
     /// The path of a file or a folder, relative to the working directory.
     Path,
-    /// A number, or a ramp in time, as [`crate::grains::Ramp`] reads it.
-    Ramp,
+    /// A number of this domain, or a ramp in time of such numbers, as [`crate::grains::Ramp`] reads it.
+    Ramp(&'static Self),
 }
 
 /// When a file must or may give a key. Pairs are another key and one of its words; where an override changes
@@ -104,8 +113,9 @@ impl Domain {
             Self::NotNegative => "a finite number >= 0".into(),
             Self::Positive => "a finite number > 0".into(),
             Self::Between { above, up_to } => format!("a number > {above} and <= {up_to}"),
+            Self::Below { from, below } => format!("a number >= {from} and < {below}"),
             Self::Fraction => "a number from 0 to 1".into(),
-            Self::Count { up_to } => format!("a whole number from 1 to {up_to}"),
+            Self::Count { from, up_to } => format!("a whole number from {from} to {up_to}"),
             Self::Law => {
                 "a law with its parameters, such as \"stribeck:mu_s=0.4,mu_d=0.2,vs=0.05\"".into()
             }
@@ -115,7 +125,12 @@ impl Domain {
             }
             Self::Sizes => Sizes::FORMS.into(),
             Self::Path => "the path of a file or a folder".into(),
-            Self::Ramp => "a finite number, or a ramp such as \"0:0, 0.5:1e3, 1:0\"".into(),
+            Self::Ramp(values) => {
+                format!(
+                    "{}, or a ramp such as \"0:0, 0.5:1e3, 1:0\"",
+                    values.describe()
+                )
+            }
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
     }
@@ -124,12 +139,14 @@ impl Domain {
     pub(super) fn admits(&self, x: f64) -> bool {
         x.is_finite()
             && match *self {
-                Self::Finite | Self::Ramp => true,
+                Self::Finite => true,
+                Self::Ramp(values) => values.admits(x),
                 Self::NotNegative => x >= 0.0,
                 Self::Positive => x > 0.0,
                 Self::Between { above, up_to } => x > above && x <= up_to,
+                Self::Below { from, below } => x >= from && x < below,
                 Self::Fraction => (0.0..=1.0).contains(&x),
-                Self::Count { up_to } => x >= 1.0 && x <= up_to && x.fract() == 0.0,
+                Self::Count { from, up_to } => x >= from && x <= up_to && x.fract() == 0.0,
                 Self::OneOf(_)
                 | Self::Law
                 | Self::Patch
@@ -161,9 +178,14 @@ impl Key {
             (Domain::Sizes, Written::Text(text)) => {
                 return Some(format!("`{}`: {}", self.name, text.parse::<Sizes>().err()?));
             }
-            (Domain::Ramp, Written::Text(text)) => {
-                return Some(format!("`{}`: {}", self.name, text.parse::<Ramp>().err()?));
-            }
+            (Domain::Ramp(values), Written::Text(text)) => match text.parse::<Ramp>() {
+                Err(refused) => return Some(format!("`{}`: {refused}", self.name)),
+                // Between its knots a ramp takes no value beyond theirs.
+                Ok(ramp) => format!(
+                    "not {}",
+                    ramp.range().into_iter().find(|x| !values.admits(*x))?
+                ),
+            },
             (Domain::Path, Written::Text(text)) if !text.trim().is_empty() => return None,
             (
                 Domain::OneOf(_)

@@ -5,6 +5,7 @@ use super::planar::MOST_SAMPLES;
 use super::reader::Judge;
 use super::table::{as_written, scene};
 use crate::friction::Patch;
+use crate::record::brief;
 
 scene! {
     /// A body that lies on a turntable which is spun up from rest: it holds, lets go and slides outward.
@@ -46,7 +47,7 @@ scene! {
     /// Longest step of the sliding body; its error makes it shorter.
     time_step: f64 = 5e-4, "s", Positive;
     /// Number of intervals of time in the series.
-    samples: u32 = 400, "-", Count { up_to: MOST_SAMPLES };
+    samples: u32 = 400, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
 fn rules(scene: &TurntableScene, judge: &mut Judge<'_>) {
@@ -70,8 +71,8 @@ fn rules(scene: &TurntableScene, judge: &mut Judge<'_>) {
         judge.refuse(&["patch"], message);
     }
     if scene.time_step * MOST_STEPS < scene.duration {
-        let least = scene.duration / MOST_STEPS;
-        let message = format!("`time_step` must be at least `duration`/1e7, {least:e}");
+        let least = brief(&(scene.duration / MOST_STEPS));
+        let message = format!("`time_step` must be at least `duration`/1e7, {least}");
         judge.refuse(&["time_step", "duration"], message);
     }
 }
