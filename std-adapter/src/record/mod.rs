@@ -27,6 +27,7 @@ pub use number::{json_number, number, significant};
 pub use read::ReadError;
 #[doc(hidden)]
 pub use read::read_text;
+pub(crate) use seal::with_number;
 #[doc(hidden)]
 pub use seal::{digest, sealed, unsealed};
 #[doc(hidden)]

@@ -1,7 +1,9 @@
 //! Frames of a run, kept while it runs.
 
-use super::long_run::{LongRun, RunError, Start};
+use super::long_run::{LongRun, RunError};
+use super::session::FRAMES;
 use crate::record::frames::{FrameError, FrameFolder};
+use crate::record::unsealed;
 use std::path::Path;
 
 /// Default number of frames.
@@ -12,16 +14,17 @@ const USUAL: u64 = 100;
 pub(super) struct Film(Option<FrameFolder>);
 
 impl Film {
-    /// Starts keeping at most `limit` frames in a folder, or continues with the limit of the run's
+    /// Starts keeping at most `limit` frames in a folder, or continues after a checkpoint with the limit of the run's
     /// start; frames of an earlier run are removed.
     pub fn of<R: LongRun>(
         run: &R,
         folder: &Path,
-        start: Start,
+        checkpoint: Option<&str>,
         limit: Option<u64>,
     ) -> Result<Self, RunError<R::Error>> {
-        if start == Start::Resume {
-            return Self::resume(folder, run.steps(), limit).map_err(RunError::Frames);
+        if let Some(text) = checkpoint {
+            let said = unsealed(text).and_then(|value| value[FRAMES].as_u64());
+            return Self::resume(folder, run.steps(), said, limit).map_err(RunError::Frames);
         }
         let begun = match limit.unwrap_or(USUAL) {
             0 => FrameFolder::clear(folder).map(|()| None),
@@ -30,9 +33,18 @@ impl Film {
         Ok(Self(begun.map_err(RunError::Recording)?))
     }
 
-    /// The limit must be that of the run's start: another would give a different set of frames.
-    fn resume(folder: &Path, steps: u64, limit: Option<u64>) -> Result<Self, FrameError> {
+    /// The limit must be that of the run's start: another would give a different set of frames. Where the checkpoint
+    /// has `said` that frames are kept, there are some.
+    fn resume(
+        folder: &Path,
+        steps: u64,
+        said: Option<u64>,
+        limit: Option<u64>,
+    ) -> Result<Self, FrameError> {
         let there = FrameFolder::resume(folder, steps)?;
+        if there.is_none() && said.is_some_and(|kept| kept > 0) {
+            return Err(FrameError::Missing(folder.to_owned()));
+        }
         let kept = there.as_ref().map_or(0, FrameFolder::limit);
         match limit {
             Some(given) if given != kept => {
@@ -41,6 +53,11 @@ impl Film {
             }
             _ => Ok(Self(there)),
         }
+    }
+
+    /// Largest number of frames; 0 if none are kept.
+    pub fn limit(&self) -> u64 {
+        self.0.as_ref().map_or(0, FrameFolder::limit)
     }
 
     /// Call this for the first state and after every step.
@@ -61,5 +78,48 @@ impl Film {
     pub fn end<R: LongRun>(self, run: &R) -> Result<(), RunError<R::Error>> {
         let ended = self.0.map_or(Ok(()), |folder| folder.finish(&run.frame()));
         ended.map_err(RunError::Recording)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::powder::Compaction;
+    use crate::run::{Session, Start};
+    use crate::scene::PowderScene;
+    use std::cell::Cell;
+
+    /// A run that is broken off after three steps, and goes on once its folder of frames is removed.
+    fn resumed_without_frames(limit: u64) -> Result<u64, RunError<crate::powder::CompactionError>> {
+        let scene = PowderScene {
+            width: 6.0,
+            height: 8.0,
+            steps: 6,
+            ..PowderScene::default()
+        };
+        let home = tempfile::tempdir().unwrap();
+        let session = || Session::<Compaction>::in_folder(home.path()).unwrap();
+        let steps = Cell::new(0);
+        let broken = session()
+            .frames(limit)
+            .on_progress(|run: &Compaction| steps.set(run.steps()))
+            .cancel_when(|| steps.get() == 3);
+        assert!(matches!(broken.run(&scene), Err(RunError::Cancelled(3))));
+        let frames = home.path().join(FRAMES);
+        assert_eq!(frames.exists(), limit > 0);
+        if limit > 0 {
+            std::fs::remove_dir_all(frames).unwrap();
+        }
+        Ok(session().start(Start::Resume).run(&scene)?.steps())
+    }
+
+    #[test]
+    fn frames_that_are_all_gone_are_missed_where_a_run_kept_some() {
+        let refused = resumed_without_frames(20);
+        assert!(
+            matches!(&refused, Err(RunError::Frames(FrameError::Missing(path))) if path.ends_with(FRAMES)),
+            "{refused:?}"
+        );
+        assert_eq!(resumed_without_frames(0).unwrap(), 6);
     }
 }
