@@ -31,7 +31,7 @@ pub fn vocabularies(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
             let (kind, words) = match key.domain {
                 Domain::Count { .. } => ("count", &[][..]),
                 Domain::OneOf(words) => ("word", words),
-                Domain::Form(form) if form.has_numbers => ("ramp", &[][..]),
+                Domain::Form(form) if form.numbers.is_some() => ("ramp", &[][..]),
                 Domain::Form(_) | Domain::Path => ("text", &[][..]),
                 _ => ("number", &[][..]),
             };

@@ -4,14 +4,12 @@
 
 use std::str::FromStr;
 use std::sync::OnceLock;
-use tribos::record::number;
+use tribos::record::{number, significant};
 
 /// Significant digits unless `--digits` says otherwise.
 const USUAL: usize = 6;
 /// With so many significant digits every f64 reads back to the same bits.
 const MOST: usize = 17;
-/// Largest decimal exponent of small numbers that are written with a power of ten.
-const SMALL: i32 = -5;
 
 /// What `--digits` takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,31 +62,6 @@ pub fn shown(value: f64) -> String {
         .copied()
         .unwrap_or(Digits::Significant(USUAL))
         .show(value)
-}
-
-/// A finite value rounded to `digits` significant ones, zeros at the end left out.
-fn significant(value: f64, digits: usize) -> String {
-    if value == 0.0 {
-        return "0".into();
-    }
-    let rounded = format!("{value:.*e}", digits.saturating_sub(1));
-    let (mantissa, exponent) = rounded.split_once('e').unwrap_or((&rounded, "0"));
-    let power: i32 = exponent.parse().unwrap_or(0);
-    if power <= SMALL || power >= digits.max(USUAL) as i32 {
-        return format!("{}e{power}", without_idle_zeros(mantissa));
-    }
-    let decimals = (digits as i32 - 1 - power).max(0) as usize;
-    // From the rounded digits: a number is not rounded twice.
-    let rounded = rounded.parse().unwrap_or(value);
-    without_idle_zeros(&format!("{rounded:.decimals$}")).to_owned()
-}
-
-fn without_idle_zeros(text: &str) -> &str {
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        text
-    }
 }
 
 #[cfg(test)]

@@ -225,7 +225,7 @@ fn bad_powders_are_refused_with_their_line_and_cure() -> Outcome {
         height = 12 | height = 12\ncount = 9 | scene.toml:4 | not both
         width = 8 | width = 5 | scene.toml:2 | must be twice that
         height = 12 | height = 12\ncapture_radius = 1 | scene.toml:4 | at least 2
-        height = 12 | height = 12\nradius_spread = 1 | scene.toml:4 | less than 1
+        height = 12 | height = 12\nradius_spread = 1 | scene.toml:4 | >= 0 and < 1
         height = 12 | height = 1 | error | above a diameter
         pressure = 0.01 | pressure = 0 | scene.toml:4 | > 0
         pressure = 0.01 | rolling = -0.1 | scene.toml:4 | >= 0

@@ -183,14 +183,14 @@ fn bad_tips_are_refused_with_their_line_and_cure() -> Outcome {
     let cases = r#"
         lambda = 0.02\n |  | scene.toml: | `lambda` is missing
         lambda = 0.02 | lambda = "x" | scene.toml:2 | a finite number
-        rows = 14 | rows = 15 | scene.toml:4 | `rows` must be even, not 15
-        rows = 14 | rows = 6 | scene.toml:4 | tip and cut-off need
+        rows = 14 | rows = 15 | scene.toml:4 | `rows` must be even with face
+        rows = 14 | rows = 6 | scene.toml:4 | `side`, `cutoff` and `skin` need
         columns = 12 | columns = 0 | scene.toml:3 | a whole number from 1
-        columns = 12 | columns = 6 | scene.toml:3 | tip and cut-off need
-        side = 3 | side = 6 | scene.toml:3 | tip and cut-off need
+        columns = 12 | columns = 6 | scene.toml:3 | `side`, `cutoff` and `skin` need
+        side = 3 | side = 6 | scene.toml:3 | `side`, `cutoff` and `skin` need
         side = 3 | side = 0 | scene.toml:5 | a whole number from 1
-        side = 3 | side = 3\ncutoff = 7 | scene.toml:3 | tip and cut-off need
-        side = 3 | side = 3\nskin = 20 | scene.toml:3 | tip and cut-off need
+        side = 3 | side = 3\ncutoff = 7 | scene.toml:3 | `side`, `cutoff` and `skin` need
+        side = 3 | side = 3\nskin = 20 | scene.toml:3 | `side`, `cutoff` and `skin` need
         side = 3 | side = 3\nload = 1 | scene.toml:6 | hold = "level"
         side = 3 | side = 3\nskin = 0 | scene.toml:6 | > 0
         side = 3 | side = 3\norientation = 200 | scene.toml:6 | 180
@@ -199,8 +199,8 @@ fn bad_tips_are_refused_with_their_line_and_cure() -> Outcome {
         side = 3 | side = 3\ndampign = 1 | scene.toml:6 | did you mean `damping`?
         side = 3 | side = 3\ntime_step = 1 | scene.toml:6 | 0.05
         side = 3 | side = 3\ncutoff = 0.5 | scene.toml:6 | 10
-        tip_layers = 4 | tip_layers = 3 | scene.toml:7 | must be at least 4, not 3
-        substrate_layers = 4 | substrate_layers = 3 | scene.toml:6 | at least 4
+        tip_layers = 4 | tip_layers = 3 | scene.toml:7 | from 4 to 100, not 3
+        substrate_layers = 4 | substrate_layers = 3 | scene.toml:6 | from 4 to 100
         samples = 20 | samples = 0 | scene.toml:11 | a whole number from 1
         drive_time = 1 | drive_time = 1e300 | scene.toml:9 | steps of `time_step`
         drive_time = 1 | drive_time = -1 | scene.toml:9 | >= 0

@@ -39,6 +39,8 @@ pub struct Prediction {
     /// To be added to the velocity during the step, and subtracted after it: the displacement is then that of
     /// the mean velocity.
     pub offset: Twist<f32>,
+    /// The part of the step that it takes to stop, if it ends at rest.
+    pub stops: Option<f32>,
 }
 
 /// How the engine's step is corrected.
@@ -65,16 +67,16 @@ impl Standing<'_> {
     ) -> Option<Prediction> {
         let pushed = held.map_or(*push, |held| *push + held);
         let end = self.step(before, &pushed, dt)?;
-        // The part of the step that it takes to stop.
-        let share = match end.is_at_rest() && *before != Twist::ZERO {
-            true => self.share(&end, before),
-            false => 1.0,
-        };
+        let stops = end.is_at_rest().then(|| match *before == Twist::ZERO {
+            true => 0.0,
+            false => self.share(&end, before),
+        });
         Some(Prediction {
             before: *before,
             push: *push,
             friction: end.friction,
-            offset: offset(before, &end.twist, share, substeps),
+            offset: offset(before, &end.twist, stops.unwrap_or(1.0), substeps),
+            stops,
         })
     }
 

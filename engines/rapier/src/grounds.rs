@@ -108,7 +108,11 @@ impl Ground {
         pair.face = Some(patch.1);
         if awake.has_friction() {
             // The step was the engine's own: the patch begins with the next one.
-            pair.known = Some(Known::new(touching, None));
+            pair.known = Some(Known::new(
+                touching,
+                None,
+                awake.ground.and_then(|handle| bodies.get(handle)),
+            ));
             pair.is_next = true;
         }
         Some(pair)

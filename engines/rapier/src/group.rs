@@ -5,7 +5,7 @@
 //! the same step is repeated with the loads and pushes that the engine has found. Its result is the
 //! motion: at rest it is zero to the last bit.
 
-use crate::frame::{Frame, carried, relative};
+use crate::frame::{Carried, Frame, relative};
 use crate::handed::Lent;
 use crate::pair::{Friction, Known, Pair, Stop, Touching};
 use crate::reduced::{Reduced, accelerate, is_free};
@@ -181,7 +181,11 @@ pub(crate) fn begin(
     let frame = Frame::new(normal);
     let reduced = Reduced::new(foot, ground, &frame)?;
     let before = relative(&frame, foot, ground);
-    let push = expected(gravity, &reduced, &frame, foot, ground);
+    let extra = |body: &RigidBody| body.additional_solver_iterations();
+    let most = extra(foot).max(ground.map_or(0, extra));
+    let substeps = (parameters.num_solver_iterations + most).max(1);
+    let carried = Carried::over(foot, ground, parameters.dt, substeps);
+    let push = expected(gravity, &carried, &reduced, &frame, foot, ground);
     let held = pairs.get(first.pair)?.known.and_then(|known| known.held());
     // The feet at the middle of the step.
     let half_turn = 0.25 * parameters.dt * foot.angvel().dot(normal);
@@ -193,14 +197,19 @@ pub(crate) fn begin(
     let stands = from..all_stands.len();
     let drift = |member: &Member| drift(member, &before, &frame, foot, bodies);
     let standing = standing(members, &all_stands[from..], pairs, &reduced, drift)?;
-    let extra = |body: &RigidBody| body.additional_solver_iterations();
-    let most = extra(foot).max(ground.map_or(0, extra));
-    let substeps = (parameters.num_solver_iterations + most).max(1);
     let step = standing.predict(&before, &push, held, dt, substeps)?;
-    let mut offsets = reduced.shared(&step.offset, &frame);
-    let turned = frame.flat(carried(foot, ground)) * parameters.dt;
+    let mut offset = step.offset;
+    let first_pair = pairs.get(first.pair)?;
+    // What is held goes with a ground whose velocity was changed between the steps, and does not slip to reach it.
+    if let (Some(known), Some(stops), true) =
+        (first_pair.known, step.stops, first_pair.friction.holds)
+    {
+        let [velocity, spin] = known.jump(ground, foot.center_of_mass());
+        offset = offset + frame.twist(velocity, spin) * (0.5 * stops);
+    }
+    let mut offsets = reduced.shared(&offset, &frame);
     if reduced.moved[0] {
-        offsets[0][0] -= turned * (0.5 / substeps as f32);
+        offsets[0][0] += frame.flat(carried.offset);
     }
     let forces = forces(&step.friction, &frame, depth, foot, ground);
     let handles = [Some(first.body), first.ground];
@@ -275,14 +284,9 @@ pub(crate) fn finish(
     }
     for (number, member) in members.iter().enumerate() {
         let foot = end.ended.foot(number);
-        remember(
-            &mut pairs[member.pair],
-            member,
-            &foot,
-            &frame,
-            end.held,
-            stop,
-        );
+        let ground = member.ground.and_then(|handle| bodies.get(handle));
+        let known = Known::new(member.touching, end.held, ground);
+        remember(&mut pairs[member.pair], known, &foot, &frame, stop);
     }
     Some(())
 }
@@ -298,23 +302,16 @@ fn was_sliding(members: &[Member], pairs: &[Pair]) -> bool {
 }
 
 /// Stores the results of a step for a foot.
-fn remember(
-    pair: &mut Pair,
-    member: &Member,
-    foot: &FootFriction,
-    frame: &Frame,
-    held: Option<Wrench<f32>>,
-    stop: Option<Stop>,
-) {
+fn remember(pair: &mut Pair, known: Known, foot: &FootFriction, frame: &Frame, stop: Option<Stop>) {
     let FootFriction { wrench, holds } = *foot;
     pair.stop = stop.filter(|_| !pair.friction.holds);
     pair.friction = Friction {
         force: frame.world(&wrench.force),
         torque: frame.normal * wrench.torque,
-        load: member.touching.load,
+        load: known.touching.load,
         holds,
     };
-    pair.known = Some(Known::new(member.touching, held));
+    pair.known = Some(known);
 }
 
 /// Motion of a foot relative to its ground minus that of the first foot relative to its own, at the
@@ -354,6 +351,7 @@ fn forces(
 /// Expected push of gravity, the user's forces and the rotation of the ground.
 fn expected(
     gravity: Vector,
+    carried: &Carried,
     reduced: &Reduced,
     frame: &Frame,
     foot: &RigidBody,
@@ -367,7 +365,7 @@ fn expected(
         true => body.mass_properties().effective_world_inv_inertia * body.user_torque(),
         false => Vector::ZERO,
     };
-    let linear = pull(foot) - ground.map_or(Vector::ZERO, pull) - carried(foot, ground);
+    let linear = pull(foot) - ground.map_or(Vector::ZERO, pull) - carried.acceleration;
     let angular = turn(foot) - ground.map_or(Vector::ZERO, turn);
     reduced.push(&frame.twist(linear, angular), 1.0)
 }

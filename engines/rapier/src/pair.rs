@@ -104,6 +104,8 @@ pub(crate) struct Known {
     pub(crate) touching: Touching,
     /// Force and torque in the plane beyond the expected ones, if friction held against them.
     held: Option<[f32; 3]>,
+    /// Linear and angular velocity of the ground after the step.
+    below: [Vector; 2],
 }
 
 /// A foot on its ground.
@@ -150,11 +152,24 @@ impl Pair {
 }
 
 impl Known {
-    pub(crate) fn new(touching: Touching, held: Option<Wrench<f32>>) -> Self {
+    pub(crate) fn new(
+        touching: Touching,
+        held: Option<Wrench<f32>>,
+        ground: Option<&RigidBody>,
+    ) -> Self {
         Self {
             touching,
             held: held.map(|held| [held.force.x, held.force.y, held.torque]),
+            below: motion(ground),
         }
+    }
+
+    /// The change of the ground's velocity at a point and of its spin since the step.
+    pub(crate) fn jump(&self, ground: Option<&RigidBody>, point: Vector) -> [Vector; 2] {
+        let [linear, angular] = motion(ground);
+        let [linear, angular] = [linear - self.below[0], angular - self.below[1]];
+        let arm = ground.map_or(Vector::ZERO, |ground| point - ground.center_of_mass());
+        [linear + angular.cross(arm), angular]
     }
 
     /// The push beyond the expected one against which friction held.
@@ -162,4 +177,11 @@ impl Known {
         let [x, y, torque] = self.held?;
         Some(Wrench::new(x, y, torque))
     }
+}
+
+/// Velocity of the centre of mass and spin of a ground; without body it is at rest.
+fn motion(ground: Option<&RigidBody>) -> [Vector; 2] {
+    ground.map_or([Vector::ZERO; 2], |ground| {
+        [ground.linvel(), ground.angvel()]
+    })
 }

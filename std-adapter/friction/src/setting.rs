@@ -1,15 +1,15 @@
 //! Laws and patches as values of scene files.
 
 use crate::{Law, Patch};
-use tribos_base::scene::key::refusal_of;
+use tribos_base::scene::key::reads;
 use tribos_base::scene::{Domain, Form};
 
 /// A friction law with its parameters, as [`Law`] reads it.
 pub const LAW: Domain = Domain::Form(&Form {
     name: "law",
     valid: "a law with its parameters, such as \"stribeck:mu_s=0.4,mu_d=0.2,vs=0.05\"",
-    refusal: refusal_of::<Law>,
-    has_numbers: false,
+    read: reads::<Law>,
+    numbers: None,
     names_absence: false,
 });
 
@@ -17,8 +17,8 @@ pub const LAW: Domain = Domain::Form(&Form {
 pub const PATCH: Domain = Domain::Form(&Form {
     name: "patch",
     valid: "a patch such as \"box:0.3x0.2\", \"polygon:FILE\" or \"disk\"",
-    refusal: refusal_of::<Patch>,
-    has_numbers: false,
+    read: reads::<Patch>,
+    numbers: None,
     names_absence: true,
 });
 

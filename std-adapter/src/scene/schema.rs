@@ -5,7 +5,7 @@
 
 use super::DEFAULT_BODY;
 use super::body::BODY;
-use super::key::{Domain, Key, Need};
+use super::key::{Domain, Form, Key, Need};
 use super::vocabulary::{Vocabulary, bodies, vocabulary};
 use serde_json::{Map, Number, Value, json};
 
@@ -81,17 +81,28 @@ fn property(key: &Key, default: Option<&Value>) -> Value {
 /// What a value may be.
 fn domain(domain: &Domain) -> Map<String, Value> {
     let rules = match *domain {
+        // Bounds of numbers say nothing of a text.
+        Domain::Form(Form {
+            numbers: Some(numbers),
+            ..
+        }) => {
+            let mut rules = self::domain(numbers);
+            rules.insert("type".into(), json!(["number", "string"]));
+            return rules;
+        }
         Domain::Finite => json!({"type": "number"}),
         Domain::NotNegative => json!({"type": "number", "minimum": 0}),
         Domain::Positive => json!({"type": "number", "exclusiveMinimum": 0}),
         Domain::Between { above, up_to } => json!({
             "type": "number", "exclusiveMinimum": short(above), "maximum": short(up_to)
         }),
+        Domain::Below { from, below } => json!({
+            "type": "number", "minimum": short(from), "exclusiveMaximum": short(below)
+        }),
         Domain::Fraction => json!({"type": "number", "minimum": 0, "maximum": 1}),
-        Domain::Count { up_to } => {
-            json!({"type": "integer", "minimum": 1, "maximum": up_to as u64})
+        Domain::Count { from, up_to } => {
+            json!({"type": "integer", "minimum": from as u64, "maximum": up_to as u64})
         }
-        Domain::Form(form) if form.has_numbers => json!({"type": ["number", "string"]}),
         Domain::Form(_) | Domain::Path => json!({"type": "string"}),
         Domain::OneOf(words) => json!({"type": "string", "enum": words}),
     };

@@ -67,7 +67,7 @@ fn every_key_sets_its_field() {
                     let other = words.iter().find(|word| was.as_str() != Some(*word));
                     format!("\"{}\"", other.unwrap())
                 }
-                Domain::Form(form) if !form.has_numbers => {
+                Domain::Form(form) if form.numbers.is_none() => {
                     let text = match form.name {
                         "law" => "dry:mu_s=0.4,mu_d=0.3",
                         "patch" => "box:0.2x0.1",
@@ -129,6 +129,75 @@ fn every_key_sets_its_field() {
     }
 }
 
+/// The outermost numbers that a domain admits, and the nearest beyond them.
+fn ends(domain: &Domain) -> [Vec<f64>; 2] {
+    let [inside, beyond]: [&[f64]; 2] = match *domain {
+        Domain::Finite => [&[f64::MIN, f64::MAX], &[f64::NEG_INFINITY, f64::INFINITY]],
+        Domain::NotNegative => [&[0.0, f64::MAX], &[-f64::MIN_POSITIVE, f64::INFINITY]],
+        Domain::Positive => [&[f64::MIN_POSITIVE, f64::MAX], &[0.0, f64::INFINITY]],
+        Domain::Fraction => [&[0.0, 1.0], &[-f64::MIN_POSITIVE, 1.0_f64.next_up()]],
+        Domain::Between { above, up_to } => [&[above.next_up(), up_to], &[above, up_to.next_up()]],
+        Domain::Below { from, below } => [&[from, below.next_down()], &[from.next_down(), below]],
+        // Beyond 2^53 the next number is not the next whole one.
+        Domain::Count { from, up_to } => [
+            &[from, up_to],
+            &[from - 1.0, from + 0.5, (up_to + 1.0).max(up_to.next_up())],
+        ],
+        Domain::Form(Form {
+            numbers: Some(numbers),
+            ..
+        }) => return ends(numbers),
+        _ => [&[], &[]],
+    };
+    [inside.into(), beyond.into()]
+}
+
+#[test]
+fn the_ends_that_a_domain_tells_are_the_readers() {
+    let mut wrong = Vec::new();
+    let is_word = |letter: char| letter.is_alphanumeric() || letter == '_';
+    for known in bodies().filter_map(vocabulary) {
+        for key in known.keys {
+            let refusal = |value: String| {
+                let mut set = vec![format!("{}={value}", key.name)];
+                if let Need::PartOf(other, word) | Need::OnlyWith(other, word) = key.need {
+                    set.push(format!("{other}={word}"));
+                }
+                let read = parse_scene(known.body, &known.least_text(), &set);
+                read.err().map(|error| error.to_string())
+            };
+            let [inside, beyond] = ends(&key.domain);
+            // A value is a number, or the whole of a ramp.
+            let texts = |x: f64| match key.domain {
+                Domain::Count { .. } => vec![format!("{x}")],
+                Domain::Form(_) => vec![format!("{x:?}"), format!("\"0:0, 1:{x:?}\"")],
+                _ => vec![format!("{x:?}")],
+            };
+            for value in inside.into_iter().flat_map(texts) {
+                // What is refused all the same does not fit to other keys, which are named.
+                for told in refusal(value).iter().flat_map(|told| told.lines()) {
+                    let (_, told) = told.split_once(": ").unwrap();
+                    let others = known.keys.iter().filter(|other| other.name != key.name);
+                    let names: Vec<&str> = others.map(|other| other.name).collect();
+                    let mut named = told.split(|letter| !is_word(letter));
+                    if !named.any(|word| names.contains(&word)) {
+                        wrong.push(told.to_owned());
+                    }
+                }
+            }
+            for value in beyond.into_iter().flat_map(texts) {
+                let told = refusal(value.clone()).unwrap_or_default();
+                let domain = format!("`{}` must be {}", key.name, key.domain.describe());
+                // What is not finite is refused by the syntax of files or ramps already.
+                if told.is_empty() || (!value.contains("inf") && !told.contains(&domain)) {
+                    wrong.push(format!("{} {} = {value}: {told}", known.body, key.name));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
 #[test]
 fn an_override_puts_keys_of_the_old_word_out_of_use() {
     let read = |text: &str, set: &[&str]| {
@@ -187,7 +256,10 @@ fn fields_out_of_their_domain_are_refused_by_name_value_and_cure_all_at_once() {
         ..TipScene::default()
     };
     let told = tip.check().unwrap_err().to_string();
-    assert!(told.contains("`rows` must be even, not 15"), "{told}");
+    assert!(
+        told.contains("`rows` must be even with face = \"fcc111\", not 15"),
+        "{told}"
+    );
     assert!(told.contains("hold = \"level\""), "{told}");
     let disk = SliderScene {
         units: Units::Dimensionless,
@@ -213,7 +285,7 @@ fn no_run_begins_with_fields_that_no_file_could_have() {
         refused
             .unwrap_err()
             .to_string()
-            .contains("`tip_layers` must be at least 4")
+            .contains("`tip_layers` must be a whole number from 4 to 100, not 1")
     );
     let disk = SliderScene {
         mass: f64::INFINITY,

@@ -615,11 +615,11 @@ class PowderScene(Scene):
         VTP), or the folder of a run, whose last state goes on. *Value*: the path of a file or a
         folder.
     capture_radius
-        Distance of centres at which a falling sphere is captured. *Unit*: R. *Value*: a finite
-        number > 0.
+        Distance of centres at which a falling sphere is captured, at least the largest diameter.
+        *Unit*: R. *Value*: a finite number > 0.
     radius_spread
         Spread of the radii, which are uniform from 1 - spread to 1 + spread. *Unit*: R. *Value*: a
-        finite number >= 0.
+        number >= 0 and < 1.
     sizes
         Distribution of the radii about their mean, in place of `radius_spread`. *Value*: a
         distribution such as "uniform:0.2", "normal:0.1", "lognormal:0.3" or "table:FILE.csv".
@@ -786,7 +786,7 @@ class GrainsScene(Scene):
         "walls", "periodic".
     dimension
         3, or 2 for spheres that stay in the plane y = 0 and spin about y. *Value*: a whole number
-        from 1 to 3.
+        from 2 to 3.
     container
         What holds the grains: the box, a hopper in it, or a drum of diameter `width` about y.
         *Value*: one of "box", "hopper", "drum".
@@ -812,7 +812,7 @@ class GrainsScene(Scene):
         Mean radius of the grains. *Unit*: m. *Value*: a finite number > 0.
     radius_spread
         Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread. *Value*:
-        a finite number >= 0.
+        a number >= 0 and < 1.
     sizes
         Distribution of the radii about their mean, in place of `radius_spread`. *Value*: a
         distribution such as "uniform:0.2", "normal:0.1", "lognormal:0.3" or "table:FILE.csv".
@@ -865,19 +865,19 @@ class GrainsScene(Scene):
         "none".
     gravity
         Gravity, downwards; 0 where nothing bears the grains, as in a sheared box. *Unit*: m/s^2.
-        *Value*: a finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+        *Value*: a finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
     gravity_angle
         Angle by which gravity leans from -z towards x. *Unit*: degree. *Value*: a finite number, or
         a ramp such as "0:0, 0.5:1e3, 1:0".
     pressure_x
         Stress on the wall at the far end of x, which moves as a piston. *Unit*: Pa. *Value*: a
-        finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+        finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
     pressure_y
         Stress on the wall at the far end of y, which moves as a piston. *Unit*: Pa. *Value*: a
-        finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+        finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
     pressure_z
         Stress on the plate above, which moves as a piston without weight. *Unit*: Pa. *Value*: a
-        finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+        finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
     piston_mass
         Mass of every piston; that of all grains together if it is left out. *Unit*: kg. *Value*: a
         finite number > 0.
@@ -1096,9 +1096,9 @@ class TipScene(Scene):
         temperatures in K and forces in eV/A where other keys say sigma, eps, tau, eps/k_B and
         eps/sigma. *Value*: "lennard-jones", "sutton-chen:Cu" or another metal, or "eam:FILE".
     spacing
-        Distance of neighbours in a Lennard-Jones crystal; the default is that of the potential's
-        minimum. A metal's follows from its potential, see `expansion`. *Unit*: sigma. *Value*: a
-        number > 0.5 and <= 10.
+        Distance of neighbours in a Lennard-Jones crystal, at most 2; the default is that of the
+        potential's minimum. A metal's follows from its potential, see `expansion`. *Unit*: sigma.
+        *Value*: a number > 0.5 and <= 10.
     expansion
         Part by which the crystals of a metal are wider than at zero temperature and pressure.
         *Value*: a number > -0.2 and <= 0.2.
@@ -1114,11 +1114,11 @@ class TipScene(Scene):
         Rows of atoms along y, an even number for fcc111, periodic. *Value*: a whole number from 1
         to 1000.
     substrate_layers
-        Layers of the substrate: two frozen, two with a thermostat, the rest free; at least 4.
-        *Value*: a whole number from 1 to 100.
+        Layers of the substrate: two frozen, two with a thermostat, the rest free. *Value*: a whole
+        number from 4 to 100.
     tip_layers
-        Layers of the tip: two driven, two with a thermostat, the rest free; at least 4. *Value*: a
-        whole number from 1 to 100.
+        Layers of the tip: two driven, two with a thermostat, the rest free. *Value*: a whole number
+        from 4 to 100.
     side
         Atoms on a side of the tip's top layer, or from its middle to its rim. *Value*: a whole
         number from 1 to 300.

@@ -1,11 +1,13 @@
 //! `tribos export problem`: the contact problem of one step.
 
+use crate::command::digits::shown;
 use crate::command::progress::Meter;
 use crate::command::view::kept::Kept;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use tribos::cd::StepReport;
 use tribos::grains::Grains;
 use tribos::powder::Compaction;
 use tribos::problem::{self, Global};
@@ -50,9 +52,13 @@ impl Step {
     pub fn write(self) -> Result<(), Failure> {
         let kept = Kept::read(&self.run)?;
         let scene = scene(&self.run, &kept.manifest.about)?;
-        let problem = match scene {
-            Scene::Powder(scene) => self.problem::<Compaction>(&scene, Compaction::problem)?,
-            Scene::Grains(scene) => self.problem::<Grains>(&scene, Grains::problem)?,
+        let (problem, step) = match scene {
+            Scene::Powder(scene) => self.problem(&scene, |run: &Compaction| {
+                Some((run.problem()?, *run.last_step()))
+            })?,
+            Scene::Grains(scene) => self.problem(&scene, |run: &Grains| {
+                Some((run.problem()?, *run.last_step()))
+            })?,
             _ => {
                 return Err(Failure::input(format!(
                     "{}: only runs with body = \"powder\" or \"grains\" have contact problems",
@@ -79,18 +85,24 @@ impl Step {
         let file = out.join(format!("problem-{}.{ending}", self.step));
         let problem = problem::Problem::from(problem);
         problem.write(&file, format).map_err(Failure::input)?;
+        // The file holds the problem, and not how far the run has solved it.
+        let solved = match step.iterations.met {
+            true => "within its tolerance",
+            false => "its tolerance missed",
+        };
         crate::command::print(&format!(
-            "written to    {}, {contacts} contacts\n",
-            file.display()
+            "written to    {}, {contacts} contacts\nin the run    solved to a residual of {}, {solved}\n",
+            file.display(),
+            shown(step.residual.relative)
         ))
     }
 
-    /// The problem of the step of a run.
+    /// The problem of the step of a run, and how the run solved it.
     fn problem<R>(
         &self,
         scene: &R::Scene,
-        problem: impl Fn(&R) -> Option<Global>,
-    ) -> Result<Global, Failure>
+        problem: impl Fn(&R) -> Option<(Global, StepReport)>,
+    ) -> Result<(Global, StepReport), Failure>
     where
         R: LongRun<Error: Error + 'static>,
     {

@@ -4,7 +4,7 @@ use super::loops::{Loops, Totals, counts};
 use super::shape::Part;
 use super::watch;
 use crate::md::system::State;
-use crate::record::kept::{damaged, hex, numbers, opened, same_scene, triple, vectors};
+use crate::record::kept::{damaged, hex, numbers, opened, triple, vectors};
 use crate::record::{CheckpointError, sealed};
 use crate::tip::scene::TipScene;
 use serde_json::Map;
@@ -75,8 +75,7 @@ impl Checkpoint {
         atoms: usize,
         [line_width, width]: [usize; 2],
     ) -> Result<Self, CheckpointError> {
-        let value = opened(text, NAME, VERSION)?;
-        same_scene(&value["scene"], &scene.json())?;
+        let value = opened(text, (NAME, VERSION), &scene.json())?;
         let finite = |name: &str, count: usize| {
             let numbers = numbers(&value, name)?;
             if numbers.len() == count && numbers.iter().all(|number| number.is_finite()) {

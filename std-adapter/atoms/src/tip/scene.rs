@@ -2,9 +2,10 @@
 
 use crate::md::pair::Shift;
 use crate::md::system::Integrator;
+use crate::record::brief;
 use crate::tip::{Face, LAYERS_OF_A_KIND, Outline, Potential, Shape};
 use tribos_base::scene::entries::Written;
-use tribos_base::scene::key::{self, Domain, Domain::*, MOST_SEEDS, Need::*, refusal_of};
+use tribos_base::scene::key::{self, Domain, Domain::*, MOST_SEEDS, Need::*, reads};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
@@ -67,8 +68,8 @@ words!(BathSpin { Spared = "spared", Counts = "counts" });
 const POTENTIAL: Domain = Form(&key::Form {
     name: "potential",
     valid: "\"lennard-jones\", \"sutton-chen:Cu\" or another metal, or \"eam:FILE\"",
-    refusal: refusal_of::<Potential>,
-    has_numbers: false,
+    read: reads::<Potential>,
+    numbers: None,
     names_absence: true,
 });
 tribos_base::spelled!(Potential);
@@ -96,6 +97,8 @@ impl StageSteps {
     }
 }
 
+/// Frozen or driven layers, and as many with a thermostat.
+const LEAST_LAYERS: f64 = (2 * LAYERS_OF_A_KIND) as f64;
 /// Largest distance of neighbours in a Lennard-Jones crystal, in σ: nothing holds a wider one.
 const WIDEST: f64 = 2.0;
 /// Three stages of so many steps are counted without rounding; a run takes years.
@@ -128,7 +131,7 @@ scene! {
     /// Potential of all atoms. With a metal lengths are in A, energies in eV, times in ps, temperatures
     /// in K and forces in eV/A where other keys say sigma, eps, tau, eps/k_B and eps/sigma.
     potential: Potential = Potential::default(), "-", POTENTIAL;
-    /// Distance of neighbours in a Lennard-Jones crystal; the default is that of the potential's
+    /// Distance of neighbours in a Lennard-Jones crystal, at most 2; the default is that of the potential's
     /// minimum. A metal's follows from its potential, see `expansion`.
     // 2^(1/6) (thesis, section 5.3).
     spacing: f64 = 1.122_462_048_309_373, "sigma", Between { above: 0.5, up_to: 10.0 };
@@ -141,15 +144,15 @@ scene! {
     /// Atoms along x in a layer of the substrate, periodic.
     // 6330 atoms as six layers of 28 × 28 and six hexagons of ten a side: an inference from the
     // number.
-    columns: usize = 28, "-", Count { up_to: 1000.0 };
+    columns: usize = 28, "-", Count { from: 1.0, up_to: 1000.0 };
     /// Rows of atoms along y, an even number for fcc111, periodic.
-    rows: usize = 28, "-", Count { up_to: 1000.0 };
-    /// Layers of the substrate: two frozen, two with a thermostat, the rest free; at least 4.
-    substrate_layers: usize = 6, "-", Count { up_to: 100.0 };
-    /// Layers of the tip: two driven, two with a thermostat, the rest free; at least 4.
-    tip_layers: usize = 6, "-", Count { up_to: 100.0 };
+    rows: usize = 28, "-", Count { from: 1.0, up_to: 1000.0 };
+    /// Layers of the substrate: two frozen, two with a thermostat, the rest free.
+    substrate_layers: usize = 6, "-", Count { from: LEAST_LAYERS, up_to: 100.0 };
+    /// Layers of the tip: two driven, two with a thermostat, the rest free.
+    tip_layers: usize = 6, "-", Count { from: LEAST_LAYERS, up_to: 100.0 };
     /// Atoms on a side of the tip's top layer, or from its middle to its rim.
-    side: usize = 10, "-", Count { up_to: 300.0 };
+    side: usize = 10, "-", Count { from: 1.0, up_to: 300.0 };
     /// Outline of the tip's layers.
     outline: Outline = Outline::Hexagon, "-", OneOf(Outline::WORDS);
     /// Angle by which the tip's close-packed rows are turned out of those of the substrate.
@@ -210,28 +213,21 @@ scene! {
     /// Distance that neighbour lists reach beyond the cut-off.
     skin: f64 = 0.3, "sigma", Positive;
     /// Seed of the first velocities and of noise.
-    seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
+    seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Steps from one line of the series to the next.
-    samples: u64 = 100, "-", Count { up_to: 1e9 };
+    samples: u64 = 100, "-", Count { from: 1.0, up_to: 1e9 };
 }
 
 fn rules(scene: &TipScene, judge: &mut Judge<'_>) {
     metal(scene, judge);
     if scene.face == Face::Fcc111 && !scene.rows.is_multiple_of(2) {
         judge.refuse(
-            &["rows"],
-            format!("`rows` must be even, not {}", scene.rows),
+            &["rows", "face"],
+            format!(
+                "`rows` must be even with face = \"fcc111\", not {}",
+                scene.rows
+            ),
         );
-    }
-    let least = 2 * LAYERS_OF_A_KIND;
-    for (key, layers) in [
-        ("substrate_layers", scene.substrate_layers),
-        ("tip_layers", scene.tip_layers),
-    ] {
-        if layers < least {
-            let message = format!("`{key}` must be at least {least}, not {layers}");
-            judge.refuse(&[key], message);
-        }
     }
     tip_fits(scene, judge);
     steps_count(scene, judge);
@@ -240,7 +236,7 @@ fn rules(scene: &TipScene, judge: &mut Judge<'_>) {
     let (relaxation, step) = (scene.relaxation, scene.time_step);
     if scene.thermostat == BathKind::NoseHoover && relaxation < step {
         let message = format!(
-            "`relaxation` is {relaxation:e}, less than a `time_step` of {step}; give at least that"
+            "`relaxation` is {relaxation}, less than a `time_step` of {step}; give at least that"
         );
         judge.refuse(&["relaxation", "time_step"], message);
     }
@@ -261,7 +257,7 @@ fn tip_fits(scene: &TipScene, judge: &mut Judge<'_>) {
     for (key, period) in [("columns", x), ("rows", y)] {
         if period < least {
             let message = format!(
-                "`{key}`: the period is {period:.3} {unit}, but tip and cut-off need {least:.3}"
+                "`{key}`: the period is {period:.3} {unit}, but `side`, `cutoff` and `skin` need {least:.3}"
             );
             judge.refuse(&[key, "side", "spacing", "cutoff", "skin"], message);
         }
@@ -283,13 +279,16 @@ fn slide_turns(scene: &TipScene, judge: &mut Judge<'_>) {
     let most = 0.5 * scene.spacings()[0];
     if step > most {
         let message = format!(
-            "`speed` is {step:e} sigma a `time_step`, more than half the spacing, {most:.3}"
+            "`speed` is {} sigma a `time_step`, more than half the spacing, {most:.3}",
+            brief(&step)
         );
         judge.refuse(&["speed", "time_step", "spacing"], message);
     }
     if let Some(stroke) = scene.stroke.filter(|&stroke| stroke < step) {
-        let message =
-            format!("`stroke` is {stroke:e}, less than the {step:e} sigma of a `time_step`");
+        let message = format!(
+            "`stroke` is {stroke}, less than the {} sigma of a `time_step`",
+            brief(&step)
+        );
         judge.refuse(&["stroke", "speed", "time_step"], message);
     }
 }
@@ -299,8 +298,10 @@ fn metal(scene: &TipScene, judge: &mut Judge<'_>) {
     if !scene.potential.is_metal() {
         if scene.spacing > WIDEST {
             let spacing = scene.spacing;
-            let message = format!("`spacing` must be at most {WIDEST} sigma, not {spacing}");
-            judge.refuse(&["spacing"], message);
+            let message = format!(
+                "`spacing` must be at most {WIDEST} sigma with potential = \"lennard-jones\", not {spacing}"
+            );
+            judge.refuse(&["spacing", "potential"], message);
         }
         if scene.expansion != 0.0 {
             let message = "`expansion` is for metals only; set `spacing`, or leave it out";
@@ -346,8 +347,10 @@ fn steps_count(scene: &TipScene, judge: &mut Judge<'_>) {
     ] {
         let steps = time / scene.time_step;
         if steps > MOST_STEPS {
-            let message =
-                format!("`{key}` is {steps:e} steps of `time_step`, more than {MOST_STEPS:e}");
+            let message = format!(
+                "`{key}` is {} steps of `time_step`, more than {MOST_STEPS:e}",
+                brief(&steps)
+            );
             judge.refuse(&[key, "time_step"], message);
         }
     }

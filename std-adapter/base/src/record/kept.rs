@@ -55,9 +55,13 @@ pub enum CheckpointError {
     },
 }
 
-/// The object in the text of a checkpoint whose first key is `name`, with its format as the value.
+/// The object in the text of a checkpoint of `scene` whose first key is `name`, with its format as the value.
 #[doc(hidden)]
-pub fn opened(text: &str, name: &str, format: u64) -> Result<Value, CheckpointError> {
+pub fn opened(
+    text: &str,
+    (name, format): (&str, u64),
+    scene: &Value,
+) -> Result<Value, CheckpointError> {
     let version = |found| CheckpointError::Version {
         found,
         read: format,
@@ -72,10 +76,25 @@ pub fn opened(text: &str, name: &str, format: u64) -> Result<Value, CheckpointEr
         });
     };
     match value[name].as_u64() {
-        Some(found) if found == format => Ok(value),
+        Some(found) if found == format => {
+            same_scene(&value["scene"], scene)?;
+            Ok(value)
+        }
         Some(found) => Err(version(found)),
-        None => Err(CheckpointError::Format(format!("there is no `{name}`"))),
+        None => Err(of_other_body(&value, &scene["body"])
+            .unwrap_or_else(|| CheckpointError::Format(format!("there is no `{name}`")))),
     }
+}
+
+/// The error for a whole checkpoint of a body that is not the given one.
+#[doc(hidden)]
+pub fn of_other_body(value: &Value, given: &Value) -> Option<CheckpointError> {
+    let kept = &value["scene"]["body"];
+    (kept.is_string() && kept != given).then(|| CheckpointError::Scene {
+        key: "body".into(),
+        kept: kept.to_string(),
+        given: given.to_string(),
+    })
 }
 
 /// The error for an invalid part.
@@ -85,8 +104,7 @@ pub fn damaged(name: &str) -> CheckpointError {
 }
 
 /// Refuses the first key that differs.
-#[doc(hidden)]
-pub fn same_scene(kept: &Value, given: &Value) -> Result<(), CheckpointError> {
+fn same_scene(kept: &Value, given: &Value) -> Result<(), CheckpointError> {
     let empty = Map::new();
     let [kept, given] = [kept, given].map(|scene| scene.as_object().unwrap_or(&empty));
     for key in given.keys().chain(kept.keys()) {

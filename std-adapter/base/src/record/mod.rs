@@ -23,10 +23,13 @@ pub use atomic::{is_unfinished, write_atomically, write_atomically_there, write_
 pub use frames::FrameError;
 pub use kept::CheckpointError;
 #[doc(hidden)]
-pub use number::{json_number, number};
+pub use number::brief;
+#[doc(hidden)]
+pub use number::{json_number, number, significant};
 pub use read::ReadError;
 #[doc(hidden)]
 pub use read::read_text;
+pub(crate) use seal::with_number;
 #[doc(hidden)]
 pub use seal::{digest, sealed, unsealed};
 #[doc(hidden)]

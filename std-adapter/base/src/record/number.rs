@@ -1,6 +1,11 @@
-//! Lossless text for numbers.
+//! Numbers as text: without loss for files, rounded for people.
 
 use serde_json::Value;
+
+/// Significant digits of a number for people, unless they ask for others.
+const USUAL: usize = 6;
+/// Largest decimal exponent of small numbers that are written with a power of ten.
+const SMALL: i32 = -5;
 
 /// The shortest decimal text that reads back to the same f64; `inf`, `-inf` or `nan` otherwise.
 ///
@@ -23,6 +28,47 @@ pub fn number(value: f64) -> String {
         "inf".into()
     } else {
         "-inf".into()
+    }
+}
+
+/// `value` rounded to `digits` significant ones, zeros at the end left out.
+///
+/// A power of ten is written below 1e-4, and from 1e6 or where the digits end on.
+///
+/// ```
+/// use tribos::record::significant;
+/// assert_eq!([1.0 / 3.0, 2.0, 1e7].map(|x| significant(x, 6)), ["0.333333", "2", "1e7"]);
+/// ```
+pub fn significant(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return number(value);
+    }
+    if value == 0.0 {
+        return "0".into();
+    }
+    let rounded = format!("{value:.*e}", digits.saturating_sub(1));
+    let (mantissa, exponent) = rounded.split_once('e').unwrap_or((&rounded, "0"));
+    let power: i32 = exponent.parse().unwrap_or(0);
+    if power <= SMALL || power >= digits.max(USUAL) as i32 {
+        return format!("{}e{power}", without_idle_zeros(mantissa));
+    }
+    let decimals = (digits as i32 - 1 - power).max(0) as usize;
+    // From the rounded digits: a number is not rounded twice.
+    let rounded = rounded.parse().unwrap_or(value);
+    without_idle_zeros(&format!("{rounded:.decimals$}")).to_owned()
+}
+
+/// A number in a message, as [`significant`] rounds it for people.
+#[doc(hidden)]
+pub fn brief(value: &f64) -> String {
+    significant(*value, USUAL)
+}
+
+fn without_idle_zeros(text: &str) -> &str {
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        text
     }
 }
 

@@ -56,6 +56,15 @@ pub fn unsealed(text: &str) -> Option<Value> {
     is_whole.then(|| serde_json::from_str(text).ok())?
 }
 
+/// A [`sealed`] text with one more number in its object.
+pub(crate) fn with_number(sealed: &str, key: &str, number: u64) -> String {
+    let length = KEY.len() + DIGITS + END.len();
+    let head = &sealed[..sealed.len().saturating_sub(length)];
+    let text = format!("{head}\"{key}\":{number},");
+    let digits = format!("{:032x}", digest(text.as_bytes()));
+    text + KEY + &digits + END
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

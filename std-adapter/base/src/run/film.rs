@@ -1,7 +1,9 @@
 //! Frames of a run, kept while it runs.
 
-use super::long_run::{LongRun, RunError, Start};
+use super::long_run::{LongRun, RunError};
+use super::session::FRAMES;
 use crate::record::frames::{FrameError, FrameFolder};
+use crate::record::unsealed;
 use std::path::Path;
 
 /// Default number of frames.
@@ -12,16 +14,17 @@ const USUAL: u64 = 100;
 pub(super) struct Film(Option<FrameFolder>);
 
 impl Film {
-    /// Starts keeping at most `limit` frames in a folder, or continues with the limit of the run's
+    /// Starts keeping at most `limit` frames in a folder, or continues after a checkpoint with the limit of the run's
     /// start; frames of an earlier run are removed.
     pub fn of<R: LongRun>(
         run: &R,
         folder: &Path,
-        start: Start,
+        checkpoint: Option<&str>,
         limit: Option<u64>,
     ) -> Result<Self, RunError<R::Error>> {
-        if start == Start::Resume {
-            return Self::resume(folder, run.steps(), limit).map_err(RunError::Frames);
+        if let Some(text) = checkpoint {
+            let said = unsealed(text).and_then(|value| value[FRAMES].as_u64());
+            return Self::resume(folder, run.steps(), said, limit).map_err(RunError::Frames);
         }
         let begun = match limit.unwrap_or(USUAL) {
             0 => FrameFolder::clear(folder).map(|()| None),
@@ -30,9 +33,18 @@ impl Film {
         Ok(Self(begun.map_err(RunError::Recording)?))
     }
 
-    /// The limit must be that of the run's start: another would give a different set of frames.
-    fn resume(folder: &Path, steps: u64, limit: Option<u64>) -> Result<Self, FrameError> {
+    /// The limit must be that of the run's start: another would give a different set of frames. Where the checkpoint
+    /// has `said` that frames are kept, there are some.
+    fn resume(
+        folder: &Path,
+        steps: u64,
+        said: Option<u64>,
+        limit: Option<u64>,
+    ) -> Result<Self, FrameError> {
         let there = FrameFolder::resume(folder, steps)?;
+        if there.is_none() && said.is_some_and(|kept| kept > 0) {
+            return Err(FrameError::Missing(folder.to_owned()));
+        }
         let kept = there.as_ref().map_or(0, FrameFolder::limit);
         match limit {
             Some(given) if given != kept => {
@@ -41,6 +53,11 @@ impl Film {
             }
             _ => Ok(Self(there)),
         }
+    }
+
+    /// Largest number of frames; 0 if none are kept.
+    pub fn limit(&self) -> u64 {
+        self.0.as_ref().map_or(0, FrameFolder::limit)
     }
 
     /// Call this for the first state and after every step.

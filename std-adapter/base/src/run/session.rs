@@ -3,7 +3,7 @@
 use super::film::Film;
 use super::folder::{FolderError, Lock, Sharing, remove_file};
 use super::long_run::{Cause, LongRun, NoCheckpoint, RunError, Start};
-use crate::record::{read_text, write_atomically_there};
+use crate::record::{read_text, with_number, write_atomically_there};
 use std::fmt;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -167,9 +167,17 @@ impl<'a, R: LongRun> Session<'a, R> {
         std::fs::create_dir_all(&self.folder)
             .map_err(|error| FolderError::access("make", &self.folder, error))?;
         let file = self.folder.join(CHECKPOINT);
-        let mut run = self.begin(scene, &file, start)?;
-        self.lock.check()?;
-        let mut film = Film::of(&run, &self.folder.join(FRAMES), start, self.frames)?;
+        let (mut run, mut film) = {
+            let kept = match start {
+                Start::Fresh => None,
+                _ => Some(read_checkpoint(&file)?),
+            };
+            let run = self.begin(scene, kept.as_deref())?;
+            self.lock.check()?;
+            let frames = self.folder.join(FRAMES);
+            let film = Film::of(&run, &frames, kept.as_deref(), self.frames)?;
+            (run, film)
+        };
         let mut saved = Instant::now();
         loop {
             (self.progress)(&run);
@@ -187,24 +195,16 @@ impl<'a, R: LongRun> Session<'a, R> {
             }
         }
         self.lock.check()?;
+        let frames = film.limit();
         film.end(&run)?;
         if self.end == FinalCheckpoint::Written {
-            self.write(&run, &file)?;
+            self.write(&run, frames, &file)?;
         }
         Ok(run)
     }
 
-    fn begin(
-        &mut self,
-        scene: &R::Scene,
-        file: &Path,
-        start: Start,
-    ) -> Result<R, RunError<R::Error>> {
-        let text = match start {
-            Start::Fresh => None,
-            _ => Some(read_checkpoint(file)?),
-        };
-        let begun = R::begin(scene, text.as_deref(), &mut |bodies| {
+    fn begin(&mut self, scene: &R::Scene, text: Option<&str>) -> Result<R, RunError<R::Error>> {
+        let begun = R::begin(scene, text, &mut |bodies| {
             (self.growing)(bodies);
             if (self.cancelled)() {
                 ControlFlow::Break(())
@@ -223,12 +223,14 @@ impl<'a, R: LongRun> Session<'a, R> {
     fn save(&mut self, run: &R, film: &mut Film, file: &Path) -> Result<(), RunError<R::Error>> {
         self.lock.check()?;
         film.save()?;
-        self.write(run, file)
+        self.write(run, film.limit(), file)
     }
 
-    fn write(&mut self, run: &R, file: &Path) -> Result<(), RunError<R::Error>> {
+    /// Writes the checkpoint, and how many frames are kept beside it.
+    fn write(&mut self, run: &R, frames: u64, file: &Path) -> Result<(), RunError<R::Error>> {
         self.lock.check()?;
-        write_atomically_there(file, run.checkpoint().as_bytes())?;
+        let text = with_number(&run.checkpoint(), FRAMES, frames);
+        write_atomically_there(file, text.as_bytes())?;
         (self.saved)(run, file);
         Ok(())
     }

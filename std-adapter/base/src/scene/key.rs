@@ -62,10 +62,19 @@ pub enum Domain {
         /// Inclusive upper end.
         up_to: f64,
     },
+    /// `from` ≤ value < `below`.
+    Below {
+        /// Inclusive lower end.
+        from: f64,
+        /// Exclusive upper end.
+        below: f64,
+    },
     /// From 0 to 1, both included.
     Fraction,
-    /// A whole number from 1 to `up_to`.
+    /// A whole number from `from` to `up_to`.
     Count {
+        /// Smallest.
+        from: f64,
         /// Largest.
         up_to: f64,
     },
@@ -84,10 +93,10 @@ pub struct Form {
     pub name: &'static str,
     /// What is valid, in words.
     pub valid: &'static str,
-    /// Why a text is not of the form, or nothing.
-    pub refusal: fn(&str) -> Option<String>,
-    /// Whether a finite number stands for a text.
-    pub has_numbers: bool,
+    /// The numbers that a text stands for, which belong to `numbers`, or why it is not of the form.
+    pub read: fn(&str) -> Result<Vec<f64>, String>,
+    /// Numbers that may stand in the place of a text, if any.
+    pub numbers: Option<&'static Domain>,
     /// Whether the values in force have a null where the key is left out, or do not name it.
     pub names_absence: bool,
 }
@@ -98,9 +107,11 @@ impl PartialEq for Form {
     }
 }
 
-/// Why a text cannot be read as a `T`, or nothing: the [refusal](Form::refusal) of most forms.
-pub fn refusal_of<T: FromStr<Err: Display>>(text: &str) -> Option<String> {
-    text.parse::<T>().err().map(|refusal| refusal.to_string())
+/// The [reading](Form::read) of forms that stand for no numbers.
+pub fn reads<T: FromStr<Err: Display>>(text: &str) -> Result<Vec<f64>, String> {
+    let read = text.parse::<T>();
+    read.map(|_| Vec::new())
+        .map_err(|refused| refused.to_string())
 }
 
 /// When a file must or may give a key. Pairs are another key and one of its words; where an override changes
@@ -135,9 +146,13 @@ impl Domain {
             Self::NotNegative => "a finite number >= 0".into(),
             Self::Positive => "a finite number > 0".into(),
             Self::Between { above, up_to } => format!("a number > {above} and <= {up_to}"),
+            Self::Below { from, below } => format!("a number >= {from} and < {below}"),
             Self::Fraction => "a number from 0 to 1".into(),
-            Self::Count { up_to } => format!("a whole number from 1 to {up_to}"),
-            Self::Form(form) => form.valid.into(),
+            Self::Count { from, up_to } => format!("a whole number from {from} to {up_to}"),
+            Self::Form(form) => match form.numbers {
+                Some(numbers) => format!("{}, or {}", numbers.describe(), form.valid),
+                None => form.valid.into(),
+            },
             Self::Path => "the path of a file or a folder".into(),
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
@@ -153,12 +168,13 @@ impl Domain {
         x.is_finite()
             && match *self {
                 Self::Finite => true,
-                Self::Form(form) => form.has_numbers,
+                Self::Form(form) => form.numbers.is_some_and(|numbers| numbers.admits(x)),
                 Self::NotNegative => x >= 0.0,
                 Self::Positive => x > 0.0,
                 Self::Between { above, up_to } => x > above && x <= up_to,
+                Self::Below { from, below } => x >= from && x < below,
                 Self::Fraction => (0.0..=1.0).contains(&x),
-                Self::Count { up_to } => x >= 1.0 && x <= up_to && x.fract() == 0.0,
+                Self::Count { from, up_to } => x >= from && x <= up_to && x.fract() == 0.0,
                 Self::OneOf(_) | Self::Path => false,
             }
     }
@@ -172,12 +188,20 @@ impl Key {
             (Domain::OneOf(words), Written::Text(text)) => {
                 format!("got \"{text}\"{}", meant(text, words))
             }
-            (Domain::Form(form), Written::Text(text)) => {
-                return Some(format!("`{}`: {}", self.name, (form.refusal)(text)?));
-            }
+            (Domain::Form(form), Written::Text(text)) => match (form.read)(text) {
+                Err(refused) => return Some(format!("`{}`: {refused}", self.name)),
+                Ok(numbers) => {
+                    format!(
+                        "not {}",
+                        numbers.into_iter().find(|x| !self.domain.admits(*x))?
+                    )
+                }
+            },
             (Domain::Path, Written::Text(text)) if !text.trim().is_empty() => return None,
             (domain, Written::Number(x)) if domain.admits(*x) => return None,
-            (Domain::Form(form), other) if !form.has_numbers => format!("not {}", other.kind()),
+            (Domain::Form(form), other) if form.numbers.is_none() => {
+                format!("not {}", other.kind())
+            }
             (Domain::OneOf(_) | Domain::Path, other) => format!("not {}", other.kind()),
             (_, other) => other.got(),
         };

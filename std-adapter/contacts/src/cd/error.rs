@@ -1,5 +1,6 @@
 //! Why a world cannot start or continue.
 
+use crate::record::brief;
 use crate::space::pairs::NeighbourError;
 use tribos_core::contact::TouchError;
 
@@ -48,7 +49,10 @@ pub enum WorldError {
         body: usize,
     },
     /// No step is short enough for the motion.
-    #[error("step {step}: something moves {speed:e} however short the step; its load is too large")]
+    #[error(
+        "step {step}: something moves {} however short the step; its load is too large",
+        brief(.speed)
+    )]
     TooFast {
         /// Number of the step.
         step: u64,

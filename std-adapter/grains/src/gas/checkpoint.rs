@@ -3,7 +3,7 @@
 use super::medium::Kept;
 use super::run::{Ending, Row};
 use crate::gas::scene::GasScene;
-use crate::record::kept::{damaged, groups, hex, one, opened, same_scene};
+use crate::record::kept::{damaged, groups, hex, one, opened};
 use crate::record::{CheckpointError, sealed};
 use serde_json::{Map, Value};
 
@@ -39,8 +39,7 @@ impl Checkpoint {
 
     /// Reads a checkpoint of the same scene.
     pub fn read(text: &str, scene: &GasScene) -> Result<Self, CheckpointError> {
-        let value = opened(text, NAME, VERSION)?;
-        same_scene(&value["scene"], &scene.json())?;
+        let value = opened(text, (NAME, VERSION), &scene.json())?;
         let series: Vec<Row> = groups(&value, "series")?;
         if series.is_empty() {
             return Err(damaged("series"));

@@ -40,7 +40,7 @@ scene! {
         rules, as_written;
 
     /// Number of spheres.
-    count: usize = 1000, "-", Count { up_to: 1e6 };
+    count: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 };
     /// Packing fraction: share of the cube that the spheres fill.
     fraction: f64 = 0.05, "-", Between { above: 0.0, up_to: 0.6 };
     /// Coefficient of restitution: normal speed after a collision over that before.
@@ -54,7 +54,7 @@ scene! {
     /// Contact time t_c: a collision sooner after a sphere's last one loses no energy; 0 for none.
     contact_time: f64 = 0.0, "R sqrt(m/T0)", NotNegative, OnlyWith("method", "events");
     /// Seed of the places and velocities at the start.
-    seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
+    seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Collisions a sphere without loss, before the run, that mix the start.
     // Velocities forget a start within a few collisions, places within some ten.
     mixing: f64 = 20.0, "-", NotNegative;
@@ -92,7 +92,7 @@ fn rules(scene: &GasScene, judge: &mut Judge<'_>) {
         judge.refuse(&["count", "fraction"], message);
     } else if room::lattice(scene.count, length).is_none() {
         let fraction = scene.fraction;
-        let message = format!("`fraction` is {fraction}: that many spheres find no place");
+        let message = format!("`fraction` is {fraction}: `count` spheres find no place");
         judge.refuse(&["fraction", "count"], message);
     }
     let tangential = scene.tangential.is_some_and(|beta| beta != 0.0);
@@ -109,8 +109,7 @@ fn rules(scene: &GasScene, judge: &mut Judge<'_>) {
         judge.refuse(&["restitution", "method"], message);
     }
     if scene.collisions / scene.sample > MOST_LINES {
-        let message =
-            format!("`sample` would give more than {MOST_LINES:e} lines; take a larger one");
+        let message = format!("`collisions` over `sample` must not exceed {MOST_LINES:e} lines");
         judge.refuse(&["sample", "collisions"], message);
     }
 }

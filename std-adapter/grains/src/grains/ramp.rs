@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 use tribos_base::scene::entries::Written;
-use tribos_base::scene::key::{Domain, Form, refusal_of};
+use tribos_base::scene::key::{Domain, Form};
 use tribos_base::scene::table::Setting;
 
 /// A quantity that follows time: constant, or piecewise linear.
@@ -114,13 +114,24 @@ impl Ramp {
 }
 
 /// A number, or a ramp in time, as [`Ramp`] reads it.
-pub(super) const RAMP: Domain = Domain::Form(&Form {
-    name: "ramp",
-    valid: "a finite number, or a ramp such as \"0:0, 0.5:1e3, 1:0\"",
-    refusal: refusal_of::<Ramp>,
-    has_numbers: true,
-    names_absence: true,
-});
+pub(super) const RAMP: Domain = Domain::Form(&of_numbers(&Domain::Finite));
+
+/// The same with no number below 0.
+pub(super) const RAMP_NOT_NEGATIVE: Domain = Domain::Form(&of_numbers(&Domain::NotNegative));
+
+const fn of_numbers(numbers: &'static Domain) -> Form {
+    Form {
+        name: "ramp",
+        valid: "a ramp such as \"0:0, 0.5:1e3, 1:0\"",
+        // Between its knots a ramp takes no value beyond theirs.
+        read: |text| match text.parse::<Ramp>() {
+            Ok(ramp) => Ok(ramp.range().to_vec()),
+            Err(refused) => Err(refused.to_string()),
+        },
+        numbers: Some(numbers),
+        names_absence: true,
+    }
+}
 
 impl Setting for Ramp {
     fn written(&self) -> Written {

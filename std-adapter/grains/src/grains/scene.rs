@@ -1,8 +1,9 @@
 //! The scene of grains in a box: loads and walls that follow time.
 
-use super::ramp::{RAMP, Ramp};
+use super::ramp::{RAMP, RAMP_NOT_NEGATIVE, Ramp};
 use crate::packing::method::{ContactMethod, Coupling, NormalForce, WallLaw, soft_rules};
 use crate::packing::{Radii, SIZES, Sizes, SizesError};
+use crate::record::brief;
 use crate::soft::{STEPS_PER_COLLISION, Stiffness};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -93,7 +94,7 @@ scene! {
     /// What bounds the box along z: a floor, floor and plate, or nothing.
     z: Ends = Ends::Floor, "-", OneOf(Ends::WORDS);
     /// 3, or 2 for spheres that stay in the plane y = 0 and spin about y.
-    dimension: u32 = 3, "-", Count { up_to: 3.0 };
+    dimension: u32 = 3, "-", Count { from: 2.0, up_to: 3.0 };
     /// What holds the grains: the box, a hopper in it, or a drum of diameter `width` about y.
     container: Container = Container::Box, "-", OneOf(Container::WORDS);
     /// Width of the slot of the hopper.
@@ -107,19 +108,19 @@ scene! {
     /// Rate of rotation of the drum.
     drum_rate: Ramp = Ramp::from(1.0), "rad/s", RAMP, OnlyWith("container", "drum");
     /// Number of grains, unless `start` has them.
-    count: usize = 100, "-", Count { up_to: 1e6 }, UnlessGiven("start");
+    count: usize = 100, "-", Count { from: 1.0, up_to: 1e6 }, UnlessGiven("start");
     /// Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
     start: Option<PathBuf> = None, "-", Path;
     /// Mean radius of the grains.
     radius: f64 = 0.005, "m", Positive, Required;
     /// Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread.
-    radius_spread: f64 = 0.0, "-", NotNegative, Without("start");
+    radius_spread: f64 = 0.0, "-", Below { from: 0.0, below: 1.0 }, Without("start");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
     sizes: Option<Sizes> = None, "-", SIZES, Without("start");
     /// Density of the grains; those of `start` that have one keep it.
     density: f64 = 2500.0, "kg/m^3", Positive, Required;
     /// Seed of the random start.
-    seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
+    seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
     spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
     /// Share of the grains that are of a second material, chosen at random; those of `start` that have materials keep them.
@@ -153,15 +154,15 @@ scene! {
     wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
     /// Gravity, downwards; 0 where nothing bears the grains, as in a sheared box.
     // Standard gravity, to three digits.
-    gravity: Ramp = Ramp::from(9.81), "m/s^2", RAMP;
+    gravity: Ramp = Ramp::from(9.81), "m/s^2", RAMP_NOT_NEGATIVE;
     /// Angle by which gravity leans from -z towards x.
     gravity_angle: Ramp = Ramp::from(0.0), "degree", RAMP;
     /// Stress on the wall at the far end of x, which moves as a piston.
-    pressure_x: Option<Ramp> = None, "Pa", RAMP, OnlyWith("x", "walls");
+    pressure_x: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("x", "walls");
     /// Stress on the wall at the far end of y, which moves as a piston.
-    pressure_y: Option<Ramp> = None, "Pa", RAMP, OnlyWith("y", "walls");
+    pressure_y: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("y", "walls");
     /// Stress on the plate above, which moves as a piston without weight.
-    pressure_z: Option<Ramp> = None, "Pa", RAMP, OnlyWith("z", "walls");
+    pressure_z: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("z", "walls");
     /// Mass of every piston; that of all grains together if it is left out.
     piston_mass: Option<f64> = None, "kg", Positive;
     /// Speed of the wall at the far end of x along x; negative compresses.
@@ -201,7 +202,7 @@ scene! {
     /// Change of a sweep, relative to P, at which sweeps stop.
     tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 }, PartOf("method", "contact-dynamics");
     /// Most sweeps of a step.
-    sweeps: usize = 1000, "-", Count { up_to: 1e6 }, PartOf("method", "contact-dynamics");
+    sweeps: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 }, PartOf("method", "contact-dynamics");
     /// Largest distance that a grain may move in a step, in mean radii; soft contacts divide it into stable ones.
     // A twentieth of a radius keeps the angle by which a normal turns in a step small.
     motion: f64 = 0.05, "-", Between { above: 0.0, up_to: 0.5 };
@@ -214,9 +215,9 @@ scene! {
     /// for 100 steps.
     rest: Option<f64> = None, "m/s", Positive;
     /// Steps after which a run ends in any case.
-    steps: u64 = 10_000_000, "-", Count { up_to: 1e9 };
+    steps: u64 = 10_000_000, "-", Count { from: 1.0, up_to: 1e9 };
     /// Steps from one line of the series to the next.
-    samples: u64 = 50, "-", Count { up_to: 1e9 };
+    samples: u64 = 50, "-", Count { from: 1.0, up_to: 1e9 };
 }
 
 /// Masses of a mean grain whose inertia and energies are numbers too.
@@ -231,18 +232,9 @@ const CONTROLS: [[&str; 2]; 3] = [
 
 /// Dimension, walls and loads must fit together.
 fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
-    if scene.dimension < 2 {
-        let message = format!("`dimension` must be 2 or 3, not {}", scene.dimension);
-        judge.refuse(&["dimension"], message);
-    }
     if scene.is_flat() && (scene.depth.is_some() || scene.y == Sides::Walls) {
         let message = "a scene with dimension = 2 has no `depth` and no walls along y";
         judge.refuse(&["depth", "y", "dimension"], message);
-    }
-    if scene.radius_spread >= 1.0 {
-        let spread = scene.radius_spread;
-        let message = format!("`radius_spread` must be less than 1, not {spread}");
-        judge.refuse(&["radius_spread"], message);
     }
     if scene.sizes.is_some() && scene.radius_spread > 0.0 {
         let message = "give `radius_spread` or `sizes`, not both";
@@ -268,7 +260,8 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
         * (2.0 / 3.0);
     if !MASSES.contains(&mass) {
         let message = format!(
-            "`density` and `radius` make grains of {mass:e} kg, and masses must lie between {:e} and {:e}",
+            "`density` and `radius` make grains of {} kg, and masses must lie between {:e} and {:e}",
+            brief(&mass),
             MASSES.start(),
             MASSES.end()
         );
@@ -311,9 +304,7 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
             let message = format!("give `{}` or `{}`, not both", keys[0], keys[1]);
             judge.refuse(keys, message);
         }
-        not_negative(judge, keys[0], pressure);
     }
-    not_negative(judge, "gravity", Some(&scene.gravity));
 }
 
 /// Refuses gravity where nothing bears the grains: they would fall for ever.
@@ -326,15 +317,6 @@ fn gravity_rule(scene: &GrainsScene, judge: &mut Judge<'_>) {
              or with `shear_rate`; set gravity = 0"
         );
         judge.refuse(&["gravity", "z"], message);
-    }
-}
-
-/// Refuses a ramp that becomes negative.
-fn not_negative(judge: &mut Judge<'_>, key: &'static str, ramp: Option<&Ramp>) {
-    if let Some([least, _]) = ramp.map(Ramp::range)
-        && least < 0.0
-    {
-        judge.refuse(&[key], format!("`{key}` must be >= 0, not {least}"));
     }
 }
 

@@ -5,7 +5,7 @@ use super::last::read_report;
 use super::{Frozen, Totals};
 use crate::cd::StepReport;
 use crate::record::CheckpointError;
-use crate::record::kept::{damaged, groups, opened, same_scene};
+use crate::record::kept::{damaged, groups, opened};
 use serde_json::Value;
 
 /// Key of the digest of what a run began with.
@@ -32,8 +32,7 @@ impl<B: Body<N>, const N: usize> Kept<B, N> {
         let Some(text) = text else {
             return Ok(None);
         };
-        let value = opened(text, B::FORMAT.0, B::FORMAT.1)?;
-        same_scene(&value["scene"], scene)?;
+        let value = opened(text, B::FORMAT, scene)?;
         Ok(Some(Self {
             frozen: Frozen::read(&value)?,
             totals: Totals::read(&value)?,

@@ -1,7 +1,7 @@
 //! The last state of a packing as a file, complete to the bit: spheres, walls, contacts, motion.
 
 use super::{Frozen, Kinds};
-use crate::record::kept::{damaged, groups, hex, numbers, triple};
+use crate::record::kept::{damaged, groups, hex, numbers, of_other_body, triple};
 use crate::record::{CheckpointError, ContactRow, Partner, sealed, unsealed};
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
@@ -12,6 +12,8 @@ pub const STATE: &str = "final-state.json";
 /// First key of the file, and the version of its format.
 const NAME: &str = "tribos_state";
 const VERSION: u64 = 2;
+/// Bodies whose checkpoints contain a state.
+const BODIES: [&str; 2] = ["powder", "grains"];
 /// Numbers of a stored contact: bodies, normal, gap, force, torque.
 const CONTACT: usize = 12;
 
@@ -95,10 +97,12 @@ impl Stored {
                     read: VERSION,
                 });
             }
-            None if value["radii"].is_null() => {
-                return Err(CheckpointError::Format("it is no state of spheres".into()));
+            Some(_) => {}
+            None if BODIES.iter().any(|body| value["scene"]["body"] == *body) => {}
+            None => {
+                let none = || CheckpointError::Format("there is no state of spheres".into());
+                return Err(of_other_body(&value, &BODIES[0].into()).unwrap_or_else(none));
             }
-            _ => {}
         }
         let stored = Self {
             scene: value["scene"].clone(),

@@ -83,18 +83,18 @@ scene! {
     /// Height at which the deposit is cut and the piston starts, unless `count` or `start` is given.
     height: f64 = 61.5, "R", Positive, UnlessEither("count", "start");
     /// Number of spheres, in place of `height`.
-    count: Option<usize> = None, "-", Count { up_to: 1e6 };
+    count: Option<usize> = None, "-", Count { from: 1.0, up_to: 1e6 };
     /// Spheres to start from in place of a deposit: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
     start: Option<PathBuf> = None, "-", Path;
-    /// Distance of centres at which a falling sphere is captured.
+    /// Distance of centres at which a falling sphere is captured, at least the largest diameter.
     // Thesis, section 4.5.
     capture_radius: f64 = 3.0, "R", Positive;
     /// Spread of the radii, which are uniform from 1 - spread to 1 + spread.
-    radius_spread: f64 = 0.0, "R", NotNegative, Without("start");
+    radius_spread: f64 = 0.0, "R", Below { from: 0.0, below: 1.0 }, Without("start");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
     sizes: Option<Sizes> = None, "-", SIZES, Without("start");
     /// Seed of the deposit's random numbers.
-    seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
+    seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.
     // Thesis, section 4.6.
     sliding: f64 = 0.3, "-", NotNegative;
@@ -159,7 +159,7 @@ scene! {
     tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 }, NotWith("stop", "fixed");
     /// Most sweeps of a step, N_I; all of them with stop = "fixed".
     // A bound for steps in which the tolerance is out of reach.
-    sweeps: usize = 1000, "-", Count { up_to: 1e6 }, PartOf("method", "contact-dynamics");
+    sweeps: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 }, PartOf("method", "contact-dynamics");
     /// Whether a step starts from the forces of the last one.
     warm_start: bool = true, "-", OneOf(bool::WORDS), PartOf("method", "contact-dynamics");
     /// Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
@@ -176,11 +176,11 @@ scene! {
     blocked: Criterion = Criterion::Balance, "-", OneOf(Criterion::WORDS);
     /// Steps after which a run ends that is not blocked before.
     // Runs of the thesis' systems block within some thousand steps.
-    steps: u64 = 200_000, "-", Count { up_to: 1e9 };
+    steps: u64 = 200_000, "-", Count { from: 1.0, up_to: 1e9 };
     /// Time after which a run ends that is not blocked before; if left out there is no such bound.
     duration: Option<f64> = None, "sqrt(rho R^4/F_coh)", Positive;
     /// Steps from one line of the series to the next.
-    samples: u64 = 20, "-", Count { up_to: 1e9 };
+    samples: u64 = 20, "-", Count { from: 1.0, up_to: 1e9 };
 }
 
 /// Width, capture radius and spread of the radii must fit together, and so must method and cohesion.
@@ -211,16 +211,15 @@ fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
             &["sizes", "radius_spread"],
             "give `radius_spread` or `sizes`, not both",
         );
-    } else if scene.radius_spread >= 1.0 {
-        let spread = scene.radius_spread;
-        let message = format!("`radius_spread` must be less than 1, not {spread}");
-        judge.refuse(&["radius_spread"], message);
     } else if let Err(error) = scene.ballistic() {
-        let keys: &[&'static str] = match error {
-            DepositError::Sizes(_) => &["sizes"],
-            _ => &["capture_radius", "width", "radius_spread", "sizes"],
+        let (keys, message): (&[&'static str], _) = match error {
+            DepositError::Sizes(error) => (&["sizes"], error.to_string()),
+            _ => (
+                &["capture_radius", "width", "radius_spread", "sizes"],
+                format!("`capture_radius`, `width` and the radii do not fit together: {error}"),
+            ),
         };
-        judge.refuse(keys, error.to_string());
+        judge.refuse(keys, message);
     }
 }
 

@@ -1,10 +1,12 @@
 use super::blocked::WINDOW_STEPS;
 use super::*;
 use crate::powder::scene::{Criterion, PowderScene};
+use crate::record::frames::FrameError;
 use crate::record::sealed;
 use crate::record::{ContactRow, Partner};
-use crate::run::{Simulation, drive};
+use crate::run::{FRAMES, RunError, Session, Simulation, Start, drive};
 use nalgebra::{Matrix3, Vector3};
+use std::cell::Cell;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -502,4 +504,38 @@ fn a_run_ends_with_its_time_or_its_steps() -> Tested {
     assert_eq!(timed.ending(), Some(Ending::Time));
     assert!((5.0..5.2).contains(&time), "{time}");
     Ok(())
+}
+
+/// A run that is broken off after three steps, and goes on once its folder of frames is removed.
+fn resumed_without_frames(limit: u64) -> Result<u64, RunError<CompactionError>> {
+    let scene = PowderScene {
+        width: 6.0,
+        height: 8.0,
+        steps: 6,
+        ..PowderScene::default()
+    };
+    let home = tempfile::tempdir().unwrap();
+    let session = || Session::<Compaction>::in_folder(home.path()).unwrap();
+    let steps = Cell::new(0);
+    let broken = session()
+        .frames(limit)
+        .on_progress(|run: &Compaction| steps.set(run.steps()))
+        .cancel_when(|| steps.get() == 3);
+    assert!(matches!(broken.run(&scene), Err(RunError::Cancelled(3))));
+    let frames = home.path().join(FRAMES);
+    assert_eq!(frames.exists(), limit > 0);
+    if limit > 0 {
+        std::fs::remove_dir_all(frames).unwrap();
+    }
+    Ok(session().start(Start::Resume).run(&scene)?.steps())
+}
+
+#[test]
+fn frames_that_are_all_gone_are_missed_where_a_run_kept_some() {
+    let refused = resumed_without_frames(20);
+    assert!(
+        matches!(&refused, Err(RunError::Frames(FrameError::Missing(path))) if path.ends_with(FRAMES)),
+        "{refused:?}"
+    );
+    assert_eq!(resumed_without_frames(0).unwrap(), 6);
 }

@@ -1,6 +1,7 @@
 //! Why a push is refused.
 
 use crate::friction::Refusal;
+use crate::record::brief;
 use tribos_base::scene::InvalidScene;
 
 /// A contact, a friction set or a path that no push can be computed for.
@@ -33,8 +34,9 @@ pub enum PushError {
     Frictionless(f64),
     /// The search for the motion under a push missed: the body would not follow its pusher.
     #[error(
-        "the motion under the push was not found: {left:e} m/s of the pusher's velocity are left at the contact; lengths \
-         and loads of the patch are too far apart"
+        "the motion under the push was not found: {} m/s of the pusher's velocity are left at the contact; lengths \
+         and loads of the patch are too far apart",
+        brief(.left)
     )]
     NotFound {
         /// Velocity of the pusher that neither the body nor the slip takes, in m/s.
@@ -42,7 +44,8 @@ pub enum PushError {
     },
     /// The steps of a path became too short to go on.
     #[error(
-        "the path cannot be followed beyond {time} s to a tolerance of {tolerance}; allow a larger one"
+        "the path cannot be followed beyond {} s to a tolerance of {tolerance}; allow a larger one",
+        brief(.time)
     )]
     Steps {
         /// Where it stopped.

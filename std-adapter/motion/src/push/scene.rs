@@ -58,7 +58,7 @@ scene! {
     /// How long the pusher moves.
     duration: Option<f64> = None, "s", Positive;
     /// Number of recorded times.
-    samples: u32 = 100, "-", Count { up_to: MOST_SAMPLES };
+    samples: u32 = 100, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
     /// Largest error of the path.
     tolerance: f64 = 1e-7, "m", Between { above: 1e-13, up_to: 1.0 };
 }

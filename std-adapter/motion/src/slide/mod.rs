@@ -25,6 +25,7 @@ pub use simulation::{COLUMNS, SlideSimulation};
 pub use spent::Spent;
 
 use crate::friction::{Law, Patch, Refusal, RoundPower, Tier, Visitor, visit_disk};
+use crate::record::brief;
 use crate::run::drive;
 use crate::slide::scene::SliderScene;
 use tribos_base::scene::InvalidScene;
@@ -74,8 +75,9 @@ pub enum SlideError {
     },
     /// The kinetic energy of the launch, or one of its two shares, is not a positive f64.
     #[error(
-        "the launch has a kinetic energy of {energy:e} J, outside the range of numbers; bring \
-         `speed`, `spin`, `radius` and `mass` nearer to 1"
+        "the launch has a kinetic energy of {} J, outside the range of numbers; bring \
+         `speed`, `spin`, `radius` and `mass` nearer to 1",
+        brief(.energy)
     )]
     Energy {
         /// Kinetic energy at the launch, in J.

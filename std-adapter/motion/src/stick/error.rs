@@ -1,6 +1,7 @@
 //! Why a scene of a held body has no result.
 
 use crate::friction::Refusal;
+use crate::record::brief;
 use tribos_base::scene::InvalidScene;
 use tribos_core::law::LawError;
 
@@ -27,15 +28,16 @@ pub enum StickError {
     #[error(transparent)]
     Body(#[from] tribos_core::Error),
     /// A number left the range of f64, or the time no longer advances.
-    #[error("the motion cannot be followed beyond {time:e} s; its scales are too far apart")]
+    #[error("the motion cannot be followed beyond {} s; its scales are too far apart", brief(.time))]
     NotFinite {
         /// Time reached, in s.
         time: f64,
     },
     /// Under rate and state the body came to rest so closely that its speed is no number any more.
     #[error(
-        "the speed falls below 1e-300 m/s at {time:e} s: rate and state cannot be followed to rest; \
-         raise `a`"
+        "the speed falls below 1e-300 m/s at {} s: rate and state cannot be followed to rest; \
+         raise `a`",
+        brief(.time)
     )]
     TooSlow {
         /// Time reached, in s.
@@ -43,8 +45,10 @@ pub enum StickError {
     },
     /// The pads of a clamp hold the load, but their forces were not found.
     #[error(
-        "the pads hold the load at {time:e} s, but the search for their balance stopped with {left:e} N left; \
-         their stiffnesses are too far apart, or the pads turn too far"
+        "the pads hold the load at {} s, but the search for their balance stopped with {} N left; \
+         their stiffnesses are too far apart, or the pads turn too far",
+        brief(.time),
+        brief(.left)
     )]
     Unbalanced {
         /// Time of the load, in s.
@@ -53,13 +57,13 @@ pub enum StickError {
         left: f64,
     },
     /// Whoever asked for the run ended it.
-    #[error("interrupted at {time:e} s")]
+    #[error("interrupted at {} s", brief(.time))]
     Interrupted {
         /// Time reached, in s.
         time: f64,
     },
     /// The run needs more steps than it may take.
-    #[error("{steps} steps reach {time:e} s only; shorten the run or soften its scales")]
+    #[error("{steps} steps reach {} s only; shorten the run or soften its scales", brief(.time))]
     TooManySteps {
         /// Number of steps taken.
         steps: u64,
@@ -68,8 +72,9 @@ pub enum StickError {
     },
     /// Under rate and state the spring came to push the body back.
     #[error(
-        "the spring would push the body back at {time:e} s, and rate and state is followed forward \
-         only; raise `viscous`, or lower `mass`"
+        "the spring would push the body back at {} s, and rate and state is followed forward \
+         only; raise `viscous`, or lower `mass`",
+        brief(.time)
     )]
     Backwards {
         /// Time at which the spring force reached zero, in s.

@@ -56,6 +56,7 @@ fn is_valid(schema: &Value, instance: &Value) -> bool {
         "enum" => rule.as_array().unwrap().contains(instance),
         "minimum" => compare(rule, |x, bound| x >= bound),
         "exclusiveMinimum" => compare(rule, |x, bound| x > bound),
+        "exclusiveMaximum" => compare(rule, |x, bound| x < bound),
         "maximum" => compare(rule, |x, bound| x <= bound),
         "required" => rule
             .as_array()
@@ -179,7 +180,7 @@ fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
         for key in known.keys {
             let value = match key.domain {
                 Domain::OneOf(words) => format!("\"{}\"", words[0]),
-                Domain::Count { .. } => "1".to_owned(),
+                Domain::Count { from, .. } => format!("{from}"),
                 Domain::Between { above, .. } if above >= 0.5 => format!("{}", above + 1.0),
                 _ => "0.5".to_owned(),
             };

@@ -48,8 +48,8 @@ pub enum AssemblyError {
         #[source]
         cause: TextError,
     },
-    /// A state or a checkpoint is damaged.
-    #[error("{file}: {reason}; give a state or a checkpoint that a run of spheres wrote")]
+    /// A state or a checkpoint is damaged, or of another body.
+    #[error("{file}: {reason}; give a state or a checkpoint of a powder or of grains")]
     State {
         /// Name of the file.
         file: String,
@@ -133,6 +133,9 @@ impl Assembly {
                 file: name.into(),
                 reason: match cause {
                     CheckpointError::Format(reason) => format!("it is damaged ({reason})"),
+                    CheckpointError::Scene { kept, .. } => {
+                        format!("it is a checkpoint of body = {kept}, without a state of forces")
+                    }
                     other => other.to_string(),
                 },
             })?;

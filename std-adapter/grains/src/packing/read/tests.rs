@@ -9,7 +9,7 @@ use crate::powder::{self, Compaction};
 use crate::random::Random;
 use crate::record::frames::{Bodies, Frame, FrameFolder};
 use crate::record::trajectory::{Format, State, Trajectory};
-use crate::record::{Snapshot, SnapshotError, extended_xyz, particles_vtp};
+use crate::record::{Snapshot, extended_xyz, particles_vtp};
 use crate::run::LongRun;
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
@@ -190,8 +190,8 @@ fn files_without_radii_tilted_or_cut_are_refused_by_line() {
              ITEM: ATOMS id type x y z\n3 1 1 1 1\n".into(),
             "f: line 9: there are no radii; dump the column radius or diameter",
         ),
-        ("{\"tribos_state\":1}".into(), "f: it is damaged (its digest is not that of its bytes); give a state or a checkpoint that a run of spheres \
-             wrote"),
+        ("{\"tribos_state\":1}".into(), "f: it is damaged (its digest is not that of its bytes); give a state or a checkpoint of a powder or of \
+             grains"),
     ] {
         assert_eq!(refusal("f", &text), reason);
     }
@@ -327,54 +327,61 @@ fn again(read: &Assembly) -> Assembly {
 fn exports(scene: &Scene) -> (Kept, Vec<(&'static str, String)>, Bodies, Frame) {
     fn all<R: LongRun>(
         scene: &R::Scene,
-        export: impl Fn(&R, fn(&Snapshot<'_>) -> Result<String, SnapshotError>) -> String,
-    ) -> (R, [String; 2]) {
+        show: impl Fn(&R, &mut dyn FnMut(&Snapshot<'_>)),
+        state: Option<fn(&R) -> String>,
+    ) -> (Kept, Vec<(&'static str, String)>, Bodies, Frame) {
         let mut run = R::begin(scene, None, &mut |_| ControlFlow::Continue(())).unwrap();
         for _ in 0..30 {
             run.step().unwrap();
         }
-        let texts = [export(&run, extended_xyz), export(&run, particles_vtp)];
-        (run, texts)
-    }
-    let kept = |now: &Snapshot<'_>| Kept {
-        positions: now.positions.iter().map(|x| now.space.wrap(x)).collect(),
-        radii: now.radii.to_vec(),
-        densities: now.densities.map(<[f64]>::to_vec),
-        materials: now.materials.map(<[u8]>::to_vec),
-        periods: now.space.lengths(),
-        tilt: now.space.offset(),
-    };
-    match scene {
-        Scene::Grains(scene) => {
-            let (run, [xyz, vtp]) =
-                all::<Grains>(scene, |run, export| run.with_snapshot(export).unwrap());
-            let texts = vec![
-                ("a.xyz", xyz),
-                ("a.vtp", vtp),
-                ("state", run.state()),
-                ("checkpoint", run.checkpoint()),
-            ];
-            (run.with_snapshot(kept), texts, run.bodies(9), run.frame())
-        }
-        Scene::Powder(scene) => {
-            let (run, [xyz, vtp]) =
-                all::<Compaction>(scene, |run, export| run.with_snapshot(export).unwrap());
-            let texts = vec![
-                ("a.xyz", xyz),
-                ("a.vtp", vtp),
-                ("state", run.state()),
-                ("checkpoint", run.checkpoint()),
-            ];
-            (run.with_snapshot(kept), texts, run.bodies(9), run.frame())
-        }
-        Scene::Gas(scene) => {
-            let (run, [xyz, vtp]) = all::<Gas>(scene, |run, export| {
-                run.with_snapshot(export).unwrap().unwrap()
+        let (mut kept, mut texts) = (None, Vec::new());
+        show(&run, &mut |now| {
+            kept = Some(Kept {
+                positions: now.positions.iter().map(|x| now.space.wrap(x)).collect(),
+                radii: now.radii.to_vec(),
+                densities: now.densities.map(<[f64]>::to_vec),
+                materials: now.materials.map(<[u8]>::to_vec),
+                periods: now.space.lengths(),
+                tilt: now.space.offset(),
             });
-            let texts = vec![("a.xyz", xyz), ("a.vtp", vtp)];
-            let kept = run.with_snapshot(kept).unwrap();
-            (kept, texts, run.bodies(9), run.frame())
+            texts.push(("a.xyz", extended_xyz(now).unwrap()));
+            texts.push(("a.vtp", particles_vtp(now).unwrap()));
+        });
+        if let Some(state) = state {
+            texts.push(("state", state(&run)));
+            texts.push(("checkpoint", run.checkpoint()));
         }
+        (kept.unwrap(), texts, run.bodies(9), run.frame())
+    }
+    match scene {
+        Scene::Grains(scene) => all::<Grains>(
+            scene,
+            |run, show| run.with_snapshot(show),
+            Some(Grains::state),
+        ),
+        Scene::Powder(scene) => all::<Compaction>(
+            scene,
+            |run, show| run.with_snapshot(show),
+            Some(Compaction::state),
+        ),
+        Scene::Gas(scene) => all::<Gas>(scene, |run, show| run.with_snapshot(show).unwrap(), None),
+    }
+}
+
+#[test]
+fn a_checkpoint_of_another_body_is_named_as_what_it_is() {
+    for method in ["events", "contact-dynamics", "soft"] {
+        let text = format!("body = \"gas\"\ncount = 60\nmethod = \"{method}\"\n");
+        let scene = GasScene::parse("gas", &text, &[]).unwrap();
+        let kept = Gas::new(&scene).unwrap().checkpoint();
+        let said = "f: it is a checkpoint of body = \"gas\", without a state of forces; \
+                    give a state or a checkpoint of a powder or of grains";
+        assert_eq!(refusal("f", &kept), said, "{method}");
+        let other = PowderScene::default();
+        let refused = Compaction::resume(&other, &kept).map_err(|error| error.to_string());
+        let said = "the checkpoint belongs to another scene: `body` is \"gas\" there and \"powder\" here; \
+                    change it back, or start anew with --anew";
+        assert_eq!(refused.err().as_deref(), Some(said), "{method}");
     }
 }
 

@@ -10,7 +10,7 @@ use crate::record::read_text;
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
-use tribos_base::scene::key::{Domain, Form, refusal_of};
+use tribos_base::scene::key::{Domain, Form, reads};
 
 /// Distance of the cuts of normal and log-normal distributions from the middle, in standard deviations:
 /// the quantiles 0.00135 and 0.99865.
@@ -141,8 +141,8 @@ impl Sizes {
 pub(crate) const SIZES: Domain = Domain::Form(&Form {
     name: "sizes",
     valid: Sizes::FORMS,
-    refusal: refusal_of::<Sizes>,
-    has_numbers: false,
+    read: reads::<Sizes>,
+    numbers: None,
     names_absence: true,
 });
 

@@ -99,7 +99,7 @@ scene! {
     /// Half the crossing angle from which scratches guide, of the model scratch-guide.
     scratch_onset: f64 = ScratchGuide::ONSET, "rad", Positive, PartOf("model", "scratch-guide");
     /// Number of intervals of time in the series.
-    samples: u32 = 200, "-", Count { up_to: MOST_SAMPLES };
+    samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
 fn rules(scene: &CurlingScene, judge: &mut Judge<'_>) {

@@ -53,7 +53,7 @@ scene! {
     /// Fraction of their start below which both speeds count as rest, for alpha >= 1.
     stop_fraction: f64 = STOP_FRACTION, "-", Between { above: 0.0, up_to: 0.5 };
     /// Number of intervals of time in the series.
-    samples: u32 = 200, "-", Count { up_to: MOST_SAMPLES };
+    samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
 fn rules(scene: &PipeScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {

@@ -40,7 +40,7 @@ scene! {
     /// Mass of the plate.
     mass: f64 = 0.5, "kg", Positive, Required;
     /// Number of intervals of time in the series.
-    samples: u32 = 200, "-", Count { up_to: MOST_SAMPLES };
+    samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
 fn rules(scene: &PlateScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {

@@ -76,7 +76,7 @@ scene! {
     /// End of the run; if left out it is rest.
     duration: Option<f64> = None, "s", Positive;
     /// Number of recorded steps, where `time_step` is left out.
-    samples: u32 = 200, "-", Count { up_to: MOST_SAMPLES };
+    samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
     /// Unit system.
     units: Units = Units::Si, "-", OneOf(Units::WORDS);
     /// Method that follows the motion.

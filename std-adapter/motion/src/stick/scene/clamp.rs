@@ -49,9 +49,9 @@ scene! {
     /// Duration of a cycle.
     period: f64 = 1.0, "s", Positive;
     /// Number of cycles.
-    cycles: u32 = 5, "-", Count { up_to: 10_000.0 };
+    cycles: u32 = 5, "-", Count { from: 1.0, up_to: 10_000.0 };
     /// Number of intervals of time in the series, for each cycle.
-    samples: u32 = 200, "-", Count { up_to: MOST_SAMPLES };
+    samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
 fn rules(scene: &ClampScene, judge: &mut Judge<'_>) {

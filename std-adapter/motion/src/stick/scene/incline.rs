@@ -46,7 +46,7 @@ scene! {
     /// End of the run.
     duration: f64 = 12.0, "s", Positive, Required;
     /// Number of intervals of time in the series.
-    samples: u32 = 400, "-", Count { up_to: MOST_SAMPLES };
+    samples: u32 = 400, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
 fn rules(scene: &InclineScene, judge: &mut Judge<'_>) {

@@ -70,7 +70,7 @@ scene! {
     /// How long the end of the spring stands still first; it never does if left out.
     hold: Option<f64> = None, "s", Positive;
     /// Number of holds.
-    holds: u32 = 1, "-", Count { up_to: 1000.0 };
+    holds: u32 = 1, "-", Count { from: 1.0, up_to: 1000.0 };
     /// Duration of each hold over that of the one before.
     hold_growth: f64 = 10.0, "-", Positive;
     /// Static coefficient, of dry friction, of a contact not older than `cut_off`.
@@ -114,7 +114,7 @@ scene! {
     /// Error of a step, in units of the motion's scales; dry friction needs none.
     tolerance: f64 = 1e-9, "-", Between { above: 0.0, up_to: 0.01 };
     /// Number of intervals of time in the series, for each pull and each hold.
-    samples: u32 = 400, "-", Count { up_to: MOST_SAMPLES };
+    samples: u32 = 400, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
 /// Coefficients of dry friction at rest and in motion, growth, and the time from which it grows: of the size of

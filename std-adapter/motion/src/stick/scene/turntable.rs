@@ -1,6 +1,7 @@
 //! The scene of a body on a turntable.
 
 use crate::friction::{PATCH, Patch};
+use crate::record::brief;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::{as_written, scene};
@@ -45,7 +46,7 @@ scene! {
     /// Longest step of the sliding body; its error makes it shorter.
     time_step: f64 = 5e-4, "s", Positive;
     /// Number of intervals of time in the series.
-    samples: u32 = 400, "-", Count { up_to: MOST_SAMPLES };
+    samples: u32 = 400, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
 fn rules(scene: &TurntableScene, judge: &mut Judge<'_>) {
@@ -69,8 +70,8 @@ fn rules(scene: &TurntableScene, judge: &mut Judge<'_>) {
         judge.refuse(&["patch"], message);
     }
     if scene.time_step * MOST_STEPS < scene.duration {
-        let least = scene.duration / MOST_STEPS;
-        let message = format!("`time_step` must be at least `duration`/1e7, {least:e}");
+        let least = brief(&(scene.duration / MOST_STEPS));
+        let message = format!("`time_step` must be at least `duration`/1e7, {least}");
         judge.refuse(&["time_step", "duration"], message);
     }
 }
