@@ -14,8 +14,8 @@ use tribos_core::coupling::flat::{
 };
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::round::{PolynomialTable, RoundTable64};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Annulus, Dry, DryCoupling, closed};
+use tribos_core::coupling::table::{Coulomb, Table64};
+use tribos_core::coupling::{Annulus, Coupling, Dry, DryCoupling, PatchFriction, closed};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface, Projection, Region};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::mesh::{Mesh, Vertex};
@@ -137,6 +137,34 @@ const LAWS: [&str; 3] = [
     "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05",
 ];
 
+/// The same of a round area: tables of powers of the speed, quadrature of other laws.
+fn round_kernel(name: &str, law: &Law) -> AtTwist {
+    fn of_patch<C: Coupling<f64> + 'static>(coupling: C, coefficient: f64) -> AtTwist {
+        let friction = PatchFriction::new(coupling, coefficient, RADIUS).unwrap();
+        Box::new(move |twist| {
+            let wrench = friction.wrench(LOAD, twist);
+            (wrench, friction.wrench_jacobian(LOAD, twist))
+        })
+    }
+    let patch: Patch = name.parse().unwrap();
+    let Some([mu, alpha]) = law.power_of_speed() else {
+        // The module `friction` holds it against the kernel's quadratures.
+        return of_patch(Friction::<f64>::new(&patch, law, None).unwrap(), 1.0);
+    };
+    let polynomial = PolynomialPressure::new([1.0, -0.5]).unwrap();
+    match (name, patch.pressure()) {
+        ("disk", _) if alpha == 0.0 => of_patch(Coulomb, mu),
+        ("disk", _) => of_patch(Table64::new(alpha).unwrap(), mu),
+        ("annulus:0.5", _) if alpha == 0.0 => of_patch(Annulus::new(Coulomb, 0.5).unwrap(), mu),
+        ("annulus:0.5", _) => {
+            let disk = Table64::new(alpha).unwrap();
+            of_patch(Annulus::new(disk, 0.5).unwrap(), mu)
+        }
+        (_, Some(pressure)) => of_patch(RoundTable64::new(alpha, pressure).unwrap(), mu),
+        (_, None) => of_patch(PolynomialTable::new(alpha, &polynomial).unwrap(), mu),
+    }
+}
+
 /// The kernel's own friction of an area under a law, written down once more; `None` where there is none.
 fn kernel(name: &str, law: &Law) -> Option<AtTwist> {
     fn of_power(shape: impl PowerPatch<f64> + 'static) -> AtTwist {
@@ -145,13 +173,7 @@ fn kernel(name: &str, law: &Law) -> Option<AtTwist> {
         Box::new(move |twist| friction.wrench_and_jacobian(LOAD, twist))
     }
     if ROUND.contains(&name) {
-        // The module `friction` holds it against the kernel's types.
-        let friction = Friction::<f64>::new(&name.parse().unwrap(), law, None).unwrap();
-        let friction = friction.with_radius(RADIUS).unwrap();
-        return Some(Box::new(move |twist| {
-            let wrench = friction.wrench(LOAD, twist);
-            (wrench, friction.wrench_jacobian(LOAD, twist))
-        }));
+        return Some(round_kernel(name, law));
     }
     Some(match (name, law.name()) {
         (shape, "coulomb") => with_shape(shape, DryAt),

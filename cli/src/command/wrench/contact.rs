@@ -5,7 +5,9 @@ use crate::command::columns;
 use crate::command::number::in_range;
 use crate::failure::Failure;
 use std::path::Path;
-use tribos::friction::{AnyLaw, Friction, HeldNodes, Law, Patch, Precision, Tier, pressure_nodes};
+use tribos::friction::{
+    AnyLaw, Evaluation, Friction, HeldNodes, Law, Patch, Precision, Tier, pressure_nodes,
+};
 use tribos_core::Real;
 use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::nodes::NodeFriction;
@@ -102,8 +104,11 @@ impl<R: Precision> Contact<R> {
         } else {
             Tier::Quadrature
         };
-        let is_disk = matches!(request.patch, Patch::Disk | Patch::Annulus(_));
-        let by_coupling = tier != Tier::Quadrature || (is_disk && request.tilt.is_none());
+        let by_coupling = match tier.evaluation(request.patch, &law) {
+            Evaluation::Nodes => false,
+            Evaluation::Quadrature => request.tilt.is_none(),
+            _ => true,
+        };
         let tilt = request.tilt.map(R::from_f64);
         let (kind, factor, unit) = if by_coupling {
             let coupling = Friction::new(request.patch, &law, Some(tier))?;
