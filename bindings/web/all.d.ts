@@ -72,6 +72,8 @@ export function punch(options: RoundOptions): RoundFriction;
 export function paraboloid(options: RoundOptions): RoundFriction;
 /** The pressure (1 − (r/radius)²)^order, of an order above −1. */
 export function power(options: RoundOptions & { order: number }): RoundFriction;
+/** The pressure a0 + a1 (r/radius)² + …, nowhere negative, of these coefficients. */
+export function polynomial(options: RoundOptions & { coefficients: readonly number[] }): RoundFriction;
 
 /** A patch with straight edges. Corners are pairs of numbers, flat (x, y, x, y, …) or nested. */
 export interface PolygonOptions extends LawOptions {
@@ -94,6 +96,16 @@ export function bar(options: LawOptions & { length: number }): Friction;
 /** Points that share the load by weight (feet): x, y in m, weight of each. Any law. */
 export function points(
   options: LawOptions & { points: Rows | readonly (readonly [number, number, number])[] },
+): Friction;
+/**
+ * Triangles under linear pressure, such as the contact face of a solver, under Coulomb friction: vertices
+ * x, y in m and pressure, of which only the ratios count; three numbers of vertices, from 0, for each triangle.
+ */
+export function mesh(
+  options: LawOptions & {
+    vertices: Rows | readonly (readonly [number, number, number])[];
+    triangles: Rows | readonly (readonly [number, number, number])[];
+  },
 ): Friction;
 
 /** Friction of a round patch. */
@@ -261,12 +273,15 @@ export interface ContactOptions {
   muTorsion?: number;
   /**
    * A round patch, in place of muTorsion: sliding and torsion share its exact limit surface. `radius`
-   * is that of the contact over r_eff, `inner` that of an annulus over `radius`.
+   * is that of the contact over r_eff, `inner` the inner one of an annulus over r_eff; `order` and
+   * `coefficients` are those of the functions `power` and `polynomial`.
    */
   patch?: {
-    kind: "disk" | "ring" | "annulus" | "hertz" | "punch";
+    kind: "disk" | "ring" | "annulus" | "hertz" | "punch" | "paraboloid" | "power" | "polynomial";
     radius: number;
     inner?: number;
+    order?: number;
+    coefficients?: readonly number[];
   };
   /** Speed after an impact over speed before, 0 to 1; 0 if it is left out. */
   restitution?: number;

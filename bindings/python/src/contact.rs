@@ -1,159 +1,23 @@
 //! Contacts of spheres and plates that may open, slide, roll and spin.
 
 use crate::arrays::{Output, Rows, broadcast, refused};
-use crate::patch::{Patch, Shape};
+use crate::patch::Patch;
 use crate::threads::fill;
 use pyo3::prelude::*;
-use tribos::friction;
+use tribos::friction::{AnyContactFriction, ContactVisitor};
 use tribos_core::contact::{
-    AllModes, Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Frictionless,
-    NormalLaw, Plate, Sliding, SlidingRolling, SlidingTorsion, Sphere, Thresholds, TimeStep, Touch,
-    TouchError,
+    Attraction, Body, Cohesion, Contact, ContactFriction, NormalLaw, Plate, Sphere, TimeStep,
+    Touch, TouchError,
 };
-use tribos_core::coupling::{Annulus, closed, table::Coulomb};
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection};
 use tribos_core::nalgebra::Vector3;
-use tribos_core::twist::{Twist, Wrench};
-
-/// Friction of a contact, by the modes that it resists.
-#[derive(Clone, Copy)]
-enum AnyFriction {
-    None(Thresholds<f64, Frictionless>),
-    Sliding(Thresholds<f64, Sliding>),
-    SlidingRolling(Thresholds<f64, SlidingRolling>),
-    SlidingTorsion(Thresholds<f64, SlidingTorsion>),
-    All(Thresholds<f64, AllModes>),
-    Coupled(CoupledFriction<f64, RoundSet, SlidingTorsion>),
-    CoupledRolling(CoupledFriction<f64, RoundSet, AllModes>),
-}
-
-/// Work with friction of one type.
-pub trait Visitor {
-    /// Its result.
-    type Output;
-    /// Does it.
-    fn visit<F: ContactFriction<f64> + 'static>(self, friction: F) -> Self::Output;
-}
-
-/// Exact sets of round patches whose size is known without memory.
-#[derive(Clone, Copy)]
-pub enum RoundSet {
-    Disk(LimitSurface<f64, Coulomb>),
-    Ring(LimitSurface<f64, closed::Ring>),
-    Hertz(LimitSurface<f64, closed::Hertz>),
-    Punch(LimitSurface<f64, closed::FlatPunch>),
-    Annulus(LimitSurface<f64, Annulus<f64, Coulomb>>),
-}
-
-impl RoundSet {
-    fn new(patch: &Patch, mu: f64) -> PyResult<Self> {
-        let Shape::Round(kind, radius) = &patch.0 else {
-            return Err(refused(
-                "the set of a contact must be symmetric about the normal: patch must be round",
-            ));
-        };
-        let r = *radius;
-        Ok(match kind {
-            friction::Patch::Disk => {
-                Self::Disk(LimitSurface::new(Coulomb, mu, r).map_err(refused)?)
-            }
-            friction::Patch::Ring => {
-                Self::Ring(LimitSurface::new(closed::Ring, mu, r).map_err(refused)?)
-            }
-            friction::Patch::Hertz => {
-                Self::Hertz(LimitSurface::new(closed::Hertz, mu, r).map_err(refused)?)
-            }
-            friction::Patch::Punch => {
-                Self::Punch(LimitSurface::new(closed::FlatPunch, mu, r).map_err(refused)?)
-            }
-            friction::Patch::Annulus(inner) => {
-                let annulus = Annulus::new(Coulomb, *inner).map_err(refused)?;
-                Self::Annulus(LimitSurface::new(annulus, mu, r).map_err(refused)?)
-            }
-            other => {
-                return Err(refused(format!(
-                    "contacts have the exact set of disk, ring, annulus, hertz and punch, not of {other}"
-                )));
-            }
-        })
-    }
-
-    fn set(&self) -> &dyn FrictionSet<f64> {
-        match self {
-            Self::Disk(set) => set,
-            Self::Ring(set) => set,
-            Self::Hertz(set) => set,
-            Self::Punch(set) => set,
-            Self::Annulus(set) => set,
-        }
-    }
-}
-
-impl FrictionSet<f64> for RoundSet {
-    fn force_limit(&self) -> f64 {
-        self.set().force_limit()
-    }
-    fn radius(&self) -> f64 {
-        self.set().radius()
-    }
-    fn support(&self, twist: &Twist<f64>) -> f64 {
-        self.set().support(twist)
-    }
-    fn wrench(&self, twist: &Twist<f64>) -> Wrench<f64> {
-        self.set().wrench(twist)
-    }
-    fn gauge(&self, wrench: &Wrench<f64>) -> f64 {
-        self.set().gauge(wrench)
-    }
-    fn twist_normal_to(&self, push: &Wrench<f64>) -> Twist<f64> {
-        self.set().twist_normal_to(push)
-    }
-    fn scale_to_surface(&self, wrench: &Wrench<f64>) -> Wrench<f64> {
-        self.set().scale_to_surface(wrench)
-    }
-    fn project_with_length(&self, wrench: &Wrench<f64>, length: f64) -> Projection<f64> {
-        self.set().project_with_length(wrench, length)
-    }
-}
 
 /// Laws of a contact: along the normal, and friction.
 #[pyclass(frozen, module = "tribos._native")]
 pub struct ContactLaw {
     /// Cohesion and restitution.
     pub normal: NormalLaw<f64>,
-    friction: AnyFriction,
-}
-
-impl ContactLaw {
-    /// Hands the friction to `visitor`.
-    pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
-        match self.friction {
-            AnyFriction::None(friction) => visitor.visit(friction),
-            AnyFriction::Sliding(friction) => visitor.visit(friction),
-            AnyFriction::SlidingRolling(friction) => visitor.visit(friction),
-            AnyFriction::SlidingTorsion(friction) => visitor.visit(friction),
-            AnyFriction::All(friction) => visitor.visit(friction),
-            AnyFriction::Coupled(friction) => visitor.visit(friction),
-            AnyFriction::CoupledRolling(friction) => visitor.visit(friction),
-        }
-    }
-}
-
-fn thresholds([mu, rolling, torsion]: [f64; 3]) -> PyResult<AnyFriction> {
-    // Modes without a threshold cost nothing; negative and missing numbers are refused by the full form.
-    let full = Thresholds::all(mu, rolling, torsion).map_err(refused)?;
-    let some = |made: Result<AnyFriction, tribos_core::law::LawError>| made.map_err(refused);
-    match [mu == 0.0, rolling == 0.0, torsion == 0.0] {
-        [true, true, true] => Ok(AnyFriction::None(Thresholds::none())),
-        [_, true, true] => some(Thresholds::sliding(mu).map(AnyFriction::Sliding)),
-        [_, false, true] => {
-            some(Thresholds::sliding_rolling(mu, rolling).map(AnyFriction::SlidingRolling))
-        }
-        [_, true, false] => {
-            some(Thresholds::sliding_torsion(mu, torsion).map(AnyFriction::SlidingTorsion))
-        }
-        [_, false, false] => Ok(AnyFriction::All(full)),
-    }
+    /// By the modes that it resists.
+    pub friction: AnyContactFriction,
 }
 
 #[pymethods]
@@ -181,32 +45,18 @@ impl ContactLaw {
         let cohesion = Cohesion::new(strength, range, attraction).map_err(refused)?;
         let [mu, rolling, _] = coefficients;
         let friction = match patch {
-            None => thresholds(coefficients)?,
-            Some(patch) => {
-                let set = RoundSet::new(patch, mu)?;
-                if rolling == 0.0 {
-                    AnyFriction::Coupled(CoupledFriction::sliding_torsion(set))
-                } else {
-                    let all = CoupledFriction::all(set, rolling).map_err(refused)?;
-                    AnyFriction::CoupledRolling(all)
-                }
-            }
+            None => AnyContactFriction::thresholds(coefficients),
+            Some(patch) => AnyContactFriction::coupled(&patch.0, mu, rolling),
         };
         Ok(Self {
             normal: NormalLaw::new(cohesion, restitution).map_err(refused)?,
-            friction,
+            friction: friction.map_err(refused)?,
         })
     }
 
     /// Largest torsion torque without sliding, over force and lever.
     fn mu_torsion(&self) -> f64 {
-        match self.friction {
-            AnyFriction::Coupled(friction) => friction.mu_torsion(),
-            AnyFriction::CoupledRolling(friction) => friction.mu_torsion(),
-            AnyFriction::SlidingTorsion(friction) => friction.mu_torsion(),
-            AnyFriction::All(friction) => friction.mu_torsion(),
-            _ => 0.0,
-        }
+        self.friction.mu_torsion()
     }
 
     /// Contacts of two spheres: rows of velocity, spin, 1/mass, 1/inertia and radius of both, normal and
@@ -313,7 +163,7 @@ impl ContactLaw {
         let rows = rows.view()?;
         let mut output = Output::new(py, &batch, &[ANSWER], None)?;
         fill(py, output.rows::<ANSWER>()?, COST, |from, piece| {
-            self.visit(Piece {
+            self.friction.visit(Piece {
                 law: &self.normal,
                 dt,
                 prepared: |index: usize| of(&rows.at(from + index)),
@@ -332,13 +182,13 @@ struct Piece<'a, P> {
     out: &'a mut [[f64; ANSWER]],
 }
 
-impl<B: Body<f64>, P: Fn(usize) -> Prepared<B>> Visitor for Piece<'_, P> {
+impl<B: Body<f64>, P: Fn(usize) -> Prepared<B>> ContactVisitor for Piece<'_, P> {
     type Output = PyResult<()>;
-    fn visit<F: ContactFriction<f64>>(self, friction: F) -> PyResult<()> {
+    fn visit<F: ContactFriction<f64>>(self, friction: &F) -> PyResult<()> {
         for (index, row) in self.out.iter_mut().enumerate() {
             let (mut a, mut b, touch) = (self.prepared)(index).map_err(refused)?;
             let mut contact = Contact::<f64, F::Modes>::new(&touch, self.law, &a, &b, self.dt);
-            contact.update(&friction, &mut a, &mut b);
+            contact.update(friction, &mut a, &mut b);
             let impulse = contact.impulse();
             let vectors = [
                 a.velocity,

@@ -1,7 +1,7 @@
 //! Parameters of laws from measurements, and pressures from pushes.
 
 use crate::arrays::refused;
-use crate::patch::{Patch, Shape};
+use crate::patch::Patch;
 use crate::threads::detached;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -10,6 +10,7 @@ use tribos::fit::support::{
     fit_support_within,
 };
 use tribos::fit::{Data, DataError, Fit, FitError, Known, LawName, Options, fit, law_model};
+use tribos::friction::{Area, Flat};
 use tribos_core::limit_surface::{FrictionSet, PatchSurface};
 use tribos_core::patch::nodes::NodePatch;
 use tribos_core::twist::{Twist, Wrench};
@@ -125,19 +126,17 @@ fn refusal(error: MeasuredPushError) -> PyErr {
 }
 
 /// The limit surface of μN = 1 on a patch with straight edges.
-fn unit_surface(shape: &Shape) -> PyResult<Box<dyn FrictionSet<f64>>> {
+fn unit_surface(area: &Area) -> PyResult<Box<dyn FrictionSet<f64>>> {
     const LIMIT: f64 = 1.0;
-    Ok(match shape.clone() {
-        Shape::Polygon(patch) => Box::new(PatchSurface::new(patch, LIMIT).map_err(refused)?),
-        Shape::Leaning(patch) => Box::new(PatchSurface::new(patch, LIMIT).map_err(refused)?),
-        Shape::Bar(patch) => Box::new(PatchSurface::new(patch, LIMIT).map_err(refused)?),
-        Shape::Mesh(patch) => Box::new(PatchSurface::new(patch, LIMIT).map_err(refused)?),
-        Shape::Points(_) | Shape::Round(..) => {
-            return Err(refused(
-                "a support is a box, a polygon, a bar, a mesh or points",
-            ));
+    match area {
+        Area::Round(..) | Area::Flat(Flat::Points(_)) => Err(refused(
+            "a support is a box, a polygon, a bar, a mesh or points",
+        )),
+        Area::Flat(flat) => {
+            let surface = PatchSurface::new(flat.clone(), LIMIT);
+            Ok(Box::new(surface.map_err(refused)?))
         }
-    })
+    }
 }
 
 /// Fits the pressure under a foot to rows of motion and wrench; `loops` are the corners of the patch.
@@ -153,12 +152,14 @@ pub fn fit_support<'py>(
         wrench: Wrench::new(fx, fy, torque),
     };
     let pushes: Vec<MeasuredPush> = pushes.into_iter().map(push).collect();
-    let shape = patch.map(|patch| &patch.0);
+    let area = patch.map(|patch| &patch.0);
     let fit: PyResult<SupportFit> = detached(py, || {
-        match shape {
+        match area {
             None => fitted(&pushes, None),
-            Some(Shape::Points(points)) => fit_support_at(&pushes, points.nodes().nodes()),
-            Some(shape) => fit_support_within(&pushes, &loops, unit_surface(shape)?),
+            Some(Area::Flat(Flat::Points(points))) => {
+                fit_support_at(&pushes, points.nodes().nodes())
+            }
+            Some(area) => fit_support_within(&pushes, &loops, unit_surface(area)?),
         }
         .map_err(refusal)
     })?;

@@ -2,16 +2,16 @@
 
 use crate::arrays::{Numbers, Output, Rows, broadcast, refused};
 use crate::law::Law;
-use crate::model::{Batch, Model, loads_over, model};
-use crate::patch::{Patch, Shape};
+use crate::model::{Batch, jacobians, loads_over, wrenches};
+use crate::patch::Patch;
 use crate::threads::fill;
 use pyo3::prelude::*;
-use tribos::friction::Tier;
+use tribos::friction::{AreaFriction, Tier};
 
 /// Friction of a patch under a law.
 #[pyclass(frozen, module = "tribos._native")]
 pub struct Friction {
-    model: Box<dyn Model>,
+    friction: AreaFriction,
     /// Nanoseconds that a wrench takes, about.
     cost: usize,
 }
@@ -48,12 +48,9 @@ impl Friction {
     #[pyo3(signature = (patch, law, tier=None))]
     fn new(patch: &Patch, law: &Law, tier: Option<&str>) -> PyResult<Self> {
         let tier: Option<Tier> = tier.map(|name| name.parse().map_err(refused)).transpose()?;
-        let model = model(&patch.0, &law.0, tier)?;
-        let cost = match &patch.0 {
-            Shape::Round(..) => 30,
-            _ => 200,
-        };
-        Ok(Self { model, cost })
+        let friction = AreaFriction::new(&patch.0, &law.0, tier).map_err(refused)?;
+        let cost = if patch.0.is_round() { 30 } else { 200 };
+        Ok(Self { friction, cost })
     }
 
     /// Wrenches, in N and N m, of twists in m/s and rad/s under loads in N.
@@ -66,7 +63,7 @@ impl Friction {
     ) -> PyResult<Bound<'py, PyAny>> {
         let rows = (&[3][..], self.cost);
         self.each([twists, load], out, rows, |batch, from, piece| {
-            self.model.wrenches(batch, from, piece);
+            wrenches(&self.friction, batch, from, piece);
         })
     }
 
@@ -80,7 +77,7 @@ impl Friction {
     ) -> PyResult<Bound<'py, PyAny>> {
         let rows = (&[3, 3][..], 3 * self.cost);
         self.each([twists, load], out, rows, |batch, from, piece| {
-            self.model.jacobians(batch, from, piece);
+            jacobians(&self.friction, batch, from, piece);
         })
     }
 }

@@ -1,8 +1,9 @@
 //! A few contacts solved together.
 
 use crate::arrays::refused;
-use crate::contact::{ContactLaw, Visitor, plate_touch, sphere_touch};
+use crate::contact::{ContactLaw, plate_touch, sphere_touch};
 use pyo3::prelude::*;
+use tribos::friction::ContactVisitor;
 use tribos_core::contact::{Body, ContactFriction, NormalLaw, Plate, Sphere, TimeStep, Touch};
 use tribos_core::manifold::{
     BodyHandle, ContactHandle, InitialGuess, ManifoldError, Member, SolverLimits, SolverReport,
@@ -106,10 +107,10 @@ impl<F: ContactFriction<f64> + 'static> Solver for Made<F> {
 
 struct Maker(NormalLaw<f64>);
 
-impl Visitor for Maker {
+impl ContactVisitor for Maker {
     type Output = Box<dyn Solver>;
-    fn visit<F: ContactFriction<f64> + 'static>(self, friction: F) -> Self::Output {
-        Box::new(Made::<F>::new(self.0, friction))
+    fn visit<F: ContactFriction<f64> + 'static>(self, friction: &F) -> Self::Output {
+        Box::new(Made::<F>::new(self.0, *friction))
     }
 }
 
@@ -169,7 +170,7 @@ impl Manifold {
     #[new]
     fn new(law: &ContactLaw) -> Self {
         Self {
-            solver: law.visit(Maker(law.normal)),
+            solver: law.friction.visit(Maker(law.normal)),
             bodies: Vec::new(),
             contacts: Vec::new(),
         }

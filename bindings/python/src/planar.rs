@@ -2,7 +2,7 @@
 
 use crate::arrays::{Batched, Column, Numbers, Output, Rows, View, broadcast, refused};
 use crate::model::{numbers, twist_numbers, twist_of, wrench_of};
-use crate::patch::{Patch, Shape};
+use crate::patch::Patch;
 use crate::surface::LimitSurface;
 use crate::threads::fill;
 use numpy::{PyArrayDyn, PyArrayMethods};
@@ -149,10 +149,7 @@ impl Stepper {
 
 /// Nanoseconds that a step takes, about.
 fn cost(patch: &Patch) -> usize {
-    match patch.0 {
-        Shape::Round(..) => 800,
-        _ => 3_000,
-    }
+    if patch.0.is_round() { 800 } else { 3_000 }
 }
 
 /// One step of each body: twists, friction, and whether it rests.
@@ -180,7 +177,7 @@ pub fn planar_step<'py>(
     let angle = angle.over(&batch)?;
     let bodies = given.view()?;
     let (start, pushes, angle) = (twists.view()?, pushes.view()?, angle.view()?);
-    let turns = !matches!(patch.0, Shape::Round(..));
+    let turns = !patch.0.is_round();
 
     let step = |set: &dyn FrictionSet<f64>, index: usize| {
         let stepper = bodies.stepper(index)?;
@@ -190,20 +187,15 @@ pub fn planar_step<'py>(
     let mut steps = vec![Stepped::default(); batch.iter().product()];
     fill(py, &mut steps, cost(patch), |from, piece| {
         if let Some(limit) = bodies.limit_of_all() {
-            let mut done = Ok(());
-            surface.sets.with(limit, &mut |set| {
+            return surface.sets.with(limit, |set| {
                 let all = (from..).zip(piece.iter_mut());
-                done = store_all(all, |index| step(set, index));
+                store_all(all, |index| step(set, index))
             })?;
-            return done;
         }
         for (index, row) in (from..).zip(piece) {
-            let mut done = Ok(Stepped::default());
-            let limit = bodies.limit(index);
-            surface
+            *row = surface
                 .sets
-                .with(limit, &mut |set| done = step(set, index))?;
-            *row = done?;
+                .with(bodies.limit(index), |set| step(set, index))??;
         }
         Ok(())
     })?;
@@ -278,7 +270,7 @@ pub fn planar_rollout<'py>(
     let pushes = pushes.over(&steps)?;
     let bodies = given.view()?;
     let (start, origin, pushes) = (twists.view()?, poses.view()?, pushes.view()?);
-    let turns = !matches!(patch.0, Shape::Round(..));
+    let turns = !patch.0.is_round();
 
     let mut twists = Output::new(py, &steps, &[3], None)?;
     let mut poses = Output::new(py, &steps, &[3], None)?;
@@ -301,7 +293,7 @@ pub fn planar_rollout<'py>(
             let stepper = bodies.stepper(index)?;
             let begin = [start.at(index), origin.at(index)];
             let push = |step: usize| pushes.at(index * count + step);
-            surface.sets.with(bodies.limit(index), &mut |set| {
+            surface.sets.with(bodies.limit(index), |set| {
                 course.follow(set, &stepper, turns, begin, push);
             })?;
         }

@@ -46,12 +46,11 @@ fn each<'py, const N: usize, const M: usize>(
         for (part, out) in piece.chunks_mut(together).enumerate() {
             let at = from + part * together;
             let [limit] = limits.at(at);
-            let mut answer = Ok(());
-            surface.sets.with(limit, &mut |set| {
-                answer = (at..).zip(out.iter_mut()).try_for_each(|(index, row)| {
+            let answer = surface.sets.with(limit, |set| {
+                (at..).zip(out.iter_mut()).try_for_each(|(index, row)| {
                     *row = of(set, rows.at(index))?;
                     Ok(())
-                });
+                })
             })?;
             answer.map_err(|error: PushError| refused(error))?;
         }
@@ -189,11 +188,9 @@ pub fn push_along<'py>(
         tolerance,
     };
     let journey: Journey = detached(py, || {
-        let mut journey = None;
-        surface.sets.with(force_limit, &mut |set| {
-            journey = Some(tribos::push::push_along(set, &drive));
-        })?;
-        let journey = journey.ok_or_else(|| refused("there is no surface"))?;
+        let journey = surface
+            .sets
+            .with(force_limit, |set| tribos::push::push_along(set, &drive))?;
         journey.map_err(refused)
     })??;
     let end = match journey.end {
@@ -243,10 +240,8 @@ pub fn line_boundary(
     count: usize,
 ) -> PyResult<Vec<[f64; 3]>> {
     let line = line(ends).map_err(refused)?;
-    let mut boundary = Vec::new();
-    surface.sets.with(force_limit, &mut |set| {
+    surface.sets.with(force_limit, |set| {
         let motions = line.stable_boundary(set, count);
-        boundary = motions.iter().map(twist_numbers).collect();
-    })?;
-    Ok(boundary)
+        motions.iter().map(twist_numbers).collect()
+    })
 }

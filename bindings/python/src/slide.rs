@@ -2,10 +2,10 @@
 
 use crate::arrays::{Batched, Numbers, Output, View, broadcast, refused};
 use crate::law::Law;
-use crate::patch::{Patch, Shape};
+use crate::patch::Patch;
 use crate::threads::fill;
 use pyo3::prelude::*;
-use tribos::friction::{self, RoundPower, Tier};
+use tribos::friction::{self, Area, RoundPower, Tier};
 use tribos_core::slider::{self, Motion, SliderParameters};
 
 /// Launches of a batch, and the bodies that are launched.
@@ -124,9 +124,9 @@ pub fn power_of(law: &friction::Law) -> PyResult<[f64; 2]> {
 }
 
 /// A round patch and its radius.
-pub fn round(shape: &Shape) -> PyResult<(&friction::Patch, f64)> {
-    match shape {
-        Shape::Round(patch, radius) => Ok((patch, *radius)),
+pub fn round(area: &Area) -> PyResult<(&friction::Patch, f64)> {
+    match area {
+        Area::Round(patch, radius) => Ok((patch, *radius)),
         _ => Err(refused(
             "only a round patch slides straight: give a disk, ring, annulus or the like; the rollout \
              of a tribos.PlanarBody follows the others",

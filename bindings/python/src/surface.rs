@@ -1,7 +1,7 @@
 //! Limit surfaces.
 
 use crate::arrays::{Numbers, Output, Rows, View, broadcast, refused};
-use crate::model::{Sets, ellipsoids, numbers, sets, twist_numbers, twist_of, wrench_of};
+use crate::model::{Sets, numbers, twist_numbers, twist_of, wrench_of};
 use crate::patch::Patch;
 use crate::threads::fill;
 use pyo3::prelude::*;
@@ -11,7 +11,7 @@ use tribos_core::limit_surface::FrictionSet;
 #[pyclass(frozen, module = "tribos._native")]
 pub struct LimitSurface {
     /// The surfaces for every force limit.
-    pub sets: Box<dyn Sets>,
+    pub sets: Sets,
 }
 
 /// Nanoseconds that a projection takes, about.
@@ -36,7 +36,7 @@ impl LimitSurface {
         let mut output = Output::new(py, &batch, shape, out)?;
         fill(py, output.rows::<M>()?, COST, |from, piece| {
             if let View::One([limit]) = limits {
-                return self.sets.with(limit, &mut |set| {
+                return self.sets.with(limit, |set| {
                     for (index, row) in (from..).zip(piece.iter_mut()) {
                         *row = of(set, rows.at(index));
                     }
@@ -44,8 +44,7 @@ impl LimitSurface {
             }
             for (index, row) in (from..).zip(piece.iter_mut()) {
                 let [limit] = limits.at(index);
-                self.sets
-                    .with(limit, &mut |set| *row = of(set, rows.at(index)))?;
+                *row = self.sets.with(limit, |set| of(set, rows.at(index)))?;
             }
             Ok(())
         })?;
@@ -57,23 +56,20 @@ impl LimitSurface {
 impl LimitSurface {
     #[new]
     fn new(patch: &Patch) -> PyResult<Self> {
-        let sets = sets(&patch.0)?;
+        let sets = Sets::new(&patch.0)?;
         Ok(Self { sets })
     }
 
     /// The ellipsoids with the same largest force and torque.
     fn ellipsoid(&self) -> PyResult<Self> {
-        let sets = ellipsoids(&*self.sets)?;
+        let sets = self.sets.ellipsoids()?;
         Ok(Self { sets })
     }
 
     /// The largest torque, in N m, for a force limit in N; the kernel's refusal of that limit.
     fn torque_limit(&self, force_limit: f64) -> PyResult<f64> {
-        let mut limit = f64::NAN;
         let turn = twist_of([0.0, 0.0, 1.0]);
-        self.sets
-            .with(force_limit, &mut |set| limit = set.support(&turn))?;
-        Ok(limit)
+        self.sets.with(force_limit, |set| set.support(&turn))
     }
 
     /// The lowest and the highest torque with each force.
@@ -94,7 +90,8 @@ impl LimitSurface {
         fill(py, output.rows::<2>()?, 10 * COST, |from, piece| {
             for (index, row) in (from..).zip(piece) {
                 let [limit] = limits.at(index);
-                *row = self.sets.torque_limits(limit, forces.at(index))?;
+                let limits = self.sets.0.torque_limits(limit, forces.at(index));
+                *row = limits.map_err(refused)?;
             }
             Ok(())
         })?;

@@ -23,6 +23,9 @@ LAWS = {
     "hertz": tribos.ContactLaw(0.3, patch=tribos.hertz(0.4)),
     "punch": tribos.ContactLaw(0.3, patch=tribos.punch(0.4)),
     "annulus": tribos.ContactLaw(0.3, patch=tribos.annulus(0.2, 0.4)),
+    "paraboloid": tribos.ContactLaw(0.3, patch=tribos.paraboloid(0.4)),
+    "power": tribos.ContactLaw(0.3, mu_rolling=0.1, patch=tribos.power(0.4, 0.25)),
+    "polynomial": tribos.ContactLaw(0.3, patch=tribos.polynomial(0.4, [1.0, -0.5])),
 }
 
 

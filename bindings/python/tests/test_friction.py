@@ -44,16 +44,48 @@ def test_a_square_is_right(table) -> None:
         assert np.allclose(-jacobian[:, at[0], at[1]], entries, rtol=1e-11, atol=1e-11), name
 
 
-@pytest.mark.parametrize(
-    "patch",
-    [
-        tribos.disk(0.1),
-        tribos.ring(0.1),
-        tribos.box(0.2, 0.1),
-        tribos.points([[0, 0], [1, 0], [0, 1]]),
-    ],
-    ids=repr,
-)
+ROUND = [
+    tribos.disk(0.1),
+    tribos.ring(0.1),
+    tribos.annulus(0.05, 0.1),
+    tribos.hertz(0.1),
+    tribos.punch(0.1),
+    tribos.paraboloid(0.1),
+    tribos.power(0.1, 0.25),
+    tribos.polynomial(0.1, [1.0, -0.5]),
+]
+POLYGONS = [
+    tribos.box(0.2, 0.1),
+    tribos.polygon([[0, 0], [0.3, 0], [0.1, 0.2]], centre=[0.12, 0.08]),
+]
+DRY = [
+    tribos.bar(0.3),
+    tribos.mesh([[0, 0], [0.1, 0], [0, 0.1]], [[0, 1, 2]], [1.0, 2.0, 0.5]),
+]
+POINTS = [tribos.points([[0, 0], [1, 0], [0, 1]])]
+
+
+@pytest.mark.parametrize("patch", ROUND + POLYGONS + DRY + POINTS, ids=repr)
+def test_a_patch_serves_a_law_or_says_what_does(patch: tribos.Patch) -> None:
+    twists = np.random.default_rng(8).normal(size=(20, 3))
+    served = {
+        "coulomb:mu=0.3": True,
+        "power:gamma=0.3,alpha=0.5": patch not in DRY,
+        "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05": patch in ROUND + POINTS,
+    }
+    for law, is_served in served.items():
+        if not is_served:
+            with pytest.raises(ValueError, match="points"):
+                tribos.Friction(patch, law=law)
+            continue
+        friction = tribos.Friction(patch, law=law)
+        wrench = friction.wrench(twists, 10.0)
+        assert (np.sum(wrench * twists, axis=-1) < 0.0).all(), law
+        one_by_one = [friction.wrench(twist, 10.0) for twist in twists]
+        assert np.array_equal(wrench, one_by_one), law
+
+
+@pytest.mark.parametrize("patch", ROUND + POLYGONS + DRY + POINTS, ids=repr)
 def test_a_limit_surface_is_made_of_friction(patch: tribos.Patch) -> None:
     rng = np.random.default_rng(5)
     twists = rng.normal(size=(200, 3))

@@ -67,10 +67,13 @@ export function contactLaw(options) {
   return remember(new ContactLaw(handle), handle);
 }
 
-function patchName({ kind, radius, inner }) {
-  word("patch.kind", kind, ["disk", "ring", "annulus", "hertz", "punch"]);
+function patchName({ kind, radius, inner, order, coefficients }) {
+  word("patch.kind", kind, ["disk", "ring", "annulus", "hertz", "punch", "paraboloid", "power", "polynomial"]);
   number("patch.radius", radius);
-  return kind === "annulus" ? `annulus:${number("patch.inner", inner) / radius}` : kind;
+  if (kind === "annulus") return `annulus:${number("patch.inner", inner) / radius}`;
+  if (kind === "power") return `power:${number("patch.order", order)}`;
+  if (kind === "polynomial") return `polynomial:${flat("patch.coefficients", coefficients, 1)}`;
+  return kind;
 }
 
 function vector(name, value) {

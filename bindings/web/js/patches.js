@@ -88,6 +88,11 @@ export function power(options) {
   return round("power", `power:${number("order", order)}`, others);
 }
 
+export function polynomial(options) {
+  const { coefficients, ...others } = fields("the patch", options);
+  return round("polynomial", `polynomial:${flat("coefficients", coefficients, 1)}`, others);
+}
+
 export function polygon(options) {
   const { corners, holes = [], centre, ...law } = fields("the polygon", options);
   return straight("polygon", [corners, ...holes], centre, law);
@@ -130,4 +135,20 @@ export function points(options) {
   room(all.length).set(all);
   const status = wasm.make_points(place(), all.length / 3, lawAt, lawLength);
   return prepared("points", false, status);
+}
+
+export function mesh(options) {
+  const { vertices, triangles, ...law } = fields("the mesh", options);
+  const [corners, named] = [flat("vertices", vertices, 3), flat("triangles", triangles, 3)];
+  for (const vertex of named) whole("triangles", vertex, 0, corners.length / 3 - 1);
+  const total = corners.length + named.length;
+  const [lawAt, lawLength] = texts(total, lawLine(law));
+  const memory = room(total);
+  memory.set(corners);
+  memory.set(named, corners.length);
+  // prettier-ignore
+  const status = wasm.make_mesh(
+    place(), corners.length / 3, place(corners.length), named.length / 3, lawAt, lawLength,
+  );
+  return prepared("mesh", false, status);
 }

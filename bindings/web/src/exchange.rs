@@ -58,6 +58,26 @@ impl From<LawError> for Refused {
     }
 }
 
+/// A refusal in the words of an error.
+#[cfg(feature = "all")]
+pub fn said(error: impl alloc::string::ToString) -> Refused {
+    Refused::Said(error.to_string())
+}
+
+#[cfg(feature = "all")]
+impl From<tribos::friction::Refusal> for Refused {
+    fn from(refusal: tribos::friction::Refusal) -> Self {
+        use tribos::friction::Refusal;
+        match refusal {
+            // Numbers are JavaScript's to write.
+            Refusal::Friction(error) => error.into(),
+            Refusal::Patch(error) => Error::from(error).into(),
+            Refusal::Law(error) => error.into(),
+            other => said(other),
+        }
+    }
+}
+
 /// The words of an error that disks can meet, to the letter those of its `Display`, and the number that
 /// follows them.
 pub fn words_of(error: &Error) -> ([&'static str; PIECES], Option<f64>) {

@@ -63,12 +63,6 @@ impl<C: Coupling<f64>> Contact for PatchFriction<f64, C> {
 /// Work with a limit surface.
 pub type Work<'a> = &'a mut dyn FnMut(&dyn FrictionSet<f64>);
 
-/// The limit surface of a patch for every force limit.
-pub trait Sets {
-    /// Hands the surface of the force limit μN, in N, to `work`.
-    fn with(&self, force_limit: f64, work: Work<'_>) -> Result<(), Refused>;
-}
-
 /// Free motion on a round patch under a power of the speed.
 pub trait Glides {
     /// See [`End::to_rest`].
@@ -111,7 +105,7 @@ impl Patch {
     pub fn contact<T>(&self, work: impl FnOnce(&dyn Contact) -> T) -> Result<T, Refused> {
         #[cfg(feature = "all")]
         if self.handle != 0 {
-            return crate::all::store::with(self.handle, |patch| Ok(work(&*patch.contact)));
+            return crate::all::store::with(self.handle, |patch| Ok(work(&patch.contact)));
         }
         Ok(work(&PatchFriction::new(Coulomb, self.mu, self.radius)?))
     }
@@ -122,7 +116,7 @@ impl Patch {
         #[cfg(feature = "all")]
         if self.handle != 0 {
             return crate::all::store::with(self.handle, |patch| {
-                patch.sets()?.with(force_limit, work)
+                Ok(patch.sets()?.under(force_limit, work)?)
             });
         }
         work(&LimitSurface::new(Coulomb, force_limit, self.radius)?);
@@ -146,7 +140,7 @@ impl Patch {
     pub fn turns(&self) -> bool {
         #[cfg(feature = "all")]
         if self.handle != 0 {
-            return crate::all::store::with(self.handle, |patch| Ok(!patch.is_round))
+            return crate::all::store::with(self.handle, |patch| Ok(!patch.area.is_round()))
                 .unwrap_or(false);
         }
         false

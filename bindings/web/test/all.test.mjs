@@ -179,6 +179,9 @@ test("wrong numbers and words are refused", () => {
     [() => disk({ radius: 0.1, mu: 0.3, alpha: -2 }), RangeError, /exponent alpha/],
     [() => annulus({ radius: 1, inner: 2, mu: 1 }), RangeError, /inner over the outer/],
     [() => polygon({ corners: bow, mu: 1 }), RangeError, /must not touch or cross/],
+    [() => tribos.mesh({ vertices: [0, 0, 1, 1, 0, 1, 0, 1, 1], triangles: [0, 1, 3], mu: 1 }), RangeError, /from 0 to 2/],
+    [() => tribos.bar({ length: 1, mu: 1, alpha: 0.5 }), RangeError, /dry friction/],
+    [() => tribos.contactLaw({ mu: 1, patch: { kind: "bar", radius: 1 } }), RangeError, /disk or ring/],
     [() => polygon({ corners: [0, 0, 1], mu: 1 }), TypeError, /rows of 2/],
     [() => polygon({ corners: [[0, 0], [1, 0], [1, "1"]], mu: 1 }), TypeError, /must be a number/],
   ];

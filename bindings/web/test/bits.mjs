@@ -163,7 +163,7 @@ export const others = {
     stepsOf(chapter, friction, "ellipsoid");
     stepsOf(chapter, friction, "separate");
   },
-  "round patches": ({ ring, annulus, hertz, punch, paraboloid, power }, chapter) => {
+  "round patches": ({ ring, annulus, hertz, punch, paraboloid, power, polynomial }, chapter) => {
     const [radius, mu] = [0.04, 0.3];
     const all = [
       ring({ radius, mu }),
@@ -172,6 +172,7 @@ export const others = {
       punch({ radius, mu }),
       paraboloid({ radius, mu }),
       power({ radius, order: 0.25, mu }),
+      polynomial({ radius, coefficients: [1, -0.5], mu }),
     ];
     for (const friction of all) {
       frictionOf(chapter, friction);
@@ -189,13 +190,15 @@ export const others = {
     const body = friction.body({ mass: 2, inertia: 0.05 });
     for (let call = 0; call < 5; call++) chapter.add(...body.slidePath(chapter.twist(), 50));
   },
-  "other straight edges": ({ box, bar, polygon, points }, chapter) => {
+  "other straight edges": ({ box, bar, mesh, polygon, points }, chapter) => {
     frictionOf(chapter, polygon({ corners: notch, mu: 0.5, alpha: 0.5 }));
     const feet = [0, 0, 1, 0.1, 0, 1, 0, 0.1, 2];
+    const tile = [0, 0, 1, 0.1, 0, 2, 0.1, 0.1, 0.5, 0, 0.1, 0];
     const all = [
       box({ a: 0.3, b: 0.2, centre: [0.02, 0], mu: 0.5 }),
       bar({ length: 0.2, mu: 0.5 }),
       points({ points: feet, mu: 0.5 }),
+      mesh({ vertices: tile, triangles: [[0, 1, 2], [0, 2, 3]], mu: 0.5 }),
     ];
     for (const friction of all) {
       frictionOf(chapter, friction);
@@ -242,6 +245,7 @@ export const others = {
       contactLaw({ mu: 0.3, muRolling: 0.01, muTorsion: 0.02, restitution: 0.5 }),
       contactLaw({ mu: 0.3, patch: { kind: "disk", radius: 0.1 }, cohesion: 0.1 }),
       contactLaw({ mu: 0.3, patch: { kind: "annulus", radius: 0.1, inner: 0.05 } }),
+      contactLaw({ mu: 0.3, patch: { kind: "polynomial", radius: 0.1, coefficients: [1, -0.5] } }),
     ];
     const three = (most) => [chapter.signed(most), chapter.signed(most), chapter.signed(most)];
     for (const contact of laws) {

@@ -60,6 +60,7 @@ const ring: RoundFriction = all.ring(round);
 for (const friction of [
   all.disk({ radius: 0.1, ...line }), all.annulus({ ...round, inner: 0.05 }), all.hertz(round), all.punch(round),
   all.paraboloid(round), all.power({ ...round, order: 0.25 }),
+  all.polynomial({ ...round, coefficients: [1, -0.5] }),
 ]) {
   friction.free();
 }
@@ -68,6 +69,7 @@ for (const friction of [all.polygon(outline), all.box({ a: 1, b: 2, mu: 1 }), al
   friction.limitSurface(1);
 }
 all.points({ points: [[0, 0, 1], [1, 0, 1]], law });
+all.mesh({ vertices: [[0, 0, 1], [1, 0, 1], [0, 1, 2]], triangles: [[0, 1, 2]], mu: 1 });
 const thrown: RoundBody = ring.body(given);
 const wanted: LaunchOptions = { ...pose, maxSpeed: 3, maxSpin: 20, turns: "exact", symmetry: 2, most: 3 };
 const launches: Launch[] = thrown.launches(wanted);

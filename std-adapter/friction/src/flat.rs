@@ -1,14 +1,15 @@
 //! Patches with straight edges and meshes by name, and their corners from files.
 
 use super::refusal::finite_number;
-use super::{Refusal, columns};
+use super::{HeldNodes, Refusal, columns};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use tribos_core::coupling::flat::{DryPatch, Hessian, Motion, Reduced};
+use tribos_core::coupling::flat::{DryPatch, Hessian, Motion, PointLoad, Reduced};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::outline::{Edge, Linear, OutlineError, Polygon};
+use tribos_core::patch::points::Points;
 use tribos_core::real::Real;
 
 /// A patch with straight edges or a mesh, as it is written. Lengths are in m.
@@ -34,7 +35,7 @@ pub enum FlatPatch {
     Mesh(PathBuf),
 }
 
-/// A patch with straight edges or a mesh, ready for the kernel.
+/// A patch with straight edges, a mesh or points, ready for the kernel.
 #[derive(Clone, Debug)]
 pub enum Flat<R: Real> {
     /// Under uniform pressure.
@@ -45,6 +46,8 @@ pub enum Flat<R: Real> {
     Bar(Bar<R>),
     /// Of triangles, each under linear pressure.
     Mesh(Mesh<R, Vec<Triangle<R>>>),
+    /// Points with weights.
+    Points(Points<R, HeldNodes<R>>),
 }
 
 /// Most corners of a file: the check that no edges cross takes the square of their number.
@@ -134,29 +137,16 @@ impl FlatPatch {
             .map(|corners| corners.iter().map(|&corner| narrow(corner)).collect())
             .collect();
         let slices: Vec<&[[R; 2]]> = narrowed.iter().map(Vec::as_slice).collect();
-        let count = slices.iter().map(|corners| corners.len()).sum();
-        let refused = |error: OutlineError| match self {
-            Self::Polygon(path) => Refusal::Syntax(format!("{}: {error}", path.display())),
+        Flat::polygon(&slices, centre.map(narrow)).map_err(|error| match (error, self) {
+            (OutlineError::LiftOff { .. }, Self::Box([a, b])) => Refusal::Syntax(format!(
+                "with this centre of pressure the box lifts off: give |X|/{a} + |Y|/{b} <= 1/6"
+            )),
+            (OutlineError::LiftOff { .. }, _) => Refusal::Syntax(format!(
+                "with this centre of pressure the patch lifts off: {error}; move it nearer to the \
+                 centroid"
+            )),
+            (_, Self::Polygon(path)) => Refusal::Syntax(format!("{}: {error}", path.display())),
             _ => tribos_core::Error::from(error).into(),
-        };
-        let polygon =
-            Polygon::with_holes(&slices, vec![Edge::default(); count]).map_err(refused)?;
-        Ok(match centre {
-            None => Flat::Polygon(polygon),
-            Some(at) => {
-                let leaning = polygon.with_centre_of_pressure(narrow(at));
-                let leaning = leaning.map_err(|error| match (error, self) {
-                    (OutlineError::LiftOff { .. }, Self::Box([a, b])) => Refusal::Syntax(format!(
-                        "with this centre of pressure the box lifts off: give |X|/{a} + |Y|/{b} <= 1/6"
-                    )),
-                    (OutlineError::LiftOff { .. }, _) => Refusal::Syntax(format!(
-                        "with this centre of pressure the patch lifts off: {error}; move it nearer to the \
-                         centroid"
-                    )),
-                    _ => refused(error),
-                })?;
-                Flat::Leaning(leaning)
-            }
         })
     }
 }
@@ -242,6 +232,19 @@ fn read_loops(path: &Path, text: &str) -> Result<Vec<Vec<[f64; 2]>>, Refusal> {
 }
 
 impl<R: Real> Flat<R> {
+    /// A polygon of these loops, under uniform pressure or with a centre of pressure under linear pressure.
+    pub(super) fn polygon(
+        loops: &[&[[R; 2]]],
+        centre: Option<[R; 2]>,
+    ) -> Result<Self, OutlineError> {
+        let count = loops.iter().map(|corners| corners.len()).sum();
+        let polygon = Polygon::with_holes(loops, vec![Edge::default(); count])?;
+        Ok(match centre {
+            None => Self::Polygon(polygon),
+            Some(at) => Self::Leaning(polygon.with_centre_of_pressure(at)?),
+        })
+    }
+
     /// Radius of gyration about the upright axis through the centre, of a plate of uniform thickness on the
     /// patch.
     #[doc(hidden)]
@@ -250,7 +253,7 @@ impl<R: Real> Flat<R> {
             Self::Polygon(patch) => patch.radius_of_gyration(),
             Self::Leaning(patch) => patch.radius_of_gyration(),
             Self::Bar(bar) => bar.radius() / R::from_f64(3.0).sqrt(),
-            Self::Mesh(_) => {
+            Self::Mesh(_) | Self::Points(_) => {
                 return Err(Refusal::Syntax(
                     "a plate is a box, a polygon or a bar, not a mesh".into(),
                 ));
@@ -266,6 +269,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Leaning(patch) => patch.centre(),
             Self::Bar(patch) => patch.centre(),
             Self::Mesh(patch) => patch.centre(),
+            Self::Points(patch) => patch.centre(),
         }
     }
     fn radius(&self) -> R {
@@ -274,6 +278,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Leaning(patch) => patch.radius(),
             Self::Bar(patch) => patch.radius(),
             Self::Mesh(patch) => patch.radius(),
+            Self::Points(patch) => patch.radius(),
         }
     }
     fn rounding(&self) -> R {
@@ -282,6 +287,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Leaning(patch) => patch.rounding(),
             Self::Bar(patch) => patch.rounding(),
             Self::Mesh(patch) => patch.rounding(),
+            Self::Points(patch) => patch.rounding(),
         }
     }
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
@@ -290,6 +296,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Leaning(patch) => patch.reduced(motion),
             Self::Bar(patch) => patch.reduced(motion),
             Self::Mesh(patch) => patch.reduced(motion),
+            Self::Points(patch) => patch.reduced(motion),
         }
     }
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
@@ -298,6 +305,13 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Leaning(patch) => patch.reduced_with_hessian(motion),
             Self::Bar(patch) => patch.reduced_with_hessian(motion),
             Self::Mesh(patch) => patch.reduced_with_hessian(motion),
+            Self::Points(patch) => patch.reduced_with_hessian(motion),
+        }
+    }
+    fn nearest_point(&self, place: &nalgebra::Vector2<R>) -> Option<PointLoad<R>> {
+        match self {
+            Self::Points(patch) => patch.nearest_point(place),
+            _ => None,
         }
     }
 }

@@ -19,6 +19,9 @@
 //! | [`Law`] | a law of the local speed by name, with its parameters: `stribeck:mu_s=0.4,mu_d=0.2,vs=0.05` |
 //! | [`Tier`] | how force and torque are evaluated: `table`, `compact`, `quadrature` |
 //! | [`Friction`] | the three together: the kernel's coupling |
+//! | [`Area`] | any patch with its size, by name or by its corners, triangles or points |
+//! | [`AreaFriction`] | an area under a law: wrench and Jacobian at any planar twist |
+//! | [`LimitSurfaces`] | what an area carries under dry friction, for every force limit |
 //! | [`AtRest`] | whether a patch holds a push: for certain, not at all, or undecided |
 //! | [`LAWS`] | all laws of the kernel: formula, parameters, units, source |
 //!
@@ -32,8 +35,11 @@
 //!
 //! A loop over many evaluations is quicker with the kernel's own type, which pays for no dispatch.
 
+mod area;
+mod area_friction;
 mod catalogue;
 mod columns;
+mod contact_friction;
 mod flat;
 mod hold;
 mod law;
@@ -46,12 +52,18 @@ mod surface;
 mod tier;
 mod visit;
 
+pub use area::Area;
+pub use area_friction::AreaFriction;
 pub use catalogue::{Entry, LAWS, Parameter};
 #[doc(hidden)]
 pub use catalogue::{Maker, find};
 #[doc(hidden)]
+pub use contact_friction::{AnyContactFriction, ContactVisitor};
+#[doc(hidden)]
+pub use flat::Flat;
+pub use flat::FlatPatch;
+#[doc(hidden)]
 pub use flat::triangles_of;
-pub use flat::{Flat, FlatPatch};
 pub use hold::AtRest;
 #[doc(hidden)]
 pub use law::AnyLaw;
@@ -65,9 +77,11 @@ pub use refusal::Refusal;
 pub use refusal::finite_number;
 #[doc(hidden)]
 pub use setting::{LAW, PATCH};
-pub use surface::limit_surface;
 #[doc(hidden)]
-pub use surface::{HeldNodes, points_of};
+pub use surface::HeldNodes;
+#[doc(hidden)]
+pub use surface::points_of;
+pub use surface::{LimitSurfaces, limit_surface};
 pub use tier::Tier;
 #[doc(hidden)]
 pub use tier::{Evaluation, LARGEST_EXPONENT, valid_exponent};

@@ -1,7 +1,7 @@
 //! Any local law on a round patch: the kernel's quadratures, with the lateral force.
 
 use super::patch::MOST_COEFFICIENTS;
-use super::{AnyLaw, Law, Patch, Precision, Refusal};
+use super::{AnyLaw, HeldNodes, Law, Patch, Precision, Refusal};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::{Coupling, Lateral, ReducedJacobian, ReducedWrench};
@@ -148,29 +148,13 @@ impl<R: Real> Lateral<R> for DiskOfAnyLaw<R> {
 /// A round patch by nodes in units of its radius.
 #[derive(Debug)]
 pub(super) struct ByNodes<R> {
-    friction: NodeFriction<AnyLaw<R>, Pressed<R>>,
-}
-
-#[derive(Debug)]
-struct Pressed<R> {
-    nodes: Vec<Node<R>>,
-    total: R,
-}
-
-impl<R: Real> NodePatch<R> for Pressed<R> {
-    fn nodes(&self) -> &[Node<R>] {
-        &self.nodes
-    }
-    fn total_weight(&self) -> R {
-        self.total
-    }
+    friction: NodeFriction<AnyLaw<R>, HeldNodes<R>>,
 }
 
 impl<R: Precision> ByNodes<R> {
     pub fn new(patch: &Patch, law: &Law) -> Result<Self, Refusal> {
-        let nodes = pressure_nodes(patch, R::ZERO)?;
-        let total = nodes.iter().fold(R::ZERO, |sum, node| sum + node.weight);
-        let friction = NodeFriction::new(law.made()?, Pressed { nodes, total });
+        let nodes = HeldNodes::new(pressure_nodes(patch, R::ZERO)?)?;
+        let friction = NodeFriction::new(law.made()?, nodes);
         Ok(Self { friction })
     }
 }
@@ -193,7 +177,7 @@ impl<R: Real> ByNodes<R> {
                 let friction = self.friction.law().friction(speed);
                 sum + node.weight * of(node, u.map(|part| friction * (part / speed)))
             });
-        sum / self.friction.patch().total
+        sum / self.friction.patch().total_weight()
     }
 }
 
@@ -239,7 +223,7 @@ impl<R: Real> Lateral<R> for ByNodes<R> {
         let weighted =
             |sum, node: &Node<R>| sum + node.weight * (node.x * node.x + node.y * node.y);
         let patch = self.friction.patch();
-        patch.nodes().iter().fold(R::ZERO, weighted) / patch.total
+        patch.nodes().iter().fold(R::ZERO, weighted) / patch.total_weight()
     }
 }
 

@@ -70,6 +70,9 @@ pub enum Refusal {
     /// Polynomial pressures have no tables in single precision.
     #[error("polynomial pressures have tables in 64 bit only; use f64, or the quadrature tier")]
     SinglePrecision,
+    /// The patch has no such friction, or no such question; the words say what does.
+    #[error("{0}")]
+    Unserved(String),
     /// Quadrature has no profile, which final motion and sliders are computed from.
     #[error("quadrature serves no final motion; use the table or the compact tier")]
     NoProfile,

@@ -1,13 +1,17 @@
 //! Limit surfaces of patches by name.
 
-use super::{Patch, Refusal, columns, polynomial};
+use super::{Area, Flat, Patch, Refusal, columns, polynomial};
 use std::path::Path;
 use tribos_core::coupling::round::{PolynomialTable, RoundTable64};
-use tribos_core::coupling::{Annulus, Dry, closed, table::Coulomb};
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::coupling::{
+    Annulus, Coupling, Dry, DryCoupling, ReducedJacobian, ReducedWrench, closed, table::Coulomb,
+};
+use tribos_core::internals::Lead;
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodePatch, NodeSlice};
-use tribos_core::patch::points::Points;
+use tribos_core::real::Real;
+use tribos_core::twist::Twist;
 
 /// All wrenches that dry friction carries on `patch`, exact to rounding.
 ///
@@ -32,34 +36,186 @@ pub fn limit_surface(
     radius: f64,
     centre: Option<[f64; 2]>,
 ) -> Result<Box<dyn FrictionSet<f64>>, Refusal> {
-    let (limit, r) = (force_limit, radius);
-    if centre.is_some() && !matches!(patch, Patch::Flat(_)) {
-        let reason = "a centre of pressure is for boxes and polygons";
-        return Err(Refusal::Syntax(reason.into()));
-    }
-    Ok(match patch {
-        Patch::Flat(flat) => Box::new(PatchSurface::new(flat.loaded::<f64>(centre)?, limit)?),
-        Patch::Disk => Box::new(LimitSurface::new(Coulomb, limit, r)?),
-        Patch::Ring => Box::new(LimitSurface::new(closed::Ring, limit, r)?),
-        Patch::Hertz => Box::new(LimitSurface::new(closed::Hertz, limit, r)?),
-        Patch::Punch => Box::new(LimitSurface::new(closed::FlatPunch, limit, r)?),
-        Patch::Annulus(inner) => {
-            Box::new(LimitSurface::new(Annulus::new(Coulomb, *inner)?, limit, r)?)
-        }
-        Patch::Paraboloid | Patch::Power(_) => {
-            let pressure = patch.pressure().ok_or(Refusal::NoAxis)?;
-            let table = Dry::new(RoundTable64::new(0.0, pressure)?)?;
-            Box::new(LimitSurface::new(table, limit, r)?)
-        }
-        Patch::Polynomial(coefficients) => {
-            let table = PolynomialTable::new(0.0, &polynomial(coefficients)?)?;
-            Box::new(LimitSurface::new(Dry::new(table)?, limit, r)?)
-        }
-        Patch::Points(file) => {
-            let nodes = HeldNodes::new(points_of(file)?)?;
-            Box::new(PatchSurface::new(Points::new(nodes)?, limit)?)
-        }
+    Ok(match Area::named(patch, radius, centre)? {
+        Area::Flat(flat) => Box::new(PatchSurface::new(flat, force_limit)?),
+        Area::Round(patch, radius) => Box::new(DryRound::new(&patch)?.set(force_limit, radius)?),
     })
+}
+
+/// The limit surfaces of a contact area under dry friction: one for every force limit.
+///
+/// What takes long, a table of a pressure, is made once.
+///
+/// *Units*: N, m, N m. *Accuracy*: that of [`limit_surface`], to the bit.
+///
+/// ```
+/// use tribos::friction::{Area, Patch};
+/// use tribos::prelude::*;
+/// let tile = Area::round(Patch::Paraboloid, 0.04)?.limit_surfaces()?; // m
+/// let push = Wrench::new(0.2, 0.0, 0.004); // N, N m
+/// let held = |limit: f64| tile.under(limit, |set| set.contains(&push)); // N
+/// assert!(!held(0.2)? && held(0.4)?);
+/// // The usual approximation has the same largest force and torque.
+/// let usual = tile.ellipsoid()?;
+/// let spinning = Twist::new(0.0, 0.0, 1.0);
+/// let torque = |surfaces: &tribos::friction::LimitSurfaces| surfaces.under(1.0, |set| set.support(&spinning));
+/// assert!((torque(&usual)? - torque(&tile)?).abs() < 1e-17);
+/// # Ok::<(), tribos::friction::Refusal>(())
+/// ```
+#[derive(Debug)]
+pub struct LimitSurfaces(Kind);
+
+#[derive(Debug)]
+enum Kind {
+    Round {
+        dry: Box<DryRound>,
+        radius: f64,
+    },
+    Flat(Flat<f64>),
+    Ellipsoid {
+        radius: f64,
+        /// The largest torque per force limit and radius.
+        spin_torque: f64,
+    },
+}
+
+impl LimitSurfaces {
+    /// Those of `area`.
+    pub(super) fn new(area: &Area) -> Result<Self, Refusal> {
+        Ok(Self(match area {
+            Area::Round(patch, radius) => Kind::Round {
+                dry: Box::new(DryRound::new(patch)?),
+                radius: *radius,
+            },
+            Area::Flat(flat) => Kind::Flat(flat.clone()),
+        }))
+    }
+
+    /// What `work` makes of the surface of the force limit μN.
+    pub fn under<T>(
+        &self,
+        force_limit: f64,
+        work: impl FnOnce(&dyn FrictionSet<f64>) -> T,
+    ) -> Result<T, Refusal> {
+        Ok(match &self.0 {
+            Kind::Round { dry, radius } => work(&LimitSurface::new(&**dry, force_limit, *radius)?),
+            Kind::Flat(flat) => work(&PatchSurface::new(flat, force_limit)?),
+            Kind::Ellipsoid {
+                radius,
+                spin_torque,
+            } => work(&Ellipsoid::new(force_limit, *radius, *spin_torque)?),
+        })
+    }
+
+    /// The ellipsoids with the same largest force, and the same largest torque about the origin.
+    pub fn ellipsoid(&self) -> Result<Self, Refusal> {
+        self.under(1.0, |set| {
+            let radius = set.radius();
+            let spin_torque = set.support(&Twist::new(0.0, 0.0, 1.0)) / radius;
+            Self(Kind::Ellipsoid {
+                radius,
+                spin_torque,
+            })
+        })
+    }
+
+    /// The lowest and the highest torque with a force, NaN for a force that is not carried; for straight
+    /// edges, meshes and points.
+    pub fn torque_limits(&self, force_limit: f64, force: [f64; 2]) -> Result<[f64; 2], Refusal> {
+        let Kind::Flat(flat) = &self.0 else {
+            return Err(Refusal::Unserved(
+                "torque limits are for straight edges and points: on a round patch use the gauge"
+                    .into(),
+            ));
+        };
+        let surface = PatchSurface::new(flat, force_limit)?;
+        Ok(surface.torque_limits(force).unwrap_or([f64::NAN; 2]))
+    }
+}
+
+/// Dry friction of a round patch: the closed form where there is one, else a table.
+///
+/// Contacts copy what they are made of, so that the tables are here and not behind a pointer.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+#[expect(clippy::large_enum_variant, reason = "copied, as contacts are")]
+pub enum DryRound {
+    Disk(Coulomb),
+    Ring(closed::Ring),
+    Hertz(closed::Hertz),
+    Punch(closed::FlatPunch),
+    Annulus(Annulus<f64, Coulomb>),
+    Power(Dry<RoundTable64>),
+    Polynomial(Dry<PolynomialTable>),
+}
+
+impl DryRound {
+    pub(super) fn new(patch: &Patch) -> Result<Self, Refusal> {
+        Ok(match patch {
+            Patch::Disk => Self::Disk(Coulomb),
+            Patch::Ring => Self::Ring(closed::Ring),
+            Patch::Hertz => Self::Hertz(closed::Hertz),
+            Patch::Punch => Self::Punch(closed::FlatPunch),
+            Patch::Annulus(inner) => Self::Annulus(Annulus::new(Coulomb, *inner)?),
+            Patch::Paraboloid | Patch::Power(_) => {
+                let pressure = patch.pressure().ok_or(Refusal::NoAxis)?;
+                Self::Power(Dry::new(RoundTable64::new(0.0, pressure)?)?)
+            }
+            Patch::Polynomial(coefficients) => {
+                let table = PolynomialTable::new(0.0, &polynomial(coefficients)?)?;
+                Self::Polynomial(Dry::new(table)?)
+            }
+            Patch::Points(_) | Patch::Flat(_) => return Err(Refusal::NoAxis),
+        })
+    }
+
+    /// The limit surface of a force limit and a radius.
+    pub(super) fn set(
+        self,
+        force_limit: f64,
+        radius: f64,
+    ) -> Result<LimitSurface<f64, Self>, tribos_core::Error> {
+        LimitSurface::new(self, force_limit, radius)
+    }
+}
+
+impl Coupling<f64> for DryRound {
+    fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
+        match self {
+            Self::Disk(dry) => dry.reduced_wrench(slide, rim),
+            Self::Ring(dry) => dry.reduced_wrench(slide, rim),
+            Self::Hertz(dry) => dry.reduced_wrench(slide, rim),
+            Self::Punch(dry) => dry.reduced_wrench(slide, rim),
+            Self::Annulus(dry) => dry.reduced_wrench(slide, rim),
+            Self::Power(dry) => dry.reduced_wrench(slide, rim),
+            Self::Polynomial(dry) => dry.reduced_wrench(slide, rim),
+        }
+    }
+    fn reduced_jacobian(&self, slide: f64, rim: f64) -> ReducedJacobian<f64> {
+        match self {
+            Self::Disk(dry) => dry.reduced_jacobian(slide, rim),
+            Self::Ring(dry) => dry.reduced_jacobian(slide, rim),
+            Self::Hertz(dry) => dry.reduced_jacobian(slide, rim),
+            Self::Punch(dry) => dry.reduced_jacobian(slide, rim),
+            Self::Annulus(dry) => dry.reduced_jacobian(slide, rim),
+            Self::Power(dry) => dry.reduced_jacobian(slide, rim),
+            Self::Polynomial(dry) => dry.reduced_jacobian(slide, rim),
+        }
+    }
+}
+
+impl DryCoupling<f64> for DryRound {
+    fn reduced_point(&self, lead: Lead, ratio: f64) -> [f64; 3] {
+        match self {
+            Self::Disk(dry) => dry.reduced_point(lead, ratio),
+            Self::Ring(dry) => dry.reduced_point(lead, ratio),
+            Self::Hertz(dry) => dry.reduced_point(lead, ratio),
+            Self::Punch(dry) => dry.reduced_point(lead, ratio),
+            Self::Annulus(dry) => dry.reduced_point(lead, ratio),
+            Self::Power(dry) => dry.reduced_point(lead, ratio),
+            Self::Polynomial(dry) => dry.reduced_point(lead, ratio),
+        }
+    }
 }
 
 /// The points of a file.
@@ -74,26 +230,26 @@ pub fn points_of(file: &Path) -> Result<Vec<Node<f64>>, Refusal> {
 const MOST_POINTS: usize = 100_000;
 
 /// Nodes in a list.
-#[derive(Debug)]
 #[doc(hidden)]
-pub struct HeldNodes {
-    nodes: Vec<Node<f64>>,
-    total: f64,
+#[derive(Clone, Debug)]
+pub struct HeldNodes<R = f64> {
+    nodes: Vec<Node<R>>,
+    total: R,
 }
 
-impl HeldNodes {
-    #[doc(hidden)]
-    pub fn new(nodes: Vec<Node<f64>>) -> Result<Self, PatchError> {
+impl<R: Real> HeldNodes<R> {
+    /// *Domain*: finite places, weights ≥ 0 of which at least one is positive, finite sum.
+    pub fn new(nodes: Vec<Node<R>>) -> Result<Self, PatchError> {
         let total = NodeSlice::new(&nodes)?.total_weight();
         Ok(Self { nodes, total })
     }
 }
 
-impl NodePatch<f64> for HeldNodes {
-    fn nodes(&self) -> &[Node<f64>] {
+impl<R: Real> NodePatch<R> for HeldNodes<R> {
+    fn nodes(&self) -> &[Node<R>] {
         &self.nodes
     }
-    fn total_weight(&self) -> f64 {
+    fn total_weight(&self) -> R {
         self.total
     }
 }

@@ -2,6 +2,7 @@
 
 mod annuli;
 mod appendix_a;
+mod areas;
 mod batches;
 mod dense;
 mod disk_friction;

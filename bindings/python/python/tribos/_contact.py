@@ -215,8 +215,8 @@ class ContactLaw:
     mu_rolling, mu_torsion
         Coefficients of rolling and torsion, ratios of lengths, at least 0.
     patch
-        A round patch, whose radius is the ratio of contact radius and r_eff: `disk`, `ring`,
-        `annulus`, `hertz` or `punch`. It takes the place of mu_torsion.
+        A round patch of any pressure, whose radius is the ratio of contact radius and r_eff. It takes
+        the place of mu_torsion.
     restitution
         Speed after an impact over speed before, 0 … 1.
     cohesion

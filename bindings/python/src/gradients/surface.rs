@@ -13,15 +13,15 @@
 use super::part;
 use super::step::{AFTER, BY, Moved, STEP, moved};
 use crate::arrays::{Numbers, Output, Rows, View, broadcast, refused};
-use crate::model::{Model, Sets, ellipsoids, model, sets, twist_numbers, twist_of, wrench_of};
-use crate::patch::{Patch, Shape};
+use crate::model::{Sets, twist_numbers, twist_of, wrench_of};
+use crate::patch::Patch;
 use crate::threads::fill;
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use tribos::friction::Law;
+use tribos::friction::{self, Area, AreaFriction, Law};
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::coupling::flat::FlatFriction;
 use tribos_core::limit_surface::{FrictionSet, PatchSurface, Projection, Region};
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
@@ -72,15 +72,15 @@ trait Family: Send + Sync {
     fn with(&self, force_limit: f64, work: Work<'_>) -> PyResult<()>;
 }
 
-/// Straight edges and points.
-struct Flat<P>(P);
+/// Straight edges, meshes and points.
+struct Flat(friction::Flat<f64>);
 
-struct FlatSurface<'a, P> {
-    surface: PatchSurface<f64, &'a P>,
-    friction: FlatFriction<f64, &'a P>,
+struct FlatSurface<'a> {
+    surface: PatchSurface<f64, &'a friction::Flat<f64>>,
+    friction: FlatFriction<f64, &'a friction::Flat<f64>>,
 }
 
-impl<P: DryPatch<f64> + Send + Sync> Family for Flat<P> {
+impl Family for Flat {
     fn with(&self, force_limit: f64, work: Work<'_>) -> PyResult<()> {
         work(&FlatSurface {
             surface: PatchSurface::new(&self.0, force_limit).map_err(refused)?,
@@ -90,7 +90,7 @@ impl<P: DryPatch<f64> + Send + Sync> Family for Flat<P> {
     }
 }
 
-impl<P: DryPatch<f64>> Smooth for FlatSurface<'_, P> {
+impl Smooth for FlatSurface<'_> {
     fn set(&self) -> &dyn FrictionSet<f64> {
         &self.surface
     }
@@ -108,15 +108,15 @@ impl<P: DryPatch<f64>> Smooth for FlatSurface<'_, P> {
 
 /// Round patches.
 struct Round {
-    sets: Box<dyn Sets>,
+    sets: Sets,
     /// With a coefficient of 1.
-    friction: Box<dyn Model>,
+    friction: AreaFriction,
 }
 
 impl Family for Round {
     fn with(&self, force_limit: f64, work: Work<'_>) -> PyResult<()> {
-        let hessian = |twist: &Twist<f64>| -self.friction.jacobian(1.0, twist);
-        self.sets.with(force_limit, &mut |set| {
+        let hessian = |twist: &Twist<f64>| -self.friction.wrench_jacobian(1.0, twist);
+        self.sets.with(force_limit, |set| {
             work(&Curved {
                 set,
                 hessian: &hessian,
@@ -127,7 +127,7 @@ impl Family for Round {
 
 /// Ellipsoids: D = limit √(|velocity|² + (arm spin)²).
 struct Ellipsoids {
-    sets: Box<dyn Sets>,
+    sets: Sets,
     arm: f64,
 }
 
@@ -140,7 +140,7 @@ impl Family for Ellipsoids {
             let gradient = weights.component_mul(&Vector3::from(*twist)) / length;
             (Matrix3::from_diagonal(&weights) - gradient * gradient.transpose()) / length
         };
-        self.sets.with(force_limit, &mut |set| {
+        self.sets.with(force_limit, |set| {
             work(&Curved {
                 set,
                 hessian: &hessian,
@@ -236,18 +236,15 @@ fn across(along: &Vector3<f64>) -> Matrix3x2<f64> {
     Matrix3x2::from_columns(&[first, second])
 }
 
-fn family(shape: &Shape) -> PyResult<Box<dyn Family>> {
-    Ok(match shape.clone() {
-        Shape::Round(..) => Box::new(Round {
-            sets: sets(shape)?,
-            friction: model(shape, &Law::coulomb(1.0).map_err(refused)?, None)?,
-        }),
-        Shape::Polygon(patch) => Box::new(Flat(patch)),
-        Shape::Leaning(patch) => Box::new(Flat(patch)),
-        Shape::Bar(patch) => Box::new(Flat(patch)),
-        Shape::Mesh(patch) => Box::new(Flat(patch)),
-        Shape::Points(patch) => Box::new(Flat(patch)),
-    })
+fn family(area: &Area) -> PyResult<Box<dyn Family>> {
+    let Area::Flat(flat) = area else {
+        let law = Law::coulomb(1.0).map_err(refused)?;
+        return Ok(Box::new(Round {
+            sets: Sets::new(area)?,
+            friction: AreaFriction::new(area, &law, None).map_err(refused)?,
+        }));
+    };
+    Ok(Box::new(Flat(flat.clone())))
 }
 
 /// Derivatives of the limit surfaces of a patch, and of steps on it.
@@ -363,10 +360,9 @@ impl SurfaceDerivatives {
     /// Those of the ellipsoids with the same largest force and torque.
     #[staticmethod]
     fn of_ellipsoids(patch: &Patch) -> PyResult<Self> {
-        let sets = ellipsoids(&*sets(&patch.0)?)?;
-        let mut arm = f64::NAN;
+        let sets = Sets::new(&patch.0)?.ellipsoids()?;
         let turn = twist_of([0.0, 0.0, 1.0]);
-        sets.with(1.0, &mut |set| arm = set.support(&turn))?;
+        let arm = sets.with(1.0, |set| set.support(&turn))?;
         let family = Box::new(Ellipsoids { sets, arm });
         Ok(Self { family })
     }

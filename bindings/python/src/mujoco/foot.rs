@@ -2,7 +2,7 @@
 
 use super::carry::{Joint, Joints};
 use super::planar::{self, Limits};
-use crate::model::{Sets, sets};
+use crate::model::Sets;
 use crate::patch::Patch;
 use nalgebra::{Matrix3, Matrix6, SVector, Vector3, Vector6};
 use pyo3::prelude::*;
@@ -66,7 +66,7 @@ struct Normal {
 /// A foot. Motions are those of its patch's centre in the patch's axes, relative to the floor: along x, along
 /// y, spin about the normal; lift, tilt about x, tilt about y.
 pub struct Foot {
-    sets: Box<dyn Sets>,
+    sets: Sets,
     mu: f64,
     /// Largest torque per force, in m.
     arm: f64,
@@ -104,11 +104,11 @@ pub struct Foot {
 
 impl Given<'_> {
     pub fn foot(self) -> PyResult<Foot> {
-        let sets = sets(&self.patch.get().0)?;
+        let sets = Sets::new(&self.patch.get().0)?;
         let freedoms = self.freedoms.into_iter();
         let free = self.free.into_iter();
         Ok(Foot {
-            arm: planar::arm(sets.as_ref())?,
+            arm: planar::arm(&sets)?,
             sets,
             mu: self.mu,
             geoms: self.geoms,
@@ -157,7 +157,7 @@ impl Foot {
     /// What it can carry.
     pub fn limits(&self) -> Limits<'_> {
         Limits {
-            sets: self.sets.as_ref(),
+            sets: &self.sets,
             force: self.mu * self.load,
             arm: self.arm,
         }

@@ -8,7 +8,7 @@ use tribos_core::limit_surface::FrictionSet;
 /// What a foot can carry in this step.
 pub struct Limits<'a> {
     /// Its limit surfaces.
-    pub sets: &'a dyn Sets,
+    pub sets: &'a Sets,
     /// μN, in N.
     pub force: f64,
     /// Largest torque per force, in m.
@@ -16,11 +16,9 @@ pub struct Limits<'a> {
 }
 
 /// The largest torque per force of a patch about its origin, in m.
-pub fn arm(sets: &dyn Sets) -> PyResult<f64> {
-    let mut arm = f64::NAN;
+pub fn arm(sets: &Sets) -> PyResult<f64> {
     let turn = twist_of([0.0, 0.0, 1.0]);
-    sets.with(1.0, &mut |set| arm = set.support(&turn))?;
-    Ok(arm)
+    sets.with(1.0, |set| set.support(&turn))
 }
 
 /// Motions or friction of the feet in their contact planes: along x, along y, about the normal.
@@ -264,7 +262,7 @@ impl Step<'_> {
     fn are_inside(&self, metrics: &[Metric], friction: &[Vector3<f64>]) -> PyResult<bool> {
         let mut are_inside = true;
         for ((metric, limits), friction) in metrics.iter().zip(self.limits).zip(friction) {
-            limits.sets.with(limits.force, &mut |set| {
+            limits.sets.with(limits.force, |set| {
                 are_inside = are_inside && metric.project(set, friction) == *friction;
             })?;
         }
@@ -368,8 +366,8 @@ impl Step<'_> {
             for (foot, (metric, limits)) in metrics.iter().zip(self.limits).enumerate() {
                 let before = friction[foot];
                 let slope = rate[foot] + self.response(foot, &friction);
-                limits.sets.with(limits.force, &mut |set| {
-                    found[foot] = metric.nearest(set, &before, &slope, limits);
+                found[foot] = limits.sets.with(limits.force, |set| {
+                    metric.nearest(set, &before, &slope, limits)
                 })?;
                 friction[foot] = found[foot].friction;
                 let moved = friction[foot] - before;

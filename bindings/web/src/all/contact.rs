@@ -1,123 +1,12 @@
 //! Contacts of spheres and plates that may open, slide, roll and spin.
 
-use super::shape::{Shape, said};
 use crate::exchange::Refused;
-use alloc::format;
 use nalgebra::Vector3;
-use tribos::friction;
+use tribos::friction::{AnyContactFriction, Area, ContactVisitor};
 use tribos_core::Error;
 use tribos_core::contact::{
-    AllModes, Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Frictionless,
-    NormalLaw, Plate, Sliding, SlidingRolling, SlidingTorsion, Sphere, Thresholds, TimeStep, Touch,
+    Attraction, Body, Cohesion, Contact, ContactFriction, NormalLaw, Plate, Sphere, TimeStep, Touch,
 };
-use tribos_core::coupling::{
-    Annulus, Coupling, DryCoupling, ReducedJacobian, ReducedWrench, closed, table::Coulomb,
-};
-use tribos_core::internals::Lead;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection};
-use tribos_core::twist::{Twist, Wrench};
-
-/// Friction of a contact, by the modes that it resists.
-#[derive(Clone, Copy, Debug)]
-enum AnyFriction {
-    None(Thresholds<f64, Frictionless>),
-    Sliding(Thresholds<f64, Sliding>),
-    SlidingRolling(Thresholds<f64, SlidingRolling>),
-    SlidingTorsion(Thresholds<f64, SlidingTorsion>),
-    All(Thresholds<f64, AllModes>),
-    Coupled(CoupledFriction<f64, RoundSet, SlidingTorsion>),
-    CoupledRolling(CoupledFriction<f64, RoundSet, AllModes>),
-}
-
-/// Dry friction that needs no memory, behind a pointer, so that the module has its limit surface once.
-#[derive(Clone, Copy)]
-struct Closed(&'static (dyn DryCoupling<f64> + Send + Sync));
-
-impl core::fmt::Debug for Closed {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Closed").finish_non_exhaustive()
-    }
-}
-
-impl Coupling<f64> for Closed {
-    fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
-        self.0.reduced_wrench(slide, rim)
-    }
-    fn reduced_jacobian(&self, slide: f64, rim: f64) -> ReducedJacobian<f64> {
-        self.0.reduced_jacobian(slide, rim)
-    }
-}
-
-impl DryCoupling<f64> for Closed {
-    fn reduced_point(&self, lead: Lead, ratio: f64) -> [f64; 3] {
-        self.0.reduced_point(lead, ratio)
-    }
-}
-
-/// Exact sets of round patches whose size is known without memory.
-#[derive(Clone, Copy, Debug)]
-enum RoundSet {
-    Closed(LimitSurface<f64, Closed>),
-    Annulus(LimitSurface<f64, Annulus<f64, Coulomb>>),
-}
-
-impl RoundSet {
-    fn new(text: &str, radius: f64, mu: f64) -> Result<Self, Refused> {
-        let Shape::Round(kind, r) = Shape::round(text, radius)? else {
-            return Err(said(friction::Refusal::NoAxis));
-        };
-        let closed: &'static (dyn DryCoupling<f64> + Send + Sync) = match kind {
-            friction::Patch::Disk => &Coulomb,
-            friction::Patch::Ring => &closed::Ring,
-            friction::Patch::Hertz => &closed::Hertz,
-            friction::Patch::Punch => &closed::FlatPunch,
-            friction::Patch::Annulus(inner) => {
-                let annulus = Annulus::new(Coulomb, inner).map_err(Error::from)?;
-                return Ok(Self::Annulus(LimitSurface::new(annulus, mu, r)?));
-            }
-            other => {
-                return Err(said(format!(
-                    "contacts have the exact set of disk, ring, annulus, hertz and punch, not of {other}"
-                )));
-            }
-        };
-        Ok(Self::Closed(LimitSurface::new(Closed(closed), mu, r)?))
-    }
-
-    fn set(&self) -> &dyn FrictionSet<f64> {
-        match self {
-            Self::Closed(set) => set,
-            Self::Annulus(set) => set,
-        }
-    }
-}
-
-impl FrictionSet<f64> for RoundSet {
-    fn force_limit(&self) -> f64 {
-        self.set().force_limit()
-    }
-    fn radius(&self) -> f64 {
-        self.set().radius()
-    }
-    fn support(&self, twist: &Twist<f64>) -> f64 {
-        self.set().support(twist)
-    }
-    fn wrench(&self, twist: &Twist<f64>) -> Wrench<f64> {
-        self.set().wrench(twist)
-    }
-    fn gauge(&self, wrench: &Wrench<f64>) -> f64 {
-        self.set().gauge(wrench)
-    }
-    fn twist_normal_to(&self, push: &Wrench<f64>) -> Twist<f64> {
-        self.set().twist_normal_to(push)
-    }
-    fn scale_to_surface(&self, wrench: &Wrench<f64>) -> Wrench<f64> {
-        self.set().scale_to_surface(wrench)
-    }
-    fn project_with_length(&self, wrench: &Wrench<f64>, length: f64) -> Projection<f64> {
-        self.set().project_with_length(wrench, length)
-    }
-}
 
 /// What a contact resists, in numbers.
 #[derive(Clone, Copy, Debug)]
@@ -135,22 +24,10 @@ pub struct Given<'a> {
 }
 
 /// Laws of a contact: along the normal, and friction.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct ContactLaw {
     normal: NormalLaw<f64>,
-    friction: AnyFriction,
-}
-
-fn thresholds([mu, rolling, torsion]: [f64; 3]) -> Result<AnyFriction, Refused> {
-    // Modes without a threshold cost nothing; negative and missing numbers are refused by the full form.
-    let full = Thresholds::all(mu, rolling, torsion)?;
-    Ok(match [mu == 0.0, rolling == 0.0, torsion == 0.0] {
-        [true, true, true] => AnyFriction::None(Thresholds::none()),
-        [_, true, true] => AnyFriction::Sliding(Thresholds::sliding(mu)?),
-        [_, false, true] => AnyFriction::SlidingRolling(Thresholds::sliding_rolling(mu, rolling)?),
-        [_, true, false] => AnyFriction::SlidingTorsion(Thresholds::sliding_torsion(mu, torsion)?),
-        [_, false, false] => AnyFriction::All(full),
-    })
+    friction: AnyContactFriction,
 }
 
 /// Numbers of a body in a row: velocity, spin, 1/mass, 1/inertia, radius.
@@ -181,14 +58,9 @@ impl ContactLaw {
         let cohesion = Cohesion::new(strength, range, given.attraction)?;
         let [mu, rolling, _] = given.coefficients;
         let friction = match given.patch {
-            ("", _) => thresholds(given.coefficients)?,
+            ("", _) => AnyContactFriction::thresholds(given.coefficients)?,
             (text, radius) => {
-                let set = RoundSet::new(text, radius, mu)?;
-                if rolling == 0.0 {
-                    AnyFriction::Coupled(CoupledFriction::sliding_torsion(set))
-                } else {
-                    AnyFriction::CoupledRolling(CoupledFriction::all(set, rolling)?)
-                }
+                AnyContactFriction::coupled(&Area::round(text.parse()?, radius)?, mu, rolling)?
             }
         };
         Ok(Self {
@@ -233,33 +105,30 @@ impl ContactLaw {
         dt: f64,
     ) -> Result<[f64; ANSWER], Refused> {
         let dt = TimeStep::new(dt)?.dt();
-        Ok(match &self.friction {
-            AnyFriction::None(friction) => self.update(friction, touch, first, second, dt),
-            AnyFriction::Sliding(friction) => self.update(friction, touch, first, second, dt),
-            AnyFriction::SlidingRolling(friction) => {
-                self.update(friction, touch, first, second, dt)
-            }
-            AnyFriction::SlidingTorsion(friction) => {
-                self.update(friction, touch, first, second, dt)
-            }
-            AnyFriction::All(friction) => self.update(friction, touch, first, second, dt),
-            AnyFriction::Coupled(friction) => self.update(friction, touch, first, second, dt),
-            AnyFriction::CoupledRolling(friction) => {
-                self.update(friction, touch, first, second, dt)
-            }
-        })
+        Ok(self.friction.visit(Pair {
+            law: &self.normal,
+            touch,
+            bodies: (first, second),
+            dt,
+        }))
     }
+}
+
+/// Two bodies that touch.
+struct Pair<'a, B> {
+    law: &'a NormalLaw<f64>,
+    touch: &'a Touch<f64>,
+    bodies: (Sphere<f64>, B),
+    dt: f64,
+}
+
+impl<B: Body<f64>> ContactVisitor for Pair<'_, B> {
+    type Output = [f64; ANSWER];
 
     #[inline(never)]
-    fn update<F: ContactFriction<f64>, B: Body<f64>>(
-        &self,
-        friction: &F,
-        touch: &Touch<f64>,
-        mut a: Sphere<f64>,
-        mut b: B,
-        dt: f64,
-    ) -> [f64; ANSWER] {
-        let mut contact = Contact::<f64, F::Modes>::new(touch, &self.normal, &a, &b, dt);
+    fn visit<F: ContactFriction<f64>>(self, friction: &F) -> [f64; ANSWER] {
+        let (mut a, mut b) = self.bodies;
+        let mut contact = Contact::<f64, F::Modes>::new(self.touch, self.law, &a, &b, self.dt);
         contact.update(friction, &mut a, &mut b);
         let impulse = contact.impulse();
         let vectors = [

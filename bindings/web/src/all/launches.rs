@@ -1,9 +1,8 @@
 //! Launches that end at a wanted pose.
 
 use super::prepared::profile;
-use super::shape::said;
 use super::store;
-use crate::exchange::Refused;
+use crate::exchange::{Refused, said};
 use core::num::NonZeroU32;
 use tribos::slide::inverse::{Limits, Pose, RestMap, Solution, Turns};
 use tribos_core::coupling::table::Coulomb;

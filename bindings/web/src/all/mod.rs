@@ -3,7 +3,6 @@
 //! | module | contents |
 //! |---|---|
 //! | [`store`] | prepared things by their handles |
-//! | [`shape`] | patches: round ones by name, polygons, bars, points |
 //! | [`prepared`] | friction of a patch under a law, with its limit surfaces and free motions |
 //! | [`separate`] | force and torque limited each by itself |
 //! | [`launches`] | launches that end at a wanted pose |
@@ -15,5 +14,4 @@ pub mod contact;
 pub mod launches;
 pub mod prepared;
 pub mod separate;
-pub mod shape;
 pub mod store;

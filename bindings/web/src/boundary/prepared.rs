@@ -1,18 +1,19 @@
 //! Prepared patches, laws, supports.
 
 use super::rows;
+use crate::all::catalogue;
 use crate::all::launches::Wanted;
 use crate::all::prepared::Prepared;
-use crate::all::shape::{Shape, said};
 use crate::all::store::{self, Item, OTHER};
-use crate::all::{catalogue, shape};
-use crate::exchange::{Refused, answer, counted, say, status};
+use crate::exchange::{Refused, answer, counted, said, say, status};
 use crate::patch::{row_of, twist_of, wrench_of};
 use alloc::vec::Vec;
 use core::num::NonZeroU32;
-use tribos::friction::Law;
+use tribos::friction::{Area, Law, Refusal};
 use tribos_core::law::LocalLaw;
 use tribos_core::limit_surface::AnyPressure;
+use tribos_core::patch::mesh::Vertex;
+use tribos_core::patch::nodes::Node;
 use tribos_core::slider::SliderParameters;
 
 /// A text of the caller.
@@ -21,10 +22,12 @@ pub(super) unsafe fn text<'a>(from: *const u8, length: usize) -> Result<&'a str,
 }
 
 /// Keeps a patch: handle, radius, centre, coefficient and exponent.
-fn keep(shape: Result<Shape, Refused>, law: Result<&str, Refused>) -> u32 {
-    let made = shape.and_then(|shape| Prepared::new(shape, law?));
+fn keep(area: Result<Area, Refusal>, law: Result<&str, Refused>) -> u32 {
+    let made = area
+        .map_err(Refused::from)
+        .and_then(|area| Prepared::new(area, law?));
     status(made.map(|patch| {
-        let (radius, [x, y]) = (patch.shape.radius(), patch.shape.centre());
+        let (radius, [x, y]) = (patch.area.radius(), patch.area.centre());
         let [coefficient, alpha] = patch.power();
         let handle = store::keep(Item::Patch(patch));
         answer([handle.into(), radius, x, y, coefficient, alpha]);
@@ -40,8 +43,12 @@ pub unsafe extern "C" fn make_round(
     law: *const u8,
     law_length: usize,
 ) -> u32 {
-    let shape = text(name, name_length).and_then(|name| Shape::round(name, radius));
-    keep(shape, text(law, law_length))
+    let name = match text(name, name_length) {
+        Ok(name) => name,
+        Err(refused) => return status(Err(refused)),
+    };
+    let area = name.parse().and_then(|patch| Area::round(patch, radius));
+    keep(area, text(law, law_length))
 }
 
 /// A polygon, by the corners of its loops and the number of each; a centre of pressure, or NaN.
@@ -58,20 +65,23 @@ pub unsafe extern "C" fn make_polygon(
 ) -> u32 {
     let corners = rows(corners, corner_count);
     // Exact: they come from whole numbers.
-    let counts = rows(counts, loop_count).iter();
-    let counts: Vec<usize> = counts.map(|[count]| *count as usize).collect();
+    let mut rest = &corners[..];
+    let loops = rows(counts, loop_count).iter().map(|[count]| {
+        let (corners, after) = rest.split_at(rest.len().min(*count as usize));
+        rest = after;
+        corners
+    });
+    let loops: Vec<&[[f64; 2]]> = loops.collect();
     let is_uniform = centre_x.is_nan() && centre_y.is_nan();
     let centre = (!is_uniform).then_some([centre_x, centre_y]);
-    keep(
-        Shape::polygon(corners, &counts, centre),
-        text(law, law_length),
-    )
+    keep(Area::polygon(&loops, centre), text(law, law_length))
 }
 
 /// A line along x about the origin.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn make_bar(length: f64, law: *const u8, law_length: usize) -> u32 {
-    keep(Shape::bar(length), text(law, law_length))
+    let half = 0.5 * length;
+    keep(Area::bar([-half, 0.0], [half, 0.0]), text(law, law_length))
 }
 
 /// Points with weights.
@@ -82,7 +92,30 @@ pub unsafe extern "C" fn make_points(
     law: *const u8,
     law_length: usize,
 ) -> u32 {
-    keep(Shape::points(rows(points, count)), text(law, law_length))
+    let node = |&[x, y, weight]: &[f64; 3]| Node { x, y, weight };
+    let nodes = rows(points, count).iter().map(node).collect();
+    keep(Area::points(nodes), text(law, law_length))
+}
+
+/// Triangles, by their vertices x, y, pressure and the three numbers of each among them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn make_mesh(
+    vertices: *mut [f64; 3],
+    vertex_count: usize,
+    triangles: *mut [f64; 3],
+    count: usize,
+    law: *const u8,
+    law_length: usize,
+) -> u32 {
+    let vertex = |&[x, y, pressure]: &[f64; 3]| Vertex { x, y, pressure };
+    let vertices = rows(vertices, vertex_count).iter().map(vertex);
+    let vertices: Vec<Vertex<f64>> = vertices.collect();
+    // Exact: they come from whole numbers.
+    let triangles = rows(triangles, count).iter();
+    let triangles: Vec<[usize; 3]> = triangles
+        .map(|corners| corners.map(|n| n as usize))
+        .collect();
+    keep(Area::mesh(&vertices, &triangles), text(law, law_length))
 }
 
 /// Frees what has the handle.
@@ -188,7 +221,7 @@ pub unsafe extern "C" fn make_any_pressure(
 ) -> u32 {
     let corners = rows(corners, count).to_vec();
     let made = AnyPressure::new(corners, [centre_x, centre_y], force_limit);
-    status(made.map_err(shape::said).map(|support| {
+    status(made.map_err(said).map(|support| {
         let radius = support.radius();
         answer([store::keep(Item::AnyPressure(support)).into(), radius]);
     }))

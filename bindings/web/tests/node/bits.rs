@@ -3,14 +3,16 @@
 //! That file has the same chapters, calls the package in Node, and compares its digests with those that this
 //! program leaves in `dist/bits.txt`. Neither side is a snapshot of the other.
 
+use tribos::friction::Area;
 use tribos_core::contact::Attraction;
 use tribos_core::law::LocalLaw;
 use tribos_core::limit_surface::AnyPressure;
+use tribos_core::patch::mesh::Vertex;
+use tribos_core::patch::nodes::Node;
 use tribos_core::slider::SliderParameters;
 use tribos_web::all::contact::{ContactLaw, GIVEN, Given};
 use tribos_web::all::launches::Wanted;
 use tribos_web::all::prepared::Prepared;
-use tribos_web::all::shape::Shape;
 use tribos_web::all::store::{self, Item};
 use tribos_web::patch::{self, Patch, nine, row_of, row_of_twist, twist_of, wrench_of};
 use tribos_web::planar::{Course, Stepper, to_rest};
@@ -104,16 +106,27 @@ fn plain(radius: f64, mu: f64) -> Friction {
     Friction { patch, mu, radius }
 }
 
-fn made(shape: Shape, law: &str) -> Friction {
-    let prepared = Prepared::new(shape, law).unwrap();
-    let (radius, [mu, _]) = (prepared.shape.radius(), prepared.power());
+fn made(area: Area, law: &str) -> Friction {
+    let prepared = Prepared::new(area, law).unwrap();
+    let (radius, [mu, _]) = (prepared.area.radius(), prepared.power());
     let handle = store::keep(Item::Patch(prepared));
     let patch = Patch { handle, radius, mu };
     Friction { patch, mu, radius }
 }
 
 fn round(name: &str, law: &str) -> Friction {
-    made(Shape::round(name, 0.04).unwrap(), law)
+    made(Area::round(name.parse().unwrap(), 0.04).unwrap(), law)
+}
+
+fn points(points: &[[f64; 3]]) -> Area {
+    let node = |&[x, y, weight]: &[f64; 3]| Node { x, y, weight };
+    Area::points(points.iter().map(node).collect()).unwrap()
+}
+
+fn mesh(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Area {
+    let vertex = |&[x, y, pressure]: &[f64; 3]| Vertex { x, y, pressure };
+    let vertices: Vec<_> = vertices.iter().map(vertex).collect();
+    Area::mesh(&vertices, triangles).unwrap()
 }
 
 fn friction_of(chapter: &mut Chapter, friction: Friction, count: usize) {
@@ -288,6 +301,7 @@ fn round_patches(chapter: &mut Chapter) {
         "punch",
         "paraboloid",
         "power:0.25",
+        "polynomial:1,-0.5",
     ];
     for name in names {
         let friction = round(name, "coulomb:mu=0.3");
@@ -299,11 +313,10 @@ fn round_patches(chapter: &mut Chapter) {
 }
 
 fn polygon(chapter: &mut Chapter) {
-    let corners = [&NOTCH[..], &HOLE].concat();
-    let shape = Shape::polygon(&corners, &[5, 4], None).unwrap();
-    chapter.add(&[shape.radius()]);
-    chapter.add(&shape.centre());
-    let friction = made(shape, "coulomb:mu=0.5");
+    let area = Area::polygon(&[&NOTCH, &HOLE], None).unwrap();
+    chapter.add(&[area.radius()]);
+    chapter.add(&area.centre());
+    let friction = made(area, "coulomb:mu=0.5");
     friction_of(chapter, friction, CALLS);
     surface_of(chapter, friction, EXACT, FEW);
     steps_of(chapter, friction, EXACT);
@@ -317,22 +330,29 @@ fn polygon(chapter: &mut Chapter) {
 }
 
 fn other_straight_edges(chapter: &mut Chapter) {
-    let notch = Shape::polygon(&NOTCH, &[5], None).unwrap();
+    let notch = Area::polygon(&[&NOTCH], None).unwrap();
     friction_of(chapter, made(notch, "power:gamma=0.5,alpha=0.5"), CALLS);
     let (x, y) = (0.15, 0.1);
     let corners = [[-x, -y], [x, -y], [x, y], [-x, y]];
     let feet = [[0.0, 0.0, 1.0], [0.1, 0.0, 1.0], [0.0, 0.1, 2.0]];
-    let shapes = [
-        Shape::polygon(&corners, &[4], Some([0.02, 0.0])).unwrap(),
-        Shape::bar(0.2).unwrap(),
-        Shape::points(&feet).unwrap(),
+    let tile = [
+        [0.0, 0.0, 1.0],
+        [0.1, 0.0, 2.0],
+        [0.1, 0.1, 0.5],
+        [0.0, 0.1, 0.0],
     ];
-    for shape in shapes {
-        let friction = made(shape, "coulomb:mu=0.5");
+    let areas = [
+        Area::polygon(&[&corners], Some([0.02, 0.0])).unwrap(),
+        Area::bar([-0.1, 0.0], [0.1, 0.0]).unwrap(),
+        points(&feet),
+        mesh(&tile, &[[0, 1, 2], [0, 2, 3]]),
+    ];
+    for area in areas {
+        let friction = made(area, "coulomb:mu=0.5");
         friction_of(chapter, friction, CALLS);
         surface_of(chapter, friction, EXACT, FEW);
     }
-    friction_of(chapter, made(Shape::points(&feet).unwrap(), OIL), CALLS);
+    friction_of(chapter, made(points(&feet), OIL), CALLS);
 }
 
 fn law(chapter: &mut Chapter) {
@@ -348,7 +368,10 @@ fn law(chapter: &mut Chapter) {
 }
 
 fn launches(chapter: &mut Chapter) {
-    let ring = made(Shape::round("ring", 0.08).unwrap(), "coulomb:mu=0.3");
+    let ring = made(
+        Area::round("ring".parse().unwrap(), 0.08).unwrap(),
+        "coulomb:mu=0.3",
+    );
     for friction in [plain(0.08, 0.3), ring] {
         for call in 0..10 {
             let [x, y, angle] = [
@@ -414,6 +437,10 @@ fn contacts(chapter: &mut Chapter) {
         },
         Given {
             patch: ("annulus:0.5", 0.1),
+            ..coupled
+        },
+        Given {
+            patch: ("polynomial:1,-0.5", 0.1),
             ..coupled
         },
     ];

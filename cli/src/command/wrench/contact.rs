@@ -5,12 +5,14 @@ use crate::command::columns;
 use crate::command::number::in_range;
 use crate::failure::Failure;
 use std::path::Path;
-use tribos::friction::{AnyLaw, Friction, Law, Patch, Precision, Tier, pressure_nodes};
+use tribos::friction::{
+    AnyLaw, Evaluation, Friction, HeldNodes, Law, Patch, Precision, Tier, pressure_nodes,
+};
 use tribos_core::Real;
 use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::internals::leaning_wrench;
-use tribos_core::patch::nodes::{Node, NodePatch};
+use tribos_core::patch::nodes::Node;
 use tribos_core::twist::Twist;
 
 /// What is wanted, checked but for what only the kernel can judge.
@@ -82,31 +84,7 @@ pub(super) enum Kind<R: Precision> {
         tilt: Option<R>,
     },
     /// Nodes, in units of the radius.
-    Nodes(NodeFriction<AnyLaw<R>, Points<R>>),
-}
-
-/// Nodes in a list.
-pub struct Points<R> {
-    nodes: Vec<Node<R>>,
-    total: R,
-}
-
-impl<R: Real> Points<R> {
-    /// The points of a file.
-    pub fn read(path: &Path) -> Result<Self, Failure> {
-        let nodes = points(path, &|_| R::ONE)?;
-        let total = nodes.iter().fold(R::ZERO, |sum, node| sum + node.weight);
-        Ok(Self { nodes, total })
-    }
-}
-
-impl<R: Real> NodePatch<R> for Points<R> {
-    fn nodes(&self) -> &[Node<R>] {
-        &self.nodes
-    }
-    fn total_weight(&self) -> R {
-        self.total
-    }
+    Nodes(NodeFriction<AnyLaw<R>, HeldNodes<R>>),
 }
 
 impl<R: Precision> Contact<R> {
@@ -126,8 +104,11 @@ impl<R: Precision> Contact<R> {
         } else {
             Tier::Quadrature
         };
-        let is_disk = matches!(request.patch, Patch::Disk | Patch::Annulus(_));
-        let by_coupling = tier != Tier::Quadrature || (is_disk && request.tilt.is_none());
+        let by_coupling = match tier.evaluation(request.patch, &law) {
+            Evaluation::Nodes => false,
+            Evaluation::Quadrature => request.tilt.is_none(),
+            _ => true,
+        };
         let tilt = request.tilt.map(R::from_f64);
         let (kind, factor, unit) = if by_coupling {
             let coupling = Friction::new(request.patch, &law, Some(tier))?;
@@ -142,8 +123,8 @@ impl<R: Precision> Contact<R> {
                 Patch::Points(path) => points(path, &|x| R::ONE + lean * (x / radius))?,
                 round => pressure_nodes(round, lean)?,
             };
-            let total = nodes.iter().fold(R::ZERO, |sum, node| sum + node.weight);
-            let friction = NodeFriction::new(law.made()?, Points { nodes, total });
+            let nodes = HeldNodes::new(nodes).map_err(Failure::input)?;
+            let friction = NodeFriction::new(law.made()?, nodes);
             (
                 Kind::Nodes(friction),
                 factor,
@@ -233,7 +214,10 @@ impl<R: Precision> Contact<R> {
 }
 
 /// Points of a file with columns x, y [m] and weight.
-fn points<R: Real>(path: &Path, lean: &impl Fn(R) -> R) -> Result<Vec<Node<R>>, Failure> {
+pub(super) fn points<R: Real>(
+    path: &Path,
+    lean: &impl Fn(R) -> R,
+) -> Result<Vec<Node<R>>, Failure> {
     let rows = columns::read(path, &["x", "y", "weight"])?;
     let name = path.display();
     // Only ratios of the weights count: the largest one is brought to order 1, to the bit.

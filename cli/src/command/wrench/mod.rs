@@ -2,20 +2,19 @@
 
 mod contact;
 mod extreme;
-mod flat;
 mod given;
 mod output;
-mod points;
+mod planar;
 mod product;
 
 use super::columns::Rows;
 use super::{file, number, spool};
 use crate::failure::Failure;
 use contact::{Contact, Request, Resistance};
-pub use flat::centre;
 use given::Given;
 use number::in_range;
 use output::{Fields, Format, Line};
+pub use planar::centre;
 use product::Product;
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Law, Patch, Precision, Tier};
@@ -43,7 +42,7 @@ pub struct Arguments {
     patch: Patch,
     /// Centre of pressure of a box or a polygon, under a pressure that is linear [m]; without it the
     /// pressure is uniform.
-    #[arg(long, value_name = "X,Y", value_parser = flat::centre, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y", value_parser = planar::centre, allow_hyphen_values = true)]
     centre: Option<[f64; 2]>,
     /// Local law instead of coefficient and alpha; see `tribos laws`.
     #[arg(long, value_name = "NAME:KEY=VALUE,…", conflicts_with_all = ["alpha", "coefficient"])]
@@ -169,13 +168,13 @@ impl Arguments {
                 file::refuse_input("--output", output, input)?;
             }
         }
-        if let Patch::Flat(patch) = &self.patch {
-            return flat::evaluate::<R>(self, patch);
+        if matches!(self.patch, Patch::Flat(_)) {
+            return planar::of_edges::<R>(self);
         }
         if let Patch::Points(points) = &self.patch
-            && points::is_asked_for(self)?
+            && planar::is_asked_of_points(self)?
         {
-            return points::evaluate::<R>(self, points);
+            return planar::of_points::<R>(self, points);
         }
         if self.centre.is_some() {
             return Err(Failure::input(

@@ -1,0 +1,192 @@
+//! The wrench on the body at any planar twist: straight edges, meshes, points.
+
+use super::given::Given;
+use super::output::{Fields, Format};
+use super::{Arguments, contact, warn_of_beyond};
+use crate::command::columns::Rows;
+use crate::command::number::{self, in_range};
+use crate::failure::Failure;
+use std::path::Path;
+use tribos::friction::{Area, AreaFriction, Law, Precision};
+use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
+
+const TWIST: [&str; 3] = ["velocity_x", "velocity_y", "spin"];
+const WRENCH: [&str; 3] = ["force_x", "force_y", "torque"];
+const JACOBIAN: [[&str; 3]; 3] = [
+    [
+        "dforce_x_dvelocity_x",
+        "dforce_x_dvelocity_y",
+        "dforce_x_dspin",
+    ],
+    [
+        "dforce_y_dvelocity_x",
+        "dforce_y_dvelocity_y",
+        "dforce_y_dspin",
+    ],
+    [
+        "dtorque_dvelocity_x",
+        "dtorque_dvelocity_y",
+        "dtorque_dspin",
+    ],
+];
+
+/// A position `X,Y`.
+pub fn centre(text: &str) -> Result<[f64; 2], String> {
+    let (x, y) = text
+        .split_once(',')
+        .ok_or("give two coordinates in m, such as 0.03,0")?;
+    Ok([number::finite(x)?, number::finite(y)?])
+}
+
+/// True if points are asked for their wrench on the body: the twists are planar, or the Jacobian is wanted.
+pub fn is_asked_of_points(arguments: &Arguments) -> Result<bool, Failure> {
+    let mut is_planar = false;
+    if let Some(file) = &arguments.twists
+        && file.as_os_str() != "-"
+    {
+        Rows::open(file, |header| {
+            is_planar = header.contains(&TWIST[0]);
+            if is_planar {
+                &TWIST
+            } else {
+                &["speed", "spin"]
+            }
+        })?;
+    }
+    Ok(is_planar || arguments.jacobian)
+}
+
+/// Evaluates and prints what the arguments ask of a patch with straight edges or a mesh.
+pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
+    refuse_options(arguments)?;
+    let law = match arguments.law {
+        Some(law) => law,
+        None => {
+            in_range::<R>("coefficient", arguments.coefficient)?;
+            Law::power(arguments.coefficient, arguments.alpha)?
+        }
+    };
+    for (name, x) in law.values() {
+        in_range::<R>(name, x)?;
+    }
+    // The radius is for round patches.
+    let area = Area::named(&arguments.patch, R::ONE, arguments.centre)?;
+    let friction = AreaFriction::new(&area, &law, None)?;
+    let mut given = vec![Given::Word("patch", arguments.patch.to_string())];
+    if let Some([x, y]) = arguments.centre {
+        given.push(Given::Word("centre", format!("{x},{y} m")));
+    }
+    given.push(Given::Number("load", arguments.load, "N"));
+    if let Some([coefficient, alpha]) = law.power_of_speed() {
+        let is_dry = alpha == 0.0;
+        let unit = if is_dry { "" } else { "(s/m)^alpha" };
+        given.push(Given::Number("coefficient", coefficient, unit));
+        if !is_dry {
+            given.push(Given::Number("alpha", alpha, ""));
+        }
+    }
+    let load = in_range("load", arguments.load)?;
+    deliver(arguments, &friction, load, &given)
+}
+
+/// The same of the points of a file.
+pub fn of_points<R: Precision>(arguments: &Arguments, path: &Path) -> Result<(), Failure> {
+    if arguments.tilt.is_some() || arguments.centre.is_some() {
+        return Err(Failure::input(
+            "points have their own weights: leave out --tilt and --centre",
+        ));
+    }
+    if arguments.radius != 1.0 {
+        return Err(Failure::input(
+            "points have their own size: leave out --radius",
+        ));
+    }
+    let law = match arguments.law {
+        Some(law) => law,
+        None => Law::power(1.0, arguments.alpha)?,
+    };
+    for (name, x) in law.values() {
+        in_range::<R>(name, x)?;
+    }
+    let friction = AreaFriction::at_points(contact::points(path, &|_| R::ONE)?, &law)?;
+    let coefficient: R = in_range("coefficient", arguments.coefficient)?;
+    let load = coefficient * in_range::<R>("load", arguments.load)?;
+    let given = [
+        Given::Word("patch", arguments.patch.to_string()),
+        Given::Number("load", arguments.load, "N"),
+        Given::Word("law", law.to_string()),
+        Given::Number("coefficient", arguments.coefficient, ""),
+    ];
+    deliver(arguments, &friction, load, &given)
+}
+
+/// Refuses options that have no meaning for straight edges.
+fn refuse_options(arguments: &Arguments) -> Result<(), Failure> {
+    let reason = if arguments.tilt.is_some() {
+        "--tilt is for round patches; --centre X,Y moves the centre of pressure"
+    } else if arguments.tier.is_some() {
+        "a patch with straight edges has one tier, which is exact: leave out --tier"
+    } else if arguments.radius != 1.0 {
+        "a patch with straight edges has its own size: leave out --radius"
+    } else {
+        return Ok(());
+    };
+    Err(Failure::input(reason))
+}
+
+fn deliver<R: Precision>(
+    arguments: &Arguments,
+    friction: &AreaFriction<R>,
+    load: R,
+    given: &[Given],
+) -> Result<(), Failure> {
+    let at = |twist| line(friction, load, twist, arguments.jacobian);
+    match (&arguments.twists, arguments.speed, arguments.spin) {
+        (Some(file), ..) => arguments.all(file, &TWIST, given, at),
+        (None, Some(speed), Some(spin)) => {
+            let format = arguments.format.unwrap_or(Format::Text);
+            let (fields, is_beyond) = at([speed, 0.0, spin])?;
+            warn_of_beyond(u64::from(is_beyond));
+            arguments.deliver(&format.one(&fields, given), format, given)
+        }
+        _ => Err(Failure::input("give --speed and --spin, or --twists FILE")),
+    }
+}
+
+fn line<R: Precision>(
+    friction: &AreaFriction<R>,
+    load: R,
+    given: [f64; 3],
+    with_jacobian: bool,
+) -> Result<(Fields, bool), Failure> {
+    let mut parts = [R::ZERO; 3];
+    for ((part, name), value) in parts.iter_mut().zip(TWIST).zip(given) {
+        *part = in_range(name, value)?;
+    }
+    let [x, y, spin] = parts;
+    let twist = Twist::new(x, y, spin);
+    let wrench = friction.wrench(load, &twist);
+    let jacobian = with_jacobian.then(|| friction.wrench_jacobian(load, &twist));
+    Ok(answer(given, &wrench, jacobian.as_ref()))
+}
+
+/// The columns of a wrench on the body, and whether one is no finite number.
+fn answer<R: Precision>(
+    given: [f64; 3],
+    wrench: &Wrench<R>,
+    jacobian: Option<&WrenchJacobian<R>>,
+) -> (Fields, bool) {
+    let mut fields: Fields = TWIST.into_iter().zip(given).collect();
+    let parts = [wrench.force.x, wrench.force.y, wrench.torque];
+    // No minus before a zero.
+    fields.extend(WRENCH.into_iter().zip(parts.map(|x| x.to_f64() + 0.0)));
+    if let Some(jacobian) = jacobian {
+        for (i, names) in JACOBIAN.iter().enumerate() {
+            for (j, name) in names.iter().enumerate() {
+                fields.push((name, jacobian[(i, j)].to_f64()));
+            }
+        }
+    }
+    let is_beyond = fields.iter().any(|(_, x)| !x.is_finite());
+    (fields, is_beyond)
+}

@@ -1,0 +1,127 @@
+//! Contact areas ready for the kernel: a round patch with its radius, or a shape with its own size.
+
+use super::surface::LimitSurfaces;
+use super::{Flat, HeldNodes, Patch, Precision, Refusal, polynomial, surface};
+use tribos_core::coupling::flat::DryPatch;
+use tribos_core::patch::PatchError;
+use tribos_core::patch::bar::Bar;
+use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
+use tribos_core::patch::nodes::Node;
+use tribos_core::patch::points::Points;
+
+/// A contact area: any patch, with its size. Lengths are in m.
+///
+/// ```
+/// use tribos::friction::{Area, Patch};
+/// let puck = Area::<f64>::round(Patch::Disk, 0.04)?;
+/// let corners = [[0.0, 0.0], [0.3, 0.0], [0.3, 0.2], [0.0, 0.2]];
+/// let parcel = Area::polygon(&[&corners], None)?;
+/// assert_eq!((puck.radius(), puck.centre()), (0.04, [0.0, 0.0]));
+/// assert!((parcel.radius() - 0.15_f64.hypot(0.1)).abs() < 1e-16);
+/// assert!(puck.is_round() && !parcel.is_round());
+/// let named = Area::named(&"box:0.3x0.2".parse()?, 1.0, Some([0.02, 0.0]))?; // a radius is for round patches
+/// assert_eq!(named.centre(), [0.02, 0.0]);
+/// # Ok::<(), tribos::friction::Refusal>(())
+/// ```
+#[derive(Clone, Debug)]
+pub enum Area<R: Precision = f64> {
+    /// With an axis: a patch in radii, and its radius.
+    Round(Patch, R),
+    /// Of any other shape.
+    Flat(Flat<R>),
+}
+
+impl<R: Precision> Area<R> {
+    /// The area of a patch by name, its file read: `radius` is that of a round one, `centre` the centre of
+    /// pressure of a box or a polygon.
+    pub fn named(patch: &Patch, radius: R, centre: Option<[f64; 2]>) -> Result<Self, Refusal> {
+        if let Patch::Flat(flat) = patch {
+            return Ok(Self::Flat(flat.loaded(centre)?));
+        }
+        if centre.is_some() {
+            let reason = "a centre of pressure is for boxes and polygons";
+            return Err(Refusal::Syntax(reason.into()));
+        }
+        if let Patch::Points(file) = patch {
+            let narrow = |node: Node<f64>| Node {
+                x: R::from_f64(node.x),
+                y: R::from_f64(node.y),
+                weight: R::from_f64(node.weight),
+            };
+            return Self::points(surface::points_of(file)?.into_iter().map(narrow).collect());
+        }
+        Self::round(patch.clone(), radius)
+    }
+
+    /// A patch with an axis. *Domain*: 0 < `radius` < ∞.
+    pub fn round(patch: Patch, radius: R) -> Result<Self, Refusal> {
+        if !patch.has_axis() {
+            return Err(Refusal::NoAxis);
+        }
+        if let Patch::Polynomial(coefficients) = &patch {
+            // Refuses what is negative anywhere.
+            polynomial(coefficients)?;
+        }
+        if !(radius > R::ZERO && radius.is_finite()) {
+            let given = radius.to_f64();
+            return Err(tribos_core::Error::from(PatchError::Radius { given }).into());
+        }
+        Ok(Self::Round(patch, radius))
+    }
+
+    /// A polygon, its outer loop first, then its holes; with a centre of pressure under linear pressure.
+    pub fn polygon(loops: &[&[[R; 2]]], centre: Option<[R; 2]>) -> Result<Self, Refusal> {
+        let made = Flat::polygon(loops, centre).map_err(tribos_core::Error::from)?;
+        Ok(Self::Flat(made))
+    }
+
+    /// A line that carries its load evenly.
+    pub fn bar(start: [R; 2], end: [R; 2]) -> Result<Self, Refusal> {
+        let bar = Bar::new(start, end).map_err(tribos_core::Error::from)?;
+        Ok(Self::Flat(Flat::Bar(bar)))
+    }
+
+    /// Triangles that name their corners among `vertices`, each under linear pressure.
+    pub fn mesh(vertices: &[Vertex<R>], triangles: &[[usize; 3]]) -> Result<Self, Refusal> {
+        let memory = vec![Triangle::default(); triangles.len()];
+        let mesh = Mesh::with_vertices(vertices, triangles, memory);
+        Ok(Self::Flat(Flat::Mesh(
+            mesh.map_err(tribos_core::Error::from)?,
+        )))
+    }
+
+    /// Points with weights of which only the ratios count.
+    pub fn points(nodes: Vec<Node<R>>) -> Result<Self, Refusal> {
+        let points = HeldNodes::new(nodes).and_then(Points::new);
+        let points = points.map_err(tribos_core::Error::from)?;
+        Ok(Self::Flat(Flat::Points(points)))
+    }
+
+    /// Whether the friction is the same in all directions.
+    pub fn is_round(&self) -> bool {
+        matches!(self, Self::Round(..))
+    }
+
+    /// Distance of the farthest point from the centre of pressure.
+    pub fn radius(&self) -> R {
+        match self {
+            Self::Round(_, radius) => *radius,
+            Self::Flat(flat) => flat.radius(),
+        }
+    }
+
+    /// The centre of pressure, in the coordinates that twist and wrench refer to.
+    pub fn centre(&self) -> [R; 2] {
+        match self {
+            Self::Round(..) => [R::ZERO; 2],
+            Self::Flat(flat) => flat.centre().into(),
+        }
+    }
+}
+
+impl Area {
+    /// Its limit surfaces under dry friction, for every force limit.
+    pub fn limit_surfaces(&self) -> Result<LimitSurfaces, Refusal> {
+        LimitSurfaces::new(self)
+    }
+}
