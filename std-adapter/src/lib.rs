@@ -80,7 +80,7 @@
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
 //! | [`grains`] | grains in boxes under gravity, pistons, moving plates and shaking |
 //! | [`soft`] | soft spheres: the same contacts with springs and dashpots |
-//! | [`event`], [`gas`] | hard spheres from collision to collision; granular gases |
+//! | [`gas`] | granular gases: hard spheres from collision to collision |
 //! | [`measure`] | stress, fabric, pair correlation, force chains of packings; packings of other programs |
 //! | [`md`], [`tip`] | pair potentials of atoms; a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
@@ -115,8 +115,10 @@ pub use tribos_atoms::{md, tip};
 pub use tribos_base::random;
 #[doc(inline)]
 pub use tribos_base::{record, space};
+#[doc(hidden)]
+pub use tribos_contacts::event;
 #[doc(inline)]
-pub use tribos_contacts::{cd, event, problem, soft};
+pub use tribos_contacts::{cd, problem, soft};
 #[doc(inline)]
 pub use tribos_grains::{gas, grains, measure, powder};
 #[doc(inline)]

@@ -69,6 +69,7 @@ pub use hold::AtRest;
 pub use law::AnyLaw;
 pub use law::Law;
 pub use patch::Patch;
+#[doc(hidden)]
 pub use precision::Precision;
 #[doc(hidden)]
 pub use quadrature::{polynomial, pressure_nodes};

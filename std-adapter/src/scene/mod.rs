@@ -25,15 +25,17 @@ pub use library::{LIBRARY, LibraryScene, library_scene};
 pub use schema::schema;
 #[doc(hidden)]
 pub use template::{keys_page, template, toml_value, with_all_keys};
-pub use tribos_atoms::scene::{
-    BathKind, BathSpin, DriveKind, DrivenHold, Reading, StageSteps, TipScene,
-};
+#[doc(hidden)]
+pub use tribos_atoms::scene::StageSteps;
+pub use tribos_atoms::scene::{BathKind, BathSpin, DriveKind, DrivenHold, Reading, TipScene};
 #[doc(hidden)]
 pub use tribos_base::scene::{
     Body, Domain, Form, Key, MOST_BYTES, Need, UnknownWord, nearest, number_hint,
 };
 pub use tribos_base::scene::{InvalidScene, Problem, SceneError};
-pub use tribos_grains::packing::{Radii, Sizes, SizesError};
+#[doc(hidden)]
+pub use tribos_grains::packing::Radii;
+pub use tribos_grains::packing::{Sizes, SizesError};
 pub use tribos_grains::scene::{
     Axis, ContactMethod, Container, Coupling, Criterion, Ends, GasMethod, GasScene, GrainsScene,
     NormalForce, PowderScene, Sides, SweepMethod, SweepOrder, SweepStop, WallLaw,

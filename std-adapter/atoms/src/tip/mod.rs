@@ -32,6 +32,7 @@ pub use build::{TipSystem, build};
 #[doc(hidden)]
 pub use cost::{TipCost, cost, size};
 pub use energy::DriveEnergy;
+#[doc(hidden)]
 pub use forces::TipForces;
 pub use lattice::Face;
 pub use outcome::{Outcome, Plateau, Verdict};

@@ -16,7 +16,9 @@ mod squeeze;
 mod tests;
 
 pub use error::ProblemError;
-pub use file::{Fault, FileError, Format, Place, Problem};
+#[doc(hidden)]
+pub use file::{Fault, Place};
+pub use file::{FileError, Format, Problem};
 pub use global::Global;
 pub use law::{ContactLaw, Friction, Layout};
 pub use matrix::Matrix;

@@ -1,7 +1,7 @@
 //! Packings: spheres between walls, with a material and a method for their contacts chosen at run time.
 //!
-//! A body's scene says the [`Material`], the [`Bodies`] and the [`Method`]; [`build`] makes a [`Packing`] of them. A
-//! [`Drive`] runs it: the [`Body`] says its loads, its measures and when it ends.
+//! A body's scene says the `Material`, the `Bodies` and the `Method`; `build` makes a `Packing` of them. A
+//! `Drive` runs it: the `Body` says its loads, its measures and when it ends.
 
 pub mod assembly;
 mod body;

@@ -47,7 +47,9 @@ mod search;
 mod starts;
 pub mod support;
 
-pub use data::{Data, DataError, Motion};
+#[doc(hidden)]
+pub use data::Motion;
+pub use data::{Data, DataError};
 pub use estimate::{Estimate, Fit, FitError, Known, Options, fit};
 #[doc(hidden)]
 pub use estimate::{FitProgress, fit_watched};

@@ -28,6 +28,7 @@ mod surface;
 mod tests;
 
 pub use bond::Bond;
+#[doc(hidden)]
 pub use law::AnyBond;
 pub use surface::{Contact, OnsetPoint, OnsetSurface, Summary};
 

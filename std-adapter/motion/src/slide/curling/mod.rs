@@ -34,6 +34,7 @@ pub use front_back::FrontBack;
 pub use left_right::LeftRight;
 pub use pivot_slide::PivotSlide;
 pub(crate) use ring_rule::POINTS as RING_POINTS;
+#[doc(hidden)]
 pub use rock::{CurlingRock, IceLaw};
 pub use scratch_guide::ScratchGuide;
 
@@ -59,6 +60,7 @@ use std::fmt::Debug;
 /// assert_eq!(curl(&models[1])?, 0.0);
 /// # Ok::<(), tribos::slide::SlideError>(())
 /// ```
+#[doc(hidden)]
 pub trait CurlingModel: Debug + Send + Sync {
     /// Name of the model in scenes.
     fn name(&self) -> &'static str;

@@ -51,7 +51,9 @@ mod slope;
 mod solve;
 mod time;
 
-pub use error::{InverseError, OutOfReach};
+pub use error::InverseError;
+#[doc(hidden)]
+pub use error::OutOfReach;
 #[doc(hidden)]
 pub use jacobian::PoseJacobian;
 pub use limits::Limits;

@@ -29,6 +29,7 @@ pub use motion::Moment;
 pub use outcome::{Hold, Regime, SpringOutcome};
 pub use rate_state::AgeLaw;
 pub use run::{SPRING_COLUMNS, SpringRun, run};
+#[doc(hidden)]
 pub use stability::critical_stiffness;
 
 /// Share of the pull's speed above which a body slips under laws that never hold exactly.
