@@ -205,7 +205,7 @@ pub(crate) fn begin(
         (first_pair.known, step.stops, first_pair.friction.holds)
     {
         let [velocity, spin] = known.jump(ground, foot.center_of_mass());
-        offset = offset + frame.twist(velocity, spin) * (0.5 * stops);
+        offset += frame.twist(velocity, spin) * (0.5 * stops);
     }
     let mut offsets = reduced.shared(&offset, &frame);
     if reduced.moved[0] {

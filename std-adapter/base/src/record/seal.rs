@@ -49,20 +49,26 @@ pub fn sealed(object: Map<String, Value>) -> String {
 
 /// The object of a [`sealed`] text; `None` if any byte differs from what was written.
 pub fn unsealed(text: &str) -> Option<Value> {
-    let length = KEY.len() + DIGITS + END.len();
-    let (head, tail) = text.split_at_checked(text.len().checked_sub(length)?)?;
-    let digits = format!("{:032x}", digest(head.as_bytes()));
-    let is_whole = tail.strip_prefix(KEY)?.strip_suffix(END)? == digits;
+    let (head, kept) = parts(text)?;
+    let is_whole = kept == format!("{:032x}", digest(head.as_bytes()));
     is_whole.then(|| serde_json::from_str(text).ok())?
 }
 
-/// A [`sealed`] text with one more number in its object.
-pub(crate) fn with_number(sealed: &str, key: &str, number: u64) -> String {
-    let length = KEY.len() + DIGITS + END.len();
-    let head = &sealed[..sealed.len().saturating_sub(length)];
+/// A [`sealed`] text with one more number in its object; any other text as it is.
+pub(crate) fn with_number(text: String, key: &str, number: u64) -> String {
+    let Some((head, _)) = parts(&text) else {
+        return text;
+    };
     let text = format!("{head}\"{key}\":{number},");
     let digits = format!("{:032x}", digest(text.as_bytes()));
     text + KEY + &digits + END
+}
+
+/// What the digest of a sealed text is of, and its digits.
+fn parts(text: &str) -> Option<(&str, &str)> {
+    let length = KEY.len() + DIGITS + END.len();
+    let (head, tail) = text.split_at_checked(text.len().checked_sub(length)?)?;
+    Some((head, tail.strip_prefix(KEY)?.strip_suffix(END)?))
 }
 
 #[cfg(test)]
@@ -90,6 +96,12 @@ mod tests {
             other.insert(at, bytes[at]);
             assert_eq!(read(&other), None, "byte {at} twice");
         }
+        // One number more is sealed with the rest.
+        let more = with_number(text, "frames", 20);
+        assert!(
+            unsealed(&more).is_some_and(|value| value["frames"] == 20 && value["name"] == "tip")
+        );
+        assert_eq!(with_number("no seal".into(), "frames", 20), "no seal");
         assert_eq!(
             unsealed(&sealed(Map::new())).map(|value| value["digest"].is_string()),
             Some(true)

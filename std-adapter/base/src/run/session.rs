@@ -229,7 +229,7 @@ impl<'a, R: LongRun> Session<'a, R> {
     /// Writes the checkpoint, and how many frames are kept beside it.
     fn write(&mut self, run: &R, frames: u64, file: &Path) -> Result<(), RunError<R::Error>> {
         self.lock.check()?;
-        let text = with_number(&run.checkpoint(), FRAMES, frames);
+        let text = with_number(run.checkpoint(), FRAMES, frames);
         write_atomically_there(file, text.as_bytes())?;
         (self.saved)(run, file);
         Ok(())
