@@ -138,7 +138,6 @@ impl LimitSurfaces {
 /// Contacts copy what they are made of, so that the tables are here and not behind a pointer.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
-#[expect(clippy::large_enum_variant, reason = "copied, as contacts are")]
 pub enum DryRound {
     Disk(Coulomb),
     Ring(closed::Ring),
