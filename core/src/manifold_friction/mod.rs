@@ -37,7 +37,6 @@
 
 mod anisotropy;
 mod area;
-mod lanes;
 mod outline;
 mod project;
 mod rolling;
@@ -45,9 +44,9 @@ mod rolling;
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;
 
+pub use crate::lanes::Lanes;
 pub use anisotropy::Anisotropy;
 pub use area::ContactArea;
-pub use lanes::Lanes;
 pub use outline::{CompactOutline, Curve, DirectedOutline, Outline};
 pub use rolling::limited_rolling;
 
