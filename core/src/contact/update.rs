@@ -278,9 +278,8 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     /// bodies and returns it.
     ///
     /// The solution is in closed form, unless sliding and rolling are coupled and both slip, or the
-    /// friction's set has no closed form. *Accuracy* where both slip, whatever the inertias: the power that
-    /// friction takes differs from the most that its limits allow by 3e-15 (f32: 5e-7) of the limits
-    /// times the speeds that meet.
+    /// friction's set has no closed form. *Accuracy* where both slip, whatever the inertias: the laws
+    /// hold for velocities that differ by 2e-15 (f32: 1e-6) of the speeds that meet.
     #[inline(always)]
     pub fn update<F: ContactFriction<R, Modes = M>>(
         &mut self,
