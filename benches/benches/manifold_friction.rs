@@ -55,7 +55,7 @@ fn side_by_side<T: Lanes, const N: usize>(
         (
             FrictionImpulse {
                 tangential: [number(0), number(1)],
-                twist: number(2),
+                angular: number(2),
             },
             FrictionBudget {
                 force: number(3),
@@ -64,7 +64,7 @@ fn side_by_side<T: Lanes, const N: usize>(
             },
             InverseMasses {
                 tangential: T::splat(1.0),
-                twist: number(4),
+                angular: number(4),
             },
         )
     };
@@ -87,7 +87,7 @@ fn two_clamps<T: Lanes>((candidate, budget, _): &Problem<T>) -> FrictionImpulse<
     let torque = budget.force * budget.lever;
     FrictionImpulse {
         tangential: [x * scale, y * scale],
-        twist: candidate.twist.smaller(torque).larger(-torque),
+        angular: candidate.angular.smaller(torque).larger(-torque),
     }
 }
 

@@ -105,6 +105,7 @@ pub mod contact;
 pub mod coupling;
 mod error;
 pub mod holding;
+mod lanes;
 pub mod law;
 pub mod limit_surface;
 #[cfg(feature = "defmt")]
@@ -128,6 +129,7 @@ pub mod twist;
 pub mod internals {
     pub use crate::contact::internals::*;
     pub use crate::coupling::internals::*;
+    pub use crate::coupling::table::COULOMB_TABLE_BYTES;
     pub use crate::coupling::tall::{LeaningWrench, leaning_wrench};
     pub use crate::limit_surface::COLLAR_ULPS;
     pub use crate::patch::tripod::tripod_shares;

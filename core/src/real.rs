@@ -1,15 +1,44 @@
 //! The scalar of the kernel, with all elementary functions that the kernel uses.
 
-use crate::coupling::LaneProfile;
-use crate::coupling::table::{COULOMB_F32, COULOMB_F64, CoulombTable32, CoulombTable64};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+pub(crate) use sealed::{InEach, STEPS};
+
 mod sealed {
-    use crate::power::{STEP_BITS, STEPS, Split};
+    /// Cells of m, each about a multiple of 1/32; one begins a 64th below 1.
+    pub const STEPS: usize = 32;
+    /// Binary digits of the number of a cell.
+    pub const STEP_BITS: u32 = STEPS.trailing_zeros();
+
+    /// A number 2^e m as a table of powers needs it.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Split<R> {
+        /// e; negative ones wrap.
+        pub exponent: usize,
+        /// Cell of m.
+        pub cell: usize,
+        /// The upper digits of m, which is at most a 64th below 1.
+        pub head: R,
+        /// The lower digits of m.
+        pub tail: R,
+    }
+
+    /// What is done alike in `f32` and in `f64`, with data that differ in more than their precision.
+    pub trait InEach {
+        type Given<R: super::Real>;
+        type Gives<R: super::Real>;
+        fn single(given: Self::Given<f32>) -> Self::Gives<f32>;
+        fn double(given: Self::Given<f64>) -> Self::Gives<f64>;
+    }
 
     /// What only the kernel needs of a precision.
-    pub trait Sealed: Sized + 'static + crate::coupling::Laned {
+    pub trait Sealed: Sized + 'static + crate::lanes::Laned {
+        /// The one of both that is done in this precision.
+        fn in_own<E: InEach>(given: E::Given<Self>) -> E::Gives<Self>
+        where
+            Self: super::Real;
+
         /// True for `f32`: what it does not need is left out of a program.
         const IS_SINGLE: bool;
 
@@ -35,7 +64,7 @@ mod sealed {
         /// reciprocals are normal numbers.
         const LEAST_SPEED: Self;
 
-        /// Exponent and mantissa for [`crate::power`]; an exponent beyond all tables for numbers
+        /// Exponent and mantissa for a table of powers; an exponent beyond all tables for numbers
         /// that are not positive and normal.
         fn split(self) -> Split<Self>;
 
@@ -102,6 +131,10 @@ mod sealed {
     impl Sealed for f32 {
         octaves!(f32, u32, i32, super::MANTISSA_F32, 120, 1e-15);
         const IS_SINGLE: bool = true;
+        #[inline(always)]
+        fn in_own<E: InEach>(given: E::Given<f32>) -> E::Gives<f32> {
+            E::single(given)
+        }
         #[inline]
         fn pick<const COLUMNS: usize, const ROWS: usize>(
             single: &'static [[f32; COLUMNS]; ROWS],
@@ -113,6 +146,10 @@ mod sealed {
     impl Sealed for f64 {
         octaves!(f64, u64, i64, super::MANTISSA_F64, 1000, 1e-140);
         const IS_SINGLE: bool = false;
+        #[inline(always)]
+        fn in_own<E: InEach>(given: E::Given<f64>) -> E::Gives<f64> {
+            E::double(given)
+        }
         #[inline]
         fn pick<const COLUMNS: usize, const ROWS: usize>(
             _: &'static [[f32; COLUMNS]; ROWS],
@@ -178,10 +215,6 @@ pub trait Real:
     + Sync
     + sealed::Sealed
 {
-    /// Coulomb's table in this precision.
-    #[doc(hidden)]
-    type CoulombTable: LaneProfile<Self> + 'static;
-
     /// 0
     const ZERO: Self;
     /// 1/2
@@ -241,10 +274,6 @@ pub trait Real:
     /// [2ᵏ, 1.5·2ᵏ) and [1.5·2ᵏ, 2ᵏ⁺¹) has its own count. No logarithm is taken.
     fn half_octave(self) -> usize;
 
-    /// The table of Coulomb friction on the uniform disk.
-    #[doc(hidden)]
-    fn coulomb_table() -> &'static Self::CoulombTable;
-
     /// Length of the vector (`self`, `other`) without overflow or underflow on the way.
     ///
     /// *Accuracy*: 2 ulp. *Special values*: NaN if either is NaN; infinite if either is infinite
@@ -263,10 +292,8 @@ pub trait Real:
 }
 
 macro_rules! impl_real {
-    ($real:ty, $mantissa:expr, $table:ident: $of:ty, $($name:ident($($argument:ident),*) = $function:path;)*) => {
+    ($real:ty, $mantissa:expr, $($name:ident($($argument:ident),*) = $function:path;)*) => {
         impl Real for $real {
-            type CoulombTable = $of;
-
             const ZERO: Self = 0.0;
             const HALF: Self = 0.5;
             const ONE: Self = 1.0;
@@ -302,10 +329,6 @@ macro_rules! impl_real {
                 <$real>::is_finite(self)
             }
             #[inline]
-            fn coulomb_table() -> &'static $of {
-                &$table.0
-            }
-            #[inline]
             fn half_octave(self) -> usize {
                 (self.to_bits() >> ($mantissa - 1)) as usize
             }
@@ -318,7 +341,7 @@ const MANTISSA_F32: u32 = f32::MANTISSA_DIGITS - 1;
 const MANTISSA_F64: u32 = f64::MANTISSA_DIGITS - 1;
 
 impl_real! {
-    f32, MANTISSA_F32, COULOMB_F32: CoulombTable32,
+    f32, MANTISSA_F32,
     abs() = libm::fabsf;
     copysign(sign) = libm::copysignf;
     sqrt() = tribos_sqrt::sqrtf;
@@ -334,7 +357,7 @@ impl_real! {
     asinh() = libm::asinhf;
 }
 impl_real! {
-    f64, MANTISSA_F64, COULOMB_F64: CoulombTable64,
+    f64, MANTISSA_F64,
     abs() = libm::fabs;
     copysign(sign) = libm::copysign;
     sqrt() = libm::sqrt;

@@ -362,6 +362,10 @@ bounds! {
     CONTACT_AGAIN_SINGLE = 5e-7, "as CONTACT_AGAIN";
     /// Power of friction against its motion, of impulse times speed where the spheres meet.
     CONTACT_POWER = 3e-15, "a sticking contact keeps the rounding of its velocity";
+    /// Motion that is not along the normal of friction's set, of all speeds that meet.
+    CONTACT_LAWS = 2e-15, "velocities, block and projection round a dozen times";
+    /// The same in f32.
+    CONTACT_LAWS_SINGLE = 1e-6, "as CONTACT_LAWS";
     /// Momentum and angular momentum created by a contact, of what the spheres have and exchange.
     CONTACT_MOMENTUM = 3e-16, "each velocity rounds once; the arms add up to 2 ulp";
     /// Impulses of a contact turned in space, of P and the momentum that meets.

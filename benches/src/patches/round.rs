@@ -12,6 +12,7 @@ use tribos::friction::{Patch, Precision, RoundPower, Tier, Visitor, visit};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::PolynomialTable;
 use tribos_core::coupling::{Annulus, Coupling, compact};
+use tribos_core::internals::COULOMB_TABLE_BYTES;
 use tribos_core::law::LocalLaw;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
@@ -117,7 +118,17 @@ pub fn table_bytes<R: Precision, P>() -> usize {
     if own > size_of::<R>() {
         own
     } else {
-        size_of::<R::CoulombTable>()
+        coulomb_table_bytes::<R>()
+    }
+}
+
+/// Size of the table of Coulomb friction in the program.
+pub fn coulomb_table_bytes<R: Real>() -> usize {
+    let [single, double] = COULOMB_TABLE_BYTES;
+    if size_of::<R>() == size_of::<f32>() {
+        single
+    } else {
+        double
     }
 }
 

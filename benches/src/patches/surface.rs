@@ -1,6 +1,6 @@
 //! The limit surface: gauge, motion and projection, checked with points that lie on it.
 
-use super::round::{TABLE_STRIDE, timed};
+use super::round::{TABLE_STRIDE, coulomb_table_bytes, timed};
 use super::tables::{self, Source};
 use super::{Case, Entry, Label, Refused};
 use crate::reference::Wide;
@@ -106,7 +106,7 @@ const CLOSED: [&str; 3] = ["closed gauge", "closed motion", "closed projection"]
 
 /// The disk by its table and in closed form, the ring and Hertz' pressure in closed form.
 pub fn rows<R: Real>() -> Result<Vec<Entry>, Refused> {
-    let (disk, bytes) = (["disk surface", "uniform"], size_of::<R::CoulombTable>());
+    let (disk, bytes) = (["disk surface", "uniform"], coulomb_table_bytes::<R>());
     let mut rows = Vec::new();
     rows.extend(rows_of::<R, _>(disk, TABLE, bytes, table::Coulomb)?);
     rows.extend(rows_of::<R, _>(disk, CLOSED, 0, compact::CompactCoulomb)?);

@@ -52,7 +52,6 @@ pub mod table;
 pub mod tall;
 
 pub use annulus::Annulus;
-pub(crate) use batch::{LaneProfile, Laned};
 pub use dry::Dry;
 pub(crate) use family::inertia_ends;
 pub use friction::{Magnitudes, MagnitudesJacobian, PatchFriction};

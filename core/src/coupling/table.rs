@@ -167,6 +167,35 @@ pub(crate) struct Aligned<T>(pub T);
 pub(crate) static COULOMB_F64: Aligned<CoulombTable64> = Aligned(CoulombTable64::build(0.0, Zero));
 pub(crate) static COULOMB_F32: Aligned<CoulombTable32> = Aligned(CoulombTable32::build(0.0, Zero));
 
+/// Looks up the table of α = 0 in the precision of the caller.
+macro_rules! in_own_table {
+    ($real:ident, $given:ty => $gives:ty, |$table:ident, $at:pat_param| $found:expr, $value:expr) => {{
+        struct Own;
+        impl crate::real::InEach for Own {
+            type Given<$real: Real> = $given;
+            type Gives<$real: Real> = $gives;
+            #[inline(always)]
+            fn single($at: Self::Given<f32>) -> Self::Gives<f32> {
+                let $table = &$crate::coupling::table::COULOMB_F32.0;
+                $found
+            }
+            #[inline(always)]
+            fn double($at: Self::Given<f64>) -> Self::Gives<f64> {
+                let $table = &$crate::coupling::table::COULOMB_F64.0;
+                $found
+            }
+        }
+        $real::in_own::<Own>($value)
+    }};
+}
+#[allow(unused_imports, reason = "for targets with vectors")]
+pub(super) use in_own_table;
+
+/// Sizes of the tables of α = 0, f32 and f64.
+#[doc(hidden)]
+pub const COULOMB_TABLE_BYTES: [usize; 2] =
+    [size_of::<CoulombTable32>(), size_of::<CoulombTable64>()];
+
 /// Coulomb friction, α = 0, from a table built by the compiler: no constructor, no RAM, no power.
 ///
 /// *Accuracy*: f64 and f32 at most 5 ulp in force and torque.
@@ -200,36 +229,36 @@ impl<R: Real> Profile<R> for Coulomb {
     }
     #[inline]
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
-        R::coulomb_table().factors(at)
+        in_own_table!(R, Speeds<R> => [R; 2], |table, at| table.factors(&at), *at)
     }
     #[inline(always)]
     fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
-        R::coulomb_table().drag_and_torque(at)
+        in_own_table!(R, Speeds<R> => [R; 2], |table, at| table.drag_and_torque(&at), *at)
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
-        R::coulomb_table().inertia_excess(at, inertia_ratio)
+        in_own_table!(R, (Speeds<R>, R) => R, |table, (at, ratio)| table.inertia_excess(&at, ratio), (*at, inertia_ratio))
     }
     fn inertia_ends(&self) -> [R; 2] {
-        R::coulomb_table().inertia_ends()
+        in_own_table!(R, () => [R; 2], |table, ()| table.inertia_ends(), ())
     }
     #[inline]
     fn speed_scale(&self, speed: R) -> R {
-        R::coulomb_table().speed_scale(speed)
+        in_own_table!(R, R => R, |table, speed| table.speed_scale(speed), speed)
     }
     #[inline]
     fn rate_scale(&self, speed: R) -> R {
-        R::coulomb_table().rate_scale(speed)
+        in_own_table!(R, R => R, |table, speed| table.rate_scale(speed), speed)
     }
 }
 
 impl<R: Real> SmoothProfile<R> for Coulomb {
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
-        R::coulomb_table().factors_and_slope(at)
+        in_own_table!(R, Speeds<R> => [R; 3], |table, at| table.factors_and_slope(&at), *at)
     }
     #[inline]
     fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
-        R::coulomb_table().factors_and_rough_slope(at)
+        in_own_table!(R, Speeds<R> => [R; 3], |table, at| table.factors_and_rough_slope(&at), *at)
     }
 }
 

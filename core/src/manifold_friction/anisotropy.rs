@@ -14,9 +14,9 @@ use super::{FrictionImpulse, Lanes};
 ///     Anisotropy, CompactOutline, FrictionBudget, FrictionImpulse, InverseMasses, manifold_friction,
 /// };
 /// let blade = Anisotropy::new([0.05_f32, 0.5]); // along and across
-/// let inverse = InverseMasses { tangential: 2.0, twist: 500.0 };
+/// let inverse = InverseMasses { tangential: 2.0, angular: 500.0 };
 /// let budget = FrictionBudget { force: blade.largest() * 1.0, lever: 0.01, slip: 1.0 }; // load impulse 1 N s
-/// let mut impulse = FrictionImpulse { tangential: [0.0, 0.0], twist: 0.0 };
+/// let mut impulse = FrictionImpulse { tangential: [0.0, 0.0], angular: 0.0 };
 /// for _ in 0..100 { // slides across its axis and along it at 1 m/s, as if driven
 ///     let candidate = blade.candidate(&impulse, [1.0, 1.0], 0.0, &inverse);
 ///     let carried = manifold_friction(&candidate, &budget, &inverse, &CompactOutline::area());
@@ -65,7 +65,7 @@ impl<T: Lanes> Anisotropy<T> {
         let ([p1, p2], [v1, v2], [s1, s2]) = (last.tangential, velocity, self.shares);
         FrictionImpulse {
             tangential: [stretched(p1, v1, s1), stretched(p2, v2, s2)],
-            twist: last.twist - spin / inverse.twist.larger(T::splat(super::TINY)),
+            angular: last.angular - spin / inverse.angular.larger(T::splat(super::TINY)),
         }
     }
 
@@ -75,7 +75,7 @@ impl<T: Lanes> Anisotropy<T> {
         let ([p1, p2], [s1, s2]) = (stretched.tangential, self.shares);
         FrictionImpulse {
             tangential: [p1 * s1, p2 * s2],
-            twist: stretched.twist,
+            angular: stretched.angular,
         }
     }
 }

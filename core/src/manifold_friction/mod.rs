@@ -18,12 +18,12 @@
 //! // When the manifold is made: its corners in the frame of the two tangents, in m.
 //! let sole = ContactArea::of_corners(&[[-0.1, -0.025], [0.1, -0.025], [0.1, 0.025], [-0.1, 0.025_f32]]);
 //! // In every iteration: the last impulses less relative velocity times effective mass.
-//! let candidate = FrictionImpulse { tangential: [0.4, 0.0], twist: 0.01 }; // N s, N m s
+//! let candidate = FrictionImpulse { tangential: [0.4, 0.0], angular: 0.01 }; // N s, N m s
 //! let budget = FrictionBudget { force: 0.05, lever: sole.lever, slip: 1.0 }; // N s, m
-//! let inverse = InverseMasses { tangential: 2.0, twist: 500.0 }; // 1/kg, 1/(kg m²)
+//! let inverse = InverseMasses { tangential: 2.0, angular: 500.0 }; // 1/kg, 1/(kg m²)
 //! let carried = manifold_friction(&candidate, &budget, &inverse, &sole.outline);
 //! assert!(carried.tangential[0] > 0.0 && carried.tangential[0] < 0.05);
-//! assert!(carried.twist > 0.0 && carried.twist < 0.05 * sole.lever);
+//! assert!(carried.angular > 0.0 && carried.angular < 0.05 * sole.lever);
 //! ```
 //!
 //! *Lanes*: the same function computes four or eight manifolds side by side, [`Lanes`]; every lane has the bits
@@ -37,7 +37,6 @@
 
 mod anisotropy;
 mod area;
-mod lanes;
 mod outline;
 mod project;
 mod rolling;
@@ -45,9 +44,9 @@ mod rolling;
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;
 
+pub use crate::lanes::Lanes;
 pub use anisotropy::Anisotropy;
 pub use area::ContactArea;
-pub use lanes::Lanes;
 pub use outline::{CompactOutline, Curve, DirectedOutline, Outline};
 pub use rolling::limited_rolling;
 
@@ -61,7 +60,7 @@ pub struct FrictionImpulse<T> {
     /// Tangential impulse at the friction centre, along both tangents, in N s.
     pub tangential: [T; 2],
     /// Angular impulse about the normal, in N m s.
-    pub twist: T,
+    pub angular: T,
 }
 
 /// What friction can carry.
@@ -84,7 +83,7 @@ pub struct InverseMasses<T> {
     /// tangents if that was a matrix. *Domain*: > 0.
     pub tangential: T,
     /// kt, of the rotation about the normal, in 1/(kg m²). *Domain*: ≥ 0.
-    pub twist: T,
+    pub angular: T,
 }
 
 /// The friction impulse nearest to `candidate` that the manifold can carry.

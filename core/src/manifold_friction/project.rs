@@ -52,9 +52,9 @@ pub(super) fn project<T: Lanes, O: Outline<T>>(
         slip,
     } = *budget;
 
-    // Without lever there is no twist; NaN passes.
+    // Without lever nothing turns; NaN passes.
     let [p1, p2] = candidate.tangential;
-    let t = candidate.twist;
+    let t = candidate.angular;
     let t = T::select(zero.below(lever), t, T::select(t.at_most(t), zero, t));
     let torque_limit = limit * lever;
     let force_sq = p1 * p1 + p2 * p2;
@@ -73,19 +73,20 @@ pub(super) fn project<T: Lanes, O: Outline<T>>(
     if T::all(holds) {
         return FrictionImpulse {
             tangential: [p1, p2],
-            twist: t,
+            angular: t,
         };
     }
 
     // Metric k |dp|² + kt dt² in units of the limits, as energies.
-    let (force_weight, twist_weight) = (inverse.tangential * limit, inverse.twist * torque_limit);
-    let (a, b) = (force_weight * limit, twist_weight * torque_limit);
+    let (force_weight, angular_weight) =
+        (inverse.tangential * limit, inverse.angular * torque_limit);
+    let (a, b) = (force_weight * limit, angular_weight * torque_limit);
     let sum = a + b;
     let least = T::splat(LEAST_WEIGHT) * sum;
     let (a, b) = (a.larger(least), b.larger(least));
     // Only the ratios of a, b, aP and bQ count: none may exceed 1.
     let start = force_weight * shorter_norm(p1, p2);
-    let b_torque = twist_weight * torque;
+    let b_torque = angular_weight * torque;
     let unit = one / (start + b_torque + sum).larger(tiny);
     let force_weight = force_weight * unit;
     let mut scaled = Scaled {
@@ -115,13 +116,13 @@ pub(super) fn project<T: Lanes, O: Outline<T>>(
     }
     let [h, ..] = curve.height(point.s * point.s);
     let carried = (point.s * limit).smaller(along);
-    let twist = (point.c * h * torque_limit).smaller(torque);
+    let angular = (point.c * h * torque_limit).smaller(torque);
     FrictionImpulse {
         tangential: [
             T::select(holds, p1, carried * direction[0]),
             T::select(holds, p2, carried * direction[1]),
         ],
-        twist: T::select(holds, t, twist.signed_as(t)),
+        angular: T::select(holds, t, angular.signed_as(t)),
     }
 }
 

@@ -93,7 +93,7 @@ fn few_corners_are_a_line_or_a_point() {
 fn one_budget_without_twist_is_coulombs() {
     let inverse = InverseMasses {
         tangential: 1.0_f32,
-        twist: 10.0,
+        angular: 10.0,
     };
     let budget = FrictionBudget {
         force: 2.0,
@@ -102,19 +102,19 @@ fn one_budget_without_twist_is_coulombs() {
     };
     let slides = FrictionImpulse {
         tangential: [30.0, -40.0],
-        twist: 0.0,
+        angular: 0.0,
     };
     let carried = manifold_friction(&slides, &budget, &inverse, &CompactOutline::area());
     assert!(
         (carried.tangential[0] - 1.2).abs() < 1e-6 && (carried.tangential[1] + 1.6).abs() < 1e-6
     );
-    assert_eq!(carried.twist, 0.0);
+    assert_eq!(carried.angular, 0.0);
     let spins = FrictionImpulse {
         tangential: [0.0, 0.0],
-        twist: -7.0,
+        angular: -7.0,
     };
     let carried = manifold_friction(&spins, &budget, &inverse, &CompactOutline::area());
-    assert!((carried.twist + 0.2).abs() < 1e-7);
+    assert!((carried.angular + 0.2).abs() < 1e-7);
     assert_eq!(carried.tangential, [0.0, 0.0]);
 }
 
@@ -122,7 +122,7 @@ fn one_budget_without_twist_is_coulombs() {
 fn static_friction_holds_more_than_it_carries_in_motion() {
     let inverse = InverseMasses {
         tangential: 1.0_f32,
-        twist: 10.0,
+        angular: 10.0,
     };
     let budget = FrictionBudget {
         force: 1.0,
@@ -131,7 +131,7 @@ fn static_friction_holds_more_than_it_carries_in_motion() {
     };
     let held = FrictionImpulse {
         tangential: [1.9, 0.0],
-        twist: 0.0,
+        angular: 0.0,
     };
     assert_eq!(
         manifold_friction(&held, &budget, &inverse, &CompactOutline::area()),
@@ -139,7 +139,7 @@ fn static_friction_holds_more_than_it_carries_in_motion() {
     );
     let moved = FrictionImpulse {
         tangential: [2.1, 0.0],
-        twist: 0.0,
+        angular: 0.0,
     };
     let carried = manifold_friction(&moved, &budget, &inverse, &CompactOutline::area());
     assert!((carried.tangential[0] - 1.0).abs() < 1e-6);
@@ -149,11 +149,11 @@ fn static_friction_holds_more_than_it_carries_in_motion() {
 fn one_point_has_no_torque_and_no_load_no_friction() {
     let inverse = InverseMasses {
         tangential: 1.0_f32,
-        twist: 10.0,
+        angular: 10.0,
     };
     let candidate = FrictionImpulse {
         tangential: [0.5, 0.0],
-        twist: 3.0,
+        angular: 3.0,
     };
     let point = FrictionBudget {
         force: 1.0,
@@ -161,16 +161,16 @@ fn one_point_has_no_torque_and_no_load_no_friction() {
         slip: 1.0,
     };
     let carried = manifold_friction(&candidate, &point, &inverse, &CompactOutline::area());
-    assert_eq!((carried.tangential, carried.twist), ([0.5, 0.0], 0.0));
+    assert_eq!((carried.tangential, carried.angular), ([0.5, 0.0], 0.0));
     let none = FrictionBudget {
         force: 0.0,
         ..point
     };
     let carried = manifold_friction(&candidate, &none, &inverse, &CompactOutline::points());
-    assert_eq!((carried.tangential, carried.twist), ([0.0, 0.0], 0.0));
+    assert_eq!((carried.tangential, carried.angular), ([0.0, 0.0], 0.0));
     let nan = FrictionImpulse {
         tangential: [f32::NAN, 0.0],
-        twist: 3.0,
+        angular: 3.0,
     };
     let carried = manifold_friction(
         &nan,
@@ -181,5 +181,5 @@ fn one_point_has_no_torque_and_no_load_no_friction() {
         &inverse,
         &CompactOutline::area(),
     );
-    assert!(carried.tangential[0].is_nan() && carried.twist.is_nan());
+    assert!(carried.tangential[0].is_nan() && carried.angular.is_nan());
 }

@@ -14,34 +14,17 @@ mod build;
 
 pub(crate) use build::halved;
 
-use crate::real::Real;
+use crate::real::{Real, STEPS};
 use core::ops::{Add, Mul, Sub};
 
 /// Octaves of x in the table: 2⁻³² ≤ x < 2³², about.
 const OCTAVES: usize = 64;
 /// The octave of x = 1.
 const OCTAVE_OF_ONE: usize = OCTAVES / 2;
-/// Cells of m, each about a multiple of 1/32; one begins a 64th below 1.
-pub const STEPS: usize = 32;
-/// Binary digits of the number of a cell.
-pub const STEP_BITS: u32 = STEPS.trailing_zeros();
 /// Terms of q.
 const COEFFICIENTS: usize = 8;
 /// Terms of q in single precision.
 const COEFFICIENTS_F32: usize = 5;
-
-/// A number 2^e m as the table needs it.
-#[derive(Clone, Copy, Debug)]
-pub struct Split<R> {
-    /// e; negative ones wrap.
-    pub exponent: usize,
-    /// Cell of m.
-    pub cell: usize,
-    /// The upper digits of m, which is at most a 64th below 1.
-    pub head: R,
-    /// The lower digits of m.
-    pub tail: R,
-}
 
 /// c, and c^(−α) as head and tail.
 #[derive(Clone, Copy, Debug)]
@@ -121,7 +104,9 @@ impl<R: Real> FixedPower<R> {
     #[inline]
     pub fn parts(&self, x: R) -> Option<Parts<R>> {
         let split = x.split();
-        let octave = *self.octaves.get(split.octave())?;
+        let octave = *self
+            .octaves
+            .get(split.exponent.wrapping_add(OCTAVE_OF_ONE))?;
         let cell = &self.cells[split.cell % STEPS];
         Some(Parts {
             head: split.head,
@@ -174,14 +159,6 @@ fn bend<V: Copy + Add<Output = V> + Mul<Output = V>>(
         (e + f * t) + (g + h * t) * square
     };
     lower + upper * (square * square)
-}
-
-impl<R> Split<R> {
-    /// The number of the octave in a table; beyond its end if the table has none.
-    #[inline]
-    fn octave(&self) -> usize {
-        self.exponent.wrapping_add(OCTAVE_OF_ONE)
-    }
 }
 
 /// Powers beyond the table.

@@ -17,7 +17,11 @@ pub fn manifold_friction_bits() -> u64 {
 }
 
 fn impulse<R: Real>(hash: &mut Fnv, carried: &FrictionImpulse<R>) {
-    hash.numbers([carried.tangential[0], carried.tangential[1], carried.twist]);
+    hash.numbers([
+        carried.tangential[0],
+        carried.tangential[1],
+        carried.angular,
+    ]);
 }
 
 /// An area of up to six corners, lines and points among them.
@@ -44,7 +48,7 @@ fn manifolds_of<R: Real + Lanes>(hash: &mut Fnv) {
         hash.numbers(spinning.into_iter().chain(slipping));
         let candidate = FrictionImpulse {
             tangential: [signed(&mut rng), signed(&mut rng)],
-            twist: signed(&mut rng),
+            angular: signed(&mut rng),
         };
         let budget = FrictionBudget {
             force: speed(&mut rng),
@@ -57,7 +61,7 @@ fn manifolds_of<R: Real + Lanes>(hash: &mut Fnv) {
         };
         let inverse = InverseMasses {
             tangential: unit(&mut rng),
-            twist: speed(&mut rng),
+            angular: speed(&mut rng),
         };
         for outline in &compact {
             impulse(

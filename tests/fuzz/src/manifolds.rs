@@ -26,7 +26,7 @@ fn of<R: Real + Lanes>(source: &mut Source) -> Result<(), Broken> {
     let area = ContactArea::of_corners(&corners[..count]);
     let candidate = FrictionImpulse {
         tangential: [source.number(), source.number()],
-        twist: source.number(),
+        angular: source.number(),
     };
     let budget = FrictionBudget {
         force: source.size(),
@@ -39,7 +39,7 @@ fn of<R: Real + Lanes>(source: &mut Source) -> Result<(), Broken> {
     };
     let inverse = InverseMasses {
         tangential: source.positive(),
-        twist: source.size(),
+        angular: source.size(),
     };
     for outline in [
         CompactOutline::area(),
@@ -85,7 +85,7 @@ fn carried<R: Real + Lanes, O: Outline<R>>(
     if !source.is_mild() {
         return Ok(());
     }
-    finite(source, "friction impulse", [x, y, friction.twist])?;
+    finite(source, "friction impulse", [x, y, friction.angular])?;
     let rounding = R::ONE + R::from_f64(64.0) * R::EPSILON;
     let norm = |[x, y]: [R; 2]| x.hypot(y);
     let (force, before) = (norm([x, y]), norm(candidate.tangential));
@@ -94,8 +94,8 @@ fn carried<R: Real + Lanes, O: Outline<R>>(
         force,
         before,
         budget.force,
-        friction.twist,
-        candidate.twist,
+        friction.angular,
+        candidate.angular,
         budget.lever,
         budget.slip,
     ];
@@ -105,7 +105,7 @@ fn carried<R: Real + Lanes, O: Outline<R>>(
         "force within the candidate",
         &numbers,
     )?;
-    let (twist, before) = (Real::abs(friction.twist), Real::abs(candidate.twist));
+    let (twist, before) = (Real::abs(friction.angular), Real::abs(candidate.angular));
     holds(
         twist <= held * budget.lever * rounding,
         "twist within its limit",

@@ -77,7 +77,7 @@ fn worst_error<const STEPS: usize, O: Outline<f32>>(h: [f64; 3], outline: &O) ->
         // F = 2 N s, T = 0.1 N m s, k = 1/kg: kt T² = weight k F².
         let impulse = FrictionImpulse {
             tangential: [(1.2 * p) as f32, (1.6 * p) as f32],
-            twist: (-0.1 * q) as f32,
+            angular: (-0.1 * q) as f32,
         };
         let budget = FrictionBudget {
             force: 2.0,
@@ -86,12 +86,13 @@ fn worst_error<const STEPS: usize, O: Outline<f32>>(h: [f64; 3], outline: &O) ->
         };
         let inverse = InverseMasses {
             tangential: 1.0,
-            twist: (weight * 400.0) as f32,
+            angular: (weight * 400.0) as f32,
         };
         let carried = manifold_friction_in::<STEPS, _, _>(&impulse, &budget, &inverse, outline);
         let [x, y] = carried.tangential.map(f64::from);
         let [force, turn] = nearest(h, weight, candidate);
-        worst = worst.max((x.hypot(y) / 2.0 - force).hypot(f64::from(carried.twist) / -0.1 - turn));
+        worst =
+            worst.max((x.hypot(y) / 2.0 - force).hypot(f64::from(carried.angular) / -0.1 - turn));
     }
     worst
 }
@@ -153,7 +154,7 @@ fn lanes_have_the_bits_of_the_scalar() {
         let (candidate, budget, inverse) = (
             FrictionImpulse {
                 tangential: [side_by_side(0), side_by_side(1)],
-                twist: side_by_side(2),
+                angular: side_by_side(2),
             },
             FrictionBudget {
                 force: side_by_side(3).abs(),
@@ -162,7 +163,7 @@ fn lanes_have_the_bits_of_the_scalar() {
             },
             InverseMasses {
                 tangential: side_by_side(5).abs(),
-                twist: side_by_side(6).abs(),
+                angular: side_by_side(6).abs(),
             },
         );
         let compact = manifold_friction(&candidate, &budget, &inverse, &CompactOutline::area());
@@ -170,7 +171,7 @@ fn lanes_have_the_bits_of_the_scalar() {
         for (n, [p1, p2, twist, force, lever, k, kt]) in lanes.into_iter().enumerate() {
             let candidate = FrictionImpulse {
                 tangential: [p1, p2],
-                twist,
+                angular: twist,
             };
             let budget = FrictionBudget {
                 force: force.abs(),
@@ -179,7 +180,7 @@ fn lanes_have_the_bits_of_the_scalar() {
             };
             let inverse = InverseMasses {
                 tangential: k.abs(),
-                twist: kt.abs(),
+                angular: kt.abs(),
             };
             let one = manifold_friction(&candidate, &budget, &inverse, &CompactOutline::area());
             same_bits(&one, &compact, n);
@@ -199,9 +200,9 @@ fn same_bits(one: &FrictionImpulse<f32>, lanes: &FrictionImpulse<wide::f32x4>, n
         }
     };
     let [p1, p2] = lanes.tangential.map(|p| p.to_array()[n]);
-    let twist = lanes.twist.to_array()[n];
+    let twist = lanes.angular.to_array()[n];
     assert_eq!(one.tangential.map(bits), [bits(p1), bits(p2)]);
-    assert_eq!(bits(one.twist), bits(twist));
+    assert_eq!(bits(one.angular), bits(twist));
 }
 
 /// Travel in m of a body of 1 kg, half sides a and b, thrown along a at 1 m/s with this spin; μg = 3 m/s².
@@ -216,7 +217,7 @@ fn travel([a, b]: [f64; 2], spin: f64) -> f64 {
     };
     let inverse = InverseMasses {
         tangential: 1.0,
-        twist: 1.0 / inertia,
+        angular: 1.0 / inertia,
     };
     let (mut velocity, mut spin, mut angle, mut travel) = ([1.0_f64, 0.0], spin, 0.0_f64, 0.0);
     while velocity != [0.0, 0.0] || spin != 0.0 {
@@ -226,13 +227,13 @@ fn travel([a, b]: [f64; 2], spin: f64) -> f64 {
                 cos * velocity[0] + sin * velocity[1],
                 cos * velocity[1] - sin * velocity[0],
             ],
-            twist: inertia * spin,
+            angular: inertia * spin,
         };
         let friction = manifold_friction(&stopping, &budget, &inverse, &area.outline);
         let [x, y] = friction.tangential;
         let (last, turned) = (velocity, spin);
         velocity = [last[0] - (cos * x - sin * y), last[1] - (sin * x + cos * y)];
-        spin -= friction.twist / inertia;
+        spin -= friction.angular / inertia;
         if friction == stopping {
             (velocity, spin) = ([0.0, 0.0], 0.0);
         }

@@ -57,7 +57,7 @@ pub const MANIFOLD_FRICTION: [Item; 6] = [
         Code::new(
             "Anisotropy::new([a, b])",
             concat!(
-                "{ let last = FrictionImpulse { tangential: [0.0, 0.0], twist: 0.0 };",
+                "{ let last = FrictionImpulse { tangential: [0.0, 0.0], angular: 0.0 };",
                 " let motion = &given.twist;",
                 " let moved = [motion.velocity.x, motion.velocity.y];",
                 " let pushed = object.candidate(&last, moved, motion.spin, &MASSES);",

@@ -39,7 +39,7 @@ impl Digest {
 
     fn impulse(&mut self, impulse: &FrictionImpulse<f32>) {
         let [p1, p2] = impulse.tangential;
-        [p1, p2, impulse.twist]
+        [p1, p2, impulse.angular]
             .into_iter()
             .for_each(|x| self.feed(x));
     }
@@ -74,7 +74,7 @@ fn of_the_kernel() -> u64 {
             .for_each(|x| digest.feed(x));
         let inverse = InverseMasses {
             tangential: digest.size(),
-            twist: digest.size() * 1024.0,
+            angular: digest.size() * 1024.0,
         };
         let (force, lever) = (digest.size(), digest.size());
         let slip = if digest.bits() & 1 == 1 { 1.0 } else { 0.75 };
@@ -82,7 +82,7 @@ fn of_the_kernel() -> u64 {
         let tangential = [digest.either(), digest.either()];
         let candidate = FrictionImpulse {
             tangential,
-            twist: digest.either(),
+            angular: digest.either(),
         };
         for outline in &compact {
             digest.impulse(&manifold_friction(&candidate, &budget, &inverse, outline));

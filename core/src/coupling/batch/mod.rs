@@ -20,19 +20,12 @@ mod ways;
 #[path = "alone.rs"]
 mod ways;
 
-pub(crate) use ways::LaneProfile;
-pub use ways::Laned;
 pub(super) use ways::{drags, jacobians, patch_jacobians, patch_wrenches, wrenches};
 
 use super::{Coupling, ReducedJacobian, ReducedWrench};
+use crate::lanes::{GROUP, Group};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
-
-/// Speeds in a group.
-pub const GROUP: usize = 8;
-
-/// One value for each speed of a group.
-pub type Group<T> = [T; GROUP];
 
 /// Calls `all` with each group of inputs and of outputs; where it answers no outputs, and for what
 /// remains of the slices, each output is `one` of its input. Elements beyond the shorter slice are

@@ -4,12 +4,12 @@ mod patch;
 mod power;
 mod profile;
 mod speeds;
-mod vector;
 
 pub use patch::{patch_jacobians, patch_wrenches};
 pub use profile::LaneProfile;
 pub use speeds::{drags, jacobians, wrenches};
-pub use vector::Laned;
+
+use crate::lanes::Laned;
 
 /// The lanes of a precision.
 type Lanes<R> = <R as Laned>::Lanes;

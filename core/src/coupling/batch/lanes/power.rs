@@ -1,14 +1,14 @@
 //! Powers of a fixed exponent: look-ups lane by lane, the arithmetic in lanes.
 
 use super::Lanes;
-use super::vector::Vector;
+use crate::lanes::{Eight, GROUP, Lanes as _};
 use crate::power::{FixedPower, Parts};
 use crate::real::Real;
 
 /// `x`^α; None where the table does not reach.
 #[inline(always)]
 fn inside<R: Real>(power: &FixedPower<R>, x: Lanes<R>) -> Option<Lanes<R>> {
-    let mut parts = [Parts::default(); super::super::GROUP];
+    let mut parts = [Parts::default(); GROUP];
     for (parts, x) in parts.iter_mut().zip(x.to_array()) {
         *parts = power.parts(x)?;
     }
@@ -20,16 +20,16 @@ fn inside<R: Real>(power: &FixedPower<R>, x: Lanes<R>) -> Option<Lanes<R>> {
         octave: [together(|of| of.octave[0]), together(|of| of.octave[1])],
         cell: [together(|of| of.cell[0]), together(|of| of.cell[1])],
     };
-    let terms = power.terms().map(Lanes::<R>::splat);
-    let found = parts.joined(&terms, Vector::splat(R::ONE), R::IS_SINGLE);
-    found.equal(found).all().then_some(found)
+    let terms = power.terms().map(Lanes::<R>::repeat);
+    let found = parts.joined(&terms, Eight::repeat(R::ONE), R::IS_SINGLE);
+    Lanes::<R>::all(found.equal(found)).then_some(found)
 }
 
 /// [`FixedPower::of`]
 #[inline(always)]
 pub fn of<R: Real>(power: &FixedPower<R>, x: Lanes<R>) -> Option<Lanes<R>> {
     if power.alpha() == R::ZERO {
-        return Some(Vector::splat(R::ONE));
+        return Some(Eight::repeat(R::ONE));
     }
     inside(power, x)
 }
@@ -38,7 +38,7 @@ pub fn of<R: Real>(power: &FixedPower<R>, x: Lanes<R>) -> Option<Lanes<R>> {
 #[inline(always)]
 pub fn rate<R: Real>(power: &FixedPower<R>, x: Lanes<R>) -> Option<Lanes<R>> {
     if power.alpha() == R::ZERO {
-        return Some(Lanes::<R>::splat(R::ONE) / x);
+        return Some(Lanes::<R>::repeat(R::ONE) / x);
     }
     Some(inside(power, x)? / x)
 }

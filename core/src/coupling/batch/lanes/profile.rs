@@ -1,17 +1,16 @@
 //! Tables in lanes.
 
-use super::super::Group;
 use super::speeds::LaneSpeeds;
-use super::vector::Vector;
 use super::{Lanes, power};
 use crate::coupling::disk::{Disk, pure_spin_torque};
 use crate::coupling::family::moment;
 use crate::coupling::octave::Cell;
 use crate::coupling::round::RoundTable;
 use crate::coupling::side::Sides;
-use crate::coupling::table::{Coulomb, Table};
+use crate::coupling::table::{Coulomb, Table, in_own_table};
 use crate::coupling::tip::Exponent;
 use crate::coupling::{Profile, SmoothProfile};
+use crate::lanes::{Eight, Group, Lanes as _};
 use crate::real::Real;
 
 /// [`SmoothProfile`] of a group. Nothing where an argument is out of the ordinary.
@@ -32,7 +31,7 @@ fn of_each<R: Real, const TERMS: usize>(
     cells: &Group<&Cell<R, TERMS>>,
     number: impl Fn(&Cell<R, TERMS>) -> R,
 ) -> Lanes<R> {
-    Vector::new(cells.map(number))
+    Eight::new(cells.map(number))
 }
 
 /// Both functions at `u` from the centers.
@@ -52,7 +51,7 @@ fn value_and_slope<R: Real, const TERMS: usize>(
 ) -> [Lanes<R>; 2] {
     let u = z - of_each(cells, |cell| cell.center);
     let mut phi = of_each(cells, |cell| cell.terms[TERMS - 1][0]);
-    let mut slope = Lanes::<R>::splat(R::ZERO);
+    let mut slope = Lanes::<R>::repeat(R::ZERO);
     for n in (0..TERMS - 1).rev() {
         slope = slope * u + phi;
         phi = phi * u + of_each(cells, |cell| cell.terms[n][0]);
@@ -63,14 +62,14 @@ fn value_and_slope<R: Real, const TERMS: usize>(
 impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Disk<R, E, CELLS, TERMS> {
     #[inline(always)]
     fn cells(&self, z: Lanes<R>) -> Group<&Cell<R, TERMS>> {
-        let z = z.larger(Vector::splat(self.side.least()));
+        let z = z.larger(Eight::repeat(self.side.least()));
         z.to_array().map(|z| self.side.cell_from_least(z))
     }
 
     /// True if none is in the cell of z = 0.
     #[inline(always)]
     fn above_end(&self, z: Lanes<R>) -> bool {
-        z.at_least(Vector::splat(self.side.end())).all()
+        Lanes::<R>::all(z.at_least(Eight::repeat(self.side.end())))
     }
 
     /// The two functions with those of lanes in the cell of z = 0 from `near`.
@@ -88,7 +87,7 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Disk<R, E,
                 [*first, *second] = near(z);
             }
         }
-        [Vector::new(first), Vector::new(second)]
+        [Eight::new(first), Eight::new(second)]
     }
 }
 
@@ -97,7 +96,7 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> LaneProfil
 {
     #[inline(always)]
     fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
-        let one = Lanes::<R>::splat(R::ONE);
+        let one = Lanes::<R>::repeat(R::ONE);
         let (a, h) = (at.slide(), at.ratio);
         let x = h * h;
         let z = one - x;
@@ -107,7 +106,7 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> LaneProfil
             factors = self.with_ends(z, factors, |z| self.bent_force_and_theta(z));
         }
         let [phi, theta] = factors;
-        let spin = Lanes::<R>::splat(pure_spin_torque(self.exponent())) * (one - a * a);
+        let spin = Lanes::<R>::repeat(pure_spin_torque(self.exponent())) * (one - a * a);
         Some([phi, spin * phi + a * h * theta])
     }
 
@@ -120,22 +119,22 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> LaneProfil
         }
         let [phi, slope] = factors;
         let alpha = self.exponent();
-        let inv_n = Lanes::<R>::splat(R::ONE / moment(R::ZERO, alpha));
-        let half = Lanes::<R>::splat(R::HALF * (R::ONE + alpha));
+        let inv_n = Lanes::<R>::repeat(R::ONE / moment(R::ZERO, alpha));
+        let half = Lanes::<R>::repeat(R::HALF * (R::ONE + alpha));
         let theta = inv_n * (half * phi + z * slope);
         let x = at.ratio * at.ratio;
-        let chi = at.slides.select(theta, inv_n * z * phi + x * theta);
+        let chi = Lanes::<R>::select(at.slides, theta, inv_n * z * phi + x * theta);
         Some([phi, slope, chi])
     }
 
     #[inline(always)]
     fn speed_scales(&self, _: Lanes<R>) -> Option<Lanes<R>> {
-        Some(Vector::splat(R::ONE))
+        Some(Eight::repeat(R::ONE))
     }
 
     #[inline(always)]
     fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
-        Some(Lanes::<R>::splat(R::ONE) / speed)
+        Some(Lanes::<R>::repeat(R::ONE) / speed)
     }
 }
 
@@ -161,19 +160,19 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Table<R
 impl<R: Real> LaneProfile<R> for Coulomb {
     #[inline(always)]
     fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
-        R::coulomb_table().drags_and_torques(at)
+        in_own_table!(R, LaneSpeeds<R> => Option<[Lanes<R>; 2]>, |table, at| table.drags_and_torques(&at), *at)
     }
     #[inline(always)]
     fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
-        R::coulomb_table().factors_and_slopes(at)
+        in_own_table!(R, LaneSpeeds<R> => Option<[Lanes<R>; 3]>, |table, at| table.factors_and_slopes(&at), *at)
     }
     #[inline(always)]
     fn speed_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
-        R::coulomb_table().speed_scales(speed)
+        in_own_table!(R, Lanes<R> => Option<Lanes<R>>, |table, speed| table.speed_scales(speed), speed)
     }
     #[inline(always)]
     fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
-        R::coulomb_table().rate_scales(speed)
+        in_own_table!(R, Lanes<R> => Option<Lanes<R>>, |table, speed| table.rate_scales(speed), speed)
     }
 }
 
@@ -210,11 +209,11 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Sides<R, CELLS, TERMS> {
     /// The cells of the side that leads in each lane; none at equal speeds.
     #[inline(always)]
     fn cells_of(&self, at: &LaneSpeeds<R>, z: Lanes<R>) -> Option<Group<&Cell<R, TERMS>>> {
-        if !z.above(Vector::splat(R::ZERO)).all() {
+        if !Lanes::<R>::all(z.above(Eight::repeat(R::ZERO))) {
             return None;
         }
         let mut slides = at.leads();
-        let z = z.larger(Vector::splat(self.sliding.least()));
+        let z = z.larger(Eight::repeat(self.sliding.least()));
         Some(z.to_array().map(|z| {
             let side = if slides & 1 == 0 {
                 &self.spinning

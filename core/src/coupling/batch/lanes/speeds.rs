@@ -1,8 +1,7 @@
 //! The speeds of a group in units of the larger ones, and what profiles make of them.
 
-use super::super::Group;
-use super::vector::Vector;
 use super::{LaneProfile, Lanes};
+use crate::lanes::{Eight, Group, Lanes as _};
 use crate::real::Real;
 
 /// [`crate::coupling::Speeds`] of a group.
@@ -20,33 +19,33 @@ impl<R: Real> LaneSpeeds<R> {
     /// v/m
     #[inline(always)]
     pub fn slide(&self) -> Lanes<R> {
-        self.slides.select(Vector::splat(R::ONE), self.ratio)
+        Lanes::<R>::select(self.slides, Eight::repeat(R::ONE), self.ratio)
     }
 
     /// w/m
     #[inline(always)]
     pub fn rim(&self) -> Lanes<R> {
-        self.slides.select(self.ratio, Vector::splat(R::ONE))
+        Lanes::<R>::select(self.slides, self.ratio, Eight::repeat(R::ONE))
     }
 
     /// A bit for each lane in which sliding leads, as [`crate::coupling::Speeds::lead`] tells it:
     /// not where h was rounded to 1.
     #[inline(always)]
     pub fn leads(&self) -> u32 {
-        (self.slides & Lanes::<R>::splat(R::ONE).above(self.ratio)).bits()
+        (self.slides & Lanes::<R>::repeat(R::ONE).above(self.ratio)).bits()
     }
 
     /// z = 1 − h²
     #[inline(always)]
     pub fn complement(&self) -> Lanes<R> {
-        self.gap * (Lanes::<R>::splat(R::ONE) + self.ratio)
+        self.gap * (Lanes::<R>::repeat(R::ONE) + self.ratio)
     }
 }
 
 /// Masks scales with which a product can be formed at once.
 #[inline(always)]
 pub fn are_ordinary<R: Real>(scale: Lanes<R>) -> Lanes<R> {
-    scale.at_least(Vector::splat(R::MIN_POSITIVE)) & Lanes::<R>::splat(R::INFINITY).above(scale)
+    scale.at_least(Eight::repeat(R::MIN_POSITIVE)) & Lanes::<R>::repeat(R::INFINITY).above(scale)
 }
 
 /// F/v and T of ordinary speeds.
@@ -58,7 +57,7 @@ pub fn drags<R: Real, P: LaneProfile<R>>(
 ) -> Option<[Group<R>; 2]> {
     let [slide, rim] = [slides, rims].map(|speeds| Lanes::<R>::new(*speeds));
     let (major, minor) = (slide.larger(rim), slide.smaller(rim));
-    let per_major = Lanes::<R>::splat(R::ONE) / major;
+    let per_major = Lanes::<R>::repeat(R::ONE) / major;
     let at = LaneSpeeds {
         slides: slide.above(rim),
         ratio: minor * per_major,
@@ -67,11 +66,11 @@ pub fn drags<R: Real, P: LaneProfile<R>>(
     let scale = profile.speed_scales(major)?;
     let per_speed = scale * per_major;
     let ordinary = are_ordinary::<R>(scale) & are_ordinary::<R>(per_speed);
-    if !(scale.equal(Vector::splat(R::ONE)) | ordinary).all() {
+    if !Lanes::<R>::all(scale.equal(Eight::repeat(R::ONE)) | ordinary) {
         return None;
     }
     let [drag, torque] = profile.drags_and_torques(&at)?;
-    Some([per_speed * drag, scale * torque].map(Vector::to_array))
+    Some([per_speed * drag, scale * torque].map(Eight::to_array))
 }
 
 /// The speeds of a group, divided one by one.
@@ -86,14 +85,14 @@ struct Divided<R: Real> {
 #[inline(always)]
 fn divided<R: Real>(slides: &Group<R>, rims: &Group<R>) -> Option<Divided<R>> {
     let [slide, rim] = [slides, rims].map(|speeds| Lanes::<R>::new(*speeds).abs());
-    let [none, infinite] = [R::ZERO, R::INFINITY].map(Lanes::<R>::splat);
+    let [none, infinite] = [R::ZERO, R::INFINITY].map(Lanes::<R>::repeat);
     let finite = infinite.above(slide) & infinite.above(rim);
     let (major, minor) = (slide.larger(rim), slide.smaller(rim));
-    if !(finite & major.above(none)).all() {
+    if !Lanes::<R>::all(finite & major.above(none)) {
         return None;
     }
     let ratio = minor / major;
-    let square_is_normal = (ratio * ratio).at_least(Vector::splat(R::MIN_POSITIVE));
+    let square_is_normal = (ratio * ratio).at_least(Eight::repeat(R::MIN_POSITIVE));
     Some(Divided {
         at: LaneSpeeds {
             slides: slide.above(rim),
@@ -118,12 +117,12 @@ pub fn wrenches<R: Real, P: LaneProfile<R>>(
         resolved,
     } = divided(slides, rims)?;
     let scale = profile.speed_scales(major)?;
-    let may_be_scaled = scale.equal(Vector::splat(R::ONE)) | (are_ordinary::<R>(scale) & resolved);
-    if !may_be_scaled.all() {
+    let may_be_scaled = scale.equal(Eight::repeat(R::ONE)) | (are_ordinary::<R>(scale) & resolved);
+    if !Lanes::<R>::all(may_be_scaled) {
         return None;
     }
     let [drag, torque] = profile.drags_and_torques(&at)?;
-    Some([scale * (at.slide() * drag), scale * torque].map(Vector::to_array))
+    Some([scale * (at.slide() * drag), scale * torque].map(Eight::to_array))
 }
 
 /// F/v, ∂F/∂v, ∂F/∂w and ∂T/∂w.
@@ -139,19 +138,19 @@ pub fn jacobians<R: Real, P: LaneProfile<R>>(
         resolved,
     } = divided(slides, rims)?;
     let scale = profile.rate_scales(major)?;
-    if !(are_ordinary::<R>(scale) & resolved).all() {
+    if !Lanes::<R>::all(are_ordinary::<R>(scale) & resolved) {
         return None;
     }
     let [phi, slope, chi] = profile.factors_and_slopes(&at)?;
     let h = at.ratio;
-    let alpha = Lanes::<R>::splat(profile.exponent());
-    let beta = Lanes::<R>::splat(R::ONE - profile.exponent());
-    let bend = Lanes::<R>::splat(R::TWO) * slope;
+    let alpha = Lanes::<R>::repeat(profile.exponent());
+    let beta = Lanes::<R>::repeat(R::ONE - profile.exponent());
+    let bend = Lanes::<R>::repeat(R::TWO) * slope;
     let x_bend = h * h * bend;
     let mixed = -h * (beta * phi + x_bend);
-    let force_slide = at.slides.select(alpha * phi - x_bend, phi + x_bend);
-    let turned = at.slides.select(bend, h * mixed);
-    let mixed = at.slides.select(h * bend, mixed);
+    let force_slide = Lanes::<R>::select(at.slides, alpha * phi - x_bend, phi + x_bend);
+    let turned = Lanes::<R>::select(at.slides, bend, h * mixed);
+    let mixed = Lanes::<R>::select(at.slides, h * bend, mixed);
     let all = [phi, force_slide, mixed, alpha * chi - turned];
     Some(all.map(|entry| (scale * entry).to_array()))
 }

@@ -1,6 +1,32 @@
-//! Numbers side by side: one function body for a manifold and for four or eight of them.
+//! Numbers side by side: one function body for one of them, and for four or eight at once.
+//!
+//! It knows no physics and no other room: the scalar of the kernel, [`crate::real`], stands on it.
+
+#[cfg_attr(
+    not(any(
+        target_feature = "sse2",
+        all(target_arch = "aarch64", target_feature = "neon"),
+        target_feature = "simd128"
+    )),
+    path = "alone.rs"
+)]
+mod vectors;
+
+#[cfg(any(
+    target_feature = "sse2",
+    all(target_arch = "aarch64", target_feature = "neon"),
+    target_feature = "simd128"
+))]
+pub(crate) use vectors::Eight;
+pub(crate) use vectors::Laned;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Numbers in a group.
+pub(crate) const GROUP: usize = 8;
+
+/// One value for each number of a group.
+pub(crate) type Group<T> = [T; GROUP];
 
 /// A number, or several numbers side by side that are computed independently.
 ///
@@ -55,7 +81,7 @@ pub trait Lanes:
 }
 
 macro_rules! one_lane {
-    ($real:ty) => {
+    ($real:ty, $sqrt:path, $abs:path) => {
         impl Lanes for $real {
             type Mask = bool;
 
@@ -65,11 +91,11 @@ macro_rules! one_lane {
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
-                crate::real::Real::sqrt(self)
+                $sqrt(self)
             }
             #[inline(always)]
             fn abs(self) -> Self {
-                crate::real::Real::abs(self)
+                $abs(self)
             }
             #[inline(always)]
             fn below(self, other: Self) -> bool {
@@ -90,75 +116,5 @@ macro_rules! one_lane {
         }
     };
 }
-one_lane!(f32);
-one_lane!(f64);
-
-#[cfg(any(
-    target_feature = "sse2",
-    all(target_arch = "aarch64", target_feature = "neon"),
-    target_feature = "simd128"
-))]
-mod vectors {
-    use super::Lanes;
-    use wide::{f32x4, f32x8};
-
-    macro_rules! lanes {
-        ($lanes:ty) => {
-            impl Lanes for $lanes {
-                type Mask = Self;
-
-                #[inline(always)]
-                fn splat(value: f32) -> Self {
-                    <$lanes>::splat(value)
-                }
-                #[inline(always)]
-                fn sqrt(self) -> Self {
-                    self.sqrt()
-                }
-                #[inline(always)]
-                fn abs(self) -> Self {
-                    self.abs()
-                }
-                #[inline(always)]
-                fn below(self, other: Self) -> Self {
-                    self.simd_lt(other)
-                }
-                #[inline(always)]
-                fn at_most(self, other: Self) -> Self {
-                    self.simd_le(other)
-                }
-                #[inline(always)]
-                fn select(mask: Self, yes: Self, no: Self) -> Self {
-                    <$lanes>::select(mask, yes, no)
-                }
-                #[inline(always)]
-                fn all(mask: Self) -> bool {
-                    mask.all()
-                }
-                // One instruction each, of the same meaning.
-                #[cfg(target_feature = "sse2")]
-                #[inline(always)]
-                fn smaller(self, other: Self) -> Self {
-                    other.fast_min(self)
-                }
-                #[cfg(target_feature = "sse2")]
-                #[inline(always)]
-                fn larger(self, other: Self) -> Self {
-                    other.fast_max(self)
-                }
-                #[cfg(target_feature = "simd128")]
-                #[inline(always)]
-                fn smaller(self, other: Self) -> Self {
-                    self.fast_min(other)
-                }
-                #[cfg(target_feature = "simd128")]
-                #[inline(always)]
-                fn larger(self, other: Self) -> Self {
-                    self.fast_max(other)
-                }
-            }
-        };
-    }
-    lanes!(f32x4);
-    lanes!(f32x8);
-}
+one_lane!(f32, tribos_sqrt::sqrtf, libm::fabsf);
+one_lane!(f64, libm::sqrt, libm::fabs);

@@ -1,14 +1,14 @@
-//! Eight numbers side by side; every operation rounds as the scalar one does.
+//! Lanes of the processor's vectors; every operation rounds as the scalar one does.
 
-use super::super::Group;
+use super::{Group, Lanes};
 use core::fmt::Debug;
-use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
+use core::ops::{Add, BitAnd, BitOr, Mul};
 use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8};
 
 /// A precision whose numbers go in lanes.
 pub trait Laned: Sized {
     /// Eight of its numbers.
-    type Lanes: Vector<Real = Self>;
+    type Lanes: Eight<Real = Self>;
 
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, side by side.
     fn sums<const TERMS: usize>(pairs: &[[Self; 2]; TERMS], u: Self) -> [Self; 2];
@@ -37,60 +37,38 @@ impl Laned for f32 {
 }
 
 /// Eight numbers, or a mask of ones or zeros for each.
-///
-/// Comparisons with NaN are false.
-pub trait Vector:
-    Copy
-    + Debug
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-    + BitAnd<Output = Self>
-    + BitOr<Output = Self>
-{
+pub trait Eight: Lanes<Mask = Self> + Debug + BitAnd<Output = Self> + BitOr<Output = Self> {
     /// A lane.
     type Real;
 
     fn new(numbers: Group<Self::Real>) -> Self;
-    fn splat(number: Self::Real) -> Self;
+    /// The same number in every lane.
+    fn repeat(number: Self::Real) -> Self;
     fn to_array(self) -> Group<Self::Real>;
-    fn sqrt(self) -> Self;
-    fn abs(self) -> Self;
-    /// *Domain*: no NaN, no zeros of different sign.
-    fn larger(self, other: Self) -> Self;
-    /// *Domain*: that of [`Vector::larger`].
-    fn smaller(self, other: Self) -> Self;
-    fn above(self, other: Self) -> Self;
-    fn at_least(self, other: Self) -> Self;
     fn equal(self, other: Self) -> Self;
-    /// `yes` where this mask has ones.
-    fn select(self, yes: Self, no: Self) -> Self;
-    /// True if every lane of this mask has ones.
-    fn all(self) -> bool;
     /// The mask, a bit a lane.
     fn bits(self) -> u32;
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, of the pairs (aₙ, bₙ) that each lane has.
     fn sums<const TERMS: usize>(pairs: Group<&[[Self::Real; 2]; TERMS]>, u: Self) -> [Self; 2];
+
+    #[inline(always)]
+    fn above(self, other: Self) -> Self {
+        other.below(self)
+    }
+    #[inline(always)]
+    fn at_least(self, other: Self) -> Self {
+        other.at_most(self)
+    }
 }
 
-macro_rules! vector {
-    ($lanes:ty, $real:ty, $sums:path, $parts:ty, |$part:ident| $joined:expr) => {
-        impl Vector for $lanes {
-            type Real = $real;
+macro_rules! lanes {
+    ($lanes:ty, $splat:expr, |$mask:ident| $all:expr) => {
+        impl Lanes for $lanes {
+            type Mask = Self;
 
             #[inline(always)]
-            fn new(numbers: Group<$real>) -> Self {
-                <$lanes>::new(numbers)
-            }
-            #[inline(always)]
-            fn splat(number: $real) -> Self {
-                <$lanes>::splat(number)
-            }
-            #[inline(always)]
-            fn to_array(self) -> Group<$real> {
-                self.to_array()
+            fn splat(value: f32) -> Self {
+                $splat(value)
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
@@ -101,33 +79,75 @@ macro_rules! vector {
                 self.abs()
             }
             #[inline(always)]
-            fn larger(self, other: Self) -> Self {
-                self.fast_max(other)
+            fn below(self, other: Self) -> Self {
+                self.simd_lt(other)
             }
+            #[inline(always)]
+            fn at_most(self, other: Self) -> Self {
+                self.simd_le(other)
+            }
+            #[inline(always)]
+            fn select(mask: Self, yes: Self, no: Self) -> Self {
+                <$lanes>::select(mask, yes, no)
+            }
+            #[inline(always)]
+            fn all($mask: Self) -> bool {
+                $all
+            }
+            // One instruction each, of the same meaning.
+            #[cfg(target_feature = "sse2")]
+            #[inline(always)]
+            fn smaller(self, other: Self) -> Self {
+                other.fast_min(self)
+            }
+            #[cfg(target_feature = "sse2")]
+            #[inline(always)]
+            fn larger(self, other: Self) -> Self {
+                other.fast_max(self)
+            }
+            #[cfg(target_feature = "simd128")]
             #[inline(always)]
             fn smaller(self, other: Self) -> Self {
                 self.fast_min(other)
             }
+            #[cfg(target_feature = "simd128")]
             #[inline(always)]
-            fn above(self, other: Self) -> Self {
-                self.simd_gt(other)
+            fn larger(self, other: Self) -> Self {
+                self.fast_max(other)
+            }
+        }
+    };
+}
+lanes!(f32x4, f32x4::splat, |mask| mask.all());
+lanes!(f32x8, f32x8::splat, |mask| {
+    let part: [f32x4; 2] = bytemuck::cast(mask);
+    (part[0] & part[1]).all()
+});
+lanes!(f64x8, |value| f64x8::splat(f64::from(value)), |mask| {
+    let part: [f64x2; 4] = bytemuck::cast(mask);
+    ((part[0] & part[1]) & (part[2] & part[3])).all()
+});
+
+macro_rules! eight {
+    ($lanes:ty, $real:ty, $sums:path) => {
+        impl Eight for $lanes {
+            type Real = $real;
+
+            #[inline(always)]
+            fn new(numbers: Group<$real>) -> Self {
+                <$lanes>::new(numbers)
             }
             #[inline(always)]
-            fn at_least(self, other: Self) -> Self {
-                self.simd_ge(other)
+            fn repeat(number: $real) -> Self {
+                <$lanes>::splat(number)
+            }
+            #[inline(always)]
+            fn to_array(self) -> Group<$real> {
+                self.to_array()
             }
             #[inline(always)]
             fn equal(self, other: Self) -> Self {
                 self.simd_eq(other)
-            }
-            #[inline(always)]
-            fn select(self, yes: Self, no: Self) -> Self {
-                <$lanes>::select(self, yes, no)
-            }
-            #[inline(always)]
-            fn all(self) -> bool {
-                let $part: $parts = bytemuck::cast(self);
-                ($joined).all()
             }
             #[inline(always)]
             fn bits(self) -> u32 {
@@ -140,10 +160,8 @@ macro_rules! vector {
         }
     };
 }
-
-vector!(f64x8, f64, double_sums, [f64x2; 4], |of| (of[0] & of[1])
-    & (of[2] & of[3]));
-vector!(f32x8, f32, single_sums, [f32x4; 2], |of| of[0] & of[1]);
+eight!(f64x8, f64, double_sums);
+eight!(f32x8, f32, single_sums);
 
 /// Both functions of a contact lie next to each other, and those of the next contact beside them: a
 /// coefficient is loaded, not gathered.
