@@ -7,8 +7,6 @@
 pub mod md;
 pub mod tip;
 
-use tribos_base::{golden, random, record, run, space};
-
 /// The scene of a tip.
 pub mod scene {
     pub use crate::tip::scene::{

@@ -8,5 +8,3 @@ pub mod cd;
 pub mod event;
 pub mod problem;
 pub mod soft;
-
-use tribos_base::{random, record, space};

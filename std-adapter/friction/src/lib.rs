@@ -93,7 +93,6 @@ pub use visit::{RoundPower, Visitor, leaning, upright, visit};
 
 use quadrature::{ByNodes, DiskOfAnyLaw};
 use std::fmt;
-use tribos_base::{record, scene};
 use tribos_core::coupling::{
     Annulus, Coupling, Lateral, PatchFriction, ReducedJacobian, ReducedWrench,
 };

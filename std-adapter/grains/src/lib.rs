@@ -10,9 +10,6 @@ pub mod measure;
 pub mod packing;
 pub mod powder;
 
-use tribos_base::{exchange, golden, random, record, run, space};
-use tribos_contacts::{cd, event, problem, soft};
-
 /// The scenes of all of them.
 pub mod scene {
     pub use crate::gas::scene::{GasMethod, GasScene};

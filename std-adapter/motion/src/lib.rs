@@ -9,11 +9,6 @@ pub mod push;
 pub mod slide;
 pub mod stick;
 
-#[cfg(test)]
-use tribos_base::random;
-use tribos_base::{golden, record, run};
-use tribos_friction as friction;
-
 /// The scenes of all of them.
 pub mod scene {
     pub use crate::push::scene::PushScene;

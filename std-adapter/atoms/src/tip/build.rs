@@ -9,10 +9,10 @@ use crate::md::pair::{LennardJones, LennardJonesError, Mixing, Pairing};
 use crate::md::support::Support;
 use crate::md::system::Setup;
 use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat, ThermostatError};
-use crate::space::{PeriodicBox, PeriodicBoxError};
 use crate::tip::scene::{BathKind, BathSpin, DriveKind, DrivenHold, Reading, TipScene};
 use nalgebra::Vector3;
 use tribos_base::scene::InvalidScene;
+use tribos_base::space::{PeriodicBox, PeriodicBoxError};
 
 /// Stream of the initial velocities, separate from the noise of the steps.
 const FIRST: u64 = u64::MAX;

@@ -4,10 +4,10 @@ use super::loops::{Loops, Totals, counts};
 use super::shape::Part;
 use super::watch;
 use crate::md::system::State;
-use crate::record::kept::{damaged, hex, numbers, opened, triple, vectors};
-use crate::record::{CheckpointError, sealed};
 use crate::tip::scene::TipScene;
 use serde_json::Map;
+use tribos_base::record::kept::{damaged, hex, numbers, opened, triple, vectors};
+use tribos_base::record::{CheckpointError, sealed};
 
 /// Version of the format.
 const VERSION: u64 = 3;

@@ -5,12 +5,12 @@ use super::run::TipError;
 use super::shape::{Outline, Part};
 use crate::md::interaction::Wanted;
 use crate::md::system::System;
-use crate::run::RunSize;
-use crate::space::PeriodicBox;
-use crate::space::pairs::neighbours;
 use crate::tip::scene::{BathKind, DrivenHold, StageSteps, TipScene};
 use nalgebra::Vector3;
 use std::time::Instant;
+use tribos_base::run::RunSize;
+use tribos_base::space::PeriodicBox;
+use tribos_base::space::pairs::neighbours;
 
 /// Size and cost of a scene. *Units*: times in s on one core of this machine.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Where the work of the drive went.
 
-use crate::record::json_number;
 use serde_json::{Value, json};
+use tribos_base::record::json_number;
 
 /// Where the drive's energy went, in ε; NaN where a stage is missing.
 ///

@@ -7,9 +7,9 @@ use crate::md::configuration::Configuration;
 use crate::md::lammps::data_file;
 use crate::md::pair::Shift;
 use crate::md::system::Integrator;
-use crate::record::number;
 use crate::tip::scene::{BathKind, DriveKind, DrivenHold, StageSteps, TipScene};
 use nalgebra::Vector3;
+use tribos_base::record::number;
 
 /// Room above and below the atoms in the box of the files, in σ.
 const ROOM: f64 = 10.0;

@@ -1,7 +1,7 @@
 //! A turned tip as frames of a film.
 
 use super::run::TipRun;
-use crate::record::frames::{Bodies, Frame, Kind};
+use tribos_base::record::frames::{Bodies, Frame, Kind};
 
 impl TipRun {
     /// The data that all frames share, with at most `limit` frames. Atoms are balls that touch in

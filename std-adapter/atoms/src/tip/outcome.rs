@@ -5,11 +5,11 @@ use super::loops::Loops;
 use super::slid::{Look, Slid};
 use super::start::{Columns, Start};
 use super::{TipError, TipRun};
-use crate::golden::{Measure, Measurement, digest};
-use crate::record::json_number;
-use crate::run::drive;
 use crate::tip::scene::{DriveKind, StageSteps, TipScene};
 use serde_json::{Value, json};
+use tribos_base::golden::{Measure, Measurement, digest};
+use tribos_base::record::json_number;
+use tribos_base::run::drive;
 
 /// Column of the driven layers' angle.
 const ANGLE: usize = 1;

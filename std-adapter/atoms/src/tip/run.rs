@@ -10,10 +10,10 @@ use super::watch::{Watch, interval};
 use crate::md::interaction::Wanted;
 use crate::md::observe::{heat_energy, temperature};
 use crate::md::system::{System, SystemError};
-use crate::record::CheckpointError;
-use crate::run::Simulation;
 use crate::tip::scene::{DriveKind, TipScene};
 use nalgebra::Vector3;
+use tribos_base::record::CheckpointError;
+use tribos_base::run::Simulation;
 
 /// First columns of the series.
 const FIXED_COLUMNS: [&str; 7] = [

@@ -2,8 +2,8 @@
 
 use crate::md::pair::Shift;
 use crate::md::system::Integrator;
-use crate::record::brief;
 use crate::tip::{Face, LAYERS_OF_A_KIND, Outline, Potential, Shape};
+use tribos_base::record::brief;
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{self, Domain, Domain::*, MOST_SEEDS, Need::*, reads};
 use tribos_base::scene::reader::Judge;

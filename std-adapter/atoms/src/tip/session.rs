@@ -1,10 +1,10 @@
 //! Turned tips as long runs.
 
 use super::{TipError, TipRun};
-use crate::record::frames::{Bodies, Frame};
-use crate::run::{Cause, LongRun};
 use crate::tip::scene::TipScene;
 use std::ops::ControlFlow;
+use tribos_base::record::frames::{Bodies, Frame};
+use tribos_base::run::{Cause, LongRun};
 
 impl LongRun for TipRun {
     type Scene = TipScene;

@@ -1,9 +1,9 @@
 //! A slid tip: the friction loop, its stick and slip, and where the work of the support went.
 
 use super::loops::{Loops, Totals};
-use crate::record::json_number;
 use crate::tip::scene::TipScene;
 use serde_json::{Value, json};
+use tribos_base::record::json_number;
 
 /// Part of a stroke that is left out of means: the spring unloads and loads after a turning point.
 const TURNED: f64 = 0.5;

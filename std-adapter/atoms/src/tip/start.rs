@@ -1,7 +1,7 @@
 //! How well the tip is in equilibrium at the moment the drive begins.
 
-use crate::record::json_number;
 use serde_json::{Value, json};
+use tribos_base::record::json_number;
 
 /// The tip before the drive: means over the last 20 τ of the first stage, closer to its start if it
 /// is shorter. In equilibrium forces and torque are 0 within their errors, and nothing drifts.

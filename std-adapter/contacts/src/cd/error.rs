@@ -1,7 +1,7 @@
 //! Why a world cannot start or continue.
 
-use crate::record::brief;
-use crate::space::pairs::NeighbourError;
+use tribos_base::record::brief;
+use tribos_base::space::pairs::NeighbourError;
 use tribos_core::contact::TouchError;
 
 /// Why a world cannot start or continue.

@@ -84,8 +84,8 @@ fn rounding<M: ContactModes<f64>>(link: &Link<M>, velocities: [[Vector3<f64>; 2]
 mod tests {
     use crate::cd::internals::Coefficients;
     use crate::cd::{Laws, Method, Setup, Solver, StepLimits, StepReport, Wall, World, solid};
-    use crate::space::PeriodicBox;
     use nalgebra::Vector3;
+    use tribos_base::space::PeriodicBox;
     use tribos_core::contact::{Cohesion, ContactFriction, NormalLaw, Sphere, Thresholds};
 
     /// One step of a column of touching spheres that falls on the floor, the highest fastest, while sliding

@@ -1,7 +1,7 @@
 //! Non-linear Gauss–Seidel: contacts solved one after the other until a stopping rule is met.
 
 use super::operator::{GlobalChange, LocalChange, NoMonitor, Operator, Visit};
-use crate::random::Random;
+use tribos_base::random::Random;
 
 /// Order in which a sweep visits the contacts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

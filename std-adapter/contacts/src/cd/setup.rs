@@ -5,8 +5,8 @@ use super::mixture::{LawBook, Mixture};
 use super::shear::flow;
 use super::solver::Solver;
 use super::wall::{UNIT, Wall};
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{NormalLaw, Sphere};
 
 /// Laws of one kind of contact.

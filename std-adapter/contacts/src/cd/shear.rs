@@ -7,8 +7,8 @@
 use super::energy::kinetic_energy;
 use super::residual::Coefficients;
 use super::world::World;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{ContactFriction, Sphere};
 
 /// Velocity of the flow at a height in a cell.

@@ -2,9 +2,9 @@
 
 use super::internals::Coefficients;
 use super::{Laws, Method, Setup, Solver, StepLimits, Wall, World, WorldError, solid};
-use crate::random::Random;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::random::Random;
+use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{
     AllModes, Cohesion, ContactFriction, NormalLaw, Sliding, Sphere, Thresholds,
 };

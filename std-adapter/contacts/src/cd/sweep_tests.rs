@@ -6,8 +6,8 @@ use super::internals::{
 use super::schedule::BLOCK;
 use super::solid;
 use super::sweep::WORTHWHILE;
-use crate::random::Random;
 use nalgebra::Vector3;
+use tribos_base::random::Random;
 use tribos_core::contact::{
     Attraction, Cohesion, Contact, ContactFriction, NormalLaw, Sphere, Thresholds, Touch,
 };

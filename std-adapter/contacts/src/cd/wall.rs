@@ -1,7 +1,7 @@
 //! Walls and pistons.
 
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::space::PeriodicBox;
 use tribos_core::contact::Plate;
 
 /// Largest deviation of a unit normal's length from 1.

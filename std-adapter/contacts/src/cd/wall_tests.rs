@@ -2,10 +2,10 @@
 
 use super::wall::{Facing, Rectangle, Wall};
 use super::{Laws, Method, Setup, Solver, StepLimits, World, WorldError, solid};
-use crate::random::Random;
 use crate::soft;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::random::Random;
+use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{Cohesion, NormalLaw, Sliding, Thresholds};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;

@@ -12,9 +12,9 @@ use super::sleep::Sleep;
 use super::solver::{Answer, Workspace};
 use super::spheres::Spheres;
 use super::wall::Wall;
-use crate::space::pairs::Cells;
 use nalgebra::Vector3;
 use std::sync::Arc;
+use tribos_base::space::pairs::Cells;
 use tribos_core::contact::{ContactFriction, ContactModes, Plate, Sphere};
 
 /// Report of one step.

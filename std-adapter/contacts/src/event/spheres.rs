@@ -4,9 +4,9 @@ use super::body::{Body, DIAMETER_SQ};
 use super::cells::Cells;
 use super::impact::{Impact, Motion};
 use super::queue::{CELL, Event, Queue};
-use crate::space::PeriodicBox;
-use crate::space::pairs::neighbours;
 use nalgebra::Vector3;
+use tribos_base::space::PeriodicBox;
+use tribos_base::space::pairs::neighbours;
 
 /// Overlap of spheres that is refused, in R: more than the rounding of a start from elsewhere.
 const OVERLAP: f64 = 1e-6;

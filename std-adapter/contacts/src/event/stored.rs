@@ -5,10 +5,10 @@
 use super::body::Body;
 use super::impact::{Impact, Motion};
 use super::spheres::{HardSpheres, Totals};
-use crate::record::CheckpointError;
-use crate::record::kept::{damaged, groups, hex, numbers};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
+use tribos_base::record::CheckpointError;
+use tribos_base::record::kept::{damaged, groups, hex, numbers};
 
 /// Numbers of a sphere and of the totals.
 const BODY: usize = 14;

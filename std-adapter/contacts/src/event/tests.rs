@@ -1,9 +1,9 @@
 //! Tests of hard spheres.
 
 use super::*;
-use crate::random::Random;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
+use tribos_base::random::Random;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -258,8 +258,8 @@ fn momentum_and_the_energy_balance_are_kept() -> Tested {
         assert!((before.1 - after.1 - gas.lost()).abs() < 1e-11 * before.1);
         let places = gas.places();
         let radii = vec![1.0; places.len()];
-        let space = crate::space::PeriodicBox::new([Some(15.0); 3])?;
-        let overlapping = crate::space::pairs::neighbours(&space, &places, &radii, -1e-12)?;
+        let space = tribos_base::space::PeriodicBox::new([Some(15.0); 3])?;
+        let overlapping = tribos_base::space::pairs::neighbours(&space, &places, &radii, -1e-12)?;
         assert!(overlapping.is_empty());
     }
     Ok(())

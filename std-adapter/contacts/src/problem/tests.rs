@@ -2,8 +2,8 @@
 
 use super::{ContactLaw, Ending, Friction, Global, Layout, Matrix, Method, Reduced, Settings};
 use super::{ProblemError, Solution, residual, solve};
-use crate::random::Random;
 use nalgebra::{DMatrix, DVector};
+use tribos_base::random::Random;
 
 /// Problems that are squeezed; 10,000 take a minute and a half.
 const SQUEEZED: u64 = 100;

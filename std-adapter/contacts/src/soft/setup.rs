@@ -3,8 +3,8 @@
 use super::contact::Law;
 use super::law::{Stiffness, damping};
 use crate::cd::{self, Laws, StepLimits, Wall, WorldError};
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{Attraction, Sphere};
 
 /// Parameters of a world of soft spheres at time 0.

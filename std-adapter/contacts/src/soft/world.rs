@@ -4,10 +4,10 @@ use super::contact::{Energies, Law, Motion, SoftContact};
 use super::setup::Setup;
 use super::step_length::{StepLength, fastest};
 use crate::cd::{EnergyBalance, Facing, Iterations, StepReport, Wall, WorldError};
-use crate::space::PeriodicBox;
-use crate::space::pairs::Cells;
 use nalgebra::Vector3;
 use rayon::prelude::*;
+use tribos_base::space::PeriodicBox;
+use tribos_base::space::pairs::Cells;
 use tribos_core::contact::{Body, ContactFriction, ContactModes, Modal, Sphere, Touch, TouchError};
 
 /// The complete state of a world of soft spheres: a run continues from it with identical bits.

@@ -3,9 +3,9 @@
 use super::medium::Kept;
 use super::run::{Ending, Row};
 use crate::gas::scene::GasScene;
-use crate::record::kept::{damaged, groups, hex, one, opened};
-use crate::record::{CheckpointError, sealed};
 use serde_json::{Map, Value};
+use tribos_base::record::kept::{damaged, groups, hex, one, opened};
+use tribos_base::record::{CheckpointError, sealed};
 
 /// Version of the format.
 const VERSION: u64 = 1;

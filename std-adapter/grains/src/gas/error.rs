@@ -1,11 +1,11 @@
 //! Errors of a gas.
 
-use crate::cd::WorldError;
-use crate::event::{EventError, ImpactError};
 use crate::packing::PackingError;
-use crate::record::CheckpointError;
-use crate::space::PeriodicBoxError;
+use tribos_base::record::CheckpointError;
 use tribos_base::scene::InvalidScene;
+use tribos_base::space::PeriodicBoxError;
+use tribos_contacts::cd::WorldError;
+use tribos_contacts::event::{EventError, ImpactError};
 use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
 

@@ -2,7 +2,7 @@
 
 use super::run::Gas;
 use super::stepped::DENSITY;
-use crate::record::frames::{Bodies, Frame, Kind};
+use tribos_base::record::frames::{Bodies, Frame, Kind};
 
 impl Gas {
     /// Data common to all frames of the film, which keeps at most `limit` of them.

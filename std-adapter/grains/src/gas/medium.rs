@@ -4,11 +4,11 @@ use super::error::GasError;
 use super::room::edge;
 use super::state::GasState;
 use super::stepped::{KeptSteps, Stepped};
-use crate::event::{Advance, HardSpheres, Motion, Stored};
 use crate::gas::scene::{GasMethod, GasScene};
-use crate::record::CheckpointError;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
+use tribos_base::record::CheckpointError;
+use tribos_contacts::event::{Advance, HardSpheres, Motion, Stored};
 
 /// A gas in motion.
 #[derive(Debug)]

@@ -17,7 +17,6 @@ mod stepped;
 #[cfg(test)]
 mod tests;
 
-pub use crate::record::CheckpointError;
 pub use error::GasError;
 pub use outcome::Outcome;
 pub(crate) use room::edge;
@@ -28,3 +27,4 @@ pub use run::{Ending, Gas};
 pub use size::size;
 #[doc(hidden)]
 pub use soft::{SoftCollision, soft_collision};
+pub use tribos_base::record::CheckpointError;

@@ -3,10 +3,10 @@
 use super::error::GasError;
 use super::run::{COLUMNS, Ending, Gas};
 use crate::gas::scene::GasScene;
-use crate::golden::{Measure, Measurement, digest};
-use crate::record::json_number;
-use crate::run::drive;
 use serde_json::{Map, Value};
+use tribos_base::golden::{Measure, Measurement, digest};
+use tribos_base::record::json_number;
+use tribos_base::run::drive;
 
 /// Results of a gas, in the units of its scene.
 ///

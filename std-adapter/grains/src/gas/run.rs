@@ -8,14 +8,14 @@ use super::room::edge;
 use super::start::start;
 use super::state::GasState;
 use super::stepped::DENSITY;
-use crate::event::{Advance, Impact, Temperatures, collision_rate};
 use crate::gas::scene::GasScene;
-use crate::record::Snapshot;
-use crate::run::Simulation;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::time::Instant;
+use tribos_base::record::Snapshot;
+use tribos_base::run::Simulation;
+use tribos_base::space::PeriodicBox;
+use tribos_contacts::event::{Advance, Impact, Temperatures, collision_rate};
 
 /// Columns of the series: temperatures in T0; energies a sphere; `theory` the mean-field temperatures after as
 /// many collisions, `haff` the translational one after the same time.

@@ -1,13 +1,13 @@
 //! The scene of a granular gas in a periodic cube.
 
 use super::{edge, room};
-use crate::event::{Impact, ImpactError, Tangential};
 use crate::packing::method::NormalForce;
-use crate::soft::STEPS_PER_COLLISION;
 use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::{as_written, scene};
 use tribos_base::scene::words::{Word, words};
+use tribos_contacts::event::{Impact, ImpactError, Tangential};
+use tribos_contacts::soft::STEPS_PER_COLLISION;
 
 /// How the motion of a gas is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! Rough cost of a run.
 
 use super::soft_collision;
-use crate::event::collision_rate;
 use crate::gas::scene::{GasMethod, GasScene};
-use crate::run::RunSize;
+use tribos_base::run::RunSize;
+use tribos_contacts::event::collision_rate;
 
 /// Memory a sphere, in bytes: places, events and exports.
 const BYTES_A_SPHERE: f64 = 4e3;

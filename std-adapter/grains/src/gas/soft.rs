@@ -1,13 +1,13 @@
 //! Collisions of soft particles: their springs, how long they last and how deep they go.
 
 use super::stepped::LONGEST;
-use crate::cd::{StepLimits, solid};
 use crate::gas::scene::{GasMethod, GasScene};
 use crate::packing::Springs;
 use crate::packing::method::NormalForce;
-use crate::soft::{StepLength, Stiffness, damping};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
+use tribos_contacts::cd::{StepLimits, solid};
+use tribos_contacts::soft::{StepLength, Stiffness, damping};
 use tribos_core::contact::{Cohesion, Sphere};
 
 /// Effective mass and radius of a pair of spheres of mass 1 and radius 1.

@@ -2,12 +2,12 @@
 
 use super::error::GasError;
 use super::room::{edge, lattice, site};
-use crate::event::{Advance, HardSpheres, Impact, Motion, Tangential};
 use crate::gas::scene::GasScene;
-use crate::random::Random;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
+use tribos_base::random::Random;
+use tribos_contacts::event::{Advance, HardSpheres, Impact, Motion, Tangential};
 
 /// Streams of the seed.
 const SITES: u64 = 10;

@@ -1,7 +1,7 @@
 //! What is measured of a gas at one time.
 
-use crate::event::{Motion, Temperatures};
 use nalgebra::Vector3;
+use tribos_contacts::event::{Motion, Temperatures};
 
 /// Moment of inertia of a sphere.
 const INERTIA: f64 = 0.4;

@@ -3,17 +3,17 @@
 use super::error::GasError;
 use super::soft;
 use super::state::GasState;
-use crate::cd::{Method as Sweeps, Solver, StepLimits};
-use crate::event::Motion;
 use crate::gas::scene::{GasMethod, GasScene};
 use crate::packing::method::{Coupling, WallLaw};
 use crate::packing::{Bodies, Frozen, Material, Method, Packing, build};
-use crate::record::kept::damaged;
-use crate::record::{CheckpointError, ContactRow, Partner};
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use std::f64::consts::PI;
+use tribos_base::record::kept::damaged;
+use tribos_base::record::{CheckpointError, ContactRow, Partner};
+use tribos_base::space::PeriodicBox;
+use tribos_contacts::cd::{Method as Sweeps, Solver, StepLimits};
+use tribos_contacts::event::Motion;
 use tribos_core::contact::Attraction;
 
 /// Density of spheres of mass 1 and radius 1.

@@ -1,11 +1,11 @@
 //! Tests of gases: laws of kinetic theory, conservation, collapse and its cure, the same bits.
 
 use super::*;
-use crate::event::{HardSpheres, Impact, Tangential, collision_rate, contact_value};
 use crate::gas::scene::{GasMethod, GasScene};
 use crate::packing::method::NormalForce;
-use crate::run::{Simulation, drive};
 use std::ops::ControlFlow;
+use tribos_base::run::{Simulation, drive};
+use tribos_contacts::event::{HardSpheres, Impact, Tangential, collision_rate, contact_value};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 

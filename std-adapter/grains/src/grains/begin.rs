@@ -3,7 +3,6 @@
 use super::error::GrainsError;
 use super::layout::{Face, Layout, Part};
 use super::placement::{self, Start};
-use crate::cd::Wall;
 use crate::grains::scene::{Axis, Container, Ends, GrainsScene, Sides};
 use crate::packing::AssemblyError;
 use crate::packing::method::ContactMethod;
@@ -11,6 +10,7 @@ use crate::packing::{Frozen, Kinds, deepest, given};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
+use tribos_contacts::cd::Wall;
 
 /// Largest distance of grains from the plane of a flat box that counts as the rounding of a file, in radii of the
 /// largest: twice that of frames, which count in 65535ths of two such radii.

@@ -1,10 +1,10 @@
 //! Hoppers and drums: walls beside those of the box, and the room that they leave.
 
 use super::layout::{Face, Part};
-use crate::cd::Rectangle;
 use crate::grains::scene::{Container, GrainsScene, Sides};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
+use tribos_contacts::cd::Rectangle;
 
 /// Planes around a drum. A polygon of 64 sides lies within 0.12 % of the radius from its circle, and each
 /// side moves along itself, so that the drum turns without a bump.

@@ -9,8 +9,8 @@ use crate::grains::scene::{Container, Ends, GrainsScene, Sides};
 use crate::packing::Assembly;
 use crate::packing::method::{ContactMethod, Coupling};
 use crate::packing::{self, Method, Packing};
-use crate::run::RunSize;
 use std::ops::ControlFlow;
+use tribos_base::run::RunSize;
 use tribos_core::contact::Sphere;
 
 /// Cost of a scene. *Units*: times in s on one core of this machine.

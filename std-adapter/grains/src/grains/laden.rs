@@ -6,9 +6,9 @@ use super::measure::{COLUMNS, Now};
 use super::run::Ending;
 use crate::grains::scene::GrainsScene;
 use crate::packing::{self, Body, Bounds, Cadence, Packing, Seen};
-use crate::record::CheckpointError;
-use crate::record::kept::damaged;
 use serde_json::{Map, Value};
+use tribos_base::record::CheckpointError;
+use tribos_base::record::kept::damaged;
 
 /// Slow steps after which the grains count as at rest.
 const SLOW_STEPS: u64 = 100;

@@ -2,10 +2,10 @@
 
 use super::container;
 use super::placement::Start;
-use crate::cd::{Rectangle, Wall};
 use crate::grains::scene::{Axis, Container, Ends, GrainsScene, Sides};
-use crate::space::{PeriodicBox, PeriodicBoxError};
 use nalgebra::Vector3;
+use tribos_base::space::{PeriodicBox, PeriodicBoxError};
+use tribos_contacts::cd::{Rectangle, Wall};
 
 /// An end of an axis of the box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

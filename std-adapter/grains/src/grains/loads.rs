@@ -2,11 +2,11 @@
 
 use super::layout::{End, Face, Layout, PLATE, Part};
 use super::ramp::Ramp;
-use crate::cd::Rectangle;
 use crate::grains::scene::{Axis, GrainsScene};
 use crate::packing::Packing;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
+use tribos_contacts::cd::Rectangle;
 
 /// How a wall is driven along its normal.
 #[derive(Clone, Debug)]

@@ -3,12 +3,12 @@
 use super::layout::{End, Face, Layout, PLATE, inward};
 use super::loads::Loads;
 use super::parts::volume;
-use crate::cd::StepReport;
 use crate::grains::scene::{Axis, Container, Ends, GrainsScene};
 use crate::packing::{Packing, Stress, branch, is_at};
-use crate::record::ContactRow;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
+use tribos_base::record::ContactRow;
+use tribos_contacts::cd::StepReport;
 
 /// Columns of the series, in the units of the scene.
 pub const COLUMNS: [&str; 35] = [

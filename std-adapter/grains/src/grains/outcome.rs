@@ -3,14 +3,14 @@
 use super::error::GrainsError;
 use super::measure::COLUMNS;
 use super::run::{Ending, Grains};
-use crate::cd::EnergyBalance;
-use crate::golden::{Measure, Measurement};
 use crate::grains::scene::{Ends, GrainsScene};
 use crate::packing::method::ContactMethod;
 use crate::packing::{Statistics, losses, object};
-use crate::record::json_number;
-use crate::run::drive;
 use serde_json::{Map, Value};
+use tribos_base::golden::{Measure, Measurement};
+use tribos_base::record::json_number;
+use tribos_base::run::drive;
+use tribos_contacts::cd::EnergyBalance;
 
 /// Results of a run of grains, in the units of its scene.
 ///

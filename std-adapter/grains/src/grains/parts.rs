@@ -4,15 +4,15 @@ use super::error::GrainsError;
 use super::layout::{Layout, Part};
 use super::loads::Loads;
 use super::placement::Start;
-use crate::cd::{Method as Sweeps, Solver, StepLimits, Wall};
 use crate::grains::scene::GrainsScene;
 use crate::packing::method::ContactMethod;
 use crate::packing::{
     Bodies, Differences, Extras, Frozen, Material, Method, Packing, Second, Springs, build_with,
 };
-use crate::random::Random;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
+use tribos_base::random::Random;
+use tribos_contacts::cd::{Method as Sweeps, Solver, StepLimits, Wall};
 
 /// Stream of the seed for the velocities of a sheared box.
 const VELOCITIES: u64 = 3;

@@ -3,10 +3,10 @@
 use super::container::has_room;
 use crate::grains::scene::{Container, Ends, GrainsScene, Sides};
 use crate::packing::{Frozen, Kinds, Radii, Second, SizesError};
-use crate::random::Random;
-use crate::record::ContactRow;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
+use tribos_base::random::Random;
+use tribos_base::record::ContactRow;
 
 /// Streams of the seed: one for the radii, one for the places.
 const RADII: u64 = 0;

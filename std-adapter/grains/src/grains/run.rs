@@ -8,16 +8,16 @@ use super::loads::Loads;
 use super::measure::{COLUMNS, Now};
 use super::outcome::Outcome;
 use super::parts::packing;
-use crate::cd::StepReport;
-use crate::golden::Measurement;
 use crate::grains::scene::{Axis, Container, Ends, GrainsScene};
 use crate::packing::{Drive, Kept, Limits, Statistics, Told, origin};
-use crate::problem::Global;
-use crate::record::frames::{Bodies, Frame, Kind};
-use crate::record::{ContactRow, Snapshot};
-use crate::run::Simulation;
 use serde_json::Value;
 use std::ops::ControlFlow;
+use tribos_base::golden::Measurement;
+use tribos_base::record::frames::{Bodies, Frame, Kind};
+use tribos_base::record::{ContactRow, Snapshot};
+use tribos_base::run::Simulation;
+use tribos_contacts::cd::StepReport;
+use tribos_contacts::problem::Global;
 
 /// Why a run ended.
 ///

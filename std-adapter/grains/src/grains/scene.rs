@@ -3,15 +3,15 @@
 use super::ramp::{RAMP, RAMP_NOT_NEGATIVE, Ramp};
 use crate::packing::method::{ContactMethod, Coupling, NormalForce, WallLaw, soft_rules};
 use crate::packing::{Radii, SIZES, Sizes, SizesError};
-use crate::record::brief;
-use crate::soft::{STEPS_PER_COLLISION, Stiffness};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
+use tribos_base::record::brief;
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
+use tribos_contacts::soft::{STEPS_PER_COLLISION, Stiffness};
 use tribos_core::contact::Attraction;
 
 /// What bounds the grains along a horizontal axis.

@@ -2,9 +2,9 @@
 
 use super::{Grains, GrainsError, PlacementError};
 use crate::grains::scene::GrainsScene;
-use crate::record::frames::{Bodies, Frame};
-use crate::run::{Cause, LongRun};
 use std::ops::ControlFlow;
+use tribos_base::record::frames::{Bodies, Frame};
+use tribos_base::run::{Cause, LongRun};
 
 impl LongRun for Grains {
     type Scene = GrainsScene;

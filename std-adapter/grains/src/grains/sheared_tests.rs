@@ -2,8 +2,8 @@
 
 use super::{COLUMNS, Grains};
 use crate::grains::scene::{Ends, GrainsScene, Sides};
-use crate::record::extended_xyz;
-use crate::run::{Simulation, drive};
+use tribos_base::record::extended_xyz;
+use tribos_base::run::{Simulation, drive};
 
 type Answer = Result<(), Box<dyn std::error::Error>>;
 

@@ -3,7 +3,7 @@
 use super::*;
 use crate::grains::scene::{Axis, Container, Ends, GrainsScene, Sides};
 use crate::packing::method::{ContactMethod, NormalForce, WallLaw};
-use crate::run::{Simulation, drive};
+use tribos_base::run::{Simulation, drive};
 
 /// A run to its end.
 fn run(scene: &GrainsScene) -> Grains {

@@ -2,9 +2,9 @@
 
 use super::fabric::principal;
 use super::{Assembly, Table};
-use crate::record::{ContactRow, Partner};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::PI;
+use tribos_base::record::{ContactRow, Partner};
 
 /// Fewest spheres of a chain.
 const SHORTEST: usize = 3;

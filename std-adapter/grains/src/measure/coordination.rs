@@ -1,7 +1,7 @@
 //! Contacts of the spheres, and spheres that bear nothing.
 
 use super::{Assembly, Forces, Table};
-use crate::record::ContactRow;
+use tribos_base::record::ContactRow;
 
 /// Contacts of the spheres, walls included; contacts with known forces count only if they carry one.
 ///

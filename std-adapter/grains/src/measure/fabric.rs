@@ -1,7 +1,7 @@
 //! Fabric tensor: where the contacts point.
 
-use crate::record::{ContactRow, Partner};
 use nalgebra::{Matrix3, Vector3};
+use tribos_base::record::{ContactRow, Partner};
 
 /// Mean of n ⊗ n over the normals n of the contacts between spheres; its trace is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Distribution of the normal forces.
 
 use super::Table;
-use crate::record::{ContactRow, Partner};
+use tribos_base::record::{ContactRow, Partner};
 
 /// Width of a bin in mean forces.
 const BIN: f64 = 0.25;

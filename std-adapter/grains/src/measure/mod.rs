@@ -26,7 +26,7 @@ pub use series::series;
 pub use stress::StressTensor;
 pub use table::Table;
 
-use crate::space::pairs::NeighbourError;
+use tribos_base::space::pairs::NeighbourError;
 
 /// What is measured, and how finely.
 ///

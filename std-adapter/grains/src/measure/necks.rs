@@ -1,7 +1,7 @@
 //! Levers of the torques at the contacts, and the sinter necks that they stand for (thesis, fig. 4.4).
 
 use super::{Assembly, Table};
-use crate::record::{ContactRow, Partner};
+use tribos_base::record::{ContactRow, Partner};
 
 /// Torque of pure spinning over force limit and radius, under uniform pressure.
 const SPIN_TORQUE: f64 = 2.0 / 3.0;

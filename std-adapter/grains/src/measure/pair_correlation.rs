@@ -1,8 +1,8 @@
 //! Pair correlation of the centres.
 
 use super::{Assembly, Table};
-use crate::space::pairs::{Cells, NeighbourError};
 use std::f64::consts::PI;
+use tribos_base::space::pairs::{Cells, NeighbourError};
 
 /// Reach without a choice, in mean radii.
 const REACH: f64 = 10.0;

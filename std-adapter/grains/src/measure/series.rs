@@ -1,7 +1,7 @@
 //! Measures of many states of one run, and how its chains bend from one to the next.
 
 use super::{Assembly, Buckling, ForceChains, Measures, Options, Table};
-use crate::space::pairs::NeighbourError;
+use tribos_base::space::pairs::NeighbourError;
 
 /// Columns of the series.
 const COLUMNS: &[&str] = &[

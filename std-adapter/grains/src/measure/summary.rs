@@ -1,9 +1,9 @@
 //! Measures as JSON and tables.
 
 use super::{Measures, Table};
-use crate::record::json_number;
 use nalgebra::Matrix3;
 use serde_json::{Map, Value, json};
+use tribos_base::record::json_number;
 
 impl Measures {
     /// The summary; lengths, forces and stresses in the units of the packing.

@@ -1,10 +1,10 @@
 use super::{Assembly, ForceDistribution, Forces, Measures, Options};
-use crate::random::Random;
-use crate::record::{ContactRow, Partner};
-use crate::space::PeriodicBox;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::json;
 use std::f64::consts::PI;
+use tribos_base::random::Random;
+use tribos_base::record::{ContactRow, Partner};
+use tribos_base::space::PeriodicBox;
 
 fn cube(side: f64) -> PeriodicBox {
     PeriodicBox::new([Some(side); 3]).unwrap()

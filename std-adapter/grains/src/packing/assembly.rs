@@ -1,11 +1,11 @@
 //! Spheres in a box as a file or a run has them.
 
 use crate::packing::Frozen;
-use crate::record::{ContactRow, Partner};
-use crate::space::PeriodicBox;
-use crate::space::pairs::{NeighbourError, neighbours};
 use nalgebra::Vector3;
 use serde_json::Value;
+use tribos_base::record::{ContactRow, Partner};
+use tribos_base::space::PeriodicBox;
+use tribos_base::space::pairs::{NeighbourError, neighbours};
 
 /// Spheres in a box, with contacts if they are known. Any consistent units.
 ///

@@ -1,10 +1,10 @@
 //! What a body says of the runs of its packing.
 
 use super::Packing;
-use crate::cd::StepReport;
-use crate::record::{CheckpointError, ContactRow};
 use serde_json::{Map, Value};
 use std::fmt::Debug;
+use tribos_base::record::{CheckpointError, ContactRow};
+use tribos_contacts::cd::StepReport;
 
 /// What a body says of the runs of its packing: its loads, its measures and when they end. `N` is the number of
 /// columns of its series.

@@ -1,9 +1,9 @@
 //! Modes that the contacts of a scene carry, and their limits.
 
 use super::Material;
-use crate::cd::internals::Pairs;
 use crate::packing::method::Coupling;
-use crate::soft::SoftContact;
+use tribos_contacts::cd::internals::Pairs;
+use tribos_contacts::soft::SoftContact;
 use tribos_core::contact::{
     AllModes, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
 };

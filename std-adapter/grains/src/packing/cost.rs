@@ -1,9 +1,9 @@
 //! What updates of contacts cost, measured, and how long stable steps of springs are.
 
 use super::{Material, Packing, Springs};
-use crate::cd::{Wall, WorldError, solid};
-use crate::soft::{self, StepLength};
 use std::time::Instant;
+use tribos_contacts::cd::{Wall, WorldError, solid};
+use tribos_contacts::soft::{self, StepLength};
 use tribos_core::contact::Cohesion;
 
 /// Number of timings.

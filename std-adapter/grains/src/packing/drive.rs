@@ -6,16 +6,16 @@ use super::body::{Body, Cadence, Ending, Seen};
 use super::kept::{Kept, ORIGIN};
 use super::last::put_report;
 use super::{Kinds, Limits, Packing, PackingRunError, Shape, Stored, Totals};
-use crate::cd::{EnergyBalance, StepReport};
-use crate::golden::{Digest, Measurement, contacts, digest};
-use crate::problem::Global;
-use crate::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
-use crate::record::kept::hex;
-use crate::record::{ContactRow, Snapshot, json_number, sealed};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
 use std::error::Error;
 use std::time::Instant;
+use tribos_base::golden::{Digest, Measurement, contacts, digest};
+use tribos_base::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
+use tribos_base::record::kept::hex;
+use tribos_base::record::{ContactRow, Snapshot, json_number, sealed};
+use tribos_contacts::cd::{EnergyBalance, StepReport};
+use tribos_contacts::problem::Global;
 
 /// Overlap of rigid spheres over the smaller radius beyond which their packing is none: twice what a start may have.
 const TOO_DEEP: f64 = 0.1;

@@ -1,8 +1,8 @@
 //! What some bodies have beside material and walls: a shear, a second material.
 
 use super::Material;
-use crate::random::Random;
 use nalgebra::Vector3;
+use tribos_base::random::Random;
 
 /// A shear and a second material, of which most bodies have neither.
 #[derive(Clone, Debug, Default)]

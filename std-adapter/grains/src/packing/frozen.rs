@@ -1,10 +1,10 @@
 //! The state of a packing, independent of its method and modes, and its part of a checkpoint.
 
-use crate::cd::EnergyBalance;
-use crate::record::CheckpointError;
-use crate::record::kept::{damaged, groups, hex, numbers, one, places, triple};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
+use tribos_base::record::CheckpointError;
+use tribos_base::record::kept::{damaged, groups, hex, numbers, one, places, triple};
+use tribos_contacts::cd::EnergyBalance;
 
 /// Lengths of the energy balance, and of a stored force with its bodies.
 const BALANCE: usize = 10;

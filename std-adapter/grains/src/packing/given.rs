@@ -1,12 +1,12 @@
 //! Spheres that a scene starts from in place of its own: read, and checked against its box.
 
 use super::{Forces, Frozen};
-use crate::cd::EnergyBalance;
 use crate::packing::method::ContactMethod;
 use crate::packing::{Assembly, AssemblyError};
-use crate::space::AXES;
 use nalgebra::Vector3;
 use std::path::Path;
+use tribos_base::space::AXES;
+use tribos_contacts::cd::EnergyBalance;
 
 /// Deepest overlap of rigid spheres in a file, over the smaller radius: packings of soft spheres are that deep, and
 /// rigid ones keep such an overlap without adding to it.

@@ -3,10 +3,10 @@
 use super::body::{Body, Bounds, Ending};
 use super::last::read_report;
 use super::{Frozen, Totals};
-use crate::cd::StepReport;
-use crate::record::CheckpointError;
-use crate::record::kept::{damaged, groups, opened};
 use serde_json::Value;
+use tribos_base::record::CheckpointError;
+use tribos_base::record::kept::{damaged, groups, opened};
+use tribos_contacts::cd::StepReport;
 
 /// Key of the digest of what a run began with.
 pub(super) const ORIGIN: &str = "began_with";

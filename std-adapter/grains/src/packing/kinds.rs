@@ -2,10 +2,10 @@
 
 use super::{Differences, Material, Second};
 use crate::packing::Assembly;
-use crate::record::kept::{damaged, hex, numbers, triple};
-use crate::record::{CheckpointError, digest};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
+use tribos_base::record::kept::{damaged, hex, numbers, triple};
+use tribos_base::record::{CheckpointError, digest};
 
 /// Numbers of the two materials of a scene.
 pub(super) const FIRST: u8 = 1;

@@ -1,10 +1,10 @@
 //! The report of the last step in a checkpoint: what a summary tells of it does not depend on where a run was
 //! broken off.
 
-use crate::cd::{Iterations, Residual, StepReport};
-use crate::record::CheckpointError;
-use crate::record::kept::{damaged, hex, numbers};
 use serde_json::{Map, Value};
+use tribos_base::record::CheckpointError;
+use tribos_base::record::kept::{damaged, hex, numbers};
+use tribos_contacts::cd::{Iterations, Residual, StepReport};
 
 /// Keys of the numbers and of the counts.
 const NUMBERS: &str = "last_step";

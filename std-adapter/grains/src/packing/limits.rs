@@ -2,8 +2,8 @@
 
 use super::Material;
 use crate::packing::method::{Coupling, WallLaw};
-use crate::record::{ContactRow, Partner};
 use nalgebra::Vector3;
+use tribos_base::record::{ContactRow, Partner};
 use tribos_core::coupling::table;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::twist::Wrench;

@@ -1,8 +1,8 @@
 //! Words of scenes of packings: how contacts are solved, which law walls have.
 
-use crate::soft::Stiffness;
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::words::words;
+use tribos_contacts::soft::Stiffness;
 use tribos_core::contact::Attraction;
 
 /// How the contacts of a step are found and solved.

@@ -51,13 +51,13 @@ pub use stress::Stress;
 pub(crate) use totals::Totals;
 pub use volume::volume_between;
 
-use crate::cd::{EnergyBalance, Solver, StepLimits, StepReport, Wall, WorldError};
-use crate::problem::Global;
-use crate::record::{ContactRow, Partner};
-use crate::soft::Stiffness;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::fmt::Debug;
+use tribos_base::record::{ContactRow, Partner};
+use tribos_base::space::PeriodicBox;
+use tribos_contacts::cd::{EnergyBalance, Solver, StepLimits, StepReport, Wall, WorldError};
+use tribos_contacts::problem::Global;
+use tribos_contacts::soft::Stiffness;
 use tribos_core::Error;
 use tribos_core::contact::{Sphere, TouchError};
 use tribos_core::law::LawError;

@@ -4,17 +4,17 @@ use super::{
     Bodies, CarriedModes, Extras, Force, Forces, Frozen, Material, Method, Packing, PackingError,
     soft,
 };
-use crate::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
-use crate::cd::{
+use crate::packing::method::{Coupling, WallLaw};
+use nalgebra::Vector3;
+use std::fmt::Debug;
+use tribos_base::record::{ContactRow, Partner};
+use tribos_base::space::PeriodicBox;
+use tribos_contacts::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
+use tribos_contacts::cd::{
     self, ContactLaws, EnergyBalance, Facing, Laws, Mixture, Setup, State, StepReport, Stop, Wall,
     World, WorldError, solid,
 };
-use crate::packing::method::{Coupling, WallLaw};
-use crate::problem::Global;
-use crate::record::{ContactRow, Partner};
-use crate::space::PeriodicBox;
-use nalgebra::Vector3;
-use std::fmt::Debug;
+use tribos_contacts::problem::Global;
 use tribos_core::contact::{
     ContactFriction, ContactModes, CoupledFriction, Modal, Sphere, Thresholds, Touch, TouchError,
 };

@@ -1,13 +1,13 @@
 //! Why a run of a packing cannot start or continue.
 
 use super::PackingError;
-use crate::cd::WorldError;
 use crate::packing::AssemblyError;
-use crate::record::CheckpointError;
-use crate::run::Cause;
-use crate::space::PeriodicBoxError;
 use std::error::Error;
+use tribos_base::record::CheckpointError;
+use tribos_base::run::Cause;
 use tribos_base::scene::InvalidScene;
+use tribos_base::space::PeriodicBoxError;
+use tribos_contacts::cd::WorldError;
 use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
 

@@ -1,13 +1,13 @@
 //! A world of soft spheres with its contact modes hidden behind the trait of packings.
 
 use super::{Bodies, Force, Forces, Frozen, Packing, PackingError, Springs};
-use crate::cd::{EnergyBalance, Laws, StepLimits, StepReport, Wall, WorldError, solid};
-use crate::problem::Global;
-use crate::record::{ContactRow, Partner};
-use crate::soft::{Setup, SoftContact, State, World};
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::fmt::Debug;
+use tribos_base::record::{ContactRow, Partner};
+use tribos_base::space::PeriodicBox;
+use tribos_contacts::cd::{EnergyBalance, Laws, StepLimits, StepReport, Wall, WorldError, solid};
+use tribos_contacts::problem::Global;
+use tribos_contacts::soft::{Setup, SoftContact, State, World};
 use tribos_core::contact::{ContactFriction, ContactModes, Modal, Sphere, Touch, TouchError};
 
 /// A world of soft spheres. A step of the packing is as long as one of contact dynamics and made of as many

@@ -1,9 +1,9 @@
 //! Statistics of the contacts of a packing: coordination, forces, thresholds.
 
 use super::Limits;
-use crate::record::ContactRow;
-use crate::record::json_number;
 use serde_json::{Map, Value};
+use tribos_base::record::ContactRow;
+use tribos_base::record::json_number;
 
 /// Statistics of the contacts of a packing. *Units*: R, F_coh.
 ///

@@ -1,11 +1,11 @@
 //! The last state of a packing as a file, complete to the bit: spheres, walls, contacts, motion.
 
 use super::{Frozen, Kinds};
-use crate::record::kept::{damaged, groups, hex, numbers, of_other_body, triple};
-use crate::record::{CheckpointError, ContactRow, Partner, sealed, unsealed};
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
+use tribos_base::record::kept::{damaged, groups, hex, numbers, of_other_body, triple};
+use tribos_base::record::{CheckpointError, ContactRow, Partner, sealed, unsealed};
+use tribos_base::space::PeriodicBox;
 
 /// Name of the file in the folder of a run.
 pub const STATE: &str = "final-state.json";

@@ -1,7 +1,7 @@
 //! The stress carried by the contacts (thesis, eq. 4.10).
 
-use crate::record::ContactRow;
 use nalgebra::{Matrix3, Vector3};
+use tribos_base::record::ContactRow;
 
 /// Stress tensor, positive for compression. *Units*: force over area.
 ///

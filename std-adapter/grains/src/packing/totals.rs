@@ -1,9 +1,9 @@
 //! What the steps of a run add up to, beside the state of its packing.
 
-use crate::cd::StepReport;
-use crate::record::CheckpointError;
-use crate::record::kept::{damaged, hex, one};
 use serde_json::{Map, Value};
+use tribos_base::record::CheckpointError;
+use tribos_base::record::kept::{damaged, hex, one};
+use tribos_contacts::cd::StepReport;
 
 /// Totals of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -6,15 +6,15 @@ use super::outcome::Outcome;
 use super::parts::packing;
 use super::press::{Press, Watch, bounds, height};
 use super::start::Start;
-use crate::cd::StepReport;
 use crate::packing::volume_between;
 use crate::packing::{Drive, Kept, Limits, Statistics, Told, origin};
 use crate::powder::scene::PowderScene;
-use crate::problem::Global;
-use crate::record::frames::{Bodies, Frame, Kind};
-use crate::record::{ContactRow, Snapshot};
-use crate::run::Simulation;
 use std::ops::ControlFlow;
+use tribos_base::record::frames::{Bodies, Frame, Kind};
+use tribos_base::record::{ContactRow, Snapshot};
+use tribos_base::run::Simulation;
+use tribos_contacts::cd::StepReport;
+use tribos_contacts::problem::Global;
 
 /// Columns of the series, in the units of the scene; `stress_zz` in units of the applied pressure.
 pub const COLUMNS: [&str; 15] = [

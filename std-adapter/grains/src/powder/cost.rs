@@ -8,10 +8,10 @@ use crate::packing::Assembly;
 use crate::packing::method::{ContactMethod, Coupling};
 use crate::packing::{self, CarriedModes, Method, Packing};
 use crate::powder::scene::{PowderScene, SweepMethod, SweepOrder, SweepStop};
-use crate::run::RunSize;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
+use tribos_base::run::RunSize;
+use tribos_base::space::PeriodicBox;
 use tribos_core::contact::Sphere;
 
 /// Size of a scene and time of its updates. *Units*: times in s on one core of this machine.

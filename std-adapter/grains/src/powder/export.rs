@@ -4,16 +4,16 @@ use super::blocked::{LOAD_DEVIATION, PISTON_MOTION, window_time};
 use super::deposit::Deposit;
 use super::error::CompactionError;
 use super::start::Start;
-use crate::cd::Wall;
 use crate::packing::method::{Coupling, WallLaw};
 use crate::packing::{Kinds, Material, Method, Springs, stable_step_between};
 use crate::powder::scene::PowderScene;
-use crate::record::number;
-use crate::soft::{Stiffness, damping};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
+use tribos_base::record::number;
+use tribos_contacts::cd::Wall;
+use tribos_contacts::soft::{Stiffness, damping};
 
 /// Room above the piston and below the substrate in the box of the files, in R.
 const ROOM: f64 = 2.0;

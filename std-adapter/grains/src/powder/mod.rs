@@ -18,7 +18,6 @@ mod start;
 pub use crate::packing::Statistics;
 #[doc(hidden)]
 pub use crate::packing::{Carried, CarriedModes, Limits, Material, STATE, Stress};
-pub use crate::record::CheckpointError;
 #[doc(hidden)]
 pub use blocked::{Means, Window};
 #[doc(hidden)]
@@ -31,6 +30,7 @@ pub use error::CompactionError;
 pub use outcome::Outcome;
 #[doc(hidden)]
 pub use parts::PISTON;
+pub use tribos_base::record::CheckpointError;
 
 #[cfg(test)]
 mod tests;

@@ -3,15 +3,15 @@
 use super::CompactionError;
 use super::blocked::Means;
 use super::compaction::{Compaction, Ending};
-use crate::cd::EnergyBalance;
-use crate::golden::{Measure, Measurement};
 use crate::packing::method::ContactMethod;
 use crate::packing::{Statistics, losses, object};
 use crate::powder::scene::PowderScene;
-use crate::record::json_number;
-use crate::run::drive;
 use nalgebra::Matrix3;
 use serde_json::{Map, Value};
+use tribos_base::golden::{Measure, Measurement};
+use tribos_base::record::json_number;
+use tribos_base::run::drive;
+use tribos_contacts::cd::EnergyBalance;
 
 /// Results of a compaction, in the units of its scene.
 ///

@@ -1,7 +1,6 @@
 //! What a compaction's packing is made of: material, bodies and method of its scene.
 
 use super::deposit::{Deposit, SUBSTRATE};
-use crate::cd::Wall;
 use crate::packing::method::ContactMethod;
 use crate::packing::{
     Bodies, Differences, Extras, Frozen, Kinds, Material, Method, Packing, PackingError, Second,
@@ -9,6 +8,7 @@ use crate::packing::{
 };
 use crate::powder::scene::PowderScene;
 use nalgebra::Vector3;
+use tribos_contacts::cd::Wall;
 
 /// Number of the piston among the walls.
 ///

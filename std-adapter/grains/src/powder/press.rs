@@ -6,11 +6,11 @@ use super::deposit::Deposit;
 use super::parts::PISTON;
 use crate::packing::{self, Body, Bounds, Cadence, Packing, Seen, Stress, branch, is_at};
 use crate::powder::scene::PowderScene;
-use crate::record::CheckpointError;
-use crate::record::kept::{damaged, hex, numbers};
 use nalgebra::Matrix3;
 use serde_json::{Map, Value};
 use std::f64::consts::PI;
+use tribos_base::record::CheckpointError;
+use tribos_base::record::kept::{damaged, hex, numbers};
 use tribos_core::contact::Sphere;
 
 /// Numbers of a window in a checkpoint, and of a stress.

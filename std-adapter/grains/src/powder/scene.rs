@@ -1,16 +1,16 @@
 //! The scene of a cohesive powder under a piston (thesis, section 4.5).
 
-use crate::cd::{Method, Order, Solver, StepLimits, Stop};
 use crate::packing::method::{ContactMethod, Coupling, NormalForce, WallLaw, soft_rules};
 use crate::packing::{SIZES, Sizes};
 use crate::powder::deposit::{Ballistic, DepositError, Until};
-use crate::soft::{STEPS_PER_COLLISION, Stiffness};
 use std::path::PathBuf;
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
+use tribos_contacts::cd::{Method, Order, Solver, StepLimits, Stop};
+use tribos_contacts::soft::{STEPS_PER_COLLISION, Stiffness};
 use tribos_core::contact::Attraction;
 
 /// When a packing counts as blocked.

@@ -3,9 +3,9 @@
 use super::deposit::DepositError;
 use super::{Compaction, CompactionError};
 use crate::powder::scene::PowderScene;
-use crate::record::frames::{Bodies, Frame};
-use crate::run::{Cause, LongRun};
 use std::ops::ControlFlow;
+use tribos_base::record::frames::{Bodies, Frame};
+use tribos_base::run::{Cause, LongRun};
 
 impl LongRun for Compaction {
     type Scene = PowderScene;

@@ -6,10 +6,10 @@ use crate::packing::method::ContactMethod;
 use crate::packing::{Assembly, AssemblyError};
 use crate::packing::{Frozen, Kinds, given};
 use crate::powder::scene::PowderScene;
-use crate::record::ContactRow;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
+use tribos_base::record::ContactRow;
 
 /// Spheres at the start of a run.
 #[derive(Debug)]

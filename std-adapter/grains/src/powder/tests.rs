@@ -1,12 +1,12 @@
 use super::blocked::WINDOW_STEPS;
 use super::*;
 use crate::powder::scene::{Criterion, PowderScene};
-use crate::record::frames::FrameError;
-use crate::record::sealed;
-use crate::record::{ContactRow, Partner};
-use crate::run::{FRAMES, RunError, Session, Simulation, Start, drive};
 use nalgebra::{Matrix3, Vector3};
 use std::cell::Cell;
+use tribos_base::record::frames::FrameError;
+use tribos_base::record::sealed;
+use tribos_base::record::{ContactRow, Partner};
+use tribos_base::run::{FRAMES, RunError, Session, Simulation, Start, drive};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -395,7 +395,7 @@ fn forces_of_contacts_with_rebound_explain_every_velocity() -> Tested {
         let dt = compaction.last_step().dt;
         let changes = velocities(&compaction).into_iter().zip(before);
         for (((sum, size), radius), (new, old)) in forces.iter().zip(&radii).zip(changes) {
-            let over_mass = dt * crate::cd::solid(*radius, 1.0).inv_mass;
+            let over_mass = dt * tribos_contacts::cd::solid(*radius, 1.0).inv_mass;
             // Rows have the normals of the step's end. A body laid to rest loses what it has left.
             let turned = 0.1 * size * over_mass + 1e-12;
             let rests = new.norm() == 0.0;

@@ -1,7 +1,7 @@
 //! Data of extreme scale, odd values or many points.
 
 use super::*;
-use crate::random::Random;
+use tribos_base::random::Random;
 use tribos_core::law::{
     Bristle, DryFriction, LocalLaw, LuGre, LuGreParameters, Stribeck, StribeckParameters,
 };

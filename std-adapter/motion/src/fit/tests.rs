@@ -1,7 +1,7 @@
 //! What fits of the kernel's laws promise.
 
 use super::*;
-use crate::random::Random;
+use tribos_base::random::Random;
 use tribos_core::law::{
     Bristle, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, RateState,
     RateStateParameters, Stribeck, StribeckParameters,

@@ -1,11 +1,11 @@
 //! Laws of bonds by name.
 
 use super::AnyBond;
-use crate::friction::{Refusal, finite_number};
 use std::fmt;
 use std::str::FromStr;
 use tribos_core::bond::{Exponential, OneStrength, ReForming, Saturating, Weibull};
 use tribos_core::real::Real;
+use tribos_friction::{Refusal, finite_number};
 
 /// How the bonds of a contact break.
 ///

@@ -33,4 +33,4 @@ pub use law::AnyBond;
 pub use surface::{Contact, OnsetPoint, OnsetSurface, Summary};
 
 #[cfg(doc)]
-use crate::friction::Patch;
+use tribos_friction::Patch;

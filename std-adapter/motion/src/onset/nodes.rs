@@ -1,13 +1,13 @@
 //! Nodes of any patch by name, about its centre of pressure, and how far it reaches.
 
 use super::strips;
-use crate::friction::{FlatPatch, HeldNodes, Patch, Refusal, points_of, polynomial, triangles_of};
 use std::path::Path;
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodeBuffer, NodeList, NodePatch};
 use tribos_core::patch::polar::{self, PolarRule};
 use tribos_core::patch::polygon::polygon_into;
 use tribos_core::real::Real;
+use tribos_friction::{FlatPatch, HeldNodes, Patch, Refusal, points_of, polynomial, triangles_of};
 
 /// Nodes with the origin at the centre of pressure.
 #[derive(Debug)]

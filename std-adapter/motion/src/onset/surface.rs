@@ -2,12 +2,12 @@
 
 use super::Bond;
 use super::nodes::{Spread, spread};
-use crate::friction::{HeldNodes, Patch, Refusal, limit_surface};
 use rayon::prelude::*;
 use tribos_core::bond::{BondLaw, Bonds, Onset, Release};
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
+use tribos_friction::{HeldNodes, Patch, Refusal, limit_surface};
 
 /// The contact that bonds hold.
 ///

@@ -1,8 +1,8 @@
 //! Surfaces of patches by name against independent numbers.
 
 use super::*;
-use crate::friction::Patch;
 use tribos_core::real::Real;
+use tribos_friction::Patch;
 
 fn surface(patch: &str, bond: &str, contact: &Contact) -> OnsetSurface {
     let (patch, bond) = (patch.parse::<Patch>(), bond.parse());

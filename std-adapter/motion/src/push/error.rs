@@ -1,8 +1,8 @@
 //! Why a push is refused.
 
-use crate::friction::Refusal;
-use crate::record::brief;
+use tribos_base::record::brief;
 use tribos_base::scene::InvalidScene;
+use tribos_friction::Refusal;
 
 /// A contact, a friction set or a path that no push can be computed for.
 ///

@@ -1,8 +1,8 @@
 //! Outlines of pushed bodies: which side a pusher touches.
 
-use crate::friction::{Patch, Refusal};
 use tribos_core::Real;
 use tribos_core::coupling::flat::DryPatch;
+use tribos_friction::{Patch, Refusal};
 
 /// Corners of a polygon that stands for a circle in pictures.
 const ROUND: u32 = 180;

@@ -395,7 +395,7 @@ impl<'a> Path<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::friction::limit_surface;
+    use tribos_friction::limit_surface;
 
     #[test]
     fn the_end_of_a_side_is_found_to_any_tolerance() {

@@ -7,13 +7,13 @@ use super::line::{Grip, LineContact};
 use super::outline::{Shape, nearest_side};
 use super::path::{Drive, Journey, Pose, Side, push_along, with_pusher};
 use super::solve::{Push, push};
-use crate::friction::{Patch, Refusal, limit_surface};
 use crate::push::scene::PushScene;
-use crate::record::json_number;
 use serde_json::{Map, Value};
+use tribos_base::record::json_number;
 use tribos_core::Real;
 use tribos_core::limit_surface::AnyPressure;
 use tribos_core::twist::{Twist, Wrench};
+use tribos_friction::{Patch, Refusal, limit_surface};
 
 /// The scene of a pushed body that comes with the program.
 #[doc(hidden)]

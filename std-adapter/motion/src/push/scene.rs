@@ -1,9 +1,9 @@
 //! The scene of a body that a pusher moves slowly over the floor.
 
-use crate::friction::{PATCH, Patch};
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::{as_written, scene};
+use tribos_friction::{PATCH, Patch};
 
 scene! {
     /// A body on the floor that a pusher moves, slowly enough that nothing has inertia.
@@ -22,7 +22,7 @@ scene! {
     pub struct PushScene = "push", "A body that is pushed over the floor", rules, as_written;
 
     /// Contact of the body with the floor: box:AxB, polygon:FILE, bar:L, or a round patch such as disk.
-    patch: Patch = Patch::Flat(crate::friction::FlatPatch::Box([0.3, 0.2])), "-", PATCH, Required;
+    patch: Patch = Patch::Flat(tribos_friction::FlatPatch::Box([0.3, 0.2])), "-", PATCH, Required;
     /// Radius of a round patch.
     radius: f64 = 0.05, "m", Positive;
     /// Friction coefficient between body and floor.

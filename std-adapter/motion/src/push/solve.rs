@@ -212,18 +212,18 @@ fn sticking(set: &dyn FrictionSet<f64>, cone: &MotionCone, velocity: Vector2<f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::friction::HeldNodes;
     use tribos_core::limit_surface::PatchSurface;
     use tribos_core::limit_surface::Projection;
     use tribos_core::patch::nodes::Node;
     use tribos_core::patch::points::Points;
+    use tribos_friction::HeldNodes;
 
     /// A disk whose normals have this share of their spin.
     struct Astray(f64);
 
     impl Astray {
         fn disk(&self) -> Box<dyn FrictionSet<f64>> {
-            crate::friction::limit_surface(&"disk".parse().unwrap(), 1.0, 0.05, None).unwrap()
+            tribos_friction::limit_surface(&"disk".parse().unwrap(), 1.0, 0.05, None).unwrap()
         }
     }
 

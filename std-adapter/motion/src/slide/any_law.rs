@@ -3,9 +3,9 @@
 use super::planar::{Gradient, Journey, Launch, Point, Resistance, TallBody};
 use super::simulation::{MOST_STEPS, SLIVER};
 use super::{COLUMNS, Ending, Outcome, SlideError, SlideRun, energy_at_launch, run};
-use crate::friction::{Friction, Law, Patch};
 use crate::slide::scene::{SliderScene, Stepper};
 use tribos_core::modes::Modes;
+use tribos_friction::{Friction, Law, Patch};
 
 /// Runs a scene to its end under `law`, which replaces the scene's `coefficient` and `alpha`.
 ///

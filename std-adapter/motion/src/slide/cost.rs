@@ -2,12 +2,12 @@
 
 use super::SlideError;
 use super::planar::Resistance;
-use crate::friction::{Evaluation, Friction, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
 use crate::slide::scene::SliderScene;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::coupling::{Coupling, ReducedWrench};
+use tribos_friction::{Evaluation, Friction, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
 
 /// Cost of one evaluation. *Units*: s on one core of this machine.
 ///

@@ -24,13 +24,13 @@ pub use simulation::{COLUMNS, SlideSimulation};
 #[doc(hidden)]
 pub use spent::Spent;
 
-use crate::friction::{Law, Patch, Refusal, RoundPower, Tier, Visitor, visit_disk};
-use crate::record::brief;
-use crate::run::drive;
 use crate::slide::scene::SliderScene;
+use tribos_base::record::brief;
+use tribos_base::run::drive;
 use tribos_base::scene::InvalidScene;
 use tribos_core::law::LawError;
 use tribos_core::patch::PatchError;
+use tribos_friction::{Law, Patch, Refusal, RoundPower, Tier, Visitor, visit_disk};
 
 /// Why a validated scene could not be run to its end.
 ///

@@ -1,10 +1,10 @@
 //! The summary of a slide.
 
 use super::SlideError;
-use crate::golden::{Measure, Measurement};
-use crate::record::json_number;
 use crate::slide::scene::SliderScene;
 use serde_json::{Map, Value};
+use tribos_base::golden::{Measure, Measurement};
+use tribos_base::record::json_number;
 use tribos_core::modes::FinalMode;
 
 /// Why a run ended.

@@ -3,12 +3,12 @@
 use super::cost::{EvaluationCost, resistance_cost};
 use super::planar::{Arrival, Ending, Journey, Launch, Point, Resistance};
 use super::{SlideError, energy_at_launch};
-use crate::friction::Evaluation;
-use crate::golden::{Measure, Measurement};
-use crate::record::json_number;
 use crate::slide::scene::Tipping;
 use serde_json::{Map, Value};
+use tribos_base::golden::{Measure, Measurement};
+use tribos_base::record::json_number;
 use tribos_base::scene::Body;
+use tribos_friction::Evaluation;
 
 /// Columns of the series: s, m, m, m/s, m/s, rad/s, rad, –, –, J, J.
 pub const PATH_COLUMNS: [&str; 11] = [

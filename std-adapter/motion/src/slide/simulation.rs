@@ -1,8 +1,8 @@
 //! One slider followed from launch to end, with its energy balance.
 
 use super::{Ending, Outcome, SlideError, energy_at_launch};
-use crate::run::Simulation;
 use crate::slide::scene::{SliderScene, Stepper};
+use tribos_base::run::Simulation;
 use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::modes::Modes;

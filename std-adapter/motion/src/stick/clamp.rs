@@ -16,17 +16,17 @@
 
 use super::StickError;
 use super::held::{HeldRun, HeldScene};
-use crate::friction::limit_surface;
-use crate::record::json_number;
 use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::{Map, Value};
 use std::f64::consts::TAU;
+use tribos_base::record::json_number;
 use tribos_core::Real;
 use tribos_core::law::Grip;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::presliding::{Anchor, Pose, Presliding, PreslidingStep};
 use tribos_core::twist::{Displacement, Wrench};
+use tribos_friction::limit_surface;
 
 /// Columns of the series: s, N, N m, m, rad, J of heat so far, and whether each pad slips.
 pub const CLAMP_COLUMNS: [&str; 8] = [

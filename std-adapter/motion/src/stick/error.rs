@@ -1,9 +1,9 @@
 //! Why a scene of a held body has no result.
 
-use crate::friction::Refusal;
-use crate::record::brief;
+use tribos_base::record::brief;
 use tribos_base::scene::InvalidScene;
 use tribos_core::law::LawError;
+use tribos_friction::Refusal;
 
 /// Why a body that holds and slips could not be followed to the end.
 ///

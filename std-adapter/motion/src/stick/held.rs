@@ -1,8 +1,8 @@
 //! What the scenes of held bodies have in common.
 
 use super::StickError;
-use crate::golden::{Measure, Measurement};
 use serde_json::{Map, Value};
+use tribos_base::golden::{Measure, Measurement};
 use tribos_base::scene::Body;
 
 /// Series and summary of a run.

@@ -10,13 +10,13 @@
 
 use super::StickError;
 use super::held::{HeldRun, HeldScene};
-use crate::friction::limit_surface;
-use crate::record::json_number;
 use crate::stick::scene::InclineScene;
 use serde_json::{Map, Value};
+use tribos_base::record::json_number;
 use tribos_core::Real;
 use tribos_core::law::{Age, Ageing};
 use tribos_core::twist::Wrench;
+use tribos_friction::limit_surface;
 
 /// Columns of the series: s, rad, m, m/s, N, N.
 pub const INCLINE_COLUMNS: [&str; 6] =

@@ -16,16 +16,16 @@ mod path;
 
 use super::StickError;
 use super::held::{HeldRun, HeldScene};
-use crate::friction::limit_surface;
-use crate::record::json_number;
 use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
 use path::{Sliding, State};
 use serde_json::{Map, Value};
+use tribos_base::record::json_number;
 use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
+use tribos_friction::limit_surface;
 
 /// Columns of the series: s, rad/s, then relative to the table m, m, m/s, m/s, rad/s, rad, and the
 /// place in the room in m, m.

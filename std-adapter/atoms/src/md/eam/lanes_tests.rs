@@ -5,9 +5,9 @@ use super::*;
 use crate::md::interaction::Wanted;
 use crate::md::lanes::{self, InLanes};
 use crate::md::neighbours::VerletList;
-use crate::random::Random;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::random::Random;
+use tribos_base::space::PeriodicBox;
 
 /// Bits of densities, energies, forces and virials, in lanes of a kind or of the processor.
 fn bits(law: &SuttonChen, is_plain: bool) -> Vec<u64> {

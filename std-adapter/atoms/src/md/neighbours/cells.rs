@@ -3,9 +3,9 @@
 use super::images::{Slot, fill_slots};
 use super::rough::RoughPlaces;
 use super::window::Window;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::ops::Range;
+use tribos_base::space::PeriodicBox;
 
 /// Cells per slot at most; far outliers make cells wider instead of more.
 const CELLS_PER_SLOT: f64 = 4.0;

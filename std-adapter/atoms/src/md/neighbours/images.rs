@@ -1,7 +1,7 @@
 //! Atoms and their periodic images.
 
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::space::PeriodicBox;
 
 /// An atom or one of its images.
 ///

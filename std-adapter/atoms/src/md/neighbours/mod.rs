@@ -16,11 +16,11 @@ pub use chunk::{Chunk, LANES, Site};
 pub use images::Slot;
 
 use super::lanes;
-use crate::space::{AXES, PeriodicBox};
 use cells::Cells;
 use chunk::Build;
 use nalgebra::Vector3;
 use rayon::prelude::*;
+use tribos_base::space::{AXES, PeriodicBox};
 
 /// Slots that one chunk of the list owns. Chunks, not threads, determine the order of sums.
 const SLOTS_PER_CHUNK: usize = 4096;

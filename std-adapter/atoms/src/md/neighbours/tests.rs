@@ -1,8 +1,8 @@
 //! Lists hold the pairs that linked cells find, in any unit, far from the origin, on any processor.
 
 use super::*;
-use crate::random::Random;
-use crate::space::pairs::neighbours;
+use tribos_base::random::Random;
+use tribos_base::space::pairs::neighbours;
 
 const CUTOFF: f64 = 2.5;
 const SKIN: f64 = 0.3;

@@ -3,8 +3,8 @@
 use super::lennard_jones::{Many, One, Plain, Shifted, law};
 use super::*;
 use crate::md::interaction::Interaction;
-use crate::random::Random;
-use crate::space::PeriodicBox;
+use tribos_base::random::Random;
+use tribos_base::space::PeriodicBox;
 
 /// Random atoms of two species in a periodic cube, some of them farther apart than the cut-off.
 fn list(cutoff: f64) -> VerletList {

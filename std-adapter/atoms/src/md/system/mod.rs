@@ -14,8 +14,8 @@ use super::interaction::{Interaction, Tally, Wanted, evaluate};
 use super::neighbours::VerletList;
 use super::support::Support;
 use super::thermostat::Thermostat;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::space::PeriodicBox;
 
 /// Which velocities are stored from step to step. The positions differ only by rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

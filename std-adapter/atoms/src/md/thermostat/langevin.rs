@@ -1,8 +1,8 @@
 //! Langevin dynamics: friction and the corresponding noise.
 
 use super::{ThermostatError, check};
-use crate::random::Random;
 use nalgebra::Vector3;
+use tribos_base::random::Random;
 
 /// v' = … − γv + noise, exact over a step (Ornstein & Uhlenbeck 1930) in the middle of the drift
 /// (the splitting "BAOAB" of Leimkuhler & Matthews 2013, whose positions have the right

@@ -9,8 +9,8 @@ mod tests;
 pub use error::{Fault, FileError, Place};
 
 use super::{ContactLaw, Global, Layout, ProblemError, Reduced};
-use crate::record::write_atomically;
 use std::path::Path;
+use tribos_base::record::write_atomically;
 
 /// A contact problem of either kind.
 ///

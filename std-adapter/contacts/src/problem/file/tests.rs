@@ -3,8 +3,8 @@
 use super::super::{ContactLaw, Friction, Global, Layout, Matrix, ProblemError, Reduced};
 use super::super::{residual, solve};
 use super::{Fault, FileError, Format, Place, Problem};
-use crate::random::Random;
 use std::path::Path;
+use tribos_base::random::Random;
 
 /// Any sign, and about sixty powers of ten.
 fn value(random: &mut Random) -> f64 {

@@ -3,8 +3,8 @@
 use super::blocks::Blocks;
 use super::cone::{Cone, Local};
 use super::factor::Lu;
-use crate::random::Random;
 use nalgebra::{DMatrix, DVector};
+use tribos_base::random::Random;
 
 #[test]
 fn sparse_and_dense_solutions_agree() {

@@ -4,12 +4,12 @@ use crate::measure::{Assembly, Measures, Options};
 use crate::packing::STATE;
 use crate::packing::Sizes;
 use crate::packing::method::ContactMethod;
-use crate::record::frames::{Frame, FrameFolder};
-use crate::record::trajectory::{Format, State, Trajectory};
-use crate::record::{extended_xyz, particles_vtp};
-use crate::run::Simulation;
 use nalgebra::Vector3;
 use std::path::PathBuf;
+use tribos_base::record::frames::{Frame, FrameFolder};
+use tribos_base::record::trajectory::{Format, State, Trajectory};
+use tribos_base::record::{extended_xyz, particles_vtp};
+use tribos_base::run::Simulation;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 

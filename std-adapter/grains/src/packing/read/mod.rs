@@ -4,15 +4,15 @@ mod run;
 mod vtp;
 
 use super::assembly::{Assembly, Forces};
-use crate::exchange::configuration::{Configuration, Format, recognised};
-use crate::exchange::spheres::Spheres;
-use crate::exchange::text::TextError;
-use crate::exchange::{extended_xyz, lammps};
 use crate::packing::{Stored, mixed};
-use crate::record::{CheckpointError, FrameError, ReadError, read_text};
-use crate::space::pairs::NeighbourError;
-use crate::space::{AXES, PeriodicBox, PeriodicBoxError};
 use std::path::Path;
+use tribos_base::exchange::configuration::{Configuration, Format, recognised};
+use tribos_base::exchange::spheres::Spheres;
+use tribos_base::exchange::text::TextError;
+use tribos_base::exchange::{extended_xyz, lammps};
+use tribos_base::record::{CheckpointError, FrameError, ReadError, read_text};
+use tribos_base::space::pairs::NeighbourError;
+use tribos_base::space::{AXES, PeriodicBox, PeriodicBoxError};
 
 /// Largest size of a file in bytes: about ten million spheres as text.
 const MOST_BYTES: u64 = 4 << 30;

@@ -3,12 +3,12 @@
 use super::{Assembly, AssemblyError, text};
 use crate::packing::assembly::Forces;
 use crate::packing::{STATE, mixed};
-use crate::record::frames::{Bodies, Frame, FrameContact, FrameFolder, Kind};
-use crate::record::{ContactRow, Partner};
-use crate::run::{CHECKPOINT, FRAMES};
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::path::Path;
+use tribos_base::record::frames::{Bodies, Frame, FrameContact, FrameFolder, Kind};
+use tribos_base::record::{ContactRow, Partner};
+use tribos_base::run::{CHECKPOINT, FRAMES};
+use tribos_base::space::PeriodicBox;
 
 /// The spheres at the end of a gas, which keeps no state with forces.
 const SPHERES: &str = "final.xyz";

@@ -6,15 +6,15 @@ use crate::packing::assembly::{Assembly, Forces};
 use crate::packing::method::ContactMethod;
 use crate::powder::scene::PowderScene;
 use crate::powder::{self, Compaction};
-use crate::random::Random;
-use crate::record::frames::{Bodies, Frame, FrameFolder};
-use crate::record::trajectory::{Format, State, Trajectory};
-use crate::record::{Snapshot, extended_xyz, particles_vtp};
-use crate::run::LongRun;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
+use tribos_base::random::Random;
+use tribos_base::record::frames::{Bodies, Frame, FrameFolder};
+use tribos_base::record::trajectory::{Format, State, Trajectory};
+use tribos_base::record::{Snapshot, extended_xyz, particles_vtp};
+use tribos_base::run::LongRun;
 use tribos_base::scene::SceneError;
+use tribos_base::space::PeriodicBox;
 
 /// Places, velocities, spins and radii with all their bits in use.
 fn cloud(count: usize) -> ([Vec<Vector3<f64>>; 3], Vec<f64>) {

@@ -2,10 +2,10 @@
 
 use super::{Assembly, AssemblyError};
 use crate::packing::mixed;
-use crate::space::{PeriodicBox, PeriodicBoxError};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use nalgebra::Vector3;
+use tribos_base::space::{PeriodicBox, PeriodicBoxError};
 
 /// How to write a file that is read here.
 const CURE: &str = "in ParaView save it with Data Mode Ascii or Binary and Compressor Type None";

@@ -6,10 +6,10 @@ mod table;
 
 pub use radii::Radii;
 
-use crate::record::read_text;
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
+use tribos_base::record::read_text;
 use tribos_base::scene::key::{Domain, Form, reads};
 
 /// Distance of the cuts of normal and log-normal distributions from the middle, in standard deviations:

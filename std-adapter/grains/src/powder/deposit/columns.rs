@@ -1,7 +1,7 @@
 //! Deposited spheres sorted into columns over the base.
 
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::space::PeriodicBox;
 
 /// Largest number of columns along one side: a million in total.
 const MOST_COLUMNS: f64 = 1024.0;

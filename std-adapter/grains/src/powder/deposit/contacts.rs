@@ -1,8 +1,8 @@
 //! Contacts of a deposit.
 
 use super::Deposit;
-use crate::record::{ContactRow, Partner, Snapshot};
 use nalgebra::Vector3;
+use tribos_base::record::{ContactRow, Partner, Snapshot};
 
 /// Number of the substrate among the walls.
 pub const SUBSTRATE: u32 = 0;

@@ -2,7 +2,7 @@
 
 use super::MOST_SPHERES;
 use crate::packing::SizesError;
-use crate::space::PeriodicBoxError;
+use tribos_base::space::PeriodicBoxError;
 
 /// Why a deposit cannot be grown.
 ///

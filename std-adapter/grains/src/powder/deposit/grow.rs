@@ -2,11 +2,11 @@
 
 use super::columns::{Columns, Meeting};
 use super::{Ballistic, Deposit, DepositError, MOST_SPHERES, STREAM, Until};
-use crate::random::Random;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
+use tribos_base::random::Random;
+use tribos_base::space::PeriodicBox;
 
 /// A sphere that has come to rest.
 struct Landed {

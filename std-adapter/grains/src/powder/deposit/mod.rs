@@ -18,8 +18,8 @@ pub use error::DepositError;
 pub use porosity::BULK;
 
 use crate::packing::Radii;
-use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use tribos_base::space::PeriodicBox;
 
 /// Random stream of a deposit. It gives x, y and, if radii differ, the share of the spheres
 /// that are smaller, whose quantile is the radius, of each sphere, in this order.

@@ -1,11 +1,11 @@
 use crate::packing::Sizes;
 use crate::powder::Compaction;
 use crate::powder::scene::PowderScene;
-use crate::record::{extended_xyz, particles_vtp};
-use crate::run::Simulation;
 use nalgebra::Vector3;
 use std::path::PathBuf;
 use tempfile::TempDir;
+use tribos_base::record::{extended_xyz, particles_vtp};
+use tribos_base::run::Simulation;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 

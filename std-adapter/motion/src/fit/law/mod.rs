@@ -8,10 +8,10 @@ mod stribeck;
 use super::estimate::FitError;
 use super::parameter::Model;
 use super::{Data, Motion};
-use crate::friction::Refusal;
 use std::borrow::Cow;
 use std::str::FromStr;
 use tribos_core::law::{Dieterich, LocalLaw, Ruina};
+use tribos_friction::Refusal;
 
 /// A law that can be fitted.
 ///
@@ -63,7 +63,7 @@ impl LawName {
         ),
     ];
 
-    /// The law of steady sliding in the catalogue [`LAWS`](crate::friction::LAWS).
+    /// The law of steady sliding in the catalogue [`LAWS`](tribos_friction::LAWS).
     pub fn steady(self) -> &'static str {
         match self {
             Self::Stribeck => "stribeck",

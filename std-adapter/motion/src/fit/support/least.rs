@@ -98,7 +98,7 @@ impl Normal {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Random;
+    use tribos_base::random::Random;
 
     fn error(rows: &[(DVector<f64>, f64)], x: &DVector<f64>) -> f64 {
         let each = rows.iter().map(|(row, right)| row.dot(x) - right);

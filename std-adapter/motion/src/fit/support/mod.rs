@@ -14,7 +14,6 @@ mod least;
 mod nodes;
 mod points;
 
-use crate::friction::{Patch, Refusal, limit_surface, points_of};
 use form::Form;
 use nalgebra::Vector3;
 use points::Points;
@@ -22,6 +21,7 @@ use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::patch::nodes::{Node, NodeSlice};
 use tribos_core::twist::{Twist, Wrench};
+use tribos_friction::{Patch, Refusal, limit_surface, points_of};
 
 /// A measured push: a motion of the body, of which the direction alone counts, and the wrench on it.
 ///

@@ -1,7 +1,7 @@
 //! Synthetic pushes with a known pressure.
 
 use super::*;
-use crate::random::Random;
+use tribos_base::random::Random;
 use tribos_core::coupling::flat::FlatFriction;
 use tribos_core::patch::outline::Polygon;
 

@@ -1,11 +1,11 @@
 //! Friction that is larger at the back of the band.
 
 use super::{CurlingModel, CurlingRock, IceLaw};
-use crate::friction::Friction;
 use crate::slide::SlideError;
 use crate::slide::planar::Resistance;
 use tribos_core::Real;
 use tribos_core::internals::{LeaningWrench, leaning_wrench};
+use tribos_friction::Friction;
 
 /// Friction that is larger at the back of the band than at the front by a given factor, whatever the
 /// cause (melt water, evaporation, debris).

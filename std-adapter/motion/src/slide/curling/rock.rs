@@ -1,8 +1,8 @@
 //! The rock, and the friction law of ice.
 
-use crate::friction::{Friction, Law, Patch};
 use crate::slide::SlideError;
 use crate::slide::planar::{Gradient, TallBody};
+use tribos_friction::{Friction, Law, Patch};
 
 /// A curling rock on its running band.
 ///

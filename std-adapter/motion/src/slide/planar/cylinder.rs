@@ -1,9 +1,9 @@
 //! The tall cylinder on its flat face.
 
 use super::{Gradient, TallBody};
-use crate::friction::{Friction, Law};
 use crate::slide::SlideError;
 use tribos_core::patch::PowerPressure;
+use tribos_friction::{Friction, Law};
 
 /// A cylinder that slides on its flat side: counterclockwise spin bends its path to the right.
 ///

@@ -1,8 +1,8 @@
 //! Penner's pipe.
 
 use super::{Gradient, TallBody};
-use crate::friction::{Friction, Law, Patch};
 use crate::slide::SlideError;
+use tribos_friction::{Friction, Law, Patch};
 
 /// A hollow cylinder that stands and slides on its end.
 ///

@@ -1,12 +1,12 @@
 //! A flat plate of any outline.
 
 use super::Resistance;
-use crate::friction::Flat;
 use crate::slide::SlideError;
 use tribos_core::Real;
 use tribos_core::coupling::flat::{DryPatch, FlatFriction};
 use tribos_core::law::LawError;
 use tribos_core::twist::Twist;
+use tribos_friction::Flat;
 
 /// A plate that lies flat and slides under Coulomb friction, with its centre of mass above the centre of
 /// its outline. Unless it is symmetric, its spin drives it aside and its slide turns it.

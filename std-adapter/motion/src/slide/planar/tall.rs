@@ -1,13 +1,13 @@
 //! Bodies of revolution with a raised centre of mass.
 
 use super::Resistance;
-use crate::friction::Friction as Foot;
 use crate::slide::SlideError;
 use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::tall::{AllRound, FrontBack, TallFriction};
 use tribos_core::law::LawError;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
+use tribos_friction::Friction as Foot;
 
 /// Components of the pressure gradient that are included.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,7 +1,6 @@
 //! The scene of a curling rock and the models of its ice.
 
 use super::planar::{STOP_FRACTION, Tipping, moves};
-use crate::friction::{Evaluation, Law};
 use crate::slide::curling::{
     BackHeavy, CurlingModel, CurlingRock, Dry, Film, FrontBack, IceLaw, LeftRight, PivotSlide,
     RING_POINTS, ScratchGuide,
@@ -13,6 +12,7 @@ use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
+use tribos_friction::{Evaluation, Law};
 
 /// Answers to the question why a rock curls; each is a type in [`crate::slide::curling`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

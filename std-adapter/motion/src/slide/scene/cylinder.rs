@@ -1,13 +1,13 @@
 //! The scene of a tall cylinder.
 
 use super::planar::{EXPONENT, FootPressure, STOP_FRACTION, Tipping, is_of_power_law, moves};
-use crate::friction::{Evaluation, LAW, Law, Refusal};
 use crate::slide::planar::{Gradient, Resistance, TallCylinder};
 use crate::slide::{PlanarCourse, PlanarScene, SlideError, of_law};
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::Word;
+use tribos_friction::{Evaluation, LAW, Law, Refusal};
 
 scene! {
     /// A tall cylinder that slides on its flat side along a path in the plane.

@@ -1,13 +1,13 @@
 //! The scene of a pipe.
 
 use super::planar::{EXPONENT, STOP_FRACTION, Tipping, is_of_power_law, moves};
-use crate::friction::{Evaluation, LAW, Law, Patch, Refusal};
 use crate::slide::planar::{Gradient, Pipe, Resistance};
 use crate::slide::{PlanarCourse, PlanarScene, SlideError, of_law};
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::Word;
+use tribos_friction::{Evaluation, LAW, Law, Patch, Refusal};
 
 scene! {
     /// A pipe that slides on its end along a path in the plane.

@@ -1,11 +1,11 @@
 //! What the scenes of sliding bodies have in common.
 
-use crate::friction::LARGEST_EXPONENT;
 use crate::slide::planar::Gradient;
 use tribos_base::scene::key::Domain;
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::words::words;
 use tribos_core::patch::PowerPressure;
+use tribos_friction::LARGEST_EXPONENT;
 
 /// Fraction of its initial value below which a speed counts as rest where the motion never ends
 /// (thesis, section 3.4.5).

@@ -1,11 +1,11 @@
 //! The scene of a flat plate.
 
 use super::planar::{STOP_FRACTION, Tipping, moves};
-use crate::friction::{Evaluation, Flat, FlatPatch, PATCH, Patch, Refusal};
 use crate::slide::planar::{Plate, Resistance};
 use crate::slide::{PlanarCourse, PlanarScene, SlideError};
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::table::{as_written, scene};
+use tribos_friction::{Evaluation, Flat, FlatPatch, PATCH, Patch, Refusal};
 
 scene! {
     /// A flat plate of any outline, such as a box or a tile, that slides and spins to rest.

@@ -1,11 +1,11 @@
 //! The scene of one sliding, spinning body on a straight path.
 
 use super::planar::{EXPONENT, STOP_FRACTION, is_of_power_law, moves};
-use crate::friction::{LAW, Law};
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
+use tribos_friction::{LAW, Law};
 
 /// Which units a scene is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! The scene of a clamped body under a cyclic load.
 
-use crate::friction::{PATCH, Patch};
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::{as_written, scene};
+use tribos_friction::{PATCH, Patch};
 
 scene! {
     /// A body pinched between two elastic pads, under a force and a torque that swing.

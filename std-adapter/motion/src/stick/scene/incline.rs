@@ -1,10 +1,10 @@
 //! The scene of a block on an incline.
 
-use crate::friction::{PATCH, Patch};
 use std::f64::consts::FRAC_PI_2;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::{as_written, scene};
+use tribos_friction::{PATCH, Patch};
 
 scene! {
     /// A block at rest on an incline that is raised: it holds, lets go and slides down.

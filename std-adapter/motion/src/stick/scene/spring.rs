@@ -1,6 +1,5 @@
 //! The scene of a body on a spring.
 
-use crate::friction::{LAW, Law};
 use crate::stick::spring::{AgeLaw, Regime};
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
@@ -9,6 +8,7 @@ use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
 use tribos_core::Real;
 use tribos_core::law::{LocalLaw, LuGreParameters, RateStateParameters};
+use tribos_friction::{LAW, Law};
 
 /// What resists a body on a spring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,10 +1,10 @@
 //! The scene of a body on a turntable.
 
-use crate::friction::{PATCH, Patch};
-use crate::record::brief;
+use tribos_base::record::brief;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::{as_written, scene};
+use tribos_friction::{PATCH, Patch};
 
 scene! {
     /// A body that lies on a turntable which is spun up from rest: it holds, lets go and slides outward.

@@ -1,7 +1,7 @@
 //! The summary of a body on a spring.
 
 use super::tally::Tally;
-use crate::record::json_number;
+use tribos_base::record::json_number;
 
 use serde_json::{Map, Value, json};
 

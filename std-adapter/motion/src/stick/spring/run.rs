@@ -8,10 +8,10 @@ use super::rate_state::RateStateMotion;
 use super::speed::SpeedMotion;
 use super::stability::critical_stiffness;
 use super::tally::Tally;
-use crate::friction::Law;
 use crate::stick::scene::{SpringFriction, SpringScene};
 use crate::stick::{HeldRun, HeldScene, StickError};
 use tribos_core::law::{Ageing, LocalLaw, LuGre, RateState, RateStateParameters};
+use tribos_friction::Law;
 
 /// Columns of the series: s, m, m, m/s, N, N, s or m, 0 or 1.
 pub const SPRING_COLUMNS: [&str; 8] = [

@@ -3,9 +3,9 @@
 
 use super::motion::{Follower, Moment, spring_impulse};
 use super::rosenbrock::{Flow, Pace, trial};
-use crate::friction::AnyLaw;
 use crate::stick::StickError;
 use tribos_core::law::LocalLaw;
+use tribos_friction::AnyLaw;
 
 /// A body under a law of the speed.
 #[derive(Debug)]
