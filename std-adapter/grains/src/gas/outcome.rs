@@ -104,21 +104,18 @@ impl Measure for GasScene {
     type Error = GasError;
 
     fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, GasError> {
-        let run = |watch: &mut dyn FnMut()| -> Result<Measurement, GasError> {
-            let mut gas = Gas::new(self)?;
-            drive(&mut gas, |_, _| watch())?;
-            let rows = gas.series().iter().map(|row| row.to_vec());
-            let summary = gas.outcome().json(self);
-            let mut measurement = Measurement::new(&summary, &COLUMNS, rows);
-            measurement.state = gas.with_snapshot(|end| {
-                vec![
-                    ("positions", digest(end.positions)),
-                    ("velocities", digest(end.velocities.unwrap_or_default())),
-                    ("spins", digest(end.spins.unwrap_or_default())),
-                ]
-            })?;
-            Ok(measurement)
-        };
-        Ok(run(watch)?)
+        let mut gas = Gas::new(self)?;
+        drive(&mut gas, |_, _| watch())?;
+        let rows = gas.series().iter().map(|row| row.to_vec());
+        let summary = gas.outcome().json(self);
+        let mut measurement = Measurement::new(&summary, &COLUMNS, rows);
+        measurement.state = gas.with_snapshot(|end| {
+            vec![
+                ("positions", digest(end.positions)),
+                ("velocities", digest(end.velocities.unwrap_or_default())),
+                ("spins", digest(end.spins.unwrap_or_default())),
+            ]
+        })?;
+        Ok(measurement)
     }
 }
