@@ -199,7 +199,7 @@ fn files_without_radii_tilted_or_cut_are_refused_by_line() {
 
 /// A scene of spheres.
 enum Scene {
-    Grains(GrainsScene),
+    Grains(Box<GrainsScene>),
     Powder(PowderScene),
     Gas(GasScene),
 }
@@ -208,7 +208,11 @@ impl Scene {
     fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
         let powder = PowderScene::parse(name, text, &[]).map(Self::Powder);
         let gas = || GasScene::parse(name, text, &[]).map(Self::Gas);
-        let grains = || GrainsScene::parse(name, text, &[]).map(Self::Grains);
+        let grains = || {
+            GrainsScene::parse(name, text, &[])
+                .map(Box::new)
+                .map(Self::Grains)
+        };
         powder.or_else(|_| gas()).or_else(|_| grains())
     }
 }
