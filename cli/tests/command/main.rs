@@ -1,6 +1,7 @@
 //! The command as a user meets it.
 
 mod bad_input;
+mod before;
 mod breaks;
 mod browser;
 mod contact;
