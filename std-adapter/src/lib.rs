@@ -75,7 +75,7 @@
 //! | [`onset`] | what a contact holds under force and torque before it slides |
 //! | [`scene`] | scenes: plain data with defaults, their files, units and checks |
 //! | [`push`] | quasi-static pushing: motion cones, sticking and sliding, paths |
-//! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; launches that end at a wanted pose |
+//! | [`slide`] | sliding bodies: disk, cylinder, pipe, box or other plate, curling rock; launches that end at a wanted pose |
 //! | [`stick`] | bodies that hold, let go and hold again: on a spring, on an incline, on a turntable |
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
 //! | [`grains`] | grains in boxes under gravity, pistons, moving plates and shaking |

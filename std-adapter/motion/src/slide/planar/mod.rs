@@ -1,7 +1,8 @@
 //! Bodies with lateral friction, which follow a curved path in the plane.
 //!
-//! A [`Resistance`] gives the deceleration of a body, a [`Journey`] follows the body to rest. This module
-//! has three bodies, [`TallCylinder`], [`Pipe`] and [`Plate`]; [`super::curling`] has the curling rock.
+//! A [`Resistance`] gives the deceleration of a body, a [`Journey`] follows the body to rest. Bodies that are
+//! ready, a cylinder, a pipe, a box or other plate, and a curling rock, are run from their scenes by
+//! [`run_path`](super::run_path); a body of your own implements [`Resistance`].
 
 mod cylinder;
 mod journey;
