@@ -8,7 +8,7 @@
 //! | [`Savkoor`] | speed: the maximum of rubber | yes |
 //! | [`Ageing`] | time of rest | – |
 //! | [`RateState`] | speed and age, ageing law [`Dieterich`] or slip law [`Ruina`] | [`SteadyRateState`] |
-//! | [`LuGre`] | velocity and deflection of bristles | [`SteadyLuGre`] |
+//! | [`LuGre`] | velocity and deflection of bristles | [`LuGre::steady_per_load`] |
 //!
 //! States ([`Age`], [`ContactAge`], [`Bristle`]) are small values that the caller stores, one for
 //! each contact; laws are immutable.
