@@ -8,9 +8,8 @@ use tribos_benches::mix;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{PatchFriction, table};
 use tribos_core::law::{CoulombLaw, PowerLaw};
-use tribos_core::patch::nodes::{NodeList, NodePatch};
+use tribos_core::patch::nodes::{NodeList, NodePatch, Nodes};
 use tribos_core::patch::polar::PolarRule;
-use tribos_core::patch::tripod::tripod;
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -72,7 +71,8 @@ fn nodes(criterion: &mut Criterion) {
     let law = CoulombLaw::new(1.0).expect("1 is a valid coefficient");
     let narrow = CoulombLaw::new(1.0_f32).expect("1 is a valid coefficient");
     let power = PowerLaw::new(0.5, 1.0).expect("1/2 is a valid exponent");
-    let feet = tripod([[1.0, 0.0], [-0.5, 0.8], [-0.5, -0.8]], [0.1, 0.0]).expect("it stands");
+    let feet =
+        Nodes::tripod([[1.0, 0.0], [-0.5, 0.8], [-0.5, -0.8]], [0.1, 0.0]).expect("it stands");
     let table = whole_disk();
     let feet = NodeFriction::new(law, feet);
     let hundred = NodeFriction::new(law, disk::<f64, 100>(5, 20));

@@ -12,7 +12,6 @@ use tribos_core::law::CoulombLaw;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::outline::Polygon;
-use tribos_core::patch::polygon::polygon;
 use tribos_core::twist::Twist;
 
 /// Largest difference between 504 nodes and the square they stand for, of the load.
@@ -104,7 +103,7 @@ fn polygons(criterion: &mut Criterion) {
     let ell = dry(Polygon::new(ELL).expect("an L"));
     let octagon = dry(Polygon::new(OCTAGON).expect("an octagon"));
     let disk = PatchFriction::new(table::Coulomb, 1.0, 1.0).expect("1 is a valid coefficient");
-    let nodes: NodeList<f64, 504> = polygon(&SQUARE, 6).expect("room for all nodes");
+    let nodes: NodeList<f64, 504> = NodeList::polygon(&SQUARE, 6).expect("room for all nodes");
     let law = CoulombLaw::new(1.0).expect("1 is a valid coefficient");
     let nodes = NodeFriction::new(law, nodes);
     let twist = Twist::new(0.3, 0.4, 0.7);

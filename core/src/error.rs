@@ -2,7 +2,6 @@
 
 use crate::contact::TouchError;
 use crate::law::LawError;
-use crate::limit_surface::SupportError;
 use crate::manifold::ManifoldError;
 use crate::patch::PatchError;
 use crate::patch::mesh::MeshError;
@@ -54,14 +53,12 @@ macro_rules! errors {
 errors! {
     /// A parameter of a friction law, or of what it acts on.
     Law(LawError),
-    /// A contact patch: its dimensions, its pressure or its points.
+    /// A contact patch: its dimensions, its pressure, its points, or the corners that support it.
     Patch(PatchError),
     /// The corners of a polygon, or its pressure.
     Outline(OutlineError),
     /// The triangles of a mesh, or their pressure.
     Mesh(MeshError),
-    /// The corners of a support, or its centre of pressure.
-    Support(SupportError),
     /// The geometry of a contact.
     Touch(TouchError),
     /// A body or contact of a manifold.

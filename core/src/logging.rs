@@ -58,7 +58,8 @@ formats! {
     [R: Real + Format] NodePreslidingStep<R>: |s| "under {}, dissipated {}, {} points slip",
         s.friction, s.dissipated, s.slipping;
     [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] NodePresliding<R, P, CAPACITY>: |p|
-        "bonds of {} points, {}", p.patch().nodes().len(), p.bonds();
+        "bonds of {} points, stiffness {}, limit {}",
+        p.patch().nodes().len(), p.stiffness(), p.force_limit();
     [R: Real + Format] Sphere<R>: |s| "sphere at velocity {}, spin {}, 1/m {}, 1/I {}",
         Components(s.velocity), Components(s.spin), s.inv_mass, s.inv_inertia;
     [R: Real + Format] Plate<R>: |p| "plate at velocity {}, 1/m {}",
@@ -75,8 +76,8 @@ formats! {
         Components(*c.normal()), c.bound(), c.impulse();
     [R: Real + Format] PreparedContact<R>: |c| "prepared contact along {}, {}",
         Components(c.normal), c.block;
-    [R: Real + Format] TallWrench<R>: |w| "{}, lean [{}, {}], {}",
-        w.wrench, w.lean.x, w.lean.y, w.footing;
+    [R: Real + Format] TallWrench<R>: |w| "{}, lean [{}, {}], lifts: {}",
+        w.wrench, w.lean.x, w.lean.y, w.is_lifting;
     [R: Real + Format, C: DryCoupling<R> + Format] LimitSurface<R, C>: |s|
         "limit surface of {}, force {}, radius {}", s.coupling(), s.force_limit(), s.radius();
     [R: Real + Format] Ellipsoid<R>: |e| "ellipsoid of force {}, torque {}, radius {}",
@@ -123,8 +124,8 @@ formats! {
     [R: Real + Format] PlanarStep<R>: |s| "{} under {}, at rest: {}",
         s.twist, s.friction, s.is_at_rest;
     [R: Real + Format] ElasticState<R>: |s| "{}, {}, {}", s.pose, s.twist, s.anchor;
-    [R: Real + Format] ElasticStep<R>: |s| "{} under {}, slip {}, {}, {}",
-        s.state, s.friction, s.slip, s.losses, s.grip;
+    [R: Real + Format] ElasticStep<R>: |s| "{} under {}, slip {}, lost {}, {}",
+        s.state, s.friction, s.slip, s.lost_energy(), s.grip;
     [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] NodeFoot<R, P, CAPACITY>: |p|
         "foot of {} points, limit {}", p.patch().nodes().len(), p.force_limit();
 }

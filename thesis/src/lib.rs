@@ -1,6 +1,7 @@
 //! The results of the thesis, claim by claim: figures, tables and sections recomputed, each claim
 //! with the thesis' number, ours, and a verdict.
 
+mod asperities;
 mod coverage;
 mod direct;
 mod document;

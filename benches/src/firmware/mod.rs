@@ -23,14 +23,13 @@ use programs::Program;
 pub const TIER: &str = "tier";
 
 /// Modules of the kernel without a price of their own, and why.
-pub const UNPRICED: [(&str, &str); 7] = [
+pub const UNPRICED: [(&str, &str); 6] = [
     ("coupling::dry", "hands calls on to the tier inside"),
     (
         "coupling::lean_profile",
         "hands calls on to the tier inside",
     ),
     ("error", "moves a refusal into another type"),
-    ("law::incline", "a few products for a body on a slope"),
     ("patch::borrowed", "borrows the caller's nodes"),
     ("patch::feet", "adds what its feet take"),
     (

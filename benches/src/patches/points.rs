@@ -9,9 +9,8 @@ use crate::mix;
 use crate::reference::Wide;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::LocalLaw;
-use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
-use tribos_core::patch::polar::{self, PolarRule};
-use tribos_core::patch::tripod::tripod;
+use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
+use tribos_core::patch::polar::PolarRule;
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -38,7 +37,7 @@ fn rules<R: Real>() -> Result<Vec<Rule<R>>, Refused> {
     let mut all = vec![Rule {
         patch: "ring",
         pressure: Pressure::Ring,
-        nodes: polar::ring(R::ONE, NODES as u32)?,
+        nodes: NodeList::ring(R::ONE, NODES as u32)?,
     }];
     for (patch, q) in [
         ("disk", 0.0),
@@ -140,7 +139,7 @@ impl<R: Real> ForLaw<R> for Given<R> {
             judge: "sum",
         };
         // The constants are in the domain.
-        if let Ok(stool) = tripod(self.feet, CENTRE.map(R::from_f64)) {
+        if let Ok(stool) = Nodes::tripod(self.feet, CENTRE.map(R::from_f64)) {
             let cases = sum_cases(&stool, alpha);
             let row = row::<R, _, _>(label("tripod"), &cases, law, stool);
             self.rows.push(row);

@@ -4,7 +4,6 @@ use core::ffi::{CStr, c_char};
 use tribos_core::Error;
 use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
-use tribos_core::limit_surface::SupportError;
 use tribos_core::manifold::ManifoldError;
 use tribos_core::patch::PatchError;
 use tribos_core::patch::mesh::MeshError;
@@ -216,14 +215,18 @@ impl From<PatchError> for tribos_status {
             PatchError::Height { .. } | PatchError::Lean { .. } | PatchError::Negative => {
                 Self::Negative
             }
-            PatchError::NodePosition { .. } => Self::NodePosition,
+            PatchError::NodePosition { .. } | PatchError::CornerPosition { .. } => {
+                Self::NodePosition
+            }
+            PatchError::Centre | PatchError::CornerDistance => Self::NotFinite,
+            PatchError::CentreOutside => Self::Outline,
             PatchError::NodeWeight { .. } => Self::NodeWeight,
             PatchError::NoLoad | PatchError::Unloaded => Self::Unloaded,
             PatchError::OnePlace => Self::FeetInLine,
             PatchError::Full { .. } => Self::Full,
             PatchError::FeetInLine => Self::FeetInLine,
             PatchError::FootPulls { .. } | PatchError::Tips { .. } => Self::Tips,
-            PatchError::Corners { .. } => Self::Corners,
+            PatchError::Corners { .. } | PatchError::NoCorners => Self::Corners,
             PatchError::Hidden => Self::Hidden,
             PatchError::Divisions { .. } => Self::Divisions,
             PatchError::RuleOrder { .. } => Self::Rings,
@@ -261,17 +264,6 @@ impl From<MeshError> for tribos_status {
     }
 }
 
-impl From<SupportError> for tribos_status {
-    fn from(error: SupportError) -> Self {
-        match error {
-            SupportError::NoCorners => Self::Corners,
-            SupportError::Position { .. } => Self::NodePosition,
-            SupportError::Centre | SupportError::Extent => Self::NotFinite,
-            SupportError::Outside => Self::Outline,
-        }
-    }
-}
-
 impl From<TouchError> for tribos_status {
     fn from(error: TouchError) -> Self {
         match error {
@@ -288,7 +280,6 @@ impl From<Error> for tribos_status {
             Error::Patch(error) => error.into(),
             Error::Outline(error) => error.into(),
             Error::Mesh(error) => error.into(),
-            Error::Support(error) => error.into(),
             Error::Touch(error) => error.into(),
             Error::Manifold(ManifoldError::Full { .. }) => Self::Full,
             Error::Manifold(_) => Self::Choice,

@@ -21,9 +21,9 @@ use nalgebra::Matrix3;
 ///
 /// ```
 /// use tribos_core::bond::{Bonds, Exponential};
-/// use tribos_core::patch::tripod::tripod;
+/// use tribos_core::patch::nodes::Nodes;
 /// use tribos_core::twist::Twist;
-/// let stool = tripod([[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]], [0.1, 0.1])?; // m
+/// let stool = Nodes::tripod([[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]], [0.1, 0.1])?; // m
 /// let bonds = Bonds::new(Exponential::new(5e4_f64, 1e-5)?, stool)?; // 1/m, m
 /// let pushed = bonds.wrench(60.0, &Twist::new(1e-6, 0.0, 0.0)); // N; m, m, rad
 /// assert!((pushed.force.x + 60.0 * 0.05 * (-0.1_f64).exp()).abs() < 1e-12); // against the displacement

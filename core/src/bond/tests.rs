@@ -6,7 +6,6 @@ use crate::patch::PatchError;
 use crate::patch::nodes::{Node, NodeList, Nodes};
 use crate::patch::polar::PolarRule;
 use crate::patch::polygon::polygon_into;
-use crate::patch::tripod::tripod;
 use crate::twist::Twist;
 
 type Disk = NodeList<f64, 512>;
@@ -37,7 +36,7 @@ fn rectangle([a, b]: [f64; 2]) -> NodeList<f64, 520> {
 
 fn stool() -> Nodes<f64, 3> {
     let (x, y) = (0.75_f64.sqrt(), -0.5);
-    tripod([[0.0, 1.0], [-x, y], [x, y]], [0.0, 0.0]).unwrap()
+    Nodes::tripod([[0.0, 1.0], [-x, y], [x, y]], [0.0, 0.0]).unwrap()
 }
 
 /// Directions of displacement, and force along x and y with the torque at the onset, per load.

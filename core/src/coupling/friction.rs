@@ -48,6 +48,7 @@ pub struct PatchFriction<R, C> {
 /// assert!(force == 0.0 && (torque - most * 2.0 / 3.0).abs() < 1e-16);
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Magnitudes<R> {
@@ -93,6 +94,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     ///
     /// *Domain*: any; zero at rest, see [`Coupling`] for infinite and NaN arguments. `load` is
     /// taken as it is, so that a negative load (a contact that pulls) is the caller's to exclude.
+    #[doc(hidden)]
     #[inline]
     pub fn magnitudes(&self, load: R, speed: R, spin: R) -> Magnitudes<R> {
         let ReducedWrench { force, torque } =

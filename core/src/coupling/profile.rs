@@ -170,6 +170,7 @@ impl<R: Real, P: SmoothProfile<R> + ?Sized> SmoothProfile<R> for &P {
 /// assert!((whole.torque - bare.torque * 0.4_f64.sqrt()).abs() < 1e-15);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
+#[doc(hidden)]
 #[inline]
 pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
     let speeds = Speeds::new(slide, rim);

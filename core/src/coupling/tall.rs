@@ -154,29 +154,7 @@ impl Lean for AllRound {
     }
 }
 
-/// Whether the entire patch is still loaded.
-///
-/// ```
-/// use tribos_core::coupling::tall::{AllRound, Footing, TallFriction};
-/// use tribos_core::coupling::{PatchFriction, table::Coulomb};
-/// use tribos_core::twist::Twist;
-/// let foot = PatchFriction::new(Coulomb, 0.5_f64, 0.05)?; // mu, m
-/// let bottle = TallFriction::<_, _, AllRound>::new(foot, 0.1)?; // centre of mass, m
-/// // It tips when it slides, but not while it spins fast, where sliding meets little friction.
-/// let [slides, spins] = [0.0, 1000.0].map(|spin| bottle.wrench(5.0, &Twist::new(1.0, 0.0, spin)));
-/// assert_eq!([slides.footing, spins.footing], [Footing::Lifting, Footing::Whole]);
-/// # Ok::<(), tribos_core::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Footing {
-    /// The pressure is positive everywhere.
-    Whole,
-    /// The pressure would be negative at the trailing edge: the body begins to tip.
-    Lifting,
-}
-
-/// Wrench, pressure gradient and footing of a tall body.
+/// Wrench and pressure gradient of a tall body, and whether it begins to tip.
 ///
 /// ```
 /// use tribos_core::coupling::tall::{AllRound, TallFriction, TallWrench};
@@ -189,6 +167,11 @@ pub enum Footing {
 /// // Friction's moment about the centre of mass is the pressure's: N R l/4 in the uniform disk.
 /// let pressure = lean * (load * 0.08 / 4.0);
 /// assert!((wrench.force * height + pressure).amax() < 1e-14);
+/// // A bottle tips when it slides, but not while it spins fast, where sliding meets little friction.
+/// let foot = PatchFriction::new(Coulomb, 0.5_f64, 0.05)?; // mu, m
+/// let bottle = TallFriction::<_, _, AllRound>::new(foot, 0.1)?; // m
+/// let [slides, spins] = [0.0, 1000.0].map(|spin| bottle.wrench(5.0, &Twist::new(1.0, 0.0, spin)));
+/// assert!(slides.is_lifting && !spins.is_lifting);
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -197,9 +180,9 @@ pub struct TallWrench<R: Real> {
     pub wrench: Wrench<R>,
     /// Pressure gradient l, per radius, that balances the force.
     pub lean: Vector2<R>,
-    /// Whether the entire foot is loaded. If [`Footing::Lifting`], the gradient's share
-    /// in the wrench has been held at |l| = 1.
-    pub footing: Footing,
+    /// The pressure would be negative at the trailing edge: the body begins to tip. The gradient's share in
+    /// the wrench has been held at |l| = 1.
+    pub is_lifting: bool,
 }
 
 impl<R: Real> TallWrench<R> {
@@ -219,12 +202,12 @@ impl<R: Real> TallWrench<R> {
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn whole(&self) -> Result<Wrench<R>, PatchError> {
-        match self.footing {
-            Footing::Whole => Ok(self.wrench),
-            Footing::Lifting => Err(PatchError::Tips {
+        if self.is_lifting {
+            return Err(PatchError::Tips {
                 lean: self.lean.x.hypot(self.lean.y).to_f64(),
-            }),
+            });
         }
+        Ok(self.wrench)
     }
 }
 
@@ -268,21 +251,19 @@ impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
         })
     }
 
-    /// Wrench, pressure gradient and footing at a twist.
+    /// Wrench and pressure gradient at a twist, and whether the foot lifts.
     ///
-    /// *Special values*: zero at rest; NaN in gives NaN out, with [`Footing::Lifting`].
+    /// *Special values*: zero at rest; NaN in gives NaN out, and a foot that lifts.
     pub fn wrench(&self, load: R, twist: &Twist<R>) -> TallWrench<R> {
         let speed = twist.speed();
         let speeds = [speed, (twist.spin * self.foot.radius()).abs()];
         let coupling = self.foot.coupling();
         let (mut reduced, [along, across]) = L::balance(coupling, speeds, self.lean);
         let lean = along.hypot(across);
-        let footing = if lean <= R::ONE {
-            Footing::Whole
-        } else {
+        let is_whole = lean <= R::ONE;
+        if !is_whole {
             reduced = leaning_wrench(coupling, speeds, [along / lean, across / lean]);
-            Footing::Lifting
-        };
+        }
         let strength = self.foot.coefficient() * load;
         let (cos, sin) = if speed == R::ZERO {
             (R::ONE, R::ZERO)
@@ -299,7 +280,7 @@ impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
                 -(strength * self.foot.radius() * reduced.torque * sense),
             ),
             lean: Vector2::new(along * cos - across * sin, along * sin + across * cos),
-            footing,
+            is_lifting: !is_whole,
         }
     }
 

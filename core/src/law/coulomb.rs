@@ -14,6 +14,7 @@ use crate::real::Real;
 /// assert_eq!(creeping, fast);
 /// assert_eq!(fast, rubber.mu() * 12.0);
 /// assert_eq!(rubber.slope(10.0), 0.0);
+/// assert!((rubber.friction_angle().tan() - 0.8).abs() < 1e-15); // a slope of 39 degrees
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +34,15 @@ impl<R: Real> CoulombLaw<R> {
     /// The dynamic friction coefficient μ.
     pub fn mu(&self) -> R {
         self.mu
+    }
+
+    /// Angle of friction atan μ: the steepest slope on which a body holds whose static coefficient
+    /// is μ.
+    ///
+    /// *Units*: radians. *Source*: Euler; thesis section 2.1, fig. 2.2.
+    #[inline]
+    pub fn friction_angle(&self) -> R {
+        self.mu.atan()
     }
 }
 

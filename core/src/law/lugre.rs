@@ -203,7 +203,21 @@ impl<R: Real> LuGre<R> {
 
     /// Steady sliding as a local law: force over `load`.
     ///
-    /// *Domain*: 0 < `load` < ∞, the load at which the forces were measured.
+    /// *Units*: dimensionless, with the forces of the law and the load in one unit. *Domain*: 0 < `load` < ∞,
+    /// the load at which the forces were measured.
+    ///
+    /// ```
+    /// use tribos_core::law::{LocalLaw, LuGre, LuGreParameters};
+    /// let joint = LuGre::new(LuGreParameters {
+    ///     coulomb_force: 1.0_f64, static_force: 1.5, stribeck_speed: 1e-3, // N, N, m/s
+    ///     stiffness: 1e5, bristle_damping: 316.0, viscous_damping: 0.4, // N/m, N s/m
+    /// })?;
+    /// let steady = joint.steady_per_load(10.0)?; // N
+    /// // Far above the Stribeck speed (F_c + sigma_2 v)/load is left.
+    /// assert!((steady.friction(0.1) - (1.0 + 0.4 * 0.1) / 10.0).abs() < 1e-15);
+    /// assert!((steady.slope(0.1) - 0.4 / 10.0).abs() < 1e-15);
+    /// # Ok::<(), tribos_core::law::LawError>(())
+    /// ```
     pub fn steady_per_load(&self, load: R) -> Result<SteadyLuGre<R>, LawError> {
         Ok(SteadyLuGre {
             law: *self,
@@ -229,21 +243,7 @@ impl<R: Real> LuGre<R> {
 }
 
 /// Steady friction of a [`LuGre`] contact per load.
-///
-/// *Units*: dimensionless, with the forces of the law and the load in one unit.
-///
-/// ```
-/// use tribos_core::law::{LocalLaw, LuGre, LuGreParameters, SteadyLuGre};
-/// let joint = LuGre::new(LuGreParameters {
-///     coulomb_force: 1.0_f64, static_force: 1.5, stribeck_speed: 1e-3, // N, N, m/s
-///     stiffness: 1e5, bristle_damping: 316.0, viscous_damping: 0.4, // N/m, N s/m
-/// })?;
-/// let steady: SteadyLuGre<f64> = joint.steady_per_load(10.0)?; // N
-/// // Far above the Stribeck speed (F_c + sigma_2 v)/load is left.
-/// assert!((steady.friction(0.1) - (1.0 + 0.4 * 0.1) / 10.0).abs() < 1e-15);
-/// assert!((steady.slope(0.1) - 0.4 / 10.0).abs() < 1e-15);
-/// # Ok::<(), tribos_core::law::LawError>(())
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SteadyLuGre<R> {

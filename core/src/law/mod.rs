@@ -8,12 +8,10 @@
 //! | [`Savkoor`] | speed: the maximum of rubber | yes |
 //! | [`Ageing`] | time of rest | – |
 //! | [`RateState`] | speed and age, ageing law [`Dieterich`] or slip law [`Ruina`] | [`SteadyRateState`] |
-//! | [`LuGre`] | velocity and deflection of bristles | [`SteadyLuGre`] |
-//! | [`BowdenTabor`] | real area of contact | – |
-//! | [`Stokes`], [`InertialDrag`] | speed in a fluid | – |
+//! | [`LuGre`] | velocity and deflection of bristles | [`LuGre::steady_per_load`] |
 //!
 //! States ([`Age`], [`ContactAge`], [`Bristle`]) are small values that the caller stores, one for
-//! each contact; laws are immutable. [`Incline`] puts a body on a slope.
+//! each contact; laws are immutable.
 //!
 //! Local laws couple sliding and spinning of a whole contact through
 //! [`DiskQuadrature`](crate::coupling::quadrature::DiskQuadrature):
@@ -29,40 +27,32 @@
 //! ```
 
 mod ageing;
-mod bowden_tabor;
 mod contact_age;
 mod coulomb;
-mod drag;
 mod dry;
 mod error;
 mod grip;
-mod incline;
 mod limits;
 mod lugre;
 mod plateau;
 mod power;
 mod rate_state;
-mod real_area;
 mod savkoor;
 mod steady_rate_state;
 mod stribeck;
 
 pub use ageing::{Age, Ageing};
-pub use bowden_tabor::BowdenTabor;
 pub use contact_age::{ContactAge, Dieterich, Evolution, Ruina};
 pub use coulomb::CoulombLaw;
-pub use drag::{DragRegime, InertialDrag, Stokes, crossover_reynolds, reynolds};
 pub use dry::DryFriction;
 pub use error::LawError;
 pub(crate) use error::{fraction as validated_fraction, not_negative as validated_not_negative};
 pub(crate) use error::{positive as validated_positive, validated_coefficient, validated_exponent};
 pub use grip::Grip;
-pub use incline::{Incline, critical_angle};
 pub use lugre::{Bristle, LuGre, LuGreParameters, SteadyLuGre};
 pub use plateau::{PlateauPower, PlateauPowerParameters};
 pub use power::PowerLaw;
 pub use rate_state::{RateState, RateStateParameters};
-pub use real_area::{GreenwoodWilliamson, HertzSphere, Plastic, RealArea};
 pub use savkoor::{Savkoor, SavkoorParameters};
 pub use steady_rate_state::SteadyRateState;
 pub use stribeck::{Stribeck, StribeckParameters};

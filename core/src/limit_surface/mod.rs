@@ -52,7 +52,6 @@ mod scaled;
 mod search;
 mod sharing;
 mod sketch;
-mod support_error;
 mod yaw;
 
 pub use any_pressure::{AnyPressure, TorqueLimits};
@@ -60,7 +59,6 @@ pub use ellipsoid::Ellipsoid;
 pub use exact::LimitSurface;
 pub use patch::PatchSurface;
 pub use scaled::Scaled;
-pub use support_error::SupportError;
 
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};

@@ -5,7 +5,7 @@
 //! programme with three equations. Its dual is the lowest plane above the points (d, φ) at the centre,
 //! and the simplex method walks from triangle to triangle until no point is above the triangle's plane.
 
-use super::support_error::SupportError;
+use crate::patch::PatchError;
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -58,13 +58,13 @@ struct Tripod<R: Real> {
 }
 
 impl<R: Real, S: AsRef<[[R; 2]]>> Sharing<R, S> {
-    pub(super) fn new(corners: S, centre: [R; 2]) -> Result<Self, SupportError> {
+    pub(super) fn new(corners: S, centre: [R; 2]) -> Result<Self, PatchError> {
         let is_finite = |place: &[R; 2]| place.iter().all(|x| x.is_finite());
         if !is_finite(&centre) {
-            return Err(SupportError::Centre);
+            return Err(PatchError::Centre);
         }
         if let Some(corner) = corners.as_ref().iter().position(|place| !is_finite(place)) {
-            return Err(SupportError::Position { corner });
+            return Err(PatchError::CornerPosition { corner });
         }
         let [x, y] = centre;
         let nowhere = Share {
@@ -82,14 +82,14 @@ impl<R: Real, S: AsRef<[[R; 2]]>> Sharing<R, S> {
             let at = sharing.place(corner);
             let distance = at.x.hypot(at.y);
             if !distance.is_finite() {
-                return Err(SupportError::Extent);
+                return Err(PatchError::CornerDistance);
             }
             if farthest.is_none() || distance > radius {
                 (farthest, radius) = (Some(index), distance);
             }
         }
         let Some(farthest) = farthest else {
-            return Err(SupportError::NoCorners);
+            return Err(PatchError::NoCorners);
         };
         // All corners at the centre, or as near as numbers can be.
         if radius < R::MIN_POSITIVE / R::EPSILON {
@@ -97,7 +97,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> Sharing<R, S> {
             return Ok(sharing);
         }
         sharing.radius = radius;
-        sharing.kind = sharing.around(farthest).ok_or(SupportError::Outside)?;
+        sharing.kind = sharing.around(farthest).ok_or(PatchError::CentreOutside)?;
         Ok(sharing)
     }
 

@@ -8,8 +8,8 @@
 //!
 //! [`manifold_friction`] replaces both clamps. From the impulses that would stop the contact it gives the
 //! nearest ones that friction can carry, in the metric k |dp|² + kt dt² of the inverse effective masses, which
-//! makes it the solution of the contact's friction alone. The set is (|p|/F, |t|/T) within a [limit
-//! curve](Curve) of the outline.
+//! makes it the solution of the contact's friction alone. The set is (|p|/F, |t|/T) within a limit
+//! curve of the outline.
 //!
 //! ```
 //! use tribos_core::manifold_friction::{
@@ -93,8 +93,8 @@ pub struct InverseMasses<T> {
 /// or its limit.
 ///
 /// *Accuracy*: distance from the nearest point of the set, in units of the limits, for k_t T²/(k F²) of
-/// 0.01…100 and candidates up to 10⁴ limits away: area, points and ellipsoid 5e-4 (in three steps of
-/// [`manifold_friction_in`] 1e-5), [`DirectedOutline`] in a given direction of planks up to 4 : 1 3e-4, of bars
+/// 0.01…100 and candidates up to 10⁴ limits away: area, points and ellipsoid 5e-4 (in three
+/// Newton steps 1e-5), [`DirectedOutline`] in a given direction of planks up to 4 : 1 3e-4, of bars
 /// that slide across themselves 3e-2. A heavy plank on a light one leaves that range: the distance grows to
 /// 1.5e-2 for ratios of 10⁻³…10³, 5e-2 for 10⁻⁴…10⁴ and 9e-2 for 10⁻⁶…10⁶. The result is in the set to rounding
 /// in every case, and no component exceeds the candidate's.
@@ -112,6 +112,7 @@ pub fn manifold_friction<T: Lanes, O: Outline<T>>(
 
 /// [`manifold_friction`] with a number of Newton steps of the caller's: each squares the error or better,
 /// and costs 6 ns a manifold in four lanes.
+#[doc(hidden)]
 #[inline]
 pub fn manifold_friction_in<const STEPS: usize, T: Lanes, O: Outline<T>>(
     candidate: &FrictionImpulse<T>,

@@ -11,6 +11,7 @@ use super::Lanes;
 ///
 /// Both ends have the curvature of the exact curve: h₁ = −c₀/2 with 1 + c₀ = 1/(r̄ ⟨r∥²/r³⟩) at pure spin and
 /// h(1)² = w = ⟨r∥²⟩/r̄² at pure slip, r∥ along the slip. h₂ is the fit between them.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Curve<T> {
@@ -22,6 +23,7 @@ pub struct Curve<T> {
 /// What a contact manifold knows of the area that it stands for.
 pub trait Outline<T: Lanes>: Copy {
     /// The limit curve for a force along the unit vector `direction`.
+    #[doc(hidden)]
     fn curve(&self, direction: [T; 2]) -> Curve<T>;
 
     /// True if the direction of slip matters.

@@ -100,7 +100,7 @@ mod tests {
     use super::*;
     use crate::patch::nodes::{NodeList, Nodes};
     use crate::patch::polar::PolarRule;
-    use crate::patch::polygon::{polygon, polygon_into};
+    use crate::patch::polygon::polygon_into;
 
     const NOWHERE: Node<f64> = Node {
         x: f64::NAN,
@@ -111,7 +111,7 @@ mod tests {
     #[test]
     fn lent_memory_holds_the_same_nodes() {
         let corners = [[0.0, 0.0], [0.3, 0.0], [0.3, 0.1], [0.0, 0.2]];
-        let owned: NodeList<f64, 56> = polygon(&corners, 2).unwrap();
+        let owned: NodeList<f64, 56> = NodeList::polygon(&corners, 2).unwrap();
         let mut memory = [NOWHERE; 60];
         let mut lent = NodeBuffer::new(&mut memory);
         polygon_into(&mut lent, &corners, 2).unwrap();

@@ -3,14 +3,14 @@
 use super::polar::PolarRule;
 use crate::real::Real;
 
-/// An invalid patch: its dimensions, its pressure, or the points that it is made of.
+/// An invalid patch: its dimensions, its pressure, the points that it is made of, or the corners that support
+/// it.
 ///
 /// ```
 /// use tribos_core::coupling::{Annulus, table::Coulomb};
+/// use tribos_core::limit_surface::AnyPressure;
 /// use tribos_core::patch::nodes::{Node, NodeList, Nodes};
 /// use tribos_core::patch::polar::PolarRule;
-/// use tribos_core::patch::polygon::polygon;
-/// use tribos_core::patch::tripod::tripod;
 /// use tribos_core::patch::{PatchError, PolynomialPressure, PowerPressure};
 /// let max = PowerPressure::MAX_ORDER;
 /// assert_eq!(PowerPressure::new(-2.0), Err(PatchError::Order { given: -2.0, max }));
@@ -24,12 +24,16 @@ use crate::real::Real;
 /// assert_eq!(PolarRule::new(0.04, 0, 16), Err(PatchError::RuleOrder { given: 0 }));
 ///
 /// let feet = [[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]]; // m
-/// assert_eq!(tripod(feet, [0.2, 0.2]), Err(PatchError::FootPulls { foot: 0 }));
+/// assert_eq!(Nodes::tripod(feet, [0.2, 0.2]), Err(PatchError::FootPulls { foot: 0 }));
 ///
 /// let u = [[0, 0], [3, 0], [3, 3], [2, 3], [2, 1], [1, 1], [1, 3], [0, 3]];
 /// let u = u.map(|corner| corner.map(f64::from));
-/// let bent: Result<NodeList<f64, 100>, _> = polygon(&u, 1);
+/// let bent: Result<NodeList<f64, 100>, _> = NodeList::polygon(&u, 1);
 /// assert_eq!(bent, Err(PatchError::Hidden)); // cut it into three
+///
+/// let corners = [[0.0_f64, 0.0], [0.2, 0.0], [0.2, 0.1], [0.0, 0.1]]; // m
+/// let tipped = AnyPressure::new(corners, [0.25, 0.05], 400.0); // N
+/// assert_eq!(tipped.err(), Some(PatchError::CentreOutside.into()));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -124,6 +128,19 @@ pub enum PatchError {
         /// Which foot lifts first, from 0.
         foot: usize,
     },
+    /// A support has no corners.
+    NoCorners,
+    /// A coordinate of a corner of a support is infinite or NaN.
+    CornerPosition {
+        /// Which corner, from 0.
+        corner: usize,
+    },
+    /// A coordinate of the centre of pressure is infinite or NaN.
+    Centre,
+    /// The distance of a corner from the centre of pressure is out of range.
+    CornerDistance,
+    /// The centre of pressure lies outside of the convex hull of the corners: the body tips over.
+    CentreOutside,
 }
 
 impl PatchError {
@@ -202,6 +219,18 @@ impl core::fmt::Display for PatchError {
             Self::FootPulls { foot } => {
                 write!(f, "the body tips over: foot {foot} would have to pull")
             }
+            Self::NoCorners => f.write_str("a support must have at least one corner"),
+            Self::CornerPosition { corner } => {
+                write!(f, "corner {corner} must lie at a finite place")
+            }
+            Self::Centre => f.write_str("the centre of pressure must lie at a finite place"),
+            Self::CornerDistance => {
+                f.write_str("corners must lie at a finite distance from the centre of pressure")
+            }
+            Self::CentreOutside => f.write_str(
+                "the centre of pressure must lie in the convex hull of the corners; \
+                 the body tips over there",
+            ),
         }
     }
 }

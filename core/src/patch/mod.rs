@@ -24,7 +24,7 @@ mod polynomial;
 mod power;
 mod simple;
 mod triangle;
-pub mod tripod;
+pub(crate) mod tripod;
 
 pub use error::PatchError;
 pub(crate) use error::validated_radius;

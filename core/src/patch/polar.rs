@@ -198,26 +198,24 @@ impl<R: Real> PolarRule<R> {
     }
 }
 
-/// `angles` equidistant nodes on a circle: the limit q → −1, all load at the rim.
-///
-/// *Domain*: 0 < `radius` < ∞; 1 ≤ `angles` ≤ `CAPACITY`.
-///
-/// ```
-/// use tribos_core::patch::nodes::{NodeList, NodePatch};
-/// use tribos_core::patch::polar::ring;
-/// let cup: NodeList<f64, 32> = ring(0.03, 32)?; // m
-/// assert!(cup.nodes().iter().all(|node| (node.x.hypot(node.y) - 0.03).abs() < 1e-16));
-/// assert_eq!(cup.total_weight(), 32.0);
-/// # Ok::<(), tribos_core::patch::PatchError>(())
-/// ```
-pub fn ring<R: Real, const CAPACITY: usize>(
-    radius: R,
-    angles: u32,
-) -> Result<NodeList<R, CAPACITY>, PatchError> {
-    PolarRule::new(radius, 1, angles)?;
-    let mut list = NodeList::new();
-    push_ring(&mut list, angles, 0.0, radius, R::ONE, &|_, _| R::ONE)?;
-    Ok(list)
+impl<R: Real, const CAPACITY: usize> NodeList<R, CAPACITY> {
+    /// `angles` equidistant nodes on a circle: the limit q → −1, all load at the rim.
+    ///
+    /// *Domain*: 0 < `radius` < ∞; 1 ≤ `angles` ≤ `CAPACITY`.
+    ///
+    /// ```
+    /// use tribos_core::patch::nodes::{NodeList, NodePatch};
+    /// let cup: NodeList<f64, 32> = NodeList::ring(0.03, 32)?; // m
+    /// assert!(cup.nodes().iter().all(|node| (node.x.hypot(node.y) - 0.03).abs() < 1e-16));
+    /// assert_eq!(cup.total_weight(), 32.0);
+    /// # Ok::<(), tribos_core::patch::PatchError>(())
+    /// ```
+    pub fn ring(radius: R, angles: u32) -> Result<Self, PatchError> {
+        PolarRule::new(radius, 1, angles)?;
+        let mut list = Self::new();
+        push_ring(&mut list, angles, 0.0, radius, R::ONE, &|_, _| R::ONE)?;
+        Ok(list)
+    }
 }
 
 /// One ring; `start` in steps of the angle.

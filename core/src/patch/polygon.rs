@@ -14,40 +14,38 @@ use nalgebra::Vector2;
 /// Nodes a small triangle has.
 const NODES_PER_TRIANGLE: usize = 7;
 
-/// Nodes for uniform pressure on the polygon with these `corners`, in either sense of rotation.
-///
-/// Each of the n − 2 triangles is divided into `divisions`² equal ones, so that there are
-/// 7 (n − 2) `divisions`² nodes, fewer where corners lie on a line. The sum of the weights is the
-/// polygon's area.
-///
-/// *Domain*: a simple polygon of at least 3 corners, one of which sees the whole inside: every
-/// convex polygon, and shapes like L, T and +, but not like U. `divisions` from 1 to
-/// [`PatchError::MAX_DIVISIONS`]. Edges that cross are refused if no corner spans only triangles
-/// of one sense; otherwise what is covered twice carries twice.
-/// *Accuracy*: area, centroid and all moments up to degree 5 to rounding. Friction: while the
-/// instantaneous centre of rotation lies inside, the error falls as h^(2+α) with the size h of the
-/// small triangles; outside as h⁶. A square of side 2 under Coulomb friction, unit load: root mean
-/// square 1.2e-2, 2.8e-3, 6.8e-4 with 56, 224, 896 nodes.
-///
-/// ```
-/// use tribos_core::patch::nodes::{NodeList, NodePatch};
-/// use tribos_core::patch::polygon::polygon;
-/// let ell = [[0.0, 0.0], [0.2, 0.0], [0.2, 0.1], [0.1, 0.1], [0.1, 0.2], [0.0, 0.2]]; // m
-/// const NODES: usize = 7 * (6 - 2) * 2 * 2;
-/// let foot: NodeList<f64, NODES> = polygon(&ell, 2)?;
-/// assert!((foot.total_weight() - 0.03).abs() < 1e-16); // three squares of 0.1 m
-/// # Ok::<(), tribos_core::patch::PatchError>(())
-/// ```
-pub fn polygon<R: Real, const CAPACITY: usize>(
-    corners: &[[R; 2]],
-    divisions: u32,
-) -> Result<NodeList<R, CAPACITY>, PatchError> {
-    let mut list = NodeList::new();
-    polygon_into(&mut list, corners, divisions)?;
-    Ok(list)
+impl<R: Real, const CAPACITY: usize> NodeList<R, CAPACITY> {
+    /// Nodes for uniform pressure on the polygon with these `corners`, in either sense of rotation.
+    ///
+    /// Each of the n − 2 triangles is divided into `divisions`² equal ones, so that there are
+    /// 7 (n − 2) `divisions`² nodes, fewer where corners lie on a line. The sum of the weights is the
+    /// polygon's area.
+    ///
+    /// *Domain*: a simple polygon of at least 3 corners, one of which sees the whole inside: every
+    /// convex polygon, and shapes like L, T and +, but not like U. `divisions` from 1 to
+    /// [`PatchError::MAX_DIVISIONS`]. Edges that cross are refused if no corner spans only triangles
+    /// of one sense; otherwise what is covered twice carries twice.
+    /// *Accuracy*: area, centroid and all moments up to degree 5 to rounding. Friction: while the
+    /// instantaneous centre of rotation lies inside, the error falls as h^(2+α) with the size h of the
+    /// small triangles; outside as h⁶. A square of side 2 under Coulomb friction, unit load: root mean
+    /// square 1.2e-2, 2.8e-3, 6.8e-4 with 56, 224, 896 nodes.
+    ///
+    /// ```
+    /// use tribos_core::patch::nodes::{NodeList, NodePatch};
+    /// let ell = [[0.0, 0.0], [0.2, 0.0], [0.2, 0.1], [0.1, 0.1], [0.1, 0.2], [0.0, 0.2]]; // m
+    /// const NODES: usize = 7 * (6 - 2) * 2 * 2;
+    /// let foot: NodeList<f64, NODES> = NodeList::polygon(&ell, 2)?;
+    /// assert!((foot.total_weight() - 0.03).abs() < 1e-16); // three squares of 0.1 m
+    /// # Ok::<(), tribos_core::patch::PatchError>(())
+    /// ```
+    pub fn polygon(corners: &[[R; 2]], divisions: u32) -> Result<Self, PatchError> {
+        let mut list = Self::new();
+        polygon_into(&mut list, corners, divisions)?;
+        Ok(list)
+    }
 }
 
-/// [`polygon`] into memory of the caller's choice, behind the nodes that are there already.
+/// [`NodeList::polygon`] into memory of the caller's choice, behind the nodes that are there already.
 ///
 /// *Special values*: what was added before an error stays.
 ///

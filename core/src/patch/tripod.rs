@@ -29,24 +29,26 @@ pub fn tripod_shares<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<[R; 3
     }
 }
 
-/// The nodes of three `feet` that carry a body whose weight acts above `centre`, positions
-/// relative to `centre`.
-///
-/// ```
-/// use tribos_core::patch::tripod::tripod;
-/// let stool = tripod([[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]], [0.1, 0.1]);
-/// assert!(stool.is_ok());
-/// assert!(tripod([[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]], [0.2, 0.2]).is_err()); // it tips over
-/// ```
-pub fn tripod<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<Nodes<R, 3>, PatchError> {
-    let [a, b, c] = tripod_shares(feet, centre)?;
-    let [first, second, third] = feet;
-    let nodes = [(first, a), (second, b), (third, c)].map(|([x, y], weight)| Node {
-        x: x - centre[0],
-        y: y - centre[1],
-        weight,
-    });
-    Nodes::new(nodes)
+impl<R: Real> Nodes<R, 3> {
+    /// The nodes of three `feet` that carry a body whose weight acts above `centre`, positions
+    /// relative to `centre`.
+    ///
+    /// ```
+    /// use tribos_core::patch::nodes::Nodes;
+    /// let stool = Nodes::tripod([[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]], [0.1, 0.1]);
+    /// assert!(stool.is_ok());
+    /// assert!(Nodes::tripod([[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]], [0.2, 0.2]).is_err()); // it tips over
+    /// ```
+    pub fn tripod(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<Self, PatchError> {
+        let [a, b, c] = tripod_shares(feet, centre)?;
+        let [first, second, third] = feet;
+        let nodes = [(first, a), (second, b), (third, c)].map(|([x, y], weight)| Node {
+            x: x - centre[0],
+            y: y - centre[1],
+            weight,
+        });
+        Self::new(nodes)
+    }
 }
 
 /// Twice the signed area of a triangle.

@@ -70,11 +70,11 @@ impl<R: Real> ElasticState<R> {
 /// let (book, bonds) = (PlanarBody::new(1.0_f64, 4e-3)?, Presliding::new(1e4, 50.0)?);
 /// let (table, dt) = (Ellipsoid::new(3.0, 0.1, 0.6)?, TimeStep::new(0.01)?);
 /// let slides = ElasticState { twist: Twist::new(1.0, 0.0, 0.0), ..ElasticState::at_rest(Pose::new(0.0, 0.0, 0.0)) };
-/// let ElasticStep { state, friction, losses, .. } =
+/// let ElasticStep { state, friction, slip_heat, .. } =
 ///     book.step_elastic(&bonds, &table, &slides, &Wrench::ZERO, dt);
 /// assert!((friction.force.x + 3.0).abs() < 1e-12 && (state.twist.velocity.x - 0.97).abs() < 1e-12);
 /// // It slid by almost all that it moved: the bonds hold 0.3 mm of it.
-/// assert!((losses.slip - 3.0 * (0.0097 - 0.0003)).abs() < 1e-12); // J
+/// assert!((slip_heat - 3.0 * (0.0097 - 0.0003)).abs() < 1e-12); // J
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,36 +85,24 @@ pub struct ElasticStep<R: Real> {
     pub friction: Wrench<R>,
     /// Displacement by which the bonds slipped; zero if they held.
     pub slip: Displacement<R>,
-    /// Where energy went.
-    pub losses: StepLosses<R>,
+    /// Heat of slip. *Units*: force × length. Not negative.
+    pub slip_heat: R,
+    /// Heat of the bonds' damping. *Units*: force × length. Not negative.
+    pub damping_heat: R,
+    /// Energy that the implicit rule takes from vibrations; of second order in the step. *Units*: force ×
+    /// length. Not negative.
+    pub rule_loss: R,
     /// Whether the bonds held. They may hold a body that still vibrates.
     pub grip: Grip,
 }
 
-/// Energy that a step on elastic bonds loses; no term is negative.
-///
-/// The work of the push is the change of kinetic and stored energy, and the sum of these.
-///
-/// ```
-/// use tribos_core::planar::StepLosses;
-/// let losses = StepLosses { slip: 0.5, damping: 0.25, rule: 0.125 }; // J
-/// assert_eq!(losses.total(), 0.875);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct StepLosses<R> {
-    /// Heat of slip.
-    pub slip: R,
-    /// Heat of the bonds' damping.
-    pub damping: R,
-    /// What the implicit rule takes from vibrations; of second order in the step.
-    pub rule: R,
-}
-
-impl<R: Real> StepLosses<R> {
-    /// All of them.
-    pub fn total(&self) -> R {
-        self.slip + self.damping + self.rule
+impl<R: Real> ElasticStep<R> {
+    /// All energy that the step lost: the work of the push is the change of kinetic and stored energy, and
+    /// this.
+    ///
+    /// *Units*: force × length. Not negative.
+    pub fn lost_energy(&self) -> R {
+        self.slip_heat + self.damping_heat + self.rule_loss
     }
 }
 
@@ -300,16 +288,13 @@ impl<R: Real> PlanarBody<R> {
             force: faster.velocity * self.mass,
             torque: faster.spin * self.inertia,
         };
-        let losses = StepLosses {
-            slip: not_below_zero(slip.work(&pull)),
-            damping: strained.work(&rate),
-            rule: R::HALF * momentum.power(&faster) + bonds.factors().energy(&strained),
-        };
         ElasticStep {
             state: after,
             friction: -pull,
             slip,
-            losses,
+            slip_heat: not_below_zero(slip.work(&pull)),
+            damping_heat: strained.work(&rate),
+            rule_loss: R::HALF * momentum.power(&faster) + bonds.factors().energy(&strained),
             grip,
         }
     }

@@ -47,7 +47,7 @@ mod step;
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;
 
-pub use elastic::{ElasticState, ElasticStep, StepLosses};
+pub use elastic::{ElasticState, ElasticStep};
 pub use foot::NodeFoot;
 pub use step::PlanarStep;
 

@@ -134,6 +134,7 @@ impl<R: Real> GradualPresliding<R> {
     }
 
     /// Friction after the patch has `moved`: [`Presliding::advance`] with slip that begins early.
+    #[doc(hidden)]
     pub fn advance<S: FrictionSet<R> + ?Sized>(
         &self,
         set: &S,

@@ -78,7 +78,7 @@ mod step;
 pub use bonds::Presliding;
 pub(crate) use bonds::Stiffness;
 pub use gradual::GradualPresliding;
-pub use nodes::{NodeBonds, NodePresliding, NodePreslidingStep};
+pub use nodes::{NodePresliding, NodePreslidingStep};
 pub(crate) use pose::Axes;
 pub use pose::{Anchor, Pose};
 pub(crate) use step::not_below_zero;

@@ -9,29 +9,6 @@ use crate::real::Real;
 use crate::twist::Wrench;
 use nalgebra::Vector2;
 
-/// Stiffness and limit of the bonds of all points together.
-///
-/// ```
-/// use tribos_core::presliding::NodeBonds;
-/// let tread = NodeBonds { stiffness: 2e5_f64, force_limit: 800.0 }; // N/m, N
-/// assert_eq!(tread.reach(), 4e-3); // every point lets go after 4 mm
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct NodeBonds<R> {
-    /// Stiffness of all bonds in sliding, k_t. *Units*: force/length. *Domain*: 0 < k_t < ∞.
-    pub stiffness: R,
-    /// The largest force, μN. *Domain*: 0 ≤ μN < ∞.
-    pub force_limit: R,
-}
-
-impl<R: Real> NodeBonds<R> {
-    /// Displacement at which a bond slips, μN/k_t.
-    pub fn reach(&self) -> R {
-        self.force_limit / self.stiffness
-    }
-}
-
 /// Points that are bound to the floor one by one, each elastic up to its share of dry friction.
 ///
 /// Point i at x_i = x + R(θ) r_i pulls with k_i (x_i − a_i), |force| ≤ μN w_i, and its anchor a_i
@@ -45,11 +22,12 @@ impl<R: Real> NodeBonds<R> {
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::presliding::{NodeBonds, NodePresliding, Pose};
+/// use tribos_core::presliding::{NodePresliding, Pose};
 /// // Two feet, the nearer one at a tenth of the lever of the other.
 /// let feet = Nodes::new([0.01, 0.1].map(|x| Node { x, y: 0.0, weight: 1.0_f64 }))?; // m
-/// let bonds = NodeBonds { stiffness: 1e4, force_limit: 10.0 }; // N/m, N: 1 mm of reach
-/// let mut bound: NodePresliding<f64, _, 2> = NodePresliding::new(feet, bonds, &Pose::new(0.0, 0.0, 0.0))?;
+/// let (stiffness, limit, pose) = (1e4, 10.0, Pose::new(0.0, 0.0, 0.0)); // N/m, N
+/// let mut bound: NodePresliding<f64, _, 2> = NodePresliding::new(feet, stiffness, limit, &pose)?;
+/// assert_eq!(bound.reach(), 1e-3); // m: every point lets go there
 /// // Turned by 0.02 rad the outer foot has gone 2 mm and slips, the inner one 0.2 mm and holds.
 /// let turned = bound.step(&Pose::new(0.0, 0.0, 0.02));
 /// assert_eq!(turned.slipping, 1);
@@ -59,7 +37,10 @@ impl<R: Real> NodeBonds<R> {
 #[derive(Clone, Debug)]
 pub struct NodePresliding<R: Real, P, const CAPACITY: usize> {
     patch: P,
-    bonds: NodeBonds<R>,
+    /// k_t
+    stiffness: R,
+    /// μN
+    force_limit: R,
     anchors: heapless::Vec<Vector2<R>, CAPACITY>,
 }
 
@@ -67,10 +48,10 @@ pub struct NodePresliding<R: Real, P, const CAPACITY: usize> {
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::presliding::{NodeBonds, NodePresliding, NodePreslidingStep, Pose};
+/// use tribos_core::presliding::{NodePresliding, NodePreslidingStep, Pose};
 /// let foot = Nodes::new([Node { x: 0.0, y: 0.0, weight: 1.0_f64 }])?;
-/// let bonds = NodeBonds { stiffness: 1e4, force_limit: 10.0 }; // N/m, N
-/// let mut bound: NodePresliding<f64, _, 1> = NodePresliding::new(foot, bonds, &Pose::new(0.0, 0.0, 0.0))?;
+/// let (stiffness, limit, pose) = (1e4, 10.0, Pose::new(0.0, 0.0, 0.0)); // N/m, N
+/// let mut bound: NodePresliding<f64, _, 1> = NodePresliding::new(foot, stiffness, limit, &pose)?;
 /// let NodePreslidingStep { friction, dissipated, .. } = bound.step(&Pose::new(3e-3, 0.0, 0.0));
 /// assert!((friction.force.x + 10.0).abs() < 1e-12);
 /// assert!((dissipated - 10.0 * 2e-3).abs() < 1e-14); // J: 3 mm, of which 1 mm is elastic
@@ -87,25 +68,24 @@ pub struct NodePreslidingStep<R: Real> {
 }
 
 impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodePresliding<R, P, CAPACITY> {
-    /// Bonds that are unstrained in `pose`.
+    /// Bonds that are unstrained in `pose`, with the stiffness k_t in sliding and the largest force μN of all
+    /// points together.
     ///
-    /// *Domain*: that of [`NodeBonds`]; at most `CAPACITY` points.
-    pub fn new(patch: P, bonds: NodeBonds<R>, pose: &Pose<R>) -> Result<Self, Error> {
-        let stiffness = validated_positive("stiffness", bonds.stiffness)?;
+    /// *Units*: force/length; force. *Domain*: 0 < `stiffness` < ∞, 0 ≤ `force_limit` < ∞; at most `CAPACITY`
+    /// points.
+    pub fn new(patch: P, stiffness: R, force_limit: R, pose: &Pose<R>) -> Result<Self, Error> {
+        let stiffness = validated_positive("stiffness", stiffness)?;
         let mut anchors = heapless::Vec::new();
         if anchors.resize(patch.nodes().len(), pose.position).is_err() {
             return Err(PatchError::Full { capacity: CAPACITY }.into());
         }
-        let force_limit = R::ZERO;
         let mut bound = Self {
             patch,
-            bonds: NodeBonds {
-                stiffness,
-                force_limit,
-            },
+            stiffness,
+            force_limit: R::ZERO,
             anchors,
         };
-        bound.set_force_limit(bonds.force_limit)?;
+        bound.set_force_limit(force_limit)?;
         bound.anchor_at(pose);
         Ok(bound)
     }
@@ -114,7 +94,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodePresliding<R, P, CAPAC
     ///
     /// *Domain*: 0 ≤ `force_limit` < ∞.
     pub fn set_force_limit(&mut self, force_limit: R) -> Result<(), LawError> {
-        self.bonds.force_limit = validated_not_negative("force limit", force_limit)?;
+        self.force_limit = validated_not_negative("force limit", force_limit)?;
         Ok(())
     }
 
@@ -131,9 +111,19 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodePresliding<R, P, CAPAC
         &self.patch
     }
 
-    /// Stiffness and limit.
-    pub fn bonds(&self) -> &NodeBonds<R> {
-        &self.bonds
+    /// Stiffness k_t of all bonds in sliding. *Units*: force/length.
+    pub fn stiffness(&self) -> R {
+        self.stiffness
+    }
+
+    /// The largest force μN of all bonds.
+    pub fn force_limit(&self) -> R {
+        self.force_limit
+    }
+
+    /// Displacement at which a bond slips, μN/k_t. *Units*: length.
+    pub fn reach(&self) -> R {
+        self.force_limit / self.stiffness
     }
 
     /// Energy that the bonds of a patch in `pose` store.
@@ -146,7 +136,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodePresliding<R, P, CAPAC
             let strain = pose.position + axes.lever(node) - *anchor;
             sum += node.weight * (strain.x * strain.x + strain.y * strain.y);
         }
-        R::HALF * self.bonds.stiffness * sum / self.patch.total_weight()
+        R::HALF * self.stiffness * sum / self.patch.total_weight()
     }
 
     /// Friction on the patch, which is now in `pose`; the anchors of points that slip follow.
@@ -155,8 +145,8 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodePresliding<R, P, CAPAC
     /// *Cost*: a root a point, a sine and a cosine. *Special values*: NaN for NaN and infinities.
     pub fn step(&mut self, pose: &Pose<R>) -> NodePreslidingStep<R> {
         let axes = Axes::at(pose.angle);
-        let unit = self.bonds.stiffness / self.patch.total_weight();
-        let reach = self.bonds.reach();
+        let unit = self.stiffness / self.patch.total_weight();
+        let reach = self.reach();
         let mut step = NodePreslidingStep {
             friction: Wrench::ZERO,
             dissipated: R::ZERO,

@@ -51,6 +51,7 @@ pub struct PreslidingStep<R: Real> {
 /// assert!((strain.shift.x - 10.0 / 1e4).abs() < 1e-12); // 1 mm of strain, as often as it slides
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settled<R: Real> {
     /// Displacement of the bonds that is left.
@@ -93,6 +94,7 @@ impl<R: Real> Presliding<R> {
     /// use [`Presliding::step`] there, or turn the strain back. Sums of increments round, poses do not.
     ///
     /// *Units*, *Accuracy*, *Special values*: as for [`Presliding::step`]. *Cost*: one projection.
+    #[doc(hidden)]
     pub fn advance<S: FrictionSet<R> + ?Sized>(
         &self,
         set: &S,

@@ -8,7 +8,6 @@ use crate::standing::Foot;
 use crate::surface::Surface;
 use std::sync::Arc;
 use tribos_core::patch::nodes::NodeList;
-use tribos_core::patch::polygon::polygon;
 
 /// Distance from the centre of mass, as a fraction of the radius, up to which a footprint counts as centred.
 pub(crate) const CENTRED: f64 = 1e-3;
@@ -92,7 +91,7 @@ impl Footprint {
     /// ground that moves.
     pub fn polygon(corners: &[[f32; 2]], divisions: u32) -> Result<Self, FootprintError> {
         let _: NodeList<f32, POINTS> =
-            polygon(corners, divisions).map_err(FootprintError::Polygon)?;
+            NodeList::polygon(corners, divisions).map_err(FootprintError::Polygon)?;
         let corners = corners.to_vec();
         Ok(Outline::Polygon { corners, divisions }.into())
     }

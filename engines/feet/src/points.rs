@@ -1,7 +1,6 @@
 //! Points that stand for an area, with their shares of the load: x, y and the share.
 
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
-use tribos_core::patch::polygon::polygon;
 
 /// Largest number of points of a polygon.
 pub(crate) const POINTS: usize = 256;
@@ -41,7 +40,7 @@ pub(crate) fn disk_points(radius: f32) -> Vec<[f32; 3]> {
 
 /// Nothing for a polygon that has been refused.
 pub(crate) fn polygon_points(corners: &[[f32; 2]], divisions: u32) -> Vec<[f32; 3]> {
-    let Ok(points) = polygon::<f32, POINTS>(corners, divisions) else {
+    let Ok(points) = NodeList::<f32, POINTS>::polygon(corners, divisions) else {
         return Vec::new();
     };
     let points: NodeList<f32, POINTS> = points;

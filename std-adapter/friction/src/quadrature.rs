@@ -9,7 +9,7 @@ use tribos_core::internals::LateralJacobian;
 use tribos_core::law::LocalLaw;
 use tribos_core::patch::PolynomialPressure;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
-use tribos_core::patch::polar::{self, PolarRule};
+use tribos_core::patch::polar::PolarRule;
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -246,7 +246,7 @@ pub fn pressure_nodes<R: Real>(patch: &Patch, tilt: R) -> Result<Vec<Node<R>>, R
     match patch {
         Patch::Points(_) | Patch::Flat(_) => Err(Refusal::NoAxis),
         Patch::Ring => {
-            let ring = rule_of(polar::ring::<R, NODES>(R::ONE, NODES as u32 / 2))?;
+            let ring = rule_of(NodeList::<R, NODES>::ring(R::ONE, NODES as u32 / 2))?;
             Ok(leaned(ring.nodes(), lean).collect())
         }
         Patch::Annulus(inner) => {
@@ -256,7 +256,7 @@ pub fn pressure_nodes<R: Real>(patch: &Patch, tilt: R) -> Result<Vec<Node<R>>, R
                 let share = (f64::from(i) + 0.5) / f64::from(RINGS);
                 let r_sq = inner * inner + share * (1.0 - inner * inner);
                 let radius = R::from_f64(r_sq).sqrt();
-                let ring = rule_of(polar::ring::<R, { ANGLES as usize }>(radius, ANGLES))?;
+                let ring = rule_of(NodeList::<R, { ANGLES as usize }>::ring(radius, ANGLES))?;
                 nodes.extend(leaned(ring.nodes(), lean));
             }
             Ok(nodes)

@@ -81,9 +81,6 @@ pub const INSTANCES: &[Instance] = &[
     // What laws are made of.
     instance("law::Dieterich", &["Evolution"]),
     instance("law::Ruina", &["Evolution"]),
-    instance("law::Plastic<R>", &["RealArea"]),
-    instance("law::HertzSphere<R>", &["RealArea"]),
-    instance("law::GreenwoodWilliamson<R>", &["RealArea"]),
     // Tiers.
     instance("coupling::table::Coulomb", DRY),
     similar(instance("&'static coupling::table::Coulomb", DRY)),

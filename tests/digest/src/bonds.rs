@@ -5,8 +5,7 @@ use crate::inputs::{Lcg, ends, pairs_of_ends, speed, twist};
 use tribos_core::bond::{
     BondLaw, Bonds, Exponential, OneStrength, ReForming, Release, Saturating, Weibull,
 };
-use tribos_core::patch::nodes::NodePatch;
-use tribos_core::patch::tripod::tripod;
+use tribos_core::patch::nodes::{NodePatch, Nodes};
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -63,7 +62,7 @@ fn law<R: Real, L: BondLaw<R>>(hash: &mut Fnv, law: &L) {
         hash.numbers([law.friction(strain), law.slope(strain), law.across(strain)]);
     }
     let feet = [[0.0, 0.0], [0.75, 0.125], [0.25, 0.5]].map(|foot| foot.map(R::from_f64));
-    let stool = tripod(feet, [0.3, 0.2].map(R::from_f64)).expect("it stands");
+    let stool = Nodes::tripod(feet, [0.3, 0.2].map(R::from_f64)).expect("it stands");
     let bonds = Bonds::new(law, stool).expect("three places");
     hash.number(bonds.patch().total_weight());
     hash.number(bonds.law().stiffness());

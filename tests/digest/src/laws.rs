@@ -3,10 +3,8 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, speed, unit};
 use tribos_core::law::{
-    Age, Ageing, BowdenTabor, CoulombLaw, DragRegime, DryFriction, GreenwoodWilliamson, Grip,
-    HertzSphere, Incline, InertialDrag, LawError, LocalLaw, Plastic, PlateauPower,
-    PlateauPowerParameters, PowerLaw, RealArea, Savkoor, SavkoorParameters, Stokes, Stribeck,
-    StribeckParameters, critical_angle, crossover_reynolds, reynolds,
+    Age, Ageing, CoulombLaw, DryFriction, Grip, LocalLaw, PlateauPower, PlateauPowerParameters,
+    PowerLaw, Savkoor, SavkoorParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -95,19 +93,12 @@ pub(crate) fn local<R: Real, L: LocalLaw<R>>(hash: &mut Fnv, law: &L) {
     ends().into_iter().for_each(&mut at);
 }
 
-/// Digest of starting, ageing, inclines, drag and real contact areas, f64 and f32.
+/// Digest of starting, ageing and angles of friction, f64 and f32.
 pub fn resting() -> u64 {
-    let mut hash = Fnv::new();
-    starting::<f64>(&mut hash);
-    starting::<f32>(&mut hash);
-    drag::<f64>(&mut hash);
-    drag::<f32>(&mut hash);
-    areas::<f64>(&mut hash);
-    areas::<f32>(&mut hash);
-    hash.0
+    in_both(resting_of::<f64>, resting_of::<f32>)
 }
 
-fn starting<R: Real>(hash: &mut Fnv) {
+fn resting_of<R: Real>(hash: &mut Fnv) {
     let real = R::from_f64;
     let dry = DryFriction::new(real(0.5), real(0.25)).expect("in range");
     let ageing = Ageing::new(real(0.4), real(0.02), real(0.125)).expect("in range");
@@ -121,85 +112,19 @@ fn starting<R: Real>(hash: &mut Fnv) {
         hash.feed(u64::from(dry.at_rest(drive) == Grip::Stick));
         hash.numbers([age.time, ageing.mu_static(age), ageing.rate(age)]);
         hash.number(dry.net_drive(drive));
-        let slope = Incline::new(unit(&mut rng), R::ONE).expect("a slope");
-        hash.numbers([slope.angle(), slope.drive_per_load()]);
-        hash.number(slope.acceleration_at_rest(&dry, real(9.81)));
-        let v = speed(&mut rng);
-        hash.number(slope.acceleration_downhill(&dry, real(9.81), v));
-        hash.number(slope.acceleration_uphill(&dry, real(9.81), v));
-        hash.number(critical_angle(v));
+        let law = CoulombLaw::new(unit::<R>(&mut rng)).expect("in range");
+        hash.number(law.friction_angle());
     }
     for x in ends::<R>() {
         let age = Age { time: x };
-        hash.numbers([ageing.mu_static(age), ageing.rate(age), critical_angle(x)]);
+        hash.numbers([ageing.mu_static(age), ageing.rate(age)]);
+        let law = CoulombLaw::new(x);
+        hash.maybe(law.ok().map(|law| law.friction_angle()));
         hash.feed(u64::from(ageing.at_rest(age, x) == Grip::Slip));
         hash.number(dry.net_drive(x));
         hash.number(age.advance(x, Grip::Stick).time);
     }
     for (x, y) in pairs_of_ends::<R>() {
-        let slope = Incline::new(x, y);
-        hash.verdict(&slope);
-        hash.maybe(slope.ok().map(|slope| slope.angle()));
         hash.verdict(&Ageing::new(x, y, R::ONE));
     }
-}
-
-fn drag<R: Real>(hash: &mut Fnv) {
-    let real = R::from_f64;
-    let viscous = Stokes::new(real(1e-3), real(0.01)).expect("in range");
-    let inertial = InertialDrag::new(real(0.2), real(1000.0), real(0.01)).expect("in range");
-    let mut rng = Lcg::new(83);
-    let mut at = |v: R| {
-        hash.numbers([viscous.force(v), viscous.slope(v)]);
-        hash.numbers([inertial.force(v), inertial.slope(v)]);
-        let number = reynolds(real(1000.0), v, real(0.01), real(1e-3));
-        hash.numbers([number, crossover_reynolds(v)]);
-        let regime = DragRegime::at(number, real(0.2));
-        hash.feed(regime.map_or(2, |regime| u64::from(regime == DragRegime::Viscous)));
-    };
-    for _ in 0..200 {
-        at(speed(&mut rng));
-    }
-    ends().into_iter().for_each(&mut at);
-    for (x, y) in pairs_of_ends::<R>() {
-        hash.verdict(&Stokes::new(x, y));
-        hash.verdict(&InertialDrag::new(x, y, R::ONE));
-    }
-}
-
-fn areas<R: Real>(hash: &mut Fnv) {
-    let real = R::from_f64;
-    let plastic = Plastic::new(real(1e9)).expect("in range");
-    let sphere = HertzSphere::new(real(0.01), real(1e11)).expect("in range");
-    let rough = GreenwoodWilliamson::new(real(1e-6), real(1e-4), real(1e11)).expect("in range");
-    hash.numbers([plastic.hardness(), rough.mean_pressure()]);
-    hash.number(rough.junction_area());
-    hash.numbers([real(3.0), real(1e-9)].map(|load| sphere.contact_radius(load)));
-    adhesion(hash, plastic);
-    adhesion(hash, sphere);
-    adhesion(hash, rough);
-    let junctions = BowdenTabor::new(real(3e8), plastic).expect("in range");
-    hash.maybe(junctions.coulomb().ok().map(|law| law.mu()));
-    for (x, y) in pairs_of_ends::<R>() {
-        hash.verdict(&HertzSphere::new(x, y));
-        hash.verdict(&GreenwoodWilliamson::new(x, y, R::ONE));
-        let soft: Result<_, LawError> = Plastic::new(x);
-        let law = soft.and_then(|soft| BowdenTabor::new(y, soft));
-        hash.verdict(&law.and_then(|law| law.coulomb()));
-    }
-}
-
-fn adhesion<R: Real, A: RealArea<R> + Copy>(hash: &mut Fnv, contact: A) {
-    let law = BowdenTabor::new(R::from_f64(3e8), contact).expect("in range");
-    hash.numbers([law.shear_strength(), law.contact().area(R::ONE)]);
-    let mut rng = Lcg::new(89);
-    let mut at = |load: R| {
-        hash.numbers([contact.area(load), contact.slope(load)]);
-        hash.numbers([contact.area_per_load(load), law.force(load)]);
-        hash.numbers([law.slope(load), law.effective_coefficient(load)]);
-    };
-    for _ in 0..120 {
-        at(speed(&mut rng));
-    }
-    ends().into_iter().for_each(&mut at);
 }

@@ -4,9 +4,7 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::{ends, pairs_of_ends};
 use tribos_core::internals::tripod_shares;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
-use tribos_core::patch::polar::{PolarRule, ring};
-use tribos_core::patch::polygon::polygon;
-use tribos_core::patch::tripod::tripod;
+use tribos_core::patch::polar::PolarRule;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 
@@ -55,11 +53,11 @@ fn rules<R: Real>(hash: &mut Fnv) {
         let nodes: NodeList<R, ROOM> = shaped.expect("room");
         listed(hash, &nodes);
     }
-    let rim: NodeList<R, ROOM> = ring(real(2.0), 17).expect("room");
+    let rim: NodeList<R, ROOM> = NodeList::ring(real(2.0), 17).expect("room");
     listed(hash, &rim);
     for x in ends::<R>() {
         hash.verdict(&PolarRule::new(x, 3, 4));
-        hash.verdict(&ring::<R, 8>(x, 5));
+        hash.verdict(&NodeList::<R, 8>::ring(x, 5));
         let rule = PolarRule::new(R::ONE, 2, 3).expect("a rule");
         hash.verdict(&rule.with_rim_exponent(x));
         let tilted: Result<NodeList<R, 8>, _> = rule.nodes_tilted(x, R::ZERO);
@@ -80,10 +78,10 @@ fn points<R: Real>(hash: &mut Fnv) {
     ];
     for divisions in [1, 2] {
         let plate: NodeList<R, 112> =
-            polygon(&hexagon.map(|c| c.map(real)), divisions).expect("a convex polygon");
+            NodeList::polygon(&hexagon.map(|c| c.map(real)), divisions).expect("a convex polygon");
         listed(hash, &plate);
     }
-    let stool = tripod(feet, [real(0.5), real(0.25)]).expect("upright");
+    let stool = Nodes::tripod(feet, [real(0.5), real(0.25)]).expect("upright");
     listed(hash, &stool);
     let mut list = NodeList::<R, 4>::default();
     for (x, y) in pairs_of_ends::<R>() {
@@ -94,7 +92,7 @@ fn points<R: Real>(hash: &mut Fnv) {
         hash.verdict(&Nodes::new([Node { x: y, y, weight }]));
         hash.verdict(&list.push(Node { x, y: x, weight: y }));
         hash.number(list.total_weight());
-        hash.verdict(&polygon::<R, 32>(&[[x, y], feet[1], feet[2]], 1));
+        hash.verdict(&NodeList::<R, 32>::polygon(&[[x, y], feet[1], feet[2]], 1));
         if list.nodes().len() == 3 {
             list.clear();
         }

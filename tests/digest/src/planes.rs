@@ -6,13 +6,12 @@ use nalgebra::Vector3;
 use tribos_core::coupling::closed::Hertz;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::table;
-use tribos_core::coupling::tall::{AllRound, Footing, FrontBack, Lean, TallFriction};
+use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction};
 use tribos_core::coupling::{Lateral, PatchFriction};
 use tribos_core::internals::leaning_wrench;
 use tribos_core::law::PowerLaw;
 use tribos_core::patch::PatchError;
-use tribos_core::patch::nodes::NodePatch;
-use tribos_core::patch::tripod::tripod;
+use tribos_core::patch::nodes::{NodePatch, Nodes};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -28,7 +27,7 @@ fn planes_of<R: Real>(hash: &mut Fnv) {
     hash.number::<R>(puck.coupling().mean_square_radius());
     let power = PowerLaw::new(real(0.5), real(0.75)).expect("in range");
     let feet = [[0.0, 0.0], [1.0, 0.125], [0.5, 0.75]].map(|foot: [f64; 2]| foot.map(real));
-    let stool = tripod(feet, [real(0.5), real(0.25)]).expect("upright");
+    let stool = Nodes::tripod(feet, [real(0.5), real(0.25)]).expect("upright");
     let stool = NodeFriction::new(power, stool);
     hash.number(stool.law().alpha());
     hash.number(stool.patch().total_weight());
@@ -103,7 +102,7 @@ fn tall<R: Real, C: Lateral<R>, L: Lean>(hash: &mut Fnv, coupling: C, height: f6
         let got = body.wrench(speed(&mut rng), &motion);
         hash.wrench(&got.wrench);
         hash.numbers([got.lean.x, got.lean.y]);
-        hash.feed(u64::from(got.footing == Footing::Whole));
+        hash.feed(u64::from(!got.is_lifting));
         match got.whole() {
             Ok(wrench) => hash.wrench(&wrench),
             Err(PatchError::Tips { lean }) => hash.number(lean),

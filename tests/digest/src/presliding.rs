@@ -10,7 +10,7 @@ use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Scaled};
 use tribos_core::patch::nodes::{Node, NodePatch, Nodes};
 use tribos_core::planar::{ElasticState, PlanarBody};
 use tribos_core::presliding::{
-    Anchor, GradualPresliding, NodeBonds, NodePresliding, Pose, Presliding, PreslidingStep, Settled,
+    Anchor, GradualPresliding, NodePresliding, Pose, Presliding, PreslidingStep, Settled,
 };
 use tribos_core::real::Real;
 use tribos_core::twist::{Displacement, Wrench};
@@ -96,8 +96,8 @@ fn vibrations<R: Real>(hash: &mut Fnv, set: &impl FrictionSet<R>, bonds: &Presli
         displaced(hash, &step.slip);
         displaced(hash, &state.pose.since(&start.pose));
         displaced(hash, &state.anchor.pose.since(&start.pose));
-        let losses = step.losses;
-        hash.numbers([losses.slip, losses.damping, losses.rule, losses.total()]);
+        hash.numbers([step.slip_heat, step.damping_heat, step.rule_loss]);
+        hash.number(step.lost_energy());
         displaced(hash, &bonds.strain_under(&push));
     }
     for [x, y, n] in triples_of_ends(61) {
@@ -143,14 +143,15 @@ fn points<R: Real>(hash: &mut Fnv) {
         weight: x + R::ONE,
     }))
     .expect("loaded");
-    let bonds = NodeBonds {
-        stiffness: R::from_f64(64.0),
-        force_limit: R::from_f64(0.75),
-    };
+    let [stiffness, limit] = [64.0, 0.75].map(R::from_f64);
     let mut pose = Pose::new(R::ONE, R::ZERO, R::HALF);
-    let bound: Result<NodePresliding<R, _, POINTS>, _> = NodePresliding::new(nodes, bonds, &pose);
+    let bound: Result<NodePresliding<R, _, POINTS>, _> =
+        NodePresliding::new(nodes, stiffness, limit, &pose);
     let mut bound = bound.expect("it fits");
-    hash.numbers([bound.bonds().reach(), bound.patch().total_weight()]);
+    hash.numbers([
+        bound.force_limit() / bound.stiffness(),
+        bound.patch().total_weight(),
+    ]);
     for _ in 0..STEPS {
         let step = Displacement::along(&twist(&mut rng), R::from_f64(1.0 / 4096.0));
         pose = pose.moved(&step);

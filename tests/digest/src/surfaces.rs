@@ -13,7 +13,6 @@ use tribos_core::law::{
 use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection, Region};
 use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::polar::PolarRule;
-use tribos_core::patch::polygon::polygon;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -28,7 +27,7 @@ fn nodes_of<R: Real>(hash: &mut Fnv) {
     let rule = rule.with_rim_exponent(R::HALF).expect("in range");
     let disk: NodeList<R, 128> = rule.nodes_tilted(real(0.25), R::ZERO).expect("128 nodes");
     let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75]].map(|corner| corner.map(real));
-    let plate: NodeList<R, 112> = polygon(&corners, 4).expect("a triangle");
+    let plate: NodeList<R, 112> = NodeList::polygon(&corners, 4).expect("a triangle");
     let dry = DryFriction::new(real(0.5), real(0.25)).expect("in range");
     let law = Stribeck::new(StribeckParameters {
         dry,

@@ -3,11 +3,9 @@
 use super::check::{all_nan, finite, holds, numbers};
 use super::{Broken, Source};
 use tribos_core::law::{
-    Age, Ageing, BowdenTabor, Bristle, ContactAge, CoulombLaw, Dieterich, DragRegime, DryFriction,
-    Evolution, GreenwoodWilliamson, Grip, HertzSphere, Incline, InertialDrag, LocalLaw, LuGre,
-    LuGreParameters, Plastic, PlateauPower, PlateauPowerParameters, PowerLaw, RateState,
-    RateStateParameters, RealArea, Ruina, Savkoor, SavkoorParameters, Stokes, Stribeck,
-    StribeckParameters, critical_angle, crossover_reynolds, reynolds,
+    Age, Ageing, Bristle, ContactAge, CoulombLaw, Dieterich, DryFriction, Evolution, Grip,
+    LocalLaw, LuGre, LuGreParameters, PlateauPower, PlateauPowerParameters, PowerLaw, RateState,
+    RateStateParameters, Ruina, Savkoor, SavkoorParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -21,11 +19,13 @@ pub fn memoryless(source: &mut Source) -> Result<(), Broken> {
 }
 
 fn memoryless_of<R: Real>(source: &mut Source) -> Result<(), Broken> {
-    match source.below(8) {
+    match source.below(6) {
         0 => dry::<R>(source),
         1 => {
             let law = CoulombLaw::<R>::new(source.size());
-            law.map_or(Ok(()), |law| local(source, "Coulomb", &law))
+            let Ok(law) = law else { return Ok(()) };
+            finite(source, "angle of friction", [law.friction_angle()])?;
+            local(source, "Coulomb", &law)
         }
         2 => {
             let alpha = exponent::<R>(source);
@@ -34,9 +34,7 @@ fn memoryless_of<R: Real>(source: &mut Source) -> Result<(), Broken> {
         }
         3 => stribeck::<R>(source),
         4 => plateau::<R>(source),
-        5 => drag::<R>(source),
-        6 => savkoor::<R>(source),
-        _ => areas::<R>(source),
+        _ => savkoor::<R>(source),
     }
 }
 
@@ -76,33 +74,12 @@ fn dry<R: Real>(source: &mut Source) -> Result<(), Broken> {
     local(source, "dry friction", &law)?;
     let drive = source.number::<R>();
     let net = law.net_drive(drive);
-    finite(source, "net drive", [net, critical_angle(law.mu_static())])?;
+    finite(source, "net drive", [net])?;
     if drive.is_nan() {
         all_nan("net drive", [net])?;
         return holds(law.at_rest(drive) == Grip::Slip, "NaN slips", &[drive]);
     }
-    let Ok(slope) = Incline::new(source.size(), source.size::<R>()) else {
-        return Ok(());
-    };
-    let (gravity, v) = (source.positive(), source.positive());
-    finite(
-        source,
-        "incline",
-        [
-            slope.angle(),
-            slope.drive_per_load(),
-            slope.acceleration_at_rest(&law, gravity),
-            slope.acceleration_downhill(&law, gravity, v),
-            slope.acceleration_uphill(&law, gravity, v),
-        ]
-        .map(|x| {
-            if slope.angle() < R::from_f64(1.5) {
-                x
-            } else {
-                R::ZERO
-            }
-        }),
-    )
+    Ok(())
 }
 
 fn stribeck<R: Real>(source: &mut Source) -> Result<(), Broken> {
@@ -156,63 +133,6 @@ fn savkoor<R: Real>(source: &mut Source) -> Result<(), Broken> {
         narrowness: source.positive(),
     });
     law.map_or(Ok(()), |law| local(source, "Savkoor", &law))
-}
-
-fn drag<R: Real>(source: &mut Source) -> Result<(), Broken> {
-    let v = source.number::<R>();
-    if let Ok(law) = Stokes::<R>::new(source.positive(), source.positive()) {
-        finite(source, "Stokes", [law.force(v), law.slope(v)])?;
-    }
-    let (density, radius) = (source.positive::<R>(), source.positive());
-    if let Ok(law) = InertialDrag::new(source.positive(), density, radius) {
-        finite(source, "inertial drag", [law.force(v), law.slope(v)])?;
-    }
-    let number = reynolds(density, v.abs(), radius, source.positive());
-    let crossover = crossover_reynolds(source.positive::<R>());
-    finite(source, "Reynolds number", [number, crossover])?;
-    let regime = DragRegime::at(number, source.positive());
-    holds(
-        number.is_nan() || regime.is_some() || !source.is_mild(),
-        "a regime",
-        &[number],
-    )
-}
-
-fn areas<R: Real>(source: &mut Source) -> Result<(), Broken> {
-    match source.below(3) {
-        0 => Plastic::<R>::new(source.positive()).map_or(Ok(()), |area| junctions(source, area)),
-        1 => {
-            let area = HertzSphere::<R>::new(source.positive(), source.positive());
-            area.map_or(Ok(()), |area| junctions(source, area))
-        }
-        _ => {
-            let [a, b, c] = [(); 3].map(|()| source.positive::<R>());
-            GreenwoodWilliamson::new(a, b, c).map_or(Ok(()), |area| junctions(source, area))
-        }
-    }
-}
-
-fn junctions<R: Real, A: RealArea<R> + Copy>(source: &mut Source, area: A) -> Result<(), Broken> {
-    let load = source.positive::<R>();
-    let values = [area.area(load), area.slope(load), area.area_per_load(load)];
-    if load.is_nan() {
-        return all_nan("contact area", values);
-    }
-    finite(source, "contact area", values)?;
-    let Ok(law) = BowdenTabor::new(source.positive(), area) else {
-        return Ok(());
-    };
-    let force = law.force(load);
-    finite(
-        source,
-        "junctions",
-        [force, law.slope(load), law.effective_coefficient(load)],
-    )?;
-    holds(
-        force >= R::ZERO || !source.is_mild(),
-        "friction ≥ 0",
-        &[load, force],
-    )
 }
 
 /// Ageing, rate and state, bristles, in either precision.

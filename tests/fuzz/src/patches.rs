@@ -4,9 +4,7 @@ use super::check::holds;
 use super::{Broken, Source};
 use tribos_core::internals::tripod_shares;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
-use tribos_core::patch::polar::{PolarRule, ring};
-use tribos_core::patch::polygon::polygon;
-use tribos_core::patch::tripod::tripod;
+use tribos_core::patch::polar::PolarRule;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 
@@ -37,12 +35,12 @@ fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
                     .all(|share| *share >= R::ZERO && *share <= R::TWO);
                 holds(all, "shares from 0 to 1", &shares)?;
             }
-            tripod(feet, centre).map_or(Ok(()), |stool| sound(&stool))
+            Nodes::tripod(feet, centre).map_or(Ok(()), |stool| sound(&stool))
         }
         2 => {
             let corners = [(); 5].map(|()| [source.number::<R>(), source.number()]);
             let count = source.below(6);
-            let plate = polygon::<R, 64>(&corners[..count], source.below(4) as u32);
+            let plate = NodeList::<R, 64>::polygon(&corners[..count], source.below(4) as u32);
             plate.map_or(Ok(()), |plate| sound(&plate))
         }
         _ => rules::<R>(source),
@@ -59,7 +57,7 @@ pub fn node<R: Real>(source: &mut Source) -> Node<R> {
 
 fn rules<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let radius = source.positive::<R>();
-    if let Ok(rim) = ring::<R, 16>(radius, source.below(18) as u32) {
+    if let Ok(rim) = NodeList::<R, 16>::ring(radius, source.below(18) as u32) {
         sound(&rim)?;
     }
     let Ok(rule) = PolarRule::new(radius, source.below(5) as u32, source.below(8) as u32) else {

@@ -11,7 +11,7 @@ use tribos_core::limit_surface::{Ellipsoid, FrictionSet, Scaled};
 use tribos_core::patch::nodes::{NodePatch, Nodes};
 use tribos_core::planar::{ElasticState, PlanarBody};
 use tribos_core::presliding::{
-    Anchor, GradualPresliding, NodeBonds, NodePresliding, Pose, Presliding, Settled,
+    Anchor, GradualPresliding, NodePresliding, Pose, Presliding, Settled,
 };
 use tribos_core::real::Real;
 use tribos_core::twist::{Displacement, Wrench};
@@ -174,8 +174,8 @@ fn on_bonds<R: Real>(
     };
     let step = body.step_elastic(&bonds, set, &state, push, dt);
     finite(source, "a step on bonds", parts(&step.friction))?;
-    let losses = step.losses;
-    let all = [losses.slip, losses.damping, losses.rule, losses.total()];
+    let lost = [step.slip_heat, step.damping_heat, step.rule_loss];
+    let all = [lost[0], lost[1], lost[2], step.lost_energy()];
     let none_below_zero = all.iter().all(|x| *x >= R::ZERO || x.is_nan());
     holds(none_below_zero, "no loss is negative", &all)
 }
@@ -185,12 +185,9 @@ fn points<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let Ok(nodes) = Nodes::new([(); POINTS].map(|()| node::<R>(source))) else {
         return Ok(());
     };
-    let bonds = NodeBonds {
-        stiffness: source.positive(),
-        force_limit: source.size(),
-    };
+    let (stiffness, limit) = (source.positive(), source.size());
     let start = pose(source);
-    let Ok(mut bound) = NodePresliding::<R, _, POINTS>::new(nodes, bonds, &start) else {
+    let Ok(mut bound) = NodePresliding::<R, _, POINTS>::new(nodes, stiffness, limit, &start) else {
         return Ok(());
     };
     for _ in 0..3 {
@@ -199,9 +196,10 @@ fn points<R: Real>(source: &mut Source) -> Result<(), Broken> {
         let (heat, stored) = (step.dissipated, bound.stored_energy(&start));
         let are_valid = [heat, stored].iter().all(|x| *x >= R::ZERO || x.is_nan());
         holds(are_valid, "points dissipate", &[heat, stored])?;
-        let (reach, weight) = (bound.bonds().reach(), bound.patch().total_weight());
+        let (reach, weight) = (bound.reach(), bound.patch().total_weight());
+        let is_kept = bound.force_limit() / bound.stiffness() == reach;
         holds(
-            reach >= R::ZERO && weight > R::ZERO,
+            is_kept && reach >= R::ZERO && weight > R::ZERO,
             "points reach",
             &[reach, weight],
         )?;

@@ -1,13 +1,9 @@
 //! Each law without memory against what its source says of it.
 
-use std::f64::consts::PI;
-
 use tribos_core::law::{
-    Age, Ageing, BowdenTabor, CoulombLaw, Dieterich, DragRegime, DryFriction, GreenwoodWilliamson,
-    Grip, HertzSphere, Incline, InertialDrag, LawError, LocalLaw, LuGre, LuGreParameters, Plastic,
-    PlateauPower, PlateauPowerParameters, RateState, RateStateParameters, RealArea, Savkoor,
-    SavkoorParameters, Stokes, Stribeck, StribeckParameters, critical_angle, crossover_reynolds,
-    reynolds,
+    Age, Ageing, CoulombLaw, Dieterich, DryFriction, Grip, LawError, LocalLaw, LuGre,
+    LuGreParameters, PlateauPower, PlateauPowerParameters, RateState, RateStateParameters, Savkoor,
+    SavkoorParameters, Stribeck, StribeckParameters,
 };
 use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, savkoor, stribeck};
 use tribos_tests::sweep::Lcg;
@@ -28,39 +24,14 @@ fn a_body_slips_beyond_static_friction_only() {
 }
 
 #[test]
-fn euler_s_incline_holds_up_to_the_critical_angle() {
-    let gravity = 9.81;
-    let on = |angle: f64| Incline::new(angle.sin(), angle.cos()).unwrap();
+fn a_slope_holds_up_to_the_angle_of_friction() {
     for mu in [0.0_f64, 0.1, 0.25, 1.0 / 3.0, 1.0, 5.0] {
+        let angle = CoulombLaw::new(mu).unwrap().friction_angle();
         let law = DryFriction::new(mu, 0.6 * mu).unwrap();
-        let critical = critical_angle(mu);
-        assert!((critical.tan() - mu).abs() < 1e-14 * (1.0 + mu * mu));
-        if mu > 0.0 {
-            assert_eq!(on(critical - 1e-9).acceleration_at_rest(&law, gravity), 0.0);
-        }
-        // Just above it slides with what static friction exceeds dynamic by.
-        let jump = gravity * 0.4 * mu * critical.cos();
-        let got = on(critical + 1e-9).acceleration_at_rest(&law, gravity);
-        assert!((got - jump).abs() < 1e-7 && got > 0.0, "{got} for {jump}");
+        assert!((angle.tan() - mu).abs() < 1e-14 * (1.0 + mu * mu));
+        assert_eq!(law.at_rest((angle - 1e-9).max(0.0).tan()), Grip::Stick);
+        assert_eq!(law.at_rest((angle + 1e-9).tan()), Grip::Slip);
     }
-    let law = DryFriction::new(0.5, 0.3).unwrap();
-    let incline = on(0.4);
-    assert!((incline.angle() - 0.4).abs() < 1e-15);
-    let (down, up) = (
-        incline.acceleration_downhill(&law, gravity, 1.0),
-        incline.acceleration_uphill(&law, gravity, 1.0),
-    );
-    assert!((down + up - 2.0 * gravity * 0.4_f64.sin()).abs() < 1e-14);
-    assert!((up - down - 0.6 * gravity * 0.4_f64.cos()).abs() < 1e-14);
-    // A wall, and grades that would overflow.
-    let wall = Incline::new(1e200, 0.0).unwrap();
-    assert_eq!(wall.acceleration_at_rest(&law, gravity), gravity);
-    assert_eq!(
-        Incline::new(1e-300, 1e300)
-            .unwrap()
-            .acceleration_at_rest(&law, gravity),
-        0.0
-    );
 }
 
 #[test]
@@ -90,71 +61,6 @@ fn static_friction_ages_with_the_logarithm_of_time() {
     // A drive between young and old strength.
     assert_eq!(law.at_rest(Age::ZERO, 0.43), Grip::Slip);
     assert_eq!(law.at_rest(Age { time: 10.0 }, 0.43), Grip::Stick);
-}
-
-#[test]
-fn plastic_junctions_give_coulomb_s_law() {
-    // The thesis' cube: 100 N on steel rest on 0.1 mm².
-    let friction = BowdenTabor::new(0.6e9_f64, Plastic::new(1e9).unwrap()).unwrap();
-    assert!((friction.contact().area(100.0) / 1e-7 - 1.0).abs() < 1e-15);
-    for load in [1e-6, 1.0, 1e6] {
-        assert!((friction.force(load) / (0.6 * load) - 1.0).abs() < 1e-15);
-        assert!((friction.effective_coefficient(load) - 0.6).abs() < 1e-15);
-        assert!((friction.slope(load) - 0.6).abs() < 1e-15);
-    }
-    assert_eq!(friction.coulomb().unwrap(), CoulombLaw::new(0.6).unwrap());
-    assert_eq!(friction.force(-1.0), 0.0);
-    assert!(friction.force(f64::NAN).is_nan());
-}
-
-#[test]
-fn a_sphere_indents_by_hertz() {
-    let (radius, modulus) = (0.02_f64, 7e10);
-    let sphere = HertzSphere::new(radius, modulus).unwrap();
-    for load in [1e-9, 1e-3, 1.0, 1e4] {
-        // Back from the contact radius: L = 4E*a³/(3R).
-        let a = (sphere.area(load) / PI).sqrt();
-        let back = 4.0 * modulus * a.powi(3) / (3.0 * radius);
-        assert!((back / load - 1.0).abs() < 1e-13, "{back} for {load}");
-        let per_load = sphere.area(load) / load;
-        assert!((sphere.area_per_load(load) / per_load - 1.0).abs() < 1e-13);
-        let slope = differentiated(|l| sphere.area(l), load);
-        assert!((sphere.slope(load) / slope - 1.0).abs() < 1e-10);
-    }
-    assert_eq!(sphere.area(0.0), 0.0);
-    assert_eq!(sphere.area_per_load(0.0), f64::INFINITY);
-    assert_eq!((sphere.area(-1.0), sphere.slope(-1.0)), (0.0, 0.0));
-    assert!(sphere.area(f64::NAN).is_nan() && sphere.slope(f64::NAN).is_nan());
-}
-
-/// ∫ f over [0, ∞) by the trapezoid of x = exp(t − e^(−t)), which dies twice exponentially at zero.
-fn half_line(scale: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let step = 1.0 / 64.0;
-    (-400..500)
-        .map(|i| {
-            let t = f64::from(i) * step;
-            let x = (t - (-t).exp()).exp();
-            f(scale * x) * scale * x * (1.0 + (-t).exp()) * step
-        })
-        .sum()
-}
-
-#[test]
-fn exponential_asperities_make_area_proportional_to_load() {
-    let (decay, tip, modulus) = (1e-6_f64, 2e-4, 1e11);
-    let rough = GreenwoodWilliamson::new(decay, tip, modulus).unwrap();
-    let sphere = HertzSphere::new(tip, modulus).unwrap();
-    for separation in [0.0_f64, 2e-6, 1e-5] {
-        // Sum of Hertz contacts of tips that reach `indent` beyond the separation.
-        let density = |indent: f64| 1e9 * (-(separation + indent) / decay).exp();
-        let load_of = |indent: f64| 4.0 / 3.0 * modulus * (tip * indent.powi(3)).sqrt();
-        let sum = |of: &dyn Fn(f64) -> f64| half_line(decay, |z| density(z) * of(z));
-        let (count, load) = (sum(&|_| 1.0), sum(&load_of));
-        let area = sum(&|z| sphere.area(load_of(z)));
-        assert!((rough.area(load) / area - 1.0).abs() < 1e-12);
-        assert!((rough.junction_area() * count / area - 1.0).abs() < 1e-12);
-        assert!((rough.mean_pressure() * area / load - 1.0).abs() < 1e-12);
-    }
 }
 
 #[test]
@@ -264,34 +170,6 @@ fn stribeck_runs_from_boundary_to_hydrodynamic_friction() {
 }
 
 #[test]
-fn drag_changes_from_viscous_to_inertial_where_the_forces_cross() {
-    let (density, viscosity, radius, constant) = (1e3, 1e-3, 2e-3, 0.7);
-    let slow = Stokes::new(viscosity, radius).unwrap();
-    let fast = InertialDrag::new(constant, density, radius).unwrap();
-    let crossover = crossover_reynolds(constant);
-    assert!((crossover - 6.0 * PI / 0.7).abs() < 1e-13);
-    for factor in [1e-3, 0.999, 1.001, 1e3] {
-        let speed = factor * crossover * viscosity / (density * radius);
-        let number = reynolds(density, speed, radius, viscosity);
-        assert!((number / (factor * crossover) - 1.0).abs() < 1e-14);
-        let regime = DragRegime::at(number, constant).unwrap();
-        assert_eq!(
-            regime == DragRegime::Viscous,
-            slow.force(speed) > fast.force(speed)
-        );
-        // Eq. 2.3: forces are functions of Re alone in units of ρv²r².
-        let unit = density * speed * speed * radius * radius;
-        assert!((slow.force(speed) / unit * number - 6.0 * PI).abs() < 1e-13);
-        assert!((fast.force(speed) / unit - constant).abs() < 1e-15);
-        assert!((slow.slope(speed) * speed / slow.force(speed) - 1.0).abs() < 1e-15);
-        assert!((fast.slope(speed) * speed / fast.force(speed) - 2.0).abs() < 1e-15);
-    }
-    assert_eq!(DragRegime::at(f64::NAN, constant), None);
-    assert_eq!(reynolds(1.0, 0.0, 1.0, 0.0), 0.0);
-    assert!(slow.force(f64::NAN).is_nan() && slow.slope(f64::NAN).is_nan());
-}
-
-#[test]
 fn the_plateau_joins_ice_at_rest_to_fast_sliding() {
     for alpha in [-0.19, -0.5, -0.75] {
         for rest in [0.0, 0.5, 1.0] {
@@ -348,10 +226,6 @@ fn senseless_laws_are_refused() {
             .is_err()
         );
         assert!(Ageing::new(0.3, 0.1, bad).is_err());
-        assert!(Plastic::new(bad).is_err());
-        assert!(HertzSphere::new(bad, 1.0).is_err() && HertzSphere::new(1.0, bad).is_err());
-        assert!(GreenwoodWilliamson::new(1.0, bad, 1.0).is_err());
-        assert!(Stokes::new(1.0, bad).is_err() && InertialDrag::new(bad, 1.0, 1.0).is_err());
         assert!(
             PlateauPower::new(PlateauPowerParameters {
                 alpha: -0.5,
@@ -420,7 +294,9 @@ fn senseless_laws_are_refused() {
         })
         .is_err()
     );
-    assert!(Incline::new(0.0, 0.0).is_err() && Incline::new(-1.0, 1.0).is_err());
-    let message = Plastic::new(-2.0).unwrap_err().to_string();
-    assert_eq!(message, "the hardness must be positive and finite, not -2");
+    let message = Ageing::new(0.3, 0.1, -2.0).unwrap_err().to_string();
+    assert_eq!(
+        message,
+        "the cut-off age must be positive and finite, not -2"
+    );
 }

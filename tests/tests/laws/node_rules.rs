@@ -9,7 +9,7 @@ use tribos_core::coupling::{PatchFriction, compact};
 use tribos_core::law::{CoulombLaw, PowerLaw};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{NodeList, NodePatch};
-use tribos_core::patch::polar::{self, PolarRule};
+use tribos_core::patch::polar::PolarRule;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tables::{Row, Table};
@@ -188,7 +188,7 @@ fn tabulated(row: &Row<'_>, tilt: f64) -> NodeList<f64, ROOM> {
     if q > -1.0 {
         return rule(16, 32, q).nodes_tilted(tilt, 0.0).expect("room");
     }
-    let ring: NodeList<f64, ROOM> = polar::ring(1.0, 512).expect("room");
+    let ring: NodeList<f64, ROOM> = NodeList::ring(1.0, 512).expect("room");
     ring.nodes()
         .iter()
         .fold(NodeList::new(), |mut list, &node| {

@@ -6,7 +6,6 @@ use tribos_core::internals::tripod_shares;
 use tribos_core::law::{CoulombLaw, LocalLaw, PowerLaw};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
-use tribos_core::patch::tripod::tripod;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::{Lcg, special_f64};
 use tribos_tests::tolerance::{self, Bound};
@@ -56,7 +55,7 @@ fn entries(wrench: &Wrench<f64>) -> [f64; 3] {
 fn tripod_resists_as_computed_by_hand() {
     // Feet (1, 0), (0, 1), (-1, -1) around their centroid: a third of 12 N each, mu = 1/2.
     let feet = [[1.0, 0.0], [0.0, 1.0], [-1.0, -1.0]];
-    let stool = tripod(feet, [0.0, 0.0]).expect("it stands");
+    let stool = Nodes::tripod(feet, [0.0, 0.0]).expect("it stands");
     let friction = NodeFriction::new(dry(0.5), stool);
     // Spinning: every foot resists with 2 N at its distance 1, 1, sqrt 2.
     let spinning = friction.wrench(12.0, &Twist::new(0.0, 0.0, 5.0));

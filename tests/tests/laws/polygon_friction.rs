@@ -7,7 +7,6 @@ use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::CoulombLaw;
 use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::outline::{OutlineError, Polygon};
-use tribos_core::patch::polygon::polygon;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 use tribos_tests::outlines::{Outline, outlines};
 use tribos_tests::reference::Reference;
@@ -193,7 +192,7 @@ fn single_precision_follows_double_precision() {
 #[test]
 fn many_nodes_come_close_to_it() {
     let corners = [[0.0, 0.0], [3.0, 0.25], [1.0, 2.0]];
-    let nodes: NodeList<f64, 7168> = polygon(&corners, 32).expect("room");
+    let nodes: NodeList<f64, 7168> = NodeList::polygon(&corners, 32).expect("room");
     let sampled = NodeFriction::new(CoulombLaw::new(1.0).expect("valid"), nodes);
     let exact = FlatFriction::new(Polygon::new(corners).expect("valid"), 1.0).expect("valid");
     let mut rng = Lcg::new(3);

@@ -6,7 +6,6 @@ use tribos_core::coupling::{PatchFriction, compact};
 use tribos_core::law::CoulombLaw;
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{NodeList, NodePatch};
-use tribos_core::patch::polygon::polygon;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 
@@ -52,12 +51,12 @@ fn polygons_have_their_area_centroid_and_moment() {
     let mut corners = [[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]];
     let expected = [6.0, 1.5, 1.0, 2.0 * 9.0 + 3.0 * 8.0 / 3.0];
     close(
-        moments(&polygon::<f64, 56>(&corners, 2).expect("room")),
+        moments(&NodeList::<f64, 56>::polygon(&corners, 2).expect("room")),
         expected,
     );
     corners.reverse();
     close(
-        moments(&polygon::<f64, 14>(&corners, 1).expect("room")),
+        moments(&NodeList::<f64, 14>::polygon(&corners, 1).expect("room")),
         expected,
     );
     // An L: a 2 × 2 square without its upper right unit square.
@@ -69,7 +68,7 @@ fn polygons_have_their_area_centroid_and_moment() {
         [1.0, 2.0],
         [0.0, 2.0],
     ];
-    let list = polygon::<f64, ROOM>(&ell, 3).expect("one corner sees all");
+    let list = NodeList::<f64, ROOM>::polygon(&ell, 3).expect("one corner sees all");
     close(
         moments(&list),
         [3.0, 2.5 / 3.0, 2.5 / 3.0, 32.0 / 3.0 - 14.0 / 3.0],
@@ -89,7 +88,7 @@ fn polygons_have_their_area_centroid_and_moment() {
     ];
     let (sin, cos) = 0.37_f64.sin_cos();
     let turned = tee.map(|[x, y]| [cos * x - sin * y, sin * x + cos * y]);
-    let list = polygon::<f64, ROOM>(&turned, 1).expect("an inner corner sees all");
+    let list = NodeList::<f64, ROOM>::polygon(&turned, 1).expect("an inner corner sees all");
     assert!((list.total_weight() - 10.0).abs() < 1e-13);
 }
 
@@ -105,17 +104,26 @@ fn polygons_that_no_corner_oversees_are_refused() {
         [1.0, 3.0],
         [0.0, 3.0],
     ];
-    assert_eq!(polygon::<f64, ROOM>(&u_shape, 1), Err(PatchError::Hidden));
+    assert_eq!(
+        NodeList::<f64, ROOM>::polygon(&u_shape, 1),
+        Err(PatchError::Hidden)
+    );
     let line = [[0.0, 0.0], [1.0, 1.0], [3.0, 3.0]];
-    assert_eq!(polygon::<f64, ROOM>(&line, 1), Err(PatchError::Hidden));
+    assert_eq!(
+        NodeList::<f64, ROOM>::polygon(&line, 1),
+        Err(PatchError::Hidden)
+    );
     let bow_tie = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
-    assert_eq!(polygon::<f64, ROOM>(&bow_tie, 1), Err(PatchError::Hidden));
-    let two = polygon::<f64, ROOM>(&line[..2], 1);
+    assert_eq!(
+        NodeList::<f64, ROOM>::polygon(&bow_tie, 1),
+        Err(PatchError::Hidden)
+    );
+    let two = NodeList::<f64, ROOM>::polygon(&line[..2], 1);
     assert_eq!(two, Err(PatchError::Corners { given: 2 }));
-    let none = polygon::<f64, ROOM>(&u_shape, 0);
+    let none = NodeList::<f64, ROOM>::polygon(&u_shape, 0);
     assert_eq!(none, Err(PatchError::Divisions { given: 0 }));
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let full = polygon::<f64, 13>(&square, 1);
+    let full = NodeList::<f64, 13>::polygon(&square, 1);
     assert_eq!(full, Err(PatchError::Full { capacity: 13 }));
 }
 
@@ -127,7 +135,7 @@ fn nearly_a_disk(divisions: u32) -> NodeList<f64, 16384> {
         .map(|n| f64::from(n) * side)
         .map(|angle| [radius * angle.cos(), radius * angle.sin()])
         .collect();
-    polygon(&corners, divisions).expect("room")
+    NodeList::polygon(&corners, divisions).expect("room")
 }
 
 #[test]
@@ -147,7 +155,7 @@ fn a_polygon_of_many_corners_is_a_disk() {
 fn square_errors(range: [f64; 2]) -> [f64; 3] {
     let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let at = |divisions| {
-        let list = polygon::<f64, { 14 * 24 * 24 }>(&square, divisions);
+        let list = NodeList::<f64, { 14 * 24 * 24 }>::polygon(&square, divisions);
         NodeFriction::new(dry(), list.expect("room"))
     };
     let fine = at(24);

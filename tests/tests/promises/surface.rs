@@ -25,6 +25,22 @@ fn the_surface_changes_only_with_the_file_that_keeps_it() {
     }
 }
 
+/// Items that a user has to know by name. The numbers may only fall; a rise needs a line in CHANGELOG.
+const ITEMS: [(&str, usize); LIBRARIES.len()] = [("tribos-core", 170), ("tribos", 279)];
+
+#[test]
+fn no_library_has_more_items_than_it_had() {
+    for (package, most) in ITEMS {
+        let text = std::fs::read_to_string(kept(package)).expect("it is kept");
+        let count = text.trim_start_matches("# ").split(' ').next();
+        let count: usize = count.and_then(|count| count.parse().ok()).expect("a count");
+        assert!(
+            count == most,
+            "{package} has {count} items and {most} are kept: lower the number, or tell the rise in CHANGELOG"
+        );
+    }
+}
+
 #[test]
 fn every_public_type_of_the_kernel_can_be_logged() {
     let kernel = Library::read("tribos-core", &["defmt"]).expect("rustdoc runs");

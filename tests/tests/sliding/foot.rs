@@ -6,7 +6,6 @@ use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::CoulombLaw;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
-use tribos_core::patch::polar::ring;
 use tribos_core::planar::NodeFoot;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
@@ -48,7 +47,7 @@ fn points(rng: &mut Lcg, case: usize) -> Points {
 fn a_ring_of_points_is_the_closed_ring() {
     let (limit, radius, length) = (3.0, 0.1, 0.07);
     let closed = LimitSurface::new(Ring, limit, radius).expect("valid");
-    let points: Points = ring(radius, 256).expect("it fits");
+    let points: Points = NodeList::ring(radius, 256).expect("it fits");
     let mut foot: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(points, limit).expect("valid");
     let mut rng = Lcg::new(3);
     let mut worst = 0.0_f64;

@@ -8,7 +8,6 @@ use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits};
 use tribos_core::patch::nodes::NodeList;
-use tribos_core::patch::polygon::polygon;
 use tribos_core::planar::{NodeFoot, PlanarBody};
 use tribos_core::real::Real;
 use tribos_core::slider::{Motion, Slider, SliderParameters};
@@ -62,7 +61,7 @@ fn a_puck_held_on_a_slope_does_not_creep_in_a_million_steps() {
 /// A square box of side 0.2 m and 1 kg; friction carries 3 N.
 fn box_on_the_floor() -> (PlanarBody<f64>, NodeFoot<f64, NodeList<f64, 224>, 224>) {
     let corners = [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]];
-    let points: NodeList<f64, 224> = polygon(&corners, 4).expect("a square");
+    let points: NodeList<f64, 224> = NodeList::polygon(&corners, 4).expect("a square");
     let body = PlanarBody::new(1.0, 0.2 * 0.2 / 6.0).expect("positive");
     (body, NodeFoot::new(points, 3.0).expect("it fits"))
 }

@@ -1,14 +1,14 @@
 //! Points that let go one after the other: Masing's rule, the backbone, energy.
 
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
-use tribos_core::presliding::{NodeBonds, NodePresliding, Pose};
+use tribos_core::presliding::{NodePresliding, Pose};
 use tribos_core::twist::Displacement;
 use tribos_tests::sweep::Lcg;
 
-const BONDS: NodeBonds<f64> = NodeBonds {
-    stiffness: 1e6,
-    force_limit: 5.0,
-};
+/// N/m, and N.
+const STIFFNESS: f64 = 1e6;
+const LIMIT: f64 = 5.0;
+const REACH: f64 = LIMIT / STIFFNESS;
 const RADIUS: f64 = 0.05;
 /// Share of the reach in Masing's cycles.
 const SCALE: f64 = 0.05;
@@ -34,7 +34,7 @@ fn disk() -> NodeList<f64, 128> {
 }
 
 fn bound() -> NodePresliding<f64, NodeList<f64, 128>, 128> {
-    NodePresliding::new(disk(), BONDS, &ORIGIN).expect("it fits")
+    NodePresliding::new(disk(), STIFFNESS, LIMIT, &ORIGIN).expect("it fits")
 }
 
 /// Torque of the first loading to the angle `turn`, and its integral from 0, from the rings.
@@ -43,10 +43,7 @@ fn backbone(turn: f64) -> [f64; 2] {
     let mut sums = [0.0; 2];
     for node in nodes.nodes() {
         let (r, share) = (node.x.hypot(node.y), node.weight / nodes.total_weight());
-        let (k, limit) = (
-            BONDS.stiffness * share * r * r,
-            BONDS.force_limit * share * r,
-        );
+        let (k, limit) = (STIFFNESS * share * r * r, LIMIT * share * r);
         let elastic = turn.min(limit / k);
         sums[0] += k * elastic;
         sums[1] += 0.5 * k * elastic * elastic + limit * (turn - elastic);
@@ -56,7 +53,7 @@ fn backbone(turn: f64) -> [f64; 2] {
 
 /// The angle at which the outermost ring slips.
 fn first_slip() -> f64 {
-    BONDS.reach() / (RADIUS * (7.5_f64 / 8.0).sqrt())
+    REACH / (RADIUS * (7.5_f64 / 8.0).sqrt())
 }
 
 #[test]
@@ -79,14 +76,11 @@ fn torsion_follows_the_backbone_and_bends_off_gradually() {
 #[test]
 fn closed_cycles_lose_what_masings_rule_says() {
     // Turns of 1e-5 rad, between the rounding of positions and chords that are not arcs.
-    let bonds = NodeBonds {
-        stiffness: BONDS.stiffness / SCALE,
-        ..BONDS
-    };
+    let stiffness = STIFFNESS / SCALE;
     for times in [0.9, 1.3, 2.0, 3.0] {
         let turn = times * first_slip() * SCALE;
         let mut patch: NodePresliding<f64, _, 128> =
-            NodePresliding::new(disk(), bonds, &ORIGIN).expect("it fits");
+            NodePresliding::new(disk(), stiffness, LIMIT, &ORIGIN).expect("it fits");
         let (mut lost, steps) = (0.0, 23);
         for cycle in 0..2 {
             for n in 1..=4 * steps {
@@ -121,7 +115,7 @@ fn random_paths_dissipate_and_their_energy_balances() {
     let mut rng = Lcg::new(101);
     for _ in 0..20 {
         let (mut patch, mut pose) = (bound(), ORIGIN);
-        let size = BONDS.reach() * rng.log_between(0.1, 20.0);
+        let size = REACH * rng.log_between(0.1, 20.0);
         for _ in 0..30 {
             let mut part = || size * (2.0 * rng.unit() - 1.0);
             let next = pose.moved(&Displacement::new(part(), part(), part() / RADIUS));
@@ -133,7 +127,7 @@ fn random_paths_dissipate_and_their_energy_balances() {
             assert!(step.dissipated >= 0.0 && slipped >= step.dissipated * (1.0 - 1e-9) - 1e-18);
             assert!(stored >= 0.0);
             let force = step.friction.force.norm();
-            assert!(force <= BONDS.force_limit * (1.0 + 1e-12));
+            assert!(force <= LIMIT * (1.0 + 1e-12));
             pose = next;
         }
     }
@@ -142,10 +136,10 @@ fn random_paths_dissipate_and_their_energy_balances() {
 #[test]
 fn anchors_keep_their_bits_while_all_points_hold() {
     let mut patch = bound();
-    let there = Pose::new(0.4 * BONDS.reach(), 0.0, 0.3 * first_slip());
+    let there = Pose::new(0.4 * REACH, 0.0, 0.3 * first_slip());
     let first = patch.step(&there);
     for n in 0..10_000 {
-        let shake = 0.1 * BONDS.reach() * f64::from(n % 3);
+        let shake = 0.1 * REACH * f64::from(n % 3);
         patch.step(&there.moved(&Displacement::new(shake, 0.0, 0.0)));
     }
     assert_eq!(patch.step(&there), first);
@@ -156,7 +150,7 @@ fn anchors_keep_their_bits_while_all_points_hold() {
 fn sliding_far_it_meets_the_friction_of_all_points() {
     let mut patch = bound();
     let slid = patch.step(&Pose::new(1.0, 0.0, 0.0));
-    assert!((slid.friction.force.x + BONDS.force_limit).abs() < 1e-9);
+    assert!((slid.friction.force.x + LIMIT).abs() < 1e-9);
     assert_eq!(slid.slipping, 128);
     patch.anchor_at(&Pose::new(1.0, 0.0, 0.0));
     assert_eq!(
@@ -171,6 +165,7 @@ fn sliding_far_it_meets_the_friction_of_all_points() {
     let lost = patch.step(&Pose::new(f64::NAN, 0.0, 0.0));
     assert!(lost.friction.force.x.is_nan() && lost.slipping == 128);
     assert!(patch.set_force_limit(-1.0).is_err());
-    let few: Result<NodePresliding<f64, _, 5>, _> = NodePresliding::new(disk(), BONDS, &ORIGIN);
+    let few: Result<NodePresliding<f64, _, 5>, _> =
+        NodePresliding::new(disk(), STIFFNESS, LIMIT, &ORIGIN);
     assert!(few.is_err());
 }

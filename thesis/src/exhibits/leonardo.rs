@@ -6,7 +6,7 @@ use anyhow::{Result, anyhow};
 use tribos::friction::Patch;
 use tribos::scene::InclineScene;
 use tribos::stick::incline::{Release, run};
-use tribos_core::law::critical_angle;
+use tribos_core::Real;
 use tribos_report::claim::Claim;
 use tribos_report::digits::{brief, short};
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
@@ -203,7 +203,7 @@ fn larger_velocity() -> Result<Claim> {
 
 fn holds_exactly() -> Result<Claim> {
     let scene = InclineScene {
-        start_angle: critical_angle(MU_STATIC) - 1e-9,
+        start_angle: Real::atan(MU_STATIC) - 1e-9,
         raise_rate: 0.0,
         duration: 1e9,
         ..block(PATCHES[0], 1.0, MU_STATIC)?

@@ -4,10 +4,7 @@ use crate::exhibit::{Exhibit, geometric, points};
 use crate::text::Text;
 use anyhow::{Result, anyhow};
 use std::f64::consts::PI;
-use tribos_core::law::{
-    DryFriction, InertialDrag, LocalLaw, Stokes, Stribeck, StribeckParameters, crossover_reynolds,
-    reynolds,
-};
+use tribos_core::law::{DryFriction, LocalLaw, Stribeck, StribeckParameters};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Legend, Series};
@@ -49,7 +46,7 @@ pub fn figure_2_8() -> Result<Exhibit> {
     .series(Series::dashed("hydrodynamic", points(&rows, 0, 3)))
     .legend(Legend::Below);
     let mut claims = stribeck_claims(&law)?;
-    claims.extend(drag_claims()?);
+    claims.extend(drag_claims());
     Ok(Exhibit::new(
         TEXT.prose(),
         figure,
@@ -96,25 +93,58 @@ fn stribeck_claims(law: &Stribeck<f64>) -> Result<Vec<Claim>> {
     ])
 }
 
+/// C₁ = 6π of Stokes' drag.
+const STOKES_CONSTANT: f64 = 6.0 * PI;
+
+/// A sphere in a fluid, which drags it with F = ρv²r² f(Re) (eq. 2.3), in SI.
+struct Bead {
+    radius: f64,
+    viscosity: f64,
+    density: f64,
+    /// C₂ = π C_D/2, where C_D counts the cross section.
+    constant: f64,
+}
+
+impl Bead {
+    /// Viscous drag of slow flow, 6π η r v: f = C₁/Re.
+    fn viscous(&self, speed: f64) -> f64 {
+        STOKES_CONSTANT * self.viscosity * self.radius * speed
+    }
+
+    /// Inertial drag of fast flow, C₂ ρ v² r²: f = C₂.
+    fn inertial(&self, speed: f64) -> f64 {
+        self.constant * self.density * self.radius * self.radius * speed * speed
+    }
+
+    /// Speed at a Reynolds number ρ v r/η, with the radius, not the diameter.
+    fn speed_at(&self, reynolds: f64) -> f64 {
+        reynolds * self.viscosity / (self.density * self.radius)
+    }
+
+    /// Reynolds number C₁/C₂ at which the two forces are equal.
+    fn crossover(&self) -> f64 {
+        STOKES_CONSTANT / self.constant
+    }
+}
+
 /// A sphere in a fluid: 2.3 and 2.4.
-fn drag_claims() -> Result<Vec<Claim>> {
-    /// A bead in water, SI; C₂ of a smooth sphere.
-    const RADIUS: f64 = 1e-3;
-    const VISCOSITY: f64 = 1e-3;
-    const DENSITY: f64 = 1e3;
-    const CONSTANT: f64 = 0.7;
-    let viscous = Stokes::new(VISCOSITY, RADIUS)?;
-    let inertial = InertialDrag::new(CONSTANT, DENSITY, RADIUS)?;
-    let speed_at = |re: f64| re * VISCOSITY / (DENSITY * RADIUS);
-    let scale = |v: f64| DENSITY * v * v * RADIUS * RADIUS;
-    let crossover = speed_at(crossover_reynolds(CONSTANT));
-    let (slow, fast) = (speed_at(1e-3), speed_at(1e4));
-    let re = reynolds(DENSITY, slow, RADIUS, VISCOSITY);
+fn drag_claims() -> Vec<Claim> {
+    // A bead in water, SI; C₂ of a smooth sphere at 10³ < Re < 10⁵, where C_D is 0.44.
+    let bead = Bead {
+        radius: 1e-3,
+        viscosity: 1e-3,
+        density: 1e3,
+        constant: 0.7,
+    };
+    let scale = |v: f64| bead.density * v * v * bead.radius * bead.radius;
+    let crossover = bead.speed_at(bead.crossover());
+    let re = 1e-3;
+    let (slow, fast) = (bead.speed_at(re), bead.speed_at(1e4));
     let law = |id, ours: f64, value: f64| {
         let holds = (ours - value).abs() <= 1e-13 * value;
         Claim::definition(TEXT.said(id), short(ours), holds)
     };
-    Ok(vec![
+    vec![
         Claim::stated(
             TEXT.said("stokes-constant"),
             ("6π", 6.0 * PI),
@@ -123,27 +153,28 @@ fn drag_claims() -> Result<Vec<Claim>> {
         ),
         law(
             "stokes",
-            viscous.force(slow) / (VISCOSITY * slow * RADIUS),
+            bead.viscous(slow) / (bead.viscosity * slow * bead.radius),
             6.0 * PI,
         )
         .printed("6π"),
         law(
             "reynolds",
-            viscous.force(slow) / scale(slow) / (6.0 * PI / re),
+            bead.viscous(slow) / scale(slow) / (6.0 * PI / re),
             1.0,
         ),
-        law("laminar", exponent(|v| viscous.force(v), slow), 1.0),
-        law("turbulent", exponent(|v| inertial.force(v), fast), 2.0),
+        law("laminar", exponent(|v| bead.viscous(v), slow), 1.0),
+        law("turbulent", exponent(|v| bead.inertial(v), fast), 2.0),
         Claim::trend(
             TEXT.said("dominance"),
             format!(
-                "equal at Re = C₁/C₂ = {:.1} for C₂ = {CONSTANT}, which is ours",
-                crossover_reynolds(CONSTANT)
+                "equal at Re = C₁/C₂ = {:.1} for C₂ = {}, which is ours",
+                bead.crossover(),
+                bead.constant
             ),
-            viscous.force(0.5 * crossover) > inertial.force(0.5 * crossover)
-                && viscous.force(2.0 * crossover) < inertial.force(2.0 * crossover),
+            bead.viscous(0.5 * crossover) > bead.inertial(0.5 * crossover)
+                && bead.viscous(2.0 * crossover) < bead.inertial(2.0 * crossover),
         ),
-    ])
+    ]
 }
 
 /// Pressure (3/2) η v cos θ/r and shear (3/2) η v sin θ/r on the sphere, along the flow, by the

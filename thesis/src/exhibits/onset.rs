@@ -6,7 +6,7 @@ use anyhow::{Result, anyhow};
 use tribos::friction::{FlatPatch, Patch};
 use tribos::onset::{Bond, Contact, OnsetPoint, OnsetSurface};
 use tribos_core::bond::{Bonds, Release};
-use tribos_core::patch::tripod::tripod;
+use tribos_core::patch::nodes::Nodes;
 use tribos_core::twist::Twist;
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
@@ -50,7 +50,7 @@ fn force_and_torque(point: &OnsetPoint) -> (f64, f64) {
 /// |F| and T at the onset of a tripod with its feet on the unit circle, pushed between two of them.
 fn tripod_curve(bond: Bond) -> Result<Vec<(f64, f64)>> {
     let (x, y) = (0.75_f64.sqrt(), -0.5);
-    let feet = tripod([[0.0, 1.0], [-x, y], [x, y]], [0.0, 0.0])?;
+    let feet = Nodes::tripod([[0.0, 1.0], [-x, y], [x, y]], [0.0, 0.0])?;
     let bonds = Bonds::new(bond.with(1.0, 1.0)?, feet)?;
     (0..POINTS)
         .map(|i| {

@@ -106,7 +106,7 @@ pub const HOLDING: [Item; 12] = [
         NARROW,
         "patch::nodes presliding::nodes presliding::pose",
         Code::new(
-            "NodePresliding::<R, _, 3>::new(feet(b)?, NodeBonds { stiffness: 64.0, force_limit: 1.0 }, &Pose::new(0.0, 0.0, 0.0)).ok()?",
+            "NodePresliding::<R, _, 3>::new(feet(b)?, 64.0, 1.0, &Pose::new(0.0, 0.0, 0.0)).ok()?",
             "whole(&object.step(&pose(&given.twist)).friction)",
         ),
     ),

@@ -16,7 +16,7 @@ const RATE_AND_STATE_STEADY: &str = "RateState::<R, Dieterich>::new(RateStatePar
 const LUGRE: &str = "LuGre::new(LuGreParameters { coulomb_force: 1.0, static_force: 1.5, stribeck_speed: b, stiffness: 1e5, bristle_damping: 300.0, viscous_damping: 0.5 }).ok()?";
 
 /// One speed in, one coefficient or force out.
-pub const LAWS: [Item; 14] = [
+pub const LAWS: [Item; 11] = [
     law(
         "Coulomb",
         "law::coulomb",
@@ -83,23 +83,5 @@ pub const LAWS: [Item; 14] = [
         "law::lugre",
         LUGRE,
         "object.steady_force(a)",
-    ),
-    law(
-        "Bowden-Tabor on Hertz",
-        "law::bowden_tabor law::real_area",
-        "BowdenTabor::new(1e6, HertzSphere::new(b, 1e9).ok()?).ok()?",
-        "object.force(a)",
-    ),
-    law(
-        "Stokes",
-        "law::drag",
-        "Stokes::new(b, 1e-3).ok()?",
-        "object.force(a)",
-    ),
-    law(
-        "inertial drag",
-        "law::drag",
-        "InertialDrag::new(b, 1.25, 1e-3).ok()?",
-        "object.force(a)",
     ),
 ];

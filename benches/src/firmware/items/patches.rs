@@ -93,7 +93,7 @@ pub const PATCHES: [Item; 19] = [
         "tripod: Coulomb",
         BOTH,
         "coupling::nodes law::coulomb patch::nodes patch::tripod",
-        "dry_nodes(tripod([[1.0, 0.0], [-0.5, 0.75], [-0.5, -0.75]], [a, 0.0]).ok()?)?",
+        "dry_nodes(Nodes::tripod([[1.0, 0.0], [-0.5, 0.75], [-0.5, -0.75]], [a, 0.0]).ok()?)?",
     ),
     dry(
         "100 nodes on a disk: Coulomb",
@@ -105,13 +105,13 @@ pub const PATCHES: [Item; 19] = [
         "ring of 100 nodes: Coulomb",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polar",
-        "dry_nodes(polar::ring::<R, 100>(1.0 as R, 100).ok()?)?",
+        "dry_nodes(NodeList::<R, 100>::ring(1.0 as R, 100).ok()?)?",
     ),
     dry(
         "polygon of 28 nodes: Coulomb",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polygon",
-        "dry_nodes(polygon::<R, 28>(&[[1.0, 0.0], [-0.5, 0.75], [-0.5, -a]], 2).ok()?)?",
+        "dry_nodes(NodeList::<R, 28>::polygon(&[[1.0, 0.0], [-0.5, 0.75], [-0.5, -a]], 2).ok()?)?",
     ),
     dry(
         "square, exact: Coulomb",
@@ -167,7 +167,7 @@ pub const PATCHES: [Item; 19] = [
     item(
         ["patch", "square, any pressure: torque limits at a force"],
         NARROW,
-        "limit_surface limit_surface::any_pressure limit_surface::central_path limit_surface::quadratic limit_surface::sharing limit_surface::support_error",
+        "limit_surface limit_surface::any_pressure limit_surface::central_path limit_surface::quadratic limit_surface::sharing",
         Code::new(
             "AnyPressure::new([[-b, -b], [b, -b], [b, b], [-b, b]], [0.1, 0.1], 0.5).ok()?",
             "pair(object.torque_limits([given.push.force.x, given.push.force.y]).map(|limits| limits.carried))",

@@ -8,10 +8,9 @@ use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read, slice, slice_mut};
 use crate::status::tribos_status;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSlice};
+use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSlice, Nodes};
 use tribos_core::patch::polar::PolarRule;
 use tribos_core::patch::polygon::polygon_into;
-use tribos_core::patch::tripod::tripod;
 
 /// One point of a contact.
 #[derive(Clone, Copy, Debug)]
@@ -228,7 +227,7 @@ pub unsafe extern "C" fn tribos_tripod_nodes_f64(
 ) -> tribos_status {
     answer(nodes.cast::<[Node<f64>; 3]>(), || {
         let feet = read(feet.cast::<[[f64; 2]; 3]>())?;
-        let stool = tripod(feet, read(centre.cast::<[f64; 2]>())?)?;
+        let stool = Nodes::tripod(feet, read(centre.cast::<[f64; 2]>())?)?;
         <[Node<f64>; 3]>::try_from(stool.nodes()).map_err(|_| tribos_status::Count)
     })
 }

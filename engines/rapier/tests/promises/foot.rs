@@ -5,7 +5,6 @@ use rapier3d::prelude::*;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::CoulombLaw;
 use tribos_core::patch::nodes::NodeList;
-use tribos_core::patch::polygon::polygon;
 use tribos_core::twist::Twist;
 use tribos_rapier::Patch;
 
@@ -38,7 +37,7 @@ fn thrown(speed: f32, spin: f32, divisions: u32) -> [f64; 2] {
 fn exact(speed: f64, spin: f64) -> [f64; 2] {
     const DT: f64 = 1e-4;
     let corners = CORNERS.map(|corner| corner.map(f64::from));
-    let dense: NodeList<f64, 2016> = polygon(&corners, 12).unwrap();
+    let dense: NodeList<f64, 2016> = NodeList::polygon(&corners, 12).unwrap();
     let friction = NodeFriction::new(CoulombLaw::new(f64::from(MU)).unwrap(), dense);
     let half = f64::from(HALF);
     let inertia = 2.0 / 3.0 * half * half;

@@ -4,7 +4,7 @@ use super::strips;
 use std::path::Path;
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodeBuffer, NodeList, NodePatch};
-use tribos_core::patch::polar::{self, PolarRule};
+use tribos_core::patch::polar::PolarRule;
 use tribos_core::patch::polygon::polygon_into;
 use tribos_core::real::Real;
 use tribos_friction::{FlatPatch, HeldNodes, Patch, Refusal, points_of, polynomial, triangles_of};
@@ -48,7 +48,7 @@ fn of_round(patch: &Patch, radius: f64) -> Result<Vec<Node<f64>>, Refusal> {
     let rule = PolarRule::standard(radius)?;
     let nodes: NodeList<f64, ON_DISK> = match patch {
         Patch::Ring => {
-            let ring = polar::ring::<f64, { ON_RING as usize }>(radius, ON_RING)?;
+            let ring = NodeList::<f64, { ON_RING as usize }>::ring(radius, ON_RING)?;
             return Ok(ring.nodes().to_vec());
         }
         Patch::Annulus(inner) => {

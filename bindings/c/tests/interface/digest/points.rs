@@ -6,8 +6,6 @@ use tribos_core::law::{CoulombLaw, DryFriction, LocalLaw, PowerLaw, Stribeck, St
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
 use tribos_core::patch::polar::PolarRule;
-use tribos_core::patch::polygon::polygon;
-use tribos_core::patch::tripod::tripod;
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -68,7 +66,7 @@ pub fn rules<R: Precision>(s: &mut Stream) {
     let x: [R; 8] = s.draws(Range::Mild);
     let [radius, rim, tilt_x, tilt_y]: [R; 4] = s.draws(Range::Fit);
     let corners = [0, 2, 4, 6].map(|i| [x[i], x[i + 1]]);
-    let area: Option<NodeList<R, 60>> = polygon(&corners, 2).ok();
+    let area: Option<NodeList<R, 60>> = NodeList::polygon(&corners, 2).ok();
     feed_nodes(s, area);
     let rule = PolarRule::new(radius, 4, 7).and_then(|rule| rule.with_rim_exponent(rim - R::ONE));
     let disk: Option<NodeList<R, 60>> = rule.ok().and_then(|rule| {
@@ -77,7 +75,7 @@ pub fn rules<R: Precision>(s: &mut Stream) {
     });
     feed_nodes(s, disk);
     let [a, b, c, centre] = corners;
-    feed_nodes(s, tripod([a, b, c], centre).ok());
+    feed_nodes(s, Nodes::tripod([a, b, c], centre).ok());
 }
 
 fn feed_nodes<R: Real>(s: &mut Stream, list: Option<impl NodePatch<R>>) {
