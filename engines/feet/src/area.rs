@@ -5,27 +5,52 @@
 //! kernel's Jacobian. h has a kink where the patch does not move. With √(v² + σ²) in place of the
 //! speed v it is smooth and still convex, and as σ → 0 it is h.
 
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Coupling, ReducedJacobian, ReducedWrench};
+use tribos_core::coupling::{ReducedJacobian, ReducedWrench};
+use tribos_friction::{Area as Shape, Held, Patch, Refusal};
 
 /// The shape of an element.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Area {
-    /// A disk of this radius in metres.
-    Disk(f64),
-    /// A ring of this radius in metres.
-    Ring(f64),
-    /// A point of a polygon.
+pub(crate) enum Area<'a> {
+    /// A whole foot.
+    Round(&'a Round),
+    /// A point of another one.
     Point,
+}
+
+/// A round foot under dry friction.
+#[derive(Debug)]
+pub(crate) struct Round {
+    dry: Box<dyn Held<f64>>,
+    /// In metres.
+    radius: f64,
+    /// Mean square of the distance from the middle, in radii.
+    mean_square: f64,
+}
+
+impl Round {
+    pub(crate) fn new(patch: &Patch, radius: f32) -> Result<Self, Refusal> {
+        let radius = f64::from(radius);
+        let mean_square = match patch {
+            Patch::Annulus(inner) => 0.5 * (1.0 + inner * inner),
+            _ => patch
+                .pressure()
+                .ok_or(Refusal::NoAxis)?
+                .mean_square_radius(),
+        };
+        Ok(Self {
+            dry: Shape::round(patch.clone(), radius)?.dry()?,
+            radius,
+            mean_square,
+        })
+    }
 }
 
 /// A part of a foot.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Element {
+pub(crate) struct Element<'a> {
     /// Position relative to the centre of mass in metres, in the contact's axes.
     pub(crate) place: [f64; 2],
-    pub(crate) area: Area,
+    pub(crate) area: Area<'a>,
     /// Friction limit μN, in newtons.
     pub(crate) limit: f64,
     /// Index of the foot.
@@ -43,11 +68,11 @@ pub(crate) struct Response {
 /// Relative distance from equal speeds at which a ring's infinite derivatives are taken instead.
 const BESIDE: f64 = 1e-7;
 
-impl Area {
+impl Area<'_> {
     /// Distance from the middle to the rim, in metres.
     pub(crate) fn radius(self) -> f64 {
         match self {
-            Self::Disk(radius) | Self::Ring(radius) => radius,
+            Self::Round(round) => round.radius,
             Self::Point => 0.0,
         }
     }
@@ -55,8 +80,7 @@ impl Area {
     /// Mean square of the distance from the middle, in m².
     pub(crate) fn mean_square(self) -> f64 {
         match self {
-            Self::Disk(radius) => 0.5 * radius * radius,
-            Self::Ring(radius) => radius * radius,
+            Self::Round(round) => round.mean_square * round.radius * round.radius,
             Self::Point => 0.0,
         }
     }
@@ -65,8 +89,7 @@ impl Area {
     /// a speed of the rim.
     fn reduced(self, slide: f64, rim: f64) -> (ReducedWrench<f64>, ReducedJacobian<f64>) {
         match self {
-            Self::Disk(_) => both(&Coulomb, slide, rim),
-            Self::Ring(_) => both(&Ring, slide, rim),
+            Self::Round(round) => both(&*round.dry, slide, rim),
             Self::Point => {
                 let wrench = ReducedWrench {
                     force: 1.0,
@@ -82,8 +105,8 @@ impl Area {
     }
 }
 
-fn both<C: Coupling<f64>>(
-    coupling: &C,
+fn both(
+    coupling: &dyn Held<f64>,
     slide: f64,
     rim: f64,
 ) -> (ReducedWrench<f64>, ReducedJacobian<f64>) {
@@ -94,7 +117,7 @@ fn both<C: Coupling<f64>>(
     (coupling.reduced_wrench(slide, rim), jacobian)
 }
 
-impl Element {
+impl Element<'_> {
     /// Velocity of the element under a twist at the centre of mass.
     fn velocity(&self, twist: &[f64; 3]) -> [f64; 2] {
         let [x, y] = self.place;
@@ -107,8 +130,7 @@ impl Element {
         let slide = (vx * vx + vy * vy + smoothing * smoothing).sqrt();
         let rim = twist[2].abs() * self.area.radius();
         let reduced = match self.area {
-            Area::Disk(_) => Coulomb.reduced_wrench(slide, rim),
-            Area::Ring(_) => Ring.reduced_wrench(slide, rim),
+            Area::Round(round) => round.dry.reduced_wrench(slide, rim),
             Area::Point => return self.limit * slide,
         };
         self.limit * (slide * reduced.force + rim * reduced.torque)

@@ -40,7 +40,7 @@ const LEAST_ARM: f64 = 1e-6;
 pub(crate) struct Balance<'a> {
     /// Components xx, xy, yy, xn, yn, nn of the mass matrix.
     pub(crate) mass: [f64; 6],
-    pub(crate) elements: &'a [Element],
+    pub(crate) elements: &'a [Element<'a>],
     /// Motion of each foot's ground relative to the first one's, as added to u.
     pub(crate) drifts: &'a [[f64; 3]],
 }

@@ -9,9 +9,9 @@ use tribos_core::twist::{Twist, Wrench};
 
 /// The feet of a body, positioned relative to the centre of mass.
 #[derive(Debug, Default)]
-pub(crate) struct Elements {
+pub(crate) struct Elements<'a> {
     /// Elements of the feet that press on the ground.
-    elements: Vec<Element>,
+    elements: Vec<Element<'a>>,
     /// Middle of each foot in metres, in the contact's axes.
     places: Vec<[f64; 2]>,
     /// Motion of each foot relative to its ground minus that of the first foot relative to its own.
@@ -21,8 +21,8 @@ pub(crate) struct Elements {
 /// Factor of the friction limit beyond which rest is certainly impossible, given rounding.
 const BEYOND: f64 = 1.01;
 
-impl Elements {
-    pub(crate) fn of(feet: &[Foot]) -> Self {
+impl<'a> Elements<'a> {
+    pub(crate) fn of(feet: &[Foot<'a>]) -> Self {
         let mut elements = Vec::new();
         for (number, foot) in feet.iter().enumerate() {
             foot.footprint.add_elements(number, foot, &mut elements);

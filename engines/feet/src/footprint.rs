@@ -1,18 +1,20 @@
 //! Shapes of feet.
 
-use crate::area::{Area, Element};
+use crate::area::{Area, Element, Round};
 use crate::convex::{centroid, divisions, thinned};
-use crate::points::{POINTS, bar_points, disk_points, polygon_points, ring_points};
+use crate::points::{POINTS, bar_points, disk_points, polygon_points, ring_points, round_points};
 use crate::refusal::FootprintError;
 use crate::standing::Foot;
 use crate::surface::Surface;
 use std::sync::Arc;
 use tribos_core::patch::nodes::NodeList;
+use tribos_friction::{Area as Shape, Patch, Refusal};
 
 /// Distance from the centre of mass, as a fraction of the radius, up to which a footprint counts as centred.
 pub(crate) const CENTRED: f64 = 1e-3;
 
-/// The shape of a foot's area under uniform pressure. Copies share their data.
+/// The shape of a foot's area, and its pressure: uniform, unless a round one is given another. Copies share
+/// their data.
 ///
 /// ```
 /// use tribos_feet::{Footprint, FootprintError};
@@ -26,7 +28,7 @@ pub(crate) const CENTRED: f64 = 1e-3;
 /// ```
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(from = "Outline", into = "Outline"))]
+#[cfg_attr(feature = "serde", serde(try_from = "Outline", into = "Outline"))]
 pub struct Footprint {
     inner: Arc<Inner>,
 }
@@ -36,6 +38,8 @@ struct Inner {
     outline: Outline,
     /// The exact limit surface under a friction limit of 1 N, about the footprint's centre.
     surface: Option<Surface>,
+    /// A round foot among others.
+    round: Option<Round>,
     /// Distance of the farthest point from the centre, in metres.
     radius: f32,
     /// Points that stand for the area, with their shares of the load.
@@ -51,6 +55,11 @@ enum Outline {
     Ring {
         radius: f32,
     },
+    Round {
+        /// As [`Patch`] is written.
+        patch: String,
+        radius: f32,
+    },
     Polygon {
         corners: Vec<[f32; 2]>,
         /// Of every edge, for the points.
@@ -64,14 +73,28 @@ enum Outline {
 impl Footprint {
     /// A full disk: pucks, checkers, bottle caps. *Domain*: `radius` > 0 in metres.
     pub fn disk(radius: f32) -> Result<Self, FootprintError> {
-        let radius = valid_radius(radius)?;
-        Ok(Outline::Disk { radius }.into())
+        made(Outline::Disk { radius }, radius)
     }
 
     /// A thin ring: cups, curling stones, tubes. *Domain*: `radius` > 0 in metres.
     pub fn ring(radius: f32) -> Result<Self, FootprintError> {
-        let radius = valid_radius(radius)?;
-        Ok(Outline::Ring { radius }.into())
+        made(Outline::Ring { radius }, radius)
+    }
+
+    /// A round foot under any pressure: elastic pads, worn soles. *Domain*: `radius` > 0 in metres; polynomial
+    /// pressures have no tables in single precision.
+    ///
+    /// ```
+    /// use tribos_feet::{Footprint, Patch, Refusal};
+    /// let ball = Footprint::round(&Patch::Hertz, 0.02)?;
+    /// let tube = Footprint::round(&Patch::Annulus(0.8), 0.03)?;
+    /// assert_eq!([ball.radius(), tube.radius()], [0.02, 0.03]);
+    /// assert_eq!(Footprint::round(&"points:feet.csv".parse()?, 0.1).err(), Some(Refusal::NoAxis));
+    /// # Ok::<(), Refusal>(())
+    /// ```
+    pub fn round(patch: &Patch, radius: f32) -> Result<Self, Refusal> {
+        let patch = patch.to_string();
+        Outline::Round { patch, radius }.try_into()
     }
 
     /// A straight bar along the foot's x axis: a skate's blade, the edge of a tilted box.
@@ -79,8 +102,7 @@ impl Footprint {
     /// *Domain*: `half_length` > 0 in metres. *Accuracy*: exact where the body stands on this foot alone;
     /// elsewhere 16 points stand for it.
     pub fn bar(half_length: f32) -> Result<Self, FootprintError> {
-        let half = valid_radius(half_length)?;
-        Ok(Outline::Bar { half }.into())
+        made(Outline::Bar { half: half_length }, half_length)
     }
 
     /// A polygon with these corners in metres, around the foot's centre.
@@ -93,7 +115,12 @@ impl Footprint {
         let _: NodeList<f32, POINTS> =
             NodeList::polygon(corners, divisions).map_err(FootprintError::Polygon)?;
         let corners = corners.to_vec();
-        Ok(Outline::Polygon { corners, divisions }.into())
+        let surface = Surface::polygon(&corners);
+        Ok(Self::of(
+            Outline::Polygon { corners, divisions },
+            surface,
+            None,
+        ))
     }
 
     /// A convex polygon about the middle of its area, and the middle; of more than 38 corners, 38 are kept,
@@ -145,21 +172,19 @@ impl Footprint {
     pub(crate) fn surface_from(&self, [x, y]: [f64; 2]) -> Option<Surface> {
         let moved = |[px, py]: [f32; 2]| [(f64::from(px) + x) as f32, (f64::from(py) + y) as f32];
         match &self.inner.outline {
-            Outline::Disk { .. } | Outline::Ring { .. } => None,
             Outline::Polygon { corners, .. } => {
-                Surface::polygon(corners.iter().copied().map(moved).collect())
+                let corners: Vec<[f32; 2]> = corners.iter().copied().map(moved).collect();
+                Surface::polygon(&corners)
             }
             Outline::Bar { half } => Surface::bar(moved([-half, 0.0]), moved([*half, 0.0])),
+            _ => None,
         }
     }
 
     /// Whether the exact surface is known for a foot whose centre is at `place` from the centre of mass: a
     /// polygon or a bar anywhere, a round foot in the middle.
     pub(crate) fn is_exact_at(&self, place: [f64; 2]) -> bool {
-        let is_round = matches!(
-            self.inner.outline,
-            Outline::Disk { .. } | Outline::Ring { .. }
-        );
+        let is_round = self.inner.round.is_some();
         self.inner.surface.is_some() && (!is_round || self.is_centred(place))
     }
 
@@ -169,13 +194,18 @@ impl Footprint {
     }
 
     /// Adds the elements of a foot, labelled with its index. A foot without friction has none.
-    pub(crate) fn add_elements(&self, number: usize, foot: &Foot, to: &mut Vec<Element>) {
+    pub(crate) fn add_elements<'a>(
+        &'a self,
+        number: usize,
+        foot: &Foot,
+        to: &mut Vec<Element<'a>>,
+    ) {
         let limit = f64::from(foot.limit);
         let presses = limit > 0.0;
         if !presses {
             return;
         }
-        let one = |area: Area, place: [f64; 2], share: f32| Element {
+        let one = |area: Area<'a>, place: [f64; 2], share: f32| Element {
             place,
             area,
             limit: limit * f64::from(share),
@@ -187,30 +217,18 @@ impl Footprint {
             let place = [place[0] + c * x - s * y, place[1] + s * x + c * y];
             one(Area::Point, place, share)
         };
-        match &self.inner.outline {
-            Outline::Disk { radius } => {
-                to.push(one(Area::Disk(f64::from(*radius)), place, 1.0));
-            }
-            Outline::Ring { radius } => {
-                to.push(one(Area::Ring(f64::from(*radius)), place, 1.0));
-            }
-            Outline::Polygon { .. } | Outline::Bar { .. } => {
-                to.extend(self.inner.points.iter().map(point));
-            }
+        match &self.inner.round {
+            Some(round) => to.push(one(Area::Round(round), place, 1.0)),
+            None => to.extend(self.inner.points.iter().map(point)),
         }
     }
-}
 
-impl From<Outline> for Footprint {
-    fn from(outline: Outline) -> Self {
-        let surface = match &outline {
-            Outline::Disk { radius } => Surface::disk(*radius),
-            Outline::Ring { radius } => Surface::ring(*radius),
-            Outline::Polygon { corners, .. } => Surface::polygon(corners.clone()),
-            Outline::Bar { half } => Surface::bar([-half, 0.0], [*half, 0.0]),
-        };
+    /// What follows from an outline and its exact surface.
+    fn of(outline: Outline, surface: Option<Surface>, round: Option<Round>) -> Self {
         let radius = match &outline {
-            Outline::Disk { radius } | Outline::Ring { radius } => *radius,
+            Outline::Disk { radius } | Outline::Ring { radius } | Outline::Round { radius, .. } => {
+                *radius
+            }
             Outline::Polygon { corners, .. } => {
                 let sizes = corners.iter().map(|[x, y]| (x * x + y * y).sqrt());
                 sizes.fold(0.0, f32::max)
@@ -220,16 +238,41 @@ impl From<Outline> for Footprint {
         let points = match &outline {
             Outline::Disk { radius } => disk_points(*radius),
             Outline::Ring { radius } => ring_points(*radius, 1.0),
+            Outline::Round { patch, radius } => round_points(patch, *radius),
             Outline::Polygon { corners, divisions } => polygon_points(corners, *divisions),
             Outline::Bar { half } => bar_points(*half),
         };
         let inner = Arc::new(Inner {
             outline,
             surface,
+            round,
             radius,
             points,
         });
         Self { inner }
+    }
+}
+
+impl TryFrom<Outline> for Footprint {
+    type Error = Refusal;
+
+    fn try_from(outline: Outline) -> Result<Self, Refusal> {
+        let (patch, radius) = match &outline {
+            Outline::Disk { radius } => (Patch::Disk, *radius),
+            Outline::Ring { radius } => (Patch::Ring, *radius),
+            Outline::Round { patch, radius } => (patch.parse()?, *radius),
+            Outline::Polygon { corners, .. } => {
+                let surface = Surface::polygon(corners);
+                return Ok(Self::of(outline, surface, None));
+            }
+            Outline::Bar { half } => {
+                let surface = Surface::bar([-half, 0.0], [*half, 0.0]);
+                return Ok(Self::of(outline, surface, None));
+            }
+        };
+        let surface = Surface::of(&Shape::round(patch.clone(), radius)?)?;
+        let round = Round::new(&patch, radius)?;
+        Ok(Self::of(outline, Some(surface), Some(round)))
     }
 }
 
@@ -240,10 +283,12 @@ impl From<Footprint> for Outline {
     }
 }
 
-fn valid_radius(radius: f32) -> Result<f32, FootprintError> {
-    if radius > 0.0 && radius.is_finite() {
-        Ok(radius)
+/// An outline of one positive length.
+fn made(outline: Outline, given: f32) -> Result<Footprint, FootprintError> {
+    let refused = FootprintError::Radius { given };
+    if given > 0.0 && given.is_finite() {
+        outline.try_into().map_err(|_: Refusal| refused)
     } else {
-        Err(FootprintError::Radius { given: radius })
+        Err(refused)
     }
 }

@@ -1,6 +1,6 @@
 //! Area friction of a body's feet over one time step, without an engine: what adapters share.
 //!
-//! A [`Footprint`] is the shape of a foot's area under uniform pressure. [`Standing`] takes the feet of one
+//! A [`Footprint`] is the shape of a foot's area, and how it spreads the load. [`Standing`] takes the feet of one
 //! body with their friction limits, and returns the motion at the end of an implicit step: at rest it is
 //! zero to the last bit.
 //!
@@ -45,3 +45,4 @@ pub use footprint::Footprint;
 pub use prediction::{Correction, Prediction};
 pub use refusal::FootprintError;
 pub use standing::{Foot, Standing, push};
+pub use tribos_friction::{Patch, Refusal};

@@ -1,9 +1,12 @@
 //! Points that stand for an area, with their shares of the load: x, y and the share.
 
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
+use tribos_friction::{Patch, round_nodes};
 
 /// Largest number of points of a polygon.
 pub(crate) const POINTS: usize = 256;
+/// Rings of points of a round area under any pressure.
+const RINGS: u32 = 6;
 /// Points of a bar.
 const ALONG: usize = 16;
 /// Gauss's four points on 0 … 1 and their weights (Abramowitz & Stegun 25.4.30): exact for moments up to degree 6.
@@ -36,6 +39,16 @@ pub(crate) fn ring_points(radius: f32, whole: f32) -> Vec<[f32; 3]> {
 pub(crate) fn disk_points(radius: f32) -> Vec<[f32; 3]> {
     let circle = |[r, weight]: [f32; 2]| ring_points(radius * r, 2.0 * r * weight);
     GAUSS.into_iter().flat_map(circle).collect()
+}
+
+/// 72 points under the pressure of a patch; nothing for a patch that has been refused.
+pub(crate) fn round_points(patch: &str, radius: f32) -> Vec<[f32; 3]> {
+    let patch = patch.parse::<Patch>();
+    let nodes = patch.and_then(|patch| round_nodes(&patch, radius, RINGS, 0.0));
+    let nodes = nodes.unwrap_or_default();
+    let whole: f32 = nodes.iter().map(|node| node.weight).sum();
+    let point = |node: &Node<f32>| [node.x, node.y, node.weight / whole];
+    nodes.iter().map(point).collect()
 }
 
 /// Nothing for a polygon that has been refused.

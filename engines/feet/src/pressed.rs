@@ -3,10 +3,12 @@
 use tribos_core::limit_surface::{FrictionSet, Projection, Scaled};
 use tribos_core::twist::{Twist, Wrench};
 
+/// The limit surface of any area.
+pub(crate) type Set = dyn FrictionSet<f32> + Send + Sync;
+
 /// A set under 1 N, and its largest torque.
-#[derive(Debug)]
-pub(crate) struct Prepared<S> {
-    pub(crate) set: S,
+pub(crate) struct Prepared {
+    pub(crate) set: Box<Set>,
     torque_limit: f32,
 }
 
@@ -16,29 +18,28 @@ const TURN: Twist<f32> = Twist {
     ..Twist::ZERO
 };
 
-impl<S: FrictionSet<f32>> Prepared<S> {
-    pub(crate) fn new(set: S) -> Self {
+impl Prepared {
+    pub(crate) fn new(set: Box<Set>) -> Self {
         let torque_limit = set.support(&TURN);
         Self { set, torque_limit }
     }
 
     /// The set under a friction limit in newtons; `None` unless that is positive and finite.
-    pub(crate) fn under(&self, limit: f32) -> Option<Pressed<'_, S>> {
+    pub(crate) fn under(&self, limit: f32) -> Option<Pressed<'_>> {
         Some(Pressed {
-            set: Scaled::new(&self.set, limit).ok()?,
+            set: Scaled::new(&*self.set, limit).ok()?,
             torque_limit: limit * self.torque_limit,
         })
     }
 }
 
 /// A set under its load. Every step asks for the largest torque, which is computed once.
-#[derive(Debug)]
-pub(crate) struct Pressed<'a, S> {
-    set: Scaled<'a, f32, S>,
+pub(crate) struct Pressed<'a> {
+    set: Scaled<'a, f32, Set>,
     torque_limit: f32,
 }
 
-impl<S: FrictionSet<f32>> FrictionSet<f32> for Pressed<'_, S> {
+impl FrictionSet<f32> for Pressed<'_> {
     fn force_limit(&self) -> f32 {
         self.set.force_limit()
     }

@@ -59,13 +59,10 @@ pub struct Standing<'a> {
 #[derive(Debug)]
 enum On<'a> {
     /// One foot with its exact limit surface.
-    Exact {
-        surface: Exact<'a>,
-        foot: Foot<'a>,
-    },
+    Exact { surface: Exact<'a>, foot: Foot<'a> },
     Elements {
         mass: [f64; 6],
-        elements: Elements,
+        elements: Elements<'a>,
     },
     /// Nothing resists.
     Nothing,

@@ -1,49 +1,34 @@
 //! The exact limit surface of one foot, prepared once and scaled by the friction limit of each step.
 
 use crate::pressed::Prepared;
+use core::fmt;
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
-use tribos_core::patch::bar::Bar;
-use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::twist::{Twist, Wrench};
-
-type Outline = Polygon<f32, Vec<Edge<f32>>>;
+use tribos_friction::{Area, Refusal};
 
 /// All wrenches that a foot carries under a friction limit of 1 N, in the foot's axes.
-#[derive(Debug)]
-pub(crate) enum Surface {
-    Disk(Prepared<LimitSurface<f32, Coulomb>>),
-    Ring(Prepared<LimitSurface<f32, Ring>>),
-    Polygon(Prepared<PatchSurface<f32, Outline>>),
-    Bar(Prepared<PatchSurface<f32, Bar<f32>>>),
+pub(crate) struct Surface {
+    set: Prepared,
+    /// The foot's axes do not matter.
+    is_round: bool,
 }
 
 impl Surface {
-    pub(crate) fn disk(radius: f32) -> Option<Self> {
-        let set = LimitSurface::new(Coulomb, 1.0, radius).ok()?;
-        Some(Self::Disk(Prepared::new(set)))
-    }
-
-    pub(crate) fn ring(radius: f32) -> Option<Self> {
-        let set = LimitSurface::new(Ring, 1.0, radius).ok()?;
-        Some(Self::Ring(Prepared::new(set)))
+    pub(crate) fn of(area: &Area<f32>) -> Result<Self, Refusal> {
+        Ok(Self {
+            set: Prepared::new(area.limit_surface(1.0)?),
+            is_round: area.is_round(),
+        })
     }
 
     /// `None` if edges touch.
-    pub(crate) fn polygon(corners: Vec<[f32; 2]>) -> Option<Self> {
-        let memory = vec![Edge::default(); corners.len()];
-        let outline = Polygon::with_holes(&[&corners], memory).ok()?;
-        let set = PatchSurface::new(outline, 1.0).ok()?;
-        Some(Self::Polygon(Prepared::new(set)))
+    pub(crate) fn polygon(corners: &[[f32; 2]]) -> Option<Self> {
+        Self::of(&Area::polygon(&[corners], None).ok()?).ok()
     }
 
     pub(crate) fn bar(from: [f32; 2], to: [f32; 2]) -> Option<Self> {
-        let bar = Bar::new(from, to).ok()?;
-        let set = PatchSurface::new(bar, 1.0).ok()?;
-        Some(Self::Bar(Prepared::new(set)))
+        Self::of(&Area::bar(from, to).ok()?).ok()
     }
 
     /// The kernel's step of a body on this foot alone, whose x axis has the direction `axis`.
@@ -56,21 +41,18 @@ impl Surface {
         push: &Wrench<f32>,
         dt: TimeStep<f32>,
     ) -> Option<PlanarStep<f32>> {
-        match self {
-            Self::Disk(set) => step(set, limit, body, twist, push, dt),
-            Self::Ring(set) => step(set, limit, body, twist, push, dt),
-            Self::Polygon(set) => turned_step(set, limit, axis, body, twist, push, dt),
-            Self::Bar(set) => turned_step(set, limit, axis, body, twist, push, dt),
+        if self.is_round {
+            return step(&self.set, limit, body, twist, push, dt);
         }
+        turned_step(&self.set, limit, axis, body, twist, push, dt)
     }
 
     /// `friction` as a fraction of the largest that this foot alone can carry.
     pub(crate) fn share(&self, limit: f32, axis: [f64; 2], friction: &Wrench<f32>) -> f32 {
-        let gauge = match self {
-            Self::Disk(set) => set.set.gauge(friction),
-            Self::Ring(set) => set.set.gauge(friction),
-            Self::Polygon(set) => set.set.gauge(&to_foot_wrench(axis, friction)),
-            Self::Bar(set) => set.set.gauge(&to_foot_wrench(axis, friction)),
+        let gauge = if self.is_round {
+            self.set.set.gauge(friction)
+        } else {
+            self.set.set.gauge(&to_foot_wrench(axis, friction))
         };
         let share = gauge / limit;
         // No friction under no load: no fraction.
@@ -78,8 +60,14 @@ impl Surface {
     }
 }
 
-fn step<S: FrictionSet<f32>>(
-    set: &Prepared<S>,
+impl fmt::Debug for Surface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Surface").finish_non_exhaustive()
+    }
+}
+
+fn step(
+    set: &Prepared,
     limit: f32,
     body: &PlanarBody<f32>,
     twist: &Twist<f32>,
@@ -90,8 +78,8 @@ fn step<S: FrictionSet<f32>>(
 }
 
 /// The step in the axes of the foot.
-fn turned_step<S: FrictionSet<f32>>(
-    set: &Prepared<S>,
+fn turned_step(
+    set: &Prepared,
     limit: f32,
     axis: [f64; 2],
     body: &PlanarBody<f32>,

@@ -3,7 +3,7 @@
 use tribos_core::contact::TimeStep;
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_feet::{Ended, Foot, Footprint, Standing};
+use tribos_feet::{Ended, Foot, Footprint, Patch, Standing};
 
 const LIMIT: f32 = 8.0;
 const HALF: [f32; 2] = [0.12, 0.05];
@@ -86,4 +86,47 @@ fn a_body_without_friction_moves_freely() {
     let end = standing.step(&Twist::ZERO, &push, dt).unwrap();
     assert_eq!(end.friction, Wrench::ZERO);
     assert!((end.twist.velocity.x - 1.0).abs() < 1e-6 && (end.twist.spin - 1.0).abs() < 1e-6);
+}
+
+/// A round foot alone, and in two halves of the load at one place, against its points.
+#[test]
+fn a_round_foot_under_any_pressure_resists_as_its_points_do() {
+    let (body, dt) = (body(), TimeStep::new(1.0 / 60.0).unwrap());
+    for name in [
+        "disk",
+        "ring",
+        "annulus:0.5",
+        "hertz",
+        "punch",
+        "paraboloid",
+        "power:0.25",
+    ] {
+        let patch: Patch = name.parse().unwrap();
+        let footprint = Footprint::round(&patch, HALF[0]).unwrap();
+        let share: f32 = footprint.points().iter().map(|point| point[2]).sum();
+        assert!((share - 1.0).abs() < 1e-5, "{name}: {share}");
+        let point = |&[x, y, share]: &[f32; 3]| ([x, y].map(f64::from), LIMIT * share);
+        let points: Vec<_> = footprint.points().iter().map(point).collect();
+        let half = Foot::new(&footprint, 0.5 * LIMIT, [0.0; 2]);
+        for motion in [Twist::new(0.3, 0.4, 0.0), Twist::new(0.8, 0.0, 3.0)] {
+            let ends = [
+                Standing::on_points(&body, &points),
+                Standing::new(&body, None, &[Foot::new(&footprint, LIMIT, [0.0; 2])]),
+                Standing::new(&body, None, &[half, half]),
+            ];
+            let [right, alone, among] =
+                ends.map(|standing| standing.step(&motion, &Wrench::ZERO, dt).unwrap().friction);
+            for is in [alone, among] {
+                let force = (is.force - right.force).norm() / LIMIT;
+                let torque = (is.torque - right.torque).abs() / (LIMIT * HALF[0]);
+                assert!(
+                    force < NEAR && torque < NEAR,
+                    "{name} {motion:?}: {is:?} for {right:?}"
+                );
+            }
+        }
+    }
+    // Tables of polynomials are in double precision.
+    let hollow: Patch = "polynomial:1,-0.5".parse().unwrap();
+    assert!(Footprint::round(&hollow, 0.1).is_err());
 }

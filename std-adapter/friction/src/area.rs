@@ -1,8 +1,9 @@
 //! Contact areas ready for the kernel: a round patch with its radius, or a shape with its own size.
 
-use super::surface::LimitSurfaces;
+use super::surface::{DryRound, Held, LimitSurfaces};
 use super::{Flat, HeldNodes, Patch, Precision, Refusal, polynomial, surface};
 use tribos_core::coupling::flat::DryPatch;
+use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
@@ -115,6 +116,31 @@ impl<R: Precision> Area<R> {
         match self {
             Self::Round(..) => [R::ZERO; 2],
             Self::Flat(flat) => flat.centre().into(),
+        }
+    }
+
+    /// All wrenches that dry friction carries on it under the force limit μN, in N: [`limit_surface`].
+    ///
+    /// [`limit_surface`]: super::limit_surface
+    pub fn limit_surface(
+        &self,
+        force_limit: R,
+    ) -> Result<Box<dyn FrictionSet<R> + Send + Sync>, Refusal> {
+        Ok(match self {
+            Self::Flat(flat) => Box::new(PatchSurface::new(flat.clone(), force_limit)?),
+            Self::Round(patch, radius) => {
+                let dry = DryRound::new(patch)?.held();
+                Box::new(LimitSurface::new(dry, force_limit, *radius)?)
+            }
+        })
+    }
+
+    /// Dry friction of a round area, in units of its radius.
+    #[doc(hidden)]
+    pub fn dry(&self) -> Result<Box<dyn Held<R>>, Refusal> {
+        match self {
+            Self::Flat(_) => Err(Refusal::NoAxis),
+            Self::Round(patch, _) => Ok(DryRound::new(patch)?.held()),
         }
     }
 }

@@ -10,7 +10,7 @@ pub(super) fn read<const N: usize>(
     columns: [&str; N],
     most: usize,
 ) -> Result<Vec<[f64; N]>, Refusal> {
-    let text = tribos_base::record::read_text(path, MOST_BYTES)
+    let text = super::text::read_text(path, MOST_BYTES)
         .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))?;
     parsed(path, &text, columns, most)
 }

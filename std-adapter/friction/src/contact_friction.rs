@@ -9,7 +9,7 @@ use tribos_core::contact::{
 use tribos_core::limit_surface::LimitSurface;
 
 /// The exact set of a round patch.
-type RoundSet = LimitSurface<f64, DryRound>;
+type RoundSet = LimitSurface<f64, DryRound<f64>>;
 
 /// Friction of a contact, by the modes that it resists.
 ///
@@ -68,7 +68,7 @@ impl AnyContactFriction {
                     .into(),
             ));
         };
-        let set = DryRound::new(patch)?.set(mu, *radius)?;
+        let set = LimitSurface::new(DryRound::new(patch)?, mu, *radius)?;
         Ok(Self(if rolling == 0.0 {
             Kind::Coupled(Box::new(CoupledFriction::sliding_torsion(set)))
         } else {

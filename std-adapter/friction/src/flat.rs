@@ -103,7 +103,7 @@ impl FlatPatch {
                 vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]]
             }
             Self::Polygon(path) => {
-                let text = tribos_base::record::read_text(path, MOST_BYTES)
+                let text = super::text::read_text(path, MOST_BYTES)
                     .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))?;
                 read_loops(path, &text)?
             }

@@ -207,7 +207,7 @@ fn read(entry: &'static Entry, list: &str) -> Result<[f64; MOST_PARAMETERS], Ref
         let key = key.trim();
         let names = || entry.parameters.iter().map(|parameter| parameter.name);
         let index = names().position(|name| name == key).ok_or_else(|| {
-            let meant = tribos_base::scene::nearest(key, names())
+            let meant = super::text::nearest(key, names())
                 .map_or(String::new(), |near| format!(", did you mean `{near}`?"));
             Refusal::Syntax(format!(
                 "{} has no `{key}`{meant}; {}",

@@ -47,8 +47,10 @@ mod patch;
 mod precision;
 mod quadrature;
 mod refusal;
+#[cfg(feature = "scenes")]
 mod setting;
 mod surface;
+mod text;
 mod tier;
 mod visit;
 
@@ -72,16 +74,17 @@ pub use patch::Patch;
 #[doc(hidden)]
 pub use precision::Precision;
 #[doc(hidden)]
-pub use quadrature::{polynomial, pressure_nodes};
+pub use quadrature::{polynomial, pressure_nodes, round_nodes};
 pub use refusal::Refusal;
 #[doc(hidden)]
 pub use refusal::finite_number;
+#[cfg(feature = "scenes")]
 #[doc(hidden)]
 pub use setting::{LAW, PATCH};
 #[doc(hidden)]
-pub use surface::HeldNodes;
-#[doc(hidden)]
 pub use surface::points_of;
+#[doc(hidden)]
+pub use surface::{Held, HeldNodes};
 pub use surface::{LimitSurfaces, limit_surface};
 pub use tier::Tier;
 #[doc(hidden)]

@@ -6,7 +6,9 @@ use super::quadrature::polynomial;
 use super::visit::Smooth;
 use std::fmt::Debug;
 use tribos_core::coupling::Lateral;
-use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
+use tribos_core::coupling::round::{
+    LateralPolynomialTable, PolynomialTable, RoundTable32, RoundTable64,
+};
 use tribos_core::coupling::table::{Table32, Table64};
 use tribos_core::internals::SmoothProfile;
 use tribos_core::law::LawError;
@@ -37,7 +39,9 @@ pub(super) mod sealed {
     pub trait Tables: Real + Debug {
         const HAS_POLYNOMIALS: bool;
         type Disk: SmoothProfile<Self> + Lateral<Self> + Send + Sync + 'static;
-        type Round: SmoothProfile<Self> + Lateral<Self> + Send + Sync + 'static;
+        type Round: SmoothProfile<Self> + Lateral<Self> + Copy + Debug + Send + Sync + 'static;
+        /// Under dry friction alone.
+        type Polynomial: SmoothProfile<Self> + Copy + Debug + Send + Sync + 'static;
         fn disk(alpha: Self) -> Result<Self::Disk, LawError>;
         fn round(alpha: Self, pressure: PowerPressure) -> Result<Self::Round, LawError>;
         /// Hands the table of a polynomial pressure to `visitor`, if there is one.
@@ -46,6 +50,7 @@ pub(super) mod sealed {
             coefficients: &[f64],
             visitor: V,
         ) -> Result<V::Output, Refusal>;
+        fn dry_polynomial(coefficients: &[f64]) -> Result<Self::Polynomial, Refusal>;
         fn make(maker: &Maker, values: Values<Self>) -> Made<Self>;
     }
 
@@ -53,6 +58,7 @@ pub(super) mod sealed {
         const HAS_POLYNOMIALS: bool = true;
         type Disk = Table64;
         type Round = RoundTable64;
+        type Polynomial = PolynomialTable;
         fn disk(alpha: f64) -> Result<Table64, LawError> {
             Table64::new(alpha)
         }
@@ -67,6 +73,9 @@ pub(super) mod sealed {
             let table = LateralPolynomialTable::new(alpha, &polynomial(coefficients)?)?;
             visitor.smooth(table)
         }
+        fn dry_polynomial(coefficients: &[f64]) -> Result<PolynomialTable, Refusal> {
+            Ok(PolynomialTable::new(0.0, &polynomial(coefficients)?)?)
+        }
         fn make(maker: &Maker, values: Values<f64>) -> Made<f64> {
             (maker.double)(values)
         }
@@ -76,6 +85,8 @@ pub(super) mod sealed {
         const HAS_POLYNOMIALS: bool = false;
         type Disk = Table32;
         type Round = RoundTable32;
+        // None is ever made.
+        type Polynomial = RoundTable32;
         fn disk(alpha: f32) -> Result<Table32, LawError> {
             Table32::new(alpha)
         }
@@ -83,6 +94,9 @@ pub(super) mod sealed {
             RoundTable32::new(alpha, pressure)
         }
         fn polynomial<V: Smooth<f32>>(_: f32, _: &[f64], _: V) -> Result<V::Output, Refusal> {
+            Err(Refusal::SinglePrecision)
+        }
+        fn dry_polynomial(_: &[f64]) -> Result<RoundTable32, Refusal> {
             Err(Refusal::SinglePrecision)
         }
         fn make(maker: &Maker, values: Values<f32>) -> Made<f32> {

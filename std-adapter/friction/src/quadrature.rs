@@ -20,7 +20,7 @@ pub(super) const NODES_ACCURACY: f64 = 1e-3;
 
 /// Rings and angles of the nodes that stand for a pressure.
 const RINGS: u32 = 32;
-const ANGLES: u32 = 64;
+const ANGLES: u32 = 2 * RINGS;
 const NODES: usize = (RINGS * ANGLES) as usize;
 
 /// The polynomial pressure of these coefficients, refused if it is negative anywhere or carries no
@@ -241,22 +241,34 @@ impl<R: Real> Lateral<R> for ByNodes<R> {
 /// # Ok::<(), tribos::friction::Refusal>(())
 /// ```
 pub fn pressure_nodes<R: Real>(patch: &Patch, tilt: R) -> Result<Vec<Node<R>>, Refusal> {
-    let lean = |x: R| R::ONE + tilt * x;
-    let rule = || rule_of(PolarRule::new(R::ONE, RINGS, ANGLES));
+    round_nodes(patch, R::ONE, RINGS, tilt)
+}
+
+/// [`pressure_nodes`] of a radius, on so many rings, at most 32, with twice as many angles; a ring carries as
+/// many as lie on half of these.
+pub fn round_nodes<R: Real>(
+    patch: &Patch,
+    radius: R,
+    rings: u32,
+    tilt: R,
+) -> Result<Vec<Node<R>>, Refusal> {
+    let angles = 2 * rings;
+    let lean = |x: R| R::ONE + tilt * x / radius;
+    let rule = || PolarRule::new(radius, rings, angles);
     match patch {
         Patch::Points(_) | Patch::Flat(_) => Err(Refusal::NoAxis),
         Patch::Ring => {
-            let ring = rule_of(NodeList::<R, NODES>::ring(R::ONE, NODES as u32 / 2))?;
+            let ring = NodeList::<R, NODES>::ring(radius, rings * rings)?;
             Ok(leaned(ring.nodes(), lean).collect())
         }
         Patch::Annulus(inner) => {
             // Rings between the inner and the outer radius, with equal shares of the area.
             let mut nodes = Vec::new();
-            for i in 0..RINGS {
-                let share = (f64::from(i) + 0.5) / f64::from(RINGS);
+            for i in 0..rings {
+                let share = (f64::from(i) + 0.5) / f64::from(rings);
                 let r_sq = inner * inner + share * (1.0 - inner * inner);
-                let radius = R::from_f64(r_sq).sqrt();
-                let ring = rule_of(NodeList::<R, { ANGLES as usize }>::ring(radius, ANGLES))?;
+                let at = radius * R::from_f64(r_sq).sqrt();
+                let ring = NodeList::<R, { ANGLES as usize }>::ring(at, angles)?;
                 nodes.extend(leaned(ring.nodes(), lean));
             }
             Ok(nodes)
@@ -268,13 +280,13 @@ pub fn pressure_nodes<R: Real>(patch: &Patch, tilt: R) -> Result<Vec<Node<R>>, R
                 let terms = coefficients.iter().rev();
                 terms.fold(R::ZERO, |sum, &a| sum * r_sq + R::from_f64(a))
             };
-            let shaped = |x: R, y: R| pressure(x * x + y * y) * lean(x);
+            let shaped = |x: R, y: R| pressure((x * x + y * y) / (radius * radius)) * lean(x);
             let nodes: NodeList<R, NODES> = rule()?.nodes_shaped(shaped)?;
             Ok(nodes.nodes().to_vec())
         }
         _ => {
             let order = patch.pressure().map_or(0.0, |pressure| pressure.order());
-            let rule = rule_of(rule()?.with_rim_exponent(R::from_f64(order)))?;
+            let rule = rule()?.with_rim_exponent(R::from_f64(order))?;
             let nodes: NodeList<R, NODES> = rule.nodes_tilted(tilt, R::ZERO)?;
             Ok(nodes.nodes().to_vec())
         }
@@ -287,9 +299,4 @@ fn leaned<R: Real>(nodes: &[Node<R>], lean: impl Fn(R) -> R) -> impl Iterator<It
         weight: node.weight * lean(node.x),
         ..*node
     })
-}
-
-/// A rule of the kernel, or its refusal.
-fn rule_of<T, E: std::fmt::Display>(made: Result<T, E>) -> Result<T, Refusal> {
-    made.map_err(|error| Refusal::Syntax(error.to_string()))
 }

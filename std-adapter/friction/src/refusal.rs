@@ -99,11 +99,10 @@ impl Refusal {
         known: impl IntoIterator<Item = &'a str>,
         list: impl Into<String>,
     ) -> Self {
-        let cure =
-            match tribos_base::scene::nearest(given.split(':').next().unwrap_or(given), known) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => list.into(),
-            };
+        let cure = match super::text::nearest(given.split(':').next().unwrap_or(given), known) {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None => list.into(),
+        };
         let given = given.to_owned();
         Self::Unknown { what, given, cure }
     }
@@ -120,7 +119,7 @@ pub fn finite_number(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(x) if x.is_finite() => Ok(x),
         Ok(x) => Err(format!("give a finite number, not {x}")),
-        Err(_) => Err(match tribos_base::scene::number_hint(text) {
+        Err(_) => Err(match super::text::number_hint(text) {
             Some(hint) => format!("got {}; {hint}", text.trim()),
             None => "give a number such as 0.5 or 1e-3".into(),
         }),

@@ -1,8 +1,8 @@
 //! Limit surfaces of patches by name.
 
-use super::{Area, Flat, Patch, Refusal, columns, polynomial};
+use super::{Area, Flat, Patch, Precision, Refusal, columns};
+use std::fmt;
 use std::path::Path;
-use tribos_core::coupling::round::{PolynomialTable, RoundTable64};
 use tribos_core::coupling::{
     Annulus, Coupling, Dry, DryCoupling, ReducedJacobian, ReducedWrench, closed, table::Coulomb,
 };
@@ -36,10 +36,7 @@ pub fn limit_surface(
     radius: f64,
     centre: Option<[f64; 2]>,
 ) -> Result<Box<dyn FrictionSet<f64>>, Refusal> {
-    Ok(match Area::named(patch, radius, centre)? {
-        Area::Flat(flat) => Box::new(PatchSurface::new(flat, force_limit)?),
-        Area::Round(patch, radius) => Box::new(DryRound::new(&patch)?.set(force_limit, radius)?),
-    })
+    Ok(Area::named(patch, radius, centre)?.limit_surface(force_limit)?)
 }
 
 /// The limit surfaces of a contact area under dry friction: one for every force limit.
@@ -68,7 +65,7 @@ pub struct LimitSurfaces(Kind);
 #[derive(Debug)]
 enum Kind {
     Round {
-        dry: Box<DryRound>,
+        dry: Box<dyn Held<f64>>,
         radius: f64,
     },
     Flat(Flat<f64>),
@@ -84,7 +81,7 @@ impl LimitSurfaces {
     pub(super) fn new(area: &Area) -> Result<Self, Refusal> {
         Ok(Self(match area {
             Area::Round(patch, radius) => Kind::Round {
-                dry: Box::new(DryRound::new(patch)?),
+                dry: DryRound::new(patch)?.held(),
                 radius: *radius,
             },
             Area::Flat(flat) => Kind::Flat(flat.clone()),
@@ -135,51 +132,55 @@ impl LimitSurfaces {
 
 /// Dry friction of a round patch: the closed form where there is one, else a table.
 ///
-/// Contacts copy what they are made of, so that the tables are here and not behind a pointer.
+/// Contacts copy what they are made of, so that the tables are here and not behind a pointer. All else takes
+/// it [held](DryRound::held).
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
-pub enum DryRound {
+pub enum DryRound<R: Precision> {
     Disk(Coulomb),
     Ring(closed::Ring),
     Hertz(closed::Hertz),
     Punch(closed::FlatPunch),
-    Annulus(Annulus<f64, Coulomb>),
-    Power(Dry<RoundTable64>),
-    Polynomial(Dry<PolynomialTable>),
+    Annulus(Annulus<R, Coulomb>),
+    Power(Dry<R::Round>),
+    Polynomial(Dry<R::Polynomial>),
 }
 
-impl DryRound {
+impl<R: Precision> DryRound<R> {
     pub(super) fn new(patch: &Patch) -> Result<Self, Refusal> {
         Ok(match patch {
             Patch::Disk => Self::Disk(Coulomb),
             Patch::Ring => Self::Ring(closed::Ring),
             Patch::Hertz => Self::Hertz(closed::Hertz),
             Patch::Punch => Self::Punch(closed::FlatPunch),
-            Patch::Annulus(inner) => Self::Annulus(Annulus::new(Coulomb, *inner)?),
+            Patch::Annulus(inner) => Self::Annulus(Annulus::new(Coulomb, R::from_f64(*inner))?),
             Patch::Paraboloid | Patch::Power(_) => {
                 let pressure = patch.pressure().ok_or(Refusal::NoAxis)?;
-                Self::Power(Dry::new(RoundTable64::new(0.0, pressure)?)?)
+                Self::Power(Dry::new(R::round(R::ZERO, pressure)?)?)
             }
             Patch::Polynomial(coefficients) => {
-                let table = PolynomialTable::new(0.0, &polynomial(coefficients)?)?;
-                Self::Polynomial(Dry::new(table)?)
+                Self::Polynomial(Dry::new(R::dry_polynomial(coefficients)?)?)
             }
             Patch::Points(_) | Patch::Flat(_) => return Err(Refusal::NoAxis),
         })
     }
 
-    /// The limit surface of a force limit and a radius.
-    pub(super) fn set(
-        self,
-        force_limit: f64,
-        radius: f64,
-    ) -> Result<LimitSurface<f64, Self>, tribos_core::Error> {
-        LimitSurface::new(self, force_limit, radius)
+    /// The kernel's own type behind a pointer: no larger than what the patch needs.
+    pub(super) fn held(self) -> Box<dyn Held<R>> {
+        match self {
+            Self::Disk(dry) => Box::new(dry),
+            Self::Ring(dry) => Box::new(dry),
+            Self::Hertz(dry) => Box::new(dry),
+            Self::Punch(dry) => Box::new(dry),
+            Self::Annulus(dry) => Box::new(dry),
+            Self::Power(dry) => Box::new(dry),
+            Self::Polynomial(dry) => Box::new(dry),
+        }
     }
 }
 
-impl Coupling<f64> for DryRound {
-    fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
+impl<R: Precision> Coupling<R> for DryRound<R> {
+    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         match self {
             Self::Disk(dry) => dry.reduced_wrench(slide, rim),
             Self::Ring(dry) => dry.reduced_wrench(slide, rim),
@@ -190,7 +191,7 @@ impl Coupling<f64> for DryRound {
             Self::Polynomial(dry) => dry.reduced_wrench(slide, rim),
         }
     }
-    fn reduced_jacobian(&self, slide: f64, rim: f64) -> ReducedJacobian<f64> {
+    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
         match self {
             Self::Disk(dry) => dry.reduced_jacobian(slide, rim),
             Self::Ring(dry) => dry.reduced_jacobian(slide, rim),
@@ -203,8 +204,8 @@ impl Coupling<f64> for DryRound {
     }
 }
 
-impl DryCoupling<f64> for DryRound {
-    fn reduced_point(&self, lead: Lead, ratio: f64) -> [f64; 3] {
+impl<R: Precision> DryCoupling<R> for DryRound<R> {
+    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
         match self {
             Self::Disk(dry) => dry.reduced_point(lead, ratio),
             Self::Ring(dry) => dry.reduced_point(lead, ratio),
@@ -214,6 +215,26 @@ impl DryCoupling<f64> for DryRound {
             Self::Power(dry) => dry.reduced_point(lead, ratio),
             Self::Polynomial(dry) => dry.reduced_point(lead, ratio),
         }
+    }
+}
+
+/// Dry friction of a round area of radius 1, behind a pointer.
+pub trait Held<R: Real>: DryCoupling<R> + fmt::Debug + Send + Sync {}
+
+impl<R: Real, C: DryCoupling<R> + fmt::Debug + Send + Sync> Held<R> for C {}
+
+impl<R: Real> Coupling<R> for Box<dyn Held<R>> {
+    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
+        (**self).reduced_wrench(slide, rim)
+    }
+    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
+        (**self).reduced_jacobian(slide, rim)
+    }
+}
+
+impl<R: Real> DryCoupling<R> for Box<dyn Held<R>> {
+    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+        (**self).reduced_point(lead, ratio)
     }
 }
 

@@ -301,6 +301,9 @@ impl WithDry for Compare<'_> {
         let patch: Patch = self.0.parse().unwrap();
         let named = limit_surface(&patch, 1.0, RADIUS, None).unwrap();
         self.with_set(1.0, &*named);
+        // No table where the patch has none: a pointer to what the kernel's own set has in it.
+        let own = size_of::<LimitSurface<f64, C>>();
+        assert!(size_of_val(&*named) <= own + size_of::<&dyn FrictionSet<f64>>());
     }
 }
 

@@ -62,7 +62,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("tribos-c", &["tribos-core"]),
     ("tribos-web", &["tribos", "tribos-core"]),
     ("tribos-python", &["tribos", "tribos-cli", "tribos-core"]),
-    ("tribos-feet", &["tribos-core"]),
+    ("tribos-feet", &["tribos-core", "tribos-friction"]),
     ("tribos-boards", &["tribos-core", "tribos-digest"]),
     // What proves and measures stands beside the command.
     ("tribos-api", &[]),

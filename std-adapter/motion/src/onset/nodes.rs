@@ -3,11 +3,10 @@
 use super::strips;
 use std::path::Path;
 use tribos_core::patch::PatchError;
-use tribos_core::patch::nodes::{Node, NodeBuffer, NodeList, NodePatch};
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch};
 use tribos_core::patch::polygon::polygon_into;
 use tribos_core::real::Real;
-use tribos_friction::{FlatPatch, HeldNodes, Patch, Refusal, points_of, polynomial, triangles_of};
+use tribos_friction::{FlatPatch, HeldNodes, Patch, Refusal, points_of, round_nodes, triangles_of};
 
 /// Nodes with the origin at the centre of pressure.
 #[derive(Debug)]
@@ -19,9 +18,8 @@ pub(super) struct Spread {
     pub reach: f64,
 }
 
-/// Nodes of a standard rule on a disk, and of a ring.
-const ON_DISK: usize = PolarRule::<f64>::STANDARD_NODES;
-const ON_RING: u32 = 256;
+/// Rings of nodes on a round patch: as in the kernel's standard rule.
+const RINGS: u32 = 16;
 /// Nodes of a bar.
 pub(super) const ON_BAR: usize = 64;
 /// Nodes of a triangle.
@@ -45,32 +43,15 @@ pub(super) fn spread(
 }
 
 fn of_round(patch: &Patch, radius: f64) -> Result<Vec<Node<f64>>, Refusal> {
-    let rule = PolarRule::standard(radius)?;
-    let nodes: NodeList<f64, ON_DISK> = match patch {
-        Patch::Ring => {
-            let ring = NodeList::<f64, { ON_RING as usize }>::ring(radius, ON_RING)?;
-            return Ok(ring.nodes().to_vec());
-        }
-        Patch::Annulus(inner) => {
-            let disk: NodeList<f64, ON_DISK> = rule.nodes()?;
-            return Ok(squeezed(disk.nodes(), *inner, radius));
-        }
-        Patch::Polynomial(coefficients) => {
-            // Refuses what is negative anywhere.
-            polynomial(coefficients)?;
-            let pressure = |x: f64, y: f64| {
-                let square = (x * x + y * y) / (radius * radius);
-                let terms = coefficients.iter().rev();
-                terms.fold(0.0, |sum, a| sum * square + a)
-            };
-            rule.nodes_shaped(pressure)?
-        }
-        _ => {
-            let order = patch.pressure().map_or(0.0, |pressure| pressure.order());
-            rule.with_rim_exponent(order)?.nodes()?
-        }
-    };
-    Ok(nodes.nodes().to_vec())
+    Ok(match patch {
+        // Smoother across the rings than nodes at the middles of equal shares.
+        Patch::Annulus(inner) => squeezed(&on_rings(&Patch::Disk, radius)?, *inner, radius),
+        _ => on_rings(patch, radius)?,
+    })
+}
+
+fn on_rings(patch: &Patch, radius: f64) -> Result<Vec<Node<f64>>, Refusal> {
+    round_nodes(patch, radius, RINGS, 0.0)
 }
 
 /// The nodes of a disk moved into the annulus with the same shares of the area: r² is linear in r².
