@@ -27,7 +27,7 @@ pub struct Foot<R, P> {
 /// A body on several feet: one patch under dry friction.
 ///
 /// Feet of different kinds have a common type as `&dyn DryPatch`. How the load is shared is the
-/// caller's to know: statics gives it for three feet ([`super::tripod`]).
+/// caller's to know: statics gives it for three feet ([`super::nodes::Nodes::tripod`]).
 ///
 /// *Units*: length. *Accuracy*: that of the feet times R over the radius of the smallest one, with R the
 /// distance within which all lie, or that of the common centre from the origin if it is longer: places are
