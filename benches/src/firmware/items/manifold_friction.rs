@@ -6,7 +6,7 @@ use super::{BOTH, Code, Item, NARROW, item};
 macro_rules! projection {
     ($($more:literal),*) => {
         concat!(
-            "manifold_friction manifold_friction::lanes manifold_friction::outline manifold_friction::project",
+            "manifold_friction manifold_friction::outline manifold_friction::project",
             $(" ", $more),*
         )
     };
@@ -69,7 +69,7 @@ pub const MANIFOLD_FRICTION: [Item; 6] = [
     item(
         ["manifold friction", "rolling beside it"],
         NARROW,
-        "manifold_friction manifold_friction::lanes manifold_friction::rolling",
+        "manifold_friction manifold_friction::rolling",
         Code::new("()", "limited_rolling([given.a, given.b], given.load)[0]"),
     ),
 ];

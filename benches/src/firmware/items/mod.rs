@@ -79,10 +79,12 @@ const BOTH: &[&str] = &["f32", "f64"];
 
 /// Modules that are no feature of their own: `coupling` itself has its traits only, and `wide` and
 /// `beyond` serve the ends of the number range in every coupling.
-pub const PLUMBING: [&str; 10] = [
+pub const PLUMBING: [&str; 12] = [
     "coupling",
     "real",
     "real::sealed",
+    "lanes",
+    "lanes::vectors",
     "twist",
     "law::error",
     "law::limits",
