@@ -7,8 +7,9 @@
 //! override, or the field), what is wrong and what would be valid. A scene that was made in Rust is
 //! checked by the same rules when its run begins.
 //!
-//! To add a body, declare its scene in a file of this folder, implement `golden::Measure` for it beside
-//! its runs, and name it in the list of `body.rs`; a body in the plane implements `PlanarScene` only.
+//! To add a body, declare its scene beside its runs, in the crate that has them; implement `Measure` there
+//! for golden files (a body in the plane: `PlanarScene`, and its name in the list of `slide/path.rs`); and
+//! name it in the list of `body.rs`.
 
 mod body;
 mod library;

@@ -219,7 +219,7 @@ fn force_and_torque_of_laws_with_several_regimes_are_those_of_the_table() {
                     .unwrap(),
                 )
             }
-            _ => {
+            "lugre" => {
                 let joint = LuGre::new(LuGreParameters {
                     coulomb_force: a,
                     static_force: b,
@@ -230,6 +230,7 @@ fn force_and_torque_of_laws_with_several_regimes_are_those_of_the_table() {
                 });
                 Box::new(joint.unwrap().steady_per_load(1.0).unwrap())
             }
+            other => panic!("no law {other} here"),
         };
         let [v, w] = ["v", "w"].map(|column| row.number(column));
         let got = DiskQuadrature::new(law.as_ref()).reduced_wrench(v, w);
