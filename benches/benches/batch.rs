@@ -7,14 +7,14 @@ use std::hint::black_box;
 use tribos_benches::contact::Contact;
 use tribos_benches::mix;
 use tribos_core::Real;
-use tribos_core::coupling::Coupling;
-use tribos_core::coupling::table::{Coulomb, Table32, Table64};
+use tribos_core::coupling::ReducedFriction;
+use tribos_core::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
 
 const SEED: u64 = 1;
 /// An exponent for which no power is a root or a product.
 const ALPHA: f64 = 0.37;
 
-fn time<R: Real>(criterion: &mut Criterion, coupling: impl Coupling<R>, name: &str) {
+fn time<R: Real>(criterion: &mut Criterion, coupling: impl ReducedFriction<R>, name: &str) {
     let pairs = mix::long_pairs(SEED);
     let mut contact =
         Contact::<R, _>::new(coupling, &pairs, SEED).expect("the contact of the benches is valid");
@@ -35,11 +35,11 @@ fn time<R: Real>(criterion: &mut Criterion, coupling: impl Coupling<R>, name: &s
 }
 
 fn batch(criterion: &mut Criterion) {
-    time::<f64>(criterion, Coulomb, "f64");
-    time::<f32>(criterion, Coulomb, "f32");
-    let double = Table64::new(ALPHA).expect("the exponent is in range");
+    time::<f64>(criterion, CoulombDisk, "f64");
+    time::<f32>(criterion, CoulombDisk, "f32");
+    let double = DiskTable64::new(ALPHA).expect("the exponent is in range");
     time::<f64>(criterion, double, "f64 alpha 0.37");
-    let single = Table32::new(ALPHA as f32).expect("the exponent is in range");
+    let single = DiskTable32::new(ALPHA as f32).expect("the exponent is in range");
     time::<f32>(criterion, single, "f32 alpha 0.37");
 }
 

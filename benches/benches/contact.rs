@@ -9,10 +9,11 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use nalgebra::Vector3;
 use std::hint::black_box;
 use tribos_core::contact::{
-    Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Sphere, Thresholds, Touch,
+    Cohesion, Contact, ContactFriction, ContactGeometry, CoupledFriction, IndependentFriction,
+    NormalLaw, SphereBody,
 };
 use tribos_core::coupling::table;
-use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
+use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 use tribos_tests::sweep::Lcg;
 
 const SEED: u64 = 5;
@@ -54,8 +55,8 @@ impl Motion {
 /// Two spheres that approach each other, and their geometry.
 #[derive(Clone, Copy, Debug)]
 struct Meeting {
-    touch: Touch<f64>,
-    spheres: [Sphere<f64>; 2],
+    touch: ContactGeometry<f64>,
+    spheres: [SphereBody<f64>; 2],
 }
 
 fn meetings(motion: Motion, radii: [f64; 2]) -> Vec<Meeting> {
@@ -64,13 +65,13 @@ fn meetings(motion: Motion, radii: [f64; 2]) -> Vec<Meeting> {
         let mut vector = |size: f64| Vector3::from([(); 3].map(|()| rng.between(-size, size)));
         let across = vector(1.0);
         let displacement = across / across.norm() * (radii[0] + radii[1]);
-        let touch = Touch::spheres(&displacement, radii).expect("they touch");
+        let touch = ContactGeometry::spheres(&displacement, radii).expect("they touch");
         let speed = motion.speed(&mut rng);
         let mut vector = |size: f64| Vector3::from([(); 3].map(|()| rng.between(-size, size)));
         let mut sphere = |radius: f64, along: f64| {
             let inv_mass = 1.0 / radius.powi(3);
             let velocity = vector(speed);
-            Sphere {
+            SphereBody {
                 velocity: velocity + touch.normal * (along - velocity.dot(&touch.normal)),
                 spin: vector(speed),
                 inv_mass,
@@ -134,7 +135,7 @@ fn time_after<F: ContactFriction<f64>>(
 }
 
 /// A normal impulse and two tangential ones, each clamped for itself.
-fn pyramid(m: &Meeting, axes: &[Vector3<f64>; 2]) -> [Sphere<f64>; 2] {
+fn pyramid(m: &Meeting, axes: &[Vector3<f64>; 2]) -> [SphereBody<f64>; 2] {
     let [mut a, mut b] = m.spheres;
     let (n, [arm_a, arm_b]) = (m.touch.normal, m.touch.arms);
     let mass = 1.0 / (a.inv_mass + b.inv_mass);
@@ -172,7 +173,7 @@ fn baseline(criterion: &mut Criterion) {
     };
     let framed: Vec<_> = meetings.iter().map(frame).collect();
     let mut results: Vec<_> = framed.iter().map(|(m, axes)| pyramid(m, axes)).collect();
-    let parted = |[a, b]: &[Sphere<f64>; 2], m: &Meeting| {
+    let parted = |[a, b]: &[SphereBody<f64>; 2], m: &Meeting| {
         (b.velocity - a.velocity).dot(&m.touch.normal).abs() < 1e-12
     };
     assert!(results.iter().zip(&meetings).all(|(s, m)| parted(s, m)));
@@ -192,7 +193,7 @@ fn copying(criterion: &mut Criterion) {
     let law = NormalLaw::new(Cohesion::NONE, 0.0).expect("in range");
     let prepared = |m: &Meeting| {
         let [a, b] = m.spheres;
-        let modes = Thresholds::all(MU, 0.1, 0.1).expect("in range");
+        let modes = IndependentFriction::all(MU, 0.1, 0.1).expect("in range");
         let contact = contact_for(&modes, m, &law, [&a, &b]);
         (contact, a, b)
     };
@@ -213,20 +214,25 @@ fn contact_for<F: ContactFriction<f64>>(
     _: &F,
     m: &Meeting,
     law: &NormalLaw<f64>,
-    [a, b]: [&Sphere<f64>; 2],
+    [a, b]: [&SphereBody<f64>; 2],
 ) -> Contact<f64, F::Modes> {
     Contact::new(&m.touch, law, a, b, DT)
 }
 
 fn contacts(criterion: &mut Criterion) {
     let equal = [1.0, 1.0];
-    let all = Thresholds::all(MU, 0.1, 0.1).expect("in range");
-    let exact = LimitSurface::new(table::Coulomb, MU, 0.5).expect("in range");
-    let usual = Ellipsoid::new(MU, 0.5, 2.0 / 3.0).expect("in range");
-    let sliding = Thresholds::sliding(MU).expect("in range");
-    let torsion = Thresholds::sliding_torsion(MU, 0.1).expect("in range");
-    let rolling = Thresholds::sliding_rolling(MU, 0.1).expect("in range");
-    time(criterion, "frictionless", equal, Thresholds::none());
+    let all = IndependentFriction::all(MU, 0.1, 0.1).expect("in range");
+    let exact = RoundLimitSurface::new(table::CoulombDisk, MU, 0.5).expect("in range");
+    let usual = LimitEllipsoid::new(MU, 0.5, 2.0 / 3.0).expect("in range");
+    let sliding = IndependentFriction::sliding(MU).expect("in range");
+    let torsion = IndependentFriction::sliding_torsion(MU, 0.1).expect("in range");
+    let rolling = IndependentFriction::sliding_rolling(MU, 0.1).expect("in range");
+    time(
+        criterion,
+        "frictionless",
+        equal,
+        IndependentFriction::none(),
+    );
     time(criterion, "sliding", equal, sliding);
     time(criterion, "sliding torsion", equal, torsion);
     time(criterion, "sliding rolling", equal, rolling);

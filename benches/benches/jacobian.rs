@@ -6,8 +6,8 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::hint::black_box;
 use tribos_benches::mix;
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::table::{self, Table64};
-use tribos_core::coupling::{Coupling, ReducedJacobian, compact};
+use tribos_core::coupling::table::{self, DiskTable64};
+use tribos_core::coupling::{ReducedFriction, ReducedJacobian, compact};
 use tribos_core::law;
 use tribos_core::real::Real;
 
@@ -18,7 +18,7 @@ const STEP: f64 = 1e-5;
 const CHECK: f64 = 1e-4;
 
 /// Compares ∂F/∂v and ∂T/∂w with central differences at one moderate pair.
-fn assert_right<C: Coupling<f64>>(coupling: &C) {
+fn assert_right<C: ReducedFriction<f64>>(coupling: &C) {
     let (v, w) = (0.4, 1.0);
     let at = |v, w| coupling.reduced_wrench(v, w);
     let force = (at(v + STEP, w).force - at(v - STEP, w).force) / (2.0 * STEP);
@@ -28,7 +28,12 @@ fn assert_right<C: Coupling<f64>>(coupling: &C) {
     assert!((found.torque_rim - torque).abs() < CHECK, "dT/dw");
 }
 
-fn time<R: Real>(criterion: &mut Criterion, name: &str, pairs: &[[R; 2]], c: &impl Coupling<R>) {
+fn time<R: Real>(
+    criterion: &mut Criterion,
+    name: &str,
+    pairs: &[[R; 2]],
+    c: &impl ReducedFriction<R>,
+) {
     let mut results = vec![ReducedJacobian::default(); pairs.len()];
     let mut group = criterion.benchmark_group("jacobian");
     group.throughput(Throughput::Elements(pairs.len() as u64));
@@ -47,20 +52,20 @@ fn jacobian(criterion: &mut Criterion) {
     let pairs = mix::long_pairs(SEED);
     let narrow = mix::narrowed(&pairs);
     let few: Vec<_> = pairs.iter().step_by(10).copied().collect();
-    let half = Table64::new(0.5).expect("1/2 is a valid exponent");
+    let half = DiskTable64::new(0.5).expect("1/2 is a valid exponent");
     let power = compact::CompactPower::new(0.5).expect("1/2 is a valid exponent");
     let law = law::CoulombLaw::new(1.0).expect("1 is a valid coefficient");
     let quadrature = DiskQuadrature::new(law);
-    assert_right(&table::Coulomb);
+    assert_right(&table::CoulombDisk);
     assert_right(&half);
-    assert_right(&compact::CompactCoulomb);
+    assert_right(&compact::CompactCoulombDisk);
     assert_right(&power);
     assert_right(&quadrature);
 
-    time(criterion, "table", &pairs, &table::Coulomb);
-    time(criterion, "table f32", &narrow, &table::Coulomb);
+    time(criterion, "table", &pairs, &table::CoulombDisk);
+    time(criterion, "table f32", &narrow, &table::CoulombDisk);
     time(criterion, "table alpha 0.5", &pairs, &half);
-    time(criterion, "compact", &pairs, &compact::CompactCoulomb);
+    time(criterion, "compact", &pairs, &compact::CompactCoulombDisk);
     time(criterion, "compact alpha 0.5", &few, &power);
     time(criterion, "quadrature", &few, &quadrature);
 }

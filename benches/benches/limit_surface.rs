@@ -7,8 +7,8 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::hint::black_box;
 use tribos_benches::mix::Lcg;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection, Region};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{FrictionSet, Projection, Region, RoundLimitSurface};
 use tribos_core::twist::{Twist, Wrench};
 
 const SEED: u64 = 7;
@@ -40,7 +40,7 @@ fn wrenches(set: &impl FrictionSet<f64>, low: f64, high: f64) -> Vec<Wrench<f64>
 }
 
 fn surfaces(criterion: &mut Criterion) {
-    let set = LimitSurface::new(Coulomb, MU, RADIUS).expect("in range");
+    let set = RoundLimitSurface::new(CoulombDisk, MU, RADIUS).expect("in range");
     let loads = [1.0; COUNT];
     let blank = Projection {
         wrench: Wrench::ZERO,

@@ -7,8 +7,8 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::hint::black_box;
 use tribos_benches::mix::Lcg;
 use tribos_core::manifold_friction::{
-    CompactOutline, ContactArea, DirectedOutline, FrictionBudget, FrictionImpulse, InverseMasses,
-    Lanes, manifold_friction, manifold_friction_in,
+    DirectionalLimitCurve, FrictionImpulse, FrictionLimits, InverseEffectiveMasses,
+    IsotropicLimitCurve, Lanes, ManifoldArea, manifold_friction_in, project_friction,
 };
 use wide::{f32x4, f32x8};
 
@@ -20,7 +20,11 @@ const SOLE: [[f32; 2]; 4] = [[-0.1, -0.025], [0.1, -0.025], [0.1, 0.025], [-0.1,
 const LEVER: f64 = 0.05;
 
 /// One manifold, or several side by side.
-type Problem<T> = (FrictionImpulse<T>, FrictionBudget<T>, InverseMasses<T>);
+type Problem<T> = (
+    FrictionImpulse<T>,
+    FrictionLimits<T>,
+    InverseEffectiveMasses<T>,
+);
 
 /// Tangential impulses and twist in N s and N m s, the largest tangential one, and the inverse mass of spin.
 fn drawn(is_held: bool) -> Vec<[f32; 5]> {
@@ -57,12 +61,12 @@ fn side_by_side<T: Lanes, const N: usize>(
                 tangential: [number(0), number(1)],
                 angular: number(2),
             },
-            FrictionBudget {
-                force: number(3),
-                lever: T::splat(LEVER as f32),
-                slip: T::splat(1.0),
+            FrictionLimits {
+                impulse: number(3),
+                torsion_radius: T::splat(LEVER as f32),
+                dynamic_over_static: T::splat(1.0),
             },
-            InverseMasses {
+            InverseEffectiveMasses {
                 tangential: T::splat(1.0),
                 angular: number(4),
             },
@@ -71,8 +75,8 @@ fn side_by_side<T: Lanes, const N: usize>(
     drawn.chunks_exact(N).map(problem).collect()
 }
 
-fn directed<T: Lanes>(area: &ContactArea<f32>) -> DirectedOutline<T> {
-    DirectedOutline {
+fn directed<T: Lanes>(area: &ManifoldArea<f32>) -> DirectionalLimitCurve<T> {
+    DirectionalLimitCurve {
         spinning: area.outline.spinning.map(T::splat),
         slipping: area.outline.slipping.map(T::splat),
     }
@@ -82,9 +86,9 @@ fn directed<T: Lanes>(area: &ContactArea<f32>) -> DirectedOutline<T> {
 fn two_clamps<T: Lanes>((candidate, budget, _): &Problem<T>) -> FrictionImpulse<T> {
     let [x, y] = candidate.tangential;
     let size = (x * x + y * y).sqrt();
-    let over = budget.force / size.larger(T::splat(1e-30));
+    let over = budget.impulse / size.larger(T::splat(1e-30));
     let scale = over.smaller(T::splat(1.0));
-    let torque = budget.force * budget.lever;
+    let torque = budget.impulse * budget.torsion_radius;
     FrictionImpulse {
         tangential: [x * scale, y * scale],
         angular: candidate.angular.smaller(torque).larger(-torque),
@@ -96,7 +100,7 @@ fn projections<T: Lanes, const N: usize>(
     name: &str,
     vector: fn([f32; N]) -> T,
 ) {
-    let sole = directed(&ContactArea::of_corners(&SOLE));
+    let sole = directed(&ManifoldArea::of_corners(&SOLE));
     let mut group = criterion.benchmark_group(format!("manifold friction, {name}"));
     group.throughput(Throughput::Elements(COUNT as u64));
     let mut bench = |name: &str, state: &str, given: &[Problem<T>], project: &dyn Project<T>| {
@@ -108,15 +112,20 @@ fn projections<T: Lanes, const N: usize>(
         let given = side_by_side(&drawn(is_held), vector);
         bench("two clamps", state, &given, &Each(two_clamps::<T>));
         let area = |(candidate, budget, inverse): &Problem<T>| {
-            manifold_friction(candidate, budget, inverse, &CompactOutline::area())
+            project_friction(candidate, budget, inverse, &IsotropicLimitCurve::area())
         };
         bench("area", state, &given, &Each(area));
         let exactly = |(candidate, budget, inverse): &Problem<T>| {
-            manifold_friction_in::<3, _, _>(candidate, budget, inverse, &CompactOutline::area())
+            manifold_friction_in::<3, _, _>(
+                candidate,
+                budget,
+                inverse,
+                &IsotropicLimitCurve::area(),
+            )
         };
         bench("area, three steps", state, &given, &Each(exactly));
         let along = |(candidate, budget, inverse): &Problem<T>| {
-            manifold_friction(candidate, budget, inverse, &sole)
+            project_friction(candidate, budget, inverse, &sole)
         };
         bench("sole of 4 : 1", state, &given, &Each(along));
     }
@@ -144,7 +153,7 @@ fn all(criterion: &mut Criterion) {
     projections(criterion, "eight lanes", f32x8::new);
     let corners = black_box(SOLE);
     criterion.bench_function("area of four corners", |bencher| {
-        bencher.iter(|| ContactArea::of_corners(black_box(&corners)));
+        bencher.iter(|| ManifoldArea::of_corners(black_box(&corners)));
     });
 }
 

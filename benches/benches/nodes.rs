@@ -6,10 +6,10 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::hint::black_box;
 use tribos_benches::mix;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{PatchFriction, table};
+use tribos_core::coupling::{RoundFriction, table};
 use tribos_core::law::{CoulombLaw, PowerLaw};
 use tribos_core::patch::nodes::{NodeList, NodePatch, Nodes};
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -28,13 +28,13 @@ fn twists<R: Real>() -> Vec<Twist<R>> {
 }
 
 fn disk<R: Real, const CAPACITY: usize>(rings: u32, angles: u32) -> NodeList<R, CAPACITY> {
-    let rule = PolarRule::new(R::ONE, rings, angles).expect("a valid rule");
+    let rule = PolarQuadrature::new(R::ONE, rings, angles).expect("a valid rule");
     rule.nodes().expect("room for all nodes")
 }
 
 /// The disk that the rules stand for.
-fn whole_disk() -> PatchFriction<f64, table::Coulomb> {
-    PatchFriction::new(table::Coulomb, 1.0, 1.0).expect("1 is a valid coefficient")
+fn whole_disk() -> RoundFriction<f64, table::CoulombDisk> {
+    RoundFriction::new(table::CoulombDisk, 1.0, 1.0).expect("1 is a valid coefficient")
 }
 
 /// Compares with the table of the disk at one moderate twist.

@@ -9,7 +9,7 @@ use tribos::cd::internals::{
     Accelerated, Coefficients, NoMonitor, Operator, Spheres, Visit, residual,
 };
 use tribos::cd::{Laws, World};
-use tribos_core::contact::{ContactFriction, Thresholds};
+use tribos_core::contact::{ContactFriction, IndependentFriction};
 use tribos_tests::packings::{dry, first_problem, jammed_box, rough};
 
 /// Spheres of the box, its seed.
@@ -50,12 +50,16 @@ fn sweeps(criterion: &mut Criterion) {
     let valid = "the coefficients are in the domain";
     let [mu, mu_t, mu_n] = MU;
     sweep(criterion, "all six", rough(mu, mu_t, mu_n));
-    let rolling = Thresholds::sliding_rolling(mu, mu_t).expect(valid);
+    let rolling = IndependentFriction::sliding_rolling(mu, mu_t).expect(valid);
     sweep(criterion, "sliding, rolling", rolling);
-    let torsion = Thresholds::sliding_torsion(mu, mu_n).expect(valid);
+    let torsion = IndependentFriction::sliding_torsion(mu, mu_n).expect(valid);
     sweep(criterion, "sliding, torsion", torsion);
-    sweep(criterion, "sliding", Thresholds::sliding(mu).expect(valid));
-    sweep(criterion, "frictionless", Thresholds::none());
+    sweep(
+        criterion,
+        "sliding",
+        IndependentFriction::sliding(mu).expect(valid),
+    );
+    sweep(criterion, "frictionless", IndependentFriction::none());
 }
 
 /// A step without sweeps: neighbours, contacts, free motion, residual and energy.

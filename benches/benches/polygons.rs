@@ -5,9 +5,9 @@ mod settings;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction, FlatPower, FlatPowerFriction};
+use tribos_core::coupling::flat::{PatchShape, PolygonPowerLaw, ShapeFriction, ShapePowerFriction};
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{PatchFriction, table};
+use tribos_core::coupling::{RoundFriction, table};
 use tribos_core::law::CoulombLaw;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::NodeList;
@@ -69,8 +69,8 @@ fn time<T: Copy>(criterion: &mut Criterion, name: &str, friction: impl Fn(&Twist
 }
 
 /// A patch under friction with μ = 1.
-fn dry<P: DryPatch<f64>>(patch: P) -> FlatFriction<f64, P> {
-    FlatFriction::new(patch, 1.0).expect("1 is a valid coefficient")
+fn dry<P: PatchShape<f64>>(patch: P) -> ShapeFriction<f64, P> {
+    ShapeFriction::new(patch, 1.0).expect("1 is a valid coefficient")
 }
 
 /// The square as a grid of `cells` × `cells` squares, each of two triangles, under a pressure that bends.
@@ -102,7 +102,7 @@ fn polygons(criterion: &mut Criterion) {
     let triangle = dry(Polygon::new(TRIANGLE).expect("a triangle"));
     let ell = dry(Polygon::new(ELL).expect("an L"));
     let octagon = dry(Polygon::new(OCTAGON).expect("an octagon"));
-    let disk = PatchFriction::new(table::Coulomb, 1.0, 1.0).expect("1 is a valid coefficient");
+    let disk = RoundFriction::new(table::CoulombDisk, 1.0, 1.0).expect("1 is a valid coefficient");
     let nodes: NodeList<f64, 504> = NodeList::polygon(&SQUARE, 6).expect("room for all nodes");
     let law = CoulombLaw::new(1.0).expect("1 is a valid coefficient");
     let nodes = NodeFriction::new(law, nodes);
@@ -120,9 +120,9 @@ fn polygons(criterion: &mut Criterion) {
         square.wrench_and_jacobian(1.0, t)
     });
     for alpha in [0.0625, 0.5, 3.0] {
-        let power = FlatPower::new(alpha).expect("in range");
+        let power = PolygonPowerLaw::new(alpha).expect("in range");
         let patch = Polygon::new(SQUARE).expect("a square");
-        let friction = FlatPowerFriction::new(patch, 1.0, power).expect("in range");
+        let friction = ShapePowerFriction::new(patch, 1.0, power).expect("in range");
         let name = format!("square, power {alpha}");
         time(criterion, &name, |t| friction.wrench(1.0, t));
         let name = format!("{name}, Jacobian");

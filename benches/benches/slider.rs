@@ -5,8 +5,8 @@ mod settings;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use tribos_benches::stepping::{DISK, SPEED, SPINS};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 /// The step of an engine, in s.
 const STEP: f64 = 1e-3;
@@ -15,7 +15,7 @@ const VERLET_ERROR: f64 = 1e-6;
 
 fn slider(criterion: &mut Criterion) {
     let disk = Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration: DISK.deceleration,
             radius: DISK.radius,
@@ -25,7 +25,7 @@ fn slider(criterion: &mut Criterion) {
     .expect("the disk of the front is valid");
     let mut group = criterion.benchmark_group("slider");
     for spin in SPINS {
-        let launch = Motion::launched(SPEED, spin);
+        let launch = SliderState::launched(SPEED, spin);
         let exact = disk.advance(&launch, STEP).motion;
         let verlet = disk.verlet_step(&launch, STEP);
         assert!((exact.speed - verlet.speed).abs() < VERLET_ERROR);

@@ -4,9 +4,9 @@ use crate::baselines::trapezoid::Trapezoid;
 use crate::baselines::{agm, bulirsch, cephes, decoupled, ellipsoid, micromath_agm, pade, series};
 use crate::methods::{Kind, Method, as_pair};
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::table::{self, Table32, Table64};
+use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
 use tribos_core::coupling::unscaled_wrench;
-use tribos_core::coupling::{Coupling, compact};
+use tribos_core::coupling::{ReducedFriction, compact};
 use tribos_core::law::{CoulombLaw, LawError};
 
 /// Exponents for which the tables are timed.
@@ -20,10 +20,11 @@ pub fn tiers() -> Result<Vec<Method>, LawError> {
     let quadrature_narrow = DiskQuadrature::new(CoulombLaw::new(1.0_f32)?);
     let power = compact::CompactPower::new(0.0)?;
     let power_narrow = compact::CompactPower::new(0.0_f32)?;
-    let wrench = |slide, rim| as_pair(table::Coulomb.reduced_wrench(slide, rim));
-    let narrow = |slide, rim| as_pair(table::Coulomb.reduced_wrench(slide, rim));
-    let compact = |slide, rim| as_pair(compact::CompactCoulomb.reduced_wrench(slide, rim));
-    let compact_narrow = |slide, rim| as_pair(compact::CompactCoulomb.reduced_wrench(slide, rim));
+    let wrench = |slide, rim| as_pair(table::CoulombDisk.reduced_wrench(slide, rim));
+    let narrow = |slide, rim| as_pair(table::CoulombDisk.reduced_wrench(slide, rim));
+    let compact = |slide, rim| as_pair(compact::CompactCoulombDisk.reduced_wrench(slide, rim));
+    let compact_narrow =
+        |slide, rim| as_pair(compact::CompactCoulombDisk.reduced_wrench(slide, rim));
     let power = move |slide, rim| as_pair(power.reduced_wrench(slide, rim));
     let quadrature = move |slide, rim| as_pair(quadrature.reduced_wrench(slide, rim));
     let power_narrow = move |slide, rim| as_pair(power_narrow.reduced_wrench(slide, rim));
@@ -74,7 +75,7 @@ pub fn exponents() -> Result<Vec<Method>, LawError> {
     let mut methods = Vec::new();
     for alpha in EXPONENTS {
         // Leaked once a program: a table in a closure would be copied with it.
-        let table: &'static Table64 = Box::leak(Box::new(Table64::new(alpha)?));
+        let table: &'static DiskTable64 = Box::leak(Box::new(DiskTable64::new(alpha)?));
         let full = move |slide, rim| as_pair(table.reduced_wrench(slide, rim));
         let bare = move |slide, rim| as_pair(unscaled_wrench(table, slide, rim));
         let name = format!("table alpha {alpha}");
@@ -85,7 +86,7 @@ pub fn exponents() -> Result<Vec<Method>, LawError> {
         );
         methods.push(Method::wide(name, Kind::Tier, bound, full).with_exponent(alpha, false));
     }
-    let table: &'static Table32 = Box::leak(Box::new(Table32::new(0.5)?));
+    let table: &'static DiskTable32 = Box::leak(Box::new(DiskTable32::new(0.5)?));
     let full = move |slide, rim| as_pair(table.reduced_wrench(slide, rim));
     let bare = move |slide, rim| as_pair(unscaled_wrench(table, slide, rim));
     let narrow = "table f32 alpha 0.5";

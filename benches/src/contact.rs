@@ -3,7 +3,7 @@
 use crate::mix::Lcg;
 use core::f64::consts::TAU;
 use std::hint::black_box;
-use tribos_core::coupling::{Coupling, PatchFriction};
+use tribos_core::coupling::{ReducedFriction, RoundFriction};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -18,19 +18,19 @@ const LOAD: f64 = 1.7;
 /// A disk of radius 8 cm with μ = 0.3 under many twists.
 #[derive(Clone, Debug)]
 pub struct Contact<R: Real, C> {
-    disk: PatchFriction<R, C>,
+    disk: RoundFriction<R, C>,
     twists: Vec<Twist<R>>,
     wrenches: Vec<Wrench<R>>,
     jacobians: Vec<WrenchJacobian<R>>,
 }
 
-impl<R: Real, C: Coupling<R>> Contact<R, C> {
+impl<R: Real, C: ReducedFriction<R>> Contact<R, C> {
     /// Twists with the speeds of `pairs`.
     pub fn new(coupling: C, pairs: &[[f64; 2]], seed: u64) -> Result<Self, Refused> {
         let radius = R::from_f64(RADIUS);
         let twists = twists(pairs, seed);
         Ok(Self {
-            disk: PatchFriction::new(coupling, R::from_f64(MU), radius)?,
+            disk: RoundFriction::new(coupling, R::from_f64(MU), radius)?,
             wrenches: vec![Wrench::ZERO; twists.len()],
             jacobians: vec![WrenchJacobian::from_element(R::ZERO); twists.len()],
             twists,

@@ -6,7 +6,7 @@ use crate::reference::{self, Wide};
 use core::fmt;
 use std::hint::black_box;
 use tribos_core::coupling::unscaled_wrench;
-use tribos_core::coupling::{Coupling, ReducedWrench, compact};
+use tribos_core::coupling::{ReducedFriction, ReducedWrench, compact};
 use tribos_core::real::Real;
 
 /// Kind of a method.

@@ -2,11 +2,11 @@
 
 use crate::baselines::PURE_SPIN_TORQUE;
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::Coupling;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::coupling::ReducedFriction;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::planar::PlanarBody;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Slider, SliderState};
 use tribos_core::twist::{Twist, Wrench};
 
 /// Number of steps after which a stepper is considered never to stop.
@@ -52,7 +52,7 @@ impl Stop {
         distance: f64::NAN,
     };
 
-    fn of(motion: &Motion<f64>) -> Self {
+    fn of(motion: &SliderState<f64>) -> Self {
         Self {
             time: motion.time,
             distance: motion.distance,
@@ -107,7 +107,7 @@ impl Stepper {
     }
 
     /// Follows `slider`, which must be that of [`DISK`], from its launch to rest.
-    pub fn stop(self, slider: &Slider<f64, Coulomb>, launch: &Motion<f64>) -> Stop {
+    pub fn stop(self, slider: &Slider<f64, CoulombDisk>, launch: &SliderState<f64>) -> Stop {
         match self {
             Self::ToRest => {
                 let rest = slider.to_rest(launch);
@@ -124,7 +124,7 @@ impl Stepper {
 }
 
 /// Calls of the exact stepper with a fixed step; the last one gives the time of rest.
-fn advanced(slider: &Slider<f64, Coulomb>, launch: &Motion<f64>, dt: f64) -> Stop {
+fn advanced(slider: &Slider<f64, CoulombDisk>, launch: &SliderState<f64>, dt: f64) -> Stop {
     let mut motion = *launch;
     for _ in 0..MAX_STEPS {
         let after = slider.advance(&motion, dt);
@@ -137,7 +137,10 @@ fn advanced(slider: &Slider<f64, Coulomb>, launch: &Motion<f64>, dt: f64) -> Sto
 }
 
 /// Steps until nothing moves.
-fn stepped(launch: &Motion<f64>, step: impl Fn(&Motion<f64>) -> Motion<f64>) -> Stop {
+fn stepped(
+    launch: &SliderState<f64>,
+    step: impl Fn(&SliderState<f64>) -> SliderState<f64>,
+) -> Stop {
     let mut motion = *launch;
     for _ in 0..MAX_STEPS {
         motion = step(&motion);
@@ -151,10 +154,10 @@ fn stepped(launch: &Motion<f64>, step: impl Fn(&Motion<f64>) -> Motion<f64>) -> 
 /// Implicit steps of a body of unit mass; distance by the trapezoid rule.
 ///
 /// The fraction of the friction limit in the last step gives the time of rest within it.
-fn held(launch: &Motion<f64>, dt: f64) -> Option<Stop> {
+fn held(launch: &SliderState<f64>, dt: f64) -> Option<Stop> {
     let inertia = DISK.inertia_ratio * DISK.radius * DISK.radius;
     let body = PlanarBody::new(1.0, inertia).ok()?;
-    let set = LimitSurface::new(Coulomb, DISK.deceleration, DISK.radius).ok()?;
+    let set = RoundLimitSurface::new(CoulombDisk, DISK.deceleration, DISK.radius).ok()?;
     let step = TimeStep::new(dt).ok()?;
     let mut twist = Twist::new(launch.speed, 0.0, launch.spin);
     let mut stop = Stop::of(launch);
@@ -176,13 +179,13 @@ fn held(launch: &Motion<f64>, dt: f64) -> Option<Stop> {
 }
 
 /// Friction at the speeds before the step slows the motion; the position also moves with these speeds.
-fn pushed(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
+fn pushed(motion: &SliderState<f64>, dt: f64) -> SliderState<f64> {
     let impulse = DISK.deceleration * dt;
     let rim = motion.spin * DISK.radius;
-    let friction = Coulomb.reduced_wrench(motion.speed, rim);
+    let friction = CoulombDisk.reduced_wrench(motion.speed, rim);
     let speed = (motion.speed - impulse * friction.force).max(0.0);
     let rim = (rim - impulse * friction.torque / DISK.inertia_ratio).max(0.0);
-    Motion {
+    SliderState {
         time: motion.time + dt,
         speed,
         spin: rim / DISK.radius,
@@ -192,9 +195,9 @@ fn pushed(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
 }
 
 /// The motion after a step that ends with the given speeds; positions move with them.
-fn moved(motion: &Motion<f64>, speed: f64, rim: f64, dt: f64) -> Motion<f64> {
+fn moved(motion: &SliderState<f64>, speed: f64, rim: f64, dt: f64) -> SliderState<f64> {
     let spin = rim / DISK.radius;
-    Motion {
+    SliderState {
         time: motion.time + dt,
         speed,
         spin,
@@ -204,7 +207,7 @@ fn moved(motion: &Motion<f64>, speed: f64, rim: f64, dt: f64) -> Motion<f64> {
 }
 
 /// Each speed loses its own full friction and stops at zero.
-fn clamped(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
+fn clamped(motion: &SliderState<f64>, dt: f64) -> SliderState<f64> {
     let impulse = DISK.deceleration * dt;
     let rim = motion.spin * DISK.radius;
     let speed = (motion.speed - impulse).max(0.0);
@@ -217,7 +220,7 @@ fn clamped(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
 /// With the multiplier λ the impulses are λ v' and λ T₀² w', hence v' = v/(1 + λ) and
 /// w' = w/(1 + λT₀²/C); λ follows from λ √(v'² + T₀² w'²) = μ g dt. The left side is concave in
 /// λ, so that Newton's method from the smallest λ never oversteps.
-fn dissipated(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
+fn dissipated(motion: &SliderState<f64>, dt: f64) -> SliderState<f64> {
     let impulse = DISK.deceleration * dt;
     let (speed, rim) = (motion.speed, motion.spin * DISK.radius);
     let stiffness = PURE_SPIN_TORQUE * PURE_SPIN_TORQUE / DISK.inertia_ratio;
@@ -246,9 +249,9 @@ mod tests {
     use super::*;
     use tribos_core::slider::SliderParameters;
 
-    fn slider() -> Slider<f64, Coulomb> {
+    fn slider() -> Slider<f64, CoulombDisk> {
         Slider::new(
-            Coulomb,
+            CoulombDisk,
             SliderParameters {
                 deceleration: DISK.deceleration,
                 radius: DISK.radius,
@@ -260,7 +263,7 @@ mod tests {
 
     #[test]
     fn exact_and_small_steps_meet() {
-        let launch = Motion::launched(SPEED, 12.5);
+        let launch = SliderState::launched(SPEED, 12.5);
         let exact = Stepper::ToRest.stop(&slider(), &launch);
         assert!((exact.time - 0.45542).abs() < 1e-5 && (exact.distance - 0.21658).abs() < 1e-5);
         let advanced = Stepper::Advance(1e-3).stop(&slider(), &launch);
@@ -277,7 +280,7 @@ mod tests {
     #[test]
     fn comparators_stop_where_their_own_laws_say() {
         // Without spin all laws agree: v²/(2 μ g), v/(μ g).
-        let launch = Motion::launched(SPEED, 0.0);
+        let launch = SliderState::launched(SPEED, 0.0);
         for stepper in [
             Stepper::Explicit(1e-5),
             Stepper::Decoupled(1e-5),
@@ -291,7 +294,7 @@ mod tests {
 
     #[test]
     fn the_ellipsoid_keeps_its_impulse_on_the_boundary() {
-        let before = Motion::launched(SPEED, 12.5);
+        let before = SliderState::launched(SPEED, 12.5);
         let after = dissipated(&before, 1e-3);
         let force = before.speed - after.speed;
         let torque = DISK.inertia_ratio * DISK.radius * (before.spin - after.spin);

@@ -1,8 +1,8 @@
 //! One error for the whole kernel.
 
-use crate::contact::TouchError;
+use crate::contact::ContactError;
 use crate::law::LawError;
-use crate::manifold::ManifoldError;
+use crate::manifold::ContactSystemError;
 use crate::patch::PatchError;
 use crate::patch::mesh::MeshError;
 use crate::patch::outline::OutlineError;
@@ -60,9 +60,9 @@ errors! {
     /// The triangles of a mesh, or their pressure.
     Mesh(MeshError),
     /// The geometry of a contact.
-    Touch(TouchError),
+    Touch(ContactError),
     /// A body or contact of a manifold.
-    Manifold(ManifoldError),
+    Manifold(ContactSystemError),
 }
 
 impl core::error::Error for Error {}

@@ -33,7 +33,7 @@ use crate::twist::Wrench;
 /// What can be said about a push on a body at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Hold {
+pub enum Stiction {
     /// The body stays at rest, whatever friction at rest is like.
     Holds,
     /// The body starts: no friction within the declared coefficient balances the push.
@@ -45,17 +45,17 @@ pub enum Hold {
 /// The answer, and how far away the others are.
 ///
 /// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::holding::{Hold, Holding};
-/// use tribos_core::limit_surface::LimitSurface;
+/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::holding::{Stiction, StictionBounds};
+/// use tribos_core::limit_surface::RoundLimitSurface;
 /// use tribos_core::twist::Wrench;
 /// // A fingertip: 10 N on a disk of 5 mm, with 0.5 in motion and at most 0.7 at rest.
-/// let [certain, possible] = [0.5 * 10.0_f64, 0.7 * 10.0].map(|n| LimitSurface::new(Coulomb, n, 5e-3));
+/// let [certain, possible] = [0.5 * 10.0_f64, 0.7 * 10.0].map(|n| RoundLimitSurface::new(CoulombDisk, n, 5e-3));
 /// let (certain, possible) = (certain?, possible?);
-/// let ask = |pull| Holding::of(&certain, &possible, &Wrench::new(pull, 0.0, 0.0)); // N
-/// assert_eq!(ask(4.0).hold, Hold::Holds);
-/// assert_eq!(ask(6.0).hold, Hold::Undecided);
-/// assert_eq!(ask(8.0).hold, Hold::Slips);
+/// let ask = |pull| StictionBounds::of(&certain, &possible, &Wrench::new(pull, 0.0, 0.0)); // N
+/// assert_eq!(ask(4.0).hold, Stiction::Holds);
+/// assert_eq!(ask(6.0).hold, Stiction::Undecided);
+/// assert_eq!(ask(8.0).hold, Stiction::Slips);
 /// // A quarter more would still hold for certain; at 7/4 of it nothing can hold.
 /// assert!((ask(4.0).surely_held_scale() - 1.25).abs() < 1e-12);
 /// assert!((ask(4.0).surely_slipping_scale() - 1.75).abs() < 1e-12);
@@ -63,16 +63,16 @@ pub enum Hold {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Holding<R> {
+pub struct StictionBounds<R> {
     /// What can be said.
-    pub hold: Hold,
+    pub stiction: Stiction,
     /// Gauge of the push in the set that is certain to hold: at most 1 if it lies inside.
     pub certain_gauge: R,
     /// Gauge of the push in the set of all that is possible: above 1 if nothing can carry it.
     pub possible_gauge: R,
 }
 
-impl<R: Real> Holding<R> {
+impl<R: Real> StictionBounds<R> {
     /// Judges `push` by the set that is `certain` to hold and the set of all that is `possible`.
     ///
     /// With kinetic coefficient μ_d and static coefficient μ_s these are the limit surfaces of the
@@ -91,12 +91,12 @@ impl<R: Real> Holding<R> {
         let is_certain = certain.contains(push);
         let is_impossible = !possible.contains(push) && !possible_gauge.is_nan();
         let hold = match (is_certain, is_impossible) {
-            (true, false) => Hold::Holds,
-            (false, true) => Hold::Slips,
-            _ => Hold::Undecided,
+            (true, false) => Stiction::Holds,
+            (false, true) => Stiction::Slips,
+            _ => Stiction::Undecided,
         };
         Self {
-            hold,
+            stiction: hold,
             certain_gauge,
             possible_gauge,
         }
@@ -105,14 +105,14 @@ impl<R: Real> Holding<R> {
     /// Factor up to which the push may grow and is certain to be held: below 1 if it is too large.
     ///
     /// *Special values*: infinite without push.
-    pub fn surely_held_scale(&self) -> R {
+    pub fn certain_scale(&self) -> R {
         R::ONE / self.certain_gauge
     }
 
     /// Factor beyond which nothing holds the push: below 1 if it is too large.
     ///
     /// *Special values*: infinite without push.
-    pub fn surely_slipping_scale(&self) -> R {
+    pub fn possible_scale(&self) -> R {
         R::ONE / self.possible_gauge
     }
 }

@@ -50,7 +50,7 @@
 //! let mut table = Plate { velocity: still, inv_mass: 0.0 };
 //! let touch = Touch::plate(0.05, &up, 0.05)?; // a ball of 5 cm that touches the table
 //! let mut contact = Contact::new(&touch, &NormalLaw::new(Cohesion::NONE, 0.0)?, &ball, &table, 1e-3);
-//! contact.update(&Thresholds::sliding_torsion(0.3_f64, 0.01)?, &mut ball, &mut table);
+//! contact.update(&IndependentFriction::sliding_torsion(0.3_f64, 0.01)?, &mut ball, &mut table);
 //! assert!(ball.velocity.z == 0.0 && ball.velocity.x < 1.0 && ball.spin.z < 50.0);
 //! # Ok::<(), Error>(())
 //! ```
@@ -139,11 +139,11 @@ pub mod internals {
 
 pub use nalgebra;
 
-pub use contact::{Contact, Thresholds};
-pub use coupling::{PatchFriction, table::Coulomb};
+pub use contact::{Contact, IndependentFriction};
+pub use coupling::{RoundFriction, table::CoulombDisk};
 pub use error::Error;
-pub use limit_surface::{FrictionSet, LimitSurface};
-pub use manifold::Manifold;
+pub use limit_surface::{FrictionSet, RoundLimitSurface};
+pub use manifold::ContactSystem;
 pub use planar::PlanarBody;
 pub use real::Real;
 pub use slider::Slider;

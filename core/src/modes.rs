@@ -2,26 +2,26 @@
 //!
 //! With C = I/(M R²) the equations of motion (3.25) give the autonomous equation
 //! dε/d(−ln ω) = g(ε) = ε − C F/T (3.27). Its zeros are the fixed points: ε = 0 (pure spinning),
-//! ε = ∞ (pure sliding) and where C_α(ε) = ε T/F, the quotient Χ/Φ of [`crate::coupling::Profile`],
+//! ε = ∞ (pure sliding) and where C_α(ε) = ε T/F, the quotient Χ/Φ of [`crate::coupling::PowerLawFriction`],
 //! passes C. For the pressures (1−r²)^q the ends of C_α are 1/n and (1+α)/(2(q+2)) with
 //! n = q + (3+α)/2; it falls from one to the other for α < 1 and rises for α > 1 (checked for
 //! −1 ≤ q ≤ 6 and −0.9 ≤ α ≤ 9), hence ε₀ is unique, stable for α < 1 and unstable for α > 1.
 
-use crate::coupling::{Lead, Profile, Speeds};
+use crate::coupling::{Lead, PowerLawFriction, Speeds};
 use crate::law::{LawError, validated_positive};
 use crate::real::Real;
 
 /// How ε moves near a fixed point.
 ///
 /// ```
-/// use tribos_core::coupling::{compact::CompactPower, table::Coulomb};
-/// use tribos_core::modes::{Modes, Stability};
+/// use tribos_core::coupling::{compact::CompactPower, table::CoulombDisk};
+/// use tribos_core::modes::{TerminalMotion, Stability};
 /// // A puck under dry friction leaves pure spinning, a thick hoop returns to it.
-/// let [puck, hoop] = [0.5, 0.8_f64].map(|inertia| Modes::new(Coulomb, inertia));
+/// let [puck, hoop] = [0.5, 0.8_f64].map(|inertia| TerminalMotion::new(CoulombDisk, inertia));
 /// assert_eq!(puck?.fixed_points().spinning, Stability::Unstable);
 /// assert_eq!(hoop?.fixed_points().spinning, Stability::Stable);
 /// // Oil slows both motions of a puck alike.
-/// let oiled = Modes::new(CompactPower::new(1.0_f64)?, 0.5)?;
+/// let oiled = TerminalMotion::new(CompactPower::new(1.0_f64)?, 0.5)?;
 /// assert_eq!(oiled.fixed_points().spinning, Stability::Semistable);
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
@@ -39,9 +39,9 @@ pub enum Stability {
 /// All fixed points of one slider.
 ///
 /// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::modes::{FixedPoints, Modes, Stability};
-/// let FixedPoints { spinning, finite, sliding } = Modes::new(Coulomb, 0.5_f64)?.fixed_points();
+/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::modes::{FixedPoints, TerminalMotion, Stability};
+/// let FixedPoints { spinning, finite, sliding } = TerminalMotion::new(CoulombDisk, 0.5_f64)?.fixed_points();
 /// // Between two ends that it leaves there is one ratio to which the motion tends.
 /// assert_eq!([spinning, sliding], [Stability::Unstable; 2]);
 /// assert!(finite.is_some_and(|(_, stability)| stability == Stability::Stable));
@@ -61,18 +61,18 @@ pub struct FixedPoints<R> {
 /// The motion that dominates just before rest.
 ///
 /// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::modes::{FinalMode, Modes};
+/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::modes::{TerminalMode, TerminalMotion};
 /// // A disk loaded at its rim, one loaded at its hub, and a plain one, all thrown with v = ωR.
-/// let last = |inertia: f64| Ok(Modes::new(Coulomb, inertia)?.final_mode(1.0));
-/// assert_eq!(last(0.8)?, FinalMode::Spinning);
-/// assert_eq!(last(0.2)?, FinalMode::Sliding);
-/// assert!(matches!(last(0.5)?, FinalMode::Together { ratio } if ratio > 0.6 && ratio < 0.7));
+/// let last = |inertia: f64| Ok(TerminalMotion::new(CoulombDisk, inertia)?.final_mode(1.0));
+/// assert_eq!(last(0.8)?, TerminalMode::Spinning);
+/// assert_eq!(last(0.2)?, TerminalMode::Sliding);
+/// assert!(matches!(last(0.5)?, TerminalMode::Together { ratio } if ratio > 0.6 && ratio < 0.7));
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum FinalMode<R> {
+pub enum TerminalMode<R> {
     /// ε → 0.
     Spinning,
     /// ε → ∞.
@@ -116,8 +116,8 @@ fn in_order<R: Real>([spinning, sliding]: [R; 2]) -> (R, R) {
 /// The final motion of sliders that share a law and an inertia ratio.
 ///
 /// ```
-/// use tribos_core::{coupling::table::Coulomb, modes::Modes};
-/// let disk = Modes::new(Coulomb, 0.5_f64)?;
+/// use tribos_core::{coupling::table::Coulomb, modes::TerminalMotion};
+/// let disk = TerminalMotion::new(Coulomb, 0.5_f64)?;
 /// let ratio = disk.finite_fixed_point().unwrap_or(f64::NAN);
 /// assert!((ratio - 0.653001789206).abs() < 1e-12);
 /// // There C_α is the disk's own inertia, and the ratio does not change any more.
@@ -128,12 +128,12 @@ fn in_order<R: Real>([spinning, sliding]: [R; 2]) -> (R, R) {
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Modes<R, P> {
+pub struct TerminalMotion<R, P> {
     profile: P,
     inertia_ratio: R,
 }
 
-impl<R: Real, P: Profile<R>> Modes<R, P> {
+impl<R: Real, P: PowerLawFriction<R>> TerminalMotion<R, P> {
     /// *Domain*: 0 < `inertia_ratio` < ∞; 1/2 for a disk on its own face.
     pub fn new(profile: P, inertia_ratio: R) -> Result<Self, LawError> {
         Ok(Self {
@@ -235,24 +235,24 @@ impl<R: Real, P: Profile<R>> Modes<R, P> {
     /// The final motion that starts with the ratio `initial`.
     ///
     /// *Domain*: 0 ≤ `initial` ≤ ∞. An unstable fixed point is kept only if hit exactly.
-    pub fn final_mode(&self, initial: R) -> FinalMode<R> {
+    pub fn terminal_mode(&self, initial: R) -> TerminalMode<R> {
         if initial == R::ZERO {
-            return FinalMode::Spinning;
+            return TerminalMode::Spinning;
         }
         if initial == R::INFINITY {
-            return FinalMode::Sliding;
+            return TerminalMode::Sliding;
         }
         let points = self.fixed_points();
         match points.finite {
-            Some((ratio, Stability::Stable)) => FinalMode::Together { ratio },
-            Some((ratio, _)) if initial == ratio => FinalMode::Together { ratio },
-            Some((ratio, _)) if initial < ratio => FinalMode::Spinning,
-            Some(_) => FinalMode::Sliding,
+            Some((ratio, Stability::Stable)) => TerminalMode::Together { ratio },
+            Some((ratio, _)) if initial == ratio => TerminalMode::Together { ratio },
+            Some((ratio, _)) if initial < ratio => TerminalMode::Spinning,
+            Some(_) => TerminalMode::Sliding,
             None if points.spinning == Stability::Semistable => {
-                FinalMode::Together { ratio: initial }
+                TerminalMode::Together { ratio: initial }
             }
-            None if points.spinning == Stability::Stable => FinalMode::Spinning,
-            None => FinalMode::Sliding,
+            None if points.spinning == Stability::Stable => TerminalMode::Spinning,
+            None => TerminalMode::Sliding,
         }
     }
 }
@@ -270,7 +270,7 @@ const MOST_STEPS: u32 = 2_200;
 ///
 /// Inverse quadratic interpolation in its square, where C_α is smooth, guarded by bisection.
 /// *Source*: Chandrupatla, Adv. Eng. Software 28 (1997) 145.
-pub(crate) fn balanced_ratio<R: Real, P: Profile<R>>(
+pub(crate) fn balanced_ratio<R: Real, P: PowerLawFriction<R>>(
     profile: &P,
     inertia_ratio: R,
     lead: Lead,

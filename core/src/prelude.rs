@@ -8,21 +8,21 @@
 //! ```
 
 pub use crate::contact::{
-    Body, Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Plate, Sphere,
-    Thresholds, TimeStep, Touch,
+    Cohesion, Contact, ContactBody, ContactFriction, ContactGeometry, CoupledFriction,
+    IndependentFriction, NormalLaw, SphereBody, TimeStep, WallBody,
 };
 pub use crate::coupling::nodes::NodeFriction;
 pub use crate::coupling::quadrature::DiskQuadrature;
-pub use crate::coupling::table::Coulomb;
-pub use crate::coupling::{Coupling, DryCoupling, PatchFriction};
+pub use crate::coupling::table::CoulombDisk;
+pub use crate::coupling::{DryReducedFriction, ReducedFriction, RoundFriction};
 pub use crate::error::Error;
 pub use crate::law::{
     DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, Stribeck, StribeckParameters,
 };
-pub use crate::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
-pub use crate::manifold::Manifold;
-pub use crate::modes::Modes;
+pub use crate::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
+pub use crate::manifold::ContactSystem;
+pub use crate::modes::TerminalMotion;
 pub use crate::planar::PlanarBody;
 pub use crate::real::Real;
-pub use crate::slider::{Motion, Slider, SliderParameters};
+pub use crate::slider::{Slider, SliderParameters, SliderState};
 pub use crate::twist::{Twist, Wrench};

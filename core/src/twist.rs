@@ -73,9 +73,9 @@ pub struct Displacement<R: Real> {
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+/// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
 /// use tribos_core::twist::{Twist, WrenchJacobian};
-/// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?; // mu, radius in m
+/// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?; // mu, radius in m
 /// let twist = Twist::new(1.0, 0.5, 20.0);
 /// let jacobian: WrenchJacobian<f64> = puck.wrench_jacobian(1.7, &twist);
 /// // Symmetric, as second derivatives are; and twice as fast meets the same dry friction.

@@ -2,15 +2,15 @@
 
 use tribos::cd::{Laws, Setup, Wall, World, solid};
 use tribos::kernel::{
-    contact::{Cohesion, NormalLaw, Sphere, Thresholds},
+    contact::{Cohesion, IndependentFriction, NormalLaw, SphereBody},
     nalgebra::Vector3,
 };
 
 #[rustfmt::skip] // As short as documentation shows it.
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (up, radius) = (Vector3::z(), 0.028); // m
-    let ball = Sphere { velocity: Vector3::x(), ..solid(radius, 1700.0) }; // m/s, kg/m³
-    let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Thresholds::sliding(0.2)?);
+    let ball = SphereBody { velocity: Vector3::x(), ..solid(radius, 1700.0) }; // m/s, kg/m³
+    let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.2)?);
     let table = Setup::new(laws).wall(Wall::fixed(up, 0.0)).gravity(up * -9.81);
     let mut world = World::new(table.sphere(up * radius, radius, ball))?;
     (0..300).try_for_each(|_| world.step().map(|_| ()))?;

@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 use tribos::cd::internals::Coefficients;
 use tribos::cd::{Laws, Method, Setup, Solver, StepLimits, World, solid};
-use tribos::kernel::contact::{Cohesion, ContactFriction, NormalLaw, Thresholds};
+use tribos::kernel::contact::{Cohesion, ContactFriction, IndependentFriction, NormalLaw};
 use tribos::kernel::nalgebra::{Matrix3, Vector3};
 use tribos::random::Random;
 use tribos::space::{PeriodicBox, pairs::neighbours};
@@ -43,7 +43,10 @@ fn main() -> Result<(), Failure> {
 
 /// One line of the table.
 fn measure(mu: f64, e: f64, count: usize, strain: f64, phi: f64) -> Result<String, Failure> {
-    let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, e)?, Thresholds::sliding(mu)?);
+    let laws = Laws::uniform(
+        NormalLaw::new(Cohesion::NONE, e)?,
+        IndependentFriction::sliding(mu)?,
+    );
     let mut world = World::new(packed(laws, count, phi)?)?;
     let mut parts = [Matrix3::zeros(); PARTS];
     let (mut steps, mut unmet, mut contacts, mut residual) = (0, 0, 0, 0.0_f64);
@@ -90,7 +93,7 @@ fn momentum_flux<F: ContactFriction<f64> + Coefficients>(
     let mut flux = Matrix3::zeros();
     for link in world.problem().pairs.iter() {
         let (contact, normal) = (&link.contact, link.contact.normal());
-        let [a, b] = contact.arms();
+        let [a, b] = contact.centre_distances();
         flux += contact.impulse().linear(normal) * (normal * (a + b)).transpose();
     }
     let state = world.state();

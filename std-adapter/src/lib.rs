@@ -44,10 +44,10 @@
 //!
 //! ```
 //! use tribos::cd::{Laws, Setup, Wall, World, solid};
-//! use tribos::kernel::contact::{Cohesion, NormalLaw, Sphere, Thresholds};
+//! use tribos::kernel::contact::{Cohesion, NormalLaw, SphereBody, IndependentFriction};
 //! use tribos::kernel::nalgebra::Vector3;
-//! let ball = Sphere { velocity: Vector3::x(), ..solid(0.028, 1700.0) }; // m/s; m, kg/m³
-//! let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Thresholds::sliding(0.2)?);
+//! let ball = SphereBody { velocity: Vector3::x(), ..solid(0.028, 1700.0) }; // m/s; m, kg/m³
+//! let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.2)?);
 //! let table = Setup::new(laws).wall(Wall::fixed(Vector3::z(), 0.0)).gravity(Vector3::z() * -9.81);
 //! let mut world = World::new(table.sphere(Vector3::z() * 0.028, 0.028, ball))?;
 //! (0..200).try_for_each(|_| world.step().map(|_| ()))?;

@@ -3,7 +3,7 @@
 //! `cargo run --release -p tribos-tests --example batches`; panics at the first difference.
 
 use tribos_core::coupling::round::{RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{Coulomb, Table32, Table64};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
 use tribos_core::patch::PowerPressure;
 use tribos_tests::batches::compare;
 
@@ -14,12 +14,12 @@ const SEED: u64 = 101;
 const EXPONENTS: [f64; 2] = [0.0, 0.37];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    compare::<f64, _>(&Coulomb, COUNT, SEED);
-    compare::<f32, _>(&Coulomb, COUNT, SEED);
+    compare::<f64, _>(&CoulombDisk, COUNT, SEED);
+    compare::<f32, _>(&CoulombDisk, COUNT, SEED);
     println!("dry friction: the same bits");
     for alpha in EXPONENTS {
-        compare(&Table64::new(alpha)?, COUNT, SEED);
-        compare(&Table32::new(alpha as f32)?, COUNT, SEED);
+        compare(&DiskTable64::new(alpha)?, COUNT, SEED);
+        compare(&DiskTable32::new(alpha as f32)?, COUNT, SEED);
         println!("exponent {alpha}: the same bits");
         let hertz = PowerPressure::HERTZ;
         compare(&RoundTable64::new(alpha, hertz)?, COUNT, SEED);

@@ -8,7 +8,7 @@
 
 use rayon::prelude::*;
 use tribos_core::coupling::round::{RoundTable32, RoundTable64};
-use tribos_core::coupling::{Annulus, Coupling, table::Coulomb};
+use tribos_core::coupling::{Annulus, ReducedFriction, table::CoulombDisk};
 use tribos_core::law::LawError;
 use tribos_core::patch::PowerPressure;
 use tribos_tests::reference::{Reference, ulp_f32};
@@ -39,8 +39,8 @@ impl Largest {
 
 /// Largest errors of force and torque over the ratios with these bits, whichever speed leads.
 fn errors(
-    single: &impl Coupling<f32>,
-    double: &impl Coupling<f64>,
+    single: &impl ReducedFriction<f32>,
+    double: &impl ReducedFriction<f64>,
     bits: std::ops::RangeInclusive<u32>,
 ) -> [Largest; 2] {
     let mut largest = [Largest::default(); 2];
@@ -62,8 +62,8 @@ fn errors(
 fn row(
     word: &str,
     name: &str,
-    single: impl Coupling<f32> + Sync,
-    double: impl Coupling<f64> + Sync,
+    single: impl ReducedFriction<f32> + Sync,
+    double: impl ReducedFriction<f64> + Sync,
 ) {
     if !name.contains(word) {
         return;
@@ -97,7 +97,7 @@ fn tables(pressure: PowerPressure) -> Result<(RoundTable32, RoundTable64), LawEr
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let word = std::env::args().nth(1).unwrap_or_default();
     println!("| f32 | F, ulp | at | T, ulp | at |\n|---|---|---|---|---|");
-    row(&word, "disk, `table::Coulomb`", Coulomb, Coulomb);
+    row(&word, "disk, `table::Coulomb`", CoulombDisk, CoulombDisk);
     for (name, pressure) in [
         ("ring, `RoundTable32`", PowerPressure::RING),
         ("flat punch, `RoundTable32`", PowerPressure::FLAT_PUNCH),
@@ -108,8 +108,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         row(&word, name, single, double);
     }
     for inner in [0.25_f32, 0.5, 0.9] {
-        let single = Annulus::new(Coulomb, inner)?;
-        let double = Annulus::new(Coulomb, f64::from(inner))?;
+        let single = Annulus::new(CoulombDisk, inner)?;
+        let double = Annulus::new(CoulombDisk, f64::from(inner))?;
         row(&word, &format!("annulus, k = {inner}"), single, double);
     }
     Ok(())

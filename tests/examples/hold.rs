@@ -6,7 +6,7 @@
 //! `engines/rapier/examples/grip.rs`.
 
 use rayon::prelude::*;
-use tribos_core::coupling::{DryCoupling, table::Coulomb};
+use tribos_core::coupling::{DryReducedFriction, table::CoulombDisk};
 use tribos_core::real::Real;
 use tribos_tests::holds::{Case, cases};
 
@@ -33,7 +33,7 @@ fn released<R: Real + 'static>(case: &Case<R>, dt: R) -> R {
 
 fn lines<R: Real + 'static>(precision: &str, dts: &[f64], steps: u64) -> Vec<String>
 where
-    Coulomb: DryCoupling<R>,
+    CoulombDisk: DryReducedFriction<R>,
 {
     let cases = cases::<R>();
     let pairs: Vec<(&Case<R>, f64)> = cases

@@ -4,10 +4,10 @@
 //! by default of 10⁶ paths and 10⁸ steps.
 
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::planar::{ElasticState, PlanarBody};
-use tribos_core::presliding::{Anchor, GradualPresliding, Pose, Presliding};
+use tribos_core::presliding::{Anchor, MicroslipPresliding, Pose, Presliding};
 use tribos_core::twist::{Displacement, Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 
@@ -26,7 +26,7 @@ fn main() {
         given.next().unwrap_or(1_000_000),
         given.next().unwrap_or(100_000_000),
     );
-    let set = LimitSurface::new(Coulomb, LIMIT, RADIUS).expect("in range");
+    let set = RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect("in range");
     let bonds = Presliding::new(STIFFNESS, 0.5 * STIFFNESS * RADIUS * RADIUS).expect("positive");
     random_paths(&set, &bonds, paths);
     long_hold(&set, &bonds, steps);
@@ -34,7 +34,7 @@ fn main() {
 }
 
 /// Least heat, and the worst energy balance, of random paths.
-fn random_paths(set: &LimitSurface<f64, Coulomb>, bonds: &Presliding<f64>, paths: u64) {
+fn random_paths(set: &RoundLimitSurface<f64, CoulombDisk>, bonds: &Presliding<f64>, paths: u64) {
     let mut rng = Lcg::new(1);
     let (mut least, mut worst, mut outside) = (f64::INFINITY, 0.0_f64, 0.0_f64);
     for _ in 0..paths {
@@ -45,7 +45,7 @@ fn random_paths(set: &LimitSurface<f64, Coulomb>, bonds: &Presliding<f64>, paths
             let moved = Displacement::new(part(), part(), part() / RADIUS);
             let next = pose.moved(&moved);
             let step = bonds.step(set, &anchor, &next);
-            let change = step.anchor.strain(&next) - anchor.strain(&pose);
+            let change = step.anchor.deflection(&next) - anchor.deflection(&pose);
             let numerical = 0.5
                 * change.work(&Wrench {
                     force: change.shift * bonds.stiffness(),
@@ -68,7 +68,7 @@ fn random_paths(set: &LimitSurface<f64, Coulomb>, bonds: &Presliding<f64>, paths
 }
 
 /// A body under a push of 95 % of the limit for many steps.
-fn long_hold(set: &LimitSurface<f64, Coulomb>, bonds: &Presliding<f64>, steps: u64) {
+fn long_hold(set: &RoundLimitSurface<f64, CoulombDisk>, bonds: &Presliding<f64>, steps: u64) {
     let body = PlanarBody::new(0.8, 7e-4).expect("positive");
     let dt = TimeStep::new(1e-3).expect("positive");
     let push = set.scale_to_surface(&Wrench::new(1.0, 0.5, 0.03)) * 0.95;
@@ -90,11 +90,11 @@ fn long_hold(set: &LimitSurface<f64, Coulomb>, bonds: &Presliding<f64>, steps: u
 }
 
 /// Drift of a body that is pushed with half of the limit and shaken by ±10 % of it, in 60 s.
-fn creep(set: &LimitSurface<f64, Coulomb>, bonds: &Presliding<f64>) {
+fn creep(set: &RoundLimitSurface<f64, CoulombDisk>, bonds: &Presliding<f64>) {
     let body = PlanarBody::new(0.8, 7e-4).expect("positive");
     let (dt, mass) = (1e-4, body.mass());
     for breakaway in [0.0, 0.7] {
-        let law = GradualPresliding::new(*bonds, breakaway, 1.0).expect("in range");
+        let law = MicroslipPresliding::new(*bonds, breakaway, 1.0).expect("in range");
         let mut pose = Pose::new(0.0, 0.0, 0.0);
         let (mut anchor, mut speed, mut after_one) = (Anchor::at(pose), 0.0, 0.0);
         for n in 0..=600_000_u32 {

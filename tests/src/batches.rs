@@ -1,7 +1,7 @@
 //! Batches against single calls, to the bit: speeds in groups as the kernel takes them.
 
 use crate::sweep::Lcg;
-use tribos_core::coupling::{Coupling, PatchFriction, ReducedJacobian};
+use tribos_core::coupling::{ReducedFriction, ReducedJacobian, RoundFriction};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -95,9 +95,9 @@ fn of_wrench<R: Real>(wrench: &Wrench<R>) -> [R; 3] {
 }
 
 /// Panics unless batches of at least `count` inputs have the bits of single calls.
-pub fn compare<R: Real, C: Coupling<R>>(coupling: &C, count: usize, seed: u64) {
+pub fn compare<R: Real, C: ReducedFriction<R>>(coupling: &C, count: usize, seed: u64) {
     let [mu, radius, load] = [MU, RADIUS, LOAD].map(R::from_f64);
-    let patch = PatchFriction::new(coupling, mu, radius).expect("in range");
+    let patch = RoundFriction::new(coupling, mu, radius).expect("in range");
     let mut rng = Lcg::new(seed);
     for round in 0..count.div_ceil(GROUPS * GROUP) {
         // Every length of what is left over, from slices of different lengths.
@@ -129,7 +129,7 @@ fn of_jacobian<R>(of: ReducedJacobian<R>) -> [R; 4] {
     [of.force_per_slide, of.force_slide, of.mixed, of.torque_rim]
 }
 
-fn compare_reduced<R: Real, C: Coupling<R>>(coupling: &C, pairs: &[[R; 2]], round: usize) {
+fn compare_reduced<R: Real, C: ReducedFriction<R>>(coupling: &C, pairs: &[[R; 2]], round: usize) {
     let [slides, rims] = [0, 1].map(|i| pairs.iter().map(|pair| pair[i]).collect::<Vec<_>>());
     let count = pairs.len() - round % 2;
     let (mut forces, mut torques) = (vec![R::ONE; count + round % 2], vec![R::ONE; count]);

@@ -3,8 +3,8 @@
 use crate::sweep::Lcg;
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Cohesion, Contact, ContactFriction, ContactModes, Modal, NormalLaw, Sphere,
-    Thresholds, Touch,
+    Attraction, Cohesion, Contact, ContactFriction, ContactGeometry, ContactModes, ContactVector,
+    IndependentFriction, NormalLaw, SphereBody,
 };
 use tribos_core::real::Real;
 
@@ -12,9 +12,9 @@ use tribos_core::real::Real;
 #[derive(Clone, Copy, Debug)]
 pub struct Meeting<R> {
     /// Contact geometry.
-    pub touch: Touch<R>,
+    pub touch: ContactGeometry<R>,
     /// The spheres.
-    pub spheres: [Sphere<R>; 2],
+    pub spheres: [SphereBody<R>; 2],
     /// Cohesion and restitution.
     pub law: NormalLaw<R>,
     /// Length of the step.
@@ -27,9 +27,9 @@ pub fn vector<R: Real>(rng: &mut Lcg, size: f64) -> Vector3<R> {
 }
 
 /// A solid sphere of density 1, up to the factor 4π/3.
-pub fn solid<R: Real>(rng: &mut Lcg, radius: f64, speed: f64) -> Sphere<R> {
+pub fn solid<R: Real>(rng: &mut Lcg, radius: f64, speed: f64) -> SphereBody<R> {
     let inv_mass = 1.0 / radius.powi(3);
-    Sphere {
+    SphereBody {
         velocity: vector(rng, speed),
         spin: vector(rng, speed / radius),
         inv_mass: R::from_f64(inv_mass),
@@ -43,7 +43,8 @@ impl<R: Real> Meeting<R> {
         let away = [0.0, 0.01, -0.01, 0.05][rng.bits() as usize % 4];
         let direction: Vector3<f64> = vector(rng, 1.0);
         let displacement = direction * ((radii[0] + radii[1]) * (1.0 + away) / direction.norm());
-        let touch = Touch::spheres(&displacement.map(R::from_f64), radii.map(R::from_f64));
+        let touch =
+            ContactGeometry::spheres(&displacement.map(R::from_f64), radii.map(R::from_f64));
         let attraction = [Attraction::Pull, Attraction::Resistance][rng.bits() as usize % 2];
         let strength = rng.log_between(1e-2, 1e2);
         let [strength, range] = [strength, 0.1].map(R::from_f64);
@@ -65,7 +66,7 @@ impl<R: Real> Meeting<R> {
 
     /// Relative speed of the spheres at the contact; spins count by their speed at r_eff.
     pub fn speed(&self) -> f64 {
-        let all = Thresholds::all(R::ZERO, R::ZERO, R::ZERO).expect("in range");
+        let all = IndependentFriction::all(R::ZERO, R::ZERO, R::ZERO).expect("in range");
         let [a, b] = &self.spheres;
         let velocity = self.contact(&all).velocity(a, b);
         size(&velocity, R::ONE / self.touch.lever)
@@ -75,14 +76,14 @@ impl<R: Real> Meeting<R> {
     pub fn scale<F: ContactFriction<R>>(&self, friction: &F) -> f64 {
         let contact = self.updated(friction).0;
         let met = contact.block().mass_normal.to_f64() * self.speed();
-        size(contact.impulse(), contact.lever()) + contact.bound().to_f64() + met
+        size(contact.impulse(), contact.effective_radius()) + contact.bound().to_f64() + met
     }
 
     /// The contact and the spheres after one update.
     pub fn updated<F: ContactFriction<R>>(
         &self,
         friction: &F,
-    ) -> (Contact<R, F::Modes>, [Sphere<R>; 2]) {
+    ) -> (Contact<R, F::Modes>, [SphereBody<R>; 2]) {
         let (mut contact, [mut a, mut b]) = (self.contact(friction), self.spheres);
         contact.update(friction, &mut a, &mut b);
         (contact, [a, b])
@@ -99,13 +100,13 @@ pub fn radii(rng: &mut Lcg) -> [f64; 2] {
 }
 
 /// All components: normal, sliding, rolling, torsion.
-pub fn components<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>) -> [R; 8] {
+pub fn components<R: Real, M: ContactModes<R>>(modal: &ContactVector<R, M>) -> [R; 8] {
     let (s, r) = (modal.sliding(), modal.rolling());
     let torsion = modal.torsion();
     [modal.normal, s.x, s.y, s.z, r.x, r.y, r.z, torsion]
 }
 
 /// |p| + |T|/lever of all modes, a scale of impulses.
-pub fn size<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>, lever: R) -> f64 {
+pub fn size<R: Real, M: ContactModes<R>>(modal: &ContactVector<R, M>, lever: R) -> f64 {
     modal.dot_with_lever(modal, lever).to_f64().sqrt()
 }

@@ -187,7 +187,7 @@ fn plans() -> Vec<Plan> {
 fn floor_force(world: &World<Rough>) -> f64 {
     let (state, setup) = (world.state(), world.setup());
     let weight =
-        |sphere: &tribos_core::contact::Sphere<f64>| setup.gravity.norm() / sphere.inv_mass;
+        |sphere: &tribos_core::contact::SphereBody<f64>| setup.gravity.norm() / sphere.inv_mass;
     let wanted: f64 = state.spheres.iter().map(weight).sum();
     let loads: f64 = state.walls.iter().map(|wall| wall.force).sum();
     let floor = state.memory.forces[1]

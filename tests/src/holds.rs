@@ -3,12 +3,12 @@
 //! Loads are those of the reports where they give them; patches and bonds are ours.
 
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::nodes::{Node, Nodes};
 use tribos_core::patch::outline::Polygon;
-use tribos_core::patch::points::Points;
+use tribos_core::patch::points::PointPatch;
 use tribos_core::planar::{ElasticState, PlanarBody};
 use tribos_core::presliding::{Pose, Presliding};
 use tribos_core::real::Real;
@@ -161,22 +161,22 @@ fn incline(tangent: f64) -> [f64; 2] {
 /// All of them.
 pub fn cases<R: Real + 'static>() -> Vec<Case<R>>
 where
-    Coulomb: tribos_core::coupling::DryCoupling<R>,
+    CoulombDisk: tribos_core::coupling::DryReducedFriction<R>,
 {
     let disk = |limit: f64, radius: f64| -> Set<R> {
         let [limit, radius] = [limit, radius].map(R::from_f64);
-        Box::new(LimitSurface::new(Coulomb, limit, radius).expect("a disk"))
+        Box::new(RoundLimitSurface::new(CoulombDisk, limit, radius).expect("a disk"))
     };
     let square = |limit: f64, side: f64| -> Set<R> {
         let half = R::from_f64(0.5 * side);
         let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
         let square = Polygon::new(corners).expect("a square");
-        Box::new(PatchSurface::new(square, R::from_f64(limit)).expect("a limit"))
+        Box::new(ShapeLimitSurface::new(square, R::from_f64(limit)).expect("a limit"))
     };
     let bar = |limit: f64, half: f64| -> Set<R> {
         let half = R::from_f64(half);
         let bar = Bar::new([-half, R::ZERO], [half, R::ZERO]).expect("a bar");
-        Box::new(PatchSurface::new(bar, R::from_f64(limit)).expect("a limit"))
+        Box::new(ShapeLimitSurface::new(bar, R::from_f64(limit)).expect("a limit"))
     };
     let feet = |limit: f64, radius: f64| -> Set<R> {
         let feet = [0.0_f64, 1.0, 2.0].map(|third| {
@@ -185,8 +185,8 @@ where
             let weight = R::ONE;
             Node { x, y, weight }
         });
-        let feet = Points::new(Nodes::new(feet).expect("three feet")).expect("points");
-        Box::new(PatchSurface::new(feet, R::from_f64(limit)).expect("a limit"))
+        let feet = PointPatch::new(Nodes::new(feet).expect("three feet")).expect("points");
+        Box::new(ShapeLimitSurface::new(feet, R::from_f64(limit)).expect("a limit"))
     };
     let plan = |name, mass, gyration, push| Plan {
         name,

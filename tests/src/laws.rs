@@ -1,13 +1,13 @@
 //! Friction laws shared by several tests, and their derivative by differences.
 
 use tribos_core::law::{
-    Dieterich, DryFriction, LuGre, LuGreParameters, PlateauPower, PlateauPowerParameters,
+    AgeingLaw, DryFriction, LuGre, LuGreParameters, PlateauPowerLaw, PlateauPowerLawParameters,
     RateState, RateStateParameters, Savkoor, SavkoorParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
 
 /// Rock with direct effect a, age effect b and viscosity.
-pub fn rate_state<R: Real>(a: f64, b: f64, viscous: f64) -> RateState<R, Dieterich> {
+pub fn rate_state<R: Real>(a: f64, b: f64, viscous: f64) -> RateState<R, AgeingLaw> {
     RateState::new(RateStateParameters {
         mu: R::from_f64(0.6),
         a: R::from_f64(a),
@@ -32,9 +32,9 @@ pub fn stribeck<R: Real>(exponent: f64, viscous: f64) -> Stribeck<R> {
 }
 
 /// Ice with plateau speed 1e-4 m/s.
-pub fn plateau<R: Real>(alpha: f64, rest: f64) -> PlateauPower<R> {
+pub fn plateau<R: Real>(alpha: f64, rest: f64) -> PlateauPowerLaw<R> {
     let [alpha, gamma, plateau, drop, rest] = [alpha, 0.008, 1e-4, 1e-7, rest].map(R::from_f64);
-    PlateauPower::new(PlateauPowerParameters {
+    PlateauPowerLaw::new(PlateauPowerLawParameters {
         alpha,
         coefficient: gamma,
         plateau_speed: plateau,

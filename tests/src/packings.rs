@@ -8,16 +8,16 @@ use tribos::cd::{Laws, Method, Setup, Solver, StepLimits, Wall, World, WorldErro
 use tribos::random::Random;
 use tribos::space::{PeriodicBox, pairs::Cells};
 use tribos_core::contact::{AllModes, Cohesion, ContactFriction, Frictionless};
-use tribos_core::contact::{NormalLaw, Thresholds};
+use tribos_core::contact::{IndependentFriction, NormalLaw};
 
 /// Friction coefficients of all modes.
-pub type Rough = Thresholds<f64, AllModes>;
+pub type Rough = IndependentFriction<f64, AllModes>;
 /// Zero friction in all modes.
-pub type Smooth = Thresholds<f64, Frictionless>;
+pub type Smooth = IndependentFriction<f64, Frictionless>;
 
 /// Sliding, rolling and torsion coefficients.
 pub fn rough(mu: f64, mu_rolling: f64, mu_torsion: f64) -> Rough {
-    Thresholds::all(mu, mu_rolling, mu_torsion).expect("coefficients are valid")
+    IndependentFriction::all(mu, mu_rolling, mu_torsion).expect("coefficients are valid")
 }
 
 /// Hard contact without cohesion and restitution.

@@ -5,40 +5,40 @@ use crate::reference::Reference;
 use crate::tables::Row;
 use crate::tolerance::Bound;
 use crate::worst::Worst;
-use tribos_core::coupling::Lateral;
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::LateralFriction;
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::compact;
 use tribos_core::coupling::round::{RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{self, Table32, Table64};
+use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
 use tribos_core::patch::PowerPressure;
 use tribos_core::real::Real;
 
 /// A tier's name and the tier, with force, torque and lateral function.
-pub type PatchTier<R> = (&'static str, Box<dyn Lateral<R>>);
+pub type PatchTier<R> = (&'static str, Box<dyn LateralFriction<R>>);
 
 /// A scalar whose tables of pressures can be built at run time.
 pub trait RoundTabulated: Real {
     /// The table of one pressure.
-    fn round_table(alpha: f64, pressure: PowerPressure) -> Option<Box<dyn Lateral<Self>>>;
+    fn round_table(alpha: f64, pressure: PowerPressure) -> Option<Box<dyn LateralFriction<Self>>>;
     /// The table of the uniform disk.
-    fn disk_table(alpha: f64) -> Option<Box<dyn Lateral<Self>>>;
+    fn disk_table(alpha: f64) -> Option<Box<dyn LateralFriction<Self>>>;
 }
 
 impl RoundTabulated for f64 {
-    fn round_table(alpha: f64, pressure: PowerPressure) -> Option<Box<dyn Lateral<f64>>> {
+    fn round_table(alpha: f64, pressure: PowerPressure) -> Option<Box<dyn LateralFriction<f64>>> {
         Some(Box::new(RoundTable64::new(alpha, pressure).ok()?))
     }
-    fn disk_table(alpha: f64) -> Option<Box<dyn Lateral<f64>>> {
-        Some(Box::new(Table64::new(alpha).ok()?))
+    fn disk_table(alpha: f64) -> Option<Box<dyn LateralFriction<f64>>> {
+        Some(Box::new(DiskTable64::new(alpha).ok()?))
     }
 }
 
 impl RoundTabulated for f32 {
-    fn round_table(alpha: f64, pressure: PowerPressure) -> Option<Box<dyn Lateral<f32>>> {
+    fn round_table(alpha: f64, pressure: PowerPressure) -> Option<Box<dyn LateralFriction<f32>>> {
         Some(Box::new(RoundTable32::new(alpha as f32, pressure).ok()?))
     }
-    fn disk_table(alpha: f64) -> Option<Box<dyn Lateral<f32>>> {
-        Some(Box::new(Table32::new(alpha as f32).ok()?))
+    fn disk_table(alpha: f64) -> Option<Box<dyn LateralFriction<f32>>> {
+        Some(Box::new(DiskTable32::new(alpha as f32).ok()?))
     }
 }
 
@@ -57,7 +57,7 @@ pub fn pressure(order: f64) -> PowerPressure {
 pub fn tiers<R: RoundTabulated>(order: f64, alpha: f64) -> Vec<PatchTier<R>> {
     let patch = pressure(order);
     let mut tiers: Vec<PatchTier<R>> = Vec::new();
-    if alpha <= Table64::MAX_EXPONENT {
+    if alpha <= DiskTable64::MAX_EXPONENT {
         let table = R::round_table(alpha, patch).expect("an exponent in range");
         tiers.push(("round table", table));
     }
@@ -66,11 +66,11 @@ pub fn tiers<R: RoundTabulated>(order: f64, alpha: f64) -> Vec<PatchTier<R>> {
     tiers.push(("round compact", Box::new(power)));
     if alpha == 0.0 {
         if order == -1.0 {
-            tiers.push(("closed ring", Box::new(Ring)));
+            tiers.push(("closed ring", Box::new(CoulombRing)));
         } else if order == -0.5 {
-            tiers.push(("closed punch", Box::new(FlatPunch)));
+            tiers.push(("closed punch", Box::new(CoulombPunch)));
         } else if order == 0.5 {
-            tiers.push(("closed Hertz", Box::new(Hertz)));
+            tiers.push(("closed Hertz", Box::new(CoulombHertz)));
         }
     }
     if order == 0.0 {
@@ -85,13 +85,13 @@ pub fn tiers<R: RoundTabulated>(order: f64, alpha: f64) -> Vec<PatchTier<R>> {
 /// If the exponent is refused.
 pub fn disks<R: RoundTabulated>(alpha: f64) -> Vec<PatchTier<R>> {
     let mut tiers: Vec<PatchTier<R>> = Vec::new();
-    if alpha <= Table64::MAX_EXPONENT {
+    if alpha <= DiskTable64::MAX_EXPONENT {
         let disk = R::disk_table(alpha).expect("an exponent in range");
         tiers.push(("disk table", disk));
     }
     if alpha == 0.0 {
-        tiers.push(("coulomb table", Box::new(table::Coulomb)));
-        tiers.push(("coulomb compact", Box::new(compact::CompactCoulomb)));
+        tiers.push(("coulomb table", Box::new(table::CoulombDisk)));
+        tiers.push(("coulomb compact", Box::new(compact::CompactCoulombDisk)));
     }
     tiers
 }
@@ -114,7 +114,7 @@ impl RowErrors {
 
     /// Adds one row: errors of F, T and G are relative, those of the derivatives in units of the larger of
     /// themselves and F/v.
-    pub fn see(&mut self, tier: &dyn Lateral<f64>, row: &Row, place: impl Fn() -> String) {
+    pub fn see(&mut self, tier: &dyn LateralFriction<f64>, row: &Row, place: impl Fn() -> String) {
         let ratio = row.number("eps");
         let got = tier.reduced_wrench(ratio, 1.0);
         let got = [got.force, got.torque, tier.lateral(ratio, 1.0)];

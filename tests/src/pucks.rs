@@ -1,7 +1,7 @@
 //! The disk of the slider tests: 8 cm on a table with μg = 2.943 m/s², C = 1/2.
 
 use crate::reference::Reference;
-use tribos_core::coupling::table::{Coulomb, Table64};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
 use tribos_core::slider::{Slider, SliderParameters};
 
 /// Coefficient times gravity, m/s² for α = 0.
@@ -12,9 +12,9 @@ pub const RADIUS: f64 = 0.08;
 const INERTIA_RATIO: f64 = 0.5;
 
 /// The disk under dry friction.
-pub fn coulomb() -> Slider<f64, Coulomb> {
+pub fn coulomb() -> Slider<f64, CoulombDisk> {
     Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration: MU_G,
             radius: RADIUS,
@@ -25,8 +25,8 @@ pub fn coulomb() -> Slider<f64, Coulomb> {
 }
 
 /// The disk under |v|^`alpha`.
-pub fn power(alpha: f64) -> Slider<f64, Table64> {
-    let table = Table64::new(alpha).expect("the exponent is in range");
+pub fn power(alpha: f64) -> Slider<f64, DiskTable64> {
+    let table = DiskTable64::new(alpha).expect("the exponent is in range");
     Slider::new(
         table,
         SliderParameters {

@@ -3,7 +3,9 @@
 use crate::sweep::Lcg;
 use std::cell::Cell;
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, DryCoupling, Profile, ReducedJacobian, ReducedWrench};
+use tribos_core::coupling::{
+    DryReducedFriction, PowerLawFriction, ReducedFriction, ReducedJacobian, ReducedWrench,
+};
 use tribos_core::internals::CompleteElliptic;
 use tribos_core::internals::Speeds;
 use tribos_core::twist::Wrench;
@@ -57,9 +59,9 @@ pub fn random_wrench(rng: &mut Lcg, size: f64) -> Wrench<f64> {
 #[derive(Clone, Copy, Debug)]
 pub struct Ring;
 
-impl DryCoupling<f64> for Ring {}
+impl DryReducedFriction<f64> for Ring {}
 
-impl Coupling<f64> for Ring {
+impl ReducedFriction<f64> for Ring {
     fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
         let (slide, rim) = (slide.abs(), rim.abs());
         let (force, torque) = if slide > rim {
@@ -115,9 +117,9 @@ impl<C> Counting<C> {
     }
 }
 
-impl<R: Real, C: DryCoupling<R>> DryCoupling<R> for Counting<C> {}
+impl<R: Real, C: DryReducedFriction<R>> DryReducedFriction<R> for Counting<C> {}
 
-impl<R: Real, C: Coupling<R>> Coupling<R> for Counting<C> {
+impl<R: Real, C: ReducedFriction<R>> ReducedFriction<R> for Counting<C> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         self.calls.set(self.calls.get() + 1);
         self.coupling.reduced_wrench(slide, rim)
@@ -128,7 +130,7 @@ impl<R: Real, C: Coupling<R>> Coupling<R> for Counting<C> {
     }
 }
 
-impl<R: Real, C: Profile<R>> Profile<R> for Counting<C> {
+impl<R: Real, C: PowerLawFriction<R>> PowerLawFriction<R> for Counting<C> {
     fn exponent(&self) -> R {
         self.coupling.exponent()
     }

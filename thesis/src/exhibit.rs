@@ -3,8 +3,8 @@
 use super::text::Prose;
 use anyhow::Result;
 use tribos_core::coupling::ReducedWrench;
-use tribos_core::coupling::{Coupling, table::Table64};
-use tribos_core::modes::Modes;
+use tribos_core::coupling::{ReducedFriction, table::DiskTable64};
+use tribos_core::modes::TerminalMotion;
 use tribos_report::claim::Claim;
 use tribos_report::image::Drawing;
 use tribos_report::player::Film;
@@ -58,17 +58,17 @@ impl Exhibit {
 }
 
 /// The table of one exponent.
-pub fn table(alpha: f64) -> Result<Table64> {
-    Ok(Table64::new(alpha)?)
+pub fn table(alpha: f64) -> Result<DiskTable64> {
+    Ok(DiskTable64::new(alpha)?)
 }
 
 /// Final motion for one exponent and inertia ratio.
-pub fn modes(alpha: f64, inertia_ratio: f64) -> Result<Modes<f64, Table64>> {
-    Ok(Modes::new(table(alpha)?, inertia_ratio)?)
+pub fn modes(alpha: f64, inertia_ratio: f64) -> Result<TerminalMotion<f64, DiskTable64>> {
+    Ok(TerminalMotion::new(table(alpha)?, inertia_ratio)?)
 }
 
 /// F and T at ε with ωR = 1.
-pub fn at(table: &Table64, ratio: f64) -> [f64; 2] {
+pub fn at(table: &DiskTable64, ratio: f64) -> [f64; 2] {
     let ReducedWrench { force, torque } = table.reduced_wrench(ratio, 1.0);
     [force, torque]
 }

@@ -10,8 +10,8 @@ use crate::timing::{self, Task};
 use crate::written::{self, Sheet, short};
 use std::hint::black_box;
 use std::path::Path;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 
 /// Rounds of all methods, and of a quick look.
@@ -36,7 +36,7 @@ const TRAVEL_SPINS: (f64, usize) = (50.0, 100);
 /// Size of a panel in pixels.
 const PANEL: (u32, u32) = (640, 460);
 
-type Disk = Slider<f64, Coulomb>;
+type Disk = Slider<f64, CoulombDisk>;
 
 /// Relative errors of time and distance.
 type Misses = [f64; 2];
@@ -53,7 +53,7 @@ struct Row {
 /// Makes the front.
 pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
     let slider = Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration: DISK.deceleration,
             radius: DISK.radius,
@@ -116,7 +116,7 @@ fn measure(slider: &Disk, rounds: usize) -> Vec<Row> {
         .flat_map(|&spin| families().concat().into_iter().map(move |s| (s, spin)))
         .collect();
     let task = |&(stepper, spin): &(Stepper, f64)| {
-        let launch = Motion::launched(SPEED, spin);
+        let launch = SliderState::launched(SPEED, spin);
         Task::new(stepper.name(), 1, move || {
             black_box(stepper.stop(black_box(slider), black_box(&launch)));
         })
@@ -133,7 +133,7 @@ fn measure(slider: &Disk, rounds: usize) -> Vec<Row> {
 
 /// Errors of one stop.
 fn errors(slider: &Disk, stepper: Stepper, speed: f64, spin: f64) -> Misses {
-    let launch = Motion::launched(speed, spin);
+    let launch = SliderState::launched(speed, spin);
     let Stop { time, distance } = stepper.stop(slider, &launch);
     let exact = Stepper::ToRest.stop(slider, &launch);
     [time / exact.time - 1.0, distance / exact.distance - 1.0]
@@ -302,7 +302,7 @@ fn travel(slider: &Disk) -> Result<String, String> {
     for (name, stepper) in methods {
         let point = |i: usize| {
             let spin = most * i as f64 / count as f64;
-            let launch = Motion::launched(SPEED, spin);
+            let launch = SliderState::launched(SPEED, spin);
             (spin, stepper.stop(slider, &launch).distance)
         };
         figure = figure.series(Series::line(name, (0..=count).map(point).collect()));
@@ -342,7 +342,7 @@ mod tests {
     #[test]
     fn measured_orders_are_those_of_the_methods() {
         let slider = Slider::new(
-            Coulomb,
+            CoulombDisk,
             SliderParameters {
                 deceleration: DISK.deceleration,
                 radius: DISK.radius,

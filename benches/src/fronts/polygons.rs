@@ -6,8 +6,8 @@ use crate::picture::{self, Place};
 use crate::timing::{self, Samples, Task};
 use crate::written::{Sheet, short};
 use std::hint::black_box;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
-use tribos_core::coupling::{PatchFriction, table::Coulomb};
+use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
+use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
 use tribos_core::twist::{Twist, Wrench};
 
 const ROUNDS: usize = 31;
@@ -36,7 +36,7 @@ struct Row {
 pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
     let (mut rows, mut tasks) = (Vec::new(), vec![unit()?]);
     for shape in shapes() {
-        let exact = FlatFriction::new(shape.patch::<f64>(), 1.0).map_err(|e| e.to_string())?;
+        let exact = ShapeFriction::new(shape.patch::<f64>(), 1.0).map_err(|e| e.to_string())?;
         let twists = twists(exact.patch().radius());
         for method in methods(&shape)? {
             rows.push(judged(&shape, &exact, &method, &twists));
@@ -100,7 +100,7 @@ fn error(found: &Wrench<f64>, [x, y, torque]: [f64; 3], radius: f64) -> f64 {
 
 fn judged(
     shape: &Shape,
-    exact: &FlatFriction<f64, impl DryPatch<f64>>,
+    exact: &ShapeFriction<f64, impl PatchShape<f64>>,
     method: &Method,
     twists: &[Twist<f64>],
 ) -> Row {
@@ -144,7 +144,7 @@ fn judged(
 }
 
 fn unit() -> Result<Task<'static>, String> {
-    let disk = PatchFriction::new(Coulomb, 1.0, 1.0).map_err(|error| error.to_string())?;
+    let disk = RoundFriction::new(CoulombDisk, 1.0, 1.0).map_err(|error| error.to_string())?;
     let wrench = move |twist: &Twist<f64>| disk.wrench(1.0, twist);
     Ok(timed(UNIT.into(), twists(1.0), wrench))
 }

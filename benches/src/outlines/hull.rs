@@ -1,6 +1,6 @@
 //! The planners' habit: the convex hull of sampled wrenches.
 
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
 use tribos_core::twist::{Twist, Wrench};
 
 /// So many motions, spread evenly over all directions of velocity and rim speed.
@@ -21,7 +21,7 @@ pub struct Hull {
 
 impl Hull {
     /// So many wrenches of a patch with μN = 1.
-    pub fn of(friction: &FlatFriction<f64, impl DryPatch<f64>>, samples: usize) -> Self {
+    pub fn of(friction: &ShapeFriction<f64, impl PatchShape<f64>>, samples: usize) -> Self {
         let motions = motions(samples, friction.patch().radius());
         Self {
             wrenches: motions.map(|twist| friction.wrench(1.0, &twist)).collect(),

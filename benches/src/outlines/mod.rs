@@ -8,10 +8,10 @@ pub use shapes::{Shape, shapes};
 use hull::Hull;
 use tribos::fit::support::{ConvexQuartic, MeasuredPush};
 use tribos_core::Real;
-use tribos_core::coupling::flat::FlatFriction;
+use tribos_core::coupling::flat::ShapeFriction;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::CoulombLaw;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet};
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSlice};
 use tribos_core::patch::polygon::polygon_into;
@@ -51,12 +51,12 @@ impl core::fmt::Debug for Method {
 /// All methods for a shape.
 pub fn methods(shape: &Shape) -> Result<Vec<Method>, String> {
     let told = |error: &dyn core::fmt::Display| format!("{}: {error}", shape.name);
-    let exact = FlatFriction::new(shape.patch::<f64>(), 1.0).map_err(|error| told(&error))?;
-    let single = FlatFriction::new(shape.patch::<f32>(), 1.0).map_err(|error| told(&error))?;
+    let exact = ShapeFriction::new(shape.patch::<f64>(), 1.0).map_err(|error| told(&error))?;
+    let single = ShapeFriction::new(shape.patch::<f32>(), 1.0).map_err(|error| told(&error))?;
     let edges = shape.corners.len();
     let arm = -exact.wrench(1.0, &Twist::new(0.0, 0.0, 1.0)).torque;
     let radius = exact.patch().radius();
-    let ellipsoid = Ellipsoid::new(1.0, radius, arm / radius).map_err(|error| told(&error))?;
+    let ellipsoid = LimitEllipsoid::new(1.0, radius, arm / radius).map_err(|error| told(&error))?;
     let narrow = f32::from_f64;
     let mut all = Vec::new();
     let pushes: Vec<MeasuredPush> = hull::motions(LEARNT, radius)

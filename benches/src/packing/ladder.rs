@@ -8,7 +8,7 @@ use crate::clock::Clock;
 use crate::written::{Sheet, short};
 use tribos::cd::internals::{Coefficients, Operator, Spheres, Sweeper, residual};
 use tribos::cd::{self, Laws, Order, Stop};
-use tribos_core::contact::{ContactFriction, Thresholds};
+use tribos_core::contact::{ContactFriction, IndependentFriction};
 use tribos_tests::packings::{dry, first_problem, jammed_box, rough};
 
 /// Spheres of the jammed box, its seed; spheres of the chain.
@@ -60,7 +60,7 @@ pub struct Contest {
 /// friction.
 pub fn measure(most: usize) -> Result<(Vec<Rung>, Vec<Contest>), NotJammed> {
     let refused = |error: cd::WorldError| NotJammed(error.to_string());
-    let smooth = Thresholds::none();
+    let smooth = IndependentFriction::none();
     let (weak, strong) = (
         rough(MU[0], MU[1], MU[2]),
         rough(STRONG[0], STRONG[1], STRONG[2]),

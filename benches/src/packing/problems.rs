@@ -6,7 +6,9 @@ use tribos::cd::internals::{Link, Operator, Spheres};
 use tribos::cd::solid;
 use tribos::space::PeriodicBox;
 use tribos::space::pairs::neighbours;
-use tribos_core::contact::{Cohesion, Contact, ContactFriction, Modal, NormalLaw, Plate, Touch};
+use tribos_core::contact::{
+    Cohesion, Contact, ContactFriction, ContactGeometry, ContactVector, NormalLaw, WallBody,
+};
 
 /// Length of the step. Without cohesion and open gaps the problem scales with it.
 const STEP: f64 = 0.01;
@@ -32,11 +34,11 @@ pub fn pressed<F: ContactFriction<f64>>(
     let mass: f64 = spheres.iter().map(|sphere| 1.0 / sphere.inv_mass).sum();
     let area = space.lengths()[0].unwrap_or(1.0) * space.lengths()[1].unwrap_or(1.0);
 
-    let refused = |error: tribos_core::contact::TouchError| NotJammed(error.to_string());
+    let refused = |error: tribos_core::contact::ContactError| NotJammed(error.to_string());
     for [a, b] in neighbours(space, positions, radii, TOUCHING)? {
         let [i, j] = [a as usize, b as usize];
         let apart = space.displacement(&positions[i], &positions[j]);
-        let touch = Touch::spheres(&apart, [radii[i], radii[j]]).map_err(refused)?;
+        let touch = ContactGeometry::spheres(&apart, [radii[i], radii[j]]).map_err(refused)?;
         let contact = Contact::new(&touch, &law, &spheres[i], &spheres[j], STEP);
         let bodies = [a, b];
         problem
@@ -45,11 +47,11 @@ pub fn pressed<F: ContactFriction<f64>>(
     }
     // A floor, and a plate under load.
     let up = Vector3::z();
-    let still = Plate {
+    let still = WallBody {
         velocity: Vector3::zeros(),
         inv_mass: 0.0,
     };
-    let piston = Plate {
+    let piston = WallBody {
         inv_mass: 1.0 / mass,
         ..still
     };
@@ -60,7 +62,7 @@ pub fn pressed<F: ContactFriction<f64>>(
             if above - radius > TOUCHING {
                 continue;
             }
-            let touch = Touch::plate(above, outward, radius).map_err(refused)?;
+            let touch = ContactGeometry::plate(above, outward, radius).map_err(refused)?;
             let contact = Contact::new(&touch, &law, &spheres[i], plate, STEP);
             problem.walls.push(Link {
                 bodies: [i as u32, w as u32],
@@ -68,7 +70,7 @@ pub fn pressed<F: ContactFriction<f64>>(
             });
         }
     }
-    let falling = Plate {
+    let falling = WallBody {
         velocity: -up * (PRESSURE * area / mass * STEP),
         ..piston
     };
@@ -91,7 +93,7 @@ pub fn chain(count: usize) -> Jammed {
 /// Sets all impulses to zero.
 pub fn cool<F: ContactFriction<f64>>(problem: &mut Spheres<F>) {
     for contact in 0..problem.contacts() {
-        problem.guess(contact, &Modal::default());
+        problem.guess(contact, &ContactVector::default());
     }
     problem.refresh();
 }

@@ -8,7 +8,7 @@ use crate::power_law::exponent;
 use crate::written::{Sheet, short};
 use tribos::cd::Order;
 use tribos::cd::internals::{Coefficients, Operator, Spheres};
-use tribos_core::contact::{ContactFriction, Thresholds};
+use tribos_core::contact::{ContactFriction, IndependentFriction};
 use tribos_tests::packings::rough;
 
 /// Residuals to reach.
@@ -59,7 +59,7 @@ pub struct Point {
 
 /// All families; sizes that would take too long for a method are left out.
 pub fn measure(extent: &Extent) -> Result<Vec<Point>, NotJammed> {
-    let (smooth, all) = (Thresholds::none(), rough(MU[0], MU[1], MU[2]));
+    let (smooth, all) = (IndependentFriction::none(), rough(MU[0], MU[1], MU[2]));
     let mut points = Vec::new();
     for &count in &extent.chains {
         let packing = chain(count);

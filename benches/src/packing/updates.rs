@@ -10,8 +10,8 @@ use tribos::cd::internals::{
     Accelerated, Coefficients, NoMonitor, Operator, Spheres, Visit, residual,
 };
 use tribos_core::contact::{
-    AllModes, ContactFriction, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
-    Thresholds,
+    AllModes, ContactFriction, ContactModes, Frictionless, IndependentFriction, SlidingOnly,
+    SlidingRolling, SlidingTorsion,
 };
 
 /// Spheres of the packing, and width of its square.
@@ -55,10 +55,10 @@ struct Sample {
 pub fn measure(rounds: usize) -> Result<Vec<Cost>, NotJammed> {
     let refused = |error: tribos_core::law::LawError| NotJammed(error.to_string());
     let [mu, mu_t, mu_n] = MU;
-    let all = Thresholds::all(mu, mu_t, mu_n).map_err(refused)?;
-    let rolling = Thresholds::sliding_rolling(mu, mu_t).map_err(refused)?;
-    let torsion = Thresholds::sliding_torsion(mu, mu_n).map_err(refused)?;
-    let sliding = Thresholds::sliding(mu).map_err(refused)?;
+    let all = IndependentFriction::all(mu, mu_t, mu_n).map_err(refused)?;
+    let rolling = IndependentFriction::sliding_rolling(mu, mu_t).map_err(refused)?;
+    let torsion = IndependentFriction::sliding_torsion(mu, mu_n).map_err(refused)?;
+    let sliding = IndependentFriction::sliding(mu).map_err(refused)?;
     let mut samples = Vec::new();
     for uneven in [0.0, UNEVEN] {
         samples.extend(sample::<_, AllModes>("all six", uneven, all)?);
@@ -72,11 +72,11 @@ pub fn measure(rounds: usize) -> Result<Vec<Cost>, NotJammed> {
             uneven,
             torsion,
         )?);
-        samples.extend(sample::<_, Sliding>("sliding", uneven, sliding)?);
+        samples.extend(sample::<_, SlidingOnly>("sliding", uneven, sliding)?);
         samples.extend(sample::<_, Frictionless>(
             "frictionless",
             uneven,
-            Thresholds::none(),
+            IndependentFriction::none(),
         )?);
     }
     for _ in 0..rounds {

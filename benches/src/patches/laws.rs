@@ -5,8 +5,9 @@
 
 use super::Refused;
 use tribos_core::law::{
-    CoulombLaw, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPower,
-    PlateauPowerParameters, PowerLaw, RateState, RateStateParameters, Stribeck, StribeckParameters,
+    AgeingLaw, CoulombLaw, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPowerLaw,
+    PlateauPowerLawParameters, PowerLaw, RateState, RateStateParameters, Stribeck,
+    StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -53,7 +54,7 @@ pub fn each<R: Real>(task: &mut impl ForLaw<R>) -> Result<(), Refused> {
         })?,
     );
     let [plateau, drop] = PLATEAU_SPEEDS.map(real);
-    let law = PlateauPower::new(PlateauPowerParameters {
+    let law = PlateauPowerLaw::new(PlateauPowerLawParameters {
         alpha: real(-0.5),
         coefficient: R::ONE,
         plateau_speed: plateau,
@@ -61,7 +62,7 @@ pub fn each<R: Real>(task: &mut impl ForLaw<R>) -> Result<(), Refused> {
         rest_share: R::HALF,
     })?;
     task.with("plateau", law);
-    let rock = RateState::<R, Dieterich>::new(RateStateParameters {
+    let rock = RateState::<R, AgeingLaw>::new(RateStateParameters {
         mu: real(0.625),
         a: real(0.0078125),
         b: real(0.01171875),

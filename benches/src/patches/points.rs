@@ -10,7 +10,7 @@ use crate::reference::Wide;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::LocalLaw;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -33,7 +33,7 @@ struct Rule<R: Real> {
 
 /// The rules that stand for continuous pressures.
 fn rules<R: Real>() -> Result<Vec<Rule<R>>, Refused> {
-    let disk = PolarRule::new(R::ONE, RINGS, ANGLES)?;
+    let disk = PolarQuadrature::new(R::ONE, RINGS, ANGLES)?;
     let mut all = vec![Rule {
         patch: "ring",
         pressure: Pressure::Ring,
@@ -144,7 +144,7 @@ impl<R: Real> ForLaw<R> for Given<R> {
             let row = row::<R, _, _>(label("tripod"), &cases, law, stool);
             self.rows.push(row);
         }
-        if let Ok(nodes) = PolarRule::new(R::ONE, RINGS, ANGLES).and_then(|rule| {
+        if let Ok(nodes) = PolarQuadrature::new(R::ONE, RINGS, ANGLES).and_then(|rule| {
             let nodes: List<R> = rule.nodes()?;
             Ok(nodes)
         }) {

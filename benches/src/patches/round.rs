@@ -11,7 +11,7 @@ use crate::reference::Wide;
 use tribos::friction::{Patch, Precision, RoundPower, Tier, Visitor, visit};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::PolynomialTable;
-use tribos_core::coupling::{Annulus, Coupling, compact};
+use tribos_core::coupling::{Annulus, ReducedFriction, compact};
 use tribos_core::internals::COULOMB_TABLE_BYTES;
 use tribos_core::law::LocalLaw;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
@@ -62,7 +62,7 @@ pub fn area_cases<R: Real>(pressure: Pressure, friction: &Friction) -> Vec<Case>
 }
 
 /// Cases of a power law: from the reference tables in f64, from `wide` at rounded speeds in f32.
-fn power_cases<R: Real>(source: Source, alpha: f64, wide: &impl Coupling<f64>) -> Vec<Case> {
+fn power_cases<R: Real>(source: Source, alpha: f64, wide: &impl ReducedFriction<f64>) -> Vec<Case> {
     if precision::<R>() == "f64" {
         return tables::cases(source, alpha);
     }
@@ -84,7 +84,7 @@ fn judge<R: Real>() -> &'static str {
 }
 
 /// A coupling as a row.
-fn coupled<R: Real, C: Coupling<R> + 'static>(
+fn coupled<R: Real, C: ReducedFriction<R> + 'static>(
     label: Label,
     bytes: usize,
     (cases, stride): (&[Case], usize),
@@ -182,7 +182,7 @@ fn exact<R: Precision>(
 }
 
 /// The row of the series that serves any exponent.
-fn in_series<R: Precision, C: Coupling<R> + 'static>(
+fn in_series<R: Precision, C: ReducedFriction<R> + 'static>(
     (name, law): (&'static str, &'static str),
     cases: &[Case],
     series: C,

@@ -5,8 +5,8 @@ use super::tables::{self, Source};
 use super::{Case, Entry, Label, Refused};
 use crate::reference::Wide;
 use tribos_core::coupling::table;
-use tribos_core::coupling::{Coupling, DryCoupling, closed, compact};
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::coupling::{DryReducedFriction, ReducedFriction, closed, compact};
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::real::Real;
 use tribos_core::twist::Wrench;
 
@@ -46,16 +46,16 @@ fn rows_of<R: Real, C>(
     coupling: C,
 ) -> Result<[Entry; 3], Refused>
 where
-    C: DryCoupling<R> + DryCoupling<f64> + Copy + 'static,
+    C: DryReducedFriction<R> + DryReducedFriction<f64> + Copy + 'static,
 {
-    let surface = LimitSurface::new(coupling, R::ONE, R::ONE)?;
+    let surface = RoundLimitSurface::new(coupling, R::ONE, R::ONE)?;
     let exact = tables::cases(Source::File(file), 0.0);
     let exact: Vec<Point> = exact
         .iter()
         .map(|case| Point::new(case.speeds, case.exact.map(|y| y.high)))
         .collect();
     let point = |speeds: [f64; 2]| {
-        let found = Coupling::<f64>::reduced_wrench(&coupling, speeds[0], speeds[1]);
+        let found = ReducedFriction::<f64>::reduced_wrench(&coupling, speeds[0], speeds[1]);
         Point::new(speeds, [found.force, found.torque])
     };
     let points: Vec<Point> = timed(TABLE_STRIDE).into_iter().map(point).collect();
@@ -108,19 +108,24 @@ const CLOSED: [&str; 3] = ["closed gauge", "closed motion", "closed projection"]
 pub fn rows<R: Real>() -> Result<Vec<Entry>, Refused> {
     let (disk, bytes) = (["disk surface", "uniform"], coulomb_table_bytes::<R>());
     let mut rows = Vec::new();
-    rows.extend(rows_of::<R, _>(disk, TABLE, bytes, table::Coulomb)?);
-    rows.extend(rows_of::<R, _>(disk, CLOSED, 0, compact::CompactCoulomb)?);
+    rows.extend(rows_of::<R, _>(disk, TABLE, bytes, table::CoulombDisk)?);
+    rows.extend(rows_of::<R, _>(
+        disk,
+        CLOSED,
+        0,
+        compact::CompactCoulombDisk,
+    )?);
     rows.extend(rows_of::<R, _>(
         ["ring surface", "ring"],
         CLOSED,
         0,
-        closed::Ring,
+        closed::CoulombRing,
     )?);
     rows.extend(rows_of::<R, _>(
         ["Hertz surface", "hertz"],
         CLOSED,
         0,
-        closed::Hertz,
+        closed::CoulombHertz,
     )?);
     Ok(rows)
 }

@@ -8,8 +8,10 @@ use crate::mix;
 use crate::reference::Wide;
 use core::marker::PhantomData;
 use tribos::friction::{Patch, Precision, RoundPower, Tier, Visitor, visit};
-use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction};
-use tribos_core::coupling::{Lateral, PatchFriction};
+use tribos_core::coupling::tall::{
+    FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
+};
+use tribos_core::coupling::{LateralFriction, RoundFriction};
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -21,8 +23,8 @@ const PAIRS: usize = 48;
 const RATIOS: core::ops::Range<f64> = 1e-3..1e3;
 
 /// Force, lateral force and torque, all against the motion, for γ = N = R = 1.
-fn components<R: Real, C: Lateral<R>, L: Lean>(
-    body: &TallFriction<R, C, L>,
+fn components<R: Real, C: LateralFriction<R>, L: PressureGradient>(
+    body: &LoadTransferFriction<R, C, L>,
     slide: R,
     rim: R,
 ) -> [R; 3] {
@@ -57,16 +59,16 @@ fn exact(all_round: bool, friction: &Friction, speeds: [f64; 2]) -> [f64; 3] {
     [force, side, torque + tipped * across[1]]
 }
 
-fn row<R: Real, C: Lateral<R> + 'static, L: Lean + 'static>(
+fn row<R: Real, C: LateralFriction<R> + 'static, L: PressureGradient + 'static>(
     (law, tier, friction): (&'static str, &'static str, &Friction),
     bytes: usize,
     coupling: C,
 ) -> Result<Entry, Refused> {
     let all_round = tier == "table all round";
-    let foot = PatchFriction::new(coupling, R::ONE, R::ONE)?;
+    let foot = RoundFriction::new(coupling, R::ONE, R::ONE)?;
     // λ = 2 γ h/(R ⟨r²⟩) with ⟨r²⟩ = 1/2.
     let height = R::from_f64(LEAN / 4.0);
-    let body = TallFriction::<R, C, L>::new(foot, height)?;
+    let body = LoadTransferFriction::<R, C, L>::new(foot, height)?;
     let mut worst = Worst::default();
     for speeds in pairs::<R>() {
         let [slide, rim] = speeds.map(R::from_f64);
@@ -97,7 +99,7 @@ struct Row<'a, L> {
     lean: PhantomData<L>,
 }
 
-impl<R: Precision, L: Lean + 'static> Visitor<R> for Row<'_, L> {
+impl<R: Precision, L: PressureGradient + 'static> Visitor<R> for Row<'_, L> {
     type Output = Result<Entry, Refused>;
     fn visit<P: RoundPower<R> + 'static>(self, friction: P) -> Self::Output {
         row::<R, _, L>(self.about, table_bytes::<R, P>(), friction)
@@ -106,7 +108,7 @@ impl<R: Precision, L: Lean + 'static> Visitor<R> for Row<'_, L> {
 
 /// Both ways of leaning under power laws.
 pub fn rows<R: Precision>() -> Result<Vec<Entry>, Refused> {
-    fn of<R: Precision, L: Lean + 'static>(
+    fn of<R: Precision, L: PressureGradient + 'static>(
         alpha: f64,
         about: (&'static str, &'static str, &Friction),
     ) -> Result<Entry, Refused> {
@@ -116,11 +118,11 @@ pub fn rows<R: Precision>() -> Result<Vec<Entry>, Refused> {
     let mut rows = Vec::new();
     let frictions = laws::frictions()?;
     for ((alpha, law), (_, friction)) in laws::POWERS.into_iter().zip(&frictions) {
-        rows.push(of::<R, FrontBack>(
+        rows.push(of::<R, LongitudinalGradient>(
             alpha,
             (law, "table front-back", friction),
         )?);
-        rows.push(of::<R, AllRound>(
+        rows.push(of::<R, FullGradient>(
             alpha,
             (law, "table all round", friction),
         )?);

@@ -2,9 +2,9 @@
 
 use core::ffi::{CStr, c_char};
 use tribos_core::Error;
-use tribos_core::contact::TouchError;
+use tribos_core::contact::ContactError;
 use tribos_core::law::LawError;
-use tribos_core::manifold::ManifoldError;
+use tribos_core::manifold::ContactSystemError;
 use tribos_core::patch::PatchError;
 use tribos_core::patch::mesh::MeshError;
 use tribos_core::patch::outline::OutlineError;
@@ -264,11 +264,11 @@ impl From<MeshError> for tribos_status {
     }
 }
 
-impl From<TouchError> for tribos_status {
-    fn from(error: TouchError) -> Self {
+impl From<ContactError> for tribos_status {
+    fn from(error: ContactError) -> Self {
         match error {
-            TouchError::NoNormal => Self::NoNormal,
-            TouchError::NotFinite => Self::NotFinite,
+            ContactError::NoNormal => Self::NoNormal,
+            ContactError::NotFinite => Self::NotFinite,
         }
     }
 }
@@ -281,7 +281,7 @@ impl From<Error> for tribos_status {
             Error::Outline(error) => error.into(),
             Error::Mesh(error) => error.into(),
             Error::Touch(error) => error.into(),
-            Error::Manifold(ManifoldError::Full { .. }) => Self::Full,
+            Error::Manifold(ContactSystemError::Full { .. }) => Self::Full,
             Error::Manifold(_) => Self::Choice,
         }
     }

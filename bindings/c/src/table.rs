@@ -3,7 +3,7 @@
 use crate::status::tribos_status;
 use core::ptr::addr_of;
 use tribos_core::coupling::compact::CompactPower;
-use tribos_core::coupling::table::{Table32, Table64};
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
 
 /// A table of one exponent, built by `tribos_power_table_build_f64`. Its content is opaque. It may be
 /// copied and moved, but not to a program with another version of the library.
@@ -75,8 +75,8 @@ macro_rules! lent {
 }
 
 lent! {
-    tribos_power_table_f64 for Table64;
-    tribos_power_table_f32 for Table32;
+    tribos_power_table_f64 for DiskTable64;
+    tribos_power_table_f32 for DiskTable32;
     tribos_power_compact_f64 for CompactPower<f64>;
     tribos_power_compact_f32 for CompactPower<f32>;
 }

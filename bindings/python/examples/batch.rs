@@ -5,7 +5,7 @@
 
 use std::hint::black_box;
 use std::time::Instant;
-use tribos_core::coupling::flat::FlatFriction;
+use tribos_core::coupling::flat::ShapeFriction;
 use tribos_core::patch::outline::Polygon;
 use tribos_core::prelude::*;
 
@@ -35,13 +35,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let seconds = match patch.as_str() {
         "disk" => {
-            let disk = PatchFriction::new(Coulomb, 0.3, 0.04)?;
+            let disk = RoundFriction::new(CoulombDisk, 0.3, 0.04)?;
             quickest(&mut || disk.wrench_batch(black_box(1.7), &twists, black_box(&mut wrenches)))
         }
         "square" => {
             let half = 0.04;
             let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
-            let square = FlatFriction::new(Polygon::new(corners)?, 0.3)?;
+            let square = ShapeFriction::new(Polygon::new(corners)?, 0.3)?;
             quickest(&mut || {
                 for (wrench, twist) in black_box(&mut wrenches).iter_mut().zip(&twists) {
                     *wrench = square.wrench(black_box(1.7), twist);

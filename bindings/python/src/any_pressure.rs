@@ -12,7 +12,7 @@ const COST_OF_LIMITS: usize = 100_000;
 
 /// All wrenches that friction carries under any pressure with one centre.
 #[pyclass(frozen, module = "tribos._native")]
-pub struct AnyPressure(limit_surface::AnyPressure<f64, Vec<[f64; 2]>>);
+pub struct AnyPressure(limit_surface::UnknownPressureSet<f64, Vec<[f64; 2]>>);
 
 /// What `of` makes of each row, in rows of `shape`.
 fn each<'py, const N: usize, const M: usize>(
@@ -39,7 +39,7 @@ impl AnyPressure {
     /// Corners and centre of pressure in m, force limit in N.
     #[new]
     fn new(corners: Vec<[f64; 2]>, centre: [f64; 2], force_limit: f64) -> PyResult<Self> {
-        let made = limit_surface::AnyPressure::new(corners, centre, force_limit);
+        let made = limit_surface::UnknownPressureSet::new(corners, centre, force_limit);
         Ok(Self(made.map_err(refused)?))
     }
 
@@ -84,7 +84,7 @@ impl AnyPressure {
             let Some(limits) = self.0.torque_limits(force) else {
                 return [f64::NAN; 4];
             };
-            let ([low, high], [lower, higher]) = (limits.carried, limits.outer);
+            let ([low, high], [lower, higher]) = (limits.certain, limits.possible);
             [low, high, lower, higher]
         })
     }

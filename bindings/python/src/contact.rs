@@ -6,8 +6,8 @@ use crate::threads::fill;
 use pyo3::prelude::*;
 use tribos::friction::{AnyContactFriction, ContactVisitor};
 use tribos_core::contact::{
-    Attraction, Body, Cohesion, Contact, ContactFriction, NormalLaw, Plate, Sphere, TimeStep,
-    Touch, TouchError,
+    Attraction, Cohesion, Contact, ContactBody, ContactError, ContactFriction, ContactGeometry,
+    NormalLaw, SphereBody, TimeStep, WallBody,
 };
 use tribos_core::nalgebra::Vector3;
 
@@ -85,7 +85,7 @@ impl ContactLaw {
     ) -> PyResult<Bound<'py, PyAny>> {
         self.each(py, rows, dt, |row| {
             let (first, second) = (sphere(row, 0), sphere(row, FIELDS));
-            let plate = Plate {
+            let plate = WallBody {
                 velocity: second.velocity,
                 inv_mass: second.inv_mass,
             };
@@ -109,8 +109,8 @@ fn vector(row: &[f64; GIVEN], at: usize) -> Vector3<f64> {
     Vector3::new(row[at], row[at + 1], row[at + 2])
 }
 
-fn sphere(row: &[f64; GIVEN], at: usize) -> Sphere<f64> {
-    Sphere {
+fn sphere(row: &[f64; GIVEN], at: usize) -> SphereBody<f64> {
+    SphereBody {
         velocity: vector(row, at),
         spin: vector(row, at + 3),
         inv_mass: row[at + 6],
@@ -127,12 +127,12 @@ pub fn sphere_touch(
     normal: &Vector3<f64>,
     gap: f64,
     radii: [f64; 2],
-) -> Result<Touch<f64>, TouchError> {
+) -> Result<ContactGeometry<f64>, ContactError> {
     let [first, second] = radii;
-    let touch = Touch::spheres(&(normal * (first + second + gap)), radii)?;
+    let touch = ContactGeometry::spheres(&(normal * (first + second + gap)), radii)?;
     // To the bit as given: a gap of 0 is closed.
     let normal = *normal;
-    Ok(Touch {
+    Ok(ContactGeometry {
         normal,
         gap,
         ..touch
@@ -140,16 +140,20 @@ pub fn sphere_touch(
 }
 
 /// The touch of a sphere with a plate, to which the unit normal leads.
-pub fn plate_touch(normal: &Vector3<f64>, gap: f64, radius: f64) -> Result<Touch<f64>, TouchError> {
-    let touch = Touch::plate(radius + gap, &-normal, radius)?;
-    Ok(Touch { gap, ..touch })
+pub fn plate_touch(
+    normal: &Vector3<f64>,
+    gap: f64,
+    radius: f64,
+) -> Result<ContactGeometry<f64>, ContactError> {
+    let touch = ContactGeometry::plate(radius + gap, &-normal, radius)?;
+    Ok(ContactGeometry { gap, ..touch })
 }
 
 /// Bodies and geometry of a row.
-type Prepared<B> = Result<(Sphere<f64>, B, Touch<f64>), TouchError>;
+type Prepared<B> = Result<(SphereBody<f64>, B, ContactGeometry<f64>), ContactError>;
 
 impl ContactLaw {
-    fn each<'py, B: Body<f64>>(
+    fn each<'py, B: ContactBody<f64>>(
         &self,
         py: Python<'py>,
         rows: &Bound<'py, PyAny>,
@@ -182,7 +186,7 @@ struct Piece<'a, P> {
     out: &'a mut [[f64; ANSWER]],
 }
 
-impl<B: Body<f64>, P: Fn(usize) -> Prepared<B>> ContactVisitor for Piece<'_, P> {
+impl<B: ContactBody<f64>, P: Fn(usize) -> Prepared<B>> ContactVisitor for Piece<'_, P> {
     type Output = PyResult<()>;
     fn visit<F: ContactFriction<f64>>(self, friction: &F) -> PyResult<()> {
         for (index, row) in self.out.iter_mut().enumerate() {
@@ -194,7 +198,7 @@ impl<B: Body<f64>, P: Fn(usize) -> Prepared<B>> ContactVisitor for Piece<'_, P> 
                 a.velocity,
                 a.spin,
                 b.velocity(),
-                b.spin(),
+                b.angular_velocity(),
                 impulse.sliding(),
                 impulse.rolling(),
             ];

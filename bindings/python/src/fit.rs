@@ -11,7 +11,7 @@ use tribos::fit::support::{
 };
 use tribos::fit::{Data, DataError, Fit, FitError, Known, LawName, Options, fit, law_model};
 use tribos::friction::{Area, Flat};
-use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::nodes::NodePatch;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -133,7 +133,7 @@ fn unit_surface(area: &Area) -> PyResult<Box<dyn FrictionSet<f64>>> {
             "a support is a box, a polygon, a bar, a mesh or points",
         )),
         Area::Flat(flat) => {
-            let surface = PatchSurface::new(flat.clone(), LIMIT);
+            let surface = ShapeLimitSurface::new(flat.clone(), LIMIT);
             Ok(Box::new(surface.map_err(refused)?))
         }
     }

@@ -4,9 +4,12 @@ use crate::arrays::refused;
 use crate::contact::{ContactLaw, plate_touch, sphere_touch};
 use pyo3::prelude::*;
 use tribos::friction::ContactVisitor;
-use tribos_core::contact::{Body, ContactFriction, NormalLaw, Plate, Sphere, TimeStep, Touch};
+use tribos_core::contact::{
+    ContactBody, ContactFriction, ContactGeometry, NormalLaw, SphereBody, TimeStep, WallBody,
+};
 use tribos_core::manifold::{
-    BodyHandle, ContactHandle, InitialGuess, ManifoldError, Member, SolverLimits, SolverReport,
+    BodyHandle, ContactHandle, ContactSystemError, InitialGuess, SolverReport, SolverSettings,
+    SystemBody,
 };
 use tribos_core::nalgebra::Vector3;
 
@@ -22,53 +25,59 @@ type Force = (f64, [f64; 3], [f64; 3], f64);
 /// A manifold of any friction.
 trait Solver: Send + Sync {
     fn copy(&self) -> Box<dyn Solver>;
-    fn push_body(&mut self, member: Member<f64>) -> Result<BodyHandle, ManifoldError>;
+    fn push_body(&mut self, member: SystemBody<f64>) -> Result<BodyHandle, ContactSystemError>;
     fn push_contact(
         &mut self,
         bodies: [BodyHandle; 2],
-        touch: Touch<f64>,
-    ) -> Result<ContactHandle, ManifoldError>;
-    fn set_touch(&mut self, contact: ContactHandle, touch: Touch<f64>)
-    -> Result<(), ManifoldError>;
+        touch: ContactGeometry<f64>,
+    ) -> Result<ContactHandle, ContactSystemError>;
+    fn set_touch(
+        &mut self,
+        contact: ContactHandle,
+        touch: ContactGeometry<f64>,
+    ) -> Result<(), ContactSystemError>;
     fn clear_contacts(&mut self);
     fn set_gravity(&mut self, gravity: Vector3<f64>);
-    fn set_force(&mut self, body: BodyHandle, load: [Vector3<f64>; 2])
-    -> Result<(), ManifoldError>;
-    fn body(&mut self, body: BodyHandle) -> Option<&mut Member<f64>>;
+    fn set_force(
+        &mut self,
+        body: BodyHandle,
+        load: [Vector3<f64>; 2],
+    ) -> Result<(), ContactSystemError>;
+    fn body(&mut self, body: BodyHandle) -> Option<&mut SystemBody<f64>>;
     fn force(&self, contact: ContactHandle) -> Option<Force>;
     fn solve(
         &mut self,
         step: TimeStep<f64>,
         start: InitialGuess,
-        stop: SolverLimits<f64>,
+        stop: SolverSettings<f64>,
     ) -> SolverReport<f64>;
 }
 
-type Made<F> = tribos_core::manifold::Manifold<f64, F, BODIES, CONTACTS>;
+type Made<F> = tribos_core::manifold::ContactSystem<f64, F, BODIES, CONTACTS>;
 
 impl<F: ContactFriction<f64> + 'static> Solver for Made<F> {
     fn copy(&self) -> Box<dyn Solver> {
         Box::new(self.clone())
     }
-    fn push_body(&mut self, member: Member<f64>) -> Result<BodyHandle, ManifoldError> {
+    fn push_body(&mut self, member: SystemBody<f64>) -> Result<BodyHandle, ContactSystemError> {
         match member {
-            Member::Sphere(sphere) => self.push_sphere(sphere),
-            Member::Plate(plate) => self.push_plate(plate),
+            SystemBody::Sphere(sphere) => self.push_sphere(sphere),
+            SystemBody::Plate(plate) => self.push_plate(plate),
         }
     }
     fn push_contact(
         &mut self,
         [first, second]: [BodyHandle; 2],
-        touch: Touch<f64>,
-    ) -> Result<ContactHandle, ManifoldError> {
+        touch: ContactGeometry<f64>,
+    ) -> Result<ContactHandle, ContactSystemError> {
         Made::push_contact(self, first, second, touch)
     }
     fn set_touch(
         &mut self,
         contact: ContactHandle,
-        touch: Touch<f64>,
-    ) -> Result<(), ManifoldError> {
-        Made::set_touch(self, contact, touch)
+        touch: ContactGeometry<f64>,
+    ) -> Result<(), ContactSystemError> {
+        Made::set_geometry(self, contact, touch)
     }
     fn clear_contacts(&mut self) {
         Made::clear_contacts(self);
@@ -80,10 +89,10 @@ impl<F: ContactFriction<f64> + 'static> Solver for Made<F> {
         &mut self,
         body: BodyHandle,
         [force, torque]: [Vector3<f64>; 2],
-    ) -> Result<(), ManifoldError> {
+    ) -> Result<(), ContactSystemError> {
         Made::set_force(self, body, force, torque)
     }
-    fn body(&mut self, body: BodyHandle) -> Option<&mut Member<f64>> {
+    fn body(&mut self, body: BodyHandle) -> Option<&mut SystemBody<f64>> {
         self.body_mut(body)
     }
     fn force(&self, contact: ContactHandle) -> Option<Force> {
@@ -99,7 +108,7 @@ impl<F: ContactFriction<f64> + 'static> Solver for Made<F> {
         &mut self,
         step: TimeStep<f64>,
         start: InitialGuess,
-        stop: SolverLimits<f64>,
+        stop: SolverSettings<f64>,
     ) -> SolverReport<f64> {
         Made::solve(self, step, start, stop)
     }
@@ -133,22 +142,22 @@ impl Manifold {
         known.ok_or_else(|| refused(format!("there is no contact {contact}")))
     }
 
-    fn member(&mut self, body: usize) -> PyResult<&mut Member<f64>> {
+    fn member(&mut self, body: usize) -> PyResult<&mut SystemBody<f64>> {
         let handle = self.body_of(body)?;
         let member = self.solver.body(handle);
-        member.ok_or_else(|| refused(ManifoldError::Unknown))
+        member.ok_or_else(|| refused(ContactSystemError::Unknown))
     }
 
-    fn push(&mut self, member: Member<f64>) -> PyResult<usize> {
+    fn push(&mut self, member: SystemBody<f64>) -> PyResult<usize> {
         let handle = self.solver.push_body(member).map_err(full("bodies"))?;
         self.bodies.push(handle);
         Ok(self.bodies.len() - 1)
     }
 }
 
-fn full(what: &str) -> impl FnOnce(ManifoldError) -> PyErr + '_ {
+fn full(what: &str) -> impl FnOnce(ContactSystemError) -> PyErr + '_ {
     move |error| match error {
-        ManifoldError::Full { capacity } => refused(format!(
+        ContactSystemError::Full { capacity } => refused(format!(
             "a manifold has room for {capacity} {what}; larger systems are scenes of the command"
         )),
         other => refused(other),
@@ -156,7 +165,7 @@ fn full(what: &str) -> impl FnOnce(ManifoldError) -> PyErr + '_ {
 }
 
 /// The touch at a plate for one radius, of spheres for two.
-fn touch(normal: [f64; 3], gap: f64, radii: (f64, Option<f64>)) -> PyResult<Touch<f64>> {
+fn touch(normal: [f64; 3], gap: f64, radii: (f64, Option<f64>)) -> PyResult<ContactGeometry<f64>> {
     let normal = normal.into();
     match radii {
         (first, Some(second)) => sphere_touch(&normal, gap, [first, second]),
@@ -188,7 +197,7 @@ impl Manifold {
     /// Adds a sphere and returns its number.
     fn add_sphere(&mut self, ball: Ball) -> PyResult<usize> {
         let (velocity, spin, inv_mass, inv_inertia) = ball;
-        self.push(Member::Sphere(Sphere {
+        self.push(SystemBody::Sphere(SphereBody {
             velocity: velocity.into(),
             spin: spin.into(),
             inv_mass,
@@ -199,7 +208,7 @@ impl Manifold {
     /// Adds a plate and returns its number.
     fn add_plate(&mut self, velocity: [f64; 3], inv_mass: f64) -> PyResult<usize> {
         let velocity = velocity.into();
-        self.push(Member::Plate(Plate { velocity, inv_mass }))
+        self.push(SystemBody::Plate(WallBody { velocity, inv_mass }))
     }
 
     /// Adds a contact and returns its number; a plate has no radius.
@@ -250,16 +259,16 @@ impl Manifold {
     /// Velocity in m/s and spin in rad/s of a body.
     fn motion(&mut self, body: usize) -> PyResult<([f64; 3], [f64; 3])> {
         let member = self.member(body)?;
-        Ok((member.velocity().into(), member.spin().into()))
+        Ok((member.velocity().into(), member.angular_velocity().into()))
     }
 
     /// Sets them; plates do not spin.
     fn set_motion(&mut self, body: usize, velocity: [f64; 3], spin: [f64; 3]) -> PyResult<()> {
         match self.member(body)? {
-            Member::Sphere(sphere) => {
+            SystemBody::Sphere(sphere) => {
                 (sphere.velocity, sphere.spin) = (velocity.into(), spin.into());
             }
-            Member::Plate(plate) => plate.velocity = velocity.into(),
+            SystemBody::Plate(plate) => plate.velocity = velocity.into(),
         }
         Ok(())
     }
@@ -288,9 +297,12 @@ impl Manifold {
                 )));
             }
         };
-        let stop = SolverLimits { sweeps, tolerance };
+        let stop = SolverSettings {
+            max_iterations: sweeps,
+            tolerance,
+        };
         let solver = &mut self.solver;
         let report = py.detach(|| solver.solve(step, start, stop));
-        Ok((report.sweeps, report.residual, report.converged))
+        Ok((report.iterations, report.residual, report.converged))
     }
 }

@@ -6,8 +6,8 @@ use crate::patch::Patch;
 use crate::slide::{power_of, round};
 use pyo3::prelude::*;
 use tribos::friction::{RoundPower, leaning, upright};
-use tribos_core::coupling::Profile;
-use tribos_core::modes::{FinalMode, Modes, Stability};
+use tribos_core::coupling::PowerLawFriction;
+use tribos_core::modes::{Stability, TerminalMode, TerminalMotion};
 
 /// Friction that is a power of the speed on a round patch, for final motion and launches.
 #[pyclass(frozen, module = "tribos._native")]
@@ -66,12 +66,12 @@ impl Profiled {
     }
 }
 
-fn answer<P: Profile<f64>>(
+fn answer<P: PowerLawFriction<f64>>(
     profile: P,
     inertia_ratio: f64,
     initial_ratio: Option<f64>,
 ) -> PyResult<Answer> {
-    let modes = Modes::new(profile, inertia_ratio).map_err(refused)?;
+    let modes = TerminalMotion::new(profile, inertia_ratio).map_err(refused)?;
     let points = modes.fixed_points();
     let mut all = vec![(0.0, in_words(points.spinning))];
     let finite = points.finite;
@@ -83,10 +83,10 @@ fn answer<P: Profile<f64>>(
         None => points.spinning == Stability::Semistable,
     };
     let start = initial_ratio.or((!depends).then_some(1.0));
-    let last = start.map(|start| match modes.final_mode(start) {
-        FinalMode::Spinning => ("spinning", 0.0),
-        FinalMode::Sliding => ("sliding", f64::INFINITY),
-        FinalMode::Together { ratio } => ("together", ratio),
+    let last = start.map(|start| match modes.terminal_mode(start) {
+        TerminalMode::Spinning => ("spinning", 0.0),
+        TerminalMode::Sliding => ("sliding", f64::INFINITY),
+        TerminalMode::Together { ratio } => ("together", ratio),
     });
     Ok((modes.inertia_interval(), all, last))
 }

@@ -12,9 +12,9 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use tribos::cd::{ContactLaws, Laws, Method, Setup, StepLimits, StepReport, Wall, solid};
 use tribos::cd::{Solver, World as Spheres};
 use tribos::space::PeriodicBox;
-use tribos_core::contact::{AllModes, Attraction, Cohesion, NormalLaw, Thresholds};
+use tribos_core::contact::{AllModes, Attraction, Cohesion, IndependentFriction, NormalLaw};
 
-type Friction = Thresholds<f64, AllModes>;
+type Friction = IndependentFriction<f64, AllModes>;
 
 /// Numbers of a law: sliding, rolling and torsion coefficients, restitution, cohesion and its range, and whether
 /// cohesion pulls at a gap.

@@ -6,7 +6,7 @@ use crate::patch::Patch;
 use crate::threads::fill;
 use pyo3::prelude::*;
 use tribos::friction::{self, Area, RoundPower, Tier};
-use tribos_core::slider::{self, Motion, SliderParameters};
+use tribos_core::slider::{self, SliderParameters, SliderState};
 
 /// Launches of a batch, and the bodies that are launched.
 #[derive(Clone, Copy)]
@@ -59,10 +59,10 @@ impl<P: RoundPower<f64>> Slides for Powered<P> {
     fn rests(&self, launches: Launches<'_>, from: usize, out: &mut [[f64; 4]]) -> PyResult<()> {
         for (index, row) in (from..).zip(out) {
             let [speed] = launches.speed.at(index);
-            let motion = Motion::launched(speed.abs(), launches.spin.at(index)[0]);
+            let motion = SliderState::launched(speed.abs(), launches.spin.at(index)[0]);
             let rest = self.slider(&launches, index)?.to_rest(&motion);
             *row = rest.map_or([f64::NAN; 4], |rest| {
-                let slider::Rest { motion, ratio, .. } = rest;
+                let slider::SliderRest { motion, ratio, .. } = rest;
                 let distance = motion.distance.copysign(speed);
                 [motion.time, distance, motion.angle, ratio]
             });
@@ -86,7 +86,7 @@ impl<P: RoundPower<f64>> Slides for Powered<P> {
                 *row = [f64::NAN; 4];
                 continue;
             }
-            let start = Motion::launched(speed.abs(), spin);
+            let start = SliderState::launched(speed.abs(), spin);
             let motion = slider.advance(&start, time).motion;
             let [now, distance] = [motion.speed, motion.distance].map(|x| x.copysign(speed));
             *row = [now, motion.spin, distance, motion.angle];

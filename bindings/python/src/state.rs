@@ -4,7 +4,7 @@ use crate::arrays::{Batched, Column, Numbers, Output, View, broadcast, refused};
 use crate::threads::fill;
 use pyo3::prelude::*;
 use tribos_core::law::{
-    Bristle, ContactAge, Dieterich, LocalLaw, LuGreParameters, RateStateParameters, Ruina,
+    AgeingLaw, Bristle, LocalLaw, LuGreParameters, RateStateParameters, SlipLaw, StateVariable,
     SteadyRateState,
 };
 
@@ -170,8 +170,8 @@ impl LuGre {
 
 /// The law with either evolution of its age.
 enum Evolving {
-    Ageing(tribos_core::law::RateState<f64, Dieterich>),
-    Slip(tribos_core::law::RateState<f64, Ruina>),
+    Ageing(tribos_core::law::RateState<f64, AgeingLaw>),
+    Slip(tribos_core::law::RateState<f64, SlipLaw>),
 }
 
 /// Rate-and-state friction.
@@ -179,19 +179,19 @@ enum Evolving {
 pub struct RateState(Evolving);
 
 impl Evolving {
-    fn coefficient(&self, speed: f64, age: ContactAge<f64>) -> f64 {
+    fn coefficient(&self, speed: f64, age: StateVariable<f64>) -> f64 {
         match self {
             Self::Ageing(law) => law.coefficient(speed, age),
             Self::Slip(law) => law.coefficient(speed, age),
         }
     }
-    fn slope(&self, speed: f64, age: ContactAge<f64>) -> f64 {
+    fn slope(&self, speed: f64, age: StateVariable<f64>) -> f64 {
         match self {
             Self::Ageing(law) => law.slope(speed, age),
             Self::Slip(law) => law.slope(speed, age),
         }
     }
-    fn advance(&self, age: ContactAge<f64>, speed: f64, dt: f64) -> f64 {
+    fn advance(&self, age: StateVariable<f64>, speed: f64, dt: f64) -> f64 {
         match self {
             Self::Ageing(law) => law.advance(age, speed, dt).theta,
             Self::Slip(law) => law.advance(age, speed, dt).theta,
@@ -212,9 +212,9 @@ impl Evolving {
 }
 
 /// An age in s; no number below 0.
-fn aged(theta: f64) -> ContactAge<f64> {
+fn aged(theta: f64) -> StateVariable<f64> {
     let theta = if theta < 0.0 { f64::NAN } else { theta };
-    ContactAge { theta }
+    StateVariable { theta }
 }
 
 #[pymethods]

@@ -1,8 +1,8 @@
 //! Final motion: what is left of sliding and spinning just before rest.
 
 use crate::exchange::Refused;
-use tribos_core::coupling::Profile;
-use tribos_core::modes::{FinalMode, Modes, Stability};
+use tribos_core::coupling::PowerLawFriction;
+use tribos_core::modes::{Stability, TerminalMode, TerminalMotion};
 
 /// Fixed points of the ratio of sliding to spinning, and the last motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,12 +18,12 @@ pub struct FinalMotion {
 
 impl FinalMotion {
     /// Of a body with I/(M R²); `initial_ratio` is NaN if it is not known.
-    pub fn new<P: Profile<f64>>(
+    pub fn new<P: PowerLawFriction<f64>>(
         profile: P,
         inertia_ratio: f64,
         initial_ratio: f64,
     ) -> Result<Self, Refused> {
-        let modes = Modes::new(profile, inertia_ratio)?;
+        let modes = TerminalMotion::new(profile, inertia_ratio)?;
         let points = modes.fixed_points();
         // Without a start the end is known only where it does not depend on it.
         let depends = match points.finite {
@@ -35,10 +35,10 @@ impl FinalMotion {
         } else {
             Some(initial_ratio)
         };
-        let last = start.map_or(f64::NAN, |start| match modes.final_mode(start) {
-            FinalMode::Spinning => 0.0,
-            FinalMode::Sliding => f64::INFINITY,
-            FinalMode::Together { ratio } => ratio,
+        let last = start.map_or(f64::NAN, |start| match modes.terminal_mode(start) {
+            TerminalMode::Spinning => 0.0,
+            TerminalMode::Sliding => f64::INFINITY,
+            TerminalMode::Together { ratio } => ratio,
         });
         let (ratio, between) = points.finite.map_or((f64::NAN, f64::NAN), |(ratio, kind)| {
             (ratio, number_of(kind))

@@ -3,10 +3,10 @@
 use crate::exchange::Refused;
 use crate::modes::FinalMotion;
 use crate::slide::{End, Free};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Coupling, PatchFriction};
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
-use tribos_core::slider::{Motion, SliderParameters};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{ReducedFriction, RoundFriction};
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
+use tribos_core::slider::{SliderParameters, SliderState};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
 /// Friction of a contact at one motion.
@@ -36,10 +36,10 @@ pub trait Contact {
     }
 }
 
-impl<C: Coupling<f64>> Contact for PatchFriction<f64, C> {
+impl<C: ReducedFriction<f64>> Contact for RoundFriction<f64, C> {
     #[inline]
     fn wrench(&self, load: f64, twist: &Twist<f64>) -> Wrench<f64> {
-        PatchFriction::wrench(self, load, twist)
+        RoundFriction::wrench(self, load, twist)
     }
     #[inline]
     fn jacobian(&self, load: f64, twist: &Twist<f64>) -> WrenchJacobian<f64> {
@@ -47,7 +47,7 @@ impl<C: Coupling<f64>> Contact for PatchFriction<f64, C> {
     }
     #[inline]
     fn wrench_batch(&self, load: f64, twists: &[Twist<f64>], wrenches: &mut [Wrench<f64>]) {
-        PatchFriction::wrench_batch(self, load, twists, wrenches);
+        RoundFriction::wrench_batch(self, load, twists, wrenches);
     }
     #[inline]
     fn jacobian_batch(
@@ -56,7 +56,7 @@ impl<C: Coupling<f64>> Contact for PatchFriction<f64, C> {
         twists: &[Twist<f64>],
         jacobians: &mut [WrenchJacobian<f64>],
     ) {
-        PatchFriction::jacobian_batch(self, load, twists, jacobians);
+        RoundFriction::jacobian_batch(self, load, twists, jacobians);
     }
 }
 
@@ -66,21 +66,31 @@ pub type Work<'a> = &'a mut dyn FnMut(&dyn FrictionSet<f64>);
 /// Free motion on a round patch under a power of the speed.
 pub trait Glides {
     /// See [`End::to_rest`].
-    fn to_rest(&self, parameters: SliderParameters<f64>, from: &Motion<f64>) -> Free;
+    fn to_rest(&self, parameters: SliderParameters<f64>, from: &SliderState<f64>) -> Free;
     /// See [`End::advance`].
-    fn advance(&self, parameters: SliderParameters<f64>, from: &Motion<f64>, time: f64) -> Free;
+    fn advance(
+        &self,
+        parameters: SliderParameters<f64>,
+        from: &SliderState<f64>,
+        time: f64,
+    ) -> Free;
     /// Fixed points and last motion.
     fn modes(&self, inertia_ratio: f64, initial_ratio: f64) -> Result<FinalMotion, Refused>;
 }
 
 impl<P> Glides for P
 where
-    P: tribos_core::coupling::Profile<f64> + Coupling<f64>,
+    P: tribos_core::coupling::PowerLawFriction<f64> + ReducedFriction<f64>,
 {
-    fn to_rest(&self, parameters: SliderParameters<f64>, from: &Motion<f64>) -> Free {
+    fn to_rest(&self, parameters: SliderParameters<f64>, from: &SliderState<f64>) -> Free {
         End::to_rest(self, parameters, from)
     }
-    fn advance(&self, parameters: SliderParameters<f64>, from: &Motion<f64>, time: f64) -> Free {
+    fn advance(
+        &self,
+        parameters: SliderParameters<f64>,
+        from: &SliderState<f64>,
+        time: f64,
+    ) -> Free {
         End::advance(self, parameters, from, time)
     }
     fn modes(&self, inertia_ratio: f64, initial_ratio: f64) -> Result<FinalMotion, Refused> {
@@ -107,7 +117,11 @@ impl Patch {
         if self.handle != 0 {
             return crate::all::store::with(self.handle, |patch| Ok(work(&patch.contact)));
         }
-        Ok(work(&PatchFriction::new(Coulomb, self.mu, self.radius)?))
+        Ok(work(&RoundFriction::new(
+            CoulombDisk,
+            self.mu,
+            self.radius,
+        )?))
     }
 
     /// Works with its limit surface for the force limit μN.
@@ -119,7 +133,11 @@ impl Patch {
                 Ok(patch.sets()?.under(force_limit, work)?)
             });
         }
-        work(&LimitSurface::new(Coulomb, force_limit, self.radius)?);
+        work(&RoundLimitSurface::new(
+            CoulombDisk,
+            force_limit,
+            self.radius,
+        )?);
         Ok(())
     }
 
@@ -133,7 +151,7 @@ impl Patch {
         if self.handle != 0 {
             return crate::all::store::with(self.handle, |patch| work(patch.glides()?));
         }
-        work(&Coulomb)
+        work(&CoulombDisk)
     }
 
     /// Whether it turns with the body.

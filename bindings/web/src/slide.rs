@@ -2,9 +2,9 @@
 
 use crate::exchange::Refused;
 use crate::patch::Patch;
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::real::Real;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 /// A free motion, or why there is none.
 pub type Free = Result<End, Refused>;
@@ -13,7 +13,7 @@ pub type Free = Result<End, Refused>;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
     /// Time, speeds and way.
-    pub motion: Motion<f64>,
+    pub motion: SliderState<f64>,
     /// The ratio of sliding to rim speed in the limit of rest; NaN if the body still moves.
     pub ratio: f64,
     /// Whether the body has come to rest.
@@ -22,7 +22,7 @@ pub struct End {
 
 /// What nothing finite comes of.
 const NOT_FINITE: End = End {
-    motion: Motion {
+    motion: SliderState {
         time: f64::NAN,
         speed: f64::NAN,
         spin: f64::NAN,
@@ -35,10 +35,10 @@ const NOT_FINITE: End = End {
 
 impl End {
     /// To rest; NaN for a motion that is not finite.
-    pub fn to_rest<P: Profile<f64> + Coupling<f64>>(
+    pub fn to_rest<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
         profile: P,
         parameters: SliderParameters<f64>,
-        from: &Motion<f64>,
+        from: &SliderState<f64>,
     ) -> Free {
         let alpha = profile.exponent();
         if alpha >= 1.0 {
@@ -56,10 +56,10 @@ impl End {
     }
 
     /// After a time, also past rest; NaN for a motion or a time that is not finite.
-    pub fn advance<P: Profile<f64> + Coupling<f64>>(
+    pub fn advance<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
         profile: P,
         parameters: SliderParameters<f64>,
-        from: &Motion<f64>,
+        from: &SliderState<f64>,
         time: f64,
     ) -> Free {
         let slider = Slider::new(profile, parameters)?;
@@ -70,7 +70,7 @@ impl End {
         // From the time of rest on the body stays where it is.
         let motion = end.rest.map_or(end.motion, |rest| rest.motion);
         Ok(Self {
-            motion: Motion { time, ..motion },
+            motion: SliderState { time, ..motion },
             ratio: end.rest.map_or(f64::NAN, |rest| rest.ratio),
             is_at_rest: end.rest.is_some() || (from.speed == 0.0 && from.spin == 0.0),
         })
@@ -90,7 +90,7 @@ pub struct Thrown {
 
 impl Thrown {
     /// Speed and direction of the launch.
-    fn start(&self) -> (Motion<f64>, [f64; 2]) {
+    fn start(&self) -> (SliderState<f64>, [f64; 2]) {
         let [vx, vy, spin] = self.twist;
         let speed = Real::hypot(vx, vy);
         let direction = if speed == 0.0 {
@@ -98,7 +98,7 @@ impl Thrown {
         } else {
             [vx / speed, vy / speed]
         };
-        (Motion::launched(speed, spin), direction)
+        (SliderState::launched(speed, spin), direction)
     }
 
     /// Time, distance, x, y, angle and last ratio at rest.
@@ -107,7 +107,7 @@ impl Thrown {
         let end = self
             .patch
             .glides(|patch| patch.to_rest(self.parameters, &start))?;
-        let Motion {
+        let SliderState {
             time,
             distance,
             angle,
@@ -149,8 +149,8 @@ impl Thrown {
 }
 
 /// Time, x, y, angle, velocity and spin.
-fn row(motion: &Motion<f64>, [x, y]: [f64; 2]) -> [f64; 7] {
-    let Motion {
+fn row(motion: &SliderState<f64>, [x, y]: [f64; 2]) -> [f64; 7] {
+    let SliderState {
         time,
         speed,
         spin,

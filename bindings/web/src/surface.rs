@@ -52,7 +52,7 @@ impl Surface {
         use alloc::boxed::Box;
         let (force_limit, radius) = (self.force_limit, self.lever);
         let ellipsoid =
-            tribos_core::limit_surface::Ellipsoid::new(force_limit, radius, self.spin_torque)?;
+            tribos_core::limit_surface::LimitEllipsoid::new(force_limit, radius, self.spin_torque)?;
         if self.model == ELLIPSOID {
             return Ok(Box::new(ellipsoid));
         }

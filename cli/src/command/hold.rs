@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use tribos::friction::{AtRest, Patch};
 use tribos::record::json_number;
-use tribos_core::holding::{Hold, Holding};
+use tribos_core::holding::{Stiction, StictionBounds};
 use tribos_core::law::DryFriction;
 use tribos_core::presliding::Presliding;
 use tribos_core::twist::{Displacement, Twist, Wrench};
@@ -86,7 +86,7 @@ fn force(text: &str) -> Result<[f64; 2], String> {
 /// What is known of one push.
 struct Answer {
     push: Wrench<f64>,
-    holding: Holding<f64>,
+    holding: StictionBounds<f64>,
     first_motion: Twist<f64>,
     displacement: Option<Displacement<f64>>,
 }
@@ -125,7 +125,7 @@ impl Arguments {
             push,
             holding,
             first_motion: contact.first_motion(&push),
-            displacement: displacement.filter(|_| holding.hold != Hold::Slips),
+            displacement: displacement.filter(|_| holding.stiction != Stiction::Slips),
         })
     }
 
@@ -152,29 +152,29 @@ impl Arguments {
 }
 
 /// The answer in a word.
-fn word(hold: Hold) -> &'static str {
+fn word(hold: Stiction) -> &'static str {
     match hold {
-        Hold::Holds => "holds",
-        Hold::Slips => "slips",
-        Hold::Undecided => "undecided",
+        Stiction::Holds => "holds",
+        Stiction::Slips => "slips",
+        Stiction::Undecided => "undecided",
     }
 }
 
 /// The answer in a sentence.
-fn reason(hold: Hold) -> &'static str {
+fn reason(hold: Stiction) -> &'static str {
     match hold {
-        Hold::Holds => {
+        Stiction::Holds => {
             "kinetic friction alone takes more power in every motion than the push gives"
         }
-        Hold::Slips => "no friction up to the static coefficient balances the push",
-        Hold::Undecided => "it depends on how the contact shares the push",
+        Stiction::Slips => "no friction up to the static coefficient balances the push",
+        Stiction::Undecided => "it depends on how the contact shares the push",
     }
 }
 
 impl Answer {
     fn text(&self) -> String {
-        let Holding {
-            hold,
+        let StictionBounds {
+            stiction: hold,
             certain_gauge,
             possible_gauge,
         } = self.holding;
@@ -186,10 +186,7 @@ impl Answer {
         let in_plane = |x: f64, y: f64| format!("({}, {})", shown(x), shown(y));
         let pushed = format!("{} N, {} N m", in_plane(force.x, force.y), shown(torque));
         line("push", pushed);
-        let [held, slipping] = [
-            self.holding.surely_held_scale(),
-            self.holding.surely_slipping_scale(),
-        ];
+        let [held, slipping] = [self.holding.certain_scale(), self.holding.possible_scale()];
         let margin = |gauge: f64, scale: f64| {
             format!("gauge {}, {} times the push", shown(gauge), shown(scale))
         };
@@ -218,13 +215,13 @@ impl Answer {
             values.iter().map(|x| json_number(x + 0.0)).collect()
         };
         let mut value = json!({
-            "hold": word(self.holding.hold),
+            "hold": word(self.holding.stiction),
             "force": all(&[force.x, force.y]),
             "torque": json_number(torque),
             "certain_gauge": json_number(self.holding.certain_gauge),
             "possible_gauge": json_number(self.holding.possible_gauge),
-            "surely_held_scale": json_number(self.holding.surely_held_scale()),
-            "surely_slipping_scale": json_number(self.holding.surely_slipping_scale()),
+            "surely_held_scale": json_number(self.holding.certain_scale()),
+            "surely_slipping_scale": json_number(self.holding.possible_scale()),
             "first_motion": all(&[velocity.x, velocity.y, spin]),
         });
         if let Some(Displacement { shift, turn }) = self.displacement {

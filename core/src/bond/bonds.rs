@@ -20,11 +20,11 @@ use nalgebra::Matrix3;
 /// the law: 16 × 32 nodes of a uniform disk have onsets to 1e-5, and of [`super::OneStrength`] exact to rounding.
 ///
 /// ```
-/// use tribos_core::bond::{Bonds, Exponential};
+/// use tribos_core::bond::{Bonds, ExponentialBond};
 /// use tribos_core::patch::nodes::Nodes;
 /// use tribos_core::twist::Twist;
 /// let stool = Nodes::tripod([[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]], [0.1, 0.1])?; // m
-/// let bonds = Bonds::new(Exponential::new(5e4_f64, 1e-5)?, stool)?; // 1/m, m
+/// let bonds = Bonds::new(ExponentialBond::new(5e4_f64, 1e-5)?, stool)?; // 1/m, m
 /// let pushed = bonds.wrench(60.0, &Twist::new(1e-6, 0.0, 0.0)); // N; m, m, rad
 /// assert!((pushed.force.x + 60.0 * 0.05 * (-0.1_f64).exp()).abs() < 1e-12); // against the displacement
 /// # Ok::<(), tribos_core::Error>(())
@@ -90,11 +90,11 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
     /// *Special values*: NaN for a NaN displacement.
     ///
     /// ```
-    /// use tribos_core::bond::{Bonds, OneStrength};
+    /// use tribos_core::bond::{Bonds, BrittleBond};
     /// use tribos_core::patch::nodes::{Node, Nodes};
     /// use tribos_core::twist::Twist;
     /// let feet = [-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5 }); // m
-    /// let bonds = Bonds::new(OneStrength::new(5e4_f64, 1e-5)?, Nodes::new(feet)?)?; // 1/m, m
+    /// let bonds = Bonds::new(BrittleBond::new(5e4_f64, 1e-5)?, Nodes::new(feet)?)?; // 1/m, m
     /// let stiffness = bonds.stiffness(60.0, &Twist::ZERO); // N
     /// assert_eq!(stiffness[(0, 0)], 60.0 * 5e4); // N/m
     /// assert!((stiffness[(2, 2)] - 60.0 * 5e4 * 0.01).abs() < 1e-9); // N m
@@ -110,7 +110,10 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
                 let rate = self.law().stiffness();
                 [rate, rate, R::ONE, R::ZERO]
             } else {
-                let (slope, across) = (self.law().slope(length), self.law().across(length));
+                let (slope, across) = (
+                    self.law().slope(length),
+                    self.law().transverse_stiffness(length),
+                );
                 [slope, across, x / length, y / length]
             };
             for (rate, a, b) in [(along, cos, sin), (across, -sin, cos)] {

@@ -13,21 +13,21 @@ use crate::real::Real;
 /// 1 + d/x0. *Special values*: 0 at no strain and at infinite strain.
 ///
 /// ```
-/// use tribos_core::bond::Exponential;
+/// use tribos_core::bond::ExponentialBond;
 /// use tribos_core::law::LocalLaw;
-/// let bonds = Exponential::new(2.0_f64, 0.5)?; // 1/m, m
+/// let bonds = ExponentialBond::new(2.0_f64, 0.5)?; // 1/m, m
 /// assert!((bonds.friction(0.5) - 1.0 / 1.0_f64.exp()).abs() < 1e-15);
 /// assert_eq!(bonds.slope(0.5), 0.0);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Exponential<R> {
+pub struct ExponentialBond<R> {
     stiffness: R,
     strain: R,
 }
 
-impl<R: Real> Exponential<R> {
+impl<R: Real> ExponentialBond<R> {
     /// *Domain*: 0 < `stiffness` < ∞ (k), 0 < `strain` < ∞ (x0).
     pub fn new(stiffness: R, strain: R) -> Result<Self, LawError> {
         Ok(Self {
@@ -41,8 +41,8 @@ impl<R: Real> Exponential<R> {
     /// *Units*: length, per load. *Accuracy*: 3 ulp of k x0². *Special values*: k x0² at infinite strain.
     ///
     /// ```
-    /// use tribos_core::bond::Exponential;
-    /// let bonds = Exponential::new(2.0_f64, 0.5)?; // 1/m, m
+    /// use tribos_core::bond::ExponentialBond;
+    /// let bonds = ExponentialBond::new(2.0_f64, 0.5)?; // 1/m, m
     /// assert!((bonds.energy(1e3) - 0.5).abs() < 1e-15); // all are broken
     /// # Ok::<(), tribos_core::law::LawError>(())
     /// ```
@@ -54,7 +54,7 @@ impl<R: Real> Exponential<R> {
     }
 }
 
-impl<R: Real> LocalLaw<R> for Exponential<R> {
+impl<R: Real> LocalLaw<R> for ExponentialBond<R> {
     #[inline]
     fn friction(&self, speed: R) -> R {
         let decay = (-(speed / self.strain)).exp();
@@ -75,21 +75,21 @@ impl<R: Real> LocalLaw<R> for Exponential<R> {
     }
 }
 
-impl<R: Real> BondLaw<R> for Exponential<R> {
+impl<R: Real> BondLaw<R> for ExponentialBond<R> {
     fn stiffness(&self) -> R {
         self.stiffness
     }
     fn peak(&self) -> R {
         self.strain
     }
-    fn is_abrupt(&self) -> bool {
+    fn is_brittle(&self) -> bool {
         false
     }
     fn plateau(&self) -> R {
         R::ZERO
     }
     #[inline]
-    fn across(&self, strain: R) -> R {
+    fn transverse_stiffness(&self, strain: R) -> R {
         self.stiffness * (-(strain / self.strain)).exp()
     }
 }

@@ -49,12 +49,12 @@ mod saturating;
 mod weibull;
 
 pub use bonds::Bonds;
-pub use exponential::Exponential;
-pub use one_strength::OneStrength;
-pub use onset::{Onset, Release};
-pub use re_forming::ReForming;
-pub use saturating::Saturating;
-pub use weibull::Weibull;
+pub use exponential::ExponentialBond;
+pub use one_strength::BrittleBond;
+pub use onset::{FailureMode, SlipOnset};
+pub use re_forming::ReformingBond;
+pub use saturating::PlasticBond;
+pub use weibull::WeibullBond;
 
 use crate::law::LocalLaw;
 use crate::real::Real;
@@ -84,14 +84,14 @@ pub trait BondLaw<R: Real>: LocalLaw<R> {
     fn peak(&self) -> R;
 
     /// True if all bonds break at once at the peak.
-    fn is_abrupt(&self) -> bool;
+    fn is_brittle(&self) -> bool;
 
     /// The mean force of bonds that have been strained without end: 0 if all are broken.
     fn plateau(&self) -> R;
 
     /// Force per strain against a small strain across that of the bond, at a strain > 0.
     #[inline]
-    fn across(&self, strain: R) -> R {
+    fn transverse_stiffness(&self, strain: R) -> R {
         self.friction(strain) / strain
     }
 }
@@ -103,15 +103,15 @@ impl<R: Real, L: BondLaw<R> + ?Sized> BondLaw<R> for &L {
     fn peak(&self) -> R {
         (**self).peak()
     }
-    fn is_abrupt(&self) -> bool {
-        (**self).is_abrupt()
+    fn is_brittle(&self) -> bool {
+        (**self).is_brittle()
     }
     fn plateau(&self) -> R {
         (**self).plateau()
     }
     #[inline]
-    fn across(&self, strain: R) -> R {
-        (**self).across(strain)
+    fn transverse_stiffness(&self, strain: R) -> R {
+        (**self).transverse_stiffness(strain)
     }
 }
 

@@ -15,20 +15,20 @@ use crate::real::Real;
 /// *Special values*: k x0 at x0 itself; 0 at infinite strain.
 ///
 /// ```
-/// use tribos_core::bond::OneStrength;
+/// use tribos_core::bond::BrittleBond;
 /// use tribos_core::law::LocalLaw;
-/// let bonds = OneStrength::new(2.0, 0.5)?; // 1/m, m
+/// let bonds = BrittleBond::new(2.0, 0.5)?; // 1/m, m
 /// assert_eq!([0.25, 0.5, 0.6].map(|strain| bonds.friction(strain)), [0.5, 1.0, 0.0]);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct OneStrength<R> {
+pub struct BrittleBond<R> {
     stiffness: R,
     strain: R,
 }
 
-impl<R: Real> OneStrength<R> {
+impl<R: Real> BrittleBond<R> {
     /// *Domain*: 0 < `stiffness` < ∞ (k), 0 < `strain` < ∞ (x0).
     pub fn new(stiffness: R, strain: R) -> Result<Self, LawError> {
         Ok(Self {
@@ -42,8 +42,8 @@ impl<R: Real> OneStrength<R> {
     /// *Units*: length, per load. *Accuracy*: 3 ulp.
     ///
     /// ```
-    /// use tribos_core::bond::OneStrength;
-    /// let bonds = OneStrength::new(2.0, 0.5)?; // 1/m, m
+    /// use tribos_core::bond::BrittleBond;
+    /// let bonds = BrittleBond::new(2.0, 0.5)?; // 1/m, m
     /// assert_eq!([0.25, 0.5, 9.0].map(|strain| bonds.energy(strain)), [0.0625, 0.25, 0.25]);
     /// # Ok::<(), tribos_core::law::LawError>(())
     /// ```
@@ -57,7 +57,7 @@ impl<R: Real> OneStrength<R> {
     }
 }
 
-impl<R: Real> LocalLaw<R> for OneStrength<R> {
+impl<R: Real> LocalLaw<R> for BrittleBond<R> {
     #[inline]
     fn friction(&self, speed: R) -> R {
         if speed > self.strain {
@@ -69,25 +69,25 @@ impl<R: Real> LocalLaw<R> for OneStrength<R> {
     /// k up to x0, 0 beyond.
     #[inline]
     fn slope(&self, speed: R) -> R {
-        self.across(speed)
+        self.transverse_stiffness(speed)
     }
 }
 
-impl<R: Real> BondLaw<R> for OneStrength<R> {
+impl<R: Real> BondLaw<R> for BrittleBond<R> {
     fn stiffness(&self) -> R {
         self.stiffness
     }
     fn peak(&self) -> R {
         self.strain
     }
-    fn is_abrupt(&self) -> bool {
+    fn is_brittle(&self) -> bool {
         true
     }
     fn plateau(&self) -> R {
         R::ZERO
     }
     #[inline]
-    fn across(&self, strain: R) -> R {
+    fn transverse_stiffness(&self, strain: R) -> R {
         if strain > self.strain {
             R::ZERO
         } else if strain.is_nan() {

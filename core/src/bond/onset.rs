@@ -17,20 +17,20 @@ use nalgebra::Matrix3;
 /// How bonds let go.
 ///
 /// ```
-/// use tribos_core::bond::{Bonds, OneStrength, Release, Saturating};
+/// use tribos_core::bond::{Bonds, BrittleBond, FailureMode, PlasticBond};
 /// use tribos_core::patch::nodes::{Node, Nodes};
 /// use tribos_core::twist::Twist;
 /// let feet = Nodes::new([-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5_f64 }))?; // m
 /// let turn = Twist::new(0.0, 0.0, 1.0);
-/// let brittle = Bonds::new(OneStrength::new(5e4, 1e-5)?, feet)?.onset(60.0, &turn);
-/// assert!(brittle.is_some_and(|onset| onset.release == Release::Breaks));
-/// let plastic = Bonds::new(Saturating::new(5e4, 1e-5)?, feet)?.onset(60.0, &turn);
-/// assert!(plastic.is_some_and(|onset| onset.release == Release::Yields));
+/// let brittle = Bonds::new(BrittleBond::new(5e4, 1e-5)?, feet)?.onset(60.0, &turn);
+/// assert!(brittle.is_some_and(|onset| onset.release == FailureMode::Breaks));
+/// let plastic = Bonds::new(PlasticBond::new(5e4, 1e-5)?, feet)?.onset(60.0, &turn);
+/// assert!(plastic.is_some_and(|onset| onset.release == FailureMode::Yields));
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Release {
+pub enum FailureMode {
     /// The bond that is strained most breaks, and the others follow.
     Breaks,
     /// Bonds weaken one after the other until the stiffness of the whole turns singular.
@@ -45,11 +45,11 @@ pub enum Release {
 /// Where a body lets go.
 ///
 /// ```
-/// use tribos_core::bond::{Bonds, Exponential};
+/// use tribos_core::bond::{Bonds, ExponentialBond};
 /// use tribos_core::patch::nodes::{Node, Nodes};
 /// use tribos_core::twist::Twist;
 /// let feet = [[-0.1, 0.0], [0.1, 0.0]].map(|[x, y]| Node { x, y, weight: 0.5 }); // m
-/// let bonds = Bonds::new(Exponential::new(5e4_f64, 1e-5)?, Nodes::new(feet)?)?; // 1/m, m
+/// let bonds = Bonds::new(ExponentialBond::new(5e4_f64, 1e-5)?, Nodes::new(feet)?)?; // 1/m, m
 /// let onset = bonds.onset(60.0, &Twist::new(0.0, 0.0, -1.0)).unwrap(); // N; turned clockwise
 /// assert!((onset.displacement.spin + 1e-4).abs() < 1e-12); // rad: each foot moves by 1e-5 m
 /// assert!((onset.push.torque + 60.0 * 0.1 * 0.5 / 1.0_f64.exp()).abs() < 1e-12); // N m
@@ -57,13 +57,13 @@ pub enum Release {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Onset<R: Real> {
+pub struct SlipOnset<R: Real> {
     /// Displacement up to which the bonds hold, in length and angle; infinite parts where bonds yield.
     pub displacement: Twist<R>,
     /// The load on the body that its bonds balance there: minus their wrench.
     pub push: Wrench<R>,
     /// How they let go.
-    pub release: Release,
+    pub release: FailureMode,
 }
 
 /// Step of the search, as a factor of the displacement: half of the peak of [`super::ReForming`] with most stages.
@@ -81,8 +81,8 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
     /// both for the nodes, see [`Bonds`]. The stiffness is looked at in steps of 2 %: a singular point is passed over
     /// where it is definite again within one. *Cost*: none for bonds of one strength, otherwise some 100 wrenches
     /// with stiffness. *Special values*: `None` for a direction that is zero, infinite or NaN, and where
-    /// displacement, stiffness or push are NaN or out of range; a search without result is [`Release::Holds`].
-    pub fn onset(&self, load: R, direction: &Twist<R>) -> Option<Onset<R>> {
+    /// displacement, stiffness or push are NaN or out of range; a search without result is [`FailureMode::Holds`].
+    pub fn onset(&self, load: R, direction: &Twist<R>) -> Option<SlipOnset<R>> {
         let reach = self.largest_strain(direction);
         // Only ratios count: the farthest bond moves by 1.
         let direction = *direction * (R::ONE / reach);
@@ -94,10 +94,10 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
             return Some(self.yielding(load, &direction));
         }
         let first = direction * peak;
-        let (displacement, push, release) = if self.law().is_abrupt() {
+        let (displacement, push, release) = if self.law().is_brittle() {
             // Up to the first break the bonds are springs.
             let springs = NodeFriction::new(Spring(self.law().stiffness()), self.patch());
-            (first, -springs.wrench(load, &first), Release::Breaks)
+            (first, -springs.wrench(load, &first), FailureMode::Breaks)
         } else {
             let (factor, release) = self.definite_up_to(&first)?;
             let displacement = first * factor;
@@ -106,7 +106,7 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
         };
         let parts = [push.force.x, push.force.y, push.torque];
         let is_in_range = is_finite(&displacement) && parts.iter().all(|part| part.is_finite());
-        is_in_range.then_some(Onset {
+        is_in_range.then_some(SlipOnset {
             displacement,
             push,
             release,
@@ -114,7 +114,7 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
     }
 
     /// The limit of a large displacement, in which all bonds hold alike.
-    fn yielding(&self, load: R, direction: &Twist<R>) -> Onset<R> {
+    fn yielding(&self, load: R, direction: &Twist<R>) -> SlipOnset<R> {
         let held = NodeFriction::new(Held(self.law().plateau()), self.patch());
         let infinite = |part: R| {
             if part == R::ZERO {
@@ -124,21 +124,21 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
             }
         };
         let Twist { velocity, spin } = direction;
-        Onset {
+        SlipOnset {
             displacement: Twist::new(infinite(velocity.x), infinite(velocity.y), infinite(*spin)),
             push: -held.wrench(load, direction),
-            release: Release::Yields,
+            release: FailureMode::Yields,
         }
     }
 
     /// The factor of `first` up to which the stiffness is definite, and what follows; `None` where it is out of range.
-    fn definite_up_to(&self, first: &Twist<R>) -> Option<(R, Release)> {
+    fn definite_up_to(&self, first: &Twist<R>) -> Option<(R, FailureMode)> {
         let holds = |factor: R| is_definite(&self.stiffness(R::ONE, &(*first * factor)));
         let (mut low, mut high) = (R::ONE, R::ONE);
         let mut steps = 0;
         while holds(high)? {
             if steps == STEPS {
-                return Some((high, Release::Holds));
+                return Some((high, FailureMode::Holds));
             }
             steps += 1;
             (low, high) = (high, high * R::from_f64(STEP));
@@ -154,7 +154,7 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
                 high = middle;
             }
         }
-        Some((low, Release::Softens))
+        Some((low, FailureMode::Softens))
     }
 }
 

@@ -43,7 +43,7 @@ use core::num::NonZeroU32;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ReForming<R> {
+pub struct ReformingBond<R> {
     stiffness: R,
     strain: R,
     /// `None` for one strength.
@@ -58,7 +58,7 @@ const MONOTONE_STAGES: u32 = 4;
 /// Halvings of a step to the last digit.
 const HALVINGS: u32 = 60;
 
-impl<R: Real> ReForming<R> {
+impl<R: Real> ReformingBond<R> {
     /// Most stages served.
     pub const MAX_STAGES: u32 = 1000;
 
@@ -151,7 +151,7 @@ fn sawtooth<R: Real>(turns: R) -> R {
     }
 }
 
-impl<R: Real> LocalLaw<R> for ReForming<R> {
+impl<R: Real> LocalLaw<R> for ReformingBond<R> {
     fn friction(&self, speed: R) -> R {
         let turns = speed / self.strain;
         let age = match self.stages {
@@ -164,19 +164,19 @@ impl<R: Real> LocalLaw<R> for ReForming<R> {
     fn slope(&self, speed: R) -> R {
         match self.stages {
             Some(stages) => self.stiffness * mean_age(stages, speed / self.strain).rate,
-            None => self.across(speed),
+            None => self.transverse_stiffness(speed),
         }
     }
 }
 
-impl<R: Real> BondLaw<R> for ReForming<R> {
+impl<R: Real> BondLaw<R> for ReformingBond<R> {
     fn stiffness(&self) -> R {
         self.stiffness
     }
     fn peak(&self) -> R {
         self.peak
     }
-    fn is_abrupt(&self) -> bool {
+    fn is_brittle(&self) -> bool {
         self.stages.is_none()
     }
     fn plateau(&self) -> R {
@@ -185,7 +185,7 @@ impl<R: Real> BondLaw<R> for ReForming<R> {
     }
     /// k: no bond is missing.
     #[inline]
-    fn across(&self, strain: R) -> R {
+    fn transverse_stiffness(&self, strain: R) -> R {
         if strain.is_nan() {
             strain
         } else {

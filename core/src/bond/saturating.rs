@@ -14,21 +14,21 @@ use crate::real::Real;
 /// *Special values*: 0 at no strain, k x0 at infinite strain.
 ///
 /// ```
-/// use tribos_core::bond::Saturating;
+/// use tribos_core::bond::PlasticBond;
 /// use tribos_core::law::LocalLaw;
-/// let bonds = Saturating::new(2.0_f64, 0.5)?; // 1/m, m
+/// let bonds = PlasticBond::new(2.0_f64, 0.5)?; // 1/m, m
 /// assert!((bonds.friction(0.5) - 0.5_f64.sqrt()).abs() < 1e-15);
 /// assert_eq!(bonds.friction(f64::INFINITY), 1.0);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Saturating<R> {
+pub struct PlasticBond<R> {
     stiffness: R,
     strain: R,
 }
 
-impl<R: Real> Saturating<R> {
+impl<R: Real> PlasticBond<R> {
     /// *Domain*: 0 < `stiffness` < ∞ (k), 0 < `strain` < ∞ (x0).
     pub fn new(stiffness: R, strain: R) -> Result<Self, LawError> {
         Ok(Self {
@@ -42,8 +42,8 @@ impl<R: Real> Saturating<R> {
     /// *Units*: length, per load. *Accuracy*: 6 ulp. *Special values*: infinite at infinite strain.
     ///
     /// ```
-    /// use tribos_core::bond::Saturating;
-    /// let bonds = Saturating::new(2.0_f64, 0.5)?; // 1/m, m
+    /// use tribos_core::bond::PlasticBond;
+    /// let bonds = PlasticBond::new(2.0_f64, 0.5)?; // 1/m, m
     /// // Far beyond the yield strain every further metre costs k x0.
     /// assert!((bonds.energy(8e3) - bonds.energy(7e3) - 1e3).abs() < 1e-4);
     /// # Ok::<(), tribos_core::law::LawError>(())
@@ -58,7 +58,7 @@ impl<R: Real> Saturating<R> {
     }
 }
 
-impl<R: Real> LocalLaw<R> for Saturating<R> {
+impl<R: Real> LocalLaw<R> for PlasticBond<R> {
     #[inline]
     fn friction(&self, speed: R) -> R {
         let t = speed / self.strain;
@@ -76,21 +76,21 @@ impl<R: Real> LocalLaw<R> for Saturating<R> {
     }
 }
 
-impl<R: Real> BondLaw<R> for Saturating<R> {
+impl<R: Real> BondLaw<R> for PlasticBond<R> {
     fn stiffness(&self) -> R {
         self.stiffness
     }
     fn peak(&self) -> R {
         R::INFINITY
     }
-    fn is_abrupt(&self) -> bool {
+    fn is_brittle(&self) -> bool {
         false
     }
     fn plateau(&self) -> R {
         self.stiffness * self.strain
     }
     #[inline]
-    fn across(&self, strain: R) -> R {
+    fn transverse_stiffness(&self, strain: R) -> R {
         self.stiffness / R::ONE.hypot(strain / self.strain)
     }
 }

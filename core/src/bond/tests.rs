@@ -4,14 +4,14 @@ use super::*;
 use crate::law::{LawError, LocalLaw};
 use crate::patch::PatchError;
 use crate::patch::nodes::{Node, NodeList, Nodes};
-use crate::patch::polar::PolarRule;
+use crate::patch::polar::PolarQuadrature;
 use crate::patch::polygon::polygon_into;
 use crate::twist::Twist;
 
 type Disk = NodeList<f64, 512>;
 
 fn disk() -> Disk {
-    PolarRule::standard(1.0).unwrap().nodes().unwrap()
+    PolarQuadrature::standard(1.0).unwrap().nodes().unwrap()
 }
 
 fn ring() -> Nodes<f64, 256> {
@@ -72,7 +72,7 @@ const OBLIQUE: [f64; 3] = [0.6, 0.8, -1.5];
 
 #[test]
 fn a_disk_lets_go_where_its_stiffness_is_singular() {
-    let broad = Bonds::new(Exponential::new(1.0, 1.0).unwrap(), disk()).unwrap();
+    let broad = Bonds::new(ExponentialBond::new(1.0, 1.0).unwrap(), disk()).unwrap();
     let expected = [
         (TURN, [0.0, 0.0, 0.2354003796773]),
         (BOTH, [0.2829692706149, 0.0, 0.1108246872419]),
@@ -82,7 +82,7 @@ fn a_disk_lets_go_where_its_stiffness_is_singular() {
         ),
     ];
     check(&broad, &expected, 2e-6);
-    let sharp = Bonds::new(Weibull::new(1.0, 1.0, 8.0).unwrap(), disk()).unwrap();
+    let sharp = Bonds::new(WeibullBond::new(1.0, 1.0, 8.0).unwrap(), disk()).unwrap();
     let expected = [
         (TURN, [0.0, 0.0, 0.3929936975365]),
         (BOTH, [0.4308966208547, 0.0, 0.200152561504]),
@@ -96,7 +96,7 @@ fn a_disk_lets_go_where_its_stiffness_is_singular() {
 
 #[test]
 fn a_ring_a_square_and_a_stool_let_go_too() {
-    let law = Weibull::new(1.0, 1.0, 2.0).unwrap();
+    let law = WeibullBond::new(1.0, 1.0, 2.0).unwrap();
     let expected = [
         (TURN, [0.0, 0.0, 0.4288819424804]),
         (BOTH, [0.2515257167993, 0.0, 0.2515257167993]),
@@ -136,7 +136,7 @@ fn a_ring_a_square_and_a_stool_let_go_too() {
         ),
     ];
     let long = rectangle([1.0, 0.5]);
-    let broad = Exponential::new(1.0, 1.0).unwrap();
+    let broad = ExponentialBond::new(1.0, 1.0).unwrap();
     check(&Bonds::new(broad, long).unwrap(), &expected, 1e-5);
 }
 
@@ -151,13 +151,13 @@ fn ratio<L: BondLaw<f64>>(law: L) -> f64 {
 /// over y, 0.639885; the others are the numbers above.
 #[test]
 fn the_ratio_of_torque_to_force_tells_the_spread_of_strengths() {
-    let scaled = |m: f64| Weibull::new(1.0, Real::pow(m, 1.0 / m), m).unwrap();
+    let scaled = |m: f64| WeibullBond::new(1.0, Real::pow(m, 1.0 / m), m).unwrap();
     for (found, expected) in [
-        (ratio(Saturating::new(1.0, 1.0).unwrap()), 2.0 / 3.0),
-        (ratio(Exponential::new(1.0, 1.0).unwrap()), 0.639885),
+        (ratio(PlasticBond::new(1.0, 1.0).unwrap()), 2.0 / 3.0),
+        (ratio(ExponentialBond::new(1.0, 1.0).unwrap()), 0.639885),
         (ratio(scaled(2.0)), 0.623075),
         (ratio(scaled(8.0)), 0.577509),
-        (ratio(OneStrength::new(1.0, 1.0).unwrap()), 0.5),
+        (ratio(BrittleBond::new(1.0, 1.0).unwrap()), 0.5),
     ] {
         assert!((found - expected).abs() < 3e-5, "{found} {expected}");
     }
@@ -167,16 +167,16 @@ fn the_ratio_of_torque_to_force_tells_the_spread_of_strengths() {
 
 #[test]
 fn bonds_of_one_strength_have_a_straight_onset_curve() {
-    let law = OneStrength::new(4.0, 0.25).unwrap(); // F_s = N
+    let law = BrittleBond::new(4.0, 0.25).unwrap(); // F_s = N
     let round = Bonds::new(law, disk()).unwrap().with_rim(1.0).unwrap();
     for turn in [-5.0, -1.0, 0.0, 0.1, 1.0, 3.0, 1e6] {
         let onset = round.onset(1.0, &Twist::new(0.6, 0.8, turn)).unwrap();
         let (force, torque) = (onset.push.force.norm(), onset.push.torque.abs());
         assert!((force + torque / 0.5 - 1.0).abs() < 1e-13, "{turn}");
-        assert_eq!(onset.release, Release::Breaks);
+        assert_eq!(onset.release, FailureMode::Breaks);
     }
     // A square of side 2: polar moment 2/3, farthest corner √2; ring and stool hold with the full arm.
-    let torque = |push: Option<Onset<f64>>| push.unwrap().push.torque;
+    let torque = |push: Option<SlipOnset<f64>>| push.unwrap().push.torque;
     let turn = Twist::new(0.0, 0.0, -1.0);
     let square = Bonds::new(law, rectangle([1.0, 1.0])).unwrap();
     assert!((torque(square.onset(1.0, &turn)) + 2.0 / 3.0 / 2.0_f64.sqrt()).abs() < 1e-13);
@@ -186,13 +186,13 @@ fn bonds_of_one_strength_have_a_straight_onset_curve() {
 
 #[test]
 fn yielding_bonds_hold_what_dry_friction_holds() {
-    let bonds = Bonds::new(Saturating::new(2.0, 0.5).unwrap(), disk()).unwrap();
+    let bonds = Bonds::new(PlasticBond::new(2.0, 0.5).unwrap(), disk()).unwrap();
     // Coulomb's friction of the disk at equal speeds: 8/(3π) and 16/(9π).
     let onset = bonds.onset(1.0, &Twist::new(-1.0, 0.0, 1.0)).unwrap();
     let pi = core::f64::consts::PI;
     assert!((onset.push.force.x + 8.0 / (3.0 * pi)).abs() < 1e-3);
     assert!((onset.push.torque - 8.0 / (9.0 * pi)).abs() < 1e-3);
-    assert_eq!(onset.release, Release::Yields);
+    assert_eq!(onset.release, FailureMode::Yields);
     assert_eq!(onset.displacement.velocity.x, f64::NEG_INFINITY);
     assert_eq!(onset.displacement.velocity.y, 0.0);
     // Far beyond their strain the bonds already hold almost that.
@@ -215,7 +215,7 @@ fn re_formed_bonds_have_the_mean_age_of_a_renewal_process() {
         (8, 1.5, 0.553050696049523),
         (8, 2.5, 0.5616359553750375),
     ] {
-        let law = ReForming::new(7.0, 1.0, stages).unwrap();
+        let law = ReformingBond::new(7.0, 1.0, stages).unwrap();
         let error = law.friction(strain) / 7.0 - age;
         assert!(error.abs() < 1e-12, "{stages} {strain} {error:e}");
     }
@@ -231,32 +231,32 @@ fn static_friction_is_up_to_twice_the_dynamic_one() {
         (64, 0.8216, 1.5119304),
         (256, 0.8844, 1.7131354),
     ] {
-        let law = ReForming::new(3.0, 0.5, stages).unwrap();
+        let law = ReformingBond::new(3.0, 0.5, stages).unwrap();
         assert!((law.peak() / 0.5 - peak).abs() < 3e-4, "{stages}");
         let found = law.friction(law.peak()) / law.plateau();
         assert!((found - ratio).abs() < 1e-6, "{stages} {found}");
     }
     for stages in [1, 2, 3, 4] {
-        let law = ReForming::new(3.0, 0.5, stages).unwrap();
+        let law = ReformingBond::new(3.0, 0.5, stages).unwrap();
         assert_eq!(law.peak(), f64::INFINITY);
         let grows = |strain: f64| law.slope(strain) > 0.0;
         assert!((1..60).all(|i| grows(0.05 * f64::from(i))), "{stages}");
     }
-    let narrow = ReForming::new(3.0, 0.5, 1000).unwrap();
-    let one = ReForming::one_strength(3.0, 0.5).unwrap();
+    let narrow = ReformingBond::new(3.0, 0.5, 1000).unwrap();
+    let one = ReformingBond::one_strength(3.0, 0.5).unwrap();
     assert!(narrow.friction(narrow.peak()) / narrow.plateau() > 1.8);
     assert_eq!(one.friction(one.peak()) / one.plateau(), 2.0);
 }
 
 fn for_all_laws(check: impl Fn(usize, &dyn BondLaw<f64>)) {
     let laws: [&dyn BondLaw<f64>; 7] = [
-        &Exponential::new(3.0, 0.5).unwrap(),
-        &Weibull::new(3.0, 0.5, 3.0).unwrap(),
-        &OneStrength::new(3.0, 0.5).unwrap(),
-        &Saturating::new(3.0, 0.5).unwrap(),
-        &ReForming::new(3.0, 0.5, 1).unwrap(),
-        &ReForming::new(3.0, 0.5, 20).unwrap(),
-        &ReForming::one_strength(3.0, 0.5).unwrap(),
+        &ExponentialBond::new(3.0, 0.5).unwrap(),
+        &WeibullBond::new(3.0, 0.5, 3.0).unwrap(),
+        &BrittleBond::new(3.0, 0.5).unwrap(),
+        &PlasticBond::new(3.0, 0.5).unwrap(),
+        &ReformingBond::new(3.0, 0.5, 1).unwrap(),
+        &ReformingBond::new(3.0, 0.5, 20).unwrap(),
+        &ReformingBond::one_strength(3.0, 0.5).unwrap(),
     ];
     for (which, law) in laws.into_iter().enumerate() {
         check(which, law);
@@ -287,7 +287,7 @@ fn the_peak_is_where_the_force_ceases_to_grow() {
             let top = law.friction(peak);
             assert!(law.friction(0.999 * peak) < top, "{which}");
             assert!(law.friction(1.001 * peak) < top, "{which}");
-            assert_eq!(law.is_abrupt(), law.friction(1.001 * peak) < 0.9 * top);
+            assert_eq!(law.is_brittle(), law.friction(1.001 * peak) < 0.9 * top);
         }
     });
 }
@@ -298,18 +298,22 @@ fn laws_end_at_their_plateau_start_at_zero_and_keep_nan() {
         assert_eq!(law.friction(0.0), 0.0, "{which}");
         for far in [1e300, f64::INFINITY] {
             assert!((law.friction(far) - law.plateau()).abs() < 1e-14, "{which}");
-            assert!(!law.slope(far).is_nan() && !law.across(far).is_nan());
+            assert!(!law.slope(far).is_nan() && !law.transverse_stiffness(far).is_nan());
         }
         let nan = f64::NAN;
-        assert!(law.friction(nan).is_nan() && law.slope(nan).is_nan() && law.across(nan).is_nan());
+        assert!(
+            law.friction(nan).is_nan()
+                && law.slope(nan).is_nan()
+                && law.transverse_stiffness(nan).is_nan()
+        );
     });
 }
 
 #[test]
 fn the_energy_is_the_work_of_the_force() {
-    let broad = Exponential::new(3.0_f64, 0.5).unwrap();
-    let brittle = OneStrength::new(3.0, 0.5).unwrap();
-    let plastic = Saturating::new(3.0, 0.5).unwrap();
+    let broad = ExponentialBond::new(3.0_f64, 0.5).unwrap();
+    let brittle = BrittleBond::new(3.0, 0.5).unwrap();
+    let plastic = PlasticBond::new(3.0, 0.5).unwrap();
     for strain in [1e-3, 0.2, 0.4, 0.7, 3.0] {
         let rate = |energy: &dyn Fn(f64) -> f64| {
             let step = 1e-6;
@@ -329,7 +333,11 @@ fn the_energy_is_the_work_of_the_force() {
 
 #[test]
 fn the_stiffness_is_minus_the_derivative_of_the_wrench() {
-    let bonds = Bonds::new(Weibull::new(3.0, 0.5, 2.0).unwrap(), rectangle([0.3, 0.2])).unwrap();
+    let bonds = Bonds::new(
+        WeibullBond::new(3.0, 0.5, 2.0).unwrap(),
+        rectangle([0.3, 0.2]),
+    )
+    .unwrap();
     for at in [
         [0.1, -0.2, 0.4],
         [0.0, 0.0, 0.3],
@@ -359,11 +367,11 @@ fn the_stiffness_is_minus_the_derivative_of_the_wrench() {
 fn single_precision_gives_the_same_onset() {
     let law = |k: f32| {
         (
-            Exponential::new(k, 0.5).unwrap(),
-            Weibull::new(k, 0.5, 8.0).unwrap(),
+            ExponentialBond::new(k, 0.5).unwrap(),
+            WeibullBond::new(k, 0.5, 8.0).unwrap(),
         )
     };
-    let nodes: NodeList<f32, 512> = PolarRule::standard(1.0).unwrap().nodes().unwrap();
+    let nodes: NodeList<f32, 512> = PolarQuadrature::standard(1.0).unwrap().nodes().unwrap();
     let (broad, sharp) = law(2.0);
     let turn = Twist::new(0.3_f32, 0.0, -1.0);
     let (x, y) = (
@@ -374,16 +382,16 @@ fn single_precision_gives_the_same_onset() {
         Bonds::new(sharp, nodes).unwrap().onset(1.0, &turn).unwrap(),
     );
     let turn = Twist::new(0.3_f32 as f64, 0.0, -1.0);
-    let broad = Bonds::new(Exponential::new(2.0, 0.5).unwrap(), disk()).unwrap();
-    let sharp = Bonds::new(Weibull::new(2.0, 0.5, 8.0).unwrap(), disk()).unwrap();
+    let broad = Bonds::new(ExponentialBond::new(2.0, 0.5).unwrap(), disk()).unwrap();
+    let sharp = Bonds::new(WeibullBond::new(2.0, 0.5, 8.0).unwrap(), disk()).unwrap();
     for (single, double) in [(x, broad.onset(1.0, &turn)), (y, sharp.onset(1.0, &turn))] {
         let (single, double) = (single.push, double.unwrap().push);
         assert!((f64::from(single.torque) - double.torque).abs() < 1e-5);
         assert!((f64::from(single.force.x) - double.force.x).abs() < 1e-5);
     }
     let (single, double) = (
-        ReForming::new(2.0_f32, 0.5, 64).unwrap(),
-        ReForming::new(2.0, 0.5, 64).unwrap(),
+        ReformingBond::new(2.0_f32, 0.5, 64).unwrap(),
+        ReformingBond::new(2.0, 0.5, 64).unwrap(),
     );
     for strain in [0.01_f32, 0.3, 0.45, 0.9, 1.01, 1.5, 7.0] {
         let exact = double.friction(f64::from(strain));
@@ -396,7 +404,7 @@ fn single_precision_gives_the_same_onset() {
 
 #[test]
 fn onsets_do_not_depend_on_the_length_of_the_direction() {
-    let law = ReForming::new(2.0, 0.5, 32).unwrap();
+    let law = ReformingBond::new(2.0, 0.5, 32).unwrap();
     let bonds = Bonds::new(law, disk()).unwrap();
     let onset = |scale: f64| {
         bonds
@@ -428,22 +436,22 @@ fn a_search_that_ends_before_the_bonds_let_go_is_told_from_an_onset() {
         let [a, b, c, d] = inner.map(|[x, y]| node(x, y, 0.25));
         let feet = [a, b, c, d, node(1.0, 0.0, 1e-21), node(-1.0, 0.0, 1e-21)];
         let bonds = Bonds::new(
-            Exponential::new(1.0, 1.0).unwrap(),
+            ExponentialBond::new(1.0, 1.0).unwrap(),
             Nodes::new(feet).unwrap(),
         );
         let onset = bonds.unwrap().onset(1.0, &Twist::new(0.0, 0.0, 1.0));
         onset.unwrap()
     };
     let found = turned(1e-8);
-    assert_eq!(found.release, Release::Softens);
+    assert_eq!(found.release, FailureMode::Softens);
     assert!((found.displacement.spin * 1e-8 - 1.0).abs() < 1e-4);
     let missed = turned(1e-10);
-    assert_eq!(missed.release, Release::Holds);
+    assert_eq!(missed.release, FailureMode::Holds);
     assert!((3e8..1e10).contains(&missed.displacement.spin));
     // Numbers that are no stiffness are not read as one.
     let far = [[1e200, 0.0], [-1e200, 0.0]].map(|[x, y]| Node { x, y, weight: 0.5 });
     let bonds = Bonds::new(
-        Exponential::new(1.0, 1.0).unwrap(),
+        ExponentialBond::new(1.0, 1.0).unwrap(),
         Nodes::new(far).unwrap(),
     )
     .unwrap();
@@ -453,25 +461,31 @@ fn a_search_that_ends_before_the_bonds_let_go_is_told_from_an_onset() {
 #[test]
 fn what_no_law_and_no_patch_can_be_is_refused() {
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(Exponential::new(bad, 1.0).is_err() && Exponential::new(1.0, bad).is_err());
-        assert!(OneStrength::new(bad, 1.0).is_err() && OneStrength::new(1.0, bad).is_err());
-        assert!(Saturating::new(bad, 1.0).is_err() && Saturating::new(1.0, bad).is_err());
-        assert!(Weibull::new(bad, 1.0, 1.0).is_err() && Weibull::new(1.0, bad, 1.0).is_err());
-        assert!(Weibull::new(1.0, 1.0, bad).is_err());
-        assert!(ReForming::new(bad, 1.0, 8).is_err() && ReForming::new(1.0, bad, 8).is_err());
-        assert!(ReForming::one_strength(1.0, bad).is_err());
-        let bonds = Bonds::new(Exponential::new(1.0, 1.0).unwrap(), stool()).unwrap();
+        assert!(ExponentialBond::new(bad, 1.0).is_err() && ExponentialBond::new(1.0, bad).is_err());
+        assert!(BrittleBond::new(bad, 1.0).is_err() && BrittleBond::new(1.0, bad).is_err());
+        assert!(PlasticBond::new(bad, 1.0).is_err() && PlasticBond::new(1.0, bad).is_err());
+        assert!(
+            WeibullBond::new(bad, 1.0, 1.0).is_err() && WeibullBond::new(1.0, bad, 1.0).is_err()
+        );
+        assert!(WeibullBond::new(1.0, 1.0, bad).is_err());
+        assert!(
+            ReformingBond::new(bad, 1.0, 8).is_err() && ReformingBond::new(1.0, bad, 8).is_err()
+        );
+        assert!(ReformingBond::one_strength(1.0, bad).is_err());
+        let bonds = Bonds::new(ExponentialBond::new(1.0, 1.0).unwrap(), stool()).unwrap();
         assert!(bonds.with_rim(bad).is_err());
     }
     let none = LawError::NotPositive {
         parameter: "number of stages",
         given: 0.0,
     };
-    assert_eq!(ReForming::new(1.0, 1.0, 0), Err(none));
-    assert!(ReForming::new(1.0, 1.0, 1001).is_err() && ReForming::new(1.0, 1.0, 1000).is_ok());
+    assert_eq!(ReformingBond::new(1.0, 1.0, 0), Err(none));
+    assert!(
+        ReformingBond::new(1.0, 1.0, 1001).is_err() && ReformingBond::new(1.0, 1.0, 1000).is_ok()
+    );
     let tip = [[0.1, 1.0], [0.1, 2.0], [0.4, 0.0]].map(|[x, weight]| Node { x, y: 0.0, weight });
     let one_place = Bonds::new(
-        Exponential::new(1.0, 1.0).unwrap(),
+        ExponentialBond::new(1.0, 1.0).unwrap(),
         Nodes::new(tip).unwrap(),
     );
     assert_eq!(one_place.err(), Some(PatchError::OnePlace));

@@ -15,22 +15,22 @@ use crate::real::Real;
 /// *Source*: W. Weibull, J. Appl. Mech. 18 (1951) 293, for the distribution.
 ///
 /// ```
-/// use tribos_core::bond::Weibull;
+/// use tribos_core::bond::WeibullBond;
 /// use tribos_core::law::LocalLaw;
-/// let bonds = Weibull::new(1.0_f64, 2.0_f64.sqrt(), 2.0)?; // d exp(−d²/2)
+/// let bonds = WeibullBond::new(1.0_f64, 2.0_f64.sqrt(), 2.0)?; // d exp(−d²/2)
 /// assert!((bonds.friction(1.0) - (-0.5_f64).exp()).abs() < 1e-15);
 /// assert!(bonds.slope(1.0).abs() < 1e-15);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Weibull<R> {
+pub struct WeibullBond<R> {
     stiffness: R,
     strain: R,
     exponent: R,
 }
 
-impl<R: Real> Weibull<R> {
+impl<R: Real> WeibullBond<R> {
     /// *Domain*: 0 < `stiffness` < ∞ (k), 0 < `strain` < ∞ (x0), 0 < `exponent` < ∞ (m); the peak
     /// x0 m^(−1/m) finite.
     pub fn new(stiffness: R, strain: R, exponent: R) -> Result<Self, LawError> {
@@ -51,7 +51,7 @@ impl<R: Real> Weibull<R> {
     }
 }
 
-impl<R: Real> LocalLaw<R> for Weibull<R> {
+impl<R: Real> LocalLaw<R> for WeibullBond<R> {
     #[inline]
     fn friction(&self, speed: R) -> R {
         let (_, share) = self.holding(speed);
@@ -71,21 +71,21 @@ impl<R: Real> LocalLaw<R> for Weibull<R> {
     }
 }
 
-impl<R: Real> BondLaw<R> for Weibull<R> {
+impl<R: Real> BondLaw<R> for WeibullBond<R> {
     fn stiffness(&self) -> R {
         self.stiffness
     }
     fn peak(&self) -> R {
         self.strain * self.exponent.pow(-(R::ONE / self.exponent))
     }
-    fn is_abrupt(&self) -> bool {
+    fn is_brittle(&self) -> bool {
         false
     }
     fn plateau(&self) -> R {
         R::ZERO
     }
     #[inline]
-    fn across(&self, strain: R) -> R {
+    fn transverse_stiffness(&self, strain: R) -> R {
         let (_, share) = self.holding(strain);
         self.stiffness * share
     }

@@ -5,8 +5,8 @@
 //! the rolling velocity by k n × F. For equal spheres k = 0, which is why methods that leave the
 //! coupling out are limited to them (thesis, section 5.2).
 
-use super::body::Body;
-use super::touch::Touch;
+use super::body::ContactBody;
+use super::touch::ContactGeometry;
 use crate::real::Real;
 
 /// Effective masses of one contact: how its relative velocity responds to its impulses.
@@ -29,7 +29,11 @@ impl<R: Real> Block<R> {
     /// The block of two bodies.
     ///
     /// *Special values*: a mode that nothing can move has the mass 0, so that it takes no impulse.
-    pub fn new(touch: &Touch<R>, a: &impl Body<R>, b: &impl Body<R>) -> Self {
+    pub fn new(
+        touch: &ContactGeometry<R>,
+        a: &impl ContactBody<R>,
+        b: &impl ContactBody<R>,
+    ) -> Self {
         let [arm_a, arm_b] = touch.arms;
         let (turn_a, turn_b) = (a.inv_inertia(), b.inv_inertia());
         Self {

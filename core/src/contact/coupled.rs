@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 /// Sliding and torsion in the set P·`S`; rolling, where there is any, under its own threshold.
 ///
 /// `S` is the set for P = 1 and r_eff = 1: its force limit is μ, its radius R_c/r_eff. A ratio, like
-/// the coefficients of [`Thresholds`](super::Thresholds), and for the same reason: it stays when a
+/// the coefficients of [`IndependentFriction`](super::Thresholds), and for the same reason: it stays when a
 /// packing is scaled. Its largest torque is that of a torsion coefficient μ_n = μ (R_c/r_eff) T₀,
 /// with T₀ = 2/3 under uniform pressure. Take [`LimitSurface`](crate::limit_surface::LimitSurface)
 /// for the exact set, [`Ellipsoid`](crate::limit_surface::Ellipsoid) for the usual approximation; the
@@ -32,11 +32,11 @@ use nalgebra::Vector3;
 ///
 /// ```
 /// use tribos_core::contact::CoupledFriction;
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
-/// let exact = LimitSurface::new(Coulomb, 0.3_f64, 0.5)?; // mu, R_c/r_eff
+/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::limit_surface::{LimitEllipsoid, FrictionSet, RoundLimitSurface};
+/// let exact = RoundLimitSurface::new(CoulombDisk, 0.3_f64, 0.5)?; // mu, R_c/r_eff
 /// let billiard = CoupledFriction::sliding_torsion(exact);
-/// let usual = Ellipsoid::new(0.3_f32, 0.5, 2.0 / 3.0)?;
+/// let usual = LimitEllipsoid::new(0.3_f32, 0.5, 2.0 / 3.0)?;
 /// let powder = CoupledFriction::all(usual, 0.1)?; // mu_rolling
 /// assert!((billiard.mu_torsion() - 0.1).abs() < 1e-15);
 /// assert_eq!([powder.mu(), powder.mu_rolling()], [powder.set().force_limit(), 0.1]);

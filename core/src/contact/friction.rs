@@ -5,7 +5,9 @@
 
 use super::block::Masses;
 use super::disc::project_on_disc;
-use super::modes::{AllModes, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion};
+use super::modes::{
+    AllModes, ContactModes, Frictionless, SlidingOnly, SlidingRolling, SlidingTorsion,
+};
 use crate::law::{LawError, validated_not_negative};
 use crate::real::Real;
 use core::marker::PhantomData;
@@ -20,7 +22,7 @@ pub struct TangentialLoad<R> {
     pub torsion: R,
 }
 
-/// The set of friction impulses that a contact can carry: [`Thresholds`] for each mode alone, or
+/// The set of friction impulses that a contact can carry: [`IndependentFriction`] for each mode alone, or
 /// [`CoupledFriction`](super::CoupledFriction) for sliding and torsion together.
 pub trait ContactFriction<R: Real>: Copy + Send + Sync {
     /// The modes that friction resists.
@@ -54,25 +56,25 @@ pub trait ContactFriction<R: Real>: Copy + Send + Sync {
 /// |T_n| ≤ μ_n P r_eff. Modes without a threshold are not resisted and cost nothing.
 ///
 /// ```
-/// use tribos_core::contact::Thresholds;
-/// let powder = Thresholds::all(0.3_f64, 0.1, 0.05)?; // sliding, rolling, torsion
+/// use tribos_core::contact::IndependentFriction;
+/// let powder = IndependentFriction::all(0.3_f64, 0.1, 0.05)?; // sliding, rolling, torsion
 /// assert_eq!([powder.mu(), powder.mu_rolling(), powder.mu_torsion()], [0.3, 0.1, 0.05]);
-/// let billiard = Thresholds::sliding(0.2_f32)?;
+/// let billiard = IndependentFriction::sliding(0.2_f32)?;
 /// assert!(size_of_val(&billiard) <= size_of_val(&powder));
-/// assert_eq!(Thresholds::<f64, _>::none().mu(), 0.0);
-/// assert!(Thresholds::sliding(-0.2).is_err());
+/// assert_eq!(IndependentFriction::<f64, _>::none().mu(), 0.0);
+/// assert!(IndependentFriction::sliding(-0.2).is_err());
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Thresholds<R, M> {
+pub struct IndependentFriction<R, M> {
     sliding: R,
     rolling: R,
     torsion: R,
     modes: PhantomData<M>,
 }
 
-impl<R: Real, M> Thresholds<R, M> {
+impl<R: Real, M> IndependentFriction<R, M> {
     fn validated(sliding: R, rolling: R, torsion: R) -> Result<Self, LawError> {
         Ok(Self {
             sliding: validated_not_negative("sliding coefficient", sliding)?,
@@ -98,7 +100,7 @@ impl<R: Real, M> Thresholds<R, M> {
     }
 }
 
-impl<R: Real> Thresholds<R, Frictionless> {
+impl<R: Real> IndependentFriction<R, Frictionless> {
     /// Smooth contacts.
     pub fn none() -> Self {
         Self {
@@ -110,20 +112,20 @@ impl<R: Real> Thresholds<R, Frictionless> {
     }
 }
 
-impl<R: Real> Thresholds<R, Sliding> {
+impl<R: Real> IndependentFriction<R, SlidingOnly> {
     /// Sliding friction with coefficient μ ≥ 0.
     pub fn sliding(mu: R) -> Result<Self, LawError> {
         Self::validated(mu, R::ZERO, R::ZERO)
     }
 }
 
-impl<R: Real> Thresholds<R, SlidingTorsion> {
+impl<R: Real> IndependentFriction<R, SlidingTorsion> {
     /// Sliding and torsion friction, μ and μ_n.
     ///
     /// ```
-    /// use tribos_core::contact::Thresholds;
+    /// use tribos_core::contact::IndependentFriction;
     /// // A fingertip of r_eff = 25 mm that bears on a disk of 5 mm: μ_n = μ T₀ 5 mm/25 mm.
-    /// let finger = Thresholds::sliding_torsion(0.9_f64, 0.9 * (2.0 / 3.0) * 0.2)?;
+    /// let finger = IndependentFriction::sliding_torsion(0.9_f64, 0.9 * (2.0 / 3.0) * 0.2)?;
     /// assert!((finger.mu_torsion() - 0.12).abs() < 1e-15);
     /// # Ok::<(), tribos_core::law::LawError>(())
     /// ```
@@ -132,12 +134,12 @@ impl<R: Real> Thresholds<R, SlidingTorsion> {
     }
 }
 
-impl<R: Real> Thresholds<R, SlidingRolling> {
+impl<R: Real> IndependentFriction<R, SlidingRolling> {
     /// Sliding and rolling friction, μ and μ_t.
     ///
     /// ```
-    /// use tribos_core::contact::Thresholds;
-    /// let tyre = Thresholds::sliding_rolling(0.8_f64, 0.01)?;
+    /// use tribos_core::contact::IndependentFriction;
+    /// let tyre = IndependentFriction::sliding_rolling(0.8_f64, 0.01)?;
     /// // Under P = 4000 N at r_eff = 0.3 m rolling is resisted by 12 N m.
     /// assert!((tyre.mu_rolling() * 4000.0 * 0.3 - 12.0).abs() < 1e-13);
     /// # Ok::<(), tribos_core::law::LawError>(())
@@ -147,14 +149,14 @@ impl<R: Real> Thresholds<R, SlidingRolling> {
     }
 }
 
-impl<R: Real> Thresholds<R, AllModes> {
+impl<R: Real> IndependentFriction<R, AllModes> {
     /// Sliding, rolling and torsion friction, μ, μ_t and μ_n.
     pub fn all(mu: R, mu_rolling: R, mu_torsion: R) -> Result<Self, LawError> {
         Self::validated(mu, mu_rolling, mu_torsion)
     }
 }
 
-impl<R: Real, M: ContactModes<R>> ContactFriction<R> for Thresholds<R, M> {
+impl<R: Real, M: ContactModes<R>> ContactFriction<R> for IndependentFriction<R, M> {
     type Modes = M;
 
     #[inline(always)]

@@ -2,27 +2,27 @@
 //!
 //! A contact of two spheres has six relative motions: one along the normal, two of sliding, two of
 //! rolling, one of torsion. Each law names the modes that it resists, by type, and the others are
-//! neither stored nor computed. [`Thresholds`] limit each mode for itself; [`CoupledFriction`] gives
+//! neither stored nor computed. [`IndependentFriction`] limit each mode for itself; [`CoupledFriction`] gives
 //! sliding and torsion the one set that friction on a patch has. In one step of implicit time
 //! stepping (Moreau–Jean) the impulse of a contact follows from the relative velocity that the
 //! bodies would have without it:
 //!
 //! ```
 //! use nalgebra::Vector3;
-//! use tribos_core::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+//! use tribos_core::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 //!
 //! // A ball on a table, 1 kg, 5 cm, sliding at 1 m/s; gravity has pulled for 1 ms.
 //! let dt = 1e-3;
-//! let mut ball = Sphere {
+//! let mut ball = SphereBody {
 //!     velocity: Vector3::new(1.0, 0.0, -9.81 * dt),
 //!     spin: Vector3::new(0.0, 0.0, 0.0),
 //!     inv_mass: 1.0,
 //!     inv_inertia: 1.0 / (0.4 * 0.05 * 0.05),
 //! };
-//! let mut table = Plate { velocity: Vector3::new(0.0, 0.0, 0.0), inv_mass: 0.0 };
-//! let touch = Touch::plate(0.05, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+//! let mut table = WallBody { velocity: Vector3::new(0.0, 0.0, 0.0), inv_mass: 0.0 };
+//! let touch = ContactGeometry::plate(0.05, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
 //! let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-//! let friction = Thresholds::sliding(0.3_f64)?;
+//! let friction = IndependentFriction::sliding(0.3_f64)?;
 //! let mut contact = Contact::new(&touch, &law, &ball, &table, dt);
 //! contact.update(&friction, &mut ball, &mut table);
 //! assert_eq!(ball.velocity.z, 0.0); // it does not sink
@@ -46,15 +46,16 @@ mod touch;
 mod update;
 mod vector;
 
-pub use body::{Body, Plate, Sphere};
+pub use body::{ContactBody, SphereBody, WallBody};
 pub use coupled::CoupledFriction;
-pub use friction::{ContactFriction, Thresholds};
+pub use friction::{ContactFriction, IndependentFriction};
 pub use modes::{
-    AllModes, ContactModes, Frictionless, Modal, Sliding, SlidingRolling, SlidingTorsion,
+    AllModes, ContactModes, ContactVector, Frictionless, SlidingOnly, SlidingRolling,
+    SlidingTorsion,
 };
 pub use normal::{Attraction, Cohesion, NormalLaw};
 pub use time_step::TimeStep;
-pub use touch::{Touch, TouchError};
+pub use touch::{ContactError, ContactGeometry};
 pub use update::Contact;
 
 /// See [`crate::internals`].

@@ -5,7 +5,7 @@ use crate::real::Real;
 use core::fmt::Debug;
 use nalgebra::Vector3;
 
-/// The share of a [`Modal`] that lies in the contact plane: [`InPlane`] or [`Absent`].
+/// The share of a [`ContactVector`] that lies in the contact plane: [`InPlane`] or [`Absent`].
 pub trait PlanarPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync {
     /// False for [`Absent`].
     const PRESENT: bool;
@@ -15,7 +15,7 @@ pub trait PlanarPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync 
     fn of(vector: Vector3<R>) -> Self;
 }
 
-/// The share of a [`Modal`] about the normal: [`AboutNormal`] or [`Absent`].
+/// The share of a [`ContactVector`] about the normal: [`AboutNormal`] or [`Absent`].
 pub trait AxialPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync {
     /// False for [`Absent`].
     const PRESENT: bool;
@@ -96,9 +96,9 @@ impl<R: Real> AxialPart<R> for AboutNormal<R> {
 /// A set of modes, named by a type.
 ///
 /// ```
-/// use tribos_core::contact::{AllModes, ContactModes, Frictionless, Modal, SlidingTorsion};
+/// use tribos_core::contact::{AllModes, ContactModes, Frictionless, ContactVector, SlidingTorsion};
 /// // What is not named takes no room.
-/// assert_eq!(size_of::<Modal<f32, Frictionless>>(), size_of::<f32>());
+/// assert_eq!(size_of::<ContactVector<f32, Frictionless>>(), size_of::<f32>());
 /// assert_eq!(<AllModes as ContactModes<f32>>::UNKNOWNS, 6); // all relative motions of two bodies
 /// assert_eq!(<SlidingTorsion as ContactModes<f32>>::UNKNOWNS, 4);
 /// ```
@@ -140,7 +140,7 @@ modes! {
     /// Only the normal force: 1 unknown.
     Frictionless: 1, Absent, Absent, Absent;
     /// Normal force and sliding friction: 3 unknowns.
-    Sliding: 3, InPlane<R>, Absent, Absent;
+    SlidingOnly: 3, InPlane<R>, Absent, Absent;
     /// Sliding and torsion friction: 4 unknowns.
     SlidingTorsion: 4, InPlane<R>, Absent, AboutNormal<R>;
     /// Sliding and rolling friction: 5 unknowns.
@@ -156,9 +156,9 @@ modes! {
 /// body less that of the first.
 ///
 /// ```
-/// use tribos_core::contact::{Modal, SlidingTorsion};
+/// use tribos_core::contact::{ContactVector, SlidingTorsion};
 /// use tribos_core::nalgebra::Vector3;
-/// type Turning = Modal<f64, SlidingTorsion>;
+/// type Turning = ContactVector<f64, SlidingTorsion>;
 /// let (x, zero) = (Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 0.0, 0.0));
 /// let impulse = Turning::new(2.0, x * -0.5, zero, -0.25); // N s, N m s
 /// let velocity = Turning::new(0.0, x * 4.0, zero, 8.0); // m/s, rad/s
@@ -169,7 +169,7 @@ modes! {
 /// assert_eq!(impulse.angular(&up), Vector3::new(0.0, 0.0, -0.25));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Modal<R: Real, M: ContactModes<R>> {
+pub struct ContactVector<R: Real, M: ContactModes<R>> {
     /// Along the normal, which points from the first body to the second: positive pushes apart.
     pub normal: R,
     pub(crate) sliding: M::Sliding,
@@ -177,7 +177,7 @@ pub struct Modal<R: Real, M: ContactModes<R>> {
     pub(crate) torsion: M::Torsion,
 }
 
-impl<R: Real, M: ContactModes<R>> Modal<R, M> {
+impl<R: Real, M: ContactModes<R>> ContactVector<R, M> {
     /// From all modes, of which those that `M` does not name are dropped.
     #[inline(always)]
     pub fn new(normal: R, sliding: Vector3<R>, rolling: Vector3<R>, torsion: R) -> Self {
@@ -210,11 +210,11 @@ impl<R: Real, M: ContactModes<R>> Modal<R, M> {
     /// `self` + `factor` · `other`
     ///
     /// ```
-    /// use tribos_core::contact::{Modal, SlidingTorsion};
+    /// use tribos_core::contact::{ContactVector, SlidingTorsion};
     /// let zero = tribos_core::nalgebra::Vector3::zeros();
-    /// let a = Modal::<f64, SlidingTorsion>::new(2.0, zero, zero, 0.5);
+    /// let a = ContactVector::<f64, SlidingTorsion>::new(2.0, zero, zero, 0.5);
     /// assert_eq!(a.plus_scaled(1.0, &a).minus(&a), a);
-    /// assert_eq!(a.plus_scaled(-1.0, &a), Modal::default());
+    /// assert_eq!(a.plus_scaled(-1.0, &a), ContactVector::default());
     /// ```
     #[inline(always)]
     pub fn plus_scaled(&self, factor: R, other: &Self) -> Self {
@@ -257,9 +257,9 @@ impl<R: Real, M: ContactModes<R>> Modal<R, M> {
     /// Two impulses compared: torques count by the force at the distance `lever`.
     ///
     /// ```
-    /// use tribos_core::contact::{Modal, SlidingTorsion};
+    /// use tribos_core::contact::{ContactVector, SlidingTorsion};
     /// let zero = tribos_core::nalgebra::Vector3::zeros();
-    /// let twist = Modal::<f64, SlidingTorsion>::new(0.0, zero, zero, 0.5); // N m s
+    /// let twist = ContactVector::<f64, SlidingTorsion>::new(0.0, zero, zero, 0.5); // N m s
     /// // At a lever of 0.25 m that is as much as 2 N s.
     /// assert_eq!(twist.dot_with_lever(&twist, 0.25), 2.0 * 2.0);
     /// ```

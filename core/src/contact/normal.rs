@@ -22,7 +22,7 @@ use crate::real::Real;
 ///     let law = NormalLaw::new(Cohesion::new(2.0, 1e-3, attraction)?, 0.0)?;
 ///     let touch = Touch::plate(0.0505, &up, 0.05)?;
 ///     let mut contact = Contact::new(&touch, &law, &ball, &wall, 1e-3);
-///     contact.update(&Thresholds::none(), &mut ball, &mut wall);
+///     contact.update(&IndependentFriction::none(), &mut ball, &mut wall);
 ///     Ok(ball.velocity.z)
 /// };
 /// assert_eq!(speed(Attraction::Pull)?, -2.0 * 1e-3);
@@ -114,7 +114,7 @@ impl<R: Real> Cohesion<R> {
 /// let mut floor = Plate { velocity: still, inv_mass: 0.0 };
 /// let touch = Touch::plate(0.05, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
 /// let mut contact = Contact::new(&touch, &law, &ball, &floor, 1e-3);
-/// contact.update(&Thresholds::none(), &mut ball, &mut floor);
+/// contact.update(&IndependentFriction::none(), &mut ball, &mut floor);
 /// assert!((ball.velocity.z - law.restitution() * 2.0).abs() < 1e-15);
 /// assert!(NormalLaw::new(Cohesion::NONE, 1.5).is_err()); // no ball gains energy
 /// # Ok::<(), tribos_core::Error>(())

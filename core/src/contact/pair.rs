@@ -16,7 +16,7 @@
 use super::block::{Block, Masses};
 use super::both_slip::BothSlip;
 use super::friction::{ContactFriction, TangentialLoad};
-use super::modes::Modal;
+use super::modes::ContactVector;
 use super::vector::{cross, dot};
 use crate::real::Real;
 use nalgebra::Vector3;
@@ -58,8 +58,8 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         friction: &'a F,
         (block, normal, lever): (&'a Block<R>, &'a Vector3<R>, R),
         bound: R,
-        old: &Modal<R, F::Modes>,
-        velocity: &Modal<R, F::Modes>,
+        old: &ContactVector<R, F::Modes>,
+        velocity: &ContactVector<R, F::Modes>,
     ) -> Self {
         Self {
             friction,

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 /// Geometry of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touch<R> {
+pub struct ContactGeometry<R> {
     /// Unit normal, from the first body to the second.
     pub normal: Vector3<R>,
     /// Distance of the surfaces; negative where they overlap.
@@ -24,14 +24,14 @@ pub struct Touch<R> {
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos_core::contact::{Touch, TouchError};
+/// use tribos_core::contact::{ContactGeometry, ContactError};
 /// let [apart, nowhere] = [Vector3::new(0.1, 0.0, 0.0), Vector3::new(0.0, 0.0, 0.0)];
-/// assert_eq!(Touch::spheres(&nowhere, [0.03, 0.06]), Err(TouchError::NoNormal));
-/// assert_eq!(Touch::spheres(&apart, [0.03, -0.06]), Err(TouchError::NotFinite));
+/// assert_eq!(ContactGeometry::spheres(&nowhere, [0.03, 0.06]), Err(ContactError::NoNormal));
+/// assert_eq!(ContactGeometry::spheres(&apart, [0.03, -0.06]), Err(ContactError::NotFinite));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum TouchError {
+pub enum ContactError {
     /// The centres coincide (to less than [`Real::MIN_POSITIVE`]), or the sphere's centre lies in
     /// the plate: there is no normal.
     NoNormal,
@@ -39,7 +39,7 @@ pub enum TouchError {
     NotFinite,
 }
 
-impl core::fmt::Display for TouchError {
+impl core::fmt::Display for ContactError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
             Self::NoNormal => {
@@ -50,33 +50,33 @@ impl core::fmt::Display for TouchError {
     }
 }
 
-impl core::error::Error for TouchError {}
+impl core::error::Error for ContactError {}
 
-impl<R: Real> Touch<R> {
+impl<R: Real> ContactGeometry<R> {
     /// Two spheres; `displacement` leads from the first centre to the second.
     ///
     /// *Accuracy*: the normal to 4 ulp; the gap to 2 ulp of the distance.
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tribos_core::contact::Touch;
+    /// use tribos_core::contact::ContactGeometry;
     /// // Balls of 3 and 6 cm, 10 cm apart.
-    /// let touch = Touch::spheres(&Vector3::new(0.0, 0.1, 0.0), [0.03_f64, 0.06])?;
+    /// let touch = ContactGeometry::spheres(&Vector3::new(0.0, 0.1, 0.0), [0.03_f64, 0.06])?;
     /// assert_eq!(touch.normal, Vector3::new(0.0, 1.0, 0.0));
     /// assert!((touch.gap - 0.01).abs() < 1e-16);
     /// assert!((touch.arms[0] + touch.arms[1] - 0.1).abs() < 1e-16);
     /// assert!((touch.lever - 0.02).abs() < 1e-17); // 1/(1/3 + 1/6) = 2
-    /// # Ok::<(), tribos_core::contact::TouchError>(())
+    /// # Ok::<(), tribos_core::contact::ContactError>(())
     /// ```
-    pub fn spheres(displacement: &Vector3<R>, radii: [R; 2]) -> Result<Self, TouchError> {
+    pub fn spheres(displacement: &Vector3<R>, radii: [R; 2]) -> Result<Self, ContactError> {
         let distance = length(displacement);
         let [first, second] = radii;
         let reach = first + second;
         if !(valid(first) && valid(second) && reach.is_finite() && distance.is_finite()) {
-            return Err(TouchError::NotFinite);
+            return Err(ContactError::NotFinite);
         }
         if distance < R::MIN_POSITIVE {
-            return Err(TouchError::NoNormal);
+            return Err(ContactError::NoNormal);
         }
         // The contact point divides the distance in the ratio of the radii. Both arms come from
         // their own share: the difference to the other one would cost a small sphere its digits.
@@ -91,12 +91,12 @@ impl<R: Real> Touch<R> {
 
     /// A sphere whose centre is `height` above a plate; `outward` is the plate's unit normal, into
     /// the space of the sphere. The sphere is the first body.
-    pub fn plate(height: R, outward: &Vector3<R>, radius: R) -> Result<Self, TouchError> {
+    pub fn plate(height: R, outward: &Vector3<R>, radius: R) -> Result<Self, ContactError> {
         if !(valid(radius) && height.is_finite()) {
-            return Err(TouchError::NotFinite);
+            return Err(ContactError::NotFinite);
         }
         if height <= R::ZERO {
-            return Err(TouchError::NoNormal);
+            return Err(ContactError::NoNormal);
         }
         Ok(Self {
             normal: -outward,

@@ -1,13 +1,13 @@
 //! One contact in one time step: relative velocity in, impulse out.
 
 use super::block::Block;
-use super::body::Body;
+use super::body::ContactBody;
 use super::friction::{ContactFriction, TangentialLoad};
-use super::modes::{AxialPart, ContactModes, Modal, PlanarPart};
+use super::modes::{AxialPart, ContactModes, ContactVector, PlanarPart};
 use super::normal::{NormalLaw, NormalStep};
 use super::pair::CoupledSlip;
 use super::prepared::PreparedContact;
-use super::touch::Touch;
+use super::touch::ContactGeometry;
 use super::vector::{cross, tangential};
 use crate::real::Real;
 use nalgebra::Vector3;
@@ -30,7 +30,7 @@ use nalgebra::Vector3;
 /// let law = NormalLaw::new(Cohesion::new(5.0, 1e-6, Attraction::Pull)?, 0.0)?;
 /// let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
 /// let mut contact = Contact::new(&touch, &law, &ball, &table, dt);
-/// contact.update(&Thresholds::sliding(0.3)?, &mut ball, &mut table);
+/// contact.update(&IndependentFriction::sliding(0.3)?, &mut ball, &mut table);
 /// // The table bears the weight; friction is bounded by weight and cohesion.
 /// assert!((contact.impulse().normal - 9.81 * dt).abs() < 1e-16);
 /// assert_eq!(contact.cohesion(), 5.0 * dt);
@@ -44,7 +44,7 @@ pub struct Contact<R: Real, M: ContactModes<R>> {
     lever: R,
     block: Block<R>,
     step: NormalStep<R>,
-    impulse: Modal<R, M>,
+    impulse: ContactVector<R, M>,
 }
 
 impl<R: Real, M: ContactModes<R>> Contact<R, M> {
@@ -71,10 +71,10 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn new(
-        touch: &Touch<R>,
+        touch: &ContactGeometry<R>,
         law: &NormalLaw<R>,
-        a: &impl Body<R>,
-        b: &impl Body<R>,
+        a: &impl ContactBody<R>,
+        b: &impl ContactBody<R>,
         dt: R,
     ) -> Self {
         let mut contact = Self {
@@ -83,7 +83,7 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
             lever: touch.lever,
             block: Block::new(touch, a, b),
             step: NormalStep::new(law, touch.gap, R::ZERO, dt),
-            impulse: Modal::default(),
+            impulse: ContactVector::default(),
         };
         let approach = contact.velocity(a, b).normal;
         contact.step = NormalStep::new(law, touch.gap, approach, dt);
@@ -93,7 +93,7 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     /// A contact prepared earlier, with its impulse so far.
     #[doc(hidden)]
     #[inline]
-    pub fn resume(prepared: &PreparedContact<R>, impulse: &Modal<R, M>) -> Self {
+    pub fn resume(prepared: &PreparedContact<R>, impulse: &ContactVector<R, M>) -> Self {
         Self {
             normal: prepared.normal,
             arms: prepared.arms,
@@ -124,7 +124,7 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     }
 
     /// Distances of the centres from the contact point.
-    pub fn arms(&self) -> [R; 2] {
+    pub fn centre_distances(&self) -> [R; 2] {
         self.arms
     }
 
@@ -134,7 +134,7 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     }
 
     /// r_eff
-    pub fn lever(&self) -> R {
+    pub fn effective_radius(&self) -> R {
         self.lever
     }
 
@@ -151,18 +151,18 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
 
     /// Normal velocity, with its sign turned, at which the law takes the contact as closed:
     /// max(gap, 0)/dt, or minus the rebound speed.
-    pub fn allowance(&self) -> R {
+    pub fn approach_limit(&self) -> R {
         self.step.allowance
     }
 
     /// True if cohesion is a resistance that lets the gap, now open, stay as it is.
-    pub fn rests_open(&self) -> bool {
+    pub fn holds_gap_open(&self) -> bool {
         self.step.rests_open
     }
 
     /// The impulse on the second body so far.
     #[inline(always)]
-    pub fn impulse(&self) -> &Modal<R, M> {
+    pub fn impulse(&self) -> &ContactVector<R, M> {
         &self.impulse
     }
 
@@ -174,7 +174,7 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
 
     /// Sets the impulse without applying it to the bodies. Components of sliding and rolling along the
     /// current normal are discarded.
-    pub fn set_impulse(&mut self, impulse: &Modal<R, M>) {
+    pub fn set_impulse(&mut self, impulse: &ContactVector<R, M>) {
         self.impulse = *impulse;
         if M::Sliding::PRESENT {
             let vector = tangential(&impulse.sliding(), &self.normal);
@@ -188,7 +188,7 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
 
     /// [`Contact::set_impulse`] for an impulse whose sliding and rolling lie in the contact plane already.
     #[inline(always)]
-    pub fn set_impulse_in_plane(&mut self, impulse: &Modal<R, M>) {
+    pub fn set_impulse_in_plane(&mut self, impulse: &ContactVector<R, M>) {
         self.impulse = *impulse;
     }
 
@@ -206,9 +206,9 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     /// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
     /// let mut contact = Contact::<_, Sliding>::new(&touch, &law, &ball, &table, 1e-3);
     /// // The impulse of the last step, when the normal was another.
-    /// contact.set_impulse(&Modal::new(1.0, Vector3::new(3.0, 4.0, 7.0), still, 0.0)); // N s
+    /// contact.set_impulse(&ContactVector::new(1.0, Vector3::new(3.0, 4.0, 7.0), still, 0.0)); // N s
     /// assert_eq!(contact.impulse().sliding(), Vector3::new(3.0, 4.0, 0.0));
-    /// contact.admit(&Thresholds::sliding(0.5)?);
+    /// contact.admit(&IndependentFriction::sliding(0.5)?);
     /// assert!((contact.impulse().sliding() - Vector3::new(0.3, 0.4, 0.0)).amax() < 1e-15);
     /// // It is the table's; the ball takes the opposite.
     /// contact.apply(contact.impulse(), &mut ball, &mut table);
@@ -216,7 +216,7 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     #[inline]
-    pub fn admit<F: ContactFriction<R, Modes = M>>(&mut self, friction: &F) {
+    pub fn project_impulse<F: ContactFriction<R, Modes = M>>(&mut self, friction: &F) {
         if self.impulse.normal < -self.step.cohesion {
             self.impulse.normal = -self.step.cohesion;
         }
@@ -234,20 +234,24 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
 
     /// Velocity of the second body relative to the first, mode by mode.
     #[inline(always)]
-    pub fn velocity(&self, a: &impl Body<R>, b: &impl Body<R>) -> Modal<R, M> {
+    pub fn velocity(
+        &self,
+        a: &impl ContactBody<R>,
+        b: &impl ContactBody<R>,
+    ) -> ContactVector<R, M> {
         let n = &self.normal;
         let drift = b.velocity() - a.velocity();
-        let mut velocity = Modal {
+        let mut velocity = ContactVector {
             normal: super::vector::dot(&drift, n),
-            ..Modal::default()
+            ..ContactVector::default()
         };
         if M::Sliding::PRESENT {
-            let turning = a.spin() * self.arms[0] + b.spin() * self.arms[1];
+            let turning = a.angular_velocity() * self.arms[0] + b.angular_velocity() * self.arms[1];
             let slip = drift - n * velocity.normal - cross(&turning, n);
             velocity.sliding = M::Sliding::of(slip);
         }
         if M::Rolling::PRESENT || M::Torsion::PRESENT {
-            let turning = b.spin() - a.spin();
+            let turning = b.angular_velocity() - a.angular_velocity();
             let spin = super::vector::dot(&turning, n);
             velocity.torsion = M::Torsion::of(spin);
             velocity.rolling = M::Rolling::of(turning - n * spin);
@@ -257,20 +261,25 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
 
     /// Applies an impulse at this contact to both bodies.
     #[inline(always)]
-    pub fn apply(&self, impulse: &Modal<R, M>, a: &mut impl Body<R>, b: &mut impl Body<R>) {
+    pub fn apply(
+        &self,
+        impulse: &ContactVector<R, M>,
+        a: &mut impl ContactBody<R>,
+        b: &mut impl ContactBody<R>,
+    ) {
         let n = &self.normal;
         let force = impulse.linear(n);
-        a.push(-R::ONE, &force, impulse.normal, n);
-        b.push(R::ONE, &force, impulse.normal, n);
+        a.apply_impulse(-R::ONE, &force, impulse.normal, n);
+        b.apply_impulse(R::ONE, &force, impulse.normal, n);
         if M::Sliding::PRESENT {
             let moment = cross(n, &impulse.sliding());
-            a.turn(-self.arms[0], &moment);
-            b.turn(-self.arms[1], &moment);
+            a.apply_angular_impulse(-self.arms[0], &moment);
+            b.apply_angular_impulse(-self.arms[1], &moment);
         }
         if M::Rolling::PRESENT || M::Torsion::PRESENT {
             let torque = impulse.angular(n);
-            a.turn(-R::ONE, &torque);
-            b.turn(R::ONE, &torque);
+            a.apply_angular_impulse(-R::ONE, &torque);
+            b.apply_angular_impulse(R::ONE, &torque);
         }
     }
 
@@ -284,9 +293,9 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     pub fn update<F: ContactFriction<R, Modes = M>>(
         &mut self,
         friction: &F,
-        a: &mut impl Body<R>,
-        b: &mut impl Body<R>,
-    ) -> Modal<R, M> {
+        a: &mut impl ContactBody<R>,
+        b: &mut impl ContactBody<R>,
+    ) -> ContactVector<R, M> {
         let velocity = self.velocity(a, b);
         let new = self.solve(friction, &velocity);
         let change = new.minus(&self.impulse);
@@ -300,13 +309,13 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     fn solve<F: ContactFriction<R, Modes = M>>(
         &self,
         friction: &F,
-        velocity: &Modal<R, M>,
-    ) -> Modal<R, M> {
+        velocity: &ContactVector<R, M>,
+    ) -> ContactVector<R, M> {
         let (block, old) = (&self.block, &self.impulse);
         let trial = old.normal - block.mass_normal * velocity.normal;
-        let mut new = Modal {
+        let mut new = ContactVector {
             normal: self.step.impulse(trial, block.mass_normal),
-            ..Modal::default()
+            ..ContactVector::default()
         };
         let bound = new.normal + self.step.cohesion;
         if M::Sliding::PRESENT && M::Rolling::PRESENT && block.coupling != R::ZERO {

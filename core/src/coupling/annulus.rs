@@ -1,11 +1,11 @@
 //! A uniform annulus: the disk minus its middle.
 
-use super::lateral::{Lateral, LateralJacobian};
-use super::profile::{Profile, SmoothProfile};
+use super::lateral::{LateralFriction, LateralJacobian};
+use super::profile::{PowerLawFriction, SmoothProfile};
 use super::rings::{Rings, ring_factors};
 use super::speeds::Speeds;
 use super::wide::{Wide, is_ordinary};
-use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
+use super::{DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::patch::PatchError;
 use crate::real::Real;
 
@@ -16,12 +16,12 @@ use crate::real::Real;
 /// *Accuracy*: force and torque that of the disk times 2/(1−k) for k ≤ 15/16; above, for α ≥ 0, that
 /// of the disk's wrench and Jacobian (6e-15 in f64, 4e-6 in f32), as long as its F/v is in the number
 /// range. Jacobian and lateral function that of the disk times 2/(1−k), and as if 1−k were √ε of the
-/// type where it is less. *Special values*: as [`Coupling`]; infinite where one of the disks leaves
+/// type where it is less. *Special values*: as [`ReducedFriction`]; infinite where one of the disks leaves
 /// the number range, rounded where k w is below it. *Cost*: two of the disk; for k > 15/16 a wrench is
 /// 16 wrenches and Jacobians of the disk, or 32 with the centre of rotation in the band or next to it.
 ///
 /// ```
-/// use tribos_core::coupling::{Annulus, Coupling, table};
+/// use tribos_core::coupling::{Annulus, ReducedFriction, table};
 /// let band = Annulus::new(table::Coulomb, 0.5_f64)?;
 /// let torque = band.reduced_wrench(0.0, 1.0).torque;
 /// assert!((torque - (2.0 / 3.0) * (1.0 - 0.125) / (1.0 - 0.25)).abs() < 1e-15);
@@ -42,10 +42,10 @@ impl<R: Real, C> Annulus<R, C> {
     /// Thinnest annulus: beyond, a ring is as good to six digits.
     ///
     /// ```
-    /// use tribos_core::coupling::{Annulus, table::Coulomb};
+    /// use tribos_core::coupling::{Annulus, table::CoulombDisk};
     /// use tribos_core::patch::PatchError;
-    /// let max = Annulus::<f64, Coulomb>::MAX_INNER_RATIO;
-    /// let refused = Annulus::new(Coulomb, 0.999_999_9_f64);
+    /// let max = Annulus::<f64, CoulombDisk>::MAX_INNER_RATIO;
+    /// let refused = Annulus::new(CoulombDisk, 0.999_999_9_f64);
     /// assert_eq!(refused, Err(PatchError::InnerRatio { given: 0.999_999_9, max }));
     /// ```
     pub const MAX_INNER_RATIO: f64 = 0.999_999;
@@ -103,7 +103,7 @@ impl<R: Real, C> Annulus<R, C> {
     }
 }
 
-impl<R: Real, C: Coupling<R>> Annulus<R, C> {
+impl<R: Real, C: ReducedFriction<R>> Annulus<R, C> {
     /// The whole disk less its middle.
     #[inline]
     fn difference(&self, slide: R, rim: R) -> ReducedWrench<R> {
@@ -158,7 +158,7 @@ impl<R: Real, C: Coupling<R>> Annulus<R, C> {
     }
 }
 
-impl<R: Real, C: Coupling<R>> Coupling<R> for Annulus<R, C> {
+impl<R: Real, C: ReducedFriction<R>> ReducedFriction<R> for Annulus<R, C> {
     #[inline]
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         if self.inner > R::from_f64(THIN) {
@@ -192,9 +192,9 @@ impl<R: Real, C: Coupling<R>> Coupling<R> for Annulus<R, C> {
     }
 }
 
-impl<R: Real, C: DryCoupling<R>> DryCoupling<R> for Annulus<R, C> {}
+impl<R: Real, C: DryReducedFriction<R>> DryReducedFriction<R> for Annulus<R, C> {}
 
-impl<R: Real, P: SmoothProfile<R>> Profile<R> for Annulus<R, P> {
+impl<R: Real, P: SmoothProfile<R>> PowerLawFriction<R> for Annulus<R, P> {
     fn exponent(&self) -> R {
         self.disk.exponent()
     }
@@ -253,7 +253,7 @@ impl<R: Real, P: SmoothProfile<R>> Annulus<R, P> {
     }
 }
 
-impl<R: Real, C: Lateral<R>> Lateral<R> for Annulus<R, C> {
+impl<R: Real, C: LateralFriction<R>> LateralFriction<R> for Annulus<R, C> {
     fn lateral(&self, slide: R, rim: R) -> R {
         let band = self.resolved();
         let [_, k3, _] = band.powers();

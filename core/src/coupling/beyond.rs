@@ -6,7 +6,7 @@
 //! one: v = 1e-200 and w = 1e150 have h = 1e-350, but under α = 1 the force is v.
 
 use super::lateral::twice_z_slope;
-use super::profile::{Profile, SmoothProfile};
+use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{Lead, Speeds};
 use super::wide::Wide;
 use crate::real::Real;
@@ -101,7 +101,7 @@ fn all<R: Real, const N: usize>(
 
 /// F and T.
 #[cold]
-pub(super) fn wrench<R: Real, P: Profile<R>>(
+pub(super) fn wrench<R: Real, P: PowerLawFriction<R>>(
     profile: &P,
     at: &Speeds<R>,
     slide: R,

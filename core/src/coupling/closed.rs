@@ -2,18 +2,18 @@
 //!
 //! | type | pressure | v ≤ w | v > w |
 //! |---|---|---|---|
-//! | [`Ring`] | all on the rim | B | B + (1−m) D |
-//! | [`FlatPunch`] | 1/√(1−r²) | constant | arc sine |
-//! | [`Hertz`] | √(1−r²) | polynomial | arc sine |
+//! | [`CoulombRing`] | all on the rim | B | B + (1−m) D |
+//! | [`CoulombPunch`] | 1/√(1−r²) | constant | arc sine |
+//! | [`CoulombHertz`] | √(1−r²) | polynomial | arc sine |
 //!
-//! The uniform disk's is [`super::compact::CompactCoulomb`]. No table, no power; *Accuracy*: 1e-14
+//! The uniform disk's is [`super::compact::CompactCoulombDisk`]. No table, no power; *Accuracy*: 1e-14
 //! relative in f64, 1e-5 in f32; Jacobian 1e-14 of the larger of the entry and F/v, also next to
 //! equal speeds, where a ring's entries grow without bound. *Source*: `docs/theory.md`; Hertz: Johnson, Contact Mechanics,
 //! has the end values T(0) = 3π/16 and 1.
 
-use super::DryCoupling;
+use super::DryReducedFriction;
 use super::family;
-use super::profile::{Profile, SmoothProfile};
+use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{Lead, Speeds};
 use crate::patch::PowerPressure;
 use crate::real::Real;
@@ -27,43 +27,43 @@ use core::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 ///
 /// ```
 /// use core::f64::consts::FRAC_2_PI;
-/// use tribos_core::coupling::{Coupling, closed::Ring};
+/// use tribos_core::coupling::{ReducedFriction, closed::CoulombRing};
 /// // Sliding and spinning may change places.
-/// let [a, b] = [Ring.reduced_wrench(0.3_f64, 0.4), Ring.reduced_wrench(0.4, 0.3)];
+/// let [a, b] = [CoulombRing.reduced_wrench(0.3_f64, 0.4), CoulombRing.reduced_wrench(0.4, 0.3)];
 /// assert!((a.force - b.torque).abs() < 1e-14);
-/// assert!((Ring.reduced_wrench(1.0, 1.0).force - FRAC_2_PI).abs() < 1e-14);
+/// assert!((CoulombRing.reduced_wrench(1.0, 1.0).force - FRAC_2_PI).abs() < 1e-14);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Ring;
+pub struct CoulombRing;
 
 /// A rigid flat punch, q = −1/2: F = (π/4) ε for ε ≤ 1, (ε asin(1/ε) + √(ε²−1)/ε)/2 beyond.
 ///
 /// ```
 /// use core::f64::consts::FRAC_PI_4;
-/// use tribos_core::coupling::{Coupling, closed::FlatPunch};
+/// use tribos_core::coupling::{ReducedFriction, closed::CoulombPunch};
 /// // As long as spinning leads, the force is proportional to the sliding speed.
-/// let wrench = FlatPunch.reduced_wrench(0.5_f64, 1.0);
+/// let wrench = CoulombPunch.reduced_wrench(0.5_f64, 1.0);
 /// assert!((wrench.force - 0.5 * FRAC_PI_4).abs() < 1e-14);
-/// assert!((FlatPunch.reduced_wrench(0.0_f64, 1.0).torque - FRAC_PI_4).abs() < 1e-14);
+/// assert!((CoulombPunch.reduced_wrench(0.0_f64, 1.0).torque - FRAC_PI_4).abs() < 1e-14);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FlatPunch;
+pub struct CoulombPunch;
 
 /// Hertz' pressure, q = 1/2: F = (3π/8) ε (1 − ε²/4) for ε ≤ 1, arc sines beyond.
 ///
 /// ```
 /// use core::f64::consts::PI;
-/// use tribos_core::coupling::{Coupling, closed::Hertz};
-/// let ball = Hertz.reduced_wrench(0.5_f64, 1.0); // pressed on a plane
+/// use tribos_core::coupling::{ReducedFriction, closed::CoulombHertz};
+/// let ball = CoulombHertz.reduced_wrench(0.5_f64, 1.0); // pressed on a plane
 /// assert!((ball.force - 3.0 * PI / 8.0 * 0.5 * (1.0 - 0.25 / 4.0)).abs() < 1e-14);
 /// // Spinning in place it resists with the mean radius of the pressure.
-/// assert!((Hertz.reduced_wrench(0.0_f64, 1.0).torque - 3.0 * PI / 16.0).abs() < 1e-14);
+/// assert!((CoulombHertz.reduced_wrench(0.0_f64, 1.0).torque - 3.0 * PI / 16.0).abs() < 1e-14);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Hertz;
+pub struct CoulombHertz;
 
 /// Φ and Φ' of one pressure at α = 0.
 trait ClosedForm {
@@ -71,7 +71,7 @@ trait ClosedForm {
     fn force<R: Real>(at: &Speeds<R>) -> [R; 2];
 }
 
-impl ClosedForm for Ring {
+impl ClosedForm for CoulombRing {
     const PRESSURE: PowerPressure = PowerPressure::RING;
 
     fn force<R: Real>(at: &Speeds<R>) -> [R; 2] {
@@ -90,7 +90,7 @@ const SERIES_BELOW: f64 = 0.25;
 /// Terms of those series: 4⁻²⁶ < 2⁻⁵².
 const SERIES_TERMS: usize = 26;
 
-impl ClosedForm for FlatPunch {
+impl ClosedForm for CoulombPunch {
     const PRESSURE: PowerPressure = PowerPressure::FLAT_PUNCH;
 
     fn force<R: Real>(at: &Speeds<R>) -> [R; 2] {
@@ -107,7 +107,7 @@ impl ClosedForm for FlatPunch {
     }
 }
 
-impl ClosedForm for Hertz {
+impl ClosedForm for CoulombHertz {
     const PRESSURE: PowerPressure = PowerPressure::HERTZ;
 
     fn force<R: Real>(at: &Speeds<R>) -> [R; 2] {
@@ -155,7 +155,7 @@ fn series<R: Real>(c: f64, y: R) -> [R; 2] {
 
 macro_rules! dry_profiles {
     ($($form:ty),*) => {$(
-        impl<R: Real> Profile<R> for $form {
+        impl<R: Real> PowerLawFriction<R> for $form {
             #[inline]
             fn exponent(&self) -> R {
                 R::ZERO
@@ -182,7 +182,7 @@ macro_rules! dry_profiles {
             }
         }
 
-        impl<R: Real> DryCoupling<R> for $form {
+        impl<R: Real> DryReducedFriction<R> for $form {
             #[inline]
             fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
                 super::profile::point(self, lead, ratio)
@@ -193,7 +193,7 @@ macro_rules! dry_profiles {
     )*};
 }
 
-dry_profiles!(Ring, FlatPunch, Hertz);
+dry_profiles!(CoulombRing, CoulombPunch, CoulombHertz);
 
 #[inline]
 fn order<F: ClosedForm, R: Real>() -> R {

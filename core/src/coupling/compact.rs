@@ -1,10 +1,10 @@
 //! The tier without tables: a few KiB of code, tens of ulp.
 
-use super::DryCoupling;
+use super::DryReducedFriction;
 use super::family;
 use super::member::Member;
 use super::octave::Pair;
-use super::profile::{Profile, SmoothProfile};
+use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{Lead, Speeds};
 use crate::law::{LawError, PowerLaw, validated_exponent};
 use crate::patch::PowerPressure;
@@ -19,17 +19,17 @@ use crate::special::CompleteElliptic;
 ///
 /// ```
 /// use core::f64::consts::PI;
-/// use tribos_core::coupling::{Coupling, compact::CompactCoulomb};
+/// use tribos_core::coupling::{ReducedFriction, compact::CompactCoulombDisk};
 /// // At equal speeds the disk turns about a point of its rim. It dissipates as the mean distance
 /// // from there, which is 32/(9π) radii.
-/// let wrench = CompactCoulomb.reduced_wrench(1.0_f64, 1.0);
+/// let wrench = CompactCoulombDisk.reduced_wrench(1.0_f64, 1.0);
 /// assert!((wrench.force + wrench.torque - 32.0 / (9.0 * PI)).abs() < 1e-13);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CompactCoulomb;
+pub struct CompactCoulombDisk;
 
-impl<R: Real> Profile<R> for CompactCoulomb {
+impl<R: Real> PowerLawFriction<R> for CompactCoulombDisk {
     #[inline]
     fn exponent(&self) -> R {
         R::ZERO
@@ -47,7 +47,7 @@ impl<R: Real> Profile<R> for CompactCoulomb {
     }
 }
 
-impl<R: Real> SmoothProfile<R> for CompactCoulomb {
+impl<R: Real> SmoothProfile<R> for CompactCoulombDisk {
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         let third_of_pi = R::from_f64(4.0 / (3.0 * core::f64::consts::PI));
@@ -69,7 +69,7 @@ impl<R: Real> SmoothProfile<R> for CompactCoulomb {
     }
 }
 
-impl<R: Real> DryCoupling<R> for CompactCoulomb {
+impl<R: Real> DryReducedFriction<R> for CompactCoulombDisk {
     #[inline]
     fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
         super::profile::point(self, lead, ratio)
@@ -86,7 +86,7 @@ impl<R: Real> DryCoupling<R> for CompactCoulomb {
 /// *Cost*: one series away from equal speeds; near them up to 52 expansions.
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, compact::CompactPower};
+/// use tribos_core::coupling::{ReducedFriction, compact::CompactPower};
 /// use tribos_core::patch::PowerPressure;
 /// let hertz = CompactPower::with_pressure(0.0_f64, PowerPressure::HERTZ)?;
 /// let torque = hertz.reduced_wrench(0.0, 1.0).torque;
@@ -105,7 +105,7 @@ impl<R: Real> CompactPower<R> {
     /// On a uniform disk. *Domain*: −1 < `alpha` ≤ [`PowerLaw::MAX_EXPONENT`].
     ///
     /// ```
-    /// use tribos_core::coupling::{Coupling, compact::CompactPower};
+    /// use tribos_core::coupling::{ReducedFriction, compact::CompactPower};
     /// // Viscous friction: force and torque do not know of each other.
     /// let wrench = CompactPower::new(1.0_f64)?.reduced_wrench(0.3, 0.4); // m/s
     /// assert!((wrench.force - 0.3).abs() < 1e-15 && (wrench.torque - 0.4 / 2.0).abs() < 1e-15);
@@ -131,7 +131,7 @@ impl<R: Real> CompactPower<R> {
     }
 }
 
-impl<R: Real> Profile<R> for CompactPower<R> {
+impl<R: Real> PowerLawFriction<R> for CompactPower<R> {
     fn exponent(&self) -> R {
         self.alpha
     }
@@ -163,6 +163,6 @@ impl<R: Real> SmoothProfile<R> for CompactPower<R> {
     }
 }
 
-family::coupled!([R: Real] CompactCoulomb, |_coulomb| R::ZERO);
+family::coupled!([R: Real] CompactCoulombDisk, |_coulomb| R::ZERO);
 
 family::coupled!([R: Real] CompactPower<R>, |power| power.order);

@@ -2,7 +2,7 @@
 
 use super::family;
 use super::member::Member;
-use super::profile::{Profile, SmoothProfile};
+use super::profile::{PowerLawFriction, SmoothProfile};
 use super::side::{self, Side};
 use super::speeds::{Lead, Speeds};
 use super::tip::{Exponent, Tip};
@@ -54,7 +54,7 @@ impl<E: Copy, const CELLS: usize, const TERMS: usize> Disk<f32, E, CELLS, TERMS>
     }
 }
 
-impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Profile<R>
+impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> PowerLawFriction<R>
     for Disk<R, E, CELLS, TERMS>
 {
     #[inline]

@@ -1,35 +1,36 @@
 //! Dry friction from a profile whose exponent is found to be 0 at run time.
 
 use super::{
-    Coupling, DryCoupling, Lateral, LateralJacobian, Profile, ReducedJacobian, ReducedWrench,
+    DryReducedFriction, LateralFriction, LateralJacobian, PowerLawFriction, ReducedFriction,
+    ReducedJacobian, ReducedWrench,
 };
 use super::{Lead, SmoothProfile, Speeds};
 use crate::law::LawError;
 use crate::real::Real;
 
 /// A profile whose exponent was found to be 0 at run time: it serves where the type must be a
-/// [`DryCoupling`], such as a limit surface.
+/// [`DryReducedFriction`], such as a limit surface.
 ///
 /// ```
-/// use tribos_core::coupling::{Dry, round::RoundTable64};
-/// use tribos_core::limit_surface::LimitSurface;
+/// use tribos_core::coupling::{DryProfile, round::RoundTable64};
+/// use tribos_core::limit_surface::RoundLimitSurface;
 /// use tribos_core::patch::PowerPressure;
-/// let table = Dry::new(RoundTable64::new(0.0, PowerPressure::PARABOLOID)?)?;
-/// let pad = LimitSurface::new(&table, 0.5_f64, 0.01)?;
+/// let table = DryProfile::new(RoundTable64::new(0.0, PowerPressure::PARABOLOID)?)?;
+/// let pad = RoundLimitSurface::new(&table, 0.5_f64, 0.01)?;
 /// assert!((pad.torque_limit() - 0.5 * 0.01 * 8.0 / 15.0).abs() < 1e-15);
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Dry<P> {
+pub struct DryProfile<P> {
     profile: P,
 }
 
-impl<P> Dry<P> {
+impl<P> DryProfile<P> {
     /// *Domain*: a profile of exponent 0.
     pub fn new<R: Real>(profile: P) -> Result<Self, LawError>
     where
-        P: Profile<R>,
+        P: PowerLawFriction<R>,
     {
         let alpha = profile.exponent();
         if alpha == R::ZERO {
@@ -42,7 +43,7 @@ impl<P> Dry<P> {
     }
 }
 
-impl<R: Real, P: Profile<R>> Profile<R> for Dry<P> {
+impl<R: Real, P: PowerLawFriction<R>> PowerLawFriction<R> for DryProfile<P> {
     #[inline]
     fn exponent(&self) -> R {
         R::ZERO
@@ -59,7 +60,7 @@ impl<R: Real, P: Profile<R>> Profile<R> for Dry<P> {
     }
 }
 
-impl<R: Real, P: SmoothProfile<R>> SmoothProfile<R> for Dry<P> {
+impl<R: Real, P: SmoothProfile<R>> SmoothProfile<R> for DryProfile<P> {
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         self.profile.factors_and_slope(at)
@@ -70,7 +71,7 @@ impl<R: Real, P: SmoothProfile<R>> SmoothProfile<R> for Dry<P> {
     }
 }
 
-impl<R: Real, P: SmoothProfile<R>> Coupling<R> for Dry<P> {
+impl<R: Real, P: SmoothProfile<R>> ReducedFriction<R> for DryProfile<P> {
     #[inline]
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         super::profile::wrench(self, slide, rim)
@@ -85,14 +86,14 @@ impl<R: Real, P: SmoothProfile<R>> Coupling<R> for Dry<P> {
     }
 }
 
-impl<R: Real, P: SmoothProfile<R>> DryCoupling<R> for Dry<P> {
+impl<R: Real, P: SmoothProfile<R>> DryReducedFriction<R> for DryProfile<P> {
     #[inline]
     fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
         super::profile::point(self, lead, ratio)
     }
 }
 
-impl<R: Real, P: SmoothProfile<R> + Lateral<R>> Lateral<R> for Dry<P> {
+impl<R: Real, P: SmoothProfile<R> + LateralFriction<R>> LateralFriction<R> for DryProfile<P> {
     #[inline]
     fn lateral(&self, slide: R, rim: R) -> R {
         self.profile.lateral(slide, rim)

@@ -72,10 +72,10 @@ pub(super) fn inertia_excess<R: Real, P: SmoothProfile<R>>(
     scaled / moment(order, profile.exponent())
 }
 
-/// [`super::Coupling`] and [`super::Lateral`] of a smooth profile, from its order q.
+/// [`super::Coupling`] and [`super::LateralFriction`] of a smooth profile, from its order q.
 macro_rules! coupled {
     ([$($generics:tt)*] $profile:ty, |$this:ident| $order:expr) => {
-        impl<$($generics)*> $crate::coupling::Coupling<R> for $profile {
+        impl<$($generics)*> $crate::coupling::ReducedFriction<R> for $profile {
             $crate::coupling::family::coupling_methods!();
         }
 
@@ -86,7 +86,7 @@ macro_rules! coupled {
 /// The same, of a profile that computes groups in lanes.
 macro_rules! coupled_in_lanes {
     ([$($generics:tt)*] $profile:ty, |$this:ident| $order:expr) => {
-        impl<$($generics)*> $crate::coupling::Coupling<R> for $profile {
+        impl<$($generics)*> $crate::coupling::ReducedFriction<R> for $profile {
             $crate::coupling::family::coupling_methods!();
 
             #[inline]
@@ -127,7 +127,7 @@ macro_rules! coupling_methods {
 
 macro_rules! lateral {
     ([$($generics:tt)*] $profile:ty, |$this:ident| $order:expr) => {
-        impl<$($generics)*> $crate::coupling::Lateral<R> for $profile {
+        impl<$($generics)*> $crate::coupling::LateralFriction<R> for $profile {
             #[inline]
             fn lateral(&self, slide: R, rim: R) -> R {
                 let $this = self;

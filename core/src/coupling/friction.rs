@@ -2,7 +2,7 @@
 
 use super::batch;
 use super::wide::is_ordinary;
-use super::{Coupling, ReducedWrench};
+use super::{ReducedFriction, ReducedWrench};
 use crate::error::Error;
 use crate::law::validated_coefficient;
 use crate::patch::validated_radius;
@@ -21,17 +21,17 @@ use nalgebra::Matrix3;
 /// zero or short of digits, and zero times infinity NaN, even where the whole would be a number.
 ///
 /// ```
-/// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+/// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
 /// use tribos_core::twist::Twist;
 ///
-/// let puck = PatchFriction::new(Coulomb, 0.3_f32, 0.04)?;
+/// let puck = RoundFriction::new(CoulombDisk, 0.3_f32, 0.04)?;
 /// let wrench = puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // N, m/s, rad/s
 /// assert!(wrench.force.x < 0.0 && wrench.torque < 0.0);
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PatchFriction<R, C> {
+pub struct RoundFriction<R, C> {
     coupling: C,
     coefficient: R,
     radius: R,
@@ -40,8 +40,8 @@ pub struct PatchFriction<R, C> {
 /// Force and torque that oppose the motion, as magnitudes.
 ///
 /// ```
-/// use tribos_core::coupling::{Magnitudes, PatchFriction, table::Coulomb};
-/// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?; // mu, m
+/// use tribos_core::coupling::{Magnitudes, RoundFriction, table::CoulombDisk};
+/// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?; // mu, m
 /// // Under 1.7 N, spinning in place at 20 rad/s: 2/3 of μ N R.
 /// let Magnitudes { force, torque } = puck.magnitudes(1.7, 0.0, 20.0); // N, N m
 /// let most = puck.coefficient() * 1.7 * puck.radius();
@@ -79,7 +79,7 @@ fn along<R: Real>(force: R, speed: R, twist: &Twist<R>) -> [R; 2] {
     [twist.velocity.x, twist.velocity.y].map(|u| force * (u / speed))
 }
 
-impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
+impl<R: Real, C: ReducedFriction<R>> RoundFriction<R, C> {
     /// *Domain*: 0 ≤ `coefficient` < ∞, 0 < `radius` < ∞. The coefficient multiplies the
     /// coupling's own (1 for the power-law tiers).
     pub fn new(coupling: C, coefficient: R, radius: R) -> Result<Self, Error> {
@@ -92,7 +92,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
 
     /// Force and torque magnitudes at sliding speed and spin; signs of both are ignored.
     ///
-    /// *Domain*: any; zero at rest, see [`Coupling`] for infinite and NaN arguments. `load` is
+    /// *Domain*: any; zero at rest, see [`ReducedFriction`] for infinite and NaN arguments. `load` is
     /// taken as it is, so that a negative load (a contact that pulls) is the caller's to exclude.
     #[doc(hidden)]
     #[inline]
@@ -106,7 +106,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         }
     }
 
-    /// Derivatives of [`PatchFriction::magnitudes`] for speed ≥ 0 and spin ≥ 0.
+    /// Derivatives of [`RoundFriction::magnitudes`] for speed ≥ 0 and spin ≥ 0.
     #[doc(hidden)]
     #[inline]
     pub fn magnitudes_jacobian(&self, load: R, speed: R, spin: R) -> MagnitudesJacobian<R> {
@@ -144,7 +144,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         self.wide_wrench(load, twist)
     }
 
-    /// [`PatchFriction::wrench`] without sliding, at rest and where a product may leave the number
+    /// [`RoundFriction::wrench`] without sliding, at rest and where a product may leave the number
     /// range.
     #[cold]
     #[inline(never)]
@@ -167,13 +167,13 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
 
     /// ∂wrench/∂twist, symmetric, and negative semidefinite for a law that never weakens.
     ///
-    /// *Special values*: at rest the diagonal is that of [`Coupling::reduced_jacobian`], negated.
+    /// *Special values*: at rest the diagonal is that of [`ReducedFriction::reduced_jacobian`], negated.
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
     /// use tribos_core::twist::Twist;
-    /// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?;
+    /// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?;
     /// let jacobian = puck.wrench_jacobian(1.7, &Twist::new(1.0, -0.5, 20.0)); // N; m/s, rad/s
     /// assert_eq!(jacobian, jacobian.transpose());
     /// // Dry friction stays when the whole motion becomes faster.
@@ -216,9 +216,9 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     /// compute eight twists side by side.
     ///
     /// ```
-    /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
     /// use tribos_core::twist::{Twist, Wrench};
-    /// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?;
+    /// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?;
     /// let twists = [1.0, -1.0].map(|sign| Twist::new(sign * 0.2, 0.0, sign * 5.0)); // m/s, rad/s
     /// let mut wrenches = [Wrench::ZERO; 2];
     /// puck.wrench_batch(1.7, &twists, &mut wrenches);
@@ -233,14 +233,14 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         batch::twist_wrenches(twists, wrenches, all, |twist| self.wrench(load, twist));
     }
 
-    /// [`PatchFriction::wrench_batch`] for a structure of arrays: velocities along x and y and spins of the
+    /// [`RoundFriction::wrench_batch`] for a structure of arrays: velocities along x and y and spins of the
     /// twists, forces along x and y and torques of the wrenches, to the same bits. Elements beyond the
     /// shortest slice are not changed.
     ///
     /// ```
-    /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
     /// use tribos_core::twist::Twist;
-    /// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?;
+    /// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?;
     /// let (vx, vy, spins) = ([0.2, -0.1], [0.0, 0.3], [5.0, -2.0]); // m/s, m/s, rad/s
     /// let ([mut fx, mut fy], mut torques) = ([[0.0; 2]; 2], [0.0; 2]);
     /// puck.wrench_columns(1.7, [&vx, &vy, &spins], [&mut fx, &mut fy, &mut torques]);
@@ -259,9 +259,9 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     /// shorter slice are not changed.
     ///
     /// ```
-    /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
     /// use tribos_core::twist::{Twist, WrenchJacobian};
-    /// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?;
+    /// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?;
     /// let twists = [1.0, 2.0].map(|scale| Twist::new(scale * 0.2, 0.0, scale * 5.0)); // m/s, rad/s
     /// let mut jacobians = [WrenchJacobian::zeros(); 2];
     /// puck.jacobian_batch(1.7, &twists, &mut jacobians);
@@ -301,7 +301,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
 mod tests {
     use super::*;
     use crate::coupling::round::RoundTable64;
-    use crate::coupling::table::{Coulomb, Table32, Table64};
+    use crate::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
     use crate::patch::PowerPressure;
 
     /// Speeds of all sizes, also zero, and a few that are no numbers.
@@ -328,8 +328,8 @@ mod tests {
     }
 
     /// Largest error in units of [`Real::EPSILON`] against the careful way.
-    fn compare<R: Real, C: Coupling<R>>(coupling: C, most: f64) {
-        let patch = PatchFriction::new(coupling, R::from_f64(0.3), R::from_f64(0.08)).unwrap();
+    fn compare<R: Real, C: ReducedFriction<R>>(coupling: C, most: f64) {
+        let patch = RoundFriction::new(coupling, R::from_f64(0.3), R::from_f64(0.08)).unwrap();
         let load = R::from_f64(1.7);
         let normal = |x: R| x.is_finite() && x.abs() > R::MIN_POSITIVE / R::EPSILON;
         for [x, y, spin] in numbers(100_000, true) {
@@ -350,23 +350,23 @@ mod tests {
 
     #[test]
     fn one_root_and_one_division_are_as_good_as_many() {
-        compare::<f64, _>(Coulomb, 6.0);
-        compare::<f32, _>(Coulomb, 6.0);
+        compare::<f64, _>(CoulombDisk, 6.0);
+        compare::<f32, _>(CoulombDisk, 6.0);
         for alpha in [0.0, 0.37, 1.0, 3.0] {
-            compare(Table64::new(alpha).unwrap(), 10.0);
-            compare(Table32::new(alpha as f32).unwrap(), 10.0);
+            compare(DiskTable64::new(alpha).unwrap(), 10.0);
+            compare(DiskTable32::new(alpha as f32).unwrap(), 10.0);
         }
         // Near equal speeds a torque that is small grows by many digits of theirs.
-        compare(Table64::new(-0.7).unwrap(), 20.0);
-        compare(Table64::new(-0.9).unwrap(), 60.0);
+        compare(DiskTable64::new(-0.7).unwrap(), 20.0);
+        compare(DiskTable64::new(-0.9).unwrap(), 60.0);
         compare(RoundTable64::new(0.37, PowerPressure::HERTZ).unwrap(), 10.0);
     }
 
     /// Largest errors of the quick and the careful way in units of [`Real::EPSILON`], by f64.
     fn errors(alpha: f32) -> [f64; 2] {
-        let single = PatchFriction::new(Table32::new(alpha).unwrap(), 0.3_f32, 0.08).unwrap();
-        let table = Table64::new(f64::from(alpha)).unwrap();
-        let double = PatchFriction::new(table, f64::from(0.3_f32), f64::from(0.08_f32)).unwrap();
+        let single = RoundFriction::new(DiskTable32::new(alpha).unwrap(), 0.3_f32, 0.08).unwrap();
+        let table = DiskTable64::new(f64::from(alpha)).unwrap();
+        let double = RoundFriction::new(table, f64::from(0.3_f32), f64::from(0.08_f32)).unwrap();
         let mut worst = [0.0_f64; 2];
         for [x, y, spin] in numbers::<f32>(100_000, false) {
             let twist = Twist::new(x, y, spin);

@@ -18,7 +18,7 @@
 //! *Source*: eqs. 3.37 and 3.38 of the thesis, whose lateral function is 2G; `docs/theory.md`
 //! derives the rest.
 
-use super::Coupling;
+use super::ReducedFriction;
 use super::beyond;
 use super::profile::SmoothProfile;
 use super::speeds::{Lead, Speeds};
@@ -32,7 +32,7 @@ use crate::real::Real;
 /// assert!((Coulomb.lateral(0.0_f64, 1.0) - 0.5 * 2.0 / 3.0).abs() < 1e-14);
 /// assert_eq!(Coulomb.lateral(1.0_f64, 0.0), 0.0); // sliding without spin: nothing
 /// ```
-pub trait Lateral<R: Real>: Coupling<R> {
+pub trait LateralFriction<R: Real>: ReducedFriction<R> {
     /// G: the lateral force per coefficient, load and unit of pressure gradient l along the
     /// velocity (l = 1: the pressure vanishes at the trailing edge).
     ///
@@ -58,7 +58,7 @@ pub struct LateralJacobian<R> {
     pub rim: R,
 }
 
-impl<R: Real, C: Lateral<R> + ?Sized> Lateral<R> for &C {
+impl<R: Real, C: LateralFriction<R> + ?Sized> LateralFriction<R> for &C {
     #[inline]
     fn lateral(&self, slide: R, rim: R) -> R {
         (**self).lateral(slide, rim)

@@ -4,7 +4,7 @@
 //!
 //! | contact | table, a few ulp | compact, tens of ulp | quadrature, any local law |
 //! |---|---|---|---|
-//! | uniform disk | [`table::Coulomb`], [`table::Table64`], [`table::Table32`] | [`compact::CompactCoulomb`], [`compact::CompactPower`] | [`quadrature::DiskQuadrature`], 1e-8 |
+//! | uniform disk | [`table::Coulomb`], [`table::DiskTable64`], [`table::DiskTable32`] | [`compact::CompactCoulombDisk`], [`compact::CompactPower`] | [`quadrature::DiskQuadrature`], 1e-8 |
 //! | (1−r²)^q: ring, punch, Hertz, … | [`round::RoundTable64`], [`round::RoundTable32`] | [`closed`] (Coulomb), [`compact::CompactPower::with_pressure`] | nodes |
 //! | polynomial in r² | [`round::PolynomialTable`] | – | nodes |
 //! | annulus | [`Annulus`] of the disk's | [`Annulus`] of the disk's | [`Annulus`] of the disk's |
@@ -17,8 +17,8 @@
 //! time for every pressure and exponent; compact tiers are code only, 5 times as slow, 150 times for
 //! any exponent.
 //!
-//! [`PatchFriction`] adds radius and coefficient. A pressure that leans makes spinning friction
-//! lateral ([`Lateral`]); [`tall::TallFriction`] finds the lean of a tall body. A tier that a program
+//! [`RoundFriction`] adds radius and coefficient. A pressure that leans makes spinning friction
+//! lateral ([`LateralFriction`]); [`tall::LoadTransferFriction`] finds the lean of a tall body. A tier that a program
 //! does not name costs nothing.
 //!
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
@@ -52,11 +52,11 @@ pub mod table;
 pub mod tall;
 
 pub use annulus::Annulus;
-pub use dry::Dry;
+pub use dry::DryProfile;
 pub(crate) use family::inertia_ends;
-pub use friction::{Magnitudes, MagnitudesJacobian, PatchFriction};
-pub use lateral::Lateral;
-pub use profile::{Profile, unscaled_wrench};
+pub use friction::{Magnitudes, MagnitudesJacobian, RoundFriction};
+pub use lateral::LateralFriction;
+pub use profile::{PowerLawFriction, unscaled_wrench};
 
 /// See [`crate::internals`].
 pub(crate) mod internals {
@@ -77,12 +77,12 @@ use crate::real::Real;
 /// dimensionless functions 𝓕(ε), 𝓣(ε) of the velocity ratio ε = v/(ωR).
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, ReducedWrench, table::Coulomb};
+/// use tribos_core::coupling::{ReducedFriction, ReducedWrench, table::CoulombDisk};
 /// // A disk that spins in place: no force, and the mean radius 2/3 as the arm of the torque.
-/// let ReducedWrench { force, torque } = Coulomb.reduced_wrench(0.0_f64, 1.0);
+/// let ReducedWrench { force, torque } = CoulombDisk.reduced_wrench(0.0_f64, 1.0);
 /// assert!(force == 0.0 && (torque - 2.0 / 3.0).abs() < 1e-15);
 /// // One that slides without spin: all of the force.
-/// assert!((Coulomb.reduced_wrench(1.0_f64, 0.0).force - 1.0).abs() < 1e-15);
+/// assert!((CoulombDisk.reduced_wrench(1.0_f64, 0.0).force - 1.0).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -96,9 +96,9 @@ pub struct ReducedWrench<R> {
 /// Derivatives of a [`ReducedWrench`] with respect to sliding speed v and rim speed w.
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, ReducedJacobian, table::Coulomb};
+/// use tribos_core::coupling::{ReducedFriction, ReducedJacobian, table::CoulombDisk};
 /// let (v, w) = (0.3_f64, 0.4);
-/// let ReducedJacobian { force_slide, mixed, torque_rim, .. } = Coulomb.reduced_jacobian(v, w);
+/// let ReducedJacobian { force_slide, mixed, torque_rim, .. } = CoulombDisk.reduced_jacobian(v, w);
 /// // Dry friction does not care how fast both motions are, as long as their ratio stays.
 /// assert!((v * force_slide + w * mixed).abs() < 1e-12);
 /// assert!((v * mixed + w * torque_rim).abs() < 1e-12);
@@ -126,33 +126,33 @@ pub struct ReducedJacobian<R> {
 /// range is infinite or zero; one that does not is right, whatever its factors do.
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, compact, table};
+/// use tribos_core::coupling::{ReducedFriction, compact, table};
 /// // Force on a disk that spins at rim speed 1 and is pushed aside slowly, over that slow speed.
-/// fn drag(disk: &impl Coupling<f64>) -> f64 {
+/// fn drag(disk: &impl ReducedFriction<f64>) -> f64 {
 ///     disk.reduced_wrench(1e-4, 1.0).force / 1e-4
 /// }
 /// // Spinning makes dry friction viscous, F = ε − ε³/8 + …, in every tier.
 /// assert!((drag(&table::Coulomb) - 1.0).abs() < 2e-9);
-/// assert!((drag(&compact::CompactCoulomb) - 1.0).abs() < 2e-9);
+/// assert!((drag(&compact::CompactCoulombDisk) - 1.0).abs() < 2e-9);
 /// assert!((table::Coulomb.reduced_jacobian(0.0_f64, 1.0).force_slide - 1.0).abs() < 1e-12);
 /// ```
-pub trait Coupling<R: Real> {
+pub trait ReducedFriction<R: Real> {
     /// Force and torque for sliding speed `slide` and rim speed `rim` = |ω|R.
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R>;
 
     /// Analytic derivatives at the same arguments.
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R>;
 
-    /// [`Coupling::reduced_wrench`] of many speeds, to the same bits: `slides` and `rims` in, `forces`
+    /// [`ReducedFriction::reduced_wrench`] of many speeds, to the same bits: `slides` and `rims` in, `forces`
     /// and `torques` out. Elements beyond the shortest slice are not changed.
     ///
     /// *Cost*: tables take about half the time of single calls where the processor has vectors.
     ///
     /// ```
-    /// use tribos_core::coupling::{Coupling, table::Coulomb};
+    /// use tribos_core::coupling::{ReducedFriction, table::CoulombDisk};
     /// let (slides, rims) = ([1.0_f64, 0.0], [0.0, 1.0]); // sliding alone, spinning in place
     /// let (mut forces, mut torques) = ([0.0; 2], [0.0; 2]);
-    /// Coulomb.reduced_wrench_batch(&slides, &rims, &mut forces, &mut torques);
+    /// CoulombDisk.reduced_wrench_batch(&slides, &rims, &mut forces, &mut torques);
     /// assert!((forces[0] - 1.0).abs() < 1e-15 && forces[1] == 0.0);
     /// assert!(torques[0] == 0.0 && (torques[1] - 2.0 / 3.0).abs() < 1e-15);
     /// ```
@@ -161,14 +161,14 @@ pub trait Coupling<R: Real> {
         batch::reduced_wrenches(self, [slides, rims], [forces, torques]);
     }
 
-    /// [`Coupling::reduced_jacobian`] of many speeds, to the same bits. Elements beyond the shortest
+    /// [`ReducedFriction::reduced_jacobian`] of many speeds, to the same bits. Elements beyond the shortest
     /// slice are not changed.
     ///
     /// ```
-    /// use tribos_core::coupling::{Coupling, ReducedJacobian, table::Coulomb};
+    /// use tribos_core::coupling::{ReducedFriction, ReducedJacobian, table::CoulombDisk};
     /// let (slides, rims) = ([1.0_f64, 2.0], [0.5, 1.0]);
     /// let mut jacobians = [ReducedJacobian::default(); 2];
-    /// Coulomb.reduced_jacobian_batch(&slides, &rims, &mut jacobians);
+    /// CoulombDisk.reduced_jacobian_batch(&slides, &rims, &mut jacobians);
     /// // Dry friction forgets how fast both motions are: half the slope at twice the speeds.
     /// assert_eq!(jacobians[1].force_slide * 2.0, jacobians[0].force_slide);
     /// ```
@@ -191,7 +191,7 @@ pub trait Coupling<R: Real> {
         [force / slide, torque]
     }
 
-    /// [`Coupling::reduced_drag`] of a group, to the same bits; nothing where a coupling has no
+    /// [`ReducedFriction::reduced_drag`] of a group, to the same bits; nothing where a coupling has no
     /// lanes, or a lane needs care.
     #[doc(hidden)]
     #[inline]
@@ -199,14 +199,14 @@ pub trait Coupling<R: Real> {
         None
     }
 
-    /// [`Coupling::reduced_wrench`] of a group, as [`Coupling::reduced_drags`].
+    /// [`ReducedFriction::reduced_wrench`] of a group, as [`ReducedFriction::reduced_drags`].
     #[doc(hidden)]
     #[inline]
     fn reduced_wrenches(&self, _slides: &[R; 8], _rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
         None
     }
 
-    /// [`Coupling::reduced_jacobian`] of a group, as [`Coupling::reduced_drags`]; in the order of
+    /// [`ReducedFriction::reduced_jacobian`] of a group, as [`ReducedFriction::reduced_drags`]; in the order of
     /// the fields.
     #[doc(hidden)]
     #[inline]
@@ -221,17 +221,17 @@ pub trait Coupling<R: Real> {
 /// D(v, w) = v F + w T.
 ///
 /// ```
-/// use tribos_core::coupling::{DryCoupling, table::Coulomb};
+/// use tribos_core::coupling::{DryReducedFriction, table::CoulombDisk};
 /// // Power that friction takes, per coefficient and load.
-/// fn dissipation(dry: &impl DryCoupling<f64>, slide: f64, rim: f64) -> f64 {
+/// fn dissipation(dry: &impl DryReducedFriction<f64>, slide: f64, rim: f64) -> f64 {
 ///     let wrench = dry.reduced_wrench(slide, rim);
 ///     slide * wrench.force + rim * wrench.torque
 /// }
 /// // It doubles with the speeds.
-/// let [slow, fast] = [1.0, 2.0].map(|scale| dissipation(&Coulomb, 0.3 * scale, 0.4 * scale));
+/// let [slow, fast] = [1.0, 2.0].map(|scale| dissipation(&CoulombDisk, 0.3 * scale, 0.4 * scale));
 /// assert!((fast - 2.0 * slow).abs() < 1e-15);
 /// ```
-pub trait DryCoupling<R: Real>: Coupling<R> {
+pub trait DryReducedFriction<R: Real>: ReducedFriction<R> {
     /// The larger and the smaller component where the larger speed is 1 and the smaller one `ratio`,
     /// and the slope of the smaller one.
     #[doc(hidden)]
@@ -250,14 +250,14 @@ pub trait DryCoupling<R: Real>: Coupling<R> {
     }
 }
 
-impl<R: Real, C: DryCoupling<R> + ?Sized> DryCoupling<R> for &C {
+impl<R: Real, C: DryReducedFriction<R> + ?Sized> DryReducedFriction<R> for &C {
     #[inline]
     fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
         (**self).reduced_point(lead, ratio)
     }
 }
 
-impl<R: Real, C: Coupling<R> + ?Sized> Coupling<R> for &C {
+impl<R: Real, C: ReducedFriction<R> + ?Sized> ReducedFriction<R> for &C {
     #[inline]
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         (**self).reduced_wrench(slide, rim)

@@ -1,11 +1,11 @@
 //! Tables for pressures that are a polynomial of r²: the weighted sum of their members' tables.
 
-use super::lateral::{self, Lateral, LateralJacobian};
-use super::profile::{self, Profile, SmoothProfile};
+use super::lateral::{self, LateralFriction, LateralJacobian};
+use super::profile::{self, PowerLawFriction, SmoothProfile};
 use super::side::Sides;
 use super::speeds::Speeds;
 use super::table::{CELLS_F64, MAX_EXPONENT, TERMS_F64};
-use super::{Coupling, ReducedJacobian, ReducedWrench};
+use super::{ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, validated_exponent};
 use crate::patch::PolynomialPressure;
 
@@ -21,7 +21,7 @@ impl PolynomialTable {
     /// *Domain*: −1 < α ≤ 10.
     ///
     /// ```
-    /// use tribos_core::coupling::{Coupling, round::PolynomialTable};
+    /// use tribos_core::coupling::{ReducedFriction, round::PolynomialTable};
     /// use tribos_core::patch::PolynomialPressure;
     /// // All load towards the rim: p ~ r².
     /// let table = PolynomialTable::new(0.0, &PolynomialPressure::new([0.0, 1.0])?)?;
@@ -39,7 +39,7 @@ impl PolynomialTable {
     }
 }
 
-impl Profile<f64> for PolynomialTable {
+impl PowerLawFriction<f64> for PolynomialTable {
     #[inline]
     fn exponent(&self) -> f64 {
         self.sides.alpha
@@ -65,7 +65,7 @@ impl SmoothProfile<f64> for PolynomialTable {
     }
 }
 
-impl Coupling<f64> for PolynomialTable {
+impl ReducedFriction<f64> for PolynomialTable {
     #[inline]
     fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
         profile::wrench(self, slide, rim)
@@ -79,7 +79,7 @@ impl Coupling<f64> for PolynomialTable {
 /// A [`PolynomialTable`] with its lateral function (95 KiB together).
 ///
 /// ```
-/// use tribos_core::coupling::{Lateral, round::LateralPolynomialTable};
+/// use tribos_core::coupling::{LateralFriction, round::LateralPolynomialTable};
 /// use tribos_core::patch::PolynomialPressure;
 /// // All load towards the rim, p ~ r²: mean radius 4/5, mean square 2/3.
 /// let hollow = PolynomialPressure::new([0.0, 1.0])?;
@@ -114,7 +114,7 @@ impl LateralPolynomialTable {
     }
 }
 
-impl Profile<f64> for LateralPolynomialTable {
+impl PowerLawFriction<f64> for LateralPolynomialTable {
     #[inline]
     fn exponent(&self) -> f64 {
         self.table.exponent()
@@ -140,7 +140,7 @@ impl SmoothProfile<f64> for LateralPolynomialTable {
     }
 }
 
-impl Coupling<f64> for LateralPolynomialTable {
+impl ReducedFriction<f64> for LateralPolynomialTable {
     #[inline]
     fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
         self.table.reduced_wrench(slide, rim)
@@ -151,7 +151,7 @@ impl Coupling<f64> for LateralPolynomialTable {
     }
 }
 
-impl Lateral<f64> for LateralPolynomialTable {
+impl LateralFriction<f64> for LateralPolynomialTable {
     fn lateral(&self, slide: f64, rim: f64) -> f64 {
         lateral::of_profile(&self.lateral, 1.0, slide, rim)
     }

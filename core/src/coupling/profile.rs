@@ -47,7 +47,7 @@ use crate::real::Real;
 /// assert!(is_dry(&Coulomb) && !is_dry(&CompactPower::new(0.5)?));
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
-pub trait Profile<R: Real> {
+pub trait PowerLawFriction<R: Real> {
     /// The exponent α > −1 of the local law.
     fn exponent(&self) -> R;
 
@@ -106,7 +106,7 @@ pub trait Profile<R: Real> {
 }
 
 /// A profile with the slope of Φ, which makes its Jacobian analytic.
-pub trait SmoothProfile<R: Real>: Profile<R> {
+pub trait SmoothProfile<R: Real>: PowerLawFriction<R> {
     /// Φ, Φ' (with respect to x = h²) and Χ.
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3];
 
@@ -118,7 +118,7 @@ pub trait SmoothProfile<R: Real>: Profile<R> {
     }
 }
 
-impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
+impl<R: Real, P: PowerLawFriction<R> + ?Sized> PowerLawFriction<R> for &P {
     #[inline]
     fn exponent(&self) -> R {
         (**self).exponent()
@@ -172,7 +172,11 @@ impl<R: Real, P: SmoothProfile<R> + ?Sized> SmoothProfile<R> for &P {
 /// ```
 #[doc(hidden)]
 #[inline]
-pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
+pub fn unscaled_wrench<R: Real, P: PowerLawFriction<R>>(
+    profile: &P,
+    slide: R,
+    rim: R,
+) -> ReducedWrench<R> {
     let speeds = Speeds::new(slide, rim);
     if speeds.at_rest() {
         return ReducedWrench::default();
@@ -186,7 +190,11 @@ pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) ->
 
 /// [`super::Coupling::reduced_wrench`] of a profile.
 #[inline]
-pub(super) fn wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
+pub(super) fn wrench<R: Real, P: PowerLawFriction<R>>(
+    profile: &P,
+    slide: R,
+    rim: R,
+) -> ReducedWrench<R> {
     let speeds = Speeds::new(slide, rim);
     if speeds.at_rest() {
         return ReducedWrench::default();
@@ -203,7 +211,7 @@ pub(super) fn wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> R
 
 /// [`super::Coupling::reduced_drag`] of a profile: one division for all.
 #[inline]
-pub(super) fn drag<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
+pub(super) fn drag<R: Real, P: PowerLawFriction<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
     let (speeds, per_major) = Speeds::of_ordinary(slide, rim);
     let scale = profile.speed_scale(speeds.major);
     let per_speed = scale * per_major;
@@ -218,7 +226,7 @@ pub(super) fn drag<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> [R;
 
 #[cold]
 #[inline(never)]
-fn careful_drag<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
+fn careful_drag<R: Real, P: PowerLawFriction<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
     let ReducedWrench { force, torque } = wrench(profile, slide, rim);
     [force / slide, torque]
 }
@@ -266,7 +274,7 @@ fn unscaled_jacobian<R: Real>(alpha: R, speeds: &Speeds<R>, [phi, slope, chi]: [
     }
 }
 
-/// [`super::DryCoupling::reduced_point`] of a profile.
+/// [`super::DryReducedFriction::reduced_point`] of a profile.
 #[inline]
 pub(super) fn point<R: Real, P: SmoothProfile<R>>(profile: &P, lead: Lead, ratio: R) -> [R; 3] {
     let speeds = Speeds::from_ratio(lead, ratio);
@@ -278,7 +286,7 @@ pub(super) fn point<R: Real, P: SmoothProfile<R>>(profile: &P, lead: Lead, ratio
 }
 
 /// The Jacobian at v = w = 0: zero for α > 1, the constant damping for α = 1, infinite below.
-pub(super) fn at_rest<R: Real, P: Profile<R>>(profile: &P) -> ReducedJacobian<R> {
+pub(super) fn at_rest<R: Real, P: PowerLawFriction<R>>(profile: &P) -> ReducedJacobian<R> {
     let alpha = profile.exponent();
     let (slide, rim) = if alpha > R::ONE {
         (R::ZERO, R::ZERO)

@@ -23,7 +23,7 @@
 //! kinds. Nothing divides by a small number, and no singular point is ever a node.
 
 use super::wide::{Wide, is_ordinary};
-use super::{Coupling, ReducedJacobian, ReducedWrench};
+use super::{ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::law::LocalLaw;
 use crate::real::Real;
 
@@ -331,7 +331,7 @@ fn are_moderate<R: Real>([speed, friction]: [R; 2]) -> bool {
     is_moderate(friction * speed) && is_moderate(friction / speed)
 }
 
-impl<R: Real, L: LocalLaw<R>> Coupling<R> for DiskQuadrature<L> {
+impl<R: Real, L: LocalLaw<R>> ReducedFriction<R> for DiskQuadrature<L> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         let (slide, rim) = (slide.abs(), rim.abs());
         if slide == R::ZERO && rim == R::ZERO {

@@ -5,7 +5,7 @@
 
 use super::family;
 use super::member::Member;
-use super::profile::{Profile, SmoothProfile};
+use super::profile::{PowerLawFriction, SmoothProfile};
 use super::side::Sides;
 use super::speeds::Speeds;
 use super::table::MAX_EXPONENT;
@@ -28,7 +28,7 @@ const NEARLY_LINEAR: f64 = 0.125;
 /// Friction v^α under a pressure (1−r²)^q, from a table in f64 (48 KiB).
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, round::RoundTable64};
+/// use tribos_core::coupling::{ReducedFriction, round::RoundTable64};
 /// use tribos_core::patch::PowerPressure;
 /// // Torque of spinning in place under dry friction: the mean radius, 8/15 for a paraboloid.
 /// let pad = RoundTable64::new(0.0, PowerPressure::PARABOLOID)?;
@@ -39,7 +39,7 @@ pub type RoundTable64 = RoundTable<f64, CELLS_F64, TERMS_F64>;
 /// Friction v^α under a pressure (1−r²)^q, from a table in f32 (7 KiB).
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, round::RoundTable32};
+/// use tribos_core::coupling::{ReducedFriction, round::RoundTable32};
 /// use tribos_core::patch::PowerPressure;
 /// // Torque of spinning in place under dry friction: the mean radius, 8/15 for a paraboloid.
 /// let pad = RoundTable32::new(0.0, PowerPressure::PARABOLOID)?;
@@ -58,7 +58,7 @@ impl RoundTable64 {
     /// operations.
     ///
     /// ```
-    /// use tribos_core::coupling::{Coupling, round::RoundTable64};
+    /// use tribos_core::coupling::{ReducedFriction, round::RoundTable64};
     /// use tribos_core::patch::PowerPressure;
     /// static HERTZ: RoundTable64 = match RoundTable64::new(0.0, PowerPressure::HERTZ) {
     ///     Ok(table) => table,
@@ -105,7 +105,9 @@ impl RoundTable32 {
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for RoundTable<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> PowerLawFriction<R>
+    for RoundTable<R, CELLS, TERMS>
+{
     #[inline]
     fn exponent(&self) -> R {
         self.sides.exponent()

@@ -2,7 +2,7 @@
 
 use super::member::Member;
 use super::octave::{self, Cell, Pair};
-use super::profile::{Profile, SmoothProfile};
+use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{Lead, Speeds};
 use crate::power::FixedPower;
 use crate::real::Real;
@@ -249,7 +249,9 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Sides<R, CELLS, TERMS> {
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Sides<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> PowerLawFriction<R>
+    for Sides<R, CELLS, TERMS>
+{
     #[inline]
     fn exponent(&self) -> R {
         self.alpha

@@ -1,9 +1,9 @@
 //! The quickest tier: polynomial tables, a few ulp, the same cost for every exponent.
 
-use super::DryCoupling;
+use super::DryReducedFriction;
 use super::disk::Disk;
 use super::family;
-use super::profile::{Profile, SmoothProfile};
+use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{Lead, Speeds};
 use super::tip::{Any, Exponent, Zero};
 use crate::law::{LawError, validated_exponent};
@@ -24,7 +24,7 @@ pub(super) const DISK_CELLS_F32: usize = 2 * 16 + 2;
 /// One degree less is enough for α = 0 in f32, whose singularity is weaker than that of α < 0.
 const TERMS_COULOMB_F32: usize = 5;
 
-/// [`Table64::MAX_EXPONENT`], and that of every other table.
+/// [`DiskTable64::MAX_EXPONENT`], and that of every other table.
 pub(super) const MAX_EXPONENT: f64 = 10.0;
 
 /// Both tables: a disk, and the power of its scale.
@@ -38,31 +38,31 @@ pub struct Table<R, const CELLS: usize, const TERMS: usize> {
 /// Friction v^α on a uniform disk, from a table of one exponent in f64 (14 KiB).
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, table::Table64};
+/// use tribos_core::coupling::{ReducedFriction, table::DiskTable64};
 /// use tribos_core::law::LawError;
 /// // Torque of spinning in place under friction v^α: the mean of r^(1+α).
-/// assert!((Table64::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-14);
-/// let max = Table64::MAX_EXPONENT;
-/// assert_eq!(Table64::new(10.5).err(), Some(LawError::Exponent { given: 10.5, max }));
+/// assert!((DiskTable64::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-14);
+/// let max = DiskTable64::MAX_EXPONENT;
+/// assert_eq!(DiskTable64::new(10.5).err(), Some(LawError::Exponent { given: 10.5, max }));
 /// # Ok::<(), LawError>(())
 /// ```
-pub type Table64 = Table<f64, DISK_CELLS_F64, TERMS_F64>;
+pub type DiskTable64 = Table<f64, DISK_CELLS_F64, TERMS_F64>;
 /// Friction v^α on a uniform disk, from a table of one exponent in f32 (3 KiB).
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, table::Table32};
+/// use tribos_core::coupling::{ReducedFriction, table::DiskTable32};
 /// // Torque of spinning in place under friction v^α: the mean of r^(1+α).
-/// assert!((Table32::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-6);
+/// assert!((DiskTable32::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-6);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
-pub type Table32 = Table<f32, DISK_CELLS_F32, TERMS_F32>;
+pub type DiskTable32 = Table<f32, DISK_CELLS_F32, TERMS_F32>;
 
 impl<R, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
     /// Largest exponent that a table resolves to its stated bound; it holds for all tables.
     pub const MAX_EXPONENT: f64 = MAX_EXPONENT;
 }
 
-impl Table64 {
+impl DiskTable64 {
     /// Builds the table of exponent α; `const`, so that a `static` table can live in flash.
     ///
     /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque: 1.5e-15 relative for
@@ -70,8 +70,8 @@ impl Table64 {
     /// floating-point operations.
     ///
     /// ```
-    /// use tribos_core::coupling::{Coupling, table::Table64};
-    /// static VISCOUS: Table64 = match Table64::new(1.0) {
+    /// use tribos_core::coupling::{ReducedFriction, table::DiskTable64};
+    /// static VISCOUS: DiskTable64 = match DiskTable64::new(1.0) {
     ///     Ok(table) => table,
     ///     Err(_) => panic!("the exponent is in range"),
     /// };
@@ -89,7 +89,7 @@ impl Table64 {
     }
 }
 
-impl Table32 {
+impl DiskTable32 {
     /// Builds the table of exponent α in f64 arithmetic and rounds it; `const`.
     ///
     /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque: 5 ulp for
@@ -97,9 +97,9 @@ impl Table32 {
     /// f64.
     ///
     /// ```
-    /// use tribos_core::coupling::{Coupling, table::Table32};
-    /// assert!(size_of::<Table32>() < 3 * 1024); // bytes of flash
-    /// let wrench = Table32::new(1.0)?.reduced_wrench(0.3, 0.4); // F = v, T = w/2
+    /// use tribos_core::coupling::{ReducedFriction, table::DiskTable32};
+    /// assert!(size_of::<DiskTable32>() < 3 * 1024); // bytes of flash
+    /// let wrench = DiskTable32::new(1.0)?.reduced_wrench(0.3, 0.4); // F = v, T = w/2
     /// assert!((wrench.force - 0.3).abs() < 1e-6 && (wrench.torque - 0.2).abs() < 1e-6);
     /// # Ok::<(), tribos_core::law::LawError>(())
     /// ```
@@ -114,7 +114,9 @@ impl Table32 {
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> PowerLawFriction<R>
+    for Table<R, CELLS, TERMS>
+{
     #[inline]
     fn exponent(&self) -> R {
         self.disk.exponent.value()
@@ -201,8 +203,8 @@ pub const COULOMB_TABLE_BYTES: [usize; 2] =
 /// *Accuracy*: f64 and f32 at most 5 ulp in force and torque.
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, table::Coulomb};
-/// let w = Coulomb.reduced_wrench(1.0_f64, 1.0);
+/// use tribos_core::coupling::{ReducedFriction, table::CoulombDisk};
+/// let w = CoulombDisk.reduced_wrench(1.0_f64, 1.0);
 /// assert!((w.force - 8.0 / (3.0 * core::f64::consts::PI)).abs() < 1e-15);
 /// ```
 ///
@@ -210,19 +212,19 @@ pub const COULOMB_TABLE_BYTES: [usize; 2] =
 ///
 /// ```
 /// use tribos_core::Real;
-/// use tribos_core::coupling::{Coupling, table::Coulomb};
+/// use tribos_core::coupling::{ReducedFriction, table::CoulombDisk};
 /// /// The arm of a disk's torque, 2/3 of its radius.
 /// fn arm<R: Real>() -> R {
-///     Coulomb.reduced_wrench(R::ZERO, R::ONE).torque
+///     CoulombDisk.reduced_wrench(R::ZERO, R::ONE).torque
 /// }
 /// assert!((arm::<f64>() - 2.0 / 3.0).abs() < 1e-15);
 /// assert!((arm::<f32>() - 2.0 / 3.0).abs() < 1e-6);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Coulomb;
+pub struct CoulombDisk;
 
-impl<R: Real> Profile<R> for Coulomb {
+impl<R: Real> PowerLawFriction<R> for CoulombDisk {
     #[inline]
     fn exponent(&self) -> R {
         R::ZERO
@@ -251,7 +253,7 @@ impl<R: Real> Profile<R> for Coulomb {
     }
 }
 
-impl<R: Real> SmoothProfile<R> for Coulomb {
+impl<R: Real> SmoothProfile<R> for CoulombDisk {
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         in_own_table!(R, Speeds<R> => [R; 3], |table, at| table.factors_and_slope(&at), *at)
@@ -262,7 +264,7 @@ impl<R: Real> SmoothProfile<R> for Coulomb {
     }
 }
 
-impl<R: Real> DryCoupling<R> for Coulomb {
+impl<R: Real> DryReducedFriction<R> for CoulombDisk {
     #[inline]
     fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
         super::profile::point(self, lead, ratio)
@@ -271,4 +273,4 @@ impl<R: Real> DryCoupling<R> for Coulomb {
 
 family::coupled_in_lanes!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
 
-family::coupled_in_lanes!([R: Real] Coulomb, |_table| R::ZERO);
+family::coupled_in_lanes!([R: Real] CoulombDisk, |_table| R::ZERO);

@@ -7,7 +7,7 @@
 //! l = −λ F/(γN),      λ = 2 γ h/(R ⟨r²⟩)       (for a cylinder of height H, h = H/2: γ H/R · 2)
 //! ```
 //!
-//! and a pressure that leans makes spinning friction lateral ([`super::Lateral`]). Both ways of the
+//! and a pressure that leans makes spinning friction lateral ([`super::LateralFriction`]). Both ways of the
 //! circle close at once: with F₀, G, E = ∂(vG)/∂v of the upright body,
 //!
 //! ```text
@@ -18,7 +18,7 @@
 //! ([`FrontBack`]). The lateral force tips the body sideways as well, an effect of order λ² that
 //! [`AllRound`] includes.
 
-use super::{Lateral, LateralJacobian, PatchFriction, ReducedWrench};
+use super::{LateralFriction, LateralJacobian, ReducedWrench, RoundFriction};
 use crate::patch::PatchError;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
@@ -45,7 +45,7 @@ pub struct LeaningWrench<R> {
 /// *Domain*: |l| ≤ 1 keeps the pressure positive; beyond, the result is the formula's, not a
 /// body's. *Units*: those of F.
 #[doc(hidden)]
-pub fn leaning_wrench<R: Real, C: Lateral<R>>(
+pub fn leaning_wrench<R: Real, C: LateralFriction<R>>(
     coupling: &C,
     [slide, rim]: [R; 2],
     [along, across]: [R; 2],
@@ -80,9 +80,9 @@ pub fn leaning_wrench<R: Real, C: Lateral<R>>(
 /// // The sideways lean is an effect of second order.
 /// assert!((both.force - simple.force).abs() < lean * lean);
 /// ```
-pub trait Lean: sealed::Sealed {
+pub trait PressureGradient: sealed::Sealed {
     /// The wrench and the gradient (along, across) for λ = `lean`.
-    fn balance<R: Real, C: Lateral<R>>(
+    fn balance<R: Real, C: LateralFriction<R>>(
         coupling: &C,
         speeds: [R; 2],
         lean: R,
@@ -91,8 +91,8 @@ pub trait Lean: sealed::Sealed {
 
 mod sealed {
     pub trait Sealed {}
-    impl Sealed for super::FrontBack {}
-    impl Sealed for super::AllRound {}
+    impl Sealed for super::LongitudinalGradient {}
+    impl Sealed for super::FullGradient {}
 }
 
 /// Only the gradient along the velocity, from the upright body's force (eq. 3.37).
@@ -106,18 +106,18 @@ mod sealed {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FrontBack;
+pub struct LongitudinalGradient;
 
 /// Both gradients, in balance with the forces that they cause.
 ///
 /// *Cost*: a Jacobian more than [`FrontBack`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AllRound;
+pub struct FullGradient;
 
-impl Lean for FrontBack {
+impl PressureGradient for LongitudinalGradient {
     #[inline]
-    fn balance<R: Real, C: Lateral<R>>(
+    fn balance<R: Real, C: LateralFriction<R>>(
         coupling: &C,
         [slide, rim]: [R; 2],
         lean: R,
@@ -133,8 +133,8 @@ impl Lean for FrontBack {
     }
 }
 
-impl Lean for AllRound {
-    fn balance<R: Real, C: Lateral<R>>(
+impl PressureGradient for FullGradient {
+    fn balance<R: Real, C: LateralFriction<R>>(
         coupling: &C,
         [slide, rim]: [R; 2],
         lean: R,
@@ -175,7 +175,7 @@ impl Lean for AllRound {
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TallWrench<R: Real> {
+pub struct LoadTransferWrench<R: Real> {
     /// Force at the foot and torque about the normal.
     pub wrench: Wrench<R>,
     /// Pressure gradient l, per radius, that balances the force.
@@ -185,7 +185,7 @@ pub struct TallWrench<R: Real> {
     pub is_lifting: bool,
 }
 
-impl<R: Real> TallWrench<R> {
+impl<R: Real> LoadTransferWrench<R> {
     /// The wrench, unless the body tips.
     ///
     /// ```
@@ -228,16 +228,16 @@ impl<R: Real> TallWrench<R> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct TallFriction<R, C, L> {
-    foot: PatchFriction<R, C>,
+pub struct LoadTransferFriction<R, C, L> {
+    foot: RoundFriction<R, C>,
     /// λ
     lean: R,
     ways: PhantomData<L>,
 }
 
-impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
+impl<R: Real, C: LateralFriction<R>, L: PressureGradient> LoadTransferFriction<R, C, L> {
     /// *Domain*: 0 ≤ `height` < ∞, of the centre of mass above the foot.
-    pub fn new(foot: PatchFriction<R, C>, height: R) -> Result<Self, PatchError> {
+    pub fn new(foot: RoundFriction<R, C>, height: R) -> Result<Self, PatchError> {
         let is_valid = height >= R::ZERO && height.is_finite();
         if !is_valid {
             let given = height.to_f64();
@@ -254,7 +254,7 @@ impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
     /// Wrench and pressure gradient at a twist, and whether the foot lifts.
     ///
     /// *Special values*: zero at rest; NaN in gives NaN out, and a foot that lifts.
-    pub fn wrench(&self, load: R, twist: &Twist<R>) -> TallWrench<R> {
+    pub fn wrench(&self, load: R, twist: &Twist<R>) -> LoadTransferWrench<R> {
         let speed = twist.speed();
         let speeds = [speed, (twist.spin * self.foot.radius()).abs()];
         let coupling = self.foot.coupling();
@@ -273,7 +273,7 @@ impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
         let sense = R::ONE.copysign(twist.spin);
         let (back, side) = (strength * reduced.force, strength * reduced.lateral * sense);
         let across = across * sense;
-        TallWrench {
+        LoadTransferWrench {
             wrench: Wrench::new(
                 side * sin - back * cos,
                 -(side * cos) - back * sin,
@@ -285,7 +285,7 @@ impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
     }
 
     /// The foot.
-    pub fn foot(&self) -> &PatchFriction<R, C> {
+    pub fn foot(&self) -> &RoundFriction<R, C> {
         &self.foot
     }
 

@@ -2,7 +2,7 @@
 
 use super::error::{positive, validated_coefficient};
 use super::limits::{ln_ratio, scaled};
-use super::{Grip, LawError};
+use super::{LawError, StickSlip};
 use crate::real::Real;
 
 /// μₛ(t) = A + B ln(t/t₀) for ages t ≥ t₀, and A for younger contacts.
@@ -14,19 +14,19 @@ use crate::real::Real;
 /// *Source*: thesis section 2.1 (F = A + B ln t), fig. 2.5. The cut-off is ours.
 ///
 /// ```
-/// use tribos_core::law::{Age, Ageing, Grip};
-/// let wood = Ageing::new(0.4_f64, 0.03, 1.0)?; // reference and cut-off 1 s
-/// let rested = Age::ZERO.advance(100.0, Grip::Stick);
+/// use tribos_core::law::{RestTime, StaticAgeing, StickSlip};
+/// let wood = StaticAgeing::new(0.4_f64, 0.03, 1.0)?; // reference and cut-off 1 s
+/// let rested = RestTime::ZERO.advance(100.0, StickSlip::Stick);
 /// assert!((wood.mu_static(rested) - 0.538).abs() < 1e-3);
 /// assert!((wood.rate(rested) - 0.03 / 100.0).abs() < 1e-18); // B/t, in 1/s
-/// assert_eq!(wood.at_rest(rested, 0.5), Grip::Stick); // pulled with half the load
-/// assert_eq!(wood.at_rest(Age::ZERO, 0.5), Grip::Slip);
-/// assert_eq!(wood.mu_static(rested.advance(0.1, Grip::Slip)), 0.4);
+/// assert_eq!(wood.at_rest(rested, 0.5), StickSlip::Stick); // pulled with half the load
+/// assert_eq!(wood.at_rest(RestTime::ZERO, 0.5), StickSlip::Slip);
+/// assert_eq!(wood.mu_static(rested.advance(0.1, StickSlip::Slip)), 0.4);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Ageing<R> {
+pub struct StaticAgeing<R> {
     young: R,
     growth: R,
     cut_off: R,
@@ -35,29 +35,29 @@ pub struct Ageing<R> {
 /// Time of a contact at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Age<R> {
+pub struct RestTime<R> {
     /// Time since the contact last slipped.
     pub time: R,
 }
 
-impl<R: Real> Age<R> {
+impl<R: Real> RestTime<R> {
     /// A contact that has just slipped.
     pub const ZERO: Self = Self { time: R::ZERO };
 
     /// The age `dt` ≥ 0 later: a contact that sticks ages, one that slips is new.
     #[must_use]
     #[inline]
-    pub fn advance(self, dt: R, grip: Grip) -> Self {
+    pub fn advance(self, dt: R, grip: StickSlip) -> Self {
         match grip {
-            Grip::Stick => Self {
+            StickSlip::Stick => Self {
                 time: self.time + dt,
             },
-            Grip::Slip => Self::ZERO,
+            StickSlip::Slip => Self::ZERO,
         }
     }
 }
 
-impl<R: Real> Ageing<R> {
+impl<R: Real> StaticAgeing<R> {
     /// Coefficient A of contacts up to the age `cut_off` = t₀, growth B per e-fold of the age.
     ///
     /// *Domain*: 0 ≤ `young`, `growth` < ∞; 0 < `cut_off` < ∞.
@@ -73,7 +73,7 @@ impl<R: Real> Ageing<R> {
     ///
     /// *Special values*: A below the cut-off; infinite age gives infinity if B > 0.
     #[inline]
-    pub fn mu_static(&self, age: Age<R>) -> R {
+    pub fn mu_static(&self, age: RestTime<R>) -> R {
         if age.time < self.cut_off {
             self.young
         } else {
@@ -83,7 +83,7 @@ impl<R: Real> Ageing<R> {
 
     /// dμₛ/dt: B/t above the cut-off, 0 below.
     #[inline]
-    pub fn rate(&self, age: Age<R>) -> R {
+    pub fn rate(&self, age: RestTime<R>) -> R {
         if age.time < self.cut_off {
             R::ZERO
         } else {
@@ -93,7 +93,7 @@ impl<R: Real> Ageing<R> {
 
     /// Whether a body at rest of this age sticks under a tangential force per load.
     #[inline]
-    pub fn at_rest(&self, age: Age<R>, drive_per_load: R) -> Grip {
-        Grip::of(drive_per_load, self.mu_static(age))
+    pub fn at_rest(&self, age: RestTime<R>, drive_per_load: R) -> StickSlip {
+        StickSlip::of(drive_per_load, self.mu_static(age))
     }
 }

@@ -6,12 +6,12 @@ use crate::real::Real;
 /// State variable θ of rate-and-state friction: roughly the mean age of its junctions.
 ///
 /// ```
-/// use tribos_core::law::{ContactAge, Dieterich, RateState, RateStateParameters};
-/// let rock = RateState::<f64, Dieterich>::new(RateStateParameters {
+/// use tribos_core::law::{StateVariable, AgeingLaw, RateState, RateStateParameters};
+/// let rock = RateState::<f64, AgeingLaw>::new(RateStateParameters {
 ///     mu: 0.6, a: 0.010, b: 0.015,
 ///     reference_speed: 1e-6, slip_distance: 1e-5, viscous: 0.0, // m/s, m
 /// })?;
-/// let young = ContactAge { theta: 1.0 }; // s
+/// let young = StateVariable { theta: 1.0 }; // s
 /// let held = rock.advance(young, 0.0, 99.0); // at rest
 /// let healed = rock.coefficient(1e-6, held) - rock.coefficient(1e-6, young);
 /// assert!((healed - 0.015 * 100_f64.ln()).abs() < 1e-12); // b for each e-fold of the age
@@ -19,7 +19,7 @@ use crate::real::Real;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ContactAge<R> {
+pub struct StateVariable<R> {
     /// θ ≥ 0. *Units*: time.
     pub theta: R,
 }
@@ -32,16 +32,16 @@ pub struct ContactAge<R> {
 /// *Accuracy*: some ulp, times V dt/D_c while the start is remembered.
 ///
 /// ```
-/// use tribos_core::law::{Dieterich, Evolution, Ruina};
+/// use tribos_core::law::{AgeingLaw, StateEvolution, SlipLaw};
 /// let memory = 1e-5_f64; // D_c in m
 /// // Steady sliding with 1 um/s keeps the age of 10 s.
-/// assert!((Dieterich::evolved(10.0, 1e-6, memory, 3.0) - 10.0).abs() < 1e-13);
-/// assert!((Ruina::evolved(10.0, 1e-6, memory, 3.0) - 10.0).abs() < 1e-13);
+/// assert!((AgeingLaw::evolved(10.0, 1e-6, memory, 3.0) - 10.0).abs() < 1e-13);
+/// assert!((SlipLaw::evolved(10.0, 1e-6, memory, 3.0) - 10.0).abs() < 1e-13);
 /// // They differ at rest.
-/// assert_eq!(Dieterich::evolved(10.0, 0.0, memory, 3.0), 13.0);
-/// assert_eq!(Ruina::evolved(10.0, 0.0, memory, 3.0), 10.0);
+/// assert_eq!(AgeingLaw::evolved(10.0, 0.0, memory, 3.0), 13.0);
+/// assert_eq!(SlipLaw::evolved(10.0, 0.0, memory, 3.0), 10.0);
 /// ```
-pub trait Evolution {
+pub trait StateEvolution {
     /// θ after the time `dt` at constant `speed`.
     ///
     /// *Domain*: all finite, `theta`, `speed`, `dt` ≥ 0, `slip_distance` > 0. NaN gives NaN.
@@ -53,9 +53,9 @@ pub trait Evolution {
 /// *Source*: Dieterich 1979; Ruina 1983.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Dieterich;
+pub struct AgeingLaw;
 
-impl Evolution for Dieterich {
+impl StateEvolution for AgeingLaw {
     /// θ(dt) = D_c/V + (θ − D_c/V) e^(−V dt/D_c), and θ + dt for V = 0.
     #[inline]
     fn evolved<R: Real>(theta: R, speed: R, slip_distance: R, dt: R) -> R {
@@ -78,9 +78,9 @@ impl Evolution for Dieterich {
 /// *Source*: Ruina 1983.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Ruina;
+pub struct SlipLaw;
 
-impl Evolution for Ruina {
+impl StateEvolution for SlipLaw {
     /// ln(Vθ/D_c) decays by e^(−V dt/D_c); θ stays for V = 0 or θ = 0.
     #[inline]
     fn evolved<R: Real>(theta: R, speed: R, slip_distance: R, dt: R) -> R {

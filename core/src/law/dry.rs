@@ -1,7 +1,7 @@
 //! Dry friction with different coefficients at rest and in motion.
 
 use super::error::{ordered, validated_coefficient};
-use super::{Grip, LawError, LocalLaw};
+use super::{LawError, LocalLaw, StickSlip};
 use crate::real::Real;
 
 /// Coulomb's law with a static and a dynamic coefficient: up to μₛ × load holds a body at rest,
@@ -10,10 +10,10 @@ use crate::real::Real;
 /// *Units*: both dimensionless. *Source*: thesis section 2.1, fig. 2.5.
 ///
 /// ```
-/// use tribos_core::law::{DryFriction, Grip};
+/// use tribos_core::law::{DryFriction, StickSlip};
 /// let wood = DryFriction::new(0.5_f64, 0.3)?;
-/// assert_eq!(wood.at_rest(0.45), Grip::Stick); // pulled with 0.45 of the load
-/// assert_eq!(wood.at_rest(0.55), Grip::Slip);
+/// assert_eq!(wood.at_rest(0.45), StickSlip::Stick); // pulled with 0.45 of the load
+/// assert_eq!(wood.at_rest(0.55), StickSlip::Slip);
 ///
 /// // It starts with a jump, in either direction.
 /// let jump = wood.mu_static() - wood.mu_dynamic();
@@ -58,8 +58,8 @@ impl<R: Real> DryFriction<R> {
     ///
     /// *Special values*: |drive| = μₛ sticks; NaN slips.
     #[inline]
-    pub fn at_rest(&self, drive_per_load: R) -> Grip {
-        Grip::of(drive_per_load, self.mu_static)
+    pub fn at_rest(&self, drive_per_load: R) -> StickSlip {
+        StickSlip::of(drive_per_load, self.mu_static)
     }
 
     /// What a body at rest has left of the drive, per load: zero if it sticks, else the drive
@@ -69,8 +69,8 @@ impl<R: Real> DryFriction<R> {
     #[inline]
     pub fn net_drive(&self, drive_per_load: R) -> R {
         match self.at_rest(drive_per_load) {
-            Grip::Stick => R::ZERO,
-            Grip::Slip => drive_per_load - self.mu_dynamic.copysign(drive_per_load),
+            StickSlip::Stick => R::ZERO,
+            StickSlip::Slip => drive_per_load - self.mu_dynamic.copysign(drive_per_load),
         }
     }
 }

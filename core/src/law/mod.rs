@@ -3,21 +3,21 @@
 //! | law | friction depends on | [`LocalLaw`] |
 //! |---|---|---|
 //! | [`CoulombLaw`], [`DryFriction`] | load; rest or motion | dynamic friction |
-//! | [`PowerLaw`], [`PlateauPower`] | a power of the speed | yes |
+//! | [`PowerLaw`], [`PlateauPowerLaw`] | a power of the speed | yes |
 //! | [`Stribeck`] | speed: boundary and hydrodynamic lubrication | yes |
 //! | [`Savkoor`] | speed: the maximum of rubber | yes |
-//! | [`Ageing`] | time of rest | – |
-//! | [`RateState`] | speed and age, ageing law [`Dieterich`] or slip law [`Ruina`] | [`SteadyRateState`] |
+//! | [`StaticAgeing`] | time of rest | – |
+//! | [`RateState`] | speed and age, ageing law [`AgeingLaw`] or slip law [`SlipLaw`] | [`SteadyRateState`] |
 //! | [`LuGre`] | velocity and deflection of bristles | [`LuGre::steady_per_load`] |
 //!
-//! States ([`Age`], [`ContactAge`], [`Bristle`]) are small values that the caller stores, one for
+//! States ([`RestTime`], [`StateVariable`], [`Bristle`]) are small values that the caller stores, one for
 //! each contact; laws are immutable.
 //!
 //! Local laws couple sliding and spinning of a whole contact through
 //! [`DiskQuadrature`](crate::coupling::quadrature::DiskQuadrature):
 //!
 //! ```
-//! use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
+//! use tribos_core::coupling::{ReducedFriction, quadrature::DiskQuadrature};
 //! use tribos_core::law::{DryFriction, Stribeck, StribeckParameters};
 //! let dry = DryFriction::new(0.2_f64, 0.1)?;
 //! let law = Stribeck::new(StribeckParameters { dry, speed: 0.05, exponent: 2.0, viscous: 0.01 })?;
@@ -41,16 +41,16 @@ mod savkoor;
 mod steady_rate_state;
 mod stribeck;
 
-pub use ageing::{Age, Ageing};
-pub use contact_age::{ContactAge, Dieterich, Evolution, Ruina};
+pub use ageing::{RestTime, StaticAgeing};
+pub use contact_age::{AgeingLaw, SlipLaw, StateEvolution, StateVariable};
 pub use coulomb::CoulombLaw;
 pub use dry::DryFriction;
 pub use error::LawError;
 pub(crate) use error::{fraction as validated_fraction, not_negative as validated_not_negative};
 pub(crate) use error::{positive as validated_positive, validated_coefficient, validated_exponent};
-pub use grip::Grip;
+pub use grip::StickSlip;
 pub use lugre::{Bristle, LuGre, LuGreParameters, SteadyLuGre};
-pub use plateau::{PlateauPower, PlateauPowerParameters};
+pub use plateau::{PlateauPowerLaw, PlateauPowerLawParameters};
 pub use power::PowerLaw;
 pub use rate_state::{RateState, RateStateParameters};
 pub use savkoor::{Savkoor, SavkoorParameters};
@@ -66,7 +66,7 @@ use crate::real::Real;
 /// A law of your own couples sliding and spinning like those here:
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
+/// use tribos_core::coupling::{ReducedFriction, quadrature::DiskQuadrature};
 /// use tribos_core::law::LocalLaw;
 /// /// Friction that saturates: 0.4 v/(v + 0.1 m/s).
 /// struct Saturating;

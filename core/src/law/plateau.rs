@@ -4,10 +4,10 @@ use super::error::{fraction, ordered, positive, validated_coefficient, validated
 use super::{LawError, LocalLaw};
 use crate::real::Real;
 
-/// Parameters of [`PlateauPower`].
+/// Parameters of [`PlateauPowerLaw`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PlateauPowerParameters<R> {
+pub struct PlateauPowerLawParameters<R> {
     /// Exponent α of fast sliding. *Domain*: −1 < α ≤ 0.
     pub alpha: R,
     /// Coefficient γ of fast sliding. *Units*: (time/length)^α. *Domain*: 0 ≤ γ < ∞.
@@ -32,7 +32,7 @@ pub struct PlateauPowerParameters<R> {
 /// | v_d ≪ v ≪ v_p | γ v_p^α, the plateau | \|α\|/2 (v/v_p)² + (1 − r) v_d/v at most |
 /// | v → 0 | r γ v_p^α | linear in v/v_d |
 ///
-/// For ice on granite v_p is about 1e-4 m/s ([`PlateauPower::ICE_PLATEAU_SPEED`]) and friction is
+/// For ice on granite v_p is about 1e-4 m/s ([`PlateauPowerLaw::ICE_PLATEAU_SPEED`]) and friction is
 /// constant for two decades below. With v_d = v_p/1000 it has lost (1 − r)/11 at v_p/100.
 ///
 /// *Units*: γ carries (time/length)^α; v_p and v_d are speeds; r is dimensionless.
@@ -51,16 +51,16 @@ pub struct PlateauPowerParameters<R> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PlateauPower<R> {
-    parameters: PlateauPowerParameters<R>,
+pub struct PlateauPowerLaw<R> {
+    parameters: PlateauPowerLawParameters<R>,
 }
 
-impl<R: Real> PlateauPower<R> {
+impl<R: Real> PlateauPowerLaw<R> {
     /// Speed in m/s below which friction of ice on granite and glass is constant (fig. 3.19).
     pub const ICE_PLATEAU_SPEED: f64 = 1e-4;
 
-    /// *Domain*: that of [`PlateauPowerParameters`].
-    pub fn new(parameters: PlateauPowerParameters<R>) -> Result<Self, LawError> {
+    /// *Domain*: that of [`PlateauPowerLawParameters`].
+    pub fn new(parameters: PlateauPowerLawParameters<R>) -> Result<Self, LawError> {
         let p = &parameters;
         validated_exponent(p.alpha.to_f64(), 0.0)?;
         positive("plateau speed", p.plateau_speed)?;
@@ -87,7 +87,7 @@ impl<R: Real> PlateauPower<R> {
     }
 }
 
-impl<R: Real> LocalLaw<R> for PlateauPower<R> {
+impl<R: Real> LocalLaw<R> for PlateauPowerLaw<R> {
     /// *Special values*: r γ v_p^α at rest, 0 at infinite speed (γ if α = 0).
     #[inline]
     fn friction(&self, speed: R) -> R {

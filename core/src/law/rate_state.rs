@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::contact_age::{ContactAge, Dieterich, Evolution};
+use super::contact_age::{AgeingLaw, StateEvolution, StateVariable};
 use super::error::{not_negative, positive, validated_coefficient};
 use super::limits::{ln_ratio, scaled};
 use super::{LawError, SteadyRateState};
@@ -38,7 +38,7 @@ pub struct RateStateParameters<R> {
 ///
 /// *Units*: V, V₀ in speed, D_c in length, η in 1/speed, the rest dimensionless.
 /// *Accuracy*: a few ulp times (μ₀ + b |ln(V₀θ/D_c)|)/a, the size of the exponent, whose rounding it multiplies.
-/// *Source*: Dieterich 1979, Ruina 1983; asinh: Rice, Lapusta and Ranjith 2001; thesis 2.3.1.
+/// *Source*: AgeingLaw 1979, SlipLaw 1983; asinh: Rice, Lapusta and Ranjith 2001; thesis 2.3.1.
 ///
 /// ```
 /// use tribos_core::law::{LocalLaw, RateState, RateStateParameters, Ruina};
@@ -60,7 +60,7 @@ pub struct RateStateParameters<R> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct RateState<R, E = Dieterich> {
+pub struct RateState<R, E = AgeingLaw> {
     parameters: RateStateParameters<R>,
     evolution: PhantomData<E>,
 }
@@ -68,7 +68,7 @@ pub struct RateState<R, E = Dieterich> {
 /// ln(2V/q) above which asinh(V/q) = ln(2V/q) to rounding: the next term is e^(−40).
 const LOGARITHMIC_FROM: f64 = 20.0;
 
-impl<R: Real, E: Evolution> RateState<R, E> {
+impl<R: Real, E: StateEvolution> RateState<R, E> {
     /// *Domain*: 0 ≤ μ₀, b, η < ∞; 0 < a, V₀, D_c < ∞.
     pub fn new(parameters: RateStateParameters<R>) -> Result<Self, LawError> {
         validated_coefficient(parameters.mu)?;
@@ -90,7 +90,7 @@ impl<R: Real, E: Evolution> RateState<R, E> {
 
     /// Friction per load at `speed` ≥ 0. *Special values*: 0 at rest.
     #[inline]
-    pub fn coefficient(&self, speed: R, age: ContactAge<R>) -> R {
+    pub fn coefficient(&self, speed: R, age: StateVariable<R>) -> R {
         let p = &self.parameters;
         let log_speed = ln_ratio(speed, p.reference_speed);
         regularised(p, log_speed + self.strength(age) / p.a) + scaled(p.viscous, speed)
@@ -98,7 +98,7 @@ impl<R: Real, E: Evolution> RateState<R, E> {
 
     /// ∂μ/∂V at constant age: a/√(V² + q²) + η.
     #[inline]
-    pub fn slope(&self, speed: R, age: ContactAge<R>) -> R {
+    pub fn slope(&self, speed: R, age: StateVariable<R>) -> R {
         let p = &self.parameters;
         p.a / speed.hypot(transition_speed(p, self.strength(age))) + p.viscous
     }
@@ -107,7 +107,7 @@ impl<R: Real, E: Evolution> RateState<R, E> {
     ///
     /// *Domain*: V ≫ q; negative below q/2, −∞ at rest.
     #[inline]
-    pub fn logarithmic(&self, speed: R, age: ContactAge<R>) -> R {
+    pub fn logarithmic(&self, speed: R, age: StateVariable<R>) -> R {
         let p = &self.parameters;
         let rate = p.a * ln_ratio(speed, p.reference_speed);
         self.strength(age) + rate + scaled(p.viscous, speed)
@@ -116,16 +116,16 @@ impl<R: Real, E: Evolution> RateState<R, E> {
     /// The age after `dt` at constant `speed`, exact.
     #[must_use]
     #[inline]
-    pub fn advance(&self, age: ContactAge<R>, speed: R, dt: R) -> ContactAge<R> {
-        ContactAge {
+    pub fn advance(&self, age: StateVariable<R>, speed: R, dt: R) -> StateVariable<R> {
+        StateVariable {
             theta: E::evolved(age.theta, speed, self.parameters.slip_distance, dt),
         }
     }
 
-    /// Age D_c/V of steady sliding.
+    /// RestTime D_c/V of steady sliding.
     #[inline]
-    pub fn steady_age(&self, speed: R) -> ContactAge<R> {
-        ContactAge {
+    pub fn steady_age(&self, speed: R) -> StateVariable<R> {
+        StateVariable {
             theta: self.parameters.slip_distance / speed,
         }
     }
@@ -137,7 +137,7 @@ impl<R: Real, E: Evolution> RateState<R, E> {
 
     /// μ₀ + b ln(V₀θ/D_c)
     #[inline]
-    fn strength(&self, age: ContactAge<R>) -> R {
+    fn strength(&self, age: StateVariable<R>) -> R {
         let p = &self.parameters;
         let log_age = ln_ratio(p.reference_speed, p.slip_distance) + age.theta.ln();
         p.mu + scaled(p.b, log_age)

@@ -31,9 +31,9 @@ const FORCE_ULPS: f64 = 2.0;
 /// there are about two.
 ///
 /// ```
-/// use tribos_core::limit_surface::AnyPressure;
+/// use tribos_core::limit_surface::UnknownPressureSet;
 /// let sole = [[-0.06_f64, -0.04], [0.18, -0.05], [0.18, 0.05], [-0.06, 0.04]]; // m
-/// let foot = AnyPressure::new(sole, [0.05, 0.01], 0.6 * 700.0)?; // m; μN in N
+/// let foot = UnknownPressureSet::new(sole, [0.05, 0.01], 0.6 * 700.0)?; // m; μN in N
 /// // The yaw torque that the foot may be asked for while it pushes forwards with 200 N.
 /// let yaw = foot.torque_limits([200.0, 0.0]).ok_or("the foot slips")?;
 /// let [lowest, highest] = yaw.carried; // N m
@@ -41,7 +41,7 @@ const FORCE_ULPS: f64 = 2.0;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AnyPressure<R: Real, S> {
+pub struct UnknownPressureSet<R: Real, S> {
     sharing: Sharing<R, S>,
     /// μN
     limit: R,
@@ -52,8 +52,8 @@ pub struct AnyPressure<R: Real, S> {
 /// Torques about the origin that friction can carry together with a force, from both sides.
 ///
 /// ```
-/// use tribos_core::limit_surface::AnyPressure;
-/// let feet = AnyPressure::new([[-0.1_f64, 0.0], [0.1, 0.0]], [0.0, 0.0], 300.0)?; // m; N
+/// use tribos_core::limit_surface::UnknownPressureSet;
+/// let feet = UnknownPressureSet::new([[-0.1_f64, 0.0], [0.1, 0.0]], [0.0, 0.0], 300.0)?; // m; N
 /// let yaw = feet.torque_limits([0.0, 0.0]).ok_or("slips")?;
 /// // Both feet push across the line between them: 300 N on an arm of 0.1 m.
 /// assert!((yaw.carried[1] - 30.0).abs() < 1e-9 && (yaw.outer[0] + 30.0).abs() < 1e-9);
@@ -63,12 +63,12 @@ pub struct AnyPressure<R: Real, S> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TorqueLimits<R> {
     /// Lowest and highest torque that a pressure was found for.
-    pub carried: [R; 2],
+    pub certain: [R; 2],
     /// Torques below the first and above the second are carried by no pressure.
-    pub outer: [R; 2],
+    pub possible: [R; 2],
 }
 
-impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
+impl<R: Real, S: AsRef<[[R; 2]]>> UnknownPressureSet<R, S> {
     /// *Domain*: finite `corners`, at least one; `centre` (of pressure) in their convex hull, which may
     /// be a line or a point; 0 ≤ `force_limit` < ∞ (μN). *Cost*: corners times those of the hull.
     pub fn new(corners: S, centre: [R; 2], force_limit: R) -> Result<Self, Error> {
@@ -105,7 +105,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
     /// Support function: the largest wrench·twist that any pressure gives.
     ///
     /// Should the simplex method end before it has found that pressure, a bound from above; then the power of
-    /// [`AnyPressure::wrench`] is one from below. *Units*: power. *Special values*: 0 at rest, NaN for NaN.
+    /// [`UnknownPressureSet::wrench`] is one from below. *Units*: power. *Special values*: 0 at rest, NaN for NaN.
     pub fn support(&self, twist: &Twist<R>) -> R {
         let motion = self.at_centre(twist);
         let worst = self.worst_pressure(&motion);
@@ -150,9 +150,9 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
     /// for NaN.
     ///
     /// ```
-    /// use tribos_core::limit_surface::AnyPressure;
+    /// use tribos_core::limit_surface::UnknownPressureSet;
     /// let sole = [[-0.1_f64, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]]; // m
-    /// let foot = AnyPressure::new(sole, [0.0, 0.0], 100.0)?; // N
+    /// let foot = UnknownPressureSet::new(sole, [0.0, 0.0], 100.0)?; // N
     /// // All load on the corners, all of them as far away from the centre as they can be.
     /// let still = foot.torque_limits([0.0, 0.0]).ok_or("slips")?;
     /// assert!((still.carried[1] - 100.0 * 0.1_f64.hypot(0.05)).abs() < 1e-9);
@@ -179,7 +179,10 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
         if size.is_nan() || (offset + unit).is_nan() {
             let nan = [R::NAN; 2];
             let (carried, outer) = (nan, nan);
-            return Some(TorqueLimits { carried, outer });
+            return Some(TorqueLimits {
+                certain: carried,
+                possible: outer,
+            });
         }
         let zero = R::ZERO;
         let [low, high] = if self.torque > zero && unit > zero {
@@ -191,8 +194,8 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
         };
         let ([low, lower], [high, higher]) = (low, high);
         Some(TorqueLimits {
-            carried: [offset - low, offset + high],
-            outer: [offset - lower, offset + higher],
+            certain: [offset - low, offset + high],
+            possible: [offset - lower, offset + higher],
         })
     }
 
@@ -200,14 +203,14 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
     ///
     /// A lower bound above 1 proves that no pressure carries the wrench, an upper one of at most 1 that some
     /// pressure does. *Accuracy* (f64): they differ by less than 1e-9 of the gauge. *Cost*: as
-    /// [`AnyPressure::torque_limits`], half as much. *Special values*: 0 for no wrench, infinite for one
+    /// [`UnknownPressureSet::torque_limits`], half as much. *Special values*: 0 for no wrench, infinite for one
     /// that no load carries, NaN for NaN and where the torque about the centre of pressure is out of range.
     ///
     /// ```
-    /// use tribos_core::limit_surface::AnyPressure;
+    /// use tribos_core::limit_surface::UnknownPressureSet;
     /// use tribos_core::twist::Wrench;
     /// let sole = [[-0.1_f64, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]]; // m
-    /// let foot = AnyPressure::new(sole, [0.04, 0.0], 400.0)?; // N
+    /// let foot = UnknownPressureSet::new(sole, [0.04, 0.0], 400.0)?; // N
     /// let [_, at_most] = foot.gauge_bounds(&Wrench::new(100.0, 50.0, 20.0)); // N, N, N m
     /// let [at_least, _] = foot.gauge_bounds(&Wrench::new(300.0, 50.0, 60.0));
     /// assert!(at_most < 1.0 && at_least > 1.0); // may hold; slips for certain
@@ -375,7 +378,7 @@ mod tests {
                 centre = [centre[0] + share * corner[0], centre[1] + share * corner[1]];
             }
             let centre = centre.map(|x| x / sum);
-            let foot = AnyPressure::new(corners, centre, 1.0).unwrap();
+            let foot = UnknownPressureSet::new(corners, centre, 1.0).unwrap();
             let angle = 3.2 * part(i, 0.671_043_606_7);
             let twist = Twist::new(
                 2.0 * part(i, 0.445_041_867_9),
@@ -390,10 +393,10 @@ mod tests {
             let force = [size * libm::cos(angle), size * libm::sin(angle)];
             let yaw = foot.torque_limits(force).unwrap();
             for side in [0, 1] {
-                let gap = (yaw.carried[side] - yaw.outer[side]).abs();
+                let gap = (yaw.certain[side] - yaw.possible[side]).abs();
                 worst[1] = worst[1].max(gap / foot.radius());
                 // The gauge of a limit is 1.
-                let wrench = Wrench::new(force[0], force[1], yaw.carried[side]);
+                let wrench = Wrench::new(force[0], force[1], yaw.certain[side]);
                 let [low, high] = foot.gauge_bounds(&wrench);
                 assert!(
                     low <= 1.0 + 1e-10 && high < 1.0 + 1e-8,
@@ -408,7 +411,7 @@ mod tests {
     /// Largest gap of the limits of two corners that carry half the load each. Across their line a force
     /// leaves the torque 1 − F, along it √(1 − F²), in units of force limit and radius.
     fn gap_of_two<R: Real>(left: f64) -> f64 {
-        let pair = AnyPressure::new(
+        let pair = UnknownPressureSet::new(
             [[-R::ONE, R::ZERO], [R::ONE, R::ZERO]],
             [R::ZERO; 2],
             R::ONE,
@@ -426,7 +429,7 @@ mod tests {
             let rounding = 4.0 * R::EPSILON.to_f64() * exact / left;
             for (sign, side) in [(-1.0, 0), (1.0, 1)] {
                 let [carried, outer] =
-                    [yaw.carried[side], yaw.outer[side]].map(|torque| sign * torque.to_f64());
+                    [yaw.certain[side], yaw.possible[side]].map(|torque| sign * torque.to_f64());
                 assert!(
                     carried <= exact + rounding && outer >= exact - rounding,
                     "{left:e} {exact:e} {carried:e} {outer:e}"
@@ -455,7 +458,7 @@ mod tests {
         for i in 0..2000 {
             let corners: [[f64; 2]; 5] = corners(i);
             let centre = [0, 1].map(|k| corners.iter().map(|corner| corner[k]).sum::<f64>() / 5.0);
-            let foot = AnyPressure::new(corners, centre, 3.0).unwrap();
+            let foot = UnknownPressureSet::new(corners, centre, 3.0).unwrap();
             let size = 3.0 * (1.0 - libm::exp(-25.0 * part(i, 0.445_041_867_9).abs()));
             let angle = 3.2 * part(i, 0.671_043_606_7);
             let yaw = foot
@@ -463,11 +466,11 @@ mod tests {
                 .unwrap();
             let unit = 3.0 * foot.radius();
             assert!(
-                (yaw.outer[1] - yaw.carried[1]).abs() < 1e-9 * unit,
+                (yaw.possible[1] - yaw.certain[1]).abs() < 1e-9 * unit,
                 "{i} {yaw:?}"
             );
             assert!(
-                (yaw.outer[0] - yaw.carried[0]).abs() < 1e-9 * unit,
+                (yaw.possible[0] - yaw.certain[0]).abs() < 1e-9 * unit,
                 "{i} {yaw:?}"
             );
         }

@@ -5,15 +5,15 @@
 
 use super::loaded::{Task, inside};
 use super::meridian::Meridian;
-use super::{LimitSurface, Projection};
-use crate::coupling::DryCoupling;
+use super::{Projection, RoundLimitSurface};
+use crate::coupling::DryReducedFriction;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
 /// Searches that go on side by side.
 const GROUP: usize = 8;
 
-impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
+impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// Gauges of many wrenches: the force limit of each is that of this surface times its load.
     ///
     /// A contact's load changes from step to step, and its surface with it in size alone: prepare it with the
@@ -23,10 +23,10 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
     /// *Accuracy*: bit for bit [`super::FrictionSet::gauge`] of the surface with that force limit.
     ///
     /// ```
-    /// use tribos_core::coupling::table::Coulomb;
-    /// use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
     /// use tribos_core::twist::Wrench;
-    /// let puck = LimitSurface::new(Coulomb, 0.3_f64, 0.04)?; // coefficient, radius in m
+    /// let puck = RoundLimitSurface::new(CoulombDisk, 0.3_f64, 0.04)?; // coefficient, radius in m
     /// let pushes = [Wrench::new(0.2, 0.0, 0.004); 2]; // N, N m
     /// let mut gauges = [0.0; 2];
     /// puck.gauge_batch(&[1.7, 0.6], &pushes, &mut gauges); // loads in N
@@ -47,10 +47,10 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
     /// *Accuracy*: bit for bit [`super::FrictionSet::twist_normal_to`].
     ///
     /// ```
-    /// use tribos_core::coupling::table::Coulomb;
-    /// use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
     /// use tribos_core::twist::{Twist, Wrench};
-    /// let puck = LimitSurface::new(Coulomb, 0.3_f64, 0.04)?;
+    /// let puck = RoundLimitSurface::new(CoulombDisk, 0.3_f64, 0.04)?;
     /// let pushes = [1.0, -1.0].map(|sign| Wrench::new(sign * 0.2, 0.0, sign * 0.004));
     /// let mut motions = [Twist::ZERO; 2];
     /// puck.twist_normal_to_batch(&pushes, &mut motions);
@@ -64,16 +64,16 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
     }
 
     /// Projections of many wrenches: the force limit of each is that of this surface times its load, as in
-    /// [`LimitSurface::gauge_batch`]. Elements beyond the shortest slice are not changed.
+    /// [`RoundLimitSurface::gauge_batch`]. Elements beyond the shortest slice are not changed.
     ///
     /// *Domain*: 0 ≤ load < ∞; `length` as in [`super::FrictionSet::project_with_length`], usually the radius.
     /// *Special values*: NaN for a negative load and every wrench but zero. *Accuracy*: bit for bit that of the surface with that force limit.
     ///
     /// ```
-    /// use tribos_core::coupling::table::Coulomb;
-    /// use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection, Region};
+    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, Projection, Region};
     /// use tribos_core::twist::Wrench;
-    /// let puck = LimitSurface::new(Coulomb, 0.3_f64, 0.04)?; // coefficient, radius in m
+    /// let puck = RoundLimitSurface::new(CoulombDisk, 0.3_f64, 0.04)?; // coefficient, radius in m
     /// let pushes = [Wrench::new(0.2, 0.0, 0.004); 2]; // N, N m
     /// let mut carried = pushes.map(|wrench| Projection { wrench, region: Region::Inside });
     /// puck.project_batch(puck.radius(), &[1.7, 0.6], &pushes, &mut carried); // loads in N
@@ -114,7 +114,7 @@ fn side_by_side<R, C, I, S>(
     start: impl Fn(I, &mut S::Answer) -> Option<S>,
 ) where
     R: Real,
-    C: DryCoupling<R>,
+    C: DryReducedFriction<R>,
     S: Task<R>,
 {
     for answers in answers.chunks_mut(GROUP) {

@@ -1,8 +1,8 @@
 //! The ellipsoidal approximation of the limit surface, common in planners.
 
-use super::exact::LimitSurface;
+use super::exact::RoundLimitSurface;
 use super::{FrictionSet, Projection};
-use crate::coupling::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
+use crate::coupling::{DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::error::Error;
 use crate::law::validated_positive;
 use crate::real::Real;
@@ -16,16 +16,16 @@ use crate::twist::{Twist, Wrench};
 /// *Source*: R. D. Howe and M. R. Cutkosky, Int. J. Robotics Research 15 (1996) 531.
 ///
 /// ```
-/// use tribos_core::limit_surface::{Ellipsoid, FrictionSet};
+/// use tribos_core::limit_surface::{LimitEllipsoid, FrictionSet};
 /// use tribos_core::twist::Twist;
-/// let puck = Ellipsoid::new(0.51_f64, 0.04, 2.0 / 3.0)?; // N, m, uniform disk
+/// let puck = LimitEllipsoid::new(0.51_f64, 0.04, 2.0 / 3.0)?; // N, m, uniform disk
 /// let friction = puck.wrench(&Twist::new(0.0, 0.0, 2.0));
 /// assert!((friction.torque + 0.51 * 0.04 * 2.0 / 3.0).abs() < 1e-15);
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ellipsoid<R> {
-    surface: LimitSurface<R, Ellipse<R>>,
+pub struct LimitEllipsoid<R> {
+    surface: RoundLimitSurface<R, Ellipse<R>>,
 }
 
 /// The coupling whose meridian is an ellipse: F = v/s, T = T₀² w/s, s² = v² + T₀² w².
@@ -49,7 +49,7 @@ impl<R: Real> Ellipse<R> {
     }
 }
 
-impl<R: Real> Coupling<R> for Ellipse<R> {
+impl<R: Real> ReducedFriction<R> for Ellipse<R> {
     #[inline]
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         let [cos, sin, _] = self.parameter(slide, rim);
@@ -72,23 +72,23 @@ impl<R: Real> Coupling<R> for Ellipse<R> {
     }
 }
 
-impl<R: Real> DryCoupling<R> for Ellipse<R> {}
+impl<R: Real> DryReducedFriction<R> for Ellipse<R> {}
 
-impl<R: Real> Ellipsoid<R> {
+impl<R: Real> LimitEllipsoid<R> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN), 0 < `radius` < ∞, 0 < `spin_torque` < ∞: the reduced
     /// torque T₀ = T(0, 1) of pure spinning, 2/3 for the uniform disk.
     pub fn new(force_limit: R, radius: R, spin_torque: R) -> Result<Self, Error> {
         let spin_torque = validated_positive("reduced torque of pure spinning", spin_torque)?;
-        let surface = LimitSurface::new(Ellipse { spin_torque }, force_limit, radius)?;
+        let surface = RoundLimitSurface::new(Ellipse { spin_torque }, force_limit, radius)?;
         Ok(Self { surface })
     }
 
     /// The largest torque, μN R T₀.
     ///
     /// ```
-    /// use tribos_core::limit_surface::{Ellipsoid, FrictionSet};
+    /// use tribos_core::limit_surface::{LimitEllipsoid, FrictionSet};
     /// use tribos_core::twist::Wrench;
-    /// let puck = Ellipsoid::new(0.51_f64, 0.04, 2.0 / 3.0)?; // N, m
+    /// let puck = LimitEllipsoid::new(0.51_f64, 0.04, 2.0 / 3.0)?; // N, m
     /// // 60 % of the largest force leave 80 % of the largest torque.
     /// let torque = 0.8 * puck.torque_limit();
     /// let wrench = Wrench::new(0.6 * puck.force_limit(), 0.0, torque);
@@ -100,7 +100,7 @@ impl<R: Real> Ellipsoid<R> {
     }
 }
 
-impl<R: Real> FrictionSet<R> for Ellipsoid<R> {
+impl<R: Real> FrictionSet<R> for LimitEllipsoid<R> {
     #[inline]
     fn force_limit(&self) -> R {
         self.surface.force_limit()

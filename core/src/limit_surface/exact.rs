@@ -3,8 +3,8 @@
 use super::loaded::{Loaded, inside};
 use super::meridian::{Meridian, Normal};
 use super::polar::Polar;
-use super::{Ellipsoid, FrictionSet, Projection, collar};
-use crate::coupling::{DryCoupling, ReducedWrench};
+use super::{FrictionSet, LimitEllipsoid, Projection, collar};
+use crate::coupling::{DryReducedFriction, ReducedWrench};
 use crate::error::Error;
 use crate::law::validated_not_negative;
 use crate::patch::validated_radius;
@@ -26,10 +26,10 @@ use crate::twist::{Twist, Wrench};
 /// two searches end after at most 64 points each. A surface is prepared with 9.
 ///
 /// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 /// use tribos_core::twist::Twist;
-/// let puck = LimitSurface::new(Coulomb, 0.51_f64, 0.04)?; // N, m
+/// let puck = RoundLimitSurface::new(CoulombDisk, 0.51_f64, 0.04)?; // N, m
 /// assert!((puck.torque_limit() - 0.51 * 0.04 * 2.0 / 3.0).abs() < 1e-17);
 /// // The ellipsoid with the same limits holds wrenches that the puck cannot carry.
 /// let usual = puck.ellipsoid()?;
@@ -39,13 +39,13 @@ use crate::twist::{Twist, Wrench};
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LimitSurface<R, C> {
+pub struct RoundLimitSurface<R, C> {
     meridian: Meridian<R, C>,
     force_limit: R,
     radius: R,
 }
 
-impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
+impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN), 0 < `radius` < ∞. Without force limit the set is {0}.
     pub fn new(coupling: C, force_limit: R, radius: R) -> Result<Self, Error> {
         let force_limit = validated_not_negative("force limit", force_limit)?;
@@ -68,8 +68,8 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
     }
 
     /// The ellipsoid with the same largest force and torque.
-    pub fn ellipsoid(&self) -> Result<Ellipsoid<R>, Error> {
-        Ellipsoid::new(self.force_limit, self.radius, self.spin_torque())
+    pub fn ellipsoid(&self) -> Result<LimitEllipsoid<R>, Error> {
+        LimitEllipsoid::new(self.force_limit, self.radius, self.spin_torque())
     }
 
     fn spin_torque(&self) -> R {
@@ -120,7 +120,7 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
     }
 }
 
-impl<R: Real, C: DryCoupling<R>> FrictionSet<R> for LimitSurface<R, C> {
+impl<R: Real, C: DryReducedFriction<R>> FrictionSet<R> for RoundLimitSurface<R, C> {
     #[inline]
     fn force_limit(&self) -> R {
         self.force_limit

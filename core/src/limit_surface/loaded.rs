@@ -3,7 +3,7 @@
 use super::meridian::{Aim, Meridian, Normal, Offset, Place, Radial, Ray, Search, solved};
 use super::polar::Polar;
 use super::{Projection, Region, collar};
-use crate::coupling::{DryCoupling, ReducedWrench};
+use crate::coupling::{DryReducedFriction, ReducedWrench};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
@@ -26,7 +26,8 @@ pub(super) trait Task<R: Real> {
     type Answer;
 
     /// Computes one more point of the curve; the answer, if it is known then.
-    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Self::Answer>;
+    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>)
+    -> Option<Self::Answer>;
 }
 
 /// The search for a gauge.
@@ -80,7 +81,7 @@ impl<R: Real> Task<R> for Gauging<R> {
     type Answer = R;
 
     #[inline]
-    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<R> {
+    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<R> {
         let Radial { gauge, .. } = self.ray.advance(curve)?;
         Some(self.size * gauge)
     }
@@ -90,7 +91,7 @@ impl<R: Real> Task<R> for Turning<R> {
     type Answer = Twist<R>;
 
     #[inline]
-    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Twist<R>> {
+    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Twist<R>> {
         let Radial { normal, gauge } = self.ray.advance(curve)?;
         // A direction that is not a number has no normal, though the search ends somewhere.
         let Normal { slide, rim } = normal;
@@ -107,7 +108,10 @@ impl<R: Real> Task<R> for Pulling<R> {
     type Answer = Projection<R>;
 
     #[inline]
-    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Projection<R>> {
+    fn advance<C: DryReducedFriction<R>>(
+        &mut self,
+        curve: &Meridian<R, C>,
+    ) -> Option<Projection<R>> {
         let Place { normal, at } = self.offset.advance(curve)?;
         let limits = [self.force_limit, self.force_limit * self.radius];
         Some(Projection {
@@ -134,7 +138,7 @@ impl<T, S> Start<T, S> {
 
     /// The answer, by a search of its own.
     #[inline]
-    pub fn answer<R: Real, C: DryCoupling<R>>(self, curve: &Meridian<R, C>) -> T
+    pub fn answer<R: Real, C: DryReducedFriction<R>>(self, curve: &Meridian<R, C>) -> T
     where
         S: Task<R, Answer = T>,
     {
@@ -167,7 +171,7 @@ fn surface_wrench<R: Real>(
     polar.wrench(force * at.force, torque * at.torque)
 }
 
-impl<R: Real, C: DryCoupling<R>> Loaded<'_, R, C> {
+impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
     /// True of wrenches so far inside that no search is needed, by the inscribed quadrangle; never of one whose
     /// gauge would be found on the surface or outside.
     #[inline]

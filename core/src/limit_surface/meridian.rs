@@ -21,7 +21,7 @@
 use super::collar;
 use super::rising::{Rising, Step};
 use super::sketch::Sketch;
-use crate::coupling::{DryCoupling, Lead, ReducedWrench};
+use crate::coupling::{DryReducedFriction, Lead, ReducedWrench};
 use crate::real::Real;
 
 /// What a gauge gains on the way from a normal to that of the ray, over the square of the step and the rate: ½ is
@@ -102,7 +102,7 @@ fn ordered<T>(lead: Lead, force: T, torque: T) -> [T; 2] {
 
 impl<R: Real> Local<R> {
     #[inline]
-    pub fn of(coupling: &impl DryCoupling<R>, lead: Lead, ratio: R) -> Self {
+    pub fn of(coupling: &impl DryReducedFriction<R>, lead: Lead, ratio: R) -> Self {
         let [major, minor, rate] = coupling.reduced_point(lead, ratio);
         Self { major, minor, rate }
     }
@@ -129,7 +129,7 @@ impl<R: Real> Local<R> {
     }
 }
 
-impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
+impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
     pub fn new(coupling: C) -> Self {
         let point = |slide, rim| coupling.reduced_wrench(slide, rim);
         let equal = point(R::ONE, R::ONE);
@@ -236,12 +236,12 @@ pub(super) trait Search<R: Real> {
     type Found;
 
     /// Computes the next point; what is looked for, if that is known then.
-    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Self::Found>;
+    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Self::Found>;
 }
 
 /// What a search finds.
 #[inline]
-pub(super) fn solved<R: Real, C: DryCoupling<R>, S: Search<R>>(
+pub(super) fn solved<R: Real, C: DryReducedFriction<R>, S: Search<R>>(
     search: &mut S,
     curve: &Meridian<R, C>,
 ) -> S::Found {
@@ -294,7 +294,7 @@ impl<R: Real> Search<R> for Ray<R> {
     type Found = Radial<R>;
 
     #[inline]
-    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Radial<R>> {
+    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Radial<R>> {
         let ratio = self.search.at();
         let at = curve.local(self.lead, ratio);
         let this = *self;
@@ -322,7 +322,7 @@ impl<R: Real> Search<R> for Offset<R> {
     type Found = Place<R>;
 
     #[inline]
-    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Place<R>> {
+    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Place<R>> {
         let ratio = self.search.at();
         let at = curve.local(self.lead, ratio);
         let value = at.beside_normal(ratio, self.given, self.weight);

@@ -9,7 +9,7 @@
 //! set = { x : x·twist ≤ D(twist) for every twist },      friction = −∂D/∂twist
 //! ```
 //!
-//! [`LimitSurface`] is this set for any [`crate::coupling::DryCoupling`] and [`PatchSurface`] for
+//! [`LimitSurface`] is this set for any [`crate::coupling::DryReducedFriction`] and [`ShapeLimitSurface`] for
 //! polygons, bars, meshes, points and bodies on several of them; [`Ellipsoid`] is the usual approximation. All are a [`FrictionSet`].
 //! [`Scaled`] makes any of them stronger or weaker.
 //! [`AnyPressure`] is the set where only corners, load and centre of pressure are known.
@@ -54,11 +54,11 @@ mod sharing;
 mod sketch;
 mod yaw;
 
-pub use any_pressure::{AnyPressure, TorqueLimits};
-pub use ellipsoid::Ellipsoid;
-pub use exact::LimitSurface;
-pub use patch::PatchSurface;
-pub use scaled::Scaled;
+pub use any_pressure::{TorqueLimits, UnknownPressureSet};
+pub use ellipsoid::LimitEllipsoid;
+pub use exact::RoundLimitSurface;
+pub use patch::ShapeLimitSurface;
+pub use scaled::ScaledSet;
 
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
@@ -75,7 +75,7 @@ pub const COLLAR_ULPS: f64 = 64.0;
 ///
 /// The surface of points has flat facets, at whose rims the normal turns quickly.
 /// The set of a round patch is a solid of revolution about the axis of torques; that of a
-/// [`PatchSurface`] need not be.
+/// [`ShapeLimitSurface`] need not be.
 ///
 /// All methods are total. NaN in gives NaN out. A wrench is infinite here if its force magnitude,
 /// its torque/radius or the ratio of these to the force limit overflows.

@@ -16,7 +16,7 @@ use super::kinks::{self, Kink};
 use super::quadratic::{Factors, dot, norm, outer, over, product, stretched, unit_matrix};
 use super::search::{self, Ended, Goal, Least, Nearest, Power, Radial, pivot};
 use super::{FrictionSet, Projection, Region, collar};
-use crate::coupling::flat::{DryPatch, FlatFriction};
+use crate::coupling::flat::{PatchShape, ShapeFriction};
 use crate::law::{LawError, validated_not_negative};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
@@ -58,9 +58,9 @@ const BEYOND: f64 = 8.0;
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PatchSurface<R, P> {
+pub struct ShapeLimitSurface<R, P> {
     /// With a coefficient of 1.
-    friction: FlatFriction<R, P>,
+    friction: ShapeFriction<R, P>,
     /// μN
     limit: R,
     /// Largest torque about the origin over the force limit: the unit of length of the search.
@@ -70,7 +70,7 @@ pub struct PatchSurface<R, P> {
     collar: R,
 }
 
-impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
+impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN). Without force limit the set is {0}.
     pub fn new(patch: P, force_limit: R) -> Result<Self, LawError> {
         // A quotient by −0 would have the wrong sign.
@@ -79,7 +79,7 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         let radius = patch.radius() + centre.x.hypot(centre.y);
         let collar = collar_of(patch.rounding());
         let turn = Twist::new(R::ZERO, R::ZERO, R::ONE);
-        let friction = FlatFriction::new(patch, R::ONE)?;
+        let friction = ShapeFriction::new(patch, R::ONE)?;
         let arm = friction.wrench(R::ONE, &turn).torque.abs();
         Ok(Self {
             friction,
@@ -402,7 +402,7 @@ fn flattened<R: Real>(goal: &Nearest<R>, at: &Vector3<R>) -> Matrix3<R> {
     unit_matrix() - Matrix3::from_columns(&[share * at.x, share * at.y, share * at.z])
 }
 
-impl<R: Real, P: DryPatch<R>> FrictionSet<R> for PatchSurface<R, P> {
+impl<R: Real, P: PatchShape<R>> FrictionSet<R> for ShapeLimitSurface<R, P> {
     fn force_limit(&self) -> R {
         self.limit
     }
@@ -469,7 +469,7 @@ impl<R: Real, P: DryPatch<R>> FrictionSet<R> for PatchSurface<R, P> {
     }
 }
 
-impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
+impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
     /// The gauge of a wrench without direction.
     #[cold]
     fn odd_gauge(&self, wrench: &Wrench<R>) -> R {

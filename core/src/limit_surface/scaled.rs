@@ -8,32 +8,32 @@ use crate::twist::{Twist, Wrench};
 /// Another set times a strength s > 0: all wrenches s x with x in the set.
 ///
 /// It carries what changes from step to step: the load, friction that grows with the time of rest
-/// ([`crate::law::Ageing`]) or falls with the speed ([`crate::law::Stribeck`]). Motions and
+/// ([`crate::law::StaticAgeing`]) or falls with the speed ([`crate::law::Stribeck`]). Motions and
 /// directions are those of the set, so nothing needs to be prepared anew.
 ///
 /// *Accuracy*: that of the set. *Cost*: that of the set and three divisions.
 ///
 /// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::law::{Age, Ageing, Grip};
-/// use tribos_core::limit_surface::{FrictionSet, LimitSurface, Scaled};
+/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::law::{RestTime, StaticAgeing, StickSlip};
+/// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ScaledSet};
 /// use tribos_core::twist::Wrench;
-/// let puck = LimitSurface::new(Coulomb, 2.0_f64, 0.04)?; // N under mu = 1, m
-/// let wood = Ageing::new(0.4, 0.03, 1.0)?; // cut-off 1 s
-/// let rested = Age::ZERO.advance(3600.0, Grip::Stick); // s
-/// let [young, old] = [Age::ZERO, rested].map(|age| Scaled::new(&puck, wood.mu_static(age)));
+/// let puck = RoundLimitSurface::new(CoulombDisk, 2.0_f64, 0.04)?; // N under mu = 1, m
+/// let wood = StaticAgeing::new(0.4, 0.03, 1.0)?; // cut-off 1 s
+/// let rested = RestTime::ZERO.advance(3600.0, StickSlip::Stick); // s
+/// let [young, old] = [RestTime::ZERO, rested].map(|age| ScaledSet::new(&puck, wood.mu_static(age)));
 /// let push = Wrench::new(1.0, 0.0, 0.0); // N
 /// assert!(!young?.contains(&push) && old?.contains(&push));
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Scaled<'a, R, S: ?Sized> {
+pub struct ScaledSet<'a, R, S: ?Sized> {
     set: &'a S,
     strength: R,
 }
 
-impl<'a, R: Real, S: FrictionSet<R> + ?Sized> Scaled<'a, R, S> {
+impl<'a, R: Real, S: FrictionSet<R> + ?Sized> ScaledSet<'a, R, S> {
     /// *Domain*: 0 < `strength` < ∞.
     pub fn new(set: &'a S, strength: R) -> Result<Self, LawError> {
         let strength = validated_positive("strength", strength)?;
@@ -53,7 +53,7 @@ impl<'a, R: Real, S: FrictionSet<R> + ?Sized> Scaled<'a, R, S> {
     }
 }
 
-impl<R: Real, S: FrictionSet<R> + ?Sized> FrictionSet<R> for Scaled<'_, R, S> {
+impl<R: Real, S: FrictionSet<R> + ?Sized> FrictionSet<R> for ScaledSet<'_, R, S> {
     #[inline]
     fn force_limit(&self) -> R {
         self.strength * self.set.force_limit()

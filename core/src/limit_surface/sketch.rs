@@ -11,7 +11,7 @@
 //! disk and to 5e-3 on a ring. Only the number of a search's steps depends on it.
 
 use super::meridian::Local;
-use crate::coupling::{DryCoupling, Lead};
+use crate::coupling::{DryReducedFriction, Lead};
 use crate::real::Real;
 
 /// Powers of x in m/h.
@@ -35,7 +35,7 @@ const ELLIPSE_ULPS: f64 = 16.0;
 
 impl<R: Real> Sketch<R> {
     /// *Cost*: three wrenches and Jacobians.
-    pub fn of(coupling: &impl DryCoupling<R>, lead: Lead) -> Self {
+    pub fn of(coupling: &impl DryReducedFriction<R>, lead: Lead) -> Self {
         let root = R::HALF.sqrt();
         let [pole, middle, equal] =
             [R::ZERO, root, R::ONE].map(|ratio| Local::of(coupling, lead, ratio));

@@ -4,8 +4,8 @@
 //! of pressure: every pressure carries that. From the torque of the ellipsoid one Newton step of the
 //! gauge leads outside of the set, and the next ones come back to its surface without ever passing it.
 
-use super::{FrictionSet, PatchSurface};
-use crate::coupling::flat::DryPatch;
+use super::{FrictionSet, ShapeLimitSurface};
+use crate::coupling::flat::PatchShape;
 use crate::real::Real;
 use crate::twist::Wrench;
 
@@ -14,7 +14,7 @@ const MOST_STEPS: usize = 60;
 /// A gauge this near to 1 is on the surface.
 const DONE_ULPS: f64 = 4.0;
 
-impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
+impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
     /// The lowest and the highest torque about the origin that friction carries together with `force`;
     /// none if it does not carry the force alone.
     ///
@@ -23,11 +23,11 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
     /// about 8 gauges with derivatives. *Special values*: NaN for NaN.
     ///
     /// ```
-    /// use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+    /// use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
     /// use tribos_core::patch::outline::Polygon;
     /// use tribos_core::twist::Wrench;
     /// let sole = [[-0.06_f64, -0.04], [0.18, -0.05], [0.18, 0.05], [-0.06, 0.04]]; // m
-    /// let floor = PatchSurface::new(Polygon::new(sole)?, 420.0)?; // μN in N
+    /// let floor = ShapeLimitSurface::new(Polygon::new(sole)?, 420.0)?; // μN in N
     /// let [lowest, highest] = floor.torque_limits([0.0, 200.0]).ok_or("the foot slips")?; // N; N m
     /// assert!((floor.gauge(&Wrench::new(0.0, 200.0, highest)) - 1.0).abs() < 1e-13);
     /// assert!(highest > -lowest); // the centre of pressure lies ahead of the ankle
@@ -108,7 +108,7 @@ mod tests {
         ];
         let even = Polygon::new(sole).unwrap();
         let leaning = even.with_centre_of_pressure([0.08, 0.01]).unwrap();
-        let floor = PatchSurface::new(leaning, 420.0).unwrap();
+        let floor = ShapeLimitSurface::new(leaning, 420.0).unwrap();
         for i in 0..5000 {
             let share = 1.0 - libm::exp(-f64::from(i % 500) / 20.0);
             let angle = f64::from(i) * 0.7;
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn torques_next_to_the_largest_force_are_carried_and_nan_stays() {
         let sole = [[-0.1_f64, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]];
-        let floor = PatchSurface::new(Polygon::new(sole).unwrap(), 300.0).unwrap();
+        let floor = ShapeLimitSurface::new(Polygon::new(sole).unwrap(), 300.0).unwrap();
         for octave in 0..53 {
             for angle in [0.0, 0.4, 1.1, 2.0, 4.0] {
                 let size = 300.0 * (1.0 - libm::exp2(-f64::from(octave)));

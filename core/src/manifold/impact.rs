@@ -8,8 +8,8 @@
 //! normal misses the centre; Glocker, Multibody Syst. Dyn. 29 (2013) 77).
 
 use super::solve::pair;
-use super::{Joint, Manifold};
-use crate::contact::{Contact, ContactFriction, Modal, NormalLaw};
+use super::{ContactSystem, Joint};
+use crate::contact::{Contact, ContactFriction, ContactVector, NormalLaw};
 use crate::real::Real;
 
 /// Approach, in units of the fastest of the first round, below which there is no impact: its energy
@@ -17,13 +17,13 @@ use crate::real::Real;
 const SLOW: f64 = 1e-6;
 
 impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
-    Manifold<R, F, BODIES, CONTACTS>
+    ContactSystem<R, F, BODIES, CONTACTS>
 {
     /// Computes all impacts, in at most `rounds` rounds over the contacts. What approaches after them
     /// is stopped without rebound.
     pub(super) fn impact(&mut self, dt: R, rounds: u32) {
         for joint in &mut self.contacts {
-            joint.impact = Modal::default();
+            joint.impact = ContactVector::default();
         }
         let mut slow = R::ZERO;
         for round in 0..rounds {
@@ -60,7 +60,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
                 + b.most_acceleration(&self.gravity)
                 + pull(law, touch.gap) / contact.block().mass_normal)
                 * dt;
-            let rebounds = contact.allowance() < R::ZERO && approach > lasting + slow;
+            let rebounds = contact.approach_limit() < R::ZERO && approach > lasting + slow;
             if rebounds {
                 let change = contact.update(&self.friction, &mut a.member, &mut b.member);
                 *impact = impact.plus_scaled(R::ONE, &change);

@@ -1,6 +1,6 @@
 //! Spheres and plates in one list.
 
-use crate::contact::{Body, Plate, Sphere};
+use crate::contact::{ContactBody, SphereBody, WallBody};
 use crate::real::Real;
 use nalgebra::Vector3;
 
@@ -8,35 +8,35 @@ use nalgebra::Vector3;
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos_core::contact::{Body, Plate, Sphere};
-/// use tribos_core::manifold::Member;
+/// use tribos_core::contact::{ContactBody, WallBody, SphereBody};
+/// use tribos_core::manifold::SystemBody;
 /// let still = Vector3::new(0.0, 0.0, 0.0);
-/// let ball = Sphere { velocity: still, spin: still, inv_mass: 5.0, inv_inertia: 5000.0 };
-/// let piston = Plate { velocity: still, inv_mass: 0.1 };
+/// let ball = SphereBody { velocity: still, spin: still, inv_mass: 5.0, inv_inertia: 5000.0 };
+/// let piston = WallBody { velocity: still, inv_mass: 0.1 };
 /// // Pushed along the normal both give way; across it the piston is guided.
-/// let members = [Member::Sphere(ball), Member::Plate(piston)];
+/// let members = [SystemBody::Sphere(ball), SystemBody::Plate(piston)];
 /// assert_eq!(members.map(|body| body.inv_mass_normal()), [5.0, 0.1]);
 /// assert_eq!(members.map(|body| body.inv_mass_tangential()), [5.0, 0.0]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Member<R> {
+pub enum SystemBody<R> {
     /// Moves freely.
-    Sphere(Sphere<R>),
+    Sphere(SphereBody<R>),
     /// Moves along its normal alone.
-    Plate(Plate<R>),
+    Plate(WallBody<R>),
 }
 
 /// A body with what acts on it from outside.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Loaded<R> {
-    pub member: Member<R>,
+    pub member: SystemBody<R>,
     pub force: Vector3<R>,
     pub torque: Vector3<R>,
 }
 
 impl<R: Real> Loaded<R> {
-    pub fn new(member: Member<R>) -> Self {
+    pub fn new(member: SystemBody<R>) -> Self {
         let zero = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
         Self {
             member,
@@ -48,27 +48,28 @@ impl<R: Real> Loaded<R> {
     /// Lets gravity and the outer force act for a time.
     pub fn accelerate(&mut self, gravity: &Vector3<R>, dt: R) {
         match &mut self.member {
-            Member::Sphere(sphere) => {
+            SystemBody::Sphere(sphere) => {
                 sphere.velocity += self.force * (sphere.inv_mass * dt);
                 sphere.spin += self.torque * (sphere.inv_inertia * dt);
                 if sphere.inv_mass != R::ZERO {
                     sphere.velocity += gravity * dt;
                 }
             }
-            Member::Plate(plate) => plate.velocity += self.force * (plate.inv_mass * dt),
+            SystemBody::Plate(plate) => plate.velocity += self.force * (plate.inv_mass * dt),
         }
     }
 
     /// A bound of the acceleration by gravity and the outer force: the sums of their components.
     pub fn most_acceleration(&self, gravity: &Vector3<R>) -> R {
         let sum = |v: &Vector3<R>| v.x.abs() + v.y.abs() + v.z.abs();
-        let falls = matches!(&self.member, Member::Sphere(sphere) if sphere.inv_mass != R::ZERO);
+        let falls =
+            matches!(&self.member, SystemBody::Sphere(sphere) if sphere.inv_mass != R::ZERO);
         let pushed = sum(&self.force) * self.member.inv_mass_normal();
         if falls { pushed + sum(gravity) } else { pushed }
     }
 }
 
-impl<R: Real> Body<R> for Member<R> {
+impl<R: Real> ContactBody<R> for SystemBody<R> {
     #[inline]
     fn velocity(&self) -> Vector3<R> {
         match self {
@@ -77,10 +78,10 @@ impl<R: Real> Body<R> for Member<R> {
         }
     }
     #[inline]
-    fn spin(&self) -> Vector3<R> {
+    fn angular_velocity(&self) -> Vector3<R> {
         match self {
-            Self::Sphere(sphere) => sphere.spin(),
-            Self::Plate(plate) => plate.spin(),
+            Self::Sphere(sphere) => sphere.angular_velocity(),
+            Self::Plate(plate) => plate.angular_velocity(),
         }
     }
     #[inline]
@@ -105,17 +106,17 @@ impl<R: Real> Body<R> for Member<R> {
         }
     }
     #[inline(always)]
-    fn push(&mut self, sign: R, impulse: &Vector3<R>, along: R, normal: &Vector3<R>) {
+    fn apply_impulse(&mut self, sign: R, impulse: &Vector3<R>, along: R, normal: &Vector3<R>) {
         match self {
-            Self::Sphere(sphere) => sphere.push(sign, impulse, along, normal),
-            Self::Plate(plate) => plate.push(sign, impulse, along, normal),
+            Self::Sphere(sphere) => sphere.apply_impulse(sign, impulse, along, normal),
+            Self::Plate(plate) => plate.apply_impulse(sign, impulse, along, normal),
         }
     }
     #[inline(always)]
-    fn turn(&mut self, factor: R, angular: &Vector3<R>) {
+    fn apply_angular_impulse(&mut self, factor: R, angular: &Vector3<R>) {
         match self {
-            Self::Sphere(sphere) => sphere.turn(factor, angular),
-            Self::Plate(plate) => plate.turn(factor, angular),
+            Self::Sphere(sphere) => sphere.apply_angular_impulse(factor, angular),
+            Self::Plate(plate) => plate.apply_angular_impulse(factor, angular),
         }
     }
 }

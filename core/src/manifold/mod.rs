@@ -1,37 +1,37 @@
 //! A few contacts solved together, without an allocator: a ball between fingers, a stack.
 //!
-//! A [`Manifold`] holds up to `BODIES` spheres and plates and up to `CONTACTS` contacts between
+//! A [`ContactSystem`] holds up to `BODIES` spheres and plates and up to `CONTACTS` contacts between
 //! them, and gives all their impulses in one time step by the non-linear Gauss–Seidel method (Jean
 //! 1999). The caller moves the bodies by their velocities and
 //! updates the geometry of the contacts.
 //!
 //! ```
 //! use nalgebra::Vector3;
-//! use tribos_core::contact::{Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
-//! use tribos_core::manifold::{Manifold, InitialGuess, SolverLimits};
+//! use tribos_core::contact::{Cohesion, NormalLaw, WallBody, SphereBody, IndependentFriction, TimeStep, ContactGeometry};
+//! use tribos_core::manifold::{ContactSystem, InitialGuess, SolverSettings};
 //!
 //! // A ball of 1 kg and 5 cm held by two fingers that press with 40 N each.
 //! let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-//! let friction = Thresholds::sliding_torsion(0.3_f32, 0.02)?;
-//! let mut grip = Manifold::<f32, _, 3, 2>::new(law, friction);
+//! let friction = IndependentFriction::sliding_torsion(0.3_f32, 0.02)?;
+//! let mut grip = ContactSystem::<f32, _, 3, 2>::new(law, friction);
 //! let still = Vector3::new(0.0, 0.0, 0.0);
-//! let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+//! let ball = SphereBody { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
 //! let ball = grip.push_sphere(ball)?;
 //! let mut contacts = [None; 2];
 //! for (contact, inwards) in contacts.iter_mut().zip([1.0, -1.0]) {
-//!     let finger = grip.push_plate(Plate { velocity: still, inv_mass: 10.0 })?;
+//!     let finger = grip.push_plate(WallBody { velocity: still, inv_mass: 10.0 })?;
 //!     grip.set_force(finger, Vector3::new(40.0 * inwards, 0.0, 0.0), still)?;
-//!     let touch = Touch::plate(0.05, &Vector3::new(inwards, 0.0, 0.0), 0.05)?;
+//!     let touch = ContactGeometry::plate(0.05, &Vector3::new(inwards, 0.0, 0.0), 0.05)?;
 //!     *contact = Some(grip.push_contact(ball, finger, touch)?);
 //! }
 //! grip.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-//! let report = grip.solve(TimeStep::new(1e-3)?, InitialGuess::Last, SolverLimits { sweeps: 50, tolerance: 1e-5 });
+//! let report = grip.solve(TimeStep::new(1e-3)?, InitialGuess::Last, SolverSettings { sweeps: 50, tolerance: 1e-5 });
 //! assert!(report.converged);
 //! // 9.81 N by friction, of which 24 N are to be had: it does not fall.
 //! assert!(grip.body(ball).is_some_and(|body| body.velocity().z.abs() < 1e-6));
 //! let force = contacts[0].and_then(|contact| grip.force(contact));
 //! assert!(force.is_some_and(|force| (force.normal - 40.0).abs() < 1e-2));
-//! # use tribos_core::contact::Body;
+//! # use tribos_core::contact::ContactBody;
 //! # Ok::<(), tribos_core::Error>(())
 //! ```
 
@@ -41,10 +41,12 @@ mod logging;
 mod member;
 mod solve;
 
-pub use member::Member;
-pub use solve::{InitialGuess, SolverLimits, SolverReport};
+pub use member::SystemBody;
+pub use solve::{InitialGuess, SolverReport, SolverSettings};
 
-use crate::contact::{Contact, ContactFriction, Modal, NormalLaw, Plate, Sphere, Touch};
+use crate::contact::{
+    Contact, ContactFriction, ContactGeometry, ContactVector, NormalLaw, SphereBody, WallBody,
+};
 use crate::real::Real;
 use heapless::Vec;
 use member::Loaded;
@@ -64,26 +66,26 @@ pub struct ContactHandle(usize);
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos_core::contact::{Cohesion, NormalLaw, Plate, Sphere, Thresholds, Touch};
-/// use tribos_core::manifold::{BodyHandle, ContactHandle, Manifold, ManifoldError};
+/// use tribos_core::contact::{Cohesion, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
+/// use tribos_core::manifold::{BodyHandle, ContactHandle, ContactSystem, ContactSystemError};
 /// # let still = Vector3::new(0.0, 0.0, 0.0);
-/// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
-/// # let table = Plate { velocity: still, inv_mass: 0.0 };
-/// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+/// # let ball = SphereBody { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+/// # let table = WallBody { velocity: still, inv_mass: 0.0 };
+/// # let touch = ContactGeometry::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
 /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-/// let mut pair = Manifold::<f64, _, 2, 1>::new(law, Thresholds::none());
+/// let mut pair = ContactSystem::<f64, _, 2, 1>::new(law, IndependentFriction::none());
 /// let first: BodyHandle = pair.push_sphere(ball)?;
 /// let second: BodyHandle = pair.push_plate(table)?;
-/// assert_eq!(pair.push_sphere(ball), Err(ManifoldError::Full { capacity: 2 }));
-/// assert_eq!(pair.push_contact(first, first, touch), Err(ManifoldError::SameBody));
+/// assert_eq!(pair.push_sphere(ball), Err(ContactSystemError::Full { capacity: 2 }));
+/// assert_eq!(pair.push_contact(first, first, touch), Err(ContactSystemError::SameBody));
 /// let contact: ContactHandle = pair.push_contact(first, second, touch)?;
 /// pair.clear_contacts();
-/// assert_eq!(pair.set_touch(contact, touch), Err(ManifoldError::Unknown));
+/// assert_eq!(pair.set_touch(contact, touch), Err(ContactSystemError::Unknown));
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum ManifoldError {
+pub enum ContactSystemError {
     /// There is no room for another body or contact.
     Full {
         /// How many there is room for.
@@ -96,7 +98,7 @@ pub enum ManifoldError {
     SameBody,
 }
 
-impl core::fmt::Display for ManifoldError {
+impl core::fmt::Display for ContactSystemError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Full { capacity } => write!(f, "there is room for {capacity} only"),
@@ -106,13 +108,14 @@ impl core::fmt::Display for ManifoldError {
     }
 }
 
-impl core::error::Error for ManifoldError {}
+impl core::error::Error for ContactSystemError {}
 
 /// Up to `CONTACTS` contacts of one law between up to `BODIES` bodies.
 ///
 /// *Units*: any consistent set. *Size* in f64 with all modes: 120 bytes a body, 312 a contact.
 #[derive(Clone, Debug)]
-pub struct Manifold<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize> {
+pub struct ContactSystem<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
+{
     law: NormalLaw<R>,
     friction: F,
     gravity: Vector3<R>,
@@ -124,11 +127,11 @@ pub struct Manifold<R: Real, F: ContactFriction<R>, const BODIES: usize, const C
 #[derive(Clone, Copy, Debug)]
 struct Joint<R: Real, F: ContactFriction<R>> {
     bodies: [usize; 2],
-    touch: Touch<R>,
+    touch: ContactGeometry<R>,
     /// Nothing before the first step.
     solved: Option<Solved<R, F>>,
     /// Impulse of the impacts of the last step, a part of what was solved.
-    impact: Modal<R, F::Modes>,
+    impact: ContactVector<R, F::Modes>,
 }
 
 /// A contact in its last step.
@@ -139,7 +142,7 @@ struct Solved<R: Real, F: ContactFriction<R>> {
 }
 
 impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
-    Manifold<R, F, BODIES, CONTACTS>
+    ContactSystem<R, F, BODIES, CONTACTS>
 {
     /// No bodies, no contacts, no gravity.
     pub fn new(law: NormalLaw<R>, friction: F) -> Self {
@@ -153,20 +156,20 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     }
 
     /// Adds a sphere.
-    pub fn push_sphere(&mut self, sphere: Sphere<R>) -> Result<BodyHandle, ManifoldError> {
-        self.push_body(Member::Sphere(sphere))
+    pub fn push_sphere(&mut self, sphere: SphereBody<R>) -> Result<BodyHandle, ContactSystemError> {
+        self.push_body(SystemBody::Sphere(sphere))
     }
 
     /// Adds a plate.
-    pub fn push_plate(&mut self, plate: Plate<R>) -> Result<BodyHandle, ManifoldError> {
-        self.push_body(Member::Plate(plate))
+    pub fn push_plate(&mut self, plate: WallBody<R>) -> Result<BodyHandle, ContactSystemError> {
+        self.push_body(SystemBody::Plate(plate))
     }
 
-    fn push_body(&mut self, member: Member<R>) -> Result<BodyHandle, ManifoldError> {
+    fn push_body(&mut self, member: SystemBody<R>) -> Result<BodyHandle, ContactSystemError> {
         let handle = BodyHandle(self.bodies.len());
         match self.bodies.push(Loaded::new(member)) {
             Ok(()) => Ok(handle),
-            Err(_) => Err(ManifoldError::Full { capacity: BODIES }),
+            Err(_) => Err(ContactSystemError::Full { capacity: BODIES }),
         }
     }
 
@@ -176,25 +179,25 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
         &mut self,
         first: BodyHandle,
         second: BodyHandle,
-        touch: Touch<R>,
-    ) -> Result<ContactHandle, ManifoldError> {
+        touch: ContactGeometry<R>,
+    ) -> Result<ContactHandle, ContactSystemError> {
         if first == second {
-            return Err(ManifoldError::SameBody);
+            return Err(ContactSystemError::SameBody);
         }
         let bodies = [first.0, second.0];
         if bodies.iter().any(|&body| body >= self.bodies.len()) {
-            return Err(ManifoldError::Unknown);
+            return Err(ContactSystemError::Unknown);
         }
         let handle = ContactHandle(self.contacts.len());
         let joint = Joint {
             bodies,
             touch,
             solved: None,
-            impact: Modal::default(),
+            impact: ContactVector::default(),
         };
         match self.contacts.push(joint) {
             Ok(()) => Ok(handle),
-            Err(_) => Err(ManifoldError::Full { capacity: CONTACTS }),
+            Err(_) => Err(ContactSystemError::Full { capacity: CONTACTS }),
         }
     }
 
@@ -211,8 +214,11 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
         body: BodyHandle,
         force: Vector3<R>,
         torque: Vector3<R>,
-    ) -> Result<(), ManifoldError> {
-        let body = self.bodies.get_mut(body.0).ok_or(ManifoldError::Unknown)?;
+    ) -> Result<(), ContactSystemError> {
+        let body = self
+            .bodies
+            .get_mut(body.0)
+            .ok_or(ContactSystemError::Unknown)?;
         (body.force, body.torque) = (force, torque);
         Ok(())
     }
@@ -221,23 +227,23 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tribos_core::contact::{Body, Cohesion, NormalLaw, Plate, Sphere};
-    /// use tribos_core::contact::{Thresholds, TimeStep, Touch};
-    /// use tribos_core::manifold::{Manifold, InitialGuess, SolverLimits};
+    /// use tribos_core::contact::{ContactBody, Cohesion, NormalLaw, WallBody, SphereBody};
+    /// use tribos_core::contact::{IndependentFriction, TimeStep, ContactGeometry};
+    /// use tribos_core::manifold::{ContactSystem, InitialGuess, SolverSettings};
     /// # let still = Vector3::new(0.0, 0.0, 0.0);
-    /// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
-    /// # let table = Plate { velocity: still, inv_mass: 0.0 };
+    /// # let ball = SphereBody { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+    /// # let table = WallBody { velocity: still, inv_mass: 0.0 };
     /// # let (law, dt) = (NormalLaw::new(Cohesion::NONE, 0.0)?, TimeStep::new(1e-3)?);
-    /// # let stop = SolverLimits { sweeps: 10, tolerance: 1e-12 };
+    /// # let stop = SolverSettings { sweeps: 10, tolerance: 1e-12 };
     /// # let up = Vector3::new(0.0, 0.0, 1.0);
     /// // A ball of 5 cm and 1 kg falls from 1 cm above a table.
-    /// let mut falls = Manifold::<f64, _, 2, 1>::new(law, Thresholds::none());
+    /// let mut falls = ContactSystem::<f64, _, 2, 1>::new(law, IndependentFriction::none());
     /// let (ball, table) = (falls.push_sphere(ball)?, falls.push_plate(table)?);
     /// let mut height = 0.06;
-    /// let contact = falls.push_contact(ball, table, Touch::plate(height, &up, 0.05)?)?;
+    /// let contact = falls.push_contact(ball, table, ContactGeometry::plate(height, &up, 0.05)?)?;
     /// falls.set_gravity(up * -9.81);
     /// for _ in 0..100 {
-    ///     falls.set_touch(contact, Touch::plate(height, &up, 0.05)?)?;
+    ///     falls.set_touch(contact, ContactGeometry::plate(height, &up, 0.05)?)?;
     ///     falls.solve(dt, InitialGuess::Last, stop);
     ///     height += dt.dt() * falls.body(ball).map_or(0.0, |ball| ball.velocity().z);
     /// }
@@ -246,13 +252,13 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// assert!(falls.force(contact).is_some_and(|force| (force.normal - 9.81).abs() < 1e-9));
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
-    pub fn set_touch(
+    pub fn set_geometry(
         &mut self,
         contact: ContactHandle,
-        touch: Touch<R>,
-    ) -> Result<(), ManifoldError> {
+        touch: ContactGeometry<R>,
+    ) -> Result<(), ContactSystemError> {
         let joint = self.contacts.get_mut(contact.0);
-        joint.ok_or(ManifoldError::Unknown)?.touch = touch;
+        joint.ok_or(ContactSystemError::Unknown)?.touch = touch;
         Ok(())
     }
 
@@ -262,7 +268,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     }
 
     /// A body with its velocities.
-    pub fn body(&self, body: BodyHandle) -> Option<&Member<R>> {
+    pub fn body(&self, body: BodyHandle) -> Option<&SystemBody<R>> {
         self.bodies.get(body.0).map(|body| &body.member)
     }
 
@@ -270,21 +276,21 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tribos_core::contact::{Body, Cohesion, NormalLaw, Plate, Sphere};
-    /// use tribos_core::contact::{Thresholds, TimeStep, Touch};
-    /// use tribos_core::manifold::{Manifold, Member, InitialGuess, SolverLimits};
+    /// use tribos_core::contact::{ContactBody, Cohesion, NormalLaw, WallBody, SphereBody};
+    /// use tribos_core::contact::{IndependentFriction, TimeStep, ContactGeometry};
+    /// use tribos_core::manifold::{ContactSystem, SystemBody, InitialGuess, SolverSettings};
     /// # let still = Vector3::new(0.0, 0.0, 0.0);
-    /// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
-    /// # let table = Plate { velocity: still, inv_mass: 0.0 };
-    /// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+    /// # let ball = SphereBody { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+    /// # let table = WallBody { velocity: still, inv_mass: 0.0 };
+    /// # let touch = ContactGeometry::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
     /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-    /// # let stop = SolverLimits { sweeps: 10, tolerance: 1e-12 };
+    /// # let stop = SolverSettings { sweeps: 10, tolerance: 1e-12 };
     /// // A solid ball of 5 cm and 1 kg on a belt, which is started at 0.1 m/s.
-    /// let mut belt = Manifold::<f64, _, 2, 1>::new(law, Thresholds::sliding(0.3)?);
+    /// let mut belt = ContactSystem::<f64, _, 2, 1>::new(law, IndependentFriction::sliding(0.3)?);
     /// let (ball, table) = (belt.push_sphere(ball)?, belt.push_plate(table)?);
     /// belt.push_contact(ball, table, touch)?;
     /// belt.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-    /// if let Some(Member::Plate(table)) = belt.body_mut(table) {
+    /// if let Some(SystemBody::Plate(table)) = belt.body_mut(table) {
     ///     table.velocity.x = 0.1;
     /// }
     /// for _ in 0..20 {
@@ -295,7 +301,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// assert!((speed - 0.1 * 2.0 / 7.0).abs() < 1e-12);
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
-    pub fn body_mut(&mut self, body: BodyHandle) -> Option<&mut Member<R>> {
+    pub fn body_mut(&mut self, body: BodyHandle) -> Option<&mut SystemBody<R>> {
         self.bodies.get_mut(body.0).map(|body| &mut body.member)
     }
 
@@ -305,9 +311,9 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     }
 
     /// Force and torque on the second body in the last step: impulse/dt, impacts included.
-    pub fn force(&self, contact: ContactHandle) -> Option<Modal<R, F::Modes>> {
+    pub fn force(&self, contact: ContactHandle) -> Option<ContactVector<R, F::Modes>> {
         let Solved { contact, inv_dt } = self.solved(contact)?;
-        Some(Modal::default().plus_scaled(*inv_dt, contact.impulse()))
+        Some(ContactVector::default().plus_scaled(*inv_dt, contact.impulse()))
     }
 
     fn solved(&self, contact: ContactHandle) -> Option<&Solved<R, F>> {

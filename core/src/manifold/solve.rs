@@ -1,8 +1,8 @@
 //! One time step: external forces and impacts, then sweeps over the contacts until convergence.
 
 use super::member::Loaded;
-use super::{Joint, Manifold, Solved};
-use crate::contact::{Contact, ContactFriction, ContactModes, Modal, TimeStep};
+use super::{ContactSystem, Joint, Solved};
+use crate::contact::{Contact, ContactFriction, ContactModes, ContactVector, TimeStep};
 use crate::real::Real;
 use nalgebra::Vector3;
 
@@ -20,9 +20,9 @@ pub enum InitialGuess {
 /// Stopping criterion of the sweeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SolverLimits<R> {
+pub struct SolverSettings<R> {
     /// Largest number of sweeps.
-    pub sweeps: u32,
+    pub max_iterations: u32,
     /// Relative change of the impulses in one sweep below which the sweeps end early. With 0 they end
     /// early only if nothing changes any more.
     pub tolerance: R,
@@ -32,19 +32,19 @@ pub struct SolverLimits<R> {
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos_core::contact::{Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
-/// use tribos_core::manifold::{Manifold, SolverReport, InitialGuess, SolverLimits};
+/// use tribos_core::contact::{Cohesion, NormalLaw, WallBody, SphereBody, IndependentFriction, TimeStep, ContactGeometry};
+/// use tribos_core::manifold::{ContactSystem, SolverReport, InitialGuess, SolverSettings};
 /// # let still = Vector3::new(0.0, 0.0, 0.0);
-/// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
-/// # let table = Plate { velocity: still, inv_mass: 0.0 };
-/// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+/// # let ball = SphereBody { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+/// # let table = WallBody { velocity: still, inv_mass: 0.0 };
+/// # let touch = ContactGeometry::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
 /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
 /// // A ball on a table: one contact.
-/// let mut lies = Manifold::<f64, _, 2, 1>::new(law, Thresholds::sliding(0.3)?);
+/// let mut lies = ContactSystem::<f64, _, 2, 1>::new(law, IndependentFriction::sliding(0.3)?);
 /// let (ball, table) = (lies.push_sphere(ball)?, lies.push_plate(table)?);
 /// lies.push_contact(ball, table, touch)?;
 /// lies.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-/// let stop = SolverLimits { sweeps: 50, tolerance: 1e-12 };
+/// let stop = SolverSettings { sweeps: 50, tolerance: 1e-12 };
 /// let SolverReport { sweeps, converged, .. } = lies.solve(TimeStep::new(1e-3)?, InitialGuess::Zero, stop);
 /// assert!(converged && sweeps == 2); // one to solve it, one that changes nothing
 /// # Ok::<(), tribos_core::Error>(())
@@ -53,7 +53,7 @@ pub struct SolverLimits<R> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SolverReport<R> {
     /// Number of sweeps done.
-    pub sweeps: u32,
+    pub iterations: u32,
     /// Relative change of the impulses in the last sweep; torques count as their force at r_eff. The
     /// error itself is larger by 1/(1 − rate) where convergence is slow.
     pub residual: R,
@@ -62,7 +62,7 @@ pub struct SolverReport<R> {
 }
 
 impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
-    Manifold<R, F, BODIES, CONTACTS>
+    ContactSystem<R, F, BODIES, CONTACTS>
 {
     /// Takes all bodies' velocities through one time step.
     ///
@@ -83,7 +83,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
         &mut self,
         step: TimeStep<R>,
         start: InitialGuess,
-        stop: SolverLimits<R>,
+        stop: SolverSettings<R>,
     ) -> SolverReport<R> {
         let dt = step.dt();
         self.prepare(dt, start);
@@ -91,7 +91,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
         let load = if rebounds {
             let half = dt * R::HALF;
             self.accelerate(half);
-            self.impact(dt, stop.sweeps);
+            self.impact(dt, stop.max_iterations);
             half
         } else {
             dt
@@ -99,13 +99,13 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
         self.accelerate(load);
         self.apply_guesses();
         let mut report = SolverReport {
-            sweeps: 0,
+            iterations: 0,
             residual: R::INFINITY,
             converged: false,
         };
-        while report.sweeps < stop.sweeps && !report.converged {
+        while report.iterations < stop.max_iterations && !report.converged {
             let [change, total] = self.sweep();
-            report.sweeps += 1;
+            report.iterations += 1;
             report.residual = if change == R::ZERO {
                 change
             } else {
@@ -137,9 +137,9 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
             if let (InitialGuess::Last, Some(last)) = (start, &joint.solved) {
                 // Forces last, impulses grow with the step.
                 let lasting = last.contact.impulse().minus(&joint.impact);
-                let guess = Modal::default().plus_scaled(last.inv_dt * dt, &lasting);
+                let guess = ContactVector::default().plus_scaled(last.inv_dt * dt, &lasting);
                 contact.set_impulse(&guess);
-                contact.admit(&self.friction);
+                contact.project_impulse(&self.friction);
             }
             joint.solved = Some(Solved { contact, inv_dt });
         }
@@ -164,8 +164,8 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
                 (pair(&mut self.bodies, *bodies), solved)
             {
                 let moved = contact.update(&self.friction, &mut a.member, &mut b.member);
-                change += size(&moved, contact.lever());
-                total += size(contact.impulse(), contact.lever());
+                change += size(&moved, contact.effective_radius());
+                total += size(contact.impulse(), contact.effective_radius());
             }
         }
         [change, total]
@@ -182,7 +182,7 @@ pub(super) fn pair<R>(
 }
 
 /// Sum of an impulse's components: no square that could vanish for small grains.
-fn size<R: Real, M: ContactModes<R>>(impulse: &Modal<R, M>, lever: R) -> R {
+fn size<R: Real, M: ContactModes<R>>(impulse: &ContactVector<R, M>, lever: R) -> R {
     let torques = impulse.torsion().abs() + sum(&impulse.rolling());
     impulse.normal.abs() + sum(&impulse.sliding()) + torques / lever
 }

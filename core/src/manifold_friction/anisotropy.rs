@@ -11,15 +11,15 @@ use super::{FrictionImpulse, Lanes};
 ///
 /// ```
 /// use tribos_core::manifold_friction::{
-///     Anisotropy, CompactOutline, FrictionBudget, FrictionImpulse, InverseMasses, manifold_friction,
+///     AnisotropicFriction, IsotropicLimitCurve, FrictionLimits, FrictionImpulse, InverseEffectiveMasses, manifold_friction,
 /// };
-/// let blade = Anisotropy::new([0.05_f32, 0.5]); // along and across
-/// let inverse = InverseMasses { tangential: 2.0, angular: 500.0 };
-/// let budget = FrictionBudget { force: blade.largest() * 1.0, lever: 0.01, slip: 1.0 }; // load impulse 1 N s
+/// let blade = AnisotropicFriction::new([0.05_f32, 0.5]); // along and across
+/// let inverse = InverseEffectiveMasses { tangential: 2.0, angular: 500.0 };
+/// let budget = FrictionLimits { force: blade.largest() * 1.0, lever: 0.01, slip: 1.0 }; // load impulse 1 N s
 /// let mut impulse = FrictionImpulse { tangential: [0.0, 0.0], angular: 0.0 };
 /// for _ in 0..100 { // slides across its axis and along it at 1 m/s, as if driven
 ///     let candidate = blade.candidate(&impulse, [1.0, 1.0], 0.0, &inverse);
-///     let carried = manifold_friction(&candidate, &budget, &inverse, &CompactOutline::area());
+///     let carried = manifold_friction(&candidate, &budget, &inverse, &IsotropicLimitCurve::area());
 ///     impulse = blade.unstretched(&carried);
 /// }
 /// // Slip (1, 1) is normal to the ellipse where p is in proportion to the squares of the coefficients.
@@ -27,13 +27,13 @@ use super::{FrictionImpulse, Lanes};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Anisotropy<T> {
+pub struct AnisotropicFriction<T> {
     /// Coefficients over the larger one.
     shares: [T; 2],
     largest: T,
 }
 
-impl<T: Lanes> Anisotropy<T> {
+impl<T: Lanes> AnisotropicFriction<T> {
     /// From the coefficients along both tangents. *Domain*: > 0; a smaller one counts as 1e-3 of the larger one.
     #[inline]
     pub fn new([first, second]: [T; 2]) -> Self {
@@ -58,7 +58,7 @@ impl<T: Lanes> Anisotropy<T> {
         last: &FrictionImpulse<T>,
         velocity: [T; 2],
         spin: T,
-        inverse: &super::InverseMasses<T>,
+        inverse: &super::InverseEffectiveMasses<T>,
     ) -> FrictionImpulse<T> {
         let stretched =
             |last: T, velocity: T, share: T| last / share - share * velocity / inverse.tangential;

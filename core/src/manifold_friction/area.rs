@@ -1,6 +1,6 @@
 //! The contact area that a manifold stands for, from its corners.
 
-use super::outline::DirectedOutline;
+use super::outline::DirectionalLimitCurve;
 use crate::real::Real;
 
 /// A contact area under uniform pressure: friction centre, lever and limit curves.
@@ -9,13 +9,13 @@ use crate::real::Real;
 /// those points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ContactArea<R> {
+pub struct ManifoldArea<R> {
     /// Centre of the area, in m.
     pub centre: [R; 2],
     /// r̄, the mean distance of the area from its centre: largest torque over largest force, in m.
     pub lever: R,
     /// Limit curves of the area about its centre.
-    pub outline: DirectedOutline<R>,
+    pub outline: DirectionalLimitCurve<R>,
 }
 
 /// A polygon whose area is less than this fraction of its length squared is a line.
@@ -26,7 +26,7 @@ const LINE_ALONG: f64 = 0.6;
 const HALVINGS: usize = 4;
 const SERIES: [f64; 4] = [1.0 / 9.0, 1.0 / 7.0, 1.0 / 5.0, 1.0 / 3.0];
 
-impl<R: Real> ContactArea<R> {
+impl<R: Real> ManifoldArea<R> {
     /// The area bounded by these corners, clockwise or counterclockwise, in m.
     ///
     /// Two corners, or a polygon without area, are a line; one corner and none have no lever, their friction no
@@ -67,7 +67,7 @@ impl<R: Real> ContactArea<R> {
         Self {
             centre: [R::HALF * (from[0] + to[0]), R::HALF * (from[1] + to[1])],
             lever: R::HALF * R::HALF * length,
-            outline: DirectedOutline {
+            outline: DirectionalLimitCurve {
                 spinning: along(R::from_f64(LINE_ALONG), R::TWO),
                 slipping: along(R::from_f64(4.0 / 3.0), R::ZERO),
             },
@@ -141,15 +141,15 @@ impl<R: Real> Moments<R> {
         }
     }
 
-    fn area(&self, area: R, centre: [R; 2]) -> ContactArea<R> {
+    fn area(&self, area: R, centre: [R; 2]) -> ManifoldArea<R> {
         let lever = self.distance / area;
         let lever_sq = lever * lever;
         let [xx, xy, yy] = self.spinning.map(|moment| moment / area);
         let scale = R::ONE / ((xx * yy - xy * xy) * lever);
-        ContactArea {
+        ManifoldArea {
             centre,
             lever,
-            outline: DirectedOutline {
+            outline: DirectionalLimitCurve {
                 spinning: [yy * scale, -xy * scale, xx * scale],
                 slipping: self.inertia.map(|moment| moment / area / lever_sq),
             },

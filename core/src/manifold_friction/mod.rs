@@ -13,14 +13,14 @@
 //!
 //! ```
 //! use tribos_core::manifold_friction::{
-//!     ContactArea, FrictionBudget, FrictionImpulse, InverseMasses, manifold_friction,
+//!     ManifoldArea, FrictionLimits, FrictionImpulse, InverseEffectiveMasses, manifold_friction,
 //! };
 //! // When the manifold is made: its corners in the frame of the two tangents, in m.
-//! let sole = ContactArea::of_corners(&[[-0.1, -0.025], [0.1, -0.025], [0.1, 0.025], [-0.1, 0.025_f32]]);
+//! let sole = ManifoldArea::of_corners(&[[-0.1, -0.025], [0.1, -0.025], [0.1, 0.025], [-0.1, 0.025_f32]]);
 //! // In every iteration: the last impulses less relative velocity times effective mass.
 //! let candidate = FrictionImpulse { tangential: [0.4, 0.0], angular: 0.01 }; // N s, N m s
-//! let budget = FrictionBudget { force: 0.05, lever: sole.lever, slip: 1.0 }; // N s, m
-//! let inverse = InverseMasses { tangential: 2.0, angular: 500.0 }; // 1/kg, 1/(kg m²)
+//! let budget = FrictionLimits { force: 0.05, lever: sole.lever, slip: 1.0 }; // N s, m
+//! let inverse = InverseEffectiveMasses { tangential: 2.0, angular: 500.0 }; // 1/kg, 1/(kg m²)
 //! let carried = manifold_friction(&candidate, &budget, &inverse, &sole.outline);
 //! assert!(carried.tangential[0] > 0.0 && carried.tangential[0] < 0.05);
 //! assert!(carried.angular > 0.0 && carried.angular < 0.05 * sole.lever);
@@ -45,10 +45,10 @@ mod rolling;
 mod tests;
 
 pub use crate::lanes::Lanes;
-pub use anisotropy::Anisotropy;
-pub use area::ContactArea;
-pub use outline::{CompactOutline, Curve, DirectedOutline, Outline};
-pub use rolling::limited_rolling;
+pub use anisotropy::AnisotropicFriction;
+pub use area::ManifoldArea;
+pub use outline::{Curve, DirectionalLimitCurve, IsotropicLimitCurve, LimitCurve};
+pub use rolling::project_rolling;
 
 /// Where denominators that may be zero end.
 const TINY: f32 = 1e-30;
@@ -66,19 +66,19 @@ pub struct FrictionImpulse<T> {
 /// What friction can carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FrictionBudget<T> {
+pub struct FrictionLimits<T> {
     /// F = μΣλ, the largest tangential impulse, in N s: with the dynamic coefficient. *Domain*: ≥ 0.
-    pub force: T,
+    pub impulse: T,
     /// r̄, the largest angular impulse over the largest tangential one, in m. *Domain*: ≥ 0; 0 for one point.
-    pub lever: T,
+    pub torsion_radius: T,
     /// Dynamic over static coefficient: a candidate is held up to the limit curve over this ratio. *Domain*: (0, 1].
-    pub slip: T,
+    pub dynamic_over_static: T,
 }
 
 /// Inverse effective masses of the two bodies at the manifold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct InverseMasses<T> {
+pub struct InverseEffectiveMasses<T> {
     /// k, of the tangential motion at the friction centre, in 1/kg: the one that made the candidate, the mean of both
     /// tangents if that was a matrix. *Domain*: > 0.
     pub tangential: T,
@@ -94,17 +94,17 @@ pub struct InverseMasses<T> {
 ///
 /// *Accuracy*: distance from the nearest point of the set, in units of the limits, for k_t T²/(k F²) of
 /// 0.01…100 and candidates up to 10⁴ limits away: area, points and ellipsoid 5e-4 (in three
-/// Newton steps 1e-5), [`DirectedOutline`] in a given direction of planks up to 4 : 1 3e-4, of bars
+/// Newton steps 1e-5), [`DirectionalLimitCurve`] in a given direction of planks up to 4 : 1 3e-4, of bars
 /// that slide across themselves 3e-2. A heavy plank on a light one leaves that range: the distance grows to
 /// 1.5e-2 for ratios of 10⁻³…10³, 5e-2 for 10⁻⁴…10⁴ and 9e-2 for 10⁻⁶…10⁶. The result is in the set to rounding
 /// in every case, and no component exceeds the candidate's.
 ///
 /// *Cost*: about 0.1 µs for one, 23 ns a manifold in four lanes of f32 (directed: 38 ns).
 #[inline]
-pub fn manifold_friction<T: Lanes, O: Outline<T>>(
+pub fn project_friction<T: Lanes, O: LimitCurve<T>>(
     candidate: &FrictionImpulse<T>,
-    budget: &FrictionBudget<T>,
-    inverse: &InverseMasses<T>,
+    budget: &FrictionLimits<T>,
+    inverse: &InverseEffectiveMasses<T>,
     outline: &O,
 ) -> FrictionImpulse<T> {
     project::project(candidate, budget, inverse, outline, O::STEPS)
@@ -114,10 +114,10 @@ pub fn manifold_friction<T: Lanes, O: Outline<T>>(
 /// and costs 6 ns a manifold in four lanes.
 #[doc(hidden)]
 #[inline]
-pub fn manifold_friction_in<const STEPS: usize, T: Lanes, O: Outline<T>>(
+pub fn manifold_friction_in<const STEPS: usize, T: Lanes, O: LimitCurve<T>>(
     candidate: &FrictionImpulse<T>,
-    budget: &FrictionBudget<T>,
-    inverse: &InverseMasses<T>,
+    budget: &FrictionLimits<T>,
+    inverse: &InverseEffectiveMasses<T>,
     outline: &O,
 ) -> FrictionImpulse<T> {
     project::project(candidate, budget, inverse, outline, STEPS)

@@ -21,7 +21,7 @@ pub struct Curve<T> {
 }
 
 /// What a contact manifold knows of the area that it stands for.
-pub trait Outline<T: Lanes>: Copy {
+pub trait LimitCurve<T: Lanes>: Copy {
     /// The limit curve for a force along the unit vector `direction`.
     #[doc(hidden)]
     fn curve(&self, direction: [T; 2]) -> Curve<T>;
@@ -39,14 +39,14 @@ pub trait Outline<T: Lanes>: Copy {
 /// Patches whose limit curve is the same in all directions, or nearly so: disks, squares, hexagons, rings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CompactOutline<T>(Curve<T>);
+pub struct IsotropicLimitCurve<T>(Curve<T>);
 
 /// Patches of any outline, such as planks: limit curves that depend on the direction of slip.
 ///
 /// Symmetric matrices have the components xx, xy, yy in the frame of the tangential impulse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct DirectedOutline<T> {
+pub struct DirectionalLimitCurve<T> {
     /// 1 + C₀ = ⟨r r/r³⟩⁻¹/r̄, dimensionless: curvatures of the limit surface at pure spin.
     pub spinning: [T; 3],
     /// ⟨r r⟩/r̄², dimensionless: reciprocal curvatures at pure slip.
@@ -88,7 +88,7 @@ impl<T: Lanes> Curve<T> {
     }
 }
 
-impl<T: Lanes> CompactOutline<T> {
+impl<T: Lanes> IsotropicLimitCurve<T> {
     /// A pressed area of compact outline: disk, square, hexagon.
     ///
     /// *Accuracy*: radius of the limit curve −0.3…0.7 % of the exact one; triangle −1.7…1.3 %, rectangle 2 : 1 ±5 %.
@@ -113,7 +113,7 @@ impl<T: Lanes> CompactOutline<T> {
     }
 }
 
-impl<T: Lanes> Outline<T> for CompactOutline<T> {
+impl<T: Lanes> LimitCurve<T> for IsotropicLimitCurve<T> {
     const TURNS: bool = false;
     const STEPS: usize = 2;
 
@@ -128,7 +128,7 @@ impl<T: Lanes> Outline<T> for CompactOutline<T> {
     }
 }
 
-impl<T: Lanes> Outline<T> for DirectedOutline<T> {
+impl<T: Lanes> LimitCurve<T> for DirectionalLimitCurve<T> {
     const TURNS: bool = true;
     const STEPS: usize = 3;
 

@@ -2,7 +2,9 @@
 
 use core::f32::consts::FRAC_1_SQRT_2;
 
-use super::{Curve, FrictionBudget, FrictionImpulse, InverseMasses, Lanes, Outline, TINY};
+use super::{
+    Curve, FrictionImpulse, FrictionLimits, InverseEffectiveMasses, Lanes, LimitCurve, TINY,
+};
 
 /// Weights of force and torque below this fraction of their sum act as this one in denominators.
 const LEAST_WEIGHT: f32 = 1e-6;
@@ -38,18 +40,18 @@ struct Point<T> {
 }
 
 #[inline(always)]
-pub(super) fn project<T: Lanes, O: Outline<T>>(
+pub(super) fn project<T: Lanes, O: LimitCurve<T>>(
     candidate: &FrictionImpulse<T>,
-    budget: &FrictionBudget<T>,
-    inverse: &InverseMasses<T>,
+    budget: &FrictionLimits<T>,
+    inverse: &InverseEffectiveMasses<T>,
     outline: &O,
     steps: usize,
 ) -> FrictionImpulse<T> {
     let (zero, one, tiny) = (T::splat(0.0), T::splat(1.0), T::splat(TINY));
-    let FrictionBudget {
-        force: limit,
-        lever,
-        slip,
+    let FrictionLimits {
+        impulse: limit,
+        torsion_radius: lever,
+        dynamic_over_static: slip,
     } = *budget;
 
     // Without lever nothing turns; NaN passes.

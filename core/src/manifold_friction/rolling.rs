@@ -13,7 +13,7 @@ use super::{Lanes, TINY};
 /// assert_eq!(limited_rolling([0.3_f32, 0.4], 1.0), [0.3, 0.4]);
 /// ```
 #[inline]
-pub fn limited_rolling<T: Lanes>(candidate: [T; 2], limit: T) -> [T; 2] {
+pub fn project_rolling<T: Lanes>(candidate: [T; 2], limit: T) -> [T; 2] {
     let [x, y] = candidate;
     let size = (x * x + y * y).sqrt();
     let scale = T::select(

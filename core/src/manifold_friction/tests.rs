@@ -9,10 +9,10 @@ fn a_square_has_its_closed_moments() {
         [[4.0, 5.0], [6.0, 5.0], [6.0, 7.0], [4.0, 7.0]],
         [[4.0, 7.0], [6.0, 7.0], [6.0, 5.0], [4.0, 5.0]],
     ] {
-        let square = ContactArea::<f64>::of_corners(&corners);
+        let square = ManifoldArea::<f64>::of_corners(&corners);
         assert!((square.centre[0] - 5.0).abs() < 1e-14 && (square.centre[1] - 6.0).abs() < 1e-14);
         assert!((square.lever / mean - 1.0).abs() < 1e-9, "{}", square.lever);
-        let DirectedOutline {
+        let DirectionalLimitCurve {
             spinning: [a, b, c],
             slipping: [u, v, w],
         } = square.outline;
@@ -27,7 +27,7 @@ fn a_square_has_its_closed_moments() {
 #[test]
 fn a_triangle_has_the_moments_of_its_points() {
     let corners = [[0.3, -0.2], [1.1, 0.5], [-0.4, 0.9]];
-    let triangle = ContactArea::<f64>::of_corners(&corners);
+    let triangle = ManifoldArea::<f64>::of_corners(&corners);
     let (mut count, mut mean, mut slipping, mut spinning) = (0.0, 0.0, [0.0; 3], [0.0; 3]);
     const N: usize = 1500;
     for i in 0..N {
@@ -74,16 +74,16 @@ fn a_triangle_has_the_moments_of_its_points() {
 
 #[test]
 fn few_corners_are_a_line_or_a_point() {
-    let line = ContactArea::<f32>::of_corners(&[[1.0, 1.0], [1.0, 5.0]]);
+    let line = ManifoldArea::<f32>::of_corners(&[[1.0, 1.0], [1.0, 5.0]]);
     assert_eq!((line.centre, line.lever), ([1.0, 3.0], 1.0));
     assert_eq!(
-        ContactArea::<f32>::of_corners(&[[1.0, 1.0], [1.0, 3.0], [1.0, 5.0]]),
+        ManifoldArea::<f32>::of_corners(&[[1.0, 1.0], [1.0, 3.0], [1.0, 5.0]]),
         line
     );
-    assert_eq!(ContactArea::<f32>::of_corners(&[[1.0, 1.0]]).lever, 0.0);
-    assert_eq!(ContactArea::<f32>::of_corners(&[]).lever, 0.0);
+    assert_eq!(ManifoldArea::<f32>::of_corners(&[[1.0, 1.0]]).lever, 0.0);
+    assert_eq!(ManifoldArea::<f32>::of_corners(&[]).lever, 0.0);
     assert!(
-        ContactArea::<f32>::of_corners(&[[f32::NAN, 1.0], [1.0, 3.0], [0.0, 0.0]])
+        ManifoldArea::<f32>::of_corners(&[[f32::NAN, 1.0], [1.0, 3.0], [0.0, 0.0]])
             .lever
             .is_nan()
     );
@@ -91,20 +91,20 @@ fn few_corners_are_a_line_or_a_point() {
 
 #[test]
 fn one_budget_without_twist_is_coulombs() {
-    let inverse = InverseMasses {
+    let inverse = InverseEffectiveMasses {
         tangential: 1.0_f32,
         angular: 10.0,
     };
-    let budget = FrictionBudget {
-        force: 2.0,
-        lever: 0.1,
-        slip: 1.0,
+    let budget = FrictionLimits {
+        impulse: 2.0,
+        torsion_radius: 0.1,
+        dynamic_over_static: 1.0,
     };
     let slides = FrictionImpulse {
         tangential: [30.0, -40.0],
         angular: 0.0,
     };
-    let carried = manifold_friction(&slides, &budget, &inverse, &CompactOutline::area());
+    let carried = project_friction(&slides, &budget, &inverse, &IsotropicLimitCurve::area());
     assert!(
         (carried.tangential[0] - 1.2).abs() < 1e-6 && (carried.tangential[1] + 1.6).abs() < 1e-6
     );
@@ -113,41 +113,41 @@ fn one_budget_without_twist_is_coulombs() {
         tangential: [0.0, 0.0],
         angular: -7.0,
     };
-    let carried = manifold_friction(&spins, &budget, &inverse, &CompactOutline::area());
+    let carried = project_friction(&spins, &budget, &inverse, &IsotropicLimitCurve::area());
     assert!((carried.angular + 0.2).abs() < 1e-7);
     assert_eq!(carried.tangential, [0.0, 0.0]);
 }
 
 #[test]
 fn static_friction_holds_more_than_it_carries_in_motion() {
-    let inverse = InverseMasses {
+    let inverse = InverseEffectiveMasses {
         tangential: 1.0_f32,
         angular: 10.0,
     };
-    let budget = FrictionBudget {
-        force: 1.0,
-        lever: 0.1,
-        slip: 0.5,
+    let budget = FrictionLimits {
+        impulse: 1.0,
+        torsion_radius: 0.1,
+        dynamic_over_static: 0.5,
     };
     let held = FrictionImpulse {
         tangential: [1.9, 0.0],
         angular: 0.0,
     };
     assert_eq!(
-        manifold_friction(&held, &budget, &inverse, &CompactOutline::area()),
+        project_friction(&held, &budget, &inverse, &IsotropicLimitCurve::area()),
         held
     );
     let moved = FrictionImpulse {
         tangential: [2.1, 0.0],
         angular: 0.0,
     };
-    let carried = manifold_friction(&moved, &budget, &inverse, &CompactOutline::area());
+    let carried = project_friction(&moved, &budget, &inverse, &IsotropicLimitCurve::area());
     assert!((carried.tangential[0] - 1.0).abs() < 1e-6);
 }
 
 #[test]
 fn one_point_has_no_torque_and_no_load_no_friction() {
-    let inverse = InverseMasses {
+    let inverse = InverseEffectiveMasses {
         tangential: 1.0_f32,
         angular: 10.0,
     };
@@ -155,31 +155,31 @@ fn one_point_has_no_torque_and_no_load_no_friction() {
         tangential: [0.5, 0.0],
         angular: 3.0,
     };
-    let point = FrictionBudget {
-        force: 1.0,
-        lever: 0.0,
-        slip: 1.0,
+    let point = FrictionLimits {
+        impulse: 1.0,
+        torsion_radius: 0.0,
+        dynamic_over_static: 1.0,
     };
-    let carried = manifold_friction(&candidate, &point, &inverse, &CompactOutline::area());
+    let carried = project_friction(&candidate, &point, &inverse, &IsotropicLimitCurve::area());
     assert_eq!((carried.tangential, carried.angular), ([0.5, 0.0], 0.0));
-    let none = FrictionBudget {
-        force: 0.0,
+    let none = FrictionLimits {
+        impulse: 0.0,
         ..point
     };
-    let carried = manifold_friction(&candidate, &none, &inverse, &CompactOutline::points());
+    let carried = project_friction(&candidate, &none, &inverse, &IsotropicLimitCurve::points());
     assert_eq!((carried.tangential, carried.angular), ([0.0, 0.0], 0.0));
     let nan = FrictionImpulse {
         tangential: [f32::NAN, 0.0],
         angular: 3.0,
     };
-    let carried = manifold_friction(
+    let carried = project_friction(
         &nan,
-        &FrictionBudget {
-            lever: 0.1,
+        &FrictionLimits {
+            torsion_radius: 0.1,
             ..point
         },
         &inverse,
-        &CompactOutline::area(),
+        &IsotropicLimitCurve::area(),
     );
     assert!(carried.tangential[0].is_nan() && carried.angular.is_nan());
 }

@@ -10,10 +10,10 @@ use nalgebra::Vector2;
 /// *Units*: length.
 ///
 /// ```
-/// use tribos_core::coupling::flat::FlatFriction;
+/// use tribos_core::coupling::flat::ShapeFriction;
 /// use tribos_core::patch::bar::Bar;
 /// use tribos_core::twist::Twist;
-/// let blade = FlatFriction::new(Bar::new([-0.1_f64, 0.0], [0.1, 0.0])?, 0.05)?; // m, mu
+/// let blade = ShapeFriction::new(Bar::new([-0.1_f64, 0.0], [0.1, 0.0])?, 0.05)?; // m, mu
 /// let pivoting = blade.wrench(700.0, &Twist::new(0.0, 0.0, 1.0)); // N; rad/s
 /// assert!((pivoting.torque + 0.05 * 700.0 * 0.05).abs() < 1e-14); // mean distance: 5 cm
 /// # Ok::<(), tribos_core::Error>(())

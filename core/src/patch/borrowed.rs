@@ -99,7 +99,7 @@ impl<R: Real> NodeSink<R> for NodeBuffer<'_, R> {
 mod tests {
     use super::*;
     use crate::patch::nodes::{NodeList, Nodes};
-    use crate::patch::polar::PolarRule;
+    use crate::patch::polar::PolarQuadrature;
     use crate::patch::polygon::polygon_into;
 
     const NOWHERE: Node<f64> = Node {
@@ -118,7 +118,7 @@ mod tests {
         assert_eq!(lent.nodes(), owned.nodes());
         assert_eq!(lent.total_weight(), owned.total_weight());
 
-        let rule = PolarRule::new(0.2, 3, 5).unwrap();
+        let rule = PolarQuadrature::new(0.2, 3, 5).unwrap();
         let owned: NodeList<f64, 15> = rule.nodes_tilted(0.5, 0.0).unwrap();
         let mut lent = NodeBuffer::new(&mut memory);
         let tilt = |x: f64, _: f64| 1.0 + 0.5 * x / 0.2;

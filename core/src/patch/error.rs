@@ -1,27 +1,27 @@
 //! Validation of patches.
 
-use super::polar::PolarRule;
+use super::polar::PolarQuadrature;
 use crate::real::Real;
 
 /// An invalid patch: its dimensions, its pressure, the points that it is made of, or the corners that support
 /// it.
 ///
 /// ```
-/// use tribos_core::coupling::{Annulus, table::Coulomb};
-/// use tribos_core::limit_surface::AnyPressure;
+/// use tribos_core::coupling::{Annulus, table::CoulombDisk};
+/// use tribos_core::limit_surface::UnknownPressureSet;
 /// use tribos_core::patch::nodes::{Node, NodeList, Nodes};
-/// use tribos_core::patch::polar::PolarRule;
+/// use tribos_core::patch::polar::PolarQuadrature;
 /// use tribos_core::patch::{PatchError, PolynomialPressure, PowerPressure};
 /// let max = PowerPressure::MAX_ORDER;
 /// assert_eq!(PowerPressure::new(-2.0), Err(PatchError::Order { given: -2.0, max }));
 /// assert_eq!(PolynomialPressure::new([0.0]), Err(PatchError::NoLoad));
-/// assert!(matches!(Annulus::new(Coulomb, 1.0), Err(PatchError::InnerRatio { .. })));
+/// assert!(matches!(Annulus::new(CoulombDisk, 1.0), Err(PatchError::InnerRatio { .. })));
 ///
 /// let foot = |weight: f64| Node { x: 0.1, y: 0.0, weight };
 /// assert_eq!(Nodes::new([foot(0.0)]), Err(PatchError::Unloaded));
 /// let pulling = Nodes::new([foot(2.0), foot(-1.0)]);
 /// assert_eq!(pulling, Err(PatchError::NodeWeight { index: 1, given: -1.0 }));
-/// assert_eq!(PolarRule::new(0.04, 0, 16), Err(PatchError::RuleOrder { given: 0 }));
+/// assert_eq!(PolarQuadrature::new(0.04, 0, 16), Err(PatchError::RuleOrder { given: 0 }));
 ///
 /// let feet = [[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]]; // m
 /// assert_eq!(Nodes::tripod(feet, [0.2, 0.2]), Err(PatchError::FootPulls { foot: 0 }));
@@ -32,7 +32,7 @@ use crate::real::Real;
 /// assert_eq!(bent, Err(PatchError::Hidden)); // cut it into three
 ///
 /// let corners = [[0.0_f64, 0.0], [0.2, 0.0], [0.2, 0.1], [0.0, 0.1]]; // m
-/// let tipped = AnyPressure::new(corners, [0.25, 0.05], 400.0); // N
+/// let tipped = UnknownPressureSet::new(corners, [0.25, 0.05], 400.0); // N
 /// assert_eq!(tipped.err(), Some(PatchError::CentreOutside.into()));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,7 +104,7 @@ pub enum PatchError {
         /// What was given.
         given: u32,
     },
-    /// The exponent of a rule's pressure is NaN or not in (−1, [`PolarRule::MAX_RIM_EXPONENT`]].
+    /// The exponent of a rule's pressure is NaN or not in (−1, [`PolarQuadrature::MAX_RIM_EXPONENT`]].
     RimExponent {
         /// What was given.
         given: f64,
@@ -197,11 +197,11 @@ impl core::fmt::Display for PatchError {
             }
             Self::Full { capacity } => write!(f, "there is room for {capacity} nodes, not more"),
             Self::RuleOrder { given } => {
-                let max = PolarRule::<f64>::MAX_ORDER;
+                let max = PolarQuadrature::<f64>::MAX_ORDER;
                 write!(f, "rings and angles must be from 1 to {max}, not {given}")
             }
             Self::RimExponent { given } => {
-                let max = PolarRule::<f64>::MAX_RIM_EXPONENT;
+                let max = PolarQuadrature::<f64>::MAX_RIM_EXPONENT;
                 write!(
                     f,
                     "the exponent q must satisfy -1 < q <= {max}, not {given}"

@@ -1,7 +1,7 @@
 //! Several patches under one rigid body, each with its share of the load.
 
 use super::PatchError;
-use crate::coupling::flat::DryPatch;
+use crate::coupling::flat::PatchShape;
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -9,24 +9,24 @@ use nalgebra::Vector2;
 ///
 /// ```
 /// use tribos_core::patch::bar::Bar;
-/// use tribos_core::patch::feet::Foot;
+/// use tribos_core::patch::feet::PatchPart;
 /// // One blade of a sledge, with half of its weight.
-/// let runner = Foot { patch: Bar::new([-0.5_f64, 0.2], [0.5, 0.2])?, weight: 0.5 }; // m
+/// let runner = PatchPart { patch: Bar::new([-0.5_f64, 0.2], [0.5, 0.2])?, weight: 0.5 }; // m
 /// assert!(runner.weight > 0.0);
 /// # Ok::<(), tribos_core::patch::outline::OutlineError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Foot<R, P> {
+pub struct PatchPart<R, P> {
     /// The patch.
     pub patch: P,
     /// Its share of the load in any unit, because only ratios count.
-    pub weight: R,
+    pub load_share: R,
 }
 
 /// A body on several feet: one patch under dry friction.
 ///
-/// Feet of different kinds have a common type as `&dyn DryPatch`. How the load is shared is the
+/// Feet of different kinds have a common type as `&dyn PatchShape`. How the load is shared is the
 /// caller's to know: statics gives it for three feet ([`super::nodes::Nodes::tripod`]).
 ///
 /// *Units*: length. *Accuracy*: that of the feet times R over the radius of the smallest one, with R the
@@ -35,39 +35,39 @@ pub struct Foot<R, P> {
 /// turns has that of μN R, not of itself. *Cost*: that of all feet.
 ///
 /// ```
-/// use tribos_core::coupling::flat::FlatFriction;
+/// use tribos_core::coupling::flat::ShapeFriction;
 /// use tribos_core::patch::bar::Bar;
-/// use tribos_core::patch::feet::{Feet, Foot};
+/// use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 /// use tribos_core::twist::Twist;
 /// let runner = |y: f64| Bar::new([-0.5, y], [0.5, y]); // m
 /// let runners = [
-///     Foot { patch: runner(-0.2)?, weight: 300.0 }, // N
-///     Foot { patch: runner(0.2)?, weight: 100.0 },
+///     PatchPart { patch: runner(-0.2)?, weight: 300.0 }, // N
+///     PatchPart { patch: runner(0.2)?, weight: 100.0 },
 /// ];
-/// let sledge = Feet::new(&runners)?;
+/// let sledge = CompoundPatch::new(&runners)?;
 /// assert!((sledge.centre().y + 0.1).abs() < 1e-16);
-/// let friction = FlatFriction::new(sledge, 0.05)?;
+/// let friction = ShapeFriction::new(sledge, 0.05)?;
 /// // Drawn straight on, the heavier side resists more.
 /// let drag = friction.wrench(400.0, &Twist::new(1.0, 0.0, 0.0));
 /// assert!((drag.force.x + 20.0).abs() < 1e-13 && (drag.torque + 20.0 * 0.1).abs() < 1e-14);
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Feet<'a, R: Real, P> {
-    feet: &'a [Foot<R, P>],
+pub struct CompoundPatch<'a, R: Real, P> {
+    feet: &'a [PatchPart<R, P>],
     total: R,
     centre: Vector2<R>,
     radius: R,
 }
 
-impl<'a, R: Real, P: DryPatch<R>> Feet<'a, R, P> {
+impl<'a, R: Real, P: PatchShape<R>> CompoundPatch<'a, R, P> {
     /// *Domain*: weights ≥ 0 of which at least one is positive, finite sum; finite distances.
-    pub fn new(feet: &'a [Foot<R, P>]) -> Result<Self, PatchError> {
+    pub fn new(feet: &'a [PatchPart<R, P>]) -> Result<Self, PatchError> {
         let mut total = R::ZERO;
         for (index, foot) in feet.iter().enumerate() {
-            total += foot.weight;
-            if !(foot.weight >= R::ZERO && total.is_finite()) {
-                let given = foot.weight.to_f64();
+            total += foot.load_share;
+            if !(foot.load_share >= R::ZERO && total.is_finite()) {
+                let given = foot.load_share.to_f64();
                 return Err(PatchError::NodeWeight { index, given });
             }
         }
@@ -76,10 +76,10 @@ impl<'a, R: Real, P: DryPatch<R>> Feet<'a, R, P> {
         }
         let mut centre = Vector2::new(R::ZERO, R::ZERO);
         for foot in feet {
-            centre += foot.patch.centre() * (foot.weight / total);
+            centre += foot.patch.centre() * (foot.load_share / total);
         }
         let mut radius = R::ZERO;
-        for foot in feet.iter().filter(|foot| foot.weight > R::ZERO) {
+        for foot in feet.iter().filter(|foot| foot.load_share > R::ZERO) {
             let from = foot.patch.centre() - centre;
             let reach = from.x.hypot(from.y) + foot.patch.radius();
             if reach > radius || reach.is_nan() {
@@ -109,17 +109,17 @@ impl<'a, R: Real, P: DryPatch<R>> Feet<'a, R, P> {
     }
 
     /// The feet.
-    pub fn feet(&self) -> &'a [Foot<R, P>] {
+    pub fn feet(&self) -> &'a [PatchPart<R, P>] {
         self.feet
     }
 
     /// Share of the load.
-    pub(crate) fn share(&self, foot: &Foot<R, P>) -> R {
-        foot.weight / self.total
+    pub(crate) fn share(&self, foot: &PatchPart<R, P>) -> R {
+        foot.load_share / self.total
     }
 
     /// Centre and radius of a foot, in radii of all about the common centre.
-    pub(crate) fn placed(&self, foot: &Foot<R, P>) -> (Vector2<R>, R) {
+    pub(crate) fn placed(&self, foot: &PatchPart<R, P>) -> (Vector2<R>, R) {
         let from = foot.patch.centre() - self.centre;
         let at = Vector2::new(from.x / self.radius, from.y / self.radius);
         (at, foot.patch.radius() / self.radius)

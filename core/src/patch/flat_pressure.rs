@@ -5,17 +5,17 @@ use crate::real::Real;
 /// Pressure that is the same everywhere on a patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Uniform;
+pub struct UniformPressure;
 
 /// Pressure that changes linearly along a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Linear<R> {
+pub struct LinearPressure<R> {
     at_centre: R,
     slope: [R; 2],
 }
 
-impl<R: Real> Linear<R> {
+impl<R: Real> LinearPressure<R> {
     /// Pressure at the centre of pressure and its slope, of the mean pressure (and over the radius).
     #[doc(hidden)]
     #[inline(always)]
@@ -26,14 +26,14 @@ impl<R: Real> Linear<R> {
 
 mod sealed {
     pub trait Sealed {}
-    impl Sealed for super::Uniform {}
-    impl<R> Sealed for super::Linear<R> {}
+    impl Sealed for super::UniformPressure {}
+    impl<R> Sealed for super::LinearPressure<R> {}
 }
 
-/// How pressure is spread over a patch with straight edges: [`Uniform`] or [`Linear`].
+/// How pressure is spread over a patch with straight edges: [`UniformPressure`] or [`LinearPressure`].
 ///
 /// A patch under uniform pressure carries no code or number of a linear one.
-pub trait FlatPressure<R: Real>: Copy + sealed::Sealed {
+pub trait PressureField<R: Real>: Copy + sealed::Sealed {
     /// True if there may be a slope.
     #[doc(hidden)]
     const IS_LINEAR: bool;
@@ -47,7 +47,7 @@ pub trait FlatPressure<R: Real>: Copy + sealed::Sealed {
     fn slope(&self) -> [R; 2];
 }
 
-impl<R: Real> FlatPressure<R> for Uniform {
+impl<R: Real> PressureField<R> for UniformPressure {
     const IS_LINEAR: bool = false;
     #[inline(always)]
     fn at_centre(&self) -> R {
@@ -59,7 +59,7 @@ impl<R: Real> FlatPressure<R> for Uniform {
     }
 }
 
-impl<R: Real> FlatPressure<R> for Linear<R> {
+impl<R: Real> PressureField<R> for LinearPressure<R> {
     const IS_LINEAR: bool = true;
     #[inline(always)]
     fn at_centre(&self) -> R {

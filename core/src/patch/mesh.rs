@@ -35,7 +35,7 @@ pub struct Vertex<R> {
 ///
 /// The storage `S` holds the triangles: an array, or memory of the caller.
 ///
-/// *Accuracy* (f64) of [`crate::coupling::flat::FlatFriction`], of μN and μN R: 2e-14, the Jacobian
+/// *Accuracy* (f64) of [`crate::coupling::flat::ShapeFriction`], of μN and μN R: 2e-14, the Jacobian
 /// 2.5e-13 of its largest entry, for triangles up to 5 times as long as wide (f32: 1e-5, 2e-5); however
 /// small a triangle is beside the mesh, unless it carries a good part of the load and the centre of
 /// rotation lies next to it, where a rounding error of the radius counts. *Cost*: a triangle takes about
@@ -43,7 +43,7 @@ pub struct Vertex<R> {
 /// *Units*: length. *Size*: 16 numbers a triangle and 6 more.
 ///
 /// ```
-/// use tribos_core::coupling::flat::FlatFriction;
+/// use tribos_core::coupling::flat::ShapeFriction;
 /// use tribos_core::patch::mesh::{Mesh, Vertex};
 /// use tribos_core::twist::Twist;
 /// // A wedge: no pressure at x = 0, 20 kPa at x = 0.1 m.
@@ -53,7 +53,7 @@ pub struct Vertex<R> {
 /// assert!((wedge.centre().x - 0.2 / 3.0).abs() < 1e-16);
 /// let load = wedge.load(); // N, where lengths are in m and pressures in Pa
 /// assert!((load - 1e4 * 0.01).abs() < 1e-13);
-/// let friction = FlatFriction::new(wedge, 0.5)?;
+/// let friction = ShapeFriction::new(wedge, 0.5)?;
 /// let wrench = friction.wrench(load, &Twist::new(0.3, 0.0, 0.0));
 /// assert!((wrench.force.x + 0.5 * load).abs() < 1e-13);
 /// # Ok::<(), tribos_core::Error>(())

@@ -1,7 +1,7 @@
 //! Contact patches: shape and pressure distribution.
 //!
 //! Round patches are measured in units of their radius: a pressure says how a unit load is spread
-//! over the unit disk, and [`crate::coupling::PatchFriction`] adds the radius.
+//! over the unit disk, and [`crate::coupling::RoundFriction`] adds the radius.
 
 pub mod bar;
 mod borrowed;

@@ -4,7 +4,7 @@
 //! *centre*, which is the centre of pressure. [`crate::coupling::flat`] gives their friction.
 
 pub use super::edge::Edge;
-pub use super::flat_pressure::{FlatPressure, Linear, Uniform};
+pub use super::flat_pressure::{LinearPressure, PressureField, UniformPressure};
 pub use super::outline_error::OutlineError;
 #[doc(hidden)]
 pub use super::parts::Parts;
@@ -28,7 +28,7 @@ use nalgebra::Vector2;
 /// # Ok::<(), tribos_core::patch::outline::OutlineError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Polygon<R: Real, S, K = Uniform> {
+pub struct Polygon<R: Real, S, K = UniformPressure> {
     pub(super) edges: S,
     pub(super) count: usize,
     pub(super) pressure: K,
@@ -116,7 +116,7 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
         Ok(Self {
             edges,
             count,
-            pressure: Uniform,
+            pressure: UniformPressure,
             centre,
             radius: radius * scale.unit,
             reduced_area: area / (radius * radius),
@@ -140,7 +140,7 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
     pub fn with_centre_of_pressure(
         self,
         at: [R; 2],
-    ) -> Result<Polygon<R, S, Linear<R>>, OutlineError> {
+    ) -> Result<Polygon<R, S, LinearPressure<R>>, OutlineError> {
         let [x, y] = at;
         let shift = Vector2::new(
             (x - self.centre.x) / self.radius,
@@ -169,7 +169,10 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
     /// assert!((wedge.centre().x - 0.1 * 2.0 / 3.0).abs() < 1e-16);
     /// # Ok::<(), tribos_core::patch::outline::OutlineError>(())
     /// ```
-    pub fn with_slope(self, slope: [R; 2]) -> Result<Polygon<R, S, Linear<R>>, OutlineError> {
+    pub fn with_slope(
+        self,
+        slope: [R; 2],
+    ) -> Result<Polygon<R, S, LinearPressure<R>>, OutlineError> {
         let slope = Vector2::new(slope[0] * self.radius, slope[1] * self.radius);
         let axis = self.principal_axis();
         let [xx, xy, yy] = self.second_moments(&axis);
@@ -185,7 +188,7 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
         shift: Vector2<R>,
         slope: Vector2<R>,
         centre: Vector2<R>,
-    ) -> Result<Polygon<R, S, Linear<R>>, OutlineError> {
+    ) -> Result<Polygon<R, S, LinearPressure<R>>, OutlineError> {
         let is_finite = |v: &Vector2<R>| v.x.is_finite() && v.y.is_finite();
         if !(is_finite(&shift) && is_finite(&slope) && is_finite(&centre)) {
             return Err(OutlineError::Slope);
@@ -210,7 +213,7 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
         for edge in self.edges.as_mut().iter_mut() {
             *edge = edge.about(&shift, radius);
         }
-        let pressure = Linear::new(
+        let pressure = LinearPressure::new(
             R::ONE + slope.x * shift.x + slope.y * shift.y,
             [slope.x * radius, slope.y * radius],
         );
@@ -239,7 +242,7 @@ fn back<R: Real>(axis: &Vector2<R>, [x, y]: [R; 2]) -> Vector2<R> {
 /// Rounding of a pressure that is zero at a corner, of the terms that it is a sum of.
 const LIFT_ULPS: f64 = 64.0;
 
-impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> Polygon<R, S, K> {
+impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> Polygon<R, S, K> {
     /// The edges, as line integrals need them.
     #[inline(always)]
     pub(crate) fn edges(&self) -> &[Edge<R>] {

@@ -1,7 +1,7 @@
 //! Polygons taken apart: how an interface to another language keeps them in plain memory.
 
 use super::edge::Edge;
-use super::flat_pressure::FlatPressure;
+use super::flat_pressure::PressureField;
 use super::outline::Polygon;
 use super::outline_error::OutlineError;
 use crate::real::Real;
@@ -43,7 +43,7 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
     }
 }
 
-impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> Polygon<R, S, K> {
+impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> Polygon<R, S, K> {
     /// What there is besides the edges.
     #[doc(hidden)]
     #[inline(always)]

@@ -10,17 +10,17 @@ use nalgebra::Vector2;
 ///
 /// Where the centre of rotation lies on a point, that point rests and its force is anything up to its
 /// limit: the limit surface has a flat facet there for each sense of the rotation.
-/// [`crate::limit_surface::PatchSurface`] serves facets exactly.
+/// [`crate::limit_surface::ShapeLimitSurface`] serves facets exactly.
 ///
 /// *Units*: length; weights as those of [`Node`].
 ///
 /// ```
-/// use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+/// use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 /// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::patch::points::Points;
+/// use tribos_core::patch::points::PointPatch;
 /// use tribos_core::twist::Wrench;
 /// let feet = [[-0.1_f64, 0.0], [0.1, 0.0]].map(|[x, y]| Node { x, y, weight: 0.5 }); // m
-/// let table = PatchSurface::new(Points::new(Nodes::new(feet)?)?, 10.0)?; // N
+/// let table = ShapeLimitSurface::new(PointPatch::new(Nodes::new(feet)?)?, 10.0)?; // N
 /// // Pushed at its end it turns about the foot at the other end, however hard that foot holds.
 /// for push in [0.7, 0.8, 0.9] {
 ///     let motion = table.twist_normal_to(&Wrench::new(0.0, 1.0, 0.1 * push)); // N, N, N m
@@ -29,21 +29,21 @@ use nalgebra::Vector2;
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Points<R: Real, P> {
+pub struct PointPatch<R: Real, P> {
     nodes: P,
     centre: Vector2<R>,
     radius: R,
 }
 
-impl<R: Real, P: NodePatch<R>> Points<R, P> {
+impl<R: Real, P: NodePatch<R>> PointPatch<R, P> {
     /// *Domain*: at least two places carry load, a finite distance apart.
     ///
     /// ```
     /// use tribos_core::patch::PatchError;
     /// use tribos_core::patch::nodes::{Node, Nodes};
-    /// use tribos_core::patch::points::Points;
+    /// use tribos_core::patch::points::PointPatch;
     /// let tip = Nodes::new([Node { x: 0.1, y: 0.0, weight: 2.0_f64 }])?;
-    /// assert_eq!(Points::new(tip).err(), Some(PatchError::OnePlace));
+    /// assert_eq!(PointPatch::new(tip).err(), Some(PatchError::OnePlace));
     /// # Ok::<(), PatchError>(())
     /// ```
     pub fn new(nodes: P) -> Result<Self, PatchError> {

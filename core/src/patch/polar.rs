@@ -37,8 +37,8 @@ use crate::real::Real;
 ///
 /// ```
 /// use tribos_core::patch::nodes::{NodeList, NodePatch};
-/// use tribos_core::patch::polar::PolarRule;
-/// let rule = PolarRule::new(0.04_f64, 8, 16)?.with_rim_exponent(0.5)?; // Hertz; radius in m
+/// use tribos_core::patch::polar::PolarQuadrature;
+/// let rule = PolarQuadrature::new(0.04_f64, 8, 16)?.with_rim_exponent(0.5)?; // Hertz; radius in m
 /// let ball: NodeList<f64, 128> = rule.nodes_tilted(0.2, 0.0)?;
 /// // A tilt lx moves the load by lx R/(2q + 4).
 /// let moment: f64 = ball.nodes().iter().map(|node| node.weight * node.x).sum();
@@ -47,24 +47,24 @@ use crate::real::Real;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PolarRule<R> {
+pub struct PolarQuadrature<R> {
     radius: R,
     rings: u32,
     angles: u32,
     rim_exponent: f64,
 }
 
-impl<R: Real> PolarRule<R> {
+impl<R: Real> PolarQuadrature<R> {
     /// Most rings, and most angles on a ring.
     pub const MAX_ORDER: u32 = 1024;
     /// Largest exponent q: beyond it the disk is all rim and a smaller disk is meant.
     pub const MAX_RIM_EXPONENT: f64 = 64.0;
-    /// Nodes of the [`PolarRule::standard`] rule.
+    /// Nodes of the [`PolarQuadrature::standard`] rule.
     pub const STANDARD_NODES: usize = 16 * 32;
 
     /// A uniform pressure on a disk of radius `radius` around the origin.
     ///
-    /// *Domain*: 0 < `radius` < ∞; `rings` and `angles` from 1 to [`PolarRule::MAX_ORDER`].
+    /// *Domain*: 0 < `radius` < ∞; `rings` and `angles` from 1 to [`PolarQuadrature::MAX_ORDER`].
     pub fn new(radius: R, rings: u32, angles: u32) -> Result<Self, PatchError> {
         let radius = validated_radius(radius)?;
         for given in [rings, angles] {
@@ -89,9 +89,9 @@ impl<R: Real> PolarRule<R> {
     ///
     /// ```
     /// use tribos_core::patch::nodes::{NodeList, NodePatch};
-    /// use tribos_core::patch::polar::PolarRule;
-    /// const NODES: usize = PolarRule::<f64>::STANDARD_NODES;
-    /// let puck: NodeList<f64, NODES> = PolarRule::standard(0.04)?.nodes()?; // radius in m
+    /// use tribos_core::patch::polar::PolarQuadrature;
+    /// const NODES: usize = PolarQuadrature::<f64>::STANDARD_NODES;
+    /// let puck: NodeList<f64, NODES> = PolarQuadrature::standard(0.04)?.nodes()?; // radius in m
     /// let second = puck.nodes().iter().map(|n| n.weight * (n.x * n.x + n.y * n.y));
     /// let mean_square = second.sum::<f64>() / puck.total_weight();
     /// assert!((mean_square - 0.04 * 0.04 / 2.0).abs() < 1e-16); // that of a uniform disk
@@ -103,7 +103,7 @@ impl<R: Real> PolarRule<R> {
 
     /// As many nodes for a pressure that goes as (1 − r²/R²)^q.
     ///
-    /// *Domain*: −1 < `q` ≤ [`PolarRule::MAX_RIM_EXPONENT`].
+    /// *Domain*: −1 < `q` ≤ [`PolarQuadrature::MAX_RIM_EXPONENT`].
     pub fn with_rim_exponent(self, q: R) -> Result<Self, PatchError> {
         let rim_exponent = q.to_f64();
         if rim_exponent > -1.0 && rim_exponent <= Self::MAX_RIM_EXPONENT {
@@ -142,9 +142,9 @@ impl<R: Real> PolarRule<R> {
     ///
     /// ```
     /// use tribos_core::patch::nodes::{NodeList, NodePatch};
-    /// use tribos_core::patch::polar::PolarRule;
+    /// use tribos_core::patch::polar::PolarQuadrature;
     /// // A foot worn hollow along x: the pressure goes as y^2.
-    /// let foot: NodeList<f64, 128> = PolarRule::new(0.04, 8, 16)?.nodes_shaped(|_, y| y * y)?;
+    /// let foot: NodeList<f64, 128> = PolarQuadrature::new(0.04, 8, 16)?.nodes_shaped(|_, y| y * y)?;
     /// let second: f64 = foot.nodes().iter().map(|n| n.weight * n.y * n.y).sum();
     /// // The mean of y^2 is that of y^4 over that of y^2 of the uniform disk, R^2/2.
     /// assert!((second / foot.total_weight() - 0.04 * 0.04 / 2.0).abs() < 1e-16);
@@ -159,7 +159,7 @@ impl<R: Real> PolarRule<R> {
         Ok(list)
     }
 
-    /// [`PolarRule::nodes_shaped`] into memory of the caller's choice, behind the nodes that are
+    /// [`PolarQuadrature::nodes_shaped`] into memory of the caller's choice, behind the nodes that are
     /// there already.
     ///
     /// *Special values*: what was added before an error stays.
@@ -167,10 +167,10 @@ impl<R: Real> PolarRule<R> {
     /// ```
     /// use tribos_core::patch::PatchError;
     /// use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch};
-    /// use tribos_core::patch::polar::PolarRule;
+    /// use tribos_core::patch::polar::PolarQuadrature;
     /// let mut memory = [Node::default(); 30];
     /// let mut feet = NodeBuffer::new(&mut memory);
-    /// let pad = PolarRule::new(0.01_f64, 3, 8)?; // 24 nodes
+    /// let pad = PolarQuadrature::new(0.01_f64, 3, 8)?; // 24 nodes
     /// pad.nodes_into(&mut feet, |_, _| 1.0)?;
     /// assert_eq!(feet.nodes().len(), 24);
     /// let second = pad.nodes_into(&mut feet, |_, _| 1.0);
@@ -211,7 +211,7 @@ impl<R: Real, const CAPACITY: usize> NodeList<R, CAPACITY> {
     /// # Ok::<(), tribos_core::patch::PatchError>(())
     /// ```
     pub fn ring(radius: R, angles: u32) -> Result<Self, PatchError> {
-        PolarRule::new(radius, 1, angles)?;
+        PolarQuadrature::new(radius, 1, angles)?;
         let mut list = Self::new();
         push_ring(&mut list, angles, 0.0, radius, R::ONE, &|_, _| R::ONE)?;
         Ok(list)

@@ -1,7 +1,7 @@
 //! One triangle of a mesh, prepared for integrals over it.
 
 use super::edge::Edge;
-use super::flat_pressure::Linear;
+use super::flat_pressure::LinearPressure;
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -119,10 +119,10 @@ impl<R: Real> Triangle<R> {
 
     /// Its pressure about the mesh's centre.
     #[inline(always)]
-    pub(crate) fn pressure(&self) -> Linear<R> {
+    pub(crate) fn pressure(&self) -> LinearPressure<R> {
         let (slope, [p, ..]) = (self.slope(), self.pressures);
         let [x, y] = slope;
-        Linear::new(p - x * self.corner().x - y * self.corner().y, slope)
+        LinearPressure::new(p - x * self.corner().x - y * self.corner().y, slope)
     }
 
     /// Directions of its edges, their lengths, and 1 over these.

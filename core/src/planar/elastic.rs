@@ -22,7 +22,7 @@
 
 use super::PlanarBody;
 use crate::contact::TimeStep;
-use crate::law::Grip;
+use crate::law::StickSlip;
 use crate::limit_surface::{FrictionSet, without_gain};
 use crate::presliding::{Anchor, Axes, Pose, Presliding, Stiffness, not_below_zero};
 use crate::real::Real;
@@ -93,7 +93,7 @@ pub struct ElasticStep<R: Real> {
     /// length. Not negative.
     pub rule_loss: R,
     /// Whether the bonds held. They may hold a body that still vibrates.
-    pub grip: Grip,
+    pub grip: StickSlip,
 }
 
 impl<R: Real> ElasticStep<R> {
@@ -214,7 +214,7 @@ impl<R: Real> PlanarBody<R> {
         let sliding = Mode::new(self.mass, sliding, set.force_limit(), dt);
         let turning = [stiffness.torsion, torsional_damping];
         let turning = Mode::new(self.inertia, turning, torque_limit, dt);
-        let (u, e) = (&state.twist, state.anchor.strain(&state.pose));
+        let (u, e) = (&state.twist, state.anchor.deflection(&state.pose));
         let (at, anchor) = (&state.pose, &state.anchor.pose);
         let x = [at.position.x, anchor.position.x];
         let y = [at.position.y, anchor.position.y];
@@ -257,7 +257,7 @@ impl<R: Real> PlanarBody<R> {
         let after = ElasticState {
             pose,
             twist,
-            anchor: Anchor::with_strain(&pose, &strain),
+            anchor: Anchor::with_deflection(&pose, &strain),
         };
         let slip = e + moved - strain;
         self.ended(bonds, state, after, pull, Some(slip), dt)
@@ -274,11 +274,12 @@ impl<R: Real> PlanarBody<R> {
         dt: R,
     ) -> ElasticStep<R> {
         let (grip, slip) = match slipped {
-            None => (Grip::Stick, Displacement::ZERO),
-            Some(slip) => (Grip::Slip, slip),
+            None => (StickSlip::Stick, Displacement::ZERO),
+            Some(slip) => (StickSlip::Slip, slip),
         };
         let faster = after.twist - before.twist;
-        let strained = after.anchor.strain(&after.pose) - before.anchor.strain(&before.pose);
+        let strained =
+            after.anchor.deflection(&after.pose) - before.anchor.deflection(&before.pose);
         let [damping, torsional_damping] = bonds.damping();
         let rate = Wrench {
             force: strained.shift * (damping / dt),

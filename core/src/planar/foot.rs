@@ -19,19 +19,19 @@ use nalgebra::{Vector2, Vector3};
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::planar::NodeFoot;
+/// use tribos_core::planar::PointContacts;
 /// use tribos_core::twist::Wrench;
 /// use nalgebra::Vector2;
 ///
 /// let feet = Nodes::new([[-0.1, 0.0], [0.1, 0.0]].map(|[x, y]| Node { x, y, weight: 0.5_f64 }))?;
-/// let mut table: NodeFoot<f64, _, 2> = NodeFoot::new(feet, 10.0)?; // μN = 10 N
+/// let mut table: PointContacts<f64, _, 2> = PointContacts::new(feet, 10.0)?; // μN = 10 N
 /// let push = Wrench::new(0.0, 3.0, 0.2);
 /// assert_eq!(table.nearest(&push, 0.1), push); // held
-/// assert!(NodeFoot::<f64, _, 1>::new(feet, 10.0).is_err()); // two points, room for one
+/// assert!(PointContacts::<f64, _, 1>::new(feet, 10.0).is_err()); // two points, room for one
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct NodeFoot<R: Real, P, const CAPACITY: usize> {
+pub struct PointContacts<R: Real, P, const CAPACITY: usize> {
     patch: P,
     force_limit: R,
     forces: heapless::Vec<Vector2<R>, CAPACITY>,
@@ -44,7 +44,7 @@ const COLLAR_ULPS: f64 = 8.0;
 /// Passes over all points that spread a rest.
 const PASSES: usize = 8;
 
-impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
+impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> PointContacts<R, P, CAPACITY> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN, in units of force); at most `CAPACITY` points.
     pub fn new(patch: P, force_limit: R) -> Result<Self, Error> {
         let mut forces = heapless::Vec::new();
@@ -61,15 +61,15 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
         Ok(foot)
     }
 
-    /// Another load on the same points. *Domain*: as in [`NodeFoot::new`].
+    /// Another load on the same points. *Domain*: as in [`PointContacts::new`].
     ///
     /// ```
     /// use tribos_core::patch::nodes::{Node, Nodes};
-    /// use tribos_core::planar::NodeFoot;
+    /// use tribos_core::planar::PointContacts;
     /// use tribos_core::twist::Wrench;
     /// use nalgebra::Vector2;
     /// let feet = Nodes::new([-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5_f64 }))?; // m
-    /// let mut table: NodeFoot<f64, _, 2> = NodeFoot::new(feet, 10.0)?; // N
+    /// let mut table: PointContacts<f64, _, 2> = PointContacts::new(feet, 10.0)?; // N
     /// let push = Wrench::new(0.0, 3.0, 0.0);
     /// assert_eq!(table.nearest(&push, 0.1), push); // held
     /// table.set_force_limit(2.0)?; // someone lifts it a little

@@ -48,7 +48,7 @@ mod step;
 mod tests;
 
 pub use elastic::{ElasticState, ElasticStep};
-pub use foot::NodeFoot;
+pub use foot::PointContacts;
 pub use step::PlanarStep;
 
 use crate::law::{LawError, validated_positive};

@@ -1,6 +1,6 @@
 //! The implicit time step.
 
-use super::{NodeFoot, PlanarBody};
+use super::{PlanarBody, PointContacts};
 use crate::contact::TimeStep;
 use crate::limit_surface::{FrictionSet, without_gain};
 use crate::patch::nodes::NodePatch;
@@ -11,12 +11,12 @@ use crate::twist::{Twist, Wrench};
 ///
 /// ```
 /// use tribos_core::contact::TimeStep;
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::limit_surface::LimitSurface;
+/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::limit_surface::RoundLimitSurface;
 /// use tribos_core::planar::{PlanarBody, PlanarStep};
 /// use tribos_core::twist::{Twist, Wrench};
 /// let puck = PlanarBody::new(0.17_f64, 1.36e-4)?; // kg, kg m²
-/// let ice = LimitSurface::new(Coulomb, 0.05, 0.04)?; // N, m
+/// let ice = RoundLimitSurface::new(CoulombDisk, 0.05, 0.04)?; // N, m
 /// let (motion, dt) = (Twist::new(2.0, 0.0, 0.0), TimeStep::new(0.01)?); // m/s, s
 /// let PlanarStep { twist, friction, is_at_rest } = puck.step(&ice, &motion, &Wrench::ZERO, dt);
 /// // Without spin friction is μN, and its impulse is what the momentum loses.
@@ -77,19 +77,19 @@ impl<R: Real> PlanarBody<R> {
 
     /// The same on a foot of many points.
     ///
-    /// `foot` keeps the force of every point for the next step; [`NodeFoot::release`] begins anew.
-    /// *Cost*: [`NodeFoot::nearest`] once far from rest, twice near it.
+    /// `foot` keeps the force of every point for the next step; [`PointContacts::release`] begins anew.
+    /// *Cost*: [`PointContacts::nearest`] once far from rest, twice near it.
     ///
     /// ```
     /// use tribos_core::contact::TimeStep;
     /// use tribos_core::patch::nodes::{Node, Nodes};
-    /// use tribos_core::planar::{NodeFoot, PlanarBody};
+    /// use tribos_core::planar::{PointContacts, PlanarBody};
     /// use tribos_core::twist::{Twist, Wrench};
     /// use nalgebra::Vector2;
     /// // A chair of 5 kg on four legs, with friction of up to 20 N in all.
     /// let legs = [[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]; // m
     /// let legs = Nodes::new(legs.map(|[x, y]| Node { x, y, weight: 1.0_f64 }))?;
-    /// let (mut legs, chair) = (NodeFoot::<_, _, 4>::new(legs, 20.0)?, PlanarBody::new(5.0, 0.4)?);
+    /// let (mut legs, chair) = (PointContacts::<_, _, 4>::new(legs, 20.0)?, PlanarBody::new(5.0, 0.4)?);
     /// let (rest, dt) = (Twist::ZERO, TimeStep::new(0.01)?);
     /// // Four legs 0.2 √2 m away resist a twist by 5.7 N m: 5 N m they hold, 6 N m they do not.
     /// let [held, turns] = [5.0, 6.0].map(|torque| {
@@ -101,9 +101,9 @@ impl<R: Real> PlanarBody<R> {
     /// assert!((turns.twist.spin - left * 0.01 / 0.4).abs() < 1e-9);
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
-    pub fn step_on_foot<P: NodePatch<R>, const CAPACITY: usize>(
+    pub fn step_on_points<P: NodePatch<R>, const CAPACITY: usize>(
         &self,
-        foot: &mut NodeFoot<R, P, CAPACITY>,
+        foot: &mut PointContacts<R, P, CAPACITY>,
         twist: &Twist<R>,
         push: &Wrench<R>,
         dt: TimeStep<R>,
@@ -129,7 +129,7 @@ impl<R: Real> PlanarBody<R> {
         let mut nearest =
             |needed: &Wrench<R>| without_gain(&nearest(needed), needed, self.gyration);
         // Friction that would end the step at rest, and the one that is.
-        let at_end = self.needed_for_rest(twist, push, dt);
+        let at_end = self.stopping_wrench(twist, push, dt);
         let ended = (!is_beyond(&at_end, limits)).then(|| nearest(&at_end));
         if ended == Some(at_end) {
             let held = PlanarStep {
@@ -140,7 +140,7 @@ impl<R: Real> PlanarBody<R> {
             return (held, None);
         }
         // The motion at half time under the friction that it meets itself.
-        let at_half = self.needed_for_rest(twist, push, R::HALF * dt);
+        let at_half = self.stopping_wrench(twist, push, R::HALF * dt);
         let midway = nearest(&at_half);
         let after = PlanarStep {
             twist: self.moved(twist, push, &midway, dt),
@@ -167,7 +167,7 @@ impl<R: Real> PlanarBody<R> {
     /// The friction that brings the body to rest within `dt`, −(M u/Δt + push).
     #[doc(hidden)]
     #[inline]
-    pub fn needed_for_rest(&self, twist: &Twist<R>, push: &Wrench<R>, dt: R) -> Wrench<R> {
+    pub fn stopping_wrench(&self, twist: &Twist<R>, push: &Wrench<R>, dt: R) -> Wrench<R> {
         let (mass, inertia) = (self.mass / dt, self.inertia / dt);
         Wrench::new(
             -(mass * twist.velocity.x + push.force.x),
@@ -223,8 +223,8 @@ fn is_beyond<R: Real>(wrench: &Wrench<R>, [force, torque]: [R; 2]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::coupling::table::Coulomb;
-    use crate::limit_surface::{Ellipsoid, LimitSurface};
+    use crate::coupling::table::CoulombDisk;
+    use crate::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 
     const LIMIT: f64 = 0.5;
     const DT: f64 = 1.0 / 60.0;
@@ -251,7 +251,7 @@ mod tests {
     #[test]
     fn a_set_that_carries_more_torque_than_force_times_radius_holds_it() {
         let body = PlanarBody::new(0.17, 0.5 * 0.17 * 0.04 * 0.04).unwrap();
-        let set = Ellipsoid::new(LIMIT, 0.04, 2.0).unwrap();
+        let set = LimitEllipsoid::new(LIMIT, 0.04, 2.0).unwrap();
         let push = Wrench::new(0.0, 0.0, 1.9 * LIMIT * 0.04);
         let dt = TimeStep::new(DT).unwrap();
         let step = body.step(&set, &Twist::ZERO, &push, dt);
@@ -261,7 +261,7 @@ mod tests {
     #[test]
     fn friction_is_that_of_the_motion_at_half_time_or_holds() {
         let body = PlanarBody::new(0.17, 0.5 * 0.17 * 0.04 * 0.04).unwrap();
-        let set = LimitSurface::new(Coulomb, LIMIT, 0.04).unwrap();
+        let set = RoundLimitSurface::new(CoulombDisk, LIMIT, 0.04).unwrap();
         let dt = TimeStep::new(DT).unwrap();
         let [mut rests, mut slides] = [0, 0];
         for (twist, push) in cases() {

@@ -2,11 +2,11 @@
 
 extern crate std;
 
-use super::{NodeFoot, PlanarBody};
+use super::{PlanarBody, PointContacts};
 use crate::contact::TimeStep;
-use crate::limit_surface::{FrictionSet, PatchSurface};
+use crate::limit_surface::{FrictionSet, ShapeLimitSurface};
 use crate::patch::nodes::{Node, NodeList, NodePatch};
-use crate::patch::points::Points;
+use crate::patch::points::PointPatch;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
@@ -130,8 +130,8 @@ fn worst<R: Real>(nodes: &NodeList<f64, MOST>, twists: u32, octaves: i32) -> [f6
     let scale = R::from_f64(libm::exp2(f64::from(octaves)));
     let [mass, inertia, limit] = [5.0, 0.3, 15.0].map(|part| R::from_f64(part) * scale);
     let body = PlanarBody::new(mass, inertia).unwrap();
-    let set = PatchSurface::new(Points::new(own.clone()).unwrap(), limit).unwrap();
-    let mut foot: NodeFoot<R, _, MOST> = NodeFoot::new(own, limit).unwrap();
+    let set = ShapeLimitSurface::new(PointPatch::new(own.clone()).unwrap(), limit).unwrap();
+    let mut foot: PointContacts<R, _, MOST> = PointContacts::new(own, limit).unwrap();
     let energy = |twist: &Twist<R>| {
         let [x, y, n] = [twist.velocity.x, twist.velocity.y, twist.spin].map(R::to_f64);
         5.0 * (x * x + y * y) + 0.3 * n * n
@@ -150,7 +150,7 @@ fn worst<R: Real>(nodes: &NodeList<f64, MOST>, twists: u32, octaves: i32) -> [f6
             foot.release();
             let steps = [
                 body.step(&set, &twist, &Wrench::ZERO, dt),
-                body.step_on_foot(&mut foot, &twist, &Wrench::ZERO, dt),
+                body.step_on_points(&mut foot, &twist, &Wrench::ZERO, dt),
             ];
             for step in steps {
                 let Wrench { force, torque } = step.friction;
@@ -216,13 +216,13 @@ fn answers<R: Real>(
         let [x, y, weight] = [x, y, weight].map(R::to_f64);
         exact.push(Node { x, y, weight }).unwrap();
     }
-    let set = PatchSurface::new(Points::new(exact).unwrap(), 15.0).unwrap();
+    let set = ShapeLimitSurface::new(PointPatch::new(exact).unwrap(), 15.0).unwrap();
     let gauge = |wrench: &Wrench<R>| {
         let parts = [wrench.force.x, wrench.force.y, wrench.torque].map(R::to_f64);
         set.gauge(&Wrench::new(parts[0], parts[1], parts[2]))
     };
     let limit = R::from_f64(15.0);
-    let mut foot: NodeFoot<R, _, MOST> = NodeFoot::new(own, limit).unwrap();
+    let mut foot: PointContacts<R, _, MOST> = PointContacts::new(own, limit).unwrap();
     for i in 0..100 {
         let arm = 0.3 * libm::exp(3.0 * part(i, 0.324_717_957_2));
         let length = R::from_f64(0.2 * libm::exp(2.0 * part(i, 0.819_172_513_4)));

@@ -139,7 +139,7 @@ impl<R: Real> Presliding<R> {
     /// # Ok::<(), tribos_core::law::LawError>(())
     /// ```
     pub fn stored_energy(&self, anchor: &Anchor<R>, pose: &Pose<R>) -> R {
-        self.stiffness.energy(&anchor.strain(pose))
+        self.stiffness.energy(&anchor.deflection(pose))
     }
 
     /// Displacement from the anchor at which the bonds carry `push`, S⁻¹ push.

@@ -50,7 +50,7 @@ use crate::twist::{Displacement, Twist, Wrench};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GradualPresliding<R> {
+pub struct MicroslipPresliding<R> {
     bonds: Presliding<R>,
     /// g₀
     breakaway: R,
@@ -60,14 +60,14 @@ pub struct GradualPresliding<R> {
 
 /// A trial wrench, and what decides how much of it slips away.
 struct Trial<'a, R: Real, S: ?Sized> {
-    law: &'a GradualPresliding<R>,
+    law: &'a MicroslipPresliding<R>,
     set: &'a S,
     wanted: Wrench<R>,
     /// D(Δq)
     driven: R,
 }
 
-impl<R: Real> GradualPresliding<R> {
+impl<R: Real> MicroslipPresliding<R> {
     /// Bonds that slip above the share `breakaway` = g₀ of the set, with the exponent m.
     ///
     /// *Domain*: 0 ≤ `breakaway` < 1, 0 < `exponent` < ∞.
@@ -126,7 +126,7 @@ impl<R: Real> GradualPresliding<R> {
         [from, to]: [&Pose<R>; 2],
     ) -> PreslidingStep<R> {
         let axes = Axes::at(to.angle);
-        let strain = anchor.strain(to);
+        let strain = anchor.deflection(to);
         let local = axes.displacement_to_patch(&strain);
         let moved = axes.displacement_to_patch(&to.since(from));
         let settled = self.settled(set, &local, &moved);

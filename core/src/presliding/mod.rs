@@ -37,13 +37,13 @@
 //! second order in the step and never negative either. With the friction of both ends averaged the
 //! third term is absent while the bonds hold.
 //!
-//! [`Presliding`] is the law for which K is a sharp border, [`GradualPresliding`] lets slip begin
+//! [`Presliding`] is the law for which K is a sharp border, [`MicroslipPresliding`] lets slip begin
 //! earlier (Dahl's law, LuGre's, elasto-plastic ones). What scales friction from step to step, such as age
-//! or speed, enters as [`crate::limit_surface::Scaled`]. For a body with mass see
+//! or speed, enters as [`crate::limit_surface::ScaledSet`]. For a body with mass see
 //! [`crate::planar::PlanarBody::step_elastic`].
 //!
 //! *Source*: return mapping: J. C. Simo, T. J. R. Hughes, Computational Inelasticity (1998), ch. 1–3;
-//! the set as a yield surface: S. Goyal, A. Ruina, J. Papadopoulos, Wear 143 (1991) 307. The pose as a
+//! the set as a yield surface: S. Goyal, A. SlipLaw, J. Papadopoulos, Wear 143 (1991) 307. The pose as a
 //! state, instead of a sum of increments, is ours.
 //!
 //! ```
@@ -77,8 +77,8 @@ mod step;
 
 pub use bonds::Presliding;
 pub(crate) use bonds::Stiffness;
-pub use gradual::GradualPresliding;
-pub use nodes::{NodePresliding, NodePreslidingStep};
+pub use gradual::MicroslipPresliding;
+pub use nodes::{PointPresliding, PointPreslidingStep};
 pub(crate) use pose::Axes;
 pub use pose::{Anchor, Pose};
 pub(crate) use step::not_below_zero;

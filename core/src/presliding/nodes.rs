@@ -22,11 +22,11 @@ use nalgebra::Vector2;
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::presliding::{NodePresliding, Pose};
+/// use tribos_core::presliding::{PointPresliding, Pose};
 /// // Two feet, the nearer one at a tenth of the lever of the other.
 /// let feet = Nodes::new([0.01, 0.1].map(|x| Node { x, y: 0.0, weight: 1.0_f64 }))?; // m
 /// let (stiffness, limit, pose) = (1e4, 10.0, Pose::new(0.0, 0.0, 0.0)); // N/m, N
-/// let mut bound: NodePresliding<f64, _, 2> = NodePresliding::new(feet, stiffness, limit, &pose)?;
+/// let mut bound: PointPresliding<f64, _, 2> = PointPresliding::new(feet, stiffness, limit, &pose)?;
 /// assert_eq!(bound.reach(), 1e-3); // m: every point lets go there
 /// // Turned by 0.02 rad the outer foot has gone 2 mm and slips, the inner one 0.2 mm and holds.
 /// let turned = bound.step(&Pose::new(0.0, 0.0, 0.02));
@@ -35,7 +35,7 @@ use nalgebra::Vector2;
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct NodePresliding<R: Real, P, const CAPACITY: usize> {
+pub struct PointPresliding<R: Real, P, const CAPACITY: usize> {
     patch: P,
     /// k_t
     stiffness: R,
@@ -48,17 +48,17 @@ pub struct NodePresliding<R: Real, P, const CAPACITY: usize> {
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::presliding::{NodePresliding, NodePreslidingStep, Pose};
+/// use tribos_core::presliding::{PointPresliding, PointPreslidingStep, Pose};
 /// let foot = Nodes::new([Node { x: 0.0, y: 0.0, weight: 1.0_f64 }])?;
 /// let (stiffness, limit, pose) = (1e4, 10.0, Pose::new(0.0, 0.0, 0.0)); // N/m, N
-/// let mut bound: NodePresliding<f64, _, 1> = NodePresliding::new(foot, stiffness, limit, &pose)?;
-/// let NodePreslidingStep { friction, dissipated, .. } = bound.step(&Pose::new(3e-3, 0.0, 0.0));
+/// let mut bound: PointPresliding<f64, _, 1> = PointPresliding::new(foot, stiffness, limit, &pose)?;
+/// let PointPreslidingStep { friction, dissipated, .. } = bound.step(&Pose::new(3e-3, 0.0, 0.0));
 /// assert!((friction.force.x + 10.0).abs() < 1e-12);
 /// assert!((dissipated - 10.0 * 2e-3).abs() < 1e-14); // J: 3 mm, of which 1 mm is elastic
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NodePreslidingStep<R: Real> {
+pub struct PointPreslidingStep<R: Real> {
     /// Friction on the patch, about its centre. *Units*: force, force × length.
     pub friction: Wrench<R>,
     /// Energy that became heat. *Units*: force × length. Not negative.
@@ -67,7 +67,7 @@ pub struct NodePreslidingStep<R: Real> {
     pub slipping: usize,
 }
 
-impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodePresliding<R, P, CAPACITY> {
+impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> PointPresliding<R, P, CAPACITY> {
     /// Bonds that are unstrained in `pose`, with the stiffness k_t in sliding and the largest force μN of all
     /// points together.
     ///
@@ -143,11 +143,11 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodePresliding<R, P, CAPAC
     ///
     /// *Accuracy*: a few ε of the force limit, and k_t ε max(|x|, |a|) from the rounding of positions.
     /// *Cost*: a root a point, a sine and a cosine. *Special values*: NaN for NaN and infinities.
-    pub fn step(&mut self, pose: &Pose<R>) -> NodePreslidingStep<R> {
+    pub fn step(&mut self, pose: &Pose<R>) -> PointPreslidingStep<R> {
         let axes = Axes::at(pose.angle);
         let unit = self.stiffness / self.patch.total_weight();
         let reach = self.reach();
-        let mut step = NodePreslidingStep {
+        let mut step = PointPreslidingStep {
             friction: Wrench::ZERO,
             dissipated: R::ZERO,
             slipping: 0,

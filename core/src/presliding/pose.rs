@@ -78,13 +78,13 @@ impl<R: Real> Anchor<R> {
 
     /// Displacement of the bonds of a patch in `pose`, in the axes of the floor.
     #[inline]
-    pub fn strain(&self, pose: &Pose<R>) -> Displacement<R> {
+    pub fn deflection(&self, pose: &Pose<R>) -> Displacement<R> {
         pose.since(&self.pose)
     }
 
     /// The anchor from which a patch in `pose` is displaced by `strain`.
     #[inline]
-    pub fn with_strain(pose: &Pose<R>, strain: &Displacement<R>) -> Self {
+    pub fn with_deflection(pose: &Pose<R>, strain: &Displacement<R>) -> Self {
         Self::at(pose.moved(&-*strain))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::pose::{Anchor, Axes, Pose};
 use super::{Presliding, Stiffness};
-use crate::law::Grip;
+use crate::law::StickSlip;
 use crate::limit_surface::{FrictionSet, without_gain};
 use crate::real::Real;
 use crate::twist::{Displacement, Wrench};
@@ -10,9 +10,9 @@ use crate::twist::{Displacement, Wrench};
 /// Presliding at a new pose of the patch, in the axes of the floor.
 ///
 /// ```
-/// use tribos_core::limit_surface::Ellipsoid;
+/// use tribos_core::limit_surface::LimitEllipsoid;
 /// use tribos_core::presliding::{Anchor, Pose, Presliding, PreslidingStep};
-/// let (foot, bonds) = (Ellipsoid::new(10.0_f64, 0.1, 0.6)?, Presliding::new(1e4, 50.0)?);
+/// let (foot, bonds) = (LimitEllipsoid::new(10.0_f64, 0.1, 0.6)?, Presliding::new(1e4, 50.0)?);
 /// let touched = Anchor::at(Pose::new(0.0, 0.0, 0.0)); // m, m, rad
 /// // Turned by 0.02 rad it would take 1 N m; it can have 0.6 N m and slips by the rest.
 /// let PreslidingStep { friction, slip, dissipated, .. } =
@@ -32,16 +32,16 @@ pub struct PreslidingStep<R: Real> {
     /// Energy that became heat, friction along the slip. *Units*: force × length. Not negative.
     pub dissipated: R,
     /// Whether the bonds held.
-    pub grip: Grip,
+    pub grip: StickSlip,
 }
 
 /// Bonds after a step, as displacement and in one set of axes: the increment form.
 ///
 /// ```
-/// use tribos_core::limit_surface::Ellipsoid;
+/// use tribos_core::limit_surface::LimitEllipsoid;
 /// use tribos_core::presliding::Presliding;
 /// use tribos_core::twist::{Displacement, Twist};
-/// let (foot, bonds) = (Ellipsoid::new(10.0_f64, 0.1, 0.6)?, Presliding::new(1e4, 50.0)?);
+/// let (foot, bonds) = (LimitEllipsoid::new(10.0_f64, 0.1, 0.6)?, Presliding::new(1e4, 50.0)?);
 /// // A velocity-based engine adds what each step brings.
 /// let mut strain = Displacement::ZERO;
 /// for _ in 0..100 {
@@ -63,7 +63,7 @@ pub struct Settled<R: Real> {
     /// Energy that became heat. Not negative.
     pub dissipated: R,
     /// Whether the bonds held.
-    pub grip: Grip,
+    pub grip: StickSlip,
 }
 
 impl<R: Real> Presliding<R> {
@@ -82,7 +82,7 @@ impl<R: Real> Presliding<R> {
         anchor: &Anchor<R>,
         pose: &Pose<R>,
     ) -> PreslidingStep<R> {
-        let strain = anchor.strain(pose);
+        let strain = anchor.deflection(pose);
         let axes = Axes::at(pose.angle);
         let settled = settled(self.factors(), set, &axes.displacement_to_patch(&strain));
         settled.on_floor(self.factors(), axes, anchor, pose)
@@ -130,7 +130,7 @@ impl<R: Real> Settled<R> {
             friction: -*wrench,
             slip: Displacement::ZERO,
             dissipated: R::ZERO,
-            grip: Grip::Stick,
+            grip: StickSlip::Stick,
         }
     }
 
@@ -147,7 +147,7 @@ impl<R: Real> Settled<R> {
             friction: -*carried,
             slip,
             dissipated: not_below_zero(slip.work(carried)),
-            grip: Grip::Slip,
+            grip: StickSlip::Slip,
         }
     }
 
@@ -162,10 +162,10 @@ impl<R: Real> Settled<R> {
     ) -> PreslidingStep<R> {
         // Bonds that hold keep the bits of their anchor, and their friction is that of the pose.
         let (anchor, friction) = match self.grip {
-            Grip::Stick => (*anchor, -stiffness.wrench(&anchor.strain(pose))),
-            Grip::Slip => {
+            StickSlip::Stick => (*anchor, -stiffness.wrench(&anchor.deflection(pose))),
+            StickSlip::Slip => {
                 let strain = axes.displacement_to_floor(&self.strain);
-                let followed = Anchor::with_strain(pose, &strain);
+                let followed = Anchor::with_deflection(pose, &strain);
                 (followed, axes.wrench_to_floor(&self.friction))
             }
         };

@@ -3,11 +3,11 @@
 
 use super::eighth_order;
 use super::march::{Outcome, Until, march};
-use super::rest::Rest;
+use super::rest::SliderRest;
 use super::runge_kutta;
 use super::single::Stepped;
-use super::{Motion, Slider};
-use crate::coupling::{Coupling, Profile, Speeds};
+use super::{Slider, SliderState};
+use crate::coupling::{PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 
 /// What [`Slider::advance`] returns.
@@ -31,9 +31,9 @@ use crate::real::Real;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Advance<R> {
     /// The motion at the end of the step.
-    pub motion: Motion<R>,
+    pub motion: SliderState<R>,
     /// Set in the step in which the body comes to rest.
-    pub rest: Option<Rest<R>>,
+    pub rest: Option<SliderRest<R>>,
     /// Evaluations of the wrench.
     pub evaluations: u32,
 }
@@ -59,7 +59,7 @@ struct Tried<R> {
     evaluations: u32,
 }
 
-impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     /// Advances by `duration`, through rest if it comes.
     ///
     /// *Domain*: `duration` ≥ 0 and finite; a body at rest stays there. Where speeds, rates or
@@ -72,12 +72,12 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// controller; 12 up to a few hundredths; some 50 to 250 otherwise, and up to 20 more next to
     /// equal speeds. In f32 7 for each eighth by which the speeds change, some 50 to 150 for motions that
     /// come near to rest, and up to 110 more next to equal speeds.
-    pub fn advance(&self, motion: &Motion<R>, duration: R) -> Advance<R> {
+    pub fn advance(&self, motion: &SliderState<R>, duration: R) -> Advance<R> {
         let speeds = [motion.speed.abs(), (motion.spin * self.radius).abs()];
         let moves = (speeds[0] > R::ZERO || speeds[1] > R::ZERO) && duration > R::ZERO;
         let later = motion.time + duration;
         if !moves {
-            let motion = Motion {
+            let motion = SliderState {
                 time: later,
                 ..*motion
             };
@@ -97,7 +97,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
         if let Some(Stepped { kept, paths }) = end {
             let motion = self.moved(motion, kept, [time, paths[0], paths[1]]);
             return Advance {
-                motion: Motion {
+                motion: SliderState {
                     time: later,
                     ..motion
                 },
@@ -113,7 +113,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
         marched.evaluations += evaluations;
         match marched.outcome {
             Outcome::Time => Advance {
-                motion: Motion {
+                motion: SliderState {
                     time: later,
                     ..self.after(motion, marched.faded, marched.sums)
                 },
@@ -123,7 +123,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
             Outcome::Rest => {
                 let rest = self.rest_of(motion, &marched);
                 Advance {
-                    motion: Motion {
+                    motion: SliderState {
                         time: later,
                         ..rest.motion
                     },
@@ -213,9 +213,9 @@ fn is_exact<R: Real>(end: &[R; 4], error: &[R; 4]) -> bool {
 }
 
 /// Out of range: no number rather than a wrong one.
-fn lost<R: Real>(motion: &Motion<R>, later: R, evaluations: u32) -> Advance<R> {
+fn lost<R: Real>(motion: &SliderState<R>, later: R, evaluations: u32) -> Advance<R> {
     Advance {
-        motion: Motion {
+        motion: SliderState {
             time: later,
             speed: R::NAN,
             spin: R::NAN,

@@ -21,9 +21,9 @@ mod tail;
 mod verlet;
 
 pub use advance::Advance;
-pub use rest::Rest;
+pub use rest::SliderRest;
 
-use crate::coupling::{Coupling, Profile, ReducedWrench};
+use crate::coupling::{PowerLawFriction, ReducedFriction, ReducedWrench};
 use crate::error::Error;
 use crate::law::validated_positive;
 use crate::modes::validated_inertia_ratio;
@@ -35,15 +35,15 @@ use crate::real::Real;
 /// *Units*: consistent with the slider's deceleration and radius.
 ///
 /// ```
-/// use tribos_core::slider::Motion;
-/// let thrown = Motion::launched(1.2, -30.0); // m/s, rad/s
+/// use tribos_core::slider::SliderState;
+/// let thrown = SliderState::launched(1.2, -30.0); // m/s, rad/s
 /// assert!(!thrown.is_at_rest());
 /// assert_eq!([thrown.time, thrown.distance, thrown.angle], [0.0; 3]);
-/// assert!(Motion { speed: 0.0, spin: 0.0, ..thrown }.is_at_rest());
+/// assert!(SliderState { speed: 0.0, spin: 0.0, ..thrown }.is_at_rest());
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Motion<R> {
+pub struct SliderState<R> {
     /// Time since the start.
     pub time: R,
     /// Sliding speed, not negative.
@@ -56,7 +56,7 @@ pub struct Motion<R> {
     pub angle: R,
 }
 
-impl<R: Real> Motion<R> {
+impl<R: Real> SliderState<R> {
     /// A motion that starts at time 0.
     pub fn launched(speed: R, spin: R) -> Self {
         Self {
@@ -110,7 +110,7 @@ pub struct Slider<R, P> {
     inertia_ratio: R,
 }
 
-impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     /// From the coupling of its contact. *Domain*: that of [`SliderParameters`].
     pub fn new(profile: P, parameters: SliderParameters<R>) -> Result<Self, Error> {
         let SliderParameters {
@@ -128,7 +128,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     }
 
     /// Kinetic energy per mass, (v² + C (ωR)²)/2.
-    pub fn energy_per_mass(&self, motion: &Motion<R>) -> R {
+    pub fn energy_per_mass(&self, motion: &SliderState<R>) -> R {
         let rim = motion.spin * self.radius;
         R::HALF * (motion.speed * motion.speed + self.inertia_ratio * rim * rim)
     }
@@ -136,12 +136,12 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// Power lost to friction per mass, κ (v F + w T).
     ///
     /// ```
-    /// use tribos_core::coupling::table::Coulomb;
-    /// use tribos_core::slider::{Motion, Slider};
+    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::slider::{SliderState, Slider};
     /// # use tribos_core::slider::SliderParameters;
     /// # let parameters = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 };
-    /// let puck = Slider::new(Coulomb, parameters)?; // μ g = 3 m/s², R = 0.08 m, C = 1/2
-    /// let start = Motion::launched(1.0, 5.0); // m/s, rad/s
+    /// let puck = Slider::new(CoulombDisk, parameters)?; // μ g = 3 m/s², R = 0.08 m, C = 1/2
+    /// let start = SliderState::launched(1.0, 5.0); // m/s, rad/s
     /// let end = puck.advance(&start, 1e-4).motion; // s
     /// // What friction takes is what the energy loses.
     /// let lost = (puck.energy_per_mass(&start) - puck.energy_per_mass(&end)) / 1e-4;
@@ -149,7 +149,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// assert!((lost - mean).abs() < 1e-6);
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
-    pub fn dissipation_per_mass(&self, motion: &Motion<R>) -> R {
+    pub fn dissipation_per_mass(&self, motion: &SliderState<R>) -> R {
         let rim = (motion.spin * self.radius).abs();
         let ReducedWrench { force, torque } = self.profile.reduced_wrench(motion.speed, rim);
         self.deceleration * (motion.speed * force + rim * torque)
@@ -158,17 +158,17 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// Velocity ratio ε = v/(|ω|R); infinite without spin, NaN at rest.
     ///
     /// ```
-    /// use tribos_core::coupling::table::Coulomb;
-    /// use tribos_core::slider::{Motion, Slider};
+    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::slider::{SliderState, Slider};
     /// # use tribos_core::slider::SliderParameters;
     /// # let parameters = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 };
-    /// let puck = Slider::new(Coulomb, parameters)?; // μ g = 3 m/s², R = 0.08 m, C = 1/2
-    /// assert_eq!(puck.ratio(&Motion::launched(1.0, 5.0)), 1.0 / (5.0 * 0.08));
-    /// assert_eq!(puck.ratio(&Motion::launched(1.0, 0.0)), f64::INFINITY);
-    /// assert_eq!(*puck.profile(), Coulomb);
+    /// let puck = Slider::new(CoulombDisk, parameters)?; // μ g = 3 m/s², R = 0.08 m, C = 1/2
+    /// assert_eq!(puck.ratio(&SliderState::launched(1.0, 5.0)), 1.0 / (5.0 * 0.08));
+    /// assert_eq!(puck.ratio(&SliderState::launched(1.0, 0.0)), f64::INFINITY);
+    /// assert_eq!(*puck.profile(), CoulombDisk);
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
-    pub fn ratio(&self, motion: &Motion<R>) -> R {
+    pub fn ratio(&self, motion: &SliderState<R>) -> R {
         motion.speed / (motion.spin * self.radius).abs()
     }
 

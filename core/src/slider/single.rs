@@ -12,7 +12,7 @@
 
 use super::Slider;
 use super::runge_kutta;
-use crate::coupling::{Coupling, Profile, Speeds};
+use crate::coupling::{PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 
 /// Fading of the faster speed in one step, and in the whole time at the rate of its start: beyond, rest
@@ -52,7 +52,7 @@ struct Fading<R> {
     gap: R,
 }
 
-impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     /// Follows a motion for a time in units of m₀^(1−α)/κ, if a few steps do; and the evaluations.
     pub(super) fn few_steps(&self, speeds: [R; 2], time: R) -> (Option<Stepped<R>>, u32) {
         let major = Speeds::new(speeds[0], speeds[1]).major();

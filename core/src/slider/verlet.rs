@@ -1,10 +1,10 @@
 //! The fixed-step method of the thesis.
 
-use super::{Motion, Slider};
-use crate::coupling::{Coupling, Profile, ReducedWrench};
+use super::{Slider, SliderState};
+use crate::coupling::{PowerLawFriction, ReducedFriction, ReducedWrench};
 use crate::real::Real;
 
-impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     /// One velocity-Verlet step of size `duration` (thesis 3.4.5).
     ///
     /// The force depends on velocity, hence the second half kick uses the predicted velocity.
@@ -15,12 +15,12 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// `duration` × deceleration, first order at the stop.
     ///
     /// ```
-    /// use tribos_core::coupling::table::Coulomb;
-    /// use tribos_core::slider::{Motion, Slider};
+    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::slider::{SliderState, Slider};
     /// # use tribos_core::slider::SliderParameters;
     /// # let parameters = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 };
-    /// let puck = Slider::new(Coulomb, parameters)?; // μ g = 3 m/s², R = 0.08 m, C = 1/2
-    /// let start = Motion::launched(1.0, 5.0);
+    /// let puck = Slider::new(CoulombDisk, parameters)?; // μ g = 3 m/s², R = 0.08 m, C = 1/2
+    /// let start = SliderState::launched(1.0, 5.0);
     /// let exact = puck.advance(&start, 0.1).motion;
     /// let error = |steps: u32| {
     ///     let mut motion = start;
@@ -33,7 +33,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// assert!((error(50) / error(100) - 4.0).abs() < 0.2);
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
-    pub fn verlet_step(&self, motion: &Motion<R>, duration: R) -> Motion<R> {
+    pub fn verlet_step(&self, motion: &SliderState<R>, duration: R) -> SliderState<R> {
         let rim = (motion.spin * self.radius).abs();
         let half = R::HALF * duration;
         let [a0, b0] = self.accelerations(motion.speed, rim);
@@ -44,7 +44,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
         let [a1, b1] = self.accelerations(predicted[0], predicted[1]);
         let rim_after = not_reversed(rim + half * (b0 + b1));
         let turned = not_reversed(rim + half * b0) * duration / self.radius;
-        Motion {
+        SliderState {
             time: motion.time + duration,
             speed: not_reversed(motion.speed + half * (a0 + a1)),
             spin: (rim_after / self.radius).copysign(motion.spin),

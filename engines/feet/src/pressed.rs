@@ -1,6 +1,6 @@
 //! A friction set under a load, with its largest torque known.
 
-use tribos_core::limit_surface::{FrictionSet, Projection, Scaled};
+use tribos_core::limit_surface::{FrictionSet, Projection, ScaledSet};
 use tribos_core::twist::{Twist, Wrench};
 
 /// The limit surface of any area.
@@ -27,7 +27,7 @@ impl Prepared {
     /// The set under a friction limit in newtons; `None` unless that is positive and finite.
     pub(crate) fn under(&self, limit: f32) -> Option<Pressed<'_>> {
         Some(Pressed {
-            set: Scaled::new(&*self.set, limit).ok()?,
+            set: ScaledSet::new(&*self.set, limit).ok()?,
             torque_limit: limit * self.torque_limit,
         })
     }
@@ -35,7 +35,7 @@ impl Prepared {
 
 /// A set under its load. Every step asks for the largest torque, which is computed once.
 pub(crate) struct Pressed<'a> {
-    set: Scaled<'a, f32, Set>,
+    set: ScaledSet<'a, f32, Set>,
     torque_limit: f32,
 }
 

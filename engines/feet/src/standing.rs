@@ -7,7 +7,7 @@ use crate::footprint::Footprint;
 use crate::surface::Surface;
 use crate::symmetric::times;
 use tribos_core::contact::TimeStep;
-use tribos_core::limit_surface::Ellipsoid;
+use tribos_core::limit_surface::LimitEllipsoid;
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -150,7 +150,7 @@ impl<'a> Standing<'a> {
                 surface.step(foot.limit, foot.axis, self.body, before, push, dt)?
             }
             On::Nothing => {
-                let nothing = Ellipsoid::new(0.0, 1.0, 1.0).ok()?;
+                let nothing = LimitEllipsoid::new(0.0, 1.0, 1.0).ok()?;
                 self.body.step(&nothing, before, push, dt)
             }
         };

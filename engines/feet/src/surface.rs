@@ -92,7 +92,7 @@ fn turned_step(
     let end = step(set, limit, body, &in_foot, &to_foot_wrench(axis, push), dt)?;
     if end.is_at_rest {
         // All of the push is held: without the rounding of the rotation.
-        let friction = body.needed_for_rest(twist, push, dt.dt());
+        let friction = body.stopping_wrench(twist, push, dt.dt());
         return Some(PlanarStep { friction, ..end });
     }
     let back = [axis[0], -axis[1]];

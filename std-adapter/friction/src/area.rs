@@ -2,13 +2,13 @@
 
 use super::surface::{DryRound, Held, LimitSurfaces};
 use super::{Flat, HeldNodes, Patch, Precision, Refusal, polynomial, surface};
-use tribos_core::coupling::flat::DryPatch;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::coupling::flat::PatchShape;
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::Node;
-use tribos_core::patch::points::Points;
+use tribos_core::patch::points::PointPatch;
 
 /// A contact area: any patch, with its size. Lengths are in m.
 ///
@@ -93,7 +93,7 @@ impl<R: Precision> Area<R> {
 
     /// Points with weights of which only the ratios count.
     pub fn points(nodes: Vec<Node<R>>) -> Result<Self, Refusal> {
-        let points = HeldNodes::new(nodes).and_then(Points::new);
+        let points = HeldNodes::new(nodes).and_then(PointPatch::new);
         let points = points.map_err(tribos_core::Error::from)?;
         Ok(Self::Flat(Flat::Points(points)))
     }
@@ -127,10 +127,10 @@ impl<R: Precision> Area<R> {
         force_limit: R,
     ) -> Result<Box<dyn FrictionSet<R> + Send + Sync>, Refusal> {
         Ok(match self {
-            Self::Flat(flat) => Box::new(PatchSurface::new(flat.clone(), force_limit)?),
+            Self::Flat(flat) => Box::new(ShapeLimitSurface::new(flat.clone(), force_limit)?),
             Self::Round(patch, radius) => {
                 let dry = DryRound::new(patch)?.held();
-                Box::new(LimitSurface::new(dry, force_limit, *radius)?)
+                Box::new(RoundLimitSurface::new(dry, force_limit, *radius)?)
             }
         })
     }

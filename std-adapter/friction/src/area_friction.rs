@@ -5,9 +5,11 @@ use super::{
     Visitor, visit,
 };
 use std::fmt;
-use tribos_core::coupling::flat::{FlatFriction, FlatPower, FlatPowerFriction, PowerPatch};
+use tribos_core::coupling::flat::{
+    PolygonPowerLaw, PowerLawPatch, ShapeFriction, ShapePowerFriction,
+};
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{Coupling, PatchFriction};
+use tribos_core::coupling::{ReducedFriction, RoundFriction};
 use tribos_core::patch::nodes::Node;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
@@ -61,7 +63,7 @@ impl<R: Precision> AreaFriction<R> {
         }
         let made = law.made::<R>()?;
         let kernel: Box<dyn AtTwist<R>> = match (flat, law.power_of_speed()) {
-            (_, Some([mu, 0.0])) => Box::new(FlatFriction::new(flat.clone(), R::from_f64(mu))?),
+            (_, Some([mu, 0.0])) => Box::new(ShapeFriction::new(flat.clone(), R::from_f64(mu))?),
             (Flat::Points(points), _) => Box::new(NodeFriction::new(made, points.nodes().clone())),
             (Flat::Polygon(patch), Some(power)) => of_power(patch.clone(), power)?,
             (Flat::Leaning(patch), Some(power)) => of_power(patch.clone(), power)?,
@@ -182,27 +184,27 @@ trait AtTwist<R: Real>: Send + Sync {
     }
 }
 
-impl<R: Real, C: Coupling<R> + Send + Sync> AtTwist<R> for PatchFriction<R, C> {
+impl<R: Real, C: ReducedFriction<R> + Send + Sync> AtTwist<R> for RoundFriction<R, C> {
     #[inline]
     fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
-        PatchFriction::wrench(self, load, twist)
+        RoundFriction::wrench(self, load, twist)
     }
     #[inline]
     fn jacobian(&self, load: R, twist: &Twist<R>) -> WrenchJacobian<R> {
         self.wrench_jacobian(load, twist)
     }
     fn wrench_batch(&self, load: R, twists: &[Twist<R>], wrenches: &mut [Wrench<R>]) {
-        PatchFriction::wrench_batch(self, load, twists, wrenches);
+        RoundFriction::wrench_batch(self, load, twists, wrenches);
     }
     fn jacobian_batch(&self, load: R, twists: &[Twist<R>], jacobians: &mut [WrenchJacobian<R>]) {
-        PatchFriction::jacobian_batch(self, load, twists, jacobians);
+        RoundFriction::jacobian_batch(self, load, twists, jacobians);
     }
 }
 
-impl<R: Precision> AtTwist<R> for FlatFriction<R, Flat<R>> {
+impl<R: Precision> AtTwist<R> for ShapeFriction<R, Flat<R>> {
     #[inline]
     fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
-        FlatFriction::wrench(self, load, twist)
+        ShapeFriction::wrench(self, load, twist)
     }
     #[inline]
     fn jacobian(&self, load: R, twist: &Twist<R>) -> WrenchJacobian<R> {
@@ -210,10 +212,10 @@ impl<R: Precision> AtTwist<R> for FlatFriction<R, Flat<R>> {
     }
 }
 
-impl<R: Real, P: PowerPatch<R> + Send + Sync> AtTwist<R> for FlatPowerFriction<R, P> {
+impl<R: Real, P: PowerLawPatch<R> + Send + Sync> AtTwist<R> for ShapePowerFriction<R, P> {
     #[inline]
     fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
-        FlatPowerFriction::wrench(self, load, twist)
+        ShapePowerFriction::wrench(self, load, twist)
     }
     #[inline]
     fn jacobian(&self, load: R, twist: &Twist<R>) -> WrenchJacobian<R> {
@@ -234,11 +236,11 @@ impl<R: Real> AtTwist<R> for NodeFriction<AnyLaw<R>, HeldNodes<R>> {
 
 /// A power of the speed on a polygon.
 fn of_power<R: Precision>(
-    patch: impl PowerPatch<R> + Send + Sync + 'static,
+    patch: impl PowerLawPatch<R> + Send + Sync + 'static,
     [gamma, alpha]: [f64; 2],
 ) -> Result<Box<dyn AtTwist<R>>, Refusal> {
-    let power = FlatPower::new(R::from_f64(alpha))?;
-    let friction = FlatPowerFriction::new(patch, R::from_f64(gamma), power)?;
+    let power = PolygonPowerLaw::new(R::from_f64(alpha))?;
+    let friction = ShapePowerFriction::new(patch, R::from_f64(gamma), power)?;
     Ok(Box::new(friction))
 }
 
@@ -251,7 +253,7 @@ struct Boxed<R> {
 impl<R: Precision> Visitor<R> for Boxed<R> {
     type Output = Result<Box<dyn AtTwist<R>>, Refusal>;
     fn visit<P: RoundPower<R> + 'static>(self, friction: P) -> Self::Output {
-        let made = PatchFriction::new(friction, self.coefficient, self.radius)?;
+        let made = RoundFriction::new(friction, self.coefficient, self.radius)?;
         Ok(Box::new(made))
     }
 }

@@ -2,9 +2,9 @@
 
 use std::fmt;
 use tribos_core::law::{
-    CoulombLaw, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPower,
-    PlateauPowerParameters, PowerLaw, RateState, RateStateParameters, Savkoor, SavkoorParameters,
-    Stribeck, StribeckParameters,
+    CoulombLaw, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPowerLaw,
+    PlateauPowerLawParameters, PowerLaw, RateState, RateStateParameters, Savkoor,
+    SavkoorParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -111,7 +111,7 @@ fn power<R: Real + 'static>([gamma, alpha, ..]: Values<R>) -> Made<R> {
 }
 
 fn plateau<R: Real + 'static>([gamma, alpha, vp, vd, r, _]: Values<R>) -> Made<R> {
-    Ok(Box::new(PlateauPower::new(PlateauPowerParameters {
+    Ok(Box::new(PlateauPowerLaw::new(PlateauPowerLawParameters {
         alpha,
         coefficient: gamma,
         plateau_speed: vp,

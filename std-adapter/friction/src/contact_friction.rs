@@ -3,13 +3,13 @@
 use super::surface::DryRound;
 use super::{Area, Refusal};
 use tribos_core::contact::{
-    AllModes, ContactFriction, CoupledFriction, Frictionless, Sliding, SlidingRolling,
-    SlidingTorsion, Thresholds,
+    AllModes, ContactFriction, CoupledFriction, Frictionless, IndependentFriction, SlidingOnly,
+    SlidingRolling, SlidingTorsion,
 };
-use tribos_core::limit_surface::LimitSurface;
+use tribos_core::limit_surface::RoundLimitSurface;
 
 /// The exact set of a round patch.
-type RoundSet = LimitSurface<f64, DryRound<f64>>;
+type RoundSet = RoundLimitSurface<f64, DryRound<f64>>;
 
 /// Friction of a contact, by the modes that it resists.
 ///
@@ -28,11 +28,11 @@ pub struct AnyContactFriction(Kind);
 
 #[derive(Clone, Debug)]
 enum Kind {
-    None(Thresholds<f64, Frictionless>),
-    Sliding(Thresholds<f64, Sliding>),
-    SlidingRolling(Thresholds<f64, SlidingRolling>),
-    SlidingTorsion(Thresholds<f64, SlidingTorsion>),
-    All(Thresholds<f64, AllModes>),
+    None(IndependentFriction<f64, Frictionless>),
+    Sliding(IndependentFriction<f64, SlidingOnly>),
+    SlidingRolling(IndependentFriction<f64, SlidingRolling>),
+    SlidingTorsion(IndependentFriction<f64, SlidingTorsion>),
+    All(IndependentFriction<f64, AllModes>),
     Coupled(Box<CoupledFriction<f64, RoundSet, SlidingTorsion>>),
     CoupledRolling(Box<CoupledFriction<f64, RoundSet, AllModes>>),
 }
@@ -50,12 +50,16 @@ impl AnyContactFriction {
     /// threshold cost nothing.
     pub fn thresholds([mu, rolling, torsion]: [f64; 3]) -> Result<Self, Refusal> {
         // Negative and missing numbers are refused by the full form.
-        let full = Thresholds::all(mu, rolling, torsion)?;
+        let full = IndependentFriction::all(mu, rolling, torsion)?;
         Ok(Self(match [mu == 0.0, rolling == 0.0, torsion == 0.0] {
-            [true, true, true] => Kind::None(Thresholds::none()),
-            [_, true, true] => Kind::Sliding(Thresholds::sliding(mu)?),
-            [_, false, true] => Kind::SlidingRolling(Thresholds::sliding_rolling(mu, rolling)?),
-            [_, true, false] => Kind::SlidingTorsion(Thresholds::sliding_torsion(mu, torsion)?),
+            [true, true, true] => Kind::None(IndependentFriction::none()),
+            [_, true, true] => Kind::Sliding(IndependentFriction::sliding(mu)?),
+            [_, false, true] => {
+                Kind::SlidingRolling(IndependentFriction::sliding_rolling(mu, rolling)?)
+            }
+            [_, true, false] => {
+                Kind::SlidingTorsion(IndependentFriction::sliding_torsion(mu, torsion)?)
+            }
             [_, false, false] => Kind::All(full),
         }))
     }
@@ -68,7 +72,7 @@ impl AnyContactFriction {
                     .into(),
             ));
         };
-        let set = LimitSurface::new(DryRound::new(patch)?, mu, *radius)?;
+        let set = RoundLimitSurface::new(DryRound::new(patch)?, mu, *radius)?;
         Ok(Self(if rolling == 0.0 {
             Kind::Coupled(Box::new(CoupledFriction::sliding_torsion(set)))
         } else {

@@ -5,18 +5,18 @@ use super::{HeldNodes, Refusal, columns};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use tribos_core::coupling::flat::{DryPatch, Hessian, Motion, PointLoad, Reduced};
+use tribos_core::coupling::flat::{Hessian, Motion, PatchShape, PointLoad, Reduced};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
-use tribos_core::patch::outline::{Edge, Linear, OutlineError, Polygon};
-use tribos_core::patch::points::Points;
+use tribos_core::patch::outline::{Edge, LinearPressure, OutlineError, Polygon};
+use tribos_core::patch::points::PointPatch;
 use tribos_core::real::Real;
 
 /// A patch with straight edges or a mesh, as it is written. Lengths are in m.
 ///
 /// ```
 /// use tribos::friction::FlatPatch;
-/// use tribos::kernel::coupling::flat::DryPatch;
+/// use tribos::kernel::coupling::flat::PatchShape;
 /// let crate_: FlatPatch = "box:0.3x0.2".parse()?;
 /// assert_eq!(crate_, FlatPatch::Box([0.3, 0.2]));
 /// assert!((crate_.loaded::<f64>(None)?.radius() - 0.15_f64.hypot(0.1)).abs() < 1e-16);
@@ -41,13 +41,13 @@ pub enum Flat<R: Real> {
     /// Under uniform pressure.
     Polygon(Polygon<R, Vec<Edge<R>>>),
     /// Under linear pressure.
-    Leaning(Polygon<R, Vec<Edge<R>>, Linear<R>>),
+    Leaning(Polygon<R, Vec<Edge<R>>, LinearPressure<R>>),
     /// Without an area.
     Bar(Bar<R>),
     /// Of triangles, each under linear pressure.
     Mesh(Mesh<R, Vec<Triangle<R>>>),
     /// Points with weights.
-    Points(Points<R, HeldNodes<R>>),
+    Points(PointPatch<R, HeldNodes<R>>),
 }
 
 /// Most corners of a file: the check that no edges cross takes the square of their number.
@@ -262,7 +262,7 @@ impl<R: Real> Flat<R> {
     }
 }
 
-impl<R: Real> DryPatch<R> for Flat<R> {
+impl<R: Real> PatchShape<R> for Flat<R> {
     fn centre(&self) -> nalgebra::Vector2<R> {
         match self {
             Self::Polygon(patch) => patch.centre(),

@@ -1,7 +1,7 @@
 //! Whether a patch by name holds a push at rest.
 
 use super::{Patch, Refusal, limit_surface};
-use tribos_core::holding::Holding;
+use tribos_core::holding::StictionBounds;
 use tribos_core::law::DryFriction;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::twist::{Twist, Wrench};
@@ -16,13 +16,13 @@ use tribos_core::twist::{Twist, Wrench};
 ///
 /// ```
 /// use tribos::friction::AtRest;
-/// use tribos::kernel::holding::Hold;
+/// use tribos::kernel::holding::Stiction;
 /// use tribos::kernel::law::DryFriction;
 /// use tribos::prelude::*;
 /// let wood = DryFriction::new(0.5, 0.3)?; // static, kinetic
 /// let book = AtRest::new(&"box:0.2x0.1".parse()?, wood, 10.0, 1.0, None)?; // N; m
 /// let ask = |push: f64| book.holding(&Wrench::new(push, 0.0, 0.0)).hold; // N
-/// assert_eq!([2.0, 4.0, 6.0].map(ask), [Hold::Holds, Hold::Undecided, Hold::Slips]);
+/// assert_eq!([2.0, 4.0, 6.0].map(ask), [Stiction::Holds, Stiction::Undecided, Stiction::Slips]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct AtRest {
@@ -47,8 +47,8 @@ impl AtRest {
     }
 
     /// The answer to a push, with its gauges.
-    pub fn holding(&self, push: &Wrench<f64>) -> Holding<f64> {
-        Holding::of(&*self.certain, &*self.possible, push)
+    pub fn holding(&self, push: &Wrench<f64>) -> StictionBounds<f64> {
+        StictionBounds::of(&*self.certain, &*self.possible, push)
     }
 
     /// The motion that a growing push of this direction starts: |velocity|² + (spin R)² = 1 for the

@@ -97,20 +97,20 @@ pub use visit::{RoundPower, Visitor, leaning, upright, visit};
 use quadrature::{ByNodes, DiskOfAnyLaw};
 use std::fmt;
 use tribos_core::coupling::{
-    Annulus, Coupling, Lateral, PatchFriction, ReducedJacobian, ReducedWrench,
+    Annulus, LateralFriction, ReducedFriction, ReducedJacobian, ReducedWrench, RoundFriction,
 };
 use tribos_core::internals::LateralJacobian;
 use tribos_core::real::Real;
 
 /// Friction of a round patch of radius 1 under unit load: a patch, a law and a tier.
 ///
-/// It is the kernel's coupling for the three, so that all that takes a [`Coupling`] or a [`Lateral`]
+/// It is the kernel's coupling for the three, so that all that takes a [`ReducedFriction`] or a [`LateralFriction`]
 /// takes it. A law that is a power of the speed also has a [`RoundPower`], for final motion and
 /// sliders. *Units*: reduced wrenches are per load and per [`Friction::coefficient`].
 ///
 /// ```
 /// use tribos::friction::{Friction, Law, Patch, Tier};
-/// use tribos::kernel::coupling::Coupling;
+/// use tribos::kernel::coupling::ReducedFriction;
 /// let dry = Friction::<f64>::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?;
 /// assert_eq!((dry.tier(), dry.coefficient(), dry.accuracy()), (Tier::Table, 0.3, 0.0));
 /// assert!((dry.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.0).abs() < 1e-14); // the mean radius
@@ -135,7 +135,7 @@ const SLOWEST: f64 = 2.65e-261;
 
 enum Kind<R: Real> {
     Power(Box<dyn RoundPower<R>>),
-    Quadrature(Box<dyn Lateral<R> + Send + Sync>),
+    Quadrature(Box<dyn LateralFriction<R> + Send + Sync>),
     Nodes(ByNodes<R>),
 }
 
@@ -179,9 +179,9 @@ impl<R: Precision> Friction<R> {
     }
 
     /// The contact of this friction on a patch of `radius`.
-    pub fn with_radius(self, radius: R) -> Result<PatchFriction<R, Self>, tribos_core::Error> {
+    pub fn with_radius(self, radius: R) -> Result<RoundFriction<R, Self>, tribos_core::Error> {
         let coefficient = self.coefficient;
-        PatchFriction::new(self, coefficient, radius)
+        RoundFriction::new(self, coefficient, radius)
     }
 
     /// The reduced friction of a power of the speed, where the law is one and the tier is exact.
@@ -207,7 +207,7 @@ impl<R: Precision> Friction<R> {
         self.exponent_at_rest
     }
 
-    fn lateral_coupling(&self) -> &dyn Lateral<R> {
+    fn lateral_coupling(&self) -> &dyn LateralFriction<R> {
         match &self.kind {
             Kind::Power(power) => power.as_lateral(),
             Kind::Quadrature(coupling) => &**coupling,
@@ -225,7 +225,7 @@ impl<R: Precision> fmt::Debug for Friction<R> {
     }
 }
 
-impl<R: Precision> Coupling<R> for Friction<R> {
+impl<R: Precision> ReducedFriction<R> for Friction<R> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         self.lateral_coupling().reduced_wrench(slide, rim)
     }
@@ -234,7 +234,7 @@ impl<R: Precision> Coupling<R> for Friction<R> {
     }
 }
 
-impl<R: Precision> Lateral<R> for Friction<R> {
+impl<R: Precision> LateralFriction<R> for Friction<R> {
     fn lateral(&self, slide: R, rim: R) -> R {
         self.lateral_coupling().lateral(slide, rim)
     }

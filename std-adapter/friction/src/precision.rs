@@ -5,11 +5,11 @@ use super::catalogue::{Made, Maker, Values};
 use super::quadrature::polynomial;
 use super::visit::Smooth;
 use std::fmt::Debug;
-use tribos_core::coupling::Lateral;
+use tribos_core::coupling::LateralFriction;
 use tribos_core::coupling::round::{
     LateralPolynomialTable, PolynomialTable, RoundTable32, RoundTable64,
 };
-use tribos_core::coupling::table::{Table32, Table64};
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
 use tribos_core::internals::SmoothProfile;
 use tribos_core::law::LawError;
 use tribos_core::patch::PowerPressure;
@@ -19,7 +19,7 @@ use tribos_core::real::Real;
 ///
 /// ```
 /// use tribos::friction::{Friction, Law, Patch, Precision, Refusal};
-/// use tribos::kernel::coupling::Coupling;
+/// use tribos::kernel::coupling::ReducedFriction;
 /// fn torque<R: Precision>() -> Result<f64, Refusal> {
 ///     let ring = Friction::<R>::new(&Patch::Ring, &Law::coulomb(0.3)?, None)?;
 ///     Ok(ring.reduced_wrench(R::ZERO, R::ONE).torque.to_f64())
@@ -38,8 +38,14 @@ pub(super) mod sealed {
     /// The kernel's tables and laws in one precision.
     pub trait Tables: Real + Debug {
         const HAS_POLYNOMIALS: bool;
-        type Disk: SmoothProfile<Self> + Lateral<Self> + Send + Sync + 'static;
-        type Round: SmoothProfile<Self> + Lateral<Self> + Copy + Debug + Send + Sync + 'static;
+        type Disk: SmoothProfile<Self> + LateralFriction<Self> + Send + Sync + 'static;
+        type Round: SmoothProfile<Self>
+            + LateralFriction<Self>
+            + Copy
+            + Debug
+            + Send
+            + Sync
+            + 'static;
         /// Under dry friction alone.
         type Polynomial: SmoothProfile<Self> + Copy + Debug + Send + Sync + 'static;
         fn disk(alpha: Self) -> Result<Self::Disk, LawError>;
@@ -56,11 +62,11 @@ pub(super) mod sealed {
 
     impl Tables for f64 {
         const HAS_POLYNOMIALS: bool = true;
-        type Disk = Table64;
+        type Disk = DiskTable64;
         type Round = RoundTable64;
         type Polynomial = PolynomialTable;
-        fn disk(alpha: f64) -> Result<Table64, LawError> {
-            Table64::new(alpha)
+        fn disk(alpha: f64) -> Result<DiskTable64, LawError> {
+            DiskTable64::new(alpha)
         }
         fn round(alpha: f64, pressure: PowerPressure) -> Result<RoundTable64, LawError> {
             RoundTable64::new(alpha, pressure)
@@ -83,12 +89,12 @@ pub(super) mod sealed {
 
     impl Tables for f32 {
         const HAS_POLYNOMIALS: bool = false;
-        type Disk = Table32;
+        type Disk = DiskTable32;
         type Round = RoundTable32;
         // None is ever made.
         type Polynomial = RoundTable32;
-        fn disk(alpha: f32) -> Result<Table32, LawError> {
-            Table32::new(alpha)
+        fn disk(alpha: f32) -> Result<DiskTable32, LawError> {
+            DiskTable32::new(alpha)
         }
         fn round(alpha: f32, pressure: PowerPressure) -> Result<RoundTable32, LawError> {
             RoundTable32::new(alpha, pressure)

@@ -4,12 +4,12 @@ use super::patch::MOST_COEFFICIENTS;
 use super::{AnyLaw, HeldNodes, Law, Patch, Precision, Refusal};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::{Coupling, Lateral, ReducedJacobian, ReducedWrench};
+use tribos_core::coupling::{LateralFriction, ReducedFriction, ReducedJacobian, ReducedWrench};
 use tribos_core::internals::LateralJacobian;
 use tribos_core::law::LocalLaw;
 use tribos_core::patch::PolynomialPressure;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -98,7 +98,7 @@ impl<R: Real> DiskOfAnyLaw<R> {
     }
 }
 
-impl<R: Real> Coupling<R> for DiskOfAnyLaw<R> {
+impl<R: Real> ReducedFriction<R> for DiskOfAnyLaw<R> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         self.disk.reduced_wrench(slide, rim)
     }
@@ -107,7 +107,7 @@ impl<R: Real> Coupling<R> for DiskOfAnyLaw<R> {
     }
 }
 
-impl<R: Real> Lateral<R> for DiskOfAnyLaw<R> {
+impl<R: Real> LateralFriction<R> for DiskOfAnyLaw<R> {
     fn lateral(&self, slide: R, rim: R) -> R {
         let (slide, rim) = (slide.abs(), rim.abs());
         if rim == R::ZERO {
@@ -181,7 +181,7 @@ impl<R: Real> ByNodes<R> {
     }
 }
 
-impl<R: Real> Coupling<R> for ByNodes<R> {
+impl<R: Real> ReducedFriction<R> for ByNodes<R> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         let twist = Twist::new(slide.abs(), R::ZERO, rim.abs());
         let wrench = self.friction.wrench(R::ONE, &twist);
@@ -203,7 +203,7 @@ impl<R: Real> Coupling<R> for ByNodes<R> {
     }
 }
 
-impl<R: Real> Lateral<R> for ByNodes<R> {
+impl<R: Real> LateralFriction<R> for ByNodes<R> {
     fn lateral(&self, slide: R, rim: R) -> R {
         self.mean(slide.abs(), rim.abs(), |node, [_, y]| node.x * y)
     }
@@ -254,7 +254,7 @@ pub fn round_nodes<R: Real>(
 ) -> Result<Vec<Node<R>>, Refusal> {
     let angles = 2 * rings;
     let lean = |x: R| R::ONE + tilt * x / radius;
-    let rule = || PolarRule::new(radius, rings, angles);
+    let rule = || PolarQuadrature::new(radius, rings, angles);
     match patch {
         Patch::Points(_) | Patch::Flat(_) => Err(Refusal::NoAxis),
         Patch::Ring => {

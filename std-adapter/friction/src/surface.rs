@@ -4,10 +4,13 @@ use super::{Area, Flat, Patch, Precision, Refusal, columns};
 use std::fmt;
 use std::path::Path;
 use tribos_core::coupling::{
-    Annulus, Coupling, Dry, DryCoupling, ReducedJacobian, ReducedWrench, closed, table::Coulomb,
+    Annulus, DryProfile, DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench,
+    closed, table::CoulombDisk,
 };
 use tribos_core::internals::Lead;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::limit_surface::{
+    FrictionSet, LimitEllipsoid, RoundLimitSurface, ShapeLimitSurface,
+};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodePatch, NodeSlice};
 use tribos_core::real::Real;
@@ -95,12 +98,14 @@ impl LimitSurfaces {
         work: impl FnOnce(&dyn FrictionSet<f64>) -> T,
     ) -> Result<T, Refusal> {
         Ok(match &self.0 {
-            Kind::Round { dry, radius } => work(&LimitSurface::new(&**dry, force_limit, *radius)?),
-            Kind::Flat(flat) => work(&PatchSurface::new(flat, force_limit)?),
+            Kind::Round { dry, radius } => {
+                work(&RoundLimitSurface::new(&**dry, force_limit, *radius)?)
+            }
+            Kind::Flat(flat) => work(&ShapeLimitSurface::new(flat, force_limit)?),
             Kind::Ellipsoid {
                 radius,
                 spin_torque,
-            } => work(&Ellipsoid::new(force_limit, *radius, *spin_torque)?),
+            } => work(&LimitEllipsoid::new(force_limit, *radius, *spin_torque)?),
         })
     }
 
@@ -125,7 +130,7 @@ impl LimitSurfaces {
                     .into(),
             ));
         };
-        let surface = PatchSurface::new(flat, force_limit)?;
+        let surface = ShapeLimitSurface::new(flat, force_limit)?;
         Ok(surface.torque_limits(force).unwrap_or([f64::NAN; 2]))
     }
 }
@@ -137,29 +142,29 @@ impl LimitSurfaces {
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub enum DryRound<R: Precision> {
-    Disk(Coulomb),
-    Ring(closed::Ring),
-    Hertz(closed::Hertz),
-    Punch(closed::FlatPunch),
-    Annulus(Annulus<R, Coulomb>),
-    Power(Dry<R::Round>),
-    Polynomial(Dry<R::Polynomial>),
+    Disk(CoulombDisk),
+    Ring(closed::CoulombRing),
+    Hertz(closed::CoulombHertz),
+    Punch(closed::CoulombPunch),
+    Annulus(Annulus<R, CoulombDisk>),
+    Power(DryProfile<R::Round>),
+    Polynomial(DryProfile<R::Polynomial>),
 }
 
 impl<R: Precision> DryRound<R> {
     pub(super) fn new(patch: &Patch) -> Result<Self, Refusal> {
         Ok(match patch {
-            Patch::Disk => Self::Disk(Coulomb),
-            Patch::Ring => Self::Ring(closed::Ring),
-            Patch::Hertz => Self::Hertz(closed::Hertz),
-            Patch::Punch => Self::Punch(closed::FlatPunch),
-            Patch::Annulus(inner) => Self::Annulus(Annulus::new(Coulomb, R::from_f64(*inner))?),
+            Patch::Disk => Self::Disk(CoulombDisk),
+            Patch::Ring => Self::Ring(closed::CoulombRing),
+            Patch::Hertz => Self::Hertz(closed::CoulombHertz),
+            Patch::Punch => Self::Punch(closed::CoulombPunch),
+            Patch::Annulus(inner) => Self::Annulus(Annulus::new(CoulombDisk, R::from_f64(*inner))?),
             Patch::Paraboloid | Patch::Power(_) => {
                 let pressure = patch.pressure().ok_or(Refusal::NoAxis)?;
-                Self::Power(Dry::new(R::round(R::ZERO, pressure)?)?)
+                Self::Power(DryProfile::new(R::round(R::ZERO, pressure)?)?)
             }
             Patch::Polynomial(coefficients) => {
-                Self::Polynomial(Dry::new(R::dry_polynomial(coefficients)?)?)
+                Self::Polynomial(DryProfile::new(R::dry_polynomial(coefficients)?)?)
             }
             Patch::Points(_) | Patch::Flat(_) => return Err(Refusal::NoAxis),
         })
@@ -179,7 +184,7 @@ impl<R: Precision> DryRound<R> {
     }
 }
 
-impl<R: Precision> Coupling<R> for DryRound<R> {
+impl<R: Precision> ReducedFriction<R> for DryRound<R> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         match self {
             Self::Disk(dry) => dry.reduced_wrench(slide, rim),
@@ -204,7 +209,7 @@ impl<R: Precision> Coupling<R> for DryRound<R> {
     }
 }
 
-impl<R: Precision> DryCoupling<R> for DryRound<R> {
+impl<R: Precision> DryReducedFriction<R> for DryRound<R> {
     fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
         match self {
             Self::Disk(dry) => dry.reduced_point(lead, ratio),
@@ -219,11 +224,11 @@ impl<R: Precision> DryCoupling<R> for DryRound<R> {
 }
 
 /// Dry friction of a round area of radius 1, behind a pointer.
-pub trait Held<R: Real>: DryCoupling<R> + fmt::Debug + Send + Sync {}
+pub trait Held<R: Real>: DryReducedFriction<R> + fmt::Debug + Send + Sync {}
 
-impl<R: Real, C: DryCoupling<R> + fmt::Debug + Send + Sync> Held<R> for C {}
+impl<R: Real, C: DryReducedFriction<R> + fmt::Debug + Send + Sync> Held<R> for C {}
 
-impl<R: Real> Coupling<R> for Box<dyn Held<R>> {
+impl<R: Real> ReducedFriction<R> for Box<dyn Held<R>> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         (**self).reduced_wrench(slide, rim)
     }
@@ -232,7 +237,7 @@ impl<R: Real> Coupling<R> for Box<dyn Held<R>> {
     }
 }
 
-impl<R: Real> DryCoupling<R> for Box<dyn Held<R>> {
+impl<R: Real> DryReducedFriction<R> for Box<dyn Held<R>> {
     fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
         (**self).reduced_point(lead, ratio)
     }

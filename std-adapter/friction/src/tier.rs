@@ -83,10 +83,10 @@ impl Tier {
                 "serves coefficient * |v|^alpha alone; other laws are served by quadrature".into(),
                 None,
             ),
-            (Self::Table, Some([_, alpha])) if alpha > table::Table64::MAX_EXPONENT => refused(
+            (Self::Table, Some([_, alpha])) if alpha > table::DiskTable64::MAX_EXPONENT => refused(
                 format!(
                     "serves -1 < alpha <= {}, not {alpha}",
-                    table::Table64::MAX_EXPONENT
+                    table::DiskTable64::MAX_EXPONENT
                 ),
                 Some(if is_polynomial {
                     Self::Quadrature
@@ -99,7 +99,7 @@ impl Tier {
             }
             (Self::Compact, Some([_, alpha])) if is_polynomial => refused(
                 "does not serve polynomial pressures".into(),
-                Some(if alpha > table::Table64::MAX_EXPONENT {
+                Some(if alpha > table::DiskTable64::MAX_EXPONENT {
                     Self::Quadrature
                 } else {
                     Self::Table

@@ -1,7 +1,10 @@
 //! The kernel's own type of a patch, an exponent and a tier: decided here and nowhere else.
 
 use super::{Law, Patch, Precision, Refusal, Tier};
-use tribos_core::coupling::{Annulus, Dry, DryCoupling, Lateral, Profile, closed, compact, table};
+use tribos_core::coupling::{
+    Annulus, DryProfile, DryReducedFriction, LateralFriction, PowerLawFriction, closed, compact,
+    table,
+};
 use tribos_core::internals::{LeanProfile, SmoothProfile};
 use tribos_core::patch::PowerPressure;
 use tribos_core::real::Real;
@@ -37,22 +40,22 @@ pub trait Visitor<R: Real> {
 ///
 /// ```
 /// use tribos::friction::{Friction, Law, Patch, RoundPower};
-/// use tribos::kernel::modes::{FinalMode, Modes};
+/// use tribos::kernel::modes::{TerminalMode, TerminalMotion};
 /// let disk = Friction::<f64>::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?;
 /// let profile: &dyn RoundPower<f64> = disk.power().ok_or("a power of the speed")?;
-/// let mode = Modes::new(profile, 0.5)?.final_mode(1.0);
-/// assert!(matches!(mode, FinalMode::Together { ratio } if (ratio - 0.653).abs() < 1e-3));
+/// let mode = TerminalMotion::new(profile, 0.5)?.final_mode(1.0);
+/// assert!(matches!(mode, TerminalMode::Together { ratio } if (ratio - 0.653).abs() < 1e-3));
 /// let lateral = profile.as_lateral().lateral(1.0, 1.0);
 /// assert!((lateral - 32.0 / (45.0 * std::f64::consts::PI)).abs() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub trait RoundPower<R: Real>: Profile<R> + Lateral<R> + Send + Sync {
+pub trait RoundPower<R: Real>: PowerLawFriction<R> + LateralFriction<R> + Send + Sync {
     /// The same as a lateral coupling.
-    fn as_lateral(&self) -> &dyn Lateral<R>;
+    fn as_lateral(&self) -> &dyn LateralFriction<R>;
 }
 
-impl<R: Real, P: Profile<R> + Lateral<R> + Send + Sync> RoundPower<R> for P {
-    fn as_lateral(&self) -> &dyn Lateral<R> {
+impl<R: Real, P: PowerLawFriction<R> + LateralFriction<R> + Send + Sync> RoundPower<R> for P {
+    fn as_lateral(&self) -> &dyn LateralFriction<R> {
         self
     }
 }
@@ -91,20 +94,20 @@ pub fn visit_disk<R: Precision, V: Visitor<R>>(
 ///
 /// ```
 /// use tribos::friction::{Patch, leaning};
-/// use tribos::kernel::modes::{FinalMode, Modes};
+/// use tribos::kernel::modes::{TerminalMode, TerminalMotion};
 /// let ratio = |lean: f64| -> Result<f64, Box<dyn std::error::Error>> {
 ///     let tall = leaning(&Patch::Disk, lean)?;
-///     match Modes::new(&*tall, 0.5)?.final_mode(1.0) {
-///         FinalMode::Together { ratio } => Ok(ratio),
+///     match TerminalMotion::new(&*tall, 0.5)?.final_mode(1.0) {
+///         TerminalMode::Together { ratio } => Ok(ratio),
 ///         other => Err(format!("{other:?}").into()),
 ///     }
 /// };
 /// assert!(ratio(0.8)? > ratio(0.0)?); // it settles at a larger ratio of sliding to spinning
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn Profile<f64>>, Refusal> {
+pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn PowerLawFriction<f64>>, Refusal> {
     match patch {
-        Patch::Annulus(inner) => Leaned(lean).dry(Annulus::new(table::Coulomb, *inner)?),
+        Patch::Annulus(inner) => Leaned(lean).dry(Annulus::new(table::CoulombDisk, *inner)?),
         _ if patch.has_closed_form() => smooth(patch, 0.0, Tier::Compact, Leaned(lean)),
         _ => smooth(patch, 0.0, Tier::Table, Leaned(lean)),
     }
@@ -115,9 +118,9 @@ pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn Profile<f64>>, Refusa
 ///
 /// ```
 /// use tribos::friction::{Patch, upright};
-/// use tribos::kernel::modes::{Modes, inertia_interval};
+/// use tribos::kernel::modes::{TerminalMotion, inertia_interval};
 /// let ring = upright(&Patch::Ring, 0.0)?;
-/// assert_eq!(Modes::new(&*ring, 1.0)?.inertia_interval(), inertia_interval(0.0, -1.0));
+/// assert_eq!(TerminalMotion::new(&*ring, 1.0)?.inertia_interval(), inertia_interval(0.0, -1.0));
 /// assert!(upright(&Patch::Polynomial(vec![1.0]), 20.0).is_err()); // tables end at 10
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -144,9 +147,9 @@ fn smooth<R: Precision, V: Smooth<R>>(
         (_, Tier::Quadrature) => Err(Refusal::NoProfile),
         (Patch::Polynomial(a), _) => R::polynomial(narrow, a, visitor),
         (_, Tier::Table) => visitor.smooth(R::round(narrow, pressure)?),
-        (Patch::Ring, _) if is_dry => visitor.smooth(closed::Ring),
-        (Patch::Hertz, _) if is_dry => visitor.smooth(closed::Hertz),
-        (Patch::Punch, _) if is_dry => visitor.smooth(closed::FlatPunch),
+        (Patch::Ring, _) if is_dry => visitor.smooth(closed::CoulombRing),
+        (Patch::Hertz, _) if is_dry => visitor.smooth(closed::CoulombHertz),
+        (Patch::Punch, _) if is_dry => visitor.smooth(closed::CoulombPunch),
         _ => visitor.smooth(compact::CompactPower::with_pressure(narrow, pressure)?),
     }
 }
@@ -159,9 +162,9 @@ fn disk<R: Precision, V: Smooth<R>>(
 ) -> Result<V::Output, Refusal> {
     let narrow = R::from_f64(alpha);
     match tier {
-        Tier::Table if alpha == 0.0 => visitor.smooth(table::Coulomb),
+        Tier::Table if alpha == 0.0 => visitor.smooth(table::CoulombDisk),
         Tier::Table => visitor.smooth(R::disk(narrow)?),
-        Tier::Compact if alpha == 0.0 => visitor.smooth(compact::CompactCoulomb),
+        Tier::Compact if alpha == 0.0 => visitor.smooth(compact::CompactCoulombDisk),
         Tier::Compact => visitor.smooth(compact::CompactPower::new(narrow)?),
         Tier::Quadrature => Err(Refusal::NoProfile),
     }
@@ -174,7 +177,7 @@ pub trait Smooth<R: Real> {
     /// Does the work.
     fn smooth<P>(self, friction: P) -> Result<Self::Output, Refusal>
     where
-        P: SmoothProfile<R> + Lateral<R> + Send + Sync + 'static;
+        P: SmoothProfile<R> + LateralFriction<R> + Send + Sync + 'static;
 }
 
 /// A visitor of patches that are no annulus.
@@ -184,7 +187,7 @@ impl<R: Real, V: Visitor<R>> Smooth<R> for Plain<V> {
     type Output = V::Output;
     fn smooth<P>(self, friction: P) -> Result<V::Output, Refusal>
     where
-        P: SmoothProfile<R> + Lateral<R> + Send + Sync + 'static,
+        P: SmoothProfile<R> + LateralFriction<R> + Send + Sync + 'static,
     {
         Ok(self.0.visit(friction))
     }
@@ -200,7 +203,7 @@ impl<R: Real + 'static, V: Visitor<R>> Smooth<R> for InAnnulus<R, V> {
     type Output = V::Output;
     fn smooth<P>(self, disk: P) -> Result<V::Output, Refusal>
     where
-        P: SmoothProfile<R> + Lateral<R> + Send + Sync + 'static,
+        P: SmoothProfile<R> + LateralFriction<R> + Send + Sync + 'static,
     {
         Ok(self.visitor.visit(Annulus::new(disk, self.inner)?))
     }
@@ -210,21 +213,21 @@ impl<R: Real + 'static, V: Visitor<R>> Smooth<R> for InAnnulus<R, V> {
 struct Leaned(f64);
 
 impl Leaned {
-    fn dry<P>(&self, foot: P) -> Result<Box<dyn Profile<f64>>, Refusal>
+    fn dry<P>(&self, foot: P) -> Result<Box<dyn PowerLawFriction<f64>>, Refusal>
     where
-        P: Profile<f64> + DryCoupling<f64> + Lateral<f64> + 'static,
+        P: PowerLawFriction<f64> + DryReducedFriction<f64> + LateralFriction<f64> + 'static,
     {
         Ok(Box::new(LeanProfile::new(foot, self.0)?))
     }
 }
 
 impl Smooth<f64> for Leaned {
-    type Output = Box<dyn Profile<f64>>;
+    type Output = Box<dyn PowerLawFriction<f64>>;
     fn smooth<P>(self, foot: P) -> Result<Self::Output, Refusal>
     where
-        P: SmoothProfile<f64> + Lateral<f64> + Send + Sync + 'static,
+        P: SmoothProfile<f64> + LateralFriction<f64> + Send + Sync + 'static,
     {
-        self.dry(Dry::new(foot)?)
+        self.dry(DryProfile::new(foot)?)
     }
 }
 

@@ -18,7 +18,7 @@ pub const LEFT_OUT: [(&str, &str); 4] = [
 /// A public function.
 #[derive(Clone, Debug)]
 pub struct Function {
-    /// As Rust writes it: `<coupling::Dry<P> as coupling::Coupling<R>>::reduced_wrench`.
+    /// As Rust writes it: `<coupling::DryProfile<P> as coupling::ReducedFriction<R>>::reduced_wrench`.
     pub path: String,
     /// Where it is defined, without generic arguments: `law::drag::reynolds`,
     /// `coupling::dry::Dry::new` or `coupling::dry::Dry as Coupling::reduced_wrench`; none where the

@@ -249,7 +249,7 @@ pub const CONSTANTS: &[(&str, [&[&str]; 2])] = &[
     ("BODIES", [&["3"], &["3"]]),
     ("CONTACTS", [&["2"], &["2"]]),
     ("STEPS", [&["3"], &["3"]]),
-    // Those of `Table32`, `RoundTable32`; `Table64`, `RoundTable64`.
+    // Those of `DiskTable32`, `RoundTable32`; `DiskTable64`, `RoundTable64`.
     ("CELLS", [&["34", "48"], &["52", "106"]]),
     ("TERMS", [&["6"], &["13"]]),
 ];

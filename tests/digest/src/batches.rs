@@ -3,8 +3,8 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, arguments, ends, twist};
 use tribos_core::coupling::round::{RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{self, Table32, Table64};
-use tribos_core::coupling::{Coupling, PatchFriction, ReducedJacobian, ReducedWrench};
+use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
+use tribos_core::coupling::{ReducedFriction, ReducedJacobian, ReducedWrench, RoundFriction};
 use tribos_core::patch::PowerPressure;
 use tribos_core::real::Real;
 use tribos_core::twist::{Wrench, WrenchJacobian};
@@ -19,8 +19,11 @@ pub fn batches() -> u64 {
     let mut hash = Fnv::new();
     hash.feed(in_both(dry::<f64>, dry::<f32>));
     for alpha in [-0.75, 0.375, 1.0] {
-        of(&mut hash, &Table64::new(alpha).expect("in range"));
-        of(&mut hash, &Table32::new(alpha as f32).expect("in range"));
+        of(&mut hash, &DiskTable64::new(alpha).expect("in range"));
+        of(
+            &mut hash,
+            &DiskTable32::new(alpha as f32).expect("in range"),
+        );
         let hertz = RoundTable64::new(alpha, PowerPressure::HERTZ).expect("in range");
         of(&mut hash, &hertz);
         let hertz = RoundTable32::new(alpha as f32, PowerPressure::HERTZ).expect("in range");
@@ -30,12 +33,12 @@ pub fn batches() -> u64 {
 }
 
 fn dry<R: Real>(hash: &mut Fnv) {
-    of::<R, _>(hash, &table::Coulomb);
+    of::<R, _>(hash, &table::CoulombDisk);
 }
 
-fn of<R: Real, C: Coupling<R>>(hash: &mut Fnv, coupling: &C) {
+fn of<R: Real, C: ReducedFriction<R>>(hash: &mut Fnv, coupling: &C) {
     let [coefficient, radius, load] = [0.3, 0.0625, 1.75].map(R::from_f64);
-    let patch = PatchFriction::new(coupling, coefficient, radius).expect("in range");
+    let patch = RoundFriction::new(coupling, coefficient, radius).expect("in range");
     for seed in 0..BATCHES {
         let (mut slides, mut rims) = ([R::ZERO; SPEEDS], [R::ZERO; SPEEDS]);
         let speeds = slides.iter_mut().zip(&mut rims);
@@ -67,7 +70,7 @@ fn of<R: Real, C: Coupling<R>>(hash: &mut Fnv, coupling: &C) {
     }
 }
 
-fn reduced<R: Real, C: Coupling<R>>(hash: &mut Fnv, coupling: &C, slides: &[R], rims: &[R]) {
+fn reduced<R: Real, C: ReducedFriction<R>>(hash: &mut Fnv, coupling: &C, slides: &[R], rims: &[R]) {
     let (mut forces, mut torques) = ([R::ZERO; SPEEDS], [R::ZERO; SPEEDS]);
     coupling.reduced_wrench_batch(slides, rims, &mut forces, &mut torques);
     let mut jacobians = [ReducedJacobian::default(); SPEEDS];

@@ -3,7 +3,8 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, speed, twist};
 use tribos_core::bond::{
-    BondLaw, Bonds, Exponential, OneStrength, ReForming, Release, Saturating, Weibull,
+    BondLaw, Bonds, BrittleBond, ExponentialBond, FailureMode, PlasticBond, ReformingBond,
+    WeibullBond,
 };
 use tribos_core::patch::nodes::{NodePatch, Nodes};
 use tribos_core::real::Real;
@@ -19,9 +20,9 @@ pub fn bonds() -> u64 {
 
 fn bonds_of<R: Real>(hash: &mut Fnv) {
     let (k, x0) = (R::from_f64(3.0), R::from_f64(0.375));
-    let exponential = Exponential::new(k, x0).expect("positive");
-    let brittle = OneStrength::new(k, x0).expect("positive");
-    let plastic = Saturating::new(k, x0).expect("positive");
+    let exponential = ExponentialBond::new(k, x0).expect("positive");
+    let brittle = BrittleBond::new(k, x0).expect("positive");
+    let plastic = PlasticBond::new(k, x0).expect("positive");
     for strain in ends::<R>() {
         hash.numbers([exponential.energy(strain), brittle.energy(strain)]);
         hash.number(plastic.energy(strain));
@@ -32,34 +33,38 @@ fn bonds_of<R: Real>(hash: &mut Fnv) {
     for exponent in [0.5, 2.0, 8.0] {
         law(
             hash,
-            &Weibull::new(k, x0, R::from_f64(exponent)).expect("positive"),
+            &WeibullBond::new(k, x0, R::from_f64(exponent)).expect("positive"),
         );
     }
     for stages in [1, 2, 7, 40] {
-        law(hash, &ReForming::new(k, x0, stages).expect("in range"));
+        law(hash, &ReformingBond::new(k, x0, stages).expect("in range"));
     }
-    law(hash, &ReForming::one_strength(k, x0).expect("positive"));
+    law(hash, &ReformingBond::one_strength(k, x0).expect("positive"));
     for (x, y) in pairs_of_ends::<R>() {
-        hash.verdict(&Exponential::new(x, y));
-        hash.verdict(&OneStrength::new(x, y));
-        hash.verdict(&Saturating::new(x, y));
-        hash.verdict(&Weibull::new(k, x, y));
-        hash.verdict(&ReForming::one_strength(x, y));
-        hash.verdict(&ReForming::new(x, y, 3));
+        hash.verdict(&ExponentialBond::new(x, y));
+        hash.verdict(&BrittleBond::new(x, y));
+        hash.verdict(&PlasticBond::new(x, y));
+        hash.verdict(&WeibullBond::new(k, x, y));
+        hash.verdict(&ReformingBond::one_strength(x, y));
+        hash.verdict(&ReformingBond::new(x, y, 3));
     }
     for stages in [0, 1, 1000, 1001] {
-        hash.verdict(&ReForming::new(k, x0, stages));
+        hash.verdict(&ReformingBond::new(k, x0, stages));
     }
 }
 
 /// A law alone, and under three feet.
 fn law<R: Real, L: BondLaw<R>>(hash: &mut Fnv, law: &L) {
     hash.numbers([law.stiffness(), law.peak(), law.plateau()]);
-    hash.feed(u64::from(law.is_abrupt()));
+    hash.feed(u64::from(law.is_brittle()));
     let mut rng = Lcg::new(97);
     let strains = (0..DISPLACEMENTS).map(|_| speed::<R>(&mut rng));
     for strain in strains.chain(ends()) {
-        hash.numbers([law.friction(strain), law.slope(strain), law.across(strain)]);
+        hash.numbers([
+            law.friction(strain),
+            law.slope(strain),
+            law.transverse_stiffness(strain),
+        ]);
     }
     let feet = [[0.0, 0.0], [0.75, 0.125], [0.25, 0.5]].map(|foot| foot.map(R::from_f64));
     let stool = Nodes::tripod(feet, [0.3, 0.2].map(R::from_f64)).expect("it stands");
@@ -84,10 +89,10 @@ fn onsets<R: Real, L: BondLaw<R>, P: NodePatch<R>>(hash: &mut Fnv, bonds: &Bonds
             hash.twist(&onset.displacement);
             hash.wrench(&onset.push);
             hash.feed(match onset.release {
-                Release::Breaks => 1,
-                Release::Softens => 2,
-                Release::Yields => 3,
-                Release::Holds => 4,
+                FailureMode::Breaks => 1,
+                FailureMode::Softens => 2,
+                FailureMode::Yields => 3,
+                FailureMode::Holds => 4,
             });
         }
     }

@@ -5,12 +5,12 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, speed};
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Cohesion, Contact, ContactFriction, ContactModes, CoupledFriction, Modal,
-    NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch,
+    Attraction, Cohesion, Contact, ContactFriction, ContactGeometry, ContactModes, ContactVector,
+    CoupledFriction, IndependentFriction, NormalLaw, SphereBody, TimeStep, WallBody,
 };
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
-use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
+use tribos_core::manifold::{ContactSystem, InitialGuess, SolverSettings};
 use tribos_core::real::Real;
 
 /// Hash of updates of contacts under every friction, f64 and f32.
@@ -20,23 +20,26 @@ pub fn contacts() -> u64 {
 
 fn contacts_of<R: Real>(hash: &mut Fnv) {
     let [mu, mu_t, mu_n] = [0.5, 0.125, 0.25].map(R::from_f64);
-    let exact = LimitSurface::new(Coulomb, mu, mu_n).expect("in range");
-    let usual = Ellipsoid::new(mu, mu_n, R::HALF).expect("in range");
-    met::<R, _>(hash, &Thresholds::none());
-    met(hash, &Thresholds::sliding(mu).expect("in range"));
+    let exact = RoundLimitSurface::new(CoulombDisk, mu, mu_n).expect("in range");
+    let usual = LimitEllipsoid::new(mu, mu_n, R::HALF).expect("in range");
+    met::<R, _>(hash, &IndependentFriction::none());
+    met(hash, &IndependentFriction::sliding(mu).expect("in range"));
     met(
         hash,
-        &Thresholds::sliding_rolling(mu, mu_t).expect("in range"),
+        &IndependentFriction::sliding_rolling(mu, mu_t).expect("in range"),
     );
-    met(hash, &Thresholds::all(mu, mu_t, mu_n).expect("in range"));
+    met(
+        hash,
+        &IndependentFriction::all(mu, mu_t, mu_n).expect("in range"),
+    );
     met(hash, &CoupledFriction::sliding_torsion(exact));
     met(hash, &CoupledFriction::all(usual, mu_t).expect("in range"));
 }
 
-pub(crate) fn sphere<R: Real>(rng: &mut Lcg, radius: R) -> Sphere<R> {
+pub(crate) fn sphere<R: Real>(rng: &mut Lcg, radius: R) -> SphereBody<R> {
     let mut vector = || Vector3::from([(); 3].map(|()| speed::<R>(rng) - speed::<R>(rng)));
     let inv_mass = R::ONE / (radius * radius * radius);
-    Sphere {
+    SphereBody {
         velocity: vector(),
         spin: vector(),
         inv_mass,
@@ -54,10 +57,10 @@ fn met<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
         let law = NormalLaw::new(cohesion, restitution).expect("in range");
         let radii = [R::ONE, R::from_f64([1.0, 0.25, 1.75][round % 3])];
         let across = sphere(&mut rng, R::ONE).velocity;
-        let Ok(touch) = Touch::spheres(&across, radii) else {
+        let Ok(touch) = ContactGeometry::spheres(&across, radii) else {
             continue;
         };
-        let touch = Touch {
+        let touch = ContactGeometry {
             gap: R::from_f64([0.0, 0.125, -0.5][round / 2 % 3]),
             ..touch
         };
@@ -81,31 +84,33 @@ fn met<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
 /// A ball between two plates, followed for some steps.
 fn manifold<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
     let law = NormalLaw::new(Cohesion::NONE, R::ZERO).expect("in range");
-    let mut grip = Manifold::<R, F, 3, 2>::new(law, *friction);
+    let mut grip = ContactSystem::<R, F, 3, 2>::new(law, *friction);
     let mut rng = Lcg::new(53);
     let ball = grip.push_sphere(sphere(&mut rng, R::ONE)).expect("room");
     let along = |sign: f64| Vector3::new(R::from_f64(sign), R::ZERO, R::ZERO);
     let still = along(0.0);
     for side in [1.0, -1.0] {
         let (velocity, inv_mass) = (still, R::HALF);
-        let plate = grip.push_plate(Plate { velocity, inv_mass }).expect("room");
+        let plate = grip
+            .push_plate(WallBody { velocity, inv_mass })
+            .expect("room");
         grip.set_force(plate, along(8.0 * side), still)
             .expect("it is there");
-        let touch = Touch::plate(R::ONE, &along(side), R::ONE).expect("they touch");
+        let touch = ContactGeometry::plate(R::ONE, &along(side), R::ONE).expect("they touch");
         grip.push_contact(ball, plate, touch).expect("room");
     }
     grip.set_gravity(Vector3::new(R::ZERO, R::ZERO, -R::ONE));
     let step = TimeStep::new(R::from_f64(0.125)).expect("positive");
-    let stop = SolverLimits {
-        sweeps: 20,
+    let stop = SolverSettings {
+        max_iterations: 20,
         tolerance: R::from_f64(0.0009765625),
     };
     for _ in 0..8 {
         let report = grip.solve(step, InitialGuess::Last, stop);
         hash.number(report.residual);
-        hash.feed(u64::from(report.sweeps));
+        hash.feed(u64::from(report.iterations));
     }
-    if let Some(tribos_core::manifold::Member::Sphere(ball)) = grip.body(ball) {
+    if let Some(tribos_core::manifold::SystemBody::Sphere(ball)) = grip.body(ball) {
         for x in ball.velocity.iter().chain(ball.spin.iter()) {
             hash.number(*x);
         }
@@ -113,7 +118,7 @@ fn manifold<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
 }
 
 /// All components: normal, sliding, rolling, torsion.
-pub(crate) fn components<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>) -> [R; 8] {
+pub(crate) fn components<R: Real, M: ContactModes<R>>(modal: &ContactVector<R, M>) -> [R; 8] {
     let (s, r) = (modal.sliding(), modal.rolling());
     let torsion = modal.torsion();
     [modal.normal, s.x, s.y, s.z, r.x, r.y, r.z, torsion]

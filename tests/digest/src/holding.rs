@@ -4,11 +4,11 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, triples_of_ends, twist, unit};
 use nalgebra::Vector3;
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSink, NodeSlice};
-use tribos_core::planar::{NodeFoot, PlanarBody, PlanarStep};
+use tribos_core::planar::{PlanarBody, PlanarStep, PointContacts};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -29,12 +29,12 @@ fn held<R: Real>(hash: &mut Fnv) {
     sliding(
         hash,
         &body,
-        &LimitSurface::new(Coulomb, limit, radius).expect("in range"),
+        &RoundLimitSurface::new(CoulombDisk, limit, radius).expect("in range"),
     );
     sliding(
         hash,
         &body,
-        &LimitSurface::new(Ring, limit, radius).expect("in range"),
+        &RoundLimitSurface::new(CoulombRing, limit, radius).expect("in range"),
     );
     standing(hash, &body, limit);
     for (x, y) in pairs_of_ends::<R>() {
@@ -78,11 +78,11 @@ fn standing<R: Real>(hash: &mut Fnv, body: &PlanarBody<R>, limit: R) {
     hash.number(points.total_weight());
     let points = NodeSlice::new(points.nodes()).expect("loaded");
     hash.numbers([points.total_weight()]);
-    let mut foot: NodeFoot<R, _, POINTS> = NodeFoot::new(points, limit).expect("it fits");
+    let mut foot: PointContacts<R, _, POINTS> = PointContacts::new(points, limit).expect("it fits");
     let dt = TimeStep::new(R::from_f64(1.0 / 64.0)).expect("positive");
     let mut moving = Twist::new(R::ONE, -R::HALF, R::from_f64(3.0));
     for n in 0..STEPS {
-        let step = body.step_on_foot(&mut foot, &moving, &growing(n), dt);
+        let step = body.step_on_points(&mut foot, &moving, &growing(n), dt);
         moving = step.twist;
         outcome(hash, &step);
     }

@@ -3,8 +3,8 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, speed, unit};
 use tribos_core::law::{
-    Age, Ageing, CoulombLaw, DryFriction, Grip, LocalLaw, PlateauPower, PlateauPowerParameters,
-    PowerLaw, Savkoor, SavkoorParameters, Stribeck, StribeckParameters,
+    CoulombLaw, DryFriction, LocalLaw, PlateauPowerLaw, PlateauPowerLawParameters, PowerLaw,
+    RestTime, Savkoor, SavkoorParameters, StaticAgeing, StickSlip, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -40,7 +40,7 @@ fn moving_of<R: Real>(hash: &mut Fnv) {
             hash.numbers([law.boundary(v), law.hydrodynamic(v)]);
         }
     }
-    let ice = PlateauPower::new(PlateauPowerParameters {
+    let ice = PlateauPowerLaw::new(PlateauPowerLawParameters {
         alpha: real(-0.5),
         coefficient: real(0.008),
         plateau_speed: real(1e-4),
@@ -101,30 +101,30 @@ pub fn resting() -> u64 {
 fn resting_of<R: Real>(hash: &mut Fnv) {
     let real = R::from_f64;
     let dry = DryFriction::new(real(0.5), real(0.25)).expect("in range");
-    let ageing = Ageing::new(real(0.4), real(0.02), real(0.125)).expect("in range");
+    let ageing = StaticAgeing::new(real(0.4), real(0.02), real(0.125)).expect("in range");
     let mut rng = Lcg::new(79);
-    let mut age = Age { time: R::ZERO };
+    let mut age = RestTime { time: R::ZERO };
     for _ in 0..400 {
         let drive = unit::<R>(&mut rng) - R::HALF;
         let grip = ageing.at_rest(age, drive);
         age = age.advance(speed(&mut rng), grip);
-        hash.feed(u64::from(grip == Grip::Slip));
-        hash.feed(u64::from(dry.at_rest(drive) == Grip::Stick));
+        hash.feed(u64::from(grip == StickSlip::Slip));
+        hash.feed(u64::from(dry.at_rest(drive) == StickSlip::Stick));
         hash.numbers([age.time, ageing.mu_static(age), ageing.rate(age)]);
         hash.number(dry.net_drive(drive));
         let law = CoulombLaw::new(unit::<R>(&mut rng)).expect("in range");
         hash.number(law.friction_angle());
     }
     for x in ends::<R>() {
-        let age = Age { time: x };
+        let age = RestTime { time: x };
         hash.numbers([ageing.mu_static(age), ageing.rate(age)]);
         let law = CoulombLaw::new(x);
         hash.maybe(law.ok().map(|law| law.friction_angle()));
-        hash.feed(u64::from(ageing.at_rest(age, x) == Grip::Slip));
+        hash.feed(u64::from(ageing.at_rest(age, x) == StickSlip::Slip));
         hash.number(dry.net_drive(x));
-        hash.number(age.advance(x, Grip::Stick).time);
+        hash.number(age.advance(x, StickSlip::Stick).time);
     }
     for (x, y) in pairs_of_ends::<R>() {
-        hash.verdict(&Ageing::new(x, y, R::ONE));
+        hash.verdict(&StaticAgeing::new(x, y, R::ONE));
     }
 }

@@ -3,8 +3,9 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, signed, speed, unit};
 use tribos_core::manifold_friction::{
-    Anisotropy, CompactOutline, ContactArea, DirectedOutline, FrictionBudget, FrictionImpulse,
-    InverseMasses, Lanes, Outline, limited_rolling, manifold_friction, manifold_friction_in,
+    AnisotropicFriction, DirectionalLimitCurve, FrictionImpulse, FrictionLimits,
+    InverseEffectiveMasses, IsotropicLimitCurve, Lanes, LimitCurve, ManifoldArea,
+    manifold_friction_in, project_friction, project_rolling,
 };
 use tribos_core::real::Real;
 
@@ -25,65 +26,65 @@ fn impulse<R: Real>(hash: &mut Fnv, carried: &FrictionImpulse<R>) {
 }
 
 /// An area of up to six corners, lines and points among them.
-fn area<R: Real>(rng: &mut Lcg) -> ContactArea<R> {
+fn area<R: Real>(rng: &mut Lcg) -> ManifoldArea<R> {
     let mut corners = [[R::ZERO; 2]; 6];
     let count = (rng.bits() % 7) as usize;
     for corner in &mut corners[..count] {
         *corner = [unit(rng), unit(rng)];
     }
-    ContactArea::of_corners(&corners[..count])
+    ManifoldArea::of_corners(&corners[..count])
 }
 
 fn manifolds_of<R: Real + Lanes>(hash: &mut Fnv) {
     let mut rng = Lcg::new(61);
     let compact = [
-        CompactOutline::area(),
-        CompactOutline::points(),
-        CompactOutline::ellipsoid(),
+        IsotropicLimitCurve::area(),
+        IsotropicLimitCurve::points(),
+        IsotropicLimitCurve::ellipsoid(),
     ];
     for n in 0..MANIFOLDS {
         let area = area::<R>(&mut rng);
-        let DirectedOutline { spinning, slipping } = area.outline;
+        let DirectionalLimitCurve { spinning, slipping } = area.outline;
         hash.numbers([area.centre[0], area.centre[1], area.lever]);
         hash.numbers(spinning.into_iter().chain(slipping));
         let candidate = FrictionImpulse {
             tangential: [signed(&mut rng), signed(&mut rng)],
             angular: signed(&mut rng),
         };
-        let budget = FrictionBudget {
-            force: speed(&mut rng),
-            lever: if n % 5 == 0 {
+        let budget = FrictionLimits {
+            impulse: speed(&mut rng),
+            torsion_radius: if n % 5 == 0 {
                 area.lever
             } else {
                 unit(&mut rng)
             },
-            slip: if n % 3 == 0 { R::HALF } else { R::ONE },
+            dynamic_over_static: if n % 3 == 0 { R::HALF } else { R::ONE },
         };
-        let inverse = InverseMasses {
+        let inverse = InverseEffectiveMasses {
             tangential: unit(&mut rng),
             angular: speed(&mut rng),
         };
         for outline in &compact {
             impulse(
                 hash,
-                &manifold_friction(&candidate, &budget, &inverse, outline),
+                &project_friction(&candidate, &budget, &inverse, outline),
             );
             impulse(
                 hash,
                 &manifold_friction_in::<1, _, _>(&candidate, &budget, &inverse, outline),
             );
-            hash.feed(u64::from(<CompactOutline<R> as Outline<R>>::TURNS));
+            hash.feed(u64::from(<IsotropicLimitCurve<R> as LimitCurve<R>>::TURNS));
         }
         impulse(
             hash,
-            &manifold_friction(&candidate, &budget, &inverse, &area.outline),
+            &project_friction(&candidate, &budget, &inverse, &area.outline),
         );
         impulse(
             hash,
             &manifold_friction_in::<5, _, _>(&candidate, &budget, &inverse, &area.outline),
         );
-        hash.numbers(limited_rolling(candidate.tangential, budget.force));
-        let grooved = Anisotropy::new([unit(&mut rng), unit(&mut rng)]);
+        hash.numbers(project_rolling(candidate.tangential, budget.impulse));
+        let grooved = AnisotropicFriction::new([unit(&mut rng), unit(&mut rng)]);
         hash.number(grooved.largest());
         let velocity = [signed(&mut rng), signed(&mut rng)];
         let stretched = grooved.candidate(&candidate, velocity, signed(&mut rng), &inverse);

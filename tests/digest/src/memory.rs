@@ -4,22 +4,22 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, speed};
 use crate::laws::local;
 use tribos_core::law::{
-    Bristle, ContactAge, Dieterich, Evolution, LuGre, LuGreParameters, RateState,
-    RateStateParameters, Ruina,
+    AgeingLaw, Bristle, LuGre, LuGreParameters, RateState, RateStateParameters, SlipLaw,
+    StateEvolution, StateVariable,
 };
 use tribos_core::real::Real;
 
 /// Digest of rate-and-state friction, f64 and f32.
 pub fn rate_and_state() -> u64 {
     let mut hash = Fnv::new();
-    rocks::<f64, Dieterich>(&mut hash);
-    rocks::<f32, Dieterich>(&mut hash);
-    rocks::<f64, Ruina>(&mut hash);
-    rocks::<f32, Ruina>(&mut hash);
+    rocks::<f64, AgeingLaw>(&mut hash);
+    rocks::<f32, AgeingLaw>(&mut hash);
+    rocks::<f64, SlipLaw>(&mut hash);
+    rocks::<f32, SlipLaw>(&mut hash);
     hash.0
 }
 
-fn rocks<R: Real, E: Evolution>(hash: &mut Fnv) {
+fn rocks<R: Real, E: StateEvolution>(hash: &mut Fnv) {
     let real = R::from_f64;
     let rock = RateStateParameters {
         mu: real(0.6),
@@ -36,7 +36,7 @@ fn rocks<R: Real, E: Evolution>(hash: &mut Fnv) {
     hash.number(steady.critical_stiffness(real(3.0)));
     local(hash, &steady);
     let mut rng = Lcg::new(97);
-    let mut age = ContactAge { theta: R::ONE };
+    let mut age = StateVariable { theta: R::ONE };
     for _ in 0..300 {
         let v: R = speed::<R>(&mut rng) * real(1e-6);
         age = law.advance(age, v, real(0.125));
@@ -45,7 +45,7 @@ fn rocks<R: Real, E: Evolution>(hash: &mut Fnv) {
         hash.number(steady.critical_stiffness_at(real(3.0), v));
     }
     for (v, theta) in pairs_of_ends::<R>().step_by(3) {
-        let age = ContactAge { theta };
+        let age = StateVariable { theta };
         hash.numbers([law.coefficient(v, age), law.slope(v, age)]);
         hash.numbers([law.logarithmic(v, age), law.advance(age, v, R::ONE).theta]);
         hash.number(E::evolved(theta, v, R::ONE, v));

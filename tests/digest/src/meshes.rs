@@ -4,10 +4,10 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::pairs_of_ends;
 use crate::polygons::{friction, surface};
 use tribos_core::patch::bar::Bar;
-use tribos_core::patch::feet::{Feet, Foot};
+use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::{Node, Nodes};
-use tribos_core::patch::points::Points;
+use tribos_core::patch::points::PointPatch;
 use tribos_core::real::Real;
 
 /// Digest of meshes, points and feet, f64 and f32.
@@ -49,18 +49,18 @@ fn meshes_of<R: Real>(hash: &mut Fnv) {
         Node { x, y, weight }
     };
     let nodes = Nodes::new([[-0.5, 0.25, 1.0], [0.75, 0.25, 2.0], [0.25, -0.5, 0.5]].map(node));
-    let points = Points::new(nodes.expect("nodes")).expect("several places");
+    let points = PointPatch::new(nodes.expect("nodes")).expect("several places");
     friction(hash, points);
     surface(hash, points);
     let blade = |y: f64| {
         let [x, y] = [0.5, y].map(R::from_f64);
         Bar::new([-x, y], [x, y]).expect("a bar")
     };
-    let runners = [(-0.25, 1.0), (0.5, 2.0)].map(|(y, weight)| Foot {
+    let runners = [(-0.25, 1.0), (0.5, 2.0)].map(|(y, weight)| PatchPart {
         patch: blade(y),
-        weight: R::from_f64(weight),
+        load_share: R::from_f64(weight),
     });
-    let feet = Feet::new(&runners).expect("loaded");
+    let feet = CompoundPatch::new(&runners).expect("loaded");
     hash.numbers([feet.centre().x, feet.centre().y, feet.radius()]);
     friction(hash, feet);
     surface(hash, feet);
@@ -75,11 +75,17 @@ fn meshes_of<R: Real>(hash: &mut Fnv) {
             y,
             weight: R::ONE,
         };
-        hash.verdict(&Nodes::new([place, node([0.0, 0.0, 1.0])]).and_then(Points::new));
+        hash.verdict(&Nodes::new([place, node([0.0, 0.0, 1.0])]).and_then(PointPatch::new));
         let [near, far] = runners;
-        hash.verdict(&Feet::new(&[
-            Foot { weight: x, ..near },
-            Foot { weight: y, ..far },
+        hash.verdict(&CompoundPatch::new(&[
+            PatchPart {
+                load_share: x,
+                ..near
+            },
+            PatchPart {
+                load_share: y,
+                ..far
+            },
         ]));
     }
     hash.verdict(&Mesh::with_vertices(

@@ -2,12 +2,12 @@
 
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{pairs_of_ends, triples_of_ends};
-use tribos_core::coupling::closed::Hertz;
+use tribos_core::coupling::closed::CoulombHertz;
 use tribos_core::coupling::table;
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::internals::runge_kutta::{judge, step, tolerance};
 use tribos_core::real::Real;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 /// Steps of a motion, half of them at rest or nearly so.
 const STEPS: usize = 1000;
@@ -18,20 +18,20 @@ pub fn motions() -> u64 {
 }
 
 fn motions_of<R: Real>(hash: &mut Fnv) {
-    long(hash, table::Coulomb, [1.0, 5.0].map(R::from_f64));
-    long(hash, Hertz, [0.25, -40.0].map(R::from_f64));
+    long(hash, table::CoulombDisk, [1.0, 5.0].map(R::from_f64));
+    long(hash, CoulombHertz, [0.25, -40.0].map(R::from_f64));
     pendulum::<R>(hash);
 }
 
 /// Digest of motions from the ends of the number range, f64 and f32.
 pub fn extremes() -> u64 {
     let mut hash = Fnv::new();
-    ends_of_motions(&mut hash, table::Coulomb, 1.0_f64);
-    ends_of_motions(&mut hash, table::Coulomb, 1.0_f32);
+    ends_of_motions(&mut hash, table::CoulombDisk, 1.0_f64);
+    ends_of_motions(&mut hash, table::CoulombDisk, 1.0_f32);
     hash.0
 }
 
-fn slider<R: Real, P: Profile<R> + Coupling<R>>(profile: P) -> Slider<R, P> {
+fn slider<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>>(profile: P) -> Slider<R, P> {
     let [deceleration, radius] = [2.943, 0.08].map(R::from_f64);
     Slider::new(
         profile,
@@ -44,19 +44,23 @@ fn slider<R: Real, P: Profile<R> + Coupling<R>>(profile: P) -> Slider<R, P> {
     .expect("in range")
 }
 
-fn feed<R: Real>(hash: &mut Fnv, m: &Motion<R>) {
+fn feed<R: Real>(hash: &mut Fnv, m: &SliderState<R>) {
     hash.numbers([m.time, m.speed, m.spin, m.distance, m.angle]);
 }
 
-fn long<R: Real, P: Profile<R> + Coupling<R>>(hash: &mut Fnv, profile: P, [speed, spin]: [R; 2]) {
+fn long<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>>(
+    hash: &mut Fnv,
+    profile: P,
+    [speed, spin]: [R; 2],
+) {
     let puck = slider(profile);
     let dt = R::from_f64(1.0 / 2048.0);
-    let mut fixed = Motion::launched(speed, spin);
+    let mut fixed = SliderState::launched(speed, spin);
     for _ in 0..STEPS {
         fixed = puck.verlet_step(&fixed, dt);
         feed(hash, &fixed);
     }
-    let mut state = Motion::launched(speed, spin);
+    let mut state = SliderState::launched(speed, spin);
     for _ in 0..16 {
         state = puck.advance(&state, R::from_f64(1.0 / 32.0)).motion;
         feed(hash, &state);
@@ -65,7 +69,7 @@ fn long<R: Real, P: Profile<R> + Coupling<R>>(hash: &mut Fnv, profile: P, [speed
         hash.feed(u64::from(state.is_at_rest()));
     }
     hash.number(puck.profile().exponent());
-    let rest = puck.to_rest(&Motion::launched(speed, spin));
+    let rest = puck.to_rest(&SliderState::launched(speed, spin));
     if let Some(rest) = rest {
         feed(hash, &rest.motion);
         hash.number(rest.ratio);
@@ -74,11 +78,11 @@ fn long<R: Real, P: Profile<R> + Coupling<R>>(hash: &mut Fnv, profile: P, [speed
 
 fn ends_of_motions<R: Real, P>(hash: &mut Fnv, profile: P, unit: R)
 where
-    P: Profile<R> + Coupling<R> + Copy,
+    P: PowerLawFriction<R> + ReducedFriction<R> + Copy,
 {
     let puck = slider(profile);
     for [speed, spin, duration] in triples_of_ends::<R>(151) {
-        let start = Motion::launched(speed, spin);
+        let start = SliderState::launched(speed, spin);
         let next = puck.advance(&start, duration);
         feed(hash, &next.motion);
         feed(hash, &puck.verlet_step(&start, duration));

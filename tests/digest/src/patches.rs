@@ -4,7 +4,7 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::{ends, pairs_of_ends};
 use tribos_core::internals::tripod_shares;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 
@@ -28,7 +28,7 @@ pub fn standard_rule() -> u64 {
 }
 
 fn standard_rule_of<R: Real>(hash: &mut Fnv) {
-    let rule = PolarRule::standard(R::HALF).expect("a rule");
+    let rule = PolarQuadrature::standard(R::HALF).expect("a rule");
     let nodes: NodeList<R, 512> = rule.nodes().expect("room");
     listed(hash, &nodes);
 }
@@ -43,7 +43,7 @@ fn listed<R: Real>(hash: &mut Fnv, patch: &dyn NodePatch<R>) {
 fn rules<R: Real>(hash: &mut Fnv) {
     let real = R::from_f64;
     for (rings, angles, rim) in [(3, 5, 0.5), (6, 12, -0.5), (1, 1, 0.0)] {
-        let rule = PolarRule::new(real(0.75), rings, angles).expect("a rule");
+        let rule = PolarQuadrature::new(real(0.75), rings, angles).expect("a rule");
         let rule = rule.with_rim_exponent(real(rim)).expect("in range");
         let nodes: NodeList<R, ROOM> = rule.nodes().expect("room");
         listed(hash, &nodes);
@@ -56,9 +56,9 @@ fn rules<R: Real>(hash: &mut Fnv) {
     let rim: NodeList<R, ROOM> = NodeList::ring(real(2.0), 17).expect("room");
     listed(hash, &rim);
     for x in ends::<R>() {
-        hash.verdict(&PolarRule::new(x, 3, 4));
+        hash.verdict(&PolarQuadrature::new(x, 3, 4));
         hash.verdict(&NodeList::<R, 8>::ring(x, 5));
-        let rule = PolarRule::new(R::ONE, 2, 3).expect("a rule");
+        let rule = PolarQuadrature::new(R::ONE, 2, 3).expect("a rule");
         hash.verdict(&rule.with_rim_exponent(x));
         let tilted: Result<NodeList<R, 8>, _> = rule.nodes_tilted(x, R::ZERO);
         hash.verdict(&tilted);

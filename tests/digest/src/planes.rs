@@ -3,11 +3,13 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, arguments, ends, speed, triples_of_ends, twist};
 use nalgebra::Vector3;
-use tribos_core::coupling::closed::Hertz;
+use tribos_core::coupling::closed::CoulombHertz;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::table;
-use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction};
-use tribos_core::coupling::{Lateral, PatchFriction};
+use tribos_core::coupling::tall::{
+    FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
+};
+use tribos_core::coupling::{LateralFriction, RoundFriction};
 use tribos_core::internals::leaning_wrench;
 use tribos_core::law::PowerLaw;
 use tribos_core::patch::PatchError;
@@ -22,7 +24,7 @@ pub fn planes() -> u64 {
 
 fn planes_of<R: Real>(hash: &mut Fnv) {
     let real = R::from_f64;
-    let puck = PatchFriction::new(table::Coulomb, real(0.3), real(0.04)).expect("in range");
+    let puck = RoundFriction::new(table::CoulombDisk, real(0.3), real(0.04)).expect("in range");
     hash.numbers([puck.radius(), puck.coefficient()]);
     hash.number::<R>(puck.coupling().mean_square_radius());
     let power = PowerLaw::new(real(0.5), real(0.75)).expect("in range");
@@ -54,8 +56,16 @@ fn planes_of<R: Real>(hash: &mut Fnv) {
     }
     for load in ends() {
         hash.wrench(&puck.wrench(load, &random[0]));
-        hash.verdict(&PatchFriction::<R, _>::new(table::Coulomb, load, R::ONE));
-        hash.verdict(&PatchFriction::<R, _>::new(table::Coulomb, R::ONE, load));
+        hash.verdict(&RoundFriction::<R, _>::new(
+            table::CoulombDisk,
+            load,
+            R::ONE,
+        ));
+        hash.verdict(&RoundFriction::<R, _>::new(
+            table::CoulombDisk,
+            R::ONE,
+            load,
+        ));
     }
 }
 
@@ -71,30 +81,34 @@ pub fn leaning() -> u64 {
 
 fn leaning_of<R: Real>(hash: &mut Fnv) {
     for height in [0.0, 0.1, 0.5] {
-        tall::<R, _, AllRound>(hash, table::Coulomb, height);
-        tall::<R, _, FrontBack>(hash, Hertz, height);
+        tall::<R, _, FullGradient>(hash, table::CoulombDisk, height);
+        tall::<R, _, LongitudinalGradient>(hash, CoulombHertz, height);
     }
     for (slide, rim) in arguments::<R>(139, 30) {
         let leans = [0.125, -0.25].map(R::from_f64);
-        let got = leaning_wrench(&table::Coulomb, [slide, rim], leans);
+        let got = leaning_wrench(&table::CoulombDisk, [slide, rim], leans);
         hash.numbers([got.force, got.lateral, got.torque]);
     }
     for [x, y, z] in triples_of_ends::<R>(61) {
-        let got = leaning_wrench(&Hertz, [x, y], [z, R::ZERO]);
+        let got = leaning_wrench(&CoulombHertz, [x, y], [z, R::ZERO]);
         hash.numbers([got.force, got.lateral, got.torque]);
-        let (got, leans) = AllRound::balance(&table::Coulomb, [x, y], z);
+        let (got, leans) = FullGradient::balance(&table::CoulombDisk, [x, y], z);
         hash.numbers([got.force, got.lateral, got.torque]);
         hash.numbers(leans);
-        let (got, leans) = FrontBack::balance(&table::Coulomb, [x, y], z);
+        let (got, leans) = LongitudinalGradient::balance(&table::CoulombDisk, [x, y], z);
         hash.numbers([got.force, got.lateral, got.torque]);
         hash.numbers(leans);
     }
 }
 
-fn tall<R: Real, C: Lateral<R>, L: Lean>(hash: &mut Fnv, coupling: C, height: f64) {
+fn tall<R: Real, C: LateralFriction<R>, L: PressureGradient>(
+    hash: &mut Fnv,
+    coupling: C,
+    height: f64,
+) {
     let [coefficient, radius] = [0.25, 0.0625].map(R::from_f64);
-    let foot = PatchFriction::new(coupling, coefficient, radius).expect("in range");
-    let body = TallFriction::<R, C, L>::new(foot, R::from_f64(height)).expect("in range");
+    let foot = RoundFriction::new(coupling, coefficient, radius).expect("in range");
+    let body = LoadTransferFriction::<R, C, L>::new(foot, R::from_f64(height)).expect("in range");
     hash.numbers([body.lean(), body.foot().radius()]);
     let mut rng = Lcg::new(149);
     let random = [(); 60].map(|()| twist::<R>(&mut rng));

@@ -3,7 +3,7 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, twist, unit};
 use crate::planes::ends_of_twists;
-use tribos_core::coupling::flat::{FlatPower, FlatPowerFriction, PowerPatch};
+use tribos_core::coupling::flat::{PolygonPowerLaw, PowerLawPatch, ShapePowerFriction};
 use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
@@ -24,23 +24,23 @@ fn powers<R: Real>(hash: &mut Fnv) {
     let slope = [0.25, -0.125].map(R::from_f64);
     let tilted = frame.with_slope(slope).expect("it does not lift off");
     for alpha in ALPHAS {
-        let power = FlatPower::new(R::from_f64(alpha)).expect("in range");
+        let power = PolygonPowerLaw::new(R::from_f64(alpha)).expect("in range");
         friction(hash, frame, power);
         friction(hash, tilted, power);
     }
     for given in ends::<R>() {
-        let power = FlatPower::new(given);
+        let power = PolygonPowerLaw::new(given);
         hash.verdict(&power);
         if let Ok(power) = power {
             hash.numbers([power.alpha()]);
-            hash.verdict(&FlatPowerFriction::new(frame, given, power));
+            hash.verdict(&ShapePowerFriction::new(frame, given, power));
         }
     }
 }
 
 /// Wrenches and Jacobians, about centres of rotation near the patch and far away.
-fn friction<R: Real, P: PowerPatch<R>>(hash: &mut Fnv, patch: P, power: FlatPower<R>) {
-    let friction = FlatPowerFriction::new(patch, R::from_f64(0.375), power).expect("in range");
+fn friction<R: Real, P: PowerLawPatch<R>>(hash: &mut Fnv, patch: P, power: PolygonPowerLaw<R>) {
+    let friction = ShapePowerFriction::new(patch, R::from_f64(0.375), power).expect("in range");
     hash.numbers([friction.coefficient(), friction.patch().radius()]);
     hash.numbers([friction.power().alpha()]);
     let mut rng = Lcg::new(179);

@@ -5,10 +5,10 @@ use crate::inputs::{Lcg, ends, pairs_of_ends, twist, unit};
 use crate::planes::ends_of_twists;
 use crate::sets::questions;
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
-use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
+use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::bar::Bar;
-use tribos_core::patch::outline::{Edge, FlatPressure, Polygon};
+use tribos_core::patch::outline::{Edge, Polygon, PressureField};
 use tribos_core::planar::PlanarBody;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
@@ -65,17 +65,17 @@ fn polygons_of<R: Real>(hash: &mut Fnv) {
     refusals(hash, [triangle.centre().x, triangle.centre().y]);
 }
 
-fn shape<R: Real, K: FlatPressure<R>>(hash: &mut Fnv, patch: &Polygon<R, Memory<R>, K>) {
+fn shape<R: Real, K: PressureField<R>>(hash: &mut Fnv, patch: &Polygon<R, Memory<R>, K>) {
     hash.numbers([patch.centre().x, patch.centre().y]);
     hash.numbers([patch.radius(), patch.area(), patch.radius_of_gyration()]);
     friction(hash, *patch);
 }
 
 /// Wrenches and Jacobians, about centres of rotation near the patch and far away.
-pub(crate) fn friction<R: Real, P: DryPatch<R>>(hash: &mut Fnv, patch: P) {
+pub(crate) fn friction<R: Real, P: PatchShape<R>>(hash: &mut Fnv, patch: P) {
     let centre = patch.centre();
     hash.numbers([centre.x, centre.y, patch.radius()]);
-    let friction = FlatFriction::new(patch, R::from_f64(0.375)).expect("in range");
+    let friction = ShapeFriction::new(patch, R::from_f64(0.375)).expect("in range");
     hash.numbers([friction.coefficient(), friction.patch().radius()]);
     let mut rng = Lcg::new(167);
     let anyhow = [(); 24].map(|()| twist::<R>(&mut rng));
@@ -97,8 +97,8 @@ pub(crate) fn friction<R: Real, P: DryPatch<R>>(hash: &mut Fnv, patch: P) {
 }
 
 /// All that can be asked of a limit surface, its derivatives, and steps on it.
-pub(crate) fn surface<R: Real, P: DryPatch<R>>(hash: &mut Fnv, patch: P) {
-    let set = PatchSurface::new(patch, R::from_f64(0.75)).expect("in range");
+pub(crate) fn surface<R: Real, P: PatchShape<R>>(hash: &mut Fnv, patch: P) {
+    let set = ShapeLimitSurface::new(patch, R::from_f64(0.75)).expect("in range");
     hash.numbers([set.torque_limit(), set.patch().radius()]);
     questions(hash, &set, 8);
     let mut rng = Lcg::new(173);
@@ -122,9 +122,9 @@ pub(crate) fn surface<R: Real, P: DryPatch<R>>(hash: &mut Fnv, patch: P) {
     }
 }
 
-fn derivatives<R: Real, P: DryPatch<R>>(
+fn derivatives<R: Real, P: PatchShape<R>>(
     hash: &mut Fnv,
-    set: &PatchSurface<R, P>,
+    set: &ShapeLimitSurface<R, P>,
     push: &Wrench<R>,
 ) {
     let (normal, hessian) = set.gauge_derivatives(push);
@@ -162,7 +162,7 @@ fn refusals<R: Real>(hash: &mut Fnv, inside: [R; 2]) {
         hash.verdict(&patch.with_slope([x, y]));
         hash.verdict(&patch.with_centre_of_pressure([x, y]));
         hash.verdict(&Bar::new([x, y], inside));
-        hash.verdict(&FlatFriction::new(bar, x));
-        hash.verdict(&PatchSurface::new(patch, y));
+        hash.verdict(&ShapeFriction::new(bar, x));
+        hash.verdict(&ShapeLimitSurface::new(patch, y));
     }
 }

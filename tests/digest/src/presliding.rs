@@ -3,14 +3,14 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, triples_of_ends, twist, unit};
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::closed::Ring;
-use tribos_core::holding::Holding;
-use tribos_core::law::Grip;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Scaled};
+use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::holding::StictionBounds;
+use tribos_core::law::StickSlip;
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface, ScaledSet};
 use tribos_core::patch::nodes::{Node, NodePatch, Nodes};
 use tribos_core::planar::{ElasticState, PlanarBody};
 use tribos_core::presliding::{
-    Anchor, GradualPresliding, NodePresliding, Pose, Presliding, PreslidingStep, Settled,
+    Anchor, MicroslipPresliding, PointPresliding, Pose, Presliding, PreslidingStep, Settled,
 };
 use tribos_core::real::Real;
 use tribos_core::twist::{Displacement, Wrench};
@@ -27,8 +27,8 @@ pub fn presliding() -> u64 {
 
 fn all<R: Real>(hash: &mut Fnv) {
     let [force, radius, torque] = [0.75, 0.25, 0.625].map(R::from_f64);
-    let ring = LimitSurface::new(Ring, force, radius).expect("in range");
-    let usual = Ellipsoid::new(force, radius, torque).expect("in range");
+    let ring = RoundLimitSurface::new(CoulombRing, force, radius).expect("in range");
+    let usual = LimitEllipsoid::new(force, radius, torque).expect("in range");
     let bonds = Presliding::new(R::from_f64(64.0), R::from_f64(3.0)).expect("positive");
     paths(hash, &ring, &bonds);
     paths(hash, &usual, &bonds);
@@ -38,14 +38,14 @@ fn all<R: Real>(hash: &mut Fnv) {
     for (x, y) in pairs_of_ends::<R>() {
         hash.verdict(&Presliding::new(x, y));
         hash.verdict(&bonds.with_damping(x, y));
-        hash.verdict(&GradualPresliding::new(bonds, x, y));
+        hash.verdict(&MicroslipPresliding::new(bonds, x, y));
     }
 }
 
 /// Paths from patches at rest to ones that slip, with both laws and in both forms.
 fn paths<R: Real>(hash: &mut Fnv, set: &impl FrictionSet<R>, bonds: &Presliding<R>) {
     let mut rng = Lcg::new(307);
-    let gradual = GradualPresliding::new(*bonds, R::from_f64(0.25), R::TWO).expect("in range");
+    let gradual = MicroslipPresliding::new(*bonds, R::from_f64(0.25), R::TWO).expect("in range");
     hash.numbers([gradual.breakaway(), gradual.exponent()]);
     hash.number(gradual.bonds().stiffness());
     let mut pose = Pose::new(R::ONE, -R::ONE, R::HALF);
@@ -65,7 +65,10 @@ fn paths<R: Real>(hash: &mut Fnv, set: &impl FrictionSet<R>, bonds: &Presliding<
         settled(hash, &end);
         settled(hash, &gradual.advance(set, &strain, &by));
         strain = end.strain;
-        displaced(hash, &Anchor::with_strain(&next, &strain).strain(&pose));
+        displaced(
+            hash,
+            &Anchor::with_deflection(&next, &strain).deflection(&pose),
+        );
         pose = next;
     }
     for [x, y, turn] in triples_of_ends(61) {
@@ -108,12 +111,12 @@ fn vibrations<R: Real>(hash: &mut Fnv, set: &impl FrictionSet<R>, bonds: &Presli
 }
 
 /// A set of changing strength, and what is said about pushes.
-fn scaled<R: Real>(hash: &mut Fnv, set: &Ellipsoid<R>) {
+fn scaled<R: Real>(hash: &mut Fnv, set: &LimitEllipsoid<R>) {
     let mut rng = Lcg::new(311);
     for strength in ends::<R>() {
-        hash.verdict(&Scaled::new(set, strength));
+        hash.verdict(&ScaledSet::new(set, strength));
     }
-    let weaker = Scaled::new(set, R::from_f64(0.375)).expect("positive");
+    let weaker = ScaledSet::new(set, R::from_f64(0.375)).expect("positive");
     hash.numbers([weaker.strength(), weaker.force_limit(), weaker.radius()]);
     for _ in 0..STEPS {
         let motion = twist(&mut rng);
@@ -127,9 +130,9 @@ fn scaled<R: Real>(hash: &mut Fnv, set: &Ellipsoid<R>) {
         hash.twist(&weaker.twist_resisted_by(&push));
         hash.wrench(&weaker.scale_to_surface(&push));
         hash.wrench(&weaker.project(&push).wrench);
-        let answer = Holding::of(&weaker, set, &push);
-        hash.feed(answer.hold as u64);
-        hash.numbers([answer.surely_held_scale(), answer.surely_slipping_scale()]);
+        let answer = StictionBounds::of(&weaker, set, &push);
+        hash.feed(answer.stiction as u64);
+        hash.numbers([answer.certain_scale(), answer.possible_scale()]);
     }
 }
 
@@ -145,8 +148,8 @@ fn points<R: Real>(hash: &mut Fnv) {
     .expect("loaded");
     let [stiffness, limit] = [64.0, 0.75].map(R::from_f64);
     let mut pose = Pose::new(R::ONE, R::ZERO, R::HALF);
-    let bound: Result<NodePresliding<R, _, POINTS>, _> =
-        NodePresliding::new(nodes, stiffness, limit, &pose);
+    let bound: Result<PointPresliding<R, _, POINTS>, _> =
+        PointPresliding::new(nodes, stiffness, limit, &pose);
     let mut bound = bound.expect("it fits");
     hash.numbers([
         bound.force_limit() / bound.stiffness(),
@@ -183,7 +186,7 @@ fn stepped<R: Real>(hash: &mut Fnv, step: &PreslidingStep<R>) {
     displaced(hash, &step.slip);
     hash.wrench(&step.friction);
     hash.number(step.dissipated);
-    hash.feed(u64::from(step.grip == Grip::Stick));
+    hash.feed(u64::from(step.grip == StickSlip::Stick));
 }
 
 fn settled<R: Real>(hash: &mut Fnv, end: &Settled<R>) {
@@ -191,5 +194,5 @@ fn settled<R: Real>(hash: &mut Fnv, end: &Settled<R>) {
     displaced(hash, &end.slip);
     hash.wrench(&end.friction);
     hash.number(end.dissipated);
-    hash.feed(u64::from(end.grip == Grip::Stick));
+    hash.feed(u64::from(end.grip == StickSlip::Stick));
 }

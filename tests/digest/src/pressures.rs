@@ -4,10 +4,10 @@ use crate::ARGUMENTS;
 use crate::hash::Fnv;
 use crate::inputs::arguments;
 use crate::tiers::{EXPONENTS, at};
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{Table32, Table64};
-use tribos_core::coupling::{Annulus, Lateral, compact};
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
+use tribos_core::coupling::{Annulus, LateralFriction, compact};
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 
@@ -21,7 +21,7 @@ const PRESSURES: [PowerPressure; 5] = [
 ];
 
 /// Wrench, Jacobian and lateral function with its gradient.
-fn patch<R: Real>(hash: &mut Fnv, tier: &dyn Lateral<R>) {
+fn patch<R: Real>(hash: &mut Fnv, tier: &dyn LateralFriction<R>) {
     for (slide, rim) in arguments(19, ARGUMENTS / 4) {
         at(hash, tier, (slide, rim));
         hash.lateral(tier.lateral(slide, rim), tier.lateral_jacobian(slide, rim));
@@ -39,7 +39,7 @@ pub fn pressures_f64() -> u64 {
             let power = compact::CompactPower::with_pressure(alpha, pressure).expect("in range");
             patch(&mut hash, &power);
         }
-        let disk = Table64::new(alpha).expect("in range");
+        let disk = DiskTable64::new(alpha).expect("in range");
         patch(&mut hash, &Annulus::new(disk, 0.625).expect("in range"));
         let polynomial = LateralPolynomialTable::new(alpha, &mixed).expect("in range");
         patch(&mut hash, &polynomial);
@@ -57,7 +57,7 @@ pub fn pressures_f32() -> u64 {
             let power = compact::CompactPower::with_pressure(alpha, pressure).expect("in range");
             patch(&mut hash, &power);
         }
-        let disk = Table32::new(alpha).expect("in range");
+        let disk = DiskTable32::new(alpha).expect("in range");
         patch(&mut hash, &Annulus::new(disk, 0.625).expect("in range"));
     }
     hash.0
@@ -66,11 +66,11 @@ pub fn pressures_f32() -> u64 {
 /// Hash of the closed forms, f64 and f32.
 pub fn closed_forms() -> u64 {
     let mut hash = Fnv::new();
-    patch::<f64>(&mut hash, &Ring);
-    patch::<f64>(&mut hash, &FlatPunch);
-    patch::<f64>(&mut hash, &Hertz);
-    patch::<f32>(&mut hash, &Ring);
-    patch::<f32>(&mut hash, &FlatPunch);
-    patch::<f32>(&mut hash, &Hertz);
+    patch::<f64>(&mut hash, &CoulombRing);
+    patch::<f64>(&mut hash, &CoulombPunch);
+    patch::<f64>(&mut hash, &CoulombHertz);
+    patch::<f32>(&mut hash, &CoulombRing);
+    patch::<f32>(&mut hash, &CoulombPunch);
+    patch::<f32>(&mut hash, &CoulombHertz);
     hash.0
 }

@@ -3,17 +3,17 @@
 use crate::hash::Fnv;
 use crate::inputs::{Lcg, arguments, ends, pairs_of_ends, speed, unit};
 use crate::tiers::at;
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::{
     LateralPolynomialTable, PolynomialTable, RoundTable32, RoundTable64,
 };
-use tribos_core::coupling::table::{self, Table32, Table64};
+use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
 use tribos_core::coupling::unscaled_wrench;
-use tribos_core::coupling::{Annulus, Dry, Lateral, Profile, compact};
+use tribos_core::coupling::{Annulus, DryProfile, LateralFriction, PowerLawFriction, compact};
 use tribos_core::internals::{Lead, LeanProfile, SmoothProfile, Speeds};
 use tribos_core::law::PowerLaw;
-use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
+use tribos_core::modes::{Stability, TerminalMode, TerminalMotion, inertia_interval};
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 
@@ -24,8 +24,8 @@ const fn made<T: Copy, E: Copy>(table: Result<T, E>) -> T {
     }
 }
 
-static HALF_64: Table64 = made(Table64::new(0.5));
-static HALF_32: Table32 = made(Table32::new(0.5));
+static HALF_64: DiskTable64 = made(DiskTable64::new(0.5));
+static HALF_32: DiskTable32 = made(DiskTable32::new(0.5));
 static HERTZ_64: RoundTable64 = made(RoundTable64::new(-0.25, PowerPressure::HERTZ));
 static RIM_32: RoundTable32 = made(RoundTable32::new(2.0, PowerPressure::RING));
 
@@ -36,8 +36,8 @@ pub fn flash_tables() -> u64 {
     smooth(&mut hash, &HALF_32, 200);
     smooth(&mut hash, &HERTZ_64, 200);
     smooth(&mut hash, &RIM_32, 200);
-    smooth::<f64, _>(&mut hash, &table::Coulomb, 200);
-    smooth::<f32, _>(&mut hash, &table::Coulomb, 200);
+    smooth::<f64, _>(&mut hash, &table::CoulombDisk, 200);
+    smooth::<f32, _>(&mut hash, &table::CoulombDisk, 200);
     hash.0
 }
 
@@ -73,16 +73,16 @@ pub fn plain_forms() -> u64 {
 }
 
 fn plain_forms_of<R: Real>(hash: &mut Fnv) {
-    smooth::<R, _>(hash, &compact::CompactCoulomb, 30);
-    smooth::<R, _>(hash, &Ring, 20);
-    smooth::<R, _>(hash, &FlatPunch, 20);
-    smooth::<R, _>(hash, &Hertz, 20);
-    smooth::<R, _>(hash, &Dry::new::<R>(Hertz).expect("dry"), 10);
-    let annulus = Annulus::new(table::Coulomb, R::from_f64(0.625)).expect("in range");
+    smooth::<R, _>(hash, &compact::CompactCoulombDisk, 30);
+    smooth::<R, _>(hash, &CoulombRing, 20);
+    smooth::<R, _>(hash, &CoulombPunch, 20);
+    smooth::<R, _>(hash, &CoulombHertz, 20);
+    smooth::<R, _>(hash, &DryProfile::new::<R>(CoulombHertz).expect("dry"), 10);
+    let annulus = Annulus::new(table::CoulombDisk, R::from_f64(0.625)).expect("in range");
     both::<R, _>(hash, &annulus, 20);
     profile::<R, _>(hash, &annulus, 20);
     let lean = R::from_f64(0.25);
-    let leaning = LeanProfile::<R, _>::new(table::Coulomb, lean).expect("in range");
+    let leaning = LeanProfile::<R, _>::new(table::CoulombDisk, lean).expect("in range");
     profile(hash, &leaning, 10);
     let law = PowerLaw::new(R::HALF, R::ONE).expect("in range");
     let disk = DiskQuadrature::new(law);
@@ -91,13 +91,17 @@ fn plain_forms_of<R: Real>(hash: &mut Fnv) {
     some.by_ref()
         .for_each(|speeds: (R, R)| at(hash, &disk, speeds));
     for x in ends::<R>() {
-        hash.verdict(&Annulus::new(table::Coulomb, x));
+        hash.verdict(&Annulus::new(table::CoulombDisk, x));
         hash.verdict(&compact::CompactPower::new(x));
-        hash.verdict(&LeanProfile::<R, _>::new(Hertz, x));
+        hash.verdict(&LeanProfile::<R, _>::new(CoulombHertz, x));
     }
 }
 
-fn smooth<R: Real, P: SmoothProfile<R> + Lateral<R>>(hash: &mut Fnv, tier: &P, count: usize) {
+fn smooth<R: Real, P: SmoothProfile<R> + LateralFriction<R>>(
+    hash: &mut Fnv,
+    tier: &P,
+    count: usize,
+) {
     both(hash, tier, count);
     profile(hash, tier, count);
     slopes(hash, tier, count);
@@ -112,7 +116,7 @@ fn slopes<R: Real, P: SmoothProfile<R>>(hash: &mut Fnv, tier: &P, count: usize) 
 }
 
 /// Wrench, Jacobian and lateral function, also at the ends.
-fn both<R: Real, C: Lateral<R>>(hash: &mut Fnv, tier: &C, count: usize) {
+fn both<R: Real, C: LateralFriction<R>>(hash: &mut Fnv, tier: &C, count: usize) {
     let some = pairs_of_ends().step_by(if count < 10 { 25 } else { 5 });
     for (slide, rim) in arguments(109, count).chain(some) {
         at(hash, tier, (slide, rim));
@@ -122,7 +126,7 @@ fn both<R: Real, C: Lateral<R>>(hash: &mut Fnv, tier: &C, count: usize) {
 }
 
 /// What only a profile tells.
-fn profile<R: Real, P: Profile<R>>(hash: &mut Fnv, tier: &P, count: usize) {
+fn profile<R: Real, P: PowerLawFriction<R>>(hash: &mut Fnv, tier: &P, count: usize) {
     hash.number(tier.exponent());
     hash.numbers(tier.inertia_ends());
     for (slide, rim) in arguments(113, count) {
@@ -144,14 +148,14 @@ pub fn modes() -> u64 {
     let mut hash = Fnv::new();
     speeds::<f64>(&mut hash);
     speeds::<f32>(&mut hash);
-    modes_of::<f64, _>(&mut hash, &table::Coulomb);
-    modes_of::<f32, _>(&mut hash, &table::Coulomb);
+    modes_of::<f64, _>(&mut hash, &table::CoulombDisk);
+    modes_of::<f32, _>(&mut hash, &table::CoulombDisk);
     modes_of(&mut hash, &HALF_64);
     modes_of(&mut hash, &HALF_32);
     modes_of(&mut hash, &HERTZ_64);
     modes_of(&mut hash, &RIM_32);
-    modes_of::<f64, _>(&mut hash, &Hertz);
-    modes_of::<f32, _>(&mut hash, &Ring);
+    modes_of::<f64, _>(&mut hash, &CoulombHertz);
+    modes_of::<f32, _>(&mut hash, &CoulombRing);
     for alpha in [-0.75, 0.0, 0.5, 1.0, 2.0] {
         for order in ends::<f64>() {
             let (least, most) = inertia_interval(alpha, order);
@@ -171,9 +175,9 @@ fn speeds<R: Real>(hash: &mut Fnv) {
     }
 }
 
-fn modes_of<R: Real, P: Profile<R>>(hash: &mut Fnv, profile: &P) {
+fn modes_of<R: Real, P: PowerLawFriction<R>>(hash: &mut Fnv, profile: &P) {
     for c in [0.125, 0.4, 0.5, 0.625, 0.75, 1.0] {
-        let modes = Modes::new(profile, R::from_f64(c)).expect("in range");
+        let modes = TerminalMotion::new(profile, R::from_f64(c)).expect("in range");
         hash.maybe(modes.finite_fixed_point());
         let (least, most) = modes.inertia_interval();
         hash.numbers([least, most]);
@@ -184,17 +188,17 @@ fn modes_of<R: Real, P: Profile<R>>(hash: &mut Fnv, profile: &P) {
             hash.feed(stability(kind));
         }
     }
-    let modes = Modes::new(profile, R::HALF).expect("in range");
+    let modes = TerminalMotion::new(profile, R::HALF).expect("in range");
     let mut rng = Lcg::new(131);
     let some = [(); 6].map(|()| speed::<R>(&mut rng) + unit(&mut rng));
     for ratio in some.into_iter().chain(ends()) {
         hash.numbers([modes.growth(ratio), modes.inertia_ratio_of(ratio)]);
-        match modes.final_mode(ratio) {
-            FinalMode::Spinning => hash.feed(0),
-            FinalMode::Sliding => hash.feed(1),
-            FinalMode::Together { ratio } => hash.number(ratio),
+        match modes.terminal_mode(ratio) {
+            TerminalMode::Spinning => hash.feed(0),
+            TerminalMode::Sliding => hash.feed(1),
+            TerminalMode::Together { ratio } => hash.number(ratio),
         }
-        hash.verdict(&Modes::new(profile, ratio));
+        hash.verdict(&TerminalMotion::new(profile, ratio));
     }
 }
 

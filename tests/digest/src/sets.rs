@@ -3,10 +3,10 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, speed, triples_of_ends, twist};
 use nalgebra::Vector2;
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::table;
-use tribos_core::coupling::{Annulus, Dry, DryCoupling, compact};
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Region};
+use tribos_core::coupling::{Annulus, DryProfile, DryReducedFriction, compact};
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, Region, RoundLimitSurface};
 use tribos_core::real::Real;
 use tribos_core::twist::Wrench;
 
@@ -16,28 +16,28 @@ pub fn sets() -> u64 {
 }
 
 fn sets_of<R: Real>(hash: &mut Fnv) {
-    exact::<R, _>(hash, table::Coulomb, 16);
-    exact::<R, _>(hash, compact::CompactCoulomb, 2);
-    exact::<R, _>(hash, Ring, 2);
-    exact::<R, _>(hash, FlatPunch, 4);
-    exact::<R, _>(hash, Hertz, 4);
-    exact::<R, _>(hash, Dry::new::<R>(Hertz).expect("dry"), 2);
-    let annulus = Annulus::new(table::Coulomb, R::HALF).expect("in range");
+    exact::<R, _>(hash, table::CoulombDisk, 16);
+    exact::<R, _>(hash, compact::CompactCoulombDisk, 2);
+    exact::<R, _>(hash, CoulombRing, 2);
+    exact::<R, _>(hash, CoulombPunch, 4);
+    exact::<R, _>(hash, CoulombHertz, 4);
+    exact::<R, _>(hash, DryProfile::new::<R>(CoulombHertz).expect("dry"), 2);
+    let annulus = Annulus::new(table::CoulombDisk, R::HALF).expect("in range");
     exact::<R, _>(hash, annulus, 4);
     let [mu, lever, spin] = [0.75, 0.25, 0.125].map(R::from_f64);
-    let usual = Ellipsoid::new(mu, lever, spin).expect("in range");
+    let usual = LimitEllipsoid::new(mu, lever, spin).expect("in range");
     hash.number(usual.torque_limit());
     questions(hash, &usual, 40);
     for (x, y) in pairs_of_ends::<R>().step_by(3) {
-        hash.verdict(&LimitSurface::new(Hertz, x, y));
-        hash.verdict(&Ellipsoid::new(x, y, R::HALF));
-        hash.verdict(&Ellipsoid::new(R::ONE, x, y));
+        hash.verdict(&RoundLimitSurface::new(CoulombHertz, x, y));
+        hash.verdict(&LimitEllipsoid::new(x, y, R::HALF));
+        hash.verdict(&LimitEllipsoid::new(R::ONE, x, y));
     }
 }
 
-fn exact<R: Real, C: DryCoupling<R>>(hash: &mut Fnv, coupling: C, count: usize) {
+fn exact<R: Real, C: DryReducedFriction<R>>(hash: &mut Fnv, coupling: C, count: usize) {
     let [limit, radius] = [0.75, 0.25].map(R::from_f64);
-    let set = LimitSurface::new(coupling, limit, radius).expect("in range");
+    let set = RoundLimitSurface::new(coupling, limit, radius).expect("in range");
     hash.numbers([set.torque_limit(), set.force_limit(), set.radius()]);
     hash.number(set.coupling().reduced_wrench(R::ONE, R::HALF).force);
     let inner = set.ellipsoid();

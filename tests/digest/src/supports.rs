@@ -3,7 +3,7 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::pairs_of_ends;
 use crate::planes::ends_of_twists;
-use tribos_core::limit_surface::{AnyPressure, PatchSurface};
+use tribos_core::limit_surface::{ShapeLimitSurface, UnknownPressureSet};
 use tribos_core::patch::outline::Polygon;
 use tribos_core::real::Real;
 use tribos_core::twist::Wrench;
@@ -32,7 +32,7 @@ fn supports_of<R: Real>(hash: &mut Fnv) {
     let corners = CORNERS.map(|corner| corner.map(R::from_f64));
     for centre in CENTRES {
         let centre = centre.map(R::from_f64);
-        let foot = AnyPressure::new(corners, centre, R::from_f64(420.0)).expect("a support");
+        let foot = UnknownPressureSet::new(corners, centre, R::from_f64(420.0)).expect("a support");
         hash.numbers([foot.force_limit(), foot.radius()]);
         hash.numbers([foot.centre().x, foot.centre().y]);
         for twist in ends_of_twists::<R>(101) {
@@ -43,20 +43,20 @@ fn supports_of<R: Real>(hash: &mut Fnv) {
             let yaw = foot.torque_limits([push.force.x, push.force.y]);
             hash.feed(u64::from(yaw.is_some()));
             if let Some(yaw) = yaw {
-                hash.numbers(yaw.carried);
-                hash.numbers(yaw.outer);
+                hash.numbers(yaw.certain);
+                hash.numbers(yaw.possible);
             }
         }
     }
     let sole = Polygon::new(corners).expect("a polygon");
-    let floor = PatchSurface::new(sole, R::from_f64(420.0)).expect("a set");
+    let floor = ShapeLimitSurface::new(sole, R::from_f64(420.0)).expect("a set");
     for twist in ends_of_twists::<R>(101) {
         let yaw = floor.torque_limits([twist.velocity.x, twist.velocity.y]);
         hash.feed(u64::from(yaw.is_some()));
         hash.numbers(yaw.unwrap_or([R::ZERO; 2]));
     }
     for (x, y) in pairs_of_ends::<R>().step_by(3) {
-        hash.verdict(&AnyPressure::new(corners, [x, y], R::ONE));
-        hash.verdict(&AnyPressure::new([[x, y]], [x, y], y));
+        hash.verdict(&UnknownPressureSet::new(corners, [x, y], R::ONE));
+        hash.verdict(&UnknownPressureSet::new([[x, y]], [x, y], y));
     }
 }

@@ -3,16 +3,17 @@
 use crate::ARGUMENTS;
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, speed};
-use tribos_core::coupling::closed::Ring;
+use tribos_core::coupling::closed::CoulombRing;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{DryCoupling, table};
+use tribos_core::coupling::{DryReducedFriction, table};
 use tribos_core::law::{
-    Bristle, ContactAge, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPower,
-    PlateauPowerParameters, RateState, RateStateParameters, Ruina, Stribeck, StribeckParameters,
+    AgeingLaw, Bristle, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPowerLaw,
+    PlateauPowerLawParameters, RateState, RateStateParameters, SlipLaw, StateVariable, Stribeck,
+    StribeckParameters,
 };
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection, Region};
+use tribos_core::limit_surface::{FrictionSet, Projection, Region, RoundLimitSurface};
 use tribos_core::patch::nodes::NodeList;
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -23,7 +24,7 @@ pub fn nodes() -> u64 {
 
 fn nodes_of<R: Real>(hash: &mut Fnv) {
     let real = R::from_f64;
-    let rule = PolarRule::new(real(0.5), 8, 16).expect("a rule");
+    let rule = PolarQuadrature::new(real(0.5), 8, 16).expect("a rule");
     let rule = rule.with_rim_exponent(R::HALF).expect("in range");
     let disk: NodeList<R, 128> = rule.nodes_tilted(real(0.25), R::ZERO).expect("128 nodes");
     let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75]].map(|corner| corner.map(real));
@@ -59,15 +60,15 @@ fn nodes_of<R: Real>(hash: &mut Fnv) {
 /// Hash of gauges, normals and projections, f64 and f32.
 pub fn limit_surfaces() -> u64 {
     let mut hash = Fnv::new();
-    surface::<f64, _>(&mut hash, table::Coulomb);
-    surface::<f64, _>(&mut hash, Ring);
-    surface::<f32, _>(&mut hash, table::Coulomb);
+    surface::<f64, _>(&mut hash, table::CoulombDisk);
+    surface::<f64, _>(&mut hash, CoulombRing);
+    surface::<f32, _>(&mut hash, table::CoulombDisk);
     hash.0
 }
 
-fn surface<R: Real, C: DryCoupling<R>>(hash: &mut Fnv, coupling: C) {
+fn surface<R: Real, C: DryReducedFriction<R>>(hash: &mut Fnv, coupling: C) {
     let [limit, radius] = [0.75, 0.25].map(R::from_f64);
-    let set = LimitSurface::new(coupling, limit, radius).expect("in range");
+    let set = RoundLimitSurface::new(coupling, limit, radius).expect("in range");
     let mut rng = Lcg::new(41);
     for _ in 0..ARGUMENTS / 4 {
         let [x, y, torque] = [(); 3].map(|()| speed::<R>(&mut rng) - speed::<R>(&mut rng));
@@ -91,7 +92,11 @@ fn surface<R: Real, C: DryCoupling<R>>(hash: &mut Fnv, coupling: C) {
 }
 
 /// Batches: gauges, normals and projections, with loads and a length.
-fn batches<R: Real, C: DryCoupling<R>>(hash: &mut Fnv, set: &LimitSurface<R, C>, rng: &mut Lcg) {
+fn batches<R: Real, C: DryReducedFriction<R>>(
+    hash: &mut Fnv,
+    set: &RoundLimitSurface<R, C>,
+    rng: &mut Lcg,
+) {
     const BATCH: usize = 20;
     for _ in 0..ARGUMENTS / 40 {
         let pushes = [(); BATCH].map(|()| {
@@ -137,8 +142,8 @@ fn laws_of<R: Real>(hash: &mut Fnv) {
         slip_distance: real(1e-5),
         viscous: real(0.1),
     };
-    let ageing = RateState::<R, Dieterich>::new(rock).expect("in range");
-    let slip = RateState::<R, Ruina>::new(rock).expect("in range");
+    let ageing = RateState::<R, AgeingLaw>::new(rock).expect("in range");
+    let slip = RateState::<R, SlipLaw>::new(rock).expect("in range");
     let joint = LuGre::new(LuGreParameters {
         coulomb_force: real(1.0),
         static_force: real(1.5),
@@ -148,7 +153,7 @@ fn laws_of<R: Real>(hash: &mut Fnv) {
         viscous_damping: real(0.4),
     });
     let joint = joint.expect("in range");
-    let ice = PlateauPower::new(PlateauPowerParameters {
+    let ice = PlateauPowerLaw::new(PlateauPowerLawParameters {
         alpha: real(-0.5),
         coefficient: real(0.008),
         plateau_speed: real(1e-4),
@@ -157,7 +162,10 @@ fn laws_of<R: Real>(hash: &mut Fnv) {
     });
     let ice = ice.expect("in range");
     let mut rng = Lcg::new(43);
-    let (mut young, mut old) = (ContactAge { theta: R::ONE }, ContactAge { theta: R::ONE });
+    let (mut young, mut old) = (
+        StateVariable { theta: R::ONE },
+        StateVariable { theta: R::ONE },
+    );
     let mut bristle = Bristle::RELAXED;
     for _ in 0..ARGUMENTS {
         let (v, dt) = (speed::<R>(&mut rng), real(1.0 / 1024.0));

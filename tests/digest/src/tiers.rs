@@ -4,13 +4,13 @@ use crate::ARGUMENTS;
 use crate::hash::Fnv;
 use crate::inputs::arguments;
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::table::{self, Table32, Table64};
-use tribos_core::coupling::{Coupling, compact};
+use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
+use tribos_core::coupling::{ReducedFriction, compact};
 use tribos_core::law::PowerLaw;
 use tribos_core::real::Real;
 
 /// Wrench and Jacobian at one pair of speeds.
-pub(crate) fn at<R: Real>(hash: &mut Fnv, tier: &dyn Coupling<R>, (slide, rim): (R, R)) {
+pub(crate) fn at<R: Real>(hash: &mut Fnv, tier: &dyn ReducedFriction<R>, (slide, rim): (R, R)) {
     hash.reduced(
         tier.reduced_wrench(slide, rim),
         tier.reduced_jacobian(slide, rim),
@@ -18,7 +18,7 @@ pub(crate) fn at<R: Real>(hash: &mut Fnv, tier: &dyn Coupling<R>, (slide, rim): 
 }
 
 /// Wrench and Jacobian of a tier over one stream of arguments.
-fn coupling<R: Real>(hash: &mut Fnv, tier: &dyn Coupling<R>) {
+fn coupling<R: Real>(hash: &mut Fnv, tier: &dyn ReducedFriction<R>) {
     for speeds in arguments(7, ARGUMENTS) {
         at(hash, tier, speeds);
     }
@@ -30,9 +30,9 @@ pub(crate) const EXPONENTS: [f64; 6] = [-0.75, -0.25, 0.5, 1.0, 2.0, 3.5];
 /// Hash of the f64 tables.
 pub fn tables_f64() -> u64 {
     let mut hash = Fnv::new();
-    coupling::<f64>(&mut hash, &table::Coulomb);
+    coupling::<f64>(&mut hash, &table::CoulombDisk);
     for alpha in EXPONENTS {
-        coupling(&mut hash, &Table64::new(alpha).expect("in range"));
+        coupling(&mut hash, &DiskTable64::new(alpha).expect("in range"));
     }
     hash.0
 }
@@ -40,9 +40,12 @@ pub fn tables_f64() -> u64 {
 /// Hash of the f32 tables.
 pub fn tables_f32() -> u64 {
     let mut hash = Fnv::new();
-    coupling::<f32>(&mut hash, &table::Coulomb);
+    coupling::<f32>(&mut hash, &table::CoulombDisk);
     for alpha in EXPONENTS {
-        coupling(&mut hash, &Table32::new(alpha as f32).expect("in range"));
+        coupling(
+            &mut hash,
+            &DiskTable32::new(alpha as f32).expect("in range"),
+        );
     }
     hash.0
 }
@@ -50,8 +53,8 @@ pub fn tables_f32() -> u64 {
 /// Hash of the compact tier, f64 and f32.
 pub fn compact() -> u64 {
     let mut hash = Fnv::new();
-    coupling::<f64>(&mut hash, &compact::CompactCoulomb);
-    coupling::<f32>(&mut hash, &compact::CompactCoulomb);
+    coupling::<f64>(&mut hash, &compact::CompactCoulombDisk);
+    coupling::<f32>(&mut hash, &compact::CompactCoulombDisk);
     for alpha in EXPONENTS {
         coupling(
             &mut hash,

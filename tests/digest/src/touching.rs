@@ -5,14 +5,14 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, speed, triples_of_ends};
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Plate,
-    Sphere, Thresholds, TimeStep, Touch,
+    Attraction, Cohesion, Contact, ContactBody, ContactFriction, ContactGeometry, CoupledFriction,
+    IndependentFriction, NormalLaw, SphereBody, TimeStep, WallBody,
 };
-use tribos_core::coupling::table::Coulomb;
+use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::internals::{InPlane, project_on_disc};
 use tribos_core::internals::{Masses, TangentialLoad};
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
-use tribos_core::manifold::{BodyHandle, InitialGuess, Manifold, Member, SolverLimits};
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
+use tribos_core::manifold::{BodyHandle, ContactSystem, InitialGuess, SolverSettings, SystemBody};
 use tribos_core::real::Real;
 
 /// Digest of single contacts, f64 and f32.
@@ -22,20 +22,20 @@ pub fn touching() -> u64 {
 
 fn touching_of<R: Real>(hash: &mut Fnv) {
     let [mu, mu_t, mu_n] = [0.5, 0.125, 0.25].map(R::from_f64);
-    let exact = LimitSurface::new(Coulomb, mu, mu_n).expect("in range");
-    let usual = Ellipsoid::new(mu, mu_n, R::HALF).expect("in range");
-    let all = Thresholds::all(mu, mu_t, mu_n).expect("in range");
+    let exact = RoundLimitSurface::new(CoulombDisk, mu, mu_n).expect("in range");
+    let usual = LimitEllipsoid::new(mu, mu_n, R::HALF).expect("in range");
+    let all = IndependentFriction::all(mu, mu_t, mu_n).expect("in range");
     hash.numbers([all.mu(), all.mu_rolling(), all.mu_torsion()]);
     let coupled = CoupledFriction::all(exact, mu_t).expect("in range");
     hash.numbers([coupled.mu(), coupled.mu_rolling(), coupled.mu_torsion()]);
     hash.number(coupled.set().force_limit());
-    pieces::<R, _>(hash, &Thresholds::none());
-    pieces(hash, &Thresholds::sliding(mu).expect("in range"));
-    let torsion = Thresholds::sliding_torsion(mu, mu_n).expect("in range");
+    pieces::<R, _>(hash, &IndependentFriction::none());
+    pieces(hash, &IndependentFriction::sliding(mu).expect("in range"));
+    let torsion = IndependentFriction::sliding_torsion(mu, mu_n).expect("in range");
     pieces(hash, &torsion);
     pieces(
         hash,
-        &Thresholds::sliding_rolling(mu, mu_t).expect("in range"),
+        &IndependentFriction::sliding_rolling(mu, mu_t).expect("in range"),
     );
     pieces(hash, &all);
     pieces(hash, &CoupledFriction::sliding_torsion(usual));
@@ -54,18 +54,18 @@ fn pieces<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
         let law = NormalLaw::new(cohesion, R::from_f64(0.25)).expect("in range");
         let height = R::from_f64([1.0, 1.125, 0.5][round % 3]);
         let outward = sphere(&mut rng, R::ONE).velocity;
-        let Ok(touch) = Touch::plate(height, &outward, R::ONE) else {
+        let Ok(touch) = ContactGeometry::plate(height, &outward, R::ONE) else {
             continue;
         };
         let mut ball = sphere(&mut rng, R::ONE);
         let velocity = sphere(&mut rng, R::ONE).velocity;
         let inv_mass = R::HALF;
-        let mut plate = Plate { velocity, inv_mass };
+        let mut plate = WallBody { velocity, inv_mass };
         let mut contact: Contact<R, F::Modes> = Contact::new(&touch, &law, &ball, &plate, dt);
         // The last round's impulse as a guess.
         if let Some(guess) = last {
             contact.set_impulse(&guess);
-            contact.admit(friction);
+            contact.project_impulse(friction);
             contact.apply(contact.impulse(), &mut ball, &mut plate);
         }
         hash.numbers(components(&contact.update(friction, &mut ball, &mut plate)));
@@ -78,7 +78,7 @@ fn pieces<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
     holds(hash, friction);
 }
 
-fn told<R, M>(hash: &mut Fnv, contact: &Contact<R, M>, ball: &Sphere<R>, plate: &Plate<R>)
+fn told<R, M>(hash: &mut Fnv, contact: &Contact<R, M>, ball: &SphereBody<R>, plate: &WallBody<R>)
 where
     R: Real,
     M: tribos_core::contact::ContactModes<R>,
@@ -89,16 +89,20 @@ where
     hash.numbers(components(&motion.minus(impulse)));
     hash.numbers([
         motion.dot(impulse),
-        motion.dot_with_lever(impulse, contact.lever()),
+        motion.dot_with_lever(impulse, contact.effective_radius()),
     ]);
     hash.numbers(impulse.linear(contact.normal()).iter().copied());
     hash.numbers(impulse.angular(contact.normal()).iter().copied());
     let block = contact.block();
     hash.numbers([block.mass_normal, block.mass_sliding, block.inertia]);
     hash.numbers([block.coupling, block.masses().gyration()]);
-    hash.numbers([contact.bound(), contact.cohesion(), contact.allowance()]);
-    hash.numbers(contact.arms());
-    hash.feed(u64::from(contact.rests_open()));
+    hash.numbers([
+        contact.bound(),
+        contact.cohesion(),
+        contact.approach_limit(),
+    ]);
+    hash.numbers(contact.centre_distances());
+    hash.feed(u64::from(contact.holds_gap_open()));
     for x in ball.velocity.iter().chain(ball.spin.iter()) {
         hash.number(*x);
     }
@@ -136,8 +140,8 @@ fn constructors<R: Real>(hash: &mut Fnv) {
         hash.numbers(disc.iter().copied());
         let outward = Vector3::new(x, y, R::ONE);
         for touch in [
-            Touch::plate(x, &outward, y),
-            Touch::spheres(&outward, [x, y]),
+            ContactGeometry::plate(x, &outward, y),
+            ContactGeometry::spheres(&outward, [x, y]),
         ] {
             hash.verdict(&touch);
             if let Ok(touch) = touch {
@@ -155,7 +159,7 @@ fn constructors<R: Real>(hash: &mut Fnv) {
             hash.maybe(law.ok().map(|law| law.restitution()));
             hash.maybe(law.ok().map(|law| law.cohesion().range()));
         }
-        hash.verdict(&Thresholds::sliding_torsion(x, y));
+        hash.verdict(&IndependentFriction::sliding_torsion(x, y));
         hash.maybe(TimeStep::new(x).ok().map(TimeStep::dt));
     }
 }
@@ -166,12 +170,12 @@ const STEPS: usize = 2000;
 /// Digest of a manifold of three spheres on a plate, f64 and f32.
 pub fn manifold() -> u64 {
     let mut hash = Fnv::new();
-    let usual = |mu| Ellipsoid::new(mu, 0.25, 0.5).expect("in range");
+    let usual = |mu| LimitEllipsoid::new(mu, 0.25, 0.5).expect("in range");
     let friction = CoupledFriction::all(usual(0.5_f64), 0.125).expect("in range");
     pile(&mut hash, friction, STEPS / 4);
     pile(
         &mut hash,
-        Thresholds::all(0.5_f32, 0.125, 0.25).expect("in range"),
+        IndependentFriction::all(0.5_f32, 0.125, 0.25).expect("in range"),
         STEPS,
     );
     hash.0
@@ -181,18 +185,20 @@ pub fn manifold() -> u64 {
 fn pile<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: F, steps: usize) {
     let real = R::from_f64;
     let law = NormalLaw::new(Cohesion::NONE, real(0.125)).expect("in range");
-    let mut pile = Manifold::<R, F, 3, 2>::new(law, friction);
+    let mut pile = ContactSystem::<R, F, 3, 2>::new(law, friction);
     let mut rng = Lcg::new(163);
     let velocity = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
     let inv_mass = R::HALF;
-    let plate = pile.push_plate(Plate { velocity, inv_mass }).expect("room");
+    let plate = pile
+        .push_plate(WallBody { velocity, inv_mass })
+        .expect("room");
     let balls = [(); 2].map(|()| pile.push_sphere(sphere(&mut rng, R::ONE)).expect("room"));
     pile.set_gravity(Vector3::new(R::ZERO, real(0.25), -R::ONE));
     let step = TimeStep::new(real(0.0625)).expect("positive");
     let up = Vector3::new(R::ZERO, R::ZERO, R::ONE);
-    let resting = Touch::plate(R::ONE, &-up, R::ONE).expect("they touch");
+    let resting = ContactGeometry::plate(R::ONE, &-up, R::ONE).expect("they touch");
     let below = pile.push_contact(balls[0], plate, resting).expect("room");
-    let between = Touch::spheres(&(up * real(2.03125)), [R::ONE; 2]).expect("apart");
+    let between = ContactGeometry::spheres(&(up * real(2.03125)), [R::ONE; 2]).expect("apart");
     let above = pile
         .push_contact(balls[0], balls[1], between)
         .expect("room");
@@ -203,21 +209,21 @@ fn pile<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: F, steps: usiz
             .expect("it is there");
         pile.set_force(balls[1], -up, sway).expect("it is there");
         let gap = real((count % 5) as f64 / 32.0 - 0.0625);
-        pile.set_touch(above, Touch { gap, ..between })
+        pile.set_geometry(above, ContactGeometry { gap, ..between })
             .expect("it is there");
         let start = [InitialGuess::Last, InitialGuess::Zero][usize::from(count % 7 == 0)];
-        let stop = SolverLimits {
-            sweeps: 4,
+        let stop = SolverSettings {
+            max_iterations: 4,
             tolerance: real(0.0009765625),
         };
         let report = pile.solve(step, start, stop);
         hash.number(report.residual);
-        hash.feed(u64::from(report.sweeps) | u64::from(report.converged) << 32);
+        hash.feed(u64::from(report.iterations) | u64::from(report.converged) << 32);
         for contact in [below, above] {
             let force = pile.force(contact).expect("it is there");
             hash.numbers(components(&force));
         }
-        if let Some(Member::Sphere(ball)) = pile.body_mut(balls[1]) {
+        if let Some(SystemBody::Sphere(ball)) = pile.body_mut(balls[1]) {
             // Air takes a little of the spin.
             ball.spin *= real(0.96875);
         }
@@ -232,14 +238,14 @@ fn pile<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: F, steps: usiz
     hash.verdict(&full);
 }
 
-fn members<R, F>(hash: &mut Fnv, pile: &Manifold<R, F, 3, 2>, bodies: [BodyHandle; 3])
+fn members<R, F>(hash: &mut Fnv, pile: &ContactSystem<R, F, 3, 2>, bodies: [BodyHandle; 3])
 where
     R: Real,
     F: ContactFriction<R>,
 {
     for member in bodies.into_iter().filter_map(|body| pile.body(body)) {
         hash.numbers(member.velocity().iter().copied());
-        hash.numbers(member.spin().iter().copied());
+        hash.numbers(member.angular_velocity().iter().copied());
         hash.numbers([member.inv_mass_normal(), member.inv_mass_tangential()]);
         hash.number(member.inv_inertia());
     }

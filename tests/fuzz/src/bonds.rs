@@ -4,7 +4,8 @@ use super::check::{all_nan, finite, holds};
 use super::patches::node;
 use super::{Broken, Source};
 use tribos_core::bond::{
-    BondLaw, Bonds, Exponential, OneStrength, ReForming, Release, Saturating, Weibull,
+    BondLaw, Bonds, BrittleBond, ExponentialBond, FailureMode, PlasticBond, ReformingBond,
+    WeibullBond,
 };
 use tribos_core::patch::nodes::{NodePatch, Nodes};
 use tribos_core::real::Real;
@@ -22,23 +23,23 @@ pub fn bonds(source: &mut Source) -> Result<(), Broken> {
 fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let (stiffness, strain) = (source.positive::<R>(), source.positive::<R>());
     match source.below(6) {
-        0 => Exponential::new(stiffness, strain).map_or(Ok(()), |law| {
+        0 => ExponentialBond::new(stiffness, strain).map_or(Ok(()), |law| {
             energy(source, |d| law.energy(d))?;
             judged(source, "exponential bonds", law)
         }),
-        1 => OneStrength::new(stiffness, strain).map_or(Ok(()), |law| {
+        1 => BrittleBond::new(stiffness, strain).map_or(Ok(()), |law| {
             energy(source, |d| law.energy(d))?;
             judged(source, "bonds of one strength", law)
         }),
-        2 => Saturating::new(stiffness, strain).map_or(Ok(()), |law| {
+        2 => PlasticBond::new(stiffness, strain).map_or(Ok(()), |law| {
             energy(source, |d| law.energy(d))?;
             judged(source, "yielding bonds", law)
         }),
-        3 => Weibull::new(stiffness, strain, source.positive())
+        3 => WeibullBond::new(stiffness, strain, source.positive())
             .map_or(Ok(()), |law| judged(source, "Weibull's bonds", law)),
-        4 => ReForming::one_strength(stiffness, strain)
+        4 => ReformingBond::one_strength(stiffness, strain)
             .map_or(Ok(()), |law| judged(source, "sawtooth", law)),
-        _ => ReForming::new(stiffness, strain, source.below(70) as u32)
+        _ => ReformingBond::new(stiffness, strain, source.below(70) as u32)
             .map_or(Ok(()), |law| judged(source, "re-forming bonds", law)),
     }
 }
@@ -51,7 +52,11 @@ fn energy<R: Real>(source: &mut Source, energy: impl Fn(R) -> R) -> Result<(), B
 /// The law, and the onset on three points.
 fn judged<R: Real, L: BondLaw<R>>(source: &mut Source, name: &str, law: L) -> Result<(), Broken> {
     let strain = source.positive::<R>();
-    let answers = [law.friction(strain), law.slope(strain), law.across(strain)];
+    let answers = [
+        law.friction(strain),
+        law.slope(strain),
+        law.transverse_stiffness(strain),
+    ];
     if strain.is_nan() {
         all_nan(name, answers)?;
     } else {
@@ -96,7 +101,7 @@ fn judged<R: Real, L: BondLaw<R>>(source: &mut Source, name: &str, law: L) -> Re
     let is_reached = [velocity.x, velocity.y, spin]
         .iter()
         .all(|part| part.is_finite());
-    let is_endless = onset.release == Release::Yields;
+    let is_endless = onset.release == FailureMode::Yields;
     holds(
         is_endless || is_reached,
         "a finite displacement",

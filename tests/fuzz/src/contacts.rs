@@ -3,12 +3,13 @@
 use super::check::{finite, holds};
 use super::{Broken, Source};
 use tribos_core::contact::{
-    AllModes, Attraction, Body, Cohesion, Contact, ContactFriction, ContactModes, CoupledFriction,
-    Modal, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch,
+    AllModes, Attraction, Cohesion, Contact, ContactBody, ContactFriction, ContactGeometry,
+    ContactModes, ContactVector, CoupledFriction, IndependentFriction, NormalLaw, SphereBody,
+    TimeStep, WallBody,
 };
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
-use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
+use tribos_core::manifold::{ContactSystem, InitialGuess, SolverSettings};
 use tribos_core::real::Real;
 
 /// One update of one contact under one friction.
@@ -23,19 +24,22 @@ pub fn contacts(source: &mut Source) -> Result<(), Broken> {
 fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let [mu, rolling, torsion] = [(); 3].map(|()| source.size::<R>());
     match source.below(7) {
-        0 => updated::<R, _>(source, &Thresholds::none()),
-        1 => Thresholds::sliding(mu).map_or(Ok(()), |law| updated(source, &law)),
-        2 => Thresholds::sliding_torsion(mu, torsion).map_or(Ok(()), |law| updated(source, &law)),
-        3 => Thresholds::sliding_rolling(mu, rolling).map_or(Ok(()), |law| updated(source, &law)),
-        4 => Thresholds::all(mu, rolling, torsion).map_or(Ok(()), |law| updated(source, &law)),
+        0 => updated::<R, _>(source, &IndependentFriction::none()),
+        1 => IndependentFriction::sliding(mu).map_or(Ok(()), |law| updated(source, &law)),
+        2 => IndependentFriction::sliding_torsion(mu, torsion)
+            .map_or(Ok(()), |law| updated(source, &law)),
+        3 => IndependentFriction::sliding_rolling(mu, rolling)
+            .map_or(Ok(()), |law| updated(source, &law)),
+        4 => IndependentFriction::all(mu, rolling, torsion)
+            .map_or(Ok(()), |law| updated(source, &law)),
         5 => {
-            let set = LimitSurface::new(Coulomb, mu, source.positive());
+            let set = RoundLimitSurface::new(CoulombDisk, mu, source.positive());
             set.map_or(Ok(()), |set| {
                 updated(source, &CoupledFriction::sliding_torsion(set))
             })
         }
         _ => {
-            let set = Ellipsoid::new(mu, source.positive(), source.positive());
+            let set = LimitEllipsoid::new(mu, source.positive(), source.positive());
             let Ok(set) = set else {
                 return Ok(());
             };
@@ -44,8 +48,8 @@ fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
     }
 }
 
-fn sphere<R: Real>(source: &mut Source) -> Sphere<R> {
-    Sphere {
+fn sphere<R: Real>(source: &mut Source) -> SphereBody<R> {
+    SphereBody {
         velocity: source.vector(),
         spin: source.vector(),
         inv_mass: source.size(),
@@ -53,8 +57,8 @@ fn sphere<R: Real>(source: &mut Source) -> Sphere<R> {
     }
 }
 
-fn plate<R: Real>(source: &mut Source) -> Plate<R> {
-    Plate {
+fn plate<R: Real>(source: &mut Source) -> WallBody<R> {
+    WallBody {
         velocity: source.vector(),
         inv_mass: source.size(),
     }
@@ -89,17 +93,17 @@ fn updated<R: Real, F: ContactFriction<R>>(
     let mut a = sphere::<R>(source);
     let dt = source.positive();
     if source.one_in(2) {
-        let Ok(touch) = Touch::spheres(&across, [radius, source.positive()]) else {
+        let Ok(touch) = ContactGeometry::spheres(&across, [radius, source.positive()]) else {
             return Ok(());
         };
         let mut b = sphere(source);
         between(source, friction, &law, &touch, dt, &mut a, &mut b)
     } else {
         // The direction of a pair of spheres is the plate's unit normal.
-        let Ok(aside) = Touch::spheres(&across, [R::ONE; 2]) else {
+        let Ok(aside) = ContactGeometry::spheres(&across, [R::ONE; 2]) else {
             return Ok(());
         };
-        let Ok(touch) = Touch::plate(source.number(), &aside.normal, radius) else {
+        let Ok(touch) = ContactGeometry::plate(source.number(), &aside.normal, radius) else {
             return Ok(());
         };
         let mut b = plate(source);
@@ -107,13 +111,13 @@ fn updated<R: Real, F: ContactFriction<R>>(
     }
 }
 
-fn between<R: Real, F: ContactFriction<R>, B: Body<R>>(
+fn between<R: Real, F: ContactFriction<R>, B: ContactBody<R>>(
     source: &mut Source,
     friction: &F,
     law: &NormalLaw<R>,
-    touch: &Touch<R>,
+    touch: &ContactGeometry<R>,
     dt: R,
-    a: &mut Sphere<R>,
+    a: &mut SphereBody<R>,
     b: &mut B,
 ) -> Result<(), Broken> {
     let normal = touch.normal;
@@ -140,7 +144,7 @@ fn between<R: Real, F: ContactFriction<R>, B: Body<R>>(
     }
     // Warm start, and application of the impulse to the sphere.
     contact.set_impulse(&impulse);
-    contact.admit(friction);
+    contact.project_impulse(friction);
     contact.set_impulse_in_plane(&impulse.plus_scaled(R::HALF, &impulse));
     contact.apply(&impulse, a, b);
     finite(source, "impulse", components(contact.impulse()))?;
@@ -153,7 +157,7 @@ fn between<R: Real, F: ContactFriction<R>, B: Body<R>>(
     )
 }
 
-fn components<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>) -> [R; 8] {
+fn components<R: Real, M: ContactModes<R>>(modal: &ContactVector<R, M>) -> [R; 8] {
     let (s, r) = (modal.sliding(), modal.rolling());
     let torsion = modal.torsion();
     [modal.normal, s.x, s.y, s.z, r.x, r.y, r.z, torsion]
@@ -172,14 +176,14 @@ fn manifold<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let [mu, rolling, torsion] = [(); 3].map(|()| source.size::<R>());
     let (Some(law), Ok(friction)) = (
         normal_law(source),
-        Thresholds::<R, AllModes>::all(mu, rolling, torsion),
+        IndependentFriction::<R, AllModes>::all(mu, rolling, torsion),
     ) else {
         return Ok(());
     };
     let Ok(step) = TimeStep::new(source.positive()) else {
         return Ok(());
     };
-    let mut pile = Manifold::<R, _, 3, 3>::new(law, friction);
+    let mut pile = ContactSystem::<R, _, 3, 3>::new(law, friction);
     let bodies = [
         pile.push_sphere(sphere(source)),
         pile.push_sphere(sphere(source)),
@@ -195,20 +199,20 @@ fn manifold<R: Real>(source: &mut Source) -> Result<(), Broken> {
     )?;
     for (one, other) in [(a, b), (a, floor), (b, floor)] {
         let radii = [source.positive(), source.positive()];
-        if let Ok(touch) = Touch::spheres(&source.vector(), radii) {
+        if let Ok(touch) = ContactGeometry::spheres(&source.vector(), radii) {
             let _ = pile.push_contact(one, other, touch);
         }
     }
     pile.set_gravity(source.vector());
     let _ = pile.set_force(a, source.vector(), source.vector());
-    let stop = SolverLimits {
-        sweeps: source.below(8) as u32,
+    let stop = SolverSettings {
+        max_iterations: source.below(8) as u32,
         tolerance: source.size(),
     };
     for start in [InitialGuess::Zero, InitialGuess::Last] {
         let report = pile.solve(step, start, stop);
         holds(
-            report.sweeps <= stop.sweeps.max(1),
+            report.iterations <= stop.max_iterations.max(1),
             "bounded sweeps",
             &[report.residual],
         )?;

@@ -3,12 +3,13 @@
 use super::check::{all_nan, finite, holds, numbers};
 use super::{Broken, Source, planes};
 use std::sync::OnceLock;
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::coupling::table::{self, Table32, Table64};
+use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
 use tribos_core::coupling::{
-    Annulus, Coupling, Lateral, PatchFriction, Profile, ReducedJacobian, compact,
+    Annulus, LateralFriction, PowerLawFriction, ReducedFriction, ReducedJacobian, RoundFriction,
+    compact,
 };
 use tribos_core::internals::Speeds;
 use tribos_core::law::PowerLaw;
@@ -20,17 +21,22 @@ use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 const BATCH: usize = 11;
 const EXPONENTS: [f64; 6] = [-0.9, -0.5, 0.25, 1.0, 1.5, 3.0];
 
-fn tables() -> &'static [Table64] {
-    static TABLES: OnceLock<Vec<Table64>> = OnceLock::new();
-    TABLES.get_or_init(|| EXPONENTS.iter().flat_map(|&a| Table64::new(a)).collect())
-}
-
-fn small_tables() -> &'static [Table32] {
-    static TABLES: OnceLock<Vec<Table32>> = OnceLock::new();
+fn tables() -> &'static [DiskTable64] {
+    static TABLES: OnceLock<Vec<DiskTable64>> = OnceLock::new();
     TABLES.get_or_init(|| {
         EXPONENTS
             .iter()
-            .flat_map(|&a| Table32::new(a as f32))
+            .flat_map(|&a| DiskTable64::new(a))
+            .collect()
+    })
+}
+
+fn small_tables() -> &'static [DiskTable32] {
+    static TABLES: OnceLock<Vec<DiskTable32>> = OnceLock::new();
+    TABLES.get_or_init(|| {
+        EXPONENTS
+            .iter()
+            .flat_map(|&a| DiskTable32::new(a as f32))
             .collect()
     })
 }
@@ -55,10 +61,10 @@ fn round_tables() -> &'static [RoundTable64] {
 /// One tier at one pair of speeds.
 pub fn couplings(source: &mut Source) -> Result<(), Broken> {
     match source.below(12) {
-        0 => lateral::<f64>(source, &table::Coulomb),
-        1 => lateral::<f32>(source, &table::Coulomb),
-        2 => exact::<f64>(source, &compact::CompactCoulomb),
-        3 => exact::<f32>(source, &compact::CompactCoulomb),
+        0 => lateral::<f64>(source, &table::CoulombDisk),
+        1 => lateral::<f32>(source, &table::CoulombDisk),
+        2 => exact::<f64>(source, &compact::CompactCoulombDisk),
+        3 => exact::<f32>(source, &compact::CompactCoulombDisk),
         4 => closed::<f64>(source),
         5 => closed::<f32>(source),
         6 => {
@@ -84,14 +90,14 @@ pub fn couplings(source: &mut Source) -> Result<(), Broken> {
 
 fn closed<R: Real>(source: &mut Source) -> Result<(), Broken> {
     match source.below(3) {
-        0 => lateral::<R>(source, &Ring),
-        1 => lateral::<R>(source, &FlatPunch),
-        _ => lateral::<R>(source, &Hertz),
+        0 => lateral::<R>(source, &CoulombRing),
+        1 => lateral::<R>(source, &CoulombPunch),
+        _ => lateral::<R>(source, &CoulombHertz),
     }
 }
 
 /// Finite speeds give forces ≥ 0 and derivatives that are not NaN; NaN gives NaN.
-fn exact<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), Broken> {
+fn exact<R: Real>(source: &mut Source, tier: &impl ReducedFriction<R>) -> Result<(), Broken> {
     let (slide, rim) = (source.number::<R>(), source.number::<R>());
     let wrench = tier.reduced_wrench(slide, rim);
     let [drag, _] = tier.reduced_drag(slide, rim);
@@ -120,7 +126,7 @@ fn exact<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), Br
 }
 
 /// Batches answer as single calls, to the bit.
-fn batches<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), Broken> {
+fn batches<R: Real>(source: &mut Source, tier: &impl ReducedFriction<R>) -> Result<(), Broken> {
     let (slides, rims) = (numbers_of(source), numbers_of(source));
     let [mut forces, mut torques] = [[R::ZERO; BATCH]; 2];
     let mut slopes = [ReducedJacobian::default(); BATCH];
@@ -140,7 +146,7 @@ fn batches<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), 
         same("∂F/∂w", all.mixed, one.mixed)?;
         same("∂T/∂w", all.torque_rim, one.torque_rim)?;
     }
-    let Ok(patch) = PatchFriction::new(tier, source.size(), source.positive()) else {
+    let Ok(patch) = RoundFriction::new(tier, source.size(), source.positive()) else {
         return Ok(());
     };
     let (load, twists) = (
@@ -166,7 +172,7 @@ fn batches<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), 
 
 /// The same wrenches from the components of the twists.
 fn columns<R: Real>(
-    patch: &PatchFriction<R, impl Coupling<R>>,
+    patch: &RoundFriction<R, impl ReducedFriction<R>>,
     load: R,
     twists: &[Twist<R>; BATCH],
     wrenches: &[Wrench<R>; BATCH],
@@ -196,7 +202,7 @@ fn same<R: Real>(what: &str, batch: R, one: R) -> Result<(), Broken> {
     holds(is_same, what, &[batch, one])
 }
 
-fn lateral<R: Real>(source: &mut Source, tier: &impl Lateral<R>) -> Result<(), Broken> {
+fn lateral<R: Real>(source: &mut Source, tier: &impl LateralFriction<R>) -> Result<(), Broken> {
     let mut again = source.clone();
     exact(source, tier)?;
     let (slide, rim) = (again.number::<R>(), again.number::<R>());
@@ -217,7 +223,7 @@ fn annulus(source: &mut Source) -> Result<(), Broken> {
     } else {
         source.number()
     };
-    let Ok(ring) = Annulus::new(table::Coulomb, ratio) else {
+    let Ok(ring) = Annulus::new(table::CoulombDisk, ratio) else {
         return Ok(());
     };
     let (slide, rim) = (source.number(), source.number());

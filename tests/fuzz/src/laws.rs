@@ -3,9 +3,10 @@
 use super::check::{all_nan, finite, holds, numbers};
 use super::{Broken, Source};
 use tribos_core::law::{
-    Age, Ageing, Bristle, ContactAge, CoulombLaw, Dieterich, DryFriction, Evolution, Grip,
-    LocalLaw, LuGre, LuGreParameters, PlateauPower, PlateauPowerParameters, PowerLaw, RateState,
-    RateStateParameters, Ruina, Savkoor, SavkoorParameters, Stribeck, StribeckParameters,
+    AgeingLaw, Bristle, CoulombLaw, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPowerLaw,
+    PlateauPowerLawParameters, PowerLaw, RateState, RateStateParameters, RestTime, Savkoor,
+    SavkoorParameters, SlipLaw, StateEvolution, StateVariable, StaticAgeing, StickSlip, Stribeck,
+    StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -77,7 +78,7 @@ fn dry<R: Real>(source: &mut Source) -> Result<(), Broken> {
     finite(source, "net drive", [net])?;
     if drive.is_nan() {
         all_nan("net drive", [net])?;
-        return holds(law.at_rest(drive) == Grip::Slip, "NaN slips", &[drive]);
+        return holds(law.at_rest(drive) == StickSlip::Slip, "NaN slips", &[drive]);
     }
     Ok(())
 }
@@ -114,7 +115,7 @@ fn plateau<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let alpha = -source.unit::<R>();
     let (drop, more) = (source.positive::<R>(), source.size::<R>());
     let share = source.unit();
-    let law = PlateauPower::new(PlateauPowerParameters {
+    let law = PlateauPowerLaw::new(PlateauPowerLawParameters {
         alpha,
         coefficient: source.size(),
         plateau_speed: drop + more,
@@ -140,18 +141,18 @@ pub fn with_memory(source: &mut Source) -> Result<(), Broken> {
     match source.below(6) {
         0 => ageing::<f64>(source),
         1 => ageing::<f32>(source),
-        2 => rocks::<f64, Dieterich>(source),
-        3 => rocks::<f64, Ruina>(source),
+        2 => rocks::<f64, AgeingLaw>(source),
+        3 => rocks::<f64, SlipLaw>(source),
         4 => bristles::<f64>(source),
         _ => bristles::<f32>(source),
     }
 }
 
 fn ageing<R: Real>(source: &mut Source) -> Result<(), Broken> {
-    let Ok(law) = Ageing::<R>::new(source.size(), source.size(), source.positive()) else {
+    let Ok(law) = StaticAgeing::<R>::new(source.size(), source.size(), source.positive()) else {
         return Ok(());
     };
-    let age = Age {
+    let age = RestTime {
         time: source.size(),
     };
     finite(source, "ageing", [law.mu_static(age), law.rate(age)])?;
@@ -160,7 +161,7 @@ fn ageing<R: Real>(source: &mut Source) -> Result<(), Broken> {
     finite(source, "age", [later.time])
 }
 
-fn rocks<R: Real, E: Evolution>(source: &mut Source) -> Result<(), Broken> {
+fn rocks<R: Real, E: StateEvolution>(source: &mut Source) -> Result<(), Broken> {
     let [mu, b, viscous] = [(); 3].map(|()| source.size::<R>());
     let [a, reference_speed, slip_distance] = [(); 3].map(|()| source.positive());
     let law = RateState::<R, E>::new(RateStateParameters {
@@ -175,7 +176,7 @@ fn rocks<R: Real, E: Evolution>(source: &mut Source) -> Result<(), Broken> {
         return Ok(());
     };
     let (theta, v, dt) = (source.positive::<R>(), source.size(), source.size());
-    let age = law.advance(ContactAge { theta }, v, dt);
+    let age = law.advance(StateVariable { theta }, v, dt);
     let coefficient = law.coefficient(v, age);
     let finite_in = [theta, v, dt]
         .iter()

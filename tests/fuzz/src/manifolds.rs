@@ -3,8 +3,9 @@
 use super::Source;
 use super::check::{Broken, finite, holds};
 use tribos_core::manifold_friction::{
-    Anisotropy, CompactOutline, ContactArea, FrictionBudget, FrictionImpulse, InverseMasses, Lanes,
-    Outline, limited_rolling, manifold_friction, manifold_friction_in,
+    AnisotropicFriction, FrictionImpulse, FrictionLimits, InverseEffectiveMasses,
+    IsotropicLimitCurve, Lanes, LimitCurve, ManifoldArea, manifold_friction_in, project_friction,
+    project_rolling,
 };
 use tribos_core::real::Real;
 
@@ -23,28 +24,28 @@ fn of<R: Real + Lanes>(source: &mut Source) -> Result<(), Broken> {
     for corner in &mut corners[..count] {
         *corner = [source.number(), source.number()];
     }
-    let area = ContactArea::of_corners(&corners[..count]);
+    let area = ManifoldArea::of_corners(&corners[..count]);
     let candidate = FrictionImpulse {
         tangential: [source.number(), source.number()],
         angular: source.number(),
     };
-    let budget = FrictionBudget {
-        force: source.size(),
-        lever: source.size(),
-        slip: if source.one_in(2) {
+    let budget = FrictionLimits {
+        impulse: source.size(),
+        torsion_radius: source.size(),
+        dynamic_over_static: if source.one_in(2) {
             R::ONE
         } else {
             R::HALF + R::HALF * source.unit::<R>()
         },
     };
-    let inverse = InverseMasses {
+    let inverse = InverseEffectiveMasses {
         tangential: source.positive(),
         angular: source.size(),
     };
     for outline in [
-        CompactOutline::area(),
-        CompactOutline::points(),
-        CompactOutline::ellipsoid(),
+        IsotropicLimitCurve::area(),
+        IsotropicLimitCurve::points(),
+        IsotropicLimitCurve::ellipsoid(),
     ] {
         carried(source, &candidate, &budget, &inverse, &outline)?;
     }
@@ -58,9 +59,9 @@ fn of<R: Real + Lanes>(source: &mut Source) -> Result<(), Broken> {
         carried(source, &candidate, &budget, &inverse, &area.outline)?;
     }
     let _ = manifold_friction_in::<1, _, _>(&candidate, &budget, &inverse, &area.outline);
-    let rolling = limited_rolling(candidate.tangential, budget.force);
+    let rolling = project_rolling(candidate.tangential, budget.impulse);
     finite(source, "rolling impulse", rolling)?;
-    let grooved = Anisotropy::new([source.positive(), source.positive()]);
+    let grooved = AnisotropicFriction::new([source.positive(), source.positive()]);
     finite(source, "larger coefficient", [grooved.largest()])?;
     let velocity = [source.number(), source.number()];
     let stretched = grooved.candidate(&candidate, velocity, source.number(), &inverse);
@@ -73,14 +74,14 @@ fn of<R: Real + Lanes>(source: &mut Source) -> Result<(), Broken> {
 }
 
 /// Friction is within both limits and, if they bind, does not exceed the candidate.
-fn carried<R: Real + Lanes, O: Outline<R>>(
+fn carried<R: Real + Lanes, O: LimitCurve<R>>(
     source: &Source,
     candidate: &FrictionImpulse<R>,
-    budget: &FrictionBudget<R>,
-    inverse: &InverseMasses<R>,
+    budget: &FrictionLimits<R>,
+    inverse: &InverseEffectiveMasses<R>,
     outline: &O,
 ) -> Result<(), Broken> {
-    let friction = manifold_friction(candidate, budget, inverse, outline);
+    let friction = project_friction(candidate, budget, inverse, outline);
     let [x, y] = friction.tangential;
     if !source.is_mild() {
         return Ok(());
@@ -89,15 +90,15 @@ fn carried<R: Real + Lanes, O: Outline<R>>(
     let rounding = R::ONE + R::from_f64(64.0) * R::EPSILON;
     let norm = |[x, y]: [R; 2]| x.hypot(y);
     let (force, before) = (norm([x, y]), norm(candidate.tangential));
-    let held = budget.force / budget.slip;
+    let held = budget.impulse / budget.dynamic_over_static;
     let numbers = [
         force,
         before,
-        budget.force,
+        budget.impulse,
         friction.angular,
         candidate.angular,
-        budget.lever,
-        budget.slip,
+        budget.torsion_radius,
+        budget.dynamic_over_static,
     ];
     holds(force <= held * rounding, "force within its limit", &numbers)?;
     holds(
@@ -107,7 +108,7 @@ fn carried<R: Real + Lanes, O: Outline<R>>(
     )?;
     let (twist, before) = (Real::abs(friction.angular), Real::abs(candidate.angular));
     holds(
-        twist <= held * budget.lever * rounding,
+        twist <= held * budget.torsion_radius * rounding,
         "twist within its limit",
         &numbers,
     )?;

@@ -2,20 +2,20 @@
 
 use super::check::{at_most, finite, holds};
 use super::{Broken, Source};
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Coupling, Profile, compact};
-use tribos_core::modes::{FinalMode, Modes, inertia_interval};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction, compact};
+use tribos_core::modes::{TerminalMode, TerminalMotion, inertia_interval};
 use tribos_core::real::Real;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 /// Fixed points of one profile.
 pub fn modes(source: &mut Source) -> Result<(), Broken> {
     match source.below(5) {
-        0 => of_profile::<f64, _>(source, Coulomb),
-        1 => of_profile::<f32, _>(source, Coulomb),
-        2 => of_profile::<f64, _>(source, Hertz),
-        3 => of_profile::<f64, _>(source, Ring),
+        0 => of_profile::<f64, _>(source, CoulombDisk),
+        1 => of_profile::<f32, _>(source, CoulombDisk),
+        2 => of_profile::<f64, _>(source, CoulombHertz),
+        3 => of_profile::<f64, _>(source, CoulombRing),
         _ => {
             let alpha = source.unit::<f64>() * 3.0 - 0.9;
             compact::CompactPower::new(alpha).map_or(Ok(()), |power| of_profile(source, power))
@@ -23,8 +23,11 @@ pub fn modes(source: &mut Source) -> Result<(), Broken> {
     }
 }
 
-fn of_profile<R: Real, P: Profile<R>>(source: &mut Source, profile: P) -> Result<(), Broken> {
-    let Ok(modes) = Modes::new(profile, source.positive()) else {
+fn of_profile<R: Real, P: PowerLawFriction<R>>(
+    source: &mut Source,
+    profile: P,
+) -> Result<(), Broken> {
+    let Ok(modes) = TerminalMotion::new(profile, source.positive()) else {
         return Ok(());
     };
     let ratio = source.size::<R>();
@@ -44,7 +47,7 @@ fn of_profile<R: Real, P: Profile<R>>(source: &mut Source, profile: P) -> Result
         holds(fixed >= R::ZERO, "a fixed point ≥ 0", &[fixed])?;
     }
     let _ = modes.fixed_points();
-    if let FinalMode::Together { ratio } = modes.final_mode(ratio) {
+    if let TerminalMode::Together { ratio } = modes.terminal_mode(ratio) {
         holds(
             ratio >= R::ZERO || !source.is_mild(),
             "a final ratio ≥ 0",
@@ -58,19 +61,19 @@ fn of_profile<R: Real, P: Profile<R>>(source: &mut Source, profile: P) -> Result
 /// A slider launched, advanced and brought to rest.
 pub fn sliders(source: &mut Source) -> Result<(), Broken> {
     match source.below(5) {
-        0 => slid::<f64, _>(source, Coulomb),
+        0 => slid::<f64, _>(source, CoulombDisk),
         1 => slid_single(source),
-        2 => slid::<f64, _>(source, Hertz),
-        3 => slid::<f64, _>(source, FlatPunch),
-        _ => slid::<f64, _>(source, Ring),
+        2 => slid::<f64, _>(source, CoulombHertz),
+        3 => slid::<f64, _>(source, CoulombPunch),
+        _ => slid::<f64, _>(source, CoulombRing),
     }
 }
 
 fn slid_single(source: &mut Source) -> Result<(), Broken> {
-    slid::<f32, _>(source, Coulomb)
+    slid::<f32, _>(source, CoulombDisk)
 }
 
-fn slid<R: Real, P: Profile<R> + Coupling<R>>(
+fn slid<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>>(
     source: &mut Source,
     profile: P,
 ) -> Result<(), Broken> {
@@ -86,9 +89,9 @@ fn slid<R: Real, P: Profile<R> + Coupling<R>>(
     ) else {
         return Ok(());
     };
-    let start = Motion::launched(source.size(), source.number());
+    let start = SliderState::launched(source.size(), source.number());
     let duration = source.size::<R>();
-    let energy = |motion: &Motion<R>| slider.energy_per_mass(motion);
+    let energy = |motion: &SliderState<R>| slider.energy_per_mass(motion);
     let power = slider.dissipation_per_mass(&start);
     finite(source, "dissipation", [power])?;
     holds(
@@ -123,7 +126,7 @@ fn slid<R: Real, P: Profile<R> + Coupling<R>>(
     Ok(())
 }
 
-fn told<R: Real>(source: &Source, what: &str, motion: &Motion<R>) -> Result<(), Broken> {
+fn told<R: Real>(source: &Source, what: &str, motion: &SliderState<R>) -> Result<(), Broken> {
     let all = [
         motion.time,
         motion.speed,

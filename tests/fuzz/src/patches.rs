@@ -4,7 +4,7 @@ use super::check::holds;
 use super::{Broken, Source};
 use tribos_core::internals::tripod_shares;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 
@@ -60,7 +60,8 @@ fn rules<R: Real>(source: &mut Source) -> Result<(), Broken> {
     if let Ok(rim) = NodeList::<R, 16>::ring(radius, source.below(18) as u32) {
         sound(&rim)?;
     }
-    let Ok(rule) = PolarRule::new(radius, source.below(5) as u32, source.below(8) as u32) else {
+    let Ok(rule) = PolarQuadrature::new(radius, source.below(5) as u32, source.below(8) as u32)
+    else {
         return Ok(());
     };
     let Ok(rule) = rule.with_rim_exponent(source.number()) else {

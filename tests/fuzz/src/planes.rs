@@ -4,15 +4,17 @@ use super::check::{all_nan, at_most, finite, holds};
 use super::patches::node;
 use super::{Broken, Source};
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::closed::Hertz;
+use tribos_core::coupling::closed::CoulombHertz;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction};
-use tribos_core::coupling::{Lateral, PatchFriction};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::tall::{
+    FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
+};
+use tribos_core::coupling::{LateralFriction, RoundFriction};
 use tribos_core::law::PowerLaw;
-use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
+use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 use tribos_core::patch::nodes::Nodes;
-use tribos_core::planar::{NodeFoot, PlanarBody};
+use tribos_core::planar::{PlanarBody, PointContacts};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -60,14 +62,14 @@ pub fn planes(source: &mut Source) -> Result<(), Broken> {
     match source.below(5) {
         0 => upright::<f64>(source),
         1 => upright::<f32>(source),
-        2 => tall::<f64, _, AllRound>(source, Coulomb),
-        3 => tall::<f32, _, FrontBack>(source, Hertz),
+        2 => tall::<f64, _, FullGradient>(source, CoulombDisk),
+        3 => tall::<f32, _, LongitudinalGradient>(source, CoulombHertz),
         _ => points(source),
     }
 }
 
 fn upright<R: Real>(source: &mut Source) -> Result<(), Broken> {
-    let Ok(puck) = PatchFriction::<R, _>::new(Coulomb, source.size(), source.positive()) else {
+    let Ok(puck) = RoundFriction::<R, _>::new(CoulombDisk, source.size(), source.positive()) else {
         return Ok(());
     };
     let (load, motion) = (source.size(), twist::<R>(source));
@@ -89,11 +91,14 @@ fn upright<R: Real>(source: &mut Source) -> Result<(), Broken> {
     dissipates(source, &friction, &motion)
 }
 
-fn tall<R: Real, C: Lateral<R>, L: Lean>(source: &mut Source, coupling: C) -> Result<(), Broken> {
-    let Ok(foot) = PatchFriction::new(coupling, source.size::<R>(), source.positive()) else {
+fn tall<R: Real, C: LateralFriction<R>, L: PressureGradient>(
+    source: &mut Source,
+    coupling: C,
+) -> Result<(), Broken> {
+    let Ok(foot) = RoundFriction::new(coupling, source.size::<R>(), source.positive()) else {
         return Ok(());
     };
-    let Ok(body) = TallFriction::<R, C, L>::new(foot, source.size()) else {
+    let Ok(body) = LoadTransferFriction::<R, C, L>::new(foot, source.size()) else {
         return Ok(());
     };
     let (load, motion) = (source.size(), twist::<R>(source));
@@ -137,7 +142,7 @@ pub fn steps(source: &mut Source) -> Result<(), Broken> {
 }
 
 fn step_on_surface<R: Real>(source: &mut Source) -> Result<(), Broken> {
-    let Ok(set) = LimitSurface::new(Coulomb, source.size::<R>(), source.positive()) else {
+    let Ok(set) = RoundLimitSurface::new(CoulombDisk, source.size::<R>(), source.positive()) else {
         return Ok(());
     };
     stepped(source, |body, twist, push, dt| {
@@ -147,7 +152,7 @@ fn step_on_surface<R: Real>(source: &mut Source) -> Result<(), Broken> {
 
 fn step_on_ellipsoid(source: &mut Source) -> Result<(), Broken> {
     let (force, radius, torque) = (source.size::<f64>(), source.positive(), source.positive());
-    let Ok(set) = Ellipsoid::new(force, radius, torque) else {
+    let Ok(set) = LimitEllipsoid::new(force, radius, torque) else {
         return Ok(());
     };
     stepped(source, |body, twist, push, dt| {
@@ -212,12 +217,12 @@ fn foot<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let Ok(nodes) = Nodes::new([(); POINTS].map(|()| node::<R>(source))) else {
         return Ok(());
     };
-    let Ok(mut foot) = NodeFoot::<R, _, POINTS>::new(nodes, source.size()) else {
+    let Ok(mut foot) = PointContacts::<R, _, POINTS>::new(nodes, source.size()) else {
         return Ok(());
     };
     if source.one_in(2) {
         return stepped(source, |body, twist, push, dt| {
-            body.step_on_foot(&mut foot, twist, push, dt)
+            body.step_on_points(&mut foot, twist, push, dt)
         });
     }
     let (wanted, length) = (wrench::<R>(source), source.positive::<R>());

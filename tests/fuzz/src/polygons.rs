@@ -6,15 +6,15 @@ use super::sets::asked;
 use super::supports::supports;
 use super::{Broken, Source};
 use tribos_core::coupling::flat::{
-    DryPatch, FlatFriction, FlatPower, FlatPowerFriction, PowerPatch,
+    PatchShape, PolygonPowerLaw, PowerLawPatch, ShapeFriction, ShapePowerFriction,
 };
-use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::bar::Bar;
-use tribos_core::patch::feet::{Feet, Foot};
+use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::{Node, NodePatch, Nodes};
-use tribos_core::patch::outline::{Edge, FlatPressure, Polygon};
-use tribos_core::patch::points::Points;
+use tribos_core::patch::outline::{Edge, Polygon, PressureField};
+use tribos_core::patch::points::PointPatch;
 use tribos_core::real::Real;
 
 /// Room for edges.
@@ -57,7 +57,7 @@ fn any_corners<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let fourth = [source.number::<R>(), source.number()];
     if let Ok(triangle) = Polygon::new(corners) {
         placed(&triangle.centre(), triangle.radius())?;
-        let friction = FlatFriction::new(triangle, source.size());
+        let friction = ShapeFriction::new(triangle, source.size());
         let (load, motion) = (source.size(), twist::<R>(source));
         let met = friction.map(|friction| friction.wrench_and_jacobian(load, &motion));
         if let Ok((met, _)) = met {
@@ -78,7 +78,7 @@ fn blade<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let Ok(bar) = Bar::new(end(), end()) else {
         return Ok(());
     };
-    let set = PatchSurface::new(bar, source.size());
+    let set = ShapeLimitSurface::new(bar, source.size());
     set.map_or(Ok(()), |set| asked(source, &set))
 }
 
@@ -135,7 +135,7 @@ fn spikes<R: Real>(source: &mut Source) -> Result<(), Broken> {
         let weight = source.unit::<R>();
         Node { x, y, weight }
     });
-    let Ok(points) = Nodes::new(nodes).and_then(Points::new) else {
+    let Ok(points) = Nodes::new(nodes).and_then(PointPatch::new) else {
         return Ok(());
     };
     placed(&points.centre(), points.radius())?;
@@ -156,11 +156,11 @@ fn sledge<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let (Ok(one), Ok(other)) = (one, other) else {
         return Ok(());
     };
-    let feet = [one, other].map(|patch| Foot {
+    let feet = [one, other].map(|patch| PatchPart {
         patch,
-        weight: source.size::<R>(),
+        load_share: source.size::<R>(),
     });
-    let Ok(body) = Feet::new(&feet) else {
+    let Ok(body) = CompoundPatch::new(&feet) else {
         return Ok(());
     };
     let radius = body.radius();
@@ -230,7 +230,7 @@ fn placed<R: Real>(centre: &nalgebra::Vector2<R>, radius: R) -> Result<(), Broke
     )
 }
 
-fn used<R: Real, K: FlatPressure<R>>(
+fn used<R: Real, K: PressureField<R>>(
     source: &mut Source,
     patch: &Shape<R, K>,
 ) -> Result<(), Broken> {
@@ -243,7 +243,7 @@ fn used<R: Real, K: FlatPressure<R>>(
         rubs(source, patch)?;
         return resists(source, patch);
     }
-    let Ok(set) = PatchSurface::new(*patch, source.size()) else {
+    let Ok(set) = ShapeLimitSurface::new(*patch, source.size()) else {
         return Ok(());
     };
     holds(
@@ -261,19 +261,19 @@ fn used<R: Real, K: FlatPressure<R>>(
 }
 
 /// Friction at any motion, or the set of what is carried.
-fn borne<R: Real>(source: &mut Source, patch: &impl DryPatch<R>) -> Result<(), Broken> {
+fn borne<R: Real>(source: &mut Source, patch: &impl PatchShape<R>) -> Result<(), Broken> {
     if source.one_in(2) {
         return rubs(source, patch);
     }
-    match PatchSurface::new(patch, source.size()) {
+    match ShapeLimitSurface::new(patch, source.size()) {
         Ok(set) => asked(source, &set),
         Err(_) => Ok(()),
     }
 }
 
 /// Friction at any motion.
-fn rubs<R: Real>(source: &mut Source, patch: &impl DryPatch<R>) -> Result<(), Broken> {
-    let Ok(friction) = FlatFriction::new(patch, source.size::<R>()) else {
+fn rubs<R: Real>(source: &mut Source, patch: &impl PatchShape<R>) -> Result<(), Broken> {
+    let Ok(friction) = ShapeFriction::new(patch, source.size::<R>()) else {
         return Ok(());
     };
     let coefficient = friction.coefficient();
@@ -294,17 +294,17 @@ fn rubs<R: Real>(source: &mut Source, patch: &impl DryPatch<R>) -> Result<(), Br
 }
 
 /// Friction of any power of the speed at any motion.
-fn resists<R: Real>(source: &mut Source, patch: &impl PowerPatch<R>) -> Result<(), Broken> {
+fn resists<R: Real>(source: &mut Source, patch: &impl PowerLawPatch<R>) -> Result<(), Broken> {
     let alpha = if source.is_mild() {
         R::from_f64(2.5 * source.unit::<f64>() - 0.5)
     } else {
         source.number()
     };
-    let Ok(power) = FlatPower::new(alpha) else {
-        let is_in = alpha > -R::ONE && alpha.to_f64() <= FlatPower::<R>::MAX_EXPONENT;
+    let Ok(power) = PolygonPowerLaw::new(alpha) else {
+        let is_in = alpha > -R::ONE && alpha.to_f64() <= PolygonPowerLaw::<R>::MAX_EXPONENT;
         return holds(!is_in, "an exponent in range is taken", &[alpha]);
     };
-    let Ok(friction) = FlatPowerFriction::new(patch, source.size::<R>(), power) else {
+    let Ok(friction) = ShapePowerFriction::new(patch, source.size::<R>(), power) else {
         return Ok(());
     };
     let own = [friction.power().alpha(), friction.coefficient()];
@@ -329,9 +329,9 @@ fn resists<R: Real>(source: &mut Source, patch: &impl PowerPatch<R>) -> Result<(
 }
 
 /// The derivatives at any push.
-fn derived<R: Real, P: DryPatch<R>>(
+fn derived<R: Real, P: PatchShape<R>>(
     source: &mut Source,
-    set: &PatchSurface<R, P>,
+    set: &ShapeLimitSurface<R, P>,
 ) -> Result<(), Broken> {
     let (push, length) = (wrench::<R>(source), source.positive::<R>());
     let (normal, curvature) = set.gauge_derivatives(&push);

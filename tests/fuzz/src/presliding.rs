@@ -5,13 +5,13 @@ use super::patches::node;
 use super::planes::{twist, wrench};
 use super::{Broken, Source};
 use tribos_core::contact::TimeStep;
-use tribos_core::holding::{Hold, Holding};
-use tribos_core::law::Grip;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, Scaled};
+use tribos_core::holding::{Stiction, StictionBounds};
+use tribos_core::law::StickSlip;
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, ScaledSet};
 use tribos_core::patch::nodes::{NodePatch, Nodes};
 use tribos_core::planar::{ElasticState, PlanarBody};
 use tribos_core::presliding::{
-    Anchor, GradualPresliding, NodePresliding, Pose, Presliding, Settled,
+    Anchor, MicroslipPresliding, PointPresliding, Pose, Presliding, Settled,
 };
 use tribos_core::real::Real;
 use tribos_core::twist::{Displacement, Wrench};
@@ -43,10 +43,10 @@ fn parts<R: Real>(w: &Wrench<R>) -> [R; 3] {
 /// A set of some strength, and bonds.
 fn patch<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let (force, radius, torque) = (source.size::<R>(), source.positive(), source.positive());
-    let Ok(base) = Ellipsoid::new(force, radius, torque) else {
+    let Ok(base) = LimitEllipsoid::new(force, radius, torque) else {
         return Ok(());
     };
-    let Ok(set) = Scaled::new(&base, source.positive::<R>()) else {
+    let Ok(set) = ScaledSet::new(&base, source.positive::<R>()) else {
         return Ok(());
     };
     let Ok(bonds) = Presliding::new(source.positive::<R>(), source.positive()) else {
@@ -55,7 +55,7 @@ fn patch<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let (anchor, from, to) = (Anchor::at(pose(source)), pose::<R>(source), pose(source));
     let step = bonds.step(&set, &anchor, &to);
     finite(source, "friction on bonds", parts(&step.friction))?;
-    if step.grip == Grip::Stick {
+    if step.grip == StickSlip::Stick {
         holds(
             step.anchor == anchor,
             "bonds that hold keep their anchor",
@@ -75,7 +75,7 @@ fn patch<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let moved = displacement(source);
     judged(source, &bonds.advance(&set, &strain, &moved))?;
     let (breakaway, exponent) = (source.unit::<R>(), source.positive());
-    if let Ok(gradual) = GradualPresliding::new(bonds, breakaway, exponent) {
+    if let Ok(gradual) = MicroslipPresliding::new(bonds, breakaway, exponent) {
         judged(source, &gradual.advance(&set, &strain, &moved))?;
         let kept = [gradual.breakaway(), gradual.exponent()];
         let is_kept = kept == [breakaway, exponent] && *gradual.bonds() == bonds;
@@ -97,16 +97,16 @@ fn patch<R: Real>(source: &mut Source) -> Result<(), Broken> {
         "strength is positive",
         &[set.strength()],
     )?;
-    let answer = Holding::of(&set, &base, &push);
+    let answer = StictionBounds::of(&set, &base, &push);
     let is_nan = parts(&push).iter().any(|x| x.is_nan());
     if is_nan {
         holds(
-            answer.hold == Hold::Undecided,
+            answer.stiction == Stiction::Undecided,
             "NaN is undecided",
             &parts(&push),
         )?;
     }
-    let (held, slips) = (answer.surely_held_scale(), answer.surely_slipping_scale());
+    let (held, slips) = (answer.certain_scale(), answer.possible_scale());
     holds(
         held >= R::ZERO || held.is_nan(),
         "scales are not negative",
@@ -187,7 +187,8 @@ fn points<R: Real>(source: &mut Source) -> Result<(), Broken> {
     };
     let (stiffness, limit) = (source.positive(), source.size());
     let start = pose(source);
-    let Ok(mut bound) = NodePresliding::<R, _, POINTS>::new(nodes, stiffness, limit, &start) else {
+    let Ok(mut bound) = PointPresliding::<R, _, POINTS>::new(nodes, stiffness, limit, &start)
+    else {
         return Ok(());
     };
     for _ in 0..3 {

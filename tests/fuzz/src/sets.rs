@@ -3,10 +3,12 @@
 use super::check::{at_most, finite, holds};
 use super::planes::{dissipates, twist, wrench};
 use super::{Broken, Source};
-use tribos_core::coupling::DryCoupling;
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Projection, Region};
+use tribos_core::coupling::DryReducedFriction;
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{
+    FrictionSet, LimitEllipsoid, Projection, Region, RoundLimitSurface,
+};
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -25,21 +27,25 @@ pub fn sets(source: &mut Source) -> Result<(), Broken> {
 fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let (force, radius) = (source.size::<R>(), source.positive::<R>());
     match source.below(6) {
-        0 => LimitSurface::new(Hertz, force, radius).map_or(Ok(()), |set| round(source, &set)),
-        1 => LimitSurface::new(Ring, force, radius).map_or(Ok(()), |set| asked(source, &set)),
-        2 => LimitSurface::new(FlatPunch, force, radius).map_or(Ok(()), |set| asked(source, &set)),
+        0 => RoundLimitSurface::new(CoulombHertz, force, radius)
+            .map_or(Ok(()), |set| round(source, &set)),
+        1 => RoundLimitSurface::new(CoulombRing, force, radius)
+            .map_or(Ok(()), |set| asked(source, &set)),
+        2 => RoundLimitSurface::new(CoulombPunch, force, radius)
+            .map_or(Ok(()), |set| asked(source, &set)),
         3 => {
-            let set = Ellipsoid::new(force, radius, source.positive());
+            let set = LimitEllipsoid::new(force, radius, source.positive());
             set.map_or(Ok(()), |set| asked(source, &set))
         }
-        _ => LimitSurface::new(Coulomb, force, radius).map_or(Ok(()), |set| round(source, &set)),
+        _ => RoundLimitSurface::new(CoulombDisk, force, radius)
+            .map_or(Ok(()), |set| round(source, &set)),
     }
 }
 
 /// A round patch: one query, and a batch of them.
-fn round<R: Real, C: DryCoupling<R>>(
+fn round<R: Real, C: DryReducedFriction<R>>(
     source: &mut Source,
-    set: &LimitSurface<R, C>,
+    set: &RoundLimitSurface<R, C>,
 ) -> Result<(), Broken> {
     asked(source, set)?;
     let (pushes, length) = ([(); BATCH].map(|()| wrench(source)), source.positive());
@@ -57,7 +63,8 @@ fn round<R: Real, C: DryCoupling<R>>(
         .iter()
         .zip(pushes.iter().zip(gauges.iter().zip(nearest)))
     {
-        let Ok(alone) = LimitSurface::new(set.coupling(), set.force_limit() * *load, set.radius())
+        let Ok(alone) =
+            RoundLimitSurface::new(set.coupling(), set.force_limit() * *load, set.radius())
         else {
             continue;
         };

@@ -3,7 +3,7 @@
 use super::check::{finite, holds};
 use super::planes::{dissipates, twist, wrench};
 use super::{Broken, Source};
-use tribos_core::limit_surface::AnyPressure;
+use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::real::Real;
 
 /// Up to five corners, at times on a line, with the centre among them or anywhere.
@@ -30,7 +30,7 @@ pub fn supports<R: Real>(source: &mut Source) -> Result<(), Broken> {
         }
     };
     let limit = source.size::<R>();
-    let Ok(foot) = AnyPressure::new(corners, centre, limit) else {
+    let Ok(foot) = UnknownPressureSet::new(corners, centre, limit) else {
         return Ok(());
     };
     let at = foot.centre();
@@ -75,7 +75,7 @@ pub fn supports<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let Some(yaw) = foot.torque_limits(force) else {
         return Ok(());
     };
-    let ([low, high], [lower, higher]) = (yaw.carried, yaw.outer);
+    let ([low, high], [lower, higher]) = (yaw.certain, yaw.possible);
     let unit = limit * (foot.radius() + at.x.abs() + at.y.abs());
     let rounding = R::from_f64(1024.0) * R::EPSILON * unit;
     let is_ordered = lower <= low + rounding && low <= high && high <= higher + rounding;

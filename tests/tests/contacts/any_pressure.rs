@@ -2,8 +2,8 @@
 //! every known pressure must obey.
 
 use tribos_core::Real;
-use tribos_core::limit_surface::{AnyPressure, FrictionSet, PatchSurface};
-use tribos_core::patch::outline::{Edge, Linear, Polygon};
+use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface, UnknownPressureSet};
+use tribos_core::patch::outline::{Edge, LinearPressure, Polygon};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tables::{Row, Table};
@@ -36,12 +36,12 @@ fn limits_and_supports_are_those_of_the_table() {
     let mut supports = Worst::of("supports");
     for row in table.rows() {
         let (corners, centre, force) = case::<f64>(&row);
-        let foot = AnyPressure::new(corners, centre, LIMIT).expect("valid");
+        let foot = UnknownPressureSet::new(corners, centre, LIMIT).expect("valid");
         let unit = LIMIT * foot.radius();
         let yaw = foot.torque_limits(force.map(|x| x * LIMIT)).expect("held");
         for (side, column) in ["lowest", "highest"].into_iter().enumerate() {
             let exact = LIMIT * row.number(column);
-            let [inner, outer] = [yaw.carried[side], yaw.outer[side]];
+            let [inner, outer] = [yaw.certain[side], yaw.possible[side]];
             let describe = || format!("{} {force:?} {column}", row.text("shape"));
             limits.see((inner - exact).abs() / unit, describe);
             gaps.see((inner - outer).abs() / unit, describe);
@@ -76,10 +76,10 @@ fn single_precision_bounds_are_sound_and_near() {
     let mut worst = Worst::of("yaw limits in f32");
     for row in table.rows() {
         let (corners, centre, force) = case::<f32>(&row);
-        let foot = AnyPressure::new(corners, centre, 1.0).expect("valid");
+        let foot = UnknownPressureSet::new(corners, centre, 1.0).expect("valid");
         let yaw = foot.torque_limits(force).expect("held");
         for (side, column) in ["lowest", "highest"].into_iter().enumerate() {
-            for bound in [yaw.carried[side], yaw.outer[side]] {
+            for bound in [yaw.certain[side], yaw.possible[side]] {
                 let error = (f64::from(bound) - row.number(column)).abs();
                 worst.see(error / f64::from(foot.radius()), || {
                     format!("{} {force:?} {column}", row.text("shape"))
@@ -90,17 +90,20 @@ fn single_precision_bounds_are_sound_and_near() {
     worst.assert_within(&tolerance::ANY_PRESSURE_SINGLE);
 }
 
-type Sole = Polygon<f64, [Edge<f64>; 4], Linear<f64>>;
+type Sole = Polygon<f64, [Edge<f64>; 4], LinearPressure<f64>>;
 
 /// Centres of pressure of a sole under linear pressure, and its sets.
-fn soles() -> Vec<([f64; 2], PatchSurface<f64, Sole>)> {
+fn soles() -> Vec<([f64; 2], ShapeLimitSurface<f64, Sole>)> {
     let mut rng = Lcg::new(3);
     let mut soles = Vec::new();
     while soles.len() < 20 {
         let centre = [rng.between(-0.05, 0.15), rng.between(-0.04, 0.04)];
         let sole = Polygon::new(SOLE).expect("valid");
         if let Ok(leaning) = sole.with_centre_of_pressure(centre) {
-            soles.push((centre, PatchSurface::new(leaning, LIMIT).expect("valid")));
+            soles.push((
+                centre,
+                ShapeLimitSurface::new(leaning, LIMIT).expect("valid"),
+            ));
         }
     }
     soles
@@ -112,7 +115,7 @@ const SOLE: [[f64; 2]; 4] = [[-0.06, -0.04], [0.18, -0.05], [0.18, 0.05], [-0.06
 fn what_a_linear_pressure_carries_some_pressure_carries() {
     let mut rng = Lcg::new(5);
     for (centre, floor) in soles() {
-        let foot = AnyPressure::new(SOLE, centre, LIMIT).expect("valid");
+        let foot = UnknownPressureSet::new(SOLE, centre, LIMIT).expect("valid");
         for _ in 0..100 {
             let twist = Twist::new(
                 rng.between(-1.0, 1.0),
@@ -131,7 +134,7 @@ fn what_a_linear_pressure_carries_some_pressure_carries() {
             // Next to the largest force the torque has half of the digits.
             assert!(nearest < 1e-7 * LIMIT * floor.radius());
             let yaw = foot.torque_limits([x, y]).expect("carried");
-            assert!(yaw.outer[0] <= low + 1e-7 && high - 1e-7 <= yaw.outer[1]);
+            assert!(yaw.possible[0] <= low + 1e-7 && high - 1e-7 <= yaw.possible[1]);
         }
     }
 }
@@ -141,40 +144,42 @@ fn sets_are_symmetric_and_grow_with_load_and_support() {
     let mut rng = Lcg::new(6);
     let near = |a: f64, b: f64| (a - b).abs() < 1e-8;
     for (centre, _) in soles() {
-        let foot = AnyPressure::new(SOLE, centre, LIMIT).expect("valid");
+        let foot = UnknownPressureSet::new(SOLE, centre, LIMIT).expect("valid");
         let (size, angle) = (rng.between(0.0, 0.99) * LIMIT, rng.between(-3.0, 3.0));
         let force = [size * angle.cos(), size * angle.sin()];
         let yaw = foot.torque_limits(force).expect("held");
         let other = foot.torque_limits(force.map(|x| -x)).expect("held");
-        assert!(near(yaw.carried[0], -other.carried[1]) && near(yaw.outer[1], -other.outer[0]));
+        assert!(
+            near(yaw.certain[0], -other.certain[1]) && near(yaw.possible[1], -other.possible[0])
+        );
         // The mirror image about the axis of the foot.
-        let image = AnyPressure::new(SOLE, [centre[0], -centre[1]], LIMIT).expect("valid");
+        let image = UnknownPressureSet::new(SOLE, [centre[0], -centre[1]], LIMIT).expect("valid");
         let mirrored = image.torque_limits([force[0], -force[1]]).expect("held");
-        assert!(near(yaw.carried[1], -mirrored.carried[0]));
+        assert!(near(yaw.certain[1], -mirrored.certain[0]));
         // More load, and a corner more.
-        let heavy = AnyPressure::new(SOLE, centre, 1.1 * LIMIT).expect("valid");
+        let heavy = UnknownPressureSet::new(SOLE, centre, 1.1 * LIMIT).expect("valid");
         let wider = [&SOLE[..], &[[0.2, 0.0]]].concat();
-        let wide = AnyPressure::new(wider, centre, LIMIT).expect("valid");
+        let wide = UnknownPressureSet::new(wider, centre, LIMIT).expect("valid");
         let within = [&SOLE[..], &[[0.0, 0.0]]].concat();
-        let same = AnyPressure::new(within, centre, LIMIT).expect("valid");
+        let same = UnknownPressureSet::new(within, centre, LIMIT).expect("valid");
         for (more, least) in [
             (heavy.torque_limits(force), 1e-6),
             (wide.torque_limits(force), 0.0),
         ] {
             let more = more.expect("held");
-            assert!(more.outer[1] >= yaw.carried[1] + least);
-            assert!(more.outer[0] <= yaw.carried[0] - least);
+            assert!(more.possible[1] >= yaw.certain[1] + least);
+            assert!(more.possible[0] <= yaw.certain[0] - least);
         }
         let same = same.torque_limits(force).expect("held");
-        assert!(near(same.carried[1], yaw.carried[1]));
+        assert!(near(same.certain[1], yaw.certain[1]));
     }
 }
 
 #[test]
 fn centres_on_an_edge_at_a_corner_and_on_a_line_are_served() {
     let limit = |corners: &[[f64; 2]], centre, force| {
-        let foot = AnyPressure::new(corners, centre, 1.0).expect("valid");
-        foot.torque_limits(force).map(|yaw| yaw.carried[1])
+        let foot = UnknownPressureSet::new(corners, centre, 1.0).expect("valid");
+        foot.torque_limits(force).map(|yaw| yaw.certain[1])
     };
     let near = |a: Option<f64>, b: f64| (a.expect("held") - b).abs() < 1e-9;
     let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
@@ -193,6 +198,6 @@ fn centres_on_an_edge_at_a_corner_and_on_a_line_are_served() {
     let across = |share: f64, x: f64| (share * share - x * x).sqrt();
     let bar_limit = limit(&bar, [1.0, 0.0], [0.6, 0.0]);
     assert!(near(bar_limit, 4.0 * across(0.5, 0.3)));
-    let outside = AnyPressure::new(&bar[..], [3.5, 0.0], 1.0);
+    let outside = UnknownPressureSet::new(&bar[..], [3.5, 0.0], 1.0);
     assert!(outside.is_err());
 }

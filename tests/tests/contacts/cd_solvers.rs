@@ -7,7 +7,9 @@ use tribos::cd::internals::{
 };
 use tribos::cd::{Iterations, Laws, Order, Stop};
 use tribos::random::Random;
-use tribos_core::contact::{Attraction, Cohesion, ContactFriction, ContactModes, Modal, NormalLaw};
+use tribos_core::contact::{
+    Attraction, Cohesion, ContactFriction, ContactModes, ContactVector, NormalLaw,
+};
 use tribos_tests::least_distance::least_distance;
 use tribos_tests::packings::{Rough, Smooth, dry, first_problem, jammed_box, rough};
 
@@ -50,7 +52,7 @@ fn motions<F: ContactFriction<f64>>(problem: &Spheres<F>) -> (Vec<Motion>, Vec<M
     let mut plates: Vec<Motion> = plates.collect();
     for (number, link) in problem.links().enumerate() {
         let (n, p) = (*link.contact.normal(), link.contact.impulse());
-        let [arm_a, arm_b] = link.contact.arms();
+        let [arm_a, arm_b] = link.contact.centre_distances();
         let force = n * p.normal + p.sliding();
         let torque = p.rolling() + n * p.torsion();
         let [a, b] = link.bodies.map(|body| body as usize);
@@ -92,13 +94,17 @@ fn by_hand(problem: &Spheres<Rough>) -> [f64; 4] {
         let [a, b] = link.bodies.map(|body| body as usize);
         let second = if pair { spheres[b] } else { plates[b] };
         let (contact, n, first) = (&link.contact, *link.contact.normal(), spheres[a]);
-        let [arm_a, arm_b] = contact.arms();
+        let [arm_a, arm_b] = contact.centre_distances();
         // Velocities of the two surfaces where they touch.
         let at_b = second[0] + second[1].cross(&(n * -arm_b));
         let at_a = first[0] + first[1].cross(&(n * arm_a));
         let (slip, turn) = (at_b - at_a, second[1] - first[1]);
-        let closing = (second[0] - first[0]).dot(&n) + contact.allowance();
-        let (p, block, lever) = (contact.impulse(), contact.block(), contact.lever());
+        let closing = (second[0] - first[0]).dot(&n) + contact.approach_limit();
+        let (p, block, lever) = (
+            contact.impulse(),
+            contact.block(),
+            contact.effective_radius(),
+        );
         let bound = p.normal + contact.cohesion();
         penetration = penetration.max(-closing);
         complementarity = complementarity.max((bound * closing).abs());
@@ -180,7 +186,7 @@ fn wild(problem: &mut Spheres<Rough>, seed: u64) {
         let mut number = || 2.0 * random.unit() - 0.7;
         let mut vector = || Vector3::new(number(), number(), number());
         let (sliding, rolling) = (vector(), vector());
-        let impulse = Modal::new(number(), sliding, rolling, number());
+        let impulse = ContactVector::new(number(), sliding, rolling, number());
         link.contact.set_impulse(&impulse);
     };
     problem.pairs.change(&mut change);
@@ -202,7 +208,7 @@ fn solved(seed: u64) -> Spheres<Rough> {
     problem
 }
 
-type Impulse = Modal<f64, <Rough as ContactFriction<f64>>::Modes>;
+type Impulse = ContactVector<f64, <Rough as ContactFriction<f64>>::Modes>;
 
 /// Changes the impulse of the contact that pushes hardest, and its residual.
 fn spoilt(problem: &Spheres<Rough>, change: impl Fn(&Impulse) -> Impulse) -> tribos::cd::Residual {
@@ -234,22 +240,22 @@ fn deliberate_errors_are_seen() {
     let untouched = spoilt(&problem, |p| *p);
     assert!((untouched.relative - good.relative).abs() < 1e-15);
     let wrong_sign = spoilt(&problem, |p| {
-        Modal::new(p.normal, -p.sliding(), p.rolling(), p.torsion())
+        ContactVector::new(p.normal, -p.sliding(), p.rolling(), p.torsion())
     });
     let wrong_cone = spoilt(&problem, |p| {
-        Modal::new(p.normal, p.sliding() * 20.0, p.rolling(), p.torsion())
+        ContactVector::new(p.normal, p.sliding() * 20.0, p.rolling(), p.torsion())
     });
     let wrong_roll = spoilt(&problem, |p| {
-        Modal::new(p.normal, p.sliding(), -p.rolling(), p.torsion())
+        ContactVector::new(p.normal, p.sliding(), -p.rolling(), p.torsion())
     });
     let wrong_turn = spoilt(&problem, |p| {
-        Modal::new(p.normal, p.sliding(), p.rolling(), -p.torsion())
+        ContactVector::new(p.normal, p.sliding(), p.rolling(), -p.torsion())
     });
     let weak = spoilt(&problem, |p| {
-        Modal::new(0.5 * p.normal, p.sliding(), p.rolling(), p.torsion())
+        ContactVector::new(0.5 * p.normal, p.sliding(), p.rolling(), p.torsion())
     });
     let torn = spoilt(&problem, |p| {
-        Modal::new(-1.0, p.sliding(), p.rolling(), p.torsion())
+        ContactVector::new(-1.0, p.sliding(), p.rolling(), p.torsion())
     });
     for (name, wrong) in [
         ("sign of sliding", wrong_sign),
@@ -289,7 +295,7 @@ fn polyhedron(problem: &Spheres<Smooth>) -> (Vec<Vec<f64>>, Vec<f64>) {
         };
         let free = (second - problem.free.0[a].velocity).dot(n);
         rows.push(row);
-        bounds.push(-link.contact.allowance() - free);
+        bounds.push(-link.contact.approach_limit() - free);
     }
     (rows, bounds)
 }

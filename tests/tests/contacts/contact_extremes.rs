@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 use tribos_core::Real;
-use tribos_core::contact::{ContactFriction, CoupledFriction, SlidingTorsion, Thresholds};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Coupling, DryCoupling};
+use tribos_core::contact::{ContactFriction, CoupledFriction, IndependentFriction, SlidingTorsion};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{DryReducedFriction, ReducedFriction};
 use tribos_core::internals::project_on_disc;
 use tribos_core::internals::{Masses, TangentialLoad};
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
 use tribos_tests::sweep::Lcg;
 
 /// Decimal exponents of the type's subnormal and largest numbers.
@@ -89,20 +89,20 @@ fn faults<R: Real, F: ContactFriction<R, Modes = SlidingTorsion>>(
 
 fn faults_of<R: Real>() -> Vec<String>
 where
-    Coulomb: DryCoupling<R>,
+    CoulombDisk: DryReducedFriction<R>,
 {
     let thresholds = |mu: R, ratio: R| {
-        let friction = Thresholds::sliding_torsion(mu, ratio).ok()?;
+        let friction = IndependentFriction::sliding_torsion(mu, ratio).ok()?;
         Some((friction, [mu, ratio]))
     };
     let exact = |mu: R, ratio: R| {
-        let set = LimitSurface::new(Coulomb, mu, ratio).ok()?;
-        let spinning = Coulomb.reduced_wrench(R::ZERO, R::ONE).torque;
+        let set = RoundLimitSurface::new(CoulombDisk, mu, ratio).ok()?;
+        let spinning = CoulombDisk.reduced_wrench(R::ZERO, R::ONE).torque;
         let friction = CoupledFriction::sliding_torsion(set);
         Some((friction, [mu, mu * ratio * spinning]))
     };
     let usual = |mu: R, ratio: R| {
-        let set = Ellipsoid::new(mu, ratio, R::HALF).ok()?;
+        let set = LimitEllipsoid::new(mu, ratio, R::HALF).ok()?;
         let most = [set.force_limit(), set.torque_limit()];
         Some((CoupledFriction::sliding_torsion(set), most))
     };

@@ -2,18 +2,18 @@
 
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Plate, Sphere,
-    Thresholds, TimeStep, Touch, TouchError,
+    Attraction, Cohesion, Contact, ContactError, ContactFriction, ContactGeometry, CoupledFriction,
+    IndependentFriction, NormalLaw, SphereBody, TimeStep, WallBody,
 };
-use tribos_core::coupling::table::Coulomb;
+use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::internals::project_on_disc;
 use tribos_core::internals::{Masses, TangentialLoad};
-use tribos_core::limit_surface::LimitSurface;
+use tribos_core::limit_surface::RoundLimitSurface;
 use tribos_tests::contacts::{Meeting, components, vector};
 use tribos_tests::sweep::{Lcg, special_f64};
 
-fn exact(mu: f64, ratio: f64) -> LimitSurface<f64, Coulomb> {
-    LimitSurface::new(Coulomb, mu, ratio).unwrap()
+fn exact(mu: f64, ratio: f64) -> RoundLimitSurface<f64, CoulombDisk> {
+    RoundLimitSurface::new(CoulombDisk, mu, ratio).unwrap()
 }
 
 /// Masses whose gyration is half a length.
@@ -24,35 +24,47 @@ const HALF: Masses<f64> = Masses {
 #[test]
 fn no_normal_no_touch() {
     let zero = Vector3::zeros();
-    assert_eq!(Touch::spheres(&zero, [1.0, 1.0]), Err(TouchError::NoNormal));
+    assert_eq!(
+        ContactGeometry::spheres(&zero, [1.0, 1.0]),
+        Err(ContactError::NoNormal)
+    );
     let tiny = Vector3::new(5e-324, 0.0, 0.0);
-    assert_eq!(Touch::spheres(&tiny, [1.0, 1.0]), Err(TouchError::NoNormal));
-    let plate = |height, radius| Touch::plate(height, &Vector3::z(), radius);
-    assert_eq!(plate(0.0, 1.0), Err(TouchError::NoNormal));
-    assert_eq!(plate(-1.0, 1.0), Err(TouchError::NoNormal));
+    assert_eq!(
+        ContactGeometry::spheres(&tiny, [1.0, 1.0]),
+        Err(ContactError::NoNormal)
+    );
+    let plate = |height, radius| ContactGeometry::plate(height, &Vector3::z(), radius);
+    assert_eq!(plate(0.0, 1.0), Err(ContactError::NoNormal));
+    assert_eq!(plate(-1.0, 1.0), Err(ContactError::NoNormal));
     let x = Vector3::x();
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert_eq!(Touch::spheres(&x, [bad, 1.0]), Err(TouchError::NotFinite));
-        assert_eq!(Touch::spheres(&x, [1.0, bad]), Err(TouchError::NotFinite));
-        assert_eq!(plate(1.0, bad), Err(TouchError::NotFinite));
+        assert_eq!(
+            ContactGeometry::spheres(&x, [bad, 1.0]),
+            Err(ContactError::NotFinite)
+        );
+        assert_eq!(
+            ContactGeometry::spheres(&x, [1.0, bad]),
+            Err(ContactError::NotFinite)
+        );
+        assert_eq!(plate(1.0, bad), Err(ContactError::NotFinite));
     }
     assert_eq!(
-        Touch::spheres(&x, [1e308, 1e308]),
-        Err(TouchError::NotFinite)
+        ContactGeometry::spheres(&x, [1e308, 1e308]),
+        Err(ContactError::NotFinite)
     );
     let lost = Vector3::new(0.0, f64::NAN, 0.0);
     assert_eq!(
-        Touch::spheres(&lost, [1.0, 1.0]),
-        Err(TouchError::NotFinite)
+        ContactGeometry::spheres(&lost, [1.0, 1.0]),
+        Err(ContactError::NotFinite)
     );
-    assert_eq!(plate(f64::NAN, 1.0), Err(TouchError::NotFinite));
+    assert_eq!(plate(f64::NAN, 1.0), Err(ContactError::NotFinite));
 }
 
 #[test]
 fn a_small_sphere_keeps_the_digits_of_its_arm() {
     for ratio in [1.1e3_f64, 1.3e6, 1.7e9, 1.9e12] {
         let radii = [ratio, 0.3];
-        let touch = Touch::spheres(&Vector3::new(ratio + 0.3, 0.0, 0.0), radii).unwrap();
+        let touch = ContactGeometry::spheres(&Vector3::new(ratio + 0.3, 0.0, 0.0), radii).unwrap();
         let [large, small] = touch.arms;
         assert!((small / 0.3 - 1.0).abs() < 1e-15, "{ratio}: {small}");
         assert!((large / ratio - 1.0).abs() < 1e-15);
@@ -63,34 +75,35 @@ fn a_small_sphere_keeps_the_digits_of_its_arm() {
 #[test]
 fn spheres_a_million_times_as_large_stick_and_slip_like_a_wall() {
     let large = 1e6_f64;
-    let touch = Touch::spheres(&Vector3::new(0.0, 0.0, large + 1.0), [large, 1.0]).unwrap();
+    let touch =
+        ContactGeometry::spheres(&Vector3::new(0.0, 0.0, large + 1.0), [large, 1.0]).unwrap();
     let law = NormalLaw::new(Cohesion::NONE, 0.0).unwrap();
-    let small = Sphere {
+    let small = SphereBody {
         velocity: Vector3::new(1.0, 0.0, -1.0),
         spin: Vector3::zeros(),
         inv_mass: 1.0,
         inv_inertia: 2.5,
     };
     let mass = large.powi(3);
-    let ground = Sphere {
+    let ground = SphereBody {
         velocity: Vector3::zeros(),
         spin: Vector3::zeros(),
         inv_mass: 1.0 / mass,
         inv_inertia: 2.5 / (mass * large * large),
     };
     for mu in [0.1, 0.2, 1.0] {
-        let friction = Thresholds::all(mu, 0.05, 0.05).unwrap();
+        let friction = IndependentFriction::all(mu, 0.05, 0.05).unwrap();
         let (mut a, mut b) = (ground, small);
         let mut contact = Contact::new(&touch, &law, &a, &b, 0.01);
         contact.update(&friction, &mut a, &mut b);
         let (mut ball, mut wall) = (
             small,
-            Plate {
+            WallBody {
                 velocity: Vector3::zeros(),
                 inv_mass: 0.0,
             },
         );
-        let touch = Touch::plate(1.0, &Vector3::z(), 1.0).unwrap();
+        let touch = ContactGeometry::plate(1.0, &Vector3::z(), 1.0).unwrap();
         let mut contact = Contact::new(&touch, &law, &ball, &wall, 0.01);
         contact.update(&friction, &mut ball, &mut wall);
         assert!((ball.velocity - b.velocity).norm() < 2e-6, "{ball:?} {b:?}");
@@ -103,7 +116,7 @@ fn spheres_a_million_times_as_large_stick_and_slip_like_a_wall() {
 fn nothing_panics_and_nan_stays_nan() {
     let mut rng = Lcg::new(71);
     let special = special_f64();
-    let all = Thresholds::all(0.3, 0.1, 0.1).unwrap();
+    let all = IndependentFriction::all(0.3, 0.1, 0.1).unwrap();
     let coupled = CoupledFriction::all(exact(0.3, 0.5), 0.1).unwrap();
     for round in 0..20_000 {
         let meeting = Meeting::<f64>::random(&mut rng, [1.0, 0.5]);
@@ -178,7 +191,7 @@ fn time_that_does_not_run_forwards_is_refused_or_nan() {
             dt: bad,
             ..Meeting::<f64>::random(&mut rng, [1.0, 1.0])
         };
-        let (contact, _) = meeting.updated(&Thresholds::sliding(0.3).unwrap());
+        let (contact, _) = meeting.updated(&IndependentFriction::sliding(0.3).unwrap());
         assert!(contact.impulse().normal.is_nan(), "{bad}");
     }
 }
@@ -187,15 +200,15 @@ fn time_that_does_not_run_forwards_is_refused_or_nan() {
 fn what_cannot_move_takes_no_impulse() {
     let mut rng = Lcg::new(73);
     let law = NormalLaw::new(Cohesion::NONE, 0.0).unwrap();
-    let friction = Thresholds::all(0.3, 0.1, 0.1).unwrap();
+    let friction = IndependentFriction::all(0.3, 0.1, 0.1).unwrap();
     let coupled = CoupledFriction::all(exact(0.3, 0.5), 0.1).unwrap();
-    let touch = Touch::plate(1.0, &Vector3::z(), 1.0).unwrap();
-    let mut wall = Plate {
+    let touch = ContactGeometry::plate(1.0, &Vector3::z(), 1.0).unwrap();
+    let mut wall = WallBody {
         velocity: Vector3::new(1.0, 0.0, 0.5),
         inv_mass: 0.0,
     };
     // A sphere that cannot turn: it slides, and nothing about it is NaN.
-    let mut stiff = Sphere::<f64> {
+    let mut stiff = SphereBody::<f64> {
         velocity: vector(&mut rng, 1.0) - Vector3::z() * 2.0,
         spin: Vector3::zeros(),
         inv_mass: 1.0,
@@ -210,7 +223,7 @@ fn what_cannot_move_takes_no_impulse() {
     contact.update(&coupled, &mut same, &mut wall);
     assert!((same.velocity - stiff.velocity).norm() < 1e-14);
     // Two that cannot move at all.
-    let mut fixed = Sphere {
+    let mut fixed = SphereBody {
         inv_mass: 0.0,
         ..stiff
     };
@@ -220,7 +233,7 @@ fn what_cannot_move_takes_no_impulse() {
     contact.update(&friction, &mut fixed, &mut wall);
     assert_eq!((components(contact.impulse()), fixed), ([0.0; 8], before));
     // One that turns about a fixed centre: sliding and rolling are the same motion.
-    let mut wheel = Sphere {
+    let mut wheel = SphereBody {
         velocity: Vector3::zeros(),
         inv_inertia: 2.5,
         spin: Vector3::new(0.3, 1.0, 0.2),
@@ -228,7 +241,7 @@ fn what_cannot_move_takes_no_impulse() {
     };
     let cohesion = Cohesion::new(100.0, 1.0, Attraction::Pull).unwrap();
     let law = NormalLaw::new(cohesion, 0.0).unwrap();
-    let mut slow = Plate {
+    let mut slow = WallBody {
         velocity: Vector3::zeros(),
         inv_mass: 1.0,
     };
@@ -241,20 +254,20 @@ fn what_cannot_move_takes_no_impulse() {
 fn thresholds_met_exactly_hold() {
     // Powers of two: friction of exactly mu times the load, a pull of exactly the cohesion.
     let law = NormalLaw::new(Cohesion::new(4.0, 1.0, Attraction::Pull).unwrap(), 0.0).unwrap();
-    let ball = |x: f64, z: f64| Sphere {
+    let ball = |x: f64, z: f64| SphereBody {
         velocity: Vector3::new(x, 0.0, z),
         spin: Vector3::zeros(),
         inv_mass: 1.0,
         inv_inertia: 0.0,
     };
-    let mut wall = Plate {
+    let mut wall = WallBody {
         velocity: Vector3::zeros(),
         inv_mass: 0.0,
     };
-    let touch = Touch::plate(1.0, &Vector3::z(), 1.0).unwrap();
+    let touch = ContactGeometry::plate(1.0, &Vector3::z(), 1.0).unwrap();
     assert_eq!(touch.gap, 0.0);
-    let friction = Thresholds::sliding(0.5).unwrap();
-    let mut met = |mut ball: Sphere<f64>| {
+    let friction = IndependentFriction::sliding(0.5).unwrap();
+    let mut met = |mut ball: SphereBody<f64>| {
         let mut contact = Contact::new(&touch, &law, &ball, &wall, 0.25);
         contact.update(&friction, &mut ball, &mut wall);
         (ball, contact.bound())

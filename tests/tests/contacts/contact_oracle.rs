@@ -3,11 +3,11 @@
 
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    AllModes, Attraction, Cohesion, Contact, ContactFriction, CoupledFriction, Modal, NormalLaw,
-    SlidingTorsion, Sphere, Thresholds, Touch,
+    AllModes, Attraction, Cohesion, Contact, ContactFriction, ContactGeometry, ContactVector,
+    CoupledFriction, IndependentFriction, NormalLaw, SlidingTorsion, SphereBody,
 };
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 use tribos_core::real::Real;
 use tribos_tests::contacts::{size, vector as random};
 use tribos_tests::sweep::Lcg;
@@ -23,8 +23,8 @@ fn vector<R: Real>(row: &Row, name: &str) -> Vector3<R> {
     Vector3::from(["x", "y", "z"].map(|axis| number(row, &format!("{name}{axis}"))))
 }
 
-fn sphere<R: Real>(row: &Row, index: u32) -> Sphere<R> {
-    Sphere {
+fn sphere<R: Real>(row: &Row, index: u32) -> SphereBody<R> {
+    SphereBody {
         velocity: vector(row, &format!("v{index}")),
         spin: vector(row, &format!("w{index}")),
         inv_mass: number(row, &format!("im{index}")),
@@ -45,7 +45,7 @@ fn law<R: Real>(row: &Row) -> NormalLaw<R> {
 /// the momentum that would take the spheres through each other.
 fn error<R: Real, F: ContactFriction<R>>(row: &Row, friction: &F) -> f64 {
     let radii = [number(row, "r1"), number(row, "r2")];
-    let touch = Touch::spheres(&vector(row, "d"), radii).unwrap();
+    let touch = ContactGeometry::spheres(&vector(row, "d"), radii).unwrap();
     let (mut a, mut b) = (sphere(row, 1), sphere(row, 2));
     // An open gap is known to the rounding of the distance.
     let open = touch.gap > R::ZERO;
@@ -54,7 +54,7 @@ fn error<R: Real, F: ContactFriction<R>>(row: &Row, friction: &F) -> f64 {
     let met = (b.velocity - a.velocity).map(R::to_f64).norm() + closing;
     let mut contact = Contact::new(&touch, &law(row), &a, &b, number(row, "dt"));
     contact.update(friction, &mut a, &mut b);
-    let wanted = Modal::<R, F::Modes>::new(
+    let wanted = ContactVector::<R, F::Modes>::new(
         number(row, "n"),
         vector(row, "f"),
         vector(row, "t"),
@@ -83,13 +83,15 @@ fn worst<R: Real, F: ContactFriction<R>>(
     worst
 }
 
-fn thresholds<R: Real>(row: &Row) -> Thresholds<R, AllModes> {
+fn thresholds<R: Real>(row: &Row) -> IndependentFriction<R, AllModes> {
     let [mu, mu_rolling, mu_torsion] = ["mu", "mu_t", "mu_n"].map(|name| number(row, name));
-    Thresholds::all(mu, mu_rolling, mu_torsion).unwrap()
+    IndependentFriction::all(mu, mu_rolling, mu_torsion).unwrap()
 }
 
-fn exact<R: Real>(row: &Row) -> CoupledFriction<R, LimitSurface<R, Coulomb>, SlidingTorsion> {
-    let set = LimitSurface::new(Coulomb, number(row, "mu"), number(row, "mu_n")).unwrap();
+fn exact<R: Real>(
+    row: &Row,
+) -> CoupledFriction<R, RoundLimitSurface<R, CoulombDisk>, SlidingTorsion> {
+    let set = RoundLimitSurface::new(CoulombDisk, number(row, "mu"), number(row, "mu_n")).unwrap();
     CoupledFriction::sliding_torsion(set)
 }
 
@@ -137,11 +139,11 @@ const CASES: usize = 100_000;
 
 /// Two bodies that slide and roll on each other under the load of cohesion alone. k² m I comes as near to 1 as
 /// numbers allow, and is 1 for axles, which do not give way.
-fn turning<R: Real>(rng: &mut Lcg) -> (Touch<R>, [Sphere<R>; 2]) {
+fn turning<R: Real>(rng: &mut Lcg) -> (ContactGeometry<R>, [SphereBody<R>; 2]) {
     let radii = [1.0, rng.log_between(1e-3, 1e3)].map(R::from_f64);
     let normal: Vector3<f64> = random(rng, 1.0);
     let displacement = normal.normalize().map(R::from_f64) * (radii[0] + radii[1]);
-    let touch = Touch::spheres(&displacement, radii).unwrap();
+    let touch = ContactGeometry::spheres(&displacement, radii).unwrap();
     let easiest = [0.0, -2.0, -6.0, -12.0, -20.0][rng.bits() as usize % 5];
     let body = |rng: &mut Lcg, radius: R| {
         let inv_inertia = R::from_f64(rng.log_between(0.1, 10.0)) / (radius * radius);
@@ -149,7 +151,7 @@ fn turning<R: Real>(rng: &mut Lcg) -> (Touch<R>, [Sphere<R>; 2]) {
         let axle = rng.bits().is_multiple_of(8);
         let velocity = random(rng, 1.0);
         let in_plane = velocity - normal * (velocity.dot(&normal) / normal.norm_squared());
-        Sphere {
+        SphereBody {
             velocity: in_plane.map(R::from_f64),
             spin: random::<R>(rng, 1.0) / radius,
             inv_mass: R::from_f64(if axle { 0.0 } else { weight }),
@@ -177,7 +179,7 @@ fn off_normal(share: [f64; 4], motion: [f64; 4], collar: f64) -> f64 {
 /// One update of a contact under `load`, and how far it is from the laws of friction, of all speeds that meet.
 /// `ellipsoid` tells that sliding and torsion have one limit.
 fn off_the_laws<R: Real, F: ContactFriction<R>>(
-    (touch, bodies): &(Touch<R>, [Sphere<R>; 2]),
+    (touch, bodies): &(ContactGeometry<R>, [SphereBody<R>; 2]),
     (friction, load): (&F, R),
     [mu, mu_rolling, mu_torsion]: [f64; 3],
     ellipsoid: bool,
@@ -185,7 +187,7 @@ fn off_the_laws<R: Real, F: ContactFriction<R>>(
     let cohesion = Cohesion::new(load, R::ONE, Attraction::Pull).unwrap();
     let law = NormalLaw::new(cohesion, R::ZERO).unwrap();
     let [mut a, mut b] = *bodies;
-    let touch = Touch {
+    let touch = ContactGeometry {
         gap: R::ZERO,
         ..*touch
     };
@@ -245,10 +247,10 @@ fn worst_off_the_laws<R: Real>(name: &'static str) -> Worst {
         let load = R::from_f64(rng.log_between(1e-3, 1e3));
         let limits = [(); 3].map(|()| R::from_f64(rng.log_between(1e-3, 1.0)));
         let [mu, mu_rolling, mu_torsion] = limits.map(R::to_f64);
-        let own = Thresholds::all(limits[0], limits[1], limits[2]).unwrap();
+        let own = IndependentFriction::all(limits[0], limits[1], limits[2]).unwrap();
         let off = off_the_laws(&case, (&own, load), [mu, mu_rolling, mu_torsion], false);
         worst.see(off, || format!("{own:?} {load:?} {case:?}"));
-        let one = Ellipsoid::new(limits[0], limits[2], R::HALF).unwrap();
+        let one = LimitEllipsoid::new(limits[0], limits[2], R::HALF).unwrap();
         let coupled = CoupledFriction::all(one, limits[1]).unwrap();
         let limits = [mu, mu_rolling, 0.5 * mu * mu_torsion];
         let off = off_the_laws(&case, (&coupled, load), limits, true);

@@ -2,11 +2,11 @@
 
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Plate, Sphere,
-    Thresholds, Touch,
+    Attraction, Cohesion, Contact, ContactFriction, ContactGeometry, CoupledFriction,
+    IndependentFriction, NormalLaw, SphereBody, WallBody,
 };
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::LimitSurface;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::RoundLimitSurface;
 use tribos_tests::tolerance::{self, Bound};
 use tribos_tests::worst::Worst;
 
@@ -16,8 +16,8 @@ const DT: f64 = 1e-4;
 const MU: f64 = 0.3;
 
 /// A solid ball of 1 kg.
-fn ball() -> Sphere<f64> {
-    Sphere {
+fn ball() -> SphereBody<f64> {
+    SphereBody {
         velocity: Vector3::zeros(),
         spin: Vector3::zeros(),
         inv_mass: 1.0,
@@ -25,8 +25,8 @@ fn ball() -> Sphere<f64> {
     }
 }
 
-fn table() -> Plate<f64> {
-    Plate {
+fn table() -> WallBody<f64> {
+    WallBody {
         velocity: Vector3::zeros(),
         inv_mass: 0.0,
     }
@@ -36,17 +36,17 @@ fn smooth() -> NormalLaw<f64> {
     NormalLaw::new(Cohesion::NONE, 0.0).unwrap()
 }
 
-fn resting() -> Touch<f64> {
-    Touch::plate(RADIUS, &Vector3::z(), RADIUS).unwrap()
+fn resting() -> ContactGeometry<f64> {
+    ContactGeometry::plate(RADIUS, &Vector3::z(), RADIUS).unwrap()
 }
 
 /// Steps of a ball on a table under a pull, until `ends` or for `steps`; returns steps done.
 fn on_table<F: ContactFriction<f64>>(
-    ball: &mut Sphere<f64>,
+    ball: &mut SphereBody<f64>,
     friction: &F,
     pull: Vector3<f64>,
     steps: usize,
-    ends: impl Fn(&Sphere<f64>) -> bool,
+    ends: impl Fn(&SphereBody<f64>) -> bool,
 ) -> usize {
     let mut table = table();
     for step in 0..steps {
@@ -72,7 +72,7 @@ fn a_sliding_ball_ends_rolling_at_five_sevenths() {
     for friction in [0.05, 0.3, 2.0] {
         let mut ball = ball();
         ball.velocity.x = 1.0;
-        let sliding = Thresholds::sliding(friction).unwrap();
+        let sliding = IndependentFriction::sliding(friction).unwrap();
         let down = Vector3::new(0.0, 0.0, -GRAVITY);
         on_table(&mut ball, &sliding, down, 20_000, |_| false);
         let wanted = 5.0 / 7.0;
@@ -98,7 +98,7 @@ fn rolling_resistance_holds_a_ball_up_to_its_angle() {
     // m g R sin, that of rolling friction at most mu_t m g R cos.
     let mu_rolling = 0.05_f64;
     let angle = mu_rolling.atan();
-    let friction = Thresholds::sliding_rolling(MU, mu_rolling).unwrap();
+    let friction = IndependentFriction::sliding_rolling(MU, mu_rolling).unwrap();
     let slope = |angle: f64| Vector3::new(angle.sin(), 0.0, -angle.cos()) * GRAVITY;
     let mut below = ball();
     on_table(
@@ -135,7 +135,7 @@ fn rolling_resistance_holds_a_ball_up_to_its_angle() {
 #[test]
 fn a_ball_that_sticks_rolls_down_without_slip_and_a_steep_slope_makes_it_slip() {
     // Without rolling resistance: sticks up to tan = 7/2 mu, as 2/7 of the drive is friction.
-    let sliding = Thresholds::sliding(MU).unwrap();
+    let sliding = IndependentFriction::sliding(MU).unwrap();
     for (tangent, slips) in [(3.5 * MU - 1e-3, false), (3.5 * MU + 1e-3, true)] {
         let angle = f64::atan(tangent);
         let mut ball = ball();
@@ -154,7 +154,7 @@ fn hang(attraction: Attraction, pull: f64) -> Option<f64> {
     let cohesion = Cohesion::new(STRENGTH, RANGE, attraction).unwrap();
     let law = NormalLaw::new(cohesion, 0.0).unwrap();
     let mut ball = ball();
-    let mut fixed = Sphere {
+    let mut fixed = SphereBody {
         inv_mass: 0.0,
         inv_inertia: 0.0,
         ..ball
@@ -163,10 +163,14 @@ fn hang(attraction: Attraction, pull: f64) -> Option<f64> {
     let dt = 1e-5;
     let mut broken = 0.0;
     for _ in 0..100_000 {
-        let touch = Touch::spheres(&Vector3::new(0.0, 0.0, -depth), [RADIUS; 2]).unwrap();
+        let touch = ContactGeometry::spheres(&Vector3::new(0.0, 0.0, -depth), [RADIUS; 2]).unwrap();
         let mut contact = Contact::new(&touch, &law, &fixed, &ball, dt);
         ball.velocity.z -= pull * dt;
-        contact.update(&Thresholds::sliding(MU).unwrap(), &mut fixed, &mut ball);
+        contact.update(
+            &IndependentFriction::sliding(MU).unwrap(),
+            &mut fixed,
+            &mut ball,
+        );
         // Work against the bond.
         broken += contact.impulse().normal * ball.velocity.z;
         depth -= ball.velocity.z * dt;
@@ -200,9 +204,10 @@ fn a_pair_let_go_at_a_gap_closes_under_a_pull_and_stays_under_a_resistance() {
     for (attraction, closes) in [(Attraction::Pull, true), (Attraction::Resistance, false)] {
         let law = NormalLaw::new(Cohesion::new(2.0, 1e-2, attraction).unwrap(), 0.0).unwrap();
         let (mut a, mut b) = (ball(), ball());
-        let touch = Touch::spheres(&Vector3::new(2.0 * RADIUS + 5e-3, 0.0, 0.0), [RADIUS; 2]);
+        let touch =
+            ContactGeometry::spheres(&Vector3::new(2.0 * RADIUS + 5e-3, 0.0, 0.0), [RADIUS; 2]);
         let mut contact = Contact::new(&touch.unwrap(), &law, &a, &b, 1e-4);
-        contact.update(&Thresholds::none(), &mut a, &mut b);
+        contact.update(&IndependentFriction::none(), &mut a, &mut b);
         assert_eq!(
             a.velocity.x > 0.0 && b.velocity.x < 0.0,
             closes,
@@ -219,14 +224,15 @@ fn a_head_on_collision_keeps_the_coefficient_of_restitution() {
             let mut a = ball();
             a.inv_mass = inv_a;
             a.velocity.x = 1.0;
-            let mut b = Sphere {
+            let mut b = SphereBody {
                 inv_mass: inv_b,
                 ..ball()
             };
             b.velocity.x = -0.5;
-            let touch = Touch::spheres(&Vector3::new(2.0 * RADIUS, 0.0, 0.0), [RADIUS; 2]);
+            let touch =
+                ContactGeometry::spheres(&Vector3::new(2.0 * RADIUS, 0.0, 0.0), [RADIUS; 2]);
             let mut contact = Contact::new(&touch.unwrap(), &law, &a, &b, DT);
-            contact.update(&Thresholds::none(), &mut a, &mut b);
+            contact.update(&IndependentFriction::none(), &mut a, &mut b);
             let parting = b.velocity.x - a.velocity.x;
             assert!((parting - 1.5 * e).abs() < 1e-15, "{e}: {parting}");
         }
@@ -243,8 +249,9 @@ fn an_oblique_impact_slips_or_sticks_as_the_closed_solution_does() {
             let (mut a, mut b) = (ball(), ball());
             a.velocity = Vector3::new(0.7, 0.5 * slip, 0.0);
             b.velocity = Vector3::new(-0.3, -0.5 * slip, 0.0);
-            let touch = Touch::spheres(&Vector3::new(2.0 * RADIUS, 0.0, 0.0), [RADIUS; 2]);
-            let energy = |a: &Sphere<f64>, b: &Sphere<f64>| {
+            let touch =
+                ContactGeometry::spheres(&Vector3::new(2.0 * RADIUS, 0.0, 0.0), [RADIUS; 2]);
+            let energy = |a: &SphereBody<f64>, b: &SphereBody<f64>| {
                 [a, b]
                     .map(|ball| {
                         ball.velocity.norm_squared() + ball.spin.norm_squared() / ball.inv_inertia
@@ -255,7 +262,7 @@ fn an_oblique_impact_slips_or_sticks_as_the_closed_solution_does() {
             };
             let before = energy(&a, &b);
             let mut contact = Contact::new(&touch.unwrap(), &law, &a, &b, DT);
-            contact.update(&Thresholds::sliding(MU).unwrap(), &mut a, &mut b);
+            contact.update(&IndependentFriction::sliding(MU).unwrap(), &mut a, &mut b);
             // Masses 1/2 along the normal, 1/7 across it.
             assert!((contact.impulse().normal - 0.5 * (1.0 + restitution)).abs() < 1e-15);
             let stopped = slip.min(most);
@@ -286,10 +293,13 @@ fn assert_spins_down<F: ContactFriction<f64>>(friction: &F, mu_torsion: f64) {
 
 #[test]
 fn a_top_spins_down_under_torsion_friction() {
-    assert_spins_down(&Thresholds::sliding_torsion(MU, 0.05).unwrap(), 0.05);
-    assert_spins_down(&Thresholds::all(MU, 0.1, 0.02).unwrap(), 0.02);
+    assert_spins_down(
+        &IndependentFriction::sliding_torsion(MU, 0.05).unwrap(),
+        0.05,
+    );
+    assert_spins_down(&IndependentFriction::all(MU, 0.1, 0.02).unwrap(), 0.02);
     // Pure spinning of the exact set: mu R_c 2/3.
-    let set = LimitSurface::new(Coulomb, MU, 0.25).unwrap();
+    let set = RoundLimitSurface::new(CoulombDisk, MU, 0.25).unwrap();
     assert_spins_down(
         &CoupledFriction::sliding_torsion(set),
         MU * 0.25 * 2.0 / 3.0,
@@ -298,8 +308,8 @@ fn a_top_spins_down_under_torsion_friction() {
 
 #[test]
 fn a_spinning_contact_slides_more_easily_under_the_coupled_set_only() {
-    let set = LimitSurface::new(Coulomb, MU, 0.25).unwrap();
-    let thresholds = Thresholds::sliding_torsion(MU, MU * 0.25 * 2.0 / 3.0).unwrap();
+    let set = RoundLimitSurface::new(CoulombDisk, MU, 0.25).unwrap();
+    let thresholds = IndependentFriction::sliding_torsion(MU, MU * 0.25 * 2.0 / 3.0).unwrap();
     let launched = || {
         let mut ball = ball();
         ball.velocity.x = 1.0;

@@ -2,12 +2,13 @@
 
 use nalgebra::{Rotation3, Unit, Vector3};
 use tribos_core::contact::{
-    Body, ContactFriction, CoupledFriction, Modal, Sphere, Thresholds, Touch,
+    ContactBody, ContactFriction, ContactGeometry, ContactVector, CoupledFriction,
+    IndependentFriction, SphereBody,
 };
-use tribos_core::coupling::table::Coulomb;
+use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::internals::Masses;
 use tribos_core::internals::project_on_disc;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
 use tribos_core::real::Real;
 use tribos_core::twist::Wrench;
 use tribos_tests::contacts::{Meeting, components, radii, size, vector};
@@ -19,10 +20,10 @@ const CASES: usize = 40_000;
 /// Projections of projections.
 const REPEATS: usize = 3_000_000;
 
-type Exact<R> = LimitSurface<R, Coulomb>;
+type Exact<R> = RoundLimitSurface<R, CoulombDisk>;
 
 fn exact(mu: f64, ratio: f64) -> Exact<f64> {
-    LimitSurface::new(Coulomb, mu, ratio).unwrap()
+    RoundLimitSurface::new(CoulombDisk, mu, ratio).unwrap()
 }
 
 /// Does something with a random friction of every kind.
@@ -30,25 +31,31 @@ macro_rules! for_every_friction {
     ($rng:ident, $name:ident, $friction:ident => $body:block) => {{
         let mut coefficient = || $rng.log_between(1e-3, 10.0);
         let [mu, mu_t, mu_n] = [coefficient(), coefficient(), coefficient()];
-        let ellipsoid = Ellipsoid::new(mu, mu_n, 2.0 / 3.0).unwrap();
+        let ellipsoid = LimitEllipsoid::new(mu, mu_n, 2.0 / 3.0).unwrap();
         {
-            let ($name, $friction) = ("frictionless", Thresholds::none());
+            let ($name, $friction) = ("frictionless", IndependentFriction::none());
             $body
         }
         {
-            let ($name, $friction) = ("sliding", Thresholds::sliding(mu).unwrap());
+            let ($name, $friction) = ("sliding", IndependentFriction::sliding(mu).unwrap());
             $body
         }
         {
-            let ($name, $friction) = ("torsion", Thresholds::sliding_torsion(mu, mu_n).unwrap());
+            let ($name, $friction) = (
+                "torsion",
+                IndependentFriction::sliding_torsion(mu, mu_n).unwrap(),
+            );
             $body
         }
         {
-            let ($name, $friction) = ("rolling", Thresholds::sliding_rolling(mu, mu_t).unwrap());
+            let ($name, $friction) = (
+                "rolling",
+                IndependentFriction::sliding_rolling(mu, mu_t).unwrap(),
+            );
             $body
         }
         {
-            let ($name, $friction) = ("all", Thresholds::all(mu, mu_t, mu_n).unwrap());
+            let ($name, $friction) = ("all", IndependentFriction::all(mu, mu_t, mu_n).unwrap());
             $body
         }
         {
@@ -77,9 +84,9 @@ fn thresholds_are_obeyed() {
         let radii = radii(&mut rng);
         let meeting = Meeting::<f64>::random(&mut rng, radii);
         let [mu, mu_t, mu_n] = [(); 3].map(|()| rng.log_between(1e-3, 10.0));
-        let all = Thresholds::all(mu, mu_t, mu_n).unwrap();
+        let all = IndependentFriction::all(mu, mu_t, mu_n).unwrap();
         let (contact, _) = meeting.updated(&all);
-        let (p, lever) = (contact.bound(), contact.lever());
+        let (p, lever) = (contact.bound(), contact.effective_radius());
         assert!(p >= 0.0 && contact.impulse().normal >= -contact.cohesion());
         for (got, limit) in [
             (contact.impulse().sliding().norm(), mu * p),
@@ -116,7 +123,7 @@ fn a_second_update_changes_nothing() {
             let (mut contact, [mut a, mut b]) = meeting.updated(&friction);
             let scale = meeting.scale(&friction);
             let change = contact.update(&friction, &mut a, &mut b);
-            let change = size(&change, contact.lever());
+            let change = size(&change, contact.effective_radius());
             worst.see(change / scale, || format!("{name} {friction:?} {meeting:?}"));
         });
     }
@@ -182,7 +189,7 @@ fn momentum_and_angular_momentum_stay() {
     for _ in 0..CASES {
         let radii = radii(&mut rng);
         let meeting = Meeting::<f64>::random(&mut rng, radii);
-        let all = Thresholds::all(0.5, 0.2, 0.2).unwrap();
+        let all = IndependentFriction::all(0.5, 0.2, 0.2).unwrap();
         let (contact, after) = meeting.updated(&all);
         // Places of the centres, the contact point in the origin.
         let [arm_a, arm_b] = meeting.touch.arms;
@@ -199,7 +206,7 @@ fn momentum_and_angular_momentum_stay() {
             exchanged = exchanged.max(rounding).max(turned / (arm_a + arm_b));
         }
         let created = sums[0].norm().max(sums[1].norm() / (arm_a + arm_b));
-        exchanged += size(contact.impulse(), contact.lever());
+        exchanged += size(contact.impulse(), contact.effective_radius());
         worst.see(created / exchanged, || format!("{meeting:?}"));
     }
     worst.assert_within(&tolerance::CONTACT_MOMENTUM);
@@ -216,13 +223,13 @@ fn scaled(m: &Meeting<f64>, [length, time, mass]: [f64; 3]) -> Meeting<f64> {
         cohesion.attraction(),
     );
     Meeting {
-        touch: Touch {
+        touch: ContactGeometry {
             normal: m.touch.normal,
             gap: m.touch.gap * length,
             arms: m.touch.arms.map(|arm| arm * length),
             lever: m.touch.lever * length,
         },
-        spheres: m.spheres.map(|s| Sphere {
+        spheres: m.spheres.map(|s| SphereBody {
             velocity: s.velocity * speed,
             spin: s.spin / time,
             inv_mass: s.inv_mass / mass,
@@ -279,7 +286,7 @@ fn the_axes_of_space_do_not_matter() {
             let (h, t) = (components(here.impulse()), components(there.impulse()));
             let part = |all: &[f64; 8], at: usize| Vector3::new(all[at], all[at + 1], all[at + 2]);
             let turned = |at: usize| (turn * part(&h, at) - part(&t, at)).norm();
-            let lever = here.lever();
+            let lever = here.effective_radius();
             let miss = (h[0] - t[0]).abs() + turned(1) + (turned(4) + (h[7] - t[7]).abs()) / lever;
             worst.see(miss / meeting.scale(&friction), || format!("{name} {friction:?} {meeting:?}"));
         });
@@ -293,20 +300,20 @@ fn no_friction_and_boundless_friction_are_the_limits() {
     for _ in 0..CASES / 8 {
         let radii = radii(&mut rng);
         let meeting = Meeting::<f64>::random(&mut rng, radii);
-        let smooth = meeting.updated(&Thresholds::none()).1;
+        let smooth = meeting.updated(&IndependentFriction::none()).1;
         for (before, after) in meeting.spheres.iter().zip(&smooth) {
             assert_eq!(before.spin, after.spin, "a smooth contact turns nothing");
         }
-        let slippery = meeting.updated(&Thresholds::all(0.0, 0.0, 0.0).unwrap());
+        let slippery = meeting.updated(&IndependentFriction::all(0.0, 0.0, 0.0).unwrap());
         assert_eq!(components(slippery.0.impulse())[1..], [0.0_f64; 7]);
         assert_eq!(slippery.1, smooth);
-        let rough = Thresholds::all(1e300, 1e300, 1e300).unwrap();
+        let rough = IndependentFriction::all(1e300, 1e300, 1e300).unwrap();
         let (contact, [a, b]) = meeting.updated(&rough);
         if contact.bound() > 0.0 {
             let left = contact.velocity(&a, &b);
             assert!(left.sliding().norm() < 1e-12, "{meeting:?}");
             let rim = left.rolling().norm() + left.torsion().abs();
-            assert!(rim * contact.lever() < 1e-12, "{meeting:?}");
+            assert!(rim * contact.effective_radius() < 1e-12, "{meeting:?}");
         }
     }
 }
@@ -317,14 +324,14 @@ fn modes_without_a_threshold_are_as_if_not_named() {
     for _ in 0..CASES / 8 {
         let meeting = Meeting::<f64>::random(&mut rng, [1.0, 1.0]);
         let [mu, mu_n] = [(); 2].map(|()| rng.log_between(1e-3, 10.0));
-        let named = meeting.updated(&Thresholds::all(mu, 0.0, mu_n).unwrap());
-        let plain = meeting.updated(&Thresholds::sliding_torsion(mu, mu_n).unwrap());
+        let named = meeting.updated(&IndependentFriction::all(mu, 0.0, mu_n).unwrap());
+        let plain = meeting.updated(&IndependentFriction::sliding_torsion(mu, mu_n).unwrap());
         assert_eq!(named.1, plain.1);
         assert_eq!(components(named.0.impulse()), components(plain.0.impulse()));
-        let plain = meeting.updated(&Thresholds::sliding(mu).unwrap());
-        let named = meeting.updated(&Thresholds::sliding_torsion(mu, 0.0).unwrap());
+        let plain = meeting.updated(&IndependentFriction::sliding(mu).unwrap());
+        let named = meeting.updated(&IndependentFriction::sliding_torsion(mu, 0.0).unwrap());
         assert_eq!(named.1, plain.1);
-        let named = meeting.updated(&Thresholds::sliding_rolling(mu, 0.0).unwrap());
+        let named = meeting.updated(&IndependentFriction::sliding_rolling(mu, 0.0).unwrap());
         assert_eq!(named.1, plain.1);
         let coupled = CoupledFriction::all(exact(mu, mu_n), 0.0).unwrap();
         let plain = CoupledFriction::sliding_torsion(exact(mu, mu_n));
@@ -344,7 +351,7 @@ fn the_coupled_update_is_the_exact_local_solution() {
         let [mu, ratio] = [rng.log_between(1e-2, 3.0), rng.log_between(0.1, 2.0)];
         let friction = CoupledFriction::sliding_torsion(exact(mu, ratio));
         let (contact, [a, b]) = meeting.updated(&friction);
-        let (p, lever) = (contact.bound(), contact.lever());
+        let (p, lever) = (contact.bound(), contact.effective_radius());
         if p == 0.0 {
             continue;
         }
@@ -380,20 +387,20 @@ fn guesses_become_admissible_and_stay_in_the_plane() {
     for _ in 0..CASES / 8 {
         let radii = radii(&mut rng);
         let meeting = Meeting::<f64>::random(&mut rng, radii);
-        let friction = Thresholds::all(0.3, 0.1, 0.1).unwrap();
+        let friction = IndependentFriction::all(0.3, 0.1, 0.1).unwrap();
         let mut contact = meeting.contact(&friction);
         let normal = rng.between(-2.0, 2.0);
         let [sliding, rolling] = [(); 2].map(|()| vector(&mut rng, 1.0));
         let torsion = contact.impulse().torsion();
-        contact.set_impulse(&Modal::new(normal, sliding, rolling, torsion));
-        contact.admit(&friction);
+        contact.set_impulse(&ContactVector::new(normal, sliding, rolling, torsion));
+        contact.project_impulse(&friction);
         let (impulse, p) = (contact.impulse(), contact.bound());
         assert!(p >= 0.0);
         assert!(impulse.sliding().norm() <= 0.3 * p * (1.0 + 1e-14));
-        assert!(impulse.rolling().norm() <= 0.1 * p * contact.lever() * (1.0 + 1e-14));
+        assert!(impulse.rolling().norm() <= 0.1 * p * contact.effective_radius() * (1.0 + 1e-14));
         assert!(impulse.sliding().dot(contact.normal()).abs() < 1e-15);
         let again = *impulse;
-        contact.admit(&friction);
+        contact.project_impulse(&friction);
         assert_eq!(*contact.impulse(), again);
     }
 }
@@ -405,16 +412,16 @@ fn single_precision_follows() {
     for _ in 0..CASES / 4 {
         let radii = radii(&mut rng);
         let meeting = Meeting::<f32>::random(&mut rng, radii);
-        let friction = Thresholds::all(0.3_f32, 0.1, 0.1).unwrap();
+        let friction = IndependentFriction::all(0.3_f32, 0.1, 0.1).unwrap();
         let (mut contact, [mut a, mut b]) = meeting.updated(&friction);
         let scale = meeting.scale(&friction);
         let change = contact.update(&friction, &mut a, &mut b);
-        let change = size(&change, contact.lever()) / scale;
+        let change = size(&change, contact.effective_radius()) / scale;
         worst.see(change, || format!("{meeting:?}"));
         assert!(
             a.velocity()
                 .iter()
-                .chain(b.spin().iter())
+                .chain(b.angular_velocity().iter())
                 .all(|x| x.is_finite())
         );
         assert!(Real::is_finite(contact.bound()));

@@ -1,7 +1,7 @@
 //! The ellipsoid against its closed forms, and how far it is from the exact surface of a disk.
 
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::surfaces::{FORCE_LIMIT, RADIUS, norm, random_wrench};
 use tribos_tests::sweep::{Lcg, ratios};
@@ -21,7 +21,7 @@ fn gauge_normal_and_support_have_their_closed_forms() {
     .map(Worst::of);
     let mut rng = Lcg::new(51);
     for spin_torque in SPIN_TORQUES {
-        let set = Ellipsoid::new(FORCE_LIMIT, RADIUS, spin_torque).unwrap();
+        let set = LimitEllipsoid::new(FORCE_LIMIT, RADIUS, spin_torque).unwrap();
         let torque_limit = FORCE_LIMIT * RADIUS * spin_torque;
         assert!((set.torque_limit() / torque_limit - 1.0).abs() <= tolerance::ROUNDING.limit);
         for _ in 0..20_000 {
@@ -51,8 +51,8 @@ fn gauge_normal_and_support_have_their_closed_forms() {
 }
 
 /// A disk and its ellipsoid, both of limit and radius 1.
-fn pair() -> (LimitSurface<f64, Coulomb>, Ellipsoid<f64>) {
-    let disk = LimitSurface::new(Coulomb, 1.0, 1.0).unwrap();
+fn pair() -> (RoundLimitSurface<f64, CoulombDisk>, LimitEllipsoid<f64>) {
+    let disk = RoundLimitSurface::new(CoulombDisk, 1.0, 1.0).unwrap();
     (disk, disk.ellipsoid().unwrap())
 }
 

@@ -3,11 +3,13 @@
 use std::f64::consts::PI;
 use std::hint::black_box;
 use tribos_core::Error;
-use tribos_core::coupling::table::{self, Coulomb};
-use tribos_core::coupling::{Coupling, DryCoupling, compact};
+use tribos_core::coupling::table::{self, CoulombDisk};
+use tribos_core::coupling::{DryReducedFriction, ReducedFriction, compact};
 use tribos_core::internals::COLLAR_ULPS;
 use tribos_core::law::LawError;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface, Region};
+use tribos_core::limit_surface::{
+    FrictionSet, LimitEllipsoid, Region, RoundLimitSurface, ShapeLimitSurface,
+};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::outline::Polygon;
 use tribos_core::twist::{Twist, Wrench};
@@ -18,17 +20,17 @@ use tribos_tests::tables::Table;
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
-fn unit<C: DryCoupling<f64>>(coupling: C) -> LimitSurface<f64, C> {
-    LimitSurface::new(coupling, 1.0, 1.0).expect("the limits are valid")
+fn unit<C: DryReducedFriction<f64>>(coupling: C) -> RoundLimitSurface<f64, C> {
+    RoundLimitSurface::new(coupling, 1.0, 1.0).expect("the limits are valid")
 }
 
-fn puck<C: DryCoupling<f64>>(coupling: C) -> LimitSurface<f64, C> {
-    LimitSurface::new(coupling, FORCE_LIMIT, RADIUS).expect("the limits are valid")
+fn puck<C: DryReducedFriction<f64>>(coupling: C) -> RoundLimitSurface<f64, C> {
+    RoundLimitSurface::new(coupling, FORCE_LIMIT, RADIUS).expect("the limits are valid")
 }
 
 #[test]
 fn surface_of_the_uniform_disk_passes_through_its_closed_forms() {
-    let disk = puck(Coulomb);
+    let disk = puck(CoulombDisk);
     let torque_unit = FORCE_LIMIT * RADIUS;
     let mut gauge = Worst::of("gauge of closed forms");
     for (force, torque) in [
@@ -52,7 +54,7 @@ fn surface_of_the_uniform_disk_passes_through_its_closed_forms() {
 
 #[test]
 fn gauge_and_normal_of_reference_points_are_right() {
-    let disk = unit(Coulomb);
+    let disk = unit(CoulombDisk);
     let mut gauge = Worst::of("gauge of reference points");
     let mut normal = Worst::of("ratio from reference points");
     for name in ["uniform.csv", "exponents.csv"] {
@@ -79,7 +81,7 @@ fn gauge_and_normal_of_reference_points_are_right() {
 }
 
 /// From twist to friction and back, over twelve decades of the ratio and densely around 1.
-fn recovered<C: DryCoupling<f64>>(name: &'static str, coupling: C) -> Worst {
+fn recovered<C: DryReducedFriction<f64>>(name: &'static str, coupling: C) -> Worst {
     let set = puck(coupling);
     let mut worst = Worst::of(name);
     for ratio in ratios(20_000) {
@@ -94,12 +96,12 @@ fn recovered<C: DryCoupling<f64>>(name: &'static str, coupling: C) -> Worst {
 
 #[test]
 fn motion_and_friction_are_each_others_inverse() {
-    recovered("ratio, table", Coulomb).assert_within(&tolerance::NORMAL);
-    recovered("ratio, AGM", compact::CompactCoulomb).assert_within(&tolerance::NORMAL);
+    recovered("ratio, table", CoulombDisk).assert_within(&tolerance::NORMAL);
+    recovered("ratio, AGM", compact::CompactCoulombDisk).assert_within(&tolerance::NORMAL);
     recovered("ratio, ring", Ring).assert_within(&tolerance::NORMAL_RING);
 }
 
-fn assert_support_bounds_every_wrench<C: DryCoupling<f64>>(coupling: C) {
+fn assert_support_bounds_every_wrench<C: DryReducedFriction<f64>>(coupling: C) {
     let set = puck(coupling);
     let mut rng = Lcg::new(31);
     for _ in 0..100_000 {
@@ -118,13 +120,13 @@ fn assert_support_bounds_every_wrench<C: DryCoupling<f64>>(coupling: C) {
 
 #[test]
 fn friction_dissipates_most_of_all_wrenches_of_the_set() {
-    assert_support_bounds_every_wrench(Coulomb);
+    assert_support_bounds_every_wrench(CoulombDisk);
     assert_support_bounds_every_wrench(Ring);
 }
 
 #[test]
 fn gauge_is_a_norm() {
-    let disk = puck(Coulomb);
+    let disk = puck(CoulombDisk);
     let mut rng = Lcg::new(32);
     for _ in 0..100_000 {
         let (a, b) = (random_wrench(&mut rng, 1.0), random_wrench(&mut rng, 0.7));
@@ -137,7 +139,7 @@ fn gauge_is_a_norm() {
 
 #[test]
 fn quarter_turns_and_mirrors_move_no_bit() {
-    let disk = puck(Coulomb);
+    let disk = puck(CoulombDisk);
     let mut rng = Lcg::new(33);
     for _ in 0..10_000 {
         let Wrench { force, torque } = random_wrench(&mut rng, 1.5);
@@ -155,7 +157,7 @@ fn quarter_turns_and_mirrors_move_no_bit() {
 #[test]
 fn powers_of_two_scale_to_the_bit() {
     let mut rng = Lcg::new(34);
-    let disk = puck(Coulomb);
+    let disk = puck(CoulombDisk);
     for _ in 0..20_000 {
         let scale = 2.0_f64.powi((rng.between(-300.0, 300.0)) as i32);
         let lever = 2.0_f64.powi((rng.between(-100.0, 100.0)) as i32);
@@ -165,7 +167,8 @@ fn powers_of_two_scale_to_the_bit() {
             force: w.force * scale,
             torque: w.torque * (scale * lever),
         };
-        let large = LimitSurface::new(Coulomb, FORCE_LIMIT * scale, RADIUS * lever).unwrap();
+        let large =
+            RoundLimitSurface::new(CoulombDisk, FORCE_LIMIT * scale, RADIUS * lever).unwrap();
         assert_eq!(disk.gauge(&w), large.gauge(&scaled(&w)));
         let (near, far) = (disk.project(&w), large.project(&scaled(&w)));
         assert!(same_bits(&scaled(&near.wrench), &far.wrench));
@@ -176,8 +179,8 @@ fn powers_of_two_scale_to_the_bit() {
 
 #[test]
 fn searches_are_short() {
-    let counting = Counting::new(Coulomb);
-    let set = LimitSurface::new(&counting, FORCE_LIMIT, RADIUS).unwrap();
+    let counting = Counting::new(CoulombDisk);
+    let set = RoundLimitSurface::new(&counting, FORCE_LIMIT, RADIUS).unwrap();
     type Call<'a> = &'a dyn Fn(&Wrench<f64>);
     let calls: [(&str, f64, f64, Call, u32); 5] = [
         (
@@ -299,12 +302,12 @@ fn assert_total<S: FrictionSet<f64>>(set: &S) {
 
 #[test]
 fn every_bit_pattern_has_an_answer() {
-    assert_total(&puck(Coulomb));
-    assert_total(&unit(compact::CompactCoulomb));
+    assert_total(&puck(CoulombDisk));
+    assert_total(&unit(compact::CompactCoulombDisk));
     assert_total(&unit(Ring));
-    assert_total(&Ellipsoid::new(FORCE_LIMIT, RADIUS, 0.6).unwrap());
+    assert_total(&LimitEllipsoid::new(FORCE_LIMIT, RADIUS, 0.6).unwrap());
     let tile = Polygon::new([[0.0, 0.0], [0.05, 0.0], [0.01, 0.03]]).unwrap();
-    assert_total(&PatchSurface::new(tile, FORCE_LIMIT).unwrap());
+    assert_total(&ShapeLimitSurface::new(tile, FORCE_LIMIT).unwrap());
 }
 
 #[test]
@@ -312,7 +315,7 @@ fn random_bits_never_panic() {
     let mut rng = Lcg::new(36);
     for _ in 0..50_000 {
         let [a, b, c, d, e] = std::array::from_fn(|_| f64::from_bits(rng.bits()));
-        let Ok(set) = LimitSurface::new(Coulomb, d.abs(), e.abs()) else {
+        let Ok(set) = RoundLimitSurface::new(CoulombDisk, d.abs(), e.abs()) else {
             continue;
         };
         let w = Wrench::new(a, b, c);
@@ -326,7 +329,7 @@ fn random_bits_never_panic() {
 
 #[test]
 fn without_force_limit_nothing_is_carried() {
-    let slick = LimitSurface::new(Coulomb, 0.0, RADIUS).unwrap();
+    let slick = RoundLimitSurface::new(CoulombDisk, 0.0, RADIUS).unwrap();
     let none = Wrench::new(0.0, 0.0, 0.0);
     assert_eq!(slick.gauge(&none), 0.0);
     assert_eq!(slick.project(&none).region, Region::Inside);
@@ -349,7 +352,7 @@ fn without_force_limit_nothing_is_carried() {
 
 #[test]
 fn nothing_moves_nothing() {
-    let disk = puck(Coulomb);
+    let disk = puck(CoulombDisk);
     let none = Wrench::new(0.0, 0.0, 0.0);
     assert_eq!(disk.twist_normal_to(&none), Twist::ZERO);
     assert_eq!(disk.scale_to_surface(&none), none);
@@ -361,7 +364,7 @@ fn nothing_moves_nothing() {
 fn wrong_limits_are_refused_with_what_was_given() {
     for given in [-1.0, -5e-324, f64::INFINITY] {
         assert_eq!(
-            LimitSurface::new(Coulomb, given, 1.0).unwrap_err(),
+            RoundLimitSurface::new(CoulombDisk, given, 1.0).unwrap_err(),
             Error::Law(LawError::Negative {
                 parameter: "force limit",
                 given
@@ -370,35 +373,39 @@ fn wrong_limits_are_refused_with_what_was_given() {
     }
     for given in [0.0, -1.0, f64::INFINITY] {
         assert_eq!(
-            LimitSurface::new(Coulomb, 1.0, given).unwrap_err(),
+            RoundLimitSurface::new(CoulombDisk, 1.0, given).unwrap_err(),
             Error::Patch(PatchError::Radius { given })
         );
         assert_eq!(
-            Ellipsoid::new(1.0, 1.0, given).unwrap_err(),
+            LimitEllipsoid::new(1.0, 1.0, given).unwrap_err(),
             Error::Law(LawError::NotPositive {
                 parameter: "reduced torque of pure spinning",
                 given
             })
         );
     }
-    assert!(LimitSurface::new(Coulomb, f64::NAN, 1.0).is_err());
-    assert!(LimitSurface::new(Coulomb, 1.0, f64::NAN).is_err());
-    assert!(Ellipsoid::new(1.0, 1.0, f64::NAN).is_err());
+    assert!(RoundLimitSurface::new(CoulombDisk, f64::NAN, 1.0).is_err());
+    assert!(RoundLimitSurface::new(CoulombDisk, 1.0, f64::NAN).is_err());
+    assert!(LimitEllipsoid::new(1.0, 1.0, f64::NAN).is_err());
 }
 
 #[test]
 fn single_precision_follows_double() {
     let (narrow, wide) = (
-        LimitSurface::new(table::Coulomb, FORCE_LIMIT as f32, RADIUS as f32).unwrap(),
-        LimitSurface::new(
-            table::Coulomb,
+        RoundLimitSurface::new(table::CoulombDisk, FORCE_LIMIT as f32, RADIUS as f32).unwrap(),
+        RoundLimitSurface::new(
+            table::CoulombDisk,
             f64::from(FORCE_LIMIT as f32),
             f64::from(RADIUS as f32),
         )
         .unwrap(),
     );
-    let compact =
-        LimitSurface::new(compact::CompactCoulomb, FORCE_LIMIT as f32, RADIUS as f32).unwrap();
+    let compact = RoundLimitSurface::new(
+        compact::CompactCoulombDisk,
+        FORCE_LIMIT as f32,
+        RADIUS as f32,
+    )
+    .unwrap();
     let mut rng = Lcg::new(37);
     let mut projection = Worst::of("f32 projection (of the limits)");
     for _ in 0..100_000 {

@@ -2,10 +2,12 @@
 
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Body, Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch,
+    Attraction, Cohesion, ContactBody, ContactGeometry, IndependentFriction, NormalLaw, SphereBody,
+    TimeStep, WallBody,
 };
 use tribos_core::manifold::{
-    BodyHandle, ContactHandle, InitialGuess, Manifold, ManifoldError, Member, SolverLimits,
+    BodyHandle, ContactHandle, ContactSystem, ContactSystemError, InitialGuess, SolverSettings,
+    SystemBody,
 };
 use tribos_core::real::Real;
 use tribos_tests::tolerance;
@@ -13,14 +15,14 @@ use tribos_tests::worst::Worst;
 
 const GRAVITY: f64 = 9.81;
 const DT: f64 = 1e-3;
-const STOP: SolverLimits<f64> = SolverLimits {
-    sweeps: 5_000,
+const STOP: SolverSettings<f64> = SolverSettings {
+    max_iterations: 5_000,
     tolerance: 1e-14,
 };
 
-fn ball<R: Real>() -> Sphere<R> {
+fn ball<R: Real>() -> SphereBody<R> {
     let still = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
-    Sphere {
+    SphereBody {
         velocity: still,
         spin: still,
         inv_mass: R::ONE,
@@ -28,8 +30,8 @@ fn ball<R: Real>() -> Sphere<R> {
     }
 }
 
-fn floor() -> Plate<f64> {
-    Plate {
+fn floor() -> WallBody<f64> {
+    WallBody {
         velocity: Vector3::zeros(),
         inv_mass: 0.0,
     }
@@ -39,22 +41,22 @@ fn no_bounce() -> NormalLaw<f64> {
     NormalLaw::new(Cohesion::NONE, 0.0).unwrap()
 }
 
-type All = Thresholds<f64, tribos_core::contact::AllModes>;
+type All = IndependentFriction<f64, tribos_core::contact::AllModes>;
 
 /// A column of five balls of radius 1 on a floor.
 fn column(
     friction: All,
 ) -> (
-    Manifold<f64, All, 6, 5>,
+    ContactSystem<f64, All, 6, 5>,
     Vec<BodyHandle>,
     Vec<ContactHandle>,
 ) {
-    let mut stack = Manifold::new(no_bounce(), friction);
+    let mut stack = ContactSystem::new(no_bounce(), friction);
     let ground = stack.push_plate(floor()).unwrap();
     let balls: Vec<_> = (0..5).map(|_| stack.push_sphere(ball()).unwrap()).collect();
-    let touch = Touch::plate(1.0, &Vector3::z(), 1.0).unwrap();
+    let touch = ContactGeometry::plate(1.0, &Vector3::z(), 1.0).unwrap();
     let mut contacts = vec![stack.push_contact(balls[0], ground, touch).unwrap()];
-    let above = Touch::spheres(&Vector3::new(0.0, 0.0, 2.0), [1.0, 1.0]).unwrap();
+    let above = ContactGeometry::spheres(&Vector3::new(0.0, 0.0, 2.0), [1.0, 1.0]).unwrap();
     for pair in balls.windows(2) {
         contacts.push(stack.push_contact(pair[0], pair[1], above).unwrap());
     }
@@ -64,9 +66,9 @@ fn column(
 
 #[test]
 fn a_column_carries_its_weight() {
-    let (mut stack, balls, contacts) = column(Thresholds::all(0.3, 0.1, 0.1).unwrap());
+    let (mut stack, balls, contacts) = column(IndependentFriction::all(0.3, 0.1, 0.1).unwrap());
     let report = stack.solve(TimeStep::new(DT).unwrap(), InitialGuess::Zero, STOP);
-    assert!(report.converged && report.sweeps > 10, "{report:?}");
+    assert!(report.converged && report.iterations > 10, "{report:?}");
     let mut worst = Worst::of("weight in a column");
     for (level, &contact) in contacts.iter().enumerate() {
         let got = stack.force(contact).unwrap().normal;
@@ -82,15 +84,15 @@ fn a_column_carries_its_weight() {
     worst.assert_within(&tolerance::MANIFOLD);
     // The second step begins with the answer.
     let again = stack.solve(TimeStep::new(2.0 * DT).unwrap(), InitialGuess::Last, STOP);
-    assert!(again.converged && again.sweeps <= 5, "{again:?}");
+    assert!(again.converged && again.iterations <= 5, "{again:?}");
     let cold = stack.solve(TimeStep::new(DT).unwrap(), InitialGuess::Zero, STOP);
-    assert!(cold.sweeps > 10, "{cold:?}");
+    assert!(cold.iterations > 10, "{cold:?}");
 }
 
 /// A sphere pushed sideways onto a row: every contact slips, sticks or opens.
 #[test]
 fn what_it_finds_obeys_the_laws_of_every_contact() {
-    let (mut stack, balls, contacts) = column(Thresholds::all(0.3, 0.1, 0.1).unwrap());
+    let (mut stack, balls, contacts) = column(IndependentFriction::all(0.3, 0.1, 0.1).unwrap());
     for (number, &ball) in balls.iter().enumerate() {
         let n = number as f64;
         let force = Vector3::new(3.0 * n - 4.0, 2.0 - n, 0.5 * n * n);
@@ -111,13 +113,15 @@ fn what_it_finds_obeys_the_laws_of_every_contact() {
             stack.body(balls[level - 1])
         };
         let own = stack.body(balls[level]).unwrap();
-        let point = own.velocity() + own.spin().cross(&-Vector3::z());
+        let point = own.velocity() + own.angular_velocity().cross(&-Vector3::z());
         let other = below.map_or(Vector3::zeros(), |b| {
-            b.velocity() + b.spin().cross(&Vector3::z())
+            b.velocity() + b.angular_velocity().cross(&Vector3::z())
         });
         let sign = normals[level];
         let slip = (point - other) * sign;
-        let turn = (own.spin() - below.map_or(Vector3::zeros(), Body::spin)) * sign;
+        let turn = (own.angular_velocity()
+            - below.map_or(Vector3::zeros(), ContactBody::angular_velocity))
+            * sign;
         let impulse = stack.contact(contact).unwrap().impulse();
         let (p, normal) = (impulse.normal, sign * slip.z);
         let lever = if level == 0 { 1.0 } else { 0.5 };
@@ -159,63 +163,76 @@ fn what_it_finds_obeys_the_laws_of_every_contact() {
 fn bodies_and_contacts_take_the_memory_that_the_documentation_tells() {
     let growth = |large: usize, small: usize| large - small;
     let body = growth(
-        size_of::<Manifold<f64, All, 3, 1>>(),
-        size_of::<Manifold<f64, All, 2, 1>>(),
+        size_of::<ContactSystem<f64, All, 3, 1>>(),
+        size_of::<ContactSystem<f64, All, 2, 1>>(),
     );
     let contact = growth(
-        size_of::<Manifold<f64, All, 2, 2>>(),
-        size_of::<Manifold<f64, All, 2, 1>>(),
+        size_of::<ContactSystem<f64, All, 2, 2>>(),
+        size_of::<ContactSystem<f64, All, 2, 1>>(),
     );
     assert_eq!((body, contact), (120, 312));
 }
 
 #[test]
 fn what_does_not_fit_is_refused_and_changes_nothing() {
-    let friction = Thresholds::sliding(0.3).unwrap();
-    let mut small = Manifold::<f64, _, 2, 1>::new(no_bounce(), friction);
+    let friction = IndependentFriction::sliding(0.3).unwrap();
+    let mut small = ContactSystem::<f64, _, 2, 1>::new(no_bounce(), friction);
     let first = small.push_sphere(ball()).unwrap();
-    let touch = Touch::spheres(&Vector3::new(2.0, 0.0, 0.0), [1.0, 1.0]).unwrap();
+    let touch = ContactGeometry::spheres(&Vector3::new(2.0, 0.0, 0.0), [1.0, 1.0]).unwrap();
     assert_eq!(
         small.push_contact(first, first, touch),
-        Err(ManifoldError::SameBody)
+        Err(ContactSystemError::SameBody)
     );
     let second = small.push_plate(floor()).unwrap();
     assert_eq!(
         small.push_sphere(ball()),
-        Err(ManifoldError::Full { capacity: 2 })
+        Err(ContactSystemError::Full { capacity: 2 })
     );
     let contact = small.push_contact(first, second, touch).unwrap();
-    let full = Err(ManifoldError::Full { capacity: 1 });
+    let full = Err(ContactSystemError::Full { capacity: 1 });
     assert_eq!(small.push_contact(second, first, touch), full);
     assert!(small.force(contact).is_none(), "not solved yet");
     small.clear_contacts();
-    assert_eq!(small.set_touch(contact, touch), Err(ManifoldError::Unknown));
+    assert_eq!(
+        small.set_geometry(contact, touch),
+        Err(ContactSystemError::Unknown)
+    );
     assert!(small.contact(contact).is_none());
-    let mut other = Manifold::<f64, _, 2, 1>::new(no_bounce(), friction);
+    let mut other = ContactSystem::<f64, _, 2, 1>::new(no_bounce(), friction);
     let zero = Vector3::zeros();
     assert_eq!(
         other.set_force(first, zero, zero),
-        Err(ManifoldError::Unknown)
+        Err(ContactSystemError::Unknown)
     );
     assert_eq!(
         other.push_contact(first, second, touch),
-        Err(ManifoldError::Unknown)
+        Err(ContactSystemError::Unknown)
     );
 }
 
 #[test]
 fn nothing_to_do_is_done_at_once_and_nan_never_converges() {
-    let mut empty = Manifold::<f64, _, 1, 1>::new(no_bounce(), Thresholds::none());
+    let mut empty = ContactSystem::<f64, _, 1, 1>::new(no_bounce(), IndependentFriction::none());
     let step = TimeStep::new(DT).unwrap();
     let report = empty.solve(step, InitialGuess::Last, STOP);
-    assert!(report.converged && report.residual == 0.0 && report.sweeps == 1);
-    let none = SolverLimits { sweeps: 0, ..STOP };
+    assert!(report.converged && report.residual == 0.0 && report.iterations == 1);
+    let none = SolverSettings {
+        max_iterations: 0,
+        ..STOP
+    };
     assert!(!empty.solve(step, InitialGuess::Last, none).converged);
-    let (mut stack, balls, _) = column(Thresholds::all(0.3, 0.1, 0.1).unwrap());
+    let (mut stack, balls, _) = column(IndependentFriction::all(0.3, 0.1, 0.1).unwrap());
     let lost = Vector3::new(f64::NAN, 0.0, 0.0);
     stack.set_force(balls[2], lost, lost).unwrap();
-    let report = stack.solve(step, InitialGuess::Last, SolverLimits { sweeps: 7, ..STOP });
-    assert!(report.residual.is_nan() && !report.converged && report.sweeps == 7);
+    let report = stack.solve(
+        step,
+        InitialGuess::Last,
+        SolverSettings {
+            max_iterations: 7,
+            ..STOP
+        },
+    );
+    assert!(report.residual.is_nan() && !report.converged && report.iterations == 7);
 }
 
 #[test]
@@ -223,40 +240,41 @@ fn micrograms_converge_in_single_precision_too() {
     // Grains of 1e-15 kg: squares of their impulses vanish in f32.
     let cohesion = Cohesion::new(1e-14_f32, 1e-9, Attraction::Pull).unwrap();
     let law = NormalLaw::new(cohesion, 0.0).unwrap();
-    let mut grains = Manifold::<f32, _, 3, 2>::new(law, Thresholds::sliding(0.3).unwrap());
-    let grain = Sphere {
+    let mut grains =
+        ContactSystem::<f32, _, 3, 2>::new(law, IndependentFriction::sliding(0.3).unwrap());
+    let grain = SphereBody {
         inv_mass: 1e15,
         inv_inertia: 2.5e27,
         ..ball()
     };
-    let floor = Plate {
+    let floor = WallBody {
         velocity: grain.velocity,
         inv_mass: 0.0,
     };
     let ground = grains.push_plate(floor).unwrap();
     let lower = grains.push_sphere(grain).unwrap();
     let upper = grains.push_sphere(grain).unwrap();
-    let below = Touch::plate(1e-6, &Vector3::z(), 1e-6).unwrap();
-    let between = Touch::spheres(&Vector3::new(0.0, 0.0, 2e-6), [1e-6, 1e-6]).unwrap();
+    let below = ContactGeometry::plate(1e-6, &Vector3::z(), 1e-6).unwrap();
+    let between = ContactGeometry::spheres(&Vector3::new(0.0, 0.0, 2e-6), [1e-6, 1e-6]).unwrap();
     let below = grains.push_contact(lower, ground, below).unwrap();
     grains.push_contact(lower, upper, between).unwrap();
     grains.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-    let stop = SolverLimits {
-        sweeps: 200,
+    let stop = SolverSettings {
+        max_iterations: 200,
         tolerance: 1e-6,
     };
     let report = grains.solve(TimeStep::new(1e-5).unwrap(), InitialGuess::Zero, stop);
-    assert!(report.converged && report.sweeps > 5, "{report:?}");
+    assert!(report.converged && report.iterations > 5, "{report:?}");
     let weight = grains.force(below).unwrap().normal;
     assert!((weight / (2.0 * 9.81e-15) - 1.0).abs() < 1e-4, "{weight}");
 }
 
 /// Three balls that touch each other and lie on a plate, with these contacts' law.
-fn heap(law: NormalLaw<f64>, friction: All) -> (Manifold<f64, All, 4, 6>, Vec<BodyHandle>) {
-    let mut heap = Manifold::new(law, friction);
+fn heap(law: NormalLaw<f64>, friction: All) -> (ContactSystem<f64, All, 4, 6>, Vec<BodyHandle>) {
+    let mut heap = ContactSystem::new(law, friction);
     let balls: Vec<_> = (0..3).map(|_| heap.push_sphere(ball()).unwrap()).collect();
     let plate = heap
-        .push_plate(Plate {
+        .push_plate(WallBody {
             inv_mass: 0.1,
             ..floor()
         })
@@ -265,22 +283,22 @@ fn heap(law: NormalLaw<f64>, friction: All) -> (Manifold<f64, All, 4, 6>, Vec<Bo
     let places = [[0.0, 0.0], [2.0, 0.0], [1.0, half]].map(|[x, y]| Vector3::new(x, y, 1.0));
     for (first, second) in [(0, 1), (0, 2), (1, 2)] {
         let apart = places[second] - places[first];
-        let touch = Touch::spheres(&apart, [1.0, 1.0]).unwrap();
+        let touch = ContactGeometry::spheres(&apart, [1.0, 1.0]).unwrap();
         heap.push_contact(balls[first], balls[second], touch)
             .unwrap();
     }
     for &ball in &balls {
-        let touch = Touch::plate(1.0, &Vector3::z(), 1.0).unwrap();
+        let touch = ContactGeometry::plate(1.0, &Vector3::z(), 1.0).unwrap();
         heap.push_contact(ball, plate, touch).unwrap();
     }
     (heap, [balls, vec![plate]].concat())
 }
 
-fn kinetic(heap: &Manifold<f64, All, 4, 6>, bodies: &[BodyHandle]) -> f64 {
+fn kinetic(heap: &ContactSystem<f64, All, 4, 6>, bodies: &[BodyHandle]) -> f64 {
     let energy = |body: &BodyHandle| {
         let body = heap.body(*body).unwrap();
         let turning = if body.inv_inertia() > 0.0 {
-            body.spin().norm_squared() / body.inv_inertia()
+            body.angular_velocity().norm_squared() / body.inv_inertia()
         } else {
             0.0
         };
@@ -299,15 +317,15 @@ fn impacts_with_friction_never_add_energy() {
         let mu = [0.0, 0.3, 1.0, 10.0][round / 4 % 4];
         let rolling = [0.0, 0.3][round / 16 % 2];
         let law = NormalLaw::new(Cohesion::NONE, restitution).unwrap();
-        let friction = Thresholds::all(mu, rolling, rolling).unwrap();
+        let friction = IndependentFriction::all(mu, rolling, rolling).unwrap();
         let (mut heap, bodies) = heap(law, friction);
         for &body in &bodies {
             match heap.body_mut(body) {
-                Some(Member::Sphere(ball)) => {
+                Some(SystemBody::Sphere(ball)) => {
                     ball.velocity = Vector3::new(signed(), signed(), signed());
                     ball.spin = Vector3::new(signed(), signed(), signed());
                 }
-                Some(Member::Plate(plate)) => plate.velocity.z = signed(),
+                Some(SystemBody::Plate(plate)) => plate.velocity.z = signed(),
                 None => panic!("the body is there"),
             }
         }
@@ -330,14 +348,15 @@ fn impacts_with_friction_never_add_energy() {
 #[test]
 fn an_impact_runs_through_a_row_in_one_step() {
     let law = NormalLaw::new(Cohesion::NONE, 1.0).unwrap();
-    let mut row = Manifold::<f64, All, 4, 3>::new(law, Thresholds::all(0.3, 0.0, 0.0).unwrap());
+    let mut row =
+        ContactSystem::<f64, All, 4, 3>::new(law, IndependentFriction::all(0.3, 0.0, 0.0).unwrap());
     let balls: Vec<_> = (0..4).map(|_| row.push_sphere(ball()).unwrap()).collect();
-    let touch = Touch::spheres(&Vector3::new(2.0, 0.0, 0.0), [1.0, 1.0]).unwrap();
+    let touch = ContactGeometry::spheres(&Vector3::new(2.0, 0.0, 0.0), [1.0, 1.0]).unwrap();
     let contacts: Vec<_> = balls
         .windows(2)
         .map(|pair| row.push_contact(pair[0], pair[1], touch).unwrap())
         .collect();
-    if let Some(Member::Sphere(first)) = row.body_mut(balls[0]) {
+    if let Some(SystemBody::Sphere(first)) = row.body_mut(balls[0]) {
         first.velocity.x = 1.0;
     }
     row.solve(TimeStep::new(DT).unwrap(), InitialGuess::Last, STOP);

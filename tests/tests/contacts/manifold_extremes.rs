@@ -3,13 +3,13 @@
 use nalgebra::Vector3;
 use tribos_core::Real;
 use tribos_core::contact::{
-    Attraction, Body, Cohesion, ContactFriction, CoupledFriction, NormalLaw, Plate, Sphere,
-    Thresholds, TimeStep, Touch,
+    Attraction, Cohesion, ContactBody, ContactFriction, ContactGeometry, CoupledFriction,
+    IndependentFriction, NormalLaw, SphereBody, TimeStep, WallBody,
 };
-use tribos_core::coupling::DryCoupling;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::LimitSurface;
-use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits, SolverReport};
+use tribos_core::coupling::DryReducedFriction;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::RoundLimitSurface;
+use tribos_core::manifold::{ContactSystem, InitialGuess, SolverReport, SolverSettings};
 use tribos_tests::sweep::Lcg;
 
 const BALLS: usize = 3;
@@ -105,11 +105,11 @@ impl Column {
             Attraction::Pull,
         );
         let law = NormalLaw::new(cohesion.ok()?, R::from_f64(self.restitution)).ok()?;
-        let mut column = Manifold::<R, F, 8, 8>::new(law, friction);
+        let mut column = ContactSystem::<R, F, 8, 8>::new(law, friction);
         let (zero, up) = (units.vector(VELOCITY, [0.0; 3]), [0.0, 0.0, 1.0]);
         let up = Vector3::from(up.map(R::from_f64));
         let floor = column
-            .push_plate(Plate {
+            .push_plate(WallBody {
                 velocity: zero,
                 inv_mass: R::ZERO,
             })
@@ -117,7 +117,7 @@ impl Column {
         let mut bodies = Vec::new();
         for (mass, radius, [velocity, spin, force, torque]) in self.balls {
             let inertia = 0.4 * mass * radius * radius;
-            let ball = column.push_sphere(Sphere {
+            let ball = column.push_sphere(SphereBody {
                 velocity: units.vector(VELOCITY, velocity),
                 spin: units.vector(SPIN, spin),
                 inv_mass: R::ONE / units.of(MASS, mass),
@@ -129,7 +129,7 @@ impl Column {
             bodies.push(ball);
         }
         let [mass, push] = self.piston;
-        let piston = Plate {
+        let piston = WallBody {
             velocity: zero,
             inv_mass: R::ONE / units.of(MASS, mass),
         };
@@ -142,7 +142,8 @@ impl Column {
         let mut contacts = Vec::new();
         let length = |x: f64| units.of::<R>(LENGTH, x);
         let radius = |ball: usize| self.balls[ball].1;
-        let floor_touch = Touch::plate(length(radius(0) + self.gaps[0]), &up, length(radius(0)));
+        let floor_touch =
+            ContactGeometry::plate(length(radius(0) + self.gaps[0]), &up, length(radius(0)));
         contacts.push(
             column
                 .push_contact(bodies[0], floor, floor_touch.ok()?)
@@ -153,14 +154,15 @@ impl Column {
             let apart = radii[0] + radii[1] + self.gaps[below + 1];
             let [x, y] = self.tilts[below].map(|tilt| tilt * apart);
             let z = (apart * apart - x * x - y * y).sqrt();
-            let touch = Touch::spheres(&units.vector(LENGTH, [x, y, z]), radii.map(length));
+            let touch =
+                ContactGeometry::spheres(&units.vector(LENGTH, [x, y, z]), radii.map(length));
             contacts.push(
                 column
                     .push_contact(bodies[below], bodies[below + 1], touch.ok()?)
                     .ok()?,
             );
         }
-        let top = Touch::plate(
+        let top = ContactGeometry::plate(
             length(radius(BALLS - 1) + self.gaps[BALLS]),
             &-up,
             length(radius(BALLS - 1)),
@@ -172,8 +174,8 @@ impl Column {
         );
         bodies.push(piston);
 
-        let stop = SolverLimits {
-            sweeps: 60,
+        let stop = SolverSettings {
+            max_iterations: 60,
             tolerance: R::from_f64(8.0) * R::EPSILON,
         };
         let mut answer = Answer {
@@ -189,7 +191,7 @@ impl Column {
             for &body in &bodies {
                 let body = column.body(body)?;
                 answer.put(VELOCITY, body.velocity());
-                answer.put(SPIN, body.spin());
+                answer.put(SPIN, body.angular_velocity());
             }
             for &contact in &contacts {
                 let impulse = *column.contact(contact)?.impulse();
@@ -241,21 +243,21 @@ impl<R: Real> Answer<R> {
 }
 
 fn all<R: Real>() -> impl ContactFriction<R> {
-    Thresholds::all(R::from_f64(0.3), R::from_f64(0.1), R::from_f64(0.05)).unwrap()
+    IndependentFriction::all(R::from_f64(0.3), R::from_f64(0.1), R::from_f64(0.05)).unwrap()
 }
 
 fn coupled<R: Real>() -> impl ContactFriction<R>
 where
-    Coulomb: DryCoupling<R>,
+    CoulombDisk: DryReducedFriction<R>,
 {
-    let set = LimitSurface::new(Coulomb, R::from_f64(0.3), R::from_f64(0.5)).unwrap();
+    let set = RoundLimitSurface::new(CoulombDisk, R::from_f64(0.3), R::from_f64(0.5)).unwrap();
     CoupledFriction::sliding_torsion(set)
 }
 
 /// Columns in units drawn by `units`, against themselves in units of order 1, to a relative error.
 fn assert_same_in<R: Real>(most: f64, units: impl Fn(&mut Lcg) -> Units)
 where
-    Coulomb: DryCoupling<R>,
+    CoulombDisk: DryReducedFriction<R>,
 {
     let mut rng = Lcg::new(71);
     let (mut worst, mut met) = ((0.0, String::new()), 0);

@@ -1,8 +1,8 @@
 //! Friction of contact manifolds: nearest point of the set, lanes, travel of thrown bodies.
 
 use tribos_core::manifold_friction::{
-    CompactOutline, ContactArea, DirectedOutline, FrictionBudget, FrictionImpulse, InverseMasses,
-    Outline, manifold_friction, manifold_friction_in,
+    DirectionalLimitCurve, FrictionImpulse, FrictionLimits, InverseEffectiveMasses,
+    IsotropicLimitCurve, LimitCurve, ManifoldArea, manifold_friction_in, project_friction,
 };
 
 /// Numbers in [0, 1) from Knuth's linear congruential generator.
@@ -59,7 +59,7 @@ fn nearest(h: [f64; 3], weight: f64, [p, q]: [f64; 2]) -> [f64; 2] {
 }
 
 /// Largest distance between results and the search, in limits, for mass ratios of 0.01 to 100.
-fn worst_error<const STEPS: usize, O: Outline<f32>>(h: [f64; 3], outline: &O) -> f64 {
+fn worst_error<const STEPS: usize, O: LimitCurve<f32>>(h: [f64; 3], outline: &O) -> f64 {
     let mut draw = Draw(7);
     let mut worst = 0.0_f64;
     for n in 0..6000 {
@@ -79,12 +79,12 @@ fn worst_error<const STEPS: usize, O: Outline<f32>>(h: [f64; 3], outline: &O) ->
             tangential: [(1.2 * p) as f32, (1.6 * p) as f32],
             angular: (-0.1 * q) as f32,
         };
-        let budget = FrictionBudget {
-            force: 2.0,
-            lever: 0.05,
-            slip: 1.0,
+        let budget = FrictionLimits {
+            impulse: 2.0,
+            torsion_radius: 0.05,
+            dynamic_over_static: 1.0,
         };
-        let inverse = InverseMasses {
+        let inverse = InverseEffectiveMasses {
             tangential: 1.0,
             angular: (weight * 400.0) as f32,
         };
@@ -97,8 +97,8 @@ fn worst_error<const STEPS: usize, O: Outline<f32>>(h: [f64; 3], outline: &O) ->
     worst
 }
 
-fn in_all_directions(spinning: f32, slipping: f32) -> DirectedOutline<f32> {
-    DirectedOutline {
+fn in_all_directions(spinning: f32, slipping: f32) -> DirectionalLimitCurve<f32> {
+    DirectionalLimitCurve {
         spinning: [spinning, 0.0, spinning],
         slipping: [slipping, 0.0, slipping],
     }
@@ -106,9 +106,9 @@ fn in_all_directions(spinning: f32, slipping: f32) -> DirectedOutline<f32> {
 
 #[test]
 fn the_result_is_the_nearest_point_of_the_set() {
-    let area = (curve(1.49, 0.566), CompactOutline::area());
-    let points = ([-0.5203, 0.2304, 0.0135], CompactOutline::points());
-    let ellipsoid = worst_error::<2, _>([0.0; 3], &CompactOutline::ellipsoid());
+    let area = (curve(1.49, 0.566), IsotropicLimitCurve::area());
+    let points = ([-0.5203, 0.2304, 0.0135], IsotropicLimitCurve::points());
+    let ellipsoid = worst_error::<2, _>([0.0; 3], &IsotropicLimitCurve::ellipsoid());
     let [of_area, of_points] = [area, points].map(|(h, outline)| worst_error::<2, _>(h, &outline));
     println!("two steps: area {of_area:.1e}, points {of_points:.1e}, ellipsoid {ellipsoid:.1e}");
     assert!(of_area < 5e-4 && of_points < 5e-4 && ellipsoid < 5e-4);
@@ -135,8 +135,8 @@ fn lanes_have_the_bits_of_the_scalar() {
     use wide::f32x4;
     let mut draw = Draw(11);
     let plank =
-        ContactArea::of_corners(&[[-0.1_f32, -0.025], [0.1, -0.02], [0.1, 0.03], [-0.1, 0.025]]);
-    let wide_plank = DirectedOutline {
+        ManifoldArea::of_corners(&[[-0.1_f32, -0.025], [0.1, -0.02], [0.1, 0.03], [-0.1, 0.025]]);
+    let wide_plank = DirectionalLimitCurve {
         spinning: plank.outline.spinning.map(f32x4::splat),
         slipping: plank.outline.slipping.map(f32x4::splat),
     };
@@ -156,35 +156,35 @@ fn lanes_have_the_bits_of_the_scalar() {
                 tangential: [side_by_side(0), side_by_side(1)],
                 angular: side_by_side(2),
             },
-            FrictionBudget {
-                force: side_by_side(3).abs(),
-                lever: side_by_side(4).abs(),
-                slip: f32x4::splat(0.75),
+            FrictionLimits {
+                impulse: side_by_side(3).abs(),
+                torsion_radius: side_by_side(4).abs(),
+                dynamic_over_static: f32x4::splat(0.75),
             },
-            InverseMasses {
+            InverseEffectiveMasses {
                 tangential: side_by_side(5).abs(),
                 angular: side_by_side(6).abs(),
             },
         );
-        let compact = manifold_friction(&candidate, &budget, &inverse, &CompactOutline::area());
-        let directed = manifold_friction(&candidate, &budget, &inverse, &wide_plank);
+        let compact = project_friction(&candidate, &budget, &inverse, &IsotropicLimitCurve::area());
+        let directed = project_friction(&candidate, &budget, &inverse, &wide_plank);
         for (n, [p1, p2, twist, force, lever, k, kt]) in lanes.into_iter().enumerate() {
             let candidate = FrictionImpulse {
                 tangential: [p1, p2],
                 angular: twist,
             };
-            let budget = FrictionBudget {
-                force: force.abs(),
-                lever: lever.abs(),
-                slip: 0.75,
+            let budget = FrictionLimits {
+                impulse: force.abs(),
+                torsion_radius: lever.abs(),
+                dynamic_over_static: 0.75,
             };
-            let inverse = InverseMasses {
+            let inverse = InverseEffectiveMasses {
                 tangential: k.abs(),
                 angular: kt.abs(),
             };
-            let one = manifold_friction(&candidate, &budget, &inverse, &CompactOutline::area());
+            let one = project_friction(&candidate, &budget, &inverse, &IsotropicLimitCurve::area());
             same_bits(&one, &compact, n);
-            let one = manifold_friction(&candidate, &budget, &inverse, &plank.outline);
+            let one = project_friction(&candidate, &budget, &inverse, &plank.outline);
             same_bits(&one, &directed, n);
         }
     }
@@ -208,14 +208,14 @@ fn same_bits(one: &FrictionImpulse<f32>, lanes: &FrictionImpulse<wide::f32x4>, n
 /// Travel in m of a body of 1 kg, half sides a and b, thrown along a at 1 m/s with this spin; μg = 3 m/s².
 /// Steps of 0.1 ms whose friction is one projection from zero impulses.
 fn travel([a, b]: [f64; 2], spin: f64) -> f64 {
-    let area = ContactArea::of_corners(&[[-a, -b], [a, -b], [a, b], [-a, b]]);
+    let area = ManifoldArea::of_corners(&[[-a, -b], [a, -b], [a, b], [-a, b]]);
     let (inertia, step) = ((a * a + b * b) / 3.0, 1e-4);
-    let budget = FrictionBudget {
-        force: 3.0 * step,
-        lever: area.lever,
-        slip: 1.0,
+    let budget = FrictionLimits {
+        impulse: 3.0 * step,
+        torsion_radius: area.lever,
+        dynamic_over_static: 1.0,
     };
-    let inverse = InverseMasses {
+    let inverse = InverseEffectiveMasses {
         tangential: 1.0,
         angular: 1.0 / inertia,
     };
@@ -229,7 +229,7 @@ fn travel([a, b]: [f64; 2], spin: f64) -> f64 {
             ],
             angular: inertia * spin,
         };
-        let friction = manifold_friction(&stopping, &budget, &inverse, &area.outline);
+        let friction = project_friction(&stopping, &budget, &inverse, &area.outline);
         let [x, y] = friction.tangential;
         let (last, turned) = (velocity, spin);
         velocity = [last[0] - (cos * x - sin * y), last[1] - (sin * x + cos * y)];

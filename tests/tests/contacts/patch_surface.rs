@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use tribos_core::contact::TimeStep;
-use tribos_core::limit_surface::{FrictionSet, PatchSurface, Region};
+use tribos_core::limit_surface::{FrictionSet, Region, ShapeLimitSurface};
 use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
@@ -13,10 +13,10 @@ use tribos_tests::worst::Worst;
 
 const LIMIT: f64 = 0.51;
 
-type Surface = PatchSurface<f64, Polygon<f64, Vec<Edge<f64>>>>;
+type Surface = ShapeLimitSurface<f64, Polygon<f64, Vec<Edge<f64>>>>;
 
 fn surfaces() -> Vec<(String, Surface)> {
-    let surface = |patch| PatchSurface::new(patch, LIMIT).expect("valid");
+    let surface = |patch| ShapeLimitSurface::new(patch, LIMIT).expect("valid");
     outlines()
         .iter()
         .filter(|outline| outline.name != "sliver")
@@ -156,7 +156,7 @@ fn derivatives_are_those_of_differences() {
 fn the_surface_of_a_square_passes_through_its_closed_forms() {
     let square =
         Polygon::new([[-1.0_f64, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]).expect("valid");
-    let surface = PatchSurface::new(square, 1.0).expect("valid");
+    let surface = ShapeLimitSurface::new(square, 1.0).expect("valid");
     let spinning = (2.0_f64.sqrt() + 1.0_f64.asinh()) / 3.0;
     assert!((surface.torque_limit() - spinning).abs() < 1e-15);
     assert!((surface.gauge(&Wrench::new(0.6, 0.8, 0.0)) - 1.0).abs() < 1e-15);
@@ -171,7 +171,7 @@ fn the_surface_of_a_square_passes_through_its_closed_forms() {
 fn a_box_on_a_table_sticks_to_the_last_bit_and_slides_no_further_than_it_must() {
     let (a, b) = (0.1, 0.05);
     let patch = Polygon::new([[-a, -b], [a, -b], [a, b], [-a, b]]).expect("valid");
-    let table = PatchSurface::new(patch, 3.0).expect("valid");
+    let table = ShapeLimitSurface::new(patch, 3.0).expect("valid");
     let body = PlanarBody::new(1.0, (a * a + b * b) / 3.0).expect("valid");
     let dt = TimeStep::new(1.0 / 240.0).expect("valid");
     let held = body.step(&table, &Twist::ZERO, &Wrench::new(2.0, 0.0, 0.05), dt);
@@ -210,11 +210,11 @@ fn odd_wrenches_have_the_answers_of_other_sets() {
             assert!(surface.project(&wrench).wrench.torque.is_nan());
         }
     }
-    let none = PatchSurface::new(surface.patch(), 0.0).expect("valid");
+    let none = ShapeLimitSurface::new(surface.patch(), 0.0).expect("valid");
     let push = Wrench::new(0.1, 0.2, 0.3);
     assert_eq!(none.gauge(&push), f64::INFINITY);
     assert_eq!(none.project(&push).wrench, Wrench::ZERO);
-    assert!(PatchSurface::new(surface.patch(), -1.0).is_err());
+    assert!(ShapeLimitSurface::new(surface.patch(), -1.0).is_err());
     let huge = push * 1e300;
     let carried = surface.project(&huge).wrench;
     assert!((surface.gauge(&carried) - 1.0).abs() < 1e-13);

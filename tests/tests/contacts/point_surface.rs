@@ -1,18 +1,18 @@
 //! The limit surface of points: facets, their edges, projection against another search; several feet.
 
 use nalgebra::Vector3;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
-use tribos_core::limit_surface::{FrictionSet, PatchSurface, Region};
+use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
+use tribos_core::limit_surface::{FrictionSet, Region, ShapeLimitSurface};
 use tribos_core::patch::bar::Bar;
-use tribos_core::patch::feet::{Feet, Foot};
+use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
 use tribos_core::patch::outline::Polygon;
-use tribos_core::patch::points::Points;
-use tribos_core::planar::NodeFoot;
+use tribos_core::patch::points::PointPatch;
+use tribos_core::planar::PointContacts;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 
-type Any = Points<f64, NodeList<f64, 8>>;
+type Any = PointPatch<f64, NodeList<f64, 8>>;
 
 /// Two to eight points whose weights span a factor of 100, near the origin.
 fn points(rng: &mut Lcg, least: usize) -> Any {
@@ -23,7 +23,7 @@ fn points(rng: &mut Lcg, least: usize) -> Any {
         let weight = 10_f64.powf(rng.between(-2.0, 0.0));
         nodes.push(Node { x, y, weight }).expect("room");
     }
-    Points::new(nodes).expect("several places")
+    PointPatch::new(nodes).expect("several places")
 }
 
 /// What all points but those at `about` resist with when the body turns about it, and the share of these.
@@ -60,7 +60,7 @@ fn on_a_facet_the_body_turns_about_the_point_whatever_that_carries() {
     let mut rng = Lcg::new(21);
     for _ in 0..3000 {
         let patch = points(&mut rng, 2);
-        let surface = PatchSurface::new(&patch, 3.0).expect("valid");
+        let surface = ShapeLimitSurface::new(&patch, 3.0).expect("valid");
         let node = patch.nodes().nodes()[rng.between(0.0, 1.999) as usize];
         let sense = if rng.between(-1.0, 1.0) < 0.0 {
             -1.0
@@ -115,7 +115,7 @@ fn between_facets_push_and_motion_belong_together() {
     let (mut gauges, mut motions) = (0.0_f64, 0.0_f64);
     for _ in 0..3000 {
         let patch = points(&mut rng, 3);
-        let surface = PatchSurface::new(&patch, 1.0).expect("valid");
+        let surface = ShapeLimitSurface::new(&patch, 1.0).expect("valid");
         let node = patch.nodes().nodes()[0];
         let far = 10_f64.powf(rng.between(-3.0, 0.5));
         let angle = rng.between(0.0, 6.3);
@@ -138,9 +138,10 @@ fn the_nearest_wrench_is_that_of_the_search_with_smoothed_points() {
     let mut worst = 0.0_f64;
     for _ in 0..2000 {
         let patch = points(&mut rng, 2);
-        let surface = PatchSurface::new(&patch, 2.0).expect("valid");
+        let surface = ShapeLimitSurface::new(&patch, 2.0).expect("valid");
         let nodes: &NodeList<f64, 8> = patch.nodes();
-        let mut foot: NodeFoot<f64, _, 8> = NodeFoot::new(nodes.clone(), 2.0).expect("room");
+        let mut foot: PointContacts<f64, _, 8> =
+            PointContacts::new(nodes.clone(), 2.0).expect("room");
         let length = rng.between(0.25, 2.0);
         let push = Wrench::new(
             rng.between(-4.0, 4.0),
@@ -180,8 +181,8 @@ fn points_in_a_line_or_with_little_between_them_are_served() {
     });
     let mut rng = Lcg::new(24);
     for nodes in [line, twice, light] {
-        let patch = Points::new(Nodes::new(nodes).expect("valid")).expect("several places");
-        let surface = PatchSurface::new(patch, 1.0).expect("valid");
+        let patch = PointPatch::new(Nodes::new(nodes).expect("valid")).expect("several places");
+        let surface = ShapeLimitSurface::new(patch, 1.0).expect("valid");
         for _ in 0..500 {
             let push = Wrench::new(
                 rng.between(-1.0, 1.0),
@@ -212,18 +213,21 @@ fn two_halves_of_a_plate_as_feet_are_the_plate() {
     };
     let whole = rectangle([-1.0, 3.0], [0.0, 2.0]);
     let halves = [
-        Foot {
+        PatchPart {
             patch: rectangle([-1.0, 0.0], [0.0, 2.0]),
-            weight: 1.0,
+            load_share: 1.0,
         },
-        Foot {
+        PatchPart {
             patch: rectangle([0.0, 3.0], [0.0, 2.0]),
-            weight: 3.0,
+            load_share: 3.0,
         },
     ];
-    let feet = Feet::new(&halves).expect("loaded");
+    let feet = CompoundPatch::new(&halves).expect("loaded");
     assert!((feet.centre() - whole.centre()).norm() < 1e-15);
-    let (one, other) = (FlatFriction::new(whole, 1.0), FlatFriction::new(feet, 1.0));
+    let (one, other) = (
+        ShapeFriction::new(whole, 1.0),
+        ShapeFriction::new(feet, 1.0),
+    );
     let (one, other) = (one.expect("valid"), other.expect("valid"));
     let mut rng = Lcg::new(25);
     for _ in 0..2000 {
@@ -239,8 +243,8 @@ fn two_halves_of_a_plate_as_feet_are_the_plate() {
         assert!((j - k).amax() < 4e-13 * j.amax(), "{twist:?}");
         assert_eq!(b, other.wrench(1.0, &twist));
     }
-    let set = PatchSurface::new(feet, 1.0).expect("valid");
-    let plate = PatchSurface::new(whole, 1.0).expect("valid");
+    let set = ShapeLimitSurface::new(feet, 1.0).expect("valid");
+    let plate = ShapeLimitSurface::new(whole, 1.0).expect("valid");
     for _ in 0..200 {
         let push = Wrench::new(
             rng.between(-1.0, 1.0),
@@ -258,23 +262,23 @@ fn two_halves_of_a_plate_as_feet_are_the_plate() {
 fn feet_of_different_kinds_share_a_body_and_keep_the_facets_of_points() {
     let blade = Bar::new([-0.5, 0.0], [0.5, 0.0]).expect("valid");
     let at = |x: f64, y: f64| Node { x, y, weight: 1.0 };
-    let props = Points::new(Nodes::new([at(-1.0, 2.0), at(1.0, 2.0)]).expect("valid"));
+    let props = PointPatch::new(Nodes::new([at(-1.0, 2.0), at(1.0, 2.0)]).expect("valid"));
     let props = props.expect("two places");
-    let feet: [Foot<f64, &dyn DryPatch<f64>>; 2] = [
-        Foot {
+    let feet: [PatchPart<f64, &dyn PatchShape<f64>>; 2] = [
+        PatchPart {
             patch: &blade,
-            weight: 2.0,
+            load_share: 2.0,
         },
-        Foot {
+        PatchPart {
             patch: &props,
-            weight: 1.0,
+            load_share: 1.0,
         },
     ];
-    let body = Feet::new(&feet).expect("loaded");
-    let surface = PatchSurface::new(body, 1.0).expect("valid");
+    let body = CompoundPatch::new(&feet).expect("loaded");
+    let surface = ShapeLimitSurface::new(body, 1.0).expect("valid");
     // About the prop at (1, 2) m: the blade and the other prop, and any force within a sixth.
     let turn = Twist::new(2.0, -1.0, 1.0);
-    let resisted = FlatFriction::new(blade, 1.0)
+    let resisted = ShapeFriction::new(blade, 1.0)
         .expect("valid")
         .wrench(2.0 / 3.0, &turn);
     let other = Wrench::new(0.0, -1.0 / 6.0, 1.0 / 6.0);

@@ -5,8 +5,8 @@ use tribos::cd::Laws;
 use tribos::cd::internals::residual as judged;
 use tribos::problem::{Ending, Method, Reduced, Settings, Solution, residual, solve};
 use tribos_core::contact::CoupledFriction;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 use tribos_tests::packings::{dry, rough};
 use tribos_tests::problems::{CHANGES, changed, random};
 
@@ -99,7 +99,7 @@ fn a_jammed_box_may_have_one_motion_under_many_forces_or_two_motions() {
 
 #[test]
 fn a_box_under_ellipsoids_is_data_and_one_under_exact_surfaces_is_not() {
-    let usual = Ellipsoid::new(0.3, 0.5, 2.0 / 3.0).expect("valid");
+    let usual = LimitEllipsoid::new(0.3, 0.5, 2.0 / 3.0).expect("valid");
     let usual = CoupledFriction::all(usual, 0.1).expect("valid");
     let mut jammed = shaken(30, 0, Laws::uniform(dry(), usual), 0.3);
     let posed = jammed.posed().expect("an ellipsoid is data");
@@ -108,7 +108,7 @@ fn a_box_under_ellipsoids_is_data_and_one_under_exact_surfaces_is_not() {
     assert_eq!(end.ending, Ending::Converged, "{:?}", end.residual);
     jammed.take(&posed, &end.impulses);
     assert!(judged(&jammed).relative < 1e-6, "{:?}", judged(&jammed));
-    let exact = LimitSurface::new(Coulomb, 0.3, 0.5).expect("valid");
+    let exact = RoundLimitSurface::new(CoulombDisk, 0.3, 0.5).expect("valid");
     let exact = CoupledFriction::all(exact, 0.1).expect("valid");
     let jammed = shaken(30, 0, Laws::uniform(dry(), exact), 0.3);
     assert!(jammed.posed().is_none());

@@ -2,10 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 use tribos_core::Real;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Coupling, DryCoupling, ReducedWrench, compact};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{DryReducedFriction, ReducedFriction, ReducedWrench, compact};
 use tribos_core::internals::COLLAR_ULPS;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Region};
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, Region, RoundLimitSurface};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::surfaces::{FORCE_LIMIT, RADIUS, Ring, inner, norm, random_wrench, same_bits};
 use tribos_tests::sweep::Lcg;
@@ -15,12 +15,12 @@ use tribos_tests::worst::Worst;
 /// T₀ of the ellipsoids: no special number.
 const SPIN_TORQUE: f64 = 0.6;
 
-fn puck<C: DryCoupling<f64>>(coupling: C) -> LimitSurface<f64, C> {
-    LimitSurface::new(coupling, FORCE_LIMIT, RADIUS).expect("the limits are valid")
+fn puck<C: DryReducedFriction<f64>>(coupling: C) -> RoundLimitSurface<f64, C> {
+    RoundLimitSurface::new(coupling, FORCE_LIMIT, RADIUS).expect("the limits are valid")
 }
 
-fn ellipsoid() -> Ellipsoid<f64> {
-    Ellipsoid::new(FORCE_LIMIT, RADIUS, SPIN_TORQUE).expect("the limits are valid")
+fn ellipsoid() -> LimitEllipsoid<f64> {
+    LimitEllipsoid::new(FORCE_LIMIT, RADIUS, SPIN_TORQUE).expect("the limits are valid")
 }
 
 /// A wrench outside, or not far from being so, over several decades.
@@ -109,10 +109,10 @@ fn assert_nearest<S: FrictionSet<f64>>(name: &'static str, set: &S, curve: Curve
 fn no_point_of_the_disks_surface_is_nearer() {
     let curve = |at: f64| {
         let ReducedWrench { force, torque } =
-            compact::CompactCoulomb.reduced_wrench(at.cos(), at.sin());
+            compact::CompactCoulombDisk.reduced_wrench(at.cos(), at.sin());
         [force, torque]
     };
-    assert_nearest("disk to brute force", &puck(Coulomb), &curve);
+    assert_nearest("disk to brute force", &puck(CoulombDisk), &curve);
 }
 
 #[test]
@@ -182,8 +182,8 @@ fn assert_orthogonal_and_polar<S: FrictionSet<f64>>(set: &S) {
 
 #[test]
 fn displacements_are_normal_and_lead_away_from_the_set() {
-    assert_orthogonal_and_polar(&puck(Coulomb));
-    assert_orthogonal_and_polar(&puck(compact::CompactCoulomb));
+    assert_orthogonal_and_polar(&puck(CoulombDisk));
+    assert_orthogonal_and_polar(&puck(compact::CompactCoulombDisk));
     assert_orthogonal_and_polar(&puck(Ring));
     assert_orthogonal_and_polar(&ellipsoid());
 }
@@ -214,7 +214,8 @@ fn expansion<S: FrictionSet<f64>>(name: &'static str, set: &S, pairs: u32) -> Wo
 
 #[test]
 fn no_pair_of_a_million_wrenches_moves_apart() {
-    expansion("expansion, disk", &puck(Coulomb), 1_000_000).assert_within(&tolerance::EXPANSION);
+    expansion("expansion, disk", &puck(CoulombDisk), 1_000_000)
+        .assert_within(&tolerance::EXPANSION);
 }
 
 #[test]
@@ -225,7 +226,7 @@ fn other_sets_move_no_pair_apart() {
 
 #[test]
 fn no_pair_moves_apart_in_single_precision() {
-    let set = LimitSurface::new(Coulomb, FORCE_LIMIT as f32, RADIUS as f32).unwrap();
+    let set = RoundLimitSurface::new(CoulombDisk, FORCE_LIMIT as f32, RADIUS as f32).unwrap();
     let narrow = |w: &Wrench<f64>| Wrench::new(w.force.x as f32, w.force.y as f32, w.torque as f32);
     let wide = |w: &Wrench<f32>| {
         let [x, y, torque] = [w.force.x, w.force.y, w.torque].map(f32::to_f64);
@@ -280,11 +281,11 @@ fn settled<S: FrictionSet<f64>>(name: &'static str, set: &S) -> Worst {
 
 #[test]
 fn projecting_again_changes_neither_bits_nor_region() {
-    settled("gauge - 1 of projections, table", &puck(Coulomb))
+    settled("gauge - 1 of projections, table", &puck(CoulombDisk))
         .assert_within(&tolerance::ON_SURFACE_ULPS);
     settled(
         "gauge - 1 of projections, AGM",
-        &puck(compact::CompactCoulomb),
+        &puck(compact::CompactCoulombDisk),
     )
     .assert_within(&tolerance::ON_SURFACE_AGM_ULPS);
     settled("gauge - 1 of projections, ring", &puck(Ring))
@@ -295,7 +296,7 @@ fn projecting_again_changes_neither_bits_nor_region() {
 
 #[test]
 fn huge_and_tiny_wrenches_have_the_right_nearest_point() {
-    let disk = puck(Coulomb);
+    let disk = puck(CoulombDisk);
     for huge in [1e20, 1e150, 1e290, 1e305] {
         // Far away only the direction counts: (force, torque/length²) is the normal.
         for (x, y, torque) in [(0.3, 0.4, 0.0), (0.0, 0.0, -1.0), (0.3, 0.4, 0.5 * RADIUS)] {
@@ -333,7 +334,7 @@ fn huge_and_tiny_wrenches_have_the_right_nearest_point() {
 
 #[test]
 fn a_length_that_is_none_gives_nan_outside() {
-    let disk = puck(Coulomb);
+    let disk = puck(CoulombDisk);
     for length in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let outside = disk.project_with_length(&Wrench::new(1.0, 0.0, 0.0), length);
         assert!(outside.wrench.force.x.is_nan() && outside.wrench.torque.is_nan());
@@ -343,9 +344,9 @@ fn a_length_that_is_none_gives_nan_outside() {
 }
 
 /// The quick test of wrenches deep inside says what the gauge says.
-fn assert_judged_by_the_gauge<R: Real, C: DryCoupling<R>>(name: &str, coupling: C) {
+fn assert_judged_by_the_gauge<R: Real, C: DryReducedFriction<R>>(name: &str, coupling: C) {
     let real = R::from_f64;
-    let set = LimitSurface::new(coupling, real(FORCE_LIMIT), real(RADIUS)).expect("valid");
+    let set = RoundLimitSurface::new(coupling, real(FORCE_LIMIT), real(RADIUS)).expect("valid");
     let collar = real(COLLAR_ULPS) * R::EPSILON;
     let mut rng = Lcg::new(43);
     let mut inside = 0;
@@ -371,8 +372,8 @@ fn assert_judged_by_the_gauge<R: Real, C: DryCoupling<R>>(name: &str, coupling: 
 
 #[test]
 fn wrenches_deep_inside_are_told_from_others_as_the_gauge_tells_them() {
-    assert_judged_by_the_gauge::<f64, _>("table", Coulomb);
-    assert_judged_by_the_gauge::<f32, _>("table", Coulomb);
+    assert_judged_by_the_gauge::<f64, _>("table", CoulombDisk);
+    assert_judged_by_the_gauge::<f32, _>("table", CoulombDisk);
     assert_judged_by_the_gauge::<f64, _>("ring", Ring);
-    assert_judged_by_the_gauge::<f64, _>("compact", compact::CompactCoulomb);
+    assert_judged_by_the_gauge::<f64, _>("compact", compact::CompactCoulombDisk);
 }

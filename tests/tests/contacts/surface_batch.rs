@@ -2,10 +2,10 @@
 
 use std::fmt::Debug;
 use tribos_core::Real;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Annulus, DryCoupling, closed, compact};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{Annulus, DryReducedFriction, closed, compact};
 use tribos_core::internals::COLLAR_ULPS;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection, Region};
+use tribos_core::limit_surface::{FrictionSet, Projection, Region, RoundLimitSurface};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::surfaces::{FORCE_LIMIT, RADIUS, random_wrench};
 use tribos_tests::sweep::{Lcg, special_f64};
@@ -44,8 +44,8 @@ fn projection_bits<R: Real>(p: &Projection<R>) -> Vec<u64> {
 }
 
 /// Compares one batch with the calls for each of its wrenches.
-fn assert_same<R: Real, C: DryCoupling<R> + Debug>(
-    set: &LimitSurface<R, C>,
+fn assert_same<R: Real, C: DryReducedFriction<R> + Debug>(
+    set: &RoundLimitSurface<R, C>,
     length: R,
     loads: &[R],
     wrenches: &[Wrench<R>],
@@ -66,7 +66,7 @@ fn assert_same<R: Real, C: DryCoupling<R> + Debug>(
         let motion = set.twist_normal_to(given);
         assert_eq!(twist_bits(&motions[n]), twist_bits(&motion), "{}", place());
         let limit = set.force_limit() * *load;
-        let alone = LimitSurface::new(set.coupling(), limit, set.radius());
+        let alone = RoundLimitSurface::new(set.coupling(), limit, set.radius());
         let alone = alone.unwrap_or_else(|error| panic!("{error}: {}", place()));
         let [gauge, wanted] = [gauges[n], alone.gauge(given)].map(|gauge| bits([gauge]));
         assert_eq!(gauge, wanted, "{}", place());
@@ -77,9 +77,9 @@ fn assert_same<R: Real, C: DryCoupling<R> + Debug>(
 }
 
 /// A wrench of any region under the force limit `limit`, as often as not next to the surface.
-fn any_wrench<C: DryCoupling<f64>>(
+fn any_wrench<C: DryReducedFriction<f64>>(
     rng: &mut Lcg,
-    set: &LimitSurface<f64, C>,
+    set: &RoundLimitSurface<f64, C>,
     load: f64,
 ) -> Wrench<f64> {
     let size = match rng.bits() >> 61 {
@@ -97,7 +97,7 @@ fn any_wrench<C: DryCoupling<f64>>(
         }
         // A projection again.
         1 => {
-            let alone = LimitSurface::new(set.coupling(), set.force_limit() * load, RADIUS);
+            let alone = RoundLimitSurface::new(set.coupling(), set.force_limit() * load, RADIUS);
             alone.map_or(wrench, |alone| alone.project(&wrench).wrench)
         }
         _ => wrench,
@@ -105,8 +105,8 @@ fn any_wrench<C: DryCoupling<f64>>(
 }
 
 /// Batches of wrenches of all regions.
-fn assert_all_regions<C: DryCoupling<f64> + Debug>(coupling: C, batches: u32) {
-    let set = LimitSurface::new(coupling, FORCE_LIMIT, RADIUS).expect("valid");
+fn assert_all_regions<C: DryReducedFriction<f64> + Debug>(coupling: C, batches: u32) {
+    let set = RoundLimitSurface::new(coupling, FORCE_LIMIT, RADIUS).expect("valid");
     let mut rng = Lcg::new(51);
     for _ in 0..batches {
         let loads: Vec<f64> = (0..BATCH).map(|_| rng.log_between(1e-3, 1e3)).collect();
@@ -121,21 +121,22 @@ fn assert_all_regions<C: DryCoupling<f64> + Debug>(coupling: C, batches: u32) {
 
 #[test]
 fn two_million_wrenches_get_the_bits_of_single_calls() {
-    assert_all_regions(Coulomb, 10_000);
+    assert_all_regions(CoulombDisk, 10_000);
 }
 
 #[test]
 fn other_pressures_get_the_bits_of_single_calls() {
-    assert_all_regions(closed::Ring, 100);
-    assert_all_regions(closed::Hertz, 100);
-    assert_all_regions(compact::CompactCoulomb, 100);
-    assert_all_regions(Annulus::new(Coulomb, 0.6).expect("valid"), 100);
+    assert_all_regions(closed::CoulombRing, 100);
+    assert_all_regions(closed::CoulombHertz, 100);
+    assert_all_regions(compact::CompactCoulombDisk, 100);
+    assert_all_regions(Annulus::new(CoulombDisk, 0.6).expect("valid"), 100);
 }
 
 #[test]
 fn single_precision_gets_the_bits_of_single_calls() {
-    let wide = LimitSurface::new(Coulomb, FORCE_LIMIT, RADIUS).expect("valid");
-    let set = LimitSurface::new(Coulomb, FORCE_LIMIT as f32, RADIUS as f32).expect("valid");
+    let wide = RoundLimitSurface::new(CoulombDisk, FORCE_LIMIT, RADIUS).expect("valid");
+    let set =
+        RoundLimitSurface::new(CoulombDisk, FORCE_LIMIT as f32, RADIUS as f32).expect("valid");
     let mut rng = Lcg::new(52);
     for _ in 0..500 {
         let loads: Vec<f32> = (0..BATCH)
@@ -152,7 +153,7 @@ fn single_precision_gets_the_bits_of_single_calls() {
 
 #[test]
 fn special_numbers_get_the_bits_of_single_calls() {
-    let set = LimitSurface::new(Coulomb, FORCE_LIMIT, RADIUS).expect("valid");
+    let set = RoundLimitSurface::new(CoulombDisk, FORCE_LIMIT, RADIUS).expect("valid");
     let special = special_f64();
     let mut wrenches = Vec::new();
     for &x in &special {
@@ -171,7 +172,7 @@ fn special_numbers_get_the_bits_of_single_calls() {
 
 #[test]
 fn what_no_wrench_is_given_for_stays() {
-    let set = LimitSurface::new(Coulomb, FORCE_LIMIT, RADIUS).expect("valid");
+    let set = RoundLimitSurface::new(CoulombDisk, FORCE_LIMIT, RADIUS).expect("valid");
     let mut rng = Lcg::new(53);
     let wrenches: Vec<_> = (0..20).map(|_| random_wrench(&mut rng, 1.5)).collect();
     for (loads, given) in [(20, 9), (9, 20), (8, 8), (0, 20)] {
@@ -185,7 +186,7 @@ fn what_no_wrench_is_given_for_stays() {
 
 #[test]
 fn a_load_that_is_negative_or_no_number_gives_none() {
-    let set = LimitSurface::new(Coulomb, FORCE_LIMIT, RADIUS).expect("valid");
+    let set = RoundLimitSurface::new(CoulombDisk, FORCE_LIMIT, RADIUS).expect("valid");
     let push = Wrench::new(0.3, 0.1, 0.002);
     let mut gauge = [0.0];
     let blank = Projection {

@@ -1,9 +1,11 @@
 //! Annuli of every width: thin ones keep their digits, and their limit surfaces are consistent.
 use tribos_core::Real;
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::{Annulus, Coupling, DryCoupling, Profile, compact, table};
+use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::{
+    Annulus, DryReducedFriction, PowerLawFriction, ReducedFriction, compact, table,
+};
 use tribos_core::internals::Speeds;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection};
+use tribos_core::limit_surface::{FrictionSet, Projection, RoundLimitSurface};
 use tribos_core::twist::Wrench;
 use tribos_tests::patches;
 use tribos_tests::surfaces::{FORCE_LIMIT, RADIUS, random_wrench};
@@ -87,10 +89,10 @@ fn factors_of_thin_bands_make_their_wrenches() {
 }
 
 /// How many of 10,000 wrenches a second projection moves or finds beyond the surface.
-fn moved<R: Real, C: DryCoupling<R>>(disk: C, inner: f64) -> u32 {
+fn moved<R: Real, C: DryReducedFriction<R>>(disk: C, inner: f64) -> u32 {
     let band = Annulus::new(disk, R::from_f64(inner)).expect("in range");
     let [force, radius] = [FORCE_LIMIT, RADIUS].map(R::from_f64);
-    let set = LimitSurface::new(band, force, radius).expect("in range");
+    let set = RoundLimitSurface::new(band, force, radius).expect("in range");
     let mut rng = Lcg::new(47);
     let mut count = 0;
     for n in 0..10_000 {
@@ -114,10 +116,10 @@ fn moved<R: Real, C: DryCoupling<R>>(disk: C, inner: f64) -> u32 {
 fn projecting_again_moves_no_wrench() {
     for inner in RATIOS {
         let counts = [
-            moved::<f64, _>(table::Coulomb, inner),
-            moved::<f64, _>(compact::CompactCoulomb, inner),
-            moved::<f32, _>(table::Coulomb, inner),
-            moved::<f32, _>(compact::CompactCoulomb, inner),
+            moved::<f64, _>(table::CoulombDisk, inner),
+            moved::<f64, _>(compact::CompactCoulombDisk, inner),
+            moved::<f32, _>(table::CoulombDisk, inner),
+            moved::<f32, _>(compact::CompactCoulombDisk, inner),
         ];
         assert_eq!(counts, [0; 4], "k {inner}: of table and AGM, f64 and f32");
     }
@@ -126,12 +128,12 @@ fn projecting_again_moves_no_wrench() {
 /// The distance of a projection to the projection by the ring itself, of the limits.
 fn off_the_ring<R: Real>(inner: f64) -> f64
 where
-    table::Coulomb: DryCoupling<R>,
+    table::CoulombDisk: DryReducedFriction<R>,
 {
     let [force, radius] = [FORCE_LIMIT, RADIUS].map(R::from_f64);
-    let band = Annulus::new(table::Coulomb, R::from_f64(inner)).expect("in range");
-    let band = LimitSurface::new(band, force, radius).expect("in range");
-    let ring = LimitSurface::<f64, _>::new(Ring, FORCE_LIMIT, RADIUS);
+    let band = Annulus::new(table::CoulombDisk, R::from_f64(inner)).expect("in range");
+    let band = RoundLimitSurface::new(band, force, radius).expect("in range");
+    let ring = RoundLimitSurface::<f64, _>::new(CoulombRing, FORCE_LIMIT, RADIUS);
     let ring = ring.expect("in range");
     let mut rng = Lcg::new(48);
     let mut worst = 0.0_f64;

@@ -1,14 +1,14 @@
 //! Odd exponents: the double sums of appendix A, with their errata, against the kernel.
 
-use tribos_core::coupling::table::Table64;
-use tribos_core::coupling::{Coupling, ReducedWrench};
+use tribos_core::coupling::table::DiskTable64;
+use tribos_core::coupling::{ReducedFriction, ReducedWrench};
 use tribos_tests::reference::Reference;
 use tribos_tests::tables::{Row, Table};
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
 fn power(alpha: f64, ratio: f64) -> ReducedWrench<f64> {
-    Table64::new(alpha).unwrap().reduced_wrench(ratio, 1.0)
+    DiskTable64::new(alpha).unwrap().reduced_wrench(ratio, 1.0)
 }
 
 fn relative(got: f64, wanted: f64) -> f64 {

@@ -7,21 +7,26 @@ use tribos::friction::{
 };
 use tribos::random::Random;
 use tribos_core::contact::{
-    Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Sphere, Thresholds, Touch,
+    Cohesion, Contact, ContactFriction, ContactGeometry, CoupledFriction, IndependentFriction,
+    NormalLaw, SphereBody,
 };
 use tribos_core::coupling::flat::{
-    DryPatch, FlatFriction, FlatPower, FlatPowerFriction, PowerPatch,
+    PatchShape, PolygonPowerLaw, PowerLawPatch, ShapeFriction, ShapePowerFriction,
 };
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::round::{PolynomialTable, RoundTable64};
-use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{Annulus, Coupling, Dry, DryCoupling, PatchFriction, closed};
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface, Projection, Region};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::{
+    Annulus, DryProfile, DryReducedFriction, ReducedFriction, RoundFriction, closed,
+};
+use tribos_core::limit_surface::{
+    FrictionSet, Projection, Region, RoundLimitSurface, ShapeLimitSurface,
+};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::mesh::{Mesh, Vertex};
 use tribos_core::patch::nodes::{Node, Nodes};
 use tribos_core::patch::outline::{Edge, Polygon};
-use tribos_core::patch::points::Points;
+use tribos_core::patch::points::PointPatch;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -78,7 +83,7 @@ fn polygon() -> Polygon<f64, [Edge<f64>; 9]> {
 /// Work with the kernel's own type of a shape.
 trait WithShape {
     type Output;
-    fn with<P: DryPatch<f64> + Clone + 'static>(self, shape: P) -> Self::Output;
+    fn with<P: PatchShape<f64> + Clone + 'static>(self, shape: P) -> Self::Output;
 }
 
 fn with_shape<W: WithShape>(name: &str, work: W) -> W::Output {
@@ -90,7 +95,7 @@ fn with_shape<W: WithShape>(name: &str, work: W) -> W::Output {
             let [a, b, c, d] = VERTICES.map(|[x, y, pressure]| Vertex { x, y, pressure });
             work.with(Mesh::new([[a, b, c], [a, c, d]]).unwrap())
         }
-        _ => work.with(Points::new(Nodes::new(FEET.map(node)).unwrap()).unwrap()),
+        _ => work.with(PointPatch::new(Nodes::new(FEET.map(node)).unwrap()).unwrap()),
     }
 }
 
@@ -99,22 +104,22 @@ trait WithDry {
     type Output;
     fn with<C>(self, dry: C) -> Self::Output
     where
-        C: DryCoupling<f64> + Copy + Send + Sync + 'static;
+        C: DryReducedFriction<f64> + Copy + Send + Sync + 'static;
 }
 
 fn with_dry<W: WithDry>(name: &str, work: W) -> W::Output {
-    let table = |pressure| Dry::new(RoundTable64::new(0.0, pressure).unwrap()).unwrap();
+    let table = |pressure| DryProfile::new(RoundTable64::new(0.0, pressure).unwrap()).unwrap();
     match name {
-        "disk" => work.with(Coulomb),
-        "ring" => work.with(closed::Ring),
-        "hertz" => work.with(closed::Hertz),
-        "punch" => work.with(closed::FlatPunch),
-        "annulus:0.5" => work.with(Annulus::new(Coulomb, 0.5).unwrap()),
+        "disk" => work.with(CoulombDisk),
+        "ring" => work.with(closed::CoulombRing),
+        "hertz" => work.with(closed::CoulombHertz),
+        "punch" => work.with(closed::CoulombPunch),
+        "annulus:0.5" => work.with(Annulus::new(CoulombDisk, 0.5).unwrap()),
         "paraboloid" => work.with(table(PowerPressure::PARABOLOID)),
         "power:0.25" => work.with(table(PowerPressure::new(0.25).unwrap())),
         _ => {
             let pressure = PolynomialPressure::new([1.0, -0.5]).unwrap();
-            work.with(Dry::new(PolynomialTable::new(0.0, &pressure).unwrap()).unwrap())
+            work.with(DryProfile::new(PolynomialTable::new(0.0, &pressure).unwrap()).unwrap())
         }
     }
 }
@@ -125,8 +130,8 @@ struct DryAt;
 
 impl WithShape for DryAt {
     type Output = AtTwist;
-    fn with<P: DryPatch<f64> + Clone + 'static>(self, shape: P) -> AtTwist {
-        let friction = FlatFriction::new(shape, MU).unwrap();
+    fn with<P: PatchShape<f64> + Clone + 'static>(self, shape: P) -> AtTwist {
+        let friction = ShapeFriction::new(shape, MU).unwrap();
         Box::new(move |twist| friction.wrench_and_jacobian(LOAD, twist))
     }
 }
@@ -139,8 +144,8 @@ const LAWS: [&str; 3] = [
 
 /// The same of a round area: tables of powers of the speed, quadrature of other laws.
 fn round_kernel(name: &str, law: &Law) -> AtTwist {
-    fn of_patch<C: Coupling<f64> + 'static>(coupling: C, coefficient: f64) -> AtTwist {
-        let friction = PatchFriction::new(coupling, coefficient, RADIUS).unwrap();
+    fn of_patch<C: ReducedFriction<f64> + 'static>(coupling: C, coefficient: f64) -> AtTwist {
+        let friction = RoundFriction::new(coupling, coefficient, RADIUS).unwrap();
         Box::new(move |twist| {
             let wrench = friction.wrench(LOAD, twist);
             (wrench, friction.wrench_jacobian(LOAD, twist))
@@ -153,11 +158,11 @@ fn round_kernel(name: &str, law: &Law) -> AtTwist {
     };
     let polynomial = PolynomialPressure::new([1.0, -0.5]).unwrap();
     match (name, patch.pressure()) {
-        ("disk", _) if alpha == 0.0 => of_patch(Coulomb, mu),
-        ("disk", _) => of_patch(Table64::new(alpha).unwrap(), mu),
-        ("annulus:0.5", _) if alpha == 0.0 => of_patch(Annulus::new(Coulomb, 0.5).unwrap(), mu),
+        ("disk", _) if alpha == 0.0 => of_patch(CoulombDisk, mu),
+        ("disk", _) => of_patch(DiskTable64::new(alpha).unwrap(), mu),
+        ("annulus:0.5", _) if alpha == 0.0 => of_patch(Annulus::new(CoulombDisk, 0.5).unwrap(), mu),
         ("annulus:0.5", _) => {
-            let disk = Table64::new(alpha).unwrap();
+            let disk = DiskTable64::new(alpha).unwrap();
             of_patch(Annulus::new(disk, 0.5).unwrap(), mu)
         }
         (_, Some(pressure)) => of_patch(RoundTable64::new(alpha, pressure).unwrap(), mu),
@@ -167,9 +172,9 @@ fn round_kernel(name: &str, law: &Law) -> AtTwist {
 
 /// The kernel's own friction of an area under a law, written down once more; `None` where there is none.
 fn kernel(name: &str, law: &Law) -> Option<AtTwist> {
-    fn of_power(shape: impl PowerPatch<f64> + 'static) -> AtTwist {
-        let power = FlatPower::new(0.5).unwrap();
-        let friction = FlatPowerFriction::new(shape, MU, power).unwrap();
+    fn of_power(shape: impl PowerLawPatch<f64> + 'static) -> AtTwist {
+        let power = PolygonPowerLaw::new(0.5).unwrap();
+        let friction = ShapePowerFriction::new(shape, MU, power).unwrap();
         Box::new(move |twist| friction.wrench_and_jacobian(LOAD, twist))
     }
     if ROUND.contains(&name) {
@@ -293,25 +298,25 @@ impl Compare<'_> {
 
 impl WithDry for Compare<'_> {
     type Output = ();
-    fn with<C: DryCoupling<f64> + Copy + Send + Sync + 'static>(self, dry: C) {
+    fn with<C: DryReducedFriction<f64> + Copy + Send + Sync + 'static>(self, dry: C) {
         for limit in [1.0, 0.3] {
-            self.with_set(limit, &LimitSurface::new(dry, limit, RADIUS).unwrap());
+            self.with_set(limit, &RoundLimitSurface::new(dry, limit, RADIUS).unwrap());
         }
         // By name the same.
         let patch: Patch = self.0.parse().unwrap();
         let named = limit_surface(&patch, 1.0, RADIUS, None).unwrap();
         self.with_set(1.0, &*named);
         // No table where the patch has none: a pointer to what the kernel's own set has in it.
-        let own = size_of::<LimitSurface<f64, C>>();
+        let own = size_of::<RoundLimitSurface<f64, C>>();
         assert!(size_of_val(&*named) <= own + size_of::<&dyn FrictionSet<f64>>());
     }
 }
 
 impl WithShape for Compare<'_> {
     type Output = ();
-    fn with<P: DryPatch<f64> + Clone + 'static>(self, shape: P) {
+    fn with<P: PatchShape<f64> + Clone + 'static>(self, shape: P) {
         for limit in [1.0, 0.3] {
-            let kernel = PatchSurface::new(shape.clone(), limit).unwrap();
+            let kernel = ShapeLimitSurface::new(shape.clone(), limit).unwrap();
             self.with_set(limit, &kernel);
             let surfaces = area(self.0).limit_surfaces().unwrap();
             for force in [[0.1, 0.05], [0.0, 0.0], [2.0, 0.0]] {
@@ -349,7 +354,7 @@ struct Collide;
 impl ContactVisitor for Collide {
     type Output = Vec<u64>;
     fn visit<F: ContactFriction<f64> + 'static>(self, friction: &F) -> Vec<u64> {
-        let ball = |velocity, spin| Sphere {
+        let ball = |velocity, spin| SphereBody {
             velocity,
             spin,
             inv_mass: 5.0,
@@ -358,7 +363,7 @@ impl ContactVisitor for Collide {
         let mut a = ball(Vector3::new(0.5, 0.1, 1.0), Vector3::new(3.0, -1.0, 80.0));
         let mut b = ball(Vector3::zeros(), Vector3::new(0.0, 5.0, -20.0));
         let law = NormalLaw::new(Cohesion::NONE, 0.0).unwrap();
-        let touch = Touch::spheres(&Vector3::new(0.0, 0.0, 0.06), [0.03; 2]).unwrap();
+        let touch = ContactGeometry::spheres(&Vector3::new(0.0, 0.0, 0.06), [0.03; 2]).unwrap();
         let mut contact = Contact::<f64, F::Modes>::new(&touch, &law, &a, &b, 1e-3);
         contact.update(friction, &mut a, &mut b);
         let impulse = contact.impulse();
@@ -379,8 +384,8 @@ struct Coupled<'a>(&'a str);
 
 impl WithDry for Coupled<'_> {
     type Output = ();
-    fn with<C: DryCoupling<f64> + Copy + Send + Sync + 'static>(self, dry: C) {
-        let set = LimitSurface::new(dry, MU, RADIUS).unwrap();
+    fn with<C: DryReducedFriction<f64> + Copy + Send + Sync + 'static>(self, dry: C) {
+        let set = RoundLimitSurface::new(dry, MU, RADIUS).unwrap();
         let made = |rolling| AnyContactFriction::coupled(&area(self.0), MU, rolling).unwrap();
         let spinning = CoupledFriction::sliding_torsion(set);
         assert_eq!(
@@ -410,22 +415,22 @@ fn every_round_area_has_the_coupled_contact_of_the_kernel() {
             .visit(Collide)
     };
     let same = |given, kernel: Vec<u64>| assert_eq!(thresholds(given), kernel, "{given:?}");
-    same([0.0; 3], Collide.visit(&Thresholds::none()));
+    same([0.0; 3], Collide.visit(&IndependentFriction::none()));
     same(
         [MU, 0.0, 0.0],
-        Collide.visit(&Thresholds::sliding(MU).unwrap()),
+        Collide.visit(&IndependentFriction::sliding(MU).unwrap()),
     );
     same(
         [MU, 0.1, 0.0],
-        Collide.visit(&Thresholds::sliding_rolling(MU, 0.1).unwrap()),
+        Collide.visit(&IndependentFriction::sliding_rolling(MU, 0.1).unwrap()),
     );
     same(
         [MU, 0.0, 0.1],
-        Collide.visit(&Thresholds::sliding_torsion(MU, 0.1).unwrap()),
+        Collide.visit(&IndependentFriction::sliding_torsion(MU, 0.1).unwrap()),
     );
     same(
         [MU, 0.1, 0.1],
-        Collide.visit(&Thresholds::all(MU, 0.1, 0.1).unwrap()),
+        Collide.visit(&IndependentFriction::all(MU, 0.1, 0.1).unwrap()),
     );
     assert!(AnyContactFriction::thresholds([0.0, -1.0, 0.0]).is_err());
 }

@@ -1,10 +1,10 @@
 //! Batches have the bits of single calls.
 
 use tribos_core::Real;
-use tribos_core::coupling::closed::Hertz;
+use tribos_core::coupling::closed::CoulombHertz;
 use tribos_core::coupling::round::{RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{Coulomb, Table32, Table64};
-use tribos_core::coupling::{Coupling, PatchFriction};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
+use tribos_core::coupling::{ReducedFriction, RoundFriction};
 use tribos_core::patch::PowerPressure;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::batches::{GROUP, compare};
@@ -14,15 +14,15 @@ const COUNT: usize = 150_000;
 
 #[test]
 fn tables_of_dry_friction_have_the_bits_of_single_calls() {
-    compare::<f64, _>(&Coulomb, COUNT, 1);
-    compare::<f32, _>(&Coulomb, COUNT, 2);
+    compare::<f64, _>(&CoulombDisk, COUNT, 1);
+    compare::<f32, _>(&CoulombDisk, COUNT, 2);
 }
 
 #[test]
 fn tables_of_a_power_have_the_bits_of_single_calls() {
     for (seed, alpha) in [(3, -0.9), (4, 0.0), (5, 0.37), (6, 1.0), (7, 9.5)] {
-        compare(&Table64::new(alpha).unwrap(), COUNT, seed);
-        compare(&Table32::new(alpha as f32).unwrap(), COUNT, seed);
+        compare(&DiskTable64::new(alpha).unwrap(), COUNT, seed);
+        compare(&DiskTable32::new(alpha as f32).unwrap(), COUNT, seed);
     }
 }
 
@@ -46,12 +46,12 @@ fn tables_of_round_pressures_have_the_bits_of_single_calls() {
 
 #[test]
 fn couplings_without_lanes_have_batches() {
-    compare::<f64, _>(&Hertz, COUNT / 4, 11);
-    compare::<f32, _>(&Hertz, COUNT / 4, 12);
+    compare::<f64, _>(&CoulombHertz, COUNT / 4, 11);
+    compare::<f32, _>(&CoulombHertz, COUNT / 4, 12);
 }
 
 /// True if an ordinary group goes in lanes.
-fn goes_in_lanes<R: Real>(coupling: impl Coupling<R>) -> bool {
+fn goes_in_lanes<R: Real>(coupling: impl ReducedFriction<R>) -> bool {
     let speeds = [0.1, 0.2, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0].map(R::from_f64);
     let others = [0.0, 0.3, 0.4, 1.1, 1.9, 3.0, 8.0, 1.0].map(R::from_f64);
     coupling.reduced_drags(&speeds, &others).is_some()
@@ -60,16 +60,16 @@ fn goes_in_lanes<R: Real>(coupling: impl Coupling<R>) -> bool {
 #[test]
 fn tables_go_in_lanes_where_there_are_vectors() {
     let has = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
-    assert_eq!(goes_in_lanes::<f64>(Coulomb), has);
-    assert_eq!(goes_in_lanes::<f32>(&Coulomb), has);
-    assert_eq!(goes_in_lanes(Table64::new(0.37).unwrap()), has);
-    assert_eq!(goes_in_lanes(Table32::new(0.37).unwrap()), has);
-    assert!(!goes_in_lanes::<f64>(Hertz));
+    assert_eq!(goes_in_lanes::<f64>(CoulombDisk), has);
+    assert_eq!(goes_in_lanes::<f32>(&CoulombDisk), has);
+    assert_eq!(goes_in_lanes(DiskTable64::new(0.37).unwrap()), has);
+    assert_eq!(goes_in_lanes(DiskTable32::new(0.37).unwrap()), has);
+    assert!(!goes_in_lanes::<f64>(CoulombHertz));
 }
 
 #[test]
 fn elements_beyond_the_shorter_slice_stay() {
-    let puck = PatchFriction::new(Coulomb, 0.3, 0.04).unwrap();
+    let puck = RoundFriction::new(CoulombDisk, 0.3, 0.04).unwrap();
     let twists = [Twist::new(1.0, 0.5, 3.0); GROUP + 1];
     let one = puck.wrench(1.7, &twists[0]);
     for inputs in 0..=GROUP + 1 {
@@ -90,7 +90,7 @@ fn elements_beyond_the_shorter_slice_stay() {
 #[test]
 fn components_beyond_the_shortest_slice_stay() {
     const MOST: usize = GROUP + 1;
-    let puck = PatchFriction::new(Coulomb, 0.3, 0.04).unwrap();
+    let puck = RoundFriction::new(CoulombDisk, 0.3, 0.04).unwrap();
     let one = puck.wrench(1.7, &Twist::new(1.0, 0.5, 3.0));
     let (vx, vy, spins) = ([1.0; MOST], [0.5; MOST], [3.0; MOST]);
     for lengths in [

@@ -1,8 +1,8 @@
 //! Between the rows of the tables: dense sweeps against the other tier, the arithmetic–geometric
 //! mean and a mean over the rim, with arguments crowded where formulas and cells meet.
 
-use tribos_core::coupling::table::{self, Table64};
-use tribos_core::coupling::{Coupling, compact};
+use tribos_core::coupling::table::{self, DiskTable64};
+use tribos_core::coupling::{ReducedFriction, compact};
 use tribos_tests::reference::Reference;
 use tribos_tests::rim_mean;
 use tribos_tests::sweep::{self, Lcg};
@@ -20,8 +20,8 @@ fn coulomb_table_agrees_with_the_arithmetic_geometric_mean() {
     let mut ratios = sweep::ratios(20_000);
     ratios.extend(sweep::cell_borders());
     for ratio in ratios {
-        let got = table::Coulomb.reduced_wrench(ratio, 1.0);
-        let mean = compact::CompactCoulomb.reduced_wrench(ratio, 1.0);
+        let got = table::CoulombDisk.reduced_wrench(ratio, 1.0);
+        let mean = compact::CompactCoulombDisk.reduced_wrench(ratio, 1.0);
         let place = || format!("eps {ratio:e}");
         force.see(Reference::exact(mean.force).ulps(got.force), place);
         torque.see(Reference::exact(mean.torque).ulps(got.torque), place);
@@ -37,7 +37,7 @@ fn tables_agree_with_the_compact_form_on_every_cell() {
     let mut ratios = sweep::ratios(2_000);
     ratios.extend(sweep::cell_borders());
     for alpha in EXPONENTS {
-        let table = Table64::new(alpha).unwrap();
+        let table = DiskTable64::new(alpha).unwrap();
         let compact = compact::CompactPower::new(alpha).unwrap();
         for &ratio in &ratios {
             let place = || format!("alpha {alpha}, eps {ratio:e}");

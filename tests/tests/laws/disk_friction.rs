@@ -1,8 +1,8 @@
 //! The contact in the plane: directions, symmetry, rotation and definiteness of the Jacobian.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{Coupling, PatchFriction, compact};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::{ReducedFriction, RoundFriction, compact};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tolerance;
@@ -11,8 +11,8 @@ const RADIUS: f64 = 0.04;
 const LOAD: f64 = 1.7;
 const MU: f64 = 0.3;
 
-fn puck<C: Coupling<f64>>(coupling: C) -> PatchFriction<f64, C> {
-    PatchFriction::new(coupling, MU, RADIUS).unwrap()
+fn puck<C: ReducedFriction<f64>>(coupling: C) -> RoundFriction<f64, C> {
+    RoundFriction::new(coupling, MU, RADIUS).unwrap()
 }
 
 /// Twists with every quadrant, every ratio and the pure motions.
@@ -39,7 +39,7 @@ fn vector(w: Wrench<f64>) -> Vector3<f64> {
 
 #[test]
 fn the_wrench_opposes_the_twist() {
-    let puck = puck(Coulomb);
+    let puck = puck(CoulombDisk);
     for twist in twists(2000) {
         let wrench = puck.wrench(LOAD, &twist);
         let (v, f) = (twist.velocity, wrench.force);
@@ -60,7 +60,7 @@ fn the_wrench_opposes_the_twist() {
 
 #[test]
 fn reversing_the_twist_reverses_the_wrench_to_the_bit() {
-    let puck = puck(Coulomb);
+    let puck = puck(CoulombDisk);
     for twist in twists(2000) {
         let back = Twist::new(-twist.velocity.x, -twist.velocity.y, -twist.spin);
         let (forth, back) = (puck.wrench(LOAD, &twist), puck.wrench(LOAD, &back));
@@ -70,7 +70,7 @@ fn reversing_the_twist_reverses_the_wrench_to_the_bit() {
 
 #[test]
 fn a_batch_is_its_single_wrenches_to_the_bit() {
-    let puck = puck(Coulomb);
+    let puck = puck(CoulombDisk);
     let twists = twists(100);
     let mut wrenches = vec![Wrench::ZERO; twists.len() + 1];
     puck.wrench_batch(LOAD, &twists, &mut wrenches);
@@ -82,7 +82,7 @@ fn a_batch_is_its_single_wrenches_to_the_bit() {
 
 #[test]
 fn the_wrench_has_the_magnitudes() {
-    let puck = puck(Coulomb);
+    let puck = puck(CoulombDisk);
     for twist in twists(2000) {
         let wrench = puck.wrench(LOAD, &twist);
         let wanted = puck.magnitudes(LOAD, twist.speed(), twist.spin);
@@ -102,9 +102,9 @@ fn the_wrench_has_the_magnitudes() {
 
 #[test]
 fn magnitudes_carry_the_units() {
-    let puck = puck(Coulomb);
+    let puck = puck(CoulombDisk);
     for twist in twists(200) {
-        let reduced = Coulomb.reduced_wrench(twist.speed(), twist.spin * RADIUS);
+        let reduced = CoulombDisk.reduced_wrench(twist.speed(), twist.spin * RADIUS);
         let got = puck.magnitudes(LOAD, twist.speed(), twist.spin);
         assert!(
             (got.force - MU * LOAD * reduced.force).abs() <= tolerance::ROUNDING.limit * got.force
@@ -117,9 +117,9 @@ fn magnitudes_carry_the_units() {
 }
 
 /// Laws whose friction never weakens, and one that does.
-fn convex() -> Vec<(f64, PatchFriction<f64, Table64>)> {
+fn convex() -> Vec<(f64, RoundFriction<f64, DiskTable64>)> {
     [0.0, 0.3, 1.0, 2.5, 6.0]
-        .map(|alpha| (alpha, puck(Table64::new(alpha).unwrap())))
+        .map(|alpha| (alpha, puck(DiskTable64::new(alpha).unwrap())))
         .into()
 }
 
@@ -143,7 +143,7 @@ fn the_jacobian_is_symmetric_and_negative_semidefinite_for_rising_laws() {
 
 #[test]
 fn weakening_laws_are_not_dissipative_in_the_small() {
-    let puck = puck(Table64::new(-0.5).unwrap());
+    let puck = puck(DiskTable64::new(-0.5).unwrap());
     let j = puck.wrench_jacobian(LOAD, &Twist::new(1.0, 0.0, 1.0));
     assert!(j.symmetric_eigenvalues().max() > 0.0);
 }
@@ -205,7 +205,7 @@ fn the_jacobian_matches_differences_of_the_wrench() {
 
 #[test]
 fn the_jacobian_at_rest_is_the_damping_of_the_law() {
-    let linear = puck(Table64::new(1.0).unwrap());
+    let linear = puck(DiskTable64::new(1.0).unwrap());
     let j = linear.wrench_jacobian(LOAD, &Twist::ZERO);
     let strength = MU * LOAD;
     assert_eq!(
@@ -216,6 +216,6 @@ fn the_jacobian_at_rest_is_the_damping_of_the_law() {
             -strength * RADIUS * RADIUS * 0.5
         ))
     );
-    let dry = puck(Coulomb).wrench_jacobian(LOAD, &Twist::ZERO);
+    let dry = puck(CoulombDisk).wrench_jacobian(LOAD, &Twist::ZERO);
     assert_eq!(dry.diagonal(), Vector3::repeat(f64::NEG_INFINITY));
 }

@@ -10,15 +10,17 @@ use tribos::slide::{Ending, SlideError, SlideRun, run};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{self, Table32, Table64};
-use tribos_core::coupling::{Annulus, Coupling, Lateral, Profile, closed, compact};
+use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
+use tribos_core::coupling::{
+    Annulus, LateralFriction, PowerLawFriction, ReducedFriction, closed, compact,
+};
 use tribos_core::internals::LeanProfile;
 use tribos_core::law::{
-    DryFriction, LocalLaw, PlateauPower, PlateauPowerParameters, Stribeck, StribeckParameters,
+    DryFriction, LocalLaw, PlateauPowerLaw, PlateauPowerLawParameters, Stribeck, StribeckParameters,
 };
-use tribos_core::modes::Modes;
+use tribos_core::modes::TerminalMotion;
 use tribos_core::patch::nodes::NodeList;
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::twist::Twist;
 
@@ -62,10 +64,14 @@ fn patch(text: &str) -> Patch {
 }
 
 /// Wrench, Jacobian and lateral force are those of `kernel`, to the bit.
-fn assert_same<R: Precision>(name: &str, room: &dyn Lateral<R>, kernel: &dyn Lateral<R>) {
+fn assert_same<R: Precision>(
+    name: &str,
+    room: &dyn LateralFriction<R>,
+    kernel: &dyn LateralFriction<R>,
+) {
     for pair in speeds() {
         let [v, w] = pair.map(R::from_f64);
-        let numbers = |coupling: &dyn Lateral<R>| {
+        let numbers = |coupling: &dyn LateralFriction<R>| {
             let (f, j) = (
                 coupling.reduced_wrench(v, w),
                 coupling.reduced_jacobian(v, w),
@@ -89,7 +95,7 @@ fn assert_same<R: Precision>(name: &str, room: &dyn Lateral<R>, kernel: &dyn Lat
 }
 
 /// The kernel's type for a power on a patch in 64 bit, written down once more.
-fn kernel(name: &str, alpha: f64, tier: Tier) -> Option<Box<dyn Lateral<f64>>> {
+fn kernel(name: &str, alpha: f64, tier: Tier) -> Option<Box<dyn LateralFriction<f64>>> {
     let dry = alpha == 0.0;
     let power = |pressure| compact::CompactPower::with_pressure(alpha, pressure).unwrap();
     let round = |pressure| RoundTable64::new(alpha, pressure).unwrap();
@@ -98,19 +104,23 @@ fn kernel(name: &str, alpha: f64, tier: Tier) -> Option<Box<dyn Lateral<f64>>> {
     Some(match (name, tier) {
         (_, Tier::Quadrature) | ("polynomial:1,-0.5", Tier::Compact) => return None,
         (_, Tier::Table) if alpha > 10.0 => return None,
-        ("disk", Tier::Table) if dry => Box::new(table::Coulomb),
-        ("disk", Tier::Table) => Box::new(Table64::new(alpha).unwrap()),
-        ("disk", Tier::Compact) if dry => Box::new(compact::CompactCoulomb),
+        ("disk", Tier::Table) if dry => Box::new(table::CoulombDisk),
+        ("disk", Tier::Table) => Box::new(DiskTable64::new(alpha).unwrap()),
+        ("disk", Tier::Compact) if dry => Box::new(compact::CompactCoulombDisk),
         ("disk", Tier::Compact) => Box::new(compact::CompactPower::new(alpha).unwrap()),
-        ("annulus:0.5", Tier::Table) if dry => Box::new(Annulus::new(table::Coulomb, 0.5).unwrap()),
-        ("annulus:0.5", Tier::Table) => {
-            Box::new(Annulus::new(Table64::new(alpha).unwrap(), 0.5).unwrap())
+        ("annulus:0.5", Tier::Table) if dry => {
+            Box::new(Annulus::new(table::CoulombDisk, 0.5).unwrap())
         }
-        ("annulus:0.5", _) if dry => Box::new(Annulus::new(compact::CompactCoulomb, 0.5).unwrap()),
+        ("annulus:0.5", Tier::Table) => {
+            Box::new(Annulus::new(DiskTable64::new(alpha).unwrap(), 0.5).unwrap())
+        }
+        ("annulus:0.5", _) if dry => {
+            Box::new(Annulus::new(compact::CompactCoulombDisk, 0.5).unwrap())
+        }
         ("annulus:0.5", _) => Box::new(Annulus::new(power(PowerPressure::UNIFORM), 0.5).unwrap()),
-        ("ring", Tier::Compact) if dry => Box::new(closed::Ring),
-        ("hertz", Tier::Compact) if dry => Box::new(closed::Hertz),
-        ("punch", Tier::Compact) if dry => Box::new(closed::FlatPunch),
+        ("ring", Tier::Compact) if dry => Box::new(closed::CoulombRing),
+        ("hertz", Tier::Compact) if dry => Box::new(closed::CoulombHertz),
+        ("punch", Tier::Compact) if dry => Box::new(closed::CoulombPunch),
         ("ring", Tier::Table) => Box::new(round(PowerPressure::RING)),
         ("hertz", Tier::Table) => Box::new(round(PowerPressure::HERTZ)),
         ("punch", Tier::Table) => Box::new(round(PowerPressure::FLAT_PUNCH)),
@@ -182,7 +192,7 @@ fn powers_of_the_speed_are_the_kernel_s_own_types_or_refused() {
 fn single_precision_has_its_own_tables() {
     let half = Law::power(0.3, 0.5).unwrap();
     let disk = Friction::<f32>::new(&Patch::Disk, &half, None).unwrap();
-    assert_same("disk", &disk, &Table32::new(0.5).unwrap());
+    assert_same("disk", &disk, &DiskTable32::new(0.5).unwrap());
     let hertz = Friction::<f32>::new(&Patch::Hertz, &half, None).unwrap();
     assert_same(
         "hertz",
@@ -207,7 +217,7 @@ fn other_laws_are_the_kernel_s_quadratures() {
         viscous: 0.02,
     })
     .unwrap();
-    let plateau = PlateauPower::new(PlateauPowerParameters {
+    let plateau = PlateauPowerLaw::new(PlateauPowerLawParameters {
         alpha: -0.4,
         coefficient: 0.1,
         plateau_speed: 1e-3,
@@ -221,14 +231,14 @@ fn other_laws_are_the_kernel_s_quadratures() {
         let [disk, annulus, hertz] = ["disk", "annulus:0.5", "hertz"].map(friction);
         let quadrature = DiskQuadrature::new(law);
         let band = Annulus::new(&quadrature, 0.5).unwrap();
-        let rule = PolarRule::new(1.0, 32, 64)
+        let rule = PolarQuadrature::new(1.0, 32, 64)
             .unwrap()
             .with_rim_exponent(0.5)
             .unwrap();
         let nodes: NodeList<f64, 2048> = rule.nodes().unwrap();
         let nodes = NodeFriction::new(law, nodes);
         for [v, w] in speeds() {
-            let at = |coupling: &dyn Coupling<f64>| {
+            let at = |coupling: &dyn ReducedFriction<f64>| {
                 (
                     coupling.reduced_wrench(v, w),
                     coupling.reduced_jacobian(v, w),
@@ -320,14 +330,18 @@ fn the_lateral_force_of_a_quadrature_is_that_of_the_table() {
 
 #[test]
 fn final_motion_takes_closed_forms_then_tables_then_series() {
-    let growth =
-        |profile: &dyn Profile<f64>| Modes::new(profile, 0.7).unwrap().growth(0.8).to_bits();
-    let same = |name: &str, alpha: f64, kernel: &dyn Profile<f64>| {
+    let growth = |profile: &dyn PowerLawFriction<f64>| {
+        TerminalMotion::new(profile, 0.7)
+            .unwrap()
+            .growth(0.8)
+            .to_bits()
+    };
+    let same = |name: &str, alpha: f64, kernel: &dyn PowerLawFriction<f64>| {
         let room = upright(&patch(name), alpha).unwrap();
         assert_eq!(growth(&&*room), growth(kernel), "{name}, {alpha}");
     };
-    same("disk", 0.0, &table::Coulomb);
-    same("ring", 0.0, &closed::Ring);
+    same("disk", 0.0, &table::CoulombDisk);
+    same("ring", 0.0, &closed::CoulombRing);
     same(
         "ring",
         0.5,
@@ -336,10 +350,10 @@ fn final_motion_takes_closed_forms_then_tables_then_series() {
     same(
         "annulus:0.5",
         0.0,
-        &Annulus::new(table::Coulomb, 0.5).unwrap(),
+        &Annulus::new(table::CoulombDisk, 0.5).unwrap(),
     );
     same("disk", 20.0, &compact::CompactPower::new(20.0).unwrap());
-    let leant = LeanProfile::new(closed::Hertz, 0.6).unwrap();
+    let leant = LeanProfile::new(closed::CoulombHertz, 0.6).unwrap();
     assert_eq!(
         growth(&&*leaning(&Patch::Hertz, 0.6).unwrap()),
         growth(&leant)

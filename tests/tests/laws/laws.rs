@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
+use tribos_core::coupling::{ReducedFriction, quadrature::DiskQuadrature};
 use tribos_core::law::{
     CoulombLaw, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, Stribeck,
     StribeckParameters,

@@ -1,9 +1,9 @@
 //! Each law without memory against what its source says of it.
 
 use tribos_core::law::{
-    Age, Ageing, CoulombLaw, Dieterich, DryFriction, Grip, LawError, LocalLaw, LuGre,
-    LuGreParameters, PlateauPower, PlateauPowerParameters, RateState, RateStateParameters, Savkoor,
-    SavkoorParameters, Stribeck, StribeckParameters,
+    AgeingLaw, CoulombLaw, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters,
+    PlateauPowerLaw, PlateauPowerLawParameters, RateState, RateStateParameters, RestTime, Savkoor,
+    SavkoorParameters, StaticAgeing, StickSlip, Stribeck, StribeckParameters,
 };
 use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, savkoor, stribeck};
 use tribos_tests::sweep::Lcg;
@@ -12,11 +12,11 @@ use tribos_tests::sweep::Lcg;
 fn a_body_slips_beyond_static_friction_only() {
     let wood = DryFriction::new(0.5_f64, 0.3).unwrap();
     for drive in [0.5_f64, -0.5, 0.0, 0.49] {
-        assert_eq!(wood.at_rest(drive), Grip::Stick);
+        assert_eq!(wood.at_rest(drive), StickSlip::Stick);
         assert_eq!(wood.net_drive(drive), 0.0);
     }
     for drive in [0.5_f64.next_up(), -0.7, f64::INFINITY, f64::NAN] {
-        assert_eq!(wood.at_rest(drive), Grip::Slip);
+        assert_eq!(wood.at_rest(drive), StickSlip::Slip);
     }
     assert_eq!(wood.net_drive(0.75), 0.75 - 0.3);
     assert_eq!(wood.net_drive(-0.75), 0.3 - 0.75);
@@ -29,15 +29,15 @@ fn a_slope_holds_up_to_the_angle_of_friction() {
         let angle = CoulombLaw::new(mu).unwrap().friction_angle();
         let law = DryFriction::new(mu, 0.6 * mu).unwrap();
         assert!((angle.tan() - mu).abs() < 1e-14 * (1.0 + mu * mu));
-        assert_eq!(law.at_rest((angle - 1e-9).max(0.0).tan()), Grip::Stick);
-        assert_eq!(law.at_rest((angle + 1e-9).tan()), Grip::Slip);
+        assert_eq!(law.at_rest((angle - 1e-9).max(0.0).tan()), StickSlip::Stick);
+        assert_eq!(law.at_rest((angle + 1e-9).tan()), StickSlip::Slip);
     }
 }
 
 #[test]
 fn static_friction_ages_with_the_logarithm_of_time() {
-    let law = Ageing::new(0.4, 0.03, 2.0).unwrap();
-    let of = |time| law.mu_static(Age { time });
+    let law = StaticAgeing::new(0.4, 0.03, 2.0).unwrap();
+    let of = |time| law.mu_static(RestTime { time });
     for time in [0.0, 0.3, 2.0] {
         assert_eq!(of(time), 0.4);
     }
@@ -46,21 +46,21 @@ fn static_friction_ages_with_the_logarithm_of_time() {
         let gain = of(10.0 * time) - of(time);
         assert!((gain - 0.03 * 10.0_f64.ln()).abs() < 1e-15);
         let rate = differentiated(of, 2.0 * time);
-        assert!((law.rate(Age { time: 2.0 * time }) / rate - 1.0).abs() < 1e-9);
+        assert!((law.rate(RestTime { time: 2.0 * time }) / rate - 1.0).abs() < 1e-9);
     }
     assert!((of(20.0) - (0.4 + 0.03 * 10.0_f64.ln())).abs() < 1e-15);
     assert!((of(f64::MAX) - (0.4 + 0.03 * (f64::MAX / 2.0).ln())).abs() < 1e-14);
     assert_eq!(of(f64::INFINITY), f64::INFINITY);
     assert!(of(f64::NAN).is_nan());
     // Rest adds up, sliding forgets.
-    let age = Age::ZERO
-        .advance(3.0, Grip::Stick)
-        .advance(4.0, Grip::Stick);
+    let age = RestTime::ZERO
+        .advance(3.0, StickSlip::Stick)
+        .advance(4.0, StickSlip::Stick);
     assert_eq!(age.time, 7.0);
-    assert_eq!(age.advance(1.0, Grip::Slip), Age::ZERO);
+    assert_eq!(age.advance(1.0, StickSlip::Slip), RestTime::ZERO);
     // A drive between young and old strength.
-    assert_eq!(law.at_rest(Age::ZERO, 0.43), Grip::Slip);
-    assert_eq!(law.at_rest(Age { time: 10.0 }, 0.43), Grip::Stick);
+    assert_eq!(law.at_rest(RestTime::ZERO, 0.43), StickSlip::Slip);
+    assert_eq!(law.at_rest(RestTime { time: 10.0 }, 0.43), StickSlip::Stick);
 }
 
 #[test]
@@ -225,9 +225,9 @@ fn senseless_laws_are_refused() {
             })
             .is_err()
         );
-        assert!(Ageing::new(0.3, 0.1, bad).is_err());
+        assert!(StaticAgeing::new(0.3, 0.1, bad).is_err());
         assert!(
-            PlateauPower::new(PlateauPowerParameters {
+            PlateauPowerLaw::new(PlateauPowerLawParameters {
                 alpha: -0.5,
                 coefficient: 1.0,
                 plateau_speed: bad,
@@ -237,7 +237,7 @@ fn senseless_laws_are_refused() {
             .is_err()
         );
         assert!(
-            PlateauPower::new(PlateauPowerParameters {
+            PlateauPowerLaw::new(PlateauPowerLawParameters {
                 alpha: -0.5,
                 coefficient: 1.0,
                 plateau_speed: 1e-4,
@@ -249,7 +249,7 @@ fn senseless_laws_are_refused() {
         assert!(lugre::<f64>().steady_per_load(bad).is_err());
         let parameters = *rate_state::<f64>(0.01, 0.02, 0.0).parameters();
         assert!(
-            RateState::<_, Dieterich>::new(RateStateParameters {
+            RateState::<_, AgeingLaw>::new(RateStateParameters {
                 a: bad,
                 ..parameters
             })
@@ -265,7 +265,7 @@ fn senseless_laws_are_refused() {
         );
     }
     assert!(
-        PlateauPower::new(PlateauPowerParameters {
+        PlateauPowerLaw::new(PlateauPowerLawParameters {
             alpha: -0.5,
             coefficient: 1.0,
             plateau_speed: 1e-4,
@@ -275,7 +275,7 @@ fn senseless_laws_are_refused() {
         .is_err()
     );
     assert!(
-        PlateauPower::new(PlateauPowerParameters {
+        PlateauPowerLaw::new(PlateauPowerLawParameters {
             alpha: -0.5,
             coefficient: 1.0,
             plateau_speed: 1e-4,
@@ -285,7 +285,7 @@ fn senseless_laws_are_refused() {
         .is_err()
     );
     assert!(
-        PlateauPower::new(PlateauPowerParameters {
+        PlateauPowerLaw::new(PlateauPowerLawParameters {
             alpha: 0.5,
             coefficient: 1.0,
             plateau_speed: 1e-4,
@@ -294,7 +294,7 @@ fn senseless_laws_are_refused() {
         })
         .is_err()
     );
-    let message = Ageing::new(0.3, 0.1, -2.0).unwrap_err().to_string();
+    let message = StaticAgeing::new(0.3, 0.1, -2.0).unwrap_err().to_string();
     assert_eq!(
         message,
         "the cut-off age must be positive and finite, not -2"

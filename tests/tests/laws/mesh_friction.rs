@@ -2,7 +2,7 @@
 
 use crate::polygon_friction::{Errors, anyhow, errors, of_twist, twist_of};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
 use tribos_core::patch::mesh::{Mesh, MeshError, Triangle, Vertex};
 use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::twist::{Twist, Wrench};
@@ -30,7 +30,7 @@ fn the_wrench_and_the_jacobian_are_those_of_150_digits() {
     for faces in meshes() {
         let first = if is_uneven(&faces) { 2 } else { 0 };
         let patch = faces.patch::<f64>();
-        let friction = FlatFriction::new(&patch, 1.0).expect("valid");
+        let friction = ShapeFriction::new(&patch, 1.0).expect("valid");
         let name = &faces.name;
         let rows = table.rows().filter(|row| row.text("mesh") == name);
         for (number, row) in rows.enumerate() {
@@ -53,7 +53,7 @@ fn the_jacobian_is_symmetric_without_power_along_the_twist_and_takes_power_elsew
     for faces in meshes() {
         let (patch, name) = (faces.patch::<f64>(), &faces.name);
         let arm = patch.radius() + patch.centre().norm();
-        let friction = FlatFriction::new(&patch, 0.7).expect("valid");
+        let friction = ShapeFriction::new(&patch, 0.7).expect("valid");
         for _ in 0..200 {
             let twist = anyhow(&mut rng, &patch);
             let (wrench, jacobian) = friction.wrench_and_jacobian(3.0, &twist);
@@ -82,8 +82,8 @@ fn single_precision_follows_double_precision() {
     for faces in meshes().iter().filter(|faces| !is_uneven(faces)) {
         let (single, double) = (faces.patch::<f32>(), faces.patch::<f64>());
         let arm = double.radius() + double.centre().norm();
-        let of_single = FlatFriction::new(&single, 1.0).expect("valid");
-        let of_double = FlatFriction::new(&double, 1.0).expect("valid");
+        let of_single = ShapeFriction::new(&single, 1.0).expect("valid");
+        let of_double = ShapeFriction::new(&double, 1.0).expect("valid");
         for _ in 0..500 {
             let twist = anyhow(&mut rng, &double);
             let [x, y, spin] =
@@ -108,8 +108,8 @@ fn single_precision_follows_double_precision() {
 
 /// Largest difference of two wrenches and Jacobians, the latter over its largest entry.
 fn differences(
-    one: &FlatFriction<f64, impl DryPatch<f64>>,
-    other: &FlatFriction<f64, impl DryPatch<f64>>,
+    one: &ShapeFriction<f64, impl PatchShape<f64>>,
+    other: &ShapeFriction<f64, impl PatchShape<f64>>,
     twist: &Twist<f64>,
 ) -> [f64; 2] {
     let ((a, j), (b, k)) = (
@@ -161,13 +161,13 @@ fn an_ell_cut_into_triangles_is_the_ell() {
             .map(|named| named.map(corner))
             .to_vec(),
     };
-    let exact = FlatFriction::new(&ell, 1.0).expect("valid");
+    let exact = ShapeFriction::new(&ell, 1.0).expect("valid");
     let mut rng = Lcg::new(13);
     for _ in 0..4 {
         let patch = faces.patch::<f64>();
         assert!((patch.centre() - ell.centre()).norm() < 1e-15);
         assert!((patch.load() - 3.0).abs() < 1e-14);
-        let mesh = FlatFriction::new(&patch, 1.0).expect("valid");
+        let mesh = ShapeFriction::new(&patch, 1.0).expect("valid");
         for _ in 0..300 {
             let twist = anyhow(&mut rng, &patch);
             let [wrench, jacobian] = differences(&mesh, &exact, &twist);
@@ -183,8 +183,8 @@ fn cutting_every_triangle_into_four_changes_nothing() {
     let mut rng = Lcg::new(14);
     for faces in meshes() {
         let (coarse, fine) = (faces.patch::<f64>(), refined(&faces).patch::<f64>());
-        let coarse = FlatFriction::new(&coarse, 1.0).expect("valid");
-        let fine = FlatFriction::new(&fine, 1.0).expect("valid");
+        let coarse = ShapeFriction::new(&coarse, 1.0).expect("valid");
+        let fine = ShapeFriction::new(&fine, 1.0).expect("valid");
         let (mut wrench, mut jacobian) = (0.0_f64, 0.0_f64);
         for _ in 0..100 {
             let twist = anyhow(&mut rng, coarse.patch());
@@ -215,7 +215,7 @@ fn a_small_torque_keeps_its_digits_and_rest_is_rest() {
         vertex(1.0, 1.0),
         vertex(-1.0, 1.0),
     ];
-    let friction = FlatFriction::new(Mesh::new([[a, b, c], [a, c, d]]).expect("valid"), 1.0);
+    let friction = ShapeFriction::new(Mesh::new([[a, b, c], [a, c, d]]).expect("valid"), 1.0);
     let friction = friction.expect("valid");
     for spin in [1e-300, 1e-200, 1e-30, 1e-9] {
         let torque = friction.wrench(1.0, &Twist::new(0.6, 0.8, spin)).torque;
@@ -252,8 +252,8 @@ fn what_carries_nothing_is_left_out_and_what_is_no_mesh_is_refused() {
         assert!((mesh.radius() - lone.radius()).abs() < 1e-15);
         let twist = Twist::new(0.25, 0.5, -2.0);
         let [one, other] = [
-            FlatFriction::new(&lone as &dyn DryPatch<f64>, 1.0),
-            FlatFriction::new(&mesh as &dyn DryPatch<f64>, 1.0),
+            ShapeFriction::new(&lone as &dyn PatchShape<f64>, 1.0),
+            ShapeFriction::new(&mesh as &dyn PatchShape<f64>, 1.0),
         ]
         .map(|friction| friction.expect("valid").wrench(1.0, &twist));
         let rest = one - other;

@@ -5,11 +5,11 @@
 
 use core::f64::consts::{PI, TAU};
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{PatchFriction, compact};
+use tribos_core::coupling::{RoundFriction, compact};
 use tribos_core::law::{CoulombLaw, PowerLaw};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{NodeList, NodePatch};
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tables::{Row, Table};
@@ -54,8 +54,8 @@ fn dry() -> CoulombLaw<f64> {
     CoulombLaw::new(1.0).expect("in range")
 }
 
-fn rule(rings: u32, angles: u32, q: f64) -> PolarRule<f64> {
-    let uniform = PolarRule::new(1.0, rings, angles).expect("in range");
+fn rule(rings: u32, angles: u32, q: f64) -> PolarQuadrature<f64> {
+    let uniform = PolarQuadrature::new(1.0, rings, angles).expect("in range");
     uniform.with_rim_exponent(q).expect("in range")
 }
 
@@ -87,7 +87,7 @@ fn against(twist: &Twist<f64>, force: f64, torque: f64) -> Wrench<f64> {
 fn errors(alpha: f64, rings: u32, angles: u32, range: [f64; 2]) -> [f64; 2] {
     let nodes = NodeFriction::new(law(alpha), disk(rings, angles, 0.0));
     let tier = compact::CompactPower::new(alpha).expect("in range");
-    let exact = PatchFriction::new(tier, 1.0, 1.0).expect("a coefficient");
+    let exact = RoundFriction::new(tier, 1.0, 1.0).expect("a coefficient");
     let mut rng = Lcg::new(3);
     let (mut sum, mut largest) = (0.0, 0.0_f64);
     for _ in 0..2000 {
@@ -150,12 +150,12 @@ fn odd_exponents_are_exact() {
 fn standard_rule_keeps_its_bound_for_every_pressure() {
     let mut worst = Worst::of("standard rule, Coulomb, centre anywhere");
     let mut rng = Lcg::new(4);
-    let tier = compact::CompactCoulomb;
-    let exact = PatchFriction::new(tier, 1.0, 1.0).expect("a coefficient");
+    let tier = compact::CompactCoulombDisk;
+    let exact = RoundFriction::new(tier, 1.0, 1.0).expect("a coefficient");
     let nodes = [0.0, 0.5, -0.5].map(|q| {
-        let rule = PolarRule::standard(1.0).expect("a radius");
+        let rule = PolarQuadrature::standard(1.0).expect("a radius");
         let rule = rule.with_rim_exponent(q).expect("in range");
-        let list = rule.nodes::<{ PolarRule::<f64>::STANDARD_NODES }>();
+        let list = rule.nodes::<{ PolarQuadrature::<f64>::STANDARD_NODES }>();
         NodeFriction::new(dry(), list.expect("room for all"))
     });
     let [uniform, hertz, punch] = &nodes;
@@ -248,7 +248,7 @@ fn a_shape_may_be_any_pressure() {
 
 #[test]
 fn rules_without_meaning_are_refused() {
-    let with = |r, rings, angles| PolarRule::new(r, rings, angles);
+    let with = |r, rings, angles| PolarQuadrature::new(r, rings, angles);
     assert!(matches!(with(0.0, 1, 1), Err(PatchError::Radius { .. })));
     assert!(matches!(
         with(f64::NAN, 1, 1),
@@ -269,7 +269,7 @@ fn rules_without_meaning_are_refused() {
 
 #[test]
 fn single_precision_follows_double() {
-    let narrow = PolarRule::standard(1.0_f32).expect("a radius");
+    let narrow = PolarQuadrature::standard(1.0_f32).expect("a radius");
     let narrow: NodeList<f32, 512> = narrow.nodes().expect("room");
     let one = CoulombLaw::new(1.0_f32).expect("in range");
     let narrow = NodeFriction::new(one, narrow);

@@ -50,7 +50,7 @@ fn named_pressures_are_their_orders() {
 
 #[test]
 fn inner_ratios_that_leave_no_disk_or_no_digits_are_refused() {
-    let band = |inner: f64| Annulus::new(table::Coulomb, inner);
+    let band = |inner: f64| Annulus::new(table::CoulombDisk, inner);
     for inner in [0.0, -0.0, 5e-324, 0.5, 0.999_999] {
         assert!(band(inner).is_ok(), "{inner}");
     }
@@ -72,7 +72,7 @@ fn inner_ratios_that_leave_no_disk_or_no_digits_are_refused() {
             "{error}"
         );
     }
-    assert!(Annulus::new(table::Coulomb, 0.999_999_f32).is_ok());
+    assert!(Annulus::new(table::CoulombDisk, 0.999_999_f32).is_ok());
 }
 
 #[test]
@@ -89,8 +89,8 @@ fn exponents_of_tables_and_powers_are_refused_alike_for_every_pressure() {
                 "{alpha}"
             );
         }
-        let beyond = table::Table64::MAX_EXPONENT.next_up();
-        assert!(RoundTable64::new(table::Table64::MAX_EXPONENT, pressure).is_ok());
+        let beyond = table::DiskTable64::MAX_EXPONENT.next_up();
+        assert!(RoundTable64::new(table::DiskTable64::MAX_EXPONENT, pressure).is_ok());
         assert!(RoundTable64::new(beyond, pressure).is_err());
         let most = PowerLaw::<f64>::MAX_EXPONENT;
         assert!(compact::CompactPower::with_pressure(most, pressure).is_ok());

@@ -2,7 +2,7 @@
 
 use nalgebra::{SymmetricEigen, Vector3};
 use tribos_core::Real;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::CoulombLaw;
 use tribos_core::patch::nodes::NodeList;
@@ -27,7 +27,7 @@ pub(crate) struct Errors {
 
 pub(crate) fn errors<R: Real>(
     row: &Row<'_>,
-    patch: &impl DryPatch<R>,
+    patch: &impl PatchShape<R>,
     (wrench, jacobian): (Wrench<R>, WrenchJacobian<R>),
 ) -> Errors {
     let centre = patch.centre();
@@ -69,11 +69,11 @@ fn found<R: Real>(outline: &Outline, row: &Row<'_>) -> Errors {
     let slope = ["slope_x", "slope_y"].map(|name| R::from_f64(row.number(name)));
     let (patch, one) = (outline.patch::<R>(), R::ONE);
     if slope == [R::ZERO; 2] {
-        let friction = FlatFriction::new(&patch, one).expect("valid");
+        let friction = ShapeFriction::new(&patch, one).expect("valid");
         return errors(row, &patch, friction.wrench_and_jacobian(one, &twist));
     }
     let patch = patch.with_slope(slope).expect("carried");
-    let friction = FlatFriction::new(&patch, one).expect("valid");
+    let friction = ShapeFriction::new(&patch, one).expect("valid");
     errors(row, &patch, friction.wrench_and_jacobian(one, &twist))
 }
 
@@ -111,7 +111,7 @@ fn the_wrench_and_the_jacobian_are_those_of_150_digits() {
 }
 
 /// A twist whose centre of rotation is anywhere from the patch to 10⁶ radii away, at any speed.
-pub(crate) fn anyhow(rng: &mut Lcg, patch: &impl DryPatch<f64>) -> Twist<f64> {
+pub(crate) fn anyhow(rng: &mut Lcg, patch: &impl PatchShape<f64>) -> Twist<f64> {
     let speed = 10_f64.powf(rng.between(-6.0, 6.0));
     let turn = speed / patch.radius() * 10_f64.powf(rng.between(-6.0, 1.0));
     let angle = rng.between(0.0, core::f64::consts::TAU);
@@ -134,7 +134,7 @@ fn the_jacobian_is_symmetric_without_power_along_the_twist_and_takes_power_elsew
     for outline in outlines() {
         let patch = outline.patch::<f64>();
         let arm = patch.radius() + patch.centre().norm();
-        let friction = FlatFriction::new(&patch, 0.7).expect("valid");
+        let friction = ShapeFriction::new(&patch, 0.7).expect("valid");
         for _ in 0..500 {
             let twist = anyhow(&mut rng, &patch);
             let (wrench, jacobian) = friction.wrench_and_jacobian(3.0, &twist);
@@ -165,8 +165,8 @@ fn single_precision_follows_double_precision() {
     for outline in outlines().iter().filter(|outline| outline.name != "sliver") {
         let (single, double) = (outline.patch::<f32>(), outline.patch::<f64>());
         let arm = double.radius() + double.centre().norm();
-        let of_single = FlatFriction::new(&single, 1.0).expect("valid");
-        let of_double = FlatFriction::new(&double, 1.0).expect("valid");
+        let of_single = ShapeFriction::new(&single, 1.0).expect("valid");
+        let of_double = ShapeFriction::new(&double, 1.0).expect("valid");
         for _ in 0..1000 {
             let twist = anyhow(&mut rng, &double);
             let [x, y, spin] =
@@ -194,7 +194,7 @@ fn many_nodes_come_close_to_it() {
     let corners = [[0.0, 0.0], [3.0, 0.25], [1.0, 2.0]];
     let nodes: NodeList<f64, 7168> = NodeList::polygon(&corners, 32).expect("room");
     let sampled = NodeFriction::new(CoulombLaw::new(1.0).expect("valid"), nodes);
-    let exact = FlatFriction::new(Polygon::new(corners).expect("valid"), 1.0).expect("valid");
+    let exact = ShapeFriction::new(Polygon::new(corners).expect("valid"), 1.0).expect("valid");
     let mut rng = Lcg::new(3);
     for _ in 0..200 {
         let twist = anyhow(&mut rng, exact.patch());
@@ -208,7 +208,7 @@ fn many_nodes_come_close_to_it() {
 fn a_small_torque_keeps_its_digits_and_rest_is_rest() {
     let square =
         Polygon::new([[-1.0_f64, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]).expect("valid");
-    let friction = FlatFriction::new(square, 1.0).expect("valid");
+    let friction = ShapeFriction::new(square, 1.0).expect("valid");
     // To first order the torque is −ω ∫(x·v)²/|v|³ dA/A = −ω/3 at unit speed.
     for spin in [1e-300, 1e-200, 1e-30, 1e-9] {
         let torque = friction.wrench(1.0, &Twist::new(0.6, 0.8, spin)).torque;
@@ -222,7 +222,7 @@ fn a_small_torque_keeps_its_digits_and_rest_is_rest() {
 #[test]
 fn speeds_at_the_ends_of_the_range_meet_the_same_friction() {
     let corners = [[0.0_f64, 0.0], [3.0, 0.25], [1.0, 2.0]];
-    let friction = FlatFriction::new(Polygon::new(corners).expect("valid"), 1.0).expect("valid");
+    let friction = ShapeFriction::new(Polygon::new(corners).expect("valid"), 1.0).expect("valid");
     for twist in [Twist::new(0.75, -0.5, 0.625), Twist::new(3.0, 1.0, 0.03125)] {
         let (usual, jacobian) = friction.wrench_and_jacobian(1.0, &twist);
         for exponent in [-1040, -1000, -700, -400, 400, 700, 1020] {
@@ -328,7 +328,7 @@ fn holes_lie_inside_and_apart() {
     let mut backwards = left;
     backwards.reverse();
     let friction =
-        |loops: &[&[[f64; 2]]]| FlatFriction::new(of(loops).expect("valid"), 1.0).expect("valid");
+        |loops: &[&[[f64; 2]]]| ShapeFriction::new(of(loops).expect("valid"), 1.0).expect("valid");
     let holed = [friction(&[&whole, &left]), friction(&[&whole, &backwards])];
     let twist = Twist::new(0.3, -0.2, 0.9);
     let [a, b] = holed.map(|one| one.wrench(4.0 - 0.25, &twist));

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, SymmetricEigen, Vector2, Vector3};
 use tribos_core::Real;
 use tribos_core::coupling::flat::{
-    DryPatch, FlatFriction, FlatPower, FlatPowerFriction, PowerPatch,
+    PatchShape, PolygonPowerLaw, PowerLawPatch, ShapeFriction, ShapePowerFriction,
 };
 use tribos_core::law::LawError;
 use tribos_core::patch::outline::Polygon;
@@ -18,13 +18,13 @@ use tribos_tests::worst::Worst;
 const COMPONENTS: [&str; 3] = ["force_x", "force_y", "torque"];
 const HESSIAN: [[&str; 3]; 3] = [["xx", "xy", "xn"], ["xy", "yy", "yn"], ["xn", "yn", "nn"]];
 
-fn friction<R: Real, P: PowerPatch<R>>(patch: P, alpha: f64) -> FlatPowerFriction<R, P> {
-    let power = FlatPower::new(R::from_f64(alpha)).expect("valid");
-    FlatPowerFriction::new(patch, R::ONE, power).expect("valid")
+fn friction<R: Real, P: PowerLawPatch<R>>(patch: P, alpha: f64) -> ShapePowerFriction<R, P> {
+    let power = PolygonPowerLaw::new(R::from_f64(alpha)).expect("valid");
+    ShapePowerFriction::new(patch, R::ONE, power).expect("valid")
 }
 
 /// Speed of the centre of pressure plus rim speed, and the patch's reach from the origin.
-fn scales(patch: &impl DryPatch<f64>, twist: &Twist<f64>) -> (f64, f64) {
+fn scales(patch: &impl PatchShape<f64>, twist: &Twist<f64>) -> (f64, f64) {
     let (centre, radius) = (patch.centre(), patch.radius());
     let velocity = twist.velocity + Vector2::new(-centre.y, centre.x) * twist.spin;
     let speed = velocity.norm() + (twist.spin * radius).abs();
@@ -55,7 +55,7 @@ fn twist_of(row: &Row<'_>) -> Twist<f64> {
 /// reach as the unit of length.
 fn errors(
     row: &Row<'_>,
-    patch: &impl DryPatch<f64>,
+    patch: &impl PatchShape<f64>,
     (wrench, jacobian): (Wrench<f64>, WrenchJacobian<f64>),
 ) -> [f64; 2] {
     let (speed, arm) = scales(patch, &twist_of(row));
@@ -146,7 +146,7 @@ fn the_wrench_and_the_jacobian_are_those_of_130_digits() {
 }
 
 /// A twist whose centre of rotation is anywhere from the patch to 10⁶ radii away, at any speed.
-fn anyhow(rng: &mut Lcg, patch: &impl DryPatch<f64>) -> Twist<f64> {
+fn anyhow(rng: &mut Lcg, patch: &impl PatchShape<f64>) -> Twist<f64> {
     let speed = 10_f64.powf(rng.between(-3.0, 3.0));
     let turn = speed / patch.radius() * 10_f64.powf(rng.between(-6.0, 1.0));
     let angle = rng.between(0.0, core::f64::consts::TAU);
@@ -170,9 +170,9 @@ fn distance(a: &Wrench<f64>, b: &Wrench<f64>, arm: f64) -> f64 {
 }
 
 /// Errors where α = 0, of the load and of the largest entry of the Jacobian.
-fn from_dry<P: PowerPatch<f64>>(patch: P, twist: &Twist<f64>, arm: f64) -> [f64; 2] {
+fn from_dry<P: PowerLawPatch<f64>>(patch: P, twist: &Twist<f64>, arm: f64) -> [f64; 2] {
     let (wrench, jacobian) = friction(&patch, 0.0).wrench_and_jacobian(1.0, twist);
-    let dry = FlatFriction::new(&patch, 1.0).expect("valid");
+    let dry = ShapeFriction::new(&patch, 1.0).expect("valid");
     let (expected, of_dry) = dry.wrench_and_jacobian(1.0, twist);
     let of_dry = even(&of_dry, arm);
     let error = (even(&jacobian, arm) - of_dry).amax() / of_dry.amax();
@@ -444,11 +444,11 @@ fn speeds_at_the_ends_of_the_range_scale_the_wrench() {
 #[test]
 fn exponents_without_a_finite_friction_are_refused() {
     for given in [-1.0, -2.0, 10.5, f64::NAN, f64::INFINITY] {
-        let refused = FlatPower::new(given).err();
+        let refused = PolygonPowerLaw::new(given).err();
         assert!(
             matches!(refused, Some(LawError::Exponent { .. })),
             "{given}"
         );
     }
-    assert!(FlatPower::new(-0.999_f32).is_ok() && FlatPower::new(10.0_f32).is_ok());
+    assert!(PolygonPowerLaw::new(-0.999_f32).is_ok() && PolygonPowerLaw::new(10.0_f32).is_ok());
 }

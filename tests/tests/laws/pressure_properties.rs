@@ -3,10 +3,10 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable64};
-use tribos_core::coupling::table::{self, Table64};
-use tribos_core::coupling::{Annulus, Coupling, Lateral, PatchFriction, compact};
+use tribos_core::coupling::table::{self, DiskTable64};
+use tribos_core::coupling::{Annulus, LateralFriction, ReducedFriction, RoundFriction, compact};
 use tribos_core::internals::Gauss;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::twist::Twist;
@@ -67,7 +67,7 @@ proptest! {
         let got = compact(order, alpha).reduced_wrench(v, w);
         prop_assert!(got.force > 0.0 && got.torque > 0.0);
         prop_assert!(v * got.force + w * got.torque > 0.0);
-        for dry in [Ring.reduced_wrench(v, w), FlatPunch.reduced_wrench(v, w), Hertz.reduced_wrench(v, w)] {
+        for dry in [CoulombRing.reduced_wrench(v, w), CoulombPunch.reduced_wrench(v, w), CoulombHertz.reduced_wrench(v, w)] {
             prop_assert!(dry.force > 0.0 && dry.torque > 0.0);
         }
     }
@@ -132,10 +132,10 @@ proptest! {
     #[test]
     fn dry_closed_forms_ignore_powers_of_two_to_the_bit((v, w) in speeds(), shift in -300..300_i32) {
         let scale = 2.0_f64.powi(shift);
-        prop_assert_eq!(Ring.reduced_wrench(v, w), Ring.reduced_wrench(scale * v, scale * w));
-        prop_assert_eq!(FlatPunch.reduced_wrench(v, w), FlatPunch.reduced_wrench(scale * v, scale * w));
-        prop_assert_eq!(Hertz.reduced_wrench(v, w), Hertz.reduced_wrench(scale * v, scale * w));
-        prop_assert_eq!(Hertz.lateral(v, w), Hertz.lateral(scale * v, scale * w));
+        prop_assert_eq!(CoulombRing.reduced_wrench(v, w), CoulombRing.reduced_wrench(scale * v, scale * w));
+        prop_assert_eq!(CoulombPunch.reduced_wrench(v, w), CoulombPunch.reduced_wrench(scale * v, scale * w));
+        prop_assert_eq!(CoulombHertz.reduced_wrench(v, w), CoulombHertz.reduced_wrench(scale * v, scale * w));
+        prop_assert_eq!(CoulombHertz.lateral(v, w), CoulombHertz.lateral(scale * v, scale * w));
     }
 
     #[test]
@@ -146,7 +146,7 @@ proptest! {
         let (here, there) = (ring.reduced_wrench(v, w), ring.reduced_wrench(w, v));
         prop_assert!(relative(here.torque, there.force) <= tolerance::IDENTITY.limit);
         prop_assert!(relative(here.force, there.torque) <= tolerance::IDENTITY.limit);
-        let (here, there) = (Ring.reduced_wrench(v, w), Ring.reduced_wrench(w, v));
+        let (here, there) = (CoulombRing.reduced_wrench(v, w), CoulombRing.reduced_wrench(w, v));
         prop_assert!(relative(here.torque, there.force) <= tolerance::IDENTITY.limit);
     }
 
@@ -156,8 +156,8 @@ proptest! {
     ) {
         let spin = if spin_is_left { w } else { -w };
         let twist = Twist::new(v * angle.cos(), v * angle.sin(), spin);
-        let hertz = PatchFriction::new(Hertz, 0.4, 1.0).expect("in range").wrench(2.0, &twist);
-        let ring = PatchFriction::new(Ring, 0.4, 1.0).expect("in range").wrench(2.0, &twist);
+        let hertz = RoundFriction::new(CoulombHertz, 0.4, 1.0).expect("in range").wrench(2.0, &twist);
+        let ring = RoundFriction::new(CoulombRing, 0.4, 1.0).expect("in range").wrench(2.0, &twist);
         for wrench in [hertz, ring] {
             let (x, y) = (twist.velocity.x, twist.velocity.y);
             let size = wrench.force.x.hypot(wrench.force.y) * x.hypot(y);
@@ -224,7 +224,12 @@ fn richardson(f: impl Fn(f64) -> f64, step: f64) -> f64 {
 const RATIOS: [f64; 11] = [0.0, 1e-8, 0.1, 0.5, 0.9, 0.999, 1.0, 1.001, 1.4, 3.0, 1e6];
 const EXPONENTS: [f64; 5] = [-0.5, 0.0, 0.5, 1.0, 3.0];
 
-fn assert_same(one: &dyn Lateral<f64>, other: &dyn Lateral<f64>, bound: f64, label: &str) {
+fn assert_same(
+    one: &dyn LateralFriction<f64>,
+    other: &dyn LateralFriction<f64>,
+    bound: f64,
+    label: &str,
+) {
     for ratio in RATIOS {
         let (a, b) = (
             one.reduced_wrench(ratio, 1.0),
@@ -243,7 +248,7 @@ fn assert_same(one: &dyn Lateral<f64>, other: &dyn Lateral<f64>, bound: f64, lab
 #[test]
 fn an_annulus_without_a_hole_is_the_disk() {
     for alpha in EXPONENTS {
-        let disk = Table64::new(alpha).expect("in range");
+        let disk = DiskTable64::new(alpha).expect("in range");
         let whole = Annulus::new(disk, 0.0).expect("in range");
         assert_same(&whole, &disk, 0.0, "annulus");
         for ratio in RATIOS {
@@ -317,7 +322,7 @@ fn tables_of_order_zero_are_the_uniform_disk() {
         let round = RoundTable64::new(alpha, PowerPressure::UNIFORM).expect("in range");
         assert_same(
             &round,
-            &Table64::new(alpha).expect("in range"),
+            &DiskTable64::new(alpha).expect("in range"),
             tolerance::IDENTITY.limit,
             "order 0",
         );
@@ -325,7 +330,7 @@ fn tables_of_order_zero_are_the_uniform_disk() {
     let round = RoundTable64::new(0.0, PowerPressure::UNIFORM).expect("in range");
     assert_same(
         &round,
-        &table::Coulomb,
+        &table::CoulombDisk,
         tolerance::IDENTITY.limit,
         "order 0",
     );

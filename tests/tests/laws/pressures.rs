@@ -2,7 +2,7 @@
 //! more digits, and the derivatives of the first two.
 
 use tribos_core::coupling::round::{LateralPolynomialTable, PolynomialTable};
-use tribos_core::coupling::{Annulus, Coupling, Lateral};
+use tribos_core::coupling::{Annulus, LateralFriction, ReducedFriction};
 use tribos_core::patch::PolynomialPressure;
 use tribos_tests::patches::{self, RowErrors};
 use tribos_tests::reference::Reference;

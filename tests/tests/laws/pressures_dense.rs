@@ -1,7 +1,7 @@
 //! Pressures between the rows of the tables: tables and closed forms against compact powers at
 //! every cell border and next to equal speeds, f32 against f64.
 
-use tribos_core::coupling::Lateral;
+use tribos_core::coupling::LateralFriction;
 use tribos_tests::patches::{self, PatchTier, slope_error};
 use tribos_tests::reference::Reference;
 use tribos_tests::sweep;
@@ -42,8 +42,8 @@ impl Distances {
 
     fn see(
         &mut self,
-        tier: &dyn Lateral<f64>,
-        oracle: &dyn Lateral<f64>,
+        tier: &dyn LateralFriction<f64>,
+        oracle: &dyn LateralFriction<f64>,
         (v, w): (f64, f64),
         label: &str,
     ) {

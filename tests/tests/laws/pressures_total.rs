@@ -2,7 +2,7 @@
 //! range, random bits.
 
 use tribos_core::coupling::round::LateralPolynomialTable;
-use tribos_core::coupling::{Annulus, Lateral, table};
+use tribos_core::coupling::{Annulus, LateralFriction, table};
 use tribos_core::patch::PolynomialPressure;
 use tribos_core::real::Real;
 use tribos_tests::patches::{self, PatchTier, RoundTabulated};
@@ -13,7 +13,7 @@ const ORDERS: [f64; 7] = [-1.0, -0.9, -0.5, 0.0, 0.5, 1.0, 6.0];
 const EXPONENTS: [f64; 8] = [-0.9, -0.5, 0.0, 0.25, 0.5, 1.0, 1.5, 3.0];
 
 /// F, T, G and the entries of both Jacobians.
-fn all<R: Real>(tier: &dyn Lateral<R>, slide: R, rim: R) -> [f64; 9] {
+fn all<R: Real>(tier: &dyn LateralFriction<R>, slide: R, rim: R) -> [f64; 9] {
     let w = tier.reduced_wrench(slide, rim);
     let j = tier.reduced_jacobian(slide, rim);
     let l = tier.lateral_jacobian(slide, rim);
@@ -44,7 +44,7 @@ fn visit<R: RoundTabulated>(mut check: impl FnMut(&PatchTier<R>, f64, f64)) {
 
 /// Every annulus, with its disk and inner ratio.
 fn visit_annuli<R: RoundTabulated>(
-    mut check: impl FnMut(&PatchTier<R>, &dyn Lateral<R>, f64, f64),
+    mut check: impl FnMut(&PatchTier<R>, &dyn LateralFriction<R>, f64, f64),
 ) {
     for alpha in EXPONENTS {
         for inner in [0.0, 0.5, 0.999] {
@@ -61,9 +61,9 @@ fn visit_annuli<R: RoundTabulated>(
 }
 
 /// A boxed tier as a coupling of its own.
-struct BoxedTier<R>(Box<dyn Lateral<R>>);
+struct BoxedTier<R>(Box<dyn LateralFriction<R>>);
 
-impl<R: Real> tribos_core::coupling::Coupling<R> for BoxedTier<R> {
+impl<R: Real> tribos_core::coupling::ReducedFriction<R> for BoxedTier<R> {
     fn reduced_wrench(&self, slide: R, rim: R) -> tribos_core::coupling::ReducedWrench<R> {
         self.0.reduced_wrench(slide, rim)
     }
@@ -72,7 +72,7 @@ impl<R: Real> tribos_core::coupling::Coupling<R> for BoxedTier<R> {
     }
 }
 
-impl<R: Real> Lateral<R> for BoxedTier<R> {
+impl<R: Real> LateralFriction<R> for BoxedTier<R> {
     fn lateral(&self, slide: R, rim: R) -> R {
         self.0.lateral(slide, rim)
     }
@@ -407,5 +407,5 @@ fn dry_forces_do_not_depend_on_the_unit_of_speed_down_to_the_last_octaves() {
             }
         }
     }
-    assert!(table::Coulomb.lateral(0.0_f64, 1.0) > 0.0);
+    assert!(table::CoulombDisk.lateral(0.0_f64, 1.0) > 0.0);
 }

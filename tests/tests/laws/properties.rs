@@ -3,8 +3,8 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
-use tribos_core::coupling::table::{self, Table64};
-use tribos_core::coupling::{Coupling, ReducedWrench, compact};
+use tribos_core::coupling::table::{self, DiskTable64};
+use tribos_core::coupling::{ReducedFriction, ReducedWrench, compact};
 use tribos_core::internals::Gauss;
 use tribos_tests::tolerance;
 
@@ -64,7 +64,7 @@ proptest! {
 
     #[test]
     fn friction_dissipates((v, w) in speeds(), alpha in exponents()) {
-        for got in [compact(alpha).reduced_wrench(v, w), table::Coulomb.reduced_wrench(v, w)] {
+        for got in [compact(alpha).reduced_wrench(v, w), table::CoulombDisk.reduced_wrench(v, w)] {
             prop_assert!(got.force > 0.0 && got.torque > 0.0);
             prop_assert!(v * got.force + w * got.torque > 0.0);
         }
@@ -92,13 +92,13 @@ proptest! {
     fn coulomb_friction_ignores_powers_of_two_to_the_bit((v, w) in speeds(), shift in -300..300_i32) {
         let scale = 2.0_f64.powi(shift);
         let (near, far) = (
-            table::Coulomb.reduced_wrench(v, w),
-            table::Coulomb.reduced_wrench(scale * v, scale * w),
+            table::CoulombDisk.reduced_wrench(v, w),
+            table::CoulombDisk.reduced_wrench(scale * v, scale * w),
         );
         prop_assert_eq!(near, far);
         let (near, far) = (
-            table::Coulomb.reduced_jacobian(v, w),
-            table::Coulomb.reduced_jacobian(scale * v, scale * w),
+            table::CoulombDisk.reduced_jacobian(v, w),
+            table::CoulombDisk.reduced_jacobian(scale * v, scale * w),
         );
         prop_assert_eq!(near.force_slide, far.force_slide * scale);
         prop_assert_eq!(near.mixed, far.mixed * scale);
@@ -177,7 +177,7 @@ proptest! {
 #[test]
 fn force_of_falling_laws_rises_and_falls_again() {
     // Errata 9: for −1 < α < 0 the force is not monotone in ε.
-    let table = Table64::new(-0.5).unwrap();
+    let table = DiskTable64::new(-0.5).unwrap();
     let force = |ratio| table.reduced_wrench(ratio, 1.0).force;
     assert!(force(0.5) < force(1.1) && force(1.1) > force(3.0) && force(3.0) > force(10.0));
 }

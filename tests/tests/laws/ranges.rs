@@ -4,8 +4,8 @@ use tribos_core::Real;
 use tribos_core::coupling::compact::CompactPower;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::LateralPolynomialTable;
-use tribos_core::coupling::table::Table64;
-use tribos_core::coupling::{Annulus, Coupling, Lateral};
+use tribos_core::coupling::table::DiskTable64;
+use tribos_core::coupling::{Annulus, LateralFriction, ReducedFriction};
 use tribos_core::law::PowerLaw;
 use tribos_core::patch::PolynomialPressure;
 use tribos_tests::patches::{self, PatchTier, RoundTabulated};
@@ -17,7 +17,7 @@ use tribos_tests::worst::Worst;
 /// Columns of the table, and the order of [`all`].
 const RESULTS: [&str; 9] = ["F", "T", "G", "drag", "F_v", "F_w", "T_w", "vG_v", "vG_w"];
 
-fn all<R: Real>(tier: &dyn Lateral<R>, slide: R, rim: R) -> [f64; 9] {
+fn all<R: Real>(tier: &dyn LateralFriction<R>, slide: R, rim: R) -> [f64; 9] {
     let w = tier.reduced_wrench(slide, rim);
     let j = tier.reduced_jacobian(slide, rim);
     let l = tier.lateral_jacobian(slide, rim);
@@ -184,7 +184,7 @@ struct Homogeneous {
 const PERIOD: i32 = 4;
 
 impl Homogeneous {
-    fn new(tier: &dyn Lateral<f64>, alpha: f64) -> Self {
+    fn new(tier: &dyn LateralFriction<f64>, alpha: f64) -> Self {
         let mut base = Vec::new();
         for sliding_leads in [false, true] {
             for major in 0..PERIOD {
@@ -230,7 +230,7 @@ impl Homogeneous {
 fn see_grid<R: Ranged>(
     worst: &mut [Worst; 2],
     tier: &PatchTier<R>,
-    wide: &dyn Lateral<f64>,
+    wide: &dyn LateralFriction<f64>,
     alpha: f64,
     pairs: &[(i32, i32)],
 ) {
@@ -242,7 +242,7 @@ fn see_grid_in<R: Ranged>(
     range: &Range,
     worst: &mut [Worst; 2],
     (name, tier): &PatchTier<R>,
-    wide: &dyn Lateral<f64>,
+    wide: &dyn LateralFriction<f64>,
     alpha: f64,
     pairs: &[(i32, i32)],
 ) {
@@ -369,7 +369,7 @@ fn quadrature_at_every_power_of_two() {
     for alpha in EXPONENTS {
         let law = PowerLaw::new(alpha, 1.0).expect("in range");
         let tier = DiskQuadrature::new(law);
-        let table = Table64::new(alpha).expect("in range");
+        let table = DiskTable64::new(alpha).expect("in range");
         let expected = Homogeneous::new(&table, alpha);
         for (i, j) in pairs::<f64>(1) {
             // The slowest elements still move by normal numbers, and friction is one.

@@ -1,7 +1,7 @@
 //! Rate-and-state friction against extended precision, and what theory says of its stability.
 
 use tribos_core::law::{
-    ContactAge, Dieterich, Evolution, LocalLaw, RateState, RateStateParameters, Ruina,
+    AgeingLaw, LocalLaw, RateState, RateStateParameters, SlipLaw, StateEvolution, StateVariable,
     SteadyRateState,
 };
 use tribos_tests::laws;
@@ -19,12 +19,12 @@ const ROCK: RateStateParameters<f64> = RateStateParameters {
     viscous: 2.0,
 };
 
-fn rock<E: Evolution>() -> RateState<f64, E> {
+fn rock<E: StateEvolution>() -> RateState<f64, E> {
     RateState::new(ROCK).unwrap()
 }
 
-fn age(theta: f64) -> ContactAge<f64> {
-    ContactAge { theta }
+fn age(theta: f64) -> StateVariable<f64> {
+    StateVariable { theta }
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn rate_and_state_keeps_its_formula() {
     let mut worst = Worst::of("rate-and-state friction");
     let single = laws::rate_state::<f32>(0.01, 0.015, 2.0);
     for (v, theta, mu, slope) in exact {
-        let law = rock::<Dieterich>();
+        let law = rock::<AgeingLaw>();
         let place = || format!("V = {v:e}, theta = {theta:e}");
         worst.see((law.coefficient(v, age(theta)) / mu - 1.0).abs(), place);
         worst.see((law.slope(v, age(theta)) / slope - 1.0).abs(), place);
@@ -52,7 +52,7 @@ fn rate_and_state_keeps_its_formula() {
         let log = law.logarithmic(v, age(theta));
         assert!((log - mu).abs() < 1e-14 || v <= 1e-30);
         // The last exponent overflows f32; the law does not.
-        let theta = ContactAge {
+        let theta = StateVariable {
             theta: theta as f32,
         };
         let got = f64::from(single.coefficient(v as f32, theta));
@@ -63,7 +63,7 @@ fn rate_and_state_keeps_its_formula() {
 
 #[test]
 fn rate_and_state_vanishes_at_rest_and_passes_nan_on() {
-    let law = rock::<Ruina>();
+    let law = rock::<SlipLaw>();
     assert_eq!(law.coefficient(0.0, age(10.0)), 0.0);
     assert!(law.slope(0.0, age(10.0)).is_finite());
     assert_eq!(law.logarithmic(0.0, age(10.0)), f64::NEG_INFINITY);
@@ -74,7 +74,7 @@ fn rate_and_state_vanishes_at_rest_and_passes_nan_on() {
         for theta in special_f64() {
             let _ = law.coefficient(v, age(theta));
             for dt in special_f64() {
-                let ageing = rock::<Dieterich>().advance(age(theta), v, dt).theta;
+                let ageing = rock::<AgeingLaw>().advance(age(theta), v, dt).theta;
                 let slip = law.advance(age(theta), v, dt).theta;
                 if [v, theta, dt].iter().any(|x| x.is_nan()) {
                     assert!(
@@ -99,23 +99,23 @@ fn ages_evolve_by_their_exact_solution() {
     let mut worst = Worst::of("age after a step");
     for (v, theta, dt, ageing, slip) in exact {
         let place = || format!("V = {v:e}, dt = {dt}");
-        let got = rock::<Dieterich>().advance(age(theta), v, dt).theta;
+        let got = rock::<AgeingLaw>().advance(age(theta), v, dt).theta;
         worst.see((got / ageing - 1.0).abs(), place);
-        let got = rock::<Ruina>().advance(age(theta), v, dt).theta;
+        let got = rock::<SlipLaw>().advance(age(theta), v, dt).theta;
         worst.see((got / slip - 1.0).abs(), place);
     }
     worst.assert_within(&tolerance::AGE);
     // At rest one law ages and the other waits; from nothing likewise.
-    assert_eq!(rock::<Dieterich>().advance(age(3.0), 0.0, 2.0).theta, 5.0);
-    assert_eq!(rock::<Ruina>().advance(age(3.0), 0.0, 2.0).theta, 3.0);
-    assert_eq!(rock::<Ruina>().advance(age(0.0), 1e-6, 2.0).theta, 0.0);
+    assert_eq!(rock::<AgeingLaw>().advance(age(3.0), 0.0, 2.0).theta, 5.0);
+    assert_eq!(rock::<SlipLaw>().advance(age(3.0), 0.0, 2.0).theta, 3.0);
+    assert_eq!(rock::<SlipLaw>().advance(age(0.0), 1e-6, 2.0).theta, 0.0);
     for v in [1e-320, 1e-300, 1e-30] {
-        assert_eq!(rock::<Dieterich>().advance(age(3.0), v, 2.0).theta, 5.0);
+        assert_eq!(rock::<AgeingLaw>().advance(age(3.0), v, 2.0).theta, 5.0);
     }
 }
 
 /// The age after `dt` in one step against the age after `parts` steps.
-fn see_parts<E: Evolution>(worst: &mut Worst, name: &str) {
+fn see_parts<E: StateEvolution>(worst: &mut Worst, name: &str) {
     let mut rng = Lcg::new(61);
     for _ in 0..500 {
         let (v, theta) = (rng.log_between(1e-9, 1.0), rng.log_between(1e-6, 1e6));
@@ -133,8 +133,8 @@ fn see_parts<E: Evolution>(worst: &mut Worst, name: &str) {
 #[test]
 fn ages_do_not_depend_on_the_step() {
     let mut worst = Worst::of("age in parts of a step");
-    see_parts::<Dieterich>(&mut worst, "ageing law");
-    see_parts::<Ruina>(&mut worst, "slip law");
+    see_parts::<AgeingLaw>(&mut worst, "ageing law");
+    see_parts::<SlipLaw>(&mut worst, "slip law");
     worst.assert_within(&tolerance::PARTS_OF_A_STEP);
 }
 
@@ -147,8 +147,8 @@ fn single_precision_ages_agree() {
         let theta = rng.log_between(1e-3, 1e3) as f32;
         let dt = (rng.log_between(1e-3, 1e3) * SLIP_DISTANCE) as f32 / v;
         let single = laws::rate_state::<f32>(0.01, 0.015, 2.0);
-        let got = single.advance(ContactAge { theta }, v, dt).theta;
-        let wanted = rock::<Dieterich>().advance(age(theta.into()), v.into(), dt.into());
+        let got = single.advance(StateVariable { theta }, v, dt).theta;
+        let wanted = rock::<AgeingLaw>().advance(age(theta.into()), v.into(), dt.into());
         let error = (f64::from(got) / wanted.theta - 1.0).abs();
         worst.see(error, || {
             format!("theta = {theta:e}, v = {v:e}, dt = {dt:e}")
@@ -164,13 +164,13 @@ fn steady_sliding_is_where_the_age_rests() {
     for _ in 0..500 {
         let (v, theta) = (rng.log_between(1e-9, 1.0), rng.log_between(1e-6, 1e6));
         let long = 60.0 * SLIP_DISTANCE / v;
-        let steady = rock::<Dieterich>().steady().friction(v);
+        let steady = rock::<AgeingLaw>().steady().friction(v);
         for end in [
-            rock::<Dieterich>().advance(age(theta), v, long),
-            rock::<Ruina>().advance(age(theta), v, long),
-            rock::<Ruina>().steady_age(v),
+            rock::<AgeingLaw>().advance(age(theta), v, long),
+            rock::<SlipLaw>().advance(age(theta), v, long),
+            rock::<SlipLaw>().steady_age(v),
         ] {
-            let error = (rock::<Ruina>().coefficient(v, end) / steady - 1.0).abs();
+            let error = (rock::<SlipLaw>().coefficient(v, end) / steady - 1.0).abs();
             worst.see(error, || format!("V = {v:e}, theta = {theta:e}"));
         }
     }
@@ -183,7 +183,7 @@ fn steady(mu: f64, viscous: f64) -> SteadyRateState<f64> {
         viscous,
         ..ROCK
     };
-    RateState::<f64, Dieterich>::new(parameters)
+    RateState::<f64, AgeingLaw>::new(parameters)
         .unwrap()
         .steady()
 }
@@ -213,7 +213,7 @@ fn friction_weakens_up_to_the_minimum_and_strengthens_beyond() {
 
 /// Growth of a small disturbance of steady sliding at `v` by a spring of `stiffness` without
 /// mass, per unit load: ratio of the largest |ln(V/v)| late and early.
-fn growth_of_disturbance<E: Evolution>(stiffness: f64, v: f64) -> f64 {
+fn growth_of_disturbance<E: StateEvolution>(stiffness: f64, v: f64) -> f64 {
     let law = rock::<E>();
     let (mut state, mut sliding) = (law.steady_age(v), 1.01 * v);
     let mut spring = law.coefficient(sliding, state);
@@ -242,10 +242,10 @@ fn growth_of_disturbance<E: Evolution>(stiffness: f64, v: f64) -> f64 {
 }
 
 /// The speed with which the law resists as much as the spring pulls, by Newton's method.
-fn speed_of<E: Evolution>(
+fn speed_of<E: StateEvolution>(
     law: &RateState<f64, E>,
     spring: f64,
-    state: ContactAge<f64>,
+    state: StateVariable<f64>,
     guess: f64,
 ) -> f64 {
     (0..4).fold(guess, |v, _| {
@@ -255,15 +255,15 @@ fn speed_of<E: Evolution>(
 
 #[test]
 fn a_spring_pulls_steadily_above_the_critical_stiffness_only() {
-    let law = rock::<Dieterich>().steady();
+    let law = rock::<AgeingLaw>().steady();
     // Slow, where k_c = N(b − a)/D_c, and halfway to the minimum, where viscosity halves it.
     for (v, share) in [(1e-8, 1.0), (1.25e-3, 0.5)] {
         let critical = law.critical_stiffness_at(1.0, v);
         let wanted = share * law.critical_stiffness(1.0);
         assert!((critical / wanted - 1.0).abs() < 1e-5);
         for (factor, stable) in [(1.03, true), (0.97, false)] {
-            let ageing = growth_of_disturbance::<Dieterich>(factor * critical, v);
-            let slip = growth_of_disturbance::<Ruina>(factor * critical, v);
+            let ageing = growth_of_disturbance::<AgeingLaw>(factor * critical, v);
+            let slip = growth_of_disturbance::<SlipLaw>(factor * critical, v);
             assert_eq!(ageing < 1.0, stable, "V = {v:e}, {factor} k_c: {ageing}");
             assert_eq!(slip < 1.0, stable, "V = {v:e}, {factor} k_c: {slip}");
         }

@@ -1,7 +1,7 @@
 //! f32 tiers stay within a few units of the f64 table, evaluated at the same f32 arguments.
 
-use tribos_core::coupling::Coupling;
-use tribos_core::coupling::table::Table64;
+use tribos_core::coupling::ReducedFriction;
+use tribos_core::coupling::table::DiskTable64;
 use tribos_tests::reference::Reference;
 use tribos_tests::sweep;
 use tribos_tests::tiers;
@@ -30,7 +30,7 @@ fn wrench(
     for &alpha in alphas {
         // The f32 tier has the f32 exponent.
         let alpha = f64::from(alpha as f32);
-        let wide = Table64::new(alpha).unwrap();
+        let wide = DiskTable64::new(alpha).unwrap();
         let tiers = tiers::exact::<f32>(alpha);
         let (_, tier) = tiers.iter().find(|(name, _)| *name == tier_name).unwrap();
         for &ratio in &ratios {
@@ -142,7 +142,7 @@ fn derivatives_stay_within_their_bound() {
     let mut worst = Worst::of("f32 Jacobian, alpha [-0.75, 5] (of F/v)");
     for alpha in MODERATE {
         let alpha = f64::from(alpha as f32);
-        let wide = Table64::new(alpha).unwrap();
+        let wide = DiskTable64::new(alpha).unwrap();
         for (name, tier) in tiers::exact::<f32>(alpha) {
             for ratio in sweep::ratios_f32(COUNT / 10) {
                 let wanted = wide.reduced_jacobian(f64::from(ratio), 1.0);

@@ -1,8 +1,10 @@
 //! Tall bodies: leaning pressures by brute force, the balance of moments, tipping, the ends.
 
-use tribos_core::coupling::closed::{Hertz, Ring};
-use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction};
-use tribos_core::coupling::{Coupling, Lateral, PatchFriction, table};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombRing};
+use tribos_core::coupling::tall::{
+    FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
+};
+use tribos_core::coupling::{LateralFriction, ReducedFriction, RoundFriction, table};
 use tribos_core::coupling::{ReducedJacobian, ReducedWrench};
 use tribos_core::internals::LateralJacobian;
 use tribos_core::internals::leaning_wrench;
@@ -66,9 +68,12 @@ const LOAD: f64 = 9.81;
 const RADIUS: f64 = 0.08;
 
 /// A body on a foot with coefficient 0.2.
-fn body<C: Lateral<f64>, L: Lean>(coupling: C, height: f64) -> TallFriction<f64, C, L> {
-    let foot = PatchFriction::new(coupling, 0.2, RADIUS).expect("in range");
-    TallFriction::new(foot, height).expect("in range")
+fn body<C: LateralFriction<f64>, L: PressureGradient>(
+    coupling: C,
+    height: f64,
+) -> LoadTransferFriction<f64, C, L> {
+    let foot = RoundFriction::new(coupling, 0.2, RADIUS).expect("in range");
+    LoadTransferFriction::new(foot, height).expect("in range")
 }
 
 /// Twists of all directions and both spins.
@@ -90,8 +95,9 @@ fn pressure_and_friction_balance_each_other() {
     let mut wrench_of_lean = Worst::of("tall body: wrench of its own lean");
     for alpha in EXPONENTS {
         for (name, tier) in patches::tiers::<f64>(0.0, alpha) {
-            let foot = PatchFriction::new(tier.as_ref(), 0.2, RADIUS).expect("in range");
-            let tall = TallFriction::<_, _, AllRound>::new(foot, 0.05).expect("in range");
+            let foot = RoundFriction::new(tier.as_ref(), 0.2, RADIUS).expect("in range");
+            let tall =
+                LoadTransferFriction::<_, _, FullGradient>::new(foot, 0.05).expect("in range");
             for twist in twists(300) {
                 let got = tall.wrench(LOAD, &twist);
                 let scale = tall.lean() / (0.2 * LOAD);
@@ -134,8 +140,8 @@ fn friction_of_a_leaning_body_is_that_of_brute_force() {
     let mut worst = Worst::of("tall body - brute force at its lean");
     for alpha in EXPONENTS {
         let (_, tier) = patches::tiers::<f64>(0.0, alpha).remove(0);
-        let foot = PatchFriction::new(tier.as_ref(), 0.2, 1.0).expect("in range");
-        let tall = TallFriction::<_, _, AllRound>::new(foot, 0.15).expect("in range");
+        let foot = RoundFriction::new(tier.as_ref(), 0.2, 1.0).expect("in range");
+        let tall = LoadTransferFriction::<_, _, FullGradient>::new(foot, 0.15).expect("in range");
         for (x, y, spin) in [
             (0.3, 0.2, 1.0),
             (-0.3, 0.5, -1.0),
@@ -166,15 +172,15 @@ fn friction_of_a_leaning_body_is_that_of_brute_force() {
 fn front_and_back_alone_are_the_thesis_formula() {
     // 3.38: lateral force mu^2 N (H/R) F 2G; force and torque are the upright body's.
     let height = 0.16;
-    let tall = body::<_, FrontBack>(table::Coulomb, 0.5 * height);
+    let tall = body::<_, LongitudinalGradient>(table::CoulombDisk, 0.5 * height);
     for twist in twists(300) {
         let (speed, rim) = (twist.speed(), (twist.spin * RADIUS).abs());
         let upright = tall.foot().wrench(LOAD, &twist);
         let got = tall.wrench(LOAD, &twist);
         assert!(!got.is_lifting);
-        let force = table::Coulomb.reduced_wrench(speed, rim).force;
+        let force = table::CoulombDisk.reduced_wrench(speed, rim).force;
         let wanted =
-            0.04 * LOAD * (height / RADIUS) * force * 2.0 * table::Coulomb.lateral(speed, rim);
+            0.04 * LOAD * (height / RADIUS) * force * 2.0 * table::CoulombDisk.lateral(speed, rim);
         let (cos, sin) = (twist.velocity.x / speed, twist.velocity.y / speed);
         let right =
             (got.wrench.force.x * sin - got.wrench.force.y * cos) * 1.0_f64.copysign(twist.spin);
@@ -190,7 +196,7 @@ fn front_and_back_alone_are_the_thesis_formula() {
 #[test]
 fn counterclockwise_spin_bends_the_path_to_the_right() {
     for spin in [0.5, 12.0, 300.0] {
-        let tall = body::<_, AllRound>(Hertz, 0.08);
+        let tall = body::<_, FullGradient>(CoulombHertz, 0.08);
         let left = tall.wrench(LOAD, &Twist::new(1.0, 0.0, spin));
         let right = tall.wrench(LOAD, &Twist::new(1.0, 0.0, -spin));
         assert!(left.wrench.force.y < 0.0 && right.wrench.force.y > 0.0);
@@ -203,7 +209,7 @@ fn counterclockwise_spin_bends_the_path_to_the_right() {
 
 #[test]
 fn a_mirrored_motion_has_the_mirrored_wrench_to_the_bit() {
-    let tall = body::<_, AllRound>(table::Coulomb, 0.1);
+    let tall = body::<_, FullGradient>(table::CoulombDisk, 0.1);
     for twist in twists(500) {
         let (x, y, spin) = (twist.velocity.x, twist.velocity.y, twist.spin);
         let one = tall.wrench(LOAD, &twist);
@@ -223,7 +229,7 @@ fn a_mirrored_motion_has_the_mirrored_wrench_to_the_bit() {
 #[derive(Clone, Copy, Debug)]
 struct Plain;
 
-impl Coupling<f64> for Plain {
+impl ReducedFriction<f64> for Plain {
     fn reduced_wrench(&self, _: f64, _: f64) -> ReducedWrench<f64> {
         ReducedWrench {
             force: 1.0,
@@ -235,7 +241,7 @@ impl Coupling<f64> for Plain {
     }
 }
 
-impl Lateral<f64> for Plain {
+impl LateralFriction<f64> for Plain {
     fn lateral(&self, _: f64, _: f64) -> f64 {
         0.5
     }
@@ -253,9 +259,10 @@ impl Lateral<f64> for Plain {
 #[test]
 fn tipping_begins_exactly_where_the_trailing_edge_bears_nothing() {
     // lambda = 2 gamma h/(R/2) = 4 gamma h/R, and l = lambda for F = 1.
-    let foot = PatchFriction::new(Plain, 0.25, 1.0).expect("in range");
+    let foot = RoundFriction::new(Plain, 0.25, 1.0).expect("in range");
     let at = |height: f64| {
-        let tall = TallFriction::<_, _, FrontBack>::new(foot, height).expect("in range");
+        let tall = LoadTransferFriction::<_, _, LongitudinalGradient>::new(foot, height)
+            .expect("in range");
         tall.wrench(1.0, &Twist::new(1.0, 0.0, 1.0))
     };
     let border = at(1.0);
@@ -280,7 +287,7 @@ fn tipping_begins_exactly_where_the_trailing_edge_bears_nothing() {
 
 #[test]
 fn a_tipping_body_feels_the_wrench_of_the_largest_lean_its_foot_can_bear() {
-    let tall = body::<_, AllRound>(table::Coulomb, 0.4);
+    let tall = body::<_, FullGradient>(table::CoulombDisk, 0.4);
     let mut seen = 0;
     for twist in twists(300) {
         let got = tall.wrench(LOAD, &twist);
@@ -298,7 +305,11 @@ fn a_tipping_body_feels_the_wrench_of_the_largest_lean_its_foot_can_bear() {
             (got.lean.y * cos - got.lean.x * sin) * sense,
         ]
         .map(|l| l / lean);
-        let wanted = leaning_wrench(&table::Coulomb, [speed, (twist.spin * RADIUS).abs()], held);
+        let wanted = leaning_wrench(
+            &table::CoulombDisk,
+            [speed, (twist.spin * RADIUS).abs()],
+            held,
+        );
         let back = -(got.wrench.force.x * cos + got.wrench.force.y * sin);
         let slack = tolerance::BALANCE.limit * 0.2 * LOAD;
         assert!((back - 0.2 * LOAD * wanted.force).abs() <= slack);
@@ -309,8 +320,8 @@ fn a_tipping_body_feels_the_wrench_of_the_largest_lean_its_foot_can_bear() {
 
 #[test]
 fn a_body_without_height_is_its_foot() {
-    let tall = body::<_, AllRound>(table::Coulomb, 0.0);
-    let front = body::<_, FrontBack>(table::Coulomb, 0.0);
+    let tall = body::<_, FullGradient>(table::CoulombDisk, 0.0);
+    let front = body::<_, LongitudinalGradient>(table::CoulombDisk, 0.0);
     for twist in twists(500) {
         let upright = tall.foot().wrench(LOAD, &twist);
         for got in [tall.wrench(LOAD, &twist), front.wrench(LOAD, &twist)] {
@@ -328,9 +339,10 @@ fn a_body_without_height_is_its_foot() {
 
 #[test]
 fn impossible_heights_are_refused() {
-    let foot = PatchFriction::new(Ring, 0.2, RADIUS).expect("in range");
+    let foot = RoundFriction::new(CoulombRing, 0.2, RADIUS).expect("in range");
     for height in [-1e-300, -1.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
-        let error = TallFriction::<_, _, AllRound>::new(foot, height).expect_err("impossible");
+        let error =
+            LoadTransferFriction::<_, _, FullGradient>::new(foot, height).expect_err("impossible");
         match error {
             PatchError::Height { given } => {
                 assert!(given == height || given.is_nan() && height.is_nan());
@@ -340,7 +352,7 @@ fn impossible_heights_are_refused() {
         assert!(error.to_string().contains("height"), "{error}");
     }
     for height in [0.0, -0.0, 5e-324, 1e300] {
-        assert!(TallFriction::<_, _, AllRound>::new(foot, height).is_ok());
+        assert!(LoadTransferFriction::<_, _, FullGradient>::new(foot, height).is_ok());
     }
 }
 
@@ -349,7 +361,7 @@ fn a_tall_body_at_rest_feels_no_friction() {
     for alpha in EXPONENTS {
         for order in [-1.0, -0.5, 0.0, 0.5, 1.0] {
             for (name, tier) in patches::tiers::<f64>(order, alpha) {
-                let tall = body::<_, AllRound>(tier.as_ref(), 0.1);
+                let tall = body::<_, FullGradient>(tier.as_ref(), 0.1);
                 for zero in [0.0, -0.0] {
                     let got = tall.wrench(LOAD, &Twist::new(zero, -zero, zero));
                     let parts = [
@@ -384,7 +396,7 @@ fn a_tall_body_at_rest_feels_no_friction() {
 
 #[test]
 fn nan_goes_through_and_counts_as_lifting() {
-    let tall = body::<_, AllRound>(table::Coulomb, 0.1);
+    let tall = body::<_, FullGradient>(table::CoulombDisk, 0.1);
     for other in special_f64() {
         for twist in [
             Twist::new(f64::NAN, other, other),

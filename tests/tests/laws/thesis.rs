@@ -1,8 +1,8 @@
 //! The printed formulas of chapter 3, with their errata, against the kernel.
 
 use std::f64::consts::PI;
-use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{Coupling, ReducedWrench};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::{ReducedFriction, ReducedWrench};
 use tribos_core::internals::CompleteElliptic;
 use tribos_core::modes::inertia_interval;
 use tribos_tests::tolerance;
@@ -15,11 +15,11 @@ fn elliptic(modulus: f64) -> (f64, f64) {
 }
 
 fn coulomb(ratio: f64) -> ReducedWrench<f64> {
-    Coulomb.reduced_wrench(ratio, 1.0)
+    CoulombDisk.reduced_wrench(ratio, 1.0)
 }
 
 fn power(alpha: f64, ratio: f64) -> ReducedWrench<f64> {
-    Table64::new(alpha).unwrap().reduced_wrench(ratio, 1.0)
+    DiskTable64::new(alpha).unwrap().reduced_wrench(ratio, 1.0)
 }
 
 fn relative(got: f64, wanted: f64) -> f64 {
@@ -89,7 +89,7 @@ fn equations_3_17_and_3_18_need_no_cases() {
 #[test]
 fn limits_3_12_to_3_16_are_met_from_both_sides() {
     for ratio in [1.0, 1.0_f64.next_down(), 1.0_f64.next_up()] {
-        let (got, slopes) = (coulomb(ratio), Coulomb.reduced_jacobian(ratio, 1.0));
+        let (got, slopes) = (coulomb(ratio), CoulombDisk.reduced_jacobian(ratio, 1.0));
         assert!(relative(got.force, 8.0 / (3.0 * PI)) < tolerance::ROUNDING.limit);
         assert!(relative(got.torque, 8.0 / (9.0 * PI)) < tolerance::ROUNDING.limit);
         assert!(relative(slopes.force_slide, 4.0 / (3.0 * PI)) < tolerance::SLOPE_AT_ONE.limit);
@@ -102,7 +102,7 @@ fn limits_3_12_to_3_16_are_met_from_both_sides() {
             torque: 2.0 / 3.0
         }
     );
-    let sliding = Coulomb.reduced_wrench(1.0, 0.0);
+    let sliding = CoulombDisk.reduced_wrench(1.0, 0.0);
     assert_eq!(
         sliding,
         ReducedWrench {
@@ -133,7 +133,7 @@ fn equations_3_21_and_3_22_are_polynomials() {
 fn the_cubic_torque_of_fast_sliding_has_no_third() {
     // Section 3.3 prints −(1/3)(ωR)² v²; table 3.1 and the kernel give ωR v².
     let (v, w) = (2e5, 0.5);
-    let got = Table64::new(3.0).unwrap().reduced_wrench(v, w).torque;
+    let got = DiskTable64::new(3.0).unwrap().reduced_wrench(v, w).torque;
     assert!(relative(got, w * v * v) < tolerance::FAST_SLIDING.limit);
     assert!(relative(got, w * w * v * v / 3.0) > 1.0);
 }

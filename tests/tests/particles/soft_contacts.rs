@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 use tribos::cd::{Laws, Wall, solid};
 use tribos::soft::{Setup, Stiffness, World, damping, restitution};
 use tribos_core::contact::{
-    Attraction, Cohesion, ContactFriction, Frictionless, NormalLaw, Thresholds,
+    Attraction, Cohesion, ContactFriction, Frictionless, IndependentFriction, NormalLaw,
 };
 
-type Smooth = Thresholds<f64, Frictionless>;
+type Smooth = IndependentFriction<f64, Frictionless>;
 
 /// Cohesion of strength 1 up to a gap.
 fn sticky(range: f64) -> NormalLaw<f64> {
@@ -60,7 +60,7 @@ fn impact(setup: Setup<Smooth>, speed: f64, gap: f64) -> [f64; 3] {
 fn smooth(law: NormalLaw<f64>, stiffness: Stiffness) -> Setup<Smooth> {
     Setup {
         longest: 0.1,
-        ..Setup::new(Laws::uniform(law, Thresholds::none()), stiffness)
+        ..Setup::new(Laws::uniform(law, IndependentFriction::none()), stiffness)
     }
 }
 
@@ -82,7 +82,10 @@ fn impacts_have_the_restitution_that_was_asked_for_at_default_settings() {
             {
                 let setup = Setup {
                     longest: 0.1,
-                    ..Setup::new(Laws::uniform(bouncy(wanted), Thresholds::none()), stiffness)
+                    ..Setup::new(
+                        Laws::uniform(bouncy(wanted), IndependentFriction::none()),
+                        stiffness,
+                    )
                 };
                 let [after, ..] = impact(setup, speed, gap);
                 let error = after / speed / wanted - 1.0;
@@ -177,7 +180,10 @@ fn a_ball_that_slides_ends_rolling_with_five_sevenths_of_its_speed() {
     let (up, x) = (Vector3::z(), Vector3::x());
     for mu in [0.1, 0.4] {
         for direction in [x, -x, Vector3::new(0.6, 0.8, 0.0)] {
-            let law = Laws::uniform(bouncy(0.0), Thresholds::sliding(mu).expect("mu is valid"));
+            let law = Laws::uniform(
+                bouncy(0.0),
+                IndependentFriction::sliding(mu).expect("mu is valid"),
+            );
             let mut setup = Setup::new(law, Stiffness::Linear(1e4))
                 .wall(Wall::fixed(up, 0.0))
                 .sphere(up, 1.0, solid(1.0, 1.0))
@@ -259,7 +265,7 @@ fn fly_apart(stiffness: f64, restitution: f64, speed: f64, gap: f64) -> bool {
     let cohesion = Cohesion::new(PULL[0], PULL[1], Attraction::Pull).expect("it is valid");
     let law = NormalLaw::new(cohesion, restitution).expect("it is valid");
     let setup = Setup::new(
-        Laws::uniform(law, Thresholds::<f64, Frictionless>::none()),
+        Laws::uniform(law, IndependentFriction::<f64, Frictionless>::none()),
         Stiffness::Linear(stiffness),
     );
     let x = Vector3::x();
@@ -356,7 +362,10 @@ fn an_elastic_ball_that_is_dropped_keeps_its_energy_for_seven_bounces_at_default
     const GRAVITY: f64 = 9.81;
     let height = 0.02;
     for stiffness in [Stiffness::Linear(1e4), Stiffness::Hertz(2e6)] {
-        let laws = Laws::uniform(bouncy(1.0), Thresholds::<f64, Frictionless>::none());
+        let laws = Laws::uniform(
+            bouncy(1.0),
+            IndependentFriction::<f64, Frictionless>::none(),
+        );
         let mut world = world(
             Setup::new(laws, stiffness)
                 .wall(Wall::fixed(up, 0.0))

@@ -6,18 +6,19 @@ use tribos::random::Random;
 use tribos::soft::{Setup, Stiffness, World};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{
-    AllModes, Attraction, Cohesion, ContactFriction, CoupledFriction, NormalLaw, Thresholds,
+    AllModes, Attraction, Cohesion, ContactFriction, CoupledFriction, IndependentFriction,
+    NormalLaw,
 };
-use tribos_core::limit_surface::Ellipsoid;
+use tribos_core::limit_surface::LimitEllipsoid;
 
-type Rough = Thresholds<f64, AllModes>;
+type Rough = IndependentFriction<f64, AllModes>;
 
 fn laws(mu: f64, mu_rolling: f64, mu_torsion: f64) -> Laws<Rough> {
     let cohesion = Cohesion::new(1.0, 0.05, Attraction::Pull).expect("cohesion is valid");
     let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
     Laws::uniform(
         normal,
-        Thresholds::all(mu, mu_rolling, mu_torsion).expect("mu is valid"),
+        IndependentFriction::all(mu, mu_rolling, mu_torsion).expect("mu is valid"),
     )
 }
 
@@ -159,7 +160,7 @@ fn no_mode_gains_energy_and_the_balance_closes_faster_than_in_the_first_order() 
 
 #[test]
 fn sliding_and_torsion_under_one_threshold_lose_energy_too() {
-    let set = Ellipsoid::new(0.3, 0.5, 2.0 / 3.0).expect("the set is valid");
+    let set = LimitEllipsoid::new(0.3, 0.5, 2.0 / 3.0).expect("the set is valid");
     let friction = CoupledFriction::all(set, 0.05).expect("the law is valid");
     let normal = laws(0.0, 0.0, 0.0).pairs.normal;
     let setup = cluster(3, Laws::uniform(normal, friction), Stiffness::Linear(200.0));

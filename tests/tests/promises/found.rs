@@ -1,9 +1,9 @@
 //! Inputs that broke a property once, found by `--bin fuzz`, in the smallest form.
-use tribos_core::coupling::PatchFriction;
-use tribos_core::coupling::closed::Hertz;
+use tribos_core::coupling::RoundFriction;
+use tribos_core::coupling::closed::CoulombHertz;
 use tribos_core::internals::tripod_shares;
-use tribos_core::law::{CoulombLaw, Dieterich, Evolution, LocalLaw, PowerLaw, Ruina};
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use tribos_core::law::{AgeingLaw, CoulombLaw, LocalLaw, PowerLaw, SlipLaw, StateEvolution};
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
 use tribos_core::twist::{Twist, Wrench};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
@@ -32,7 +32,7 @@ fn a_power_law_does_not_launder_nan_and_without_a_coefficient_is_nothing() -> Ou
 #[test]
 fn a_lever_below_the_range_of_numbers_leaves_the_gauge_of_a_force() -> Outcome {
     // radius × torque is less than the smallest number.
-    let set = Ellipsoid::new(2.0, 1e-200, 1e-200)?;
+    let set = LimitEllipsoid::new(2.0, 1e-200, 1e-200)?;
     let push = |x: f64, torque: f64| Wrench::new(x, 0.0, torque);
     assert_eq!(set.gauge(&push(0.0, 0.0)), 0.0);
     assert_eq!(set.gauge(&push(-1.0, 0.0)), 0.5);
@@ -44,14 +44,14 @@ fn a_lever_below_the_range_of_numbers_leaves_the_gauge_of_a_force() -> Outcome {
 #[test]
 fn a_contact_without_age_has_none_after_a_slide_beyond_the_range_of_numbers() {
     // speed × time overflows.
-    assert_eq!(Ruina::evolved(0.0, 1e300, 1.0, 1e300), 0.0);
-    assert_eq!(Dieterich::evolved(0.0, 1e300, 1.0, 1e300), 1e-300);
-    assert!(Ruina::evolved(0.0, f64::NAN, 1.0, 1.0).is_nan());
+    assert_eq!(SlipLaw::evolved(0.0, 1e300, 1.0, 1e300), 0.0);
+    assert_eq!(AgeingLaw::evolved(0.0, 1e300, 1.0, 1e300), 1e-300);
+    assert!(SlipLaw::evolved(0.0, f64::NAN, 1.0, 1.0).is_nan());
 }
 
 #[test]
 fn a_force_limit_of_minus_zero_is_none() -> Outcome {
-    let set = LimitSurface::new(Hertz, -0.0, 1.0)?;
+    let set = RoundLimitSurface::new(CoulombHertz, -0.0, 1.0)?;
     let push = Wrench::new(1.0, 0.0, 0.5);
     assert_eq!(set.gauge(&push), f64::INFINITY);
     Ok(())
@@ -59,7 +59,7 @@ fn a_force_limit_of_minus_zero_is_none() -> Outcome {
 
 #[test]
 fn a_spin_that_is_no_number_leaves_no_force() -> Outcome {
-    let puck = PatchFriction::<f64, _>::new(Hertz, 0.5, 1.0)?;
+    let puck = RoundFriction::<f64, _>::new(CoulombHertz, 0.5, 1.0)?;
     let wrench = puck.wrench(1.0, &Twist::new(0.0, 0.0, f64::NAN));
     assert!(wrench.force.x.is_nan() && wrench.force.y.is_nan() && wrench.torque.is_nan());
     let spinning = puck.wrench(1.0, &Twist::new(0.0, 0.0, 2.0));

@@ -2,9 +2,11 @@
 
 use tribos_core::Real;
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::law::Grip;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::law::StickSlip;
+use tribos_core::limit_surface::{
+    FrictionSet, LimitEllipsoid, RoundLimitSurface, ShapeLimitSurface,
+};
 use tribos_core::patch::outline::Polygon;
 use tribos_core::planar::{ElasticState, PlanarBody};
 use tribos_core::presliding::{Anchor, Pose, Presliding};
@@ -17,10 +19,10 @@ const RADIUS: f64 = 0.05;
 fn sets() -> [Box<dyn FrictionSet<f64>>; 3] {
     let (a, b) = (RADIUS, 0.4 * RADIUS);
     let corners = [[-a, -b], [a, -b], [a, b], [-a, b]];
-    let book = PatchSurface::new(Polygon::new(corners).expect("a box"), LIMIT);
+    let book = ShapeLimitSurface::new(Polygon::new(corners).expect("a box"), LIMIT);
     [
-        Box::new(LimitSurface::new(Coulomb, LIMIT, RADIUS).expect("in range")),
-        Box::new(Ellipsoid::new(LIMIT, RADIUS, 0.6).expect("in range")),
+        Box::new(RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect("in range")),
+        Box::new(LimitEllipsoid::new(LIMIT, RADIUS, 0.6).expect("in range")),
         Box::new(book.expect("in range")),
     ]
 }
@@ -74,7 +76,7 @@ fn under_a_constant_push_the_bits_of_the_pose_freeze_where_the_bonds_carry_it() 
             assert_eq!(state.twist, Twist::ZERO);
             assert!(frozen > 1000, "{stiffness} {dt:?}: {frozen}");
             // Where it froze the bonds carry the push, to four roundings of positions up to 1.
-            let e = state.anchor.strain(&state.pose);
+            let e = state.anchor.deflection(&state.pose);
             let (sliding, turning) = (law.stiffness(), law.torsional_stiffness());
             let off = e.shift * sliding - push.force;
             assert!(off.norm() < 2e-15 * sliding + 1e-13 * LIMIT, "{off:?}");
@@ -166,7 +168,7 @@ fn friction_stays_in_the_set_and_opposes_slip() {
                 ..step.friction
             };
             assert!(set.gauge(&local) < 1.0 + 1e-11);
-            if step.grip == Grip::Slip {
+            if step.grip == StickSlip::Slip {
                 let motion = Twist {
                     velocity: turn * step.slip.shift,
                     spin: step.slip.turn,
@@ -197,11 +199,11 @@ fn stiff_bonds_are_the_rigid_step_that_ends_with_its_friction() {
                 TimeStep::new(dt).expect("positive"),
             );
             // The nearest point to what would bring the body to rest, by kinetic energy.
-            let needed = body().needed_for_rest(&u, &push, dt);
+            let needed = body().stopping_wrench(&u, &push, dt);
             let rigid = set.project_with_length(&needed, body().gyration()).wrench;
             let off = step.friction - rigid;
             assert!(off.force.norm() < 1e-7 * LIMIT && off.torque.abs() < 1e-7 * LIMIT * RADIUS);
-            slides += u32::from(step.grip == Grip::Slip);
+            slides += u32::from(step.grip == StickSlip::Slip);
         }
     }
     assert!(slides > 300);
@@ -286,7 +288,8 @@ fn both_precisions_and_what_is_no_number() {
     fn end<R: Real>() -> f64 {
         let number = R::from_f64;
         let body = PlanarBody::new(number(0.8), number(7e-4)).expect("positive");
-        let set = Ellipsoid::new(number(LIMIT), number(RADIUS), number(0.6)).expect("in range");
+        let set =
+            LimitEllipsoid::new(number(LIMIT), number(RADIUS), number(0.6)).expect("in range");
         let law = Presliding::new(number(1e4), number(12.5)).expect("positive");
         let dt = TimeStep::new(number(0.01)).expect("positive");
         let start = ElasticState::at_rest(Pose::new(R::ZERO, R::ZERO, R::ZERO));
@@ -312,7 +315,7 @@ fn both_precisions_and_what_is_no_number() {
             ..start
         };
         let lost = body.step_elastic(&law, &set, &far, &Wrench::ZERO, dt);
-        assert!(lost.friction.force.x.is_nan() && lost.grip == Grip::Slip);
+        assert!(lost.friction.force.x.is_nan() && lost.grip == StickSlip::Slip);
         state.pose.position.x.to_f64()
     }
     let (double, single) = (end::<f64>(), end::<f32>());

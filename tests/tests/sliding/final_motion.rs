@@ -1,15 +1,15 @@
 //! Where the velocity ratio goes: fixed points, their stability, and the modes of chapter 3.4.
 
-use tribos_core::coupling::Profile;
-use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::PowerLawFriction;
+use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::modes::{Stability, TerminalMode, TerminalMotion, inertia_interval};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_tests::tables::Table;
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
-fn modes(alpha: f64, inertia_ratio: f64) -> Modes<f64, Table64> {
-    Modes::new(Table64::new(alpha).unwrap(), inertia_ratio).unwrap()
+fn modes(alpha: f64, inertia_ratio: f64) -> TerminalMotion<f64, DiskTable64> {
+    TerminalMotion::new(DiskTable64::new(alpha).unwrap(), inertia_ratio).unwrap()
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn on_the_border_of_the_interval_the_fixed_point_merges_with_a_trivial_one() {
         (points.spinning, points.finite, points.sliding),
         (Stability::Stable, None, Stability::Unstable)
     );
-    assert_eq!(modes(3.0, 1.0).final_mode(1e9), FinalMode::Spinning);
+    assert_eq!(modes(3.0, 1.0).terminal_mode(1e9), TerminalMode::Spinning);
     // α = 3, C = c_min = 1/3: the same at ε = 0.
     let third = inertia_interval(3.0_f64, 0.0).0;
     let points = modes(3.0, third).fixed_points();
@@ -114,8 +114,8 @@ fn on_the_border_of_the_interval_the_fixed_point_merges_with_a_trivial_one() {
     );
     // α = 0: C = 2/3 draws everything to spinning, C = 1/4 to sliding.
     let (low, high) = inertia_interval(0.0_f64, 0.0);
-    assert_eq!(modes(0.0, high).final_mode(5.0), FinalMode::Spinning);
-    assert_eq!(modes(0.0, low).final_mode(0.1), FinalMode::Sliding);
+    assert_eq!(modes(0.0, high).terminal_mode(5.0), TerminalMode::Spinning);
+    assert_eq!(modes(0.0, low).terminal_mode(0.1), TerminalMode::Sliding);
 }
 
 #[test]
@@ -129,10 +129,10 @@ fn the_linear_law_keeps_every_ratio_of_a_disk() {
     assert_eq!(points.finite, None);
     for ratio in [1e-3, 0.4, 1.0, 7.0] {
         assert_eq!(disk.growth(ratio), 0.0);
-        assert_eq!(disk.final_mode(ratio), FinalMode::Together { ratio });
+        assert_eq!(disk.terminal_mode(ratio), TerminalMode::Together { ratio });
     }
-    assert_eq!(modes(1.0, 0.4).final_mode(1.0), FinalMode::Sliding);
-    assert_eq!(modes(1.0, 0.6).final_mode(1.0), FinalMode::Spinning);
+    assert_eq!(modes(1.0, 0.4).terminal_mode(1.0), TerminalMode::Sliding);
+    assert_eq!(modes(1.0, 0.6).terminal_mode(1.0), TerminalMode::Spinning);
 }
 
 #[test]
@@ -140,26 +140,32 @@ fn an_unstable_point_parts_the_starts() {
     let disk = modes(3.0, 0.5);
     let border = disk.finite_fixed_point().unwrap();
     assert!((border - 1.0 / 3.0_f64.sqrt()).abs() <= tolerance::ROUNDING.limit);
-    assert_eq!(disk.final_mode(border.next_down()), FinalMode::Spinning);
     assert_eq!(
-        disk.final_mode(border),
-        FinalMode::Together { ratio: border }
+        disk.terminal_mode(border.next_down()),
+        TerminalMode::Spinning
     );
-    assert_eq!(disk.final_mode(border.next_up()), FinalMode::Sliding);
+    assert_eq!(
+        disk.terminal_mode(border),
+        TerminalMode::Together { ratio: border }
+    );
+    assert_eq!(disk.terminal_mode(border.next_up()), TerminalMode::Sliding);
     let stable = modes(0.0, 0.5);
     let ratio = stable.finite_fixed_point().unwrap();
     for start in [1e-9, 0.3, ratio, 2.0, 1e9] {
-        assert_eq!(stable.final_mode(start), FinalMode::Together { ratio });
+        assert_eq!(
+            stable.terminal_mode(start),
+            TerminalMode::Together { ratio }
+        );
     }
-    assert_eq!(stable.final_mode(0.0), FinalMode::Spinning);
-    assert_eq!(stable.final_mode(f64::INFINITY), FinalMode::Sliding);
+    assert_eq!(stable.terminal_mode(0.0), TerminalMode::Spinning);
+    assert_eq!(stable.terminal_mode(f64::INFINITY), TerminalMode::Sliding);
 }
 
 #[test]
 fn growth_has_the_sign_of_the_motion() {
     for alpha in [-0.5, 0.0, 0.5, 1.5, 3.0] {
         for c in [0.2, 0.45, 0.5, 0.8] {
-            let profile = Table64::new(alpha).unwrap();
+            let profile = DiskTable64::new(alpha).unwrap();
             let puck = Slider::new(
                 profile,
                 SliderParameters {
@@ -171,7 +177,7 @@ fn growth_has_the_sign_of_the_motion() {
             .unwrap();
             let modes = modes(alpha, c);
             for start in [0.05, 0.3, 0.6, 0.9, 1.1, 3.0, 20.0] {
-                let launched = Motion::launched(start, 1.0);
+                let launched = SliderState::launched(start, 1.0);
                 let before = puck.ratio(&launched);
                 let after = puck.ratio(&puck.advance(&launched, 1e-3).motion);
                 let growth = modes.growth(start);
@@ -213,7 +219,7 @@ fn inertia_of_a_ratio_inverts_the_fixed_point() {
 #[test]
 fn impossible_inertia_is_refused() {
     for c in [0.0, -1.0, f64::INFINITY, f64::NAN] {
-        assert!(Modes::new(Coulomb, c).is_err(), "{c}");
+        assert!(TerminalMotion::new(CoulombDisk, c).is_err(), "{c}");
     }
-    assert_eq!(Profile::<f64>::exponent(&Coulomb), 0.0);
+    assert_eq!(PowerLawFriction::<f64>::exponent(&CoulombDisk), 0.0);
 }

@@ -1,12 +1,12 @@
 //! The set of wrenches that many points carry, against the closed ring and by its own geometry.
 
 use nalgebra::Vector2;
-use tribos_core::coupling::closed::Ring;
+use tribos_core::coupling::closed::CoulombRing;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::CoulombLaw;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
-use tribos_core::planar::NodeFoot;
+use tribos_core::planar::PointContacts;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 
@@ -46,9 +46,10 @@ fn points(rng: &mut Lcg, case: usize) -> Points {
 #[test]
 fn a_ring_of_points_is_the_closed_ring() {
     let (limit, radius, length) = (3.0, 0.1, 0.07);
-    let closed = LimitSurface::new(Ring, limit, radius).expect("valid");
+    let closed = RoundLimitSurface::new(CoulombRing, limit, radius).expect("valid");
     let points: Points = NodeList::ring(radius, 256).expect("it fits");
-    let mut foot: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(points, limit).expect("valid");
+    let mut foot: PointContacts<f64, _, CAPACITY> =
+        PointContacts::new(points, limit).expect("valid");
     let mut rng = Lcg::new(3);
     let mut worst = 0.0_f64;
     for _ in 0..2000 {
@@ -82,7 +83,8 @@ fn the_friction_of_a_motion_is_on_the_surface_with_the_motion_as_normal() {
             force: on.force + twist.velocity * reach,
             torque: on.torque + twist.spin * reach * length * length,
         };
-        let mut foot: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(points, limit).expect("valid");
+        let mut foot: PointContacts<f64, _, CAPACITY> =
+            PointContacts::new(points, limit).expect("valid");
         let size = distance(&beyond, &Wrench::ZERO, length);
         let got = foot.nearest(&beyond, length);
         worst[0] = worst[0].max(distance(&got, &on, length) / size);
@@ -149,7 +151,8 @@ fn a_foot_that_turns_about_one_of_its_points_is_found_to_rounding() {
             force: on.force + twist.velocity * reach,
             torque: on.torque + twist.spin * reach * length * length,
         };
-        let mut foot: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(points, limit).expect("valid");
+        let mut foot: PointContacts<f64, _, CAPACITY> =
+            PointContacts::new(points, limit).expect("valid");
         let size = distance(&beyond, &Wrench::ZERO, length);
         let got = foot.nearest(&beyond, length);
         worst[0] = worst[0].max(distance(&got, &on, length) / size);
@@ -187,7 +190,8 @@ fn points_that_almost_rest_are_found_to_rounding() {
             force: on.force + twist.velocity * reach,
             torque: on.torque + twist.spin * reach * length * length,
         };
-        let mut foot: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(points, limit).expect("valid");
+        let mut foot: PointContacts<f64, _, CAPACITY> =
+            PointContacts::new(points, limit).expect("valid");
         let size = distance(&beyond, &Wrench::ZERO, length);
         let got = foot.nearest(&beyond, length);
         // Where it is next to a kink the nearest wrench is not that of the given motion to rounding,
@@ -209,12 +213,12 @@ fn the_order_of_calls_does_not_matter_beyond_rounding() {
     for case in 0..300 {
         let points = points(&mut rng, case);
         let total = points.total_weight();
-        let mut warm: NodeFoot<f64, _, CAPACITY> =
-            NodeFoot::new(points.clone(), total).expect("valid");
+        let mut warm: PointContacts<f64, _, CAPACITY> =
+            PointContacts::new(points.clone(), total).expect("valid");
         for _ in 0..5 {
             let wanted = wrench(&mut rng, 2.0 * total, 0.4 * total);
-            let mut cold: NodeFoot<f64, _, CAPACITY> =
-                NodeFoot::new(points.clone(), total).expect("valid");
+            let mut cold: PointContacts<f64, _, CAPACITY> =
+                PointContacts::new(points.clone(), total).expect("valid");
             let [a, b] = [warm.nearest(&wanted, 0.1), cold.nearest(&wanted, 0.1)];
             assert!(distance(&a, &b, 0.1) <= 1e-12 * total, "{a:?} {b:?}");
         }
@@ -237,8 +241,8 @@ fn foreign_numbers_give_numbers_or_nan() {
     for x in extremes {
         for n in extremes {
             for length in extremes {
-                let mut foot: NodeFoot<f64, _, CAPACITY> =
-                    NodeFoot::new(points.clone(), 1.0).expect("valid");
+                let mut foot: PointContacts<f64, _, CAPACITY> =
+                    PointContacts::new(points.clone(), 1.0).expect("valid");
                 let given = Wrench::new(x, -x, n);
                 let got = foot.nearest(&given, length);
                 let sane = x.is_finite() && n.is_finite() && (n / length).is_finite() && x < 1e308;
@@ -270,9 +274,10 @@ fn single_precision_follows() {
             let [x, y, weight] = [x, y, weight].map(f64::from);
             wide_points.push(Node { x, y, weight }).expect("room");
         }
-        let mut narrow: NodeFoot<f32, _, CAPACITY> =
-            NodeFoot::new(narrow_points, 3.0).expect("valid");
-        let mut wide: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(wide_points, 3.0).expect("valid");
+        let mut narrow: PointContacts<f32, _, CAPACITY> =
+            PointContacts::new(narrow_points, 3.0).expect("valid");
+        let mut wide: PointContacts<f64, _, CAPACITY> =
+            PointContacts::new(wide_points, 3.0).expect("valid");
         let wanted = wrench(&mut rng, 6.0, 0.6);
         let [x, y, n] = [wanted.force.x, wanted.force.y, wanted.torque].map(|value| value as f32);
         let got = narrow.nearest(&Wrench::new(x, y, n), 0.125);

@@ -1,11 +1,13 @@
 //! Slip that begins early: Dahl's curve, the conditions of the step's minimum, vibration.
 
 use tribos_core::Real;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::law::Grip;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface, Scaled};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::law::StickSlip;
+use tribos_core::limit_surface::{
+    FrictionSet, LimitEllipsoid, RoundLimitSurface, ScaledSet, ShapeLimitSurface,
+};
 use tribos_core::patch::outline::Polygon;
-use tribos_core::presliding::{Anchor, GradualPresliding, Pose, Presliding, PreslidingStep};
+use tribos_core::presliding::{Anchor, MicroslipPresliding, Pose, Presliding, PreslidingStep};
 use tribos_core::twist::{Displacement, Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 
@@ -17,10 +19,10 @@ const REACH: f64 = LIMIT / STIFFNESS;
 fn sets() -> [Box<dyn FrictionSet<f64>>; 3] {
     let (a, b) = (RADIUS, 0.4 * RADIUS);
     let corners = [[-a, -b], [a, -b], [a, b], [-a, b]];
-    let book = PatchSurface::new(Polygon::new(corners).expect("a box"), LIMIT);
+    let book = ShapeLimitSurface::new(Polygon::new(corners).expect("a box"), LIMIT);
     [
-        Box::new(LimitSurface::new(Coulomb, LIMIT, RADIUS).expect("in range")),
-        Box::new(Ellipsoid::new(LIMIT, RADIUS, 0.6).expect("in range")),
+        Box::new(RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect("in range")),
+        Box::new(LimitEllipsoid::new(LIMIT, RADIUS, 0.6).expect("in range")),
         Box::new(book.expect("in range")),
     ]
 }
@@ -29,8 +31,8 @@ fn bonds() -> Presliding<f64> {
     Presliding::new(STIFFNESS, 0.5 * STIFFNESS * RADIUS * RADIUS).expect("positive")
 }
 
-fn gradual(breakaway: f64, exponent: f64) -> GradualPresliding<f64> {
-    GradualPresliding::new(bonds(), breakaway, exponent).expect("in range")
+fn gradual(breakaway: f64, exponent: f64) -> MicroslipPresliding<f64> {
+    MicroslipPresliding::new(bonds(), breakaway, exponent).expect("in range")
 }
 
 fn displacement(rng: &mut Lcg, size: f64) -> Displacement<f64> {
@@ -92,7 +94,7 @@ fn the_step_is_where_its_function_is_least() {
             let size = REACH * rng.log_between(0.01, 3.0);
             // Half of the bonds come from a stronger set, which has shrunk.
             let strength = if rng.unit() < 0.5 { 1.0 } else { 2.0 };
-            let before = Scaled::new(&*set, strength).expect("positive");
+            let before = ScaledSet::new(&*set, strength).expect("positive");
             let reach = 2.0 * REACH * rng.unit();
             let strain = displacement(&mut rng, reach);
             let strain = bonds()
@@ -105,7 +107,7 @@ fn the_step_is_where_its_function_is_least() {
             let share = ((gauge - breakaway) / (1.0 - breakaway))
                 .max(0.0)
                 .powf(exponent);
-            if step.grip == Grip::Stick {
+            if step.grip == StickSlip::Stick {
                 assert!(gauge <= breakaway || driven * share < 1e-12 * LIMIT * size);
                 seen[0] += 1;
                 continue;
@@ -147,15 +149,15 @@ fn below_the_breakaway_share_nothing_slips_whatever_shakes() {
             away.turn *= 0.1;
             let to = anchor.pose.moved(&away);
             let step = law.step(&*set, &anchor, [&from, &to]);
-            assert_eq!((step.anchor, step.grip), (anchor, Grip::Stick));
+            assert_eq!((step.anchor, step.grip), (anchor, StickSlip::Stick));
             from = to;
         }
     }
 }
 
 /// Friction at the middle of a vibration of a tenth of the reach, before and after 1000 cycles.
-fn shaken(law: &GradualPresliding<f64>, share: f64) -> [f64; 2] {
-    let set = LimitSurface::new(Coulomb, LIMIT, RADIUS).expect("in range");
+fn shaken(law: &MicroslipPresliding<f64>, share: f64) -> [f64; 2] {
+    let set = RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect("in range");
     let at = |x: f64| Pose::new(x, 0.0, 0.0);
     let (mut anchor, mut from) = (Anchor::at(at(0.0)), at(0.0));
     let mut go = |x: f64| -> PreslidingStep<f64> {
@@ -210,7 +212,7 @@ fn steps_do_not_expand() {
 #[test]
 fn with_a_steep_exponent_it_becomes_the_sharp_law() {
     let (set, sharp) = (
-        LimitSurface::new(Coulomb, LIMIT, RADIUS).expect("in range"),
+        RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect("in range"),
         bonds(),
     );
     let law = gradual(0.0, 4000.0);
@@ -231,9 +233,10 @@ fn with_a_steep_exponent_it_becomes_the_sharp_law() {
 fn both_precisions_and_what_is_no_number() {
     fn end<R: Real>() -> [f64; 2] {
         let number = R::from_f64;
-        let set = Ellipsoid::new(number(LIMIT), number(RADIUS), number(0.6)).expect("in range");
+        let set =
+            LimitEllipsoid::new(number(LIMIT), number(RADIUS), number(0.6)).expect("in range");
         let law = Presliding::new(number(1e4), number(12.5)).expect("positive");
-        let law = GradualPresliding::new(law, number(0.3), R::ONE).expect("in range");
+        let law = MicroslipPresliding::new(law, number(0.3), R::ONE).expect("in range");
         let mut strain = Displacement::ZERO;
         let moved = Displacement::new(number(1e-5), number(0.5e-5), number(1e-4));
         for _ in 0..60 {
@@ -254,9 +257,9 @@ fn both_precisions_and_what_is_no_number() {
         assert!((a - b).abs() < 1e-5, "{a} {b}");
     }
     for bad in [-0.1, 1.0, f64::NAN] {
-        assert!(GradualPresliding::new(bonds(), bad, 1.0).is_err());
+        assert!(MicroslipPresliding::new(bonds(), bad, 1.0).is_err());
     }
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(GradualPresliding::new(bonds(), 0.5, bad).is_err());
+        assert!(MicroslipPresliding::new(bonds(), 0.5, bad).is_err());
     }
 }

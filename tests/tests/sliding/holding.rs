@@ -2,15 +2,16 @@
 
 use nalgebra::{Vector2, Vector3};
 use tribos_core::contact::{
-    Body, Cohesion, ContactFriction, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch,
+    Cohesion, ContactBody, ContactFriction, ContactGeometry, IndependentFriction, NormalLaw,
+    SphereBody, TimeStep, WallBody,
 };
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
-use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
+use tribos_core::manifold::{ContactSystem, InitialGuess, SolverSettings};
 use tribos_core::patch::nodes::NodeList;
-use tribos_core::planar::{NodeFoot, PlanarBody};
+use tribos_core::planar::{PlanarBody, PointContacts};
 use tribos_core::real::Real;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_core::twist::{Twist, Wrench};
 
 /// Steps of the scenes in which nothing may move.
@@ -30,7 +31,8 @@ fn held_on_a_slope<R: Real>() {
     let puck = PlanarBody::new(R::from_f64(mass), R::from_f64(0.5 * mass * radius * radius));
     let puck = puck.expect("positive");
     let limit = 0.3 * weight;
-    let set = LimitSurface::new(Coulomb, R::from_f64(limit), R::from_f64(radius)).expect("valid");
+    let set = RoundLimitSurface::new(CoulombDisk, R::from_f64(limit), R::from_f64(radius))
+        .expect("valid");
     let dt = TimeStep::new(R::from_f64(1.0 / 60.0)).expect("positive");
     for (along, torque) in [(0.9999, 0.0), (0.0, 0.9999), (0.6, 0.6)] {
         let direction = 0.7_f64;
@@ -59,11 +61,11 @@ fn a_puck_held_on_a_slope_does_not_creep_in_a_million_steps() {
 }
 
 /// A square box of side 0.2 m and 1 kg; friction carries 3 N.
-fn box_on_the_floor() -> (PlanarBody<f64>, NodeFoot<f64, NodeList<f64, 224>, 224>) {
+fn box_on_the_floor() -> (PlanarBody<f64>, PointContacts<f64, NodeList<f64, 224>, 224>) {
     let corners = [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]];
     let points: NodeList<f64, 224> = NodeList::polygon(&corners, 4).expect("a square");
     let body = PlanarBody::new(1.0, 0.2 * 0.2 / 6.0).expect("positive");
-    (body, NodeFoot::new(points, 3.0).expect("it fits"))
+    (body, PointContacts::new(points, 3.0).expect("it fits"))
 }
 
 #[test]
@@ -73,12 +75,16 @@ fn a_box_held_by_its_foot_does_not_creep_in_a_million_steps() {
     let held = push(2.0, -1.5, 0.1);
     let mut twist = at_rest();
     for _ in 0..STEPS {
-        let step = body.step_on_foot(&mut foot, &twist, &held, dt);
+        let step = body.step_on_points(&mut foot, &twist, &held, dt);
         twist = step.twist;
         assert!(step.is_at_rest && twist == at_rest());
     }
     let pushed = push(2.5, -1.8, 0.0); // 3.08 N
-    assert!(!body.step_on_foot(&mut foot, &twist, &pushed, dt).is_at_rest);
+    assert!(
+        !body
+            .step_on_points(&mut foot, &twist, &pushed, dt)
+            .is_at_rest
+    );
 }
 
 #[test]
@@ -93,7 +99,7 @@ fn a_box_stops_after_the_same_way_in_every_direction() {
         let mut time = 0.0;
         while twist != at_rest() {
             let step = TimeStep::new(dt).expect("positive");
-            let after = body.step_on_foot(&mut foot, &twist, &Wrench::ZERO, step);
+            let after = body.step_on_points(&mut foot, &twist, &Wrench::ZERO, step);
             place += (twist.velocity + after.twist.velocity) * (0.5 * dt);
             twist = after.twist;
             time += dt;
@@ -116,7 +122,7 @@ fn a_box_stops_after_the_same_way_in_every_direction() {
 fn thrown(dt: f64, speed: f64, spin: f64) -> [f64; 2] {
     let radius = 0.08;
     let puck = PlanarBody::new(1.0, 0.5 * radius * radius).expect("positive");
-    let set = LimitSurface::new(Coulomb, 3.0, radius).expect("valid");
+    let set = RoundLimitSurface::new(CoulombDisk, 3.0, radius).expect("valid");
     let step = TimeStep::new(dt).expect("positive");
     let (mut twist, mut way, mut time) = (Twist::new(speed, 0.0, spin), 0.0, 0.0);
     loop {
@@ -141,7 +147,7 @@ fn spin_down_ends_where_and_when_it_should_to_second_order() {
         (0.5, 40.0),
     ] {
         let slider = Slider::new(
-            Coulomb,
+            CoulombDisk,
             SliderParameters {
                 deceleration: 3.0,
                 radius: 0.08,
@@ -150,7 +156,7 @@ fn spin_down_ends_where_and_when_it_should_to_second_order() {
         )
         .expect("valid");
         let rest = slider
-            .to_rest(&Motion::launched(speed, spin))
+            .to_rest(&SliderState::launched(speed, spin))
             .expect("it stops");
         let errors = [60.0, 240.0, 960.0].map(|rate| {
             let [way, time] = thrown(1.0 / rate, speed, spin);
@@ -172,11 +178,11 @@ fn spin_down_ends_where_and_when_it_should_to_second_order() {
 fn pinched<R: Real, F: ContactFriction<R>>(friction: F, margin: f64) {
     let real = R::from_f64;
     let law = NormalLaw::new(Cohesion::NONE, R::ZERO).expect("valid");
-    let mut grip = Manifold::<R, F, 3, 2>::new(law, friction);
+    let mut grip = ContactSystem::<R, F, 3, 2>::new(law, friction);
     let (mass, radius, mu) = (0.5, 0.05, 0.5);
     let vector = |x, y, z| Vector3::new(real(x), real(y), real(z));
     let still = vector(0.0, 0.0, 0.0);
-    let ball = grip.push_sphere(Sphere {
+    let ball = grip.push_sphere(SphereBody {
         velocity: still,
         spin: still,
         inv_mass: real(1.0 / mass),
@@ -187,21 +193,21 @@ fn pinched<R: Real, F: ContactFriction<R>>(friction: F, margin: f64) {
     let press = margin * 0.5 * mass * 9.81 / mu;
     for side in [1.0, -1.0] {
         let inv_mass = real(1.0);
-        let plate = Plate {
+        let plate = WallBody {
             velocity: still,
             inv_mass,
         };
         let plate = grip.push_plate(plate).expect("room");
         grip.set_force(plate, vector(press * side, 0.0, 0.0), still)
             .expect("it is there");
-        let touch = Touch::plate(real(radius), &vector(side, 0.0, 0.0), real(1.0));
+        let touch = ContactGeometry::plate(real(radius), &vector(side, 0.0, 0.0), real(1.0));
         grip.push_contact(ball, plate, touch.expect("valid"))
             .expect("room");
     }
     grip.set_gravity(vector(0.0, 0.0, -9.81));
     let step = TimeStep::new(real(1.0 / 240.0)).expect("positive");
-    let stop = SolverLimits {
-        sweeps: 40,
+    let stop = SolverSettings {
+        max_iterations: 40,
         tolerance: real(1e-6),
     };
     let mut moved = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
@@ -209,7 +215,7 @@ fn pinched<R: Real, F: ContactFriction<R>>(friction: F, margin: f64) {
     for n in 0..STEPS {
         grip.solve(step, InitialGuess::Last, stop);
         let body = grip.body(ball).expect("it is there");
-        let rolled = body.spin() * real(radius);
+        let rolled = body.angular_velocity() * real(radius);
         let motion = [body.velocity(), rolled].map(|v| v.x.hypot(v.y).hypot(v.z));
         if motion != [R::ZERO; 2] {
             last = n;
@@ -231,11 +237,11 @@ fn pinched<R: Real, F: ContactFriction<R>>(friction: F, margin: f64) {
 #[test]
 fn a_pinched_ball_does_not_creep_in_a_million_steps() {
     for margin in [1.05, 20.0, 95.0] {
-        let sliding = Thresholds::sliding(0.5).expect("valid");
+        let sliding = IndependentFriction::sliding(0.5).expect("valid");
         pinched::<f64, _>(sliding, margin);
-        let all = Thresholds::all(0.5, 0.01, 0.01).expect("valid");
+        let all = IndependentFriction::all(0.5, 0.01, 0.01).expect("valid");
         pinched::<f64, _>(all, margin);
-        let sliding = Thresholds::sliding(0.5).expect("valid");
+        let sliding = IndependentFriction::sliding(0.5).expect("valid");
         pinched::<f32, _>(sliding, margin);
     }
 }

@@ -1,9 +1,9 @@
 //! What holds for certain, what slips for certain, and what lies between.
 
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::holding::{Hold, Holding};
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::holding::{Stiction, StictionBounds};
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
@@ -12,8 +12,8 @@ const RADIUS: f64 = 0.05;
 const KINETIC: f64 = 3.0;
 const STATIC: f64 = 5.0;
 
-fn set(limit: f64) -> LimitSurface<f64, Coulomb> {
-    LimitSurface::new(Coulomb, limit, RADIUS).expect("in range")
+fn set(limit: f64) -> RoundLimitSurface<f64, CoulombDisk> {
+    RoundLimitSurface::new(CoulombDisk, limit, RADIUS).expect("in range")
 }
 
 fn push(rng: &mut Lcg) -> Wrench<f64> {
@@ -49,17 +49,17 @@ fn the_answer_is_that_of_all_motions() {
     let mut seen = [0; 3];
     for _ in 0..300 {
         let push = push(&mut rng);
-        let answer = Holding::of(&set(KINETIC), &set(STATIC), &push);
+        let answer = StictionBounds::of(&set(KINETIC), &set(STATIC), &push);
         let [kinetic, at_rest] = [KINETIC, STATIC].map(|limit| surplus(limit, &push));
         if kinetic.abs() < 1e-5 || at_rest.abs() < 1e-5 {
             continue;
         }
         let expected = match (kinetic < 0.0, at_rest > 0.0) {
-            (true, _) => Hold::Holds,
-            (_, true) => Hold::Slips,
-            _ => Hold::Undecided,
+            (true, _) => Stiction::Holds,
+            (_, true) => Stiction::Slips,
+            _ => Stiction::Undecided,
         };
-        assert_eq!(answer.hold, expected, "{push:?}");
+        assert_eq!(answer.stiction, expected, "{push:?}");
         seen[expected as usize] += 1;
     }
     assert!(seen.iter().all(|n| *n > 20), "{seen:?}");
@@ -70,14 +70,14 @@ fn the_scales_lead_to_the_borders() {
     let mut rng = Lcg::new(112);
     for _ in 0..100 {
         let push = push(&mut rng);
-        let ask = |factor: f64| Holding::of(&set(KINETIC), &set(STATIC), &(push * factor));
+        let ask = |factor: f64| StictionBounds::of(&set(KINETIC), &set(STATIC), &(push * factor));
         let answer = ask(1.0);
-        let [held, slipping] = [answer.surely_held_scale(), answer.surely_slipping_scale()];
+        let [held, slipping] = [answer.certain_scale(), answer.possible_scale()];
         assert!((slipping / held - STATIC / KINETIC).abs() < 1e-12);
-        assert_eq!(ask(held * (1.0 - 1e-9)).hold, Hold::Holds);
-        assert_eq!(ask(held * (1.0 + 1e-9)).hold, Hold::Undecided);
-        assert_eq!(ask(slipping * (1.0 - 1e-9)).hold, Hold::Undecided);
-        assert_eq!(ask(slipping * (1.0 + 1e-9)).hold, Hold::Slips);
+        assert_eq!(ask(held * (1.0 - 1e-9)).stiction, Stiction::Holds);
+        assert_eq!(ask(held * (1.0 + 1e-9)).stiction, Stiction::Undecided);
+        assert_eq!(ask(slipping * (1.0 - 1e-9)).stiction, Stiction::Undecided);
+        assert_eq!(ask(slipping * (1.0 + 1e-9)).stiction, Stiction::Slips);
     }
 }
 
@@ -89,27 +89,33 @@ fn a_body_under_kinetic_friction_stays_where_the_answer_is_certain() {
     for _ in 0..200 {
         let push = push(&mut rng);
         let holds = |limit| body.step(&set(limit), &Twist::ZERO, &push, dt).is_at_rest;
-        match Holding::of(&set(KINETIC), &set(STATIC), &push).hold {
-            Hold::Holds => assert!(holds(KINETIC)),
-            Hold::Slips => assert!(!holds(STATIC)),
-            Hold::Undecided => assert!(!holds(KINETIC) && holds(STATIC)),
+        match StictionBounds::of(&set(KINETIC), &set(STATIC), &push).stiction {
+            Stiction::Holds => assert!(holds(KINETIC)),
+            Stiction::Slips => assert!(!holds(STATIC)),
+            Stiction::Undecided => assert!(!holds(KINETIC) && holds(STATIC)),
         }
     }
 }
 
 #[test]
 fn no_push_holds_an_infinite_one_slips_and_nan_is_undecided() {
-    let ask = |w: Wrench<f64>| Holding::of(&set(KINETIC), &set(STATIC), &w);
+    let ask = |w: Wrench<f64>| StictionBounds::of(&set(KINETIC), &set(STATIC), &w);
     let still = ask(Wrench::ZERO);
     assert_eq!(
-        (still.hold, still.surely_held_scale()),
-        (Hold::Holds, f64::INFINITY)
+        (still.stiction, still.certain_scale()),
+        (Stiction::Holds, f64::INFINITY)
     );
-    assert_eq!(ask(Wrench::new(f64::INFINITY, 0.0, 0.0)).hold, Hold::Slips);
-    assert_eq!(ask(Wrench::new(0.0, 0.0, f64::NAN)).hold, Hold::Undecided);
+    assert_eq!(
+        ask(Wrench::new(f64::INFINITY, 0.0, 0.0)).stiction,
+        Stiction::Slips
+    );
+    assert_eq!(
+        ask(Wrench::new(0.0, 0.0, f64::NAN)).stiction,
+        Stiction::Undecided
+    );
     // Sets in the wrong order contradict each other between them.
     let between = Wrench::new(4.0, 0.0, 0.0);
-    let swapped = Holding::of(&set(STATIC), &set(KINETIC), &between);
-    assert_eq!(swapped.hold, Hold::Undecided);
+    let swapped = StictionBounds::of(&set(STATIC), &set(KINETIC), &between);
+    assert_eq!(swapped.stiction, Stiction::Undecided);
     assert!(!set(KINETIC).contains(&between) && set(STATIC).contains(&between));
 }

@@ -3,20 +3,20 @@
 use std::f64::consts::{PI, TAU};
 use std::num::NonZeroU32;
 use tribos::slide::inverse::{InverseError, Launch, Limits, Pose, RestMap, Solution, Turns};
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{Annulus, Coupling, Profile};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::{Annulus, PowerLawFriction, ReducedFriction};
 use tribos_core::patch::PowerPressure;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_tests::pucks::{MU_G, RADIUS};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
 /// Any law and pressure.
-trait Law: Profile<f64> + Coupling<f64> {}
-impl<P: Profile<f64> + Coupling<f64>> Law for P {}
+trait Law: PowerLawFriction<f64> + ReducedFriction<f64> {}
+impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> Law for P {}
 
 type Bodies = Vec<(String, Box<dyn Law>)>;
 
@@ -32,7 +32,7 @@ const INERTIAS: [f64; 3] = [0.15, 0.6, 2.4];
 
 /// Every pressure under |v|^`alpha`.
 fn bodies(alpha: f64) -> Bodies {
-    let disk = Table64::new(alpha).unwrap();
+    let disk = DiskTable64::new(alpha).unwrap();
     let mut all: Bodies = vec![
         ("disk".into(), Box::new(disk)),
         ("annulus".into(), Box::new(Annulus::new(disk, 0.6).unwrap())),
@@ -44,15 +44,15 @@ fn bodies(alpha: f64) -> Bodies {
         ));
     }
     if alpha == 0.0 {
-        all.push(("closed ring".into(), Box::new(Ring)));
-        all.push(("closed punch".into(), Box::new(FlatPunch)));
-        all.push(("closed Hertz".into(), Box::new(Hertz)));
+        all.push(("closed ring".into(), Box::new(CoulombRing)));
+        all.push(("closed punch".into(), Box::new(CoulombPunch)));
+        all.push(("closed Hertz".into(), Box::new(CoulombHertz)));
     }
     all
 }
 
-fn disk() -> RestMap<Coulomb> {
-    RestMap::new(Coulomb, MU_G, RADIUS, 0.5).unwrap()
+fn disk() -> RestMap<CoulombDisk> {
+    RestMap::new(CoulombDisk, MU_G, RADIUS, 0.5).unwrap()
 }
 
 fn modulo(symmetry: u32) -> Turns {
@@ -154,7 +154,7 @@ fn paths_that_differ_by_decades_are_both_met() {
 #[test]
 fn the_map_is_the_slider_s_own() {
     let puck = Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration: MU_G,
             radius: RADIUS,
@@ -163,7 +163,10 @@ fn the_map_is_the_slider_s_own() {
     )
     .unwrap();
     for (speed, spin) in [(1.0, 5.0), (0.2, -40.0), (0.0, 7.0), (2.0, 0.0)] {
-        let rest = puck.to_rest(&Motion::launched(speed, spin)).unwrap().motion;
+        let rest = puck
+            .to_rest(&SliderState::launched(speed, spin))
+            .unwrap()
+            .motion;
         let landing = disk().rest(&Launch {
             velocity: [-speed, 0.0],
             spin,
@@ -207,7 +210,7 @@ fn the_jacobian_is_that_of_extrapolated_differences() {
         for (name, law) in bodies(alpha) {
             for inertia in INERTIAS {
                 let map = RestMap::new(law.as_ref(), 1.0, RADIUS, inertia).unwrap();
-                let fixed = tribos_core::modes::Modes::new(law.as_ref(), inertia).unwrap();
+                let fixed = tribos_core::modes::TerminalMotion::new(law.as_ref(), inertia).unwrap();
                 let mut ratios: Vec<f64> = (0..3).map(|_| rng.log_between(0.02, 50.0)).collect();
                 if let Some(ratio) = fixed.finite_fixed_point() {
                     ratios.extend([1.0, 1.0 + 1e-9, 1.0 - 1e-5, 1.003, 0.96].map(|f| f * ratio));
@@ -468,10 +471,10 @@ fn what_is_out_of_reach_is_refused_with_the_reach() {
 
 #[test]
 fn bad_requests_are_refused() {
-    let linear = RestMap::new(Table64::new(1.0).unwrap(), 1.0, 1.0, 0.5);
+    let linear = RestMap::new(DiskTable64::new(1.0).unwrap(), 1.0, 1.0, 0.5);
     assert!(matches!(linear, Err(InverseError::NeverRests { .. })));
     assert!(matches!(
-        RestMap::new(Coulomb, -1.0, 1.0, 0.5),
+        RestMap::new(CoulombDisk, -1.0, 1.0, 0.5),
         Err(InverseError::Body(_))
     ));
     assert!(Limits::new(-1.0, 1.0).is_err() && Limits::new(1.0, f64::NAN).is_err());

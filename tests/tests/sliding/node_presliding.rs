@@ -1,7 +1,7 @@
 //! Points that let go one after the other: Masing's rule, the backbone, energy.
 
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
-use tribos_core::presliding::{NodePresliding, Pose};
+use tribos_core::presliding::{PointPresliding, Pose};
 use tribos_core::twist::Displacement;
 use tribos_tests::sweep::Lcg;
 
@@ -33,8 +33,8 @@ fn disk() -> NodeList<f64, 128> {
     nodes
 }
 
-fn bound() -> NodePresliding<f64, NodeList<f64, 128>, 128> {
-    NodePresliding::new(disk(), STIFFNESS, LIMIT, &ORIGIN).expect("it fits")
+fn bound() -> PointPresliding<f64, NodeList<f64, 128>, 128> {
+    PointPresliding::new(disk(), STIFFNESS, LIMIT, &ORIGIN).expect("it fits")
 }
 
 /// Torque of the first loading to the angle `turn`, and its integral from 0, from the rings.
@@ -79,8 +79,8 @@ fn closed_cycles_lose_what_masings_rule_says() {
     let stiffness = STIFFNESS / SCALE;
     for times in [0.9, 1.3, 2.0, 3.0] {
         let turn = times * first_slip() * SCALE;
-        let mut patch: NodePresliding<f64, _, 128> =
-            NodePresliding::new(disk(), stiffness, LIMIT, &ORIGIN).expect("it fits");
+        let mut patch: PointPresliding<f64, _, 128> =
+            PointPresliding::new(disk(), stiffness, LIMIT, &ORIGIN).expect("it fits");
         let (mut lost, steps) = (0.0, 23);
         for cycle in 0..2 {
             for n in 1..=4 * steps {
@@ -165,7 +165,7 @@ fn sliding_far_it_meets_the_friction_of_all_points() {
     let lost = patch.step(&Pose::new(f64::NAN, 0.0, 0.0));
     assert!(lost.friction.force.x.is_nan() && lost.slipping == 128);
     assert!(patch.set_force_limit(-1.0).is_err());
-    let few: Result<NodePresliding<f64, _, 5>, _> =
-        NodePresliding::new(disk(), STIFFNESS, LIMIT, &ORIGIN);
+    let few: Result<PointPresliding<f64, _, 5>, _> =
+        PointPresliding::new(disk(), STIFFNESS, LIMIT, &ORIGIN);
     assert!(few.is_err());
 }

@@ -1,9 +1,9 @@
 //! The stepper against closed forms, the fixed-step method and f32 against the stepper.
 
-use tribos_core::coupling::closed::Hertz;
-use tribos_core::coupling::table::{Coulomb, Table32, Table64};
-use tribos_core::coupling::{Coupling, Profile};
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::closed::CoulombHertz;
+use tribos_core::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_tests::pucks::{MU_G, RADIUS, coulomb, power, relative};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tolerance;
@@ -14,10 +14,10 @@ fn laws_from_the_linear_one_up_never_rest_and_decay_as_equation_3_34() {
     let mut worst = Worst::of("free decay, 3.34");
     for alpha in [1.0, 1.5, 3.0] {
         let puck = power(alpha);
-        assert!(puck.to_rest(&Motion::launched(1.0, 5.0)).is_none());
+        assert!(puck.to_rest(&SliderState::launched(1.0, 5.0)).is_none());
         for time in [0.01, 0.3, 2.0, 10.0] {
             for speed in [0.2_f64, 1.0, 6.0] {
-                let step = puck.advance(&Motion::launched(speed, 0.0), time);
+                let step = puck.advance(&SliderState::launched(speed, 0.0), time);
                 assert!(step.rest.is_none() && step.motion.spin == 0.0);
                 let wanted = if alpha == 1.0 {
                     speed * (-MU_G * time).exp()
@@ -31,7 +31,9 @@ fn laws_from_the_linear_one_up_never_rest_and_decay_as_equation_3_34() {
         }
     }
     // Sliding under the linear law covers v0/κ in infinite time.
-    let far = power(1.0).advance(&Motion::launched(1.0, 0.0), 20.0).motion;
+    let far = power(1.0)
+        .advance(&SliderState::launched(1.0, 0.0), 20.0)
+        .motion;
     worst.see(relative(far.distance, 1.0 / MU_G), || {
         "distance of alpha 1".into()
     });
@@ -42,7 +44,7 @@ fn laws_from_the_linear_one_up_never_rest_and_decay_as_equation_3_34() {
 fn falling_and_constant_laws_slide_as_equation_3_34() {
     for alpha in [-0.5, 0.0, 0.5, 0.9] {
         let puck = power(alpha);
-        let rest = puck.to_rest(&Motion::launched(2.0, 0.0)).unwrap();
+        let rest = puck.to_rest(&SliderState::launched(2.0, 0.0)).unwrap();
         let (beta, gamma) = (1.0 - alpha, 2.0 - alpha);
         let time = 2.0_f64.powf(beta) / (beta * MU_G);
         assert!(relative(rest.motion.time, time) <= tolerance::PURE_SLIDING.limit);
@@ -50,7 +52,9 @@ fn falling_and_constant_laws_slide_as_equation_3_34() {
             relative(rest.motion.distance, 2.0_f64.powf(gamma) / (gamma * MU_G))
                 <= tolerance::PURE_SLIDING.limit
         );
-        let half = puck.advance(&Motion::launched(2.0, 0.0), 0.5 * time).motion;
+        let half = puck
+            .advance(&SliderState::launched(2.0, 0.0), 0.5 * time)
+            .motion;
         assert!(relative(half.speed, 2.0 * 0.5_f64.powf(1.0 / beta)) <= tolerance::DECAY.limit);
     }
 }
@@ -58,7 +62,7 @@ fn falling_and_constant_laws_slide_as_equation_3_34() {
 /// Velocity at a fixed time and time of rest by the fixed-step method.
 fn verlet(dt: f64) -> ([f64; 2], f64) {
     let puck = coulomb();
-    let mut motion = Motion::launched(1.0, 5.0);
+    let mut motion = SliderState::launched(1.0, 5.0);
     let mut middle = [0.0; 2];
     for n in 1.. {
         motion = puck.verlet_step(&motion, dt);
@@ -74,9 +78,11 @@ fn verlet(dt: f64) -> ([f64; 2], f64) {
 
 #[test]
 fn the_fixed_step_method_converges_to_the_exact_motion() {
-    let exact = coulomb().advance(&Motion::launched(1.0, 5.0), 0.2).motion;
+    let exact = coulomb()
+        .advance(&SliderState::launched(1.0, 5.0), 0.2)
+        .motion;
     let stop = coulomb()
-        .to_rest(&Motion::launched(1.0, 5.0))
+        .to_rest(&SliderState::launched(1.0, 5.0))
         .unwrap()
         .motion
         .time;
@@ -109,7 +115,7 @@ fn single_precision_stops_at_the_same_place() {
         );
         let inertia = rng.log_between(0.01, 100.0) as f32;
         let single = Slider::new(
-            Coulomb,
+            CoulombDisk,
             SliderParameters {
                 deceleration: MU_G as f32,
                 radius: RADIUS as f32,
@@ -118,7 +124,7 @@ fn single_precision_stops_at_the_same_place() {
         )
         .unwrap();
         let wide = Slider::new(
-            Coulomb,
+            CoulombDisk,
             SliderParameters {
                 deceleration: f64::from(MU_G as f32),
                 radius: f64::from(RADIUS as f32),
@@ -126,9 +132,9 @@ fn single_precision_stops_at_the_same_place() {
             },
         )
         .unwrap();
-        let got = single.to_rest(&Motion::launched(speed, spin)).unwrap();
+        let got = single.to_rest(&SliderState::launched(speed, spin)).unwrap();
         let wanted = wide
-            .to_rest(&Motion::launched(f64::from(speed), f64::from(spin)))
+            .to_rest(&SliderState::launched(f64::from(speed), f64::from(spin)))
             .unwrap();
         let place = || format!("v0 {speed}, spin {spin}, C {inertia}");
         for (got, wanted) in [
@@ -145,8 +151,8 @@ fn single_precision_stops_at_the_same_place() {
 /// Sees how far single precision is from double after random times from random launches.
 fn see_advances<P, Q>(single: &P, double: &Q, worst: &mut Worst)
 where
-    P: Profile<f32> + Coupling<f32>,
-    Q: Profile<f64> + Coupling<f64>,
+    P: PowerLawFriction<f32> + ReducedFriction<f32>,
+    Q: PowerLawFriction<f64> + ReducedFriction<f64>,
 {
     let mut rng = Lcg::new(37);
     let (mu_g, radius) = (MU_G as f32, RADIUS as f32);
@@ -160,8 +166,8 @@ where
             2 => speed * (1.0 + rng.between(-0.5, 0.5) * rng.log_between(1e-7, 1.0)),
             _ => speed * rng.log_between(1e-6, 1e6),
         };
-        let start = Motion::launched(speed as f32, (rim / RADIUS) as f32);
-        let wide_start = Motion::launched(f64::from(start.speed), f64::from(start.spin));
+        let start = SliderState::launched(speed as f32, (rim / RADIUS) as f32);
+        let wide_start = SliderState::launched(f64::from(start.speed), f64::from(start.spin));
         let wide = Slider::new(
             double,
             SliderParameters {
@@ -213,11 +219,11 @@ where
 #[test]
 fn single_precision_goes_the_same_way_in_any_time() {
     let mut worst = Worst::of("f32 motion after a time against f64, over its condition");
-    see_advances(&Coulomb, &Coulomb, &mut worst);
-    see_advances(&Hertz, &Hertz, &mut worst);
+    see_advances(&CoulombDisk, &CoulombDisk, &mut worst);
+    see_advances(&CoulombHertz, &CoulombHertz, &mut worst);
     for alpha in [-0.5, 0.5, 1.0, 2.0] {
-        let single = Table32::new(alpha as f32).unwrap();
-        let double = Table64::new(alpha).unwrap();
+        let single = DiskTable32::new(alpha as f32).unwrap();
+        let double = DiskTable64::new(alpha).unwrap();
         see_advances(&single, &double, &mut worst);
     }
     worst.assert_within(&tolerance::SINGLE_ADVANCE_ULPS);
@@ -226,7 +232,7 @@ fn single_precision_goes_the_same_way_in_any_time() {
 #[test]
 fn a_controller_s_step_costs_seven_wrenches_in_single_precision() {
     let puck = Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration: 3.0_f32,
             radius: 0.08,
@@ -236,7 +242,7 @@ fn a_controller_s_step_costs_seven_wrenches_in_single_precision() {
     .unwrap();
     for (duration, most) in [(1e-4, 7.5), (1e-3, 9.0)] {
         for spin in [2.0, 5.0, 12.0, 30.0] {
-            let mut motion = Motion::launched(1.0, spin);
+            let mut motion = SliderState::launched(1.0, spin);
             let (mut evaluations, mut steps) = (0, 0);
             while !motion.is_at_rest() {
                 let step = puck.advance(&motion, duration);

@@ -4,9 +4,9 @@ use tribos::friction::{Flat, FlatPatch, Friction, Law, Patch};
 use tribos::slide::planar::{
     Arrival, Ending, Gradient, Journey, Launch, Pipe, Plate, Resistance, TallBody, TallCylinder,
 };
-use tribos_core::coupling::table::Table64;
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::patch::outline::{Edge, Polygon};
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_tests::pucks::relative;
 use tribos_tests::tables::Table;
 
@@ -176,7 +176,7 @@ fn flat_bodies_go_straight_and_agree_with_the_kernel_slider() {
             ..TallCylinder::solid(0.3, 0.08)
         };
         let point = end(&flat.body(GRAVITY).unwrap(), [speed, 0.0], spin).point;
-        let table = Table64::new(alpha).unwrap();
+        let table = DiskTable64::new(alpha).unwrap();
         let rest = Slider::new(
             table,
             SliderParameters {
@@ -186,7 +186,7 @@ fn flat_bodies_go_straight_and_agree_with_the_kernel_slider() {
             },
         )
         .unwrap()
-        .to_rest(&Motion::launched(speed, spin))
+        .to_rest(&SliderState::launched(speed, spin))
         .unwrap();
         assert_eq!(point.position[1], 0.0);
         for (ours, theirs) in [

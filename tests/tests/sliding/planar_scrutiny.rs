@@ -5,10 +5,10 @@ use tribos::slide::SlideError;
 use tribos::slide::planar::{Arrival, Ending, Journey, Launch, Point, Resistance};
 use tribos::slide::planar::{TallBody, TallCylinder};
 use tribos::slide::{PlanarScene, run_path};
-use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{Coupling, Profile};
-use tribos_core::modes::{FinalMode, Modes};
-use tribos_core::slider::{Motion, Rest, Slider, SliderParameters};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
+use tribos_core::modes::{TerminalMode, TerminalMotion};
+use tribos_core::slider::{Slider, SliderParameters, SliderRest, SliderState};
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
@@ -122,12 +122,12 @@ fn a_slow_spin_under_a_fast_slide_goes_as_its_linear_law() {
     worst.assert_within(&tolerance::MINOR_MOTION);
 }
 
-fn rest<P: Profile<f64> + Coupling<f64>>(
+fn rest<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
     profile: P,
     c: f64,
     speed: f64,
     spin: f64,
-) -> (Rest<f64>, FinalMode<f64>) {
+) -> (SliderRest<f64>, TerminalMode<f64>) {
     let slider = Slider::new(
         profile,
         SliderParameters {
@@ -137,17 +137,17 @@ fn rest<P: Profile<f64> + Coupling<f64>>(
         },
     )
     .expect("in range");
-    let start = Motion::launched(speed, spin);
-    let modes = Modes::new(slider.profile(), c).expect("in range");
-    let mode = modes.final_mode(slider.ratio(&start));
+    let start = SliderState::launched(speed, spin);
+    let modes = TerminalMotion::new(slider.profile(), c).expect("in range");
+    let mode = modes.terminal_mode(slider.ratio(&start));
     (slider.to_rest(&start).expect("it rests"), mode)
 }
 
-fn flat(alpha: f64, c: f64, speed: f64, spin: f64) -> (Rest<f64>, FinalMode<f64>) {
+fn flat(alpha: f64, c: f64, speed: f64, spin: f64) -> (SliderRest<f64>, TerminalMode<f64>) {
     if alpha == 0.0 {
-        rest(Coulomb, c, speed, spin)
+        rest(CoulombDisk, c, speed, spin)
     } else {
-        let table = Table64::new(alpha).expect("in range");
+        let table = DiskTable64::new(alpha).expect("in range");
         rest(table, c, speed, spin)
     }
 }
@@ -190,11 +190,11 @@ fn near_the_law_that_never_rests_time_and_ratio_find_their_ends() {
                 "{place}"
             );
             match mode {
-                FinalMode::Together { ratio } => {
+                TerminalMode::Together { ratio } => {
                     assert!(off(got.point.ratio, ratio) < allowed.min(1e-4), "{place}");
                 }
-                FinalMode::Spinning => assert!(got.point.ratio < 1e-9, "{place}"),
-                FinalMode::Sliding => assert!(got.point.ratio > 1e9, "{place}"),
+                TerminalMode::Spinning => assert!(got.point.ratio < 1e-9, "{place}"),
+                TerminalMode::Sliding => assert!(got.point.ratio > 1e9, "{place}"),
             }
         }
     }

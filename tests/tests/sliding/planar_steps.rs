@@ -4,11 +4,11 @@
 use nalgebra::Vector2;
 use tribos_core::Real;
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::closed::{Hertz, Ring};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombRing};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
 use tribos_core::patch::nodes::{Node, NodeList};
-use tribos_core::planar::{NodeFoot, PlanarBody, PlanarStep};
+use tribos_core::planar::{PlanarBody, PlanarStep, PointContacts};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tolerance;
@@ -157,13 +157,13 @@ fn see_set<S: FrictionSet<f64>>(seen: &mut Seen, set: &S, seed: u64, count: usiz
 fn friction_of_round_patches_takes_power_or_none_and_reverses_nothing() {
     let mut seen = Seen::new();
     let surface = "valid limits";
-    let disk = LimitSurface::new(Coulomb, LIMIT, RADIUS).expect(surface);
+    let disk = RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect(surface);
     see_set(&mut seen, &disk, 51, 400_000);
-    let ring = LimitSurface::new(Ring, LIMIT, RADIUS).expect(surface);
+    let ring = RoundLimitSurface::new(CoulombRing, LIMIT, RADIUS).expect(surface);
     see_set(&mut seen, &ring, 52, 100_000);
-    let ball = LimitSurface::new(Hertz, LIMIT, RADIUS).expect(surface);
+    let ball = RoundLimitSurface::new(CoulombHertz, LIMIT, RADIUS).expect(surface);
     see_set(&mut seen, &ball, 53, 100_000);
-    let ellipsoid = Ellipsoid::new(LIMIT, RADIUS, 0.6).expect(surface);
+    let ellipsoid = LimitEllipsoid::new(LIMIT, RADIUS, 0.6).expect(surface);
     see_set(&mut seen, &ellipsoid, 54, 100_000);
     seen.assert_sound();
 }
@@ -190,13 +190,14 @@ fn friction_of_feet_off_the_centre_takes_power_or_none_and_reverses_nothing() {
     let dt = TimeStep::new(STEP).expect("positive");
     let mut seen = Seen::new();
     for n in 0..100_000 {
-        let mut foot: NodeFoot<f64, _, 8> = NodeFoot::new(points(&mut rng), LIMIT).expect("valid");
+        let mut foot: PointContacts<f64, _, 8> =
+            PointContacts::new(points(&mut rng), LIMIT).expect("valid");
         let mut case = case(&mut rng, n % 2 == 0);
         // Two steps, the second with the forces of the first.
         for _ in 0..2 {
             let step = case
                 .body
-                .step_on_foot(&mut foot, &case.twist, &case.push, dt);
+                .step_on_points(&mut foot, &case.twist, &case.push, dt);
             seen.see(&case, &step, false);
             if step.is_at_rest {
                 break;
@@ -212,7 +213,7 @@ fn friction_of_feet_off_the_centre_takes_power_or_none_and_reverses_nothing() {
 #[test]
 fn a_free_body_stops_within_the_time_that_friction_needs() {
     let dt = TimeStep::new(STEP).expect("positive");
-    let set = LimitSurface::new(Coulomb, LIMIT, RADIUS).expect("valid limits");
+    let set = RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect("valid limits");
     let mut rng = Lcg::new(56);
     for _ in 0..2_000 {
         let Case { body, twist, push } = case(&mut rng, false);

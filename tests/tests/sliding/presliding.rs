@@ -2,10 +2,12 @@
 
 use nalgebra::{Rotation2, Vector2};
 use tribos_core::Real;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::law::Grip;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface, Scaled};
-use tribos_core::patch::outline::{Edge, Polygon, Uniform};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::law::StickSlip;
+use tribos_core::limit_surface::{
+    FrictionSet, LimitEllipsoid, RoundLimitSurface, ScaledSet, ShapeLimitSurface,
+};
+use tribos_core::patch::outline::{Edge, Polygon, UniformPressure};
 use tribos_core::presliding::{Anchor, Pose, Presliding};
 use tribos_core::twist::{Displacement, Twist, Wrench};
 use tribos_tests::sweep::Lcg;
@@ -16,20 +18,20 @@ const STIFFNESS: f64 = 1e4;
 /// Displacement at which pure sliding begins.
 const REACH: f64 = LIMIT / STIFFNESS;
 
-type Box4 = Polygon<f64, [Edge<f64>; 4], Uniform>;
+type Box4 = Polygon<f64, [Edge<f64>; 4], UniformPressure>;
 
-fn disk() -> LimitSurface<f64, Coulomb> {
-    LimitSurface::new(Coulomb, LIMIT, RADIUS).expect("in range")
+fn disk() -> RoundLimitSurface<f64, CoulombDisk> {
+    RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect("in range")
 }
 
-fn book() -> PatchSurface<f64, Box4> {
+fn book() -> ShapeLimitSurface<f64, Box4> {
     let (a, b) = (RADIUS, 0.4 * RADIUS);
     let corners = [[-a, -b], [a, -b], [a, b], [-a, b]];
-    PatchSurface::new(Polygon::new(corners).expect("a box"), LIMIT).expect("in range")
+    ShapeLimitSurface::new(Polygon::new(corners).expect("a box"), LIMIT).expect("in range")
 }
 
 fn sets() -> [Box<dyn FrictionSet<f64>>; 3] {
-    let usual = Ellipsoid::new(LIMIT, RADIUS, 0.6).expect("in range");
+    let usual = LimitEllipsoid::new(LIMIT, RADIUS, 0.6).expect("in range");
     [Box::new(disk()), Box::new(usual), Box::new(book())]
 }
 
@@ -118,7 +120,7 @@ fn inside_the_set_friction_depends_on_the_pose_alone_and_the_anchor_keeps_its_bi
             let away = displacement(&mut rng, 0.3 * REACH);
             let pose = start.moved(&away);
             let step = bonds.step(&**set, &anchor, &pose);
-            assert_eq!((step.anchor, step.grip), (anchor, Grip::Stick));
+            assert_eq!((step.anchor, step.grip), (anchor, StickSlip::Stick));
             assert_eq!((step.dissipated, step.slip), (0.0, Displacement::ZERO));
             let e = pose.since(&start);
             let wanted = Wrench::new(
@@ -142,8 +144,8 @@ fn random_paths_dissipate_and_their_energy_balances() {
             for _ in 0..20 {
                 let next = pose.moved(&displacement(&mut rng, size));
                 let step = law.step(&*set, &anchor, &next);
-                let before = anchor.strain(&pose);
-                let after = step.anchor.strain(&next);
+                let before = anchor.deflection(&pose);
+                let after = step.anchor.deflection(&next);
                 assert!(step.dissipated >= 0.0);
                 let change = after - before;
                 let balance = work_on_bonds(&step.friction, &pose, &next)
@@ -177,7 +179,7 @@ fn slip_runs_along_the_normal() {
         for _ in 0..300 {
             let strain = displacement(&mut rng, 5.0 * REACH);
             let step = law.advance(&*set, &Displacement::ZERO, &strain);
-            if step.grip == Grip::Stick {
+            if step.grip == StickSlip::Stick {
                 continue;
             }
             // Of all wrenches of the set that of friction takes most from the slip.
@@ -280,26 +282,26 @@ fn a_set_that_shrinks_lets_bonds_slip_and_one_that_grows_keeps_them() {
     let start = Pose::new(0.0, 0.0, 0.0);
     let pulled = Pose::new(0.8 * REACH, 0.0, 0.0);
     let held = law.step(&set, &Anchor::at(start), &pulled);
-    assert_eq!(held.grip, Grip::Stick);
+    assert_eq!(held.grip, StickSlip::Stick);
     // Half the load: half the force, and the rest of the strain slips.
-    let half = Scaled::new(&set, 0.5).expect("positive");
+    let half = ScaledSet::new(&set, 0.5).expect("positive");
     let less = law.step(&half, &held.anchor, &pulled);
     assert!((less.friction.force.x + 0.5 * LIMIT).abs() < 1e-12);
     assert!((less.slip.shift.x - 0.3 * REACH).abs() < 1e-15);
     assert!((less.dissipated - 0.5 * LIMIT * 0.3 * REACH).abs() < 1e-15);
     // A stronger set brings none of it back.
-    let twice = Scaled::new(&set, 2.0).expect("positive");
+    let twice = ScaledSet::new(&set, 2.0).expect("positive");
     let more = law.step(&twice, &less.anchor, &pulled);
-    assert_eq!((more.anchor, more.grip), (less.anchor, Grip::Stick));
+    assert_eq!((more.anchor, more.grip), (less.anchor, StickSlip::Stick));
 }
 
 #[test]
 fn scaled_sets_are_the_sets_of_the_scaled_limit() {
     let mut rng = Lcg::new(76);
     for strength in [0.25, 0.7, 3.0] {
-        let own = LimitSurface::new(Coulomb, strength * LIMIT, RADIUS).expect("in range");
+        let own = RoundLimitSurface::new(CoulombDisk, strength * LIMIT, RADIUS).expect("in range");
         let base = disk();
-        let scaled = Scaled::new(&base, strength).expect("positive");
+        let scaled = ScaledSet::new(&base, strength).expect("positive");
         for _ in 0..200 {
             let d = displacement(&mut rng, 3.0);
             let w = Wrench {
@@ -335,7 +337,7 @@ fn scaled_sets_are_the_sets_of_the_scaled_limit() {
         );
     }
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(Scaled::new(&disk(), bad).is_err());
+        assert!(ScaledSet::new(&disk(), bad).is_err());
     }
 }
 
@@ -343,7 +345,7 @@ fn scaled_sets_are_the_sets_of_the_scaled_limit() {
 #[test]
 fn vibration_inside_the_set_does_not_creep() {
     let (set, law) = (
-        Ellipsoid::new(LIMIT, RADIUS, 0.6).expect("in range"),
+        LimitEllipsoid::new(LIMIT, RADIUS, 0.6).expect("in range"),
         bonds(),
     );
     let held = Pose::new(100.0 + 0.9 * REACH, -40.0, 2.0);
@@ -361,7 +363,8 @@ fn vibration_inside_the_set_does_not_creep() {
 fn single_follows_double() -> [f64; 2] {
     fn end<R: Real>() -> [f64; 2] {
         let number = R::from_f64;
-        let set = LimitSurface::new(Coulomb, number(LIMIT), number(RADIUS)).expect("in range");
+        let set =
+            RoundLimitSurface::new(CoulombDisk, number(LIMIT), number(RADIUS)).expect("in range");
         let law = Presliding::new(number(1e4), number(12.5)).expect("positive");
         let mut anchor = Anchor::at(Pose::new(R::ZERO, R::ZERO, R::ZERO));
         let mut friction = Wrench::ZERO;
@@ -400,7 +403,7 @@ fn what_is_no_number_gives_no_number() {
             let step = law.step(&set, &start, &pose);
             let sum = step.friction.force.x + step.friction.force.y + step.friction.torque;
             assert!(sum.is_nan() || bad == 1e306, "{pose:?}: {step:?}");
-            assert_eq!(step.grip, Grip::Slip);
+            assert_eq!(step.grip, StickSlip::Slip);
         }
     }
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {

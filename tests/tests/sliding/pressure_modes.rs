@@ -1,9 +1,9 @@
 //! Final motion under pressures: fixed points, their uniqueness and their ends.
 
-use tribos_core::coupling::closed::Ring;
+use tribos_core::coupling::closed::CoulombRing;
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::coupling::{Coupling, Profile, compact};
-use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction, compact};
+use tribos_core::modes::{Stability, TerminalMode, TerminalMotion, inertia_interval};
 use tribos_tests::patches::pressure;
 use tribos_tests::pucks::relative;
 use tribos_tests::sweep;
@@ -40,8 +40,8 @@ fn fixed_points_are_those_of_the_table() {
         };
         ends.see(least.relative(low), place);
         ends.see(most.relative(high), place);
-        let table = Modes::new(table(order, alpha), c).expect("in range");
-        let series = Modes::new(compact(order, alpha), c).expect("in range");
+        let table = TerminalMotion::new(table(order, alpha), c).expect("in range");
+        let series = TerminalMotion::new(compact(order, alpha), c).expect("in range");
         for (worst, points) in [
             (&mut by_table, table.fixed_points()),
             (&mut by_series, series.fixed_points()),
@@ -69,7 +69,11 @@ fn fixed_points_are_those_of_the_table() {
 }
 
 /// True if C_α of the profile falls (or rises, for α > 1) over all ratios, to rounding.
-fn is_monotone(modes: &Modes<f64, compact::CompactPower<f64>>, ratios: &[f64], alpha: f64) -> bool {
+fn is_monotone(
+    modes: &TerminalMotion<f64, compact::CompactPower<f64>>,
+    ratios: &[f64],
+    alpha: f64,
+) -> bool {
     let sense = if alpha < 1.0 { -1.0 } else { 1.0 };
     let mut last: Option<f64> = None;
     ratios.iter().all(|&ratio| {
@@ -91,7 +95,7 @@ fn inertia_ratio_of_the_fixed_point_is_monotone_for_every_pressure() {
         for alpha in [
             -0.9, -0.75, -0.5, -0.2, 0.0, 0.3, 0.6, 0.9, 0.99, 1.01, 1.2, 2.0, 3.0, 5.0, 7.0, 9.0,
         ] {
-            let modes = Modes::new(compact(order, alpha), 0.5).expect("in range");
+            let modes = TerminalMotion::new(compact(order, alpha), 0.5).expect("in range");
             if !is_monotone(&modes, &ratios, alpha) {
                 exceptions.push((order, alpha));
             }
@@ -109,14 +113,14 @@ fn a_fixed_point_is_where_friction_keeps_the_ratio() {
             let (least, most) = inertia_interval(alpha, order);
             for share in [0.02, 0.3, 0.5, 0.7, 0.98] {
                 let c = least + share * (most - least);
-                let modes = Modes::new(table(order, alpha), c).expect("in range");
+                let modes = TerminalMotion::new(table(order, alpha), c).expect("in range");
                 let ratio = modes.finite_fixed_point().expect("inside the interval");
                 let got = compact(order, alpha).reduced_wrench(ratio, 1.0);
                 let residual = (c * got.force / (ratio * got.torque) - 1.0).abs();
                 worst.see(residual, || {
                     format!("q {order}, alpha {alpha}, C {c}: {ratio}")
                 });
-                assert_eq!(modes.final_mode(ratio), FinalMode::Together { ratio });
+                assert_eq!(modes.terminal_mode(ratio), TerminalMode::Together { ratio });
             }
         }
     }
@@ -129,9 +133,9 @@ fn no_finite_fixed_point_exists_at_the_ends_of_the_interval_and_one_does_inside(
         for alpha in [-0.5, 0.0, 0.5, 2.0, 3.0] {
             let profile = compact(order, alpha);
             let (least, most) = inertia_interval(alpha, order);
-            let at = |c: f64| Modes::new(profile, c).expect("in range");
+            let at = |c: f64| TerminalMotion::new(profile, c).expect("in range");
             assert_eq!(at(least).inertia_interval(), (least, most));
-            let [spinning, sliding] = Profile::<f64>::inertia_ends(&profile);
+            let [spinning, sliding] = PowerLawFriction::<f64>::inertia_ends(&profile);
             let wanted = [
                 2.0 / (2.0 * order + 3.0 + alpha),
                 (1.0 + alpha) / (2.0 * order + 4.0),
@@ -173,9 +177,9 @@ fn on_the_border_itself_the_pure_motion_next_to_it_wins_or_loses_as_its_neighbou
     for order in [-1.0, -0.5, 0.5, 1.0] {
         for alpha in [-0.5, 0.0, 0.5, 2.0, 3.0] {
             let profile = compact(order, alpha);
-            let [spinning, sliding] = Profile::<f64>::inertia_ends(&profile);
+            let [spinning, sliding] = PowerLawFriction::<f64>::inertia_ends(&profile);
             // g has the sign of C_alpha - C, of a ratio close to the border's own end.
-            let at = |c: f64| Modes::new(profile, c).expect("in range");
+            let at = |c: f64| TerminalMotion::new(profile, c).expect("in range");
             let grows = at(spinning).growth(0.05) > 0.0;
             let wanted = if grows {
                 Stability::Unstable
@@ -207,10 +211,10 @@ fn linear_friction_keeps_every_ratio_if_the_inertia_is_that_of_the_pressure() {
     for order in [-1.0, -0.5, 0.0, 0.5, 1.0, 2.0] {
         let c = 1.0 / (order + 2.0);
         for points in [
-            Modes::new(compact(order, 1.0), c)
+            TerminalMotion::new(compact(order, 1.0), c)
                 .expect("in range")
                 .fixed_points(),
-            Modes::new(table(order, 1.0), c)
+            TerminalMotion::new(table(order, 1.0), c)
                 .expect("in range")
                 .fixed_points(),
         ] {
@@ -218,16 +222,16 @@ fn linear_friction_keeps_every_ratio_if_the_inertia_is_that_of_the_pressure() {
             assert_eq!(points.sliding, Stability::Semistable, "q {order}");
             assert_eq!(points.finite, None);
         }
-        let modes = Modes::new(compact(order, 1.0), c).expect("in range");
+        let modes = TerminalMotion::new(compact(order, 1.0), c).expect("in range");
         for ratio in [1e-3, 0.5, 1.0, 40.0] {
             assert!(modes.growth(ratio).abs() <= tolerance::ROUNDING.limit * ratio);
-            assert_eq!(modes.final_mode(ratio), FinalMode::Together { ratio });
+            assert_eq!(modes.terminal_mode(ratio), TerminalMode::Together { ratio });
         }
         for (factor, spinning, sliding) in [
             (0.99, Stability::Unstable, Stability::Stable),
             (1.01, Stability::Stable, Stability::Unstable),
         ] {
-            let points = Modes::new(compact(order, 1.0), c * factor)
+            let points = TerminalMotion::new(compact(order, 1.0), c * factor)
                 .expect("in range")
                 .fixed_points();
             assert_eq!(
@@ -242,7 +246,7 @@ fn linear_friction_keeps_every_ratio_if_the_inertia_is_that_of_the_pressure() {
 #[test]
 fn a_dry_ring_on_its_own_rim_keeps_equal_speeds() {
     // Symmetric in both speeds: C = 1 has eps0 = 1, and C_0 runs from 2 to 1/2.
-    let modes = Modes::new(Ring, 1.0_f64).expect("in range");
+    let modes = TerminalMotion::new(CoulombRing, 1.0_f64).expect("in range");
     assert_eq!(modes.inertia_interval(), (0.5, 2.0));
     let ratio = modes.finite_fixed_point().expect("inside");
     assert!(

@@ -1,10 +1,10 @@
 //! Motions to rest under pressures: stops of the table, tiers among each other, closed forms.
 
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::coupling::{Coupling, Profile, compact};
-use tribos_core::modes::Modes;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction, compact};
+use tribos_core::modes::TerminalMotion;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_tests::patches::pressure;
 use tribos_tests::pucks::relative;
 use tribos_tests::tables::{Row, Table};
@@ -19,7 +19,11 @@ fn table(order: f64, alpha: f64) -> RoundTable64 {
     RoundTable64::new(alpha, pressure(order)).expect("in range")
 }
 
-fn to_rest<P: Profile<f64> + Coupling<f64>>(profile: P, c: f64, motion: Motion<f64>) -> [f64; 4] {
+fn to_rest<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
+    profile: P,
+    c: f64,
+    motion: SliderState<f64>,
+) -> [f64; 4] {
     let slider = Slider::new(
         profile,
         SliderParameters {
@@ -81,7 +85,7 @@ fn stops_are_those_of_the_table() {
     .map(Worst::of);
     for row in Table::read("ring_stops.csv").rows() {
         let [order, alpha, c] = ["q", "alpha", "inertia_ratio"].map(|column| row.number(column));
-        let launched = Motion::launched(row.number("v0"), row.number("w0"));
+        let launched = SliderState::launched(row.number("v0"), row.number("w0"));
         let mut seen = |name: &str, got: [f64; 4]| see(&row, name, got, &mut stop, &mut direction);
         seen("table", to_rest(table(order, alpha), c, launched));
         // A ring that ends at equal speeds stays where the series is slow.
@@ -89,9 +93,9 @@ fn stops_are_those_of_the_table() {
             seen("compact", to_rest(compact(order, alpha), c, launched));
         }
         match (order, alpha) {
-            (-1.0, 0.0) => seen("closed", to_rest(Ring, c, launched)),
-            (-0.5, 0.0) => seen("closed", to_rest(FlatPunch, c, launched)),
-            (0.5, 0.0) => seen("closed", to_rest(Hertz, c, launched)),
+            (-1.0, 0.0) => seen("closed", to_rest(CoulombRing, c, launched)),
+            (-0.5, 0.0) => seen("closed", to_rest(CoulombPunch, c, launched)),
+            (0.5, 0.0) => seen("closed", to_rest(CoulombHertz, c, launched)),
             _ => {}
         }
     }
@@ -102,8 +106,8 @@ fn stops_are_those_of_the_table() {
 #[test]
 fn rings_stop_alike_in_every_tier_and_end_at_their_fixed_point() {
     for (v, w) in [(1.0, 0.4), (1.0, 1.0), (0.3, 1.0), (1.0, -4.0)] {
-        let launched = Motion::launched(v, w);
-        let one = to_rest(Ring, 0.8, launched);
+        let launched = SliderState::launched(v, w);
+        let one = to_rest(CoulombRing, 0.8, launched);
         for other in [
             to_rest(table(-1.0, 0.0), 0.8, launched),
             to_rest(compact(-1.0, 0.0), 0.8, launched),
@@ -115,7 +119,7 @@ fn rings_stop_alike_in_every_tier_and_end_at_their_fixed_point() {
                 );
             }
         }
-        let modes = Modes::new(Ring, 0.8_f64).expect("in range");
+        let modes = TerminalMotion::new(CoulombRing, 0.8_f64).expect("in range");
         let wanted = modes.finite_fixed_point().expect("inside");
         assert!(
             relative(one[3], wanted) <= tolerance::STOP_RATIO.limit,
@@ -128,7 +132,7 @@ fn rings_stop_alike_in_every_tier_and_end_at_their_fixed_point() {
 #[test]
 fn a_dry_ring_with_equal_speeds_stops_in_closed_form() {
     // C = 1: v = w for ever, both decelerate by F(1) = 2/pi.
-    let [time, distance, angle, ratio] = to_rest(Ring, 1.0, Motion::launched(1.0, 1.0));
+    let [time, distance, angle, ratio] = to_rest(CoulombRing, 1.0, SliderState::launched(1.0, 1.0));
     let deceleration = core::f64::consts::FRAC_2_PI;
     assert!(
         relative(time, 1.0 / deceleration) <= tolerance::STOP.limit,
@@ -152,7 +156,7 @@ fn a_dry_ring_with_equal_speeds_stops_in_closed_form() {
 fn stops_under_pressures_are_the_same_by_table_and_series() {
     for order in [-1.0, -0.5, 0.5, 1.0] {
         for c in [0.3, 0.6, 0.9] {
-            let launched = Motion::launched(1.0, 1.0);
+            let launched = SliderState::launched(1.0, 1.0);
             let [time, distance, angle, _] = to_rest(table(order, 0.0), c, launched);
             let [again, far, turned, _] = to_rest(compact(order, 0.0), c, launched);
             assert!(relative(time, again) <= tolerance::STOP.limit);

@@ -1,7 +1,7 @@
 //! Published cases of creep: what friction holds keeps its place to the last bit, and is let go at the
 //! right load. `examples/hold.rs` follows them for ten million steps.
 
-use tribos_core::coupling::{DryCoupling, table::Coulomb};
+use tribos_core::coupling::{DryReducedFriction, table::CoulombDisk};
 use tribos_core::real::Real;
 use tribos_tests::holds::{BREAK, cases};
 
@@ -9,7 +9,7 @@ const STEPS: u64 = 20_000;
 
 fn nothing_drifts<R: Real + 'static>(close: f64)
 where
-    Coulomb: DryCoupling<R>,
+    CoulombDisk: DryReducedFriction<R>,
 {
     for case in cases::<R>() {
         for dt in [1e-3, 1.0 / 240.0, 1.0 / 60.0].map(R::from_f64) {

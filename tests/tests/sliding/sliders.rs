@@ -1,10 +1,10 @@
 //! A body slides and spins to rest: when, where, how, and in the steps of any clock.
 
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{Annulus, Coupling, Profile};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::{Annulus, PowerLawFriction, ReducedFriction};
 use tribos_core::patch::PowerPressure;
-use tribos_core::slider::{Motion, Rest, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderRest, SliderState};
 use tribos_tests::pucks::{coulomb, power, relative};
 use tribos_tests::surfaces::Counting;
 use tribos_tests::sweep::Lcg;
@@ -17,8 +17,8 @@ fn stops_are_those_of_the_table() {
     let [mut stop, mut direction] = ["stop time, distance, angle", "final ratio"].map(Worst::of);
     for row in Table::read("stops.csv").rows() {
         let (alpha, c) = (row.number("alpha"), row.number("inertia_ratio"));
-        let launched = Motion::launched(row.number("v0"), row.number("w0"));
-        let profile = Table64::new(alpha).unwrap();
+        let launched = SliderState::launched(row.number("v0"), row.number("w0"));
+        let profile = DiskTable64::new(alpha).unwrap();
         let rest = Slider::new(
             profile,
             SliderParameters {
@@ -65,14 +65,14 @@ fn stops_are_those_of_the_table() {
 }
 
 /// Compares the state that a row has on the way, each number over its condition.
-fn see_on_the_way<P: Profile<f64> + Coupling<f64>>(
+fn see_on_the_way<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
     worst: &mut Worst,
     row: &Row,
     slider: &Slider<f64, P>,
     place: impl Fn() -> String + Copy,
 ) {
     let number = |column: &str| row.number(column);
-    let start = Motion::launched(number("v0"), number("w0"));
+    let start = SliderState::launched(number("v0"), number("w0"));
     let after = slider.advance(&start, number("time")).motion;
     // A dying speed is as uncertain as what is left of its time.
     let wrench = slider.profile().reduced_wrench(after.speed, after.spin);
@@ -105,7 +105,7 @@ fn each_of_time_distance_and_angle_is_relative_whichever_motion_dies_first() {
             },
         )
         .unwrap();
-        let start = Motion::launched(number("v0"), number("w0"));
+        let start = SliderState::launched(number("v0"), number("w0"));
         let place = || {
             ["q", "alpha", "inertia_ratio", "v0", "w0"]
                 .map(|column| row.text(column))
@@ -115,7 +115,7 @@ fn each_of_time_distance_and_angle_is_relative_whichever_motion_dies_first() {
             None => assert!(slider.to_rest(&start).is_none()),
             Some(time) => {
                 let rest = slider.to_rest(&start).unwrap();
-                let Motion {
+                let SliderState {
                     distance, angle, ..
                 } = rest.motion;
                 stop.see(time.relative(rest.motion.time), place);
@@ -147,7 +147,7 @@ fn an_annulus_comes_to_rest_to_its_own_bound() {
             },
         )
         .unwrap();
-        let start = Motion::launched(number("v0"), number("w0"));
+        let start = SliderState::launched(number("v0"), number("w0"));
         let place = || {
             ["k", "alpha", "inertia_ratio", "v0", "w0"]
                 .map(|column| row.text(column))
@@ -177,7 +177,7 @@ fn an_annulus_comes_to_rest_to_its_own_bound() {
 fn a_small_distance_under_a_heavy_spin_has_its_closed_form() {
     // As v/w → 0, v C w/(κ k (C n + 1)) with k = 2/3 and n = 3/2 (a ball on a small contact, C = 1000).
     let puck = Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration: 1.0,
             radius: 1.0,
@@ -187,7 +187,7 @@ fn a_small_distance_under_a_heavy_spin_has_its_closed_form() {
     .unwrap();
     for speed in [1e-8, 1e-12, 1e-100, 1e-300] {
         let distance = puck
-            .to_rest(&Motion::launched(speed, 1.0))
+            .to_rest(&SliderState::launched(speed, 1.0))
             .unwrap()
             .motion
             .distance;
@@ -202,8 +202,8 @@ fn a_small_distance_under_a_heavy_spin_has_its_closed_form() {
 #[test]
 fn exponents_near_one_end_at_the_fixed_point_of_the_modes() {
     for away in [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
-        let below = Table64::new(1.0 - away).unwrap();
-        let modes = tribos_core::modes::Modes::new(&below, 0.5).unwrap();
+        let below = DiskTable64::new(1.0 - away).unwrap();
+        let modes = tribos_core::modes::TerminalMotion::new(&below, 0.5).unwrap();
         let puck = Slider::new(
             &below,
             SliderParameters {
@@ -214,7 +214,7 @@ fn exponents_near_one_end_at_the_fixed_point_of_the_modes() {
         )
         .unwrap();
         for (speed, spin) in [(1.0, 0.4), (1.0, 1.0), (1e-9, 1.0), (1e9, 1.0)] {
-            let start = Motion::launched(speed, spin);
+            let start = SliderState::launched(speed, spin);
             let rest = puck.to_rest(&start).unwrap();
             assert_eq!(
                 Some(rest.ratio),
@@ -235,7 +235,7 @@ fn exponents_near_one_end_at_the_fixed_point_of_the_modes() {
                 );
             }
         }
-        let above = Table64::new(1.0 + away).unwrap();
+        let above = DiskTable64::new(1.0 + away).unwrap();
         let puck = Slider::new(
             &above,
             SliderParameters {
@@ -245,7 +245,7 @@ fn exponents_near_one_end_at_the_fixed_point_of_the_modes() {
             },
         )
         .unwrap();
-        let start = Motion::launched(1.0, 1.0);
+        let start = SliderState::launched(1.0, 1.0);
         let whole = puck.advance(&start, 5.0).motion;
         let mut steps = start;
         for _ in 0..10 {
@@ -263,18 +263,20 @@ fn a_puck_of_the_experiment_stops_where_the_mathematics_says() {
         (0.0, 0.339_789_330_615_024, 0.169_894_665_307_512),
         (5.0, 0.369_017_132_104_558, 0.176_861_185_300_839),
     ] {
-        let rest = coulomb().to_rest(&Motion::launched(1.0, spin)).unwrap();
+        let rest = coulomb()
+            .to_rest(&SliderState::launched(1.0, spin))
+            .unwrap();
         assert!(relative(rest.motion.time, time) <= tolerance::STOP.limit);
         assert!(relative(rest.motion.distance, distance) <= tolerance::STOP.limit);
     }
-    let rest = coulomb().to_rest(&Motion::launched(1.0, 5.0)).unwrap();
+    let rest = coulomb().to_rest(&SliderState::launched(1.0, 5.0)).unwrap();
     assert!(relative(rest.ratio, 0.653_001_789_205_6) <= tolerance::STOP_RATIO.limit);
 }
 
 /// Follows a motion in steps of `dt` until it rests; checks every step's laws.
-fn in_steps<P>(puck: &Slider<f64, P>, launched: Motion<f64>, dt: f64) -> Rest<f64>
+fn in_steps<P>(puck: &Slider<f64, P>, launched: SliderState<f64>, dt: f64) -> SliderRest<f64>
 where
-    P: Profile<f64> + Coupling<f64>,
+    P: PowerLawFriction<f64> + ReducedFriction<f64>,
 {
     let mut motion = launched;
     for _ in 0..100_000 {
@@ -312,7 +314,7 @@ fn the_clock_does_not_change_the_stop() {
     for alpha in [-0.5, 0.0, 0.5] {
         let puck = power(alpha);
         for (speed, spin) in [(1.0, 0.0), (1.0, 5.0), (0.3, -40.0), (0.0, 10.0)] {
-            let launched = Motion::launched(speed, spin);
+            let launched = SliderState::launched(speed, spin);
             let whole = puck.to_rest(&launched).unwrap();
             for dt in [1e-4, 1e-3, 1.0 / 60.0, 0.1] {
                 let rest = in_steps(&puck, launched, dt);
@@ -333,14 +335,14 @@ fn random_launches_stop_sliding_and_spinning_together() {
         let puck = power(alpha);
         for _ in 0..60 {
             let (speed, spin) = (rng.log_between(1e-3, 10.0), rng.log_between(1e-2, 100.0));
-            let launched = Motion::launched(speed, spin);
+            let launched = SliderState::launched(speed, spin);
             let rest = puck.to_rest(&launched).unwrap();
             let steps = rng.between(5.0, 60.0);
             let stepped = in_steps(&puck, launched, rest.motion.time / steps);
             assert!(
                 relative(stepped.motion.time, rest.motion.time) <= tolerance::STEPS_AGREE.limit
             );
-            let ratio = tribos_core::modes::Modes::new(puck.profile(), 0.5);
+            let ratio = tribos_core::modes::TerminalMotion::new(puck.profile(), 0.5);
             let ratio = ratio.unwrap().finite_fixed_point().unwrap();
             assert!(
                 relative(rest.ratio, ratio) <= tolerance::STOP_RATIO.limit,
@@ -354,7 +356,7 @@ fn random_launches_stop_sliding_and_spinning_together() {
 #[test]
 fn energy_lost_is_the_work_of_friction() {
     let puck = coulomb();
-    let launched = Motion::launched(1.0, 30.0);
+    let launched = SliderState::launched(1.0, 30.0);
     let mut motion = launched;
     let dt = 1e-3;
     for _ in 0..300 {
@@ -372,9 +374,9 @@ fn energy_lost_is_the_work_of_friction() {
 #[test]
 fn motions_are_similar_in_every_unit() {
     // Speeds by s, times by s^(1−α)/k, lengths by s^(2−α)/k: powers of two to the bit at α = 0.
-    let launched = Motion::launched(1.0, 12.5);
+    let launched = SliderState::launched(1.0, 12.5);
     let one = Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration: 0.5,
             radius: 0.0625,
@@ -391,7 +393,7 @@ fn motions_are_similar_in_every_unit() {
         (1.0, 1.0, 1024.0),
     ] {
         let puck = Slider::new(
-            Coulomb,
+            CoulombDisk,
             SliderParameters {
                 deceleration: 0.5 * k,
                 radius: 0.0625 * r,
@@ -399,7 +401,9 @@ fn motions_are_similar_in_every_unit() {
             },
         )
         .unwrap();
-        let rest = puck.to_rest(&Motion::launched(s, 12.5 * s / r)).unwrap();
+        let rest = puck
+            .to_rest(&SliderState::launched(s, 12.5 * s / r))
+            .unwrap();
         assert_eq!(rest.motion.time, one.motion.time * s / k);
         assert_eq!(rest.motion.distance, one.motion.distance * s * s / k);
         assert_eq!(rest.motion.angle, one.motion.angle * s * s / (k * r));
@@ -409,7 +413,7 @@ fn motions_are_similar_in_every_unit() {
     let one = power(alpha).to_rest(&launched).unwrap();
     let s = 3.7_f64;
     let rest = power(alpha)
-        .to_rest(&Motion::launched(s, 12.5 * s))
+        .to_rest(&SliderState::launched(s, 12.5 * s))
         .unwrap();
     let time = one.motion.time * s.powf(1.0 - alpha);
     let distance = one.motion.distance * s.powf(2.0 - alpha);
@@ -420,7 +424,7 @@ fn motions_are_similar_in_every_unit() {
 #[test]
 fn zero_time_and_rest_change_nothing() {
     let puck = coulomb();
-    let motion = Motion {
+    let motion = SliderState {
         time: 3.0,
         speed: 0.4,
         spin: -2.0,
@@ -428,13 +432,13 @@ fn zero_time_and_rest_change_nothing() {
         angle: -7.0,
     };
     assert_eq!(puck.advance(&motion, 0.0).motion, motion);
-    let rest = Motion {
+    let rest = SliderState {
         speed: 0.0,
         spin: 0.0,
         ..motion
     };
     let after = puck.advance(&rest, 0.5);
-    assert_eq!(after.motion, Motion { time: 3.5, ..rest });
+    assert_eq!(after.motion, SliderState { time: 3.5, ..rest });
 }
 
 #[test]
@@ -442,7 +446,7 @@ fn impossible_sliders_are_refused() {
     for bad in [0.0, -1.0, f64::INFINITY, f64::NAN] {
         assert!(
             Slider::new(
-                Coulomb,
+                CoulombDisk,
                 SliderParameters {
                     deceleration: bad,
                     radius: 1.0,
@@ -453,7 +457,7 @@ fn impossible_sliders_are_refused() {
         );
         assert!(
             Slider::new(
-                Coulomb,
+                CoulombDisk,
                 SliderParameters {
                     deceleration: 1.0,
                     radius: bad,
@@ -464,7 +468,7 @@ fn impossible_sliders_are_refused() {
         );
         assert!(
             Slider::new(
-                Coulomb,
+                CoulombDisk,
                 SliderParameters {
                     deceleration: 1.0,
                     radius: 1.0,
@@ -532,7 +536,7 @@ fn the_energy_error_judges_the_motion_and_not_the_samples() {
                 "{alpha} {samples}: {}",
                 run.energy_error
             );
-            let tribos_core::modes::FinalMode::Together { ratio } = run.limit else {
+            let tribos_core::modes::TerminalMode::Together { ratio } = run.limit else {
                 panic!("{:?}", run.limit)
             };
             assert_eq!(run.ratio, ratio, "{alpha}");
@@ -546,7 +550,7 @@ fn a_controller_s_step_costs_some_ten_wrenches() {
     for (duration, most) in [(1e-4, 11), (1e-3, 26)] {
         for alpha in [-0.9, 0.0, 0.5] {
             for spin in [2.0, 5.0, 12.0, 30.0] {
-                let law = Counting::new(Table64::new(alpha).unwrap());
+                let law = Counting::new(DiskTable64::new(alpha).unwrap());
                 let puck = Slider::new(
                     &law,
                     SliderParameters {
@@ -556,7 +560,7 @@ fn a_controller_s_step_costs_some_ten_wrenches() {
                     },
                 )
                 .unwrap();
-                let start = Motion::launched(1.0, spin);
+                let start = SliderState::launched(1.0, spin);
                 let wanted = puck.to_rest(&start).unwrap();
                 law.take();
                 let (mut motion, mut told, mut steps) = (start, 0, 0);

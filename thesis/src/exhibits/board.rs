@@ -7,11 +7,11 @@ use anyhow::{Context, Result};
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2, TAU};
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::modes::{FinalMode, Modes};
+use tribos_core::modes::{TerminalMode, TerminalMotion};
 use tribos_core::patch::PowerPressure;
 use tribos_core::patch::nodes::{Node, Nodes};
-use tribos_core::planar::{NodeFoot, PlanarBody};
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::planar::{PlanarBody, PointContacts};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
@@ -44,7 +44,7 @@ fn board(pressure: PowerPressure, radius: f64) -> Result<Slider<f64, RoundTable6
 
 /// The ratio at which a board that is thrown at v = ωR ends.
 fn end(pressure: PowerPressure, radius: f64) -> Result<f64> {
-    let rest = board(pressure, radius)?.to_rest(&Motion::launched(1.0, 1.0));
+    let rest = board(pressure, radius)?.to_rest(&SliderState::launched(1.0, 1.0));
     Ok(rest
         .context("dry friction brings every body to rest")?
         .ratio)
@@ -100,7 +100,7 @@ fn round_supports() -> Result<Vec<Claim>> {
             } else {
                 1.0
             };
-            let motion = Motion::launched(1.0, spin);
+            let motion = SliderState::launched(1.0, spin);
             let kernel = board(PowerPressure::RING, radius)?.to_rest(&motion);
             let kernel = kernel
                 .context("dry friction brings every body to rest")?
@@ -119,7 +119,7 @@ fn round_supports() -> Result<Vec<Claim>> {
         (ratio * torque / force).sqrt()
     };
     let interval = |pressure| -> Result<(f64, f64)> {
-        let modes = Modes::new(RoundTable64::new(0.0, pressure)?, 1.0)?;
+        let modes = TerminalMotion::new(RoundTable64::new(0.0, pressure)?, 1.0)?;
         Ok(modes.inertia_interval())
     };
     let (ring_low, ring_high) = interval(PowerPressure::RING)?;
@@ -138,17 +138,17 @@ fn round_supports() -> Result<Vec<Claim>> {
 
 /// Law, pressure and mass each change the final motion of one board.
 fn depends() -> Result<Claim> {
-    let mode = |alpha: f64, pressure, radius: f64, launch: f64| -> Result<FinalMode<f64>> {
-        let modes = Modes::new(RoundTable64::new(alpha, pressure)?, radius * radius)?;
-        Ok(modes.final_mode(launch))
+    let mode = |alpha: f64, pressure, radius: f64, launch: f64| -> Result<TerminalMode<f64>> {
+        let modes = TerminalMotion::new(RoundTable64::new(alpha, pressure)?, radius * radius)?;
+        Ok(modes.terminal_mode(launch))
     };
     let (ring, disk) = (PowerPressure::RING, PowerPressure::UNIFORM);
-    let together = matches!(mode(0.0, ring, 0.9, 1.0)?, FinalMode::Together { .. });
-    let on_disk = mode(0.0, disk, 0.9, 1.0)? == FinalMode::Spinning;
-    let heavier = mode(0.0, ring, 1.6, 1.0)? == FinalMode::Spinning;
+    let together = matches!(mode(0.0, ring, 0.9, 1.0)?, TerminalMode::Together { .. });
+    let on_disk = mode(0.0, disk, 0.9, 1.0)? == TerminalMode::Spinning;
+    let heavier = mode(0.0, ring, 1.6, 1.0)? == TerminalMode::Spinning;
     let cubic = [0.1, 10.0].map(|launch| mode(3.0, ring, 0.9, launch));
     let [slow, fast] = cubic;
-    let by_launch = slow? == FinalMode::Spinning && fast? == FinalMode::Sliding;
+    let by_launch = slow? == TerminalMode::Spinning && fast? == TerminalMode::Sliding;
     Ok(Claim::trend(
         TEXT.said("depends"),
         "mass at 0.9: both stop together on a ring, on a disk it spins; mass at 1.6: it spins on the \
@@ -169,14 +169,14 @@ fn feet() -> [[f64; 2]; 3] {
 /// board on three feet that is thrown at v = 1.
 fn last_pivot(inertia: f64, heading: f64, spin: f64) -> Result<f64> {
     let nodes = Nodes::new(feet().map(|[x, y]| Node { x, y, weight: 1.0 }))?;
-    let mut foot = NodeFoot::<f64, _, 3>::new(nodes, 1.0)?;
+    let mut foot = PointContacts::<f64, _, 3>::new(nodes, 1.0)?;
     let body = PlanarBody::new(1.0, inertia)?;
     let mut twist = Twist::new(heading.cos(), heading.sin(), spin);
     let size = |twist: &Twist<f64>| twist.velocity.norm().hypot(twist.spin);
     let start = size(&twist);
     while size(&twist) > FADED * start {
         let dt = SHARE * size(&twist);
-        let step = body.step_on_foot(&mut foot, &twist, &Wrench::ZERO, TimeStep::new(dt)?);
+        let step = body.step_on_points(&mut foot, &twist, &Wrench::ZERO, TimeStep::new(dt)?);
         // The feet turn with the board: the velocity is kept in their frame.
         let turned = 0.5 * dt * (twist.spin + step.twist.spin);
         let (sin, cos) = turned.sin_cos();

@@ -6,7 +6,7 @@ use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos::scene::InclineScene;
 use tribos::stick::incline;
-use tribos_core::law::{Age, Ageing, CoulombLaw, DryFriction, LocalLaw};
+use tribos_core::law::{CoulombLaw, DryFriction, LocalLaw, RestTime, StaticAgeing};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Color, Figure, Legend, Panels, Series};
@@ -31,8 +31,8 @@ fn wood() -> Result<DryFriction<f64>> {
     Ok(DryFriction::new(MU_STATIC, MU_DYNAMIC)?)
 }
 
-fn ageing() -> Result<Ageing<f64>> {
-    Ok(Ageing::new(MU_STATIC, GROWTH, AGES.0)?)
+fn ageing() -> Result<StaticAgeing<f64>> {
+    Ok(StaticAgeing::new(MU_STATIC, GROWTH, AGES.0)?)
 }
 
 /// Coulomb's graph, and static friction over the logarithm of the age.
@@ -43,7 +43,7 @@ pub fn figure_2_5() -> Result<Exhibit> {
         .zip(geometric(AGES.0, AGES.1, 201))
         .map(|(v, time)| {
             let friction = -wood.friction(v.abs()).copysign(v);
-            vec![v, friction, time, ageing.mu_static(Age { time })]
+            vec![v, friction, time, ageing.mu_static(RestTime { time })]
         })
         .collect();
     let moving = points(&rows, 0, 1);
@@ -94,7 +94,7 @@ fn rest_and_motion() -> Result<Vec<Claim>> {
         tangent = tangent.max(deviation.abs());
     }
     let decade = |time: f64| {
-        let [young, old] = [time, 10.0 * time].map(|time| ageing.mu_static(Age { time }));
+        let [young, old] = [time, 10.0 * time].map(|time| ageing.mu_static(RestTime { time }));
         old - young
     };
     let uneven = geometric(AGES.0, AGES.1 / 10.0, 50)

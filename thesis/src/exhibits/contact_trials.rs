@@ -6,7 +6,8 @@ use anyhow::{Result, anyhow};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use tribos_core::contact::{
-    AllModes, Attraction, Cohesion, Contact, NormalLaw, Sphere, Thresholds, Touch,
+    AllModes, Attraction, Cohesion, Contact, ContactGeometry, IndependentFriction, NormalLaw,
+    SphereBody,
 };
 
 /// Strength and range of cohesion: the unit of force, and the default of powders in R.
@@ -61,12 +62,12 @@ impl Load {
 /// A pair of spheres.
 #[derive(Debug, Clone)]
 pub struct Pair {
-    spheres: [Sphere<f64>; 2],
+    spheres: [SphereBody<f64>; 2],
     radii: [f64; 2],
     /// Distance of the surfaces.
     pub gap: f64,
     law: NormalLaw<f64>,
-    friction: Thresholds<f64, AllModes>,
+    friction: IndependentFriction<f64, AllModes>,
 }
 
 /// From the first sphere to the second, and the direction of sliding and axis of rolling.
@@ -80,7 +81,7 @@ impl Pair {
         let cohesion = Cohesion::new(STRENGTH, RANGE, attraction)?;
         let sphere = |radius: f64| {
             let mass = 4.0 / 3.0 * PI * radius.powi(3);
-            Sphere {
+            SphereBody {
                 velocity: Vector3::zeros(),
                 spin: Vector3::zeros(),
                 inv_mass: 1.0 / mass,
@@ -92,7 +93,7 @@ impl Pair {
             radii,
             gap: 0.0,
             law: NormalLaw::new(cohesion, 0.0)?,
-            friction: Thresholds::all(mu, rolling, torsion)?,
+            friction: IndependentFriction::all(mu, rolling, torsion)?,
         })
     }
 
@@ -147,7 +148,7 @@ impl Pair {
 
         // The contact answers.
         let distance = self.radii[0] + self.radii[1] + self.gap;
-        let touch = Touch::spheres(&(NORMAL * distance), self.radii)?;
+        let touch = ContactGeometry::spheres(&(NORMAL * distance), self.radii)?;
         let [a, b] = &mut self.spheres;
         let mut contact = Contact::<f64, AllModes>::new(&touch, &self.law, a, b, dt);
         contact.update(&self.friction, a, b);

@@ -4,7 +4,7 @@ use crate::exhibit::{Exhibit, at, geometric, table};
 use crate::text::Text;
 use anyhow::Result;
 use std::f64::consts::PI;
-use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
+use tribos_core::coupling::{ReducedFriction, quadrature::DiskQuadrature};
 use tribos_core::internals::CompleteElliptic;
 use tribos_core::law::CoulombLaw;
 use tribos_report::claim::Claim;

@@ -4,7 +4,7 @@ use crate::exhibit::{Exhibit, geometric, points};
 use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos_core::law::{
-    ContactAge, Dieterich, LocalLaw, RateState, RateStateParameters, Ruina, SteadyRateState,
+    AgeingLaw, LocalLaw, RateState, RateStateParameters, SlipLaw, StateVariable, SteadyRateState,
 };
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
@@ -25,7 +25,7 @@ const CREEP: (f64, f64) = (1e-7, 1e-4);
 const INERTIAL: (f64, f64) = (1e-2, 1e-1);
 
 fn steady() -> Result<SteadyRateState<f64>> {
-    Ok(RateState::<f64, Dieterich>::new(PAPER)?.steady())
+    Ok(RateState::<f64, AgeingLaw>::new(PAPER)?.steady())
 }
 
 /// Steady friction over the speed.
@@ -137,16 +137,16 @@ fn steady_claims(law: &SteadyRateState<f64>, minimum: f64) -> Vec<Claim> {
 
 /// Ageing at rest, and the memory length.
 fn memory() -> Result<Vec<Claim>> {
-    let paper = RateState::<f64, Dieterich>::new(PAPER)?;
+    let paper = RateState::<f64, AgeingLaw>::new(PAPER)?;
     let slow = PAPER.reference_speed;
-    let rested = |time: f64| paper.advance(ContactAge { theta: 1.0 }, 0.0, time);
+    let rested = |time: f64| paper.advance(StateVariable { theta: 1.0 }, 0.0, time);
     let strength = |time: f64| paper.coefficient(slow, rested(time));
     let decade = strength(1e5) - strength(1e4);
     let expected = PAPER.b * 10f64.ln();
-    let slip_law = RateState::<f64, Ruina>::new(PAPER)?;
+    let slip_law = RateState::<f64, SlipLaw>::new(PAPER)?;
     // ln(θ/steady θ) before and after sliding by D₀ at a new speed.
     let fast = 10.0 * slow;
-    let excess = |age: ContactAge<f64>| (age.theta / slip_law.steady_age(fast).theta).ln();
+    let excess = |age: StateVariable<f64>| (age.theta / slip_law.steady_age(fast).theta).ln();
     let before = slip_law.steady_age(slow);
     let after = slip_law.advance(before, fast, PAPER.slip_distance / fast);
     Ok(vec![

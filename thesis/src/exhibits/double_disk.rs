@@ -3,9 +3,9 @@
 use crate::exhibit::{Exhibit, table};
 use crate::text::Text;
 use anyhow::Result;
-use tribos_core::coupling::table::Table64;
-use tribos_core::modes::{FinalMode, Modes, inertia_interval};
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::table::DiskTable64;
+use tribos_core::modes::{TerminalMode, TerminalMotion, inertia_interval};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 use tribos_report::verdict::Allowance;
@@ -22,8 +22,8 @@ const FRACTION: f64 = 0.02;
 const RADII: [(f64, [f64; 3]); 2] = [(0.0, [0.69, 1.0, 1.18]), (3.0, [0.8, 1.0, 1.44])];
 
 /// One run: spin over its start, and ε, until both speeds have faded.
-fn follow(slider: &Slider<f64, Table64>, alpha: f64, launch: f64) -> Vec<(f64, f64)> {
-    let start = Motion::launched(launch, 1.0);
+fn follow(slider: &Slider<f64, DiskTable64>, alpha: f64, launch: f64) -> Vec<(f64, f64)> {
+    let start = SliderState::launched(launch, 1.0);
     let mut motion = start;
     let mut points = Vec::new();
     while motion.speed > FADED * start.speed || motion.spin > FADED * start.spin {
@@ -48,7 +48,7 @@ pub fn figure_3_13() -> Result<Exhibit> {
     let mut claims = bounds()?;
     for (alpha, radii) in RADII {
         let table = table(alpha)?;
-        let disk = Modes::new(&table, 0.5)?;
+        let disk = TerminalMotion::new(&table, 0.5)?;
         let fixed = disk.finite_fixed_point().unwrap_or(f64::NAN);
         for radius in radii {
             let inertia = 0.5 * radius * radius;
@@ -60,7 +60,7 @@ pub fn figure_3_13() -> Result<Exhibit> {
                     inertia_ratio: inertia,
                 },
             )?;
-            let modes = Modes::new(&table, inertia)?;
+            let modes = TerminalMotion::new(&table, inertia)?;
             let mut figure = Figure::new(
                 format!("α = {alpha}, R/R_c = {radius}"),
                 Axis::log10("ω/ω₀").range(1e-4, 1.0),
@@ -97,18 +97,18 @@ pub fn figure_3_13() -> Result<Exhibit> {
 }
 
 /// True if the run moves from its launch towards the end that the fixed points foretell.
-fn ends_as_foretold<P: tribos_core::coupling::Profile<f64>>(
-    modes: &Modes<f64, P>,
+fn ends_as_foretold<P: tribos_core::coupling::PowerLawFriction<f64>>(
+    modes: &TerminalMotion<f64, P>,
     launch: f64,
     points: &[(f64, f64)],
 ) -> bool {
     let Some(&(_, last)) = points.last() else {
         return false;
     };
-    match modes.final_mode(launch) {
-        FinalMode::Spinning => last < launch,
-        FinalMode::Sliding => last > launch,
-        FinalMode::Together { ratio } => {
+    match modes.terminal_mode(launch) {
+        TerminalMode::Spinning => last < launch,
+        TerminalMode::Sliding => last > launch,
+        TerminalMode::Together { ratio } => {
             (last - ratio).abs() <= (launch - ratio).abs() + 1e-9 * ratio
         }
     }
@@ -139,7 +139,7 @@ fn bounds() -> Result<Vec<Claim>> {
     /// So near to the ends that the next terms, of order ε², do not count.
     const FAR: f64 = 1e9;
     let ends = |alpha: f64| -> Result<[f64; 2]> {
-        let modes = Modes::new(table(alpha)?, 0.5)?;
+        let modes = TerminalMotion::new(table(alpha)?, 0.5)?;
         Ok([1.0 / FAR, FAR].map(|ratio| (2.0 * modes.inertia_ratio_of(ratio)).sqrt()))
     };
     let ([dry_high, dry_low], [cubic_low, cubic_high]) = (ends(0.0)?, ends(3.0)?);

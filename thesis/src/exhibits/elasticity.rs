@@ -4,9 +4,9 @@ use anyhow::{Result, ensure};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use tribos::cd::{Laws, Method, Order, Setup, Solver, StepLimits, Stop, Wall, World, solid};
-use tribos_core::contact::{Cohesion, Frictionless, NormalLaw, Thresholds};
+use tribos_core::contact::{Cohesion, Frictionless, IndependentFriction, NormalLaw};
 
-type Smooth = Thresholds<f64, Frictionless>;
+type Smooth = IndependentFriction<f64, Frictionless>;
 
 /// Bodies of the row, the last of them the piston, and sweeps of a step.
 pub const BODIES: usize = 50;

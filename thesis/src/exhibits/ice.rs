@@ -3,7 +3,7 @@
 use crate::exhibit::{Exhibit, geometric, points};
 use crate::text::Text;
 use anyhow::Result;
-use tribos_core::law::{LocalLaw, PlateauPower, PlateauPowerParameters, PowerLaw};
+use tribos_core::law::{LocalLaw, PlateauPowerLaw, PlateauPowerLawParameters, PowerLaw};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
@@ -28,9 +28,9 @@ fn power((coefficient, alpha): (f64, f64)) -> Result<PowerLaw<f64>> {
     Ok(PowerLaw::new(alpha, coefficient)?)
 }
 
-fn granite() -> Result<PlateauPower<f64>> {
-    let plateau = PlateauPower::<f64>::ICE_PLATEAU_SPEED;
-    Ok(PlateauPower::new(PlateauPowerParameters {
+fn granite() -> Result<PlateauPowerLaw<f64>> {
+    let plateau = PlateauPowerLaw::<f64>::ICE_PLATEAU_SPEED;
+    Ok(PlateauPowerLaw::new(PlateauPowerLawParameters {
         alpha: PENNER.1,
         coefficient: PENNER.0,
         plateau_speed: plateau,
@@ -81,7 +81,7 @@ pub fn figure_3_19() -> Result<Exhibit> {
         TEXT.prose()
             .with(
                 "plateau",
-                format!("{:e}", PlateauPower::<f64>::ICE_PLATEAU_SPEED),
+                format!("{:e}", PlateauPowerLaw::<f64>::ICE_PLATEAU_SPEED),
             )
             .with("share", REST_SHARE)
             .with("drop", format!("{DROP_SPEED:e}")),
@@ -101,7 +101,7 @@ pub fn figure_3_19() -> Result<Exhibit> {
 }
 
 /// The law with a plateau against what the thesis says of ice.
-fn plateau_claims(granite: &PlateauPower<f64>) -> Result<Vec<Claim>> {
+fn plateau_claims(granite: &PlateauPowerLaw<f64>) -> Result<Vec<Claim>> {
     /// What "constant" may mean over two decades: ours. The power alone would change tenfold.
     const CONSTANT: f64 = 0.2;
     let values = geometric(PLATEAU.0, PLATEAU.1, 200);

@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::num::NonZeroU32;
 use tribos::slide::inverse::{InverseError, Launch, Limits, Pose, RestMap, Solution, Turns};
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::modes::{FinalMode, Modes};
+use tribos_core::modes::{TerminalMode, TerminalMotion};
 use tribos_core::patch::PowerPressure;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Color, Figure, Legend, Series};
@@ -133,8 +133,8 @@ fn found() -> Result<Vec<Claim>> {
     let (mut poses, mut single, mut worst) = (0, 0, 0.0_f64);
     let (mut crossings, mut between) = (0, 0);
     for (alpha, map) in bodies()? {
-        let end = Modes::new(*map.profile(), map.inertia_ratio())?.final_mode(1.0);
-        let FinalMode::Together { ratio: end } = end else {
+        let end = TerminalMotion::new(*map.profile(), map.inertia_ratio())?.terminal_mode(1.0);
+        let TerminalMode::Together { ratio: end } = end else {
             anyhow::bail!("a body of even thickness with α = {alpha} has a common stop");
         };
         let ratios = rest_ratios(&map);

@@ -7,10 +7,10 @@ use crate::exhibit::{Exhibit, geometric, linear};
 use crate::text::Text;
 use anyhow::{Context, Result};
 use tribos::slide::planar::{Gradient, Journey, Launch, Point, TallBody, TallCylinder};
-use tribos_core::coupling::Dry;
+use tribos_core::coupling::DryProfile;
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::internals::LeanProfile;
-use tribos_core::modes::{Modes, Stability};
+use tribos_core::modes::{Stability, TerminalMotion};
 use tribos_core::patch::PowerPressure;
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
@@ -29,12 +29,12 @@ const RADIUS: f64 = 0.08;
 /// Relative error of sums and integrations over points.
 const DIRECT: f64 = 2e-3;
 
-type Leaning = Modes<f64, LeanProfile<f64, Dry<RoundTable64>>>;
+type Leaning = TerminalMotion<f64, LeanProfile<f64, DryProfile<RoundTable64>>>;
 
 /// Final motion of a tall body under dry friction: pressure, λ, C.
 fn modes(pressure: PowerPressure, lean: f64, inertia: f64) -> Result<Leaning> {
-    let foot = Dry::new(RoundTable64::new(0.0, pressure)?)?;
-    Ok(Modes::new(LeanProfile::new(foot, lean)?, inertia)?)
+    let foot = DryProfile::new(RoundTable64::new(0.0, pressure)?)?;
+    Ok(TerminalMotion::new(LeanProfile::new(foot, lean)?, inertia)?)
 }
 
 /// Its final ratio, if there is one.

@@ -5,7 +5,7 @@ use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos::friction::{FlatPatch, Patch};
 use tribos::onset::{Bond, Contact, OnsetPoint, OnsetSurface};
-use tribos_core::bond::{Bonds, Release};
+use tribos_core::bond::{Bonds, FailureMode};
 use tribos_core::patch::nodes::Nodes;
 use tribos_core::twist::Twist;
 use tribos_report::claim::Claim;
@@ -58,7 +58,7 @@ fn tripod_curve(bond: Bond) -> Result<Vec<(f64, f64)>> {
             let direction = Twist::new(0.0, -share.cos(), share.sin());
             let onset = bonds.onset(1.0, &direction);
             let push = onset
-                .filter(|onset| onset.release != Release::Holds)
+                .filter(|onset| onset.release != FailureMode::Holds)
                 .ok_or_else(|| anyhow!("the tripod does not let go"))?
                 .push;
             Ok((push.force.norm(), push.torque))

@@ -5,11 +5,11 @@ use crate::text::Text;
 use anyhow::Result;
 use std::f64::consts::PI;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{Coupling, ReducedWrench, round::RoundTable64};
+use tribos_core::coupling::{ReducedFriction, ReducedWrench, round::RoundTable64};
 use tribos_core::law::PowerLaw;
 use tribos_core::patch::PowerPressure;
 use tribos_core::patch::nodes::NodeList;
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::twist::Twist;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
@@ -193,9 +193,9 @@ fn lateral() -> Result<Claim> {
     let mut largest = 0.0_f64;
     // The rule's nodes lie inside: the ring is left out.
     for (_, pressure) in PRESSURES.into_iter().skip(1) {
-        let rule =
-            PolarRule::standard(1.0).and_then(|rule| rule.with_rim_exponent(pressure.order()))?;
-        let foot: NodeList<f64, { PolarRule::<f64>::STANDARD_NODES }> = rule.nodes()?;
+        let rule = PolarQuadrature::standard(1.0)
+            .and_then(|rule| rule.with_rim_exponent(pressure.order()))?;
+        let foot: NodeList<f64, { PolarQuadrature::<f64>::STANDARD_NODES }> = rule.nodes()?;
         for alpha in [-0.5, 0.0, 0.5, 1.0, 3.0] {
             let law = PowerLaw::new(alpha, 1.0)?;
             let friction = NodeFriction::new(law, &foot);

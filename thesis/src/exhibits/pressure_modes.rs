@@ -5,9 +5,9 @@ use crate::exhibit::{Exhibit, geometric, linear, modes};
 use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
+use tribos_core::modes::{Stability, TerminalMode, TerminalMotion, inertia_interval};
 use tribos_core::patch::PowerPressure;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Color, Figure, Guide, Legend, Series};
@@ -102,7 +102,7 @@ fn plane(exponents: &[f64]) -> Result<Vec<Claim>> {
             let table = round(alpha, pressure)?;
             let (low, high) = inertia_interval(alpha, pressure.order());
             for c in geometric(0.031, 17.0, 20) {
-                let modes = Modes::new(&table, c)?;
+                let modes = TerminalMotion::new(&table, c)?;
                 let signs: Vec<bool> = ratios.iter().map(|&r| modes.growth(r) > 0.0).collect();
                 let changes = signs.windows(2).filter(|w| w[0] != w[1]).count();
                 let inside = c > low && c < high;
@@ -131,7 +131,7 @@ fn decoupled() -> Result<Claim> {
     let mut holds = true;
     for (_, pressure) in PRESSURES {
         let table = round(1.0, pressure)?;
-        let modes = Modes::new(&table, pressure.mean_square_radius())?;
+        let modes = TerminalMotion::new(&table, pressure.mean_square_radius())?;
         let points = modes.fixed_points();
         holds &= points.spinning == Stability::Semistable && points.finite.is_none();
         holds &= geometric(1e-3, 1e3, 60)
@@ -170,18 +170,18 @@ fn negative() -> Result<Vec<Claim>> {
 
 /// Stones on their band.
 fn curling() -> Result<Vec<Claim>> {
-    let end = |alpha: f64| -> Result<FinalMode<f64>> {
+    let end = |alpha: f64| -> Result<TerminalMode<f64>> {
         let ring = round(alpha, PowerPressure::RING)?;
-        let modes = Modes::new(&ring, stone())?;
-        Ok(modes.final_mode(1.0))
+        let modes = TerminalMotion::new(&ring, stone())?;
+        Ok(modes.terminal_mode(1.0))
     };
     let (penner, draw, slow_slide) = (end(PENNER)?, end(DRAW)?, end(SLOW_SLIDE)?);
-    let in_words = |mode: &FinalMode<f64>| match mode {
-        FinalMode::Spinning => "ε → 0, spinning takes over".to_owned(),
-        FinalMode::Sliding => "ε → ∞, sliding takes over".to_owned(),
-        FinalMode::Together { ratio } => format!("together, ε₀ = {}", short(*ratio)),
+    let in_words = |mode: &TerminalMode<f64>| match mode {
+        TerminalMode::Spinning => "ε → 0, spinning takes over".to_owned(),
+        TerminalMode::Sliding => "ε → ∞, sliding takes over".to_owned(),
+        TerminalMode::Together { ratio } => format!("together, ε₀ = {}", short(*ratio)),
     };
-    let FinalMode::Together { ratio } = penner else {
+    let TerminalMode::Together { ratio } = penner else {
         return Err(anyhow!("a stone with α = −1/2 has no common stop"));
     };
     let bounds = inertia_interval(DRAW, PowerPressure::RING.order());
@@ -190,7 +190,7 @@ fn curling() -> Result<Vec<Claim>> {
         Claim::own_statement(
             TEXT.said("draw"),
             format!("{}; C is above c_max = {:.4}", in_words(&draw), bounds.1),
-            draw == FinalMode::Spinning,
+            draw == TerminalMode::Spinning,
         ),
         Claim::contradiction(
             TEXT.said("draw-stops"),
@@ -199,7 +199,7 @@ fn curling() -> Result<Vec<Claim>> {
                  border; after a launch at ε = 1 both motions still end at the same instant",
                 100.0 * (stone() / bounds.1 - 1.0)
             ),
-            draw == FinalMode::Spinning && stops_together(DRAW)?,
+            draw == TerminalMode::Spinning && stops_together(DRAW)?,
         ),
         Claim::not_checkable(TEXT.said("slow-slide").with("mode", in_words(&slow_slide))),
     ])
@@ -216,7 +216,7 @@ fn stops_together(alpha: f64) -> Result<bool> {
             inertia_ratio: stone(),
         },
     )?;
-    let mut motion = Motion::launched(1.0, 1.0);
+    let mut motion = SliderState::launched(1.0, 1.0);
     // With fixed steps: the last moving state still slides and spins.
     loop {
         let step = slider.advance(&motion, 0.01);

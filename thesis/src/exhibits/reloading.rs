@@ -11,13 +11,13 @@ use std::thread::available_parallelism;
 use tribos::cd::{Laws, Method, Setup, Solver, StepLimits, Wall, World, solid};
 use tribos::powder::deposit::{Ballistic, Until};
 use tribos::run::in_order;
-use tribos_core::contact::{Attraction, Cohesion, NormalLaw, Sliding, Thresholds};
+use tribos_core::contact::{Attraction, Cohesion, IndependentFriction, NormalLaw, SlidingOnly};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Guide, Series};
 
 const TEXT: Text = Text(include_str!("section-4.2.md"));
 
-type Friction = Thresholds<f64, Sliding>;
+type Friction = IndependentFriction<f64, SlidingOnly>;
 
 /// Sliding friction and capture radius of the thesis' powders.
 const SLIDING: f64 = 0.3;
@@ -63,7 +63,7 @@ impl Packing {
         };
         let laws = Laws::uniform(
             NormalLaw::new(cohesion, 0.0)?,
-            Thresholds::sliding(SLIDING)?,
+            IndependentFriction::sliding(SLIDING)?,
         );
         let (up, area) = (Vector3::z(), width * width);
         let count = deposit.positions.len();

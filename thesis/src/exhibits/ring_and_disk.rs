@@ -6,7 +6,7 @@ use crate::text::Text;
 use anyhow::{Context, Result};
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::patch::PowerPressure;
-use tribos_core::slider::{Motion, Rest, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderRest, SliderState};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Color, Figure, Legend, Panels, Series};
@@ -68,8 +68,8 @@ impl Body {
         )
     }
 
-    fn stop(&self, speed: f64, spin: f64) -> Result<Rest<f64>> {
-        let rest = self.slider.to_rest(&Motion::launched(speed, spin));
+    fn stop(&self, speed: f64, spin: f64) -> Result<SliderRest<f64>> {
+        let rest = self.slider.to_rest(&SliderState::launched(speed, spin));
         rest.context("dry friction brings every body to rest")
     }
 
@@ -148,7 +148,7 @@ fn ratios([disk, ring]: &[Body; 2]) -> Result<Vec<Claim>> {
             // The last thousandth of the time still slides and spins.
             let late = body
                 .slider
-                .advance(&Motion::launched(1.0, spin), 0.999 * rest.motion.time);
+                .advance(&SliderState::launched(1.0, spin), 0.999 * rest.motion.time);
             together &= late.motion.speed > 0.0 && late.motion.spin > 0.0;
         }
     }

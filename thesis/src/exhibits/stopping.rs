@@ -3,15 +3,15 @@
 use crate::exhibit::{Exhibit, linear, table};
 use crate::text::Text;
 use anyhow::Result;
-use tribos_core::coupling::table::Table64;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::table::DiskTable64;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Series};
 
 const TEXT: Text = Text(include_str!("figure-3.11.md"));
 
 /// Disk with γg = 1 and R = 1.
-fn disk(alpha: f64) -> Result<Slider<f64, Table64>> {
+fn disk(alpha: f64) -> Result<Slider<f64, DiskTable64>> {
     Ok(Slider::new(
         table(alpha)?,
         SliderParameters {
@@ -36,7 +36,7 @@ pub fn figure_3_11() -> Result<Exhibit> {
     );
     for alpha in [0.0, 1.0, 3.0] {
         let slider = disk(alpha)?;
-        let start = Motion::launched(START, START);
+        let start = SliderState::launched(START, START);
         let curve: Vec<_> = times
             .iter()
             .map(|&time| (time, slider.advance(&start, time).motion.speed))
@@ -60,7 +60,7 @@ pub fn figure_3_11() -> Result<Exhibit> {
 
 /// Eq. 3.34 and the exponential, against the stepper.
 fn laws_of_fading() -> Result<Vec<Claim>> {
-    let sliding = Motion::launched(START, 0.0);
+    let sliding = SliderState::launched(START, 0.0);
     let speed_at = |alpha: f64, time: f64| -> Result<f64> {
         Ok(disk(alpha)?.advance(&sliding, time).motion.speed)
     };
@@ -75,7 +75,7 @@ fn laws_of_fading() -> Result<Vec<Claim>> {
             1e-13,
         ));
     }
-    let spinning = Motion::launched(START, START);
+    let spinning = SliderState::launched(START, START);
     let decay = disk(1.0)?.advance(&spinning, END).motion.speed;
     claims.push(Claim::formula(
         TEXT.said("exponential"),
@@ -116,7 +116,7 @@ fn dimensionless_equation() -> Result<Claim> {
             inertia_ratio: 0.5,
         },
     )?;
-    let power = slider.dissipation_per_mass(&Motion::launched(speed, 0.0));
+    let power = slider.dissipation_per_mass(&SliderState::launched(speed, 0.0));
     let scale = f64::sqrt(gravity * radius);
     // dv*/dt* over (v*)³, from the deceleration P/(M v) of the body.
     let ours = power / speed / gravity / (speed / scale).powi(3);
@@ -134,7 +134,7 @@ fn travel() -> Result<Vec<Claim>> {
     let mut distances = Vec::new();
     let mut together = true;
     for spin in [0.0, 0.5, 1.0, 2.0, 4.0] {
-        let mut motion = Motion::launched(START, spin);
+        let mut motion = SliderState::launched(START, spin);
         // With fixed steps: the last moving state still slides and spins.
         let rest = loop {
             let step = slider.advance(&motion, 0.01);

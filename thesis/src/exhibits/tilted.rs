@@ -4,11 +4,13 @@ use crate::exhibit::{Exhibit, at, geometric, linear, points, table};
 use crate::text::Text;
 use anyhow::Result;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction, TallWrench};
-use tribos_core::coupling::{Lateral, PatchFriction, table::Table64};
+use tribos_core::coupling::tall::{
+    FullGradient, LoadTransferFriction, LoadTransferWrench, LongitudinalGradient, PressureGradient,
+};
+use tribos_core::coupling::{LateralFriction, RoundFriction, table::DiskTable64};
 use tribos_core::law::CoulombLaw;
 use tribos_core::patch::nodes::{NodeList, NodePatch};
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Legend, Series};
@@ -25,7 +27,7 @@ const NODE_ERROR: f64 = 3e-4;
 const LEAN: f64 = 0.8;
 
 /// 2G at ε with ωR = 1: the lateral function of the thesis.
-fn lateral(table: &Table64, ratio: f64) -> f64 {
+fn lateral(table: &DiskTable64, ratio: f64) -> f64 {
     2.0 * table.lateral(ratio, 1.0)
 }
 
@@ -66,7 +68,7 @@ pub fn figure_3_16() -> Result<Exhibit> {
 }
 
 /// F⊥ at the ends.
-fn limits(dry: &Table64) -> Vec<Claim> {
+fn limits(dry: &DiskTable64) -> Vec<Claim> {
     let rounding = 4.0 * f64::EPSILON;
     let far = 1e9;
     vec![
@@ -87,7 +89,7 @@ fn limits(dry: &Table64) -> Vec<Claim> {
 }
 
 /// The red curve.
-fn product(dry: &Table64) -> Vec<Claim> {
+fn product(dry: &DiskTable64) -> Vec<Claim> {
     let height = |ratio: f64| at(dry, ratio)[0] * lateral(dry, ratio);
     let peak = linear(0.5, 1.5, 100_000)
         .into_iter()
@@ -118,12 +120,12 @@ fn integrated(ratio: f64, lean: [f64; 2]) -> Result<Wrench<f64>> {
 }
 
 fn foot(lean: [f64; 2]) -> Result<NodeList<f64, NODES>> {
-    let rule = PolarRule::new(1.0, RINGS, ANGLES)?;
+    let rule = PolarQuadrature::new(1.0, RINGS, ANGLES)?;
     Ok(rule.nodes_tilted(lean[0], lean[1])?)
 }
 
 /// 3.37 integrated over the contact.
-fn direct_integration(dry: &Table64) -> Result<Vec<Claim>> {
+fn direct_integration(dry: &DiskTable64) -> Result<Vec<Claim>> {
     let [mut force, mut torque, mut side] = [0.0_f64; 3];
     for ratio in geometric(0.05, 20.0, 24) {
         let wrench = integrated(ratio, [LEAN, 0.0])?;
@@ -152,29 +154,29 @@ fn direct_integration(dry: &Table64) -> Result<Vec<Claim>> {
 }
 
 /// μ, R and H of a cylinder, and its wrench under unit load.
-fn tall<L: Lean>(
-    dry: &Table64,
+fn tall<L: PressureGradient>(
+    dry: &DiskTable64,
     [mu, radius, height]: [f64; 3],
     twist: &Twist<f64>,
-) -> Result<TallWrench<f64>> {
-    let foot = PatchFriction::new(dry, mu, radius)?;
-    let body = TallFriction::<_, _, L>::new(foot, height / 2.0)?;
+) -> Result<LoadTransferWrench<f64>> {
+    let foot = RoundFriction::new(dry, mu, radius)?;
+    let body = LoadTransferFriction::<_, _, L>::new(foot, height / 2.0)?;
     Ok(body.wrench(1.0, twist))
 }
 
 /// 3.38 with dimensions, and its sign.
-fn cylinder(dry: &Table64) -> Result<Vec<Claim>> {
+fn cylinder(dry: &DiskTable64) -> Result<Vec<Claim>> {
     let [mu, radius, height] = [0.2, 0.04, 0.06];
     let wrench = |spin: f64| {
         let twist = Twist::new(1.0, 0.0, spin);
-        tall::<FrontBack>(dry, [mu, radius, height], &twist)
+        tall::<LongitudinalGradient>(dry, [mu, radius, height], &twist)
     };
     let (left, right) = (wrench(25.0)?.wrench, wrench(-25.0)?.wrench);
     let printed = mu * mu * height / radius * at(dry, 1.0)[0] * lateral(dry, 1.0);
     let lifts = |mu: f64| -> Result<bool> {
         // Without spin F = 1, and 2 μ H/R = 1 is the border.
         let twist = Twist::new(1.0, 0.0, 0.0);
-        Ok(tall::<FrontBack>(dry, [mu, 1.0, 1.0], &twist)?.is_lifting)
+        Ok(tall::<LongitudinalGradient>(dry, [mu, 1.0, 1.0], &twist)?.is_lifting)
     };
     let border = (lifts(0.499)?, lifts(0.501)?);
     Ok(vec![
@@ -197,10 +199,10 @@ fn cylinder(dry: &Table64) -> Result<Vec<Claim>> {
 }
 
 /// What 3.37 leaves out.
-fn sideways(dry: &Table64) -> Result<Vec<Claim>> {
+fn sideways(dry: &DiskTable64) -> Result<Vec<Claim>> {
     let (mut largest, mut deviation) = ([(0.0_f64, 0.0); 2], 0.0_f64);
     for ratio in geometric(0.05, 20.0, 24) {
-        let (wrench, lean) = AllRound::balance(dry, [ratio, 1.0], LEAN);
+        let (wrench, lean) = FullGradient::balance(dry, [ratio, 1.0], LEAN);
         let changes = [
             wrench.force / at(dry, ratio)[0] - 1.0,
             wrench.torque / at(dry, ratio)[1] - 1.0,

@@ -6,7 +6,7 @@ use super::{Found, Method, Ready, Trial};
 use anyhow::Result;
 use nalgebra::Vector3;
 use tribos::cd::solid;
-use tribos_core::contact::{Sphere, Thresholds};
+use tribos_core::contact::{IndependentFriction, SphereBody};
 
 /// Length of the run, in the time of sliding.
 const RUN: f64 = 1.5;
@@ -32,14 +32,14 @@ impl Trial for Ball {
             Method::Soft { stiffness, .. } => 1.0 / stiffness,
             _ => 0.0,
         };
-        let ball = Sphere {
+        let ball = SphereBody {
             velocity: Vector3::x() * speed,
             ..solid(1.0, DENSITY)
         };
         let pile = Pile {
             up,
             gravity: -up,
-            friction: Thresholds::sliding(mu)?,
+            friction: IndependentFriction::sliding(mu)?,
             spheres: vec![(up * (1.0 - overlap), ball)],
         };
         let (sliding, length) = (2.0 * speed / (7.0 * mu), 12.0 * speed * speed / (49.0 * mu));

@@ -6,7 +6,7 @@ use anyhow::Result;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use tribos::cd::solid;
-use tribos_core::contact::Thresholds;
+use tribos_core::contact::IndependentFriction;
 
 /// Density of a sphere of mass 1.
 pub(super) const DENSITY: f64 = 3.0 / (4.0 * PI);
@@ -56,7 +56,7 @@ impl Trial for Column {
         let pile = Pile {
             up,
             gravity: -up,
-            friction: Thresholds::none(),
+            friction: IndependentFriction::none(),
             spheres: (0..column.spheres).map(sphere).collect(),
         };
         Ok(Box::new(move || {

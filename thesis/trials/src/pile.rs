@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use tribos::cd::internals::Coefficients;
 use tribos::cd::{self, Laws, Solver, StepLimits, Wall};
 use tribos::soft::{self, Stiffness};
-use tribos_core::contact::{Cohesion, ContactFriction, NormalLaw, Sphere};
+use tribos_core::contact::{Cohesion, ContactFriction, NormalLaw, SphereBody};
 
 /// Largest motion of a step of contact dynamics, in R: steps are to bound it.
 const MOTION: f64 = 1.0;
@@ -19,7 +19,7 @@ pub struct Pile<F> {
     pub up: Vector3<f64>,
     pub gravity: Vector3<f64>,
     pub friction: F,
-    pub spheres: Vec<(Vector3<f64>, Sphere<f64>)>,
+    pub spheres: Vec<(Vector3<f64>, SphereBody<f64>)>,
 }
 
 /// The state after a step.
@@ -27,7 +27,7 @@ pub struct Pile<F> {
 pub struct Look<'a> {
     pub time: f64,
     pub positions: &'a [Vector3<f64>],
-    pub spheres: &'a [Sphere<f64>],
+    pub spheres: &'a [SphereBody<f64>],
     /// Sum of the normal forces on the floor.
     pub floor: f64,
 }

@@ -6,7 +6,7 @@ use super::{Found, Method, Ready, Trial};
 use anyhow::Result;
 use nalgebra::Vector3;
 use tribos::cd::solid;
-use tribos_core::contact::Thresholds;
+use tribos_core::contact::IndependentFriction;
 
 /// Share of the run over which the mean speed counts.
 const JUDGED: f64 = 0.5;
@@ -44,7 +44,7 @@ impl Trial for Slope {
         let pile = Pile {
             up,
             gravity: down,
-            friction: Thresholds::sliding_rolling(slope.mu, slope.mu_rolling)?,
+            friction: IndependentFriction::sliding_rolling(slope.mu, slope.mu_rolling)?,
             spheres: places.map(|x| (x.into(), solid(1.0, DENSITY))).to_vec(),
         };
         let mean = |look: &Look<'_>| look.positions.iter().sum::<Vector3<f64>>() / 5.0;

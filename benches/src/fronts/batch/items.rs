@@ -7,9 +7,9 @@ use std::cell::RefCell;
 use std::hint::black_box;
 use std::rc::Rc;
 use tribos_core::Real;
-use tribos_core::coupling::table::{Coulomb, Table32, Table64};
-use tribos_core::coupling::{Coupling, ReducedWrench};
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
+use tribos_core::coupling::{ReducedFriction, ReducedWrench};
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::twist::Wrench;
 
 /// Seed of all inputs.
@@ -68,11 +68,11 @@ pub enum Length {
 /// All items, in the order of the table.
 pub fn all(length: Length) -> Result<Vec<Item>, String> {
     let refused = |error: tribos_core::Error| error.to_string();
-    let double = Table64::new(ALPHA).map_err(|error| error.to_string())?;
-    let single = Table32::new(ALPHA as f32).map_err(|error| error.to_string())?;
+    let double = DiskTable64::new(ALPHA).map_err(|error| error.to_string())?;
+    let single = DiskTable32::new(ALPHA as f32).map_err(|error| error.to_string())?;
     let mut items = Vec::new();
-    items.extend(calls::<f64, _>(Coulomb, (0.0, "f64"), length)?);
-    items.extend(calls::<f32, _>(Coulomb, (0.0, "f32"), length)?);
+    items.extend(calls::<f64, _>(CoulombDisk, (0.0, "f64"), length)?);
+    items.extend(calls::<f32, _>(CoulombDisk, (0.0, "f32"), length)?);
     items.extend(calls::<f64, _>(double, (ALPHA, "f64"), length)?);
     items.extend(calls::<f32, _>(single, (ALPHA, "f32"), length)?);
     items.extend(projections::<f64>("f64").map_err(refused)?);
@@ -88,7 +88,7 @@ fn calls<R, C>(
 ) -> Result<Vec<Item>, String>
 where
     R: Real,
-    C: Coupling<R> + Clone + 'static,
+    C: ReducedFriction<R> + Clone + 'static,
 {
     let pairs = match length {
         Length::Short => mix::pairs(SEED),
@@ -138,7 +138,10 @@ where
 }
 
 /// Reduced wrenches of speeds, one by one and in a batch.
-fn reduced<R: Real, C: Coupling<R> + Clone + 'static>(coupling: C, pairs: &[[f64; 2]]) -> [Run; 2] {
+fn reduced<R: Real, C: ReducedFriction<R> + Clone + 'static>(
+    coupling: C,
+    pairs: &[[f64; 2]],
+) -> [Run; 2] {
     let speeds = [0, 1].map(|of| -> Vec<R> {
         let speeds = pairs.iter().map(|pair| R::from_f64(pair[of]));
         speeds.collect()
@@ -173,9 +176,9 @@ const REGIONS: [(&str, [f64; 2]); 3] = [
 /// Projections onto the limit surface of the uniform disk.
 fn projections<R: Real + 'static>(precision: &'static str) -> Result<Vec<Item>, tribos_core::Error>
 where
-    Coulomb: tribos_core::coupling::DryCoupling<R>,
+    CoulombDisk: tribos_core::coupling::DryReducedFriction<R>,
 {
-    let surface = LimitSurface::new(Coulomb, R::from_f64(LIMIT), R::from_f64(RADIUS))?;
+    let surface = RoundLimitSurface::new(CoulombDisk, R::from_f64(LIMIT), R::from_f64(RADIUS))?;
     let region = |(name, gauges): (&'static str, [f64; 2])| {
         let wrenches = wrenches(&surface, gauges);
         let (pushes, loads) = (wrenches.clone(), vec![R::ONE; wrenches.len()]);
@@ -227,7 +230,7 @@ mod tests {
 
     #[test]
     fn wrenches_have_the_gauges_of_their_region() {
-        let surface = LimitSurface::new(Coulomb, LIMIT, RADIUS).unwrap();
+        let surface = RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).unwrap();
         for (name, [low, high]) in REGIONS {
             for wrench in wrenches(&surface, [low, high]) {
                 let gauge: f64 = surface.gauge(&wrench);

@@ -17,7 +17,7 @@ use crate::picture::{self, Place};
 use crate::timing::{self, Samples, Task};
 use crate::written::{Sheet, short};
 use std::path::Path;
-use tribos_core::coupling::table::Coulomb;
+use tribos_core::coupling::table::CoulombDisk;
 
 /// Seed of the mix.
 const SEED: u64 = 1;
@@ -255,11 +255,11 @@ fn method_task<'a>(method: &'a Method, inputs: &'a Inputs) -> Task<'a> {
     )
 }
 
-fn contact<R: tribos_core::Real>(pairs: &[[f64; 2]]) -> Result<Contact<R, Coulomb>, String> {
-    Contact::new(Coulomb, pairs, SEED).map_err(|error| error.to_string())
+fn contact<R: tribos_core::Real>(pairs: &[[f64; 2]]) -> Result<Contact<R, CoulombDisk>, String> {
+    Contact::new(CoulombDisk, pairs, SEED).map_err(|error| error.to_string())
 }
 
-fn sweep<R: tribos_core::Real>(contact: &mut Contact<R, Coulomb>, single: bool) {
+fn sweep<R: tribos_core::Real>(contact: &mut Contact<R, CoulombDisk>, single: bool) {
     std::hint::black_box(if single {
         contact.one_by_one()
     } else {

@@ -116,13 +116,13 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribos_core::contact::Thresholds;
+    use tribos_core::contact::IndependentFriction;
 
     #[test]
     fn all_orders_have_the_same_problem() {
         let fallen = deposit(500).unwrap();
         let contacts = Order::ALL.map(|order| {
-            let mut world = world(&order.of(&fallen), Thresholds::none(), 1).unwrap();
+            let mut world = world(&order.of(&fallen), IndependentFriction::none(), 1).unwrap();
             world.step().unwrap().contacts
         });
         assert_eq!(contacts[0], contacts[1]);

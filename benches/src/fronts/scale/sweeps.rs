@@ -10,7 +10,7 @@ use std::hint::black_box;
 use std::time::Instant;
 use tribos::cd::internals::{Coefficients, NoMonitor, Operator, Spheres, Visit};
 use tribos::powder::deposit::Deposit;
-use tribos_core::contact::{ContactFriction, Thresholds};
+use tribos_core::contact::{ContactFriction, IndependentFriction};
 
 /// Coefficients: sliding as in the thesis, small enough that some contacts roll and spin.
 const MU: [f64; 3] = [0.3, 0.1, 0.1];
@@ -71,16 +71,16 @@ impl Point {
 
 /// Sweeps of a deposit with all six modes, and with sliding alone.
 pub fn measure(deposit: &Deposit, pools: &Pools, rounds: usize) -> Result<Vec<Point>, String> {
-    let sliding = Thresholds::sliding(MU[0]).map_err(|error| error.to_string())?;
+    let sliding = IndependentFriction::sliding(MU[0]).map_err(|error| error.to_string())?;
     let mut points = of_modes((ALL_MODES, all_modes()?), deposit, pools, rounds)?;
     points.extend(of_modes((SLIDING, sliding), deposit, pools, rounds)?);
     Ok(points)
 }
 
 /// Friction with all six modes.
-pub fn all_modes() -> Result<Thresholds<f64, tribos_core::contact::AllModes>, String> {
+pub fn all_modes() -> Result<IndependentFriction<f64, tribos_core::contact::AllModes>, String> {
     let [mu, mu_t, mu_n] = MU;
-    Thresholds::all(mu, mu_t, mu_n).map_err(|error| error.to_string())
+    IndependentFriction::all(mu, mu_t, mu_n).map_err(|error| error.to_string())
 }
 
 fn of_modes<F>(

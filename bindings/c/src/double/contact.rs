@@ -10,8 +10,8 @@ use crate::fields::same_fields;
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::contact::{
-    AllModes, Attraction, Body, Cohesion, Contact, ContactModes, Modal, NormalLaw, Plate, Sphere,
-    TimeStep, Touch,
+    AllModes, Attraction, Cohesion, Contact, ContactBody, ContactGeometry, ContactModes,
+    ContactVector, NormalLaw, SphereBody, TimeStep, WallBody,
 };
 use tribos_core::internals::{Block, PreparedContact};
 
@@ -120,9 +120,9 @@ pub struct tribos_contact_f64 {
     pub rests_open: u32,
 }
 
-same_fields!(tribos_sphere_f64, Sphere<f64> { velocity, spin, inv_mass, inv_inertia });
-same_fields!(tribos_plate_f64, Plate<f64> { velocity, inv_mass });
-same_fields!(tribos_touch_f64, Touch<f64> { normal, gap, arms, lever });
+same_fields!(tribos_sphere_f64, SphereBody<f64> { velocity, spin, inv_mass, inv_inertia });
+same_fields!(tribos_plate_f64, WallBody<f64> { velocity, inv_mass });
+same_fields!(tribos_touch_f64, ContactGeometry<f64> { normal, gap, arms, lever });
 
 impl From<PreparedContact<f64>> for tribos_contact_f64 {
     fn from(c: PreparedContact<f64>) -> Self {
@@ -161,16 +161,16 @@ impl From<tribos_contact_f64> for PreparedContact<f64> {
     }
 }
 
-impl<M: ContactModes<f64>> From<tribos_impulse_f64> for Modal<f64, M> {
+impl<M: ContactModes<f64>> From<tribos_impulse_f64> for ContactVector<f64, M> {
     #[inline(always)]
     fn from(i: tribos_impulse_f64) -> Self {
         Self::new(i.normal, i.sliding.into(), i.rolling.into(), i.torsion)
     }
 }
 
-impl<M: ContactModes<f64>> From<&Modal<f64, M>> for tribos_impulse_f64 {
+impl<M: ContactModes<f64>> From<&ContactVector<f64, M>> for tribos_impulse_f64 {
     #[inline(always)]
-    fn from(i: &Modal<f64, M>) -> Self {
+    fn from(i: &ContactVector<f64, M>) -> Self {
         Self {
             normal: i.normal,
             sliding: i.sliding().into(),
@@ -211,23 +211,23 @@ unsafe fn prepared<A: AsBody + Copy, B: AsBody + Copy>(
 /// A structure of the header that represents a body of the kernel.
 pub(super) trait AsBody {
     /// Type of the body in the kernel.
-    type Kernel: Body<f64>;
+    type Kernel: ContactBody<f64>;
     /// Converts to the kernel's body.
     fn body(self) -> Self::Kernel;
 }
 
 impl AsBody for tribos_sphere_f64 {
-    type Kernel = Sphere<f64>;
+    type Kernel = SphereBody<f64>;
     #[inline(always)]
-    fn body(self) -> Sphere<f64> {
+    fn body(self) -> SphereBody<f64> {
         self.into()
     }
 }
 
 impl AsBody for tribos_plate_f64 {
-    type Kernel = Plate<f64>;
+    type Kernel = WallBody<f64>;
     #[inline(always)]
-    fn body(self) -> Plate<f64> {
+    fn body(self) -> WallBody<f64> {
         self.into()
     }
 }
@@ -243,7 +243,7 @@ pub unsafe extern "C" fn tribos_touch_spheres_f64(
 ) -> tribos_status {
     answer(touch, || {
         let displacement = read(displacement)?.into();
-        Ok(Touch::spheres(&displacement, [first_radius, second_radius])?.into())
+        Ok(ContactGeometry::spheres(&displacement, [first_radius, second_radius])?.into())
     })
 }
 
@@ -257,7 +257,7 @@ pub unsafe extern "C" fn tribos_touch_plate_f64(
     touch: *mut tribos_touch_f64,
 ) -> tribos_status {
     answer(touch, || {
-        Ok(Touch::plate(height, &read(outward)?.into(), radius)?.into())
+        Ok(ContactGeometry::plate(height, &read(outward)?.into(), radius)?.into())
     })
 }
 

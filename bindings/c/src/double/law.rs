@@ -5,9 +5,9 @@
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::law::{
-    Bristle, ContactAge, CoulombLaw, Dieterich, DryFriction, Grip, LawError, LocalLaw, LuGre,
-    LuGreParameters, PowerLaw, RateState, RateStateParameters, Ruina, SteadyRateState, Stribeck,
-    StribeckParameters,
+    AgeingLaw, Bristle, CoulombLaw, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters,
+    PowerLaw, RateState, RateStateParameters, SlipLaw, StateVariable, SteadyRateState, StickSlip,
+    Stribeck, StribeckParameters,
 };
 
 /// Coulomb's law: friction = mu x load.
@@ -108,7 +108,7 @@ fn lugre(law: tribos_lugre_f64) -> Result<LuGre<f64>, LawError> {
     })
 }
 
-fn rate_state<E: tribos_core::law::Evolution>(
+fn rate_state<E: tribos_core::law::StateEvolution>(
     law: tribos_rate_state_f64,
 ) -> Result<RateState<f64, E>, LawError> {
     RateState::new(RateStateParameters {
@@ -123,7 +123,7 @@ fn rate_state<E: tribos_core::law::Evolution>(
 
 fn steady(law: tribos_rate_state_f64) -> Result<SteadyRateState<f64>, LawError> {
     // The age of steady sliding is the same for both evolution laws.
-    Ok(rate_state::<Dieterich>(law)?.steady())
+    Ok(rate_state::<AgeingLaw>(law)?.steady())
 }
 
 /// Parameters of a law of the local sliding speed.
@@ -192,7 +192,7 @@ pub unsafe extern "C" fn tribos_dry_sticks_f64(
     sticks: *mut u32,
 ) -> tribos_status {
     answer(sticks, || {
-        Ok((dry(read(law)?)?.at_rest(drive_per_load) == Grip::Stick).into())
+        Ok((dry(read(law)?)?.at_rest(drive_per_load) == StickSlip::Stick).into())
     })
 }
 
@@ -322,7 +322,7 @@ pub unsafe extern "C" fn tribos_rate_state_friction_f64(
     friction: *mut f64,
 ) -> tribos_status {
     answer(friction, || {
-        Ok(rate_state::<Dieterich>(read(law)?)?.coefficient(speed, ContactAge { theta }))
+        Ok(rate_state::<AgeingLaw>(read(law)?)?.coefficient(speed, StateVariable { theta }))
     })
 }
 
@@ -335,7 +335,7 @@ pub unsafe extern "C" fn tribos_rate_state_slope_f64(
     slope: *mut f64,
 ) -> tribos_status {
     answer(slope, || {
-        Ok(rate_state::<Dieterich>(read(law)?)?.slope(speed, ContactAge { theta }))
+        Ok(rate_state::<AgeingLaw>(read(law)?)?.slope(speed, StateVariable { theta }))
     })
 }
 
@@ -349,8 +349,8 @@ pub unsafe extern "C" fn tribos_rate_state_advance_dieterich_f64(
     dt: f64,
 ) -> tribos_status {
     answer(theta, || {
-        let (law, age) = (rate_state::<Dieterich>(read(law)?)?, read(theta)?);
-        Ok(law.advance(ContactAge { theta: age }, speed, dt).theta)
+        let (law, age) = (rate_state::<AgeingLaw>(read(law)?)?, read(theta)?);
+        Ok(law.advance(StateVariable { theta: age }, speed, dt).theta)
     })
 }
 
@@ -363,8 +363,8 @@ pub unsafe extern "C" fn tribos_rate_state_advance_ruina_f64(
     dt: f64,
 ) -> tribos_status {
     answer(theta, || {
-        let (law, age) = (rate_state::<Ruina>(read(law)?)?, read(theta)?);
-        Ok(law.advance(ContactAge { theta: age }, speed, dt).theta)
+        let (law, age) = (rate_state::<SlipLaw>(read(law)?)?, read(theta)?);
+        Ok(law.advance(StateVariable { theta: age }, speed, dt).theta)
     })
 }
 

@@ -9,7 +9,7 @@ use crate::memory::{answer, read, slice, slice_mut};
 use crate::status::tribos_status;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSlice, Nodes};
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::patch::polygon::polygon_into;
 
 /// One point of a contact.
@@ -207,7 +207,7 @@ pub unsafe extern "C" fn tribos_disk_nodes_f64(
 ) -> tribos_status {
     answer(filled, || {
         let given = read(rule)?;
-        let rule = PolarRule::new(given.radius, given.rings, given.angles)?
+        let rule = PolarQuadrature::new(given.radius, given.rings, given.angles)?
             .with_rim_exponent(given.rim_exponent)?;
         let mut list = NodeBuffer::new(slice_mut(nodes.cast::<Node<f64>>(), capacity)?);
         rule.nodes_into(&mut list, |x, y| {

@@ -8,9 +8,9 @@ use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use crate::table::{build, held, tribos_power_compact_f64, tribos_power_table_f64};
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
-use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{Annulus, Coupling, PatchFriction, compact};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::{Annulus, ReducedFriction, RoundFriction, compact};
 use tribos_core::patch::PowerPressure;
 
 /// A round contact patch.
@@ -25,27 +25,27 @@ pub struct tribos_round_f64 {
 
 /// Wrench of one coupling.
 #[inline(always)]
-unsafe fn wrench_of<C: Coupling<f64>>(
+unsafe fn wrench_of<C: ReducedFriction<f64>>(
     coupling: C,
     patch: *const tribos_round_f64,
     load: f64,
     twist: *const tribos_twist_f64,
 ) -> Result<tribos_wrench_f64, tribos_status> {
     let (patch, twist) = (read(patch)?, read(twist)?);
-    let friction = PatchFriction::new(coupling, patch.coefficient, patch.radius)?;
+    let friction = RoundFriction::new(coupling, patch.coefficient, patch.radius)?;
     Ok(friction.wrench(load, &twist.into()).into())
 }
 
 /// Jacobian of one coupling.
 #[inline(always)]
-unsafe fn jacobian_of<C: Coupling<f64>>(
+unsafe fn jacobian_of<C: ReducedFriction<f64>>(
     coupling: C,
     patch: *const tribos_round_f64,
     load: f64,
     twist: *const tribos_twist_f64,
 ) -> Result<tribos_jacobian_f64, tribos_status> {
     let (patch, twist) = (read(patch)?, read(twist)?);
-    let friction = PatchFriction::new(coupling, patch.coefficient, patch.radius)?;
+    let friction = RoundFriction::new(coupling, patch.coefficient, patch.radius)?;
     Ok(friction.wrench_jacobian(load, &twist.into()).into())
 }
 
@@ -58,7 +58,7 @@ pub unsafe extern "C" fn tribos_disk_wrench_f64(
     twist: *const tribos_twist_f64,
     wrench: *mut tribos_wrench_f64,
 ) -> tribos_status {
-    answer(wrench, || wrench_of(Coulomb, patch, load, twist))
+    answer(wrench, || wrench_of(CoulombDisk, patch, load, twist))
 }
 
 /// Jacobian of the uniform disk, by table.
@@ -69,7 +69,7 @@ pub unsafe extern "C" fn tribos_disk_jacobian_f64(
     twist: *const tribos_twist_f64,
     jacobian: *mut tribos_jacobian_f64,
 ) -> tribos_status {
-    answer(jacobian, || jacobian_of(Coulomb, patch, load, twist))
+    answer(jacobian, || jacobian_of(CoulombDisk, patch, load, twist))
 }
 
 /// Uniform disk under Coulomb friction without a table, by elliptic integrals: a few KiB of code, 5
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn tribos_disk_compact_wrench_f64(
     wrench: *mut tribos_wrench_f64,
 ) -> tribos_status {
     answer(wrench, || {
-        wrench_of(compact::CompactCoulomb, patch, load, twist)
+        wrench_of(compact::CompactCoulombDisk, patch, load, twist)
     })
 }
 
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn tribos_disk_compact_jacobian_f64(
     jacobian: *mut tribos_jacobian_f64,
 ) -> tribos_status {
     answer(jacobian, || {
-        jacobian_of(compact::CompactCoulomb, patch, load, twist)
+        jacobian_of(compact::CompactCoulombDisk, patch, load, twist)
     })
 }
 
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn tribos_annulus_wrench_f64(
     wrench: *mut tribos_wrench_f64,
 ) -> tribos_status {
     answer(wrench, || {
-        wrench_of(Annulus::new(Coulomb, inner_ratio)?, patch, load, twist)
+        wrench_of(Annulus::new(CoulombDisk, inner_ratio)?, patch, load, twist)
     })
 }
 
@@ -124,7 +124,7 @@ pub unsafe extern "C" fn tribos_annulus_jacobian_f64(
     jacobian: *mut tribos_jacobian_f64,
 ) -> tribos_status {
     answer(jacobian, || {
-        jacobian_of(Annulus::new(Coulomb, inner_ratio)?, patch, load, twist)
+        jacobian_of(Annulus::new(CoulombDisk, inner_ratio)?, patch, load, twist)
     })
 }
 
@@ -137,7 +137,7 @@ pub unsafe extern "C" fn tribos_hertz_wrench_f64(
     twist: *const tribos_twist_f64,
     wrench: *mut tribos_wrench_f64,
 ) -> tribos_status {
-    answer(wrench, || wrench_of(Hertz, patch, load, twist))
+    answer(wrench, || wrench_of(CoulombHertz, patch, load, twist))
 }
 
 /// Jacobian under Hertz' pressure.
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn tribos_hertz_jacobian_f64(
     twist: *const tribos_twist_f64,
     jacobian: *mut tribos_jacobian_f64,
 ) -> tribos_status {
-    answer(jacobian, || jacobian_of(Hertz, patch, load, twist))
+    answer(jacobian, || jacobian_of(CoulombHertz, patch, load, twist))
 }
 
 /// A thin ring under Coulomb friction, by elliptic integrals.
@@ -160,7 +160,7 @@ pub unsafe extern "C" fn tribos_ring_wrench_f64(
     twist: *const tribos_twist_f64,
     wrench: *mut tribos_wrench_f64,
 ) -> tribos_status {
-    answer(wrench, || wrench_of(Ring, patch, load, twist))
+    answer(wrench, || wrench_of(CoulombRing, patch, load, twist))
 }
 
 /// Jacobian of the ring. Special values: infinite where sliding and rim speed are equal.
@@ -171,7 +171,7 @@ pub unsafe extern "C" fn tribos_ring_jacobian_f64(
     twist: *const tribos_twist_f64,
     jacobian: *mut tribos_jacobian_f64,
 ) -> tribos_status {
-    answer(jacobian, || jacobian_of(Ring, patch, load, twist))
+    answer(jacobian, || jacobian_of(CoulombRing, patch, load, twist))
 }
 
 /// A rigid flat punch on an elastic half space under Coulomb friction, in closed form.
@@ -183,7 +183,7 @@ pub unsafe extern "C" fn tribos_punch_wrench_f64(
     twist: *const tribos_twist_f64,
     wrench: *mut tribos_wrench_f64,
 ) -> tribos_status {
-    answer(wrench, || wrench_of(FlatPunch, patch, load, twist))
+    answer(wrench, || wrench_of(CoulombPunch, patch, load, twist))
 }
 
 /// Jacobian of the flat punch.
@@ -194,7 +194,7 @@ pub unsafe extern "C" fn tribos_punch_jacobian_f64(
     twist: *const tribos_twist_f64,
     jacobian: *mut tribos_jacobian_f64,
 ) -> tribos_status {
-    answer(jacobian, || jacobian_of(FlatPunch, patch, load, twist))
+    answer(jacobian, || jacobian_of(CoulombPunch, patch, load, twist))
 }
 
 /// Prepares one exponent, -1 < alpha <= 128, under the pressure (1-r^2)^q of order q, -1 <= q <= 8:
@@ -245,7 +245,7 @@ pub unsafe extern "C" fn tribos_power_table_build_f64(
     alpha: f64,
     table: *mut tribos_power_table_f64,
 ) -> tribos_status {
-    build(table, || Table64::new(alpha))
+    build(table, || DiskTable64::new(alpha))
 }
 
 /// Uniform disk under the power law, by a table built before; as fast as Coulomb friction except for

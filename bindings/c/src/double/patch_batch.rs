@@ -8,8 +8,8 @@ use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{CHUNK, pieces, pieces_mut, read, slice, slice_mut, status};
 use crate::status::tribos_status;
 use crate::table::{held, tribos_power_table_f64};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Coupling, PatchFriction};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{ReducedFriction, RoundFriction};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -25,14 +25,14 @@ struct Batch<T> {
 impl<T> Batch<T> {
     /// Calls `all` with the kernel's structures of up to `CHUNK` twists at a time.
     #[inline(always)]
-    unsafe fn each<C: Coupling<f64>, K: Copy + Into<T>>(
+    unsafe fn each<C: ReducedFriction<f64>, K: Copy + Into<T>>(
         self,
         coupling: C,
         blank: K,
-        all: impl Fn(&PatchFriction<f64, C>, &[Twist<f64>], &mut [K]),
+        all: impl Fn(&RoundFriction<f64, C>, &[Twist<f64>], &mut [K]),
     ) -> Result<(), tribos_status> {
         let patch = read(self.patch)?;
-        let friction = PatchFriction::new(coupling, patch.coefficient, patch.radius)?;
+        let friction = RoundFriction::new(coupling, patch.coefficient, patch.radius)?;
         let twists = pieces(slice(self.twists, self.count)?);
         let results = pieces_mut(slice_mut(self.results, self.count)?);
         let mut motions = [Twist::ZERO; CHUNK];
@@ -53,7 +53,7 @@ impl<T> Batch<T> {
 
 impl Batch<tribos_wrench_f64> {
     #[inline(always)]
-    unsafe fn wrenches<C: Coupling<f64>>(self, coupling: C) -> Result<(), tribos_status> {
+    unsafe fn wrenches<C: ReducedFriction<f64>>(self, coupling: C) -> Result<(), tribos_status> {
         let load = self.load;
         self.each(coupling, Wrench::ZERO, |friction, twists, wrenches| {
             friction.wrench_batch(load, twists, wrenches);
@@ -63,7 +63,7 @@ impl Batch<tribos_wrench_f64> {
 
 impl Batch<tribos_jacobian_f64> {
     #[inline(always)]
-    unsafe fn jacobians<C: Coupling<f64>>(self, coupling: C) -> Result<(), tribos_status> {
+    unsafe fn jacobians<C: ReducedFriction<f64>>(self, coupling: C) -> Result<(), tribos_status> {
         let load = self.load;
         let blank = WrenchJacobian::from_element(f64::ZERO);
         self.each(coupling, blank, |friction, twists, jacobians| {
@@ -88,7 +88,7 @@ pub unsafe extern "C" fn tribos_disk_wrench_batch_f64(
         count,
         results: wrenches,
     };
-    status(|| batch.wrenches(Coulomb))
+    status(|| batch.wrenches(CoulombDisk))
 }
 
 /// Jacobians of `count` twists under one load, to the bits of tribos_disk_jacobian_f64.
@@ -107,7 +107,7 @@ pub unsafe extern "C" fn tribos_disk_jacobian_batch_f64(
         count,
         results: jacobians,
     };
-    status(|| batch.jacobians(Coulomb))
+    status(|| batch.jacobians(CoulombDisk))
 }
 
 /// Wrenches of `count` twists under one load, to the bits of tribos_power_table_wrench_f64.

@@ -8,24 +8,24 @@ use super::surface::{projected, tribos_projection_f64};
 use super::vectors::tribos_wrench_f64;
 use crate::memory::{answer, read, slice};
 use crate::status::tribos_status;
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Annulus, DryCoupling, PatchFriction};
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{Annulus, DryReducedFriction, RoundFriction};
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
 use tribos_core::patch::nodes::{Node, NodeSlice};
-use tribos_core::patch::points::Points;
+use tribos_core::patch::points::PointPatch;
 
 /// The surface of a round patch under a load.
 #[inline(always)]
-unsafe fn round<C: DryCoupling<f64> + Copy>(
+unsafe fn round<C: DryReducedFriction<f64> + Copy>(
     coupling: C,
     patch: *const tribos_round_f64,
     load: f64,
-) -> Result<LimitSurface<f64, C>, tribos_status> {
+) -> Result<RoundLimitSurface<f64, C>, tribos_status> {
     let patch = read(patch)?;
-    PatchFriction::new(coupling, patch.coefficient, patch.radius)?;
+    RoundFriction::new(coupling, patch.coefficient, patch.radius)?;
     let limit = patch.coefficient * load;
-    Ok(LimitSurface::new(coupling, limit, patch.radius)?)
+    Ok(RoundLimitSurface::new(coupling, limit, patch.radius)?)
 }
 
 /// The surface of points.
@@ -34,10 +34,10 @@ unsafe fn points<'a>(
     nodes: *const tribos_node_f64,
     count: usize,
     force_limit: f64,
-) -> Result<PatchSurface<f64, Points<f64, NodeSlice<'a, f64>>>, tribos_status> {
+) -> Result<ShapeLimitSurface<f64, PointPatch<f64, NodeSlice<'a, f64>>>, tribos_status> {
     let nodes = slice(nodes.cast::<Node<f64>>(), count)?;
-    let points = Points::new(NodeSlice::new(nodes)?)?;
-    Ok(PatchSurface::new(points, force_limit)?)
+    let points = PointPatch::new(NodeSlice::new(nodes)?)?;
+    Ok(ShapeLimitSurface::new(points, force_limit)?)
 }
 
 #[inline(always)]
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn tribos_annulus_gauge_f64(
     gauge: *mut f64,
 ) -> tribos_status {
     answer(gauge, || {
-        let coupling = Annulus::new(Coulomb, inner_ratio)?;
+        let coupling = Annulus::new(CoulombDisk, inner_ratio)?;
         gauge_of(round(coupling, patch, load), wrench)
     })
 }
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn tribos_annulus_project_f64(
     projection: *mut tribos_projection_f64,
 ) -> tribos_status {
     answer(projection, || {
-        let coupling = Annulus::new(Coulomb, inner_ratio)?;
+        let coupling = Annulus::new(CoulombDisk, inner_ratio)?;
         nearest_of(round(coupling, patch, load), wrench, length)
     })
 }
@@ -97,7 +97,7 @@ pub unsafe extern "C" fn tribos_hertz_gauge_f64(
     wrench: *const tribos_wrench_f64,
     gauge: *mut f64,
 ) -> tribos_status {
-    answer(gauge, || gauge_of(round(Hertz, patch, load), wrench))
+    answer(gauge, || gauge_of(round(CoulombHertz, patch, load), wrench))
 }
 
 /// The nearest wrench that a Hertz contact can carry, as tribos_disk_surface_project_f64.
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn tribos_hertz_project_f64(
     projection: *mut tribos_projection_f64,
 ) -> tribos_status {
     answer(projection, || {
-        nearest_of(round(Hertz, patch, load), wrench, length)
+        nearest_of(round(CoulombHertz, patch, load), wrench, length)
     })
 }
 
@@ -122,7 +122,7 @@ pub unsafe extern "C" fn tribos_ring_gauge_f64(
     wrench: *const tribos_wrench_f64,
     gauge: *mut f64,
 ) -> tribos_status {
-    answer(gauge, || gauge_of(round(Ring, patch, load), wrench))
+    answer(gauge, || gauge_of(round(CoulombRing, patch, load), wrench))
 }
 
 /// The nearest wrench that a ring can carry, as tribos_disk_surface_project_f64.
@@ -135,7 +135,7 @@ pub unsafe extern "C" fn tribos_ring_project_f64(
     projection: *mut tribos_projection_f64,
 ) -> tribos_status {
     answer(projection, || {
-        nearest_of(round(Ring, patch, load), wrench, length)
+        nearest_of(round(CoulombRing, patch, load), wrench, length)
     })
 }
 
@@ -147,7 +147,7 @@ pub unsafe extern "C" fn tribos_punch_gauge_f64(
     wrench: *const tribos_wrench_f64,
     gauge: *mut f64,
 ) -> tribos_status {
-    answer(gauge, || gauge_of(round(FlatPunch, patch, load), wrench))
+    answer(gauge, || gauge_of(round(CoulombPunch, patch, load), wrench))
 }
 
 /// The nearest wrench that a rigid flat punch can carry, as tribos_disk_surface_project_f64.
@@ -160,7 +160,7 @@ pub unsafe extern "C" fn tribos_punch_project_f64(
     projection: *mut tribos_projection_f64,
 ) -> tribos_status {
     answer(projection, || {
-        nearest_of(round(FlatPunch, patch, load), wrench, length)
+        nearest_of(round(CoulombPunch, patch, load), wrench, length)
     })
 }
 

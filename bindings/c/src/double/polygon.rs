@@ -10,9 +10,11 @@ use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read, slice, slice_mut};
 use crate::status::tribos_status;
 use nalgebra::Vector2;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction, Hessian, Motion, Reduced};
-use tribos_core::limit_surface::{FrictionSet, PatchSurface};
-use tribos_core::patch::outline::{Edge, FlatPressure, Linear, Parts, Polygon, Uniform};
+use tribos_core::coupling::flat::{Hessian, Motion, PatchShape, Reduced, ShapeFriction};
+use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
+use tribos_core::patch::outline::{
+    Edge, LinearPressure, Parts, Polygon, PressureField, UniformPressure,
+};
 use tribos_core::real::Real;
 
 /// Memory for one edge of a polygon. Its content is opaque.
@@ -74,7 +76,7 @@ impl tribos_polygon_f64 {
 
     /// A polygon of `count` edges in this memory.
     #[inline(always)]
-    fn of<K: FlatPressure<f64>>(
+    fn of<K: PressureField<f64>>(
         edges: *mut tribos_edge_f64,
         count: usize,
         parts: &Parts<f64, K>,
@@ -97,10 +99,10 @@ impl tribos_polygon_f64 {
 /// A patch whose kind of pressure is known at run time. Uniform pressure runs no code of linear one.
 enum Patch<'a> {
     Uniform(Polygon<f64, &'a [Edge<f64>]>),
-    Leaning(Polygon<f64, &'a [Edge<f64>], Linear<f64>>),
+    Leaning(Polygon<f64, &'a [Edge<f64>], LinearPressure<f64>>),
 }
 
-impl DryPatch<f64> for Patch<'_> {
+impl PatchShape<f64> for Patch<'_> {
     #[inline(always)]
     fn centre(&self) -> Vector2<f64> {
         match self {
@@ -140,9 +142,9 @@ unsafe fn patch_of<'a>(polygon: *const tribos_polygon_f64) -> Result<Patch<'a>, 
     let given = read(polygon)?;
     let edges = slice(given.edges.cast_const().cast::<Edge<f64>>(), given.count)?;
     Ok(if given.is_uniform() {
-        Patch::Uniform(Polygon::of_parts(edges, &given.parts(Uniform)))
+        Patch::Uniform(Polygon::of_parts(edges, &given.parts(UniformPressure)))
     } else {
-        let pressure = Linear::new(given.pressure, [given.slope_x, given.slope_y]);
+        let pressure = LinearPressure::new(given.pressure, [given.slope_x, given.slope_y]);
         Patch::Leaning(Polygon::of_parts(edges, &given.parts(pressure)))
     })
 }
@@ -151,16 +153,16 @@ unsafe fn patch_of<'a>(polygon: *const tribos_polygon_f64) -> Result<Patch<'a>, 
 unsafe fn friction_of<'a>(
     polygon: *const tribos_polygon_f64,
     coefficient: f64,
-) -> Result<FlatFriction<f64, Patch<'a>>, tribos_status> {
-    Ok(FlatFriction::new(patch_of(polygon)?, coefficient)?)
+) -> Result<ShapeFriction<f64, Patch<'a>>, tribos_status> {
+    Ok(ShapeFriction::new(patch_of(polygon)?, coefficient)?)
 }
 
 #[inline(always)]
 unsafe fn surface_of<'a>(
     polygon: *const tribos_polygon_f64,
     force_limit: f64,
-) -> Result<PatchSurface<f64, Patch<'a>>, tribos_status> {
-    Ok(PatchSurface::new(patch_of(polygon)?, force_limit)?)
+) -> Result<ShapeLimitSurface<f64, Patch<'a>>, tribos_status> {
+    Ok(ShapeLimitSurface::new(patch_of(polygon)?, force_limit)?)
 }
 
 /// Prepares a polygon, convex or not, under uniform pressure. `corners` holds the corners of `loops` loops
@@ -206,7 +208,7 @@ pub unsafe extern "C" fn tribos_polygon_lean_f64(
             return Err(tribos_status::Leans);
         }
         let edges = slice_mut(given.edges.cast::<Edge<f64>>(), given.count)?;
-        let uniform = Polygon::of_parts(edges, &given.parts(Uniform));
+        let uniform = Polygon::of_parts(edges, &given.parts(UniformPressure));
         let leaning = uniform.with_centre_of_pressure(at)?.parts();
         Ok(tribos_polygon_f64::of(given.edges, given.count, &leaning))
     })

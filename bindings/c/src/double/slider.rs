@@ -3,8 +3,8 @@
 use crate::fields::same_fields;
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 /// A sliding body; all parameters are positive and finite.
 #[derive(Clone, Copy, Debug)]
@@ -60,15 +60,15 @@ pub struct tribos_advance_f64 {
     pub evaluations: u32,
 }
 
-same_fields!(tribos_motion_f64, Motion<f64> { time, speed, spin, distance, angle });
+same_fields!(tribos_motion_f64, SliderState<f64> { time, speed, spin, distance, angle });
 
 #[inline(always)]
 unsafe fn slider_of(
     slider: *const tribos_slider_f64,
-) -> Result<Slider<f64, Coulomb>, tribos_status> {
+) -> Result<Slider<f64, CoulombDisk>, tribos_status> {
     let s = read(slider)?;
     Ok(Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration: s.deceleration,
             radius: s.radius,

@@ -8,8 +8,10 @@ use super::vectors::{tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::Error;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Projection, Region};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{
+    FrictionSet, LimitEllipsoid, Projection, Region, RoundLimitSurface,
+};
 use tribos_core::real::Real;
 
 /// The exact limit surface of a uniform disk, by table.
@@ -75,18 +77,18 @@ pub(super) trait Set: Copy {
 }
 
 impl Set for tribos_disk_surface_f64 {
-    type Set = LimitSurface<f64, Coulomb>;
+    type Set = RoundLimitSurface<f64, CoulombDisk>;
     #[inline(always)]
     fn set(self) -> Result<Self::Set, Error> {
-        LimitSurface::new(Coulomb, self.force_limit, self.radius)
+        RoundLimitSurface::new(CoulombDisk, self.force_limit, self.radius)
     }
 }
 
 impl Set for tribos_ellipsoid_f64 {
-    type Set = Ellipsoid<f64>;
+    type Set = LimitEllipsoid<f64>;
     #[inline(always)]
     fn set(self) -> Result<Self::Set, Error> {
-        Ellipsoid::new(self.force_limit, self.radius, self.spin_torque)
+        LimitEllipsoid::new(self.force_limit, self.radius, self.spin_torque)
     }
 }
 

@@ -10,9 +10,9 @@ use super::contact::{
 };
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
-use tribos_core::contact::{Contact, ContactFriction, CoupledFriction, Thresholds};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::LimitSurface;
+use tribos_core::contact::{Contact, ContactFriction, CoupledFriction, IndependentFriction};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::RoundLimitSurface;
 
 /// Friction with validated parameters, or the reason for their refusal.
 type Checked<F> = Result<F, tribos_status>;
@@ -42,28 +42,28 @@ where
 }
 
 unsafe fn sliding(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
-    Ok(Thresholds::sliding(read(f)?.sliding)?)
+    Ok(IndependentFriction::sliding(read(f)?.sliding)?)
 }
 
 unsafe fn sliding_torsion(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
     let f = read(f)?;
-    Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
+    Ok(IndependentFriction::sliding_torsion(f.sliding, f.torsion)?)
 }
 
 unsafe fn sliding_rolling(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
     let f = read(f)?;
-    Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
+    Ok(IndependentFriction::sliding_rolling(f.sliding, f.rolling)?)
 }
 
 unsafe fn all(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
     let f = read(f)?;
-    Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
+    Ok(IndependentFriction::all(f.sliding, f.rolling, f.torsion)?)
 }
 
 /// Sliding and torsion under one threshold, that of a uniform disk.
 unsafe fn patch(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
     let f = read(f)?;
-    let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
+    let set = RoundLimitSurface::new(CoulombDisk, f.sliding, f.torsion)?;
     Ok(CoupledFriction::sliding_torsion(set))
 }
 
@@ -75,7 +75,12 @@ pub unsafe extern "C" fn tribos_update_frictionless_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(contact, Ok(Thresholds::none()), (first, second), impulse)
+    update(
+        contact,
+        Ok(IndependentFriction::none()),
+        (first, second),
+        impulse,
+    )
 }
 
 /// Updates a contact of two spheres, with normal impulse and sliding friction.
@@ -150,7 +155,12 @@ pub unsafe extern "C" fn tribos_update_frictionless_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(contact, Ok(Thresholds::none()), (first, second), impulse)
+    update(
+        contact,
+        Ok(IndependentFriction::none()),
+        (first, second),
+        impulse,
+    )
 }
 
 /// Updates a contact of a sphere with a plate, with normal impulse and sliding friction.

@@ -6,16 +6,16 @@ use crate::programs::{
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use tribos_core::coupling::{PatchFriction, table::Coulomb};
+use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
 use tribos_core::law::{Bristle, LuGre, LuGreParameters};
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_core::twist::Twist;
 
 const DEMO: [&str; 2] = ["demo.c", "digest.c"];
 
 /// Expected output of the demonstration, computed by the kernel itself, and of the digest.
 fn expected() -> String {
-    let puck = PatchFriction::new(Coulomb, 0.3_f32, 0.04).expect("a puck");
+    let puck = RoundFriction::new(CoulombDisk, 0.3_f32, 0.04).expect("a puck");
     let wrench = puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0));
     let joint = LuGre::new(LuGreParameters {
         coulomb_force: 1.0_f32,
@@ -31,7 +31,7 @@ fn expected() -> String {
         (bristle, *force) = joint.step(bristle, 1e-3, 1e-3);
     }
     let coin = Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration: 0.3 * 9.81,
             radius: 0.08,
@@ -39,7 +39,7 @@ fn expected() -> String {
         },
     )
     .expect("a coin");
-    let rest = coin.to_rest(&Motion::launched(1.0_f64, 5.0));
+    let rest = coin.to_rest(&SliderState::launched(1.0_f64, 5.0));
     let rest = rest.expect("a rest").motion;
     format!(
         "puck: force  {:.6} N\n      torque {:.6} N m\n\

@@ -4,7 +4,8 @@ use crate::programs::{folder, has, printed, scratch};
 use std::path::Path;
 use std::process::Command;
 use tribos_core::manifold_friction::{
-    CompactOutline, ContactArea, FrictionBudget, FrictionImpulse, InverseMasses, manifold_friction,
+    FrictionImpulse, FrictionLimits, InverseEffectiveMasses, IsotropicLimitCurve, ManifoldArea,
+    project_friction,
 };
 
 /// The generator and hash of `manifold.c`.
@@ -51,9 +52,9 @@ fn of_the_kernel() -> u64 {
         hash: 0xcbf2_9ce4_8422_2325,
     };
     let compact = [
-        CompactOutline::area(),
-        CompactOutline::points(),
-        CompactOutline::ellipsoid(),
+        IsotropicLimitCurve::area(),
+        IsotropicLimitCurve::points(),
+        IsotropicLimitCurve::ellipsoid(),
     ];
     for _ in 0..4000 {
         let count = (digest.bits() % 6) as usize;
@@ -61,7 +62,7 @@ fn of_the_kernel() -> u64 {
         for corner in &mut corners[..count] {
             *corner = [digest.size(), digest.size()];
         }
-        let area = ContactArea::of_corners(&corners[..count]);
+        let area = ManifoldArea::of_corners(&corners[..count]);
         let [x, y] = area.centre;
         let matrices = area
             .outline
@@ -72,22 +73,26 @@ fn of_the_kernel() -> u64 {
             .into_iter()
             .chain(matrices)
             .for_each(|x| digest.feed(x));
-        let inverse = InverseMasses {
+        let inverse = InverseEffectiveMasses {
             tangential: digest.size(),
             angular: digest.size() * 1024.0,
         };
         let (force, lever) = (digest.size(), digest.size());
         let slip = if digest.bits() & 1 == 1 { 1.0 } else { 0.75 };
-        let budget = FrictionBudget { force, lever, slip };
+        let budget = FrictionLimits {
+            impulse: force,
+            torsion_radius: lever,
+            dynamic_over_static: slip,
+        };
         let tangential = [digest.either(), digest.either()];
         let candidate = FrictionImpulse {
             tangential,
             angular: digest.either(),
         };
         for outline in &compact {
-            digest.impulse(&manifold_friction(&candidate, &budget, &inverse, outline));
+            digest.impulse(&project_friction(&candidate, &budget, &inverse, outline));
         }
-        digest.impulse(&manifold_friction(
+        digest.impulse(&project_friction(
             &candidate,
             &budget,
             &inverse,

@@ -41,7 +41,7 @@ impl Moved {
     pub fn resisted(&self) -> Twist<f64> {
         let needed = self
             .body
-            .needed_for_rest(&self.twist, &self.push, 0.5 * self.dt.dt());
+            .stopping_wrench(&self.twist, &self.push, 0.5 * self.dt.dt());
         let arm = self.body.gyration();
         Twist::new(
             -needed.force.x,
@@ -132,7 +132,7 @@ fn sliding(surface: &dyn Smooth, moved: &Moved, theta: f64) -> (By, By) {
         first,
     } = moved;
     let (mass, inertia, arm) = (body.mass(), body.inertia(), body.gyration());
-    let needed = body.needed_for_rest(twist, push, theta * dt.dt());
+    let needed = body.stopping_wrench(twist, push, theta * dt.dt());
     let (friction, rate) = surface.project(&needed, arm);
     let (needed, friction) = (Vector3::from(needed), Vector3::from(friction));
     let mut by = rate * moved.needed_by(theta);

@@ -21,8 +21,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use tribos::friction::{self, Area, AreaFriction, Law};
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::flat::FlatFriction;
-use tribos_core::limit_surface::{FrictionSet, PatchSurface, Projection, Region};
+use tribos_core::coupling::flat::ShapeFriction;
+use tribos_core::limit_surface::{FrictionSet, Projection, Region, ShapeLimitSurface};
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -76,15 +76,15 @@ trait Family: Send + Sync {
 struct Flat(friction::Flat<f64>);
 
 struct FlatSurface<'a> {
-    surface: PatchSurface<f64, &'a friction::Flat<f64>>,
-    friction: FlatFriction<f64, &'a friction::Flat<f64>>,
+    surface: ShapeLimitSurface<f64, &'a friction::Flat<f64>>,
+    friction: ShapeFriction<f64, &'a friction::Flat<f64>>,
 }
 
 impl Family for Flat {
     fn with(&self, force_limit: f64, work: Work<'_>) -> PyResult<()> {
         work(&FlatSurface {
-            surface: PatchSurface::new(&self.0, force_limit).map_err(refused)?,
-            friction: FlatFriction::new(&self.0, 1.0).map_err(refused)?,
+            surface: ShapeLimitSurface::new(&self.0, force_limit).map_err(refused)?,
+            friction: ShapeFriction::new(&self.0, 1.0).map_err(refused)?,
         });
         Ok(())
     }

@@ -5,7 +5,8 @@ use nalgebra::Vector3;
 use tribos::friction::{AnyContactFriction, Area, ContactVisitor};
 use tribos_core::Error;
 use tribos_core::contact::{
-    Attraction, Body, Cohesion, Contact, ContactFriction, NormalLaw, Plate, Sphere, TimeStep, Touch,
+    Attraction, Cohesion, Contact, ContactBody, ContactFriction, ContactGeometry, NormalLaw,
+    SphereBody, TimeStep, WallBody,
 };
 
 /// What a contact resists, in numbers.
@@ -42,8 +43,8 @@ fn vector(row: &[f64; GIVEN], at: usize) -> Vector3<f64> {
     Vector3::new(row[at], row[at + 1], row[at + 2])
 }
 
-fn sphere(row: &[f64; GIVEN], at: usize) -> Sphere<f64> {
-    Sphere {
+fn sphere(row: &[f64; GIVEN], at: usize) -> SphereBody<f64> {
+    SphereBody {
         velocity: vector(row, at),
         spin: vector(row, at + 3),
         inv_mass: row[at + 6],
@@ -75,9 +76,9 @@ impl ContactLaw {
         let (normal, gap) = (vector(row, 2 * FIELDS), row[2 * FIELDS + 3]);
         let radii = [row[8], row[FIELDS + 8]];
         let displacement = normal * (radii[0] + radii[1] + gap);
-        let touch = Touch::spheres(&displacement, radii).map_err(Error::from)?;
+        let touch = ContactGeometry::spheres(&displacement, radii).map_err(Error::from)?;
         // To the bit as given: a gap of 0 is closed.
-        let touch = Touch {
+        let touch = ContactGeometry {
             normal,
             gap,
             ..touch
@@ -88,19 +89,19 @@ impl ContactLaw {
     /// A contact of a sphere and a plate, of which velocity and 1/mass count.
     pub fn plate(&self, row: &[f64; GIVEN], dt: f64) -> Result<[f64; ANSWER], Refused> {
         let (first, second) = (sphere(row, 0), sphere(row, FIELDS));
-        let plate = Plate {
+        let plate = WallBody {
             velocity: second.velocity,
             inv_mass: second.inv_mass,
         };
         let (normal, gap) = (vector(row, 2 * FIELDS), row[2 * FIELDS + 3]);
-        let touch = Touch::plate(row[8] + gap, &-normal, row[8]).map_err(Error::from)?;
-        self.solve(&Touch { gap, ..touch }, first, plate, dt)
+        let touch = ContactGeometry::plate(row[8] + gap, &-normal, row[8]).map_err(Error::from)?;
+        self.solve(&ContactGeometry { gap, ..touch }, first, plate, dt)
     }
 
-    fn solve<B: Body<f64>>(
+    fn solve<B: ContactBody<f64>>(
         &self,
-        touch: &Touch<f64>,
-        first: Sphere<f64>,
+        touch: &ContactGeometry<f64>,
+        first: SphereBody<f64>,
         second: B,
         dt: f64,
     ) -> Result<[f64; ANSWER], Refused> {
@@ -117,12 +118,12 @@ impl ContactLaw {
 /// Two bodies that touch.
 struct Pair<'a, B> {
     law: &'a NormalLaw<f64>,
-    touch: &'a Touch<f64>,
-    bodies: (Sphere<f64>, B),
+    touch: &'a ContactGeometry<f64>,
+    bodies: (SphereBody<f64>, B),
     dt: f64,
 }
 
-impl<B: Body<f64>> ContactVisitor for Pair<'_, B> {
+impl<B: ContactBody<f64>> ContactVisitor for Pair<'_, B> {
     type Output = [f64; ANSWER];
 
     #[inline(never)]
@@ -135,7 +136,7 @@ impl<B: Body<f64>> ContactVisitor for Pair<'_, B> {
             a.velocity,
             a.spin,
             b.velocity(),
-            b.spin(),
+            b.angular_velocity(),
             impulse.sliding(),
             impulse.rolling(),
         ];

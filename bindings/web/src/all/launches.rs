@@ -5,8 +5,8 @@ use super::store;
 use crate::exchange::{Refused, said};
 use core::num::NonZeroU32;
 use tribos::slide::inverse::{Limits, Pose, RestMap, Solution, Turns};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::slider::SliderParameters;
 
 /// What is launched, to where, and how fast at most.
@@ -29,12 +29,12 @@ impl Wanted {
     /// Returns their number.
     pub fn launches(&self, patch: u32, rows: &mut [[f64; 8]]) -> Result<usize, Refused> {
         if patch == 0 {
-            return self.with(Coulomb, rows);
+            return self.with(CoulombDisk, rows);
         }
         store::with(patch, |prepared| self.with(&*profile(prepared)?, rows))
     }
 
-    fn with<P: Profile<f64> + Coupling<f64>>(
+    fn with<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
         &self,
         profile: P,
         rows: &mut [[f64; 8]],

@@ -11,7 +11,7 @@ use core::fmt;
 use tribos::friction::{
     Area, AreaFriction, Law, LimitSurfaces, Patch, RoundPower, Tier, Visitor, upright, visit,
 };
-use tribos_core::slider::{Motion, SliderParameters};
+use tribos_core::slider::{SliderParameters, SliderState};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
 /// Friction of a patch under a law.
@@ -109,10 +109,15 @@ struct Powered {
 }
 
 impl Glides for Powered {
-    fn to_rest(&self, parameters: SliderParameters<f64>, from: &Motion<f64>) -> Free {
+    fn to_rest(&self, parameters: SliderParameters<f64>, from: &SliderState<f64>) -> Free {
         End::to_rest(&*self.slide, parameters, from)
     }
-    fn advance(&self, parameters: SliderParameters<f64>, from: &Motion<f64>, time: f64) -> Free {
+    fn advance(
+        &self,
+        parameters: SliderParameters<f64>,
+        from: &SliderState<f64>,
+        time: f64,
+    ) -> Free {
         End::advance(&*self.slide, parameters, from, time)
     }
     fn modes(&self, inertia_ratio: f64, initial_ratio: f64) -> Result<FinalMotion, Refused> {

@@ -7,7 +7,7 @@ use alloc::rc::Rc;
 use alloc::vec::Vec;
 use core::cell::RefCell;
 use tribos::friction::{AnyLaw, Law};
-use tribos_core::limit_surface::AnyPressure;
+use tribos_core::limit_surface::UnknownPressureSet;
 
 /// A thing that is kept.
 #[derive(Debug)]
@@ -19,7 +19,7 @@ pub enum Item {
     /// Laws of a contact.
     Contact(ContactLaw),
     /// A support of which load and centre of pressure are known.
-    AnyPressure(AnyPressure<f64, Vec<[f64; 2]>>),
+    AnyPressure(UnknownPressureSet<f64, Vec<[f64; 2]>>),
 }
 
 std::thread_local! {

@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 use core::num::NonZeroU32;
 use tribos::friction::{Area, Law, Refusal};
 use tribos_core::law::LocalLaw;
-use tribos_core::limit_surface::AnyPressure;
+use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::patch::mesh::Vertex;
 use tribos_core::patch::nodes::Node;
 use tribos_core::slider::SliderParameters;
@@ -220,7 +220,7 @@ pub unsafe extern "C" fn make_any_pressure(
     force_limit: f64,
 ) -> u32 {
     let corners = rows(corners, count).to_vec();
-    let made = AnyPressure::new(corners, [centre_x, centre_y], force_limit);
+    let made = UnknownPressureSet::new(corners, [centre_x, centre_y], force_limit);
     status(made.map_err(said).map(|support| {
         let radius = support.radius();
         answer([store::keep(Item::AnyPressure(support)).into(), radius]);
@@ -246,7 +246,7 @@ pub extern "C" fn any_pressure_torques(support: u32, fx: f64, fy: f64) -> u32 {
         let Some(limits) = support.torque_limits([fx, fy]) else {
             return [f64::NAN; 4];
         };
-        let ([low, high], [lower, higher]) = (limits.carried, limits.outer);
+        let ([low, high], [lower, higher]) = (limits.certain, limits.possible);
         [low, high, lower, higher]
     });
     status(made.map(answer))
@@ -262,7 +262,7 @@ pub extern "C" fn any_pressure_gauge(support: u32, fx: f64, fy: f64, torque: f64
 
 fn with_support<T>(
     handle: u32,
-    work: impl FnOnce(&AnyPressure<f64, Vec<[f64; 2]>>) -> T,
+    work: impl FnOnce(&UnknownPressureSet<f64, Vec<[f64; 2]>>) -> T,
 ) -> Result<T, Refused> {
     match &*store::item(handle)? {
         Item::AnyPressure(support) => Ok(work(support)),

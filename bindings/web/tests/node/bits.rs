@@ -6,7 +6,7 @@
 use tribos::friction::Area;
 use tribos_core::contact::Attraction;
 use tribos_core::law::LocalLaw;
-use tribos_core::limit_surface::AnyPressure;
+use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::patch::mesh::Vertex;
 use tribos_core::patch::nodes::Node;
 use tribos_core::slider::SliderParameters;
@@ -395,7 +395,7 @@ fn launches(chapter: &mut Chapter) {
 
 fn any_pressure(chapter: &mut Chapter) {
     let corners = vec![[-0.1, -0.05], [0.2, -0.05], [0.2, 0.1], [-0.1, 0.05]];
-    let support = AnyPressure::new(corners, [0.03, 0.01], 5.0).unwrap();
+    let support = UnknownPressureSet::new(corners, [0.03, 0.01], 5.0).unwrap();
     chapter.add(&[support.radius()]);
     for _ in 0..CALLS {
         let twist = twist_of(chapter.twist());
@@ -406,7 +406,7 @@ fn any_pressure(chapter: &mut Chapter) {
         let force = [(); 2].map(|()| chapter.signed(6.0));
         let limits = support.torque_limits(force);
         let limits = limits.map_or([f64::NAN; 4], |limits| {
-            let ([low, high], [lower, higher]) = (limits.carried, limits.outer);
+            let ([low, high], [lower, higher]) = (limits.certain, limits.possible);
             [low, high, lower, higher]
         });
         chapter.add(&limits);

@@ -1,9 +1,9 @@
 //! Reasons of refusals.
 
 use tribos_core::Error;
-use tribos_core::coupling::{PatchFriction, table::Coulomb};
-use tribos_core::limit_surface::LimitSurface;
-use tribos_core::modes::Modes;
+use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+use tribos_core::limit_surface::RoundLimitSurface;
+use tribos_core::modes::TerminalMotion;
 use tribos_core::planar::PlanarBody;
 use tribos_core::slider::{Slider, SliderParameters};
 use tribos_web::exchange::words_of;
@@ -21,21 +21,21 @@ fn reasons_without_formatting_are_those_of_the_kernel() {
         ..parameters
     };
     let errors: [Error; 8] = [
-        PatchFriction::new(Coulomb, -0.5, 0.04).unwrap_err(),
-        PatchFriction::new(Coulomb, 0.5, -0.04).unwrap_err(),
-        LimitSurface::new(Coulomb, -0.5, 0.04).unwrap_err(),
+        RoundFriction::new(CoulombDisk, -0.5, 0.04).unwrap_err(),
+        RoundFriction::new(CoulombDisk, 0.5, -0.04).unwrap_err(),
+        RoundLimitSurface::new(CoulombDisk, -0.5, 0.04).unwrap_err(),
         PlanarBody::new(-1.0, 1.0).unwrap_err().into(),
         PlanarBody::new(1.0, f64::NAN).unwrap_err().into(),
         tribos_core::contact::TimeStep::new(0.0).unwrap_err().into(),
-        Slider::new(Coulomb, parameters).unwrap_err(),
-        Slider::new(Coulomb, still).unwrap_err(),
+        Slider::new(CoulombDisk, parameters).unwrap_err(),
+        Slider::new(CoulombDisk, still).unwrap_err(),
     ];
     for error in errors {
         let (words, given) = words_of(&error);
         let given = given.expect("a number belongs to it");
         assert_eq!(format!("{}{given}", words.concat()), error.to_string());
     }
-    let modes: Error = Modes::new(Coulomb, 0.0).unwrap_err().into();
+    let modes: Error = TerminalMotion::new(CoulombDisk, 0.0).unwrap_err().into();
     let (words, given) = words_of(&modes);
     assert_eq!(
         format!("{}{}", words.concat(), given.unwrap()),

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 use tribos::slide::inverse::{Limits, Pose, RestMap, Solution};
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_report::figure::{Axis, Color, Figure, Guide, Legend, Region, Series};
 
 /// Points along a curve of launches.
@@ -15,7 +15,7 @@ type Curve = Vec<(f64, f64)>;
 
 /// The reach of the limits with curves of equal speed and equal spin, the target's distance and
 /// the solutions.
-pub fn figure<P: Profile<f64> + Coupling<f64>>(
+pub fn figure<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
     map: &RestMap<P>,
     limits: &Limits,
     target: &Pose,
@@ -53,13 +53,21 @@ pub fn figure<P: Profile<f64> + Coupling<f64>>(
 }
 
 /// Rest of a launch straight ahead.
-fn rest<P: Profile<f64> + Coupling<f64>>(map: &RestMap<P>, speed: f64, spin: f64) -> (f64, f64) {
+fn rest<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
+    map: &RestMap<P>,
+    speed: f64,
+    spin: f64,
+) -> (f64, f64) {
     let [distance, angle] = map.reach(speed, spin);
     ((angle / TAU).copysign(spin), distance)
 }
 
 /// From full spin in one sense to full spin in the other.
-fn equal_speed<P: Profile<f64> + Coupling<f64>>(map: &RestMap<P>, speed: f64, spin: f64) -> Curve {
+fn equal_speed<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
+    map: &RestMap<P>,
+    speed: f64,
+    spin: f64,
+) -> Curve {
     let share = |i| 2.0 * i as f64 / POINTS as f64 - 1.0;
     (0..=POINTS)
         .map(|i| rest(map, speed, share(i) * spin))
@@ -67,14 +75,22 @@ fn equal_speed<P: Profile<f64> + Coupling<f64>>(map: &RestMap<P>, speed: f64, sp
 }
 
 /// From spin in place to full speed.
-fn equal_spin<P: Profile<f64> + Coupling<f64>>(map: &RestMap<P>, speed: f64, spin: f64) -> Curve {
+fn equal_spin<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
+    map: &RestMap<P>,
+    speed: f64,
+    spin: f64,
+) -> Curve {
     (0..=POINTS)
         .map(|i| rest(map, i as f64 / POINTS as f64 * speed, spin))
         .collect()
 }
 
 /// The image of the limits: in place, up at full spin, across at full speed, down.
-fn border<P: Profile<f64> + Coupling<f64>>(map: &RestMap<P>, speed: f64, spin: f64) -> Curve {
+fn border<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
+    map: &RestMap<P>,
+    speed: f64,
+    spin: f64,
+) -> Curve {
     let side = equal_spin(map, speed, spin);
     let other = side.iter().map(|(turns, d)| (-turns, *d));
     let top = equal_speed(map, speed, spin);

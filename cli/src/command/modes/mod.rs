@@ -7,8 +7,8 @@ use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 use tribos::friction::{Patch, leaning, upright};
 use tribos::record::json_number;
-use tribos_core::coupling::Profile;
-use tribos_core::modes::{FinalMode, FixedPoints, Modes, Stability};
+use tribos_core::coupling::PowerLawFriction;
+use tribos_core::modes::{FixedPoints, Stability, TerminalMode, TerminalMotion};
 use tribos_report::diagram::Diagram;
 use tribos_report::image;
 
@@ -68,7 +68,7 @@ struct Answer {
     inertia_ratio: f64,
     interval: (f64, f64),
     points: FixedPoints<f64>,
-    mode: Option<FinalMode<f64>>,
+    mode: Option<TerminalMode<f64>>,
 }
 
 impl Arguments {
@@ -79,7 +79,7 @@ impl Arguments {
             let interval = |alpha| {
                 let profile = upright(&self.patch, alpha)?;
                 // The interval does not depend on the body.
-                let modes = Modes::new(&*profile, 1.0).map_err(Failure::input)?;
+                let modes = TerminalMotion::new(&*profile, 1.0).map_err(Failure::input)?;
                 Ok::<_, Failure>(modes.inertia_interval())
             };
             let diagram = Diagram::whole(format!("{:?}", self.patch).to_lowercase(), interval)?;
@@ -110,15 +110,15 @@ impl Arguments {
         self.answer_of(&*leaning(&self.patch, self.lean)?)
     }
 
-    fn answer_of<P: Profile<f64> + ?Sized>(&self, profile: &P) -> Result<Answer, Failure> {
-        let modes = Modes::new(profile, self.inertia_ratio).map_err(Failure::input)?;
+    fn answer_of<P: PowerLawFriction<f64> + ?Sized>(&self, profile: &P) -> Result<Answer, Failure> {
+        let modes = TerminalMotion::new(profile, self.inertia_ratio).map_err(Failure::input)?;
         let points = modes.fixed_points();
         // Without a start the end is known only where it does not depend on it.
         let mode = match (self.initial_ratio, points.finite) {
-            (Some(initial), _) => Some(modes.final_mode(initial)),
+            (Some(initial), _) => Some(modes.terminal_mode(initial)),
             (None, Some((_, Stability::Unstable))) => None,
             (None, None) if points.spinning == Stability::Semistable => None,
-            (None, _) => Some(modes.final_mode(1.0)),
+            (None, _) => Some(modes.terminal_mode(1.0)),
         };
         Ok(Answer {
             alpha: self.alpha,
@@ -155,9 +155,9 @@ impl Answer {
     /// The final mode's name and ratio.
     fn mode(&self) -> (String, Option<f64>) {
         match (self.mode, self.points.finite) {
-            (Some(FinalMode::Spinning), _) => ("spinning".into(), Some(0.0)),
-            (Some(FinalMode::Sliding), _) => ("sliding".into(), Some(f64::INFINITY)),
-            (Some(FinalMode::Together { ratio }), _) => ("together".into(), Some(ratio)),
+            (Some(TerminalMode::Spinning), _) => ("spinning".into(), Some(0.0)),
+            (Some(TerminalMode::Sliding), _) => ("sliding".into(), Some(f64::INFINITY)),
+            (Some(TerminalMode::Together { ratio }), _) => ("together".into(), Some(ratio)),
             (None, Some(_)) => ("depends on the initial ratio".into(), None),
             (None, None) => ("keeps the initial ratio".into(), None),
         }

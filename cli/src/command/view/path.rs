@@ -10,7 +10,7 @@ use tribos::run::folder::Manifest;
 use tribos::scene::{Key, vocabulary};
 use tribos::slide::planar::{Plate, Resistance};
 use tribos_core::Real;
-use tribos_core::coupling::flat::DryPatch;
+use tribos_core::coupling::flat::PatchShape;
 pub use tribos_report::player::Row;
 use tribos_report::player::{Film, PathBody, path_film};
 

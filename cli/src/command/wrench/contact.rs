@@ -9,7 +9,7 @@ use tribos::friction::{
     AnyLaw, Evaluation, Friction, HeldNodes, Law, Patch, Precision, Tier, pressure_nodes,
 };
 use tribos_core::Real;
-use tribos_core::coupling::PatchFriction;
+use tribos_core::coupling::RoundFriction;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::internals::leaning_wrench;
 use tribos_core::patch::nodes::Node;
@@ -80,7 +80,7 @@ pub struct Contact<R: Precision> {
 pub(super) enum Kind<R: Precision> {
     /// A round patch by a coupling of the kernel; a quadrature is upright.
     Round {
-        friction: PatchFriction<R, Friction<R>>,
+        friction: RoundFriction<R, Friction<R>>,
         tilt: Option<R>,
     },
     /// Nodes, in units of the radius.
@@ -114,7 +114,7 @@ impl<R: Precision> Contact<R> {
             let coupling = Friction::new(request.patch, &law, Some(tier))?;
             let factor =
                 in_range::<R>("coefficient", request.coefficient)? * coupling.coefficient();
-            let friction = PatchFriction::new(coupling, factor, radius).map_err(Failure::input)?;
+            let friction = RoundFriction::new(coupling, factor, radius).map_err(Failure::input)?;
             (Kind::Round { friction, tilt }, factor, radius)
         } else {
             let factor = in_range::<R>("coefficient", request.coefficient)?;

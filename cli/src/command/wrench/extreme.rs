@@ -17,7 +17,7 @@ use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::friction::Precision;
 use tribos_core::Real;
-use tribos_core::coupling::Coupling;
+use tribos_core::coupling::ReducedFriction;
 use tribos_core::internals::leaning_wrench;
 use tribos_core::twist::Twist;
 

@@ -22,7 +22,7 @@ mod ways;
 
 pub(super) use ways::{drags, jacobians, patch_jacobians, patch_wrenches, wrenches};
 
-use super::{Coupling, ReducedJacobian, ReducedWrench};
+use super::{ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::lanes::{GROUP, Group};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
@@ -63,7 +63,7 @@ fn groups_mut<T>(of: &mut [T], count: usize) -> (&mut [Group<T>], &mut [T]) {
 
 /// Force and torque of slide and rim.
 #[inline(always)]
-pub(super) fn reduced_wrenches<R: Real, C: Coupling<R> + ?Sized>(
+pub(super) fn reduced_wrenches<R: Real, C: ReducedFriction<R> + ?Sized>(
     coupling: &C,
     [slides, rims]: [&[R]; 2],
     [forces, torques]: [&mut [R]; 2],
@@ -151,7 +151,7 @@ pub(super) fn component_wrenches<R: Real>(
 
 /// Jacobians of slide and rim.
 #[inline(always)]
-pub(super) fn reduced_jacobians<R: Real, C: Coupling<R> + ?Sized>(
+pub(super) fn reduced_jacobians<R: Real, C: ReducedFriction<R> + ?Sized>(
     coupling: &C,
     [slides, rims]: [&[R]; 2],
     jacobians: &mut [ReducedJacobian<R>],

@@ -22,12 +22,12 @@ use super::motion::Motion;
 use super::near::Seen;
 use super::sums::{self, slid};
 use super::two::Two;
-use super::{DryPatch, Hessian, Reduced};
+use super::{Hessian, PatchShape, Reduced};
 use crate::patch::bar::Bar;
 use crate::real::Real;
 use nalgebra::Vector2;
 
-impl<R: Real> DryPatch<R> for Bar<R> {
+impl<R: Real> PatchShape<R> for Bar<R> {
     fn centre(&self) -> Vector2<R> {
         Bar::centre(self)
     }

@@ -40,7 +40,7 @@
 
 use super::two::Two;
 use super::{Hessian, Reduced};
-use crate::patch::outline::{Edge, FlatPressure};
+use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
 use crate::special::legendre::{FEW_HALF, HALF, OF_4, OF_6, OF_10};
 use nalgebra::Vector2;
@@ -203,7 +203,7 @@ where
 impl<R: Real> Slide<'_, R> {
     /// Friction, given the pressure's integral and half the length of the longest edge.
     #[inline]
-    pub(super) fn friction<K: FlatPressure<R>>(
+    pub(super) fn friction<K: PressureField<R>>(
         &self,
         edges: &[Edge<R>],
         pressure: &K,
@@ -235,7 +235,7 @@ impl<R: Real> Slide<'_, R> {
     /// Integrals of x²/(q s), x (y − w x²/s)/q and x² (1 + q)/(q s) under a pressure, given the
     /// largest speed that half an edge turns with.
     #[inline]
-    pub(super) fn linear<K: FlatPressure<R>>(
+    pub(super) fn linear<K: PressureField<R>>(
         &self,
         edges: &[Edge<R>],
         pressure: &K,
@@ -287,7 +287,7 @@ impl<R: Real> Slide<'_, R> {
     }
 
     /// Second derivatives of the power, given half the length of the longest edge.
-    pub(super) fn hessian<K: FlatPressure<R>>(
+    pub(super) fn hessian<K: PressureField<R>>(
         &self,
         edges: &[Edge<R>],
         pressure: &K,
@@ -298,7 +298,7 @@ impl<R: Real> Slide<'_, R> {
 
     /// Integrals of (g², x g, x²)/q³ under a pressure.
     #[inline]
-    pub(super) fn bent<K: FlatPressure<R>>(
+    pub(super) fn bent<K: PressureField<R>>(
         &self,
         edges: &[Edge<R>],
         pressure: &K,
@@ -381,7 +381,7 @@ pub(super) struct Turned<R> {
 
 impl<R: Real> Turned<R> {
     #[inline(always)]
-    pub(super) fn new(slide: &Slide<'_, R>, pressure: &impl FlatPressure<R>) -> Self {
+    pub(super) fn new(slide: &Slide<'_, R>, pressure: &impl PressureField<R>) -> Self {
         let [x, y] = pressure.slope();
         let [x, y] = slide.turned(&Vector2::new(x, y));
         Self {

@@ -5,18 +5,18 @@
 
 use super::motion::Motion;
 use super::points::rest;
-use super::{DryPatch, Hessian, PointLoad, Reduced};
-use crate::patch::feet::{Feet, Foot};
+use super::{Hessian, PatchShape, PointLoad, Reduced};
+use crate::patch::feet::{CompoundPatch, PatchPart};
 use crate::real::Real;
 use nalgebra::Vector2;
 
-impl<R: Real, P: DryPatch<R>> DryPatch<R> for Feet<'_, R, P> {
+impl<R: Real, P: PatchShape<R>> PatchShape<R> for CompoundPatch<'_, R, P> {
     fn centre(&self) -> Vector2<R> {
-        Feet::centre(self)
+        CompoundPatch::centre(self)
     }
 
     fn radius(&self) -> R {
-        Feet::radius(self)
+        CompoundPatch::radius(self)
     }
 
     fn rounding(&self) -> R {
@@ -114,9 +114,9 @@ struct Part<R: Real> {
 
 impl<R: Real> Part<R> {
     /// `None` for a foot that carries nothing or, alone, does not move.
-    fn of<P: DryPatch<R>>(
-        feet: &Feet<'_, R, P>,
-        foot: &Foot<R, P>,
+    fn of<P: PatchShape<R>>(
+        feet: &CompoundPatch<'_, R, P>,
+        foot: &PatchPart<R, P>,
         motion: &Motion<R>,
     ) -> Option<Self> {
         let share = feet.share(foot);

@@ -26,7 +26,7 @@ use super::near::Seen;
 use super::sums::{bent, slid};
 use super::two::Two;
 use super::{Hessian, Reduced};
-use crate::patch::outline::{Edge, FlatPressure};
+use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
 use crate::special::legendre::FEW_HALF;
 use nalgebra::Vector2;
@@ -45,7 +45,7 @@ pub(super) struct Layer<'a, R: Real, K> {
     inv_slope_sq: R,
 }
 
-impl<'a, R: Real, K: FlatPressure<R>> Layer<'a, R, K> {
+impl<'a, R: Real, K: PressureField<R>> Layer<'a, R, K> {
     /// None if the pressure is not steep.
     #[inline(always)]
     pub(super) fn of(edges: &'a [Edge<R>], pressure: &'a K) -> Option<Self> {
@@ -246,7 +246,7 @@ struct InLayer<'a, 'b, R: Real, K, F> {
     at: F,
 }
 
-impl<R: Real, K: FlatPressure<R>, F> Rule<R> for InLayer<'_, '_, R, K, F>
+impl<R: Real, K: PressureField<R>, F> Rule<R> for InLayer<'_, '_, R, K, F>
 where
     F: Fn(Two<R>, [Two<R>; 2]) -> [Two<R>; 3],
 {
@@ -283,7 +283,7 @@ where
 
 #[cfg(test)]
 mod tests {
-    use crate::coupling::flat::FlatFriction;
+    use crate::coupling::flat::ShapeFriction;
     use crate::patch::outline::Polygon;
     use crate::twist::Twist;
 
@@ -450,7 +450,7 @@ mod tests {
         for strip in STRIPS {
             let even = Polygon::new(strip.corners).unwrap();
             let leaning = even.with_centre_of_pressure(strip.centre).unwrap();
-            let friction = FlatFriction::new(leaning, 1.0).unwrap();
+            let friction = ShapeFriction::new(leaning, 1.0).unwrap();
             let [x, y, spin] = strip.twist;
             let found = friction.wrench(1.0, &Twist::new(x, y, spin));
             let [x, y, torque] = strip.wrench;

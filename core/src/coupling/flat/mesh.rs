@@ -21,7 +21,7 @@ use super::far::Slide;
 use super::motion::Motion;
 use super::sums::Sums;
 use super::two::Two;
-use super::{DryPatch, Hessian, Reduced};
+use super::{Hessian, PatchShape, Reduced};
 use crate::patch::mesh::{Mesh, Triangle};
 use crate::real::Real;
 use crate::special::triangle::{OF_DEGREE_5, OF_DEGREE_6, OF_DEGREE_8, OF_DEGREE_10, Pair};
@@ -35,7 +35,7 @@ const NEAREST: f64 = 8.0 * 8.0;
 const ENOUGH_SINGLE: [f64; 2] = [12.0 * 12.0, NEAREST_SINGLE];
 const NEAREST_SINGLE: f64 = 3.0 * 3.0;
 
-impl<R: Real, S: AsRef<[Triangle<R>]>> DryPatch<R> for Mesh<R, S> {
+impl<R: Real, S: AsRef<[Triangle<R>]>> PatchShape<R> for Mesh<R, S> {
     fn centre(&self) -> Vector2<R> {
         Mesh::centre(self)
     }

@@ -11,7 +11,7 @@
 //! of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
 //! the cost grows with the number of edges alone.
 //!
-//! [`FlatPowerFriction`] is the same for friction γ|q|^α, α > −1.
+//! [`ShapePowerFriction`] is the same for friction γ|q|^α, α > −1.
 
 mod bar;
 mod cone;
@@ -27,7 +27,7 @@ mod sums;
 mod two;
 
 use crate::law::{LawError, validated_coefficient};
-use crate::patch::outline::{Edge, FlatPressure, Polygon};
+use crate::patch::outline::{Edge, Polygon, PressureField};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
 use far::Slide;
@@ -35,7 +35,7 @@ use layer::Layer;
 #[doc(hidden)]
 pub use motion::Motion;
 use nalgebra::{Matrix3, Vector2};
-pub use power::{FlatPower, FlatPowerFriction, PowerPatch};
+pub use power::{PolygonPowerLaw, PowerLawPatch, ShapePowerFriction};
 
 /// Friction of a patch per limit μN, about its centre of pressure; the torque per radius.
 #[doc(hidden)]
@@ -75,7 +75,7 @@ pub struct PointLoad<R: Real> {
 /// Implemented by the patches with straight edges of [`crate::patch::outline`] by meshes
 /// ([`crate::patch::mesh`]), points ([`crate::patch::points`]) and bodies on several of them
 /// ([`crate::patch::feet`]).
-pub trait DryPatch<R: Real> {
+pub trait PatchShape<R: Real> {
     /// The centre of pressure, in the coordinates that twist and wrench refer to.
     fn centre(&self) -> Vector2<R>;
 
@@ -106,7 +106,7 @@ pub trait DryPatch<R: Real> {
     }
 }
 
-impl<R: Real, P: DryPatch<R> + ?Sized> DryPatch<R> for &P {
+impl<R: Real, P: PatchShape<R> + ?Sized> PatchShape<R> for &P {
     fn centre(&self) -> Vector2<R> {
         (**self).centre()
     }
@@ -128,7 +128,7 @@ impl<R: Real, P: DryPatch<R> + ?Sized> DryPatch<R> for &P {
     }
 }
 
-impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> DryPatch<R> for Polygon<R, S, K> {
+impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygon<R, S, K> {
     fn centre(&self) -> Vector2<R> {
         Polygon::centre(self)
     }
@@ -280,12 +280,12 @@ impl<R: Real> Hessian<R> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FlatFriction<R, P> {
+pub struct ShapeFriction<R, P> {
     patch: P,
     coefficient: R,
 }
 
-impl<R: Real, P: DryPatch<R>> FlatFriction<R, P> {
+impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
     /// *Domain*: 0 ≤ `coefficient` < ∞.
     pub fn new(patch: P, coefficient: R) -> Result<Self, LawError> {
         Ok(Self {

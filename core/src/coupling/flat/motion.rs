@@ -1,6 +1,6 @@
 //! The motion of a patch, as the closed forms need it.
 
-use super::DryPatch;
+use super::PatchShape;
 use crate::real::Real;
 use crate::twist::Twist;
 use nalgebra::Vector2;
@@ -37,7 +37,7 @@ impl<R: Real> Motion<R> {
     /// The motion of `patch`, or what every component of its friction is: 0 at rest, NaN for a twist
     /// that is infinite or NaN.
     #[inline(always)]
-    pub(super) fn new(patch: &impl DryPatch<R>, twist: &Twist<R>) -> Result<Self, R> {
+    pub(super) fn new(patch: &impl PatchShape<R>, twist: &Twist<R>) -> Result<Self, R> {
         Self::split_at(near::<R>(), patch, twist)
     }
 
@@ -49,12 +49,12 @@ impl<R: Real> Motion<R> {
 
     /// The same for a power law, whose closed form ends at 2 radii.
     #[inline(always)]
-    pub(super) fn of_power(patch: &impl DryPatch<R>, twist: &Twist<R>) -> Result<Self, R> {
+    pub(super) fn of_power(patch: &impl PatchShape<R>, twist: &Twist<R>) -> Result<Self, R> {
         Self::split_at(NEAR_SINGLE, patch, twist)
     }
 
     #[inline(always)]
-    fn split_at(near: f64, patch: &impl DryPatch<R>, twist: &Twist<R>) -> Result<Self, R> {
+    fn split_at(near: f64, patch: &impl PatchShape<R>, twist: &Twist<R>) -> Result<Self, R> {
         let (velocity, rim) = at_centre(patch, twist);
         let size = size(&velocity, rim);
         if is_ordinary(size) {
@@ -74,7 +74,7 @@ impl<R: Real> Motion<R> {
 
     /// The power of two that brings `twist` to speeds whose squares are numbers, almost always 1.
     #[inline]
-    pub(super) fn unit(patch: &impl DryPatch<R>, twist: &Twist<R>) -> R {
+    pub(super) fn unit(patch: &impl PatchShape<R>, twist: &Twist<R>) -> R {
         let (velocity, rim) = at_centre(patch, twist);
         let size = size(&velocity, rim);
         if is_ordinary(size) {
@@ -114,7 +114,7 @@ fn near<R: Real>() -> f64 {
 
 /// Velocity of the centre of pressure, and rim speed.
 #[inline(always)]
-fn at_centre<R: Real>(patch: &impl DryPatch<R>, twist: &Twist<R>) -> (Vector2<R>, R) {
+fn at_centre<R: Real>(patch: &impl PatchShape<R>, twist: &Twist<R>) -> (Vector2<R>, R) {
     let centre = patch.centre();
     let velocity = Vector2::new(
         twist.velocity.x - twist.spin * centre.y,

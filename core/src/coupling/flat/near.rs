@@ -17,7 +17,7 @@
 //! the same theorem applies.
 
 use super::{Hessian, Reduced};
-use crate::patch::outline::{Edge, FlatPressure};
+use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
 use crate::special::log_quotient;
 use nalgebra::Vector2;
@@ -89,7 +89,7 @@ const LEAST_GAP: f64 = 8.0;
 
 /// Reduced friction about the centre of pressure for the spin `sense` (±1) about `centre`.
 #[inline]
-pub(super) fn friction<R: Real, K: FlatPressure<R>>(
+pub(super) fn friction<R: Real, K: PressureField<R>>(
     edges: &[Edge<R>],
     pressure: &K,
     centre: &Vector2<R>,
@@ -103,7 +103,7 @@ pub(super) fn friction<R: Real, K: FlatPressure<R>>(
 }
 
 /// The same, and second derivatives of the dissipated power at a rim speed of 1.
-pub(super) fn friction_and_hessian<R: Real, K: FlatPressure<R>>(
+pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
     edges: &[Edge<R>],
     pressure: &K,
     centre: &Vector2<R>,
@@ -147,7 +147,7 @@ impl<R: Real> Sums<R> {
     }
 
     #[inline(always)]
-    fn add<K: FlatPressure<R>>(&mut self, edge: &Edge<R>, _: &K, seen: &Seen<R>) {
+    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, _: &K, seen: &Seen<R>) {
         let third = R::ONE / R::from_f64(3.0);
         let (tangent, integral) = (edge.tangent(), seen.integral);
         self.along += tangent * integral;
@@ -172,7 +172,7 @@ impl<R: Real> Sums<R> {
     }
 
     #[inline(always)]
-    fn friction<K: FlatPressure<R>>(
+    fn friction<K: PressureField<R>>(
         &self,
         pressure: &K,
         centre: &Vector2<R>,
@@ -203,7 +203,7 @@ impl<R: Real> Sums<R> {
 
 /// Pressure at a place.
 #[inline(always)]
-fn at<R: Real, K: FlatPressure<R>>(pressure: &K, place: &Vector2<R>) -> R {
+fn at<R: Real, K: PressureField<R>>(pressure: &K, place: &Vector2<R>) -> R {
     let [x, y] = pressure.slope();
     pressure.at_centre() + x * place.x + y * place.y
 }
@@ -224,7 +224,7 @@ impl<R: Real> Across<R> {
     }
 
     #[inline(always)]
-    fn add<K: FlatPressure<R>>(&mut self, edge: &Edge<R>, pressure: &K, seen: &Seen<R>) {
+    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, pressure: &K, seen: &Seen<R>) {
         let (tangent, normal, h) = (edge.tangent(), edge.normal(), seen.h);
         let b = normal * (h * seen.log) + tangent * seen.rise;
         let parts = [
@@ -269,7 +269,7 @@ impl<R: Real> Across<R> {
     }
 
     /// D″ of the power: only the part of a change of velocity across ρ counts.
-    fn hessian<K: FlatPressure<R>>(&self, pressure: &K, centre: &Vector2<R>) -> Hessian<R> {
+    fn hessian<K: PressureField<R>>(&self, pressure: &K, centre: &Vector2<R>) -> Hessian<R> {
         let [xx, xy, yy] = self.uniform;
         let here = at(pressure, centre);
         let [lxx, lxy, lyy] = self.linear;

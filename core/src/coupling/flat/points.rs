@@ -4,9 +4,9 @@ use super::far::Slide;
 use super::motion::Motion;
 use super::sums::Sums;
 use super::two::Two;
-use super::{DryPatch, Hessian, PointLoad, Reduced};
+use super::{Hessian, PatchShape, PointLoad, Reduced};
 use crate::patch::nodes::NodePatch;
-use crate::patch::points::Points;
+use crate::patch::points::PointPatch;
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -19,13 +19,13 @@ pub(super) fn rest<R: Real>() -> R {
     R::from_f64(REST_ULPS) * R::EPSILON
 }
 
-impl<R: Real, P: NodePatch<R>> DryPatch<R> for Points<R, P> {
+impl<R: Real, P: NodePatch<R>> PatchShape<R> for PointPatch<R, P> {
     fn centre(&self) -> Vector2<R> {
-        Points::centre(self)
+        PointPatch::centre(self)
     }
 
     fn radius(&self) -> R {
-        Points::radius(self)
+        PointPatch::radius(self)
     }
 
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
@@ -66,7 +66,7 @@ impl<R: Real, P: NodePatch<R>> DryPatch<R> for Points<R, P> {
 }
 
 fn summed<R: Real, const WITH_HESSIAN: bool>(
-    points: &Points<R, impl NodePatch<R>>,
+    points: &PointPatch<R, impl NodePatch<R>>,
     motion: &Motion<R>,
 ) -> (Reduced<R>, Hessian<R>) {
     let mut sums = Sums::new();

@@ -3,7 +3,7 @@
 use super::*;
 use crate::patch::nodes::{Node, Nodes};
 use crate::patch::outline::Polygon;
-use crate::patch::points::Points;
+use crate::patch::points::PointPatch;
 
 /// A number of −1 … 1 that golden angles and their like spread evenly.
 fn part(i: u32, k: f64) -> f64 {
@@ -14,10 +14,10 @@ fn part(i: u32, k: f64) -> f64 {
 fn slender<R: Real, const N: usize>(
     corners: [[f64; 2]; N],
     angle: f64,
-) -> PatchSurface<R, Polygon<R, [crate::patch::outline::Edge<R>; N]>> {
+) -> ShapeLimitSurface<R, Polygon<R, [crate::patch::outline::Edge<R>; N]>> {
     let (c, s) = (libm::cos(angle), libm::sin(angle));
     let turned = corners.map(|[x, y]| [c * x - s * y, s * x + c * y].map(R::from_f64));
-    PatchSurface::new(Polygon::new(turned).unwrap(), R::ONE).unwrap()
+    ShapeLimitSurface::new(Polygon::new(turned).unwrap(), R::ONE).unwrap()
 }
 
 /// Largest distance of the friction of a normal from the wrench below it, and whether a projection stays.
@@ -109,7 +109,7 @@ fn a_dozen_steps_find_the_motion_under_any_push() {
     let mut residual = 0.0_f64;
     for [x, y] in [a, b, c] {
         let patch = Polygon::new([[-x, -y], [x, -y], [x, y], [-x, y]]).unwrap();
-        let surface = PatchSurface::new(patch, 1.0).unwrap();
+        let surface = ShapeLimitSurface::new(patch, 1.0).unwrap();
         let length_sq = (surface.radius / surface.arm) * (surface.radius / surface.arm);
         for i in 0..20_000 {
             let wrench = Vector3::new(
@@ -160,8 +160,8 @@ fn every_search_on_points_ends_with_a_wrench_that_balances() {
     ];
     let line = [-1.0, -0.25, 0.5, 1.0].map(|x| at(x, 0.0, 1.0));
     for nodes in [even, uneven.map(|[x, y, weight]| at(x, y, weight)), line] {
-        let points = Points::new(Nodes::new(nodes).unwrap()).unwrap();
-        let surface = PatchSurface::new(points, 1.0).unwrap();
+        let points = PointPatch::new(Nodes::new(nodes).unwrap()).unwrap();
+        let surface = ShapeLimitSurface::new(points, 1.0).unwrap();
         for i in 0..10_000 {
             let narrow = libm::exp(12.0 * part(i, 0.671_043_606_7) - 12.0);
             let wrench = Vector3::new(

@@ -3,14 +3,14 @@
 use super::super::Slider;
 use super::super::leg::{End, Leg};
 use super::{March, Rates};
-use crate::coupling::{Coupling, Lead, Profile, Speeds};
+use crate::coupling::{Lead, PowerLawFriction, ReducedFriction, Speeds};
 use crate::modes::{balanced_ratio, changes_sign};
 use crate::real::Real;
 
 /// |C_α − C| at equal speeds, in rounding errors of C, below which they stay equal.
 const BALANCED_ULPS: f64 = 8.0;
 
-impl<R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'_, R, P, N> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March<'_, R, P, N> {
     /// Finds the first leg, from the ratio h with its logarithm and its distance from 1.
     pub(super) fn set_out(&mut self, ratio: [R; 3], excess: R) {
         let lead = self.lead;

@@ -5,7 +5,7 @@ use super::super::rule::{self};
 use super::super::tail::Tail;
 use super::panel::Panel;
 use super::{March, Outcome, Until};
-use crate::coupling::{Coupling, Profile, Speeds};
+use crate::coupling::{PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 
 /// Newton's method for a time within a panel: two are enough.
@@ -18,7 +18,7 @@ const NEARLY_LINEAR: f64 = 2.0;
 /// Rounding errors of the fading itself, beyond which no correction helps.
 const ROUNDING_ULPS: f64 = 64.0;
 
-impl<R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'_, R, P, N> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March<'_, R, P, N> {
     /// The rest of the motion, at or next to the ratio that stays.
     pub(super) fn close(&mut self, leg: Option<&Leg<R>>, until: Until<R>) -> Outcome {
         let tail = match leg {

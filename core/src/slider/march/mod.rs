@@ -1,7 +1,7 @@
 //! A motion followed through its directions, panel by panel.
 //!
 //! With v, w ≥ 0 the two speeds, m the larger and h the smaller over the larger one, friction of degree
-//! α gives F = m^(α−1) v Φ(h) and T = m^(α−1) w Χ(h) ([`crate::coupling::Profile`]). In the
+//! α gives F = m^(α−1) v Φ(h) and T = m^(α−1) w Χ(h) ([`crate::coupling::PowerLawFriction`]). In the
 //! time s with ds = κ m^(α−1) dt both speeds fade with rates that depend on the direction alone,
 //!
 //! ```text
@@ -27,7 +27,7 @@ mod rates;
 use super::Slider;
 use super::leg::{End, Leg};
 use super::rule::{FEW_POINTS, POINTS};
-use crate::coupling::{Coupling, Lead, Profile, Speeds};
+use crate::coupling::{Lead, PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 use panel::Panel;
 
@@ -85,7 +85,7 @@ pub(super) struct Marched<R> {
 
 /// Follows a motion from two speeds, not negative, finite, not both zero, with as many nodes as
 /// the precision needs.
-pub(super) fn march<R: Real, P: Profile<R> + Coupling<R>>(
+pub(super) fn march<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>>(
     slider: &Slider<R, P>,
     speeds: [R; 2],
     until: Until<R>,
@@ -129,7 +129,7 @@ struct March<'a, R, P, const N: usize> {
     evaluations: u32,
 }
 
-impl<'a, R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'a, R, P, N> {
+impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March<'a, R, P, N> {
     /// From two speeds, not negative, finite, not both zero.
     fn new(slider: &'a Slider<R, P>, speeds: [R; 2]) -> Self {
         let at = Speeds::new(speeds[0], speeds[1]);

@@ -4,7 +4,7 @@
 use super::super::leg::Leg;
 use super::super::rule::{self, Rule, rule};
 use super::{LARGEST_FADING, March, Rates};
-use crate::coupling::{Coupling, Lead, Profile};
+use crate::coupling::{Lead, PowerLawFriction, ReducedFriction};
 use crate::real::Real;
 
 /// Truncation error of a panel, in rounding errors.
@@ -31,7 +31,7 @@ pub(super) struct Panel<R, const N: usize> {
     pub is_resolved: bool,
 }
 
-impl<R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'_, R, P, N> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March<'_, R, P, N> {
     /// Longest panel that may fit.
     pub(super) fn longest(&self, leg: &Leg<R>) -> R {
         let smooth = leg.smooth_length();

@@ -2,7 +2,7 @@
 
 use super::super::leg::{Leg, Place};
 use super::{March, Rates};
-use crate::coupling::{Coupling, Lead, Profile, Speeds};
+use crate::coupling::{Lead, PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 
 /// Exponents this close to 1 leave C_α flat, so that all of C_α − C may be a small difference.
@@ -12,7 +12,7 @@ const CANCELS: f64 = 1.0 / 64.0;
 /// |C_α − C| below this part of a rounding error of C is taken as if it were this large.
 const LEAST_EXCESS: f64 = 1.0 / 16.0;
 
-impl<R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'_, R, P, N> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March<'_, R, P, N> {
     /// Rates of fading, and C_α − C.
     pub(super) fn rates_and_excess(&mut self, at: &Speeds<R>) -> (Rates<R>, R) {
         let (profile, c) = (&self.slider.profile, self.slider.inertia_ratio);

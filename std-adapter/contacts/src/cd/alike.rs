@@ -1,7 +1,7 @@
 //! Contacts of spheres of one mass and radius, without what they have in common.
 
 use nalgebra::Vector3;
-use tribos_core::contact::{Contact, ContactModes, Sphere};
+use tribos_core::contact::{Contact, ContactModes, SphereBody};
 use tribos_core::internals::{Block, PreparedContact};
 
 /// What the contacts of alike spheres have in common.
@@ -21,17 +21,17 @@ impl Alike {
     /// What a contact of these spheres would have in common with others; `None` if the two differ, or do not move.
     pub fn of<M: ContactModes<f64>>(
         contact: &Contact<f64, M>,
-        [a, b]: [&Sphere<f64>; 2],
+        [a, b]: [&SphereBody<f64>; 2],
     ) -> Option<Self> {
         let block = contact.block();
         let alike = Self {
             inv_mass: a.inv_mass,
             inv_inertia: a.inv_inertia,
-            lever: contact.lever(),
+            lever: contact.effective_radius(),
             mass_normal: block.mass_normal,
             inertia: block.inertia,
         };
-        let [arm, other] = contact.arms();
+        let [arm, other] = contact.centre_distances();
         let same = (b.inv_mass, b.inv_inertia, other) == (a.inv_mass, a.inv_inertia, arm);
         // The second arm and the effective mass of sliding follow to the bit.
         let follows = block.coupling == 0.0 && block.mass_sliding == alike.mass_sliding(arm);
@@ -64,13 +64,13 @@ const OPEN: u32 = 1 << 31;
 impl AlikePair {
     /// *Domain*: numbers below 2³¹.
     pub fn new<M: ContactModes<f64>>([a, b]: [u32; 2], contact: &Contact<f64, M>) -> Self {
-        let open = if contact.rests_open() { OPEN } else { 0 };
+        let open = if contact.holds_gap_open() { OPEN } else { 0 };
         Self {
             bodies: [a, b | open],
             normal: *contact.normal(),
-            arm: contact.arms()[0],
+            arm: contact.centre_distances()[0],
             cohesion: contact.cohesion(),
-            allowance: contact.allowance(),
+            allowance: contact.approach_limit(),
         }
     }
 

@@ -7,10 +7,10 @@ use super::residual::Coefficients;
 use super::spheres::Link;
 use super::wall::Facing;
 use super::world::World;
-use tribos_core::contact::{Contact, ContactFriction, NormalLaw, Touch};
+use tribos_core::contact::{Contact, ContactFriction, ContactGeometry, NormalLaw};
 
 /// Bodies of a contact, and their geometry.
-pub(super) type Touching = ([u32; 2], Touch<f64>);
+pub(super) type Touching = ([u32; 2], ContactGeometry<f64>);
 
 /// Margin of the neighbour list beyond the contact distance, in motions of a step: a longer
 /// list remains valid for more steps.
@@ -156,7 +156,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             if apart.norm() - radii[i] - radii[j] > reach {
                 continue;
             }
-            let touch = Touch::spheres(&apart, [radii[i], radii[j]]);
+            let touch = ContactGeometry::spheres(&apart, [radii[i], radii[j]]);
             let touch = touch.map_err(|cause| WorldError::Touch {
                 step: self.state.steps,
                 body: i,
@@ -199,7 +199,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                 if height - radius > reach {
                     continue;
                 }
-                let touch = Touch::plate(height, &outward, radius);
+                let touch = ContactGeometry::plate(height, &outward, radius);
                 let touch = touch.map_err(|cause| WorldError::Touch {
                     step: self.state.steps,
                     body: i,

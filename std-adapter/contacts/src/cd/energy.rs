@@ -14,7 +14,9 @@
 use super::spheres::{Link, Spheres};
 use super::wall::Wall;
 use nalgebra::Vector3;
-use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
+use tribos_core::contact::{
+    Contact, ContactFriction, ContactModes, ContactVector, SphereBody, WallBody,
+};
 
 /// Energy balance of a run. *Units*: energy.
 ///
@@ -79,7 +81,7 @@ impl EnergyBalance {
 
     /// Takes the energy of moving spheres before the first entry.
     #[doc(hidden)]
-    pub fn before_first<'a>(&mut self, spheres: impl Iterator<Item = &'a Sphere<f64>>) {
+    pub fn before_first<'a>(&mut self, spheres: impl Iterator<Item = &'a SphereBody<f64>>) {
         if self.kinetic_initial.is_none() {
             let each = spheres.map(|sphere| kinetic_energy(sphere, &sphere.velocity, &sphere.spin));
             self.kinetic = each.sum();
@@ -90,7 +92,7 @@ impl EnergyBalance {
     pub fn enter<F: ContactFriction<f64>>(
         &mut self,
         awake: &[bool],
-        (before, walls): (&[Sphere<f64>], &[Wall]),
+        (before, walls): (&[SphereBody<f64>], &[Wall]),
         problem: &Spheres<F>,
         gravity: &Vector3<f64>,
         dt: f64,
@@ -139,7 +141,11 @@ impl EnergyBalance {
         }
     }
 
-    fn modes<M: ContactModes<f64>>(&mut self, contact: &Contact<f64, M>, u: &Modal<f64, M>) {
+    fn modes<M: ContactModes<f64>>(
+        &mut self,
+        contact: &Contact<f64, M>,
+        u: &ContactVector<f64, M>,
+    ) {
         let p = contact.impulse();
         // P pushes, cohesion pulls.
         self.normal -= contact.bound() * u.normal;
@@ -167,7 +173,7 @@ impl EnergyBalance {
     }
 
     /// Adds the energy of a body that is put to sleep.
-    pub fn still(&mut self, sphere: &Sphere<f64>) {
+    pub fn still(&mut self, sphere: &SphereBody<f64>) {
         let energy = 0.5 * sphere.velocity.norm_squared() / sphere.inv_mass
             + 0.5 * sphere.spin.norm_squared() / sphere.inv_inertia;
         self.stilled += energy;
@@ -194,8 +200,9 @@ pub(super) struct Taken {
 
 impl Taken {
     /// Zero losses, for bodies in their current motion.
-    pub fn from_motion(spheres: &[Sphere<f64>], walls: &[Wall]) -> Self {
-        let moving = |sphere: &Sphere<f64>| kinetic_energy(sphere, &sphere.velocity, &sphere.spin);
+    pub fn from_motion(spheres: &[SphereBody<f64>], walls: &[Wall]) -> Self {
+        let moving =
+            |sphere: &SphereBody<f64>| kinetic_energy(sphere, &sphere.velocity, &sphere.spin);
         let plates = walls.iter().filter(|wall| wall.plate.inv_mass > 0.0);
         let gliding = |wall: &Wall| {
             let speed = along(wall, &wall.plate.velocity);
@@ -214,14 +221,14 @@ fn along(wall: &Wall, velocity: &Vector3<f64>) -> f64 {
 }
 
 /// ½ m v² + ½ I ω² of a sphere's mass and inertia.
-pub(super) fn kinetic_energy(sphere: &Sphere<f64>, v: &Vector3<f64>, w: &Vector3<f64>) -> f64 {
+pub(super) fn kinetic_energy(sphere: &SphereBody<f64>, v: &Vector3<f64>, w: &Vector3<f64>) -> f64 {
     let (mass, inertia) = (1.0 / sphere.inv_mass, 1.0 / sphere.inv_inertia);
     0.5 * (mass * v.norm_squared() + inertia * w.norm_squared())
 }
 
 /// Energy transferred to the drive of a wall. The drive bears the impulse on the wall: all of it if the wall
 /// is not movable, else the part across the normal.
-pub(super) fn driven_work<M: ContactModes<f64>>(link: &Link<M>, wall: &Plate<f64>) -> f64 {
+pub(super) fn driven_work<M: ContactModes<f64>>(link: &Link<M>, wall: &WallBody<f64>) -> f64 {
     let normal = link.contact.normal();
     let felt = if wall.inv_mass > 0.0 {
         normal * wall.velocity.dot(normal)

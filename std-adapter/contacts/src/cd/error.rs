@@ -2,15 +2,15 @@
 
 use tribos_base::record::brief;
 use tribos_base::space::pairs::NeighbourError;
-use tribos_core::contact::TouchError;
+use tribos_core::contact::ContactError;
 
 /// Why a world cannot start or continue.
 ///
 /// ```
 /// use tribos::cd::{Laws, Setup, World, WorldError, solid};
-/// use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+/// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
 /// use tribos::kernel::nalgebra::Vector3;
-/// let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, Thresholds::none());
+/// let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, IndependentFriction::none());
 /// let mut setup = Setup::new(smooth).sphere(Vector3::zeros(), 0.05, solid(0.05, 1900.0));
 /// setup.step_limits.longest = 0.0;
 /// assert!(matches!(World::new(setup), Err(WorldError::StepLimits { .. })));
@@ -29,7 +29,7 @@ pub enum WorldError {
         other: String,
         /// The kernel's reason.
         #[source]
-        cause: TouchError,
+        cause: ContactError,
     },
     /// The neighbour list could not be built.
     #[error("step {step}: {cause}")]

@@ -4,11 +4,11 @@
 use super::aligned::Aligned;
 use super::alike::{Alike, AlikePair};
 use super::vectors::{Bodies, Impulses, Vectors, clamp, cross, dot, minus, plus, project, scaled};
-use tribos_core::contact::{ContactModes, Modal};
+use tribos_core::contact::{ContactModes, ContactVector};
 use tribos_core::internals::{AxialPart, PlanarPart};
 use tribos_lanes::Four;
 
-/// Limits of friction, as [`Thresholds`](tribos_core::contact::Thresholds) has them: sliding, rolling, torsion.
+/// Limits of friction, as [`IndependentFriction`](tribos_core::contact::Thresholds) has them: sliding, rolling, torsion.
 pub(super) type Limits = [f64; 3];
 
 /// What a monitor records of each contact: change², P, speed, and the product with the step before.
@@ -104,8 +104,8 @@ fn turns<M: ContactModes<f64>>() -> bool {
 #[inline(always)]
 pub(super) fn update<L: Four, M: ContactModes<f64>>(
     pairs: &[AlikePair; 4],
-    impulses: &mut [Modal<f64, M>; 4],
-    swept: Option<&[Modal<f64, M>; 4]>,
+    impulses: &mut [ContactVector<f64, M>; 4],
+    swept: Option<&[ContactVector<f64, M>; 4]>,
     (first, spheres): (u32, &mut [Aligned]),
     (alike, limits): &(Alike, Limits),
 ) -> Option<Records> {
@@ -168,8 +168,8 @@ pub(super) fn update<L: Four, M: ContactModes<f64>>(
 #[inline(always)]
 pub(super) fn extrapolate<L: Four, M: ContactModes<f64>>(
     pairs: &[AlikePair; 4],
-    now: &[Modal<f64, M>; 4],
-    swept: &mut [Modal<f64, M>; 4],
+    now: &[ContactVector<f64, M>; 4],
+    swept: &mut [ContactVector<f64, M>; 4],
     (first, spheres): (u32, &mut [Aligned]),
     beta: f64,
     (alike, limits): &(Alike, Limits),
@@ -195,7 +195,7 @@ pub(super) fn extrapolate<L: Four, M: ContactModes<f64>>(
     Some(())
 }
 
-/// A number that goes on by `beta` times the step to it, as `Modal::plus_scaled` rounds.
+/// A number that goes on by `beta` times the step to it, as `ContactVector::plus_scaled` rounds.
 #[inline(always)]
 fn ahead<L: Four>(now: L, old: L, beta: f64) -> L {
     now + L::splat(beta) * (now - old)
@@ -253,6 +253,6 @@ fn limits_of<L: Four>([a, b, c, d]: &[AlikePair; 4]) -> [L; 2] {
 
 /// The impulses of four pairs.
 #[inline(always)]
-fn read<L: Four, M: ContactModes<f64>>([a, b, c, d]: &[Modal<f64, M>; 4]) -> Impulses<L> {
+fn read<L: Four, M: ContactModes<f64>>([a, b, c, d]: &[ContactVector<f64, M>; 4]) -> Impulses<L> {
     Impulses::read([a, b, c, d])
 }

@@ -2,7 +2,7 @@
 //! to it.
 
 use nalgebra::Vector3;
-use tribos_core::contact::{Body, Sphere};
+use tribos_core::contact::{ContactBody, SphereBody};
 
 /// An image among the second spheres of a list of pairs: number of the pair, and velocity of the image
 /// relative to its sphere.
@@ -31,10 +31,10 @@ impl<'a> Images<'a> {
 
 /// The sphere, or its image if that moves relative to it.
 #[inline]
-pub(super) fn seen(sphere: &Sphere<f64>, image: Option<Vector3<f64>>) -> Sphere<f64> {
+pub(super) fn seen(sphere: &SphereBody<f64>, image: Option<Vector3<f64>>) -> SphereBody<f64> {
     match image {
         None => *sphere,
-        Some(velocity) => Sphere {
+        Some(velocity) => SphereBody {
             velocity: sphere.velocity + velocity,
             ..*sphere
         },
@@ -44,15 +44,15 @@ pub(super) fn seen(sphere: &Sphere<f64>, image: Option<Vector3<f64>>) -> Sphere<
 /// The image of a sphere: it moves faster by a velocity, and what pushes it pushes the sphere.
 #[derive(Debug)]
 pub(super) struct Image<'a> {
-    pub sphere: &'a mut Sphere<f64>,
+    pub sphere: &'a mut SphereBody<f64>,
     pub velocity: Vector3<f64>,
 }
 
-impl Body<f64> for Image<'_> {
+impl ContactBody<f64> for Image<'_> {
     fn velocity(&self) -> Vector3<f64> {
         self.sphere.velocity + self.velocity
     }
-    fn spin(&self) -> Vector3<f64> {
+    fn angular_velocity(&self) -> Vector3<f64> {
         self.sphere.spin
     }
     fn inv_mass_normal(&self) -> f64 {
@@ -64,10 +64,16 @@ impl Body<f64> for Image<'_> {
     fn inv_inertia(&self) -> f64 {
         self.sphere.inv_inertia
     }
-    fn push(&mut self, sign: f64, impulse: &Vector3<f64>, along: f64, normal: &Vector3<f64>) {
-        self.sphere.push(sign, impulse, along, normal);
+    fn apply_impulse(
+        &mut self,
+        sign: f64,
+        impulse: &Vector3<f64>,
+        along: f64,
+        normal: &Vector3<f64>,
+    ) {
+        self.sphere.apply_impulse(sign, impulse, along, normal);
     }
-    fn turn(&mut self, factor: f64, angular: &Vector3<f64>) {
-        self.sphere.turn(factor, angular);
+    fn apply_angular_impulse(&mut self, factor: f64, angular: &Vector3<f64>) {
+        self.sphere.apply_angular_impulse(factor, angular);
     }
 }

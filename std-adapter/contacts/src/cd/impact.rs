@@ -32,8 +32,8 @@ use super::spheres::{Link, Spheres};
 use super::wall::Wall;
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Body, Contact, ContactFriction, ContactModes, Frictionless, Modal, NormalLaw, Sphere,
-    Thresholds, Touch,
+    Contact, ContactBody, ContactFriction, ContactGeometry, ContactModes, ContactVector,
+    Frictionless, IndependentFriction, NormalLaw, SphereBody,
 };
 use tribos_core::internals::{Block, PreparedContact};
 
@@ -79,7 +79,7 @@ pub(super) struct Counts {
 #[derive(Debug)]
 pub(super) struct Impacts<F: ContactFriction<f64>> {
     /// Spheres after half of the loads and the impacts.
-    pub spheres: Vec<Sphere<f64>>,
+    pub spheres: Vec<SphereBody<f64>>,
     /// Walls after half of the loads and the impacts.
     pub walls: Vec<Wall>,
     /// Energies taken by the impacts, and the work of the loads so far.
@@ -88,7 +88,7 @@ pub(super) struct Impacts<F: ContactFriction<f64>> {
     pub counts: Counts,
     /// Impulses of pairs and at walls; after [`Impacts::run`] in ascending order of the bodies.
     pub(super) impulses: [Vec<StoredForce<F::Modes>>; 2],
-    pub(super) reflection: Spheres<Thresholds<f64, Frictionless>>,
+    pub(super) reflection: Spheres<IndependentFriction<f64, Frictionless>>,
     pub(super) friction: Spheres<F>,
     /// Most sweeps for a part of a round.
     pub(super) most_sweeps: usize,
@@ -108,7 +108,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
             taken: Taken::default(),
             counts: Counts::default(),
             impulses: [Vec::new(), Vec::new()],
-            reflection: Spheres::new([Thresholds::none(); 2]),
+            reflection: Spheres::new([IndependentFriction::none(); 2]),
             friction: Spheres::new(friction),
             most_sweeps: MOST_SWEEPS,
         }
@@ -117,7 +117,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     /// Applies half of the loads to bodies with the velocities of the step's start, then all impacts.
     pub fn run(
         &mut self,
-        (spheres, walls): (&[Sphere<f64>], &[Wall]),
+        (spheres, walls): (&[SphereBody<f64>], &[Wall]),
         around: &Surroundings<'_, F>,
     ) {
         self.taken = Taken::from_motion(spheres, walls);
@@ -152,7 +152,10 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     /// Impulses of the step's impacts divided by its length, of pairs and at walls.
     pub fn mean_forces(&self, dt: f64) -> [Vec<StoredForce<F::Modes>>; 2] {
         let over = |(bodies, impulse): &StoredForce<F::Modes>| {
-            (*bodies, Modal::default().plus_scaled(1.0 / dt, impulse))
+            (
+                *bodies,
+                ContactVector::default().plus_scaled(1.0 / dt, impulse),
+            )
         };
         [0, 1].map(|kind: usize| self.impulses[kind].iter().map(over).collect())
     }
@@ -244,7 +247,7 @@ impl Closing {
     /// slower contacts are lasting ones and belong to the contact problem of the step.
     fn impacts(
         &self,
-        touch: &Touch<f64>,
+        touch: &ContactGeometry<f64>,
         law: &NormalLaw<f64>,
         contact: &Contact<f64, Frictionless>,
         [speed, load]: [f64; 2],
@@ -273,8 +276,8 @@ fn coefficients<F>(book: LawBook<'_, F>) -> Vec<f64> {
 /// A sphere that has reached its plate: the lever of friction is the radius, whatever gap the last step
 /// left. Between two spheres both levers end at one point within the gap, which conserves angular
 /// momentum; a plate does not rotate.
-fn at_plate(touch: &Touch<f64>) -> Touch<f64> {
-    Touch {
+fn at_plate(touch: &ContactGeometry<f64>) -> ContactGeometry<f64> {
+    ContactGeometry {
         arms: [touch.lever, 0.0],
         ..*touch
     }
@@ -282,9 +285,9 @@ fn at_plate(touch: &Touch<f64>) -> Touch<f64> {
 
 /// A contact without gap, cohesion and friction.
 fn prepare(
-    touch: &Touch<f64>,
-    a: &impl Body<f64>,
-    b: &impl Body<f64>,
+    touch: &ContactGeometry<f64>,
+    a: &impl ContactBody<f64>,
+    b: &impl ContactBody<f64>,
 ) -> Contact<f64, Frictionless> {
     let prepared = PreparedContact {
         normal: touch.normal,
@@ -295,7 +298,7 @@ fn prepare(
         allowance: 0.0,
         rests_open: false,
     };
-    Contact::resume(&prepared, &Modal::default())
+    Contact::resume(&prepared, &ContactVector::default())
 }
 
 /// Sums the impulses of each contact, in ascending order of the bodies.

@@ -65,7 +65,9 @@ pub(super) fn rests<F: ContactFriction<f64>>(problem: &mut Spheres<F>) -> bool {
         .all(|((link, rounding), old)| {
             let contact = &link.contact;
             let change = contact.impulse().minus(&old);
-            let change = change.dot_with_lever(&change, contact.lever()).sqrt();
+            let change = change
+                .dot_with_lever(&change, contact.effective_radius())
+                .sqrt();
             // NaN has not converged.
             change <= TOLERANCE * contact.bound() + rounding
         })
@@ -74,7 +76,7 @@ pub(super) fn rests<F: ContactFriction<f64>>(problem: &mut Spheres<F>) -> bool {
 /// Effect of the rounding of two bodies' velocities and spins on the impulse between them, with torques
 /// counted as forces at the lever.
 fn rounding<M: ContactModes<f64>>(link: &Link<M>, velocities: [[Vector3<f64>; 2]; 2]) -> f64 {
-    let (block, lever) = (link.contact.block(), link.contact.lever());
+    let (block, lever) = (link.contact.block(), link.contact.effective_radius());
     let [speed, spin] = [0, 1].map(|of| velocities.iter().map(|body| body[of].norm()).sum::<f64>());
     let mass = block.mass_normal.max(block.mass_sliding);
     ROUNDING * f64::EPSILON * (mass * (speed + lever * spin) + block.inertia * spin / lever)
@@ -86,7 +88,9 @@ mod tests {
     use crate::cd::{Laws, Method, Setup, Solver, StepLimits, StepReport, Wall, World, solid};
     use nalgebra::Vector3;
     use tribos_base::space::PeriodicBox;
-    use tribos_core::contact::{Cohesion, ContactFriction, NormalLaw, Sphere, Thresholds};
+    use tribos_core::contact::{
+        Cohesion, ContactFriction, IndependentFriction, NormalLaw, SphereBody,
+    };
 
     /// One step of a column of touching spheres that falls on the floor, the highest fastest, while sliding
     /// at speed 1: all contacts impact at once. Each part of a round is limited to this number of sweeps.
@@ -96,7 +100,7 @@ mod tests {
         most_sweeps: usize,
     ) -> Result<StepReport, Box<dyn std::error::Error>> {
         let up = Vector3::z();
-        let thrown = |level: usize| Sphere {
+        let thrown = |level: usize| SphereBody {
             velocity: Vector3::x() - up * (level + 1) as f64,
             ..solid(1.0, 1.0)
         };
@@ -129,8 +133,8 @@ mod tests {
 
     #[test]
     fn parts_that_use_up_their_sweeps_are_counted() -> Result<(), Box<dyn std::error::Error>> {
-        let smooth: Thresholds<f64, _> = Thresholds::none();
-        let rough = Thresholds::sliding(0.3)?;
+        let smooth: IndependentFriction<f64, _> = IndependentFriction::none();
+        let rough = IndependentFriction::sliding(0.3)?;
         for (count, most) in [(1, 1000), (5, 1000)] {
             let reports = [step(count, smooth, most)?, step(count, rough, most)?];
             assert!(

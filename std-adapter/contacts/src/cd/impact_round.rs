@@ -8,7 +8,7 @@ use super::memory::find;
 use super::nsgs::Iterations;
 use super::operator::Operator;
 use super::spheres::{Link, Spheres};
-use tribos_core::contact::{Contact, ContactFriction, ContactModes, Frictionless, Modal};
+use tribos_core::contact::{Contact, ContactFriction, ContactModes, ContactVector, Frictionless};
 
 impl<F: ContactFriction<f64>> Impacts<F> {
     /// Applies the rebound to the collected contacts.
@@ -110,7 +110,8 @@ impl<F: ContactFriction<f64>> Impacts<F> {
             if let (Some(impulse), Ok([a, b])) =
                 (find(pairs, link.bodies), spheres.get_disjoint_mut(bodies))
             {
-                link.contact.apply(&Modal::default().minus(impulse), a, b);
+                link.contact
+                    .apply(&ContactVector::default().minus(impulse), a, b);
                 add(&mut link.contact, impulse);
             }
         });
@@ -121,7 +122,8 @@ impl<F: ContactFriction<f64>> Impacts<F> {
                 spheres.get_mut(a),
                 plates.get_mut(b),
             ) {
-                link.contact.apply(&Modal::default().minus(impulse), a, b);
+                link.contact
+                    .apply(&ContactVector::default().minus(impulse), a, b);
                 add(&mut link.contact, impulse);
             }
         }
@@ -149,20 +151,20 @@ fn rough<M: ContactModes<f64>>(link: &Link<Frictionless>) -> Link<M> {
     prepared.block.mass_normal = 0.0;
     Link {
         bodies: link.bodies,
-        contact: Contact::resume(&prepared, &Modal::default()),
+        contact: Contact::resume(&prepared, &ContactVector::default()),
     }
 }
 
 /// Adds an impulse to that of a contact, without applying it to the bodies.
-fn add<M: ContactModes<f64>>(contact: &mut Contact<f64, M>, impulse: &Modal<f64, M>) {
+fn add<M: ContactModes<f64>>(contact: &mut Contact<f64, M>, impulse: &ContactVector<f64, M>) {
     let sum = contact.impulse().plus_scaled(1.0, impulse);
     contact.set_impulse_in_plane(&sum);
 }
 
 /// An impulse along the normal alone.
-fn modal<M: ContactModes<f64>>(normal: f64) -> Modal<f64, M> {
+fn modal<M: ContactModes<f64>>(normal: f64) -> ContactVector<f64, M> {
     let zero = nalgebra::Vector3::zeros();
-    Modal::new(normal, zero, zero, 0.0)
+    ContactVector::new(normal, zero, zero, 0.0)
 }
 
 /// Normal velocity of each contact, in the order of their numbers.
@@ -178,7 +180,7 @@ fn normal_velocities<F: ContactFriction<f64>>(problem: &Spheres<F>) -> Vec<f64> 
 fn wall_velocity<F: ContactFriction<f64>>(
     problem: &Spheres<F>,
     link: &Link<F::Modes>,
-) -> Modal<f64, F::Modes> {
+) -> ContactVector<f64, F::Modes> {
     let [a, b] = link.bodies.map(|body| body as usize);
     let (a, b) = (&problem.spheres[a].0, &problem.plates[b]);
     link.contact.velocity(a, b)

@@ -1,12 +1,12 @@
 //! Impulses of the last step, used as the initial guess for the next.
 
 use super::spheres::{Link, Spheres};
-use tribos_core::contact::{ContactFriction, ContactModes, Modal};
+use tribos_core::contact::{ContactFriction, ContactModes, ContactVector};
 
 /// The force of a former contact, with its two bodies.
 ///
 /// See [`Memory`] for an example.
-pub type StoredForce<M> = ([u32; 2], Modal<f64, M>);
+pub type StoredForce<M> = ([u32; 2], ContactVector<f64, M>);
 
 /// Forces of the last step's contacts, in ascending order of their bodies.
 ///
@@ -14,15 +14,15 @@ pub type StoredForce<M> = ([u32; 2], Modal<f64, M>);
 /// # use nalgebra::Vector3;
 /// # use tribos::cd::{Order, Stop};
 /// # use tribos::cd::internals::{StoredForce, Link, Memory, Spheres, Sweeper, solve};
-/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
 /// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(0.0, 0.0, -9.81 * dt));
-/// # let ball = Sphere { velocity, spin, inv_mass: 1.0, inv_inertia: 1e3 };
-/// # let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
-/// # let touch = Touch::plate(0.05, &up, 0.05)?;
+/// # let ball = SphereBody { velocity, spin, inv_mass: 1.0, inv_inertia: 1e3 };
+/// # let floor = WallBody { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// # let touch = ContactGeometry::plate(0.05, &up, 0.05)?;
 /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
 /// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
-/// # let mut problem = Spheres::new([Thresholds::sliding(0.3)?; 2]);
+/// # let mut problem = Spheres::new([IndependentFriction::sliding(0.3)?; 2]);
 /// # problem.free = (vec![ball], vec![floor]);
 /// # problem.walls.push(Link { bodies: [0, 0], contact });
 /// # problem.start();
@@ -56,7 +56,7 @@ impl<M: ContactModes<f64>> Default for Memory<M> {
 impl<M: ContactModes<f64>> Memory<M> {
     /// The force of a contact of this kind, 0 for a pair and 1 at a wall; `None` if it was not in contact.
     #[doc(hidden)]
-    pub fn force(&self, kind: usize, bodies: [u32; 2]) -> Option<&Modal<f64, M>> {
+    pub fn force(&self, kind: usize, bodies: [u32; 2]) -> Option<&ContactVector<f64, M>> {
         find(self.forces.get(kind)?, bodies)
     }
 
@@ -78,7 +78,7 @@ impl<M: ContactModes<f64>> Memory<M> {
         awake: &[bool],
     ) {
         let force = |link: Link<M>| {
-            let force = Modal::default().plus_scaled(1.0 / dt, link.contact.impulse());
+            let force = ContactVector::default().plus_scaled(1.0 / dt, link.contact.impulse());
             (link.bodies, force)
         };
         let sleeps = |body: u32| !awake[body as usize];
@@ -98,7 +98,7 @@ impl<M: ContactModes<f64>> Memory<M> {
 pub(super) fn find<M: ContactModes<f64>>(
     kept: &[StoredForce<M>],
     bodies: [u32; 2],
-) -> Option<&Modal<f64, M>> {
+) -> Option<&ContactVector<f64, M>> {
     let place = kept.binary_search_by_key(&bodies, |(bodies, _)| *bodies);
     kept.get(place.ok()?).map(|(_, modal)| modal)
 }
@@ -116,8 +116,8 @@ fn recalled<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
         if let Some((_, force)) = old.next_if(|(bodies, _)| *bodies == link.bodies) {
             // The normal has turned since the last step.
             link.contact
-                .set_impulse(&Modal::default().plus_scaled(dt, force));
-            link.contact.admit(&friction(link.bodies));
+                .set_impulse(&ContactVector::default().plus_scaled(dt, force));
+            link.contact.project_impulse(&friction(link.bodies));
         }
     }
 }

@@ -6,10 +6,10 @@ use super::setup::{ContactLaws, Laws};
 ///
 /// ```
 /// use tribos::cd::{Laws, Mixture};
-/// use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+/// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
 /// // Spheres of material 0 and 1 on a floor of material 1; unlike ones slide most easily.
 /// let normal = NormalLaw::new(Cohesion::NONE, 0.0)?;
-/// let [like, unlike] = [Thresholds::sliding(0.5)?, Thresholds::sliding(0.1)?];
+/// let [like, unlike] = [IndependentFriction::sliding(0.5)?, IndependentFriction::sliding(0.1)?];
 /// let mixture = Mixture::new(vec![0, 0, 1], vec![1], |[a, b]| {
 ///     Laws::uniform(normal, if a == b { like } else { unlike })
 /// });

@@ -4,15 +4,15 @@ use super::{Laws, Mixture, Order, Setup, Solver, StepLimits, Stop, Wall, World};
 use super::{Method, WorldError, solid};
 use nalgebra::Vector3;
 use std::sync::Arc;
-use tribos_core::contact::{Cohesion, NormalLaw, Sliding, Sphere, Thresholds};
+use tribos_core::contact::{Cohesion, IndependentFriction, NormalLaw, SlidingOnly, SphereBody};
 
 type Answer = Result<(), Box<dyn std::error::Error>>;
-type Friction = Thresholds<f64, Sliding>;
+type Friction = IndependentFriction<f64, SlidingOnly>;
 
 /// The same laws between spheres and at walls.
 fn laws(restitution: f64, mu: f64) -> Result<Laws<Friction>, tribos_core::law::LawError> {
     let normal = NormalLaw::new(Cohesion::NONE, restitution)?;
-    Ok(Laws::uniform(normal, Thresholds::sliding(mu)?))
+    Ok(Laws::uniform(normal, IndependentFriction::sliding(mu)?))
 }
 
 /// Laws by the materials of two bodies, numbered 0 and 1.
@@ -39,8 +39,8 @@ fn setup(laws: Laws<Friction>) -> Setup<Friction> {
     }
 }
 
-fn thrown(velocity: Vector3<f64>) -> Sphere<f64> {
-    Sphere {
+fn thrown(velocity: Vector3<f64>) -> SphereBody<f64> {
+    SphereBody {
         velocity,
         ..solid(1.0, 1.0)
     }

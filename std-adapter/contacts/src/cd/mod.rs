@@ -5,12 +5,12 @@
 //!
 //! ```
 //! use tribos::cd::{Laws, Setup, Wall, World, solid};
-//! use tribos::kernel::contact::{Cohesion, NormalLaw, Sphere, Thresholds};
+//! use tribos::kernel::contact::{Cohesion, NormalLaw, SphereBody, IndependentFriction};
 //! use tribos::kernel::nalgebra::Vector3;
 //!
 //! let (up, radius) = (Vector3::z(), 0.028); // m
-//! let ball = Sphere { velocity: Vector3::x(), ..solid(radius, 1700.0) }; // m/s, kg/m³
-//! let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Thresholds::sliding(0.2)?);
+//! let ball = SphereBody { velocity: Vector3::x(), ..solid(radius, 1700.0) }; // m/s, kg/m³
+//! let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.2)?);
 //! let table = Setup::new(laws).wall(Wall::fixed(up, 0.0)).gravity(up * -9.81);
 //! let mut world = World::new(table.sphere(up * radius, radius, ball))?;
 //! for _ in 0..200 {

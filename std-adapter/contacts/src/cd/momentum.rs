@@ -8,15 +8,15 @@ use super::groups::{Groups, LANES};
 use super::mixture::PairFriction;
 use super::pairs::View;
 use super::sweep::{AHEAD, fetch};
-use tribos_core::contact::{ContactFriction, ContactModes, Modal};
+use tribos_core::contact::{ContactFriction, ContactModes, ContactVector};
 use tribos_lanes::{Four, Task};
 
 /// Pairs, their impulses, and those after the sweep before, which become the impulses further on.
 pub(super) struct Moving<'a, M: ContactModes<f64>> {
     /// They themselves, and those that come after them, whose bodies are fetched.
     pub pairs: View<'a>,
-    pub now: &'a [Modal<f64, M>],
-    pub swept: &'a mut [Modal<f64, M>],
+    pub now: &'a [ContactVector<f64, M>],
+    pub swept: &'a mut [ContactVector<f64, M>],
     pub groups: Option<Groups<'a>>,
 }
 
@@ -58,7 +58,7 @@ pub(super) fn extrapolate<F: ContactFriction<f64>>(
         let further = now.plus_scaled(beta, &now.minus(swept));
         if let (Some(numbers), Some(mut contact)) = (pairs.bodies(at), pairs.contact(at, &further))
         {
-            contact.admit(friction.of(numbers));
+            contact.project_impulse(friction.of(numbers));
             *swept = *contact.impulse();
             let bodies = numbers.map(|body| (body - first) as usize);
             if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
@@ -79,8 +79,8 @@ fn all_groups<M: ContactModes<f64>>(run: Run<'_, M>) -> usize {
 /// Groups one after the other.
 struct Run<'a, M: ContactModes<f64>> {
     pairs: &'a [AlikePair],
-    now: &'a [Modal<f64, M>],
-    swept: &'a mut [Modal<f64, M>],
+    now: &'a [ContactVector<f64, M>],
+    swept: &'a mut [ContactVector<f64, M>],
     groups: Groups<'a>,
     first: u32,
     spheres: &'a mut [Aligned],

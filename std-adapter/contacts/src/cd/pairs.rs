@@ -2,7 +2,7 @@
 
 use super::alike::{Alike, AlikePair};
 use super::spheres::Link;
-use tribos_core::contact::{Contact, ContactModes, Modal, Sphere};
+use tribos_core::contact::{Contact, ContactModes, ContactVector, SphereBody};
 use tribos_core::internals::PreparedContact;
 
 /// Contacts of spheres. As long as all of them join spheres of one mass and radius they take 120 bytes each with
@@ -13,7 +13,7 @@ use tribos_core::internals::PreparedContact;
 pub struct Pairs<M: ContactModes<f64>> {
     geometry: Geometry,
     /// Their impulses.
-    pub impulses: Vec<Modal<f64, M>>,
+    pub impulses: Vec<ContactVector<f64, M>>,
 }
 
 /// What sweeps do not change.
@@ -40,8 +40,8 @@ impl<M: ContactModes<f64>> Default for Pairs<M> {
 impl<M: ContactModes<f64>> Pairs<M> {
     /// Bytes of a contact of alike spheres, and of any.
     pub const BYTES: [usize; 2] = [
-        size_of::<AlikePair>() + size_of::<Modal<f64, M>>(),
-        size_of::<AnyPair>() + size_of::<Modal<f64, M>>(),
+        size_of::<AlikePair>() + size_of::<ContactVector<f64, M>>(),
+        size_of::<AnyPair>() + size_of::<ContactVector<f64, M>>(),
     ];
 
     /// Number of contacts.
@@ -73,7 +73,7 @@ impl<M: ContactModes<f64>> Pairs<M> {
     }
 
     /// Adds a contact of two spheres; without them it counts as one of any spheres.
-    pub fn push(&mut self, link: &Link<M>, spheres: Option<[&Sphere<f64>; 2]>) {
+    pub fn push(&mut self, link: &Link<M>, spheres: Option<[&SphereBody<f64>; 2]>) {
         let alike = spheres.and_then(|[a, b]| Alike::of(&link.contact, [a, b]));
         if self.is_empty()
             && let Some(alike) = alike
@@ -132,7 +132,7 @@ impl<M: ContactModes<f64>> Pairs<M> {
     }
 
     /// Contacts without impulses, and the impulses.
-    pub(super) fn split(&mut self) -> (View<'_>, &mut [Modal<f64, M>]) {
+    pub(super) fn split(&mut self) -> (View<'_>, &mut [ContactVector<f64, M>]) {
         (self.geometry.view(), &mut self.impulses)
     }
 
@@ -189,7 +189,7 @@ impl View<'_> {
     pub fn contact<M: ContactModes<f64>>(
         &self,
         at: usize,
-        impulse: &Modal<f64, M>,
+        impulse: &ContactVector<f64, M>,
     ) -> Option<Contact<f64, M>> {
         match self {
             Self::Alike(common, pairs) => {
@@ -205,19 +205,19 @@ impl View<'_> {
 mod tests {
     use super::*;
     use nalgebra::Vector3;
-    use tribos_core::contact::{AllModes, Attraction, Cohesion, NormalLaw, Touch};
+    use tribos_core::contact::{AllModes, Attraction, Cohesion, ContactGeometry, NormalLaw};
 
     /// A contact at this gap of a unit sphere with one of this radius, and both spheres.
-    fn link(number: u32, gap: f64, radius: f64) -> (Link<AllModes>, [Sphere<f64>; 2]) {
+    fn link(number: u32, gap: f64, radius: f64) -> (Link<AllModes>, [SphereBody<f64>; 2]) {
         let spheres = [1.0, radius].map(|radius| crate::cd::solid(radius, 1.0));
         let [a, b] = &spheres;
         let cohesion = Cohesion::new(2.0, 0.1, Attraction::Resistance).expect("in range");
         let law = NormalLaw::new(cohesion, 0.0).expect("in range");
         let apart = Vector3::new(0.3, -0.2, 0.9).normalize() * (1.0 + radius + gap);
-        let touch = Touch::spheres(&apart, [1.0, radius]).expect("they are apart");
+        let touch = ContactGeometry::spheres(&apart, [1.0, radius]).expect("they are apart");
         let mut contact = Contact::new(&touch, &law, a, b, 0.01);
         let vector = Vector3::repeat(f64::from(number));
-        contact.set_impulse(&Modal::new(0.5, vector, -vector, 0.1));
+        contact.set_impulse(&ContactVector::new(0.5, vector, -vector, 0.1));
         let bodies = [number, number + 1];
         (Link { bodies, contact }, spheres)
     }
@@ -235,7 +235,7 @@ mod tests {
         .zip(0..)
         .map(|((gap, radius), number)| link(number, gap, radius))
         .collect();
-        assert!(given[0].0.contact.rests_open() && !given[2].0.contact.rests_open());
+        assert!(given[0].0.contact.holds_gap_open() && !given[2].0.contact.holds_gap_open());
         let mut pairs = Pairs::default();
         // Twice: memory is kept.
         for _ in 0..2 {

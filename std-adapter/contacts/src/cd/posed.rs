@@ -6,7 +6,7 @@ use super::residual::Coefficients;
 use super::spheres::{Link, Spheres};
 use crate::problem::{ContactLaw, Friction, Global, Layout, Matrix};
 use nalgebra::Vector3;
-use tribos_core::contact::{ContactFriction, ContactModes, Modal, Plate, Sphere};
+use tribos_core::contact::{ContactFriction, ContactModes, ContactVector, SphereBody, WallBody};
 use tribos_core::internals::{AxialPart, PlanarPart};
 
 /// A contact problem, and the directions that its components stand for.
@@ -36,7 +36,7 @@ impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
             let [a, b] = link.bodies.map(|body| body as usize);
             let (a, b) = (posing.sphere(self, a), posing.sphere(self, b));
             let prescribed = seen(&b.1, images.of(number));
-            let rows = |impulse: &Modal<f64, F::Modes>| {
+            let rows = |impulse: &ContactVector<f64, F::Modes>| {
                 let (mut first, mut second) = (unit_sphere(), unit_sphere());
                 link.contact.apply(impulse, &mut first, &mut second);
                 [(a.0, first), (b.0, second)]
@@ -48,15 +48,15 @@ impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
             let [a, b] = link.bodies.map(|body| body as usize);
             let a = posing.sphere(self, a);
             let (normal, b) = posing.plate(self, b, link.contact.normal());
-            let rows = |impulse: &Modal<f64, F::Modes>| {
+            let rows = |impulse: &ContactVector<f64, F::Modes>| {
                 let mut first = unit_sphere();
-                let mut second = Plate {
+                let mut second = WallBody {
                     velocity: Vector3::zeros(),
                     inv_mass: 1.0,
                 };
                 link.contact.apply(impulse, &mut first, &mut second);
                 let along = second.velocity.dot(link.contact.normal());
-                let pushed = Sphere {
+                let pushed = SphereBody {
                     velocity: Vector3::x() * along,
                     ..still_sphere()
                 };
@@ -84,7 +84,7 @@ impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
                 .get(layout.torsion())
                 .and_then(|part| part.first())
                 .copied();
-            let impulse = Modal::new(
+            let impulse = ContactVector::new(
                 r[0],
                 plane(layout.sliding()),
                 plane(layout.rolling()),
@@ -96,8 +96,8 @@ impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
     }
 }
 
-fn still_sphere() -> Sphere<f64> {
-    Sphere {
+fn still_sphere() -> SphereBody<f64> {
+    SphereBody {
         velocity: Vector3::zeros(),
         spin: Vector3::zeros(),
         inv_mass: 0.0,
@@ -106,8 +106,8 @@ fn still_sphere() -> Sphere<f64> {
 }
 
 /// A sphere whose velocities are the impulses it receives.
-fn unit_sphere() -> Sphere<f64> {
-    Sphere {
+fn unit_sphere() -> SphereBody<f64> {
+    SphereBody {
         inv_mass: 1.0,
         inv_inertia: 1.0,
         ..still_sphere()
@@ -170,7 +170,7 @@ impl<M: ContactModes<f64>> Posing<M> {
         &mut self,
         problem: &Spheres<F>,
         body: usize,
-    ) -> (Freedoms, Sphere<f64>) {
+    ) -> (Freedoms, SphereBody<f64>) {
         let sphere = &problem.free.0[body];
         let freedoms = match self.spheres[body] {
             Some(known) => known,
@@ -196,7 +196,7 @@ impl<M: ContactModes<f64>> Posing<M> {
         problem: &Spheres<F>,
         body: usize,
         normal: &Vector3<f64>,
-    ) -> (Freedoms, Plate<f64>) {
+    ) -> (Freedoms, WallBody<f64>) {
         let plate = &problem.free.1[body];
         let along = plate.velocity.dot(normal);
         let linear = match self.plates[body] {
@@ -218,8 +218,8 @@ impl<M: ContactModes<f64>> Posing<M> {
         &mut self,
         link: &Link<M>,
         friction: &impl Coefficients,
-        rows: impl Fn(&Modal<f64, M>) -> [(Freedoms, Sphere<f64>); 2],
-        still: &Modal<f64, M>,
+        rows: impl Fn(&ContactVector<f64, M>) -> [(Freedoms, SphereBody<f64>); 2],
+        still: &ContactVector<f64, M>,
     ) -> Option<()> {
         let contact = &link.contact;
         let coupling = match friction.joint() {
@@ -227,26 +227,26 @@ impl<M: ContactModes<f64>> Posing<M> {
             Some(_) if friction.is_ellipsoid() => Friction::Ellipsoid,
             Some(_) => return None,
         };
-        if contact.rests_open() {
+        if contact.holds_gap_open() {
             return None;
         }
         let normal = contact.normal();
         let tangents = tangents(normal);
         let zero = Vector3::zeros();
-        let mut directions = vec![Modal::new(1.0, zero, zero, 0.0)];
-        let mut velocities = vec![still.normal + contact.allowance()];
+        let mut directions = vec![ContactVector::new(1.0, zero, zero, 0.0)];
+        let mut velocities = vec![still.normal + contact.approach_limit()];
         for t in &tangents {
-            directions.push(Modal::new(0.0, *t, zero, 0.0));
+            directions.push(ContactVector::new(0.0, *t, zero, 0.0));
             velocities.push(still.sliding().dot(t));
         }
         if M::Rolling::PRESENT {
             for t in &tangents {
-                directions.push(Modal::new(0.0, zero, *t, 0.0));
+                directions.push(ContactVector::new(0.0, zero, *t, 0.0));
                 velocities.push(still.rolling().dot(t));
             }
         }
         if M::Torsion::PRESENT {
-            directions.push(Modal::new(0.0, zero, zero, 1.0));
+            directions.push(ContactVector::new(0.0, zero, zero, 1.0));
             velocities.push(still.torsion());
         }
         for (component, direction) in directions.iter().enumerate() {
@@ -260,8 +260,8 @@ impl<M: ContactModes<f64>> Posing<M> {
         let [mu, mu_rolling, mu_torsion] = friction.coefficients();
         self.laws.push(ContactLaw {
             sliding: if M::Sliding::PRESENT { mu } else { 0.0 },
-            rolling: mu_rolling * contact.lever(),
-            torsion: mu_torsion * contact.lever(),
+            rolling: mu_rolling * contact.effective_radius(),
+            torsion: mu_torsion * contact.effective_radius(),
             cohesion: contact.cohesion(),
             friction: coupling,
         });

@@ -8,10 +8,11 @@ use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
 use std::any::TypeId;
 use tribos_core::contact::{
-    Contact, ContactFriction, ContactModes, CoupledFriction, Modal, Plate, Sphere, Thresholds,
+    Contact, ContactFriction, ContactModes, ContactVector, CoupledFriction, IndependentFriction,
+    SphereBody, WallBody,
 };
 use tribos_core::internals::{AxialPart, PlanarPart};
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet};
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid};
 use tribos_core::twist::{Twist, Wrench};
 
 /// Violation of the contact laws. *Units*: those of the problem.
@@ -33,13 +34,13 @@ pub struct Residual {
 ///
 /// ```
 /// use tribos::cd::internals::Coefficients;
-/// use tribos::kernel::contact::{AllModes, CoupledFriction, Thresholds};
-/// use tribos::kernel::limit_surface::Ellipsoid;
-/// let apart = Thresholds::<f64, AllModes>::all(0.3, 0.1, 0.05)?;
+/// use tribos::kernel::contact::{AllModes, CoupledFriction, IndependentFriction};
+/// use tribos::kernel::limit_surface::LimitEllipsoid;
+/// let apart = IndependentFriction::<f64, AllModes>::all(0.3, 0.1, 0.05)?;
 /// assert_eq!(apart.coefficients(), [0.3, 0.1, 0.05]);
 /// assert!(apart.joint().is_none());
 /// // A round contact of half the effective radius: μ_n is 2/3 of μ/2 under uniform pressure.
-/// let together = CoupledFriction::all(Ellipsoid::new(0.3, 0.5, 2.0 / 3.0)?, 0.1)?;
+/// let together = CoupledFriction::all(LimitEllipsoid::new(0.3, 0.5, 2.0 / 3.0)?, 0.1)?;
 /// assert!((together.coefficients()[2] - 0.1).abs() < 1e-15);
 /// assert!(together.joint().is_some());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -70,11 +71,11 @@ impl<S: FrictionSet<f64> + 'static, M> Coefficients for CoupledFriction<f64, S, 
     }
 
     fn is_ellipsoid(&self) -> bool {
-        TypeId::of::<S>() == TypeId::of::<Ellipsoid<f64>>()
+        TypeId::of::<S>() == TypeId::of::<LimitEllipsoid<f64>>()
     }
 }
 
-impl<M> Coefficients for Thresholds<f64, M> {
+impl<M> Coefficients for IndependentFriction<f64, M> {
     fn coefficients(&self) -> [f64; 3] {
         [self.mu(), self.mu_rolling(), self.mu_torsion()]
     }
@@ -86,15 +87,15 @@ impl<M> Coefficients for Thresholds<f64, M> {
 /// # use nalgebra::Vector3;
 /// # use tribos::cd::{Order, Residual, Stop};
 /// # use tribos::cd::internals::{Link, Spheres, Sweeper, residual, solve};
-/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
 /// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(1.0, 0.0, -2.0));
-/// # let ball = Sphere { velocity, spin, inv_mass: 1.0, inv_inertia: 1e3 };
-/// # let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
-/// # let touch = Touch::plate(0.05, &up, 0.05)?;
+/// # let ball = SphereBody { velocity, spin, inv_mass: 1.0, inv_inertia: 1e3 };
+/// # let floor = WallBody { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// # let touch = ContactGeometry::plate(0.05, &up, 0.05)?;
 /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
 /// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
-/// # let mut problem = Spheres::new([Thresholds::sliding(0.3)?; 2]);
+/// # let mut problem = Spheres::new([IndependentFriction::sliding(0.3)?; 2]);
 /// # problem.free = (vec![ball], vec![floor]);
 /// # problem.walls.push(Link { bodies: [0, 0], contact });
 /// # problem.start();
@@ -117,7 +118,7 @@ where
         // An image moves faster than its sphere.
         let faster = images.next_if(|(pair, _)| *pair as usize == number);
         let velocity = faster.map_or(b.velocity, |(_, faster)| b.velocity + faster);
-        let b = Sphere { velocity, ..b };
+        let b = SphereBody { velocity, ..b };
         sum.add(
             &link,
             &link.contact.velocity(&a, &b),
@@ -135,7 +136,7 @@ where
 /// Bodies with the velocities that follow from the impulses, in the order of the contacts.
 fn velocities<F: ContactFriction<f64>>(
     problem: &Spheres<F>,
-) -> (Vec<Sphere<f64>>, Vec<Plate<f64>>) {
+) -> (Vec<SphereBody<f64>>, Vec<WallBody<f64>>) {
     let (mut spheres, mut plates) = problem.free.clone();
     for Link { bodies, contact } in problem.pairs.iter() {
         let bodies = bodies.map(|body| body as usize);
@@ -163,17 +164,21 @@ impl Sum {
     fn add<M: ContactModes<f64>>(
         &mut self,
         link: &Link<M>,
-        u: &Modal<f64, M>,
+        u: &ContactVector<f64, M>,
         friction: &impl Coefficients,
     ) {
         let [mu, mu_t, mu_n] = friction.coefficients();
         let contact = &link.contact;
-        let (p, block, lever) = (contact.impulse(), contact.block(), contact.lever());
-        let (bound, gap_speed) = (contact.bound(), u.normal + contact.allowance());
+        let (p, block, lever) = (
+            contact.impulse(),
+            contact.block(),
+            contact.effective_radius(),
+        );
+        let (bound, gap_speed) = (contact.bound(), u.normal + contact.approach_limit());
         let r = &mut self.residual;
 
         // 0 ≤ P ⟂ U + allowance ≥ 0; a contact under a resistance may also rest with an open gap.
-        let rests = contact.rests_open() && gap_speed >= 0.0;
+        let rests = contact.holds_gap_open() && gap_speed >= 0.0;
         let normal = if rests {
             resting(p.normal, u.normal, contact.cohesion(), block.mass_normal)
         } else {
@@ -258,10 +263,10 @@ fn disc(p: Vector3<f64>, u: Vector3<f64>, mass: f64, limit: f64) -> (Vector3<f64
 fn joint<M: ContactModes<f64>>(
     set: &dyn FrictionSet<f64>,
     contact: &Contact<f64, M>,
-    u: &Modal<f64, M>,
+    u: &ContactVector<f64, M>,
 ) -> (f64, f64) {
     let (p, block) = (contact.impulse(), contact.block());
-    let (bound, lever) = (contact.bound().max(0.0), contact.lever());
+    let (bound, lever) = (contact.bound().max(0.0), contact.effective_radius());
     let (slip, spin) = (u.sliding(), u.torsion());
     let (force, torque) = (p.sliding(), p.torsion());
     let power = bound * set.support(&Twist::new(slip.norm(), 0.0, spin * lever));

@@ -7,7 +7,7 @@ use super::solver::Solver;
 use super::wall::{UNIT, Wall};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
-use tribos_core::contact::{NormalLaw, Sphere};
+use tribos_core::contact::{NormalLaw, SphereBody};
 
 /// Laws of one kind of contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,11 +22,11 @@ pub struct ContactLaws<F> {
 ///
 /// ```
 /// use tribos::cd::Laws;
-/// use tribos::kernel::contact::{Attraction, Cohesion, NormalLaw, Thresholds};
+/// use tribos::kernel::contact::{Attraction, Cohesion, NormalLaw, IndependentFriction};
 /// // Cohesive spheres that also roll and spin with resistance, between walls without friction.
 /// let cohesion = Cohesion::new(1.0, 0.01, Attraction::Pull)?;
-/// let mut laws = Laws::uniform(NormalLaw::new(cohesion, 0.0)?, Thresholds::all(0.3, 0.1, 0.1)?);
-/// laws.walls.friction = Thresholds::all(0.0, 0.0, 0.0)?;
+/// let mut laws = Laws::uniform(NormalLaw::new(cohesion, 0.0)?, IndependentFriction::all(0.3, 0.1, 0.1)?);
+/// laws.walls.friction = IndependentFriction::all(0.0, 0.0, 0.0)?;
 /// assert_eq!(laws.pairs.normal, laws.walls.normal);
 /// assert_eq!([laws.pairs, laws.walls].map(|law| law.friction.mu()), [0.3, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -93,7 +93,7 @@ pub struct Setup<F> {
     /// Radii of the spheres.
     pub radii: Vec<f64>,
     /// Velocities, inverse masses and inertias of the spheres; see [`solid`].
-    pub spheres: Vec<Sphere<f64>>,
+    pub spheres: Vec<SphereBody<f64>>,
     /// Walls and pistons.
     pub walls: Vec<Wall>,
     /// Contact laws.
@@ -136,7 +136,7 @@ impl<F> Setup<F> {
 
     /// Adds one sphere with its centre at `position`.
     #[must_use]
-    pub fn sphere(mut self, position: Vector3<f64>, radius: f64, sphere: Sphere<f64>) -> Self {
+    pub fn sphere(mut self, position: Vector3<f64>, radius: f64, sphere: SphereBody<f64>) -> Self {
         self.positions.push(position);
         self.radii.push(radius);
         self.spheres.push(sphere);
@@ -164,10 +164,10 @@ impl<F> Setup<F> {
     ///
     /// ```
     /// use tribos::cd::{Laws, Setup, World, solid};
-    /// use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+    /// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
     /// use tribos::kernel::nalgebra::Vector3;
     /// use tribos::space::PeriodicBox;
-    /// let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Thresholds::sliding(0.5)?);
+    /// let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.5)?);
     /// let mut setup = Setup::new(laws).sphere(Vector3::z() * 7.5, 1.0, solid(1.0, 1.0));
     /// setup.space = PeriodicBox::new([Some(10.0), Some(10.0), Some(10.0)])?;
     /// let mut world = World::new(setup.sheared(0.1))?;
@@ -246,7 +246,7 @@ impl<F> Setup<F> {
         if !self.mixture.as_ref().is_none_or(fits) {
             return Err(WorldError::Mixture);
         }
-        let sphere = |sphere: &Sphere<f64>| {
+        let sphere = |sphere: &SphereBody<f64>| {
             MASSES.contains(&(1.0 / sphere.inv_mass))
                 && valid(sphere.inv_inertia)
                 && (sphere.velocity.norm() + sphere.spin.norm()).is_finite()
@@ -281,9 +281,9 @@ impl<F> Setup<F> {
 /// assert!((1.0 / ball.inv_mass - 0.0329).abs() < 1e-4);
 /// assert!((ball.inv_mass / ball.inv_inertia - 0.4 * 0.01 * 0.01).abs() < 1e-18);
 /// ```
-pub fn solid(radius: f64, density: f64) -> Sphere<f64> {
+pub fn solid(radius: f64, density: f64) -> SphereBody<f64> {
     let mass = 4.0 / 3.0 * std::f64::consts::PI * (radius * radius * radius) * density;
-    Sphere {
+    SphereBody {
         velocity: Vector3::zeros(),
         spin: Vector3::zeros(),
         inv_mass: 1.0 / mass,

@@ -9,7 +9,7 @@ use super::residual::Coefficients;
 use super::world::World;
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
-use tribos_core::contact::{ContactFriction, Sphere};
+use tribos_core::contact::{ContactFriction, SphereBody};
 
 /// Velocity of the flow at a height in a cell.
 pub(super) fn flow(rate: f64, space: &PeriodicBox, z: f64) -> Vector3<f64> {
@@ -30,7 +30,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 
     /// Speed of a sphere; in a shear, relative to the flow at its height.
-    pub(super) fn own_speed(&self, body: usize, sphere: &Sphere<f64>) -> f64 {
+    pub(super) fn own_speed(&self, body: usize, sphere: &SphereBody<f64>) -> f64 {
         let rate = self.setup.shear_rate;
         if rate == 0.0 {
             return sphere.velocity.norm();

@@ -6,14 +6,19 @@ use nalgebra::Vector3;
 use tribos_base::random::Random;
 use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{
-    AllModes, Cohesion, ContactFriction, NormalLaw, Sliding, Sphere, Thresholds,
+    AllModes, Cohesion, ContactFriction, IndependentFriction, NormalLaw, SlidingOnly, SphereBody,
 };
 
 type Answer = Result<(), Box<dyn std::error::Error>>;
 
-fn laws(restitution: f64) -> Result<Laws<Thresholds<f64, AllModes>>, tribos_core::law::LawError> {
+fn laws(
+    restitution: f64,
+) -> Result<Laws<IndependentFriction<f64, AllModes>>, tribos_core::law::LawError> {
     let normal = NormalLaw::new(Cohesion::NONE, restitution)?;
-    Ok(Laws::uniform(normal, Thresholds::all(0.4, 0.1, 0.05)?))
+    Ok(Laws::uniform(
+        normal,
+        IndependentFriction::all(0.4, 0.1, 0.05)?,
+    ))
 }
 
 fn solver(tolerance: f64) -> Solver {
@@ -41,7 +46,7 @@ fn gas<F: ContactFriction<f64>>(
             let mut part = || size * (2.0 * random.unit() - 1.0);
             Vector3::new(part(), part(), part())
         };
-        let ball = Sphere {
+        let ball = SphereBody {
             velocity: jitter(0.5),
             spin: jitter(0.5),
             ..solid(1.0, 1.0)
@@ -61,12 +66,12 @@ fn gas<F: ContactFriction<f64>>(
 fn spheres_collide_across_the_sheared_border_as_with_an_image_in_the_open() -> Answer {
     let (length, height) = (20.0, 12.0);
     for (rate, restitution) in [(0.3, 0.0), (-0.3, 0.6), (0.05, 1.0)] {
-        let low = Sphere {
+        let low = SphereBody {
             velocity: Vector3::new(0.2, -0.1, -0.3),
             spin: Vector3::new(0.1, 0.7, -0.2),
             ..solid(1.0, 1.0)
         };
-        let high = Sphere {
+        let high = SphereBody {
             velocity: Vector3::new(-0.1, 0.2, 0.4),
             ..solid(1.2, 2.0)
         };
@@ -110,7 +115,7 @@ fn spheres_collide_across_the_sheared_border_as_with_an_image_in_the_open() -> A
 #[test]
 fn a_lone_sphere_crosses_the_border_and_keeps_its_own_velocity() -> Answer {
     for (rate, up) in [(0.2, 1.0), (0.2, -1.0), (-0.1, 1.0)] {
-        let ball = Sphere {
+        let ball = SphereBody {
             velocity: Vector3::z() * up,
             ..solid(1.0, 1.0)
         };
@@ -162,7 +167,7 @@ fn works<F: ContactFriction<f64> + Coefficients>(
         let dt = world.step()?.dt;
         for link in world.problem().pairs.iter() {
             let (contact, normal) = (&link.contact, link.contact.normal());
-            let [a, b] = contact.arms();
+            let [a, b] = contact.centre_distances();
             flux += contact.impulse().linear(normal).x * (a + b) * normal.z;
         }
         let spheres = &world.problem().spheres;
@@ -242,7 +247,7 @@ fn twice_the_rate_takes_the_same_way_in_half_the_time_to_the_bit() -> Answer {
 
 #[test]
 fn sheared_states_have_the_same_bits_on_any_number_of_threads() -> Answer {
-    let friction = Thresholds::<f64, Sliding>::sliding(0.5)?;
+    let friction = IndependentFriction::<f64, SlidingOnly>::sliding(0.5)?;
     let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, friction);
     let mut setup = gas(laws, [12, 12, 14], 2.02, 0.2)?;
     setup.solver = solver(1e-4);
@@ -305,14 +310,14 @@ fn cells_that_cannot_be_sheared_are_refused() -> Answer {
 
 /// Inertial number and stress ratio of a steady flow, after a strain of 2 and over one of 3.
 fn flow_law(mu: f64, spacing: f64) -> Result<[f64; 2], Box<dyn std::error::Error>> {
-    let friction = Thresholds::<f64, Sliding>::sliding(mu)?;
+    let friction = IndependentFriction::<f64, SlidingOnly>::sliding(mu)?;
     let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.7)?, friction);
     let mut setup = gas(laws, [5, 5, 5], spacing, 1.0)?;
     // Equal spheres would order.
     for (index, radius) in setup.radii.iter_mut().enumerate() {
         *radius = 0.9 + 0.05 * (index * 7 % 5) as f64;
         let sphere = &mut setup.spheres[index];
-        *sphere = Sphere {
+        *sphere = SphereBody {
             velocity: sphere.velocity,
             spin: sphere.spin,
             ..solid(*radius, 1.0)
@@ -331,7 +336,7 @@ fn flow_law(mu: f64, spacing: f64) -> Result<[f64; 2], Box<dyn std::error::Error
         time += dt;
         for link in world.problem().pairs.iter() {
             let (contact, normal) = (&link.contact, link.contact.normal());
-            let [a, b] = contact.arms();
+            let [a, b] = contact.centre_distances();
             let impulse = contact.impulse().linear(normal) * (a + b);
             shear -= impulse.x * normal.z;
             pressure += impulse.dot(normal) / 3.0;

@@ -3,7 +3,7 @@
 use super::assemble::Touching;
 use super::energy::EnergyBalance;
 use super::wall::Wall;
-use tribos_core::contact::Sphere;
+use tribos_core::contact::SphereBody;
 
 /// Number of slow steps after which a group of bodies is put to sleep.
 const PATIENCE: u8 = 4;
@@ -14,9 +14,9 @@ const PATIENCE: u8 = 4;
 /// use nalgebra::Vector3;
 /// use tribos::cd::{EnergyBalance, solid};
 /// use tribos::cd::internals::Sleep;
-/// use tribos::kernel::contact::Touch;
+/// use tribos::kernel::contact::ContactGeometry;
 /// // Two balls that touch and do not move: after a few steps they sleep.
-/// let pairs = [([0, 1], Touch::spheres(&Vector3::new(0.02, 0.0, 0.0), [0.01; 2])?)];
+/// let pairs = [([0, 1], ContactGeometry::spheres(&Vector3::new(0.02, 0.0, 0.0), [0.01; 2])?)];
 /// let mut balls = [solid(0.01, 2500.0); 2];
 /// let mut rest = Sleep::new(2);
 /// for _ in 0..10 {
@@ -108,7 +108,7 @@ impl Sleep {
     pub fn settle(
         &mut self,
         sleep_speed: f64,
-        spheres: &mut [Sphere<f64>],
+        spheres: &mut [SphereBody<f64>],
         energy: &mut EnergyBalance,
     ) {
         if sleep_speed <= 0.0 {

@@ -6,7 +6,7 @@ use super::operator::Operator;
 use super::residual::Coefficients;
 use super::spheres::Spheres;
 use crate::problem::solve_directly;
-use tribos_core::contact::{ContactFriction, ContactModes, Modal};
+use tribos_core::contact::{ContactFriction, ContactModes, ContactVector};
 
 /// Method that solves the contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,7 +53,7 @@ impl Default for Solver {
 /// Buffers of the methods.
 #[derive(Debug)]
 pub(super) struct Workspace<M: ContactModes<f64>> {
-    accelerated: Accelerated<Modal<f64, M>>,
+    accelerated: Accelerated<ContactVector<f64, M>>,
 }
 
 impl<M: ContactModes<f64>> Default for Workspace<M> {

@@ -13,12 +13,14 @@ use super::sweep::{
 };
 use rayon::prelude::*;
 use std::sync::Arc;
-use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
+use tribos_core::contact::{
+    Contact, ContactFriction, ContactModes, ContactVector, SphereBody, WallBody,
+};
 
-impl<M: ContactModes<f64>> Impulse for Modal<f64, M> {
+impl<M: ContactModes<f64>> Impulse for ContactVector<f64, M> {
     #[inline(always)]
     fn plus_scaled(&self, factor: f64, other: &Self) -> Self {
-        Modal::plus_scaled(self, factor, other)
+        ContactVector::plus_scaled(self, factor, other)
     }
 }
 
@@ -41,19 +43,19 @@ pub struct Link<M: ContactModes<f64>> {
 /// use nalgebra::Vector3;
 /// use tribos::cd::{Order, Stop};
 /// use tribos::cd::internals::{Link, Spheres, Sweeper, solve};
-/// use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// // Two balls of 1 kg and 5 cm, one upon the other; gravity has pulled for 1 ms.
 /// let (up, dt) = (Vector3::z(), 1e-3);
 /// let velocity = up * (-9.81 * dt);
-/// let ball = Sphere { velocity, spin: Vector3::zeros(), inv_mass: 1.0, inv_inertia: 1e3 };
-/// let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// let ball = SphereBody { velocity, spin: Vector3::zeros(), inv_mass: 1.0, inv_inertia: 1e3 };
+/// let floor = WallBody { velocity: Vector3::zeros(), inv_mass: 0.0 };
 /// let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-/// let mut stack = Spheres::new([Thresholds::sliding(0.3)?; 2]);
+/// let mut stack = Spheres::new([IndependentFriction::sliding(0.3)?; 2]);
 /// stack.free = (vec![ball; 2], vec![floor]);
-/// let touch = Touch::spheres(&(up * 0.1), [0.05; 2])?;
+/// let touch = ContactGeometry::spheres(&(up * 0.1), [0.05; 2])?;
 /// let contact = Contact::new(&touch, &law, &ball, &ball, dt);
 /// stack.join(&Link { bodies: [0, 1], contact });
-/// let touch = Touch::plate(0.05, &up, 0.05)?;
+/// let touch = ContactGeometry::plate(0.05, &up, 0.05)?;
 /// let contact = Contact::new(&touch, &law, &ball, &floor, dt);
 /// stack.walls.push(Link { bodies: [0, 0], contact });
 /// stack.start();
@@ -71,9 +73,9 @@ pub struct Spheres<F: ContactFriction<f64>> {
     /// Spheres with the velocities that follow from the current impulses.
     pub spheres: Vec<Aligned>,
     /// Plates with the velocities that follow from the current impulses.
-    pub plates: Vec<Plate<f64>>,
+    pub plates: Vec<WallBody<f64>>,
     /// Spheres and plates with their velocities in the absence of contacts.
-    pub free: (Vec<Sphere<f64>>, Vec<Plate<f64>>),
+    pub free: (Vec<SphereBody<f64>>, Vec<WallBody<f64>>),
     /// Contacts of spheres.
     pub pairs: Pairs<F::Modes>,
     /// Pairs whose second sphere takes part as an image across the border of a sheared cell, in ascending order.
@@ -164,7 +166,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     }
 
     /// The spheres with their current velocities.
-    pub fn moving(&self) -> impl Iterator<Item = &Sphere<f64>> {
+    pub fn moving(&self) -> impl Iterator<Item = &SphereBody<f64>> {
         self.spheres.iter().map(|sphere| &sphere.0)
     }
 
@@ -176,7 +178,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     /// The pairs with their relative velocities, those of images where these take part.
     pub(super) fn pair_velocities(
         &self,
-    ) -> impl Iterator<Item = (Link<F::Modes>, Modal<f64, F::Modes>)> {
+    ) -> impl Iterator<Item = (Link<F::Modes>, ContactVector<f64, F::Modes>)> {
         let mut images = Images::new(&self.images);
         self.pairs.iter().enumerate().map(move |(pair, link)| {
             let [a, b] = link.bodies.map(|body| &self.spheres[body as usize]);
@@ -201,7 +203,12 @@ impl<F: ContactFriction<f64>> Spheres<F> {
 
     /// Sweeps the pairs: blocks in parallel, then pairs across blocks. The data of the monitor do not depend
     /// on the number of threads. `swept` are the impulses after the sweep before, or empty.
-    fn sweep_all<W: Monitor>(&mut self, way: Way, swept: &[Modal<f64, F::Modes>], watch: &mut W) {
+    fn sweep_all<W: Monitor>(
+        &mut self,
+        way: Way,
+        swept: &[ContactVector<f64, F::Modes>],
+        watch: &mut W,
+    ) {
         match self.mixture.clone() {
             None => self.sweep_with(&Same(self.friction[0]), way, swept, watch),
             Some(mixture) => self.sweep_with(&*mixture, way, swept, watch),
@@ -212,7 +219,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         &mut self,
         friction: &impl PairFriction<F>,
         way: Way,
-        swept: &[Modal<f64, F::Modes>],
+        swept: &[ContactVector<f64, F::Modes>],
         watch: &mut W,
     ) {
         if way == Way::Backward {
@@ -258,7 +265,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         &mut self,
         friction: &impl PairFriction<F>,
         way: Way,
-        swept: &[Modal<f64, F::Modes>],
+        swept: &[ContactVector<f64, F::Modes>],
         watch: &mut W,
     ) {
         let across = self.schedule.across();
@@ -277,7 +284,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         &mut self,
         friction: &impl PairFriction<F>,
         way: Way,
-        swept: &[Modal<f64, F::Modes>],
+        swept: &[ContactVector<f64, F::Modes>],
         watch: &mut W,
     ) {
         let border = self.schedule.images..self.pairs.len();
@@ -296,7 +303,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         &mut self,
         friction: &impl PairFriction<F>,
         beta: f64,
-        swept: &mut Vec<Modal<f64, F::Modes>>,
+        swept: &mut Vec<ContactVector<f64, F::Modes>>,
     ) {
         self.release();
         let pairs = self.pairs.len();
@@ -318,7 +325,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         &mut self,
         friction: &impl PairFriction<F>,
         beta: f64,
-        swept: &mut [Modal<f64, F::Modes>],
+        swept: &mut [ContactVector<f64, F::Modes>],
     ) {
         let across = self.schedule.across().start;
         let (view, now) = (self.pairs.view(), &self.pairs.impulses);
@@ -404,7 +411,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     fn visit_wall<W: Monitor>(
         &mut self,
         index: usize,
-        swept: Option<&Modal<f64, F::Modes>>,
+        swept: Option<&ContactVector<f64, F::Modes>>,
         watch: &mut W,
     ) {
         let Some(link) = self.walls.get_mut(index) else {
@@ -422,7 +429,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
 }
 
 impl<F: ContactFriction<f64>> Operator for Spheres<F> {
-    type Impulse = Modal<f64, F::Modes>;
+    type Impulse = ContactVector<f64, F::Modes>;
 
     fn contacts(&self) -> usize {
         self.pairs.len() + self.walls.len()
@@ -439,14 +446,17 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
         let walls = contact.wrapping_sub(self.pairs.len());
         let wall = || self.walls.get(walls).copied();
         let link = self.pairs.get(contact).or_else(wall);
-        link.map_or(0.0, |link| a.dot_with_lever(b, link.contact.lever()))
+        link.map_or(0.0, |link| {
+            a.dot_with_lever(b, link.contact.effective_radius())
+        })
     }
 
     fn guess(&mut self, contact: usize, impulse: &Self::Impulse) {
         let walls = contact.wrapping_sub(self.pairs.len());
         if let Some(mut link) = self.pairs.get(contact) {
             link.contact.set_impulse_in_plane(impulse);
-            link.contact.admit(self.pair_friction(link.bodies));
+            link.contact
+                .project_impulse(self.pair_friction(link.bodies));
             self.pairs.impulses[contact] = *link.contact.impulse();
         } else if let Some(link) = self.walls.get_mut(walls) {
             let friction = match &self.mixture {
@@ -454,7 +464,7 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
                 Some(mixture) => &mixture.at_wall(link.bodies).friction,
             };
             link.contact.set_impulse_in_plane(impulse);
-            link.contact.admit(friction);
+            link.contact.project_impulse(friction);
         }
     }
 

@@ -8,7 +8,7 @@ use super::image::{Image, ImageVelocity};
 use super::mixture::PairFriction;
 use super::operator::Monitor;
 use super::pairs::View;
-use tribos_core::contact::{Body, Contact, ContactFriction, ContactModes, Modal};
+use tribos_core::contact::{Contact, ContactBody, ContactFriction, ContactModes, ContactVector};
 use tribos_core::internals::PreparedContact;
 use tribos_lanes::{Four, Task};
 use tribos_prefetch::prefetch;
@@ -30,9 +30,9 @@ pub(super) const AHEAD: usize = 24;
 pub(super) struct Stretch<'a, M: ContactModes<f64>> {
     /// They themselves, and those that come after them, whose bodies are fetched.
     pub pairs: View<'a>,
-    pub impulses: &'a mut [Modal<f64, M>],
+    pub impulses: &'a mut [ContactVector<f64, M>],
     /// Their impulses after the sweep before, if a monitor follows the steps; empty else.
-    pub swept: &'a [Modal<f64, M>],
+    pub swept: &'a [ContactVector<f64, M>],
     /// Which of them are solved four at a time.
     pub groups: Option<Groups<'a>>,
 }
@@ -137,14 +137,17 @@ pub(super) fn fetch(soon: Option<[u32; 2]>, spheres: &[Aligned], first: u32) {
 }
 
 /// A pair's impulse, and the one after the sweep before if a monitor follows it.
-type Steps<'a, M> = (&'a mut Modal<f64, M>, Option<&'a Modal<f64, M>>);
+type Steps<'a, M> = (
+    &'a mut ContactVector<f64, M>,
+    Option<&'a ContactVector<f64, M>>,
+);
 
 /// The place of one pair among others, all impulses, and its own after the sweep before if a monitor follows it.
 pub(super) type One<'a, M> = (
     View<'a>,
     usize,
-    &'a mut [Modal<f64, M>],
-    Option<&'a Modal<f64, M>>,
+    &'a mut [ContactVector<f64, M>],
+    Option<&'a ContactVector<f64, M>>,
 );
 
 /// Solves one pair; the first element of `spheres` has the number `first`.
@@ -215,14 +218,14 @@ impl Seen {
 #[inline(always)]
 pub(super) fn update<F: ContactFriction<f64>>(
     contact: &mut Contact<f64, F::Modes>,
-    swept: Option<&Modal<f64, F::Modes>>,
+    swept: Option<&ContactVector<f64, F::Modes>>,
     friction: &F,
-    a: &mut impl Body<f64>,
-    b: &mut impl Body<f64>,
+    a: &mut impl ContactBody<f64>,
+    b: &mut impl ContactBody<f64>,
 ) -> Seen {
     let before = swept.map(|swept| contact.impulse().minus(swept));
     let change = contact.update(friction, a, b);
-    let lever = contact.lever();
+    let lever = contact.effective_radius();
     let speed = change.normal.abs() / contact.block().mass_normal;
     Seen {
         change: [
@@ -248,8 +251,8 @@ fn solve_run<M: ContactModes<f64>>(run: Run<'_, M>) -> usize {
 /// Groups one after the other.
 struct Run<'a, M: ContactModes<f64>> {
     pairs: &'a [AlikePair],
-    impulses: &'a mut [Modal<f64, M>],
-    swept: &'a [Modal<f64, M>],
+    impulses: &'a mut [ContactVector<f64, M>],
+    swept: &'a [ContactVector<f64, M>],
     groups: Groups<'a>,
     spheres: &'a mut [Aligned],
     first: u32,
@@ -319,7 +322,7 @@ pub(super) fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
         ..
     } = stretch;
     let mut solve =
-        |(at, (impulse, (_, velocity))): (usize, (&mut Modal<_, _>, &ImageVelocity))| {
+        |(at, (impulse, (_, velocity))): (usize, (&mut ContactVector<_, _>, &ImageVelocity))| {
             let (Some(numbers), Some(mut contact)) = (pairs.bodies(at), pairs.contact(at, impulse))
             else {
                 return;

@@ -9,7 +9,8 @@ use super::sweep::WORTHWHILE;
 use nalgebra::Vector3;
 use tribos_base::random::Random;
 use tribos_core::contact::{
-    Attraction, Cohesion, Contact, ContactFriction, NormalLaw, Sphere, Thresholds, Touch,
+    Attraction, Cohesion, Contact, ContactFriction, ContactGeometry, IndependentFriction,
+    NormalLaw, SphereBody,
 };
 
 /// Spheres, several blocks of them, and pairs whose numbers differ by so much at most: enough of them lie inside
@@ -28,7 +29,7 @@ fn tangle<F: ContactFriction<f64>>(friction: F) -> Spheres<F> {
     let ball = solid(1.0, 1.0);
     for _ in 0..SPHERES {
         let (velocity, spin) = (vector(1.0), vector(1.0));
-        problem.free.0.push(Sphere {
+        problem.free.0.push(SphereBody {
             velocity,
             spin,
             ..ball
@@ -52,7 +53,7 @@ fn tangle<F: ContactFriction<f64>>(friction: F) -> Spheres<F> {
     assert!(inside >= WORTHWHILE && taken.len() - inside > 1_000);
     for [a, b] in taken {
         let apart = vector(1.0).normalize() * (1.99 + 0.03 * number(1_000) as f64 / 1_000.0);
-        let touch = Touch::spheres(&apart, [1.0, 1.0]).expect("they are apart");
+        let touch = ContactGeometry::spheres(&apart, [1.0, 1.0]).expect("they are apart");
         let [first, second] = [a, b].map(|body| &problem.free.0[body]);
         let contact = Contact::new(&touch, &law, first, second, 0.01);
         let bodies = [a as u32, b as u32];
@@ -133,7 +134,7 @@ impl<F: ContactFriction<f64>> Operator for Plain<F> {
 
 #[test]
 fn momentum_of_all_pairs_at_once_has_the_bits_of_one_contact_after_the_other() {
-    let all = Thresholds::all(0.3, 0.1, 0.1).expect("in range");
+    let all = IndependentFriction::all(0.3, 0.1, 0.1).expect("in range");
     let (mut four, mut plain) = (tangle(all), Plain(tangle(all)));
     plain.0.without_lanes();
     let iterations = Accelerated::default().solve(&mut four, NEVER, SWEEPS);
@@ -144,7 +145,7 @@ fn momentum_of_all_pairs_at_once_has_the_bits_of_one_contact_after_the_other() {
 
 #[test]
 fn blocks_and_pairs_across_them_have_the_same_bits_on_any_number_of_threads() {
-    let all = Thresholds::all(0.3, 0.1, 0.1).expect("in range");
+    let all = IndependentFriction::all(0.3, 0.1, 0.1).expect("in range");
     let alone = swept(1, Lanes::One, all);
     for threads in [2, 3] {
         for lanes in [Lanes::One, Lanes::Four] {
@@ -158,11 +159,11 @@ fn four_contacts_side_by_side_have_the_bits_of_one_after_the_other() {
     fn compare<F: ContactFriction<f64>>(friction: F) {
         assert!(swept(1, Lanes::Four, friction) == swept(1, Lanes::One, friction));
     }
-    compare(Thresholds::none());
+    compare(IndependentFriction::none());
     for [mu, mu_rolling, mu_torsion] in [[0.3, 0.1, 0.1], [0.0, 0.0, 0.0], [1e-310, 0.1, 1.0]] {
-        compare(Thresholds::sliding(mu).expect("in range"));
-        compare(Thresholds::sliding_rolling(mu, mu_rolling).expect("in range"));
-        compare(Thresholds::sliding_torsion(mu, mu_torsion).expect("in range"));
-        compare(Thresholds::all(mu, mu_rolling, mu_torsion).expect("in range"));
+        compare(IndependentFriction::sliding(mu).expect("in range"));
+        compare(IndependentFriction::sliding_rolling(mu, mu_rolling).expect("in range"));
+        compare(IndependentFriction::sliding_torsion(mu, mu_torsion).expect("in range"));
+        compare(IndependentFriction::all(mu, mu_rolling, mu_torsion).expect("in range"));
     }
 }

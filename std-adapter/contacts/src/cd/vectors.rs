@@ -3,7 +3,7 @@
 //! Functions in place of closures: a closure may be left a call, which has no AVX2.
 
 use super::aligned::Aligned;
-use tribos_core::contact::{ContactModes, Modal};
+use tribos_core::contact::{ContactModes, ContactVector};
 use tribos_core::internals::{AxialPart, PlanarPart, project_on_disc};
 use tribos_core::nalgebra::Vector3;
 use tribos_lanes::Four;
@@ -38,7 +38,7 @@ impl<L: Four> Impulses<L> {
 
     /// The impulses of four contacts.
     #[inline(always)]
-    pub fn read<M: ContactModes<f64>>([a, b, c, d]: [&Modal<f64, M>; 4]) -> Self {
+    pub fn read<M: ContactModes<f64>>([a, b, c, d]: [&ContactVector<f64, M>; 4]) -> Self {
         let mut read = Self::zero();
         if M::Sliding::PRESENT {
             let [normal, x, y, z] = L::transpose([forces(a), forces(b), forces(c), forces(d)]);
@@ -94,7 +94,7 @@ impl<L: Four> Impulses<L> {
 
     /// The impulses, contact by contact.
     #[inline(always)]
-    pub fn write<M: ContactModes<f64>>(self) -> [Modal<f64, M>; 4] {
+    pub fn write<M: ContactModes<f64>>(self) -> [ContactVector<f64, M>; 4] {
         let [x, y, z] = self.sliding;
         let forces = if M::Sliding::PRESENT {
             rows([self.normal, x, y, z])
@@ -114,7 +114,7 @@ impl<L: Four> Impulses<L> {
         let one = |lane: usize| {
             let [normal, x, y, z] = forces[lane];
             let [u, v, w, torsion] = torques[lane];
-            Modal::new(
+            ContactVector::new(
                 normal,
                 Vector3::new(x, y, z),
                 Vector3::new(u, v, w),
@@ -127,14 +127,14 @@ impl<L: Four> Impulses<L> {
 
 /// Normal impulse and sliding.
 #[inline(always)]
-fn forces<L: Four, M: ContactModes<f64>>(one: &Modal<f64, M>) -> L {
+fn forces<L: Four, M: ContactModes<f64>>(one: &ContactVector<f64, M>) -> L {
     let sliding = one.sliding();
     L::new([one.normal, sliding.x, sliding.y, sliding.z])
 }
 
 /// Rolling and torsion.
 #[inline(always)]
-fn torques<L: Four, M: ContactModes<f64>>(one: &Modal<f64, M>) -> L {
+fn torques<L: Four, M: ContactModes<f64>>(one: &ContactVector<f64, M>) -> L {
     let rolling = one.rolling();
     L::new([rolling.x, rolling.y, rolling.z, one.torsion()])
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
-use tribos_core::contact::Plate;
+use tribos_core::contact::WallBody;
 
 /// Largest deviation of a unit normal's length from 1.
 pub(super) const UNIT: f64 = 1e-12;
@@ -26,7 +26,7 @@ pub struct Wall {
     /// Position along the normal: points x of the plane have outward·x = place.
     pub place: f64,
     /// Velocity and inverse mass. A piston moves along its normal alone.
-    pub plate: Plate<f64>,
+    pub plate: WallBody<f64>,
     /// Force on the plate along the normal; positive pushes it into the space of the spheres.
     pub force: f64,
     /// The part of the plane that is there; all of it if it is `None`.
@@ -42,12 +42,12 @@ pub struct Wall {
 /// ```
 /// use nalgebra::Vector3;
 /// use tribos::cd::{Laws, Rectangle, Setup, Wall, World, solid};
-/// use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+/// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
 /// // A shelf that ends at x = 0, with a ball of 1 cm that reaches over the end by 6 mm.
 /// let open = [f64::NEG_INFINITY, f64::INFINITY];
 /// let shelf = Rectangle { along: Vector3::x(), ends: [[f64::NEG_INFINITY, 0.0], open] };
 /// let shelf = Wall { edges: Some(shelf), ..Wall::fixed(Vector3::z(), 0.0) };
-/// let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Thresholds::none());
+/// let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::none());
 /// let setup = Setup::new(smooth).wall(shelf).gravity(Vector3::z() * -9.81);
 /// let ball = Vector3::new(0.006, 0.0, 0.008);
 /// let mut world = World::new(setup.sphere(ball, 0.01, solid(0.01, 2500.0)))?;
@@ -100,7 +100,7 @@ impl Wall {
         Self {
             outward,
             place,
-            plate: Plate {
+            plate: WallBody {
                 velocity: Vector3::zeros(),
                 inv_mass: 1.0 / mass,
             },

@@ -6,7 +6,7 @@ use crate::soft;
 use nalgebra::Vector3;
 use tribos_base::random::Random;
 use tribos_base::space::PeriodicBox;
-use tribos_core::contact::{Cohesion, NormalLaw, Sliding, Thresholds};
+use tribos_core::contact::{Cohesion, IndependentFriction, NormalLaw, SlidingOnly};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -25,9 +25,11 @@ fn table(ends: [[f64; 2]; 2]) -> Wall {
     }
 }
 
-fn laws(mu: f64) -> Result<Laws<Thresholds<f64, Sliding>>, tribos_core::law::LawError> {
+fn laws(
+    mu: f64,
+) -> Result<Laws<IndependentFriction<f64, SlidingOnly>>, tribos_core::law::LawError> {
     let normal = NormalLaw::new(Cohesion::NONE, 0.0)?;
-    Ok(Laws::uniform(normal, Thresholds::sliding(mu)?))
+    Ok(Laws::uniform(normal, IndependentFriction::sliding(mu)?))
 }
 
 /// A ball of radius 1 under gravity 1.
@@ -35,7 +37,7 @@ fn ball(
     at: Vector3<f64>,
     mu: f64,
     (wall, dt): (Wall, f64),
-) -> Result<Setup<Thresholds<f64, Sliding>>, tribos_core::law::LawError> {
+) -> Result<Setup<IndependentFriction<f64, SlidingOnly>>, tribos_core::law::LawError> {
     let setup = Setup {
         step_limits: StepLimits {
             longest: dt,

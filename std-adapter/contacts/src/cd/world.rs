@@ -15,7 +15,7 @@ use super::wall::Wall;
 use nalgebra::Vector3;
 use std::sync::Arc;
 use tribos_base::space::pairs::Cells;
-use tribos_core::contact::{ContactFriction, ContactModes, Plate, Sphere};
+use tribos_core::contact::{ContactFriction, ContactModes, SphereBody, WallBody};
 
 /// Report of one step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -65,7 +65,7 @@ pub struct State<M: ContactModes<f64>> {
     /// Centres of the spheres, not wrapped into the periodic box.
     pub positions: Vec<Vector3<f64>>,
     /// Velocities, inverse masses and inertias of the spheres.
-    pub spheres: Vec<Sphere<f64>>,
+    pub spheres: Vec<SphereBody<f64>>,
     /// Walls with their current positions and velocities.
     pub walls: Vec<Wall>,
     /// Displacement along x of the images one period higher along z, from 0 to the period; 0 without a shear.
@@ -85,9 +85,9 @@ pub struct State<M: ContactModes<f64>> {
 ///
 /// ```
 /// use tribos::cd::{Laws, Setup, State, StepReport, World, solid};
-/// use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+/// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
 /// use tribos::kernel::nalgebra::Vector3;
-/// let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, Thresholds::none());
+/// let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, IndependentFriction::none());
 /// let ball = solid(0.05, 1900.0); // m, kg/m³
 /// let setup = Setup::new(smooth)
 ///     .sphere(Vector3::zeros(), 0.05, ball)
@@ -245,8 +245,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     /// Largest speed of any body.
     fn fastest<'a>(
         &self,
-        spheres: impl Iterator<Item = &'a Sphere<f64>>,
-        plates: &[Plate<f64>],
+        spheres: impl Iterator<Item = &'a SphereBody<f64>>,
+        plates: &[WallBody<f64>],
     ) -> Result<f64, WorldError> {
         let mut fastest = 0.0_f64;
         let shear = self.shear_speed();

@@ -3,7 +3,7 @@
 use super::contact::Energies;
 use super::world::{State, World};
 use crate::cd::{Wall, WorldError};
-use tribos_core::contact::{ContactFriction, Sphere};
+use tribos_core::contact::{ContactFriction, SphereBody};
 
 impl<F: ContactFriction<f64>> World<F> {
     /// Energies of all contacts, added in their order.
@@ -32,7 +32,7 @@ impl<F: ContactFriction<f64>> World<F> {
 
     /// Kinetic energy of spheres and pistons.
     pub(super) fn kinetic(&self) -> f64 {
-        let sphere = |sphere: &Sphere<f64>| {
+        let sphere = |sphere: &SphereBody<f64>| {
             sphere.velocity.norm_squared() / sphere.inv_mass
                 + sphere.spin.norm_squared() / sphere.inv_inertia
         };

@@ -4,7 +4,9 @@ use super::kick::{Kick, Passage};
 use super::law::Stiffness;
 use super::transport::Transport;
 use nalgebra::Vector3;
-use tribos_core::contact::{Cohesion, ContactFriction, ContactModes, Modal, Touch};
+use tribos_core::contact::{
+    Cohesion, ContactFriction, ContactGeometry, ContactModes, ContactVector,
+};
 use tribos_core::internals::{AxialPart, Block, Masses, PlanarPart, TangentialLoad};
 
 /// A pair of neighbours, or a sphere near a wall, with the springs of its contact.
@@ -21,13 +23,13 @@ pub struct SoftContact<M: ContactModes<f64>> {
     /// Whether the surfaces overlap or lie within the range of cohesion.
     pub in_range: bool,
     /// Force and torque on the second body.
-    pub force: Modal<f64, M>,
+    pub force: ContactVector<f64, M>,
     /// Impulse on the second body in the second half of the last step.
-    pub(super) impulse: Modal<f64, M>,
+    pub(super) impulse: ContactVector<f64, M>,
     /// Tangent stiffness of the normal spring at which `springs` are measured.
     pub(crate) slope: f64,
     /// Elongations of the springs across the normal: displacement of the second body against the first.
-    pub(crate) springs: Modal<f64, M>,
+    pub(crate) springs: ContactVector<f64, M>,
     shares: Shares,
 }
 
@@ -75,7 +77,7 @@ impl Motion {
     /// Energy that impulses on the second body across the normal take from the motion, by mode.
     fn lost_across<M: ContactModes<f64>>(
         &self,
-        by: &Modal<f64, M>,
+        by: &ContactVector<f64, M>,
         normal: &Vector3<f64>,
     ) -> [f64; 4] {
         let work = [
@@ -110,10 +112,10 @@ impl<M: ContactModes<f64>> SoftContact<M> {
             normal: Vector3::zeros(),
             gap: f64::INFINITY,
             in_range: false,
-            force: Modal::default(),
-            impulse: Modal::default(),
+            force: ContactVector::default(),
+            impulse: ContactVector::default(),
             slope: 0.0,
-            springs: Modal::default(),
+            springs: ContactVector::default(),
             shares: Shares {
                 mass,
                 sliding: block.mass_sliding / mass,
@@ -133,22 +135,23 @@ impl<M: ContactModes<f64>> SoftContact<M> {
     /// Restores the springs of a stored state.
     pub(crate) fn restore(
         &mut self,
-        touch: &Touch<f64>,
-        force: Modal<f64, M>,
-        springs: Modal<f64, M>,
+        touch: &ContactGeometry<f64>,
+        force: ContactVector<f64, M>,
+        springs: ContactVector<f64, M>,
     ) {
         self.in_range = true;
         (self.normal, self.gap) = (touch.normal, touch.gap);
         self.force = force;
         self.slope = springs.normal;
-        self.springs = Modal::new(0.0, springs.sliding(), springs.rolling(), springs.torsion());
+        self.springs =
+            ContactVector::new(0.0, springs.sliding(), springs.rolling(), springs.torsion());
     }
 
     /// The springs, with the slope in place of the normal component.
     #[doc(hidden)]
-    pub fn stored(&self) -> Modal<f64, M> {
+    pub fn stored(&self) -> ContactVector<f64, M> {
         let springs = &self.springs;
-        Modal::new(
+        ContactVector::new(
             self.slope,
             springs.sliding(),
             springs.rolling(),
@@ -158,7 +161,7 @@ impl<M: ContactModes<f64>> SoftContact<M> {
 
     /// Lets go in a step of length `dt`: the energy of the springs is lost.
     pub(super) fn part<F>(&mut self, gap: f64, law: &Law<F>, lever: f64, dt: f64) -> Energies {
-        self.impulse = Modal::default();
+        self.impulse = ContactVector::default();
         if !self.in_range {
             self.gap = gap;
             return Energies::default();
@@ -170,7 +173,8 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         let [sliding, rolling, torsion] = self.stored_energies();
         self.impulse = Self::impulse_of(&self.force, &kick);
         self.in_range = false;
-        (self.force, self.springs, self.slope) = (Modal::default(), Modal::default(), 0.0);
+        (self.force, self.springs, self.slope) =
+            (ContactVector::default(), ContactVector::default(), 0.0);
         let [normal, ..] = not_gained([kick.lost, 0.0, 0.0, 0.0]);
         Energies {
             normal,
@@ -217,9 +221,9 @@ impl<M: ContactModes<f64>> SoftContact<M> {
     }
 
     /// Impulse of a kick, with the friction of a force.
-    fn impulse_of(force: &Modal<f64, M>, kick: &Kick) -> Modal<f64, M> {
+    fn impulse_of(force: &ContactVector<f64, M>, kick: &Kick) -> ContactVector<f64, M> {
         let time = kick.time;
-        Modal::new(
+        ContactVector::new(
             kick.pushed - kick.pulled,
             force.sliding() * time,
             force.rolling() * time,
@@ -251,7 +255,7 @@ impl<M: ContactModes<f64>> SoftContact<M> {
     /// Brings springs and force to the end of a step of length `dt` that ended at `touch` with this motion.
     pub(super) fn advance<F: ContactFriction<f64, Modes = M>>(
         &mut self,
-        touch: &Touch<f64>,
+        touch: &ContactGeometry<f64>,
         motion: &Motion,
         law: &Law<F>,
         dt: f64,
@@ -295,13 +299,17 @@ impl<M: ContactModes<f64>> SoftContact<M> {
     }
 
     /// Impulses of friction on the second body, a force times a time, beyond those of the springs in half a step.
-    fn dashpots(&self, (force, time): &(Modal<f64, M>, f64), half: f64) -> Modal<f64, M> {
+    fn dashpots(
+        &self,
+        (force, time): &(ContactVector<f64, M>, f64),
+        half: f64,
+    ) -> ContactVector<f64, M> {
         let (k, k_turn) = (
             self.shares.sliding * self.slope * half,
             self.shares.turning * self.slope * half,
         );
         let springs = &self.springs;
-        Modal::new(
+        ContactVector::new(
             0.0,
             force.sliding() * *time + springs.sliding() * k,
             force.rolling() * *time + springs.rolling() * k_turn,
@@ -321,7 +329,7 @@ impl<M: ContactModes<f64>> SoftContact<M> {
             } else {
                 Vector3::zeros()
             };
-            self.springs = Modal::new(0.0, sliding, rolling, self.springs.torsion());
+            self.springs = ContactVector::new(0.0, sliding, rolling, self.springs.torsion());
         }
         self.normal = *normal;
     }
@@ -331,7 +339,7 @@ impl<M: ContactModes<f64>> SoftContact<M> {
     #[inline]
     fn resist<F: ContactFriction<f64, Modes = M>>(
         &mut self,
-        touch: &Touch<f64>,
+        touch: &ContactGeometry<f64>,
         motion: &Motion,
         law: &Law<F>,
         [bound, slope, dashpot]: [f64; 3],
@@ -393,7 +401,7 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         };
         let old = self.stored_energies();
         self.slope = slope;
-        self.springs = Modal::new(0.0, sliding, rolling, torsion);
+        self.springs = ContactVector::new(0.0, sliding, rolling, torsion);
         // Losses by change of stiffness, by slip and in the dashpots.
         let about = |x: f64| Vector3::new(x, 0.0, 0.0);
         let slipped = [
@@ -426,7 +434,7 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         let total_rolling = law
             .friction
             .hold_rolling(&trial_rolling, bound, touch.lever);
-        self.force = Modal::new(0.0, -total.sliding, -total_rolling, -total.torsion);
+        self.force = ContactVector::new(0.0, -total.sliding, -total_rolling, -total.torsion);
         let slipped = not_gained([0.0, slipped[0], slipped[1], slipped[2]]);
         [
             0.0,

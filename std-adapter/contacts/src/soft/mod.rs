@@ -8,13 +8,13 @@
 //!
 //! ```
 //! use tribos::cd::{Laws, Wall, solid};
-//! use tribos::kernel::contact::{Cohesion, NormalLaw, Sphere, Thresholds};
+//! use tribos::kernel::contact::{Cohesion, NormalLaw, SphereBody, IndependentFriction};
 //! use tribos::kernel::nalgebra::Vector3;
 //! use tribos::soft::{Setup, Stiffness, World};
 //!
 //! let (up, radius) = (Vector3::z(), 0.028); // m
-//! let ball = Sphere { velocity: Vector3::x(), ..solid(radius, 1700.0) }; // m/s, kg/m³
-//! let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Thresholds::sliding(0.2)?);
+//! let ball = SphereBody { velocity: Vector3::x(), ..solid(radius, 1700.0) }; // m/s, kg/m³
+//! let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.2)?);
 //! let table = Setup::new(laws, Stiffness::Linear(1e5)).wall(Wall::fixed(up, 0.0)); // N/m
 //! let setup = table.gravity(up * -9.81).sphere(up * radius, radius, ball);
 //! let mut world = World::new(setup)?;

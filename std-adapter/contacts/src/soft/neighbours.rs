@@ -4,7 +4,7 @@ use super::contact::SoftContact;
 use super::world::World;
 use crate::cd::{Wall, WorldError};
 use nalgebra::Vector3;
-use tribos_core::contact::{Body, ContactFriction, ContactModes, Touch};
+use tribos_core::contact::{ContactBody, ContactFriction, ContactGeometry, ContactModes};
 use tribos_core::internals::Block;
 
 /// Margin of the list beyond the range of the contacts, in units of the smallest radius: some hundred steps of
@@ -83,8 +83,8 @@ impl<F: ContactFriction<f64>> World<F> {
 }
 
 /// Effective masses of two bodies whose surfaces just touch.
-fn block(radii: [f64; 2], a: &impl Body<f64>, b: &impl Body<f64>) -> Block<f64> {
-    let touch = Touch {
+fn block(radii: [f64; 2], a: &impl ContactBody<f64>, b: &impl ContactBody<f64>) -> Block<f64> {
+    let touch = ContactGeometry {
         normal: Vector3::zeros(),
         gap: 0.0,
         arms: radii,

@@ -5,7 +5,7 @@ use super::law::{Stiffness, damping};
 use crate::cd::{self, Laws, StepLimits, Wall, WorldError};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
-use tribos_core::contact::{Attraction, Sphere};
+use tribos_core::contact::{Attraction, SphereBody};
 
 /// Parameters of a world of soft spheres at time 0.
 ///
@@ -19,7 +19,7 @@ pub struct Setup<F> {
     /// Radii of the spheres.
     pub radii: Vec<f64>,
     /// Velocities, inverse masses and inertias of the spheres; see [`solid`](crate::cd::solid).
-    pub spheres: Vec<Sphere<f64>>,
+    pub spheres: Vec<SphereBody<f64>>,
     /// Walls and pistons.
     pub walls: Vec<Wall>,
     /// Cohesion and friction. A restitution above 0 stands for the [`damping`] ratio that leads to it.
@@ -63,7 +63,7 @@ impl<F> Setup<F> {
 
     /// Adds one sphere with its centre at `position`.
     #[must_use]
-    pub fn sphere(mut self, position: Vector3<f64>, radius: f64, sphere: Sphere<f64>) -> Self {
+    pub fn sphere(mut self, position: Vector3<f64>, radius: f64, sphere: SphereBody<f64>) -> Self {
         self.positions.push(position);
         self.radii.push(radius);
         self.spheres.push(sphere);

@@ -12,7 +12,7 @@
 use super::law::{Stiffness, duration};
 use crate::cd::Wall;
 use nalgebra::Vector3;
-use tribos_core::contact::{Cohesion, Sphere};
+use tribos_core::contact::{Cohesion, SphereBody};
 
 /// Largest ω² of a sphere among twelve neighbours, in units of S/m.
 const NEIGHBOURS: f64 = 8.0;
@@ -89,7 +89,13 @@ impl StepLength {
     }
 
     /// Length of the next step, given the deepest overlap and the number of contacts at each wall.
-    pub fn next(&self, spheres: &[Sphere<f64>], walls: &[Wall], deepest: f64, at: &[usize]) -> f64 {
+    pub fn next(
+        &self,
+        spheres: &[SphereBody<f64>],
+        walls: &[Wall],
+        deepest: f64,
+        at: &[usize],
+    ) -> f64 {
         let speed = fastest(spheres, walls);
         let slope = self.slope(speed, deepest);
         // A piston on many spheres moves against all of their springs.
@@ -137,7 +143,7 @@ impl StepLength {
 }
 
 /// Largest speed of any body.
-pub(super) fn fastest(spheres: &[Sphere<f64>], walls: &[Wall]) -> f64 {
+pub(super) fn fastest(spheres: &[SphereBody<f64>], walls: &[Wall]) -> f64 {
     let speed = |velocity: &Vector3<f64>| velocity.norm_squared();
     let spheres = spheres.iter().map(|sphere| speed(&sphere.velocity));
     let walls = walls.iter().map(|wall| speed(&wall.plate.velocity));

@@ -8,7 +8,10 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use tribos_base::space::PeriodicBox;
 use tribos_base::space::pairs::Cells;
-use tribos_core::contact::{Body, ContactFriction, ContactModes, Modal, Sphere, Touch, TouchError};
+use tribos_core::contact::{
+    ContactBody, ContactError, ContactFriction, ContactGeometry, ContactModes, ContactVector,
+    SphereBody,
+};
 
 /// The complete state of a world of soft spheres: a run continues from it with identical bits.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +23,7 @@ pub struct State<M: ContactModes<f64>> {
     /// Centres of the spheres, not wrapped into the periodic box.
     pub positions: Vec<Vector3<f64>>,
     /// Velocities, inverse masses and inertias of the spheres.
-    pub spheres: Vec<Sphere<f64>>,
+    pub spheres: Vec<SphereBody<f64>>,
     /// Walls with their current positions and velocities.
     pub walls: Vec<Wall>,
     /// Energy balance so far.
@@ -36,10 +39,10 @@ pub struct State<M: ContactModes<f64>> {
 ///
 /// ```
 /// use tribos::cd::{Laws, solid};
-/// use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+/// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
 /// use tribos::kernel::nalgebra::Vector3;
 /// use tribos::soft::{Setup, SoftContact, State, Stiffness, World};
-/// let bouncy = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.8)?, Thresholds::none());
+/// let bouncy = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.8)?, IndependentFriction::none());
 /// let ball = solid(0.05, 1900.0); // m, kg/m³
 /// let setup = Setup::new(bouncy, Stiffness::Linear(1e6)) // N/m
 ///     .sphere(Vector3::zeros(), 0.05, ball)
@@ -72,7 +75,7 @@ pub struct World<F: ContactFriction<f64>> {
     pub(super) listed_at: Vec<Vector3<f64>>,
     pub(super) listed_walls: Vec<f64>,
     /// Energies of all contacts in the last step.
-    pub(super) energies: Vec<Result<Energies, TouchError>>,
+    pub(super) energies: Vec<Result<Energies, ContactError>>,
     /// Force and torque on each sphere, force on each wall.
     loads: Vec<[Vector3<f64>; 2]>,
     wall_loads: Vec<Vector3<f64>>,
@@ -81,7 +84,7 @@ pub struct World<F: ContactFriction<f64>> {
 }
 
 /// Force and springs of a contact, with its bodies.
-pub(crate) type StoredContact<M> = ([u32; 2], [Modal<f64, M>; 2]);
+pub(crate) type StoredContact<M> = ([u32; 2], [ContactVector<f64, M>; 2]);
 
 /// Least number of neighbours for which threads are worth their start, and for one of them.
 const WORTHWHILE: usize = 4096;
@@ -179,10 +182,10 @@ impl<F: ContactFriction<f64>> World<F> {
                 let [i, j] = bodies.map(|body| body as usize);
                 let touch = if kind == 0 {
                     let (apart, _) = nearest_image(space, &positions[i], &positions[j]);
-                    Touch::spheres(&apart, [radii[i], radii[j]])
+                    ContactGeometry::spheres(&apart, [radii[i], radii[j]])
                 } else {
                     let Facing { outward, height } = walls[j].facing(space, &positions[i]);
-                    Touch::plate(height, &outward, radii[i])
+                    ContactGeometry::plate(height, &outward, radii[i])
                 };
                 let touch = touch.map_err(|cause| WorldError::Touch {
                     step: *steps,
@@ -244,7 +247,7 @@ impl<F: ContactFriction<f64>> World<F> {
     /// Sums forces or impulses of the contacts on the bodies; returns the deepest overlap.
     fn add_loads(
         &mut self,
-        of: impl Fn(&SoftContact<F::Modes>) -> Option<&Modal<f64, F::Modes>>,
+        of: impl Fn(&SoftContact<F::Modes>) -> Option<&ContactVector<f64, F::Modes>>,
     ) -> f64 {
         let radii = &self.setup.radii;
         let mut deepest = 0.0_f64;
@@ -341,7 +344,7 @@ impl<F: ContactFriction<f64>> World<F> {
     /// Refuses velocities that have left the range of numbers.
     fn check_motion(&self) -> Result<(), WorldError> {
         let is_lost =
-            |sphere: &Sphere<f64>| !(sphere.velocity.norm() + sphere.spin.norm()).is_finite();
+            |sphere: &SphereBody<f64>| !(sphere.velocity.norm() + sphere.spin.norm()).is_finite();
         let step = self.state.steps;
         if let Some(body) = self.state.spheres.iter().position(is_lost) {
             return Err(WorldError::NotFinite { step, body });
@@ -380,7 +383,7 @@ impl<F: ContactFriction<f64>> World<F> {
                 }
                 return Ok(contact.part(gap, pair, lever, dt));
             }
-            let touch = Touch::spheres(&apart, [radii[i], radii[j]])?;
+            let touch = ContactGeometry::spheres(&apart, [radii[i], radii[j]])?;
             let motion = relative(&touch, &spheres[i], &spheres[j], &border);
             Ok(contact.advance(&touch, &motion, pair, dt))
         };
@@ -407,7 +410,7 @@ impl<F: ContactFriction<f64>> World<F> {
                 let gap = known.unwrap_or(0.0);
                 Ok(contact.part(gap, wall, radii[i], dt))
             } else {
-                Touch::plate(height, &outward, radii[i]).map(|touch| {
+                ContactGeometry::plate(height, &outward, radii[i]).map(|touch| {
                     let motion = relative(&touch, &spheres[i], &plate.plate, &Vector3::zeros());
                     contact.advance(&touch, &motion, wall, dt)
                 })
@@ -437,12 +440,12 @@ fn nearest_image(
 /// image against itself.
 #[inline]
 fn relative(
-    touch: &Touch<f64>,
-    a: &impl Body<f64>,
-    b: &impl Body<f64>,
+    touch: &ContactGeometry<f64>,
+    a: &impl ContactBody<f64>,
+    b: &impl ContactBody<f64>,
     border: &Vector3<f64>,
 ) -> Motion {
-    let (spin_a, spin_b) = (a.spin(), b.spin());
+    let (spin_a, spin_b) = (a.angular_velocity(), b.angular_velocity());
     let turning = spin_a * touch.arms[0] + spin_b * touch.arms[1];
     Motion {
         velocity: b.velocity() + border - a.velocity() - turning.cross(&touch.normal),

@@ -6,7 +6,7 @@ use tribos_base::scene::InvalidScene;
 use tribos_base::space::PeriodicBoxError;
 use tribos_contacts::cd::WorldError;
 use tribos_contacts::event::{EventError, ImpactError};
-use tribos_core::contact::TouchError;
+use tribos_core::contact::ContactError;
 use tribos_core::law::LawError;
 
 /// Why a gas cannot start or continue.
@@ -50,7 +50,7 @@ pub enum GasError {
         step: u64,
         /// The kernel's reason.
         #[source]
-        cause: TouchError,
+        cause: ContactError,
     },
     /// A number of the series left the range of f64.
     #[error("after step {step}: `{column}` is {value:e}")]

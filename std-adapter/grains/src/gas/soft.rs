@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use std::f64::consts::PI;
 use tribos_contacts::cd::{StepLimits, solid};
 use tribos_contacts::soft::{StepLength, Stiffness, damping};
-use tribos_core::contact::{Cohesion, Sphere};
+use tribos_core::contact::{Cohesion, SphereBody};
 
 /// Effective mass and radius of a pair of spheres of mass 1 and radius 1.
 const PAIR: f64 = 0.5;
@@ -57,7 +57,7 @@ pub fn soft_collision(scene: &GasScene) -> Option<SoftCollision> {
         Stiffness::Linear(_) => PI,
         Stiffness::Hertz(_) => HERTZ_DURATION,
     };
-    let sphere = Sphere {
+    let sphere = SphereBody {
         velocity: Vector3::x() * FASTEST,
         ..solid(1.0, 3.0 / (4.0 * PI))
     };

@@ -11,7 +11,7 @@ use crate::packing::method::{ContactMethod, Coupling};
 use crate::packing::{self, Method, Packing};
 use std::ops::ControlFlow;
 use tribos_base::run::RunSize;
-use tribos_core::contact::Sphere;
+use tribos_core::contact::SphereBody;
 
 /// Cost of a scene. *Units*: times in s on one core of this machine.
 ///
@@ -192,7 +192,7 @@ fn without_drives(scene: &GrainsScene) -> GrainsScene {
 impl GrainsCost {
     /// Memory of the grains and of the most contacts in the solver, in bytes, without neighbour lists.
     pub fn memory(&self) -> usize {
-        let grain = 4 * size_of::<f64>() + 3 * size_of::<Sphere<f64>>();
+        let grain = 4 * size_of::<f64>() + 3 * size_of::<SphereBody<f64>>();
         self.grains * grain + self.contacts[1] * self.bytes
     }
 }

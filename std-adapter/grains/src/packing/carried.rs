@@ -5,7 +5,7 @@ use crate::packing::method::Coupling;
 use tribos_contacts::cd::internals::Pairs;
 use tribos_contacts::soft::SoftContact;
 use tribos_core::contact::{
-    AllModes, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
+    AllModes, ContactModes, Frictionless, SlidingOnly, SlidingRolling, SlidingTorsion,
 };
 
 /// Sets of contact modes for which a type exists; an absent mode is neither stored nor computed.
@@ -47,10 +47,10 @@ impl Material {
     ///
     /// ```
     /// use tribos::powder::{Carried, CarriedModes};
-    /// use tribos::scene::{Coupling, PowderScene};
+    /// use tribos::scene::{ReducedFriction, PowderScene};
     /// // Sliding resists unless it is switched off.
     /// let scene = PowderScene { torsion: 0.1, ..PowderScene::default() };
-    /// let (modes, coupling) = (CarriedModes::SlidingTorsion, Coupling::Independent);
+    /// let (modes, coupling) = (CarriedModes::SlidingTorsion, ReducedFriction::Independent);
     /// assert_eq!(scene.material().carried(), Carried { modes, coupling });
     /// ```
     pub fn carried(&self) -> Carried {
@@ -76,7 +76,7 @@ impl CarriedModes {
     pub fn unknowns(self) -> usize {
         match self {
             Self::Normal => <Frictionless as ContactModes<f64>>::UNKNOWNS,
-            Self::Sliding => <Sliding as ContactModes<f64>>::UNKNOWNS,
+            Self::Sliding => <SlidingOnly as ContactModes<f64>>::UNKNOWNS,
             Self::SlidingTorsion => <SlidingTorsion as ContactModes<f64>>::UNKNOWNS,
             Self::SlidingRolling => <SlidingRolling as ContactModes<f64>>::UNKNOWNS,
             Self::All => <AllModes as ContactModes<f64>>::UNKNOWNS,
@@ -87,7 +87,7 @@ impl CarriedModes {
     pub fn bytes(self) -> [usize; 2] {
         match self {
             Self::Normal => Pairs::<Frictionless>::BYTES,
-            Self::Sliding => Pairs::<Sliding>::BYTES,
+            Self::Sliding => Pairs::<SlidingOnly>::BYTES,
             Self::SlidingTorsion => Pairs::<SlidingTorsion>::BYTES,
             Self::SlidingRolling => Pairs::<SlidingRolling>::BYTES,
             Self::All => Pairs::<AllModes>::BYTES,
@@ -98,7 +98,7 @@ impl CarriedModes {
     pub(crate) fn soft_bytes(self) -> usize {
         match self {
             Self::Normal => size_of::<SoftContact<Frictionless>>(),
-            Self::Sliding => size_of::<SoftContact<Sliding>>(),
+            Self::Sliding => size_of::<SoftContact<SlidingOnly>>(),
             Self::SlidingTorsion => size_of::<SoftContact<SlidingTorsion>>(),
             Self::SlidingRolling => size_of::<SoftContact<SlidingRolling>>(),
             Self::All => size_of::<SoftContact<AllModes>>(),

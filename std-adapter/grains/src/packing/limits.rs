@@ -5,7 +5,7 @@ use crate::packing::method::{Coupling, WallLaw};
 use nalgebra::Vector3;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_core::coupling::table;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
 use tribos_core::twist::Wrench;
 
 /// A contact whose P is below this value, in F_coh, carries no force although cohesion pulls.
@@ -21,13 +21,13 @@ const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 /// use nalgebra::Vector3;
 /// use tribos::powder::Limits;
 /// use tribos::record::{ContactRow, Partner};
-/// # use tribos::scene::{Coupling, PowderScene};
+/// # use tribos::scene::{ReducedFriction, PowderScene};
 /// // A push of 1 and the cohesion of 1 allow 0.3 · 2 of sliding and, on spheres of radius 1,
 /// // 0.5 · 2/2 of torsion: 0.6 and 0.8 of them are at work.
 /// let (a, b, normal) = (0, Partner::Particle(1), Vector3::x());
 /// let (force, torque) = (Vector3::new(1.0, 0.36, 0.0), Vector3::new(0.4, 0.0, 0.0));
 /// let contact = ContactRow { a, b, normal, gap: 0.0, force, torque };
-/// for (coupling, reached) in [(Coupling::Independent, false), (Coupling::Ellipsoid, true)] {
+/// for (coupling, reached) in [(ReducedFriction::Independent, false), (ReducedFriction::Ellipsoid, true)] {
 ///     let scene = PowderScene { torsion: 0.5, coupling, ..PowderScene::default() };
 ///     let limits = Limits::of(&scene.material());
 ///     assert_eq!(limits.resists(), [true, false, true]); // there is no rolling friction
@@ -47,8 +47,8 @@ pub struct Limits {
 /// Common threshold of the sliding force over P and the torsion torque over P r_eff.
 #[derive(Clone, Copy, Debug)]
 enum Joint {
-    Ellipsoid(Ellipsoid<f64>),
-    Exact(LimitSurface<f64, table::Coulomb>),
+    Ellipsoid(LimitEllipsoid<f64>),
+    Exact(RoundLimitSurface<f64, table::CoulombDisk>),
 }
 
 impl Limits {

@@ -5,7 +5,7 @@ use tribos_core::Error;
 use tribos_core::contact::{Attraction, Cohesion, NormalLaw};
 use tribos_core::coupling::table;
 use tribos_core::law::LawError;
-use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
+use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 
 /// The material of a packing's spheres: the law of their contacts. Any consistent units.
 ///
@@ -65,12 +65,15 @@ impl Material {
     }
 
     /// What a contact of a joint set carries at a coefficient, in P and P r_eff.
-    pub(crate) fn ellipsoid(&self, mu: f64) -> Result<Ellipsoid<f64>, Error> {
-        Ellipsoid::new(mu, self.contact_radius(), SPIN_TORQUE)
+    pub(crate) fn ellipsoid(&self, mu: f64) -> Result<LimitEllipsoid<f64>, Error> {
+        LimitEllipsoid::new(mu, self.contact_radius(), SPIN_TORQUE)
     }
 
     /// Exact limit surface that joins sliding and torsion at a coefficient `mu`.
-    pub(crate) fn exact(&self, mu: f64) -> Result<LimitSurface<f64, table::Coulomb>, Error> {
-        LimitSurface::new(table::Coulomb, mu, self.contact_radius())
+    pub(crate) fn exact(
+        &self,
+        mu: f64,
+    ) -> Result<RoundLimitSurface<f64, table::CoulombDisk>, Error> {
+        RoundLimitSurface::new(table::CoulombDisk, mu, self.contact_radius())
     }
 }

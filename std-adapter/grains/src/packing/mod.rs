@@ -59,7 +59,7 @@ use tribos_contacts::cd::{EnergyBalance, Solver, StepLimits, StepReport, Wall, W
 use tribos_contacts::problem::Global;
 use tribos_contacts::soft::Stiffness;
 use tribos_core::Error;
-use tribos_core::contact::{Sphere, TouchError};
+use tribos_core::contact::{ContactError, SphereBody};
 use tribos_core::law::LawError;
 
 /// Spheres and walls at the start.
@@ -122,7 +122,7 @@ pub(crate) trait Packing: Debug {
     /// Radii of the spheres.
     fn radii(&self) -> &[f64];
     /// Velocities, inverse masses and inertias of the spheres.
-    fn spheres(&self) -> &[Sphere<f64>];
+    fn spheres(&self) -> &[SphereBody<f64>];
     /// Walls, with their current places and velocities.
     fn walls(&self) -> &[Wall];
     /// Walls, which a body may move and load between two steps.
@@ -135,7 +135,7 @@ pub(crate) trait Packing: Debug {
     fn energy(&self) -> &EnergyBalance;
     /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last
     /// step, including its impacts, at the current positions.
-    fn contacts(&self) -> Result<Vec<ContactRow>, TouchError>;
+    fn contacts(&self) -> Result<Vec<ContactRow>, ContactError>;
     /// The contact problem of the last step, as data; `None` where the contacts have none of that form.
     fn problem(&self) -> Option<Global>;
     /// Whether an overlap is an error of the solver, and neither the strain of a spring nor what a number of sweeps

@@ -16,7 +16,8 @@ use tribos_contacts::cd::{
 };
 use tribos_contacts::problem::Global;
 use tribos_core::contact::{
-    ContactFriction, ContactModes, CoupledFriction, Modal, Sphere, Thresholds, Touch, TouchError,
+    ContactError, ContactFriction, ContactGeometry, ContactModes, ContactVector, CoupledFriction,
+    IndependentFriction, SphereBody,
 };
 use tribos_core::limit_surface::FrictionSet;
 
@@ -47,21 +48,21 @@ pub(super) fn build(
         }
     }
     match carried.modes {
-        CarriedModes::Normal => boxed(at, |_| Ok([Thresholds::none(); 2])),
+        CarriedModes::Normal => boxed(at, |_| Ok([IndependentFriction::none(); 2])),
         CarriedModes::Sliding => boxed(at, |m| {
-            let of = Thresholds::sliding;
+            let of = IndependentFriction::sliding;
             Ok(both(m, of(m.sliding)?, of(0.0)?))
         }),
         CarriedModes::SlidingTorsion => boxed(at, |m| {
-            let of = Thresholds::sliding_torsion;
+            let of = IndependentFriction::sliding_torsion;
             Ok(both(m, of(m.sliding, m.torsion)?, of(0.0, 0.0)?))
         }),
         CarriedModes::SlidingRolling => boxed(at, |m| {
-            let of = Thresholds::sliding_rolling;
+            let of = IndependentFriction::sliding_rolling;
             Ok(both(m, of(m.sliding, m.rolling)?, of(0.0, 0.0)?))
         }),
         CarriedModes::All => boxed(at, |m| {
-            let of = Thresholds::all;
+            let of = IndependentFriction::all;
             let rough = of(m.sliding, m.rolling, m.torsion)?;
             Ok(both(m, rough, of(0.0, 0.0, 0.0)?))
         }),
@@ -195,7 +196,7 @@ fn thaw<M: ContactModes<f64>>(frozen: &Frozen, state: &mut State<M>) {
 /// Forces in the modes of a world.
 fn memory<M: ContactModes<f64>>(forces: &Forces) -> Memory<M> {
     let modal = |(bodies, force): &([u32; 2], Force)| {
-        let modal = Modal::new(force.normal, force.sliding, force.rolling, force.torsion);
+        let modal = ContactVector::new(force.normal, force.sliding, force.rolling, force.torsion);
         (*bodies, modal)
     };
     Memory {
@@ -210,7 +211,7 @@ fn forces<M: ContactModes<f64>>(memory: &Memory<M>) -> Forces {
 }
 
 impl Force {
-    pub(super) fn of<M: ContactModes<f64>>(modal: &Modal<f64, M>) -> Self {
+    pub(super) fn of<M: ContactModes<f64>>(modal: &ContactVector<f64, M>) -> Self {
         Self {
             normal: modal.normal,
             sliding: modal.sliding(),
@@ -220,7 +221,7 @@ impl Force {
     }
 
     /// A row of the contact table, with the geometry of the contact.
-    pub(super) fn row(&self, a: u32, b: Partner, touch: &Touch<f64>) -> ContactRow {
+    pub(super) fn row(&self, a: u32, b: Partner, touch: &ContactGeometry<f64>) -> ContactRow {
         let normal = touch.normal;
         ContactRow {
             a,
@@ -250,7 +251,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         &self.setup().radii
     }
 
-    fn spheres(&self) -> &[Sphere<f64>] {
+    fn spheres(&self) -> &[SphereBody<f64>] {
         &self.state().spheres
     }
 
@@ -290,12 +291,12 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         )
     }
 
-    fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {
+    fn contacts(&self) -> Result<Vec<ContactRow>, ContactError> {
         let (setup, state, space) = (self.setup(), self.state(), self.space());
         let [pairs, walls] = &state.memory.forces;
         let book = setup.book();
         let mut rows = Vec::with_capacity(pairs.len() + walls.len());
-        let with_impact = |kind, bodies, force: &Modal<f64, F::Modes>| {
+        let with_impact = |kind, bodies, force: &ContactVector<f64, F::Modes>| {
             let impact = state.impacts.force(kind, bodies);
             impact.map_or(*force, |impact| force.plus_scaled(1.0, impact))
         };
@@ -303,7 +304,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             let force = with_impact(0, [*a, *b], force);
             let [i, j] = [*a as usize, *b as usize];
             let apart = space.displacement(&state.positions[i], &state.positions[j]);
-            let touch = Touch::spheres(&apart, [setup.radii[i], setup.radii[j]])?;
+            let touch = ContactGeometry::spheres(&apart, [setup.radii[i], setup.radii[j]])?;
             if force.normal != 0.0 || touch.gap <= book.of_pair([*a, *b]).normal.cohesion().range()
             {
                 rows.push(Force::of(&force).row(*a, Partner::Particle(*b), &touch));
@@ -313,7 +314,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             let force = with_impact(1, [*a, *b], force);
             let (i, wall) = (*a as usize, &state.walls[*b as usize]);
             let Facing { outward, height } = wall.facing(&setup.space, &state.positions[i]);
-            let touch = Touch::plate(height, &outward, setup.radii[i])?;
+            let touch = ContactGeometry::plate(height, &outward, setup.radii[i])?;
             if force.normal != 0.0 || touch.gap <= book.at_wall([*a, *b]).normal.cohesion().range()
             {
                 rows.push(Force::of(&force).row(*a, Partner::Wall(*b), &touch));

@@ -8,7 +8,7 @@ use tribos_base::run::Cause;
 use tribos_base::scene::InvalidScene;
 use tribos_base::space::PeriodicBoxError;
 use tribos_contacts::cd::WorldError;
-use tribos_core::contact::TouchError;
+use tribos_core::contact::ContactError;
 use tribos_core::law::LawError;
 
 /// Why a run of a packing cannot start or continue; `P` says why its spheres cannot be placed.
@@ -52,7 +52,7 @@ pub enum PackingRunError<P: Error + 'static> {
         step: u64,
         /// The kernel's reason.
         #[source]
-        cause: TouchError,
+        cause: ContactError,
     },
     /// A number of the series left the range of f64.
     #[error(

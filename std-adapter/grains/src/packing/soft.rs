@@ -8,7 +8,9 @@ use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::{EnergyBalance, Laws, StepLimits, StepReport, Wall, WorldError, solid};
 use tribos_contacts::problem::Global;
 use tribos_contacts::soft::{Setup, SoftContact, State, World};
-use tribos_core::contact::{ContactFriction, ContactModes, Modal, Sphere, Touch, TouchError};
+use tribos_core::contact::{
+    ContactError, ContactFriction, ContactGeometry, ContactModes, ContactVector, SphereBody,
+};
 
 /// A world of soft spheres. A step of the packing is as long as one of contact dynamics and made of as many
 /// steps of the world as the springs need.
@@ -80,14 +82,14 @@ fn thaw<F: ContactFriction<f64>>(frozen: &Frozen, world: &mut World<F>) -> Resul
 /// A stored force, or stored springs, with the bodies.
 type Stored = ([u32; 2], Force);
 
-fn modal<M: ContactModes<f64>>(force: &Force) -> Modal<f64, M> {
-    Modal::new(force.normal, force.sliding, force.rolling, force.torsion)
+fn modal<M: ContactModes<f64>>(force: &Force) -> ContactVector<f64, M> {
+    ContactVector::new(force.normal, force.sliding, force.rolling, force.torsion)
 }
 
 /// Forces of the contacts in range, or their springs.
 fn stored<M: ContactModes<f64>>(
     state: &State<M>,
-    part: impl Fn(&SoftContact<M>) -> Modal<f64, M>,
+    part: impl Fn(&SoftContact<M>) -> ContactVector<f64, M>,
 ) -> Forces {
     let one = |contact: &SoftContact<M>| (contact.bodies, Force::of(&part(contact)));
     [0, 1].map(|kind: usize| {
@@ -132,7 +134,7 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
         &self.world.setup().radii
     }
 
-    fn spheres(&self) -> &[Sphere<f64>] {
+    fn spheres(&self) -> &[SphereBody<f64>] {
         &self.world.state().spheres
     }
 
@@ -160,11 +162,11 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
         false
     }
 
-    fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {
+    fn contacts(&self) -> Result<Vec<ContactRow>, ContactError> {
         let [pairs, walls] = &self.world.state().contacts;
         let in_range = |contact: &&SoftContact<F::Modes>| contact.in_range;
         let row = |contact: &SoftContact<F::Modes>, b: Partner| {
-            let touch = Touch {
+            let touch = ContactGeometry {
                 normal: contact.normal,
                 gap: contact.gap,
                 arms: [0.0; 2],

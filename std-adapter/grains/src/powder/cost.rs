@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use tribos_base::run::RunSize;
 use tribos_base::space::PeriodicBox;
-use tribos_core::contact::Sphere;
+use tribos_core::contact::SphereBody;
 
 /// Size of a scene and time of its updates. *Units*: times in s on one core of this machine.
 ///
@@ -218,7 +218,8 @@ impl PowderCost {
     /// Memory of the spheres and of the most contacts in the solver, in bytes, without neighbour lists.
     pub fn memory(&self) -> usize {
         // Place and radius; velocities and masses of the state, of the trial and without contacts.
-        let sphere = size_of::<Vector3<f64>>() + size_of::<f64>() + 3 * size_of::<Sphere<f64>>();
+        let sphere =
+            size_of::<Vector3<f64>>() + size_of::<f64>() + 3 * size_of::<SphereBody<f64>>();
         self.spheres * sphere + self.contacts[1] * self.bytes
     }
 

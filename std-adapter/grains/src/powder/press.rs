@@ -11,7 +11,7 @@ use serde_json::{Map, Value};
 use std::f64::consts::PI;
 use tribos_base::record::CheckpointError;
 use tribos_base::record::kept::{damaged, hex, numbers};
-use tribos_core::contact::Sphere;
+use tribos_core::contact::SphereBody;
 
 /// Numbers of a window in a checkpoint, and of a stress.
 const WINDOW: usize = 24;
@@ -35,7 +35,7 @@ pub(super) struct Watch {
     /// Stress after the last step.
     stress: Stress,
     /// Spheres before the last step.
-    before: Vec<Sphere<f64>>,
+    before: Vec<SphereBody<f64>>,
 }
 
 impl Press {
@@ -97,7 +97,7 @@ impl Watch {
         let piston = at_piston.map(|row| row.force.z).sum();
         let dt = seen.report.dt;
         let spheres = self.before.iter().zip(seen.packing.spheres());
-        let net = |(old, new): (&Sphere<f64>, &Sphere<f64>)| {
+        let net = |(old, new): (&SphereBody<f64>, &SphereBody<f64>)| {
             (new.velocity - old.velocity).norm() / (new.inv_mass * dt)
         };
         let net: f64 = spheres.map(net).sum();

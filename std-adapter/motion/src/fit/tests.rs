@@ -3,7 +3,7 @@
 use super::*;
 use tribos_base::random::Random;
 use tribos_core::law::{
-    Bristle, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, RateState,
+    AgeingLaw, Bristle, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, RateState,
     RateStateParameters, Stribeck, StribeckParameters,
 };
 
@@ -204,7 +204,7 @@ fn bristles_are_found_in_a_record_of_pulling_back_and_forth() {
 }
 
 /// Rock of the kernel's own example.
-fn rock(viscous: f64) -> RateState<f64, Dieterich> {
+fn rock(viscous: f64) -> RateState<f64, AgeingLaw> {
     RateState::new(RateStateParameters {
         mu: 0.6,
         a: 0.010,

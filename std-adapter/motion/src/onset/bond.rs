@@ -3,7 +3,7 @@
 use super::AnyBond;
 use std::fmt;
 use std::str::FromStr;
-use tribos_core::bond::{Exponential, OneStrength, ReForming, Saturating, Weibull};
+use tribos_core::bond::{BrittleBond, ExponentialBond, PlasticBond, ReformingBond, WeibullBond};
 use tribos_core::real::Real;
 use tribos_friction::{Refusal, finite_number};
 
@@ -65,22 +65,24 @@ impl Bond {
         // The force at the peak for k = 1 and x0 = 1.
         let scaled = |peak: f64| k / peak;
         Ok(match self {
-            Self::Plastic => AnyBond::Plastic(Saturating::new(k, strain)?),
+            Self::Plastic => AnyBond::Plastic(PlasticBond::new(k, strain)?),
             Self::Exponential => {
                 let k = scaled(Real::exp(-1.0_f64));
-                AnyBond::Exponential(Exponential::new(k, strain)?)
+                AnyBond::Exponential(ExponentialBond::new(k, strain)?)
             }
             Self::Weibull(m) => {
-                let unit = AnyBond::Weibull(Weibull::new(1.0, 1.0, m)?);
-                AnyBond::Weibull(Weibull::new(scaled(unit.largest_force()), strain, m)?)
+                let unit = AnyBond::Weibull(WeibullBond::new(1.0, 1.0, m)?);
+                AnyBond::Weibull(WeibullBond::new(scaled(unit.largest_force()), strain, m)?)
             }
-            Self::OneStrength => AnyBond::OneStrength(OneStrength::new(k, strain)?),
+            Self::OneStrength => AnyBond::OneStrength(BrittleBond::new(k, strain)?),
             Self::ReForming(n) => {
-                let unit = AnyBond::ReForming(ReForming::new(1.0, 1.0, n)?);
+                let unit = AnyBond::ReForming(ReformingBond::new(1.0, 1.0, n)?);
                 let k = scaled(unit.largest_force());
-                AnyBond::ReForming(ReForming::new(k, strain, n)?)
+                AnyBond::ReForming(ReformingBond::new(k, strain, n)?)
             }
-            Self::ReFormingOneStrength => AnyBond::ReForming(ReForming::one_strength(k, strain)?),
+            Self::ReFormingOneStrength => {
+                AnyBond::ReForming(ReformingBond::one_strength(k, strain)?)
+            }
         })
     }
 }
@@ -141,7 +143,7 @@ fn weibull(rest: &str) -> Result<Bond, Refusal> {
     let m = finite_number(value(rest, "m", "an exponent, such as weibull:m=8")?)
         .map_err(|cure| Refusal::Syntax(format!("m: {cure}")))?;
     // The kernel's law knows which exponents it serves; nodes resolve the break of the narrowest.
-    Weibull::new(1.0, 1.0, m)?;
+    WeibullBond::new(1.0, 1.0, m)?;
     if m > MOST_WEIBULL {
         return Err(Refusal::Syntax(format!(
             "m: give at most {MOST_WEIBULL}, not {m}; the limit of equal strengths is one-strength"
@@ -153,11 +155,11 @@ fn weibull(rest: &str) -> Result<Bond, Refusal> {
 fn re_forming(rest: &str) -> Result<Bond, Refusal> {
     let given = value(rest, "n", "a number of stages, such as re-forming:n=64")?;
     let n = given.parse().map_err(|_| {
-        let most = ReForming::<f64>::MAX_STAGES;
+        let most = ReformingBond::<f64>::MAX_STAGES;
         Refusal::Syntax(format!(
             "n: give a whole number from 1 to {most}, not {given}"
         ))
     })?;
-    ReForming::new(1.0, 1.0, n)?;
+    ReformingBond::new(1.0, 1.0, n)?;
     Ok(Bond::ReForming(n))
 }

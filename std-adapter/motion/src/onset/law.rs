@@ -1,6 +1,8 @@
 //! One type for all laws of bonds.
 
-use tribos_core::bond::{BondLaw, Exponential, OneStrength, ReForming, Saturating, Weibull};
+use tribos_core::bond::{
+    BondLaw, BrittleBond, ExponentialBond, PlasticBond, ReformingBond, WeibullBond,
+};
 use tribos_core::law::LocalLaw;
 
 /// A law of bonds that was chosen at run time.
@@ -16,15 +18,15 @@ use tribos_core::law::LocalLaw;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnyBond {
     /// Bonds that yield.
-    Plastic(Saturating<f64>),
+    Plastic(PlasticBond<f64>),
     /// Bonds of exponentially spread strengths.
-    Exponential(Exponential<f64>),
+    Exponential(ExponentialBond<f64>),
     /// Bonds of strengths spread by an exponent.
-    Weibull(Weibull<f64>),
+    Weibull(WeibullBond<f64>),
     /// Bonds of one strength.
-    OneStrength(OneStrength<f64>),
+    OneStrength(BrittleBond<f64>),
     /// Bonds that re-form.
-    ReForming(ReForming<f64>),
+    ReForming(ReformingBond<f64>),
 }
 
 impl AnyBond {
@@ -65,13 +67,13 @@ impl BondLaw<f64> for AnyBond {
     fn peak(&self) -> f64 {
         self.law().peak()
     }
-    fn is_abrupt(&self) -> bool {
-        self.law().is_abrupt()
+    fn is_brittle(&self) -> bool {
+        self.law().is_brittle()
     }
     fn plateau(&self) -> f64 {
         self.law().plateau()
     }
-    fn across(&self, strain: f64) -> f64 {
-        self.law().across(strain)
+    fn transverse_stiffness(&self, strain: f64) -> f64 {
+        self.law().transverse_stiffness(strain)
     }
 }

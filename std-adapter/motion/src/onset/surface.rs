@@ -3,7 +3,7 @@
 use super::Bond;
 use super::nodes::{Spread, spread};
 use rayon::prelude::*;
-use tribos_core::bond::{BondLaw, Bonds, Onset, Release};
+use tribos_core::bond::{BondLaw, Bonds, FailureMode, SlipOnset};
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
@@ -62,7 +62,7 @@ pub struct OnsetPoint {
     /// its arm.
     pub share: f64,
     /// Displacement and push, about the centre of pressure, in m, rad, N and N m.
-    pub onset: Onset<f64>,
+    pub onset: SlipOnset<f64>,
     /// The push over the one that dry friction with the static coefficient carries along its ray: at most 1.
     pub of_limit: f64,
     /// The push over the one that steady sliding meets along its ray; `None` if the bonds do not
@@ -224,14 +224,14 @@ impl Rays<'_> {
         let share = |i: usize| 90.0 * i as f64 / (count - 1) as f64;
         let (bonds, load) = (&self.bonds, self.contact.load);
         let directions: Vec<Twist<f64>> = (0..count).map(|i| self.direction(share(i))).collect();
-        let onsets: Vec<Option<Onset<f64>>> = directions
+        let onsets: Vec<Option<SlipOnset<f64>>> = directions
             .par_iter()
             .map(|direction| bonds.onset(load, direction))
             .collect();
         let found = onsets.into_iter().zip(directions).enumerate();
         found
             .map(|(i, (onset, direction))| match onset {
-                Some(onset) if onset.release == Release::Holds => Err(Refusal::Syntax(format!(
+                Some(onset) if onset.release == FailureMode::Holds => Err(Refusal::Syntax(format!(
                     "where the bonds let go along the ray of {} degrees is not known: they hold as far as the \
                      search goes, some 4e8 strains",
                     share(i)
@@ -254,8 +254,8 @@ impl Rays<'_> {
     }
 
     /// An onset beside the limit surfaces.
-    fn judged(&self, share: f64, mut onset: Onset<f64>, direction: &Twist<f64>) -> OnsetPoint {
-        if onset.release == Release::Yields {
+    fn judged(&self, share: f64, mut onset: SlipOnset<f64>, direction: &Twist<f64>) -> OnsetPoint {
+        if onset.release == FailureMode::Yields {
             // What yielding bonds hold is known exactly.
             onset.push = self.at_centre(&-self.limit.wrench(&self.at_origin_twist(direction)));
         }

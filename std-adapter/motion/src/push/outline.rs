@@ -1,7 +1,7 @@
 //! Outlines of pushed bodies: which side a pusher touches.
 
 use tribos_core::Real;
-use tribos_core::coupling::flat::DryPatch;
+use tribos_core::coupling::flat::PatchShape;
 use tribos_friction::{Patch, Refusal};
 
 /// Corners of a polygon that stands for a circle in pictures.

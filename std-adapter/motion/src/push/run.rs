@@ -11,7 +11,7 @@ use crate::push::scene::PushScene;
 use serde_json::{Map, Value};
 use tribos_base::record::json_number;
 use tribos_core::Real;
-use tribos_core::limit_surface::AnyPressure;
+use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_friction::{Patch, Refusal, limit_surface};
 
@@ -154,8 +154,8 @@ fn any_pressure(scene: &PushScene, shape: &Shape) -> Result<Option<f64>, PushErr
     let centre = pair(scene.centre_x, scene.centre_y).unwrap_or(centroid);
     let limit = scene.coefficient * scene.load;
     let corners = shape.loops.concat();
-    let foot = AnyPressure::new(corners, centre, limit).map_err(Refusal::from)?;
-    Ok(foot.torque_limits([0.0; 2]).map(|yaw| yaw.outer[1]))
+    let foot = UnknownPressureSet::new(corners, centre, limit).map_err(Refusal::from)?;
+    Ok(foot.torque_limits([0.0; 2]).map(|yaw| yaw.possible[1]))
 }
 
 impl PushRun {

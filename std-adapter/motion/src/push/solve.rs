@@ -212,10 +212,10 @@ fn sticking(set: &dyn FrictionSet<f64>, cone: &MotionCone, velocity: Vector2<f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribos_core::limit_surface::PatchSurface;
     use tribos_core::limit_surface::Projection;
+    use tribos_core::limit_surface::ShapeLimitSurface;
     use tribos_core::patch::nodes::Node;
-    use tribos_core::patch::points::Points;
+    use tribos_core::patch::points::PointPatch;
     use tribos_friction::HeldNodes;
 
     /// A disk whose normals have this share of their spin.
@@ -284,7 +284,7 @@ mod tests {
         let feet = [[0.1, 0.05, 1.0], [-0.1, 0.06, 2.0], [0.0, -0.05, 1.5]];
         let node = |[x, y, weight]: [f64; 3]| Node { x, y, weight };
         let nodes = HeldNodes::new(feet.map(node).to_vec()).unwrap();
-        let set = PatchSurface::new(Points::new(nodes).unwrap(), 3.0).unwrap();
+        let set = ShapeLimitSurface::new(PointPatch::new(nodes).unwrap(), 3.0).unwrap();
         let contact = PointContact::new([-0.12, 0.02], [1.0, 0.0], 2.0).unwrap();
         let cone = motion_cone(&set, &contact).unwrap();
         let [right, left] = cone.angles();

@@ -4,7 +4,7 @@ use super::planar::{Gradient, Journey, Launch, Point, Resistance, TallBody};
 use super::simulation::{MOST_STEPS, SLIVER};
 use super::{COLUMNS, Ending, Outcome, SlideError, SlideRun, energy_at_launch, run};
 use crate::slide::scene::{SliderScene, Stepper};
-use tribos_core::modes::Modes;
+use tribos_core::modes::TerminalMotion;
 use tribos_friction::{Friction, Law, Patch};
 
 /// Runs a scene to its end under `law`, which replaces the scene's `coefficient` and `alpha`.
@@ -78,7 +78,7 @@ pub(super) fn run_law(
             distance: last.distance,
             angle: last.angle,
             ratio: last.ratio,
-            limit: Modes::new(profile, scene.inertia_ratio)?.final_mode(last.ratio),
+            limit: TerminalMotion::new(profile, scene.inertia_ratio)?.terminal_mode(last.ratio),
             steps: points.len() as u64 - 1,
             initial_energy,
             dissipated_energy: dissipated,

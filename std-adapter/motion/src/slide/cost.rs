@@ -5,8 +5,8 @@ use super::planar::Resistance;
 use crate::slide::scene::SliderScene;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Coupling, ReducedWrench};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{ReducedFriction, ReducedWrench};
 use tribos_friction::{Evaluation, Friction, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
 
 /// Cost of one evaluation. *Units*: s on one core of this machine.
@@ -92,7 +92,7 @@ type Evaluated<'a> = &'a dyn Fn(f64, f64) -> [f64; 2];
 
 /// Time of one evaluation: the minimum over rounds that alternate with those of the table.
 fn timed(evaluate: Evaluated<'_>) -> EvaluationCost {
-    let table = |v, w| both(Coulomb.reduced_wrench(v, w));
+    let table = |v, w| both(CoulombDisk.reduced_wrench(v, w));
     let passes = [passes(evaluate), passes(&table)];
     let begun = Instant::now();
     let mut cost = EvaluationCost {

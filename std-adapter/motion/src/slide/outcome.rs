@@ -5,7 +5,7 @@ use crate::slide::scene::SliderScene;
 use serde_json::{Map, Value};
 use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::json_number;
-use tribos_core::modes::FinalMode;
+use tribos_core::modes::TerminalMode;
 
 /// Why a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub enum Ending {
 /// Results of a run, in the units of its scene.
 ///
 /// ```
-/// use tribos::kernel::modes::FinalMode;
+/// use tribos::kernel::modes::TerminalMode;
 /// use tribos::scene::SliderScene;
 /// use tribos::slide::{Ending, Outcome, run};
 /// let scene = SliderScene::default(); // 1 m/s, 5 rad/s, 8 cm, 0.1 kg
@@ -29,7 +29,7 @@ pub enum Ending {
 /// assert_eq!(end.ending, Ending::Rest);
 /// // A disk under Coulomb friction stops at v = 0.653 ωR, whatever the launch.
 /// assert!((end.ratio - 0.653).abs() < 1e-3);
-/// assert!(matches!(end.limit, FinalMode::Together { ratio } if (ratio - end.ratio).abs() < 1e-6));
+/// assert!(matches!(end.limit, TerminalMode::Together { ratio } if (ratio - end.ratio).abs() < 1e-6));
 /// let energy = 0.5 * 0.1 * (1.0 + 0.5 * 0.4 * 0.4); // M (v² + C (ωR)²)/2
 /// assert!((end.initial_energy - energy).abs() < 1e-15);
 /// assert!((end.dissipated_energy - energy).abs() < 1e-9 * energy);
@@ -49,7 +49,7 @@ pub struct Outcome {
     /// Velocity ratio v/(|ω|R) at the end; its limit if the body comes to rest.
     pub ratio: f64,
     /// Final motion predicted by the theory of fixed points.
-    pub limit: FinalMode<f64>,
+    pub limit: TerminalMode<f64>,
     /// Number of steps taken.
     pub steps: u64,
     /// Kinetic energy at the launch, in J.
@@ -78,9 +78,9 @@ impl Outcome {
         };
         map.insert("stop_time".into(), stop_time);
         let (mode, limit) = match self.limit {
-            FinalMode::Spinning => ("spinning", 0.0),
-            FinalMode::Sliding => ("sliding", f64::INFINITY),
-            FinalMode::Together { ratio } => ("together", ratio),
+            TerminalMode::Spinning => ("spinning", 0.0),
+            TerminalMode::Sliding => ("sliding", f64::INFINITY),
+            TerminalMode::Together { ratio } => ("together", ratio),
         };
         for (name, value) in [
             ("end_time", self.time),

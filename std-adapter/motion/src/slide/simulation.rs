@@ -4,9 +4,9 @@ use super::{Ending, Outcome, SlideError, energy_at_launch};
 use crate::slide::scene::{SliderScene, Stepper};
 use tribos_base::run::Simulation;
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, Profile};
-use tribos_core::modes::Modes;
-use tribos_core::slider::{Motion, Rest, Slider, SliderParameters};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
+use tribos_core::modes::TerminalMotion;
+use tribos_core::slider::{Slider, SliderParameters, SliderRest, SliderState};
 
 /// Columns of the series: SI units in SI scenes (s, m/s, rad/s, m, rad, -, J, J).
 pub const COLUMNS: [&str; 8] = [
@@ -62,11 +62,11 @@ enum StepLength {
 /// The simulation of one slider.
 ///
 /// ```
-/// use tribos::kernel::coupling::table::Coulomb;
+/// use tribos::kernel::coupling::table::CoulombDisk;
 /// use tribos::run::Simulation;
 /// use tribos::scene::SliderScene;
 /// use tribos::slide::{COLUMNS, Ending, SlideSimulation};
-/// let mut disk = SlideSimulation::new(Coulomb, &SliderScene::default())?;
+/// let mut disk = SlideSimulation::new(CoulombDisk, &SliderScene::default())?;
 /// assert_eq!(COLUMNS[1..3], ["speed", "spin"]);
 /// let mut before = disk.record();
 /// while disk.step()? {
@@ -86,16 +86,16 @@ pub struct SlideSimulation<P> {
     /// Time of rest or of fading, or the requested duration.
     end: f64,
     /// State at rest, if the motion comes to rest.
-    coming: Option<Rest<f64>>,
-    start: Motion<f64>,
-    motion: Motion<f64>,
-    rest: Option<Rest<f64>>,
+    coming: Option<SliderRest<f64>>,
+    start: SliderState<f64>,
+    motion: SliderState<f64>,
+    rest: Option<SliderRest<f64>>,
     /// Work of friction, integrated from its power.
     dissipated: f64,
     steps: u64,
 }
 
-impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
+impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
     /// Prepares a run; the whole motion is computed once to choose and validate the time step.
     pub fn new(profile: P, scene: &SliderScene) -> Result<Self, SlideError> {
         scene.check()?;
@@ -108,7 +108,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
                 inertia_ratio: scene.inertia_ratio,
             },
         )?;
-        let start = Motion::launched(scene.speed, scene.spin);
+        let start = SliderState::launched(scene.speed, scene.spin);
         energy_at_launch(scene.mass * slider.energy_per_mass(&start))?;
         let mut simulation = Self {
             scene: *scene,
@@ -194,7 +194,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
     }
 
     /// Logarithm of the larger of both speeds, each divided by the value below which it counts as faded.
-    fn ln_excess(&self, motion: &Motion<f64>) -> f64 {
+    fn ln_excess(&self, motion: &SliderState<f64>) -> f64 {
         let over = |now: f64, start: f64| {
             if start == 0.0 {
                 f64::NEG_INFINITY
@@ -241,7 +241,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         Ok(StepLength::Fixed(time_step))
     }
 
-    fn length_of(&self, motion: &Motion<f64>) -> f64 {
+    fn length_of(&self, motion: &SliderState<f64>) -> f64 {
         match self.length {
             StepLength::Fixed(length) => length,
             StepLength::OfFading(fraction) => {
@@ -256,7 +256,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
     ///
     /// Where the power has a kink (at equal speeds), its integral differs from the energy lost, and the
     /// piece is halved. If the motion itself were wrong, the difference would persist for any piece length.
-    fn work(&self, motion: &Motion<f64>, duration: f64) -> f64 {
+    fn work(&self, motion: &SliderState<f64>, duration: f64) -> f64 {
         let initial = self.slider.energy_per_mass(&self.start);
         let (mut state, mut left, mut work) = (*motion, duration, 0.0);
         let (mut size, mut halvings) = (f64::INFINITY, 0);
@@ -289,7 +289,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
     }
 
     /// Work per mass by the rule, and the motion at the end of the piece.
-    fn work_of_piece(&self, motion: &Motion<f64>, piece: f64) -> (f64, Motion<f64>) {
+    fn work_of_piece(&self, motion: &SliderState<f64>, piece: f64) -> (f64, SliderState<f64>) {
         let (mut state, mut at, mut work) = (*motion, 0.0, 0.0);
         for [node, weight] in POWER_NODES {
             state = self.slider.advance(&state, (node - at) * piece).motion;
@@ -324,7 +324,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         self.dissipated += 0.5 * self.scene.mass * duration * power;
         if self.motion.is_at_rest() {
             let ratio = self.slider.ratio(&before);
-            self.rest = Some(Rest {
+            self.rest = Some(SliderRest {
                 motion: self.motion,
                 ratio,
                 evaluations: 0,
@@ -346,7 +346,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         let initial = energy(&self.start);
         let lost = initial - energy(&self.motion);
         let ratio_at_start = self.slider.ratio(&self.start);
-        let modes = Modes::new(self.slider.profile(), self.scene.inertia_ratio)?;
+        let modes = TerminalMotion::new(self.slider.profile(), self.scene.inertia_ratio)?;
         Ok(Outcome {
             ending: if self.rest.is_some() {
                 Ending::Rest
@@ -359,7 +359,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
             distance: self.motion.distance,
             angle: self.motion.angle,
             ratio: self.ratio(),
-            limit: modes.final_mode(ratio_at_start),
+            limit: modes.terminal_mode(ratio_at_start),
             steps: self.steps,
             initial_energy: initial,
             dissipated_energy: self.dissipated,
@@ -373,12 +373,12 @@ fn fading_fraction(scene: &SliderScene) -> f64 {
     -Real::ln(scene.stop_fraction) / f64::from(scene.samples)
 }
 
-impl<P: Profile<f64> + Coupling<f64>> Simulation for SlideSimulation<P> {
+impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> Simulation for SlideSimulation<P> {
     type Record = [f64; COLUMNS.len()];
     type Error = SlideError;
 
     fn record(&self) -> Self::Record {
-        let Motion {
+        let SliderState {
             time,
             speed,
             spin,

@@ -22,7 +22,7 @@ use serde_json::{Map, Value};
 use std::f64::consts::TAU;
 use tribos_base::record::json_number;
 use tribos_core::Real;
-use tribos_core::law::Grip;
+use tribos_core::law::StickSlip;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::presliding::{Anchor, Pose, Presliding, PreslidingStep};
 use tribos_core::twist::{Displacement, Wrench};
@@ -87,7 +87,7 @@ pub fn run(scene: &ClampScene) -> Result<ClampRun, StickError> {
 fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<ClampRun, StickError> {
     scene.check()?;
     let mut pinch = Pinch::new(scene)?;
-    let mut rows = vec![pinch.row(0.0, &Wrench::ZERO, [Grip::Stick; 2])];
+    let mut rows = vec![pinch.row(0.0, &Wrench::ZERO, [StickSlip::Stick; 2])];
     let mut release = None;
     let samples = scene.samples;
     'cycles: for cycle in 0..scene.cycles {
@@ -225,7 +225,7 @@ impl Pinch {
     }
 
     /// Moves the body to where the pads balance the load, which they hold; else the force that is left.
-    fn settle(&mut self, load: &Wrench<f64>) -> Result<[Grip; 2], f64> {
+    fn settle(&mut self, load: &Wrench<f64>) -> Result<[StickSlip; 2], f64> {
         let stiffness: f64 = self.pads.iter().map(|pad| pad.bonds.stiffness()).sum();
         let mut inverse = Matrix3::identity() / stiffness;
         let mut moved = Vector3::zeros();
@@ -305,8 +305,13 @@ impl Pinch {
         (length, there)
     }
 
-    fn row(&self, time: f64, load: &Wrench<f64>, grips: [Grip; 2]) -> [f64; CLAMP_COLUMNS.len()] {
-        let slips = grips.map(|grip| if grip == Grip::Slip { 1.0 } else { 0.0 });
+    fn row(
+        &self,
+        time: f64,
+        load: &Wrench<f64>,
+        grips: [StickSlip; 2],
+    ) -> [f64; CLAMP_COLUMNS.len()] {
+        let slips = grips.map(|grip| if grip == StickSlip::Slip { 1.0 } else { 0.0 });
         let (x, angle) = (self.pose.position.x, self.pose.angle);
         [
             time,

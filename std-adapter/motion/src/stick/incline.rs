@@ -14,7 +14,7 @@ use crate::stick::scene::InclineScene;
 use serde_json::{Map, Value};
 use tribos_base::record::json_number;
 use tribos_core::Real;
-use tribos_core::law::{Age, Ageing};
+use tribos_core::law::{RestTime, StaticAgeing};
 use tribos_core::twist::Wrench;
 use tribos_friction::limit_surface;
 
@@ -111,7 +111,7 @@ struct Sliding {
 /// The incline under its block.
 struct Slope<'a> {
     scene: &'a InclineScene,
-    ageing: Ageing<f64>,
+    ageing: StaticAgeing<f64>,
     /// Push through the centre over the largest that the patch carries, per unit of both: 1.
     gauge: f64,
 }
@@ -134,7 +134,7 @@ impl<'a> Slope<'a> {
         let surface = limit_surface(&scene.patch, 1.0, scene.radius, None)?;
         Ok(Self {
             scene,
-            ageing: Ageing::new(scene.mu_static, scene.growth, scene.cut_off)?,
+            ageing: StaticAgeing::new(scene.mu_static, scene.growth, scene.cut_off)?,
             gauge: surface.gauge(&Wrench::new(1.0, 0.0, 0.0)),
         })
     }
@@ -168,7 +168,7 @@ impl<'a> Slope<'a> {
     fn aged_release(&self) -> f64 {
         let excess = |time: f64| {
             let angle = self.angle(time);
-            let held = self.ageing.mu_static(Age { time }) * Real::cos(angle);
+            let held = self.ageing.mu_static(RestTime { time }) * Real::cos(angle);
             Real::sin(angle) * self.gauge - held
         };
         let mut high = self.time_of(self.scene.end_angle);

@@ -4,10 +4,10 @@
 //! turns about it from there on.
 
 use super::march::{Body, State, twist};
-use tribos_core::coupling::flat::FlatFriction;
+use tribos_core::coupling::flat::ShapeFriction;
 use tribos_core::internals::tripod_shares;
 use tribos_core::patch::nodes::{Node, Nodes};
-use tribos_core::patch::points::Points;
+use tribos_core::patch::points::PointPatch;
 use tribos_core::twist::{Twist, Wrench};
 
 /// A foot this much slower than the others rests.
@@ -49,8 +49,8 @@ impl Standing {
             y: self.feet[i][1],
             weight: shares[i],
         });
-        let points = Points::new(Nodes::new(nodes).expect("three nodes")).expect("points");
-        let friction = FlatFriction::new(points, self.mu).expect("a coefficient");
+        let points = PointPatch::new(Nodes::new(nodes).expect("three nodes")).expect("points");
+        let friction = ShapeFriction::new(points, self.mu).expect("a coefficient");
         friction.wrench(self.gravity * shares.iter().sum::<f64>(), twist)
     }
 

@@ -11,13 +11,13 @@ use std::collections::HashMap;
 use tribos::cd::{Laws, Setup, Wall, World, solid};
 use tribos::friction::FlatPatch;
 use tribos::slide::planar::{Arrival, Journey, Launch, Resistance, TallCylinder};
-use tribos_core::contact::{Cohesion, NormalLaw, Sphere, Thresholds};
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+use tribos_core::contact::{Cohesion, IndependentFriction, NormalLaw, SphereBody};
+use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::nalgebra::Vector3;
 use tribos_core::patch::bar::Bar;
-use tribos_core::slider::{Motion, Rest, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderRest, SliderState};
 use tribos_core::twist::Wrench;
 use tribos_tests::tables::Table;
 
@@ -72,17 +72,17 @@ fn round(problem: &Problem, spin: f64, is_ring: bool) -> Vec<f64> {
         radius,
         inertia_ratio: problem.number("gyration_sq") / (radius * radius),
     };
-    let launch = Motion::launched(problem.number("speed"), spin);
+    let launch = SliderState::launched(problem.number("speed"), spin);
     let rest = if is_ring {
-        Slider::new(Ring, parameters)
+        Slider::new(CoulombRing, parameters)
             .expect("a ring")
             .to_rest(&launch)
     } else {
-        Slider::new(Coulomb, parameters)
+        Slider::new(CoulombDisk, parameters)
             .expect("a disk")
             .to_rest(&launch)
     };
-    let Rest { motion, .. } = rest.expect("a rest");
+    let SliderRest { motion, .. } = rest.expect("a rest");
     vec![motion.distance, 0.0, motion.angle, motion.time]
 }
 
@@ -106,13 +106,16 @@ fn tall(problem: &Problem, spin: f64) -> Vec<f64> {
 /// Speed at the end of contact dynamics; time and distance follow from momentum and energy.
 fn ball(problem: &Problem, spin: f64) -> Vec<f64> {
     let [mu, g, radius, speed] = ["mu", "g", "radius", "speed"].map(|name| problem.number(name));
-    let ball = Sphere {
+    let ball = SphereBody {
         velocity: Vector3::x() * speed,
         spin: Vector3::y() * spin,
         ..solid(radius, 1700.0)
     };
     let normal = NormalLaw::new(Cohesion::NONE, 0.0).expect("a law");
-    let laws = Laws::uniform(normal, Thresholds::sliding(mu).expect("a coefficient"));
+    let laws = Laws::uniform(
+        normal,
+        IndependentFriction::sliding(mu).expect("a coefficient"),
+    );
     let up = Vector3::z();
     let table = Setup::new(laws).wall(Wall::fixed(up, 0.0)).gravity(up * -g);
     let mut world = World::new(table.sphere(up * radius, radius, ball)).expect("a world");
@@ -130,7 +133,7 @@ fn capsule(problem: &Problem) -> Vec<f64> {
     let half = 0.5 * problem.number("length");
     let line = Bar::new([-half, 0.0], [half, 0.0]).expect("a line");
     let limit = 2.0 * problem.number("mu") * problem.number("grip");
-    let surface = PatchSurface::new(line, limit).expect("a surface");
+    let surface = ShapeLimitSurface::new(line, limit).expect("a surface");
     let weight = problem.number("mass") * problem.number("g");
     let lever = problem.number("offset");
     let [middle, off, torque] = [

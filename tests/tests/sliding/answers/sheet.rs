@@ -2,13 +2,13 @@
 
 use super::march::Body;
 use tribos::friction::Flat;
-use tribos_core::coupling::flat::FlatFriction;
+use tribos_core::coupling::flat::ShapeFriction;
 use tribos_core::twist::{Twist, Wrench};
 
 /// A body as thin as its patch, per mass.
 #[derive(Debug)]
 pub struct Sheet {
-    friction: FlatFriction<f64, Flat<f64>>,
+    friction: ShapeFriction<f64, Flat<f64>>,
     gravity: f64,
     gyration_sq: f64,
 }
@@ -16,7 +16,7 @@ pub struct Sheet {
 impl Sheet {
     pub fn new(patch: Flat<f64>, [mu, gravity]: [f64; 2], gyration_sq: f64) -> Self {
         Self {
-            friction: FlatFriction::new(patch, mu).expect("a coefficient"),
+            friction: ShapeFriction::new(patch, mu).expect("a coefficient"),
             gravity,
             gyration_sq,
         }

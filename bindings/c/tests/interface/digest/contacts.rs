@@ -3,11 +3,11 @@
 use super::stream::{Precision, Range, Stream};
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Modal, NormalLaw, Plate,
-    Sphere, Thresholds, TimeStep, Touch,
+    Attraction, Cohesion, Contact, ContactBody, ContactFriction, ContactGeometry, ContactVector,
+    CoupledFriction, IndependentFriction, NormalLaw, SphereBody, TimeStep, WallBody,
 };
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::LimitSurface;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::RoundLimitSurface;
 use tribos_core::real::Real;
 
 /// An impulse in all modes.
@@ -27,8 +27,8 @@ struct Case<R: Real> {
     start: Impulse<R>,
 }
 
-fn sphere<R: Precision>(s: &mut Stream) -> Sphere<R> {
-    Sphere {
+fn sphere<R: Precision>(s: &mut Stream) -> SphereBody<R> {
+    SphereBody {
         velocity: s.vector(Range::Mild),
         spin: s.vector(Range::Mild),
         inv_mass: s.draw(Range::Fit),
@@ -46,7 +46,7 @@ pub fn both<R: Precision>(s: &mut Stream) {
         rolling: s.vector(Range::Mild),
         torsion: s.draw(Range::Mild),
     };
-    let floor = Plate {
+    let floor = WallBody {
         velocity: second.velocity,
         inv_mass: p[10],
     };
@@ -66,20 +66,20 @@ pub fn both<R: Precision>(s: &mut Stream) {
             start,
         });
 
-    let touch = Touch::spheres(&displacement, [p[6], p[7]]);
+    let touch = ContactGeometry::spheres(&displacement, [p[6], p[7]]);
     met(s, touch.ok(), case.as_ref(), first, second);
     let up = Vector3::new(R::ZERO, R::ZERO, R::ONE);
-    let touch = Touch::plate(p[9], &up, p[6]);
+    let touch = ContactGeometry::plate(p[9], &up, p[6]);
     met(s, touch.ok(), case.as_ref(), first, floor);
 }
 
 /// One contact under every kind of friction.
 fn met<R: Precision>(
     s: &mut Stream,
-    touch: Option<Touch<R>>,
+    touch: Option<ContactGeometry<R>>,
     case: Option<&Case<R>>,
-    a: Sphere<R>,
-    b: impl Body<R> + Fed<R> + Copy,
+    a: SphereBody<R>,
+    b: impl ContactBody<R> + Fed<R> + Copy,
 ) {
     let Some(touch) = s.ok(touch.ok_or(())) else {
         return;
@@ -91,58 +91,65 @@ fn met<R: Precision>(
     };
     let [sliding, rolling, torsion] = case.mu;
     feed_contact(s, &touch, case, &a, &b);
-    update(s, Some(Thresholds::none()), &touch, case, a, b);
-    update(s, Thresholds::sliding(sliding).ok(), &touch, case, a, b);
-    let both = Thresholds::sliding_torsion(sliding, torsion);
+    update(s, Some(IndependentFriction::none()), &touch, case, a, b);
+    update(
+        s,
+        IndependentFriction::sliding(sliding).ok(),
+        &touch,
+        case,
+        a,
+        b,
+    );
+    let both = IndependentFriction::sliding_torsion(sliding, torsion);
     update(s, both.ok(), &touch, case, a, b);
-    let both = Thresholds::sliding_rolling(sliding, rolling);
+    let both = IndependentFriction::sliding_rolling(sliding, rolling);
     update(s, both.ok(), &touch, case, a, b);
-    let all = Thresholds::all(sliding, rolling, torsion);
+    let all = IndependentFriction::all(sliding, rolling, torsion);
     update(s, all.ok(), &touch, case, a, b);
-    let set = LimitSurface::new(Coulomb, sliding, torsion);
+    let set = RoundLimitSurface::new(CoulombDisk, sliding, torsion);
     let patch = set.map(CoupledFriction::sliding_torsion);
     update(s, patch.ok(), &touch, case, a, b);
 }
 
 fn feed_contact<R: Precision>(
     s: &mut Stream,
-    touch: &Touch<R>,
+    touch: &ContactGeometry<R>,
     case: &Case<R>,
-    a: &impl Body<R>,
-    b: &impl Body<R>,
+    a: &impl ContactBody<R>,
+    b: &impl ContactBody<R>,
 ) {
     type Smooth = tribos_core::contact::Frictionless;
     let contact = Contact::<R, Smooth>::new(touch, &case.law, a, b, case.dt);
     let block = contact.block();
     s.numbers(contact.normal().iter().copied());
-    s.numbers(contact.arms());
+    s.numbers(contact.centre_distances());
     s.numbers([
-        contact.lever(),
+        contact.effective_radius(),
         block.mass_normal,
         block.mass_sliding,
         block.inertia,
         block.coupling,
         contact.cohesion(),
-        contact.allowance(),
+        contact.approach_limit(),
     ]);
-    s.feed_bits(contact.rests_open().into());
+    s.feed_bits(contact.holds_gap_open().into());
 }
 
 /// One update from the same initial state.
 fn update<R: Precision, F: ContactFriction<R>>(
     s: &mut Stream,
     friction: Option<F>,
-    touch: &Touch<R>,
+    touch: &ContactGeometry<R>,
     case: &Case<R>,
-    mut a: Sphere<R>,
-    mut b: impl Body<R> + Fed<R>,
+    mut a: SphereBody<R>,
+    mut b: impl ContactBody<R> + Fed<R>,
 ) {
     let Some(friction) = s.ok(friction.ok_or(())) else {
         return;
     };
     let mut contact = Contact::<R, F::Modes>::new(touch, &case.law, &a, &b, case.dt);
     let start = &case.start;
-    let start = Modal::new(start.normal, start.sliding, start.rolling, start.torsion);
+    let start = ContactVector::new(start.normal, start.sliding, start.rolling, start.torsion);
     contact.set_impulse_in_plane(&start);
     contact.update(&friction, &mut a, &mut b);
     let impulse = contact.impulse();
@@ -159,14 +166,14 @@ trait Fed<R> {
     fn feed(&self, s: &mut Stream);
 }
 
-impl<R: Real> Fed<R> for Sphere<R> {
+impl<R: Real> Fed<R> for SphereBody<R> {
     fn feed(&self, s: &mut Stream) {
         s.numbers(self.velocity.iter().copied());
         s.numbers(self.spin.iter().copied());
     }
 }
 
-impl<R: Real> Fed<R> for Plate<R> {
+impl<R: Real> Fed<R> for WallBody<R> {
     fn feed(&self, s: &mut Stream) {
         s.numbers(self.velocity.iter().copied());
     }

@@ -2,8 +2,9 @@
 
 use super::stream::{Precision, Range, Stream};
 use tribos_core::law::{
-    Bristle, ContactAge, CoulombLaw, Dieterich, DryFriction, Grip, LocalLaw, LuGre,
-    LuGreParameters, PowerLaw, RateState, RateStateParameters, Ruina, Stribeck, StribeckParameters,
+    AgeingLaw, Bristle, CoulombLaw, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw,
+    RateState, RateStateParameters, SlipLaw, StateVariable, StickSlip, Stribeck,
+    StribeckParameters,
 };
 
 pub fn simple<R: Precision>(s: &mut Stream) {
@@ -23,7 +24,7 @@ pub fn simple<R: Precision>(s: &mut Stream) {
     s.result(coulomb.map(|law| law.friction(x)));
     s.result(dry.map(|law| law.friction(x)));
     if let Some(grip) = s.ok(dry.map(|law| law.at_rest(x))) {
-        s.feed_bits((grip == Grip::Stick).into());
+        s.feed_bits((grip == StickSlip::Stick).into());
     }
     s.result(dry.map(|law| law.net_drive(x)));
     s.result(power.map(|law| law.friction(x)));
@@ -53,16 +54,16 @@ pub fn with_state<R: Precision>(s: &mut Stream) {
         viscous: p[5],
     };
     let [ageing, slip] = [
-        RateState::<R, Dieterich>::new(rock).map(|law| {
-            let age = ContactAge { theta: x[1] };
+        RateState::<R, AgeingLaw>::new(rock).map(|law| {
+            let age = StateVariable { theta: x[1] };
             law.advance(age, x[0], x[2]).theta
         }),
-        RateState::<R, Ruina>::new(rock).map(|law| {
-            let age = ContactAge { theta: x[1] };
+        RateState::<R, SlipLaw>::new(rock).map(|law| {
+            let age = StateVariable { theta: x[1] };
             law.advance(age, x[0], x[2]).theta
         }),
     ];
-    let law = RateState::<R, Dieterich>::new(rock);
+    let law = RateState::<R, AgeingLaw>::new(rock);
 
     let start = Bristle { deflection: x[0] };
     let stepped = lugre.map(|law| law.step(start, x[1], x[2]));
@@ -72,7 +73,7 @@ pub fn with_state<R: Precision>(s: &mut Stream) {
     s.result(lugre.map(|law| law.steady_force(x[1])));
     s.result(lugre.map(|law| law.passive_up_to()));
 
-    let age = ContactAge { theta: x[1] };
+    let age = StateVariable { theta: x[1] };
     s.result(law.map(|law| law.coefficient(x[0], age)));
     s.result(law.map(|law| law.slope(x[0], age)));
     for advanced in [ageing, slip] {

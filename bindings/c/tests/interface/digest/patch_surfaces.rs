@@ -3,11 +3,11 @@
 use super::points::four_nodes;
 use super::stream::{Precision, Range, Stream};
 use super::surfaces::feed_projection;
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::coupling::{Annulus, DryCoupling, PatchFriction};
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
-use tribos_core::patch::points::Points;
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{Annulus, DryReducedFriction, RoundFriction};
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
+use tribos_core::patch::points::PointPatch;
 use tribos_core::real::Real;
 use tribos_core::twist::Wrench;
 
@@ -21,10 +21,10 @@ struct Case<R: Real> {
 }
 
 impl<R: Precision> Case<R> {
-    fn feed<C: DryCoupling<R> + Copy>(&self, s: &mut Stream, coupling: Option<C>) {
+    fn feed<C: DryReducedFriction<R> + Copy>(&self, s: &mut Stream, coupling: Option<C>) {
         let set = coupling.and_then(|coupling| {
-            PatchFriction::new(coupling, self.coefficient, self.radius).ok()?;
-            LimitSurface::new(coupling, self.coefficient * self.load, self.radius).ok()
+            RoundFriction::new(coupling, self.coefficient, self.radius).ok()?;
+            RoundLimitSurface::new(coupling, self.coefficient * self.load, self.radius).ok()
         });
         self.feed_set(s, set.as_ref());
     }
@@ -54,11 +54,11 @@ pub fn all<R: Precision>(s: &mut Stream, range: Range) {
         wrench: s.wrench(range),
         length,
     };
-    case.feed(s, Annulus::new(Coulomb, inner / R::TWO).ok());
-    case.feed(s, Some(Hertz));
-    case.feed(s, Some(Ring));
-    case.feed(s, Some(FlatPunch));
-    let points = four_nodes(&x).and_then(Points::new).ok();
-    let points = points.and_then(|points| PatchSurface::new(points, coefficient).ok());
+    case.feed(s, Annulus::new(CoulombDisk, inner / R::TWO).ok());
+    case.feed(s, Some(CoulombHertz));
+    case.feed(s, Some(CoulombRing));
+    case.feed(s, Some(CoulombPunch));
+    let points = four_nodes(&x).and_then(PointPatch::new).ok();
+    let points = points.and_then(|points| ShapeLimitSurface::new(points, coefficient).ok());
     case.feed_set(s, points.as_ref());
 }

@@ -1,8 +1,8 @@
 //! Round patches.
 
 use super::stream::{Precision, Range, Stream};
-use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
-use tribos_core::coupling::{Annulus, Coupling, PatchFriction, compact, table};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::{Annulus, ReducedFriction, RoundFriction, compact, table};
 use tribos_core::patch::PowerPressure;
 use tribos_core::twist::Twist;
 
@@ -16,10 +16,10 @@ struct Case<R: Precision> {
 
 impl<R: Precision> Case<R> {
     /// Wrench and Jacobian.
-    fn feed<C: Coupling<R>, E>(&self, s: &mut Stream, coupling: Result<C, E>) {
+    fn feed<C: ReducedFriction<R>, E>(&self, s: &mut Stream, coupling: Result<C, E>) {
         let friction = coupling
             .ok()
-            .and_then(|c| PatchFriction::new(c, self.coefficient, self.radius).ok())
+            .and_then(|c| RoundFriction::new(c, self.coefficient, self.radius).ok())
             .ok_or(());
         let friction = friction.as_ref();
         s.wrench_of(friction.map(|f| f.wrench(self.load, &self.twist)));
@@ -31,9 +31,9 @@ impl<R: Precision> Case<R> {
 const TWISTS: usize = 21;
 
 /// What C computes in batches, twist by twist.
-fn feed_batch<R: Precision, C: Coupling<R>>(s: &mut Stream, case: &Case<R>, coupling: C) {
+fn feed_batch<R: Precision, C: ReducedFriction<R>>(s: &mut Stream, case: &Case<R>, coupling: C) {
     let twists = [(); TWISTS].map(|()| s.twist(Range::Wide));
-    let friction = PatchFriction::new(coupling, case.coefficient, case.radius);
+    let friction = RoundFriction::new(coupling, case.coefficient, case.radius);
     for twist in &twists {
         s.wrench_of(friction.as_ref().map(|f| f.wrench(case.load, twist)));
     }
@@ -58,13 +58,13 @@ pub fn round<R: Precision>(s: &mut Stream) {
         load,
         twist: s.twist(Range::Wide),
     };
-    case.feed(s, sound(table::Coulomb));
-    case.feed(s, sound(compact::CompactCoulomb));
-    case.feed(s, Annulus::new(table::Coulomb, inner / R::TWO));
-    case.feed(s, sound(Hertz));
-    case.feed(s, sound(Ring));
-    case.feed(s, sound(FlatPunch));
-    feed_batch(s, &case, table::Coulomb);
+    case.feed(s, sound(table::CoulombDisk));
+    case.feed(s, sound(compact::CompactCoulombDisk));
+    case.feed(s, Annulus::new(table::CoulombDisk, inner / R::TWO));
+    case.feed(s, sound(CoulombHertz));
+    case.feed(s, sound(CoulombRing));
+    case.feed(s, sound(CoulombPunch));
+    feed_batch(s, &case, table::CoulombDisk);
 }
 
 pub fn powers<R: Precision>(s: &mut Stream) {

@@ -5,7 +5,7 @@ use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::{CoulombLaw, DryFriction, LocalLaw, PowerLaw, Stribeck, StribeckParameters};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
-use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -68,7 +68,8 @@ pub fn rules<R: Precision>(s: &mut Stream) {
     let corners = [0, 2, 4, 6].map(|i| [x[i], x[i + 1]]);
     let area: Option<NodeList<R, 60>> = NodeList::polygon(&corners, 2).ok();
     feed_nodes(s, area);
-    let rule = PolarRule::new(radius, 4, 7).and_then(|rule| rule.with_rim_exponent(rim - R::ONE));
+    let rule =
+        PolarQuadrature::new(radius, 4, 7).and_then(|rule| rule.with_rim_exponent(rim - R::ONE));
     let disk: Option<NodeList<R, 60>> = rule.ok().and_then(|rule| {
         let [x, y] = [tilt_x / R::TWO, -tilt_y / R::TWO];
         rule.nodes_tilted(x, y).ok()

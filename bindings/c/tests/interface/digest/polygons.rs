@@ -2,8 +2,8 @@
 
 use super::stream::{Precision, Range, Stream};
 use super::surfaces::feed_projection;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
-use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
+use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::twist::{Twist, Wrench};
 
@@ -29,20 +29,20 @@ pub fn leaning<R: Precision>(s: &mut Stream, range: Range) {
 
 fn feed<R: Precision>(
     s: &mut Stream,
-    patch: &impl DryPatch<R>,
+    patch: &impl PatchShape<R>,
     [coefficient, load, force_limit, length]: &[R; 4],
     twist: &Twist<R>,
     push: &Wrench<R>,
 ) {
     let centre = patch.centre();
     s.numbers([centre.x, centre.y, patch.radius()]);
-    let friction = FlatFriction::new(patch, *coefficient);
+    let friction = ShapeFriction::new(patch, *coefficient);
     let friction = friction.as_ref().map_err(|_| ());
     s.wrench_of(friction.map(|f| f.wrench(*load, twist)));
     let both = friction.map(|f| f.wrench_and_jacobian(*load, twist));
     s.wrench_of(both.map(|(wrench, _)| wrench));
     s.jacobian_of(both.map(|(_, jacobian)| jacobian));
-    let set = PatchSurface::new(patch, *force_limit);
+    let set = ShapeLimitSurface::new(patch, *force_limit);
     let set = set.as_ref().map_err(|_| ());
     s.result(set.map(|set| set.gauge(push)));
     s.twist_of(set.map(|set| set.twist_normal_to(push)));

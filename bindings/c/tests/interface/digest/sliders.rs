@@ -1,22 +1,22 @@
 //! Bodies that slide to rest.
 
 use super::stream::{Precision, Range, Stream};
-use tribos_core::coupling::table::Coulomb;
+use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::real::Real;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 pub fn steps<R: Precision>(s: &mut Stream, range: Range) {
     let [deceleration, radius, inertia, duration]: [R; 4] = s.draws(Range::Fit);
     let [speed, spin] = s.draws(range);
     let slider = Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration,
             radius,
             inertia_ratio: inertia,
         },
     );
-    let mut motion = Motion::launched(speed, spin);
+    let mut motion = SliderState::launched(speed, spin);
     for _ in 0..4 {
         let quarter = duration / (R::TWO + R::TWO);
         if let Some(next) = s.ok(slider.map(|slider| slider.verlet_step(&motion, quarter))) {
@@ -32,14 +32,14 @@ pub fn ways<R: Precision>(s: &mut Stream, to_rest: bool) {
     let [deceleration, radius, inertia, duration]: [R; 4] = s.draws(Range::Sure);
     let [speed, spin] = s.draws::<R, 2>(Range::Sure);
     let slider = Slider::new(
-        Coulomb,
+        CoulombDisk,
         SliderParameters {
             deceleration,
             radius,
             inertia_ratio: inertia,
         },
     );
-    let motion = Motion::launched(speed, -spin);
+    let motion = SliderState::launched(speed, -spin);
     let short = duration / R::from_f64(64.0);
     if let Some(next) = s.ok(slider.map(|slider| slider.advance(&motion, short))) {
         feed(s, &next.motion);
@@ -58,6 +58,6 @@ pub fn ways<R: Precision>(s: &mut Stream, to_rest: bool) {
     }
 }
 
-fn feed<R: Real>(s: &mut Stream, m: &Motion<R>) {
+fn feed<R: Real>(s: &mut Stream, m: &SliderState<R>) {
     s.numbers([m.time, m.speed, m.spin, m.distance, m.angle]);
 }

@@ -1,8 +1,8 @@
 //! The stream of inputs, and the hash of the results.
 
 use nalgebra::Vector3;
-use tribos_core::coupling::Coupling;
-use tribos_core::coupling::table::{Table32, Table64};
+use tribos_core::coupling::ReducedFriction;
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -18,24 +18,24 @@ pub enum Range {
 /// What the two precisions do not share by [`Real`].
 pub trait Precision: Real {
     const MAX: Self;
-    type PowerTable: Coupling<Self>;
+    type PowerTable: ReducedFriction<Self>;
     /// A table of the power law, if one exists for the exponent.
     fn table(alpha: Self) -> Option<Self::PowerTable>;
 }
 
 impl Precision for f64 {
     const MAX: Self = f64::MAX;
-    type PowerTable = Table64;
-    fn table(alpha: Self) -> Option<Table64> {
-        Table64::new(alpha).ok()
+    type PowerTable = DiskTable64;
+    fn table(alpha: Self) -> Option<DiskTable64> {
+        DiskTable64::new(alpha).ok()
     }
 }
 
 impl Precision for f32 {
     const MAX: Self = f32::MAX;
-    type PowerTable = Table32;
-    fn table(alpha: Self) -> Option<Table32> {
-        Table32::new(alpha).ok()
+    type PowerTable = DiskTable32;
+    fn table(alpha: Self) -> Option<DiskTable32> {
+        DiskTable32::new(alpha).ok()
     }
 }
 

@@ -2,8 +2,10 @@
 
 use super::stream::{Precision, Range, Stream};
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Projection, Region};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{
+    FrictionSet, LimitEllipsoid, Projection, Region, RoundLimitSurface,
+};
 use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
@@ -11,11 +13,11 @@ use tribos_core::twist::{Twist, Wrench};
 pub fn both<R: Precision>(s: &mut Stream, range: Range) {
     let [limit, radius, spin_torque, length]: [R; 4] = s.draws(Range::Fit);
     let (twist, wrench) = (s.twist(range), s.wrench(range));
-    let disk = LimitSurface::new(Coulomb, limit, radius);
+    let disk = RoundLimitSurface::new(CoulombDisk, limit, radius);
     feed(s, disk.ok(), &twist, &wrench, length);
     // Only the disk is also asked for its own length.
     feed_projection(s, disk.ok().map(|set| set.project(&wrench)));
-    let usual = Ellipsoid::new(limit, radius, spin_torque);
+    let usual = LimitEllipsoid::new(limit, radius, spin_torque);
     feed(s, usual.ok(), &twist, &wrench, length);
     batches(s, disk.ok(), length, range);
     steps(
@@ -30,7 +32,7 @@ const BATCH: usize = 21;
 
 fn batches<R: Precision>(
     s: &mut Stream,
-    set: Option<LimitSurface<R, Coulomb>>,
+    set: Option<RoundLimitSurface<R, CoulombDisk>>,
     length: R,
     range: Range,
 ) {
@@ -67,8 +69,8 @@ fn batches<R: Precision>(
 }
 
 enum Sets<R> {
-    Disk(LimitSurface<R, Coulomb>),
-    Ellipsoid(Ellipsoid<R>),
+    Disk(RoundLimitSurface<R, CoulombDisk>),
+    Ellipsoid(LimitEllipsoid<R>),
 }
 
 fn steps<R: Precision>(s: &mut Stream, sets: [Option<Sets<R>>; 2], range: Range) {

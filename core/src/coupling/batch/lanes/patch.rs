@@ -2,7 +2,7 @@
 
 use super::Lanes;
 use super::speeds::are_ordinary;
-use crate::coupling::Coupling;
+use crate::coupling::ReducedFriction;
 use crate::lanes::{Eight, GROUP, Group, Lanes as _};
 use crate::real::Real;
 use crate::twist::{Twist, WrenchJacobian};
@@ -27,7 +27,7 @@ fn signed<R: Real>(size: Lanes<R>, sign: Lanes<R>) -> Lanes<R> {
 /// Forces and torques of a patch with the given radius and coefficient × load at the components of
 /// twists; nothing if a twist or a wrench is out of the ordinary.
 #[inline(always)]
-pub fn patch_wrenches<R: Real, C: Coupling<R>>(
+pub fn patch_wrenches<R: Real, C: ReducedFriction<R>>(
     coupling: &C,
     [strength, radius]: [R; 2],
     twists: [&Group<R>; 3],
@@ -55,7 +55,7 @@ pub fn patch_wrenches<R: Real, C: Coupling<R>>(
 
 /// ∂wrench/∂twist.
 #[inline(always)]
-pub fn patch_jacobians<R: Real, C: Coupling<R>>(
+pub fn patch_jacobians<R: Real, C: ReducedFriction<R>>(
     coupling: &C,
     [strength, radius]: [R; 2],
     twists: &Group<Twist<R>>,

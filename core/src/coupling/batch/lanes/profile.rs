@@ -7,9 +7,9 @@ use crate::coupling::family::moment;
 use crate::coupling::octave::Cell;
 use crate::coupling::round::RoundTable;
 use crate::coupling::side::Sides;
-use crate::coupling::table::{Coulomb, Table, in_own_table};
+use crate::coupling::table::{CoulombDisk, Table, in_own_table};
 use crate::coupling::tip::Exponent;
-use crate::coupling::{Profile, SmoothProfile};
+use crate::coupling::{PowerLawFriction, SmoothProfile};
 use crate::lanes::{Eight, Group, Lanes as _};
 use crate::real::Real;
 
@@ -157,7 +157,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Table<R
     }
 }
 
-impl<R: Real> LaneProfile<R> for Coulomb {
+impl<R: Real> LaneProfile<R> for CoulombDisk {
     #[inline(always)]
     fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
         in_own_table!(R, LaneSpeeds<R> => Option<[Lanes<R>; 2]>, |table, at| table.drags_and_torques(&at), *at)

@@ -32,11 +32,11 @@
 //!
 //! and the rest follows from Euler's theorem: the wrench is homogeneous of degree α in the twist.
 
-use super::prepared::FlatPower;
+use super::prepared::PolygonPowerLaw;
 use crate::coupling::flat::far::{OfPairs, Slide, Turned, by_rule};
 use crate::coupling::flat::two::Two;
 use crate::coupling::flat::{Hessian, Reduced};
-use crate::patch::outline::{Edge, FlatPressure};
+use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -47,7 +47,7 @@ const POINTS: [f64; 4] = [3.5, 6.0, 15.0, 300.0];
 /// Integrals of a patch over x, at two points of an edge at once.
 struct Point<'a, R: Real> {
     slide: &'a Slide<'a, R>,
-    power: &'a FlatPower<R>,
+    power: &'a PolygonPowerLaw<R>,
     pressure: Turned<R>,
 }
 
@@ -75,7 +75,7 @@ struct Parts<R> {
 
 impl<R: Real> Point<'_, R> {
     #[inline(always)]
-    fn parts<K: FlatPressure<R>>(&self, [x, y]: [Two<R>; 2]) -> Parts<R> {
+    fn parts<K: PressureField<R>>(&self, [x, y]: [Two<R>; 2]) -> Parts<R> {
         let one = Two::of(R::ONE);
         let (w, beta) = (Two::of(self.slide.spin), self.power.beta);
         let wy = w * y;
@@ -114,7 +114,7 @@ impl<R: Real> Point<'_, R> {
 impl<R: Real> Parts<R> {
     /// Force along, force across over w, and torque over w, all negative.
     #[inline(always)]
-    fn wrench<K: FlatPressure<R>>(&self, w: Two<R>) -> [Two<R>; 3] {
+    fn wrench<K: PressureField<R>>(&self, w: Two<R>) -> [Two<R>; 3] {
         let Self { x, y, here, .. } = *self;
         let [speed, rate] = self.growth;
         let x_sq = x * x;
@@ -145,7 +145,7 @@ impl<R: Real> Parts<R> {
 
     /// Minus the derivatives: across and across, across and spin, spin and spin.
     #[inline(always)]
-    fn derivatives<K: FlatPressure<R>>(&self, beta: R) -> [Two<R>; 3] {
+    fn derivatives<K: PressureField<R>>(&self, beta: R) -> [Two<R>; 3] {
         let Self { x, y, here, z, .. } = *self;
         let one = Two::of(R::ONE);
         let e = (Two::of(beta) * self.s1 - one) * (one + z).inverse();
@@ -178,9 +178,9 @@ impl<R: Real> Parts<R> {
 
 /// Friction at a speed of 1, given half the length of the longest edge.
 #[inline]
-pub(super) fn friction<R: Real, K: FlatPressure<R>>(
+pub(super) fn friction<R: Real, K: PressureField<R>>(
     slide: &Slide<'_, R>,
-    power: &FlatPower<R>,
+    power: &PolygonPowerLaw<R>,
     (edges, pressure): (&[Edge<R>], &K),
     half: R,
 ) -> Reduced<R> {
@@ -202,9 +202,9 @@ pub(super) fn friction<R: Real, K: FlatPressure<R>>(
 }
 
 /// The same with minus its derivatives.
-pub(super) fn friction_and_hessian<R: Real, K: FlatPressure<R>>(
+pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
     slide: &Slide<'_, R>,
-    power: &FlatPower<R>,
+    power: &PolygonPowerLaw<R>,
     (edges, pressure): (&[Edge<R>], &K),
     half: R,
 ) -> (Reduced<R>, Hessian<R>) {

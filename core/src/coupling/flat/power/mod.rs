@@ -6,7 +6,7 @@
 //!
 //! Force and torque are homogeneous functions about the centre of rotation, so that the divergence
 //! theorem makes line integrals of them as it does of dry friction. One of these integrals along an edge
-//! has no elementary form; it is a function of one variable for each exponent, which [`FlatPower`]
+//! has no elementary form; it is a function of one variable for each exponent, which [`PolygonPowerLaw`]
 //! prepares.
 
 mod far;
@@ -14,12 +14,12 @@ mod fit;
 mod near;
 mod prepared;
 
-pub use prepared::FlatPower;
+pub use prepared::PolygonPowerLaw;
 
 use super::far::Slide;
-use super::{DryPatch, FlatFriction, Hessian, Motion, Reduced};
+use super::{Hessian, Motion, PatchShape, Reduced, ShapeFriction};
 use crate::law::LawError;
-use crate::patch::outline::{Edge, FlatPressure, Polygon};
+use crate::patch::outline::{Edge, Polygon, PressureField};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
 use nalgebra::{Matrix3, Vector2};
@@ -27,37 +27,37 @@ use nalgebra::{Matrix3, Vector2};
 /// A patch of any shape under friction |v|^α.
 ///
 /// Implemented by [`Polygon`] under uniform and under linear pressure.
-pub trait PowerPatch<R: Real>: DryPatch<R> {
+pub trait PowerLawPatch<R: Real>: PatchShape<R> {
     /// Friction at a motion of the centre, whose rim speed or velocity counts as 1.
     #[doc(hidden)]
-    fn of_power(&self, power: &FlatPower<R>, motion: &Motion<R>) -> Reduced<R>;
+    fn of_power(&self, power: &PolygonPowerLaw<R>, motion: &Motion<R>) -> Reduced<R>;
 
     /// The same with minus its derivatives.
     #[doc(hidden)]
     fn of_power_with_hessian(
         &self,
-        power: &FlatPower<R>,
+        power: &PolygonPowerLaw<R>,
         motion: &Motion<R>,
     ) -> (Reduced<R>, Hessian<R>);
 }
 
-impl<R: Real, P: PowerPatch<R> + ?Sized> PowerPatch<R> for &P {
+impl<R: Real, P: PowerLawPatch<R> + ?Sized> PowerLawPatch<R> for &P {
     #[inline]
-    fn of_power(&self, power: &FlatPower<R>, motion: &Motion<R>) -> Reduced<R> {
+    fn of_power(&self, power: &PolygonPowerLaw<R>, motion: &Motion<R>) -> Reduced<R> {
         (**self).of_power(power, motion)
     }
     fn of_power_with_hessian(
         &self,
-        power: &FlatPower<R>,
+        power: &PolygonPowerLaw<R>,
         motion: &Motion<R>,
     ) -> (Reduced<R>, Hessian<R>) {
         (**self).of_power_with_hessian(power, motion)
     }
 }
 
-impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> PowerPatch<R> for Polygon<R, S, K> {
+impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PowerLawPatch<R> for Polygon<R, S, K> {
     #[inline]
-    fn of_power(&self, power: &FlatPower<R>, motion: &Motion<R>) -> Reduced<R> {
+    fn of_power(&self, power: &PolygonPowerLaw<R>, motion: &Motion<R>) -> Reduced<R> {
         let patch = (self.edges(), self.pressure());
         let whole = match motion {
             Motion::Turns { centre, spin } => {
@@ -76,7 +76,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> PowerPatch<R> for Polygon
 
     fn of_power_with_hessian(
         &self,
-        power: &FlatPower<R>,
+        power: &PolygonPowerLaw<R>,
         motion: &Motion<R>,
     ) -> (Reduced<R>, Hessian<R>) {
         let patch = (self.edges(), self.pressure());
@@ -130,16 +130,16 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> PowerPatch<R> for Polygon
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FlatPowerFriction<R, P> {
-    flat: FlatFriction<R, P>,
-    power: FlatPower<R>,
+pub struct ShapePowerFriction<R, P> {
+    flat: ShapeFriction<R, P>,
+    power: PolygonPowerLaw<R>,
 }
 
-impl<R: Real, P: PowerPatch<R>> FlatPowerFriction<R, P> {
+impl<R: Real, P: PowerLawPatch<R>> ShapePowerFriction<R, P> {
     /// *Domain*: 0 ≤ `coefficient` < ∞.
-    pub fn new(patch: P, coefficient: R, power: FlatPower<R>) -> Result<Self, LawError> {
+    pub fn new(patch: P, coefficient: R, power: PolygonPowerLaw<R>) -> Result<Self, LawError> {
         Ok(Self {
-            flat: FlatFriction::new(patch, coefficient)?,
+            flat: ShapeFriction::new(patch, coefficient)?,
             power,
         })
     }
@@ -155,7 +155,7 @@ impl<R: Real, P: PowerPatch<R>> FlatPowerFriction<R, P> {
     }
 
     /// The prepared law.
-    pub fn power(&self) -> &FlatPower<R> {
+    pub fn power(&self) -> &PolygonPowerLaw<R> {
         &self.power
     }
 

@@ -18,9 +18,9 @@
 //! derivative: g·Σ n I − Σ ∫ρ (g·ρ) r^(β−2) dt n + (Σ n I) g/β
 //! ```
 
-use super::prepared::{Corner, FlatPower, Line};
+use super::prepared::{Corner, Line, PolygonPowerLaw};
 use crate::coupling::flat::{Hessian, Reduced};
-use crate::patch::outline::{Edge, FlatPressure};
+use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -39,7 +39,7 @@ struct Seen<R> {
 
 impl<R: Real> Seen<R> {
     #[inline(always)]
-    fn new(power: &FlatPower<R>, edge: &Edge<R>, centre: &Vector2<R>) -> Self {
+    fn new(power: &PolygonPowerLaw<R>, edge: &Edge<R>, centre: &Vector2<R>) -> Self {
         let (tangent, normal) = (edge.tangent(), edge.normal());
         let [of_beta, of_next, of_second] = power.inverses;
         let h = edge.offset() - (centre.x * normal.x + centre.y * normal.y);
@@ -64,8 +64,8 @@ impl<R: Real> Seen<R> {
 
 /// Reduced friction about the centre of pressure for the spin `sense` (±1) about `centre`.
 #[inline]
-pub(super) fn friction<R: Real, K: FlatPressure<R>>(
-    power: &FlatPower<R>,
+pub(super) fn friction<R: Real, K: PressureField<R>>(
+    power: &PolygonPowerLaw<R>,
     (edges, pressure): (&[Edge<R>], &K),
     centre: &Vector2<R>,
     sense: R,
@@ -78,8 +78,8 @@ pub(super) fn friction<R: Real, K: FlatPressure<R>>(
 }
 
 /// The same, and minus its derivatives.
-pub(super) fn friction_and_hessian<R: Real, K: FlatPressure<R>>(
-    power: &FlatPower<R>,
+pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
+    power: &PolygonPowerLaw<R>,
     (edges, pressure): (&[Edge<R>], &K),
     centre: &Vector2<R>,
     sense: R,
@@ -145,7 +145,7 @@ impl<R: Real> Sums<R> {
     }
 
     #[inline(always)]
-    fn add<K: FlatPressure<R>>(&mut self, edge: &Edge<R>, seen: &Seen<R>) {
+    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, seen: &Seen<R>) {
         let (tangent, integral, h) = (edge.tangent(), seen.integral, seen.h);
         self.along += tangent * integral;
         self.distance += h * integral;
@@ -168,7 +168,7 @@ impl<R: Real> Sums<R> {
     }
 
     #[inline(always)]
-    fn friction<K: FlatPressure<R>>(
+    fn friction<K: PressureField<R>>(
         &self,
         beta: R,
         pressure: &K,
@@ -201,7 +201,7 @@ impl<R: Real> Sums<R> {
 
 /// Pressure at a place.
 #[inline(always)]
-fn at<R: Real, K: FlatPressure<R>>(pressure: &K, place: &Vector2<R>) -> R {
+fn at<R: Real, K: PressureField<R>>(pressure: &K, place: &Vector2<R>) -> R {
     let [x, y] = pressure.slope();
     pressure.at_centre() + x * place.x + y * place.y
 }
@@ -229,7 +229,7 @@ impl<R: Real> Across<R> {
     }
 
     #[inline(always)]
-    fn add<K: FlatPressure<R>>(&mut self, edge: &Edge<R>, pressure: &K, seen: &Seen<R>) {
+    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, pressure: &K, seen: &Seen<R>) {
         let (tangent, normal) = (edge.tangent(), edge.normal());
         let b = normal * seen.arc + tangent * seen.rise;
         for (sum, part) in self.uniform.iter_mut().zip(symmetric(&b, &normal)) {
@@ -250,7 +250,7 @@ impl<R: Real> Across<R> {
     }
 
     /// Minus the derivative of the force in the velocity, given Σ n I.
-    fn derivative<K: FlatPressure<R>>(
+    fn derivative<K: PressureField<R>>(
         &self,
         beta: R,
         pressure: &K,

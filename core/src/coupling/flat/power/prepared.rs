@@ -103,7 +103,7 @@ struct Resonance<R> {
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlatPower<R> {
+pub struct PolygonPowerLaw<R> {
     pub(super) alpha: R,
     pub(super) beta: R,
     /// 1/β, 1/(β+1) and 1/(β+2)
@@ -123,13 +123,13 @@ pub struct FlatPower<R> {
     pub(super) first_rate: Fit<R, 4>,
 }
 
-impl<R: Real> FlatPower<R> {
+impl<R: Real> PolygonPowerLaw<R> {
     /// Largest exponent.
     pub const MAX_EXPONENT: f64 = MAX_EXPONENT;
 
     /// Prepares the law of exponent α.
     ///
-    /// *Domain*: −1 < `alpha` ≤ [`FlatPower::MAX_EXPONENT`].
+    /// *Domain*: −1 < `alpha` ≤ [`PolygonPowerLaw::MAX_EXPONENT`].
     pub fn new(alpha: R) -> Result<Self, LawError> {
         let exact = validated_exponent(alpha.to_f64(), Self::MAX_EXPONENT)?;
         let beta = 1.0 + exact;
@@ -212,7 +212,7 @@ pub(super) struct Line<R> {
 impl<R: Real> Line<R> {
     /// `None` if the centre lies on it.
     #[inline(always)]
-    pub(super) fn new(power: &FlatPower<R>, h: R) -> Option<Self> {
+    pub(super) fn new(power: &PolygonPowerLaw<R>, h: R) -> Option<Self> {
         let sq = h * h;
         (sq >= R::MIN_POSITIVE).then(|| {
             let (distance, log_sq) = (h.abs(), sq.ln());
@@ -238,7 +238,7 @@ pub(super) struct Corner<R> {
 
 impl<R: Real> Corner<R> {
     #[inline(always)]
-    pub(super) fn new(power: &FlatPower<R>, h: R, t: R) -> Self {
+    pub(super) fn new(power: &PolygonPowerLaw<R>, h: R, t: R) -> Self {
         let sq = h * h + t * t;
         let (r, log_sq) = (sq.sqrt(), sq.ln());
         Self {

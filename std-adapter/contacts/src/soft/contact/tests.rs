@@ -3,18 +3,19 @@
 use super::*;
 use crate::cd::solid;
 use nalgebra::{Rotation3, Unit};
-use tribos_core::contact::{AllModes, Attraction, Thresholds};
+use tribos_core::contact::{AllModes, Attraction, IndependentFriction};
 
 /// Error of the sliding spring of a pair that turns as one rigid body, after ten turns.
 fn error(axis: Vector3<f64>, steps_a_turn: usize) -> f64 {
     const OVERLAP: f64 = 1e-2;
     let balls = [solid(1.0, 1.0); 2];
-    let touch = |normal: Vector3<f64>| Touch::spheres(&(normal * (2.0 - OVERLAP)), [1.0; 2]);
+    let touch =
+        |normal: Vector3<f64>| ContactGeometry::spheres(&(normal * (2.0 - OVERLAP)), [1.0; 2]);
     let law = Law {
         stiffness: Stiffness::Linear(1e3),
         damping: 1.0,
         cohesion: Cohesion::new(1.0, 0.0, Attraction::Pull).unwrap(),
-        friction: Thresholds::<f64, AllModes>::all(1.0, 1.0, 1.0).unwrap(),
+        friction: IndependentFriction::<f64, AllModes>::all(1.0, 1.0, 1.0).unwrap(),
     };
     let block = Block::new(&touch(Vector3::x()).unwrap(), &balls[0], &balls[1]);
     let mut contact = SoftContact::<AllModes>::apart([0, 1], &block);
@@ -22,8 +23,12 @@ fn error(axis: Vector3<f64>, steps_a_turn: usize) -> f64 {
         Vector3::new(0.0, 1e-3, 2e-3),
         Vector3::new(0.0, -2e-3, 1e-3),
     ];
-    let stored = Modal::new(1e3, springs[0], springs[1], 3e-3);
-    contact.restore(&touch(Vector3::x()).unwrap(), Modal::default(), stored);
+    let stored = ContactVector::new(1e3, springs[0], springs[1], 3e-3);
+    contact.restore(
+        &touch(Vector3::x()).unwrap(),
+        ContactVector::default(),
+        stored,
+    );
 
     let axis = Unit::new_normalize(axis);
     let dt = 1e-3;

@@ -10,7 +10,7 @@ use super::parameter::Model;
 use super::{Data, Motion};
 use std::borrow::Cow;
 use std::str::FromStr;
-use tribos_core::law::{Dieterich, LocalLaw, Ruina};
+use tribos_core::law::{AgeingLaw, LocalLaw, SlipLaw};
 use tribos_friction::Refusal;
 
 /// A law that can be fitted.
@@ -124,10 +124,10 @@ pub fn law_model<'a>(law: LawName, data: &'a Data) -> Result<Box<dyn Model + 'a>
             Box::new(rate_state::Steady { speeds, scales })
         }
         (LawName::RateState, Motion::Series { times, velocities }) => Box::new(
-            rate_state::Series::<Dieterich>::new(data, times, velocities)?,
+            rate_state::Series::<AgeingLaw>::new(data, times, velocities)?,
         ),
         (LawName::RateStateSlip, Motion::Series { times, velocities }) => {
-            Box::new(rate_state::Series::<Ruina>::new(data, times, velocities)?)
+            Box::new(rate_state::Series::<SlipLaw>::new(data, times, velocities)?)
         }
         (LawName::Stribeck | LawName::Power, Motion::Series { .. }) => {
             return Err(FitError::Form(STATELESS));

@@ -6,7 +6,7 @@ use super::super::{Data, DataError};
 use super::{Interval, Scales, between, distances, intervals, log_between, merged, picked, steady};
 use std::borrow::Cow;
 use std::marker::PhantomData;
-use tribos_core::law::{Evolution, RateState, RateStateParameters};
+use tribos_core::law::{RateState, RateStateParameters, StateEvolution};
 
 const PARAMETERS: [Parameter; 6] = [
     Parameter {
@@ -53,7 +53,7 @@ const REFERENCE: usize = 3;
 /// Effects of rate and age to start from, over the coefficient: of rock 0.01 of 0.6.
 const EFFECTS: [f64; 2] = [3e-3, 0.1];
 
-fn law<E: Evolution>(values: &[f64]) -> Option<RateState<f64, E>> {
+fn law<E: StateEvolution>(values: &[f64]) -> Option<RateState<f64, E>> {
     let &[mu, a, b, reference_speed, viscous, ref rest @ ..] = values else {
         return None;
     };
@@ -98,7 +98,7 @@ impl Model for Steady<'_> {
     }
 
     fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
-        let law = law::<tribos_core::law::Dieterich>(values)?.steady();
+        let law = law::<tribos_core::law::AgeingLaw>(values)?.steady();
         Some(steady(&law, &self.speeds))
     }
 
@@ -123,7 +123,7 @@ pub(super) struct Series<'a, E> {
     evolution: PhantomData<E>,
 }
 
-impl<'a, E: Evolution> Series<'a, E> {
+impl<'a, E: StateEvolution> Series<'a, E> {
     /// Refuses backward motion and a start at rest, for which the age is unknown.
     pub fn new(data: &Data, times: &'a [f64], velocities: &'a [f64]) -> Result<Self, FitError> {
         if velocities.first().is_some_and(|v| *v <= 0.0) {
@@ -154,7 +154,7 @@ fn refused(point: usize, message: &str) -> FitError {
     })
 }
 
-impl<E: Evolution + 'static> Model for Series<'_, E> {
+impl<E: StateEvolution + 'static> Model for Series<'_, E> {
     fn parameters(&self) -> &[Parameter] {
         &PARAMETERS
     }

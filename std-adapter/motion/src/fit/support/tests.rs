@@ -2,7 +2,7 @@
 
 use super::*;
 use tribos_base::random::Random;
-use tribos_core::coupling::flat::FlatFriction;
+use tribos_core::coupling::flat::ShapeFriction;
 use tribos_core::patch::outline::Polygon;
 
 /// A motion in any direction, turning about places near and far.
@@ -75,7 +75,7 @@ fn a_leaning_pressure_has_its_centre() {
     let corners = [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]];
     let leaning = Polygon::new(corners).unwrap();
     let leaning = leaning.with_centre_of_pressure([0.02, -0.005]).unwrap();
-    let friction = FlatFriction::new(leaning, 0.5).unwrap();
+    let friction = ShapeFriction::new(leaning, 0.5).unwrap();
     let mut random = Random::new(2, 0);
     let one = |_| {
         let motion = motion(&mut random);

@@ -49,8 +49,8 @@ pub enum InverseError {
 ///
 /// ```
 /// use tribos::slide::inverse::{InverseError, Limits, OutOfReach, Pose, RestMap, Turns};
-/// use tribos::kernel::coupling::table::Coulomb;
-/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// use tribos::kernel::coupling::table::CoulombDisk;
+/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let (target, limits) = (Pose { x: 10.0, y: 0.0, angle: 0.0 }, Limits::new(3.0, 100.0)?);
 /// let thrown = disk.launches(&target, Turns::Exact, &limits);
 /// let Err(InverseError::OutOfReach(why)) = thrown else { unreachable!() };

@@ -2,12 +2,12 @@
 
 use super::{Launch, RestMap};
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 
 /// ∂(x, y, angle)/∂(v_x, v_y, ω), with one row each for x, y and angle.
 pub type PoseJacobian = [[f64; 3]; 3];
 
-impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     /// Sensitivity of the rest pose to small changes of the launch.
     ///
     /// With distance d(v, w), w = |ω|R, and the unit vector e of the velocity

@@ -2,15 +2,15 @@
 
 use super::root::rising_root;
 use super::{InverseError, RestMap};
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 
 /// The fastest launch: a solution is admissible if |velocity| ≤ `max_speed` and |spin| ≤ `max_spin`,
 /// compared exactly.
 ///
 /// ```
 /// use tribos::slide::inverse::{InverseError, Limits, RestMap};
-/// use tribos::kernel::coupling::table::Coulomb;
-/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// use tribos::kernel::coupling::table::CoulombDisk;
+/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let limits = Limits::new(3.0, 50.0)?;
 /// assert_eq!((limits.max_speed(), limits.max_spin()), (3.0, 50.0));
 /// // Alone, v²/(2 mu g) and ω²/2 over (2/3) mu g/(C R); together both go on for longer.
@@ -57,7 +57,7 @@ impl Limits {
     }
 }
 
-impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     /// Distance and |angle| at rest for speed and |spin|. Neither decreases if either argument grows.
     pub fn reach(&self, speed: f64, spin: f64) -> [f64; 2] {
         let landing = self.rest(&super::Launch {

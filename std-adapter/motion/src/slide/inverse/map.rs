@@ -2,15 +2,15 @@
 
 use super::{InverseError, Launch, Pose};
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, Profile};
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 /// Rest pose of a body as a function of its launch.
 ///
 /// ```
 /// use tribos::slide::inverse::{Launch, RestMap};
-/// use tribos::kernel::coupling::table::Coulomb;
-/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// use tribos::kernel::coupling::table::CoulombDisk;
+/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let end = disk.rest(&Launch { velocity: [0.0, 1.0], spin: 0.0 });
 /// assert_eq!(end.pose.x, 0.0);
 /// assert!((end.pose.y - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-14);
@@ -29,12 +29,12 @@ pub struct RestMap<P> {
 ///
 /// ```
 /// use tribos::slide::inverse::{Landing, Launch, RestMap};
-/// use tribos::kernel::coupling::Profile;
-/// use tribos::kernel::coupling::table::Coulomb;
-/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// use tribos::kernel::coupling::PowerLawFriction;
+/// use tribos::kernel::coupling::table::CoulombDisk;
+/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// assert_eq!((disk.deceleration(), disk.radius(), disk.inertia_ratio()), (0.3 * 9.81, 0.08, 0.5));
 /// let alpha: f64 = disk.profile().exponent();
-/// assert_eq!(alpha, 0.0); // Coulomb's
+/// assert_eq!(alpha, 0.0); // CoulombDisk's
 /// let launch = Launch { velocity: [0.6, 0.8], spin: 0.0 }; // 1 m/s
 /// let Landing { pose, time } = disk.rest(&launch);
 /// assert!((time - 1.0 / (0.3 * 9.81)).abs() < 1e-14); // v/(mu g)
@@ -61,7 +61,7 @@ pub(super) struct Reduced {
     pub time: f64,
 }
 
-impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     /// *Domain*: α < 1; `deceleration` κ = γ g (μ g for Coulomb), `radius` of the contact and
     /// `inertia_ratio` C = I/(M R²) positive and finite.
     pub fn new(
@@ -104,7 +104,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     pub fn rest(&self, launch: &Launch) -> Landing {
         let [x, y] = launch.velocity;
         let speed = Real::hypot(x, y);
-        let motion = Motion::launched(speed, launch.spin * self.radius);
+        let motion = SliderState::launched(speed, launch.spin * self.radius);
         let Some(rest) = self.unit.to_rest(&motion) else {
             return Landing {
                 pose: Pose {
@@ -139,8 +139,10 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
 
     /// X, Y and time in the direction (c, n) = (v, ωR)/s.
     pub(super) fn reduced(&self, [c, n]: [f64; 2]) -> Reduced {
-        let rest = self.unit.to_rest(&Motion::launched(c, n));
-        let motion = rest.map_or(Motion::launched(f64::NAN, f64::NAN), |rest| rest.motion);
+        let rest = self.unit.to_rest(&SliderState::launched(c, n));
+        let motion = rest.map_or(SliderState::launched(f64::NAN, f64::NAN), |rest| {
+            rest.motion
+        });
         Reduced {
             centre: motion.distance,
             rim: motion.angle,

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::num::NonZeroU32;
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 
 /// Meaning of the requested angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,8 +25,8 @@ pub enum Turns {
 ///
 /// ```
 /// use tribos::slide::inverse::{Limits, Pose, RestMap, Solution, Turns};
-/// use tribos::kernel::coupling::table::Coulomb;
-/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// use tribos::kernel::coupling::table::CoulombDisk;
+/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let target = Pose { x: 1.0, y: 0.0, angle: 0.0 };
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
 /// let all: Vec<Solution> = disk.launches(&target, turns, &Limits::new(3.0, 30.0)?)?;
@@ -66,8 +66,8 @@ impl Solution {
 ///
 /// ```
 /// use tribos::slide::inverse::{InverseError, Limits, MAX_SOLUTIONS, Pose, RestMap, Turns};
-/// use tribos::kernel::coupling::table::Coulomb;
-/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// use tribos::kernel::coupling::table::CoulombDisk;
+/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
 /// let spins = Limits::new(3.0, 1e4)?; // ω² 3 R/(8 mu g) = 10⁶ rad
 /// let all = disk.launches(&Pose::default(), turns, &spins);
@@ -81,8 +81,8 @@ pub const MAX_SOLUTIONS: u64 = 10_000;
 ///
 /// ```
 /// use tribos::slide::inverse::{Launches, Limits, Pose, RestMap, Turns};
-/// use tribos::kernel::coupling::table::Coulomb;
-/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// use tribos::kernel::coupling::table::CoulombDisk;
+/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let target = Pose { x: 1.0, y: 0.0, angle: 0.0 };
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
 /// let limits = Limits::new(3.0, 60.0)?;
@@ -203,7 +203,7 @@ impl Turns {
     }
 }
 
-impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     /// Every launch within `limits` that comes to rest at `target`, in order of increasing kinetic energy;
     /// refused if there are more than [`MAX_SOLUTIONS`].
     ///

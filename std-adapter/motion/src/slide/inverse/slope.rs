@@ -20,7 +20,7 @@
 
 use super::RestMap;
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::internals::runge_kutta;
 
 /// c, n, W, ∫ W X_s' dτ, ∫ W Y_s' dτ.
@@ -57,7 +57,7 @@ impl Rates {
     }
 }
 
-impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     /// X' and Y' at the direction (c, n).
     /// *Accuracy*: 1e-9, the tolerance of the check of [`RestMap::jacobian`]; none is guaranteed for a thin
     /// ring whose direction has settled at v = ωR, where the slopes of the law itself are infinite.

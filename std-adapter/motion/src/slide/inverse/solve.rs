@@ -3,7 +3,7 @@
 use super::RestMap;
 use super::root::rising_root;
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 
 /// Magnitudes of a launch, and its time to rest.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +25,7 @@ const ENOUGH: f64 = 1e-15;
 /// Factor by which a bracket is widened if it does not contain the root.
 const WIDEN: f64 = 2.0;
 
-impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     /// The launch for `distance` ≥ 0 and `angle` ≥ 0; it exists and is unique.
     pub(super) fn throw(&self, distance: f64, angle: f64) -> Throw {
         let rim_path = angle * self.radius();

@@ -13,13 +13,13 @@
 use super::slope::{BRISK, FIRST, MAX_STEPS, SETTLED, SPENT, STEP, TOLERANCE};
 use super::{Landing, Launch, PoseJacobian, RestMap};
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::internals::runge_kutta;
 
 /// c, n, W, ∫ W Z_s' dτ.
 type State = [f64; 4];
 
-impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     /// The landing, its pose's derivatives, and those of the time by (v_x, v_y, ω).
     ///
     /// *Units*: 1/acceleration, and s² for the spin. *Special values*: all derivatives zero at rest, where
@@ -126,11 +126,14 @@ fn worst(at: &State, error: &State) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribos_core::coupling::closed::Hertz;
-    use tribos_core::coupling::table::Coulomb;
+    use tribos_core::coupling::closed::CoulombHertz;
+    use tribos_core::coupling::table::CoulombDisk;
 
     /// Central differences of two widths, extrapolated.
-    fn differences<P: Profile<f64> + Coupling<f64>>(map: &RestMap<P>, launch: &Launch) -> [f64; 3] {
+    fn differences<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
+        map: &RestMap<P>,
+        launch: &Launch,
+    ) -> [f64; 3] {
         let time = |axis: usize, by: f64| {
             let mut at = *launch;
             match axis {
@@ -148,7 +151,7 @@ mod tests {
 
     #[test]
     fn derivatives_of_the_time_are_those_of_differences() {
-        fn check<P: Profile<f64> + Coupling<f64>>(map: &RestMap<P>) {
+        fn check<P: PowerLawFriction<f64> + ReducedFriction<f64>>(map: &RestMap<P>) {
             for launch in [
                 ([1.0, 0.0], 3.0),
                 ([0.8, -0.9], 12.0),
@@ -168,13 +171,13 @@ mod tests {
                 }
             }
         }
-        check(&RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5).unwrap());
-        check(&RestMap::new(Hertz, 0.3 * 9.81, 0.08, 0.4).unwrap());
+        check(&RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5).unwrap());
+        check(&RestMap::new(CoulombHertz, 0.3 * 9.81, 0.08, 0.4).unwrap());
     }
 
     #[test]
     fn a_throw_without_spin_stops_as_a_point_does() {
-        let map = RestMap::new(Coulomb, 2.0, 0.08, 0.5).unwrap();
+        let map = RestMap::new(CoulombDisk, 2.0, 0.08, 0.5).unwrap();
         let launch = Launch {
             velocity: [0.0, 3.0],
             spin: 0.0,

@@ -3,7 +3,7 @@
 use super::Resistance;
 use crate::slide::SlideError;
 use tribos_core::Real;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
 use tribos_core::law::LawError;
 use tribos_core::twist::Twist;
 use tribos_friction::Flat;
@@ -11,7 +11,7 @@ use tribos_friction::Flat;
 /// A plate that lies flat and slides under Coulomb friction, with its centre of mass above the centre of
 /// its outline. Unless it is symmetric, its spin drives it aside and its slide turns it.
 ///
-/// The wrench is exact to rounding ([`FlatFriction`]). *Units*: SI; the radius is that of gyration, so that the
+/// The wrench is exact to rounding ([`ShapeFriction`]). *Units*: SI; the radius is that of gyration, so that the
 /// inertia ratio is 1.
 ///
 /// ```
@@ -27,7 +27,7 @@ use tribos_friction::Flat;
 /// ```
 #[derive(Debug)]
 pub struct Plate {
-    friction: FlatFriction<f64, Flat<f64>>,
+    friction: ShapeFriction<f64, Flat<f64>>,
     gravity: f64,
     gyration: f64,
     orientation: f64,
@@ -40,7 +40,7 @@ impl Plate {
     pub fn new(patch: Flat<f64>, coefficient: f64, gravity: f64) -> Result<Self, SlideError> {
         let gyration = patch.radius_of_gyration()?;
         Ok(Self {
-            friction: FlatFriction::new(patch, coefficient)?,
+            friction: ShapeFriction::new(patch, coefficient)?,
             gravity: positive("gravity", gravity)?,
             gyration,
             orientation: 0.0,

@@ -2,8 +2,8 @@
 
 use super::Resistance;
 use crate::slide::SlideError;
-use tribos_core::coupling::PatchFriction;
-use tribos_core::coupling::tall::{AllRound, FrontBack, TallFriction};
+use tribos_core::coupling::RoundFriction;
+use tribos_core::coupling::tall::{FullGradient, LoadTransferFriction, LongitudinalGradient};
 use tribos_core::law::LawError;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
@@ -47,18 +47,18 @@ pub struct TallBody {
 
 #[derive(Debug)]
 enum Friction {
-    AllRound(TallFriction<f64, Foot, AllRound>),
-    FrontBack(TallFriction<f64, Foot, FrontBack>),
+    AllRound(LoadTransferFriction<f64, Foot, FullGradient>),
+    FrontBack(LoadTransferFriction<f64, Foot, LongitudinalGradient>),
     /// A body of zero height, under a law whose lateral force would cost a quadrature.
-    Flat(PatchFriction<f64, Foot>),
+    Flat(RoundFriction<f64, Foot>),
 }
 
 impl TallBody {
     /// A body on `foot`, with its centre of mass at `height`.
     ///
-    /// *Domain*: gravity and inertia ratio positive and finite; otherwise as [`TallFriction::new`].
+    /// *Domain*: gravity and inertia ratio positive and finite; otherwise as [`LoadTransferFriction::new`].
     pub fn new(
-        foot: PatchFriction<f64, Foot>,
+        foot: RoundFriction<f64, Foot>,
         height: f64,
         gradient: Gradient,
         [gravity, inertia_ratio]: [f64; 2],
@@ -71,8 +71,8 @@ impl TallBody {
         }
         let friction = match gradient {
             _ if height == 0.0 && foot.coupling().power().is_none() => Friction::Flat(foot),
-            Gradient::AllRound => Friction::AllRound(TallFriction::new(foot, height)?),
-            Gradient::FrontBack => Friction::FrontBack(TallFriction::new(foot, height)?),
+            Gradient::AllRound => Friction::AllRound(LoadTransferFriction::new(foot, height)?),
+            Gradient::FrontBack => Friction::FrontBack(LoadTransferFriction::new(foot, height)?),
         };
         Ok(Self {
             friction,
@@ -81,7 +81,7 @@ impl TallBody {
         })
     }
 
-    fn foot(&self) -> &PatchFriction<f64, Foot> {
+    fn foot(&self) -> &RoundFriction<f64, Foot> {
         match &self.friction {
             Friction::AllRound(friction) => friction.foot(),
             Friction::FrontBack(friction) => friction.foot(),

@@ -15,7 +15,7 @@ use super::motion::{Follower, Moment};
 use crate::stick::StickError;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use tribos_core::Real;
-use tribos_core::law::{Age, Ageing};
+use tribos_core::law::{RestTime, StaticAgeing};
 
 /// Mass, spring and load, and dry friction whose static coefficient may grow with the time of rest.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +24,7 @@ pub(super) struct DryBlock {
     pub stiffness: f64,
     pub load: f64,
     pub mu_dynamic: f64,
-    pub mu_static: Ageing<f64>,
+    pub mu_static: StaticAgeing<f64>,
 }
 
 /// A dry block under way.
@@ -78,7 +78,7 @@ impl DryMotion {
 
     /// What friction holds at an age.
     fn limit(&self, time: f64) -> f64 {
-        self.block.load * self.block.mu_static.mu_static(Age { time })
+        self.block.load * self.block.mu_static.mu_static(RestTime { time })
     }
 
     /// Time until the body lets go; infinite if it does not.
@@ -90,7 +90,7 @@ impl DryMotion {
         let force = self.force() * speed.signum();
         // Contacts that do not grow stronger; a force that rounding puts beyond the limit lets go at once.
         let young = ((self.limit(age) - force) / rate).max(0.0);
-        let strengthens = self.block.mu_static.rate(Age { time: age + young }) > 0.0;
+        let strengthens = self.block.mu_static.rate(RestTime { time: age + young }) > 0.0;
         if !strengthens {
             return young;
         }
@@ -104,7 +104,7 @@ impl DryMotion {
             wait *= 2.0;
         }
         for _ in 0..ALL_BITS {
-            let growth = self.block.load * self.block.mu_static.rate(Age { time: age + wait });
+            let growth = self.block.load * self.block.mu_static.rate(RestTime { time: age + wait });
             let next = wait - missing(wait) / (rate - growth);
             if next >= wait || next.is_nan() {
                 break;
@@ -282,7 +282,7 @@ mod tests {
                         stiffness: 1.0,
                         load: 1.0,
                         mu_dynamic: 0.2,
-                        mu_static: Ageing::new(0.4, growth, 1e-2).unwrap(),
+                        mu_static: StaticAgeing::new(0.4, growth, 1e-2).unwrap(),
                     };
                     let mut motion = DryMotion::new(block);
                     motion.offset = offset;

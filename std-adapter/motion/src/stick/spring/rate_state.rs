@@ -15,7 +15,7 @@ use super::motion::{Follower, Moment, spring_impulse};
 use super::rosenbrock::{Flow, Pace};
 use crate::stick::StickError;
 use tribos_core::Real;
-use tribos_core::law::{ContactAge, Dieterich, RateState};
+use tribos_core::law::{AgeingLaw, RateState, StateVariable};
 
 /// How the age evolves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,9 +29,9 @@ pub enum AgeLaw {
 /// A body under rate and state.
 #[derive(Debug)]
 pub(super) struct RateStateMotion {
-    law: RateState<f64, Dieterich>,
+    law: RateState<f64, AgeingLaw>,
     /// The law without its viscous term: for a small `a` a difference of slopes would lose T.
-    dry: RateState<f64, Dieterich>,
+    dry: RateState<f64, AgeingLaw>,
     ages: AgeLaw,
     mass: f64,
     stiffness: f64,
@@ -57,7 +57,7 @@ const FIRST: f64 = 1e-3;
 impl RateStateMotion {
     /// Sliding steadily with `start`, under a pull with `speed`; under a law, and the same without its viscous term.
     pub fn new(
-        [law, dry]: [RateState<f64, Dieterich>; 2],
+        [law, dry]: [RateState<f64, AgeingLaw>; 2],
         ages: AgeLaw,
         [mass, stiffness, load]: [f64; 3],
         [speed, start]: [f64; 2],
@@ -88,9 +88,9 @@ impl RateStateMotion {
         self.law.parameters().reference_speed * Real::exp(log_speed)
     }
 
-    fn age_of(&self, log_age: f64) -> ContactAge<f64> {
+    fn age_of(&self, log_age: f64) -> StateVariable<f64> {
         let p = self.law.parameters();
-        ContactAge {
+        StateVariable {
             theta: p.slip_distance / p.reference_speed * Real::exp(log_age),
         }
     }

@@ -10,7 +10,7 @@ use super::stability::critical_stiffness;
 use super::tally::Tally;
 use crate::stick::scene::{SpringFriction, SpringScene};
 use crate::stick::{HeldRun, HeldScene, StickError};
-use tribos_core::law::{Ageing, LocalLaw, LuGre, RateState, RateStateParameters};
+use tribos_core::law::{LocalLaw, LuGre, RateState, RateStateParameters, StaticAgeing};
 use tribos_friction::Law;
 
 /// Columns of the series: s, m, m, m/s, N, N, s or m, 0 or 1.
@@ -93,7 +93,7 @@ fn follower(scene: &SpringScene) -> Result<Box<dyn Follower>, StickError> {
             stiffness,
             load,
             mu_dynamic,
-            mu_static: Ageing::new(mu_static, growth, scene.cut_off)?,
+            mu_static: StaticAgeing::new(mu_static, growth, scene.cut_off)?,
         })))
     };
     Ok(match scene.friction {
