@@ -8,7 +8,7 @@ use std::hint::black_box;
 use tribos::cd::internals::{
     Accelerated, Coefficients, NoMonitor, Operator, Spheres, Visit, residual,
 };
-use tribos::cd::{Laws, World};
+use tribos::cd::{World, WorldMaterials};
 use tribos_core::contact::{ContactFriction, IndependentFriction};
 use tribos_tests::packings::{dry, first_problem, jammed_box, rough};
 
@@ -23,7 +23,7 @@ const MOST_SWEEPS: usize = 10_000;
 
 /// The box solved, checked without the solver.
 fn solved<F: ContactFriction<f64> + Coefficients>(friction: F) -> Spheres<F> {
-    let setup = jammed_box(COUNT, SEED, Laws::uniform(dry(), friction));
+    let setup = jammed_box(COUNT, SEED, WorldMaterials::uniform(dry(), friction));
     let mut problem = first_problem(&setup).expect("the box is valid");
     Accelerated::default().solve(&mut problem, CONVERGED, MOST_SWEEPS);
     let left = residual(&problem).relative;
@@ -67,7 +67,7 @@ fn assembly(criterion: &mut Criterion) {
     let mut setup = jammed_box(
         COUNT,
         SEED,
-        Laws::uniform(dry(), rough(MU[0], MU[1], MU[2])),
+        WorldMaterials::uniform(dry(), rough(MU[0], MU[1], MU[2])),
     );
     setup.solver.most_sweeps = 0;
     // Without a load nothing moves, so that every step is the same.

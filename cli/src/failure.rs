@@ -2,7 +2,7 @@
 
 use std::error::Error;
 use std::path::Path;
-use tribos::friction::Refusal;
+use tribos::friction::FrictionError;
 use tribos::golden::MeasureError;
 use tribos::push::PushError;
 use tribos::record::WriteError;
@@ -253,17 +253,17 @@ impl From<FilmError> for Failure {
     }
 }
 
-impl From<Refusal> for Failure {
+impl From<FrictionError> for Failure {
     /// A refused choice of friction, with the options that cure it.
-    fn from(refusal: Refusal) -> Self {
+    fn from(refusal: FrictionError) -> Self {
         Self::Input(match refusal {
-            Refusal::Tier { tier, reason, cure } => {
+            FrictionError::Tier { tier, reason, cure } => {
                 let cure = cure.map_or("leave out --tier".into(), |cure| {
                     format!("use --tier {cure}")
                 });
                 format!("--tier {tier} {reason}; {cure}")
             }
-            Refusal::SinglePrecision => {
+            FrictionError::SinglePrecision => {
                 "polynomial patches need --precision f64, or --tier quadrature".into()
             }
             other => other.to_string(),

@@ -9,7 +9,7 @@ use tribos::slide::curling::{
     BackHeavy, CurlingModel, CurlingRock, Dry, Film, FrontBack, IceLaw, LeftRight, PivotSlide,
     ScratchGuide,
 };
-use tribos::slide::planar::{Arrival, Journey, Launch};
+use tribos::slide::planar::{PlanarLaunch, PlanarResult, PlanarSimulation};
 
 /// Launch speed of a draw that stops after 28.35 m without spin under Penner's law, m/s.
 const DRAW: f64 = 1.9866;
@@ -103,11 +103,11 @@ fn spin_for_a_metre(model: &dyn CurlingModel) -> Result<f64, SlideError> {
     Ok(high)
 }
 
-fn shot(model: &dyn CurlingModel, speed: f64, spin: f64) -> Result<Arrival, SlideError> {
+fn shot(model: &dyn CurlingModel, speed: f64, spin: f64) -> Result<PlanarResult, SlideError> {
     let body = model.resistance(&CurlingRock::STANDARD)?;
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [speed, 0.0],
         spin,
     };
-    Journey::new(&body, &launch, 1e-4)?.to_end()
+    PlanarSimulation::new(&body, &launch, 1e-4)?.to_end()
 }

@@ -5,7 +5,9 @@
 
 use std::f64::consts::PI;
 use tribos::cd::internals::Coefficients;
-use tribos::cd::{Laws, Method, Setup, Solver, StepLimits, World, solid};
+use tribos::cd::{
+    ContactSolver, SolverMethod, StepLimits, World, WorldMaterials, WorldSetup, solid,
+};
 use tribos::kernel::contact::{Cohesion, ContactFriction, IndependentFriction, NormalLaw};
 use tribos::kernel::nalgebra::{Matrix3, Vector3};
 use tribos::random::Random;
@@ -43,7 +45,7 @@ fn main() -> Result<(), Failure> {
 
 /// One line of the table.
 fn measure(mu: f64, e: f64, count: usize, strain: f64, phi: f64) -> Result<String, Failure> {
-    let laws = Laws::uniform(
+    let laws = WorldMaterials::uniform(
         NormalLaw::new(Cohesion::NONE, e)?,
         IndependentFriction::sliding(mu)?,
     );
@@ -106,7 +108,11 @@ fn momentum_flux<F: ContactFriction<f64> + Coefficients>(
 }
 
 /// Random spheres in a cube of this solid fraction, pushed apart until they hardly overlap.
-fn packed<F>(laws: Laws<F>, count: usize, fraction: f64) -> Result<Setup<F>, Failure> {
+fn packed<F>(
+    laws: WorldMaterials<F>,
+    count: usize,
+    fraction: f64,
+) -> Result<WorldSetup<F>, Failure> {
     let mut random = Random::new(1, 0);
     let radii: Vec<_> = (0..count)
         .map(|_| 1.0 + SPREAD * (2.0 * random.unit() - 1.0))
@@ -133,7 +139,7 @@ fn packed<F>(laws: Laws<F>, count: usize, fraction: f64) -> Result<Setup<F>, Fai
             break;
         }
     }
-    let mut setup = Setup::new(laws);
+    let mut setup = WorldSetup::new(laws);
     setup.space = space;
     for (x, &r) in centres.iter().zip(&radii) {
         setup = setup.sphere(space.wrap(x), r, solid(r, 1.0));
@@ -142,8 +148,8 @@ fn packed<F>(laws: Laws<F>, count: usize, fraction: f64) -> Result<Setup<F>, Fai
         longest: 0.02 / RATE,
         motion: 0.05,
     };
-    setup.solver = Solver {
-        method: Method::Accelerated { tolerance: 1e-4 },
+    setup.solver = ContactSolver {
+        method: SolverMethod::Accelerated { tolerance: 1e-4 },
         most_sweeps: 2_000,
         warm_start: true,
     };

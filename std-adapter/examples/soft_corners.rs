@@ -6,8 +6,8 @@
 //! torsion, `00,01,10,11` if it is left out.
 
 use std::error::Error;
-use tribos::powder::Compaction;
-use tribos::run::drive;
+use tribos::powder::PowderSimulation;
+use tribos::run::run_to_end;
 use tribos::scene::PowderScene;
 
 type Answer<T> = Result<T, Box<dyn Error>>;
@@ -25,8 +25,8 @@ fn porosity(corner: &str, seed: &str, method: &[String]) -> Answer<f64> {
     ];
     keys.extend_from_slice(method);
     let scene = PowderScene::parse("compaction-small.toml", SCENE, &keys)?;
-    let mut compaction = Compaction::new(&scene)?;
-    drive(&mut compaction, |_, _| ())?;
+    let mut compaction = PowderSimulation::new(&scene)?;
+    run_to_end(&mut compaction, |_, _| ())?;
     let outcome = compaction.outcome();
     let [_, plus, minus] = outcome.stress_zz();
     let porosity = 100.0 * outcome.porosity[1];

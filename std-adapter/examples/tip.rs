@@ -1,14 +1,14 @@
 //! A tip of atoms turned on its substrate by a torque, and let go.
 
-use tribos::run::drive;
+use tribos::run::run_to_end;
 use tribos::scene::TipScene;
-use tribos::tip::TipRun;
+use tribos::tip::TipSimulation;
 
 #[rustfmt::skip] // As short as documentation shows it.
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = TipScene { lambda: 0.02, drive_time: 20.0, rest_time: 20.0, ..TipScene::default() };
-    let mut run = TipRun::new(&scene)?;
-    drive(&mut run, |_line, _done| ())?;
+    let mut run = TipSimulation::new(&scene)?;
+    run_to_end(&mut run, |_line, _done| ())?;
     let outcome = run.outcome();
     println!("{:.2}° driven, {:.2}° after", outcome.driven_angle, outcome.final_angle);
     Ok(())

@@ -10,8 +10,8 @@
 //! A puck that slides and spins: both motions end in the same moment.
 //!
 //! ```
-//! use tribos::{scene::SliderScene, slide::run};
-//! let puck = SliderScene { speed: 1.0, spin: 5.0, coefficient: 0.3, ..SliderScene::default() };
+//! use tribos::{scene::DiskScene, slide::run};
+//! let puck = DiskScene { speed: 1.0, spin: 5.0, coefficient: 0.3, ..SliderScene::default() };
 //! let end = run(&puck, |_done| ())?.outcome; // m/s, rad/s
 //! assert!((end.time - 0.369017132104558).abs() < 1e-9); // s
 //! # Ok::<(), tribos::slide::SlideError>(())
@@ -20,10 +20,10 @@
 //! A patch and a law chosen by name:
 //!
 //! ```
-//! use tribos::friction::{Friction, Law, Patch};
+//! use tribos::friction::{AnyFriction, Law, Patch};
 //! use tribos::kernel::prelude::*;
 //! let (patch, law): (Patch, Law) = ("hertz".parse()?, "coulomb:mu=0.3".parse()?);
-//! let ball = Friction::new(&patch, &law, None)?.with_radius(0.002)?; // m
+//! let ball = AnyFriction::new(&patch, &law, None)?.with_radius(0.002)?; // m
 //! let wrench = ball.wrench(10.0, &Twist::new(0.1, 0.0, 50.0)); // N; m/s, m/s, rad/s
 //! assert!(wrench.force.x < 0.0 && wrench.torque < 0.0); // N, N m
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -43,12 +43,12 @@
 //! A billiard ball, struck through its centre, ends rolling with 5/7 of its speed:
 //!
 //! ```
-//! use tribos::cd::{Laws, Setup, Wall, World, solid};
+//! use tribos::cd::{WorldMaterials, WorldSetup, Wall, World, solid};
 //! use tribos::kernel::contact::{Cohesion, NormalLaw, SphereBody, IndependentFriction};
 //! use tribos::kernel::nalgebra::Vector3;
 //! let ball = SphereBody { velocity: Vector3::x(), ..solid(0.028, 1700.0) }; // m/s; m, kg/m³
-//! let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.2)?);
-//! let table = Setup::new(laws).wall(Wall::fixed(Vector3::z(), 0.0)).gravity(Vector3::z() * -9.81);
+//! let laws = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.2)?);
+//! let table = WorldSetup::new(laws).wall(Wall::fixed(Vector3::z(), 0.0)).gravity(Vector3::z() * -9.81);
 //! let mut world = World::new(table.sphere(Vector3::z() * 0.028, 0.028, ball))?;
 //! (0..200).try_for_each(|_| world.step().map(|_| ()))?;
 //! assert!((world.state().spheres[0].velocity.x - 5.0 / 7.0).abs() < 1e-12);
@@ -58,9 +58,9 @@
 //! A cohesive powder under a piston:
 //!
 //! ```
-//! use tribos::{powder::Compaction, run::drive, scene::PowderScene};
+//! use tribos::{powder::PowderSimulation, run::drive, scene::PowderScene};
 //! let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
-//! let mut compaction = Compaction::new(&scene)?;
+//! let mut compaction = PowderSimulation::new(&scene)?;
 //! drive(&mut compaction, |_line, _done| ())?;
 //! let [before, after] = compaction.outcome().porosity;
 //! assert!(after < before);

@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use tribos::prelude::*;
-//! let puck = SliderScene { speed: 2.0, spin: 40.0, ..SliderScene::default() }; // m/s, rad/s
+//! let puck = DiskScene { speed: 2.0, spin: 40.0, ..SliderScene::default() }; // m/s, rad/s
 //! let rest = slide::run(&puck, |_| ())?.outcome;
 //! assert!(rest.distance > 0.0); // m
 //! let hertz = Friction::<f64>::new(&Patch::Hertz, &Law::coulomb(0.3)?, None)?;
@@ -11,16 +11,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub use crate::friction::{Friction, Law, Patch, Tier};
-pub use crate::gas::Gas;
-pub use crate::grains::Grains;
-pub use crate::powder::Compaction;
-pub use crate::run::{Session, drive};
+pub use crate::friction::{AnyFriction, Law, Patch, Tier};
+pub use crate::gas::GasSimulation;
+pub use crate::grains::GrainsSimulation;
+pub use crate::powder::PowderSimulation;
+pub use crate::run::{Session, run_to_end};
 pub use crate::scene::{
-    ClampScene, CurlingScene, CylinderScene, GasScene, GrainsScene, InclineScene, PipeScene,
-    PlateScene, PowderScene, Scene, SliderScene, SpringScene, TipScene, TurntableScene,
-    parse_scene, read_scene,
+    ClampScene, CurlingScene, CylinderScene, DiskScene, GasScene, GrainsScene, InclineScene,
+    PipeScene, PlateScene, PowderScene, Scene, SpringScene, TipScene, TurntableScene, parse_scene,
+    read_scene,
 };
 pub use crate::slide;
-pub use crate::tip::TipRun;
+pub use crate::tip::TipSimulation;
 pub use tribos_core::prelude::*;

@@ -3,13 +3,13 @@
 
 use std::error::Error;
 use std::path::Path;
-use tribos::problem::{Ending, Problem, Reduced, Settings, solve};
+use tribos::problem::{ContactProblem, ReducedProblem, SolverOptions, SolverStatus, solve};
 use tribos_tests::problems::{CHANGES, KINDS, changed, random};
 
 /// Solves a problem; prints what is not solved.
-fn is_solved(name: &str, problem: &Reduced) -> bool {
-    let end = solve(problem, &Settings::default(), |_| ());
-    let is_solved = end.ending == Ending::Converged;
+fn is_solved(name: &str, problem: &ReducedProblem) -> bool {
+    let end = solve(problem, &SolverOptions::default(), |_| ());
+    let is_solved = end.ending == SolverStatus::Converged;
     if !is_solved {
         println!(
             "{name}: {}, residuals {:.1e} {:.1e} {:.1e}, {} sweeps, {} factorisations",
@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{kind}: {solved} of 100");
     }
     for file in std::env::args().skip(1) {
-        let problem = Problem::read(Path::new(&file))?.reduced()?;
+        let problem = ContactProblem::read(Path::new(&file))?.reduced()?;
         let solved = (0..CHANGES.len())
             .filter(|&at| is_solved(&format!("{file}, {}", CHANGES[at]), &changed(&problem, at)));
         println!("{file}: {} of {}", solved.count(), CHANGES.len());

@@ -1,6 +1,6 @@
 //! Prints the tables of docs/contact-dynamics.md, section "Hard cases".
 
-use tribos::cd::Order;
+use tribos::cd::IterationOrder;
 use tribos_tests::{hard, sound};
 
 fn main() {
@@ -34,10 +34,10 @@ fn main() {
         sound::random_q()
     );
     for (name, order) in [
-        ("random, seed 0", Order::Random { seed: 0 }),
-        ("random, seed 1", Order::Random { seed: 1 }),
-        ("as numbered", Order::Fixed),
-        ("alternating", Order::Alternating),
+        ("random, seed 0", IterationOrder::Random { seed: 0 }),
+        ("random, seed 1", IterationOrder::Random { seed: 1 }),
+        ("as numbered", IterationOrder::Fixed),
+        ("alternating", IterationOrder::Alternating),
     ] {
         let (period, damping) = sound::measured(order);
         println!("| {name} | {period:.2} | {damping:.5} |");

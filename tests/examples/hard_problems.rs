@@ -2,10 +2,12 @@
 
 use std::error::Error;
 use std::time::Instant;
-use tribos::cd::Laws;
+use tribos::cd::WorldMaterials;
 use tribos::cd::internals::{Coefficients, Spheres};
-use tribos::powder::Compaction;
-use tribos::problem::{Ending, Global, Method, Reduced, Settings, Solution, solve};
+use tribos::powder::PowderSimulation;
+use tribos::problem::{
+    GlobalProblem, ProblemMethod, ReducedProblem, Solution, SolverOptions, SolverStatus, solve,
+};
 use tribos::run::Simulation;
 use tribos::scene::PowderScene;
 use tribos_core::contact::ContactFriction;
@@ -17,7 +19,7 @@ const MOST_STEPS: u64 = 20_000;
 
 struct Case {
     name: String,
-    problem: Reduced,
+    problem: ReducedProblem,
     /// Normal impulse on the floor, where equilibrium gives it.
     floor: Option<f64>,
 }
@@ -28,8 +30,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     println!("|---|---|---|---|---|---|---|---|");
     for case in cases()? {
-        let by_policy = timed(&case.problem, Method::Automatic);
-        let swept = timed(&case.problem, Method::Sweeps);
+        let by_policy = timed(&case.problem, ProblemMethod::Automatic);
+        let swept = timed(&case.problem, ProblemMethod::Sweeps);
         let error = case.floor.map_or(String::from("–"), |floor| {
             let largest = by_policy.0.impulses.iter().copied().fold(0.0, f64::max);
             format!("{:.1e}", (largest / floor - 1.0).abs())
@@ -49,11 +51,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// A solution and the time that it took, in ms.
-fn timed(problem: &Reduced, method: Method) -> (Solution, f64) {
-    let settings = Settings {
+fn timed(problem: &ReducedProblem, method: ProblemMethod) -> (Solution, f64) {
+    let settings = SolverOptions {
         tolerance: TOLERANCE,
         method,
-        ..Settings::default()
+        ..SolverOptions::default()
     };
     let start = Instant::now();
     let end = solve(problem, &settings, |_| ());
@@ -62,7 +64,7 @@ fn timed(problem: &Reduced, method: Method) -> (Solution, f64) {
 
 fn told(end: &Solution) -> String {
     match end.ending {
-        Ending::Converged => format!(
+        SolverStatus::Converged => format!(
             "{}: {} + {}",
             end.method.name(),
             end.sweeps,
@@ -73,8 +75,8 @@ fn told(end: &Solution) -> String {
 }
 
 fn cases() -> Result<Vec<Case>, Box<dyn Error>> {
-    let laws = Laws::uniform(dry(), rough(0.3, 0.1, 0.1));
-    let smooth = Laws::uniform(dry(), Smooth::none());
+    let laws = WorldMaterials::uniform(dry(), rough(0.3, 0.1, 0.1));
+    let smooth = WorldMaterials::uniform(dry(), Smooth::none());
     let mut cases = Vec::new();
     for (count, ratio) in [(1, 1e6), (1, 1e8), (10, 1e8), (100, 1e8), (50, 1e3)] {
         let setup = column(count, ratio, laws);
@@ -126,7 +128,7 @@ fn cases() -> Result<Vec<Case>, Box<dyn Error>> {
 /// Weight of a sphere of radius and density 1 under gravity 1, times a step of 0.02.
 const IMPULSE: f64 = 4.0 / 3.0 * std::f64::consts::PI * 0.02;
 
-fn posed<F>(spheres: &Spheres<F>) -> Result<Reduced, Box<dyn Error>>
+fn posed<F>(spheres: &Spheres<F>) -> Result<ReducedProblem, Box<dyn Error>>
 where
     F: ContactFriction<f64> + Coefficients,
 {
@@ -135,8 +137,8 @@ where
 }
 
 /// The last step of a cohesive powder that has stopped the piston.
-fn powder(sliding: f64, torsion: f64) -> Result<Global, Box<dyn Error>> {
-    let mut compaction = Compaction::new(&PowderScene {
+fn powder(sliding: f64, torsion: f64) -> Result<GlobalProblem, Box<dyn Error>> {
+    let mut compaction = PowderSimulation::new(&PowderScene {
         width: 10.0,
         height: 16.0,
         pressure: 0.02,

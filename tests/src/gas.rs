@@ -2,7 +2,7 @@
 
 use crate::packings::{Rough, accelerated, spheres};
 use nalgebra::Vector3;
-use tribos::cd::{Laws, Setup, StepLimits, solid};
+use tribos::cd::{StepLimits, WorldMaterials, WorldSetup, solid};
 use tribos::random::Random;
 use tribos::space::PeriodicBox;
 use tribos_core::contact::NormalLaw;
@@ -11,7 +11,7 @@ use tribos_core::contact::NormalLaw;
 pub const SIDE: f64 = 16.0;
 
 /// 64 spheres on a cubic lattice with random radii, velocities and spins, which soon collide.
-pub fn gas(space: PeriodicBox, normal: NormalLaw<f64>, friction: Rough) -> Setup<Rough> {
+pub fn gas(space: PeriodicBox, normal: NormalLaw<f64>, friction: Rough) -> WorldSetup<Rough> {
     let mut random = Random::new(7, 1);
     let lattice = |index: usize| {
         let cell = [index % 4, index / 4 % 4, index / 16].map(|cell| 2.0 + 4.0 * cell as f64);
@@ -19,7 +19,7 @@ pub fn gas(space: PeriodicBox, normal: NormalLaw<f64>, friction: Rough) -> Setup
     };
     let mut setup = spheres(
         (0..64).map(lattice).collect(),
-        Laws::uniform(normal, friction),
+        WorldMaterials::uniform(normal, friction),
     );
     setup.space = space;
     setup.solver = accelerated(1e-10);

@@ -4,7 +4,7 @@ use crate::packings::{Rough, accelerated, chain, column, dry, floor, jammed_box}
 use crate::packings::{rough, spheres, tower, unequal_pair};
 use nalgebra::Vector3;
 use tribos::cd::internals::Coefficients;
-use tribos::cd::{Laws, Setup, StepLimits, Wall, World, WorldError};
+use tribos::cd::{StepLimits, Wall, World, WorldError, WorldMaterials, WorldSetup};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{Attraction, Cohesion, ContactFriction, NormalLaw};
 
@@ -39,7 +39,7 @@ pub const TOLERANCES: [f64; 2] = [1e-4, 1e-10];
 /// A setup, the number of steps, and the error of the result.
 type Plan = (
     String,
-    Setup<Rough>,
+    WorldSetup<Rough>,
     usize,
     &'static str,
     fn(&World<Rough>) -> f64,
@@ -94,7 +94,7 @@ fn run((name, setup, steps, what, error): &Plan, tolerance: f64) -> Case {
 }
 
 fn plans() -> Vec<Plan> {
-    let laws = Laws::uniform(dry(), rough(0.3, 0.1, 0.1));
+    let laws = WorldMaterials::uniform(dry(), rough(0.3, 0.1, 0.1));
     let mut plans: Vec<Plan> = vec![
         (
             String::from("chain of 200 under its weight"),
@@ -220,11 +220,14 @@ fn overlap_change(world: &World<Rough>) -> f64 {
 const SLIDER: (f64, [f64; 2], f64) = (4.0, [0.3, 0.05], 1.0);
 
 /// A cohesive sphere that slides on a large one, then rolls against rolling resistance.
-fn slider(ratio: f64) -> Setup<Rough> {
+fn slider(ratio: f64) -> WorldSetup<Rough> {
     let (strength, [mu, mu_rolling], speed) = SLIDER;
     let cohesion = Cohesion::new(strength, 0.1, Attraction::Pull).expect("cohesion is valid");
     let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
-    let mut setup = unequal_pair(ratio, Laws::uniform(normal, rough(mu, mu_rolling, 0.0)));
+    let mut setup = unequal_pair(
+        ratio,
+        WorldMaterials::uniform(normal, rough(mu, mu_rolling, 0.0)),
+    );
     setup.spheres[1].velocity.x = speed;
     setup.step_limits = StepLimits {
         longest: 0.01,
@@ -244,10 +247,10 @@ fn rolling_speed(world: &World<Rough>) -> f64 {
 }
 
 /// A sphere under a ceiling whose cohesion equals its weight.
-fn hanging() -> Setup<Rough> {
+fn hanging() -> WorldSetup<Rough> {
     let mut setup = spheres(
         vec![-Vector3::z()],
-        Laws::uniform(dry(), rough(0.3, 0.1, 0.1)),
+        WorldMaterials::uniform(dry(), rough(0.3, 0.1, 0.1)),
     );
     let weight = 1.0 / setup.spheres[0].inv_mass;
     let cohesion = Cohesion::new(weight, 0.01, Attraction::Pull).expect("cohesion is valid");
@@ -260,23 +263,23 @@ fn hanging() -> Setup<Rough> {
 }
 
 /// A sphere that cannot roll, on a slope whose tangent is its coefficient.
-fn at_threshold() -> Setup<Rough> {
-    Setup {
+fn at_threshold() -> WorldSetup<Rough> {
+    WorldSetup {
         gravity: Vector3::new(0.5, 0.0, -1.0),
-        ..chain(1, Laws::uniform(dry(), rough(0.5, 4.0, 0.0)))
+        ..chain(1, WorldMaterials::uniform(dry(), rough(0.5, 4.0, 0.0)))
     }
 }
 
 /// Two spheres that overlap by 0.1, pressed against the floor.
-fn overlapping() -> Setup<Rough> {
-    let mut setup = chain(2, Laws::uniform(dry(), rough(0.3, 0.1, 0.1)));
+fn overlapping() -> WorldSetup<Rough> {
+    let mut setup = chain(2, WorldMaterials::uniform(dry(), rough(0.3, 0.1, 0.1)));
     setup.positions[1].z -= 0.1;
     setup
 }
 
 /// A chain of another size: lengths and gravity are multiplied by `scale`.
-fn scaled(scale: f64) -> Setup<Rough> {
-    let mut setup = chain(20, Laws::uniform(dry(), rough(0.3, 0.1, 0.1)));
+fn scaled(scale: f64) -> WorldSetup<Rough> {
+    let mut setup = chain(20, WorldMaterials::uniform(dry(), rough(0.3, 0.1, 0.1)));
     setup.positions.iter_mut().for_each(|x| *x *= scale);
     setup.radii.fill(scale);
     setup.spheres.fill(tribos::cd::solid(scale, 1.0));
@@ -287,8 +290,8 @@ fn scaled(scale: f64) -> Setup<Rough> {
 
 /// Invalid input, and the error of a world at construction or in its first step; `None` if there is none.
 pub fn refusals() -> Vec<(&'static str, Option<WorldError>)> {
-    let base = || chain(2, Laws::uniform(dry(), rough(0.3, 0.1, 0.1)));
-    let with = |change: fn(&mut Setup<Rough>)| {
+    let base = || chain(2, WorldMaterials::uniform(dry(), rough(0.3, 0.1, 0.1)));
+    let with = |change: fn(&mut WorldSetup<Rough>)| {
         let mut setup = base();
         change(&mut setup);
         first_step(setup)
@@ -337,7 +340,7 @@ pub fn refusals() -> Vec<(&'static str, Option<WorldError>)> {
 }
 
 /// A pull for which no step is short enough.
-fn far_pull(setup: &mut Setup<Rough>) {
+fn far_pull(setup: &mut WorldSetup<Rough>) {
     let cohesion = Cohesion::new(1e30, 1.0, Attraction::Pull).expect("cohesion is valid");
     let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
     (setup.laws.pairs.normal, setup.laws.walls.normal) = (normal, normal);
@@ -345,7 +348,7 @@ fn far_pull(setup: &mut Setup<Rough>) {
     setup.walls = vec![floor()];
 }
 
-fn first_step<F: ContactFriction<f64> + Coefficients>(setup: Setup<F>) -> Option<WorldError> {
+fn first_step<F: ContactFriction<f64> + Coefficients>(setup: WorldSetup<F>) -> Option<WorldError> {
     match World::new(setup) {
         Ok(mut world) => world.step().err(),
         Err(error) => Some(error),

@@ -4,7 +4,10 @@
 
 use nalgebra::Vector3;
 use tribos::cd::internals::{Coefficients, Spheres};
-use tribos::cd::{Laws, Method, Setup, Solver, StepLimits, Wall, World, WorldError, solid};
+use tribos::cd::{
+    ContactSolver, SolverMethod, StepLimits, Wall, World, WorldError, WorldMaterials, WorldSetup,
+    solid,
+};
 use tribos::random::Random;
 use tribos::space::{PeriodicBox, pairs::Cells};
 use tribos_core::contact::{AllModes, Cohesion, ContactFriction, Frictionless};
@@ -26,9 +29,9 @@ pub fn dry() -> NormalLaw<f64> {
 }
 
 /// Sweeps with momentum to a tolerance, starting from the last step's forces.
-pub fn accelerated(tolerance: f64) -> Solver {
-    Solver {
-        method: Method::Accelerated { tolerance },
+pub fn accelerated(tolerance: f64) -> ContactSolver {
+    ContactSolver {
+        method: SolverMethod::Accelerated { tolerance },
         most_sweeps: 5_000,
         warm_start: true,
     }
@@ -43,9 +46,9 @@ const STEP_LIMITS: StepLimits = StepLimits {
 };
 
 /// Spheres of radius 1 at rest in open space, without gravity and walls.
-pub fn spheres<F>(positions: Vec<Vector3<f64>>, laws: Laws<F>) -> Setup<F> {
+pub fn spheres<F>(positions: Vec<Vector3<f64>>, laws: WorldMaterials<F>) -> WorldSetup<F> {
     let count = positions.len();
-    Setup {
+    WorldSetup {
         space: PeriodicBox::OPEN,
         positions,
         radii: vec![1.0; count],
@@ -67,9 +70,9 @@ pub fn floor() -> Wall {
 }
 
 /// A vertical chain on the floor under its own weight, with gravity 1 and gaps of 0.
-pub fn chain<F>(count: usize, laws: Laws<F>) -> Setup<F> {
+pub fn chain<F>(count: usize, laws: WorldMaterials<F>) -> WorldSetup<F> {
     let height = |level: usize| Vector3::new(0.0, 0.0, 1.0 + 2.0 * level as f64);
-    Setup {
+    WorldSetup {
         walls: vec![floor()],
         gravity: Vector3::new(0.0, 0.0, -1.0),
         ..spheres((0..count).map(height).collect(), laws)
@@ -77,7 +80,7 @@ pub fn chain<F>(count: usize, laws: Laws<F>) -> Setup<F> {
 }
 
 /// A chain under a plate that is `ratio` times as heavy as one sphere.
-pub fn column<F>(count: usize, ratio: f64, laws: Laws<F>) -> Setup<F> {
+pub fn column<F>(count: usize, ratio: f64, laws: WorldMaterials<F>) -> WorldSetup<F> {
     let mass = ratio / solid(1.0, 1.0).inv_mass;
     let mut setup = chain(count, laws);
     // Gravity 1 acts only on spheres, so the plate's weight is a load.
@@ -87,7 +90,7 @@ pub fn column<F>(count: usize, ratio: f64, laws: Laws<F>) -> Setup<F> {
 }
 
 /// A chain in which every sphere is `growth` times as dense as the one below.
-pub fn tower<F>(count: usize, growth: f64, laws: Laws<F>) -> Setup<F> {
+pub fn tower<F>(count: usize, growth: f64, laws: WorldMaterials<F>) -> WorldSetup<F> {
     let mut setup = chain(count, laws);
     for (level, sphere) in setup.spheres.iter_mut().enumerate() {
         *sphere = solid(1.0, growth.powi(level as i32));
@@ -96,16 +99,16 @@ pub fn tower<F>(count: usize, growth: f64, laws: Laws<F>) -> Setup<F> {
 }
 
 /// A row along x whose first sphere is a `gap` away from a wall; the spheres touch each other.
-pub fn row<F>(count: usize, gap: f64, laws: Laws<F>) -> Setup<F> {
+pub fn row<F>(count: usize, gap: f64, laws: WorldMaterials<F>) -> WorldSetup<F> {
     let place = |index: usize| Vector3::new(1.0 + gap + 2.0 * index as f64, 0.0, 0.0);
-    Setup {
+    WorldSetup {
         walls: vec![Wall::fixed(Vector3::x(), 0.0)],
         ..spheres((0..count).map(place).collect(), laws)
     }
 }
 
 /// A sphere of radius 1 on top of one of radius `ratio`, both of density 1, touching.
-pub fn unequal_pair<F>(ratio: f64, laws: Laws<F>) -> Setup<F> {
+pub fn unequal_pair<F>(ratio: f64, laws: WorldMaterials<F>) -> WorldSetup<F> {
     let mut setup = spheres(
         vec![Vector3::zeros(), Vector3::new(0.0, 0.0, ratio + 1.0)],
         laws,
@@ -133,7 +136,7 @@ const RELAX: f64 = 0.2;
 ///
 /// Random positions are relaxed as soft spheres while the box shrinks, until there are enough contacts.
 /// Overlaps of about 1e-2 remain, which rigid contacts treat as gaps of 0.
-pub fn jammed_box<F>(count: usize, seed: u64, laws: Laws<F>) -> Setup<F> {
+pub fn jammed_box<F>(count: usize, seed: u64, laws: WorldMaterials<F>) -> WorldSetup<F> {
     let mut random = Random::new(seed, 0);
     let volume = 4.0 / 3.0 * std::f64::consts::PI * count as f64;
     let mut side = (volume / LOOSE).cbrt();
@@ -151,7 +154,7 @@ pub fn jammed_box<F>(count: usize, seed: u64, laws: Laws<F>) -> Setup<F> {
     let low = axes.map(|axis| Wall::fixed(axis, 0.0));
     let high = [axes[0], axes[1]].map(|axis| Wall::fixed(-axis, -side));
     let piston = Wall::piston(-axes[2], -side, volume, load);
-    Setup {
+    WorldSetup {
         walls: low.into_iter().chain(high).chain([piston]).collect(),
         ..spheres(positions, laws)
     }
@@ -196,7 +199,7 @@ fn relax(positions: &mut [Vector3<f64>], side: f64, cells: &mut Cells) -> usize 
 }
 
 /// The unsolved contact problem of the first step: free velocities and zero impulses.
-pub fn first_problem<F>(setup: &Setup<F>) -> Result<Spheres<F>, WorldError>
+pub fn first_problem<F>(setup: &WorldSetup<F>) -> Result<Spheres<F>, WorldError>
 where
     F: ContactFriction<f64> + Coefficients,
 {

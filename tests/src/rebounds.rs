@@ -68,7 +68,7 @@ pub fn run(cell: Cell, time: f64) -> Answer {
 }
 
 /// The gas with the parameters of one run.
-pub fn setup(cell: Cell) -> tribos::cd::Setup<crate::packings::Rough> {
+pub fn setup(cell: Cell) -> tribos::cd::WorldSetup<crate::packings::Rough> {
     let normal = NormalLaw::new(Cohesion::NONE, cell.restitution).expect("the law is valid");
     let friction = rough(cell.mu, cell.rolling, cell.rolling);
     let mut setup = gas(PeriodicBox::OPEN, normal, friction);

@@ -7,7 +7,10 @@
 use crate::packings::{Smooth, dry, row};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
-use tribos::cd::{Laws, Method, Order, Setup, Solver, StepLimits, Stop, Wall, World};
+use tribos::cd::{
+    ContactSolver, IterationOrder, SolverMethod, StepLimits, StopRule, Wall, World, WorldMaterials,
+    WorldSetup,
+};
 
 /// Number of spheres in the row; the piston at its end is one more body of the same mass.
 const SPHERES: usize = 49;
@@ -19,8 +22,8 @@ const FIRST: usize = 3;
 const PERIODS: usize = 3;
 
 /// A row between a wall and a piston of one sphere's mass, pushed from time 0 by 0.05 m d/dt².
-pub fn pushed(order: Order) -> Setup<Smooth> {
-    let mut setup = row(SPHERES, 0.0, Laws::uniform(dry(), Smooth::none()));
+pub fn pushed(order: IterationOrder) -> WorldSetup<Smooth> {
+    let mut setup = row(SPHERES, 0.0, WorldMaterials::uniform(dry(), Smooth::none()));
     let mass = 1.0 / setup.spheres[0].inv_mass;
     let end = Wall::piston(-Vector3::x(), -2.0 * SPHERES as f64, mass, 0.1 * mass);
     setup.walls.push(end);
@@ -28,10 +31,10 @@ pub fn pushed(order: Order) -> Setup<Smooth> {
         longest: 1.0,
         motion: 0.3,
     };
-    setup.solver = Solver {
-        method: Method::GaussSeidel {
+    setup.solver = ContactSolver {
+        method: SolverMethod::GaussSeidel {
             order,
-            stop: Stop::Fixed,
+            stop: StopRule::Fixed,
         },
         most_sweeps: SWEEPS,
         warm_start: true,
@@ -41,7 +44,7 @@ pub fn pushed(order: Order) -> Setup<Smooth> {
 
 /// Period and damping rate of the last body's velocity, in steps: from its zeros, and from its
 /// amplitude between them, which is that of the fundamental mode once the others have decayed.
-pub fn measured(order: Order) -> (f64, f64) {
+pub fn measured(order: IterationOrder) -> (f64, f64) {
     let mut world = World::new(pushed(order)).expect("the setup is valid");
     let (mut zeros, mut swings) = (Vec::new(), Vec::new());
     let (mut last, mut swing) = (0.0_f64, 0.0);

@@ -2,7 +2,7 @@
 
 use tribos::run::Simulation;
 use tribos::scene::TipScene;
-use tribos::tip::TipRun;
+use tribos::tip::TipSimulation;
 
 type Error = Box<dyn std::error::Error>;
 
@@ -21,7 +21,7 @@ pub fn tiny(text: &str) -> Result<TipScene, Error> {
 }
 
 /// Runs all steps of a simulation.
-pub fn to_the_end(run: &mut TipRun) -> Result<(), Error> {
+pub fn to_the_end(run: &mut TipSimulation) -> Result<(), Error> {
     while run.step()? {}
     Ok(())
 }

@@ -13,8 +13,8 @@ use std::sync::atomic::{self, AtomicUsize};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::available_parallelism;
 use std::time::Instant;
-use tribos::powder::{Compaction, Outcome};
-use tribos::run::{FRAMES as FRAMES_FOLDER, LongRun, Session, Start, in_order};
+use tribos::powder::{PowderSimulation, PowderSummary};
+use tribos::run::{FRAMES as FRAMES_FOLDER, LongRun, Session, StartMode, in_order};
 use tribos::scene::PowderScene;
 use tribos_report::player::Film;
 use tribos_report::runs::RunFrames;
@@ -144,7 +144,7 @@ pub struct Run {
     /// What was run.
     pub scene: PowderScene,
     /// The summary.
-    pub outcome: Outcome,
+    pub outcome: PowderSummary,
     /// The packing at the start and at the end.
     pub states: [State; 2],
 }
@@ -154,7 +154,8 @@ impl Run {
     fn of(case: &Case, runs: &Runs) -> Result<Self> {
         let scene = case.scene.clone();
         let folder = &runs.kept.run(&case.folder());
-        let compaction: Compaction = runs.session(folder).frames(case.frames()).run(&scene)?;
+        let compaction: PowderSimulation =
+            runs.session(folder).frames(case.frames()).run(&scene)?;
         Ok(Self {
             outcome: compaction.outcome(),
             states: State::both(&compaction),
@@ -200,7 +201,7 @@ impl<'a> Runs<'a> {
     /// A run in its folder, resumed if it can be, and cancelled when the reader is.
     pub fn session<R: LongRun>(&self, folder: &Path) -> Session<'_, R> {
         Session::under(self.kept.lock.clone(), folder)
-            .start(Start::ResumeIfPossible)
+            .start(StartMode::ResumeIfPossible)
             .checkpoint_every(self.kept.pause)
             .cancel_when(|| self.reader.is_cancelled())
     }

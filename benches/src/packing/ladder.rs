@@ -7,7 +7,7 @@ use super::work::{METHODS, Method, Work, work_to};
 use crate::clock::Clock;
 use crate::written::{Sheet, short};
 use tribos::cd::internals::{Coefficients, Operator, Spheres, Sweeper, residual};
-use tribos::cd::{self, Laws, Order, Stop};
+use tribos::cd::{self, IterationOrder, StopRule, WorldMaterials};
 use tribos_core::contact::{ContactFriction, IndependentFriction};
 use tribos_tests::packings::{dry, first_problem, jammed_box, rough};
 
@@ -65,8 +65,16 @@ pub fn measure(most: usize) -> Result<(Vec<Rung>, Vec<Contest>), NotJammed> {
         rough(MU[0], MU[1], MU[2]),
         rough(STRONG[0], STRONG[1], STRONG[2]),
     );
-    let smooth_box = first_problem(&jammed_box(COUNT, SEED, Laws::uniform(dry(), smooth)));
-    let rough_box = first_problem(&jammed_box(COUNT, SEED, Laws::uniform(dry(), weak)));
+    let smooth_box = first_problem(&jammed_box(
+        COUNT,
+        SEED,
+        WorldMaterials::uniform(dry(), smooth),
+    ));
+    let rough_box = first_problem(&jammed_box(
+        COUNT,
+        SEED,
+        WorldMaterials::uniform(dry(), weak),
+    ));
 
     let mut found = (Vec::new(), Vec::new());
     climb(
@@ -139,7 +147,7 @@ fn climb<F>(
 }
 
 /// Plain sweeps: a fixed number, and the local and the global rule.
-fn plain<F>(name: &'static str, start: &Spheres<F>, order: Order, most: usize) -> Vec<Rung>
+fn plain<F>(name: &'static str, start: &Spheres<F>, order: IterationOrder, most: usize) -> Vec<Rung>
 where
     F: ContactFriction<f64> + Coefficients,
 {
@@ -152,19 +160,19 @@ where
     let mut rungs = Vec::new();
     let mut sweeps = 10;
     while sweeps <= most {
-        rungs.push(solve(Stop::Fixed, format!("N = {sweeps}"), sweeps));
+        rungs.push(solve(StopRule::Fixed, format!("N = {sweeps}"), sweeps));
         sweeps *= 2;
     }
     rungs.extend(ladder(|tolerance| {
         solve(
-            Stop::Local(tolerance),
+            StopRule::Local(tolerance),
             format!("local {tolerance:.0e}"),
             most,
         )
     }));
     rungs.extend(ladder(|tolerance| {
         solve(
-            Stop::Global(tolerance),
+            StopRule::Global(tolerance),
             format!("global {tolerance:.0e}"),
             most,
         )
@@ -244,7 +252,7 @@ pub fn contest_sheet(contests: &[Contest]) -> Sheet {
         let of = |wanted| METHODS.iter().position(|&method| method == wanted);
         let work = |wanted| of(wanted).and_then(|index| contest.works[index]);
         let (plain, best) = (
-            work(Method::GaussSeidel(Order::Fixed)),
+            work(Method::GaussSeidel(IterationOrder::Fixed)),
             work(Method::Accelerated),
         );
         let gain = |size: fn(&Work) -> f64| match (plain, best) {

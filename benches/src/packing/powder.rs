@@ -4,7 +4,10 @@ use super::jammed::NotJammed;
 use super::problems::cool;
 use nalgebra::Vector3;
 use tribos::cd::internals::{Coefficients, Spheres};
-use tribos::cd::{Laws, Method, Setup, Solver, StepLimits, Wall, World, WorldError, solid};
+use tribos::cd::{
+    ContactSolver, SolverMethod, StepLimits, Wall, World, WorldError, WorldMaterials, WorldSetup,
+    solid,
+};
 use tribos::powder::deposit::{Ballistic, Until};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{Attraction, Cohesion, ContactFriction, NormalLaw};
@@ -39,7 +42,7 @@ where
     Ok(problem)
 }
 
-fn setup<F>(friction: F) -> Result<Setup<F>, NotJammed>
+fn setup<F>(friction: F) -> Result<WorldSetup<F>, NotJammed>
 where
     F: ContactFriction<f64>,
 {
@@ -50,7 +53,7 @@ where
         .and_then(|cohesion| NormalLaw::new(cohesion, 0.0))
         .map_err(|error| NotJammed(error.to_string()))?;
     let up = Vector3::z();
-    Ok(Setup {
+    Ok(WorldSetup {
         space: PeriodicBox::new([Some(WIDTH), Some(WIDTH), None])?,
         spheres: deposit.radii.iter().map(|&r| solid(r, 1.0)).collect(),
         positions: deposit.positions,
@@ -59,7 +62,7 @@ where
             Wall::fixed(up, 0.0),
             Wall::piston(-up, -deposit.height, PISTON, PRESSURE * WIDTH * WIDTH),
         ],
-        laws: Laws::uniform(cohesive, friction),
+        laws: WorldMaterials::uniform(cohesive, friction),
         gravity: Vector3::zeros(),
         shear_rate: 0.0,
         mixture: None,
@@ -67,8 +70,8 @@ where
             longest: 0.2,
             motion: 0.05,
         },
-        solver: Solver {
-            method: Method::Accelerated {
+        solver: ContactSolver {
+            method: SolverMethod::Accelerated {
                 tolerance: TOLERANCE,
             },
             most_sweeps: MOST_SWEEPS,

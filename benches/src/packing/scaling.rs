@@ -6,7 +6,7 @@ use super::problems::{chain, pressed};
 use super::work::{Method, Work, work_to};
 use crate::power_law::exponent;
 use crate::written::{Sheet, short};
-use tribos::cd::Order;
+use tribos::cd::IterationOrder;
 use tribos::cd::internals::{Coefficients, Operator, Spheres};
 use tribos_core::contact::{ContactFriction, IndependentFriction};
 use tribos_tests::packings::rough;
@@ -14,7 +14,10 @@ use tribos_tests::packings::rough;
 /// Residuals to reach.
 const TARGETS: [f64; 2] = [1e-6, 1e-8];
 /// Plain and accelerated.
-pub const METHODS: [Method; 2] = [Method::GaussSeidel(Order::Fixed), Method::Accelerated];
+pub const METHODS: [Method; 2] = [
+    Method::GaussSeidel(IterationOrder::Fixed),
+    Method::Accelerated,
+];
 /// Width of a tower, in radii.
 const TOWER: f64 = 8.0;
 /// Width of a cube of `count` spheres, in radii: as high as wide.

@@ -4,14 +4,14 @@
 use super::conjugate;
 use crate::clock::Clock;
 use tribos::cd::internals::{Accelerated, Coefficients, NoMonitor, Spheres, Sweeper, residual};
-use tribos::cd::{Iterations, Order};
+use tribos::cd::{IterationOrder, Iterations};
 use tribos_core::contact::ContactFriction;
 
 /// The compared methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Plain non-linear Gauss–Seidel.
-    GaussSeidel(Order),
+    GaussSeidel(IterationOrder),
     /// Conjugate directions over symmetric sweeps, the baseline.
     Conjugate,
     /// Sweeps with momentum.
@@ -20,9 +20,9 @@ pub enum Method {
 
 /// Plain and accelerated methods.
 pub const METHODS: [Method; 5] = [
-    Method::GaussSeidel(Order::Fixed),
-    Method::GaussSeidel(Order::Alternating),
-    Method::GaussSeidel(Order::Random { seed: 1 }),
+    Method::GaussSeidel(IterationOrder::Fixed),
+    Method::GaussSeidel(IterationOrder::Alternating),
+    Method::GaussSeidel(IterationOrder::Random { seed: 1 }),
     Method::Conjugate,
     Method::Accelerated,
 ];
@@ -31,9 +31,9 @@ impl Method {
     /// Name of the method in reports.
     pub fn name(self) -> &'static str {
         match self {
-            Self::GaussSeidel(Order::Fixed) => "GS fixed order",
-            Self::GaussSeidel(Order::Alternating) => "GS alternating",
-            Self::GaussSeidel(Order::Random { .. }) => "GS random order",
+            Self::GaussSeidel(IterationOrder::Fixed) => "GS fixed order",
+            Self::GaussSeidel(IterationOrder::Alternating) => "GS alternating",
+            Self::GaussSeidel(IterationOrder::Random { .. }) => "GS random order",
             Self::Conjugate => "conjugate",
             Self::Accelerated => "accelerated",
         }
@@ -82,7 +82,7 @@ where
 }
 
 /// Plain sweeps with occasional checks of the residual.
-fn plain_to<F>(start: &Spheres<F>, order: Order, target: f64, most: usize) -> Option<Work>
+fn plain_to<F>(start: &Spheres<F>, order: IterationOrder, target: f64, most: usize) -> Option<Work>
 where
     F: ContactFriction<f64> + Coefficients,
 {

@@ -9,7 +9,9 @@ use tribos::fit::support::{
     MeasuredPush, MeasuredPushError, SupportFit, fit_support as fitted, fit_support_at,
     fit_support_within,
 };
-use tribos::fit::{Data, DataError, Fit, FitError, Known, LawName, Options, fit, law_model};
+use tribos::fit::{
+    DataError, Fit, FitError, FitLaw, FitOptions, Measurements, Uncertainty, fit, law_model,
+};
 use tribos::friction::{Area, Flat};
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::nodes::NodePatch;
@@ -19,17 +21,17 @@ use tribos_core::twist::{Twist, Wrench};
 /// time.
 #[pyfunction]
 pub fn fit_laws() -> Vec<[&'static str; 4]> {
-    let row = |(law, name, help): (LawName, _, _)| [name, help, law.steady(), law.over_time()];
-    LawName::ALL.map(row).to_vec()
+    let row = |(law, name, help): (FitLaw, _, _)| [name, help, law.steady(), law.over_time()];
+    FitLaw::ALL.map(row).to_vec()
 }
 
 /// Velocities, friction, and times and standard deviations if there are any.
 type Columns = (Vec<f64>, Vec<f64>, Option<Vec<f64>>, Option<Vec<f64>>);
 
-fn data((velocities, friction, times, sigma): Columns) -> Result<Data, FitError> {
+fn data((velocities, friction, times, sigma): Columns) -> Result<Measurements, FitError> {
     Ok(match times {
-        None => Data::steady(velocities, friction, sigma)?,
-        Some(times) => Data::series(times, velocities, friction, sigma)?,
+        None => Measurements::steady(velocities, friction, sigma)?,
+        Some(times) => Measurements::series(times, velocities, friction, sigma)?,
     })
 }
 
@@ -51,11 +53,11 @@ pub fn fit_law<'py>(
     fixed: Vec<(String, f64)>,
     starts: usize,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let law: LawName = law.parse().map_err(refused)?;
+    let law: FitLaw = law.parse().map_err(refused)?;
     let found = detached(py, || {
         let data = data(columns)?;
         let model = law_model(law, &data)?;
-        fit(model.as_ref(), &data, &Options { fixed, starts })
+        fit(model.as_ref(), &data, &FitOptions { fixed, starts })
     })?;
     result(py, &found.map_err(told)?)
 }
@@ -69,10 +71,10 @@ fn result<'py>(py: Python<'py>, fit: &Fit) -> PyResult<Bound<'py, PyDict>> {
         entry.set_item("meaning", parameter.meaning)?;
         entry.set_item("value", estimate.value)?;
         let (error, state, others) = match &estimate.known {
-            Known::StandardError(error) => (*error, "determined", Vec::new()),
-            Known::Fixed => (0.0, "fixed", Vec::new()),
-            Known::AtBound => (f64::NAN, "at its bound", Vec::new()),
-            Known::Undetermined(others) => (f64::NAN, "not determined", others.clone()),
+            Uncertainty::StandardError(error) => (*error, "determined", Vec::new()),
+            Uncertainty::Fixed => (0.0, "fixed", Vec::new()),
+            Uncertainty::AtBound => (f64::NAN, "at its bound", Vec::new()),
+            Uncertainty::Undetermined(others) => (f64::NAN, "not determined", others.clone()),
         };
         entry.set_item("error", error)?;
         entry.set_item("state", state)?;
@@ -107,7 +109,7 @@ pub fn predict_law(
     times: Option<Vec<f64>>,
     values: Vec<f64>,
 ) -> PyResult<Vec<f64>> {
-    let law: LawName = law.parse().map_err(refused)?;
+    let law: FitLaw = law.parse().map_err(refused)?;
     let predicted = detached(py, || {
         // Any friction along the motion serves: models take their places from the data alone.
         let friction = velocities.iter().map(|v| v.signum()).collect();

@@ -5,7 +5,7 @@ use crate::modes::Profiled;
 use crate::threads::detached;
 use pyo3::prelude::*;
 use std::num::NonZeroU32;
-use tribos::slide::inverse::{Limits, Pose, RestMap, Solution, Turns};
+use tribos::slide::inverse::{LaunchLimits, LaunchSolution, Pose, RestMap, Turns};
 
 /// Velocity, spin, speed, direction, angle, time and energy per mass.
 type Row = ((f64, f64), f64, f64, f64, f64, f64, f64);
@@ -43,7 +43,7 @@ pub fn launches(
             friction.radius,
             wanted.inertia_ratio,
         )?;
-        let limits = Limits::new(wanted.max_speed, wanted.max_spin)?;
+        let limits = LaunchLimits::new(wanted.max_speed, wanted.max_spin)?;
         let target = Pose {
             x: wanted.x,
             y: wanted.y,
@@ -64,8 +64,8 @@ pub fn launches(
     Ok(found.map_err(refused)?.iter().map(row).collect())
 }
 
-fn row(solution: &Solution) -> Row {
-    let Solution {
+fn row(solution: &LaunchSolution) -> Row {
+    let LaunchSolution {
         launch,
         speed,
         direction,

@@ -75,7 +75,7 @@ impl Law {
 /// The catalogue of laws.
 #[pyfunction]
 pub fn laws(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
-    let entry = |law: &friction::Entry| {
+    let entry = |law: &friction::LawEntry| {
         let entry = PyDict::new(py);
         entry.set_item("name", law.name)?;
         entry.set_item("summary", law.summary)?;

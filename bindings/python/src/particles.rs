@@ -9,8 +9,10 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use tribos::cd::{ContactLaws, Laws, Method, Setup, StepLimits, StepReport, Wall, solid};
-use tribos::cd::{Solver, World as Spheres};
+use tribos::cd::{
+    ContactMaterial, SolverMethod, StepLimits, StepReport, Wall, WorldMaterials, WorldSetup, solid,
+};
+use tribos::cd::{ContactSolver, World as Spheres};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{AllModes, Attraction, Cohesion, IndependentFriction, NormalLaw};
 
@@ -22,13 +24,13 @@ type LawNumbers = ([f64; 6], bool);
 
 fn law(
     ([sliding, rolling, torsion, restitution, strength, range], pulls): LawNumbers,
-) -> PyResult<ContactLaws<Friction>> {
+) -> PyResult<ContactMaterial<Friction>> {
     let attraction = match pulls {
         true => Attraction::Pull,
         false => Attraction::Resistance,
     };
     let cohesion = Cohesion::new(strength, range, attraction).map_err(refused)?;
-    Ok(ContactLaws {
+    Ok(ContactMaterial {
         normal: NormalLaw::new(cohesion, restitution).map_err(refused)?,
         friction: Friction::all(sliding, rolling, torsion).map_err(refused)?,
     })
@@ -100,11 +102,11 @@ impl World {
                 }
             }
         }
-        let laws = Laws {
+        let laws = WorldMaterials {
             pairs: law(pairs)?,
             walls: law(at_walls)?,
         };
-        let setup = Setup {
+        let setup = WorldSetup {
             space: PeriodicBox::new(periods).map_err(refused)?,
             positions,
             radii,
@@ -115,13 +117,13 @@ impl World {
                 longest: longest_step,
                 motion: largest_motion,
             },
-            solver: Solver {
-                method: Method::Accelerated { tolerance },
+            solver: ContactSolver {
+                method: SolverMethod::Accelerated { tolerance },
                 most_sweeps: sweeps,
                 warm_start: true,
             },
             sleep_speed,
-            ..Setup::new(laws)
+            ..WorldSetup::new(laws)
         };
         let inside = Inside {
             world: Spheres::new(setup).map_err(refused)?,

@@ -7,8 +7,8 @@ use crate::surface::LimitSurface;
 use crate::threads::{detached, fill};
 use pyo3::prelude::*;
 use tribos::push::{
-    ConeEdge, Drive, End, Journey, LineContact, Mode, Moment, PointContact, Pose, Push, PushError,
-    Side,
+    ConeEdge, ContactMode, LineContact, PathEnd, PathSample, PointContact, Pose, PushError,
+    PushPath, PushedSide, Pusher, QuasiStaticPush,
 };
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::nalgebra::Vector2;
@@ -88,12 +88,12 @@ pub fn push_modes() -> [&'static str; 4] {
     ["sticking", "sliding left", "sliding right", "separating"]
 }
 
-fn push_numbers(push: &Push) -> [f64; 11] {
+fn push_numbers(push: &QuasiStaticPush) -> [f64; 11] {
     let mode = match push.mode {
-        Mode::Sticking => 0.0,
-        Mode::SlidingLeft => 1.0,
-        Mode::SlidingRight => 2.0,
-        Mode::Separating => 3.0,
+        ContactMode::Sticking => 0.0,
+        ContactMode::SlidingLeft => 1.0,
+        ContactMode::SlidingRight => 2.0,
+        ContactMode::Separating => 3.0,
     };
     joined(&[
         &[mode],
@@ -144,7 +144,7 @@ pub fn pushes<'py>(
 }
 
 /// Time, pose, contact, push.
-fn moment_numbers(moment: &Moment) -> [f64; 17] {
+fn moment_numbers(moment: &PathSample) -> [f64; 17] {
     let pose = &moment.pose;
     joined(&[
         &[moment.time],
@@ -172,11 +172,11 @@ pub fn push_along<'py>(
     tolerance: f64,
 ) -> PyResult<(Bound<'py, PyAny>, &'static str, usize)> {
     let [x, y, angle] = start;
-    let drive = Drive {
+    let drive = Pusher {
         contact: contact(at).map_err(refused)?,
         side: match side {
-            Some([right, left]) => Side::Straight { right, left },
-            None => Side::Round,
+            Some([right, left]) => PushedSide::Straight { right, left },
+            None => PushedSide::Round,
         },
         start: Pose {
             position: Vector2::new(x, y),
@@ -187,17 +187,17 @@ pub fn push_along<'py>(
         samples,
         tolerance,
     };
-    let journey: Journey = detached(py, || {
+    let journey: PushPath = detached(py, || {
         let journey = surface
             .sets
-            .with(force_limit, |set| tribos::push::push_along(set, &drive))?;
+            .with(force_limit, |set| tribos::push::push_path(set, &drive))?;
         journey.map_err(refused)
     })??;
     let end = match journey.end {
-        End::Done => "done",
-        End::Slipped => "slipped",
-        End::Separated => "separated",
-        End::Loose => "loose",
+        PathEnd::Done => "done",
+        PathEnd::Slipped => "slipped",
+        PathEnd::Separated => "separated",
+        PathEnd::Loose => "loose",
     };
     let mut output = Output::new(py, &[journey.moments.len()], &[17], None)?;
     for (row, moment) in output.rows::<17>()?.iter_mut().zip(&journey.moments) {
@@ -222,7 +222,7 @@ pub fn line_grip<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let line = line(ends).map_err(refused)?;
     each::<3, 6>(py, surface, force_limit, twists, |set, row| {
-        let grip = line.grip(set, &twist_of(row));
+        let grip = line.stable_push(set, &twist_of(row));
         Ok(joined(&[
             &[f64::from(u8::from(grip.is_stable))],
             &numbers(&grip.wrench),

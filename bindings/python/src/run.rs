@@ -19,7 +19,7 @@ use tribos::record::Partner;
 use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder};
 use tribos::run::folder::Manifest;
 use tribos::scene::Scene;
-use tribos::slide::{self, COLUMNS, PATH_COLUMNS, PlanarScene, run_path};
+use tribos::slide::{self, COLUMNS, PATH_COLUMNS, PlanarScene, run_planar};
 use tribos::stick::HeldScene;
 use tribos_cli::failure::Failure;
 use tribos_cli::library::{Host, Pictures, Run};
@@ -237,7 +237,7 @@ pub fn run_at_once<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Opt
         Scene::Clamp(scene) => return held(py, scene).map(Some),
         Scene::Powder(_) | Scene::Grains(_) | Scene::Gas(_) | Scene::Tip(_) => return Ok(None),
     };
-    let run = detached(py, || run_path(planar))?.map_err(slid)?;
+    let run = detached(py, || run_planar(planar))?.map_err(slid)?;
     let rows = table(py, run.series.as_flattened(), PATH_COLUMNS.len())?;
     let summary = python(py, &run.outcome.json(planar))?;
     Ok(Some((summary, PATH_COLUMNS.to_vec(), rows)))

@@ -65,14 +65,14 @@ pub fn said(error: impl alloc::string::ToString) -> Refused {
 }
 
 #[cfg(feature = "all")]
-impl From<tribos::friction::Refusal> for Refused {
-    fn from(refusal: tribos::friction::Refusal) -> Self {
-        use tribos::friction::Refusal;
+impl From<tribos::friction::FrictionError> for Refused {
+    fn from(refusal: tribos::friction::FrictionError) -> Self {
+        use tribos::friction::FrictionError;
         match refusal {
             // Numbers are JavaScript's to write.
-            Refusal::Friction(error) => error.into(),
-            Refusal::Patch(error) => Error::from(error).into(),
-            Refusal::Law(error) => error.into(),
+            FrictionError::Friction(error) => error.into(),
+            FrictionError::Patch(error) => Error::from(error).into(),
+            FrictionError::Law(error) => error.into(),
             other => said(other),
         }
     }

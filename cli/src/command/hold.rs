@@ -6,7 +6,7 @@ use super::wrench::{centre, patches};
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use tribos::friction::{AtRest, Patch};
+use tribos::friction::{Patch, StictionTest};
 use tribos::record::json_number;
 use tribos_core::holding::{Stiction, StictionBounds};
 use tribos_core::law::DryFriction;
@@ -116,7 +116,7 @@ impl Arguments {
             ))
         })?;
         let radius = self.radius.unwrap_or(1.0);
-        let contact = AtRest::new(&self.patch, dry, self.load, radius, self.centre)?;
+        let contact = StictionTest::new(&self.patch, dry, self.load, radius, self.centre)?;
         let [x, y] = self.force;
         let push = Wrench::new(x, y, self.torque);
         let holding = contact.holding(&push);

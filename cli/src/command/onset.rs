@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Patch};
-use tribos::onset::{Bond, Contact, OnsetPoint, OnsetSurface, Summary};
+use tribos::onset::{Bond, OnsetContact, OnsetPoint, OnsetSummary, OnsetSurface};
 use tribos::record::{json_number, series_csv};
 use tribos_report::figure::{Axis, Figure, Series};
 use tribos_report::image;
@@ -108,7 +108,7 @@ impl Arguments {
     /// Computes, draws, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
         self.check()?;
-        let contact = Contact {
+        let contact = OnsetContact {
             coefficient: self.coefficient,
             load: self.load,
             radius: self.radius,
@@ -155,7 +155,7 @@ impl Arguments {
     }
 
     fn text(&self, surface: &OnsetSurface) -> String {
-        let Summary {
+        let OnsetSummary {
             force,
             torque,
             reach,
@@ -223,7 +223,7 @@ impl Arguments {
 
     /// Torque over force, in units of F_s and F_s R.
     fn draw(&self, path: &Path, surface: &OnsetSurface) -> Result<(), Failure> {
-        let Summary { force, reach, .. } = surface.summary();
+        let OnsetSummary { force, reach, .. } = surface.summary();
         let curve = |over: &dyn Fn(&OnsetPoint) -> Option<f64>| -> Vec<(f64, f64)> {
             let points = surface.points().iter();
             let place = |point: &OnsetPoint| {

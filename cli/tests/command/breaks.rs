@@ -9,13 +9,13 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
-use tribos::gas::Gas;
-use tribos::grains::Grains;
-use tribos::powder::Compaction;
+use tribos::gas::GasSimulation;
+use tribos::grains::GrainsSimulation;
+use tribos::powder::PowderSimulation;
 use tribos::run::LongRun;
 use tribos::run::folder::Manifest;
 use tribos::scene::{Scene, read_scene};
-use tribos::tip::TipRun;
+use tribos::tip::TipSimulation;
 
 /// Some twenty spheres, and 748 atoms: a second or two each.
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
@@ -217,10 +217,10 @@ fn last_checkpoint(scene: &Path) -> Result<String, Error> {
         Ok(run.checkpoint())
     }
     match read_scene(scene, &[])? {
-        Scene::Powder(scene) => ended::<Compaction>(&scene),
-        Scene::Grains(scene) => ended::<Grains>(&scene),
-        Scene::Gas(scene) => ended::<Gas>(&scene),
-        Scene::Tip(scene) => ended::<TipRun>(&scene),
+        Scene::Powder(scene) => ended::<PowderSimulation>(&scene),
+        Scene::Grains(scene) => ended::<GrainsSimulation>(&scene),
+        Scene::Gas(scene) => ended::<GasSimulation>(&scene),
+        Scene::Tip(scene) => ended::<TipSimulation>(&scene),
         _ => Err("a short run".into()),
     }
 }

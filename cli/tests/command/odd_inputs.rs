@@ -4,7 +4,7 @@ use crate::program::Error;
 use assert_cmd::Command;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use tribos::scene::SliderScene;
+use tribos::scene::DiskScene;
 use tribos::slide;
 
 /// Numbers that break things.
@@ -82,7 +82,7 @@ proptest! {
 
     #[test]
     fn any_text_is_a_scene_or_a_refusal(text in "\\PC{0,80}") {
-        let _ = SliderScene::parse("text", &text, &[]);
+        let _ = DiskScene::parse("text", &text, &[]);
     }
 
     #[test]
@@ -93,10 +93,10 @@ proptest! {
                     inertia_ratio=0.5\nsamples=20";
         let overrides: Vec<String> = values.iter().map(|(k, v)| format!("{k}={v}")).collect();
         // A long run is a legal answer; only short ones are followed here.
-        let bounded = |scene: &SliderScene| {
+        let bounded = |scene: &DiskScene| {
             scene.samples <= 1000 && scene.time_step.is_none() && scene.stop_fraction > 1e-9
         };
-        if let Ok(scene) = SliderScene::parse("text", base, &overrides)
+        if let Ok(scene) = DiskScene::parse("text", base, &overrides)
             && bounded(&scene)
             && let Ok(result) = slide::run(&scene, |_| ())
         {

@@ -188,7 +188,7 @@ pub fn unscaled_wrench<R: Real, P: PowerLawFriction<R>>(
     }
 }
 
-/// [`super::Coupling::reduced_wrench`] of a profile.
+/// [`super::FrictionCoupling::reduced_wrench`] of a profile.
 #[inline]
 pub(super) fn wrench<R: Real, P: PowerLawFriction<R>>(
     profile: &P,
@@ -209,7 +209,7 @@ pub(super) fn wrench<R: Real, P: PowerLawFriction<R>>(
     ReducedWrench { force, torque }
 }
 
-/// [`super::Coupling::reduced_drag`] of a profile: one division for all.
+/// [`super::FrictionCoupling::reduced_drag`] of a profile: one division for all.
 #[inline]
 pub(super) fn drag<R: Real, P: PowerLawFriction<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
     let (speeds, per_major) = Speeds::of_ordinary(slide, rim);
@@ -231,7 +231,7 @@ fn careful_drag<R: Real, P: PowerLawFriction<R>>(profile: &P, slide: R, rim: R) 
     [force / slide, torque]
 }
 
-/// [`super::Coupling::reduced_jacobian`] of a profile.
+/// [`super::FrictionCoupling::reduced_jacobian`] of a profile.
 #[inline]
 pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
     profile: &P,

@@ -6,7 +6,7 @@
 //! speed v it is smooth and still convex, and as σ → 0 it is h.
 
 use tribos_core::coupling::{ReducedJacobian, ReducedWrench};
-use tribos_friction::{Area as Shape, Held, Patch, Refusal};
+use tribos_friction::{Area as Shape, FrictionError, Held, Patch};
 
 /// The shape of an element.
 #[derive(Clone, Copy, Debug)]
@@ -28,13 +28,13 @@ pub(crate) struct Round {
 }
 
 impl Round {
-    pub(crate) fn new(patch: &Patch, radius: f32) -> Result<Self, Refusal> {
+    pub(crate) fn new(patch: &Patch, radius: f32) -> Result<Self, FrictionError> {
         let radius = f64::from(radius);
         let mean_square = match patch {
             Patch::Annulus(inner) => 0.5 * (1.0 + inner * inner),
             _ => patch
                 .pressure()
-                .ok_or(Refusal::NoAxis)?
+                .ok_or(FrictionError::NoAxis)?
                 .mean_square_radius(),
         };
         Ok(Self {

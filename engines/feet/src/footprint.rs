@@ -8,7 +8,7 @@ use crate::standing::Foot;
 use crate::surface::Surface;
 use std::sync::Arc;
 use tribos_core::patch::nodes::NodeList;
-use tribos_friction::{Area as Shape, Patch, Refusal};
+use tribos_friction::{Area as Shape, FrictionError, Patch};
 
 /// Distance from the centre of mass, as a fraction of the radius, up to which a footprint counts as centred.
 pub(crate) const CENTRED: f64 = 1e-3;
@@ -92,7 +92,7 @@ impl Footprint {
     /// assert_eq!(Footprint::round(&"points:feet.csv".parse()?, 0.1).err(), Some(Refusal::NoAxis));
     /// # Ok::<(), Refusal>(())
     /// ```
-    pub fn round(patch: &Patch, radius: f32) -> Result<Self, Refusal> {
+    pub fn round(patch: &Patch, radius: f32) -> Result<Self, FrictionError> {
         let patch = patch.to_string();
         Outline::Round { patch, radius }.try_into()
     }
@@ -254,9 +254,9 @@ impl Footprint {
 }
 
 impl TryFrom<Outline> for Footprint {
-    type Error = Refusal;
+    type Error = FrictionError;
 
-    fn try_from(outline: Outline) -> Result<Self, Refusal> {
+    fn try_from(outline: Outline) -> Result<Self, FrictionError> {
         let (patch, radius) = match &outline {
             Outline::Disk { radius } => (Patch::Disk, *radius),
             Outline::Ring { radius } => (Patch::Ring, *radius),
@@ -287,7 +287,7 @@ impl From<Footprint> for Outline {
 fn made(outline: Outline, given: f32) -> Result<Footprint, FootprintError> {
     let refused = FootprintError::Radius { given };
     if given > 0.0 && given.is_finite() {
-        outline.try_into().map_err(|_: Refusal| refused)
+        outline.try_into().map_err(|_: FrictionError| refused)
     } else {
         Err(refused)
     }

@@ -45,4 +45,4 @@ pub use footprint::Footprint;
 pub use prediction::{Correction, Prediction};
 pub use refusal::FootprintError;
 pub use standing::{Foot, Standing, push};
-pub use tribos_friction::{Patch, Refusal};
+pub use tribos_friction::{FrictionError, Patch};

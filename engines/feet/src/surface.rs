@@ -5,7 +5,7 @@ use core::fmt;
 use tribos_core::contact::TimeStep;
 use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{Area, Refusal};
+use tribos_friction::{Area, FrictionError};
 
 /// All wrenches that a foot carries under a friction limit of 1 N, in the foot's axes.
 pub(crate) struct Surface {
@@ -15,7 +15,7 @@ pub(crate) struct Surface {
 }
 
 impl Surface {
-    pub(crate) fn of(area: &Area<f32>) -> Result<Self, Refusal> {
+    pub(crate) fn of(area: &Area<f32>) -> Result<Self, FrictionError> {
         Ok(Self {
             set: Prepared::new(area.limit_surface(1.0)?),
             is_round: area.is_round(),

@@ -2,7 +2,7 @@
 
 use crate::figure::{Axis, Figure, Panels, Series};
 use crate::packing::{Packing, PackingError, PackingPicture};
-use tribos::gas::{COLUMNS, Gas, GasError};
+use tribos::gas::{COLUMNS, GasError, GasSimulation};
 use tribos::record::Snapshot;
 
 /// Why the spheres of a gas cannot be drawn.
@@ -17,7 +17,7 @@ pub enum GasPictureError {
 }
 
 /// The spheres, coloured by speed.
-pub fn spheres(gas: &Gas) -> Result<PackingPicture, GasPictureError> {
+pub fn spheres(gas: &GasSimulation) -> Result<PackingPicture, GasPictureError> {
     let title = format!("Gas after {:.4} collisions a sphere", gas.collisions());
     let picture = gas.with_snapshot(|now: &Snapshot<'_>| {
         let places: Vec<[f64; 3]> = now.positions.iter().map(|x| [x.x, x.y, x.z]).collect();
@@ -31,7 +31,7 @@ pub fn spheres(gas: &Gas) -> Result<PackingPicture, GasPictureError> {
 }
 
 /// Temperatures beside theory, over collisions and over time, and the clusters.
-pub fn series(gas: &Gas) -> Panels {
+pub fn series(gas: &GasSimulation) -> Panels {
     let rows = gas.series();
     let column = |name: &str| {
         COLUMNS

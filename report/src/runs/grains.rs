@@ -4,10 +4,10 @@ use super::powder::State;
 use crate::figure::{Axis, Figure, Panels, Series};
 use crate::packing::{PackingError, PackingPicture};
 use crate::sheet::Sheet;
-use tribos::grains::{COLUMNS, Grains};
+use tribos::grains::{COLUMNS, GrainsSimulation};
 
 /// Initial and final grains in one scale, and the final forces.
-pub fn packing(before: &Grains, after: &Grains) -> Result<Sheet, PackingError> {
+pub fn packing(before: &GrainsSimulation, after: &GrainsSimulation) -> Result<Sheet, PackingError> {
     let ends = [before, after].map(|grains| grains.with_snapshot(State::of));
     let tops = [before, after].map(|grains| grains.with_snapshot(|state| state.extents[2][1]));
     let top = tops[0].max(tops[1]);
@@ -32,7 +32,7 @@ pub fn packing(before: &Grains, after: &Grains) -> Result<Sheet, PackingError> {
 }
 
 /// Solid fraction, forces, stresses and energies over time.
-pub fn series(grains: &Grains) -> Panels {
+pub fn series(grains: &GrainsSimulation) -> Panels {
     let rows = grains.series();
     let column = |name: &str| COLUMNS.iter().position(|known| *known == name);
     let curve = |name: &str| -> Vec<(f64, f64)> {

@@ -3,7 +3,7 @@
 use crate::figure::{Axis, Figure, Guide, Panels, Series};
 use crate::packing::{Contact, Packing, PackingError, PackingPicture};
 use crate::sheet::Sheet;
-use tribos::powder::{Compaction, Outcome};
+use tribos::powder::{PowderSimulation, PowderSummary};
 use tribos::record::{ContactRow, Snapshot};
 use tribos::scene::PowderScene;
 
@@ -11,7 +11,7 @@ use tribos::scene::PowderScene;
 pub fn packing(
     scene: &PowderScene,
     [before, after]: &[State; 2],
-    outcome: &Outcome,
+    outcome: &PowderSummary,
 ) -> Result<Sheet, PackingError> {
     let top = outcome.heights[0];
     let percent = outcome.porosity.map(|porosity| 100.0 * porosity);
@@ -40,7 +40,7 @@ pub fn packing(
 }
 
 /// Porosity, stress and energies over time.
-pub fn series(compaction: &Compaction, outcome: &Outcome) -> Panels {
+pub fn series(compaction: &PowderSimulation, outcome: &PowderSummary) -> Panels {
     let rows = compaction.series();
     let curve = |column: usize| rows.iter().map(|row| (row[0], row[column])).collect();
     let time = || Axis::linear("time [√(ρR⁴/F_coh)]");
@@ -81,7 +81,7 @@ pub struct State {
 
 impl State {
     /// The initial deposit and the current state.
-    pub fn both(compaction: &Compaction) -> [Self; 2] {
+    pub fn both(compaction: &PowderSimulation) -> [Self; 2] {
         let before = Self::of(&compaction.deposit().snapshot(&[]));
         [before, compaction.with_snapshot(Self::of)]
     }

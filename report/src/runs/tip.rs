@@ -7,7 +7,7 @@ use crate::player::PART_COLORS;
 use crate::sheet::Sheet;
 use nalgebra::Vector3;
 use tribos::scene::{DriveKind, TipScene};
-use tribos::tip::{Outcome, Part, Shape, TipRun};
+use tribos::tip::{Part, Shape, TipSimulation, TipSummary};
 
 /// Colour of one marked atom in each part of the tip, which shows its rotation.
 const MARK: Color = Color(250, 205, 30);
@@ -47,7 +47,7 @@ pub fn atoms(
 }
 
 /// Before and after.
-pub fn both_ends(scene: &TipScene, run: &TipRun) -> Result<Sheet, PackingError> {
+pub fn both_ends(scene: &TipScene, run: &TipSimulation) -> Result<Sheet, PackingError> {
     let start: Vec<Vector3<f64>> = scene
         .shape()
         .sites()
@@ -71,7 +71,7 @@ fn title(scene: &TipScene) -> String {
 
 /// A turned tip: angle of the driven layers, and of each layer of the tip, over time. A slid one:
 /// its friction loop, and its forces, height and temperatures over time.
-pub fn series(scene: &TipScene, run: &TipRun, outcome: &Outcome) -> Panels {
+pub fn series(scene: &TipScene, run: &TipSimulation, outcome: &TipSummary) -> Panels {
     match scene.drive {
         DriveKind::Torque => turned(scene, run, outcome),
         DriveKind::Slide => slid(scene, run),
@@ -79,7 +79,7 @@ pub fn series(scene: &TipScene, run: &TipRun, outcome: &Outcome) -> Panels {
 }
 
 /// Column of a series by its name, over another.
-fn curve(run: &TipRun, x: &str, y: &str) -> Vec<(f64, f64)> {
+fn curve(run: &TipSimulation, x: &str, y: &str) -> Vec<(f64, f64)> {
     let columns = run.columns();
     let number = |name: &str| columns.iter().position(|column| column == name);
     let (Some(x), Some(y)) = (number(x), number(y)) else {
@@ -97,7 +97,7 @@ fn units(scene: &TipScene) -> [&'static str; 4] {
     }
 }
 
-fn slid(scene: &TipScene, run: &TipRun) -> Panels {
+fn slid(scene: &TipScene, run: &TipSimulation) -> Panels {
     let [length, time, energy, heat] = units(scene);
     let time = || Axis::linear(format!("time [{time}]"));
     let driven: Vec<(f64, f64)> = curve(run, "time", "support")
@@ -135,7 +135,7 @@ fn slid(scene: &TipScene, run: &TipRun) -> Panels {
         .figure(heat)
 }
 
-fn turned(scene: &TipScene, run: &TipRun, outcome: &Outcome) -> Panels {
+fn turned(scene: &TipScene, run: &TipSimulation, outcome: &TipSummary) -> Panels {
     let rows = run.series();
     let first = rows.first().map_or(0, Vec::len) - scene.tip_layers;
     let curve = |column: usize| rows.iter().map(|row| (row[0], row[column])).collect();

@@ -10,6 +10,7 @@ pub mod tip;
 /// The scene of a tip.
 pub mod scene {
     pub use crate::tip::scene::{
-        BathKind, BathSpin, DriveKind, DrivenHold, Reading, StageSteps, TipScene,
+        DriveKind, DrivenHold, StageSteps, ThermostatBias, ThermostatKind, TipScene,
+        TorqueNormalisation,
     };
 }

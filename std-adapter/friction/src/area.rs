@@ -1,7 +1,7 @@
 //! Contact areas ready for the kernel: a round patch with its radius, or a shape with its own size.
 
 use super::surface::{DryRound, Held, LimitSurfaces};
-use super::{Flat, HeldNodes, Patch, Precision, Refusal, polynomial, surface};
+use super::{Flat, FrictionError, HeldNodes, Patch, Precision, polynomial, surface};
 use tribos_core::coupling::flat::PatchShape;
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
 use tribos_core::patch::PatchError;
@@ -22,7 +22,7 @@ use tribos_core::patch::points::PointPatch;
 /// assert!(puck.is_round() && !parcel.is_round());
 /// let named = Area::named(&"box:0.3x0.2".parse()?, 1.0, Some([0.02, 0.0]))?; // a radius is for round patches
 /// assert_eq!(named.centre(), [0.02, 0.0]);
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub enum Area<R: Precision = f64> {
@@ -35,13 +35,17 @@ pub enum Area<R: Precision = f64> {
 impl<R: Precision> Area<R> {
     /// The area of a patch by name, its file read: `radius` is that of a round one, `centre` the centre of
     /// pressure of a box or a polygon.
-    pub fn named(patch: &Patch, radius: R, centre: Option<[f64; 2]>) -> Result<Self, Refusal> {
+    pub fn named(
+        patch: &Patch,
+        radius: R,
+        centre: Option<[f64; 2]>,
+    ) -> Result<Self, FrictionError> {
         if let Patch::Flat(flat) = patch {
             return Ok(Self::Flat(flat.loaded(centre)?));
         }
         if centre.is_some() {
             let reason = "a centre of pressure is for boxes and polygons";
-            return Err(Refusal::Syntax(reason.into()));
+            return Err(FrictionError::Syntax(reason.into()));
         }
         if let Patch::Points(file) = patch {
             let narrow = |node: Node<f64>| Node {
@@ -55,9 +59,9 @@ impl<R: Precision> Area<R> {
     }
 
     /// A patch with an axis. *Domain*: 0 < `radius` < ∞.
-    pub fn round(patch: Patch, radius: R) -> Result<Self, Refusal> {
+    pub fn round(patch: Patch, radius: R) -> Result<Self, FrictionError> {
         if !patch.has_axis() {
-            return Err(Refusal::NoAxis);
+            return Err(FrictionError::NoAxis);
         }
         if let Patch::Polynomial(coefficients) = &patch {
             // Refuses what is negative anywhere.
@@ -71,19 +75,19 @@ impl<R: Precision> Area<R> {
     }
 
     /// A polygon, its outer loop first, then its holes; with a centre of pressure under linear pressure.
-    pub fn polygon(loops: &[&[[R; 2]]], centre: Option<[R; 2]>) -> Result<Self, Refusal> {
+    pub fn polygon(loops: &[&[[R; 2]]], centre: Option<[R; 2]>) -> Result<Self, FrictionError> {
         let made = Flat::polygon(loops, centre).map_err(tribos_core::Error::from)?;
         Ok(Self::Flat(made))
     }
 
     /// A line that carries its load evenly.
-    pub fn bar(start: [R; 2], end: [R; 2]) -> Result<Self, Refusal> {
+    pub fn bar(start: [R; 2], end: [R; 2]) -> Result<Self, FrictionError> {
         let bar = Bar::new(start, end).map_err(tribos_core::Error::from)?;
         Ok(Self::Flat(Flat::Bar(bar)))
     }
 
     /// Triangles that name their corners among `vertices`, each under linear pressure.
-    pub fn mesh(vertices: &[Vertex<R>], triangles: &[[usize; 3]]) -> Result<Self, Refusal> {
+    pub fn mesh(vertices: &[Vertex<R>], triangles: &[[usize; 3]]) -> Result<Self, FrictionError> {
         let memory = vec![Triangle::default(); triangles.len()];
         let mesh = Mesh::with_vertices(vertices, triangles, memory);
         Ok(Self::Flat(Flat::Mesh(
@@ -92,7 +96,7 @@ impl<R: Precision> Area<R> {
     }
 
     /// Points with weights of which only the ratios count.
-    pub fn points(nodes: Vec<Node<R>>) -> Result<Self, Refusal> {
+    pub fn points(nodes: Vec<Node<R>>) -> Result<Self, FrictionError> {
         let points = HeldNodes::new(nodes).and_then(PointPatch::new);
         let points = points.map_err(tribos_core::Error::from)?;
         Ok(Self::Flat(Flat::Points(points)))
@@ -125,7 +129,7 @@ impl<R: Precision> Area<R> {
     pub fn limit_surface(
         &self,
         force_limit: R,
-    ) -> Result<Box<dyn FrictionSet<R> + Send + Sync>, Refusal> {
+    ) -> Result<Box<dyn FrictionSet<R> + Send + Sync>, FrictionError> {
         Ok(match self {
             Self::Flat(flat) => Box::new(ShapeLimitSurface::new(flat.clone(), force_limit)?),
             Self::Round(patch, radius) => {
@@ -137,9 +141,9 @@ impl<R: Precision> Area<R> {
 
     /// Dry friction of a round area, in units of its radius.
     #[doc(hidden)]
-    pub fn dry(&self) -> Result<Box<dyn Held<R>>, Refusal> {
+    pub fn dry(&self) -> Result<Box<dyn Held<R>>, FrictionError> {
         match self {
-            Self::Flat(_) => Err(Refusal::NoAxis),
+            Self::Flat(_) => Err(FrictionError::NoAxis),
             Self::Round(patch, _) => Ok(DryRound::new(patch)?.held()),
         }
     }
@@ -147,7 +151,7 @@ impl<R: Precision> Area<R> {
 
 impl Area {
     /// Its limit surfaces under dry friction, for every force limit.
-    pub fn limit_surfaces(&self) -> Result<LimitSurfaces, Refusal> {
+    pub fn limit_surfaces(&self) -> Result<LimitSurfaces, FrictionError> {
         LimitSurfaces::new(self)
     }
 }

@@ -1,8 +1,8 @@
 //! Friction of any contact area under any law: which type of the kernel evaluates it is decided here.
 
 use super::{
-    AnyLaw, Area, Flat, Friction, HeldNodes, Law, Patch, Precision, Refusal, RoundPower, Tier,
-    Visitor, visit,
+    AnyFriction, AnyLaw, Area, Flat, FrictionError, HeldNodes, Law, Patch, Precision, RoundPower,
+    Tier, Visitor, visit,
 };
 use std::fmt;
 use tribos_core::coupling::flat::{
@@ -27,7 +27,7 @@ use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 /// kernel's own type. *Cost*: that of the kernel's type and one indirect call, for a batch as for one twist.
 ///
 /// ```
-/// use tribos::friction::{Area, AreaFriction, Law, Patch, Refusal};
+/// use tribos::friction::{Area, AreaFriction, Law, Patch, FrictionError};
 /// use tribos::kernel::twist::Twist;
 /// let parcel = Area::<f64>::named(&"box:0.3x0.2".parse()?, 1.0, None)?;
 /// let friction = AreaFriction::new(&parcel, &Law::coulomb(0.4)?, None)?;
@@ -36,9 +36,9 @@ use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 /// assert!(wrench.force.x < 0.0 && wrench.torque < 0.0);
 /// // What a patch does not serve is refused with what does.
 /// let oil: Law = "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05".parse()?;
-/// assert!(matches!(AreaFriction::new(&parcel, &oil, None), Err(Refusal::Unserved(_))));
+/// assert!(matches!(AreaFriction::new(&parcel, &oil, None), Err(FrictionError::Unserved(_))));
 /// assert!(AreaFriction::new(&Area::round(Patch::Disk, 0.1)?, &oil, None).is_ok());
-/// # Ok::<(), Refusal>(())
+/// # Ok::<(), FrictionError>(())
 /// ```
 pub struct AreaFriction<R: Precision = f64> {
     kernel: Box<dyn AtTwist<R>>,
@@ -49,13 +49,13 @@ pub struct AreaFriction<R: Precision = f64> {
 impl<R: Precision> AreaFriction<R> {
     /// Friction of `law` on `area`. A tier is for round areas: the one asked for, or the quickest that serves
     /// both.
-    pub fn new(area: &Area<R>, law: &Law, tier: Option<Tier>) -> Result<Self, Refusal> {
+    pub fn new(area: &Area<R>, law: &Law, tier: Option<Tier>) -> Result<Self, FrictionError> {
         let flat = match area {
             Area::Round(patch, radius) => return Self::round(patch, *radius, law, tier),
             Area::Flat(flat) => flat,
         };
         if tier.is_some() {
-            return Err(Refusal::Unserved(
+            return Err(FrictionError::Unserved(
                 "tier is for round patches: leave it out for straight edges and points, which have \
                  one way of evaluation each"
                     .into(),
@@ -68,14 +68,14 @@ impl<R: Precision> AreaFriction<R> {
             (Flat::Polygon(patch), Some(power)) => of_power(patch.clone(), power)?,
             (Flat::Leaning(patch), Some(power)) => of_power(patch.clone(), power)?,
             (Flat::Bar(_) | Flat::Mesh(_), Some(_)) => {
-                return Err(Refusal::Unserved(
+                return Err(FrictionError::Unserved(
                     "bars and meshes serve dry friction: give Coulomb's law, or use a box, a polygon \
                      or points"
                         .into(),
                 ));
             }
             (_, None) => {
-                return Err(Refusal::Unserved(format!(
+                return Err(FrictionError::Unserved(format!(
                     "patches with straight edges serve Coulomb's law, and polygons powers of the speed, \
                      not {}: give one of these, or put points on the patch",
                     law.name()
@@ -87,7 +87,7 @@ impl<R: Precision> AreaFriction<R> {
     }
 
     /// Friction of points as a sum over them, under every law; one point is enough.
-    pub fn at_points(nodes: Vec<Node<R>>, law: &Law) -> Result<Self, Refusal> {
+    pub fn at_points(nodes: Vec<Node<R>>, law: &Law) -> Result<Self, FrictionError> {
         let nodes = HeldNodes::new(nodes)?;
         Ok(Self {
             kernel: Box::new(NodeFriction::new(law.made()?, nodes)),
@@ -96,7 +96,12 @@ impl<R: Precision> AreaFriction<R> {
         })
     }
 
-    fn round(patch: &Patch, radius: R, law: &Law, tier: Option<Tier>) -> Result<Self, Refusal> {
+    fn round(
+        patch: &Patch,
+        radius: R,
+        law: &Law,
+        tier: Option<Tier>,
+    ) -> Result<Self, FrictionError> {
         let tier = Tier::serving::<R>(patch, law, tier)?;
         let kernel = match (tier, law.power_of_speed()) {
             (Tier::Table | Tier::Compact, Some([coefficient, alpha])) => {
@@ -107,7 +112,7 @@ impl<R: Precision> AreaFriction<R> {
                 };
                 visit(patch, alpha, tier, boxed)??
             }
-            _ => Box::new(Friction::new(patch, law, Some(tier))?.with_radius(radius)?),
+            _ => Box::new(AnyFriction::new(patch, law, Some(tier))?.with_radius(radius)?),
         };
         Ok(Self {
             kernel,
@@ -238,7 +243,7 @@ impl<R: Real> AtTwist<R> for NodeFriction<AnyLaw<R>, HeldNodes<R>> {
 fn of_power<R: Precision>(
     patch: impl PowerLawPatch<R> + Send + Sync + 'static,
     [gamma, alpha]: [f64; 2],
-) -> Result<Box<dyn AtTwist<R>>, Refusal> {
+) -> Result<Box<dyn AtTwist<R>>, FrictionError> {
     let power = PolygonPowerLaw::new(R::from_f64(alpha))?;
     let friction = ShapePowerFriction::new(patch, R::from_f64(gamma), power)?;
     Ok(Box::new(friction))
@@ -251,7 +256,7 @@ struct Boxed<R> {
 }
 
 impl<R: Precision> Visitor<R> for Boxed<R> {
-    type Output = Result<Box<dyn AtTwist<R>>, Refusal>;
+    type Output = Result<Box<dyn AtTwist<R>>, FrictionError>;
     fn visit<P: RoundPower<R> + 'static>(self, friction: P) -> Self::Output {
         let made = RoundFriction::new(friction, self.coefficient, self.radius)?;
         Ok(Box::new(made))

@@ -11,9 +11,9 @@ use tribos_core::real::Real;
 /// One law of the kernel.
 ///
 /// ```
-/// use tribos::friction::{Entry, LAWS, Law, Maker, Parameter, find};
-/// let stribeck: &Entry = find("stribeck").ok_or("no such law")?;
-/// let exponent: &Parameter = &stribeck.parameters[3];
+/// use tribos::friction::{LawEntry, LAWS, Law, Maker, LawParameter, find};
+/// let stribeck: &LawEntry = find("stribeck").ok_or("no such law")?;
+/// let exponent: &LawParameter = &stribeck.parameters[3];
 /// assert_eq!((exponent.name, exponent.default), ("delta", Some(2.0)));
 /// // Local laws can be made by name; the others depend on more than the speed.
 /// for entry in LAWS {
@@ -25,7 +25,7 @@ use tribos_core::real::Real;
 /// # Ok::<(), &str>(())
 /// ```
 #[derive(Debug)]
-pub struct Entry {
+pub struct LawEntry {
     /// Name of the law.
     pub name: &'static str,
     /// What kind of friction it describes.
@@ -33,7 +33,7 @@ pub struct Entry {
     /// Formula in ASCII.
     pub formula: &'static str,
     /// Parameters, in the order in which they are written.
-    pub parameters: &'static [Parameter],
+    pub parameters: &'static [LawParameter],
     /// Publication that the law is from.
     pub source: &'static str,
     /// How it is made, if it is a law of the local sliding speed, which couples with any patch.
@@ -42,7 +42,7 @@ pub struct Entry {
 
 /// One parameter of a law.
 #[derive(Debug)]
-pub struct Parameter {
+pub struct LawParameter {
     /// Name of the parameter.
     pub name: &'static str,
     /// Unit in SI, or "-" for a pure number.
@@ -174,8 +174,8 @@ fn lugre<R: Real + 'static>(
     Ok(Box::new(LuGre::new(parameters)?.steady_per_load(load)?))
 }
 
-const fn needed(name: &'static str, unit: &'static str, meaning: &'static str) -> Parameter {
-    Parameter {
+const fn needed(name: &'static str, unit: &'static str, meaning: &'static str) -> LawParameter {
+    LawParameter {
         name,
         unit,
         meaning,
@@ -188,8 +188,8 @@ const fn optional(
     unit: &'static str,
     meaning: &'static str,
     default: f64,
-) -> Parameter {
-    Parameter {
+) -> LawParameter {
+    LawParameter {
         name,
         unit,
         meaning,
@@ -198,7 +198,7 @@ const fn optional(
 }
 
 /// The parameters that rate-and-state friction and its steady state share.
-const RATE_STATE: &[Parameter] = &[
+const RATE_STATE: &[LawParameter] = &[
     needed("mu0", "-", "coefficient of steady sliding with v0"),
     needed("a", "-", "direct effect of the speed"),
     needed("b", "-", "effect of the age; b > a weakens"),
@@ -208,8 +208,8 @@ const RATE_STATE: &[Parameter] = &[
 ];
 
 /// All laws, local ones first.
-pub const LAWS: &[Entry] = &[
-    Entry {
+pub const LAWS: &[LawEntry] = &[
+    LawEntry {
         name: "coulomb",
         summary: "dry friction, independent of speed",
         formula: "mu",
@@ -217,7 +217,7 @@ pub const LAWS: &[Entry] = &[
         source: "Coulomb 1785; thesis section 2.1, fig. 2.5",
         local: power_of_speed(coulomb, coulomb, |[mu, ..]| [mu, 0.0]),
     },
-    Entry {
+    LawEntry {
         name: "dry",
         summary: "dry friction with a static and a dynamic coefficient",
         formula: "mu_d sliding, at most mu_s at rest",
@@ -228,7 +228,7 @@ pub const LAWS: &[Entry] = &[
         source: "Euler 1750; thesis section 2.1, fig. 2.5",
         local: local(dry, dry),
     },
-    Entry {
+    LawEntry {
         name: "power",
         summary: "a power of the speed",
         formula: "gamma v^alpha",
@@ -239,7 +239,7 @@ pub const LAWS: &[Entry] = &[
         source: "thesis eq. 3.6",
         local: power_of_speed(power, power, |[gamma, alpha, ..]| [gamma, alpha]),
     },
-    Entry {
+    LawEntry {
         name: "plateau",
         summary: "falling power law made finite at rest, as on ice",
         formula: "gamma (v^2 + vp^2)^(alpha/2) (r + (1-r) v/(v + vd))",
@@ -253,7 +253,7 @@ pub const LAWS: &[Entry] = &[
         source: "thesis eq. 3.39 and fig. 3.19; closed form by this project",
         local: local(plateau, plateau),
     },
-    Entry {
+    LawEntry {
         name: "stribeck",
         summary: "boundary lubrication, then hydrodynamic",
         formula: "mu_d + (mu_s - mu_d) exp(-(v/vs)^delta) + k v",
@@ -267,7 +267,7 @@ pub const LAWS: &[Entry] = &[
         source: "Stribeck 1902, form of Bo and Pavelescu 1982; thesis fig. 2.8",
         local: local(stribeck, stribeck),
     },
-    Entry {
+    LawEntry {
         name: "savkoor",
         summary: "rubber: a maximum over decades of speed",
         formula: "mu0 + (mu_m - mu0) exp(-h^2 ln(v/vm)^2)",
@@ -280,7 +280,7 @@ pub const LAWS: &[Entry] = &[
         source: "Savkoor 1966",
         local: local(savkoor, savkoor),
     },
-    Entry {
+    LawEntry {
         name: "rate-state",
         summary: "steady rate-and-state friction: creep weakens, inertia strengthens",
         formula: "a asinh(v/q) + eta v,  q = 2 v0 exp(-(mu0 + b ln(v0/v))/a)",
@@ -288,7 +288,7 @@ pub const LAWS: &[Entry] = &[
         source: "Dieterich 1979, Ruina 1983; branches of Heslot et al. 1994, thesis fig. 2.7",
         local: local(rate_state, rate_state),
     },
-    Entry {
+    LawEntry {
         name: "lugre",
         summary: "steady LuGre friction per load (the kernel has its bristles too)",
         formula: "(fc + (fs - fc) exp(-(v/vs)^2) + s2 v)/load",
@@ -302,7 +302,7 @@ pub const LAWS: &[Entry] = &[
         source: "Canudas de Wit, Olsson, Astrom, Lischinsky 1995",
         local: local(lugre, lugre),
     },
-    Entry {
+    LawEntry {
         name: "incline",
         summary: "a body at rest on a slope holds up to Euler's critical angle",
         formula: "theta_c = atan(mu_s);  beyond, it starts with g (sin theta - mu_d cos theta)",
@@ -313,7 +313,7 @@ pub const LAWS: &[Entry] = &[
         source: "Euler 1750; thesis section 2.1, fig. 2.2",
         local: None,
     },
-    Entry {
+    LawEntry {
         name: "ageing",
         summary: "static friction grows with the time of rest",
         formula: "mu_s(t) = A + B ln(t/t0), A for t < t0",
@@ -325,7 +325,7 @@ pub const LAWS: &[Entry] = &[
         source: "thesis section 2.1, fig. 2.5",
         local: None,
     },
-    Entry {
+    LawEntry {
         name: "rate-state-ageing",
         summary: "rate and state, age by Dieterich: theta' = 1 - v theta/dc",
         formula: "mu0 + a ln(v/v0) + b ln(v0 theta/dc) + eta v (regularised)",
@@ -333,7 +333,7 @@ pub const LAWS: &[Entry] = &[
         source: "Dieterich 1979; regularised after Rice, Lapusta, Ranjith 2001",
         local: None,
     },
-    Entry {
+    LawEntry {
         name: "rate-state-slip",
         summary: "rate and state, age by Ruina: theta' = -(v theta/dc) ln(v theta/dc)",
         formula: "mu0 + a ln(v/v0) + b ln(v0 theta/dc) + eta v (regularised)",
@@ -341,7 +341,7 @@ pub const LAWS: &[Entry] = &[
         source: "Ruina 1983; regularised after Rice, Lapusta, Ranjith 2001",
         local: None,
     },
-    Entry {
+    LawEntry {
         name: "lugre-bristles",
         summary: "LuGre with bristle state z",
         formula: "F = s0 z + s1 z' + s2 v,  z' = v - s0 |v| z/(fc + (fs - fc) exp(-(v/vs)^2))",
@@ -356,7 +356,7 @@ pub const LAWS: &[Entry] = &[
         source: "Canudas de Wit, Olsson, Astrom, Lischinsky 1995",
         local: None,
     },
-    Entry {
+    LawEntry {
         name: "bowden-tabor",
         summary: "shear of the real area of contact",
         formula: "F = tau_c A(L);  plastic A = L/sigma_c, mu = tau_c/sigma_c",
@@ -367,7 +367,7 @@ pub const LAWS: &[Entry] = &[
         source: "Bowden and Tabor 1950; thesis eqs. 2.1, 2.2",
         local: None,
     },
-    Entry {
+    LawEntry {
         name: "bowden-tabor-hertz",
         summary: "shear of one elastic sphere's contact: F ~ L^(2/3)",
         formula: "F = tau_c pi (3 L R/(4 E))^(2/3)",
@@ -379,7 +379,7 @@ pub const LAWS: &[Entry] = &[
         source: "Hertz 1882; thesis section 2.2",
         local: None,
     },
-    Entry {
+    LawEntry {
         name: "bowden-tabor-greenwood",
         summary: "shear of many elastic asperities: F ~ L",
         formula: "F = tau_c L sqrt(pi R/s)/E",
@@ -392,7 +392,7 @@ pub const LAWS: &[Entry] = &[
         source: "Greenwood and Williamson 1966; thesis section 2.2",
         local: None,
     },
-    Entry {
+    LawEntry {
         name: "stokes",
         summary: "viscous drag of a sphere, low Reynolds number",
         formula: "F = 6 pi eta r v",
@@ -403,7 +403,7 @@ pub const LAWS: &[Entry] = &[
         source: "Stokes 1851; thesis eq. 2.4",
         local: None,
     },
-    Entry {
+    LawEntry {
         name: "inertial-drag",
         summary: "drag of a sphere, high Reynolds number rho v r/eta",
         formula: "F = C2 rho v^2 r^2",
@@ -418,6 +418,6 @@ pub const LAWS: &[Entry] = &[
 ];
 
 /// The law of this name.
-pub fn find(name: &str) -> Option<&'static Entry> {
+pub fn find(name: &str) -> Option<&'static LawEntry> {
     LAWS.iter().find(|law| law.name == name)
 }

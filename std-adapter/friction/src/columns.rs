@@ -1,6 +1,6 @@
 //! Files of numbers with named columns: triangles and points of patches.
 
-use super::Refusal;
+use super::FrictionError;
 use super::refusal::finite_number;
 use std::path::Path;
 
@@ -9,9 +9,9 @@ pub(super) fn read<const N: usize>(
     path: &Path,
     columns: [&str; N],
     most: usize,
-) -> Result<Vec<[f64; N]>, Refusal> {
+) -> Result<Vec<[f64; N]>, FrictionError> {
     let text = super::text::read_text(path, MOST_BYTES)
-        .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))?;
+        .map_err(|error| FrictionError::Syntax(format!("{}: {error}", path.display())))?;
     parsed(path, &text, columns, most)
 }
 
@@ -23,9 +23,9 @@ fn parsed<const N: usize>(
     text: &str,
     columns: [&str; N],
     most: usize,
-) -> Result<Vec<[f64; N]>, Refusal> {
+) -> Result<Vec<[f64; N]>, FrictionError> {
     let refused = |line: usize, reason: &str| {
-        Refusal::Syntax(format!("{}:{}: {reason}", path.display(), line + 1))
+        FrictionError::Syntax(format!("{}:{}: {reason}", path.display(), line + 1))
     };
     let wanted = columns.join(",");
     let rows = text.lines().enumerate();

@@ -1,7 +1,7 @@
 //! Friction of a contact of bodies, chosen at run time.
 
 use super::surface::DryRound;
-use super::{Area, Refusal};
+use super::{Area, FrictionError};
 use tribos_core::contact::{
     AllModes, ContactFriction, CoupledFriction, Frictionless, IndependentFriction, SlidingOnly,
     SlidingRolling, SlidingTorsion,
@@ -21,7 +21,7 @@ type RoundSet = RoundLimitSurface<f64, DryRound<f64>>;
 /// let soft = Area::round(Patch::Paraboloid, 0.3)?;
 /// let coupled = AnyContactFriction::coupled(&soft, 0.2, 0.0)?;
 /// assert!((coupled.mu_torsion() - 0.2 * 0.3 * 8.0 / 15.0).abs() < 1e-15);
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct AnyContactFriction(Kind);
@@ -48,7 +48,7 @@ pub trait ContactVisitor {
 impl AnyContactFriction {
     /// Thresholds of their own with the coefficients of sliding, rolling and torsion; modes without a
     /// threshold cost nothing.
-    pub fn thresholds([mu, rolling, torsion]: [f64; 3]) -> Result<Self, Refusal> {
+    pub fn thresholds([mu, rolling, torsion]: [f64; 3]) -> Result<Self, FrictionError> {
         // Negative and missing numbers are refused by the full form.
         let full = IndependentFriction::all(mu, rolling, torsion)?;
         Ok(Self(match [mu == 0.0, rolling == 0.0, torsion == 0.0] {
@@ -65,9 +65,9 @@ impl AnyContactFriction {
     }
 
     /// Sliding and torsion in the exact set of a round area whose radius is R_c/r_eff, and rolling.
-    pub fn coupled(area: &Area, mu: f64, rolling: f64) -> Result<Self, Refusal> {
+    pub fn coupled(area: &Area, mu: f64, rolling: f64) -> Result<Self, FrictionError> {
         let Area::Round(patch, radius) = area else {
-            return Err(Refusal::Unserved(
+            return Err(FrictionError::Unserved(
                 "the set of a contact must be symmetric about the normal: patch must be round"
                     .into(),
             ));

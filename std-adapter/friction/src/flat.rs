@@ -1,7 +1,7 @@
 //! Patches with straight edges and meshes by name, and their corners from files.
 
 use super::refusal::finite_number;
-use super::{HeldNodes, Refusal, columns};
+use super::{FrictionError, HeldNodes, columns};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -21,7 +21,7 @@ use tribos_core::real::Real;
 /// assert_eq!(crate_, FlatPatch::Box([0.3, 0.2]));
 /// assert!((crate_.loaded::<f64>(None)?.radius() - 0.15_f64.hypot(0.1)).abs() < 1e-16);
 /// assert!("box:0.3".parse::<FlatPatch>().is_err());
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum FlatPatch {
@@ -89,7 +89,7 @@ impl FlatPatch {
 
     /// The corners of all loops, the outer one first; of a bar both ends, of a mesh its triangles.
     #[doc(hidden)]
-    pub fn loops(&self) -> Result<Vec<Vec<[f64; 2]>>, Refusal> {
+    pub fn loops(&self) -> Result<Vec<Vec<[f64; 2]>>, FrictionError> {
         Ok(match self {
             Self::Bar(length) => vec![vec![[-0.5 * length, 0.0], [0.5 * length, 0.0]]],
             Self::Mesh(path) => {
@@ -103,19 +103,20 @@ impl FlatPatch {
                 vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]]
             }
             Self::Polygon(path) => {
-                let text = super::text::read_text(path, MOST_BYTES)
-                    .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))?;
+                let text = super::text::read_text(path, MOST_BYTES).map_err(|error| {
+                    FrictionError::Syntax(format!("{}: {error}", path.display()))
+                })?;
                 read_loops(path, &text)?
             }
         })
     }
 
     /// The patch for the kernel, its file read; with a centre of pressure under linear pressure.
-    pub fn loaded<R: Real>(&self, centre: Option<[f64; 2]>) -> Result<Flat<R>, Refusal> {
+    pub fn loaded<R: Real>(&self, centre: Option<[f64; 2]>) -> Result<Flat<R>, FrictionError> {
         let narrow = |[x, y]: [f64; 2]| [x, y].map(R::from_f64);
         if let Self::Mesh(path) = self {
             if centre.is_some() {
-                return Err(Refusal::Syntax(
+                return Err(FrictionError::Syntax(
                     "a mesh has its own pressure; leave the centre of pressure out".into(),
                 ));
             }
@@ -123,7 +124,7 @@ impl FlatPatch {
         }
         if let Self::Bar(length) = self {
             if centre.is_some() {
-                return Err(Refusal::Syntax(
+                return Err(FrictionError::Syntax(
                     "a bar carries its load evenly; leave the centre of pressure out".into(),
                 ));
             }
@@ -138,14 +139,16 @@ impl FlatPatch {
             .collect();
         let slices: Vec<&[[R; 2]]> = narrowed.iter().map(Vec::as_slice).collect();
         Flat::polygon(&slices, centre.map(narrow)).map_err(|error| match (error, self) {
-            (OutlineError::LiftOff { .. }, Self::Box([a, b])) => Refusal::Syntax(format!(
+            (OutlineError::LiftOff { .. }, Self::Box([a, b])) => FrictionError::Syntax(format!(
                 "with this centre of pressure the box lifts off: give |X|/{a} + |Y|/{b} <= 1/6"
             )),
-            (OutlineError::LiftOff { .. }, _) => Refusal::Syntax(format!(
+            (OutlineError::LiftOff { .. }, _) => FrictionError::Syntax(format!(
                 "with this centre of pressure the patch lifts off: {error}; move it nearer to the \
                  centroid"
             )),
-            (_, Self::Polygon(path)) => Refusal::Syntax(format!("{}: {error}", path.display())),
+            (_, Self::Polygon(path)) => {
+                FrictionError::Syntax(format!("{}: {error}", path.display()))
+            }
             _ => tribos_core::Error::from(error).into(),
         })
     }
@@ -153,12 +156,12 @@ impl FlatPatch {
 
 /// Place and pressure of the three corners of each triangle of a file.
 #[doc(hidden)]
-pub fn triangles_of(path: &Path) -> Result<Vec<[f64; 9]>, Refusal> {
+pub fn triangles_of(path: &Path) -> Result<Vec<[f64; 9]>, FrictionError> {
     columns::read(path, TRIANGLE, MOST_TRIANGLES)
 }
 
 /// The mesh of a file of triangles.
-fn mesh<R: Real>(path: &Path) -> Result<Mesh<R, Vec<Triangle<R>>>, Refusal> {
+fn mesh<R: Real>(path: &Path) -> Result<Mesh<R, Vec<Triangle<R>>>, FrictionError> {
     let rows = triangles_of(path)?;
     let corners = rows.as_flattened().chunks_exact(3);
     let vertices: Vec<Vertex<R>> = corners
@@ -170,13 +173,13 @@ fn mesh<R: Real>(path: &Path) -> Result<Mesh<R, Vec<Triangle<R>>>, Refusal> {
     let count = rows.len();
     let triangles: Vec<[usize; 3]> = (0..count).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
     Mesh::with_vertices(&vertices, &triangles, vec![Triangle::default(); count])
-        .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))
+        .map_err(|error| FrictionError::Syntax(format!("{}: {error}", path.display())))
 }
 
 /// The corners of a file with columns x, y and perhaps loop: the first loop is the outer one.
-fn read_loops(path: &Path, text: &str) -> Result<Vec<Vec<[f64; 2]>>, Refusal> {
+fn read_loops(path: &Path, text: &str) -> Result<Vec<Vec<[f64; 2]>>, FrictionError> {
     let refused = |line: usize, reason: &str| {
-        Refusal::Syntax(format!("{}:{}: {reason}", path.display(), line + 1))
+        FrictionError::Syntax(format!("{}:{}: {reason}", path.display(), line + 1))
     };
     let rows = text.lines().enumerate();
     let mut rows = rows.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
@@ -248,13 +251,13 @@ impl<R: Real> Flat<R> {
     /// Radius of gyration about the upright axis through the centre, of a plate of uniform thickness on the
     /// patch.
     #[doc(hidden)]
-    pub fn radius_of_gyration(&self) -> Result<R, Refusal> {
+    pub fn radius_of_gyration(&self) -> Result<R, FrictionError> {
         Ok(match self {
             Self::Polygon(patch) => patch.radius_of_gyration(),
             Self::Leaning(patch) => patch.radius_of_gyration(),
             Self::Bar(bar) => bar.radius() / R::from_f64(3.0).sqrt(),
             Self::Mesh(_) | Self::Points(_) => {
-                return Err(Refusal::Syntax(
+                return Err(FrictionError::Syntax(
                     "a plate is a box, a polygon or a bar, not a mesh".into(),
                 ));
             }
@@ -329,35 +332,37 @@ impl fmt::Display for FlatPatch {
 }
 
 impl FromStr for FlatPatch {
-    type Err = Refusal;
+    type Err = FrictionError;
 
-    fn from_str(text: &str) -> Result<Self, Refusal> {
+    fn from_str(text: &str) -> Result<Self, FrictionError> {
         let (name, rest) = text.split_once(':').unwrap_or((text, ""));
         let positive = |what: &str, part: &str| {
             let number = finite_number(part).map_err(|error| format!("{what}: {error}"));
             match number {
                 Ok(x) if x > 0.0 => Ok(x),
-                Ok(x) => Err(Refusal::Syntax(format!("{what} must be > 0, not {x}"))),
-                Err(error) => Err(Refusal::Syntax(error)),
+                Ok(x) => Err(FrictionError::Syntax(format!(
+                    "{what} must be > 0, not {x}"
+                ))),
+                Err(error) => Err(FrictionError::Syntax(error)),
             }
         };
         match (name.trim(), rest.trim()) {
             ("box", sides) => {
                 let Some((a, b)) = sides.split_once('x') else {
-                    return Err(Refusal::Syntax(
+                    return Err(FrictionError::Syntax(
                         "give two sides in m, such as box:0.3x0.2".into(),
                     ));
                 };
                 Ok(Self::Box([positive("side A", a)?, positive("side B", b)?]))
             }
-            ("polygon", "") => Err(Refusal::Syntax(
+            ("polygon", "") => Err(FrictionError::Syntax(
                 "give a CSV file of corners, such as polygon:sole.csv".into(),
             )),
             ("polygon", file) => Ok(Self::Polygon(file.into())),
-            ("bar", "") => Err(Refusal::Syntax(
+            ("bar", "") => Err(FrictionError::Syntax(
                 "give a length in m, such as bar:0.2".into(),
             )),
-            ("mesh", "") => Err(Refusal::Syntax(
+            ("mesh", "") => Err(FrictionError::Syntax(
                 "give a CSV file of triangles, such as mesh:pad.csv".into(),
             )),
             ("mesh", file) => Ok(Self::Mesh(file.into())),
@@ -366,7 +371,7 @@ impl FromStr for FlatPatch {
                 let all: Vec<&str> = Self::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();
                 let names = all.iter().filter_map(|syntax| syntax.split(':').next());
                 let list = format!("the patches with straight edges are {}", all.join(", "));
-                Err(Refusal::unknown("patch", text, names, list))
+                Err(FrictionError::unknown("patch", text, names, list))
             }
         }
     }

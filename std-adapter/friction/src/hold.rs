@@ -1,6 +1,6 @@
 //! Whether a patch by name holds a push at rest.
 
-use super::{Patch, Refusal, limit_surface};
+use super::{FrictionError, Patch, limit_surface};
 use tribos_core::holding::StictionBounds;
 use tribos_core::law::DryFriction;
 use tribos_core::limit_surface::FrictionSet;
@@ -15,22 +15,22 @@ use tribos_core::twist::{Twist, Wrench};
 /// patch, in N and N m. *Accuracy*: that of [`limit_surface`].
 ///
 /// ```
-/// use tribos::friction::AtRest;
+/// use tribos::friction::StictionTest;
 /// use tribos::kernel::holding::Stiction;
 /// use tribos::kernel::law::DryFriction;
 /// use tribos::prelude::*;
 /// let wood = DryFriction::new(0.5, 0.3)?; // static, kinetic
-/// let book = AtRest::new(&"box:0.2x0.1".parse()?, wood, 10.0, 1.0, None)?; // N; m
+/// let book = StictionTest::new(&"box:0.2x0.1".parse()?, wood, 10.0, 1.0, None)?; // N; m
 /// let ask = |push: f64| book.holding(&Wrench::new(push, 0.0, 0.0)).hold; // N
 /// assert_eq!([2.0, 4.0, 6.0].map(ask), [Stiction::Holds, Stiction::Undecided, Stiction::Slips]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct AtRest {
+pub struct StictionTest {
     certain: Box<dyn FrictionSet<f64>>,
     possible: Box<dyn FrictionSet<f64>>,
 }
 
-impl AtRest {
+impl StictionTest {
     /// *Domain*: that of [`limit_surface`], whose last three arguments these are; 0 ≤ `load` < ∞.
     pub fn new(
         patch: &Patch,
@@ -38,7 +38,7 @@ impl AtRest {
         load: f64,
         radius: f64,
         centre: Option<[f64; 2]>,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, FrictionError> {
         let set = |mu: f64| limit_surface(patch, mu * load, radius, centre);
         Ok(Self {
             certain: set(dry.mu_dynamic())?,
@@ -58,7 +58,7 @@ impl AtRest {
     }
 }
 
-impl std::fmt::Debug for AtRest {
+impl std::fmt::Debug for StictionTest {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let [certain, possible] = [&self.certain, &self.possible].map(|set| set.force_limit());
         f.debug_struct("AtRest")

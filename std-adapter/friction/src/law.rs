@@ -1,8 +1,8 @@
 //! Local laws by name: `NAME:key=value,…`.
 
-use super::catalogue::{Entry, LAWS, MOST_PARAMETERS, Maker, find};
+use super::catalogue::{LAWS, LawEntry, MOST_PARAMETERS, Maker, find};
 use super::refusal::finite_number;
-use super::{LARGEST_EXPONENT, Precision, Refusal};
+use super::{FrictionError, LARGEST_EXPONENT, Precision};
 use std::fmt::{self, Write as _};
 use std::str::FromStr;
 use tribos_core::law::{LawError, LocalLaw};
@@ -20,11 +20,11 @@ use tribos_core::real::Real;
 /// assert_eq!(Law::coulomb(0.3)?.power_of_speed(), Some([0.3, 0.0]));
 /// assert_eq!(Law::power(0.3, -0.5)?.values().collect::<Vec<_>>(), [("gamma", 0.3), ("alpha", -0.5)]);
 /// assert!("stribeck:mu_s=0.4".parse::<Law>().is_err_and(|why| why.to_string().contains("`mu_d`")));
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 #[derive(Clone, Copy)]
 pub struct Law {
-    entry: &'static Entry,
+    entry: &'static LawEntry,
     maker: Maker,
     values: [f64; MOST_PARAMETERS],
 }
@@ -36,7 +36,7 @@ pub struct Law {
 /// use tribos::kernel::law::LocalLaw;
 /// let law: AnyLaw<f32> = Law::coulomb(0.5)?.made()?;
 /// assert_eq!(law.friction(2.0), 0.5);
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 pub struct AnyLaw<R>(pub(super) Box<dyn LocalLaw<R> + Send + Sync>);
 
@@ -57,17 +57,17 @@ impl<R: Real> LocalLaw<R> for AnyLaw<R> {
 
 impl Law {
     /// Coulomb friction.
-    pub fn coulomb(mu: f64) -> Result<Self, Refusal> {
+    pub fn coulomb(mu: f64) -> Result<Self, FrictionError> {
         Self::named("coulomb", &[mu])
     }
 
     /// The power law γ|v|^α, with γ in (s/m)^α.
-    pub fn power(gamma: f64, alpha: f64) -> Result<Self, Refusal> {
+    pub fn power(gamma: f64, alpha: f64) -> Result<Self, FrictionError> {
         Self::named("power", &[gamma, alpha])
     }
 
     /// The law of this name with values in the order of its parameters, checked.
-    fn named(name: &str, given: &[f64]) -> Result<Self, Refusal> {
+    fn named(name: &str, given: &[f64]) -> Result<Self, FrictionError> {
         let (entry, maker) = local(name)?;
         let mut values = [0.0; MOST_PARAMETERS];
         for (slot, value) in values.iter_mut().zip(given) {
@@ -98,14 +98,14 @@ impl Law {
     }
 
     /// The law itself. Its parameters are checked here.
-    pub fn made<R: Precision>(&self) -> Result<AnyLaw<R>, Refusal> {
+    pub fn made<R: Precision>(&self) -> Result<AnyLaw<R>, FrictionError> {
         let made = R::make(&self.maker, self.values.map(R::from_f64));
         made.map(AnyLaw).map_err(|error| match error {
             LawError::Exponent {
                 given,
                 max: LARGEST_EXPONENT,
-            } => Refusal::Exponent { given },
-            _ => Refusal::Parameters {
+            } => FrictionError::Exponent { given },
+            _ => FrictionError::Parameters {
                 law: self.entry.name,
                 error,
                 needs: needs(self.entry),
@@ -156,10 +156,10 @@ impl fmt::Display for Law {
 }
 
 impl FromStr for Law {
-    type Err = Refusal;
+    type Err = FrictionError;
 
     /// Values are read; whether they make sense is for [`Law::made`] to say.
-    fn from_str(text: &str) -> Result<Self, Refusal> {
+    fn from_str(text: &str) -> Result<Self, FrictionError> {
         let (name, list) = text.split_once(':').unwrap_or((text, ""));
         let (entry, maker) = local(name.trim())?;
         let values = read(entry, list)?;
@@ -172,7 +172,7 @@ impl FromStr for Law {
 }
 
 /// The local law of this name and how it is made.
-fn local(name: &str) -> Result<(&'static Entry, Maker), Refusal> {
+fn local(name: &str) -> Result<(&'static LawEntry, Maker), FrictionError> {
     let entry = find(name).ok_or_else(|| {
         let names = || {
             LAWS.iter()
@@ -180,9 +180,9 @@ fn local(name: &str) -> Result<(&'static Entry, Maker), Refusal> {
                 .map(|law| law.name)
         };
         let list = names().collect::<Vec<_>>().join(", ");
-        Refusal::unknown("local law", name, names(), format!("there are {list}"))
+        FrictionError::unknown("local law", name, names(), format!("there are {list}"))
     })?;
-    let maker = entry.local.ok_or(Refusal::NotLocal {
+    let maker = entry.local.ok_or(FrictionError::NotLocal {
         name: entry.name,
         reason: match entry.name {
             "lugre-bristles" => {
@@ -198,43 +198,43 @@ fn local(name: &str) -> Result<(&'static Entry, Maker), Refusal> {
 }
 
 /// One value for each parameter, in their order.
-fn read(entry: &'static Entry, list: &str) -> Result<[f64; MOST_PARAMETERS], Refusal> {
+fn read(entry: &'static LawEntry, list: &str) -> Result<[f64; MOST_PARAMETERS], FrictionError> {
     let mut given = [None; MOST_PARAMETERS];
     for item in list.split(',').filter(|item| !item.trim().is_empty()) {
-        let (key, value) = item
-            .split_once('=')
-            .ok_or_else(|| Refusal::Syntax(format!("`{item}` is not of the form key=value")))?;
+        let (key, value) = item.split_once('=').ok_or_else(|| {
+            FrictionError::Syntax(format!("`{item}` is not of the form key=value"))
+        })?;
         let key = key.trim();
         let names = || entry.parameters.iter().map(|parameter| parameter.name);
         let index = names().position(|name| name == key).ok_or_else(|| {
             let meant = super::text::nearest(key, names())
                 .map_or(String::new(), |near| format!(", did you mean `{near}`?"));
-            Refusal::Syntax(format!(
+            FrictionError::Syntax(format!(
                 "{} has no `{key}`{meant}; {}",
                 entry.name,
                 needs(entry)
             ))
         })?;
         let number =
-            finite_number(value).map_err(|cure| Refusal::Syntax(format!("{key}: {cure}")))?;
+            finite_number(value).map_err(|cure| FrictionError::Syntax(format!("{key}: {cure}")))?;
         if given
             .get_mut(index)
             .is_some_and(|slot| slot.replace(number).is_some())
         {
-            return Err(Refusal::Syntax(format!("`{key}` is given twice")));
+            return Err(FrictionError::Syntax(format!("`{key}` is given twice")));
         }
     }
     let mut values = [0.0; MOST_PARAMETERS];
     for ((slot, given), parameter) in values.iter_mut().zip(given).zip(entry.parameters) {
         *slot = given.or(parameter.default).ok_or_else(|| {
-            Refusal::Syntax(format!("`{}` is missing; {}", parameter.name, needs(entry)))
+            FrictionError::Syntax(format!("`{}` is missing; {}", parameter.name, needs(entry)))
         })?;
     }
     Ok(values)
 }
 
 /// "stribeck needs mu_s, mu_d, vs [m/s] and may have delta, k [s/m]".
-fn needs(entry: &Entry) -> String {
+fn needs(entry: &LawEntry) -> String {
     let list = |optional: bool| -> Vec<String> {
         let chosen = entry.parameters.iter();
         chosen

@@ -1,11 +1,11 @@
 //! Friction chosen at run time: a patch, a law and a tier by name.
 //!
 //! ```
-//! use tribos::friction::{Friction, Law, Patch, Tier};
+//! use tribos::friction::{AnyFriction, Law, Patch, Tier};
 //! use tribos::kernel::twist::Twist;
 //! let patch: Patch = "hertz".parse()?;
 //! let law: Law = "power:gamma=0.3,alpha=0.5".parse()?;
-//! let ball = Friction::<f64>::new(&patch, &law, None)?; // None: the quickest tier that serves both
+//! let ball = AnyFriction::<f64>::new(&patch, &law, None)?; // None: the quickest tier that serves both
 //! assert_eq!(ball.tier(), Tier::Table);
 //! let contact = ball.with_radius(0.01)?; // m
 //! let wrench = contact.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // N; m/s, m/s, rad/s
@@ -22,7 +22,7 @@
 //! | [`Area`] | any patch with its size, by name or by its corners, triangles or points |
 //! | [`AreaFriction`] | an area under a law: wrench and Jacobian at any planar twist |
 //! | [`LimitSurfaces`] | what an area carries under dry friction, for every force limit |
-//! | [`AtRest`] | whether a patch holds a push: for certain, not at all, or undecided |
+//! | [`StictionTest`] | whether a patch holds a push: for certain, not at all, or undecided |
 //! | [`LAWS`] | all laws of the kernel: formula, parameters, units, source |
 //!
 //! One place decides which tier serves which exponent:
@@ -56,7 +56,7 @@ mod visit;
 
 pub use area::Area;
 pub use area_friction::AreaFriction;
-pub use catalogue::{Entry, LAWS, Parameter};
+pub use catalogue::{LAWS, LawEntry, LawParameter};
 #[doc(hidden)]
 pub use catalogue::{Maker, find};
 #[doc(hidden)]
@@ -66,7 +66,7 @@ pub use flat::Flat;
 pub use flat::FlatPatch;
 #[doc(hidden)]
 pub use flat::triangles_of;
-pub use hold::AtRest;
+pub use hold::StictionTest;
 #[doc(hidden)]
 pub use law::AnyLaw;
 pub use law::Law;
@@ -75,7 +75,7 @@ pub use patch::Patch;
 pub use precision::Precision;
 #[doc(hidden)]
 pub use quadrature::{polynomial, pressure_nodes, round_nodes};
-pub use refusal::Refusal;
+pub use refusal::FrictionError;
 #[doc(hidden)]
 pub use refusal::finite_number;
 #[cfg(feature = "scenes")]
@@ -109,20 +109,20 @@ use tribos_core::real::Real;
 /// sliders. *Units*: reduced wrenches are per load and per [`Friction::coefficient`].
 ///
 /// ```
-/// use tribos::friction::{Friction, Law, Patch, Tier};
+/// use tribos::friction::{AnyFriction, Law, Patch, Tier};
 /// use tribos::kernel::coupling::ReducedFriction;
-/// let dry = Friction::<f64>::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?;
+/// let dry = AnyFriction::<f64>::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?;
 /// assert_eq!((dry.tier(), dry.coefficient(), dry.accuracy()), (Tier::Table, 0.3, 0.0));
 /// assert!((dry.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.0).abs() < 1e-14); // the mean radius
 /// assert!(dry.power().is_some_and(|power| power.exponent() == 0.0));
 /// let law: Law = "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05".parse()?;
-/// let oiled = Friction::<f64>::new(&Patch::Disk, &law, None)?;
+/// let oiled = AnyFriction::<f64>::new(&Patch::Disk, &law, None)?;
 /// assert_eq!((oiled.tier(), oiled.coefficient()), (Tier::Quadrature, 1.0));
 /// assert!((oiled.reduced_wrench(9.0, 0.0).force - 0.2).abs() < 1e-9); // sliding fast: mu_d
 /// assert!(oiled.power().is_none() && oiled.exponent_at_rest() == 0.0);
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
-pub struct Friction<R: Precision = f64> {
+pub struct AnyFriction<R: Precision = f64> {
     kind: Kind<R>,
     law: Law,
     tier: Tier,
@@ -139,11 +139,11 @@ enum Kind<R: Real> {
     Nodes(ByNodes<R>),
 }
 
-impl<R: Precision> Friction<R> {
+impl<R: Precision> AnyFriction<R> {
     /// Friction of `law` on `patch`, in the tier asked for or in the quickest that serves both.
-    pub fn new(patch: &Patch, law: &Law, tier: Option<Tier>) -> Result<Self, Refusal> {
+    pub fn new(patch: &Patch, law: &Law, tier: Option<Tier>) -> Result<Self, FrictionError> {
         let tier = Tier::serving::<R>(patch, law, tier)?;
-        let any = |law: &Law| Ok::<_, Refusal>(DiskOfAnyLaw::new(law.made::<R>()?));
+        let any = |law: &Law| Ok::<_, FrictionError>(DiskOfAnyLaw::new(law.made::<R>()?));
         let kind = match (patch, tier) {
             (_, Tier::Table | Tier::Compact) => {
                 Kind::Power(visit(patch, law.exponent(), tier, visit::Boxed)?)
@@ -216,7 +216,7 @@ impl<R: Precision> Friction<R> {
     }
 }
 
-impl<R: Precision> fmt::Debug for Friction<R> {
+impl<R: Precision> fmt::Debug for AnyFriction<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Friction")
             .field("law", &self.law)
@@ -225,7 +225,7 @@ impl<R: Precision> fmt::Debug for Friction<R> {
     }
 }
 
-impl<R: Precision> ReducedFriction<R> for Friction<R> {
+impl<R: Precision> ReducedFriction<R> for AnyFriction<R> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         self.lateral_coupling().reduced_wrench(slide, rim)
     }
@@ -234,7 +234,7 @@ impl<R: Precision> ReducedFriction<R> for Friction<R> {
     }
 }
 
-impl<R: Precision> LateralFriction<R> for Friction<R> {
+impl<R: Precision> LateralFriction<R> for AnyFriction<R> {
     fn lateral(&self, slide: R, rim: R) -> R {
         self.lateral_coupling().lateral(slide, rim)
     }

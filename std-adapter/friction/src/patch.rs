@@ -1,7 +1,7 @@
 //! Contact patches by name.
 
 use super::refusal::finite_number;
-use super::{FlatPatch, Refusal};
+use super::{FlatPatch, FrictionError};
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -141,9 +141,9 @@ impl fmt::Display for Patch {
 }
 
 impl FromStr for Patch {
-    type Err = Refusal;
+    type Err = FrictionError;
 
-    fn from_str(text: &str) -> Result<Self, Refusal> {
+    fn from_str(text: &str) -> Result<Self, FrictionError> {
         let (name, rest) = match text.split_once(':') {
             Some((name, rest)) => (name.trim(), rest.trim()),
             None => (text.trim(), ""),
@@ -157,7 +157,7 @@ impl FromStr for Patch {
             _ => return with_parameters(name, rest, text),
         };
         if text.contains(':') {
-            return Err(Refusal::Syntax(format!(
+            return Err(FrictionError::Syntax(format!(
                 "`{name}` takes no `{rest}`: its radius is given apart, with --radius or the key radius"
             )));
         }
@@ -166,12 +166,13 @@ impl FromStr for Patch {
 }
 
 /// The patches with something after a colon.
-fn with_parameters(name: &str, rest: &str, text: &str) -> Result<Patch, Refusal> {
-    let numbers = || -> Result<Vec<f64>, Refusal> {
+fn with_parameters(name: &str, rest: &str, text: &str) -> Result<Patch, FrictionError> {
+    let numbers = || -> Result<Vec<f64>, FrictionError> {
         let list = rest.split(',').map(finite_number);
-        list.collect::<Result<_, _>>().map_err(Refusal::Syntax)
+        list.collect::<Result<_, _>>()
+            .map_err(FrictionError::Syntax)
     };
-    let missing = |cure: &str| Err(Refusal::Syntax(format!("give {cure}")));
+    let missing = |cure: &str| Err(FrictionError::Syntax(format!("give {cure}")));
     match name {
         "annulus" if rest.is_empty() => {
             missing("the inner over the outer radius, such as annulus:0.8")
@@ -179,7 +180,7 @@ fn with_parameters(name: &str, rest: &str, text: &str) -> Result<Patch, Refusal>
         "annulus" => match *numbers()? {
             [inner] if inner < 0.0 => missing("a number >= 0"),
             [inner] if Patch::band(inner) == Patch::Annulus(inner) => Ok(Patch::Annulus(inner)),
-            [inner] => Err(Refusal::Syntax(format!(
+            [inner] => Err(FrictionError::Syntax(format!(
                 "the inner over the outer radius must be from 0 to {}, not {inner}; a thinner annulus \
                  is a ring",
                 Annulus::<f64, ()>::MAX_INNER_RATIO
@@ -207,7 +208,7 @@ fn with_parameters(name: &str, rest: &str, text: &str) -> Result<Patch, Refusal>
             let all: Vec<&str> = Patch::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();
             let names = all.iter().filter_map(|syntax| syntax.split(':').next());
             let list = format!("the patches are {}", all.join(", "));
-            Err(Refusal::unknown("patch", text, names, list))
+            Err(FrictionError::unknown("patch", text, names, list))
         }
     }
 }

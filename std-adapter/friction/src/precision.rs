@@ -1,6 +1,6 @@
 //! The scalars that friction can be chosen in.
 
-use super::Refusal;
+use super::FrictionError;
 use super::catalogue::{Made, Maker, Values};
 use super::quadrature::polynomial;
 use super::visit::Smooth;
@@ -18,14 +18,14 @@ use tribos_core::real::Real;
 /// A scalar in which friction can be chosen at run time: `f64` or `f32`.
 ///
 /// ```
-/// use tribos::friction::{Friction, Law, Patch, Precision, Refusal};
+/// use tribos::friction::{AnyFriction, Law, Patch, Precision, FrictionError};
 /// use tribos::kernel::coupling::ReducedFriction;
-/// fn torque<R: Precision>() -> Result<f64, Refusal> {
-///     let ring = Friction::<R>::new(&Patch::Ring, &Law::coulomb(0.3)?, None)?;
+/// fn torque<R: Precision>() -> Result<f64, FrictionError> {
+///     let ring = AnyFriction::<R>::new(&Patch::Ring, &Law::coulomb(0.3)?, None)?;
 ///     Ok(ring.reduced_wrench(R::ZERO, R::ONE).torque.to_f64())
 /// }
 /// assert!((torque::<f64>()? - 1.0).abs() < 1e-15 && (torque::<f32>()? - 1.0).abs() < 1e-6);
-/// # Ok::<(), Refusal>(())
+/// # Ok::<(), FrictionError>(())
 /// ```
 pub trait Precision: sealed::Tables {}
 
@@ -55,8 +55,8 @@ pub(super) mod sealed {
             alpha: Self,
             coefficients: &[f64],
             visitor: V,
-        ) -> Result<V::Output, Refusal>;
-        fn dry_polynomial(coefficients: &[f64]) -> Result<Self::Polynomial, Refusal>;
+        ) -> Result<V::Output, FrictionError>;
+        fn dry_polynomial(coefficients: &[f64]) -> Result<Self::Polynomial, FrictionError>;
         fn make(maker: &Maker, values: Values<Self>) -> Made<Self>;
     }
 
@@ -75,11 +75,11 @@ pub(super) mod sealed {
             alpha: f64,
             coefficients: &[f64],
             visitor: V,
-        ) -> Result<V::Output, Refusal> {
+        ) -> Result<V::Output, FrictionError> {
             let table = LateralPolynomialTable::new(alpha, &polynomial(coefficients)?)?;
             visitor.smooth(table)
         }
-        fn dry_polynomial(coefficients: &[f64]) -> Result<PolynomialTable, Refusal> {
+        fn dry_polynomial(coefficients: &[f64]) -> Result<PolynomialTable, FrictionError> {
             Ok(PolynomialTable::new(0.0, &polynomial(coefficients)?)?)
         }
         fn make(maker: &Maker, values: Values<f64>) -> Made<f64> {
@@ -99,11 +99,11 @@ pub(super) mod sealed {
         fn round(alpha: f32, pressure: PowerPressure) -> Result<RoundTable32, LawError> {
             RoundTable32::new(alpha, pressure)
         }
-        fn polynomial<V: Smooth<f32>>(_: f32, _: &[f64], _: V) -> Result<V::Output, Refusal> {
-            Err(Refusal::SinglePrecision)
+        fn polynomial<V: Smooth<f32>>(_: f32, _: &[f64], _: V) -> Result<V::Output, FrictionError> {
+            Err(FrictionError::SinglePrecision)
         }
-        fn dry_polynomial(_: &[f64]) -> Result<RoundTable32, Refusal> {
-            Err(Refusal::SinglePrecision)
+        fn dry_polynomial(_: &[f64]) -> Result<RoundTable32, FrictionError> {
+            Err(FrictionError::SinglePrecision)
         }
         fn make(maker: &Maker, values: Values<f32>) -> Made<f32> {
             (maker.single)(values)

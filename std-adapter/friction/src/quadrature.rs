@@ -1,7 +1,7 @@
 //! Any local law on a round patch: the kernel's quadratures, with the lateral force.
 
 use super::patch::MOST_COEFFICIENTS;
-use super::{AnyLaw, HeldNodes, Law, Patch, Precision, Refusal};
+use super::{AnyLaw, FrictionError, HeldNodes, Law, Patch, Precision};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::{LateralFriction, ReducedFriction, ReducedJacobian, ReducedWrench};
@@ -30,9 +30,11 @@ const NODES: usize = (RINGS * ANGLES) as usize;
 /// use tribos::friction::polynomial;
 /// assert_eq!(polynomial(&[1.0, -1.0])?.mean_square_radius(), 1.0 / 3.0); // a paraboloid
 /// assert!(polynomial(&[1.0, -2.0]).is_err()); // negative at the rim
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
-pub fn polynomial(coefficients: &[f64]) -> Result<PolynomialPressure<MOST_COEFFICIENTS>, Refusal> {
+pub fn polynomial(
+    coefficients: &[f64],
+) -> Result<PolynomialPressure<MOST_COEFFICIENTS>, FrictionError> {
     let mut padded = [0.0; MOST_COEFFICIENTS];
     for (slot, a) in padded.iter_mut().zip(coefficients) {
         *slot = *a;
@@ -152,7 +154,7 @@ pub(super) struct ByNodes<R> {
 }
 
 impl<R: Precision> ByNodes<R> {
-    pub fn new(patch: &Patch, law: &Law) -> Result<Self, Refusal> {
+    pub fn new(patch: &Patch, law: &Law) -> Result<Self, FrictionError> {
         let nodes = HeldNodes::new(pressure_nodes(patch, R::ZERO)?)?;
         let friction = NodeFriction::new(law.made()?, nodes);
         Ok(Self { friction })
@@ -240,7 +242,7 @@ impl<R: Real> LateralFriction<R> for ByNodes<R> {
 /// assert!((square / total - 0.4).abs() < 1e-6); // <r²> of Hertz' pressure
 /// # Ok::<(), tribos::friction::Refusal>(())
 /// ```
-pub fn pressure_nodes<R: Real>(patch: &Patch, tilt: R) -> Result<Vec<Node<R>>, Refusal> {
+pub fn pressure_nodes<R: Real>(patch: &Patch, tilt: R) -> Result<Vec<Node<R>>, FrictionError> {
     round_nodes(patch, R::ONE, RINGS, tilt)
 }
 
@@ -251,12 +253,12 @@ pub fn round_nodes<R: Real>(
     radius: R,
     rings: u32,
     tilt: R,
-) -> Result<Vec<Node<R>>, Refusal> {
+) -> Result<Vec<Node<R>>, FrictionError> {
     let angles = 2 * rings;
     let lean = |x: R| R::ONE + tilt * x / radius;
     let rule = || PolarQuadrature::new(radius, rings, angles);
     match patch {
-        Patch::Points(_) | Patch::Flat(_) => Err(Refusal::NoAxis),
+        Patch::Points(_) | Patch::Flat(_) => Err(FrictionError::NoAxis),
         Patch::Ring => {
             let ring = NodeList::<R, NODES>::ring(radius, rings * rings)?;
             Ok(leaned(ring.nodes(), lean).collect())

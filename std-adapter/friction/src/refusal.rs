@@ -7,16 +7,16 @@ use tribos_core::patch::PatchError;
 /// Why a patch, a law or a tier was refused, with what to do about it.
 ///
 /// ```
-/// use tribos::friction::{Friction, Law, Patch, Refusal, Tier};
+/// use tribos::friction::{AnyFriction, Law, Patch, FrictionError, Tier};
 /// let unknown = "hetrz".parse::<Patch>().map_err(|refusal| refusal.to_string());
 /// assert_eq!(unknown, Err("unknown patch `hetrz`; did you mean `hertz`?".into()));
-/// let steep = Friction::<f64>::new(&Patch::Disk, &Law::power(0.3, 20.0)?, Some(Tier::Table));
-/// assert!(matches!(steep, Err(Refusal::Tier { cure: Some(Tier::Compact), .. })));
-/// assert!(matches!(Law::power(0.3, 200.0), Err(Refusal::Exponent { .. })));
-/// # Ok::<(), Refusal>(())
+/// let steep = AnyFriction::<f64>::new(&Patch::Disk, &Law::power(0.3, 20.0)?, Some(Tier::Table));
+/// assert!(matches!(steep, Err(FrictionError::Tier { cure: Some(Tier::Compact), .. })));
+/// assert!(matches!(Law::power(0.3, 200.0), Err(FrictionError::Exponent { .. })));
+/// # Ok::<(), FrictionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Refusal {
+pub enum FrictionError {
     /// A name that is not known.
     #[error("unknown {what} `{given}`; {cure}")]
     Unknown {
@@ -90,7 +90,7 @@ pub enum Refusal {
     Friction(#[from] tribos_core::Error),
 }
 
-impl Refusal {
+impl FrictionError {
     /// An unknown word, with the nearest of all known ones or the list of them.
     #[doc(hidden)]
     pub fn unknown<'a>(

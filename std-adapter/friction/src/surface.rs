@@ -1,6 +1,6 @@
 //! Limit surfaces of patches by name.
 
-use super::{Area, Flat, Patch, Precision, Refusal, columns};
+use super::{Area, Flat, FrictionError, Patch, Precision, columns};
 use std::fmt;
 use std::path::Path;
 use tribos_core::coupling::{
@@ -31,14 +31,14 @@ use tribos_core::twist::Twist;
 /// assert!(motion.velocity.y > 0.0 && motion.spin > 0.0);
 /// let puck = limit_surface(&Patch::Disk, 0.5, 0.04, None)?;
 /// assert!((puck.gauge(&Wrench::new(0.0, 0.0, 0.5 * 0.04 * 2.0 / 3.0)) - 1.0).abs() < 1e-14);
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 pub fn limit_surface(
     patch: &Patch,
     force_limit: f64,
     radius: f64,
     centre: Option<[f64; 2]>,
-) -> Result<Box<dyn FrictionSet<f64>>, Refusal> {
+) -> Result<Box<dyn FrictionSet<f64>>, FrictionError> {
     Ok(Area::named(patch, radius, centre)?.limit_surface(force_limit)?)
 }
 
@@ -60,7 +60,7 @@ pub fn limit_surface(
 /// let spinning = Twist::new(0.0, 0.0, 1.0);
 /// let torque = |surfaces: &tribos::friction::LimitSurfaces| surfaces.under(1.0, |set| set.support(&spinning));
 /// assert!((torque(&usual)? - torque(&tile)?).abs() < 1e-17);
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 #[derive(Debug)]
 pub struct LimitSurfaces(Kind);
@@ -81,7 +81,7 @@ enum Kind {
 
 impl LimitSurfaces {
     /// Those of `area`.
-    pub(super) fn new(area: &Area) -> Result<Self, Refusal> {
+    pub(super) fn new(area: &Area) -> Result<Self, FrictionError> {
         Ok(Self(match area {
             Area::Round(patch, radius) => Kind::Round {
                 dry: DryRound::new(patch)?.held(),
@@ -96,7 +96,7 @@ impl LimitSurfaces {
         &self,
         force_limit: f64,
         work: impl FnOnce(&dyn FrictionSet<f64>) -> T,
-    ) -> Result<T, Refusal> {
+    ) -> Result<T, FrictionError> {
         Ok(match &self.0 {
             Kind::Round { dry, radius } => {
                 work(&RoundLimitSurface::new(&**dry, force_limit, *radius)?)
@@ -110,7 +110,7 @@ impl LimitSurfaces {
     }
 
     /// The ellipsoids with the same largest force, and the same largest torque about the origin.
-    pub fn ellipsoid(&self) -> Result<Self, Refusal> {
+    pub fn ellipsoid(&self) -> Result<Self, FrictionError> {
         self.under(1.0, |set| {
             let radius = set.radius();
             let spin_torque = set.support(&Twist::new(0.0, 0.0, 1.0)) / radius;
@@ -123,9 +123,13 @@ impl LimitSurfaces {
 
     /// The lowest and the highest torque with a force, NaN for a force that is not carried; for straight
     /// edges, meshes and points.
-    pub fn torque_limits(&self, force_limit: f64, force: [f64; 2]) -> Result<[f64; 2], Refusal> {
+    pub fn torque_limits(
+        &self,
+        force_limit: f64,
+        force: [f64; 2],
+    ) -> Result<[f64; 2], FrictionError> {
         let Kind::Flat(flat) = &self.0 else {
-            return Err(Refusal::Unserved(
+            return Err(FrictionError::Unserved(
                 "torque limits are for straight edges and points: on a round patch use the gauge"
                     .into(),
             ));
@@ -152,7 +156,7 @@ pub enum DryRound<R: Precision> {
 }
 
 impl<R: Precision> DryRound<R> {
-    pub(super) fn new(patch: &Patch) -> Result<Self, Refusal> {
+    pub(super) fn new(patch: &Patch) -> Result<Self, FrictionError> {
         Ok(match patch {
             Patch::Disk => Self::Disk(CoulombDisk),
             Patch::Ring => Self::Ring(closed::CoulombRing),
@@ -160,13 +164,13 @@ impl<R: Precision> DryRound<R> {
             Patch::Punch => Self::Punch(closed::CoulombPunch),
             Patch::Annulus(inner) => Self::Annulus(Annulus::new(CoulombDisk, R::from_f64(*inner))?),
             Patch::Paraboloid | Patch::Power(_) => {
-                let pressure = patch.pressure().ok_or(Refusal::NoAxis)?;
+                let pressure = patch.pressure().ok_or(FrictionError::NoAxis)?;
                 Self::Power(DryProfile::new(R::round(R::ZERO, pressure)?)?)
             }
             Patch::Polynomial(coefficients) => {
                 Self::Polynomial(DryProfile::new(R::dry_polynomial(coefficients)?)?)
             }
-            Patch::Points(_) | Patch::Flat(_) => return Err(Refusal::NoAxis),
+            Patch::Points(_) | Patch::Flat(_) => return Err(FrictionError::NoAxis),
         })
     }
 
@@ -245,7 +249,7 @@ impl<R: Real> DryReducedFriction<R> for Box<dyn Held<R>> {
 
 /// The points of a file.
 #[doc(hidden)]
-pub fn points_of(file: &Path) -> Result<Vec<Node<f64>>, Refusal> {
+pub fn points_of(file: &Path) -> Result<Vec<Node<f64>>, FrictionError> {
     let rows = columns::read(file, ["x", "y", "weight"], MOST_POINTS)?;
     let node = |&[x, y, weight]: &[f64; 3]| Node { x, y, weight };
     Ok(rows.iter().map(node).collect())

@@ -1,6 +1,6 @@
 //! Which tier serves which law on which patch: the one domain of α.
 
-use super::{Law, Patch, Precision, Refusal};
+use super::{FrictionError, Law, Patch, Precision};
 use std::fmt;
 use std::str::FromStr;
 use tribos_core::coupling::table;
@@ -16,25 +16,25 @@ pub const LARGEST_EXPONENT: f64 = PowerLaw::<f64>::MAX_EXPONENT;
 /// assert_eq!(valid_exponent(LARGEST_EXPONENT), Ok(LARGEST_EXPONENT));
 /// assert!(valid_exponent(-1.0).is_err() && valid_exponent(f64::NAN).is_err());
 /// ```
-pub fn valid_exponent(alpha: f64) -> Result<f64, Refusal> {
+pub fn valid_exponent(alpha: f64) -> Result<f64, FrictionError> {
     if alpha > -1.0 && alpha <= LARGEST_EXPONENT {
         Ok(alpha)
     } else {
-        Err(Refusal::Exponent { given: alpha })
+        Err(FrictionError::Exponent { given: alpha })
     }
 }
 
 /// How force and torque are evaluated.
 ///
 /// ```
-/// use tribos::friction::{Evaluation, Law, Patch, Refusal, Tier};
+/// use tribos::friction::{Evaluation, Law, Patch, FrictionError, Tier};
 /// let serving = |alpha| Tier::serving::<f64>(&Patch::Disk, &Law::power(0.3, alpha)?, None);
 /// assert_eq!([serving(0.5)?, serving(20.0)?], [Tier::Table, Tier::Compact]);
 /// assert_eq!(Tier::ALL.map(|tier| tier.to_string()), ["table", "compact", "quadrature"]);
 /// assert_eq!("compact".parse(), Ok(Tier::Compact));
 /// let evaluation: Evaluation = Tier::Table.evaluation(&Patch::Disk, &Law::coulomb(0.3)?);
 /// assert_eq!(evaluation.to_string(), "table in the program, to a few ulp; no quadrature");
-/// # Ok::<(), Refusal>(())
+/// # Ok::<(), FrictionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tier {
@@ -55,9 +55,9 @@ impl Tier {
         patch: &Patch,
         law: &Law,
         asked: Option<Self>,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, FrictionError> {
         if !patch.has_axis() {
-            return Err(Refusal::NoAxis);
+            return Err(FrictionError::NoAxis);
         }
         law.made::<R>()?;
         match asked {
@@ -71,10 +71,10 @@ impl Tier {
     }
 
     /// Whether it serves a valid law on a round patch; if not, why.
-    fn serves<R: Precision>(self, patch: &Patch, law: &Law) -> Result<(), Refusal> {
+    fn serves<R: Precision>(self, patch: &Patch, law: &Law) -> Result<(), FrictionError> {
         let refused = |reason: String, cure| {
             let tier = self;
-            Err(Refusal::Tier { tier, reason, cure })
+            Err(FrictionError::Tier { tier, reason, cure })
         };
         let is_polynomial = matches!(patch, Patch::Polynomial(_));
         match (self, law.power_of_speed()) {
@@ -95,7 +95,7 @@ impl Tier {
                 }),
             ),
             (Self::Table, _) if is_polynomial && !R::HAS_POLYNOMIALS => {
-                Err(Refusal::SinglePrecision)
+                Err(FrictionError::SinglePrecision)
             }
             (Self::Compact, Some([_, alpha])) if is_polynomial => refused(
                 "does not serve polynomial pressures".into(),
@@ -179,15 +179,15 @@ impl fmt::Display for Tier {
 }
 
 impl FromStr for Tier {
-    type Err = Refusal;
+    type Err = FrictionError;
 
-    fn from_str(text: &str) -> Result<Self, Refusal> {
+    fn from_str(text: &str) -> Result<Self, FrictionError> {
         let found = Self::ALL
             .into_iter()
             .find(|tier| tier.to_string() == text.trim());
         found.ok_or_else(|| {
             let names = ["table", "compact", "quadrature"];
-            Refusal::unknown(
+            FrictionError::unknown(
                 "tier",
                 text,
                 names,

@@ -1,6 +1,6 @@
 //! The kernel's own type of a patch, an exponent and a tier: decided here and nowhere else.
 
-use super::{Law, Patch, Precision, Refusal, Tier};
+use super::{FrictionError, Law, Patch, Precision, Tier};
 use tribos_core::coupling::{
     Annulus, DryProfile, DryReducedFriction, LateralFriction, PowerLawFriction, closed, compact,
     table,
@@ -26,7 +26,7 @@ use tribos_core::real::Real;
 /// }
 /// let dry = visit(&Patch::Ring, 0.0, Tier::Compact, Mean)?;
 /// assert!((dry - 1.0).abs() < 1e-14); // Coulomb friction does not depend on the speed
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 pub trait Visitor<R: Real> {
     /// What the work gives.
@@ -39,9 +39,9 @@ pub trait Visitor<R: Real> {
 /// profile that final motion and sliders are computed from.
 ///
 /// ```
-/// use tribos::friction::{Friction, Law, Patch, RoundPower};
+/// use tribos::friction::{AnyFriction, Law, Patch, RoundPower};
 /// use tribos::kernel::modes::{TerminalMode, TerminalMotion};
-/// let disk = Friction::<f64>::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?;
+/// let disk = AnyFriction::<f64>::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?;
 /// let profile: &dyn RoundPower<f64> = disk.power().ok_or("a power of the speed")?;
 /// let mode = TerminalMotion::new(profile, 0.5)?.final_mode(1.0);
 /// assert!(matches!(mode, TerminalMode::Together { ratio } if (ratio - 0.653).abs() < 1e-3));
@@ -69,7 +69,7 @@ pub fn visit<R: Precision, V: Visitor<R>>(
     alpha: f64,
     tier: Tier,
     visitor: V,
-) -> Result<V::Output, Refusal> {
+) -> Result<V::Output, FrictionError> {
     match patch {
         Patch::Annulus(inner) => {
             let inner = R::from_f64(*inner);
@@ -85,7 +85,7 @@ pub fn visit_disk<R: Precision, V: Visitor<R>>(
     alpha: f64,
     tier: Tier,
     visitor: V,
-) -> Result<V::Output, Refusal> {
+) -> Result<V::Output, FrictionError> {
     disk(alpha, tier, Plain(visitor))
 }
 
@@ -105,7 +105,7 @@ pub fn visit_disk<R: Precision, V: Visitor<R>>(
 /// assert!(ratio(0.8)? > ratio(0.0)?); // it settles at a larger ratio of sliding to spinning
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn PowerLawFriction<f64>>, Refusal> {
+pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn PowerLawFriction<f64>>, FrictionError> {
     match patch {
         Patch::Annulus(inner) => Leaned(lean).dry(Annulus::new(table::CoulombDisk, *inner)?),
         _ if patch.has_closed_form() => smooth(patch, 0.0, Tier::Compact, Leaned(lean)),
@@ -124,7 +124,7 @@ pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn PowerLawFriction<f64>
 /// assert!(upright(&Patch::Polynomial(vec![1.0]), 20.0).is_err()); // tables end at 10
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn upright(patch: &Patch, alpha: f64) -> Result<Box<dyn RoundPower<f64>>, Refusal> {
+pub fn upright(patch: &Patch, alpha: f64) -> Result<Box<dyn RoundPower<f64>>, FrictionError> {
     let closed = alpha == 0.0 && patch.has_closed_form();
     let asked = closed.then_some(Tier::Compact);
     let tier = Tier::serving::<f64>(patch, &Law::power(1.0, alpha)?, asked)?;
@@ -137,14 +137,14 @@ fn smooth<R: Precision, V: Smooth<R>>(
     alpha: f64,
     tier: Tier,
     visitor: V,
-) -> Result<V::Output, Refusal> {
+) -> Result<V::Output, FrictionError> {
     let narrow = R::from_f64(alpha);
     let is_dry = alpha == 0.0;
     let pressure = patch.pressure().unwrap_or(PowerPressure::UNIFORM);
     match (patch, tier) {
-        (Patch::Points(_) | Patch::Flat(_), _) => Err(Refusal::NoAxis),
+        (Patch::Points(_) | Patch::Flat(_), _) => Err(FrictionError::NoAxis),
         (Patch::Disk, _) => disk(alpha, tier, visitor),
-        (_, Tier::Quadrature) => Err(Refusal::NoProfile),
+        (_, Tier::Quadrature) => Err(FrictionError::NoProfile),
         (Patch::Polynomial(a), _) => R::polynomial(narrow, a, visitor),
         (_, Tier::Table) => visitor.smooth(R::round(narrow, pressure)?),
         (Patch::Ring, _) if is_dry => visitor.smooth(closed::CoulombRing),
@@ -159,14 +159,14 @@ fn disk<R: Precision, V: Smooth<R>>(
     alpha: f64,
     tier: Tier,
     visitor: V,
-) -> Result<V::Output, Refusal> {
+) -> Result<V::Output, FrictionError> {
     let narrow = R::from_f64(alpha);
     match tier {
         Tier::Table if alpha == 0.0 => visitor.smooth(table::CoulombDisk),
         Tier::Table => visitor.smooth(R::disk(narrow)?),
         Tier::Compact if alpha == 0.0 => visitor.smooth(compact::CompactCoulombDisk),
         Tier::Compact => visitor.smooth(compact::CompactPower::new(narrow)?),
-        Tier::Quadrature => Err(Refusal::NoProfile),
+        Tier::Quadrature => Err(FrictionError::NoProfile),
     }
 }
 
@@ -175,7 +175,7 @@ pub trait Smooth<R: Real> {
     /// What the work gives.
     type Output;
     /// Does the work.
-    fn smooth<P>(self, friction: P) -> Result<Self::Output, Refusal>
+    fn smooth<P>(self, friction: P) -> Result<Self::Output, FrictionError>
     where
         P: SmoothProfile<R> + LateralFriction<R> + Send + Sync + 'static;
 }
@@ -185,7 +185,7 @@ struct Plain<V>(V);
 
 impl<R: Real, V: Visitor<R>> Smooth<R> for Plain<V> {
     type Output = V::Output;
-    fn smooth<P>(self, friction: P) -> Result<V::Output, Refusal>
+    fn smooth<P>(self, friction: P) -> Result<V::Output, FrictionError>
     where
         P: SmoothProfile<R> + LateralFriction<R> + Send + Sync + 'static,
     {
@@ -201,7 +201,7 @@ struct InAnnulus<R, V> {
 
 impl<R: Real + 'static, V: Visitor<R>> Smooth<R> for InAnnulus<R, V> {
     type Output = V::Output;
-    fn smooth<P>(self, disk: P) -> Result<V::Output, Refusal>
+    fn smooth<P>(self, disk: P) -> Result<V::Output, FrictionError>
     where
         P: SmoothProfile<R> + LateralFriction<R> + Send + Sync + 'static,
     {
@@ -213,7 +213,7 @@ impl<R: Real + 'static, V: Visitor<R>> Smooth<R> for InAnnulus<R, V> {
 struct Leaned(f64);
 
 impl Leaned {
-    fn dry<P>(&self, foot: P) -> Result<Box<dyn PowerLawFriction<f64>>, Refusal>
+    fn dry<P>(&self, foot: P) -> Result<Box<dyn PowerLawFriction<f64>>, FrictionError>
     where
         P: PowerLawFriction<f64> + DryReducedFriction<f64> + LateralFriction<f64> + 'static,
     {
@@ -223,7 +223,7 @@ impl Leaned {
 
 impl Smooth<f64> for Leaned {
     type Output = Box<dyn PowerLawFriction<f64>>;
-    fn smooth<P>(self, foot: P) -> Result<Self::Output, Refusal>
+    fn smooth<P>(self, foot: P) -> Result<Self::Output, FrictionError>
     where
         P: SmoothProfile<f64> + LateralFriction<f64> + Send + Sync + 'static,
     {

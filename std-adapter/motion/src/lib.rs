@@ -13,8 +13,8 @@ pub mod stick;
 pub mod scene {
     pub use crate::push::scene::PushScene;
     pub use crate::slide::scene::{
-        CurlingScene, CylinderScene, FootPressure, IceModel, PipeScene, PlateScene, SliderScene,
-        Stepper, Tipping, Units,
+        CurlingScene, CylinderScene, DiskScene, FootPressure, IceModel, PipeScene, PlateScene,
+        SliderIntegrator, Tipping, Units,
     };
     pub use crate::stick::scene::{
         ClampScene, InclineScene, SpringFriction, SpringScene, TurntableScene,

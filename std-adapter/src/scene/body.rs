@@ -2,14 +2,14 @@
 
 use super::entries::{Entries, Written};
 use super::key::{Domain, Key};
-use super::problem::{Origin, Problem};
+use super::problem::{Origin, SceneProblem};
 use super::table::Table;
 use super::vocabulary::Vocabulary;
 use super::words::meant;
 use super::{
-    Body, ClampScene, CurlingScene, CylinderScene, DEFAULT_BODY, GasScene, GrainsScene,
-    InclineScene, PipeScene, PlateScene, PowderScene, SceneError, SliderScene, SpringScene,
-    TipScene, TurntableScene,
+    Body, ClampScene, CurlingScene, CylinderScene, DEFAULT_BODY, DiskScene, GasScene, GrainsScene,
+    InclineScene, PipeScene, PlateScene, PowderScene, SceneError, SpringScene, TipScene,
+    TurntableScene,
 };
 use crate::golden::MeasureError;
 use serde_json::Value;
@@ -80,8 +80,8 @@ macro_rules! bodies {
             fn of(
                 body: &str,
                 entries: &Entries,
-                problems: Vec<Problem>,
-            ) -> Option<Result<Self, Vec<Problem>>> {
+                problems: Vec<SceneProblem>,
+            ) -> Option<Result<Self, Vec<SceneProblem>>> {
                 $(if body == <$scene>::BODY {
                     return Some(<$scene>::from_entries(entries, problems).map(Self::$variant));
                 })+
@@ -101,7 +101,7 @@ macro_rules! bodies {
 
 bodies! {
     /// A flat, round body: its path is straight.
-    Disk(SliderScene),
+    Disk(DiskScene),
     /// A tall cylinder along a path in the plane.
     Cylinder(CylinderScene),
     /// A pipe on its end along a path in the plane.
@@ -171,7 +171,7 @@ pub fn parse_scene(name: &str, text: &str, overrides: &[String]) -> Result<Scene
         .map_err(|problems| SceneError::invalid(name, problems))
 }
 
-fn read(entries: &Entries, problems: Vec<Problem>) -> Result<Scene, Vec<Problem>> {
+fn read(entries: &Entries, problems: Vec<SceneProblem>) -> Result<Scene, Vec<SceneProblem>> {
     let (body, origin) = match entries.values.get(BODY.name) {
         None => (DEFAULT_BODY, Origin::File),
         Some((Written::Text(text), origin)) => (text.as_str(), *origin),
@@ -184,9 +184,9 @@ fn read(entries: &Entries, problems: Vec<Problem>) -> Result<Scene, Vec<Problem>
 }
 
 /// Without a body nothing else can be judged.
-fn refusal(given: &str, origin: Origin, mut problems: Vec<Problem>) -> Vec<Problem> {
+fn refusal(given: &str, origin: Origin, mut problems: Vec<SceneProblem>) -> Vec<SceneProblem> {
     let domain = BODY.domain.describe();
     let message = format!("`body` must be {domain}, not {given}");
-    problems.push(Problem::new(origin, message));
+    problems.push(SceneProblem::new(origin, message));
     problems
 }

@@ -28,22 +28,25 @@ pub use schema::schema;
 pub use template::{keys_page, template, toml_value, with_all_keys};
 #[doc(hidden)]
 pub use tribos_atoms::scene::StageSteps;
-pub use tribos_atoms::scene::{BathKind, BathSpin, DriveKind, DrivenHold, Reading, TipScene};
+pub use tribos_atoms::scene::{
+    DriveKind, DrivenHold, ThermostatBias, ThermostatKind, TipScene, TorqueNormalisation,
+};
 #[doc(hidden)]
 pub use tribos_base::scene::{
     Body, Domain, Form, Key, MOST_BYTES, Need, UnknownWord, nearest, number_hint,
 };
-pub use tribos_base::scene::{InvalidScene, Problem, SceneError};
+pub use tribos_base::scene::{InvalidScene, SceneError, SceneProblem};
 #[doc(hidden)]
 pub use tribos_grains::packing::Radii;
-pub use tribos_grains::packing::{Sizes, SizesError};
+pub use tribos_grains::packing::{SizeDistribution, SizesError};
 pub use tribos_grains::scene::{
-    Axis, ContactMethod, Container, Coupling, Criterion, Ends, GasMethod, GasScene, GrainsScene,
-    NormalForce, PowderScene, Sides, SweepMethod, SweepOrder, SweepStop, WallLaw,
+    Axis, BlockedCriterion, ContactMethod, Container, EndBoundary, FrictionCoupling, GasMethod,
+    GasScene, GrainsScene, NormalForce, PowderScene, SideBoundary, SweepMethod, SweepOrder,
+    SweepStop, WallLaw,
 };
 pub use tribos_motion::scene::{
-    ClampScene, CurlingScene, CylinderScene, FootPressure, IceModel, InclineScene, PipeScene,
-    PlateScene, PushScene, SliderScene, SpringFriction, SpringScene, Stepper, Tipping,
+    ClampScene, CurlingScene, CylinderScene, DiskScene, FootPressure, IceModel, InclineScene,
+    PipeScene, PlateScene, PushScene, SliderIntegrator, SpringFriction, SpringScene, Tipping,
     TurntableScene, Units,
 };
 #[doc(hidden)]

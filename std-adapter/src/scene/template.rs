@@ -65,8 +65,8 @@ pub fn with_all_keys(text: &str) -> String {
 /// A value of a scene's JSON as TOML; nothing for null.
 ///
 /// ```
-/// use tribos::scene::{Domain, SliderScene, toml_value};
-/// let key = |name| SliderScene::KEYS.iter().find(|key| key.name == name).ok_or("no key");
+/// use tribos::scene::{Domain, DiskScene, toml_value};
+/// let key = |name| DiskScene::KEYS.iter().find(|key| key.name == name).ok_or("no key");
 /// let [speed, counted] = [key("speed")?, key("samples")?];
 /// assert!(matches!(counted.domain, Domain::Count { .. }));
 /// assert_eq!(toml_value(speed, &2.into()), Some("2.0".into())); // TOML tells 2.0 from 2

@@ -1,14 +1,14 @@
 //! A scene is what its fields say, whether it was read or made in Rust.
 
 use super::*;
-use crate::powder::{Compaction, CompactionError};
+use crate::powder::{CompactionError, PowderSimulation};
 use crate::record::CheckpointError;
 use std::time::{Duration, Instant};
 
 /// Every body's default scene.
 fn defaults() -> [Scene; 13] {
     [
-        SliderScene::default().into(),
+        DiskScene::default().into(),
         CylinderScene::default().into(),
         PipeScene::default().into(),
         PlateScene::default().into(),
@@ -239,7 +239,7 @@ fn fields_out_of_their_domain_are_refused_by_name_value_and_cure_all_at_once() {
         ..PowderScene::default()
     };
     let refused = scene.check().unwrap_err();
-    let told: Vec<&str> = refused.problems.iter().map(Problem::message).collect();
+    let told: Vec<&str> = refused.problems.iter().map(SceneProblem::message).collect();
     assert_eq!(
         told,
         [
@@ -261,9 +261,9 @@ fn fields_out_of_their_domain_are_refused_by_name_value_and_cure_all_at_once() {
         "{told}"
     );
     assert!(told.contains("hold = \"level\""), "{told}");
-    let disk = SliderScene {
+    let disk = DiskScene {
         units: Units::Dimensionless,
-        ..SliderScene::default()
+        ..DiskScene::default()
     };
     assert_eq!(disk.check().unwrap_err().problems.len(), 3);
 }
@@ -274,22 +274,22 @@ fn no_run_begins_with_fields_that_no_file_could_have() {
         pressure: 0.0,
         ..PowderScene::default()
     };
-    let refused = Compaction::new(&powder);
+    let refused = PowderSimulation::new(&powder);
     assert!(matches!(refused, Err(CompactionError::Scene(_))));
     let tip = TipScene {
         tip_layers: 1,
         ..TipScene::default()
     };
-    let refused = crate::tip::TipRun::new(&tip).map(|_| ());
+    let refused = crate::tip::TipSimulation::new(&tip).map(|_| ());
     assert!(
         refused
             .unwrap_err()
             .to_string()
             .contains("`tip_layers` must be a whole number from 4 to 100, not 1")
     );
-    let disk = SliderScene {
+    let disk = DiskScene {
         mass: f64::INFINITY,
-        ..SliderScene::default()
+        ..DiskScene::default()
     };
     let refused = crate::slide::run(&disk, |_| ());
     assert!(matches!(refused, Err(crate::slide::SlideError::Scene(_))));
@@ -297,7 +297,7 @@ fn no_run_begins_with_fields_that_no_file_could_have() {
         inner_radius: 1.0,
         ..PipeScene::default()
     };
-    let refused = crate::slide::run_path(&pipe);
+    let refused = crate::slide::run_planar(&pipe);
     assert!(matches!(refused, Err(crate::slide::SlideError::Scene(_))));
 }
 
@@ -314,9 +314,9 @@ fn a_checkpoint_of_edited_fields_belongs_to_no_other_scene() {
         ..original.clone()
     };
     for (edited, scene) in [("sliding", rough), ("pressure", pressed)] {
-        let kept = Compaction::new(&scene).unwrap().checkpoint();
-        assert!(Compaction::resume(&scene, &kept).is_ok());
-        match Compaction::resume(&original, &kept) {
+        let kept = PowderSimulation::new(&scene).unwrap().checkpoint();
+        assert!(PowderSimulation::resume(&scene, &kept).is_ok());
+        match PowderSimulation::resume(&original, &kept) {
             Err(CompactionError::Checkpoint(CheckpointError::Scene { key, .. })) => {
                 assert_eq!(key, edited);
             }

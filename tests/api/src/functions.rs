@@ -21,7 +21,7 @@ pub struct Function {
     /// As Rust writes it: `<coupling::DryProfile<P> as coupling::ReducedFriction<R>>::reduced_wrench`.
     pub path: String,
     /// Where it is defined, without generic arguments: `law::drag::reynolds`,
-    /// `coupling::dry::Dry::new` or `coupling::dry::Dry as Coupling::reduced_wrench`; none where the
+    /// `coupling::dry::Dry::new` or `coupling::dry::Dry as FrictionCoupling::reduced_wrench`; none where the
     /// type is not of this library.
     pub symbol: Option<String>,
     /// Generic parameters of the implementation and of the function; those of `impl Trait` are

@@ -3,13 +3,13 @@
 use super::{Broken, Source};
 use std::sync::OnceLock;
 use tribos::golden::{Golden, Measurement, Pinned, measure};
-use tribos::powder::Compaction;
+use tribos::powder::PowderSimulation;
 use tribos::record::digest;
 use tribos::run::Simulation;
 use tribos::scene::{
     PowderScene, Scene, SceneError, TipScene, bodies, parse_scene, vocabulary as of_body,
 };
-use tribos::tip::TipRun;
+use tribos::tip::TipSimulation;
 
 /// Scenes from which inputs are derived.
 const SCENES: [&str; 9] = [
@@ -177,7 +177,7 @@ fn powder() -> Option<&'static (PowderScene, String)> {
     static KEPT: OnceLock<Option<(PowderScene, String)>> = OnceLock::new();
     let made = KEPT.get_or_init(|| {
         let scene = PowderScene::parse("tiny.toml", TINY, &[]).ok()?;
-        let mut compaction = Compaction::new(&scene).ok()?;
+        let mut compaction = PowderSimulation::new(&scene).ok()?;
         for _ in 0..2 {
             compaction.step().ok()?;
         }
@@ -191,7 +191,7 @@ fn tip() -> Option<&'static (TipScene, String)> {
     static KEPT: OnceLock<Option<(TipScene, String)>> = OnceLock::new();
     let made = KEPT.get_or_init(|| {
         let scene = TipScene::parse("least.toml", LEAST, &[]).ok()?;
-        let mut run = TipRun::new(&scene).ok()?;
+        let mut run = TipSimulation::new(&scene).ok()?;
         for _ in 0..2 {
             run.step().ok()?;
         }
@@ -204,13 +204,13 @@ fn tip() -> Option<&'static (TipScene, String)> {
 pub fn checkpoints(source: &mut Source) -> Result<(), Broken> {
     if source.one_in(2) {
         let (scene, text) = powder().ok_or("the tiny powder cannot be run")?;
-        if let Ok(mut compaction) = Compaction::resume(scene, &damaged(source, text)) {
+        if let Ok(mut compaction) = PowderSimulation::resume(scene, &damaged(source, text)) {
             let _ = compaction.step();
             let _ = compaction.outcome();
         }
     } else {
         let (scene, text) = tip().ok_or("the least tip cannot be run")?;
-        if let Ok(mut run) = TipRun::resume(scene, &damaged(source, text)) {
+        if let Ok(mut run) = TipSimulation::resume(scene, &damaged(source, text)) {
             let _ = run.step();
             let _ = run.outcome().json(scene);
         }

@@ -1,22 +1,22 @@
 //! Rigid bodies in space and contacts between them, as matrices.
 
 use nalgebra::{Vector3, Vector6};
-use tribos::problem::{ContactLaw, Global, Layout, Matrix};
+use tribos::problem::{ContactComponents, ContactThresholds, GlobalProblem, SparseMatrix};
 
 /// A problem under construction.
 #[derive(Clone, Debug)]
 pub struct Builder {
-    layout: Layout,
+    layout: ContactComponents,
     masses: Vec<(usize, usize, f64)>,
     arms: Vec<(usize, usize, f64)>,
     momenta: Vec<f64>,
     centres: Vec<Vector3<f64>>,
-    laws: Vec<ContactLaw>,
+    laws: Vec<ContactThresholds>,
 }
 
 impl Builder {
     /// Nothing yet.
-    pub fn new(layout: Layout) -> Self {
+    pub fn new(layout: ContactComponents) -> Self {
         Self {
             layout,
             masses: Vec::new(),
@@ -49,7 +49,7 @@ impl Builder {
         &mut self,
         bodies: [Option<usize>; 2],
         (point, normal): (Vector3<f64>, Vector3<f64>),
-        law: ContactLaw,
+        law: ContactThresholds,
     ) {
         let normal = normal.normalize();
         let axis = Vector3::ith(normal.iamin(), 1.0);
@@ -83,15 +83,15 @@ impl Builder {
     }
 
     /// The problem.
-    pub fn finish(self) -> Global {
+    pub fn finish(self) -> GlobalProblem {
         let (freedoms, components) = (self.momenta.len(), self.laws.len() * self.layout.size());
         let matrix = |shape, entries: &[_]| {
-            Matrix::from_triplets(shape, entries).expect("entries are inside")
+            SparseMatrix::from_triplets(shape, entries).expect("entries are inside")
         };
         let m = matrix([freedoms; 2], &self.masses);
         let h = matrix([freedoms, components], &self.arms);
         let still = vec![0.0; components];
-        Global::new(self.layout, m, h, self.momenta, still, self.laws)
+        GlobalProblem::new(self.layout, m, h, self.momenta, still, self.laws)
             .expect("the problem is valid")
     }
 }

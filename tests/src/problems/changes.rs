@@ -1,7 +1,7 @@
 //! Twenty changes of a problem between impulses.
 
 use nalgebra::{DMatrix, Rotation2, Vector2};
-use tribos::problem::{ContactLaw, Matrix, Reduced};
+use tribos::problem::{ContactThresholds, ReducedProblem, SparseMatrix};
 use tribos::random::Random;
 
 /// Names of the changes.
@@ -33,11 +33,11 @@ struct Parts {
     size: usize,
     w: DMatrix<f64>,
     q: Vec<f64>,
-    laws: Vec<ContactLaw>,
+    laws: Vec<ContactThresholds>,
 }
 
 /// The problem under change number `number`, from 0 to 19.
-pub fn changed(problem: &Reduced, number: usize) -> Reduced {
+pub fn changed(problem: &ReducedProblem, number: usize) -> ReducedProblem {
     let mut parts = Parts::of(problem);
     let mut random = Random::new(number as u64, 24);
     match number {
@@ -65,12 +65,12 @@ pub fn changed(problem: &Reduced, number: usize) -> Reduced {
         .map(|(row, column)| (row, column, parts.w[(row, column)]))
         .filter(|entry| entry.2 != 0.0)
         .collect();
-    let w = Matrix::from_triplets([parts.q.len(); 2], &entries).expect("entries are inside");
-    Reduced::new(problem.layout(), w, parts.q, parts.laws).expect("the problem is valid")
+    let w = SparseMatrix::from_triplets([parts.q.len(); 2], &entries).expect("entries are inside");
+    ReducedProblem::new(problem.layout(), w, parts.q, parts.laws).expect("the problem is valid")
 }
 
 impl Parts {
-    fn of(problem: &Reduced) -> Self {
+    fn of(problem: &ReducedProblem) -> Self {
         let count = problem.q().len();
         let mut w = DMatrix::zeros(count, count);
         for (row, column, value) in problem.w().triplets() {

@@ -2,7 +2,7 @@
 
 use super::builder::Builder;
 use nalgebra::{Rotation3, Vector3, Vector6};
-use tribos::problem::{ContactLaw, Friction, Global, Layout};
+use tribos::problem::{ContactComponents, ContactThresholds, Friction, GlobalProblem};
 use tribos::random::Random;
 
 /// Names of the kinds; the number of a problem selects its kind in turn.
@@ -12,9 +12,9 @@ pub const KINDS: [&str; 5] = ["packing", "arch", "wedge", "grasp", "tower"];
 ///
 /// A quarter of all thresholds is zero; some contacts are cohesive, some have an ellipsoid for sliding and
 /// torsion; masses differ by up to 1e4.
-pub fn random(number: u64) -> (&'static str, Global) {
+pub fn random(number: u64) -> (&'static str, GlobalProblem) {
     let mut draw = Draw(Random::new(number, 23));
-    let layouts = [2, 3, 4, 5, 6].map(|size| Layout::of_size(size).expect("a layout"));
+    let layouts = [2, 3, 4, 5, 6].map(|size| ContactComponents::of_size(size).expect("a layout"));
     let layout = layouts[(number / KINDS.len() as u64) as usize % layouts.len()];
     let kind = (number % KINDS.len() as u64) as usize;
     let problem = match kind {
@@ -57,8 +57,8 @@ impl Draw {
         }
     }
 
-    fn law(&mut self) -> ContactLaw {
-        ContactLaw {
+    fn law(&mut self) -> ContactThresholds {
+        ContactThresholds {
             sliding: self.threshold(1.2),
             rolling: self.threshold(0.3),
             torsion: self.threshold(0.3),
@@ -79,7 +79,7 @@ fn falling(draw: &mut Draw) -> Vector6<f64> {
 }
 
 /// Spheres that overlap a little, between fixed walls.
-fn packing(draw: &mut Draw, layout: Layout) -> Global {
+fn packing(draw: &mut Draw, layout: ContactComponents) -> GlobalProblem {
     let mut builder = Builder::new(layout);
     let count = draw.count(3, 20);
     let side = 1.6 * (count as f64).cbrt();
@@ -109,7 +109,7 @@ fn packing(draw: &mut Draw, layout: Layout) -> Global {
 }
 
 /// Blocks between two fixed springers, with four contacts at each joint.
-fn arch(draw: &mut Draw, layout: Layout) -> Global {
+fn arch(draw: &mut Draw, layout: ContactComponents) -> GlobalProblem {
     let mut builder = Builder::new(layout);
     let count = draw.count(3, 9);
     let (law, thickness) = (draw.law(), draw.within(0.2, 0.6));
@@ -137,7 +137,7 @@ fn arch(draw: &mut Draw, layout: Layout) -> Global {
 }
 
 /// A body between two fixed walls that lean against it.
-fn wedge(draw: &mut Draw, layout: Layout) -> Global {
+fn wedge(draw: &mut Draw, layout: ContactComponents) -> GlobalProblem {
     let mut builder = Builder::new(layout);
     let (mass, motion) = (draw.mass(1.0), falling(draw));
     let body = builder.body(Vector3::zeros(), mass, motion);
@@ -153,7 +153,7 @@ fn wedge(draw: &mut Draw, layout: Layout) -> Global {
 }
 
 /// A body that fingers, themselves free, press from all sides.
-fn grasp(draw: &mut Draw, layout: Layout) -> Global {
+fn grasp(draw: &mut Draw, layout: ContactComponents) -> GlobalProblem {
     let mut builder = Builder::new(layout);
     let (mass, motion) = (draw.mass(1.0), falling(draw));
     let body = builder.body(Vector3::zeros(), mass, motion);
@@ -171,7 +171,7 @@ fn grasp(draw: &mut Draw, layout: Layout) -> Global {
 }
 
 /// Blocks on each other on the ground, four contacts between two of them.
-fn tower(draw: &mut Draw, layout: Layout) -> Global {
+fn tower(draw: &mut Draw, layout: ContactComponents) -> GlobalProblem {
     let mut builder = Builder::new(layout);
     for block in 0..draw.count(2, 8) {
         let (mass, motion) = (draw.mass(0.7), falling(draw));

@@ -1,7 +1,10 @@
 //! What a world keeps, whatever happens in it: momentum, energy, room, bits.
 
 use nalgebra::Vector3;
-use tribos::cd::{EnergyBalance, Laws, Method, Order, Solver, State, StepLimits, Stop, World};
+use tribos::cd::{
+    ContactSolver, EnergyBalance, IterationOrder, SolverMethod, StepLimits, StopRule, World,
+    WorldMaterials, WorldState,
+};
 use tribos_core::contact::{AllModes, Attraction, Cohesion, NormalLaw};
 use tribos_tests::gas::{SIDE, gas, periodic};
 use tribos_tests::packings::{Rough, accelerated, rough, spheres};
@@ -15,7 +18,7 @@ fn law(strength: f64, attraction: Attraction, restitution: f64) -> NormalLaw<f64
 }
 
 /// Linear and angular momentum, and the sums of their parts' sizes.
-fn momenta(state: &State<AllModes>) -> ([Vector3<f64>; 2], [f64; 2]) {
+fn momenta(state: &WorldState<AllModes>) -> ([Vector3<f64>; 2], [f64; 2]) {
     let (mut sums, mut sizes) = ([Vector3::zeros(); 2], [0.0; 2]);
     for (sphere, x) in state.spheres.iter().zip(&state.positions) {
         let push = sphere.velocity / sphere.inv_mass;
@@ -136,19 +139,19 @@ fn bits(world: &World<Rough>) -> String {
 }
 
 /// The four kinds of solver.
-fn solvers() -> [Solver; 4] {
-    let gauss_seidel = |order| Solver {
-        method: Method::GaussSeidel {
+fn solvers() -> [ContactSolver; 4] {
+    let gauss_seidel = |order| ContactSolver {
+        method: SolverMethod::GaussSeidel {
             order,
-            stop: Stop::Global(1e-6),
+            stop: StopRule::Global(1e-6),
         },
         most_sweeps: 200,
         warm_start: true,
     };
     [
-        gauss_seidel(Order::Fixed),
-        gauss_seidel(Order::Alternating),
-        gauss_seidel(Order::Random { seed: 3 }),
+        gauss_seidel(IterationOrder::Fixed),
+        gauss_seidel(IterationOrder::Alternating),
+        gauss_seidel(IterationOrder::Random { seed: 3 }),
         accelerated(1e-6),
     ]
 }
@@ -224,7 +227,10 @@ fn a_step_in_which_something_leaps_is_taken_again_shorter() {
         let cohesion = Cohesion::new(strength, 1.0, Attraction::Pull).expect("valid");
         let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
         let places = vec![Vector3::zeros(), Vector3::new(2.9, 0.0, 0.0)];
-        let mut setup = spheres(places, Laws::uniform(normal, rough(0.3, 0.1, 0.1)));
+        let mut setup = spheres(
+            places,
+            WorldMaterials::uniform(normal, rough(0.3, 0.1, 0.1)),
+        );
         setup.step_limits = StepLimits {
             longest: 1.0,
             motion: 0.01,

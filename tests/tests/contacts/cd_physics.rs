@@ -4,7 +4,7 @@
 //! places lag by half a step.
 
 use nalgebra::Vector3;
-use tribos::cd::{Laws, Setup, StepLimits, Wall, World};
+use tribos::cd::{StepLimits, Wall, World, WorldMaterials, WorldSetup};
 use tribos_core::contact::{Attraction, Cohesion, NormalLaw};
 use tribos_tests::packings::{Rough, chain, dry, rough, spheres};
 
@@ -12,20 +12,20 @@ use tribos_tests::packings::{Rough, chain, dry, rough, spheres};
 const ROUNDING: f64 = 1e-13;
 
 /// A ball on the floor z = 0 under gravity, with steps of length `dt` and fast balls allowed.
-fn ball(friction: Rough, gravity: Vector3<f64>, dt: f64) -> Setup<Rough> {
+fn ball(friction: Rough, gravity: Vector3<f64>, dt: f64) -> WorldSetup<Rough> {
     let step_limits = StepLimits {
         longest: dt,
         motion: 4.0,
     };
-    Setup {
+    WorldSetup {
         gravity,
         step_limits,
-        ..chain(1, Laws::uniform(dry(), friction))
+        ..chain(1, WorldMaterials::uniform(dry(), friction))
     }
 }
 
 /// A world after `time`, a whole number of steps.
-fn after(setup: Setup<Rough>, time: f64) -> World<Rough> {
+fn after(setup: WorldSetup<Rough>, time: f64) -> World<Rough> {
     let steps = (time / setup.step_limits.longest).round() as usize;
     let mut world = World::new(setup).expect("the setup is valid");
     for _ in 0..steps {
@@ -137,12 +137,12 @@ fn torsion_friction_stops_a_top_in_time() {
 const PULL: (f64, f64) = (3.0, 0.02);
 
 /// A cohesive ball under a ceiling, at a distance, with weight 4.19.
-fn hanging(strength: f64, attraction: Attraction, gap: f64, dt: f64) -> Setup<Rough> {
+fn hanging(strength: f64, attraction: Attraction, gap: f64, dt: f64) -> WorldSetup<Rough> {
     let cohesion = Cohesion::new(strength, PULL.1, attraction).expect("cohesion is valid");
     let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
     let mut setup = spheres(
         vec![Vector3::new(0.0, 0.0, -1.0 - gap)],
-        Laws::uniform(normal, rough(0.3, 0.1, 0.1)),
+        WorldMaterials::uniform(normal, rough(0.3, 0.1, 0.1)),
     );
     setup.walls = vec![Wall::fixed(-Vector3::z(), 0.0)];
     setup.gravity = -Vector3::z();
@@ -234,7 +234,7 @@ fn at_a_threshold_met_exactly_nothing_moves() {
 fn a_ball_falls_rebounds_with_e_and_keeps_what_it_should() {
     for restitution in [0.0, 0.3, 0.8, 1.0] {
         let normal = NormalLaw::new(Cohesion::NONE, restitution).expect("the law is valid");
-        let mut setup = chain(1, Laws::uniform(normal, rough(0.0, 0.0, 0.0)));
+        let mut setup = chain(1, WorldMaterials::uniform(normal, rough(0.0, 0.0, 0.0)));
         setup.gravity.fill(0.0);
         setup.positions[0].z = 1.35;
         setup.spheres[0].velocity = Vector3::new(0.5, 0.0, -1.0);
@@ -254,7 +254,7 @@ fn a_ball_falls_rebounds_with_e_and_keeps_what_it_should() {
 fn driven_walls_do_the_work_that_is_booked() {
     // A floor that carries a ball along, and one that also lifts it.
     for lift in [0.0, 0.2] {
-        let mut setup = chain(1, Laws::uniform(dry(), rough(0.3, 0.1, 0.1)));
+        let mut setup = chain(1, WorldMaterials::uniform(dry(), rough(0.3, 0.1, 0.1)));
         setup.walls[0].plate.velocity = Vector3::new(0.5, 0.0, lift);
         let mut world = World::new(setup).expect("the setup is valid");
         for _ in 0..100 {

@@ -1,7 +1,7 @@
 //! Impacts with restitution: energy, closed solutions, several impacts in a step, small steps.
 
 use nalgebra::Vector3;
-use tribos::cd::{Laws, Setup, StepLimits, Wall, World, solid};
+use tribos::cd::{StepLimits, Wall, World, WorldMaterials, WorldSetup, solid};
 use tribos::random::Random;
 use tribos_core::contact::{Attraction, Cohesion, NormalLaw};
 use tribos_tests::gas::{gas, periodic};
@@ -72,7 +72,7 @@ fn without_rebound_friction_takes_too() {
 /// A solid ball of radius 1 above the floor by this gap, coming down at 1, at `across` along x,
 /// spinning about z.
 fn oblique(law: NormalLaw<f64>, friction: Rough, [across, gap]: [f64; 2], dt: f64) -> World<Rough> {
-    let mut setup = chain(1, Laws::uniform(law, friction));
+    let mut setup = chain(1, WorldMaterials::uniform(law, friction));
     setup.positions[0].z += gap;
     setup.gravity.fill(0.0);
     setup.spheres[0].velocity = Vector3::new(across, 0.0, -1.0);
@@ -128,7 +128,7 @@ fn an_oblique_impact_is_the_closed_solution_at_every_step() {
 /// Smooth balls along x at these places, the first of which moves at 1.
 fn row(places: &[f64], restitution: f64, dt: f64) -> World<Rough> {
     let places = places.iter().map(|x| Vector3::new(*x, 0.0, 0.0)).collect();
-    let laws = Laws::uniform(bouncing(restitution), rough(0.0, 0.0, 0.0));
+    let laws = WorldMaterials::uniform(bouncing(restitution), rough(0.0, 0.0, 0.0));
     let mut setup = spheres(places, laws);
     setup.spheres[0].velocity.x = 1.0;
     setup.step_limits = StepLimits {
@@ -143,7 +143,10 @@ fn an_oblique_impact_of_two_balls_depends_on_the_step_in_the_first_order() {
     // Off the line of centres, so that the normal turns on the way; all of it sticks.
     let impulses = |dt| {
         let places = vec![Vector3::zeros(), Vector3::new(2.3, 0.5, 0.0)];
-        let mut setup = spheres(places, Laws::uniform(bouncing(0.9), rough(10.0, 0.0, 0.0)));
+        let mut setup = spheres(
+            places,
+            WorldMaterials::uniform(bouncing(0.9), rough(10.0, 0.0, 0.0)),
+        );
         setup.spheres[0].velocity.x = 1.0;
         setup.step_limits = StepLimits {
             longest: dt,
@@ -216,7 +219,7 @@ fn two_impacts_at_once_keep_their_symmetry() {
         Vector3::new(0.0, 1.0, 0.0),
         Vector3::new(0.0, -1.0, 0.0),
     ];
-    let laws = Laws::uniform(bouncing(1.0), rough(0.0, 0.0, 0.0));
+    let laws = WorldMaterials::uniform(bouncing(1.0), rough(0.0, 0.0, 0.0));
     let mut setup = spheres(places, laws);
     setup.spheres[0].velocity.x = 1.0;
     let mut world = World::new(setup).expect("the setup is valid");
@@ -232,7 +235,7 @@ fn two_impacts_at_once_keep_their_symmetry() {
 
 /// A smooth ball let go 1 above the floor, under gravity 1.
 fn dropped(restitution: f64, dt: f64) -> World<Rough> {
-    let laws = Laws::uniform(bouncing(restitution), rough(0.0, 0.0, 0.0));
+    let laws = WorldMaterials::uniform(bouncing(restitution), rough(0.0, 0.0, 0.0));
     let mut setup = chain(1, laws);
     setup.positions[0].z = 2.0;
     setup.step_limits = StepLimits {
@@ -366,7 +369,7 @@ fn other_coefficients_at_walls_driven_walls_and_cohesion_close_the_book() {
 
 #[test]
 fn a_run_with_rebounds_repeats_and_resumes_to_the_same_bits() {
-    let setup: Setup<Rough> = gas(periodic([true; 3]), bouncing(0.9), rough(0.5, 0.3, 0.2));
+    let setup: WorldSetup<Rough> = gas(periodic([true; 3]), bouncing(0.9), rough(0.5, 0.3, 0.2));
     let steps = |world: &mut World<Rough>, count| {
         for _ in 0..count {
             world.step().expect("the gas can step");
@@ -413,7 +416,7 @@ fn block(side: usize, law: NormalLaw<f64>, friction: Rough) -> World<Rough> {
         Vector3::from(cell.map(|cell| 2.0 * cell as f64)) + Vector3::z()
     };
     let places = (0..side.pow(3)).map(place).collect();
-    let mut setup = spheres(places, Laws::uniform(law, friction));
+    let mut setup = spheres(places, WorldMaterials::uniform(law, friction));
     setup.walls = vec![Wall::fixed(Vector3::z(), 0.0)];
     let mut random = Random::new(7, 1);
     let mut vector = || Vector3::from([(); 3].map(|()| 2.0 * random.unit() - 1.0));
@@ -452,7 +455,7 @@ fn a_step_whose_impacts_are_cut_is_not_met() {
     // Ten spheres that touch: with e = 0.5 every round leaves approaches for the next.
     let reports = [0.5, 1.0].map(|restitution| {
         let friction = rough(0.5, 0.0, 0.0);
-        let mut setup = chain(10, Laws::uniform(bouncing(restitution), friction));
+        let mut setup = chain(10, WorldMaterials::uniform(bouncing(restitution), friction));
         setup.gravity.fill(0.0);
         for sphere in &mut setup.spheres {
             sphere.velocity.z = -1.0;

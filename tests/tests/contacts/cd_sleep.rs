@@ -1,7 +1,7 @@
 //! Groups at rest are left alone, wake when they are touched, and change nothing by sleeping.
 
 use nalgebra::Vector3;
-use tribos::cd::{Laws, Setup, StepReport, World};
+use tribos::cd::{StepReport, World, WorldMaterials, WorldSetup};
 use tribos_tests::packings::{Rough, accelerated, chain, dry, rough};
 
 /// Spheres of each of the two chains; one more falls.
@@ -10,8 +10,11 @@ const CHAIN: usize = 4;
 const STILL: f64 = 1e-7;
 
 /// Two chains 8 apart, and a sphere that falls on the top of the first, off its middle.
-fn scene(sleep_speed: f64) -> Setup<Rough> {
-    let mut setup = chain(2 * CHAIN + 1, Laws::uniform(dry(), rough(0.4, 0.1, 0.1)));
+fn scene(sleep_speed: f64) -> WorldSetup<Rough> {
+    let mut setup = chain(
+        2 * CHAIN + 1,
+        WorldMaterials::uniform(dry(), rough(0.4, 0.1, 0.1)),
+    );
     for body in CHAIN..2 * CHAIN {
         setup.positions[body] = Vector3::new(8.0, 0.0, 2.0 * (body - CHAIN) as f64 + 1.0);
     }

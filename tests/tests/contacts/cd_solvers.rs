@@ -5,7 +5,7 @@ use nalgebra::{Vector2, Vector3};
 use tribos::cd::internals::{
     Accelerated, Coefficients, Link, Monitor, Operator, Spheres, Sweeper, residual, solve,
 };
-use tribos::cd::{Iterations, Laws, Order, Stop};
+use tribos::cd::{IterationOrder, Iterations, StopRule, WorldMaterials};
 use tribos::random::Random;
 use tribos_core::contact::{
     Attraction, Cohesion, ContactFriction, ContactModes, ContactVector, NormalLaw,
@@ -14,7 +14,7 @@ use tribos_tests::least_distance::least_distance;
 use tribos_tests::packings::{Rough, Smooth, dry, first_problem, jammed_box, rough};
 
 /// A jammed box shaken: random velocities and spins on top of the load.
-pub(super) fn shaken<F>(count: usize, seed: u64, laws: Laws<F>, speed: f64) -> Spheres<F>
+pub(super) fn shaken<F>(count: usize, seed: u64, laws: WorldMaterials<F>, speed: f64) -> Spheres<F>
 where
     F: ContactFriction<f64> + Coefficients,
 {
@@ -160,13 +160,13 @@ fn judged(problem: &Spheres<Rough>) -> [f64; 4] {
 fn the_residual_is_the_one_worked_out_by_hand() {
     for seed in 0..10 {
         for normal in [dry(), cohesive()] {
-            let laws = Laws::uniform(normal, rough(0.4, 0.3, 0.2));
+            let laws = WorldMaterials::uniform(normal, rough(0.4, 0.3, 0.2));
             let mut problem = shaken(12, seed, laws, 0.3);
             // From wild impulses through rough ones to a solution.
             wild(&mut problem, seed);
-            let mut sweeper = Sweeper::new(Order::Random { seed }, 0);
+            let mut sweeper = Sweeper::new(IterationOrder::Random { seed }, 0);
             for sweeps in [0, 1, 3, 10, 100] {
-                solve(&mut problem, &mut sweeper, Stop::Fixed, sweeps);
+                solve(&mut problem, &mut sweeper, StopRule::Fixed, sweeps);
                 for (got, wanted) in judged(&problem).into_iter().zip(by_hand(&problem)) {
                     let close = (got - wanted).abs() <= 1e-10 * wanted.abs() + 1e-12;
                     assert!(
@@ -199,7 +199,7 @@ fn solved(seed: u64) -> Spheres<Rough> {
     let mut problem = shaken(
         30,
         seed,
-        Laws::uniform(cohesive(), rough(0.4, 0.3, 0.2)),
+        WorldMaterials::uniform(cohesive(), rough(0.4, 0.3, 0.2)),
         0.3,
     );
     let effort = Accelerated::default().solve(&mut problem, 1e-11, 20_000);
@@ -211,7 +211,10 @@ fn solved(seed: u64) -> Spheres<Rough> {
 type Impulse = ContactVector<f64, <Rough as ContactFriction<f64>>::Modes>;
 
 /// Changes the impulse of the contact that pushes hardest, and its residual.
-fn spoilt(problem: &Spheres<Rough>, change: impl Fn(&Impulse) -> Impulse) -> tribos::cd::Residual {
+fn spoilt(
+    problem: &Spheres<Rough>,
+    change: impl Fn(&Impulse) -> Impulse,
+) -> tribos::cd::ContactResidual {
     let mut problem = problem.clone();
     let bound = |link: &Link<_>| link.contact.bound();
     let hardest = problem
@@ -234,7 +237,7 @@ fn deliberate_errors_are_seen() {
     let problem = solved(3);
     let good = residual(&problem);
     println!("solved: {good:?}");
-    let clean = |r: &tribos::cd::Residual| r.excess < 1e-12;
+    let clean = |r: &tribos::cd::ContactResidual| r.excess < 1e-12;
     assert!(clean(&good) && good.penetration < 1e-7);
     // Untouched, the same numbers to rounding; each error, at least a thousandth of P.
     let untouched = spoilt(&problem, |p| *p);
@@ -320,10 +323,22 @@ fn every_solver<F>(
     F: ContactFriction<f64> + Coefficients,
 {
     const MOST: usize = 30_000;
-    for order in [Order::Fixed, Order::Alternating, Order::Random { seed: 5 }] {
-        for stop in [Stop::Fixed, Stop::Local(tolerance), Stop::Global(tolerance)] {
+    for order in [
+        IterationOrder::Fixed,
+        IterationOrder::Alternating,
+        IterationOrder::Random { seed: 5 },
+    ] {
+        for stop in [
+            StopRule::Fixed,
+            StopRule::Local(tolerance),
+            StopRule::Global(tolerance),
+        ] {
             let mut problem = problem.clone();
-            let most = if stop == Stop::Fixed { 30_000 } else { MOST };
+            let most = if stop == StopRule::Fixed {
+                30_000
+            } else {
+                MOST
+            };
             let effort = solve(&mut problem, &mut Sweeper::new(order, 0), stop, most);
             seen(format!("{order:?}, {stop:?}"), &problem, effort);
         }
@@ -343,7 +358,12 @@ fn farthest<F: ContactFriction<f64>>(problem: &Spheres<F>, wanted: &[Vector3<f64
 #[test]
 fn smooth_problems_have_the_velocities_of_the_active_set() {
     for seed in 0..3 {
-        let problem = shaken(30, seed, Laws::uniform(dry(), Smooth::none()), 0.3);
+        let problem = shaken(
+            30,
+            seed,
+            WorldMaterials::uniform(dry(), Smooth::none()),
+            0.3,
+        );
         let wanted = oracle(&problem);
         let size = wanted.iter().map(Vector3::norm).fold(0.0, f64::max);
         let moved = farthest(&problem, &wanted);
@@ -364,7 +384,7 @@ fn with_friction_all_solvers_find_solutions_near_each_other() {
         let problem = shaken(
             30,
             seed,
-            Laws::uniform(cohesive(), rough(0.3, 0.2, 0.2)),
+            WorldMaterials::uniform(cohesive(), rough(0.3, 0.2, 0.2)),
             0.3,
         );
         let mut wanted: Option<Vec<_>> = None;
@@ -418,7 +438,7 @@ fn waiting<M: ContactModes<f64>>(links: &[Link<M>]) -> usize {
 
 #[test]
 fn every_pair_is_visited_once_and_few_wait_for_the_one_before() {
-    let problem = shaken(30, 1, Laws::uniform(dry(), Smooth::none()), 0.0);
+    let problem = shaken(30, 1, WorldMaterials::uniform(dry(), Smooth::none()), 0.0);
     let pairs: Vec<_> = problem.pairs.iter().collect();
     let mut sorted = pairs.clone();
     sorted.sort_by_key(|link| link.bodies);

@@ -1,6 +1,6 @@
 //! A row of spheres under too few sweeps rings as diffusion of information says.
 
-use tribos::cd::{Order, World};
+use tribos::cd::{IterationOrder, World};
 use tribos_tests::sound::{expected, measured, pushed, random_q};
 
 #[test]
@@ -9,7 +9,7 @@ fn a_row_under_random_sweeps_rings_as_diffusion_says() {
     let mut means = [0.0; 2];
     const SEEDS: u64 = 8;
     for seed in 0..SEEDS {
-        let got = measured(Order::Random { seed });
+        let got = measured(IterationOrder::Random { seed });
         println!("seed {seed}: period {:.3}, damping {:.5}", got.0, got.1);
         means[0] += got.0 / SEEDS as f64;
         means[1] += got.1 / SEEDS as f64;
@@ -24,7 +24,7 @@ fn a_row_under_random_sweeps_rings_as_diffusion_says() {
 #[test]
 fn orders_differ_in_the_speed_of_sound() {
     let random = expected(random_q()).0;
-    for order in [Order::Fixed, Order::Alternating] {
+    for order in [IterationOrder::Fixed, IterationOrder::Alternating] {
         let (period, damping) = measured(order);
         let q = random_q() * (random / period).powi(2);
         println!("{order:?}: period {period:.3}, damping {damping:.5}, q {q:.3}");
@@ -34,7 +34,7 @@ fn orders_differ_in_the_speed_of_sound() {
 
 #[test]
 fn enough_sweeps_make_the_row_rigid() {
-    let mut setup = pushed(Order::Alternating);
+    let mut setup = pushed(IterationOrder::Alternating);
     // Far more than (L/d)² = 2,500.
     setup.solver.most_sweeps = 40_000;
     let mut world = World::new(setup).expect("the setup is valid");

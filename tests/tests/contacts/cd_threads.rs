@@ -1,7 +1,9 @@
 //! The number of threads changes no bit.
 
 use nalgebra::Vector3;
-use tribos::cd::{Laws, Method, Order, Setup, Solver, Stop, World};
+use tribos::cd::{
+    ContactSolver, IterationOrder, SolverMethod, StopRule, World, WorldMaterials, WorldSetup,
+};
 use tribos::random::Random;
 use tribos_core::contact::{Attraction, Cohesion, NormalLaw};
 use tribos_tests::packings::{Rough, accelerated, rough, spheres};
@@ -12,7 +14,7 @@ const AXES: [usize; 3] = [12, 12, 24];
 const STEPS: usize = 6;
 
 /// A lattice of spheres that nearly touch, shaken.
-fn lattice(solver: Solver) -> Setup<Rough> {
+fn lattice(solver: ContactSolver) -> WorldSetup<Rough> {
     let mut random = Random::new(3, 1);
     let mut jitter = |size: f64| {
         let mut component = || size * (2.0 * random.unit() - 1.0);
@@ -26,7 +28,10 @@ fn lattice(solver: Solver) -> Setup<Rough> {
     }
     let cohesion = Cohesion::new(1.0, 0.1, Attraction::Pull).expect("cohesion is valid");
     let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
-    let mut setup = spheres(centres, Laws::uniform(normal, rough(0.3, 0.1, 0.1)));
+    let mut setup = spheres(
+        centres,
+        WorldMaterials::uniform(normal, rough(0.3, 0.1, 0.1)),
+    );
     for sphere in &mut setup.spheres {
         (sphere.velocity, sphere.spin) = (jitter(0.3), jitter(0.3));
     }
@@ -35,7 +40,7 @@ fn lattice(solver: Solver) -> Setup<Rough> {
 }
 
 /// The state after some steps on so many threads, and how many pairs there were.
-fn state_on(threads: usize, solver: Solver) -> (String, usize) {
+fn state_on(threads: usize, solver: ContactSolver) -> (String, usize) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     pool.expect("threads can be made").install(|| {
         let mut world = World::new(lattice(solver)).expect("the setup is valid");
@@ -48,10 +53,10 @@ fn state_on(threads: usize, solver: Solver) -> (String, usize) {
 
 #[test]
 fn states_have_the_same_bits_on_any_number_of_threads() {
-    let sweeps = Solver {
-        method: Method::GaussSeidel {
-            order: Order::Alternating,
-            stop: Stop::Global(1e-4),
+    let sweeps = ContactSolver {
+        method: SolverMethod::GaussSeidel {
+            order: IterationOrder::Alternating,
+            stop: StopRule::Global(1e-4),
         },
         ..accelerated(1e-4)
     };

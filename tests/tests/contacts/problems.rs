@@ -1,9 +1,11 @@
 //! Contact problems as data: solved, or said not to be.
 
 use super::cd_solvers::{cohesive, shaken};
-use tribos::cd::Laws;
+use tribos::cd::WorldMaterials;
 use tribos::cd::internals::residual as judged;
-use tribos::problem::{Ending, Method, Reduced, Settings, Solution, residual, solve};
+use tribos::problem::{
+    ProblemMethod, ReducedProblem, Solution, SolverOptions, SolverStatus, residual, solve,
+};
 use tribos_core::contact::CoupledFriction;
 use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
@@ -11,12 +13,12 @@ use tribos_tests::packings::{dry, rough};
 use tribos_tests::problems::{CHANGES, changed, random};
 
 /// A solution whose ending is what its impulses say.
-fn honest(name: &str, problem: &Reduced, settings: &Settings) -> Solution {
+fn honest(name: &str, problem: &ReducedProblem, settings: &SolverOptions) -> Solution {
     let end = solve(problem, settings, |_| ());
     let judged = residual(problem, &end.impulses);
     assert_eq!(judged, end.residual, "{name}");
     let meets = judged.meets(settings.tolerance);
-    assert_eq!(meets, end.ending == Ending::Converged, "{name}");
+    assert_eq!(meets, end.ending == SolverStatus::Converged, "{name}");
     end
 }
 
@@ -26,14 +28,19 @@ fn random_problems_are_solved() {
         let (kind, problem) = random(number);
         let problem = problem.reduced().expect("masses are positive");
         let name = format!("{kind} {number}");
-        let end = honest(&name, &problem, &Settings::default());
-        assert_eq!(end.ending, Ending::Converged, "{name}: {:?}", end.residual);
+        let end = honest(&name, &problem, &SolverOptions::default());
+        assert_eq!(
+            end.ending,
+            SolverStatus::Converged,
+            "{name}: {:?}",
+            end.residual
+        );
     }
 }
 
 #[test]
 fn changed_problems_are_solved() {
-    let settings = Settings::default();
+    let settings = SolverOptions::default();
     let (mut unsymmetric, mut unsolved) = (0, Vec::new());
     for number in 0..20 {
         let (kind, problem) = random(number);
@@ -41,7 +48,7 @@ fn changed_problems_are_solved() {
         for (change, what) in CHANGES.iter().enumerate() {
             let name = format!("{kind} {number}, {what}");
             let end = honest(&name, &changed(&problem, change), &settings);
-            let is_solved = end.ending == Ending::Converged;
+            let is_solved = end.ending == SolverStatus::Converged;
             if what.starts_with("W unsymmetric") {
                 // Without full rank such a W need not have a solution: no method solves the eight others.
                 unsymmetric += usize::from(is_solved);
@@ -63,7 +70,7 @@ fn changed_problems_are_solved() {
 
 /// Solutions to 1e-10 of a jammed, shaken box of 30: from no impulses, and from normal ones of 10.
 fn solutions(seed: u64) -> [Solution; 2] {
-    let laws = Laws::uniform(cohesive(), rough(0.3, 0.2, 0.2));
+    let laws = WorldMaterials::uniform(cohesive(), rough(0.3, 0.2, 0.2));
     let posed = shaken(30, seed, laws, 0.3).posed();
     let problem = posed.expect("thresholds are separate").problem.reduced();
     let problem = problem.expect("masses are positive");
@@ -71,14 +78,14 @@ fn solutions(seed: u64) -> [Solution; 2] {
         let mut start = vec![0.0; problem.q().len()];
         let normals = start.iter_mut().step_by(problem.layout().size());
         normals.for_each(|r| *r = pushed);
-        let settings = Settings {
+        let settings = SolverOptions {
             tolerance: 1e-10,
-            method: Method::Sweeps,
+            method: ProblemMethod::Sweeps,
             start: Some(start),
-            ..Settings::default()
+            ..SolverOptions::default()
         };
         let end = honest(&format!("box {seed}"), &problem, &settings);
-        assert_eq!(end.ending, Ending::Converged, "{:?}", end.residual);
+        assert_eq!(end.ending, SolverStatus::Converged, "{:?}", end.residual);
         end
     })
 }
@@ -101,15 +108,15 @@ fn a_jammed_box_may_have_one_motion_under_many_forces_or_two_motions() {
 fn a_box_under_ellipsoids_is_data_and_one_under_exact_surfaces_is_not() {
     let usual = LimitEllipsoid::new(0.3, 0.5, 2.0 / 3.0).expect("valid");
     let usual = CoupledFriction::all(usual, 0.1).expect("valid");
-    let mut jammed = shaken(30, 0, Laws::uniform(dry(), usual), 0.3);
+    let mut jammed = shaken(30, 0, WorldMaterials::uniform(dry(), usual), 0.3);
     let posed = jammed.posed().expect("an ellipsoid is data");
     let problem = posed.problem.reduced().expect("masses are positive");
-    let end = honest("ellipsoids", &problem, &Settings::default());
-    assert_eq!(end.ending, Ending::Converged, "{:?}", end.residual);
+    let end = honest("ellipsoids", &problem, &SolverOptions::default());
+    assert_eq!(end.ending, SolverStatus::Converged, "{:?}", end.residual);
     jammed.take(&posed, &end.impulses);
     assert!(judged(&jammed).relative < 1e-6, "{:?}", judged(&jammed));
     let exact = RoundLimitSurface::new(CoulombDisk, 0.3, 0.5).expect("valid");
     let exact = CoupledFriction::all(exact, 0.1).expect("valid");
-    let jammed = shaken(30, 0, Laws::uniform(dry(), exact), 0.3);
+    let jammed = shaken(30, 0, WorldMaterials::uniform(dry(), exact), 0.3);
     assert!(jammed.posed().is_none());
 }

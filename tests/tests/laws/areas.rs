@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use tribos::friction::{
-    AnyContactFriction, Area, AreaFriction, ContactVisitor, Friction, Law, Patch, Precision,
-    Refusal, limit_surface,
+    AnyContactFriction, AnyFriction, Area, AreaFriction, ContactVisitor, FrictionError, Law, Patch,
+    Precision, limit_surface,
 };
 use tribos::random::Random;
 use tribos_core::contact::{
@@ -154,7 +154,7 @@ fn round_kernel(name: &str, law: &Law) -> AtTwist {
     let patch: Patch = name.parse().unwrap();
     let Some([mu, alpha]) = law.power_of_speed() else {
         // The module `friction` holds it against the kernel's quadratures.
-        return of_patch(Friction::<f64>::new(&patch, law, None).unwrap(), 1.0);
+        return of_patch(AnyFriction::<f64>::new(&patch, law, None).unwrap(), 1.0);
     };
     let polynomial = PolynomialPressure::new([1.0, -0.5]).unwrap();
     match (name, patch.pressure()) {
@@ -230,7 +230,7 @@ fn every_area_under_every_law_has_the_bits_of_the_kernel_or_is_refused() {
             let made = AreaFriction::new(&area, &law, None);
             let (friction, kernel) = match (made, kernel(name, &law)) {
                 (Ok(friction), Some(kernel)) => (friction, kernel),
-                (Err(Refusal::Unserved(_)), None) => continue,
+                (Err(FrictionError::Unserved(_)), None) => continue,
                 (made, kernel) => {
                     panic!("{text} on {name}: {made:?}, kernel {}", kernel.is_some())
                 }
@@ -340,7 +340,7 @@ fn every_area_has_the_limit_surfaces_of_the_kernel() {
         let round = area(name).limit_surfaces().unwrap();
         assert!(matches!(
             round.torque_limits(1.0, [0.0; 2]),
-            Err(Refusal::Unserved(_))
+            Err(FrictionError::Unserved(_))
         ));
     }
     for name in SHAPES {
@@ -407,7 +407,7 @@ fn every_round_area_has_the_coupled_contact_of_the_kernel() {
     }
     for name in SHAPES {
         let refused = AnyContactFriction::coupled(&area(name), MU, 0.0);
-        assert!(matches!(refused, Err(Refusal::Unserved(_))), "{name}");
+        assert!(matches!(refused, Err(FrictionError::Unserved(_))), "{name}");
     }
     let thresholds = |given| {
         AnyContactFriction::thresholds(given)

@@ -1,12 +1,13 @@
 //! Friction chosen by name is the kernel's own, to the bit, and one place says what is served.
 
 use tribos::friction::{
-    Friction, LARGEST_EXPONENT, LAWS, Law, Patch, Precision, Refusal, Tier, leaning, upright,
+    AnyFriction, FrictionError, LARGEST_EXPONENT, LAWS, Law, Patch, Precision, Tier, leaning,
+    upright,
 };
 use tribos::random::Random;
-use tribos::scene::SliderScene;
-use tribos::slide::planar::{Gradient, Journey, Launch, TallBody, TallCylinder};
-use tribos::slide::{Ending, SlideError, SlideRun, run};
+use tribos::scene::DiskScene;
+use tribos::slide::planar::{Gradient, PlanarLaunch, PlanarSimulation, TallBody, TallCylinder};
+use tribos::slide::{SlideError, SlideRun, SlideStopReason, run};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
@@ -150,7 +151,7 @@ fn powers_of_the_speed_are_the_kernel_s_own_types_or_refused() {
         ] {
             let power = Law::power(0.3, alpha).unwrap();
             for tier in [Tier::Table, Tier::Compact] {
-                let made = Friction::<f64>::new(&patch(name), &power, Some(tier));
+                let made = AnyFriction::<f64>::new(&patch(name), &power, Some(tier));
                 let what = format!("{name}, alpha {alpha}, {tier}");
                 match (made, kernel(name, alpha, tier)) {
                     (Ok(room), Some(kernel)) => {
@@ -158,7 +159,7 @@ fn powers_of_the_speed_are_the_kernel_s_own_types_or_refused() {
                         assert_same(&what, &room, &*kernel);
                     }
                     (
-                        Err(Refusal::Tier {
+                        Err(FrictionError::Tier {
                             tier: refused,
                             cure,
                             ..
@@ -167,14 +168,14 @@ fn powers_of_the_speed_are_the_kernel_s_own_types_or_refused() {
                     ) => {
                         assert_eq!(refused, tier, "{what}");
                         // The cure cures.
-                        let cured = Friction::<f64>::new(&patch(name), &power, cure);
+                        let cured = AnyFriction::<f64>::new(&patch(name), &power, cure);
                         assert_eq!(cured.unwrap().tier(), cure.unwrap(), "{what}");
                     }
                     (made, kernel) => panic!("{what}: {made:?}, kernel {}", kernel.is_some()),
                 }
             }
             // The quickest tier that serves it is chosen.
-            let chosen = Friction::<f64>::new(&patch(name), &power, None)
+            let chosen = AnyFriction::<f64>::new(&patch(name), &power, None)
                 .unwrap()
                 .tier();
             let mut tiers = Tier::ALL.into_iter();
@@ -191,19 +192,19 @@ fn powers_of_the_speed_are_the_kernel_s_own_types_or_refused() {
 #[test]
 fn single_precision_has_its_own_tables() {
     let half = Law::power(0.3, 0.5).unwrap();
-    let disk = Friction::<f32>::new(&Patch::Disk, &half, None).unwrap();
+    let disk = AnyFriction::<f32>::new(&Patch::Disk, &half, None).unwrap();
     assert_same("disk", &disk, &DiskTable32::new(0.5).unwrap());
-    let hertz = Friction::<f32>::new(&Patch::Hertz, &half, None).unwrap();
+    let hertz = AnyFriction::<f32>::new(&Patch::Hertz, &half, None).unwrap();
     assert_same(
         "hertz",
         &hertz,
         &RoundTable32::new(0.5, PowerPressure::HERTZ).unwrap(),
     );
-    let polynomial = |tier| Friction::<f32>::new(&patch("polynomial:1,-0.5"), &half, tier);
+    let polynomial = |tier| AnyFriction::<f32>::new(&patch("polynomial:1,-0.5"), &half, tier);
     assert_eq!(polynomial(None).unwrap().tier(), Tier::Quadrature);
     assert_eq!(
         polynomial(Some(Tier::Table)).err(),
-        Some(Refusal::SinglePrecision)
+        Some(FrictionError::SinglePrecision)
     );
 }
 
@@ -227,7 +228,7 @@ fn other_laws_are_the_kernel_s_quadratures() {
     .unwrap();
     fn agree(text: &str, law: impl LocalLaw<f64> + Copy) {
         let spec: Law = text.parse().unwrap();
-        let friction = |name: &str| Friction::<f64>::new(&patch(name), &spec, None).unwrap();
+        let friction = |name: &str| AnyFriction::<f64>::new(&patch(name), &spec, None).unwrap();
         let [disk, annulus, hertz] = ["disk", "annulus:0.5", "hertz"].map(friction);
         let quadrature = DiskQuadrature::new(law);
         let band = Annulus::new(&quadrature, 0.5).unwrap();
@@ -264,9 +265,9 @@ fn other_laws_are_the_kernel_s_quadratures() {
             );
         }
         for tier in [Tier::Table, Tier::Compact] {
-            let refused = Friction::<f64>::new(&Patch::Disk, &spec, Some(tier));
+            let refused = AnyFriction::<f64>::new(&Patch::Disk, &spec, Some(tier));
             assert!(
-                matches!(refused, Err(Refusal::Tier { cure: None, .. })),
+                matches!(refused, Err(FrictionError::Tier { cure: None, .. })),
                 "{text}"
             );
         }
@@ -283,7 +284,7 @@ fn every_local_law_serves_every_round_patch() {
     for text in LOCAL {
         assert_eq!(law(&law(text).to_string()), law(text));
         for name in ROUND {
-            let friction = Friction::<f64>::new(&patch(name), &law(text), None).unwrap();
+            let friction = AnyFriction::<f64>::new(&patch(name), &law(text), None).unwrap();
             // Sliding without spin, all of the patch has one speed.
             let slide = friction.coefficient() * friction.reduced_wrench(0.3, 0.0).force;
             let local = law(text).made::<f64>().unwrap().friction(0.3);
@@ -300,7 +301,7 @@ fn the_lateral_force_of_a_quadrature_is_that_of_the_table() {
     for (alpha, tolerance) in [(0.0, 2e-7), (0.5, 2e-7), (2.0, 2e-7), (-0.3, 2e-5)] {
         let power = Law::power(1.0, alpha).unwrap();
         for name in ["disk", "annulus:0.5"] {
-            let by = |tier| Friction::<f64>::new(&patch(name), &power, Some(tier)).unwrap();
+            let by = |tier| AnyFriction::<f64>::new(&patch(name), &power, Some(tier)).unwrap();
             let (table, any) = (by(Tier::Table), by(Tier::Quadrature));
             for ratio in [1e-3, 0.1, 0.4, 0.9, 1.0, 1.1, 3.0, 50.0] {
                 let [exact, near] = [&table, &any].map(|c| c.lateral(ratio, 1.0));
@@ -319,7 +320,7 @@ fn the_lateral_force_of_a_quadrature_is_that_of_the_table() {
             }
         }
         // Nodes are coarse, and coarser where friction falls with the speed.
-        let by = |tier| Friction::<f64>::new(&Patch::Hertz, &power, Some(tier)).unwrap();
+        let by = |tier| AnyFriction::<f64>::new(&Patch::Hertz, &power, Some(tier)).unwrap();
         let [exact, near] = [Tier::Table, Tier::Quadrature].map(|tier| by(tier).lateral(0.4, 1.0));
         assert!(
             (near / exact - 1.0).abs() < 2e-2,
@@ -360,32 +361,32 @@ fn final_motion_takes_closed_forms_then_tables_then_series() {
     );
     assert_eq!(
         upright(&patch("points:a.csv"), 0.0).err(),
-        Some(Refusal::NoAxis)
+        Some(FrictionError::NoAxis)
     );
     assert!(upright(&patch("polynomial:1"), 20.0).is_err());
     assert_eq!(
         upright(&Patch::Disk, 200.0).err(),
-        Some(Refusal::Exponent { given: 200.0 })
+        Some(FrictionError::Exponent { given: 200.0 })
     );
 }
 
-fn scene(more: &[&str]) -> SliderScene {
+fn scene(more: &[&str]) -> DiskScene {
     let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\nradius = 0.08\n\
                 mass = 0.1\ninertia_ratio = 0.5";
     let more: Vec<String> = more.iter().map(|item| (*item).into()).collect();
-    SliderScene::parse("disk.toml", text, &more).unwrap()
+    DiskScene::parse("disk.toml", text, &more).unwrap()
 }
 
-fn run_under(disk: &SliderScene, law: Law) -> Result<SlideRun, SlideError> {
+fn run_under(disk: &DiskScene, law: Law) -> Result<SlideRun, SlideError> {
     let law = Some(law);
-    run(&SliderScene { law, ..*disk }, |_| ())
+    run(&DiskScene { law, ..*disk }, |_| ())
 }
 
 #[test]
 fn every_local_law_brings_a_disk_to_rest() {
     for text in LOCAL {
         let end = run_under(&scene(&[]), law(text)).unwrap().outcome;
-        assert_eq!(end.ending, Ending::Rest, "{text}");
+        assert_eq!(end.ending, SlideStopReason::Rest, "{text}");
         assert!(end.energy_error < 1e-7, "{text}: {}", end.energy_error);
         // Friction lies between its extremes at speeds up to that of the rim.
         let made = law(text).made::<f64>().unwrap();
@@ -427,7 +428,7 @@ fn a_law_that_is_coulomb_s_in_disguise_moves_as_coulomb_s() {
         }
     }
     // A tall body leans and bends its path as under Coulomb's law.
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [1.0, 0.0],
         spin: 5.0,
     };
@@ -435,14 +436,14 @@ fn a_law_that_is_coulomb_s_in_disguise_moves_as_coulomb_s() {
         height: 0.16,
         ..TallCylinder::solid(0.2, 0.08)
     };
-    let exact = Journey::new(&cylinder.body(9.81).unwrap(), &launch, 1e-4)
+    let exact = PlanarSimulation::new(&cylinder.body(9.81).unwrap(), &launch, 1e-4)
         .unwrap()
         .to_end()
         .unwrap();
-    let foot = Friction::new(&Patch::Disk, &law("dry:mu_s=0.2,mu_d=0.2"), None).unwrap();
+    let foot = AnyFriction::new(&Patch::Disk, &law("dry:mu_s=0.2,mu_d=0.2"), None).unwrap();
     let foot = foot.with_radius(0.08).unwrap();
     let body = TallBody::new(foot, 0.08, Gradient::AllRound, [9.81, 0.5]).unwrap();
-    let near = Journey::new(&body, &launch, 1e-4)
+    let near = PlanarSimulation::new(&body, &launch, 1e-4)
         .unwrap()
         .to_end()
         .unwrap();
@@ -483,7 +484,7 @@ fn a_stribeck_disk_without_spin_takes_the_time_of_the_integral() {
     );
     // A duration cuts the motion; the thesis' method is for powers alone.
     let cut = run_under(&scene(&["duration=0.1"]), law(text)).unwrap();
-    assert_eq!(cut.outcome.ending, Ending::Duration);
+    assert_eq!(cut.outcome.ending, SlideStopReason::Duration);
     assert!(
         (cut.outcome.time - 0.1).abs() < 1e-15,
         "{}",

@@ -1,8 +1,8 @@
 //! Single contacts of soft spheres beside closed forms.
 
 use nalgebra::Vector3;
-use tribos::cd::{Laws, Wall, solid};
-use tribos::soft::{Setup, Stiffness, World, damping, restitution};
+use tribos::cd::{Wall, WorldMaterials, solid};
+use tribos::soft::{SoftSetup, SoftWorld, Stiffness, damping_ratio_of, restitution_of};
 use tribos_core::contact::{
     Attraction, Cohesion, ContactFriction, Frictionless, IndependentFriction, NormalLaw,
 };
@@ -19,19 +19,19 @@ fn bouncy(restitution: f64) -> NormalLaw<f64> {
     NormalLaw::new(Cohesion::NONE, restitution).expect("the law is valid")
 }
 
-fn world<F: ContactFriction<f64>>(setup: Setup<F>) -> World<F> {
-    World::new(setup).expect("the setup is valid")
+fn world<F: ContactFriction<f64>>(setup: SoftSetup<F>) -> SoftWorld<F> {
+    SoftWorld::new(setup).expect("the setup is valid")
 }
 
 /// Takes steps up to a time.
-fn run<F: ContactFriction<f64>>(world: &mut World<F>, end: f64) {
+fn run<F: ContactFriction<f64>>(world: &mut SoftWorld<F>, end: f64) {
     while world.state().time < end {
         world.step().expect("the step is taken");
     }
 }
 
 /// Speed after, deepest overlap and duration of a head-on impact of two equal spheres that start at a gap.
-fn impact(setup: Setup<Smooth>, speed: f64, gap: f64) -> [f64; 3] {
+fn impact(setup: SoftSetup<Smooth>, speed: f64, gap: f64) -> [f64; 3] {
     let x = Vector3::x();
     let mut world = world(setup.sphere(Vector3::zeros(), 1.0, solid(1.0, 1.0)).sphere(
         x * (2.0 + gap),
@@ -57,10 +57,13 @@ fn impact(setup: Setup<Smooth>, speed: f64, gap: f64) -> [f64; 3] {
     }
 }
 
-fn smooth(law: NormalLaw<f64>, stiffness: Stiffness) -> Setup<Smooth> {
-    Setup {
+fn smooth(law: NormalLaw<f64>, stiffness: Stiffness) -> SoftSetup<Smooth> {
+    SoftSetup {
         longest: 0.1,
-        ..Setup::new(Laws::uniform(law, IndependentFriction::none()), stiffness)
+        ..SoftSetup::new(
+            WorldMaterials::uniform(law, IndependentFriction::none()),
+            stiffness,
+        )
     }
 }
 
@@ -80,10 +83,10 @@ fn impacts_have_the_restitution_that_was_asked_for_at_default_settings() {
                 .into_iter()
                 .flat_map(|speed| gaps(speed).map(move |gap| (speed, gap)))
             {
-                let setup = Setup {
+                let setup = SoftSetup {
                     longest: 0.1,
-                    ..Setup::new(
-                        Laws::uniform(bouncy(wanted), IndependentFriction::none()),
+                    ..SoftSetup::new(
+                        WorldMaterials::uniform(bouncy(wanted), IndependentFriction::none()),
                         stiffness,
                     )
                 };
@@ -103,7 +106,7 @@ fn restitution_comes_closer_in_the_second_order_of_the_steps() {
     for stiffness in SPRINGS {
         for wanted in [0.7, 0.3] {
             let [coarse, fine] = [35.0, 140.0].map(|steps_per_collision| {
-                let setup = Setup {
+                let setup = SoftSetup {
                     steps_per_collision,
                     ..smooth(bouncy(wanted), stiffness)
                 };
@@ -120,7 +123,10 @@ fn restitution_comes_closer_in_the_second_order_of_the_steps() {
 #[test]
 fn damping_and_restitution_are_inverse() {
     for e in [1.0, 0.999, 0.7, 0.1353, 0.05, 1e-3] {
-        assert!((restitution(damping(e)) / e - 1.0).abs() < 1e-12, "{e}");
+        assert!(
+            (restitution_of(damping_ratio_of(e)) / e - 1.0).abs() < 1e-12,
+            "{e}"
+        );
     }
 }
 
@@ -130,7 +136,7 @@ fn an_undamped_hertzian_impact_is_as_deep_and_as_long_as_the_closed_form() {
     const DURATION: f64 = 2.943_275_3;
     let (modulus, radius) = (1e3_f64, 0.5_f64);
     for speed in [0.01, 0.1, 0.5] {
-        let setup = Setup {
+        let setup = SoftSetup {
             damping: 0.0,
             steps_per_collision: 300.0,
             ..smooth(bouncy(0.0), Stiffness::Hertz(modulus))
@@ -180,11 +186,11 @@ fn a_ball_that_slides_ends_rolling_with_five_sevenths_of_its_speed() {
     let (up, x) = (Vector3::z(), Vector3::x());
     for mu in [0.1, 0.4] {
         for direction in [x, -x, Vector3::new(0.6, 0.8, 0.0)] {
-            let law = Laws::uniform(
+            let law = WorldMaterials::uniform(
                 bouncy(0.0),
                 IndependentFriction::sliding(mu).expect("mu is valid"),
             );
-            let mut setup = Setup::new(law, Stiffness::Linear(1e4))
+            let mut setup = SoftSetup::new(law, Stiffness::Linear(1e4))
                 .wall(Wall::fixed(up, 0.0))
                 .sphere(up, 1.0, solid(1.0, 1.0))
                 .gravity(-up);
@@ -232,10 +238,10 @@ fn overlaps_fall_as_one_over_the_stiffness() {
 
 #[test]
 fn parameters_without_a_meaning_are_refused_by_name() {
-    let refused = |change: &dyn Fn(&mut Setup<Smooth>)| {
+    let refused = |change: &dyn Fn(&mut SoftSetup<Smooth>)| {
         let mut setup = smooth(bouncy(0.0), Stiffness::Linear(1.0));
         change(&mut setup);
-        World::new(setup)
+        SoftWorld::new(setup)
             .map(|_| ())
             .expect_err("it is refused")
             .to_string()
@@ -264,8 +270,8 @@ fn fly_apart(stiffness: f64, restitution: f64, speed: f64, gap: f64) -> bool {
     let [radius, density] = BEAD;
     let cohesion = Cohesion::new(PULL[0], PULL[1], Attraction::Pull).expect("it is valid");
     let law = NormalLaw::new(cohesion, restitution).expect("it is valid");
-    let setup = Setup::new(
-        Laws::uniform(law, IndependentFriction::<f64, Frictionless>::none()),
+    let setup = SoftSetup::new(
+        WorldMaterials::uniform(law, IndependentFriction::<f64, Frictionless>::none()),
         Stiffness::Linear(stiffness),
     );
     let x = Vector3::x();
@@ -285,7 +291,7 @@ fn sticks_exactly(stiffness: f64, restitution: f64, speed: f64) -> bool {
     const DT: f64 = 1e-7;
     let [radius, density] = BEAD;
     let mass = 0.5 / solid(radius, density).inv_mass;
-    let c = 2.0 * damping(restitution) * (stiffness * mass).sqrt();
+    let c = 2.0 * damping_ratio_of(restitution) * (stiffness * mass).sqrt();
     let acceleration = |x: f64, v: f64| {
         let push = if x > 0.0 {
             (stiffness * x + c * v).max(0.0)
@@ -362,12 +368,12 @@ fn an_elastic_ball_that_is_dropped_keeps_its_energy_for_seven_bounces_at_default
     const GRAVITY: f64 = 9.81;
     let height = 0.02;
     for stiffness in [Stiffness::Linear(1e4), Stiffness::Hertz(2e6)] {
-        let laws = Laws::uniform(
+        let laws = WorldMaterials::uniform(
             bouncy(1.0),
             IndependentFriction::<f64, Frictionless>::none(),
         );
         let mut world = world(
-            Setup::new(laws, stiffness)
+            SoftSetup::new(laws, stiffness)
                 .wall(Wall::fixed(up, 0.0))
                 .gravity(up * -GRAVITY)
                 .sphere(up * (radius + height), radius, solid(radius, density)),

@@ -1,9 +1,9 @@
 //! Packings of soft spheres: invariants, energy, bits.
 
 use nalgebra::{Rotation3, Vector3};
-use tribos::cd::{Laws, Wall, solid};
+use tribos::cd::{Wall, WorldMaterials, solid};
 use tribos::random::Random;
-use tribos::soft::{Setup, Stiffness, World};
+use tribos::soft::{SoftSetup, SoftWorld, Stiffness};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{
     AllModes, Attraction, Cohesion, ContactFriction, CoupledFriction, IndependentFriction,
@@ -13,23 +13,27 @@ use tribos_core::limit_surface::LimitEllipsoid;
 
 type Rough = IndependentFriction<f64, AllModes>;
 
-fn laws(mu: f64, mu_rolling: f64, mu_torsion: f64) -> Laws<Rough> {
+fn laws(mu: f64, mu_rolling: f64, mu_torsion: f64) -> WorldMaterials<Rough> {
     let cohesion = Cohesion::new(1.0, 0.05, Attraction::Pull).expect("cohesion is valid");
     let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
-    Laws::uniform(
+    WorldMaterials::uniform(
         normal,
         IndependentFriction::all(mu, mu_rolling, mu_torsion).expect("mu is valid"),
     )
 }
 
 /// A shaken cluster of spheres of different sizes that nearly touch, in open space.
-fn cluster<F: ContactFriction<f64>>(edge: usize, laws: Laws<F>, stiffness: Stiffness) -> Setup<F> {
+fn cluster<F: ContactFriction<f64>>(
+    edge: usize,
+    laws: WorldMaterials<F>,
+    stiffness: Stiffness,
+) -> SoftSetup<F> {
     let mut random = Random::new(7, 1);
     let mut jitter = |size: f64| {
         let mut component = || size * (2.0 * random.unit() - 1.0);
         Vector3::new(component(), component(), component())
     };
-    let mut setup = Setup::new(laws, stiffness);
+    let mut setup = SoftSetup::new(laws, stiffness);
     for index in 0..edge.pow(3) {
         let cell = [index % edge, index / edge % edge, index / (edge * edge)];
         let place = Vector3::from(cell.map(|cell| 1.99 * cell as f64)) + jitter(0.01);
@@ -42,8 +46,8 @@ fn cluster<F: ContactFriction<f64>>(edge: usize, laws: Laws<F>, stiffness: Stiff
     setup
 }
 
-fn stepped<F: ContactFriction<f64>>(setup: Setup<F>, steps: usize) -> World<F> {
-    let mut world = World::new(setup).expect("the setup is valid");
+fn stepped<F: ContactFriction<f64>>(setup: SoftSetup<F>, steps: usize) -> SoftWorld<F> {
+    let mut world = SoftWorld::new(setup).expect("the setup is valid");
     for _ in 0..steps {
         world.step().expect("the step is taken");
     }
@@ -51,7 +55,7 @@ fn stepped<F: ContactFriction<f64>>(setup: Setup<F>, steps: usize) -> World<F> {
 }
 
 /// Momentum and angular momentum.
-fn momenta<F: ContactFriction<f64>>(world: &World<F>) -> [Vector3<f64>; 2] {
+fn momenta<F: ContactFriction<f64>>(world: &SoftWorld<F>) -> [Vector3<f64>; 2] {
     let state = world.state();
     let bodies = state.spheres.iter().zip(&state.positions);
     bodies.fold([Vector3::zeros(); 2], |[p, l], (sphere, x)| {
@@ -84,7 +88,7 @@ fn momentum_and_angular_momentum_are_kept_to_rounding() {
 fn a_pair_that_sticks_turns_as_one_body_for_ten_turns() {
     // Two spheres on an orbit with the spin of the orbit: no spring is strained but by the centrifugal force.
     let spin = Vector3::new(0.0, 0.0, 0.05);
-    let mut setup = Setup::new(laws(0.5, 0.5, 0.5), Stiffness::Linear(1e3));
+    let mut setup = SoftSetup::new(laws(0.5, 0.5, 0.5), Stiffness::Linear(1e3));
     for side in [-1.0, 1.0] {
         let at = Vector3::x() * side;
         let mut sphere = solid(1.0, 1.0);
@@ -106,11 +110,11 @@ fn a_pair_that_sticks_turns_as_one_body_for_ten_turns() {
 }
 
 /// Every loss of a run's steps, and the imbalance at its end as a share of the initial energy.
-fn losses<F: ContactFriction<f64>>(mut setup: Setup<F>, longest: f64, end: f64) -> (f64, f64) {
+fn losses<F: ContactFriction<f64>>(mut setup: SoftSetup<F>, longest: f64, end: f64) -> (f64, f64) {
     setup.longest = longest;
     let mut world = stepped(setup, 0);
     let mut least = 0.0_f64;
-    let taken = |world: &World<F>| {
+    let taken = |world: &SoftWorld<F>| {
         let energy = &world.state().energy;
         [
             energy.normal,
@@ -163,7 +167,11 @@ fn sliding_and_torsion_under_one_threshold_lose_energy_too() {
     let set = LimitEllipsoid::new(0.3, 0.5, 2.0 / 3.0).expect("the set is valid");
     let friction = CoupledFriction::all(set, 0.05).expect("the law is valid");
     let normal = laws(0.0, 0.0, 0.0).pairs.normal;
-    let setup = cluster(3, Laws::uniform(normal, friction), Stiffness::Linear(200.0));
+    let setup = cluster(
+        3,
+        WorldMaterials::uniform(normal, friction),
+        Stiffness::Linear(200.0),
+    );
     let (least, imbalance) = losses(setup, 1e-3, 1.0);
     assert!(least > -1e-12, "{least:e}");
     assert!(imbalance.abs() < 2e-3, "{imbalance:e}");
@@ -177,7 +185,7 @@ fn trajectories_converge_in_the_first_order_of_the_step() {
         stepped(setup, (0.4 / longest).round() as usize)
     };
     let [a, b, c, d] = [4e-3, 2e-3, 1e-3, 5e-4].map(end);
-    let apart = |a: &World<Rough>, b: &World<Rough>| {
+    let apart = |a: &SoftWorld<Rough>, b: &SoftWorld<Rough>| {
         let pairs = a.state().positions.iter().zip(&b.state().positions);
         pairs
             .map(|(a, b)| (a - b).norm_squared())
@@ -218,7 +226,7 @@ fn rotated_and_boosted_packings_move_alike() {
 }
 
 /// A periodic packing between a floor and a piston.
-fn pressed(edge: usize) -> Setup<Rough> {
+fn pressed(edge: usize) -> SoftSetup<Rough> {
     let mut setup = cluster(edge, laws(0.3, 0.2, 0.1), Stiffness::Linear(1e3));
     let side = 1.99 * edge as f64;
     setup.space = PeriodicBox::new([Some(side), Some(side), None]).expect("periods are valid");
@@ -248,7 +256,7 @@ fn the_number_of_threads_changes_no_bit() {
 #[test]
 fn a_world_goes_on_from_its_state_to_the_bit() {
     let mut whole = stepped(pressed(4), 500);
-    let mut again = World::resume(whole.setup().clone(), whole.state().clone());
+    let mut again = SoftWorld::resume(whole.setup().clone(), whole.state().clone());
     for _ in 0..500 {
         whole.step().expect("the step is taken");
         again.step().expect("the step is taken");

@@ -6,7 +6,7 @@ use tribos::md::interaction::{Wanted, evaluate};
 use tribos::md::neighbours::VerletList;
 use tribos::scene::TipScene;
 use tribos::space::PeriodicBox;
-use tribos::tip::{Potential, TipRun, build};
+use tribos::tip::{TipPotential, TipSimulation, build};
 use tribos_tests::atoms::{data, path, text};
 use tribos_tests::tables::Table;
 use tribos_tests::tips::{scene, to_the_end};
@@ -239,7 +239,7 @@ fn a_metal_is_held_at_its_temperature_in_kelvin() -> Result<(), Error> {
         equilibration: 4.0,
         ..copper("sutton-chen:Cu")?
     };
-    let mut run = TipRun::new(&scene)?;
+    let mut run = TipSimulation::new(&scene)?;
     to_the_end(&mut run)?;
     let start = run.outcome().start;
     for heat in start.temperature {
@@ -303,7 +303,7 @@ fn what_a_metal_has_itself_is_refused_as_a_key() {
     }
     let file = path("synthetic.eam.alloy");
     assert!(Path::new(&file).exists());
-    let missing = format!("eam:{},tip=Cc", file.display()).parse::<Potential>();
+    let missing = format!("eam:{},tip=Cc", file.display()).parse::<TipPotential>();
     assert!(missing.is_err_and(|error| error.to_string().contains("no element `Cc`")));
 }
 

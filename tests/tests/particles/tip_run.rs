@@ -6,7 +6,7 @@ use tribos::md::observe::{Torsion, conserved_energy};
 use tribos::md::system::{System, SystemError};
 use tribos::run::Simulation;
 use tribos::scene::TipScene;
-use tribos::tip::{Part, TipError, TipForces, TipRun, build};
+use tribos::tip::{Part, TipError, TipForces, TipSimulation, build};
 use tribos_tests::tips::{tiny, to_the_end};
 
 type Error = Box<dyn std::error::Error>;
@@ -133,7 +133,7 @@ fn held_layers_stay_where_they_are() -> Result<(), Error> {
         let scene = tiny(&format!(
             "lambda = 0.05\nhold = \"{hold}\"\nequilibration = 0\ndrive_time = 1\nrest_time = 0"
         ))?;
-        let mut run = TipRun::new(&scene)?;
+        let mut run = TipSimulation::new(&scene)?;
         let start = run.system().atoms().positions.clone();
         to_the_end(&mut run)?;
         let end = &run.system().atoms().positions;
@@ -173,7 +173,7 @@ fn a_load_presses_the_tip_down_until_the_substrate_carries_it() -> Result<(), Er
              friction = 2\ntemperature = 0\nshift = \"force\"\nequilibration = 0\n\
              drive_time = 0\nrest_time = 15\ntime_step = 0.01\nsamples = 1500"
         ))?;
-        let mut run = TipRun::new(&scene)?;
+        let mut run = TipSimulation::new(&scene)?;
         to_the_end(&mut run)?;
         let system = run.system();
         let push: f64 = driven(system)
@@ -253,7 +253,7 @@ fn the_angle_counts_turns_of_a_known_rotation() -> Result<(), Error> {
 #[test]
 fn a_run_that_blows_up_names_step_and_atom() -> Result<(), Error> {
     let scene = tiny("lambda = 1e6\nequilibration = 0.05")?;
-    let mut run = TipRun::new(&scene)?;
+    let mut run = TipSimulation::new(&scene)?;
     let error = loop {
         match run.step() {
             Ok(true) => {}
@@ -293,7 +293,7 @@ fn stages_without_steps_are_no_stages() -> Result<(), Error> {
         ([0.0, 0.0, 0.025], 3),
     ] {
         let scene = stages(times)?;
-        let mut run = TipRun::new(&scene)?;
+        let mut run = TipSimulation::new(&scene)?;
         to_the_end(&mut run)?;
         assert_eq!(run.series().len(), lines, "{times:?}");
         // The end is the end.
@@ -321,7 +321,7 @@ fn the_drives_work_is_what_the_atoms_gain() -> Result<(), Error> {
     let scene = tiny(&format!(
         "{COLD}\nshift = \"force\"\nlambda = 0.1\ntime_step = 0.002\ndrive_time = 4\nrest_time = 0\nsamples = 10"
     ))?;
-    let mut run = TipRun::new(&scene)?;
+    let mut run = TipSimulation::new(&scene)?;
     let before = conserved_energy(run.system());
     to_the_end(&mut run)?;
     let gained = conserved_energy(run.system()) - before;
@@ -339,7 +339,7 @@ fn what_comes_out_does_not_depend_on_how_often_it_is_written() -> Result<(), Err
         let scene = tiny(&format!(
             "lambda = 0.3\nequilibration = 0.5\ndrive_time = 25\nrest_time = 5\nsamples = {samples}"
         ))?;
-        let mut run = TipRun::new(&scene)?;
+        let mut run = TipSimulation::new(&scene)?;
         to_the_end(&mut run)?;
         let angle = run.series().last().map_or(f64::NAN, |line| line[1]);
         let mut json = run.outcome().json(&scene);

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use std::collections::HashMap;
 use tribos::scene::TipScene;
-use tribos::tip::{Outline, Part, Shape, Site};
+use tribos::tip::{Part, Shape, Site, TipOutline};
 use tribos_tests::tips::scene;
 
 type Error = Box<dyn std::error::Error>;
@@ -40,15 +40,15 @@ fn shapes() -> Result<Vec<Shape>, Error> {
 /// Atoms of the tip's layer: sites with their outline's reach, from the lowest layer of all.
 fn reach(shape: &Shape, layer: usize) -> f64 {
     let lost = match shape.outline {
-        Outline::Cone => (shape.layers() - 1 - layer).min(shape.side - 1),
+        TipOutline::Cone => (shape.layers() - 1 - layer).min(shape.side - 1),
         _ => 0,
     };
     (shape.side - 1 - lost) as f64 * shape.spacing
 }
 
 /// Whether a place in a layer, from its middle, is within the outline of a reach.
-fn is_within(outline: Outline, reach: f64, way: &Vector3<f64>, rounding: f64) -> bool {
-    if outline == Outline::Disk {
+fn is_within(outline: TipOutline, reach: f64, way: &Vector3<f64>, rounding: f64) -> bool {
+    if outline == TipOutline::Disk {
         return way.norm() <= reach + rounding;
     }
     // Three pairs of sides, at a distance of √3/2 of the corners'.
@@ -195,7 +195,7 @@ fn every_inner_atom_has_its_twelve_neighbours_and_no_two_are_nearer() -> Result<
                     // Two spacings from the rim all neighbours in layers of the same size are there.
                     let way = Vector3::new(site.place.x - x0, site.place.y - y0, 0.0);
                     let inner = reach(&shape, layer) * 0.75_f64.sqrt() - 2.0 * d;
-                    let is_inner = shape.outline != Outline::Cone && way.norm() < inner;
+                    let is_inner = shape.outline != TipOutline::Cone && way.norm() < inner;
                     if is_inner { 11..=12 } else { 1..=12 }
                 }
             };

@@ -1,7 +1,7 @@
 //! A tip that is slid: the support, its work, and the friction loop.
 
 use tribos::scene::TipScene;
-use tribos::tip::{Slid, TipRun};
+use tribos::tip::{SlidingSummary, TipSimulation};
 use tribos_tests::tips::{tiny, to_the_end};
 
 const SLID: &str = "body = \"tip\"\ncolumns = 12\nrows = 14\nsubstrate_layers = 4\ntip_layers = 4\nside = 3\n\
@@ -17,8 +17,8 @@ fn slid(keys: &[&str]) -> Result<TipScene, Error> {
     Ok(TipScene::parse("tip.toml", SLID, &keys)?)
 }
 
-fn outcome(scene: &TipScene) -> Result<Slid, Error> {
-    let mut run = TipRun::new(scene)?;
+fn outcome(scene: &TipScene) -> Result<SlidingSummary, Error> {
+    let mut run = TipSimulation::new(scene)?;
     to_the_end(&mut run)?;
     run.outcome().slid.ok_or_else(|| "it was not slid".into())
 }
@@ -68,7 +68,7 @@ fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(
             "stroke=2",
             "drive_time=40",
         ])?;
-        let mut run = TipRun::new(&scene)?;
+        let mut run = TipSimulation::new(&scene)?;
         to_the_end(&mut run)?;
         let slid = run.outcome().slid.ok_or("it was not slid")?;
         // Damping or a bath at rest in the box would resist with γ m v: 3.8 and 1.9.
@@ -110,7 +110,7 @@ fn a_tip_resists_in_both_directions_and_more_under_load() -> Result<(), Error> {
 #[test]
 fn a_spring_twists_back_a_tip_that_is_turned_and_series_say_where_it_is() -> Result<(), Error> {
     let scene = slid(&["direction=90", "samples=1"])?;
-    let mut run = TipRun::new(&scene)?;
+    let mut run = TipSimulation::new(&scene)?;
     to_the_end(&mut run)?;
     let columns = run.columns();
     let at = |name: &str| {

@@ -1,10 +1,10 @@
 //! Checkpoints that were damaged: none is gone on from.
 
-use tribos::powder::Compaction;
+use tribos::powder::PowderSimulation;
 use tribos::random::Random;
 use tribos::run::Simulation;
 use tribos::scene::{PowderScene, TipScene};
-use tribos::tip::TipRun;
+use tribos::tip::TipSimulation;
 
 const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nrolling = 0.1";
 const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 8\nrows = 8\nside = 2\n\
@@ -66,7 +66,7 @@ fn read(whole: &str, other: &str, reads: impl Fn(&str) -> bool) -> [usize; 2] {
 #[test]
 fn no_damaged_checkpoint_of_a_powder_is_read() {
     let scene = powder();
-    let mut run = Compaction::new(&scene).unwrap();
+    let mut run = PowderSimulation::new(&scene).unwrap();
     let mut kept = Vec::new();
     for _ in 0..2 {
         for _ in 0..30 {
@@ -75,7 +75,7 @@ fn no_damaged_checkpoint_of_a_powder_is_read() {
         kept.push(run.checkpoint());
     }
     let [taken, tried] = read(&kept[0], &kept[1], |text| {
-        Compaction::resume(&scene, text).is_ok()
+        PowderSimulation::resume(&scene, text).is_ok()
     });
     assert_eq!(taken, 0);
     assert!(tried > 900, "{tried}");
@@ -84,7 +84,7 @@ fn no_damaged_checkpoint_of_a_powder_is_read() {
 #[test]
 fn no_damaged_checkpoint_of_a_tip_is_read() {
     let scene = tip();
-    let mut run = TipRun::new(&scene).unwrap();
+    let mut run = TipSimulation::new(&scene).unwrap();
     let mut kept = Vec::new();
     for _ in 0..2 {
         for _ in 0..3 {
@@ -93,10 +93,10 @@ fn no_damaged_checkpoint_of_a_tip_is_read() {
         kept.push(run.checkpoint());
     }
     let [taken, tried] = read(&kept[0], &kept[1], |text| {
-        TipRun::resume(&scene, text).is_ok()
+        TipSimulation::resume(&scene, text).is_ok()
     });
     assert_eq!(taken, 0);
     assert!(tried > 900, "{tried}");
     // Nor one of the other kind of run.
-    assert!(Compaction::resume(&powder(), &kept[0]).is_err());
+    assert!(PowderSimulation::resume(&powder(), &kept[0]).is_err());
 }

@@ -3,7 +3,7 @@
 use tribos::record::CheckpointError;
 use tribos::run::Simulation;
 use tribos::scene::{DriveKind, TipScene};
-use tribos::tip::{TipError, TipRun, Verdict};
+use tribos::tip::{Reversal, TipError, TipSimulation};
 use tribos_tests::tips::{scene, tiny, to_the_end};
 
 type Error = Box<dyn std::error::Error>;
@@ -37,7 +37,7 @@ fn kinds() -> Result<Vec<TipScene>, Error> {
 #[test]
 fn a_run_goes_on_from_any_line_of_its_series_to_the_same_bits() -> Result<(), Error> {
     for scene in kinds()? {
-        let mut whole = TipRun::new(&scene)?;
+        let mut whole = TipSimulation::new(&scene)?;
         let mut kept = vec![whole.checkpoint()];
         loop {
             let goes_on = whole.step()?;
@@ -50,7 +50,7 @@ fn a_run_goes_on_from_any_line_of_its_series_to_the_same_bits() -> Result<(), Er
         assert_eq!(kept.len(), 10);
         assert!(whole.system().list_builds() > 2);
         for text in &kept {
-            let mut resumed = TipRun::resume(&scene, text)?;
+            let mut resumed = TipSimulation::resume(&scene, text)?;
             assert_eq!(*text, resumed.checkpoint());
             to_the_end(&mut resumed)?;
             assert!(resumed.checkpoint() == whole.checkpoint());
@@ -62,7 +62,7 @@ fn a_run_goes_on_from_any_line_of_its_series_to_the_same_bits() -> Result<(), Er
             );
         }
         assert_eq!(whole.progress(), 1.0);
-        let is_open = whole.outcome().verdict == Verdict::Open;
+        let is_open = whole.outcome().verdict == Reversal::Open;
         assert_eq!(is_open, scene.drive == DriveKind::Slide);
     }
     Ok(())
@@ -71,7 +71,7 @@ fn a_run_goes_on_from_any_line_of_its_series_to_the_same_bits() -> Result<(), Er
 #[test]
 fn a_damaged_checkpoint_is_refused_with_what_is_wrong() -> Result<(), Error> {
     let scene = kinds()?.swap_remove(0);
-    let mut run = TipRun::new(&scene)?;
+    let mut run = TipSimulation::new(&scene)?;
     run.step()?;
     let text = run.checkpoint();
     let nan = "7ff8000000000000";
@@ -108,7 +108,7 @@ fn a_damaged_checkpoint_is_refused_with_what_is_wrong() -> Result<(), Error> {
             damages.push(with(&format!("{nan}{}", &digits[16..])));
         }
         for damaged in damages {
-            match TipRun::resume(&scene, &resealed(&damaged)) {
+            match TipSimulation::resume(&scene, &resealed(&damaged)) {
                 Err(TipError::Checkpoint(CheckpointError::Format(said))) => {
                     assert!(said.contains(&format!("`{name}`")), "{name}: {said}");
                 }
@@ -125,7 +125,7 @@ fn a_damaged_checkpoint_is_refused_with_what_is_wrong() -> Result<(), Error> {
         ("{", "[", "damaged"),
     ] {
         assert!(text.contains(from), "{from}");
-        match TipRun::resume(&scene, &resealed(&text.replacen(from, to, 1))) {
+        match TipSimulation::resume(&scene, &resealed(&text.replacen(from, to, 1))) {
             Err(error) => assert!(error.to_string().contains(words), "{to}: {error}"),
             Ok(_) => return Err(to.into()),
         }
@@ -142,14 +142,14 @@ fn resealed(text: &str) -> String {
 
 #[test]
 fn a_checkpoint_of_another_scene_is_refused_with_the_key() -> Result<(), Error> {
-    let text = TipRun::new(&tiny("lambda = 0.02")?)?.checkpoint();
+    let text = TipSimulation::new(&tiny("lambda = 0.02")?)?.checkpoint();
     for (other, key) in [
         ("lambda = 0.03", "lambda"),
         ("lambda = 0.02\nseed = 2", "seed"),
         ("lambda = 0.02\nhold = \"level\"", "hold"),
         ("lambda = 0.02\noutline = \"cone\"", "outline"),
     ] {
-        match TipRun::resume(&tiny(other)?, &text) {
+        match TipSimulation::resume(&tiny(other)?, &text) {
             Err(TipError::Checkpoint(CheckpointError::Scene { key: found, .. })) => {
                 assert_eq!(found, key);
             }
@@ -173,7 +173,7 @@ fn results_do_not_depend_on_the_number_of_threads() -> Result<(), Error> {
                 .num_threads(threads)
                 .build()?;
             let end = pool.install(|| -> Result<String, TipError> {
-                let mut run = TipRun::new(&scene)?;
+                let mut run = TipSimulation::new(&scene)?;
                 while run.step()? {}
                 Ok(run.checkpoint())
             })?;

@@ -5,7 +5,7 @@ use tribos::slide::curling::{
     BackHeavy, CurlingModel, CurlingRock, Dry, Film, FilmRing, FrontBack, IceLaw, LeftRight,
     PivotSlide, ScratchGuide,
 };
-use tribos::slide::planar::{Arrival, Journey, Launch, Resistance};
+use tribos::slide::planar::{PlanarLaunch, PlanarResult, PlanarSimulation, Resistance};
 use tribos_tests::pucks::relative;
 
 /// Hog line to tee, m.
@@ -13,13 +13,13 @@ const SHEET: f64 = 28.35;
 /// Laws of ice rest; the fraction plays no part.
 const STOP_FRACTION: f64 = 1e-4;
 
-fn shot(model: &dyn CurlingModel, speed: f64, spin: f64) -> Arrival {
+fn shot(model: &dyn CurlingModel, speed: f64, spin: f64) -> PlanarResult {
     let body = model.resistance(&CurlingRock::STANDARD).unwrap();
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [speed, 0.0],
         spin,
     };
-    Journey::new(&body, &launch, STOP_FRACTION)
+    PlanarSimulation::new(&body, &launch, STOP_FRACTION)
         .unwrap()
         .to_end()
         .unwrap()
@@ -51,13 +51,13 @@ fn rocks_without_spin_stop_where_the_closed_form_says() {
         assert!(relative(x, SHEET) < 1e-4 && (t - time).abs() < 2e-3);
         // From the first hog line, 28.35 m before the tee, 21.95 m to the second.
         let body = model.resistance(&CurlingRock::STANDARD).unwrap();
-        let launch = Launch {
+        let launch = PlanarLaunch {
             velocity: [speed, 0.0],
             spin: 0.0,
         };
         let times: Vec<f64> = (1..30_000).map(|k| 1e-3 * f64::from(k)).collect();
         let mut line = None;
-        Journey::new(&body, &launch, STOP_FRACTION)
+        PlanarSimulation::new(&body, &launch, STOP_FRACTION)
             .unwrap()
             .follow(&times, |point| {
                 if line.is_none() && point.position[0] >= 21.95 {
@@ -107,11 +107,11 @@ fn a_real_band_is_nearly_its_mean_ring() {
         ..CurlingRock::STANDARD
     };
     let body = LeftRight { ice }.resistance(&band).unwrap();
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [1.9866, 0.0],
         spin: 3.0,
     };
-    let end = Journey::new(&body, &launch, STOP_FRACTION)
+    let end = PlanarSimulation::new(&body, &launch, STOP_FRACTION)
         .unwrap()
         .to_end()
         .unwrap()

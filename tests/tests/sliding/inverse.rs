@@ -2,7 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 use std::num::NonZeroU32;
-use tribos::slide::inverse::{InverseError, Launch, Limits, Pose, RestMap, Solution, Turns};
+use tribos::slide::inverse::{
+    InverseError, Launch, LaunchLimits, LaunchSolution, Pose, RestMap, Turns,
+};
 use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
@@ -89,7 +91,7 @@ fn random_launches_are_found_again() {
                         spin,
                     };
                     let target = map.rest(&thrown).pose;
-                    let limits = Limits::new(1.01 * speed, 1.01 * spin.abs()).unwrap();
+                    let limits = LaunchLimits::new(1.01 * speed, 1.01 * spin.abs()).unwrap();
                     // Most by their total angle, some with every number of turns.
                     let turns = if launch < 2 { modulo(1) } else { Turns::Exact };
                     let solutions = map.launches(&target, turns, &limits).unwrap();
@@ -105,7 +107,7 @@ fn random_launches_are_found_again() {
                         pose.see(miss(&end.pose, &wanted), place);
                         time.see((end.time / solution.time - 1.0).abs(), place);
                     }
-                    let distance = |found: &Solution| {
+                    let distance = |found: &LaunchSolution| {
                         let [x, y] = found.launch.velocity;
                         let slide = (x - thrown.velocity[0]).hypot(y - thrown.velocity[1]);
                         slide.max((found.launch.spin - spin).abs() * RADIUS)
@@ -125,7 +127,7 @@ fn random_launches_are_found_again() {
 #[test]
 fn paths_that_differ_by_decades_are_both_met() {
     let mut pose = Worst::of("pose of a solution, paths decades apart");
-    let limits = Limits::new(1e60, 1e60).unwrap();
+    let limits = LaunchLimits::new(1e60, 1e60).unwrap();
     for alpha in [-0.5, 0.0, 0.5] {
         for (name, law) in bodies(alpha) {
             for inertia in INERTIAS {
@@ -301,7 +303,7 @@ fn the_jacobian_is_smooth_through_pure_motions() {
 
 #[test]
 fn pure_motions_are_inverted_in_closed_form() {
-    let limits = Limits::new(5.0, 500.0).unwrap();
+    let limits = LaunchLimits::new(5.0, 500.0).unwrap();
     // Without turning: d = v^2/(2 mu g).
     let target = Pose {
         x: -0.3,
@@ -332,7 +334,7 @@ fn pure_motions_are_inverted_in_closed_form() {
 
 #[test]
 fn every_number_of_turns_is_listed_once() {
-    let limits = Limits::new(2.5, 60.0).unwrap();
+    let limits = LaunchLimits::new(2.5, 60.0).unwrap();
     let target = Pose {
         x: 0.2,
         y: -0.5,
@@ -356,7 +358,8 @@ fn every_number_of_turns_is_listed_once() {
             let refused = disk().launches(&next, Turns::Exact, &limits);
             assert!(matches!(refused, Err(InverseError::OutOfReach(_))));
         }
-        let by_energy = |pair: &[Solution]| pair[0].energy_per_mass <= pair[1].energy_per_mass;
+        let by_energy =
+            |pair: &[LaunchSolution]| pair[0].energy_per_mass <= pair[1].energy_per_mass;
         assert!(found.windows(2).all(by_energy));
     }
     assert!(launches(3).len() > 2 * launches(1).len());
@@ -364,7 +367,7 @@ fn every_number_of_turns_is_listed_once() {
 
 #[test]
 fn mirrored_and_turned_targets_have_mirrored_and_turned_launches() {
-    let limits = Limits::new(3.0, 80.0).unwrap();
+    let limits = LaunchLimits::new(3.0, 80.0).unwrap();
     let target = Pose {
         x: 0.6,
         y: 0.25,
@@ -390,7 +393,7 @@ fn mirrored_and_turned_targets_have_mirrored_and_turned_launches() {
 #[test]
 fn what_is_out_of_reach_is_refused_with_the_reach() {
     let map = disk();
-    let limits = Limits::new(2.0, 50.0).unwrap();
+    let limits = LaunchLimits::new(2.0, 50.0).unwrap();
     let refuse = |target: Pose, turns| match map.launches(&target, turns, &limits) {
         Err(InverseError::OutOfReach(reach)) => *reach,
         other => panic!("{other:?}"),
@@ -429,9 +432,9 @@ fn what_is_out_of_reach_is_refused_with_the_reach() {
         })
         .pose;
     let found = map.launches(&target, Turns::Exact, &limits).unwrap()[0];
-    let exact = Limits::new(found.speed, found.launch.spin).unwrap();
+    let exact = LaunchLimits::new(found.speed, found.launch.spin).unwrap();
     assert!(map.launches(&target, Turns::Exact, &exact).is_ok());
-    let short = Limits::new(found.speed.next_down(), found.launch.spin).unwrap();
+    let short = LaunchLimits::new(found.speed.next_down(), found.launch.spin).unwrap();
     assert!(map.launches(&target, Turns::Exact, &short).is_err());
     // Any number of turns: too far in every way, and no spin at all.
     refuse(
@@ -442,7 +445,7 @@ fn what_is_out_of_reach_is_refused_with_the_reach() {
         },
         modulo(1),
     );
-    let still = Limits::new(2.0, 0.0).unwrap();
+    let still = LaunchLimits::new(2.0, 0.0).unwrap();
     assert!(
         map.launches(
             &Pose {
@@ -477,8 +480,8 @@ fn bad_requests_are_refused() {
         RestMap::new(CoulombDisk, -1.0, 1.0, 0.5),
         Err(InverseError::Body(_))
     ));
-    assert!(Limits::new(-1.0, 1.0).is_err() && Limits::new(1.0, f64::NAN).is_err());
-    let limits = Limits::new(1.0, 1.0).unwrap();
+    assert!(LaunchLimits::new(-1.0, 1.0).is_err() && LaunchLimits::new(1.0, f64::NAN).is_err());
+    let limits = LaunchLimits::new(1.0, 1.0).unwrap();
     let nowhere = Pose {
         x: f64::NAN,
         y: 0.0,
@@ -486,7 +489,7 @@ fn bad_requests_are_refused() {
     };
     let refused = disk().launches(&nowhere, Turns::Exact, &limits);
     assert!(matches!(refused, Err(InverseError::Target { .. })));
-    let dizzy = Limits::new(1.0, 1e5).unwrap();
+    let dizzy = LaunchLimits::new(1.0, 1e5).unwrap();
     let target = Pose {
         x: 0.1,
         y: 0.0,
@@ -547,7 +550,7 @@ fn limits_that_do_not_limit_leave_the_fewest_turns() {
         angle: PI / 2.0,
     };
     let few = |symmetry, speed: f64, spin: f64| {
-        let limits = Limits::new(speed, spin).unwrap();
+        let limits = LaunchLimits::new(speed, spin).unwrap();
         let all = disk.fewest_turns(&target, modulo(symmetry), &limits, 5);
         let all = all.unwrap_or_else(|error| panic!("{symmetry} {speed:e} {spin:e}: {error}"));
         (all.count, all.solutions)
@@ -587,7 +590,7 @@ fn far_targets_of_slow_launches_take_many_turns() {
         y: 0.0,
         angle: 0.5,
     };
-    let limits = Limits::new(1.0, 1e300).unwrap();
+    let limits = LaunchLimits::new(1.0, 1e300).unwrap();
     let found = disk.fewest_turns(&target, modulo(1), &limits, 4).unwrap();
     assert_eq!(found.solutions.len(), 4);
     for one in &found.solutions {
@@ -597,11 +600,11 @@ fn far_targets_of_slow_launches_take_many_turns() {
         assert!((end.angle / one.angle - 1.0).abs() < 1e-12);
     }
     // Without speed it goes nowhere, however fast it spins.
-    let still = Limits::new(0.0, 1e300).unwrap();
+    let still = LaunchLimits::new(0.0, 1e300).unwrap();
     let refused = disk.fewest_turns(&target, modulo(1), &still, 4);
     assert!(matches!(refused, Err(InverseError::OutOfReach(_))));
     // A limit of the spin that is missed by far is told with the turns that miss it least.
-    let near = Limits::new(1.0, 1.0).unwrap();
+    let near = LaunchLimits::new(1.0, 1.0).unwrap();
     let Err(InverseError::OutOfReach(why)) = disk.launches(&target, modulo(1), &near) else {
         panic!("it does not reach that far");
     };
@@ -612,7 +615,7 @@ fn far_targets_of_slow_launches_take_many_turns() {
 #[test]
 fn distances_are_told_for_limits_that_do_not_limit() {
     let disk = disk();
-    let limits = Limits::new(1e100, 1e300).unwrap();
+    let limits = LaunchLimits::new(1e100, 1e300).unwrap();
     let [nearest, farthest] = disk.distances(1.0, &limits).unwrap();
     assert_eq!(nearest, 0.0);
     assert!(

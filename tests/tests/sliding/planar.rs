@@ -1,8 +1,9 @@
 //! Tall bodies: their paths bend, loop and end where independent solutions say.
 
-use tribos::friction::{Flat, FlatPatch, Friction, Law, Patch};
+use tribos::friction::{AnyFriction, Flat, FlatPatch, Law, Patch};
 use tribos::slide::planar::{
-    Arrival, Ending, Gradient, Journey, Launch, Pipe, Plate, Resistance, TallBody, TallCylinder,
+    Gradient, Pipe, PlanarLaunch, PlanarResult, PlanarSimulation, PlanarStopReason, Plate,
+    Resistance, TallBody, TallCylinder,
 };
 use tribos_core::coupling::table::DiskTable64;
 use tribos_core::patch::outline::{Edge, Polygon};
@@ -15,8 +16,8 @@ const STOP_FRACTION: f64 = 1e-4;
 /// Standard gravity of the tables, m/s².
 const GRAVITY: f64 = 9.81;
 
-fn end(body: &impl Resistance, velocity: [f64; 2], spin: f64) -> Arrival {
-    Journey::new(body, &Launch { velocity, spin }, STOP_FRACTION)
+fn end(body: &impl Resistance, velocity: [f64; 2], spin: f64) -> PlanarResult {
+    PlanarSimulation::new(body, &PlanarLaunch { velocity, spin }, STOP_FRACTION)
         .unwrap()
         .to_end()
         .unwrap()
@@ -50,7 +51,7 @@ fn tall_cylinders_end_where_the_table_says() {
         let body = cylinder.body(row.number("g")).unwrap();
         let arrival = end(&body, [row.number("v0"), 0.0], row.number("spin0"));
         let point = arrival.point;
-        assert_eq!(arrival.ending, Ending::Rest);
+        assert_eq!(arrival.ending, PlanarStopReason::Rest);
         // Measured: 2e-13 in the angle, 4e-14 elsewhere.
         let at = (row.text("variant"), row.number("spin0"));
         let place = off(point.position, [row.number("x"), row.number("y")]);
@@ -106,7 +107,7 @@ fn spirals_with_many_loops_end_where_another_program_says() {
 /// A thin ring of 8 cm on μ = 0.2.
 fn ring(height: f64, gradient: Gradient, inertia_ratio: f64) -> TallBody {
     let law = Law::coulomb(0.2).unwrap();
-    let foot = Friction::new(&Patch::Ring, &law, None).unwrap();
+    let foot = AnyFriction::new(&Patch::Ring, &law, None).unwrap();
     let foot = foot.with_radius(0.08).unwrap();
     TallBody::new(foot, height, gradient, [GRAVITY, inertia_ratio]).unwrap()
 }
@@ -114,12 +115,12 @@ fn ring(height: f64, gradient: Gradient, inertia_ratio: f64) -> TallBody {
 #[test]
 fn loops_have_at_least_24_points_a_turn() {
     let body = ring(4.0, Gradient::FrontBack, 3.0);
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [0.05, 0.0],
         spin: 500.0,
     };
     let mut headings = Vec::new();
-    Journey::new(&body, &launch, STOP_FRACTION)
+    PlanarSimulation::new(&body, &launch, STOP_FRACTION)
         .unwrap()
         .follow(&[], |point| {
             headings.push(point.velocity[1].atan2(point.velocity[0]))
@@ -235,11 +236,11 @@ fn friction_takes_all_the_kinetic_energy() {
 #[test]
 fn requested_times_lie_on_the_path() {
     let body = cylinder().body(GRAVITY).unwrap();
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [1.0, 0.0],
         spin: 50.0,
     };
-    let journey = || Journey::new(&body, &launch, STOP_FRACTION).unwrap();
+    let journey = || PlanarSimulation::new(&body, &launch, STOP_FRACTION).unwrap();
     let times: Vec<f64> = (1..=160).map(|k| 0.01 * f64::from(k)).collect();
     let mut seen = Vec::new();
     journey().follow(&times, |point| seen.push(*point)).unwrap();
@@ -264,7 +265,7 @@ fn steep_laws_fade_and_a_body_too_tall_is_held_at_the_edge() {
         ..TallCylinder::solid(0.05, 0.08)
     };
     let arrival = end(&faint.body(GRAVITY).unwrap(), [1.0, 0.0], 5.0);
-    assert_eq!(arrival.ending, Ending::Faded);
+    assert_eq!(arrival.ending, PlanarStopReason::Faded);
     let [x, y] = arrival.point.velocity;
     assert!(x.hypot(y) <= STOP_FRACTION && arrival.point.spin.abs() <= 5.0 * STOP_FRACTION);
     let tall = TallCylinder {
@@ -301,7 +302,7 @@ fn plates_end_where_the_table_says() {
         let arrival = end(&plate, [row.number("v0"), 0.0], row.number("spin0"));
         let point = arrival.point;
         let at = (row.text("shape"), row.number("spin0"));
-        assert_eq!(arrival.ending, Ending::Rest);
+        assert_eq!(arrival.ending, PlanarStopReason::Rest);
         // The table's own steps are good to 1e-11.
         let reach = point.distance;
         let [x, y] = [row.number("x"), row.number("y")];

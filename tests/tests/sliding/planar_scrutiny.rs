@@ -2,9 +2,11 @@
 
 use tribos::scene::{CylinderScene, Scene, parse_scene, vocabulary};
 use tribos::slide::SlideError;
-use tribos::slide::planar::{Arrival, Ending, Journey, Launch, Point, Resistance};
+use tribos::slide::planar::{
+    PlanarLaunch, PlanarResult, PlanarSimulation, PlanarState, PlanarStopReason, Resistance,
+};
 use tribos::slide::planar::{TallBody, TallCylinder};
-use tribos::slide::{PlanarScene, run_path};
+use tribos::slide::{PlanarScene, run_planar};
 use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::modes::{TerminalMode, TerminalMotion};
@@ -26,12 +28,12 @@ fn cylinder(alpha: f64, inertia_ratio: f64, height: f64) -> TallBody {
     cylinder.body(GRAVITY).expect("in range")
 }
 
-fn end(body: &impl Resistance, speed: f64, spin: f64) -> Result<Arrival, SlideError> {
-    let launch = Launch {
+fn end(body: &impl Resistance, speed: f64, spin: f64) -> Result<PlanarResult, SlideError> {
+    let launch = PlanarLaunch {
         velocity: [speed, 0.0],
         spin,
     };
-    Journey::new(body, &launch, 1e-4)?.to_end()
+    PlanarSimulation::new(body, &launch, 1e-4)?.to_end()
 }
 
 fn off(got: f64, wanted: f64) -> f64 {
@@ -235,13 +237,13 @@ impl Resistance for Oiled {
 #[test]
 fn a_fading_motion_ends_where_the_slower_one_has_faded() {
     for fraction in [0.3, 1e-2, 1e-4, 1e-9] {
-        let launch = Launch {
+        let launch = PlanarLaunch {
             velocity: [1.0, 0.0],
             spin: 5.0,
         };
-        let journey = Journey::new(&Oiled, &launch, fraction).expect("in range");
+        let journey = PlanarSimulation::new(&Oiled, &launch, fraction).expect("in range");
         let got = journey.to_end().expect("it fades");
-        assert_eq!(got.ending, Ending::Faded);
+        assert_eq!(got.ending, PlanarStopReason::Faded);
         let time = -f64::ln(fraction) / 2.0;
         assert!(off(got.point.time, time) < 1e-11, "{fraction}: {got:?}");
         let way = 0.5 * (1.0 - fraction);
@@ -254,13 +256,13 @@ fn a_fading_motion_ends_where_the_slower_one_has_faded() {
 fn tipping_begins_where_the_gradient_reaches_its_limit() {
     // A spinning body slides more and more against friction, and leans the more.
     let body = cylinder(0.0, 0.5, 0.4);
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [0.2, 0.0],
         spin: 20.0,
     };
-    let journey = || Journey::new(&body, &launch, 1e-4).expect("in range");
+    let journey = || PlanarSimulation::new(&body, &launch, 1e-4).expect("in range");
     let tips_at = journey().to_end().expect("held").tips_at.expect("it tips");
-    let mut seen: Vec<Point> = Vec::new();
+    let mut seen: Vec<PlanarState> = Vec::new();
     let times = [tips_at * (1.0 - 1e-9), tips_at * (1.0 + 1e-9)];
     journey()
         .follow(&times, |point| seen.push(*point))
@@ -302,7 +304,7 @@ fn what_is_recorded_leaves_the_end_as_it_is() {
                 Scene::Curling(scene) => scene,
                 other => unreachable!("{other:?}"),
             };
-            let outcome = run_path(scene).expect("it ends").outcome;
+            let outcome = run_planar(scene).expect("it ends").outcome;
             (outcome.arrival, outcome.energy_error)
         });
         assert_eq!(ends[0], ends[1], "{body} {overrides:?}");
@@ -331,7 +333,7 @@ fn launches_outside_the_range_of_numbers_are_refused() {
         ..usual
     };
     for scene in [slow, fast, wide] {
-        let refused = run_path(&scene);
+        let refused = run_planar(&scene);
         assert!(
             matches!(refused, Err(SlideError::Energy { .. })),
             "{scene:?}: {refused:?}"

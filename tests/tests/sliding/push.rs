@@ -5,8 +5,8 @@ use tribos::kernel::limit_surface::FrictionSet;
 use tribos::kernel::nalgebra::Vector2;
 use tribos::kernel::twist::Twist;
 use tribos::push::{
-    Drive, End, LineContact, Mode, PointContact, Pose, PushError, Side, motion_cone, push,
-    push_along,
+    ContactMode, LineContact, PathEnd, PointContact, Pose, PushError, PushedSide, Pusher,
+    motion_cone, push, push_path,
 };
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tables::Table;
@@ -35,9 +35,9 @@ fn pushes_of_a_box_are_those_of_sums_over_nodes() {
         let moved = push(&*floor, &contact, velocity).expect("pushes");
         let slip = row.number("slip");
         let mode = match slip {
-            0.0 => Mode::Sticking,
-            s if s > 0.0 => Mode::SlidingRight,
-            _ => Mode::SlidingLeft,
+            0.0 => ContactMode::Sticking,
+            s if s > 0.0 => ContactMode::SlidingRight,
+            _ => ContactMode::SlidingLeft,
         };
         let name = format!("{contact:?} {velocity:?}");
         assert_eq!(moved.mode, mode, "{name}");
@@ -62,13 +62,16 @@ fn a_push_through_the_centre_of_a_disk_does_not_turn_it() {
     let puck = set("disk", None);
     let contact = finger([-0.05, 0.0], [1.0, 0.0], 0.3);
     let moved = push(&*puck, &contact, [0.02, 0.0]).expect("pushes");
-    assert_eq!(moved.mode, Mode::Sticking);
+    assert_eq!(moved.mode, ContactMode::Sticking);
     assert!(moved.twist.spin.abs() < 1e-15 && moved.twist.velocity.y.abs() < 1e-16);
     assert!((moved.twist.velocity.x - 0.02).abs() < 1e-16);
     // A pusher that moves along the side or away leaves it at rest.
     for away in [[0.0, 0.01], [-0.02, 0.0]] {
         let left = push(&*puck, &contact, away).expect("answers");
-        assert_eq!((left.mode, left.twist), (Mode::Separating, Twist::ZERO));
+        assert_eq!(
+            (left.mode, left.twist),
+            (ContactMode::Separating, Twist::ZERO)
+        );
     }
 }
 
@@ -111,7 +114,7 @@ fn the_pushers_power_is_what_floor_and_contact_dissipate() {
             let error = (given - rubbed - floor_takes).abs();
             assert!(error < 1e-12, "{patch} {contact:?} {velocity:?}: {error:e}");
             // The contact follows the pusher along the normal, and in no other way leaves it.
-            if moved.mode != Mode::Separating {
+            if moved.mode != ContactMode::Separating {
                 assert!(moved.slip.dot(&contact.normal()).abs() < 1e-14);
                 assert!((floor.gauge(&moved.wrench) - 1.0).abs() < 1e-12);
                 let [right, left] = contact.edges();
@@ -143,10 +146,10 @@ fn motions_are_continuous_where_sliding_begins() {
     assert!(cone.holds(cone.left.velocity + cone.right.velocity));
 }
 
-fn drive(samples: u32, tolerance: f64) -> Drive {
-    Drive {
+fn drive(samples: u32, tolerance: f64) -> Pusher {
+    Pusher {
         contact: finger([0.05, -0.1], [0.0, 1.0], 0.3),
-        side: Side::Straight {
+        side: PushedSide::Straight {
             right: 0.1,
             left: 0.2,
         },
@@ -161,10 +164,10 @@ fn drive(samples: u32, tolerance: f64) -> Drive {
 #[test]
 fn paths_have_the_error_that_they_were_asked_for_and_keep_the_pusher_on_the_side() {
     let floor = set("box:0.3x0.2", None);
-    let fine = push_along(&*floor, &drive(10, 1e-11)).expect("a path");
+    let fine = push_path(&*floor, &drive(10, 1e-11)).expect("a path");
     let exact = fine.moments[10].pose;
     for tolerance in [1e-4, 1e-6, 1e-8] {
-        let path = push_along(&*floor, &drive(10, tolerance)).expect("a path");
+        let path = push_path(&*floor, &drive(10, tolerance)).expect("a path");
         let pose = path.moments[10].pose;
         let off = (pose.position - exact.position).norm();
         let turn = (pose.angle - exact.angle).abs() * floor.radius();
@@ -177,9 +180,9 @@ fn paths_have_the_error_that_they_were_asked_for_and_keep_the_pusher_on_the_side
         }
     }
     // How often it is recorded does not matter, nor where the floor's axes lie.
-    let often = push_along(&*floor, &drive(1000, 1e-9)).expect("a path");
+    let often = push_path(&*floor, &drive(1000, 1e-9)).expect("a path");
     assert!((often.moments[1000].pose.angle - exact.angle).abs() < 1e-8);
-    let turned = Drive {
+    let turned = Pusher {
         start: Pose {
             position: Vector2::new(1.0, -2.0),
             angle: 1.0,
@@ -187,46 +190,46 @@ fn paths_have_the_error_that_they_were_asked_for_and_keep_the_pusher_on_the_side
         velocity: [-0.02 * 1.0_f64.sin(), 0.02 * 1.0_f64.cos()],
         ..drive(10, 1e-9)
     };
-    let path = push_along(&*floor, &turned).expect("a path");
+    let path = push_path(&*floor, &turned).expect("a path");
     assert!((path.moments[10].pose.angle - 1.0 - exact.angle).abs() < 1e-8);
 }
 
 #[test]
 fn paths_end_where_the_pusher_slips_off_or_moves_away() {
     let floor = set("box:0.3x0.2", None);
-    let short = Drive {
+    let short = Pusher {
         contact: finger([0.05, -0.1], [0.0, 1.0], 0.0),
-        side: Side::Straight {
+        side: PushedSide::Straight {
             right: 0.1,
             left: 0.001,
         },
         ..drive(10, 1e-7)
     };
-    let path = push_along(&*floor, &short).expect("a path");
+    let path = push_path(&*floor, &short).expect("a path");
     let last = path.moments.last().expect("an end");
-    assert_eq!(path.end, End::Slipped);
+    assert_eq!(path.end, PathEnd::Slipped);
     assert!((last.contact.x - 0.049).abs() < 1e-5 && last.time < 10.0);
-    let away = Drive {
+    let away = Pusher {
         velocity: [0.0, -0.02],
         ..short
     };
-    let path = push_along(&*floor, &away).expect("a path");
-    assert_eq!((path.end, path.moments.len()), (End::Separated, 1));
+    let path = push_path(&*floor, &away).expect("a path");
+    assert_eq!((path.end, path.moments.len()), (PathEnd::Separated, 1));
     let puck = set("disk", None);
-    let straight = Drive {
+    let straight = Pusher {
         contact: finger([-0.05, 0.0], [1.0, 0.0], 0.3),
-        side: Side::Round,
+        side: PushedSide::Round,
         velocity: [0.02, 0.0],
         ..short
     };
-    let path = push_along(&*puck, &straight).expect("a path");
+    let path = push_path(&*puck, &straight).expect("a path");
     let last = path.moments[10].pose;
     assert!((last.position.x - 0.2).abs() < 1e-9 && last.angle.abs() < 1e-9);
-    let never = Drive {
+    let never = Pusher {
         duration: 0.0,
         ..straight
     };
-    let refused = push_along(&*puck, &never);
+    let refused = push_path(&*puck, &never);
     assert!(matches!(refused, Err(PushError::Number { .. })));
 }
 
@@ -242,7 +245,9 @@ fn a_line_holds_the_motions_whose_push_is_a_sum_of_its_ends() {
             let inner = -floor.wrench(&middle);
             let edge = -floor.wrench(motion);
             let push = inner * part + edge * (1.0 - part);
-            fence.grip(&*floor, &floor.twist_normal_to(&push)).is_stable
+            fence
+                .stable_push(&*floor, &floor.twist_normal_to(&push))
+                .is_stable
         };
         assert!(mixed(1e-6) && !mixed(-1e-6), "{motion:?}");
     }
@@ -255,7 +260,7 @@ fn a_line_holds_the_motions_whose_push_is_a_sum_of_its_ends() {
                 push += end.wrench(force) * rng.between(0.01, 1.0);
             }
         }
-        let grip = fence.grip(&*floor, &floor.twist_normal_to(&push));
+        let grip = fence.stable_push(&*floor, &floor.twist_normal_to(&push));
         assert!(grip.is_stable, "{push:?}");
     }
 }

@@ -480,10 +480,10 @@ fn impossible_sliders_are_refused() {
     }
 }
 
-fn disk_run(keys: &[&str]) -> tribos::slide::Outcome {
+fn disk_run(keys: &[&str]) -> tribos::slide::SlideSummary {
     let text = tribos::scene::vocabulary("disk").unwrap().least_text();
     let keys: Vec<String> = keys.iter().map(|key| key.to_string()).collect();
-    let scene = tribos::scene::SliderScene::parse("disk.toml", &text, &keys).unwrap();
+    let scene = tribos::scene::DiskScene::parse("disk.toml", &text, &keys).unwrap();
     tribos::slide::run(&scene, |_| ()).unwrap().outcome
 }
 
@@ -511,7 +511,7 @@ fn a_fading_run_ends_where_it_has_faded_whatever_the_samples() {
     // One speed is at the fraction, the other below.
     let text = tribos::scene::vocabulary("disk").unwrap().least_text();
     let keys = ["alpha=3".into(), "stop_fraction=0.01".into()];
-    let scene = tribos::scene::SliderScene::parse("disk.toml", &text, &keys).unwrap();
+    let scene = tribos::scene::DiskScene::parse("disk.toml", &text, &keys).unwrap();
     let series = tribos::slide::run(&scene, |_| ()).unwrap().series;
     let [first, last] = [series.first(), series.last()].map(Option::unwrap);
     let slower = (last[1] / first[1]).max(last[2] / first[2]);

@@ -6,7 +6,7 @@ use crate::exhibit::Exhibit;
 use crate::text::Text;
 use anyhow::Result;
 use tribos::slide::curling::CurlingModel;
-use tribos::slide::planar::Point;
+use tribos::slide::planar::PlanarState;
 use tribos_report::claim::{Claim, Statement};
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
@@ -119,7 +119,7 @@ pub fn section_3_5_2() -> Result<Exhibit> {
 /// draw with half the spin.
 fn observations(
     model: &dyn CurlingModel,
-    [draw, slow]: [&[Point]; 2],
+    [draw, slow]: [&[PlanarState]; 2],
     half: f64,
     (reason, fares): (&str, [Fares; 6]),
 ) -> Result<Vec<Claim>> {

@@ -3,7 +3,10 @@
 use anyhow::{Result, ensure};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
-use tribos::cd::{Laws, Method, Order, Setup, Solver, StepLimits, Stop, Wall, World, solid};
+use tribos::cd::{
+    ContactSolver, IterationOrder, SolverMethod, StepLimits, StopRule, Wall, World, WorldMaterials,
+    WorldSetup, solid,
+};
 use tribos_core::contact::{Cohesion, Frictionless, IndependentFriction, NormalLaw};
 
 type Smooth = IndependentFriction<f64, Frictionless>;
@@ -23,13 +26,13 @@ const MOST_STEPS: usize = 2_000;
 const RIGID: f64 = 0.1;
 
 /// A row between a wall and a piston of one sphere's mass that is pushed from time 0 on.
-fn row(bodies: usize, order: Order, sweeps: usize) -> Result<World<Smooth>> {
-    let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Smooth::none());
+fn row(bodies: usize, order: IterationOrder, sweeps: usize) -> Result<World<Smooth>> {
+    let laws = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Smooth::none());
     let count = bodies - 1;
     let sphere = solid(1.0, 1.0);
     let mass = 1.0 / sphere.inv_mass;
     let place = |index: usize| Vector3::new(1.0 + 2.0 * index as f64, 0.0, 0.0);
-    let setup = Setup {
+    let setup = WorldSetup {
         positions: (0..count).map(place).collect(),
         radii: vec![1.0; count],
         spheres: vec![sphere; count],
@@ -41,15 +44,15 @@ fn row(bodies: usize, order: Order, sweeps: usize) -> Result<World<Smooth>> {
             longest: 1.0,
             motion: 0.3,
         },
-        solver: Solver {
-            method: Method::GaussSeidel {
+        solver: ContactSolver {
+            method: SolverMethod::GaussSeidel {
                 order,
-                stop: Stop::Fixed,
+                stop: StopRule::Fixed,
             },
             most_sweeps: sweeps,
             warm_start: true,
         },
-        ..Setup::new(laws)
+        ..WorldSetup::new(laws)
     };
     Ok(World::new(setup)?)
 }
@@ -72,7 +75,7 @@ impl Wave {
     /// What a row does with sweeps in the random order of a seed. The period is that of the zeros of the
     /// piston's velocity, the damping that of its swings between them.
     pub fn measured(seed: u64) -> Result<Self> {
-        let mut world = row(BODIES, Order::Random { seed }, SWEEPS)?;
+        let mut world = row(BODIES, IterationOrder::Random { seed }, SWEEPS)?;
         let (mut zeros, mut swings, mut speeds) = (Vec::new(), Vec::new(), Vec::new());
         let (mut last, mut swing) = (0.0_f64, 0.0);
         while zeros.len() <= FIRST + 2 * PERIODS {
@@ -118,7 +121,7 @@ impl Wave {
 /// other end bears 90 % of the load, and a tenth of its impulse moves the bodies.
 pub fn sweeps_needed(bodies: usize) -> Result<usize> {
     let holds = |sweeps: usize| {
-        let mut world = row(bodies, Order::Random { seed: 1 }, sweeps)?;
+        let mut world = row(bodies, IterationOrder::Random { seed: 1 }, sweeps)?;
         world.step()?;
         let bodies = world
             .state()

@@ -6,7 +6,9 @@ use crate::text::Text;
 use anyhow::{Context, Result};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::num::NonZeroU32;
-use tribos::slide::inverse::{InverseError, Launch, Limits, Pose, RestMap, Solution, Turns};
+use tribos::slide::inverse::{
+    InverseError, Launch, LaunchLimits, LaunchSolution, Pose, RestMap, Turns,
+};
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::modes::{TerminalMode, TerminalMotion};
 use tribos_core::patch::PowerPressure;
@@ -49,13 +51,13 @@ fn bodies() -> Result<Vec<(f64, Map)>> {
 }
 
 /// The launches to a place straight ahead after this total angle.
-fn launches(map: &Map, distance: f64, angle: f64) -> Result<Vec<Solution>> {
+fn launches(map: &Map, distance: f64, angle: f64) -> Result<Vec<LaunchSolution>> {
     let target = Pose {
         x: distance,
         y: 0.0,
         angle,
     };
-    Ok(map.launches(&target, Turns::Exact, &Limits::new(WIDE, WIDE)?)?)
+    Ok(map.launches(&target, Turns::Exact, &LaunchLimits::new(WIDE, WIDE)?)?)
 }
 
 /// The plane of launches with its curves of equal distance and of equal angle.
@@ -220,7 +222,7 @@ fn directly() -> Result<Claim> {
 
 /// Orientation instead of turns, and laws under which nothing rests.
 fn behaviour(disk: &Map) -> Result<Vec<Claim>> {
-    let limits = Limits::new(4.0, 8.0)?;
+    let limits = LaunchLimits::new(4.0, 8.0)?;
     let target = Pose {
         x: 4.0,
         y: 0.0,

@@ -6,7 +6,9 @@ use crate::direct::{Points, slowed, to_rest};
 use crate::exhibit::{Exhibit, geometric, linear};
 use crate::text::Text;
 use anyhow::{Context, Result};
-use tribos::slide::planar::{Gradient, Journey, Launch, Point, TallBody, TallCylinder};
+use tribos::slide::planar::{
+    Gradient, PlanarLaunch, PlanarSimulation, PlanarState, TallBody, TallCylinder,
+};
 use tribos_core::coupling::DryProfile;
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::internals::LeanProfile;
@@ -93,11 +95,14 @@ fn cylinder(alpha: f64, lean: f64) -> Result<TallBody> {
 
 /// The last ratio of a cylinder that is thrown at 1 m/s.
 fn last_ratio(body: &TallBody, launch: f64) -> Result<f64> {
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [1.0, 0.0],
         spin: 1.0 / (launch * RADIUS),
     };
-    Ok(Journey::new(body, &launch, 1e-9)?.to_end()?.point.ratio)
+    Ok(PlanarSimulation::new(body, &launch, 1e-9)?
+        .to_end()?
+        .point
+        .ratio)
 }
 
 /// Dry friction: the autonomous equation survives.
@@ -284,15 +289,15 @@ fn rock() -> Result<Vec<Claim>> {
 fn slowing(rock: &TallCylinder) -> Result<([f64; 3], [f64; 3])> {
     let body = rock.body(GRAVITY)?;
     let [slide, rim] = THROWN;
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [slide, 0.0],
         spin: rim / rock.radius,
     };
-    let size = |point: &Point| {
+    let size = |point: &PlanarState| {
         let [x, y] = point.velocity;
         x.hypot(y).hypot(point.spin * rock.radius)
     };
-    let arrival = Journey::new(&body, &launch, 1e-9)?.to_end()?;
+    let arrival = PlanarSimulation::new(&body, &launch, 1e-9)?.to_end()?;
     // Under |v|^α alone the speeds fade like (1 − t/T)^(1/(1−α)).
     let end = arrival.point.time;
     let shares: Vec<f64> = geometric(1.0, 1e-4, 2000);
@@ -304,7 +309,7 @@ fn slowing(rock: &TallCylinder) -> Result<([f64; 3], [f64; 3])> {
     times.sort_by(f64::total_cmp);
     let (mut ratios, mut tips) = ([f64::NAN; 3], [f64::NAN; 3]);
     let start = slide.hypot(rim);
-    Journey::new(&body, &launch, 1e-9)?.follow(&times, |point| {
+    PlanarSimulation::new(&body, &launch, 1e-9)?.follow(&times, |point| {
         for (ratio, share) in ratios.iter_mut().zip(SHARES) {
             if ratio.is_nan() && size(point) <= share * start {
                 *ratio = point.ratio;

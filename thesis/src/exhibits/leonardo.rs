@@ -5,7 +5,7 @@ use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos::friction::Patch;
 use tribos::scene::InclineScene;
-use tribos::stick::incline::{Release, run};
+use tribos::stick::incline::{InclineSlip, run};
 use tribos_core::Real;
 use tribos_report::claim::Claim;
 use tribos_report::digits::{brief, short};
@@ -49,7 +49,7 @@ fn block(patch: (&str, f64), mass: f64, mu_static: f64) -> Result<InclineScene> 
     })
 }
 
-fn release(scene: &InclineScene) -> Result<Release> {
+fn release(scene: &InclineScene) -> Result<InclineSlip> {
     let released = run(scene)?.outcome.release;
     released.ok_or_else(|| anyhow!("the block holds"))
 }

@@ -4,7 +4,7 @@ use crate::exhibit::Exhibit;
 use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos::friction::{FlatPatch, Patch};
-use tribos::onset::{Bond, Contact, OnsetPoint, OnsetSurface};
+use tribos::onset::{Bond, OnsetContact, OnsetPoint, OnsetSurface};
 use tribos_core::bond::{Bonds, FailureMode};
 use tribos_core::patch::nodes::Nodes;
 use tribos_core::twist::Twist;
@@ -38,7 +38,12 @@ const AN_EIGHTH: usize = 2;
 const POINTS: usize = 31;
 
 fn curve(patch: &Patch, bond: Bond) -> Result<OnsetSurface> {
-    Ok(OnsetSurface::new(patch, bond, &Contact::default(), POINTS)?)
+    Ok(OnsetSurface::new(
+        patch,
+        bond,
+        &OnsetContact::default(),
+        POINTS,
+    )?)
 }
 
 /// |F| and T of a push.

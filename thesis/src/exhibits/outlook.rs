@@ -10,7 +10,7 @@ use crate::text::Text;
 use anyhow::Result;
 use map::{Estimate, Map};
 use table::{CORNERS, COUPLINGS, PRESSURES, SPREADS, cells, name};
-use tribos::scene::Coupling;
+use tribos::scene::FrictionCoupling;
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
 
 const TEXT: Text = Text(include_str!("section-5.2.md"));
@@ -53,7 +53,7 @@ pub fn section_5_2(runs: &Runs) -> Result<Exhibit> {
 
 /// "2 to 3 deposits a cell".
 fn deposits(map: &Map) -> String {
-    let counts = cells().map(|cell| map.excess(cell, Coupling::Independent).values.len());
+    let counts = cells().map(|cell| map.excess(cell, FrictionCoupling::Independent).values.len());
     let counts: Vec<usize> = counts.collect();
     match (counts.iter().min(), counts.iter().max()) {
         (Some(least), Some(most)) if least < most => format!("{least} to {most} deposits a cell"),
@@ -94,7 +94,7 @@ fn porosities(map: &Map, spread: f64) -> Figure {
     CORNERS.into_iter().fold(axes(title, y), |figure, corner| {
         let [rolling, torsion] = corner;
         figure.series(curve(format!("({rolling}, {torsion})"), 1.0, |pressure| {
-            map.porosity((spread, pressure), corner, Coupling::Independent)
+            map.porosity((spread, pressure), corner, FrictionCoupling::Independent)
         }))
     })
 }

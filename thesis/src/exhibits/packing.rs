@@ -4,7 +4,7 @@ use crate::exhibit::Exhibit;
 use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
-use tribos::powder::Ending;
+use tribos::powder::PowderStopReason;
 use tribos::powder::deposit::{Ballistic, Until};
 use tribos_report::claim::Claim;
 use tribos_report::runs::powder::packing;
@@ -88,7 +88,7 @@ fn end_claims(run: &Run) -> [Claim; 2] {
                 means.moved,
                 means.net / means.contact
             ),
-            outcome.ending == Some(Ending::Blocked),
+            outcome.ending == Some(PowderStopReason::Blocked),
         ),
         Claim::own_statement(
             TEXT.said("rigid"),

@@ -3,7 +3,7 @@
 use crate::exhibit::{Exhibit, linear};
 use crate::text::Text;
 use anyhow::Result;
-use tribos::slide::planar::{Arrival, Journey, Launch, Pipe};
+use tribos::slide::planar::{Pipe, PlanarLaunch, PlanarResult, PlanarSimulation};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Legend, Series};
 
@@ -37,14 +37,14 @@ fn journey(
     height: f64,
     (speed, spin): (f64, f64),
     times: &[f64],
-) -> Result<(Arrival, Vec<[f64; 3]>)> {
+) -> Result<(PlanarResult, Vec<[f64; 3]>)> {
     let body = pipe(height).body(GRAVITY)?;
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [speed, 0.0],
         spin,
     };
     let mut seen = Vec::new();
-    let arrival = Journey::new(&body, &launch, 1e-9)?.follow(times, |point| {
+    let arrival = PlanarSimulation::new(&body, &launch, 1e-9)?.follow(times, |point| {
         seen.push([point.time, point.position[0], point.position[1]]);
     })?;
     Ok((arrival, seen))

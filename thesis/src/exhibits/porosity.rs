@@ -10,7 +10,7 @@ use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
 use std::sync::Arc;
-use tribos::powder::Ending;
+use tribos::powder::PowderStopReason;
 use tribos::powder::deposit::curve::statistics;
 use tribos_report::figure::Axis;
 use tribos_report::sheet::Sheet;
@@ -63,7 +63,7 @@ impl Porosities {
         // All at once, to keep every core busy; then one by one from what is done.
         let pairs = mus.iter().flat_map(|t| mus.iter().map(|n| [*t, *n]));
         let all = runs.of(&pairs.flat_map(cases).collect::<Vec<_>>())?;
-        let is_blocked = |run: &&Arc<Run>| run.outcome.ending == Some(Ending::Blocked);
+        let is_blocked = |run: &&Arc<Run>| run.outcome.ending == Some(PowderStopReason::Blocked);
         let blocked = [all.iter().filter(is_blocked).count(), all.len()];
         let deposits = runs.of(&cases([1.0; 2]).collect::<Vec<_>>())?;
         let final_porosity = |case: Case| Ok(runs.one(&case)?.outcome.porosity[1]);

@@ -8,7 +8,9 @@ use nalgebra::Vector3;
 use std::f64::consts::PI;
 use std::num::NonZero;
 use std::thread::available_parallelism;
-use tribos::cd::{Laws, Method, Setup, Solver, StepLimits, Wall, World, solid};
+use tribos::cd::{
+    ContactSolver, SolverMethod, StepLimits, Wall, World, WorldMaterials, WorldSetup, solid,
+};
 use tribos::powder::deposit::{Ballistic, Until};
 use tribos::run::in_order;
 use tribos_core::contact::{Attraction, Cohesion, IndependentFriction, NormalLaw, SlidingOnly};
@@ -61,7 +63,7 @@ impl Packing {
         } else {
             Cohesion::NONE
         };
-        let laws = Laws::uniform(
+        let laws = WorldMaterials::uniform(
             NormalLaw::new(cohesion, 0.0)?,
             IndependentFriction::sliding(SLIDING)?,
         );
@@ -69,7 +71,7 @@ impl Packing {
         let count = deposit.positions.len();
         // The spheres', of density 1; the piston is as heavy.
         let mass = 4.0 / 3.0 * PI * count as f64;
-        let setup = Setup {
+        let setup = WorldSetup {
             space: deposit.space,
             radii: deposit.radii,
             spheres: vec![solid(1.0, 1.0); count],
@@ -78,14 +80,14 @@ impl Packing {
                 Wall::piston(-up, -deposit.height, mass, 0.0),
             ],
             positions: deposit.positions,
-            solver: Solver {
-                method: Method::Accelerated {
+            solver: ContactSolver {
+                method: SolverMethod::Accelerated {
                     tolerance: TOLERANCE,
                 },
                 most_sweeps: MOST_SWEEPS,
                 warm_start: true,
             },
-            ..Setup::new(laws)
+            ..WorldSetup::new(laws)
         };
         Ok(Self {
             world: World::new(setup)?,
@@ -111,7 +113,7 @@ impl Packing {
             motion: MOTION,
         };
         self.world = World::resume(
-            Setup {
+            WorldSetup {
                 step_limits,
                 ..setup
             },

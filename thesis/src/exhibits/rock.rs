@@ -5,7 +5,7 @@ use tribos::slide::curling::{
     BackHeavy, CurlingModel, CurlingRock, Dry, Film, FrontBack, IceLaw, LeftRight, PivotSlide,
     ScratchGuide,
 };
-use tribos::slide::planar::{Journey, Launch, Point, Resistance};
+use tribos::slide::planar::{PlanarLaunch, PlanarSimulation, PlanarState, Resistance};
 
 /// Launch of a draw that stops after 28.35 m without spin under Penner's law, m/s.
 pub(super) const DRAW: f64 = 1.9866;
@@ -57,22 +57,22 @@ pub(super) fn pivot() -> PivotSlide {
     }
 }
 
-fn journey<B: Resistance>(body: &B, (speed, spin): (f64, f64)) -> Result<Journey<'_, B>> {
-    let launch = Launch {
+fn journey<B: Resistance>(body: &B, (speed, spin): (f64, f64)) -> Result<PlanarSimulation<'_, B>> {
+    let launch = PlanarLaunch {
         velocity: [speed, 0.0],
         spin,
     };
-    Ok(Journey::new(body, &launch, 1e-4)?)
+    Ok(PlanarSimulation::new(body, &launch, 1e-4)?)
 }
 
 /// The end of a shot; x points forward, y to the left.
-pub(super) fn shot(model: &dyn CurlingModel, launch: (f64, f64)) -> Result<Point> {
+pub(super) fn shot(model: &dyn CurlingModel, launch: (f64, f64)) -> Result<PlanarState> {
     let body = model.resistance(&CurlingRock::STANDARD)?;
     Ok(journey(&body, launch)?.to_end()?.point)
 }
 
 /// The path of a shot.
-pub(super) fn path(model: &dyn CurlingModel, launch: (f64, f64)) -> Result<Vec<Point>> {
+pub(super) fn path(model: &dyn CurlingModel, launch: (f64, f64)) -> Result<Vec<PlanarState>> {
     let body = model.resistance(&CurlingRock::STANDARD)?;
     let times: Vec<f64> = (1..LOOKS).map(|look| PAUSE * f64::from(look)).collect();
     let mut seen = Vec::new();
@@ -81,11 +81,11 @@ pub(super) fn path(model: &dyn CurlingModel, launch: (f64, f64)) -> Result<Vec<P
 }
 
 /// When the slide and the spin have ended to the eye, as shares of the time to rest.
-pub(super) fn ends(path: &[Point]) -> Result<[f64; 2]> {
+pub(super) fn ends(path: &[PlanarState]) -> Result<[f64; 2]> {
     let (start, rest) = path.first().zip(path.last()).context("a path has ends")?;
-    let slide = |point: &Point| point.velocity[0].hypot(point.velocity[1]);
+    let slide = |point: &PlanarState| point.velocity[0].hypot(point.velocity[1]);
     let (speed, spin) = (slide(start), start.spin.abs());
-    let last = |moves: &dyn Fn(&Point) -> bool| {
+    let last = |moves: &dyn Fn(&PlanarState) -> bool| {
         let moving = path.iter().rfind(|point| moves(point));
         moving.map_or(0.0, |point| point.time / rest.time)
     };

@@ -5,8 +5,8 @@ use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
 use std::f64::consts::PI;
-use tribos::powder::Ending;
-use tribos::scene::Criterion;
+use tribos::powder::PowderStopReason;
+use tribos::scene::BlockedCriterion;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Guide, Panels, Series};
 
@@ -62,7 +62,7 @@ fn case(system: System, diameter: f64, seed: u64) -> Case {
     let [width, _] = system.size();
     Case::new(system, TORQUES, seed).with(&format!("diameter={diameter}"), |scene| {
         scene.gravity = gravity;
-        scene.blocked = Criterion::Piston;
+        scene.blocked = BlockedCriterion::Piston;
         scene.piston_mass = GRAIN;
         scene.pressure = GRAIN * gravity / (width * width);
         scene.cohesion_range = 2.0 * CLOSEST / diameter;
@@ -98,7 +98,7 @@ pub fn section_4_1(runs: &Runs) -> Result<Exhibit> {
         .collect();
     let ends = [
         done.iter()
-            .filter(|run| run.outcome.ending == Some(Ending::Blocked))
+            .filter(|run| run.outcome.ending == Some(PowderStopReason::Blocked))
             .count(),
         done.len(),
     ];

@@ -6,7 +6,7 @@ use crate::text::Text;
 use anyhow::{Result, anyhow};
 use std::f64::consts::PI;
 use tribos::scene::{SpringFriction, SpringScene};
-use tribos::stick::spring::{Regime, SpringOutcome, critical_stiffness, run};
+use tribos::stick::spring::{SpringSummary, StickSlipRegime, critical_stiffness, run};
 use tribos_core::law::RateStateParameters;
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
@@ -44,7 +44,7 @@ fn scene(stiffness: f64, speed: f64) -> SpringScene {
     }
 }
 
-fn outcome(stiffness: f64, speed: f64) -> Result<SpringOutcome> {
+fn outcome(stiffness: f64, speed: f64) -> Result<SpringSummary> {
     Ok(run(&scene(stiffness, speed))?.outcome)
 }
 
@@ -52,7 +52,7 @@ fn outcome(stiffness: f64, speed: f64) -> Result<SpringOutcome> {
 struct Cell {
     stiffness: f64,
     speed: f64,
-    outcome: SpringOutcome,
+    outcome: SpringSummary,
 }
 
 /// Phase diagram and friction over the speed.
@@ -90,8 +90,11 @@ pub fn section_2_3() -> Result<Exhibit> {
 }
 
 /// Whether the force swings for good.
-fn swings(regime: Regime) -> bool {
-    matches!(regime, Regime::StickSlip | Regime::Oscillates)
+fn swings(regime: StickSlipRegime) -> bool {
+    matches!(
+        regime,
+        StickSlipRegime::StickSlip | StickSlipRegime::Oscillates
+    )
 }
 
 fn cells() -> Result<Vec<Cell>> {
@@ -143,7 +146,7 @@ fn border(speed: f64) -> Result<f64> {
 }
 
 fn diagram(cells: &[Cell], borders: &[(f64, f64)]) -> Figure {
-    let of = |wanted: &dyn Fn(Regime) -> bool| -> Vec<(f64, f64)> {
+    let of = |wanted: &dyn Fn(StickSlipRegime) -> bool| -> Vec<(f64, f64)> {
         let chosen = cells.iter().filter(|cell| wanted(cell.outcome.regime));
         chosen.map(|cell| (cell.speed, cell.stiffness)).collect()
     };
@@ -160,11 +163,11 @@ fn diagram(cells: &[Cell], borders: &[(f64, f64)]) -> Figure {
     .series(Series::points("stick–slip", of(&swings)))
     .series(Series::points(
         "creep",
-        of(&|regime| regime == Regime::Creeps),
+        of(&|regime| regime == StickSlipRegime::Creeps),
     ))
     .series(Series::points(
         "inertial",
-        of(&|regime| regime == Regime::Steady),
+        of(&|regime| regime == StickSlipRegime::Steady),
     ))
     .series(Series::line("k_c", line))
     .series(Series::points("k_c by bisection", borders.to_vec()))
@@ -172,7 +175,7 @@ fn diagram(cells: &[Cell], borders: &[(f64, f64)]) -> Figure {
 }
 
 fn friction(cells: &[Cell]) -> Figure {
-    let along = |stiffest: bool, value: fn(&SpringOutcome) -> f64| -> Vec<(f64, f64)> {
+    let along = |stiffest: bool, value: fn(&SpringSummary) -> f64| -> Vec<(f64, f64)> {
         let per_speed = STIFFNESSES.2 + 1;
         let columns = cells.chunks(per_speed);
         let chosen = columns.filter_map(|column| {
@@ -220,7 +223,7 @@ fn claims(cells: &[Cell], borders: &[(f64, f64)]) -> Result<Vec<Claim>> {
         let critical = criterion(&PAPER, cell.speed);
         swings(cell.outcome.regime) == (cell.stiffness < critical)
     });
-    let counts = |wanted: &dyn Fn(Regime) -> bool| {
+    let counts = |wanted: &dyn Fn(StickSlipRegime) -> bool| {
         cells
             .iter()
             .filter(|cell| wanted(cell.outcome.regime))
@@ -238,8 +241,8 @@ fn claims(cells: &[Cell], borders: &[(f64, f64)]) -> Result<Vec<Claim>> {
                 "of {} runs {} stick and slip, {} creep, {} slide inertially; the border is k_c",
                 cells.len(),
                 counts(&swings),
-                counts(&|regime| regime == Regime::Creeps),
-                counts(&|regime| regime == Regime::Steady)
+                counts(&|regime| regime == StickSlipRegime::Creeps),
+                counts(&|regime| regime == StickSlipRegime::Steady)
             ),
             ordered,
         ),

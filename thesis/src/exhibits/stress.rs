@@ -5,7 +5,7 @@ use crate::exhibit::{Exhibit, points};
 use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
-use tribos::powder::Ending;
+use tribos::powder::PowderStopReason;
 use tribos_report::claim::{Claim, Otherwise};
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
 use tribos_report::verdict::Allowance;
@@ -173,7 +173,7 @@ fn choice_claims(runs: &Runs) -> Result<Vec<Claim>> {
     let shown = |run: &Run| {
         let porosity = 100.0 * run.outcome.porosity[1];
         let creeping = match run.outcome.ending {
-            Some(Ending::Blocked) => "",
+            Some(PowderStopReason::Blocked) => "",
             _ => ", still sinking",
         };
         format!(

@@ -6,9 +6,9 @@ use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
 use std::sync::Arc;
-use tribos::powder::Ending;
+use tribos::powder::PowderStopReason;
 use tribos::powder::deposit::curve::straight_line;
-use tribos::scene::{Criterion, SweepMethod, SweepStop};
+use tribos::scene::{BlockedCriterion, SweepMethod, SweepStop};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Guide, Panels, Series};
 
@@ -51,7 +51,7 @@ impl Rule {
         let keys = format!("pressure={PRESSURE},gauss-seidel,{}", self.name());
         Case::new(system, [0.0; 2], 1).with(&keys, |scene| {
             scene.solver = SweepMethod::GaussSeidel;
-            scene.blocked = Criterion::Piston;
+            scene.blocked = BlockedCriterion::Piston;
             scene.pressure = PRESSURE;
             scene.stop = self.stop;
             scene.sweeps = MOST_SWEEPS;
@@ -241,7 +241,7 @@ fn rule_claims(ended: &[Ended]) -> Vec<Claim> {
         .all(|((_, global), (_, local))| cost_and_error(local).0 > cost_and_error(global).0);
     let blocked = ended
         .iter()
-        .filter(|(_, run)| run.outcome.ending == Some(Ending::Blocked))
+        .filter(|(_, run)| run.outcome.ending == Some(PowderStopReason::Blocked))
         .count();
     vec![
         Claim::trend(

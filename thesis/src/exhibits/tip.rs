@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::thread::available_parallelism;
 use tribos::run::in_order;
 use tribos::scene::TipScene;
-use tribos::tip::{Outcome, Part, TipRun, Verdict};
+use tribos::tip::{Part, Reversal, TipSimulation, TipSummary};
 use tribos_report::claim::{Claim, Otherwise};
 use tribos_report::figure::{Axis, Figure, Guide, Series};
 use tribos_report::player::Film;
@@ -43,7 +43,7 @@ struct Turned {
     lambda: f64,
     seed: u64,
     series: Vec<Vec<f64>>,
-    outcome: Outcome,
+    outcome: TipSummary,
 }
 
 fn scene(lambda: f64, seed: u64, effort: Effort) -> TipScene {
@@ -180,7 +180,7 @@ fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<Turned> {
         .chain([&FILMED])
         .any(|run| *run == (lambda, seed));
     let frames = if is_filmed { FRAMES } else { 0 };
-    let run: TipRun = runs.session(&folder).frames(frames).run(&scene)?;
+    let run: TipSimulation = runs.session(&folder).frames(frames).run(&scene)?;
     Ok(Turned {
         lambda,
         seed,
@@ -206,7 +206,7 @@ fn seeds(effort: Effort) -> String {
 
 /// What the thesis says.
 fn claims(turned: &[Turned]) -> Vec<Claim> {
-    let is_back = |run: &&Turned| run.outcome.verdict == Verdict::Reversible;
+    let is_back = |run: &&Turned| run.outcome.verdict == Reversal::Reversible;
     let below: Vec<&Turned> = turned
         .iter()
         .filter(|run| run.lambda <= REVERSIBLE)

@@ -6,7 +6,7 @@ use crate::runs::{Effort, Runs};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::scene::{DrivenHold, TipScene};
-use tribos::tip::Verdict;
+use tribos::tip::Reversal;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Panels, Series};
 
@@ -61,7 +61,7 @@ struct Cell {
 fn share(lambda: f64, ran: &[Ran]) -> [f64; 3] {
     let back = ran
         .iter()
-        .filter(|ran| ran.outcome.verdict == Verdict::Reversible);
+        .filter(|ran| ran.outcome.verdict == Reversal::Reversible);
     let angles = ran.iter().map(|ran| ran.outcome.driven_angle.abs());
     let count = ran.len() as f64;
     [

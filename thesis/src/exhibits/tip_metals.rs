@@ -6,7 +6,7 @@ use crate::runs::{Effort, Runs};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::scene::{DriveKind, DrivenHold, TipScene};
-use tribos::tip::{Face, Potential, Slid};
+use tribos::tip::{Face, SlidingSummary, TipPotential};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Panels, Series};
 
@@ -21,7 +21,7 @@ const FACES: [(&str, Face, f64); 3] = [
 /// 1 eV/Å in nN.
 const NANONEWTON: f64 = 1.602_176_634;
 
-fn row(effort: Effort, potential: &Potential, (_, face, orientation): (&str, Face, f64)) -> Row {
+fn row(effort: Effort, potential: &TipPotential, (_, face, orientation): (&str, Face, f64)) -> Row {
     // Å/ps, spacings.
     let (speed, spacings) = match effort {
         Effort::Quick => (0.8, 2.0),
@@ -65,7 +65,7 @@ fn row(effort: Effort, potential: &Potential, (_, face, orientation): (&str, Fac
 
 /// Friction of copper on copper.
 pub fn section_5_3_metals(runs: &Runs) -> Result<Exhibit> {
-    let potential: Potential = "sutton-chen:Cu".parse()?;
+    let potential: TipPotential = "sutton-chen:Cu".parse()?;
     let rows: Vec<Row> = FACES
         .into_iter()
         .map(|faces| row(runs.effort(), &potential, faces))
@@ -110,11 +110,11 @@ pub fn section_5_3_metals(runs: &Runs) -> Result<Exhibit> {
     ))
 }
 
-fn slid(ran: &[Ran]) -> Vec<Slid> {
+fn slid(ran: &[Ran]) -> Vec<SlidingSummary> {
     ran.iter().filter_map(|ran| ran.outcome.slid).collect()
 }
 
-fn of(ran: &[Ran], number: fn(&Slid) -> f64) -> [f64; 2] {
+fn of(ran: &[Ran], number: fn(&SlidingSummary) -> f64) -> [f64; 2] {
     mean_and_error(&slid(ran).iter().map(number).collect::<Vec<_>>())
 }
 
@@ -133,7 +133,7 @@ fn claims(ran: &[Vec<Ran>]) -> Vec<Claim> {
     let with = registry
         .iter()
         .filter(|all| all.iter().any(|slid| slid.slips > 0));
-    let every: Vec<Slid> = ran.iter().flat_map(|ran| slid(ran)).collect();
+    let every: Vec<SlidingSummary> = ran.iter().flat_map(|ran| slid(ran)).collect();
     let balance = every
         .iter()
         .map(|slid| slid.imbalance().abs())

@@ -6,7 +6,7 @@ use std::num::NonZero;
 use std::thread::available_parallelism;
 use tribos::run::in_order;
 use tribos::scene::TipScene;
-use tribos::tip::{Outcome, TipRun};
+use tribos::tip::{TipSimulation, TipSummary};
 
 /// Runs of each row.
 pub(super) const SEEDS: u64 = 5;
@@ -24,7 +24,7 @@ pub(super) struct Row {
 #[derive(Debug)]
 pub(super) struct Ran {
     /// Its outcome.
-    pub outcome: Outcome,
+    pub outcome: TipSummary,
     /// Names and lines of its series.
     pub columns: Vec<String>,
     pub series: Vec<Vec<f64>>,
@@ -55,7 +55,7 @@ pub(super) fn all(runs: &Runs, rows: &[Row]) -> Result<Vec<Vec<Ran>>> {
             ..row.scene.clone()
         };
         let folder = runs.kept().run(&name);
-        let run: TipRun = runs.session(&folder).run(&scene)?;
+        let run: TipSimulation = runs.session(&folder).run(&scene)?;
         batch.tell(&name);
         anyhow::Ok(Ran {
             outcome: run.outcome(),

@@ -5,7 +5,7 @@ use crate::exhibit::Exhibit;
 use crate::runs::{Effort, Runs};
 use crate::text::Text;
 use anyhow::Result;
-use tribos::tip::Slid;
+use tribos::tip::SlidingSummary;
 use tribos_report::claim::{Claim, Otherwise};
 use tribos_report::figure::{Axis, Figure, Panels, Series};
 use tribos_report::verdict::{Allowance, Verdict};
@@ -46,7 +46,7 @@ struct Point {
 
 impl Point {
     /// Mean and standard error of a number of the slid tips.
-    fn of(&self, number: fn(&Slid) -> f64) -> [f64; 2] {
+    fn of(&self, number: fn(&SlidingSummary) -> f64) -> [f64; 2] {
         let slid = self.ran.iter().filter_map(|ran| ran.outcome.slid.as_ref());
         mean_and_error(&slid.map(number).collect::<Vec<_>>())
     }
@@ -124,7 +124,7 @@ fn numbers(point: &Point) -> Vec<f64> {
         point.of(|slid| slid.normal_force),
         point.of(|slid| slid.period),
     ];
-    let [imbalance, _] = point.of(Slid::imbalance);
+    let [imbalance, _] = point.of(SlidingSummary::imbalance);
     let at = [point.load, point.speed, point.temperature];
     [&at[..], &friction, &normal, &period, &[imbalance]].concat()
 }
@@ -179,7 +179,7 @@ fn claims(row: &Row, loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> V
     };
     let others = || speeds.iter().chain(heats).filter(at_own);
     let every = || loads.iter().chain(others());
-    let slid = |point: &&&Point| -> Vec<Slid> {
+    let slid = |point: &&&Point| -> Vec<SlidingSummary> {
         point
             .ran
             .iter()
@@ -192,7 +192,7 @@ fn claims(row: &Row, loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> V
             .map(|point| point.of(|slid| slid.period)[0] / row.scene.spacing)
             .collect::<Vec<_>>(),
     );
-    let all: Vec<Slid> = every().flat_map(|point| slid(&point)).collect();
+    let all: Vec<SlidingSummary> = every().flat_map(|point| slid(&point)).collect();
     let open = all.iter().filter(|slid| slid.loop_work > 0.0).count();
     let balance = all
         .iter()

@@ -2,8 +2,8 @@
 
 use super::{Found, Method, Ready, Trial};
 use anyhow::{Result, bail};
-use tribos::powder::Compaction;
-use tribos::run::drive;
+use tribos::powder::PowderSimulation;
+use tribos::run::run_to_end;
 use tribos::scene::{ContactMethod, PowderScene};
 
 /// A cohesive deposit that is compacted until it is blocked. The unit of stiffness is `F_coh`/R.
@@ -43,9 +43,9 @@ impl Trial for Compacted {
                 ..scene
             },
         };
-        let mut compaction = Compaction::new(&scene)?;
+        let mut compaction = PowderSimulation::new(&scene)?;
         Ok(Box::new(move || {
-            drive(&mut compaction, |_, _| ())?;
+            run_to_end(&mut compaction, |_, _| ())?;
             let outcome = compaction.outcome();
             Ok(Found {
                 errors: vec![outcome.statistics.max_overlap, outcome.porosity[1]],

@@ -2,8 +2,8 @@
 
 use super::{Found, Method, Ready, Trial};
 use anyhow::Result;
-use tribos::gas::Gas;
-use tribos::run::drive;
+use tribos::gas::GasSimulation;
+use tribos::run::run_to_end;
 use tribos::scene::{GasMethod, GasScene};
 
 /// A cooling gas: the mean temperature over some starts after so many collisions a sphere. The unit of stiffness is
@@ -62,13 +62,13 @@ impl Cooling {
     /// The mean temperature and its standard error in place of errors.
     fn measured(&self, method: Method) -> Result<Ready> {
         let [from, number] = self.seeds;
-        let gases = (from..from + number).map(|seed| Gas::new(&self.scene(method, seed)));
+        let gases = (from..from + number).map(|seed| GasSimulation::new(&self.scene(method, seed)));
         let mut gases = gases.collect::<Result<Vec<_>, _>>()?;
         let spheres = self.count as f64;
         Ok(Box::new(move || {
             let (mut temperatures, mut updates) = (Vec::new(), 0.0);
             for gas in &mut gases {
-                drive(gas, |_, _| ())?;
+                run_to_end(gas, |_, _| ())?;
                 temperatures.push(gas.outcome().temperature);
                 updates += match method {
                     Method::Events => 0.5 * spheres * gas.collisions(),

@@ -4,7 +4,7 @@ use super::Method;
 use anyhow::{Result, bail};
 use nalgebra::Vector3;
 use tribos::cd::internals::Coefficients;
-use tribos::cd::{self, Laws, Solver, StepLimits, Wall};
+use tribos::cd::{self, ContactSolver, StepLimits, Wall, WorldMaterials};
 use tribos::soft::{self, Stiffness};
 use tribos_core::contact::{Cohesion, ContactFriction, NormalLaw, SphereBody};
 
@@ -42,8 +42,8 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
         }
     }
 
-    fn laws(&self) -> Result<Laws<F>> {
-        Ok(Laws::uniform(
+    fn laws(&self) -> Result<WorldMaterials<F>> {
+        Ok(WorldMaterials::uniform(
             NormalLaw::new(Cohesion::NONE, 0.0)?,
             self.friction,
         ))
@@ -58,15 +58,15 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
         else {
             bail!("not contact dynamics");
         };
-        let mut setup = cd::Setup::new(self.laws()?)
+        let mut setup = cd::WorldSetup::new(self.laws()?)
             .wall(Wall::fixed(self.up, 0.0))
             .gravity(self.gravity);
         setup.step_limits = StepLimits {
             longest: step,
             motion: MOTION,
         };
-        setup.solver = Solver {
-            method: cd::Method::Accelerated { tolerance },
+        setup.solver = ContactSolver {
+            method: cd::SolverMethod::Accelerated { tolerance },
             most_sweeps: sweeps,
             warm_start: true,
         };
@@ -96,7 +96,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
         until: f64,
         mut see: impl FnMut(&Look<'_>),
     ) -> Result<f64> {
-        let mut setup = soft::Setup::new(self.laws()?, Stiffness::Linear(stiffness))
+        let mut setup = soft::SoftSetup::new(self.laws()?, Stiffness::Linear(stiffness))
             .wall(Wall::fixed(self.up, 0.0))
             .gravity(self.gravity);
         setup.longest = LONGEST;
@@ -104,7 +104,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
         for (place, sphere) in &self.spheres {
             setup = setup.sphere(*place, 1.0, *sphere);
         }
-        let mut world = soft::World::new(setup)?;
+        let mut world = soft::SoftWorld::new(setup)?;
         let mut updates = 0.0;
         while world.state().time < until {
             updates += world.step()?.contacts.max(1) as f64;

@@ -12,7 +12,7 @@ use tribos::md::system::System;
 use tribos::run::Simulation;
 use tribos::scene::TipScene;
 use tribos::space::PeriodicBox;
-use tribos::tip::{TipForces, TipRun, export};
+use tribos::tip::{TipForces, TipSimulation, export};
 
 /// Runs of an exported tip before the driven one: forces at the start, and the time before.
 const TIP_RUNS_BEFORE: usize = 2;
@@ -172,10 +172,10 @@ fn advance(system: &mut System<LennardJones>, steps: u64) -> Result<(), String> 
 
 /// The tip, timed while it is driven; lines of the series included.
 fn run_tip(scene: &TipScene) -> Result<Ran, String> {
-    let mut run = TipRun::new(scene).map_err(|error| error.to_string())?;
+    let mut run = TipSimulation::new(scene).map_err(|error| error.to_string())?;
     let energy = energy(run.system());
     let steps = scene.stage_steps();
-    let until = |run: &mut TipRun, end: u64| -> Result<(), String> {
+    let until = |run: &mut TipSimulation, end: u64| -> Result<(), String> {
         while run.system().steps() < end {
             run.step().map_err(|error| error.to_string())?;
         }

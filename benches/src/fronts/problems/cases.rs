@@ -1,8 +1,8 @@
 //! Contact problems of the front: files of a folder, and blocked packings.
 
 use std::path::{Path, PathBuf};
-use tribos::powder::Compaction;
-use tribos::problem::{Problem, Reduced};
+use tribos::powder::PowderSimulation;
+use tribos::problem::{ContactProblem, ReducedProblem};
 use tribos::run::Simulation;
 use tribos::scene::PowderScene;
 
@@ -12,7 +12,7 @@ pub struct Case {
     /// Name of the file or of the packing.
     pub name: String,
     /// The problem between impulses.
-    pub problem: Reduced,
+    pub problem: ReducedProblem,
 }
 
 /// A packing under a piston.
@@ -67,7 +67,7 @@ fn files(folder: &Path) -> Result<Vec<Case>, String> {
     let mut paths: Vec<PathBuf> = paths.filter(is_problem).collect();
     paths.sort();
     let case = |path: PathBuf| {
-        let read = Problem::read(&path).map_err(|error| error.to_string())?;
+        let read = ContactProblem::read(&path).map_err(|error| error.to_string())?;
         let problem = read
             .reduced()
             .map_err(|error| format!("{}: {error}", path.display()))?;
@@ -80,7 +80,7 @@ fn files(folder: &Path) -> Result<Vec<Case>, String> {
 }
 
 /// The contact problem of the last step: the packing bears the piston.
-fn packed(packing: &Packing) -> Result<Reduced, Box<dyn std::error::Error>> {
+fn packed(packing: &Packing) -> Result<ReducedProblem, Box<dyn std::error::Error>> {
     let scene = PowderScene {
         width: packing.extents[0],
         height: packing.extents[1],
@@ -90,7 +90,7 @@ fn packed(packing: &Packing) -> Result<Reduced, Box<dyn std::error::Error>> {
         torsion: packing.twist[1],
         ..PowderScene::default()
     };
-    let mut compaction = Compaction::new(&scene)?;
+    let mut compaction = PowderSimulation::new(&scene)?;
     while compaction.ending().is_none() {
         compaction.step()?;
     }

@@ -5,7 +5,7 @@ use super::siconos::is_usual;
 use super::{Judged, TOLERANCE, tables};
 use crate::written;
 use std::path::Path;
-use tribos::problem::Method;
+use tribos::problem::ProblemMethod;
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
 
 /// Size of a panel in pixels.
@@ -74,12 +74,16 @@ pub fn profiles(folder: &Path, name: &str, all: &[Judged]) -> Result<(), String>
 }
 
 fn ours_rows(shown: &[&Judged]) -> Vec<Row> {
-    let row = |(place, method): (usize, Method)| {
+    let row = |(place, method): (usize, ProblemMethod)| {
         let runs = shown.iter().map(|judged| &judged.ours[place]);
         let seconds = runs.map(|run| run.is_solved().then_some(run.seconds));
         (method.name().to_string(), seconds.collect())
     };
-    Method::ALL.into_iter().enumerate().map(row).collect()
+    ProblemMethod::ALL
+        .into_iter()
+        .enumerate()
+        .map(row)
+        .collect()
 }
 
 /// Steps of each row.
@@ -126,7 +130,7 @@ pub fn residuals(folder: &Path, name: &str, all: &[Judged]) -> Result<(), String
         let mut figure = Figure::new(judged.case.name.clone(), axes.0, axes.1)
             .legend(Legend::Below)
             .guide(Guide::horizontal(TOLERANCE, "tolerance"));
-        for method in Method::ALL {
+        for method in ProblemMethod::ALL {
             let curve = ours::trace(&judged.case.problem, method);
             let shown = curve.into_iter().map(|(t, r)| (t, r.max(ROUNDING)));
             let shown: Vec<(f64, f64)> = shown.collect();

@@ -14,7 +14,7 @@ use ours::Run;
 use search::Trial;
 use siconos::{Posed, Siconos, Storage};
 use std::path::Path;
-use tribos::problem::Method;
+use tribos::problem::ProblemMethod;
 
 const PROFILE: &str = "problems.svg";
 const RESIDUAL: &str = "problems_residual.svg";
@@ -46,7 +46,7 @@ const QUICK: Extent = Extent {
     usual_only: true,
 };
 
-/// A problem, our methods in the order of [`Method::ALL`], and Siconos' solvers.
+/// A problem, our methods in the order of [`ProblemMethod::ALL`], and Siconos' solvers.
 struct Judged {
     case: Case,
     ours: Vec<Run>,
@@ -134,7 +134,7 @@ pub fn run(setting: &Setting<'_>, folder: &Path) -> Result<Finding, String> {
 /// Runs our methods, the search and the race on a problem, and tells how it went: all problems take minutes.
 fn judged(case: Case, siconos: Option<&Siconos>, extent: &Extent) -> Result<Judged, String> {
     let problem = &case.problem;
-    let mut ours: Vec<Run> = Method::ALL
+    let mut ours: Vec<Run> = ProblemMethod::ALL
         .into_iter()
         .map(|method| ours::measure(problem, method))
         .collect();

@@ -4,7 +4,9 @@ use super::TOLERANCE;
 use crate::clock::Clock;
 use std::hint::black_box;
 use std::time::Instant;
-use tribos::problem::{Ending, Method, Reduced, Settings, Solution, solve};
+use tribos::problem::{
+    ProblemMethod, ReducedProblem, Solution, SolverOptions, SolverStatus, solve,
+};
 
 /// A run is repeated until it has taken this long, in s, but not more often than this.
 const ENOUGH: f64 = 0.05;
@@ -16,11 +18,11 @@ const APART: f64 = 1.02;
 #[derive(Clone, Debug)]
 pub struct Run {
     /// The method asked for.
-    pub method: Method,
+    pub method: ProblemMethod,
     /// The method that found the impulses.
-    pub found_by: Method,
+    pub found_by: ProblemMethod,
     /// How it ended.
-    pub ending: Ending,
+    pub ending: SolverStatus,
     /// The larger of both residuals.
     pub residual: f64,
     /// Least time of a run, in s.
@@ -30,21 +32,21 @@ pub struct Run {
 impl Run {
     /// Whether the residuals are at most the tolerance.
     pub fn is_solved(&self) -> bool {
-        self.ending == Ending::Converged
+        self.ending == SolverStatus::Converged
     }
 }
 
-fn once(problem: &Reduced, method: Method) -> Solution {
-    let settings = Settings {
+fn once(problem: &ReducedProblem, method: ProblemMethod) -> Solution {
+    let settings = SolverOptions {
         tolerance: TOLERANCE,
         method,
-        ..Settings::default()
+        ..SolverOptions::default()
     };
     solve(black_box(problem), &settings, |_| ())
 }
 
 /// The least time of some runs.
-pub fn least(problem: &Reduced, method: Method, runs: usize) -> f64 {
+pub fn least(problem: &ReducedProblem, method: ProblemMethod, runs: usize) -> f64 {
     let one = || {
         let clock = Clock::start();
         black_box(once(problem, method));
@@ -54,7 +56,7 @@ pub fn least(problem: &Reduced, method: Method, runs: usize) -> f64 {
 }
 
 /// Runs a method, short runs again.
-pub fn measure(problem: &Reduced, method: Method) -> Run {
+pub fn measure(problem: &ReducedProblem, method: ProblemMethod) -> Run {
     let clock = Clock::start();
     let end = once(problem, method);
     let first = clock.seconds();
@@ -69,11 +71,11 @@ pub fn measure(problem: &Reduced, method: Method) -> Run {
 }
 
 /// Seconds and the scaled residual as a method goes; the last point is that of its answer.
-pub fn trace(problem: &Reduced, method: Method) -> Vec<(f64, f64)> {
-    let settings = Settings {
+pub fn trace(problem: &ReducedProblem, method: ProblemMethod) -> Vec<(f64, f64)> {
+    let settings = SolverOptions {
         tolerance: TOLERANCE,
         method,
-        ..Settings::default()
+        ..SolverOptions::default()
     };
     let mut points: Vec<(f64, f64)> = Vec::new();
     let clock = Instant::now();

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 use tempfile::TempDir;
-use tribos::problem::{Layout, Reduced, residual};
+use tribos::problem::{ContactComponents, ReducedProblem, residual};
 
 /// The driver in C.
 const SOURCE: &str = include_str!("../../../siconos/race.c");
@@ -174,13 +174,13 @@ pub struct Posed<'a> {
     /// The driver.
     pub siconos: &'a Siconos,
     /// The problem.
-    pub problem: &'a Reduced,
+    pub problem: &'a ReducedProblem,
     file: PathBuf,
 }
 
 impl<'a> Posed<'a> {
     /// Writes the problem; `None` if Siconos has no such law.
-    pub fn new(siconos: &'a Siconos, problem: &'a Reduced) -> Result<Option<Self>, String> {
+    pub fn new(siconos: &'a Siconos, problem: &'a ReducedProblem) -> Result<Option<Self>, String> {
         if problem.layout().torsion() != (0..0) {
             return Ok(None);
         }
@@ -236,7 +236,7 @@ impl<'a> Posed<'a> {
 
 /// The problem as the driver reads it. Siconos has no cohesion: its impulses count from the largest pull, whose
 /// velocities are in q.
-fn text(problem: &Reduced) -> String {
+fn text(problem: &ReducedProblem) -> String {
     let (w, laws, layout) = (problem.w(), problem.laws(), problem.layout());
     let mut pull = vec![0.0; problem.q().len()];
     for (pull, law) in pull.iter_mut().step_by(layout.size()).zip(laws) {
@@ -249,7 +249,7 @@ fn text(problem: &Reduced) -> String {
     for q in problem.velocities(&pull) {
         let _ = writeln!(text, "{q:e}");
     }
-    let rolls = layout == Layout::Rolling;
+    let rolls = layout == ContactComponents::Rolling;
     for law in laws {
         let rolling = if rolls { law.rolling } else { 0.0 };
         let _ = writeln!(text, "{:e} {rolling:e}", law.sliding);
@@ -260,17 +260,18 @@ fn text(problem: &Reduced) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribos::problem::{ContactLaw, Matrix};
+    use tribos::problem::{ContactThresholds, SparseMatrix};
 
     #[test]
     fn cohesion_moves_to_the_velocities() {
-        let w = Matrix::from_triplets([2, 2], &[(0, 0, 0.5), (1, 1, 2.0)]).unwrap();
-        let law = ContactLaw {
+        let w = SparseMatrix::from_triplets([2, 2], &[(0, 0, 0.5), (1, 1, 2.0)]).unwrap();
+        let law = ContactThresholds {
             sliding: 0.25,
             cohesion: 3.0,
-            ..ContactLaw::default()
+            ..ContactThresholds::default()
         };
-        let problem = Reduced::new(Layout::Plane, w, vec![-1.0, 4.0], vec![law]).unwrap();
+        let problem =
+            ReducedProblem::new(ContactComponents::Plane, w, vec![-1.0, 4.0], vec![law]).unwrap();
         let expected = "2 1 2\n0 0 5e-1\n1 1 2e0\n-2.5e0\n4e0\n2.5e-1 0e0\n";
         assert_eq!(text(&problem), expected);
     }
@@ -281,13 +282,14 @@ mod tests {
             return;
         };
         let w = [(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5)];
-        let w = Matrix::from_triplets([3, 3], &w).unwrap();
-        let laws = vec![ContactLaw {
+        let w = SparseMatrix::from_triplets([3, 3], &w).unwrap();
+        let laws = vec![ContactThresholds {
             sliding: 0.5,
             cohesion: 0.25,
-            ..ContactLaw::default()
+            ..ContactThresholds::default()
         }];
-        let fall = Reduced::new(Layout::Space, w, vec![-3.0, 4.0, 0.0], laws).unwrap();
+        let fall =
+            ReducedProblem::new(ContactComponents::Space, w, vec![-3.0, 4.0, 0.0], laws).unwrap();
         let posed = Posed::new(&siconos, &fall).unwrap().unwrap();
         for storage in Storage::ALL {
             let job = Job {

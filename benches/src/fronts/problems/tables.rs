@@ -6,7 +6,7 @@ use super::siconos::{Siconos, is_usual};
 use super::{Extent, Judged, TOLERANCE};
 use crate::timing::median;
 use crate::written::{Sheet, short};
-use tribos::problem::Method;
+use tribos::problem::ProblemMethod;
 
 /// A cell of what is not there.
 const NONE: &str = "–";
@@ -80,7 +80,7 @@ fn ended(run: &Run) -> String {
 /// Each of our methods on each problem.
 pub fn methods(all: &[Judged]) -> Sheet {
     let mut header = vec!["problem"];
-    header.extend(Method::ALL.map(Method::name));
+    header.extend(ProblemMethod::ALL.map(ProblemMethod::name));
     let row = |judged: &Judged| {
         let mut cells = vec![judged.case.name.clone()];
         cells.extend(judged.ours.iter().map(ended));
@@ -97,7 +97,7 @@ pub fn methods(all: &[Judged]) -> Sheet {
 pub fn counts(all: &[Judged], siconos: &Siconos) -> Sheet {
     let peers: Vec<&Judged> = all.iter().filter(|judged| judged.has_peer()).collect();
     let mut rows: Vec<(usize, usize, String)> = Vec::new();
-    for (place, method) in Method::ALL.into_iter().enumerate() {
+    for (place, method) in ProblemMethod::ALL.into_iter().enumerate() {
         let solved = peers
             .iter()
             .filter(|judged| judged.ours[place].is_solved())

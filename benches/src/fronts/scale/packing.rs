@@ -4,7 +4,8 @@ use crate::mix::Lcg;
 use nalgebra::Vector3;
 use tribos::cd::internals::Coefficients;
 use tribos::cd::{
-    Laws, Method, Order as Visits, Setup, Solver, StepLimits, Stop, Wall, World, solid,
+    ContactSolver, IterationOrder as Visits, SolverMethod, StepLimits, StopRule, Wall, World,
+    WorldMaterials, WorldSetup, solid,
 };
 use tribos::powder::deposit::{Ballistic, Deposit, Until};
 use tribos_core::contact::{Attraction, Cohesion, ContactFriction, NormalLaw};
@@ -86,7 +87,7 @@ where
     }
     let mass: f64 = spheres.iter().map(|sphere| 1.0 / sphere.inv_mass).sum();
     let (up, load) = (Vector3::z(), PRESSURE * deposit.width * deposit.width);
-    let setup = Setup {
+    let setup = WorldSetup {
         space: deposit.space,
         spheres,
         positions: deposit.positions.clone(),
@@ -99,16 +100,16 @@ where
             longest: STEP,
             motion: MOTION,
         },
-        solver: Solver {
-            method: Method::GaussSeidel {
+        solver: ContactSolver {
+            method: SolverMethod::GaussSeidel {
                 order: Visits::Fixed,
-                stop: Stop::Fixed,
+                stop: StopRule::Fixed,
             },
             most_sweeps: sweeps,
             warm_start: true,
         },
         sleep_speed: 0.0,
-        ..Setup::new(Laws::uniform(cohesive, friction))
+        ..WorldSetup::new(WorldMaterials::uniform(cohesive, friction))
     };
     World::new(setup).map_err(|error| error.to_string())
 }

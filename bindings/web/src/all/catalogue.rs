@@ -3,11 +3,11 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use serde_json::{Value, json};
-use tribos::friction::{Entry, LAWS, Law};
+use tribos::friction::{LAWS, Law, LawEntry};
 
 /// All of them as JSON.
 pub fn laws() -> String {
-    let entry = |law: &Entry| {
+    let entry = |law: &LawEntry| {
         let parameters = law.parameters.iter().map(|parameter| {
             json!({
                 "name": parameter.name,

@@ -4,7 +4,7 @@ use super::prepared::profile;
 use super::store;
 use crate::exchange::{Refused, said};
 use core::num::NonZeroU32;
-use tribos::slide::inverse::{Limits, Pose, RestMap, Solution, Turns};
+use tribos::slide::inverse::{LaunchLimits, LaunchSolution, Pose, RestMap, Turns};
 use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::slider::SliderParameters;
@@ -45,7 +45,7 @@ impl Wanted {
             inertia_ratio,
         } = self.parameters;
         let map = RestMap::new(profile, deceleration, radius, inertia_ratio).map_err(said)?;
-        let limits = Limits::new(self.max_speed, self.max_spin).map_err(said)?;
+        let limits = LaunchLimits::new(self.max_speed, self.max_spin).map_err(said)?;
         let [x, y, angle] = self.pose;
         let target = Pose { x, y, angle };
         let turns = match self.symmetry {
@@ -61,8 +61,8 @@ impl Wanted {
     }
 }
 
-fn numbers(solution: &Solution) -> [f64; 8] {
-    let Solution {
+fn numbers(solution: &LaunchSolution) -> [f64; 8] {
+    let LaunchSolution {
         launch,
         speed,
         direction,

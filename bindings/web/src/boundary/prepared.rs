@@ -9,7 +9,7 @@ use crate::exchange::{Refused, answer, counted, said, say, status};
 use crate::patch::{row_of, twist_of, wrench_of};
 use alloc::vec::Vec;
 use core::num::NonZeroU32;
-use tribos::friction::{Area, Law, Refusal};
+use tribos::friction::{Area, FrictionError, Law};
 use tribos_core::law::LocalLaw;
 use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::patch::mesh::Vertex;
@@ -22,7 +22,7 @@ pub(super) unsafe fn text<'a>(from: *const u8, length: usize) -> Result<&'a str,
 }
 
 /// Keeps a patch: handle, radius, centre, coefficient and exponent.
-fn keep(area: Result<Area, Refusal>, law: Result<&str, Refused>) -> u32 {
+fn keep(area: Result<Area, FrictionError>, law: Result<&str, Refused>) -> u32 {
     let made = area
         .map_err(Refused::from)
         .and_then(|area| Prepared::new(area, law?));

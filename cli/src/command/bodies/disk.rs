@@ -11,7 +11,7 @@ use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
 use tribos::run::folder::Lock;
-use tribos::scene::SliderScene;
+use tribos::scene::DiskScene;
 use tribos::slide;
 
 /// Flat disks, in the units of their scene.
@@ -37,7 +37,7 @@ static KIND: Kind = Kind {
     ],
 };
 
-impl Commands for &SliderScene {
+impl Commands for &DiskScene {
     fn is_long(&self) -> bool {
         false
     }

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
-use tribos::gas::Gas;
+use tribos::gas::GasSimulation;
 use tribos::run::folder::Lock;
 use tribos::scene::GasScene;
 
@@ -57,7 +57,7 @@ impl Commands for &GasScene {
 
     fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
         check(&tribos::gas::size(self), "spheres", Allowed::Usual).map_err(Unfinished::Refused)?;
-        let run: Gas = session(lock).run(*self)?;
+        let run: GasSimulation = session(lock).run(*self)?;
         let outcome = run.outcome();
         let told = format!(
             "temperature {} after {} collisions a sphere, {:.1} s",

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
-use tribos::grains::Grains;
+use tribos::grains::GrainsSimulation;
 use tribos::run::folder::Lock;
 use tribos::scene::GrainsScene;
 
@@ -64,7 +64,7 @@ impl Commands for &GrainsScene {
     fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
         check(&tribos::grains::size(self), "grains", Allowed::Usual)
             .map_err(Unfinished::Refused)?;
-        let run: Grains = session(lock).run(*self)?;
+        let run: GrainsSimulation = session(lock).run(*self)?;
         let outcome = run.outcome();
         let told = format!(
             "solid fraction {} after {} steps, {:.1} s",

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
-use tribos::powder::Compaction;
+use tribos::powder::PowderSimulation;
 use tribos::run::folder::Lock;
 use tribos::scene::PowderScene;
 
@@ -63,7 +63,7 @@ impl Commands for &PowderScene {
     fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
         check(&tribos::powder::size(self), "spheres", Allowed::Usual)
             .map_err(Unfinished::Refused)?;
-        let run: Compaction = session(lock).run(*self)?;
+        let run: PowderSimulation = session(lock).run(*self)?;
         let outcome = run.outcome();
         let told = format!(
             "porosity {} % after {} steps, {:.1} s",

@@ -14,7 +14,7 @@ use std::path::Path;
 use std::sync::Arc;
 use tribos::run::folder::Lock;
 use tribos::scene::{DriveKind, TipScene};
-use tribos::tip::TipRun;
+use tribos::tip::TipSimulation;
 
 /// Turned tips.
 static KIND: Kind = Kind {
@@ -73,7 +73,7 @@ impl Commands for &TipScene {
 
     fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
         check(&tribos::tip::size(self), "atoms", Allowed::Usual).map_err(Unfinished::Refused)?;
-        let run: TipRun = session(lock).run(*self)?;
+        let run: TipSimulation = session(lock).run(*self)?;
         let outcome = run.outcome();
         let written = lock.check().map_err(Failure::from);
         written

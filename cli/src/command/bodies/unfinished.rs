@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use std::error::Error;
 use std::sync::Arc;
 use tribos::run::folder::Lock;
-use tribos::run::{LongRun, RunError, Session, Start};
+use tribos::run::{LongRun, RunError, Session, StartMode};
 use tribos::slide::SlideError;
 use tribos::stick::StickError;
 
@@ -47,7 +47,7 @@ impl From<StickError> for Unfinished {
 /// A run without frames, resumed if it can be.
 pub fn session<R: LongRun>(lock: &Arc<Lock>) -> Session<'_, R> {
     Session::under(lock.clone(), lock.folder())
-        .start(Start::ResumeIfPossible)
+        .start(StartMode::ResumeIfPossible)
         .frames(0)
         .without_final_checkpoint()
         .cancel_when(interrupt::is_asked)

@@ -5,7 +5,7 @@ use super::{folder, method, profile};
 use crate::command::number;
 use crate::failure::Failure;
 use std::path::PathBuf;
-use tribos::problem::{Ending, Method, Settings};
+use tribos::problem::{ProblemMethod, SolverOptions, SolverStatus};
 use tribos::record::{number, write_atomically};
 use tribos::run::folder::Contents;
 
@@ -24,7 +24,7 @@ pub struct Compare {
     tolerance: f64,
     /// Methods, with commas between them; all if it is left out.
     #[arg(long = "method", value_name = "METHODS", value_delimiter = ',', value_parser = method::parser())]
-    methods: Vec<Method>,
+    methods: Vec<ProblemMethod>,
     /// Runs of each method on each problem.
     #[arg(long, default_value = "3", value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
@@ -36,8 +36,8 @@ pub struct Compare {
 
 /// How one method did on one problem.
 struct Trial {
-    method: Method,
-    ending: Ending,
+    method: ProblemMethod,
+    ending: SolverStatus,
     residuals: [f64; 2],
     work: [usize; 2],
     seconds: f64,
@@ -46,7 +46,7 @@ struct Trial {
 impl Trial {
     /// The time, where the problem was solved.
     fn time(&self) -> Option<f64> {
-        (self.ending == Ending::Converged).then_some(self.seconds)
+        (self.ending == SolverStatus::Converged).then_some(self.seconds)
     }
 }
 
@@ -56,7 +56,7 @@ impl Compare {
     /// Reads all files, then runs.
     pub fn execute(self) -> Result<(), Failure> {
         let methods = match self.methods.as_slice() {
-            [] => Method::ALL.to_vec(),
+            [] => ProblemMethod::ALL.to_vec(),
             given => without_repeats(given)?,
         };
         let problems = Posed::read(&self.files)?;
@@ -107,14 +107,14 @@ impl Compare {
     }
 
     /// Methods in turn, as often as asked.
-    fn trials(&self, posed: &Posed<'_>, methods: &[Method]) -> Vec<Trial> {
+    fn trials(&self, posed: &Posed<'_>, methods: &[ProblemMethod]) -> Vec<Trial> {
         let mut trials: Vec<Trial> = Vec::new();
         for run in 0..self.runs {
             for (at, &method) in methods.iter().enumerate() {
-                let settings = Settings {
+                let settings = SolverOptions {
                     tolerance: self.tolerance,
                     method,
-                    ..Settings::default()
+                    ..SolverOptions::default()
                 };
                 let solved = posed.solve(&settings);
                 if run > 0 {
@@ -136,7 +136,7 @@ impl Compare {
 }
 
 /// Refuses a method that is given twice.
-fn without_repeats(methods: &[Method]) -> Result<Vec<Method>, Failure> {
+fn without_repeats(methods: &[ProblemMethod]) -> Result<Vec<ProblemMethod>, Failure> {
     let twice = (1..methods.len()).find(|&at| methods[..at].contains(&methods[at]));
     twice.map_or(Ok(methods.to_vec()), |at| {
         let name = methods[at].name();
@@ -145,7 +145,7 @@ fn without_repeats(methods: &[Method]) -> Result<Vec<Method>, Failure> {
     })
 }
 
-fn heading(methods: &[Method]) -> String {
+fn heading(methods: &[ProblemMethod]) -> String {
     let names = methods
         .iter()
         .map(|method| format!("{:>12}", method.name()));

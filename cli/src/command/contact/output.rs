@@ -4,7 +4,7 @@ use super::solved::{Posed, Solved};
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::Path;
-use tribos::problem::{Ending, Layout};
+use tribos::problem::{ContactComponents, SolverStatus};
 use tribos::record::{json_number, number, write_atomically};
 
 /// A problem, and what came of it.
@@ -88,7 +88,7 @@ impl Row<'_> {
         json!({
             "file": self.posed.file.display().to_string(),
             "contacts": self.contacts(),
-            "converged": solution.ending == Ending::Converged,
+            "converged": solution.ending == SolverStatus::Converged,
             "ending": solution.ending.name(),
             "certificate": self.certificate(),
             "method": solution.method.name(),
@@ -120,10 +120,10 @@ impl Row<'_> {
 }
 
 /// Names of the components of an impulse.
-fn components(layout: Layout) -> Vec<&'static str> {
+fn components(layout: ContactComponents) -> Vec<&'static str> {
     let mut names = vec!["normal"];
     match layout {
-        Layout::Plane => names.push("sliding"),
+        ContactComponents::Plane => names.push("sliding"),
         _ => names.extend(["sliding_1", "sliding_2"]),
     }
     if !layout.rolling().is_empty() {

@@ -1,6 +1,6 @@
 //! The residual as work goes on.
 
-use tribos::problem::{Method, Progress};
+use tribos::problem::{ProblemMethod, SolverProgress};
 use tribos_report::figure::{Axis, Figure, Series};
 
 /// Most points that are drawn of a series.
@@ -9,9 +9,9 @@ const MOST_DRAWN: usize = 2000;
 const ROUNDING: f64 = 1e-17;
 
 /// Residual over sweeps and factorisations, each method with its own colour, and the tolerance.
-pub fn convergence(history: &[Progress], tolerance: f64) -> Figure {
+pub fn convergence(history: &[SolverProgress], tolerance: f64) -> Figure {
     let stride = history.len().div_ceil(MOST_DRAWN).max(1);
-    let mut drawn: Vec<(Method, Vec<(f64, f64)>)> = Vec::new();
+    let mut drawn: Vec<(ProblemMethod, Vec<(f64, f64)>)> = Vec::new();
     for (at, progress) in history.iter().enumerate() {
         let is_drawn = at % stride == 0 || at + 1 == history.len();
         if !is_drawn || !progress.residual.is_finite() {

@@ -7,7 +7,7 @@ use crate::command::number;
 use crate::failure::Failure;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use tribos::problem::{Ending, Method, Settings};
+use tribos::problem::{ProblemMethod, SolverOptions, SolverStatus};
 
 /// Problems, and how to solve them.
 #[derive(Debug, clap::Args)]
@@ -20,7 +20,7 @@ pub struct Solve {
     tolerance: f64,
     /// Method.
     #[arg(long, default_value = "automatic", value_parser = method::parser())]
-    method: Method,
+    method: ProblemMethod,
     /// Folder for summary.json, reactions.csv, convergence.svg and convergence.png, created if missing; files of an
     /// earlier command in it are removed first. Several problems have a folder each in it, named like
     /// the file without its ending.
@@ -43,10 +43,10 @@ impl Solve {
             }
             _ => None,
         };
-        let settings = Settings {
+        let settings = SolverOptions {
             tolerance: self.tolerance,
             method: self.method,
-            ..Settings::default()
+            ..SolverOptions::default()
         };
         crate::command::print(&heading())?;
         let (mut left, mut can_help) = (Vec::new(), false);
@@ -60,8 +60,11 @@ impl Solve {
                 write(folder, &row, self.tolerance)?;
             }
             crate::command::print(&row.line())?;
-            can_help |= matches!(solved.solution.ending, Ending::Stalled | Ending::OutOfWork);
-            if solved.solution.ending != Ending::Converged {
+            can_help |= matches!(
+                solved.solution.ending,
+                SolverStatus::Stalled | SolverStatus::OutOfWork
+            );
+            if solved.solution.ending != SolverStatus::Converged {
                 left.push(format!(
                     "{} ({})",
                     posed.file.display(),

@@ -4,19 +4,22 @@ use crate::command::progress::Meter;
 use crate::failure::Failure;
 use std::path::Path;
 use std::time::Instant;
-use tribos::problem::{Layout, Problem, Progress, Reduced, Settings, Solution, solve};
+use tribos::problem::{
+    ContactComponents, ContactProblem, ReducedProblem, Solution, SolverOptions, SolverProgress,
+    solve,
+};
 
 /// A problem, and the file that it is of.
 pub struct Posed<'a> {
     pub file: &'a Path,
-    pub layout: Layout,
-    reduced: Reduced,
+    pub layout: ContactComponents,
+    reduced: ReducedProblem,
 }
 
 /// A problem that was solved, or tried.
 pub struct Solved {
     pub solution: Solution,
-    pub history: Vec<Progress>,
+    pub history: Vec<SolverProgress>,
     pub seconds: f64,
 }
 
@@ -27,7 +30,7 @@ impl<'a> Posed<'a> {
             .iter()
             .map(|file| {
                 let file = file.as_ref();
-                let problem = Problem::read(file).map_err(Failure::input)?;
+                let problem = ContactProblem::read(file).map_err(Failure::input)?;
                 let reduced = problem.reduced();
                 let reduced = reduced
                     .map_err(|error| Failure::input(error).within(&file.display().to_string()))?;
@@ -41,7 +44,7 @@ impl<'a> Posed<'a> {
     }
 
     /// Solves it, and says how far the work is.
-    pub fn solve(&self, settings: &Settings) -> Solved {
+    pub fn solve(&self, settings: &SolverOptions) -> Solved {
         let mut history = Vec::new();
         let mut meter = Meter::new();
         let begun = Instant::now();
@@ -49,7 +52,7 @@ impl<'a> Posed<'a> {
             history.push(*progress);
             // The end is not known.
             if meter.is_due(0.0) {
-                let Progress {
+                let SolverProgress {
                     sweeps,
                     factorisations,
                     residual,

@@ -3,9 +3,9 @@
 use super::{bytes, line};
 use crate::command::digits::shown;
 use crate::failure::Failure;
-use tribos::cd::Method;
+use tribos::cd::SolverMethod;
 use tribos::powder::{CarriedModes, Material, PowderCost, cost, stable_step};
-use tribos::scene::{ContactMethod, Coupling, PowderScene};
+use tribos::scene::{ContactMethod, FrictionCoupling, PowderScene};
 use tribos::soft::{self, Stiffness};
 use tribos_core::contact::Attraction;
 
@@ -125,13 +125,15 @@ pub fn thresholds(material: &Material) -> String {
 }
 
 /// How thresholds depend on each other.
-pub fn coupling(coupling: Coupling) -> &'static str {
+pub fn coupling(coupling: FrictionCoupling) -> &'static str {
     match coupling {
-        Coupling::Independent => "independent: each mode has its own threshold",
-        Coupling::Ellipsoid => {
+        FrictionCoupling::Independent => "independent: each mode has its own threshold",
+        FrictionCoupling::Ellipsoid => {
             "ellipsoid: sliding and torsion share a threshold, by an approximation"
         }
-        Coupling::Exact => "exact: sliding and torsion share the limit surface of a round contact",
+        FrictionCoupling::Exact => {
+            "exact: sliding and torsion share the limit surface of a round contact"
+        }
     }
 }
 
@@ -163,7 +165,7 @@ pub struct Springs<'a> {
 /// Springs, dashpots and their step.
 pub fn springs(told: &Springs<'_>) -> String {
     let damping = if told.restitution > 0.0 {
-        soft::damping(told.restitution)
+        soft::damping_ratio_of(told.restitution)
     } else {
         told.damping
     };
@@ -175,7 +177,7 @@ pub fn springs(told: &Springs<'_>) -> String {
     let method = format!(
         "none: {law}, damping ratio {}, restitution {}",
         shown(damping),
-        shown(soft::restitution(damping))
+        shown(soft::restitution_of(damping))
     );
     let ((force, overlap), [stable, longest]) = (&told.overlap, told.steps);
     let steps = format!(
@@ -206,13 +208,13 @@ fn solver(scene: &PowderScene) -> String {
     let solver = scene.contact_solver();
     let most = solver.most_sweeps;
     let text = match solver.method {
-        Method::Accelerated { tolerance } => {
+        SolverMethod::Accelerated { tolerance } => {
             format!(
                 "accelerated Gauss-Seidel to {tolerance:e}, at most {most} sweeps a step; where they miss it, \
                  an interior point method if that is not much dearer"
             )
         }
-        Method::GaussSeidel { .. } => format!("Gauss-Seidel, at most {most} sweeps a step"),
+        SolverMethod::GaussSeidel { .. } => format!("Gauss-Seidel, at most {most} sweeps a step"),
     };
     line("solver", text)
 }

@@ -4,13 +4,14 @@ use super::line;
 use crate::failure::Failure;
 use tribos::friction::Law;
 use tribos::scene::{
-    CurlingScene, CylinderScene, FootPressure, PipeScene, PlateScene, SliderScene, Stepper, Tipping,
+    CurlingScene, CylinderScene, DiskScene, FootPressure, PipeScene, PlateScene, SliderIntegrator,
+    Tipping,
 };
 use tribos::slide::planar::Gradient;
 use tribos::slide::{EvaluationCost, PlanarScene};
 
 /// A disk.
-pub fn disk(scene: &SliderScene) -> Result<String, Failure> {
+pub fn disk(scene: &DiskScene) -> Result<String, Failure> {
     let cost = scene.evaluation_cost()?;
     let mut text = line(
         "unknowns",
@@ -22,8 +23,8 @@ pub fn disk(scene: &SliderScene) -> Result<String, Failure> {
     text += &line(
         "stepper",
         match scene.stepper {
-            Stepper::Exact => "exact: adaptive, stops at the instant of rest",
-            Stepper::Verlet => "verlet: fixed steps, as the thesis has it",
+            SliderIntegrator::Exact => "exact: adaptive, stops at the instant of rest",
+            SliderIntegrator::Verlet => "verlet: fixed steps, as the thesis has it",
         },
     );
     Ok(text + &price(&cost, ""))

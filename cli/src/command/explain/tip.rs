@@ -6,7 +6,9 @@ use crate::command::run::size::{Allowed, check};
 use crate::failure::Failure;
 use tribos::md::pair::Shift;
 use tribos::md::system::Integrator;
-use tribos::scene::{BathKind, DriveKind, DrivenHold, Reading, StageSteps, TipScene};
+use tribos::scene::{
+    DriveKind, DrivenHold, StageSteps, ThermostatKind, TipScene, TorqueNormalisation,
+};
 use tribos::tip::{Part, cost, size};
 
 /// The whole account.
@@ -109,13 +111,13 @@ fn thermostat(scene: &TipScene) -> String {
     let [_, tau, _, kelvin] = units(scene);
     let (relaxation, rate, heat) = (scene.relaxation, scene.friction, scene.temperature);
     match scene.thermostat {
-        BathKind::NoseHoover => format!(
+        ThermostatKind::NoseHoover => format!(
             "Nose-Hoover on {groups} groups, one unknown each, relaxation {relaxation} {tau}, T = {heat} {kelvin}"
         ),
-        BathKind::Langevin => {
+        ThermostatKind::Langevin => {
             format!("Langevin on {groups} groups, rate {rate} / {tau}, T = {heat} {kelvin}")
         }
-        BathKind::None => "none".into(),
+        ThermostatKind::None => "none".into(),
     }
 }
 
@@ -136,14 +138,16 @@ fn driven(scene: &TipScene) -> String {
     // The reading says what lambda is, and with it the force on an atom.
     let [mean, largest] = levers(scene);
     let length = match scene.reading {
-        Reading::Angular => 1.0,
-        Reading::Mean => mean,
-        Reading::Largest => largest,
+        TorqueNormalisation::Angular => 1.0,
+        TorqueNormalisation::Mean => mean,
+        TorqueNormalisation::Largest => largest,
     };
     let reading = match scene.reading {
-        Reading::Angular => "angular acceleration lambda".to_owned(),
-        Reading::Mean => format!("lambda over the mean lever of {length:.4} sigma"),
-        Reading::Largest => format!("lambda over the largest lever of {length:.4} sigma"),
+        TorqueNormalisation::Angular => "angular acceleration lambda".to_owned(),
+        TorqueNormalisation::Mean => format!("lambda over the mean lever of {length:.4} sigma"),
+        TorqueNormalisation::Largest => {
+            format!("lambda over the largest lever of {length:.4} sigma")
+        }
     };
     format!(
         "lambda {} eps/sigma^2, read as {reading}: up to {:.4e} eps/sigma on an atom; damping {} / tau, \

@@ -8,9 +8,9 @@ use serde_json::Value;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use tribos::cd::StepReport;
-use tribos::grains::Grains;
-use tribos::powder::Compaction;
-use tribos::problem::{self, Global};
+use tribos::grains::GrainsSimulation;
+use tribos::powder::PowderSimulation;
+use tribos::problem::{self, GlobalProblem};
 use tribos::run::folder::{self, Contents, OutputFolder};
 use tribos::run::{CHECKPOINT, LongRun, read_checkpoint};
 use tribos::scene::Scene;
@@ -53,10 +53,10 @@ impl Step {
         let kept = Kept::read(&self.run)?;
         let scene = scene(&self.run, &kept.manifest.about)?;
         let (problem, step) = match scene {
-            Scene::Powder(scene) => self.problem(&scene, |run: &Compaction| {
+            Scene::Powder(scene) => self.problem(&scene, |run: &PowderSimulation| {
                 Some((run.problem()?, *run.last_step()))
             })?,
-            Scene::Grains(scene) => self.problem(&scene, |run: &Grains| {
+            Scene::Grains(scene) => self.problem(&scene, |run: &GrainsSimulation| {
                 Some((run.problem()?, *run.last_step()))
             })?,
             _ => {
@@ -67,8 +67,8 @@ impl Step {
             }
         };
         let (format, ending) = match self.format {
-            Format::Hdf5 => (problem::Format::FclibHdf5, "hdf5"),
-            Format::Text => (problem::Format::SiconosText, "dat"),
+            Format::Hdf5 => (problem::ProblemFormat::FclibHdf5, "hdf5"),
+            Format::Text => (problem::ProblemFormat::SiconosText, "dat"),
         };
         let out = self.out.as_deref().unwrap_or(&self.run);
         let _lock = if super::is_same(out, &self.run) {
@@ -83,7 +83,7 @@ impl Step {
         };
         let contacts = problem.laws().len();
         let file = out.join(format!("problem-{}.{ending}", self.step));
-        let problem = problem::Problem::from(problem);
+        let problem = problem::ContactProblem::from(problem);
         problem.write(&file, format).map_err(Failure::input)?;
         // The file holds the problem, and not how far the run has solved it.
         let solved = match step.iterations.met {
@@ -101,8 +101,8 @@ impl Step {
     fn problem<R>(
         &self,
         scene: &R::Scene,
-        problem: impl Fn(&R) -> Option<(Global, StepReport)>,
-    ) -> Result<(Global, StepReport), Failure>
+        problem: impl Fn(&R) -> Option<(GlobalProblem, StepReport)>,
+    ) -> Result<(GlobalProblem, StepReport), Failure>
     where
         R: LongRun<Error: Error + 'static>,
     {

@@ -11,7 +11,7 @@ use progress::Progress;
 use std::num::NonZero;
 use std::path::PathBuf;
 use table::Table;
-use tribos::fit::{LawName, Options, fit_watched, law_model};
+use tribos::fit::{FitLaw, FitOptions, fit_watched, law_model};
 use tribos::friction::Patch;
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_report::image;
@@ -40,10 +40,10 @@ pub struct Arguments {
     #[arg(required_unless_present = "support")]
     data: Option<PathBuf>,
     /// The law.
-    #[arg(long, required_unless_present = "support", value_parser = super::number::named::<LawName, 5>(
-        LawName::ALL.map(|(_, name, help)| (name, help)),
+    #[arg(long, required_unless_present = "support", value_parser = super::number::named::<FitLaw, 5>(
+        FitLaw::ALL.map(|(_, name, help)| (name, help)),
     ))]
-    law: Option<LawName>,
+    law: Option<FitLaw>,
     /// Measured pushes, a CSV file with the columns dx,dy,dtheta,fx,fy,torque (`-` for standard input).
     #[arg(long, value_name = "PUSHES.csv", conflicts_with_all = ["data", "law", "load", "fixed", "starts"])]
     support: Option<PathBuf>,
@@ -114,7 +114,7 @@ impl Arguments {
         let fail = |error| table.refusal(error);
         let data = &table.data;
         let model = law_model(law, data).map_err(fail)?;
-        let options = Options {
+        let options = FitOptions {
             fixed: self.fixed.clone(),
             starts: self.starts.get(),
         };

@@ -4,7 +4,7 @@ use super::table::Table;
 use crate::command::spool;
 use crate::failure::Failure;
 use std::path::Path;
-use tribos::fit::{Estimate, Fit, Known, LawName};
+use tribos::fit::{Estimate, Fit, FitLaw, Uncertainty};
 use tribos::friction::find;
 use tribos::record::{number, series_csv, write_atomically};
 
@@ -18,7 +18,7 @@ const BEYOND: f64 = 5.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Report<'a> {
     /// The law.
-    pub law: LawName,
+    pub law: FitLaw,
     /// The measurements.
     pub table: &'a Table,
     /// The result.
@@ -49,10 +49,12 @@ impl Report<'_> {
     fn line(&self, estimate: &Estimate) -> String {
         let parameter = &estimate.parameter;
         let (value, how) = match &estimate.known {
-            Known::StandardError(error) => told(estimate.value, *error),
-            Known::Fixed => (plain(estimate.value), "fixed".into()),
-            Known::AtBound => (plain(estimate.value), "at its bound".into()),
-            Known::Undetermined(_) => (format!("{:.3e}", estimate.value), "not determined".into()),
+            Uncertainty::StandardError(error) => told(estimate.value, *error),
+            Uncertainty::Fixed => (plain(estimate.value), "fixed".into()),
+            Uncertainty::AtBound => (plain(estimate.value), "at its bound".into()),
+            Uncertainty::Undetermined(_) => {
+                (format!("{:.3e}", estimate.value), "not determined".into())
+            }
         };
         let unit = self.unit(parameter.unit);
         format!(
@@ -118,7 +120,7 @@ impl Report<'_> {
     fn undetermined(&self) -> String {
         let mut groups: Vec<Vec<&str>> = Vec::new();
         for estimate in &self.fit.parameters {
-            if let Known::Undetermined(others) = &estimate.known {
+            if let Uncertainty::Undetermined(others) = &estimate.known {
                 let mut group = others.clone();
                 group.push(estimate.parameter.name);
                 group.sort_unstable();
@@ -245,12 +247,12 @@ impl Report<'_> {
     fn toml_parameter(&self, estimate: &Estimate) -> String {
         let parameter = &estimate.parameter;
         let known = match &estimate.known {
-            Known::StandardError(error) => {
+            Uncertainty::StandardError(error) => {
                 format!("known = \"fitted\"\nstandard_error = {error:?}\n")
             }
-            Known::Fixed => "known = \"fixed\"\n".into(),
-            Known::AtBound => "known = \"at its bound\"\n".into(),
-            Known::Undetermined(others) => {
+            Uncertainty::Fixed => "known = \"fixed\"\n".into(),
+            Uncertainty::AtBound => "known = \"at its bound\"\n".into(),
+            Uncertainty::Undetermined(others) => {
                 format!("known = \"not determined\"\ntrades_with = {others:?}\n")
             }
         };

@@ -1,7 +1,7 @@
 //! Data with the fitted curve, and what is left.
 
 use crate::failure::Failure;
-use tribos::fit::{Data, Fit, LawName, Motion, law_model};
+use tribos::fit::{Fit, FitLaw, Measurements, Motion, law_model};
 use tribos_report::figure::{Axis, Figure, Guide, Panels, Series};
 
 /// Most measurements that are drawn: more of them hide each other, and fill files.
@@ -10,7 +10,7 @@ const MOST_DRAWN: usize = 4000;
 const POINTS: usize = 400;
 
 /// Friction above, residuals below.
-pub fn panels(law: LawName, data: &Data, fit: &Fit) -> Result<Panels, Failure> {
+pub fn panels(law: FitLaw, data: &Measurements, fit: &Fit) -> Result<Panels, Failure> {
     let (x, axis): (&[f64], fn() -> Axis) = match data.motion() {
         Motion::Steady { speeds } => (speeds, || Axis::log10("speed [m/s]")),
         Motion::Series { times, .. } => (times, || Axis::linear("time [s]")),
@@ -54,7 +54,7 @@ pub fn panels(law: LawName, data: &Data, fit: &Fit) -> Result<Panels, Failure> {
 }
 
 /// The law between the slowest and the fastest speed.
-fn curve(law: LawName, data: &Data, fit: &Fit) -> Result<Vec<(f64, f64)>, Failure> {
+fn curve(law: FitLaw, data: &Measurements, fit: &Fit) -> Result<Vec<(f64, f64)>, Failure> {
     let speeds = data.velocities();
     let low = speeds.iter().copied().fold(f64::INFINITY, f64::min);
     let high = speeds.iter().copied().fold(0.0, f64::max);
@@ -65,7 +65,8 @@ fn curve(law: LawName, data: &Data, fit: &Fit) -> Result<Vec<(f64, f64)>, Failur
         .iter()
         .map(|estimate| estimate.value)
         .collect();
-    let places = Data::steady(all.clone(), vec![1.0; all.len()], None).map_err(Failure::run)?;
+    let places =
+        Measurements::steady(all.clone(), vec![1.0; all.len()], None).map_err(Failure::run)?;
     let model = law_model(law, &places).map_err(Failure::run)?;
     let friction = model.predict(&values).unwrap_or_default();
     Ok(all.into_iter().zip(friction).collect())

@@ -3,13 +3,13 @@
 use crate::command::columns::Rows;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
-use tribos::fit::{Data, DataError, FitError, Motion};
+use tribos::fit::{DataError, FitError, Measurements, Motion};
 
 /// The measurements of a file.
 #[derive(Debug)]
 pub struct Table {
     /// The measurements, checked.
-    pub data: Data,
+    pub data: Measurements,
     name: PathBuf,
     /// Line of each point.
     lines: Vec<u64>,
@@ -55,8 +55,8 @@ impl Table {
         let friction = per_load(take("f").unwrap_or_default());
         let sigma = take("sigma").map(per_load);
         let data = match take("t") {
-            Some(times) => Data::series(times, velocities, friction, sigma),
-            None => Data::steady(velocities, friction, sigma),
+            Some(times) => Measurements::series(times, velocities, friction, sigma),
+            None => Measurements::steady(velocities, friction, sigma),
         };
         let data = data.map_err(|error| refusal(path, &lines, FitError::Data(error)))?;
         let name = path.to_path_buf();

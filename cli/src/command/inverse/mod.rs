@@ -12,7 +12,7 @@ use std::num::NonZeroU32;
 use std::path::PathBuf;
 use tribos::friction::{Patch, upright};
 use tribos::record::write_atomically;
-use tribos::slide::inverse::{Launches, Limits, Pose, RestMap, Turns};
+use tribos::slide::inverse::{LaunchLimits, Launches, Pose, RestMap, Turns};
 use tribos_report::image::Drawing;
 
 /// Find every launch (speed, direction, spin) after which a flat body comes to rest at the wanted
@@ -120,7 +120,7 @@ impl Arguments {
         let deceleration = self.coefficient * self.gravity;
         let map = RestMap::new(&*law, deceleration, self.radius, self.inertia_ratio)
             .map_err(Failure::input)?;
-        let limits = Limits::new(self.max_speed, self.max_spin).map_err(Failure::input)?;
+        let limits = LaunchLimits::new(self.max_speed, self.max_spin).map_err(Failure::input)?;
         let target = Pose {
             x: self.x,
             y: self.y,

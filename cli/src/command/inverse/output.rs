@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use serde_json::{Map, Value};
 use std::io::Write;
 use tribos::record::{json_number, series_csv};
-use tribos::slide::inverse::{PoseJacobian, Solution};
+use tribos::slide::inverse::{LaunchSolution, PoseJacobian};
 
 /// Format of the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -21,7 +21,7 @@ pub enum Format {
 /// One solution with the derivatives asked for.
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
-    pub solution: Solution,
+    pub solution: LaunchSolution,
     pub jacobian: Option<PoseJacobian>,
 }
 

@@ -1,7 +1,7 @@
 //! What the limits reach, distance against turns.
 
 use std::f64::consts::TAU;
-use tribos::slide::inverse::{Limits, Pose, RestMap, Solution};
+use tribos::slide::inverse::{LaunchLimits, LaunchSolution, Pose, RestMap};
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_report::figure::{Axis, Color, Figure, Guide, Legend, Region, Series};
 
@@ -17,9 +17,9 @@ type Curve = Vec<(f64, f64)>;
 /// the solutions.
 pub fn figure<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
     map: &RestMap<P>,
-    limits: &Limits,
+    limits: &LaunchLimits,
     target: &Pose,
-    solutions: &[Solution],
+    solutions: &[LaunchSolution],
 ) -> Figure {
     let (speed, spin) = (limits.max_speed(), limits.max_spin());
     let distance = target.x.hypot(target.y);

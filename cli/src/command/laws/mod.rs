@@ -6,7 +6,7 @@ use crate::command::unknown::unknown;
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::PathBuf;
-use tribos::friction::{Entry, LAWS, Law, find};
+use tribos::friction::{LAWS, Law, LawEntry, find};
 
 /// List the friction laws with formula, parameters, units and source, or draw a local one.
 #[derive(Debug, clap::Args)]
@@ -69,7 +69,7 @@ impl Arguments {
     }
 }
 
-fn chosen(names: &[String]) -> Result<Vec<&'static Entry>, Failure> {
+fn chosen(names: &[String]) -> Result<Vec<&'static LawEntry>, Failure> {
     if names.is_empty() {
         return Ok(LAWS.iter().collect());
     }
@@ -82,7 +82,7 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Entry>, Failure> {
     names.iter().map(known).collect()
 }
 
-fn text(law: &Entry) -> String {
+fn text(law: &LawEntry) -> String {
     let local = if law.local.is_some() { " (local)" } else { "" };
     let mut text = format!(
         "{}{local}\n  {}\n  {}\n",
@@ -100,7 +100,7 @@ fn text(law: &Entry) -> String {
     text + &format!("  source: {}\n", law.source)
 }
 
-fn json(law: &Entry) -> Value {
+fn json(law: &LawEntry) -> Value {
     let parameters: Vec<Value> = law
         .parameters
         .iter()

@@ -6,7 +6,9 @@ use super::number;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use tribos::measure::{Assembly, AssemblyError, Forces, Measures, Options, Table, series};
+use tribos::measure::{
+    Assembly, AssemblyError, KnownForces, MeasureOptions, Measures, Table, measure_series,
+};
 use tribos::record::{write_atomically, write_series};
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_report::image;
@@ -167,8 +169,8 @@ impl Arguments {
     }
 
     /// Refuses options that would change nothing.
-    fn refuse_idle(&self, forces: Forces) -> Result<(), Failure> {
-        let is_known = forces != Forces::Unknown;
+    fn refuse_idle(&self, forces: KnownForces) -> Result<(), Failure> {
+        let is_known = forces != KnownForces::Unknown;
         let idle = [
             (
                 "--gap",
@@ -195,9 +197,9 @@ impl Arguments {
         }
     }
 
-    fn options(&self) -> Options {
-        let usual = Options::default();
-        Options {
+    fn options(&self) -> MeasureOptions {
+        let usual = MeasureOptions::default();
+        MeasureOptions {
             gap: self.gap.unwrap_or(usual.gap),
             reach: self.reach,
             bins: self.bins as usize,
@@ -224,7 +226,7 @@ impl Arguments {
     }
 
     /// All frames, if they are wanted.
-    fn series(&self, options: &Options) -> Result<Option<Table>, Failure> {
+    fn series(&self, options: &MeasureOptions) -> Result<Option<Table>, Failure> {
         if !self.frames {
             return Ok(None);
         }
@@ -233,7 +235,7 @@ impl Arguments {
             states.push((step, self.periodic(state)?));
         }
         let (count, mut done, mut last) = (states.len(), 0, Instant::now());
-        let table = series(states, options, |step| {
+        let table = measure_series(states, options, |step| {
             done += 1;
             if last.elapsed() >= Duration::from_secs(1) {
                 last = Instant::now();

@@ -2,15 +2,15 @@
 
 use crate::command::digits::shown;
 use std::path::Path;
-use tribos::measure::{Forces, Measures, Table};
+use tribos::measure::{KnownForces, Measures, Table};
 
 /// The lines.
 pub fn text(measures: &Measures, over_time: Option<&Table>, out: Option<&Path>) -> String {
     let assembly = &measures.assembly;
     let from = match assembly.forces {
-        Forces::Complete => "with their forces",
-        Forces::Normal => "with normal forces only",
-        Forces::Unknown => "of the geometry, without forces",
+        KnownForces::Complete => "with their forces",
+        KnownForces::Normal => "with normal forces only",
+        KnownForces::Unknown => "of the geometry, without forces",
     };
     let coordination = &measures.coordination;
     let mut text = format!(

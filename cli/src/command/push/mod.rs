@@ -8,7 +8,7 @@ use crate::command::unknown::unknown;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Patch};
-use tribos::push::{PUSH_BOX, PushRun, run};
+use tribos::push::{PUSH_BOX, PushResult, run};
 use tribos::record::{number as shortest, read_text, series_csv};
 use tribos::scene::{MOST_BYTES, PushScene, toml_value};
 
@@ -126,9 +126,9 @@ impl Arguments {
 }
 
 /// The path as a table.
-fn write(path: &Path, answer: &PushRun) -> Result<(), Failure> {
+fn write(path: &Path, answer: &PushResult) -> Result<(), Failure> {
     spool::deliver(Some(path), |sink| {
-        sink.put(&series_csv(&PushRun::COLUMNS, []))?;
+        sink.put(&series_csv(&PushResult::COLUMNS, []))?;
         for row in answer.rows() {
             let cells: Vec<String> = row.iter().map(|&x| shortest(x)).collect();
             sink.put(&(cells.join(",") + "\n"))?;

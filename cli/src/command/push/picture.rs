@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use std::path::Path;
-use tribos::push::{Moment, PushRun};
+use tribos::push::{PathSample, PushResult};
 use tribos::record::series_csv;
 use tribos::scene::PushScene;
 use tribos_report::figure::{Axis, Color, Figure, Legend, Series};
@@ -18,13 +18,13 @@ const SIZE: (u32, u32) = (720, 760);
 type Points = Vec<(f64, f64)>;
 
 /// Draws the scene at its start, on its way and at its end.
-pub fn draw(path: &Path, scene: &PushScene, answer: &PushRun) -> Result<(), Failure> {
+pub fn draw(path: &Path, scene: &PushScene, answer: &PushResult) -> Result<(), Failure> {
     let moments = &answer.journey.moments;
     let last = moments.len().saturating_sub(1);
     let shown: Vec<usize> = (0..=BETWEEN + 1)
         .map(|i| last * i / (BETWEEN + 1))
         .collect();
-    let outline = |moment: &Moment| -> Points {
+    let outline = |moment: &PathSample| -> Points {
         let mut points = Points::new();
         for corners in &answer.outline {
             let closed = corners.iter().chain(corners.first());
@@ -66,7 +66,7 @@ pub fn draw(path: &Path, scene: &PushScene, answer: &PushRun) -> Result<(), Fail
         .series(Series::line_points("pusher", ends(&pusher)).color(Color::palette(3)));
     let csv = || {
         series_csv(
-            &PushRun::COLUMNS,
+            &PushResult::COLUMNS,
             answer.rows().collect::<Vec<_>>().iter().map(|row| &row[..]),
         )
     };
@@ -74,7 +74,7 @@ pub fn draw(path: &Path, scene: &PushScene, answer: &PushRun) -> Result<(), Fail
 }
 
 /// Where the pusher is.
-fn touching(moment: &Moment) -> (f64, f64) {
+fn touching(moment: &PathSample) -> (f64, f64) {
     let at = moment.pose.place(moment.contact);
     (at.x, at.y)
 }

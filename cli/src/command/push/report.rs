@@ -1,11 +1,11 @@
 //! The answer for people.
 
 use crate::command::digits::shown;
-use tribos::push::{End, PushRun};
+use tribos::push::{PathEnd, PushResult};
 use tribos::scene::PushScene;
 
 /// A line a result.
-pub fn text(scene: &PushScene, answer: &PushRun) -> String {
+pub fn text(scene: &PushScene, answer: &PushResult) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| text += &format!("{name:<16}{value}\n");
     let degrees = |angle: f64| shown(angle.to_degrees());
@@ -91,7 +91,7 @@ pub fn text(scene: &PushScene, answer: &PushRun) -> String {
         );
     }
     line("yaw limit", yaw);
-    if answer.journey.end == End::Loose {
+    if answer.journey.end == PathEnd::Loose {
         line("path", format!("not followed: {}", answer.journey.end));
     } else if let Some(last) = answer.journey.moments.last() {
         line(

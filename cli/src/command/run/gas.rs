@@ -5,7 +5,7 @@ use super::order::Order;
 use super::{files, size};
 use crate::command::digits::shown;
 use crate::failure::Failure;
-use tribos::gas::{self, COLUMNS, Ending, Gas, GasError, Outcome};
+use tribos::gas::{self, COLUMNS, GasError, GasSimulation, GasStopReason, GasSummary};
 use tribos::record::{Snapshot, SnapshotError, extended_xyz, particles_vtp, write_series};
 use tribos::run::folder::OutputFolder;
 use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
@@ -38,13 +38,13 @@ pub fn run(scene: &GasScene, order: &Order<'_>) -> Result<(), Failure> {
 /// Runs the scene to its end and says how far it is.
 fn simulate(
     scene: &GasScene,
-    session: Session<'_, Gas>,
+    session: Session<'_, GasSimulation>,
     caller: Caller<'_>,
-) -> Result<Gas, RunError<GasError>> {
+) -> Result<GasSimulation, RunError<GasError>> {
     caller.tell(format_args!("{}", size::told(&gas::size(scene), "spheres")));
     let mut meter = caller.meter();
     session
-        .on_progress(|run: &Gas| {
+        .on_progress(|run: &GasSimulation| {
             if meter.is_due(run.progress()) {
                 let (collisions, time) = (run.collisions(), run.time());
                 meter.tell(
@@ -59,8 +59,8 @@ fn simulate(
 /// Writes series, the last state, pictures and at last the summary.
 fn write(
     scene: &GasScene,
-    run: &Gas,
-    outcome: &Outcome,
+    run: &GasSimulation,
+    outcome: &GasSummary,
     folder: &OutputFolder,
     order: &Order<'_>,
 ) -> Result<(), Failure> {
@@ -82,14 +82,14 @@ fn write(
 }
 
 /// A few lines for the person at the terminal.
-fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
+fn report(outcome: &GasSummary, order: &Order<'_>) -> Result<(), Failure> {
     let ending = match outcome.ending {
-        Some(Ending::Time) => "duration over",
-        Some(Ending::Collapse) => {
+        Some(GasStopReason::Time) => "duration over",
+        Some(GasStopReason::Collapse) => {
             "inelastic collapse: time stands still while collisions go on; set contact_time, such as 1e-4"
         }
-        Some(Ending::Rest) => "no sphere will meet another one",
-        Some(Ending::Collisions) | None => "collisions done",
+        Some(GasStopReason::Rest) => "no sphere will meet another one",
+        Some(GasStopReason::Collisions) | None => "collisions done",
     };
     let mut text = format!(
         "ending        {ending}\n\

@@ -7,7 +7,7 @@ use super::order::Order;
 use super::{files, size};
 use crate::failure::Failure;
 use output::{report, write};
-use tribos::grains::{self, Grains, GrainsError};
+use tribos::grains::{self, GrainsError, GrainsSimulation};
 use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
 use tribos::scene::{ContactMethod, GrainsScene};
 
@@ -15,7 +15,7 @@ use tribos::scene::{ContactMethod, GrainsScene};
 pub fn run(scene: &GrainsScene, order: &Order<'_>) -> Result<(), Failure> {
     size::check(&grains::size(scene), "grains", order.allowed)?;
     // All refusals come before the folder is touched.
-    Grains::check(scene)?;
+    GrainsSimulation::check(scene)?;
     let Some((folder, start)) = order.long(scene.json(), files::GRAINS)? else {
         return Ok(());
     };
@@ -32,14 +32,14 @@ pub fn run(scene: &GrainsScene, order: &Order<'_>) -> Result<(), Failure> {
 /// Runs the scene to its end and says how far it is.
 fn simulate(
     scene: &GrainsScene,
-    session: Session<'_, Grains>,
+    session: Session<'_, GrainsSimulation>,
     caller: Caller<'_>,
-) -> Result<Grains, RunError<GrainsError>> {
+) -> Result<GrainsSimulation, RunError<GrainsError>> {
     let size = grains::size(scene);
     caller.tell(format_args!("{}", size::told(&size, "grains")));
     let mut meter = caller.meter();
     session
-        .on_progress(|run: &Grains| {
+        .on_progress(|run: &GrainsSimulation| {
             if meter.is_due(run.progress()) {
                 let words = format!("step {:7}  time {:9.4}", run.steps(), run.time());
                 let words = match scene.method {

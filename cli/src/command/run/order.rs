@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tribos::record::CheckpointError;
 use tribos::run::folder::{Broken, Contents, Lock, Manifest, OutputFolder, Sharing, is_finished};
-use tribos::run::{CHECKPOINT, LongRun, RunError, Session, Start, read_checkpoint};
+use tribos::run::{CHECKPOINT, LongRun, RunError, Session, StartMode, read_checkpoint};
 use tribos_report::image::{self, Drawing};
 
 /// The command's name in the folders that it writes.
@@ -57,7 +57,7 @@ impl<'a> Order<'a> {
     }
 
     /// A long run in its folder.
-    pub fn session<R: LongRun>(&self, start: Start, folder: &OutputFolder) -> Session<'a, R> {
+    pub fn session<R: LongRun>(&self, start: StartMode, folder: &OutputFolder) -> Session<'a, R> {
         let caller = self.caller;
         let session = Session::under(folder.lock().clone(), self.out)
             .start(start)
@@ -107,7 +107,7 @@ impl<'a> Order<'a> {
         &self,
         scene: Value,
         later: &[&str],
-    ) -> Result<Option<(OutputFolder, Start)>, Failure> {
+    ) -> Result<Option<(OutputFolder, StartMode)>, Failure> {
         self.caller.watch()?;
         let contents = Contents {
             about: scene,
@@ -117,7 +117,7 @@ impl<'a> Order<'a> {
         };
         if !self.resume {
             let folder = OutputFolder::begin(self.out, &contents)?;
-            return Ok(Some((folder, Start::Fresh)));
+            return Ok(Some((folder, StartMode::Fresh)));
         }
         if !self.out.is_dir() {
             read_checkpoint(&checkpoint(self.out))?;
@@ -138,7 +138,7 @@ impl<'a> Order<'a> {
 
     /// Where a run that goes on starts: broken off before its first checkpoint at the beginning, and
     /// nowhere if it is finished.
-    fn start(&self, scene: &Value) -> Result<Option<Start>, Failure> {
+    fn start(&self, scene: &Value) -> Result<Option<StartMode>, Failure> {
         let file = checkpoint(self.out);
         let begun = Manifest::read(self.out)?.filter(|begun| begun.command == COMMAND);
         match begun {
@@ -150,14 +150,14 @@ impl<'a> Order<'a> {
             Some(begun) if begun.about == *scene => {
                 let told = format_args!("no checkpoint yet: starting from the beginning");
                 self.caller.tell(told);
-                return Ok(Some(Start::Fresh));
+                return Ok(Some(StartMode::Fresh));
             }
             None if file.exists() => {}
             _ => {
                 read_checkpoint(&file)?;
             }
         }
-        Ok(Some(Start::Resume))
+        Ok(Some(StartMode::Resume))
     }
 }
 

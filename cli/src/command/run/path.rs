@@ -5,7 +5,7 @@ use super::order::Order;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::record::write_series;
-use tribos::slide::planar::Ending;
+use tribos::slide::planar::PlanarStopReason;
 use tribos::slide::{PATH_COLUMNS, PathRun, PlanarScene, follow_path};
 use tribos_report::figure::{Axis, Figure, Series};
 
@@ -39,8 +39,8 @@ fn report(result: &PathRun, order: &Order<'_>) -> Result<(), Failure> {
     let arrival = &result.outcome.arrival;
     let [x, y] = arrival.point.position.map(shown);
     let ending = match arrival.ending {
-        Ending::Rest => "Rest",
-        Ending::Faded => "Faded",
+        PlanarStopReason::Rest => "Rest",
+        PlanarStopReason::Faded => "Faded",
     };
     let lean = match arrival.tips_at {
         Some(time) => format!(

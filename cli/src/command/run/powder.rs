@@ -9,7 +9,7 @@ use crate::command::progress::Meter;
 use crate::failure::Failure;
 pub use output::states;
 use output::{report, write};
-use tribos::powder::{self, Compaction, CompactionError};
+use tribos::powder::{self, CompactionError, PowderSimulation};
 use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
 use tribos::scene::{ContactMethod, PowderScene};
 
@@ -18,7 +18,7 @@ pub fn run(scene: &PowderScene, order: &Order<'_>) -> Result<(), Failure> {
     let size = tribos::powder::size(scene);
     size::check(&size, "spheres", order.allowed)?;
     // All refusals come before the folder is touched.
-    Compaction::check(scene)?;
+    PowderSimulation::check(scene)?;
     let Some((folder, start)) = order.long(scene.json(), files::POWDER)? else {
         return Ok(());
     };
@@ -36,9 +36,9 @@ pub fn run(scene: &PowderScene, order: &Order<'_>) -> Result<(), Failure> {
 /// Runs the scene to its end and says how far it is.
 fn simulate(
     scene: &PowderScene,
-    session: Session<'_, Compaction>,
+    session: Session<'_, PowderSimulation>,
     caller: Caller<'_>,
-) -> Result<Compaction, RunError<CompactionError>> {
+) -> Result<PowderSimulation, RunError<CompactionError>> {
     let size = powder::size(scene);
     caller.tell(format_args!("{}", size::told(&size, "spheres")));
     let (mut growth, mut meter) = (caller.meter(), caller.meter());
@@ -53,7 +53,7 @@ fn simulate(
                 ));
             }
         })
-        .on_progress(|run: &Compaction| {
+        .on_progress(|run: &PowderSimulation| {
             sweeps += run.last_step().iterations.sweeps;
             let from = *since.get_or_insert(run.steps());
             if meter.is_due(run.progress()) {
@@ -67,7 +67,7 @@ fn simulate(
 
 /// How far a compaction is: its end is known where a time is given, or so few steps that they may
 /// end it before the packing is blocked.
-fn tell(meter: &mut Meter<'_>, scene: &PowderScene, compaction: &Compaction, sweeps: f64) {
+fn tell(meter: &mut Meter<'_>, scene: &PowderScene, compaction: &PowderSimulation, sweeps: f64) {
     /// A packing is seldom blocked within fewer steps.
     const FEW: u64 = 5_000;
     let words = format!(

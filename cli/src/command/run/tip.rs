@@ -10,7 +10,7 @@ use tribos::record;
 use tribos::run::folder::OutputFolder;
 use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
 use tribos::scene::TipScene;
-use tribos::tip::{self, Outcome, Slid, TipError, TipRun, Verdict, export};
+use tribos::tip::{self, Reversal, SlidingSummary, TipError, TipSimulation, TipSummary, export};
 use tribos_report::runs::tip as picture;
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
@@ -34,14 +34,14 @@ pub fn run(scene: &TipScene, order: &Order<'_>) -> Result<(), Failure> {
 /// Runs the scene to its end and says how far it is.
 fn simulate(
     scene: &TipScene,
-    session: Session<'_, TipRun>,
+    session: Session<'_, TipSimulation>,
     caller: Caller<'_>,
-) -> Result<TipRun, RunError<TipError>> {
+) -> Result<TipSimulation, RunError<TipError>> {
     let size = tip::size(scene);
     caller.tell(format_args!("{}", size::told(&size, "atoms")));
     let mut meter = caller.meter();
     session
-        .on_progress(|run: &TipRun| {
+        .on_progress(|run: &TipSimulation| {
             if meter.is_due(run.progress()) {
                 let angle = run.angle().to_degrees();
                 meter.tell(
@@ -54,7 +54,7 @@ fn simulate(
 }
 
 /// The series as CSV.
-pub fn write_series(run: &TipRun, out: &Path) -> Result<(), Failure> {
+pub fn write_series(run: &TipSimulation, out: &Path) -> Result<(), Failure> {
     let columns = run.columns();
     let names: Vec<&str> = columns.iter().map(String::as_str).collect();
     let rows = run.series().iter().map(Vec::as_slice);
@@ -64,7 +64,7 @@ pub fn write_series(run: &TipRun, out: &Path) -> Result<(), Failure> {
 /// Writes series, pictures, the first and the last state and at last the summary.
 fn write(
     scene: &TipScene,
-    run: &TipRun,
+    run: &TipSimulation,
     folder: &OutputFolder,
     order: &Order<'_>,
 ) -> Result<(), Failure> {
@@ -89,7 +89,7 @@ fn write(
 }
 
 /// What a slid tip shows.
-fn told(slid: &Slid, outcome: &Outcome) -> String {
+fn told(slid: &SlidingSummary, outcome: &TipSummary) -> String {
     let balance = slid.heat + slid.stored;
     format!(
         "friction      {} as loop area over path, mean force {} forth and {} back, {} of {} strokes\n\
@@ -122,15 +122,15 @@ fn told(slid: &Slid, outcome: &Outcome) -> String {
 }
 
 /// A few lines for the person at the terminal.
-fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
+fn report(outcome: &TipSummary, order: &Order<'_>) -> Result<(), Failure> {
     if let Some(slid) = &outcome.slid {
         let text = told(slid, outcome) + &format!("written to    {}\n", order.out.display());
         return order.caller.report(&text);
     }
     let verdict = match outcome.verdict {
-        Verdict::Reversible => "reversible: the driven layers turned back",
-        Verdict::Irreversible => "irreversible: the driven layers did not turn back",
-        Verdict::Open => "open: the scene ends before it shows",
+        Reversal::Reversible => "reversible: the driven layers turned back",
+        Reversal::Irreversible => "irreversible: the driven layers did not turn back",
+        Reversal::Open => "open: the scene ends before it shows",
     };
     let interfaces = |list: &[usize]| match list {
         [] => "none".to_owned(),

@@ -6,7 +6,7 @@ use crate::command::number::in_range;
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::friction::{
-    AnyLaw, Evaluation, Friction, HeldNodes, Law, Patch, Precision, Tier, pressure_nodes,
+    AnyFriction, AnyLaw, Evaluation, HeldNodes, Law, Patch, Precision, Tier, pressure_nodes,
 };
 use tribos_core::Real;
 use tribos_core::coupling::RoundFriction;
@@ -80,7 +80,7 @@ pub struct Contact<R: Precision> {
 pub(super) enum Kind<R: Precision> {
     /// A round patch by a coupling of the kernel; a quadrature is upright.
     Round {
-        friction: RoundFriction<R, Friction<R>>,
+        friction: RoundFriction<R, AnyFriction<R>>,
         tilt: Option<R>,
     },
     /// Nodes, in units of the radius.
@@ -111,7 +111,7 @@ impl<R: Precision> Contact<R> {
         };
         let tilt = request.tilt.map(R::from_f64);
         let (kind, factor, unit) = if by_coupling {
-            let coupling = Friction::new(request.patch, &law, Some(tier))?;
+            let coupling = AnyFriction::new(request.patch, &law, Some(tier))?;
             let factor =
                 in_range::<R>("coefficient", request.coefficient)? * coupling.coefficient();
             let friction = RoundFriction::new(coupling, factor, radius).map_err(Failure::input)?;

@@ -9,7 +9,9 @@ use crate::md::pair::{LennardJones, LennardJonesError, Mixing, Pairing};
 use crate::md::support::Support;
 use crate::md::system::Setup;
 use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat, ThermostatError};
-use crate::tip::scene::{BathKind, BathSpin, DriveKind, DrivenHold, Reading, TipScene};
+use crate::tip::scene::{
+    DriveKind, DrivenHold, ThermostatBias, ThermostatKind, TipScene, TorqueNormalisation,
+};
 use nalgebra::Vector3;
 use tribos_base::scene::InvalidScene;
 use tribos_base::space::{PeriodicBox, PeriodicBoxError};
@@ -180,21 +182,23 @@ fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
 
 /// Whether the tip's bath moves with a mean velocity that is not heat.
 fn is_carried(scene: &TipScene) -> bool {
-    scene.drive == DriveKind::Slide && scene.spin == BathSpin::Spared
+    scene.drive == DriveKind::Slide && scene.spin == ThermostatBias::Spared
 }
 
 fn thermostat(scene: &TipScene, wanted: Spin) -> Result<Thermostat, ThermostatError> {
     let temperature = scene.temperature * scene.potential.boltzmann();
     Ok(match scene.thermostat {
-        BathKind::NoseHoover => {
+        ThermostatKind::NoseHoover => {
             let spin = match scene.spin {
-                BathSpin::Spared => wanted,
-                BathSpin::Counts => Spin::Counts,
+                ThermostatBias::Spared => wanted,
+                ThermostatBias::Counts => Spin::Counts,
             };
             Thermostat::NoseHoover(NoseHoover::new(temperature, scene.relaxation, spin)?)
         }
-        BathKind::Langevin => Thermostat::Langevin(Langevin::new(temperature, scene.friction)?),
-        BathKind::None => Thermostat::None,
+        ThermostatKind::Langevin => {
+            Thermostat::Langevin(Langevin::new(temperature, scene.friction)?)
+        }
+        ThermostatKind::None => Thermostat::None,
     })
 }
 
@@ -249,9 +253,9 @@ pub(super) fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
             .map(arm)
     };
     let length = match scene.reading {
-        Reading::Angular => 1.0,
-        Reading::Mean => arms().sum::<f64>() / arms().count() as f64,
-        Reading::Largest => arms().fold(0.0, f64::max),
+        TorqueNormalisation::Angular => 1.0,
+        TorqueNormalisation::Mean => arms().sum::<f64>() / arms().count() as f64,
+        TorqueNormalisation::Largest => arms().fold(0.0, f64::max),
     };
     let [from, until] = drive_times(scene);
     TorqueDrive {

@@ -2,10 +2,10 @@
 
 use super::build::{TipSystem, build};
 use super::run::TipError;
-use super::shape::{Outline, Part};
+use super::shape::{Part, TipOutline};
 use crate::md::interaction::Wanted;
 use crate::md::system::System;
-use crate::tip::scene::{BathKind, DrivenHold, StageSteps, TipScene};
+use crate::tip::scene::{DrivenHold, StageSteps, ThermostatKind, TipScene};
 use nalgebra::Vector3;
 use std::time::Instant;
 use tribos_base::run::RunSize;
@@ -33,8 +33,8 @@ impl TipScene {
     /// Number of groups of atoms that a thermostat holds at the temperature.
     pub fn thermostat_groups(&self) -> usize {
         match self.thermostat {
-            BathKind::None => 0,
-            BathKind::NoseHoover | BathKind::Langevin => 2,
+            ThermostatKind::None => 0,
+            ThermostatKind::NoseHoover | ThermostatKind::Langevin => 2,
         }
     }
 
@@ -75,8 +75,8 @@ pub fn size(scene: &TipScene) -> RunSize {
     // A hexagon of n atoms a side has 3n(n - 1) + 1.
     let hexagon = |side: f64| 3.0 * side * (side - 1.0) + 1.0;
     let side = |below_top: usize| match shape.outline {
-        Outline::Cone => shape.side.saturating_sub(below_top).max(1),
-        Outline::Hexagon | Outline::Disk => shape.side,
+        TipOutline::Cone => shape.side.saturating_sub(below_top).max(1),
+        TipOutline::Hexagon | TipOutline::Disk => shape.side,
     };
     let tip: f64 = (0..shape.tip_layers)
         .map(|layer| hexagon(side(layer) as f64))

@@ -7,7 +7,7 @@ use crate::md::configuration::Configuration;
 use crate::md::lammps::data_file;
 use crate::md::pair::Shift;
 use crate::md::system::Integrator;
-use crate::tip::scene::{BathKind, DriveKind, DrivenHold, StageSteps, TipScene};
+use crate::tip::scene::{DriveKind, DrivenHold, StageSteps, ThermostatKind, TipScene};
 use nalgebra::Vector3;
 use tribos_base::record::number;
 
@@ -178,8 +178,8 @@ fn motion(scene: &TipScene) -> String {
     let plain = "fix move mobile nve\n";
     text += &match scene.thermostat {
         // At T = 0 it does nothing here, and LAMMPS refuses it.
-        BathKind::NoseHoover if scene.temperature == 0.0 => plain.into(),
-        BathKind::NoseHoover => {
+        ThermostatKind::NoseHoover if scene.temperature == 0.0 => plain.into(),
+        ThermostatKind::NoseHoover => {
             let relaxation = number(scene.relaxation);
             let fix = format!("nvt temp {temperature} {temperature} {relaxation} tchain 1");
             format!(
@@ -189,12 +189,12 @@ fn motion(scene: &TipScene) -> String {
                  fix move1 plain nve\nfix move2 subbath {fix}\nfix move3 tipbath {fix}\n"
             )
         }
-        BathKind::Langevin => format!(
+        ThermostatKind::Langevin => format!(
             "fix move mobile nve\n\
              fix noise baths langevin {temperature} {temperature} {} {seed}\n",
             number(1.0 / scene.friction)
         ),
-        BathKind::None => plain.into(),
+        ThermostatKind::None => plain.into(),
     };
     text += &match scene.hold {
         DrivenHold::Plane => "fix height driven setforce NULL NULL 0\n".to_owned(),

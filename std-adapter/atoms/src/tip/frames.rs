@@ -1,9 +1,9 @@
 //! A turned tip as frames of a film.
 
-use super::run::TipRun;
+use super::run::TipSimulation;
 use tribos_base::record::frames::{Bodies, Frame, Kind};
 
-impl TipRun {
+impl TipSimulation {
     /// The data that all frames share, with at most `limit` frames. Atoms are balls that touch in
     /// the crystal.
     pub fn bodies(&self, limit: u64) -> Bodies {
@@ -28,7 +28,7 @@ impl TipRun {
     ///
     /// ```
     /// use tribos::scene::TipScene;
-    /// use tribos::tip::TipRun;
+    /// use tribos::tip::TipSimulation;
     /// let scene = TipScene {
     ///     lambda: 0.01,
     ///     columns: 8,
@@ -38,7 +38,7 @@ impl TipRun {
     ///     side: 2,
     ///     ..TipScene::default()
     /// };
-    /// let run = TipRun::new(&scene)?;
+    /// let run = TipSimulation::new(&scene)?;
     /// let (bodies, frame) = (run.bodies(100), run.frame());
     /// assert_eq!(bodies.radii.len(), frame.places.len());
     /// // Neighbours in the crystal touch, and nothing is turned before the drive.

@@ -1,5 +1,5 @@
 //! The tip on a substrate, turned by a torque or slid by a support (thesis, section 5.3): a [`scene::TipScene`] becomes a
-//! [`TipRun`], whose [`Outcome`] says whether it turned back, where it locked in and which layers
+//! [`TipSimulation`], whose [`TipSummary`] says whether it turned back, where it locked in and which layers
 //! slipped.
 //!
 //! [`scene::TipScene`]: crate::tip::scene::TipScene
@@ -35,11 +35,11 @@ pub use energy::DriveEnergy;
 #[doc(hidden)]
 pub use forces::TipForces;
 pub use lattice::Face;
-pub use outcome::{Outcome, Plateau, Verdict};
-pub use potential::{Potential, PotentialError};
-pub use run::{TipError, TipRun};
-pub use shape::Outline;
+pub use outcome::{AnglePlateau, Reversal, TipSummary};
+pub use potential::{PotentialError, TipPotential};
+pub use run::{TipError, TipSimulation};
+pub use shape::TipOutline;
 #[doc(hidden)]
 pub use shape::{LAYERS_OF_A_KIND, Part, Shape, Site};
-pub use slid::Slid;
-pub use start::Start;
+pub use slid::SlidingSummary;
+pub use start::EquilibriumCheck;

@@ -2,14 +2,14 @@
 
 use super::energy::DriveEnergy;
 use super::loops::Loops;
-use super::slid::{Look, Slid};
-use super::start::{Columns, Start};
-use super::{TipError, TipRun};
+use super::slid::{Look, SlidingSummary};
+use super::start::{Columns, EquilibriumCheck};
+use super::{TipError, TipSimulation};
 use crate::tip::scene::{DriveKind, StageSteps, TipScene};
 use serde_json::{Value, json};
 use tribos_base::golden::{Measure, Measurement, digest};
 use tribos_base::record::json_number;
-use tribos_base::run::drive;
+use tribos_base::run::run_to_end;
 
 /// Column of the driven layers' angle.
 const ANGLE: usize = 1;
@@ -38,7 +38,7 @@ const LOCKED_TIME: f64 = 15.0;
 
 /// Whether the driven layers turned back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Reversal {
     /// The driven layers turned back.
     Reversible,
     /// The driven layers did not turn back.
@@ -49,7 +49,7 @@ pub enum Verdict {
 
 /// An interval during which the driven layers rested.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plateau {
+pub struct AnglePlateau {
     /// Start of the interval, in τ from the start of the drive.
     pub from: f64,
     /// End of the interval, in τ from the start of the drive.
@@ -66,7 +66,7 @@ pub struct Plateau {
 /// ```
 /// use tribos::run::drive;
 /// use tribos::scene::TipScene;
-/// use tribos::tip::{Outcome, Plateau, TipRun, Verdict};
+/// use tribos::tip::{TipSummary, AnglePlateau, TipSimulation, Reversal};
 /// // A weak torque for a moment: nothing can slip, nothing stays turned.
 /// let scene = TipScene {
 ///     lambda: 0.001,
@@ -83,20 +83,20 @@ pub struct Plateau {
 ///     samples: 5,
 ///     ..TipScene::default()
 /// };
-/// let mut run = TipRun::new(&scene)?;
+/// let mut run = TipSimulation::new(&scene)?;
 /// drive(&mut run, |_, _| ())?;
-/// let outcome: Outcome = run.outcome();
-/// assert_eq!(outcome.verdict, Verdict::Reversible);
+/// let outcome: TipSummary = run.outcome();
+/// assert_eq!(outcome.verdict, Reversal::Reversible);
 /// assert_eq!(outcome.json(&scene)["verdict"], "reversible");
 /// assert!(outcome.slipped.is_empty() && outcome.samples == 1 + 40 / 5);
-/// let stood: &[Plateau] = &outcome.plateaus;
+/// let stood: &[AnglePlateau] = &outcome.plateaus;
 /// assert!(stood.is_empty()); // it was not driven for long enough
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
+pub struct TipSummary {
     /// Whether the driven layers turned back.
-    pub verdict: Verdict,
+    pub verdict: Reversal,
     /// Mean angle of the driven layers before the drive ended.
     pub driven_angle: f64,
     /// Largest angle of the driven layers.
@@ -110,15 +110,15 @@ pub struct Outcome {
     /// Interfaces that had slipped before the drive ended.
     pub slipped_driven: Vec<usize>,
     /// Intervals in which the driven layers rested while they were driven.
-    pub plateaus: Vec<Plateau>,
+    pub plateaus: Vec<AnglePlateau>,
     /// Mean temperature of the tip's bath while driven, ε/k_B.
     pub tip_temperature: f64,
     /// Energy balance of the drive.
     pub energy: DriveEnergy,
     /// How well the tip was in equilibrium when the drive began.
-    pub start: Start,
+    pub start: EquilibriumCheck,
     /// Friction of a slid tip.
-    pub slid: Option<Slid>,
+    pub slid: Option<SlidingSummary>,
     /// Lines of the series.
     pub samples: usize,
 }
@@ -137,7 +137,7 @@ pub(super) struct Measured<'a> {
     pub samples: usize,
 }
 
-impl Outcome {
+impl TipSummary {
     /// The outcome of what was measured.
     pub(super) fn of(scene: &TipScene, measured: &Measured) -> Self {
         let (series, layers) = (measured.lines, measured.layers);
@@ -160,11 +160,11 @@ impl Outcome {
             .map(|line| [line[0], line[ANGLE]])
             .collect();
         let verdict = if !is_over || after == 0 || scene.drive == DriveKind::Slide {
-            Verdict::Open
+            Reversal::Open
         } else if last[ANGLE].abs() < BACK {
-            Verdict::Reversible
+            Reversal::Reversible
         } else {
-            Verdict::Irreversible
+            Reversal::Irreversible
         };
         let largest = series.iter().map(|line| line[ANGLE]);
         Self {
@@ -191,7 +191,7 @@ impl Outcome {
             },
             start: start(series, begin.max(-END), width),
             slid: (scene.drive == DriveKind::Slide)
-                .then(|| Slid::of(scene, &looks(series, off), measured.loops)),
+                .then(|| SlidingSummary::of(scene, &looks(series, off), measured.loops)),
             samples: measured.samples,
         }
     }
@@ -199,11 +199,11 @@ impl Outcome {
     /// As JSON, with the scene.
     pub fn json(&self, scene: &TipScene) -> Value {
         let verdict = match self.verdict {
-            Verdict::Reversible => "reversible",
-            Verdict::Irreversible => "irreversible",
-            Verdict::Open => "open",
+            Reversal::Reversible => "reversible",
+            Reversal::Irreversible => "irreversible",
+            Reversal::Open => "open",
         };
-        let plateau = |plateau: &Plateau| {
+        let plateau = |plateau: &AnglePlateau| {
             json!({
                 "from": json_number(plateau.from),
                 "to": json_number(plateau.to),
@@ -233,7 +233,7 @@ impl Outcome {
 }
 
 /// Equilibrium before the drive, from lines with three more numbers than the series.
-fn start(lines: &[Vec<f64>], from: f64, width: usize) -> Start {
+fn start(lines: &[Vec<f64>], from: f64, width: usize) -> EquilibriumCheck {
     let before = lines
         .iter()
         .filter(|line| line[0] >= from && line[0] <= 0.0);
@@ -246,7 +246,7 @@ fn start(lines: &[Vec<f64>], from: f64, width: usize) -> Start {
         energy: POTENTIAL,
         force: [width, width + 1, width + 2],
     };
-    Start::of(&before, columns)
+    EquilibriumCheck::of(&before, columns)
 }
 
 /// Looks at a slid tip while it is driven.
@@ -306,7 +306,7 @@ fn slipped(layers: &[f64]) -> Vec<usize> {
 }
 
 /// Successive longest intervals in which the angle stays within a width.
-fn plateaus(curve: &[[f64; 2]]) -> Vec<Plateau> {
+fn plateaus(curve: &[[f64; 2]]) -> Vec<AnglePlateau> {
     let mut found = Vec::new();
     let mut start = 0;
     while start < curve.len() {
@@ -321,7 +321,7 @@ fn plateaus(curve: &[[f64; 2]]) -> Vec<Plateau> {
         if to - from >= LOCKED_TIME {
             let sum: f64 = stretch.iter().map(|[_, angle]| angle).sum();
             let angle = sum / stretch.len() as f64;
-            found.push(Plateau { from, to, angle });
+            found.push(AnglePlateau { from, to, angle });
             start += stretch.len();
         } else {
             start += 1;
@@ -334,8 +334,8 @@ impl Measure for TipScene {
     type Error = TipError;
 
     fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, TipError> {
-        let mut run = TipRun::new(self)?;
-        drive(&mut run, |_, _| watch())?;
+        let mut run = TipSimulation::new(self)?;
+        run_to_end(&mut run, |_, _| watch())?;
         let summary = run.outcome().json(self);
         let rows = run.series().iter().cloned();
         let mut measurement = Measurement::new(&summary, &run.columns(), rows);

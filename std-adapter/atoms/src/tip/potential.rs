@@ -23,21 +23,21 @@ const BOLTZMANN: f64 = 1.380_649e-23 / 1.602_176_634e-19;
 /// | `eam:FILE,substrate=Cu,tip=Ni` | elements of a `setfl` file by their names | Å, eV, ps, K, u |
 ///
 /// ```
-/// use tribos::tip::Potential;
-/// let copper: Potential = "sutton-chen:Cu".parse()?;
+/// use tribos::tip::TipPotential;
+/// let copper: TipPotential = "sutton-chen:Cu".parse()?;
 /// assert!(copper.is_metal() && copper.to_string() == "sutton-chen:Cu");
 /// let [substrate, tip] = copper.spacings().ok_or("no crystal")?;
 /// assert!(substrate == tip && (substrate - 2.553).abs() < 0.02); // Å
 /// assert!((copper.boltzmann() * 300.0 - 0.02585).abs() < 1e-5); // eV
-/// assert!(!Potential::default().is_metal());
-/// let refused = "sutton-chen:Fe".parse::<Potential>();
+/// assert!(!TipPotential::default().is_metal());
+/// let refused = "sutton-chen:Fe".parse::<TipPotential>();
 /// assert!(refused.is_err_and(|error| error.to_string().contains("Ni, Cu")));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// A file is read once, when the text is.
 #[derive(Clone, Debug, Default)]
-pub struct Potential(Option<Arc<Metal>>);
+pub struct TipPotential(Option<Arc<Metal>>);
 
 /// A metal, and what its crystals are.
 #[derive(Debug)]
@@ -88,7 +88,7 @@ fn names() -> String {
     SUTTON_CHEN.map(|metal| metal.name).join(", ")
 }
 
-impl Potential {
+impl TipPotential {
     /// Whether it is a metal, in metal units.
     pub fn is_metal(&self) -> bool {
         self.0.is_some()
@@ -212,7 +212,7 @@ impl Metal {
     }
 }
 
-impl FromStr for Potential {
+impl FromStr for TipPotential {
     type Err = PotentialError;
 
     fn from_str(text: &str) -> Result<Self, PotentialError> {
@@ -227,14 +227,14 @@ impl FromStr for Potential {
     }
 }
 
-impl fmt::Display for Potential {
+impl fmt::Display for TipPotential {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.0.as_ref().map_or("lennard-jones", |metal| &metal.text))
     }
 }
 
 /// The same text and the same crystals.
-impl PartialEq for Potential {
+impl PartialEq for TipPotential {
     fn eq(&self, other: &Self) -> bool {
         self.to_string() == other.to_string()
             && self.spacings() == other.spacings()

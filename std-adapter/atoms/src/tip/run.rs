@@ -4,7 +4,7 @@ use super::build::{BuildError, TipSystem, build};
 use super::checkpoint::Checkpoint;
 use super::forces::TipForces;
 use super::loops::is_noted;
-use super::outcome::{Measured, Outcome};
+use super::outcome::{Measured, TipSummary};
 use super::shape::Part;
 use super::watch::{Watch, interval};
 use crate::md::interaction::Wanted;
@@ -60,7 +60,7 @@ pub enum TipError {
 /// ```
 /// use tribos::run::Simulation;
 /// use tribos::scene::TipScene;
-/// use tribos::tip::{Part, TipError, TipRun, Verdict};
+/// use tribos::tip::{Part, TipError, TipSimulation, Reversal};
 /// // A cold tip that is pushed for a moment: too short for the lattice to push back.
 /// let scene = TipScene {
 ///     lambda: 0.01,
@@ -77,24 +77,24 @@ pub enum TipError {
 ///     samples: 4,
 ///     ..TipScene::default()
 /// };
-/// let mut run = TipRun::new(&scene)?;
+/// let mut run = TipSimulation::new(&scene)?;
 /// run.step()?; // four steps of 0.005, to the next line of the series
 /// let free = 0.5 * scene.lambda * run.time() * run.time(); // angle = λt²/2
 /// assert!((run.angle() / free - 1.0).abs() < 0.02);
 /// assert_eq!(run.columns()[..2], ["time", "angle"]);
 /// assert_eq!(run.series()[1][1], run.angle().to_degrees());
-/// assert_eq!(run.outcome().verdict, Verdict::Open); // it is not over
+/// assert_eq!(run.outcome().verdict, Reversal::Open); // it is not over
 /// // It can go on from a file, which keeps all that was.
-/// let again = TipRun::resume(&scene, &run.checkpoint())?;
+/// let again = TipSimulation::resume(&scene, &run.checkpoint())?;
 /// assert_eq!(again.series(), run.series());
-/// assert!(matches!(TipRun::resume(&scene, "{}"), Err(TipError::Checkpoint(_))));
+/// assert!(matches!(TipSimulation::resume(&scene, "{}"), Err(TipError::Checkpoint(_))));
 /// // Atoms, each with its layer and its part.
 /// let last = run.system().atoms().len() - 1;
 /// assert_eq!((run.layers()[last], Part::ALL[usize::from(run.parts()[last])]), (7, Part::Driven));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
-pub struct TipRun {
+pub struct TipSimulation {
     scene: TipScene,
     system: System<TipForces>,
     layer_of: Vec<usize>,
@@ -103,7 +103,7 @@ pub struct TipRun {
     series: Vec<Vec<f64>>,
 }
 
-impl TipRun {
+impl TipSimulation {
     /// A run that starts from the crystal.
     pub fn new(scene: &TipScene) -> Result<Self, TipError> {
         let TipSystem {
@@ -225,7 +225,7 @@ impl TipRun {
     }
 
     /// The outcome, which does not depend on how often lines of the series are written.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> TipSummary {
         let measured = Measured {
             lines: self.watch.lines(),
             layers: first_columns(&self.scene),
@@ -233,7 +233,7 @@ impl TipRun {
             work: self.watch.work(),
             samples: self.series.len(),
         };
-        Outcome::of(&self.scene, &measured)
+        TipSummary::of(&self.scene, &measured)
     }
 
     /// Advances to a step and computes the sums of the interaction there.
@@ -367,7 +367,7 @@ fn first_columns(scene: &TipScene) -> usize {
         }
 }
 
-impl Simulation for TipRun {
+impl Simulation for TipSimulation {
     type Record = Vec<f64>;
     type Error = TipError;
 

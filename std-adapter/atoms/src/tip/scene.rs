@@ -2,7 +2,7 @@
 
 use crate::md::pair::Shift;
 use crate::md::system::Integrator;
-use crate::tip::{Face, LAYERS_OF_A_KIND, Outline, Potential, Shape};
+use crate::tip::{Face, LAYERS_OF_A_KIND, Shape, TipOutline, TipPotential};
 use tribos_base::record::brief;
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{self, Domain, Domain::*, MOST_SEEDS, Need::*, reads};
@@ -22,7 +22,7 @@ words!(DriveKind { Torque = "torque", Slide = "slide" });
 
 /// What the strength of the drive means; all driven atoms have the same angular acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
+pub enum TorqueNormalisation {
     /// Force over the distance from the axis.
     Angular,
     /// Mean force of the driven atoms.
@@ -30,7 +30,7 @@ pub enum Reading {
     /// Force on the outermost atom.
     Largest,
 }
-words!(Reading { Angular = "angular", Mean = "mean", Largest = "largest" });
+words!(TorqueNormalisation { Angular = "angular", Mean = "mean", Largest = "largest" });
 
 /// How the driven layers are held along z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,7 +44,7 @@ words!(DrivenHold { Plane = "plane", Level = "level" });
 
 /// What keeps the temperature of the bath layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BathKind {
+pub enum ThermostatKind {
     /// A Nosé–Hoover thermostat.
     NoseHoover,
     /// A Langevin thermostat.
@@ -52,29 +52,29 @@ pub enum BathKind {
     /// Nothing.
     None,
 }
-words!(BathKind { NoseHoover = "nose-hoover", Langevin = "langevin", None = "none" });
+words!(ThermostatKind { NoseHoover = "nose-hoover", Langevin = "langevin", None = "none" });
 
 /// Whether the tip's common motion is heat for its thermostat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BathSpin {
+pub enum ThermostatBias {
     /// The rotation of a turned tip, or the velocity of a slid one, is left alone.
     Spared,
     /// The common motion counts as heat.
     Counts,
 }
-words!(BathSpin { Spared = "spared", Counts = "counts" });
+words!(ThermostatBias { Spared = "spared", Counts = "counts" });
 
-/// A potential of atoms, as [`Potential`] reads it.
+/// A potential of atoms, as [`TipPotential`] reads it.
 const POTENTIAL: Domain = Form(&key::Form {
     name: "potential",
     valid: "\"lennard-jones\", \"sutton-chen:Cu\" or another metal, or \"eam:FILE\"",
-    read: reads::<Potential>,
+    read: reads::<TipPotential>,
     numbers: None,
     names_absence: true,
 });
-tribos_base::spelled!(Potential);
+tribos_base::spelled!(TipPotential);
 
-words!(Outline { Hexagon = "hexagon", Disk = "disk", Cone = "cone" });
+words!(TipOutline { Hexagon = "hexagon", Disk = "disk", Cone = "cone" });
 words!(Face { Fcc111 = "fcc111", Fcc100 = "fcc100", Fcc110 = "fcc110" });
 words!(Shift { None = "none", Energy = "energy", Force = "force" });
 words!(Integrator { LeapFrog = "leap-frog", VelocityVerlet = "velocity-verlet" });
@@ -112,7 +112,7 @@ scene! {
     /// The default is the thesis' tip of 6330 atoms under its weakest drive.
     ///
     /// ```
-    /// use tribos::{run::Simulation, scene::TipScene, tip::TipRun};
+    /// use tribos::{run::Simulation, scene::TipScene, tip::TipSimulation};
     /// let scene = TipScene {
     ///     columns: 8,
     ///     rows: 8,
@@ -121,7 +121,7 @@ scene! {
     ///     side: 2,
     ///     ..TipScene::default()
     /// };
-    /// let mut run = TipRun::new(&scene)?;
+    /// let mut run = TipSimulation::new(&scene)?;
     /// assert!(run.step()?); // to the next line of the series
     /// # Ok::<(), tribos::tip::TipError>(())
     /// ```
@@ -130,7 +130,7 @@ scene! {
 
     /// Potential of all atoms. With a metal lengths are in A, energies in eV, times in ps, temperatures
     /// in K and forces in eV/A where other keys say sigma, eps, tau, eps/k_B and eps/sigma.
-    potential: Potential = Potential::default(), "-", POTENTIAL;
+    potential: TipPotential = TipPotential::default(), "-", POTENTIAL;
     /// Distance of neighbours in a Lennard-Jones crystal, at most 2; the default is that of the potential's
     /// minimum. A metal's follows from its potential, see `expansion`.
     // 2^(1/6) (thesis, section 5.3).
@@ -154,7 +154,7 @@ scene! {
     /// Atoms on a side of the tip's top layer, or from its middle to its rim.
     side: usize = 10, "-", Count { from: 1.0, up_to: 300.0 };
     /// Outline of the tip's layers.
-    outline: Outline = Outline::Hexagon, "-", OneOf(Outline::WORDS);
+    outline: TipOutline = TipOutline::Hexagon, "-", OneOf(TipOutline::WORDS);
     /// Angle by which the tip's close-packed rows are turned out of those of the substrate.
     orientation: f64 = 0.0, "degree", Between { above: -180.0, up_to: 180.0 };
     /// Height of the driven layers above their place in the crystal.
@@ -172,7 +172,7 @@ scene! {
     /// Torque: force on each driven atom, see `reading`.
     lambda: f64 = 0.017, "eps/sigma^2", Finite, UnlessGiven("speed");
     /// Meaning of lambda: the force at a distance of sigma from the axis, or the mean or largest force.
-    reading: Reading = Reading::Angular, "-", OneOf(Reading::WORDS);
+    reading: TorqueNormalisation = TorqueNormalisation::Angular, "-", OneOf(TorqueNormalisation::WORDS);
     /// How driven layers are held: z of each atom fixed, or z common and free under `load`.
     hold: DrivenHold = DrivenHold::Plane, "-", OneOf(DrivenHold::WORDS);
     /// Force on each driven atom towards the substrate; if left out it is 0.
@@ -188,14 +188,14 @@ scene! {
     // Thesis, section 5.3.
     temperature: f64 = 0.1, "eps/k_B", NotNegative;
     /// Thermostat of the bath layers.
-    thermostat: BathKind = BathKind::NoseHoover, "-", OneOf(BathKind::WORDS);
+    thermostat: ThermostatKind = ThermostatKind::NoseHoover, "-", OneOf(ThermostatKind::WORDS);
     /// Relaxation time of the Nose-Hoover thermostat.
     relaxation: f64 = 0.5, "tau", Positive;
     /// Rate of the Langevin thermostat.
     friction: f64 = 1.0, "1/tau", Positive;
     /// Whether the tip's common motion is heat for its thermostat: the rotation of a turned tip
     /// (Nose-Hoover only), the velocity of a slid one.
-    spin: BathSpin = BathSpin::Spared, "-", OneOf(BathSpin::WORDS);
+    spin: ThermostatBias = ThermostatBias::Spared, "-", OneOf(ThermostatBias::WORDS);
     /// Damping rate gamma of the driven atoms: the force on each is -gamma m v, with v relative to
     /// the support of a slid tip.
     damping: f64 = 0.1, "1/tau", NotNegative;
@@ -234,7 +234,7 @@ fn rules(scene: &TipScene, judge: &mut Judge<'_>) {
     slide_turns(scene, judge);
     // A thermostat cannot relax within a step: its unknown would swing faster than it is followed.
     let (relaxation, step) = (scene.relaxation, scene.time_step);
-    if scene.thermostat == BathKind::NoseHoover && relaxation < step {
+    if scene.thermostat == ThermostatKind::NoseHoover && relaxation < step {
         let message = format!(
             "`relaxation` is {relaxation}, less than a `time_step` of {step}; give at least that"
         );

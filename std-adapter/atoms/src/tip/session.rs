@@ -1,12 +1,12 @@
 //! Turned tips as long runs.
 
-use super::{TipError, TipRun};
+use super::{TipError, TipSimulation};
 use crate::tip::scene::TipScene;
 use std::ops::ControlFlow;
 use tribos_base::record::frames::{Bodies, Frame};
 use tribos_base::run::{Cause, LongRun};
 
-impl LongRun for TipRun {
+impl LongRun for TipSimulation {
     type Scene = TipScene;
 
     /// The crystal is placed at once.

@@ -12,7 +12,7 @@ pub const LAYERS_OF_A_KIND: usize = 2;
 
 /// Outline of the tip's layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outline {
+pub enum TipOutline {
     /// A regular hexagon with two corners on the close-packed row through its middle.
     Hexagon,
     /// A disk with the hexagon's corners on its rim.
@@ -24,7 +24,7 @@ pub enum Outline {
 /// Shape of a tip on a substrate. Lengths in any unit.
 ///
 /// ```
-/// use tribos::tip::{Face, Outline, Shape, Site};
+/// use tribos::tip::{Face, TipOutline, Shape, Site};
 /// let shape = Shape {
 ///     face: Face::Fcc111,
 ///     tip_face: Face::Fcc111,
@@ -35,7 +35,7 @@ pub enum Outline {
 ///     substrate_layers: 4,
 ///     tip_layers: 4,
 ///     side: 2,
-///     outline: Outline::Hexagon,
+///     outline: TipOutline::Hexagon,
 ///     orientation: 0.0,
 ///     raise: 0.0,
 /// };
@@ -70,7 +70,7 @@ pub struct Shape {
     /// Atoms on a side of the tip's top layer.
     pub side: usize,
     /// Outline of the tip's layers.
-    pub outline: Outline,
+    pub outline: TipOutline,
     /// Angle by which the tip is turned about the vertical, in radians; at 0 the close-packed rows of
     /// both crystals are along x.
     pub orientation: f64,
@@ -81,7 +81,7 @@ pub struct Shape {
 /// Parts of the system, from below (thesis, fig. 5.1, with its colours).
 ///
 /// ```
-/// # use tribos::tip::{Face, Outline, Shape};
+/// # use tribos::tip::{Face, TipOutline, Shape};
 /// use tribos::tip::{LAYERS_OF_A_KIND, Part};
 /// # let shape = Shape {
 /// #     face: Face::Fcc111,
@@ -93,7 +93,7 @@ pub struct Shape {
 /// #     substrate_layers: 5,
 /// #     tip_layers: 4,
 /// #     side: 2,
-/// #     outline: Outline::Hexagon,
+/// #     outline: TipOutline::Hexagon,
 /// #     orientation: 0.0,
 /// #     raise: 0.0,
 /// # };
@@ -289,7 +289,7 @@ impl Shape {
     fn tip_layer(&self, layer: usize) -> Vec<[f64; 2]> {
         let below_top = self.layers() - 1 - layer;
         let side = match self.outline {
-            Outline::Cone => self.side - below_top.min(self.side - 1),
+            TipOutline::Cone => self.side - below_top.min(self.side - 1),
             _ => self.side,
         };
         let (sin, cos) = libm::sincos(self.orientation);
@@ -308,7 +308,7 @@ impl Shape {
         let row_distance = self.tip_face.row_distance(self.tip_spacing);
         let is_triangular = self.tip_face == Face::Fcc111;
         let is_inside = |q: i64, r: i64| match (is_triangular, self.outline) {
-            (true, Outline::Disk) => q * q + q * r + r * r <= reach * reach,
+            (true, TipOutline::Disk) => q * q + q * r + r * r <= reach * reach,
             (true, _) => q.abs().max(r.abs()).max((q + r).abs()) <= reach,
             (false, outline) => {
                 let x = (q as f64 * self.tip_spacing).abs();
@@ -332,12 +332,12 @@ impl Shape {
 }
 
 /// Whether a place at these distances from both axes is within an outline, rounded outwards.
-fn is_within(outline: Outline, reach: f64, [x, y]: [f64; 2]) -> bool {
+fn is_within(outline: TipOutline, reach: f64, [x, y]: [f64; 2]) -> bool {
     const ROUNDING: f64 = 1e-9;
     let reach = reach * (1.0 + ROUNDING);
     match outline {
-        Outline::Disk => x * x + y * y <= reach * reach,
-        Outline::Hexagon | Outline::Cone => {
+        TipOutline::Disk => x * x + y * y <= reach * reach,
+        TipOutline::Hexagon | TipOutline::Cone => {
             let slope = 3.0_f64.sqrt();
             y <= 0.5 * slope * reach && y <= slope * (reach - x)
         }

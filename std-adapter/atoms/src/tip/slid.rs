@@ -40,7 +40,7 @@ pub(super) struct Look {
 /// ```
 /// use tribos::run::drive;
 /// use tribos::scene::{DriveKind, DrivenHold, TipScene};
-/// use tribos::tip::{Slid, TipRun};
+/// use tribos::tip::{SlidingSummary, TipSimulation};
 /// // A cold tip on a weakly attracting substrate, pulled forth by half a spacing and back, twice.
 /// let scene = TipScene {
 ///     drive: DriveKind::Slide,
@@ -61,9 +61,9 @@ pub(super) struct Look {
 ///     time_step: 0.01,
 ///     ..TipScene::default()
 /// };
-/// let mut run = TipRun::new(&scene)?;
+/// let mut run = TipSimulation::new(&scene)?;
 /// drive(&mut run, |_, _| ())?;
-/// let slid: Slid = run.outcome().slid.ok_or("it is slid")?;
+/// let slid: SlidingSummary = run.outcome().slid.ok_or("it is slid")?;
 /// assert_eq!((slid.strokes, slid.loops), (4, 1));
 /// assert!((slid.loop_work - slid.friction * 2.0 * 0.6).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -71,7 +71,7 @@ pub(super) struct Look {
 ///
 /// *Units*: those of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slid {
+pub struct SlidingSummary {
     /// Complete strokes of the support; 1 for a support that does not turn.
     pub strokes: usize,
     /// Mean force over the second half of the strokes forth.
@@ -102,7 +102,7 @@ pub struct Slid {
     pub stored: f64,
 }
 
-impl Slid {
+impl SlidingSummary {
     /// What a run of a slid tip shows so far, from its lines for averages and its loops.
     pub(super) fn of(scene: &TipScene, looks: &[Look], loops: &Loops) -> Self {
         let drive = scene.stage_steps().driven as f64 * scene.time_step;

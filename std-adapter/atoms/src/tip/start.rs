@@ -12,7 +12,7 @@ use tribos_base::record::json_number;
 /// ```
 /// use tribos::run::drive;
 /// use tribos::scene::TipScene;
-/// use tribos::tip::{Start, TipRun};
+/// use tribos::tip::{EquilibriumCheck, TipSimulation};
 /// let scene = TipScene {
 ///     lambda: 0.0,
 ///     columns: 8,
@@ -25,9 +25,9 @@ use tribos_base::record::json_number;
 ///     rest_time: 0.0,
 ///     ..TipScene::default()
 /// };
-/// let mut run = TipRun::new(&scene)?;
+/// let mut run = TipSimulation::new(&scene)?;
 /// drive(&mut run, |_, _| ())?;
-/// let start: Start = run.outcome().start;
+/// let start: EquilibriumCheck = run.outcome().start;
 /// assert!(start.force[0].abs() < 10.0 * start.force_error[0]);
 /// assert!(start.torque.abs() < 10.0 * start.torque_error);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -36,7 +36,7 @@ use tribos_base::record::json_number;
 /// *Units*: those of the scene. *Accuracy*: errors are standard errors of lines 0.5 τ apart
 /// (closer if a stage is short), treated as independent; neighbouring ones are correlated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Start {
+pub struct EquilibriumCheck {
     /// Mean force of all other atoms on a driven atom.
     pub force: [f64; 3],
     /// Standard errors of `force`.
@@ -74,7 +74,7 @@ pub(super) struct Columns {
     pub force: [usize; 3],
 }
 
-impl Start {
+impl EquilibriumCheck {
     /// From lines before the drive, whose first column is the time.
     pub(super) fn of(lines: &[&[f64]], columns: Columns) -> Self {
         let [mean, error, slope] =
@@ -161,7 +161,7 @@ mod tests {
             energy: 3,
             force: [1, 2, 9],
         };
-        let start = Start::of(&lines, columns);
+        let start = EquilibriumCheck::of(&lines, columns);
         assert_eq!((start.force[0], start.force[1]), (3.0, 0.0));
         assert!(start.force[2].is_nan());
         assert_eq!((start.torque, start.torque_error), (5.0, 0.0));
@@ -170,6 +170,6 @@ mod tests {
         assert_eq!(start.temperature, [3.0, -5.0]);
         assert_eq!(start.lines, 8);
         // No line, no number.
-        assert!(Start::of(&[], columns).torque.is_nan());
+        assert!(EquilibriumCheck::of(&[], columns).torque.is_nan());
     }
 }

@@ -11,13 +11,13 @@ const DIGITS: usize = 16;
 /// A checkpoint from which a run cannot resume.
 ///
 /// ```
-/// use tribos::powder::{Compaction, CompactionError};
+/// use tribos::powder::{PowderSimulation, CompactionError};
 /// use tribos::record::CheckpointError;
 /// use tribos::scene::PowderScene;
 /// let light = PowderScene { width: 6.0, height: 8.0, pressure: 0.01, ..PowderScene::default() };
 /// let heavy = PowderScene { pressure: 0.02, ..light.clone() };
-/// let kept = Compaction::new(&light)?.checkpoint();
-/// let refused = Compaction::resume(&heavy, &kept);
+/// let kept = PowderSimulation::new(&light)?.checkpoint();
+/// let refused = PowderSimulation::resume(&heavy, &kept);
 /// assert!(matches!(
 ///     refused,
 ///     Err(CompactionError::Checkpoint(CheckpointError::Scene { key, .. })) if key == "pressure"

@@ -50,7 +50,7 @@ pub enum Cause {
 
 /// Where a run starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Start {
+pub enum StartMode {
     /// At its beginning.
     Fresh,
     /// From its checkpoint.

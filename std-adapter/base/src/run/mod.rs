@@ -16,7 +16,7 @@ mod session;
 pub use folder::FolderError;
 #[doc(hidden)]
 pub use long_run::{Cause, LongRun};
-pub use long_run::{NoCheckpoint, RunError, Start};
+pub use long_run::{NoCheckpoint, RunError, StartMode};
 #[doc(hidden)]
 pub use parallel::in_order;
 pub use session::Session;
@@ -85,7 +85,7 @@ pub trait Simulation {
 }
 
 /// Runs to the end; `observe` sees the first state, the state after every step, and the progress.
-pub fn drive<S: Simulation>(
+pub fn run_to_end<S: Simulation>(
     simulation: &mut S,
     mut observe: impl FnMut(S::Record, f64),
 ) -> Result<(), S::Error> {

@@ -2,7 +2,7 @@
 
 use super::film::Film;
 use super::folder::{FolderError, Lock, Sharing, remove_file};
-use super::long_run::{Cause, LongRun, NoCheckpoint, RunError, Start};
+use super::long_run::{Cause, LongRun, NoCheckpoint, RunError, StartMode};
 use crate::record::{read_text, with_number, write_atomically_there};
 use std::fmt;
 use std::ops::ControlFlow;
@@ -32,16 +32,16 @@ enum FinalCheckpoint {
 /// ends with the same bits as without interruption. The last checkpoint contains the final state.
 ///
 /// ```
-/// use tribos::powder::Compaction;
+/// use tribos::powder::PowderSimulation;
 /// use tribos::run::Session;
 /// # use tribos::scene::{Scene, parse_scene};
 /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 20";
 /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
 /// let folder = std::env::temp_dir().join(format!("tribos-session-{}", std::process::id()));
 /// let mut checkpoints = 0;
-/// let run: Compaction = Session::in_folder(&folder)?
+/// let run: PowderSimulation = Session::in_folder(&folder)?
 ///     .frames(0)
-///     .on_checkpoint(|run: &Compaction, file| {
+///     .on_checkpoint(|run: &PowderSimulation, file| {
 ///         checkpoints += 1;
 ///         assert!(file.exists() && run.steps() <= 20);
 ///     })
@@ -53,7 +53,7 @@ enum FinalCheckpoint {
 pub struct Session<'a, R> {
     lock: Arc<Lock>,
     folder: PathBuf,
-    start: Start,
+    start: StartMode,
     pause: Duration,
     frames: Option<u64>,
     end: FinalCheckpoint,
@@ -89,7 +89,7 @@ impl<'a, R: LongRun> Session<'a, R> {
         Self {
             lock,
             folder: folder.to_owned(),
-            start: Start::Fresh,
+            start: StartMode::Fresh,
             pause: PAUSE,
             frames: None,
             end: FinalCheckpoint::Written,
@@ -101,7 +101,7 @@ impl<'a, R: LongRun> Session<'a, R> {
     }
 
     /// Where the run starts; by default at its beginning.
-    pub fn start(self, start: Start) -> Self {
+    pub fn start(self, start: StartMode) -> Self {
         Self { start, ..self }
     }
 
@@ -150,26 +150,26 @@ impl<'a, R: LongRun> Session<'a, R> {
     /// Runs to the end.
     pub fn run(mut self, scene: &R::Scene) -> Result<R, RunError<R::Error>> {
         let first = match self.start {
-            Start::Fresh => Start::Fresh,
-            _ => Start::Resume,
+            StartMode::Fresh => StartMode::Fresh,
+            _ => StartMode::Resume,
         };
         let mut end = self.attempt(scene, first);
-        if self.start == Start::ResumeIfPossible
+        if self.start == StartMode::ResumeIfPossible
             && end.as_ref().is_err_and(RunError::is_of_earlier_run)
         {
-            end = self.attempt(scene, Start::Fresh);
+            end = self.attempt(scene, StartMode::Fresh);
         }
         end.map_err(|error| self.explained(error))
     }
 
-    fn attempt(&mut self, scene: &R::Scene, start: Start) -> Result<R, RunError<R::Error>> {
+    fn attempt(&mut self, scene: &R::Scene, start: StartMode) -> Result<R, RunError<R::Error>> {
         self.lock.check()?;
         std::fs::create_dir_all(&self.folder)
             .map_err(|error| FolderError::access("make", &self.folder, error))?;
         let file = self.folder.join(CHECKPOINT);
         let (mut run, mut film) = {
             let kept = match start {
-                Start::Fresh => None,
+                StartMode::Fresh => None,
                 _ => Some(read_checkpoint(&file)?),
             };
             let run = self.begin(scene, kept.as_deref())?;

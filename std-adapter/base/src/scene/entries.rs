@@ -1,7 +1,7 @@
 //! Keys and values of a scene with the place each was written at.
 
 use super::hint::number_hint;
-use super::problem::{Origin, Problem};
+use super::problem::{Origin, SceneProblem};
 use std::collections::BTreeMap;
 use toml::de::{DeTable, DeValue};
 
@@ -58,7 +58,10 @@ pub struct Entries {
 impl Entries {
     /// Parses the file and puts the overrides over it; an override that cannot be read becomes a
     /// problem. Of a file that is not TOML nothing else is judged: that is the only problem then.
-    pub fn parse(text: &str, overrides: &[String]) -> Result<(Self, Vec<Problem>), Vec<Problem>> {
+    pub fn parse(
+        text: &str,
+        overrides: &[String],
+    ) -> Result<(Self, Vec<SceneProblem>), Vec<SceneProblem>> {
         let mut entries = Self::default();
         let mut problems = Vec::new();
         // Bytes that editors put first and TOML does not know.
@@ -77,7 +80,7 @@ impl Entries {
             Err(error) => {
                 let line = error.span().map_or(1, |span| lines.number(span.start));
                 let message = format!("not TOML: {}; {}", error.message(), cure(text, line));
-                return Err(vec![Problem::new(Origin::Line(line), message)]);
+                return Err(vec![SceneProblem::new(Origin::Line(line), message)]);
             }
         }
         for item in overrides {
@@ -88,7 +91,7 @@ impl Entries {
                         .values
                         .insert(key.trim().to_owned(), (value, Origin::Override));
                 }
-                _ => problems.push(Problem::new(
+                _ => problems.push(SceneProblem::new(
                     Origin::Override,
                     format!("`{item}` is not of the form key=value"),
                 )),

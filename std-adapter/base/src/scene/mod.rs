@@ -18,7 +18,7 @@ pub mod words;
 
 pub use hint::{nearest, number_hint};
 pub use key::{BODY, Domain, Form, Key, Need};
-pub use problem::{InvalidScene, Problem, SceneError};
+pub use problem::{InvalidScene, SceneError, SceneProblem};
 pub use table::Body;
 pub use words::UnknownWord;
 

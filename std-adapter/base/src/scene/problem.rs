@@ -17,7 +17,7 @@ pub enum Origin {
 
 /// One thing that is wrong, and its cure.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Problem {
+pub struct SceneProblem {
     /// Where the value was written.
     #[doc(hidden)]
     pub origin: Origin,
@@ -26,7 +26,7 @@ pub struct Problem {
     pub message: String,
 }
 
-impl Problem {
+impl SceneProblem {
     /// A problem at a place.
     #[doc(hidden)]
     pub fn new(origin: Origin, message: impl Into<String>) -> Self {
@@ -52,23 +52,23 @@ impl Problem {
 /// assert_eq!(refused, Err(told.into()));
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the {body} scene cannot be run: {}", .problems.iter().map(Problem::message).collect::<Vec<_>>().join("; "))]
+#[error("the {body} scene cannot be run: {}", .problems.iter().map(SceneProblem::message).collect::<Vec<_>>().join("; "))]
 pub struct InvalidScene {
     /// The body of the scene.
     pub body: &'static str,
     /// Everything that is wrong: each names the key, its value and what would be valid.
-    pub problems: Vec<Problem>,
+    pub problems: Vec<SceneProblem>,
 }
 
 /// A scene that cannot be run.
 ///
 /// ```
-/// use tribos::scene::{Problem, SceneError, parse_scene};
+/// use tribos::scene::{SceneProblem, SceneError, parse_scene};
 /// let text = "body = \"curling\"\nspeed = -2\nspinn = 1.5";
 /// let Err(error) = parse_scene("rock.toml", text, &[]) else { unreachable!() };
 /// assert!(error.to_string().starts_with("rock.toml:2: `speed` must be a finite number >= 0"));
 /// let SceneError::Invalid { problems, .. } = error else { unreachable!() };
-/// let messages: Vec<&str> = problems.iter().map(Problem::message).collect();
+/// let messages: Vec<&str> = problems.iter().map(SceneProblem::message).collect();
 /// assert_eq!(messages.len(), 3); // all at once, and `spin` is missing
 /// assert_eq!(messages[1], "unknown key `spinn`; did you mean `spin`?");
 /// ```
@@ -86,14 +86,14 @@ pub enum SceneError {
         /// Name of the file.
         name: String,
         /// Everything that is wrong, in the order of the file.
-        problems: Vec<Problem>,
+        problems: Vec<SceneProblem>,
     },
 }
 
 impl SceneError {
     /// All that is wrong with the file `name`.
     #[doc(hidden)]
-    pub fn invalid(name: &str, problems: Vec<Problem>) -> Self {
+    pub fn invalid(name: &str, problems: Vec<SceneProblem>) -> Self {
         let name = name.to_owned();
         Self::Invalid { name, problems }
     }
@@ -106,7 +106,7 @@ impl fmt::Display for SceneError {
                 write!(f, "cannot read the scene {}: {cause}", path.display())
             }
             Self::Invalid { name, problems } => {
-                for (i, Problem { origin, message }) in problems.iter().enumerate() {
+                for (i, SceneProblem { origin, message }) in problems.iter().enumerate() {
                     let newline = if i > 0 { "\n" } else { "" };
                     match origin {
                         Origin::Line(line) => write!(f, "{newline}{name}:{line}: {message}")?,

@@ -3,7 +3,7 @@
 use super::entries::{Entries, Written};
 use super::hint::nearest;
 use super::key::{Key, Need};
-use super::problem::{Origin, Problem};
+use super::problem::{Origin, SceneProblem};
 use super::table::Table;
 
 /// Unknown keys that are named one by one; a file with more is something else than a scene.
@@ -14,7 +14,7 @@ const MOST_UNKNOWN: usize = 20;
 pub struct Judge<'a> {
     /// The file; none for a scene that was made in a program.
     file: Option<&'a Entries>,
-    problems: Vec<Problem>,
+    problems: Vec<SceneProblem>,
     /// Keys whose values cannot be relied on.
     doubtful: Vec<&'static str>,
 }
@@ -28,7 +28,7 @@ impl<'a> Judge<'a> {
         }
         let mut places = keys.iter().filter_map(|key| self.place(key));
         let origin = places.next().unwrap_or(Origin::File);
-        self.problems.push(Problem::new(origin, message));
+        self.problems.push(SceneProblem::new(origin, message));
         self.doubtful.extend(keys.first());
     }
 
@@ -49,12 +49,12 @@ impl<'a> Judge<'a> {
         let mut strangers = entries.values.iter().filter(|(name, _)| !is_known(name));
         for (name, (_, origin)) in strangers.by_ref().take(MOST_UNKNOWN) {
             self.problems
-                .push(Problem::new(*origin, unknown(keys, name)));
+                .push(SceneProblem::new(*origin, unknown(keys, name)));
         }
         let more = strangers.count();
         if more > 0 {
             let message = format!("and {more} more keys that are unknown");
-            self.problems.push(Problem::new(Origin::File, message));
+            self.problems.push(SceneProblem::new(Origin::File, message));
         }
     }
 
@@ -143,7 +143,7 @@ impl<'a> Judge<'a> {
     }
 
     /// All problems in the order of the file.
-    fn finish(mut self) -> Vec<Problem> {
+    fn finish(mut self) -> Vec<SceneProblem> {
         self.problems.sort_by_key(|problem| match problem.origin {
             Origin::Line(line) => (0, line),
             Origin::Override => (1, 0),
@@ -154,7 +154,10 @@ impl<'a> Judge<'a> {
 }
 
 /// The scene of a file's entries, or everything that is wrong with them.
-pub fn read<T: Table>(entries: &Entries, problems: Vec<Problem>) -> Result<T, Vec<Problem>> {
+pub fn read<T: Table>(
+    entries: &Entries,
+    problems: Vec<SceneProblem>,
+) -> Result<T, Vec<SceneProblem>> {
     let entries = &in_place::<T>(entries);
     let mut judge = Judge {
         file: Some(entries),
@@ -224,7 +227,7 @@ fn in_place<T: Table>(entries: &Entries) -> Entries {
 }
 
 /// Everything that is wrong with the fields of a scene.
-pub fn check<T: Table>(scene: &T) -> Vec<Problem> {
+pub fn check<T: Table>(scene: &T) -> Vec<SceneProblem> {
     let mut judge = Judge {
         file: None,
         problems: Vec::new(),

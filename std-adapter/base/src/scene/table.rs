@@ -2,7 +2,7 @@
 
 use super::entries::{Entries, Written};
 use super::key::{Domain, Key, Need};
-use super::problem::{InvalidScene, Problem, SceneError};
+use super::problem::{InvalidScene, SceneError, SceneProblem};
 use super::reader::{self, Judge};
 use super::words::Word;
 use crate::record::json_number;
@@ -239,7 +239,10 @@ pub trait Table: Clone + Debug + Default + PartialEq + 'static {
     }
 
     /// Reads the entries of a file of this body.
-    fn from_entries(entries: &Entries, problems: Vec<Problem>) -> Result<Self, Vec<Problem>> {
+    fn from_entries(
+        entries: &Entries,
+        problems: Vec<SceneProblem>,
+    ) -> Result<Self, Vec<SceneProblem>> {
         reader::read(entries, problems)
     }
 }

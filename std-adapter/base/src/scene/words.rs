@@ -18,10 +18,10 @@ pub trait Word: Copy + 'static {
 /// A text that is none of the words of its type.
 ///
 /// ```
-/// use tribos::scene::{Stepper, UnknownWord};
-/// assert_eq!("verlet".parse(), Ok(Stepper::Verlet));
-/// assert_eq!(Stepper::Verlet.to_string(), "verlet");
-/// let refused: Result<Stepper, UnknownWord> = "verlett".parse();
+/// use tribos::scene::{SliderIntegrator, UnknownWord};
+/// assert_eq!("verlet".parse(), Ok(SliderIntegrator::Verlet));
+/// assert_eq!(SliderIntegrator::Verlet.to_string(), "verlet");
+/// let refused: Result<SliderIntegrator, UnknownWord> = "verlett".parse();
 /// assert!(refused.is_err_and(|error| error.to_string().ends_with("did you mean \"verlet\"?")));
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -7,11 +7,11 @@ use tribos_core::contact::ContactError;
 /// Why a world cannot start or continue.
 ///
 /// ```
-/// use tribos::cd::{Laws, Setup, World, WorldError, solid};
+/// use tribos::cd::{WorldMaterials, WorldSetup, World, WorldError, solid};
 /// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
 /// use tribos::kernel::nalgebra::Vector3;
-/// let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, IndependentFriction::none());
-/// let mut setup = Setup::new(smooth).sphere(Vector3::zeros(), 0.05, solid(0.05, 1900.0));
+/// let smooth = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, IndependentFriction::none());
+/// let mut setup = WorldSetup::new(smooth).sphere(Vector3::zeros(), 0.05, solid(0.05, 1900.0));
 /// setup.step_limits.longest = 0.0;
 /// assert!(matches!(World::new(setup), Err(WorldError::StepLimits { .. })));
 /// # Ok::<(), tribos::kernel::law::LawError>(())

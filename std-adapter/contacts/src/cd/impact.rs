@@ -62,7 +62,7 @@ pub(super) struct Surroundings<'a, F> {
     pub dt: f64,
 }
 
-/// Statistics of the impacts of a step.
+/// ContactStatistics of the impacts of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Counts {
     /// Contacts that received an impact, counted once per round.
@@ -84,7 +84,7 @@ pub(super) struct Impacts<F: ContactFriction<f64>> {
     pub walls: Vec<Wall>,
     /// Energies taken by the impacts, and the work of the loads so far.
     pub taken: Taken,
-    /// Statistics of the impacts.
+    /// ContactStatistics of the impacts.
     pub counts: Counts,
     /// Impulses of pairs and at walls; after [`Impacts::run`] in ascending order of the bodies.
     pub(super) impulses: [Vec<StoredForce<F::Modes>>; 2],
@@ -236,7 +236,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     }
 }
 
-/// Criterion for an impact.
+/// BlockedCriterion for an impact.
 struct Closing {
     dt: f64,
     slow: f64,

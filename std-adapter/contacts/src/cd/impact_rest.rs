@@ -4,7 +4,7 @@
 //! changes them by the rounding of the bodies' velocities without end, and no tolerance relative to
 //! the impulse can be met.
 
-use super::nsgs::{Iterations, Order, Stop, Sweeper, solve};
+use super::nsgs::{IterationOrder, Iterations, StopRule, Sweeper, solve};
 use super::operator::{NoMonitor, Operator, Visit};
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
@@ -20,12 +20,12 @@ const EACH: usize = 20;
 
 /// Sweeps until every contact has converged, for at most `most` sweeps.
 pub(super) fn settle<F: ContactFriction<f64>>(problem: &mut Spheres<F>, most: usize) -> Iterations {
-    let mut sweeper = Sweeper::new(Order::Fixed, 0);
+    let mut sweeper = Sweeper::new(IterationOrder::Fixed, 0);
     let mut sweeps = 0;
     let mut met = false;
     while sweeps < most && !met {
         let some = EACH.min(most - sweeps);
-        let iterations = solve(problem, &mut sweeper, Stop::Local(TOLERANCE), some);
+        let iterations = solve(problem, &mut sweeper, StopRule::Local(TOLERANCE), some);
         sweeps += iterations.sweeps;
         met = iterations.met;
         if !met && sweeps < most {
@@ -85,7 +85,10 @@ fn rounding<M: ContactModes<f64>>(link: &Link<M>, velocities: [[Vector3<f64>; 2]
 #[cfg(test)]
 mod tests {
     use crate::cd::internals::Coefficients;
-    use crate::cd::{Laws, Method, Setup, Solver, StepLimits, StepReport, Wall, World, solid};
+    use crate::cd::{
+        ContactSolver, SolverMethod, StepLimits, StepReport, Wall, World, WorldMaterials,
+        WorldSetup, solid,
+    };
     use nalgebra::Vector3;
     use tribos_base::space::PeriodicBox;
     use tribos_core::contact::{
@@ -104,7 +107,7 @@ mod tests {
             velocity: Vector3::x() - up * (level + 1) as f64,
             ..solid(1.0, 1.0)
         };
-        let mut world = World::new(Setup {
+        let mut world = World::new(WorldSetup {
             space: PeriodicBox::OPEN,
             positions: (0..count)
                 .map(|level| up * (1.0 + 2.0 * level as f64))
@@ -112,7 +115,7 @@ mod tests {
             radii: vec![1.0; count],
             spheres: (0..count).map(thrown).collect(),
             walls: vec![Wall::fixed(up, 0.0)],
-            laws: Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, friction),
+            laws: WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, friction),
             mixture: None,
             gravity: Vector3::zeros(),
             shear_rate: 0.0,
@@ -120,8 +123,8 @@ mod tests {
                 longest: 0.01,
                 motion: 0.1,
             },
-            solver: Solver {
-                method: Method::Accelerated { tolerance: 1e-9 },
+            solver: ContactSolver {
+                method: SolverMethod::Accelerated { tolerance: 1e-9 },
                 most_sweeps: 100,
                 warm_start: true,
             },

@@ -12,7 +12,7 @@ pub type StoredForce<M> = ([u32; 2], ContactVector<f64, M>);
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{Order, Stop};
+/// # use tribos::cd::{SweepOrder, StopRule};
 /// # use tribos::cd::internals::{StoredForce, Link, Memory, Spheres, Sweeper, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
@@ -27,7 +27,7 @@ pub type StoredForce<M> = ([u32; 2], ContactVector<f64, M>);
 /// # problem.walls.push(Link { bodies: [0, 0], contact });
 /// # problem.start();
 /// // A ball of 1 kg that rests on the floor, after a step of 1 ms.
-/// solve(&mut problem, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 1);
+/// solve(&mut problem, &mut Sweeper::new(SweepOrder::Fixed, 0), StopRule::Fixed, 1);
 /// let mut memory = Memory::default();
 /// memory.keep(&problem, dt, &[true]);
 /// let (bodies, force): StoredForce<_> = memory.forces[1][0];

@@ -1,17 +1,17 @@
 //! Bodies of several materials, with a law for every two of them.
 
-use super::setup::{ContactLaws, Laws};
+use super::setup::{ContactMaterial, WorldMaterials};
 
 /// Materials of the bodies of a world, and the laws between them.
 ///
 /// ```
-/// use tribos::cd::{Laws, Mixture};
+/// use tribos::cd::{WorldMaterials, MaterialTable};
 /// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
 /// // Spheres of material 0 and 1 on a floor of material 1; unlike ones slide most easily.
 /// let normal = NormalLaw::new(Cohesion::NONE, 0.0)?;
 /// let [like, unlike] = [IndependentFriction::sliding(0.5)?, IndependentFriction::sliding(0.1)?];
-/// let mixture = Mixture::new(vec![0, 0, 1], vec![1], |[a, b]| {
-///     Laws::uniform(normal, if a == b { like } else { unlike })
+/// let mixture = MaterialTable::new(vec![0, 0, 1], vec![1], |[a, b]| {
+///     WorldMaterials::uniform(normal, if a == b { like } else { unlike })
 /// });
 /// assert_eq!(mixture.of_pair([0, 1]).friction.mu(), 0.5);
 /// assert_eq!(mixture.of_pair([1, 2]).friction.mu(), 0.1);
@@ -19,22 +19,26 @@ use super::setup::{ContactLaws, Laws};
 /// # Ok::<(), tribos::kernel::law::LawError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mixture<F> {
+pub struct MaterialTable<F> {
     spheres: Vec<u8>,
     walls: Vec<u8>,
     /// Number of materials.
     count: usize,
     /// Laws of the materials of two bodies, row by row.
-    laws: Vec<Laws<F>>,
+    laws: Vec<WorldMaterials<F>>,
 }
 
-impl<F> Mixture<F> {
+impl<F> MaterialTable<F> {
     /// Bodies of these materials, numbered from 0. `law` gives the laws of two materials: those of `pairs`,
     /// with the lower number first, between spheres; those of `walls` for a sphere of the first at a wall of
     /// the second.
-    pub fn new(spheres: Vec<u8>, walls: Vec<u8>, law: impl Fn([u8; 2]) -> Laws<F>) -> Self {
+    pub fn new(
+        spheres: Vec<u8>,
+        walls: Vec<u8>,
+        law: impl Fn([u8; 2]) -> WorldMaterials<F>,
+    ) -> Self {
         let most = spheres.iter().chain(&walls).copied().max().unwrap_or(0);
-        let of = |a: u8, b: u8| Laws {
+        let of = |a: u8, b: u8| WorldMaterials {
             pairs: law([a.min(b), a.max(b)]).pairs,
             walls: law([a, b]).walls,
         };
@@ -49,14 +53,14 @@ impl<F> Mixture<F> {
 
     /// Laws between two spheres. *Domain*: numbers of spheres.
     #[inline(always)]
-    pub fn of_pair(&self, [a, b]: [u32; 2]) -> &ContactLaws<F> {
+    pub fn of_pair(&self, [a, b]: [u32; 2]) -> &ContactMaterial<F> {
         let [a, b] = [self.spheres[a as usize], self.spheres[b as usize]];
         &self.laws[usize::from(a) * self.count + usize::from(b)].pairs
     }
 
     /// Laws of a sphere at a wall. *Domain*: numbers of a sphere and a wall.
     #[inline(always)]
-    pub fn at_wall(&self, [a, wall]: [u32; 2]) -> &ContactLaws<F> {
+    pub fn at_wall(&self, [a, wall]: [u32; 2]) -> &ContactMaterial<F> {
         let [a, b] = [self.spheres[a as usize], self.walls[wall as usize]];
         &self.laws[usize::from(a) * self.count + usize::from(b)].walls
     }
@@ -71,8 +75,8 @@ impl<F> Mixture<F> {
 #[derive(Debug)]
 #[doc(hidden)]
 pub struct LawBook<'a, F> {
-    pub laws: &'a Laws<F>,
-    pub mixture: Option<&'a Mixture<F>>,
+    pub laws: &'a WorldMaterials<F>,
+    pub mixture: Option<&'a MaterialTable<F>>,
 }
 
 impl<F> Clone for LawBook<'_, F> {
@@ -86,20 +90,20 @@ impl<F> Copy for LawBook<'_, F> {}
 impl<'a, F> LawBook<'a, F> {
     /// Laws between two spheres.
     #[inline(always)]
-    pub fn of_pair(&self, bodies: [u32; 2]) -> &'a ContactLaws<F> {
+    pub fn of_pair(&self, bodies: [u32; 2]) -> &'a ContactMaterial<F> {
         self.mixture
             .map_or(&self.laws.pairs, |mixture| mixture.of_pair(bodies))
     }
 
     /// Laws of a sphere at a wall.
     #[inline(always)]
-    pub fn at_wall(&self, bodies: [u32; 2]) -> &'a ContactLaws<F> {
+    pub fn at_wall(&self, bodies: [u32; 2]) -> &'a ContactMaterial<F> {
         self.mixture
             .map_or(&self.laws.walls, |mixture| mixture.at_wall(bodies))
     }
 
     /// All laws, those of pairs first.
-    pub fn all(&self) -> impl Iterator<Item = &'a ContactLaws<F>> + use<'a, F> {
+    pub fn all(&self) -> impl Iterator<Item = &'a ContactMaterial<F>> + use<'a, F> {
         let laws = match self.mixture {
             None => std::slice::from_ref(self.laws),
             Some(mixture) => &mixture.laws,
@@ -126,7 +130,7 @@ impl<F: Sync> PairFriction<F> for Same<F> {
     }
 }
 
-impl<F: Sync> PairFriction<F> for Mixture<F> {
+impl<F: Sync> PairFriction<F> for MaterialTable<F> {
     #[inline(always)]
     fn of(&self, bodies: [u32; 2]) -> &F {
         &self.of_pair(bodies).friction

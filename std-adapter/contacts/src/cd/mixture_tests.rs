@@ -1,7 +1,10 @@
 //! Bodies of several materials.
 
-use super::{Laws, Mixture, Order, Setup, Solver, StepLimits, Stop, Wall, World};
-use super::{Method, WorldError, solid};
+use super::{
+    ContactSolver, IterationOrder, MaterialTable, StepLimits, StopRule, Wall, World,
+    WorldMaterials, WorldSetup,
+};
+use super::{SolverMethod, WorldError, solid};
 use nalgebra::Vector3;
 use std::sync::Arc;
 use tribos_core::contact::{Cohesion, IndependentFriction, NormalLaw, SlidingOnly, SphereBody};
@@ -10,32 +13,35 @@ type Answer = Result<(), Box<dyn std::error::Error>>;
 type Friction = IndependentFriction<f64, SlidingOnly>;
 
 /// The same laws between spheres and at walls.
-fn laws(restitution: f64, mu: f64) -> Result<Laws<Friction>, tribos_core::law::LawError> {
+fn laws(restitution: f64, mu: f64) -> Result<WorldMaterials<Friction>, tribos_core::law::LawError> {
     let normal = NormalLaw::new(Cohesion::NONE, restitution)?;
-    Ok(Laws::uniform(normal, IndependentFriction::sliding(mu)?))
+    Ok(WorldMaterials::uniform(
+        normal,
+        IndependentFriction::sliding(mu)?,
+    ))
 }
 
 /// Laws by the materials of two bodies, numbered 0 and 1.
 fn table(
     of: [[f64; 2]; 3],
-) -> Result<impl Fn([u8; 2]) -> Laws<Friction>, tribos_core::law::LawError> {
+) -> Result<impl Fn([u8; 2]) -> WorldMaterials<Friction>, tribos_core::law::LawError> {
     let [first, mixed, second] = of.map(|[e, mu]| laws(e, mu));
     let all = [first?, mixed?, second?];
     Ok(move |[a, b]: [u8; 2]| all[usize::from(a + b)])
 }
 
-fn setup(laws: Laws<Friction>) -> Setup<Friction> {
-    Setup {
+fn setup(laws: WorldMaterials<Friction>) -> WorldSetup<Friction> {
+    WorldSetup {
         step_limits: StepLimits {
             longest: 0.01,
             motion: 0.05,
         },
-        solver: Solver {
-            method: Method::Accelerated { tolerance: 1e-12 },
+        solver: ContactSolver {
+            method: SolverMethod::Accelerated { tolerance: 1e-12 },
             most_sweeps: 1000,
             warm_start: true,
         },
-        ..Setup::new(laws)
+        ..WorldSetup::new(laws)
     }
 }
 
@@ -63,7 +69,11 @@ fn every_pair_of_materials_rebounds_and_slides_by_its_own_law() -> Answer {
         );
         materials.extend(pair);
     }
-    both.mixture = Some(Mixture::new(materials, Vec::new(), table(coefficients)?));
+    both.mixture = Some(MaterialTable::new(
+        materials,
+        Vec::new(),
+        table(coefficients)?,
+    ));
     let mut world = World::new(both)?;
     world.step()?;
     for (row, [a, b]) in pairs.into_iter().enumerate() {
@@ -82,10 +92,10 @@ fn every_pair_of_materials_rebounds_and_slides_by_its_own_law() -> Answer {
 #[test]
 fn spheres_slide_on_a_floor_by_their_own_coefficients() -> Answer {
     for solver in [
-        Method::Accelerated { tolerance: 1e-12 },
-        Method::GaussSeidel {
-            order: Order::Random { seed: 3 },
-            stop: Stop::Local(1e-12),
+        SolverMethod::Accelerated { tolerance: 1e-12 },
+        SolverMethod::GaussSeidel {
+            order: IterationOrder::Random { seed: 3 },
+            stop: StopRule::Local(1e-12),
         },
     ] {
         let up = Vector3::z();
@@ -96,7 +106,7 @@ fn spheres_slide_on_a_floor_by_their_own_coefficients() -> Answer {
         both = both.wall(Wall::fixed(up, 0.0));
         both.solver.method = solver;
         let of = table([[0.0, 0.1], [0.0, 0.4], [0.0, 0.9]])?;
-        both.mixture = Some(Mixture::new(vec![0, 1], vec![0], of));
+        both.mixture = Some(MaterialTable::new(vec![0, 1], vec![0], of));
         let mut world = World::new(both)?;
         for _ in 0..20 {
             world.step()?;
@@ -122,7 +132,7 @@ fn two_names_for_one_material_change_no_bit() -> Answer {
         one = one.wall(Wall::fixed(Vector3::z(), 0.0));
         let mut two = one.clone();
         let materials = (0..60).map(|index| index % 2).collect();
-        two.mixture = Some(Mixture::new(materials, vec![1], |_| one.laws));
+        two.mixture = Some(MaterialTable::new(materials, vec![1], |_| one.laws));
         let (mut one, mut two) = (World::new(one)?, World::new(two)?);
         for _ in 0..40 {
             assert_eq!(one.step()?, two.step()?);
@@ -140,7 +150,7 @@ fn the_residual_judges_each_contact_by_its_own_law() -> Answer {
     both = both
         .sphere(up, 1.0, thrown(Vector3::x()))
         .wall(Wall::fixed(up, 0.0));
-    both.mixture = Some(Mixture::new(vec![1], vec![1], |materials| {
+    both.mixture = Some(MaterialTable::new(vec![1], vec![1], |materials| {
         if materials == [1, 1] { smooth } else { rough }
     }));
     let mut world = World::new(both)?;
@@ -149,7 +159,7 @@ fn the_residual_judges_each_contact_by_its_own_law() -> Answer {
     assert_eq!(world.state().spheres[0].velocity.x, 1.0);
     // Of another material the same impulse would be wrong.
     let mut other = world.problem().clone();
-    other.mixture = Some(Arc::new(Mixture::new(vec![0], vec![0], |_| rough)));
+    other.mixture = Some(Arc::new(MaterialTable::new(vec![0], vec![0], |_| rough)));
     assert!(super::internals::residual(&other).relative > 0.1);
     Ok(())
 }
@@ -159,7 +169,7 @@ fn a_mixture_without_a_material_for_every_body_is_refused() -> Answer {
     let one = setup(laws(0.0, 0.3)?).sphere(Vector3::zeros(), 1.0, solid(1.0, 1.0));
     for (spheres, walls) in [(vec![], vec![]), (vec![0, 1], vec![]), (vec![0], vec![0])] {
         let mut setup = one.clone();
-        setup.mixture = Some(Mixture::new(spheres, walls, |_| one.laws));
+        setup.mixture = Some(MaterialTable::new(spheres, walls, |_| one.laws));
         let refused = World::new(setup).err();
         assert!(matches!(refused, Some(WorldError::Mixture)), "{refused:?}");
     }

@@ -4,14 +4,14 @@
 //! of its initial speed, for any friction:
 //!
 //! ```
-//! use tribos::cd::{Laws, Setup, Wall, World, solid};
+//! use tribos::cd::{WorldMaterials, WorldSetup, Wall, World, solid};
 //! use tribos::kernel::contact::{Cohesion, NormalLaw, SphereBody, IndependentFriction};
 //! use tribos::kernel::nalgebra::Vector3;
 //!
 //! let (up, radius) = (Vector3::z(), 0.028); // m
 //! let ball = SphereBody { velocity: Vector3::x(), ..solid(radius, 1700.0) }; // m/s, kg/m³
-//! let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.2)?);
-//! let table = Setup::new(laws).wall(Wall::fixed(up, 0.0)).gravity(up * -9.81);
+//! let laws = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.2)?);
+//! let table = WorldSetup::new(laws).wall(Wall::fixed(up, 0.0)).gravity(up * -9.81);
 //! let mut world = World::new(table.sphere(up * radius, radius, ball))?;
 //! for _ in 0..200 {
 //!     world.step()?;
@@ -63,15 +63,15 @@ mod world;
 
 pub use energy::EnergyBalance;
 pub use error::WorldError;
-pub use mixture::Mixture;
-pub use nsgs::{Iterations, Order, Stop};
-pub use residual::Residual;
-pub use setup::{ContactLaws, Laws, Setup, StepLimits, solid};
-pub use solver::{Method, Solver};
+pub use mixture::MaterialTable;
+pub use nsgs::{IterationOrder, Iterations, StopRule};
+pub use residual::ContactResidual;
+pub use setup::{ContactMaterial, StepLimits, WorldMaterials, WorldSetup, solid};
+pub use solver::{ContactSolver, SolverMethod};
 #[doc(hidden)]
 pub use wall::Facing;
 pub use wall::{Rectangle, Wall};
-pub use world::{State, StepReport, World};
+pub use world::{StepReport, World, WorldState};
 
 /// Internals of the solvers, public only for tests and benches of this project: no stable interface.
 #[doc(hidden)]

@@ -5,7 +5,7 @@ use tribos_base::random::Random;
 
 /// Order in which a sweep visits the contacts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
+pub enum IterationOrder {
     /// Always in the order of their numbers.
     Fixed,
     /// Alternately forwards and backwards, which gives a symmetric iteration.
@@ -19,7 +19,7 @@ pub enum Order {
 
 /// Stopping rule of the iteration (thesis, section 4.4.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stop {
+pub enum StopRule {
     /// A fixed number of sweeps.
     Fixed,
     /// No contact's impulse changes by more than this fraction of its own P.
@@ -32,7 +32,7 @@ pub enum Stop {
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::Order;
+/// # use tribos::cd::SweepOrder;
 /// # use tribos::cd::internals::{GlobalChange, Link, Spheres, Sweeper};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
@@ -48,7 +48,7 @@ pub enum Stop {
 /// # problem.start();
 /// // A ball that slides on the floor: its one contact is solved by the first sweep, and the second
 /// // has nothing to do.
-/// let mut sweeper = Sweeper::new(Order::Alternating, 0);
+/// let mut sweeper = Sweeper::new(SweepOrder::Alternating, 0);
 /// let [mut first, mut second] = [GlobalChange::default(); 2];
 /// sweeper.sweep(&mut problem, &mut first);
 /// sweeper.sweep(&mut problem, &mut second);
@@ -58,7 +58,7 @@ pub enum Stop {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Sweeper {
-    order: Order,
+    order: IterationOrder,
     turn: u64,
     random: Random,
     permutation: Vec<u32>,
@@ -66,9 +66,9 @@ pub struct Sweeper {
 
 impl Sweeper {
     /// Starts at the first sweep; random orders differ between streams.
-    pub fn new(order: Order, stream: u64) -> Self {
+    pub fn new(order: IterationOrder, stream: u64) -> Self {
         let seed = match order {
-            Order::Random { seed } => seed,
+            IterationOrder::Random { seed } => seed,
             _ => 0,
         };
         Self {
@@ -87,10 +87,12 @@ impl Sweeper {
     ) {
         self.turn += 1;
         match self.order {
-            Order::Fixed => problem.sweep(Visit::Forward, watch),
-            Order::Alternating if self.turn % 2 == 1 => problem.sweep(Visit::Forward, watch),
-            Order::Alternating => problem.sweep(Visit::Backward, watch),
-            Order::Random { .. } => {
+            IterationOrder::Fixed => problem.sweep(Visit::Forward, watch),
+            IterationOrder::Alternating if self.turn % 2 == 1 => {
+                problem.sweep(Visit::Forward, watch)
+            }
+            IterationOrder::Alternating => problem.sweep(Visit::Backward, watch),
+            IterationOrder::Random { .. } => {
                 self.shuffle(problem.contacts());
                 problem.sweep(Visit::Listed(&self.permutation), watch);
             }
@@ -122,7 +124,7 @@ pub struct Iterations {
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{Iterations, Order, Stop};
+/// # use tribos::cd::{Iterations, SweepOrder, StopRule};
 /// # use tribos::cd::internals::{Link, Spheres, Sweeper, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
@@ -140,38 +142,38 @@ pub struct Iterations {
 /// # column.walls.push(Link { bodies: [0, 0], contact });
 /// # column.start();
 /// // A column of five balls of 1 kg: in any order of visits the floor comes to bear 5 kg.
-/// for order in [Order::Fixed, Order::Alternating, Order::Random { seed: 1 }] {
+/// for order in [SweepOrder::Fixed, SweepOrder::Alternating, SweepOrder::Random { seed: 1 }] {
 ///     let mut trial = column.clone();
 ///     let mut sweeper = Sweeper::new(order, 0);
-///     let iterations = solve(&mut trial, &mut sweeper, Stop::Global(1e-12), 1000);
+///     let iterations = solve(&mut trial, &mut sweeper, StopRule::Global(1e-12), 1000);
 ///     assert!(iterations.met && iterations.sweeps < 1000);
 ///     let floor = trial.walls[0].contact.impulse().normal / dt;
 ///     assert!((floor - 5.0 * 9.81).abs() < 1e-6);
 /// }
 /// // A fixed number of sweeps is always done.
-/// let mut sweeper = Sweeper::new(Order::Fixed, 0);
-/// let iterations = solve(&mut column, &mut sweeper, Stop::Fixed, 3);
+/// let mut sweeper = Sweeper::new(SweepOrder::Fixed, 0);
+/// let iterations = solve(&mut column, &mut sweeper, StopRule::Fixed, 3);
 /// assert_eq!(iterations, Iterations { sweeps: 3, met: true });
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn solve<O: Operator>(
     problem: &mut O,
     sweeper: &mut Sweeper,
-    stop: Stop,
+    stop: StopRule,
     most: usize,
 ) -> Iterations {
     for sweeps in 1..=most {
         let met = match stop {
-            Stop::Fixed => {
+            StopRule::Fixed => {
                 sweeper.sweep(problem, &mut NoMonitor);
                 false
             }
-            Stop::Local(tolerance) => {
+            StopRule::Local(tolerance) => {
                 let mut watch = LocalChange::above(tolerance);
                 sweeper.sweep(problem, &mut watch);
                 watch.count == 0
             }
-            Stop::Global(tolerance) => {
+            StopRule::Global(tolerance) => {
                 let mut watch = GlobalChange::default();
                 sweeper.sweep(problem, &mut watch);
                 watch.relative_mean() <= tolerance
@@ -183,6 +185,6 @@ pub fn solve<O: Operator>(
     }
     Iterations {
         sweeps: most,
-        met: stop == Stop::Fixed,
+        met: stop == StopRule::Fixed,
     }
 }

@@ -40,7 +40,7 @@ pub enum Visit<'a> {
 /// The operator holds the current impulses and the velocities that follow from them.
 ///
 /// ```
-/// use tribos::cd::{Order, Stop};
+/// use tribos::cd::{SweepOrder, StopRule};
 /// use tribos::cd::internals::{Impulse, Operator, Sweeper, Visit, Monitor, solve};
 ///
 /// /// Wagons of 1 t in a row; their buffers push and do not pull.
@@ -92,7 +92,7 @@ pub enum Visit<'a> {
 /// // One wagon runs into two at rest, and takes them along.
 /// let free = [3.0, 0.0, 0.0];
 /// let mut train = Train { free, speeds: free, pushes: [Push(0.0); 2] };
-/// solve(&mut train, &mut Sweeper::new(Order::Fixed, 0), Stop::Local(1e-12), 100);
+/// solve(&mut train, &mut Sweeper::new(SweepOrder::Fixed, 0), StopRule::Local(1e-12), 100);
 /// for speed in train.speeds {
 ///     assert!((speed - 1.0).abs() < 1e-9);
 /// }

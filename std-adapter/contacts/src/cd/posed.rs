@@ -4,7 +4,7 @@ use super::image::{Images, seen};
 use super::operator::Operator;
 use super::residual::Coefficients;
 use super::spheres::{Link, Spheres};
-use crate::problem::{ContactLaw, Friction, Global, Layout, Matrix};
+use crate::problem::{ContactComponents, ContactThresholds, Friction, GlobalProblem, SparseMatrix};
 use nalgebra::Vector3;
 use tribos_core::contact::{ContactFriction, ContactModes, ContactVector, SphereBody, WallBody};
 use tribos_core::internals::{AxialPart, PlanarPart};
@@ -14,7 +14,7 @@ use tribos_core::internals::{AxialPart, PlanarPart};
 pub struct Posed {
     /// The problem. Components of a contact: along its normal, along both tangents, then rolling about
     /// the tangents and torsion where the contacts have these modes.
-    pub problem: Global,
+    pub problem: GlobalProblem,
     /// Two tangents of each contact.
     pub tangents: Vec<[Vector3<f64>; 2]>,
 }
@@ -116,14 +116,14 @@ fn unit_sphere() -> SphereBody<f64> {
 
 /// Matrices under construction.
 struct Posing<M> {
-    layout: Layout,
+    layout: ContactComponents,
     spheres: Vec<Option<Freedoms>>,
     plates: Vec<Option<usize>>,
     masses: Vec<(usize, usize, f64)>,
     momenta: Vec<f64>,
     arms: Vec<(usize, usize, f64)>,
     prescribed: Vec<f64>,
-    laws: Vec<ContactLaw>,
+    laws: Vec<ContactThresholds>,
     tangents: Vec<[Vector3<f64>; 2]>,
     modes: std::marker::PhantomData<M>,
 }
@@ -131,10 +131,10 @@ struct Posing<M> {
 impl<M: ContactModes<f64>> Posing<M> {
     fn new<F: ContactFriction<f64, Modes = M>>(problem: &Spheres<F>) -> Self {
         let layout = match (M::Rolling::PRESENT, M::Torsion::PRESENT) {
-            (true, true) => Layout::All,
-            (true, false) => Layout::Rolling,
-            (false, true) => Layout::Torsion,
-            (false, false) => Layout::Space,
+            (true, true) => ContactComponents::All,
+            (true, false) => ContactComponents::Rolling,
+            (false, true) => ContactComponents::Torsion,
+            (false, false) => ContactComponents::Space,
         };
         Self {
             layout,
@@ -258,7 +258,7 @@ impl<M: ContactModes<f64>> Posing<M> {
         }
         self.prescribed.extend(velocities);
         let [mu, mu_rolling, mu_torsion] = friction.coefficients();
-        self.laws.push(ContactLaw {
+        self.laws.push(ContactThresholds {
             sliding: if M::Sliding::PRESENT { mu } else { 0.0 },
             rolling: mu_rolling * contact.effective_radius(),
             torsion: mu_torsion * contact.effective_radius(),
@@ -282,10 +282,10 @@ impl<M: ContactModes<f64>> Posing<M> {
 
     fn finish(self) -> Option<Posed> {
         let (freedoms, components) = (self.momenta.len(), self.prescribed.len());
-        let m = Matrix::from_triplets([freedoms; 2], &self.masses).ok()?;
-        let h = Matrix::from_triplets([freedoms, components], &self.arms).ok()?;
+        let m = SparseMatrix::from_triplets([freedoms; 2], &self.masses).ok()?;
+        let h = SparseMatrix::from_triplets([freedoms, components], &self.arms).ok()?;
         let problem =
-            Global::new(self.layout, m, h, self.momenta, self.prescribed, self.laws).ok()?;
+            GlobalProblem::new(self.layout, m, h, self.momenta, self.prescribed, self.laws).ok()?;
         Some(Posed {
             problem,
             tangents: self.tangents,

@@ -19,7 +19,7 @@ use tribos_core::twist::{Twist, Wrench};
 ///
 /// See [`residual`] for an example.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Residual {
+pub struct ContactResidual {
     /// Largest closing speed of a closed contact; multiplied by the step, the overlap that it creates.
     pub penetration: f64,
     /// Largest friction impulse in excess of its threshold, or pull in excess of cohesion.
@@ -85,7 +85,7 @@ impl<M> Coefficients for IndependentFriction<f64, M> {
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{Order, Residual, Stop};
+/// # use tribos::cd::{SweepOrder, ContactResidual, StopRule};
 /// # use tribos::cd::internals::{Link, Spheres, Sweeper, residual, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
@@ -101,12 +101,12 @@ impl<M> Coefficients for IndependentFriction<f64, M> {
 /// # problem.start();
 /// // A ball that comes down at 2 m/s and slides: without an impulse it would enter the floor.
 /// assert_eq!(residual(&problem).penetration, 2.0);
-/// solve(&mut problem, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 1);
-/// let left: Residual = residual(&problem);
+/// solve(&mut problem, &mut Sweeper::new(SweepOrder::Fixed, 0), StopRule::Fixed, 1);
+/// let left: ContactResidual = residual(&problem);
 /// assert!(left.relative < 1e-15 && left.penetration <= 0.0 && left.excess < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn residual<F>(problem: &Spheres<F>) -> Residual
+pub fn residual<F>(problem: &Spheres<F>) -> ContactResidual
 where
     F: ContactFriction<f64> + Coefficients,
 {
@@ -155,7 +155,7 @@ fn velocities<F: ContactFriction<f64>>(
 
 #[derive(Default)]
 struct Sum {
-    residual: Residual,
+    residual: ContactResidual,
     map_sq: f64,
     bound_sq: f64,
 }
@@ -224,13 +224,13 @@ impl Sum {
         self.bound_sq += bound * bound;
     }
 
-    fn finish(self) -> Residual {
+    fn finish(self) -> ContactResidual {
         let relative = if self.map_sq == 0.0 {
             0.0
         } else {
             (self.map_sq / self.bound_sq).sqrt()
         };
-        Residual {
+        ContactResidual {
             relative,
             ..self.residual
         }

@@ -1,9 +1,9 @@
 //! Initial state, laws and parameters of a world.
 
 use super::error::WorldError;
-use super::mixture::{LawBook, Mixture};
+use super::mixture::{LawBook, MaterialTable};
 use super::shear::flow;
-use super::solver::Solver;
+use super::solver::ContactSolver;
 use super::wall::{UNIT, Wall};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
@@ -11,7 +11,7 @@ use tribos_core::contact::{NormalLaw, SphereBody};
 
 /// Laws of one kind of contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ContactLaws<F> {
+pub struct ContactMaterial<F> {
     /// Along the normal: cohesion and restitution.
     pub normal: NormalLaw<f64>,
     /// Friction.
@@ -21,28 +21,28 @@ pub struct ContactLaws<F> {
 /// Contact laws of a world.
 ///
 /// ```
-/// use tribos::cd::Laws;
+/// use tribos::cd::WorldMaterials;
 /// use tribos::kernel::contact::{Attraction, Cohesion, NormalLaw, IndependentFriction};
 /// // Cohesive spheres that also roll and spin with resistance, between walls without friction.
 /// let cohesion = Cohesion::new(1.0, 0.01, Attraction::Pull)?;
-/// let mut laws = Laws::uniform(NormalLaw::new(cohesion, 0.0)?, IndependentFriction::all(0.3, 0.1, 0.1)?);
+/// let mut laws = WorldMaterials::uniform(NormalLaw::new(cohesion, 0.0)?, IndependentFriction::all(0.3, 0.1, 0.1)?);
 /// laws.walls.friction = IndependentFriction::all(0.0, 0.0, 0.0)?;
 /// assert_eq!(laws.pairs.normal, laws.walls.normal);
 /// assert_eq!([laws.pairs, laws.walls].map(|law| law.friction.mu()), [0.3, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Laws<F> {
+pub struct WorldMaterials<F> {
     /// Between spheres.
-    pub pairs: ContactLaws<F>,
+    pub pairs: ContactMaterial<F>,
     /// At walls.
-    pub walls: ContactLaws<F>,
+    pub walls: ContactMaterial<F>,
 }
 
-impl<F: Copy> Laws<F> {
+impl<F: Copy> WorldMaterials<F> {
     /// The same laws between spheres and at walls.
     pub fn uniform(normal: NormalLaw<f64>, friction: F) -> Self {
-        let laws = ContactLaws { normal, friction };
+        let laws = ContactMaterial { normal, friction };
         Self {
             pairs: laws,
             walls: laws,
@@ -55,7 +55,7 @@ impl<F: Copy> Laws<F> {
     }
 }
 
-impl<F> Laws<F> {
+impl<F> WorldMaterials<F> {
     /// Laws along the normal, of pairs and of walls.
     pub(crate) fn normal(&self) -> [NormalLaw<f64>; 2] {
         [self.pairs.normal, self.walls.normal]
@@ -85,7 +85,7 @@ impl Default for StepLimits {
 ///
 /// The [module](super) has an example.
 #[derive(Clone, Debug)]
-pub struct Setup<F> {
+pub struct WorldSetup<F> {
     /// Periodic axes.
     pub space: PeriodicBox,
     /// Centres of the spheres.
@@ -97,27 +97,27 @@ pub struct Setup<F> {
     /// Walls and pistons.
     pub walls: Vec<Wall>,
     /// Contact laws.
-    pub laws: Laws<F>,
+    pub laws: WorldMaterials<F>,
     /// Materials of the bodies and their laws, in place of `laws`, if there are several.
-    pub mixture: Option<Mixture<F>>,
+    pub mixture: Option<MaterialTable<F>>,
     /// Acceleration of all spheres.
     pub gravity: Vector3<f64>,
     /// Rate of a simple shear, the velocity along x over the height along z; 0 for none. It needs periods along
-    /// both axes; see [`Setup::sheared`].
+    /// both axes; see [`WorldSetup::sheared`].
     pub shear_rate: f64,
     /// Limits of the time step.
     pub step_limits: StepLimits,
     /// How contacts are solved.
-    pub solver: Solver,
+    pub solver: ContactSolver,
     /// Sleep threshold: a group of touching bodies slower than this, surface speed included, is put to
     /// sleep until disturbed; 0 keeps everything awake.
     pub sleep_speed: f64,
 }
 
-impl<F> Setup<F> {
+impl<F> WorldSetup<F> {
     /// Open space without bodies and gravity, where nothing sleeps, with the default [`StepLimits`] and
-    /// [`Solver`].
-    pub fn new(laws: Laws<F>) -> Self {
+    /// [`ContactSolver`].
+    pub fn new(laws: WorldMaterials<F>) -> Self {
         Self {
             space: PeriodicBox::OPEN,
             positions: Vec::new(),
@@ -129,7 +129,7 @@ impl<F> Setup<F> {
             gravity: Vector3::zeros(),
             shear_rate: 0.0,
             step_limits: StepLimits::default(),
-            solver: Solver::default(),
+            solver: ContactSolver::default(),
             sleep_speed: 0.0,
         }
     }
@@ -163,12 +163,12 @@ impl<F> Setup<F> {
     /// nothing sleeps.
     ///
     /// ```
-    /// use tribos::cd::{Laws, Setup, World, solid};
+    /// use tribos::cd::{WorldMaterials, WorldSetup, World, solid};
     /// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
     /// use tribos::kernel::nalgebra::Vector3;
     /// use tribos::space::PeriodicBox;
-    /// let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.5)?);
-    /// let mut setup = Setup::new(laws).sphere(Vector3::z() * 7.5, 1.0, solid(1.0, 1.0));
+    /// let laws = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.5)?);
+    /// let mut setup = WorldSetup::new(laws).sphere(Vector3::z() * 7.5, 1.0, solid(1.0, 1.0));
     /// setup.space = PeriodicBox::new([Some(10.0), Some(10.0), Some(10.0)])?;
     /// let mut world = World::new(setup.sheared(0.1))?;
     /// world.step()?;
@@ -213,7 +213,7 @@ impl<F> Setup<F> {
 /// Range of masses whose squared impulses neither vanish nor overflow: the solvers compare squares.
 const MASSES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
-impl<F> Setup<F> {
+impl<F> WorldSetup<F> {
     /// Refuses parameters with which no step is possible.
     pub(crate) fn check(&self) -> Result<(), WorldError> {
         let StepLimits { longest, motion } = self.step_limits;
@@ -242,7 +242,7 @@ impl<F> Setup<F> {
             return Err(WorldError::Gravity);
         }
         self.check_shear()?;
-        let fits = |mixture: &Mixture<F>| mixture.fits(spheres, self.walls.len());
+        let fits = |mixture: &MaterialTable<F>| mixture.fits(spheres, self.walls.len());
         if !self.mixture.as_ref().is_none_or(fits) {
             return Err(WorldError::Mixture);
         }

@@ -1,7 +1,10 @@
 //! Sheared cells: collisions across the border, energy and stress, scaling, threads.
 
 use super::internals::Coefficients;
-use super::{Laws, Method, Setup, Solver, StepLimits, Wall, World, WorldError, solid};
+use super::{
+    ContactSolver, SolverMethod, StepLimits, Wall, World, WorldError, WorldMaterials, WorldSetup,
+    solid,
+};
 use nalgebra::Vector3;
 use tribos_base::random::Random;
 use tribos_base::space::PeriodicBox;
@@ -13,17 +16,17 @@ type Answer = Result<(), Box<dyn std::error::Error>>;
 
 fn laws(
     restitution: f64,
-) -> Result<Laws<IndependentFriction<f64, AllModes>>, tribos_core::law::LawError> {
+) -> Result<WorldMaterials<IndependentFriction<f64, AllModes>>, tribos_core::law::LawError> {
     let normal = NormalLaw::new(Cohesion::NONE, restitution)?;
-    Ok(Laws::uniform(
+    Ok(WorldMaterials::uniform(
         normal,
         IndependentFriction::all(0.4, 0.1, 0.05)?,
     ))
 }
 
-fn solver(tolerance: f64) -> Solver {
-    Solver {
-        method: Method::Accelerated { tolerance },
+fn solver(tolerance: f64) -> ContactSolver {
+    ContactSolver {
+        method: SolverMethod::Accelerated { tolerance },
         most_sweeps: 5_000,
         warm_start: true,
     }
@@ -31,13 +34,13 @@ fn solver(tolerance: f64) -> Solver {
 
 /// A lattice of spheres of radius 1 with random velocities, sheared. *Units*: density 1.
 fn gas<F: ContactFriction<f64>>(
-    laws: Laws<F>,
+    laws: WorldMaterials<F>,
     counts: [usize; 3],
     spacing: f64,
     rate: f64,
-) -> Result<Setup<F>, Box<dyn std::error::Error>> {
+) -> Result<WorldSetup<F>, Box<dyn std::error::Error>> {
     let mut random = Random::new(11, 0);
-    let mut setup = Setup::new(laws);
+    let mut setup = WorldSetup::new(laws);
     setup.space = PeriodicBox::new(counts.map(|count| Some(spacing * count as f64)))?;
     for index in 0..counts.iter().product() {
         let [x, y, _] = counts;
@@ -75,7 +78,7 @@ fn spheres_collide_across_the_sheared_border_as_with_an_image_in_the_open() -> A
             velocity: Vector3::new(-0.1, 0.2, 0.4),
             ..solid(1.2, 2.0)
         };
-        let mut setup = Setup::new(laws(restitution)?)
+        let mut setup = WorldSetup::new(laws(restitution)?)
             .sphere(Vector3::new(3.0, 5.0, 1.2), 1.0, low)
             .sphere(Vector3::new(3.4, 5.3, 10.9), 1.2, high);
         setup.space = PeriodicBox::new([Some(length), Some(length), Some(height)])?;
@@ -119,7 +122,7 @@ fn a_lone_sphere_crosses_the_border_and_keeps_its_own_velocity() -> Answer {
             velocity: Vector3::z() * up,
             ..solid(1.0, 1.0)
         };
-        let mut setup = Setup::new(laws(0.0)?).sphere(Vector3::repeat(4.0), 1.0, ball);
+        let mut setup = WorldSetup::new(laws(0.0)?).sphere(Vector3::repeat(4.0), 1.0, ball);
         setup.space = PeriodicBox::new([Some(10.0), None, Some(8.0)])?;
         let mut world = World::new(setup.sheared(rate))?;
         while world.state().time < 20.0 {
@@ -147,7 +150,7 @@ fn a_lone_sphere_crosses_the_border_and_keeps_its_own_velocity() -> Answer {
 
 /// Sums over a run: work by the stress, from impulses and motions alone, and the work of the balance.
 fn works<F: ContactFriction<f64> + Coefficients>(
-    setup: Setup<F>,
+    setup: WorldSetup<F>,
     steps: usize,
 ) -> Result<[f64; 3], WorldError> {
     let rate = setup.shear_rate;
@@ -248,7 +251,7 @@ fn twice_the_rate_takes_the_same_way_in_half_the_time_to_the_bit() -> Answer {
 #[test]
 fn sheared_states_have_the_same_bits_on_any_number_of_threads() -> Answer {
     let friction = IndependentFriction::<f64, SlidingOnly>::sliding(0.5)?;
-    let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, friction);
+    let laws = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, friction);
     let mut setup = gas(laws, [12, 12, 14], 2.02, 0.2)?;
     setup.solver = solver(1e-4);
     let on = |threads: usize| -> Result<_, Box<dyn std::error::Error>> {
@@ -311,7 +314,7 @@ fn cells_that_cannot_be_sheared_are_refused() -> Answer {
 /// Inertial number and stress ratio of a steady flow, after a strain of 2 and over one of 3.
 fn flow_law(mu: f64, spacing: f64) -> Result<[f64; 2], Box<dyn std::error::Error>> {
     let friction = IndependentFriction::<f64, SlidingOnly>::sliding(mu)?;
-    let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.7)?, friction);
+    let laws = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.7)?, friction);
     let mut setup = gas(laws, [5, 5, 5], spacing, 1.0)?;
     // Equal spheres would order.
     for (index, radius) in setup.radii.iter_mut().enumerate() {

@@ -1,7 +1,7 @@
 //! Methods for the contact problem of a step.
 
 use super::accelerated::{Accelerated, Tolerance};
-use super::nsgs::{self, Iterations, Order, Stop, Sweeper};
+use super::nsgs::{self, IterationOrder, Iterations, StopRule, Sweeper};
 use super::operator::Operator;
 use super::residual::Coefficients;
 use super::spheres::Spheres;
@@ -10,13 +10,13 @@ use tribos_core::contact::{ContactFriction, ContactModes, ContactVector};
 
 /// Method that solves the contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Method {
+pub enum SolverMethod {
     /// Plain non-linear Gauss–Seidel.
     GaussSeidel {
         /// Order in which contacts are visited.
-        order: Order,
+        order: IterationOrder,
         /// Stopping rule.
-        stop: Stop,
+        stop: StopRule,
     },
     /// Gauss–Seidel with momentum, see [`Accelerated`].
     Accelerated {
@@ -29,9 +29,9 @@ pub enum Method {
 ///
 /// The [module](super) has an example.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Solver {
+pub struct ContactSolver {
     /// The method.
-    pub method: Method,
+    pub method: SolverMethod,
     /// Largest number of sweeps per step. The accelerated method adds at most half as many if its sweeps
     /// cycle, which may happen with large friction coefficients.
     pub most_sweeps: usize,
@@ -39,11 +39,11 @@ pub struct Solver {
     pub warm_start: bool,
 }
 
-impl Default for Solver {
+impl Default for ContactSolver {
     /// Sweeps with momentum to 1e-9, at most 1000 per step, starting from the forces of the last step.
     fn default() -> Self {
         Self {
-            method: Method::Accelerated { tolerance: 1e-9 },
+            method: SolverMethod::Accelerated { tolerance: 1e-9 },
             most_sweeps: 1000,
             warm_start: true,
         }
@@ -69,17 +69,17 @@ impl<M: ContactModes<f64>> Workspace<M> {
     /// `speed` is the closing speed that the accelerated method may leave.
     pub fn solve<F: ContactFriction<f64, Modes = M> + Coefficients>(
         &mut self,
-        solver: &Solver,
+        solver: &ContactSolver,
         problem: &mut Spheres<F>,
         (step, speed): (u64, f64),
     ) -> Answer {
         let most = solver.most_sweeps;
         let mut handed_over = false;
         let iterations = match solver.method {
-            Method::GaussSeidel { order, stop } => {
+            SolverMethod::GaussSeidel { order, stop } => {
                 nsgs::solve(problem, &mut Sweeper::new(order, step), stop, most)
             }
-            Method::Accelerated { tolerance } => {
+            SolverMethod::Accelerated { tolerance } => {
                 let relative = tolerance;
                 let goal = Tolerance { relative, speed };
                 self.accelerated.solve_or(problem, goal, most, |problem| {

@@ -3,7 +3,7 @@
 use super::aligned::Aligned;
 use super::groups::Grouping;
 use super::image::{ImageVelocity, Images, seen};
-use super::mixture::{Mixture, PairFriction, Same};
+use super::mixture::{MaterialTable, PairFriction, Same};
 use super::momentum::{Moving, extrapolate};
 use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::pairs::Pairs;
@@ -41,7 +41,7 @@ pub struct Link<M: ContactModes<f64>> {
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos::cd::{Order, Stop};
+/// use tribos::cd::{SweepOrder, StopRule};
 /// use tribos::cd::internals::{Link, Spheres, Sweeper, solve};
 /// use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// // Two balls of 1 kg and 5 cm, one upon the other; gravity has pulled for 1 ms.
@@ -59,7 +59,7 @@ pub struct Link<M: ContactModes<f64>> {
 /// let contact = Contact::new(&touch, &law, &ball, &floor, dt);
 /// stack.walls.push(Link { bodies: [0, 0], contact });
 /// stack.start();
-/// let iterations = solve(&mut stack, &mut Sweeper::new(Order::Fixed, 0), Stop::Local(1e-12), 1000);
+/// let iterations = solve(&mut stack, &mut Sweeper::new(SweepOrder::Fixed, 0), StopRule::Local(1e-12), 1000);
 /// assert!(iterations.met);
 /// // The lower ball carries one weight, the floor two.
 /// let forces = stack.links().map(|link| link.contact.impulse().normal / dt);
@@ -85,7 +85,7 @@ pub struct Spheres<F: ContactFriction<f64>> {
     /// Friction between spheres, and at plates.
     pub friction: [F; 2],
     /// Materials and their friction, in place of `friction`, if there are several.
-    pub mixture: Option<Arc<Mixture<F>>>,
+    pub mixture: Option<Arc<MaterialTable<F>>>,
     schedule: Schedule,
     grouping: Grouping,
 }

@@ -41,14 +41,14 @@ pub struct Wall {
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos::cd::{Laws, Rectangle, Setup, Wall, World, solid};
+/// use tribos::cd::{WorldMaterials, Rectangle, WorldSetup, Wall, World, solid};
 /// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
 /// // A shelf that ends at x = 0, with a ball of 1 cm that reaches over the end by 6 mm.
 /// let open = [f64::NEG_INFINITY, f64::INFINITY];
 /// let shelf = Rectangle { along: Vector3::x(), ends: [[f64::NEG_INFINITY, 0.0], open] };
 /// let shelf = Wall { edges: Some(shelf), ..Wall::fixed(Vector3::z(), 0.0) };
-/// let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::none());
-/// let setup = Setup::new(smooth).wall(shelf).gravity(Vector3::z() * -9.81);
+/// let smooth = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::none());
+/// let setup = WorldSetup::new(smooth).wall(shelf).gravity(Vector3::z() * -9.81);
 /// let ball = Vector3::new(0.006, 0.0, 0.008);
 /// let mut world = World::new(setup.sphere(ball, 0.01, solid(0.01, 2500.0)))?;
 /// world.step()?;

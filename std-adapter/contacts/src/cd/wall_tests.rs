@@ -1,7 +1,9 @@
 //! Walls that end: faces, edges and corners.
 
 use super::wall::{Facing, Rectangle, Wall};
-use super::{Laws, Method, Setup, Solver, StepLimits, World, WorldError, solid};
+use super::{
+    ContactSolver, SolverMethod, StepLimits, World, WorldError, WorldMaterials, WorldSetup, solid,
+};
 use crate::soft;
 use nalgebra::Vector3;
 use tribos_base::random::Random;
@@ -27,9 +29,12 @@ fn table(ends: [[f64; 2]; 2]) -> Wall {
 
 fn laws(
     mu: f64,
-) -> Result<Laws<IndependentFriction<f64, SlidingOnly>>, tribos_core::law::LawError> {
+) -> Result<WorldMaterials<IndependentFriction<f64, SlidingOnly>>, tribos_core::law::LawError> {
     let normal = NormalLaw::new(Cohesion::NONE, 0.0)?;
-    Ok(Laws::uniform(normal, IndependentFriction::sliding(mu)?))
+    Ok(WorldMaterials::uniform(
+        normal,
+        IndependentFriction::sliding(mu)?,
+    ))
 }
 
 /// A ball of radius 1 under gravity 1.
@@ -37,18 +42,18 @@ fn ball(
     at: Vector3<f64>,
     mu: f64,
     (wall, dt): (Wall, f64),
-) -> Result<Setup<IndependentFriction<f64, SlidingOnly>>, tribos_core::law::LawError> {
-    let setup = Setup {
+) -> Result<WorldSetup<IndependentFriction<f64, SlidingOnly>>, tribos_core::law::LawError> {
+    let setup = WorldSetup {
         step_limits: StepLimits {
             longest: dt,
             motion: 1.0,
         },
-        solver: Solver {
-            method: Method::Accelerated { tolerance: 1e-13 },
+        solver: ContactSolver {
+            method: SolverMethod::Accelerated { tolerance: 1e-13 },
             most_sweeps: 1000,
             warm_start: true,
         },
-        ..Setup::new(laws(mu)?)
+        ..WorldSetup::new(laws(mu)?)
     };
     let setup = setup.wall(wall).gravity(-Vector3::z());
     Ok(setup.sphere(at, 1.0, solid(1.0, 1.0)))
@@ -196,7 +201,7 @@ fn a_ball_rests_over_an_edge_and_rolls_off_beyond_it() -> Tested {
 #[test]
 fn soft_balls_leave_an_edge_as_rigid_ones_do() -> Tested {
     let start: f64 = 0.05;
-    let mut setup = soft::Setup::new(laws(0.0)?, soft::Stiffness::Linear(1e5))
+    let mut setup = soft::SoftSetup::new(laws(0.0)?, soft::Stiffness::Linear(1e5))
         .wall(table([BELOW, ENDLESS]))
         .gravity(-Vector3::z())
         .sphere(
@@ -205,7 +210,7 @@ fn soft_balls_leave_an_edge_as_rigid_ones_do() -> Tested {
             solid(1.0, 1.0),
         );
     setup.longest = 1e-2;
-    let mut world = soft::World::new(setup)?;
+    let mut world = soft::SoftWorld::new(setup)?;
     let mut last = 1.0;
     while world.state().positions[0].z > 0.3 {
         world.step()?;
@@ -245,7 +250,7 @@ fn edges_that_no_sphere_could_meet_are_refused() -> Tested {
         (edged(Vector3::y(), [BELOW, ENDLESS]), true),
         (piston, false),
     ] {
-        let mut setup = Setup::new(laws(0.0)?).wall(wall);
+        let mut setup = WorldSetup::new(laws(0.0)?).wall(wall);
         setup.space = space;
         match World::new(setup) {
             Ok(_) => assert!(taken, "{wall:?}"),

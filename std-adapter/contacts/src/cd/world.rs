@@ -6,8 +6,8 @@ use super::impact::{self, Counts, Impacts};
 use super::memory::Memory;
 use super::nsgs::Iterations;
 use super::operator::Operator;
-use super::residual::{Coefficients, Residual, residual};
-use super::setup::Setup;
+use super::residual::{Coefficients, ContactResidual, residual};
+use super::setup::WorldSetup;
 use super::sleep::Sleep;
 use super::solver::{Answer, Workspace};
 use super::spheres::Spheres;
@@ -28,7 +28,7 @@ pub struct StepReport {
     /// missed their tolerance.
     pub handed_over: bool,
     /// Residual of the contact problem.
-    pub residual: Residual,
+    pub residual: ContactResidual,
     /// Number of contacts in the problem.
     pub contacts: usize,
     /// Number of impacts with restitution; repeated impacts at the same contact count separately.
@@ -57,7 +57,7 @@ impl StepReport {
 
 /// The complete state of a world: a run continues from it with identical bits.
 #[derive(Clone, Debug, PartialEq)]
-pub struct State<M: ContactModes<f64>> {
+pub struct WorldState<M: ContactModes<f64>> {
     /// Elapsed time.
     pub time: f64,
     /// Number of steps so far.
@@ -84,18 +84,18 @@ pub struct State<M: ContactModes<f64>> {
 /// Spheres, walls and their contacts.
 ///
 /// ```
-/// use tribos::cd::{Laws, Setup, State, StepReport, World, solid};
+/// use tribos::cd::{WorldMaterials, WorldSetup, WorldState, StepReport, World, solid};
 /// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
 /// use tribos::kernel::nalgebra::Vector3;
-/// let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, IndependentFriction::none());
+/// let smooth = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, IndependentFriction::none());
 /// let ball = solid(0.05, 1900.0); // m, kg/m³
-/// let setup = Setup::new(smooth)
+/// let setup = WorldSetup::new(smooth)
 ///     .sphere(Vector3::zeros(), 0.05, ball)
 ///     .sphere(Vector3::x() * 0.1, 0.05, ball);
 /// // Two ivory balls at rest touch. The first is struck and hands all of its speed to the second.
 /// let mut world = World::new(setup)?;
 /// world.state_mut().spheres[0].velocity.x = 2.0;
-/// let before: State<_> = world.state().clone();
+/// let before: WorldState<_> = world.state().clone();
 /// let report: StepReport = world.step()?;
 /// assert!(report.is_met() && report.contacts == 1);
 /// let speeds: Vec<f64> = world.state().spheres.iter().map(|ball| ball.velocity.x).collect();
@@ -108,8 +108,8 @@ pub struct State<M: ContactModes<f64>> {
 /// ```
 #[derive(Debug)]
 pub struct World<F: ContactFriction<f64>> {
-    pub(super) setup: Setup<F>,
-    pub(super) state: State<F::Modes>,
+    pub(super) setup: WorldSetup<F>,
+    pub(super) state: WorldState<F::Modes>,
     pub(super) problem: Spheres<F>,
     pub(super) cells: Cells,
     pub(super) neighbours: Vec<[u32; 2]>,
@@ -131,9 +131,9 @@ const MOST_HALVINGS: u32 = 40;
 
 impl<F: ContactFriction<f64> + Coefficients> World<F> {
     /// A world at time 0.
-    pub fn new(setup: Setup<F>) -> Result<Self, WorldError> {
+    pub fn new(setup: WorldSetup<F>) -> Result<Self, WorldError> {
         setup.check()?;
-        let mut state = State {
+        let mut state = WorldState {
             time: 0.0,
             steps: 0,
             positions: setup.positions.clone(),
@@ -150,7 +150,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 
     /// A world that continues from a state of a world with the same setup.
-    pub fn resume(setup: Setup<F>, state: State<F::Modes>) -> Self {
+    pub fn resume(setup: WorldSetup<F>, state: WorldState<F::Modes>) -> Self {
         let friction = setup.laws.friction();
         let (mut problem, mut impacts) = (Spheres::new(friction), Impacts::new(friction));
         problem.mixture = setup.mixture.clone().map(Arc::new);
@@ -170,17 +170,17 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 
     /// Initial state and laws of the world.
-    pub fn setup(&self) -> &Setup<F> {
+    pub fn setup(&self) -> &WorldSetup<F> {
         &self.setup
     }
 
     /// The current state.
-    pub fn state(&self) -> &State<F::Modes> {
+    pub fn state(&self) -> &WorldState<F::Modes> {
         &self.state
     }
 
     /// The current state, which may be changed between two steps.
-    pub fn state_mut(&mut self) -> &mut State<F::Modes> {
+    pub fn state_mut(&mut self) -> &mut WorldState<F::Modes> {
         &mut self.state
     }
 
@@ -225,7 +225,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
 
     /// The longest step in which nothing moves too far at its current velocity and load.
     fn time_step(&self) -> f64 {
-        let State { spheres, walls, .. } = &self.state;
+        let WorldState { spheres, walls, .. } = &self.state;
         let plates: Vec<_> = walls.iter().map(|wall| wall.plate).collect();
         let speed = self.fastest(spheres.iter(), &plates).unwrap_or(0.0);
         let pull = |wall: &Wall| (wall.force * wall.plate.inv_mass).abs();

@@ -1,51 +1,51 @@
 //! A contact problem between bodies: M v = H r + f.
 
 use super::error::ProblemError;
-use super::law::{ContactLaw, Layout};
-use super::matrix::Matrix;
-use super::reduced::{Reduced, check_laws, check_sizes};
+use super::law::{ContactComponents, ContactThresholds};
+use super::matrix::SparseMatrix;
+use super::reduced::{ReducedProblem, check_laws, check_sizes};
 use nalgebra::DMatrix;
 
 /// Bodies of mass M, velocities v and contacts: M v = H r + f, u = Hᵀ v + w.
 ///
-/// M is n × n and H is n × (d contacts), with d the size of the [`Layout`]. Laws are those of [`Reduced`].
+/// M is n × n and H is n × (d contacts), with d the size of the [`ContactComponents`]. Laws are those of [`ReducedProblem`].
 ///
 /// *Units*: any consistent set.
 ///
 /// ```
-/// use tribos::problem::{ContactLaw, Global, Layout, Matrix, solve};
+/// use tribos::problem::{ContactThresholds, GlobalProblem, ContactComponents, SparseMatrix, solve};
 /// // A mass of 2 kg under a push of 10 N s along x rests on a floor: its weight times a step is 40 N s.
-/// let m = Matrix::from_triplets([3, 3], &[(0, 0, 2.0), (1, 1, 2.0), (2, 2, 2.0)])?;
-/// let h = Matrix::from_triplets([3, 3], &[(2, 0, 1.0), (0, 1, 1.0), (1, 2, 1.0)])?;
-/// let laws = vec![ContactLaw::coulomb(0.5)];
-/// let rest = Global::new(Layout::Space, m, h, vec![10.0, 0.0, -40.0], vec![0.0; 3], laws)?;
+/// let m = SparseMatrix::from_triplets([3, 3], &[(0, 0, 2.0), (1, 1, 2.0), (2, 2, 2.0)])?;
+/// let h = SparseMatrix::from_triplets([3, 3], &[(2, 0, 1.0), (0, 1, 1.0), (1, 2, 1.0)])?;
+/// let laws = vec![ContactThresholds::coulomb(0.5)];
+/// let rest = GlobalProblem::new(ContactComponents::Space, m, h, vec![10.0, 0.0, -40.0], vec![0.0; 3], laws)?;
 /// let end = solve(&rest.reduced()?, &Default::default(), |_| ());
 /// assert!((end.impulses[0] - 40.0).abs() < 1e-9 && (end.impulses[1] + 10.0).abs() < 1e-9);
 /// assert!(rest.motion(&end.impulses)?.iter().all(|v| v.abs() < 1e-9)); // m/s
 /// # Ok::<(), tribos::problem::ProblemError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Global {
-    layout: Layout,
-    m: Matrix,
-    h: Matrix,
+pub struct GlobalProblem {
+    layout: ContactComponents,
+    m: SparseMatrix,
+    h: SparseMatrix,
     f: Vec<f64>,
     w: Vec<f64>,
-    laws: Vec<ContactLaw>,
+    laws: Vec<ContactThresholds>,
 }
 
-impl Global {
+impl GlobalProblem {
     /// A problem of M, H, f, w and one law a contact.
     ///
     /// # Errors
     /// [`ProblemError::Size`] if sizes do not fit, [`ProblemError::NotFinite`], or [`ProblemError::Law`].
     pub fn new(
-        layout: Layout,
-        m: Matrix,
-        h: Matrix,
+        layout: ContactComponents,
+        m: SparseMatrix,
+        h: SparseMatrix,
         f: Vec<f64>,
         w: Vec<f64>,
-        laws: Vec<ContactLaw>,
+        laws: Vec<ContactThresholds>,
     ) -> Result<Self, ProblemError> {
         let sizes = [
             ("M", "columns", m.columns()),
@@ -73,7 +73,7 @@ impl Global {
 
     /// Components of each contact.
     #[must_use]
-    pub fn layout(&self) -> Layout {
+    pub fn layout(&self) -> ContactComponents {
         self.layout
     }
 
@@ -85,13 +85,13 @@ impl Global {
 
     /// The mass matrix.
     #[must_use]
-    pub fn m(&self) -> &Matrix {
+    pub fn m(&self) -> &SparseMatrix {
         &self.m
     }
 
     /// The matrix that takes impulses at contacts to impulses on bodies.
     #[must_use]
-    pub fn h(&self) -> &Matrix {
+    pub fn h(&self) -> &SparseMatrix {
         &self.h
     }
 
@@ -109,7 +109,7 @@ impl Global {
 
     /// Laws of the contacts.
     #[must_use]
-    pub fn laws(&self) -> &[ContactLaw] {
+    pub fn laws(&self) -> &[ContactThresholds] {
         &self.laws
     }
 
@@ -117,7 +117,7 @@ impl Global {
     ///
     /// # Errors
     /// [`ProblemError::Singular`] if M has no inverse.
-    pub fn reduced(&self) -> Result<Reduced, ProblemError> {
+    pub fn reduced(&self) -> Result<ReducedProblem, ProblemError> {
         let bodies = Bodies::new(&self.m)?;
         let mut triplets = Vec::new();
         for body in &bodies.all {
@@ -145,14 +145,14 @@ impl Global {
             }
         }
         let size = self.w.len();
-        let w = Matrix::from_triplets([size, size], &triplets)?;
+        let w = SparseMatrix::from_triplets([size, size], &triplets)?;
         let made = Made {
             arms: self.h.transposed(),
             bodies,
             global: self.clone(),
         };
         let q = made.velocities(&vec![0.0; size]);
-        let mut reduced = Reduced::new(self.layout, w, q, self.laws.clone())?;
+        let mut reduced = ReducedProblem::new(self.layout, w, q, self.laws.clone())?;
         reduced.made = Some(Box::new(made));
         Ok(reduced)
     }
@@ -175,16 +175,16 @@ impl Global {
 /// momenta; a sum W r may lose a light body's part beside the impulses of heavy ones.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Made {
-    pub global: Global,
+    pub global: GlobalProblem,
     pub bodies: Bodies,
     /// Hᵀ
-    arms: Matrix,
+    arms: SparseMatrix,
 }
 
 impl Made {
     /// u = Hᵀ M⁻¹ (H r + f) + w.
     pub fn velocities(&self, r: &[f64]) -> Vec<f64> {
-        let Global { h, f, w, .. } = &self.global;
+        let GlobalProblem { h, f, w, .. } = &self.global;
         let mut momenta = h.times(r);
         momenta.iter_mut().zip(f).for_each(|(p, f)| *p += f);
         let mut u = self.arms.times(&self.bodies.divide(&momenta));
@@ -194,7 +194,7 @@ impl Made {
 
     /// Rounding of the velocities at each contact component, in units of ε: the sizes of momenta that cancel.
     pub fn rounding(&self, r: &[f64]) -> Vec<f64> {
-        let Global { h, f, .. } = &self.global;
+        let GlobalProblem { h, f, .. } = &self.global;
         let sizes: Vec<f64> = (0..h.rows())
             .map(|row| {
                 let sum: f64 = h.row(row).iter().map(|&(at, h)| (h * r[at]).abs()).sum();
@@ -228,7 +228,7 @@ pub(super) struct Bodies {
 }
 
 impl Bodies {
-    pub fn new(m: &Matrix) -> Result<Self, ProblemError> {
+    pub fn new(m: &SparseMatrix) -> Result<Self, ProblemError> {
         let all = components(m)
             .into_iter()
             .map(|freedoms| {
@@ -268,7 +268,7 @@ impl Bodies {
 }
 
 /// Rows of a square matrix that entries join, directly or through others.
-pub(super) fn components(m: &Matrix) -> Vec<Vec<usize>> {
+pub(super) fn components(m: &SparseMatrix) -> Vec<Vec<usize>> {
     let mut leader: Vec<usize> = (0..m.rows()).collect();
     for (row, column, value) in m.triplets() {
         if value != 0.0 {

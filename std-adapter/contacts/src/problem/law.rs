@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// Components of a contact's impulse and velocity, in this order: normal, sliding, rolling, torsion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layout {
+pub enum ContactComponents {
     /// Two: normal and sliding in a plane.
     Plane,
     /// Three: normal and two of sliding.
@@ -17,7 +17,7 @@ pub enum Layout {
     All,
 }
 
-impl Layout {
+impl ContactComponents {
     /// The layout of a number of components.
     #[must_use]
     pub fn of_size(size: usize) -> Option<Self> {
@@ -84,7 +84,7 @@ pub enum Friction {
 
 /// Law of a contact: thresholds over P, the normal impulse plus cohesion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ContactLaw {
+pub struct ContactThresholds {
     /// Friction coefficient μ: largest sliding impulse over P.
     pub sliding: f64,
     /// Rolling threshold: largest rolling impulse over P, a length.
@@ -97,7 +97,7 @@ pub struct ContactLaw {
     pub friction: Friction,
 }
 
-impl ContactLaw {
+impl ContactThresholds {
     /// Coulomb friction without rolling, torsion and cohesion.
     #[must_use]
     pub fn coulomb(sliding: f64) -> Self {

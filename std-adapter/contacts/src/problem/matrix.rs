@@ -3,15 +3,15 @@
 /// A sparse matrix: for each row the columns of its entries, in rising order, and their values.
 ///
 /// ```
-/// use tribos::problem::Matrix;
+/// use tribos::problem::SparseMatrix;
 /// // Entries of the same place are added.
-/// let matrix = Matrix::from_triplets([2, 3], &[(0, 2, 5.0), (1, 0, 1.0), (0, 2, -2.0)])?;
+/// let matrix = SparseMatrix::from_triplets([2, 3], &[(0, 2, 5.0), (1, 0, 1.0), (0, 2, -2.0)])?;
 /// assert_eq!(matrix.times(&[1.0, 10.0, 100.0]), [300.0, 1.0]);
 /// assert_eq!(matrix.transposed().times(&[1.0, 2.0]), [2.0, 0.0, 3.0]);
 /// # Ok::<(), tribos::problem::ProblemError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Matrix {
+pub struct SparseMatrix {
     columns: usize,
     /// First entry of each row, and the number of entries.
     starts: Vec<usize>,
@@ -20,7 +20,7 @@ pub struct Matrix {
 
 use super::error::ProblemError;
 
-impl Matrix {
+impl SparseMatrix {
     /// A matrix of `shape` (rows, columns) from entries (row, column, value); entries of one place are added in
     /// the order given.
     ///
@@ -147,7 +147,7 @@ impl Matrix {
         }
     }
 
-    /// Product with a vector of [`Matrix::columns`] elements.
+    /// Product with a vector of [`SparseMatrix::columns`] elements.
     ///
     /// # Panics
     /// If the vector is shorter.

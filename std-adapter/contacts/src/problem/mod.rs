@@ -1,6 +1,6 @@
 //! Contact problems as data: impulses at contacts, velocities that depend on them, and the laws of both.
 //!
-//! A [`Reduced`] problem has u = W r + q. [`solve`] finds impulses that every contact admits, and [`residual`]
+//! A [`ReducedProblem`] problem has u = W r + q. [`solve`] finds impulses that every contact admits, and [`residual`]
 //! judges them without the solvers' code.
 
 mod error;
@@ -16,14 +16,14 @@ mod squeeze;
 mod tests;
 
 pub use error::ProblemError;
+pub use file::{ContactProblem, ProblemFileError, ProblemFormat};
 #[doc(hidden)]
 pub use file::{Fault, Place};
-pub use file::{FileError, Format, Problem};
-pub use global::Global;
-pub use law::{ContactLaw, Friction, Layout};
-pub use matrix::Matrix;
-pub use reduced::Reduced;
-pub use residual::{Residual, residual};
+pub use global::GlobalProblem;
+pub use law::{ContactComponents, ContactThresholds, Friction};
+pub use matrix::SparseMatrix;
+pub use reduced::ReducedProblem;
+pub use residual::{ProblemResidual, residual};
 pub(crate) use solve::solve_directly;
-pub use solve::{Ending, Method, Progress, Settings, Solution, solve};
+pub use solve::{ProblemMethod, Solution, SolverOptions, SolverProgress, SolverStatus, solve};
 pub use squeeze::Squeeze;

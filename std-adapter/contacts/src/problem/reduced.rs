@@ -2,47 +2,47 @@
 
 use super::error::ProblemError;
 use super::global::Made;
-use super::law::{ContactLaw, Layout};
-use super::matrix::Matrix;
+use super::law::{ContactComponents, ContactThresholds};
+use super::matrix::SparseMatrix;
 
 /// Impulses r and velocities u = W r + q at contacts.
 ///
-/// Components of contact i are those from i d, with d the size of the [`Layout`]. The laws of each contact:
+/// Components of contact i are those from i d, with d the size of the [`ContactComponents`]. The laws of each contact:
 /// 0 ≤ P ⊥ u_N ≥ 0 with P = r_N plus cohesion; |r_k| ≤ m_k P for each mode k, and r_k = −m_k P u_k/|u_k| where
 /// u_k ≠ 0.
 ///
 /// *Units*: any consistent set.
 ///
 /// ```
-/// use tribos::problem::{ContactLaw, Layout, Matrix, Reduced};
+/// use tribos::problem::{ContactThresholds, ContactComponents, SparseMatrix, ReducedProblem};
 /// // A mass of 2 kg falls onto a floor at 3 m/s, at an angle: μ = 0.5.
-/// let w = Matrix::from_triplets([3, 3], &[(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5)])?;
-/// let fall = Reduced::new(Layout::Space, w, vec![-3.0, 4.0, 0.0], vec![ContactLaw::coulomb(0.5)])?;
+/// let w = SparseMatrix::from_triplets([3, 3], &[(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5)])?;
+/// let fall = ReducedProblem::new(ContactComponents::Space, w, vec![-3.0, 4.0, 0.0], vec![ContactThresholds::coulomb(0.5)])?;
 /// let end = tribos::problem::solve(&fall, &Default::default(), |_| ());
 /// let expected = [6.0, -3.0, 0.0]; // N s
 /// assert!(end.impulses.iter().zip(expected).all(|(r, exact)| (r - exact).abs() < 1e-12));
 /// # Ok::<(), tribos::problem::ProblemError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reduced {
-    pub(super) layout: Layout,
-    pub(super) w: Matrix,
+pub struct ReducedProblem {
+    pub(super) layout: ContactComponents,
+    pub(super) w: SparseMatrix,
     pub(super) q: Vec<f64>,
-    pub(super) laws: Vec<ContactLaw>,
+    pub(super) laws: Vec<ContactThresholds>,
     /// The bodies that W was made from.
     pub(super) made: Option<Box<Made>>,
 }
 
-impl Reduced {
+impl ReducedProblem {
     /// A problem of W, q and one law a contact.
     ///
     /// # Errors
     /// [`ProblemError::Size`] if sizes do not fit, [`ProblemError::NotFinite`], or [`ProblemError::Law`].
     pub fn new(
-        layout: Layout,
-        w: Matrix,
+        layout: ContactComponents,
+        w: SparseMatrix,
         q: Vec<f64>,
-        laws: Vec<ContactLaw>,
+        laws: Vec<ContactThresholds>,
     ) -> Result<Self, ProblemError> {
         let wanted = layout.size() * laws.len();
         let sizes = [
@@ -66,7 +66,7 @@ impl Reduced {
 
     /// Components of each contact.
     #[must_use]
-    pub fn layout(&self) -> Layout {
+    pub fn layout(&self) -> ContactComponents {
         self.layout
     }
 
@@ -78,7 +78,7 @@ impl Reduced {
 
     /// The matrix W.
     #[must_use]
-    pub fn w(&self) -> &Matrix {
+    pub fn w(&self) -> &SparseMatrix {
         &self.w
     }
 
@@ -90,7 +90,7 @@ impl Reduced {
 
     /// Laws of the contacts.
     #[must_use]
-    pub fn laws(&self) -> &[ContactLaw] {
+    pub fn laws(&self) -> &[ContactThresholds] {
         &self.laws
     }
 
@@ -158,7 +158,7 @@ pub(super) fn check_sizes(
     Ok(())
 }
 
-pub(super) fn check_laws(laws: &[ContactLaw]) -> Result<(), ProblemError> {
+pub(super) fn check_laws(laws: &[ContactThresholds]) -> Result<(), ProblemError> {
     for (contact, law) in laws.iter().enumerate() {
         let numbers = [
             ("the friction coefficient", law.sliding),

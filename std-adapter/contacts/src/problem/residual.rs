@@ -1,7 +1,7 @@
 //! How far impulses are from solving a contact problem, judged without the solvers' code.
 
-use super::law::{ContactLaw, Friction, Layout};
-use super::reduced::Reduced;
+use super::law::{ContactComponents, ContactThresholds, Friction};
+use super::reduced::ReducedProblem;
 
 /// Most components of a contact.
 const MOST: usize = 6;
@@ -11,7 +11,7 @@ const MOST: usize = 6;
 /// Both are sizes of the natural map r − P_K(r − ũ) over all contacts, with K the set of impulses that the laws
 /// admit and ũ_N = u_N + Σ m_k |u_k| (De Saxcé and Feng 1998).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Residual {
+pub struct ProblemResidual {
     /// The map in the units of the problem, over the largest of |q|, |r| and |u|.
     ///
     /// It depends on the units of mass and length, and is weak for badly scaled problems.
@@ -29,14 +29,14 @@ pub struct Residual {
     pub speed: f64,
 }
 
-/// Largest [`Residual::speed`] of a solution, in units of its tolerance: where a heavy body lies on a light one, this
+/// Largest [`ProblemResidual::speed`] of a solution, in units of its tolerance: where a heavy body lies on a light one, this
 /// is the error of the force.
 const SPEED: f64 = 100.0;
 /// Largest share of |q| that rounding may explain: that of the default tolerance. Beside impulses that blur more,
 /// speeds mean nothing.
 const COARSEST: f64 = 1e-6;
 
-impl Residual {
+impl ProblemResidual {
     /// The larger of both sizes of the map; NaN if either is.
     #[must_use]
     pub fn largest(&self) -> f64 {
@@ -57,7 +57,7 @@ impl Residual {
         }
     }
 
-    /// Whether both sizes are at most `tolerance`, and [`Residual::speed`] at most a hundred times it: no contact
+    /// Whether both sizes are at most `tolerance`, and [`ProblemResidual::speed`] at most a hundred times it: no contact
     /// closes faster than at the larger of a hundred times the tolerance and 1e-6, times the largest |q|.
     #[must_use]
     pub fn meets(&self, tolerance: f64) -> bool {
@@ -68,9 +68,9 @@ impl Residual {
 /// Judges impulses in the units and in the order of the problem.
 ///
 /// ```
-/// use tribos::problem::{ContactLaw, Layout, Matrix, Reduced, residual};
-/// let w = Matrix::from_triplets([3, 3], &[(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5)])?;
-/// let fall = Reduced::new(Layout::Space, w, vec![-3.0, 4.0, 0.0], vec![ContactLaw::coulomb(0.5)])?;
+/// use tribos::problem::{ContactThresholds, ContactComponents, SparseMatrix, ReducedProblem, residual};
+/// let w = SparseMatrix::from_triplets([3, 3], &[(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5)])?;
+/// let fall = ReducedProblem::new(ContactComponents::Space, w, vec![-3.0, 4.0, 0.0], vec![ContactThresholds::coulomb(0.5)])?;
 /// assert!(residual(&fall, &[6.0, -3.0, 0.0]).largest() < 1e-15);
 /// assert_eq!(residual(&fall, &[0.0, 0.0, 0.0]).penetration, 3.0);
 /// # Ok::<(), tribos::problem::ProblemError>(())
@@ -79,7 +79,7 @@ impl Residual {
 /// # Panics
 /// If there are fewer impulses than the problem has.
 #[must_use]
-pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
+pub fn residual(problem: &ReducedProblem, r: &[f64]) -> ProblemResidual {
     let (sums, u) = (problem.rounding(r), problem.velocities(r));
     let size = problem.layout.size();
     let largest = largest(problem, &problem.without_cohesion());
@@ -120,7 +120,7 @@ pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
         sum.sqrt()
     };
     let scale = norm(&problem.q).max(norm(r)).max(norm(&u));
-    Residual {
+    ProblemResidual {
         relative: ratio(plain.map_sq.sqrt(), scale),
         scaled: ratio(scaled.map_sq.sqrt(), scaled.size_sq.sqrt()),
         penetration,
@@ -129,13 +129,13 @@ pub fn residual(problem: &Reduced, r: &[f64]) -> Residual {
 }
 
 /// Largest speed without impulses, and with the pull of cohesion alone.
-fn largest(problem: &Reduced, pulled: &[f64]) -> f64 {
+fn largest(problem: &ReducedProblem, pulled: &[f64]) -> f64 {
     let speeds = problem.q.iter().chain(pulled);
     speeds.fold(0.0_f64, |most, q| most.max(q.abs()))
 }
 
 /// Largest speed at which a contact closes in a solution to `tolerance`, and largest blur of a speed by rounding.
-pub(super) fn allowed(problem: &Reduced, pulled: &[f64], tolerance: f64) -> f64 {
+pub(super) fn allowed(problem: &ReducedProblem, pulled: &[f64], tolerance: f64) -> f64 {
     COARSEST.max(SPEED * tolerance) * largest(problem, pulled)
 }
 
@@ -181,7 +181,11 @@ impl ModeTerms {
 
 /// Modes of a contact, at most three, and the unit of its normal component; in the units of the problem or scaled by
 /// its diagonal. Those without a threshold remain, with a threshold of zero.
-fn modes(layout: Layout, law: &ContactLaw, diagonal: Option<&[f64]>) -> ([ModeTerms; 3], f64) {
+fn modes(
+    layout: ContactComponents,
+    law: &ContactThresholds,
+    diagonal: Option<&[f64]>,
+) -> ([ModeTerms; 3], f64) {
     let unit = |range: std::ops::Range<usize>| -> f64 {
         let Some(diagonal) = diagonal else { return 1.0 };
         let count = range.len().max(1) as f64;

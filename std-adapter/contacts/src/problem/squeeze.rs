@@ -10,8 +10,8 @@
 //! contacts that close in this mean close whatever the impulses. This is the alternative of Farkas' lemma for
 //! u_N ≥ 0; W need not be symmetric.
 
-use super::law::ContactLaw;
-use super::reduced::Reduced;
+use super::law::ContactThresholds;
+use super::reduced::ReducedProblem;
 use super::residual::allowed;
 
 /// Normal impulses that move nothing, at contacts that close in the mean: proof that a problem has no solution.
@@ -44,7 +44,7 @@ impl Squeeze {
 
     /// The proof that the normal part of `impulses` gives, if it is one: every answer to `tolerance` would need an
     /// impulse at which rounding alone hides the speeds that are asked for.
-    pub(super) fn of(problem: &Reduced, impulses: &[f64], tolerance: f64) -> Option<Self> {
+    pub(super) fn of(problem: &ReducedProblem, impulses: &[f64], tolerance: f64) -> Option<Self> {
         let size = problem.layout.size();
         let normals = impulses.iter().step_by(size).map(|r| r.max(0.0));
         let largest = normals.clone().fold(0.0, f64::max);
@@ -66,7 +66,7 @@ impl Squeeze {
 }
 
 /// The most that impulses of a size that rounding resolves to `blur` change the mean speed by.
-fn opened(problem: &Reduced, weights: &[f64], blur: f64) -> f64 {
+fn opened(problem: &ReducedProblem, weights: &[f64], blur: f64) -> f64 {
     let size = problem.layout.size();
     // z, and the sizes of what cancels in it.
     let mut moved = vec![[0.0; 2]; problem.q.len()];
@@ -89,7 +89,7 @@ fn opened(problem: &Reduced, weights: &[f64], blur: f64) -> f64 {
 }
 
 /// z_N + Σ m_k |z_k| of a contact, with rounding against the proof.
-fn excess(problem: &Reduced, law: &ContactLaw, moved: &[[f64; 2]]) -> f64 {
+fn excess(problem: &ReducedProblem, law: &ContactThresholds, moved: &[[f64; 2]]) -> f64 {
     let layout = problem.layout;
     let mode = |range: std::ops::Range<usize>| -> f64 {
         let part = &moved[range];

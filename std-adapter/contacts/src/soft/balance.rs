@@ -1,11 +1,11 @@
 //! The energy balance of soft spheres.
 
 use super::contact::Energies;
-use super::world::{State, World};
+use super::world::{SoftState, SoftWorld};
 use crate::cd::{Wall, WorldError};
 use tribos_core::contact::{ContactFriction, SphereBody};
 
-impl<F: ContactFriction<f64>> World<F> {
+impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// Energies of all contacts, added in their order.
     pub(super) fn sum(&self) -> Result<Energies, WorldError> {
         let [pairs, walls] = &self.state.contacts;
@@ -49,7 +49,7 @@ impl<F: ContactFriction<f64>> World<F> {
     /// Enters the energies of a step into the balance.
     pub(super) fn enter(&mut self, taken: &Energies) {
         let kinetic = self.kinetic();
-        let State { energy, origin, .. } = &mut self.state;
+        let SoftState { energy, origin, .. } = &mut self.state;
         let [elastic, cohesion] = origin.unwrap_or_default();
         energy.elastic = taken.elastic - elastic;
         energy.cohesion = taken.cohesion - cohesion;

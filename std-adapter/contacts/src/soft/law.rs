@@ -121,7 +121,7 @@ impl Stiffness {
 /// assert!((restitution(0.2) - 0.5717).abs() < 1e-4);
 /// assert!((restitution(1.0) - (-2.0_f64).exp()).abs() < 1e-15);
 /// ```
-pub fn restitution(damping: f64) -> f64 {
+pub fn restitution_of(damping: f64) -> f64 {
     Real::exp(-damping * duration(damping))
 }
 
@@ -153,11 +153,11 @@ pub(super) fn duration(damping: f64) -> f64 {
 ///     assert!((restitution(damping(e)) / e - 1.0).abs() < 1e-12);
 /// }
 /// ```
-pub fn damping(coefficient: f64) -> f64 {
+pub fn damping_ratio_of(coefficient: f64) -> f64 {
     // Restitution falls with ζ: an interval that brackets the answer, then bisection to the last bit.
     const MOST_HALVINGS: usize = 200;
     let [mut low, mut high] = [0.0, 1.0];
-    while restitution(high) > coefficient && high < f64::MAX {
+    while restitution_of(high) > coefficient && high < f64::MAX {
         high *= 2.0;
     }
     if coefficient >= 1.0 {
@@ -168,7 +168,7 @@ pub fn damping(coefficient: f64) -> f64 {
         if middle <= low || middle >= high {
             break;
         }
-        if restitution(middle) > coefficient {
+        if restitution_of(middle) > coefficient {
             low = middle;
         } else {
             high = middle;
@@ -201,7 +201,7 @@ mod tests {
         for zeta in [
             0.01, 0.2, 0.5, 0.707, 0.9, 0.999_99, 1.0, 1.000_02, 1.5, 4.0,
         ] {
-            let error = restitution(zeta) - integrated(zeta);
+            let error = restitution_of(zeta) - integrated(zeta);
             assert!(error.abs() < 3e-5, "{zeta}: {error:e}");
         }
     }
@@ -210,7 +210,7 @@ mod tests {
     fn restitution_is_smooth_through_critical_damping() {
         // From both sides of both borders of the series.
         for middle in [1.0 - 1e-5, 1.0 + 1e-5] {
-            let [a, b] = [middle - 1e-12, middle + 1e-12].map(restitution);
+            let [a, b] = [middle - 1e-12, middle + 1e-12].map(restitution_of);
             assert!(((a - b) / a).abs() < 1e-11, "{middle}: {a} {b}");
         }
     }

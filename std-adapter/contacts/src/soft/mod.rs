@@ -7,17 +7,17 @@
 //! speed, for any friction, but for the overlap over the radius, by which its lever is shorter:
 //!
 //! ```
-//! use tribos::cd::{Laws, Wall, solid};
+//! use tribos::cd::{WorldMaterials, Wall, solid};
 //! use tribos::kernel::contact::{Cohesion, NormalLaw, SphereBody, IndependentFriction};
 //! use tribos::kernel::nalgebra::Vector3;
-//! use tribos::soft::{Setup, Stiffness, World};
+//! use tribos::soft::{SoftSetup, Stiffness, SoftWorld};
 //!
 //! let (up, radius) = (Vector3::z(), 0.028); // m
 //! let ball = SphereBody { velocity: Vector3::x(), ..solid(radius, 1700.0) }; // m/s, kg/m³
-//! let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.2)?);
-//! let table = Setup::new(laws, Stiffness::Linear(1e5)).wall(Wall::fixed(up, 0.0)); // N/m
+//! let laws = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::sliding(0.2)?);
+//! let table = SoftSetup::new(laws, Stiffness::Linear(1e5)).wall(Wall::fixed(up, 0.0)); // N/m
 //! let setup = table.gravity(up * -9.81).sphere(up * radius, radius, ball);
-//! let mut world = World::new(setup)?;
+//! let mut world = SoftWorld::new(setup)?;
 //! while world.state().time < 0.5 {
 //!     world.step()?;
 //! }
@@ -38,10 +38,10 @@ mod transport;
 mod world;
 
 pub use contact::SoftContact;
-pub use law::{Stiffness, damping, restitution};
+pub use law::{Stiffness, damping_ratio_of, restitution_of};
 #[doc(hidden)]
 pub use setup::STEPS_PER_COLLISION;
-pub use setup::Setup;
+pub use setup::SoftSetup;
 #[doc(hidden)]
 pub use step_length::StepLength;
-pub use world::{State, World};
+pub use world::{SoftState, SoftWorld};

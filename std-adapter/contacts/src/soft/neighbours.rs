@@ -1,7 +1,7 @@
 //! Which bodies may come into contact before the next search.
 
 use super::contact::SoftContact;
-use super::world::World;
+use super::world::SoftWorld;
 use crate::cd::{Wall, WorldError};
 use nalgebra::Vector3;
 use tribos_core::contact::{ContactBody, ContactFriction, ContactGeometry, ContactModes};
@@ -11,7 +11,7 @@ use tribos_core::internals::Block;
 /// usual runs.
 const SKIN: f64 = 0.3;
 
-impl<F: ContactFriction<f64>> World<F> {
+impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// Renews the list of neighbours once something has moved by half the margin.
     pub(super) fn list_neighbours(&mut self) -> Result<(), WorldError> {
         let far = 0.5 * self.skin;

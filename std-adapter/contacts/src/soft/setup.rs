@@ -1,8 +1,8 @@
 //! Initial state, laws and parameters of a world of soft spheres.
 
 use super::contact::Law;
-use super::law::{Stiffness, damping};
-use crate::cd::{self, Laws, StepLimits, Wall, WorldError};
+use super::law::{Stiffness, damping_ratio_of};
+use crate::cd::{self, StepLimits, Wall, WorldError, WorldMaterials};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{Attraction, SphereBody};
@@ -11,7 +11,7 @@ use tribos_core::contact::{Attraction, SphereBody};
 ///
 /// The [module](super) has an example.
 #[derive(Clone, Debug)]
-pub struct Setup<F> {
+pub struct SoftSetup<F> {
     /// Periodic axes.
     pub space: PeriodicBox,
     /// Centres of the spheres.
@@ -23,7 +23,7 @@ pub struct Setup<F> {
     /// Walls and pistons.
     pub walls: Vec<Wall>,
     /// Cohesion and friction. A restitution above 0 stands for the [`damping`] ratio that leads to it.
-    pub laws: Laws<F>,
+    pub laws: WorldMaterials<F>,
     /// Normal spring of every contact.
     pub stiffness: Stiffness,
     /// Damping ratio ζ of the contacts whose law has no restitution.
@@ -42,10 +42,10 @@ pub const STEPS_PER_COLLISION: f64 = 35.0;
 /// Fewest steps of a collision: with one the bodies could pass each other's centres.
 const FEWEST_STEPS: f64 = 2.0;
 
-impl<F> Setup<F> {
+impl<F> SoftSetup<F> {
     /// Open space without bodies and gravity, with critical damping, steps of at most 1 ms and 35 steps a
     /// collision.
-    pub fn new(laws: Laws<F>, stiffness: Stiffness) -> Self {
+    pub fn new(laws: WorldMaterials<F>, stiffness: Stiffness) -> Self {
         Self {
             space: PeriodicBox::OPEN,
             positions: Vec::new(),
@@ -84,7 +84,7 @@ impl<F> Setup<F> {
     }
 }
 
-impl<F: Copy> Setup<F> {
+impl<F: Copy> SoftSetup<F> {
     /// Refuses parameters with which no step is possible.
     pub(super) fn check(&self) -> Result<(), WorldError> {
         let given = self.stiffness.given();
@@ -106,7 +106,7 @@ impl<F: Copy> Setup<F> {
             return Err(WorldError::Resistance);
         }
         // Bodies and walls follow the rules of contact dynamics.
-        let bodies = cd::Setup {
+        let bodies = cd::WorldSetup {
             space: self.space,
             positions: self.positions.clone(),
             radii: self.radii.clone(),
@@ -117,7 +117,7 @@ impl<F: Copy> Setup<F> {
                 longest: self.longest,
                 ..StepLimits::default()
             },
-            ..cd::Setup::new(self.laws)
+            ..cd::WorldSetup::new(self.laws)
         };
         bodies.check()
     }
@@ -129,7 +129,7 @@ impl<F: Copy> Setup<F> {
             Law {
                 stiffness: self.stiffness,
                 damping: if restitution > 0.0 {
-                    damping(restitution)
+                    damping_ratio_of(restitution)
                 } else {
                     self.damping
                 },

@@ -45,7 +45,7 @@ pub struct StepLength {
 
 impl StepLength {
     /// The bounds of a setup with these laws of pairs and walls.
-    pub fn of<F: Copy>(setup: &super::Setup<F>) -> Self {
+    pub fn of<F: Copy>(setup: &super::SoftSetup<F>) -> Self {
         let extremes = |values: &mut dyn Iterator<Item = f64>| {
             values.fold([f64::INFINITY, 0.0_f64], |[low, high], x| {
                 [low.min(x), high.max(x)]

@@ -1,7 +1,7 @@
 //! Motion of soft spheres and plates: leapfrog, with velocities at the ends of the steps.
 
 use super::contact::{Energies, Law, Motion, SoftContact};
-use super::setup::Setup;
+use super::setup::SoftSetup;
 use super::step_length::{StepLength, fastest};
 use crate::cd::{EnergyBalance, Facing, Iterations, StepReport, Wall, WorldError};
 use nalgebra::Vector3;
@@ -15,7 +15,7 @@ use tribos_core::contact::{
 
 /// The complete state of a world of soft spheres: a run continues from it with identical bits.
 #[derive(Clone, Debug, PartialEq)]
-pub struct State<M: ContactModes<f64>> {
+pub struct SoftState<M: ContactModes<f64>> {
     /// Elapsed time.
     pub time: f64,
     /// Number of steps so far.
@@ -38,16 +38,16 @@ pub struct State<M: ContactModes<f64>> {
 /// Soft spheres, walls and their contacts.
 ///
 /// ```
-/// use tribos::cd::{Laws, solid};
+/// use tribos::cd::{WorldMaterials, solid};
 /// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
 /// use tribos::kernel::nalgebra::Vector3;
-/// use tribos::soft::{Setup, SoftContact, State, Stiffness, World};
-/// let bouncy = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.8)?, IndependentFriction::none());
+/// use tribos::soft::{SoftSetup, SoftContact, SoftState, Stiffness, SoftWorld};
+/// let bouncy = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.8)?, IndependentFriction::none());
 /// let ball = solid(0.05, 1900.0); // m, kg/m³
-/// let setup = Setup::new(bouncy, Stiffness::Linear(1e6)) // N/m
+/// let setup = SoftSetup::new(bouncy, Stiffness::Linear(1e6)) // N/m
 ///     .sphere(Vector3::zeros(), 0.05, ball)
 ///     .sphere(Vector3::x() * 0.101, 0.05, ball);
-/// let mut world = World::new(setup)?;
+/// let mut world = SoftWorld::new(setup)?;
 /// world.state_mut().spheres[0].velocity.x = 2.0; // m/s
 /// let mut deepest = 0.0_f64;
 /// for _ in 0..200 {
@@ -57,15 +57,15 @@ pub struct State<M: ContactModes<f64>> {
 /// }
 /// assert!(deepest > 1e-3 && deepest < 1.5e-3); // m
 /// // 1 m/s each of the common motion, and 0.8 of the relative one the other way.
-/// let end: &State<_> = world.state();
+/// let end: &SoftState<_> = world.state();
 /// assert!((end.spheres[0].velocity.x - 0.2).abs() < 0.05);
 /// assert!((end.spheres[1].velocity.x - 1.8).abs() < 0.05);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
-pub struct World<F: ContactFriction<f64>> {
-    pub(super) setup: Setup<F>,
-    pub(super) state: State<F::Modes>,
+pub struct SoftWorld<F: ContactFriction<f64>> {
+    pub(super) setup: SoftSetup<F>,
+    pub(super) state: SoftState<F::Modes>,
     pub(super) laws: [Law<F>; 2],
     length: StepLength,
     pub(super) cells: Cells,
@@ -90,11 +90,11 @@ pub(crate) type StoredContact<M> = ([u32; 2], [ContactVector<f64, M>; 2]);
 const WORTHWHILE: usize = 4096;
 const SHARE_OF_THREAD: usize = 1024;
 
-impl<F: ContactFriction<f64>> World<F> {
+impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// A world at time 0.
-    pub fn new(setup: Setup<F>) -> Result<Self, WorldError> {
+    pub fn new(setup: SoftSetup<F>) -> Result<Self, WorldError> {
         setup.check()?;
-        let state = State {
+        let state = SoftState {
             time: 0.0,
             steps: 0,
             positions: setup.positions.clone(),
@@ -108,7 +108,7 @@ impl<F: ContactFriction<f64>> World<F> {
     }
 
     /// A world that continues from a state of a world with the same setup.
-    pub fn resume(setup: Setup<F>, state: State<F::Modes>) -> Self {
+    pub fn resume(setup: SoftSetup<F>, state: SoftState<F::Modes>) -> Self {
         let mut world = Self {
             laws: setup.contact_laws(),
             length: StepLength::of(&setup),
@@ -129,17 +129,17 @@ impl<F: ContactFriction<f64>> World<F> {
     }
 
     /// Initial state and laws of the world.
-    pub fn setup(&self) -> &Setup<F> {
+    pub fn setup(&self) -> &SoftSetup<F> {
         &self.setup
     }
 
     /// The current state.
-    pub fn state(&self) -> &State<F::Modes> {
+    pub fn state(&self) -> &SoftState<F::Modes> {
         &self.state
     }
 
     /// The current state, which may be changed between two steps.
-    pub fn state_mut(&mut self) -> &mut State<F::Modes> {
+    pub fn state_mut(&mut self) -> &mut SoftState<F::Modes> {
         &mut self.state
     }
 
@@ -163,7 +163,7 @@ impl<F: ContactFriction<f64>> World<F> {
     ) -> Result<(), WorldError> {
         self.listed = false;
         self.list_neighbours()?;
-        let State {
+        let SoftState {
             positions,
             walls,
             contacts,
@@ -204,7 +204,7 @@ impl<F: ContactFriction<f64>> World<F> {
     pub fn step(&mut self) -> Result<StepReport, WorldError> {
         self.begin()?;
         let deepest = self.add_loads(|contact| contact.in_range.then_some(&contact.force));
-        let State { spheres, walls, .. } = &self.state;
+        let SoftState { spheres, walls, .. } = &self.state;
         let dt = self.length.next(spheres, walls, deepest, &self.at_walls);
         self.kick(0.5 * dt, 0.5 * dt);
         self.drift(dt);
@@ -293,7 +293,7 @@ impl<F: ContactFriction<f64>> World<F> {
     /// New velocities after half a step, from the loads times a time.
     fn kick(&mut self, time: f64, half: f64) {
         let gravity = self.setup.gravity * half;
-        let State {
+        let SoftState {
             spheres,
             walls,
             energy,
@@ -319,7 +319,7 @@ impl<F: ContactFriction<f64>> World<F> {
     /// New places after a step, and the work of weight and of the loads of pistons on the way.
     fn drift(&mut self, dt: f64) {
         let gravity = self.setup.gravity;
-        let State {
+        let SoftState {
             positions,
             spheres,
             walls,
@@ -362,7 +362,7 @@ impl<F: ContactFriction<f64>> World<F> {
 
     /// Springs, forces and energies of all contacts after a step of length `dt`.
     fn find_forces(&mut self, dt: f64) -> Result<Energies, WorldError> {
-        let State {
+        let SoftState {
             positions,
             spheres,
             walls,

@@ -1,7 +1,7 @@
 //! Checkpoint files of a gas.
 
 use super::medium::Kept;
-use super::run::{Ending, Row};
+use super::run::{GasStopReason, Row};
 use crate::gas::scene::GasScene;
 use serde_json::{Map, Value};
 use tribos_base::record::kept::{damaged, groups, hex, one, opened};
@@ -18,7 +18,7 @@ pub(super) struct Checkpoint {
     pub medium: Kept,
     pub steps: u64,
     pub series: Vec<Row>,
-    pub ending: Option<Ending>,
+    pub ending: Option<GasStopReason>,
     pub wall_seconds: f64,
 }
 
@@ -33,7 +33,7 @@ impl Checkpoint {
         map.insert("series".into(), hex(&series).into());
         map.insert("wall_seconds".into(), hex(&[self.wall_seconds]).into());
         map.insert("gas_steps".into(), self.steps.into());
-        map.insert("ending".into(), self.ending.map(Ending::name).into());
+        map.insert("ending".into(), self.ending.map(GasStopReason::name).into());
         sealed(map)
     }
 
@@ -52,7 +52,7 @@ impl Checkpoint {
             ending: match &value["ending"] {
                 Value::Null => None,
                 name => {
-                    let ending = name.as_str().and_then(Ending::named);
+                    let ending = name.as_str().and_then(GasStopReason::named);
                     Some(ending.ok_or_else(|| damaged("ending"))?)
                 }
             },

@@ -12,10 +12,10 @@ use tribos_core::law::LawError;
 /// Why a gas cannot start or continue.
 ///
 /// ```
-/// use tribos::gas::{Gas, GasError};
+/// use tribos::gas::{GasSimulation, GasError};
 /// use tribos::scene::GasScene;
 /// let crowd = GasScene { fraction: 0.9, ..GasScene::default() };
-/// assert!(matches!(Gas::new(&crowd), Err(GasError::Scene(_))));
+/// assert!(matches!(GasSimulation::new(&crowd), Err(GasError::Scene(_))));
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum GasError {

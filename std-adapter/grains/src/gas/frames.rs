@@ -1,10 +1,10 @@
 //! Frames of a film of a gas.
 
-use super::run::Gas;
+use super::run::GasSimulation;
 use super::stepped::DENSITY;
 use tribos_base::record::frames::{Bodies, Frame, Kind};
 
-impl Gas {
+impl GasSimulation {
     /// Data common to all frames of the film, which keeps at most `limit` of them.
     pub fn bodies(&self, limit: u64) -> Bodies {
         Bodies {

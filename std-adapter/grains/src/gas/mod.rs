@@ -18,11 +18,11 @@ mod stepped;
 mod tests;
 
 pub use error::GasError;
-pub use outcome::Outcome;
+pub use outcome::GasSummary;
 pub(crate) use room::edge;
 #[doc(hidden)]
 pub use run::COLUMNS;
-pub use run::{Ending, Gas};
+pub use run::{GasSimulation, GasStopReason};
 #[doc(hidden)]
 pub use size::size;
 #[doc(hidden)]

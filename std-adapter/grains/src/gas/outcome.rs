@@ -1,31 +1,31 @@
 //! Summary of a gas.
 
 use super::error::GasError;
-use super::run::{COLUMNS, Ending, Gas};
+use super::run::{COLUMNS, GasSimulation, GasStopReason};
 use crate::gas::scene::GasScene;
 use serde_json::{Map, Value};
 use tribos_base::golden::{Measure, Measurement, digest};
 use tribos_base::record::json_number;
-use tribos_base::run::drive;
+use tribos_base::run::run_to_end;
 
 /// Results of a gas, in the units of its scene.
 ///
 /// ```
-/// use tribos::gas::{Gas, Outcome};
+/// use tribos::gas::{GasSimulation, GasSummary};
 /// use tribos::run::drive;
 /// # use tribos::scene::GasScene;
 /// # let scene = GasScene { count: 200, collisions: 3.0, ..GasScene::default() };
-/// let mut gas = Gas::new(&scene)?;
+/// let mut gas = GasSimulation::new(&scene)?;
 /// drive(&mut gas, |_, _| ())?;
-/// let end: Outcome = gas.outcome();
+/// let end: GasSummary = gas.outcome();
 /// assert!((end.energy[0] - end.energy[1] - end.lost).abs() < 1e-10); // none is missing
 /// assert_eq!(end.json(&scene)["ending"], "collisions");
 /// # Ok::<(), tribos::gas::GasError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
+pub struct GasSummary {
     /// Why the run ended; `None` if it has not.
-    pub ending: Option<Ending>,
+    pub ending: Option<GasStopReason>,
     /// Time at the end.
     pub time: f64,
     /// Number of steps taken.
@@ -62,11 +62,11 @@ pub struct Outcome {
     pub wall_seconds: f64,
 }
 
-impl Outcome {
+impl GasSummary {
     /// The summary as JSON.
     pub fn json(&self, scene: &GasScene) -> Value {
         let mut map = Map::new();
-        map.insert("ending".into(), self.ending.map(Ending::name).into());
+        map.insert("ending".into(), self.ending.map(GasStopReason::name).into());
         for (name, number) in [
             ("temperature", self.temperature),
             ("temperature_rotational", self.temperature_rotational),
@@ -104,8 +104,8 @@ impl Measure for GasScene {
     type Error = GasError;
 
     fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, GasError> {
-        let mut gas = Gas::new(self)?;
-        drive(&mut gas, |_, _| watch())?;
+        let mut gas = GasSimulation::new(self)?;
+        run_to_end(&mut gas, |_, _| watch())?;
         let rows = gas.series().iter().map(|row| row.to_vec());
         let summary = gas.outcome().json(self);
         let mut measurement = Measurement::new(&summary, &COLUMNS, rows);

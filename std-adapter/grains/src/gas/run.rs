@@ -3,7 +3,7 @@
 use super::checkpoint::Checkpoint;
 use super::error::GasError;
 use super::medium::Medium;
-use super::outcome::Outcome;
+use super::outcome::GasSummary;
 use super::room::edge;
 use super::start::start;
 use super::state::GasState;
@@ -53,18 +53,18 @@ pub(super) type Row = [f64; COLUMNS.len()];
 /// Why a run ended.
 ///
 /// ```
-/// use tribos::gas::{Ending, Gas};
+/// use tribos::gas::{GasStopReason, GasSimulation};
 /// use tribos::run::drive;
 /// # use tribos::scene::GasScene;
 /// // Dense and dissipative: infinitely many collisions in a finite time.
 /// let scene = GasScene { count: 500, fraction: 0.5, restitution: 0.2, collisions: 1e3, ..GasScene::default() };
-/// let mut gas = Gas::new(&scene)?;
+/// let mut gas = GasSimulation::new(&scene)?;
 /// drive(&mut gas, |_, _| ())?;
-/// assert_eq!(gas.ending(), Some(Ending::Collapse));
+/// assert_eq!(gas.ending(), Some(GasStopReason::Collapse));
 /// # Ok::<(), tribos::gas::GasError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
+pub enum GasStopReason {
     /// The scene's number of collisions was reached.
     Collisions,
     /// The scene's duration elapsed.
@@ -75,7 +75,7 @@ pub enum Ending {
     Rest,
 }
 
-impl Ending {
+impl GasStopReason {
     const ALL: [Self; 4] = [Self::Collisions, Self::Time, Self::Collapse, Self::Rest];
 
     /// Name in summaries and checkpoints.
@@ -96,11 +96,11 @@ impl Ending {
 /// A gas in progress.
 ///
 /// ```
-/// use tribos::gas::{COLUMNS, Gas};
+/// use tribos::gas::{COLUMNS, GasSimulation};
 /// use tribos::run::drive;
 /// use tribos::scene::GasScene;
 /// let scene = GasScene { count: 500, restitution: 0.95, collisions: 6.0, ..GasScene::default() };
-/// let mut gas = Gas::new(&scene)?;
+/// let mut gas = GasSimulation::new(&scene)?;
 /// drive(&mut gas, |_, _| ())?;
 /// // Haff's law: T = exp(-(1 - e²) C/3) after C collisions a sphere.
 /// let end = gas.outcome();
@@ -110,20 +110,20 @@ impl Ending {
 /// # Ok::<(), tribos::gas::GasError>(())
 /// ```
 #[derive(Debug)]
-pub struct Gas {
+pub struct GasSimulation {
     scene: GasScene,
     law: Impact,
     length: f64,
     medium: Medium,
     steps: u64,
     series: Vec<Row>,
-    ending: Option<Ending>,
+    ending: Option<GasStopReason>,
     radii: Vec<f64>,
     wall_seconds: f64,
     started: Instant,
 }
 
-impl Gas {
+impl GasSimulation {
     /// Starts from the scene's mixed state.
     pub fn new(scene: &GasScene) -> Result<Self, GasError> {
         Self::begin(scene, None, |_| ControlFlow::Continue(()))
@@ -133,13 +133,13 @@ impl Gas {
     /// interruption.
     ///
     /// ```
-    /// use tribos::gas::Gas;
+    /// use tribos::gas::GasSimulation;
     /// use tribos::run::Simulation;
     /// # use tribos::scene::GasScene;
     /// # let scene = GasScene { count: 100, ..GasScene::default() };
-    /// let mut whole = Gas::new(&scene)?;
+    /// let mut whole = GasSimulation::new(&scene)?;
     /// whole.step()?;
-    /// let mut broken = Gas::resume(&scene, &whole.checkpoint())?;
+    /// let mut broken = GasSimulation::resume(&scene, &whole.checkpoint())?;
     /// whole.step()?;
     /// broken.step()?;
     /// assert_eq!(broken.series(), whole.series());
@@ -227,7 +227,7 @@ impl Gas {
     }
 
     /// Why the run has ended, if it has.
-    pub fn ending(&self) -> Option<Ending> {
+    pub fn ending(&self) -> Option<GasStopReason> {
         self.ending
     }
 
@@ -262,10 +262,10 @@ impl Gas {
     }
 
     /// Summary of the run so far.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> GasSummary {
         let now = self.record();
         let first = self.series.first().copied().unwrap_or(now);
-        Outcome {
+        GasSummary {
             ending: self.ending,
             time: now[TIME],
             steps: self.steps,
@@ -343,7 +343,7 @@ impl Gas {
     }
 }
 
-impl Simulation for Gas {
+impl Simulation for GasSimulation {
     type Record = Row;
     type Error = GasError;
 
@@ -378,11 +378,11 @@ impl Simulation for Gas {
         let stop = self.medium.advance(next, until)?;
         self.steps += 1;
         self.ending = match stop {
-            Some(Advance::Time) => Some(Ending::Time),
-            Some(Advance::Collapse) => Some(Ending::Collapse),
-            Some(Advance::Rest) => Some(Ending::Rest),
+            Some(Advance::Time) => Some(GasStopReason::Time),
+            Some(Advance::Collapse) => Some(GasStopReason::Collapse),
+            Some(Advance::Rest) => Some(GasStopReason::Rest),
             Some(Advance::Collisions) if self.medium.collisions() >= all => {
-                Some(Ending::Collisions)
+                Some(GasStopReason::Collisions)
             }
             _ => None,
         };

@@ -1,12 +1,12 @@
 //! Gases as long runs.
 
-use super::{Gas, GasError};
+use super::{GasError, GasSimulation};
 use crate::gas::scene::GasScene;
 use std::ops::ControlFlow;
 use tribos_base::record::frames::{Bodies, Frame};
 use tribos_base::run::{Cause, LongRun};
 
-impl LongRun for Gas {
+impl LongRun for GasSimulation {
     type Scene = GasScene;
 
     fn begin(

@@ -4,7 +4,7 @@ use super::error::GasError;
 use super::soft;
 use super::state::GasState;
 use crate::gas::scene::{GasMethod, GasScene};
-use crate::packing::method::{Coupling, WallLaw};
+use crate::packing::method::{FrictionCoupling, WallLaw};
 use crate::packing::{Bodies, Frozen, Material, Method, Packing, build};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 use tribos_base::record::kept::damaged;
 use tribos_base::record::{CheckpointError, ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
-use tribos_contacts::cd::{Method as Sweeps, Solver, StepLimits};
+use tribos_contacts::cd::{ContactSolver, SolverMethod as Sweeps, StepLimits};
 use tribos_contacts::event::Motion;
 use tribos_core::contact::Attraction;
 
@@ -191,7 +191,7 @@ fn method(scene: &GasScene) -> Method {
         return Method::Soft(soft::springs(scene));
     }
     Method::ContactDynamics {
-        solver: Solver {
+        solver: ContactSolver {
             method: Sweeps::Accelerated {
                 tolerance: TOLERANCE,
             },
@@ -217,7 +217,7 @@ fn material(scene: &GasScene) -> Material {
         sliding: scene.friction.unwrap_or(0.0),
         rolling: 0.0,
         torsion: 0.0,
-        coupling: Coupling::Independent,
+        coupling: FrictionCoupling::Independent,
         wall: WallLaw::Full,
     }
 }

@@ -4,14 +4,14 @@ use super::*;
 use crate::gas::scene::{GasMethod, GasScene};
 use crate::packing::method::NormalForce;
 use std::ops::ControlFlow;
-use tribos_base::run::{Simulation, drive};
+use tribos_base::run::{Simulation, run_to_end};
 use tribos_contacts::event::{HardSpheres, Impact, Tangential, collision_rate, contact_value};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-fn finished(scene: &GasScene) -> Result<Gas, GasError> {
-    let mut gas = Gas::new(scene)?;
-    drive(&mut gas, |_, _| ())?;
+fn finished(scene: &GasScene) -> Result<GasSimulation, GasError> {
+    let mut gas = GasSimulation::new(scene)?;
+    run_to_end(&mut gas, |_, _| ())?;
     Ok(gas)
 }
 
@@ -34,7 +34,7 @@ fn a_start_has_the_temperatures_asked_for_and_no_momentum() -> Tested {
             rotational,
             ..small()
         };
-        let first = Gas::new(&scene)?.record();
+        let first = GasSimulation::new(&scene)?.record();
         assert!((first[run::TRANSLATIONAL] - 1.0).abs() < 1e-12);
         assert!((first[run::ROTATIONAL] - rotational).abs() < 1e-12);
         assert!(first[run::MOMENTUM] < 1e-12);
@@ -60,7 +60,7 @@ fn the_energy_balance_of_a_gas_closes_and_its_momentum_stays() -> Tested {
             ..small()
         };
         let end = finished(&scene)?.outcome();
-        assert_eq!(end.ending, Some(Ending::Collisions), "{scene:?}");
+        assert_eq!(end.ending, Some(GasStopReason::Collisions), "{scene:?}");
         let [before, after] = end.energy;
         assert!(after < before);
         assert!(
@@ -159,13 +159,17 @@ fn a_dense_gas_collapses_and_a_contact_time_prevents_it() -> Tested {
         ..GasScene::default()
     };
     let stuck = finished(&dense)?.outcome();
-    assert_eq!(stuck.ending, Some(Ending::Collapse), "{stuck:?}");
+    assert_eq!(stuck.ending, Some(GasStopReason::Collapse), "{stuck:?}");
     let cured = GasScene {
         contact_time: 1e-4,
         ..dense
     };
     let through = finished(&cured)?.outcome();
-    assert_eq!(through.ending, Some(Ending::Collisions), "{through:?}");
+    assert_eq!(
+        through.ending,
+        Some(GasStopReason::Collisions),
+        "{through:?}"
+    );
     assert!(through.cured > 0 && through.time > 2.0 * stuck.time);
     Ok(())
 }
@@ -200,16 +204,16 @@ fn a_resumed_gas_ends_with_the_same_bits() -> Tested {
             ..small()
         };
         let whole = finished(&scene)?;
-        let mut first = Gas::new(&scene)?;
+        let mut first = GasSimulation::new(&scene)?;
         while first.steps() < whole.steps() / 2 {
             assert!(first.step()?);
         }
-        let mut second = Gas::resume(&scene, &first.checkpoint())?;
-        drive(&mut second, |_, _| ())?;
+        let mut second = GasSimulation::resume(&scene, &first.checkpoint())?;
+        run_to_end(&mut second, |_, _| ())?;
         assert_eq!(whole.series(), second.series());
         assert_eq!(whole.state(), second.state());
         // The end is the end.
-        let mut again = Gas::resume(&scene, &whole.checkpoint())?;
+        let mut again = GasSimulation::resume(&scene, &whole.checkpoint())?;
         assert!(!again.step()?);
         assert_eq!(again.series(), whole.series());
     }
@@ -219,9 +223,9 @@ fn a_resumed_gas_ends_with_the_same_bits() -> Tested {
 #[test]
 fn checkpoints_of_other_gases_and_damaged_ones_are_refused() -> Tested {
     let here = small();
-    let kept = Gas::new(&here)?.checkpoint();
+    let kept = GasSimulation::new(&here)?.checkpoint();
     let refusal = |scene: &GasScene, text: &str| {
-        let told = Gas::resume(scene, text).map(|_| ());
+        let told = GasSimulation::resume(scene, text).map(|_| ());
         told.map_or_else(|error| error.to_string(), |()| "accepted".into())
     };
     assert_eq!(refusal(&here, &kept), "accepted");
@@ -236,7 +240,7 @@ fn checkpoints_of_other_gases_and_damaged_ones_are_refused() -> Tested {
 
 #[test]
 fn impossible_gases_are_refused_before_work() {
-    let refusal = |scene: GasScene| match Gas::new(&scene) {
+    let refusal = |scene: GasScene| match GasSimulation::new(&scene) {
         Err(GasError::Scene(error)) => error.to_string(),
         other => format!("{other:?}"),
     };
@@ -405,7 +409,7 @@ fn the_step_of_soft_spheres_is_foreseen() -> Tested {
             ..small()
         };
         let foreseen = soft_collision(&scene).ok_or("no springs")?.step;
-        let mut gas = Gas::new(&scene)?;
+        let mut gas = GasSimulation::new(&scene)?;
         gas.step()?;
         let ratio = gas.time() / foreseen;
         assert!((ratio - 1.0).abs() < 0.1, "{normal_law}: {ratio}");

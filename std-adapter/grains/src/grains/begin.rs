@@ -3,7 +3,7 @@
 use super::error::GrainsError;
 use super::layout::{Face, Layout, Part};
 use super::placement::{self, Start};
-use crate::grains::scene::{Axis, Container, Ends, GrainsScene, Sides};
+use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::AssemblyError;
 use crate::packing::method::ContactMethod;
 use crate::packing::{Frozen, Kinds, deepest, given};
@@ -30,9 +30,9 @@ pub(super) fn start(
 /// Grains of a file or a run in the box of the scene.
 fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     let (flat, depth) = (scene.is_flat(), scene.box_depth());
-    let x = (scene.x == Sides::Periodic).then_some((scene.width, "width"));
-    let y = (scene.y == Sides::Periodic && !flat).then_some((depth, "depth"));
-    let z = (scene.z == Ends::Periodic).then(|| (scene.height.unwrap_or(0.0), "height"));
+    let x = (scene.x == SideBoundary::Periodic).then_some((scene.width, "width"));
+    let y = (scene.y == SideBoundary::Periodic && !flat).then_some((depth, "depth"));
+    let z = (scene.z == EndBoundary::Periodic).then(|| (scene.height.unwrap_or(0.0), "height"));
     let mut assembly = given(path, [x, y, z], (scene.radius, scene.method))?;
     if scene.method == ContactMethod::Soft && assembly.space.offset() != 0.0 {
         return Err(AssemblyError::Content {
@@ -104,11 +104,11 @@ fn check_inside(
         reason,
     };
     let ends = [
-        (scene.x == Sides::Walls).then_some((scene.width, "x", "width")),
-        (scene.y == Sides::Walls).then_some((scene.box_depth(), "y", "depth")),
+        (scene.x == SideBoundary::Walls).then_some((scene.width, "x", "width")),
+        (scene.y == SideBoundary::Walls).then_some((scene.box_depth(), "y", "depth")),
         scene
             .height
-            .filter(|_| scene.z == Ends::Walls)
+            .filter(|_| scene.z == EndBoundary::Walls)
             .map(|height| (height, "z", "height")),
     ];
     // Soft grains may reach as far into a wall as into each other.

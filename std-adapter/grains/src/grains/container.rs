@@ -1,7 +1,7 @@
 //! Hoppers and drums: walls beside those of the box, and the room that they leave.
 
 use super::layout::{Face, Part};
-use crate::grains::scene::{Container, GrainsScene, Sides};
+use crate::grains::scene::{Container, GrainsScene, SideBoundary};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use tribos_contacts::cd::Rectangle;
@@ -32,8 +32,8 @@ fn hopper(scene: &GrainsScene) -> [Part; 3] {
         let along = Vector3::new(side * cos, 0.0, sin);
         let low = along.dot(&slot);
         let high = match scene.x {
-            Sides::Walls => f64::INFINITY,
-            Sides::Periodic => low + 0.5 * (scene.width - scene.outlet) / cos,
+            SideBoundary::Walls => f64::INFINITY,
+            SideBoundary::Periodic => low + 0.5 * (scene.width - scene.outlet) / cos,
         };
         Part {
             face: Face::Slope,

@@ -5,9 +5,9 @@ use super::error::GrainsError;
 use super::layout::Layout;
 use super::loads::Loads;
 use super::parts::{self, volume};
-use crate::grains::scene::{Container, Ends, GrainsScene, Sides};
+use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::Assembly;
-use crate::packing::method::{ContactMethod, Coupling};
+use crate::packing::method::{ContactMethod, FrictionCoupling};
 use crate::packing::{self, Method, Packing};
 use std::ops::ControlFlow;
 use tribos_base::run::RunSize;
@@ -121,7 +121,7 @@ pub fn cost(scene: &GrainsScene) -> Result<GrainsCost, GrainsError> {
         sliding: if mu > 0.0 { mu } else { USUAL },
         rolling: 0.0,
         torsion: 0.0,
-        coupling: Coupling::Independent,
+        coupling: FrictionCoupling::Independent,
         ..scene.clone()
     };
     let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
@@ -150,9 +150,9 @@ fn block(scene: &GrainsScene) -> Result<Box<dyn Packing>, GrainsError> {
         width: side,
         depth: None,
         height: Some(side),
-        x: Sides::Periodic,
-        y: Sides::Periodic,
-        z: Ends::Periodic,
+        x: SideBoundary::Periodic,
+        y: SideBoundary::Periodic,
+        z: EndBoundary::Periodic,
         dimension: 3,
         container: Container::Box,
         count: EDGE.pow(3),

@@ -6,10 +6,10 @@ use crate::packing::PackingRunError;
 /// Why grains cannot start or continue.
 ///
 /// ```
-/// use tribos::grains::{Grains, GrainsError};
+/// use tribos::grains::{GrainsSimulation, GrainsError};
 /// use tribos::record::CheckpointError;
 /// use tribos::scene::GrainsScene;
-/// let refused = Grains::resume(&GrainsScene::default(), "{}");
+/// let refused = GrainsSimulation::resume(&GrainsScene::default(), "{}");
 /// assert!(matches!(refused, Err(GrainsError::Checkpoint(CheckpointError::Format(_)))));
 /// ```
 pub type GrainsError = PackingRunError<PlacementError>;

@@ -3,7 +3,7 @@
 use super::layout::Layout;
 use super::loads::Loads;
 use super::measure::{COLUMNS, Now};
-use super::run::Ending;
+use super::run::GrainsStopReason;
 use crate::grains::scene::GrainsScene;
 use crate::packing::{self, Body, Bounds, Cadence, Packing, Seen};
 use serde_json::{Map, Value};
@@ -41,7 +41,7 @@ impl Laden {
 
 impl Body<{ COLUMNS.len() }> for Laden {
     type Watch = Slow;
-    type Ending = Ending;
+    type Ending = GrainsStopReason;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
     const FORMAT: (&'static str, u64) = ("tribos_grains", 3);
@@ -95,7 +95,7 @@ pub(super) fn bounds(scene: &GrainsScene) -> Bounds {
     }
 }
 
-impl packing::Ending for Ending {
+impl packing::Ending for GrainsStopReason {
     const OVER: Self = Self::Rest;
     const TIME: Self = Self::Time;
     const STEPS: Self = Self::Steps;

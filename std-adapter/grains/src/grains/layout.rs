@@ -2,7 +2,7 @@
 
 use super::container;
 use super::placement::Start;
-use crate::grains::scene::{Axis, Container, Ends, GrainsScene, Sides};
+use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
 use nalgebra::Vector3;
 use tribos_base::space::{PeriodicBox, PeriodicBoxError};
 use tribos_contacts::cd::{Rectangle, Wall};
@@ -102,9 +102,9 @@ impl Layout {
         let lengths = [scene.width, scene.box_depth(), height];
         let is_drum = scene.container == Container::Drum;
         let repeats = [
-            scene.x == Sides::Periodic && !is_drum,
-            scene.y == Sides::Periodic && !scene.is_flat(),
-            scene.z == Ends::Periodic,
+            scene.x == SideBoundary::Periodic && !is_drum,
+            scene.y == SideBoundary::Periodic && !scene.is_flat(),
+            scene.z == EndBoundary::Periodic,
         ];
         let periods = [0, 1, 2].map(|axis: usize| repeats[axis].then_some(lengths[axis]));
         let side = |face: (Axis, End)| Part {
@@ -119,12 +119,14 @@ impl Layout {
         let mut parts = Vec::new();
         match scene.z {
             _ if is_drum => {}
-            Ends::Floor => parts.push(side((Axis::Z, End::Low))),
-            Ends::Walls => parts.extend([End::Low, End::High].map(|end| side((Axis::Z, end)))),
-            Ends::Periodic => {}
+            EndBoundary::Floor => parts.push(side((Axis::Z, End::Low))),
+            EndBoundary::Walls => {
+                parts.extend([End::Low, End::High].map(|end| side((Axis::Z, end))))
+            }
+            EndBoundary::Periodic => {}
         }
         for (axis, sides) in [(Axis::X, scene.x), (Axis::Y, scene.y)] {
-            if sides == Sides::Walls {
+            if sides == SideBoundary::Walls {
                 parts.extend([End::Low, End::High].map(|end| side((axis, end))));
             }
         }

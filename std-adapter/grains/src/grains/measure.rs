@@ -3,7 +3,7 @@
 use super::layout::{End, Face, Layout, PLATE, inward};
 use super::loads::Loads;
 use super::parts::volume;
-use crate::grains::scene::{Axis, Container, Ends, GrainsScene};
+use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
 use crate::packing::{Packing, Stress, branch, is_at};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -68,7 +68,7 @@ impl Now<'_> {
     /// mean height of the centres, weighted with mass: the surface of a level bed.
     pub fn extents(&self) -> [[f64; 2]; 3] {
         let mut extents = self.layout.extents(self.packing.walls());
-        if self.scene.z == Ends::Floor && self.scene.container != Container::Drum {
+        if self.scene.z == EndBoundary::Floor && self.scene.container != Container::Drum {
             let low = extents[2][0];
             let (mut sum, mut mass) = (0.0, 0.0);
             for (x, radius) in self.packing.positions().iter().zip(self.packing.radii()) {
@@ -223,7 +223,7 @@ impl Now<'_> {
 
     /// The highest grain of each strip along x, above the slot of a hopper.
     fn tops(&self) -> Vec<[f64; 2]> {
-        if self.scene.z != Ends::Floor {
+        if self.scene.z != EndBoundary::Floor {
             return Vec::new();
         }
         let above = match self.scene.container {

@@ -1,7 +1,7 @@
 //! Grains in boxes: gravity, pistons, moving plates, shaking.
 //!
 //! A [`GrainsScene`](crate::grains::scene::GrainsScene) says the box, the grains, their material and the loads,
-//! which may be [`Ramp`]s in time. [`Grains`] runs it.
+//! which may be [`Ramp`]s in time. [`GrainsSimulation`] runs it.
 
 mod begin;
 mod container;
@@ -26,10 +26,10 @@ pub use cost::{GrainsCost, cost, size, stable_step};
 pub use error::GrainsError;
 #[doc(hidden)]
 pub use measure::COLUMNS;
-pub use outcome::Outcome;
+pub use outcome::GrainsSummary;
 pub use placement::PlacementError;
 pub use ramp::{Ramp, RampError};
-pub use run::{Ending, Grains};
+pub use run::{GrainsSimulation, GrainsStopReason};
 
 #[cfg(test)]
 mod tests;

@@ -2,23 +2,23 @@
 
 use super::error::GrainsError;
 use super::measure::COLUMNS;
-use super::run::{Ending, Grains};
-use crate::grains::scene::{Ends, GrainsScene};
+use super::run::{GrainsSimulation, GrainsStopReason};
+use crate::grains::scene::{EndBoundary, GrainsScene};
 use crate::packing::method::ContactMethod;
-use crate::packing::{Statistics, losses, object};
+use crate::packing::{ContactStatistics, losses, object};
 use serde_json::{Map, Value};
 use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::json_number;
-use tribos_base::run::drive;
+use tribos_base::run::run_to_end;
 use tribos_contacts::cd::EnergyBalance;
 
 /// Results of a run of grains, in the units of its scene.
 ///
 /// [`GrainsScene`] has an example.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
+pub struct GrainsSummary {
     /// Why the run ended; `None` if it has not.
-    pub ending: Option<Ending>,
+    pub ending: Option<GrainsStopReason>,
     /// Time at the end.
     pub time: f64,
     /// Number of steps taken.
@@ -35,7 +35,7 @@ pub struct Outcome {
     /// The last line of the series, with the columns of [`COLUMNS`].
     pub last: [f64; COLUMNS.len()],
     /// Numbers and forces of the contacts at the end.
-    pub statistics: Statistics,
+    pub statistics: ContactStatistics,
     /// Total number of sweeps.
     pub iterations: u64,
     /// Steps in which any tolerance or rule was not met.
@@ -48,7 +48,7 @@ pub struct Outcome {
     pub wall_seconds: f64,
 }
 
-impl Outcome {
+impl GrainsSummary {
     /// A column of the last line of the series.
     pub fn column(&self, name: &str) -> Option<f64> {
         let column = COLUMNS.iter().position(|column| *column == name)?;
@@ -63,7 +63,10 @@ impl Outcome {
     /// The summary as JSON.
     pub fn json(&self, scene: &GrainsScene) -> Value {
         let mut map = Map::new();
-        map.insert("ending".into(), self.ending.map(Ending::name).into());
+        map.insert(
+            "ending".into(),
+            self.ending.map(GrainsStopReason::name).into(),
+        );
         let mut put = |name: &str, value: Value| map.insert(name.into(), value);
         put("grains", self.grains.into());
         put("mass", json_number(self.mass));
@@ -82,7 +85,7 @@ impl Outcome {
                 put(name, json_number(value));
             }
         }
-        if scene.z == Ends::Floor {
+        if scene.z == EndBoundary::Floor {
             let angles = self.surface_angles.map(json_number).to_vec();
             put("surface_angles", angles.into());
         }
@@ -110,8 +113,8 @@ impl Measure for GrainsScene {
     type Error = GrainsError;
 
     fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, GrainsError> {
-        let mut grains = Grains::new(self)?;
-        drive::<Grains>(&mut grains, |_, _| watch())
+        let mut grains = GrainsSimulation::new(self)?;
+        run_to_end::<GrainsSimulation>(&mut grains, |_, _| watch())
             .map_err(|error: GrainsError| GrainsError::from(error))?;
         Ok(grains.measurement(&grains.outcome().json(self)))
     }

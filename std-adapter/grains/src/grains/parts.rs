@@ -12,7 +12,7 @@ use crate::packing::{
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use tribos_base::random::Random;
-use tribos_contacts::cd::{Method as Sweeps, Solver, StepLimits, Wall};
+use tribos_contacts::cd::{ContactSolver, SolverMethod as Sweeps, StepLimits, Wall};
 
 /// Stream of the seed for the velocities of a sheared box.
 const VELOCITIES: u64 = 3;
@@ -80,7 +80,7 @@ impl GrainsScene {
         };
         match self.method {
             ContactMethod::ContactDynamics => Method::ContactDynamics {
-                solver: Solver {
+                solver: ContactSolver {
                     method: Sweeps::Accelerated {
                         tolerance: self.tolerance,
                     },

@@ -1,7 +1,7 @@
 //! The start: grains that touch neither each other nor a wall, at random places of a lattice.
 
 use super::container::has_room;
-use crate::grains::scene::{Container, Ends, GrainsScene, Sides};
+use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::{Frozen, Kinds, Radii, Second, SizesError};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
@@ -28,11 +28,11 @@ pub(super) struct Start {
 /// Why grains cannot be placed.
 ///
 /// ```
-/// use tribos::grains::{Grains, GrainsError, PlacementError};
+/// use tribos::grains::{GrainsSimulation, GrainsError, PlacementError};
 /// # use tribos::scene::GrainsScene;
-/// // Grains as wide as their box.
+/// // GrainsSimulation as wide as their box.
 /// let wide = GrainsScene { width: 0.01, radius: 0.005, ..GrainsScene::default() };
-/// let refused = Grains::new(&wide);
+/// let refused = GrainsSimulation::new(&wide);
 /// assert!(matches!(refused, Err(GrainsError::Placement(PlacementError::Narrow { .. }))));
 /// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -176,7 +176,8 @@ impl Lattice {
         let depth = scene.box_depth();
         let ny = if flat { 1.0 } else { divide("y", depth)? };
         // A grain must not meet its own image.
-        let lonely = |sides: Sides, places: f64| sides == Sides::Periodic && places < 2.0;
+        let lonely =
+            |sides: SideBoundary, places: f64| sides == SideBoundary::Periodic && places < 2.0;
         for (axis, sides, places, given) in [
             ("x", scene.x, nx, scene.width),
             ("y", scene.y, if flat { 2.0 } else { ny }, depth),
@@ -191,9 +192,10 @@ impl Lattice {
             }
         }
         let (mut high, mut rise) = (f64::INFINITY, needed);
-        if let (Some(height), Ends::Walls | Ends::Periodic) = (scene.height, scene.z) {
+        if let (Some(height), EndBoundary::Walls | EndBoundary::Periodic) = (scene.height, scene.z)
+        {
             high = divide("z", height)?;
-            rise = rise.max(if scene.z == Ends::Periodic {
+            rise = rise.max(if scene.z == EndBoundary::Periodic {
                 height / high
             } else {
                 needed

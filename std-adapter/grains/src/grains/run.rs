@@ -6,10 +6,10 @@ use super::laden::{Laden, Slow, bounds};
 use super::layout::{End, Layout};
 use super::loads::Loads;
 use super::measure::{COLUMNS, Now};
-use super::outcome::Outcome;
+use super::outcome::GrainsSummary;
 use super::parts::packing;
-use crate::grains::scene::{Axis, Container, Ends, GrainsScene};
-use crate::packing::{Drive, Kept, Limits, Statistics, Told, origin};
+use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
+use crate::packing::{ContactStatistics, Drive, Kept, Limits, Told, origin};
 use serde_json::Value;
 use std::ops::ControlFlow;
 use tribos_base::golden::Measurement;
@@ -17,24 +17,24 @@ use tribos_base::record::frames::{Bodies, Frame, Kind};
 use tribos_base::record::{ContactRow, Snapshot};
 use tribos_base::run::Simulation;
 use tribos_contacts::cd::StepReport;
-use tribos_contacts::problem::Global;
+use tribos_contacts::problem::GlobalProblem;
 
 /// Why a run ended.
 ///
 /// ```
-/// use tribos::grains::{Ending, Grains};
+/// use tribos::grains::{GrainsStopReason, GrainsSimulation};
 /// use tribos::run::drive;
 /// # use tribos::scene::GrainsScene;
 /// let scene = GrainsScene { count: 5, rest: Some(1e-3), duration: 10.0, ..Default::default() };
-/// let mut beads = Grains::new(&scene)?;
+/// let mut beads = GrainsSimulation::new(&scene)?;
 /// assert_eq!(beads.ending(), None);
 /// drive(&mut beads, |_, _| ())?;
-/// assert_eq!(beads.ending(), Some(Ending::Rest)); // they fall and stay where they are
-/// assert_eq!(Ending::Rest.name(), "rest");
+/// assert_eq!(beads.ending(), Some(GrainsStopReason::Rest)); // they fall and stay where they are
+/// assert_eq!(GrainsStopReason::Rest.name(), "rest");
 /// # Ok::<(), tribos::grains::GrainsError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
+pub enum GrainsStopReason {
     /// The grains are at rest.
     Rest,
     /// The scene's duration elapsed.
@@ -43,7 +43,7 @@ pub enum Ending {
     Steps,
 }
 
-impl Ending {
+impl GrainsStopReason {
     /// Name in summaries and checkpoints.
     pub fn name(self) -> &'static str {
         match self {
@@ -58,11 +58,11 @@ impl Ending {
 ///
 /// [`GrainsScene`] has an example.
 #[derive(Debug)]
-pub struct Grains {
+pub struct GrainsSimulation {
     drive: Drive<Laden, { COLUMNS.len() }>,
 }
 
-impl Grains {
+impl GrainsSimulation {
     /// Starts from the scene's placement, in which nothing touches.
     pub fn new(scene: &GrainsScene) -> Result<Self, GrainsError> {
         Self::begin(scene, None, |_| ControlFlow::Continue(()))
@@ -72,14 +72,14 @@ impl Grains {
     /// without interruption.
     ///
     /// ```
-    /// use tribos::grains::Grains;
+    /// use tribos::grains::GrainsSimulation;
     /// use tribos::run::Simulation;
     /// # let scene = tribos::scene::GrainsScene { count: 5, ..Default::default() };
-    /// let mut whole = Grains::new(&scene)?;
+    /// let mut whole = GrainsSimulation::new(&scene)?;
     /// whole.step()?;
     /// let kept = whole.checkpoint();
     /// whole.step()?;
-    /// let mut broken = Grains::resume(&scene, &kept)?;
+    /// let mut broken = GrainsSimulation::resume(&scene, &kept)?;
     /// broken.step()?;
     /// assert_eq!(broken.record(), whole.record());
     /// # Ok::<(), tribos::grains::GrainsError>(())
@@ -157,7 +157,7 @@ impl Grains {
     }
 
     /// Why the run has ended, if it has.
-    pub fn ending(&self) -> Option<Ending> {
+    pub fn ending(&self) -> Option<GrainsStopReason> {
         self.drive.ending
     }
 
@@ -176,7 +176,7 @@ impl Grains {
     /// Its contacts are pairs of spheres, then spheres at walls; bodies that sleep are not in it. `None` before
     /// the first step (also of a run that goes on), without contacts, with springs in place of rigid contacts, and
     /// where sliding and torsion share a limit surface that is no ellipsoid.
-    pub fn problem(&self) -> Option<Global> {
+    pub fn problem(&self) -> Option<GlobalProblem> {
         self.drive.problem()
     }
 
@@ -199,7 +199,7 @@ impl Grains {
             corners[1] = [-most, most];
         }
         // Grains that press a wall reach beyond it by their overlap, and the box ends at the wall.
-        let is_open = scene.z == Ends::Floor && scene.container != Container::Drum;
+        let is_open = scene.z == EndBoundary::Floor && scene.container != Container::Drum;
         for (x, radius) in packing.positions().iter().zip(packing.radii()) {
             let x = layout.space.wrap(x);
             for (axis, [low, high]) in corners.iter_mut().enumerate() {
@@ -237,13 +237,13 @@ impl Grains {
     }
 
     /// Summary of the run so far.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> GrainsSummary {
         let now = self.now();
         let radii = now.packing.radii();
         let limits = Limits::of(&self.scene().material());
         let spheres = now.packing.spheres().iter();
         let totals = self.drive.totals();
-        Outcome {
+        GrainsSummary {
             ending: self.ending(),
             time: self.time(),
             steps: self.steps(),
@@ -252,7 +252,7 @@ impl Grains {
             floor_force: now.push(Axis::Z, End::Low),
             surface_angles: now.surface_angles(),
             last: self.record(),
-            statistics: Statistics::of(self.contacts(), radii, &limits)
+            statistics: ContactStatistics::of(self.contacts(), radii, &limits)
                 .of_materials(self.drive.kinds.mixed().is_some())
                 .since(totals.overlap),
             iterations: totals.iterations,
@@ -269,7 +269,7 @@ impl Grains {
     }
 }
 
-impl Simulation for Grains {
+impl Simulation for GrainsSimulation {
     type Record = [f64; COLUMNS.len()];
     type Error = GrainsError;
 

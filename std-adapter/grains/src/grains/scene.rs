@@ -1,8 +1,8 @@
 //! The scene of grains in a box: loads and walls that follow time.
 
 use super::ramp::{RAMP, RAMP_NOT_NEGATIVE, Ramp};
-use crate::packing::method::{ContactMethod, Coupling, NormalForce, WallLaw, soft_rules};
-use crate::packing::{Radii, SIZES, Sizes, SizesError};
+use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
+use crate::packing::{Radii, SIZES, SizeDistribution, SizesError};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use tribos_base::record::brief;
@@ -16,17 +16,17 @@ use tribos_core::contact::Attraction;
 
 /// What bounds the grains along a horizontal axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sides {
+pub enum SideBoundary {
     /// Space repeats.
     Periodic,
     /// A wall on each side.
     Walls,
 }
-words!(Sides { Periodic = "periodic", Walls = "walls" });
+words!(SideBoundary { Periodic = "periodic", Walls = "walls" });
 
 /// What bounds the grains along the vertical axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ends {
+pub enum EndBoundary {
     /// A floor, open above.
     Floor,
     /// A floor and a plate above.
@@ -34,7 +34,7 @@ pub enum Ends {
     /// Space repeats.
     Periodic,
 }
-words!(Ends { Floor = "floor", Walls = "walls", Periodic = "periodic" });
+words!(EndBoundary { Floor = "floor", Walls = "walls", Periodic = "periodic" });
 
 /// What holds the grains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,10 +68,10 @@ scene! {
     /// [`Ramp`].
     ///
     /// ```
-    /// use tribos::{grains::Grains, run::drive, scene::GrainsScene};
+    /// use tribos::{grains::GrainsSimulation, run::drive, scene::GrainsScene};
     /// // Twenty beads of 1 cm fall on a floor and carry their weight to it.
     /// let scene = GrainsScene { width: 0.1, count: 20, duration: 1.0, ..Default::default() };
-    /// let mut beads = Grains::new(&scene)?;
+    /// let mut beads = GrainsSimulation::new(&scene)?;
     /// drive(&mut beads, |_, _| ())?;
     /// let outcome = beads.outcome();
     /// assert!((outcome.floor_force / (outcome.mass * 9.81) - 1.0).abs() < 0.01);
@@ -88,11 +88,11 @@ scene! {
     /// is left out, a plate starts at the highest grain.
     height: Option<f64> = None, "m", Positive;
     /// What bounds the box along x.
-    x: Sides = Sides::Periodic, "-", OneOf(Sides::WORDS);
+    x: SideBoundary = SideBoundary::Periodic, "-", OneOf(SideBoundary::WORDS);
     /// What bounds the box along y.
-    y: Sides = Sides::Periodic, "-", OneOf(Sides::WORDS);
+    y: SideBoundary = SideBoundary::Periodic, "-", OneOf(SideBoundary::WORDS);
     /// What bounds the box along z: a floor, floor and plate, or nothing.
-    z: Ends = Ends::Floor, "-", OneOf(Ends::WORDS);
+    z: EndBoundary = EndBoundary::Floor, "-", OneOf(EndBoundary::WORDS);
     /// 3, or 2 for spheres that stay in the plane y = 0 and spin about y.
     dimension: u32 = 3, "-", Count { from: 2.0, up_to: 3.0 };
     /// What holds the grains: the box, a hopper in it, or a drum of diameter `width` about y.
@@ -116,7 +116,7 @@ scene! {
     /// Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread.
     radius_spread: f64 = 0.0, "-", Below { from: 0.0, below: 1.0 }, Without("start");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
-    sizes: Option<Sizes> = None, "-", SIZES, Without("start");
+    sizes: Option<SizeDistribution> = None, "-", SIZES, Without("start");
     /// Density of the grains; those of `start` that have one keep it.
     density: f64 = 2500.0, "kg/m^3", Positive, Required;
     /// Seed of the random start.
@@ -149,7 +149,7 @@ scene! {
     /// Torsion coefficient mu_n: largest torsion torque over P r_eff.
     torsion: f64 = 0.0, "-", NotNegative;
     /// How the thresholds of sliding and torsion depend on each other.
-    coupling: Coupling = Coupling::Independent, "-", OneOf(Coupling::WORDS);
+    coupling: FrictionCoupling = FrictionCoupling::Independent, "-", OneOf(FrictionCoupling::WORDS);
     /// Law at walls: that of grains, cohesion only, or neither.
     wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
     /// Gravity, downwards; 0 where nothing bears the grains, as in a sheared box.
@@ -232,7 +232,7 @@ const CONTROLS: [[&str; 2]; 3] = [
 
 /// Dimension, walls and loads must fit together.
 fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
-    if scene.is_flat() && (scene.depth.is_some() || scene.y == Sides::Walls) {
+    if scene.is_flat() && (scene.depth.is_some() || scene.y == SideBoundary::Walls) {
         let message = "a scene with dimension = 2 has no `depth` and no walls along y";
         judge.refuse(&["depth", "y", "dimension"], message);
     }
@@ -246,11 +246,11 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
         let message = "`start` has its own radii; leave out `sizes` and `radius_spread`";
         judge.refuse(&["start"], message);
     }
-    if scene.z == Ends::Periodic && scene.height.is_none() {
+    if scene.z == EndBoundary::Periodic && scene.height.is_none() {
         let message = "`height` is the period where z = \"periodic\"; give it";
         judge.refuse(&["height", "z"], message);
     }
-    if scene.shear_rate.is_some() && scene.x == Sides::Walls {
+    if scene.shear_rate.is_some() && scene.x == SideBoundary::Walls {
         let message = "a shear needs x = \"periodic\"; leave `shear_rate` out or `x`";
         judge.refuse(&["shear_rate", "x"], message);
     }
@@ -280,7 +280,8 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
             judge.refuse(&["shear_rate", "method"], message);
         }
     }
-    if scene.container != Container::Box && (scene.z != Ends::Floor || scene.shake_amplitude > 0.0)
+    if scene.container != Container::Box
+        && (scene.z != EndBoundary::Floor || scene.shake_amplitude > 0.0)
     {
         let message = "a hopper or a drum has z = \"floor\" and is not shaken";
         judge.refuse(&["container", "z", "shake_amplitude"], message);
@@ -292,7 +293,7 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
         );
         judge.refuse(&["outlet", "width"], message);
     }
-    if scene.container == Container::Drum && scene.x == Sides::Walls {
+    if scene.container == Container::Drum && scene.x == SideBoundary::Walls {
         judge.refuse(
             &["x", "container"],
             "a drum has no walls along x; leave `x` out",
@@ -309,9 +310,9 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
 
 /// Refuses gravity where nothing bears the grains: they would fall for ever.
 fn gravity_rule(scene: &GrainsScene, judge: &mut Judge<'_>) {
-    let walls = [scene.x, scene.y].contains(&Sides::Walls) && scene.shear_rate.is_none();
+    let walls = [scene.x, scene.y].contains(&SideBoundary::Walls) && scene.shear_rate.is_none();
     let [_, most] = scene.gravity.range();
-    if scene.z == Ends::Periodic && !walls && most > 0.0 {
+    if scene.z == EndBoundary::Periodic && !walls && most > 0.0 {
         let message = format!(
             "nothing bears the grains against a `gravity` of up to {most} where z = \"periodic\" without walls, \
              or with `shear_rate`; set gravity = 0"
@@ -337,7 +338,7 @@ fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<
 impl GrainsScene {
     /// Distribution of the radii, in mean radii, if `sizes` gives one.
     pub(crate) fn radii(&self) -> Result<Option<Radii>, SizesError> {
-        self.sizes.as_ref().map(Sizes::radii).transpose()
+        self.sizes.as_ref().map(SizeDistribution::radii).transpose()
     }
 
     /// Smallest radius, in mean radii; 0 if the distribution is refused.

@@ -1,12 +1,12 @@
 //! Grains as long runs.
 
-use super::{Grains, GrainsError, PlacementError};
+use super::{GrainsError, GrainsSimulation, PlacementError};
 use crate::grains::scene::GrainsScene;
 use std::ops::ControlFlow;
 use tribos_base::record::frames::{Bodies, Frame};
 use tribos_base::run::{Cause, LongRun};
 
-impl LongRun for Grains {
+impl LongRun for GrainsSimulation {
     type Scene = GrainsScene;
 
     fn begin(

@@ -1,9 +1,9 @@
 //! Boxes without walls that are sheared, and grains of two materials.
 
-use super::{COLUMNS, Grains};
-use crate::grains::scene::{Ends, GrainsScene, Sides};
+use super::{COLUMNS, GrainsSimulation};
+use crate::grains::scene::{EndBoundary, GrainsScene, SideBoundary};
 use tribos_base::record::extended_xyz;
-use tribos_base::run::{Simulation, drive};
+use tribos_base::run::{Simulation, run_to_end};
 
 type Answer = Result<(), Box<dyn std::error::Error>>;
 
@@ -13,7 +13,7 @@ fn sheared(rate: f64) -> GrainsScene {
         width: 4.0 * 0.0112,
         height: Some(4.0 * 0.0112),
         radius_spread: 0.1,
-        z: Ends::Periodic,
+        z: EndBoundary::Periodic,
         count: 64,
         spacing: 1.01,
         gravity: 0.0.into(),
@@ -25,7 +25,7 @@ fn sheared(rate: f64) -> GrainsScene {
     }
 }
 
-fn last(grains: &Grains, name: &str) -> f64 {
+fn last(grains: &GrainsSimulation, name: &str) -> f64 {
     let column = COLUMNS.iter().position(|column| *column == name);
     column.map_or(f64::NAN, |column| grains.record()[column])
 }
@@ -33,8 +33,8 @@ fn last(grains: &Grains, name: &str) -> f64 {
 #[test]
 fn a_sheared_box_resists_with_stress_and_viscosity_of_one_sign() -> Answer {
     for rate in [10.0, -10.0] {
-        let mut grains = Grains::new(&sheared(rate))?;
-        drive(&mut grains, |_, _| ())?;
+        let mut grains = GrainsSimulation::new(&sheared(rate))?;
+        run_to_end(&mut grains, |_, _| ())?;
         assert_eq!(last(&grains, "shear_rate"), rate);
         // Mean over the second half of the run: a single step may have no contacts.
         let rows = grains.series();
@@ -57,11 +57,11 @@ fn a_sheared_box_resists_with_stress_and_viscosity_of_one_sign() -> Answer {
 #[test]
 fn a_sheared_run_goes_on_from_its_checkpoint_with_the_same_bits() -> Answer {
     let scene = sheared(15.0);
-    let mut whole = Grains::new(&scene)?;
+    let mut whole = GrainsSimulation::new(&scene)?;
     for _ in 0..60 {
         whole.step()?;
     }
-    let mut again = Grains::resume(&scene, &whole.checkpoint())?;
+    let mut again = GrainsSimulation::resume(&scene, &whole.checkpoint())?;
     for _ in 0..60 {
         whole.step()?;
         again.step()?;
@@ -73,7 +73,7 @@ fn a_sheared_run_goes_on_from_its_checkpoint_with_the_same_bits() -> Answer {
 
 #[test]
 fn exports_tell_how_far_a_sheared_box_leans() -> Answer {
-    let mut grains = Grains::new(&sheared(10.0))?;
+    let mut grains = GrainsSimulation::new(&sheared(10.0))?;
     for _ in 0..20 {
         grains.step()?;
     }
@@ -93,7 +93,7 @@ fn exports_tell_how_far_a_sheared_box_leans() -> Answer {
 fn shears_of_boxes_with_walls_across_are_refused() {
     for scene in [
         GrainsScene {
-            x: Sides::Walls,
+            x: SideBoundary::Walls,
             ..sheared(1.0)
         },
         GrainsScene {
@@ -105,13 +105,13 @@ fn shears_of_boxes_with_walls_across_are_refused() {
             ..GrainsScene::default()
         },
     ] {
-        assert!(Grains::new(&scene).is_err());
+        assert!(GrainsSimulation::new(&scene).is_err());
     }
     let beside = GrainsScene {
-        y: Sides::Walls,
+        y: SideBoundary::Walls,
         ..sheared(1.0)
     };
-    assert!(Grains::new(&beside).is_ok());
+    assert!(GrainsSimulation::new(&beside).is_ok());
 }
 
 /// Grains that fall on a floor, of two materials.
@@ -132,7 +132,7 @@ fn so_many_grains_are_of_the_second_material() -> Answer {
         density_second: Some(1000.0),
         ..mixed(0.3)
     };
-    let grains = Grains::new(&scene)?;
+    let grains = GrainsSimulation::new(&scene)?;
     let packing = grains.now().packing;
     let (radii, spheres) = (packing.radii(), packing.spheres());
     assert_eq!(radii.iter().filter(|r| **r == 0.0025).count(), 15);
@@ -159,8 +159,8 @@ fn grains_all_of_the_second_material_run_as_grains_of_it_alone() -> Answer {
         ..mixed(0.0)
     };
     let runs = [second, alone].map(|scene| -> Result<_, super::GrainsError> {
-        let mut grains = Grains::new(&scene)?;
-        drive(&mut grains, |_, _| ())?;
+        let mut grains = GrainsSimulation::new(&scene)?;
+        run_to_end(&mut grains, |_, _| ())?;
         Ok(grains.series().to_vec())
     });
     let [second, alone] = runs;

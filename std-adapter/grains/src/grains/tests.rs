@@ -1,25 +1,25 @@
 //! Grains do what their loads say.
 
 use super::*;
-use crate::grains::scene::{Axis, Container, Ends, GrainsScene, Sides};
+use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::method::{ContactMethod, NormalForce, WallLaw};
-use tribos_base::run::{Simulation, drive};
+use tribos_base::run::{Simulation, run_to_end};
 
 /// A run to its end.
-fn run(scene: &GrainsScene) -> Grains {
-    let mut grains = Grains::new(scene).unwrap();
-    drive(&mut grains, |_, _| ()).unwrap();
+fn run(scene: &GrainsScene) -> GrainsSimulation {
+    let mut grains = GrainsSimulation::new(scene).unwrap();
+    run_to_end(&mut grains, |_, _| ()).unwrap();
     grains
 }
 
 /// A column of the series by its name.
-fn column(grains: &Grains, name: &str) -> Vec<f64> {
+fn column(grains: &GrainsSimulation, name: &str) -> Vec<f64> {
     let column = COLUMNS.iter().position(|known| *known == name).unwrap();
     grains.series().iter().map(|row| row[column]).collect()
 }
 
 /// Mean of a column over the lines after a time.
-fn late(grains: &Grains, name: &str, after: f64) -> f64 {
+fn late(grains: &GrainsSimulation, name: &str, after: f64) -> f64 {
     let [times, values] = ["time", name].map(|name| column(grains, name));
     let late = times.iter().zip(values).filter(|(time, _)| **time > after);
     let late: Vec<f64> = late.map(|(_, value)| value).collect();
@@ -74,7 +74,7 @@ fn the_floor_carries_the_weight_of_grains_at_rest_in_space_and_plane() {
         };
         let grains = run(&scene);
         let outcome = grains.outcome();
-        assert_eq!(grains.ending(), Some(Ending::Rest));
+        assert_eq!(grains.ending(), Some(GrainsStopReason::Rest));
         let share = outcome.floor_force / (outcome.mass * 9.81);
         assert!((share - 1.0).abs() < 0.01, "{dimension}: {share}");
         assert!(outcome.energy.imbalance().abs() < 1e-12 * outcome.energy.work);
@@ -86,7 +86,7 @@ fn grains_of_two_dimensions_stay_in_their_plane_to_the_bit() {
     let scene = GrainsScene {
         dimension: 2,
         width: 0.08,
-        x: Sides::Walls,
+        x: SideBoundary::Walls,
         rolling: 0.1,
         torsion: 0.1,
         gravity_angle: ramp("0:0, 0.3:30"),
@@ -107,7 +107,7 @@ fn grains_of_two_dimensions_stay_in_their_plane_to_the_bit() {
 #[test]
 fn pistons_hold_the_stress_of_their_ramp_and_cycles_repeat_it() {
     let scene = GrainsScene {
-        z: Ends::Walls,
+        z: EndBoundary::Walls,
         gravity: 0.0.into(),
         pressure_z: Some(ramp("0:500, 1:500, 1.05:2000, 1.5:2000")),
         repeat: Some(1.5),
@@ -140,8 +140,8 @@ fn pistons_hold_the_stress_of_their_ramp_and_cycles_repeat_it() {
 fn walls_go_where_their_speed_takes_them() {
     for (speed, moved) in [("0:0, 0.2:0.1", 0.01 + 0.03), ("-0.02", -0.01)] {
         let scene = GrainsScene {
-            x: Sides::Walls,
-            z: Ends::Walls,
+            x: SideBoundary::Walls,
+            z: EndBoundary::Walls,
             height: Some(0.1),
             gravity: 0.0.into(),
             velocity_z: Some(speed.parse().unwrap_or_else(|_| ramp(speed))),
@@ -166,7 +166,7 @@ fn walls_go_where_their_speed_takes_them() {
 fn moving_plates_shear_with_and_against_x_and_no_energy_is_missing() {
     for sign in [1.0, -1.0] {
         let scene = GrainsScene {
-            z: Ends::Walls,
+            z: EndBoundary::Walls,
             gravity: 0.0.into(),
             pressure_z: Some(1000.0.into()),
             plate_speed: Ramp::through(&[[0.3, 0.0], [0.35, sign * 0.1]]).unwrap(),
@@ -189,8 +189,8 @@ fn walls_that_move_up_carry_part_of_a_rough_column_and_nothing_of_a_smooth_one()
     // h = 4 μ K H/D = 1.2 for μ = 0.5, K = 0.4 and a height of 1.5 widths; 0.58.
     let scene = GrainsScene {
         width: 0.04,
-        x: Sides::Walls,
-        y: Sides::Walls,
+        x: SideBoundary::Walls,
+        y: SideBoundary::Walls,
         sliding: 0.5,
         wall_speed: ramp("0.02"),
         sweeps: 300,
@@ -271,7 +271,7 @@ fn the_floor_carries_the_weight_of_soft_grains_unless_walls_bear_it() {
             ..soft(beads(30))
         };
         let outcome = run(&scene).outcome();
-        assert_eq!(outcome.ending, Some(Ending::Rest));
+        assert_eq!(outcome.ending, Some(GrainsStopReason::Rest));
         let share = outcome.floor_force / (outcome.mass * 9.81);
         assert!((share - 1.0).abs() < 0.01, "{normal_law} {share}");
         assert!(outcome.energy.elastic > 0.0 && outcome.iterations == 0);
@@ -280,8 +280,8 @@ fn the_floor_carries_the_weight_of_soft_grains_unless_walls_bear_it() {
     let column_of = |wall: WallLaw| {
         let scene = GrainsScene {
             width: 0.04,
-            x: Sides::Walls,
-            y: Sides::Walls,
+            x: SideBoundary::Walls,
+            y: SideBoundary::Walls,
             wall_speed: ramp("0.02"),
             wall,
             duration: 0.7,
@@ -300,19 +300,19 @@ fn the_floor_carries_the_weight_of_soft_grains_unless_walls_bear_it() {
 fn soft_grains_between_plates_bear_their_pressure_and_shear_with_them() {
     for sign in [1.0, -1.0] {
         let scene = GrainsScene {
-            z: Ends::Walls,
+            z: EndBoundary::Walls,
             gravity: 0.0.into(),
             pressure_z: Some(1000.0.into()),
             plate_speed: Ramp::through(&[[0.3, 0.0], [0.35, sign * 0.1]]).unwrap(),
             duration: 1.0,
             ..soft(beads(60))
         };
-        let mut grains = Grains::new(&scene).unwrap();
+        let mut grains = GrainsSimulation::new(&scene).unwrap();
         while grains.time() < 0.4 {
             grains.step().unwrap();
         }
         let before = grains.outcome().energy;
-        drive(&mut grains, |_, _| ()).unwrap();
+        run_to_end(&mut grains, |_, _| ()).unwrap();
         let [pressure, shear] =
             ["plate_stress", "shear_stress"].map(|name| late(&grains, name, 0.4));
         assert!((pressure / 1000.0 - 1.0).abs() < 0.05, "{sign}: {pressure}");
@@ -360,21 +360,30 @@ fn what_springs_cannot_do_is_refused_with_key_value_and_cure() {
 
 #[test]
 fn gravity_is_refused_where_nothing_bears_the_grains() {
-    let periodic = |x: Sides, shear_rate: Option<f64>, gravity: Ramp| GrainsScene {
+    let periodic = |x: SideBoundary, shear_rate: Option<f64>, gravity: Ramp| GrainsScene {
         x,
-        z: Ends::Periodic,
+        z: EndBoundary::Periodic,
         height: Some(0.1),
         shear_rate,
         gravity,
         ..GrainsScene::default()
     };
     for (scene, is_refused) in [
-        (periodic(Sides::Periodic, None, 9.81.into()), true),
-        (periodic(Sides::Periodic, None, ramp("0:0, 1:1e-9")), true),
-        (periodic(Sides::Periodic, Some(1.0), 9.81.into()), true),
-        (periodic(Sides::Periodic, Some(1.0), 0.0.into()), false),
+        (periodic(SideBoundary::Periodic, None, 9.81.into()), true),
+        (
+            periodic(SideBoundary::Periodic, None, ramp("0:0, 1:1e-9")),
+            true,
+        ),
+        (
+            periodic(SideBoundary::Periodic, Some(1.0), 9.81.into()),
+            true,
+        ),
+        (
+            periodic(SideBoundary::Periodic, Some(1.0), 0.0.into()),
+            false,
+        ),
         // A chute.
-        (periodic(Sides::Walls, None, 9.81.into()), false),
+        (periodic(SideBoundary::Walls, None, 9.81.into()), false),
     ] {
         let told = scene
             .check()
@@ -388,7 +397,7 @@ fn hopper() -> GrainsScene {
     GrainsScene {
         width: 0.16,
         depth: Some(0.03),
-        x: Sides::Walls,
+        x: SideBoundary::Walls,
         container: Container::Hopper,
         outlet: 0.05,
         outlet_height: 0.08,
@@ -468,7 +477,7 @@ fn a_grain_over_a_slot_falls_freely_whatever_the_slope() {
 
 #[test]
 fn a_flat_silo_keeps_no_more_than_slopes_of_repose_beside_its_slot() {
-    for x in [Sides::Walls, Sides::Periodic] {
+    for x in [SideBoundary::Walls, SideBoundary::Periodic] {
         let scene = GrainsScene {
             dimension: 2,
             width: 0.08,
@@ -514,7 +523,7 @@ fn a_flat_silo_keeps_no_more_than_slopes_of_repose_beside_its_slot() {
 #[test]
 fn rigid_grains_that_are_pressed_beyond_any_packing_end_the_run() {
     let pressed = GrainsScene {
-        z: Ends::Walls,
+        z: EndBoundary::Walls,
         height: Some(0.11),
         gravity: 0.0.into(),
         // At the end the box has little more than the volume of its grains.
@@ -522,8 +531,8 @@ fn rigid_grains_that_are_pressed_beyond_any_packing_end_the_run() {
         duration: 0.24,
         ..beads(60)
     };
-    let mut grains = Grains::new(&pressed).unwrap();
-    let error = drive(&mut grains, |_, _| ()).unwrap_err();
+    let mut grains = GrainsSimulation::new(&pressed).unwrap();
+    let error = run_to_end(&mut grains, |_, _| ()).unwrap_err();
     let told = error.to_string();
     let GrainsError::Overlap {
         step,
@@ -548,14 +557,14 @@ fn rigid_grains_that_are_pressed_beyond_any_packing_end_the_run() {
 #[test]
 fn the_first_line_of_a_sheared_box_has_the_energy_of_its_flow() {
     let sheared = GrainsScene {
-        z: Ends::Periodic,
+        z: EndBoundary::Periodic,
         height: Some(0.05),
         gravity: 0.0.into(),
         shear_rate: Some(5.0),
         duration: 0.01,
         ..beads(20)
     };
-    let grains = Grains::new(&sheared).unwrap();
+    let grains = GrainsSimulation::new(&sheared).unwrap();
     let wanted: f64 = grains.with_snapshot(|now| {
         let moving = now.velocities.unwrap().iter().zip(now.radii);
         let mass =
@@ -580,8 +589,8 @@ fn the_deepest_overlap_of_a_bounce_stays_in_the_summary() {
     let scene = GrainsScene {
         width: 0.16,
         depth: Some(0.03),
-        x: Sides::Walls,
-        z: Ends::Walls,
+        x: SideBoundary::Walls,
+        z: EndBoundary::Walls,
         height: Some(height),
         gravity_angle: ramp("180"),
         start: Some(file.path().into()),
@@ -619,13 +628,13 @@ fn a_heap_falls_to_both_sides() {
         let scene = GrainsScene {
             width: 0.16,
             depth: Some(0.03),
-            x: Sides::Walls,
+            x: SideBoundary::Walls,
             start: Some(file.path().into()),
             radius: 0.0025,
             radius_spread: 0.0,
             ..beads(1)
         };
-        let outcome = Grains::new(&scene).unwrap().outcome();
+        let outcome = GrainsSimulation::new(&scene).unwrap().outcome();
         for (found, wanted) in outcome.surface_angles.iter().zip(wanted) {
             assert!((found - wanted).abs() < 1e-9, "{found} {wanted}");
         }
@@ -667,8 +676,8 @@ fn a_drum_lifts_its_bed_on_the_side_that_rises() {
 #[test]
 fn a_run_resumes_to_the_byte() {
     let sheared = GrainsScene {
-        z: Ends::Walls,
-        x: Sides::Walls,
+        z: EndBoundary::Walls,
+        x: SideBoundary::Walls,
         pressure_z: Some(ramp("0:100, 0.5:1000")),
         plate_speed: ramp("0:0, 0.1:0.1"),
         repeat: Some(0.3),
@@ -684,21 +693,21 @@ fn a_run_resumes_to_the_byte() {
         .into_iter()
         .chain(soft_ones)
     {
-        let mut whole = Grains::new(&scene).unwrap();
+        let mut whole = GrainsSimulation::new(&scene).unwrap();
         for _ in 0..60 {
             whole.step().unwrap();
         }
-        let mut broken = Grains::resume(&scene, &whole.checkpoint()).unwrap();
+        let mut broken = GrainsSimulation::resume(&scene, &whole.checkpoint()).unwrap();
         for _ in 0..30 {
             whole.step().unwrap();
             broken.step().unwrap();
         }
         assert_eq!(whole.series(), broken.series());
         // Between two lines, too, and once a run has ended.
-        let resumed = Grains::resume(&scene, &whole.checkpoint()).unwrap();
+        let resumed = GrainsSimulation::resume(&scene, &whole.checkpoint()).unwrap();
         assert_eq!(resumed.record(), whole.record());
         assert_eq!(resumed.last_step(), whole.last_step());
-        let bits = |run: &Grains| run.with_snapshot(|now| now.positions.to_vec());
+        let bits = |run: &GrainsSimulation| run.with_snapshot(|now| now.positions.to_vec());
         assert_eq!(bits(&whole), bits(&broken));
     }
 }
@@ -707,13 +716,13 @@ fn a_run_resumes_to_the_byte() {
 fn what_does_not_fit_together_is_refused_by_name() {
     let scene = || GrainsScene::default();
     let both = GrainsScene {
-        z: Ends::Walls,
+        z: EndBoundary::Walls,
         pressure_z: Some(1.0.into()),
         velocity_z: Some(1.0.into()),
         ..scene()
     };
     let pull = GrainsScene {
-        z: Ends::Walls,
+        z: EndBoundary::Walls,
         pressure_z: Some(ramp("0:1, 1:-1")),
         ..scene()
     };
@@ -723,7 +732,7 @@ fn what_does_not_fit_together_is_refused_by_name() {
         ..scene()
     };
     let periodic = GrainsScene {
-        z: Ends::Periodic,
+        z: EndBoundary::Periodic,
         ..scene()
     };
     for (scene, key) in [
@@ -736,12 +745,12 @@ fn what_does_not_fit_together_is_refused_by_name() {
         assert!(refused.contains(&format!("`{key}`")), "{refused}");
     }
     let full = GrainsScene {
-        z: Ends::Walls,
+        z: EndBoundary::Walls,
         height: Some(0.03),
         count: 1000,
         ..scene()
     };
-    let refused = Grains::new(&full).unwrap_err();
+    let refused = GrainsSimulation::new(&full).unwrap_err();
     assert!(matches!(
         refused,
         GrainsError::Placement(PlacementError::Full { given: 1000, .. })

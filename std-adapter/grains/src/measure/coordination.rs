@@ -1,6 +1,6 @@
 //! Contacts of the spheres, and spheres that bear nothing.
 
-use super::{Assembly, Forces, Table};
+use super::{Assembly, KnownForces, Table};
 use tribos_base::record::ContactRow;
 
 /// Contacts of the spheres, walls included; contacts with known forces count only if they carry one.
@@ -23,7 +23,7 @@ impl Coordination {
     pub(super) fn of(assembly: &Assembly, least: usize) -> Self {
         let count = assembly.radii.len();
         let is_carrying = |row: &&ContactRow| {
-            assembly.forces == Forces::Unknown || row.force.iter().any(|x| *x != 0.0)
+            assembly.forces == KnownForces::Unknown || row.force.iter().any(|x| *x != 0.0)
         };
         let contacts: Vec<[Option<usize>; 2]> = assembly
             .contacts

@@ -14,15 +14,15 @@ mod summary;
 mod table;
 
 pub use crate::packing::AssemblyError;
-pub use crate::packing::assembly::{Assembly, Forces};
+pub use crate::packing::assembly::{Assembly, KnownForces};
 pub use chains::{Buckling, ForceChains};
 pub use coordination::Coordination;
 pub use fabric::Fabric;
 pub use forces::ForceDistribution;
 pub use necks::{Neck, Necks};
 pub use pair_correlation::PairCorrelation;
-pub use profile::Profile;
-pub use series::series;
+pub use profile::PorosityProfile;
+pub use series::measure_series;
 pub use stress::StressTensor;
 pub use table::Table;
 
@@ -31,12 +31,12 @@ use tribos_base::space::pairs::NeighbourError;
 /// What is measured, and how finely.
 ///
 /// ```
-/// use tribos::measure::Options;
-/// let fine = Options { bins: 400, ..Options::default() };
+/// use tribos::measure::MeasureOptions;
+/// let fine = MeasureOptions { bins: 400, ..Options::default() };
 /// assert_eq!(fine.angle, std::f64::consts::FRAC_PI_4); // of force chains
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
+pub struct MeasureOptions {
     /// Largest gap of contacts where no forces are known, in mean radii.
     pub gap: f64,
     /// Largest distance of the pair correlation, a length; ten mean radii, or as far as the box allows, if left
@@ -56,7 +56,7 @@ pub struct Options {
     pub density: Option<f64>,
 }
 
-impl Default for Options {
+impl Default for MeasureOptions {
     fn default() -> Self {
         Self {
             gap: 1e-3,
@@ -74,7 +74,7 @@ impl Default for Options {
 /// Measures of one state.
 ///
 /// ```
-/// use tribos::measure::{Assembly, Measures, Options};
+/// use tribos::measure::{Assembly, Measures, MeasureOptions};
 /// use tribos::nalgebra::Vector3;
 /// use tribos::space::PeriodicBox;
 /// // Equal spheres on a cubic lattice: six neighbours each, π/6 of the space is solid.
@@ -82,7 +82,7 @@ impl Default for Options {
 /// let place = |n: u32| Vector3::new(f64::from(n % 6), f64::from(n / 6 % 6), f64::from(n / 36)) * 2.0;
 /// let space = PeriodicBox::new([Some(side); 3])?;
 /// let crystal = Assembly::new(space, (0..216).map(place).collect(), vec![1.0; 216]);
-/// let found = Measures::of(crystal, &Options::default())?;
+/// let found = Measures::of(crystal, &MeasureOptions::default())?;
 /// assert_eq!(found.coordination.mean, 6.0);
 /// assert!((found.porosity - (1.0 - std::f64::consts::PI / 6.0)).abs() < 1e-12);
 /// assert!(found.fabric.anisotropy < 1e-12 && found.chains.is_none()); // no forces are known
@@ -109,18 +109,18 @@ pub struct Measures {
     /// Levers of the contacts' torques.
     pub necks: Necks,
     /// Porosity in slices.
-    pub profile: Profile,
+    pub profile: PorosityProfile,
 }
 
 impl Measures {
     /// Measures a state; where it has no forces, contacts are those of the geometry. *Domain*: finite positions;
     /// a reach of at most half of every period.
-    pub fn of(mut assembly: Assembly, options: &Options) -> Result<Self, NeighbourError> {
-        if assembly.forces == Forces::Unknown {
+    pub fn of(mut assembly: Assembly, options: &MeasureOptions) -> Result<Self, NeighbourError> {
+        if assembly.forces == KnownForces::Unknown {
             assembly.touch(options.gap * assembly.mean_radius())?;
         }
-        let is_known = assembly.forces != Forces::Unknown;
-        let profile = Profile::of(&assembly, options.axis, options.slices);
+        let is_known = assembly.forces != KnownForces::Unknown;
+        let profile = PorosityProfile::of(&assembly, options.axis, options.slices);
         Ok(Self {
             porosity: profile::porosity(&assembly),
             stress: is_known.then(|| StressTensor::of(&assembly, options.density)),

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 /// Porosity in slices across an axis, with the exact volumes of spheres cut by the planes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Profile {
+pub struct PorosityProfile {
     /// The axis: 0, 1 or 2 for x, y or z.
     pub axis: usize,
     /// Slices from low to high: low end, high end, porosity, number of centres.
@@ -24,7 +24,7 @@ pub(super) fn porosity(assembly: &Assembly) -> f64 {
     1.0 - solid / assembly.volume()
 }
 
-impl Profile {
+impl PorosityProfile {
     pub(super) fn of(assembly: &Assembly, axis: usize, slices: usize) -> Self {
         let [low, high] = assembly.bounds[axis];
         let (places, radii) = along(assembly, axis);

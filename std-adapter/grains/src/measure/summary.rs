@@ -52,7 +52,7 @@ impl Measures {
             "minus": rows(&stress.minus),
             "kinetic": rows(&stress.kinetic),
             "forces": match self.assembly.forces {
-                super::Forces::Complete => "complete",
+                super::KnownForces::Complete => "complete",
                 _ => "normal only",
             },
         })

@@ -1,4 +1,4 @@
-use super::{Assembly, ForceDistribution, Forces, Measures, Options};
+use super::{Assembly, ForceDistribution, KnownForces, MeasureOptions, Measures};
 use nalgebra::{Matrix3, Vector3};
 use serde_json::json;
 use std::f64::consts::PI;
@@ -37,7 +37,7 @@ fn with_forces(places: Vec<Vector3<f64>>, contacts: Vec<ContactRow>) -> Assembly
     let count = places.len();
     Assembly {
         contacts,
-        forces: Forces::Complete,
+        forces: KnownForces::Complete,
         ..Assembly::new(PeriodicBox::OPEN, places, vec![1.0; count])
     }
 }
@@ -59,10 +59,10 @@ fn a_face_centred_crystal_has_its_shells_twelve_contacts_and_no_direction() {
     }
     let count = places.len();
     let crystal = Assembly::new(cube(a * f64::from(cells)), places, vec![1.0; count]);
-    let options = Options {
+    let options = MeasureOptions {
         reach: Some(4.5),
         bins: 450,
-        ..Options::default()
+        ..MeasureOptions::default()
     };
     let found = Measures::of(crystal, &options).unwrap();
     assert_eq!(
@@ -104,11 +104,11 @@ fn an_ideal_gas_has_no_correlation_between_periods_or_faces() {
     ] {
         let mut gas = Assembly::new(space, places.clone(), vec![1e-6; count]);
         gas.bounds = [[0.0, 10.0]; 3];
-        let options = Options {
+        let options = MeasureOptions {
             reach: Some(3.0),
             bins: 6,
             gap: 0.0,
-            ..Options::default()
+            ..MeasureOptions::default()
         };
         let pairs = Measures::of(gas, &options).unwrap().pairs;
         for (bin, g) in pairs.values.iter().enumerate().skip(1) {
@@ -126,7 +126,7 @@ fn a_column_bears_the_force_over_the_area_in_one_chain() {
         let mut column = with_forces(places, contacts);
         column.space = space;
         column.enclose();
-        let found = Measures::of(column, &Options::default()).unwrap();
+        let found = Measures::of(column, &MeasureOptions::default()).unwrap();
         let stress = found.stress.unwrap();
         let pressure = force / 50.0;
         assert!(
@@ -157,7 +157,8 @@ fn chains_follow_the_strong_forces_and_end_where_these_turn() {
             ..row
         };
         contacts.extend(weaker.into_iter().map(later));
-        let found = Measures::of(with_forces(places, contacts), &Options::default()).unwrap();
+        let found =
+            Measures::of(with_forces(places, contacts), &MeasureOptions::default()).unwrap();
         let chains = found.chains.unwrap();
         // From either end.
         let mut chain = chains.chains.concat();
@@ -172,9 +173,9 @@ fn chains_follow_the_strong_forces_and_end_where_these_turn() {
         places.push(Vector3::new(6.0, 2.0 * f64::from(n + 1), 0.0));
         contacts.push(push(3 + n, Partner::Particle(4 + n), Vector3::y(), 1.0));
     }
-    let narrow = Options {
+    let narrow = MeasureOptions {
         angle: 0.5,
-        ..Options::default()
+        ..MeasureOptions::default()
     };
     let corner = with_forces(places, contacts);
     let found = Measures::of(corner, &narrow).unwrap().chains.unwrap();
@@ -186,7 +187,7 @@ fn chains_follow_the_strong_forces_and_end_where_these_turn() {
 fn a_chain_that_bends_has_buckled_by_its_angle() {
     let (places, contacts) = row(3, Vector3::x(), 1.0);
     let before = with_forces(places.clone(), contacts.clone());
-    let chains = Measures::of(before.clone(), &Options::default())
+    let chains = Measures::of(before.clone(), &MeasureOptions::default())
         .unwrap()
         .chains
         .unwrap();
@@ -235,7 +236,7 @@ fn tails_that_hang_from_a_ring_are_rattlers() {
         .to_vec();
     contacts.push(push(6, Partner::Particle(0), Vector3::x(), 0.0));
     let (places, _) = row(7, Vector3::x(), 1.0);
-    let mut options = Options::default();
+    let mut options = MeasureOptions::default();
     let found = Measures::of(with_forces(places.clone(), contacts.clone()), &options).unwrap();
     assert_eq!(found.coordination.rattlers, 3);
     assert_eq!(found.coordination.mean, 2.0);
@@ -256,10 +257,10 @@ fn slices_along_every_axis_hold_all_of_the_solid() {
     for axis in 0..3 {
         for slices in [1, 7] {
             let gas = Assembly::new(cube(20.0), places.clone(), radii.clone());
-            let options = Options {
+            let options = MeasureOptions {
                 axis,
                 slices,
-                ..Options::default()
+                ..MeasureOptions::default()
             };
             let found = Measures::of(gas, &options).unwrap();
             let mean: f64 = found
@@ -284,7 +285,9 @@ fn a_neck_slides_and_turns_at_its_thresholds() {
             let mut pair = with_forces(places.clone(), contacts.clone());
             pair.radii = radii.to_vec();
             pair.scene = json!({"sliding": mu, "rolling": mu_t, "torsion": mu_n});
-            let found = Measures::of(pair, &Options::default()).unwrap().necks;
+            let found = Measures::of(pair, &MeasureOptions::default())
+                .unwrap()
+                .necks;
             let neck = found.necks[0];
             assert!((neck.effective_radius - effective).abs() < 1e-15);
             assert!((neck.rolling_lever - mu_t * effective).abs() < 1e-15);
@@ -293,7 +296,7 @@ fn a_neck_slides_and_turns_at_its_thresholds() {
             assert_eq!(found.beyond, usize::from(neck.radius > 1.0));
         }
     }
-    let stranger = Measures::of(with_forces(places, contacts), &Options::default()).unwrap();
+    let stranger = Measures::of(with_forces(places, contacts), &MeasureOptions::default()).unwrap();
     assert_eq!(stranger.necks.coefficients, None);
     assert!(stranger.necks.necks[0].radius.is_nan());
 }
@@ -306,9 +309,9 @@ fn fluctuations_of_the_motion_press_and_a_common_motion_does_not() {
         pair.space = cube(10.0);
         pair.enclose();
         pair.velocities = Some(vec![drift + Vector3::y() * 0.5, drift - Vector3::y() * 0.5]);
-        let options = Options {
+        let options = MeasureOptions {
             density: Some(2.0),
-            ..Options::default()
+            ..MeasureOptions::default()
         };
         let stress = Measures::of(pair, &options).unwrap().stress.unwrap();
         let mass = 2.0 * 4.0 / 3.0 * PI;

@@ -45,7 +45,7 @@ pub struct Assembly {
     /// Contacts of spheres with each other and with walls.
     pub contacts: Vec<ContactRow>,
     /// What is known of the forces of the contacts.
-    pub forces: Forces,
+    pub forces: KnownForces,
     /// The scene of the run that the spheres come from; null for files of other programs.
     pub scene: Value,
     /// Whether the periods are assumed: the file does not say which axes are periodic.
@@ -58,7 +58,7 @@ pub struct Assembly {
 
 /// What is known of the forces of contacts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Forces {
+pub enum KnownForces {
     /// Forces and torques to the bit.
     Complete,
     /// Normal forces only.
@@ -81,7 +81,7 @@ impl Assembly {
             velocities: None,
             spins: None,
             contacts: Vec::new(),
-            forces: Forces::Unknown,
+            forces: KnownForces::Unknown,
             scene: Value::Null,
             is_assumed: false,
             frozen: None,
@@ -129,7 +129,7 @@ impl Assembly {
             }
         };
         self.contacts = pairs.iter().map(row).collect();
-        self.forces = Forces::Unknown;
+        self.forces = KnownForces::Unknown;
         Ok(())
     }
 

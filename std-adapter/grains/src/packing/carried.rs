@@ -1,7 +1,7 @@
 //! Modes that the contacts of a scene carry, and their limits.
 
 use super::Material;
-use crate::packing::method::Coupling;
+use crate::packing::method::FrictionCoupling;
 use tribos_contacts::cd::internals::Pairs;
 use tribos_contacts::soft::SoftContact;
 use tribos_core::contact::{
@@ -38,7 +38,7 @@ pub struct Carried {
     /// Set of modes.
     pub modes: CarriedModes,
     /// How the limits of sliding and torsion are combined; independent if one of them is absent.
-    pub coupling: Coupling,
+    pub coupling: FrictionCoupling,
 }
 
 impl Material {
@@ -65,7 +65,7 @@ impl Material {
         let coupling = if slides && twists {
             self.coupling
         } else {
-            Coupling::Independent
+            FrictionCoupling::Independent
         };
         Carried { modes, coupling }
     }

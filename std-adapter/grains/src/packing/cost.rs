@@ -50,7 +50,7 @@ pub(crate) fn stable_step_between(
 ) -> f64 {
     let sphere = solid(radius, material.density);
     let damping = if material.restitution > 0.0 {
-        soft::damping(material.restitution)
+        soft::damping_ratio_of(material.restitution)
     } else {
         springs.damping
     };

@@ -15,7 +15,7 @@ use tribos_base::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
 use tribos_base::record::kept::hex;
 use tribos_base::record::{ContactRow, Snapshot, json_number, sealed};
 use tribos_contacts::cd::{EnergyBalance, StepReport};
-use tribos_contacts::problem::Global;
+use tribos_contacts::problem::GlobalProblem;
 
 /// Overlap of rigid spheres over the smaller radius beyond which their packing is none: twice what a start may have.
 const TOO_DEEP: f64 = 0.1;
@@ -212,7 +212,7 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
     }
 
     /// The contact problem of the last step; before the first there is none, nor after a restart.
-    pub fn problem(&self) -> Option<Global> {
+    pub fn problem(&self) -> Option<GlobalProblem> {
         let problem = self.seen.packing.problem();
         problem.filter(|problem| !problem.laws().is_empty())
     }

@@ -4,7 +4,7 @@
 use serde_json::{Map, Value};
 use tribos_base::record::CheckpointError;
 use tribos_base::record::kept::{damaged, hex, numbers};
-use tribos_contacts::cd::{Iterations, Residual, StepReport};
+use tribos_contacts::cd::{ContactResidual, Iterations, StepReport};
 
 /// Keys of the numbers and of the counts.
 const NUMBERS: &str = "last_step";
@@ -12,7 +12,7 @@ const COUNTS: &str = "last_step_counts";
 
 /// Adds the report of the last step to a checkpoint.
 pub(super) fn put_report(report: &StepReport, map: &mut Map<String, Value>) {
-    let Residual {
+    let ContactResidual {
         penetration,
         excess,
         complementarity,
@@ -72,7 +72,7 @@ pub(super) fn read_report(value: &Value) -> Result<StepReport, CheckpointError> 
             met: met == 1,
         },
         handed_over: handed_over == 1,
-        residual: Residual {
+        residual: ContactResidual {
             penetration,
             excess,
             complementarity,

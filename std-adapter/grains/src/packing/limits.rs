@@ -1,7 +1,7 @@
 //! Friction thresholds of the contacts of a packing.
 
 use super::Material;
-use crate::packing::method::{Coupling, WallLaw};
+use crate::packing::method::{FrictionCoupling, WallLaw};
 use nalgebra::Vector3;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_core::coupling::table;
@@ -57,9 +57,9 @@ impl Limits {
         // If the kernel refuses a material's set, there is no packing and hence no contact.
         let mu = material.sliding;
         let joint = match material.carried().coupling {
-            Coupling::Independent => None,
-            Coupling::Ellipsoid => material.ellipsoid(mu).ok().map(Joint::Ellipsoid),
-            Coupling::Exact => material.exact(mu).ok().map(Joint::Exact),
+            FrictionCoupling::Independent => None,
+            FrictionCoupling::Ellipsoid => material.ellipsoid(mu).ok().map(Joint::Ellipsoid),
+            FrictionCoupling::Exact => material.exact(mu).ok().map(Joint::Exact),
         };
         Self {
             friction: [mu, material.rolling, material.torsion],

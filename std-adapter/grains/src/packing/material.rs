@@ -1,6 +1,6 @@
 //! What the contacts of a packing carry.
 
-use crate::packing::method::{Coupling, WallLaw};
+use crate::packing::method::{FrictionCoupling, WallLaw};
 use tribos_core::Error;
 use tribos_core::contact::{Attraction, Cohesion, NormalLaw};
 use tribos_core::coupling::table;
@@ -35,7 +35,7 @@ pub struct Material {
     /// Torsion coefficient, of P r_eff.
     pub torsion: f64,
     /// How the thresholds of sliding and torsion depend on each other.
-    pub coupling: Coupling,
+    pub coupling: FrictionCoupling,
     /// Law at walls.
     pub wall: WallLaw,
 }

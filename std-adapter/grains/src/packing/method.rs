@@ -39,7 +39,7 @@ words!(WallLaw { Full = "full", Smooth = "smooth", Bare = "none" });
 
 /// How the thresholds of sliding and torsion depend on each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Coupling {
+pub enum FrictionCoupling {
     /// Not at all (thesis, eqs. 4.1 and 4.2).
     Independent,
     /// By an ellipsoid with these thresholds for axes.
@@ -47,7 +47,7 @@ pub enum Coupling {
     /// By the limit surface of a round contact under uniform pressure with these thresholds.
     Exact,
 }
-words!(Coupling {
+words!(FrictionCoupling {
     Independent = "independent",
     Ellipsoid = "ellipsoid",
     Exact = "exact",

@@ -43,8 +43,8 @@ pub use material::Material;
 pub use read::AssemblyError;
 pub use run_error::PackingRunError;
 pub(crate) use sizes::SIZES;
-pub use sizes::{Radii, Sizes, SizesError};
-pub use statistics::Statistics;
+pub use sizes::{Radii, SizeDistribution, SizesError};
+pub use statistics::ContactStatistics;
 pub use stored::STATE;
 pub(crate) use stored::{Shape, Stored};
 pub use stress::Stress;
@@ -55,8 +55,8 @@ use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
-use tribos_contacts::cd::{EnergyBalance, Solver, StepLimits, StepReport, Wall, WorldError};
-use tribos_contacts::problem::Global;
+use tribos_contacts::cd::{ContactSolver, EnergyBalance, StepLimits, StepReport, Wall, WorldError};
+use tribos_contacts::problem::GlobalProblem;
 use tribos_contacts::soft::Stiffness;
 use tribos_core::Error;
 use tribos_core::contact::{ContactError, SphereBody};
@@ -78,7 +78,7 @@ pub(crate) struct Bodies {
 pub(crate) enum Method {
     /// Rigid spheres with constraint forces.
     ContactDynamics {
-        solver: Solver,
+        solver: ContactSolver,
         step_limits: StepLimits,
         /// Slower groups that nothing touches are left alone.
         still_speed: f64,
@@ -137,7 +137,7 @@ pub(crate) trait Packing: Debug {
     /// step, including its impacts, at the current positions.
     fn contacts(&self) -> Result<Vec<ContactRow>, ContactError>;
     /// The contact problem of the last step, as data; `None` where the contacts have none of that form.
-    fn problem(&self) -> Option<Global>;
+    fn problem(&self) -> Option<GlobalProblem>;
     /// Whether an overlap is an error of the solver, and neither the strain of a spring nor what a number of sweeps
     /// that was asked for leaves.
     fn is_rigid(&self) -> bool;

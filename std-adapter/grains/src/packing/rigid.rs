@@ -4,17 +4,17 @@ use super::{
     Bodies, CarriedModes, Extras, Force, Forces, Frozen, Material, Method, Packing, PackingError,
     soft,
 };
-use crate::packing::method::{Coupling, WallLaw};
+use crate::packing::method::{FrictionCoupling, WallLaw};
 use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
 use tribos_contacts::cd::{
-    self, ContactLaws, EnergyBalance, Facing, Laws, Mixture, Setup, State, StepReport, Stop, Wall,
-    World, WorldError, solid,
+    self, ContactMaterial, EnergyBalance, Facing, MaterialTable, StepReport, StopRule, Wall, World,
+    WorldError, WorldMaterials, WorldSetup, WorldState, solid,
 };
-use tribos_contacts::problem::Global;
+use tribos_contacts::problem::GlobalProblem;
 use tribos_core::contact::{
     ContactError, ContactFriction, ContactGeometry, ContactModes, ContactVector, CoupledFriction,
     IndependentFriction, SphereBody,
@@ -39,11 +39,11 @@ pub(super) fn build(
     let carried = bodies.1.widest(material).carried();
     let at = (material, bodies, method, frozen);
     match carried.coupling {
-        Coupling::Independent => {}
-        Coupling::Ellipsoid => {
+        FrictionCoupling::Independent => {}
+        FrictionCoupling::Ellipsoid => {
             return coupled(at, |m| Ok([m.ellipsoid(m.sliding)?, m.ellipsoid(0.0)?]));
         }
-        Coupling::Exact => {
+        FrictionCoupling::Exact => {
             return coupled(at, |m| Ok([m.exact(m.sliding)?, m.exact(0.0)?]));
         }
     }
@@ -98,13 +98,13 @@ fn both<F: Copy>(material: &Material, rough: F, smooth: F) -> [F; 2] {
 }
 
 /// Laws of a material with this friction.
-fn laws<F: Copy>(material: &Material, friction: [F; 2]) -> Result<Laws<F>, PackingError> {
+fn laws<F: Copy>(material: &Material, friction: [F; 2]) -> Result<WorldMaterials<F>, PackingError> {
     let normal = material.normal_laws()?;
-    let law = |kind: usize| ContactLaws {
+    let law = |kind: usize| ContactMaterial {
         normal: normal[kind],
         friction: friction[kind],
     };
-    Ok(Laws {
+    Ok(WorldMaterials {
         pairs: law(0),
         walls: law(1),
     })
@@ -123,12 +123,12 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
             let laws = [first, of(&second.mixed)?, of(&second.material)?];
             let materials = second.is_second.iter().map(|is| u8::from(*is));
             // The law at a wall is that of the sphere.
-            let law = |[a, b]: [u8; 2]| Laws {
+            let law = |[a, b]: [u8; 2]| WorldMaterials {
                 pairs: laws[usize::from(a + b)].pairs,
                 walls: laws[2 * usize::from(a)].walls,
             };
             let walls = vec![0; bodies.walls.len()];
-            Some(Mixture::new(materials.collect(), walls, law))
+            Some(MaterialTable::new(materials.collect(), walls, law))
         }
     };
     let (solver, step_limits, still_speed) = match *method {
@@ -150,7 +150,7 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
     };
     let density = |sphere: usize| extras.density(material, sphere);
     let spheres = bodies.radii.iter().enumerate();
-    let setup = Setup {
+    let setup = WorldSetup {
         spheres: spheres.map(|(i, &r)| solid(r, density(i))).collect(),
         mixture,
         space: bodies.space,
@@ -161,7 +161,7 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
         step_limits,
         solver,
         sleep_speed: still_speed,
-        ..Setup::new(first)
+        ..WorldSetup::new(first)
     };
     let mut setup = setup.sheared(extras.shear_rate);
     for (sphere, velocity) in setup.spheres.iter_mut().zip(&extras.velocities) {
@@ -175,7 +175,7 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
 }
 
 /// Restores a stored state in a new world of the same bodies.
-fn thaw<M: ContactModes<f64>>(frozen: &Frozen, state: &mut State<M>) {
+fn thaw<M: ContactModes<f64>>(frozen: &Frozen, state: &mut WorldState<M>) {
     state.time = frozen.time;
     state.steps = frozen.steps;
     state.positions.clone_from(&frozen.positions);
@@ -275,7 +275,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         &self.state().energy
     }
 
-    fn problem(&self) -> Option<Global> {
+    fn problem(&self) -> Option<GlobalProblem> {
         self.problem().posed().map(|posed| posed.problem)
     }
 
@@ -284,8 +284,8 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         let method = self.setup().solver.method;
         !matches!(
             method,
-            cd::Method::GaussSeidel {
-                stop: Stop::Fixed,
+            cd::SolverMethod::GaussSeidel {
+                stop: StopRule::Fixed,
                 ..
             }
         )

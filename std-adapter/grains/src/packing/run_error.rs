@@ -14,12 +14,12 @@ use tribos_core::law::LawError;
 /// Why a run of a packing cannot start or continue; `P` says why its spheres cannot be placed.
 ///
 /// ```
-/// use tribos::powder::{Compaction, CompactionError};
+/// use tribos::powder::{PowderSimulation, CompactionError};
 /// use tribos::record::CheckpointError;
 /// use tribos::run::PackingRunError;
 /// # use tribos::scene::PowderScene;
 /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
-/// let refused: Result<_, CompactionError> = Compaction::resume(&scene, "{}");
+/// let refused: Result<_, CompactionError> = PowderSimulation::resume(&scene, "{}");
 /// assert!(matches!(refused, Err(PackingRunError::Checkpoint(CheckpointError::Format(_)))));
 /// ```
 #[derive(Debug, thiserror::Error)]
@@ -91,9 +91,9 @@ impl<P: Error + 'static> PackingRunError<P> {
     /// Whether the run failed on its course, after its scene had been accepted.
     ///
     /// ```
-    /// use tribos::grains::Grains;
+    /// use tribos::grains::GrainsSimulation;
     /// use tribos::scene::GrainsScene;
-    /// let refused = Grains::new(&GrainsScene { width: -1.0, ..Default::default() });
+    /// let refused = GrainsSimulation::new(&GrainsScene { width: -1.0, ..Default::default() });
     /// assert!(refused.is_err_and(|error| !error.is_of_course()));
     /// ```
     #[doc(hidden)]

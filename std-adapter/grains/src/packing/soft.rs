@@ -5,9 +5,11 @@ use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
-use tribos_contacts::cd::{EnergyBalance, Laws, StepLimits, StepReport, Wall, WorldError, solid};
-use tribos_contacts::problem::Global;
-use tribos_contacts::soft::{Setup, SoftContact, State, World};
+use tribos_contacts::cd::{
+    EnergyBalance, StepLimits, StepReport, Wall, WorldError, WorldMaterials, solid,
+};
+use tribos_contacts::problem::GlobalProblem;
+use tribos_contacts::soft::{SoftContact, SoftSetup, SoftState, SoftWorld};
 use tribos_core::contact::{
     ContactError, ContactFriction, ContactGeometry, ContactModes, ContactVector, SphereBody,
 };
@@ -16,7 +18,7 @@ use tribos_core::contact::{
 /// steps of the world as the springs need.
 #[derive(Debug)]
 struct SoftPacking<F: ContactFriction<f64>> {
-    world: World<F>,
+    world: SoftWorld<F>,
     steps: u64,
     limits: StepLimits,
 }
@@ -27,11 +29,11 @@ pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
     bodies: Bodies,
     springs: &Springs,
     frozen: Option<&Frozen>,
-    laws: Laws<F>,
+    laws: WorldMaterials<F>,
 ) -> Result<Box<dyn Packing>, PackingError> {
     let limits = springs.step_limits;
     let spheres = bodies.radii.iter().enumerate();
-    let setup = Setup {
+    let setup = SoftSetup {
         spheres: spheres.map(|(i, &r)| solid(r, density(i))).collect(),
         space: bodies.space,
         positions: bodies.positions,
@@ -41,9 +43,9 @@ pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
         damping: springs.damping,
         longest: limits.longest,
         steps_per_collision: springs.steps_per_collision,
-        ..Setup::new(laws, springs.stiffness)
+        ..SoftSetup::new(laws, springs.stiffness)
     };
-    let mut world = World::new(setup)?;
+    let mut world = SoftWorld::new(setup)?;
     if let Some(frozen) = frozen {
         thaw(frozen, &mut world)?;
     }
@@ -56,7 +58,10 @@ pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
 }
 
 /// Restores a stored state in a new world of the same bodies.
-fn thaw<F: ContactFriction<f64>>(frozen: &Frozen, world: &mut World<F>) -> Result<(), WorldError> {
+fn thaw<F: ContactFriction<f64>>(
+    frozen: &Frozen,
+    world: &mut SoftWorld<F>,
+) -> Result<(), WorldError> {
     let state = world.state_mut();
     state.time = frozen.time;
     state.steps = frozen.steps;
@@ -88,7 +93,7 @@ fn modal<M: ContactModes<f64>>(force: &Force) -> ContactVector<f64, M> {
 
 /// Forces of the contacts in range, or their springs.
 fn stored<M: ContactModes<f64>>(
-    state: &State<M>,
+    state: &SoftState<M>,
     part: impl Fn(&SoftContact<M>) -> ContactVector<f64, M>,
 ) -> Forces {
     let one = |contact: &SoftContact<M>| (contact.bodies, Force::of(&part(contact)));
@@ -154,7 +159,7 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
         &self.world.state().energy
     }
 
-    fn problem(&self) -> Option<Global> {
+    fn problem(&self) -> Option<GlobalProblem> {
         None
     }
 

@@ -9,7 +9,7 @@ use tribos_base::record::json_number;
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos::powder::{Limits, Statistics};
+/// use tribos::powder::{Limits, ContactStatistics};
 /// use tribos::record::{ContactRow, Partner};
 /// # use tribos::scene::PowderScene;
 /// // Three spheres in a row from a wall on.
@@ -22,7 +22,7 @@ use tribos_base::record::json_number;
 ///     touch(1, Partner::Particle(2), Vector3::new(-0.5, 0.0, 0.0)),
 /// ];
 /// let scene = PowderScene { width: 6.0, height: 8.0, sliding: 0.3, ..PowderScene::default() };
-/// let found = Statistics::of(&contacts, &[1.0; 3], &Limits::of(&scene.material()));
+/// let found = ContactStatistics::of(&contacts, &[1.0; 3], &Limits::of(&scene.material()));
 /// assert_eq!((found.contacts, found.wall_contacts), (2, 1));
 /// assert_eq!(found.coordination, [0, 1, 2]); // one sphere has one contact, two have two
 /// assert_eq!(found.mean_coordination(), 5.0 / 3.0);
@@ -31,7 +31,7 @@ use tribos_base::record::json_number;
 /// assert_eq!(found.json()["tension"]["largest"].as_f64(), Some(0.5));
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Statistics {
+pub struct ContactStatistics {
     /// Number of contacts between spheres.
     pub contacts: usize,
     /// Number of contacts with substrate and piston.
@@ -52,7 +52,7 @@ pub struct Statistics {
     pub max_overlap: f64,
 }
 
-impl Statistics {
+impl ContactStatistics {
     /// Evaluates the contacts; `radii` are those of all spheres.
     pub fn of(contacts: &[ContactRow], radii: &[f64], limits: &Limits) -> Self {
         let mut counts = vec![0; radii.len()];

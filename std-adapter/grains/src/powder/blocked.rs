@@ -1,7 +1,7 @@
 //! Whether a packing is blocked, judged by means over windows of steps.
 
 use crate::packing::Stress;
-use crate::powder::scene::Criterion;
+use crate::powder::scene::BlockedCriterion;
 
 /// Least number of steps in a window: the pseudo-elastic waves of an iteration that stops early take
 /// about ten steps to cross the thesis' systems.
@@ -22,7 +22,7 @@ const UNBALANCED: f64 = 1e-2;
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
 /// use tribos::powder::{Means, Stress, Window};
-/// use tribos::scene::Criterion;
+/// use tribos::scene::BlockedCriterion;
 /// // A piston of mass 100 on an area of 100 stands at 60 under a load of 0.5.
 /// let plus = Matrix3::from_diagonal(&Vector3::new(0.0, 0.0, 0.005));
 /// let stress = Stress { plus, minus: Matrix3::zeros() };
@@ -32,9 +32,9 @@ const UNBALANCED: f64 = 1e-2;
 /// }
 /// let means: Means = window.means(60.0);
 /// assert!((means.piston - 0.5).abs() < 1e-12);
-/// assert!(means.is_blocked(Criterion::Balance, 0.005, 100.0));
+/// assert!(means.is_blocked(BlockedCriterion::Balance, 0.005, 100.0));
 /// // Under twice the pressure the same forces would not balance.
-/// assert!(!means.is_blocked(Criterion::Balance, 0.01, 100.0));
+/// assert!(!means.is_blocked(BlockedCriterion::Balance, 0.01, 100.0));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Window {
@@ -122,15 +122,15 @@ impl Means {
     /// The piston must have moved by less than 10⁻³ R. The balance criterion also requires that the mean
     /// contact force on the piston and the mean σ_zz are within 1 % of the applied load, and that the mean net
     /// force on a sphere is less than 1 % of the mean contact force.
-    pub fn is_blocked(&self, criterion: Criterion, pressure: f64, area: f64) -> bool {
+    pub fn is_blocked(&self, criterion: BlockedCriterion, pressure: f64, area: f64) -> bool {
         let stands = self.moved < PISTON_MOTION;
         let near = |value: f64, applied: f64| (value / applied - 1.0).abs() < LOAD_DEVIATION;
         let balances = near(self.piston, pressure * area)
             && near(self.stress.total().m33, pressure)
             && self.net < UNBALANCED * self.contact;
         match criterion {
-            Criterion::Piston => stands,
-            Criterion::Balance => stands && balances,
+            BlockedCriterion::Piston => stands,
+            BlockedCriterion::Balance => stands && balances,
         }
     }
 }

@@ -2,19 +2,19 @@
 
 use super::deposit::{BULK, Deposit, DepositError};
 use super::error::CompactionError;
-use super::outcome::Outcome;
+use super::outcome::PowderSummary;
 use super::parts::packing;
 use super::press::{Press, Watch, bounds, height};
 use super::start::Start;
 use crate::packing::volume_between;
-use crate::packing::{Drive, Kept, Limits, Statistics, Told, origin};
+use crate::packing::{ContactStatistics, Drive, Kept, Limits, Told, origin};
 use crate::powder::scene::PowderScene;
 use std::ops::ControlFlow;
 use tribos_base::record::frames::{Bodies, Frame, Kind};
 use tribos_base::record::{ContactRow, Snapshot};
 use tribos_base::run::Simulation;
 use tribos_contacts::cd::StepReport;
-use tribos_contacts::problem::Global;
+use tribos_contacts::problem::GlobalProblem;
 
 /// Columns of the series, in the units of the scene; `stress_zz` in units of the applied pressure.
 pub const COLUMNS: [&str; 15] = [
@@ -38,7 +38,7 @@ pub const COLUMNS: [&str; 15] = [
 /// Why a run ended.
 ///
 /// ```
-/// use tribos::powder::{Compaction, Ending};
+/// use tribos::powder::{PowderSimulation, PowderStopReason};
 /// use tribos::run::drive;
 /// # use tribos::scene::PowderScene;
 /// # let scene = PowderScene {
@@ -49,15 +49,15 @@ pub const COLUMNS: [&str; 15] = [
 /// #     ..PowderScene::default()
 /// # };
 /// // A scene of ten steps: too few to be blocked.
-/// let mut compaction = Compaction::new(&scene)?;
+/// let mut compaction = PowderSimulation::new(&scene)?;
 /// assert_eq!(compaction.ending(), None);
 /// drive(&mut compaction, |_, _| ())?;
-/// assert_eq!((compaction.ending(), compaction.steps()), (Some(Ending::Steps), 10));
-/// assert_eq!(Ending::Steps.name(), "steps");
+/// assert_eq!((compaction.ending(), compaction.steps()), (Some(PowderStopReason::Steps), 10));
+/// assert_eq!(PowderStopReason::Steps.name(), "steps");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
+pub enum PowderStopReason {
     /// The packing is blocked.
     Blocked,
     /// The scene's duration elapsed.
@@ -66,7 +66,7 @@ pub enum Ending {
     Steps,
 }
 
-impl Ending {
+impl PowderStopReason {
     /// Name in summaries and checkpoints.
     pub fn name(self) -> &'static str {
         match self {
@@ -80,11 +80,11 @@ impl Ending {
 /// A compaction in progress.
 ///
 /// ```
-/// use tribos::powder::{COLUMNS, Compaction};
+/// use tribos::powder::{COLUMNS, PowderSimulation};
 /// use tribos::run::drive;
 /// use tribos::scene::PowderScene;
 /// let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
-/// let mut compaction = Compaction::new(&scene)?;
+/// let mut compaction = PowderSimulation::new(&scene)?;
 /// drive(&mut compaction, |_, _| ())?;
 /// let outcome = compaction.outcome();
 /// assert!(outcome.porosity[1] < outcome.porosity[0]);
@@ -99,13 +99,13 @@ impl Ending {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
-pub struct Compaction {
+pub struct PowderSimulation {
     pub(super) drive: Drive<Press, { COLUMNS.len() }>,
     /// Contacts at the start.
     first_contacts: Vec<ContactRow>,
 }
 
-impl Compaction {
+impl PowderSimulation {
     /// Starts from the scene's deposit, with the piston touching its highest sphere.
     pub fn new(scene: &PowderScene) -> Result<Self, CompactionError> {
         Self::begin(scene, None, |_| ControlFlow::Continue(()))
@@ -115,7 +115,7 @@ impl Compaction {
     /// bits as without interruption. A run that had ended remains ended and takes no more steps.
     ///
     /// ```
-    /// use tribos::powder::Compaction;
+    /// use tribos::powder::PowderSimulation;
     /// use tribos::run::Simulation;
     /// # use tribos::scene::PowderScene;
     /// # let scene = PowderScene {
@@ -124,14 +124,14 @@ impl Compaction {
     /// #     pressure: 0.02,
     /// #     ..PowderScene::default()
     /// # };
-    /// let mut whole = Compaction::new(&scene)?;
+    /// let mut whole = PowderSimulation::new(&scene)?;
     /// for _ in 0..5 {
     ///     whole.step()?;
     /// }
     /// let kept = whole.checkpoint();
     /// whole.step()?;
     ///
-    /// let mut broken = Compaction::resume(&scene, &kept)?;
+    /// let mut broken = PowderSimulation::resume(&scene, &kept)?;
     /// assert_eq!(broken.steps(), 5);
     /// broken.step()?;
     /// assert_eq!(broken.last_step(), whole.last_step());
@@ -145,7 +145,7 @@ impl Compaction {
     /// Checks that a run of the scene can start, without growing its deposit: two spheres of it are enough.
     ///
     /// ```
-    /// use tribos::powder::{Compaction, CompactionError, deposit::DepositError};
+    /// use tribos::powder::{PowderSimulation, CompactionError, deposit::DepositError};
     /// # use tribos::scene::PowderScene;
     /// # let flat = PowderScene {
     /// #     width: 6.0,
@@ -154,7 +154,7 @@ impl Compaction {
     /// #     ..PowderScene::default()
     /// # };
     /// // A deposit that is cut at a height of half a sphere.
-    /// let refused = Compaction::check(&flat);
+    /// let refused = PowderSimulation::check(&flat);
     /// assert!(matches!(refused, Err(CompactionError::Placement(DepositError::Empty))));
     /// ```
     pub fn check(scene: &PowderScene) -> Result<(), CompactionError> {
@@ -177,7 +177,7 @@ impl Compaction {
     ///
     /// ```
     /// use std::ops::ControlFlow;
-    /// use tribos::powder::{Compaction, CompactionError, deposit::DepositError};
+    /// use tribos::powder::{PowderSimulation, CompactionError, deposit::DepositError};
     /// # use tribos::scene::PowderScene;
     /// # let scene = PowderScene {
     /// #     width: 6.0,
@@ -185,7 +185,7 @@ impl Compaction {
     /// #     pressure: 0.02,
     /// #     ..PowderScene::default()
     /// # };
-    /// let stopped = Compaction::begin(&scene, None, |_spheres| ControlFlow::Break(()));
+    /// let stopped = PowderSimulation::begin(&scene, None, |_spheres| ControlFlow::Break(()));
     /// assert!(matches!(stopped, Err(CompactionError::Placement(DepositError::Stopped))));
     /// ```
     pub fn begin(
@@ -228,11 +228,11 @@ impl Compaction {
     /// folder.
     ///
     /// ```
-    /// use tribos::powder::Compaction;
+    /// use tribos::powder::PowderSimulation;
     /// use tribos::run::Simulation;
     /// # use tribos::scene::PowderScene;
     /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
-    /// let mut light = Compaction::new(&scene)?;
+    /// let mut light = PowderSimulation::new(&scene)?;
     /// for _ in 0..20 {
     ///     light.step()?;
     /// }
@@ -240,7 +240,7 @@ impl Compaction {
     /// # let file = home.path().join("state.json");
     /// std::fs::write(&file, light.state())?;
     /// let heavy = PowderScene { pressure: 0.04, start: Some(file), ..scene };
-    /// let heavy = Compaction::new(&heavy)?;
+    /// let heavy = PowderSimulation::new(&heavy)?;
     /// assert_eq!((heavy.steps(), heavy.height()), (0, light.height()));
     /// assert_eq!(heavy.contacts(), light.contacts());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -270,7 +270,7 @@ impl Compaction {
     }
 
     /// Why the run has ended, if it has.
-    pub fn ending(&self) -> Option<Ending> {
+    pub fn ending(&self) -> Option<PowderStopReason> {
         self.drive.ending
     }
 
@@ -302,26 +302,26 @@ impl Compaction {
     /// where sliding and torsion share a limit surface that is no ellipsoid.
     ///
     /// ```
-    /// use tribos::powder::Compaction;
+    /// use tribos::powder::PowderSimulation;
     /// use tribos::problem::solve;
     /// use tribos::run::Simulation;
     /// # use tribos::scene::PowderScene;
     /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
-    /// let mut compaction = Compaction::new(&scene)?;
+    /// let mut compaction = PowderSimulation::new(&scene)?;
     /// compaction.step()?;
     /// let problem = compaction.problem().expect("rigid contacts after a step").reduced()?;
     /// assert_eq!(problem.contacts(), compaction.last_step().contacts);
     /// assert!(solve(&problem, &Default::default(), |_| ()).residual.meets(1e-8));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn problem(&self) -> Option<Global> {
+    pub fn problem(&self) -> Option<GlobalProblem> {
         self.drive.problem()
     }
 
     /// Calls `export` with the current state.
     ///
     /// ```
-    /// use tribos::powder::Compaction;
+    /// use tribos::powder::PowderSimulation;
     /// use tribos::record::extended_xyz;
     /// # use tribos::scene::PowderScene;
     /// # let scene = PowderScene {
@@ -330,7 +330,7 @@ impl Compaction {
     /// #     pressure: 0.02,
     /// #     ..PowderScene::default()
     /// # };
-    /// let compaction = Compaction::new(&scene)?;
+    /// let compaction = PowderSimulation::new(&scene)?;
     /// let frame = compaction.with_snapshot(extended_xyz)?;
     /// // A line a sphere, and two before them.
     /// assert_eq!(frame.lines().count(), compaction.deposit().positions.len() + 2);
@@ -355,7 +355,7 @@ impl Compaction {
     /// The current state; before the first step the contacts of the deposit carry no force.
     ///
     /// ```
-    /// use tribos::powder::Compaction;
+    /// use tribos::powder::PowderSimulation;
     /// # use tribos::scene::PowderScene;
     /// # let scene = PowderScene {
     /// #     width: 6.0,
@@ -363,7 +363,7 @@ impl Compaction {
     /// #     pressure: 0.02,
     /// #     ..PowderScene::default()
     /// # };
-    /// let compaction = Compaction::new(&scene)?;
+    /// let compaction = PowderSimulation::new(&scene)?;
     /// let (bodies, first) = (compaction.bodies(100), compaction.frame());
     /// assert_eq!(first.places.len(), bodies.radii.len());
     /// assert_eq!((first.step, first.height), (0, compaction.height()));
@@ -380,7 +380,7 @@ impl Compaction {
     }
 
     /// Summary of the run so far.
-    pub fn outcome(&self) -> Outcome {
+    pub fn outcome(&self) -> PowderSummary {
         let Drive {
             body, seen, watch, ..
         } = &self.drive;
@@ -389,7 +389,7 @@ impl Compaction {
         let (positions, radii) = (seen.packing.positions(), seen.packing.radii());
         let bulk = volume_between(positions, radii, [low, high]);
         let totals = self.drive.totals();
-        Outcome {
+        PowderSummary {
             ending: self.drive.ending,
             time: self.drive.time(),
             steps: self.steps(),
@@ -400,9 +400,13 @@ impl Compaction {
             means: body.means(watch, seen),
             pressure: scene.pressure,
             area,
-            statistics: Statistics::of(&seen.contacts, radii, &Limits::of(&scene.material()))
-                .of_materials(self.drive.kinds.mixed().is_some())
-                .since(totals.overlap),
+            statistics: ContactStatistics::of(
+                &seen.contacts,
+                radii,
+                &Limits::of(&scene.material()),
+            )
+            .of_materials(self.drive.kinds.mixed().is_some())
+            .since(totals.overlap),
             residual: seen.report.residual.relative,
             iterations: totals.iterations,
             unmet: totals.unmet,
@@ -416,7 +420,7 @@ impl Compaction {
     }
 }
 
-impl Simulation for Compaction {
+impl Simulation for PowderSimulation {
     type Record = [f64; COLUMNS.len()];
     type Error = CompactionError;
 

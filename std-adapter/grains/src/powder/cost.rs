@@ -5,7 +5,7 @@ use super::error::CompactionError;
 use super::parts;
 use super::start::Start;
 use crate::packing::Assembly;
-use crate::packing::method::{ContactMethod, Coupling};
+use crate::packing::method::{ContactMethod, FrictionCoupling};
 use crate::packing::{self, CarriedModes, Method, Packing};
 use crate::powder::scene::{PowderScene, SweepMethod, SweepOrder, SweepStop};
 use nalgebra::Vector3;
@@ -149,7 +149,7 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
         sliding: if mu > 0.0 { mu } else { USUAL },
         rolling: 0.0,
         torsion: 0.0,
-        coupling: Coupling::Independent,
+        coupling: FrictionCoupling::Independent,
         ..scene.clone()
     };
     let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
@@ -247,22 +247,34 @@ mod tests {
     #[test]
     fn contacts_carry_the_unknowns_of_the_modes_that_resist() {
         for (keys, unknowns, coupling) in [
-            ("sliding = 0", 1, Coupling::Independent),
+            ("sliding = 0", 1, FrictionCoupling::Independent),
             (
                 "sliding = 0\ncoupling = \"exact\"",
                 1,
-                Coupling::Independent,
+                FrictionCoupling::Independent,
             ),
-            ("", 3, Coupling::Independent),
-            ("torsion = 0.1", 4, Coupling::Independent),
-            ("torsion = 0.1\ncoupling = \"exact\"", 4, Coupling::Exact),
+            ("", 3, FrictionCoupling::Independent),
+            ("torsion = 0.1", 4, FrictionCoupling::Independent),
+            (
+                "torsion = 0.1\ncoupling = \"exact\"",
+                4,
+                FrictionCoupling::Exact,
+            ),
             (
                 "rolling = 0.1\ncoupling = \"ellipsoid\"",
                 5,
-                Coupling::Independent,
+                FrictionCoupling::Independent,
             ),
-            ("rolling = 0.1\ntorsion = 0.1", 6, Coupling::Independent),
-            ("sliding = 0\nrolling = 0.1", 6, Coupling::Independent),
+            (
+                "rolling = 0.1\ntorsion = 0.1",
+                6,
+                FrictionCoupling::Independent,
+            ),
+            (
+                "sliding = 0\nrolling = 0.1",
+                6,
+                FrictionCoupling::Independent,
+            ),
         ] {
             let carried = scene(keys).material().carried();
             assert_eq!(carried.modes.unknowns(), unknowns, "{keys}");

@@ -4,7 +4,7 @@ use super::blocked::{LOAD_DEVIATION, PISTON_MOTION, window_time};
 use super::deposit::Deposit;
 use super::error::CompactionError;
 use super::start::Start;
-use crate::packing::method::{Coupling, WallLaw};
+use crate::packing::method::{FrictionCoupling, WallLaw};
 use crate::packing::{Kinds, Material, Method, Springs, stable_step_between};
 use crate::powder::scene::PowderScene;
 use nalgebra::Vector3;
@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use tribos_base::record::number;
 use tribos_contacts::cd::Wall;
-use tribos_contacts::soft::{Stiffness, damping};
+use tribos_contacts::soft::{Stiffness, damping_ratio_of};
 
 /// Room above the piston and below the substrate in the box of the files, in R.
 const ROOM: f64 = 2.0;
@@ -176,15 +176,15 @@ fn laws(scene: &PowderScene) -> [String; 2] {
         Stiffness::Hertz(modulus) => format!("hertz {}", number(modulus)),
     };
     let ratio = if scene.restitution > 0.0 {
-        damping(scene.restitution)
+        damping_ratio_of(scene.restitution)
     } else {
         scene.damping
     };
     let spring = format!("{spring} damping {}", number(ratio));
     let coupling = match scene.coupling {
-        Coupling::Independent => "separate",
-        Coupling::Ellipsoid => "ellipsoid",
-        Coupling::Exact => "exact",
+        FrictionCoupling::Independent => "separate",
+        FrictionCoupling::Ellipsoid => "ellipsoid",
+        FrictionCoupling::Exact => "exact",
     };
     let [sliding, torsion, rolling, range] = [
         scene.sliding,

@@ -15,19 +15,19 @@ pub(crate) mod scene;
 mod session;
 mod start;
 
-pub use crate::packing::Statistics;
+pub use crate::packing::ContactStatistics;
 #[doc(hidden)]
 pub use crate::packing::{Carried, CarriedModes, Limits, Material, STATE, Stress};
 #[doc(hidden)]
 pub use blocked::{Means, Window};
 #[doc(hidden)]
 pub use compaction::COLUMNS;
-pub use compaction::{Compaction, Ending};
+pub use compaction::{PowderSimulation, PowderStopReason};
 #[doc(hidden)]
 pub use cost::{PowderCost, cost, size, stable_step};
 pub use deposit::DepositError;
 pub use error::CompactionError;
-pub use outcome::Outcome;
+pub use outcome::PowderSummary;
 #[doc(hidden)]
 pub use parts::PISTON;
 pub use tribos_base::record::CheckpointError;

@@ -2,30 +2,30 @@
 
 use super::CompactionError;
 use super::blocked::Means;
-use super::compaction::{Compaction, Ending};
+use super::compaction::{PowderSimulation, PowderStopReason};
 use crate::packing::method::ContactMethod;
-use crate::packing::{Statistics, losses, object};
+use crate::packing::{ContactStatistics, losses, object};
 use crate::powder::scene::PowderScene;
 use nalgebra::Matrix3;
 use serde_json::{Map, Value};
 use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::json_number;
-use tribos_base::run::drive;
+use tribos_base::run::run_to_end;
 use tribos_contacts::cd::EnergyBalance;
 
 /// Results of a compaction, in the units of its scene.
 ///
 /// ```
-/// use tribos::powder::{Compaction, Outcome};
+/// use tribos::powder::{PowderSimulation, PowderSummary};
 /// use tribos::run::Simulation;
 /// # use tribos::scene::PowderScene;
 /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 /// // A compaction after a hundred steps.
-/// let mut compaction = Compaction::new(&scene)?;
+/// let mut compaction = PowderSimulation::new(&scene)?;
 /// for _ in 0..100 {
 ///     compaction.step()?;
 /// }
-/// let outcome: Outcome = compaction.outcome();
+/// let outcome: PowderSummary = compaction.outcome();
 /// assert_eq!((outcome.ending, outcome.steps), (None, 100));
 /// // What pushes and what pulls add up.
 /// let [all, pushes, pulls] = outcome.stress_zz();
@@ -39,9 +39,9 @@ use tribos_contacts::cd::EnergyBalance;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
+pub struct PowderSummary {
     /// Why the run ended; `None` if it has not.
-    pub ending: Option<Ending>,
+    pub ending: Option<PowderStopReason>,
     /// Time at the end.
     pub time: f64,
     /// Number of steps taken.
@@ -61,7 +61,7 @@ pub struct Outcome {
     /// Area of the piston.
     pub area: f64,
     /// Number of contacts at the end.
-    pub statistics: Statistics,
+    pub statistics: ContactStatistics,
     /// Relative residual of the contact laws in the last step.
     pub residual: f64,
     /// Total number of sweeps.
@@ -82,7 +82,7 @@ pub struct Outcome {
     pub wall_seconds: f64,
 }
 
-impl Outcome {
+impl PowderSummary {
     /// σ_zz of all contacts, of those that push and of those that pull, in units of the applied
     /// pressure (thesis, table 4.1).
     pub fn stress_zz(&self) -> [f64; 3] {
@@ -99,7 +99,10 @@ impl Outcome {
     /// tensors in F_coh/R².
     pub fn json(&self, scene: &PowderScene) -> Value {
         let mut map = Map::new();
-        map.insert("ending".into(), self.ending.map(Ending::name).into());
+        map.insert(
+            "ending".into(),
+            self.ending.map(PowderStopReason::name).into(),
+        );
         let mut put = |name: &str, value: Value| map.insert(name.into(), value);
         put("porosity_initial", json_number(self.porosity[0]));
         put("porosity_final", json_number(self.porosity[1]));
@@ -184,8 +187,8 @@ impl Measure for PowderScene {
     type Error = CompactionError;
 
     fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, CompactionError> {
-        let mut compaction = Compaction::new(self)?;
-        drive(&mut compaction, |_, _| watch())?;
+        let mut compaction = PowderSimulation::new(self)?;
+        run_to_end(&mut compaction, |_, _| watch())?;
         let summary = compaction.outcome().json(self);
         Ok(compaction.drive.measurement(&summary))
     }

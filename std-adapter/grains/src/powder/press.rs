@@ -1,7 +1,7 @@
 //! What a piston does to a powder, step by step: its loads, its measures and when it ends.
 
 use super::blocked::{Means, Window};
-use super::compaction::{COLUMNS, Ending};
+use super::compaction::{COLUMNS, PowderStopReason};
 use super::deposit::Deposit;
 use super::parts::PISTON;
 use crate::packing::{self, Body, Bounds, Cadence, Packing, Seen, Stress, branch, is_at};
@@ -113,7 +113,7 @@ impl Watch {
 
 impl Body<{ COLUMNS.len() }> for Press {
     type Watch = Watch;
-    type Ending = Ending;
+    type Ending = PowderStopReason;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
     const FORMAT: (&'static str, u64) = ("tribos_compaction", 4);
@@ -220,7 +220,7 @@ pub(super) fn bounds(scene: &PowderScene) -> Bounds {
     }
 }
 
-impl packing::Ending for Ending {
+impl packing::Ending for PowderStopReason {
     const OVER: Self = Self::Blocked;
     const TIME: Self = Self::Time;
     const STEPS: Self = Self::Steps;

@@ -1,7 +1,7 @@
 //! The scene of a cohesive powder under a piston (thesis, section 4.5).
 
-use crate::packing::method::{ContactMethod, Coupling, NormalForce, WallLaw, soft_rules};
-use crate::packing::{SIZES, Sizes};
+use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
+use crate::packing::{SIZES, SizeDistribution};
 use crate::powder::deposit::{Ballistic, DepositError, Until};
 use std::path::PathBuf;
 use tribos_base::scene::entries::Written;
@@ -9,19 +9,19 @@ use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
 use tribos_base::scene::reader::Judge;
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
-use tribos_contacts::cd::{Method, Order, Solver, StepLimits, Stop};
+use tribos_contacts::cd::{ContactSolver, IterationOrder, SolverMethod, StepLimits, StopRule};
 use tribos_contacts::soft::{STEPS_PER_COLLISION, Stiffness};
 use tribos_core::contact::Attraction;
 
 /// When a packing counts as blocked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Criterion {
+pub enum BlockedCriterion {
     /// Forces balance and the piston stands.
     Balance,
     /// The piston stands (thesis, section 4.5).
     Piston,
 }
-words!(Criterion { Balance = "balance", Piston = "piston" });
+words!(BlockedCriterion { Balance = "balance", Piston = "piston" });
 
 /// Method for the contacts of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,9 +67,9 @@ scene! {
     /// The default is the thesis' small system: 470 spheres on a base of 20 R by 20 R.
     ///
     /// ```
-    /// use tribos::{powder::Compaction, run::drive, scene::PowderScene};
+    /// use tribos::{powder::PowderSimulation, run::drive, scene::PowderScene};
     /// let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..Default::default() };
-    /// let mut compaction = Compaction::new(&scene)?;
+    /// let mut compaction = PowderSimulation::new(&scene)?;
     /// drive(&mut compaction, |_, _| ())?;
     /// let [before, after] = compaction.outcome().porosity;
     /// assert!(after < before);
@@ -92,7 +92,7 @@ scene! {
     /// Spread of the radii, which are uniform from 1 - spread to 1 + spread.
     radius_spread: f64 = 0.0, "R", Below { from: 0.0, below: 1.0 }, Without("start");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
-    sizes: Option<Sizes> = None, "-", SIZES, Without("start");
+    sizes: Option<SizeDistribution> = None, "-", SIZES, Without("start");
     /// Seed of the deposit's random numbers.
     seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.
@@ -103,7 +103,7 @@ scene! {
     /// Torsion coefficient mu_n: largest torsion torque over P r_eff.
     torsion: f64 = 0.0, "-", NotNegative;
     /// How the thresholds of sliding and torsion depend on each other.
-    coupling: Coupling = Coupling::Independent, "-", OneOf(Coupling::WORDS);
+    coupling: FrictionCoupling = FrictionCoupling::Independent, "-", OneOf(FrictionCoupling::WORDS);
     /// Share of the spheres that are of a second material, chosen at random; those of `start` that have materials keep them.
     share_second: f64 = 0.0, "-", Fraction;
     /// Density of the second material; that of the first if it is left out.
@@ -173,7 +173,7 @@ scene! {
     still_speed: f64 = 1e-7, "sqrt(F_coh/rho)/R", NotNegative,
         PartOf("method", "contact-dynamics");
     /// Criterion of the end: forces balance and the piston stands, or the piston stands.
-    blocked: Criterion = Criterion::Balance, "-", OneOf(Criterion::WORDS);
+    blocked: BlockedCriterion = BlockedCriterion::Balance, "-", OneOf(BlockedCriterion::WORDS);
     /// Steps after which a run ends that is not blocked before.
     // Runs of the thesis' systems block within some thousand steps.
     steps: u64 = 200_000, "-", Count { from: 1.0, up_to: 1e9 };
@@ -274,24 +274,24 @@ impl PowderScene {
     }
 
     /// How contacts are solved.
-    pub fn contact_solver(&self) -> Solver {
+    pub fn contact_solver(&self) -> ContactSolver {
         let tolerance = self.tolerance;
         let method = match self.solver {
-            SweepMethod::Accelerated => Method::Accelerated { tolerance },
-            SweepMethod::GaussSeidel => Method::GaussSeidel {
+            SweepMethod::Accelerated => SolverMethod::Accelerated { tolerance },
+            SweepMethod::GaussSeidel => SolverMethod::GaussSeidel {
                 order: match self.order {
-                    SweepOrder::Alternating => Order::Alternating,
-                    SweepOrder::Fixed => Order::Fixed,
-                    SweepOrder::Random => Order::Random { seed: ORDER_SEED },
+                    SweepOrder::Alternating => IterationOrder::Alternating,
+                    SweepOrder::Fixed => IterationOrder::Fixed,
+                    SweepOrder::Random => IterationOrder::Random { seed: ORDER_SEED },
                 },
                 stop: match self.stop {
-                    SweepStop::Global => Stop::Global(tolerance),
-                    SweepStop::Local => Stop::Local(tolerance),
-                    SweepStop::Fixed => Stop::Fixed,
+                    SweepStop::Global => StopRule::Global(tolerance),
+                    SweepStop::Local => StopRule::Local(tolerance),
+                    SweepStop::Fixed => StopRule::Fixed,
                 },
             },
         };
-        Solver {
+        ContactSolver {
             method,
             most_sweeps: self.sweeps,
             warm_start: self.warm_start,

@@ -1,13 +1,13 @@
 //! Compactions as long runs.
 
 use super::deposit::DepositError;
-use super::{Compaction, CompactionError};
+use super::{CompactionError, PowderSimulation};
 use crate::powder::scene::PowderScene;
 use std::ops::ControlFlow;
 use tribos_base::record::frames::{Bodies, Frame};
 use tribos_base::run::{Cause, LongRun};
 
-impl LongRun for Compaction {
+impl LongRun for PowderSimulation {
     type Scene = PowderScene;
 
     fn begin(

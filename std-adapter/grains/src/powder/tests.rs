@@ -1,12 +1,12 @@
 use super::blocked::WINDOW_STEPS;
 use super::*;
-use crate::powder::scene::{Criterion, PowderScene};
+use crate::powder::scene::{BlockedCriterion, PowderScene};
 use nalgebra::{Matrix3, Vector3};
 use std::cell::Cell;
 use tribos_base::record::frames::FrameError;
 use tribos_base::record::sealed;
 use tribos_base::record::{ContactRow, Partner};
-use tribos_base::run::{FRAMES, RunError, Session, Simulation, Start, drive};
+use tribos_base::run::{FRAMES, RunError, Session, Simulation, StartMode, run_to_end};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -19,9 +19,9 @@ fn scene(overrides: &[&str]) -> Result<PowderScene, Box<dyn std::error::Error>> 
     Ok(PowderScene::parse("tiny.toml", TINY, &items)?)
 }
 
-fn finished(overrides: &[&str]) -> Result<Compaction, Box<dyn std::error::Error>> {
-    let mut compaction = Compaction::new(&scene(overrides)?)?;
-    drive(&mut compaction, |_, _| ())?;
+fn finished(overrides: &[&str]) -> Result<PowderSimulation, Box<dyn std::error::Error>> {
+    let mut compaction = PowderSimulation::new(&scene(overrides)?)?;
+    run_to_end(&mut compaction, |_, _| ())?;
     Ok(compaction)
 }
 
@@ -76,12 +76,14 @@ fn every_condition_of_balance_is_needed() {
         stress: stress(0.00504),
     };
     let blocked = |means: &Means, criterion| means.is_blocked(criterion, 0.005, 100.0);
-    assert!(blocked(&good, Criterion::Balance) && blocked(&good, Criterion::Piston));
+    assert!(blocked(&good, BlockedCriterion::Balance) && blocked(&good, BlockedCriterion::Piston));
     let moving = Means {
         moved: 1.1e-3,
         ..good
     };
-    assert!(!blocked(&moving, Criterion::Balance) && !blocked(&moving, Criterion::Piston));
+    assert!(
+        !blocked(&moving, BlockedCriterion::Balance) && !blocked(&moving, BlockedCriterion::Piston)
+    );
     for bad in [
         Means {
             piston: 0.494,
@@ -104,8 +106,8 @@ fn every_condition_of_balance_is_needed() {
             ..good
         },
     ] {
-        assert!(!blocked(&bad, Criterion::Balance), "{bad:?}");
-        assert!(blocked(&bad, Criterion::Piston), "{bad:?}");
+        assert!(!blocked(&bad, BlockedCriterion::Balance), "{bad:?}");
+        assert!(blocked(&bad, BlockedCriterion::Piston), "{bad:?}");
     }
 }
 
@@ -141,7 +143,7 @@ fn contacts_are_counted_by_sign_and_threshold() -> Tested {
     let rows = [slides, sticks, rolls, spins];
     let limits = |overrides: &[&str]| scene(overrides).map(|scene| Limits::of(&scene.material()));
     let rough = limits(&["sliding=0.3", "rolling=0.2", "torsion=0.5"])?;
-    let found = Statistics::of(&rows, &[1.0; 4], &rough);
+    let found = ContactStatistics::of(&rows, &[1.0; 4], &rough);
     assert_eq!((found.contacts, found.wall_contacts), (3, 1));
     assert_eq!(found.coordination, [1, 0, 2, 1]);
     assert_eq!(found.mean_coordination(), 7.0 / 4.0);
@@ -149,7 +151,7 @@ fn contacts_are_counted_by_sign_and_threshold() -> Tested {
     assert_eq!((found.tension, found.max_overlap), ([0.25, 0.25], 0.125));
     let third = Some(1.0 / 3.0);
     assert_eq!(found.at_threshold, [third, Some(0.0), third]);
-    let smooth = Statistics::of(&rows, &[1.0; 4], &limits(&["sliding=0"])?);
+    let smooth = ContactStatistics::of(&rows, &[1.0; 4], &limits(&["sliding=0"])?);
     assert_eq!(smooth.at_threshold, [None; 3]);
     Ok(())
 }
@@ -175,7 +177,7 @@ fn sliding_and_torsion_reach_a_joint_threshold_together() -> Tested {
             let row = contact(share);
             let reached = limits.reached(&row, &[1.0; 2]);
             assert_eq!(reached, Some([slips, false, slips]), "{coupling} {share}");
-            let shares = Statistics::of(&[row], &[1.0; 2], &limits).at_threshold;
+            let shares = ContactStatistics::of(&[row], &[1.0; 2], &limits).at_threshold;
             let share = Some(f64::from(u8::from(slips)));
             assert_eq!(shares, [share, None, share], "{coupling}");
         }
@@ -217,7 +219,7 @@ fn a_blocked_packing_carries_the_load_whatever_its_modes() -> Tested {
     ] {
         let compaction = finished(&modes)?;
         let outcome = compaction.outcome();
-        assert_eq!(outcome.ending, Some(Ending::Blocked), "{modes:?}");
+        assert_eq!(outcome.ending, Some(PowderStopReason::Blocked), "{modes:?}");
         let [total, plus, minus] = outcome.stress_zz();
         assert!((total - 1.0).abs() < 0.01, "{modes:?} {total}");
         assert!(
@@ -246,7 +248,7 @@ fn a_powder_under_gravity_bears_its_weight_and_the_lid() -> Tested {
     for gravity in ["0.01", "0.2"] {
         let compaction = finished(&["rolling=0.3", &format!("gravity={gravity}")])?;
         let outcome = compaction.outcome();
-        assert_eq!(outcome.ending, Some(Ending::Blocked), "{gravity}");
+        assert_eq!(outcome.ending, Some(PowderStopReason::Blocked), "{gravity}");
         let area = outcome.area;
         let mass: f64 = compaction
             .deposit()
@@ -279,16 +281,16 @@ fn a_resumed_run_ends_with_the_same_bits() -> Tested {
     ] {
         let scene = scene(modes)?;
         let whole = finished(modes)?;
-        let mut first = Compaction::new(&scene)?;
+        let mut first = PowderSimulation::new(&scene)?;
         // In the middle of a window, between two lines of the series.
         while first.steps() < whole.steps() / 2 + 7 {
             assert!(first.step()?);
         }
         let kept = first.checkpoint();
         drop(first);
-        let mut second = Compaction::resume(&scene, &kept)?;
-        drive(&mut second, |_, _| ())?;
-        let ends = [&whole, &second].map(Compaction::checkpoint);
+        let mut second = PowderSimulation::resume(&scene, &kept)?;
+        run_to_end(&mut second, |_, _| ())?;
+        let ends = [&whole, &second].map(PowderSimulation::checkpoint);
         let [a, b] = ends.each_ref().map(|text| without_clock(text));
         assert!(a? == b?);
         let [mut a, mut b] = [whole.outcome(), second.outcome()];
@@ -308,7 +310,7 @@ fn soft_spheres_end_blocked_near_the_height_of_rigid_ones() -> Tested {
             let law = format!("normal_law={law}");
             let keys = [&modes[..], &["method=soft", &law, "stiffness=2e3"]].concat();
             let soft = finished(&keys)?.outcome();
-            assert_eq!(soft.ending, Some(Ending::Blocked), "{keys:?}");
+            assert_eq!(soft.ending, Some(PowderStopReason::Blocked), "{keys:?}");
             let [total, ..] = soft.stress_zz();
             assert!((total - 1.0).abs() < 0.01, "{keys:?} {total}");
             // Twenty spheres: one more or less that is caught is a point.
@@ -333,7 +335,7 @@ fn spheres_all_of_the_second_material_are_those_of_it_alone() -> Tested {
     assert_eq!(none.series(), finished(&[])?.series());
     let half = finished(&["share_second=0.5", "sliding_second=0"])?;
     assert_ne!(half.series(), none.series());
-    assert_eq!(half.ending(), Some(Ending::Blocked));
+    assert_eq!(half.ending(), Some(PowderStopReason::Blocked));
     Ok(())
 }
 
@@ -360,7 +362,7 @@ fn a_checkpoint_of_the_end_is_the_end() -> Tested {
     let modes = ["rolling=0.1", "torsion=0.1"];
     let whole = finished(&modes)?;
     assert_eq!(COLUMNS.iter().position(|name| *name == "residual"), Some(7));
-    let mut again = Compaction::resume(&scene(&modes)?, &whole.checkpoint())?;
+    let mut again = PowderSimulation::resume(&scene(&modes)?, &whole.checkpoint())?;
     assert!(!again.step()?);
     let [mut a, mut b] = [whole.outcome(), again.outcome()];
     (a.wall_seconds, b.wall_seconds) = (0.0, 0.0);
@@ -373,8 +375,8 @@ fn a_checkpoint_of_the_end_is_the_end() -> Tested {
 #[test]
 fn forces_of_contacts_with_rebound_explain_every_velocity() -> Tested {
     let scene = scene(&["restitution=0.9", "height=16", "width=8"])?;
-    let mut compaction = Compaction::new(&scene)?;
-    let velocities = |compaction: &Compaction| {
+    let mut compaction = PowderSimulation::new(&scene)?;
+    let velocities = |compaction: &PowderSimulation| {
         compaction.with_snapshot(|snapshot| snapshot.velocities.unwrap_or_default().to_vec())
     };
     let mut impacts = 0;
@@ -403,7 +405,7 @@ fn forces_of_contacts_with_rebound_explain_every_velocity() -> Tested {
         }
     }
     // Forces of impacts are kept with the state.
-    let again = Compaction::resume(&scene, &compaction.checkpoint())?;
+    let again = PowderSimulation::resume(&scene, &compaction.checkpoint())?;
     assert_eq!(again.contacts(), compaction.contacts());
     Ok(())
 }
@@ -411,12 +413,12 @@ fn forces_of_contacts_with_rebound_explain_every_velocity() -> Tested {
 #[test]
 fn a_checkpoint_read_and_written_is_the_same() -> Tested {
     let scene = scene(&["rolling=0.1", "torsion=0.1", "height=40"])?;
-    let mut compaction = Compaction::new(&scene)?;
+    let mut compaction = PowderSimulation::new(&scene)?;
     for _ in 0..WINDOW_STEPS + 10 {
         assert!(compaction.step()?);
     }
     let kept = compaction.checkpoint();
-    let again = Compaction::resume(&scene, &kept)?.checkpoint();
+    let again = PowderSimulation::resume(&scene, &kept)?.checkpoint();
     assert!(without_clock(&kept)? == without_clock(&again)?);
     // Some sleep, some do not; a window is complete.
     let value = without_clock(&kept)?;
@@ -436,11 +438,11 @@ fn without_clock(checkpoint: &str) -> Result<serde_json::Value, serde_json::Erro
 #[test]
 fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
     let here = scene(&[])?;
-    let mut compaction = Compaction::new(&here)?;
+    let mut compaction = PowderSimulation::new(&here)?;
     assert!(compaction.step()?);
     let kept = compaction.checkpoint();
     let refusal = |scene: &PowderScene, text: &str| {
-        let told = Compaction::resume(scene, text).map(|_| ());
+        let told = PowderSimulation::resume(scene, text).map(|_| ());
         told.map_or_else(|error| error.to_string(), |()| "accepted".into())
     };
     let other = refusal(&scene(&["rolling=0.5"])?, &kept);
@@ -495,13 +497,16 @@ fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
 #[test]
 fn a_run_ends_with_its_time_or_its_steps() -> Tested {
     let short = finished(&["steps=30", "samples=7"])?;
-    assert_eq!((short.ending(), short.steps()), (Some(Ending::Steps), 30));
+    assert_eq!(
+        (short.ending(), short.steps()),
+        (Some(PowderStopReason::Steps), 30)
+    );
     // The start, every seventh step, the end.
     let steps: Vec<f64> = short.series().iter().map(|row| row[1]).collect();
     assert_eq!(steps, [0.0, 7.0, 14.0, 21.0, 28.0, 30.0]);
     let timed = finished(&["duration=5"])?;
     let time = timed.outcome().time;
-    assert_eq!(timed.ending(), Some(Ending::Time));
+    assert_eq!(timed.ending(), Some(PowderStopReason::Time));
     assert!((5.0..5.2).contains(&time), "{time}");
     Ok(())
 }
@@ -515,11 +520,11 @@ fn resumed_without_frames(limit: u64) -> Result<u64, RunError<CompactionError>> 
         ..PowderScene::default()
     };
     let home = tempfile::tempdir().unwrap();
-    let session = || Session::<Compaction>::in_folder(home.path()).unwrap();
+    let session = || Session::<PowderSimulation>::in_folder(home.path()).unwrap();
     let steps = Cell::new(0);
     let broken = session()
         .frames(limit)
-        .on_progress(|run: &Compaction| steps.set(run.steps()))
+        .on_progress(|run: &PowderSimulation| steps.set(run.steps()))
         .cancel_when(|| steps.get() == 3);
     assert!(matches!(broken.run(&scene), Err(RunError::Cancelled(3))));
     let frames = home.path().join(FRAMES);
@@ -527,7 +532,7 @@ fn resumed_without_frames(limit: u64) -> Result<u64, RunError<CompactionError>> 
     if limit > 0 {
         std::fs::remove_dir_all(frames).unwrap();
     }
-    Ok(session().start(Start::Resume).run(&scene)?.steps())
+    Ok(session().start(StartMode::Resume).run(&scene)?.steps())
 }
 
 #[test]

@@ -21,19 +21,19 @@ pub enum Motion {
 /// parameters come out likewise.
 ///
 /// ```
-/// use tribos::fit::{Data, DataError, Motion};
+/// use tribos::fit::{Measurements, DataError, Motion};
 /// // A block drawn to and fro: s, m/s, N and the standard deviation of the force.
 /// let (times, velocities) = (vec![0.0, 0.1, 0.2], vec![0.2, 0.0, -0.2]);
-/// let data = Data::series(times, velocities, vec![1.5, 0.1, -1.5], Some(vec![0.05; 3]))?;
+/// let data = Measurements::series(times, velocities, vec![1.5, 0.1, -1.5], Some(vec![0.05; 3]))?;
 /// assert!(matches!(data.motion(), Motion::Series { .. }));
 /// assert_eq!((data.velocities()[2], data.friction()[2]), (-0.2, -1.5)); // it resists
 /// assert_eq!(data.sigma(), Some(&[0.05; 3][..]));
 /// // A force that drives the body is no friction.
-/// assert!(matches!(Data::steady(vec![0.2], vec![-1.5], None), Err(DataError::Whole(_))));
+/// assert!(matches!(Measurements::steady(vec![0.2], vec![-1.5], None), Err(DataError::Whole(_))));
 /// # Ok::<(), DataError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Data {
+pub struct Measurements {
     pub(super) motion: Motion,
     pub(super) friction: Vec<f64>,
     pub(super) sigma: Option<Vec<f64>>,
@@ -61,7 +61,7 @@ pub enum DataError {
 /// Speeds and frictions whose logarithms and ratios to each other stay within the normal numbers.
 const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-290..=1e290;
 
-impl Data {
+impl Measurements {
     /// Friction of steady sliding.
     ///
     /// *Domain*: speeds finite and > 0, friction finite and positive on the whole, standard

@@ -1,20 +1,20 @@
 //! Options and result of a fit.
 
-use super::parameter::{Model, Parameter};
+use super::parameter::{FitParameter, Model};
 use super::search::{Unknowns, search};
-use super::{Data, DataError};
+use super::{DataError, Measurements};
 use nalgebra::DMatrix;
 
 /// Options of a fit.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Options {
+pub struct FitOptions {
     /// Parameters that keep these values.
     pub fixed: Vec<(String, f64)>,
     /// Number of starts, at least 1.
     pub starts: usize,
 }
 
-impl Default for Options {
+impl Default for FitOptions {
     /// Nothing fixed, 16 starts.
     fn default() -> Self {
         Self {
@@ -26,7 +26,7 @@ impl Default for Options {
 
 /// Certainty of a parameter.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Known {
+pub enum Uncertainty {
     /// From the data, with this standard error.
     StandardError(f64),
     /// The parameter was fixed.
@@ -42,27 +42,27 @@ pub enum Known {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// Description of the parameter.
-    pub parameter: Parameter,
+    pub parameter: FitParameter,
     /// Value of the parameter.
     pub value: f64,
     /// Certainty of the value.
-    pub known: Known,
+    pub known: Uncertainty,
 }
 
 /// A fitted model.
 ///
 /// ```
-/// use tribos::fit::{Data, Estimate, Fit, Known, LawName, Options, fit, law_model};
+/// use tribos::fit::{Measurements, Estimate, Fit, Uncertainty, FitLaw, FitOptions, fit, law_model};
 /// // Friction over load at speeds that lie evenly about 1 m/s on a scale of ratios.
-/// let data = Data::steady(vec![0.25, 0.5, 2.0, 4.0], vec![0.31, 0.29, 0.29, 0.31], None)?;
-/// let found: Fit = fit(law_model(LawName::Power, &data)?.as_ref(), &data, &Options::default())?;
+/// let data = Measurements::steady(vec![0.25, 0.5, 2.0, 4.0], vec![0.31, 0.29, 0.29, 0.31], None)?;
+/// let found: Fit = fit(law_model(FitLaw::Power, &data)?.as_ref(), &data, &FitOptions::default())?;
 /// // By symmetry alpha is 0: gamma is the mean, its standard error s/√n, and they do not trade.
 /// assert!(found.value("alpha").is_some_and(|alpha| alpha.abs() < 1e-6));
 /// let s = (4.0 * 0.01_f64.powi(2) / 2.0).sqrt(); // two points more than parameters
 /// assert!((found.deviation() - s).abs() < 1e-6);
 /// let gamma: &Estimate = found.determined().next().ok_or("no gamma")?;
 /// assert!((gamma.value - 0.30).abs() < 1e-6);
-/// assert!(matches!(gamma.known, Known::StandardError(e) if (e - s / 2.0).abs() < 1e-6));
+/// assert!(matches!(gamma.known, Uncertainty::StandardError(e) if (e - s / 2.0).abs() < 1e-6));
 /// assert!(found.correlation(0, 1).abs() < 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -98,13 +98,13 @@ pub struct Fit {
 /// Why a fit failed.
 ///
 /// ```
-/// use tribos::fit::{Data, FitError, LawName, Options, fit, law_model};
-/// let data = Data::steady(vec![0.5], vec![0.3], None)?;
-/// let model = law_model(LawName::Power, &data)?;
-/// let refused = fit(model.as_ref(), &data, &Options::default());
+/// use tribos::fit::{Measurements, FitError, FitLaw, FitOptions, fit, law_model};
+/// let data = Measurements::steady(vec![0.5], vec![0.3], None)?;
+/// let model = law_model(FitLaw::Power, &data)?;
+/// let refused = fit(model.as_ref(), &data, &FitOptions::default());
 /// assert_eq!(refused, Err(FitError::TooFew { points: 1, free: 2 }));
 /// let fixed = vec![("gamma".into(), 0.3), ("alpha".into(), 0.0)];
-/// let refused = fit(model.as_ref(), &data, &Options { fixed, ..Options::default() });
+/// let refused = fit(model.as_ref(), &data, &FitOptions { fixed, ..Options::default() });
 /// assert_eq!(refused, Err(FitError::NothingFree));
 /// # Ok::<(), FitError>(())
 /// ```
@@ -169,18 +169,18 @@ pub struct FitProgress {
 /// *Cost*: with up to 4,000 points all starts use all points, with some 30 steps each. With more
 /// points, starts use a sample if the model can be [thinned](Model::thinned), and the few minima that
 /// are alike on it are refined on all points. The same data give the same bits.
-pub fn fit(model: &dyn Model, data: &Data, options: &Options) -> Result<Fit, FitError> {
+pub fn fit(model: &dyn Model, data: &Measurements, options: &FitOptions) -> Result<Fit, FitError> {
     fit_watched(model, data, options, &mut |_| ())
 }
 
 /// As [`fit`]; `watch` is called before each step.
 ///
 /// ```
-/// use tribos::fit::{Data, FitProgress, LawName, Options, fit_watched, law_model};
-/// let data = Data::steady(vec![1.0, 2.0, 4.0], vec![0.3, 0.2, 0.1], None)?;
-/// let model = law_model(LawName::Power, &data)?;
+/// use tribos::fit::{Measurements, FitProgress, FitLaw, FitOptions, fit_watched, law_model};
+/// let data = Measurements::steady(vec![1.0, 2.0, 4.0], vec![0.3, 0.2, 0.1], None)?;
+/// let model = law_model(FitLaw::Power, &data)?;
 /// let mut last = None;
-/// let options = Options { starts: 5, ..Options::default() };
+/// let options = FitOptions { starts: 5, ..Options::default() };
 /// fit_watched(model.as_ref(), &data, &options, &mut |progress| last = Some(progress))?;
 /// let FitProgress { points, search, .. } = last.ok_or("no step")?;
 /// assert_eq!((points, search), (3, [5, 5]));
@@ -188,8 +188,8 @@ pub fn fit(model: &dyn Model, data: &Data, options: &Options) -> Result<Fit, Fit
 /// ```
 pub fn fit_watched(
     model: &dyn Model,
-    data: &Data,
-    options: &Options,
+    data: &Measurements,
+    options: &FitOptions,
     watch: &mut dyn FnMut(FitProgress),
 ) -> Result<Fit, FitError> {
     let unknowns = Unknowns::new(model, &options.fixed)?;
@@ -208,7 +208,7 @@ impl Fit {
     /// Parameters with a standard error, in the order of the covariance.
     pub fn determined(&self) -> impl Iterator<Item = &Estimate> {
         let all = self.parameters.iter();
-        all.filter(|estimate| matches!(estimate.known, Known::StandardError(_)))
+        all.filter(|estimate| matches!(estimate.known, Uncertainty::StandardError(_)))
     }
 
     /// √(cost/freedoms): the residuals' standard deviation, or with known deviations the square root

@@ -6,26 +6,26 @@ use tribos_core::law::{
     Bristle, DryFriction, LocalLaw, LuGre, LuGreParameters, Stribeck, StribeckParameters,
 };
 
-fn found(law: LawName, data: &Data) -> Result<Fit, FitError> {
-    fit(law_model(law, data)?.as_ref(), data, &Options::default())
+fn found(law: FitLaw, data: &Measurements) -> Result<Fit, FitError> {
+    fit(law_model(law, data)?.as_ref(), data, &FitOptions::default())
 }
 
 /// 0.3 √v with a scatter of 1 %, in some unit of force.
-fn root(unit: f64, sigma: Option<f64>) -> Data {
+fn root(unit: f64, sigma: Option<f64>) -> Measurements {
     let speeds: Vec<f64> = (1..=40).map(|k| 0.1 * f64::from(k)).collect();
     let scatter = |k: usize| 1.0 + 0.01 * ((k * 7 % 11) as f64 / 5.0 - 1.0);
     let friction = speeds.iter().enumerate();
     let friction = friction.map(|(k, v)| unit * (0.3 * v.sqrt() * scatter(k)));
     let sigma = sigma.map(|sigma| vec![unit * sigma; speeds.len()]);
-    Data::steady(speeds.clone(), friction.collect(), sigma).unwrap()
+    Measurements::steady(speeds.clone(), friction.collect(), sigma).unwrap()
 }
 
 #[test]
 fn a_fit_does_not_depend_on_the_unit_of_force() {
     for sigma in [None, Some(0.003)] {
-        let one = found(LawName::Power, &root(1.0, sigma)).unwrap();
+        let one = found(FitLaw::Power, &root(1.0, sigma)).unwrap();
         let error = |fit: &Fit, k: usize| match fit.parameters[k].known {
-            Known::StandardError(error) => error,
+            Uncertainty::StandardError(error) => error,
             ref other => panic!("{other:?}"),
         };
         // Powers of two and of ten, to where squares overflow and vanish.
@@ -37,7 +37,7 @@ fn a_fit_does_not_depend_on_the_unit_of_force() {
             1e-280,
             1e280,
         ] {
-            let scaled = found(LawName::Power, &root(unit, sigma)).unwrap();
+            let scaled = found(FitLaw::Power, &root(unit, sigma)).unwrap();
             let [gamma, alpha] = [0, 1].map(|k| scaled.parameters[k].value);
             assert!(
                 (gamma / unit / one.parameters[0].value - 1.0).abs() < 1e-9,
@@ -65,7 +65,7 @@ fn a_fit_does_not_depend_on_the_unit_of_force() {
 #[test]
 fn magnitudes_beyond_the_domain_are_refused() {
     for (v, f) in [(1.0, 1e-295), (1.0, 1e300), (1e-300, 1.0), (1e300, 1.0)] {
-        let refused = Data::steady(vec![1.0, v, 2.0], vec![f; 3], None);
+        let refused = Measurements::steady(vec![1.0, v, 2.0], vec![f; 3], None);
         assert!(matches!(refused, Err(DataError::Whole(words)) if words.contains("unit")));
     }
 }
@@ -83,15 +83,15 @@ fn odd(random: &mut Random) -> f64 {
 #[test]
 fn odd_data_end_in_a_fit_or_a_refusal() {
     let laws = [
-        LawName::Stribeck,
-        LawName::LuGre,
-        LawName::Power,
-        LawName::RateState,
-        LawName::RateStateSlip,
+        FitLaw::Stribeck,
+        FitLaw::LuGre,
+        FitLaw::Power,
+        FitLaw::RateState,
+        FitLaw::RateStateSlip,
     ];
-    let options = Options {
+    let options = FitOptions {
         starts: 3,
-        ..Options::default()
+        ..FitOptions::default()
     };
     let (mut fits, mut refusals) = (0, 0);
     for seed in 0..400 {
@@ -105,9 +105,9 @@ fn odd_data_end_in_a_fit_or_a_refusal() {
             _ => {}
         }
         let sigma = (seed % 3 == 0).then_some(sigma);
-        let steady = Data::steady(v.clone(), f.clone(), sigma.clone());
+        let steady = Measurements::steady(v.clone(), f.clone(), sigma.clone());
         t.sort_by(f64::total_cmp);
-        let record = Data::series(t, v, f, sigma);
+        let record = Measurements::series(t, v, f, sigma);
         for data in [steady, record].into_iter().flatten() {
             for law in laws {
                 let ended =
@@ -127,7 +127,7 @@ fn odd_data_end_in_a_fit_or_a_refusal() {
 struct Whole<'a>(Box<dyn Model + 'a>);
 
 impl Model for Whole<'_> {
-    fn parameters(&self) -> &[Parameter] {
+    fn parameters(&self) -> &[FitParameter] {
         self.0.parameters()
     }
     fn reference(&self, parameter: usize) -> Option<f64> {
@@ -145,23 +145,23 @@ impl Model for Whole<'_> {
 }
 
 /// Checks that a search on a sample, refined on all points, finds the minimum of searches on all points.
-fn assert_same_minimum(law: LawName, data: &Data) {
+fn assert_same_minimum(law: FitLaw, data: &Measurements) {
     let sampled = found(law, data).unwrap();
     assert!(
         sampled.searched < data.friction().len(),
         "{}",
         sampled.searched
     );
-    let options = Options {
+    let options = FitOptions {
         starts: 2,
-        ..Options::default()
+        ..FitOptions::default()
     };
     let whole = Whole(law_model(law, data).unwrap());
     let all = fit(&whole, data, &options).unwrap();
     assert_eq!(all.searched, data.friction().len());
     assert!((sampled.cost / all.cost - 1.0).abs() < 1e-9);
     for (a, b) in sampled.parameters.iter().zip(&all.parameters) {
-        let Known::StandardError(error) = b.known else {
+        let Uncertainty::StandardError(error) = b.known else {
             panic!("{b:?}")
         };
         assert!((a.value - b.value).abs() < 1e-5 * error, "{a:?} {b:?}");
@@ -187,8 +187,8 @@ fn many_points_end_at_the_minimum_of_searches_on_all_of_them() {
         .map(|&v| law.friction(v) + 0.01 * (random.unit() - 0.5))
         .collect();
     assert_same_minimum(
-        LawName::Stribeck,
-        &Data::steady(speeds, friction, None).unwrap(),
+        FitLaw::Stribeck,
+        &Measurements::steady(speeds, friction, None).unwrap(),
     );
 }
 
@@ -211,6 +211,6 @@ fn a_long_record_ends_at_the_minimum_of_searches_on_all_of_it() {
         bristle = joint.step(bristle, 0.5 * (v[0] + v[1]), t[1] - t[0]).0;
         forces.push(joint.force(bristle, v[1]) + 0.02 * (random.unit() - 0.5));
     }
-    let data = Data::series(times, velocities, forces, None).unwrap();
-    assert_same_minimum(LawName::LuGre, &data);
+    let data = Measurements::series(times, velocities, forces, None).unwrap();
+    assert_same_minimum(FitLaw::LuGre, &data);
 }

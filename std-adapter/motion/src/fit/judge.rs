@@ -1,7 +1,7 @@
 //! Standard errors of the fitted parameters.
 
 use super::covariance::{Certainty, certainty};
-use super::estimate::{Estimate, Fit, Known};
+use super::estimate::{Estimate, Fit, Uncertainty};
 use super::minimise::{free, gradient};
 use super::search::{Search, Unknowns};
 use nalgebra::DMatrix;
@@ -60,12 +60,12 @@ impl Search {
 
 impl Inside {
     /// Certainty of each parameter of the model.
-    fn known(&self, unknowns: &Unknowns<'_>, values: &[f64], deviation: f64) -> Vec<Known> {
+    fn known(&self, unknowns: &Unknowns<'_>, values: &[f64], deviation: f64) -> Vec<Uncertainty> {
         let parameters = unknowns.model.parameters();
         let number = |k: usize| unknowns.sought[self.places[k]];
-        let mut known = vec![Known::Fixed; parameters.len()];
+        let mut known = vec![Uncertainty::Fixed; parameters.len()];
         for &j in &unknowns.sought {
-            known[j] = Known::AtBound;
+            known[j] = Uncertainty::AtBound;
         }
         for k in 0..self.places.len() {
             let j = number(k);
@@ -74,10 +74,12 @@ impl Inside {
                 let others = groups.flatten().filter(|&&other| other != k);
                 let mut others: Vec<_> = others.map(|&k| parameters[number(k)].name).collect();
                 others.dedup();
-                Known::Undetermined(others)
+                Uncertainty::Undetermined(others)
             } else {
                 let slope = parameters[j].range.derivative(values[j]);
-                Known::StandardError(self.certain.covariance[(k, k)].sqrt() * deviation * slope)
+                Uncertainty::StandardError(
+                    self.certain.covariance[(k, k)].sqrt() * deviation * slope,
+                )
             };
         }
         known

@@ -1,7 +1,7 @@
 //! Parameters of friction laws from measurements: nonlinear least squares.
 //!
 //! The laws are the kernel's own ([`tribos_core::law`]), steady or with their states, without a
-//! second implementation. [`Data`] are speeds with friction, or friction over time; [`law_model`]
+//! second implementation. [`Measurements`] are speeds with friction, or friction over time; [`law_model`]
 //! joins them with a law; [`fit`] finds the parameters with the least sum of squared residuals,
 //! each divided by its standard deviation if that is known:
 //!
@@ -21,13 +21,13 @@
 //! the parameters and 6 of their standard deviations, from both of NIST's starts.
 //!
 //! ```
-//! use tribos::fit::{Data, LawName, Options, fit, law_model};
+//! use tribos::fit::{Measurements, FitLaw, FitOptions, fit, law_model};
 //! use tribos_core::law::{LocalLaw, PowerLaw};
 //! let law = PowerLaw::new(-0.5_f64, 0.008)?; // ice
 //! let speeds: Vec<f64> = (1..=20).map(|k| 0.1 * f64::from(k)).collect();
 //! let friction = speeds.iter().map(|&v| law.friction(v)).collect();
-//! let data = Data::steady(speeds, friction, None)?;
-//! let found = fit(law_model(LawName::Power, &data)?.as_ref(), &data, &Options::default())?;
+//! let data = Measurements::steady(speeds, friction, None)?;
+//! let found = fit(law_model(FitLaw::Power, &data)?.as_ref(), &data, &FitOptions::default())?;
 //! assert!((found.parameters[0].value - 0.008).abs() < 1e-12);
 //! assert!((found.parameters[1].value + 0.5).abs() < 1e-10);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -49,13 +49,13 @@ pub mod support;
 
 #[doc(hidden)]
 pub use data::Motion;
-pub use data::{Data, DataError};
-pub use estimate::{Estimate, Fit, FitError, Known, Options, fit};
+pub use data::{DataError, Measurements};
+pub use estimate::{Estimate, Fit, FitError, FitOptions, Uncertainty, fit};
 #[doc(hidden)]
 pub use estimate::{FitProgress, fit_watched};
-pub use law::LawName;
+pub use law::FitLaw;
 pub use law::law_model;
-pub use parameter::Parameter;
+pub use parameter::FitParameter;
 #[doc(hidden)]
 pub use parameter::{Model, Range};
 

@@ -2,8 +2,8 @@
 //! (<https://www.itl.nist.gov/div898/strd/nls/nls_main.shtml>, in the public domain): data, both
 //! starting points and certified values of Misra1a (lower difficulty), Thurber and MGH09 (higher).
 
-use super::parameter::{Model, Parameter, Range};
-use super::{Data, Fit, Options, fit};
+use super::parameter::{FitParameter, Model, Range};
+use super::{Fit, FitOptions, Measurements, fit};
 
 struct Reference {
     name: &'static str,
@@ -106,11 +106,11 @@ const NAMES: [&str; 7] = ["b1", "b2", "b3", "b4", "b5", "b6", "b7"];
 struct Curve<'a> {
     problem: &'a Reference,
     start: &'a [f64],
-    parameters: Vec<Parameter>,
+    parameters: Vec<FitParameter>,
 }
 
 impl Model for Curve<'_> {
-    fn parameters(&self) -> &[Parameter] {
+    fn parameters(&self) -> &[FitParameter] {
         &self.parameters
     }
     fn reference(&self, _: usize) -> Option<f64> {
@@ -127,7 +127,7 @@ impl Model for Curve<'_> {
 
 fn fitted(problem: &Reference, start: &[f64], range: Range) -> Fit {
     let names = NAMES[..start.len()].iter();
-    let parameter = |&name| Parameter {
+    let parameter = |&name| FitParameter {
         name,
         unit: "-",
         meaning: "",
@@ -140,10 +140,10 @@ fn fitted(problem: &Reference, start: &[f64], range: Range) -> Fit {
     };
     // The abscissae of these problems are no speeds; the curve knows its own.
     let speeds = vec![1.0; problem.y.len()];
-    let data = Data::steady(speeds, problem.y.to_vec(), None).unwrap();
-    let options = Options {
+    let data = Measurements::steady(speeds, problem.y.to_vec(), None).unwrap();
+    let options = FitOptions {
         starts: 1,
-        ..Options::default()
+        ..FitOptions::default()
     };
     fit(&model, &data, &options).unwrap()
 }
@@ -172,7 +172,7 @@ fn certified_values_and_deviations_come_out_from_both_starts() {
             let expected = problem.certified.iter().zip(problem.deviations);
             for (found, (value, deviation)) in fit.parameters.iter().zip(expected) {
                 assert!(close(found.value, *value, 8), "{name}: {found:?}");
-                let super::Known::StandardError(error) = found.known else {
+                let super::Uncertainty::StandardError(error) = found.known else {
                     panic!("{name}: {found:?}");
                 };
                 assert!(

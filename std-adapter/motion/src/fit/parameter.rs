@@ -29,7 +29,7 @@ pub enum Range {
 
 /// One parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameter {
+pub struct FitParameter {
     /// Name of the parameter on the command line and in files.
     pub name: &'static str,
     /// Unit of the parameter, or "-" for a pure number.
@@ -43,14 +43,14 @@ pub struct Parameter {
 /// A model to be fitted: it predicts each point of the data.
 ///
 /// ```
-/// use tribos::fit::{Data, Model, Options, Parameter, Range, fit};
+/// use tribos::fit::{Measurements, Model, FitOptions, FitParameter, Range, fit};
 /// /// Coulomb friction and a viscous film, a + b v.
 /// struct Film(Vec<f64>);
-/// const A: Parameter =
-///     Parameter { name: "a", unit: "N", meaning: "dry friction", range: Range::NotNegative };
-/// const B: Parameter = Parameter { name: "b", unit: "N s/m", meaning: "drag", ..A };
+/// const A: FitParameter =
+///     FitParameter { name: "a", unit: "N", meaning: "dry friction", range: Range::NotNegative };
+/// const B: FitParameter = FitParameter { name: "b", unit: "N s/m", meaning: "drag", ..A };
 /// impl Model for Film {
-///     fn parameters(&self) -> &[Parameter] { &[A, B] }
+///     fn parameters(&self) -> &[FitParameter] { &[A, B] }
 ///     fn reference(&self, _: usize) -> Option<f64> { None }
 ///     fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
 ///         Some(self.0.iter().map(|v| values[0] + values[1] * v).collect())
@@ -58,15 +58,15 @@ pub struct Parameter {
 ///     fn start(&self, unit: &[f64]) -> Vec<f64> { unit.to_vec() }
 /// }
 /// let speeds = vec![1.0, 2.0, 3.0];
-/// let data = Data::steady(speeds.clone(), vec![2.5, 3.0, 3.5], None)?; // on the line 2 + v/2
-/// let found = fit(&Film(speeds), &data, &Options::default())?;
+/// let data = Measurements::steady(speeds.clone(), vec![2.5, 3.0, 3.5], None)?; // on the line 2 + v/2
+/// let found = fit(&Film(speeds), &data, &FitOptions::default())?;
 /// assert!((found.parameters[0].value - 2.0).abs() < 1e-9);
 /// assert!((found.parameters[1].value - 0.5).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Model {
     /// The parameters, in the order of all slices here.
-    fn parameters(&self) -> &[Parameter];
+    fn parameters(&self) -> &[FitParameter];
 
     /// Default value of a parameter that is fixed unless stated otherwise: a reference that only
     /// sets the scale of another one.

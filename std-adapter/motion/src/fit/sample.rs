@@ -2,7 +2,7 @@
 
 use super::reduce::power_of_two;
 use super::search::Unknowns;
-use super::{Data, Motion};
+use super::{Measurements, Motion};
 
 /// Number of points in a sample; up to twice as many points are used without one.
 const SAMPLE: usize = 2000;
@@ -20,7 +20,7 @@ pub(super) struct Target {
 }
 
 impl Target {
-    pub fn new(data: &Data) -> Self {
+    pub fn new(data: &Measurements) -> Self {
         let friction = data.friction().to_vec();
         let sigma = data.sigma().unwrap_or_default();
         let least = sigma.iter().copied().fold(f64::INFINITY, f64::min);
@@ -82,7 +82,7 @@ impl Target {
 /// Rising indices of a sample, the first among them, if there are many points. Of steady sliding half
 /// of it is spread over the points and half over the logarithm of the speed, so that sparse points
 /// at the ends are not lost; of a record it is spread over the points.
-pub(super) fn sample(data: &Data) -> Option<Vec<usize>> {
+pub(super) fn sample(data: &Measurements) -> Option<Vec<usize>> {
     let count = data.friction().len();
     if count <= 2 * SAMPLE {
         return None;
@@ -124,14 +124,14 @@ mod tests {
             }
         };
         let speeds: Vec<f64> = (0..50_000).map(speed).collect();
-        let data = Data::steady(speeds, vec![0.3; 50_000], None)?;
+        let data = Measurements::steady(speeds, vec![0.3; 50_000], None)?;
         let points = sample(&data).unwrap_or_default();
         assert!(points.windows(2).all(|pair| pair[0] < pair[1]));
         assert!((0..10).all(|slow| points.contains(&slow)));
         assert!(points.contains(&49_999) && (SAMPLE / 2..=SAMPLE + 1).contains(&points.len()));
 
         let times = (0..50_000).map(f64::from).collect();
-        let data = Data::series(times, vec![1.0; 50_000], vec![0.3; 50_000], None)?;
+        let data = Measurements::series(times, vec![1.0; 50_000], vec![0.3; 50_000], None)?;
         let points = sample(&data).unwrap_or_default();
         assert_eq!(
             (points.len(), points[0], points[SAMPLE - 1]),

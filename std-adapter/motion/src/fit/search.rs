@@ -1,6 +1,6 @@
 //! Several searches from starts that are spread evenly.
 
-use super::Data;
+use super::Measurements;
 use super::estimate::{FitError, FitProgress};
 use super::jacobian::Length;
 use super::minimise::{Minimum, Problem, minimise};
@@ -159,7 +159,7 @@ const ALIKE: f64 = 25.0;
 /// Searches from all starts.
 pub(super) fn search(
     unknowns: &Unknowns<'_>,
-    data: &Data,
+    data: &Measurements,
     starts: usize,
     watch: &mut dyn FnMut(FitProgress),
 ) -> Result<Search, FitError> {

@@ -27,11 +27,11 @@ fn spread(count: usize, [from, to]: [f64; 2]) -> Vec<f64> {
 
 /// Fits of `sets` data sets with seeded noise.
 fn fits<'a>(
-    (law, speeds): (LawName, &'a [f64]),
+    (law, speeds): (FitLaw, &'a [f64]),
     exact: &'a [f64],
     (noise, is_known): (f64, bool),
     sets: u64,
-    options: &'a Options,
+    options: &'a FitOptions,
 ) -> impl Iterator<Item = Fit> + 'a {
     (0..sets).map(move |seed| {
         let mut random = Random::new(seed, 0);
@@ -40,7 +40,7 @@ fn fits<'a>(
             .map(|f| f + noise * normal(&mut random))
             .collect();
         let sigma = is_known.then(|| vec![noise; exact.len()]);
-        let data = Data::steady(speeds.to_vec(), noisy, sigma).unwrap();
+        let data = Measurements::steady(speeds.to_vec(), noisy, sigma).unwrap();
         fit(law_model(law, &data).unwrap().as_ref(), &data, options).unwrap()
     })
 }
@@ -53,7 +53,7 @@ fn coverage(fits: &[Fit], name: &str, truth: f64) -> f64 {
             .iter()
             .find(|e| e.parameter.name == name)
             .unwrap();
-        matches!(found.known, Known::StandardError(error) if (found.value - truth).abs() < error)
+        matches!(found.known, Uncertainty::StandardError(error) if (found.value - truth).abs() < error)
     });
     inside.count() as f64 / fits.len() as f64
 }
@@ -68,13 +68,13 @@ fn standard_errors_of_a_power_law_cover_the_truth_at_the_right_rate() {
     let law = PowerLaw::new(-0.5, 0.008).unwrap();
     let speeds = spread(30, [0.05, 2.0]);
     let exact: Vec<f64> = speeds.iter().map(|&v| law.friction(v)).collect();
-    let options = Options {
+    let options = FitOptions {
         starts: 2,
-        ..Options::default()
+        ..FitOptions::default()
     };
     for is_known in [false, true] {
         let all: Vec<Fit> = fits(
-            (LawName::Power, &speeds),
+            (FitLaw::Power, &speeds),
             &exact,
             (3e-4, is_known),
             200,
@@ -99,12 +99,12 @@ fn standard_errors_of_stribecks_law_cover_the_truth_at_the_right_rate() {
     .unwrap();
     let speeds = spread(60, [1e-3, 1.0]);
     let exact: Vec<f64> = speeds.iter().map(|&v| law.friction(v)).collect();
-    let options = Options {
+    let options = FitOptions {
         starts: 4,
-        ..Options::default()
+        ..FitOptions::default()
     };
     let all: Vec<Fit> = fits(
-        (LawName::Stribeck, &speeds),
+        (FitLaw::Stribeck, &speeds),
         &exact,
         (5e-4, false),
         200,
@@ -136,11 +136,11 @@ fn exact_data_give_the_parameters_back_and_starts_agree() {
     .unwrap();
     let speeds = spread(40, [1e-3, 1.0]);
     let exact = speeds.iter().map(|&v| joint.steady_force(v)).collect();
-    let data = Data::steady(speeds, exact, None).unwrap();
+    let data = Measurements::steady(speeds, exact, None).unwrap();
     let found = fit(
-        law_model(LawName::LuGre, &data).unwrap().as_ref(),
+        law_model(FitLaw::LuGre, &data).unwrap().as_ref(),
         &data,
-        &Options::default(),
+        &FitOptions::default(),
     )
     .unwrap();
     for (name, truth) in [("fc", 10.0), ("fs", 14.0), ("vs", 0.02), ("s2", 5.0)] {
@@ -175,11 +175,11 @@ fn bristles_are_found_in_a_record_of_pulling_back_and_forth() {
         bristle = joint.step(bristle, 0.5 * (v[0] + v[1]), t[1] - t[0]).0;
         forces.push(joint.force(bristle, v[1]) + 0.01 * normal(&mut random));
     }
-    let data = Data::series(times, velocities, forces, None).unwrap();
+    let data = Measurements::series(times, velocities, forces, None).unwrap();
     let found = fit(
-        law_model(LawName::LuGre, &data).unwrap().as_ref(),
+        law_model(FitLaw::LuGre, &data).unwrap().as_ref(),
         &data,
-        &Options::default(),
+        &FitOptions::default(),
     )
     .unwrap();
     for (name, value) in [
@@ -195,7 +195,7 @@ fn bristles_are_found_in_a_record_of_pulling_back_and_forth() {
             .iter()
             .find(|e| e.parameter.name == name)
             .unwrap();
-        let Known::StandardError(error) = estimate.known else {
+        let Uncertainty::StandardError(error) = estimate.known else {
             panic!("{estimate:?}");
         };
         assert!((estimate.value - value).abs() < 3.0 * error, "{estimate:?}");
@@ -237,13 +237,13 @@ fn steps_of_the_speed_tell_rate_from_age_and_steady_sliding_does_not() {
         age = rock.advance(age, 0.5 * (v[0] + v[1]), t[1] - t[0]);
         friction.push(rock.coefficient(v[1], age));
     }
-    let data = Data::series(times, velocities, friction, None).unwrap();
-    let options = Options {
+    let data = Measurements::series(times, velocities, friction, None).unwrap();
+    let options = FitOptions {
         fixed: vec![("v0".into(), 1e-5), ("eta".into(), 0.0)],
-        ..Options::default()
+        ..FitOptions::default()
     };
     let found = fit(
-        law_model(LawName::RateState, &data).unwrap().as_ref(),
+        law_model(FitLaw::RateState, &data).unwrap().as_ref(),
         &data,
         &options,
     )
@@ -257,9 +257,9 @@ fn steps_of_the_speed_tell_rate_from_age_and_steady_sliding_does_not() {
 
     let speeds = spread(30, [1e-6, 1e-3]);
     let steady = speeds.iter().map(|&v| rock.steady().friction(v)).collect();
-    let data = Data::steady(speeds, steady, None).unwrap();
+    let data = Measurements::steady(speeds, steady, None).unwrap();
     let found = fit(
-        law_model(LawName::RateState, &data).unwrap().as_ref(),
+        law_model(FitLaw::RateState, &data).unwrap().as_ref(),
         &data,
         &options,
     )
@@ -273,10 +273,10 @@ fn steps_of_the_speed_tell_rate_from_age_and_steady_sliding_does_not() {
             .known
             .clone()
     };
-    assert_eq!(known("a"), Known::Undetermined(vec!["b"]));
-    assert_eq!(known("b"), Known::Undetermined(vec!["a"]));
-    assert!(matches!(known("mu0"), Known::StandardError(_)));
-    assert_eq!(known("v0"), Known::Fixed);
+    assert_eq!(known("a"), Uncertainty::Undetermined(vec!["b"]));
+    assert_eq!(known("b"), Uncertainty::Undetermined(vec!["a"]));
+    assert!(matches!(known("mu0"), Uncertainty::StandardError(_)));
+    assert_eq!(known("v0"), Uncertainty::Fixed);
     // The combination is right all the same.
     let difference = found.value("b").unwrap() - found.value("a").unwrap();
     assert!((difference - 0.005).abs() < 1e-9, "{difference}");
@@ -291,20 +291,23 @@ fn a_parameter_that_ends_at_its_bound_has_no_error() {
         .iter()
         .map(|v| 0.1 + 0.05 * (-v / 0.02).exp() - 0.01 * v)
         .collect();
-    let data = Data::steady(speeds, friction, None).unwrap();
-    let options = Options {
+    let data = Measurements::steady(speeds, friction, None).unwrap();
+    let options = FitOptions {
         fixed: vec![("delta".into(), 1.0)],
-        ..Options::default()
+        ..FitOptions::default()
     };
     let found = fit(
-        law_model(LawName::Stribeck, &data).unwrap().as_ref(),
+        law_model(FitLaw::Stribeck, &data).unwrap().as_ref(),
         &data,
         &options,
     )
     .unwrap();
     let viscous = &found.parameters[4];
-    assert_eq!((viscous.value, &viscous.known), (0.0, &Known::AtBound));
-    assert!(found.converged && matches!(found.parameters[2].known, Known::StandardError(_)));
+    assert_eq!(
+        (viscous.value, &viscous.known),
+        (0.0, &Uncertainty::AtBound)
+    );
+    assert!(found.converged && matches!(found.parameters[2].known, Uncertainty::StandardError(_)));
 }
 
 #[test]
@@ -316,28 +319,28 @@ fn what_cannot_be_fitted_is_refused_with_its_cure() {
         other => panic!("{other}"),
     };
     assert_eq!(
-        point(Data::steady(vec![1.0, 0.0], f.clone(), None).unwrap_err()),
+        point(Measurements::steady(vec![1.0, 0.0], f.clone(), None).unwrap_err()),
         1
     );
     assert_eq!(
-        point(Data::steady(v.clone(), f.clone(), Some(vec![0.0, 1.0])).unwrap_err()),
+        point(Measurements::steady(v.clone(), f.clone(), Some(vec![0.0, 1.0])).unwrap_err()),
         0
     );
     assert_eq!(
-        point(Data::series(vec![1.0, 1.0], v.clone(), f.clone(), None).unwrap_err()),
+        point(Measurements::series(vec![1.0, 1.0], v.clone(), f.clone(), None).unwrap_err()),
         1
     );
-    assert!(Data::steady(v.clone(), vec![-1.0, -2.0], None).is_err());
-    assert!(Data::steady(v.clone(), vec![1.0], None).is_err());
+    assert!(Measurements::steady(v.clone(), vec![-1.0, -2.0], None).is_err());
+    assert!(Measurements::steady(v.clone(), vec![1.0], None).is_err());
 
-    let data = Data::steady(v, f, None).unwrap();
-    let model = law_model(LawName::Power, &data).unwrap();
+    let data = Measurements::steady(v, f, None).unwrap();
+    let model = law_model(FitLaw::Power, &data).unwrap();
     let with = |fixed: &[(&str, f64)]| {
         let fixed = fixed
             .iter()
             .map(|(name, value)| ((*name).to_owned(), *value))
             .collect();
-        fit(model.as_ref(), &data, &Options { fixed, starts: 1 }).unwrap_err()
+        fit(model.as_ref(), &data, &FitOptions { fixed, starts: 1 }).unwrap_err()
     };
     assert!(matches!(with(&[]), FitError::TooFew { points: 2, free: 2 }));
     assert!(matches!(
@@ -351,14 +354,14 @@ fn what_cannot_be_fitted_is_refused_with_its_cure() {
     ));
 
     let (v, f) = two();
-    let series = Data::series(vec![0.0, 1.0], v, f.clone(), None).unwrap();
+    let series = Measurements::series(vec![0.0, 1.0], v, f.clone(), None).unwrap();
     assert!(matches!(
-        law_model(LawName::Stribeck, &series),
+        law_model(FitLaw::Stribeck, &series),
         Err(FitError::Form(_))
     ));
-    let back = Data::series(vec![0.0, 1.0], vec![1.0, -0.1], f, None).unwrap();
+    let back = Measurements::series(vec![0.0, 1.0], vec![1.0, -0.1], f, None).unwrap();
     assert!(matches!(
-        law_model(LawName::RateState, &back),
+        law_model(FitLaw::RateState, &back),
         Err(FitError::Data(_))
     ));
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use std::str::FromStr;
 use tribos_core::bond::{BrittleBond, ExponentialBond, PlasticBond, ReformingBond, WeibullBond};
 use tribos_core::real::Real;
-use tribos_friction::{Refusal, finite_number};
+use tribos_friction::{FrictionError, finite_number};
 
 /// How the bonds of a contact break.
 ///
@@ -19,7 +19,7 @@ use tribos_friction::{Refusal, finite_number};
 /// // The largest force of a bond is the static coefficient.
 /// let law = bond.with(0.4, 1e-5)?; // m
 /// assert!((law.friction(1e-5 * 8.0_f64.powf(-0.125)) - 0.4).abs() < 1e-15);
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bond {
@@ -60,7 +60,7 @@ impl Bond {
     /// The kernel's law of which a bond holds at most `coefficient` (a force per load), with the strain x0 in m.
     ///
     /// *Domain*: both positive and finite; the exponent and the number of stages as in the kernel.
-    pub fn with(self, coefficient: f64, strain: f64) -> Result<AnyBond, Refusal> {
+    pub fn with(self, coefficient: f64, strain: f64) -> Result<AnyBond, FrictionError> {
         let k = coefficient / strain;
         // The force at the peak for k = 1 and x0 = 1.
         let scaled = |peak: f64| k / peak;
@@ -102,9 +102,9 @@ impl fmt::Display for Bond {
 }
 
 impl FromStr for Bond {
-    type Err = Refusal;
+    type Err = FrictionError;
 
-    fn from_str(text: &str) -> Result<Self, Refusal> {
+    fn from_str(text: &str) -> Result<Self, FrictionError> {
         let (name, rest) = text.split_once(':').unwrap_or((text, ""));
         let (name, rest) = (name.trim(), rest.trim());
         let plain = match name {
@@ -118,11 +118,11 @@ impl FromStr for Bond {
                 let all: Vec<&str> = Self::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();
                 let names = all.iter().filter_map(|syntax| syntax.split(':').next());
                 let list = format!("there are {}", all.join(", "));
-                return Err(Refusal::unknown("law of bonds", text, names, list));
+                return Err(FrictionError::unknown("law of bonds", text, names, list));
             }
         };
         if text.contains(':') {
-            return Err(Refusal::Syntax(format!("`{name}` takes no `{rest}`")));
+            return Err(FrictionError::Syntax(format!("`{name}` takes no `{rest}`")));
         }
         Ok(plain)
     }
@@ -132,31 +132,31 @@ impl FromStr for Bond {
 const MOST_WEIBULL: f64 = 200.0;
 
 /// The value of the only `key` of a law.
-fn value<'a>(rest: &'a str, key: &str, example: &str) -> Result<&'a str, Refusal> {
+fn value<'a>(rest: &'a str, key: &str, example: &str) -> Result<&'a str, FrictionError> {
     match rest.split_once('=') {
         Some((given, value)) if given.trim() == key => Ok(value.trim()),
-        _ => Err(Refusal::Syntax(format!("give {example}"))),
+        _ => Err(FrictionError::Syntax(format!("give {example}"))),
     }
 }
 
-fn weibull(rest: &str) -> Result<Bond, Refusal> {
+fn weibull(rest: &str) -> Result<Bond, FrictionError> {
     let m = finite_number(value(rest, "m", "an exponent, such as weibull:m=8")?)
-        .map_err(|cure| Refusal::Syntax(format!("m: {cure}")))?;
+        .map_err(|cure| FrictionError::Syntax(format!("m: {cure}")))?;
     // The kernel's law knows which exponents it serves; nodes resolve the break of the narrowest.
     WeibullBond::new(1.0, 1.0, m)?;
     if m > MOST_WEIBULL {
-        return Err(Refusal::Syntax(format!(
+        return Err(FrictionError::Syntax(format!(
             "m: give at most {MOST_WEIBULL}, not {m}; the limit of equal strengths is one-strength"
         )));
     }
     Ok(Bond::Weibull(m))
 }
 
-fn re_forming(rest: &str) -> Result<Bond, Refusal> {
+fn re_forming(rest: &str) -> Result<Bond, FrictionError> {
     let given = value(rest, "n", "a number of stages, such as re-forming:n=64")?;
     let n = given.parse().map_err(|_| {
         let most = ReformingBond::<f64>::MAX_STAGES;
-        Refusal::Syntax(format!(
+        FrictionError::Syntax(format!(
             "n: give a whole number from 1 to {most}, not {given}"
         ))
     })?;

@@ -13,7 +13,7 @@ use tribos_core::law::LocalLaw;
 /// let law: AnyBond = "re-forming-one-strength".parse::<Bond>()?.with(0.6, 1e-5)?; // m
 /// assert_eq!(law.largest_force(), 0.6); // per load
 /// assert_eq!(law.plateau(), 0.3); // of steady sliding
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnyBond {

@@ -10,13 +10,13 @@
 //!
 //! ```
 //! use tribos::friction::Patch;
-//! use tribos::onset::{Contact, OnsetSurface};
-//! let contact = Contact { coefficient: 0.4, load: 1.7, radius: 0.04, ..Contact::default() }; // N, m
+//! use tribos::onset::{OnsetContact, OnsetSurface};
+//! let contact = OnsetContact { coefficient: 0.4, load: 1.7, radius: 0.04, ..Contact::default() }; // N, m
 //! let surface = OnsetSurface::new(&Patch::Disk, "weibull:m=2".parse()?, &contact, 9)?;
 //! let summary = surface.summary();
 //! assert!((summary.force - 0.4 * 1.7).abs() < 1e-12); // N
 //! assert!((summary.arm_ratio() - 0.6231).abs() < 1e-4); // T_s/(F_s R)
-//! # Ok::<(), tribos::friction::Refusal>(())
+//! # Ok::<(), tribos::friction::FrictionError>(())
 //! ```
 
 mod bond;
@@ -30,7 +30,7 @@ mod tests;
 pub use bond::Bond;
 #[doc(hidden)]
 pub use law::AnyBond;
-pub use surface::{Contact, OnsetPoint, OnsetSurface, Summary};
+pub use surface::{OnsetContact, OnsetPoint, OnsetSummary, OnsetSurface};
 
 #[cfg(doc)]
 use tribos_friction::Patch;

@@ -6,7 +6,9 @@ use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch};
 use tribos_core::patch::polygon::polygon_into;
 use tribos_core::real::Real;
-use tribos_friction::{FlatPatch, HeldNodes, Patch, Refusal, points_of, round_nodes, triangles_of};
+use tribos_friction::{
+    FlatPatch, FrictionError, HeldNodes, Patch, points_of, round_nodes, triangles_of,
+};
 
 /// Nodes with the origin at the centre of pressure.
 #[derive(Debug)]
@@ -30,7 +32,7 @@ pub(super) fn spread(
     patch: &Patch,
     radius: f64,
     centre: Option<[f64; 2]>,
-) -> Result<Spread, Refusal> {
+) -> Result<Spread, FrictionError> {
     match patch {
         Patch::Points(file) => about_centre(points_of(file)?),
         Patch::Flat(flat) => about_centre(of_flat(flat, centre)?),
@@ -42,7 +44,7 @@ pub(super) fn spread(
     }
 }
 
-fn of_round(patch: &Patch, radius: f64) -> Result<Vec<Node<f64>>, Refusal> {
+fn of_round(patch: &Patch, radius: f64) -> Result<Vec<Node<f64>>, FrictionError> {
     Ok(match patch {
         // Smoother across the rings than nodes at the middles of equal shares.
         Patch::Annulus(inner) => squeezed(&on_rings(&Patch::Disk, radius)?, *inner, radius),
@@ -50,7 +52,7 @@ fn of_round(patch: &Patch, radius: f64) -> Result<Vec<Node<f64>>, Refusal> {
     })
 }
 
-fn on_rings(patch: &Patch, radius: f64) -> Result<Vec<Node<f64>>, Refusal> {
+fn on_rings(patch: &Patch, radius: f64) -> Result<Vec<Node<f64>>, FrictionError> {
     round_nodes(patch, radius, RINGS, 0.0)
 }
 
@@ -68,7 +70,7 @@ fn squeezed(disk: &[Node<f64>], inner: f64, radius: f64) -> Vec<Node<f64>> {
     disk.iter().map(moved).collect()
 }
 
-fn of_flat(flat: &FlatPatch, centre: Option<[f64; 2]>) -> Result<Vec<Node<f64>>, Refusal> {
+fn of_flat(flat: &FlatPatch, centre: Option<[f64; 2]>) -> Result<Vec<Node<f64>>, FrictionError> {
     // All refusals are those of the exact patch.
     flat.loaded::<f64>(centre)?;
     if let FlatPatch::Mesh(file) = flat {
@@ -101,7 +103,7 @@ fn of_bar(from: [f64; 2], to: [f64; 2]) -> Vec<Node<f64>> {
 }
 
 /// Radon's nodes on each triangle, under its linear pressure.
-fn of_mesh(file: &Path) -> Result<Vec<Node<f64>>, Refusal> {
+fn of_mesh(file: &Path) -> Result<Vec<Node<f64>>, FrictionError> {
     let mut nodes = Vec::new();
     for [ax, ay, ap, bx, by, bp, cx, cy, cp] in triangles_of(file)? {
         let corners = [[ax, ay], [bx, by], [cx, cy]];
@@ -161,7 +163,7 @@ fn lean(nodes: &mut [Node<f64>], at: [f64; 2]) {
     }
 }
 
-fn about_centre(mut nodes: Vec<Node<f64>>) -> Result<Spread, Refusal> {
+fn about_centre(mut nodes: Vec<Node<f64>>) -> Result<Spread, FrictionError> {
     // Refuses nodes that carry nothing.
     let centre = mean(HeldNodes::new(nodes.clone())?.nodes());
     let mut reach: f64 = 0.0;

@@ -7,17 +7,17 @@ use tribos_core::bond::{BondLaw, Bonds, FailureMode, SlipOnset};
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{HeldNodes, Patch, Refusal, limit_surface};
+use tribos_friction::{FrictionError, HeldNodes, Patch, limit_surface};
 
 /// The contact that bonds hold.
 ///
 /// ```
-/// use tribos::onset::Contact;
-/// let usual = Contact::default();
+/// use tribos::onset::OnsetContact;
+/// let usual = OnsetContact::default();
 /// assert_eq!((usual.coefficient, usual.load, usual.radius, usual.strain), (1.0, 1.0, 1.0, 1e-6));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
+pub struct OnsetContact {
     /// Static friction coefficient: the largest force of a bond, per load.
     pub coefficient: f64,
     /// Load, in N.
@@ -32,7 +32,7 @@ pub struct Contact {
     pub centre: Option<[f64; 2]>,
 }
 
-impl Default for Contact {
+impl Default for OnsetContact {
     fn default() -> Self {
         Self {
             coefficient: 1.0,
@@ -49,12 +49,12 @@ impl Default for Contact {
 ///
 /// ```
 /// use tribos::friction::Patch;
-/// use tribos::onset::{Bond, Contact, OnsetPoint, OnsetSurface};
-/// let surface = OnsetSurface::new(&Patch::Ring, Bond::OneStrength, &Contact::default(), 3)?;
+/// use tribos::onset::{Bond, OnsetContact, OnsetPoint, OnsetSurface};
+/// let surface = OnsetSurface::new(&Patch::Ring, Bond::OneStrength, &OnsetContact::default(), 3)?;
 /// let [pushed, _, turned]: &[OnsetPoint] = surface.points() else { panic!("three") };
 /// assert!((pushed.onset.push.force.x - 1.0).abs() < 1e-12); // N
 /// assert!((turned.onset.push.torque - 1.0).abs() < 1e-12); // N m: all bonds have the full arm
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnsetPoint {
@@ -74,15 +74,15 @@ pub struct OnsetPoint {
 ///
 /// ```
 /// use tribos::friction::Patch;
-/// use tribos::onset::{Bond, Contact, OnsetSurface, Summary};
-/// let surface = OnsetSurface::new(&Patch::Disk, Bond::Plastic, &Contact::default(), 3)?;
-/// let summary: Summary = surface.summary();
+/// use tribos::onset::{Bond, OnsetContact, OnsetSurface, OnsetSummary};
+/// let surface = OnsetSurface::new(&Patch::Disk, Bond::Plastic, &OnsetContact::default(), 3)?;
+/// let summary: OnsetSummary = surface.summary();
 /// assert!((summary.arm_ratio() - 2.0 / 3.0).abs() < 1e-12);
 /// assert_eq!(summary.static_over_dynamic, Some(1.0));
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Summary {
+pub struct OnsetSummary {
     /// Force F_s at the onset of a pure push, in N.
     pub force: f64,
     /// Torque T_s at the onset of a pure rotation about the centre of pressure, in N m.
@@ -93,7 +93,7 @@ pub struct Summary {
     pub static_over_dynamic: Option<f64>,
 }
 
-impl Summary {
+impl OnsetSummary {
     /// T_s/(F_s R)
     pub fn arm_ratio(&self) -> f64 {
         self.torque / (self.force * self.reach)
@@ -107,24 +107,24 @@ impl Summary {
 ///
 /// ```
 /// use tribos::friction::Patch;
-/// use tribos::onset::{Contact, OnsetSurface};
+/// use tribos::onset::{OnsetContact, OnsetSurface};
 /// let bonds = "re-forming:n=64".parse()?;
-/// let surface = OnsetSurface::new(&Patch::Disk, bonds, &Contact::default(), 5)?;
+/// let surface = OnsetSurface::new(&Patch::Disk, bonds, &OnsetContact::default(), 5)?;
 /// let ratios: Vec<f64> = surface.points().iter().filter_map(|p| p.static_over_dynamic).collect();
 /// assert!((ratios[0] - 1.5119).abs() < 1e-4); // pushed
 /// assert!(ratios[4] < 1.4); // turned: bonds at different radii do not break together
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct OnsetSurface {
     points: Vec<OnsetPoint>,
-    summary: Summary,
+    summary: OnsetSummary,
 }
 
 /// What every ray of a surface needs.
 struct Rays<'a> {
     bonds: Bonds<f64, super::AnyBond, HeldNodes>,
-    contact: &'a Contact,
+    contact: &'a OnsetContact,
     centre: [f64; 2],
     reach: f64,
     limit: &'a dyn FrictionSet<f64>,
@@ -139,13 +139,13 @@ impl OnsetSurface {
     pub fn new(
         patch: &Patch,
         bond: Bond,
-        contact: &Contact,
+        contact: &OnsetContact,
         points: usize,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, FrictionError> {
         if !(2..=Self::MOST_POINTS).contains(&points) {
             let most = Self::MOST_POINTS;
             let reason = format!("the number of points must be from 2 to {most}, not {points}");
-            return Err(Refusal::Syntax(reason));
+            return Err(FrictionError::Syntax(reason));
         }
         check(contact)?;
         let law = bond.with(contact.coefficient, contact.strain)?;
@@ -190,13 +190,13 @@ impl OnsetSurface {
     }
 
     /// Its limits.
-    pub fn summary(&self) -> Summary {
+    pub fn summary(&self) -> OnsetSummary {
         self.summary
     }
 }
 
 /// Refuses what the kernel does not see or would call by another name.
-fn check(contact: &Contact) -> Result<(), Refusal> {
+fn check(contact: &OnsetContact) -> Result<(), FrictionError> {
     for (what, given) in [
         ("static coefficient", contact.coefficient),
         ("load", contact.load),
@@ -205,7 +205,7 @@ fn check(contact: &Contact) -> Result<(), Refusal> {
     ] {
         if !(given > 0.0 && given.is_finite()) {
             let reason = format!("the {what} must be positive and finite, not {given}");
-            return Err(Refusal::Syntax(reason));
+            return Err(FrictionError::Syntax(reason));
         }
     }
     if !contact.heading.is_finite() {
@@ -213,14 +213,14 @@ fn check(contact: &Contact) -> Result<(), Refusal> {
             "the heading must be a finite number of degrees, not {}",
             contact.heading
         );
-        return Err(Refusal::Syntax(reason));
+        return Err(FrictionError::Syntax(reason));
     }
     Ok(())
 }
 
 impl Rays<'_> {
     /// The onsets along rays at equal angles, found on all cores.
-    fn points(&self, count: usize) -> Result<Vec<OnsetPoint>, Refusal> {
+    fn points(&self, count: usize) -> Result<Vec<OnsetPoint>, FrictionError> {
         let share = |i: usize| 90.0 * i as f64 / (count - 1) as f64;
         let (bonds, load) = (&self.bonds, self.contact.load);
         let directions: Vec<Twist<f64>> = (0..count).map(|i| self.direction(share(i))).collect();
@@ -231,13 +231,13 @@ impl Rays<'_> {
         let found = onsets.into_iter().zip(directions).enumerate();
         found
             .map(|(i, (onset, direction))| match onset {
-                Some(onset) if onset.release == FailureMode::Holds => Err(Refusal::Syntax(format!(
+                Some(onset) if onset.release == FailureMode::Holds => Err(FrictionError::Syntax(format!(
                     "where the bonds let go along the ray of {} degrees is not known: they hold as far as the \
                      search goes, some 4e8 strains",
                     share(i)
                 ))),
                 Some(onset) => Ok(self.judged(share(i), onset, &direction)),
-                None => Err(Refusal::Syntax(format!(
+                None => Err(FrictionError::Syntax(format!(
                     "along the ray of {} degrees the onset is out of the range of numbers: take units in which \
                      lengths and loads are nearer to 1",
                     share(i)
@@ -268,10 +268,10 @@ impl Rays<'_> {
         }
     }
 
-    fn summary(&self, points: &[OnsetPoint]) -> Summary {
+    fn summary(&self, points: &[OnsetPoint]) -> OnsetSummary {
         let push = |point: Option<&OnsetPoint>| point.map(|point| point.onset.push);
         let (first, last) = (push(points.first()), push(points.last()));
-        Summary {
+        OnsetSummary {
             force: first.map_or(f64::NAN, |push| Real::hypot(push.force.x, push.force.y)),
             torque: last.map_or(f64::NAN, |push| push.torque),
             reach: self.reach,

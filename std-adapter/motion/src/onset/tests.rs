@@ -4,13 +4,13 @@ use super::*;
 use tribos_core::real::Real;
 use tribos_friction::Patch;
 
-fn surface(patch: &str, bond: &str, contact: &Contact) -> OnsetSurface {
+fn surface(patch: &str, bond: &str, contact: &OnsetContact) -> OnsetSurface {
     let (patch, bond) = (patch.parse::<Patch>(), bond.parse());
     OnsetSurface::new(&patch.unwrap(), bond.unwrap(), contact, 7).unwrap()
 }
 
 fn ratio(patch: &str, bond: &str) -> f64 {
-    surface(patch, bond, &Contact::default())
+    surface(patch, bond, &OnsetContact::default())
         .summary()
         .arm_ratio()
 }
@@ -69,16 +69,16 @@ fn round_patches_on_bonds_that_soften_have_their_ratios() {
 
 #[test]
 fn forces_scale_with_the_load_and_displacements_with_the_strain() {
-    let small = Contact {
+    let small = OnsetContact {
         coefficient: 0.4,
         load: 20.0,
         radius: 0.03,
         strain: 1e-5,
-        ..Contact::default()
+        ..OnsetContact::default()
     };
     for bond in ["weibull:m=3", "re-forming:n=30"] {
         let (unit, scaled) = (
-            surface("hertz", bond, &Contact::default()),
+            surface("hertz", bond, &OnsetContact::default()),
             surface("hertz", bond, &small),
         );
         for (one, other) in unit.points().iter().zip(scaled.points()) {
@@ -102,9 +102,9 @@ fn no_onset_lies_outside_what_dry_friction_carries() {
             "re-forming:n=100",
         ] {
             for heading in [0.0, 30.0] {
-                let contact = Contact {
+                let contact = OnsetContact {
                     heading,
-                    ..Contact::default()
+                    ..OnsetContact::default()
                 };
                 let surface = surface(patch, bond, &contact);
                 assert!((surface.points()[0].of_limit - 1.0).abs() < 1e-9);
@@ -113,7 +113,7 @@ fn no_onset_lies_outside_what_dry_friction_carries() {
                 }
             }
         }
-        for point in surface(patch, "plastic", &Contact::default()).points() {
+        for point in surface(patch, "plastic", &OnsetContact::default()).points() {
             assert!((point.of_limit - 1.0).abs() < 1e-12, "{patch}");
         }
     }
@@ -122,7 +122,7 @@ fn no_onset_lies_outside_what_dry_friction_carries() {
 #[test]
 fn static_over_dynamic_friction_is_between_one_and_two() {
     let gaps = |bond: &str| -> Vec<f64> {
-        let surface = surface("disk", bond, &Contact::default());
+        let surface = surface("disk", bond, &OnsetContact::default());
         let points = surface.points().iter();
         points
             .filter_map(|point| point.static_over_dynamic)
@@ -149,9 +149,9 @@ fn static_over_dynamic_friction_is_between_one_and_two() {
 
 #[test]
 fn a_centre_of_pressure_beside_the_middle_is_the_place_of_the_rotation() {
-    let contact = Contact {
+    let contact = OnsetContact {
         centre: Some([0.04, -0.02]),
-        ..Contact::default()
+        ..OnsetContact::default()
     };
     let leaning = surface("box:0.4x0.3", "plastic", &contact);
     for point in leaning.points() {
@@ -184,21 +184,21 @@ fn contacts_and_laws_that_cannot_be_are_refused_with_a_cure() {
     assert!(refusal("re-forming:n=1001").contains("1000"));
     assert!(refusal("weibull:m=0").contains("exponent must be positive"));
     for contact in [
-        Contact {
+        OnsetContact {
             coefficient: 0.0,
-            ..Contact::default()
+            ..OnsetContact::default()
         },
-        Contact {
+        OnsetContact {
             strain: f64::NAN,
-            ..Contact::default()
+            ..OnsetContact::default()
         },
-        Contact {
+        OnsetContact {
             heading: f64::INFINITY,
-            ..Contact::default()
+            ..OnsetContact::default()
         },
     ] {
         assert!(OnsetSurface::new(&Patch::Disk, Bond::Plastic, &contact, 3).is_err());
     }
-    let usual = Contact::default();
+    let usual = OnsetContact::default();
     assert!(OnsetSurface::new(&Patch::Disk, Bond::Plastic, &usual, 1).is_err());
 }

@@ -2,7 +2,7 @@
 
 use tribos_base::record::brief;
 use tribos_base::scene::InvalidScene;
-use tribos_friction::Refusal;
+use tribos_friction::FrictionError;
 
 /// A contact, a friction set or a path that no push can be computed for.
 ///
@@ -55,7 +55,7 @@ pub enum PushError {
     },
     /// The patch of a scene.
     #[error(transparent)]
-    Refusal(#[from] Refusal),
+    Refusal(#[from] FrictionError),
     /// A scene that was made in a program.
     #[error(transparent)]
     Scene(#[from] InvalidScene),

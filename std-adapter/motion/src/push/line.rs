@@ -33,7 +33,7 @@ pub struct LineContact {
 
 /// What a line contact has to give for a motion of the body together with the pusher.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grip {
+pub struct StablePush {
     /// True if the contact can give it: the body keeps its place at the pusher.
     pub is_stable: bool,
     /// The push that the motion needs, about the origin. *Units*: N and N m.
@@ -69,11 +69,11 @@ impl LineContact {
     /// What the contact has to give for this motion of body and pusher, and whether it can.
     ///
     /// *Accuracy*: that of the set's wrench. *Special values*: a body at rest needs nothing, which is stable.
-    pub fn grip(&self, set: &dyn FrictionSet<f64>, twist: &Twist<f64>) -> Grip {
+    pub fn stable_push(&self, set: &dyn FrictionSet<f64>, twist: &Twist<f64>) -> StablePush {
         let [first, second] = self.ends;
         let wrench = -set.wrench(twist);
         if wrench == Wrench::ZERO {
-            return Grip {
+            return StablePush {
                 is_stable: true,
                 wrench,
                 place: 0.5,
@@ -93,7 +93,7 @@ impl LineContact {
         };
         let is_stable =
             pressing > 0.0 && friction.abs() <= first.coefficient() && (0.0..=1.0).contains(&place);
-        Grip {
+        StablePush {
             is_stable,
             wrench,
             place,

@@ -2,7 +2,7 @@
 
 use tribos_core::Real;
 use tribos_core::coupling::flat::PatchShape;
-use tribos_friction::{Patch, Refusal};
+use tribos_friction::{FrictionError, Patch};
 
 /// Corners of a polygon that stands for a circle in pictures.
 const ROUND: u32 = 180;
@@ -17,7 +17,7 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    pub fn of(patch: &Patch, radius: f64) -> Result<Self, Refusal> {
+    pub fn of(patch: &Patch, radius: f64) -> Result<Self, FrictionError> {
         if let Patch::Flat(flat) = patch {
             let centre = flat.loaded::<f64>(None)?.centre();
             return Ok(Self {

@@ -2,8 +2,8 @@
 
 use super::contact::PointContact;
 use super::error::{PushError, finite};
-use super::line::Grip;
-use super::solve::{Mode, Push, push};
+use super::line::StablePush;
+use super::solve::{ContactMode, QuasiStaticPush, push};
 use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::nalgebra::{Vector2, Vector3};
@@ -40,7 +40,7 @@ pub struct Pose {
 
 /// The side of a body that a pusher touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Side {
+pub enum PushedSide {
     /// Straight; the pusher may slide so far to the right and to the left, in m. Infinite if it has no end.
     Straight {
         /// To the right of the contact.
@@ -56,11 +56,11 @@ pub enum Side {
 ///
 /// ```
 /// use tribos::friction::limit_surface;
-/// use tribos::push::{Drive, End, PointContact, Pose, Side, push_along};
+/// use tribos::push::{Pusher, PathEnd, PointContact, Pose, PushedSide, push_along};
 /// let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // N
-/// let drive = Drive {
+/// let drive = Pusher {
 ///     contact: PointContact::new([0.02, -0.05], [0.0, 1.0], 0.3)?,
-///     side: Side::Straight { right: 0.08, left: 0.12 },
+///     side: PushedSide::Straight { right: 0.08, left: 0.12 },
 ///     start: Pose::ORIGIN,
 ///     velocity: [0.0, 0.01], // m/s
 ///     duration: 10.0,
@@ -68,17 +68,17 @@ pub enum Side {
 ///     tolerance: 1e-7, // m
 /// };
 /// let journey = push_along(&*table, &drive)?;
-/// assert_eq!((journey.end, journey.moments.len()), (End::Done, 51));
+/// assert_eq!((journey.end, journey.moments.len()), (PathEnd::Done, 51));
 /// let last = journey.moments[50];
 /// assert!(last.pose.angle > 0.3 && last.pose.position.y > 0.05);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drive {
+pub struct Pusher {
     /// Where the pusher touches the body at the start, in the frame of the body.
     pub contact: PointContact,
     /// The side on which it is.
-    pub side: Side,
+    pub side: PushedSide,
     /// Pose of the body at the start.
     pub start: Pose,
     /// Velocity of the pusher in the frame of the floor, in m/s.
@@ -93,7 +93,7 @@ pub struct Drive {
 
 /// A moment of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moment {
+pub struct PathSample {
     /// Time since the start, in s.
     pub time: f64,
     /// Pose of the body.
@@ -101,12 +101,12 @@ pub struct Moment {
     /// Where the pusher touches it, in the frame of the body.
     pub contact: Vector2<f64>,
     /// The push, in the frame of the body.
-    pub push: Push,
+    pub push: QuasiStaticPush,
 }
 
 /// How a path ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum End {
+pub enum PathEnd {
     /// At its duration.
     Done,
     /// The pusher came to the end of the side.
@@ -117,7 +117,7 @@ pub enum End {
     Loose,
 }
 
-impl std::fmt::Display for End {
+impl std::fmt::Display for PathEnd {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::Done => "done",
@@ -130,11 +130,11 @@ impl std::fmt::Display for End {
 
 /// The path of a pushed body.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Journey {
+pub struct PushPath {
     /// At the start, at each of the times, and at the end.
-    pub moments: Vec<Moment>,
+    pub moments: Vec<PathSample>,
     /// How it ended.
-    pub end: End,
+    pub end: PathEnd,
     /// How many steps of the integration it took.
     pub steps: usize,
 }
@@ -169,7 +169,7 @@ fn turned(v: Vector2<f64>, angle: f64) -> Vector2<f64> {
 /// where sticking begins or ends are passed in short steps. *Domain*: finite numbers; duration and
 /// tolerance > 0. *Accuracy*: the tolerance, as long as neighbouring paths do not move apart. The path is the same
 /// on every platform.
-pub fn push_along(set: &dyn FrictionSet<f64>, drive: &Drive) -> Result<Journey, PushError> {
+pub fn push_path(set: &dyn FrictionSet<f64>, drive: &Pusher) -> Result<PushPath, PushError> {
     let path = Path::new(set, drive)?;
     let mut state = [
         drive.start.position.x,
@@ -207,7 +207,7 @@ pub fn push_along(set: &dyn FrictionSet<f64>, drive: &Drive) -> Result<Journey, 
             time = if length == left { until } else { time + length };
             state = next;
             end = if is_off {
-                Some(End::Slipped)
+                Some(PathEnd::Slipped)
             } else {
                 ended(&at)
             };
@@ -217,8 +217,8 @@ pub fn push_along(set: &dyn FrictionSet<f64>, drive: &Drive) -> Result<Journey, 
         }
         moments.push(path.moment(time, &state)?);
     }
-    let end = end.unwrap_or(End::Done);
-    Ok(Journey {
+    let end = end.unwrap_or(PathEnd::Done);
+    Ok(PushPath {
         moments,
         end,
         steps,
@@ -229,13 +229,13 @@ pub fn push_along(set: &dyn FrictionSet<f64>, drive: &Drive) -> Result<Journey, 
 /// alone if the pusher does not hold it.
 pub(super) fn with_pusher(
     contact: &PointContact,
-    grip: &Grip,
+    grip: &StablePush,
     twist: &Twist<f64>,
     duration: f64,
     samples: u32,
-) -> Journey {
-    let push = Push {
-        mode: Mode::Sticking,
+) -> PushPath {
+    let push = QuasiStaticPush {
+        mode: ContactMode::Sticking,
         twist: *twist,
         contact_velocity: contact.velocity(twist),
         slip: Vector2::zeros(),
@@ -253,7 +253,7 @@ pub(super) fn with_pusher(
         };
         let v = twist.velocity * time;
         let position = Vector2::new(along * v.x - across * v.y, across * v.x + along * v.y);
-        Moment {
+        PathSample {
             time,
             pose: Pose { position, angle },
             contact: contact.position(),
@@ -261,19 +261,19 @@ pub(super) fn with_pusher(
         }
     };
     let (last, end) = if grip.is_stable {
-        (samples, End::Done)
+        (samples, PathEnd::Done)
     } else {
-        (0, End::Loose)
+        (0, PathEnd::Loose)
     };
-    Journey {
+    PushPath {
         moments: (0..=last).map(moment).collect(),
         end,
         steps: 0,
     }
 }
 
-fn ended(at: &Moment) -> Option<End> {
-    (at.push.mode == Mode::Separating).then_some(End::Separated)
+fn ended(at: &PathSample) -> Option<PathEnd> {
+    (at.push.mode == ContactMode::Separating).then_some(PathEnd::Separated)
 }
 
 /// Place of the patch's origin, and angle.
@@ -281,14 +281,14 @@ type State = Vector3<f64>;
 
 struct Path<'a> {
     set: &'a dyn FrictionSet<f64>,
-    drive: &'a Drive,
+    drive: &'a Pusher,
     velocity: Vector2<f64>,
     /// Where the pusher is at the start.
     pusher: Vector2<f64>,
 }
 
 impl<'a> Path<'a> {
-    fn new(set: &'a dyn FrictionSet<f64>, drive: &'a Drive) -> Result<Self, PushError> {
+    fn new(set: &'a dyn FrictionSet<f64>, drive: &'a Pusher) -> Result<Self, PushError> {
         let [x, y] = drive.velocity;
         let start = &drive.start;
         for (what, number) in [
@@ -321,7 +321,7 @@ impl<'a> Path<'a> {
         })
     }
 
-    fn moment(&self, time: f64, state: &State) -> Result<Moment, PushError> {
+    fn moment(&self, time: f64, state: &State) -> Result<PathSample, PushError> {
         let pose = Pose {
             position: Vector2::new(state.x, state.y),
             angle: state.z,
@@ -330,13 +330,13 @@ impl<'a> Path<'a> {
         let contact = pose.in_body(self.pusher + self.velocity * time);
         let velocity = turned(self.velocity, -pose.angle);
         let touching = match self.drive.side {
-            Side::Straight { .. } => self.drive.contact.moved_to(contact),
-            Side::Round => {
+            PushedSide::Straight { .. } => self.drive.contact.moved_to(contact),
+            PushedSide::Round => {
                 let inward = [-contact.x, -contact.y];
                 PointContact::new(contact.into(), inward, self.drive.contact.coefficient())?
             }
         };
-        Ok(Moment {
+        Ok(PathSample {
             time,
             pose,
             contact,
@@ -380,14 +380,14 @@ impl<'a> Path<'a> {
         ROUNDING_ULPS * f64::EPSILON * place.max(turn)
     }
 
-    fn is_on_side(&self, at: &Moment) -> bool {
+    fn is_on_side(&self, at: &PathSample) -> bool {
         match self.drive.side {
-            Side::Straight { right, left } => {
+            PushedSide::Straight { right, left } => {
                 let contact = &self.drive.contact;
                 let along = contact.tangent().dot(&(at.contact - contact.position()));
                 -right <= along && along <= left
             }
-            Side::Round => true,
+            PushedSide::Round => true,
         }
     }
 }
@@ -401,11 +401,11 @@ mod tests {
     fn the_end_of_a_side_is_found_to_any_tolerance() {
         let table = limit_surface(&"box:0.3x0.2".parse().unwrap(), 8.0, 1.0, None).unwrap();
         for tolerance in [1e-5, 1e-7, 1e-9, 1e-11] {
-            let journey = push_along(
+            let journey = push_path(
                 &*table,
-                &Drive {
+                &Pusher {
                     contact: PointContact::new([0.05, -0.1], [0.0, 1.0], 0.1).unwrap(),
-                    side: Side::Straight {
+                    side: PushedSide::Straight {
                         right: 0.01,
                         left: 0.01,
                     },
@@ -417,7 +417,7 @@ mod tests {
                 },
             )
             .unwrap();
-            assert_eq!(journey.end, End::Slipped);
+            assert_eq!(journey.end, PathEnd::Slipped);
             let last = journey.moments.last().unwrap();
             assert!(
                 (last.contact.x - 0.04).abs() < 1e-11 + tolerance,

@@ -3,17 +3,17 @@
 use super::cone::{MotionCone, motion_cone};
 use super::contact::PointContact;
 use super::error::PushError;
-use super::line::{Grip, LineContact};
+use super::line::{LineContact, StablePush};
 use super::outline::{Shape, nearest_side};
-use super::path::{Drive, Journey, Pose, Side, push_along, with_pusher};
-use super::solve::{Push, push};
+use super::path::{Pose, PushPath, PushedSide, Pusher, push_path, with_pusher};
+use super::solve::{QuasiStaticPush, push};
 use crate::push::scene::PushScene;
 use serde_json::{Map, Value};
 use tribos_base::record::json_number;
 use tribos_core::Real;
 use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{Patch, Refusal, limit_surface};
+use tribos_friction::{FrictionError, Patch, limit_surface};
 
 /// The scene of a pushed body that comes with the program.
 #[doc(hidden)]
@@ -21,13 +21,13 @@ pub const PUSH_BOX: &str = include_str!("../../push-box.toml");
 
 /// A scene of a pushed body with its answers.
 #[derive(Clone, Debug)]
-pub struct PushRun {
+pub struct PushResult {
     /// The body's outline, for pictures.
     pub outline: Vec<Vec<[f64; 2]>>,
     /// Motions that the (first) contact can give without sliding.
     pub cone: MotionCone,
     /// The push at the start, by a point at the first contact.
-    pub first: Push,
+    pub first: QuasiStaticPush,
     /// The push over the largest one along its ray: 1 while the body moves, 0 at rest.
     pub gauge: f64,
     /// The largest torque that friction carries without force, in N m.
@@ -35,15 +35,15 @@ pub struct PushRun {
     /// The same if only the centre of pressure is known; none for round patches.
     pub yaw_limit_of_any_pressure: Option<f64>,
     /// What a straight pusher has to give for the body to move with it.
-    pub grip: Option<Grip>,
+    pub grip: Option<StablePush>,
     /// The path, under a pusher that is a point or holds the body.
-    pub journey: Journey,
+    pub journey: PushPath,
 }
 
 /// Computes what a scene asks for.
 ///
 /// The path of a straight pusher that does not hold the body is not followed: it has its start alone.
-pub fn run(scene: &PushScene) -> Result<PushRun, PushError> {
+pub fn run(scene: &PushScene) -> Result<PushResult, PushError> {
     scene.check()?;
     let set = limit_surface(
         &scene.patch,
@@ -66,11 +66,11 @@ pub fn run(scene: &PushScene) -> Result<PushRun, PushError> {
     let twist = Twist::new(scene.velocity_x, scene.velocity_y, scene.spin);
     let at_contact = contact.velocity(&twist);
     let first = push(&*set, &contact, at_contact.into())?;
-    let grip = line.map(|line| line.grip(&*set, &twist));
+    let grip = line.map(|line| line.stable_push(&*set, &twist));
     let journey = match &grip {
-        None => push_along(
+        None => push_path(
             &*set,
-            &Drive {
+            &Pusher {
                 contact,
                 side,
                 start: Pose::ORIGIN,
@@ -82,7 +82,7 @@ pub fn run(scene: &PushScene) -> Result<PushRun, PushError> {
         )?,
         Some(grip) => with_pusher(&contact, grip, &twist, duration(scene), scene.samples),
     };
-    Ok(PushRun {
+    Ok(PushResult {
         gauge: set.gauge(&first.wrench),
         yaw_limit: set.scale_to_surface(&Wrench::new(0.0, 0.0, 1.0)).torque,
         yaw_limit_of_any_pressure: any_pressure(scene, &shape)?,
@@ -98,9 +98,9 @@ fn pair(x: Option<f64>, y: Option<f64>) -> Option<[f64; 2]> {
     Some([x?, y?])
 }
 
-const fn endless() -> Side {
+const fn endless() -> PushedSide {
     let (right, left) = (f64::INFINITY, f64::INFINITY);
-    Side::Straight { right, left }
+    PushedSide::Straight { right, left }
 }
 
 /// How long the pusher moves, in s.
@@ -129,7 +129,7 @@ fn inward_line(
 }
 
 /// A point contact, with the normal of its side where none is given.
-fn point(scene: &PushScene, shape: &Shape) -> Result<(PointContact, Side), PushError> {
+fn point(scene: &PushScene, shape: &Shape) -> Result<(PointContact, PushedSide), PushError> {
     let at = [scene.contact_x, scene.contact_y];
     let [inward, reach] = nearest_side(shape, at);
     let given = pair(scene.normal_x, scene.normal_y);
@@ -139,9 +139,9 @@ fn point(scene: &PushScene, shape: &Shape) -> Result<(PointContact, Side), PushE
         (Some(_), _) => endless(),
         (None, true) => {
             let [right, left] = reach;
-            Side::Straight { right, left }
+            PushedSide::Straight { right, left }
         }
-        (None, false) => Side::Round,
+        (None, false) => PushedSide::Round,
     };
     Ok((contact, side))
 }
@@ -154,11 +154,11 @@ fn any_pressure(scene: &PushScene, shape: &Shape) -> Result<Option<f64>, PushErr
     let centre = pair(scene.centre_x, scene.centre_y).unwrap_or(centroid);
     let limit = scene.coefficient * scene.load;
     let corners = shape.loops.concat();
-    let foot = UnknownPressureSet::new(corners, centre, limit).map_err(Refusal::from)?;
+    let foot = UnknownPressureSet::new(corners, centre, limit).map_err(FrictionError::from)?;
     Ok(foot.torque_limits([0.0; 2]).map(|yaw| yaw.possible[1]))
 }
 
-impl PushRun {
+impl PushResult {
     /// Names of the values of a row.
     pub const COLUMNS: [&'static str; 13] = [
         "time",

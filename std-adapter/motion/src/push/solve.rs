@@ -18,7 +18,7 @@ const MOST_LEFT: f64 = 1e-8;
 
 /// What a contact does while its pusher moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
+pub enum ContactMode {
     /// The pusher keeps its place on the body.
     Sticking,
     /// The pusher slides to the left along the body, which it drags to the left.
@@ -29,7 +29,7 @@ pub enum Mode {
     Separating,
 }
 
-impl std::fmt::Display for Mode {
+impl std::fmt::Display for ContactMode {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::Sticking => "sticking",
@@ -45,11 +45,11 @@ impl std::fmt::Display for Mode {
 /// ```
 /// use tribos::friction::limit_surface;
 /// use tribos::nalgebra::Vector2;
-/// use tribos::push::{Mode, PointContact, push};
+/// use tribos::push::{ContactMode, PointContact, push};
 /// let puck = limit_surface(&"disk".parse()?, 1.0, 0.05, None)?; // N, m
 /// let slippery = PointContact::new([-0.05, 0.0], [1.0, 0.0], 0.1)?;
 /// let moved = push(&*puck, &slippery, [0.01, 0.02])?; // m/s
-/// assert_eq!(moved.mode, Mode::SlidingLeft);
+/// assert_eq!(moved.mode, ContactMode::SlidingLeft);
 /// // What the pusher does not spend on the floor it spends at the contact.
 /// let given = moved.wrench.force.dot(&Vector2::new(0.01, 0.02));
 /// let rubbed = moved.wrench.force.dot(&moved.slip);
@@ -57,9 +57,9 @@ impl std::fmt::Display for Mode {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Push {
+pub struct QuasiStaticPush {
     /// What the contact does.
-    pub mode: Mode,
+    pub mode: ContactMode,
     /// Motion of the body. *Units*: m/s and rad/s.
     pub twist: Twist<f64>,
     /// Velocity of the body at the contact, in m/s.
@@ -80,7 +80,7 @@ pub fn push(
     set: &dyn FrictionSet<f64>,
     contact: &PointContact,
     velocity: [f64; 2],
-) -> Result<Push, PushError> {
+) -> Result<QuasiStaticPush, PushError> {
     let [x, y] = velocity;
     let velocity = Vector2::new(
         finite("x of the pusher's velocity", x)?,
@@ -91,7 +91,7 @@ pub fn push(
 }
 
 /// The push, if the body at the contact and the slip take the pusher's velocity.
-fn followed(push: Push, velocity: Vector2<f64>) -> Result<Push, PushError> {
+fn followed(push: QuasiStaticPush, velocity: Vector2<f64>) -> Result<QuasiStaticPush, PushError> {
     let left = (push.contact_velocity + push.slip - velocity).norm();
     match left <= MOST_LEFT * velocity.norm() && push.twist.spin.is_finite() {
         true => Ok(push),
@@ -104,12 +104,12 @@ pub(super) fn within(
     set: &dyn FrictionSet<f64>,
     cone: &MotionCone,
     velocity: Vector2<f64>,
-) -> Push {
+) -> QuasiStaticPush {
     let contact = &cone.contact;
     let approach = contact.normal().dot(&velocity);
     if approach <= 0.0 {
-        return Push {
-            mode: Mode::Separating,
+        return QuasiStaticPush {
+            mode: ContactMode::Separating,
             twist: Twist::ZERO,
             contact_velocity: Vector2::zeros(),
             slip: velocity,
@@ -121,25 +121,25 @@ pub(super) fn within(
     let [right, left] = cone.angles();
     let angle = cone.angle(velocity);
     let (mode, at) = if angle > left {
-        (Mode::SlidingLeft, cone.left)
+        (ContactMode::SlidingLeft, cone.left)
     } else if angle < right {
-        (Mode::SlidingRight, cone.right)
+        (ContactMode::SlidingRight, cone.right)
     } else {
-        (Mode::Sticking, sticking(set, cone, velocity))
+        (ContactMode::Sticking, sticking(set, cone, velocity))
     };
     // The body takes the whole velocity, or its part along the normal.
-    let factor = if mode == Mode::Sticking {
+    let factor = if mode == ContactMode::Sticking {
         velocity.dot(&at.velocity) / at.velocity.dot(&at.velocity)
     } else {
         approach / contact.normal().dot(&at.velocity)
     };
     let contact_velocity = at.velocity * factor;
-    let slip = if mode == Mode::Sticking {
+    let slip = if mode == ContactMode::Sticking {
         Vector2::zeros()
     } else {
         velocity - contact_velocity
     };
-    Push {
+    QuasiStaticPush {
         mode,
         twist: at.twist * factor,
         contact_velocity,
@@ -257,14 +257,14 @@ mod tests {
 
     #[test]
     fn a_push_without_a_normal_is_an_error_and_ends_no_path() {
-        use crate::push::{Drive, Pose, Side, push_along};
+        use crate::push::{Pose, PushedSide, Pusher, push_path};
         let contact = PointContact::new([-0.05, 0.01], [1.0, 0.0], 0.3).unwrap();
         assert!(push(&Astray(1.0), &contact, [0.01, 0.001]).is_ok());
         let lost = push(&Astray(f64::NAN), &contact, [0.01, 0.001]);
         assert!(matches!(lost, Err(PushError::NotFound { .. })), "{lost:?}");
-        let drive = Drive {
+        let drive = Pusher {
             contact,
-            side: Side::Straight {
+            side: PushedSide::Straight {
                 right: 0.02,
                 left: 0.02,
             },
@@ -274,8 +274,8 @@ mod tests {
             samples: 3,
             tolerance: 1e-6,
         };
-        assert!(push_along(&Astray(1.0), &drive).is_ok());
-        let lost = push_along(&Astray(f64::NAN), &drive);
+        assert!(push_path(&Astray(1.0), &drive).is_ok());
+        let lost = push_path(&Astray(f64::NAN), &drive);
         assert!(matches!(lost, Err(PushError::NotFound { .. })), "{lost:?}");
     }
 
@@ -295,7 +295,7 @@ mod tests {
                 continue;
             }
             let push = within(&set, &cone, velocity);
-            assert_eq!(push.mode, Mode::Sticking, "{angle}");
+            assert_eq!(push.mode, ContactMode::Sticking, "{angle}");
             let off = contact.velocity(&push.twist) - velocity;
             assert!(off.norm() < 1e-8, "{angle}: {push:?}");
             // The push is where the set is farthest along the motion.

@@ -1,23 +1,23 @@
 //! A flat disk under any law of the local speed.
 
-use super::planar::{Gradient, Journey, Launch, Point, Resistance, TallBody};
+use super::planar::{Gradient, PlanarLaunch, PlanarSimulation, PlanarState, Resistance, TallBody};
 use super::simulation::{MOST_STEPS, SLIVER};
-use super::{COLUMNS, Ending, Outcome, SlideError, SlideRun, energy_at_launch, run};
-use crate::slide::scene::{SliderScene, Stepper};
+use super::{COLUMNS, SlideError, SlideRun, SlideStopReason, SlideSummary, energy_at_launch, run};
+use crate::slide::scene::{DiskScene, SliderIntegrator};
 use tribos_core::modes::TerminalMotion;
-use tribos_friction::{Friction, Law, Patch};
+use tribos_friction::{AnyFriction, Law, Patch};
 
 /// Runs a scene to its end under `law`, which replaces the scene's `coefficient` and `alpha`.
 ///
 /// For a power of the speed this is [`run`]. Under any other law the motion is integrated over the logarithm
-/// of the speed, like that of a body in the plane ([`Journey`]).
+/// of the speed, like that of a body in the plane ([`PlanarSimulation`]).
 pub(super) fn run_law(
-    scene: &SliderScene,
+    scene: &DiskScene,
     law: &Law,
     mut progress: impl FnMut(f64),
 ) -> Result<SlideRun, SlideError> {
     if let Some([coefficient, alpha]) = law.power_of_speed() {
-        let scene = SliderScene {
+        let scene = DiskScene {
             coefficient,
             alpha,
             law: None,
@@ -26,18 +26,18 @@ pub(super) fn run_law(
         return run(&scene, progress);
     }
     scene.check()?;
-    if scene.stepper == Stepper::Verlet {
+    if scene.stepper == SliderIntegrator::Verlet {
         return Err(SlideError::OnlyPowers { law: law.name() });
     }
-    let friction = Friction::new(&Patch::Disk, law, None)?.with_radius(scene.radius)?;
+    let friction = AnyFriction::new(&Patch::Disk, law, None)?.with_radius(scene.radius)?;
     let upright = [scene.gravity, scene.inertia_ratio];
     let body = TallBody::new(friction, 0.0, Gradient::AllRound, upright)?;
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [scene.speed, 0.0],
         spin: scene.spin,
     };
-    let journey = || Journey::new(&body, &launch, scene.stop_fraction);
-    let energy = |point: &Point| scene.mass * super::path::energy_per_mass(&body, point);
+    let journey = || PlanarSimulation::new(&body, &launch, scene.stop_fraction);
+    let energy = |point: &PlanarState| scene.mass * super::path::energy_per_mass(&body, point);
 
     // A first pass finds the end and thus the length of a sample.
     let scouted = journey()?.to_end()?.point.time;
@@ -45,7 +45,7 @@ pub(super) fn run_law(
         .duration
         .map_or(scouted, |duration| duration.min(scouted));
     let times = sample_times(scene, end)?;
-    let mut points: Vec<Point> = Vec::new();
+    let mut points: Vec<PlanarState> = Vec::new();
     let arrival = journey()?.follow(&times, |point| {
         // Sample times are met to 2 ulp.
         if point.time <= end * (1.0 + SLIVER) {
@@ -61,18 +61,18 @@ pub(super) fn run_law(
     let lost = initial_energy - energy(last);
     // Towards rest the law tends to a power of the speed, whose fixed points give the limit of the ratio.
     let near_rest = Law::power(1.0, body.exponent())?;
-    let near_rest = Friction::<f64>::new(&Patch::Disk, &near_rest, None)?;
+    let near_rest = AnyFriction::<f64>::new(&Patch::Disk, &near_rest, None)?;
     let profile = near_rest.power().ok_or(SlideError::NotFinite { step: 0 })?;
     Ok(SlideRun {
         series: points
             .iter()
             .map(|point| row(point, energy(point), scene.mass))
             .collect(),
-        outcome: Outcome {
+        outcome: SlideSummary {
             ending: match (arrival.ending, scene.duration) {
-                (_, Some(duration)) if duration < scouted => Ending::Duration,
-                (super::planar::Ending::Rest, _) => Ending::Rest,
-                (super::planar::Ending::Faded, _) => Ending::Faded,
+                (_, Some(duration)) if duration < scouted => SlideStopReason::Duration,
+                (super::planar::PlanarStopReason::Rest, _) => SlideStopReason::Rest,
+                (super::planar::PlanarStopReason::Faded, _) => SlideStopReason::Faded,
             },
             time: last.time,
             distance: last.distance,
@@ -88,7 +88,7 @@ pub(super) fn run_law(
 }
 
 /// Times of the samples up to and including `end`.
-fn sample_times(scene: &SliderScene, end: f64) -> Result<Vec<f64>, SlideError> {
+fn sample_times(scene: &DiskScene, end: f64) -> Result<Vec<f64>, SlideError> {
     let interval = scene.time_step.unwrap_or(end / f64::from(scene.samples));
     let steps = end / interval;
     if steps > MOST_STEPS {
@@ -105,7 +105,7 @@ fn sample_times(scene: &SliderScene, end: f64) -> Result<Vec<f64>, SlideError> {
     Ok(times)
 }
 
-fn row(point: &Point, kinetic: f64, mass: f64) -> [f64; COLUMNS.len()] {
+fn row(point: &PlanarState, kinetic: f64, mass: f64) -> [f64; COLUMNS.len()] {
     [
         point.time,
         point.velocity[0],

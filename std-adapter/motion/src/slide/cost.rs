@@ -2,19 +2,19 @@
 
 use super::SlideError;
 use super::planar::Resistance;
-use crate::slide::scene::SliderScene;
+use crate::slide::scene::DiskScene;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::coupling::{ReducedFriction, ReducedWrench};
-use tribos_friction::{Evaluation, Friction, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
+use tribos_friction::{AnyFriction, Evaluation, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
 
 /// Cost of one evaluation. *Units*: s on one core of this machine.
 ///
 /// ```
-/// use tribos::scene::SliderScene;
+/// use tribos::scene::DiskScene;
 /// use tribos::slide::EvaluationCost;
-/// let cost: EvaluationCost = SliderScene::default().evaluation_cost()?;
+/// let cost: EvaluationCost = DiskScene::default().evaluation_cost()?;
 /// assert!(cost.seconds > 0.0 && cost.seconds < 1e-3);
 /// assert!(cost.table_seconds > 0.0); // for comparison
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -27,12 +27,12 @@ pub struct EvaluationCost {
     pub table_seconds: f64,
 }
 
-impl SliderScene {
+impl DiskScene {
     /// Method by which force and torque are evaluated.
     ///
     /// ```
-    /// use tribos::{friction::Evaluation, scene::SliderScene};
-    /// let evaluation = |alpha| SliderScene { alpha, ..SliderScene::default() }.evaluation();
+    /// use tribos::{friction::Evaluation, scene::DiskScene};
+    /// let evaluation = |alpha| DiskScene { alpha, ..SliderScene::default() }.evaluation();
     /// assert_eq!(evaluation(0.0)?, Evaluation::TableInProgram);
     /// assert_eq!(evaluation(-0.5)?, Evaluation::TableMade);
     /// assert_eq!(evaluation(20.0)?, Evaluation::Series);
@@ -47,7 +47,7 @@ impl SliderScene {
     pub fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
         let law = self.law()?;
         let Some([_, alpha]) = law.power_of_speed() else {
-            let friction = Friction::<f64>::new(&Patch::Disk, &law, None)?;
+            let friction = AnyFriction::<f64>::new(&Patch::Disk, &law, None)?;
             return Ok(timed(&|v, w| both(friction.reduced_wrench(v, w))));
         };
         let tier = Tier::serving::<f64>(&Patch::Disk, &law, None)?;
@@ -158,9 +158,9 @@ mod tests {
             (0.5, Evaluation::TableMade),
             (20.0, Evaluation::Series),
         ] {
-            let disk = SliderScene {
+            let disk = DiskScene {
                 alpha,
-                ..SliderScene::default()
+                ..DiskScene::default()
             };
             assert_eq!(disk.evaluation().unwrap(), expected);
             let cost = disk.evaluation_cost().unwrap();

@@ -15,30 +15,30 @@ use any_law::run_law;
 #[doc(hidden)]
 pub use cost::EvaluationCost;
 pub(crate) use cost::of_law;
-pub use outcome::{Ending, Outcome};
+pub use outcome::{SlideStopReason, SlideSummary};
 #[doc(hidden)]
 pub use path::{PATH_COLUMNS, PlanarCourse, PlanarScene, follow_path};
-pub use path::{PathOutcome, PathRun, run_path};
+pub use path::{PathRun, PlanarSummary, run_planar};
 #[doc(hidden)]
 pub use simulation::{COLUMNS, SlideSimulation};
 #[doc(hidden)]
 pub use spent::Spent;
 
-use crate::slide::scene::SliderScene;
+use crate::slide::scene::DiskScene;
 use tribos_base::record::brief;
-use tribos_base::run::drive;
+use tribos_base::run::run_to_end;
 use tribos_base::scene::InvalidScene;
 use tribos_core::law::LawError;
 use tribos_core::patch::PatchError;
-use tribos_friction::{Law, Patch, Refusal, RoundPower, Tier, Visitor, visit_disk};
+use tribos_friction::{FrictionError, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
 
 /// Why a validated scene could not be run to its end.
 ///
 /// ```
-/// use tribos::scene::SliderScene;
+/// use tribos::scene::DiskScene;
 /// use tribos::slide::{SlideError, run};
 /// // A disk that is at rest after 0.4 s.
-/// let scene = SliderScene { time_step: Some(1e-12), ..SliderScene::default() };
+/// let scene = DiskScene { time_step: Some(1e-12), ..SliderScene::default() };
 /// assert!(matches!(run(&scene, |_| ()), Err(SlideError::TooManySteps { .. })));
 /// ```
 #[derive(Debug, thiserror::Error)]
@@ -108,7 +108,7 @@ pub enum SlideError {
     },
     /// The law, or the tier chosen for it, was refused.
     #[error(transparent)]
-    Choice(#[from] Refusal),
+    Choice(#[from] FrictionError),
     /// The method supports only powers of the speed.
     #[error(
         "stepper = \"verlet\" follows powers of the speed; the law {law} needs stepper = \"exact\""
@@ -140,9 +140,9 @@ fn energy_at_launch(energy: f64) -> Result<f64, SlideError> {
 /// Series and summary of the run of one slider.
 ///
 /// ```
-/// use tribos::scene::SliderScene;
+/// use tribos::scene::DiskScene;
 /// use tribos::slide::{SlideRun, run};
-/// let SlideRun { series, outcome } = run(&SliderScene::default(), |_| ())?;
+/// let SlideRun { series, outcome } = run(&DiskScene::default(), |_| ())?;
 /// assert_eq!(series.len() as u64, outcome.steps + 1);
 /// for [.., kinetic, dissipated] in series {
 ///     let sum = kinetic + dissipated; // stays what it was at the launch
@@ -155,7 +155,7 @@ pub struct SlideRun {
     /// Rows of the series, with the columns of [`COLUMNS`].
     pub series: Vec<[f64; COLUMNS.len()]>,
     /// The summary.
-    pub outcome: Outcome,
+    pub outcome: SlideSummary,
 }
 
 /// Runs a scene to its end; `progress` receives the completed fraction after every step.
@@ -165,17 +165,17 @@ pub struct SlideRun {
 /// point to point.
 ///
 /// ```
-/// use tribos::{scene::SliderScene, slide::run};
-/// let scene = SliderScene { speed: 1.0, spin: 0.0, coefficient: 0.3, ..SliderScene::default() };
+/// use tribos::{scene::DiskScene, slide::run};
+/// let scene = DiskScene { speed: 1.0, spin: 0.0, coefficient: 0.3, ..SliderScene::default() };
 /// let result = run(&scene, |_| ())?;
 /// assert!((result.outcome.distance - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-13);
 /// // On oil: dv/dt = -g (mu + k v), which ends after ln(1 + k v0/mu)/(g k).
 /// let law = Some("stribeck:mu_s=0.2,mu_d=0.2,vs=0.01,k=0.1".parse()?); // s/m
-/// let oiled = SliderScene { gravity: 10.0, law, ..scene };
+/// let oiled = DiskScene { gravity: 10.0, law, ..scene };
 /// assert!((run(&oiled, |_| ())?.outcome.time - 1.5_f64.ln()).abs() < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn run(scene: &SliderScene, progress: impl FnMut(f64)) -> Result<SlideRun, SlideError> {
+pub fn run(scene: &DiskScene, progress: impl FnMut(f64)) -> Result<SlideRun, SlideError> {
     if let Some(law) = &scene.law {
         return run_law(scene, law, progress);
     }
@@ -185,7 +185,7 @@ pub fn run(scene: &SliderScene, progress: impl FnMut(f64)) -> Result<SlideRun, S
 
 /// Runs a scene with the kernel's type for its friction.
 struct Run<'a, F> {
-    scene: &'a SliderScene,
+    scene: &'a DiskScene,
     progress: F,
 }
 
@@ -195,7 +195,7 @@ impl<F: FnMut(f64)> Visitor<f64> for Run<'_, F> {
     fn visit<P: RoundPower<f64> + 'static>(mut self, profile: P) -> Self::Output {
         let mut simulation = SlideSimulation::new(profile, self.scene)?;
         let mut series = Vec::new();
-        drive(&mut simulation, |row, done| {
+        run_to_end(&mut simulation, |row, done| {
             series.push(row);
             (self.progress)(done);
         })?;
@@ -206,9 +206,9 @@ impl<F: FnMut(f64)> Visitor<f64> for Run<'_, F> {
     }
 }
 
-impl SliderScene {
+impl DiskScene {
     /// Friction law of the scene.
-    pub(crate) fn law(&self) -> Result<Law, Refusal> {
+    pub(crate) fn law(&self) -> Result<Law, FrictionError> {
         self.law
             .map_or_else(|| Law::power(self.coefficient, self.alpha), Ok)
     }

@@ -1,7 +1,7 @@
 //! The summary of a slide.
 
 use super::SlideError;
-use crate::slide::scene::SliderScene;
+use crate::slide::scene::DiskScene;
 use serde_json::{Map, Value};
 use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::json_number;
@@ -9,7 +9,7 @@ use tribos_core::modes::TerminalMode;
 
 /// Why a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
+pub enum SlideStopReason {
     /// Sliding and spinning stopped at the same instant.
     Rest,
     /// Both speeds fell below the scene's `stop_fraction`.
@@ -22,11 +22,11 @@ pub enum Ending {
 ///
 /// ```
 /// use tribos::kernel::modes::TerminalMode;
-/// use tribos::scene::SliderScene;
-/// use tribos::slide::{Ending, Outcome, run};
-/// let scene = SliderScene::default(); // 1 m/s, 5 rad/s, 8 cm, 0.1 kg
-/// let end: Outcome = run(&scene, |_| ())?.outcome;
-/// assert_eq!(end.ending, Ending::Rest);
+/// use tribos::scene::DiskScene;
+/// use tribos::slide::{SlideStopReason, SlideSummary, run};
+/// let scene = DiskScene::default(); // 1 m/s, 5 rad/s, 8 cm, 0.1 kg
+/// let end: SlideSummary = run(&scene, |_| ())?.outcome;
+/// assert_eq!(end.ending, SlideStopReason::Rest);
 /// // A disk under Coulomb friction stops at v = 0.653 ωR, whatever the launch.
 /// assert!((end.ratio - 0.653).abs() < 1e-3);
 /// assert!(matches!(end.limit, TerminalMode::Together { ratio } if (ratio - end.ratio).abs() < 1e-6));
@@ -37,9 +37,9 @@ pub enum Ending {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outcome {
+pub struct SlideSummary {
     /// Why the run ended.
-    pub ending: Ending,
+    pub ending: SlideStopReason,
     /// Time at the end, in s; the stop time if the body comes to rest.
     pub time: f64,
     /// Distance covered, in m.
@@ -60,17 +60,17 @@ pub struct Outcome {
     pub energy_error: f64,
 }
 
-impl Outcome {
+impl SlideSummary {
     /// The summary as JSON; `stop_time` is null if the body does not come to rest.
-    pub fn json(&self, scene: &SliderScene) -> Value {
+    pub fn json(&self, scene: &DiskScene) -> Value {
         let mut map = Map::new();
         let ending = match self.ending {
-            Ending::Rest => "rest",
-            Ending::Faded => "faded",
-            Ending::Duration => "duration",
+            SlideStopReason::Rest => "rest",
+            SlideStopReason::Faded => "faded",
+            SlideStopReason::Duration => "duration",
         };
         map.insert("ending".into(), ending.into());
-        let rests = self.ending == Ending::Rest;
+        let rests = self.ending == SlideStopReason::Rest;
         let stop_time = if rests {
             json_number(self.time)
         } else {
@@ -106,7 +106,7 @@ impl Outcome {
     }
 }
 
-impl Measure for SliderScene {
+impl Measure for DiskScene {
     type Error = SlideError;
 
     fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, SlideError> {

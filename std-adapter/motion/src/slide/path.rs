@@ -1,7 +1,9 @@
 //! Runs of planar scenes.
 
 use super::cost::{EvaluationCost, resistance_cost};
-use super::planar::{Arrival, Ending, Journey, Launch, Point, Resistance};
+use super::planar::{
+    PlanarLaunch, PlanarResult, PlanarSimulation, PlanarState, PlanarStopReason, Resistance,
+};
 use super::{SlideError, energy_at_launch};
 use crate::slide::scene::Tipping;
 use serde_json::{Map, Value};
@@ -76,14 +78,14 @@ pub trait PlanarScene: Body {
 ///
 /// ```
 /// use tribos::scene::PipeScene;
-/// use tribos::slide::{PATH_COLUMNS, PathOutcome, PathRun, run_path};
+/// use tribos::slide::{PATH_COLUMNS, PlanarSummary, PathRun, run_path};
 /// let scene = PipeScene { spin: 0.0, speed: 1.74, coefficient: 0.2, ..PipeScene::default() };
 /// let PathRun { series, outcome } = run_path(&scene)?;
 /// // Without spin the pipe leans, but friction stays mu N.
 /// let x = PATH_COLUMNS.iter().position(|name| *name == "x").ok_or("no x")?;
 /// let way = series.last().ok_or("no rows")?[x];
 /// assert!((way - 1.74 * 1.74 / (2.0 * 0.2 * 9.81)).abs() < 1e-12);
-/// let PathOutcome { arrival, energy_error, .. } = outcome;
+/// let PlanarSummary { arrival, energy_error, .. } = outcome;
 /// assert!(arrival.most_lean > 0.0 && energy_error < 1e-12);
 /// assert_eq!(outcome.json(&scene)["curl"], 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -93,14 +95,14 @@ pub struct PathRun {
     /// Rows of the series, with the columns of [`PATH_COLUMNS`].
     pub series: Vec<[f64; PATH_COLUMNS.len()]>,
     /// The summary.
-    pub outcome: PathOutcome,
+    pub outcome: PlanarSummary,
 }
 
 /// Results of the run of a planar scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PathOutcome {
+pub struct PlanarSummary {
     /// State at the end of the journey.
-    pub arrival: Arrival,
+    pub arrival: PlanarResult,
     /// Kinetic energy at the launch, in J.
     pub initial_energy: f64,
     /// |work − loss of kinetic energy| / initial energy.
@@ -119,7 +121,7 @@ pub struct PathOutcome {
 /// assert!(end.position[0] > 28.3 && end.position[1] > 0.9); // m, left
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn run_path(scene: &dyn PlanarScene) -> Result<PathRun, SlideError> {
+pub fn run_planar(scene: &dyn PlanarScene) -> Result<PathRun, SlideError> {
     follow_path(scene, &mut |_| true)
 }
 
@@ -132,11 +134,11 @@ pub fn follow_path(
     scene.check()?;
     let body = scene.resistance()?;
     let scene = scene.course();
-    let launch = Launch {
+    let launch = PlanarLaunch {
         velocity: [scene.speed, 0.0],
         spin: scene.spin,
     };
-    let journey = || Journey::new(&body, &launch, scene.stop_fraction);
+    let journey = || PlanarSimulation::new(&body, &launch, scene.stop_fraction);
     let rim = scene.spin * body.radius();
     let per_mass = 0.5 * (scene.speed * scene.speed + body.inertia_ratio() * rim * rim);
     energy_at_launch(scene.mass * per_mass)?;
@@ -150,16 +152,16 @@ pub fn follow_path(
     let times: Vec<f64> = (1..scene.samples)
         .map(|k| interval * f64::from(k))
         .collect();
-    let energy = |point: &Point| scene.mass * energy_per_mass(&body, point);
+    let energy = |point: &PlanarState| scene.mass * energy_per_mass(&body, point);
     let mut series = Vec::new();
-    let observe = |point: &Point| series.push(row(point, energy(point), scene.mass));
+    let observe = |point: &PlanarState| series.push(row(point, energy(point), scene.mass));
     let arrival = journey()?.watched(&times, observe, &mut |share| watch(0.5 + 0.5 * share))?;
     let initial_energy = series.first().map_or(f64::NAN, |row| row[9]);
     let lost = initial_energy - energy(&arrival.point);
     let work = scene.mass * arrival.point.work;
     Ok(PathRun {
         series,
-        outcome: PathOutcome {
+        outcome: PlanarSummary {
             arrival,
             initial_energy,
             energy_error: (work - lost).abs() / initial_energy,
@@ -169,13 +171,13 @@ pub fn follow_path(
 }
 
 /// Kinetic energy per mass, (v² + C (ωR)²)/2.
-pub(super) fn energy_per_mass(body: &impl Resistance, point: &Point) -> f64 {
+pub(super) fn energy_per_mass(body: &impl Resistance, point: &PlanarState) -> f64 {
     let [x, y] = point.velocity;
     let rim = point.spin * body.radius();
     0.5 * (x * x + y * y + body.inertia_ratio() * rim * rim)
 }
 
-fn row(point: &Point, energy: f64, mass: f64) -> [f64; PATH_COLUMNS.len()] {
+fn row(point: &PlanarState, energy: f64, mass: f64) -> [f64; PATH_COLUMNS.len()] {
     let ([x, y], [vx, vy]) = (point.position, point.velocity);
     [
         point.time,
@@ -192,10 +194,10 @@ fn row(point: &Point, energy: f64, mass: f64) -> [f64; PATH_COLUMNS.len()] {
     ]
 }
 
-impl PathOutcome {
+impl PlanarSummary {
     /// The summary as JSON; `stop_time` is null if the body does not come to rest.
     pub fn json(&self, scene: &dyn PlanarScene) -> Value {
-        let Arrival {
+        let PlanarResult {
             point,
             ending,
             most_lean,
@@ -203,8 +205,8 @@ impl PathOutcome {
             steps,
         } = self.arrival;
         let (name, stop_time) = match ending {
-            Ending::Rest => ("rest", json_number(point.time)),
-            Ending::Faded => ("faded", Value::Null),
+            PlanarStopReason::Rest => ("rest", json_number(point.time)),
+            PlanarStopReason::Faded => ("faded", Value::Null),
         };
         let mut map = Map::new();
         map.insert("ending".into(), name.into());
@@ -245,7 +247,7 @@ macro_rules! measured {
             type Error = SlideError;
 
             fn measured(&self, _: &mut dyn FnMut()) -> Result<Measurement, SlideError> {
-                let run = run_path(self)?;
+                let run = run_planar(self)?;
                 let rows = run.series.iter().map(|row| row.to_vec());
                 let summary = run.outcome.json(self);
                 Ok(Measurement::new(&summary, &PATH_COLUMNS, rows))

@@ -1,7 +1,7 @@
 //! One slider followed from launch to end, with its energy balance.
 
-use super::{Ending, Outcome, SlideError, energy_at_launch};
-use crate::slide::scene::{SliderScene, Stepper};
+use super::{SlideError, SlideStopReason, SlideSummary, energy_at_launch};
+use crate::slide::scene::{DiskScene, SliderIntegrator};
 use tribos_base::run::Simulation;
 use tribos_core::Real;
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
@@ -64,9 +64,9 @@ enum StepLength {
 /// ```
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// use tribos::run::Simulation;
-/// use tribos::scene::SliderScene;
-/// use tribos::slide::{COLUMNS, Ending, SlideSimulation};
-/// let mut disk = SlideSimulation::new(CoulombDisk, &SliderScene::default())?;
+/// use tribos::scene::DiskScene;
+/// use tribos::slide::{COLUMNS, SlideStopReason, SlideSimulation};
+/// let mut disk = SlideSimulation::new(CoulombDisk, &DiskScene::default())?;
 /// assert_eq!(COLUMNS[1..3], ["speed", "spin"]);
 /// let mut before = disk.record();
 /// while disk.step()? {
@@ -75,13 +75,13 @@ enum StepLength {
 /// // Sliding and spinning stop in the same instant.
 /// assert!(before[1] > 0.0 && before[2] > 0.0);
 /// assert_eq!(disk.record()[1..3], [0.0, 0.0]);
-/// assert_eq!((disk.outcome()?.ending, disk.progress()), (Ending::Rest, 1.0));
+/// assert_eq!((disk.outcome()?.ending, disk.progress()), (SlideStopReason::Rest, 1.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
 pub struct SlideSimulation<P> {
     slider: Slider<f64, P>,
-    scene: SliderScene,
+    scene: DiskScene,
     length: StepLength,
     /// Time of rest or of fading, or the requested duration.
     end: f64,
@@ -97,7 +97,7 @@ pub struct SlideSimulation<P> {
 
 impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
     /// Prepares a run; the whole motion is computed once to choose and validate the time step.
-    pub fn new(profile: P, scene: &SliderScene) -> Result<Self, SlideError> {
+    pub fn new(profile: P, scene: &DiskScene) -> Result<Self, SlideError> {
         scene.check()?;
         let deceleration = scene.coefficient * scene.gravity;
         let slider = Slider::new(
@@ -214,8 +214,8 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
     /// The scene's time step, or one that suits the motion.
     fn choose_length(&self) -> Result<StepLength, SlideError> {
         let refinement = match self.scene.stepper {
-            Stepper::Exact => 1.0,
-            Stepper::Verlet => VERLET_REFINEMENT,
+            SliderIntegrator::Exact => 1.0,
+            SliderIntegrator::Verlet => VERLET_REFINEMENT,
         };
         let Some(time_step) = self.scene.time_step else {
             let never_rests = self.scene.alpha >= 1.0 && self.scene.duration.is_none();
@@ -341,19 +341,19 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
     }
 
     /// Summary of the run so far.
-    pub fn outcome(&self) -> Result<Outcome, SlideError> {
+    pub fn outcome(&self) -> Result<SlideSummary, SlideError> {
         let energy = |motion| self.scene.mass * self.slider.energy_per_mass(motion);
         let initial = energy(&self.start);
         let lost = initial - energy(&self.motion);
         let ratio_at_start = self.slider.ratio(&self.start);
         let modes = TerminalMotion::new(self.slider.profile(), self.scene.inertia_ratio)?;
-        Ok(Outcome {
+        Ok(SlideSummary {
             ending: if self.rest.is_some() {
-                Ending::Rest
+                SlideStopReason::Rest
             } else if self.scene.duration.is_some() {
-                Ending::Duration
+                SlideStopReason::Duration
             } else {
-                Ending::Faded
+                SlideStopReason::Faded
             },
             time: self.motion.time,
             distance: self.motion.distance,
@@ -369,7 +369,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
 }
 
 /// Fraction of the fading time per step with which the scene's number of samples covers the fading motion.
-fn fading_fraction(scene: &SliderScene) -> f64 {
+fn fading_fraction(scene: &DiskScene) -> f64 {
     -Real::ln(scene.stop_fraction) / f64::from(scene.samples)
 }
 
@@ -410,8 +410,8 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> Simulation for SlideSimula
         let duration = if is_last { left } else { length };
         let before = self.motion.time;
         match self.scene.stepper {
-            Stepper::Exact => self.exact_step(duration, is_last),
-            Stepper::Verlet => self.verlet_step(duration),
+            SliderIntegrator::Exact => self.exact_step(duration, is_last),
+            SliderIntegrator::Verlet => self.verlet_step(duration),
         }
         self.steps += 1;
         let stands_still = self.motion.time <= before;

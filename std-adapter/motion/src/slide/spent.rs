@@ -1,7 +1,7 @@
 //! Distribution of the work of friction over sliding and spinning.
 
 use super::{PathRun, SlideRun};
-use crate::slide::scene::SliderScene;
+use crate::slide::scene::DiskScene;
 
 /// Work of friction in J, split by the motion that it slowed.
 ///
@@ -9,8 +9,8 @@ use crate::slide::scene::SliderScene;
 /// slows the sliding, and the work of the torque slows the spin.
 ///
 /// ```
-/// use tribos::{scene::SliderScene, slide::{Spent, run}};
-/// let scene = SliderScene { speed: 1.0, spin: 5.0, radius: 0.08, mass: 0.1, ..SliderScene::default() };
+/// use tribos::{scene::DiskScene, slide::{Spent, run}};
+/// let scene = DiskScene { speed: 1.0, spin: 5.0, radius: 0.08, mass: 0.1, ..SliderScene::default() };
 /// let spent: Spent = run(&scene, |_| ())?.spent(&scene);
 /// assert!((spent.sliding - 0.05).abs() < 1e-12); // m v²/2
 /// assert!((spent.spinning - 0.004).abs() < 1e-12); // m R² ω²/4
@@ -44,7 +44,7 @@ impl Spent {
 
 impl SlideRun {
     /// Work of friction by the motion that lost the energy.
-    pub fn spent(&self, scene: &SliderScene) -> Spent {
+    pub fn spent(&self, scene: &DiskScene) -> Spent {
         let ends = ends(&self.series).map(|[_, speed, .., kinetic, _]| [speed * speed, kinetic]);
         Spent::between(scene.mass, ends)
     }

@@ -42,7 +42,7 @@ pub const CLAMP_COLUMNS: [&str; 8] = [
 
 /// Results of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ClampOutcome {
+pub struct ClampSummary {
     /// When the pinch lets go, in s; none if it holds to the end.
     pub release: Option<f64>,
     /// Heat of the last whole cycle, in J.
@@ -61,7 +61,7 @@ pub struct ClampRun {
     /// Rows of the series, with the columns of [`CLAMP_COLUMNS`].
     pub rows: Vec<[f64; CLAMP_COLUMNS.len()]>,
     /// The summary.
-    pub outcome: ClampOutcome,
+    pub outcome: ClampSummary,
 }
 
 /// Runs a scene to its end, or to the release.
@@ -116,7 +116,7 @@ fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<Cla
     );
     let last = &rows[begin..=end];
     let positions = || last.iter().map(|row| row[3]);
-    let outcome = ClampOutcome {
+    let outcome = ClampSummary {
         release,
         loss: rows[end][5] - rows[begin][5],
         heat: pinch.heat,
@@ -326,7 +326,7 @@ impl Pinch {
     }
 }
 
-impl ClampOutcome {
+impl ClampSummary {
     fn json(&self) -> Map<String, Value> {
         let mut map = Map::new();
         let ending = if self.release.is_some() {

@@ -3,7 +3,7 @@
 use tribos_base::record::brief;
 use tribos_base::scene::InvalidScene;
 use tribos_core::law::LawError;
-use tribos_friction::Refusal;
+use tribos_friction::FrictionError;
 
 /// Why a body that holds and slips could not be followed to the end.
 ///
@@ -20,7 +20,7 @@ pub enum StickError {
     Scene(#[from] InvalidScene),
     /// The law or the patch was refused.
     #[error(transparent)]
-    Choice(#[from] Refusal),
+    Choice(#[from] FrictionError),
     /// The kernel refused a parameter of the law.
     #[error(transparent)]
     Law(#[from] LawError),

@@ -24,7 +24,7 @@ pub const INCLINE_COLUMNS: [&str; 6] =
 
 /// The instant at which the block lets go.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Release {
+pub struct InclineSlip {
     /// Time, in s.
     pub time: f64,
     /// Angle of the incline, in rad.
@@ -35,9 +35,9 @@ pub struct Release {
 
 /// Results of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InclineOutcome {
+pub struct InclineSummary {
     /// When it lets go; none if it holds to the end.
-    pub release: Option<Release>,
+    pub release: Option<InclineSlip>,
     /// Distance slid, in m: zero to the bit while it holds.
     pub distance: f64,
     /// Speed at the end, in m/s.
@@ -52,7 +52,7 @@ pub struct InclineRun {
     /// Rows of the series, with the columns of [`INCLINE_COLUMNS`].
     pub rows: Vec<[f64; INCLINE_COLUMNS.len()]>,
     /// The summary.
-    pub outcome: InclineOutcome,
+    pub outcome: InclineSummary,
 }
 
 /// Runs a scene to its end.
@@ -85,13 +85,13 @@ pub fn run(scene: &InclineScene) -> Result<InclineRun, StickError> {
     let release = release.map(|time| {
         let angle = slope.angle(time);
         let acceleration = slope.acceleration(angle);
-        Release {
+        InclineSlip {
             time,
             angle,
             acceleration,
         }
     });
-    let outcome = InclineOutcome {
+    let outcome = InclineSummary {
         release,
         distance: state.position,
         speed: state.velocity,
@@ -231,7 +231,7 @@ impl<'a> Slope<'a> {
     }
 }
 
-impl InclineOutcome {
+impl InclineSummary {
     fn json(&self) -> Map<String, Value> {
         let mut map = Map::new();
         let ending = if self.release.is_some() {
@@ -240,7 +240,7 @@ impl InclineOutcome {
             "holds"
         };
         map.insert("ending".into(), ending.into());
-        let of = |part: fn(&Release) -> f64| {
+        let of = |part: fn(&InclineSlip) -> f64| {
             let value = self.release.as_ref().map(part);
             value.map_or(Value::Null, json_number)
         };

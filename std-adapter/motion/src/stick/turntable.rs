@@ -35,7 +35,7 @@ pub const TURNTABLE_COLUMNS: [&str; 10] = [
 
 /// The instant at which the body lets go.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Release {
+pub struct TurntableSlip {
     /// Time, in s.
     pub time: f64,
     /// Angular velocity of the table, in rad/s.
@@ -44,9 +44,9 @@ pub struct Release {
 
 /// Results of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TurntableOutcome {
+pub struct TurntableSummary {
     /// When it lets go; none if it holds to the end.
-    pub release: Option<Release>,
+    pub release: Option<TurntableSlip>,
     /// When it reaches the rim of the table, in s.
     pub left: Option<f64>,
     /// Its place on the table at the end, in m.
@@ -63,7 +63,7 @@ pub struct TurntableRun {
     /// Rows of the series, with the columns of [`TURNTABLE_COLUMNS`].
     pub rows: Vec<[f64; TURNTABLE_COLUMNS.len()]>,
     /// The summary.
-    pub outcome: TurntableOutcome,
+    pub outcome: TurntableSummary,
 }
 
 /// Runs a scene to its end.
@@ -107,7 +107,7 @@ fn watched(
         }
     }
     let [.., x, y, vx, vy, _, angle, _, _] = rows[rows.len() - 1];
-    let outcome = TurntableOutcome {
+    let outcome = TurntableSummary {
         release,
         left,
         place: [x, y],
@@ -157,11 +157,11 @@ impl<'a> Table<'a> {
     }
 
     /// The gauge is convex in Ω²: from below 1 at rest it passes 1 once.
-    fn release(&self) -> Option<Release> {
+    fn release(&self) -> Option<TurntableSlip> {
         let last = self.scene.spin_up * self.scene.duration;
         if self.gauge(0.0) > 1.0 {
             let (time, rate) = (0.0, 0.0);
-            return Some(Release { time, rate });
+            return Some(TurntableSlip { time, rate });
         }
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..DOUBLINGS {
@@ -179,7 +179,7 @@ impl<'a> Table<'a> {
             }
         }
         let (rate, time) = (high, high / self.scene.spin_up);
-        (rate <= last).then_some(Release { time, rate })
+        (rate <= last).then_some(TurntableSlip { time, rate })
     }
 
     fn rate(&self, time: f64) -> f64 {
@@ -192,7 +192,7 @@ impl<'a> Table<'a> {
     }
 
     /// The body that turns with the table, at its release.
-    fn let_go(&self, release: &Release) -> Sliding {
+    fn let_go(&self, release: &TurntableSlip) -> Sliding {
         let angle = self.turned(release.time);
         let place = rotated(Vector2::new(self.scene.distance, 0.0), angle);
         let state = State {
@@ -252,7 +252,7 @@ fn rotated(v: Vector2<f64>, angle: f64) -> Vector2<f64> {
     Vector2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
 }
 
-impl TurntableOutcome {
+impl TurntableSummary {
     fn json(&self, scene: &TurntableScene) -> Map<String, Value> {
         let mut map = Map::new();
         let ending = match (self.release, self.left) {
@@ -262,7 +262,7 @@ impl TurntableOutcome {
         };
         map.insert("ending".into(), ending.into());
         let some = |value: Option<f64>| value.map_or(Value::Null, json_number);
-        let release = |part: fn(&Release) -> f64| some(self.release.as_ref().map(part));
+        let release = |part: fn(&TurntableSlip) -> f64| some(self.release.as_ref().map(part));
         map.insert("release_time".into(), release(|release| release.time));
         map.insert("release_rate".into(), release(|release| release.rate));
         let limit = scene.mu_static * scene.gravity;

@@ -8,9 +8,11 @@ mod sheet;
 use feet::Standing;
 use sheet::Sheet;
 use std::collections::HashMap;
-use tribos::cd::{Laws, Setup, Wall, World, solid};
+use tribos::cd::{Wall, World, WorldMaterials, WorldSetup, solid};
 use tribos::friction::FlatPatch;
-use tribos::slide::planar::{Arrival, Journey, Launch, Resistance, TallCylinder};
+use tribos::slide::planar::{
+    PlanarLaunch, PlanarResult, PlanarSimulation, Resistance, TallCylinder,
+};
 use tribos_core::contact::{Cohesion, IndependentFriction, NormalLaw, SphereBody};
 use tribos_core::coupling::closed::CoulombRing;
 use tribos_core::coupling::table::CoulombDisk;
@@ -59,8 +61,9 @@ fn problems() -> HashMap<String, Problem> {
 /// The quantities of a motion: along, left, turn, stop.
 fn arrived(body: &impl Resistance, problem: &Problem, spin: f64) -> Vec<f64> {
     let velocity = [problem.number("speed"), 0.0];
-    let journey = Journey::new(body, &Launch { velocity, spin }, 1e-4).expect("a launch");
-    let Arrival { point, .. } = journey.to_end().expect("a rest");
+    let journey =
+        PlanarSimulation::new(body, &PlanarLaunch { velocity, spin }, 1e-4).expect("a launch");
+    let PlanarResult { point, .. } = journey.to_end().expect("a rest");
     let [along, left] = point.position;
     vec![along, left, point.angle, point.time]
 }
@@ -112,12 +115,14 @@ fn ball(problem: &Problem, spin: f64) -> Vec<f64> {
         ..solid(radius, 1700.0)
     };
     let normal = NormalLaw::new(Cohesion::NONE, 0.0).expect("a law");
-    let laws = Laws::uniform(
+    let laws = WorldMaterials::uniform(
         normal,
         IndependentFriction::sliding(mu).expect("a coefficient"),
     );
     let up = Vector3::z();
-    let table = Setup::new(laws).wall(Wall::fixed(up, 0.0)).gravity(up * -g);
+    let table = WorldSetup::new(laws)
+        .wall(Wall::fixed(up, 0.0))
+        .gravity(up * -g);
     let mut world = World::new(table.sphere(up * radius, radius, ball)).expect("a world");
     for _ in 0..1000 {
         world.step().expect("a step");

@@ -6,7 +6,7 @@ use super::{COUPLED, TEXT};
 use crate::exhibits::porosity::{ADDITIVITY, FLUCTUATION};
 use crate::runs::{Effort, Runs};
 use anyhow::Result;
-use tribos::scene::Coupling;
+use tribos::scene::FrictionCoupling;
 use tribos_report::claim::Claim;
 
 /// The ratio of pressure to cohesion of the thesis.
@@ -17,7 +17,7 @@ const REPEATED: Made = Made {
     spread: 0.0,
     pressure: 0.64,
     corner: [0.0, 0.0],
-    coupling: Coupling::Independent,
+    coupling: FrictionCoupling::Independent,
 };
 /// Bits of another program: what a porosity of the kept table may be off.
 const REPEATABLE: f64 = 5e-3;
@@ -48,9 +48,9 @@ fn points(estimate: &Estimate) -> String {
 /// What the first paragraph says, at the thesis' pressure and with equal spheres.
 fn stated(map: &Map) -> Vec<Claim> {
     let cell = (0.0, STATED);
-    let excess = map.excess(cell, Coupling::Independent);
+    let excess = map.excess(cell, FrictionCoupling::Independent);
     let pull = |pressure, corner: [f64; 2]| {
-        let term = [(corner, Coupling::Independent, -1.0)];
+        let term = [(corner, FrictionCoupling::Independent, -1.0)];
         map.sums((0.0, pressure), &term, |line| line.pull).mean()
     };
     let pulls = CORNERS.map(|corner| pull(STATED, corner));
@@ -87,7 +87,10 @@ fn stated(map: &Map) -> Vec<Claim> {
 
 /// The same analysis for other ratios of pressure to cohesion.
 fn of_pressure(map: &Map) -> Vec<Claim> {
-    let mean = |cell, corner| map.porosity(cell, corner, Coupling::Independent).mean();
+    let mean = |cell, corner| {
+        map.porosity(cell, corner, FrictionCoupling::Independent)
+            .mean()
+    };
     let falls = CORNERS.iter().flat_map(|&corner| {
         SPREADS.map(move |spread| PRESSURES.map(|pressure| mean((spread, pressure), corner)))
     });
@@ -100,7 +103,7 @@ fn of_pressure(map: &Map) -> Vec<Claim> {
         values.windows(2).all(|pair| pair[0] < pair[1])
     };
     let ordered = cells().filter(in_order).count();
-    let excess = |cell| map.excess(cell, Coupling::Independent);
+    let excess = |cell| map.excess(cell, FrictionCoupling::Independent);
     let differ = cells()
         .filter(|&cell| excess(cell).differs_from_zero())
         .count();
@@ -169,13 +172,13 @@ fn of_sizes(map: &Map) -> Vec<Claim> {
     let by_width = |of: &dyn Fn((f64, f64)) -> Estimate| {
         SPREADS.map(|spread| mean_of(&PRESSURES.map(|pressure| of((spread, pressure)))))
     };
-    let excess = by_width(&|cell| map.excess(cell, Coupling::Independent));
+    let excess = by_width(&|cell| map.excess(cell, FrictionCoupling::Independent));
     let torques = [
-        ([1.0; 2], Coupling::Independent, 1.0),
-        ([0.0; 2], Coupling::Independent, -1.0),
+        ([1.0; 2], FrictionCoupling::Independent, 1.0),
+        ([0.0; 2], FrictionCoupling::Independent, -1.0),
     ];
     let added = by_width(&|cell| map.sums(cell, &torques, |line| line.porosity));
-    let base = by_width(&|cell| map.porosity(cell, [0.0; 2], Coupling::Independent));
+    let base = by_width(&|cell| map.porosity(cell, [0.0; 2], FrictionCoupling::Independent));
     let list = |means: &[f64]| {
         let each = means.iter().map(|mean| format!("{:+.1}", 100.0 * mean));
         each.collect::<Vec<_>>().join(", ")
@@ -220,7 +223,7 @@ fn of_coupling(map: &Map) -> Vec<Claim> {
     };
     let coupled = [COUPLINGS[1], COUPLINGS[2]];
     let differences = coupled.map(pooled);
-    let words = |of: &dyn Fn(Coupling) -> String| {
+    let words = |of: &dyn Fn(FrictionCoupling) -> String| {
         let each = coupled
             .iter()
             .map(|&coupling| format!("{} {}", name(coupling), of(coupling)));

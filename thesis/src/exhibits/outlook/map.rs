@@ -1,7 +1,7 @@
 //! Sums and differences of porosities over the map, deposit by deposit.
 
 use super::table::{Line, Made};
-use tribos::scene::Coupling;
+use tribos::scene::FrictionCoupling;
 
 /// Mean of some deposits, and what it is good to.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,7 +50,7 @@ pub struct Map {
 }
 
 /// A corner with its coupling, and its weight in a sum.
-pub type Term = ([f64; 2], Coupling, f64);
+pub type Term = ([f64; 2], FrictionCoupling, f64);
 
 impl Map {
     pub fn new(lines: Vec<Line>) -> Self {
@@ -80,7 +80,7 @@ impl Map {
                 let coupling = if corner[1] > 0.0 {
                     coupling
                 } else {
-                    Coupling::Independent
+                    FrictionCoupling::Independent
                 };
                 let made = Made {
                     seed,
@@ -98,12 +98,17 @@ impl Map {
     }
 
     /// Porosity at a corner.
-    pub fn porosity(&self, cell: (f64, f64), corner: [f64; 2], coupling: Coupling) -> Estimate {
+    pub fn porosity(
+        &self,
+        cell: (f64, f64),
+        corner: [f64; 2],
+        coupling: FrictionCoupling,
+    ) -> Estimate {
         self.sums(cell, &[(corner, coupling, 1.0)], |line| line.porosity)
     }
 
     /// E₁(1,1) − E₁(1,0) − E₁(0,1): 0 if the contributions add up.
-    pub fn excess(&self, cell: (f64, f64), coupling: Coupling) -> Estimate {
+    pub fn excess(&self, cell: (f64, f64), coupling: FrictionCoupling) -> Estimate {
         let terms = [
             ([1.0, 1.0], coupling, 1.0),
             ([1.0, 0.0], coupling, -1.0),
@@ -114,20 +119,25 @@ impl Map {
     }
 
     /// What a coupling adds to the porosity at a corner.
-    pub fn coupled(&self, cell: (f64, f64), corner: [f64; 2], coupling: Coupling) -> Estimate {
+    pub fn coupled(
+        &self,
+        cell: (f64, f64),
+        corner: [f64; 2],
+        coupling: FrictionCoupling,
+    ) -> Estimate {
         let terms = [
             (corner, coupling, 1.0),
-            (corner, Coupling::Independent, -1.0),
+            (corner, FrictionCoupling::Independent, -1.0),
         ];
         self.sums(cell, &terms, |line| line.porosity)
     }
 
     /// Geometric mean over all pairs of the cost of a coupling over that of independent limits.
-    pub fn cost(&self, coupling: Coupling, of: impl Fn(&Line) -> f64) -> f64 {
+    pub fn cost(&self, coupling: FrictionCoupling, of: impl Fn(&Line) -> f64) -> f64 {
         let pair = |line: &&Line| line.made.coupling == coupling;
         let ratios = self.lines.iter().filter(pair).filter_map(|line| {
             let made = Made {
-                coupling: Coupling::Independent,
+                coupling: FrictionCoupling::Independent,
                 ..line.made
             };
             Some((of(line) / of(self.line(made)?)).ln())
@@ -143,7 +153,7 @@ impl Map {
 mod tests {
     use super::*;
 
-    fn line(seed: u64, corner: [f64; 2], coupling: Coupling, porosity: f64) -> Line {
+    fn line(seed: u64, corner: [f64; 2], coupling: FrictionCoupling, porosity: f64) -> Line {
         Line {
             made: Made {
                 seed,
@@ -172,21 +182,26 @@ mod tests {
         // Deposits differ by 0.1, their excess does not.
         for (seed, base) in [(1, 0.4), (2, 0.5)] {
             for (corner, more) in corners.into_iter().zip([0.0, 0.1, 0.2, 0.28]) {
-                lines.push(line(seed, corner, Coupling::Independent, base + more));
+                lines.push(line(
+                    seed,
+                    corner,
+                    FrictionCoupling::Independent,
+                    base + more,
+                ));
             }
         }
-        lines.push(line(3, [0.0, 0.0], Coupling::Independent, 0.9));
-        lines.push(line(2, [0.0, 1.0], Coupling::Exact, 0.3));
+        lines.push(line(3, [0.0, 0.0], FrictionCoupling::Independent, 0.9));
+        lines.push(line(2, [0.0, 1.0], FrictionCoupling::Exact, 0.3));
         let map = Map::new(lines);
-        let excess = map.excess(CELL, Coupling::Independent);
+        let excess = map.excess(CELL, FrictionCoupling::Independent);
         assert_eq!(excess.values.len(), 2);
         assert!((excess.mean() + 0.02).abs() < 1e-15 && excess.error() < 1e-15);
         assert!(excess.differs_from_zero());
-        let coupled = map.coupled(CELL, [0.0, 1.0], Coupling::Exact);
+        let coupled = map.coupled(CELL, [0.0, 1.0], FrictionCoupling::Exact);
         assert_eq!(coupled.values.len(), 1);
         assert!((coupled.mean() + 0.3).abs() < 1e-15 && coupled.error().is_nan());
         assert!(!coupled.differs_from_zero());
-        assert!((map.cost(Coupling::Exact, |line| line.sweeps) - 0.5).abs() < 1e-15);
+        assert!((map.cost(FrictionCoupling::Exact, |line| line.sweeps) - 0.5).abs() < 1e-15);
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 use crate::runs::{Case, Run, Runs, System};
 use anyhow::{Context, Result, anyhow};
-use tribos::powder::Ending;
-use tribos::scene::{Coupling, Criterion};
+use tribos::powder::PowderStopReason;
+use tribos::scene::{BlockedCriterion, FrictionCoupling};
 
 /// The kept table with the commands that made it.
 const KEPT: &str = include_str!("runs.csv");
@@ -13,7 +13,11 @@ pub const PRESSURES: [f64; 6] = [0.000_625, 0.0025, 0.01, 0.04, 0.16, 0.64];
 /// Half the width of the distribution of radii, in mean radii.
 pub const SPREADS: [f64; 4] = [0.0, 0.2, 0.4, 0.6];
 /// The couplings of sliding and torsion, the one without first.
-pub const COUPLINGS: [Coupling; 3] = [Coupling::Independent, Coupling::Ellipsoid, Coupling::Exact];
+pub const COUPLINGS: [FrictionCoupling; 3] = [
+    FrictionCoupling::Independent,
+    FrictionCoupling::Ellipsoid,
+    FrictionCoupling::Exact,
+];
 /// Rolling and torsion coefficients.
 pub const CORNERS: [[f64; 2]; 4] = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
 /// Deposits of each width in a full report.
@@ -27,7 +31,7 @@ pub struct Made {
     pub pressure: f64,
     /// μ_t and μ_n.
     pub corner: [f64; 2],
-    pub coupling: Coupling,
+    pub coupling: FrictionCoupling,
 }
 
 /// A compaction and its end.
@@ -53,14 +57,16 @@ impl Made {
             pressure, spread, ..
         } = *self;
         let mut case = Case::new(System::Small, self.corner, self.seed)
-            .with("blocked=piston", |scene| scene.blocked = Criterion::Piston)
+            .with("blocked=piston", |scene| {
+                scene.blocked = BlockedCriterion::Piston
+            })
             .with(&format!("pressure={pressure}"), |scene| {
                 scene.pressure = pressure
             })
             .with(&format!("radius_spread={spread}"), |scene| {
                 scene.radius_spread = spread
             });
-        if self.coupling != Coupling::Independent {
+        if self.coupling != FrictionCoupling::Independent {
             let coupling = self.coupling;
             case = case.with(&format!("coupling={}", name(coupling)), |scene| {
                 scene.coupling = coupling
@@ -100,7 +106,7 @@ impl Line {
         let outcome = &run.outcome;
         Self {
             made,
-            blocked: outcome.ending == Some(Ending::Blocked),
+            blocked: outcome.ending == Some(PowderStopReason::Blocked),
             porosity: outcome.porosity[1],
             contacts: outcome.statistics.contacts as f64,
             steps: outcome.steps as f64,
@@ -122,11 +128,11 @@ pub fn cells() -> impl Iterator<Item = (f64, f64)> {
 }
 
 /// Its word in scenes.
-pub fn name(coupling: Coupling) -> &'static str {
+pub fn name(coupling: FrictionCoupling) -> &'static str {
     match coupling {
-        Coupling::Independent => "independent",
-        Coupling::Ellipsoid => "ellipsoid",
-        Coupling::Exact => "exact",
+        FrictionCoupling::Independent => "independent",
+        FrictionCoupling::Ellipsoid => "ellipsoid",
+        FrictionCoupling::Exact => "exact",
     }
 }
 
@@ -212,7 +218,7 @@ mod tests {
                 line.made
             );
             assert!(CORNERS.contains(&corner) && (0.0..1.0).contains(&line.porosity));
-            assert!(corner[1] > 0.0 || coupling == Coupling::Independent);
+            assert!(corner[1] > 0.0 || coupling == FrictionCoupling::Independent);
             assert!(
                 lines[..at].iter().all(|other| other.made != line.made),
                 "{:?}",

@@ -3,9 +3,9 @@
 use super::{Porosities, TEXT, grid};
 use crate::runs::{Case, Runs, System};
 use anyhow::Result;
-use tribos::powder::Ending;
+use tribos::powder::PowderStopReason;
 use tribos::powder::deposit::curve::statistics;
-use tribos::scene::{Criterion, SweepMethod, SweepStop, WallLaw};
+use tribos::scene::{BlockedCriterion, SweepMethod, SweepStop, WallLaw};
 use tribos_report::claim::{Claim, Otherwise};
 use tribos_report::verdict::Allowance;
 
@@ -35,7 +35,7 @@ pub fn few_sweeps(friction: [f64; 2]) -> Case {
         scene.stop = SweepStop::Fixed;
         scene.sweeps = 20;
         scene.warm_start = false;
-        scene.blocked = Criterion::Piston;
+        scene.blocked = BlockedCriterion::Piston;
         scene.steps = 4000;
     })
 }
@@ -168,7 +168,7 @@ fn trials(runs: &Runs) -> Result<Vec<Claim>> {
     ];
     let runs = runs.of(&cases)?;
     let ends: Vec<f64> = runs.iter().map(|run| run.outcome.porosity[1]).collect();
-    let blocked = |at: usize| runs[at].outcome.ending == Some(Ending::Blocked);
+    let blocked = |at: usize| runs[at].outcome.ending == Some(PowderStopReason::Blocked);
     let shown = |at: usize| {
         let creeping = if blocked(at) { "" } else { ", still sinking" };
         format!("{:.1} %{creeping}", 100.0 * ends[at])

@@ -3,14 +3,14 @@
 use crate::command::explain::{line, takes, within};
 use crate::failure::Failure;
 use std::time::Instant;
-use tribos::scene::SliderScene;
+use tribos::scene::DiskScene;
 use tribos::slide::{self, PlanarScene, Spent};
 
 /// Share of all work below which a motion counts as idle, and a bend of the path as straight.
 const LITTLE: f64 = 0.01;
 
 /// A disk on its straight path.
-pub fn disk(scene: &SliderScene) -> Result<String, Failure> {
+pub fn disk(scene: &DiskScene) -> Result<String, Failure> {
     let begun = Instant::now();
     let spent = slide::run(scene, |_| ())?.spent(scene);
     let time = takes(begun.elapsed());

@@ -5,7 +5,7 @@ use crate::command::run::files;
 use crate::command::run::order::Order;
 use crate::command::run::powder::states;
 use crate::failure::Failure;
-use tribos::grains::{COLUMNS, Ending, Grains, Outcome};
+use tribos::grains::{COLUMNS, GrainsSimulation, GrainsStopReason, GrainsSummary};
 use tribos::powder::STATE;
 use tribos::record::write_series;
 use tribos::run::folder::OutputFolder;
@@ -15,8 +15,8 @@ use tribos_report::runs::grains as picture;
 /// Writes series, states, pictures and at last the summary.
 pub fn write(
     scene: &GrainsScene,
-    run: &Grains,
-    outcome: &Outcome,
+    run: &GrainsSimulation,
+    outcome: &GrainsSummary,
     folder: &OutputFolder,
     order: &Order<'_>,
 ) -> Result<(), Failure> {
@@ -25,7 +25,7 @@ pub fn write(
     let rows = rows.map(<[f64; COLUMNS.len()]>::as_slice);
     write_series(&folder.path().join("series.csv"), &COLUMNS, rows)?;
 
-    let start = Grains::new(scene)?;
+    let start = GrainsSimulation::new(scene)?;
     start.with_snapshot(|snapshot| states(snapshot, "initial", folder, order))?;
     run.with_snapshot(|snapshot| states(snapshot, "final", folder, order))?;
     folder.write(STATE, run.state().as_bytes())?;
@@ -43,11 +43,11 @@ pub fn write(
 }
 
 /// A few lines for the person at the terminal.
-pub fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
+pub fn report(outcome: &GrainsSummary, order: &Order<'_>) -> Result<(), Failure> {
     let ending = match outcome.ending {
-        Some(Ending::Rest) => "at rest",
-        Some(Ending::Time) => "duration over",
-        Some(Ending::Steps) | None => "steps done",
+        Some(GrainsStopReason::Rest) => "at rest",
+        Some(GrainsStopReason::Time) => "duration over",
+        Some(GrainsStopReason::Steps) | None => "steps done",
     };
     let column = |name: &str| shown(outcome.column(name).unwrap_or(f64::NAN));
     let mut text = format!(

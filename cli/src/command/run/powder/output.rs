@@ -4,7 +4,7 @@ use crate::command::digits::shown;
 use crate::command::run::files;
 use crate::command::run::order::Order;
 use crate::failure::Failure;
-use tribos::powder::{COLUMNS, Compaction, Ending, Outcome, STATE};
+use tribos::powder::{COLUMNS, PowderSimulation, PowderStopReason, PowderSummary, STATE};
 use tribos::record::{
     Snapshot, SnapshotError, contacts_vtp, extended_xyz, particles_vtp, write_series,
 };
@@ -25,8 +25,8 @@ const EXPORTS: [(&str, Export); 3] = [
 /// Writes series, states, pictures and at last the summary.
 pub fn write(
     scene: &PowderScene,
-    compaction: &Compaction,
-    outcome: &Outcome,
+    compaction: &PowderSimulation,
+    outcome: &PowderSummary,
     folder: &OutputFolder,
     order: &Order<'_>,
 ) -> Result<(), Failure> {
@@ -78,11 +78,11 @@ pub fn states(
 }
 
 /// A few lines for the person at the terminal.
-pub fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
+pub fn report(outcome: &PowderSummary, order: &Order<'_>) -> Result<(), Failure> {
     let ending = match outcome.ending {
-        Some(Ending::Blocked) => "blocked",
-        Some(Ending::Time) => "duration over before the packing was blocked",
-        Some(Ending::Steps) | None => "steps done before the packing was blocked",
+        Some(PowderStopReason::Blocked) => "blocked",
+        Some(PowderStopReason::Time) => "duration over before the packing was blocked",
+        Some(PowderStopReason::Steps) | None => "steps done before the packing was blocked",
     };
     let [before, after] = outcome.porosity.map(|porosity| shown(100.0 * porosity));
     let [total, plus, minus] = outcome.stress_zz();
@@ -110,7 +110,7 @@ pub fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
 }
 
 /// Steps that did not end as they should, and what that means.
-fn unmet(outcome: &Outcome) -> String {
+fn unmet(outcome: &PowderSummary) -> String {
     let mut text = String::new();
     if outcome.impacts_cut > 0 {
         text += &format!(
@@ -142,7 +142,7 @@ fn unmet(outcome: &Outcome) -> String {
 }
 
 /// Where the work went.
-fn budget(outcome: &Outcome) -> String {
+fn budget(outcome: &PowderSummary) -> String {
     let work = outcome.energy.work;
     let mut text = format!("work          {}, of which\n", shown(work));
     for (name, energy) in outcome.dissipation() {

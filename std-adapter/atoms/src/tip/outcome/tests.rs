@@ -4,7 +4,7 @@ use super::*;
 use crate::tip::scene::TipScene;
 
 /// Lines with the angles of layers from column 7 on, and a work of 60.
-fn seen(scene: &TipScene, lines: &[Vec<f64>]) -> Outcome {
+fn seen(scene: &TipScene, lines: &[Vec<f64>]) -> TipSummary {
     let measured = Measured {
         lines,
         layers: 7,
@@ -12,11 +12,11 @@ fn seen(scene: &TipScene, lines: &[Vec<f64>]) -> Outcome {
         work: 60.0,
         samples: lines.len(),
     };
-    Outcome::of(scene, &measured)
+    TipSummary::of(scene, &measured)
 }
 
 /// A drive from 0 to 100 and a rest to 160, four layers, a line each τ from −10 on.
-fn outcome(angles: impl Fn(f64) -> [f64; 5], until: i32) -> Outcome {
+fn outcome(angles: impl Fn(f64) -> [f64; 5], until: i32) -> TipSummary {
     let text = "body = \"tip\"\nlambda = 1\ntip_layers = 4\nequilibration = 10\ndrive_time = 100\n\
                 rest_time = 60\ntime_step = 0.01";
     let scene = TipScene::parse("tip.toml", text, &[]).unwrap();
@@ -33,7 +33,7 @@ fn outcome(angles: impl Fn(f64) -> [f64; 5], until: i32) -> Outcome {
 }
 
 /// Turned by so much while driven and so much after it, all layers alike.
-fn alike(driven: f64, after: f64) -> Outcome {
+fn alike(driven: f64, after: f64) -> TipSummary {
     let angle = move |time: f64| {
         if time <= 100.0 {
             driven * time / 100.0
@@ -46,11 +46,11 @@ fn alike(driven: f64, after: f64) -> Outcome {
 
 #[test]
 fn the_last_angle_tells_whether_the_tip_turned_back() {
-    assert_eq!(alike(5.0, 0.9).verdict, Verdict::Reversible);
-    assert_eq!(alike(-5.0, -0.9).verdict, Verdict::Reversible);
-    assert_eq!(alike(5.0, 1.1).verdict, Verdict::Irreversible);
-    assert_eq!(alike(-5.0, -1.1).verdict, Verdict::Irreversible);
-    assert_eq!(outcome(|_| [0.0; 5], 159).verdict, Verdict::Open);
+    assert_eq!(alike(5.0, 0.9).verdict, Reversal::Reversible);
+    assert_eq!(alike(-5.0, -0.9).verdict, Reversal::Reversible);
+    assert_eq!(alike(5.0, 1.1).verdict, Reversal::Irreversible);
+    assert_eq!(alike(-5.0, -1.1).verdict, Reversal::Irreversible);
+    assert_eq!(outcome(|_| [0.0; 5], 159).verdict, Reversal::Open);
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn without_a_rest_nothing_is_known() {
     let text = "body = \"tip\"\nlambda = 1\nequilibration = 0\ndrive_time = 1\nrest_time = 0";
     let scene = TipScene::parse("tip.toml", text, &[]).unwrap();
     let series = [vec![0.0; 13], [vec![1.0], vec![0.0; 12]].concat()];
-    assert_eq!(seen(&scene, &series).verdict, Verdict::Open);
+    assert_eq!(seen(&scene, &series).verdict, Reversal::Open);
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn angles_are_means_over_the_last_twenty_of_each_stage() {
     let early = outcome(|time| [if time < 140.0 { 9.0 } else { 0.0 }; 5], 160);
     assert_eq!(
         (early.verdict, early.final_angle),
-        (Verdict::Reversible, 0.0)
+        (Reversal::Reversible, 0.0)
     );
 }
 

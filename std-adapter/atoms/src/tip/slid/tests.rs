@@ -51,7 +51,7 @@ fn saw(x: f64) -> f64 {
 fn a_saw_tooth_has_its_mean_its_period_and_its_slips() {
     for sign in [1.0, -1.0] {
         let scene = scene(Some(STROKE), 36.0);
-        let slid = Slid::of(&scene, &looks(36.0, |x| sign * saw(x)), &Loops::default());
+        let slid = SlidingSummary::of(&scene, &looks(36.0, |x| sign * saw(x)), &Loops::default());
         assert_eq!(slid.strokes, 3);
         // Half a stroke is two teeth and a half: means of 2 for four halves, of 2.5 for the last.
         let expected = sign * 2.1;
@@ -78,7 +78,7 @@ fn a_loop_is_what_the_support_did_between_every_second_turning_point() {
             .to_vec(),
         turns: vec![3.0, 5.0, 11.0, 14.0, 20.0],
     };
-    let slid = Slid::of(&scene(Some(STROKE), 60.0), &looks(60.0, saw), &loops);
+    let slid = SlidingSummary::of(&scene(Some(STROKE), 60.0), &looks(60.0, saw), &loops);
     assert_eq!((slid.strokes, slid.loops), (5, 2));
     assert_eq!(slid.loop_work, 0.5 * (8.0 + 9.0));
     assert_eq!(slid.friction, 8.5 / 12.0);
@@ -88,7 +88,7 @@ fn a_loop_is_what_the_support_did_between_every_second_turning_point() {
 
 #[test]
 fn what_a_run_has_not_is_no_number() {
-    let none = Slid::of(
+    let none = SlidingSummary::of(
         &scene(Some(STROKE), 5.0),
         &looks(5.0, saw),
         &Loops::default(),
@@ -97,7 +97,7 @@ fn what_a_run_has_not_is_no_number() {
     assert!(none.friction.is_nan() && none.period.is_nan() && none.work.is_nan());
     assert!(none.json()["friction"].as_f64().is_none());
     // Without turning points the whole way is one stroke.
-    let far = Slid::of(&scene(None, 12.0), &looks(12.0, saw), &Loops::default());
+    let far = SlidingSummary::of(&scene(None, 12.0), &looks(12.0, saw), &Loops::default());
     assert_eq!((far.strokes, far.loops), (1, 0));
     assert!(far.friction_back.is_nan() && far.friction_forth > 1.0);
 }

@@ -7,18 +7,18 @@ use std::path::PathBuf;
 /// A file of a contact problem could not be read or written.
 ///
 /// ```
-/// use tribos::problem::{Place, Problem};
+/// use tribos::problem::{Place, ContactProblem};
 /// let home = tempfile::tempdir()?;
 /// let path = home.path().join("fall.dat");
 /// std::fs::write(&path, "3\n1\n0\n3 x")?;
-/// let error = Problem::read(&path).unwrap_err();
+/// let error = ContactProblem::read(&path).unwrap_err();
 /// assert!(matches!(error.place, Place::Line(4)));
 /// assert!(error.to_string().contains("fall.dat, line 4: the number of rows is 3, not at most 2"));
 /// # Ok::<(), std::io::Error>(())
 /// ```
 #[derive(Debug, thiserror::Error)]
 #[error("{}{place}: {fault}", path.display())]
-pub struct FileError {
+pub struct ProblemFileError {
     /// Path of the file.
     pub path: PathBuf,
     /// Where in the file.

@@ -6,37 +6,37 @@ mod siconos;
 #[cfg(test)]
 mod tests;
 
-pub use error::{Fault, FileError, Place};
+pub use error::{Fault, Place, ProblemFileError};
 
-use super::{ContactLaw, Global, Layout, ProblemError, Reduced};
+use super::{ContactComponents, ContactThresholds, GlobalProblem, ProblemError, ReducedProblem};
 use std::path::Path;
 use tribos_base::record::write_atomically;
 
 /// A contact problem of either kind.
 ///
 /// ```
-/// use tribos::problem::{ContactLaw, Format, Layout, Matrix, Problem, Reduced};
-/// let w = Matrix::from_triplets([3, 3], &[(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5)])?;
-/// let fall = Reduced::new(Layout::Space, w, vec![-3.0, 4.0, 0.0], vec![ContactLaw::coulomb(0.5)])?;
-/// let problem = Problem::from(fall);
+/// use tribos::problem::{ContactThresholds, ProblemFormat, ContactComponents, SparseMatrix, ContactProblem, ReducedProblem};
+/// let w = SparseMatrix::from_triplets([3, 3], &[(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5)])?;
+/// let fall = ReducedProblem::new(ContactComponents::Space, w, vec![-3.0, 4.0, 0.0], vec![ContactThresholds::coulomb(0.5)])?;
+/// let problem = ContactProblem::from(fall);
 /// let home = tempfile::tempdir()?;
-/// for (name, format) in [("fall.hdf5", Format::FclibHdf5), ("fall.dat", Format::SiconosText)] {
+/// for (name, format) in [("fall.hdf5", ProblemFormat::FclibHdf5), ("fall.dat", ProblemFormat::SiconosText)] {
 ///     problem.write(&home.path().join(name), format)?;
-///     assert_eq!(Problem::read(&home.path().join(name))?, problem);
+///     assert_eq!(ContactProblem::read(&home.path().join(name))?, problem);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub enum Problem {
+pub enum ContactProblem {
     /// Between impulses: u = W r + q.
-    Reduced(Reduced),
+    Reduced(ReducedProblem),
     /// Between bodies: M v = H r + f.
-    Global(Global),
+    Global(GlobalProblem),
 }
 
 /// Format of a file of a contact problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Format {
+pub enum ProblemFormat {
     /// HDF5 as the library FCLib lays it out.
     ///
     /// Groups `fclib_local` (W, q), `fclib_global` or `fclib_global_rolling` (M, H, f, w). Coefficients are
@@ -53,7 +53,7 @@ pub enum Format {
     SiconosText,
 }
 
-impl Problem {
+impl ContactProblem {
     /// Reads a file; its contents tell the format, not its name.
     ///
     /// Text of Siconos does not say which kind of problem it holds: a file of one matrix is [`Self::Reduced`], one of two
@@ -64,14 +64,14 @@ impl Problem {
     /// (`G`, `V`, `R`) are refused.
     ///
     /// # Errors
-    /// [`FileError`] if the file cannot be read, or is not a contact problem. Memory is bounded by a multiple
+    /// [`ProblemFileError`] if the file cannot be read, or is not a contact problem. Memory is bounded by a multiple
     /// of the file's size, whatever sizes it claims.
-    pub fn read(path: &Path) -> Result<Self, FileError> {
+    pub fn read(path: &Path) -> Result<Self, ProblemFileError> {
         let parsed = match std::fs::read(path) {
             Ok(bytes) => Self::parse(&bytes),
             Err(cause) => Err((Place::File, Fault::Read(cause))),
         };
-        parsed.map_err(|(place, fault)| FileError {
+        parsed.map_err(|(place, fault)| ProblemFileError {
             path: path.to_path_buf(),
             place,
             fault: fault.into(),
@@ -91,16 +91,16 @@ impl Problem {
     /// Writes a file; it is complete, or an earlier one at `path` is unchanged.
     ///
     /// # Errors
-    /// [`FileError`] if the format has no place for a law or a layout, or the file cannot be written.
-    pub fn write(&self, path: &Path, format: Format) -> Result<(), FileError> {
+    /// [`ProblemFileError`] if the format has no place for a law or a layout, or the file cannot be written.
+    pub fn write(&self, path: &Path, format: ProblemFormat) -> Result<(), ProblemFileError> {
         let bytes = match format {
-            Format::FclibHdf5 => fclib::write(self),
-            Format::SiconosText => siconos::write(self).map(String::into_bytes),
+            ProblemFormat::FclibHdf5 => fclib::write(self),
+            ProblemFormat::SiconosText => siconos::write(self).map(String::into_bytes),
         };
         let written = bytes.and_then(|bytes| {
             write_atomically(path, &bytes).map_err(|error| (Place::File, Fault::Write(error.cause)))
         });
-        written.map_err(|(place, fault)| FileError {
+        written.map_err(|(place, fault)| ProblemFileError {
             path: path.to_path_buf(),
             place,
             fault: fault.into(),
@@ -111,7 +111,7 @@ impl Problem {
     ///
     /// # Errors
     /// [`ProblemError::Singular`] if M has no inverse.
-    pub fn reduced(&self) -> Result<Reduced, ProblemError> {
+    pub fn reduced(&self) -> Result<ReducedProblem, ProblemError> {
         match self {
             Self::Reduced(problem) => Ok(problem.clone()),
             Self::Global(problem) => problem.reduced(),
@@ -120,7 +120,7 @@ impl Problem {
 
     /// Components of each contact.
     #[must_use]
-    pub fn layout(&self) -> Layout {
+    pub fn layout(&self) -> ContactComponents {
         match self {
             Self::Reduced(problem) => problem.layout(),
             Self::Global(problem) => problem.layout(),
@@ -129,7 +129,7 @@ impl Problem {
 
     /// Laws of the contacts.
     #[must_use]
-    pub fn laws(&self) -> &[ContactLaw] {
+    pub fn laws(&self) -> &[ContactThresholds] {
         match self {
             Self::Reduced(problem) => problem.laws(),
             Self::Global(problem) => problem.laws(),
@@ -137,14 +137,14 @@ impl Problem {
     }
 }
 
-impl From<Reduced> for Problem {
-    fn from(problem: Reduced) -> Self {
+impl From<ReducedProblem> for ContactProblem {
+    fn from(problem: ReducedProblem) -> Self {
         Self::Reduced(problem)
     }
 }
 
-impl From<Global> for Problem {
-    fn from(problem: Global) -> Self {
+impl From<GlobalProblem> for ContactProblem {
+    fn from(problem: GlobalProblem) -> Self {
         Self::Global(problem)
     }
 }

@@ -1,8 +1,11 @@
 //! Round trips, texts of every storage, samples, and files that are damaged.
 
-use super::super::{ContactLaw, Friction, Global, Layout, Matrix, ProblemError, Reduced};
+use super::super::{
+    ContactComponents, ContactThresholds, Friction, GlobalProblem, ProblemError, ReducedProblem,
+    SparseMatrix,
+};
 use super::super::{residual, solve};
-use super::{Fault, FileError, Format, Place, Problem};
+use super::{ContactProblem, Fault, Place, ProblemFileError, ProblemFormat};
 use std::path::Path;
 use tribos_base::random::Random;
 
@@ -17,7 +20,7 @@ fn values(random: &mut Random, count: usize) -> Vec<f64> {
 }
 
 /// A matrix with a third of its entries.
-fn matrix(random: &mut Random, shape: [usize; 2]) -> Matrix {
+fn matrix(random: &mut Random, shape: [usize; 2]) -> SparseMatrix {
     let [rows, columns] = shape;
     let mut triplets = Vec::new();
     for row in 0..rows {
@@ -27,44 +30,57 @@ fn matrix(random: &mut Random, shape: [usize; 2]) -> Matrix {
             }
         }
     }
-    Matrix::from_triplets(shape, &triplets).unwrap()
+    SparseMatrix::from_triplets(shape, &triplets).unwrap()
 }
 
 /// Laws that both formats hold.
-fn plain_laws(random: &mut Random, layout: Layout, contacts: usize) -> Vec<ContactLaw> {
-    let law = |_| ContactLaw {
+fn plain_laws(
+    random: &mut Random,
+    layout: ContactComponents,
+    contacts: usize,
+) -> Vec<ContactThresholds> {
+    let law = |_| ContactThresholds {
         sliding: random.unit(),
         rolling: if layout.rolling().is_empty() {
             0.0
         } else {
             random.unit()
         },
-        ..ContactLaw::default()
+        ..ContactThresholds::default()
     };
     (0..contacts).map(law).collect()
 }
 
-fn local(seed: u64, layout: Layout, contacts: usize) -> Problem {
+fn local(seed: u64, layout: ContactComponents, contacts: usize) -> ContactProblem {
     let random = &mut Random::new(seed, 0);
     let size = layout.size() * contacts;
     let (w, q) = (matrix(random, [size, size]), values(random, size));
     let laws = plain_laws(random, layout, contacts);
-    Reduced::new(layout, w, q, laws).unwrap().into()
+    ReducedProblem::new(layout, w, q, laws).unwrap().into()
 }
 
-fn global(seed: u64, layout: Layout, contacts: usize, freedoms: usize) -> Problem {
+fn global(
+    seed: u64,
+    layout: ContactComponents,
+    contacts: usize,
+    freedoms: usize,
+) -> ContactProblem {
     let random = &mut Random::new(seed, 1);
     let size = layout.size() * contacts;
     let m = matrix(random, [freedoms, freedoms]);
     let h = matrix(random, [freedoms, size]);
     let (f, w) = (values(random, freedoms), values(random, size));
     let laws = plain_laws(random, layout, contacts);
-    Global::new(layout, m, h, f, w, laws).unwrap().into()
+    GlobalProblem::new(layout, m, h, f, w, laws).unwrap().into()
 }
 
 /// Small problems of both kinds, the empty ones among them.
-fn problems() -> Vec<Problem> {
-    let layouts = [Layout::Plane, Layout::Space, Layout::Rolling];
+fn problems() -> Vec<ContactProblem> {
+    let layouts = [
+        ContactComponents::Plane,
+        ContactComponents::Space,
+        ContactComponents::Rolling,
+    ];
     let mut problems = Vec::new();
     for (seed, layout) in (0..).zip(layouts) {
         for contacts in [0, 1, 4] {
@@ -76,19 +92,19 @@ fn problems() -> Vec<Problem> {
     problems
 }
 
-fn written(problem: &Problem, format: Format) -> Vec<u8> {
+fn written(problem: &ContactProblem, format: ProblemFormat) -> Vec<u8> {
     let home = tempfile::tempdir().unwrap();
     // The name says the other format.
     let path = home.path().join(match format {
-        Format::FclibHdf5 => "problem.dat",
-        Format::SiconosText => "problem.hdf5",
+        ProblemFormat::FclibHdf5 => "problem.dat",
+        ProblemFormat::SiconosText => "problem.hdf5",
     });
     problem.write(&path, format).unwrap();
     std::fs::read(path).unwrap()
 }
 
-fn parsed(bytes: &[u8]) -> Result<Problem, FileError> {
-    Problem::parse(bytes).map_err(|(place, fault)| FileError {
+fn parsed(bytes: &[u8]) -> Result<ContactProblem, ProblemFileError> {
+    ContactProblem::parse(bytes).map_err(|(place, fault)| ProblemFileError {
         path: "problem".into(),
         place,
         fault: fault.into(),
@@ -102,7 +118,7 @@ fn refused(text: &str) -> String {
 #[test]
 fn both_formats_keep_every_bit() {
     for problem in problems() {
-        for format in [Format::FclibHdf5, Format::SiconosText] {
+        for format in [ProblemFormat::FclibHdf5, ProblemFormat::SiconosText] {
             let again = parsed(&written(&problem, format)).unwrap();
             // Equality of numbers is one of bits: none is zero or not a number.
             assert_eq!(again, problem, "{format:?}");
@@ -113,28 +129,36 @@ fn both_formats_keep_every_bit() {
 #[test]
 fn extensions_are_kept_in_hdf5_and_refused_in_text() {
     let random = &mut Random::new(1, 2);
-    for layout in [Layout::Torsion, Layout::All, Layout::Space] {
+    for layout in [
+        ContactComponents::Torsion,
+        ContactComponents::All,
+        ContactComponents::Space,
+    ] {
         let size = 2 * layout.size();
         let (w, q) = (matrix(random, [size, size]), values(random, size));
-        let law = ContactLaw {
+        let law = ContactThresholds {
             sliding: 0.5,
             rolling: 0.1,
             torsion: 0.2,
             cohesion: 3.0,
             friction: Friction::Ellipsoid,
         };
-        let laws = vec![ContactLaw::coulomb(0.3), law];
-        let problem = Problem::from(Reduced::new(layout, w, q, laws).unwrap());
+        let laws = vec![ContactThresholds::coulomb(0.3), law];
+        let problem = ContactProblem::from(ReducedProblem::new(layout, w, q, laws).unwrap());
         assert_eq!(
-            parsed(&written(&problem, Format::FclibHdf5)).unwrap(),
+            parsed(&written(&problem, ProblemFormat::FclibHdf5)).unwrap(),
             problem
         );
         let home = tempfile::tempdir().unwrap();
         let path = home.path().join("problem.dat");
-        let error = problem.write(&path, Format::SiconosText).unwrap_err();
+        let error = problem
+            .write(&path, ProblemFormat::SiconosText)
+            .unwrap_err();
         match *error.fault {
             Fault::Layout(size) => assert_eq!(size, layout.size()),
-            Fault::NoPlace { contact, .. } => assert!(layout == Layout::Space && contact == 1),
+            Fault::NoPlace { contact, .. } => {
+                assert!(layout == ContactComponents::Space && contact == 1)
+            }
             fault => panic!("{fault}"),
         }
         assert!(!path.exists());
@@ -142,7 +166,7 @@ fn extensions_are_kept_in_hdf5_and_refused_in_text() {
 }
 
 /// Two contacts in a plane, W = [1 2 0 0; 3 4 0 0; 0 0 5 6; 0 0 7 8].
-fn two_in_a_plane() -> Problem {
+fn two_in_a_plane() -> ContactProblem {
     let entries = [
         (0, 0, 1.0),
         (0, 1, 2.0),
@@ -153,11 +177,19 @@ fn two_in_a_plane() -> Problem {
         (3, 2, 7.0),
         (3, 3, 8.0),
     ];
-    let w = Matrix::from_triplets([4, 4], &entries).unwrap();
-    let laws = vec![ContactLaw::coulomb(0.25), ContactLaw::coulomb(0.75)];
-    Reduced::new(Layout::Plane, w, vec![-1.0, 0.5, -2.0, 0.0], laws)
-        .unwrap()
-        .into()
+    let w = SparseMatrix::from_triplets([4, 4], &entries).unwrap();
+    let laws = vec![
+        ContactThresholds::coulomb(0.25),
+        ContactThresholds::coulomb(0.75),
+    ];
+    ReducedProblem::new(
+        ContactComponents::Plane,
+        w,
+        vec![-1.0, 0.5, -2.0, 0.0],
+        laws,
+    )
+    .unwrap()
+    .into()
 }
 
 const VECTORS: &str = "-1 .5 -2e0 0.0\n0.25 7.5e-1\n";
@@ -199,14 +231,14 @@ fn every_storage_of_siconos_is_read() {
 fn a_second_matrix_means_bodies() {
     // M of the size that W would have.
     let text = "2 1  0 2 2 2 2  4 0 0 5  0 2 2 2 2  1 2 3 4  6 7  8 9  0.5";
-    let m = Matrix::from_triplets([2, 2], &[(0, 0, 4.0), (1, 1, 5.0)]).unwrap();
-    let h = Matrix::from_triplets(
+    let m = SparseMatrix::from_triplets([2, 2], &[(0, 0, 4.0), (1, 1, 5.0)]).unwrap();
+    let h = SparseMatrix::from_triplets(
         [2, 2],
         &[(0, 0, 1.0), (1, 0, 2.0), (0, 1, 3.0), (1, 1, 4.0)],
     );
-    let laws = vec![ContactLaw::coulomb(0.5)];
-    let made = Global::new(
-        Layout::Plane,
+    let laws = vec![ContactThresholds::coulomb(0.5)];
+    let made = GlobalProblem::new(
+        ContactComponents::Plane,
         m,
         h.unwrap(),
         vec![6.0, 7.0],
@@ -228,7 +260,7 @@ fn samples_of_siconos_are_read_and_solved() {
         let reduced = problem.reduced().unwrap();
         let end = solve(&reduced, &Default::default(), |_| ());
         assert!(residual(&reduced, &end.impulses).meets(1e-8));
-        for format in [Format::FclibHdf5, Format::SiconosText] {
+        for format in [ProblemFormat::FclibHdf5, ProblemFormat::SiconosText] {
             assert_eq!(parsed(&written(&problem, format)).unwrap(), problem);
         }
     }
@@ -306,7 +338,7 @@ fn refusals_say_where_and_what_would_be_valid() {
     }
     let binary = parsed(&[0xff, 0xfe, 0]).unwrap_err();
     assert!(matches!(*binary.fault, Fault::NeitherFormat));
-    let absent = Problem::read(Path::new("/no/such/file")).unwrap_err();
+    let absent = ContactProblem::read(Path::new("/no/such/file")).unwrap_err();
     assert!(matches!(*absent.fault, Fault::Read(_)) && absent.place == Place::File);
 }
 
@@ -462,7 +494,7 @@ fn columns_and_rows_of_hdf5_are_told_apart() {
 
 #[test]
 fn sums_beyond_the_largest_number_are_refused() {
-    let huge = Matrix::from_triplets([1, 1], &[(0, 0, f64::MAX), (0, 0, f64::MAX)]);
+    let huge = SparseMatrix::from_triplets([1, 1], &[(0, 0, f64::MAX), (0, 0, f64::MAX)]);
     assert!(matches!(huge, Err(ProblemError::NotFinite { .. })));
 }
 
@@ -521,12 +553,15 @@ fn damaged_bytes(random: &mut Random, bytes: &[u8]) -> Vec<u8> {
 
 #[test]
 fn damaged_files_are_read_or_refused_but_never_panic() {
-    let problems = [local(3, Layout::Rolling, 2), global(3, Layout::Space, 2, 6)];
+    let problems = [
+        local(3, ContactComponents::Rolling, 2),
+        global(3, ContactComponents::Space, 2, 6),
+    ];
     let mut refused = [0, 0];
     for (seed, problem) in (0..).zip(&problems) {
         let (text, bytes) = (
-            String::from_utf8(written(problem, Format::SiconosText)).unwrap(),
-            written(problem, Format::FclibHdf5),
+            String::from_utf8(written(problem, ProblemFormat::SiconosText)).unwrap(),
+            written(problem, ProblemFormat::FclibHdf5),
         );
         let random = &mut Random::new(seed, 3);
         for _ in 0..300 {
@@ -545,7 +580,10 @@ fn damaged_files_are_read_or_refused_but_never_panic() {
 
 #[test]
 fn a_file_cut_short_is_refused() {
-    let bytes = written(&local(3, Layout::Space, 2), Format::FclibHdf5);
+    let bytes = written(
+        &local(3, ContactComponents::Space, 2),
+        ProblemFormat::FclibHdf5,
+    );
     for left in (0..bytes.len()).rev().step_by(7) {
         assert!(parsed(&bytes[..left]).is_err(), "{left} of {}", bytes.len());
     }

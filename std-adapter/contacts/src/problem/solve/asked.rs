@@ -1,11 +1,11 @@
 //! What is asked of a solver, and what it answers.
 
-use super::super::residual::Residual;
+use super::super::residual::ProblemResidual;
 use super::super::squeeze::Squeeze;
 
 /// A method for a contact problem.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Method {
+pub enum ProblemMethod {
     /// Sweeps, then, where their foreseen cost is that of several factorisations, the interior point method,
     /// Newton's method near its end, and proximal points.
     #[default]
@@ -20,7 +20,7 @@ pub enum Method {
     Proximal,
 }
 
-impl Method {
+impl ProblemMethod {
     /// All methods.
     pub const ALL: [Self; 5] = [
         Self::Automatic,
@@ -45,11 +45,11 @@ impl Method {
 
 /// What is asked of a solver.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
+pub struct SolverOptions {
     /// Largest residual of a solution, plain and scaled.
     pub tolerance: f64,
     /// Method.
-    pub method: Method,
+    pub method: ProblemMethod,
     /// Most sweeps.
     pub most_sweeps: usize,
     /// Most factorisations.
@@ -59,12 +59,12 @@ pub struct Settings {
     pub start: Option<Vec<f64>>,
 }
 
-impl Default for Settings {
+impl Default for SolverOptions {
     /// 1e-8, the method chosen by foreseen cost, at most 200,000 sweeps and 2,000 factorisations.
     fn default() -> Self {
         Self {
             tolerance: 1e-8,
-            method: Method::Automatic,
+            method: ProblemMethod::Automatic,
             most_sweeps: 200_000,
             most_factorisations: 2000,
             start: None,
@@ -74,7 +74,7 @@ impl Default for Settings {
 
 /// How a solver ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
+pub enum SolverStatus {
     /// Both residuals are at most the tolerance.
     Converged,
     /// All methods stopped above the tolerance, with work left.
@@ -85,7 +85,7 @@ pub enum Ending {
     Insoluble,
 }
 
-impl Ending {
+impl SolverStatus {
     /// Its name in summaries.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -100,7 +100,7 @@ impl Ending {
 
 /// Work done, and the residual.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Progress {
+pub struct SolverProgress {
     /// Sweeps so far.
     pub sweeps: usize,
     /// Factorisations so far.
@@ -108,7 +108,7 @@ pub struct Progress {
     /// Scaled residual of the point at hand; the larger of both sizes where it was judged.
     pub residual: f64,
     /// The method at work.
-    pub method: Method,
+    pub method: ProblemMethod,
 }
 
 /// Impulses, and what is known of them.
@@ -119,13 +119,13 @@ pub struct Solution {
     /// Velocities u = W r + q.
     pub velocities: Vec<f64>,
     /// Their residuals, judged apart from the solver.
-    pub residual: Residual,
+    pub residual: ProblemResidual,
     /// Why the solver ended.
-    pub ending: Ending,
+    pub ending: SolverStatus,
     /// Proof that there is no solution, where one was found.
     pub squeeze: Option<Squeeze>,
     /// The method that found them.
-    pub method: Method,
+    pub method: ProblemMethod,
     /// Sweeps made.
     pub sweeps: usize,
     /// Interior point, Newton and proximal steps made, one factorisation each.

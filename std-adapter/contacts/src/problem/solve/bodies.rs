@@ -9,7 +9,7 @@
 //! with at most six unknowns a body. In packings it has fewer entries than W: all contacts of a body meet in W.
 
 use super::super::global::{Made, components};
-use super::super::matrix::Matrix;
+use super::super::matrix::SparseMatrix;
 use super::blocks::Blocks;
 use super::cone::{Local, MOST, Square, solve_small};
 use super::factor::Lu;
@@ -254,7 +254,11 @@ impl ByBodies {
 }
 
 /// Degrees of freedom that M joins, and those among these parts that the same contacts act on.
-fn nodes(m: &Matrix, h: &Matrix, place: &[Option<(usize, usize, f64)>]) -> Vec<Vec<usize>> {
+fn nodes(
+    m: &SparseMatrix,
+    h: &SparseMatrix,
+    place: &[Option<(usize, usize, f64)>],
+) -> Vec<Vec<usize>> {
     let mut parts: Vec<(Vec<usize>, Vec<usize>)> = components(m)
         .into_iter()
         .map(|freedoms| {

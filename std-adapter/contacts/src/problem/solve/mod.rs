@@ -21,6 +21,6 @@ mod system;
 #[cfg(test)]
 mod tests;
 
-pub use asked::{Ending, Method, Progress, Settings, Solution};
+pub use asked::{ProblemMethod, Solution, SolverOptions, SolverProgress, SolverStatus};
 pub use policy::solve;
 pub(crate) use policy::solve_directly;

@@ -1,9 +1,9 @@
 //! Which method, for how long.
 
-use super::super::reduced::Reduced;
-use super::super::residual::{Residual, residual};
+use super::super::reduced::ReducedProblem;
+use super::super::residual::{ProblemResidual, residual};
 use super::super::squeeze::Squeeze;
-use super::asked::{Ending, Method, Progress, Settings, Solution};
+use super::asked::{ProblemMethod, Solution, SolverOptions, SolverProgress, SolverStatus};
 use super::gradient::Gradient;
 use super::interior::Interior;
 use super::newton::{Effort, Near, newton};
@@ -44,12 +44,16 @@ const ROUNDS: usize = 10;
 /// Solves a contact problem. `watch` sees the work and the residual as they go.
 ///
 /// The answer is the same on every machine. A problem that is not solved ends with the best point found: as
-/// [`Ending::Insoluble`] where it is proven that nothing solves it, else as [`Ending::Stalled`] or
-/// [`Ending::OutOfWork`].
+/// [`SolverStatus::Insoluble`] where it is proven that nothing solves it, else as [`SolverStatus::Stalled`] or
+/// [`SolverStatus::OutOfWork`].
 ///
-/// [`Reduced`] has an example.
+/// [`ReducedProblem`] has an example.
 #[must_use]
-pub fn solve(problem: &Reduced, settings: &Settings, watch: impl FnMut(&Progress)) -> Solution {
+pub fn solve(
+    problem: &ReducedProblem,
+    settings: &SolverOptions,
+    watch: impl FnMut(&SolverProgress),
+) -> Solution {
     let prepared = Prepared::new(problem);
     let mut run = Run::new(problem, settings, &prepared, watch);
     let factorisations = run.all();
@@ -60,7 +64,7 @@ pub fn solve(problem: &Reduced, settings: &Settings, watch: impl FnMut(&Progress
 /// Solves a problem with factorisations alone; `None` if that is foreseen to take more than `most_cost`
 /// multiplications, or does not converge.
 pub(crate) fn solve_directly(
-    problem: &Reduced,
+    problem: &ReducedProblem,
     tolerance: f64,
     most_cost: f64,
 ) -> Option<Solution> {
@@ -73,29 +77,29 @@ pub(crate) fn solve_directly(
     if EXPECTED * step_cost > most_cost {
         return None;
     }
-    let settings = Settings {
+    let settings = SolverOptions {
         tolerance: FINEST.min(tolerance),
         // What was foreseen is also the most that is spent.
         most_factorisations: (most_cost / step_cost) as usize,
-        ..Settings::default()
+        ..SolverOptions::default()
     };
-    let mut run = Run::new(problem, &settings, &prepared, |_: &Progress| ());
+    let mut run = Run::new(problem, &settings, &prepared, |_: &SolverProgress| ());
     let solved =
         run.interior(&mut system) || run.proximal(&mut system, &vec![0.0; prepared.q.len()]);
     (solved || run.judged.meets(tolerance)).then(|| run.end(system.factorisations))
 }
 
 struct Run<'a, W> {
-    problem: &'a Reduced,
-    settings: &'a Settings,
+    problem: &'a ReducedProblem,
+    settings: &'a SolverOptions,
     prepared: &'a Prepared,
     watch: W,
     /// The best impulses, in the units of the problem, and their residual.
     best: Vec<f64>,
-    judged: Residual,
+    judged: ProblemResidual,
     sweeps: usize,
     factorisations: usize,
-    method: Method,
+    method: ProblemMethod,
     /// Whether a proof that there is no solution was looked for, and what was found.
     is_searched: bool,
     squeeze: Option<Squeeze>,
@@ -103,8 +107,13 @@ struct Run<'a, W> {
     goal: f64,
 }
 
-impl<'a, W: FnMut(&Progress)> Run<'a, W> {
-    fn new(problem: &'a Reduced, settings: &'a Settings, prepared: &'a Prepared, watch: W) -> Self {
+impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
+    fn new(
+        problem: &'a ReducedProblem,
+        settings: &'a SolverOptions,
+        prepared: &'a Prepared,
+        watch: W,
+    ) -> Self {
         let best = vec![0.0; problem.q.len()];
         Self {
             judged: residual(problem, &best),
@@ -125,15 +134,15 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
     fn end(self, factorisations: usize) -> Solution {
         let settings = self.settings;
         let ending = if self.judged.meets(settings.tolerance) {
-            Ending::Converged
+            SolverStatus::Converged
         } else if self.squeeze.is_some() {
-            Ending::Insoluble
+            SolverStatus::Insoluble
         } else if self.sweeps >= settings.most_sweeps
             || factorisations >= settings.most_factorisations
         {
-            Ending::OutOfWork
+            SolverStatus::OutOfWork
         } else {
-            Ending::Stalled
+            SolverStatus::Stalled
         };
         Solution {
             velocities: self.problem.velocities(&self.best),
@@ -165,21 +174,21 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             return 0;
         }
         let asked = self.settings.method;
-        if asked == Method::Gradient {
+        if asked == ProblemMethod::Gradient {
             self.gradient(start);
             return 0;
         }
         let mut sweeps = Sweeps::new(self.prepared, start);
         let mut system = None;
-        if matches!(asked, Method::Automatic | Method::Sweeps)
-            && (self.sweep(&mut sweeps, &mut system) || asked == Method::Sweeps)
+        if matches!(asked, ProblemMethod::Automatic | ProblemMethod::Sweeps)
+            && (self.sweep(&mut sweeps, &mut system) || asked == ProblemMethod::Sweeps)
         {
             return system.map_or(0, |system: System| system.factorisations);
         }
         let mut system = system.unwrap_or_else(|| System::new(self.prepared));
-        let solved = (asked != Method::Proximal && self.interior(&mut system))
-            || (asked != Method::Interior && self.proximal(&mut system, &sweeps.r));
-        if !solved && asked == Method::Automatic && !self.prove() {
+        let solved = (asked != ProblemMethod::Proximal && self.interior(&mut system))
+            || (asked != ProblemMethod::Interior && self.proximal(&mut system, &sweeps.r));
+        if !solved && asked == ProblemMethod::Automatic && !self.prove() {
             // Slow, but some problems yield to nothing else: unsymmetric ones to gradients alone.
             if !self.alternate(&mut system) && !self.sweep_on(&mut sweeps) {
                 self.gradient(vec![0.0; self.prepared.q.len()]);
@@ -195,10 +204,12 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             self.is_searched = true;
             // Methods without factorisations may be asked for because these are too dear.
             let most_cost = match self.settings.method {
-                Method::Sweeps | Method::Gradient => {
+                ProblemMethod::Sweeps | ProblemMethod::Gradient => {
                     self.sweeps as f64 * Sweeps::cost(self.prepared)
                 }
-                Method::Automatic | Method::Interior | Method::Proximal => f64::INFINITY,
+                ProblemMethod::Automatic | ProblemMethod::Interior | ProblemMethod::Proximal => {
+                    f64::INFINITY
+                }
             };
             self.squeeze = squeeze(self.problem, tolerance, most_cost);
         }
@@ -218,7 +229,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
                     return true;
                 }
             }
-            self.done(&sweeps.r, Method::Sweeps);
+            self.done(&sweeps.r, ProblemMethod::Sweeps);
             let best = self.prepared.scaled(&self.best, self.problem);
             if self.approach(system, best) {
                 return true;
@@ -237,7 +248,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
     }
 
     /// Judges a point, keeps it if it is the best, and tells whether it solves the problem.
-    fn done(&mut self, r: &[f64], method: Method) -> bool {
+    fn done(&mut self, r: &[f64], method: ProblemMethod) -> bool {
         let impulses = self.prepared.unscaled(r, self.problem);
         let judged = residual(self.problem, &impulses);
         let meets = judged.meets(self.settings.tolerance);
@@ -270,7 +281,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
                 return true;
             }
             history.push(residual);
-            if self.settings.method == Method::Automatic {
+            if self.settings.method == ProblemMethod::Automatic {
                 let left = foreseen(&history, self.goal) * cost;
                 // The pattern's factors are worth looking at.
                 if left > EXPECTED * System::least_cost(problem) {
@@ -281,7 +292,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
                 }
             }
         }
-        self.done(&sweeps.r, Method::Sweeps)
+        self.done(&sweeps.r, ProblemMethod::Sweeps)
     }
 
     /// Sweeps for as long as the residual falls. Tells whether they solve the problem.
@@ -296,7 +307,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
                 (lowest, since) = (residual, self.sweeps);
             }
         }
-        self.done(&sweeps.r, Method::Sweeps)
+        self.done(&sweeps.r, ProblemMethod::Sweeps)
     }
 
     /// Projected gradients for as long as the residual falls.
@@ -313,15 +324,15 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             self.sweeps += BETWEEN;
             self.prepared.velocities(&gradient.r, &mut u);
             let residual = self.prepared.residual(&gradient.r, &u);
-            self.tell(Method::Gradient, residual);
-            if residual <= self.goal && self.done(&gradient.r, Method::Gradient) {
+            self.tell(ProblemMethod::Gradient, residual);
+            if residual <= self.goal && self.done(&gradient.r, ProblemMethod::Gradient) {
                 return;
             }
             if residual < 0.5 * lowest {
                 (lowest, since) = (residual, self.sweeps - begun);
             }
         }
-        self.done(&gradient.r, Method::Gradient);
+        self.done(&gradient.r, ProblemMethod::Gradient);
     }
 
     /// A few sweeps; returns the scaled residual, and whether the problem is solved.
@@ -333,8 +344,8 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         let mut u = vec![0.0; sweeps.r.len()];
         self.prepared.velocities(&sweeps.r, &mut u);
         let residual = self.prepared.residual(&sweeps.r, &u);
-        self.tell(Method::Sweeps, residual);
-        let solved = residual <= self.goal && self.done(&sweeps.r, Method::Sweeps);
+        self.tell(ProblemMethod::Sweeps, residual);
+        let solved = residual <= self.goal && self.done(&sweeps.r, ProblemMethod::Sweeps);
         (residual, solved)
     }
 
@@ -363,8 +374,8 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             }
             let residual = problem.residual(&point.r, &point.u);
             self.factorisations = system.factorisations;
-            self.tell(Method::Interior, residual);
-            if residual <= self.goal && self.done(&point.r, Method::Interior) {
+            self.tell(ProblemMethod::Interior, residual);
+            if residual <= self.goal && self.done(&point.r, ProblemMethod::Interior) {
                 return true;
             }
             if residual < next {
@@ -373,7 +384,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
                 let goal = 0.5 * self.goal;
                 let solved = newton(problem, system, Near::NOTHING, &mut trial, (goal, FINISH));
                 self.factorisations = system.factorisations;
-                if solved && self.done(&trial, Method::Interior) {
+                if solved && self.done(&trial, ProblemMethod::Interior) {
                     return true;
                 }
             }
@@ -388,7 +399,7 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
                 break;
             }
         }
-        self.done(&point.r, Method::Interior)
+        self.done(&point.r, ProblemMethod::Interior)
     }
 
     /// Proximal points.
@@ -399,10 +410,10 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
             let goal = (0.5 * self.goal, PROXIMAL_STEPS);
             let solved = proximal(problem, system, &mut r, goal, |residual, system| {
                 self.factorisations = system.factorisations;
-                self.tell(Method::Proximal, residual);
+                self.tell(ProblemMethod::Proximal, residual);
                 system.factorisations >= most
             });
-            if self.done(&r, Method::Proximal) {
+            if self.done(&r, ProblemMethod::Proximal) {
                 return true;
             }
             if !solved {
@@ -412,8 +423,8 @@ impl<'a, W: FnMut(&Progress)> Run<'a, W> {
         false
     }
 
-    fn tell(&mut self, method: Method, residual: f64) {
-        (self.watch)(&Progress {
+    fn tell(&mut self, method: ProblemMethod, residual: f64) {
+        (self.watch)(&SolverProgress {
             sweeps: self.sweeps,
             factorisations: self.factorisations,
             residual,

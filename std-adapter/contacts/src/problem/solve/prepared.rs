@@ -1,8 +1,8 @@
 //! A contact problem in the form that all methods solve: scaled, without cohesion and without unknowns that are
 //! zero by law.
 
-use super::super::law::{ContactLaw, Friction};
-use super::super::reduced::Reduced;
+use super::super::law::{ContactThresholds, Friction};
+use super::super::reduced::ReducedProblem;
 use super::blocks::Blocks;
 use super::bodies::Bodies;
 use super::cone::{Cone, Local};
@@ -28,7 +28,7 @@ pub(super) struct Prepared {
 const DIAGONAL: f64 = 1.0 / 3.0;
 
 impl Prepared {
-    pub fn new(problem: &Reduced) -> Self {
+    pub fn new(problem: &ReducedProblem) -> Self {
         let size = problem.layout.size();
         let mut first = vec![0];
         let (mut cones, mut origin) = (Vec::new(), Vec::new());
@@ -129,7 +129,7 @@ impl Prepared {
     }
 
     /// Impulses in the units of the problem.
-    pub fn unscaled(&self, r: &[f64], problem: &Reduced) -> Vec<f64> {
+    pub fn unscaled(&self, r: &[f64], problem: &ReducedProblem) -> Vec<f64> {
         let mut all = vec![0.0; problem.q.len()];
         for (&(to, unit), value) in self.origin.iter().zip(r) {
             all[to] = value * unit * self.unit;
@@ -142,7 +142,7 @@ impl Prepared {
     }
 
     /// Scaled impulses from those of the problem.
-    pub fn scaled(&self, r: &[f64], problem: &Reduced) -> Vec<f64> {
+    pub fn scaled(&self, r: &[f64], problem: &ReducedProblem) -> Vec<f64> {
         let size = problem.layout.size();
         self.origin
             .iter()
@@ -165,7 +165,11 @@ fn relative(part: f64, whole: f64) -> f64 {
 }
 
 /// Modes of a contact with thresholds above zero, and its unknowns: component, unit.
-fn scaled(problem: &Reduced, start: usize, law: &ContactLaw) -> (Cone, Vec<(usize, f64)>) {
+fn scaled(
+    problem: &ReducedProblem,
+    start: usize,
+    law: &ContactThresholds,
+) -> (Cone, Vec<(usize, f64)>) {
     let layout = problem.layout;
     let mean = |range: std::ops::Range<usize>| -> f64 {
         let count = range.len() as f64;
@@ -213,7 +217,7 @@ fn scaled(problem: &Reduced, start: usize, law: &ContactLaw) -> (Cone, Vec<(usiz
 
 /// W between the unknowns that are left, in scaled units.
 fn gather(
-    problem: &Reduced,
+    problem: &ReducedProblem,
     place: &[Option<usize>],
     origin: &[(usize, f64)],
     first: Vec<usize>,

@@ -5,8 +5,8 @@
 //! to zero (the vector of least displacement: Banjac, Goulart, Stellato and Boyd, J. Optim. Theory Appl. 183
 //! (2019) 490).
 
-use super::super::law::ContactLaw;
-use super::super::reduced::Reduced;
+use super::super::law::ContactThresholds;
+use super::super::reduced::ReducedProblem;
 use super::super::squeeze::Squeeze;
 use super::newton::{Effort, Near, newton};
 use super::prepared::Prepared;
@@ -28,12 +28,12 @@ const EXPECTED: f64 = 30.0;
 
 /// A proof that the problem has no solution to `tolerance`, if one is found, and foreseen to take at most `most_cost`
 /// multiplications; its absence proves nothing.
-pub(super) fn squeeze(problem: &Reduced, tolerance: f64, most_cost: f64) -> Option<Squeeze> {
-    let smooth = Reduced {
+pub(super) fn squeeze(problem: &ReducedProblem, tolerance: f64, most_cost: f64) -> Option<Squeeze> {
+    let smooth = ReducedProblem {
         layout: problem.layout,
         w: problem.w.clone(),
         q: problem.without_cohesion(),
-        laws: vec![ContactLaw::default(); problem.laws.len()],
+        laws: vec![ContactThresholds::default(); problem.laws.len()],
         made: None,
     };
     let prepared = Prepared::new(&smooth);

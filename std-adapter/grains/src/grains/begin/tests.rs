@@ -1,8 +1,8 @@
-use crate::grains::scene::{Container, Ends, GrainsScene, Sides};
-use crate::grains::{Grains, Ramp};
-use crate::measure::{Assembly, Measures, Options};
+use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
+use crate::grains::{GrainsSimulation, Ramp};
+use crate::measure::{Assembly, MeasureOptions, Measures};
 use crate::packing::STATE;
-use crate::packing::Sizes;
+use crate::packing::SizeDistribution;
 use crate::packing::method::ContactMethod;
 use nalgebra::Vector3;
 use std::path::PathBuf;
@@ -23,15 +23,18 @@ fn scene() -> GrainsScene {
     }
 }
 
-fn after(scene: &GrainsScene, steps: usize) -> Result<Grains, Box<dyn std::error::Error>> {
-    let mut run = Grains::new(scene)?;
+fn after(
+    scene: &GrainsScene,
+    steps: usize,
+) -> Result<GrainsSimulation, Box<dyn std::error::Error>> {
+    let mut run = GrainsSimulation::new(scene)?;
     for _ in 0..steps {
         run.step()?;
     }
     Ok(run)
 }
 
-fn motion(run: &Grains) -> Vec<[Vector3<f64>; 3]> {
+fn motion(run: &GrainsSimulation) -> Vec<[Vector3<f64>; 3]> {
     run.with_snapshot(|now| {
         let velocities = now.velocities.unwrap_or_default().iter();
         let both = velocities
@@ -45,7 +48,7 @@ fn motion(run: &Grains) -> Vec<[Vector3<f64>; 3]> {
 #[test]
 fn grains_go_on_from_a_state_or_a_checkpoint_to_the_bit() -> Tested {
     let home = tempfile::tempdir()?;
-    for sides in [Sides::Periodic, Sides::Walls] {
+    for sides in [SideBoundary::Periodic, SideBoundary::Walls] {
         let scene = GrainsScene {
             x: sides,
             ..scene()
@@ -58,7 +61,10 @@ fn grains_go_on_from_a_state_or_a_checkpoint_to_the_bit() -> Tested {
             start: Some(home.path().join(name)),
             ..scene.clone()
         };
-        let mut parts = [Grains::new(&from("a.json"))?, Grains::new(&from("b.json"))?];
+        let mut parts = [
+            GrainsSimulation::new(&from("a.json"))?,
+            GrainsSimulation::new(&from("b.json"))?,
+        ];
         for _ in 0..10 {
             whole.step()?;
             for part in &mut parts {
@@ -75,7 +81,7 @@ fn grains_go_on_from_a_state_or_a_checkpoint_to_the_bit() -> Tested {
 fn a_measured_state_weighs_on_its_floor() -> Tested {
     let run = after(&scene(), 3000)?;
     let state = Assembly::parse("state", &run.state())?;
-    let found = Measures::of(state, &Options::default())?;
+    let found = Measures::of(state, &MeasureOptions::default())?;
     // The weight passes through every height of the packing: at its floor it is that of all grains.
     let weight = run.outcome().mass * 9.81;
     let at_floor = found
@@ -96,7 +102,7 @@ fn grains_of_a_file_lie_on_the_floor_and_inside_the_walls() -> Tested {
     let file = home.path().join("a.xyz");
     std::fs::write(&file, run.with_snapshot(extended_xyz)?)?;
     let start = Some(file.clone());
-    let other = Grains::new(&GrainsScene {
+    let other = GrainsSimulation::new(&GrainsScene {
         start: start.clone(),
         ..scene()
     })?;
@@ -111,7 +117,7 @@ fn grains_of_a_file_lie_on_the_floor_and_inside_the_walls() -> Tested {
         assert_eq!([was[1], was[2]], [is[1], is[2]]);
     }
     let refusal = |scene: GrainsScene| {
-        Grains::new(&scene).map_or_else(|error| error.to_string(), |_| "taken".into())
+        GrainsSimulation::new(&scene).map_or_else(|error| error.to_string(), |_| "taken".into())
     };
     let wide = refusal(GrainsScene {
         start: start.clone(),
@@ -135,7 +141,7 @@ fn grains_of_a_file_lie_on_the_floor_and_inside_the_walls() -> Tested {
 fn the_box_of_an_export_ends_at_its_walls_though_grains_press_them() -> Tested {
     let home = tempfile::tempdir()?;
     let scene = GrainsScene {
-        x: Sides::Walls,
+        x: SideBoundary::Walls,
         method: ContactMethod::Soft,
         stiffness: 1e3,
         ..scene()
@@ -157,7 +163,7 @@ fn the_box_of_an_export_ends_at_its_walls_though_grains_press_them() -> Tested {
             [0.0, scene.width],
             "{name}"
         );
-        let other = Grains::new(&GrainsScene {
+        let other = GrainsSimulation::new(&GrainsScene {
             start: Some(file),
             ..scene.clone()
         })?;
@@ -196,7 +202,7 @@ fn a_flat_run_goes_on_from_its_trajectories_in_its_plane() -> Tested {
         trajectory.add(&state)?;
         let file = trajectory.finish()?;
         let start = |file: PathBuf| {
-            Grains::new(&GrainsScene {
+            GrainsSimulation::new(&GrainsScene {
                 start: Some(file),
                 ..scene.clone()
             })
@@ -228,7 +234,7 @@ fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
     let hopper = GrainsScene {
         width: 0.16,
         depth: Some(0.1),
-        x: Sides::Walls,
+        x: SideBoundary::Walls,
         container: Container::Hopper,
         outlet: 0.04,
         slope: 45.0,
@@ -236,7 +242,7 @@ fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
         ..scene()
     };
     let drum = GrainsScene {
-        x: Sides::Periodic,
+        x: SideBoundary::Periodic,
         container: Container::Drum,
         ..hopper.clone()
     };
@@ -249,13 +255,13 @@ fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
         (&drum, 0.154, 0.08),
     ] {
         write(x, z)?;
-        let run = Grains::new(scene)?;
+        let run = GrainsSimulation::new(scene)?;
         let place = run.with_snapshot(|now| now.positions[0]);
         assert_eq!([place.x, place.z], [x, z]);
     }
     // Across a plate, in the floor, and beyond the drum.
     let refusal = |scene: &GrainsScene| {
-        Grains::new(scene).map_or_else(|error| error.to_string(), |_| "taken".into())
+        GrainsSimulation::new(scene).map_or_else(|error| error.to_string(), |_| "taken".into())
     };
     for (scene, x, z) in [
         (&hopper, 0.05, 0.11),
@@ -280,11 +286,11 @@ fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
     write(0.08, 0.1)?;
     std::fs::write(
         home.path().join("state.json"),
-        Grains::new(&hopper)?.state(),
+        GrainsSimulation::new(&hopper)?.state(),
     )?;
     let start = Some(home.path().join("state.json"));
     let open = GrainsScene { start, ..hopper };
-    assert!(Grains::new(&open).is_ok());
+    assert!(GrainsSimulation::new(&open).is_ok());
     let refused = refusal(&GrainsScene { opening, ..open });
     assert!(refused.contains("reaches into the hopper"), "{refused}");
     Ok(())
@@ -301,10 +307,11 @@ fn springs_take_overlaps_that_rigid_grains_cannot_have() -> Tested {
         start: Some(file),
         ..scene()
     };
-    let refused = Grains::new(&rigid).map_or_else(|error| error.to_string(), |_| "taken".into());
+    let refused =
+        GrainsSimulation::new(&rigid).map_or_else(|error| error.to_string(), |_| "taken".into());
     let wanted = "overlap by 20.000 % of the smaller radius; at most 5 %";
     assert!(refused.contains(wanted), "{refused}");
-    let mut run = Grains::new(&GrainsScene {
+    let mut run = GrainsSimulation::new(&GrainsScene {
         method: ContactMethod::Soft,
         ..rigid
     })?;
@@ -317,9 +324,9 @@ fn springs_take_overlaps_that_rigid_grains_cannot_have() -> Tested {
 
 #[test]
 fn grains_of_a_distribution_keep_the_mean_and_the_bounds() -> Tested {
-    let sizes = Sizes::LogNormal(0.2);
+    let sizes = SizeDistribution::LogNormal(0.2);
     let [low, high] = sizes.radii()?.bounds();
-    let run = Grains::new(&GrainsScene {
+    let run = GrainsSimulation::new(&GrainsScene {
         sizes: Some(sizes),
         count: 2000,
         width: 0.2,
@@ -347,7 +354,7 @@ fn grains_of_a_run_or_a_file_keep_materials_and_densities_whatever_the_seed() ->
         ..scene()
     };
     let run = after(&mixed, 100)?;
-    let kinds = |run: &Grains| {
+    let kinds = |run: &GrainsSimulation| {
         run.with_snapshot(|now| {
             let materials = now.materials.map(<[u8]>::to_vec);
             (materials, now.densities.map(<[f64]>::to_vec))
@@ -364,7 +371,7 @@ fn grains_of_a_run_or_a_file_keep_materials_and_densities_whatever_the_seed() ->
         std::fs::write(&file, text)?;
         // Another draw by another seed would be another packing.
         for (seed, share_second) in [(1, 0.4), (2, 0.4), (3, 0.9), (4, 0.0)] {
-            let other = Grains::new(&GrainsScene {
+            let other = GrainsSimulation::new(&GrainsScene {
                 start: Some(file.clone()),
                 seed,
                 share_second,
@@ -403,7 +410,7 @@ fn imported_grains_have_the_density_and_the_material_of_each() -> Tested {
         &file,
         data("1 1 0.004 2500 0.04 0.02 0.04\n2 2 0.004 7800 0.05 0.02 0.04\n"),
     )?;
-    let run = Grains::new(&scene)?;
+    let run = GrainsSimulation::new(&scene)?;
     let volume = 4.0 / 3.0 * std::f64::consts::PI * 8e-9;
     assert!((run.outcome().mass / (volume * 10300.0) - 1.0).abs() < 1e-14);
     assert_eq!(
@@ -415,7 +422,8 @@ fn imported_grains_have_the_density_and_the_material_of_each() -> Tested {
         &file,
         data("1 3 0.004 2500 0.04 0.02 0.04\n").replace("2 atom", "3 atom"),
     )?;
-    let refused = Grains::new(&scene).map_or_else(|error| error.to_string(), |_| "taken".into());
+    let refused =
+        GrainsSimulation::new(&scene).map_or_else(|error| error.to_string(), |_| "taken".into());
     assert!(refused.contains("a scene has two materials"), "{refused}");
     Ok(())
 }
@@ -436,13 +444,13 @@ fn axes_repeat_in_the_box_of_the_scene_and_not_in_that_of_the_file() -> Tested {
         start: Some(file),
         ..GrainsScene::default()
     };
-    let run = Grains::new(&scene)?;
+    let run = GrainsSimulation::new(&scene)?;
     run.with_snapshot(|now| {
         assert_eq!(now.space.lengths(), [Some(0.08), Some(0.04), None]);
         assert!((now.positions[1].z - 0.08).abs() < 1e-15);
     });
-    let closed = Grains::new(&GrainsScene {
-        z: Ends::Periodic,
+    let closed = GrainsSimulation::new(&GrainsScene {
+        z: EndBoundary::Periodic,
         height: Some(0.08),
         gravity: Ramp::from(0.0),
         ..scene

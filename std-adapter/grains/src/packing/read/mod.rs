@@ -3,7 +3,7 @@
 mod run;
 mod vtp;
 
-use super::assembly::{Assembly, Forces};
+use super::assembly::{Assembly, KnownForces};
 use crate::packing::{Stored, mixed};
 use std::path::Path;
 use tribos_base::exchange::configuration::{Configuration, Format, recognised};
@@ -187,7 +187,7 @@ impl Assembly {
             velocities: Some(velocities),
             spins: Some(spins),
             contacts: shape.contacts,
-            forces: Forces::Complete,
+            forces: KnownForces::Complete,
             scene: stored.scene,
             ..Self::new(space, stored.frozen.positions.clone(), shape.radii)
         };

@@ -1,7 +1,7 @@
 //! States in the folder of a run.
 
 use super::{Assembly, AssemblyError, text};
-use crate::packing::assembly::Forces;
+use crate::packing::assembly::KnownForces;
 use crate::packing::{STATE, mixed};
 use nalgebra::Vector3;
 use std::path::Path;
@@ -67,7 +67,7 @@ fn of_frame(bodies: &Bodies, frame: &Frame) -> Assembly {
     let walls = walls(bodies);
     let row = |contact: &FrameContact| row(&assembly, &walls, contact);
     assembly.contacts = frame.contacts.iter().filter_map(row).collect();
-    assembly.forces = Forces::Normal;
+    assembly.forces = KnownForces::Normal;
     assembly.scene = bodies.scene.clone();
     let known = |all: &Vec<f64>| !all.is_empty();
     assembly.densities = Some(bodies.densities.clone()).filter(known);

@@ -1,11 +1,11 @@
-use crate::gas::Gas;
+use crate::gas::GasSimulation;
 use crate::gas::scene::GasScene;
-use crate::grains::Grains;
+use crate::grains::GrainsSimulation;
 use crate::grains::scene::GrainsScene;
-use crate::packing::assembly::{Assembly, Forces};
+use crate::packing::assembly::{Assembly, KnownForces};
 use crate::packing::method::ContactMethod;
 use crate::powder::scene::PowderScene;
-use crate::powder::{self, Compaction};
+use crate::powder::{self, PowderSimulation};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use tribos_base::random::Random;
@@ -61,7 +61,7 @@ fn exports_of_our_own_come_back_to_the_bit() {
         assert_eq!(read.radii, radii, "{name}");
         assert_eq!(read.velocities.as_ref(), Some(&velocities), "{name}");
         assert_eq!(read.spins.as_ref(), Some(&spins), "{name}");
-        assert_eq!(read.forces, Forces::Unknown);
+        assert_eq!(read.forces, KnownForces::Unknown);
         assert_eq!(read.space, space);
         assert_eq!(read.bounds, state.extents);
         let periodic = read
@@ -358,17 +358,19 @@ fn exports(scene: &Scene) -> (Kept, Vec<(&'static str, String)>, Bodies, Frame) 
         (kept.unwrap(), texts, run.bodies(9), run.frame())
     }
     match scene {
-        Scene::Grains(scene) => all::<Grains>(
+        Scene::Grains(scene) => all::<GrainsSimulation>(
             scene,
             |run, show| run.with_snapshot(show),
-            Some(Grains::state),
+            Some(GrainsSimulation::state),
         ),
-        Scene::Powder(scene) => all::<Compaction>(
+        Scene::Powder(scene) => all::<PowderSimulation>(
             scene,
             |run, show| run.with_snapshot(show),
-            Some(Compaction::state),
+            Some(PowderSimulation::state),
         ),
-        Scene::Gas(scene) => all::<Gas>(scene, |run, show| run.with_snapshot(show).unwrap(), None),
+        Scene::Gas(scene) => {
+            all::<GasSimulation>(scene, |run, show| run.with_snapshot(show).unwrap(), None)
+        }
     }
 }
 
@@ -377,12 +379,12 @@ fn a_checkpoint_of_another_body_is_named_as_what_it_is() {
     for method in ["events", "contact-dynamics", "soft"] {
         let text = format!("body = \"gas\"\ncount = 60\nmethod = \"{method}\"\n");
         let scene = GasScene::parse("gas", &text, &[]).unwrap();
-        let kept = Gas::new(&scene).unwrap().checkpoint();
+        let kept = GasSimulation::new(&scene).unwrap().checkpoint();
         let said = "f: it is a checkpoint of body = \"gas\", without a state of forces; \
                     give a state or a checkpoint of a powder or of grains";
         assert_eq!(refusal("f", &kept), said, "{method}");
         let other = PowderScene::default();
-        let refused = Compaction::resume(&other, &kept).map_err(|error| error.to_string());
+        let refused = PowderSimulation::resume(&other, &kept).map_err(|error| error.to_string());
         let said = "the checkpoint belongs to another scene: `body` is \"gas\" there and \"powder\" here; \
                     change it back, or start anew with --anew";
         assert_eq!(refused.err().as_deref(), Some(said), "{method}");

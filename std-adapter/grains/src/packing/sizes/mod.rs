@@ -35,16 +35,16 @@ const MOST_BYTES: u64 = 16 << 20;
 /// working directory.
 ///
 /// ```
-/// use tribos::scene::Sizes;
-/// let sizes: Sizes = "lognormal:0.3".parse()?;
-/// assert_eq!(sizes, Sizes::LogNormal(0.3));
+/// use tribos::scene::SizeDistribution;
+/// let sizes: SizeDistribution = "lognormal:0.3".parse()?;
+/// assert_eq!(sizes, SizeDistribution::LogNormal(0.3));
 /// assert_eq!(sizes.to_string(), "lognormal:0.3");
 /// let [low, high] = sizes.radii()?.bounds();
 /// assert!((high / low - 1.8_f64.exp()).abs() < 1e-12); // six standard deviations of the logarithm
 /// # Ok::<(), tribos::scene::SizesError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub enum Sizes {
+pub enum SizeDistribution {
     /// Uniform between bounds at this distance from the mean.
     Uniform(f64),
     /// Normal with this standard deviation before the cut.
@@ -58,8 +58,8 @@ pub enum Sizes {
 /// Why a distribution of radii is refused.
 ///
 /// ```
-/// use tribos::scene::{Sizes, SizesError};
-/// let wide: Result<Sizes, SizesError> = "normal:0.5".parse();
+/// use tribos::scene::{SizeDistribution, SizesError};
+/// let wide: Result<SizeDistribution, SizesError> = "normal:0.5".parse();
 /// assert!(matches!(wide, Err(SizesError::Width { given, .. }) if given == 0.5));
 /// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -99,7 +99,7 @@ pub enum SizesError {
     },
 }
 
-impl Sizes {
+impl SizeDistribution {
     /// What a message says would be valid.
     pub(crate) const FORMS: &'static str = "a distribution such as \"uniform:0.2\", \"normal:0.1\", \"lognormal:0.3\" or \"table:FILE.csv\"";
 
@@ -137,19 +137,19 @@ impl Sizes {
     }
 }
 
-/// A distribution of radii, as [`Sizes`] reads it.
+/// A distribution of radii, as [`SizeDistribution`] reads it.
 pub(crate) const SIZES: Domain = Domain::Form(&Form {
     name: "sizes",
-    valid: Sizes::FORMS,
-    read: reads::<Sizes>,
+    valid: SizeDistribution::FORMS,
+    read: reads::<SizeDistribution>,
     numbers: None,
     names_absence: true,
 });
 
-tribos_base::spelled!(Sizes);
+tribos_base::spelled!(SizeDistribution);
 
-impl fmt::Display for Sizes {
-    /// As [`Sizes::from_str`] takes it.
+impl fmt::Display for SizeDistribution {
+    /// As [`SizeDistribution::from_str`] takes it.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Uniform(spread) => write!(f, "uniform:{spread}"),
@@ -160,7 +160,7 @@ impl fmt::Display for Sizes {
     }
 }
 
-impl FromStr for Sizes {
+impl FromStr for SizeDistribution {
     type Err = SizesError;
 
     fn from_str(text: &str) -> Result<Self, SizesError> {

@@ -6,8 +6,8 @@ use super::normal::{quantile, share};
 /// Radii between two positive bounds, with a finite table or a formula for their quantiles.
 ///
 /// ```
-/// use tribos::scene::Sizes;
-/// let radii = Sizes::Normal(0.1).radii()?;
+/// use tribos::scene::SizeDistribution;
+/// let radii = SizeDistribution::Normal(0.1).radii()?;
 /// // The middle of a symmetric distribution is its mean.
 /// assert!((radii.at(0.5) - 1.0).abs() < 1e-15 && (radii.mean() - 1.0).abs() < 1e-15);
 /// let [low, high] = radii.bounds();

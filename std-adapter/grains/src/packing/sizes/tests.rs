@@ -1,4 +1,4 @@
-use super::{Radii, Sizes, SizesError, table};
+use super::{Radii, SizeDistribution, SizesError, table};
 
 /// Moments of the radii by the midpoint rule over their quantiles, which is exact to 1e-6 here.
 fn moments(radii: &Radii) -> [f64; 3] {
@@ -23,7 +23,7 @@ fn moments_are_those_of_the_closed_forms() {
         "lognormal:0.1",
         "lognormal:0.7",
     ] {
-        let radii = text.parse::<Sizes>().unwrap().radii().unwrap();
+        let radii = text.parse::<SizeDistribution>().unwrap().radii().unwrap();
         let [mean, square, cube] = moments(&radii);
         assert!((mean - 1.0).abs() < 2e-5, "{text}: {mean}");
         assert!((radii.mean() - 1.0).abs() < 1e-15, "{text}");
@@ -51,7 +51,7 @@ fn moments_are_those_of_the_closed_forms() {
 #[test]
 fn quantiles_rise_from_bound_to_bound() {
     for text in ["uniform:0.5", "normal:0.25", "lognormal:1"] {
-        let radii = text.parse::<Sizes>().unwrap().radii().unwrap();
+        let radii = text.parse::<SizeDistribution>().unwrap().radii().unwrap();
         let [low, high] = radii.bounds();
         assert!(low > 0.0);
         let shares = (0..=1000).map(|n| f64::from(n) / 1000.0);
@@ -109,7 +109,7 @@ fn refusals_name_file_line_and_what_would_be_valid() {
     }
     for text in ["", "normal", "gamma:0.1", "table:", "uniform:x"] {
         assert_eq!(
-            text.parse::<Sizes>(),
+            text.parse::<SizeDistribution>(),
             Err(SizesError::Form(text.into())),
             "{text:?}"
         );
@@ -123,7 +123,10 @@ fn refusals_name_file_line_and_what_would_be_valid() {
         "lognormal:1.1",
     ] {
         assert!(
-            matches!(text.parse::<Sizes>(), Err(SizesError::Width { .. })),
+            matches!(
+                text.parse::<SizeDistribution>(),
+                Err(SizesError::Width { .. })
+            ),
             "{text}"
         );
     }

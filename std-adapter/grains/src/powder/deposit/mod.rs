@@ -165,8 +165,8 @@ impl Ballistic {
     ///
     /// ```
     /// use tribos::powder::deposit::{Ballistic, Until};
-    /// use tribos::scene::Sizes;
-    /// let radii = Sizes::LogNormal(0.2).radii()?;
+    /// use tribos::scene::SizeDistribution;
+    /// let radii = SizeDistribution::LogNormal(0.2).radii()?;
     /// let deposit = Ballistic::sized(20.0, radii.clone(), 3.0)?.grow(Until::Count(100), 1)?;
     /// let [low, high] = radii.bounds();
     /// assert!(deposit.radii.iter().all(|radius| (low..=high).contains(radius)));

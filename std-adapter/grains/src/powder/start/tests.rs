@@ -1,5 +1,5 @@
-use crate::packing::Sizes;
-use crate::powder::Compaction;
+use crate::packing::SizeDistribution;
+use crate::powder::PowderSimulation;
 use crate::powder::scene::PowderScene;
 use nalgebra::Vector3;
 use std::path::PathBuf;
@@ -23,8 +23,11 @@ fn tiny() -> PowderScene {
     }
 }
 
-fn after(scene: &PowderScene, steps: usize) -> Result<Compaction, Box<dyn std::error::Error>> {
-    let mut run = Compaction::new(scene)?;
+fn after(
+    scene: &PowderScene,
+    steps: usize,
+) -> Result<PowderSimulation, Box<dyn std::error::Error>> {
+    let mut run = PowderSimulation::new(scene)?;
     for _ in 0..steps {
         run.step()?;
     }
@@ -38,7 +41,7 @@ fn kept(folder: &TempDir, name: &str, text: &str) -> std::io::Result<PathBuf> {
 }
 
 /// Places, velocities and spins.
-fn motion(run: &Compaction) -> Vec<[Vector3<f64>; 3]> {
+fn motion(run: &PowderSimulation) -> Vec<[Vector3<f64>; 3]> {
     run.with_snapshot(|now| {
         let velocities = now.velocities.unwrap_or_default().iter();
         let spins = now.spins.unwrap_or_default();
@@ -49,13 +52,13 @@ fn motion(run: &Compaction) -> Vec<[Vector3<f64>; 3]> {
 }
 
 fn refusal(scene: &PowderScene) -> String {
-    Compaction::check(scene).map_or_else(|error| error.to_string(), |()| "taken".into())
+    PowderSimulation::check(scene).map_or_else(|error| error.to_string(), |()| "taken".into())
 }
 
 #[test]
 fn a_run_from_a_state_or_a_checkpoint_goes_on_to_the_bit() -> Tested {
     let home = tempfile::tempdir()?;
-    for sizes in [None, Some(Sizes::LogNormal(0.1))] {
+    for sizes in [None, Some(SizeDistribution::LogNormal(0.1))] {
         let scene = PowderScene { sizes, ..tiny() };
         let mut whole = after(&scene, 40)?;
         let state = kept(&home, "state.json", &whole.state())?;
@@ -69,7 +72,7 @@ fn a_run_from_a_state_or_a_checkpoint_goes_on_to_the_bit() -> Tested {
                 sizes: None,
                 ..scene.clone()
             };
-            let part = Compaction::new(&scene)?;
+            let part = PowderSimulation::new(&scene)?;
             assert_eq!((part.steps(), part.height()), (0, whole.height()));
             assert_eq!(part.contacts(), whole.contacts());
             assert_eq!(motion(&part), motion(&whole));
@@ -107,7 +110,7 @@ fn another_material_starts_from_the_same_places() -> Tested {
             ..tiny()
         },
     ] {
-        let mut run = Compaction::new(&smooth)?;
+        let mut run = PowderSimulation::new(&smooth)?;
         assert_eq!(motion(&run), motion(&rough));
         for _ in 0..20 {
             run.step()?;
@@ -127,7 +130,7 @@ fn a_run_from_a_start_resumes_from_its_own_checkpoint() -> Tested {
         ..tiny()
     };
     let mut whole = after(&scene, 10)?;
-    let mut resumed = Compaction::resume(&scene, &whole.checkpoint())?;
+    let mut resumed = PowderSimulation::resume(&scene, &whole.checkpoint())?;
     whole.step()?;
     resumed.step()?;
     assert_eq!((resumed.steps(), motion(&resumed)), (11, motion(&whole)));
@@ -144,7 +147,7 @@ fn spheres_of_a_file_lie_between_the_plates_as_they_are() -> Tested {
             start: Some(kept(&home, name, &text)?),
             ..tiny()
         };
-        let other = Compaction::new(&scene)?;
+        let other = PowderSimulation::new(&scene)?;
         let (was, is) = (motion(&run), motion(&other));
         let low = run.with_snapshot(|now| {
             let lowest = now
@@ -211,7 +214,7 @@ fn starts_that_do_not_fit_are_refused_with_what_would() -> Tested {
     };
     assert!(refusal(&twice).contains("leave out `count`, `sizes` and `radius_spread`"));
     let both = PowderScene {
-        sizes: Some(Sizes::Normal(0.1)),
+        sizes: Some(SizeDistribution::Normal(0.1)),
         radius_spread: 0.1,
         ..tiny()
     };
@@ -221,12 +224,12 @@ fn starts_that_do_not_fit_are_refused_with_what_would() -> Tested {
 
 #[test]
 fn a_uniform_distribution_is_the_spread_of_the_radii() -> Tested {
-    let spread = Compaction::new(&PowderScene {
+    let spread = PowderSimulation::new(&PowderScene {
         radius_spread: 0.2,
         ..tiny()
     })?;
-    let sizes = Compaction::new(&PowderScene {
-        sizes: Some(Sizes::Uniform(0.2)),
+    let sizes = PowderSimulation::new(&PowderScene {
+        sizes: Some(SizeDistribution::Uniform(0.2)),
         ..tiny()
     })?;
     assert_eq!(spread.deposit(), sizes.deposit());

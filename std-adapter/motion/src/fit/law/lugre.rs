@@ -1,43 +1,43 @@
 //! LuGre: its steady curve, and its bristles over time.
 
-use super::super::Data;
-use super::super::parameter::{Model, Parameter, Range};
+use super::super::Measurements;
+use super::super::parameter::{FitParameter, Model, Range};
 use super::{Interval, Scales, between, distances, intervals, log_between, merged, order, picked};
 use std::borrow::Cow;
 use tribos_core::law::{Bristle, LuGre, LuGreParameters};
 
-const PARAMETERS: [Parameter; 6] = [
-    Parameter {
+const PARAMETERS: [FitParameter; 6] = [
+    FitParameter {
         name: "fc",
         unit: "N",
         meaning: "Coulomb force",
         range: Range::Positive,
     },
-    Parameter {
+    FitParameter {
         name: "fs",
         unit: "N",
         meaning: "static force",
         range: Range::Positive,
     },
-    Parameter {
+    FitParameter {
         name: "vs",
         unit: "m/s",
         meaning: "Stribeck speed",
         range: Range::Positive,
     },
-    Parameter {
+    FitParameter {
         name: "s2",
         unit: "N s/m",
         meaning: "viscous damping",
         range: Range::NotNegative,
     },
-    Parameter {
+    FitParameter {
         name: "s0",
         unit: "N/m",
         meaning: "stiffness of the bristles",
         range: Range::Positive,
     },
-    Parameter {
+    FitParameter {
         name: "s1",
         unit: "N s/m",
         meaning: "damping of the bristles",
@@ -79,7 +79,7 @@ pub(super) struct Steady<'a> {
 }
 
 impl Model for Steady<'_> {
-    fn parameters(&self) -> &[Parameter] {
+    fn parameters(&self) -> &[FitParameter] {
         &PARAMETERS[..STEADY]
     }
 
@@ -118,7 +118,7 @@ pub(super) struct Series<'a> {
 }
 
 impl<'a> Series<'a> {
-    pub fn new(data: &Data, times: &'a [f64], velocities: &'a [f64]) -> Self {
+    pub fn new(data: &Measurements, times: &'a [f64], velocities: &'a [f64]) -> Self {
         let [_, largest] = data.forces();
         let intervals = intervals(times, velocities);
         Self {
@@ -134,7 +134,7 @@ impl<'a> Series<'a> {
 }
 
 impl Model for Series<'_> {
-    fn parameters(&self) -> &[Parameter] {
+    fn parameters(&self) -> &[FitParameter] {
         &PARAMETERS
     }
 

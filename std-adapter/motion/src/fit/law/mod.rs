@@ -7,24 +7,24 @@ mod stribeck;
 
 use super::estimate::FitError;
 use super::parameter::Model;
-use super::{Data, Motion};
+use super::{Measurements, Motion};
 use std::borrow::Cow;
 use std::str::FromStr;
 use tribos_core::law::{AgeingLaw, LocalLaw, SlipLaw};
-use tribos_friction::Refusal;
+use tribos_friction::FrictionError;
 
 /// A law that can be fitted.
 ///
 /// ```
-/// use tribos::fit::LawName;
-/// assert_eq!("lugre".parse(), Ok(LawName::LuGre));
-/// assert_eq!((LawName::LuGre.steady(), LawName::LuGre.over_time()), ("lugre", "lugre-bristles"));
-/// for (law, name, _) in LawName::ALL {
+/// use tribos::fit::FitLaw;
+/// assert_eq!("lugre".parse(), Ok(FitLaw::LuGre));
+/// assert_eq!((FitLaw::LuGre.steady(), FitLaw::LuGre.over_time()), ("lugre", "lugre-bristles"));
+/// for (law, name, _) in FitLaw::ALL {
 ///     assert_eq!(name.parse(), Ok(law));
 /// }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LawName {
+pub enum FitLaw {
     /// Boundary and hydrodynamic lubrication; steady.
     Stribeck,
     /// Bristles; steady, or over time with their deflection.
@@ -37,7 +37,7 @@ pub enum LawName {
     RateStateSlip,
 }
 
-impl LawName {
+impl FitLaw {
     /// All laws that can be fitted, each with its name and what is fitted.
     pub const ALL: [(Self, &'static str, &'static str); 5] = [
         (
@@ -84,15 +84,15 @@ impl LawName {
     }
 }
 
-impl FromStr for LawName {
-    type Err = Refusal;
+impl FromStr for FitLaw {
+    type Err = FrictionError;
 
-    fn from_str(text: &str) -> Result<Self, Refusal> {
+    fn from_str(text: &str) -> Result<Self, FrictionError> {
         let found = Self::ALL.into_iter().find(|(_, name, _)| *name == text);
         found.map(|(law, ..)| law).ok_or_else(|| {
             let names = Self::ALL.map(|(_, name, _)| name);
             let list = format!("there are {}", names.join(", "));
-            Refusal::unknown("law to fit", text, names, list)
+            FrictionError::unknown("law to fit", text, names, list)
         })
     }
 }
@@ -102,34 +102,34 @@ impl FromStr for LawName {
 /// Over time the state follows the kernel's exact step through each interval at the mean of the
 /// velocities at its ends; it begins as in steady sliding at the first velocity, relaxed if that is
 /// zero.
-pub fn law_model<'a>(law: LawName, data: &'a Data) -> Result<Box<dyn Model + 'a>, FitError> {
+pub fn law_model<'a>(law: FitLaw, data: &'a Measurements) -> Result<Box<dyn Model + 'a>, FitError> {
     const STATELESS: &str =
         "this law has no memory: give steady friction, columns v,f, or fit lugre or rate-state";
     let scales = Scales::of(data);
     Ok(match (law, data.motion()) {
-        (LawName::Stribeck, Motion::Steady { speeds }) => {
+        (FitLaw::Stribeck, Motion::Steady { speeds }) => {
             let speeds = Cow::Borrowed(speeds.as_slice());
             Box::new(stribeck::Steady { speeds, scales })
         }
-        (LawName::Power, Motion::Steady { speeds }) => Box::new(power::Steady::new(data, speeds)),
-        (LawName::LuGre, Motion::Steady { speeds }) => {
+        (FitLaw::Power, Motion::Steady { speeds }) => Box::new(power::Steady::new(data, speeds)),
+        (FitLaw::LuGre, Motion::Steady { speeds }) => {
             let speeds = Cow::Borrowed(speeds.as_slice());
             Box::new(lugre::Steady { speeds, scales })
         }
-        (LawName::LuGre, Motion::Series { times, velocities }) => {
+        (FitLaw::LuGre, Motion::Series { times, velocities }) => {
             Box::new(lugre::Series::new(data, times, velocities))
         }
-        (LawName::RateState | LawName::RateStateSlip, Motion::Steady { speeds }) => {
+        (FitLaw::RateState | FitLaw::RateStateSlip, Motion::Steady { speeds }) => {
             let speeds = Cow::Borrowed(speeds.as_slice());
             Box::new(rate_state::Steady { speeds, scales })
         }
-        (LawName::RateState, Motion::Series { times, velocities }) => Box::new(
+        (FitLaw::RateState, Motion::Series { times, velocities }) => Box::new(
             rate_state::Series::<AgeingLaw>::new(data, times, velocities)?,
         ),
-        (LawName::RateStateSlip, Motion::Series { times, velocities }) => {
+        (FitLaw::RateStateSlip, Motion::Series { times, velocities }) => {
             Box::new(rate_state::Series::<SlipLaw>::new(data, times, velocities)?)
         }
-        (LawName::Stribeck | LawName::Power, Motion::Series { .. }) => {
+        (FitLaw::Stribeck | FitLaw::Power, Motion::Series { .. }) => {
             return Err(FitError::Form(STATELESS));
         }
     })
@@ -143,7 +143,7 @@ struct Scales {
 }
 
 impl Scales {
-    fn of(data: &Data) -> Self {
+    fn of(data: &Measurements) -> Self {
         Self {
             speeds: data.speeds(),
             forces: data.forces(),

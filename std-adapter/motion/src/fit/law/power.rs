@@ -1,19 +1,19 @@
 //! The power law γ|v|^α.
 
-use super::super::Data;
-use super::super::parameter::{Model, Parameter, Range};
+use super::super::Measurements;
+use super::super::parameter::{FitParameter, Model, Range};
 use super::{between, geometric_mean, picked, steady};
 use std::borrow::Cow;
 use tribos_core::law::PowerLaw;
 
-const PARAMETERS: [Parameter; 2] = [
-    Parameter {
+const PARAMETERS: [FitParameter; 2] = [
+    FitParameter {
         name: "gamma",
         unit: "(s/m)^alpha",
         meaning: "coefficient",
         range: Range::Positive,
     },
-    Parameter {
+    FitParameter {
         name: "alpha",
         unit: "-",
         meaning: "exponent",
@@ -34,7 +34,7 @@ pub(super) struct Steady<'a> {
 }
 
 impl<'a> Steady<'a> {
-    pub fn new(data: &Data, speeds: &'a [f64]) -> Self {
+    pub fn new(data: &Measurements, speeds: &'a [f64]) -> Self {
         Self {
             speeds: Cow::Borrowed(speeds),
             middle: [data.speeds(), data.forces()].map(geometric_mean),
@@ -43,7 +43,7 @@ impl<'a> Steady<'a> {
 }
 
 impl Model for Steady<'_> {
-    fn parameters(&self) -> &[Parameter] {
+    fn parameters(&self) -> &[FitParameter] {
         &PARAMETERS
     }
 

@@ -1,45 +1,45 @@
 //! Rate and state: steady, and with its age over time.
 
 use super::super::estimate::FitError;
-use super::super::parameter::{Model, Parameter, Range};
-use super::super::{Data, DataError};
+use super::super::parameter::{FitParameter, Model, Range};
+use super::super::{DataError, Measurements};
 use super::{Interval, Scales, between, distances, intervals, log_between, merged, picked, steady};
 use std::borrow::Cow;
 use std::marker::PhantomData;
 use tribos_core::law::{RateState, RateStateParameters, StateEvolution};
 
-const PARAMETERS: [Parameter; 6] = [
-    Parameter {
+const PARAMETERS: [FitParameter; 6] = [
+    FitParameter {
         name: "mu0",
         unit: "-",
         meaning: "coefficient of steady sliding with v0",
         range: Range::NotNegative,
     },
-    Parameter {
+    FitParameter {
         name: "a",
         unit: "-",
         meaning: "direct effect of the speed",
         range: Range::Positive,
     },
-    Parameter {
+    FitParameter {
         name: "b",
         unit: "-",
         meaning: "effect of the age",
         range: Range::NotNegative,
     },
-    Parameter {
+    FitParameter {
         name: "v0",
         unit: "m/s",
         meaning: "reference speed",
         range: Range::Positive,
     },
-    Parameter {
+    FitParameter {
         name: "eta",
         unit: "s/m",
         meaning: "viscous term",
         range: Range::NotNegative,
     },
-    Parameter {
+    FitParameter {
         name: "dc",
         unit: "m",
         meaning: "memory length",
@@ -89,7 +89,7 @@ pub(super) struct Steady<'a> {
 }
 
 impl Model for Steady<'_> {
-    fn parameters(&self) -> &[Parameter] {
+    fn parameters(&self) -> &[FitParameter] {
         &PARAMETERS[..STEADY]
     }
 
@@ -125,7 +125,11 @@ pub(super) struct Series<'a, E> {
 
 impl<'a, E: StateEvolution> Series<'a, E> {
     /// Refuses backward motion and a start at rest, for which the age is unknown.
-    pub fn new(data: &Data, times: &'a [f64], velocities: &'a [f64]) -> Result<Self, FitError> {
+    pub fn new(
+        data: &Measurements,
+        times: &'a [f64],
+        velocities: &'a [f64],
+    ) -> Result<Self, FitError> {
         if velocities.first().is_some_and(|v| *v <= 0.0) {
             let message = "rate and state begins in steady sliding: the first velocity must be > 0";
             return Err(refused(0, message));
@@ -155,7 +159,7 @@ fn refused(point: usize, message: &str) -> FitError {
 }
 
 impl<E: StateEvolution + 'static> Model for Series<'_, E> {
-    fn parameters(&self) -> &[Parameter] {
+    fn parameters(&self) -> &[FitParameter] {
         &PARAMETERS
     }
 

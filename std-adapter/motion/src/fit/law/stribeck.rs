@@ -1,36 +1,36 @@
 //! The Stribeck law μ_d + (μₛ − μ_d) exp(−(v/vₛ)^δ) + k v.
 
-use super::super::parameter::{Model, Parameter, Range};
+use super::super::parameter::{FitParameter, Model, Range};
 use super::{Scales, between, log_between, order, picked, steady};
 use std::borrow::Cow;
 use tribos_core::law::{DryFriction, Stribeck, StribeckParameters};
 
-const PARAMETERS: [Parameter; 5] = [
-    Parameter {
+const PARAMETERS: [FitParameter; 5] = [
+    FitParameter {
         name: "mu_s",
         unit: "-",
         meaning: "coefficient at rest",
         range: Range::NotNegative,
     },
-    Parameter {
+    FitParameter {
         name: "mu_d",
         unit: "-",
         meaning: "coefficient of the boundary branch",
         range: Range::NotNegative,
     },
-    Parameter {
+    FitParameter {
         name: "vs",
         unit: "m/s",
         meaning: "Stribeck speed",
         range: Range::Positive,
     },
-    Parameter {
+    FitParameter {
         name: "delta",
         unit: "-",
         meaning: "exponent",
         range: Range::Positive,
     },
-    Parameter {
+    FitParameter {
         name: "k",
         unit: "s/m",
         meaning: "viscous coefficient",
@@ -47,7 +47,7 @@ pub(super) struct Steady<'a> {
 }
 
 impl Model for Steady<'_> {
-    fn parameters(&self) -> &[Parameter] {
+    fn parameters(&self) -> &[FitParameter] {
         &PARAMETERS
     }
 

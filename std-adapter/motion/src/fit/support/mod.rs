@@ -21,7 +21,7 @@ use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::patch::nodes::{Node, NodeSlice};
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{Patch, Refusal, limit_surface, points_of};
+use tribos_friction::{FrictionError, Patch, limit_surface, points_of};
 
 /// A measured push: a motion of the body, of which the direction alone counts, and the wrench on it.
 ///
@@ -78,7 +78,7 @@ pub enum MeasuredPushError {
     Whole(String),
     /// The known support.
     #[error(transparent)]
-    Support(#[from] Refusal),
+    Support(#[from] FrictionError),
 }
 
 /// Parts of the cross-validation.
@@ -153,7 +153,7 @@ pub fn fit_support_at(
     points: &[Node<f64>],
 ) -> Result<SupportFit, MeasuredPushError> {
     let length = checked(pushes)?;
-    NodeSlice::new(points).map_err(|error| Refusal::from(tribos_core::Error::from(error)))?;
+    NodeSlice::new(points).map_err(|error| FrictionError::from(tribos_core::Error::from(error)))?;
     let places: Vec<[f64; 2]> = points.iter().map(|node| [node.x, node.y]).collect();
     let loads = points.iter().map(|node| node.weight).collect();
     let scaled = places

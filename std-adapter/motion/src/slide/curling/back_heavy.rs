@@ -5,7 +5,7 @@ use crate::slide::SlideError;
 use crate::slide::planar::Resistance;
 use tribos_core::Real;
 use tribos_core::internals::{LeaningWrench, leaning_wrench};
-use tribos_friction::Friction;
+use tribos_friction::AnyFriction;
 
 /// Friction that is larger at the back of the band than at the front by a given factor, whatever the
 /// cause (melt water, evaporation, debris).
@@ -62,7 +62,7 @@ impl CurlingModel for BackHeavy {
 /// A band whose friction varies linearly along the velocity.
 #[derive(Debug)]
 struct Modulated {
-    foot: Friction,
+    foot: AnyFriction,
     strength: f64,
     gradient: f64,
     radius: f64,

@@ -2,7 +2,7 @@
 
 use crate::slide::SlideError;
 use crate::slide::planar::{Gradient, TallBody};
-use tribos_friction::{Friction, Law, Patch};
+use tribos_friction::{AnyFriction, Law, Patch};
 
 /// A curling rock on its running band.
 ///
@@ -48,9 +48,9 @@ impl CurlingRock {
     }
 
     /// Friction of ice on the running band.
-    pub(super) fn friction(&self, ice: IceLaw) -> Result<Friction, SlideError> {
+    pub(super) fn friction(&self, ice: IceLaw) -> Result<AnyFriction, SlideError> {
         let law = Law::power(ice.coefficient, ice.alpha)?;
-        Ok(Friction::new(&self.patch(), &law, None)?)
+        Ok(AnyFriction::new(&self.patch(), &law, None)?)
     }
 
     /// The rock under a law of ice, with its centre of mass at `height`.

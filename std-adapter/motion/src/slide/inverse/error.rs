@@ -1,6 +1,6 @@
 //! Why no launch was found.
 
-use super::{Limits, Pose, Solution};
+use super::{LaunchLimits, LaunchSolution, Pose};
 use tribos_core::Error;
 
 /// Why a rest pose could not be inverted.
@@ -48,10 +48,10 @@ pub enum InverseError {
 /// A target beyond the launch limits: the launch it needs, and the reach of the limits.
 ///
 /// ```
-/// use tribos::slide::inverse::{InverseError, Limits, OutOfReach, Pose, RestMap, Turns};
+/// use tribos::slide::inverse::{InverseError, LaunchLimits, OutOfReach, Pose, RestMap, Turns};
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
-/// let (target, limits) = (Pose { x: 10.0, y: 0.0, angle: 0.0 }, Limits::new(3.0, 100.0)?);
+/// let (target, limits) = (Pose { x: 10.0, y: 0.0, angle: 0.0 }, LaunchLimits::new(3.0, 100.0)?);
 /// let thrown = disk.launches(&target, Turns::Exact, &limits);
 /// let Err(InverseError::OutOfReach(why)) = thrown else { unreachable!() };
 /// let OutOfReach { needed, distances, .. } = *why;
@@ -64,9 +64,9 @@ pub enum InverseError {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfReach {
     /// The launch that exceeds the limits by the least.
-    pub needed: Solution,
+    pub needed: LaunchSolution,
     /// The launch limits.
-    pub limits: Limits,
+    pub limits: LaunchLimits,
     /// Distance of the target, in m.
     pub distance: f64,
     /// Shortest and longest distance within the limits for the angle of `needed`, in m; `None` if

@@ -8,10 +8,10 @@ use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 /// compared exactly.
 ///
 /// ```
-/// use tribos::slide::inverse::{InverseError, Limits, RestMap};
+/// use tribos::slide::inverse::{InverseError, LaunchLimits, RestMap};
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
-/// let limits = Limits::new(3.0, 50.0)?;
+/// let limits = LaunchLimits::new(3.0, 50.0)?;
 /// assert_eq!((limits.max_speed(), limits.max_spin()), (3.0, 50.0));
 /// // Alone, v²/(2 mu g) and ω²/2 over (2/3) mu g/(C R); together both go on for longer.
 /// let (way, angle) = (9.0 / (2.0 * 0.3 * 9.81), 2500.0 * 0.08 * 3.0 / (8.0 * 0.3 * 9.81));
@@ -21,16 +21,16 @@ use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 /// assert!(far > way && most > angle);
 /// assert_eq!(disk.distances(0.0, &limits), Some([0.0, disk.reach(3.0, 0.0)[0]]));
 /// assert_eq!(disk.distances(2.0 * most, &limits), None);
-/// assert!(matches!(Limits::new(-3.0, 50.0), Err(InverseError::Limit { name: "speed", .. })));
+/// assert!(matches!(LaunchLimits::new(-3.0, 50.0), Err(InverseError::Limit { name: "speed", .. })));
 /// # Ok::<(), tribos::slide::inverse::InverseError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
+pub struct LaunchLimits {
     max_speed: f64,
     max_spin: f64,
 }
 
-impl Limits {
+impl LaunchLimits {
     /// *Domain*: finite and not negative; m/s and rad/s.
     pub fn new(max_speed: f64, max_spin: f64) -> Result<Self, InverseError> {
         let limit = |name: &'static str, given: f64| {
@@ -72,7 +72,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     ///
     /// Both ends are launches at a limit: the shortest has the fastest spin, the longest the highest
     /// speed.
-    pub fn distances(&self, angle: f64, limits: &Limits) -> Option<[f64; 2]> {
+    pub fn distances(&self, angle: f64, limits: &LaunchLimits) -> Option<[f64; 2]> {
         let (angle, speed, spin) = (angle.abs(), limits.max_speed, limits.max_spin);
         let turned = |speed: f64, spin: f64| self.reach(speed, spin)[1];
         let most = turned(speed, spin);

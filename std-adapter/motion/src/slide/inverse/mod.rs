@@ -56,13 +56,13 @@ pub use error::InverseError;
 pub use error::OutOfReach;
 #[doc(hidden)]
 pub use jacobian::PoseJacobian;
-pub use limits::Limits;
+pub use limits::LaunchLimits;
 #[doc(hidden)]
 pub use map::Landing;
 pub use map::RestMap;
 #[doc(hidden)]
 pub use plan::MAX_SOLUTIONS;
-pub use plan::{Launches, Solution, Turns};
+pub use plan::{LaunchSolution, Launches, Turns};
 
 /// Initial velocity of the centre and initial spin, in m/s and rad/s.
 ///

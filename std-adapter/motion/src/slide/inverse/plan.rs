@@ -1,6 +1,6 @@
 //! From a rest pose to every launch within the limits.
 
-use super::{InverseError, Launch, Limits, OutOfReach, Pose, RestMap};
+use super::{InverseError, Launch, LaunchLimits, OutOfReach, Pose, RestMap};
 use crate::slide::inverse::solve::Throw;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -24,12 +24,12 @@ pub enum Turns {
 /// One launch that ends at the requested pose.
 ///
 /// ```
-/// use tribos::slide::inverse::{Limits, Pose, RestMap, Solution, Turns};
+/// use tribos::slide::inverse::{LaunchLimits, Pose, RestMap, LaunchSolution, Turns};
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let target = Pose { x: 1.0, y: 0.0, angle: 0.0 };
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
-/// let all: Vec<Solution> = disk.launches(&target, turns, &Limits::new(3.0, 30.0)?)?;
+/// let all: Vec<LaunchSolution> = disk.launches(&target, turns, &LaunchLimits::new(3.0, 30.0)?)?;
 /// assert!(all.len() > 2);
 /// assert!(all.iter().all(|one| (one.turns() - one.turns().round()).abs() < 1e-12));
 /// // Spin only adds to the work of friction: the least is mu g d, without a turn.
@@ -38,7 +38,7 @@ pub enum Turns {
 /// # Ok::<(), tribos::slide::inverse::InverseError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Solution {
+pub struct LaunchSolution {
     /// The launch.
     pub launch: Launch,
     /// |velocity|, in m/s.
@@ -54,7 +54,7 @@ pub struct Solution {
     pub energy_per_mass: f64,
 }
 
-impl Solution {
+impl LaunchSolution {
     /// Number of turns during the motion, of either sign.
     pub fn turns(&self) -> f64 {
         self.angle / TAU
@@ -65,11 +65,11 @@ impl Solution {
 /// caller chooses the number.
 ///
 /// ```
-/// use tribos::slide::inverse::{InverseError, Limits, MAX_SOLUTIONS, Pose, RestMap, Turns};
+/// use tribos::slide::inverse::{InverseError, LaunchLimits, MAX_SOLUTIONS, Pose, RestMap, Turns};
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
-/// let spins = Limits::new(3.0, 1e4)?; // ω² 3 R/(8 mu g) = 10⁶ rad
+/// let spins = LaunchLimits::new(3.0, 1e4)?; // ω² 3 R/(8 mu g) = 10⁶ rad
 /// let all = disk.launches(&Pose::default(), turns, &spins);
 /// assert!(matches!(all, Err(InverseError::TooMany { count }) if count > MAX_SOLUTIONS));
 /// assert_eq!(disk.fewest_turns(&Pose::default(), turns, &spins, 7)?.solutions.len(), 7);
@@ -80,12 +80,12 @@ pub const MAX_SOLUTIONS: u64 = 10_000;
 /// Launches that end at the requested pose: their number, and those that were computed.
 ///
 /// ```
-/// use tribos::slide::inverse::{Launches, Limits, Pose, RestMap, Turns};
+/// use tribos::slide::inverse::{Launches, LaunchLimits, Pose, RestMap, Turns};
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let target = Pose { x: 1.0, y: 0.0, angle: 0.0 };
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
-/// let limits = Limits::new(3.0, 60.0)?;
+/// let limits = LaunchLimits::new(3.0, 60.0)?;
 /// let Launches { count, solutions } = disk.fewest_turns(&target, turns, &limits, 3)?;
 /// assert_eq!(count, disk.launches(&target, turns, &limits)?.len() as u64);
 /// assert!(count > 3);
@@ -101,7 +101,7 @@ pub struct Launches {
     /// [`u64::MAX`].
     pub count: u64,
     /// The launches with the fewest turns, in order of increasing kinetic energy.
-    pub solutions: Vec<Solution>,
+    pub solutions: Vec<LaunchSolution>,
 }
 
 /// Relative margin for rounding in the number of turns that are tried.
@@ -218,8 +218,8 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         &self,
         target: &Pose,
         turns: Turns,
-        limits: &Limits,
-    ) -> Result<Vec<Solution>, InverseError> {
+        limits: &LaunchLimits,
+    ) -> Result<Vec<LaunchSolution>, InverseError> {
         let flights = self.flights(target, turns, limits)?;
         let count = count(&flights);
         if count > MAX_SOLUTIONS {
@@ -240,7 +240,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         &self,
         target: &Pose,
         turns: Turns,
-        limits: &Limits,
+        limits: &LaunchLimits,
         most: u64,
     ) -> Result<Launches, InverseError> {
         let flights = self.flights(target, turns, limits)?;
@@ -252,7 +252,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         &self,
         target: &Pose,
         turns: Turns,
-        limits: &Limits,
+        limits: &LaunchLimits,
     ) -> Result<Vec<Flight>, InverseError> {
         let distance = Real::hypot(target.x, target.y);
         if !distance.is_finite() || !target.angle.is_finite() {
@@ -280,7 +280,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         &self,
         target: &Pose,
         turns: Turns,
-        limits: &Limits,
+        limits: &LaunchLimits,
         flights: &[Flight],
         most: u64,
     ) -> Result<Launches, InverseError> {
@@ -297,7 +297,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
             let throw = self.throw(distance, angle.abs());
             self.solution(target, angle, &throw)
         });
-        let mut solutions: Vec<Solution> = all.filter(|one| is_within(one, limits)).collect();
+        let mut solutions: Vec<LaunchSolution> = all.filter(|one| is_within(one, limits)).collect();
         if solutions.iter().any(|solution| !solution.time.is_finite()) {
             return Err(InverseError::Target { given: *target });
         }
@@ -327,7 +327,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     }
 
     /// A launch of given magnitudes, aimed at the target.
-    fn solution(&self, target: &Pose, angle: f64, throw: &Throw) -> Solution {
+    fn solution(&self, target: &Pose, angle: f64, throw: &Throw) -> LaunchSolution {
         let distance = Real::hypot(target.x, target.y);
         let along = |component: f64| match distance {
             0.0 => 0.0,
@@ -337,7 +337,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
             velocity: [along(target.x), along(target.y)],
             spin: throw.spin.copysign(angle),
         };
-        Solution {
+        LaunchSolution {
             launch,
             speed: throw.speed,
             direction: match throw.speed {
@@ -352,7 +352,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
 
     /// The launch of one direction that exceeds the limits by the least. With more turns the required speed
     /// falls and the required spin rises: the optimum is where their excesses are equal.
-    fn nearest(&self, target: &Pose, ladder: &Ladder, limits: &Limits) -> Solution {
+    fn nearest(&self, target: &Pose, ladder: &Ladder, limits: &LaunchLimits) -> LaunchSolution {
         let distance = Real::hypot(target.x, target.y);
         let throw = |rank| self.throw(distance, ladder.angle(rank));
         let sliding_exceeds_more = |throw: &Throw| {
@@ -392,7 +392,7 @@ fn partition(from: u64, to: u64, mut holds: impl FnMut(u64) -> bool) -> u64 {
     low
 }
 
-fn is_within(solution: &Solution, limits: &Limits) -> bool {
+fn is_within(solution: &LaunchSolution, limits: &LaunchLimits) -> bool {
     solution.speed <= limits.max_speed() && solution.launch.spin.abs() <= limits.max_spin()
 }
 
@@ -405,7 +405,7 @@ fn over(needed: f64, limit: f64) -> f64 {
 }
 
 /// Factor by which the limits are exceeded.
-fn excess(solution: &Solution, limits: &Limits) -> f64 {
+fn excess(solution: &LaunchSolution, limits: &LaunchLimits) -> f64 {
     let speed = over(solution.speed, limits.max_speed());
     let spin = over(solution.launch.spin.abs(), limits.max_spin());
     speed.max(spin)

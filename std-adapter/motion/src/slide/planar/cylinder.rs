@@ -3,18 +3,18 @@
 use super::{Gradient, TallBody};
 use crate::slide::SlideError;
 use tribos_core::patch::PowerPressure;
-use tribos_friction::{Friction, Law};
+use tribos_friction::{AnyFriction, Law};
 
 /// A cylinder that slides on its flat side: counterclockwise spin bends its path to the right.
 ///
 /// *Units*: SI. *Source*: section 3.5.1 of the thesis.
 ///
 /// ```
-/// use tribos::slide::planar::{Journey, Launch, TallCylinder};
+/// use tribos::slide::planar::{PlanarSimulation, PlanarLaunch, TallCylinder};
 /// let cylinder = TallCylinder { height: 0.16, ..TallCylinder::solid(0.2, 0.08) };
-/// let launch = Launch { velocity: [1.0, 0.0], spin: 5.0 };
+/// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 5.0 };
 /// let body = cylinder.body(9.81)?;
-/// let end = Journey::new(&body, &launch, 1e-4)?.to_end()?;
+/// let end = PlanarSimulation::new(&body, &launch, 1e-4)?.to_end()?;
 /// assert!((end.point.position[1] + 0.014632310).abs() < 1e-9);
 /// # Ok::<(), tribos::slide::SlideError>(())
 /// ```
@@ -57,7 +57,7 @@ impl TallCylinder {
 
     /// Its resistance under `gravity`, in m/s², and another law than its own.
     pub(crate) fn body_under(&self, law: &Law, gravity: f64) -> Result<TallBody, SlideError> {
-        let foot = Friction::new(&self.pressure.into(), law, None)?.with_radius(self.radius)?;
+        let foot = AnyFriction::new(&self.pressure.into(), law, None)?.with_radius(self.radius)?;
         let rest = [gravity, self.inertia_ratio];
         TallBody::new(foot, 0.5 * self.height, self.gradient, rest)
     }

@@ -22,7 +22,7 @@ use tribos_core::internals::runge_kutta;
 
 /// Initial velocity and spin of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Launch {
+pub struct PlanarLaunch {
     /// Velocity of the centre of mass, in m/s.
     pub velocity: [f64; 2],
     /// Spin, positive counterclockwise, in rad/s.
@@ -31,7 +31,7 @@ pub struct Launch {
 
 /// State at one time of a journey that starts at time 0 in the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
+pub struct PlanarState {
     /// Time, in s.
     pub time: f64,
     /// Position of the centre, in m.
@@ -54,7 +54,7 @@ pub struct Point {
 
 /// Why a journey ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
+pub enum PlanarStopReason {
     /// Sliding and spinning stopped at the same instant.
     Rest,
     /// Both speeds fell below the given fraction; under a law with α ≥ 1 the body never comes to rest.
@@ -63,11 +63,11 @@ pub enum Ending {
 
 /// The end of a journey.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Arrival {
+pub struct PlanarResult {
     /// State at the end.
-    pub point: Point,
+    pub point: PlanarState,
     /// Why the journey ended.
-    pub ending: Ending,
+    pub ending: PlanarStopReason,
     /// Largest |l| during the journey.
     pub most_lean: f64,
     /// Time at which |l| first exceeded 1 and the body began to tip, in s, located within the step.
@@ -121,7 +121,7 @@ const VISIBLE: f64 = 1e-6;
 /// # Ok::<(), tribos::slide::SlideError>(())
 /// ```
 #[derive(Debug)]
-pub struct Journey<'a, B> {
+pub struct PlanarSimulation<'a, B> {
     body: &'a B,
     scale: f64,
     /// Initial lengths of the sliding and the spinning part of e.
@@ -133,7 +133,7 @@ pub struct Journey<'a, B> {
     stop_fraction: f64,
 }
 
-impl<'a, B: Resistance> Journey<'a, B> {
+impl<'a, B: Resistance> PlanarSimulation<'a, B> {
     /// Starts a journey; `stop_fraction` matters only for laws that never reach rest.
     ///
     /// *Domain*: a finite launch with nonzero motion, otherwise [`SlideError::NotFinite`].
@@ -143,7 +143,7 @@ impl<'a, B: Resistance> Journey<'a, B> {
     /// minor speeds down to 1e-12 of the others; for 0.9 < α < 1 the time is accurate to 1e-12/(1−α). A
     /// motion that fades (α ≥ 1) ends when the slower of the two speeds to fade reaches
     /// `stop_fraction`, to 1e-11 in time.
-    pub fn new(body: &'a B, launch: &Launch, stop_fraction: f64) -> Result<Self, SlideError> {
+    pub fn new(body: &'a B, launch: &PlanarLaunch, stop_fraction: f64) -> Result<Self, SlideError> {
         let [x, y] = launch.velocity;
         let rim = launch.spin * body.radius();
         let slide = Real::hypot(x, y);
@@ -171,13 +171,17 @@ impl<'a, B: Resistance> Journey<'a, B> {
     }
 
     /// Follows the motion to its end.
-    pub fn to_end(self) -> Result<Arrival, SlideError> {
+    pub fn to_end(self) -> Result<PlanarResult, SlideError> {
         self.follow(&[], |_| ())
     }
 
     /// Like [`Journey::to_end`]; `observe` receives the launch, the given times, which must ascend,
     /// intermediate points wherever the path has turned by 15 degrees, and the end.
-    pub fn follow(self, times: &[f64], observe: impl FnMut(&Point)) -> Result<Arrival, SlideError> {
+    pub fn follow(
+        self,
+        times: &[f64],
+        observe: impl FnMut(&PlanarState),
+    ) -> Result<PlanarResult, SlideError> {
         self.watched(times, observe, &mut |_| true)
     }
 
@@ -186,9 +190,9 @@ impl<'a, B: Resistance> Journey<'a, B> {
     pub(in crate::slide) fn watched(
         mut self,
         times: &[f64],
-        mut observe: impl FnMut(&Point),
+        mut observe: impl FnMut(&PlanarState),
         watch: &mut dyn FnMut(f64) -> bool,
-    ) -> Result<Arrival, SlideError> {
+    ) -> Result<PlanarResult, SlideError> {
         let mut times = times.iter().copied().peekable();
         let mut shown = self.state;
         let start = self.point(&shown);
@@ -353,11 +357,11 @@ impl<'a, B: Resistance> Journey<'a, B> {
         turned && self.derivative(&self.state)[7] > VISIBLE * self.state[7]
     }
 
-    fn point(&self, state: &State) -> Point {
+    fn point(&self, state: &State) -> PlanarState {
         let speed = self.speed(state);
         let velocity = [speed * state[0], speed * state[1]];
         let radius = self.body.radius();
-        Point {
+        PlanarState {
             time: state[3],
             position: [state[4], state[5]],
             velocity,
@@ -371,18 +375,18 @@ impl<'a, B: Resistance> Journey<'a, B> {
     }
 
     /// The end: the remaining time follows as a power of the speed, everything else is negligible.
-    fn arrival(&self, uprightness: Uprightness, steps: u64) -> Arrival {
+    fn arrival(&self, uprightness: Uprightness, steps: u64) -> PlanarResult {
         let mut point = self.point(&self.state);
         let beta = 1.0 - self.body.exponent();
         let ending = if beta > 0.0 {
             point.time += self.derivative(&self.state)[3] / beta;
             point.velocity = [0.0, 0.0];
             point.spin = 0.0;
-            Ending::Rest
+            PlanarStopReason::Rest
         } else {
-            Ending::Faded
+            PlanarStopReason::Faded
         };
-        Arrival {
+        PlanarResult {
             point,
             ending,
             most_lean: uprightness.most_lean,
@@ -400,7 +404,7 @@ struct Uprightness {
 }
 
 impl Uprightness {
-    fn see(&mut self, point: &Point) {
+    fn see(&mut self, point: &PlanarState) {
         if point.lean > self.most_lean {
             self.most_lean = point.lean;
         }
@@ -431,11 +435,11 @@ mod tests {
             ..TallCylinder::solid(0.3, 0.08)
         };
         let body = puck.body(9.81).unwrap();
-        let launch = Launch {
+        let launch = PlanarLaunch {
             velocity: [1.0, 0.0],
             spin: 20.0,
         };
-        let mut journey = Journey::new(&body, &launch, 1e-4).unwrap();
+        let mut journey = PlanarSimulation::new(&body, &launch, 1e-4).unwrap();
         let (mut size, mut steps) = (FIRST, 0);
         for _ in 0..40 {
             let from = journey.state;

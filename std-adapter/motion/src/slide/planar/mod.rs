@@ -1,6 +1,6 @@
 //! Bodies with lateral friction, which follow a curved path in the plane.
 //!
-//! A [`Resistance`] gives the deceleration of a body, a [`Journey`] follows the body to rest. Bodies that are
+//! A [`Resistance`] gives the deceleration of a body, a [`PlanarSimulation`] follows the body to rest. Bodies that are
 //! ready, a cylinder, a pipe, a box or other plate, and a curling rock, are run from their scenes by
 //! [`run_path`](super::run_path); a body of your own implements [`Resistance`].
 
@@ -12,7 +12,7 @@ mod tall;
 
 #[doc(hidden)]
 pub use cylinder::TallCylinder;
-pub use journey::{Arrival, Ending, Journey, Launch, Point};
+pub use journey::{PlanarLaunch, PlanarResult, PlanarSimulation, PlanarState, PlanarStopReason};
 #[doc(hidden)]
 pub use pipe::Pipe;
 #[doc(hidden)]
@@ -29,7 +29,7 @@ use std::fmt::Debug;
 /// counterclockwise, so that all have the same unit.
 ///
 /// ```
-/// use tribos::slide::planar::{Ending, Journey, Launch, Resistance};
+/// use tribos::slide::planar::{SlideStopReason, PlanarSimulation, PlanarLaunch, Resistance};
 /// /// A disk on a film of oil: velocity and spin fade with 2/s.
 /// #[derive(Debug)]
 /// struct Oiled;
@@ -39,9 +39,9 @@ use std::fmt::Debug;
 ///     fn inertia_ratio(&self) -> f64 { 0.5 }
 ///     fn radius(&self) -> f64 { 0.08 }
 /// }
-/// let launch = Launch { velocity: [1.0, 0.0], spin: 5.0 };
-/// let end = Journey::new(&Oiled, &launch, 1e-6)?.to_end()?;
-/// assert_eq!(end.ending, Ending::Faded);
+/// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 5.0 };
+/// let end = PlanarSimulation::new(&Oiled, &launch, 1e-6)?.to_end()?;
+/// assert_eq!(end.ending, SlideStopReason::Faded);
 /// assert!((end.point.position[0] - 0.5).abs() < 1e-6); // v/k, but for the last millionth
 /// assert!((end.point.angle - 2.5).abs() < 1e-5); // ω/k
 /// # Ok::<(), tribos::slide::SlideError>(())

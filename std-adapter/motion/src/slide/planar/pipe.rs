@@ -2,7 +2,7 @@
 
 use super::{Gradient, TallBody};
 use crate::slide::SlideError;
-use tribos_friction::{Friction, Law, Patch};
+use tribos_friction::{AnyFriction, Law, Patch};
 
 /// A hollow cylinder that stands and slides on its end.
 ///
@@ -55,7 +55,7 @@ impl Pipe {
 
     /// Its resistance under `gravity`, in m/s², and another law than its own.
     pub(crate) fn body_under(&self, law: &Law, gravity: f64) -> Result<TallBody, SlideError> {
-        let foot = Friction::new(&Patch::band(self.inner_ratio), law, None)?;
+        let foot = AnyFriction::new(&Patch::band(self.inner_ratio), law, None)?;
         let foot = foot.with_radius(self.radius)?;
         let rest = [gravity, self.inertia_ratio()];
         TallBody::new(foot, 0.5 * self.height, self.gradient, rest)

@@ -7,7 +7,7 @@ use tribos_core::coupling::tall::{FullGradient, LoadTransferFriction, Longitudin
 use tribos_core::law::LawError;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::Friction as Foot;
+use tribos_friction::AnyFriction as Foot;
 
 /// Components of the pressure gradient that are included.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,11 +24,11 @@ pub enum Gradient {
 /// *Units*: SI. *Source*: [`tribos_core::coupling::tall`].
 ///
 /// ```
-/// use tribos::friction::{Friction, Law, Patch};
+/// use tribos::friction::{AnyFriction, Law, Patch};
 /// use tribos::slide::SlideError;
 /// use tribos::slide::planar::{Gradient, Resistance, TallBody};
 /// let body = |height: f64, gravity: f64| {
-///     let foot = Friction::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?.with_radius(0.08)?;
+///     let foot = AnyFriction::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?.with_radius(0.08)?;
 ///     TallBody::new(foot, height, Gradient::AllRound, [gravity, 0.5])
 /// };
 /// // The pressure p (1 + l x/R) has the moment N R l/4, which bears that of friction, mu N h.

@@ -7,7 +7,7 @@ use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::Word;
-use tribos_friction::{Evaluation, LAW, Law, Refusal};
+use tribos_friction::{Evaluation, FrictionError, LAW, Law};
 
 scene! {
     /// A tall cylinder that slides on its flat side along a path in the plane.
@@ -69,7 +69,7 @@ fn in_force(scene: &CylinderScene, key: &str, written: Option<Written>) -> Optio
 
 impl CylinderScene {
     /// The law of the scene.
-    fn local_law(&self) -> Result<Law, Refusal> {
+    fn local_law(&self) -> Result<Law, FrictionError> {
         self.law
             .map_or_else(|| Law::power(self.coefficient, self.alpha), Ok)
     }

@@ -12,4 +12,4 @@ pub use cylinder::CylinderScene;
 pub use pipe::PipeScene;
 pub use planar::{FootPressure, Tipping};
 pub use plate::PlateScene;
-pub use slider::{SliderScene, Stepper, Units};
+pub use slider::{DiskScene, SliderIntegrator, Units};

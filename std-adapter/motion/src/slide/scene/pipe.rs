@@ -7,7 +7,7 @@ use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::Word;
-use tribos_friction::{Evaluation, LAW, Law, Patch, Refusal};
+use tribos_friction::{Evaluation, FrictionError, LAW, Law, Patch};
 
 scene! {
     /// A pipe that slides on its end along a path in the plane.
@@ -71,7 +71,7 @@ fn in_force(scene: &PipeScene, key: &str, written: Option<Written>) -> Option<Wr
 
 impl PipeScene {
     /// The law of the scene.
-    fn local_law(&self) -> Result<Law, Refusal> {
+    fn local_law(&self) -> Result<Law, FrictionError> {
         self.law
             .map_or_else(|| Law::power(self.coefficient, self.alpha), Ok)
     }

@@ -5,7 +5,7 @@ use crate::slide::planar::{Plate, Resistance};
 use crate::slide::{PlanarCourse, PlanarScene, SlideError};
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::table::{as_written, scene};
-use tribos_friction::{Evaluation, Flat, FlatPatch, PATCH, Patch, Refusal};
+use tribos_friction::{Evaluation, Flat, FlatPatch, FrictionError, PATCH, Patch};
 
 scene! {
     /// A flat plate of any outline, such as a box or a tile, that slides and spins to rest.
@@ -51,10 +51,10 @@ fn rules(scene: &PlateScene, judge: &mut tribos_base::scene::reader::Judge<'_>) 
 }
 
 impl PlateScene {
-    fn outline(&self) -> Result<Flat<f64>, Refusal> {
+    fn outline(&self) -> Result<Flat<f64>, FrictionError> {
         match &self.patch {
             Patch::Flat(flat) => flat.loaded(None),
-            other => Err(Refusal::Syntax(format!(
+            other => Err(FrictionError::Syntax(format!(
                 "a plate is a box, a polygon or a bar, not {other}"
             ))),
         }

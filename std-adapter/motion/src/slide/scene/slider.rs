@@ -19,13 +19,13 @@ words!(Units { Si = "si", Dimensionless = "dimensionless" });
 
 /// Which stepper follows the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stepper {
+pub enum SliderIntegrator {
     /// Adaptive, stops exactly.
     Exact,
     /// The thesis' fixed-step Verlet method.
     Verlet,
 }
-words!(Stepper { Exact = "exact", Verlet = "verlet" });
+words!(SliderIntegrator { Exact = "exact", Verlet = "verlet" });
 
 scene! {
     /// A flat disk that slides and spins: its path is straight.
@@ -33,8 +33,8 @@ scene! {
     /// The default is a disk of 8 cm and 100 g, thrown over a table at 1 m/s and 5 rad/s.
     ///
     /// ```
-    /// use tribos::{scene::{SliderScene, Units}, slide::run};
-    /// let scene = SliderScene {
+    /// use tribos::{scene::{DiskScene, Units}, slide::run};
+    /// let scene = DiskScene {
     ///     units: Units::Dimensionless,
     ///     spin: 0.0,
     ///     coefficient: 0.25,
@@ -48,7 +48,7 @@ scene! {
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     #[derive(Copy)]
-    pub struct SliderScene = "disk", "A disk that slides and spins to rest",
+    pub struct DiskScene = "disk", "A disk that slides and spins to rest",
         moves_at_all, in_force;
 
     /// Initial sliding speed.
@@ -80,14 +80,14 @@ scene! {
     /// Unit system.
     units: Units = Units::Si, "-", OneOf(Units::WORDS);
     /// Method that follows the motion.
-    stepper: Stepper = Stepper::Exact, "-", OneOf(Stepper::WORDS);
+    stepper: SliderIntegrator = SliderIntegrator::Exact, "-", OneOf(SliderIntegrator::WORDS);
 }
 
-fn moves_at_all(scene: &SliderScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {
+fn moves_at_all(scene: &DiskScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {
     moves(scene.speed, scene.spin, judge);
 }
 
 /// A law of its own takes the place of the power law.
-fn in_force(scene: &SliderScene, key: &str, written: Option<Written>) -> Option<Written> {
+fn in_force(scene: &DiskScene, key: &str, written: Option<Written>) -> Option<Written> {
     written.filter(|_| scene.law.is_none() || !is_of_power_law(key))
 }

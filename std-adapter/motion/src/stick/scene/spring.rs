@@ -1,6 +1,6 @@
 //! The scene of a body on a spring.
 
-use crate::stick::spring::{AgeLaw, Regime};
+use crate::stick::spring::{StateEvolutionKind, StickSlipRegime};
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::reader::Judge;
@@ -25,8 +25,8 @@ words!(SpringFriction {
     RateState = "rate-state",
     Bristles = "lugre",
 });
-words!(AgeLaw { Ageing = "ageing", Slip = "slip" });
-words!(Regime {
+words!(StateEvolutionKind { Ageing = "ageing", Slip = "slip" });
+words!(StickSlipRegime {
     Rests = "rests",
     Creeps = "creeps",
     Steady = "steady",
@@ -96,7 +96,7 @@ scene! {
     /// Viscous term of the inertial branch, of rate and state.
     viscous: f64 = 0.0, "s/m", NotNegative, PartOf("friction", "rate-state");
     /// How the age evolves, of rate and state: Dieterich's ageing law or Ruina's slip law.
-    evolution: AgeLaw = AgeLaw::Ageing, "-", OneOf(AgeLaw::WORDS), PartOf("friction", "rate-state");
+    evolution: StateEvolutionKind = StateEvolutionKind::Ageing, "-", OneOf(StateEvolutionKind::WORDS), PartOf("friction", "rate-state");
     /// Speed of the steady sliding that rate and state starts from; 0.9 `pull_speed` if left out.
     start_speed: Option<f64> = None, "m/s", Positive, PartOf("friction", "rate-state");
     /// Coulomb force of the bristles.

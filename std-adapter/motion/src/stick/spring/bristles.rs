@@ -1,6 +1,6 @@
 //! LuGre's bristles under a body on a spring.
 
-use super::motion::{Follower, Moment, spring_impulse};
+use super::motion::{Follower, SpringSample, spring_impulse};
 use super::rosenbrock::{Flow, Pace};
 use crate::stick::StickError;
 use tribos_core::law::{Bristle, LuGre};
@@ -88,9 +88,9 @@ impl Flow<3> for BristleFlow<'_> {
 }
 
 impl Follower for BristleMotion {
-    fn moment(&self) -> Moment {
+    fn moment(&self) -> SpringSample {
         let [velocity, deflection, force] = self.y;
-        Moment {
+        SpringSample {
             time: self.time,
             pull: self.pull,
             position: self.pull - force / self.stiffness,

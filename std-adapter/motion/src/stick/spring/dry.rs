@@ -11,7 +11,7 @@
 //! The instants at which it stops (v = 0) and at which the spring force is extremal (u' = 0) are therefore
 //! known. At rest the force grows linearly, and the body lets go where it meets N μ_s(age).
 
-use super::motion::{Follower, Moment};
+use super::motion::{Follower, SpringSample};
 use crate::stick::StickError;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use tribos_core::Real;
@@ -225,7 +225,7 @@ impl Arc {
 }
 
 impl Follower for DryMotion {
-    fn moment(&self) -> Moment {
+    fn moment(&self) -> SpringSample {
         let (velocity, friction, state, slips) = match self.phase {
             Phase::Sticks { age } => (0.0, self.force(), age, false),
             Phase::Slips { velocity, sign } => {
@@ -233,7 +233,7 @@ impl Follower for DryMotion {
                 (velocity, friction, 0.0, true)
             }
         };
-        Moment {
+        SpringSample {
             time: self.time,
             pull: self.pull,
             position: self.position,

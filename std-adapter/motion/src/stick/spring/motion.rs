@@ -5,7 +5,7 @@ use crate::stick::StickError;
 /// The body at one instant. *Units*: SI. Forces are positive forward, friction where it resists forward
 /// motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moment {
+pub struct SpringSample {
     /// Time.
     pub time: f64,
     /// Place of the pulled end of the spring.
@@ -28,7 +28,7 @@ pub struct Moment {
 /// A body, its spring and its law, advanced in time.
 pub(super) trait Follower {
     /// The state now.
-    fn moment(&self) -> Moment;
+    fn moment(&self) -> SpringSample;
 
     /// Takes one step towards `until` while the end of the spring moves with `speed`; returns ∫F dt of the
     /// spring force.
@@ -44,7 +44,7 @@ pub(super) trait Follower {
 }
 
 /// ∫F dt of the spring force over a step, from its ends: F' = k (V − v) makes it of fourth order.
-pub(super) fn spring_impulse(before: &Moment, after: &Moment, stiffness: f64) -> f64 {
+pub(super) fn spring_impulse(before: &SpringSample, after: &SpringSample, stiffness: f64) -> f64 {
     let step = after.time - before.time;
     let rates = stiffness * (after.velocity - before.velocity);
     step * (0.5 * (before.spring_force + after.spring_force) + step * rates / 12.0)

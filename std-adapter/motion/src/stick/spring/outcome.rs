@@ -9,13 +9,13 @@ use serde_json::{Map, Value, json};
 ///
 /// ```
 /// use tribos::scene::SpringScene;
-/// use tribos::stick::spring::{Regime, run};
+/// use tribos::stick::spring::{StickSlipRegime, run};
 /// let block = SpringScene::default(); // mu_s = 0.5, mu_d = 0.3
-/// assert_eq!(run(&block)?.outcome.regime, Regime::StickSlip);
+/// assert_eq!(run(&block)?.outcome.regime, StickSlipRegime::StickSlip);
 /// # Ok::<(), tribos::stick::StickError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Regime {
+pub enum StickSlipRegime {
     /// It never lets go.
     Rests,
     /// It slides steadily where friction falls with the speed: Heslot's creep regime.
@@ -30,7 +30,7 @@ pub enum Regime {
 
 /// A hold and the force that it took to slide on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hold {
+pub struct HoldPeak {
     /// How long the pull stood still, in s.
     pub time: f64,
     /// Spring force when the hold began, in N.
@@ -43,15 +43,15 @@ pub struct Hold {
 ///
 /// ```
 /// use tribos::scene::SpringScene;
-/// use tribos::stick::spring::{SpringOutcome, run};
-/// let SpringOutcome { most_force, period, .. } = run(&SpringScene::default())?.outcome;
+/// use tribos::stick::spring::{SpringSummary, run};
+/// let SpringSummary { most_force, period, .. } = run(&SpringScene::default())?.outcome;
 /// assert!(most_force > 0.5 * 9.81 && period.is_some()); // mu_s N, and a little beyond
 /// # Ok::<(), tribos::stick::StickError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct SpringOutcome {
+pub struct SpringSummary {
     /// How the body follows the pull.
-    pub regime: Regime,
+    pub regime: StickSlipRegime,
     /// Whether its speed left all bounds, which ends a run without mass and viscous term.
     pub ran_away: bool,
     /// Time at the end, in s.
@@ -77,7 +77,7 @@ pub struct SpringOutcome {
     /// Work of the pull in the whole run, in J.
     pub work: f64,
     /// The holds.
-    pub holds: Vec<Hold>,
+    pub holds: Vec<HoldPeak>,
     /// Growth of peak force over load per e-fold of the hold, by least squares; none of fewer than two.
     pub healing: Option<f64>,
     /// Steps taken.
@@ -90,21 +90,21 @@ const STEADY: f64 = 0.01;
 const FADES: f64 = 0.9;
 
 /// The regime from both quarters of the second half, in this order.
-pub(super) fn regime(quarters: &[Tally; 2], speed: f64, weakens: bool) -> Regime {
+pub(super) fn regime(quarters: &[Tally; 2], speed: f64, weakens: bool) -> StickSlipRegime {
     let [third, last] = quarters;
     let slips = third.slip_time + last.slip_time;
     let time = third.time + last.time;
     let swings = quarters.each_ref().map(|quarter| quarter.velocity.swing());
     if slips == 0.0 {
-        Regime::Rests
+        StickSlipRegime::Rests
     } else if slips < time * (1.0 - f64::EPSILON.sqrt()) {
-        Regime::StickSlip
+        StickSlipRegime::StickSlip
     } else if swings[1] >= STEADY * speed && swings[1] >= FADES * swings[0] {
-        Regime::Oscillates
+        StickSlipRegime::Oscillates
     } else if weakens {
-        Regime::Creeps
+        StickSlipRegime::Creeps
     } else {
-        Regime::Steady
+        StickSlipRegime::Steady
     }
 }
 
@@ -112,7 +112,7 @@ pub(super) fn regime(quarters: &[Tally; 2], speed: f64, weakens: bool) -> Regime
 const ALIKE: f64 = 1e-9;
 
 /// Slope of peak/load over ln(hold) by least squares.
-pub(super) fn healing(holds: &[Hold], load: f64) -> Option<f64> {
+pub(super) fn healing(holds: &[HoldPeak], load: f64) -> Option<f64> {
     let points = || holds.iter().map(|hold| (log(hold.time), hold.peak / load));
     let count = holds.len() as f64;
     let mean = |part: fn((f64, f64)) -> f64| points().map(part).sum::<f64>() / count;
@@ -126,7 +126,7 @@ fn log(x: f64) -> f64 {
     tribos_core::Real::ln(x)
 }
 
-impl SpringOutcome {
+impl SpringSummary {
     /// The summary without the scene.
     pub(super) fn json(&self, critical: Option<f64>) -> Map<String, Value> {
         let mut map = Map::new();

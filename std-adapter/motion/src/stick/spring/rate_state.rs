@@ -11,7 +11,7 @@
 //! μ_w w' = k (V − v)/N − μ_φ φ', with μ_w = a T + ηv, μ_φ = b T and T = v/√(v² + q²), the regularised
 //! law's tanh; F is then what the law says and cannot drift.
 
-use super::motion::{Follower, Moment, spring_impulse};
+use super::motion::{Follower, SpringSample, spring_impulse};
 use super::rosenbrock::{Flow, Pace};
 use crate::stick::StickError;
 use tribos_core::Real;
@@ -19,7 +19,7 @@ use tribos_core::law::{AgeingLaw, RateState, StateVariable};
 
 /// How the age evolves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AgeLaw {
+pub enum StateEvolutionKind {
     /// θ' = 1 − vθ/D_c: contacts age at rest.
     Ageing,
     /// θ' = −(vθ/D_c) ln(vθ/D_c): they change by sliding only.
@@ -32,7 +32,7 @@ pub(super) struct RateStateMotion {
     law: RateState<f64, AgeingLaw>,
     /// The law without its viscous term: for a small `a` a difference of slopes would lose T.
     dry: RateState<f64, AgeingLaw>,
-    ages: AgeLaw,
+    ages: StateEvolutionKind,
     mass: f64,
     stiffness: f64,
     load: f64,
@@ -58,7 +58,7 @@ impl RateStateMotion {
     /// Sliding steadily with `start`, under a pull with `speed`; under a law, and the same without its viscous term.
     pub fn new(
         [law, dry]: [RateState<f64, AgeingLaw>; 2],
-        ages: AgeLaw,
+        ages: StateEvolutionKind,
         [mass, stiffness, load]: [f64; 3],
         [speed, start]: [f64; 2],
         tolerance: f64,
@@ -109,11 +109,11 @@ impl RateStateMotion {
         let rate = p.reference_speed / p.slip_distance;
         let renewed = rate * Real::exp(w);
         match self.ages {
-            AgeLaw::Ageing => {
+            StateEvolutionKind::Ageing => {
                 let aged = rate * Real::exp(-phi);
                 [aged - renewed, -renewed, -aged]
             }
-            AgeLaw::Slip => {
+            StateEvolutionKind::Slip => {
                 let excess = w + phi;
                 [-renewed * excess, -renewed * (excess + 1.0), -renewed]
             }
@@ -230,10 +230,10 @@ impl RateStateMotion {
 }
 
 impl Follower for RateStateMotion {
-    fn moment(&self) -> Moment {
+    fn moment(&self) -> SpringSample {
         let (velocity, age) = (self.speed_of(self.y[0]), self.age_of(self.y[1]));
         let force = self.force();
-        Moment {
+        SpringSample {
             time: self.time,
             pull: self.pull,
             position: self.pull - force / self.stiffness,

@@ -2,8 +2,8 @@
 
 use super::bristles::BristleMotion;
 use super::dry::{DryBlock, DryMotion};
-use super::motion::{Follower, Moment};
-use super::outcome::{Hold, SpringOutcome, healing, regime};
+use super::motion::{Follower, SpringSample};
+use super::outcome::{HoldPeak, SpringSummary, healing, regime};
 use super::rate_state::RateStateMotion;
 use super::speed::SpeedMotion;
 use super::stability::critical_stiffness;
@@ -41,9 +41,9 @@ const BETWEEN: u64 = 1024;
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpringRun {
     /// The state at evenly spaced times of every pull and hold.
-    pub moments: Vec<Moment>,
+    pub moments: Vec<SpringSample>,
     /// The summary.
-    pub outcome: SpringOutcome,
+    pub outcome: SpringSummary,
 }
 
 /// Runs a scene to its end.
@@ -175,14 +175,14 @@ struct Course<'a> {
     watch: &'a mut dyn FnMut(f64) -> bool,
     /// Time of all pulls and holds.
     duration: f64,
-    moments: Vec<Moment>,
+    moments: Vec<SpringSample>,
     /// Of the whole run; of the third and the last quarter of the last pull.
     whole: Tally,
     quarters: [Tally; 2],
     work: f64,
     /// The largest force since the last hold, if there was one.
-    hold: Option<Hold>,
-    holds: Vec<Hold>,
+    hold: Option<HoldPeak>,
+    holds: Vec<HoldPeak>,
     steps: u64,
     ran_away: bool,
     start: f64,
@@ -218,7 +218,7 @@ impl<'a> Course<'a> {
         if piece.speed == 0.0 {
             let (time, before) = (piece.duration, begin.spring_force);
             let peak = f64::NEG_INFINITY;
-            self.hold = Some(Hold { time, before, peak });
+            self.hold = Some(HoldPeak { time, before, peak });
         }
         let samples = u64::from(self.scene.samples);
         // Intervals in quarters of a sample, so that every quarter of the piece is one of the ends.
@@ -308,7 +308,7 @@ impl<'a> Course<'a> {
         let time = sum(|tally| tally.time);
         SpringRun {
             moments: self.moments,
-            outcome: SpringOutcome {
+            outcome: SpringSummary {
                 regime: regime(
                     &[counted[0].clone(), counted[1].clone()],
                     self.scene.pull_speed,
@@ -354,7 +354,7 @@ impl SpringScene {
     }
 }
 
-impl Moment {
+impl SpringSample {
     /// A row of the series.
     pub(super) fn row(&self) -> [f64; SPRING_COLUMNS.len()] {
         [

@@ -1,7 +1,7 @@
 //! Friction that depends on the speed alone: rest is exact where the law holds, motion is integrated, and
 //! the instant of rest is found as a root of the step's length.
 
-use super::motion::{Follower, Moment, spring_impulse};
+use super::motion::{Follower, SpringSample, spring_impulse};
 use super::rosenbrock::{Flow, Pace, trial};
 use crate::stick::StickError;
 use tribos_core::law::LocalLaw;
@@ -222,14 +222,14 @@ impl Flow<2> for SpeedFlow<'_> {
 }
 
 impl Follower for SpeedMotion {
-    fn moment(&self) -> Moment {
+    fn moment(&self) -> SpringSample {
         let is_at_rest = self.holds_exactly() && self.sign == 0.0;
         let friction = if is_at_rest {
             self.force
         } else {
             self.flow(0.0).friction(self.velocity)[0]
         };
-        Moment {
+        SpringSample {
             time: self.time,
             pull: self.pull,
             position: self.position,

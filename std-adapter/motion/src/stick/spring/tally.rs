@@ -1,6 +1,6 @@
 //! What a run adds up on its way: every step of the integrator counts, not the rows of the series alone.
 
-use super::motion::Moment;
+use super::motion::SpringSample;
 
 /// Least and largest value seen.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +61,7 @@ impl Tally {
     }
 
     /// One step with the impulse of the spring.
-    pub fn see(&mut self, before: &Moment, after: &Moment, impulse: f64) {
+    pub fn see(&mut self, before: &SpringSample, after: &SpringSample, impulse: f64) {
         let step = after.time - before.time;
         self.time += step;
         self.impulse += impulse;
@@ -80,7 +80,7 @@ impl Tally {
     }
 
     /// When a slip begins in this step.
-    fn start(&self, before: &Moment, after: &Moment) -> Option<f64> {
+    fn start(&self, before: &SpringSample, after: &SpringSample) -> Option<f64> {
         if self.holds_exactly {
             return (!before.slips && after.slips).then_some(after.time);
         }

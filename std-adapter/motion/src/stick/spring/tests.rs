@@ -48,7 +48,7 @@ fn coulombs_stick_slip_has_the_period_and_the_forces_of_its_closed_form() {
     for scene in dry_blocks() {
         let [drop, omega, period] = closed_form(&scene);
         let outcome = run(&scene).unwrap().outcome;
-        assert_eq!(outcome.regime, Regime::StickSlip);
+        assert_eq!(outcome.regime, StickSlipRegime::StickSlip);
         let found = outcome.period.unwrap();
         assert!(
             (found / period - 1.0).abs() < 1e-10,
@@ -103,7 +103,7 @@ fn equal_coefficients_leave_an_oscillation_about_the_dynamic_friction() {
     };
     let outcome = run(&scene).unwrap().outcome;
     let swing = scene.pull_speed * (scene.stiffness * scene.mass).sqrt();
-    assert_eq!(outcome.regime, Regime::Oscillates);
+    assert_eq!(outcome.regime, StickSlipRegime::Oscillates);
     assert!(
         (outcome.most_force - 0.3 * 9.81 - swing).abs() < 1e-9,
         "{outcome:?}"
@@ -123,7 +123,7 @@ fn without_friction_in_motion_the_series_does_not_decide_whether_a_body_holds() 
         };
         let [_, _, period] = closed_form(&scene);
         let outcome = run(&scene).unwrap().outcome;
-        assert_eq!(outcome.regime, Regime::StickSlip, "{samples}");
+        assert_eq!(outcome.regime, StickSlipRegime::StickSlip, "{samples}");
         let found = outcome.period.unwrap();
         assert!(
             (found / period - 1.0).abs() < 1e-9,
@@ -143,7 +143,7 @@ fn a_body_stops_however_slowly_it_is_pulled() {
         };
         let [_, _, period] = closed_form(&scene);
         let outcome = run(&scene).unwrap().outcome;
-        assert_eq!(outcome.regime, Regime::StickSlip, "{pull_speed}");
+        assert_eq!(outcome.regime, StickSlipRegime::StickSlip, "{pull_speed}");
         let found = outcome.period.unwrap();
         assert!(
             (found / period - 1.0).abs() < 1e-9,
@@ -158,13 +158,13 @@ fn a_pull_too_weak_moves_nothing() {
         pull_time: 0.9,
         ..SpringScene::default()
     };
-    let SpringOutcome {
+    let SpringSummary {
         regime,
         distance,
         slips,
         ..
     } = run(&scene).unwrap().outcome;
-    assert_eq!((regime, distance, slips), (Regime::Rests, 0.0, 0));
+    assert_eq!((regime, distance, slips), (StickSlipRegime::Rests, 0.0, 0));
 }
 
 #[test]
@@ -267,12 +267,12 @@ fn bisected(scene: &SpringScene, expected: f64) -> f64 {
 #[test]
 fn the_critical_stiffness_is_that_of_ruina_with_and_without_mass() {
     for (a, b, evolution, mass) in [
-        (0.01, 0.03, AgeLaw::Ageing, 0.0),
-        (0.01, 0.015, AgeLaw::Slip, 0.0),
-        (0.008, 0.012, AgeLaw::Ageing, 0.0),
+        (0.01, 0.03, StateEvolutionKind::Ageing, 0.0),
+        (0.01, 0.015, StateEvolutionKind::Slip, 0.0),
+        (0.008, 0.012, StateEvolutionKind::Ageing, 0.0),
         // m V²/(N a D_c) = 0.5.
-        (0.01, 0.02, AgeLaw::Ageing, 5e4),
-        (0.01, 0.02, AgeLaw::Slip, 5e4),
+        (0.01, 0.02, StateEvolutionKind::Ageing, 5e4),
+        (0.01, 0.02, StateEvolutionKind::Slip, 5e4),
     ] {
         let scene = SpringScene {
             a,
@@ -304,7 +304,7 @@ fn without_mass_and_viscous_term_a_soft_spring_ends_in_a_run_that_says_so() {
         ..paper()
     };
     let outcome = run(&stiff).unwrap().outcome;
-    assert_eq!(outcome.regime, Regime::Creeps);
+    assert_eq!(outcome.regime, StickSlipRegime::Creeps);
     // mu_0 at V_0.
     assert!((outcome.mean_force / 3.5 - 1.0).abs() < 1e-5, "{outcome:?}");
 }
@@ -365,7 +365,7 @@ fn stick_slip_under_stribecks_law_is_that_of_another_integrator() {
             ..SpringScene::default()
         };
         let outcome = run(&scene).unwrap().outcome;
-        assert_eq!(outcome.regime, Regime::StickSlip);
+        assert_eq!(outcome.regime, StickSlipRegime::StickSlip);
         let found = outcome.period.unwrap();
         assert!((found / period - 1.0).abs() < 1e-8, "{law}: {found}");
         assert!(
@@ -388,7 +388,7 @@ fn stick_slip_under_stribecks_law_is_that_of_another_integrator() {
 fn the_cycle_without_mass_is_that_of_another_integrator() {
     for (evolution, [period, least, most, fastest]) in [
         (
-            AgeLaw::Ageing,
+            StateEvolutionKind::Ageing,
             [
                 22.746_913_827_7,
                 2.087_124_045_1,
@@ -397,7 +397,7 @@ fn the_cycle_without_mass_is_that_of_another_integrator() {
             ],
         ),
         (
-            AgeLaw::Slip,
+            StateEvolutionKind::Slip,
             [
                 19.993_621_543_2,
                 2.019_248_876_6,
@@ -412,7 +412,7 @@ fn the_cycle_without_mass_is_that_of_another_integrator() {
             ..paper()
         };
         let outcome = run(&scene).unwrap().outcome;
-        assert_eq!(outcome.regime, Regime::StickSlip);
+        assert_eq!(outcome.regime, StickSlipRegime::StickSlip);
         assert!(
             (outcome.period.unwrap() / period - 1.0).abs() < 1e-5,
             "{outcome:?}"
@@ -436,9 +436,13 @@ fn the_cycle_without_mass_is_that_of_another_integrator() {
 #[test]
 fn the_cycle_with_mass_is_that_of_another_integrator() {
     for (evolution, forces, period) in [
-        (AgeLaw::Ageing, [4.925_027_393_7, 6.403_709_050_6], None),
         (
-            AgeLaw::Slip,
+            StateEvolutionKind::Ageing,
+            [4.925_027_393_7, 6.403_709_050_6],
+            None,
+        ),
+        (
+            StateEvolutionKind::Slip,
             [5.120_488_594_8, 6.158_583_234_5],
             Some(56.449_186_061_6),
         ),
@@ -452,7 +456,7 @@ fn the_cycle_with_mass_is_that_of_another_integrator() {
             ..paper()
         };
         let outcome = run(&scene).unwrap().outcome;
-        assert_eq!(outcome.regime, Regime::StickSlip);
+        assert_eq!(outcome.regime, StickSlipRegime::StickSlip);
         assert!(
             (outcome.least_force / forces[0] - 1.0).abs() < 1e-4,
             "{outcome:?}"
@@ -477,7 +481,7 @@ fn stick_slip_on_bristles_is_that_of_another_integrator() {
         ..SpringScene::default()
     };
     let outcome = run(&scene).unwrap().outcome;
-    assert_eq!(outcome.regime, Regime::StickSlip);
+    assert_eq!(outcome.regime, StickSlipRegime::StickSlip);
     assert!(
         (outcome.period.unwrap() / 1.154_266_908_4 - 1.0).abs() < 1e-4,
         "{outcome:?}"
@@ -497,7 +501,7 @@ fn stick_slip_on_bristles_is_that_of_another_integrator() {
         ..scene
     };
     let outcome = run(&fast).unwrap().outcome;
-    assert_eq!(outcome.regime, Regime::Steady);
+    assert_eq!(outcome.regime, StickSlipRegime::Steady);
     assert!(
         (outcome.mean_force - 3.0 - 10.0).abs() < 1e-4,
         "{outcome:?}"

@@ -86,7 +86,7 @@ fn almost_without_friction_it_leaves_along_the_tangent() {
 }
 
 /// A body without size on a quick table, by explicit midpoint steps of 2 µs in the room.
-fn followed(scene: &TurntableScene, release: Release) -> f64 {
+fn followed(scene: &TurntableScene, release: TurntableSlip) -> f64 {
     let dt = 2e-6;
     let pull = scene.mu_dynamic * scene.gravity;
     let mut time = release.time;
@@ -144,7 +144,7 @@ fn without_friction_a_body_keeps_its_straight_path_on_a_table_of_any_speed() {
             time_step: 0.1,
             ..TurntableScene::default()
         };
-        let TurntableOutcome { release, left, .. } = run(&scene).unwrap().outcome;
+        let TurntableSummary { release, left, .. } = run(&scene).unwrap().outcome;
         // √(R² − r²) along the tangent, at Ω r.
         let (release, left) = (release.unwrap(), left.unwrap());
         let way = (0.5_f64 * 0.5 - 0.2 * 0.2).sqrt();

@@ -2,7 +2,7 @@
 
 use super::super::error::{Fault, Refusal};
 use super::store::Store;
-use crate::problem::Matrix;
+use crate::problem::SparseMatrix;
 use hdf5_pure::GroupBuilder;
 
 /// Values of nz that mean compressed columns and rows.
@@ -10,7 +10,7 @@ const COLUMNS: i64 = -1;
 const ROWS: i64 = -2;
 
 /// Reads a matrix whose shape the vectors have told.
-pub(super) fn read(store: &Store, name: &str, shape: [usize; 2]) -> Result<Matrix, Refusal> {
+pub(super) fn read(store: &Store, name: &str, shape: [usize; 2]) -> Result<SparseMatrix, Refusal> {
     let part = |part: &str| format!("{name}/{part}");
     let sizes = [("m", "the number of rows"), ("n", "the number of columns")];
     for ((size, what), wanted) in sizes.into_iter().zip(shape) {
@@ -60,7 +60,7 @@ pub(super) fn read(store: &Store, name: &str, shape: [usize; 2]) -> Result<Matri
             return Err(store.wrong_count(&part("nz"), "nz", nz, wanted));
         }
     };
-    Matrix::from_triplets(shape, &triplets)
+    SparseMatrix::from_triplets(shape, &triplets)
         .map_err(|error| (store.place(&part("x")), Fault::Problem(error)))
 }
 
@@ -112,7 +112,7 @@ fn lines(
 }
 
 /// Adds a matrix in triplets to a group; `None` if a size exceeds the integers of FCLib.
-pub(super) fn write(group: &mut GroupBuilder, name: &str, matrix: &Matrix) -> Option<()> {
+pub(super) fn write(group: &mut GroupBuilder, name: &str, matrix: &SparseMatrix) -> Option<()> {
     let integer = |size: usize| i32::try_from(size).ok();
     let sizes = [
         ("m", integer(matrix.rows())?),

@@ -1,12 +1,14 @@
 //! Problems from HDF5: vectors first, because they tell the shapes of the matrices.
 
-use super::super::Problem;
+use super::super::ContactProblem;
 use super::super::error::{Fault, Place, Refusal};
 use super::store::Store;
 use super::{matrix, names};
-use crate::problem::{ContactLaw, Friction, Global, Layout, ProblemError, Reduced};
+use crate::problem::{
+    ContactComponents, ContactThresholds, Friction, GlobalProblem, ProblemError, ReducedProblem,
+};
 
-pub(in super::super) fn read(bytes: &[u8]) -> Result<Problem, Refusal> {
+pub(in super::super) fn read(bytes: &[u8]) -> Result<ContactProblem, Refusal> {
     let store = Store::open(bytes, &[names::LOCAL, names::GLOBAL].concat())?;
     for name in names::CONSTRAINTS {
         if store.has(name)? {
@@ -20,13 +22,13 @@ pub(in super::super) fn read(bytes: &[u8]) -> Result<Problem, Refusal> {
     let problem = if names::LOCAL.contains(&store.group()) {
         let q = vector(&store, "vectors/q", size)?;
         let w = matrix::read(&store, "W", [size, size])?;
-        Reduced::new(layout, w, q, laws).map(Problem::Reduced)
+        ReducedProblem::new(layout, w, q, laws).map(ContactProblem::Reduced)
     } else {
         let f = store.numbers("vectors/f")?;
         let w = vector(&store, "vectors/w", size)?;
         let m = matrix::read(&store, "M", [f.len(), f.len()])?;
         let h = matrix::read(&store, "H", [f.len(), size])?;
-        Global::new(layout, m, h, f, w, laws).map(Problem::Global)
+        GlobalProblem::new(layout, m, h, f, w, laws).map(ContactProblem::Global)
     };
     problem.map_err(|error| (place(&store, &error), Fault::Problem(error)))
 }
@@ -49,10 +51,12 @@ fn place(store: &Store, error: &ProblemError) -> Place {
 }
 
 /// Components of each contact. A group without rolling may hold it all the same, but not the reverse: FCLib's
-/// three components with rolling are normal, sliding and rolling in a plane, not those of [`Layout::Space`].
-fn layout(store: &Store) -> Result<Layout, Refusal> {
+/// three components with rolling are normal, sliding and rolling in a plane, not those of [`ContactComponents::Space`].
+fn layout(store: &Store) -> Result<ContactComponents, Refusal> {
     let size = store.integer(names::SIZE)?;
-    let layout = usize::try_from(size).ok().and_then(Layout::of_size);
+    let layout = usize::try_from(size)
+        .ok()
+        .and_then(ContactComponents::of_size);
     let with_rolling = [names::LOCAL[1], names::GLOBAL[1]].contains(&store.group());
     let wanted = match with_rolling {
         true => "5 or 6, as rolling in space has",
@@ -76,7 +80,7 @@ fn vector(store: &Store, name: &str, size: usize) -> Result<Vec<f64>, Refusal> {
 
 /// Laws of all contacts. Rolling thresholds must be there if contacts have rolling components; else what a file
 /// does not mention is zero.
-fn laws(store: &Store, layout: Layout) -> Result<Vec<ContactLaw>, Refusal> {
+fn laws(store: &Store, layout: ContactComponents) -> Result<Vec<ContactThresholds>, Refusal> {
     let sliding = store.numbers(names::SLIDING)?;
     let optional = |name| match store.has(name)? {
         true => vector(store, name, sliding.len()),
@@ -89,7 +93,7 @@ fn laws(store: &Store, layout: Layout) -> Result<Vec<ContactLaw>, Refusal> {
     let [torsion, cohesion] = [optional(names::TORSION)?, optional(names::COHESION)?];
     let friction = friction(store, sliding.len())?;
     Ok((0..sliding.len())
-        .map(|contact| ContactLaw {
+        .map(|contact| ContactThresholds {
             sliding: sliding[contact],
             rolling: rolling[contact],
             torsion: torsion[contact],

@@ -1,17 +1,17 @@
 //! Problems to HDF5.
 
-use super::super::Problem;
+use super::super::ContactProblem;
 use super::super::error::{Fault, Place, Refusal};
 use super::{matrix, names};
-use crate::problem::{ContactLaw, Friction};
+use crate::problem::{ContactThresholds, Friction};
 use hdf5_pure::{FileBuilder, GroupBuilder, LibVer};
 
 /// Bytes of a file that HDF5 1.8 and later read.
-pub(in super::super) fn write(problem: &Problem) -> Result<Vec<u8>, Refusal> {
+pub(in super::super) fn write(problem: &ContactProblem) -> Result<Vec<u8>, Refusal> {
     let with_rolling = usize::from(!problem.layout().rolling().is_empty());
     let kind = match problem {
-        Problem::Reduced(_) => names::LOCAL,
-        Problem::Global(_) => names::GLOBAL,
+        ContactProblem::Reduced(_) => names::LOCAL,
+        ContactProblem::Global(_) => names::GLOBAL,
     };
     let mut file = FileBuilder::new();
     file.with_libver_bounds(LibVer::Earliest, LibVer::V18);
@@ -21,11 +21,11 @@ pub(in super::super) fn write(problem: &Problem) -> Result<Vec<u8>, Refusal> {
     group.create_dataset(names::SIZE).with_i32_data(&[size]);
     let mut vectors = group.create_group("vectors");
     let matrices = match problem {
-        Problem::Reduced(reduced) => {
+        ContactProblem::Reduced(reduced) => {
             vectors.create_dataset("q").with_f64_data(reduced.q());
             matrix::write(&mut group, "W", reduced.w())
         }
-        Problem::Global(global) => {
+        ContactProblem::Global(global) => {
             vectors.create_dataset("f").with_f64_data(global.f());
             vectors.create_dataset("w").with_f64_data(global.w());
             matrix::write(&mut group, "M", global.m())
@@ -44,8 +44,8 @@ pub(in super::super) fn write(problem: &Problem) -> Result<Vec<u8>, Refusal> {
 }
 
 /// Friction coefficients, and what else any law has.
-fn laws(vectors: &mut GroupBuilder, laws: &[ContactLaw], with_rolling: bool) {
-    let mut add = |path: &str, always: bool, value: fn(&ContactLaw) -> f64| {
+fn laws(vectors: &mut GroupBuilder, laws: &[ContactThresholds], with_rolling: bool) {
+    let mut add = |path: &str, always: bool, value: fn(&ContactThresholds) -> f64| {
         let numbers: Vec<f64> = laws.iter().map(value).collect();
         if always || numbers.iter().any(|&number| number != 0.0) {
             vectors.create_dataset(name(path)).with_f64_data(&numbers);
@@ -55,7 +55,7 @@ fn laws(vectors: &mut GroupBuilder, laws: &[ContactLaw], with_rolling: bool) {
     add(names::ROLLING, with_rolling, |law| law.rolling);
     add(names::TORSION, false, |law| law.torsion);
     add(names::COHESION, false, |law| law.cohesion);
-    let ellipsoid = |law: &ContactLaw| i32::from(law.friction == Friction::Ellipsoid);
+    let ellipsoid = |law: &ContactThresholds| i32::from(law.friction == Friction::Ellipsoid);
     let marks: Vec<i32> = laws.iter().map(ellipsoid).collect();
     if marks.contains(&1) {
         vectors

@@ -3,7 +3,7 @@
 use super::super::error::Refusal;
 use super::compressed;
 use super::words::Words;
-use crate::problem::Matrix;
+use crate::problem::SparseMatrix;
 
 /// Ways of storage, by the number that precedes a matrix.
 const DENSE: usize = 0;
@@ -18,7 +18,7 @@ pub(super) fn may_follow(mut words: Words) -> bool {
     words.count("", COMPRESSED).is_ok() && (0..2).all(|_| words.count("", usize::MAX).is_ok())
 }
 
-pub(super) fn read(words: &mut Words) -> Result<Matrix, Refusal> {
+pub(super) fn read(words: &mut Words) -> Result<SparseMatrix, Refusal> {
     let storage = words.count(
         "the storage of a matrix (0 dense, 1 blocks, 2 CSparse)",
         COMPRESSED,
@@ -33,7 +33,7 @@ pub(super) fn read(words: &mut Words) -> Result<Matrix, Refusal> {
         BLOCKS => blocks(words, shape)?,
         _ => compressed::read(words, shape)?,
     };
-    Matrix::from_triplets(shape, &triplets).map_err(|error| words.not_a_problem(error))
+    SparseMatrix::from_triplets(shape, &triplets).map_err(|error| words.not_a_problem(error))
 }
 
 /// All elements, column by column as Siconos holds them (lines of the file break elsewhere).

@@ -7,21 +7,23 @@ mod write;
 
 pub(super) use write::write;
 
-use super::Problem;
+use super::ContactProblem;
 use super::error::{Fault, Place, Refusal};
-use crate::problem::{ContactLaw, Global, Layout, Matrix, ProblemError, Reduced};
+use crate::problem::{
+    ContactComponents, ContactThresholds, GlobalProblem, ProblemError, ReducedProblem, SparseMatrix,
+};
 use words::Words;
 
 /// What precedes the vectors in both kinds of problems.
 struct Head {
-    layout: Layout,
+    layout: ContactComponents,
     contacts: usize,
-    first: Matrix,
+    first: SparseMatrix,
 }
 
 /// Reads a problem. The two kinds have different numbers of words for the same first matrix, so that at most one of
 /// the readings ends with the file; if both fail, the one that got further tells what is wrong.
-pub(super) fn read(text: &str) -> Result<Problem, Refusal> {
+pub(super) fn read(text: &str) -> Result<ContactProblem, Refusal> {
     let mut words = Words::new(text);
     let head = head(&mut words)?;
     let local = match reduced(&head, words.clone()) {
@@ -45,7 +47,7 @@ fn reached((place, _): &Refusal) -> usize {
 fn head(words: &mut Words) -> Result<Head, Refusal> {
     let size = words.count("the number of components of a contact", usize::MAX)?;
     let layout = match size {
-        2 | 3 | 5 => Layout::of_size(size),
+        2 | 3 | 5 => ContactComponents::of_size(size),
         _ => None,
     };
     let Some(layout) = layout else {
@@ -62,7 +64,7 @@ fn head(words: &mut Words) -> Result<Head, Refusal> {
 }
 
 /// W, then q and the coefficients.
-fn reduced(head: &Head, mut words: Words) -> Result<Problem, Refusal> {
+fn reduced(head: &Head, mut words: Words) -> Result<ContactProblem, Refusal> {
     let size = head.layout.size() * head.contacts;
     for (what, found) in [
         ("rows", head.first.rows()),
@@ -79,26 +81,26 @@ fn reduced(head: &Head, mut words: Words) -> Result<Problem, Refusal> {
     }
     let q = words.numbers("an element of q", size)?;
     let laws = laws(head, &mut words)?;
-    let problem = Reduced::new(head.layout, head.first.clone(), q, laws);
+    let problem = ReducedProblem::new(head.layout, head.first.clone(), q, laws);
     problem
-        .map(Problem::Reduced)
+        .map(ContactProblem::Reduced)
         .map_err(|error| (Place::File, Fault::Problem(error)))
 }
 
 /// M, then H, f, w and the coefficients.
-fn global(head: &Head, mut words: Words) -> Result<Problem, Refusal> {
+fn global(head: &Head, mut words: Words) -> Result<ContactProblem, Refusal> {
     let m = head.first.clone();
     let h = matrix::read(&mut words)?;
     let f = words.numbers("an element of f", m.rows())?;
     let w = words.numbers("an element of w", h.columns())?;
     let laws = laws(head, &mut words)?;
-    Global::new(head.layout, m, h, f, w, laws)
-        .map(Problem::Global)
+    GlobalProblem::new(head.layout, m, h, f, w, laws)
+        .map(ContactProblem::Global)
         .map_err(|error| (Place::File, Fault::Problem(error)))
 }
 
 /// Coefficients of all contacts, to the end of the file.
-fn laws(head: &Head, words: &mut Words) -> Result<Vec<ContactLaw>, Refusal> {
+fn laws(head: &Head, words: &mut Words) -> Result<Vec<ContactThresholds>, Refusal> {
     let sliding = words.numbers("a friction coefficient", head.contacts)?;
     let rolling = match head.layout.rolling().is_empty() {
         true => vec![0.0; head.contacts],
@@ -107,10 +109,10 @@ fn laws(head: &Head, words: &mut Words) -> Result<Vec<ContactLaw>, Refusal> {
     end(words)?;
     let laws = sliding.into_iter().zip(rolling);
     Ok(laws
-        .map(|(sliding, rolling)| ContactLaw {
+        .map(|(sliding, rolling)| ContactThresholds {
             sliding,
             rolling,
-            ..ContactLaw::default()
+            ..ContactThresholds::default()
         })
         .collect())
 }

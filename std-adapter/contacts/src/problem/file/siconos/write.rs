@@ -1,21 +1,21 @@
 //! Writes what Siconos reads: W in blocks, M and H in triplets.
 
-use super::super::Problem;
+use super::super::ContactProblem;
 use super::super::error::{Fault, Place, Refusal};
-use crate::problem::{ContactLaw, Friction, Layout, Matrix};
+use crate::problem::{ContactComponents, ContactThresholds, Friction, SparseMatrix};
 use std::fmt::Write as _;
 
 /// Text of a problem.
-pub(in super::super) fn write(problem: &Problem) -> Result<String, Refusal> {
+pub(in super::super) fn write(problem: &ContactProblem) -> Result<String, Refusal> {
     let (layout, laws) = (problem.layout(), problem.laws());
     check(layout, laws)?;
     let mut text = format!("{}\n{}\n", layout.size(), laws.len());
     match problem {
-        Problem::Reduced(reduced) => {
+        ContactProblem::Reduced(reduced) => {
             blocks(&mut text, reduced.w(), layout.size());
             numbers(&mut text, reduced.q().iter().copied());
         }
-        Problem::Global(global) => {
+        ContactProblem::Global(global) => {
             triplets(&mut text, global.m());
             triplets(&mut text, global.h());
             numbers(&mut text, global.f().iter().copied());
@@ -30,7 +30,7 @@ pub(in super::super) fn write(problem: &Problem) -> Result<String, Refusal> {
 }
 
 /// Refuses what the format has no place for.
-fn check(layout: Layout, laws: &[ContactLaw]) -> Result<(), Refusal> {
+fn check(layout: ContactComponents, laws: &[ContactThresholds]) -> Result<(), Refusal> {
     if !layout.torsion().is_empty() {
         return Err((Place::File, Fault::Layout(layout.size())));
     }
@@ -67,7 +67,7 @@ fn counts(text: &mut String, counts: impl Iterator<Item = usize>) {
 }
 
 /// W in blocks of a contact each; those on the diagonal are always there.
-fn blocks(text: &mut String, w: &Matrix, size: usize) {
+fn blocks(text: &mut String, w: &SparseMatrix, size: usize) {
     let contacts = w.rows() / size;
     let _ = write!(text, "1\n{0}\n{0}\n", w.rows());
     let rows: Vec<Vec<usize>> = (0..contacts)
@@ -100,7 +100,7 @@ fn blocks(text: &mut String, w: &Matrix, size: usize) {
 }
 
 /// Contacts whose impulses act at a contact, itself among them, rising.
-fn columns(w: &Matrix, size: usize, contact: usize) -> Vec<usize> {
+fn columns(w: &SparseMatrix, size: usize, contact: usize) -> Vec<usize> {
     let rows = size * contact..size * (contact + 1);
     let entries = rows.flat_map(|row| w.row(row));
     let mut columns: Vec<usize> = entries.map(|&(column, _)| column / size).collect();
@@ -111,7 +111,7 @@ fn columns(w: &Matrix, size: usize, contact: usize) -> Vec<usize> {
 }
 
 /// A block column by column.
-fn block(text: &mut String, w: &Matrix, size: usize, [above, left]: [usize; 2]) {
+fn block(text: &mut String, w: &SparseMatrix, size: usize, [above, left]: [usize; 2]) {
     for column in size * left..size * (left + 1) {
         for row in size * above..size * (above + 1) {
             let row = w.row(row);
@@ -124,7 +124,7 @@ fn block(text: &mut String, w: &Matrix, size: usize, [above, left]: [usize; 2]) 
 }
 
 /// A matrix as CSparse prints triplets; Siconos skips the first line and reads the sizes in the second.
-fn triplets(text: &mut String, matrix: &Matrix) {
+fn triplets(text: &mut String, matrix: &SparseMatrix) {
     let (rows, columns, stored) = (matrix.rows(), matrix.columns(), matrix.stored());
     let _ = write!(text, "2\n{rows}\n{columns}\n1\n");
     text.push_str(

@@ -1,6 +1,6 @@
 //! End conditions of a journey: rest, fading, and one motion that ends before the other.
 
-use super::{Journey, LARGEST, MOST_FOLDS, Resistance, State, normalized};
+use super::{LARGEST, MOST_FOLDS, PlanarSimulation, Resistance, State, normalized};
 use tribos_core::Real;
 use tribos_core::internals::runge_kutta;
 
@@ -25,7 +25,7 @@ const STIFF: f64 = 10.0;
 /// Halvings after which a step vanishes in f64.
 const HALVINGS: u32 = 53;
 
-impl<B: Resistance> Journey<'_, B> {
+impl<B: Resistance> PlanarSimulation<'_, B> {
     /// 1 − α, the exponent with which the remaining time follows the speed; at most 1.
     fn slower(&self) -> f64 {
         let beta = 1.0 - self.body.exponent();
