@@ -11,7 +11,7 @@ use tribos::md::group::Group;
 use tribos::md::interaction::{Interaction, Wanted};
 use tribos::md::neighbours::VerletList;
 use tribos::md::pair::Shift;
-use tribos::md::thermostat::{Langevin, NoseHoover, Spin, Thermostat};
+use tribos::md::thermostat::{Langevin, NoseHoover, RotationBias, Thermostat};
 use tribos::space::PeriodicBox;
 use tribos_benches::fronts::atoms::melt::{CUTOFF, Melt, SKIN, TIME_STEP, lennard_jones};
 
@@ -90,7 +90,7 @@ fn lists(criterion: &mut Criterion) {
 fn steps(criterion: &mut Criterion) {
     let melt = melt();
     let valid = "the thermostat is in the domain";
-    let nose_hoover = NoseHoover::new(TEMPERATURE, 1.0, Spin::Counts).expect(valid);
+    let nose_hoover = NoseHoover::new(TEMPERATURE, 1.0, RotationBias::Counts).expect(valid);
     let langevin = Langevin::new(TEMPERATURE, 1.0).expect(valid);
     let cases = [
         ("constant energy", Thermostat::None),

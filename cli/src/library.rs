@@ -2,16 +2,16 @@
 //! terminal.
 
 use crate::command::bodies;
-use crate::command::run::caller::Caller;
-use crate::command::run::order::Order;
-use crate::command::run::size::Allowed;
+use crate::command::run::caller::Frontend;
+use crate::command::run::order::RunRequest;
+use crate::command::run::size::MemoryPermission;
 use crate::failure::Failure;
 use std::path::Path;
 use std::time::Duration;
-use tribos::run::folder::Broken;
+use tribos::run::folder::InterruptedRunPolicy;
 use tribos::scene::Scene;
 
-pub use crate::command::run::caller::Host;
+pub use crate::command::run::caller::HostProgram;
 pub use crate::command::run::order::Pictures;
 
 /// A run in a folder, with the options of `tribos run`.
@@ -35,22 +35,22 @@ pub struct Run<'a> {
 
 impl Run<'_> {
     /// Runs the scene and writes the files of `tribos run`, to the same bytes.
-    pub fn run(&self, scene: &Scene, host: &dyn Host) -> Result<(), Failure> {
+    pub fn run(&self, scene: &Scene, host: &dyn HostProgram) -> Result<(), Failure> {
         let body = bodies::of(scene);
-        body.simulate(&Order {
+        body.simulate(&RunRequest {
             out: self.out,
             broken: if self.anew {
-                Broken::Replaced
+                InterruptedRunPolicy::Replaced
             } else {
-                Broken::Kept
+                InterruptedRunPolicy::Kept
             },
             // A run that takes a moment is done again.
             resume: self.resume && body.is_long(),
             pause: self.pause,
             frames: self.frames,
-            allowed: Allowed::of(self.allow_large),
+            allowed: MemoryPermission::of(self.allow_large),
             pictures: self.pictures,
-            caller: Caller::Host(host),
+            caller: Frontend::Host(host),
         })
     }
 }

@@ -7,7 +7,7 @@
 //! n = q + (3+α)/2; it falls from one to the other for α < 1 and rises for α > 1 (checked for
 //! −1 ≤ q ≤ 6 and −0.9 ≤ α ≤ 9), hence ε₀ is unique, stable for α < 1 and unstable for α > 1.
 
-use crate::coupling::{Lead, PowerLawFriction, Speeds};
+use crate::coupling::{DominantSpeed, PowerLawFriction, Speeds};
 use crate::law::{LawError, validated_positive};
 use crate::real::Real;
 
@@ -154,9 +154,9 @@ impl<R: Real, P: PowerLawFriction<R>> TerminalMotion<R, P> {
     /// *Domain*: 0 ≤ ε ≤ ∞.
     pub fn inertia_ratio_of(&self, ratio: R) -> R {
         let at = if ratio > R::ONE {
-            Speeds::from_ratio(Lead::Sliding, R::ONE / ratio)
+            Speeds::from_ratio(DominantSpeed::Sliding, R::ONE / ratio)
         } else {
-            Speeds::from_ratio(Lead::Spinning, ratio)
+            Speeds::from_ratio(DominantSpeed::Spinning, ratio)
         };
         let [phi, chi] = self.profile.factors(&at);
         chi / phi
@@ -180,21 +180,22 @@ impl<R: Real, P: PowerLawFriction<R>> TerminalMotion<R, P> {
             return None;
         }
         let [spinning, sliding] = self.profile.inertia_ends().map(|end| end - c);
-        let at_one = self.excess(Lead::Spinning, R::ONE);
+        let at_one = self.excess(DominantSpeed::Spinning, R::ONE);
         if at_one == R::ZERO {
             return Some(R::ONE);
         }
         if changes_sign(sliding, at_one) {
-            let ratio = balanced_ratio(&self.profile, c, Lead::Sliding, [sliding, at_one]).0;
+            let ratio =
+                balanced_ratio(&self.profile, c, DominantSpeed::Sliding, [sliding, at_one]).0;
             Some(R::ONE / ratio)
         } else {
             let ends = [spinning, at_one];
-            Some(balanced_ratio(&self.profile, c, Lead::Spinning, ends).0)
+            Some(balanced_ratio(&self.profile, c, DominantSpeed::Spinning, ends).0)
         }
     }
 
     /// C_α − C at the smaller over the larger speed.
-    fn excess(&self, lead: Lead, ratio: R) -> R {
+    fn excess(&self, lead: DominantSpeed, ratio: R) -> R {
         let at = Speeds::from_ratio(lead, ratio);
         self.profile.inertia_excess(&at, self.inertia_ratio)
     }
@@ -273,7 +274,7 @@ const MOST_STEPS: u32 = 2_200;
 pub(crate) fn balanced_ratio<R: Real, P: PowerLawFriction<R>>(
     profile: &P,
     inertia_ratio: R,
-    lead: Lead,
+    lead: DominantSpeed,
     at_ends: [R; 2],
 ) -> (R, u32) {
     let excess = |x: R| {

@@ -2,7 +2,7 @@
 
 use super::digits::{brief, short};
 use super::html::{escape, inline};
-use super::verdict::{Agreement, Allowance, Stated, Verdict};
+use super::verdict::{Agreement, Allowance, PrintedNumber, Verdict};
 use serde::{Deserialize, Serialize};
 use std::fmt::Display;
 
@@ -27,7 +27,7 @@ pub struct Claim {
 
 /// Meaning of a number that is not reproduced.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Otherwise {
+pub enum MismatchMeaning {
     /// Something is wrong.
     Failure,
     /// It was found in this range before.
@@ -91,7 +91,13 @@ impl Claim {
         allowance: Allowance,
     ) -> Self {
         let shown = (short(ours), ours);
-        Self::compared(statement, thesis, shown, allowance, Otherwise::Failure)
+        Self::compared(
+            statement,
+            thesis,
+            shown,
+            allowance,
+            MismatchMeaning::Failure,
+        )
     }
 
     /// The same, shown as the text. If it is not reproduced, the basis of the statement says why.
@@ -100,12 +106,12 @@ impl Claim {
         thesis: (&str, f64),
         (shown, ours): (String, f64),
         allowance: Allowance,
-        otherwise: Otherwise,
+        otherwise: MismatchMeaning,
     ) -> Self {
-        let thesis = Stated::new(thesis);
+        let thesis = PrintedNumber::new(thesis);
         let verdict = match (Agreement::test(&thesis, ours, allowance), otherwise) {
             (Some(agreement), _) => Verdict::Reproduced(agreement),
-            (None, Otherwise::Known(range)) if range.contains(&ours) => {
+            (None, MismatchMeaning::Known(range)) if range.contains(&ours) => {
                 Verdict::Differs(statement.basis.clone())
             }
             _ => Verdict::Failed,
@@ -256,7 +262,7 @@ mod tests {
                 ("54 %", 0.54),
                 (short(ours), ours),
                 Allowance::StatedError(0.02, "section 4.6.1".into()),
-                Otherwise::Known(0.65..=0.69),
+                MismatchMeaning::Known(0.65..=0.69),
             )
             .verdict
         };

@@ -1,6 +1,6 @@
 //! The phase diagram of final motion in the (alpha, C) plane (fig. 3.10).
 
-use crate::figure::{Axis, Color, Figure, Guide, Legend, Region, Series};
+use crate::figure::{Axis, Color, Figure, Legend, ReferenceLine, Region, Series};
 use std::convert::Infallible;
 use tribos::record::series_csv;
 use tribos_core::modes::inertia_interval;
@@ -110,7 +110,7 @@ impl Diagram {
         .legend(Legend::Below);
         match body {
             Some(body) => figure = figure.series(Series::points("this body", vec![body])),
-            None => figure = figure.guide(Guide::horizontal(0.5, "disk")),
+            None => figure = figure.guide(ReferenceLine::horizontal(0.5, "disk")),
         }
         figure
     }

@@ -10,7 +10,7 @@ pub use state::{Contact, Packing, PackingError};
 
 use super::figure::axis::Axis;
 use super::figure::{Color, FigureError, canvas};
-use super::solid::paper::Paper;
+use super::solid::paper::SvgCanvas;
 use super::solid::view::{Frame, View, corners};
 use forces::Network;
 use spheres::Balls;
@@ -23,7 +23,7 @@ const ELEVATION: f64 = 0.2;
 #[derive(Debug, Clone, PartialEq)]
 pub struct PackingPicture {
     title: String,
-    hall: Hall,
+    hall: BoxGeometry,
     content: Content,
     headroom: f64,
     size: (u32, u32),
@@ -40,7 +40,7 @@ enum Surroundings {
 
 // The box and its plates.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Hall {
+struct BoxGeometry {
     lengths: [f64; 2],
     piston: Option<f64>,
     // Top of the contents.
@@ -145,7 +145,7 @@ impl PackingPicture {
 
     /// Draws the picture as an SVG document.
     pub fn svg(&self) -> Result<String, FigureError> {
-        let mut paper = Paper::new(self.size)?;
+        let mut paper = SvgCanvas::new(self.size)?;
         let frame = paper.title(&self.title);
         let frame = match &self.content {
             Content::Spheres(balls) => balls.legend(&mut paper, frame)?,
@@ -176,7 +176,7 @@ impl PackingPicture {
     fn view(&self, [left, top, right, bottom]: Frame) -> View {
         // Space around the box, px.
         const ROOM: f64 = 8.0;
-        let Hall {
+        let BoxGeometry {
             lengths: [x, y],
             plate,
             ..

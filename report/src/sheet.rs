@@ -2,16 +2,16 @@
 
 use super::figure::FigureError;
 use super::image::Drawing;
-use super::solid::paper::Paper;
+use super::solid::paper::SvgCanvas;
 
 /// Drawings in rows, each at its own size.
-pub struct Sheet {
+pub struct DrawingGrid {
     title: String,
     columns: usize,
     drawings: Vec<Box<dyn Drawing>>,
 }
 
-impl std::fmt::Debug for Sheet {
+impl std::fmt::Debug for DrawingGrid {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
@@ -22,7 +22,7 @@ impl std::fmt::Debug for Sheet {
     }
 }
 
-impl Sheet {
+impl DrawingGrid {
     /// An empty sheet with a number of columns, at least one; an empty title takes no room.
     pub fn new(title: impl Into<String>, columns: usize) -> Self {
         Self {
@@ -53,7 +53,7 @@ impl Sheet {
     }
 }
 
-impl Drawing for Sheet {
+impl Drawing for DrawingGrid {
     fn extent(&self) -> (u32, u32) {
         let rows = self.drawings.chunks(self.columns).map(Self::row);
         rows.fold((0, self.head()), |(width, height), row| {
@@ -62,7 +62,7 @@ impl Drawing for Sheet {
     }
 
     fn to_svg(&self) -> Result<String, FigureError> {
-        let mut paper = Paper::new(self.extent())?;
+        let mut paper = SvgCanvas::new(self.extent())?;
         paper.title(&self.title);
         let mut top = self.head();
         for row in self.drawings.chunks(self.columns) {
@@ -89,7 +89,7 @@ mod tests {
 
     #[test]
     fn drawings_stand_side_by_side_row_by_row() -> Result<(), FigureError> {
-        let sheet = Sheet::new("All & more", 2)
+        let sheet = DrawingGrid::new("All & more", 2)
             .drawing(figure("one", 200, 150))
             .drawing(figure("two", 300, 180))
             .drawing(figure("three", 250, 130));
@@ -111,10 +111,10 @@ mod tests {
     #[test]
     fn a_drawing_looks_the_same_on_a_sheet() -> Result<(), FigureError> {
         let alone = canvas::png(&figure("one", 200, 150).to_svg()?)?;
-        let sheet = Sheet::new("", 1).drawing(figure("one", 200, 150));
+        let sheet = DrawingGrid::new("", 1).drawing(figure("one", 200, 150));
         assert!(sheet.to_png()? == alone);
         assert!(matches!(
-            Sheet::new("", 3).to_svg(),
+            DrawingGrid::new("", 3).to_svg(),
             Err(FigureError::Size(0, 0))
         ));
         Ok(())

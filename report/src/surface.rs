@@ -5,7 +5,7 @@ mod cells;
 
 use super::figure::axis::{Axis, Span};
 use super::figure::{FigureError, canvas};
-use super::solid::paper::Paper;
+use super::solid::paper::SvgCanvas;
 use super::solid::ramp;
 use super::solid::view::{Point, View, corners};
 
@@ -83,7 +83,7 @@ impl Surface {
 
     /// Draws the surface as an SVG document.
     pub fn svg(&self) -> Result<String, FigureError> {
-        let mut paper = Paper::new(self.size)?;
+        let mut paper = SvgCanvas::new(self.size)?;
         let frame = paper.title(&self.title);
         let spans = self.spans()?;
 

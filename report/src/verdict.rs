@@ -5,12 +5,12 @@ use serde::{Deserialize, Serialize};
 
 /// A number as the thesis prints it, and its value.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Stated {
+pub struct PrintedNumber {
     text: String,
     value: f64,
 }
 
-impl Stated {
+impl PrintedNumber {
     /// Text as printed, with its unit, and the value in the unit of our number.
     pub fn new((text, value): (&str, f64)) -> Self {
         let text = text.into();
@@ -72,7 +72,7 @@ pub struct Agreement {
 
 impl Agreement {
     /// Compares two numbers; NaN agrees with nothing.
-    pub fn test(thesis: &Stated, ours: f64, allowance: Allowance) -> Option<Self> {
+    pub fn test(thesis: &PrintedNumber, ours: f64, allowance: Allowance) -> Option<Self> {
         let thesis = thesis.value;
         ((ours - thesis).abs() <= allowance.size()).then_some(Self {
             thesis,
@@ -93,7 +93,7 @@ impl Agreement {
 
     /// The same comparison with another number of ours.
     pub fn with(&self, ours: f64) -> Option<Self> {
-        let thesis = Stated::new(("", self.thesis));
+        let thesis = PrintedNumber::new(("", self.thesis));
         Self::test(&thesis, ours, self.allowance.clone())
     }
 }
@@ -221,7 +221,7 @@ mod tests {
 
     #[test]
     fn only_a_number_within_its_allowance_agrees() {
-        let thesis = Stated::new(("≈ 0.653", 0.653));
+        let thesis = PrintedNumber::new(("≈ 0.653", 0.653));
         let agrees = |ours| Agreement::test(&thesis, ours, Allowance::Digits(5e-4)).is_some();
         assert!(agrees(0.653) && agrees(0.653_499) && agrees(0.652_501));
         for other in [0.6536, 0.6524, f64::NAN, f64::INFINITY] {

@@ -17,7 +17,7 @@ const FOLDER: &str = "kept";
 /// The part of a report's folder that no reader looks at. It belongs to one program: another one
 /// may compute other bits.
 #[derive(Debug)]
-pub struct Kept {
+pub struct SectionCache {
     /// Of the report's folder.
     pub lock: Arc<Lock>,
     folder: PathBuf,
@@ -25,7 +25,7 @@ pub struct Kept {
     pub pause: Duration,
 }
 
-impl Kept {
+impl SectionCache {
     /// Opens it, and takes away what another program has left there.
     pub fn open(lock: Arc<Lock>, pause: Duration) -> Result<Self> {
         let all = lock.folder().join(FOLDER);
@@ -96,9 +96,9 @@ mod tests {
 
     type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-    fn open(report: &Path) -> Result<Kept> {
+    fn open(report: &Path) -> Result<SectionCache> {
         let lock = Lock::take(report, Sharing::Shared)?;
-        Kept::open(lock.into(), Duration::ZERO)
+        SectionCache::open(lock.into(), Duration::ZERO)
     }
 
     #[test]

@@ -19,7 +19,7 @@ use document::{claims_csv, counts, page};
 pub use effort::Effort;
 use exhibit::Exhibit;
 use exhibits::*;
-use kept::Kept;
+use kept::SectionCache;
 use plan::{Plan, Seconds};
 use runs::Runs;
 use std::fmt;
@@ -173,7 +173,7 @@ impl Report {
     pub fn write(&self, out: &Path, reader: &dyn Reader) -> Result<()> {
         let files = ["index.html", "claims.csv"];
         let folder = OutputFolder::go_on(out, &Contents::of("reproduce", &files))?;
-        let kept = Kept::open(folder.lock().clone(), self.pause)?;
+        let kept = SectionCache::open(folder.lock().clone(), self.pause)?;
         let runs = Runs::new(self.effort, kept, reader);
         let sections = self.sections(&folder, &runs, reader)?;
         let claims = || sections.iter().flat_map(|section| &section.claims);

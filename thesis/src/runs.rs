@@ -1,7 +1,7 @@
 //! The compactions behind chapter 4, each run once for all exhibits.
 
 pub use super::effort::Effort;
-use super::kept::Kept;
+use super::kept::SectionCache;
 use super::{Reader, plan};
 use anyhow::{Result, anyhow};
 use std::cmp::Ordering;
@@ -172,14 +172,14 @@ pub fn film(folder: &Path) -> Result<Film> {
 /// All compactions so far.
 pub struct Runs<'a> {
     effort: Effort,
-    kept: Kept,
+    kept: SectionCache,
     reader: &'a dyn Reader,
     done: Mutex<BTreeMap<Case, Arc<Run>>>,
 }
 
 impl<'a> Runs<'a> {
     /// None yet but those kept.
-    pub fn new(effort: Effort, kept: Kept, reader: &'a dyn Reader) -> Self {
+    pub fn new(effort: Effort, kept: SectionCache, reader: &'a dyn Reader) -> Self {
         Self {
             effort,
             kept,
@@ -194,7 +194,7 @@ impl<'a> Runs<'a> {
     }
 
     /// Where sections and runs are kept.
-    pub fn kept(&self) -> &Kept {
+    pub fn kept(&self) -> &SectionCache {
         &self.kept
     }
 
@@ -293,9 +293,9 @@ mod tests {
 
     type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-    struct Nobody;
+    struct SilentReader;
 
-    impl Reader for Nobody {
+    impl Reader for SilentReader {
         fn result(&self, _: fmt::Arguments<'_>) {}
         fn progress(&self, _: fmt::Arguments<'_>) {}
         fn is_cancelled(&self) -> bool {
@@ -305,8 +305,8 @@ mod tests {
 
     fn runs_in(folder: &Path) -> Result<Runs<'static>> {
         let lock = Lock::take(folder, Sharing::Shared)?;
-        let kept = Kept::open(lock.into(), Duration::ZERO)?;
-        Ok(Runs::new(Effort::Quick, kept, &Nobody))
+        let kept = SectionCache::open(lock.into(), Duration::ZERO)?;
+        Ok(Runs::new(Effort::Quick, kept, &SilentReader))
     }
 
     #[test]

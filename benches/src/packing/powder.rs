@@ -8,7 +8,7 @@ use tribos::cd::{
     ContactSolver, SolverMethod, StepLimits, Wall, World, WorldError, WorldMaterials, WorldSetup,
     solid,
 };
-use tribos::powder::deposit::{Ballistic, Until};
+use tribos::powder::deposit::{Ballistic, DepositTarget};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{Attraction, Cohesion, ContactFriction, NormalLaw};
 
@@ -47,7 +47,7 @@ where
     F: ContactFriction<f64>,
 {
     let deposit = Ballistic::new(WIDTH, 1.0, CAPTURE)
-        .and_then(|ballistic| ballistic.grow(Until::Height(HEIGHT), SEED))
+        .and_then(|ballistic| ballistic.grow(DepositTarget::Height(HEIGHT), SEED))
         .map_err(|error| NotJammed(error.to_string()))?;
     let cohesive = Cohesion::new(1.0, RANGE, Attraction::Pull)
         .and_then(|cohesion| NormalLaw::new(cohesion, 0.0))

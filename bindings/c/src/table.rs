@@ -51,7 +51,7 @@ pub struct tribos_power_compact_f32 {
 const BUILT: u32 = 0x7472_6962;
 
 /// Caller-provided memory whose first field has room for `Held`.
-pub(crate) trait Lent {
+pub(crate) trait CallerMemory {
     /// The object built there.
     type Held;
     /// Address of the marker, which only [`build`] writes.
@@ -60,7 +60,7 @@ pub(crate) trait Lent {
 
 macro_rules! lent {
     ($($lent:ident for $held:ty;)*) => {$(
-        impl Lent for $lent {
+        impl CallerMemory for $lent {
             type Held = $held;
             #[inline(always)]
             unsafe fn built(lent: *const Self) -> *const u32 {
@@ -83,7 +83,7 @@ lent! {
 
 /// Builds the object in the caller's memory, or leaves the memory unchanged.
 #[inline(always)]
-pub(crate) unsafe fn build<L: Lent, E: Into<tribos_status>>(
+pub(crate) unsafe fn build<L: CallerMemory, E: Into<tribos_status>>(
     lent: *mut L,
     held: impl FnOnce() -> Result<L::Held, E>,
 ) -> tribos_status {
@@ -102,7 +102,9 @@ pub(crate) unsafe fn build<L: Lent, E: Into<tribos_status>>(
 
 /// The object in the caller's memory, by reference.
 #[inline(always)]
-pub(crate) unsafe fn held<'a, L: Lent>(lent: *const L) -> Result<&'a L::Held, tribos_status> {
+pub(crate) unsafe fn held<'a, L: CallerMemory>(
+    lent: *const L,
+) -> Result<&'a L::Held, tribos_status> {
     if lent.is_null() {
         Err(tribos_status::NullPointer)
     } else if L::built(lent).read() != BUILT {

@@ -14,7 +14,7 @@ use tribos::md::neighbours::VerletList;
 use tribos::md::observe::{conserved_energy, kinetic_energies, temperature};
 use tribos::md::pair::{LennardJones, Mixing, Pairing, Shift};
 use tribos::md::system::{Integrator, Setup, State, System as Moving, SystemError};
-use tribos::md::thermostat::{Langevin, NoseHoover, Spin, Thermostat};
+use tribos::md::thermostat::{Langevin, NoseHoover, RotationBias, Thermostat};
 use tribos::space::PeriodicBox;
 
 /// Reach of a list of neighbours that serves once, beyond the cut-off and in units of it.
@@ -128,7 +128,7 @@ impl System {
             "none" => Thermostat::None,
             "langevin" => Thermostat::Langevin(Langevin::new(target, rate).map_err(refused)?),
             _ => {
-                let made = NoseHoover::new(target, rate, Spin::Counts);
+                let made = NoseHoover::new(target, rate, RotationBias::Counts);
                 Thermostat::NoseHoover(made.map_err(refused)?)
             }
         };

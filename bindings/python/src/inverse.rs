@@ -1,7 +1,7 @@
 //! Launches that end at a wanted pose.
 
 use crate::arrays::refused;
-use crate::modes::Profiled;
+use crate::modes::PowerLawVisitor;
 use crate::threads::detached;
 use pyo3::prelude::*;
 use std::num::NonZeroU32;
@@ -13,7 +13,7 @@ type Row = ((f64, f64), f64, f64, f64, f64, f64, f64);
 /// What is launched, to where, and how fast at most.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-struct Wanted {
+struct LaunchTarget {
     x: f64,
     y: f64,
     angle: f64,
@@ -31,10 +31,10 @@ struct Wanted {
 #[pyfunction]
 pub fn launches(
     py: Python<'_>,
-    friction: &Profiled,
+    friction: &PowerLawVisitor,
     wanted: &Bound<'_, PyAny>,
 ) -> PyResult<Vec<Row>> {
-    let wanted: Wanted = wanted.extract()?;
+    let wanted: LaunchTarget = wanted.extract()?;
     let found = detached(py, || {
         let deceleration = friction.coefficient * wanted.gravity;
         let map = RestMap::new(

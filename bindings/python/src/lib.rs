@@ -57,7 +57,7 @@ mod _native {
     #[pymodule_export]
     use manifold::Manifold;
     #[pymodule_export]
-    use modes::Profiled;
+    use modes::PowerLawVisitor;
     #[pymodule_export]
     use mujoco::MujocoFeet;
     #[pymodule_export]

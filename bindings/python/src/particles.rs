@@ -48,10 +48,10 @@ fn wall((normal, place, mass, force, velocity): WallNumbers) -> Wall {
 /// Spheres between walls, in motion.
 #[pyclass(frozen, module = "tribos._native")]
 #[derive(Debug)]
-pub struct World(Mutex<Inside>);
+pub struct World(Mutex<WorldVariant>);
 
 #[derive(Debug)]
-struct Inside {
+struct WorldVariant {
     world: Spheres<Friction>,
     last: StepReport,
 }
@@ -125,7 +125,7 @@ impl World {
             sleep_speed,
             ..WorldSetup::new(laws)
         };
-        let inside = Inside {
+        let inside = WorldVariant {
             world: Spheres::new(setup).map_err(refused)?,
             last: StepReport::default(),
         };
@@ -275,12 +275,12 @@ impl World {
 }
 
 impl World {
-    fn lock(&self) -> MutexGuard<'_, Inside> {
+    fn lock(&self) -> MutexGuard<'_, WorldVariant> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The inside; a step of another thread is waited for without the interpreter's lock.
-    fn held(&self, py: Python<'_>) -> MutexGuard<'_, Inside> {
+    fn held(&self, py: Python<'_>) -> MutexGuard<'_, WorldVariant> {
         loop {
             match self.0.try_lock() {
                 Ok(inside) => return inside,

@@ -14,7 +14,7 @@ use tribos_core::real::Real;
 
 /// Twist, friction and whether friction holds the body, after a step.
 #[derive(Clone, Copy, Default)]
-struct Stepped {
+struct StepResult {
     twist: [f64; 3],
     friction: [f64; 3],
     is_at_rest: bool,
@@ -23,7 +23,7 @@ struct Stepped {
 /// What the bodies of a batch are, as Python gives it.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-struct Given<'py> {
+struct BodyArguments<'py> {
     /// μN, in N.
     force_limit: Bound<'py, PyAny>,
     /// In kg.
@@ -35,7 +35,7 @@ struct Given<'py> {
 }
 
 /// The same as numbers.
-struct Numbered<'py>([Numbers<'py>; 4]);
+struct BodyNumbers<'py>([Numbers<'py>; 4]);
 
 /// The same for each body of a batch.
 struct Columns<'py>([Column<'py, 1>; 4]);
@@ -51,9 +51,9 @@ struct Stepper {
     dt: TimeStep<f64>,
 }
 
-impl<'py> Given<'py> {
-    fn numbered(&self) -> PyResult<Numbered<'py>> {
-        Ok(Numbered([
+impl<'py> BodyArguments<'py> {
+    fn numbered(&self) -> PyResult<BodyNumbers<'py>> {
+        Ok(BodyNumbers([
             Numbers::new("load", &self.force_limit)?,
             Numbers::new("mass", &self.mass)?,
             Numbers::new("inertia", &self.inertia)?,
@@ -62,7 +62,7 @@ impl<'py> Given<'py> {
     }
 }
 
-impl<'py> Numbered<'py> {
+impl<'py> BodyNumbers<'py> {
     fn batched(&self) -> [&dyn Batched; 4] {
         self.0.each_ref().map(|one| one as &dyn Batched)
     }
@@ -112,7 +112,7 @@ impl Stepper {
         angle: Option<f64>,
         twist: [f64; 3],
         push: [f64; 3],
-    ) -> Stepped {
+    ) -> StepResult {
         let Some(angle) = angle.filter(|angle| *angle != 0.0) else {
             return self.step_along_axes(set, twist, push);
         };
@@ -120,7 +120,7 @@ impl Stepper {
         let into = |[x, y, turn]: [f64; 3]| [cos * x + sin * y, cos * y - sin * x, turn];
         let back = |[x, y, turn]: [f64; 3]| [cos * x - sin * y, cos * y + sin * x, turn];
         let step = self.step_along_axes(set, into(twist), into(push));
-        Stepped {
+        StepResult {
             twist: if step.is_at_rest {
                 [0.0; 3]
             } else {
@@ -136,10 +136,10 @@ impl Stepper {
         set: &dyn FrictionSet<f64>,
         twist: [f64; 3],
         push: [f64; 3],
-    ) -> Stepped {
+    ) -> StepResult {
         let (twist, push) = (twist_of(twist), wrench_of(push));
         let step = self.body.step(set, &twist, &push, self.dt);
-        Stepped {
+        StepResult {
             twist: twist_numbers(&step.twist),
             friction: numbers(&step.friction),
             is_at_rest: step.is_at_rest,
@@ -166,7 +166,7 @@ pub fn planar_step<'py>(
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<[Bound<'py, PyAny>; 3]> {
     let (py, patch) = (patch.py(), patch.get());
-    let given = bodies.extract::<Given<'py>>()?.numbered()?;
+    let given = bodies.extract::<BodyArguments<'py>>()?.numbered()?;
     let twists = Rows::<3>::new("twists", twists)?;
     let pushes = Rows::<3>::new("pushes", pushes)?;
     let angle = Numbers::new("angle", angle)?;
@@ -184,7 +184,7 @@ pub fn planar_step<'py>(
         let angle = turns.then(|| angle.at(index)[0]);
         Ok(stepper.step(set, angle, start.at(index), pushes.at(index)))
     };
-    let mut steps = vec![Stepped::default(); batch.iter().product()];
+    let mut steps = vec![StepResult::default(); batch.iter().product()];
     fill(py, &mut steps, cost(patch), |from, piece| {
         if let Some(limit) = bodies.limit_of_all() {
             return surface.sets.with(limit, |set| {
@@ -215,8 +215,8 @@ pub fn planar_step<'py>(
 
 /// Stores what `of` gives for each row.
 fn store_all<'a>(
-    all: impl Iterator<Item = (usize, &'a mut Stepped)>,
-    of: impl Fn(usize) -> PyResult<Stepped>,
+    all: impl Iterator<Item = (usize, &'a mut StepResult)>,
+    of: impl Fn(usize) -> PyResult<StepResult>,
 ) -> PyResult<()> {
     for (index, row) in all {
         *row = of(index)?;
@@ -225,9 +225,9 @@ fn store_all<'a>(
 }
 
 /// Rows of shape (…, steps, 3), whose leading axes end before the steps.
-struct OverSteps<'a, 'py>(&'a Rows<'py, 3>);
+struct StepRows<'a, 'py>(&'a Rows<'py, 3>);
 
-impl Batched for OverSteps<'_, '_> {
+impl Batched for StepRows<'_, '_> {
     fn leading(&self) -> &[usize] {
         self.0.leading().split_last().map_or(&[], |(_, rest)| rest)
     }
@@ -237,7 +237,7 @@ impl Batched for OverSteps<'_, '_> {
 }
 
 /// The course of one body: a row a step.
-struct Course<'a> {
+struct BodyTrajectory<'a> {
     twists: &'a mut [[f64; 3]],
     poses: &'a mut [[f64; 3]],
     rests: &'a mut [bool],
@@ -254,7 +254,7 @@ pub fn planar_rollout<'py>(
     poses: &Bound<'py, PyAny>,
 ) -> PyResult<[Bound<'py, PyAny>; 3]> {
     let (py, patch) = (patch.py(), patch.get());
-    let given = bodies.extract::<Given<'py>>()?.numbered()?;
+    let given = bodies.extract::<BodyArguments<'py>>()?.numbered()?;
     let twists = Rows::<3>::new("twists", twists)?;
     let poses = Rows::<3>::new("poses", poses)?;
     let pushes = Rows::<3>::new("pushes", pushes)?;
@@ -262,7 +262,7 @@ pub fn planar_rollout<'py>(
         return Err(refused("pushes must have shape (..., steps, 3), not (3,)"));
     };
     let [limit, mass, inertia, dt] = given.batched();
-    let before = OverSteps(&pushes);
+    let before = StepRows(&pushes);
     let batch = broadcast(&[&twists, &before, &poses, limit, mass, inertia, dt])?;
     let steps = [batch.as_slice(), &[count]].concat();
     let given = given.over(&batch)?;
@@ -281,12 +281,12 @@ pub fn planar_rollout<'py>(
     let rows = twists.rows::<3>()?.chunks_mut(each);
     let rows = rows.zip(poses.rows::<3>()?.chunks_mut(each));
     let rows = rows.zip(flags.chunks_mut(each));
-    let course = |((twists, poses), rests)| Course {
+    let course = |((twists, poses), rests)| BodyTrajectory {
         twists,
         poses,
         rests,
     };
-    let mut courses: Vec<Course<'_>> = rows.map(course).collect();
+    let mut courses: Vec<BodyTrajectory<'_>> = rows.map(course).collect();
     let whole = cost(patch).saturating_mul(each);
     fill(py, &mut courses, whole, |from, piece| {
         for (index, course) in (from..).zip(piece) {
@@ -304,7 +304,7 @@ pub fn planar_rollout<'py>(
     Ok([twists.finish()?, poses.finish()?, rests.into_any()])
 }
 
-impl Course<'_> {
+impl BodyTrajectory<'_> {
     /// Steps from a twist and a pose. Position and angle are integrated by the trapezoidal rule, which is
     /// exact under the mean friction of a step; a patch that `turns` is taken at its angle at half time.
     fn follow(

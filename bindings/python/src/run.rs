@@ -20,9 +20,9 @@ use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder};
 use tribos::run::folder::Manifest;
 use tribos::scene::Scene;
 use tribos::slide::{self, COLUMNS, PATH_COLUMNS, PlanarScene, run_planar};
-use tribos::stick::HeldScene;
+use tribos::stick::StickSlipScene;
 use tribos_cli::failure::Failure;
-use tribos_cli::library::{Host, Pictures, Run};
+use tribos_cli::library::{HostProgram, Pictures, Run};
 
 /// How often the thread that waits for a run looks for signals.
 const LOOK: Duration = Duration::from_millis(50);
@@ -46,12 +46,12 @@ impl Stop {
 }
 
 /// The run's end of the line to the thread that waits for it.
-struct Line {
+struct RunChannel {
     asked: Arc<AtomicBool>,
     told: Option<Sender<(Option<f64>, String)>>,
 }
 
-impl Host for Line {
+impl HostProgram for RunChannel {
     fn is_asked(&self) -> bool {
         self.asked.load(Ordering::Relaxed)
     }
@@ -107,7 +107,7 @@ pub fn run_scene(
     let asked = stop.map_or_else(Arc::default, |stop| stop.get().0.clone());
     let threads = threads_of(threads)?;
     follow(py, &asked, progress, |told| {
-        let line = Line {
+        let line = RunChannel {
             asked: asked.clone(),
             told,
         };
@@ -210,7 +210,7 @@ fn end(failure: Failure, out: &Path) -> PyErr {
 }
 
 /// What a run without a folder gives: the summary, names of columns, and rows.
-type AtOnce<'py> = (
+type InMemoryRun<'py> = (
     Bound<'py, PyAny>,
     Vec<&'static str>,
     Bound<'py, PyArray2<f64>>,
@@ -218,7 +218,11 @@ type AtOnce<'py> = (
 
 /// A sliding body, which takes a moment, without a folder; None for a powder or a tip.
 #[pyfunction]
-pub fn run_at_once<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Option<AtOnce<'py>>> {
+pub fn run_at_once<'py>(
+    py: Python<'py>,
+    name: &str,
+    text: &str,
+) -> PyResult<Option<InMemoryRun<'py>>> {
     let scene = parse(name, text, &[])?;
     let planar: &(dyn PlanarScene + Sync) = match &scene {
         Scene::Disk(scene) => {
@@ -244,7 +248,7 @@ pub fn run_at_once<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Opt
 }
 
 /// A body that holds and slips.
-fn held<'py>(py: Python<'py>, scene: &(impl HeldScene + Sync)) -> PyResult<AtOnce<'py>> {
+fn held<'py>(py: Python<'py>, scene: &(impl StickSlipScene + Sync)) -> PyResult<InMemoryRun<'py>> {
     let run = detached(py, || scene.follow(&mut |_| true))?.map_err(slid)?;
     let rows = table(py, &run.rows.concat(), run.columns.len())?;
     let summary = python(py, &run.json(scene))?;

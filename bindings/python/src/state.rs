@@ -169,16 +169,16 @@ impl LuGre {
 }
 
 /// The law with either evolution of its age.
-enum Evolving {
+enum RateStateVariant {
     Ageing(tribos_core::law::RateState<f64, AgeingLaw>),
     Slip(tribos_core::law::RateState<f64, SlipLaw>),
 }
 
 /// Rate-and-state friction.
 #[pyclass(frozen, module = "tribos._native")]
-pub struct RateState(Evolving);
+pub struct RateState(RateStateVariant);
 
-impl Evolving {
+impl RateStateVariant {
     fn coefficient(&self, speed: f64, age: StateVariable<f64>) -> f64 {
         match self {
             Self::Ageing(law) => law.coefficient(speed, age),
@@ -232,12 +232,12 @@ impl RateState {
             viscous,
         };
         Ok(Self(match evolution {
-            "ageing" => {
-                Evolving::Ageing(tribos_core::law::RateState::new(parameters).map_err(refused)?)
-            }
-            "slip" => {
-                Evolving::Slip(tribos_core::law::RateState::new(parameters).map_err(refused)?)
-            }
+            "ageing" => RateStateVariant::Ageing(
+                tribos_core::law::RateState::new(parameters).map_err(refused)?,
+            ),
+            "slip" => RateStateVariant::Slip(
+                tribos_core::law::RateState::new(parameters).map_err(refused)?,
+            ),
             other => {
                 return Err(refused(format!(
                     "evolution must be 'ageing' or 'slip', not {other:?}"

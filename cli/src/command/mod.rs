@@ -51,7 +51,7 @@ use std::io::Write;
 #[command(after_help = overview::EXAMPLES)]
 struct Program {
     #[command(flatten)]
-    presentation: presentation::Presentation,
+    presentation: presentation::OutputOptions,
     #[command(subcommand)]
     command: Command,
 }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Options that every command has.
 #[derive(Clone, Copy, Debug, clap::Args)]
-pub struct Presentation {
+pub struct OutputOptions {
     /// Significant digits of printed numbers, or `full` [default: 6]; files keep all bits.
     #[arg(long, global = true, value_name = "N", help_heading = "Every command")]
     digits: Option<Digits>,
@@ -17,7 +17,7 @@ pub struct Presentation {
 /// Whether this process tells of its progress.
 static QUIET: AtomicBool = AtomicBool::new(false);
 
-impl Presentation {
+impl OutputOptions {
     /// Holds for the rest of this process.
     pub fn adopt(self) {
         if let Some(digits) = self.digits {

@@ -2,7 +2,7 @@
 //! the time left; plain lines, rarer as time goes on, in a pipe or a file; nothing with --quiet.
 
 use super::presentation::is_quiet;
-use super::run::caller::Host;
+use super::run::caller::HostProgram;
 use std::fmt;
 use std::io::{IsTerminal, Write};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
@@ -69,7 +69,7 @@ pub fn show(done: f64, words: fmt::Arguments<'_>) {
 /// Follows one piece of work.
 pub struct Meter<'a> {
     /// The program that hears of it in place of a terminal.
-    host: Option<&'a dyn Host>,
+    host: Option<&'a dyn HostProgram>,
     started: Instant,
     told: Instant,
     /// Share that was done before the start, known with the first message.
@@ -91,11 +91,11 @@ impl<'a> Meter<'a> {
     }
 
     /// Begins now, for a program.
-    pub fn of(host: &'a dyn Host) -> Self {
+    pub fn of(host: &'a dyn HostProgram) -> Self {
         Self::told_to(Some(host))
     }
 
-    fn told_to(host: Option<&'a dyn Host>) -> Self {
+    fn told_to(host: Option<&'a dyn HostProgram>) -> Self {
         Self {
             host,
             started: Instant::now(),

@@ -14,15 +14,15 @@ pub mod tip;
 
 pub use order::COMMAND;
 
-use self::caller::Caller;
-use self::order::{Order, Pictures, how_to_go_on};
-use self::size::Allowed;
+use self::caller::Frontend;
+use self::order::{Pictures, RunRequest, how_to_go_on};
+use self::size::MemoryPermission;
 use super::{bodies, number};
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tribos::run::FRAMES;
-use tribos::run::folder::Broken;
+use tribos::run::folder::InterruptedRunPolicy;
 use tribos::scene::bodies as names;
 
 /// Simulate the scene and write summary.json, series.csv and a plot: motion.svg and motion.png of
@@ -135,19 +135,19 @@ impl Arguments {
                 "{option} is for powders, grains, gases and tips only; this scene runs in a moment"
             )));
         }
-        let done = body.simulate(&Order {
+        let done = body.simulate(&RunRequest {
             out: &self.out,
             broken: if self.anew {
-                Broken::Replaced
+                InterruptedRunPolicy::Replaced
             } else {
-                Broken::Kept
+                InterruptedRunPolicy::Kept
             },
             resume: self.resume,
             pause: self.checkpoint.unwrap_or(PAUSE),
             frames: self.frames,
-            allowed: Allowed::of(self.allow_large),
+            allowed: MemoryPermission::of(self.allow_large),
             pictures: Pictures::Drawn,
-            caller: Caller::Terminal,
+            caller: Frontend::Terminal,
         });
         done.map_err(|failure| failure.going_on(&how_to_go_on(&self.out)))
     }

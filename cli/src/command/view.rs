@@ -6,8 +6,8 @@ pub mod kept;
 pub mod path;
 mod still;
 
-use self::colors::{Look, Paint};
-use self::kept::Kept;
+use self::colors::{ColorBy, RenderStyle};
+use self::kept::RunFiles;
 use crate::command::run::{files, frames_folder};
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ pub struct Arguments {
     /// PNG pictures of these frames instead of a page, into DIR/still-<frame>.png: numbers from 1,
     /// or `last`.
     #[arg(long, value_name = "FRAMES", value_delimiter = ',', value_parser = still::which)]
-    still: Vec<still::Which>,
+    still: Vec<still::FrameSelector>,
     /// A film file instead of a page; needs ffmpeg on the PATH. Ends in .mp4, .webm or .gif.
     #[arg(long, value_name = "FILE", value_parser = encoder::film_name)]
     film: Option<PathBuf>,
@@ -40,7 +40,7 @@ pub struct Arguments {
     rate: u32,
     /// Quantity shown by colour in pictures and film files. [default: layer, or part for a tip]
     #[arg(long, value_enum)]
-    color: Option<Paint>,
+    color: Option<ColorBy>,
     /// Draw the normal forces instead of the spheres in pictures and film files.
     #[arg(long, conflicts_with = "color")]
     network: bool,
@@ -55,11 +55,11 @@ const EXAMPLES: &str = "Examples:\n  \
 impl Arguments {
     /// Reads the run, writes what is asked for.
     pub fn execute(self) -> Result<(), Failure> {
-        let Kept {
+        let RunFiles {
             manifest,
             summary,
             bodies,
-        } = Kept::read(&self.folder)?;
+        } = RunFiles::read(&self.folder)?;
         if bodies.is_some() {
             let frames = frames_folder(&self.folder);
             return self.solid(&RunFrames::read(&frames, summary.as_ref())?);
@@ -105,7 +105,7 @@ impl Arguments {
             }
             return self.page(&run.film().map_err(Failure::run)?);
         }
-        let look = Look::of(run, self.color, self.network)?;
+        let look = RenderStyle::of(run, self.color, self.network)?;
         let mut chosen = Vec::new();
         for which in &self.still {
             chosen.push(which.number(run.frames.len())?);

@@ -115,7 +115,7 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
 
     /// The limit of a large displacement, in which all bonds hold alike.
     fn yielding(&self, load: R, direction: &Twist<R>) -> SlipOnset<R> {
-        let held = NodeFriction::new(Held(self.law().plateau()), self.patch());
+        let held = NodeFriction::new(ConstantForce(self.law().plateau()), self.patch());
         let infinite = |part: R| {
             if part == R::ZERO {
                 part
@@ -190,9 +190,9 @@ impl<R: Real> LocalLaw<R> for Spring<R> {
 }
 
 /// A force that does not depend on the strain.
-struct Held<R>(R);
+struct ConstantForce<R>(R);
 
-impl<R: Real> LocalLaw<R> for Held<R> {
+impl<R: Real> LocalLaw<R> for ConstantForce<R> {
     fn friction(&self, _: R) -> R {
         self.0
     }

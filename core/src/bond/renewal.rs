@@ -56,7 +56,7 @@ pub(super) fn steady_age<R: Real>(stages: NonZeroU32) -> R {
 }
 
 /// Sums over the number of stages that have passed.
-struct Counts<R> {
+struct PoissonSums<R> {
     weight: R,
     /// Σ w g
     stage: R,
@@ -64,7 +64,7 @@ struct Counts<R> {
     renewed: R,
 }
 
-impl<R: Real> Counts<R> {
+impl<R: Real> PoissonSums<R> {
     fn add(&mut self, stages: NonZeroU32, count: u32, weight: R) {
         self.weight += weight;
         if count > 0 {
@@ -83,7 +83,7 @@ fn by_counts<R: Real>(stages: NonZeroU32, time: R) -> MeanAge<R> {
     let mean = n * time;
     let mode = mean.to_f64() as u32;
     let least = R::EPSILON * R::EPSILON;
-    let mut counts = Counts {
+    let mut counts = PoissonSums {
         weight: R::ZERO,
         stage: R::ZERO,
         renewed: R::ZERO,

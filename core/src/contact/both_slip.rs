@@ -19,7 +19,7 @@ use nalgebra::Vector3;
 const MOST_STEPS: usize = 6;
 
 /// The linear system.
-pub(super) struct BothSlip<R: Real> {
+pub(super) struct DualSlipSystem<R: Real> {
     pub(super) inv_mass: R,
     pub(super) inv_inertia: R,
     /// k
@@ -29,7 +29,7 @@ pub(super) struct BothSlip<R: Real> {
     pub(super) rolling: Vector3<R>,
 }
 
-impl<R: Real> BothSlip<R> {
+impl<R: Real> DualSlipSystem<R> {
     /// The turned rolling torque τ′, from a guess `[p, τ′]` whose lengths are a and b.
     ///
     /// `None` where Newton's method leaves the domain, and where squares leave the number range.

@@ -14,7 +14,7 @@
 //! limit lies between one that stays within and one that does not, whatever the masses.
 
 use super::block::{Block, Masses};
-use super::both_slip::BothSlip;
+use super::both_slip::DualSlipSystem;
 use super::friction::{ContactFriction, TangentialLoad};
 use super::modes::ContactVector;
 use super::vector::{cross, dot};
@@ -239,7 +239,7 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         let [inv_mass, inv_inertia] =
             [self.block.mass_sliding, self.block.inertia].map(|m| R::ONE / m);
         let old = cross(n, &self.old_rolling);
-        let both = BothSlip {
+        let both = DualSlipSystem {
             inv_mass,
             inv_inertia,
             coupling: k,

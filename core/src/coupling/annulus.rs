@@ -4,7 +4,7 @@ use super::lateral::{LateralFriction, LateralJacobian};
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::rings::{Rings, ring_factors};
 use super::speeds::Speeds;
-use super::wide::{Wide, is_ordinary};
+use super::wide::{ExtendedRange, is_ordinary};
 use super::{DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::patch::PatchError;
 use crate::real::Real;
@@ -227,12 +227,12 @@ impl<R: Real, P: SmoothProfile<R>> PowerLawFriction<R> for Annulus<R, P> {
             ];
         }
         // A hole so small that its weight and its speed leave the number range.
-        let inner = Wide::new(self.inner);
+        let inner = ExtendedRange::new(self.inner);
         let square = inner.times(inner);
         let exponent = self.disk.exponent() - R::ONE;
-        let scale = Wide::power(inside.major, exponent).times(square);
-        let force = scale.times(Wide::new(phi_middle));
-        let torque = scale.times(square).times(Wide::new(chi_middle));
+        let scale = ExtendedRange::power(inside.major, exponent).times(square);
+        let force = scale.times(ExtendedRange::new(phi_middle));
+        let torque = scale.times(square).times(ExtendedRange::new(chi_middle));
         [
             self.less(phi, force.value(), R::ONE),
             self.less(chi, torque.value(), R::ONE),

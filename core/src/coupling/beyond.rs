@@ -1,5 +1,5 @@
 //! Wrench and Jacobian for speeds whose ratio or power leaves the number range: the same formulas in
-//! [`Wide`].
+//! [`ExtendedRange`].
 //!
 //! Every result is m^n hᵖ (a + b h²) with n = α or α − 1, p = 0 or 1, and with a and b from Φ, Φ'
 //! and Χ, which are of order 1. Neither m^n nor h need be a number of the type for the result to be
@@ -7,12 +7,12 @@
 
 use super::lateral::twice_z_slope;
 use super::profile::{PowerLawFriction, SmoothProfile};
-use super::speeds::{Lead, Speeds};
-use super::wide::Wide;
+use super::speeds::{DominantSpeed, Speeds};
+use super::wide::ExtendedRange;
 use crate::real::Real;
 
 /// hᵖ (a + b h²)
-struct Entry<R> {
+struct JacobianEntry<R> {
     power: Power,
     at_zero: R,
     bend: R,
@@ -25,18 +25,18 @@ enum Power {
     Odd,
 }
 
-fn even<R: Real>(at_zero: R, bend: R) -> Entry<R> {
+fn even<R: Real>(at_zero: R, bend: R) -> JacobianEntry<R> {
     let power = Power::Even;
-    Entry {
+    JacobianEntry {
         power,
         at_zero,
         bend,
     }
 }
 
-fn odd<R: Real>(at_zero: R, bend: R) -> Entry<R> {
+fn odd<R: Real>(at_zero: R, bend: R) -> JacobianEntry<R> {
     let power = Power::Odd;
-    Entry {
+    JacobianEntry {
         power,
         at_zero,
         bend,
@@ -45,8 +45,8 @@ fn odd<R: Real>(at_zero: R, bend: R) -> Entry<R> {
 
 /// m^n and h.
 struct Scales<R> {
-    scale: Wide<R>,
-    ratio: Wide<R>,
+    scale: ExtendedRange<R>,
+    ratio: ExtendedRange<R>,
 }
 
 impl<R: Real> Scales<R> {
@@ -58,14 +58,15 @@ impl<R: Real> Scales<R> {
             (rim, slide)
         };
         Self {
-            scale: Wide::power(major, exponent),
-            ratio: Wide::new(minor).over(Wide::new(major)),
+            scale: ExtendedRange::power(major, exponent),
+            ratio: ExtendedRange::new(minor).over(ExtendedRange::new(major)),
         }
     }
 
-    fn value(&self, entry: Entry<R>) -> R {
+    fn value(&self, entry: JacobianEntry<R>) -> R {
         let square = self.ratio.times(self.ratio);
-        let sum = Wide::new(entry.at_zero).plus(square.times(Wide::new(entry.bend)));
+        let sum =
+            ExtendedRange::new(entry.at_zero).plus(square.times(ExtendedRange::new(entry.bend)));
         let product = match entry.power {
             Power::Even => sum,
             Power::Odd => self.ratio.times(sum),
@@ -85,7 +86,7 @@ fn all<R: Real, const N: usize>(
     exponent: R,
     at: &Speeds<R>,
     [slide, rim]: [R; 2],
-    entries: [Entry<R>; N],
+    entries: [JacobianEntry<R>; N],
 ) -> [R; N] {
     if !at.major.is_finite() {
         let scale = at.major.pow(exponent);
@@ -109,8 +110,8 @@ pub(super) fn wrench<R: Real, P: PowerLawFriction<R>>(
 ) -> [R; 2] {
     let [phi, chi] = profile.factors(at);
     let entries = match at.lead() {
-        Lead::Sliding => [even(phi, R::ZERO), odd(chi, R::ZERO)],
-        Lead::Spinning => [odd(phi, R::ZERO), even(chi, R::ZERO)],
+        DominantSpeed::Sliding => [even(phi, R::ZERO), odd(chi, R::ZERO)],
+        DominantSpeed::Spinning => [odd(phi, R::ZERO), even(chi, R::ZERO)],
     };
     all(profile.exponent(), at, [slide, rim], entries)
 }
@@ -131,13 +132,13 @@ pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
     let (bend, beta) = (R::TWO * slope, R::ONE - alpha);
     let drag = even(phi, R::ZERO);
     let entries = match at.lead() {
-        Lead::Sliding => [
+        DominantSpeed::Sliding => [
             drag,
             even(alpha * phi, -bend),
             odd(bend, R::ZERO),
             even(alpha * chi - bend, R::ZERO),
         ],
-        Lead::Spinning => {
+        DominantSpeed::Spinning => {
             let h = at.ratio();
             [
                 drag,
@@ -154,8 +155,8 @@ pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
 #[cold]
 pub(super) fn lateral<R: Real>(alpha: R, sum: R, at: &Speeds<R>, speeds: [R; 2]) -> R {
     let entry = match at.lead() {
-        Lead::Sliding => odd(sum, R::ZERO),
-        Lead::Spinning => even(sum, R::ZERO),
+        DominantSpeed::Sliding => odd(sum, R::ZERO),
+        DominantSpeed::Spinning => even(sum, R::ZERO),
     };
     let [g] = all(alpha, at, speeds, [entry]);
     g
@@ -173,16 +174,16 @@ pub(super) fn lateral_jacobian<R: Real>(
     let (_, z) = at.square_and_complement();
     let (bend, beta) = (twice_z_slope(z, slope), R::ONE - alpha);
     let entries = match at.lead() {
-        Lead::Sliding => [
+        DominantSpeed::Sliding => [
             odd(alpha * phi + bend + chi, R::ZERO),
             even(phi + alpha * chi - bend, R::ZERO),
         ],
-        Lead::Spinning => [
+        DominantSpeed::Spinning => [
             even(phi + chi, bend - beta * phi),
             odd(alpha * (phi + chi), beta * phi - bend),
         ],
     };
-    let entries = entries.map(|entry| Entry {
+    let entries = entries.map(|entry| JacobianEntry {
         at_zero: entry.at_zero / divisor,
         bend: entry.bend / divisor,
         ..entry

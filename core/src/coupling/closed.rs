@@ -14,7 +14,7 @@
 use super::DryReducedFriction;
 use super::family;
 use super::profile::{PowerLawFriction, SmoothProfile};
-use super::speeds::{Lead, Speeds};
+use super::speeds::{DominantSpeed, Speeds};
 use crate::patch::PowerPressure;
 use crate::real::Real;
 use crate::special::CompleteElliptic;
@@ -79,8 +79,8 @@ impl ClosedForm for CoulombRing {
         let z = at.complement();
         let CompleteElliptic { b, d, c, .. } = CompleteElliptic::new(z);
         match at.lead() {
-            Lead::Spinning => [two_by_pi * b, inv_pi * c],
-            Lead::Sliding => [two_by_pi * (b + z * d), -inv_pi * d],
+            DominantSpeed::Spinning => [two_by_pi * b, inv_pi * c],
+            DominantSpeed::Sliding => [two_by_pi * (b + z * d), -inv_pi * d],
         }
     }
 }
@@ -94,7 +94,7 @@ impl ClosedForm for CoulombPunch {
     const PRESSURE: PowerPressure = PowerPressure::FLAT_PUNCH;
 
     fn force<R: Real>(at: &Speeds<R>) -> [R; 2] {
-        if at.lead() == Lead::Spinning {
+        if at.lead() == DominantSpeed::Spinning {
             return [R::from_f64(FRAC_PI_4) + R::ZERO * at.ratio(), R::ZERO];
         }
         let (y, z) = at.square_and_complement();
@@ -113,7 +113,7 @@ impl ClosedForm for CoulombHertz {
     fn force<R: Real>(at: &Speeds<R>) -> [R; 2] {
         let (y, z) = at.square_and_complement();
         let quarter = R::HALF * R::HALF;
-        if at.lead() == Lead::Spinning {
+        if at.lead() == DominantSpeed::Spinning {
             let front = R::from_f64(3.0 * PI / 8.0);
             return [front * (R::ONE - quarter * y), -quarter * front];
         }
@@ -184,7 +184,7 @@ macro_rules! dry_profiles {
 
         impl<R: Real> DryReducedFriction<R> for $form {
             #[inline]
-            fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+            fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
                 super::profile::point(self, lead, ratio)
             }
         }

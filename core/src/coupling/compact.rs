@@ -2,10 +2,10 @@
 
 use super::DryReducedFriction;
 use super::family;
-use super::member::Member;
+use super::member::FamilyMember;
 use super::octave::Pair;
 use super::profile::{PowerLawFriction, SmoothProfile};
-use super::speeds::{Lead, Speeds};
+use super::speeds::{DominantSpeed, Speeds};
 use crate::law::{LawError, PowerLaw, validated_exponent};
 use crate::patch::PowerPressure;
 use crate::real::Real;
@@ -71,7 +71,7 @@ impl<R: Real> SmoothProfile<R> for CompactCoulombDisk {
 
 impl<R: Real> DryReducedFriction<R> for CompactCoulombDisk {
     #[inline]
-    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+    fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
         super::profile::point(self, lead, ratio)
     }
 }
@@ -118,7 +118,7 @@ impl<R: Real> CompactPower<R> {
 
     /// Under another pressure.
     pub fn with_pressure(alpha: R, pressure: PowerPressure) -> Result<Self, LawError> {
-        let member = Member {
+        let member = FamilyMember {
             alpha: validated_exponent(alpha.to_f64(), PowerLaw::<R>::MAX_EXPONENT)?,
             order: pressure.order(),
         };
@@ -150,8 +150,8 @@ impl<R: Real> PowerLawFriction<R> for CompactPower<R> {
 impl<R: Real> SmoothProfile<R> for CompactPower<R> {
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         let pair = match at.lead() {
-            Lead::Spinning => &self.spinning,
-            Lead::Sliding => &self.sliding,
+            DominantSpeed::Spinning => &self.spinning,
+            DominantSpeed::Sliding => &self.sliding,
         };
         let at = at.widened();
         let (x, z) = at.square_and_complement();

@@ -1,11 +1,11 @@
 //! The table of one exponent on the uniform disk, without the power of its scale.
 
 use super::family;
-use super::member::Member;
+use super::member::FamilyMember;
 use super::profile::{PowerLawFriction, SmoothProfile};
-use super::side::{self, Side};
-use super::speeds::{Lead, Speeds};
-use super::tip::{Exponent, Tip};
+use super::side::{self, RegimeTable};
+use super::speeds::{DominantSpeed, Speeds};
+use super::tip::{EqualSpeedExpansion, Exponent};
 use crate::real::Real;
 
 /// Below this many roots of rounding Φ' is not taken from Θ, which loses its digits like 1/z.
@@ -15,19 +15,19 @@ const CLOSE: f64 = 64.0;
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Disk<R, E, const CELLS: usize, const TERMS: usize> {
-    pub(super) side: Side<R, CELLS, TERMS>,
-    pub(super) tip: Tip<R>,
+    pub(super) side: RegimeTable<R, CELLS, TERMS>,
+    pub(super) tip: EqualSpeedExpansion<R>,
     pub(super) exponent: E,
 }
 
 /// The cells of exponent α with their end, in f64.
 const fn cells_and_tip<const CELLS: usize, const TERMS: usize>(
     alpha: f64,
-) -> (Side<f64, CELLS, TERMS>, Tip<f64>) {
-    let disk = Member { alpha, order: 0.0 }.sliding();
-    let side = Side::build(&disk);
+) -> (RegimeTable<f64, CELLS, TERMS>, EqualSpeedExpansion<f64>) {
+    let disk = FamilyMember { alpha, order: 0.0 }.sliding();
+    let side = RegimeTable::build(&disk);
     let octaves = (CELLS as u32 - 2) / 2;
-    let tip = Tip::fitted(&disk, side.end_terms(), octaves);
+    let tip = EqualSpeedExpansion::fitted(&disk, side.end_terms(), octaves);
     (side.with_end(tip.tangents(&disk, octaves)), tip)
 }
 
@@ -47,7 +47,7 @@ impl<E: Copy, const CELLS: usize, const TERMS: usize> Disk<f32, E, CELLS, TERMS>
     pub(super) const fn build(alpha: f64, exponent: E) -> Self {
         let (side, tip) = cells_and_tip(alpha);
         Self {
-            side: Side::rounded(&side),
+            side: RegimeTable::rounded(&side),
             tip: tip.rounded(),
             exponent,
         }
@@ -156,8 +156,8 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> SmoothProf
         let a_sq = at.slide * at.slide;
         let spin = pure_spin_torque(self.exponent.value()) * (R::ONE - a_sq);
         let chi = match at.lead() {
-            Lead::Sliding => theta,
-            Lead::Spinning => spin * phi + a_sq * theta,
+            DominantSpeed::Sliding => theta,
+            DominantSpeed::Spinning => spin * phi + a_sq * theta,
         };
         [phi, slope, chi]
     }

@@ -1,10 +1,10 @@
 //! Dry friction from a profile whose exponent is found to be 0 at run time.
 
+use super::{DominantSpeed, SmoothProfile, Speeds};
 use super::{
     DryReducedFriction, LateralFriction, LateralJacobian, PowerLawFriction, ReducedFriction,
     ReducedJacobian, ReducedWrench,
 };
-use super::{Lead, SmoothProfile, Speeds};
 use crate::law::LawError;
 use crate::real::Real;
 
@@ -88,7 +88,7 @@ impl<R: Real, P: SmoothProfile<R>> ReducedFriction<R> for DryProfile<P> {
 
 impl<R: Real, P: SmoothProfile<R>> DryReducedFriction<R> for DryProfile<P> {
     #[inline]
-    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+    fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
         super::profile::point(self, lead, ratio)
     }
 }

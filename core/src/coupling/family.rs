@@ -1,7 +1,7 @@
 //! The pressures (1−r²)^q: Χ from Φ and Φ', and the final motion's balance.
 
 use super::profile::SmoothProfile;
-use super::speeds::{Lead, Speeds};
+use super::speeds::{DominantSpeed, Speeds};
 use crate::real::Real;
 
 /// n = q + (3+α)/2 = F'(0)/T(0).
@@ -30,8 +30,8 @@ pub(super) fn torque_factor<R: Real>(
     let z_slope = if z == R::ZERO { R::ZERO } else { z * slope };
     let theta = theta(order, alpha, [phi, z_slope]);
     match at.lead() {
-        Lead::Sliding => theta,
-        Lead::Spinning => R::ONE / moment(order, alpha) * z * phi + x * theta,
+        DominantSpeed::Sliding => theta,
+        DominantSpeed::Spinning => R::ONE / moment(order, alpha) * z * phi + x * theta,
     }
 }
 
@@ -66,8 +66,8 @@ pub(super) fn inertia_excess<R: Real, P: SmoothProfile<R>>(
         z * slope / phi
     };
     let scaled = match at.lead() {
-        Lead::Sliding => constant - beta * (R::ONE - inertia_ratio) + bend,
-        Lead::Spinning => constant - beta * (x - inertia_ratio) + x * bend,
+        DominantSpeed::Sliding => constant - beta * (R::ONE - inertia_ratio) + bend,
+        DominantSpeed::Spinning => constant - beta * (x - inertia_ratio) + x * bend,
     };
     scaled / moment(order, profile.exponent())
 }

@@ -21,7 +21,7 @@
 use super::ReducedFriction;
 use super::beyond;
 use super::profile::SmoothProfile;
-use super::speeds::{Lead, Speeds};
+use super::speeds::{DominantSpeed, Speeds};
 use crate::real::Real;
 
 /// A coupling with its lateral function G.
@@ -125,14 +125,14 @@ fn unscaled_jacobian<R: Real>(alpha: R, at: &Speeds<R>, [phi, slope, chi]: [R; 3
     let bend = twice_z_slope(z, slope);
     // F_v w + T + T_v v and F + F_w w + T_w v.
     match at.lead() {
-        Lead::Spinning => {
+        DominantSpeed::Spinning => {
             let beta = R::ONE - alpha;
             [
                 (R::ONE - x * beta) * phi + x * bend + chi,
                 h * ((alpha + x * beta) * phi + alpha * chi - x * bend),
             ]
         }
-        Lead::Sliding => [h * (alpha * phi + bend + chi), phi + alpha * chi - bend],
+        DominantSpeed::Sliding => [h * (alpha * phi + bend + chi), phi + alpha * chi - bend],
     }
 }
 

@@ -9,17 +9,17 @@
 //!
 //! The two meet at x = 1, which fixes K without a Γ function. For q = 0 they are one function.
 
-use super::octave::{Pair, Partner};
+use super::octave::{CompanionFunction, Pair};
 use crate::special::Gauss;
 
 /// Exponent and order.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Member {
+pub(super) struct FamilyMember {
     pub alpha: f64,
     pub order: f64,
 }
 
-impl Member {
+impl FamilyMember {
     /// 1/n = T(0)/F'(0).
     pub const fn inv_moment(&self) -> f64 {
         1.0 / (self.order + 0.5 * (3.0 + self.alpha))
@@ -34,17 +34,17 @@ impl Member {
         } else {
             self.sliding().gauss.at(1.0, 0.0).value / gauss.at(1.0, 0.0).value
         };
-        self.pair(gauss, scale, Partner::Blend)
+        self.pair(gauss, scale, CompanionFunction::Blend)
     }
 
     /// Where sliding leads.
     pub const fn sliding(&self) -> Pair {
         let Self { alpha, order } = *self;
         let gauss = Gauss::new(0.5 * (1.0 - alpha), -0.5 * (1.0 + alpha), order + 2.0);
-        self.pair(gauss, 1.0, Partner::Theta)
+        self.pair(gauss, 1.0, CompanionFunction::Theta)
     }
 
-    const fn pair(&self, gauss: Gauss, scale: f64, partner: Partner) -> Pair {
+    const fn pair(&self, gauss: Gauss, scale: f64, partner: CompanionFunction) -> Pair {
         Pair {
             gauss,
             scale,

@@ -63,10 +63,10 @@ pub(crate) mod internals {
     pub use super::lateral::LateralJacobian;
     pub use super::lean_profile::LeanProfile;
     pub use super::profile::SmoothProfile;
-    pub use super::speeds::{Lead, Speeds};
+    pub use super::speeds::{DominantSpeed, Speeds};
 }
 
-pub(crate) use internals::{LateralJacobian, Lead, SmoothProfile, Speeds};
+pub(crate) use internals::{DominantSpeed, LateralJacobian, SmoothProfile, Speeds};
 
 use crate::real::Real;
 
@@ -236,23 +236,23 @@ pub trait DryReducedFriction<R: Real>: ReducedFriction<R> {
     /// and the slope of the smaller one.
     #[doc(hidden)]
     #[inline]
-    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+    fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
         let (slide, rim) = match lead {
-            Lead::Sliding => (R::ONE, ratio),
-            Lead::Spinning => (ratio, R::ONE),
+            DominantSpeed::Sliding => (R::ONE, ratio),
+            DominantSpeed::Spinning => (ratio, R::ONE),
         };
         let ReducedWrench { force, torque } = self.reduced_wrench(slide, rim);
         let rates = self.reduced_jacobian(slide, rim);
         match lead {
-            Lead::Sliding => [force, torque, rates.torque_rim],
-            Lead::Spinning => [torque, force, rates.force_slide],
+            DominantSpeed::Sliding => [force, torque, rates.torque_rim],
+            DominantSpeed::Spinning => [torque, force, rates.force_slide],
         }
     }
 }
 
 impl<R: Real, C: DryReducedFriction<R> + ?Sized> DryReducedFriction<R> for &C {
     #[inline]
-    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+    fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
         (**self).reduced_point(lead, ratio)
     }
 }

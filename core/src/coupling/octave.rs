@@ -25,7 +25,7 @@ const SERIES: usize = 60;
 
 /// Which function stands beside Φ in the cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Partner {
+pub(super) enum CompanionFunction {
     /// Θ = ((1+α)/2 Φ + zΦ')/n.
     Theta,
     /// zΦ/n + xΘ, the torque factor where spinning leads.
@@ -40,7 +40,7 @@ pub(super) struct Pair {
     pub alpha: f64,
     /// 1/n
     pub inv_moment: f64,
-    pub partner: Partner,
+    pub partner: CompanionFunction,
 }
 
 /// Builds the cells of a pair: cell 0 is the end z = 0, then two cells an octave upward
@@ -60,7 +60,7 @@ pub(super) const fn cells<const CELLS: usize, const TERMS: usize>(
     i -= 1;
     out[i] = cell(pair, 0.625, 0.125, &shifted_series(&pair.gauss, 0.375));
     // Below, the equation is continued from one center to the next.
-    let mut walk = Walk::start(pair.gauss);
+    let mut walk = ContinuationState::start(pair.gauss);
     let mut width = 0.25;
     while i > 1 {
         let upper = 1.75 * width;
@@ -76,14 +76,14 @@ pub(super) const fn cells<const CELLS: usize, const TERMS: usize>(
 }
 
 /// The state of the continuation.
-struct Walk {
+struct ContinuationState {
     phi: Gauss,
     z: f64,
     at: Jet,
     low: Jet,
 }
 
-impl Walk {
+impl ContinuationState {
     const fn start(phi: Gauss) -> Self {
         Self {
             phi,
@@ -143,8 +143,8 @@ const fn cell<const TERMS: usize>(
 ) -> Cell<f64, TERMS> {
     let theta = torque_expansion(pair, phi);
     let partner = match pair.partner {
-        Partner::Theta => theta,
-        Partner::Blend => blended(pair.inv_moment, center, phi, &theta),
+        CompanionFunction::Theta => theta,
+        CompanionFunction::Blend => blended(pair.inv_moment, center, phi, &theta),
     };
     let partner = economized::<TERMS>(&partner, half_width / center);
     let phi = economized::<TERMS>(phi, half_width / center);
@@ -244,8 +244,8 @@ const fn end_cell<const TERMS: usize>(pair: &Pair, phi: Jet) -> Cell<f64, TERMS>
     terms[0] = [pair.scale * phi.value, pair.scale * chi];
     let slope = match pair.partner {
         // d(zΦ')/dz = Φ' where Φ is smooth enough to have a slope.
-        Partner::Theta => (1.0 - half) * pair.inv_moment * phi.slope,
-        Partner::Blend => {
+        CompanionFunction::Theta => (1.0 - half) * pair.inv_moment * phi.slope,
+        CompanionFunction::Blend => {
             (1.0 - half) * pair.inv_moment * phi.slope - chi + pair.inv_moment * phi.value
         }
     };

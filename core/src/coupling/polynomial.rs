@@ -2,7 +2,7 @@
 
 use super::lateral::{self, LateralFriction, LateralJacobian};
 use super::profile::{self, PowerLawFriction, SmoothProfile};
-use super::side::Sides;
+use super::side::RegimeTables;
 use super::speeds::Speeds;
 use super::table::{CELLS_F64, MAX_EXPONENT, TERMS_F64};
 use super::{ReducedFriction, ReducedJacobian, ReducedWrench};
@@ -14,7 +14,7 @@ use crate::patch::PolynomialPressure;
 /// *Accuracy*: as [`super::round::RoundTable64`], times Σ|wⱼ| of the pressure's shares.
 #[derive(Clone, Copy, Debug)]
 pub struct PolynomialTable {
-    sides: Sides<f64, CELLS_F64, TERMS_F64>,
+    sides: RegimeTables<f64, CELLS_F64, TERMS_F64>,
 }
 
 impl PolynomialTable {
@@ -34,7 +34,7 @@ impl PolynomialTable {
     ) -> Result<Self, LawError> {
         let alpha = validated_exponent(alpha, MAX_EXPONENT)?;
         Ok(Self {
-            sides: Sides::of_shares(alpha, *pressure.shares()),
+            sides: RegimeTables::of_shares(alpha, *pressure.shares()),
         })
     }
 }
@@ -93,7 +93,7 @@ impl ReducedFriction<f64> for PolynomialTable {
 pub struct LateralPolynomialTable {
     table: PolynomialTable,
     /// The same sum with every share over its own 2(n+1): (w F + v T)/v of it is G.
-    lateral: Sides<f64, CELLS_F64, TERMS_F64>,
+    lateral: RegimeTables<f64, CELLS_F64, TERMS_F64>,
     mean_square_radius: f64,
 }
 
@@ -108,7 +108,7 @@ impl LateralPolynomialTable {
         let shares = shares.map(|(j, share)| share / lateral::divisor(j as f64, alpha));
         Ok(Self {
             table,
-            lateral: Sides::of_shares(alpha, shares),
+            lateral: RegimeTables::of_shares(alpha, shares),
             mean_square_radius: pressure.mean_square_radius(),
         })
     }

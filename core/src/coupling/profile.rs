@@ -30,7 +30,7 @@
 //! Phys. Rev. Lett. 90 (2003) 248302); `docs/theory.md` derives the forms above.
 
 use super::beyond;
-use super::speeds::{Lead, Speeds};
+use super::speeds::{DominantSpeed, Speeds};
 use super::wide::is_ordinary;
 use super::{ReducedJacobian, ReducedWrench};
 use crate::real::Real;
@@ -74,7 +74,7 @@ pub trait PowerLawFriction<R: Real> {
     /// C_α(0) and C_α(∞), the ends of C_α = Χ/Φ.
     #[doc(hidden)]
     fn inertia_ends(&self) -> [R; 2] {
-        [Lead::Spinning, Lead::Sliding].map(|lead| {
+        [DominantSpeed::Spinning, DominantSpeed::Sliding].map(|lead| {
             let [phi, chi] = self.factors(&Speeds::from_ratio(lead, R::ZERO));
             chi / phi
         })
@@ -266,8 +266,8 @@ fn unscaled_jacobian<R: Real>(alpha: R, speeds: &Speeds<R>, [phi, slope, chi]: [
     // At equal speeds the slope may be infinite while its products are finite or infinite.
     let x_bend = h * h * bend;
     match speeds.lead() {
-        Lead::Sliding => [phi, alpha * phi - x_bend, h * bend, alpha * chi - bend],
-        Lead::Spinning => {
+        DominantSpeed::Sliding => [phi, alpha * phi - x_bend, h * bend, alpha * chi - bend],
+        DominantSpeed::Spinning => {
             let mixed = -h * ((R::ONE - alpha) * phi + x_bend);
             [phi, phi + x_bend, mixed, alpha * chi - h * mixed]
         }
@@ -276,12 +276,16 @@ fn unscaled_jacobian<R: Real>(alpha: R, speeds: &Speeds<R>, [phi, slope, chi]: [
 
 /// [`super::DryReducedFriction::reduced_point`] of a profile.
 #[inline]
-pub(super) fn point<R: Real, P: SmoothProfile<R>>(profile: &P, lead: Lead, ratio: R) -> [R; 3] {
+pub(super) fn point<R: Real, P: SmoothProfile<R>>(
+    profile: &P,
+    lead: DominantSpeed,
+    ratio: R,
+) -> [R; 3] {
     let speeds = Speeds::from_ratio(lead, ratio);
     let [phi, slope, chi] = profile.factors_and_rough_slope(&speeds);
     match lead {
-        Lead::Sliding => [phi, ratio * chi, -(R::TWO * slope)],
-        Lead::Spinning => [chi, ratio * phi, phi + R::TWO * (ratio * ratio) * slope],
+        DominantSpeed::Sliding => [phi, ratio * chi, -(R::TWO * slope)],
+        DominantSpeed::Spinning => [chi, ratio * phi, phi + R::TWO * (ratio * ratio) * slope],
     }
 }
 
@@ -291,7 +295,7 @@ pub(super) fn at_rest<R: Real, P: PowerLawFriction<R>>(profile: &P) -> ReducedJa
     let (slide, rim) = if alpha > R::ONE {
         (R::ZERO, R::ZERO)
     } else if alpha == R::ONE {
-        let [phi, chi] = profile.factors(&Speeds::from_ratio(Lead::Spinning, R::ZERO));
+        let [phi, chi] = profile.factors(&Speeds::from_ratio(DominantSpeed::Spinning, R::ZERO));
         (phi, chi)
     } else {
         (R::INFINITY, R::INFINITY)

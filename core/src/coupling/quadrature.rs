@@ -22,7 +22,7 @@
 //! s = v sinθ/ρ: T = w ∫2r³ ⟨(1 − s²) g/ρ + s² g'⟩ dr. The derivatives are integrals of the same
 //! kinds. Nothing divides by a small number, and no singular point is ever a node.
 
-use super::wide::{Wide, is_ordinary};
+use super::wide::{ExtendedRange, is_ordinary};
 use super::{ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::law::LocalLaw;
 use crate::real::Real;
@@ -68,7 +68,7 @@ impl<L> DiskQuadrature<L> {
 const POWER_FORM_UP_TO: f64 = 2.0;
 
 /// One angle on the rim, or on a ring inside.
-struct Rim<R> {
+struct RimAngle<R> {
     weight: R,
     /// Speed of the surface element there, also in units of the larger of both speeds.
     speed: R,
@@ -78,7 +78,7 @@ struct Rim<R> {
 }
 
 /// The 32 angles for sliding speed `slide` and ring speed `rim`.
-fn angles<R: Real>(slide: R, rim: R) -> impl Iterator<Item = Rim<R>> {
+fn angles<R: Real>(slide: R, rim: R) -> impl Iterator<Item = RimAngle<R>> {
     // Squares of speeds in units of the larger one neither overflow nor vanish.
     let major = if slide > rim { slide } else { rim };
     let (a, b) = (slide / major, rim / major);
@@ -86,7 +86,7 @@ fn angles<R: Real>(slide: R, rim: R) -> impl Iterator<Item = Rim<R>> {
     ANGLES.iter().map(move |&[half_sin_sq, weight]| {
         let u = R::from_f64(half_sin_sq);
         let relative = ((a - b) * (a - b) + four * a * b * u).sqrt();
-        Rim {
+        RimAngle {
             weight: R::from_f64(weight),
             speed: major * relative,
             relative,
@@ -97,7 +97,7 @@ fn angles<R: Real>(slide: R, rim: R) -> impl Iterator<Item = Rim<R>> {
 }
 
 /// Sums a function of the angle with the nodes' weights.
-fn mean<R: Real>(slide: R, rim: R, f: impl Fn(&Rim<R>) -> R) -> R {
+fn mean<R: Real>(slide: R, rim: R, f: impl Fn(&RimAngle<R>) -> R) -> R {
     angles(slide, rim).fold(R::ZERO, |sum, at| sum + at.weight * f(&at))
 }
 
@@ -236,21 +236,21 @@ impl<L> DiskQuadrature<L> {
 
 /// A law of the speed in units of another one and of the friction there: all of order 1 where the
 /// law is like a power.
-struct InUnits<'a, L, R> {
+struct NormalisedLaw<'a, L, R> {
     law: &'a L,
     speed: R,
     friction: R,
 }
 
-impl<L: LocalLaw<R>, R: Real> LocalLaw<R> for InUnits<'_, L, R> {
+impl<L: LocalLaw<R>, R: Real> LocalLaw<R> for NormalisedLaw<'_, L, R> {
     fn friction(&self, speed: R) -> R {
         self.law.friction(speed * self.speed) / self.friction
     }
     fn slope(&self, speed: R) -> R {
         let own = self.law.slope(speed * self.speed);
         if is_ordinary(own.abs()) {
-            let own = Wide::new(own).times(Wide::new(self.speed));
-            return own.over(Wide::new(self.friction)).value();
+            let own = ExtendedRange::new(own).times(ExtendedRange::new(self.speed));
+            return own.over(ExtendedRange::new(self.friction)).value();
         }
         // The law's own slope leaves the range that its product with the speed keeps.
         let step = R::from_f64(DIFFERENCE);
@@ -282,12 +282,12 @@ impl<L> DiskQuadrature<L> {
     fn in_units<R: Real>(
         &self,
         [speed, friction]: [R; 2],
-    ) -> Option<DiskQuadrature<InUnits<'_, L, R>>>
+    ) -> Option<DiskQuadrature<NormalisedLaw<'_, L, R>>>
     where
         L: LocalLaw<R>,
     {
         let known = speed.is_finite() && is_ordinary(friction);
-        known.then_some(DiskQuadrature::new(InUnits {
+        known.then_some(DiskQuadrature::new(NormalisedLaw {
             law: &self.law,
             speed,
             friction,
@@ -303,15 +303,17 @@ impl<L> DiskQuadrature<L> {
     {
         let (a, b) = (slide / speed, rim / speed);
         let g = |speed| self.law.friction(speed);
-        let friction = Wide::new(friction);
+        let friction = ExtendedRange::new(friction);
         let rate = |x: R, of: R| {
-            let product = Wide::new(x).times(Wide::new(of)).over(Wide::new(speed));
+            let product = ExtendedRange::new(x)
+                .times(ExtendedRange::new(of))
+                .over(ExtendedRange::new(speed));
             product.times(friction).value()
         };
         let drag = Self::drag(a, b, g);
         let torque = if a <= R::from_f64(POWER_FORM_UP_TO) * b {
             let torque = Self::torque_from_power(a, b, a * drag, g);
-            Wide::new(torque).times(friction).value()
+            ExtendedRange::new(torque).times(friction).value()
         } else {
             rate(rim, self.over_rings(a, b, |s_sq| (R::ONE - s_sq, s_sq)))
         };
@@ -365,8 +367,8 @@ impl<R: Real, L: LocalLaw<R>> ReducedFriction<R> for DiskQuadrature<L> {
             return self.jacobian(slide, rim);
         };
         let j = disk.jacobian(slide / speed, rim / speed);
-        let scale = Wide::new(friction).over(Wide::new(speed));
-        let scaled = |x: R| Wide::new(x).times(scale).value();
+        let scale = ExtendedRange::new(friction).over(ExtendedRange::new(speed));
+        let scaled = |x: R| ExtendedRange::new(x).times(scale).value();
         ReducedJacobian {
             force_per_slide: scaled(j.force_per_slide),
             force_slide: scaled(j.force_slide),

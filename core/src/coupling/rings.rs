@@ -11,7 +11,7 @@
 //! About the ring on which the centre of rotation lies, u = (v/w)², both behave like x log|x|.
 
 use super::Speeds;
-use super::speeds::Lead;
+use super::speeds::DominantSpeed;
 use crate::real::Real;
 use crate::special::legendre::HALF;
 
@@ -25,7 +25,7 @@ pub(super) struct Rings<R> {
 }
 
 /// Places y = `from` + `step` s⁴ with s from `start` to 1, where y is (1 − u) over the width.
-struct Piece<R> {
+struct RingSegment<R> {
     from: R,
     step: R,
     start: R,
@@ -72,10 +72,10 @@ impl<R: Real> Rings<R> {
         if centre > -near && centre < R::ONE + near {
             // Towards the outer edge of the band, and towards the inner one.
             if centre > R::ZERO {
-                Piece::new(centre, -centre, centre - R::ONE).visit(&mut add);
+                RingSegment::new(centre, -centre, centre - R::ONE).visit(&mut add);
             }
             if centre < R::ONE {
-                Piece::new(centre, R::ONE - centre, -centre).visit(&mut add);
+                RingSegment::new(centre, R::ONE - centre, -centre).visit(&mut add);
             }
         } else {
             each_node(|node, weight| add(weight, node));
@@ -84,7 +84,7 @@ impl<R: Real> Rings<R> {
     }
 }
 
-impl<R: Real> Piece<R> {
+impl<R: Real> RingSegment<R> {
     /// From a distance of `gap` from the singularity at `from`, if it is positive, to its `step`.
     fn new(from: R, step: R, gap: R) -> Self {
         let start = if gap > R::ZERO {
@@ -124,8 +124,8 @@ pub(super) fn ring_factors<R: Real>(alpha: R, at: &Speeds<R>, [phi, slope, chi]:
     let (x, _) = at.square_and_complement();
     let torque = R::HALF * (R::ONE + R::TWO + alpha) * chi;
     match at.lead() {
-        Lead::Sliding => [phi + x * slope, torque - slope],
-        Lead::Spinning => {
+        DominantSpeed::Sliding => [phi + x * slope, torque - slope],
+        DominantSpeed::Spinning => {
             let beta = R::ONE - alpha;
             let bend = x * slope;
             [

@@ -4,9 +4,9 @@
 //! one for spinning and one for sliding, each of Φ and Χ.
 
 use super::family;
-use super::member::Member;
+use super::member::FamilyMember;
 use super::profile::{PowerLawFriction, SmoothProfile};
-use super::side::Sides;
+use super::side::RegimeTables;
 use super::speeds::Speeds;
 use super::table::MAX_EXPONENT;
 use super::table::{CELLS_F32, CELLS_F64, TERMS_F32, TERMS_F64};
@@ -19,7 +19,7 @@ use crate::real::Real;
 #[derive(Clone, Copy, Debug)]
 pub struct RoundTable<R, const CELLS: usize, const TERMS: usize> {
     order: R,
-    pub(super) sides: Sides<R, CELLS, TERMS>,
+    pub(super) sides: RegimeTables<R, CELLS, TERMS>,
 }
 
 /// Exponents this close to 1 leave C_α too flat for a plain difference.
@@ -72,7 +72,7 @@ impl RoundTable64 {
         match validated_exponent(alpha, MAX_EXPONENT) {
             Ok(alpha) => Ok(Self {
                 order,
-                sides: Sides::of_member(&Member { alpha, order }),
+                sides: RegimeTables::of_member(&FamilyMember { alpha, order }),
             }),
             Err(error) => Err(error),
         }
@@ -98,7 +98,10 @@ impl RoundTable32 {
         match validated_exponent(alpha as f64, MAX_EXPONENT) {
             Ok(wide) => Ok(Self {
                 order: order as f32,
-                sides: Sides::rounded(alpha, &Sides::of_member(&Member { alpha: wide, order })),
+                sides: RegimeTables::rounded(
+                    alpha,
+                    &RegimeTables::of_member(&FamilyMember { alpha: wide, order }),
+                ),
             }),
             Err(error) => Err(error),
         }

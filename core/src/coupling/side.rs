@@ -1,20 +1,20 @@
 //! Cells of one pair of functions on 0 ≤ z ≤ 1: finding one, evaluating it.
 
-use super::member::Member;
+use super::member::FamilyMember;
 use super::octave::{self, Cell, Pair};
 use super::profile::{PowerLawFriction, SmoothProfile};
-use super::speeds::{Lead, Speeds};
+use super::speeds::{DominantSpeed, Speeds};
 use crate::power::FixedPower;
 use crate::real::Real;
 
 /// The cells of Φ and its partner.
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
-pub(super) struct Side<R, const CELLS: usize, const TERMS: usize> {
+pub(super) struct RegimeTable<R, const CELLS: usize, const TERMS: usize> {
     cells: [Cell<R, TERMS>; CELLS],
 }
 
-impl<const CELLS: usize, const TERMS: usize> Side<f64, CELLS, TERMS> {
+impl<const CELLS: usize, const TERMS: usize> RegimeTable<f64, CELLS, TERMS> {
     pub const fn build(pair: &Pair) -> Self {
         Self {
             cells: octave::cells(pair),
@@ -58,9 +58,9 @@ impl<const CELLS: usize, const TERMS: usize> Side<f64, CELLS, TERMS> {
     }
 }
 
-impl<const CELLS: usize, const TERMS: usize> Side<f32, CELLS, TERMS> {
+impl<const CELLS: usize, const TERMS: usize> RegimeTable<f32, CELLS, TERMS> {
     /// Built in f64, then rounded.
-    pub const fn rounded(wide: &Side<f64, CELLS, TERMS>) -> Self {
+    pub const fn rounded(wide: &RegimeTable<f64, CELLS, TERMS>) -> Self {
         let mut cells = [Cell {
             center: 0.0,
             mirror: 0.0,
@@ -82,7 +82,7 @@ impl<const CELLS: usize, const TERMS: usize> Side<f32, CELLS, TERMS> {
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> RegimeTable<R, CELLS, TERMS> {
     /// The cell that holds z in [0, 1]; some cell if z is NaN.
     #[inline]
     fn cell(&self, z: R) -> Option<&Cell<R, TERMS>> {
@@ -98,7 +98,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
         R::of_half_octave(const { R::HALF_OCTAVE_OF_ONE - (CELLS - 1) })
     }
 
-    /// The cell that holds z from [`Side::least`] to 1, found without a branch.
+    /// The cell that holds z from [`RegimeTable::least`] to 1, found without a branch.
     #[allow(dead_code, reason = "for targets with vectors")]
     #[inline]
     pub fn cell_from_least(&self, z: R) -> &Cell<R, TERMS> {
@@ -190,21 +190,21 @@ pub(super) fn evaluated<R: Real, const TERMS: usize>(cell: &Cell<R, TERMS>, u: R
 
 /// The cells of both regimes under exponent α: Φ and Χ.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sides<R, const CELLS: usize, const TERMS: usize> {
+pub(super) struct RegimeTables<R, const CELLS: usize, const TERMS: usize> {
     pub alpha: R,
     pub power: FixedPower<R>,
-    pub spinning: Side<R, CELLS, TERMS>,
-    pub sliding: Side<R, CELLS, TERMS>,
+    pub spinning: RegimeTable<R, CELLS, TERMS>,
+    pub sliding: RegimeTable<R, CELLS, TERMS>,
 }
 
-impl<const CELLS: usize, const TERMS: usize> Sides<f64, CELLS, TERMS> {
+impl<const CELLS: usize, const TERMS: usize> RegimeTables<f64, CELLS, TERMS> {
     /// One pressure of the family.
-    pub const fn of_member(member: &Member) -> Self {
+    pub const fn of_member(member: &FamilyMember) -> Self {
         Self {
             alpha: member.alpha,
             power: FixedPower::<f64>::new(member.alpha),
-            spinning: Side::build(&member.spinning()),
-            sliding: Side::build(&member.sliding()),
+            spinning: RegimeTable::build(&member.spinning()),
+            sliding: RegimeTable::build(&member.sliding()),
         }
     }
 
@@ -213,12 +213,12 @@ impl<const CELLS: usize, const TERMS: usize> Sides<f64, CELLS, TERMS> {
         let mut sum = Self {
             alpha,
             power: FixedPower::<f64>::new(alpha),
-            spinning: Side::empty(),
-            sliding: Side::empty(),
+            spinning: RegimeTable::empty(),
+            sliding: RegimeTable::empty(),
         };
         let mut order = 0.0;
         for share in shares {
-            let member = Self::of_member(&Member { alpha, order });
+            let member = Self::of_member(&FamilyMember { alpha, order });
             sum.spinning.add(share, &member.spinning);
             sum.sliding.add(share, &member.sliding);
             order += 1.0;
@@ -227,30 +227,30 @@ impl<const CELLS: usize, const TERMS: usize> Sides<f64, CELLS, TERMS> {
     }
 }
 
-impl<const CELLS: usize, const TERMS: usize> Sides<f32, CELLS, TERMS> {
+impl<const CELLS: usize, const TERMS: usize> RegimeTables<f32, CELLS, TERMS> {
     /// Built in f64, then rounded.
-    pub const fn rounded(alpha: f32, wide: &Sides<f64, CELLS, TERMS>) -> Self {
+    pub const fn rounded(alpha: f32, wide: &RegimeTables<f64, CELLS, TERMS>) -> Self {
         Self {
             alpha,
             power: FixedPower::<f32>::new(alpha),
-            spinning: Side::rounded(&wide.spinning),
-            sliding: Side::rounded(&wide.sliding),
+            spinning: RegimeTable::rounded(&wide.spinning),
+            sliding: RegimeTable::rounded(&wide.sliding),
         }
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Sides<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> RegimeTables<R, CELLS, TERMS> {
     #[inline]
-    fn leading(&self, at: &Speeds<R>) -> &Side<R, CELLS, TERMS> {
+    fn leading(&self, at: &Speeds<R>) -> &RegimeTable<R, CELLS, TERMS> {
         match at.lead() {
-            Lead::Spinning => &self.spinning,
-            Lead::Sliding => &self.sliding,
+            DominantSpeed::Spinning => &self.spinning,
+            DominantSpeed::Sliding => &self.sliding,
         }
     }
 }
 
 impl<R: Real, const CELLS: usize, const TERMS: usize> PowerLawFriction<R>
-    for Sides<R, CELLS, TERMS>
+    for RegimeTables<R, CELLS, TERMS>
 {
     #[inline]
     fn exponent(&self) -> R {
@@ -270,7 +270,9 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> PowerLawFriction<R>
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Sides<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R>
+    for RegimeTables<R, CELLS, TERMS>
+{
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         let (side, z) = (self.leading(at), at.complement());

@@ -6,7 +6,7 @@ use crate::real::Real;
 /// Which of the two speeds is the larger one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Lead {
+pub enum DominantSpeed {
     /// The rim moves faster than the centre, w ≥ v.
     Spinning,
     /// The centre moves faster than the rim, v > w.
@@ -73,10 +73,10 @@ impl<R: Real> Speeds<R> {
 
     /// From the smaller over the larger speed, `ratio` in [0, 1], with m = 1.
     #[inline]
-    pub fn from_ratio(lead: Lead, ratio: R) -> Self {
+    pub fn from_ratio(lead: DominantSpeed, ratio: R) -> Self {
         let (slide, rim) = match lead {
-            Lead::Spinning => (ratio, R::ONE),
-            Lead::Sliding => (R::ONE, ratio),
+            DominantSpeed::Spinning => (ratio, R::ONE),
+            DominantSpeed::Sliding => (R::ONE, ratio),
         };
         Self {
             major: R::ONE,
@@ -89,7 +89,7 @@ impl<R: Real> Speeds<R> {
 
     /// From the smaller over the larger speed and its distance from 1, each with its own digits.
     #[inline]
-    pub(crate) fn from_ratio_and_gap(lead: Lead, ratio: R, gap: R) -> Self {
+    pub(crate) fn from_ratio_and_gap(lead: DominantSpeed, ratio: R, gap: R) -> Self {
         Self {
             gap,
             ..Self::from_ratio(lead, ratio)
@@ -153,11 +153,11 @@ impl<R: Real> Speeds<R> {
 
     /// Which speed leads; spinning if they are equal.
     #[inline]
-    pub fn lead(&self) -> Lead {
+    pub fn lead(&self) -> DominantSpeed {
         if self.slide > self.rim {
-            Lead::Sliding
+            DominantSpeed::Sliding
         } else {
-            Lead::Spinning
+            DominantSpeed::Spinning
         }
     }
 

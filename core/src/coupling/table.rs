@@ -4,8 +4,8 @@ use super::DryReducedFriction;
 use super::disk::Disk;
 use super::family;
 use super::profile::{PowerLawFriction, SmoothProfile};
-use super::speeds::{Lead, Speeds};
-use super::tip::{Any, Exponent, Zero};
+use super::speeds::{DominantSpeed, Speeds};
+use super::tip::{DryExponent, Exponent, GeneralExponent};
 use crate::law::{LawError, validated_exponent};
 use crate::power::FixedPower;
 use crate::real::Real;
@@ -31,7 +31,7 @@ pub(super) const MAX_EXPONENT: f64 = 10.0;
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Table<R, const CELLS: usize, const TERMS: usize> {
-    pub(super) disk: Disk<R, Any<R>, CELLS, TERMS>,
+    pub(super) disk: Disk<R, GeneralExponent<R>, CELLS, TERMS>,
     pub(super) power: FixedPower<R>,
 }
 
@@ -81,7 +81,7 @@ impl DiskTable64 {
     pub const fn new(alpha: f64) -> Result<Self, LawError> {
         match validated_exponent(alpha, MAX_EXPONENT) {
             Ok(alpha) => Ok(Self {
-                disk: Disk::<f64, _, _, _>::build(alpha, Any(alpha)),
+                disk: Disk::<f64, _, _, _>::build(alpha, GeneralExponent(alpha)),
                 power: FixedPower::<f64>::new(alpha),
             }),
             Err(error) => Err(error),
@@ -106,7 +106,7 @@ impl DiskTable32 {
     pub const fn new(alpha: f32) -> Result<Self, LawError> {
         match validated_exponent(alpha as f64, MAX_EXPONENT) {
             Ok(_) => Ok(Self {
-                disk: Disk::<f32, _, _, _>::build(alpha as f64, Any(alpha)),
+                disk: Disk::<f32, _, _, _>::build(alpha as f64, GeneralExponent(alpha)),
                 power: FixedPower::<f32>::new(alpha),
             }),
             Err(error) => Err(error),
@@ -157,8 +157,8 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
 }
 
 /// Tables of α = 0, which need no power.
-pub(crate) type CoulombTable64 = Disk<f64, Zero, DISK_CELLS_F64, TERMS_F64>;
-pub(crate) type CoulombTable32 = Disk<f32, Zero, DISK_CELLS_F32, TERMS_COULOMB_F32>;
+pub(crate) type CoulombTable64 = Disk<f64, DryExponent, DISK_CELLS_F64, TERMS_F64>;
+pub(crate) type CoulombTable32 = Disk<f32, DryExponent, DISK_CELLS_F32, TERMS_COULOMB_F32>;
 
 /// Aligned for vectors, which then take a cell's numbers as operands: its size is a multiple of 16.
 #[derive(Debug)]
@@ -166,8 +166,10 @@ pub(crate) type CoulombTable32 = Disk<f32, Zero, DISK_CELLS_F32, TERMS_COULOMB_F
 pub(crate) struct Aligned<T>(pub T);
 
 /// The tables of α = 0, in read-only memory.
-pub(crate) static COULOMB_F64: Aligned<CoulombTable64> = Aligned(CoulombTable64::build(0.0, Zero));
-pub(crate) static COULOMB_F32: Aligned<CoulombTable32> = Aligned(CoulombTable32::build(0.0, Zero));
+pub(crate) static COULOMB_F64: Aligned<CoulombTable64> =
+    Aligned(CoulombTable64::build(0.0, DryExponent));
+pub(crate) static COULOMB_F32: Aligned<CoulombTable32> =
+    Aligned(CoulombTable32::build(0.0, DryExponent));
 
 /// Looks up the table of α = 0 in the precision of the caller.
 macro_rules! in_own_table {
@@ -266,7 +268,7 @@ impl<R: Real> SmoothProfile<R> for CoulombDisk {
 
 impl<R: Real> DryReducedFriction<R> for CoulombDisk {
     #[inline]
-    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+    fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
         super::profile::point(self, lead, ratio)
     }
 }

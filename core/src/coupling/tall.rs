@@ -67,7 +67,7 @@ pub fn leaning_wrench<R: Real, C: LateralFriction<R>>(
     }
 }
 
-/// Which components of the pressure gradient are computed.
+/// FrameSelector components of the pressure gradient are computed.
 ///
 /// ```
 /// use tribos_core::coupling::{table::Coulomb, tall::{AllRound, FrontBack, Lean}};

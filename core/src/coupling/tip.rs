@@ -44,14 +44,14 @@ pub trait Exponent<R: Real>: Copy {
 
 /// α = 0.
 #[derive(Clone, Copy, Debug)]
-pub struct Zero;
+pub struct DryExponent;
 
 /// Any α.
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
-pub struct Any<R>(pub R);
+pub struct GeneralExponent<R>(pub R);
 
-impl<R: Real> Exponent<R> for Zero {
+impl<R: Real> Exponent<R> for DryExponent {
     #[inline(always)]
     fn value(self) -> R {
         R::ZERO
@@ -65,7 +65,7 @@ impl<R: Real> Exponent<R> for Zero {
 /// Below this many roots of rounding α counts as 0 in Λ, whose difference loses digits like 1/α.
 const NEARLY_ZERO: f64 = 1.0 / 4.0;
 
-impl<R: Real> Exponent<R> for Any<R> {
+impl<R: Real> Exponent<R> for GeneralExponent<R> {
     #[inline(always)]
     fn value(self) -> R {
         self.0
@@ -74,7 +74,7 @@ impl<R: Real> Exponent<R> for Any<R> {
     fn times_log(self, z: R) -> R {
         let Self(alpha) = self;
         if alpha.abs() < R::from_f64(NEARLY_ZERO) * R::EPSILON.sqrt() {
-            Zero.times_log(z)
+            DryExponent.times_log(z)
         } else {
             // One power, which is finite for any z.
             (z.pow(R::ONE + alpha) - z) / alpha
@@ -85,14 +85,14 @@ impl<R: Real> Exponent<R> for Any<R> {
 /// The expansion of Φ.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-pub(super) struct Tip<R> {
+pub(super) struct EqualSpeedExpansion<R> {
     /// Φ₀, Φ₁ and Q.
     terms: [R; 3],
     /// K
     hook: R,
 }
 
-impl Tip<f64> {
+impl EqualSpeedExpansion<f64> {
     /// From Φ₀ and Φ₁, and the slope that the equation has at z = 2^−`octaves`.
     pub const fn fitted(disk: &Pair, [value, slope]: [f64; 2], octaves: u32) -> Self {
         let alpha = disk.alpha;
@@ -136,12 +136,12 @@ impl Tip<f64> {
         ]
     }
 
-    pub const fn rounded(&self) -> Tip<f32> {
+    pub const fn rounded(&self) -> EqualSpeedExpansion<f32> {
         let Self {
             terms: [value, slope, bend],
             hook,
         } = *self;
-        Tip {
+        EqualSpeedExpansion {
             terms: [value as f32, slope as f32, bend as f32],
             hook: hook as f32,
         }
@@ -157,7 +157,7 @@ const fn hook(alpha: f64) -> f64 {
     0.5 * halved(alpha, 1)[0] * quotient.value / (PI * (2.0 + alpha))
 }
 
-impl<R: Real> Tip<R> {
+impl<R: Real> EqualSpeedExpansion<R> {
     /// Φ and Φ' = −dΦ/dz at z; NaN for NaN.
     pub fn value_and_slope(&self, exponent: impl Exponent<R>, z: R) -> [R; 2] {
         let Self {
@@ -189,7 +189,7 @@ mod tests {
 
     #[test]
     fn dry_friction_bends_as_the_connection_formula_says() {
-        let Tip {
+        let EqualSpeedExpansion {
             terms: [value, slope, bend],
             hook,
         } = COULOMB_F64.0.tip;
@@ -219,13 +219,16 @@ mod tests {
     fn logarithms_are_limits_of_powers() {
         for alpha in [1e-4_f64, -1e-4, 1e-8, -1e-9, 1e-10, -1e-300, 0.0] {
             for z in [5e-324, 1e-300, 1e-20, 1e-9, 3e-8] {
-                let apart = Any(alpha).times_log(z) - Zero.times_log(z);
+                let apart = GeneralExponent(alpha).times_log(z) - DryExponent.times_log(z);
                 // α z ln²z/2, and rounding.
                 assert!(apart.abs() <= 6e-6 * alpha.abs() + 2e-14, "{alpha} {z}");
             }
         }
         // The smallest number to a power next to −1, times itself.
-        assert!(Any(-0.99).times_log(5e-324_f64).is_finite());
-        assert!(Zero.times_log(f64::NAN).is_nan() && Any(0.5).times_log(f64::NAN).is_nan());
+        assert!(GeneralExponent(-0.99).times_log(5e-324_f64).is_finite());
+        assert!(
+            DryExponent.times_log(f64::NAN).is_nan()
+                && GeneralExponent(0.5).times_log(f64::NAN).is_nan()
+        );
     }
 }

@@ -6,7 +6,7 @@ use crate::real::Real;
 ///
 /// Every operation rounds once, as it would in a type without ends.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wide<R> {
+pub(super) struct ExtendedRange<R> {
     mantissa: R,
     exponent: i32,
 }
@@ -32,7 +32,7 @@ fn bias<R: Real>() -> i32 {
     (R::HALF_OCTAVE_OF_ONE / 2) as i32
 }
 
-impl<R: Real> Wide<R> {
+impl<R: Real> ExtendedRange<R> {
     pub fn new(x: R) -> Self {
         Self {
             mantissa: x,
@@ -153,7 +153,7 @@ mod tests {
     use super::*;
 
     fn there_and_back<R: Real>(x: R) {
-        let same = Wide::new(x).value();
+        let same = ExtendedRange::new(x).value();
         assert!(same == x || same.is_nan() && x.is_nan(), "{x:?} {same:?}");
     }
 
@@ -189,7 +189,7 @@ mod tests {
 
     #[test]
     fn products_come_back_from_beyond_the_range() {
-        let [tiny, huge] = [3e-300_f64, 7e300].map(Wide::new);
+        let [tiny, huge] = [3e-300_f64, 7e300].map(ExtendedRange::new);
         assert_eq!(
             tiny.times(tiny).times(huge).over(tiny).value(),
             3e-300 * 7e300
@@ -197,15 +197,25 @@ mod tests {
         assert_eq!(tiny.times(tiny).value(), 0.0);
         assert_eq!(huge.times(huge).value(), f64::INFINITY);
         // The quotient of the ends, and half of the smallest number, which rounds to even.
-        let ends = Wide::new(5e-324).over(Wide::new(f64::MAX));
-        assert_eq!(ends.times(Wide::new(f64::MAX)).value(), 5e-324);
-        assert_eq!(Wide::new(5e-324).times(Wide::new(0.5)).value(), 0.0);
-        assert_eq!(Wide::new(5e-324).times(Wide::new(0.75)).value(), 5e-324);
+        let ends = ExtendedRange::new(5e-324).over(ExtendedRange::new(f64::MAX));
+        assert_eq!(ends.times(ExtendedRange::new(f64::MAX)).value(), 5e-324);
+        assert_eq!(
+            ExtendedRange::new(5e-324)
+                .times(ExtendedRange::new(0.5))
+                .value(),
+            0.0
+        );
+        assert_eq!(
+            ExtendedRange::new(5e-324)
+                .times(ExtendedRange::new(0.75))
+                .value(),
+            5e-324
+        );
     }
 
     #[test]
     fn sums_keep_what_counts() {
-        let sum = |a: f64, b: f64| Wide::new(a).plus(Wide::new(b)).value();
+        let sum = |a: f64, b: f64| ExtendedRange::new(a).plus(ExtendedRange::new(b)).value();
         for (a, b) in [
             (1e300, 3e-300),
             (0.1, 0.2),
@@ -222,7 +232,7 @@ mod tests {
 
     #[test]
     fn powers_go_beyond_the_range() {
-        let power = |base: f64, exponent: f64| Wide::power(base, exponent);
+        let power = |base: f64, exponent: f64| ExtendedRange::power(base, exponent);
         let one = power(2.0, 3000.0).times(power(2.0, -3000.0));
         assert_eq!(one.value(), 1.0);
         // The fourth root 2^-749.875 is rounded, and its fourth power carries that four times.

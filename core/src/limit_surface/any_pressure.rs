@@ -7,9 +7,9 @@
 //! with all load at c, so that *every* pressure with this centre carries any |F| ≤ μN without torque about c,
 //! and nothing else is carried by all of them.
 
-use super::central_path::{Ray, reach, speed};
+use super::central_path::{WrenchRay, reach, speed};
 use super::quadratic::{norm, over};
-use super::sharing::{Greatest, Sharing, cross};
+use super::sharing::{Greatest, LoadSharing, cross};
 use crate::error::Error;
 use crate::law::validated_not_negative;
 use crate::real::Real;
@@ -42,7 +42,7 @@ const FORCE_ULPS: f64 = 2.0;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnknownPressureSet<R: Real, S> {
-    sharing: Sharing<R, S>,
+    sharing: LoadSharing<R, S>,
     /// μN
     limit: R,
     /// A torque about the centre that is carried without force, over force limit and radius.
@@ -73,7 +73,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> UnknownPressureSet<R, S> {
     /// be a line or a point; 0 ≤ `force_limit` < ∞ (μN). *Cost*: corners times those of the hull.
     pub fn new(corners: S, centre: [R; 2], force_limit: R) -> Result<Self, Error> {
         let limit = validated_not_negative("force limit", force_limit)?.abs();
-        let sharing = Sharing::new(corners, centre)?;
+        let sharing = LoadSharing::new(corners, centre)?;
         // Forces λd across d add up to none, and none exceeds its share: the torque is Σλ|d|².
         let square = |d: &Vector2<R>| d.x * d.x + d.y * d.y;
         let mut torque = R::ZERO;
@@ -237,7 +237,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> UnknownPressureSet<R, S> {
         if !is_ordinary {
             return [R::INFINITY; 2];
         }
-        let ray = Ray {
+        let ray = WrenchRay {
             direction: Vector2::new(R::ONE, R::ZERO),
             lead: R::ZERO,
             from: Vector3::new(R::ZERO, R::ZERO, R::ZERO),
@@ -255,7 +255,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> UnknownPressureSet<R, S> {
         let (zero, one) = (R::ZERO, R::ONE);
         let along = Vector3::new(zero, zero, one);
         if size == zero {
-            let ray = Ray {
+            let ray = WrenchRay {
                 direction: Vector2::new(one, zero),
                 lead: zero,
                 from: Vector3::new(zero, zero, zero),
@@ -269,7 +269,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> UnknownPressureSet<R, S> {
         let rounding = R::from_f64(FORCE_ULPS) * R::EPSILON;
         let left = one - size;
         let margin = if left > rounding { left } else { rounding };
-        let ray = Ray {
+        let ray = WrenchRay {
             direction: Vector2::new(force.x / size, force.y / size),
             lead: one,
             from: Vector3::new(-margin, zero, zero),

@@ -3,7 +3,7 @@
 //! Every wrench goes through the searches of its own call, so that the bits are the same; a group of them goes
 //! on point by point, and a processor computes the points of one while those of another wait for a root.
 
-use super::loaded::{Task, inside};
+use super::loaded::{SurfaceSearch, inside};
 use super::meridian::Meridian;
 use super::{Projection, RoundLimitSurface};
 use crate::coupling::DryReducedFriction;
@@ -115,7 +115,7 @@ fn side_by_side<R, C, I, S>(
 ) where
     R: Real,
     C: DryReducedFriction<R>,
-    S: Task<R>,
+    S: SurfaceSearch<R>,
 {
     for answers in answers.chunks_mut(GROUP) {
         let mut open = [const { None }; GROUP];

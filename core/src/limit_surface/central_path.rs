@@ -10,7 +10,7 @@
 //! z is a plane above the speeds, written by its heights above three corners around the centre, so that corners
 //! which carry little lose no digits. A barrier −Σ ln(z² − |u|²) makes this a smooth problem of five unknowns,
 //! however many corners there are (Nesterov and Nemirovskii, Interior-point polynomial algorithms, SIAM 1994).
-//! Newton's method follows its minimum while the objective's weight τ grows. Shares 2z/(τ D) and forces 2u/(τ D),
+//! Newton's method follows its minimum while the objective's weight τ grows. MassRatios 2z/(τ D) and forces 2u/(τ D),
 //! D the barrier's argument, tend to those that carry the wrench. Neither bound relies on the method: the
 //! upper one is the support at the motion, the lower one the wrench of these forces, after the shares
 //! are put right.
@@ -27,7 +27,7 @@
 
 use super::quadratic::{Factors, dot, norm};
 use super::search::pivot;
-use super::sharing::{Sharing, cross};
+use super::sharing::{LoadSharing, cross};
 use crate::real::Real;
 use nalgebra::{Matrix3, Vector2, Vector3};
 
@@ -41,13 +41,13 @@ const MOST_STEPS: usize = 60;
 const CENTRED: f64 = 0.01;
 /// Newton decrement below which full steps converge.
 const QUADRATIC: f64 = 0.25;
-/// Bounds this near, of 1, are as near as they get.
+/// RunLimits this near, of 1, are as near as they get.
 const NEAR_ULPS: f64 = 256.0;
 
 /// Wrenches `from` + s `along` about the centre, in units of force limit and radius, with the first axis
 /// along `direction`.
 #[derive(Debug)]
-pub(super) struct Ray<R: Real> {
+pub(super) struct WrenchRay<R: Real> {
     pub(super) direction: Vector2<R>,
     /// 1 if speeds are counted from those along the first axis, 0 if not.
     pub(super) lead: R,
@@ -61,7 +61,7 @@ pub(super) struct Ray<R: Real> {
     pub(super) torque: R,
 }
 
-/// Two motions across the ray, and one along it.
+/// Pair2 motions across the ray, and one along it.
 struct Axes<R: Real> {
     direction: Vector2<R>,
     lead: R,
@@ -73,7 +73,10 @@ struct Axes<R: Real> {
 type Unknowns<R> = [R; 5];
 
 /// A lower and an upper bound of the greatest s ≥ 0.
-pub(super) fn reach<R: Real, S: AsRef<[[R; 2]]>>(sharing: &Sharing<R, S>, ray: &Ray<R>) -> [R; 2] {
+pub(super) fn reach<R: Real, S: AsRef<[[R; 2]]>>(
+    sharing: &LoadSharing<R, S>,
+    ray: &WrenchRay<R>,
+) -> [R; 2] {
     let axes = Axes::of(ray);
     let mut at = [R::ZERO; 5];
     // A plane that is higher than twice the greatest speed above the lead.
@@ -111,8 +114,8 @@ pub(super) fn reach<R: Real, S: AsRef<[[R; 2]]>>(sharing: &Sharing<R, S>, ray: &
 }
 
 impl<R: Real> Axes<R> {
-    /// Two directions across that of the ray, and each other.
-    fn of(ray: &Ray<R>) -> Self {
+    /// Pair2 directions across that of the ray, and each other.
+    fn of(ray: &WrenchRay<R>) -> Self {
         let (x, y, z) = (ray.along.x, ray.along.y, ray.along.z);
         let zero = R::ZERO;
         let side = if x.abs() <= y.abs() && x.abs() <= z.abs() {
@@ -206,8 +209,8 @@ fn slack<R: Real>(axes: &Axes<R>, at: &Unknowns<R>, d: &Vector2<R>, [a, b, c]: [
 
 /// The minimum at one weight, by damped Newton steps, which never leave the domain.
 fn centred<R: Real, S: AsRef<[[R; 2]]>>(
-    sharing: &Sharing<R, S>,
-    ray: &Ray<R>,
+    sharing: &LoadSharing<R, S>,
+    ray: &WrenchRay<R>,
     axes: &Axes<R>,
     weight: R,
     start: Unknowns<R>,
@@ -256,7 +259,7 @@ fn moved<R: Real>(at: &Unknowns<R>, step: &Unknowns<R>, factor: R) -> Unknowns<R
 }
 
 fn is_inside<R: Real, S: AsRef<[[R; 2]]>>(
-    sharing: &Sharing<R, S>,
+    sharing: &LoadSharing<R, S>,
     axes: &Axes<R>,
     at: &Unknowns<R>,
 ) -> bool {
@@ -269,8 +272,8 @@ fn is_inside<R: Real, S: AsRef<[[R; 2]]>>(
 
 /// Hessian of objective and barrier, with the gradient as sixth column.
 fn newton<R: Real, S: AsRef<[[R; 2]]>>(
-    sharing: &Sharing<R, S>,
-    ray: &Ray<R>,
+    sharing: &LoadSharing<R, S>,
+    ray: &WrenchRay<R>,
     axes: &Axes<R>,
     weight: R,
     at: &Unknowns<R>,
@@ -355,8 +358,8 @@ fn solved<R: Real>(mut rows: [[R; 6]; 5]) -> Unknowns<R> {
 
 /// The bounds that hold wherever the search stands.
 fn bounds_at<R: Real, S: AsRef<[[R; 2]]>>(
-    sharing: &Sharing<R, S>,
-    ray: &Ray<R>,
+    sharing: &LoadSharing<R, S>,
+    ray: &WrenchRay<R>,
     axes: &Axes<R>,
     weight: R,
     at: &Unknowns<R>,
@@ -420,7 +423,7 @@ fn strain<R: Real>(axes: &Axes<R>, share: R, force: &Vector2<R>) -> R {
 
 /// A wrench that the forces of the central path carry, with shares that add up as they must.
 fn carried<R: Real, S: AsRef<[[R; 2]]>>(
-    sharing: &Sharing<R, S>,
+    sharing: &LoadSharing<R, S>,
     axes: &Axes<R>,
     at: &Unknowns<R>,
     step: &Unknowns<R>,
@@ -462,7 +465,7 @@ fn carried<R: Real, S: AsRef<[[R; 2]]>>(
 }
 
 /// The s for which the ray's wrench is a mean of a carried one nearby and of carried ones around its start.
-fn on_ray<R: Real>(ray: &Ray<R>, wrench: &Vector3<R>) -> R {
+fn on_ray<R: Real>(ray: &WrenchRay<R>, wrench: &Vector3<R>) -> R {
     let way = wrench - ray.from;
     let s = dot(&way, &ray.along);
     let off = way - ray.along * s;

@@ -1,8 +1,8 @@
 //! The exact limit surface of a dry coupling.
 
-use super::loaded::{Loaded, inside};
+use super::loaded::{ScaledCurve, inside};
 use super::meridian::{Meridian, Normal};
-use super::polar::Polar;
+use super::polar::AxisymmetricPair;
 use super::{FrictionSet, LimitEllipsoid, Projection, collar};
 use crate::coupling::{DryReducedFriction, ReducedWrench};
 use crate::error::Error;
@@ -89,10 +89,10 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
 
     /// The set under `load` times the force limit; no number for a negative load.
     #[inline]
-    pub(super) fn loaded(&self, load: R) -> Loaded<'_, R, C> {
+    pub(super) fn loaded(&self, load: R) -> ScaledCurve<'_, R, C> {
         // A quotient by −0 would have the wrong sign.
         let force_limit = self.force_limit * load + R::ZERO;
-        Loaded {
+        ScaledCurve {
             force_limit: if force_limit >= R::ZERO {
                 force_limit
             } else {
@@ -111,8 +111,8 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
 
     /// The set itself.
     #[inline]
-    fn itself(&self) -> Loaded<'_, R, C> {
-        Loaded {
+    fn itself(&self) -> ScaledCurve<'_, R, C> {
+        ScaledCurve {
             meridian: &self.meridian,
             force_limit: self.force_limit,
             radius: self.radius,
@@ -140,7 +140,7 @@ impl<R: Real, C: DryReducedFriction<R>> FrictionSet<R> for RoundLimitSurface<R, 
 
     #[inline]
     fn wrench(&self, twist: &Twist<R>) -> Wrench<R> {
-        let polar = Polar::new(&twist.velocity, twist.spin);
+        let polar = AxisymmetricPair::new(&twist.velocity, twist.spin);
         let (slide, rim) = (polar.planar, polar.normal * self.radius);
         let ReducedWrench { force, torque } = self.meridian.point(Normal { slide, rim });
         let against = ReducedWrench {

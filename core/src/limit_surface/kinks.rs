@@ -16,12 +16,14 @@
 //! twist next to the right one it is as far from the right wrench as the balance is from zero, or nearer.
 
 use super::quadratic::{Factors, dot, norm};
-use super::search::{Ended, Goal, Least, MOST_HALVINGS, Power, ended_at, pivot, rough};
+use super::search::{
+    Ended, MOST_HALVINGS, Minimiser, Power, TwistObjective, ended_at, pivot, rough,
+};
 use crate::real::Real;
 use nalgebra::Vector3;
 
 /// A point of contact as the search sees it.
-pub(super) struct Kink<R: Real> {
+pub(super) struct NonsmoothPoint<R: Real> {
     /// The rotation about it: velocity of the origin, and spin · arm.
     pub(super) turn: Vector3<R>,
     /// Its limit, of the force limit.
@@ -30,7 +32,7 @@ pub(super) struct Kink<R: Real> {
     pub(super) place: [R; 2],
 }
 
-impl<R: Real> Kink<R> {
+impl<R: Real> NonsmoothPoint<R> {
     /// A force at the point.
     fn wrench(&self, [fx, fy]: [R; 2]) -> Vector3<R> {
         let [x, y] = self.place;
@@ -76,11 +78,11 @@ struct Rim<R: Real> {
 
 /// The twist at which `goal` is least, from `start` on.
 pub(super) fn least<R: Real>(
-    goal: &impl Goal<R>,
+    goal: &impl TwistObjective<R>,
     start: Vector3<R>,
     power_at: impl Fn(&Vector3<R>) -> Power<R>,
-    kink_at: impl Fn(&Vector3<R>) -> Option<Kink<R>>,
-) -> Least<R> {
+    kink_at: impl Fn(&Vector3<R>) -> Option<NonsmoothPoint<R>>,
+) -> Minimiser<R> {
     let ulps = |count: f64| R::from_f64(count) * R::EPSILON;
     let mut at = start;
     let mut power = power_at(&at);
@@ -97,11 +99,11 @@ pub(super) fn least<R: Real>(
         let kink = kink_at(&at);
         if let Some(kink) = &kink {
             match beside(goal, kink, &power_at) {
-                Beside::Facet(mut found) => {
+                NonsmoothProbe::Facet(mut found) => {
                     found.steps = steps;
                     return found;
                 }
-                Beside::Leaves(from, next) => {
+                NonsmoothProbe::Leaves(from, next) => {
                     if rim.as_ref().is_none_or(|rim| from.left < rim.left) {
                         rim = Some(from);
                     }
@@ -115,10 +117,10 @@ pub(super) fn least<R: Real>(
                         }
                     }
                 }
-                Beside::Nowhere => {}
+                NonsmoothProbe::Nowhere => {}
             }
         }
-        let way = Way::new(&at, kink.as_ref(), goal.reach(&power));
+        let way = TwistLine::new(&at, kink.as_ref(), goal.reach(&power));
         // Rounding of the slowest point's direction.
         if let Some(slow) = &way.slow {
             let noise = slow.share * goal.reach(&power) * norm(&at) / slow.speed;
@@ -173,7 +175,7 @@ pub(super) fn least<R: Real>(
         (at, power, left) = (rim.at, rim.power, rim.left);
     }
     let ended = ended_at(left);
-    Least {
+    Minimiser {
         at,
         power,
         steps,
@@ -185,10 +187,10 @@ pub(super) fn least<R: Real>(
 /// The wrench of the surface at a twist next to the rotation about a point: that of all other points, and the
 /// force on the rim of the point's disc that the balance asks for. `None` where the motion tells it better.
 fn balanced<R: Real>(
-    goal: &impl Goal<R>,
+    goal: &impl TwistObjective<R>,
     at: &Vector3<R>,
     power: &Power<R>,
-    kink: &Kink<R>,
+    kink: &NonsmoothPoint<R>,
     power_at: impl Fn(&Vector3<R>) -> Power<R>,
 ) -> Option<Vector3<R>> {
     let [x, y] = velocity(at, &kink.place);
@@ -219,7 +221,7 @@ fn balanced<R: Real>(
 }
 
 /// What the balance rounds by, over the rounding error.
-fn largest_term<R: Real>(goal: &impl Goal<R>, reach: R) -> R {
+fn largest_term<R: Real>(goal: &impl TwistObjective<R>, reach: R) -> R {
     let wrench = norm(goal.wrench());
     if wrench > reach { wrench } else { reach }
 }
@@ -227,7 +229,7 @@ fn largest_term<R: Real>(goal: &impl Goal<R>, reach: R) -> R {
 /// The rotation about a point in the sense of `spin`, and the power of all others: the point itself rests and
 /// adds nothing. `None` if it does not rest in the coordinates of its patch.
 fn rotation<R: Real>(
-    kink: &Kink<R>,
+    kink: &NonsmoothPoint<R>,
     spin: R,
     power_at: impl Fn(&Vector3<R>) -> Power<R>,
 ) -> Option<(Vector3<R>, Power<R>)> {
@@ -239,9 +241,9 @@ fn rotation<R: Real>(
 }
 
 /// What is found at the rotation about a point.
-enum Beside<R: Real> {
+enum NonsmoothProbe<R: Real> {
     /// The answer.
-    Facet(Least<R>),
+    Facet(Minimiser<R>),
     /// The rotation with the most that the point carries, and a twist next to it that is better.
     Leaves(Rim<R>, Option<(Vector3<R>, Power<R>)>),
     /// The rotation is of no use.
@@ -249,17 +251,17 @@ enum Beside<R: Real> {
 }
 
 fn beside<R: Real>(
-    goal: &impl Goal<R>,
-    kink: &Kink<R>,
+    goal: &impl TwistObjective<R>,
+    kink: &NonsmoothPoint<R>,
     power_at: impl Fn(&Vector3<R>) -> Power<R>,
-) -> Beside<R> {
+) -> NonsmoothProbe<R> {
     let sense = dot(goal.wrench(), &kink.turn);
     let Some((turn, mut power)) = rotation(kink, sense, &power_at) else {
-        return Beside::Nowhere;
+        return NonsmoothProbe::Nowhere;
     };
     let length = goal.length_along(&turn, power.value);
     if !(length > R::ZERO && length.is_finite()) {
-        return Beside::Nowhere;
+        return NonsmoothProbe::Nowhere;
     }
     let at = turn * length;
     power.value *= length;
@@ -277,7 +279,7 @@ fn beside<R: Real>(
             R::ONE
         };
         power.gradient += kink.wrench([x, y]) * within;
-        return Beside::Facet(Least {
+        return NonsmoothProbe::Facet(Minimiser {
             at,
             power,
             steps: 0,
@@ -308,17 +310,17 @@ fn beside<R: Real>(
         let end = dot(&goal.gradient(&next, &next_power), &along);
         let is_level = value <= before + slack && end.abs() < R::HALF * slope;
         if is_level || value < before - R::from_f64(ENOUGH) * by * slope {
-            return Beside::Leaves(rim, Some((next, next_power)));
+            return NonsmoothProbe::Leaves(rim, Some((next, next_power)));
         }
         by = R::HALF * by;
     }
-    Beside::Leaves(rim, None)
+    NonsmoothProbe::Leaves(rim, None)
 }
 
 /// From a twist along a step, which changes the velocity of the slowest point in polar coordinates.
-struct Way<R: Real> {
+struct TwistLine<R: Real> {
     at: Vector3<R>,
-    slow: Option<Slow<R>>,
+    slow: Option<SlowestPoint<R>>,
 }
 
 /// Least speed of a point beside the twist.
@@ -328,7 +330,7 @@ fn slowest<R: Real>() -> R {
 }
 
 /// The slowest point.
-struct Slow<R: Real> {
+struct SlowestPoint<R: Real> {
     place: [R; 2],
     share: R,
     speed: R,
@@ -337,14 +339,14 @@ struct Slow<R: Real> {
     least: R,
 }
 
-impl<R: Real> Way<R> {
-    fn new(at: &Vector3<R>, kink: Option<&Kink<R>>, reach: R) -> Self {
+impl<R: Real> TwistLine<R> {
+    fn new(at: &Vector3<R>, kink: Option<&NonsmoothPoint<R>>, reach: R) -> Self {
         let slow = kink.and_then(|kink| {
             let [x, y] = velocity(at, &kink.place);
             let speed = x.hypot(y);
             // The wrench of a fast point hardly bends, and its goal's own part is straight.
             let is_felt = speed < R::from_f64(FELT) * kink.share * reach;
-            (speed > R::ZERO && is_felt).then(|| Slow {
+            (speed > R::ZERO && is_felt).then(|| SlowestPoint {
                 place: kink.place,
                 share: kink.share,
                 speed,

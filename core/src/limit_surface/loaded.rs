@@ -1,7 +1,10 @@
 //! A limit surface under one load: gauge, normal and projection as searches that can go on side by side.
 
-use super::meridian::{Aim, Meridian, Normal, Offset, Place, Radial, Ray, Search, solved};
-use super::polar::Polar;
+use super::meridian::{
+    Meridian, NearestPointSearch, Normal, NormalAndPoint, NormalTolerance, RayNormal, RaySearch,
+    Search, solved,
+};
+use super::polar::AxisymmetricPair;
 use super::{Projection, Region, collar};
 use crate::coupling::{DryReducedFriction, ReducedWrench};
 use crate::real::Real;
@@ -9,20 +12,20 @@ use crate::twist::{Twist, Wrench};
 
 /// The set of one curve, force limit and radius.
 #[derive(Debug)]
-pub(super) struct Loaded<'a, R, C> {
+pub(super) struct ScaledCurve<'a, R, C> {
     pub meridian: &'a Meridian<R, C>,
     pub force_limit: R,
     pub radius: R,
 }
 
 /// An answer, or the search for it.
-pub(super) enum Start<T, S> {
+pub(super) enum AnswerOrSearch<T, S> {
     Known(T),
     Open(S),
 }
 
 /// A search whose answer is in units of the wrench.
-pub(super) trait Task<R: Real> {
+pub(super) trait SurfaceSearch<R: Real> {
     type Answer;
 
     /// Computes one more point of the curve; the answer, if it is known then.
@@ -31,30 +34,30 @@ pub(super) trait Task<R: Real> {
 }
 
 /// The search for a gauge.
-pub(super) struct Gauging<R> {
+pub(super) struct GaugeSearch<R> {
     /// The larger one of force and torque/radius, over the force limit.
     size: R,
-    ray: Ray<R>,
+    ray: RaySearch<R>,
 }
 
 /// The search for a normal.
-pub(super) struct Turning<R> {
-    polar: Polar<R>,
+pub(super) struct NormalSearch<R> {
+    polar: AxisymmetricPair<R>,
     radius: R,
-    ray: Ray<R>,
+    ray: RaySearch<R>,
 }
 
 /// The search for the nearest point.
-pub(super) struct Pulling<R> {
-    polar: Polar<R>,
+pub(super) struct ProjectionSearch<R> {
+    polar: AxisymmetricPair<R>,
     force_limit: R,
     radius: R,
-    offset: Offset<R>,
+    offset: NearestPointSearch<R>,
 }
 
 /// A wrench on the quarter plane.
 struct Scaled<R> {
-    polar: Polar<R>,
+    polar: AxisymmetricPair<R>,
     /// Force and torque/radius.
     lengths: ReducedWrench<R>,
     /// The larger of the two.
@@ -77,22 +80,22 @@ impl<R: Real> Scaled<R> {
     }
 }
 
-impl<R: Real> Task<R> for Gauging<R> {
+impl<R: Real> SurfaceSearch<R> for GaugeSearch<R> {
     type Answer = R;
 
     #[inline]
     fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<R> {
-        let Radial { gauge, .. } = self.ray.advance(curve)?;
+        let RayNormal { gauge, .. } = self.ray.advance(curve)?;
         Some(self.size * gauge)
     }
 }
 
-impl<R: Real> Task<R> for Turning<R> {
+impl<R: Real> SurfaceSearch<R> for NormalSearch<R> {
     type Answer = Twist<R>;
 
     #[inline]
     fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Twist<R>> {
-        let Radial { normal, gauge } = self.ray.advance(curve)?;
+        let RayNormal { normal, gauge } = self.ray.advance(curve)?;
         // A direction that is not a number has no normal, though the search ends somewhere.
         let Normal { slide, rim } = normal;
         let known = R::ONE + R::ZERO * gauge;
@@ -104,7 +107,7 @@ impl<R: Real> Task<R> for Turning<R> {
     }
 }
 
-impl<R: Real> Task<R> for Pulling<R> {
+impl<R: Real> SurfaceSearch<R> for ProjectionSearch<R> {
     type Answer = Projection<R>;
 
     #[inline]
@@ -112,7 +115,7 @@ impl<R: Real> Task<R> for Pulling<R> {
         &mut self,
         curve: &Meridian<R, C>,
     ) -> Option<Projection<R>> {
-        let Place { normal, at } = self.offset.advance(curve)?;
+        let NormalAndPoint { normal, at } = self.offset.advance(curve)?;
         let limits = [self.force_limit, self.force_limit * self.radius];
         Some(Projection {
             wrench: surface_wrench(&self.polar, limits, at),
@@ -123,7 +126,7 @@ impl<R: Real> Task<R> for Pulling<R> {
     }
 }
 
-impl<T, S> Start<T, S> {
+impl<T, S> AnswerOrSearch<T, S> {
     /// The search, or the answer put in its place.
     #[inline]
     pub fn open(self, answer: &mut T) -> Option<S> {
@@ -140,7 +143,7 @@ impl<T, S> Start<T, S> {
     #[inline]
     pub fn answer<R: Real, C: DryReducedFriction<R>>(self, curve: &Meridian<R, C>) -> T
     where
-        S: Task<R, Answer = T>,
+        S: SurfaceSearch<R, Answer = T>,
     {
         match self {
             Self::Known(answer) => answer,
@@ -155,7 +158,7 @@ impl<T, S> Start<T, S> {
 
 /// A normal in the quarter plane, of which the larger part is 1, as a twist of length 1.
 #[inline]
-fn unit_twist<R: Real>(polar: &Polar<R>, normal: Normal<R>, radius: R) -> Twist<R> {
+fn unit_twist<R: Real>(polar: &AxisymmetricPair<R>, normal: Normal<R>, radius: R) -> Twist<R> {
     let ratio = normal.slide * normal.rim;
     let share = R::ONE / (R::ONE + ratio * ratio).sqrt();
     polar.twist(normal.slide * share, normal.rim * share / radius)
@@ -164,14 +167,14 @@ fn unit_twist<R: Real>(polar: &Polar<R>, normal: Normal<R>, radius: R) -> Twist<
 /// A point of the curve as a wrench, with what is 1 there of force and torque.
 #[inline]
 fn surface_wrench<R: Real>(
-    polar: &Polar<R>,
+    polar: &AxisymmetricPair<R>,
     [force, torque]: [R; 2],
     at: ReducedWrench<R>,
 ) -> Wrench<R> {
     polar.wrench(force * at.force, torque * at.torque)
 }
 
-impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
+impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C> {
     /// True of wrenches so far inside that no search is needed, by the inscribed quadrangle; never of one whose
     /// gauge would be found on the surface or outside.
     #[inline]
@@ -188,7 +191,7 @@ impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
 
     #[inline]
     fn scaled(&self, wrench: &Wrench<R>) -> Scaled<R> {
-        let polar = Polar::new(&wrench.force, wrench.torque);
+        let polar = AxisymmetricPair::new(&wrench.force, wrench.torque);
         let (force, torque) = (polar.planar, polar.normal / self.radius);
         let size = if force > torque { force } else { torque };
         Scaled {
@@ -203,31 +206,31 @@ impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
     }
 
     #[inline]
-    pub fn gauge(&self, wrench: &Wrench<R>) -> Start<R, Gauging<R>> {
+    pub fn gauge(&self, wrench: &Wrench<R>) -> AnswerOrSearch<R, GaugeSearch<R>> {
         let scaled = self.scaled(wrench);
         if scaled.is_zero() {
-            return Start::Known(R::ZERO);
+            return AnswerOrSearch::Known(R::ZERO);
         }
         // Infinity over infinity is a direction lost, not a gauge.
         if scaled.is_infinite() {
-            return Start::Known(R::INFINITY);
+            return AnswerOrSearch::Known(R::INFINITY);
         }
-        Start::Open(Gauging {
+        AnswerOrSearch::Open(GaugeSearch {
             size: scaled.size / self.force_limit,
-            ray: self.meridian.ray(scaled.unit, Aim::Gauge),
+            ray: self.meridian.ray(scaled.unit, NormalTolerance::Gauge),
         })
     }
 
     #[inline]
-    pub fn twist_normal_to(&self, push: &Wrench<R>) -> Start<Twist<R>, Turning<R>> {
+    pub fn twist_normal_to(&self, push: &Wrench<R>) -> AnswerOrSearch<Twist<R>, NormalSearch<R>> {
         let scaled = self.scaled(push);
         if scaled.is_zero() {
-            return Start::Known(Twist::ZERO);
+            return AnswerOrSearch::Known(Twist::ZERO);
         }
-        Start::Open(Turning {
+        AnswerOrSearch::Open(NormalSearch {
             polar: scaled.polar,
             radius: self.radius,
-            ray: self.meridian.ray(scaled.unit, Aim::Normal),
+            ray: self.meridian.ray(scaled.unit, NormalTolerance::Normal),
         })
     }
 
@@ -236,8 +239,8 @@ impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
         if scaled.is_zero() {
             return *wrench;
         }
-        let Radial { gauge, .. } = solved(
-            &mut self.meridian.ray(scaled.unit, Aim::Gauge),
+        let RayNormal { gauge, .. } = solved(
+            &mut self.meridian.ray(scaled.unit, NormalTolerance::Gauge),
             self.meridian,
         );
         let at = ReducedWrench {
@@ -248,16 +251,20 @@ impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
     }
 
     #[inline]
-    pub fn surface_wrench(&self, polar: &Polar<R>, at: ReducedWrench<R>) -> Wrench<R> {
+    pub fn surface_wrench(&self, polar: &AxisymmetricPair<R>, at: ReducedWrench<R>) -> Wrench<R> {
         let limits = [self.force_limit, self.force_limit * self.radius];
         surface_wrench(polar, limits, at)
     }
 
     /// The projection of a wrench that is not deep inside.
     #[inline]
-    pub fn project(&self, wrench: &Wrench<R>, length: R) -> Start<Projection<R>, Pulling<R>> {
+    pub fn project(
+        &self,
+        wrench: &Wrench<R>,
+        length: R,
+    ) -> AnswerOrSearch<Projection<R>, ProjectionSearch<R>> {
         if self.force_limit == R::ZERO {
-            return Start::Known(self.pulled_to_zero(wrench, length));
+            return AnswerOrSearch::Known(self.pulled_to_zero(wrench, length));
         }
         let scaled = self.scaled(wrench);
         // A tangent may tell what a search would.
@@ -265,7 +272,7 @@ impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
         if !self.meridian.is_beyond_tangents(scaled.lengths, most)
             && let Some(known) = self.not_outside(wrench, &scaled)
         {
-            return Start::Known(known);
+            return AnswerOrSearch::Known(known);
         }
         self.pulled_back(wrench, &scaled, length)
     }
@@ -276,7 +283,7 @@ impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
             return Some(inside(wrench));
         }
         let size = scaled.size / self.force_limit;
-        let mut ray = self.meridian.ray(scaled.unit, Aim::Side(size));
+        let mut ray = self.meridian.ray(scaled.unit, NormalTolerance::Side(size));
         let gauge = size * solved(&mut ray, self.meridian).gauge;
         if gauge < R::ONE - collar() {
             Some(inside(wrench))
@@ -298,7 +305,7 @@ impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
         wrench: &Wrench<R>,
         scaled: &Scaled<R>,
         length: R,
-    ) -> Start<Projection<R>, Pulling<R>> {
+    ) -> AnswerOrSearch<Projection<R>, ProjectionSearch<R>> {
         let lever = length / self.radius;
         let far = ReducedWrench {
             force: scaled.lengths.force / self.force_limit,
@@ -307,9 +314,9 @@ impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
         let bound = self.meridian.gauge_bound(far.force, far.torque);
         let has_gauge = bound.is_finite() || self.has_gauge(wrench);
         if !(has_gauge && length > R::ZERO && length.is_finite()) {
-            return Start::Known(nowhere());
+            return AnswerOrSearch::Known(nowhere());
         }
-        Start::Open(Pulling {
+        AnswerOrSearch::Open(ProjectionSearch {
             polar: scaled.polar,
             force_limit: self.force_limit,
             radius: self.radius,
@@ -325,7 +332,7 @@ impl<R: Real, C: DryReducedFriction<R>> Loaded<'_, R, C> {
     /// The projection onto {0}, the set without force limit.
     #[cold]
     fn pulled_to_zero(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
-        let polar = Polar::new(&wrench.force, wrench.torque);
+        let polar = AxisymmetricPair::new(&wrench.force, wrench.torque);
         if polar.planar == R::ZERO && polar.normal == R::ZERO {
             return inside(wrench);
         }

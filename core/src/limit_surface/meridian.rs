@@ -19,9 +19,9 @@
 //! that it has computed instead of computing another.
 
 use super::collar;
-use super::rising::{Rising, Step};
-use super::sketch::Sketch;
-use crate::coupling::{DryReducedFriction, Lead, ReducedWrench};
+use super::rising::{MonotoneRoot, Step};
+use super::sketch::CurveApproximation;
+use crate::coupling::{DominantSpeed, DryReducedFriction, ReducedWrench};
 use crate::real::Real;
 
 /// What a gauge gains on the way from a normal to that of the ray, over the square of the step and the rate: ½ is
@@ -35,7 +35,7 @@ pub(super) struct Meridian<R, C> {
     /// Point at equal speeds, where the leading component changes.
     equal: ReducedWrench<R>,
     /// Where searches start: sliding leads, spinning leads.
-    sketches: [Sketch<R>; 2],
+    sketches: [CurveApproximation<R>; 2],
     /// Lines through the equal point and a pole, as α f + β t = 1: of the force's pole, of the torque's.
     chords: [[R; 2]; 2],
     /// 1/D of pure sliding, of pure spinning and of equal speeds.
@@ -51,7 +51,7 @@ pub(super) struct Normal<R> {
 
 /// Point and rate at one normal, the leading component first.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Local<R> {
+pub(super) struct CurvePoint<R> {
     pub major: R,
     pub minor: R,
     /// dm/dh
@@ -60,14 +60,14 @@ pub(super) struct Local<R> {
 
 /// A normal and its point of the curve.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place<R> {
+pub(super) struct NormalAndPoint<R> {
     pub normal: Normal<R>,
     pub at: ReducedWrench<R>,
 }
 
 /// A point's normal along its ray.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Radial<R> {
+pub(super) struct RayNormal<R> {
     pub normal: Normal<R>,
     /// Gauge of the given point, over its size.
     pub gauge: R,
@@ -75,34 +75,34 @@ pub(super) struct Radial<R> {
 
 /// How closely the normal along a ray is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Aim<R> {
+pub(super) enum NormalTolerance<R> {
     /// The gauge: stationary in the normal, a quarter of its digits are enough.
     Gauge,
     /// The normal itself.
     Normal,
-    /// Which side of 1 the gauge lies on, of a point of this size in units of the force limit. The gauge itself
+    /// FrameSelector side of 1 the gauge lies on, of a point of this size in units of the force limit. The gauge itself
     /// only in the collar.
     Side(R),
 }
 
 #[inline]
-fn normal_of<R: Real>(lead: Lead, ratio: R) -> Normal<R> {
+fn normal_of<R: Real>(lead: DominantSpeed, ratio: R) -> Normal<R> {
     let [slide, rim] = ordered(lead, R::ONE, ratio);
     Normal { slide, rim }
 }
 
 /// Force and torque, or the other way round: the leading component first; and back.
 #[inline]
-fn ordered<T>(lead: Lead, force: T, torque: T) -> [T; 2] {
+fn ordered<T>(lead: DominantSpeed, force: T, torque: T) -> [T; 2] {
     match lead {
-        Lead::Sliding => [force, torque],
-        Lead::Spinning => [torque, force],
+        DominantSpeed::Sliding => [force, torque],
+        DominantSpeed::Spinning => [torque, force],
     }
 }
 
-impl<R: Real> Local<R> {
+impl<R: Real> CurvePoint<R> {
     #[inline]
-    pub fn of(coupling: &impl DryReducedFriction<R>, lead: Lead, ratio: R) -> Self {
+    pub fn of(coupling: &impl DryReducedFriction<R>, lead: DominantSpeed, ratio: R) -> Self {
         let [major, minor, rate] = coupling.reduced_point(lead, ratio);
         Self { major, minor, rate }
     }
@@ -143,7 +143,8 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
             equal,
             chords,
             tangents: [top, side, equal.force + equal.torque].map(|power| R::ONE / power),
-            sketches: [Lead::Sliding, Lead::Spinning].map(|lead| Sketch::of(&coupling, lead)),
+            sketches: [DominantSpeed::Sliding, DominantSpeed::Spinning]
+                .map(|lead| CurveApproximation::of(&coupling, lead)),
             coupling,
         }
     }
@@ -174,59 +175,59 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
     }
 
     #[inline]
-    fn sketch(&self, lead: Lead) -> &Sketch<R> {
+    fn sketch(&self, lead: DominantSpeed) -> &CurveApproximation<R> {
         let [slide, rim] = &self.sketches;
         match lead {
-            Lead::Sliding => slide,
-            Lead::Spinning => rim,
+            DominantSpeed::Sliding => slide,
+            DominantSpeed::Spinning => rim,
         }
     }
 
     #[inline]
-    fn local(&self, lead: Lead, ratio: R) -> Local<R> {
-        Local::of(&self.coupling, lead, ratio)
+    fn local(&self, lead: DominantSpeed, ratio: R) -> CurvePoint<R> {
+        CurvePoint::of(&self.coupling, lead, ratio)
     }
 
     /// The search for the normal where the ray of a point meets the curve.
     ///
     /// *Domain*: finite components ≥ 0 of which the larger is of order 1; NaN gives NaN.
     #[inline]
-    pub fn ray(&self, point: ReducedWrench<R>, aim: Aim<R>) -> Ray<R> {
+    pub fn ray(&self, point: ReducedWrench<R>, aim: NormalTolerance<R>) -> RaySearch<R> {
         let ReducedWrench { force, torque } = point;
         let lead = if force * self.equal.torque >= torque * self.equal.force {
-            Lead::Sliding
+            DominantSpeed::Sliding
         } else {
-            Lead::Spinning
+            DominantSpeed::Spinning
         };
         let given = ordered(lead, force, torque);
         let [major, minor] = given;
         let start = self.sketch(lead).on_ray(minor / major);
-        Ray {
+        RaySearch {
             lead,
             given,
             aim,
-            search: Rising::new(start),
+            search: MonotoneRoot::new(start),
         }
     }
 
     /// The search for the point of the curve nearest to one outside, in the norm √(f² + t²/`lever_sq`).
     #[inline]
-    pub fn offset(&self, point: ReducedWrench<R>, lever_sq: R) -> Offset<R> {
+    pub fn offset(&self, point: ReducedWrench<R>, lever_sq: R) -> NearestPointSearch<R> {
         let ReducedWrench { force, torque } = point;
         let equal = &self.equal;
         let lead = if torque - equal.torque <= lever_sq * (force - equal.force) {
-            Lead::Sliding
+            DominantSpeed::Sliding
         } else {
-            Lead::Spinning
+            DominantSpeed::Spinning
         };
         let given = ordered(lead, force, torque);
         let [weight, _] = ordered(lead, R::ONE / lever_sq, lever_sq);
         let start = self.sketch(lead).nearest(given, weight);
-        Offset {
+        NearestPointSearch {
             lead,
             given,
             weight,
-            search: Rising::new(start),
+            search: MonotoneRoot::new(start),
         }
     }
 }
@@ -254,23 +255,23 @@ pub(super) fn solved<R: Real, C: DryReducedFriction<R>, S: Search<R>>(
 
 /// The search for the normal on the ray of a point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ray<R> {
-    lead: Lead,
+pub(super) struct RaySearch<R> {
+    lead: DominantSpeed,
     given: [R; 2],
-    aim: Aim<R>,
-    search: Rising<R>,
+    aim: NormalTolerance<R>,
+    search: MonotoneRoot<R>,
 }
 
 /// The search for the nearest point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Offset<R> {
-    lead: Lead,
+pub(super) struct NearestPointSearch<R> {
+    lead: DominantSpeed,
     given: [R; 2],
     weight: R,
-    search: Rising<R>,
+    search: MonotoneRoot<R>,
 }
 
-impl<R: Real> Ray<R> {
+impl<R: Real> RaySearch<R> {
     /// The gauge by a normal: every one bounds it from below.
     #[inline]
     fn gauge(&self, ratio: R, [on_major, on_minor]: [R; 2]) -> R {
@@ -280,8 +281,8 @@ impl<R: Real> Ray<R> {
 
     /// True if the normal where a step starts tells on which side of 1 the gauge lies.
     #[inline]
-    fn is_side_known(&self, step: &Step<R>, at: &Local<R>) -> bool {
-        let Aim::Side(size) = self.aim else {
+    fn is_side_known(&self, step: &Step<R>, at: &CurvePoint<R>) -> bool {
+        let NormalTolerance::Side(size) = self.aim else {
             return false;
         };
         let gauge = size * self.gauge(step.from, [at.major, at.minor]);
@@ -290,11 +291,14 @@ impl<R: Real> Ray<R> {
     }
 }
 
-impl<R: Real> Search<R> for Ray<R> {
-    type Found = Radial<R>;
+impl<R: Real> Search<R> for RaySearch<R> {
+    type Found = RayNormal<R>;
 
     #[inline]
-    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Radial<R>> {
+    fn advance<C: DryReducedFriction<R>>(
+        &mut self,
+        curve: &Meridian<R, C>,
+    ) -> Option<RayNormal<R>> {
         let ratio = self.search.at();
         let at = curve.local(self.lead, ratio);
         let this = *self;
@@ -302,7 +306,7 @@ impl<R: Real> Search<R> for Ray<R> {
             .search
             .seen(at, at.across_ray(ratio, self.given), |step| {
                 match this.aim {
-                    Aim::Normal => step.is_settled(),
+                    NormalTolerance::Normal => step.is_settled(),
                     _ => step.is_stationary() || this.is_side_known(step, &at),
                 }
             })?;
@@ -311,25 +315,28 @@ impl<R: Real> Search<R> for Ray<R> {
         } else {
             self.gauge(end.ratio(), end.point())
         };
-        Some(Radial {
+        Some(RayNormal {
             normal: normal_of(self.lead, end.ratio()),
             gauge,
         })
     }
 }
 
-impl<R: Real> Search<R> for Offset<R> {
-    type Found = Place<R>;
+impl<R: Real> Search<R> for NearestPointSearch<R> {
+    type Found = NormalAndPoint<R>;
 
     #[inline]
-    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Place<R>> {
+    fn advance<C: DryReducedFriction<R>>(
+        &mut self,
+        curve: &Meridian<R, C>,
+    ) -> Option<NormalAndPoint<R>> {
         let ratio = self.search.at();
         let at = curve.local(self.lead, ratio);
         let value = at.beside_normal(ratio, self.given, self.weight);
         let end = self.search.seen(at, value, Step::is_settled)?;
         let [major, minor] = end.point();
         let [force, torque] = ordered(self.lead, major, minor);
-        Some(Place {
+        Some(NormalAndPoint {
             normal: normal_of(self.lead, end.ratio()),
             at: ReducedWrench { force, torque },
         })

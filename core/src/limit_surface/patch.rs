@@ -12,9 +12,11 @@
 //! steps that are halved until they descend. φ's matrix g gᵀ + D D″ at its minimum is also the inverse of the
 //! normal's derivative; and M + D″ that of the projection's.
 
-use super::kinks::{self, Kink};
+use super::kinks::{self, NonsmoothPoint};
 use super::quadratic::{Factors, dot, norm, outer, over, product, stretched, unit_matrix};
-use super::search::{self, Ended, Goal, Least, Nearest, Power, Radial, pivot};
+use super::search::{
+    self, Ended, GaugeObjective, Minimiser, Power, ProjectionObjective, TwistObjective, pivot,
+};
 use super::{FrictionSet, Projection, Region, collar};
 use crate::coupling::flat::{PatchShape, ShapeFriction};
 use crate::law::{LawError, validated_not_negative};
@@ -126,12 +128,12 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
             return (Twist::new(nan, nan, nan), Matrix3::from_element(nan));
         };
         let size = norm(&wanted);
-        let goal = Radial {
+        let goal = GaugeObjective {
             wrench: over(&wanted, size),
         };
         let found = self.above(&goal);
         let gauge = self.gauge_of(&goal, &found);
-        let Least {
+        let Minimiser {
             at, power, is_flat, ..
         } = found;
         let normal = at * (R::ONE / power.value);
@@ -170,9 +172,9 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
         length: R,
     ) -> (Projection<R>, Matrix3<R>) {
         match self.pulled_back(wrench, length) {
-            Pulled::Stays(projection) => (projection, unit_matrix()),
-            Pulled::Nowhere(projection) => (projection, Matrix3::from_element(R::NAN)),
-            Pulled::Back {
+            ProjectionCase::Stays(projection) => (projection, unit_matrix()),
+            ProjectionCase::Nowhere(projection) => (projection, Matrix3::from_element(R::NAN)),
+            ProjectionCase::Back {
                 projection,
                 goal,
                 found,
@@ -215,7 +217,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
     }
 
     /// The normal above a wrench of length 1, not normalised, from that of the ellipsoid on.
-    fn above(&self, goal: &Radial<R>) -> Least<R> {
+    fn above(&self, goal: &GaugeObjective<R>) -> Minimiser<R> {
         self.least(goal, goal.wrench)
     }
 
@@ -234,7 +236,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
         }
     }
 
-    fn least(&self, goal: &impl Goal<R>, start: Vector3<R>) -> Least<R> {
+    fn least(&self, goal: &impl TwistObjective<R>, start: Vector3<R>) -> Minimiser<R> {
         let power_at = |at: &Vector3<R>| self.power(at);
         if !self.has_points() {
             return search::least(goal, start, self.patch().rounding(), power_at);
@@ -243,7 +245,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
     }
 
     /// The point next to the centre of rotation, if points carry load.
-    fn kink(&self, at: &Vector3<R>) -> Option<Kink<R>> {
+    fn kink(&self, at: &Vector3<R>) -> Option<NonsmoothPoint<R>> {
         let (centre, radius) = (self.patch().centre(), self.patch().radius());
         let arms = |x: R| self.arm * (x / at.z);
         let place = Vector2::new(
@@ -258,7 +260,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
             (centre.x + point.place.x * radius) / self.arm,
             (centre.y + point.place.y * radius) / self.arm,
         ];
-        Some(Kink {
+        Some(NonsmoothPoint {
             turn: Vector3::new(y, -x, R::ONE),
             share: point.share,
             place: [x, y],
@@ -267,7 +269,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
 
     /// The gauge of a wrench above which the search has ended: from below at any twist, so that it is no number
     /// where the search has missed.
-    fn gauge_of(&self, goal: &Radial<R>, found: &Least<R>) -> R {
+    fn gauge_of(&self, goal: &GaugeObjective<R>, found: &Minimiser<R>) -> R {
         match found.ended {
             Ended::Level | Ended::Rounding => dot(&goal.wrench, &found.at) / found.power.value,
             Ended::Missed => R::NAN,
@@ -281,10 +283,10 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
         Twist::new(at.x / length, at.y / length, spin / length)
     }
 
-    fn pulled_back(&self, wrench: &Wrench<R>, length: R) -> Pulled<R> {
+    fn pulled_back(&self, wrench: &Wrench<R>, length: R) -> ProjectionCase<R> {
         let limit = self.force_limit();
         let stays = |region| {
-            Pulled::Stays(Projection {
+            ProjectionCase::Stays(Projection {
                 wrench: *wrench,
                 region,
             })
@@ -297,13 +299,13 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
             return self.pulled_to_zero(wrench, length);
         };
         let size = norm(&wanted);
-        let radial = Radial {
+        let radial = GaugeObjective {
             wrench: over(&wanted, size),
         };
         let found = self.above(&radial);
         // No number where the search has missed: the wrench is then brought to the surface.
         let gauge = size * self.gauge_of(&radial, &found);
-        let Least {
+        let Minimiser {
             at: above, power, ..
         } = found;
         if gauge < R::ONE - self.collar {
@@ -319,7 +321,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
         } else {
             (wanted, R::ONE)
         };
-        let goal = Nearest {
+        let goal = ProjectionObjective {
             wrench,
             reach,
             length_sq: arm * arm,
@@ -333,7 +335,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
         };
         let found = self.least(&goal, start);
         let g = &found.power.gradient;
-        Pulled::Back {
+        ProjectionCase::Back {
             projection: Projection {
                 wrench: Wrench::new(limit * g.x, limit * g.y, limit * self.arm * g.z),
                 region: Region::OnSurface {
@@ -347,7 +349,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
 
     /// The answer where no wrench is carried, and where there is no nearest one.
     #[cold]
-    fn pulled_to_zero(&self, wrench: &Wrench<R>, length: R) -> Pulled<R> {
+    fn pulled_to_zero(&self, wrench: &Wrench<R>, length: R) -> ProjectionCase<R> {
         let nan = R::NAN;
         let spin = wrench.torque / (length * length);
         let at = Vector3::new(wrench.force.x, wrench.force.y, spin * self.arm);
@@ -358,7 +360,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
         } else {
             (Wrench::new(nan, nan, nan), Twist::new(nan, nan, nan))
         };
-        Pulled::Nowhere(Projection {
+        ProjectionCase::Nowhere(Projection {
             wrench,
             region: Region::OnSurface { normal },
         })
@@ -385,18 +387,18 @@ fn collar_of<R: Real>(rounding: R) -> R {
 }
 
 /// How a wrench is brought into the set.
-enum Pulled<R: Real> {
+enum ProjectionCase<R: Real> {
     Stays(Projection<R>),
     Back {
         projection: Projection<R>,
-        goal: Nearest<R>,
-        found: Least<R>,
+        goal: ProjectionObjective<R>,
+        found: Minimiser<R>,
     },
     Nowhere(Projection<R>),
 }
 
 /// Derivative of the nearest wrench of a facet with the normal `at`.
-fn flattened<R: Real>(goal: &Nearest<R>, at: &Vector3<R>) -> Matrix3<R> {
+fn flattened<R: Real>(goal: &ProjectionObjective<R>, at: &Vector3<R>) -> Matrix3<R> {
     let away = goal.displacement(at);
     let share = away * (R::ONE / dot(at, &away));
     unit_matrix() - Matrix3::from_columns(&[share * at.x, share * at.y, share * at.z])
@@ -424,7 +426,7 @@ impl<R: Real, P: PatchShape<R>> FrictionSet<R> for ShapeLimitSurface<R, P> {
             return self.odd_gauge(wrench);
         };
         let size = norm(&wanted);
-        let goal = Radial {
+        let goal = GaugeObjective {
             wrench: over(&wanted, size),
         };
         size * self.gauge_of(&goal, &self.above(&goal))
@@ -443,7 +445,7 @@ impl<R: Real, P: PatchShape<R>> FrictionSet<R> for ShapeLimitSurface<R, P> {
                 Twist::new(nan, nan, nan)
             };
         };
-        let goal = Radial {
+        let goal = GaugeObjective {
             wrench: over(&wanted, norm(&wanted)),
         };
         let found = self.above(&goal);
@@ -462,9 +464,9 @@ impl<R: Real, P: PatchShape<R>> FrictionSet<R> for ShapeLimitSurface<R, P> {
 
     fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
         match self.pulled_back(wrench, length) {
-            Pulled::Stays(projection)
-            | Pulled::Nowhere(projection)
-            | Pulled::Back { projection, .. } => projection,
+            ProjectionCase::Stays(projection)
+            | ProjectionCase::Nowhere(projection)
+            | ProjectionCase::Back { projection, .. } => projection,
         }
     }
 }

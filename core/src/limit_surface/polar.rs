@@ -6,7 +6,7 @@ use nalgebra::Vector2;
 
 /// Magnitudes of a planar vector and its normal companion, with what they leave out.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Polar<R> {
+pub(super) struct AxisymmetricPair<R> {
     /// Length of the planar part.
     pub planar: R,
     /// Absolute value of the normal part.
@@ -15,7 +15,7 @@ pub(super) struct Polar<R> {
     sign: R,
 }
 
-impl<R: Real> Polar<R> {
+impl<R: Real> AxisymmetricPair<R> {
     /// A wrench or twist in parts; both units are left as they are.
     #[inline]
     pub fn new(vector: &Vector2<R>, normal: R) -> Self {

@@ -1,6 +1,6 @@
 //! The zero of a rising function of the ratio of speeds, by Newton steps kept in a bracket.
 
-use super::meridian::Local;
+use super::meridian::CurvePoint;
 use crate::real::Real;
 
 /// More steps than any search needs: bisection alone gets from 1 to the rounding error.
@@ -24,9 +24,9 @@ pub(super) struct Step<R> {
 
 /// Where a search ended: the last point computed, and the step from there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct End<R> {
+pub(super) struct SearchEnd<R> {
     pub step: Step<R>,
-    pub at: Local<R>,
+    pub at: CurvePoint<R>,
 }
 
 impl<R: Real> Step<R> {
@@ -59,7 +59,7 @@ impl<R: Real> Step<R> {
     }
 }
 
-impl<R: Real> End<R> {
+impl<R: Real> SearchEnd<R> {
     #[inline]
     pub fn ratio(&self) -> R {
         self.step.end()
@@ -81,7 +81,7 @@ impl<R: Real> End<R> {
 /// A search for the zero in [0, 1] of a function that rises through it, by Newton steps kept in the bracket;
 /// bisection replaces a step that leaves it or has no slope.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rising<R> {
+pub(super) struct MonotoneRoot<R> {
     low: R,
     high: R,
     /// Where the next point is to be computed.
@@ -92,7 +92,7 @@ pub(super) struct Rising<R> {
     left: u32,
 }
 
-impl<R: Real> Rising<R> {
+impl<R: Real> MonotoneRoot<R> {
     /// *Domain*: any `start`.
     #[inline]
     pub fn new(start: R) -> Self {
@@ -121,10 +121,10 @@ impl<R: Real> Rising<R> {
     #[inline]
     pub fn seen(
         &mut self,
-        point: Local<R>,
+        point: CurvePoint<R>,
         [value, slope]: [R; 2],
         is_done: impl FnOnce(&Step<R>) -> bool,
-    ) -> Option<End<R>> {
+    ) -> Option<SearchEnd<R>> {
         let from = self.at;
         if value < R::ZERO {
             self.low = from;
@@ -156,7 +156,7 @@ impl<R: Real> Rising<R> {
                 ..step
             }
         };
-        Some(End { step, at: point })
+        Some(SearchEnd { step, at: point })
     }
 
     #[cold]

@@ -40,7 +40,7 @@ pub(super) enum Ended {
 }
 
 /// Where a function is least.
-pub(super) struct Least<R: Real> {
+pub(super) struct Minimiser<R: Real> {
     pub(super) at: Vector3<R>,
     pub(super) power: Power<R>,
     /// How many steps were tried.
@@ -51,7 +51,7 @@ pub(super) struct Least<R: Real> {
 }
 
 /// A convex function of the twist that is to be least.
-pub(super) trait Goal<R: Real> {
+pub(super) trait TwistObjective<R: Real> {
     /// Its value without the constant, and its gradient.
     fn value(&self, at: &Vector3<R>, power: R) -> R;
     fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R>;
@@ -68,12 +68,12 @@ pub(super) trait Goal<R: Real> {
 }
 
 /// φ
-pub(super) struct Radial<R: Real> {
+pub(super) struct GaugeObjective<R: Real> {
     pub(super) wrench: Vector3<R>,
 }
 
 /// ψ, with wrench and twist in units of 1/`reach`: a wrench of any size is one of order 1.
-pub(super) struct Nearest<R: Real> {
+pub(super) struct ProjectionObjective<R: Real> {
     pub(super) wrench: Vector3<R>,
     /// What the force limit counts, of the unit of the wrench.
     pub(super) reach: R,
@@ -81,7 +81,7 @@ pub(super) struct Nearest<R: Real> {
     pub(super) length_sq: R,
 }
 
-impl<R: Real> Goal<R> for Radial<R> {
+impl<R: Real> TwistObjective<R> for GaugeObjective<R> {
     fn value(&self, at: &Vector3<R>, power: R) -> R {
         R::HALF * power * power - dot(&self.wrench, at)
     }
@@ -106,7 +106,7 @@ impl<R: Real> Goal<R> for Radial<R> {
     }
 }
 
-impl<R: Real> Nearest<R> {
+impl<R: Real> ProjectionObjective<R> {
     /// M t
     pub(super) fn displacement(&self, at: &Vector3<R>) -> Vector3<R> {
         Vector3::new(at.x, at.y, self.length_sq * at.z)
@@ -122,7 +122,7 @@ impl<R: Real> Nearest<R> {
     }
 }
 
-impl<R: Real> Goal<R> for Nearest<R> {
+impl<R: Real> TwistObjective<R> for ProjectionObjective<R> {
     fn value(&self, at: &Vector3<R>, power: R) -> R {
         R::HALF * dot(at, &self.displacement(at)) + power * self.reach - dot(&self.wrench, at)
     }
@@ -160,7 +160,7 @@ struct Trial<R: Real> {
 
 impl<R: Real> Trial<R> {
     fn of(
-        goal: &impl Goal<R>,
+        goal: &impl TwistObjective<R>,
         at: Vector3<R>,
         power_at: &impl Fn(&Vector3<R>) -> Power<R>,
     ) -> Self {
@@ -176,11 +176,11 @@ impl<R: Real> Trial<R> {
 
 /// The twist at which `goal` is least, from `start` on, of a power whose `rounding` is given.
 pub(super) fn least<R: Real>(
-    goal: &impl Goal<R>,
+    goal: &impl TwistObjective<R>,
     start: Vector3<R>,
     rounding: R,
     power_at: impl Fn(&Vector3<R>) -> Power<R>,
-) -> Least<R> {
+) -> Minimiser<R> {
     let noise = R::from_f64(DONE_ULPS) * rounding;
     let mut at = start;
     let mut power = power_at(&at);
@@ -221,7 +221,7 @@ pub(super) fn least<R: Real>(
         }
         (at, power) = (trial.at, trial.power);
     };
-    Least {
+    Minimiser {
         at,
         power,
         steps,

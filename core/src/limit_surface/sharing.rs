@@ -18,7 +18,7 @@ const MOST_PIVOTS: usize = 8;
 
 /// Corners about the centre of pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sharing<R: Real, S> {
+pub(super) struct LoadSharing<R: Real, S> {
     corners: S,
     pub(super) centre: Vector2<R>,
     /// Distance of the farthest corner from the centre: the unit of length of all places here.
@@ -30,21 +30,21 @@ pub(super) struct Sharing<R: Real, S> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind<R: Real> {
     /// The centre lies on the boundary of the hull: two corners carry all.
-    Fixed([Share<R>; 2]),
+    Fixed([CornerLoad<R>; 2]),
     /// The centre lies inside: a triangle of corners around it.
     Free(Tripod<R>),
 }
 
 /// A place and its part of the load.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Share<R: Real> {
+pub(super) struct CornerLoad<R: Real> {
     pub(super) at: Vector2<R>,
     pub(super) part: R,
 }
 
 /// Shares with a sum that is greatest, or as near to it as is told.
 pub(super) struct Greatest<R: Real> {
-    pub(super) shares: [Share<R>; 3],
+    pub(super) shares: [CornerLoad<R>; 3],
     /// A bound of what the greatest sum has more than theirs: how far a corner is above their plane. 0 where
     /// none is, to rounding.
     pub(super) excess: R,
@@ -54,10 +54,10 @@ pub(super) struct Greatest<R: Real> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Tripod<R: Real> {
     index: [usize; 3],
-    shares: [Share<R>; 3],
+    shares: [CornerLoad<R>; 3],
 }
 
-impl<R: Real, S: AsRef<[[R; 2]]>> Sharing<R, S> {
+impl<R: Real, S: AsRef<[[R; 2]]>> LoadSharing<R, S> {
     pub(super) fn new(corners: S, centre: [R; 2]) -> Result<Self, PatchError> {
         let is_finite = |place: &[R; 2]| place.iter().all(|x| x.is_finite());
         if !is_finite(&centre) {
@@ -67,7 +67,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> Sharing<R, S> {
             return Err(PatchError::CornerPosition { corner });
         }
         let [x, y] = centre;
-        let nowhere = Share {
+        let nowhere = CornerLoad {
             at: Vector2::new(R::ZERO, R::ZERO),
             part: R::HALF,
         };
@@ -140,7 +140,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> Sharing<R, S> {
                 } else {
                     along
                 };
-                let part = |at, part| Share { at, part };
+                let part = |at, part| CornerLoad { at, part };
                 return Some(Kind::Fixed([part(a, R::ONE - along), part(b, along)]));
             }
             // A fan of triangles from the first corner covers the hull.
@@ -194,7 +194,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> Sharing<R, S> {
         matches!(self.kind, Kind::Fixed(_))
     }
 
-    /// The shares of the triangle in whose coordinates [`Sharing::for_each`] counts.
+    /// The shares of the triangle in whose coordinates [`LoadSharing::for_each`] counts.
     pub(super) fn base(&self) -> [R; 3] {
         match &self.kind {
             Kind::Fixed([one, other]) => [one.part, other.part, R::ZERO],
@@ -232,7 +232,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> Sharing<R, S> {
             Kind::Fixed([one, other]) => {
                 let part = R::ZERO;
                 return Greatest {
-                    shares: [one, other, Share { part, ..one }],
+                    shares: [one, other, CornerLoad { part, ..one }],
                     excess: R::ZERO,
                 };
             }
@@ -296,7 +296,7 @@ impl<R: Real> Tripod<R> {
         let places = corners.map(|(_, at)| at);
         let [a, b, c] = coordinates(&Vector2::new(R::ZERO, R::ZERO), &places)?;
         let [p, q, r] = places;
-        let share = |at, part| Share { at, part };
+        let share = |at, part| CornerLoad { at, part };
         Some(Self {
             index: corners.map(|(index, _)| index),
             shares: [share(p, a), share(q, b), share(r, c)],
@@ -352,7 +352,7 @@ impl<R: Real> Tripod<R> {
         let (_, leaving) = leaving?;
         let [p, q, r] = self.shares;
         let [i, j, k] = self.index;
-        let kept = |index: usize, share: Share<R>| {
+        let kept = |index: usize, share: CornerLoad<R>| {
             if index == leaving {
                 entering
             } else {
@@ -393,7 +393,7 @@ mod tests {
             let angle = core::f64::consts::TAU * i as f64 / 24.0;
             [libm::cos(angle), libm::sin(angle)]
         });
-        let sharing = Sharing::new(corners, [0.1, 0.05]).unwrap();
+        let sharing = LoadSharing::new(corners, [0.1, 0.05]).unwrap();
         // |d − c| of a place beside the centre.
         let height = |d: &Vector2<f64>| libm::hypot(d.x - 0.7, d.y + 0.4);
         let sum = |found: &Greatest<f64>| -> f64 {

@@ -10,8 +10,8 @@
 //! The quintic that has the coupling's D and dD/dx at x = 0, ½ and 1 is right to 2e-4 on the uniform
 //! disk and to 5e-3 on a ring. Only the number of a search's steps depends on it.
 
-use super::meridian::Local;
-use crate::coupling::{DryReducedFriction, Lead};
+use super::meridian::CurvePoint;
+use crate::coupling::{DominantSpeed, DryReducedFriction};
 use crate::real::Real;
 
 /// Powers of x in m/h.
@@ -19,7 +19,7 @@ const TERMS: usize = 5;
 
 /// The polynomials where one of the speeds leads.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sketch<R> {
+pub(super) struct CurveApproximation<R> {
     /// M at the pole.
     top: R,
     /// m/h and (top − M)/x by powers of x.
@@ -33,12 +33,12 @@ pub(super) struct Sketch<R> {
 /// Rounding errors of a point that lies on an ellipse.
 const ELLIPSE_ULPS: f64 = 16.0;
 
-impl<R: Real> Sketch<R> {
+impl<R: Real> CurveApproximation<R> {
     /// *Cost*: three wrenches and Jacobians.
-    pub fn of(coupling: &impl DryReducedFriction<R>, lead: Lead) -> Self {
+    pub fn of(coupling: &impl DryReducedFriction<R>, lead: DominantSpeed) -> Self {
         let root = R::HALF.sqrt();
         let [pole, middle, equal] =
-            [R::ZERO, root, R::ONE].map(|ratio| Local::of(coupling, lead, ratio));
+            [R::ZERO, root, R::ONE].map(|ratio| CurvePoint::of(coupling, lead, ratio));
         let powers = [
             pole.major,
             middle.major + root * middle.minor,
@@ -75,14 +75,14 @@ impl<R: Real> Sketch<R> {
 
     /// The point at a ratio of speeds.
     #[inline]
-    fn at(&self, ratio: R) -> Local<R> {
+    fn at(&self, ratio: R) -> CurvePoint<R> {
         let x = ratio * ratio;
         let (mut sums, mut slope) = ([R::ZERO; 2], R::ZERO);
         for [minor, loss] in self.terms.iter().rev() {
             slope = slope * x + sums[0];
             sums = [sums[0] * x + *minor, sums[1] * x + *loss];
         }
-        Local {
+        CurvePoint {
             major: self.top - x * sums[1],
             minor: ratio * sums[0],
             rate: sums[0] + R::TWO * x * slope,

@@ -8,7 +8,7 @@
 //! normal misses the centre; Glocker, Multibody Syst. Dyn. 29 (2013) 77).
 
 use super::solve::pair;
-use super::{ContactSystem, Joint};
+use super::{ContactPair, ContactSystem};
 use crate::contact::{Contact, ContactFriction, ContactVector, NormalLaw};
 use crate::real::Real;
 
@@ -41,7 +41,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// One round; returns the fastest approach of a contact that took an impact, 0 without any.
     fn impact_round(&mut self, dt: R, slow: R) -> R {
         let mut fastest = R::ZERO;
-        for Joint {
+        for ContactPair {
             bodies,
             touch,
             impact,

@@ -29,13 +29,13 @@ pub enum SystemBody<R> {
 
 /// A body with what acts on it from outside.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Loaded<R> {
+pub(super) struct LoadedBody<R> {
     pub member: SystemBody<R>,
     pub force: Vector3<R>,
     pub torque: Vector3<R>,
 }
 
-impl<R: Real> Loaded<R> {
+impl<R: Real> LoadedBody<R> {
     pub fn new(member: SystemBody<R>) -> Self {
         let zero = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
         Self {

@@ -49,7 +49,7 @@ use crate::contact::{
 };
 use crate::real::Real;
 use heapless::Vec;
-use member::Loaded;
+use member::LoadedBody;
 use nalgebra::Vector3;
 
 /// A body of a manifold.
@@ -119,24 +119,24 @@ pub struct ContactSystem<R: Real, F: ContactFriction<R>, const BODIES: usize, co
     law: NormalLaw<R>,
     friction: F,
     gravity: Vector3<R>,
-    bodies: Vec<Loaded<R>, BODIES>,
-    contacts: Vec<Joint<R, F>, CONTACTS>,
+    bodies: Vec<LoadedBody<R>, BODIES>,
+    contacts: Vec<ContactPair<R, F>, CONTACTS>,
 }
 
 /// Two bodies that touch.
 #[derive(Clone, Copy, Debug)]
-struct Joint<R: Real, F: ContactFriction<R>> {
+struct ContactPair<R: Real, F: ContactFriction<R>> {
     bodies: [usize; 2],
     touch: ContactGeometry<R>,
     /// Nothing before the first step.
-    solved: Option<Solved<R, F>>,
+    solved: Option<SolvedContact<R, F>>,
     /// Impulse of the impacts of the last step, a part of what was solved.
     impact: ContactVector<R, F::Modes>,
 }
 
 /// A contact in its last step.
 #[derive(Clone, Copy, Debug)]
-struct Solved<R: Real, F: ContactFriction<R>> {
+struct SolvedContact<R: Real, F: ContactFriction<R>> {
     contact: Contact<R, F::Modes>,
     inv_dt: R,
 }
@@ -167,7 +167,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
 
     fn push_body(&mut self, member: SystemBody<R>) -> Result<BodyHandle, ContactSystemError> {
         let handle = BodyHandle(self.bodies.len());
-        match self.bodies.push(Loaded::new(member)) {
+        match self.bodies.push(LoadedBody::new(member)) {
             Ok(()) => Ok(handle),
             Err(_) => Err(ContactSystemError::Full { capacity: BODIES }),
         }
@@ -189,7 +189,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
             return Err(ContactSystemError::Unknown);
         }
         let handle = ContactHandle(self.contacts.len());
-        let joint = Joint {
+        let joint = ContactPair {
             bodies,
             touch,
             solved: None,
@@ -312,11 +312,11 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
 
     /// Force and torque on the second body in the last step: impulse/dt, impacts included.
     pub fn force(&self, contact: ContactHandle) -> Option<ContactVector<R, F::Modes>> {
-        let Solved { contact, inv_dt } = self.solved(contact)?;
+        let SolvedContact { contact, inv_dt } = self.solved(contact)?;
         Some(ContactVector::default().plus_scaled(*inv_dt, contact.impulse()))
     }
 
-    fn solved(&self, contact: ContactHandle) -> Option<&Solved<R, F>> {
+    fn solved(&self, contact: ContactHandle) -> Option<&SolvedContact<R, F>> {
         self.contacts.get(contact.0)?.solved.as_ref()
     }
 }

@@ -1,7 +1,7 @@
 //! One time step: external forces and impacts, then sweeps over the contacts until convergence.
 
-use super::member::Loaded;
-use super::{ContactSystem, Joint, Solved};
+use super::member::LoadedBody;
+use super::{ContactPair, ContactSystem, SolvedContact};
 use crate::contact::{Contact, ContactFriction, ContactModes, ContactVector, TimeStep};
 use crate::real::Real;
 use nalgebra::Vector3;
@@ -141,14 +141,14 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
                 contact.set_impulse(&guess);
                 contact.project_impulse(&self.friction);
             }
-            joint.solved = Some(Solved { contact, inv_dt });
+            joint.solved = Some(SolvedContact { contact, inv_dt });
         }
     }
 
     /// Gives the bodies the impulses that the sweeps begin with.
     fn apply_guesses(&mut self) {
-        for Joint { bodies, solved, .. } in &mut self.contacts {
-            if let (Some([a, b]), Some(Solved { contact, .. })) =
+        for ContactPair { bodies, solved, .. } in &mut self.contacts {
+            if let (Some([a, b]), Some(SolvedContact { contact, .. })) =
                 (pair(&mut self.bodies, *bodies), solved)
             {
                 contact.apply(contact.impulse(), &mut a.member, &mut b.member);
@@ -159,8 +159,8 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// Updates every contact once; returns the magnitudes of all changes and of all impulses.
     fn sweep(&mut self) -> [R; 2] {
         let (mut change, mut total) = (R::ZERO, R::ZERO);
-        for Joint { bodies, solved, .. } in &mut self.contacts {
-            if let (Some([a, b]), Some(Solved { contact, .. })) =
+        for ContactPair { bodies, solved, .. } in &mut self.contacts {
+            if let (Some([a, b]), Some(SolvedContact { contact, .. })) =
                 (pair(&mut self.bodies, *bodies), solved)
             {
                 let moved = contact.update(&self.friction, &mut a.member, &mut b.member);
@@ -175,9 +175,9 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
 /// Two bodies at once.
 #[inline]
 pub(super) fn pair<R>(
-    bodies: &mut [Loaded<R>],
+    bodies: &mut [LoadedBody<R>],
     indices: [usize; 2],
-) -> Option<[&mut Loaded<R>; 2]> {
+) -> Option<[&mut LoadedBody<R>; 2]> {
     bodies.get_disjoint_mut(indices).ok()
 }
 

@@ -1,11 +1,11 @@
 //! Where the loops of an outline lie: centroid, radius and area.
 
 use super::outline_error::OutlineError;
-use super::simple::{Loops, Scale, sides};
+use super::simple::{OutlineExtent, OutlineLoops, sides};
 use crate::real::Real;
 use nalgebra::Vector2;
 
-/// Centroid, distance of the farthest corner from it, and area, in units of a [`Scale`].
+/// Centroid, distance of the farthest corner from it, and area, in units of a [`OutlineExtent`].
 pub(super) struct Frame<R: Real> {
     pub(super) centroid: Vector2<R>,
     pub(super) radius: R,
@@ -13,7 +13,10 @@ pub(super) struct Frame<R: Real> {
 }
 
 impl<R: Real> Frame<R> {
-    pub(super) fn of<'a>(loops: impl Loops<'a, R>, scale: &Scale<R>) -> Result<Self, OutlineError> {
+    pub(super) fn of<'a>(
+        loops: impl OutlineLoops<'a, R>,
+        scale: &OutlineExtent<R>,
+    ) -> Result<Self, OutlineError> {
         let (mut area, mut size) = (R::ZERO, R::ZERO);
         let mut moment = Vector2::new(R::ZERO, R::ZERO);
         for (in_loop, corners) in loops.clone().enumerate() {
@@ -53,7 +56,7 @@ impl<R: Real> Frame<R> {
 }
 
 /// Twice the signed area of a loop; zero if it is not larger than its own rounding.
-pub(super) fn twice_area<R: Real>(corners: &[[R; 2]], scale: &Scale<R>) -> R {
+pub(super) fn twice_area<R: Real>(corners: &[[R; 2]], scale: &OutlineExtent<R>) -> R {
     let (mut area, mut size) = (R::ZERO, R::ZERO);
     for side in sides(corners) {
         let [a, b] = side.map(|corner| scale.at(corner));

@@ -123,7 +123,7 @@ impl<R: Real, S: AsRef<[Triangle<R>]> + AsMut<[Triangle<R>]>> Mesh<R, S> {
         if given > room {
             return Err(MeshError::Room { given, room });
         }
-        let scale = Scale::of(faces.clone())?;
+        let scale = MeshExtent::of(faces.clone())?;
         let loaded = faces.filter_map(|face| scale.loaded(&face));
         let Frame {
             centre,
@@ -140,7 +140,7 @@ impl<R: Real, S: AsRef<[Triangle<R>]> + AsMut<[Triangle<R>]>> Mesh<R, S> {
             *slot = Triangle::new(corner, face.sides.map(reduced), pressures);
             count += 1;
         }
-        let Scale { origin, unit, peak } = scale;
+        let MeshExtent { origin, unit, peak } = scale;
         let (centre, radius) = (origin + centre * unit, radius * unit);
         if !(centre.x + centre.y + radius).is_finite() {
             return Err(MeshError::Extent);
@@ -180,7 +180,7 @@ impl<R: Real, S: AsRef<[Triangle<R>]>> Mesh<R, S> {
     }
 }
 
-/// A triangle that carries load, in the units of a [`Scale`].
+/// A triangle that carries load, in the units of a [`MeshExtent`].
 struct Face<R: Real> {
     /// The first corner, and from there to the others.
     corner: Vector2<R>,
@@ -189,13 +189,13 @@ struct Face<R: Real> {
 }
 
 /// Where the mesh lies, its extent and its largest pressure.
-struct Scale<R: Real> {
+struct MeshExtent<R: Real> {
     origin: Vector2<R>,
     unit: R,
     peak: R,
 }
 
-impl<R: Real> Scale<R> {
+impl<R: Real> MeshExtent<R> {
     /// The scale of triangles, whose places and pressures it checks.
     fn of(faces: impl Iterator<Item = [Vertex<R>; 3]> + Clone) -> Result<Self, MeshError> {
         if faces.clone().next().is_none() {
@@ -268,7 +268,7 @@ impl<R: Real> Scale<R> {
     }
 }
 
-/// Centre of pressure, distance of the farthest corner from it, and load, in units of a [`Scale`].
+/// Centre of pressure, distance of the farthest corner from it, and load, in units of a [`MeshExtent`].
 struct Frame<R: Real> {
     centre: Vector2<R>,
     radius: R,

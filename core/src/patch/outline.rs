@@ -10,7 +10,7 @@ pub use super::outline_error::OutlineError;
 pub use super::parts::Parts;
 
 use super::frame::{Frame, twice_area};
-use super::simple::{Loops, checked, sides};
+use super::simple::{OutlineLoops, checked, sides};
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -70,7 +70,10 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
     }
 
     /// The polygon of loops that nothing is known of.
-    pub(super) fn of_loops<'a>(loops: impl Loops<'a, R>, memory: S) -> Result<Self, OutlineError> {
+    pub(super) fn of_loops<'a>(
+        loops: impl OutlineLoops<'a, R>,
+        memory: S,
+    ) -> Result<Self, OutlineError> {
         let mut edges = memory;
         let count = loops.clone().map(<[_]>::len).sum();
         let room = edges.as_ref().len();

@@ -8,9 +8,9 @@ use nalgebra::Vector2;
 pub(super) type Corners<'a, R> = &'a [[R; 2]];
 
 /// The loops of an outline, the outer one first.
-pub(super) trait Loops<'a, R: 'a>: Iterator<Item = Corners<'a, R>> + Clone {}
+pub(super) trait OutlineLoops<'a, R: 'a>: Iterator<Item = Corners<'a, R>> + Clone {}
 
-impl<'a, R: 'a, L: Iterator<Item = Corners<'a, R>> + Clone> Loops<'a, R> for L {}
+impl<'a, R: 'a, L: Iterator<Item = Corners<'a, R>> + Clone> OutlineLoops<'a, R> for L {}
 
 /// All sides of a loop, the last one back to the first corner.
 pub(super) fn sides<R>(corners: &[[R; 2]]) -> impl Iterator<Item = [&[R; 2]; 2]> + Clone {
@@ -19,12 +19,12 @@ pub(super) fn sides<R>(corners: &[[R; 2]]) -> impl Iterator<Item = [&[R; 2]; 2]>
 }
 
 /// Where the loops lie: their first corner, and the largest distance along an axis from there.
-pub(super) struct Scale<R: Real> {
+pub(super) struct OutlineExtent<R: Real> {
     pub(super) origin: Vector2<R>,
     pub(super) unit: R,
 }
 
-impl<R: Real> Scale<R> {
+impl<R: Real> OutlineExtent<R> {
     /// A corner in these units.
     pub(super) fn at(&self, [x, y]: &[R; 2]) -> Vector2<R> {
         let Self { origin, unit } = self;
@@ -32,7 +32,7 @@ impl<R: Real> Scale<R> {
     }
 
     /// The scale of loops with finite corners.
-    fn of<'a>(loops: impl Loops<'a, R>) -> Result<Self, OutlineError> {
+    fn of<'a>(loops: impl OutlineLoops<'a, R>) -> Result<Self, OutlineError> {
         let mut corners = loops.flat_map(|corners| corners.iter());
         let [x, y] = corners.clone().next().copied().unwrap_or_default();
         let origin = Vector2::new(x, y);
@@ -53,7 +53,9 @@ impl<R: Real> Scale<R> {
 }
 
 /// The scale of loops that bound a patch.
-pub(super) fn checked<'a, R: Real>(loops: impl Loops<'a, R>) -> Result<Scale<R>, OutlineError> {
+pub(super) fn checked<'a, R: Real>(
+    loops: impl OutlineLoops<'a, R>,
+) -> Result<OutlineExtent<R>, OutlineError> {
     if loops.clone().next().is_none() {
         let (in_loop, given) = (0, 0);
         return Err(OutlineError::Corners { in_loop, given });
@@ -61,7 +63,7 @@ pub(super) fn checked<'a, R: Real>(loops: impl Loops<'a, R>) -> Result<Scale<R>,
     for (in_loop, corners) in loops.clone().enumerate() {
         check_corners(in_loop, corners)?;
     }
-    let scale = Scale::of(loops.clone())?;
+    let scale = OutlineExtent::of(loops.clone())?;
     for (first, one) in loops.clone().enumerate() {
         check_folds(first, one, &scale)?;
         for (second, other) in loops.clone().enumerate().skip(first) {
@@ -93,7 +95,7 @@ fn check_corners<R: Real>(in_loop: usize, corners: &[[R; 2]]) -> Result<(), Outl
 fn check_folds<R: Real>(
     in_loop: usize,
     corners: &[[R; 2]],
-    scale: &Scale<R>,
+    scale: &OutlineExtent<R>,
 ) -> Result<(), OutlineError> {
     let after = sides(corners).cycle().skip(1);
     for (edge, (one, other)) in sides(corners).zip(after).enumerate() {
@@ -114,7 +116,7 @@ fn check_folds<R: Real>(
 fn check_crossings<R: Real>(
     [first, second]: [usize; 2],
     [one, other]: [Corners<'_, R>; 2],
-    scale: &Scale<R>,
+    scale: &OutlineExtent<R>,
 ) -> Result<(), OutlineError> {
     let last = one.len().saturating_sub(1);
     for (i, a) in sides(one).enumerate() {
@@ -134,8 +136,8 @@ fn check_crossings<R: Real>(
 
 /// Every loop but the first lies inside of it and outside of the others.
 fn check_holes<'a, R: Real>(
-    loops: impl Loops<'a, R>,
-    scale: &Scale<R>,
+    loops: impl OutlineLoops<'a, R>,
+    scale: &OutlineExtent<R>,
 ) -> Result<(), OutlineError> {
     for (in_loop, hole) in loops.clone().enumerate().skip(1) {
         for corner in hole.iter().take(1) {
@@ -150,7 +152,7 @@ fn check_holes<'a, R: Real>(
 }
 
 /// True if a ray from the point along the first axis crosses the loop an odd number of times.
-fn contains<R: Real>(corners: &[[R; 2]], point: &[R; 2], scale: &Scale<R>) -> bool {
+fn contains<R: Real>(corners: &[[R; 2]], point: &[R; 2], scale: &OutlineExtent<R>) -> bool {
     let point = scale.at(point);
     let crossed = sides(corners).filter(|side| {
         let [a, b] = side.map(|end| scale.at(end));

@@ -1,7 +1,7 @@
 //! Slip that begins before the surface is reached: Dahl's law and its kin for any patch.
 
 use super::pose::{Anchor, Axes, Pose};
-use super::root::{Sample, falling_root};
+use super::root::{BracketPoint, falling_root};
 use super::{Presliding, PreslidingStep, Settled};
 use crate::law::{LawError, validated_not_negative, validated_positive};
 use crate::limit_surface::{FrictionSet, without_gain};
@@ -30,7 +30,7 @@ use crate::twist::{Displacement, Twist, Wrench};
 /// g₀, and the law read back from z⁺ there, slip = D h(g), holds to εᵐ (2 % for m = 0.1). *Cost*: two projections at most where nothing slips or all
 /// does, about ten between.
 /// *Source*: P. R. Dahl, Aerospace Corp. TOR-0158 (1968); P. Dupont, V. Hayward, B. Armstrong,
-/// F. Altpeter, IEEE Trans. Autom. Control 47 (2002) 787 (elasto-plastic). The form for three
+/// F. Altpeter, IEEE Trans. Autom. WallControl 47 (2002) 787 (elasto-plastic). The form for three
 /// directions, by the gauge, is ours.
 ///
 /// ```
@@ -59,7 +59,7 @@ pub struct MicroslipPresliding<R> {
 }
 
 /// A trial wrench, and what decides how much of it slips away.
-struct Trial<'a, R: Real, S: ?Sized> {
+struct TrialWrench<'a, R: Real, S: ?Sized> {
     law: &'a MicroslipPresliding<R>,
     set: &'a S,
     wanted: Wrench<R>,
@@ -162,7 +162,7 @@ impl<R: Real> MicroslipPresliding<R> {
             return Settled::held(strain, &wanted);
         }
         // All that is beyond the set slips whatever the law.
-        let trial = Trial {
+        let trial = TrialWrench {
             law: self,
             set,
             wanted,
@@ -195,7 +195,7 @@ impl<R: Real> MicroslipPresliding<R> {
     }
 }
 
-impl<R: Real, S: FrictionSet<R> + ?Sized> Trial<'_, R, S> {
+impl<R: Real, S: FrictionSet<R> + ?Sized> TrialWrench<'_, R, S> {
     /// The point of g K nearest to the trial, and the factor λ of slip = λ n; λ falls with g.
     fn at(&self, g: R) -> (Wrench<R>, R) {
         let w = &self.wanted;
@@ -223,8 +223,8 @@ impl<R: Real, S: FrictionSet<R> + ?Sized> Trial<'_, R, S> {
         });
         let highest = if gauge < R::ONE { gauge } else { R::ONE };
         let ends = [
-            Sample::new(law.breakaway, most),
-            Sample::new(highest, excess(highest)),
+            BracketPoint::new(law.breakaway, most),
+            BracketPoint::new(highest, excess(highest)),
         ];
         self.at(falling_root(excess, ends, most + self.driven)).0
     }

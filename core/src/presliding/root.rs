@@ -4,12 +4,12 @@ use crate::real::Real;
 
 /// A place, and the value there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sample<R> {
+pub(super) struct BracketPoint<R> {
     at: R,
     value: R,
 }
 
-impl<R> Sample<R> {
+impl<R> BracketPoint<R> {
     pub(super) const fn new(at: R, value: R) -> Self {
         Self { at, value }
     }
@@ -26,7 +26,7 @@ const DONE_ULPS: f64 = 4.0;
 ///
 /// Regula falsi in the Illinois form (Dowell & Jarratt, BIT 11 (1971) 168), with a bisection where it
 /// does not halve the bracket in three steps.
-pub(super) fn falling_root<R: Real>(f: impl Fn(R) -> R, ends: [Sample<R>; 2], scale: R) -> R {
+pub(super) fn falling_root<R: Real>(f: impl Fn(R) -> R, ends: [BracketPoint<R>; 2], scale: R) -> R {
     let none = R::from_f64(DONE_ULPS) * R::EPSILON * scale;
     let [mut low, mut high] = ends;
     let mut width = high.at - low.at;
@@ -64,10 +64,10 @@ pub(super) fn falling_root<R: Real>(f: impl Fn(R) -> R, ends: [Sample<R>; 2], sc
             R::ONE
         };
         if is_low {
-            low = Sample::new(at, value);
+            low = BracketPoint::new(at, value);
             high.value *= stays;
         } else {
-            high = Sample::new(at, value);
+            high = BracketPoint::new(at, value);
             low.value *= stays;
         }
         was_low = Some(is_low);
@@ -107,7 +107,7 @@ mod tests {
                     count.set(count.get() + 1);
                     f(g)
                 };
-                let ends = [Sample::new(0.0, 1.5), Sample::new(1.0, -driven)];
+                let ends = [BracketPoint::new(0.0, 1.5), BracketPoint::new(1.0, -driven)];
                 let root = falling_root(counted, ends, 1.5 + driven);
                 let scale = 1.5 + driven;
                 let off = f(root).abs();

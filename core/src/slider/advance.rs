@@ -2,10 +2,10 @@
 //! the way to rest otherwise.
 
 use super::eighth_order;
-use super::march::{Outcome, Until, march};
+use super::march::{IntegrationTarget, Outcome, march};
 use super::rest::SliderRest;
 use super::runge_kutta;
-use super::single::Stepped;
+use super::single::ShortIntegration;
 use super::{Slider, SliderState};
 use crate::coupling::{PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
@@ -54,8 +54,8 @@ const KINKED: f64 = 0.5;
 const KINKED_ERROR: f64 = 16.0;
 
 /// What short steps find, if they are exact.
-struct Tried<R> {
-    end: Option<Stepped<R>>,
+struct ShortStepResult<R> {
+    end: Option<ShortIntegration<R>>,
     evaluations: u32,
 }
 
@@ -88,13 +88,13 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
             };
         }
         let time = self.time_unit(motion).measure(duration);
-        let Tried { end, evaluations } = if R::IS_SINGLE {
+        let ShortStepResult { end, evaluations } = if R::IS_SINGLE {
             let (end, evaluations) = self.few_steps(speeds, time);
-            Tried { end, evaluations }
+            ShortStepResult { end, evaluations }
         } else {
             self.short_step(speeds, time)
         };
-        if let Some(Stepped { kept, paths }) = end {
+        if let Some(ShortIntegration { kept, paths }) = end {
             let motion = self.moved(motion, kept, [time, paths[0], paths[1]]);
             return Advance {
                 motion: SliderState {
@@ -109,7 +109,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
         if !is_finite {
             return lost(motion, later, evaluations);
         }
-        let mut marched = march(self, speeds, Until::Time(time));
+        let mut marched = march(self, speeds, IntegrationTarget::Time(time));
         marched.evaluations += evaluations;
         match marched.outcome {
             Outcome::Time => Advance {
@@ -136,12 +136,12 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     }
 
     /// Tries one Runge–Kutta step over a time in units of m₀^(1−α)/κ, in double precision.
-    fn short_step(&self, speeds: [R; 2], time: R) -> Tried<R> {
+    fn short_step(&self, speeds: [R; 2], time: R) -> ShortStepResult<R> {
         let at = Speeds::new(speeds[0], speeds[1]);
         let [slide, rim] = self.fading_rates(&at);
         let fastest = if slide > rim { slide } else { rim };
         let fading = fastest * time;
-        let mut tried = Tried {
+        let mut tried = ShortStepResult {
             end: None,
             evaluations: 1,
         };
@@ -189,8 +189,8 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
 }
 
 /// From ln v₀/v, ln w₀/w and the two paths in units of v₀ and w₀.
-fn kept_after<R: Real>([slide, rim, distance, angle]: [R; 4]) -> Stepped<R> {
-    Stepped {
+fn kept_after<R: Real>([slide, rim, distance, angle]: [R; 4]) -> ShortIntegration<R> {
+    ShortIntegration {
         kept: [(-slide).exp(), (-rim).exp()],
         paths: [distance, angle],
     }

@@ -11,12 +11,12 @@
 //! fixed point, the kink of force and torque at equal speeds, the powers of a vanishing ratio. All
 //! singularities of the wrench keep the distance π from the real axis of p.
 
-use crate::coupling::{Lead, Speeds};
+use crate::coupling::{DominantSpeed, Speeds};
 use crate::real::Real;
 
 /// Where a leg leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum End {
+pub(super) enum ArcEnd {
     /// Through equal speeds to the other side.
     EqualSpeeds,
     /// To the ratio that stays: a fixed point, or 0.
@@ -25,13 +25,13 @@ pub(super) enum End {
 
 /// One stretch.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Leg<R> {
-    pub lead: Lead,
+pub(super) struct DirectionArc<R> {
+    pub lead: DominantSpeed,
     pub bottom: R,
     pub top: R,
     /// True if h grows, and p falls.
     pub rising: bool,
-    pub end: End,
+    pub end: ArcEnd,
     /// Where the motion is.
     pub p: R,
     /// Where the leg is over.
@@ -39,7 +39,7 @@ pub(super) struct Leg<R> {
 }
 
 /// A place on a leg.
-pub(super) struct Place<R> {
+pub(super) struct ArcPoint<R> {
     pub at: Speeds<R>,
     /// −d ln h/dp
     pub share: R,
@@ -56,13 +56,13 @@ const FAINT: [f64; 2] = [18.0, 9.0];
 /// Longest panel between: its nodes lie well within the distance π of the singularities.
 const LONGEST: f64 = 10.0 / 3.0;
 
-impl<R: Real> Leg<R> {
+impl<R: Real> DirectionArc<R> {
     /// The leg from the ratio h (its logarithm, its distance from 1) between two ends.
     pub fn new(
-        lead: Lead,
+        lead: DominantSpeed,
         [bottom, top]: [R; 2],
         rising: bool,
-        end: End,
+        end: ArcEnd,
         [ratio, ln_ratio, gap]: [R; 3],
     ) -> Self {
         let below = if top == R::ONE { gap } else { top - ratio };
@@ -74,9 +74,9 @@ impl<R: Real> Leg<R> {
         };
         let width = top - bottom;
         let goal = match end {
-            End::EqualSpeeds => -edge::<R>(),
-            End::Settled if bottom == R::ZERO && !rising => vanished::<R>(),
-            End::Settled => {
+            ArcEnd::EqualSpeeds => -edge::<R>(),
+            ArcEnd::Settled if bottom == R::ZERO && !rising => vanished::<R>(),
+            ArcEnd::Settled => {
                 let limit = if rising { top } else { bottom };
                 let depth = (width / nearness(limit)).ln();
                 if rising { -depth } else { depth }
@@ -96,14 +96,14 @@ impl<R: Real> Leg<R> {
     }
 
     /// The leg that begins at equal speeds.
-    pub fn from_equal(lead: Lead, bottom: R) -> Self {
+    pub fn from_equal(lead: DominantSpeed, bottom: R) -> Self {
         Self {
             p: -edge::<R>(),
             ..Self::new(
                 lead,
                 [bottom, R::ONE],
                 false,
-                End::Settled,
+                ArcEnd::Settled,
                 [R::ONE, R::ZERO, R::ZERO],
             )
         }
@@ -120,7 +120,7 @@ impl<R: Real> Leg<R> {
 
     /// The sign of C_α − C that drives the motion along the leg.
     pub fn sign(&self) -> R {
-        if self.rising == (self.lead == Lead::Spinning) {
+        if self.rising == (self.lead == DominantSpeed::Spinning) {
             R::ONE
         } else {
             -R::ONE
@@ -133,7 +133,7 @@ impl<R: Real> Leg<R> {
     }
 
     /// Speeds at `p`.
-    pub fn place(&self, p: R) -> Place<R> {
+    pub fn place(&self, p: R) -> ArcPoint<R> {
         let small = (-p.abs()).exp();
         let large = R::ONE / (R::ONE + small);
         let small = small * large;
@@ -148,7 +148,7 @@ impl<R: Real> Leg<R> {
         let gap = (R::ONE - self.top) + below;
         // Profiles know speeds that differ by a rounding error or not at all.
         let gap = if gap > R::EPSILON { gap } else { R::EPSILON };
-        Place {
+        ArcPoint {
             at: Speeds::from_ratio_and_gap(self.lead, ratio, gap),
             share: if self.bottom == R::ZERO {
                 down

@@ -1,6 +1,6 @@
 //! A motion followed to rest.
 
-use super::march::{Marched, Outcome, Until, march};
+use super::march::{IntegrationTarget, Outcome, PanelResult, march};
 use super::{Slider, SliderState};
 use crate::coupling::{PowerLawFriction, ReducedFriction};
 use crate::real::Real;
@@ -57,7 +57,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
                 evaluations: 0,
             });
         }
-        let marched = march(self, speeds, Until::Rest);
+        let marched = march(self, speeds, IntegrationTarget::Rest);
         match marched.outcome {
             Outcome::Rest => Some(self.rest_of(motion, &marched)),
             Outcome::Time | Outcome::Unfit => None,
@@ -65,7 +65,11 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     }
 
     /// The rest to which a march has come.
-    pub(super) fn rest_of(&self, motion: &SliderState<R>, marched: &Marched<R>) -> SliderRest<R> {
+    pub(super) fn rest_of(
+        &self,
+        motion: &SliderState<R>,
+        marched: &PanelResult<R>,
+    ) -> SliderRest<R> {
         let after = self.after(motion, marched.faded, marched.sums);
         SliderRest {
             motion: SliderState {

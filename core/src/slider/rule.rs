@@ -18,19 +18,28 @@ pub(super) struct Rule<R: 'static, const N: usize> {
 
 /// The rule of N points, 16 or 8.
 pub(super) fn rule<R: Real, const N: usize>() -> Rule<R, N> {
-    let [nodes, weights] = R::pick(Made::<N>::POINTS_SINGLE, Made::<N>::POINTS);
+    let [nodes, weights] = R::pick(
+        RuleConstants::<N>::POINTS_SINGLE,
+        RuleConstants::<N>::POINTS,
+    );
     Rule {
         nodes,
         weights,
-        running: R::pick(Made::<N>::RUNNING_SINGLE, Made::<N>::RUNNING),
-        legendre: R::pick(Made::<N>::LEGENDRE_SINGLE, Made::<N>::LEGENDRE),
+        running: R::pick(
+            RuleConstants::<N>::RUNNING_SINGLE,
+            RuleConstants::<N>::RUNNING,
+        ),
+        legendre: R::pick(
+            RuleConstants::<N>::LEGENDRE_SINGLE,
+            RuleConstants::<N>::LEGENDRE,
+        ),
     }
 }
 
 /// What the compiler computes; a program holds what it reads alone.
-struct Made<const N: usize>;
+struct RuleConstants<const N: usize>;
 
-impl<const N: usize> Made<N> {
+impl<const N: usize> RuleConstants<N> {
     const POINTS: &'static [[f64; N]; 2] = &points();
     const RUNNING: &'static [[f64; N]; N] = &running_weights(Self::POINTS);
     const LEGENDRE: &'static [[f64; N]; N] = &coefficient_weights(Self::POINTS);

@@ -15,7 +15,7 @@ use super::runge_kutta;
 use crate::coupling::{PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 
-/// Fading of the faster speed in one step, and in the whole time at the rate of its start: beyond, rest
+/// DecayRates of the faster speed in one step, and in the whole time at the rate of its start: beyond, rest
 /// is near.
 const LONGEST: f64 = 0.125;
 const FARTHEST: f64 = 0.75;
@@ -37,7 +37,7 @@ const STEP_EVALUATIONS: u32 = 6;
 
 /// What a motion has come to.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stepped<R> {
+pub(super) struct ShortIntegration<R> {
     /// v/v₀ and w/w₀.
     pub kept: [R; 2],
     /// Distance and angle in units of the first speeds.
@@ -45,7 +45,7 @@ pub(super) struct Stepped<R> {
 }
 
 /// Rates at which speeds fade.
-struct Fading<R> {
+struct DecayRates<R> {
     rates: [R; 2],
     fastest: R,
     /// Distance of the speeds from each other over the larger one.
@@ -54,10 +54,10 @@ struct Fading<R> {
 
 impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     /// Follows a motion for a time in units of m₀^(1−α)/κ, if a few steps do; and the evaluations.
-    pub(super) fn few_steps(&self, speeds: [R; 2], time: R) -> (Option<Stepped<R>>, u32) {
+    pub(super) fn few_steps(&self, speeds: [R; 2], time: R) -> (Option<ShortIntegration<R>>, u32) {
         let major = Speeds::new(speeds[0], speeds[1]).major();
         let first = speeds.map(|speed| speed / major);
-        let mut now = Stepped {
+        let mut now = ShortIntegration {
             kept: [R::ONE; 2],
             paths: [R::ZERO; 2],
         };
@@ -97,7 +97,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     }
 
     /// y₀ to y₃ after one step, if it is exact.
-    fn one_step(&self, at: [R; 2], fading: &Fading<R>, size: R) -> Option<[R; 4]> {
+    fn one_step(&self, at: [R; 2], fading: &DecayRates<R>, size: R) -> Option<[R; 4]> {
         let [slide, rim] = fading.rates;
         let start = [slide, rim, R::ZERO, R::ZERO];
         let (end, error) = runge_kutta::step_along(&[R::ZERO; 4], start, size, |y| {
@@ -119,7 +119,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
         is_exact.then_some(end)
     }
 
-    fn fading(&self, [slide, rim]: [R; 2]) -> Fading<R> {
+    fn fading(&self, [slide, rim]: [R; 2]) -> DecayRates<R> {
         let at = Speeds::new(slide, rim);
         let pace = self.profile.rate_scale(at.major());
         let rates = self.fading_rates(&at).map(|rate| rate * pace);
@@ -128,7 +128,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
         } else {
             rates[1]
         };
-        Fading {
+        DecayRates {
             rates,
             fastest,
             gap: at.gap(),

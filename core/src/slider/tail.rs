@@ -11,7 +11,7 @@ use crate::real::Real;
 
 /// Rates here and in the end.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tail<R> {
+pub(super) struct FinalDecay<R> {
     /// Rates of fading of both speeds, here.
     pub here: [R; 2],
     /// In the end.
@@ -26,7 +26,7 @@ const MOST_CORRECTIONS: u32 = 48;
 /// Rounding errors of the integral, two differences of exponentials, within which a time is met.
 const MET_ULPS: f64 = 16.0;
 
-impl<R: Real> Tail<R> {
+impl<R: Real> FinalDecay<R> {
     /// The whole integral of an integrand that falls at the rate `here` and in the end at `end`.
     pub fn all(&self, here: R, end: R) -> R {
         if self.is_slow(end) {
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn the_time_that_is_found_is_the_one_asked_for_and_a_miss_is_told() {
-        let tail = |settling: f64| Tail {
+        let tail = |settling: f64| FinalDecay {
             here: [1.0; 2],
             end: [1.0; 2],
             settling,

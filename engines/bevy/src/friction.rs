@@ -19,12 +19,12 @@ pub struct PatchFriction {
     /// The time from the step's beginning to rest in seconds, if the foot stopped in this step.
     pub stopped_after: Option<f32>,
     /// Friction in the last substep: where the next step begins.
-    pub(crate) last: Last,
+    pub(crate) last: SubstepFriction,
 }
 
 /// Friction in a substep.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Last {
+pub(crate) struct SubstepFriction {
     /// Force in newtons.
     pub(crate) force: Vec3,
     /// Torque about the patch's centre in N m.

@@ -50,7 +50,7 @@ struct Touching {
 }
 
 /// Contacts of feet on one plane, until all have been seen.
-struct Draft {
+struct FootGroupBuilder {
     first: Touching,
     members: Vec<Member>,
     normals: Vec3,
@@ -71,7 +71,7 @@ pub(crate) fn gather_feet(
     if patches.is_empty() {
         return;
     }
-    let mut drafts: Vec<Draft> = Vec::new();
+    let mut drafts: Vec<FootGroupBuilder> = Vec::new();
     for (color, graph) in constraints.colors.iter_mut().enumerate() {
         for (index, constraint) in graph.contact_constraints.iter_mut().enumerate() {
             let Some((_, pair)) = contacts.get_by_id(constraint.contact_id) else {
@@ -92,11 +92,13 @@ pub(crate) fn gather_feet(
             }
             match drafts.iter_mut().find(|draft| draft.takes(&touching)) {
                 Some(draft) => draft.add(touching),
-                None => drafts.push(Draft::new(touching)),
+                None => drafts.push(FootGroupBuilder::new(touching)),
             }
         }
     }
-    groups.0.extend(drafts.into_iter().map(Draft::finish));
+    groups
+        .0
+        .extend(drafts.into_iter().map(FootGroupBuilder::finish));
 }
 
 /// The contact as one of a patch, if the collider on side `foot` has one that faces it.
@@ -151,7 +153,7 @@ fn touching(
     })
 }
 
-impl Draft {
+impl FootGroupBuilder {
     fn new(first: Touching) -> Self {
         Self {
             members: vec![first.member.clone()],

@@ -1,7 +1,7 @@
 //! The feet of one body on the ground through one substep of the engine.
 
 use crate::frame::{Change, Frame, relative};
-use crate::friction::{Last, PatchFriction};
+use crate::friction::{PatchFriction, SubstepFriction};
 use crate::reduced::{Inverse, Reduced};
 use avian3d::dynamics::integrator::VelocityIntegrationData;
 use avian3d::dynamics::solver::constraint_graph::ConstraintGraph;
@@ -51,7 +51,7 @@ pub(crate) struct Member {
     /// Places of its contacts in the constraint graph: colour and index.
     pub(crate) contacts: Vec<[usize; 2]>,
     /// Friction of the last substep.
-    pub(crate) last: Last,
+    pub(crate) last: SubstepFriction,
     /// Normal impulse in N s with which friction was last solved.
     solved: Option<f32>,
     /// Sums over the substeps.
@@ -81,7 +81,7 @@ impl Member {
             along: Vec3::X,
             lever: Vec3::ZERO,
             contacts: Vec::new(),
-            last: Last::default(),
+            last: SubstepFriction::default(),
             solved: None,
             sums: Sums::default(),
         }
@@ -174,7 +174,7 @@ impl Group {
             stopped_after: None,
         };
         for member in &group.members {
-            let Last { force, torque, .. } = member.last;
+            let SubstepFriction { force, torque, .. } = member.last;
             let torque = torque + member.arm.cross(frame.flat(force));
             group.friction += frame.flat_wrench(force, torque);
         }

@@ -1,13 +1,13 @@
 //! All pairs with a patch, around the engine's step.
 
 use crate::grounds::{Ground, GroundMu};
-use crate::group::{self, Begun, Member};
-use crate::handed::Lent;
-use crate::pair::{Friction, Pair, Stop, Touching};
+use crate::group::{self, Member, PendingPrediction};
+use crate::handed::TemporaryForces;
+use crate::pair::{ContactLoad, Friction, Pair, Stop};
 use crate::patch::Patch;
 use crate::refusal::{PairError, check};
-use crate::stand::Stand;
-use crate::touching::{Awake, bodies_of, colliders_of};
+use crate::stand::FootPose;
+use crate::touching::{ActivePair, bodies_of, colliders_of};
 use rapier3d::prelude::*;
 
 /// Pairs of colliders whose friction is that of a patch.
@@ -60,13 +60,13 @@ pub struct PatchContacts {
     /// Grounds on which feet get patches from their shapes.
     grounds: Vec<Ground>,
     /// Forces and offsets that bodies have received for the current step, group after group.
-    lent: Vec<Lent>,
+    lent: Vec<TemporaryForces>,
     /// Prediction for each group, by the handle of its body.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
-    begun: Vec<Begun>,
+    begun: Vec<PendingPrediction>,
     /// Positions of the feet of all groups.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
-    stands: Vec<Stand>,
+    stands: Vec<FootPose>,
     /// Memory that each step uses again.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     members: Vec<Member>,
@@ -484,7 +484,8 @@ impl PatchContacts {
             if core::mem::take(&mut pair.is_next) {
                 continue;
             }
-            let Some(awake) = Awake::of([pair.foot, pair.ground], bodies, colliders, narrow_phase)
+            let Some(awake) =
+                ActivePair::of([pair.foot, pair.ground], bodies, colliders, narrow_phase)
             else {
                 continue;
             };
@@ -560,7 +561,7 @@ impl Member {
         pair: usize,
         body: RigidBodyHandle,
         ground: Option<RigidBodyHandle>,
-        touching: Touching,
+        touching: ContactLoad,
     ) -> Self {
         Self {
             pair,

@@ -1,9 +1,9 @@
 //! Grounds on which all that stands flat has a patch of its own shape.
 
-use crate::pair::{Known, Pair};
+use crate::pair::{Pair, PreviousStep};
 use crate::patch::Patch;
 use crate::soles::{Face, face};
-use crate::touching::{Awake, colliders_of};
+use crate::touching::{ActivePair, colliders_of};
 use rapier3d::prelude::*;
 
 /// The coefficient of friction on a ground.
@@ -100,7 +100,7 @@ impl Ground {
         dt: f32,
     ) -> Option<Pair> {
         let handles = [foot, self.collider];
-        let awake = Awake::of(handles, bodies, colliders, narrow_phase)?;
+        let awake = ActivePair::of(handles, bodies, colliders, narrow_phase)?;
         let touching = awake.touching(self.collider, dt)?;
         let [shape, below] = colliders_of(handles, colliders)?;
         let patch = self.patch(&self.face(shape, touching.normal)?, shape, below)?;
@@ -108,7 +108,7 @@ impl Ground {
         pair.face = Some(patch.1);
         if awake.has_friction() {
             // The step was the engine's own: the patch begins with the next one.
-            pair.known = Some(Known::new(
+            pair.known = Some(PreviousStep::new(
                 touching,
                 None,
                 awake.ground.and_then(|handle| bodies.get(handle)),

@@ -6,10 +6,10 @@
 //! motion: at rest it is zero to the last bit.
 
 use crate::frame::{Carried, Frame, relative};
-use crate::handed::Lent;
-use crate::pair::{Friction, Known, Pair, Stop, Touching};
+use crate::handed::TemporaryForces;
+use crate::pair::{ContactLoad, Friction, Pair, PreviousStep, Stop};
 use crate::reduced::{Reduced, accelerate, is_free};
-use crate::stand::Stand;
+use crate::stand::FootPose;
 use core::ops::Range;
 use rapier3d::prelude::*;
 use tribos_core::contact::TimeStep;
@@ -27,14 +27,14 @@ pub(crate) struct Member {
     pub(crate) body: RigidBodyHandle,
     /// Body of the ground; a collider without body is at rest.
     pub(crate) ground: Option<RigidBodyHandle>,
-    pub(crate) touching: Touching,
+    pub(crate) touching: ContactLoad,
     /// Belongs to a group that has been solved.
     pub(crate) is_done: bool,
 }
 
 /// Prediction made before the engine's step.
 #[derive(Clone, Debug)]
-pub(crate) struct Begun {
+pub(crate) struct PendingPrediction {
     pub(crate) body: RigidBodyHandle,
     /// The body of the first foot's ground.
     ground: Option<RigidBodyHandle>,
@@ -47,12 +47,12 @@ pub(crate) struct Begun {
     pub(crate) lent: usize,
 }
 
-impl Begun {
+impl PendingPrediction {
     /// Whether a foot belongs to the group, whose feet began at `stands`.
     pub(crate) fn takes(
         &self,
         member: &Member,
-        stands: &[Stand],
+        stands: &[FootPose],
         pairs: &[Pair],
         bodies: &RigidBodySet,
     ) -> bool {
@@ -110,12 +110,12 @@ fn share_motion(
 /// The feet of a group on their ground.
 fn standing<'a>(
     members: &[Member],
-    stands: &[Stand],
+    stands: &[FootPose],
     pairs: &'a [Pair],
     reduced: &'a Reduced,
     drift: impl Fn(&Member) -> [f64; 3],
 ) -> Option<Standing<'a>> {
-    let foot = |(member, stand): (&Member, &Stand)| {
+    let foot = |(member, stand): (&Member, &FootPose)| {
         let patch = &pairs.get(member.pair)?.patch;
         Some(Foot {
             footprint: patch.footprint(),
@@ -133,7 +133,7 @@ fn standing<'a>(
             &[foot((member, stand))?],
         ));
     }
-    let with_drift = |both: (&Member, &Stand)| {
+    let with_drift = |both: (&Member, &FootPose)| {
         let drift = drift(both.0);
         Some(Foot {
             drift,
@@ -171,8 +171,8 @@ pub(crate) fn begin(
     parameters: &IntegrationParameters,
     bodies: &mut RigidBodySet,
     colliders: &ColliderSet,
-    all_stands: &mut Vec<Stand>,
-) -> Option<(Begun, [Option<Lent>; 2])> {
+    all_stands: &mut Vec<FootPose>,
+) -> Option<(PendingPrediction, [Option<TemporaryForces>; 2])> {
     let first = members.first()?;
     let foot = bodies.get(first.body)?;
     let ground = first.ground.and_then(|handle| bodies.get(handle));
@@ -191,7 +191,7 @@ pub(crate) fn begin(
     let half_turn = 0.25 * parameters.dt * foot.angvel().dot(normal);
     let from = all_stands.len();
     for member in members {
-        let stand = Stand::now(pairs.get(member.pair)?, &frame, foot, colliders)?;
+        let stand = FootPose::now(pairs.get(member.pair)?, &frame, foot, colliders)?;
         all_stands.push(stand.turned(half_turn));
     }
     let stands = from..all_stands.len();
@@ -215,9 +215,9 @@ pub(crate) fn begin(
     let handles = [Some(first.body), first.ground];
     let lent = [0, 1].map(|i| {
         let handle = handles[i].filter(|_| reduced.moved[i])?;
-        Lent::to(bodies, handle, forces[i], offsets[i])
+        TemporaryForces::to(bodies, handle, forces[i], offsets[i])
     });
-    let begun = Begun {
+    let begun = PendingPrediction {
         body: first.body,
         ground: first.ground,
         frame,
@@ -232,7 +232,7 @@ pub(crate) fn begin(
 /// Corrects the step with the loads and pushes that the engine has found. Feet of `members` that did
 /// not begin the step are taken at their current position.
 pub(crate) fn finish(
-    begun: Option<(Begun, &[Stand])>,
+    begun: Option<(PendingPrediction, &[FootPose])>,
     members: &[Member],
     pairs: &mut [Pair],
     parameters: &IntegrationParameters,
@@ -259,10 +259,10 @@ pub(crate) fn finish(
         let pair = pairs.get(member.pair)?;
         let begun = begun.iter().flat_map(|(_, stands)| *stands);
         let kept = begun.copied().find(|stand| stand.is_of(pair));
-        kept.or_else(|| Stand::now(pair, &frame, foot, colliders))
+        kept.or_else(|| FootPose::now(pair, &frame, foot, colliders))
     };
     let drift = |member: &Member| drift(member, &after, &frame, foot, bodies);
-    let on = |stands: &[Stand]| {
+    let on = |stands: &[FootPose]| {
         let standing = standing(members, stands, pairs, &reduced, drift)?;
         let end = standing.correct(step, &after, dt)?;
         let stops = end.ended.is_at_rest() && was_sliding(members, pairs);
@@ -285,7 +285,7 @@ pub(crate) fn finish(
     for (number, member) in members.iter().enumerate() {
         let foot = end.ended.foot(number);
         let ground = member.ground.and_then(|handle| bodies.get(handle));
-        let known = Known::new(member.touching, end.held, ground);
+        let known = PreviousStep::new(member.touching, end.held, ground);
         remember(&mut pairs[member.pair], known, &foot, &frame, stop);
     }
     Some(())
@@ -302,7 +302,13 @@ fn was_sliding(members: &[Member], pairs: &[Pair]) -> bool {
 }
 
 /// Stores the results of a step for a foot.
-fn remember(pair: &mut Pair, known: Known, foot: &FootFriction, frame: &Frame, stop: Option<Stop>) {
+fn remember(
+    pair: &mut Pair,
+    known: PreviousStep,
+    foot: &FootFriction,
+    frame: &Frame,
+    stop: Option<Stop>,
+) {
     let FootFriction { wrench, holds } = *foot;
     pair.stop = stop.filter(|_| !pair.friction.holds);
     pair.friction = Friction {

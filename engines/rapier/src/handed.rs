@@ -9,7 +9,7 @@ use rapier3d::prelude::*;
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
-pub(crate) struct Lent {
+pub(crate) struct TemporaryForces {
     body: RigidBodyHandle,
     /// Changes of the linear and angular velocity.
     offset: [Vector; 2],
@@ -17,7 +17,7 @@ pub(crate) struct Lent {
     user: [Vector; 2],
 }
 
-impl Lent {
+impl TemporaryForces {
     /// Adds a force, a torque and an offset.
     pub(crate) fn to(
         bodies: &mut RigidBodySet,

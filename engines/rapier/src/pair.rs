@@ -85,7 +85,7 @@ pub struct Stop {
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
-pub(crate) struct Touching {
+pub(crate) struct ContactLoad {
     /// Normal load in newtons.
     pub(crate) load: f32,
     /// Normal from the ground to the foot.
@@ -100,8 +100,8 @@ pub(crate) struct Touching {
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
-pub(crate) struct Known {
-    pub(crate) touching: Touching,
+pub(crate) struct PreviousStep {
+    pub(crate) touching: ContactLoad,
     /// Force and torque in the plane beyond the expected ones, if friction held against them.
     held: Option<[f32; 3]>,
     /// Linear and angular velocity of the ground after the step.
@@ -122,7 +122,7 @@ pub(crate) struct Pair {
     pub(crate) face: Option<Vector>,
     /// Whether the current step is the engine's own, and the patch begins with the next one.
     pub(crate) is_next: bool,
-    pub(crate) known: Option<Known>,
+    pub(crate) known: Option<PreviousStep>,
     pub(crate) friction: Friction,
     pub(crate) stop: Option<Stop>,
 }
@@ -151,9 +151,9 @@ impl Pair {
     }
 }
 
-impl Known {
+impl PreviousStep {
     pub(crate) fn new(
-        touching: Touching,
+        touching: ContactLoad,
         held: Option<Wrench<f32>>,
         ground: Option<&RigidBody>,
     ) -> Self {

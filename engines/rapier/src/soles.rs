@@ -67,7 +67,7 @@ pub(crate) fn face<'a>(shape: &'a dyn Shape, down: Vector) -> Option<Face<'a>> {
 }
 
 /// The area of a face.
-pub(crate) struct Sole {
+pub(crate) struct FlatFace {
     pub(crate) footprint: Footprint,
     /// Its middle in the shape's frame.
     pub(crate) center: Vector,
@@ -77,7 +77,7 @@ pub(crate) struct Sole {
 
 impl Face<'_> {
     /// `None` for a face without area.
-    pub(crate) fn sole(&self) -> Option<Sole> {
+    pub(crate) fn sole(&self) -> Option<FlatFace> {
         // Seen from above the foot: x, the second axis and the normal from the ground are right-handed.
         let along = self.normal.any_orthonormal_vector();
         let across = along.cross(self.normal);
@@ -99,7 +99,7 @@ impl Face<'_> {
                 Footprint::convex(&corners).ok()?
             }
         };
-        Some(Sole {
+        Some(FlatFace {
             footprint,
             center: along * x + across * y,
             along,

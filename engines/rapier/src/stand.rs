@@ -6,7 +6,7 @@ use rapier3d::prelude::*;
 
 /// Position of a foot in the plane after half a step.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stand {
+pub(crate) struct FootPose {
     pub(crate) foot: ColliderHandle,
     pub(crate) ground: ColliderHandle,
     pub(crate) place: [f64; 2],
@@ -14,7 +14,7 @@ pub(crate) struct Stand {
     pub(crate) axis: [f64; 2],
 }
 
-impl Stand {
+impl FootPose {
     /// The current position of a foot in the plane.
     pub(crate) fn now(
         pair: &Pair,

@@ -1,11 +1,11 @@
 //! Pairs that the engine treats, and the results of its solver at a contact.
 
-use crate::pair::Touching;
+use crate::pair::ContactLoad;
 use rapier3d::parry::utils::PoseOpt;
 use rapier3d::prelude::*;
 
 /// A pair whose foot is not asleep.
-pub(crate) struct Awake<'a> {
+pub(crate) struct ActivePair<'a> {
     pub(crate) body: RigidBodyHandle,
     /// Body of the ground.
     pub(crate) ground: Option<RigidBodyHandle>,
@@ -15,7 +15,7 @@ pub(crate) struct Awake<'a> {
     contact: Option<&'a ContactPair>,
 }
 
-impl<'a> Awake<'a> {
+impl<'a> ActivePair<'a> {
     /// Of foot and ground.
     pub(crate) fn of(
         pair: [ColliderHandle; 2],
@@ -49,7 +49,7 @@ impl<'a> Awake<'a> {
     }
 
     /// The contact after a step of length `dt`; `None` if nothing pushed.
-    pub(crate) fn touching(&self, ground: ColliderHandle, dt: f32) -> Option<Touching> {
+    pub(crate) fn touching(&self, ground: ColliderHandle, dt: f32) -> Option<ContactLoad> {
         // The engine's normal points from the first collider to the second.
         let is_second = self.contact?.collider1 == ground;
         let mut impulse = Vector::ZERO;
@@ -83,7 +83,7 @@ impl<'a> Awake<'a> {
             return None;
         }
         let normal = impulse / size;
-        Some(Touching {
+        Some(ContactLoad {
             load: size / dt,
             normal,
             depth: -moment.dot(normal) / size,

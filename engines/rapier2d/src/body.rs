@@ -19,7 +19,7 @@ const LOCKED: f32 = 1e3;
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
-pub(crate) struct Lying {
+pub(crate) struct RestingBody {
     /// Coefficient of friction in place of the floor's.
     pub(crate) mu: Option<f32>,
     /// Load in newtons in place of the weight.
@@ -36,7 +36,7 @@ pub(crate) struct Lying {
 
 /// A foot under a body at half of a step.
 #[derive(Clone, Debug)]
-pub(crate) struct Stand {
+pub(crate) struct FootPose {
     footprint: Footprint,
     /// Position from the centre of mass in metres.
     place: [f64; 2],
@@ -57,11 +57,11 @@ enum Mu {
 
 /// Prediction made before the engine's step.
 #[derive(Clone, Debug)]
-pub(crate) struct Begun {
+pub(crate) struct PendingPrediction {
     pub(crate) body: RigidBodyHandle,
     planar: PlanarBody<f32>,
     step: Prediction,
-    stands: Vec<Stand>,
+    stands: Vec<FootPose>,
 }
 
 /// A body's temporary changes.
@@ -70,7 +70,7 @@ pub(crate) struct Begun {
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
-pub(crate) struct Lent {
+pub(crate) struct TemporaryForces {
     body: RigidBodyHandle,
     /// Changes of the velocity and the spin.
     offset: (Vector, f32),
@@ -115,7 +115,7 @@ fn accelerate(body: &mut RigidBody, change: (Vector, f32), sign: f32) {
     }
 }
 
-impl Lent {
+impl TemporaryForces {
     /// Adds a friction and a velocity offset.
     fn to(body: &mut RigidBody, handle: RigidBodyHandle, step: &Prediction) -> Self {
         let user = (body.user_force(), body.user_torque());
@@ -149,8 +149,8 @@ impl Lent {
 }
 
 /// The body on its feet.
-fn standing<'a>(planar: &'a PlanarBody<f32>, stands: &'a [Stand]) -> Standing<'a> {
-    let foot = |stand: &'a Stand| match stand.mu {
+fn standing<'a>(planar: &'a PlanarBody<f32>, stands: &'a [FootPose]) -> Standing<'a> {
+    let foot = |stand: &'a FootPose| match stand.mu {
         Mu::Even(mu) => Some(Foot {
             axis: stand.axis,
             ..Foot::new(&stand.footprint, mu * stand.load, stand.place)
@@ -165,13 +165,13 @@ fn standing<'a>(planar: &'a PlanarBody<f32>, stands: &'a [Stand]) -> Standing<'a
     match stands.iter().map(foot).collect::<Option<Vec<_>>>() {
         Some(feet) => Standing::new(planar, None, &feet),
         None => {
-            let points: Vec<_> = stands.iter().flat_map(Stand::points).collect();
+            let points: Vec<_> = stands.iter().flat_map(FootPose::points).collect();
             Standing::on_points(planar, &points)
         }
     }
 }
 
-impl Stand {
+impl FootPose {
     /// A foot after half of a step, with the body's rotation in it as half of that angle in radians.
     fn new(foot: &PlacedFoot, body: &RigidBody, half: f32, load: f32) -> Self {
         let turn = |[x, y]: [f64; 2]| {
@@ -237,9 +237,9 @@ pub(crate) trait Materials {
 }
 
 /// A coefficient wherever the body is.
-pub(crate) struct Everywhere(pub(crate) f32);
+pub(crate) struct UniformMu(pub(crate) f32);
 
-impl Materials for Everywhere {
+impl Materials for UniformMu {
     fn even(&self, _: Vector, _: f32) -> Option<f32> {
         Some(self.0)
     }
@@ -249,7 +249,7 @@ impl Materials for Everywhere {
     }
 }
 
-impl Lying {
+impl RestingBody {
     /// Passes the friction of the coming step to the engine; `weight` is the gravity towards the floor in m/s².
     pub(crate) fn begin(
         &mut self,
@@ -259,7 +259,7 @@ impl Lying {
         materials: &impl Materials,
         (gravity, weight): (Vector, f32),
         parameters: &IntegrationParameters,
-    ) -> Option<(Begun, Lent)> {
+    ) -> Option<(PendingPrediction, TemporaryForces)> {
         let planar = planar(body)?;
         let dt = TimeStep::new(parameters.dt).ok()?;
         let load = self.load.unwrap_or(weight * body.mass());
@@ -277,15 +277,15 @@ impl Lying {
         // The materials halfway along the step.
         let at = body.center_of_mass() + body.linvel() * (0.5 * parameters.dt);
         let stand = |foot: &PlacedFoot| {
-            let mut stand = Stand::new(foot, body, half_turn, load * (foot.share / whole));
-            let material = self.mu.map(Everywhere);
+            let mut stand = FootPose::new(foot, body, half_turn, load * (foot.share / whole));
+            let material = self.mu.map(UniformMu);
             match material {
                 Some(everywhere) => stand.lay_on(&everywhere, at),
                 None => stand.lay_on(materials, at),
             }
             stand
         };
-        let stands: Vec<Stand> = feet.iter().map(stand).collect();
+        let stands: Vec<FootPose> = feet.iter().map(stand).collect();
         if stands.is_empty() {
             return None;
         }
@@ -295,8 +295,8 @@ impl Lying {
         let expected = expected(body, &planar, gravity);
         let step =
             standing(&planar, &stands).predict(&before, &expected, held, dt, substeps.max(1))?;
-        let lent = Lent::to(body, handle, &step);
-        let begun = Begun {
+        let lent = TemporaryForces::to(body, handle, &step);
+        let begun = PendingPrediction {
             body: handle,
             planar,
             step,
@@ -306,7 +306,12 @@ impl Lying {
     }
 
     /// Corrects the step with the pushes that the engine has found.
-    pub(crate) fn finish(&mut self, begun: &Begun, body: &mut RigidBody, dt: f32) -> Option<()> {
+    pub(crate) fn finish(
+        &mut self,
+        begun: &PendingPrediction,
+        body: &mut RigidBody,
+        dt: f32,
+    ) -> Option<()> {
         let step = &begun.step;
         let standing = standing(&begun.planar, &begun.stands);
         let end = standing.correct(Some(step), &motion(body), TimeStep::new(dt).ok()?)?;

@@ -1,6 +1,6 @@
 //! The floor under all bodies of a world.
 
-use crate::body::{Begun, Lent, Lying, Materials, is_free};
+use crate::body::{Materials, PendingPrediction, RestingBody, TemporaryForces, is_free};
 use crate::feet::{PlacedFoot, checked};
 use crate::refusal::{FloorError, not_negative};
 use crate::region::{Region, RegionId};
@@ -39,11 +39,11 @@ pub struct Floor {
     /// Gravity towards the floor in m/s².
     gravity: f32,
     next_region: u32,
-    bodies: Coarena<Lying>,
+    bodies: Coarena<RestingBody>,
     /// Forces and offsets that bodies have received for the current step.
-    lent: Vec<Lent>,
+    lent: Vec<TemporaryForces>,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
-    begun: Vec<Begun>,
+    begun: Vec<PendingPrediction>,
 }
 
 /// Coefficients of friction, by place.
@@ -214,7 +214,9 @@ impl Floor {
             }
         }
         for handle in free {
-            let lying = self.bodies.ensure_element_exist(handle.0, Lying::default());
+            let lying = self
+                .bodies
+                .ensure_element_exist(handle.0, RestingBody::default());
             let Some(body) = bodies.get_mut(handle) else {
                 continue;
             };
@@ -250,7 +252,8 @@ impl Floor {
         self.begun.clear();
     }
 
-    fn lying(&mut self, body: RigidBodyHandle) -> &mut Lying {
-        self.bodies.ensure_element_exist(body.0, Lying::default())
+    fn lying(&mut self, body: RigidBodyHandle) -> &mut RestingBody {
+        self.bodies
+            .ensure_element_exist(body.0, RestingBody::default())
     }
 }

@@ -4,7 +4,7 @@ use super::axis::{Span, Ticks};
 use super::canvas::{Area, PX, fitting, font, width};
 use super::clip::{self, Point};
 use super::legend::Block;
-use super::marks::{Guide, Region, Series, Style};
+use super::marks::{ReferenceLine, Region, Series, Style};
 use super::{Figure, FigureError};
 use plotters::coord::CoordTranslate;
 use plotters::element::DashedPathElement;
@@ -26,7 +26,7 @@ type Chart<'c, 'a> = ChartContext<'c, SVGBackend<'a>, Cartesian2d<Ticks, Ticks>>
 type Plot<'a> = DrawingArea<SVGBackend<'a>, Cartesian2d<Ticks, Ticks>>;
 
 // Spans of the x and the y axis.
-type Spans = (Span, Span);
+type AxisRanges = (Span, Span);
 
 /// Draws a figure with everything around its plot.
 pub(super) fn draw(figure: &Figure, area: &Area) -> Result<(), FigureError> {
@@ -94,7 +94,7 @@ pub(super) fn curve<C: CoordTranslate<From: Clone>>(
 // Draws the error bars of a series with a cap at each end inside the plot.
 fn whiskers(
     (series, index): (&Series, usize),
-    spans: Spans,
+    spans: AxisRanges,
     plot: &Plot,
 ) -> Result<(), FigureError> {
     let (color, _) = series.look(index);
@@ -116,12 +116,12 @@ fn whiskers(
 }
 
 // Spans of both axes from the points, error bars, regions and reference lines.
-fn spans(figure: &Figure) -> Result<Spans, FigureError> {
+fn spans(figure: &Figure) -> Result<AxisRanges, FigureError> {
     let corners = figure.regions.iter().flat_map(|region| &region.outline);
     let points = figure.series.iter().flat_map(|series| &series.points);
     let rules = figure.guides.iter().map(|guide| match guide {
-        Guide::Horizontal { at, .. } => (f64::NAN, *at),
-        Guide::Vertical { at, .. } => (*at, f64::NAN),
+        ReferenceLine::Horizontal { at, .. } => (f64::NAN, *at),
+        ReferenceLine::Vertical { at, .. } => (*at, f64::NAN),
     });
     let ends = figure.series.iter().flat_map(Series::whiskers).flatten();
     let points = points.chain(corners).copied().chain(ends).chain(rules);
@@ -137,7 +137,7 @@ fn spans(figure: &Figure) -> Result<Spans, FigureError> {
 // Draws axes as wide as their labels, with the regions between them.
 fn axes<'c, 'a>(
     figure: &Figure,
-    spans: Spans,
+    spans: AxisRanges,
     area: &'c Area<'a>,
 ) -> Result<Chart<'c, 'a>, FigureError> {
     let (full, height) = area.dim_in_pixel();
@@ -199,14 +199,14 @@ fn fine_ticks([x, y]: [Vec<f64>; 2], plot: &Plot) -> Result<(), FigureError> {
 }
 
 // Place of a corner or end; values a log axis cannot show stand at its far low end.
-fn corner((x, y): Point, spans: Spans) -> Point {
+fn corner((x, y): Point, spans: AxisRanges) -> Point {
     let end = |value: f64| if value > 0.0 { 1e4 } else { -1e4 };
     let (across, up) = (spans.0.place(x), spans.1.place(y));
     (across.unwrap_or(end(x)), up.unwrap_or(end(y)))
 }
 
 // Writes the label of a region, line by line around its place.
-fn name(region: &Region, spans: Spans, plot: &Plot) -> Result<(), FigureError> {
+fn name(region: &Region, spans: AxisRanges, plot: &Plot) -> Result<(), FigureError> {
     let style = font(14.0).pos(Pos::new(HPos::Center, VPos::Center));
     let mut y = 9 * PX * (1 - region.label.lines().count() as i32);
     for line in region.label.lines() {
@@ -218,10 +218,10 @@ fn name(region: &Region, spans: Spans, plot: &Plot) -> Result<(), FigureError> {
 }
 
 // Draws a reference line with its label at the upper or right end, if inside the plot.
-fn rule(guide: &Guide, spans: Spans, plot: &Plot) -> Result<(), FigureError> {
+fn rule(guide: &ReferenceLine, spans: AxisRanges, plot: &Plot) -> Result<(), FigureError> {
     let (at, label, upright) = match guide {
-        Guide::Horizontal { at, label } => (spans.1.place(*at), label, false),
-        Guide::Vertical { at, label } => (spans.0.place(*at), label, true),
+        ReferenceLine::Horizontal { at, label } => (spans.1.place(*at), label, false),
+        ReferenceLine::Vertical { at, label } => (spans.0.place(*at), label, true),
     };
     let Some(at) = at.filter(|at| (0.0..=1.0).contains(at)) else {
         return Ok(());

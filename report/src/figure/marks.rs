@@ -127,7 +127,7 @@ impl Series {
 
 /// A thin grey reference line across the plot.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Guide {
+pub enum ReferenceLine {
     /// A line at one y value.
     Horizontal {
         /// The y value.
@@ -144,7 +144,7 @@ pub enum Guide {
     },
 }
 
-impl Guide {
+impl ReferenceLine {
     /// A line at one y value.
     pub fn horizontal(at: f64, label: impl Into<String>) -> Self {
         let label = label.into();

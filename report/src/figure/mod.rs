@@ -10,7 +10,7 @@ mod panels;
 
 pub use axis::{Axis, Scale};
 pub use legend::Legend;
-pub use marks::{Color, Guide, Region, Series, Style};
+pub use marks::{Color, ReferenceLine, Region, Series, Style};
 pub use panels::Panels;
 
 use plotters::drawing::DrawingAreaErrorKind;
@@ -22,7 +22,7 @@ pub struct Figure {
     x: Axis,
     y: Axis,
     series: Vec<Series>,
-    guides: Vec<Guide>,
+    guides: Vec<ReferenceLine>,
     regions: Vec<Region>,
     legend: Legend,
     size: (u32, u32),
@@ -52,7 +52,7 @@ impl Figure {
 
     /// Adds a thin grey reference line.
     #[must_use]
-    pub fn guide(mut self, guide: Guide) -> Self {
+    pub fn guide(mut self, guide: ReferenceLine) -> Self {
         self.guides.push(guide);
         self
     }

@@ -9,7 +9,7 @@ fn figure() -> Figure {
     Figure::new("Two <curves>", Axis::log10("ε"), Axis::linear("μ"))
         .series(Series::line("first", curve(1)))
         .series(Series::dashed("second & last", curve(2)))
-        .guide(Guide::horizontal(0.5, "one half"))
+        .guide(ReferenceLine::horizontal(0.5, "one half"))
 }
 
 // Width and height in the header of a PNG file.
@@ -60,7 +60,7 @@ fn odd_data_is_drawn_without_failing() -> Result<(), FigureError> {
             let figure = Figure::new("", Axis::new("x", scale), Axis::new("y", scale))
                 .series(Series::line_points("a", points.to_vec()))
                 .region(region)
-                .guide(Guide::vertical(f64::NAN, "never"))
+                .guide(ReferenceLine::vertical(f64::NAN, "never"))
                 .size(200, 150);
             assert!(!figure.svg()?.contains("NaN"));
             figure.png()?;

@@ -2,7 +2,7 @@
 
 use super::{Contact, Packing, PackingError};
 use crate::figure::Color;
-use crate::solid::paper::{Anchor, Paper, mixed, width};
+use crate::solid::paper::{Anchor, SvgCanvas, mixed, width};
 use crate::solid::view::{Frame, Point, View};
 
 /// Colours of compression and of tension: vermilion and blue of the line colours.
@@ -88,7 +88,7 @@ impl Network {
     }
 
     /// Writes the meaning of colours and width at the bottom; returns the rest of the frame.
-    pub fn legend(&self, paper: &mut Paper, [left, top, right, bottom]: Frame) -> Frame {
+    pub fn legend(&self, paper: &mut SvgCanvas, [left, top, right, bottom]: Frame) -> Frame {
         let full = format!(
             "width of a sphere's radius: {} {}",
             short(self.full),
@@ -110,7 +110,7 @@ impl Network {
     }
 
     /// Draws the lines; far ones are paler.
-    pub fn draw(&self, paper: &mut Paper, view: &View) {
+    pub fn draw(&self, paper: &mut SvgCanvas, view: &View) {
         let near = |line: &Line| view.nearness(plus(line.ends[0], line.ends[1], 1.0));
         let mut order: Vec<&Line> = self.lines.iter().collect();
         order.sort_by(|a, b| near(a).total_cmp(&near(b)));

@@ -1,8 +1,8 @@
 //! The substrate, the piston and the edges of the box.
 
-use super::Hall;
+use super::BoxGeometry;
 use crate::figure::Color;
-use crate::solid::paper::{Paper, mixed};
+use crate::solid::paper::{SvgCanvas, mixed};
 use crate::solid::view::{Point, View};
 
 /// Colours of the box's edges, of the substrate and of the piston.
@@ -17,7 +17,7 @@ const GLASS: f64 = 0.7;
 const THIN: f64 = 0.8;
 
 /// Draws the parts behind the spheres.
-pub(super) fn behind(paper: &mut Paper, view: &View, hall: &Hall) {
+pub(super) fn behind(paper: &mut SvgCanvas, view: &View, hall: &BoxGeometry) {
     slab(paper, view, hall, ([-hall.plate, 0.0], SUBSTRATE, 1.0));
     let [x, y] = hall.lengths;
     for (x, y) in [(0.0, 0.0), (0.0, y), (x, y)] {
@@ -26,7 +26,7 @@ pub(super) fn behind(paper: &mut Paper, view: &View, hall: &Hall) {
 }
 
 /// Draws the parts in front of the spheres: the edge nearest to the eye and the piston.
-pub(super) fn before(paper: &mut Paper, view: &View, hall: &Hall) {
+pub(super) fn before(paper: &mut SvgCanvas, view: &View, hall: &BoxGeometry) {
     upright(paper, view, [hall.lengths[0], 0.0], hall.top);
     if let Some(height) = hall.piston {
         slab(
@@ -39,16 +39,16 @@ pub(super) fn before(paper: &mut Paper, view: &View, hall: &Hall) {
 }
 
 // A vertical edge of the box.
-fn upright(paper: &mut Paper, view: &View, [x, y]: [f64; 2], top: f64) {
+fn upright(paper: &mut SvgCanvas, view: &View, [x, y]: [f64; 2], top: f64) {
     let ends = [[x, y, 0.0], [x, y, top]].map(|end| view.place(end));
     paper.line(&ends, EDGE, THIN);
 }
 
 // A plate over the whole box: the three faces that the eye sees.
 fn slab(
-    paper: &mut Paper,
+    paper: &mut SvgCanvas,
     view: &View,
-    hall: &Hall,
+    hall: &BoxGeometry,
     ([low, high], color, opacity): ([f64; 2], Color, f64),
 ) {
     let [x, y] = hall.lengths;

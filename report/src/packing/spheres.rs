@@ -3,7 +3,7 @@
 use super::{Packing, PackingError};
 use crate::figure::axis::{Axis, Span};
 use crate::figure::{Color, FigureError};
-use crate::solid::paper::Paper;
+use crate::solid::paper::SvgCanvas;
 use crate::solid::ramp;
 use crate::solid::view::{Frame, Point, View};
 
@@ -64,7 +64,7 @@ impl Balls {
     }
 
     /// Draws the colour bar, if there is a scale, and returns the rest of the frame.
-    pub fn legend(&self, paper: &mut Paper, frame: Frame) -> Result<Frame, FigureError> {
+    pub fn legend(&self, paper: &mut SvgCanvas, frame: Frame) -> Result<Frame, FigureError> {
         match &self.paint {
             Paint::Values(axis, values) => {
                 let span = Span::new(axis, values.iter().copied())?;
@@ -91,7 +91,7 @@ impl Balls {
 
     /// Draws the spheres; of two equal ones that touch, the one whose centre is nearer hides the
     /// other.
-    pub fn draw(&self, paper: &mut Paper, view: &View) -> Result<(), FigureError> {
+    pub fn draw(&self, paper: &mut SvgCanvas, view: &View) -> Result<(), FigureError> {
         let colors = self.painted()?;
         let mut order: Vec<usize> = (0..self.centres.len()).collect();
         let near = |at: usize| view.nearness(self.centres[at]);

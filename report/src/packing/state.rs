@@ -1,6 +1,6 @@
 //! The state of a packing for pictures: borrowed, checked once.
 
-use super::Hall;
+use super::BoxGeometry;
 
 /// Spheres in a box that is periodic in x and y, with a substrate at z = 0; one unit of length.
 #[derive(Debug, Clone, Copy)]
@@ -146,14 +146,14 @@ impl<'a> Packing<'a> {
     }
 
     /// The box around the spheres.
-    pub(super) fn hall(&self) -> Hall {
+    pub(super) fn hall(&self) -> BoxGeometry {
         let spheres = self.positions.iter().zip(self.radii);
         let highest = spheres
             .map(|(at, radius)| at[2] + radius)
             .fold(0.0, f64::max);
         let largest = self.radii.iter().copied().fold(0.0, f64::max);
         let side = self.lengths[0].max(self.lengths[1]);
-        Hall {
+        BoxGeometry {
             lengths: self.lengths,
             piston: self.piston,
             top: self.piston.map_or(highest, |piston| piston.max(highest)),

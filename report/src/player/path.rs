@@ -27,7 +27,7 @@ pub struct PathBody {
 pub type Row = [f64; 8];
 
 /// A row with force and torque on the body: F_x, F_y, T.
-type Drawn = [f64; 11];
+type PathRow = [f64; 11];
 
 /// A film of a path, with rows in order of time and linear interpolation between them.
 pub fn path_film(title: &str, body: &PathBody, rows: &[Row]) -> Film {
@@ -64,7 +64,7 @@ pub fn path_film(title: &str, body: &PathBody, rows: &[Row]) -> Film {
 
 /// Rows with the force and the torque that change the motion from one to the next; a row inside has
 /// the mean of both sides, weighted by their times.
-fn with_forces(rows: &[Row], [mass, inertia]: [f64; 2]) -> Vec<Drawn> {
+fn with_forces(rows: &[Row], [mass, inertia]: [f64; 2]) -> Vec<PathRow> {
     let last = rows.len().saturating_sub(1);
     let drawn = rows.iter().enumerate().map(|(k, row)| {
         let (before, after) = (&rows[k.saturating_sub(1)], &rows[(k + 1).min(last)]);
@@ -86,7 +86,7 @@ fn with_forces(rows: &[Row], [mass, inertia]: [f64; 2]) -> Vec<Drawn> {
 }
 
 /// The row at a time.
-fn between(rows: &[Drawn], time: f64) -> Drawn {
+fn between(rows: &[PathRow], time: f64) -> PathRow {
     let after = rows.partition_point(|row| row[0] < time);
     let Some(next) = rows.get(after) else {
         return rows.last().copied().unwrap_or_default();

@@ -3,11 +3,14 @@
 use super::powder::State;
 use crate::figure::{Axis, Figure, Panels, Series};
 use crate::packing::{PackingError, PackingPicture};
-use crate::sheet::Sheet;
+use crate::sheet::DrawingGrid;
 use tribos::grains::{COLUMNS, GrainsSimulation};
 
 /// Initial and final grains in one scale, and the final forces.
-pub fn packing(before: &GrainsSimulation, after: &GrainsSimulation) -> Result<Sheet, PackingError> {
+pub fn packing(
+    before: &GrainsSimulation,
+    after: &GrainsSimulation,
+) -> Result<DrawingGrid, PackingError> {
     let ends = [before, after].map(|grains| grains.with_snapshot(State::of));
     let tops = [before, after].map(|grains| grains.with_snapshot(|state| state.extents[2][1]));
     let top = tops[0].max(tops[1]);
@@ -25,7 +28,7 @@ pub fn packing(before: &GrainsSimulation, after: &GrainsSimulation) -> Result<Sh
     let forces = PackingPicture::forces("Final forces", &packings[1], ends[1].contacts())?
         .full_force(full, "")
         .headroom(top);
-    Ok(Sheet::new(format!("{} grains", heights.len()), 3)
+    Ok(DrawingGrid::new(format!("{} grains", heights.len()), 3)
         .drawing(picture("Initial", 0)?)
         .drawing(picture("Final", 1)?)
         .drawing(forces))

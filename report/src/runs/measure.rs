@@ -1,6 +1,6 @@
 //! Measures of a packing as figures.
 
-use crate::figure::{Axis, Figure, Guide, Panels, Series};
+use crate::figure::{Axis, Figure, Panels, ReferenceLine, Series};
 use tribos::measure::{Measures, Table};
 
 /// The figures of a state with the names of their files.
@@ -8,7 +8,8 @@ pub fn figures(measures: &Measures) -> Vec<(&'static str, Figure)> {
     let mut figures = vec![
         (
             "pair-correlation",
-            drawn(&measures.pairs.table(), [0, 1], ["r", "g(r)"]).guide(Guide::horizontal(1.0, "")),
+            drawn(&measures.pairs.table(), [0, 1], ["r", "g(r)"])
+                .guide(ReferenceLine::horizontal(1.0, "")),
         ),
         (
             "coordination",
@@ -60,7 +61,7 @@ fn profile(measures: &Measures) -> Figure {
     let points = measures.profile.slices.iter().map(middle).collect();
     Figure::new("", Axis::linear(axis), Axis::linear("porosity"))
         .series(Series::line_points("", points))
-        .guide(Guide::horizontal(measures.porosity, "mean"))
+        .guide(ReferenceLine::horizontal(measures.porosity, "mean"))
 }
 
 /// Density on a logarithmic axis with the fitted tail from the mean on.

@@ -1,8 +1,8 @@
 //! Pictures of a compaction: the packing at both ends, and series over time.
 
-use crate::figure::{Axis, Figure, Guide, Panels, Series};
+use crate::figure::{Axis, Figure, Panels, ReferenceLine, Series};
 use crate::packing::{Contact, Packing, PackingError, PackingPicture};
-use crate::sheet::Sheet;
+use crate::sheet::DrawingGrid;
 use tribos::powder::{PowderSimulation, PowderSummary};
 use tribos::record::{ContactRow, Snapshot};
 use tribos::scene::PowderScene;
@@ -12,7 +12,7 @@ pub fn packing(
     scene: &PowderScene,
     [before, after]: &[State; 2],
     outcome: &PowderSummary,
-) -> Result<Sheet, PackingError> {
+) -> Result<DrawingGrid, PackingError> {
     let top = outcome.heights[0];
     let percent = outcome.porosity.map(|porosity| 100.0 * porosity);
     let title = |name: &str, percent: f64| format!("{name}, {percent:.1} % empty");
@@ -33,7 +33,7 @@ pub fn packing(
         .full_force(largest.fold(0.0, f64::max), "F_coh");
     let (mu, mu_t, mu_n) = (scene.sliding, scene.rolling, scene.torsion);
     let name = format!("Compaction, μ = {mu}, μ_t = {mu_t}, μ_n = {mu_n}");
-    Ok(Sheet::new(name, 3)
+    Ok(DrawingGrid::new(name, 3)
         .drawing(picture("Initial", percent[0], &initial)?)
         .drawing(picture("Final", percent[1], &blocked)?)
         .drawing(forces.headroom(top)))
@@ -46,10 +46,10 @@ pub fn series(compaction: &PowderSimulation, outcome: &PowderSummary) -> Panels 
     let time = || Axis::linear("time [√(ρR⁴/F_coh)]");
     let porosity = Figure::new("", time(), Axis::linear("porosity"))
         .series(Series::line("", curve(3)))
-        .guide(Guide::horizontal(outcome.porosity[1], ""));
+        .guide(ReferenceLine::horizontal(outcome.porosity[1], ""));
     let stress = Figure::new("", time(), Axis::linear("σ_zz of the pressure"))
         .series(Series::line("", curve(5)))
-        .guide(Guide::horizontal(1.0, "applied"));
+        .guide(ReferenceLine::horizontal(1.0, "applied"));
     let contacts =
         Figure::new("", time(), Axis::linear("contacts")).series(Series::line("", curve(4)));
     let mut energies = Figure::new("", time(), Axis::linear("energy [F_coh R]"))

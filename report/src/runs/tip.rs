@@ -1,10 +1,10 @@
 //! Pictures of a tip: its atoms, coloured by part, the angles over time of a turned one and the
 //! friction loop of a slid one.
 
-use crate::figure::{Axis, Color, Figure, Guide, Panels, Series};
+use crate::figure::{Axis, Color, Figure, Panels, ReferenceLine, Series};
 use crate::packing::{Packing, PackingError, PackingPicture};
 use crate::player::PART_COLORS;
-use crate::sheet::Sheet;
+use crate::sheet::DrawingGrid;
 use nalgebra::Vector3;
 use tribos::scene::{DriveKind, TipScene};
 use tribos::tip::{Part, Shape, TipSimulation, TipSummary};
@@ -47,7 +47,7 @@ pub fn atoms(
 }
 
 /// Before and after.
-pub fn both_ends(scene: &TipScene, run: &TipSimulation) -> Result<Sheet, PackingError> {
+pub fn both_ends(scene: &TipScene, run: &TipSimulation) -> Result<DrawingGrid, PackingError> {
     let start: Vec<Vector3<f64>> = scene
         .shape()
         .sites()
@@ -56,7 +56,7 @@ pub fn both_ends(scene: &TipScene, run: &TipSimulation) -> Result<Sheet, Packing
         .collect();
     let end = &run.system().atoms().positions;
     let title = format!("Tip on a substrate, {}", title(scene));
-    Ok(Sheet::new(title, 2)
+    Ok(DrawingGrid::new(title, 2)
         .drawing(atoms("Crystal", scene, &start)?.size(620, 480))
         .drawing(atoms("End", scene, end)?.size(620, 480)))
 }
@@ -143,18 +143,18 @@ fn turned(scene: &TipScene, run: &TipSimulation, outcome: &TipSummary) -> Panels
     let end = scene.drive_time;
     let mut driven = Figure::new("Driven layers", time(), Axis::linear("angle [degree]"))
         .series(Series::line("", curve(1)))
-        .guide(Guide::vertical(end, "off"));
+        .guide(ReferenceLine::vertical(end, "off"));
     for plateau in &outcome.plateaus {
-        driven = driven.guide(Guide::horizontal(plateau.angle, ""));
+        driven = driven.guide(ReferenceLine::horizontal(plateau.angle, ""));
     }
     let mut layers = Figure::new("Layers of the tip", time(), Axis::linear("angle [degree]"))
-        .guide(Guide::vertical(end, "off"));
+        .guide(ReferenceLine::vertical(end, "off"));
     for layer in 0..scene.tip_layers {
         layers = layers.series(Series::line(format!("{}", layer + 1), curve(first + layer)));
     }
     let torque = Figure::new("", time(), Axis::linear("resisting torque [ε]"))
         .series(Series::line("", curve(2)))
-        .guide(Guide::vertical(end, "off"));
+        .guide(ReferenceLine::vertical(end, "off"));
     let heat = Figure::new("", time(), Axis::linear("temperature [ε/k_B]"))
         .series(Series::line("substrate", curve(4)))
         .series(Series::line("tip", curve(5)));

@@ -30,14 +30,14 @@ pub enum Anchor {
 
 /// A drawing under construction; later shapes lie over earlier ones.
 #[derive(Debug)]
-pub struct Paper {
+pub struct SvgCanvas {
     size: (u32, u32),
     body: String,
     insets: String,
     balls: BTreeSet<String>,
 }
 
-impl Paper {
+impl SvgCanvas {
     /// White paper of a size in pixels.
     pub fn new(size: (u32, u32)) -> Result<Self, FigureError> {
         canvas::prepare(size)?;
@@ -223,12 +223,12 @@ mod tests {
 
     #[test]
     fn texts_are_escaped_and_numbers_short() -> Result<(), FigureError> {
-        let mut paper = Paper::new((200, 150))?;
+        let mut paper = SvgCanvas::new((200, 150))?;
         paper.text((1.0 / 3.0, -0.001), "a < b & c", 12.0, Anchor::End);
         let svg = paper.svg();
         assert!(svg.contains("a &lt; b &amp; c") && svg.contains("x=\"0.33\" y=\"0\""));
         assert!(matches!(
-            Paper::new((10, 150)),
+            SvgCanvas::new((10, 150)),
             Err(FigureError::Size(10, 150))
         ));
         Ok(())
@@ -236,7 +236,7 @@ mod tests {
 
     #[test]
     fn balls_of_one_colour_share_their_shading() -> Result<(), FigureError> {
-        let mut paper = Paper::new((200, 150))?;
+        let mut paper = SvgCanvas::new((200, 150))?;
         for at in 0..5 {
             paper.ball((20.0 * f64::from(at), 50.0), 9.0, Color(0, 114, 178));
         }

@@ -1,6 +1,6 @@
 //! Colours for values from dark blue over green to yellow, and the bar that explains them.
 
-use super::paper::{Anchor, Paper, width};
+use super::paper::{Anchor, SvgCanvas, width};
 use super::view::Frame;
 use crate::figure::axis::{Axis, Span};
 use crate::figure::{Color, FigureError, canvas};
@@ -60,7 +60,7 @@ fn encoded(linear: f64) -> u8 {
 /// Draws the bar at the right of a frame, with ticks and the name of its axis, and returns the
 /// rest of the frame.
 pub fn bar(
-    paper: &mut Paper,
+    paper: &mut SvgCanvas,
     (axis, span): (&Axis, &Span),
     [left, top, right, bottom]: Frame,
 ) -> Result<Frame, FigureError> {

@@ -2,7 +2,7 @@
 
 use crate::figure::axis::{Axis, Span};
 use crate::figure::{Color, canvas};
-use crate::solid::paper::{Anchor, Paper, Place, width};
+use crate::solid::paper::{Anchor, Place, SvgCanvas, width};
 use crate::solid::view::{Point, View};
 
 /// Colours of the frame, the grid and the walls.
@@ -35,7 +35,7 @@ struct Edge {
 }
 
 /// Draws everything behind the surface.
-pub(super) fn draw(paper: &mut Paper, view: &View, (axes, spans): (&[Axis; 3], &[Span; 3])) {
+pub(super) fn draw(paper: &mut SvgCanvas, view: &View, (axes, spans): (&[Axis; 3], &[Span; 3])) {
     for wall in walls() {
         paper.fill(&wall.map(|corner| view.place(corner)), WALL, 1.0);
     }
@@ -128,7 +128,11 @@ fn ticks(edge: &Edge, span: &Span, view: &View) -> Vec<(f64, String)> {
 }
 
 // Ticks, their labels, and the name of the axis along the edge.
-fn labels(paper: &mut Paper, view: &View, (edge, ticks, axis): (&Edge, &[(f64, String)], &Axis)) {
+fn labels(
+    paper: &mut SvgCanvas,
+    view: &View,
+    (edge, ticks, axis): (&Edge, &[(f64, String)], &Axis),
+) {
     let away = direction(view.place([0.0; 3]), view.place(edge.outward));
     let step = |place: Place, far: f64| (place.0 + far * away.0, place.1 + far * away.1);
     for (share, label) in ticks {

@@ -3,7 +3,7 @@
 use super::{HEIGHT, Surface, inside};
 use crate::figure::Color;
 use crate::figure::axis::Span;
-use crate::solid::paper::Paper;
+use crate::solid::paper::SvgCanvas;
 use crate::solid::ramp;
 use crate::solid::view::{Point, View};
 
@@ -23,7 +23,7 @@ const DOT: f64 = 2.5;
 impl Surface {
     /// Draws cells and whiskers: both horizontal axes lead away from the eye, so a cell can only
     /// be hidden by one with a smaller or equal index on each axis.
-    pub(super) fn cells(&self, paper: &mut Paper, view: &View, spans: &[Span; 3]) {
+    pub(super) fn cells(&self, paper: &mut SvgCanvas, view: &View, spans: &[Span; 3]) {
         let point = |i: usize, j: usize| self.point(spans, i, j, 0.0);
         let (wide, deep) = (self.lines[0].len(), self.lines[1].len());
         let parts = PARTS / wide.max(deep).saturating_sub(1).max(1);
@@ -55,7 +55,7 @@ impl Surface {
     }
 
     // The whisker of a grid point with a dot, or the dot alone where no cell shows the point.
-    fn mark(&self, paper: &mut Paper, view: &View, spans: &[Span; 3], (i, j): (usize, usize)) {
+    fn mark(&self, paper: &mut SvgCanvas, view: &View, spans: &[Span; 3], (i, j): (usize, usize)) {
         let Some(point) = self.point(spans, i, j, 0.0) else {
             return;
         };
@@ -90,7 +90,7 @@ impl Surface {
 
 // One cell: small quadrilaterals in the colour of their height, then its outline. Corners: low x
 // and y, high x, high y, both high.
-fn cell(paper: &mut Paper, view: &View, ([a, b, c, d], parts): ([Point; 4], usize)) {
+fn cell(paper: &mut SvgCanvas, view: &View, ([a, b, c, d], parts): ([Point; 4], usize)) {
     let at = |u: f64, v: f64| -> Point {
         std::array::from_fn(|axis| {
             let (near, far) = (

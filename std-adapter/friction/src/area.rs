@@ -1,7 +1,7 @@
 //! Contact areas ready for the kernel: a round patch with its radius, or a shape with its own size.
 
 use super::surface::{DryRound, Held, LimitSurfaces};
-use super::{Flat, FrictionError, HeldNodes, Patch, Precision, polynomial, surface};
+use super::{Flat, FrictionError, OwnedNodes, Patch, Precision, polynomial, surface};
 use tribos_core::coupling::flat::PatchShape;
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
 use tribos_core::patch::PatchError;
@@ -97,7 +97,7 @@ impl<R: Precision> Area<R> {
 
     /// Points with weights of which only the ratios count.
     pub fn points(nodes: Vec<Node<R>>) -> Result<Self, FrictionError> {
-        let points = HeldNodes::new(nodes).and_then(PointPatch::new);
+        let points = OwnedNodes::new(nodes).and_then(PointPatch::new);
         let points = points.map_err(tribos_core::Error::from)?;
         Ok(Self::Flat(Flat::Points(points)))
     }

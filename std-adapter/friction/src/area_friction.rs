@@ -1,7 +1,7 @@
 //! Friction of any contact area under any law: which type of the kernel evaluates it is decided here.
 
 use super::{
-    AnyFriction, AnyLaw, Area, Flat, FrictionError, HeldNodes, Law, Patch, Precision, RoundPower,
+    AnyFriction, AnyLaw, Area, Flat, FrictionError, Law, OwnedNodes, Patch, Precision, RoundPower,
     Tier, Visitor, visit,
 };
 use std::fmt;
@@ -88,7 +88,7 @@ impl<R: Precision> AreaFriction<R> {
 
     /// Friction of points as a sum over them, under every law; one point is enough.
     pub fn at_points(nodes: Vec<Node<R>>, law: &Law) -> Result<Self, FrictionError> {
-        let nodes = HeldNodes::new(nodes)?;
+        let nodes = OwnedNodes::new(nodes)?;
         Ok(Self {
             kernel: Box::new(NodeFriction::new(law.made()?, nodes)),
             law: *law,
@@ -228,7 +228,7 @@ impl<R: Real, P: PowerLawPatch<R> + Send + Sync> AtTwist<R> for ShapePowerFricti
     }
 }
 
-impl<R: Real> AtTwist<R> for NodeFriction<AnyLaw<R>, HeldNodes<R>> {
+impl<R: Real> AtTwist<R> for NodeFriction<AnyLaw<R>, OwnedNodes<R>> {
     #[inline]
     fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
         NodeFriction::wrench(self, load, twist)

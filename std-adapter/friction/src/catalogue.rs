@@ -11,13 +11,13 @@ use tribos_core::real::Real;
 /// One law of the kernel.
 ///
 /// ```
-/// use tribos::friction::{LawEntry, LAWS, Law, Maker, LawParameter, find};
+/// use tribos::friction::{LawEntry, LAWS, Law, LawConstructor, LawParameter, find};
 /// let stribeck: &LawEntry = find("stribeck").ok_or("no such law")?;
 /// let exponent: &LawParameter = &stribeck.parameters[3];
 /// assert_eq!((exponent.name, exponent.default), ("delta", Some(2.0)));
 /// // Local laws can be made by name; the others depend on more than the speed.
 /// for entry in LAWS {
-///     let made: Option<Maker> = entry.local;
+///     let made: Option<LawConstructor> = entry.local;
 ///     let list: Vec<String> = entry.parameters.iter().map(|p| format!("{}=0.5", p.name)).collect();
 ///     let law = format!("{}:{}", entry.name, list.join(",")).parse::<Law>();
 ///     assert_eq!(law.is_ok(), made.is_some());
@@ -37,7 +37,7 @@ pub struct LawEntry {
     /// Publication that the law is from.
     pub source: &'static str,
     /// How it is made, if it is a law of the local sliding speed, which couples with any patch.
-    pub local: Option<Maker>,
+    pub local: Option<LawConstructor>,
 }
 
 /// One parameter of a law.
@@ -58,28 +58,28 @@ pub(super) const MOST_PARAMETERS: usize = 6;
 /// Values of a law's parameters in their order, followed by zeros.
 pub(super) type Values<R> = [R; MOST_PARAMETERS];
 /// A law, or why its values make none.
-pub(super) type Made<R> = Result<Box<dyn LocalLaw<R> + Send + Sync>, LawError>;
+pub(super) type LawResult<R> = Result<Box<dyn LocalLaw<R> + Send + Sync>, LawError>;
 
 /// How a local law is made from the values of its parameters.
 #[derive(Clone, Copy)]
-pub struct Maker {
-    pub(super) double: fn(Values<f64>) -> Made<f64>,
-    pub(super) single: fn(Values<f32>) -> Made<f32>,
+pub struct LawConstructor {
+    pub(super) double: fn(Values<f64>) -> LawResult<f64>,
+    pub(super) single: fn(Values<f32>) -> LawResult<f32>,
     /// Coefficient and exponent of a law that is a power of the speed.
     pub(super) power: Option<fn(Values<f64>) -> [f64; 2]>,
 }
 
-impl fmt::Debug for Maker {
+impl fmt::Debug for LawConstructor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Maker").finish_non_exhaustive()
     }
 }
 
 const fn local(
-    double: fn(Values<f64>) -> Made<f64>,
-    single: fn(Values<f32>) -> Made<f32>,
-) -> Option<Maker> {
-    Some(Maker {
+    double: fn(Values<f64>) -> LawResult<f64>,
+    single: fn(Values<f32>) -> LawResult<f32>,
+) -> Option<LawConstructor> {
+    Some(LawConstructor {
         double,
         single,
         power: None,
@@ -87,30 +87,30 @@ const fn local(
 }
 
 const fn power_of_speed(
-    double: fn(Values<f64>) -> Made<f64>,
-    single: fn(Values<f32>) -> Made<f32>,
+    double: fn(Values<f64>) -> LawResult<f64>,
+    single: fn(Values<f32>) -> LawResult<f32>,
     power: fn(Values<f64>) -> [f64; 2],
-) -> Option<Maker> {
-    Some(Maker {
+) -> Option<LawConstructor> {
+    Some(LawConstructor {
         double,
         single,
         power: Some(power),
     })
 }
 
-fn coulomb<R: Real + 'static>([mu, ..]: Values<R>) -> Made<R> {
+fn coulomb<R: Real + 'static>([mu, ..]: Values<R>) -> LawResult<R> {
     Ok(Box::new(CoulombLaw::new(mu)?))
 }
 
-fn dry<R: Real + 'static>([mu_s, mu_d, ..]: Values<R>) -> Made<R> {
+fn dry<R: Real + 'static>([mu_s, mu_d, ..]: Values<R>) -> LawResult<R> {
     Ok(Box::new(DryFriction::new(mu_s, mu_d)?))
 }
 
-fn power<R: Real + 'static>([gamma, alpha, ..]: Values<R>) -> Made<R> {
+fn power<R: Real + 'static>([gamma, alpha, ..]: Values<R>) -> LawResult<R> {
     Ok(Box::new(PowerLaw::new(alpha, gamma)?))
 }
 
-fn plateau<R: Real + 'static>([gamma, alpha, vp, vd, r, _]: Values<R>) -> Made<R> {
+fn plateau<R: Real + 'static>([gamma, alpha, vp, vd, r, _]: Values<R>) -> LawResult<R> {
     Ok(Box::new(PlateauPowerLaw::new(PlateauPowerLawParameters {
         alpha,
         coefficient: gamma,
@@ -120,7 +120,7 @@ fn plateau<R: Real + 'static>([gamma, alpha, vp, vd, r, _]: Values<R>) -> Made<R
     })?))
 }
 
-fn stribeck<R: Real + 'static>([mu_s, mu_d, vs, delta, k, _]: Values<R>) -> Made<R> {
+fn stribeck<R: Real + 'static>([mu_s, mu_d, vs, delta, k, _]: Values<R>) -> LawResult<R> {
     Ok(Box::new(Stribeck::new(StribeckParameters {
         dry: DryFriction::new(mu_s, mu_d)?,
         speed: vs,
@@ -129,7 +129,7 @@ fn stribeck<R: Real + 'static>([mu_s, mu_d, vs, delta, k, _]: Values<R>) -> Made
     })?))
 }
 
-fn savkoor<R: Real + 'static>([mu0, mu_m, vm, h, ..]: Values<R>) -> Made<R> {
+fn savkoor<R: Real + 'static>([mu0, mu_m, vm, h, ..]: Values<R>) -> LawResult<R> {
     Ok(Box::new(Savkoor::new(SavkoorParameters {
         mu_base: mu0,
         mu_max: mu_m,
@@ -140,7 +140,7 @@ fn savkoor<R: Real + 'static>([mu0, mu_m, vm, h, ..]: Values<R>) -> Made<R> {
 
 fn rate_state<R: Real + 'static>(
     [mu, a, b, reference_speed, slip_distance, viscous]: Values<R>,
-) -> Made<R> {
+) -> LawResult<R> {
     let parameters = RateStateParameters {
         mu,
         a,
@@ -161,7 +161,7 @@ fn lugre<R: Real + 'static>(
         load,
         _,
     ]: Values<R>,
-) -> Made<R> {
+) -> LawResult<R> {
     let parameters = LuGreParameters {
         coulomb_force,
         static_force,

@@ -1,7 +1,7 @@
 //! Patches with straight edges and meshes by name, and their corners from files.
 
 use super::refusal::finite_number;
-use super::{FrictionError, HeldNodes, columns};
+use super::{FrictionError, OwnedNodes, columns};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -47,7 +47,7 @@ pub enum Flat<R: Real> {
     /// Of triangles, each under linear pressure.
     Mesh(Mesh<R, Vec<Triangle<R>>>),
     /// Points with weights.
-    Points(PointPatch<R, HeldNodes<R>>),
+    Points(PointPatch<R, OwnedNodes<R>>),
 }
 
 /// Most corners of a file: the check that no edges cross takes the square of their number.

@@ -1,6 +1,6 @@
 //! Local laws by name: `NAME:key=value,…`.
 
-use super::catalogue::{LAWS, LawEntry, MOST_PARAMETERS, Maker, find};
+use super::catalogue::{LAWS, LawConstructor, LawEntry, MOST_PARAMETERS, find};
 use super::refusal::finite_number;
 use super::{FrictionError, LARGEST_EXPONENT, Precision};
 use std::fmt::{self, Write as _};
@@ -25,7 +25,7 @@ use tribos_core::real::Real;
 #[derive(Clone, Copy)]
 pub struct Law {
     entry: &'static LawEntry,
-    maker: Maker,
+    maker: LawConstructor,
     values: [f64; MOST_PARAMETERS],
 }
 
@@ -172,7 +172,7 @@ impl FromStr for Law {
 }
 
 /// The local law of this name and how it is made.
-fn local(name: &str) -> Result<(&'static LawEntry, Maker), FrictionError> {
+fn local(name: &str) -> Result<(&'static LawEntry, LawConstructor), FrictionError> {
     let entry = find(name).ok_or_else(|| {
         let names = || {
             LAWS.iter()

@@ -58,7 +58,7 @@ pub use area::Area;
 pub use area_friction::AreaFriction;
 pub use catalogue::{LAWS, LawEntry, LawParameter};
 #[doc(hidden)]
-pub use catalogue::{Maker, find};
+pub use catalogue::{LawConstructor, find};
 #[doc(hidden)]
 pub use contact_friction::{AnyContactFriction, ContactVisitor};
 #[doc(hidden)]
@@ -84,7 +84,7 @@ pub use setting::{LAW, PATCH};
 #[doc(hidden)]
 pub use surface::points_of;
 #[doc(hidden)]
-pub use surface::{Held, HeldNodes};
+pub use surface::{Held, OwnedNodes};
 pub use surface::{LimitSurfaces, limit_surface};
 pub use tier::Tier;
 #[doc(hidden)]
@@ -94,7 +94,7 @@ pub use visit::visit_disk;
 #[doc(hidden)]
 pub use visit::{RoundPower, Visitor, leaning, upright, visit};
 
-use quadrature::{ByNodes, DiskOfAnyLaw};
+use quadrature::{DiskOfAnyLaw, NodeQuadrature};
 use std::fmt;
 use tribos_core::coupling::{
     Annulus, LateralFriction, ReducedFriction, ReducedJacobian, ReducedWrench, RoundFriction,
@@ -136,7 +136,7 @@ const SLOWEST: f64 = 2.65e-261;
 enum Kind<R: Real> {
     Power(Box<dyn RoundPower<R>>),
     Quadrature(Box<dyn LateralFriction<R> + Send + Sync>),
-    Nodes(ByNodes<R>),
+    Nodes(NodeQuadrature<R>),
 }
 
 impl<R: Precision> AnyFriction<R> {
@@ -146,13 +146,13 @@ impl<R: Precision> AnyFriction<R> {
         let any = |law: &Law| Ok::<_, FrictionError>(DiskOfAnyLaw::new(law.made::<R>()?));
         let kind = match (patch, tier) {
             (_, Tier::Table | Tier::Compact) => {
-                Kind::Power(visit(patch, law.exponent(), tier, visit::Boxed)?)
+                Kind::Power(visit(patch, law.exponent(), tier, visit::BoxingVisitor)?)
             }
             (Patch::Disk, _) => Kind::Quadrature(Box::new(any(law)?)),
             (Patch::Annulus(inner), _) => {
                 Kind::Quadrature(Box::new(Annulus::new(any(law)?, R::from_f64(*inner))?))
             }
-            _ => Kind::Nodes(ByNodes::new(patch, law)?),
+            _ => Kind::Nodes(NodeQuadrature::new(patch, law)?),
         };
         let coefficient = match kind {
             Kind::Power(_) => R::from_f64(law.coefficient()),

@@ -1,7 +1,7 @@
 //! The scalars that friction can be chosen in.
 
 use super::FrictionError;
-use super::catalogue::{Made, Maker, Values};
+use super::catalogue::{LawConstructor, LawResult, Values};
 use super::quadrature::polynomial;
 use super::visit::Smooth;
 use std::fmt::Debug;
@@ -57,7 +57,7 @@ pub(super) mod sealed {
             visitor: V,
         ) -> Result<V::Output, FrictionError>;
         fn dry_polynomial(coefficients: &[f64]) -> Result<Self::Polynomial, FrictionError>;
-        fn make(maker: &Maker, values: Values<Self>) -> Made<Self>;
+        fn make(maker: &LawConstructor, values: Values<Self>) -> LawResult<Self>;
     }
 
     impl Tables for f64 {
@@ -82,7 +82,7 @@ pub(super) mod sealed {
         fn dry_polynomial(coefficients: &[f64]) -> Result<PolynomialTable, FrictionError> {
             Ok(PolynomialTable::new(0.0, &polynomial(coefficients)?)?)
         }
-        fn make(maker: &Maker, values: Values<f64>) -> Made<f64> {
+        fn make(maker: &LawConstructor, values: Values<f64>) -> LawResult<f64> {
             (maker.double)(values)
         }
     }
@@ -105,7 +105,7 @@ pub(super) mod sealed {
         fn dry_polynomial(_: &[f64]) -> Result<RoundTable32, FrictionError> {
             Err(FrictionError::SinglePrecision)
         }
-        fn make(maker: &Maker, values: Values<f32>) -> Made<f32> {
+        fn make(maker: &LawConstructor, values: Values<f32>) -> LawResult<f32> {
             (maker.single)(values)
         }
     }

@@ -1,7 +1,7 @@
 //! Any local law on a round patch: the kernel's quadratures, with the lateral force.
 
 use super::patch::MOST_COEFFICIENTS;
-use super::{AnyLaw, FrictionError, HeldNodes, Law, Patch, Precision};
+use super::{AnyLaw, FrictionError, Law, OwnedNodes, Patch, Precision};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::{LateralFriction, ReducedFriction, ReducedJacobian, ReducedWrench};
@@ -149,19 +149,19 @@ impl<R: Real> LateralFriction<R> for DiskOfAnyLaw<R> {
 
 /// A round patch by nodes in units of its radius.
 #[derive(Debug)]
-pub(super) struct ByNodes<R> {
-    friction: NodeFriction<AnyLaw<R>, HeldNodes<R>>,
+pub(super) struct NodeQuadrature<R> {
+    friction: NodeFriction<AnyLaw<R>, OwnedNodes<R>>,
 }
 
-impl<R: Precision> ByNodes<R> {
+impl<R: Precision> NodeQuadrature<R> {
     pub fn new(patch: &Patch, law: &Law) -> Result<Self, FrictionError> {
-        let nodes = HeldNodes::new(pressure_nodes(patch, R::ZERO)?)?;
+        let nodes = OwnedNodes::new(pressure_nodes(patch, R::ZERO)?)?;
         let friction = NodeFriction::new(law.made()?, nodes);
         Ok(Self { friction })
     }
 }
 
-impl<R: Real> ByNodes<R> {
+impl<R: Real> NodeQuadrature<R> {
     /// The mean over the nodes of a function of the place and of the stress g u/|u| there, for a
     /// velocity `slide` along x.
     fn mean(&self, slide: R, rim: R, of: impl Fn(&Node<R>, [R; 2]) -> R) -> R {
@@ -183,7 +183,7 @@ impl<R: Real> ByNodes<R> {
     }
 }
 
-impl<R: Real> ReducedFriction<R> for ByNodes<R> {
+impl<R: Real> ReducedFriction<R> for NodeQuadrature<R> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         let twist = Twist::new(slide.abs(), R::ZERO, rim.abs());
         let wrench = self.friction.wrench(R::ONE, &twist);
@@ -205,7 +205,7 @@ impl<R: Real> ReducedFriction<R> for ByNodes<R> {
     }
 }
 
-impl<R: Real> LateralFriction<R> for ByNodes<R> {
+impl<R: Real> LateralFriction<R> for NodeQuadrature<R> {
     fn lateral(&self, slide: R, rim: R) -> R {
         self.mean(slide.abs(), rim.abs(), |node, [_, y]| node.x * y)
     }

@@ -7,7 +7,7 @@ use tribos_core::coupling::{
     Annulus, DryProfile, DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench,
     closed, table::CoulombDisk,
 };
-use tribos_core::internals::Lead;
+use tribos_core::internals::DominantSpeed;
 use tribos_core::limit_surface::{
     FrictionSet, LimitEllipsoid, RoundLimitSurface, ShapeLimitSurface,
 };
@@ -214,7 +214,7 @@ impl<R: Precision> ReducedFriction<R> for DryRound<R> {
 }
 
 impl<R: Precision> DryReducedFriction<R> for DryRound<R> {
-    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+    fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
         match self {
             Self::Disk(dry) => dry.reduced_point(lead, ratio),
             Self::Ring(dry) => dry.reduced_point(lead, ratio),
@@ -242,7 +242,7 @@ impl<R: Real> ReducedFriction<R> for Box<dyn Held<R>> {
 }
 
 impl<R: Real> DryReducedFriction<R> for Box<dyn Held<R>> {
-    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+    fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
         (**self).reduced_point(lead, ratio)
     }
 }
@@ -261,12 +261,12 @@ const MOST_POINTS: usize = 100_000;
 /// Nodes in a list.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
-pub struct HeldNodes<R = f64> {
+pub struct OwnedNodes<R = f64> {
     nodes: Vec<Node<R>>,
     total: R,
 }
 
-impl<R: Real> HeldNodes<R> {
+impl<R: Real> OwnedNodes<R> {
     /// *Domain*: finite places, weights ≥ 0 of which at least one is positive, finite sum.
     pub fn new(nodes: Vec<Node<R>>) -> Result<Self, PatchError> {
         let total = NodeSlice::new(&nodes)?.total_weight();
@@ -274,7 +274,7 @@ impl<R: Real> HeldNodes<R> {
     }
 }
 
-impl<R: Real> NodePatch<R> for HeldNodes<R> {
+impl<R: Real> NodePatch<R> for OwnedNodes<R> {
     fn nodes(&self) -> &[Node<R>] {
         &self.nodes
     }

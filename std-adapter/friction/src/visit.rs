@@ -107,9 +107,9 @@ pub fn visit_disk<R: Precision, V: Visitor<R>>(
 /// ```
 pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn PowerLawFriction<f64>>, FrictionError> {
     match patch {
-        Patch::Annulus(inner) => Leaned(lean).dry(Annulus::new(table::CoulombDisk, *inner)?),
-        _ if patch.has_closed_form() => smooth(patch, 0.0, Tier::Compact, Leaned(lean)),
-        _ => smooth(patch, 0.0, Tier::Table, Leaned(lean)),
+        Patch::Annulus(inner) => TiltVisitor(lean).dry(Annulus::new(table::CoulombDisk, *inner)?),
+        _ if patch.has_closed_form() => smooth(patch, 0.0, Tier::Compact, TiltVisitor(lean)),
+        _ => smooth(patch, 0.0, Tier::Table, TiltVisitor(lean)),
     }
 }
 
@@ -128,7 +128,7 @@ pub fn upright(patch: &Patch, alpha: f64) -> Result<Box<dyn RoundPower<f64>>, Fr
     let closed = alpha == 0.0 && patch.has_closed_form();
     let asked = closed.then_some(Tier::Compact);
     let tier = Tier::serving::<f64>(patch, &Law::power(1.0, alpha)?, asked)?;
-    visit(patch, alpha, tier, Boxed)
+    visit(patch, alpha, tier, BoxingVisitor)
 }
 
 /// [`visit`] for every patch but the annulus.
@@ -210,9 +210,9 @@ impl<R: Real + 'static, V: Visitor<R>> Smooth<R> for InAnnulus<R, V> {
 }
 
 /// Leans dry friction by a fraction of the largest pressure gradient.
-struct Leaned(f64);
+struct TiltVisitor(f64);
 
-impl Leaned {
+impl TiltVisitor {
     fn dry<P>(&self, foot: P) -> Result<Box<dyn PowerLawFriction<f64>>, FrictionError>
     where
         P: PowerLawFriction<f64> + DryReducedFriction<f64> + LateralFriction<f64> + 'static,
@@ -221,7 +221,7 @@ impl Leaned {
     }
 }
 
-impl Smooth<f64> for Leaned {
+impl Smooth<f64> for TiltVisitor {
     type Output = Box<dyn PowerLawFriction<f64>>;
     fn smooth<P>(self, foot: P) -> Result<Self::Output, FrictionError>
     where
@@ -232,9 +232,9 @@ impl Smooth<f64> for Leaned {
 }
 
 /// Puts the type behind a pointer.
-pub(super) struct Boxed;
+pub(super) struct BoxingVisitor;
 
-impl<R: Real> Visitor<R> for Boxed {
+impl<R: Real> Visitor<R> for BoxingVisitor {
     type Output = Box<dyn RoundPower<R>>;
     fn visit<P: RoundPower<R> + 'static>(self, friction: P) -> Self::Output {
         Box::new(friction)

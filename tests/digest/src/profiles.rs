@@ -11,7 +11,7 @@ use tribos_core::coupling::round::{
 use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
 use tribos_core::coupling::unscaled_wrench;
 use tribos_core::coupling::{Annulus, DryProfile, LateralFriction, PowerLawFriction, compact};
-use tribos_core::internals::{Lead, LeanProfile, SmoothProfile, Speeds};
+use tribos_core::internals::{DominantSpeed, LeanProfile, SmoothProfile, Speeds};
 use tribos_core::law::PowerLaw;
 use tribos_core::modes::{Stability, TerminalMode, TerminalMotion, inertia_interval};
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
@@ -170,7 +170,9 @@ pub fn modes() -> u64 {
 fn speeds<R: Real>(hash: &mut Fnv) {
     for (slide, rim) in arguments(127, 100).chain(pairs_of_ends()) {
         let speeds = Speeds::<R>::new(slide, rim);
-        hash.feed(u64::from(speeds.at_rest()) | u64::from(speeds.lead() == Lead::Sliding) << 1);
+        hash.feed(
+            u64::from(speeds.at_rest()) | u64::from(speeds.lead() == DominantSpeed::Sliding) << 1,
+        );
         hash.numbers([speeds.ratio(), speeds.complement()]);
     }
 }

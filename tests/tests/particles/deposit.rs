@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use std::f64::consts::PI;
-use tribos::powder::deposit::{Ballistic, Deposit, DepositError, STREAM, Until};
+use tribos::powder::deposit::{Ballistic, Deposit, DepositError, DepositTarget, STREAM};
 use tribos::random::Random;
 use tribos::space::PeriodicBox;
 use tribos::space::pairs::neighbours;
@@ -48,7 +48,7 @@ fn a_deposit_is_a_forest_without_overlaps() {
     for capture in [2.0, 2.01, 2.2, 2.5, 3.0, 5.0, 10.0] {
         for seed in 0..20 {
             let ballistic = Ballistic::new(24.0, 1.0, capture).unwrap();
-            let deposit = ballistic.grow(Until::Count(400), seed).unwrap();
+            let deposit = ballistic.grow(DepositTarget::Count(400), seed).unwrap();
             let held = deposit.parents.iter().flatten().count();
             assert_eq!(check_forest(&deposit), held, "{capture} {seed}");
             assert_eq!(deposit.positions.len(), 400);
@@ -63,7 +63,7 @@ fn unequal_spheres_form_a_forest_too() {
             for seed in 0..10 {
                 let capture = radii[0] + radii[1] + gap;
                 let ballistic = Ballistic::uneven(30.0, radii, capture).unwrap();
-                let deposit = ballistic.grow(Until::Count(500), seed).unwrap();
+                let deposit = ballistic.grow(DepositTarget::Count(500), seed).unwrap();
                 let held = deposit.parents.iter().flatten().count();
                 assert_eq!(check_forest(&deposit), held, "{radii:?} {gap} {seed}");
                 let [low, high] = radii;
@@ -149,7 +149,7 @@ fn columns_find_what_looking_everywhere_finds() {
     ] {
         for seed in [1, 2] {
             let ballistic = Ballistic::uneven(width, radii, capture).unwrap();
-            let fast = ballistic.grow(Until::Count(300), seed).unwrap();
+            let fast = ballistic.grow(DepositTarget::Count(300), seed).unwrap();
             let slow = slow_deposit(width, radii, capture, 300, seed);
             assert_eq!(fast.parents, slow.parents, "{width} {capture} {seed}");
             assert_eq!(fast.radii, slow.radii);
@@ -181,7 +181,7 @@ fn bulk_densities_are_those_of_an_independent_program() {
         let ballistic = Ballistic::new(30.0, 1.0, capture).unwrap();
         let bulk = |seed| {
             1.0 - ballistic
-                .grow(Until::Height(120.0), seed)
+                .grow(DepositTarget::Height(120.0), seed)
                 .unwrap()
                 .bulk_porosity()
         };
@@ -196,7 +196,7 @@ fn bulk_densities_are_those_of_an_independent_program() {
 #[test]
 fn classical_ballistic_deposits_fill_fifteen_percent() {
     let ballistic = Ballistic::new(60.0, 1.0, 2.0).unwrap();
-    let deposit = ballistic.grow(Until::Height(300.0), 1).unwrap();
+    let deposit = ballistic.grow(DepositTarget::Height(300.0), 1).unwrap();
     let solid = 1.0 - deposit.bulk_porosity();
     assert!((solid - 0.15).abs() < 0.005, "{solid}");
     let pairs = check_forest(&deposit) as f64;
@@ -204,7 +204,7 @@ fn classical_ballistic_deposits_fill_fifteen_percent() {
 }
 
 /// Spheres and porosities of some deposits.
-fn sample(width: f64, until: Until) -> [(f64, f64); 2] {
+fn sample(width: f64, until: DepositTarget) -> [(f64, f64); 2] {
     let ballistic = Ballistic::new(width, 1.0, 3.0).unwrap();
     let deposits: Vec<Deposit> = (1..=40)
         .map(|seed| ballistic.grow(until, seed).unwrap())
@@ -224,7 +224,7 @@ fn cut_deposits_are_the_systems_of_the_thesis() {
         (25.0, 87.5, 1015.0, 0.92),
         (40.0, 140.0, 4193.0, 0.923),
     ] {
-        let [(count, scatter), (porosity, spread)] = sample(width, Until::Cut(height));
+        let [(count, scatter), (porosity, spread)] = sample(width, DepositTarget::Cut(height));
         let away = (spheres - count) / scatter;
         assert!(away.abs() < 1.0, "{width}: {count} {scatter}");
         assert!((0.02..0.08).contains(&(scatter / count)));
@@ -236,10 +236,10 @@ fn cut_deposits_are_the_systems_of_the_thesis() {
 /// A deposit that ends with the first sphere at the height is loose below it.
 #[test]
 fn deposits_that_end_at_a_height_are_loose_below_it() {
-    let [(count, scatter), (porosity, _)] = sample(20.0, Until::Height(61.5));
+    let [(count, scatter), (porosity, _)] = sample(20.0, DepositTarget::Height(61.5));
     assert!((0.04..0.10).contains(&(scatter / count)));
     assert!((porosity - 0.92).abs() < 0.01, "{porosity}");
-    let grown = (1..=40).map(|seed| small().grow(Until::Height(61.5), seed).unwrap());
+    let grown = (1..=40).map(|seed| small().grow(DepositTarget::Height(61.5), seed).unwrap());
     let (mut above, mut heights) = (0.0, Vec::new());
     for deposit in grown {
         above += (deposit.porosity() - deposit.bulk_porosity()) / 40.0;
@@ -256,13 +256,13 @@ fn a_cut_takes_away_what_is_above_and_nothing_else() {
     for (radii, height) in [([1.0, 1.0], 30.0), ([0.4, 1.6], 25.0), ([1.0, 1.0], 2.5)] {
         let ballistic = Ballistic::uneven(20.0, radii, 3.0).unwrap();
         for seed in 0..10 {
-            let cut = ballistic.grow(Until::Cut(height), seed).unwrap();
+            let cut = ballistic.grow(DepositTarget::Cut(height), seed).unwrap();
             let held = cut.parents.iter().flatten().count();
             assert_eq!(check_forest(&cut), held);
             assert!(cut.height <= height && cut.height > height - 2.0 * radii[1]);
             // Any deposit with this seed that is much higher, cut by hand.
             let high = ballistic
-                .grow(Until::Height(3.0 * height + 20.0), seed)
+                .grow(DepositTarget::Height(3.0 * height + 20.0), seed)
                 .unwrap();
             let mut kept = vec![false; high.radii.len()];
             for i in 0..kept.len() {
@@ -276,7 +276,7 @@ fn a_cut_takes_away_what_is_above_and_nothing_else() {
             assert_eq!(cut.positions, positions, "{radii:?} {height} {seed}");
         }
     }
-    let nothing = small().grow(Until::Cut(1.9), 1);
+    let nothing = small().grow(DepositTarget::Cut(1.9), 1);
     assert_eq!(nothing, Err(DepositError::Empty));
 }
 
@@ -284,7 +284,7 @@ fn a_cut_takes_away_what_is_above_and_nothing_else() {
 fn volumes_of_slabs_are_exact() {
     let radii = [0.5, 1.5];
     let ballistic = Ballistic::uneven(16.0, radii, 3.0).unwrap();
-    let deposit = ballistic.grow(Until::Count(200), 5).unwrap();
+    let deposit = ballistic.grow(DepositTarget::Count(200), 5).unwrap();
     let solid = |low, high| deposit.solid_fraction(low, high) * 256.0 * (high - low);
     let whole: f64 = deposit
         .radii
@@ -309,12 +309,12 @@ fn volumes_of_slabs_are_exact() {
 
 #[test]
 fn the_same_seed_gives_the_same_bits_for_ever() {
-    let deposit = small().grow(Until::Count(50), 7).unwrap();
-    assert_eq!(deposit, small().grow(Until::Count(50), 7).unwrap());
-    assert_ne!(deposit, small().grow(Until::Count(50), 8).unwrap());
+    let deposit = small().grow(DepositTarget::Count(50), 7).unwrap();
+    assert_eq!(deposit, small().grow(DepositTarget::Count(50), 7).unwrap());
+    assert_ne!(deposit, small().grow(DepositTarget::Count(50), 8).unwrap());
     // A deposit to a height is the beginning of one that has more.
-    let low = small().grow(Until::Height(20.0), 7).unwrap();
-    let high = small().grow(Until::Height(40.0), 7).unwrap();
+    let low = small().grow(DepositTarget::Height(20.0), 7).unwrap();
+    let high = small().grow(DepositTarget::Height(40.0), 7).unwrap();
     assert_eq!(low.positions[..], high.positions[..low.positions.len()]);
     // Numbers of the generator, by a program of its own in Python integers.
     let mut random = Random::new(1, 0);
@@ -348,8 +348,8 @@ fn impossible_deposits_are_refused() {
         assert!(Ballistic::new(bad, 1.0, 3.0).is_err());
         assert!(Ballistic::new(20.0, bad, 3.0).is_err());
         assert!(Ballistic::new(20.0, 1.0, bad).is_err());
-        assert!(small().grow(Until::Height(bad), 1).is_err());
-        assert!(small().grow(Until::Cut(bad), 1).is_err());
+        assert!(small().grow(DepositTarget::Height(bad), 1).is_err());
+        assert!(small().grow(DepositTarget::Cut(bad), 1).is_err());
     }
     assert_eq!(
         Ballistic::new(20.0, 1.0, 1.9),
@@ -365,7 +365,10 @@ fn impossible_deposits_are_refused() {
             high: 1.0
         })
     );
-    assert_eq!(small().grow(Until::Count(0), 1), Err(DepositError::Empty));
-    let too_many = small().grow(Until::Count(usize::MAX), 1);
+    assert_eq!(
+        small().grow(DepositTarget::Count(0), 1),
+        Err(DepositError::Empty)
+    );
+    let too_many = small().grow(DepositTarget::Count(usize::MAX), 1);
     assert_eq!(too_many, Err(DepositError::TooMany));
 }

@@ -1,7 +1,7 @@
 //! Exports say what the snapshot says, bit for bit, to a reader of their formats.
 
 use nalgebra::Vector3;
-use tribos::powder::deposit::{Ballistic, SUBSTRATE, Until};
+use tribos::powder::deposit::{Ballistic, DepositTarget, SUBSTRATE};
 use tribos::record::{
     ContactRow, Partner, Snapshot, SnapshotError, contacts_vtp, extended_xyz, particles_vtp,
 };
@@ -307,7 +307,7 @@ fn contradictions_are_refused() {
 #[test]
 fn a_deposit_exports_its_tree() {
     let deposit = Ballistic::new(20.0, 1.0, 3.0).unwrap();
-    let deposit = deposit.grow(Until::Count(200), 3).unwrap();
+    let deposit = deposit.grow(DepositTarget::Count(200), 3).unwrap();
     let contacts = deposit.contacts();
     let text = contacts_vtp(&deposit.snapshot(&contacts)).unwrap();
     let ends = triples(&text, "Points");

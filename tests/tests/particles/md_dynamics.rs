@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 use tribos::md::atoms::Atoms;
-use tribos::md::group::{Frame, Group, Hold};
+use tribos::md::group::{Group, MotionConstraint, ThermalFrame};
 use tribos::md::interaction::Wanted;
 use tribos::md::neighbours::ListError;
 use tribos::md::observe::{conserved_energy, kinetic_energies};
 use tribos::md::pair::{LennardJones, Pairing, Shift};
 use tribos::md::system::{Integrator, Setup, System, SystemError};
-use tribos::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat};
+use tribos::md::thermostat::{Langevin, Noise, NoseHoover, RotationBias, Thermostat};
 use tribos::space::PeriodicBox;
 
 type Error = Box<dyn std::error::Error>;
@@ -94,7 +94,7 @@ fn the_energy_error_is_of_second_order() -> Result<(), Error> {
 
 #[test]
 fn nose_hoover_conserves_its_energy_to_second_order() -> Result<(), Error> {
-    let thermostat = NoseHoover::new(0.7, 0.3, Spin::Counts)?;
+    let thermostat = NoseHoover::new(0.7, 0.3, RotationBias::Counts)?;
     let group = Group {
         thermostat: Thermostat::NoseHoover(thermostat),
         ..Group::default()
@@ -124,7 +124,8 @@ fn small() -> Result<Setup<LennardJones>, Error> {
 #[test]
 fn nose_hoover_keeps_the_mean_temperature_of_few_atoms_that_nothing_holds() -> Result<(), Error> {
     let mut setup = small()?;
-    setup.groups[0].thermostat = Thermostat::NoseHoover(NoseHoover::new(0.7, 0.5, Spin::Counts)?);
+    setup.groups[0].thermostat =
+        Thermostat::NoseHoover(NoseHoover::new(0.7, 0.5, RotationBias::Counts)?);
     let mut system = System::new(setup)?;
     let (mut sum, mut count) = (0.0, 0.0);
     for step in 0..24_000 {
@@ -148,13 +149,16 @@ fn momentum_is_no_heat_where_nothing_changes_it() -> Result<(), Error> {
         Ok(System::new(setup)?.heat_freedoms(0))
     };
     assert_eq!(freedoms(&|_| ())?, 93.0);
-    let bath = Thermostat::NoseHoover(NoseHoover::new(0.7, 0.5, Spin::Counts)?);
+    let bath = Thermostat::NoseHoover(NoseHoover::new(0.7, 0.5, RotationBias::Counts)?);
     assert_eq!(freedoms(&|setup| setup.groups[0].thermostat = bath)?, 93.0);
     assert_eq!(
-        freedoms(&|setup| setup.groups[0].frame = Frame::Mean)?,
+        freedoms(&|setup| setup.groups[0].frame = ThermalFrame::Mean)?,
         93.0
     );
-    assert_eq!(freedoms(&|setup| setup.groups[0].hold = Hold::Plane)?, 62.0);
+    assert_eq!(
+        freedoms(&|setup| setup.groups[0].hold = MotionConstraint::Plane)?,
+        62.0
+    );
     // Noise, a load and other groups change it.
     let noise = Thermostat::Langevin(Langevin::new(0.7, 1.0)?);
     assert_eq!(freedoms(&|setup| setup.groups[0].thermostat = noise)?, 96.0);
@@ -291,11 +295,11 @@ fn damping_slows_a_lone_atom_exactly() -> Result<(), Error> {
 #[test]
 fn held_groups_keep_to_their_hold() -> Result<(), Error> {
     let holds = [
-        Hold::Free,
-        Hold::Frozen,
-        Hold::Plane,
-        Hold::Level,
-        Hold::Turning {
+        MotionConstraint::Free,
+        MotionConstraint::Frozen,
+        MotionConstraint::Plane,
+        MotionConstraint::Level,
+        MotionConstraint::Turning {
             axis: [3.0, 4.0],
             rate: 0.25,
         },
@@ -345,7 +349,7 @@ fn held_groups_keep_to_their_hold() -> Result<(), Error> {
 fn a_run_goes_on_to_the_same_bits() -> Result<(), Error> {
     let setup = || -> Result<Setup<LennardJones>, Error> {
         let mut setup = crystal(5, 0.8442, 1.4)?;
-        let nose = NoseHoover::new(0.7, 0.2, Spin::Counts)?;
+        let nose = NoseHoover::new(0.7, 0.2, RotationBias::Counts)?;
         let noise = Langevin::new(0.7, 1.0)?;
         setup.groups = [Thermostat::NoseHoover(nose), Thermostat::Langevin(noise)]
             .map(|thermostat| Group {

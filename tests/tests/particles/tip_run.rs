@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use tribos::md::interaction::Wanted;
-use tribos::md::observe::{Torsion, conserved_energy};
+use tribos::md::observe::{RotationAngle, conserved_energy};
 use tribos::md::system::{System, SystemError};
 use tribos::run::Simulation;
 use tribos::scene::TipScene;
@@ -229,7 +229,7 @@ fn the_angle_counts_turns_of_a_known_rotation() -> Result<(), Error> {
         .collect();
     let [x0, y0] = scene.shape().axis();
     for direction in [1.0, -1.0] {
-        let mut torsion = Torsion::new(tip.clone(), &places);
+        let mut torsion = RotationAngle::new(tip.clone(), &places);
         for step in 0..=40_u32 {
             let angle = direction * 0.3 * f64::from(step);
             let (sin, cos) = angle.sin_cos();

@@ -14,7 +14,7 @@ use tribos_core::planar::{PlanarBody, PointContacts};
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_report::claim::Claim;
-use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
+use tribos_report::figure::{Axis, Figure, Legend, ReferenceLine, Series};
 
 const TEXT: Text = Text(include_str!("section-3.1-board.md"));
 
@@ -71,8 +71,8 @@ pub fn section_3_1_board() -> Result<Exhibit> {
     )
     .series(Series::line("on a ring", curve(1)))
     .series(Series::line("on a disk", curve(2)))
-    .guide(Guide::vertical(FRAC_1_SQRT_2, "1/√2"))
-    .guide(Guide::vertical(SQRT_2, "√2"))
+    .guide(ReferenceLine::vertical(FRAC_1_SQRT_2, "1/√2"))
+    .guide(ReferenceLine::vertical(SQRT_2, "√2"))
     .legend(Legend::Below);
     let claims = [round_supports()?, three_feet()?].concat();
     Ok(Exhibit::new(

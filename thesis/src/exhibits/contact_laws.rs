@@ -1,6 +1,6 @@
 //! Figures 4.2 and 4.3: the contact laws of cohesive spheres as set-valued graphs.
 
-use tribos_report::figure::{Axis, Color, Figure, Guide, Legend, Panels, Region, Series};
+use tribos_report::figure::{Axis, Color, Figure, Legend, Panels, ReferenceLine, Region, Series};
 
 /// What the graphs depend on, in any consistent units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,9 +99,9 @@ impl ContactLaws {
             Axis::linear("gap").range(GAP.0 * length, GAP.1 * length),
             Axis::linear("normal force F_n").range(FORCE.0 * force, FORCE.1 * force),
         )
-        .guide(Guide::horizontal(-force, "−F_coh"))
-        .guide(Guide::horizontal(0.0, ""))
-        .guide(Guide::vertical(length, "d_c"))
+        .guide(ReferenceLine::horizontal(-force, "−F_coh"))
+        .guide(ReferenceLine::horizontal(0.0, ""))
+        .guide(ReferenceLine::vertical(length, "d_c"))
         .legend(Legend::Hidden)
     }
 
@@ -122,8 +122,8 @@ impl ContactLaws {
             Axis::linear(velocity).range(-VELOCITY, VELOCITY),
             Axis::linear(answer).range(-top, top),
         )
-        .guide(Guide::horizontal(0.0, ""))
-        .guide(Guide::vertical(0.0, ""))
+        .guide(ReferenceLine::horizontal(0.0, ""))
+        .guide(ReferenceLine::vertical(0.0, ""))
         .legend(Legend::TopRight);
         let names = ["F_n = F_coh", "F_n = 0"];
         let graphs = loads.into_iter().zip(names);

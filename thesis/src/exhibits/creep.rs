@@ -7,7 +7,7 @@ use tribos_core::law::{
     AgeingLaw, LocalLaw, RateState, RateStateParameters, SlipLaw, StateVariable, SteadyRateState,
 };
 use tribos_report::claim::Claim;
-use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
+use tribos_report::figure::{Axis, Figure, Legend, ReferenceLine, Series};
 
 const TEXT: Text = Text(include_str!("figure-2.7.md"));
 
@@ -42,7 +42,7 @@ pub fn figure_2_7() -> Result<Exhibit> {
         Axis::linear("μ_d").range(0.15, 0.45),
     )
     .series(Series::line("rate and state", points(&rows, 0, 1)))
-    .guide(Guide::vertical(minimum, "Cr | In"))
+    .guide(ReferenceLine::vertical(minimum, "Cr | In"))
     .legend(Legend::Hidden);
     let mut claims = steady_claims(&law, minimum);
     claims.extend(memory()?);

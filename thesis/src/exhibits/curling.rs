@@ -28,18 +28,18 @@ const SLOW_LEFT: std::ops::RangeInclusive<f64> = 0.5..=1.2;
 
 /// How a model fares with an observation, as it was found before.
 #[derive(Clone, Copy, PartialEq)]
-enum Fares {
+enum EarlierVerdict {
     Agrees,
     Misses,
     /// The model was given what is observed.
     Imposed,
 }
-use Fares::{Agrees, Imposed, Misses};
+use EarlierVerdict::{Agrees, Imposed, Misses};
 
 /// The observations: ids of their statements.
 const OBSERVED: [&str; 6] = ["side", "size", "spin", "together", "slow-path", "slow-end"];
 /// Models in the order of the library: the id of their reason, and how they fare.
-const FOUND: [(&str, [Fares; 6]); 7] = [
+const FOUND: [(&str, [EarlierVerdict; 6]); 7] = [
     ("dry", [Misses, Misses, Misses, Agrees, Misses, Misses]),
     (
         "left-right",
@@ -121,7 +121,7 @@ fn observations(
     model: &dyn CurlingModel,
     [draw, slow]: [&[PlanarState]; 2],
     half: f64,
-    (reason, fares): (&str, [Fares; 6]),
+    (reason, fares): (&str, [EarlierVerdict; 6]),
 ) -> Result<Vec<Claim>> {
     let fast = draw.last().map_or(f64::NAN, |point| point.position[1]);
     let [slide, turn] = ends(draw)?;
@@ -177,7 +177,12 @@ pub(super) fn short_metres(length: f64) -> String {
 }
 
 /// The row of a model that agrees, or misses for the reason that its formula gives.
-fn judged(statement: Statement, ours: String, (agrees, fares): (bool, Fares), why: &str) -> Claim {
+fn judged(
+    statement: Statement,
+    ours: String,
+    (agrees, fares): (bool, EarlierVerdict),
+    why: &str,
+) -> Claim {
     match fares {
         Agrees => Claim::trend(statement, ours, agrees),
         Imposed => {

@@ -4,8 +4,8 @@ use crate::exhibit::Exhibit;
 use crate::text::Text;
 use anyhow::Result;
 use tribos::powder::deposit::curve::{COLUMNS, PorosityCurve, Sample, statistics, straight_line};
-use tribos::powder::deposit::{Ballistic, Until};
-use tribos_report::claim::{Claim, Otherwise};
+use tribos::powder::deposit::{Ballistic, DepositTarget};
+use tribos_report::claim::{Claim, MismatchMeaning};
 use tribos_report::runs::deposit::porosity;
 use tribos_report::verdict::Allowance;
 
@@ -29,7 +29,7 @@ const DEPOSITS: u64 = 40;
 /// Porosity over 1/r_capt.
 pub fn figure_4_5() -> Result<Exhibit> {
     let [width, height] = CURVE;
-    let curve = PorosityCurve::new(width, Until::Cut(height), FIRST_SEED)?;
+    let curve = PorosityCurve::new(width, DepositTarget::Cut(height), FIRST_SEED)?;
     let mut claims = curve_claims(&curve);
     claims.extend(system_claims()?);
     Ok(Exhibit::new(
@@ -93,7 +93,7 @@ fn system_claims() -> Result<Vec<Claim>> {
         let ballistic = Ballistic::new(width, 1.0, 3.0)?;
         let sample = Sample::new(
             &ballistic,
-            Until::Cut(height),
+            DepositTarget::Cut(height),
             FIRST_SEED..FIRST_SEED + DEPOSITS,
         )?;
         let (count, scatter) = statistics(&sample.particles);
@@ -119,7 +119,7 @@ fn system_claims() -> Result<Vec<Claim>> {
                 ("≈ 92 %", 92.0),
                 (shown, 100.0 * porosity),
                 Allowance::Digits(0.5),
-                Otherwise::Failure,
+                MismatchMeaning::Failure,
             )
         } else {
             let far = away(0.923, porosity, scatter);

@@ -7,7 +7,7 @@ use tribos_core::internals::CompleteElliptic;
 use tribos_core::modes::{FixedPoints, Stability, inertia_interval};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
-use tribos_report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
+use tribos_report::figure::{Axis, Figure, Legend, Panels, ReferenceLine, Series};
 use tribos_report::verdict::Allowance;
 
 const FIGURE_3_6: Text = Text(include_str!("figure-3.6.md"));
@@ -48,7 +48,7 @@ fn figure(title: &str, range: (f64, f64), growth: (f64, f64), series: Vec<Series
     series
         .into_iter()
         .fold(empty, Figure::series)
-        .guide(Guide::horizontal(0.0, ""))
+        .guide(ReferenceLine::horizontal(0.0, ""))
 }
 
 fn word(stability: Stability) -> &'static str {

@@ -6,7 +6,7 @@ use anyhow::Result;
 use tribos_core::law::{LocalLaw, PlateauPowerLaw, PlateauPowerLawParameters, PowerLaw};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
-use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
+use tribos_report::figure::{Axis, Figure, Legend, ReferenceLine, Series};
 
 const TEXT: Text = Text(include_str!("figure-3.19.md"));
 
@@ -72,7 +72,10 @@ pub fn figure_3_19() -> Result<Exhibit> {
     }
     figure = figure
         .series(Series::points("aluminium, Bowden", ALUMINIUM.to_vec()))
-        .guide(Guide::horizontal(ALUMINIUM_AT_REST, "aluminium at rest"))
+        .guide(ReferenceLine::horizontal(
+            ALUMINIUM_AT_REST,
+            "aluminium at rest",
+        ))
         .legend(Legend::Below);
     let mut claims = plateau_claims(&granite)?;
     claims.extend(fits()?);

@@ -6,7 +6,7 @@ use anyhow::Result;
 use tribos_core::modes::{Stability, inertia_interval};
 use tribos_report::claim::Claim;
 use tribos_report::diagram::Diagram;
-use tribos_report::figure::{Axis, Figure, Guide, Series};
+use tribos_report::figure::{Axis, Figure, ReferenceLine, Series};
 use tribos_report::verdict::Allowance;
 
 const FIGURE_3_9: Text = Text(include_str!("figure-3.9.md"));
@@ -63,7 +63,7 @@ pub fn figure_3_9() -> Result<Exhibit> {
     }
     Ok(Exhibit::new(
         FIGURE_3_9.prose(),
-        figure.guide(Guide::horizontal(0.5, "disk")),
+        figure.guide(ReferenceLine::horizontal(0.5, "disk")),
         &["ratio", "c_alpha_0", "c_alpha_1", "c_alpha_3"],
         rows,
         claims,

@@ -16,7 +16,7 @@ use tribos_core::modes::{Stability, TerminalMotion};
 use tribos_core::patch::PowerPressure;
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
-use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
+use tribos_report::figure::{Axis, Figure, Legend, ReferenceLine, Series};
 
 const TEXT: Text = Text(include_str!("section-5.1-lateral.md"));
 
@@ -60,7 +60,7 @@ pub fn section_5_1_lateral() -> Result<Exhibit> {
         Axis::linear("lean λ = 2μh/(R⟨r²⟩)").range(0.0, MOST),
         Axis::linear("final ratio v/(ωR)").range(0.4, 1.1),
     )
-    .guide(Guide::vertical(LEAN, "integrated"))
+    .guide(ReferenceLine::vertical(LEAN, "integrated"))
     .legend(Legend::Below);
     for (i, (name, _)) in PRESSURES.iter().enumerate() {
         let curve = rows.iter().map(|row| (row[0], row[1 + i])).collect();

@@ -11,7 +11,7 @@ use anyhow::Result;
 use map::{Estimate, Map};
 use table::{CORNERS, COUPLINGS, PRESSURES, SPREADS, cells, name};
 use tribos::scene::FrictionCoupling;
-use tribos_report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
+use tribos_report::figure::{Axis, Figure, Legend, Panels, ReferenceLine, Series};
 
 const TEXT: Text = Text(include_str!("section-5.2.md"));
 
@@ -109,7 +109,7 @@ fn excesses(map: &Map, spread: f64) -> Figure {
                 map.excess((spread, pressure), coupling)
             }))
         });
-    figure.guide(Guide::horizontal(0.0, ""))
+    figure.guide(ReferenceLine::horizontal(0.0, ""))
 }
 
 fn couplings(map: &Map, spread: f64) -> Figure {
@@ -125,7 +125,7 @@ fn couplings(map: &Map, spread: f64) -> Figure {
             }));
         }
     }
-    figure.guide(Guide::horizontal(0.0, ""))
+    figure.guide(ReferenceLine::horizontal(0.0, ""))
 }
 
 /// One line a cell, corner and coupling; couplings by their number.

@@ -5,7 +5,7 @@ use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::powder::PowderStopReason;
-use tribos::powder::deposit::{Ballistic, Until};
+use tribos::powder::deposit::{Ballistic, DepositTarget};
 use tribos_report::claim::Claim;
 use tribos_report::runs::powder::packing;
 
@@ -63,7 +63,7 @@ fn piston_claim(id: &str, system: System) -> Result<Claim> {
     let ballistic = Ballistic::new(width, 1.0, CAPTURE_RADIUS)?;
     let mut lowest = height;
     for seed in SEEDS {
-        let deposit = ballistic.grow(Until::Cut(height), seed);
+        let deposit = ballistic.grow(DepositTarget::Cut(height), seed);
         lowest = lowest.min(deposit?.height);
     }
     let claim = Claim::trend(

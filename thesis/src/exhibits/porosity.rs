@@ -13,7 +13,7 @@ use std::sync::Arc;
 use tribos::powder::PowderStopReason;
 use tribos::powder::deposit::curve::statistics;
 use tribos_report::figure::Axis;
-use tribos_report::sheet::Sheet;
+use tribos_report::sheet::DrawingGrid;
 use tribos_report::surface::Surface;
 
 const TEXT: Text = Text(include_str!("figure-4.7.md"));
@@ -134,7 +134,7 @@ pub fn figure_4_7(runs: &Runs) -> Result<Exhibit> {
         Effort::Quick => None,
         Effort::Full => Some(Porosities::run(runs, System::Large)?),
     };
-    let mut sheet = Sheet::new("Final porosity", 2).drawing(small.surface());
+    let mut sheet = DrawingGrid::new("Final porosity", 2).drawing(small.surface());
     let mut rows = small.rows();
     if let Some(large) = &large {
         sheet = sheet.drawing(large.surface());

@@ -10,7 +10,7 @@ use tribos_core::patch::PowerPressure;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
-use tribos_report::figure::{Axis, Color, Figure, Guide, Legend, Series};
+use tribos_report::figure::{Axis, Color, Figure, Legend, ReferenceLine, Series};
 
 const TEXT: Text = Text(include_str!("section-5.1-modes.md"));
 
@@ -58,8 +58,8 @@ pub fn section_5_1_modes() -> Result<Exhibit> {
         .series(
             Series::points("curling stone on its band", stones.to_vec()).color(Color(30, 30, 30)),
         )
-        .guide(Guide::horizontal(0.5, "disk"))
-        .guide(Guide::vertical(1.0, ""))
+        .guide(ReferenceLine::horizontal(0.5, "disk"))
+        .guide(ReferenceLine::vertical(1.0, ""))
         .legend(Legend::Below);
     let mut claims = plane(&[-0.9, -0.5, -0.19, 0.0, 0.5, 1.5, 3.0, 5.0])?;
     claims.push(decoupled()?);

@@ -11,11 +11,11 @@ use std::thread::available_parallelism;
 use tribos::cd::{
     ContactSolver, SolverMethod, StepLimits, Wall, World, WorldMaterials, WorldSetup, solid,
 };
-use tribos::powder::deposit::{Ballistic, Until};
+use tribos::powder::deposit::{Ballistic, DepositTarget};
 use tribos::run::in_order;
 use tribos_core::contact::{Attraction, Cohesion, IndependentFriction, NormalLaw, SlidingOnly};
 use tribos_report::claim::Claim;
-use tribos_report::figure::{Axis, Figure, Guide, Series};
+use tribos_report::figure::{Axis, Figure, ReferenceLine, Series};
 
 const TEXT: Text = Text(include_str!("section-4.2.md"));
 
@@ -57,7 +57,8 @@ impl Packing {
     /// The deposit of a seed, with cohesion or without it.
     fn new(system: System, cohesion: f64, seed: u64) -> Result<Self> {
         let [width, height] = system.size();
-        let deposit = Ballistic::new(width, 1.0, CAPTURE_RADIUS)?.grow(Until::Cut(height), seed)?;
+        let deposit =
+            Ballistic::new(width, 1.0, CAPTURE_RADIUS)?.grow(DepositTarget::Cut(height), seed)?;
         let cohesion = if cohesion > 0.0 {
             Cohesion::new(cohesion, RANGE, Attraction::Pull)?
         } else {
@@ -157,7 +158,7 @@ impl Packing {
 }
 
 /// A deposit's porosities: under each load, and shaken under the last.
-struct Course {
+struct PorosityHistory {
     cohesion: f64,
     seed: u64,
     loaded: [f64; FACTORS.len()],
@@ -165,7 +166,7 @@ struct Course {
     at_rest: bool,
 }
 
-impl Course {
+impl PorosityHistory {
     fn run(system: System, cohesion: f64, seed: u64) -> Result<Self> {
         let mut packing = Packing::new(system, cohesion, seed)?;
         let (first, mut at_rest) = (FIRST * packing.area, true);
@@ -211,9 +212,9 @@ pub fn section_4_2(runs: &Runs) -> Result<Exhibit> {
     let threads = available_parallelism().map_or(1, NonZero::get);
     let courses = in_order(cases.len(), threads, |index| {
         let (cohesion, seed) = cases[index];
-        Course::run(system, cohesion, seed)
+        PorosityHistory::run(system, cohesion, seed)
     });
-    let courses: Vec<Course> = courses
+    let courses: Vec<PorosityHistory> = courses
         .into_iter()
         .map(|course| course.ok_or_else(|| anyhow!("a course was lost"))?)
         .collect::<Result<_>>()?;
@@ -250,7 +251,7 @@ pub fn section_4_2(runs: &Runs) -> Result<Exhibit> {
     ))
 }
 
-fn figure(courses: &[Course]) -> Figure {
+fn figure(courses: &[PorosityHistory]) -> Figure {
     let y = Axis::linear("porosity");
     let figure = Figure::new("", Axis::log10("pressure [F_coh/R²]"), y);
     let figure = courses
@@ -274,7 +275,7 @@ fn figure(courses: &[Course]) -> Figure {
                     vec![(last, course.shaken)],
                 ))
         });
-    figure.guide(Guide::vertical(1.0, ""))
+    figure.guide(ReferenceLine::vertical(1.0, ""))
 }
 
 /// Most of some numbers, and least.
@@ -298,13 +299,13 @@ fn points([least, most]: [f64; 2]) -> String {
     }
 }
 
-fn claims(dry: &[Course], sticky: &[Course]) -> Vec<Claim> {
-    let load = |courses: &[Course]| range(courses.iter().map(Course::by_load));
-    let shaken = range(dry.iter().map(Course::by_shaking));
+fn claims(dry: &[PorosityHistory], sticky: &[PorosityHistory]) -> Vec<Claim> {
+    let load = |courses: &[PorosityHistory]| range(courses.iter().map(PorosityHistory::by_load));
+    let shaken = range(dry.iter().map(PorosityHistory::by_shaking));
     let (free, bound) = (load(dry), load(sticky));
     let all = dry.iter().chain(sticky);
     let resting = all.clone().filter(|course| course.at_rest).count();
-    let first = |courses: &[Course]| range(courses.iter().map(|course| course.loaded[0]));
+    let first = |courses: &[PorosityHistory]| range(courses.iter().map(|course| course.loaded[0]));
     let (loose, dense) = (first(sticky), first(dry));
     vec![
         Claim::trend(

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use tribos::powder::PowderStopReason;
 use tribos::scene::BlockedCriterion;
 use tribos_report::claim::Claim;
-use tribos_report::figure::{Axis, Figure, Guide, Panels, Series};
+use tribos_report::figure::{Axis, Figure, Panels, ReferenceLine, Series};
 
 const TEXT: Text = Text(include_str!("section-4.1.md"));
 
@@ -123,14 +123,14 @@ fn figure(rows: &[Vec<f64>]) -> Panels {
     )
     .series(Series::line_points("settled", points(rows, 0, 3)))
     .series(Series::points("deposit", points(rows, 0, 2)))
-    .guide(Guide::vertical(1e6 * FINE, "fine"));
+    .guide(ReferenceLine::vertical(1e6 * FINE, "fine"));
     let force = Figure::new(
         "Attraction over weight",
         diameter(),
         Axis::log10("F_coh/(m g)"),
     )
     .series(Series::line_points("rough grains", points(rows, 0, 1)))
-    .guide(Guide::horizontal(1.0, ""));
+    .guide(ReferenceLine::horizontal(1.0, ""));
     Panels::new("", 2).figure(filling).figure(force)
 }
 

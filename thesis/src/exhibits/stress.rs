@@ -6,8 +6,8 @@ use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::powder::PowderStopReason;
-use tribos_report::claim::{Claim, Otherwise};
-use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
+use tribos_report::claim::{Claim, MismatchMeaning};
+use tribos_report::figure::{Axis, Figure, Legend, ReferenceLine, Series};
 use tribos_report::verdict::Allowance;
 
 const TEXT: Text = Text(include_str!("table-4.1.md"));
@@ -87,8 +87,8 @@ fn figure(lines: &[[f64; 4]], rows: &[Vec<f64>]) -> Figure {
     .series(Series::points("σ⁻", points(rows, 0, 7)))
     .series(Series::points("σ⁺, thesis", points(rows, 0, 3)))
     .series(Series::points("σ⁻, thesis", points(rows, 0, 4)))
-    .guide(Guide::horizontal(0.0, ""))
-    .guide(Guide::horizontal(1.0, "applied"))
+    .guide(ReferenceLine::horizontal(0.0, ""))
+    .guide(ReferenceLine::horizontal(1.0, "applied"))
     .legend(Legend::Below)
 }
 
@@ -115,7 +115,7 @@ fn line_claims(lines: &[[f64; 4]], stresses: &[[f64; 3]]) -> Vec<Claim> {
             ("1.0", 1.0),
             (format!("{:.3}", stress[0]), stress[0]),
             Allowance::Digits(HALF_DIGIT),
-            Otherwise::Failure,
+            MismatchMeaning::Failure,
         ));
         let printed = format!("+{plus:.1} −{:.1}", minus.abs());
         // The total is 1: σ_zz⁻ adds nothing to compare.
@@ -124,7 +124,7 @@ fn line_claims(lines: &[[f64; 4]], stresses: &[[f64; 3]]) -> Vec<Claim> {
             (&printed, *plus),
             (split(*stress), stress[1]),
             Allowance::Digits(HALF_DIGIT),
-            Otherwise::Known(FOUND),
+            MismatchMeaning::Known(FOUND),
         ));
     }
     claims
@@ -153,7 +153,7 @@ fn order_claims(stresses: &[[f64; 3]]) -> Vec<Claim> {
             ("−0.9 of −1.2", 0.75),
             (format!("{:.2}", left(torsion)), left(torsion)),
             Allowance::Digits(OF_RATIO),
-            Otherwise::Known(FOUND_LEFT),
+            MismatchMeaning::Known(FOUND_LEFT),
         ),
         Claim::trend(
             TEXT.said("both"),

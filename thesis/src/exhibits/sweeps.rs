@@ -10,7 +10,7 @@ use tribos::powder::PowderStopReason;
 use tribos::powder::deposit::curve::straight_line;
 use tribos::scene::{BlockedCriterion, SweepMethod, SweepStop};
 use tribos_report::claim::Claim;
-use tribos_report::figure::{Axis, Figure, Guide, Panels, Series};
+use tribos_report::figure::{Axis, Figure, Panels, ReferenceLine, Series};
 
 const TEXT: Text = Text(include_str!("section-4.4.2.md"));
 
@@ -130,7 +130,7 @@ fn figure(speeds: &[f64], needed: &[(f64, f64)], ended: &[Ended]) -> Panels {
         Axis::linear("velocity of the last body [R/step]"),
     )
     .series(Series::line("", curve.collect()))
-    .guide(Guide::horizontal(0.0, ""));
+    .guide(ReferenceLine::horizontal(0.0, ""));
     let squares = needed
         .iter()
         .map(|(bodies, _)| (*bodies, bodies * bodies))

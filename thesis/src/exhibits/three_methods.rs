@@ -6,7 +6,7 @@ use crate::text::Text;
 use anyhow::Result;
 use tribos::powder::deposit::curve::straight_line;
 use tribos_report::claim::Claim;
-use tribos_report::figure::{Axis, Figure, Guide, Panels, Series};
+use tribos_report::figure::{Axis, Figure, Panels, ReferenceLine, Series};
 use tribos_trials::{Ball, Column, Cooling, Found, Method, Slope, Trial, run};
 
 const TEXT: Text = Text(include_str!("section-4.4.1.md"));
@@ -203,7 +203,7 @@ fn figure(points: &[Point]) -> Panels {
         }
         let scatter = here().find(|point| point.method == Method::Events);
         if let Some(point) = scatter {
-            figure = figure.guide(Guide::horizontal(point.found.errors[1], "scatter"));
+            figure = figure.guide(ReferenceLine::horizontal(point.found.errors[1], "scatter"));
         }
         panels = panels.figure(figure);
     }

@@ -11,8 +11,8 @@ use std::thread::available_parallelism;
 use tribos::run::in_order;
 use tribos::scene::TipScene;
 use tribos::tip::{Part, Reversal, TipSimulation, TipSummary};
-use tribos_report::claim::{Claim, Otherwise};
-use tribos_report::figure::{Axis, Figure, Guide, Series};
+use tribos_report::claim::{Claim, MismatchMeaning};
+use tribos_report::figure::{Axis, Figure, ReferenceLine, Series};
 use tribos_report::player::Film;
 use tribos_report::runs::tip::atoms;
 use tribos_report::verdict::Allowance;
@@ -39,7 +39,7 @@ const HALF_STEP: f64 = 0.0005;
 /// Where ours was found before: the strongest tried that lets the tip turn back.
 const FOUND: std::ops::RangeInclusive<f64> = 0.020..=0.045;
 /// One run of a strength.
-struct Turned {
+struct TorqueRun {
     lambda: f64,
     seed: u64,
     series: Vec<Vec<f64>>,
@@ -113,7 +113,7 @@ pub fn figure_5_2(runs: &Runs) -> Result<Exhibit> {
         rows.extend(run.series.iter().map(line));
     }
     let end = scene(REVERSIBLE, 1, runs.effort()).drive_time;
-    figure = figure.guide(Guide::vertical(end, "off"));
+    figure = figure.guide(ReferenceLine::vertical(end, "off"));
     Ok(Exhibit {
         film: Some(film(&folder(FILMED.0, FILMED.1, runs))?),
         ..Exhibit::new(
@@ -129,7 +129,7 @@ pub fn figure_5_2(runs: &Runs) -> Result<Exhibit> {
     })
 }
 
-fn all(runs: &Runs) -> Result<Vec<Turned>> {
+fn all(runs: &Runs) -> Result<Vec<TorqueRun>> {
     let cases: Vec<(f64, u64)> = match runs.effort() {
         Effort::Quick => QUICK.map(|lambda| (lambda, 1)).to_vec(),
         Effort::Full => FULL
@@ -172,7 +172,7 @@ pub(super) fn films(runs: &Runs, cases: &[(f64, u64)]) -> Result<Vec<(Film, f64)
 }
 
 /// One run, on from where its folder has it.
-fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<Turned> {
+fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<TorqueRun> {
     let scene = scene(lambda, seed, runs.effort());
     let folder = folder(lambda, seed, runs);
     let is_filmed = LISTED
@@ -181,7 +181,7 @@ fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<Turned> {
         .any(|run| *run == (lambda, seed));
     let frames = if is_filmed { FRAMES } else { 0 };
     let run: TipSimulation = runs.session(&folder).frames(frames).run(&scene)?;
-    Ok(Turned {
+    Ok(TorqueRun {
         lambda,
         seed,
         series: run.series().to_vec(),
@@ -205,13 +205,13 @@ fn seeds(effort: Effort) -> String {
 }
 
 /// What the thesis says.
-fn claims(turned: &[Turned]) -> Vec<Claim> {
-    let is_back = |run: &&Turned| run.outcome.verdict == Reversal::Reversible;
-    let below: Vec<&Turned> = turned
+fn claims(turned: &[TorqueRun]) -> Vec<Claim> {
+    let is_back = |run: &&TorqueRun| run.outcome.verdict == Reversal::Reversible;
+    let below: Vec<&TorqueRun> = turned
         .iter()
         .filter(|run| run.lambda <= REVERSIBLE)
         .collect();
-    let above: Vec<&Turned> = turned
+    let above: Vec<&TorqueRun> = turned
         .iter()
         .filter(|run| run.lambda > REVERSIBLE)
         .collect();
@@ -244,7 +244,7 @@ fn claims(turned: &[Turned]) -> Vec<Claim> {
                 strongest,
             ),
             Allowance::Digits(HALF_STEP),
-            Otherwise::Known(FOUND),
+            MismatchMeaning::Known(FOUND),
         ),
         Claim::trend(
             FIGURE_5_2.said("threshold"),
@@ -258,8 +258,8 @@ fn claims(turned: &[Turned]) -> Vec<Claim> {
 }
 
 /// Interfaces that slipped while driven, strength by strength.
-fn slips(turned: &[Turned]) -> String {
-    let of = |run: &Turned| {
+fn slips(turned: &[TorqueRun]) -> String {
+    let of = |run: &TorqueRun| {
         let list: Vec<String> = run
             .outcome
             .slipped_driven

@@ -1,6 +1,6 @@
 //! Section 5.3: which torque turns a tip for good, over load and temperature.
 
-use super::tip_runs::{Ran, Row, SEEDS, all};
+use super::tip_runs::{Row, RunResult, SEEDS, all};
 use crate::exhibit::Exhibit;
 use crate::runs::{Effort, Runs};
 use crate::text::Text;
@@ -58,7 +58,7 @@ struct Cell {
     shares: Vec<[f64; 3]>,
 }
 
-fn share(lambda: f64, ran: &[Ran]) -> [f64; 3] {
+fn share(lambda: f64, ran: &[RunResult]) -> [f64; 3] {
     let back = ran
         .iter()
         .filter(|ran| ran.outcome.verdict == Reversal::Reversible);

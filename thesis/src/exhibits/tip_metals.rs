@@ -1,6 +1,6 @@
 //! Section 5.3: tips of copper, as in the simulations of others.
 
-use super::tip_runs::{Ran, Row, SEEDS, STROKES, all, mean_and_error};
+use super::tip_runs::{Row, RunResult, SEEDS, STROKES, all, mean_and_error};
 use crate::exhibit::Exhibit;
 use crate::runs::{Effort, Runs};
 use crate::text::Text;
@@ -110,16 +110,16 @@ pub fn section_5_3_metals(runs: &Runs) -> Result<Exhibit> {
     ))
 }
 
-fn slid(ran: &[Ran]) -> Vec<SlidingSummary> {
+fn slid(ran: &[RunResult]) -> Vec<SlidingSummary> {
     ran.iter().filter_map(|ran| ran.outcome.slid).collect()
 }
 
-fn of(ran: &[Ran], number: fn(&SlidingSummary) -> f64) -> [f64; 2] {
+fn of(ran: &[RunResult], number: fn(&SlidingSummary) -> f64) -> [f64; 2] {
     mean_and_error(&slid(ran).iter().map(number).collect::<Vec<_>>())
 }
 
-fn claims(ran: &[Vec<Ran>]) -> Vec<Claim> {
-    let words = |(number, ran): (usize, &Vec<Ran>)| {
+fn claims(ran: &[Vec<RunResult>]) -> Vec<Claim> {
+    let words = |(number, ran): (usize, &Vec<RunResult>)| {
         let [friction, error] = of(ran, |slid| NANONEWTON * slid.friction);
         let [normal, _] = of(ran, |slid| NANONEWTON * slid.normal_force);
         let slips: usize = slid(ran).iter().map(|slid| slid.slips).sum();

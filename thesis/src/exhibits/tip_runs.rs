@@ -22,7 +22,7 @@ pub(super) struct Row {
 
 /// What a run left.
 #[derive(Debug)]
-pub(super) struct Ran {
+pub(super) struct RunResult {
     /// Its outcome.
     pub outcome: TipSummary,
     /// Names and lines of its series.
@@ -30,7 +30,7 @@ pub(super) struct Ran {
     pub series: Vec<Vec<f64>>,
 }
 
-impl Ran {
+impl RunResult {
     /// Two columns of the series.
     pub fn curve(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
         let number = |name: &str| self.columns.iter().position(|column| column == name);
@@ -42,7 +42,7 @@ impl Ran {
 }
 
 /// All seeds of each row, as many runs at a time as the machine has cores.
-pub(super) fn all(runs: &Runs, rows: &[Row]) -> Result<Vec<Vec<Ran>>> {
+pub(super) fn all(runs: &Runs, rows: &[Row]) -> Result<Vec<Vec<RunResult>>> {
     let count = rows.len() * SEEDS as usize;
     let threads = available_parallelism().map_or(1, NonZero::get);
     let batch = Batch::new(count, runs.reader());
@@ -57,7 +57,7 @@ pub(super) fn all(runs: &Runs, rows: &[Row]) -> Result<Vec<Vec<Ran>>> {
         let folder = runs.kept().run(&name);
         let run: TipSimulation = runs.session(&folder).run(&scene)?;
         batch.tell(&name);
-        anyhow::Ok(Ran {
+        anyhow::Ok(RunResult {
             outcome: run.outcome(),
             columns: run.columns(),
             series: run.series().to_vec(),

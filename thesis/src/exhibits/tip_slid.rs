@@ -1,12 +1,12 @@
 //! Section 5.3: the experiments with the atomic force microscope, on the slid tip.
 
-use super::tip_runs::{Line, Ran, Row, SEEDS, all, mean_and_error, slid};
+use super::tip_runs::{Line, Row, RunResult, SEEDS, all, mean_and_error, slid};
 use crate::exhibit::Exhibit;
 use crate::runs::{Effort, Runs};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::tip::SlidingSummary;
-use tribos_report::claim::{Claim, Otherwise};
+use tribos_report::claim::{Claim, MismatchMeaning};
 use tribos_report::figure::{Axis, Figure, Panels, Series};
 use tribos_report::verdict::{Allowance, Verdict};
 
@@ -41,7 +41,7 @@ struct Point {
     load: f64,
     speed: f64,
     temperature: f64,
-    ran: Vec<Ran>,
+    ran: Vec<RunResult>,
 }
 
 impl Point {
@@ -204,7 +204,7 @@ fn claims(row: &Row, loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> V
             ("1", 1.0),
             (format!("{period:.3} ± {error:.3} spacings"), period),
             Allowance::StatedError(0.1, "our resolution: four spacings a stroke".into()),
-            Otherwise::Known(0.5..=2.0),
+            MismatchMeaning::Known(0.5..=2.0),
         ),
         Claim::trend(
             TEXT.said("loop"),
@@ -229,7 +229,7 @@ fn claims(row: &Row, loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> V
 
 /// Friction of each run over its normal force.
 fn load_line(loads: &[&Point]) -> Line {
-    let of_run = |ran: &Ran| {
+    let of_run = |ran: &RunResult| {
         let slid = ran.outcome.slid?;
         Some((slid.normal_force, slid.friction))
     };

@@ -24,7 +24,7 @@ pub struct Pile<F> {
 
 /// The state after a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Look<'a> {
+pub struct StepObservation<'a> {
     pub time: f64,
     pub positions: &'a [Vector3<f64>],
     pub spheres: &'a [SphereBody<f64>],
@@ -34,7 +34,12 @@ pub struct Look<'a> {
 
 impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
     /// Runs for a time and shows every step; the number of updates of contacts.
-    pub fn run(self, method: Method, until: f64, see: impl FnMut(&Look<'_>)) -> Result<f64> {
+    pub fn run(
+        self,
+        method: Method,
+        until: f64,
+        see: impl FnMut(&StepObservation<'_>),
+    ) -> Result<f64> {
         match method {
             Method::Events => bail!("events know no lasting contacts"),
             Method::ContactDynamics { .. } => self.rigid(method, until, see),
@@ -49,7 +54,12 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
         ))
     }
 
-    fn rigid(self, method: Method, until: f64, mut see: impl FnMut(&Look<'_>)) -> Result<f64> {
+    fn rigid(
+        self,
+        method: Method,
+        until: f64,
+        mut see: impl FnMut(&StepObservation<'_>),
+    ) -> Result<f64> {
         let Method::ContactDynamics {
             tolerance,
             sweeps,
@@ -80,7 +90,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
             updates += (report.contacts * report.iterations.sweeps.max(1)) as f64;
             let state = world.state();
             let [_, floor] = &state.memory.forces;
-            see(&Look {
+            see(&StepObservation {
                 time: state.time,
                 positions: &state.positions,
                 spheres: &state.spheres,
@@ -94,7 +104,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
         self,
         [stiffness, steps]: [f64; 2],
         until: f64,
-        mut see: impl FnMut(&Look<'_>),
+        mut see: impl FnMut(&StepObservation<'_>),
     ) -> Result<f64> {
         let mut setup = soft::SoftSetup::new(self.laws()?, Stiffness::Linear(stiffness))
             .wall(Wall::fixed(self.up, 0.0))
@@ -110,7 +120,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
             updates += world.step()?.contacts.max(1) as f64;
             let state = world.state();
             let [_, floor] = &state.contacts;
-            see(&Look {
+            see(&StepObservation {
                 time: state.time,
                 positions: &state.positions,
                 spheres: &state.spheres,
@@ -122,7 +132,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
 }
 
 /// Deepest overlap of spheres and floor.
-pub fn deepest(look: &Look<'_>, up: &Vector3<f64>) -> f64 {
+pub fn deepest(look: &StepObservation<'_>, up: &Vector3<f64>) -> f64 {
     let floor = look.positions.iter().map(|x| 1.0 - up.dot(x));
     let pairs = look.positions.iter().enumerate().flat_map(|(i, a)| {
         let others = look.positions.iter().take(i);

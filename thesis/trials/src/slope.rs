@@ -1,7 +1,7 @@
 //! Five spheres that friction holds on a slope.
 
 use super::column::DENSITY;
-use super::pile::{Look, Pile};
+use super::pile::{Pile, StepObservation};
 use super::{Found, Method, Ready, Trial};
 use anyhow::Result;
 use nalgebra::Vector3;
@@ -47,7 +47,7 @@ impl Trial for Slope {
             friction: IndependentFriction::sliding_rolling(slope.mu, slope.mu_rolling)?,
             spheres: places.map(|x| (x.into(), solid(1.0, DENSITY))).to_vec(),
         };
-        let mean = |look: &Look<'_>| look.positions.iter().sum::<Vector3<f64>>() / 5.0;
+        let mean = |look: &StepObservation<'_>| look.positions.iter().sum::<Vector3<f64>>() / 5.0;
         let start = pile.spheres.iter().map(|(x, _)| x).sum::<Vector3<f64>>() / 5.0;
         Ok(Box::new(move || {
             let (mut first, mut last) = (None, (0.0, start));

@@ -6,7 +6,7 @@ use super::{Judged, TOLERANCE, tables};
 use crate::written;
 use std::path::Path;
 use tribos::problem::ProblemMethod;
-use tribos_report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
+use tribos_report::figure::{Axis, Figure, Legend, Panels, ReferenceLine, Series};
 
 /// Size of a panel in pixels.
 const PANEL: (u32, u32) = (620, 560);
@@ -129,7 +129,7 @@ pub fn residuals(folder: &Path, name: &str, all: &[Judged]) -> Result<(), String
         let axes = (Axis::log10("time [s]"), Axis::log10("scaled residual"));
         let mut figure = Figure::new(judged.case.name.clone(), axes.0, axes.1)
             .legend(Legend::Below)
-            .guide(Guide::horizontal(TOLERANCE, "tolerance"));
+            .guide(ReferenceLine::horizontal(TOLERANCE, "tolerance"));
         for method in ProblemMethod::ALL {
             let curve = ours::trace(&judged.case.problem, method);
             let shown = curve.into_iter().map(|(t, r)| (t, r.max(ROUNDING)));

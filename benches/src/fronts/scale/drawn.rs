@@ -4,7 +4,7 @@ use super::THREADS;
 use super::packing::Order;
 use super::sweeps::{ALL_MODES, Point, weak};
 use std::path::Path;
-use tribos_report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
+use tribos_report::figure::{Axis, Figure, Legend, Panels, ReferenceLine, Series};
 use tribos_report::image::write_both;
 
 /// Size of a panel in pixels.
@@ -61,7 +61,10 @@ fn speeds(points: &[Point], copied: f64) -> Figure {
     match bytes.map(|point| point.bytes as f64) {
         Some(bytes) => {
             let roof = 1e-6 * copied / (2.0 * bytes);
-            figure.guide(Guide::horizontal(roof, "copy of the contacts, one thread"))
+            figure.guide(ReferenceLine::horizontal(
+                roof,
+                "copy of the contacts, one thread",
+            ))
         }
         None => figure,
     }

@@ -7,7 +7,7 @@ use tribos::cd::{
     ContactSolver, IterationOrder as Visits, SolverMethod, StepLimits, StopRule, Wall, World,
     WorldMaterials, WorldSetup, solid,
 };
-use tribos::powder::deposit::{Ballistic, Deposit, Until};
+use tribos::powder::deposit::{Ballistic, Deposit, DepositTarget};
 use tribos_core::contact::{Attraction, Cohesion, ContactFriction, NormalLaw};
 
 /// Seed of the deposit and of the velocities.
@@ -61,7 +61,7 @@ impl Order {
 pub fn deposit(count: usize) -> Result<Deposit, String> {
     let ballistic = Ballistic::new(WIDTH * (count as f64).cbrt(), 1.0, CAPTURE);
     let ballistic = ballistic.map_err(|error| error.to_string())?;
-    let grown = ballistic.grow(Until::Count(count), SEED);
+    let grown = ballistic.grow(DepositTarget::Count(count), SEED);
     grown.map_err(|error| error.to_string())
 }
 

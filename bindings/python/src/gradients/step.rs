@@ -27,7 +27,7 @@ pub const STEP: usize = AFTER + 6 * BY;
 type By = SMatrix<f64, 3, BY>;
 
 /// A body that moves and is pushed.
-pub struct Moved {
+pub struct StepGradient {
     pub body: PlanarBody<f64>,
     pub dt: TimeStep<f64>,
     pub twist: Twist<f64>,
@@ -36,7 +36,7 @@ pub struct Moved {
     pub first: Wrench<f64>,
 }
 
-impl Moved {
+impl StepGradient {
     /// The motion that friction opposes where it is too weak to change it.
     pub fn resisted(&self) -> Twist<f64> {
         let needed = self
@@ -100,8 +100,8 @@ fn row(step: &PlanarStep<f64>) -> [f64; AFTER] {
 }
 
 /// The step and its derivatives.
-pub fn moved(surface: &dyn Smooth, moved: &Moved) -> [f64; STEP] {
-    let Moved {
+pub fn moved(surface: &dyn Smooth, moved: &StepGradient) -> [f64; STEP] {
+    let StepGradient {
         body,
         dt,
         twist,
@@ -123,8 +123,8 @@ pub fn moved(surface: &dyn Smooth, moved: &Moved) -> [f64; STEP] {
     all
 }
 
-fn sliding(surface: &dyn Smooth, moved: &Moved, theta: f64) -> (By, By) {
-    let Moved {
+fn sliding(surface: &dyn Smooth, moved: &StepGradient, theta: f64) -> (By, By) {
+    let StepGradient {
         body,
         dt,
         twist,

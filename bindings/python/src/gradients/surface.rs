@@ -11,7 +11,7 @@
 //! they are computed here, in units of force limit and radius.
 
 use super::part;
-use super::step::{AFTER, BY, Moved, STEP, moved};
+use super::step::{AFTER, BY, STEP, StepGradient, moved};
 use crate::arrays::{Numbers, Output, Rows, View, broadcast, refused};
 use crate::model::{Sets, twist_numbers, twist_of, wrench_of};
 use crate::patch::Patch;
@@ -227,7 +227,7 @@ impl Smooth for Curved<'_> {
     }
 }
 
-/// Two directions of length 1 across another and each other.
+/// Pair2 directions of length 1 across another and each other.
 fn across(along: &Vector3<f64>) -> Matrix3x2<f64> {
     let mut axis = Vector3::zeros();
     axis[along.iamin()] = 1.0;
@@ -312,7 +312,7 @@ impl SurfaceDerivatives {
             for (index, row) in (from..).zip(piece.iter_mut()) {
                 let ([mass], [inertia], [dt]) = (mass.at(index), inertia.at(index), dt.at(index));
                 let [limit] = limits.at(index);
-                let mut body = Moved {
+                let mut body = StepGradient {
                     body: PlanarBody::new(mass, inertia).map_err(refused)?,
                     dt: TimeStep::new(dt).map_err(refused)?,
                     twist: twist_of(twists.at(index)),

@@ -26,7 +26,7 @@ pub struct Given<'py> {
 }
 
 /// A degree of freedom that moves a foot, or its floor.
-pub struct Freedom {
+pub struct DegreeOfFreedom {
     pub index: usize,
     /// 1 for the foot, −1 for the floor.
     sign: f64,
@@ -72,7 +72,7 @@ pub struct Foot {
     arm: f64,
     pub geoms: Vec<i32>,
     pub floor: i32,
-    pub freedoms: Vec<Freedom>,
+    pub freedoms: Vec<DegreeOfFreedom>,
     pub free: Vec<Free>,
     /// The foot's and the floor's.
     pub bodies: [usize; 2],
@@ -114,7 +114,7 @@ impl Given<'_> {
             geoms: self.geoms,
             floor: self.floor,
             freedoms: freedoms
-                .map(|(index, sign, root)| Freedom { index, sign, root })
+                .map(|(index, sign, root)| DegreeOfFreedom { index, sign, root })
                 .collect(),
             free: free
                 .map(|(body, sign, mass, inertia)| Free {

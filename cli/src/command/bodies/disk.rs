@@ -1,11 +1,11 @@
 //! Disks on a straight path.
 
-use super::kind::{Kind, told};
-use super::{Commands, Unfinished, at_once};
+use super::kind::{RunKind, told};
+use super::{Commands, NoResult, at_once};
 use crate::command::digits::shown;
 use crate::command::explain::{after, slide as text};
 use crate::command::run::disk;
-use crate::command::run::order::Order;
+use crate::command::run::order::RunRequest;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
@@ -15,7 +15,7 @@ use tribos::scene::DiskScene;
 use tribos::slide;
 
 /// Flat disks, in the units of their scene.
-static KIND: Kind = Kind {
+static KIND: RunKind = RunKind {
     quantities: &[
         ("distance", "/distance"),
         ("angle", "/angle"),
@@ -42,15 +42,15 @@ impl Commands for &DiskScene {
         false
     }
 
-    fn simulate(&self, order: &Order<'_>) -> Result<(), Failure> {
+    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
         disk::run(self, order)
     }
 
-    fn kind(&self) -> &'static Kind {
+    fn kind(&self) -> &'static RunKind {
         &KIND
     }
 
-    fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+    fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), NoResult> {
         let outcome = slide::run(self, |_| ())?.outcome;
         let (distance, angle) = (shown(outcome.distance), shown(outcome.angle));
         let told = format!("distance {distance}, {angle} rad");

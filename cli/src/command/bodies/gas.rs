@@ -1,13 +1,13 @@
 //! Granular gases.
 
-use super::kind::{Kind, told};
+use super::kind::{RunKind, told};
 use super::unfinished::session;
-use super::{Commands, Unfinished};
+use super::{Commands, NoResult};
 use crate::command::digits::shown;
 use crate::command::explain::{after, gas as text};
 use crate::command::run::gas;
-use crate::command::run::order::Order;
-use crate::command::run::size::{Allowed, check};
+use crate::command::run::order::RunRequest;
+use crate::command::run::size::{MemoryPermission, check};
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
@@ -17,7 +17,7 @@ use tribos::run::folder::Lock;
 use tribos::scene::GasScene;
 
 /// Gases.
-static KIND: Kind = Kind {
+static KIND: RunKind = RunKind {
     quantities: &[
         ("temperature", "/temperature"),
         ("theory", "/theory"),
@@ -47,16 +47,17 @@ impl Commands for &GasScene {
         true
     }
 
-    fn simulate(&self, order: &Order<'_>) -> Result<(), Failure> {
+    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
         gas::run(self, order)
     }
 
-    fn kind(&self) -> &'static Kind {
+    fn kind(&self) -> &'static RunKind {
         &KIND
     }
 
-    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
-        check(&tribos::gas::size(self), "spheres", Allowed::Usual).map_err(Unfinished::Refused)?;
+    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
+        check(&tribos::gas::size(self), "spheres", MemoryPermission::Usual)
+            .map_err(NoResult::Refused)?;
         let run: GasSimulation = session(lock).run(*self)?;
         let outcome = run.outcome();
         let told = format!(

@@ -1,13 +1,13 @@
 //! Grains in a box.
 
-use super::kind::{Kind, told};
+use super::kind::{RunKind, told};
 use super::unfinished::session;
-use super::{Commands, Unfinished};
+use super::{Commands, NoResult};
 use crate::command::digits::shown;
 use crate::command::explain::{after, grains as text};
 use crate::command::run::grains;
-use crate::command::run::order::Order;
-use crate::command::run::size::{Allowed, check};
+use crate::command::run::order::RunRequest;
+use crate::command::run::size::{MemoryPermission, check};
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
@@ -17,7 +17,7 @@ use tribos::run::folder::Lock;
 use tribos::scene::GrainsScene;
 
 /// Grains.
-static KIND: Kind = Kind {
+static KIND: RunKind = RunKind {
     quantities: &[
         ("solid_fraction", "/solid_fraction"),
         ("height", "/height"),
@@ -53,17 +53,21 @@ impl Commands for &GrainsScene {
         true
     }
 
-    fn simulate(&self, order: &Order<'_>) -> Result<(), Failure> {
+    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
         grains::run(self, order)
     }
 
-    fn kind(&self) -> &'static Kind {
+    fn kind(&self) -> &'static RunKind {
         &KIND
     }
 
-    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
-        check(&tribos::grains::size(self), "grains", Allowed::Usual)
-            .map_err(Unfinished::Refused)?;
+    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
+        check(
+            &tribos::grains::size(self),
+            "grains",
+            MemoryPermission::Usual,
+        )
+        .map_err(NoResult::Refused)?;
         let run: GrainsSimulation = session(lock).run(*self)?;
         let outcome = run.outcome();
         let told = format!(

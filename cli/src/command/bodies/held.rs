@@ -1,33 +1,33 @@
 //! Bodies that hold, let go and hold again.
 
-use super::kind::{Kind, told};
-use super::{Commands, Unfinished, at_once};
+use super::kind::{RunKind, told};
+use super::{Commands, NoResult, at_once};
 use crate::command::explain::{held as text, within};
 use crate::command::interrupt;
 use crate::command::run::held;
-use crate::command::run::order::Order;
+use crate::command::run::order::RunRequest;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
 use tribos::run::folder::Lock;
-use tribos::stick::HeldScene;
+use tribos::stick::StickSlipScene;
 
 /// A body that holds and slips.
-pub struct Held<'a> {
-    scene: &'a dyn HeldScene,
-    kind: &'static Kind,
+pub struct StickSlipBody<'a> {
+    scene: &'a dyn StickSlipScene,
+    kind: &'static RunKind,
 }
 
-impl<'a> Held<'a> {
+impl<'a> StickSlipBody<'a> {
     /// A scene and what a sweep makes of it.
-    pub fn new(scene: &'a dyn HeldScene, kind: &'static Kind) -> Self {
+    pub fn new(scene: &'a dyn StickSlipScene, kind: &'static RunKind) -> Self {
         Self { scene, kind }
     }
 }
 
 /// A body on a spring.
-pub static SPRING: Kind = Kind {
+pub static SPRING: RunKind = RunKind {
     quantities: &[
         ("amplitude", "/amplitude"),
         ("mean_force", "/mean_force"),
@@ -53,7 +53,7 @@ pub static SPRING: Kind = Kind {
 };
 
 /// A block on an incline.
-pub static INCLINE: Kind = Kind {
+pub static INCLINE: RunKind = RunKind {
     quantities: &[
         ("release_angle", "/release_angle"),
         ("release_slope", "/release_slope"),
@@ -73,7 +73,7 @@ pub static INCLINE: Kind = Kind {
 };
 
 /// A body on a turntable.
-pub static TURNTABLE: Kind = Kind {
+pub static TURNTABLE: RunKind = RunKind {
     quantities: &[
         ("release_rate", "/release_rate"),
         ("release_share", "/release_share"),
@@ -94,7 +94,7 @@ pub static TURNTABLE: Kind = Kind {
 };
 
 /// A body in a pinch.
-pub static CLAMP: Kind = Kind {
+pub static CLAMP: RunKind = RunKind {
     quantities: &[
         ("loss_per_cycle", "/loss_per_cycle"),
         ("heat", "/heat"),
@@ -112,20 +112,20 @@ pub static CLAMP: Kind = Kind {
     ],
 };
 
-impl Commands for Held<'_> {
+impl Commands for StickSlipBody<'_> {
     fn is_long(&self) -> bool {
         false
     }
 
-    fn simulate(&self, order: &Order<'_>) -> Result<(), Failure> {
+    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
         held::run(self.scene, order)
     }
 
-    fn kind(&self) -> &'static Kind {
+    fn kind(&self) -> &'static RunKind {
         self.kind
     }
 
-    fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+    fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), NoResult> {
         let run = self.scene.follow(&mut |_| !interrupt::is_asked())?;
         let told = run.told.first();
         let told = told.map_or(String::new(), |(head, text)| format!("{head} {text}"));

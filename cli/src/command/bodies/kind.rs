@@ -5,7 +5,7 @@ type Quantity = (&'static str, &'static str);
 
 /// A column of the table for the terminal.
 #[derive(Debug)]
-pub struct Told {
+pub struct TableColumn {
     /// Its head.
     pub head: &'static str,
     /// Index among the quantities.
@@ -16,7 +16,7 @@ pub struct Told {
 
 /// The quantities of a kind of run.
 #[derive(Debug)]
-pub struct Kind {
+pub struct RunKind {
     /// All that go into the table; the first is the one drawn.
     pub quantities: &'static [Quantity],
     /// What the drawing is called, and its axis.
@@ -24,12 +24,12 @@ pub struct Kind {
     /// A word of the summary whose share is told: column, place, word.
     pub share: [&'static str; 3],
     /// For the terminal.
-    pub told: &'static [Told],
+    pub told: &'static [TableColumn],
 }
 
 /// A column of a quantity for the terminal.
-pub const fn told(head: &'static str, quantity: usize, factor: f64) -> Told {
-    Told {
+pub const fn told(head: &'static str, quantity: usize, factor: f64) -> TableColumn {
+    TableColumn {
         head,
         quantity,
         factor,

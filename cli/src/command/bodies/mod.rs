@@ -12,14 +12,14 @@ mod powder;
 mod tip;
 mod unfinished;
 
-pub use kind::Kind;
-pub use unfinished::Unfinished;
+pub use kind::RunKind;
+pub use unfinished::NoResult;
 
 use super::explain::slide;
-use super::run::order::Order;
+use super::run::order::RunRequest;
 use crate::failure::Failure;
-use held::Held;
-use planar::InPlane;
+use held::StickSlipBody;
+use planar::PlanarBodyCommands;
 use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
@@ -32,13 +32,13 @@ pub trait Commands {
     fn is_long(&self) -> bool;
 
     /// Runs the scene and writes its results into a folder.
-    fn simulate(&self, order: &Order<'_>) -> Result<(), Failure>;
+    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure>;
 
     /// What a sweep makes a table of.
-    fn kind(&self) -> &'static Kind;
+    fn kind(&self) -> &'static RunKind;
 
     /// One run of a sweep, on from a checkpoint if there is one: the summary, and a line about it.
-    fn summarize(&self, folder: &Arc<Lock>) -> Result<(Value, String), Unfinished>;
+    fn summarize(&self, folder: &Arc<Lock>) -> Result<(Value, String), NoResult>;
 
     /// Laws, modes and unknowns that the scene carries, and their cost.
     fn explanation(&self) -> Result<String, Failure>;
@@ -50,17 +50,17 @@ pub trait Commands {
 
 /// The commands of a scene: the one list of bodies here.
 pub fn of(scene: &Scene) -> Box<dyn Commands + '_> {
-    let path = |scene, laws| Box::new(InPlane { scene, laws });
+    let path = |scene, laws| Box::new(PlanarBodyCommands { scene, laws });
     match scene {
         Scene::Disk(scene) => Box::new(scene),
         Scene::Cylinder(scene) => path(scene, slide::cylinder(scene)),
         Scene::Pipe(scene) => path(scene, slide::pipe(scene)),
         Scene::Plate(scene) => path(scene, slide::plate(scene)),
         Scene::Curling(scene) => path(scene, slide::curling(scene)),
-        Scene::Spring(scene) => Box::new(Held::new(scene, &held::SPRING)),
-        Scene::Incline(scene) => Box::new(Held::new(scene, &held::INCLINE)),
-        Scene::Turntable(scene) => Box::new(Held::new(scene, &held::TURNTABLE)),
-        Scene::Clamp(scene) => Box::new(Held::new(scene, &held::CLAMP)),
+        Scene::Spring(scene) => Box::new(StickSlipBody::new(scene, &held::SPRING)),
+        Scene::Incline(scene) => Box::new(StickSlipBody::new(scene, &held::INCLINE)),
+        Scene::Turntable(scene) => Box::new(StickSlipBody::new(scene, &held::TURNTABLE)),
+        Scene::Clamp(scene) => Box::new(StickSlipBody::new(scene, &held::CLAMP)),
         Scene::Powder(scene) => Box::new(scene),
         Scene::Grains(scene) => Box::new(scene),
         Scene::Gas(scene) => Box::new(scene),

@@ -1,11 +1,11 @@
 //! Bodies along a path in the plane.
 
-use super::kind::{Kind, told};
-use super::{Commands, Unfinished, at_once};
+use super::kind::{RunKind, told};
+use super::{Commands, NoResult, at_once};
 use crate::command::digits::shown;
 use crate::command::explain::{after, slide as text};
 use crate::command::interrupt;
-use crate::command::run::order::Order;
+use crate::command::run::order::RunRequest;
 use crate::command::run::path;
 use crate::failure::Failure;
 use serde_json::Value;
@@ -15,13 +15,13 @@ use tribos::run::folder::Lock;
 use tribos::slide::{self, PlanarScene};
 
 /// A body in the plane, and what is said of its laws.
-pub struct InPlane<'a> {
+pub struct PlanarBodyCommands<'a> {
     pub scene: &'a dyn PlanarScene,
     pub laws: String,
 }
 
 /// Bodies along a path in the plane.
-static KIND: Kind = Kind {
+static KIND: RunKind = RunKind {
     quantities: &[
         ("curl", "/curl"),
         ("x", "/x"),
@@ -45,20 +45,20 @@ static KIND: Kind = Kind {
     ],
 };
 
-impl Commands for InPlane<'_> {
+impl Commands for PlanarBodyCommands<'_> {
     fn is_long(&self) -> bool {
         false
     }
 
-    fn simulate(&self, order: &Order<'_>) -> Result<(), Failure> {
+    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
         path::run(self.scene, order)
     }
 
-    fn kind(&self) -> &'static Kind {
+    fn kind(&self) -> &'static RunKind {
         &KIND
     }
 
-    fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+    fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), NoResult> {
         let run = slide::follow_path(self.scene, &mut |_| !interrupt::is_asked())?;
         let outcome = run.outcome;
         let [x, y] = outcome.arrival.point.position.map(shown);

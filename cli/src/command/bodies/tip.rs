@@ -1,12 +1,12 @@
 //! Tips turned or slid on a substrate.
 
-use super::kind::{Kind, told};
+use super::kind::{RunKind, told};
 use super::unfinished::session;
-use super::{Commands, Unfinished};
+use super::{Commands, NoResult};
 use crate::command::digits::shown;
 use crate::command::explain::{after, tip as text};
-use crate::command::run::order::Order;
-use crate::command::run::size::{Allowed, check};
+use crate::command::run::order::RunRequest;
+use crate::command::run::size::{MemoryPermission, check};
 use crate::command::run::tip;
 use crate::failure::Failure;
 use serde_json::Value;
@@ -17,7 +17,7 @@ use tribos::scene::{DriveKind, TipScene};
 use tribos::tip::TipSimulation;
 
 /// Turned tips.
-static KIND: Kind = Kind {
+static KIND: RunKind = RunKind {
     quantities: &[
         ("final_angle", "/final_angle_degrees"),
         ("driven_angle", "/driven_angle_degrees"),
@@ -35,7 +35,7 @@ static KIND: Kind = Kind {
 };
 
 /// Slid tips.
-static SLID: Kind = Kind {
+static SLID: RunKind = RunKind {
     quantities: &[
         ("friction", "/slid/friction"),
         ("friction_forth", "/slid/friction_forth"),
@@ -60,25 +60,26 @@ impl Commands for &TipScene {
         true
     }
 
-    fn simulate(&self, order: &Order<'_>) -> Result<(), Failure> {
+    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
         tip::run(self, order)
     }
 
-    fn kind(&self) -> &'static Kind {
+    fn kind(&self) -> &'static RunKind {
         match self.drive {
             DriveKind::Torque => &KIND,
             DriveKind::Slide => &SLID,
         }
     }
 
-    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
-        check(&tribos::tip::size(self), "atoms", Allowed::Usual).map_err(Unfinished::Refused)?;
+    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
+        check(&tribos::tip::size(self), "atoms", MemoryPermission::Usual)
+            .map_err(NoResult::Refused)?;
         let run: TipSimulation = session(lock).run(*self)?;
         let outcome = run.outcome();
         let written = lock.check().map_err(Failure::from);
         written
             .and_then(|()| tip::write_series(&run, lock.folder()))
-            .map_err(Unfinished::Stopped)?;
+            .map_err(NoResult::Stopped)?;
         if let Some(slid) = &outcome.slid {
             let (friction, normal) = (shown(slid.friction), shown(slid.normal_force));
             let told = format!("friction {friction} at a normal force of {normal}");

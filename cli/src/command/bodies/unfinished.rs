@@ -10,14 +10,14 @@ use tribos::slide::SlideError;
 use tribos::stick::StickError;
 
 /// Why there is no result.
-pub enum Unfinished {
+pub enum NoResult {
     /// The scene cannot be run: the same every time.
     Refused(Failure),
     /// Something other than the scene.
     Stopped(Failure),
 }
 
-impl<E: Error + Into<Failure>> From<RunError<E>> for Unfinished {
+impl<E: Error + Into<Failure>> From<RunError<E>> for NoResult {
     fn from(error: RunError<E>) -> Self {
         match error {
             RunError::Scene(error) => Self::Refused(error.into()),
@@ -26,7 +26,7 @@ impl<E: Error + Into<Failure>> From<RunError<E>> for Unfinished {
     }
 }
 
-impl From<SlideError> for Unfinished {
+impl From<SlideError> for NoResult {
     fn from(error: SlideError) -> Self {
         if matches!(error, SlideError::Interrupted { .. }) {
             return Self::Stopped(error.into());
@@ -35,7 +35,7 @@ impl From<SlideError> for Unfinished {
     }
 }
 
-impl From<StickError> for Unfinished {
+impl From<StickError> for NoResult {
     fn from(error: StickError) -> Self {
         if matches!(error, StickError::Interrupted { .. }) {
             return Self::Stopped(error.into());

@@ -1,6 +1,6 @@
 //! Several methods over several problems.
 
-use super::solved::Posed;
+use super::solved::LoadedProblem;
 use super::{folder, method, profile};
 use crate::command::number;
 use crate::failure::Failure;
@@ -59,7 +59,7 @@ impl Compare {
             [] => ProblemMethod::ALL.to_vec(),
             given => without_repeats(given)?,
         };
-        let problems = Posed::read(&self.files)?;
+        let problems = LoadedProblem::read(&self.files)?;
         let out = match &self.out {
             None => None,
             Some(out) => Some(folder::begin(
@@ -107,7 +107,7 @@ impl Compare {
     }
 
     /// Methods in turn, as often as asked.
-    fn trials(&self, posed: &Posed<'_>, methods: &[ProblemMethod]) -> Vec<Trial> {
+    fn trials(&self, posed: &LoadedProblem<'_>, methods: &[ProblemMethod]) -> Vec<Trial> {
         let mut trials: Vec<Trial> = Vec::new();
         for run in 0..self.runs {
             for (at, &method) in methods.iter().enumerate() {
@@ -161,7 +161,7 @@ fn cell(trial: &Trial) -> String {
 }
 
 /// A row for each method on each problem.
-fn table(problems: &[Posed<'_>], all: &[Vec<Trial>]) -> String {
+fn table(problems: &[LoadedProblem<'_>], all: &[Vec<Trial>]) -> String {
     let mut text =
         String::from("file,method,ending,residual,residual_scaled,sweeps,factorisations,seconds\n");
     for (posed, trials) in problems.iter().zip(all) {

@@ -1,7 +1,7 @@
 //! Problems solved one after the other.
 
 use super::output::{Row, heading};
-use super::solved::Posed;
+use super::solved::LoadedProblem;
 use super::{folder, method, plot};
 use crate::command::number;
 use crate::failure::Failure;
@@ -32,7 +32,7 @@ impl Solve {
     /// Reads all files, then solves, writes and prints one problem after the other.
     pub fn execute(self) -> Result<(), Failure> {
         let folders = self.folders()?;
-        let problems = Posed::read(&self.files)?;
+        let problems = LoadedProblem::read(&self.files)?;
         let _several = match &self.out {
             Some(out) if folders.len() > 1 => {
                 let names = folders.iter().flatten().filter_map(|path| path.file_name());

@@ -10,7 +10,7 @@ use tribos::problem::{
 };
 
 /// A problem, and the file that it is of.
-pub struct Posed<'a> {
+pub struct LoadedProblem<'a> {
     pub file: &'a Path,
     pub layout: ContactComponents,
     reduced: ReducedProblem,
@@ -23,7 +23,7 @@ pub struct Solved {
     pub seconds: f64,
 }
 
-impl<'a> Posed<'a> {
+impl<'a> LoadedProblem<'a> {
     /// Reads all files; the first that is refused ends it.
     pub fn read(files: &'a [impl AsRef<Path>]) -> Result<Vec<Self>, Failure> {
         files

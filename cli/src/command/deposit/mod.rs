@@ -2,14 +2,14 @@
 
 use super::digits::shown;
 use super::number;
-use super::run::size::{Allowed, check, told};
+use super::run::size::{MemoryPermission, check, told};
 use crate::failure::Failure;
 use serde_json::{Map, Value};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use tribos::powder::deposit::curve::{COLUMNS as CURVE_COLUMNS, PorosityCurve};
-use tribos::powder::deposit::{Ballistic, Deposit, Until};
+use tribos::powder::deposit::{Ballistic, Deposit, DepositTarget};
 use tribos::record::{
     contacts_vtp, extended_xyz, json_number, particles_vtp, series_csv, write_atomically,
 };
@@ -87,9 +87,9 @@ impl Arguments {
     pub fn execute(self) -> Result<(), Failure> {
         // The parser sees to it that one of the three is given.
         let until = match (self.cut, self.height) {
-            (Some(height), _) => Until::Cut(height),
-            (None, Some(height)) => Until::Height(height),
-            (None, None) => Until::Count(self.count.unwrap_or_default()),
+            (Some(height), _) => DepositTarget::Cut(height),
+            (None, Some(height)) => DepositTarget::Height(height),
+            (None, None) => DepositTarget::Count(self.count.unwrap_or_default()),
         };
         if self.porosity_curve {
             self.curve(until)
@@ -98,7 +98,7 @@ impl Arguments {
         }
     }
 
-    fn deposit(&self, until: Until) -> Result<(), Failure> {
+    fn deposit(&self, until: DepositTarget) -> Result<(), Failure> {
         if self.spread >= 1.0 {
             return Err(Failure::input("--spread must be less than 1"));
         }
@@ -126,7 +126,7 @@ impl Arguments {
     }
 
     /// Refuses what is too large, before it grows.
-    fn check(&self, ballistic: &Ballistic, until: Until) -> Result<(), Failure> {
+    fn check(&self, ballistic: &Ballistic, until: DepositTarget) -> Result<(), Failure> {
         let bodies = ballistic.expected_spheres(until);
         let size = RunSize {
             bodies,
@@ -136,11 +136,11 @@ impl Arguments {
         if bodies > LARGE {
             super::tell(format_args!("{}", told(&size, "spheres")));
         }
-        check(&size, "spheres", Allowed::of(self.allow_large))
+        check(&size, "spheres", MemoryPermission::of(self.allow_large))
     }
 
     /// Grows it and tells, once a second, how far it is.
-    fn grow(&self, ballistic: &Ballistic, until: Until) -> Result<Deposit, Failure> {
+    fn grow(&self, ballistic: &Ballistic, until: DepositTarget) -> Result<Deposit, Failure> {
         let expected = ballistic.expected_spheres(until);
         let mut last = Instant::now();
         let grown = ballistic.grow_watched(until, self.seed, |spheres| {
@@ -191,7 +191,7 @@ impl Arguments {
         ))
     }
 
-    fn curve(&self, until: Until) -> Result<(), Failure> {
+    fn curve(&self, until: DepositTarget) -> Result<(), Failure> {
         // The densest of its deposits.
         let dense = Ballistic::new(self.width, 1.0, 2.0).map_err(Failure::input)?;
         self.check(&dense, until)?;

@@ -6,7 +6,7 @@ use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::cd::solid;
 use tribos::grains::{GrainsCost, cost, size, stable_step};
-use tribos::powder::CarriedModes;
+use tribos::powder::ModeSet;
 use tribos::scene::GrainsScene;
 
 /// The whole account.
@@ -85,10 +85,10 @@ fn solver(scene: &GrainsScene, longest: f64) -> String {
 }
 
 /// Time of an update, and what rolling and torsion add to it.
-fn update(cost: &GrainsCost, modes: CarriedModes) -> String {
+fn update(cost: &GrainsCost, modes: ModeSet) -> String {
     const NANO: f64 = 1e9;
     let mut rate = format!("{:.0} ns a contact here", NANO * cost.update_seconds);
-    if modes != CarriedModes::Sliding {
+    if modes != ModeSet::Sliding {
         let ratio = cost.update_seconds / cost.sliding_seconds;
         rate += &format!(", {ratio:.2} times what sliding alone takes");
     }

@@ -4,7 +4,7 @@ use super::{bytes, line};
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::cd::SolverMethod;
-use tribos::powder::{CarriedModes, Material, PowderCost, cost, stable_step};
+use tribos::powder::{Material, ModeSet, PowderCost, cost, stable_step};
 use tribos::scene::{ContactMethod, FrictionCoupling, PowderScene};
 use tribos::soft::{self, Stiffness};
 use tribos_core::contact::Attraction;
@@ -41,7 +41,7 @@ pub fn text(scene: &PowderScene) -> Result<String, Failure> {
 }
 
 /// Modes that are carried, and those that are not.
-pub fn modes(modes: CarriedModes) -> String {
+pub fn modes(modes: ModeSet) -> String {
     let names = MODES.iter().zip(modes.has());
     let carried: Vec<&str> = names
         .filter(|(_, has)| *has)
@@ -233,7 +233,7 @@ fn size(cost: &PowderCost) -> String {
     text + &line("memory", format!("{} in the solver", bytes(cost.memory())))
 }
 
-fn speed(scene: &PowderScene, cost: &PowderCost, modes: CarriedModes) -> String {
+fn speed(scene: &PowderScene, cost: &PowderCost, modes: ModeSet) -> String {
     const NANO: f64 = 1e9;
     const MILLION: f64 = 1e-6;
     const MILLI: f64 = 1e3;
@@ -243,7 +243,7 @@ fn speed(scene: &PowderScene, cost: &PowderCost, modes: CarriedModes) -> String 
         NANO * update,
         MILLION / update
     );
-    if modes != CarriedModes::Sliding {
+    if modes != ModeSet::Sliding {
         let ratio = update / cost.sliding_seconds;
         rate += &format!(", {ratio:.2} times what sliding alone takes");
     }

@@ -2,7 +2,7 @@
 
 use super::{duration, line};
 use crate::command::digits::shown;
-use crate::command::run::size::{Allowed, check};
+use crate::command::run::size::{MemoryPermission, check};
 use crate::failure::Failure;
 use tribos::md::pair::Shift;
 use tribos::md::system::Integrator;
@@ -14,7 +14,7 @@ use tribos::tip::{Part, cost, size};
 /// The whole account.
 pub fn text(scene: &TipScene) -> Result<String, Failure> {
     // Its atoms are placed to be counted and timed.
-    check(&size(scene), "atoms", Allowed::Usual)?;
+    check(&size(scene), "atoms", MemoryPermission::Usual)?;
     let cost = cost(scene)?;
     let atoms: usize = cost.atoms.iter().sum();
     let parts = Part::ALL.iter().zip(cost.atoms);

@@ -2,7 +2,7 @@
 
 use crate::command::digits::shown;
 use crate::command::progress::Meter;
-use crate::command::view::kept::Kept;
+use crate::command::view::kept::RunFiles;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::error::Error;
@@ -50,7 +50,7 @@ const FILES: [&str; 2] = ["problem-#.hdf5", "problem-#.dat"];
 impl Step {
     /// Runs up to the step, and writes its problem.
     pub fn write(self) -> Result<(), Failure> {
-        let kept = Kept::read(&self.run)?;
+        let kept = RunFiles::read(&self.run)?;
         let scene = scene(&self.run, &kept.manifest.about)?;
         let (problem, step) = match scene {
             Scene::Powder(scene) => self.problem(&scene, |run: &PowderSimulation| {

@@ -1,7 +1,7 @@
 //! `tribos export vtk|xyz|lammps-dump`: all kept states of a run.
 
 use crate::command::run::frames_folder;
-use crate::command::view::kept::Kept;
+use crate::command::view::kept::RunFiles;
 use crate::command::view::path;
 use crate::failure::Failure;
 use nalgebra::Vector3;
@@ -40,7 +40,7 @@ fn files(format: Format) -> &'static [&'static str] {
 impl Trajectory {
     /// Writes, one state after another.
     pub fn write(self, format: Format) -> Result<(), Failure> {
-        let kept = Kept::read(&self.run)?;
+        let kept = RunFiles::read(&self.run)?;
         let (states, file) = match &kept.bodies {
             Some(bodies) => self.solid(&kept, bodies, format)?,
             None => self.path(&kept, format)?,
@@ -54,7 +54,7 @@ impl Trajectory {
     /// The folder for the files: the run's, or one of their own.
     fn folder(
         &self,
-        kept: &Kept,
+        kept: &RunFiles,
         format: Format,
     ) -> Result<(&Path, Option<OutputFolder>), Failure> {
         match &self.out {
@@ -74,7 +74,7 @@ impl Trajectory {
 
     fn solid(
         &self,
-        kept: &Kept,
+        kept: &RunFiles,
         bodies: &Bodies,
         format: Format,
     ) -> Result<(usize, PathBuf), Failure> {
@@ -104,7 +104,7 @@ impl Trajectory {
         Ok((film.states(), film.finish()?))
     }
 
-    fn path(&self, kept: &Kept, format: Format) -> Result<(usize, PathBuf), Failure> {
+    fn path(&self, kept: &RunFiles, format: Format) -> Result<(usize, PathBuf), Failure> {
         let folder = self.run.display();
         let Some(summary) = &kept.summary else {
             return Err(Failure::input(format!(
@@ -131,7 +131,7 @@ impl Trajectory {
 }
 
 /// A body in the plane z = 0, line by line of its series.
-fn states(run: &Path, kept: &Kept) -> Result<Vec<State>, Failure> {
+fn states(run: &Path, kept: &RunFiles) -> Result<Vec<State>, Failure> {
     let rows = path::rows(&run.join("series.csv"), &kept.manifest)?;
     let radius = path::radius(&kept.manifest.about)?;
     let side = |axis: usize| {

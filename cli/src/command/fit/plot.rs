@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use tribos::fit::{Fit, FitLaw, Measurements, Motion, law_model};
-use tribos_report::figure::{Axis, Figure, Guide, Panels, Series};
+use tribos_report::figure::{Axis, Figure, Panels, ReferenceLine, Series};
 
 /// Most measurements that are drawn: more of them hide each other, and fill files.
 const MOST_DRAWN: usize = 4000;
@@ -46,7 +46,7 @@ pub fn panels(law: FitLaw, data: &Measurements, fit: &Fit) -> Result<Panels, Fai
     };
     let below = Figure::new("", axis(), Axis::linear("measured − fitted"))
         .series(left)
-        .guide(Guide::horizontal(0.0, ""));
+        .guide(ReferenceLine::horizontal(0.0, ""));
     Ok(Panels::new("Measured and fitted friction", 1)
         .cell(900, 380)
         .figure(above)

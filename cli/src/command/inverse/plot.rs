@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use tribos::slide::inverse::{LaunchLimits, LaunchSolution, Pose, RestMap};
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
-use tribos_report::figure::{Axis, Color, Figure, Guide, Legend, Region, Series};
+use tribos_report::figure::{Axis, Color, Figure, Legend, ReferenceLine, Region, Series};
 
 /// Points along a curve of launches.
 const POINTS: usize = 48;
@@ -34,7 +34,7 @@ pub fn figure<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
         fill: Color::pale(0),
         label_at: (0.0, 0.0),
     })
-    .guide(Guide::horizontal(distance, "wanted"))
+    .guide(ReferenceLine::horizontal(distance, "wanted"))
     .legend(Legend::Below);
     for share in SHARES {
         let label = format!("launched at {:.3} m/s", share * speed);

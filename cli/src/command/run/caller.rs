@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use std::fmt;
 
 /// A program that runs scenes through this crate.
-pub trait Host: Sync {
+pub trait HostProgram: Sync {
     /// Whether the run is to end; a long one leaves its checkpoint then. Called after every step.
     fn is_asked(&self) -> bool;
 
@@ -16,14 +16,14 @@ pub trait Host: Sync {
 
 /// The one who asked, and who hears what a person at a terminal would read.
 #[derive(Clone, Copy)]
-pub enum Caller<'a> {
+pub enum Frontend<'a> {
     /// The person who gave the command.
     Terminal,
     /// A program.
-    Host(&'a dyn Host),
+    Host(&'a dyn HostProgram),
 }
 
-impl fmt::Debug for Caller<'_> {
+impl fmt::Debug for Frontend<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Terminal => "Terminal",
@@ -32,7 +32,7 @@ impl fmt::Debug for Caller<'_> {
     }
 }
 
-impl<'a> Caller<'a> {
+impl<'a> Frontend<'a> {
     /// From now on signals of the terminal are noted; a program has its own.
     pub fn watch(self) -> Result<(), Failure> {
         match self {

@@ -1,16 +1,16 @@
 //! Disks on a straight path.
 
 use super::files;
-use super::order::Order;
+use super::order::RunRequest;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::record::write_series;
 use tribos::scene::{DiskScene, Units};
 use tribos::slide::{self, COLUMNS, SlideRun};
-use tribos_report::figure::{Axis, Figure, Guide, Series};
+use tribos_report::figure::{Axis, Figure, ReferenceLine, Series};
 
 /// Runs the scene and writes its results into the folder.
-pub fn run(scene: &DiskScene, order: &Order<'_>) -> Result<(), Failure> {
+pub fn run(scene: &DiskScene, order: &RunRequest<'_>) -> Result<(), Failure> {
     let mut meter = order.caller.meter();
     let result = slide::run(scene, |done| {
         if meter.is_due(done) {
@@ -29,7 +29,7 @@ pub fn run(scene: &DiskScene, order: &Order<'_>) -> Result<(), Failure> {
 }
 
 /// A few lines for the person at the terminal.
-fn report(scene: &DiskScene, result: &SlideRun, order: &Order<'_>) -> Result<(), Failure> {
+fn report(scene: &DiskScene, result: &SlideRun, order: &RunRequest<'_>) -> Result<(), Failure> {
     let outcome = &result.outcome;
     let (s, m) = match scene.units {
         Units::Si => (" s", " m"),
@@ -81,7 +81,9 @@ fn figure(scene: &DiskScene, result: &SlideRun) -> Figure {
         curve(&|row| (row[2] * scene.radius).abs()),
     ));
     match result.outcome.ending {
-        slide::SlideStopReason::Rest => figure.guide(Guide::vertical(result.outcome.time, "rest")),
+        slide::SlideStopReason::Rest => {
+            figure.guide(ReferenceLine::vertical(result.outcome.time, "rest"))
+        }
         _ => figure,
     }
 }

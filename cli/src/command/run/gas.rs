@@ -1,7 +1,7 @@
 //! Granular gases.
 
-use super::caller::Caller;
-use super::order::Order;
+use super::caller::Frontend;
+use super::order::RunRequest;
 use super::{files, size};
 use crate::command::digits::shown;
 use crate::failure::Failure;
@@ -19,7 +19,7 @@ type Export = fn(&Snapshot<'_>) -> Result<String, SnapshotError>;
 const EXPORTS: [(&str, Export); 2] = [("final.xyz", extended_xyz), ("final.vtp", particles_vtp)];
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
-pub fn run(scene: &GasScene, order: &Order<'_>) -> Result<(), Failure> {
+pub fn run(scene: &GasScene, order: &RunRequest<'_>) -> Result<(), Failure> {
     size::check(&gas::size(scene), "spheres", order.allowed)?;
     let Some((folder, start)) = order.long(scene.json(), files::GAS)? else {
         return Ok(());
@@ -39,7 +39,7 @@ pub fn run(scene: &GasScene, order: &Order<'_>) -> Result<(), Failure> {
 fn simulate(
     scene: &GasScene,
     session: Session<'_, GasSimulation>,
-    caller: Caller<'_>,
+    caller: Frontend<'_>,
 ) -> Result<GasSimulation, RunError<GasError>> {
     caller.tell(format_args!("{}", size::told(&gas::size(scene), "spheres")));
     let mut meter = caller.meter();
@@ -62,7 +62,7 @@ fn write(
     run: &GasSimulation,
     outcome: &GasSummary,
     folder: &OutputFolder,
-    order: &Order<'_>,
+    order: &RunRequest<'_>,
 ) -> Result<(), Failure> {
     folder.add(files::GAS)?;
     let rows = run.series().iter();
@@ -82,7 +82,7 @@ fn write(
 }
 
 /// A few lines for the person at the terminal.
-fn report(outcome: &GasSummary, order: &Order<'_>) -> Result<(), Failure> {
+fn report(outcome: &GasSummary, order: &RunRequest<'_>) -> Result<(), Failure> {
     let ending = match outcome.ending {
         Some(GasStopReason::Time) => "duration over",
         Some(GasStopReason::Collapse) => {

@@ -2,8 +2,8 @@
 
 mod output;
 
-use super::caller::Caller;
-use super::order::Order;
+use super::caller::Frontend;
+use super::order::RunRequest;
 use super::{files, size};
 use crate::failure::Failure;
 use output::{report, write};
@@ -12,7 +12,7 @@ use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
 use tribos::scene::{ContactMethod, GrainsScene};
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
-pub fn run(scene: &GrainsScene, order: &Order<'_>) -> Result<(), Failure> {
+pub fn run(scene: &GrainsScene, order: &RunRequest<'_>) -> Result<(), Failure> {
     size::check(&grains::size(scene), "grains", order.allowed)?;
     // All refusals come before the folder is touched.
     GrainsSimulation::check(scene)?;
@@ -33,7 +33,7 @@ pub fn run(scene: &GrainsScene, order: &Order<'_>) -> Result<(), Failure> {
 fn simulate(
     scene: &GrainsScene,
     session: Session<'_, GrainsSimulation>,
-    caller: Caller<'_>,
+    caller: Frontend<'_>,
 ) -> Result<GrainsSimulation, RunError<GrainsError>> {
     let size = grains::size(scene);
     caller.tell(format_args!("{}", size::told(&size, "grains")));

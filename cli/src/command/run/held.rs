@@ -1,16 +1,16 @@
 //! Bodies that hold, let go and hold again.
 
 use super::files;
-use super::order::Order;
+use super::order::RunRequest;
 use crate::command::explain::held::lines;
 use crate::failure::Failure;
 use tribos::record::write_series;
 use tribos::scene::vocabulary;
-use tribos::stick::{HeldRun, HeldScene};
+use tribos::stick::{StickSlipRun, StickSlipScene};
 use tribos_report::figure::{Axis, Figure, Series};
 
 /// Runs the scene and writes its results into the folder.
-pub fn run(scene: &dyn HeldScene, order: &Order<'_>) -> Result<(), Failure> {
+pub fn run(scene: &dyn StickSlipScene, order: &RunRequest<'_>) -> Result<(), Failure> {
     order.caller.watch()?;
     let mut meter = order.caller.meter();
     let result = scene.follow(&mut |done| {
@@ -34,7 +34,7 @@ pub fn run(scene: &dyn HeldScene, order: &Order<'_>) -> Result<(), Failure> {
 }
 
 /// The columns that tell the motion, over the time.
-fn figure(scene: &dyn HeldScene, result: &HeldRun) -> Figure {
+fn figure(scene: &dyn StickSlipScene, result: &StickSlipRun) -> Figure {
     let title = vocabulary(scene.body()).map_or("", |known| known.title);
     let (names, label) = result.drawn;
     let figure = Figure::new(title, Axis::linear("time [s]"), Axis::linear(label));

@@ -1,14 +1,16 @@
 //! A run as it was asked for: its folder, and how it starts and goes on.
 
-use super::caller::Caller;
+use super::caller::Frontend;
 use super::files;
-use super::size::Allowed;
+use super::size::MemoryPermission;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tribos::record::CheckpointError;
-use tribos::run::folder::{Broken, Contents, Lock, Manifest, OutputFolder, Sharing, is_finished};
+use tribos::run::folder::{
+    Contents, InterruptedRunPolicy, Lock, Manifest, OutputFolder, Sharing, is_finished,
+};
 use tribos::run::{CHECKPOINT, LongRun, RunError, Session, StartMode, read_checkpoint};
 use tribos_report::image::{self, Drawing};
 
@@ -17,11 +19,11 @@ pub const COMMAND: &str = "run";
 
 /// What the command line asks of a run.
 #[derive(Debug)]
-pub struct Order<'a> {
+pub struct RunRequest<'a> {
     /// Folder for the results.
     pub out: &'a Path,
     /// What becomes of a run in the folder that was broken off.
-    pub broken: Broken,
+    pub broken: InterruptedRunPolicy,
     /// Whether a run in the folder goes on.
     pub resume: bool,
     /// Time between checkpoints.
@@ -29,11 +31,11 @@ pub struct Order<'a> {
     /// Largest number of frames.
     pub frames: Option<u64>,
     /// Which sizes are run.
-    pub allowed: Allowed,
+    pub allowed: MemoryPermission,
     /// Whether pictures are drawn.
     pub pictures: Pictures,
     /// Who asked.
-    pub caller: Caller<'a>,
+    pub caller: Frontend<'a>,
 }
 
 /// Whether the pictures of a run are drawn.
@@ -45,7 +47,7 @@ pub enum Pictures {
     LeftOut,
 }
 
-impl<'a> Order<'a> {
+impl<'a> RunRequest<'a> {
     /// The folder of a run that starts.
     pub fn begin(&self, scene: Value, files: &[&str]) -> Result<OutputFolder, Failure> {
         let contents = Contents {

@@ -1,7 +1,7 @@
 //! Bodies that slide along a path in the plane.
 
 use super::files;
-use super::order::Order;
+use super::order::RunRequest;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::record::write_series;
@@ -10,7 +10,7 @@ use tribos::slide::{PATH_COLUMNS, PathRun, PlanarScene, follow_path};
 use tribos_report::figure::{Axis, Figure, Series};
 
 /// Runs the scene and writes its results into the folder.
-pub fn run(scene: &dyn PlanarScene, order: &Order<'_>) -> Result<(), Failure> {
+pub fn run(scene: &dyn PlanarScene, order: &RunRequest<'_>) -> Result<(), Failure> {
     let out = order.out;
     order.caller.watch()?;
     let mut meter = order.caller.meter();
@@ -35,7 +35,7 @@ pub fn run(scene: &dyn PlanarScene, order: &Order<'_>) -> Result<(), Failure> {
 }
 
 /// A few lines for the person at the terminal.
-fn report(result: &PathRun, order: &Order<'_>) -> Result<(), Failure> {
+fn report(result: &PathRun, order: &RunRequest<'_>) -> Result<(), Failure> {
     let arrival = &result.outcome.arrival;
     let [x, y] = arrival.point.position.map(shown);
     let ending = match arrival.ending {

@@ -2,8 +2,8 @@
 
 mod output;
 
-use super::caller::Caller;
-use super::order::Order;
+use super::caller::Frontend;
+use super::order::RunRequest;
 use super::{files, size};
 use crate::command::progress::Meter;
 use crate::failure::Failure;
@@ -14,7 +14,7 @@ use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
 use tribos::scene::{ContactMethod, PowderScene};
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
-pub fn run(scene: &PowderScene, order: &Order<'_>) -> Result<(), Failure> {
+pub fn run(scene: &PowderScene, order: &RunRequest<'_>) -> Result<(), Failure> {
     let size = tribos::powder::size(scene);
     size::check(&size, "spheres", order.allowed)?;
     // All refusals come before the folder is touched.
@@ -37,7 +37,7 @@ pub fn run(scene: &PowderScene, order: &Order<'_>) -> Result<(), Failure> {
 fn simulate(
     scene: &PowderScene,
     session: Session<'_, PowderSimulation>,
-    caller: Caller<'_>,
+    caller: Frontend<'_>,
 ) -> Result<PowderSimulation, RunError<CompactionError>> {
     let size = powder::size(scene);
     caller.tell(format_args!("{}", size::told(&size, "spheres")));

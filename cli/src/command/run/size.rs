@@ -9,14 +9,14 @@ const MOST_BYTES: f64 = 4e9;
 
 /// Whether more than 4 GB may be taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Allowed {
+pub enum MemoryPermission {
     /// 4 GB at most.
     Usual,
     /// Whatever the machine has.
     Large,
 }
 
-impl Allowed {
+impl MemoryPermission {
     /// From the option.
     pub fn of(allow_large: bool) -> Self {
         if allow_large {
@@ -28,7 +28,7 @@ impl Allowed {
 }
 
 /// Refuses what is too large; `what` are spheres or atoms.
-pub fn check(size: &RunSize, what: &str, allowed: Allowed) -> Result<(), Failure> {
+pub fn check(size: &RunSize, what: &str, allowed: MemoryPermission) -> Result<(), Failure> {
     if what == "spheres" && size.bodies > 1.5 * MOST_SPHERES as f64 {
         return Err(Failure::input(format!(
             "{}: more than {MOST_SPHERES} spheres, the most that a deposit may have; make it lower \
@@ -36,7 +36,7 @@ pub fn check(size: &RunSize, what: &str, allowed: Allowed) -> Result<(), Failure
             told(size, what)
         )));
     }
-    if size.bytes > MOST_BYTES && allowed == Allowed::Usual {
+    if size.bytes > MOST_BYTES && allowed == MemoryPermission::Usual {
         return Err(Failure::input(format!(
             "{}: more than the 4 GB that are taken without --allow-large",
             told(size, what)
@@ -123,15 +123,16 @@ mod tests {
             wide,
             "about 190000 spheres, 970 MB of memory, in the order of 81 minutes"
         );
-        let Err(Failure::Input(refused)) = check(&size(1e12), "spheres", Allowed::Large) else {
+        let Err(Failure::Input(refused)) = check(&size(1e12), "spheres", MemoryPermission::Large)
+        else {
             unreachable!("more than a deposit may have");
         };
         assert!(
             refused.starts_with("about 1.0e12 spheres, 5.0e6 GB") && refused.contains("790 years"),
             "{refused}"
         );
-        assert!(check(&size(1e6), "atoms", Allowed::Usual).is_err());
-        assert!(check(&size(1e6), "atoms", Allowed::Large).is_ok());
-        assert!(check(&size(194_321.0), "spheres", Allowed::Usual).is_ok());
+        assert!(check(&size(1e6), "atoms", MemoryPermission::Usual).is_err());
+        assert!(check(&size(1e6), "atoms", MemoryPermission::Large).is_ok());
+        assert!(check(&size(194_321.0), "spheres", MemoryPermission::Usual).is_ok());
     }
 }

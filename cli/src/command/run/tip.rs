@@ -1,7 +1,7 @@
 //! Tips turned or slid on a substrate.
 
-use super::caller::Caller;
-use super::order::Order;
+use super::caller::Frontend;
+use super::order::RunRequest;
 use super::{files, size};
 use crate::command::digits::shown;
 use crate::failure::Failure;
@@ -14,7 +14,7 @@ use tribos::tip::{self, Reversal, SlidingSummary, TipError, TipSimulation, TipSu
 use tribos_report::runs::tip as picture;
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
-pub fn run(scene: &TipScene, order: &Order<'_>) -> Result<(), Failure> {
+pub fn run(scene: &TipScene, order: &RunRequest<'_>) -> Result<(), Failure> {
     size::check(&tip::size(scene), "atoms", order.allowed)?;
     // All refusals come before the folder is touched.
     tip::build(scene).map_err(TipError::Build)?;
@@ -35,7 +35,7 @@ pub fn run(scene: &TipScene, order: &Order<'_>) -> Result<(), Failure> {
 fn simulate(
     scene: &TipScene,
     session: Session<'_, TipSimulation>,
-    caller: Caller<'_>,
+    caller: Frontend<'_>,
 ) -> Result<TipSimulation, RunError<TipError>> {
     let size = tip::size(scene);
     caller.tell(format_args!("{}", size::told(&size, "atoms")));
@@ -66,7 +66,7 @@ fn write(
     scene: &TipScene,
     run: &TipSimulation,
     folder: &OutputFolder,
-    order: &Order<'_>,
+    order: &RunRequest<'_>,
 ) -> Result<(), Failure> {
     folder.add(files::TIP)?;
     let out = folder.path();
@@ -122,7 +122,7 @@ fn told(slid: &SlidingSummary, outcome: &TipSummary) -> String {
 }
 
 /// A few lines for the person at the terminal.
-fn report(outcome: &TipSummary, order: &Order<'_>) -> Result<(), Failure> {
+fn report(outcome: &TipSummary, order: &RunRequest<'_>) -> Result<(), Failure> {
     if let Some(slid) = &outcome.slid {
         let text = told(slid, outcome) + &format!("written to    {}\n", order.out.display());
         return order.caller.report(&text);

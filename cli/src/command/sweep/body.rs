@@ -1,7 +1,7 @@
 //! One run of a sweep: any body, from its scene to its summary.
 
 use super::refusal;
-use crate::command::bodies::{self, Kind, Unfinished};
+use crate::command::bodies::{self, NoResult, RunKind};
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::sync::Arc;
@@ -30,7 +30,7 @@ impl Body {
     }
 
     /// What a table is made of.
-    pub fn kind(&self) -> &'static Kind {
+    pub fn kind(&self) -> &'static RunKind {
         bodies::of(&self.0).kind()
     }
 
@@ -41,13 +41,13 @@ impl Body {
         bodies::of(&self.0)
             .summarize(folder)
             .or_else(|end| match end {
-                Unfinished::Refused(failure) => {
+                NoResult::Refused(failure) => {
                     let reason = failure.to_string();
                     let mut summary = json!({"scene": self.0.json()});
                     refusal::note(&mut summary, &reason);
                     Ok((summary, format!("refused: {reason}")))
                 }
-                Unfinished::Stopped(failure) => Err(failure),
+                NoResult::Stopped(failure) => Err(failure),
             })
     }
 }

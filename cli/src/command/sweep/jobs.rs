@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use tribos::record::{read_text, write_atomically_there};
-use tribos::run::folder::{Attempt, Lock, Sharing, remove_file, remove_unfinished};
+use tribos::run::folder::{Lock, LockOutcome, Sharing, remove_file, remove_unfinished};
 use tribos::run::{forget_checkpoint, in_order};
 
 /// Bytes of a summary at most.
@@ -29,12 +29,12 @@ pub struct Task {
 
 /// How the cores are shared: runs at a time, and threads of each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Share {
+struct CoreAllocation {
     jobs: usize,
     threads: usize,
 }
 
-impl Share {
+impl CoreAllocation {
     /// As many runs at a time as there are cores unless told otherwise; never more threads than
     /// cores, unless more runs are asked for.
     fn new(asked: Option<usize>, cores: usize, runs: usize) -> Self {
@@ -59,7 +59,7 @@ pub fn run(tasks: &[&Task], asked: Option<usize>, lock: &Lock) -> Result<(), Fai
         .filter(|task| task.kept().is_none())
         .collect();
     // The number of threads that the environment or the machine allows.
-    let share = Share::new(asked, rayon::current_num_threads(), missing.len());
+    let share = CoreAllocation::new(asked, rayon::current_num_threads(), missing.len());
     let possible = tasks.iter().filter(|task| task.body.is_ok()).count();
     let kept = possible - missing.len();
     let progress = Progress::start(possible, kept, share.jobs);
@@ -126,8 +126,8 @@ impl Task {
         let body = self.body.as_ref().map_err(Failure::input)?;
         // The same run may be part of another process's share.
         let lock = match Lock::attempt(&self.folder, Sharing::Alone)? {
-            Attempt::Taken(lock) => Arc::new(lock),
-            Attempt::InUse(told) => {
+            LockOutcome::Taken(lock) => Arc::new(lock),
+            LockOutcome::InUse(told) => {
                 return Err(Failure::run(format!(
                     "{told}; when it has ended, the same command continues"
                 )));
@@ -179,7 +179,7 @@ mod tests {
     #[test]
     fn cores_are_shared_without_a_thread_too_many() {
         let share = |asked, cores, runs| {
-            let Share { jobs, threads } = Share::new(asked, cores, runs);
+            let CoreAllocation { jobs, threads } = CoreAllocation::new(asked, cores, runs);
             [jobs, threads]
         };
         assert_eq!(share(None, 8, 100), [8, 1]);

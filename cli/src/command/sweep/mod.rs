@@ -22,13 +22,13 @@ use super::{interrupt, number};
 use crate::failure::Failure;
 use grid::Grid;
 use jobs::Task;
-use part::Part;
+use part::Shard;
 use plan::Plan;
 use slurm::JobArray;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use tribos::run::folder::{Attempt, Contents, Lock, Manifest, OutputFolder, Sharing};
+use tribos::run::folder::{Contents, Lock, LockOutcome, Manifest, OutputFolder, Sharing};
 
 /// Runs a scene of any body for every combination of the values of its keys, each with several seeds
 /// if the body has one, and writes tables: sweep.csv, means and standard deviations over the seeds, and
@@ -72,7 +72,7 @@ pub struct Arguments {
     plan: Option<PathBuf>,
     /// Run only part I of K, counted from 0; --merge makes the tables.
     #[arg(long, value_name = "I/K", conflicts_with_all = ["merge", "slurm"])]
-    part: Option<Part>,
+    part: Option<Shard>,
     /// Make the tables of a sweep whose parts are finished; missing runs are listed.
     #[arg(long, value_name = "DIR", conflicts_with = "scene")]
     merge: Option<PathBuf>,
@@ -150,7 +150,7 @@ impl Arguments {
             plan.write(&out)?;
         }
         interrupt::watch()?;
-        let part = self.part.unwrap_or(Part::WHOLE);
+        let part = self.part.unwrap_or(Shard::WHOLE);
         let numbered = tasks.iter().enumerate();
         let mine: Vec<&Task> = numbered
             .filter(|(run, _)| part.has(*run))
@@ -183,20 +183,20 @@ impl Arguments {
     }
 
     /// The folder, for a whole sweep alone, for a part together with the others.
-    fn hold(&self, plan: &Plan, out: &Path) -> Result<Held, Failure> {
+    fn hold(&self, plan: &Plan, out: &Path) -> Result<FolderGuard, Failure> {
         if self.part.is_none() {
-            return Ok(Held::Whole(claim(plan, out)?));
+            return Ok(FolderGuard::Whole(claim(plan, out)?));
         }
         let is_mine = |kept: Manifest| kept.command == "sweep" && kept.about == plan.json();
         let until = Instant::now() + PATIENCE;
         // Another part that begins now holds the folder alone for a moment.
         let attempt = |sharing| match Lock::attempt(out, sharing)? {
-            Attempt::Taken(lock) => Ok(Some(lock)),
-            Attempt::InUse(_) if Instant::now() < until => {
+            LockOutcome::Taken(lock) => Ok(Some(lock)),
+            LockOutcome::InUse(_) if Instant::now() < until => {
                 std::thread::sleep(PAUSE);
                 Ok(None)
             }
-            Attempt::InUse(_) => Lock::take(out, sharing).map(Some),
+            LockOutcome::InUse(_) => Lock::take(out, sharing).map(Some),
         };
         while !Manifest::read(out)?.is_some_and(is_mine) {
             if let Some(lock) = attempt(Sharing::Alone)? {
@@ -206,7 +206,7 @@ impl Arguments {
         }
         loop {
             if let Some(lock) = attempt(Sharing::Shared)? {
-                return Ok(Held::Part(lock));
+                return Ok(FolderGuard::Part(lock));
             }
         }
     }
@@ -252,14 +252,14 @@ fn contents(plan: &Plan) -> Contents<'static> {
 
 /// What keeps others out of the folder while runs are taken.
 #[derive(Debug)]
-enum Held {
+enum FolderGuard {
     /// A whole sweep: nobody else works there.
     Whole(OutputFolder),
     /// A part: other parts may.
     Part(Lock),
 }
 
-impl Held {
+impl FolderGuard {
     fn lock(&self) -> &Lock {
         match self {
             Self::Whole(folder) => folder.lock(),

@@ -4,14 +4,14 @@ use std::str::FromStr;
 
 /// Part `index` of `count`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct Shard {
     /// From 0.
     pub index: usize,
     /// At least 1.
     pub count: usize,
 }
 
-impl Part {
+impl Shard {
     /// Everything.
     pub const WHOLE: Self = Self { index: 0, count: 1 };
 
@@ -22,7 +22,7 @@ impl Part {
     }
 }
 
-impl FromStr for Part {
+impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -43,17 +43,17 @@ mod tests {
 
     #[test]
     fn every_run_belongs_to_one_part() {
-        let parts: Vec<Part> = ["0/3", "1/3", " 2 / 3"]
+        let parts: Vec<Shard> = ["0/3", "1/3", " 2 / 3"]
             .iter()
             .filter_map(|text| text.parse().ok())
             .collect();
         assert_eq!(parts.len(), 3);
         for run in 0..10 {
             assert_eq!(parts.iter().filter(|part| part.has(run)).count(), 1);
-            assert!(Part::WHOLE.has(run));
+            assert!(Shard::WHOLE.has(run));
         }
         for bad in ["3/3", "0/0", "1", "-1/2", "a/b", ""] {
-            assert!(bad.parse::<Part>().is_err(), "{bad}");
+            assert!(bad.parse::<Shard>().is_err(), "{bad}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::frame::{Cells, Column, add, scalar};
 use super::grid::Grid;
 use super::refusal;
-use crate::command::bodies::Kind;
+use crate::command::bodies::RunKind;
 use crate::command::digits::shown;
 use serde_json::Value;
 use tribos::powder::deposit::curve::statistics;
@@ -11,7 +11,7 @@ use tribos::powder::deposit::curve::statistics;
 /// A line a combination.
 #[derive(Debug)]
 pub struct Table {
-    kind: &'static Kind,
+    kind: &'static RunKind,
     names: Vec<String>,
     rows: Vec<Row>,
 }
@@ -33,7 +33,7 @@ struct Row {
 
 impl Table {
     /// Summaries in the order of the combinations, `seeds` of them each.
-    pub fn new(kind: &'static Kind, grid: &Grid, summaries: &[Value], seeds: usize) -> Self {
+    pub fn new(kind: &'static RunKind, grid: &Grid, summaries: &[Value], seeds: usize) -> Self {
         let rows = summaries.chunks(seeds).enumerate();
         Self {
             kind,
@@ -45,7 +45,7 @@ impl Table {
     }
 
     /// What the summaries are of.
-    pub fn kind(&self) -> &'static Kind {
+    pub fn kind(&self) -> &'static RunKind {
         self.kind
     }
 
@@ -146,7 +146,7 @@ impl Table {
 }
 
 impl Row {
-    fn new(kind: &Kind, grid: &Grid, combination: usize, runs: &[Value]) -> Self {
+    fn new(kind: &RunKind, grid: &Grid, combination: usize, runs: &[Value]) -> Self {
         let chosen = grid.keys.iter().zip(grid.indices(combination));
         let [_, place, word] = kind.share;
         let done: Vec<&Value> = runs

@@ -9,7 +9,7 @@ use tribos_report::runs::RunFrames;
 
 /// What the colours of a picture mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Paint {
+pub enum ColorBy {
     /// The height in the deposit, or the atom's layer.
     Layer,
     /// The speed, on a logarithmic scale.
@@ -24,8 +24,8 @@ pub enum Paint {
 
 /// The look of all pictures of a run: colours and forces mean the same in each.
 #[derive(Clone, Debug)]
-pub struct Look {
-    paint: Paint,
+pub struct RenderStyle {
+    paint: ColorBy,
     /// The range of the values.
     range: [f64; 2],
     /// The force of a full line; `None` where spheres are shown.
@@ -41,27 +41,27 @@ const SLOW: f64 = 1e-4;
 /// Colour of marked atoms.
 const MARK: Color = Color(255, 210, 31);
 
-impl Look {
+impl RenderStyle {
     /// Fits the scale to all frames.
-    pub fn of(run: &RunFrames, paint: Option<Paint>, network: bool) -> Result<Self, Failure> {
+    pub fn of(run: &RunFrames, paint: Option<ColorBy>, network: bool) -> Result<Self, Failure> {
         let is_tip = run.bodies.kind == Kind::Tip;
         let paint = paint.unwrap_or(match run.bodies.kind {
-            Kind::Tip => Paint::Part,
-            Kind::Powder | Kind::Grains => Paint::Layer,
-            Kind::Gas => Paint::Speed,
+            Kind::Tip => ColorBy::Part,
+            Kind::Powder | Kind::Grains => ColorBy::Layer,
+            Kind::Gas => ColorBy::Speed,
         });
-        let has_forces = matches!(paint, Paint::Force | Paint::Coordination) || network;
+        let has_forces = matches!(paint, ColorBy::Force | ColorBy::Coordination) || network;
         if is_tip && has_forces {
             return Err(Failure::input(
                 "atoms have no contacts; colour a tip by part, layer or speed",
             ));
         }
-        if run.bodies.kind == Kind::Gas && (has_forces || paint == Paint::Part) {
+        if run.bodies.kind == Kind::Gas && (has_forces || paint == ColorBy::Part) {
             return Err(Failure::input(
                 "the spheres of a gas have neither contacts nor parts; colour by speed or layer",
             ));
         }
-        if !is_tip && paint == Paint::Part {
+        if !is_tip && paint == ColorBy::Part {
             return Err(Failure::input(
                 "spheres of a powder have no parts; colour by layer, speed, force or coordination",
             ));
@@ -71,7 +71,7 @@ impl Look {
             .iter()
             .flat_map(|frame| values(run, frame, paint));
         let high = quantile(values.collect(), COVERED);
-        let low = if paint == Paint::Speed {
+        let low = if paint == ColorBy::Speed {
             SLOW * high
         } else {
             0.0
@@ -99,7 +99,7 @@ impl Look {
         frame: &Frame,
     ) -> Result<PackingPicture, PackingError> {
         let [low, high] = self.range;
-        if self.paint == Paint::Part {
+        if self.paint == ColorBy::Part {
             let part = |&part: &u8| PART_COLORS[usize::from(part) % PART_COLORS.len()];
             let mut colors: Vec<Color> = run.bodies.parts.iter().map(part).collect();
             for &atom in &run.bodies.marked {
@@ -108,17 +108,17 @@ impl Look {
             return picture.colors(&colors);
         }
         let axis = match (self.paint, run.bodies.kind) {
-            (Paint::Layer, Kind::Tip) => Axis::linear("layer"),
-            (Paint::Layer, Kind::Powder) => Axis::linear("height in the deposit [R]"),
-            (Paint::Layer, Kind::Gas) => Axis::linear("height at the start [R]"),
-            (Paint::Speed, Kind::Gas) => Axis::log10("speed [√(T₀/m)]"),
-            (Paint::Speed, Kind::Tip) => Axis::log10("speed [√(ε/m)]"),
-            (Paint::Speed, Kind::Powder) => Axis::log10("speed [√(F_coh/ρ)/R]"),
-            (Paint::Layer, Kind::Grains) => Axis::linear("initial height [m]"),
-            (Paint::Speed, Kind::Grains) => Axis::log10("speed [m/s]"),
-            (Paint::Force, Kind::Grains) => Axis::linear("normal forces, sum [N]"),
-            (Paint::Force, _) => Axis::linear("normal forces, sum [F_coh]"),
-            (Paint::Coordination | Paint::Part, _) => Axis::linear("contacts"),
+            (ColorBy::Layer, Kind::Tip) => Axis::linear("layer"),
+            (ColorBy::Layer, Kind::Powder) => Axis::linear("height in the deposit [R]"),
+            (ColorBy::Layer, Kind::Gas) => Axis::linear("height at the start [R]"),
+            (ColorBy::Speed, Kind::Gas) => Axis::log10("speed [√(T₀/m)]"),
+            (ColorBy::Speed, Kind::Tip) => Axis::log10("speed [√(ε/m)]"),
+            (ColorBy::Speed, Kind::Powder) => Axis::log10("speed [√(F_coh/ρ)/R]"),
+            (ColorBy::Layer, Kind::Grains) => Axis::linear("initial height [m]"),
+            (ColorBy::Speed, Kind::Grains) => Axis::log10("speed [m/s]"),
+            (ColorBy::Force, Kind::Grains) => Axis::linear("normal forces, sum [N]"),
+            (ColorBy::Force, _) => Axis::linear("normal forces, sum [F_coh]"),
+            (ColorBy::Coordination | ColorBy::Part, _) => Axis::linear("contacts"),
         };
         // Below and above the scale counts as on its ends.
         let values: Vec<f64> = values(run, frame, self.paint)
@@ -130,7 +130,7 @@ impl Look {
 }
 
 /// A value a body.
-fn values(run: &RunFrames, frame: &Frame, paint: Paint) -> Vec<f64> {
+fn values(run: &RunFrames, frame: &Frame, paint: ColorBy) -> Vec<f64> {
     let sums = |add: fn(f32) -> f64| {
         let mut sums = vec![0.0; frame.places.len()];
         for contact in &frame.contacts {
@@ -144,18 +144,18 @@ fn values(run: &RunFrames, frame: &Frame, paint: Paint) -> Vec<f64> {
         sums
     };
     match (paint, run.bodies.kind) {
-        (Paint::Layer | Paint::Part, Kind::Tip) => run
+        (ColorBy::Layer | ColorBy::Part, Kind::Tip) => run
             .bodies
             .layers
             .iter()
             .map(|&layer| f64::from(layer) + 1.0)
             .collect(),
-        (Paint::Layer | Paint::Part, Kind::Powder | Kind::Grains | Kind::Gas) => {
+        (ColorBy::Layer | ColorBy::Part, Kind::Powder | Kind::Grains | Kind::Gas) => {
             run.frames[0].places.iter().map(|place| place.z).collect()
         }
-        (Paint::Speed, _) => frame.speeds.iter().map(|&speed| speed.into()).collect(),
-        (Paint::Force, _) => sums(|force| f64::from(force.abs())),
-        (Paint::Coordination, _) => sums(|_| 1.0),
+        (ColorBy::Speed, _) => frame.speeds.iter().map(|&speed| speed.into()).collect(),
+        (ColorBy::Force, _) => sums(|force| f64::from(force.abs())),
+        (ColorBy::Coordination, _) => sums(|_| 1.0),
     }
 }
 

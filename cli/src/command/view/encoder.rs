@@ -1,6 +1,6 @@
 //! Film files: frames drawn one after another and handed to ffmpeg.
 
-use super::colors::Look;
+use super::colors::RenderStyle;
 use super::still;
 use crate::failure::Failure;
 use std::io::Write;
@@ -40,7 +40,7 @@ fn ending(path: &Path) -> Option<(&'static str, &'static [&'static str])> {
 }
 
 /// Draws all frames into a film, which appears whole or not at all.
-pub fn film(run: &RunFrames, look: &Look, file: &Path, rate: u32) -> Result<(), Failure> {
+pub fn film(run: &RunFrames, look: &RenderStyle, file: &Path, rate: u32) -> Result<(), Failure> {
     let (ending, options) = ending(file).unwrap_or(ENDINGS[0]);
     let unfinished = file.with_extension(format!("unfinished.{ending}"));
     let mut encoder = begin(&unfinished, rate, options)?;
@@ -100,7 +100,7 @@ fn begin(file: &Path, rate: u32, options: &[&str]) -> Result<Child, Failure> {
 }
 
 /// Draws frames some at a time and hands them over in order.
-fn feed(run: &RunFrames, look: &Look, encoder: &mut Child) -> Result<(), Failure> {
+fn feed(run: &RunFrames, look: &RenderStyle, encoder: &mut Child) -> Result<(), Failure> {
     // Dropped at the end: ffmpeg sees that no more will come.
     let Some(mut pipe) = encoder.stdin.take() else {
         return Err(Failure::run("ffmpeg takes no pictures"));

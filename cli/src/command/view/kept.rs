@@ -12,7 +12,7 @@ use tribos::run::folder::Manifest;
 const MOST_BYTES: u64 = 64 << 20;
 
 /// One run: what belongs to another has been refused.
-pub struct Kept {
+pub struct RunFiles {
     /// Which run, and the digests of its files.
     pub manifest: Manifest,
     /// Of a run that came to its end.
@@ -21,7 +21,7 @@ pub struct Kept {
     pub bodies: Option<Bodies>,
 }
 
-impl Kept {
+impl RunFiles {
     /// Reads all but the frames themselves.
     pub fn read(folder: &Path) -> Result<Self, Failure> {
         let frames = frames_folder(folder);

@@ -1,6 +1,6 @@
 //! Single frames as pictures.
 
-use super::colors::{Look, contacts};
+use super::colors::{RenderStyle, contacts};
 use crate::failure::Failure;
 use tribos::record::frames::{Frame, Kind};
 use tribos_report::packing::{Packing, PackingPicture};
@@ -11,7 +11,7 @@ const SIZES: [(u32, u32); 2] = [(520, 720), (860, 640)];
 
 /// Which frame is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Which {
+pub enum FrameSelector {
     /// By its number from 1.
     Number(usize),
     /// The last one.
@@ -19,15 +19,15 @@ pub enum Which {
 }
 
 /// A frame as the command line names it.
-pub fn which(text: &str) -> Result<Which, String> {
+pub fn which(text: &str) -> Result<FrameSelector, String> {
     match (text.trim(), text.trim().parse()) {
-        ("last", _) => Ok(Which::Last),
-        (_, Ok(number)) if number > 0 => Ok(Which::Number(number)),
+        ("last", _) => Ok(FrameSelector::Last),
+        (_, Ok(number)) if number > 0 => Ok(FrameSelector::Number(number)),
         _ => Err("give numbers of frames from 1 up, or `last`".into()),
     }
 }
 
-impl Which {
+impl FrameSelector {
     /// Its number, from 1, among so many.
     pub fn number(self, frames: usize) -> Result<usize, Failure> {
         match self {
@@ -41,7 +41,7 @@ impl Which {
 }
 
 /// A frame drawn as PNG.
-pub fn png(run: &RunFrames, look: &Look, index: usize) -> Result<Vec<u8>, Failure> {
+pub fn png(run: &RunFrames, look: &RenderStyle, index: usize) -> Result<Vec<u8>, Failure> {
     let frame = &run.frames[index];
     let places: Vec<[f64; 3]> = frame.places.iter().map(|at| [at.x, at.y, at.z]).collect();
     let is_powder = run.bodies.kind != Kind::Tip;

@@ -1,12 +1,12 @@
 //! A contact as the command line describes it, ready to be evaluated.
 
-use super::product::Product;
+use super::product::ExtendedRange;
 use crate::command::columns;
 use crate::command::number::in_range;
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::friction::{
-    AnyFriction, AnyLaw, Evaluation, HeldNodes, Law, Patch, Precision, Tier, pressure_nodes,
+    AnyFriction, AnyLaw, Evaluation, Law, OwnedNodes, Patch, Precision, Tier, pressure_nodes,
 };
 use tribos_core::Real;
 use tribos_core::coupling::RoundFriction;
@@ -84,7 +84,7 @@ pub(super) enum Kind<R: Precision> {
         tilt: Option<R>,
     },
     /// Nodes, in units of the radius.
-    Nodes(NodeFriction<AnyLaw<R>, HeldNodes<R>>),
+    Nodes(NodeFriction<AnyLaw<R>, OwnedNodes<R>>),
 }
 
 impl<R: Precision> Contact<R> {
@@ -123,7 +123,7 @@ impl<R: Precision> Contact<R> {
                 Patch::Points(path) => points(path, &|x| R::ONE + lean * (x / radius))?,
                 round => pressure_nodes(round, lean)?,
             };
-            let nodes = HeldNodes::new(nodes).map_err(Failure::input)?;
+            let nodes = OwnedNodes::new(nodes).map_err(Failure::input)?;
             let friction = NodeFriction::new(law.made()?, nodes);
             (
                 Kind::Nodes(friction),
@@ -222,13 +222,13 @@ pub(super) fn points<R: Real>(
     let name = path.display();
     // Only ratios of the weights count: the largest one is brought to order 1, to the bit.
     let heaviest = rows.iter().fold(0.0, |most: f64, row| most.max(row[2]));
-    let unit = Product::new(heaviest).exponent();
+    let unit = ExtendedRange::new(heaviest).exponent();
     let nodes = rows.iter().enumerate().map(|(i, &[x, y, weight])| {
         let place = |name: &str, x: f64| {
             in_range::<R>(&format!("{}: {name} of point {}", path.display(), i + 1), x)
         };
         let x = place("x", x)?;
-        let weight = R::from_f64(Product::new(weight).shifted(-unit).value());
+        let weight = R::from_f64(ExtendedRange::new(weight).shifted(-unit).value());
         Ok(Node {
             x,
             y: place("y", y)?,

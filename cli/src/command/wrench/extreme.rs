@@ -9,10 +9,10 @@
 //!
 //! and what the smaller speed alone causes (F where the rim leads, else T and the lateral force)
 //! is linear in it as soon as its square is below rounding: it is evaluated at 2^-[`TINY`] of the
-//! larger one and taken down. All products are formed as [`Product`]s.
+//! larger one and taken down. All products are formed as [`ExtendedRange`]s.
 
 use super::contact::{Contact, Kind, Resistance};
-use super::product::Product;
+use super::product::ExtendedRange;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::friction::Precision;
@@ -28,23 +28,23 @@ fn tiny<R: Real>() -> i64 {
 
 /// Digits of the smallest normal number: 1022, or 126 for f32.
 fn least_exponent<R: Real>() -> i64 {
-    -Product::new(R::MIN_POSITIVE.to_f64()).exponent()
+    -ExtendedRange::new(R::MIN_POSITIVE.to_f64()).exponent()
 }
 
-/// Two speeds in units of 2^e.
+/// Pair2 speeds in units of 2^e.
 struct Scaled<R> {
     speeds: [R; 2],
     /// e, zero if the law is not homogeneous.
     unit: i64,
     /// By how much the smaller one is less than what stands for it, a power of two.
-    lift: Product,
+    lift: ExtendedRange,
     slides: bool,
 }
 
 impl<R: Precision> Contact<R> {
     /// True if no product of the evaluation comes near the ends of the range.
     pub fn is_ordinary(&self, load: R, speed: R, spin: R) -> bool {
-        let size = |x: R| Product::new(x.to_f64()).exponent().abs();
+        let size = |x: R| ExtendedRange::new(x.to_f64()).exponent().abs();
         let radius = size(self.radius);
         let speeds = size(speed) + size(spin) + radius;
         let degree = self.alpha.map_or(2.0, |alpha| alpha.abs() + 2.0);
@@ -60,7 +60,7 @@ impl<R: Precision> Contact<R> {
         load: R,
         speed: R,
         spin: R,
-    ) -> Result<Resistance<Product>, Failure> {
+    ) -> Result<Resistance<ExtendedRange>, Failure> {
         let at = self.scaled(speed, spin)?;
         let [v, w] = at.speeds;
         // In units of the radius, for unit load and coefficient.
@@ -84,14 +84,14 @@ impl<R: Precision> Contact<R> {
                 [reduced.force.x, reduced.force.y, reduced.torque].map(|x| R::ZERO - x)
             }
         };
-        let power = Product::power_of_two(at.unit, self.alpha.unwrap_or(0.0));
+        let power = ExtendedRange::power_of_two(at.unit, self.alpha.unwrap_or(0.0));
         let [coefficient, load, radius] = [self.coefficient, load, self.radius].map(product);
         let strength = power.times(coefficient).times(load);
         // What the smaller speed alone causes.
         let [by_slide, by_rim] = if at.slides {
-            [Product::ONE, at.lift]
+            [ExtendedRange::ONE, at.lift]
         } else {
-            [at.lift, Product::ONE]
+            [at.lift, ExtendedRange::ONE]
         };
         Ok(Resistance {
             force: strength.times(by_slide).times(product(force)),
@@ -107,15 +107,15 @@ impl<R: Precision> Contact<R> {
         load: R,
         speed: R,
         spin: R,
-    ) -> Result<Option<[Product; 3]>, Failure> {
+    ) -> Result<Option<[ExtendedRange; 3]>, Failure> {
         let at = self.scaled(speed, spin)?;
         let [v, w] = at.speeds;
         let reduced = match &self.kind {
             Kind::Round { friction, .. } => friction.coupling().reduced_jacobian(v, w),
             Kind::Nodes(_) => return Ok(None),
         };
-        let rate = self.alpha.map_or(Product::ONE, |alpha| {
-            Product::power_of_two(at.unit, alpha - 1.0)
+        let rate = self.alpha.map_or(ExtendedRange::ONE, |alpha| {
+            ExtendedRange::power_of_two(at.unit, alpha - 1.0)
         });
         let [coefficient, load, radius] = [self.coefficient, load, self.radius].map(product);
         let strength = rate.times(coefficient).times(load);
@@ -123,12 +123,12 @@ impl<R: Precision> Contact<R> {
         // smaller one.
         let square = match self.alpha {
             Some(0.0) => at.lift.times(at.lift),
-            _ => Product::ONE,
+            _ => ExtendedRange::ONE,
         };
         let [by_slide, by_rim] = if at.slides {
-            [square, Product::ONE]
+            [square, ExtendedRange::ONE]
         } else {
-            [Product::ONE, square]
+            [ExtendedRange::ONE, square]
         };
         let slope = |x: R| strength.times(product(x));
         Ok(Some([
@@ -151,7 +151,7 @@ impl<R: Precision> Contact<R> {
             Some(_) if !major.is_zero() => major.exponent(),
             _ => 0,
         };
-        let down = |x: Product| x.shifted(-unit);
+        let down = |x: ExtendedRange| x.shifted(-unit);
         let is_round = !matches!(self.kind, Kind::Nodes(_));
         let least = -tiny::<R>();
         let (minor, lift) = if is_round
@@ -160,11 +160,11 @@ impl<R: Precision> Contact<R> {
             && down(minor).exponent() < least
         {
             let by = down(minor).exponent() - least;
-            (down(minor).shifted(-by), Product::ONE.shifted(by))
+            (down(minor).shifted(-by), ExtendedRange::ONE.shifted(by))
         } else {
-            (down(minor), Product::ONE)
+            (down(minor), ExtendedRange::ONE)
         };
-        let [major, minor] = [down(major), minor].map(Product::narrowed::<R>);
+        let [major, minor] = [down(major), minor].map(ExtendedRange::narrowed::<R>);
         if !(major.1 && minor.1) {
             return Err(Failure::input(format!(
                 "speed {} and spin {} at radius {}: the speed of the rim, or its ratio to the other, \
@@ -188,6 +188,6 @@ impl<R: Precision> Contact<R> {
     }
 }
 
-fn product<R: Real>(x: R) -> Product {
-    Product::new(x.to_f64())
+fn product<R: Real>(x: R) -> ExtendedRange {
+    ExtendedRange::new(x.to_f64())
 }

@@ -11,11 +11,11 @@ use super::columns::Rows;
 use super::{file, number, spool};
 use crate::failure::Failure;
 use contact::{Contact, Request, Resistance};
-use given::Given;
+use given::ContactParameter;
 use number::in_range;
 use output::{Fields, Format, Line};
 pub use planar::centre;
-use product::Product;
+use product::ExtendedRange;
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Law, Patch, Precision, Tier};
 use tribos::record::write_atomically;
@@ -57,7 +57,7 @@ pub struct Arguments {
     tilt: Option<f64>,
     /// What to do if --tilt would make the pressure negative.
     #[arg(long, default_value = "error", value_enum)]
-    on_lift: OnLift,
+    on_lift: TippingPolicy,
     /// Exponent of the local law, > -1 (0 is Coulomb).
     #[arg(long, default_value = "0", value_parser = number::exponent, allow_negative_numbers = true)]
     alpha: f64,
@@ -96,7 +96,7 @@ pub struct Arguments {
     tier: Option<Tier>,
     /// Floating-point type.
     #[arg(long, default_value = "f64")]
-    precision: Digits,
+    precision: FloatType,
     /// Output format [default: text for one twist, csv for a file].
     #[arg(long)]
     format: Option<Format>,
@@ -107,7 +107,7 @@ pub struct Arguments {
 
 /// Floating-point type of the evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Digits {
+enum FloatType {
     /// 64 bit.
     F64,
     /// 32 bit.
@@ -116,7 +116,7 @@ enum Digits {
 
 /// What to do with a body that tips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum OnLift {
+enum TippingPolicy {
     /// Refuse.
     Error,
     /// Hold the lean where the trailing edge is free of load.
@@ -152,8 +152,8 @@ impl Arguments {
     /// Evaluates and prints.
     pub fn execute(self) -> Result<(), Failure> {
         match self.precision {
-            Digits::F64 => self.evaluate::<f64>(),
-            Digits::F32 => self.evaluate::<f32>(),
+            FloatType::F64 => self.evaluate::<f64>(),
+            FloatType::F32 => self.evaluate::<f32>(),
         }
     }
 
@@ -205,7 +205,12 @@ impl Arguments {
     }
 
     /// Prints one answer, or writes it to the file that was asked for.
-    fn deliver(&self, text: &str, format: Format, given: &[Given]) -> Result<(), Failure> {
+    fn deliver(
+        &self,
+        text: &str,
+        format: Format,
+        given: &[ContactParameter],
+    ) -> Result<(), Failure> {
         if format == Format::Csv {
             // Columns have no place for the contact.
             super::tell(format_args!("contact: {}", given::sentence(given)));
@@ -226,7 +231,7 @@ impl Arguments {
         &self,
         file: &Path,
         columns: &'static [&'static str; N],
-        given: &[Given],
+        given: &[ContactParameter],
         at: impl Fn([f64; N]) -> Result<(Fields, bool), Failure>,
     ) -> Result<(), Failure> {
         let mut rows = Rows::open(file, |_| columns)?;
@@ -257,7 +262,7 @@ impl Arguments {
     fn request(&self) -> Result<Request<'_>, Failure> {
         let tilted = self.tilt.is_some_and(|tilt| tilt != 0.0);
         let tilt = match (self.tilt, self.on_lift) {
-            (Some(tilt), OnLift::Error) if tilt.abs() > 1.0 => {
+            (Some(tilt), TippingPolicy::Error) if tilt.abs() > 1.0 => {
                 return Err(Failure::input(format!(
                     "--tilt {tilt} makes the pressure negative: the body tips; \
                      give -1 <= K <= 1, or --on-lift clamp"
@@ -298,7 +303,7 @@ impl Arguments {
         };
         let is_ordinary = contact.is_ordinary(load, v, w);
         let mut is_beyond = false;
-        let mut value = |product: Product| {
+        let mut value = |product: ExtendedRange| {
             let (x, is_right) = product.narrowed::<R>();
             is_beyond |= !is_right;
             x.to_f64()

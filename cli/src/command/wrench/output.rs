@@ -1,6 +1,6 @@
 //! Wrenches as text, JSON or CSV.
 
-use super::given::{self, Given};
+use super::given::{self, ContactParameter};
 use crate::command::digits::shown;
 use serde_json::{Map, Value};
 use tribos::record::{json_number, number, series_csv};
@@ -99,7 +99,7 @@ fn unit(name: &str) -> &'static str {
 
 impl Format {
     /// A single line in this format with the contact that it is for, where there is a place for it.
-    pub fn one(self, line: &Fields, contact: &[Given]) -> String {
+    pub fn one(self, line: &Fields, contact: &[ContactParameter]) -> String {
         match self {
             Self::Text => given::lines(contact) + &self.row(line),
             Self::Csv => self.begin(0, line) + &self.row(line),

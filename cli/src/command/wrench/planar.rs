@@ -1,6 +1,6 @@
 //! The wrench on the body at any planar twist: straight edges, meshes, points.
 
-use super::given::Given;
+use super::given::ContactParameter;
 use super::output::{Fields, Format};
 use super::{Arguments, contact, warn_of_beyond};
 use crate::command::columns::Rows;
@@ -72,17 +72,17 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
     // The radius is for round patches.
     let area = Area::named(&arguments.patch, R::ONE, arguments.centre)?;
     let friction = AreaFriction::new(&area, &law, None)?;
-    let mut given = vec![Given::Word("patch", arguments.patch.to_string())];
+    let mut given = vec![ContactParameter::Word("patch", arguments.patch.to_string())];
     if let Some([x, y]) = arguments.centre {
-        given.push(Given::Word("centre", format!("{x},{y} m")));
+        given.push(ContactParameter::Word("centre", format!("{x},{y} m")));
     }
-    given.push(Given::Number("load", arguments.load, "N"));
+    given.push(ContactParameter::Number("load", arguments.load, "N"));
     if let Some([coefficient, alpha]) = law.power_of_speed() {
         let is_dry = alpha == 0.0;
         let unit = if is_dry { "" } else { "(s/m)^alpha" };
-        given.push(Given::Number("coefficient", coefficient, unit));
+        given.push(ContactParameter::Number("coefficient", coefficient, unit));
         if !is_dry {
-            given.push(Given::Number("alpha", alpha, ""));
+            given.push(ContactParameter::Number("alpha", alpha, ""));
         }
     }
     let load = in_range("load", arguments.load)?;
@@ -112,10 +112,10 @@ pub fn of_points<R: Precision>(arguments: &Arguments, path: &Path) -> Result<(),
     let coefficient: R = in_range("coefficient", arguments.coefficient)?;
     let load = coefficient * in_range::<R>("load", arguments.load)?;
     let given = [
-        Given::Word("patch", arguments.patch.to_string()),
-        Given::Number("load", arguments.load, "N"),
-        Given::Word("law", law.to_string()),
-        Given::Number("coefficient", arguments.coefficient, ""),
+        ContactParameter::Word("patch", arguments.patch.to_string()),
+        ContactParameter::Number("load", arguments.load, "N"),
+        ContactParameter::Word("law", law.to_string()),
+        ContactParameter::Number("coefficient", arguments.coefficient, ""),
     ];
     deliver(arguments, &friction, load, &given)
 }
@@ -138,7 +138,7 @@ fn deliver<R: Precision>(
     arguments: &Arguments,
     friction: &AreaFriction<R>,
     load: R,
-    given: &[Given],
+    given: &[ContactParameter],
 ) -> Result<(), Failure> {
     let at = |twist| line(friction, load, twist, arguments.jacobian);
     match (&arguments.twists, arguments.speed, arguments.spin) {

@@ -4,7 +4,7 @@ use tribos_core::Real;
 
 /// mantissa · 2^exponent with 1 ≤ |mantissa| < 2; zero, infinity and NaN are their own mantissa.
 #[derive(Clone, Copy, Debug)]
-pub struct Product {
+pub struct ExtendedRange {
     mantissa: f64,
     exponent: i64,
 }
@@ -27,7 +27,7 @@ fn scaled(x: f64, exponent: i64) -> f64 {
     }
 }
 
-impl Product {
+impl ExtendedRange {
     pub const ONE: Self = Self {
         mantissa: 1.0,
         exponent: 0,
@@ -128,16 +128,16 @@ mod tests {
             1.5e308,
             f64::INFINITY,
         ] {
-            assert_eq!(Product::new(x).value(), x);
-            assert_eq!(Product::new(-x).value(), -x);
+            assert_eq!(ExtendedRange::new(x).value(), x);
+            assert_eq!(ExtendedRange::new(-x).value(), -x);
         }
     }
 
     #[test]
     fn products_come_back_from_beyond_the_range() {
         let product = |list: &[f64]| {
-            let factors = list.iter().map(|&x| Product::new(x));
-            factors.fold(Product::ONE, Product::times)
+            let factors = list.iter().map(|&x| ExtendedRange::new(x));
+            factors.fold(ExtendedRange::ONE, ExtendedRange::times)
         };
         let [small, large] = [-650, 650].map(|exponent| 2.0_f64.powi(exponent));
         assert_eq!(product(&[small, small, 3.0, large, large]).value(), 3.0);
@@ -145,7 +145,8 @@ mod tests {
         assert_eq!(product(&[1e-200, 1e-200]).value(), 0.0);
         assert!(!product(&[1e-200, 1e-200]).narrowed::<f64>().1);
         assert!(product(&[1e-200, 1e-200, 0.0]).narrowed::<f64>().1);
-        let power = Product::power_of_two(1500, 1.0 / 3.0).times(Product::power_of_two(-1500, 0.3));
+        let power = ExtendedRange::power_of_two(1500, 1.0 / 3.0)
+            .times(ExtendedRange::power_of_two(-1500, 0.3));
         assert!((power.value() / 2.0_f64.powi(50) - 1.0).abs() < 1e-14);
     }
 }

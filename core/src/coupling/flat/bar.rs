@@ -14,14 +14,14 @@
 //! D″ = ⟨(g², x g, x²)/q³⟩
 //! ```
 //!
-//! with means along the bar. Second derivatives are infinite where the centre lies on the bar: a large
+//! with means along the bar. SecondMaterial derivatives are infinite where the centre lies on the bar: a large
 //! number stands for them.
 
-use super::far::{FOR_HESSIAN, FOR_WRENCH, OfPairs, Slide, by_rule};
+use super::far::{EdgePairs, FOR_HESSIAN, FOR_WRENCH, TranslatingMotion, by_rule};
 use super::motion::Motion;
-use super::near::Seen;
+use super::near::EdgeFromPole;
 use super::sums::{self, slid};
-use super::two::Two;
+use super::two::Pair2;
 use super::{Hessian, PatchShape, Reduced};
 use crate::patch::bar::Bar;
 use crate::real::Real;
@@ -43,7 +43,7 @@ impl<R: Real> PatchShape<R> for Bar<R> {
                 direction, turn, ..
             } => {
                 let (direction, spin) = (direction, *turn);
-                sliding(self, &Slide { direction, spin })
+                sliding(self, &TranslatingMotion { direction, spin })
             }
         }
     }
@@ -60,7 +60,7 @@ impl<R: Real> PatchShape<R> for Bar<R> {
                 speed,
             } => {
                 let (direction, spin) = (direction, *turn);
-                let slide = Slide { direction, spin };
+                let slide = TranslatingMotion { direction, spin };
                 let hessian = bent(self, &slide).scaled(R::ONE / *speed);
                 (sliding(self, &slide), hessian)
             }
@@ -70,7 +70,7 @@ impl<R: Real> PatchShape<R> for Bar<R> {
 
 fn turning<R: Real>(bar: &Bar<R>, centre: &Vector2<R>, sense: R) -> (Reduced<R>, Hessian<R>) {
     let edge = bar.edge();
-    let seen = Seen::new(edge, centre);
+    let seen = EdgeFromPole::new(edge, centre);
     let (n, t, h) = (edge.normal(), edge.tangent(), seen.h);
     let share = R::ONE / edge.length();
     let pull = n * (h * seen.log) + t * seen.rise;
@@ -91,16 +91,16 @@ fn turning<R: Real>(bar: &Bar<R>, centre: &Vector2<R>, sense: R) -> (Reduced<R>,
     )
 }
 
-fn sliding<R: Real>(bar: &Bar<R>, slide: &Slide<'_, R>) -> Reduced<R> {
+fn sliding<R: Real>(bar: &Bar<R>, slide: &TranslatingMotion<'_, R>) -> Reduced<R> {
     let spin = slide.spin;
-    let at = |at| slid(Two::of(spin), at);
+    let at = |at| slid(Pair2::of(spin), at);
     let [missing, across, torque] = mean(bar, slide, at, FOR_WRENCH);
     slide.reduced_of([missing, across, torque], R::ONE)
 }
 
-fn bent<R: Real>(bar: &Bar<R>, slide: &Slide<'_, R>) -> Hessian<R> {
+fn bent<R: Real>(bar: &Bar<R>, slide: &TranslatingMotion<'_, R>) -> Hessian<R> {
     let spin = slide.spin;
-    let at = |at| sums::bent(Two::of(spin), at);
+    let at = |at| sums::bent(Pair2::of(spin), at);
     let [yy, yn, nn] = mean(bar, slide, at, FOR_HESSIAN);
     slide.hessian_of([yy, yn, nn])
 }
@@ -108,13 +108,13 @@ fn bent<R: Real>(bar: &Bar<R>, slide: &Slide<'_, R>) -> Hessian<R> {
 /// Means of functions of a point along the bar.
 fn mean<R: Real>(
     bar: &Bar<R>,
-    slide: &Slide<'_, R>,
-    at: impl Fn([Two<R>; 2]) -> [Two<R>; 3],
+    slide: &TranslatingMotion<'_, R>,
+    at: impl Fn([Pair2<R>; 2]) -> [Pair2<R>; 3],
     thresholds: [f64; 4],
 ) -> [R; 3] {
     let edge = bar.edge();
     let along = R::ONE / edge.length();
-    let sums = OfPairs {
+    let sums = EdgePairs {
         slide,
         edges: core::slice::from_ref(edge),
         along: Some(along),

@@ -11,7 +11,7 @@
 //!
 //! with the notation of [`super::near`]; all integrals over t follow from L, I and the ends.
 
-use super::near::Seen;
+use super::near::EdgeFromPole;
 use crate::patch::mesh::Triangle;
 use crate::real::Real;
 use nalgebra::Vector2;
@@ -44,7 +44,7 @@ pub(super) fn about_centre<R: Real, const WITH_HESSIAN: bool>(
         let h = nearer(across(from), across(to));
         let (t0, t1) = (along(from), along(to));
         let span = [nearer(t0, t1 - length), nearer(t0 + length, t1)];
-        let seen = Seen::between(h, span, [r0, r1], length);
+        let seen = EdgeFromPole::between(h, span, [r0, r1], length);
         // The pressure on the edge, base + rate · t.
         let rate = (k1 - k0) * inv_length;
         let base = nearer(k0 - rate * t0, k1 - rate * t1);
@@ -59,7 +59,7 @@ pub(super) fn about_centre<R: Real, const WITH_HESSIAN: bool>(
 /// The share of one cone.
 #[inline(always)]
 pub(super) fn over_edge<R: Real, const WITH_HESSIAN: bool>(
-    seen: &Seen<R>,
+    seen: &EdgeFromPole<R>,
     tangent: &Vector2<R>,
     [here, base, rate]: [R; 3],
 ) -> [R; 6] {

@@ -38,7 +38,7 @@
 //! along each edge, by Gauss' rule with as many points as the distance of the centre of rotation
 //! asks for.
 
-use super::two::Two;
+use super::two::Pair2;
 use super::{Hessian, Reduced};
 use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
@@ -59,12 +59,12 @@ const P1_SINGLE: [f32; 3] = [0.133_335_42, 0.056_999_336, 0.034_867_745];
 
 /// Pairs of terms first: a chain of products would have to wait for each other.
 #[inline(always)]
-fn p1<R: Real>(z: Two<R>) -> Two<R> {
-    let pair = |low: R, high: R| Two::of(low) + Two::of(high) * z;
+fn p1<R: Real>(z: Pair2<R>) -> Pair2<R> {
+    let pair = |low: R, high: R| Pair2::of(low) + Pair2::of(high) * z;
     let z_sq = z * z;
     if R::IS_SINGLE {
         let [a, b, c] = P1_SINGLE.map(|c| R::from_f64(f64::from(c)));
-        pair(a, b) + Two::of(c) * z_sq
+        pair(a, b) + Pair2::of(c) * z_sq
     } else {
         let [a, b, c, d, e, f] = P1.map(R::from_f64);
         pair(a, b) + z_sq * (pair(c, d) + z_sq * pair(e, f))
@@ -72,7 +72,7 @@ fn p1<R: Real>(z: Two<R>) -> Two<R> {
 }
 
 /// A motion with the speed of the origin as unit: direction, and spin, at most 1/3 (f32: 1/2).
-pub(super) struct Slide<'a, R: Real> {
+pub(super) struct TranslatingMotion<'a, R: Real> {
     pub(super) direction: &'a Vector2<R>,
     pub(super) spin: R,
 }
@@ -85,14 +85,18 @@ pub(super) const FOR_HESSIAN: [f64; 4] = [0.0, 6.0, 15.0, 300.0];
 const SINGLE: [f64; 4] = [0.0, 0.0, 0.0, 6.0];
 
 /// A sum that Gauss' rule makes of the edges, with half of a rule's nodes and weights.
-pub(super) trait Rule<R> {
+pub(super) trait EdgeQuadrature<R> {
     type Sum;
     fn sum(&self, half: &[[f64; 2]]) -> Self::Sum;
 }
 
 /// The sum by the rule that half the length of the longest edge asks for at this spin.
 #[inline(always)]
-pub(super) fn by_rule<R: Real, S: Rule<R>>(sum: &S, reach: R, double: [f64; 4]) -> S::Sum {
+pub(super) fn by_rule<R: Real, S: EdgeQuadrature<R>>(
+    sum: &S,
+    reach: R,
+    double: [f64; 4],
+) -> S::Sum {
     let [sixteen, ten, eight, six] = if R::IS_SINGLE { SINGLE } else { double };
     // A rule that is never taken is no part of a program.
     let is_below = |limit: f64| limit > 0.0 && reach * R::from_f64(limit) > R::ONE;
@@ -111,19 +115,19 @@ pub(super) fn by_rule<R: Real, S: Rule<R>>(sum: &S, reach: R, double: [f64; 4]) 
 }
 
 /// The edges under uniform pressure.
-struct OfUniform<'a, R: Real> {
-    slide: &'a Slide<'a, R>,
+struct UniformEdges<'a, R: Real> {
+    slide: &'a TranslatingMotion<'a, R>,
     edges: &'a [Edge<R>],
 }
 
-impl<R: Real> Rule<R> for OfUniform<'_, R> {
+impl<R: Real> EdgeQuadrature<R> for UniformEdges<'_, R> {
     /// Σ τ ∫b dl and Σ [offset ∫b dl − 2 (e·τ) ∫b₁ dl].
     type Sum = (Vector2<R>, R);
 
     #[inline(always)]
     fn sum(&self, rule: &[[f64; 2]]) -> Self::Sum {
-        let Slide { direction: e, spin } = *self.slide;
-        let (one, w, one_half) = (Two::of(R::ONE), Two::of(spin), Two::of(R::HALF));
+        let TranslatingMotion { direction: e, spin } = *self.slide;
+        let (one, w, one_half) = (Pair2::of(R::ONE), Pair2::of(spin), Pair2::of(R::HALF));
         let mut force = Vector2::new(R::ZERO, R::ZERO);
         let mut torque = R::ZERO;
         for edge in self.edges {
@@ -135,13 +139,13 @@ impl<R: Real> Rule<R> for OfUniform<'_, R> {
             let a_rate = half * (e.y * tangent.x - e.x * tangent.y);
             let sq_middle = middle.x * middle.x + middle.y * middle.y;
             let sq_rate = R::TWO * half * (middle.x * tangent.x + middle.y * tangent.y);
-            let (mut b_sum, mut b1_sum) = (Two::of(R::ZERO), Two::of(R::ZERO));
+            let (mut b_sum, mut b1_sum) = (Pair2::of(R::ZERO), Pair2::of(R::ZERO));
             for &[node, weight] in rule {
-                let (node, weight) = (R::from_f64(node), Two::of(R::from_f64(weight)));
+                let (node, weight) = (R::from_f64(node), Pair2::of(R::from_f64(weight)));
                 let by = node * half;
-                let a = Two::of(a_middle) + Two([node * a_rate, -(node * a_rate)]);
+                let a = Pair2::of(a_middle) + Pair2([node * a_rate, -(node * a_rate)]);
                 let even = sq_middle + by * by;
-                let sq = Two::of(even) + Two([node * sq_rate, -(node * sq_rate)]);
+                let sq = Pair2::of(even) + Pair2([node * sq_rate, -(node * sq_rate)]);
                 let double = a + a + w * sq;
                 let inv = ((one + w * double).sqrt() + one).inverse();
                 let m = double * inv;
@@ -160,47 +164,47 @@ impl<R: Real> Rule<R> for OfUniform<'_, R> {
 }
 
 /// Integrals along the edges of `N` functions, at two points at once.
-pub(super) struct OfPairs<'a, R: Real, F, const N: usize> {
-    pub(super) slide: &'a Slide<'a, R>,
+pub(super) struct EdgePairs<'a, R: Real, F, const N: usize> {
+    pub(super) slide: &'a TranslatingMotion<'a, R>,
     pub(super) edges: &'a [Edge<R>],
     /// What a length along an edge counts; `None` counts its part along y.
     pub(super) along: Option<R>,
     pub(super) at: F,
 }
 
-impl<R: Real, F, const N: usize> Rule<R> for OfPairs<'_, R, F, N>
+impl<R: Real, F, const N: usize> EdgeQuadrature<R> for EdgePairs<'_, R, F, N>
 where
-    F: Fn([Two<R>; 2]) -> [Two<R>; N],
+    F: Fn([Pair2<R>; 2]) -> [Pair2<R>; N],
 {
     type Sum = [R; N];
 
     #[inline(always)]
     fn sum(&self, rule: &[[f64; 2]]) -> [R; N] {
-        let mut sums = [Two::of(R::ZERO); N];
+        let mut sums = [Pair2::of(R::ZERO); N];
         for edge in self.edges {
             let half = R::HALF * edge.length();
             let [tx, ty] = self.slide.turned(&edge.tangent());
             let [x, y] = self.slide.turned(&edge.start());
             let (dx, dy) = (half * tx, half * ty);
-            let middle = [Two::of(x + dx), Two::of(y + dy)];
+            let middle = [Pair2::of(x + dx), Pair2::of(y + dy)];
             let unit = self.along.map_or(dy, |along| along * half);
             for &[node, weight] in rule {
                 let (by_x, by_y) = (R::from_f64(node) * dx, R::from_f64(node) * dy);
-                let weight = Two::of(R::from_f64(weight) * unit);
+                let weight = Pair2::of(R::from_f64(weight) * unit);
                 let parts = (self.at)([
-                    middle[0] + Two([by_x, -by_x]),
-                    middle[1] + Two([by_y, -by_y]),
+                    middle[0] + Pair2([by_x, -by_x]),
+                    middle[1] + Pair2([by_y, -by_y]),
                 ]);
                 for (sum, part) in sums.iter_mut().zip(parts) {
                     *sum = *sum + weight * part;
                 }
             }
         }
-        sums.map(Two::sum)
+        sums.map(Pair2::sum)
     }
 }
 
-impl<R: Real> Slide<'_, R> {
+impl<R: Real> TranslatingMotion<'_, R> {
     /// Friction, given the pressure's integral and half the length of the longest edge.
     #[inline]
     pub(super) fn friction<K: PressureField<R>>(
@@ -215,7 +219,7 @@ impl<R: Real> Slide<'_, R> {
             let sums = self.linear(edges, pressure, reach);
             return self.reduced_of(sums, load);
         }
-        let (force, torque) = by_rule(&OfUniform { slide: self, edges }, reach, FOR_WRENCH);
+        let (force, torque) = by_rule(&UniformEdges { slide: self, edges }, reach, FOR_WRENCH);
         Reduced {
             force: Vector2::new(
                 -(load * e.x + spin * force.x),
@@ -242,22 +246,22 @@ impl<R: Real> Slide<'_, R> {
         reach: R,
     ) -> [R; 3] {
         let spin = self.spin;
-        let pressure = Turned::new(self, pressure);
-        let at = |[x, y]: [Two<R>; 2]| {
-            let w = Two::of(spin);
+        let pressure = RotatedPressure::new(self, pressure);
+        let at = |[x, y]: [Pair2<R>; 2]| {
+            let w = Pair2::of(spin);
             let at = Point::new(w, x, y);
-            let (half, wy) = (Two::of(R::HALF), w * y);
+            let (half, wy) = (Pair2::of(R::HALF), w * y);
             let (x_c, x_x) = (x * at.c, x * x);
             let c_sq = at.c * at.c;
             // ∫x²/(q s), ∫x³/(q s), ∫x⁴/(q s), ∫x²/q and ∫x³/q over x.
             let p2 = x * c_sq * at.p;
             let p3 = half * x_c * x_c;
-            let bracket = Two::of(R::from_f64(5.0 / 12.0))
-                - at.sigma_sq * Two::of(R::from_f64(1.0 / 12.0))
-                - at.rest * at.rest * at.p1 * Two::of(R::from_f64(0.125));
+            let bracket = Pair2::of(R::from_f64(5.0 / 12.0))
+                - at.sigma_sq * Pair2::of(R::from_f64(1.0 / 12.0))
+                - at.rest * at.rest * at.p1 * Pair2::of(R::from_f64(0.125));
             let p4 = x * x_x * c_sq * bracket;
-            let c2 = half * x_x * at.c * (Two::of(R::ONE) + half * at.rest * at.p);
-            let c3 = x_c * x_c * (at.q + at.g + at.g) * Two::of(R::from_f64(1.0 / 3.0));
+            let c2 = half * x_x * at.c * (Pair2::of(R::ONE) + half * at.rest * at.p);
+            let c3 = x_c * x_c * (at.q + at.g + at.g) * Pair2::of(R::from_f64(1.0 / 3.0));
             let (here, slope) = (pressure.at(y), pressure.slope_x);
             [
                 here * p2 + slope * p3,
@@ -265,7 +269,7 @@ impl<R: Real> Slide<'_, R> {
                 here * (c2 + wy * p2) + slope * (c3 + wy * p3),
             ]
         };
-        let sums = OfPairs {
+        let sums = EdgePairs {
             slide: self,
             edges,
             along: None,
@@ -286,7 +290,7 @@ impl<R: Real> Slide<'_, R> {
         }
     }
 
-    /// Second derivatives of the power, given half the length of the longest edge.
+    /// SecondMaterial derivatives of the power, given half the length of the longest edge.
     pub(super) fn hessian<K: PressureField<R>>(
         &self,
         edges: &[Edge<R>],
@@ -305,9 +309,9 @@ impl<R: Real> Slide<'_, R> {
         reach: R,
     ) -> [R; 3] {
         let spin = self.spin;
-        let pressure = Turned::new(self, pressure);
-        let at = |[x, y]: [Two<R>; 2]| {
-            let at = Point::new(Two::of(spin), x, y);
+        let pressure = RotatedPressure::new(self, pressure);
+        let at = |[x, y]: [Pair2<R>; 2]| {
+            let at = Point::new(Pair2::of(spin), x, y);
             let inv_q = at.q.inverse();
             let inv_g = (at.inv_s + at.inv_s) * at.rest.inverse();
             let x_c = x * at.c;
@@ -326,7 +330,7 @@ impl<R: Real> Slide<'_, R> {
                 [yy, yn, nn]
             }
         };
-        let sums = OfPairs {
+        let sums = EdgePairs {
             slide: self,
             edges,
             along: None,
@@ -373,49 +377,49 @@ impl<R: Real> Slide<'_, R> {
 }
 
 /// Pressure along the direction and across it.
-pub(super) struct Turned<R> {
-    at_centre: Two<R>,
-    pub(super) slope_x: Two<R>,
-    slope_y: Two<R>,
+pub(super) struct RotatedPressure<R> {
+    at_centre: Pair2<R>,
+    pub(super) slope_x: Pair2<R>,
+    slope_y: Pair2<R>,
 }
 
-impl<R: Real> Turned<R> {
+impl<R: Real> RotatedPressure<R> {
     #[inline(always)]
-    pub(super) fn new(slide: &Slide<'_, R>, pressure: &impl PressureField<R>) -> Self {
+    pub(super) fn new(slide: &TranslatingMotion<'_, R>, pressure: &impl PressureField<R>) -> Self {
         let [x, y] = pressure.slope();
         let [x, y] = slide.turned(&Vector2::new(x, y));
         Self {
-            at_centre: Two::of(pressure.at_centre()),
-            slope_x: Two::of(x),
-            slope_y: Two::of(y),
+            at_centre: Pair2::of(pressure.at_centre()),
+            slope_x: Pair2::of(x),
+            slope_y: Pair2::of(y),
         }
     }
 
     /// Pressure on the second axis.
     #[inline(always)]
-    pub(super) fn at(&self, y: Two<R>) -> Two<R> {
+    pub(super) fn at(&self, y: Pair2<R>) -> Pair2<R> {
         self.at_centre + self.slope_y * y
     }
 }
 
 /// What the closed forms at two points are made of.
 struct Point<R> {
-    g: Two<R>,
-    q: Two<R>,
+    g: Pair2<R>,
+    q: Pair2<R>,
     /// 1/s
-    inv_s: Two<R>,
-    c: Two<R>,
-    sigma_sq: Two<R>,
+    inv_s: Pair2<R>,
+    c: Pair2<R>,
+    sigma_sq: Pair2<R>,
     /// 1 − σ²
-    rest: Two<R>,
-    p1: Two<R>,
-    p: Two<R>,
+    rest: Pair2<R>,
+    p1: Pair2<R>,
+    p: Pair2<R>,
 }
 
 impl<R: Real> Point<R> {
     #[inline(always)]
-    fn new(w: Two<R>, x: Two<R>, y: Two<R>) -> Self {
-        let one = Two::of(R::ONE);
+    fn new(w: Pair2<R>, x: Pair2<R>, y: Pair2<R>) -> Self {
+        let one = Pair2::of(R::ONE);
         let g = one - w * y;
         let wx = w * x;
         let q = (g * g + wx * wx).sqrt();
@@ -432,7 +436,7 @@ impl<R: Real> Point<R> {
             sigma_sq,
             rest: one - sigma_sq,
             p1,
-            p: Two::of(R::from_f64(2.0 / 3.0)) + sigma_sq * p1,
+            p: Pair2::of(R::from_f64(2.0 / 3.0)) + sigma_sq * p1,
         }
     }
 }

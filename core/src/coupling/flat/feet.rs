@@ -36,7 +36,7 @@ impl<R: Real, P: PatchShape<R>> PatchShape<R> for CompoundPatch<'_, R, P> {
             torque: R::ZERO,
         };
         for foot in self.feet() {
-            if let Some(part) = Part::of(self, foot, motion) {
+            if let Some(part) = PartMotion::of(self, foot, motion) {
                 part.add(&foot.patch.reduced(&part.motion), &mut sum);
             }
         }
@@ -58,7 +58,7 @@ impl<R: Real, P: PatchShape<R>> PatchShape<R> for CompoundPatch<'_, R, P> {
             nn: zero,
         };
         for foot in self.feet() {
-            if let Some(part) = Part::of(self, foot, motion) {
+            if let Some(part) = PartMotion::of(self, foot, motion) {
                 let (reduced, own) = foot.patch.reduced_with_hessian(&part.motion);
                 part.add(&reduced, &mut sum);
                 part.add_hessian(&own, &mut hessian);
@@ -105,14 +105,14 @@ impl<R: Real, P: PatchShape<R>> PatchShape<R> for CompoundPatch<'_, R, P> {
 }
 
 /// One foot: its motion, place, size and share, with lengths in radii of the whole.
-struct Part<R: Real> {
+struct PartMotion<R: Real> {
     motion: Motion<R>,
     at: Vector2<R>,
     scale: R,
     share: R,
 }
 
-impl<R: Real> Part<R> {
+impl<R: Real> PartMotion<R> {
     /// `None` for a foot that carries nothing or, alone, does not move.
     fn of<P: PatchShape<R>>(
         feet: &CompoundPatch<'_, R, P>,

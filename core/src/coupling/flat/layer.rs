@@ -21,10 +21,10 @@
 //! edges. Where the centre is nearer, k there is a few mean pressures, and the cones of [`super::cone`] do.
 
 use super::cone::over_edge;
-use super::far::{FOR_HESSIAN, FOR_WRENCH, Rule, Slide, by_rule};
-use super::near::Seen;
+use super::far::{EdgeQuadrature, FOR_HESSIAN, FOR_WRENCH, TranslatingMotion, by_rule};
+use super::near::EdgeFromPole;
 use super::sums::{bent, slid};
-use super::two::Two;
+use super::two::Pair2;
 use super::{Hessian, Reduced};
 use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
@@ -105,7 +105,7 @@ impl<'a, R: Real, K: PressureField<R>> Layer<'a, R, K> {
     fn by_cones<const WITH_HESSIAN: bool>(&self, centre: &Vector2<R>, here: R) -> [R; 6] {
         let mut sums = [R::ZERO; 6];
         for edge in self.edges {
-            let seen = Seen::new(edge, centre);
+            let seen = EdgeFromPole::new(edge, centre);
             let [first, second] = [edge.start(), edge.end()].map(|end| self.above(&end));
             let rate = (second - first) / edge.length();
             let base = self.pressure.at_centre() + first - rate * seen.t0;
@@ -162,7 +162,11 @@ impl<'a, R: Real, K: PressureField<R>> Layer<'a, R, K> {
 
     /// Friction of a patch that slides, given the pressure's integral and half the length of the longest edge.
     #[inline(never)]
-    pub(super) fn slides(&self, slide: &Slide<'_, R>, [load, half]: [R; 2]) -> Reduced<R> {
+    pub(super) fn slides(
+        &self,
+        slide: &TranslatingMotion<'_, R>,
+        [load, half]: [R; 2],
+    ) -> Reduced<R> {
         let sums = InLayer {
             layer: self,
             slide,
@@ -171,9 +175,9 @@ impl<'a, R: Real, K: PressureField<R>> Layer<'a, R, K> {
         slide.reduced_of(by_rule(&sums, half * slide.spin.abs(), FOR_WRENCH), load)
     }
 
-    /// Second derivatives of the power at a speed of 1.
+    /// SecondMaterial derivatives of the power at a speed of 1.
     #[inline(never)]
-    pub(super) fn bends(&self, slide: &Slide<'_, R>, half: R) -> Hessian<R> {
+    pub(super) fn bends(&self, slide: &TranslatingMotion<'_, R>, half: R) -> Hessian<R> {
         let sums = InLayer {
             layer: self,
             slide,
@@ -195,7 +199,7 @@ fn for_shares<R: Real>(mut each: impl FnMut(R, R)) {
 
 /// Line integrals along an edge.
 struct Along<R: Real> {
-    seen: Seen<R>,
+    seen: EdgeFromPole<R>,
     length: R,
     /// ∫(r, ρ/r) dt and ∫(t − t₀)(r, ρ/r) dt
     even: [R; 3],
@@ -205,7 +209,7 @@ struct Along<R: Real> {
 impl<R: Real> Along<R> {
     #[inline(always)]
     fn of(edge: &Edge<R>, centre: &Vector2<R>) -> Self {
-        let seen = Seen::new(edge, centre);
+        let seen = EdgeFromPole::new(edge, centre);
         let (tangent, normal, h) = (edge.tangent(), edge.normal(), seen.h);
         let third = R::from_f64(1.0 / 3.0);
         let moment =
@@ -242,20 +246,20 @@ impl<R: Real> Along<R> {
 /// Integrals over a layer of functions at two points at once.
 struct InLayer<'a, 'b, R: Real, K, F> {
     layer: &'a Layer<'b, R, K>,
-    slide: &'a Slide<'a, R>,
+    slide: &'a TranslatingMotion<'a, R>,
     at: F,
 }
 
-impl<R: Real, K: PressureField<R>, F> Rule<R> for InLayer<'_, '_, R, K, F>
+impl<R: Real, K: PressureField<R>, F> EdgeQuadrature<R> for InLayer<'_, '_, R, K, F>
 where
-    F: Fn(Two<R>, [Two<R>; 2]) -> [Two<R>; 3],
+    F: Fn(Pair2<R>, [Pair2<R>; 2]) -> [Pair2<R>; 3],
 {
     type Sum = [R; 3];
 
     fn sum(&self, rule: &[[f64; 2]]) -> [R; 3] {
         let (layer, slide) = (self.layer, self.slide);
-        let (level, w) = (layer.pressure.at_centre(), Two::of(slide.spin));
-        let mut sums = [Two::of(R::ZERO); 3];
+        let (level, w) = (layer.pressure.at_centre(), Pair2::of(slide.spin));
+        let mut sums = [Pair2::of(R::ZERO); 3];
         for edge in layer.edges {
             let half = R::HALF * edge.length();
             let middle = edge.start() + edge.tangent() * half;
@@ -268,16 +272,16 @@ where
                 for_shares(|s, share| {
                     let [a, b] = slide.turned(&layer.squeezed(&one, first, s));
                     let [c, d] = slide.turned(&layer.squeezed(&other, second, s));
-                    let at = [Two([a, c]), Two([b, d])];
+                    let at = [Pair2([a, c]), Pair2([b, d])];
                     let count = |above: R| weight * share * above * (level + s * above);
-                    let counts = Two([count(first), count(second)]);
+                    let counts = Pair2([count(first), count(second)]);
                     for (sum, part) in sums.iter_mut().zip((self.at)(w, at)) {
                         *sum = *sum + counts * part;
                     }
                 });
             }
         }
-        sums.map(Two::sum)
+        sums.map(Pair2::sum)
     }
 }
 

@@ -17,10 +17,10 @@
 //! it turns, the line integrals of [`super::far`].
 
 use super::cone::about_centre;
-use super::far::Slide;
+use super::far::TranslatingMotion;
 use super::motion::Motion;
 use super::sums::Sums;
-use super::two::Two;
+use super::two::Pair2;
 use super::{Hessian, PatchShape, Reduced};
 use crate::patch::mesh::{Mesh, Triangle};
 use crate::real::Real;
@@ -70,7 +70,7 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
             turn,
             speed,
         } => {
-            let slide = Slide {
+            let slide = TranslatingMotion {
                 direction,
                 spin: *turn,
             };
@@ -96,7 +96,7 @@ fn turn<R: Real, const WITH_HESSIAN: bool>(
         sums.add_found(about_centre::<R, WITH_HESSIAN>(triangle, centre));
         return;
     };
-    let plane = Plane::new(triangle, [start.x, start.y], triangle.sides());
+    let plane = BarycentricMap::new(triangle, [start.x, start.y], triangle.sides());
     for pair in rule {
         let (at, share) = plane.at(pair);
         sums.turn::<WITH_HESSIAN>(at, share);
@@ -108,7 +108,7 @@ fn turn<R: Real, const WITH_HESSIAN: bool>(
 fn slip<R: Real, const WITH_HESSIAN: bool>(
     sums: &mut Sums<R>,
     triangle: &Triangle<R>,
-    slide: &Slide<'_, R>,
+    slide: &TranslatingMotion<'_, R>,
 ) {
     // Distances from the centre of rotation times the spin are speeds.
     let spin = slide.spin;
@@ -132,10 +132,10 @@ fn slip<R: Real, const WITH_HESSIAN: bool>(
         let [x, y] = slide.turned(&side);
         Vector2::new(x, y)
     });
-    let plane = Plane::new(triangle, slide.turned(&triangle.corner()), sides);
+    let plane = BarycentricMap::new(triangle, slide.turned(&triangle.corner()), sides);
     for pair in rule {
         let (at, share) = plane.at(pair);
-        sums.slide::<WITH_HESSIAN>(Two::of(spin), at, share);
+        sums.slide::<WITH_HESSIAN>(Pair2::of(spin), at, share);
     }
 }
 
@@ -209,12 +209,12 @@ fn rule_of_slide<R: Real>(far_sq: R, size_sq: R, spin_sq: R) -> Option<&'static 
 }
 
 /// Place and load as functions of the shares of the second and the third corner.
-struct Plane<R> {
+struct BarycentricMap<R> {
     /// x, y and the load, each at the first corner and its changes to the others.
-    parts: [[Two<R>; 3]; 3],
+    parts: [[Pair2<R>; 3]; 3],
 }
 
-impl<R: Real> Plane<R> {
+impl<R: Real> BarycentricMap<R> {
     #[inline(always)]
     fn new(triangle: &Triangle<R>, [x, y]: [R; 2], [second, third]: [Vector2<R>; 2]) -> Self {
         let area = R::HALF * triangle.twice_area();
@@ -225,14 +225,14 @@ impl<R: Real> Plane<R> {
             [area * p, area * (q - p), area * (r - p)],
         ];
         Self {
-            parts: parts.map(|part| part.map(Two::of)),
+            parts: parts.map(|part| part.map(Pair2::of)),
         }
     }
 
     #[inline(always)]
-    fn at(&self, &[weights, second, third]: &Pair) -> ([Two<R>; 2], Two<R>) {
+    fn at(&self, &[weights, second, third]: &Pair) -> ([Pair2<R>; 2], Pair2<R>) {
         let [weights, second, third] =
-            [weights, second, third].map(|lanes| Two(lanes.map(R::from_f64)));
+            [weights, second, third].map(|lanes| Pair2(lanes.map(R::from_f64)));
         let [x, y, load] = self
             .parts
             .map(|[start, by_second, by_third]| start + second * by_second + third * by_third);

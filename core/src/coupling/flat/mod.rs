@@ -30,7 +30,7 @@ use crate::law::{LawError, validated_coefficient};
 use crate::patch::outline::{Edge, Polygon, PressureField};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
-use far::Slide;
+use far::TranslatingMotion;
 use layer::Layer;
 #[doc(hidden)]
 pub use motion::Motion;
@@ -45,7 +45,7 @@ pub struct Reduced<R: Real> {
     pub torque: R,
 }
 
-/// Second derivatives of the dissipated power per limit μN, in velocity and rim speed.
+/// SecondMaterial derivatives of the dissipated power per limit μN, in velocity and rim speed.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -162,7 +162,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
             Motion::Slides {
                 direction, turn, ..
             } => {
-                let slide = Slide {
+                let slide = TranslatingMotion {
                     direction,
                     spin: *turn,
                 };
@@ -193,7 +193,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
                 turn,
                 speed,
             } => {
-                let slide = Slide {
+                let slide = TranslatingMotion {
                     direction,
                     spin: *turn,
                 };

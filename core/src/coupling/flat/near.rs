@@ -23,7 +23,7 @@ use crate::special::log_quotient;
 use nalgebra::Vector2;
 
 /// One edge seen from the centre of rotation.
-pub(super) struct Seen<R> {
+pub(super) struct EdgeFromPole<R> {
     /// Distance of the edge's line, positive where the patch lies on this side of it.
     pub(super) h: R,
     pub(super) t0: R,
@@ -38,7 +38,7 @@ pub(super) struct Seen<R> {
     pub(super) integral: R,
 }
 
-impl<R: Real> Seen<R> {
+impl<R: Real> EdgeFromPole<R> {
     #[inline(always)]
     pub(super) fn new(edge: &Edge<R>, centre: &Vector2<R>) -> Self {
         let (tangent, normal, length) = (edge.tangent(), edge.normal(), edge.length());
@@ -95,9 +95,9 @@ pub(super) fn friction<R: Real, K: PressureField<R>>(
     centre: &Vector2<R>,
     sense: R,
 ) -> Reduced<R> {
-    let mut sums = Sums::new();
+    let mut sums = AreaIntegrals::new();
     for edge in edges {
-        sums.add(edge, pressure, &Seen::new(edge, centre));
+        sums.add(edge, pressure, &EdgeFromPole::new(edge, centre));
     }
     sums.friction(pressure, centre, sense)
 }
@@ -109,10 +109,10 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
     centre: &Vector2<R>,
     sense: R,
 ) -> (Reduced<R>, Hessian<R>) {
-    let mut sums = Sums::new();
-    let mut across = Across::new();
+    let mut sums = AreaIntegrals::new();
+    let mut across = HessianIntegrals::new();
     for edge in edges {
-        let seen = Seen::new(edge, centre);
+        let seen = EdgeFromPole::new(edge, centre);
         sums.add(edge, pressure, &seen);
         across.add(edge, pressure, &seen);
     }
@@ -121,7 +121,7 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
 }
 
 /// Integrals over the patch: of r and ρ/r, and of ρ r and ρρ/r for a linear pressure.
-struct Sums<R: Real> {
+struct AreaIntegrals<R: Real> {
     /// Σ τ I
     along: Vector2<R>,
     /// Σ I (offset − 2h/3)
@@ -134,7 +134,7 @@ struct Sums<R: Real> {
     spread: [R; 3],
 }
 
-impl<R: Real> Sums<R> {
+impl<R: Real> AreaIntegrals<R> {
     fn new() -> Self {
         let zero = Vector2::new(R::ZERO, R::ZERO);
         Self {
@@ -147,7 +147,7 @@ impl<R: Real> Sums<R> {
     }
 
     #[inline(always)]
-    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, _: &K, seen: &Seen<R>) {
+    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, _: &K, seen: &EdgeFromPole<R>) {
         let third = R::ONE / R::from_f64(3.0);
         let (tangent, integral) = (edge.tangent(), seen.integral);
         self.along += tangent * integral;
@@ -209,13 +209,13 @@ fn at<R: Real, K: PressureField<R>>(pressure: &K, place: &Vector2<R>) -> R {
 }
 
 /// ∫(1 − ρρ/r²)/r dA and ∫(slope·ρ) ρρ/r³ dA.
-struct Across<R: Real> {
+struct HessianIntegrals<R: Real> {
     /// xx, xy, yy
     uniform: [R; 3],
     linear: [R; 3],
 }
 
-impl<R: Real> Across<R> {
+impl<R: Real> HessianIntegrals<R> {
     fn new() -> Self {
         Self {
             uniform: [R::ZERO; 3],
@@ -224,7 +224,7 @@ impl<R: Real> Across<R> {
     }
 
     #[inline(always)]
-    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, pressure: &K, seen: &Seen<R>) {
+    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, pressure: &K, seen: &EdgeFromPole<R>) {
         let (tangent, normal, h) = (edge.tangent(), edge.normal(), seen.h);
         let b = normal * (h * seen.log) + tangent * seen.rise;
         let parts = [

@@ -1,9 +1,9 @@
 //! Friction of points.
 
-use super::far::Slide;
+use super::far::TranslatingMotion;
 use super::motion::Motion;
 use super::sums::Sums;
-use super::two::Two;
+use super::two::Pair2;
 use super::{Hessian, PatchShape, PointLoad, Reduced};
 use crate::patch::nodes::NodePatch;
 use crate::patch::points::PointPatch;
@@ -93,7 +93,7 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
             speed,
         } => {
             let (direction, spin) = (direction, *turn);
-            let slide = Slide { direction, spin };
+            let slide = TranslatingMotion { direction, spin };
             for pair in pairs {
                 let mut nodes = pair.iter().map(|node| {
                     let ([x, y], share) = points.reduced_node(node);
@@ -110,7 +110,7 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
                     nodes.next().unwrap_or(middle),
                 ];
                 let (at, share) = two(lanes);
-                sums.slide::<WITH_HESSIAN>(Two::of(spin), at, share);
+                sums.slide::<WITH_HESSIAN>(Pair2::of(spin), at, share);
             }
             sums.slid(&slide, *speed)
         }
@@ -118,6 +118,11 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
 }
 
 #[inline(always)]
-fn two<R>([([x, y], k), ([other_x, other_y], other_k)]: [([R; 2], R); 2]) -> ([Two<R>; 2], Two<R>) {
-    ([Two([x, other_x]), Two([y, other_y])], Two([k, other_k]))
+fn two<R>(
+    [([x, y], k), ([other_x, other_y], other_k)]: [([R; 2], R); 2],
+) -> ([Pair2<R>; 2], Pair2<R>) {
+    (
+        [Pair2([x, other_x]), Pair2([y, other_y])],
+        Pair2([k, other_k]),
+    )
 }

@@ -13,22 +13,22 @@
 //! Σ k x²/(q s),   Σ k x (y − w x²/s)/q,   Σ k x² (1 + q)/(q s),   and for D″  Σ k (g², x g, x²)/q³
 //! ```
 
-use super::two::Two;
+use super::two::Pair2;
 use super::{Hessian, Reduced};
 use crate::real::Real;
 use nalgebra::Vector2;
 
 /// Three sums of the friction and three of the second derivatives.
-pub(super) struct Sums<R>([Two<R>; 6]);
+pub(super) struct Sums<R>([Pair2<R>; 6]);
 
 impl<R: Real> Sums<R> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        Self([Two::of(R::ZERO); 6])
+        Self([Pair2::of(R::ZERO); 6])
     }
 
     #[inline(always)]
-    fn add<const N: usize>(&mut self, parts: [Two<R>; N]) {
+    fn add<const N: usize>(&mut self, parts: [Pair2<R>; N]) {
         let Self(sums) = self;
         for (sum, part) in sums.iter_mut().zip(parts) {
             *sum = *sum + part;
@@ -38,12 +38,16 @@ impl<R: Real> Sums<R> {
     /// Sums that another form has found, of which the second half may be missing.
     #[inline(always)]
     pub(super) fn add_found<const N: usize>(&mut self, found: [R; N]) {
-        self.add(found.map(|part| Two([part, R::ZERO])));
+        self.add(found.map(|part| Pair2([part, R::ZERO])));
     }
 
-    /// Two points about the centre of rotation, which lies on neither of them.
+    /// Pair2 points about the centre of rotation, which lies on neither of them.
     #[inline(always)]
-    pub(super) fn turn<const WITH_HESSIAN: bool>(&mut self, [x, y]: [Two<R>; 2], share: Two<R>) {
+    pub(super) fn turn<const WITH_HESSIAN: bool>(
+        &mut self,
+        [x, y]: [Pair2<R>; 2],
+        share: Pair2<R>,
+    ) {
         let r = (x * x + y * y).sqrt();
         let inv = r.inverse();
         let rate = share * inv;
@@ -64,13 +68,13 @@ impl<R: Real> Sums<R> {
         }
     }
 
-    /// Two points that slide along x.
+    /// Pair2 points that slide along x.
     #[inline(always)]
     pub(super) fn slide<const WITH_HESSIAN: bool>(
         &mut self,
-        w: Two<R>,
-        at: [Two<R>; 2],
-        share: Two<R>,
+        w: Pair2<R>,
+        at: [Pair2<R>; 2],
+        share: Pair2<R>,
     ) {
         let [a, b, c] = slid(w, at).map(|part| share * part);
         if WITH_HESSIAN {
@@ -84,7 +88,7 @@ impl<R: Real> Sums<R> {
     /// Friction and second derivatives about a centre of rotation.
     pub(super) fn turned(&self, centre: &Vector2<R>, spin: R) -> (Reduced<R>, Hessian<R>) {
         let Self(sums) = self;
-        let [x, y, turn, xx, xy, yy] = sums.map(Two::sum);
+        let [x, y, turn, xx, xy, yy] = sums.map(Pair2::sum);
         let sense = R::ONE.copysign(spin);
         let force = Vector2::new(sense * y, -(sense * x));
         let torque = centre.x * force.y - centre.y * force.x - sense * turn;
@@ -98,11 +102,11 @@ impl<R: Real> Sums<R> {
     /// Friction and second derivatives of a patch that slides.
     pub(super) fn slid(
         &self,
-        slide: &super::far::Slide<'_, R>,
+        slide: &super::far::TranslatingMotion<'_, R>,
         speed: R,
     ) -> (Reduced<R>, Hessian<R>) {
         let Self(sums) = self;
-        let [missing, across, torque, yy, yn, nn] = sums.map(Two::sum);
+        let [missing, across, torque, yy, yn, nn] = sums.map(Pair2::sum);
         let hessian = slide.hessian_of([yy, yn, nn]);
         (
             slide.reduced_of([missing, across, torque], R::ONE),
@@ -113,8 +117,8 @@ impl<R: Real> Sums<R> {
 
 /// x²/(q s), x (y − w x²/s)/q and x² (1 + q)/(q s) at two points.
 #[inline(always)]
-pub(super) fn slid<R: Real>(w: Two<R>, [x, y]: [Two<R>; 2]) -> [Two<R>; 3] {
-    let one = Two::of(R::ONE);
+pub(super) fn slid<R: Real>(w: Pair2<R>, [x, y]: [Pair2<R>; 2]) -> [Pair2<R>; 3] {
+    let one = Pair2::of(R::ONE);
     let (g, wx) = (one - w * y, w * x);
     let q = (g * g + wx * wx).sqrt();
     let (inv_q, inv_s) = (q.inverse(), (q + g).inverse());
@@ -125,8 +129,8 @@ pub(super) fn slid<R: Real>(w: Two<R>, [x, y]: [Two<R>; 2]) -> [Two<R>; 3] {
 
 /// (g², x g, x²)/q³ at two points.
 #[inline(always)]
-pub(super) fn bent<R: Real>(w: Two<R>, [x, y]: [Two<R>; 2]) -> [Two<R>; 3] {
-    let (g, wx) = (Two::of(R::ONE) - w * y, w * x);
+pub(super) fn bent<R: Real>(w: Pair2<R>, [x, y]: [Pair2<R>; 2]) -> [Pair2<R>; 3] {
+    let (g, wx) = (Pair2::of(R::ONE) - w * y, w * x);
     let q_sq = g * g + wx * wx;
     let inv_cube = (q_sq * q_sq.sqrt()).inverse();
     [g * g * inv_cube, x * g * inv_cube, x * x * inv_cube]

@@ -5,9 +5,9 @@ use core::ops::{Add, Mul, Sub};
 
 /// Two numbers; every operation is that of the scalars.
 #[derive(Clone, Copy)]
-pub(super) struct Two<R>(pub(super) [R; 2]);
+pub(super) struct Pair2<R>(pub(super) [R; 2]);
 
-impl<R: Real> Two<R> {
+impl<R: Real> Pair2<R> {
     #[inline(always)]
     pub(super) fn of(both: R) -> Self {
         Self([both; 2])
@@ -32,7 +32,7 @@ impl<R: Real> Two<R> {
     }
 }
 
-impl<R: Real> Add for Two<R> {
+impl<R: Real> Add for Pair2<R> {
     type Output = Self;
     #[inline(always)]
     fn add(self, Self([c, d]): Self) -> Self {
@@ -41,7 +41,7 @@ impl<R: Real> Add for Two<R> {
     }
 }
 
-impl<R: Real> Sub for Two<R> {
+impl<R: Real> Sub for Pair2<R> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, Self([c, d]): Self) -> Self {
@@ -50,7 +50,7 @@ impl<R: Real> Sub for Two<R> {
     }
 }
 
-impl<R: Real> Mul for Two<R> {
+impl<R: Real> Mul for Pair2<R> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, Self([c, d]): Self) -> Self {

@@ -124,13 +124,13 @@ fn a_dozen_steps_find_the_motion_under_any_push() {
                 1 => Vector3::new(wrench.x * narrow, wrench.y * narrow, wrench.z),
                 _ => wrench,
             };
-            let radial = Radial {
+            let radial = GaugeObjective {
                 wrench: wrench * (1.0 / norm(&wrench)),
             };
             let found = surface.above(&radial);
             worst[0] = worst[0].max(found.steps);
             residual = residual.max(norm(&radial.gradient(&found.at, &found.power)));
-            let goal = Nearest {
+            let goal = ProjectionObjective {
                 wrench: radial.wrench * (1.5 + part(i, 0.445_041_867_9)),
                 reach: 1.0,
                 length_sq,
@@ -169,7 +169,7 @@ fn every_search_on_points_ends_with_a_wrench_that_balances() {
                 part(i, 0.569_840_290_99) * if i % 3 == 0 { narrow } else { 1.0 },
                 part(i, 0.819_172_513_4) * if i % 3 == 1 { narrow } else { 1.0 },
             );
-            let radial = Radial {
+            let radial = GaugeObjective {
                 wrench: wrench * (1.0 / norm(&wrench)),
             };
             let above = surface.above(&radial);
@@ -180,7 +180,8 @@ fn every_search_on_points_ends_with_a_wrench_that_balances() {
             let arms = libm::pow(10.0, 3.0 * part(i, 0.549_700_477_9));
             let far = radial.wrench * size;
             let far = Wrench::new(far.x, far.y, far.z * surface.arm);
-            if let Pulled::Back { goal, found, .. } = surface.pulled_back(&far, arms * surface.arm)
+            if let ProjectionCase::Back { goal, found, .. } =
+                surface.pulled_back(&far, arms * surface.arm)
             {
                 let left = norm(&goal.gradient(&found.at, &found.power));
                 assert!(left < 1e-7, "{far:?} {arms} {left:e}");

@@ -1,25 +1,27 @@
 //! The stretches of directions that a motion runs through, one after the other.
 
 use super::super::Slider;
-use super::super::leg::{End, Leg};
-use super::{March, Rates};
-use crate::coupling::{Lead, PowerLawFriction, ReducedFriction, Speeds};
+use super::super::leg::{ArcEnd, DirectionArc};
+use super::{DecayRates, PanelIntegration};
+use crate::coupling::{DominantSpeed, PowerLawFriction, ReducedFriction, Speeds};
 use crate::modes::{balanced_ratio, changes_sign};
 use crate::real::Real;
 
 /// |C_α − C| at equal speeds, in rounding errors of C, below which they stay equal.
 const BALANCED_ULPS: f64 = 8.0;
 
-impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March<'_, R, P, N> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
+    PanelIntegration<'_, R, P, N>
+{
     /// Finds the first leg, from the ratio h with its logarithm and its distance from 1.
     pub(super) fn set_out(&mut self, ratio: [R; 3], excess: R) {
         let lead = self.lead;
         let at_ends = self.at_ends(lead);
-        for other in [Lead::Spinning, Lead::Sliding] {
+        for other in [DominantSpeed::Spinning, DominantSpeed::Sliding] {
             let (rates, _) = self.rates_and_excess(&Speeds::from_ratio(other, R::ZERO));
             self.bound(rates);
         }
-        let rising = (excess > R::ZERO) == (lead == Lead::Spinning);
+        let rising = (excess > R::ZERO) == (lead == DominantSpeed::Spinning);
         let [at_zero, at_one] = at_ends;
         let balance = changes_sign(at_zero, at_one).then(|| self.balance(lead, at_ends));
         let (zero, one) = (R::ZERO, R::ONE);
@@ -32,31 +34,31 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
         let keeps_equal =
             at_one.abs() <= R::from_f64(BALANCED_ULPS) * R::EPSILON * self.slider.inertia_ratio;
         let end = if rising && ends[1] == one && !keeps_equal {
-            End::EqualSpeeds
+            ArcEnd::EqualSpeeds
         } else {
-            End::Settled
+            ArcEnd::Settled
         };
-        let leg = Leg::new(lead, ends, rising, end, ratio);
+        let leg = DirectionArc::new(lead, ends, rising, end, ratio);
         (_, [self.slowness, _]) = self.measured(&leg, &leg.place(leg.p));
         self.leg = Some(leg);
         self.aim();
     }
 
     /// C_α − C at h = 0 and 1.
-    pub(super) fn at_ends(&mut self, lead: Lead) -> [R; 2] {
+    pub(super) fn at_ends(&mut self, lead: DominantSpeed) -> [R; 2] {
         let c = self.slider.inertia_ratio;
         let [spinning, sliding] = self.slider.profile.inertia_ends();
         let (rates, at_one) = self.rates_and_excess(&Speeds::from_ratio(lead, R::ONE));
         self.bound(rates);
         let at_zero = match lead {
-            Lead::Spinning => spinning - c,
-            Lead::Sliding => sliding - c,
+            DominantSpeed::Spinning => spinning - c,
+            DominantSpeed::Sliding => sliding - c,
         };
         [at_zero, at_one]
     }
 
     /// The fixed point of a side.
-    pub(super) fn balance(&mut self, lead: Lead, at_ends: [R; 2]) -> R {
+    pub(super) fn balance(&mut self, lead: DominantSpeed, at_ends: [R; 2]) -> R {
         let Slider {
             profile,
             inertia_ratio,
@@ -70,8 +72,8 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
     /// Goes on beyond equal speeds.
     pub(super) fn cross(&mut self) {
         self.lead = match self.lead {
-            Lead::Spinning => Lead::Sliding,
-            Lead::Sliding => Lead::Spinning,
+            DominantSpeed::Spinning => DominantSpeed::Sliding,
+            DominantSpeed::Sliding => DominantSpeed::Spinning,
         };
         let at_ends = self.at_ends(self.lead);
         let bottom = if changes_sign(at_ends[0], at_ends[1]) {
@@ -79,7 +81,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
         } else {
             R::ZERO
         };
-        self.leg = Some(Leg::from_equal(self.lead, bottom));
+        self.leg = Some(DirectionArc::from_equal(self.lead, bottom));
         self.slowness = R::ZERO;
         self.aim();
     }
@@ -89,13 +91,13 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
         if let Some(leg) = &self.leg {
             let limit = leg.limit();
             self.ratio = match self.lead {
-                Lead::Spinning => limit,
-                Lead::Sliding => R::ONE / limit,
+                DominantSpeed::Spinning => limit,
+                DominantSpeed::Sliding => R::ONE / limit,
             };
         }
     }
 
-    pub(super) fn bound(&mut self, rates: Rates<R>) {
+    pub(super) fn bound(&mut self, rates: DecayRates<R>) {
         for ((least, most), rate) in self.least.iter_mut().zip(&mut self.most).zip(rates) {
             let (half, twice) = (R::HALF * rate, R::TWO * rate);
             *least = if half < *least { half } else { *least };

@@ -1,10 +1,10 @@
 //! The end of a march: rest, or the time asked for.
 
-use super::super::leg::Leg;
+use super::super::leg::DirectionArc;
 use super::super::rule::{self};
-use super::super::tail::Tail;
+use super::super::tail::FinalDecay;
 use super::panel::Panel;
-use super::{March, Outcome, Until};
+use super::{IntegrationTarget, Outcome, PanelIntegration};
 use crate::coupling::{PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 
@@ -18,12 +18,18 @@ const NEARLY_LINEAR: f64 = 2.0;
 /// Rounding errors of the fading itself, beyond which no correction helps.
 const ROUNDING_ULPS: f64 = 64.0;
 
-impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March<'_, R, P, N> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
+    PanelIntegration<'_, R, P, N>
+{
     /// The rest of the motion, at or next to the ratio that stays.
-    pub(super) fn close(&mut self, leg: Option<&Leg<R>>, until: Until<R>) -> Outcome {
+    pub(super) fn close(
+        &mut self,
+        leg: Option<&DirectionArc<R>>,
+        until: IntegrationTarget<R>,
+    ) -> Outcome {
         let tail = match leg {
             Some(leg) => self.tail(leg),
-            None => Tail {
+            None => FinalDecay {
                 here: self.rates,
                 end: self.rates,
                 settling: R::ZERO,
@@ -44,8 +50,8 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
         let pairs = [[here[0], end[0]], [here[1], end[1]], [here[2], end[2]]];
         let whole = added(self.sums, pairs.map(|[here, end]| tail.all(here, end)));
         let time = match until {
-            Until::Time(time) => time,
-            Until::Rest => R::INFINITY,
+            IntegrationTarget::Time(time) => time,
+            IntegrationTarget::Rest => R::INFINITY,
         };
         let rests = self.beta > R::ZERO && whole[0] <= time;
         if rests {
@@ -65,7 +71,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
     }
 
     /// Rates here and in the end of the leg, and how fast the one become the other.
-    pub(super) fn tail(&mut self, leg: &Leg<R>) -> Tail<R> {
+    pub(super) fn tail(&mut self, leg: &DirectionArc<R>) -> FinalDecay<R> {
         let place = leg.place(leg.p);
         let (here, [slowness, _]) = self.measured(leg, &place);
         let limit = leg.limit();
@@ -78,7 +84,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
         } else {
             turning * place.at.ratio() / place.distance
         };
-        Tail {
+        FinalDecay {
             here,
             end,
             settling,
@@ -88,7 +94,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
     /// Stops at a time within the panel of length `size`.
     pub(super) fn stop_within(
         &mut self,
-        leg: &Leg<R>,
+        leg: &DirectionArc<R>,
         size: R,
         panel: &Panel<R, N>,
         time: R,

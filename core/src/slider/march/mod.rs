@@ -25,9 +25,9 @@ mod panel;
 mod rates;
 
 use super::Slider;
-use super::leg::{End, Leg};
+use super::leg::{ArcEnd, DirectionArc};
 use super::rule::{FEW_POINTS, POINTS};
-use crate::coupling::{Lead, PowerLawFriction, ReducedFriction, Speeds};
+use crate::coupling::{DominantSpeed, PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 use panel::Panel;
 
@@ -51,7 +51,7 @@ const COMPLETE: f64 = 0.125;
 
 /// What a march goes for.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Until<R> {
+pub(super) enum IntegrationTarget<R> {
     /// Rest.
     Rest,
     /// A value of κ t in units of m₀^(1−α).
@@ -71,7 +71,7 @@ pub(super) enum Outcome {
 
 /// What a march has found.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Marched<R> {
+pub(super) struct PanelResult<R> {
     pub outcome: Outcome,
     /// ln v₀/v and ln w₀/w.
     pub faded: [R; 2],
@@ -88,21 +88,21 @@ pub(super) struct Marched<R> {
 pub(super) fn march<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>>(
     slider: &Slider<R, P>,
     speeds: [R; 2],
-    until: Until<R>,
-) -> Marched<R> {
+    until: IntegrationTarget<R>,
+) -> PanelResult<R> {
     if R::IS_SINGLE {
-        March::<R, P, FEW_POINTS>::new(slider, speeds).marched(until)
+        PanelIntegration::<R, P, FEW_POINTS>::new(slider, speeds).marched(until)
     } else {
-        March::<R, P, POINTS>::new(slider, speeds).marched(until)
+        PanelIntegration::<R, P, POINTS>::new(slider, speeds).marched(until)
     }
 }
 
 /// Rates of fading of v and w, Φ and Χ/C.
-pub(super) type Rates<R> = [R; 2];
+pub(super) type DecayRates<R> = [R; 2];
 
 /// The march, in panels of N nodes.
 #[derive(Debug)]
-struct March<'a, R, P, const N: usize> {
+struct PanelIntegration<'a, R, P, const N: usize> {
     slider: &'a Slider<R, P>,
     /// 1 − α
     beta: R,
@@ -114,13 +114,13 @@ struct March<'a, R, P, const N: usize> {
     sums: [R; 3],
     /// False for sums to which nothing can be added any more.
     growing: [bool; 3],
-    /// Bounds of the rates of fading from here on.
-    least: Rates<R>,
-    most: Rates<R>,
-    lead: Lead,
-    rates: Rates<R>,
+    /// RunLimits of the rates of fading from here on.
+    least: DecayRates<R>,
+    most: DecayRates<R>,
+    lead: DominantSpeed,
+    rates: DecayRates<R>,
     /// The stretch ahead; none if the direction does not change.
-    leg: Option<Leg<R>>,
+    leg: Option<DirectionArc<R>>,
     /// ds/dp at the last node.
     slowness: R,
     /// Where the motion leads; the ratio v/w.
@@ -129,14 +129,16 @@ struct March<'a, R, P, const N: usize> {
     evaluations: u32,
 }
 
-impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March<'a, R, P, N> {
+impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
+    PanelIntegration<'a, R, P, N>
+{
     /// From two speeds, not negative, finite, not both zero.
     fn new(slider: &'a Slider<R, P>, speeds: [R; 2]) -> Self {
         let at = Speeds::new(speeds[0], speeds[1]);
         let lead = at.lead();
         let [minor, major] = match lead {
-            Lead::Sliding => [speeds[1], speeds[0]],
-            Lead::Spinning => speeds,
+            DominantSpeed::Sliding => [speeds[1], speeds[0]],
+            DominantSpeed::Spinning => speeds,
         };
         let ln_ratio = if at.ratio() >= R::MIN_POSITIVE {
             at.ratio().ln()
@@ -147,8 +149,8 @@ impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> M
             slider,
             beta: R::ONE - slider.profile.exponent(),
             offsets: match lead {
-                Lead::Sliding => [R::ZERO, ln_ratio],
-                Lead::Spinning => [ln_ratio, R::ZERO],
+                DominantSpeed::Sliding => [R::ZERO, ln_ratio],
+                DominantSpeed::Spinning => [ln_ratio, R::ZERO],
             },
             faded: [R::ZERO; 2],
             sums: [R::ZERO; 3],
@@ -173,9 +175,9 @@ impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> M
     }
 
     /// Follows the motion, and says what came of it.
-    fn marched(mut self, until: Until<R>) -> Marched<R> {
+    fn marched(mut self, until: IntegrationTarget<R>) -> PanelResult<R> {
         let outcome = self.go(until);
-        Marched {
+        PanelResult {
             outcome,
             faded: self.faded,
             sums: self.sums,
@@ -185,7 +187,7 @@ impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> M
     }
 
     /// Follows the motion.
-    fn go(&mut self, until: Until<R>) -> Outcome {
+    fn go(&mut self, until: IntegrationTarget<R>) -> Outcome {
         let mut size = R::INFINITY;
         let mut is_careful = false;
         for _ in 0..MOST_PANELS {
@@ -194,13 +196,13 @@ impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> M
             };
             if leg.is_over() {
                 match leg.end {
-                    End::Settled => return self.close(Some(&leg), until),
-                    End::EqualSpeeds => self.cross(),
+                    ArcEnd::Settled => return self.close(Some(&leg), until),
+                    ArcEnd::EqualSpeeds => self.cross(),
                 }
                 continue;
             }
             if !self.growing.contains(&true) {
-                if leg.end == End::EqualSpeeds {
+                if leg.end == ArcEnd::EqualSpeeds {
                     // For the ratio in which it would go on.
                     self.cross();
                 }
@@ -228,7 +230,7 @@ impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> M
                 }
                 continue;
             }
-            if let Until::Time(time) = until
+            if let IntegrationTarget::Time(time) = until
                 && self.sums[0] + panel.sums[0] >= time
             {
                 return self.stop_within(&leg, size, &panel, time);
@@ -245,7 +247,7 @@ impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> M
     }
 
     /// Goes over a panel.
-    fn take(&mut self, leg: &Leg<R>, size: R, panel: &Panel<R, N>) {
+    fn take(&mut self, leg: &DirectionArc<R>, size: R, panel: &Panel<R, N>) {
         let p = if leg.rising {
             leg.p - size
         } else {
@@ -253,7 +255,7 @@ impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> M
         };
         // A panel that ends where the leg does must not stop short of it by rounding.
         let is_last = size >= (leg.goal - leg.p).abs();
-        self.leg = Some(Leg {
+        self.leg = Some(DirectionArc {
             p: if is_last { leg.goal } else { p },
             ..*leg
         });

@@ -1,10 +1,10 @@
 //! One panel: sixteen directions, eight in single precision, and what they say of the time and the
 //! paths between its ends.
 
-use super::super::leg::Leg;
+use super::super::leg::DirectionArc;
 use super::super::rule::{self, Rule, rule};
-use super::{LARGEST_FADING, March, Rates};
-use crate::coupling::{Lead, PowerLawFriction, ReducedFriction};
+use super::{DecayRates, LARGEST_FADING, PanelIntegration};
+use crate::coupling::{DominantSpeed, PowerLawFriction, ReducedFriction};
 use crate::real::Real;
 
 /// Truncation error of a panel, in rounding errors.
@@ -24,16 +24,18 @@ pub(super) struct Panel<R, const N: usize> {
     /// Time integrand at the nodes.
     pub times: [R; N],
     /// Rates and ds/dp at the last node.
-    pub rates: Rates<R>,
+    pub rates: DecayRates<R>,
     pub slowness: R,
     /// Largest exponent by which an integrand would fall over the panel, as steep as at its worst node.
     pub fading: R,
     pub is_resolved: bool,
 }
 
-impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March<'_, R, P, N> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
+    PanelIntegration<'_, R, P, N>
+{
     /// Longest panel that may fit.
-    pub(super) fn longest(&self, leg: &Leg<R>) -> R {
+    pub(super) fn longest(&self, leg: &DirectionArc<R>) -> R {
         let smooth = leg.smooth_length();
         let fastest = self.fastest(self.rates);
         let by_fading = R::from_f64(LARGEST_FADING) / (fastest * self.slowness);
@@ -45,7 +47,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
     }
 
     /// Evaluates the panel of length `size` ahead.
-    pub(super) fn panel(&mut self, leg: &Leg<R>, size: R) -> Panel<R, N> {
+    pub(super) fn panel(&mut self, leg: &DirectionArc<R>, size: R) -> Panel<R, N> {
         let Rule { nodes, weights, .. } = rule::<R, N>();
         let half = R::HALF * size;
         let step = if leg.rising { -half } else { half };
@@ -117,7 +119,10 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
     pub(super) fn is_resolved(&self, rates: &[[R; N]; 2], faded: [R; 2], growth: R) -> bool {
         let ulps = R::from_f64(TOLERANCE_ULPS) * R::EPSILON;
         let [[noise_level]] = *R::pick(&NOISE_LEVEL_SINGLE, &NOISE_LEVEL);
-        let leads = [self.lead == Lead::Sliding, self.lead == Lead::Spinning];
+        let leads = [
+            self.lead == DominantSpeed::Sliding,
+            self.lead == DominantSpeed::Spinning,
+        ];
         let matters = [self.growing[1] || leads[0], self.growing[2] || leads[1]];
         rates
             .iter()

@@ -1,8 +1,8 @@
 //! Rates of fading, and how fast the integrands fall with them.
 
-use super::super::leg::{Leg, Place};
-use super::{March, Rates};
-use crate::coupling::{Lead, PowerLawFriction, ReducedFriction, Speeds};
+use super::super::leg::{ArcPoint, DirectionArc};
+use super::{DecayRates, PanelIntegration};
+use crate::coupling::{DominantSpeed, PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 
 /// Exponents this close to 1 leave C_α flat, so that all of C_α − C may be a small difference.
@@ -12,9 +12,11 @@ const CANCELS: f64 = 1.0 / 64.0;
 /// |C_α − C| below this part of a rounding error of C is taken as if it were this large.
 const LEAST_EXCESS: f64 = 1.0 / 16.0;
 
-impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March<'_, R, P, N> {
+impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
+    PanelIntegration<'_, R, P, N>
+{
     /// Rates of fading, and C_α − C.
-    pub(super) fn rates_and_excess(&mut self, at: &Speeds<R>) -> (Rates<R>, R) {
+    pub(super) fn rates_and_excess(&mut self, at: &Speeds<R>) -> (DecayRates<R>, R) {
         let (profile, c) = (&self.slider.profile, self.slider.inertia_ratio);
         let [phi, chi] = profile.factors(at);
         self.evaluations += 1;
@@ -31,7 +33,11 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
     }
 
     /// Rates, ds/|dp|, and C/|C_α − C|, the factor by which the last grows the error of the law.
-    pub(super) fn measured(&mut self, leg: &Leg<R>, place: &Place<R>) -> (Rates<R>, [R; 2]) {
+    pub(super) fn measured(
+        &mut self,
+        leg: &DirectionArc<R>,
+        place: &ArcPoint<R>,
+    ) -> (DecayRates<R>, [R; 2]) {
         let ([slide, rim], excess) = self.rates_and_excess(&place.at);
         let c = self.slider.inertia_ratio;
         let least = R::from_f64(LEAST_EXCESS) * R::EPSILON * c;
@@ -42,13 +48,13 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
     }
 
     /// Rates at which the three integrands fall under rates of fading of v and w.
-    pub(super) fn falls(&self, rates: Rates<R>) -> [R; 3] {
+    pub(super) fn falls(&self, rates: DecayRates<R>) -> [R; 3] {
         let pace = self.beta * self.leading(rates);
         [pace, rates[0] + pace, rates[1] + pace]
     }
 
     /// The fastest of those that matter.
-    pub(super) fn fastest(&self, rates: Rates<R>) -> R {
+    pub(super) fn fastest(&self, rates: DecayRates<R>) -> R {
         let falls = self.falls(rates).into_iter().zip(self.growing);
         falls.fold(R::ZERO, |most, (fall, is_growing)| {
             let is_less = fall.abs() <= most;
@@ -64,8 +70,8 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize> March
     /// The one of v and w that leads.
     pub(super) fn leading(&self, [slide, rim]: [R; 2]) -> R {
         match self.lead {
-            Lead::Sliding => slide,
-            Lead::Spinning => rim,
+            DominantSpeed::Sliding => slide,
+            DominantSpeed::Spinning => rim,
         }
     }
 

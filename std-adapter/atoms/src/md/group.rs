@@ -4,7 +4,7 @@ use super::thermostat::Thermostat;
 
 /// How the atoms of a group may move.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Hold {
+pub enum MotionConstraint {
     /// Freely.
     #[default]
     Free,
@@ -25,7 +25,7 @@ pub enum Hold {
 
 /// Whose motion a thermostat takes for heat.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Frame {
+pub enum ThermalFrame {
     /// All motion relative to the box.
     #[default]
     Box,
@@ -36,23 +36,23 @@ pub enum Frame {
 /// Properties of a group.
 ///
 /// ```
-/// use tribos::md::group::{Group, Hold};
+/// use tribos::md::group::{Group, MotionConstraint};
 /// let free = Group::default();
 /// assert_eq!(free.hold.freedoms(100), 300);
 /// // A flat layer under a load: x and y of each atom and one height.
-/// let layer = Group { hold: Hold::Level, load: -0.5, ..free };
+/// let layer = Group { hold: MotionConstraint::Level, load: -0.5, ..free };
 /// assert_eq!(layer.hold.freedoms(100), 201);
-/// let wheel = Hold::Turning { axis: [0.0; 2], rate: 1e-3 };
+/// let wheel = MotionConstraint::Turning { axis: [0.0; 2], rate: 1e-3 };
 /// assert!(wheel.freedoms(100) == 0 && !wheel.is_driven_by_forces());
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Group {
     /// How the atoms of the group may move.
-    pub hold: Hold,
+    pub hold: MotionConstraint,
     /// Thermostat of the group.
     pub thermostat: Thermostat,
     /// What the thermostat takes for heat.
-    pub frame: Frame,
+    pub frame: ThermalFrame,
     /// Damping rate γ in 1/time: force −γv per mass on each atom, v relative to the support if
     /// one pulls the group. Exact for any γ·dt.
     pub damping: f64,
@@ -60,7 +60,7 @@ pub struct Group {
     pub load: f64,
 }
 
-impl Hold {
+impl MotionConstraint {
     /// Degrees of freedom of `atoms` atoms in this group.
     pub fn freedoms(&self, atoms: usize) -> usize {
         match self {

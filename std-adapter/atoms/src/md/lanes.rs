@@ -153,7 +153,7 @@ impl Lanes for tribos_avx2::F64x4 {
 }
 
 /// A loop for any lanes.
-pub(super) trait InLanes {
+pub(super) trait LaneLoop {
     /// What the loop computes.
     type Out;
 
@@ -163,14 +163,14 @@ pub(super) trait InLanes {
 
 /// Runs a loop in the widest registers of the processor.
 #[inline]
-pub(super) fn run<W: InLanes>(work: W) -> W::Out {
-    tribos_avx2::run(Either(work))
+pub(super) fn run<W: LaneLoop>(work: W) -> W::Out {
+    tribos_avx2::run(Dispatched(work))
 }
 
 /// The loop for both kinds of processors.
-struct Either<W>(W);
+struct Dispatched<W>(W);
 
-impl<W: InLanes> tribos_avx2::Work for Either<W> {
+impl<W: LaneLoop> tribos_avx2::Work for Dispatched<W> {
     type Out = W::Out;
 
     #[cfg(target_arch = "x86_64")]

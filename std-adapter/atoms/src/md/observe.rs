@@ -33,7 +33,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::group::Frame;
+use super::group::ThermalFrame;
 use super::interaction::Interaction;
 use super::system::System;
 use super::thermostat::Thermostat;
@@ -50,13 +50,13 @@ pub fn kinetic_energies<I: Interaction>(system: &System<I>) -> Vec<f64> {
 }
 
 /// Kinetic energy of a group that counts as heat, at the time of the positions: without its mean
-/// velocity along x and y where that is carried ([`Frame::Mean`](super::group::Frame)).
+/// velocity along x and y where that is carried ([`ThermalFrame::Mean`](super::group::Frame)).
 pub fn heat_energy<I: Interaction>(system: &System<I>, group: usize) -> f64 {
     let velocities = system.velocities_on_step();
     let atoms = system.atoms();
     let members = system.members(group);
     let mut common = Vector3::zeros();
-    if system.groups()[group].frame == Frame::Mean {
+    if system.groups()[group].frame == ThermalFrame::Mean {
         let all: f64 = members.iter().map(|&atom| atoms.mass(atom)).sum();
         for &atom in members {
             common += velocities[atom] * (atoms.mass(atom) / all);
@@ -102,28 +102,28 @@ pub fn pressure<I: Interaction>(system: &System<I>, volume: f64) -> f64 {
 /// ```
 /// use nalgebra::Vector3;
 /// use std::f64::consts::TAU;
-/// use tribos::md::observe::Torsion;
+/// use tribos::md::observe::RotationAngle;
 /// // Three atoms on a circle of radius 1, turned by an angle.
 /// let corner = |angle: f64| Vector3::new(5.0 + angle.cos(), angle.sin(), 0.0);
 /// let turned = |by: f64| [0.0, 1.0, 2.0].map(|third| corner(by + third * TAU / 3.0));
-/// let mut ring = Torsion::new(vec![0, 1, 2], &turned(0.0));
+/// let mut ring = RotationAngle::new(vec![0, 1, 2], &turned(0.0));
 /// for third in 1..=6 {
 ///     ring.look(&turned(f64::from(third) * TAU / 3.0));
 /// }
 /// assert!((ring.angle() - 2.0 * TAU).abs() < 1e-12); // two whole turns
-/// let mut resumed = Torsion::new(vec![0, 1, 2], &turned(0.0));
+/// let mut resumed = RotationAngle::new(vec![0, 1, 2], &turned(0.0));
 /// resumed.restore(ring.angle());
 /// assert!((resumed.look(&turned(0.1)) - (2.0 * TAU + 0.1)).abs() < 1e-12);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Torsion {
+pub struct RotationAngle {
     atoms: Vec<usize>,
     /// Arms from the centre to each atom in the reference state.
     arms: Vec<[f64; 2]>,
     angle: f64,
 }
 
-impl Torsion {
+impl RotationAngle {
     /// Takes the current positions of some atoms as the reference state.
     pub fn new(atoms: Vec<usize>, positions: &[Vector3<f64>]) -> Self {
         let arms = arms(&atoms, positions);

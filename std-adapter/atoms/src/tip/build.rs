@@ -4,11 +4,13 @@ use super::forces::TipForces;
 use super::shape::{Part, Site};
 use crate::md::atoms::Atoms;
 use crate::md::drive::TorqueDrive;
-use crate::md::group::{Frame, Group, Hold};
+use crate::md::group::{Group, MotionConstraint, ThermalFrame};
 use crate::md::pair::{LennardJones, LennardJonesError, Mixing, Pairing};
 use crate::md::support::Support;
 use crate::md::system::Setup;
-use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat, ThermostatError};
+use crate::md::thermostat::{
+    Langevin, Noise, NoseHoover, RotationBias, Thermostat, ThermostatError,
+};
 use crate::tip::scene::{
     DriveKind, DrivenHold, ThermostatBias, ThermostatKind, TipScene, TorqueNormalisation,
 };
@@ -159,19 +161,19 @@ fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
     let of_part = |part: Part| {
         let mut group = Group::default();
         match part {
-            Part::Base => group.hold = Hold::Frozen,
-            Part::SubstrateBath => group.thermostat = thermostat(scene, Spin::Counts)?,
+            Part::Base => group.hold = MotionConstraint::Frozen,
+            Part::SubstrateBath => group.thermostat = thermostat(scene, RotationBias::Counts)?,
             Part::TipBath if is_carried(scene) => {
-                group.thermostat = thermostat(scene, Spin::Counts)?;
-                group.frame = Frame::Mean;
+                group.thermostat = thermostat(scene, RotationBias::Counts)?;
+                group.frame = ThermalFrame::Mean;
             }
-            Part::TipBath => group.thermostat = thermostat(scene, Spin::Spared { axis })?,
+            Part::TipBath => group.thermostat = thermostat(scene, RotationBias::Spared { axis })?,
             Part::Surface | Part::Apex => {}
             Part::Driven => {
                 group.damping = scene.damping;
                 (group.hold, group.load) = match scene.hold {
-                    DrivenHold::Plane => (Hold::Plane, 0.0),
-                    DrivenHold::Level => (Hold::Level, scene.lift()),
+                    DrivenHold::Plane => (MotionConstraint::Plane, 0.0),
+                    DrivenHold::Level => (MotionConstraint::Level, scene.lift()),
                 };
             }
         }
@@ -185,13 +187,13 @@ fn is_carried(scene: &TipScene) -> bool {
     scene.drive == DriveKind::Slide && scene.spin == ThermostatBias::Spared
 }
 
-fn thermostat(scene: &TipScene, wanted: Spin) -> Result<Thermostat, ThermostatError> {
+fn thermostat(scene: &TipScene, wanted: RotationBias) -> Result<Thermostat, ThermostatError> {
     let temperature = scene.temperature * scene.potential.boltzmann();
     Ok(match scene.thermostat {
         ThermostatKind::NoseHoover => {
             let spin = match scene.spin {
                 ThermostatBias::Spared => wanted,
-                ThermostatBias::Counts => Spin::Counts,
+                ThermostatBias::Counts => RotationBias::Counts,
             };
             Thermostat::NoseHoover(NoseHoover::new(temperature, scene.relaxation, spin)?)
         }
@@ -210,9 +212,11 @@ fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) 
         let drawn = noise.vector() * (heat / atoms.mass(atom)).sqrt();
         let velocity = &mut atoms.velocities[atom];
         *velocity = match groups[usize::from(group)].hold {
-            Hold::Frozen | Hold::Turning { .. } => Vector3::zeros(),
-            Hold::Plane | Hold::Level => Vector3::new(drawn.x, drawn.y, 0.0),
-            Hold::Free => drawn,
+            MotionConstraint::Frozen | MotionConstraint::Turning { .. } => Vector3::zeros(),
+            MotionConstraint::Plane | MotionConstraint::Level => {
+                Vector3::new(drawn.x, drawn.y, 0.0)
+            }
+            MotionConstraint::Free => drawn,
         };
     }
 }

@@ -1,6 +1,6 @@
 //! Checkpoints of tip runs.
 
-use super::loops::{Loops, Totals, counts};
+use super::loops::{LoopWork, Totals, counts};
 use super::shape::Part;
 use super::watch;
 use crate::md::system::State;
@@ -25,7 +25,7 @@ pub(super) struct Checkpoint {
     /// Heat that thermostats and damping took.
     pub heat: f64,
     /// Turning points of a slid tip.
-    pub loops: Loops,
+    pub loops: LoopWork,
     /// Lines for averages.
     pub lines: Vec<Vec<f64>>,
     pub series: Vec<Vec<f64>>,
@@ -111,7 +111,7 @@ impl Checkpoint {
             angles: finite("angles", 1 + scene.tip_layers)?,
             work: finite("work", 1)?.first().copied().unwrap_or_default(),
             heat: finite("heat", 1)?.first().copied().unwrap_or_default(),
-            loops: Loops {
+            loops: LoopWork {
                 ends: finite("ends", 3 * ends as usize)?
                     .as_chunks()
                     .0

@@ -15,7 +15,7 @@ pub(super) struct Totals {
 
 /// What had been done at the ends of the drive and at each turning point so far.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Loops {
+pub(super) struct LoopWork {
     /// At the start of the drive, then at its end.
     pub ends: Vec<Totals>,
     /// Work at each turning point.

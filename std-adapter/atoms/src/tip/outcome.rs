@@ -1,8 +1,8 @@
 //! The outcome of a run: reversible or not, where it locked in, which layers slipped.
 
 use super::energy::DriveEnergy;
-use super::loops::Loops;
-use super::slid::{Look, SlidingSummary};
+use super::loops::LoopWork;
+use super::slid::{SlidingSample, SlidingSummary};
 use super::start::{Columns, EquilibriumCheck};
 use super::{TipError, TipSimulation};
 use crate::tip::scene::{DriveKind, StageSteps, TipScene};
@@ -130,7 +130,7 @@ pub(super) struct Measured<'a> {
     /// Column at which the angles of the tip's layers begin.
     pub layers: usize,
     /// Turning points of a slid tip.
-    pub loops: &'a Loops,
+    pub loops: &'a LoopWork,
     /// Work of the drive, in ε.
     pub work: f64,
     /// Lines of the series.
@@ -250,9 +250,9 @@ fn start(lines: &[Vec<f64>], from: f64, width: usize) -> EquilibriumCheck {
 }
 
 /// Looks at a slid tip while it is driven.
-fn looks(lines: &[Vec<f64>], off: f64) -> Vec<Look> {
+fn looks(lines: &[Vec<f64>], off: f64) -> Vec<SlidingSample> {
     let driven = lines.iter().filter(|line| line[0] >= 0.0 && line[0] <= off);
-    let look = |line: &Vec<f64>| Look {
+    let look = |line: &Vec<f64>| SlidingSample {
         time: line[0],
         support: line[SUPPORT],
         force: line[LATERAL],

@@ -6,7 +6,7 @@ use super::forces::TipForces;
 use super::loops::is_noted;
 use super::outcome::{Measured, TipSummary};
 use super::shape::Part;
-use super::watch::{Watch, interval};
+use super::watch::{RunMonitor, interval};
 use crate::md::interaction::Wanted;
 use crate::md::observe::{heat_energy, temperature};
 use crate::md::system::{System, SystemError};
@@ -99,7 +99,7 @@ pub struct TipSimulation {
     system: System<TipForces>,
     layer_of: Vec<usize>,
     part_of: Vec<u8>,
-    watch: Watch,
+    watch: RunMonitor,
     series: Vec<Vec<f64>>,
 }
 
@@ -111,7 +111,7 @@ impl TipSimulation {
             support,
             layer_of,
         } = build(scene)?;
-        let watch = Watch::new(scene, &layer_of, &setup.atoms.positions);
+        let watch = RunMonitor::new(scene, &layer_of, &setup.atoms.positions);
         let part_of = setup.group_of.clone();
         let mut run = Self {
             part_of,
@@ -137,7 +137,7 @@ impl TipSimulation {
             support,
             layer_of,
         } = build(scene)?;
-        let mut watch = Watch::new(scene, &layer_of, &setup.atoms.positions);
+        let mut watch = RunMonitor::new(scene, &layer_of, &setup.atoms.positions);
         let width = first_columns(scene) + scene.tip_layers;
         let widths = [width + FORCE, width];
         let kept = Checkpoint::read(text, scene, layer_of.len(), widths)?;

@@ -1,6 +1,6 @@
 //! A slid tip: the friction loop, its stick and slip, and where the work of the support went.
 
-use super::loops::{Loops, Totals};
+use super::loops::{LoopWork, Totals};
 use crate::tip::scene::TipScene;
 use serde_json::{Value, json};
 use tribos_base::record::json_number;
@@ -20,7 +20,7 @@ const SLIP: f64 = 0.5;
 
 /// One look at a slid tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Look {
+pub(super) struct SlidingSample {
     /// Time from the start of the drive.
     pub time: f64,
     /// Position of the support.
@@ -104,13 +104,13 @@ pub struct SlidingSummary {
 
 impl SlidingSummary {
     /// What a run of a slid tip shows so far, from its lines for averages and its loops.
-    pub(super) fn of(scene: &TipScene, looks: &[Look], loops: &Loops) -> Self {
+    pub(super) fn of(scene: &TipScene, looks: &[SlidingSample], loops: &LoopWork) -> Self {
         let drive = scene.stage_steps().driven as f64 * scene.time_step;
         let path = scene.speed.unwrap_or(f64::NAN) * drive;
         let stroke = scene.stroke.unwrap_or(path);
         // A stroke that the drive ends within a thousandth of counts as complete.
         let strokes = (path / stroke + 1e-3).floor() as usize;
-        let strokes = Strokes::of(looks, strokes, stroke, scene.speed.unwrap_or(f64::NAN));
+        let strokes = StrokeSeries::of(looks, strokes, stroke, scene.speed.unwrap_or(f64::NAN));
         let turned = strokes.later(TURNED);
         let begun = strokes.later(BEGUN);
         let (period, period_share) = period(&begun, scene.spacings()[0], stroke);
@@ -174,10 +174,10 @@ impl SlidingSummary {
 
 /// Complete strokes: for each look the part of its stroke's path, the force against the motion, and
 /// the normal force.
-struct Strokes(Vec<Vec<[f64; 4]>>);
+struct StrokeSeries(Vec<Vec<[f64; 4]>>);
 
-impl Strokes {
-    fn of(looks: &[Look], count: usize, stroke: f64, speed: f64) -> Self {
+impl StrokeSeries {
+    fn of(looks: &[SlidingSample], count: usize, stroke: f64, speed: f64) -> Self {
         let mut strokes = vec![Vec::new(); count];
         for look in looks.iter().filter(|look| look.time >= 0.0) {
             let path = look.time * speed / stroke;

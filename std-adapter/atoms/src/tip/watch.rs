@@ -2,10 +2,10 @@
 //! lines whose interval depends only on the scene's stages.
 
 use super::forces::TipForces;
-use super::loops::{self, Loops, Totals};
+use super::loops::{self, LoopWork, Totals};
 use super::shape::Part;
 use crate::md::drive::TorqueDrive;
-use crate::md::observe::{Torsion, kinetic_energies};
+use crate::md::observe::{RotationAngle, kinetic_energies};
 use crate::md::system::System;
 use crate::tip::scene::{DriveKind, DrivenHold, StageSteps, TipScene};
 use nalgebra::Vector3;
@@ -48,29 +48,29 @@ pub(super) fn lines(scene: &TipScene, steps: u64) -> u64 {
 
 /// Turns, work and lines of a run.
 #[derive(Debug)]
-pub(super) struct Watch {
+pub(super) struct RunMonitor {
     /// Rotation of the driven atoms, then of each layer of the tip from below.
-    torsions: Vec<Torsion>,
+    torsions: Vec<RotationAngle>,
     /// Work of the drive, in ε.
     work: f64,
     /// Heat that thermostats and damping took.
     heat: f64,
     /// Turning points of a slid tip.
-    loops: Loops,
+    loops: LoopWork,
     /// Positions of the driven atoms before the step.
     places: Vec<Vector3<f64>>,
     /// Lines for averages.
     lines: Vec<Vec<f64>>,
 }
 
-impl Watch {
+impl RunMonitor {
     /// Takes the crystal as reference state.
     pub fn new(scene: &TipScene, layer_of: &[usize], positions: &[Vector3<f64>]) -> Self {
         Self {
             torsions: torsions(scene, layer_of, positions),
             work: 0.0,
             heat: 0.0,
-            loops: Loops::default(),
+            loops: LoopWork::default(),
             places: Vec::new(),
             lines: Vec::new(),
         }
@@ -81,7 +81,7 @@ impl Watch {
         &mut self,
         angles: &[f64],
         [work, heat]: [f64; 2],
-        loops: Loops,
+        loops: LoopWork,
         lines: Vec<Vec<f64>>,
     ) {
         for (torsion, &angle) in self.torsions.iter_mut().zip(angles) {
@@ -140,7 +140,7 @@ impl Watch {
 
     /// Angles of the driven atoms and of each layer of the tip, in radians.
     pub fn angles(&self) -> impl Iterator<Item = f64> {
-        self.torsions.iter().map(Torsion::angle)
+        self.torsions.iter().map(RotationAngle::angle)
     }
 
     /// Work of the drive so far, in ε.
@@ -154,7 +154,7 @@ impl Watch {
     }
 
     /// The turning points so far.
-    pub fn loops(&self) -> &Loops {
+    pub fn loops(&self) -> &LoopWork {
         &self.loops
     }
 
@@ -195,11 +195,15 @@ fn stored_energy(scene: &TipScene, system: &System<TipForces>) -> f64 {
 }
 
 /// Rotation of the driven atoms and of each layer of the tip.
-fn torsions(scene: &TipScene, layer_of: &[usize], positions: &[Vector3<f64>]) -> Vec<Torsion> {
+fn torsions(
+    scene: &TipScene,
+    layer_of: &[usize],
+    positions: &[Vector3<f64>],
+) -> Vec<RotationAngle> {
     let shape = scene.shape();
     let of = |is_member: &dyn Fn(usize) -> bool| {
         let atoms = (0..layer_of.len()).filter(|&atom| is_member(layer_of[atom]));
-        Torsion::new(atoms.collect(), positions)
+        RotationAngle::new(atoms.collect(), positions)
     };
     let mut torsions = vec![of(&|layer| shape.part(layer) == Part::Driven)];
     for layer in shape.substrate_layers..shape.layers() {

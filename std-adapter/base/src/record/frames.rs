@@ -71,7 +71,7 @@
 //! | 2 n | speeds: the upper half of an f32 |
 //! | 4 m, 4 m | u32, the sphere of a contact and its partner; 2³² − 1 − w for wall w |
 //! | 2 m | normal forces, positive for pressure: the upper half of an f32 |
-//! | m | u8, what the contact does: see [`Hold`] |
+//! | m | u8, what the contact does: see [`ContactStateFlags`] |
 //! | 16 | u128, the [`digest`](crate::record::digest) of all bytes before, xor that of what the run is about |
 //!
 //! *Accuracy*: positions to half a 65535th of the box's side (a millionth of the side more where
@@ -88,5 +88,5 @@ mod schedule;
 
 pub use bodies::{Bodies, Kind};
 pub use folder::{FrameError, FrameFolder};
-pub use frame::{Frame, FrameContact, Hold};
+pub use frame::{ContactStateFlags, Frame, FrameContact};
 pub use schedule::{FEWEST, spacing};

@@ -11,9 +11,9 @@ const USUAL: u64 = 100;
 
 /// Keeps frames of a run, or none.
 #[derive(Debug)]
-pub(super) struct Film(Option<FrameFolder>);
+pub(super) struct FrameRecorder(Option<FrameFolder>);
 
-impl Film {
+impl FrameRecorder {
     /// Starts keeping at most `limit` frames in a folder, or continues after a checkpoint with the limit of the run's
     /// start; frames of an earlier run are removed.
     pub fn of<R: LongRun>(

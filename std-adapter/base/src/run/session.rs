@@ -1,6 +1,6 @@
 //! A long run in its own folder: checkpoints, frames, progress, cancellation, resuming.
 
-use super::film::Film;
+use super::film::FrameRecorder;
 use super::folder::{FolderError, Lock, Sharing, remove_file};
 use super::long_run::{Cause, LongRun, NoCheckpoint, RunError, StartMode};
 use crate::record::{read_text, with_number, write_atomically_there};
@@ -175,7 +175,7 @@ impl<'a, R: LongRun> Session<'a, R> {
             let run = self.begin(scene, kept.as_deref())?;
             self.lock.check()?;
             let frames = self.folder.join(FRAMES);
-            let film = Film::of(&run, &frames, kept.as_deref(), self.frames)?;
+            let film = FrameRecorder::of(&run, &frames, kept.as_deref(), self.frames)?;
             (run, film)
         };
         let mut saved = Instant::now();
@@ -220,7 +220,12 @@ impl<'a, R: LongRun> Session<'a, R> {
     }
 
     /// Writes frames first: a checkpoint requires all frames before it.
-    fn save(&mut self, run: &R, film: &mut Film, file: &Path) -> Result<(), RunError<R::Error>> {
+    fn save(
+        &mut self,
+        run: &R,
+        film: &mut FrameRecorder,
+        file: &Path,
+    ) -> Result<(), RunError<R::Error>> {
         self.lock.check()?;
         film.save()?;
         self.write(run, film.limit(), file)

@@ -82,7 +82,7 @@ pub enum NeighbourError {
 /// use nalgebra::Vector3;
 /// use tribos::space::{PeriodicBox, pairs::Cells};
 /// let mut cells = Cells::default();
-/// // Two spheres of radius 1 come together; neighbours are those less than 0.5 apart.
+/// // Pair2 spheres of radius 1 come together; neighbours are those less than 0.5 apart.
 /// for (distance, pairs) in [(3.0, 0), (2.4, 1), (1.9, 1)] {
 ///     let positions = [Vector3::zeros(), Vector3::x() * distance];
 ///     let found = cells.find(&PeriodicBox::OPEN, &positions, &[1.0; 2], 0.5)?;

@@ -19,7 +19,7 @@
 //! 32 (2014) 431). For a single contact of spheres all these laws agree.
 //!
 //! Repeating the reflection until no contact approaches follows Smith, Kaufman, Vouga, Tamstorf and
-//! Grinspun (ACM Trans. Graph. 31 (2012) 106). Differences: friction after each reflection, e < 1,
+//! Grinspun (ACM Trans. Graph. 31 (2012) 106). SecondMaterialKeys: friction after each reflection, e < 1,
 //! and contacts that close within the step count as closed, so that several impacts of a body in
 //! one step happen one after the other.
 
@@ -39,7 +39,7 @@ use tribos_core::internals::{Block, PreparedContact};
 
 /// Most rounds per step. The approach that remains after them is stopped without rebound.
 const MOST_ROUNDS: usize = 100;
-/// Most sweeps for a part of a round. Two are enough if no body has two impacts. A part that
+/// Most sweeps for a part of a round. Pair2 are enough if no body has two impacts. A part that
 /// reaches the limit is counted; even then it does not raise the energy.
 const MOST_SWEEPS: usize = 1000;
 /// Approach speed below which there is no impact, relative to the fastest of the step's first round:

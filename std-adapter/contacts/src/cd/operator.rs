@@ -168,7 +168,7 @@ impl Monitor for NoMonitor {
 ///
 /// ```
 /// use tribos::cd::internals::{GlobalChange, Monitor};
-/// // Two contacts: |Δp| of 3 and 4 where P is 10 each, and no speed but 0.2 at the second.
+/// // Pair2 contacts: |Δp| of 3 and 4 where P is 10 each, and no speed but 0.2 at the second.
 /// let mut change = GlobalChange::default();
 /// change.see(9.0, 10.0, 0.0);
 /// let mut other = change.fork(); // on another thread

@@ -146,7 +146,7 @@ impl GlobalProblem {
         }
         let size = self.w.len();
         let w = SparseMatrix::from_triplets([size, size], &triplets)?;
-        let made = Made {
+        let made = SourceBodies {
             arms: self.h.transposed(),
             bodies,
             global: self.clone(),
@@ -174,14 +174,14 @@ impl GlobalProblem {
 /// The bodies that a reduced problem was made from. Velocities that follow from theirs are as accurate as their
 /// momenta; a sum W r may lose a light body's part beside the impulses of heavy ones.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Made {
+pub(super) struct SourceBodies {
     pub global: GlobalProblem,
     pub bodies: Bodies,
     /// Hᵀ
     arms: SparseMatrix,
 }
 
-impl Made {
+impl SourceBodies {
     /// u = Hᵀ M⁻¹ (H r + f) + w.
     pub fn velocities(&self, r: &[f64]) -> Vec<f64> {
         let GlobalProblem { h, f, w, .. } = &self.global;

@@ -1,7 +1,7 @@
 //! A contact problem between impulses alone: u = W r + q.
 
 use super::error::ProblemError;
-use super::global::Made;
+use super::global::SourceBodies;
 use super::law::{ContactComponents, ContactThresholds};
 use super::matrix::SparseMatrix;
 
@@ -30,7 +30,7 @@ pub struct ReducedProblem {
     pub(super) q: Vec<f64>,
     pub(super) laws: Vec<ContactThresholds>,
     /// The bodies that W was made from.
-    pub(super) made: Option<Box<Made>>,
+    pub(super) made: Option<Box<SourceBodies>>,
 }
 
 impl ReducedProblem {

@@ -30,12 +30,12 @@ pub struct SoftContact<M: ContactModes<f64>> {
     pub(crate) slope: f64,
     /// Elongations of the springs across the normal: displacement of the second body against the first.
     pub(crate) springs: ContactVector<f64, M>,
-    shares: Shares,
+    shares: MassRatios,
 }
 
 /// Effective masses of a contact: that of the normal, and those of the other modes divided by it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Shares {
+struct MassRatios {
     mass: f64,
     sliding: f64,
     turning: f64,
@@ -116,7 +116,7 @@ impl<M: ContactModes<f64>> SoftContact<M> {
             impulse: ContactVector::default(),
             slope: 0.0,
             springs: ContactVector::default(),
-            shares: Shares {
+            shares: MassRatios {
                 mass,
                 sliding: block.mass_sliding / mass,
                 turning: block.inertia / mass,
@@ -349,7 +349,7 @@ impl<M: ContactModes<f64>> SoftContact<M> {
             return [0.0; 4];
         }
         let n = &touch.normal;
-        let Shares {
+        let MassRatios {
             sliding: share,
             turning,
             ..

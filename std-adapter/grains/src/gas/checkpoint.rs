@@ -1,6 +1,6 @@
 //! Checkpoint files of a gas.
 
-use super::medium::Kept;
+use super::medium::EngineCheckpoint;
 use super::run::{GasStopReason, Row};
 use crate::gas::scene::GasScene;
 use serde_json::{Map, Value};
@@ -15,7 +15,7 @@ const NAME: &str = "tribos_gas";
 /// State of a run between two steps.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Checkpoint {
-    pub medium: Kept,
+    pub medium: EngineCheckpoint,
     pub steps: u64,
     pub series: Vec<Row>,
     pub ending: Option<GasStopReason>,
@@ -46,7 +46,7 @@ impl Checkpoint {
         }
         let steps = value["gas_steps"].as_u64();
         Ok(Self {
-            medium: Kept::read(&value, scene)?,
+            medium: EngineCheckpoint::read(&value, scene)?,
             steps: steps.ok_or_else(|| damaged("gas_steps"))?,
             series,
             ending: match &value["ending"] {

@@ -3,7 +3,7 @@
 use super::error::GasError;
 use super::room::edge;
 use super::state::GasState;
-use super::stepped::{KeptSteps, Stepped};
+use super::stepped::{TimeSteppedGas, TimeSteppedState};
 use crate::gas::scene::{GasMethod, GasScene};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
@@ -12,19 +12,19 @@ use tribos_contacts::event::{Advance, HardSpheres, Motion, Stored};
 
 /// A gas in motion.
 #[derive(Debug)]
-pub(super) enum Medium {
+pub(super) enum GasEngine {
     Events(Box<HardSpheres>),
-    Steps(Stepped),
+    Steps(TimeSteppedGas),
 }
 
 /// What a checkpoint holds of a gas.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Kept {
+pub(super) enum EngineCheckpoint {
     Events(Stored),
-    Steps(Box<KeptSteps>),
+    Steps(Box<TimeSteppedState>),
 }
 
-impl Medium {
+impl GasEngine {
     /// A gas at its start.
     pub fn new(scene: &GasScene, bodies: &[(Vector3<f64>, Motion)]) -> Result<Self, GasError> {
         let length = edge(scene.count, scene.fraction);
@@ -34,29 +34,31 @@ impl Medium {
                 Ok(Self::Events(Box::new(gas)))
             }
             GasMethod::ContactDynamics | GasMethod::Soft => {
-                Stepped::new(scene, length, bodies).map(Self::Steps)
+                TimeSteppedGas::new(scene, length, bodies).map(Self::Steps)
             }
         }
     }
 
     /// A gas that goes on from a checkpoint.
-    pub fn thawed(scene: &GasScene, kept: Kept) -> Result<Self, GasError> {
+    pub fn thawed(scene: &GasScene, kept: EngineCheckpoint) -> Result<Self, GasError> {
         let length = edge(scene.count, scene.fraction);
         match kept {
-            Kept::Events(stored) => {
+            EngineCheckpoint::Events(stored) => {
                 let (law, tc) = (scene.impact()?, scene.contact_time);
                 let gas = HardSpheres::thawed(stored, length, law, tc);
                 Ok(Self::Events(Box::new(gas)))
             }
-            Kept::Steps(kept) => Stepped::thawed(scene, length, &kept).map(Self::Steps),
+            EngineCheckpoint::Steps(kept) => {
+                TimeSteppedGas::thawed(scene, length, &kept).map(Self::Steps)
+            }
         }
     }
 
     /// What a checkpoint holds.
-    pub fn kept(&self) -> Kept {
+    pub fn kept(&self) -> EngineCheckpoint {
         match self {
-            Self::Events(gas) => Kept::Events(gas.freeze()),
-            Self::Steps(gas) => Kept::Steps(Box::new(gas.kept())),
+            Self::Events(gas) => EngineCheckpoint::Events(gas.freeze()),
+            Self::Steps(gas) => EngineCheckpoint::Steps(Box::new(gas.kept())),
         }
     }
 
@@ -126,7 +128,7 @@ impl Medium {
     }
 }
 
-impl Kept {
+impl EngineCheckpoint {
     /// Adds the state to a checkpoint.
     pub fn put(&self, map: &mut Map<String, Value>) {
         match self {
@@ -140,7 +142,7 @@ impl Kept {
         match scene.method {
             GasMethod::Events => Stored::read(value, scene.count).map(Self::Events),
             GasMethod::ContactDynamics | GasMethod::Soft => {
-                KeptSteps::read(value, scene.count).map(|kept| Self::Steps(Box::new(kept)))
+                TimeSteppedState::read(value, scene.count).map(|kept| Self::Steps(Box::new(kept)))
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::checkpoint::Checkpoint;
 use super::error::GasError;
-use super::medium::Medium;
+use super::medium::GasEngine;
 use super::outcome::GasSummary;
 use super::room::edge;
 use super::start::start;
@@ -114,7 +114,7 @@ pub struct GasSimulation {
     scene: GasScene,
     law: Impact,
     length: f64,
-    medium: Medium,
+    medium: GasEngine,
     steps: u64,
     series: Vec<Row>,
     ending: Option<GasStopReason>,
@@ -159,7 +159,7 @@ impl GasSimulation {
         let kept = checkpoint.map(|text| Checkpoint::read(text, scene));
         let (medium, steps, series, ending, wall_seconds) = match kept.transpose()? {
             Some(kept) => (
-                Medium::thawed(scene, kept.medium)?,
+                GasEngine::thawed(scene, kept.medium)?,
                 kept.steps,
                 kept.series,
                 kept.ending,
@@ -167,7 +167,7 @@ impl GasSimulation {
             ),
             None => {
                 let bodies = start(scene, &mut watch)?;
-                (Medium::new(scene, &bodies)?, 0, Vec::new(), None, 0.0)
+                (GasEngine::new(scene, &bodies)?, 0, Vec::new(), None, 0.0)
             }
         };
         let mut gas = Self {

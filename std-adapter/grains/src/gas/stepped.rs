@@ -5,7 +5,7 @@ use super::soft;
 use super::state::GasState;
 use crate::gas::scene::{GasMethod, GasScene};
 use crate::packing::method::{FrictionCoupling, WallLaw};
-use crate::packing::{Bodies, Frozen, Material, Method, Packing, build};
+use crate::packing::{Bodies, Material, Method, Packing, WorldSnapshot, build};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use std::f64::consts::PI;
@@ -26,7 +26,7 @@ pub(super) const LONGEST: f64 = 10.0;
 
 /// A gas that a method with time steps moves.
 #[derive(Debug)]
-pub(super) struct Stepped {
+pub(super) struct TimeSteppedGas {
     packing: Box<dyn Packing>,
     length: f64,
     collisions: u64,
@@ -38,13 +38,13 @@ pub(super) struct Stepped {
 
 /// What a checkpoint holds of it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct KeptSteps {
-    frozen: Frozen,
+pub(super) struct TimeSteppedState {
+    frozen: WorldSnapshot,
     collisions: u64,
     unmet: u64,
 }
 
-impl Stepped {
+impl TimeSteppedGas {
     /// A gas at its start.
     pub fn new(
         scene: &GasScene,
@@ -59,7 +59,7 @@ impl Stepped {
             *motion = [given.velocity, given.spin];
         }
         frozen.energy.kinetic_initial = None;
-        let kept = KeptSteps {
+        let kept = TimeSteppedState {
             frozen,
             collisions: 0,
             unmet: 0,
@@ -68,7 +68,11 @@ impl Stepped {
     }
 
     /// A gas that goes on from a checkpoint.
-    pub fn thawed(scene: &GasScene, length: f64, kept: &KeptSteps) -> Result<Self, GasError> {
+    pub fn thawed(
+        scene: &GasScene,
+        length: f64,
+        kept: &TimeSteppedState,
+    ) -> Result<Self, GasError> {
         let places = kept.frozen.positions.clone();
         let gas = Self::built(scene, length, places, Some(&kept.frozen))?;
         Ok(Self {
@@ -82,7 +86,7 @@ impl Stepped {
         scene: &GasScene,
         length: f64,
         positions: Vec<Vector3<f64>>,
-        frozen: Option<&Frozen>,
+        frozen: Option<&WorldSnapshot>,
     ) -> Result<Self, GasError> {
         let bodies = Bodies {
             space: PeriodicBox::new([Some(length); 3])?,
@@ -91,7 +95,8 @@ impl Stepped {
             walls: Vec::new(),
             gravity: Vector3::zeros(),
         };
-        let pairs = |frozen: &Frozen| frozen.forces[0].iter().map(|(pair, _)| *pair).collect();
+        let pairs =
+            |frozen: &WorldSnapshot| frozen.forces[0].iter().map(|(pair, _)| *pair).collect();
         let touching = frozen.map_or_else(Vec::new, pairs);
         Ok(Self {
             packing: build(&material(scene), bodies, &method(scene), frozen)?,
@@ -166,8 +171,8 @@ impl Stepped {
     }
 
     /// What a checkpoint holds.
-    pub fn kept(&self) -> KeptSteps {
-        KeptSteps {
+    pub fn kept(&self) -> TimeSteppedState {
+        TimeSteppedState {
             frozen: self.packing.freeze(),
             collisions: self.collisions,
             unmet: self.unmet,
@@ -222,7 +227,7 @@ fn material(scene: &GasScene) -> Material {
     }
 }
 
-impl KeptSteps {
+impl TimeSteppedState {
     /// Adds the state to a checkpoint.
     pub fn put(&self, map: &mut Map<String, Value>) {
         self.frozen.put(map);
@@ -232,7 +237,7 @@ impl KeptSteps {
 
     /// Reads the state of so many spheres from a checkpoint.
     pub fn read(value: &Value, count: usize) -> Result<Self, CheckpointError> {
-        let frozen = Frozen::read(value)?;
+        let frozen = WorldSnapshot::read(value)?;
         if !frozen.fits(count, 0) {
             return Err(damaged("numbers of spheres"));
         }

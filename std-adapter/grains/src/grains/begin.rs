@@ -1,12 +1,12 @@
 //! Where the grains of a run come from: random places, a file, or the last state of another run.
 
 use super::error::GrainsError;
-use super::layout::{Face, Layout, Part};
+use super::layout::{InitialWall, Layout, WallId};
 use super::placement::{self, Start};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::AssemblyError;
 use crate::packing::method::ContactMethod;
-use crate::packing::{Frozen, Kinds, deepest, given};
+use crate::packing::{Kinds, WorldSnapshot, deepest, given};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -60,7 +60,9 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     if let Some(frozen) = frozen.filter(|_| assembly.outward == inward) {
         // The walls are those of the scene: everything goes on where it was.
         // What closes the slot anew cuts through grains that were on their way.
-        check_walls(scene, path, &start, &layout, |part| part.face == Face::Lid)?;
+        check_walls(scene, path, &start, &layout, |part| {
+            part.face == WallId::Lid
+        })?;
         start.contacts = assembly.contacts;
         start.frozen = Some(frozen.at_start(scene.method == ContactMethod::Soft));
         return Ok(start);
@@ -88,7 +90,11 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
         start.positions.iter_mut().for_each(|place| place.y = 0.0);
     }
     let walls = layout.parts.iter().map(|part| part.place);
-    start.frozen = Some(Frozen::moving(start.positions.clone(), &assembly, walls));
+    start.frozen = Some(WorldSnapshot::moving(
+        start.positions.clone(),
+        &assembly,
+        walls,
+    ));
     Ok(start)
 }
 
@@ -133,7 +139,7 @@ fn check_inside(
             )));
         }
     }
-    let is_side = |part: &Part| matches!(part.face, Face::Side(Axis::X | Axis::Y, _));
+    let is_side = |part: &InitialWall| matches!(part.face, WallId::Side(Axis::X | Axis::Y, _));
     check_walls(scene, path, start, layout, |part| !is_side(part))
 }
 
@@ -143,12 +149,12 @@ fn check_walls(
     path: &Path,
     start: &Start,
     layout: &Layout,
-    is_meant: impl Fn(&Part) -> bool,
+    is_meant: impl Fn(&InitialWall) -> bool,
 ) -> Result<(), AssemblyError> {
     let beyond = deepest(scene.method);
-    let is_shut = |part: &&Part| part.face != Face::Lid || scene.opening > 0.0;
+    let is_shut = |part: &&InitialWall| part.face != WallId::Lid || scene.opening > 0.0;
     let meant = layout.parts.iter().filter(|part| is_meant(part));
-    let walls: Vec<Wall> = meant.filter(is_shut).map(Part::wall).collect();
+    let walls: Vec<Wall> = meant.filter(is_shut).map(InitialWall::wall).collect();
     for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {
         let meets =
             |wall: &Wall| wall.facing(&layout.space, place).height < (1.0 - beyond) * radius;

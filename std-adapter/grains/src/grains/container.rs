@@ -1,6 +1,6 @@
 //! Hoppers and drums: walls beside those of the box, and the room that they leave.
 
-use super::layout::{Face, Part};
+use super::layout::{InitialWall, WallId};
 use crate::grains::scene::{Container, GrainsScene, SideBoundary};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -13,7 +13,7 @@ const FACETS: usize = 64;
 const ENDLESS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// Walls of the container.
-pub(super) fn walls(scene: &GrainsScene) -> Vec<Part> {
+pub(super) fn walls(scene: &GrainsScene) -> Vec<InitialWall> {
     match scene.container {
         Container::Box => Vec::new(),
         Container::Hopper => hopper(scene).into(),
@@ -22,7 +22,7 @@ pub(super) fn walls(scene: &GrainsScene) -> Vec<Part> {
 }
 
 /// Two plates from the sides down to the slot, and the lid between their edges.
-fn hopper(scene: &GrainsScene) -> [Part; 3] {
+fn hopper(scene: &GrainsScene) -> [InitialWall; 3] {
     let (sin, cos) = libm::sincos(scene.slope.to_radians());
     let plate = |side: f64| {
         let edge = 0.5 * (scene.width + side * scene.outlet);
@@ -35,8 +35,8 @@ fn hopper(scene: &GrainsScene) -> [Part; 3] {
             SideBoundary::Walls => f64::INFINITY,
             SideBoundary::Periodic => low + 0.5 * (scene.width - scene.outlet) / cos,
         };
-        Part {
-            face: Face::Slope,
+        InitialWall {
+            face: WallId::Slope,
             inward,
             place: inward.dot(&slot),
             edges: Some(Rectangle {
@@ -46,8 +46,8 @@ fn hopper(scene: &GrainsScene) -> [Part; 3] {
         }
     };
     let ends = [-1.0, 1.0].map(|side| 0.5 * (scene.width + side * scene.outlet));
-    let lid = Part {
-        face: Face::Lid,
+    let lid = InitialWall {
+        face: WallId::Lid,
         inward: Vector3::z(),
         place: scene.outlet_height,
         edges: Some(Rectangle {
@@ -59,15 +59,15 @@ fn hopper(scene: &GrainsScene) -> [Part; 3] {
 }
 
 /// Facets around the axis of a drum.
-fn drum(scene: &GrainsScene) -> Vec<Part> {
+fn drum(scene: &GrainsScene) -> Vec<InitialWall> {
     let radius = 0.5 * scene.width;
     let centre = Vector3::new(radius, 0.0, radius);
     let facet = |index: usize| {
         let (sin, cos) = libm::sincos(TAU * index as f64 / FACETS as f64);
         let out = Vector3::new(cos, 0.0, sin);
-        Part {
+        InitialWall {
             // A rotation about y moves what lies at `out` along y × out.
-            face: Face::Facet(Vector3::new(sin, 0.0, -cos)),
+            face: WallId::Facet(Vector3::new(sin, 0.0, -cos)),
             inward: -out,
             place: -out.dot(&centre) - radius,
             edges: None,
@@ -79,6 +79,6 @@ fn drum(scene: &GrainsScene) -> Vec<Part> {
 /// Whether a grain may start at a place.
 pub(super) fn has_room(scene: &GrainsScene, place: &Vector3<f64>, radius: f64) -> bool {
     let is_lower = scene.container == Container::Hopper && place.z < scene.outlet_height + radius;
-    let fits = |part: &Part| part.inward.dot(place) - part.place >= radius;
+    let fits = |part: &InitialWall| part.inward.dot(place) - part.place >= radius;
     !is_lower && walls(scene).iter().all(fits)
 }

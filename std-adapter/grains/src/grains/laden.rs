@@ -2,10 +2,10 @@
 
 use super::layout::Layout;
 use super::loads::Loads;
-use super::measure::{COLUMNS, Now};
+use super::measure::{COLUMNS, PackingState};
 use super::run::GrainsStopReason;
 use crate::grains::scene::GrainsScene;
-use crate::packing::{self, Body, Bounds, Cadence, Packing, Seen};
+use crate::packing::{self, Body, MeasuredState, MeasurementSchedule, Packing, RunLimits};
 use serde_json::{Map, Value};
 use tribos_base::record::CheckpointError;
 use tribos_base::record::kept::damaged;
@@ -15,7 +15,7 @@ const SLOW_STEPS: u64 = 100;
 
 /// Grains in their box under its loads.
 #[derive(Debug)]
-pub(super) struct Laden {
+pub(super) struct GrainsBody {
     pub scene: GrainsScene,
     pub layout: Layout,
     pub loads: Loads,
@@ -23,12 +23,12 @@ pub(super) struct Laden {
 
 /// Number of steps for which the grains have been slow.
 #[derive(Debug)]
-pub(super) struct Slow(pub u64);
+pub(super) struct SlowStepCount(pub u64);
 
-impl Laden {
+impl GrainsBody {
     /// The state after a step, for measurements.
-    pub fn now<'a>(&'a self, seen: &'a Seen) -> Now<'a> {
-        Now {
+    pub fn now<'a>(&'a self, seen: &'a MeasuredState) -> PackingState<'a> {
+        PackingState {
             scene: &self.scene,
             layout: &self.layout,
             loads: &self.loads,
@@ -39,56 +39,56 @@ impl Laden {
     }
 }
 
-impl Body<{ COLUMNS.len() }> for Laden {
-    type Watch = Slow;
+impl Body<{ COLUMNS.len() }> for GrainsBody {
+    type Watch = SlowStepCount;
     type Ending = GrainsStopReason;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
     const FORMAT: (&'static str, u64) = ("tribos_grains", 3);
-    const CADENCE: Cadence = Cadence::Lines;
+    const CADENCE: MeasurementSchedule = MeasurementSchedule::Lines;
 
     fn scene(&self) -> Value {
         self.scene.json()
     }
 
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> RunLimits {
         bounds(&self.scene)
     }
 
-    fn prepare(&self, _: &mut Slow, packing: &mut dyn Packing) {
+    fn prepare(&self, _: &mut SlowStepCount, packing: &mut dyn Packing) {
         self.loads.apply(&self.layout, packing);
     }
 
-    fn solid_fraction(&self, seen: &Seen) -> f64 {
+    fn solid_fraction(&self, seen: &MeasuredState) -> f64 {
         let now = self.now(seen);
         now.solid_fraction(now.extents().map(|[low, high]| high - low))
     }
 
-    fn line(&self, _: &Slow, seen: &Seen) -> [f64; COLUMNS.len()] {
+    fn line(&self, _: &SlowStepCount, seen: &MeasuredState) -> [f64; COLUMNS.len()] {
         self.now(seen).line()
     }
 
     /// Counts slow steps.
-    fn is_over(&self, Slow(slow): &mut Slow, seen: &Seen) -> bool {
+    fn is_over(&self, SlowStepCount(slow): &mut SlowStepCount, seen: &MeasuredState) -> bool {
         let rest = self.scene.rest;
         let is_slow = rest.is_some_and(|rest| self.now(seen).speed() < rest);
         *slow = if is_slow { *slow + 1 } else { 0 };
         *slow >= SLOW_STEPS
     }
 
-    fn put(Slow(slow): &Slow, map: &mut Map<String, Value>) {
+    fn put(SlowStepCount(slow): &SlowStepCount, map: &mut Map<String, Value>) {
         map.insert("slow".into(), (*slow).into());
     }
 
-    fn read(value: &Value) -> Result<Slow, CheckpointError> {
+    fn read(value: &Value) -> Result<SlowStepCount, CheckpointError> {
         let slow = value["slow"].as_u64();
-        Ok(Slow(slow.ok_or_else(|| damaged("slow"))?))
+        Ok(SlowStepCount(slow.ok_or_else(|| damaged("slow"))?))
     }
 }
 
 /// Limits of a run of a scene.
-pub(super) fn bounds(scene: &GrainsScene) -> Bounds {
-    Bounds {
+pub(super) fn bounds(scene: &GrainsScene) -> RunLimits {
+    RunLimits {
         duration: scene.duration,
         steps: scene.steps,
         samples: scene.samples,

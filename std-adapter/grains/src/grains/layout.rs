@@ -9,16 +9,16 @@ use tribos_contacts::cd::{Rectangle, Wall};
 
 /// An end of an axis of the box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum End {
+pub(super) enum AxisEnd {
     Low,
     High,
 }
 
 /// Which wall of a scene one is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Face {
+pub(super) enum WallId {
     /// An end of the box.
-    Side(Axis, End),
+    Side(Axis, AxisEnd),
     /// An inclined plane of a hopper.
     Slope,
     /// What closes a hopper.
@@ -29,8 +29,8 @@ pub(super) enum Face {
 
 /// A wall at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Part {
-    pub face: Face,
+pub(super) struct InitialWall {
+    pub face: WallId,
     /// Unit normal into the space of the grains.
     pub inward: Vector3<f64>,
     /// Position along the normal.
@@ -39,7 +39,7 @@ pub(super) struct Part {
     pub edges: Option<Rectangle>,
 }
 
-impl Part {
+impl InitialWall {
     /// A fixed wall.
     pub fn wall(&self) -> Wall {
         Wall {
@@ -50,14 +50,14 @@ impl Part {
 }
 
 /// The plate above.
-pub(super) const PLATE: Face = Face::Side(Axis::Z, End::High);
+pub(super) const PLATE: WallId = WallId::Side(Axis::Z, AxisEnd::High);
 
 /// Walls of a box at its start.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     pub space: PeriodicBox,
     /// The walls, in the order of the packing's.
-    pub parts: Vec<Part>,
+    pub parts: Vec<InitialWall>,
     /// Lengths at the start; along an open axis that of the grains.
     pub lengths: [f64; 3],
 }
@@ -83,10 +83,10 @@ impl Axis {
 }
 
 /// Unit normal of an end into the box.
-pub(super) fn inward(axis: Axis, end: End) -> Vector3<f64> {
+pub(super) fn inward(axis: Axis, end: AxisEnd) -> Vector3<f64> {
     match end {
-        End::Low => axis.unit(),
-        End::High => -axis.unit(),
+        AxisEnd::Low => axis.unit(),
+        AxisEnd::High => -axis.unit(),
     }
 }
 
@@ -107,27 +107,27 @@ impl Layout {
             scene.z == EndBoundary::Periodic,
         ];
         let periods = [0, 1, 2].map(|axis: usize| repeats[axis].then_some(lengths[axis]));
-        let side = |face: (Axis, End)| Part {
-            face: Face::Side(face.0, face.1),
+        let side = |face: (Axis, AxisEnd)| InitialWall {
+            face: WallId::Side(face.0, face.1),
             inward: inward(face.0, face.1),
             place: match face.1 {
-                End::Low => 0.0,
-                End::High => -lengths[face.0.index()],
+                AxisEnd::Low => 0.0,
+                AxisEnd::High => -lengths[face.0.index()],
             },
             edges: None,
         };
         let mut parts = Vec::new();
         match scene.z {
             _ if is_drum => {}
-            EndBoundary::Floor => parts.push(side((Axis::Z, End::Low))),
+            EndBoundary::Floor => parts.push(side((Axis::Z, AxisEnd::Low))),
             EndBoundary::Walls => {
-                parts.extend([End::Low, End::High].map(|end| side((Axis::Z, end))))
+                parts.extend([AxisEnd::Low, AxisEnd::High].map(|end| side((Axis::Z, end))))
             }
             EndBoundary::Periodic => {}
         }
         for (axis, sides) in [(Axis::X, scene.x), (Axis::Y, scene.y)] {
             if sides == SideBoundary::Walls {
-                parts.extend([End::Low, End::High].map(|end| side((axis, end))));
+                parts.extend([AxisEnd::Low, AxisEnd::High].map(|end| side((axis, end))));
             }
         }
         parts.extend(container::walls(scene));
@@ -139,25 +139,25 @@ impl Layout {
     }
 
     /// Number of a wall.
-    pub fn wall(&self, face: Face) -> Option<u32> {
+    pub fn wall(&self, face: WallId) -> Option<u32> {
         let found = self.parts.iter().position(|part| part.face == face);
         found.map(|wall| wall as u32)
     }
 
     /// Current coordinate of a face.
-    fn coordinate(&self, walls: &[Wall], axis: Axis, end: End) -> Option<f64> {
-        let wall = walls.get(self.wall(Face::Side(axis, end))? as usize)?;
+    fn coordinate(&self, walls: &[Wall], axis: Axis, end: AxisEnd) -> Option<f64> {
+        let wall = walls.get(self.wall(WallId::Side(axis, end))? as usize)?;
         Some(match end {
-            End::Low => wall.place,
-            End::High => -wall.place,
+            AxisEnd::Low => wall.place,
+            AxisEnd::High => -wall.place,
         })
     }
 
     /// Low and high coordinates of the box; an open end is that of the start.
     pub fn extents(&self, walls: &[Wall]) -> [[f64; 2]; 3] {
         [Axis::X, Axis::Y, Axis::Z].map(|axis| {
-            let low = self.coordinate(walls, axis, End::Low);
-            let high = self.coordinate(walls, axis, End::High);
+            let low = self.coordinate(walls, axis, AxisEnd::Low);
+            let high = self.coordinate(walls, axis, AxisEnd::High);
             [
                 low.unwrap_or(0.0),
                 high.unwrap_or(self.lengths[axis.index()]),

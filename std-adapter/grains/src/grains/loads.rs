@@ -1,6 +1,6 @@
 //! What drives the grains: gravity, pistons, moving plates, shaking, each at its time.
 
-use super::layout::{End, Face, Layout, PLATE, Part};
+use super::layout::{AxisEnd, InitialWall, Layout, PLATE, WallId};
 use super::ramp::Ramp;
 use crate::grains::scene::{Axis, GrainsScene};
 use crate::packing::Packing;
@@ -10,7 +10,7 @@ use tribos_contacts::cd::Rectangle;
 
 /// How a wall is driven along its normal.
 #[derive(Clone, Debug)]
-enum Control {
+enum WallControl {
     /// With the box, which may be shaken.
     Box,
     /// By a stress.
@@ -33,7 +33,7 @@ pub(super) struct Loads {
     plate_speed: Ramp,
     wall_speed: Ramp,
     /// Controls of the walls, in their order, with their places at the start.
-    walls: Vec<(Face, Control, f64)>,
+    walls: Vec<(WallId, WallControl, f64)>,
     /// Rate of rotation of a drum, its radius, and the opening of a hopper.
     drum: (Ramp, f64),
     opening: f64,
@@ -53,18 +53,19 @@ struct Shake {
 impl Loads {
     /// The loads of a scene on the walls of its box.
     pub fn of(scene: &GrainsScene, layout: &Layout) -> Self {
-        let control = |face: Face| match face {
-            Face::Side(_, End::Low) => Control::Box,
-            Face::Side(axis, End::High) => match (scene.pressure(axis), scene.velocity(axis)) {
-                (Some(stress), _) => Control::Stress(stress.clone()),
-                (None, Some(speed)) => Control::Speed(speed.clone()),
-                (None, None) => Control::Box,
+        let control = |face: WallId| match face {
+            WallId::Side(_, AxisEnd::Low) => WallControl::Box,
+            WallId::Side(axis, AxisEnd::High) => match (scene.pressure(axis), scene.velocity(axis))
+            {
+                (Some(stress), _) => WallControl::Stress(stress.clone()),
+                (None, Some(speed)) => WallControl::Speed(speed.clone()),
+                (None, None) => WallControl::Box,
             },
-            Face::Slope => Control::Fixed,
-            Face::Lid => Control::Lid,
-            Face::Facet(along) => Control::Facet(along),
+            WallId::Slope => WallControl::Fixed,
+            WallId::Lid => WallControl::Lid,
+            WallId::Facet(along) => WallControl::Facet(along),
         };
-        let wall = |part: &Part| (part.face, control(part.face), part.place);
+        let wall = |part: &InitialWall| (part.face, control(part.face), part.place);
         Self {
             gravity: scene.gravity.clone(),
             angle: scene.gravity_angle.clone(),
@@ -85,7 +86,7 @@ impl Loads {
     /// Whether a wall is a piston.
     pub fn is_piston(&self, wall: usize) -> bool {
         let control = self.walls.get(wall).map(|(_, control, _)| control);
-        matches!(control, Some(Control::Stress(_)))
+        matches!(control, Some(WallControl::Stress(_)))
     }
 
     /// The value of a ramp at a time, and its integral from the start.
@@ -124,43 +125,43 @@ impl Loads {
         let walls = packing.walls_mut().iter_mut();
         for (wall, (face, control, start)) in walls.zip(&self.walls) {
             let (area, axis) = match face {
-                Face::Side(axis, _) => (Layout::area(&extents, *axis), axis.unit()),
+                WallId::Side(axis, _) => (Layout::area(&extents, *axis), axis.unit()),
                 _ => (0.0, Vector3::zeros()),
             };
             let across = match face {
                 &PLATE => Vector3::x() * self.plate_speed(time),
-                Face::Side(Axis::X | Axis::Y, _) => {
+                WallId::Side(Axis::X | Axis::Y, _) => {
                     Vector3::z() * self.follow(&self.wall_speed, time)[0]
                 }
                 _ => Vector3::zeros(),
             };
             match control {
-                Control::Box => {
+                WallControl::Box => {
                     wall.place = start + wall.outward.dot(&shift);
                     wall.plate.velocity = swing + across;
                 }
-                Control::Stress(stress) => {
+                WallControl::Stress(stress) => {
                     let [stress, _] = self.follow(stress, time);
                     wall.force = stress * area;
                     let along = axis * axis.dot(&wall.plate.velocity);
                     wall.plate.velocity = along + across;
                 }
-                Control::Speed(speed) => {
+                WallControl::Speed(speed) => {
                     let [speed, way] = self.follow(speed, time);
                     wall.place = start + wall.outward.dot(&axis) * way;
                     wall.plate.velocity = axis * speed + across;
                 }
-                Control::Facet(along) => {
+                WallControl::Facet(along) => {
                     let (rate, radius) = &self.drum;
                     let [rate, _] = self.follow(rate, time);
                     // Roundings of its motion must not add up.
                     wall.place = *start;
                     wall.plate.velocity = along * (rate * radius);
                 }
-                Control::Lid if time >= self.opening => {
+                WallControl::Lid if time >= self.opening => {
                     wall.edges = Some(Rectangle::NONE);
                 }
-                Control::Lid | Control::Fixed => {}
+                WallControl::Lid | WallControl::Fixed => {}
             }
         }
     }

@@ -1,6 +1,6 @@
 //! What is measured of the grains after a step.
 
-use super::layout::{End, Face, Layout, PLATE, inward};
+use super::layout::{AxisEnd, Layout, PLATE, WallId, inward};
 use super::loads::Loads;
 use super::parts::volume;
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
@@ -54,7 +54,7 @@ pub(super) type Line = [f64; COLUMNS.len()];
 
 /// State of the packing after a step, for measurements.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Now<'a> {
+pub(super) struct PackingState<'a> {
     pub scene: &'a GrainsScene,
     pub layout: &'a Layout,
     pub loads: &'a Loads,
@@ -63,7 +63,7 @@ pub(super) struct Now<'a> {
     pub report: &'a StepReport,
 }
 
-impl Now<'_> {
+impl PackingState<'_> {
     /// Low and high coordinates of the volume that the grains fill. Below an open top it ends at twice the
     /// mean height of the centres, weighted with mass: the surface of a level bed.
     pub fn extents(&self) -> [[f64; 2]; 3] {
@@ -94,7 +94,7 @@ impl Now<'_> {
     }
 
     /// Force of the grains on a wall; zero if there is none.
-    pub fn force(&self, face: Face) -> Vector3<f64> {
+    pub fn force(&self, face: WallId) -> Vector3<f64> {
         let Some(wall) = self.layout.wall(face) else {
             return Vector3::zeros();
         };
@@ -103,8 +103,8 @@ impl Now<'_> {
     }
 
     /// Force of the grains that pushes a wall outwards.
-    pub fn push(&self, axis: Axis, end: End) -> f64 {
-        -self.force(Face::Side(axis, end)).dot(&inward(axis, end))
+    pub fn push(&self, axis: Axis, end: AxisEnd) -> f64 {
+        -self.force(WallId::Side(axis, end)).dot(&inward(axis, end))
     }
 
     /// Stress of the contacts in a volume.
@@ -149,10 +149,10 @@ impl Now<'_> {
             self.speed(),
             self.contacts.len() as f64,
             self.coordination(),
-            self.push(Axis::Z, End::Low),
-            self.push(Axis::Z, End::High),
-            self.push(Axis::X, End::High),
-            self.push(Axis::Y, End::High),
+            self.push(Axis::Z, AxisEnd::Low),
+            self.push(Axis::Z, AxisEnd::High),
+            self.push(Axis::X, AxisEnd::High),
+            self.push(Axis::Y, AxisEnd::High),
             stress.m11,
             stress.m22,
             stress.m33,

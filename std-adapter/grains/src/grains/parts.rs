@@ -1,13 +1,14 @@
 //! What a packing of grains is made of: material, bodies and method of its scene.
 
 use super::error::GrainsError;
-use super::layout::{Layout, Part};
+use super::layout::{InitialWall, Layout};
 use super::loads::Loads;
 use super::placement::Start;
 use crate::grains::scene::GrainsScene;
 use crate::packing::method::ContactMethod;
 use crate::packing::{
-    Bodies, Differences, Extras, Frozen, Material, Method, Packing, Second, Springs, build_with,
+    Bodies, Material, Method, OptionalFeatures, Packing, SecondMaterial, SecondMaterialKeys,
+    Springs, WorldSnapshot, build_with,
 };
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -24,12 +25,12 @@ pub(super) fn packing(
     scene: &GrainsScene,
     (layout, loads): (&Layout, &Loads),
     start: Start,
-    frozen: Option<&Frozen>,
+    frozen: Option<&WorldSnapshot>,
 ) -> Result<Box<dyn Packing>, GrainsError> {
     let material = scene.material();
-    let extras = Extras {
+    let extras = OptionalFeatures {
         shear_rate: scene.shear_rate.unwrap_or(0.0),
-        second: Second::beside(&material, &scene.differences(), start.kinds.is_second()),
+        second: SecondMaterial::beside(&material, &scene.differences(), start.kinds.is_second()),
         densities: start.kinds.densities,
         velocities: scene.agitation(start.radii.len()),
     };
@@ -39,7 +40,7 @@ pub(super) fn packing(
             .map(|(grain, radius)| extras.density(&material, grain) * volume(*radius))
             .sum()
     });
-    let wall = |(wall, part): (usize, &Part)| {
+    let wall = |(wall, part): (usize, &InitialWall)| {
         let mass = if loads.is_piston(wall) {
             mass
         } else {
@@ -126,8 +127,8 @@ impl GrainsScene {
     }
 
     /// What the second material has of its own.
-    pub(super) fn differences(&self) -> Differences {
-        Differences {
+    pub(super) fn differences(&self) -> SecondMaterialKeys {
+        SecondMaterialKeys {
             density: self.density_second,
             sliding: self.sliding_second,
             sliding_mixed: self.sliding_mixed,

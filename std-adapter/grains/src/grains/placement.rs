@@ -2,7 +2,7 @@
 
 use super::container::has_room;
 use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
-use crate::packing::{Frozen, Kinds, Radii, Second, SizesError};
+use crate::packing::{Kinds, Radii, SecondMaterial, SizesError, WorldSnapshot};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use tribos_base::random::Random;
@@ -22,7 +22,7 @@ pub(super) struct Start {
     pub kinds: Kinds,
     pub contacts: Vec<ContactRow>,
     /// Motion, walls and forces of grains that were not placed at random.
-    pub frozen: Option<Frozen>,
+    pub frozen: Option<WorldSnapshot>,
 }
 
 /// Why grains cannot be placed.
@@ -98,7 +98,7 @@ pub(super) fn start(
         1.0
     };
     let lattice = Lattice::of(scene, widest * largest)?;
-    let is_second = Second::choose(scene.seed, scene.share_second, scene.count);
+    let is_second = SecondMaterial::choose(scene.seed, scene.share_second, scene.count);
     let mut radii = radii(scene, distribution);
     for (radius, _) in radii.iter_mut().zip(&is_second).filter(|(_, is)| **is) {
         *radius *= scene.radius_second;

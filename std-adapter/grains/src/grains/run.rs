@@ -2,14 +2,16 @@
 
 use super::begin::start;
 use super::error::GrainsError;
-use super::laden::{Laden, Slow, bounds};
-use super::layout::{End, Layout};
+use super::laden::{GrainsBody, SlowStepCount, bounds};
+use super::layout::{AxisEnd, Layout};
 use super::loads::Loads;
-use super::measure::{COLUMNS, Now};
+use super::measure::{COLUMNS, PackingState};
 use super::outcome::GrainsSummary;
 use super::parts::packing;
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
-use crate::packing::{ContactStatistics, Drive, Kept, Limits, Told, origin};
+use crate::packing::{
+    ContactStatistics, FrameInfo, Limits, PackingCheckpoint, PackingDriver, origin,
+};
 use serde_json::Value;
 use std::ops::ControlFlow;
 use tribos_base::golden::Measurement;
@@ -59,7 +61,7 @@ impl GrainsStopReason {
 /// [`GrainsScene`] has an example.
 #[derive(Debug)]
 pub struct GrainsSimulation {
-    drive: Drive<Laden, { COLUMNS.len() }>,
+    drive: PackingDriver<GrainsBody, { COLUMNS.len() }>,
 }
 
 impl GrainsSimulation {
@@ -101,7 +103,7 @@ impl GrainsSimulation {
         watch: impl FnMut(usize) -> ControlFlow<()>,
     ) -> Result<Self, GrainsError> {
         scene.check()?;
-        let kept = Kept::read(checkpoint, &scene.json())?;
+        let kept = PackingCheckpoint::read(checkpoint, &scene.json())?;
         let start = start(scene, watch)?;
         let layout = Layout::of(scene, &start)?;
         let loads = Loads::of(scene, &layout);
@@ -112,16 +114,19 @@ impl GrainsSimulation {
             kept.fits(counts, &began_with, bounds(scene))?;
         }
         let (contacts, frozen) = (start.contacts.clone(), start.frozen.clone());
-        let kept_frozen = kept.as_ref().map(|kept: &Kept<Laden, _>| &kept.frozen);
+        let kept_frozen = kept
+            .as_ref()
+            .map(|kept: &PackingCheckpoint<GrainsBody, _>| &kept.frozen);
         let frozen = kept_frozen.or(frozen.as_ref());
         let packing = packing(scene, (&layout, &loads), start, frozen)?;
-        let body = Laden {
+        let body = GrainsBody {
             scene: scene.clone(),
             layout,
             loads,
         };
         let begun = (kinds, began_with);
-        let drive = Drive::begin((body, Slow(0)), (packing, contacts), begun, kept)?;
+        let drive =
+            PackingDriver::begin((body, SlowStepCount(0)), (packing, contacts), begun, kept)?;
         Ok(Self { drive })
     }
 
@@ -181,13 +186,13 @@ impl GrainsSimulation {
     }
 
     /// The current state for measurements.
-    pub(super) fn now(&self) -> Now<'_> {
+    pub(super) fn now(&self) -> PackingState<'_> {
         self.drive.body.now(&self.drive.seen)
     }
 
     /// Low and high corner of the box: its walls, and the highest grain below an open top. All centres are inside.
     fn corners(&self) -> [[f64; 2]; 3] {
-        let Now {
+        let PackingState {
             layout,
             packing,
             scene,
@@ -228,7 +233,7 @@ impl GrainsSimulation {
     pub fn frame(&self) -> Frame {
         let extents = self.now().extents();
         let lengths = extents.map(|[low, high]| high - low);
-        self.drive.frame(&Told {
+        self.drive.frame(&FrameInfo {
             limits: &Limits::of(&self.scene().material()),
             height: lengths[2],
             measure: 1.0 - self.now().solid_fraction(lengths),
@@ -249,7 +254,7 @@ impl GrainsSimulation {
             steps: self.steps(),
             grains: radii.len(),
             mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
-            floor_force: now.push(Axis::Z, End::Low),
+            floor_force: now.push(Axis::Z, AxisEnd::Low),
             surface_angles: now.surface_angles(),
             last: self.record(),
             statistics: ContactStatistics::of(self.contacts(), radii, &limits)

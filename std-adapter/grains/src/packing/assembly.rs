@@ -1,6 +1,6 @@
 //! Spheres in a box as a file or a run has them.
 
-use crate::packing::Frozen;
+use crate::packing::WorldSnapshot;
 use nalgebra::Vector3;
 use serde_json::Value;
 use tribos_base::record::{ContactRow, Partner};
@@ -11,7 +11,7 @@ use tribos_base::space::pairs::{NeighbourError, neighbours};
 ///
 /// ```
 /// use tribos::measure::Assembly;
-/// // Two touching spheres, 1 and 2 in radius, in a box that is open along z.
+/// // Pair2 touching spheres, 1 and 2 in radius, in a box that is open along z.
 /// let text = "2\nLattice=\"20 0 0 0 20 0 0 0 9\" pbc=\"T T F\" \
 ///             Properties=species:S:1:pos:R:3:radius:R:1\nX 19 1 1 1\nX 2 1 1 2\n";
 /// let mut pair = Assembly::parse("pair.xyz", text)?;
@@ -51,7 +51,7 @@ pub struct Assembly {
     /// Whether the periods are assumed: the file does not say which axes are periodic.
     pub(crate) is_assumed: bool,
     /// The complete state of a run.
-    pub(crate) frozen: Option<Frozen>,
+    pub(crate) frozen: Option<WorldSnapshot>,
     /// Normals of the walls of that state.
     pub(crate) outward: Vec<Vector3<f64>>,
 }

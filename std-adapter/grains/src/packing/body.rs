@@ -19,22 +19,22 @@ pub(crate) trait Body<const N: usize>: Debug {
     /// First key of a checkpoint, and the version of its format.
     const FORMAT: (&'static str, u64);
     /// When contacts are found and measured.
-    const CADENCE: Cadence;
+    const CADENCE: MeasurementSchedule;
 
     /// The scene of the run, as it is written into files.
     fn scene(&self) -> Value;
     /// When a run ends in any case, and how often it writes.
-    fn bounds(&self) -> Bounds;
+    fn bounds(&self) -> RunLimits;
     /// Sets the loads of the next step.
     fn prepare(&self, watch: &mut Self::Watch, packing: &mut dyn Packing);
     /// Measures after a step, in the cadence of the body.
-    fn measure(&self, _watch: &mut Self::Watch, _seen: &Seen) {}
+    fn measure(&self, _watch: &mut Self::Watch, _seen: &MeasuredState) {}
     /// Share of the volume below the lid, or of the area, that is solid.
-    fn solid_fraction(&self, seen: &Seen) -> f64;
+    fn solid_fraction(&self, seen: &MeasuredState) -> f64;
     /// The current line of the series.
-    fn line(&self, watch: &Self::Watch, seen: &Seen) -> [f64; N];
+    fn line(&self, watch: &Self::Watch, seen: &MeasuredState) -> [f64; N];
     /// Whether the run is over before its bounds, asked once after every step.
-    fn is_over(&self, watch: &mut Self::Watch, seen: &Seen) -> bool;
+    fn is_over(&self, watch: &mut Self::Watch, seen: &MeasuredState) -> bool;
 
     /// Adds what is remembered to a checkpoint.
     fn put(watch: &Self::Watch, map: &mut Map<String, Value>);
@@ -63,7 +63,7 @@ pub(crate) trait Ending: Copy + Debug + PartialEq {
 
 /// When the contacts of a run are found and measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Cadence {
+pub(crate) enum MeasurementSchedule {
     /// After every step.
     Steps,
     /// For every line of the series.
@@ -72,7 +72,7 @@ pub(crate) enum Cadence {
 
 /// When a run ends in any case, and how often it writes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounds {
+pub(crate) struct RunLimits {
     /// Time after which a run ends; infinite for none.
     pub duration: f64,
     /// Steps after which a run ends.
@@ -83,7 +83,7 @@ pub(crate) struct Bounds {
 
 /// A packing between two steps.
 #[derive(Debug)]
-pub(crate) struct Seen {
+pub(crate) struct MeasuredState {
     pub packing: Box<dyn Packing>,
     /// Contacts with their forces, as of the last measurement.
     pub contacts: Vec<ContactRow>,
@@ -91,7 +91,7 @@ pub(crate) struct Seen {
     pub report: StepReport,
 }
 
-impl Bounds {
+impl RunLimits {
     /// The bound that is reached.
     pub fn reached<E: Ending>(&self, (time, steps): (f64, u64)) -> Option<E> {
         if time >= self.duration {

@@ -11,15 +11,15 @@ use tribos_core::contact::{
 /// Sets of contact modes for which a type exists; an absent mode is neither stored nor computed.
 ///
 /// ```
-/// use tribos::powder::CarriedModes;
-/// let modes = CarriedModes::SlidingTorsion;
+/// use tribos::powder::ModeSet;
+/// let modes = ModeSet::SlidingTorsion;
 /// assert_eq!(modes.has(), [true, false, true]);
 /// assert_eq!(modes.unknowns(), 4); // normal, two of sliding, torsion
 /// let [alike, any] = modes.bytes();
-/// assert!(alike < any && any < CarriedModes::All.bytes()[1]);
+/// assert!(alike < any && any < ModeSet::All.bytes()[1]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CarriedModes {
+pub enum ModeSet {
     /// Normal force only.
     Normal,
     /// Normal force and sliding.
@@ -34,9 +34,9 @@ pub enum CarriedModes {
 
 /// Modes of a material's contacts and the shape of their limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Carried {
+pub struct ActiveModes {
     /// Set of modes.
-    pub modes: CarriedModes,
+    pub modes: ModeSet,
     /// How the limits of sliding and torsion are combined; independent if one of them is absent.
     pub coupling: FrictionCoupling,
 }
@@ -46,32 +46,32 @@ impl Material {
     /// coefficient of zero in it are carried but never resist.
     ///
     /// ```
-    /// use tribos::powder::{Carried, CarriedModes};
+    /// use tribos::powder::{Carried, ModeSet};
     /// use tribos::scene::{ReducedFriction, PowderScene};
     /// // Sliding resists unless it is switched off.
     /// let scene = PowderScene { torsion: 0.1, ..PowderScene::default() };
-    /// let (modes, coupling) = (CarriedModes::SlidingTorsion, ReducedFriction::Independent);
+    /// let (modes, coupling) = (ModeSet::SlidingTorsion, ReducedFriction::Independent);
     /// assert_eq!(scene.material().carried(), Carried { modes, coupling });
     /// ```
-    pub fn carried(&self) -> Carried {
+    pub fn carried(&self) -> ActiveModes {
         let [slides, rolls, twists] = [self.sliding, self.rolling, self.torsion].map(|mu| mu > 0.0);
         let modes = match [slides, rolls, twists] {
-            [false, false, false] => CarriedModes::Normal,
-            [true, false, false] => CarriedModes::Sliding,
-            [true, false, true] => CarriedModes::SlidingTorsion,
-            [true, true, false] => CarriedModes::SlidingRolling,
-            _ => CarriedModes::All,
+            [false, false, false] => ModeSet::Normal,
+            [true, false, false] => ModeSet::Sliding,
+            [true, false, true] => ModeSet::SlidingTorsion,
+            [true, true, false] => ModeSet::SlidingRolling,
+            _ => ModeSet::All,
         };
         let coupling = if slides && twists {
             self.coupling
         } else {
             FrictionCoupling::Independent
         };
-        Carried { modes, coupling }
+        ActiveModes { modes, coupling }
     }
 }
 
-impl CarriedModes {
+impl ModeSet {
     /// Number of unknowns of a contact, including the normal one.
     pub fn unknowns(self) -> usize {
         match self {

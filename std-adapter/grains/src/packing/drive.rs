@@ -2,8 +2,8 @@
 //!
 //! A [`Body`] says its loads, its measures and when it ends; all else of a run is here.
 
-use super::body::{Body, Cadence, Ending, Seen};
-use super::kept::{Kept, ORIGIN};
+use super::body::{Body, Ending, MeasuredState, MeasurementSchedule};
+use super::kept::{ORIGIN, PackingCheckpoint};
 use super::last::put_report;
 use super::{Kinds, Limits, Packing, PackingRunError, Shape, Stored, Totals};
 use serde_json::{Map, Value};
@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use std::error::Error;
 use std::time::Instant;
 use tribos_base::golden::{Digest, Measurement, contacts, digest};
-use tribos_base::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
+use tribos_base::record::frames::{Bodies, ContactStateFlags, Frame, FrameContact, Kind};
 use tribos_base::record::kept::hex;
 use tribos_base::record::{ContactRow, Snapshot, json_number, sealed};
 use tribos_contacts::cd::{EnergyBalance, StepReport};
@@ -22,10 +22,10 @@ const TOO_DEEP: f64 = 0.1;
 
 /// A packing in motion.
 #[derive(Debug)]
-pub(crate) struct Drive<B: Body<N>, const N: usize> {
+pub(crate) struct PackingDriver<B: Body<N>, const N: usize> {
     pub body: B,
     pub watch: B::Watch,
-    pub seen: Seen,
+    pub seen: MeasuredState,
     pub series: Vec<[f64; N]>,
     /// Why the run ended, if it has.
     pub ending: Option<B::Ending>,
@@ -38,7 +38,7 @@ pub(crate) struct Drive<B: Body<N>, const N: usize> {
 
 /// What a frame tells of a body beside its spheres.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Told<'a> {
+pub(crate) struct FrameInfo<'a> {
     pub limits: &'a Limits,
     pub height: f64,
     pub measure: f64,
@@ -46,18 +46,18 @@ pub(crate) struct Told<'a> {
     pub extents: [[f64; 2]; 3],
 }
 
-impl<B: Body<N>, const N: usize> Drive<B, N> {
+impl<B: Body<N>, const N: usize> PackingDriver<B, N> {
     /// A run at its start, or where it was kept.
     pub fn begin<P: Error>(
         (body, watch): (B, B::Watch),
         (packing, contacts): (Box<dyn Packing>, Vec<ContactRow>),
         (kinds, origin): (Kinds, String),
-        kept: Option<Kept<B, N>>,
+        kept: Option<PackingCheckpoint<B, N>>,
     ) -> Result<Self, PackingRunError<P>> {
         let mut run = Self {
             body,
             watch,
-            seen: Seen {
+            seen: MeasuredState {
                 packing,
                 contacts,
                 report: StepReport::default(),
@@ -77,7 +77,10 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
     }
 
     /// Takes over what a checkpoint has beside the packing.
-    fn restore<P: Error>(&mut self, kept: Kept<B, N>) -> Result<(), PackingRunError<P>> {
+    fn restore<P: Error>(
+        &mut self,
+        kept: PackingCheckpoint<B, N>,
+    ) -> Result<(), PackingRunError<P>> {
         self.watch = kept.watch;
         self.totals = kept.totals;
         self.series = kept.series;
@@ -99,7 +102,7 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
         seen.report = seen.packing.step()?;
         self.totals.add(&seen.report);
         self.check_overlap()?;
-        if B::CADENCE == Cadence::Steps {
+        if B::CADENCE == MeasurementSchedule::Steps {
             self.look()?;
         }
 
@@ -111,13 +114,13 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
             bounds.reached(self.seen.packing.clock())
         };
         let is_line = ending.is_some() || self.steps().is_multiple_of(bounds.samples);
-        if is_line && B::CADENCE == Cadence::Lines {
+        if is_line && B::CADENCE == MeasurementSchedule::Lines {
             self.look()?;
         }
         if is_line {
             self.judge_overlap()?;
         }
-        if is_line || B::CADENCE == Cadence::Steps {
+        if is_line || B::CADENCE == MeasurementSchedule::Steps {
             let line = self.finite_line()?;
             if is_line {
                 self.series.push(line);
@@ -220,8 +223,8 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
     /// Contacts at the current places: between two lines of the series they are found anew.
     fn contacts_now(&self) -> Cow<'_, [ContactRow]> {
         let found = match B::CADENCE {
-            Cadence::Lines => self.seen.packing.contacts().ok(),
-            Cadence::Steps => None,
+            MeasurementSchedule::Lines => self.seen.packing.contacts().ok(),
+            MeasurementSchedule::Steps => None,
         };
         found.map_or(Cow::Borrowed(self.seen.contacts.as_slice()), Cow::Owned)
     }
@@ -310,7 +313,7 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
     }
 
     /// The current state as a frame.
-    pub fn frame(&self, told: &Told<'_>) -> Frame {
+    pub fn frame(&self, told: &FrameInfo<'_>) -> Frame {
         let packing = &self.seen.packing;
         let (space, radii) = (packing.space(), packing.radii());
         let corner = |end: usize| told.extents.map(|ends| ends[end] as f32);
@@ -318,7 +321,10 @@ impl<B: Body<N>, const N: usize> Drive<B, N> {
             a: row.a,
             b: row.b,
             normal_force: row.normal_force() as f32,
-            hold: told.limits.reached(row, radii).map_or(Hold::OPEN, Hold::of),
+            hold: told
+                .limits
+                .reached(row, radii)
+                .map_or(ContactStateFlags::OPEN, ContactStateFlags::of),
         };
         let spheres = packing.spheres().iter();
         Frame {

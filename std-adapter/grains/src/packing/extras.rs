@@ -6,10 +6,10 @@ use tribos_base::random::Random;
 
 /// A shear and a second material, of which most bodies have neither.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Extras {
+pub(crate) struct OptionalFeatures {
     /// Rate of a simple shear, velocity along x over height along z.
     pub shear_rate: f64,
-    pub second: Option<Second>,
+    pub second: Option<SecondMaterial>,
     /// Densities of the spheres; those of the material if there are none.
     pub densities: Vec<f64>,
     /// Velocities at the start, beside that of the shear; none if there are fewer than spheres.
@@ -18,7 +18,7 @@ pub(crate) struct Extras {
 
 /// A second material among the spheres.
 #[derive(Clone, Debug)]
-pub(crate) struct Second {
+pub(crate) struct SecondMaterial {
     /// One flag a sphere, true if it is of the second material.
     pub is_second: Vec<bool>,
     /// Its law; spheres have their own densities.
@@ -33,13 +33,13 @@ const STREAM: u64 = 2;
 /// What a scene says of its second material; what it leaves out is that of the first, and between the two the
 /// geometric mean.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Differences {
+pub(crate) struct SecondMaterialKeys {
     pub density: Option<f64>,
     pub sliding: Option<f64>,
     pub sliding_mixed: Option<f64>,
 }
 
-impl Second {
+impl SecondMaterial {
     /// Which of so many spheres are of the second material: a share of all, each choice as likely (Knuth's
     /// algorithm S).
     pub fn choose(seed: u64, share: f64, count: usize) -> Vec<bool> {
@@ -54,7 +54,11 @@ impl Second {
     }
 
     /// The second material beside a first one; `None` if there is no sphere of it, or if its law is the first's.
-    pub fn beside(first: &Material, other: &Differences, is_second: Vec<bool>) -> Option<Self> {
+    pub fn beside(
+        first: &Material,
+        other: &SecondMaterialKeys,
+        is_second: Vec<bool>,
+    ) -> Option<Self> {
         let sliding = other.sliding.unwrap_or(first.sliding);
         let mean = (first.sliding * sliding).sqrt();
         let is_other = other.sliding.is_some() || other.sliding_mixed.is_some();
@@ -69,7 +73,7 @@ impl Second {
     }
 }
 
-impl Extras {
+impl OptionalFeatures {
     /// Density of a sphere.
     pub fn density(&self, first: &Material, sphere: usize) -> f64 {
         self.densities.get(sphere).copied().unwrap_or(first.density)

@@ -18,7 +18,7 @@ const IMPACTS: [&str; 2] = ["pair_impacts", "wall_impacts"];
 
 /// The state of a world independent of its contact modes.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Frozen {
+pub(crate) struct WorldSnapshot {
     pub time: f64,
     pub steps: u64,
     pub positions: Vec<Vector3<f64>>,
@@ -51,7 +51,7 @@ pub(crate) struct Force {
     pub torsion: f64,
 }
 
-impl Frozen {
+impl WorldSnapshot {
     /// Adds the state to a checkpoint.
     pub fn put(&self, map: &mut Map<String, Value>) {
         let mut put = |name: &str, numbers: Vec<f64>| {

@@ -1,6 +1,6 @@
 //! Spheres that a scene starts from in place of its own: read, and checked against its box.
 
-use super::{Forces, Frozen};
+use super::{Forces, WorldSnapshot};
 use crate::packing::method::ContactMethod;
 use crate::packing::{Assembly, AssemblyError};
 use nalgebra::Vector3;
@@ -132,7 +132,7 @@ fn check_spheres(
     }
 }
 
-impl Frozen {
+impl WorldSnapshot {
     /// The same state at time 0 of a run with other parameters: clock, energies and sleep begin anew. Springs
     /// are of no use to constraint forces, nor impacts to springs.
     pub(crate) fn at_start(&self, is_soft: bool) -> Self {

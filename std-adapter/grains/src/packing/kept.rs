@@ -1,8 +1,8 @@
 //! Checkpoint files of a run: its complete state, from which it continues with identical bits.
 
-use super::body::{Body, Bounds, Ending};
+use super::body::{Body, Ending, RunLimits};
 use super::last::read_report;
-use super::{Frozen, Totals};
+use super::{Totals, WorldSnapshot};
 use serde_json::Value;
 use tribos_base::record::CheckpointError;
 use tribos_base::record::kept::{damaged, groups, opened};
@@ -13,8 +13,8 @@ pub(super) const ORIGIN: &str = "began_with";
 
 /// State of a run between two steps.
 #[derive(Debug)]
-pub(crate) struct Kept<B: Body<N>, const N: usize> {
-    pub frozen: Frozen,
+pub(crate) struct PackingCheckpoint<B: Body<N>, const N: usize> {
+    pub frozen: WorldSnapshot,
     pub totals: Totals,
     /// Report of the last step.
     pub report: StepReport,
@@ -26,7 +26,7 @@ pub(crate) struct Kept<B: Body<N>, const N: usize> {
     pub ending: Option<B::Ending>,
 }
 
-impl<B: Body<N>, const N: usize> Kept<B, N> {
+impl<B: Body<N>, const N: usize> PackingCheckpoint<B, N> {
     /// Reads a checkpoint of the same scene, if there is one.
     pub fn read(text: Option<&str>, scene: &Value) -> Result<Option<Self>, CheckpointError> {
         let Some(text) = text else {
@@ -34,7 +34,7 @@ impl<B: Body<N>, const N: usize> Kept<B, N> {
         };
         let value = opened(text, B::FORMAT, scene)?;
         Ok(Some(Self {
-            frozen: Frozen::read(&value)?,
+            frozen: WorldSnapshot::read(&value)?,
             totals: Totals::read(&value)?,
             report: read_report(&value)?,
             origin: value[ORIGIN]
@@ -59,7 +59,7 @@ impl<B: Body<N>, const N: usize> Kept<B, N> {
         &self,
         (spheres, walls): (usize, usize),
         origin: &str,
-        to: Bounds,
+        to: RunLimits,
     ) -> Result<(), CheckpointError> {
         if self.origin != origin {
             return Err(CheckpointError::Scene {

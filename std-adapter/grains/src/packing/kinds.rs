@@ -1,6 +1,6 @@
 //! What each sphere of a packing is: its material and its density.
 
-use super::{Differences, Material, Second};
+use super::{Material, SecondMaterial, SecondMaterialKeys};
 use crate::packing::Assembly;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
@@ -21,7 +21,7 @@ pub(crate) struct Kinds {
 
 impl Kinds {
     /// Spheres of two materials, each with the density of its own.
-    pub fn of(is_second: &[bool], first: &Material, other: &Differences) -> Self {
+    pub fn of(is_second: &[bool], first: &Material, other: &SecondMaterialKeys) -> Self {
         let number = |&is: &bool| if is { SECOND } else { FIRST };
         let second = other.density.unwrap_or(first.density);
         let density = |&is: &bool| if is { second } else { first.density };
@@ -36,9 +36,9 @@ impl Kinds {
     pub fn given(
         assembly: &Assembly,
         (seed, share): (u64, f64),
-        (first, other): (&Material, &Differences),
+        (first, other): (&Material, &SecondMaterialKeys),
     ) -> Self {
-        let drawn = || Second::choose(seed, share, assembly.radii.len());
+        let drawn = || SecondMaterial::choose(seed, share, assembly.radii.len());
         let of_file = assembly.materials.as_ref();
         let is_second: Vec<bool> = of_file.map_or_else(drawn, |all| {
             all.iter().map(|&material| material == SECOND).collect()

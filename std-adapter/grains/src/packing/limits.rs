@@ -37,7 +37,7 @@ const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     friction: [f64; 3],
-    joint: Option<Joint>,
+    joint: Option<CommonThreshold>,
     /// Cohesion, and the largest gap at which it acts.
     cohesion: f64,
     range: f64,
@@ -46,7 +46,7 @@ pub struct Limits {
 
 /// Common threshold of the sliding force over P and the torsion torque over P r_eff.
 #[derive(Clone, Copy, Debug)]
-enum Joint {
+enum CommonThreshold {
     Ellipsoid(LimitEllipsoid<f64>),
     Exact(RoundLimitSurface<f64, table::CoulombDisk>),
 }
@@ -58,8 +58,10 @@ impl Limits {
         let mu = material.sliding;
         let joint = match material.carried().coupling {
             FrictionCoupling::Independent => None,
-            FrictionCoupling::Ellipsoid => material.ellipsoid(mu).ok().map(Joint::Ellipsoid),
-            FrictionCoupling::Exact => material.exact(mu).ok().map(Joint::Exact),
+            FrictionCoupling::Ellipsoid => {
+                material.ellipsoid(mu).ok().map(CommonThreshold::Ellipsoid)
+            }
+            FrictionCoupling::Exact => material.exact(mu).ok().map(CommonThreshold::Exact),
         };
         Self {
             friction: [mu, material.rolling, material.torsion],
@@ -118,7 +120,7 @@ impl Limits {
     }
 }
 
-impl Joint {
+impl CommonThreshold {
     /// 1 if the relative loads of sliding and torsion lie on the surface of the set.
     fn gauge(&self, [force, _, torque]: [f64; 3]) -> f64 {
         let wrench = Wrench::new(force, 0.0, torque);

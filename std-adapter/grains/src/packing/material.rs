@@ -10,11 +10,11 @@ use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 /// The material of a packing's spheres: the law of their contacts. Any consistent units.
 ///
 /// ```
-/// use tribos::powder::{CarriedModes, Material};
+/// use tribos::powder::{ModeSet, Material};
 /// # use tribos::scene::PowderScene;
 /// let powder: Material = PowderScene { rolling: 0.1, ..PowderScene::default() }.material();
 /// assert_eq!((powder.cohesion, powder.density), (1.0, 1.0)); // the units of a powder
-/// assert_eq!(powder.carried().modes, CarriedModes::SlidingRolling);
+/// assert_eq!(powder.carried().modes, ModeSet::SlidingRolling);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {

@@ -1,7 +1,7 @@
 //! Packings: spheres between walls, with a material and a method for their contacts chosen at run time.
 //!
 //! A body's scene says the `Material`, the `Bodies` and the `Method`; `build` makes a `Packing` of them. A
-//! `Drive` runs it: the `Body` says its loads, its measures and when it ends.
+//! `PackingDriver` runs it: the `Body` says its loads, its measures and when it ends.
 
 pub mod assembly;
 mod body;
@@ -29,14 +29,14 @@ mod totals;
 mod volume;
 
 pub use assembly::Assembly;
-pub(crate) use body::{Body, Bounds, Cadence, Ending, Seen};
-pub use carried::{Carried, CarriedModes};
+pub(crate) use body::{Body, Ending, MeasuredState, MeasurementSchedule, RunLimits};
+pub use carried::{ActiveModes, ModeSet};
 pub(crate) use cost::{stable_step, stable_step_between, update_seconds};
-pub(crate) use drive::{Drive, Told, losses, object};
-pub(crate) use extras::{Differences, Extras, Second};
-pub(crate) use frozen::{Force, Forces, Frozen};
+pub(crate) use drive::{FrameInfo, PackingDriver, losses, object};
+pub(crate) use extras::{OptionalFeatures, SecondMaterial, SecondMaterialKeys};
+pub(crate) use frozen::{Force, Forces, WorldSnapshot};
 pub(crate) use given::{deepest, given};
-pub(crate) use kept::Kept;
+pub(crate) use kept::PackingCheckpoint;
 pub(crate) use kinds::{Kinds, mixed, origin};
 pub use limits::Limits;
 pub use material::Material;
@@ -142,7 +142,7 @@ pub(crate) trait Packing: Debug {
     /// that was asked for leaves.
     fn is_rigid(&self) -> bool;
     /// The complete state of a run.
-    fn freeze(&self) -> Frozen;
+    fn freeze(&self) -> WorldSnapshot;
 }
 
 /// Builds a packing at its start or from a stored state. Modes whose coefficient is zero are omitted if a
@@ -151,17 +151,22 @@ pub(crate) fn build(
     material: &Material,
     bodies: Bodies,
     method: &Method,
-    frozen: Option<&Frozen>,
+    frozen: Option<&WorldSnapshot>,
 ) -> Result<Box<dyn Packing>, PackingError> {
-    build_with(material, (bodies, &Extras::default()), method, frozen)
+    build_with(
+        material,
+        (bodies, &OptionalFeatures::default()),
+        method,
+        frozen,
+    )
 }
 
 /// [`build`] with a shear or a second material.
 pub(crate) fn build_with(
     material: &Material,
-    bodies: (Bodies, &Extras),
+    bodies: (Bodies, &OptionalFeatures),
     method: &Method,
-    frozen: Option<&Frozen>,
+    frozen: Option<&WorldSnapshot>,
 ) -> Result<Box<dyn Packing>, PackingError> {
     rigid::build(material, bodies, method, frozen)
 }

@@ -1,8 +1,8 @@
 //! A world of contact dynamics with its contact modes hidden behind the trait of packings.
 
 use super::{
-    Bodies, CarriedModes, Extras, Force, Forces, Frozen, Material, Method, Packing, PackingError,
-    soft,
+    Bodies, Force, Forces, Material, Method, ModeSet, OptionalFeatures, Packing, PackingError,
+    WorldSnapshot, soft,
 };
 use crate::packing::method::{FrictionCoupling, WallLaw};
 use nalgebra::Vector3;
@@ -24,17 +24,17 @@ use tribos_core::limit_surface::FrictionSet;
 /// What a world starts from.
 type Parts<'a> = (
     &'a Material,
-    (Bodies, &'a Extras),
+    (Bodies, &'a OptionalFeatures),
     &'a Method,
-    Option<&'a Frozen>,
+    Option<&'a WorldSnapshot>,
 );
 
 /// Builds a world whose type has the modes that resist.
 pub(super) fn build(
     material: &Material,
-    bodies: (Bodies, &Extras),
+    bodies: (Bodies, &OptionalFeatures),
     method: &Method,
-    frozen: Option<&Frozen>,
+    frozen: Option<&WorldSnapshot>,
 ) -> Result<Box<dyn Packing>, PackingError> {
     let carried = bodies.1.widest(material).carried();
     let at = (material, bodies, method, frozen);
@@ -48,20 +48,20 @@ pub(super) fn build(
         }
     }
     match carried.modes {
-        CarriedModes::Normal => boxed(at, |_| Ok([IndependentFriction::none(); 2])),
-        CarriedModes::Sliding => boxed(at, |m| {
+        ModeSet::Normal => boxed(at, |_| Ok([IndependentFriction::none(); 2])),
+        ModeSet::Sliding => boxed(at, |m| {
             let of = IndependentFriction::sliding;
             Ok(both(m, of(m.sliding)?, of(0.0)?))
         }),
-        CarriedModes::SlidingTorsion => boxed(at, |m| {
+        ModeSet::SlidingTorsion => boxed(at, |m| {
             let of = IndependentFriction::sliding_torsion;
             Ok(both(m, of(m.sliding, m.torsion)?, of(0.0, 0.0)?))
         }),
-        CarriedModes::SlidingRolling => boxed(at, |m| {
+        ModeSet::SlidingRolling => boxed(at, |m| {
             let of = IndependentFriction::sliding_rolling;
             Ok(both(m, of(m.sliding, m.rolling)?, of(0.0, 0.0)?))
         }),
-        CarriedModes::All => boxed(at, |m| {
+        ModeSet::All => boxed(at, |m| {
             let of = IndependentFriction::all;
             let rough = of(m.sliding, m.rolling, m.torsion)?;
             Ok(both(m, rough, of(0.0, 0.0, 0.0)?))
@@ -175,7 +175,7 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
 }
 
 /// Restores a stored state in a new world of the same bodies.
-fn thaw<M: ContactModes<f64>>(frozen: &Frozen, state: &mut WorldState<M>) {
+fn thaw<M: ContactModes<f64>>(frozen: &WorldSnapshot, state: &mut WorldState<M>) {
     state.time = frozen.time;
     state.steps = frozen.steps;
     state.positions.clone_from(&frozen.positions);
@@ -323,9 +323,9 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         Ok(rows)
     }
 
-    fn freeze(&self) -> Frozen {
+    fn freeze(&self) -> WorldSnapshot {
         let state = self.state();
-        Frozen {
+        WorldSnapshot {
             time: state.time,
             steps: state.steps,
             positions: state.positions.clone(),

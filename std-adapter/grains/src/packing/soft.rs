@@ -1,6 +1,6 @@
 //! A world of soft spheres with its contact modes hidden behind the trait of packings.
 
-use super::{Bodies, Force, Forces, Frozen, Packing, PackingError, Springs};
+use super::{Bodies, Force, Forces, Packing, PackingError, Springs, WorldSnapshot};
 use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
@@ -28,7 +28,7 @@ pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
     density: impl Fn(usize) -> f64,
     bodies: Bodies,
     springs: &Springs,
-    frozen: Option<&Frozen>,
+    frozen: Option<&WorldSnapshot>,
     laws: WorldMaterials<F>,
 ) -> Result<Box<dyn Packing>, PackingError> {
     let limits = springs.step_limits;
@@ -59,7 +59,7 @@ pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
 
 /// Restores a stored state in a new world of the same bodies.
 fn thaw<F: ContactFriction<f64>>(
-    frozen: &Frozen,
+    frozen: &WorldSnapshot,
     world: &mut SoftWorld<F>,
 ) -> Result<(), WorldError> {
     let state = world.state_mut();
@@ -190,10 +190,10 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
         self.world.setup().space
     }
 
-    fn freeze(&self) -> Frozen {
+    fn freeze(&self) -> WorldSnapshot {
         let state = self.world.state();
         let bodies = state.spheres.len();
-        Frozen {
+        WorldSnapshot {
             time: state.time,
             steps: self.steps,
             positions: state.positions.clone(),

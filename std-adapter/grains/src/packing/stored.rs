@@ -1,6 +1,6 @@
 //! The last state of a packing as a file, complete to the bit: spheres, walls, contacts, motion.
 
-use super::{Frozen, Kinds};
+use super::{Kinds, WorldSnapshot};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use tribos_base::record::kept::{damaged, groups, hex, numbers, of_other_body, triple};
@@ -33,7 +33,7 @@ pub(crate) struct Shape {
 pub(crate) struct Stored {
     pub scene: Value,
     pub shape: Shape,
-    pub frozen: Frozen,
+    pub frozen: WorldSnapshot,
 }
 
 impl Shape {
@@ -107,7 +107,7 @@ impl Stored {
         let stored = Self {
             scene: value["scene"].clone(),
             shape: Shape::read(&value)?,
-            frozen: Frozen::read(&value)?,
+            frozen: WorldSnapshot::read(&value)?,
         };
         let (spheres, walls) = (stored.shape.radii.len(), stored.shape.outward.len());
         let known = |row: &ContactRow| {

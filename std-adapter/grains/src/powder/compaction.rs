@@ -4,10 +4,12 @@ use super::deposit::{BULK, Deposit, DepositError};
 use super::error::CompactionError;
 use super::outcome::PowderSummary;
 use super::parts::packing;
-use super::press::{Press, Watch, bounds, height};
+use super::press::{PowderBody, Watch, bounds, height};
 use super::start::Start;
 use crate::packing::volume_between;
-use crate::packing::{ContactStatistics, Drive, Kept, Limits, Told, origin};
+use crate::packing::{
+    ContactStatistics, FrameInfo, Limits, PackingCheckpoint, PackingDriver, origin,
+};
 use crate::powder::scene::PowderScene;
 use std::ops::ControlFlow;
 use tribos_base::record::frames::{Bodies, Frame, Kind};
@@ -100,7 +102,7 @@ impl PowderStopReason {
 /// ```
 #[derive(Debug)]
 pub struct PowderSimulation {
-    pub(super) drive: Drive<Press, { COLUMNS.len() }>,
+    pub(super) drive: PackingDriver<PowderBody, { COLUMNS.len() }>,
     /// Contacts at the start.
     first_contacts: Vec<ContactRow>,
 }
@@ -194,20 +196,22 @@ impl PowderSimulation {
         watch: impl FnMut(usize) -> ControlFlow<()>,
     ) -> Result<Self, CompactionError> {
         scene.check()?;
-        let kept = Kept::read(checkpoint, &scene.json())?;
+        let kept = PackingCheckpoint::read(checkpoint, &scene.json())?;
         let start = Start::of(scene, watch)?;
         let (deposit, kinds) = (start.deposit, start.kinds);
         let began_with = origin(&deposit.positions, &deposit.radii, &kinds);
         if let Some(kept) = &kept {
             kept.fits((deposit.positions.len(), 2), &began_with, bounds(scene))?;
         }
-        let frozen = kept.as_ref().map(|kept: &Kept<Press, _>| &kept.frozen);
+        let frozen = kept
+            .as_ref()
+            .map(|kept: &PackingCheckpoint<PowderBody, _>| &kept.frozen);
         let begun = (&deposit, &kinds);
         let packing = packing(scene, begun, frozen.or(start.frozen.as_ref()))?;
         let watch = Watch::starting(deposit.height);
-        let body = Press::new(scene, deposit);
+        let body = PowderBody::new(scene, deposit);
         let first_contacts = start.contacts;
-        let drive = Drive::begin(
+        let drive = PackingDriver::begin(
             (body, watch),
             (packing, first_contacts.clone()),
             (kinds, began_with),
@@ -371,7 +375,7 @@ impl PowderSimulation {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn frame(&self) -> Frame {
-        self.drive.frame(&Told {
+        self.drive.frame(&FrameInfo {
             limits: &Limits::of(&self.drive.body.scene.material()),
             height: self.height(),
             measure: self.porosity(),
@@ -381,7 +385,7 @@ impl PowderSimulation {
 
     /// Summary of the run so far.
     pub fn outcome(&self) -> PowderSummary {
-        let Drive {
+        let PackingDriver {
             body, seen, watch, ..
         } = &self.drive;
         let (scene, area, height) = (&body.scene, body.area(), self.height());

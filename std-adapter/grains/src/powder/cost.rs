@@ -6,7 +6,7 @@ use super::parts;
 use super::start::Start;
 use crate::packing::Assembly;
 use crate::packing::method::{ContactMethod, FrictionCoupling};
-use crate::packing::{self, CarriedModes, Method, Packing};
+use crate::packing::{self, Method, ModeSet, Packing};
 use crate::powder::scene::{PowderScene, SweepMethod, SweepOrder, SweepStop};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
@@ -46,11 +46,11 @@ pub struct PowderCost {
 /// Contacts per sphere after compaction. The thesis' small system ends with 2.8 if smooth, with 2.1
 /// under sliding friction, and with 1.5 and 1.0 for rolling and torsion coefficients of 0.1 and 1:
 /// the more a contact can bear, the fewer are needed.
-fn contacts_a_sphere(modes: CarriedModes) -> [f64; 2] {
+fn contacts_a_sphere(modes: ModeSet) -> [f64; 2] {
     match modes {
-        CarriedModes::Normal => [2.6, 3.0],
-        CarriedModes::Sliding | CarriedModes::SlidingTorsion => [2.0, 2.6],
-        CarriedModes::SlidingRolling | CarriedModes::All => [1.0, 2.0],
+        ModeSet::Normal => [2.6, 3.0],
+        ModeSet::Sliding | ModeSet::SlidingTorsion => [2.0, 2.6],
+        ModeSet::SlidingRolling | ModeSet::All => [1.0, 2.0],
     }
 }
 

@@ -17,7 +17,7 @@ mod start;
 
 pub use crate::packing::ContactStatistics;
 #[doc(hidden)]
-pub use crate::packing::{Carried, CarriedModes, Limits, Material, STATE, Stress};
+pub use crate::packing::{ActiveModes, Limits, Material, ModeSet, STATE, Stress};
 #[doc(hidden)]
 pub use blocked::{Means, Window};
 #[doc(hidden)]

@@ -3,8 +3,8 @@
 use super::deposit::{Deposit, SUBSTRATE};
 use crate::packing::method::ContactMethod;
 use crate::packing::{
-    Bodies, Differences, Extras, Frozen, Kinds, Material, Method, Packing, PackingError, Second,
-    Springs, build_with,
+    Bodies, Kinds, Material, Method, OptionalFeatures, Packing, PackingError, SecondMaterial,
+    SecondMaterialKeys, Springs, WorldSnapshot, build_with,
 };
 use crate::powder::scene::PowderScene;
 use nalgebra::Vector3;
@@ -34,13 +34,13 @@ const _: () = assert!(SUBSTRATE == 0 && PISTON == 1);
 pub(super) fn packing(
     scene: &PowderScene,
     (deposit, kinds): (&Deposit, &Kinds),
-    frozen: Option<&Frozen>,
+    frozen: Option<&WorldSnapshot>,
 ) -> Result<Box<dyn Packing>, PackingError> {
     let material = scene.material();
-    let extras = Extras {
-        second: Second::beside(&material, &scene.differences(), kinds.is_second()),
+    let extras = OptionalFeatures {
+        second: SecondMaterial::beside(&material, &scene.differences(), kinds.is_second()),
         densities: kinds.densities.clone(),
-        ..Extras::default()
+        ..OptionalFeatures::default()
     };
     let bodies = (bodies(scene, deposit), &extras);
     build_with(&material, bodies, &scene.contact_method(), frozen)
@@ -66,13 +66,13 @@ fn bodies(scene: &PowderScene, deposit: &Deposit) -> Bodies {
 impl PowderScene {
     /// Materials and densities of spheres that no file has.
     pub(super) fn kinds(&self, count: usize) -> Kinds {
-        let is_second = Second::choose(self.seed, self.share_second, count);
+        let is_second = SecondMaterial::choose(self.seed, self.share_second, count);
         Kinds::of(&is_second, &self.material(), &self.differences())
     }
 
     /// What the second material has of its own.
-    pub(super) fn differences(&self) -> Differences {
-        Differences {
+    pub(super) fn differences(&self) -> SecondMaterialKeys {
+        SecondMaterialKeys {
             density: self.density_second,
             sliding: self.sliding_second,
             sliding_mixed: self.sliding_mixed,

@@ -4,7 +4,9 @@ use super::blocked::{Means, Window};
 use super::compaction::{COLUMNS, PowderStopReason};
 use super::deposit::Deposit;
 use super::parts::PISTON;
-use crate::packing::{self, Body, Bounds, Cadence, Packing, Seen, Stress, branch, is_at};
+use crate::packing::{
+    self, Body, MeasuredState, MeasurementSchedule, Packing, RunLimits, Stress, branch, is_at,
+};
 use crate::powder::scene::PowderScene;
 use nalgebra::Matrix3;
 use serde_json::{Map, Value};
@@ -19,7 +21,7 @@ const TENSORS: usize = 18;
 
 /// A powder under its piston.
 #[derive(Debug)]
-pub(super) struct Press {
+pub(super) struct PowderBody {
     pub scene: PowderScene,
     pub deposit: Deposit,
     /// Total volume of the spheres.
@@ -38,7 +40,7 @@ pub(super) struct Watch {
     before: Vec<SphereBody<f64>>,
 }
 
-impl Press {
+impl PowderBody {
     pub fn new(scene: &PowderScene, deposit: Deposit) -> Self {
         let volumes = deposit.radii.iter().map(|r| 4.0 / 3.0 * PI * r * r * r);
         Self {
@@ -53,12 +55,12 @@ impl Press {
     }
 
     /// Porosity: free share of the volume below the piston (thesis, eq. 4.5).
-    pub fn porosity(&self, seen: &Seen) -> f64 {
+    pub fn porosity(&self, seen: &MeasuredState) -> f64 {
         1.0 - self.solid / (self.area() * height(seen))
     }
 
     /// Means over the last complete window, or over the incomplete first one.
-    pub fn means(&self, watch: &Watch, seen: &Seen) -> Means {
+    pub fn means(&self, watch: &Watch, seen: &MeasuredState) -> Means {
         match &watch.complete {
             Some((window, height)) => window.means(*height),
             None => watch.window.means(height(seen)),
@@ -66,7 +68,7 @@ impl Press {
     }
 
     /// Mean σ_zz that bears the spheres' own weight: ∫ρgz dV over the volume.
-    fn weight_stress(&self, seen: &Seen) -> f64 {
+    fn weight_stress(&self, seen: &MeasuredState) -> f64 {
         let spheres = seen.packing.spheres().iter();
         let lifted = spheres.zip(seen.packing.positions());
         let moment: f64 = lifted.map(|(sphere, at)| at.z / sphere.inv_mass).sum();
@@ -75,7 +77,7 @@ impl Press {
 }
 
 /// Current height of the piston.
-pub(super) fn height(seen: &Seen) -> f64 {
+pub(super) fn height(seen: &MeasuredState) -> f64 {
     // Its normal points down.
     -seen.packing.walls()[PISTON as usize].place
 }
@@ -92,7 +94,7 @@ impl Watch {
     }
 
     /// Force on the piston, mean net force on a sphere, mean normal force of a contact.
-    fn forces(&self, seen: &Seen) -> [f64; 3] {
+    fn forces(&self, seen: &MeasuredState) -> [f64; 3] {
         let at_piston = seen.contacts.iter().filter(|row| is_at(row, PISTON));
         let piston = at_piston.map(|row| row.force.z).sum();
         let dt = seen.report.dt;
@@ -111,20 +113,20 @@ impl Watch {
     }
 }
 
-impl Body<{ COLUMNS.len() }> for Press {
+impl Body<{ COLUMNS.len() }> for PowderBody {
     type Watch = Watch;
     type Ending = PowderStopReason;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
     const FORMAT: (&'static str, u64) = ("tribos_compaction", 4);
     // A window has the stress of every step.
-    const CADENCE: Cadence = Cadence::Steps;
+    const CADENCE: MeasurementSchedule = MeasurementSchedule::Steps;
 
     fn scene(&self) -> Value {
         self.scene.json()
     }
 
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> RunLimits {
         bounds(&self.scene)
     }
 
@@ -134,7 +136,7 @@ impl Body<{ COLUMNS.len() }> for Press {
     }
 
     /// Updates the stress, and adds it and the forces to the window.
-    fn measure(&self, watch: &mut Watch, seen: &Seen) {
+    fn measure(&self, watch: &mut Watch, seen: &MeasuredState) {
         let radii = seen.packing.radii();
         let volume = self.area() * height(seen);
         watch.stress = Stress::of(&seen.contacts, |contact| branch(contact, radii), volume);
@@ -142,11 +144,11 @@ impl Body<{ COLUMNS.len() }> for Press {
         watch.window.add(seen.report.dt, &watch.stress, forces);
     }
 
-    fn solid_fraction(&self, seen: &Seen) -> f64 {
+    fn solid_fraction(&self, seen: &MeasuredState) -> f64 {
         1.0 - self.porosity(seen)
     }
 
-    fn line(&self, watch: &Watch, seen: &Seen) -> [f64; COLUMNS.len()] {
+    fn line(&self, watch: &Watch, seen: &MeasuredState) -> [f64; COLUMNS.len()] {
         let (time, step) = seen.packing.clock();
         let energy = seen.packing.energy();
         [
@@ -169,7 +171,7 @@ impl Body<{ COLUMNS.len() }> for Press {
     }
 
     /// Closes a full window and applies the criterion of blocked packings.
-    fn is_over(&self, watch: &mut Watch, seen: &Seen) -> bool {
+    fn is_over(&self, watch: &mut Watch, seen: &MeasuredState) -> bool {
         let scene = &self.scene;
         if !watch.window.is_full(scene.piston_mass, scene.load()) {
             return false;
@@ -212,8 +214,8 @@ impl Body<{ COLUMNS.len() }> for Press {
 }
 
 /// Limits of a run of a scene.
-pub(super) fn bounds(scene: &PowderScene) -> Bounds {
-    Bounds {
+pub(super) fn bounds(scene: &PowderScene) -> RunLimits {
+    RunLimits {
         duration: scene.duration.unwrap_or(f64::INFINITY),
         steps: scene.steps,
         samples: scene.samples,

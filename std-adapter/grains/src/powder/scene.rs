@@ -2,7 +2,7 @@
 
 use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
 use crate::packing::{SIZES, SizeDistribution};
-use crate::powder::deposit::{Ballistic, DepositError, Until};
+use crate::powder::deposit::{Ballistic, DepositError, DepositTarget};
 use std::path::PathBuf;
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
@@ -269,8 +269,9 @@ impl PowderScene {
     }
 
     /// When the deposit is complete.
-    pub fn until(&self) -> Until {
-        self.count.map_or(Until::Cut(self.height), Until::Count)
+    pub fn until(&self) -> DepositTarget {
+        self.count
+            .map_or(DepositTarget::Cut(self.height), DepositTarget::Count)
     }
 
     /// How contacts are solved.

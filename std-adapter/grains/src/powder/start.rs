@@ -4,7 +4,7 @@ use super::deposit::Deposit;
 use super::error::CompactionError;
 use crate::packing::method::ContactMethod;
 use crate::packing::{Assembly, AssemblyError};
-use crate::packing::{Frozen, Kinds, given};
+use crate::packing::{Kinds, WorldSnapshot, given};
 use crate::powder::scene::PowderScene;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
@@ -18,7 +18,7 @@ pub(super) struct Start {
     pub kinds: Kinds,
     pub contacts: Vec<ContactRow>,
     /// Motion and forces of spheres that were not deposited.
-    pub frozen: Option<Frozen>,
+    pub frozen: Option<WorldSnapshot>,
 }
 
 impl Start {
@@ -79,7 +79,7 @@ fn kinds(scene: &PowderScene, assembly: &Assembly) -> Kinds {
 }
 
 /// A run that goes on with other parameters.
-fn go_on(scene: &PowderScene, assembly: Assembly, frozen: &Frozen) -> Start {
+fn go_on(scene: &PowderScene, assembly: Assembly, frozen: &WorldSnapshot) -> Start {
     Start {
         kinds: kinds(scene, &assembly),
         contacts: assembly.contacts,
@@ -102,7 +102,7 @@ fn between_plates(scene: &PowderScene, assembly: &Assembly) -> Start {
     let positions: Vec<_> = assembly.positions.iter().map(lowered).collect();
     let walls = [0.0, low - high].into_iter();
     Start {
-        frozen: Some(Frozen::moving(positions.clone(), assembly, walls)),
+        frozen: Some(WorldSnapshot::moving(positions.clone(), assembly, walls)),
         kinds: kinds(scene, assembly),
         contacts: Vec::new(),
         deposit: Deposit {

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 
 /// Result of the analysis of the Jacobian at the minimum.
 #[derive(Clone, Debug)]
-pub(super) struct Certainty {
+pub(super) struct CovarianceAnalysis {
     /// (JᵀJ)⁻¹ of the given columns, without combinations that the data do not determine.
     pub covariance: DMatrix<f64>,
     /// Groups of columns that trade against each other, or that alone have no effect.
@@ -27,7 +27,7 @@ pub(super) fn certainty(
     places: &[usize],
     sizes: &[f64],
     length: f64,
-) -> Certainty {
+) -> CovarianceAnalysis {
     let columns = places.len();
     let rows = vec![0.0; jacobian.nrows()];
     let norms: Vec<f64> = places.iter().map(|&j| length_of(jacobian, j)).collect();
@@ -39,7 +39,7 @@ pub(super) fn certainty(
         .collect();
     let mut covariance = DMatrix::zeros(columns, columns);
     if full.is_empty() {
-        return Certainty { covariance, loose };
+        return CovarianceAnalysis { covariance, loose };
     }
     let kept: Vec<usize> = full.iter().map(|&k| places[k]).collect();
     let svd = reduced(jacobian, &kept, &rows).triangle.svd(false, true);
@@ -62,5 +62,5 @@ pub(super) fn certainty(
             }
         }
     }
-    Certainty { covariance, loose }
+    CovarianceAnalysis { covariance, loose }
 }

@@ -7,7 +7,7 @@ pub(super) type Residuals<'a> = dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a;
 
 /// Length of a coordinate over which residuals change.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Length {
+pub(super) enum DifferenceScale {
     /// An e-fold of the value: 1 of a logarithm.
     Fold,
     /// The coordinate itself, but not less than this.
@@ -17,7 +17,7 @@ pub(super) enum Length {
     },
 }
 
-impl Length {
+impl DifferenceScale {
     fn at(self, q: f64) -> f64 {
         match self {
             Self::Fold => 1.0,
@@ -46,7 +46,7 @@ pub(super) fn jacobian(
     q: &[f64],
     here: &[f64],
     bounds: &[[f64; 2]],
-    lengths: &[Length],
+    lengths: &[DifferenceScale],
 ) -> Option<DMatrix<f64>> {
     let mut jacobian = DMatrix::zeros(here.len(), q.len());
     for (j, mut column) in jacobian.column_iter_mut().enumerate() {

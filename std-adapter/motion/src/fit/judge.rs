@@ -1,16 +1,16 @@
 //! Standard errors of the fitted parameters.
 
-use super::covariance::{Certainty, certainty};
+use super::covariance::{CovarianceAnalysis, certainty};
 use super::estimate::{Estimate, Fit, Uncertainty};
 use super::minimise::{free, gradient};
 use super::search::{Search, Unknowns};
 use nalgebra::DMatrix;
 
 /// The coordinates that have an error, with their covariance.
-struct Inside {
+struct FreeCoordinates {
     /// Indices of the coordinates among the free parameters.
     places: Vec<usize>,
-    certain: Certainty,
+    certain: CovarianceAnalysis,
 }
 
 impl Search {
@@ -47,18 +47,18 @@ impl Search {
     }
 
     /// Coordinates that are not at a bound; those at a bound have no error.
-    fn inside(&self) -> Inside {
+    fn inside(&self) -> FreeCoordinates {
         let gradient = gradient(&self.jacobian, &self.residuals);
         let places = free(&self.best.q, &self.bounds, &gradient);
         let sizes: Vec<f64> = places.iter().map(|&k| self.lengths[k].least()).collect();
-        Inside {
+        FreeCoordinates {
             certain: certainty(&self.jacobian, &places, &sizes, self.size),
             places,
         }
     }
 }
 
-impl Inside {
+impl FreeCoordinates {
     /// Certainty of each parameter of the model.
     fn known(&self, unknowns: &Unknowns<'_>, values: &[f64], deviation: f64) -> Vec<Uncertainty> {
         let parameters = unknowns.model.parameters();

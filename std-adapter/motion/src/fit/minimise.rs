@@ -1,6 +1,6 @@
 //! Levenberg–Marquardt within bounds.
 
-use super::jacobian::{Length, Residuals, jacobian};
+use super::jacobian::{DifferenceScale, Residuals, jacobian};
 use super::reduce::{Reduced, reduced};
 use nalgebra::{DMatrix, DVector};
 
@@ -13,7 +13,7 @@ pub(super) struct Problem<'a> {
     /// Bounds of the coordinates.
     pub bounds: Vec<[f64; 2]>,
     /// Length over which residuals change, for each coordinate.
-    pub lengths: Vec<Length>,
+    pub lengths: Vec<DifferenceScale>,
     /// Sum of squares below which residuals are rounding errors.
     pub floor: f64,
 }
@@ -67,8 +67,8 @@ pub(super) fn minimise(
     start: &[f64],
     watch: &mut dyn FnMut(usize),
 ) -> Option<Minimum> {
-    let mut place = Place::at(problem, start.to_vec())?;
-    let mut pace = Pace {
+    let mut place = Iterate::at(problem, start.to_vec())?;
+    let mut pace = DampingControl {
         damping: FIRST_DAMPING,
         growth: 2.0,
         share: 1.0,
@@ -76,7 +76,7 @@ pub(super) fn minimise(
     };
     let mut iterations = 0;
     loop {
-        let Place { q, residuals, cost } = &place;
+        let Iterate { q, residuals, cost } = &place;
         watch(iterations);
         let slopes = problem.slopes(q, residuals)?;
         let step = Step::new(problem, q, residuals, &slopes);
@@ -105,13 +105,13 @@ pub(super) fn minimise(
 }
 
 /// A point of the search.
-struct Place {
+struct Iterate {
     q: Vec<f64>,
     residuals: Vec<f64>,
     cost: f64,
 }
 
-impl Place {
+impl Iterate {
     /// The admissible point nearest to `q`; `None` if the model refuses it.
     fn at(problem: &Problem<'_>, mut q: Vec<f64>) -> Option<Self> {
         admit(problem, &mut q);
@@ -122,7 +122,7 @@ impl Place {
 }
 
 /// Step lengths.
-struct Pace {
+struct DampingControl {
     damping: f64,
     growth: f64,
     /// Fraction of an undamped step.
@@ -130,13 +130,13 @@ struct Pace {
     last_offset: f64,
 }
 
-impl Pace {
+impl DampingControl {
     /// Tries ever shorter steps until one descends; `None` if rounding hides all.
-    fn descend(&mut self, problem: &Problem<'_>, place: &Place, step: &Step) -> Option<Place> {
+    fn descend(&mut self, problem: &Problem<'_>, place: &Iterate, step: &Step) -> Option<Iterate> {
         while self.damping <= LAST_DAMPING {
             let mut trial = place.q.clone();
             let predicted = step.take(self.damping, &mut trial);
-            let below = Place::at(problem, trial).filter(|trial| trial.cost < place.cost);
+            let below = Iterate::at(problem, trial).filter(|trial| trial.cost < place.cost);
             if let Some(below) = below {
                 // Nielsen's rule: the better the linear model, the less damping.
                 let gain = (place.cost - below.cost) / predicted;
@@ -157,10 +157,10 @@ impl Pace {
     fn approach(
         &mut self,
         problem: &Problem<'_>,
-        place: &Place,
+        place: &Iterate,
         step: &Step,
         offset: f64,
-    ) -> Option<Place> {
+    ) -> Option<Iterate> {
         if offset > self.last_offset {
             self.share *= 0.5;
         }
@@ -173,7 +173,7 @@ impl Pace {
         for (x, at) in trial.iter_mut().zip(&place.q) {
             *x = at + self.share * (*x - at);
         }
-        Place::at(problem, trial)
+        Iterate::at(problem, trial)
     }
 }
 

@@ -8,7 +8,7 @@ use super::{Measurements, Motion};
 const SAMPLE: usize = 2000;
 
 /// Friction with its weights, in a unit in which neither overflows when squared.
-pub(super) struct Target {
+pub(super) struct WeightedData {
     /// Friction as it was measured.
     pub friction: Vec<f64>,
     /// Smallest standard deviation over that of each point; empty if they are all alike.
@@ -19,7 +19,7 @@ pub(super) struct Target {
     pub unit: f64,
 }
 
-impl Target {
+impl WeightedData {
     pub fn new(data: &Measurements) -> Self {
         let friction = data.friction().to_vec();
         let sigma = data.sigma().unwrap_or_default();

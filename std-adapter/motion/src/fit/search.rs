@@ -2,10 +2,10 @@
 
 use super::Measurements;
 use super::estimate::{FitError, FitProgress};
-use super::jacobian::Length;
+use super::jacobian::DifferenceScale;
 use super::minimise::{Minimum, Problem, minimise};
 use super::parameter::{Model, Range};
-use super::sample::{Target, sample};
+use super::sample::{WeightedData, sample};
 use super::starts::halton;
 use nalgebra::DMatrix;
 
@@ -89,15 +89,15 @@ impl<'a> Unknowns<'a> {
 
     /// Lengths over which predictions change: without logarithm at least a thousandth of the
     /// largest start, since the parameter may approach zero.
-    fn lengths(&self, starts: &[Vec<f64>]) -> Vec<Length> {
+    fn lengths(&self, starts: &[Vec<f64>]) -> Vec<DifferenceScale> {
         const SHARE: f64 = 1e-3;
         let largest = |k: usize| starts.iter().map(|q| q[k].abs()).fold(0.0, f64::max);
         let length = |(k, &j): (usize, &usize)| match self.range(j) {
-            Range::Positive => Length::Fold,
-            _ if largest(k) > 0.0 => Length::Own {
+            Range::Positive => DifferenceScale::Fold,
+            _ if largest(k) > 0.0 => DifferenceScale::Own {
                 least: SHARE * largest(k),
             },
-            _ => Length::Own { least: SHARE },
+            _ => DifferenceScale::Own { least: SHARE },
         };
         self.sought.iter().enumerate().map(length).collect()
     }
@@ -137,7 +137,7 @@ pub(super) struct Search {
     /// Bounds of the coordinates.
     pub bounds: Vec<[f64; 2]>,
     /// Lengths over which predictions change.
-    pub lengths: Vec<Length>,
+    pub lengths: Vec<DifferenceScale>,
     /// √Σ (data/σ)² in the unit of the residuals.
     pub size: f64,
     /// Factor by which residuals were multiplied.
@@ -173,7 +173,7 @@ pub(super) fn search(
     let all = unknowns.fixed.len();
     let start = |index: usize| unknowns.coordinates(&unknowns.model.start(&halton(index, all)));
     let starts: Vec<Vec<f64>> = (0..starts.max(1)).map(start).collect();
-    let target = Target::new(data);
+    let target = WeightedData::new(data);
     let points = sample(data);
     let thinned = points.as_deref().and_then(|points| {
         let model = unknowns.model.thinned(points)?;
@@ -236,8 +236,8 @@ pub(super) fn search(
 /// Ends of the searches, in the order of their starts.
 fn minima(
     unknowns: &Unknowns<'_>,
-    target: &Target,
-    lengths: &[Length],
+    target: &WeightedData,
+    lengths: &[DifferenceScale],
     places: &[Vec<f64>],
     watch: &mut dyn FnMut(FitProgress),
 ) -> Vec<Minimum> {

@@ -7,13 +7,13 @@ use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch};
 use tribos_core::patch::polygon::polygon_into;
 use tribos_core::real::Real;
 use tribos_friction::{
-    FlatPatch, FrictionError, HeldNodes, Patch, points_of, round_nodes, triangles_of,
+    FlatPatch, FrictionError, OwnedNodes, Patch, points_of, round_nodes, triangles_of,
 };
 
 /// Nodes with the origin at the centre of pressure.
 #[derive(Debug)]
-pub(super) struct Spread {
-    pub nodes: HeldNodes,
+pub(super) struct CentredNodes {
+    pub nodes: OwnedNodes,
     /// The centre of pressure in the patch's own coordinates.
     pub centre: [f64; 2],
     /// Distance of the farthest point of the patch from there.
@@ -32,12 +32,12 @@ pub(super) fn spread(
     patch: &Patch,
     radius: f64,
     centre: Option<[f64; 2]>,
-) -> Result<Spread, FrictionError> {
+) -> Result<CentredNodes, FrictionError> {
     match patch {
         Patch::Points(file) => about_centre(points_of(file)?),
         Patch::Flat(flat) => about_centre(of_flat(flat, centre)?),
-        round => Ok(Spread {
-            nodes: HeldNodes::new(of_round(round, radius)?)?,
+        round => Ok(CentredNodes {
+            nodes: OwnedNodes::new(of_round(round, radius)?)?,
             centre: [0.0; 2],
             reach: radius,
         }),
@@ -163,17 +163,17 @@ fn lean(nodes: &mut [Node<f64>], at: [f64; 2]) {
     }
 }
 
-fn about_centre(mut nodes: Vec<Node<f64>>) -> Result<Spread, FrictionError> {
+fn about_centre(mut nodes: Vec<Node<f64>>) -> Result<CentredNodes, FrictionError> {
     // Refuses nodes that carry nothing.
-    let centre = mean(HeldNodes::new(nodes.clone())?.nodes());
+    let centre = mean(OwnedNodes::new(nodes.clone())?.nodes());
     let mut reach: f64 = 0.0;
     for node in &mut nodes {
         node.x -= centre[0];
         node.y -= centre[1];
         reach = reach.max(Real::hypot(node.x, node.y));
     }
-    Ok(Spread {
-        nodes: HeldNodes::new(nodes)?,
+    Ok(CentredNodes {
+        nodes: OwnedNodes::new(nodes)?,
         centre,
         reach,
     })

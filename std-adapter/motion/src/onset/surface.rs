@@ -1,13 +1,13 @@
 //! The onset surface as a table, beside limit surfaces.
 
 use super::Bond;
-use super::nodes::{Spread, spread};
+use super::nodes::{CentredNodes, spread};
 use rayon::prelude::*;
 use tribos_core::bond::{BondLaw, Bonds, FailureMode, SlipOnset};
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{FrictionError, HeldNodes, Patch, limit_surface};
+use tribos_friction::{FrictionError, OwnedNodes, Patch, limit_surface};
 
 /// The contact that bonds hold.
 ///
@@ -122,8 +122,8 @@ pub struct OnsetSurface {
 }
 
 /// What every ray of a surface needs.
-struct Rays<'a> {
-    bonds: Bonds<f64, super::AnyBond, HeldNodes>,
+struct RaySetup<'a> {
+    bonds: Bonds<f64, super::AnyBond, OwnedNodes>,
     contact: &'a OnsetContact,
     centre: [f64; 2],
     reach: f64,
@@ -149,7 +149,7 @@ impl OnsetSurface {
         }
         check(contact)?;
         let law = bond.with(contact.coefficient, contact.strain)?;
-        let Spread {
+        let CentredNodes {
             nodes,
             centre,
             reach,
@@ -171,7 +171,7 @@ impl OnsetSurface {
         if patch.has_axis() {
             bonds = bonds.with_rim(contact.radius)?;
         }
-        let rays = Rays {
+        let rays = RaySetup {
             bonds,
             contact,
             centre,
@@ -218,7 +218,7 @@ fn check(contact: &OnsetContact) -> Result<(), FrictionError> {
     Ok(())
 }
 
-impl Rays<'_> {
+impl RaySetup<'_> {
     /// The onsets along rays at equal angles, found on all cores.
     fn points(&self, count: usize) -> Result<Vec<OnsetPoint>, FrictionError> {
         let share = |i: usize| 90.0 * i as f64 / (count - 1) as f64;

@@ -216,7 +216,7 @@ mod tests {
     use tribos_core::limit_surface::ShapeLimitSurface;
     use tribos_core::patch::nodes::Node;
     use tribos_core::patch::points::PointPatch;
-    use tribos_friction::HeldNodes;
+    use tribos_friction::OwnedNodes;
 
     /// A disk whose normals have this share of their spin.
     struct Astray(f64);
@@ -283,7 +283,7 @@ mod tests {
     fn a_body_on_feet_that_sticks_follows_its_pusher() {
         let feet = [[0.1, 0.05, 1.0], [-0.1, 0.06, 2.0], [0.0, -0.05, 1.5]];
         let node = |[x, y, weight]: [f64; 3]| Node { x, y, weight };
-        let nodes = HeldNodes::new(feet.map(node).to_vec()).unwrap();
+        let nodes = OwnedNodes::new(feet.map(node).to_vec()).unwrap();
         let set = ShapeLimitSurface::new(PointPatch::new(nodes).unwrap(), 3.0).unwrap();
         let contact = PointContact::new([-0.12, 0.02], [1.0, 0.0], 2.0).unwrap();
         let cone = motion_cone(&set, &contact).unwrap();

@@ -51,7 +51,7 @@ impl DiskScene {
             return Ok(timed(&|v, w| both(friction.reduced_wrench(v, w))));
         };
         let tier = Tier::serving::<f64>(&Patch::Disk, &law, None)?;
-        Ok(visit_disk(alpha, tier, Timed)?)
+        Ok(visit_disk(alpha, tier, EvaluationTiming)?)
     }
 }
 
@@ -61,9 +61,9 @@ pub(crate) fn of_law(patch: &Patch, law: &Law) -> Result<Evaluation, SlideError>
 }
 
 /// Times the kernel's type for this friction.
-struct Timed;
+struct EvaluationTiming;
 
-impl Visitor<f64> for Timed {
+impl Visitor<f64> for EvaluationTiming {
     type Output = EvaluationCost;
     fn visit<P: RoundPower<f64> + 'static>(self, profile: P) -> EvaluationCost {
         timed(&|v, w| both(profile.reduced_wrench(v, w)))

@@ -22,7 +22,7 @@ pub use path::{PathRun, PlanarSummary, run_planar};
 #[doc(hidden)]
 pub use simulation::{COLUMNS, SlideSimulation};
 #[doc(hidden)]
-pub use spent::Spent;
+pub use spent::FrictionWork;
 
 use crate::slide::scene::DiskScene;
 use tribos_base::record::brief;

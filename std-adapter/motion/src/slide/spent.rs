@@ -9,23 +9,23 @@ use crate::slide::scene::DiskScene;
 /// slows the sliding, and the work of the torque slows the spin.
 ///
 /// ```
-/// use tribos::{scene::DiskScene, slide::{Spent, run}};
+/// use tribos::{scene::DiskScene, slide::{FrictionWork, run}};
 /// let scene = DiskScene { speed: 1.0, spin: 5.0, radius: 0.08, mass: 0.1, ..SliderScene::default() };
-/// let spent: Spent = run(&scene, |_| ())?.spent(&scene);
+/// let spent: FrictionWork = run(&scene, |_| ())?.spent(&scene);
 /// assert!((spent.sliding - 0.05).abs() < 1e-12); // m v²/2
 /// assert!((spent.spinning - 0.004).abs() < 1e-12); // m R² ω²/4
 /// assert!((spent.spinning_share() - 4.0 / 54.0).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spent {
+pub struct FrictionWork {
     /// Loss of the kinetic energy of sliding, m v²/2.
     pub sliding: f64,
     /// Loss of the kinetic energy of spinning, I ω²/2.
     pub spinning: f64,
 }
 
-impl Spent {
+impl FrictionWork {
     /// Share of spinning in the total, between 0 and 1 unless one motion gained energy from the other.
     pub fn spinning_share(&self) -> f64 {
         self.spinning / (self.sliding + self.spinning)
@@ -44,18 +44,18 @@ impl Spent {
 
 impl SlideRun {
     /// Work of friction by the motion that lost the energy.
-    pub fn spent(&self, scene: &DiskScene) -> Spent {
+    pub fn spent(&self, scene: &DiskScene) -> FrictionWork {
         let ends = ends(&self.series).map(|[_, speed, .., kinetic, _]| [speed * speed, kinetic]);
-        Spent::between(scene.mass, ends)
+        FrictionWork::between(scene.mass, ends)
     }
 }
 
 impl PathRun {
     /// Work of friction by the motion that lost the energy.
-    pub fn spent(&self) -> Spent {
+    pub fn spent(&self) -> FrictionWork {
         let ends = ends(&self.series)
             .map(|[_, _, _, vx, vy, .., kinetic, _]| [vx * vx + vy * vy, kinetic]);
-        Spent::between(self.outcome.mass, ends)
+        FrictionWork::between(self.outcome.mass, ends)
     }
 }
 

@@ -15,7 +15,7 @@
 //! rule: a branch of the loop is the first loading twice as large.
 
 use super::StickError;
-use super::held::{HeldRun, HeldScene};
+use super::held::{StickSlipRun, StickSlipScene};
 use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::{Map, Value};
@@ -86,7 +86,7 @@ pub fn run(scene: &ClampScene) -> Result<ClampRun, StickError> {
 /// The same; `watch` sees the share of the cycles that is done, and ends the run by answering false.
 fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<ClampRun, StickError> {
     scene.check()?;
-    let mut pinch = Pinch::new(scene)?;
+    let mut pinch = ClampedBody::new(scene)?;
     let mut rows = vec![pinch.row(0.0, &Wrench::ZERO, [StickSlip::Stick; 2])];
     let mut release = None;
     let samples = scene.samples;
@@ -148,7 +148,7 @@ struct Pad {
 }
 
 /// The body between its pads.
-struct Pinch {
+struct ClampedBody {
     pads: [Pad; 2],
     pose: Pose<f64>,
     heat: f64,
@@ -165,7 +165,7 @@ struct Trial {
     left: Vector3<f64>,
 }
 
-/// Shares of a cycle at which the load turns.
+/// MassRatios of a cycle at which the load turns.
 const TURNS: [f64; 2] = [0.25, 0.75];
 /// What the balance may leave, as a share of the limits; more where the rounding of a pose is more, up to a cap.
 const BALANCED: f64 = 1e-12;
@@ -178,7 +178,7 @@ const FARTHER: f64 = 4.0;
 /// Share of the slope at the start of a line that its end may have.
 const FLATTER: f64 = 0.5;
 
-impl Pinch {
+impl ClampedBody {
     fn new(scene: &ClampScene) -> Result<Self, StickError> {
         let default = 0.5 * scene.radius * scene.radius;
         let lever_sq = scene.torsion_lever_squared.unwrap_or(default);
@@ -350,8 +350,8 @@ impl ClampSummary {
     }
 }
 
-impl HeldScene for ClampScene {
-    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError> {
+impl StickSlipScene for ClampScene {
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<StickSlipRun, StickError> {
         let result = watched(self, watch)?;
         let outcome = &result.outcome;
         let ending = match outcome.release {
@@ -367,7 +367,7 @@ impl HeldScene for ClampScene {
                 format!("{:.6e} to {:.6e} m", outcome.swing[0], outcome.swing[1]),
             ),
         ];
-        Ok(HeldRun {
+        Ok(StickSlipRun {
             columns: &CLAMP_COLUMNS,
             rows: result.rows.iter().map(|row| row.to_vec()).collect(),
             outcome: outcome.json(),
@@ -402,7 +402,7 @@ impl HeldScene for ClampScene {
 mod tests {
     use super::*;
 
-    /// Two elements in parallel: F₁ = 6 N at 2e4 N/m slips at 0.3 mm, F₂ = 10 N at 1e4 N/m at 1 mm.
+    /// Pair2 elements in parallel: F₁ = 6 N at 2e4 N/m slips at 0.3 mm, F₂ = 10 N at 1e4 N/m at 1 mm.
     #[test]
     fn the_loss_of_a_cycle_is_that_of_two_elements_and_its_branches_obey_masings_rule() {
         for amplitude in [8.0, 9.5, 11.0, 14.0, 15.9] {

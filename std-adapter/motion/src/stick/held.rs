@@ -7,7 +7,7 @@ use tribos_base::scene::Body;
 
 /// Series and summary of a run.
 #[derive(Clone, Debug)]
-pub struct HeldRun {
+pub struct StickSlipRun {
     /// Names of the columns; the first is the time.
     pub columns: &'static [&'static str],
     /// Rows of the series.
@@ -21,16 +21,16 @@ pub struct HeldRun {
 }
 
 /// The scene of a body that holds and slips.
-pub trait HeldScene: Body {
+pub trait StickSlipScene: Body {
     /// Runs the scene to its end. `watch` sees now and then the share of the time that is done, and ends the run by
     /// answering false.
-    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError>;
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<StickSlipRun, StickError>;
 
     /// Unknowns, law and method, for `tribos explain`: head and text.
     fn carried(&self) -> Vec<(&'static str, String)>;
 }
 
-impl HeldRun {
+impl StickSlipRun {
     /// The summary as JSON.
     pub fn json(&self, scene: &(impl Body + ?Sized)) -> Value {
         let mut map = self.outcome.clone();
@@ -42,7 +42,7 @@ impl HeldRun {
 
 /// For golden files.
 pub(crate) fn measured(
-    scene: &impl HeldScene,
+    scene: &impl StickSlipScene,
     watch: &mut dyn FnMut(),
 ) -> Result<Measurement, StickError> {
     let run = scene.follow(&mut |_| true)?;

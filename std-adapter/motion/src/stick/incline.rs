@@ -9,7 +9,7 @@
 //! ```
 
 use super::StickError;
-use super::held::{HeldRun, HeldScene};
+use super::held::{StickSlipRun, StickSlipScene};
 use crate::stick::scene::InclineScene;
 use serde_json::{Map, Value};
 use tribos_base::record::json_number;
@@ -69,9 +69,9 @@ pub struct InclineRun {
 /// ```
 pub fn run(scene: &InclineScene) -> Result<InclineRun, StickError> {
     scene.check()?;
-    let slope = Slope::new(scene)?;
+    let slope = InclineProblem::new(scene)?;
     let release = slope.release();
-    let mut state = Sliding::default();
+    let mut state = SlideState::default();
     let mut rows = vec![slope.row(0.0, &state, release)];
     let samples = scene.samples;
     for index in 1..=samples {
@@ -102,14 +102,14 @@ pub fn run(scene: &InclineScene) -> Result<InclineRun, StickError> {
 
 /// What the block has done since it let go.
 #[derive(Debug, Default)]
-struct Sliding {
+struct SlideState {
     time: f64,
     position: f64,
     velocity: f64,
 }
 
 /// The incline under its block.
-struct Slope<'a> {
+struct InclineProblem<'a> {
     scene: &'a InclineScene,
     ageing: StaticAgeing<f64>,
     /// Push through the centre over the largest that the patch carries, per unit of both: 1.
@@ -129,7 +129,7 @@ const TURN: f64 = 0.1;
 /// Halvings that exhaust the digits of a time.
 const HALVINGS: u32 = 200;
 
-impl<'a> Slope<'a> {
+impl<'a> InclineProblem<'a> {
     fn new(scene: &'a InclineScene) -> Result<Self, StickError> {
         let surface = limit_surface(&scene.patch, 1.0, scene.radius, None)?;
         Ok(Self {
@@ -193,7 +193,7 @@ impl<'a> Slope<'a> {
     }
 
     /// Slides on to a time, in pieces over which the angle hardly turns.
-    fn slide(&self, state: &mut Sliding, until: f64) {
+    fn slide(&self, state: &mut SlideState, until: f64) {
         let top = self.time_of(self.scene.end_angle);
         while state.time < until {
             let mut end = until;
@@ -216,7 +216,7 @@ impl<'a> Slope<'a> {
     fn row(
         &self,
         time: f64,
-        state: &Sliding,
+        state: &SlideState,
         release: Option<f64>,
     ) -> [f64; INCLINE_COLUMNS.len()] {
         let angle = self.angle(time);
@@ -265,8 +265,8 @@ impl InclineSummary {
     }
 }
 
-impl HeldScene for InclineScene {
-    fn follow(&self, _: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError> {
+impl StickSlipScene for InclineScene {
+    fn follow(&self, _: &mut dyn FnMut(f64) -> bool) -> Result<StickSlipRun, StickError> {
         let result = run(self)?;
         let outcome = &result.outcome;
         let told = match outcome.release {
@@ -288,7 +288,7 @@ impl HeldScene for InclineScene {
                 ),
             ],
         };
-        Ok(HeldRun {
+        Ok(StickSlipRun {
             columns: &INCLINE_COLUMNS,
             rows: result.rows.iter().map(|row| row.to_vec()).collect(),
             outcome: outcome.json(),

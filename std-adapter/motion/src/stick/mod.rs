@@ -14,4 +14,4 @@ pub mod turntable;
 
 pub use error::StickError;
 #[doc(hidden)]
-pub use held::{HeldRun, HeldScene};
+pub use held::{StickSlipRun, StickSlipScene};

@@ -15,7 +15,7 @@
 mod path;
 
 use super::StickError;
-use super::held::{HeldRun, HeldScene};
+use super::held::{StickSlipRun, StickSlipScene};
 use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
 use path::{Sliding, State};
@@ -283,8 +283,8 @@ impl TurntableSummary {
     }
 }
 
-impl HeldScene for TurntableScene {
-    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError> {
+impl StickSlipScene for TurntableScene {
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<StickSlipRun, StickError> {
         let result = watched(self, watch)?;
         let outcome = &result.outcome;
         let mut told = Vec::new();
@@ -308,7 +308,7 @@ impl HeldScene for TurntableScene {
             ));
             told.push(("turns", format!("{:.6} rad on the table", outcome.angle)));
         }
-        Ok(HeldRun {
+        Ok(StickSlipRun {
             columns: &TURNTABLE_COLUMNS,
             rows: result.rows.iter().map(|row| row.to_vec()).collect(),
             outcome: outcome.json(self),

@@ -1,7 +1,9 @@
 //! What the outlook states and asks, and what the map answers.
 
 use super::map::{Estimate, Map};
-use super::table::{CORNERS, COUPLINGS, Line, Made, PRESSURES, SPREADS, cells, name};
+use super::table::{
+    CORNERS, COUPLINGS, CompactionParameters, Line, PRESSURES, SPREADS, cells, name,
+};
 use super::{COUPLED, TEXT};
 use crate::exhibits::porosity::{ADDITIVITY, FLUCTUATION};
 use crate::runs::{Effort, Runs};
@@ -12,7 +14,7 @@ use tribos_report::claim::Claim;
 /// The ratio of pressure to cohesion of the thesis.
 const STATED: f64 = 0.0025;
 /// The run that a quick report repeats: few sweeps.
-const REPEATED: Made = Made {
+const REPEATED: CompactionParameters = CompactionParameters {
     seed: 1,
     spread: 0.0,
     pressure: 0.64,

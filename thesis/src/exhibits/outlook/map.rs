@@ -1,6 +1,6 @@
 //! Sums and differences of porosities over the map, deposit by deposit.
 
-use super::table::{Line, Made};
+use super::table::{CompactionParameters, Line};
 use tribos::scene::FrictionCoupling;
 
 /// Mean of some deposits, and what it is good to.
@@ -64,7 +64,7 @@ impl Map {
         &self.lines
     }
 
-    pub fn line(&self, made: Made) -> Option<&Line> {
+    pub fn line(&self, made: CompactionParameters) -> Option<&Line> {
         self.lines.iter().find(|line| line.made == made)
     }
 
@@ -82,7 +82,7 @@ impl Map {
                 } else {
                     FrictionCoupling::Independent
                 };
-                let made = Made {
+                let made = CompactionParameters {
                     seed,
                     spread,
                     pressure,
@@ -136,7 +136,7 @@ impl Map {
     pub fn cost(&self, coupling: FrictionCoupling, of: impl Fn(&Line) -> f64) -> f64 {
         let pair = |line: &&Line| line.made.coupling == coupling;
         let ratios = self.lines.iter().filter(pair).filter_map(|line| {
-            let made = Made {
+            let made = CompactionParameters {
                 coupling: FrictionCoupling::Independent,
                 ..line.made
             };
@@ -155,7 +155,7 @@ mod tests {
 
     fn line(seed: u64, corner: [f64; 2], coupling: FrictionCoupling, porosity: f64) -> Line {
         Line {
-            made: Made {
+            made: CompactionParameters {
                 seed,
                 spread: 0.0,
                 pressure: 0.01,

@@ -25,7 +25,7 @@ const SEEDS: u64 = 5;
 
 /// What a compaction was made with.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Made {
+pub struct CompactionParameters {
     pub seed: u64,
     pub spread: f64,
     pub pressure: f64,
@@ -37,7 +37,7 @@ pub struct Made {
 /// A compaction and its end.
 #[derive(Clone, Debug)]
 pub struct Line {
-    pub made: Made,
+    pub made: CompactionParameters,
     pub blocked: bool,
     pub porosity: f64,
     pub contacts: f64,
@@ -50,7 +50,7 @@ pub struct Line {
     pub seconds: f64,
 }
 
-impl Made {
+impl CompactionParameters {
     /// The case of the report's runs.
     pub fn case(&self) -> Case {
         let Self {
@@ -102,7 +102,7 @@ impl Made {
 
 impl Line {
     /// Of a run of this report.
-    pub fn of(made: Made, run: &Run) -> Self {
+    pub fn of(made: CompactionParameters, run: &Run) -> Self {
         let outcome = &run.outcome;
         Self {
             made,
@@ -138,8 +138,8 @@ pub fn name(coupling: FrictionCoupling) -> &'static str {
 
 /// Everything, run now.
 pub fn run(runs: &Runs) -> Result<Vec<Line>> {
-    let all = Made::all();
-    let cases: Vec<Case> = all.iter().map(Made::case).collect();
+    let all = CompactionParameters::all();
+    let cases: Vec<Case> = all.iter().map(CompactionParameters::case).collect();
     let done = runs.of(&cases)?;
     Ok(all
         .into_iter()
@@ -179,7 +179,7 @@ fn read(columns: &[&str], line: &str) -> Result<Line> {
     let coupling = word("coupling")?;
     let coupling = COUPLINGS.into_iter().find(|&known| name(known) == coupling);
     Ok(Line {
-        made: Made {
+        made: CompactionParameters {
             seed: word("seed")?.parse()?,
             spread: number("radius_spread")?,
             pressure: number("pressure")?,
@@ -205,7 +205,7 @@ mod tests {
     fn every_kept_run_is_one_of_the_map_and_there_once() -> Result<()> {
         let lines = kept()?;
         for (at, line) in lines.iter().enumerate() {
-            let Made {
+            let CompactionParameters {
                 spread,
                 pressure,
                 corner,
@@ -230,7 +230,7 @@ mod tests {
 
     #[test]
     fn a_full_map_has_eight_runs_a_cell_and_seed() {
-        assert_eq!(Made::all().len(), 5 * 24 * 8);
+        assert_eq!(CompactionParameters::all().len(), 5 * 24 * 8);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use anyhow::Result;
 use tribos::powder::PowderStopReason;
 use tribos::powder::deposit::curve::statistics;
 use tribos::scene::{BlockedCriterion, SweepMethod, SweepStop, WallLaw};
-use tribos_report::claim::{Claim, Otherwise};
+use tribos_report::claim::{Claim, MismatchMeaning};
 use tribos_report::verdict::Allowance;
 
 /// The thesis' fluctuations of single runs of the small system: what its means and the differences
@@ -140,7 +140,7 @@ fn levels(small: &Porosities) -> Vec<Claim> {
             printed,
             (percent(ours), 100.0 * ours),
             Allowance::StatedError(100.0 * FLUCTUATION, FLUCTUATION_STATED.into()),
-            Otherwise::Known(range),
+            MismatchMeaning::Known(range),
         )
         .uncertain(scatter(&[deviation], small.initial.len()))
     })

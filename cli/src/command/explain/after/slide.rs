@@ -4,7 +4,7 @@ use crate::command::explain::{line, takes, within};
 use crate::failure::Failure;
 use std::time::Instant;
 use tribos::scene::DiskScene;
-use tribos::slide::{self, PlanarScene, Spent};
+use tribos::slide::{self, FrictionWork, PlanarScene};
 
 /// Share of all work below which a motion counts as idle, and a bend of the path as straight.
 const LITTLE: f64 = 0.01;
@@ -55,7 +55,7 @@ pub fn planar(scene: &dyn PlanarScene) -> Result<String, Failure> {
     Ok(text)
 }
 
-fn account(spent: &Spent) -> String {
+fn account(spent: &FrictionWork) -> String {
     let share = 100.0 * spent.spinning_share();
     let all = spent.sliding + spent.spinning;
     line(

@@ -2,7 +2,7 @@
 
 use crate::command::digits::shown;
 use crate::command::run::files;
-use crate::command::run::order::Order;
+use crate::command::run::order::RunRequest;
 use crate::command::run::powder::states;
 use crate::failure::Failure;
 use tribos::grains::{COLUMNS, GrainsSimulation, GrainsStopReason, GrainsSummary};
@@ -18,7 +18,7 @@ pub fn write(
     run: &GrainsSimulation,
     outcome: &GrainsSummary,
     folder: &OutputFolder,
-    order: &Order<'_>,
+    order: &RunRequest<'_>,
 ) -> Result<(), Failure> {
     folder.add(files::GRAINS)?;
     let rows = run.series().iter();
@@ -43,7 +43,7 @@ pub fn write(
 }
 
 /// A few lines for the person at the terminal.
-pub fn report(outcome: &GrainsSummary, order: &Order<'_>) -> Result<(), Failure> {
+pub fn report(outcome: &GrainsSummary, order: &RunRequest<'_>) -> Result<(), Failure> {
     let ending = match outcome.ending {
         Some(GrainsStopReason::Rest) => "at rest",
         Some(GrainsStopReason::Time) => "duration over",

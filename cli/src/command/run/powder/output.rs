@@ -2,7 +2,7 @@
 
 use crate::command::digits::shown;
 use crate::command::run::files;
-use crate::command::run::order::Order;
+use crate::command::run::order::RunRequest;
 use crate::failure::Failure;
 use tribos::powder::{COLUMNS, PowderSimulation, PowderStopReason, PowderSummary, STATE};
 use tribos::record::{
@@ -28,7 +28,7 @@ pub fn write(
     compaction: &PowderSimulation,
     outcome: &PowderSummary,
     folder: &OutputFolder,
-    order: &Order<'_>,
+    order: &RunRequest<'_>,
 ) -> Result<(), Failure> {
     folder.add(files::POWDER)?;
     let out = folder.path();
@@ -67,7 +67,7 @@ pub fn states(
     snapshot: &Snapshot<'_>,
     stem: &str,
     folder: &OutputFolder,
-    order: &Order<'_>,
+    order: &RunRequest<'_>,
 ) -> Result<(), Failure> {
     for (ending, export) in EXPORTS {
         order.interrupted()?;
@@ -78,7 +78,7 @@ pub fn states(
 }
 
 /// A few lines for the person at the terminal.
-pub fn report(outcome: &PowderSummary, order: &Order<'_>) -> Result<(), Failure> {
+pub fn report(outcome: &PowderSummary, order: &RunRequest<'_>) -> Result<(), Failure> {
     let ending = match outcome.ending {
         Some(PowderStopReason::Blocked) => "blocked",
         Some(PowderStopReason::Time) => "duration over before the packing was blocked",

@@ -6,7 +6,7 @@ use crate::coupling::disk::{Disk, pure_spin_torque};
 use crate::coupling::family::moment;
 use crate::coupling::octave::Cell;
 use crate::coupling::round::RoundTable;
-use crate::coupling::side::Sides;
+use crate::coupling::side::RegimeTables;
 use crate::coupling::table::{CoulombDisk, Table, in_own_table};
 use crate::coupling::tip::Exponent;
 use crate::coupling::{PowerLawFriction, SmoothProfile};
@@ -176,7 +176,9 @@ impl<R: Real> LaneProfile<R> for CoulombDisk {
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Sides<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R>
+    for RegimeTables<R, CELLS, TERMS>
+{
     #[inline(always)]
     fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
         let z = at.complement();
@@ -205,7 +207,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Sides<R
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Sides<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> RegimeTables<R, CELLS, TERMS> {
     /// The cells of the side that leads in each lane; none at equal speeds.
     #[inline(always)]
     fn cells_of(&self, at: &LaneSpeeds<R>, z: Lanes<R>) -> Option<Group<&Cell<R, TERMS>>> {

@@ -74,7 +74,7 @@ pub fn drags<R: Real, P: LaneProfile<R>>(
 }
 
 /// The speeds of a group, divided one by one.
-struct Divided<R: Real> {
+struct SpeedRatios<R: Real> {
     at: LaneSpeeds<R>,
     major: Lanes<R>,
     /// A mask: h and its powers have all digits.
@@ -83,7 +83,7 @@ struct Divided<R: Real> {
 
 /// None for rest, infinities and NaN.
 #[inline(always)]
-fn divided<R: Real>(slides: &Group<R>, rims: &Group<R>) -> Option<Divided<R>> {
+fn divided<R: Real>(slides: &Group<R>, rims: &Group<R>) -> Option<SpeedRatios<R>> {
     let [slide, rim] = [slides, rims].map(|speeds| Lanes::<R>::new(*speeds).abs());
     let [none, infinite] = [R::ZERO, R::INFINITY].map(Lanes::<R>::repeat);
     let finite = infinite.above(slide) & infinite.above(rim);
@@ -93,7 +93,7 @@ fn divided<R: Real>(slides: &Group<R>, rims: &Group<R>) -> Option<Divided<R>> {
     }
     let ratio = minor / major;
     let square_is_normal = (ratio * ratio).at_least(Eight::repeat(R::MIN_POSITIVE));
-    Some(Divided {
+    Some(SpeedRatios {
         at: LaneSpeeds {
             slides: slide.above(rim),
             ratio,
@@ -111,7 +111,7 @@ pub fn wrenches<R: Real, P: LaneProfile<R>>(
     slides: &Group<R>,
     rims: &Group<R>,
 ) -> Option<[Group<R>; 2]> {
-    let Divided {
+    let SpeedRatios {
         at,
         major,
         resolved,
@@ -132,7 +132,7 @@ pub fn jacobians<R: Real, P: LaneProfile<R>>(
     slides: &Group<R>,
     rims: &Group<R>,
 ) -> Option<[Group<R>; 4]> {
-    let Divided {
+    let SpeedRatios {
         at,
         major,
         resolved,

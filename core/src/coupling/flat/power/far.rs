@@ -33,8 +33,8 @@
 //! and the rest follows from Euler's theorem: the wrench is homogeneous of degree α in the twist.
 
 use super::prepared::PolygonPowerLaw;
-use crate::coupling::flat::far::{OfPairs, Slide, Turned, by_rule};
-use crate::coupling::flat::two::Two;
+use crate::coupling::flat::far::{EdgePairs, RotatedPressure, TranslatingMotion, by_rule};
+use crate::coupling::flat::two::Pair2;
 use crate::coupling::flat::{Hessian, Reduced};
 use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
@@ -46,38 +46,38 @@ const POINTS: [f64; 4] = [3.5, 6.0, 15.0, 300.0];
 
 /// Integrals of a patch over x, at two points of an edge at once.
 struct Point<'a, R: Real> {
-    slide: &'a Slide<'a, R>,
+    slide: &'a TranslatingMotion<'a, R>,
     power: &'a PolygonPowerLaw<R>,
-    pressure: Turned<R>,
+    pressure: RotatedPressure<R>,
 }
 
 /// What the integrals at two points are made of.
 struct Parts<R> {
-    x: Two<R>,
-    y: Two<R>,
+    x: Pair2<R>,
+    y: Pair2<R>,
     /// Pressure on the second axis, and its slope times x.
-    here: Two<R>,
-    slant: Two<R>,
-    wy: Two<R>,
-    z: Two<R>,
+    here: Pair2<R>,
+    slant: Pair2<R>,
+    wy: Pair2<R>,
+    z: Pair2<R>,
     /// 1/g and g^(α−1)
-    inv_g: Two<R>,
-    pace: Two<R>,
+    inv_g: Pair2<R>,
+    pace: Pair2<R>,
     /// S₁', S₁, S₂, S₃ and S₀'
-    s1_rate: Two<R>,
-    s1: Two<R>,
-    s2: Two<R>,
-    s3: Two<R>,
-    s0_rate: Two<R>,
+    s1_rate: Pair2<R>,
+    s1: Pair2<R>,
+    s2: Pair2<R>,
+    s3: Pair2<R>,
+    s0_rate: Pair2<R>,
     /// g^α and A
-    growth: [Two<R>; 2],
+    growth: [Pair2<R>; 2],
 }
 
 impl<R: Real> Point<'_, R> {
     #[inline(always)]
-    fn parts<K: PressureField<R>>(&self, [x, y]: [Two<R>; 2]) -> Parts<R> {
-        let one = Two::of(R::ONE);
-        let (w, beta) = (Two::of(self.slide.spin), self.power.beta);
+    fn parts<K: PressureField<R>>(&self, [x, y]: [Pair2<R>; 2]) -> Parts<R> {
+        let one = Pair2::of(R::ONE);
+        let (w, beta) = (Pair2::of(self.slide.spin), self.power.beta);
         let wy = w * y;
         let inv_g = (one - wy).inverse();
         let sigma = w * x * inv_g;
@@ -86,8 +86,8 @@ impl<R: Real> Point<'_, R> {
         let speed = one - wy * rate;
         let s1_rate = self.power.first_rate.at_two(z);
         let s2 = self.power.second.at_two(z);
-        let s1 = Two::of(R::HALF) + z * s1_rate;
-        let s1_beta = Two::of(beta) * s1;
+        let s1 = Pair2::of(R::HALF) + z * s1_rate;
+        let s1_beta = Pair2::of(beta) * s1;
         Parts {
             x,
             y,
@@ -95,7 +95,7 @@ impl<R: Real> Point<'_, R> {
             slant: if K::IS_LINEAR {
                 self.pressure.slope_x * x
             } else {
-                Two::of(R::ZERO)
+                Pair2::of(R::ZERO)
             },
             wy,
             z,
@@ -104,8 +104,8 @@ impl<R: Real> Point<'_, R> {
             s1_rate,
             s1,
             s2,
-            s3: (s1_beta - s1_rate - s1_rate) * Two::of(R::ONE / (R::TWO + beta)),
-            s0_rate: s1_beta - Two::of(R::ONE + beta) * s2,
+            s3: (s1_beta - s1_rate - s1_rate) * Pair2::of(R::ONE / (R::TWO + beta)),
+            s0_rate: s1_beta - Pair2::of(R::ONE + beta) * s2,
             growth: [speed, rate],
         }
     }
@@ -114,11 +114,11 @@ impl<R: Real> Point<'_, R> {
 impl<R: Real> Parts<R> {
     /// Force along, force across over w, and torque over w, all negative.
     #[inline(always)]
-    fn wrench<K: PressureField<R>>(&self, w: Two<R>) -> [Two<R>; 3] {
+    fn wrench<K: PressureField<R>>(&self, w: Pair2<R>) -> [Pair2<R>; 3] {
         let Self { x, y, here, .. } = *self;
         let [speed, rate] = self.growth;
         let x_sq = x * x;
-        let along = here * (Two::of(R::ONE) + self.z * self.s0_rate);
+        let along = here * (Pair2::of(R::ONE) + self.z * self.s0_rate);
         let across = here * self.s1;
         let out = here * self.s2;
         // (g q^(α−1) − 1)/w
@@ -131,7 +131,7 @@ impl<R: Real> Parts<R> {
                 along + slant * self.s1,
                 across + slant * self.s2,
                 out + slant * self.s3,
-                turned + slant * (missing * self.s1_rate - Two::of(R::HALF) * lost),
+                turned + slant * (missing * self.s1_rate - Pair2::of(R::HALF) * lost),
             )
         } else {
             (along, across, out, turned)
@@ -145,18 +145,18 @@ impl<R: Real> Parts<R> {
 
     /// Minus the derivatives: across and across, across and spin, spin and spin.
     #[inline(always)]
-    fn derivatives<K: PressureField<R>>(&self, beta: R) -> [Two<R>; 3] {
+    fn derivatives<K: PressureField<R>>(&self, beta: R) -> [Pair2<R>; 3] {
         let Self { x, y, here, z, .. } = *self;
-        let one = Two::of(R::ONE);
-        let e = (Two::of(beta) * self.s1 - one) * (one + z).inverse();
+        let one = Pair2::of(R::ONE);
+        let e = (Pair2::of(beta) * self.s1 - one) * (one + z).inverse();
         let full = one + z * e;
-        let double = |a: Two<R>| a + a;
+        let double = |a: Pair2<R>| a + a;
         // w y g^(α−2) over g^(α−1)
         let lean = self.wy * self.inv_g;
         let yy = full;
         let yn = full - self.s1 - lean * e;
         let nn = full - double(self.s2) - double(lean * (e - self.s0_rate));
-        let even = Two::of(beta) * (one + z * self.s0_rate) - full;
+        let even = Pair2::of(beta) * (one + z * self.s0_rate) - full;
         let (yy, yn, nn, even) = if K::IS_LINEAR {
             let slant = self.slant;
             let third = full - double(self.s2) - lean * (e - self.s0_rate);
@@ -166,7 +166,7 @@ impl<R: Real> Parts<R> {
                 here * yy + slant * (full - self.s1),
                 here * yn + slant * third,
                 here * nn + slant * fourth,
-                here * even + slant * (Two::of(R::ONE + beta) * self.s1 - full),
+                here * even + slant * (Pair2::of(R::ONE + beta) * self.s1 - full),
             )
         } else {
             (here * yy, here * yn, here * nn, here * even)
@@ -179,7 +179,7 @@ impl<R: Real> Parts<R> {
 /// Friction at a speed of 1, given half the length of the longest edge.
 #[inline]
 pub(super) fn friction<R: Real, K: PressureField<R>>(
-    slide: &Slide<'_, R>,
+    slide: &TranslatingMotion<'_, R>,
     power: &PolygonPowerLaw<R>,
     (edges, pressure): (&[Edge<R>], &K),
     half: R,
@@ -187,12 +187,12 @@ pub(super) fn friction<R: Real, K: PressureField<R>>(
     let point = Point {
         slide,
         power,
-        pressure: Turned::new(slide, pressure),
+        pressure: RotatedPressure::new(slide, pressure),
     };
-    let w = Two::of(slide.spin);
-    let at = |place: [Two<R>; 2]| point.parts::<K>(place).wrench::<K>(w);
+    let w = Pair2::of(slide.spin);
+    let at = |place: [Pair2<R>; 2]| point.parts::<K>(place).wrench::<K>(w);
     let along = None;
-    let sums = OfPairs {
+    let sums = EdgePairs {
         slide,
         edges,
         along,
@@ -203,7 +203,7 @@ pub(super) fn friction<R: Real, K: PressureField<R>>(
 
 /// The same with minus its derivatives.
 pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
-    slide: &Slide<'_, R>,
+    slide: &TranslatingMotion<'_, R>,
     power: &PolygonPowerLaw<R>,
     (edges, pressure): (&[Edge<R>], &K),
     half: R,
@@ -211,17 +211,17 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
     let point = Point {
         slide,
         power,
-        pressure: Turned::new(slide, pressure),
+        pressure: RotatedPressure::new(slide, pressure),
     };
-    let w = Two::of(slide.spin);
-    let at = |place: [Two<R>; 2]| {
+    let w = Pair2::of(slide.spin);
+    let at = |place: [Pair2<R>; 2]| {
         let parts = point.parts::<K>(place);
         let [along, across, torque] = parts.wrench::<K>(w);
         let [yy, yn, nn] = parts.derivatives::<K>(power.beta);
         [along, across, torque, yy, yn, nn]
     };
     let along = None;
-    let sums = OfPairs {
+    let sums = EdgePairs {
         slide,
         edges,
         along,
@@ -245,7 +245,10 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
 }
 
 #[inline(always)]
-fn reduced<R: Real>(slide: &Slide<'_, R>, [along, across, torque]: [R; 3]) -> Reduced<R> {
+fn reduced<R: Real>(
+    slide: &TranslatingMotion<'_, R>,
+    [along, across, torque]: [R; 3],
+) -> Reduced<R> {
     let (e, spin) = (slide.direction, slide.spin);
     let across = spin * across;
     Reduced {

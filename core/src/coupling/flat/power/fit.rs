@@ -1,6 +1,6 @@
 //! Polynomials that are fitted when a law is prepared, and evaluated in four chains.
 
-use crate::coupling::flat::two::Two;
+use crate::coupling::flat::two::Pair2;
 use crate::real::Real;
 
 /// Most terms of a polynomial.
@@ -74,13 +74,13 @@ impl<R: Real, const GROUPS: usize> Fit<R, GROUPS> {
     }
 
     #[inline(always)]
-    pub(super) fn at_two(&self, x: Two<R>) -> Two<R> {
-        let s = Two::of(self.scale) * x - Two::of(self.shift);
-        let (s_sq, mut sums) = (s * s, [Two::of(R::ZERO); 4]);
+    pub(super) fn at_two(&self, x: Pair2<R>) -> Pair2<R> {
+        let s = Pair2::of(self.scale) * x - Pair2::of(self.shift);
+        let (s_sq, mut sums) = (s * s, [Pair2::of(R::ZERO); 4]);
         let four = s_sq * s_sq;
         for group in self.groups.iter().take(Self::TAKEN).rev() {
             for (sum, term) in sums.iter_mut().zip(group) {
-                *sum = *sum * four + Two::of(*term);
+                *sum = *sum * four + Pair2::of(*term);
             }
         }
         let [a, b, c, d] = sums;
@@ -118,7 +118,7 @@ mod tests {
             let x = -0.25 + 0.0075 * f64::from(step);
             // Two dozen coefficients, each rounded at most to 2e-16 and most of them far less.
             assert!((double.at(x) - libm::exp(x)).abs() < 3e-15, "{x}");
-            let Two([a, b]) = double.at_two(Two([x, -0.25]));
+            let Pair2([a, b]) = double.at_two(Pair2([x, -0.25]));
             assert!(a == double.at(x) && b == double.at(-0.25));
             let error = f64::from(single.at(x as f32)) - libm::exp(f64::from(x as f32));
             assert!(error.abs() < 3e-7, "{x} {error}");

@@ -16,7 +16,7 @@ mod prepared;
 
 pub use prepared::PolygonPowerLaw;
 
-use super::far::Slide;
+use super::far::TranslatingMotion;
 use super::{Hessian, Motion, PatchShape, Reduced, ShapeFriction};
 use crate::law::LawError;
 use crate::patch::outline::{Edge, Polygon, PressureField};
@@ -67,7 +67,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PowerLawPatch<R> for Pol
                 direction, turn, ..
             } => {
                 let spin = *turn;
-                let slide = Slide { direction, spin };
+                let slide = TranslatingMotion { direction, spin };
                 far::friction(&slide, power, patch, self.longest_half())
             }
         };
@@ -88,7 +88,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PowerLawPatch<R> for Pol
                 direction, turn, ..
             } => {
                 let spin = *turn;
-                let slide = Slide { direction, spin };
+                let slide = TranslatingMotion { direction, spin };
                 far::friction_and_hessian(&slide, power, patch, self.longest_half())
             }
         };

@@ -25,7 +25,7 @@ use crate::real::Real;
 use nalgebra::Vector2;
 
 /// The integrals along one edge.
-struct Seen<R> {
+struct EdgeIntegrals<R> {
     h: R,
     /// E
     arc: R,
@@ -37,7 +37,7 @@ struct Seen<R> {
     moment: R,
 }
 
-impl<R: Real> Seen<R> {
+impl<R: Real> EdgeIntegrals<R> {
     #[inline(always)]
     fn new(power: &PolygonPowerLaw<R>, edge: &Edge<R>, centre: &Vector2<R>) -> Self {
         let (tangent, normal) = (edge.tangent(), edge.normal());
@@ -70,9 +70,9 @@ pub(super) fn friction<R: Real, K: PressureField<R>>(
     centre: &Vector2<R>,
     sense: R,
 ) -> Reduced<R> {
-    let mut sums = Sums::new();
+    let mut sums = WrenchSums::new();
     for edge in edges {
-        sums.add::<K>(edge, &Seen::new(power, edge, centre));
+        sums.add::<K>(edge, &EdgeIntegrals::new(power, edge, centre));
     }
     sums.friction(power.beta, pressure, centre, sense)
 }
@@ -84,10 +84,10 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
     centre: &Vector2<R>,
     sense: R,
 ) -> (Reduced<R>, Hessian<R>) {
-    let mut sums = Sums::new();
-    let mut across = Across::new();
+    let mut sums = WrenchSums::new();
+    let mut across = DerivativeSums::new();
     for edge in edges {
-        let seen = Seen::new(power, edge, centre);
+        let seen = EdgeIntegrals::new(power, edge, centre);
         sums.add::<K>(edge, &seen);
         across.add(edge, pressure, &seen);
     }
@@ -119,7 +119,7 @@ fn about<R: Real>(
 }
 
 /// Sums over the edges for the wrench.
-struct Sums<R: Real> {
+struct WrenchSums<R: Real> {
     /// Σ τ I
     along: Vector2<R>,
     /// Σ I offset
@@ -132,7 +132,7 @@ struct Sums<R: Real> {
     spread: [R; 3],
 }
 
-impl<R: Real> Sums<R> {
+impl<R: Real> WrenchSums<R> {
     fn new() -> Self {
         let zero = Vector2::new(R::ZERO, R::ZERO);
         Self {
@@ -145,7 +145,7 @@ impl<R: Real> Sums<R> {
     }
 
     #[inline(always)]
-    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, seen: &Seen<R>) {
+    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, seen: &EdgeIntegrals<R>) {
         let (tangent, integral, h) = (edge.tangent(), seen.integral, seen.h);
         self.along += tangent * integral;
         self.distance += h * integral;
@@ -213,14 +213,14 @@ fn symmetric<R: Real>(a: &Vector2<R>, b: &Vector2<R>) -> [R; 3] {
 }
 
 /// Sums over the edges for the derivatives.
-struct Across<R> {
+struct DerivativeSums<R> {
     /// M: xx, xy, yy
     uniform: [R; 3],
     /// Σ ∫ρ (g·ρ) r^(β−2) dt n
     linear: [R; 3],
 }
 
-impl<R: Real> Across<R> {
+impl<R: Real> DerivativeSums<R> {
     fn new() -> Self {
         Self {
             uniform: [R::ZERO; 3],
@@ -229,7 +229,7 @@ impl<R: Real> Across<R> {
     }
 
     #[inline(always)]
-    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, pressure: &K, seen: &Seen<R>) {
+    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, pressure: &K, seen: &EdgeIntegrals<R>) {
         let (tangent, normal) = (edge.tangent(), edge.normal());
         let b = normal * seen.arc + tangent * seen.rise;
         for (sum, part) in self.uniform.iter_mut().zip(symmetric(&b, &normal)) {

@@ -1,9 +1,9 @@
 //! Registers of four numbers give the bits of registers of two.
 
-use super::passes::{Densities, Forces, set_slopes};
+use super::passes::{DensityPass, ForcePass, set_slopes};
 use super::*;
 use crate::md::interaction::Wanted;
-use crate::md::lanes::{self, InLanes};
+use crate::md::lanes::{self, LaneLoop};
 use crate::md::neighbours::VerletList;
 use nalgebra::Vector3;
 use tribos_base::random::Random;
@@ -11,7 +11,7 @@ use tribos_base::space::PeriodicBox;
 
 /// Bits of densities, energies, forces and virials, in lanes of a kind or of the processor.
 fn bits(law: &SuttonChen, is_plain: bool) -> Vec<u64> {
-    fn go<W: InLanes>(work: W, is_plain: bool) -> W::Out {
+    fn go<W: LaneLoop>(work: W, is_plain: bool) -> W::Out {
         if is_plain {
             work.go::<wide::f64x4>(())
         } else {
@@ -28,11 +28,11 @@ fn bits(law: &SuttonChen, is_plain: bool) -> Vec<u64> {
     let jets: Vec<_> = (0..900).map(|_| [0.0, -random.unit()]).collect();
     let mut bits = Vec::new();
     for chunk in list.chunks_mut() {
-        let energy = go(Densities { law, chunk }, is_plain);
+        let energy = go(DensityPass { law, chunk }, is_plain);
         bits.push(energy.to_bits());
         bits.extend(chunk.sites().iter().map(|site| site.density().to_bits()));
         set_slopes(chunk, &jets);
-        let tally = go(Forces::<SuttonChen>::new(chunk, Wanted::Sums), is_plain);
+        let tally = go(ForcePass::<SuttonChen>::new(chunk, Wanted::Sums), is_plain);
         let forces = chunk.sites().iter().flat_map(|site| site.force);
         bits.extend(forces.chain(tally.virial.iter().copied()).map(f64::to_bits));
     }

@@ -3,7 +3,7 @@
 
 use super::Functions;
 use crate::md::interaction::{Tally, Wanted};
-use crate::md::lanes::{self, InLanes, Lanes, across, spread, ways};
+use crate::md::lanes::{self, LaneLoop, Lanes, across, spread, ways};
 use crate::md::neighbours::{Chunk, LANES, Site, VerletList};
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
@@ -19,14 +19,14 @@ pub(super) fn forces<F: Functions>(
     let chunks = list.chunks_mut();
     let energies: Vec<f64> = chunks
         .par_iter_mut()
-        .map(|chunk| lanes::run(Densities { law, chunk }))
+        .map(|chunk| lanes::run(DensityPass { law, chunk }))
         .collect();
     let jets = embed(law, chunks, forces.len());
     let tallies: Vec<Tally> = chunks
         .par_iter_mut()
         .map(|chunk| {
             set_slopes(chunk, &jets);
-            lanes::run(Forces::<F>::new(chunk, wanted))
+            lanes::run(ForcePass::<F>::new(chunk, wanted))
         })
         .collect();
     for chunk in &*chunks {
@@ -49,12 +49,12 @@ pub(super) fn forces<F: Functions>(
 }
 
 /// The first pass over a chunk's pairs.
-pub(super) struct Densities<'a, F> {
+pub(super) struct DensityPass<'a, F> {
     pub(super) law: &'a F,
     pub(super) chunk: &'a mut Chunk,
 }
 
-impl<F: Functions> InLanes for Densities<'_, F> {
+impl<F: Functions> LaneLoop for DensityPass<'_, F> {
     type Out = f64;
 
     /// Sums the densities of a chunk's pairs at its sites, keeps the slopes of the blocks over the distance, and
@@ -137,20 +137,20 @@ pub(super) fn set_slopes(chunk: &mut Chunk, jets: &[[f64; 2]]) {
 }
 
 /// The last pass over a chunk's pairs.
-pub(super) struct Forces<'a, F> {
+pub(super) struct ForcePass<'a, F> {
     law: PhantomData<F>,
     chunk: &'a mut Chunk,
     wanted: Wanted,
 }
 
-impl<'a, F> Forces<'a, F> {
+impl<'a, F> ForcePass<'a, F> {
     pub(super) fn new(chunk: &'a mut Chunk, wanted: Wanted) -> Self {
         let law = PhantomData;
         Self { law, chunk, wanted }
     }
 }
 
-impl<F: Functions> InLanes for Forces<'_, F> {
+impl<F: Functions> LaneLoop for ForcePass<'_, F> {
     type Out = Tally;
 
     /// The forces of a chunk's pairs on its sites, and their virial.

@@ -5,7 +5,7 @@ pub(super) const FEWEST_KNOTS: usize = 5;
 
 /// Position of a number between the knots.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Spot {
+pub(super) struct KnotPosition {
     segment: usize,
     /// Fraction of the distance to the next knot.
     t: f64,
@@ -29,12 +29,12 @@ impl Grid {
 
     /// Position of `x`: at the last knot beyond it, before the first knot below 0, none for NaN.
     #[inline]
-    pub fn spot(&self, x: f64) -> Spot {
+    pub fn spot(&self, x: f64) -> KnotPosition {
         let steps = x * self.inv_step;
         let segment = (steps as usize).min(self.segments - 1);
         let t = steps - segment as f64;
         let t = if t > 1.0 { 1.0 } else { t };
-        Spot { segment, t }
+        KnotPosition { segment, t }
     }
 }
 
@@ -84,13 +84,13 @@ impl Spline {
     }
 
     #[inline]
-    pub fn value(&self, Spot { segment, t }: Spot) -> f64 {
+    pub fn value(&self, KnotPosition { segment, t }: KnotPosition) -> f64 {
         let [a, b, c, d] = self.segments[segment].value;
         ((a * t + b) * t + c) * t + d
     }
 
     #[inline]
-    pub fn jet(&self, spot: Spot) -> [f64; 2] {
+    pub fn jet(&self, spot: KnotPosition) -> [f64; 2] {
         let [a, b, c] = self.segments[spot.segment].slope;
         [self.value(spot), (a * spot.t + b) * spot.t + c]
     }

@@ -1,7 +1,7 @@
 //! Slots sorted into cells as wide as the reach of the list.
 
 use super::images::{Slot, fill_slots};
-use super::rough::RoughPlaces;
+use super::rough::SinglePrecisionPositions;
 use super::window::Window;
 use nalgebra::Vector3;
 use std::ops::Range;
@@ -80,7 +80,7 @@ pub struct Cells {
     axes: [Axis; 3],
     slots: Vec<Slot>,
     /// Rough positions of the slots.
-    rough: RoughPlaces,
+    rough: SinglePrecisionPositions,
     /// Cell of each slot.
     cell_of: Vec<u32>,
     /// First slot of each cell, and the end of the last.
@@ -185,7 +185,7 @@ impl Cells {
     }
 
     /// Rough positions of the sorted slots.
-    pub fn rough(&self) -> &RoughPlaces {
+    pub fn rough(&self) -> &SinglePrecisionPositions {
         &self.rough
     }
 

@@ -3,9 +3,9 @@
 use super::candidates::Candidates;
 use super::cells::{Cells, Rows};
 use super::images::Slot;
-use super::row::{Around, RowWriter};
+use super::row::{RowWriter, SearchContext};
 use super::window::Window;
-use crate::md::lanes::{InLanes, Lanes};
+use crate::md::lanes::{LaneLoop, Lanes};
 use nalgebra::Vector3;
 use std::ops::Range;
 
@@ -220,7 +220,7 @@ pub(super) struct Build<'a> {
     pub(super) atoms: (&'a [Vector3<f64>], &'a [u8]),
 }
 
-impl InLanes for Build<'_> {
+impl LaneLoop for Build<'_> {
     type Out = ();
 
     #[inline(always)]
@@ -231,7 +231,7 @@ impl InLanes for Build<'_> {
         chunk.starts.clear();
         chunk.starts.push(0);
         let sites = std::mem::take(&mut chunk.sites);
-        let around = Around {
+        let around = SearchContext {
             cells,
             window: &window,
             sites: &sites,

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 /// Positions relative to the middle of all, over the reach of the list: one array an axis.
 #[derive(Clone, Debug, Default)]
-pub(super) struct RoughPlaces {
+pub(super) struct SinglePrecisionPositions {
     along: [Vec<f32>; 3],
     middle: Vector3<f64>,
     inv_reach: f64,
@@ -19,7 +19,7 @@ const DOUBT: f64 = 1.0 / 2_097_152.0;
 /// Tolerance of the square of a distance relative to it: above its five roundings of 2⁻²⁴.
 const DOUBT_OF_SQUARE: f64 = 1.0 / 1_048_576.0;
 
-impl RoughPlaces {
+impl SinglePrecisionPositions {
     /// Fits the unit to the positions and the reach.
     pub(super) fn fit(&mut self, extent: [[f64; 2]; 3], reach: f64) {
         self.inv_reach = 1.0 / reach;

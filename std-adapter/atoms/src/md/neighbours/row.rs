@@ -16,11 +16,11 @@ static COUNTS: [u8; 1 << ROUGH_LANES] = counts();
 #[derive(Debug, Default)]
 pub(super) struct RowWriter {
     /// Those of the slot in reach, and some a little beyond.
-    found: Kept,
+    found: SelectedSites,
     /// The rows so far, then the neighbours of the slot within the cut-off.
-    near: Kept,
+    near: SelectedSites,
     /// Those beyond it, within the skin.
-    far: Kept,
+    far: SelectedSites,
     /// Whether each site is in a row.
     is_used: Vec<bool>,
     pairs: usize,
@@ -28,7 +28,7 @@ pub(super) struct RowWriter {
 
 /// What neighbours are searched in.
 #[derive(Clone, Copy)]
-pub(super) struct Around<'a> {
+pub(super) struct SearchContext<'a> {
     pub(super) cells: &'a Cells,
     pub(super) window: &'a Window,
     /// Sites of the window, in place, and one that is nowhere.
@@ -41,7 +41,7 @@ impl RowWriter {
     /// No rows yet, in the memory of others; there will be neighbours among some sites.
     pub(super) fn new(memory: Vec<u32>, sites: usize) -> Self {
         Self {
-            near: Kept {
+            near: SelectedSites {
                 sites: memory,
                 count: 0,
             },
@@ -55,11 +55,11 @@ impl RowWriter {
     pub(super) fn fill<N: Lanes>(
         &mut self,
         key: N::Key,
-        around: Around<'_>,
+        around: SearchContext<'_>,
         slot: usize,
         (rows, candidates): (&Rows, &Candidates),
     ) {
-        let Around { cells, window, .. } = around;
+        let SearchContext { cells, window, .. } = around;
         self.found.count = 0;
         let site = &around.sites[window.site(slot) as usize];
         let [x, y, z, _] = site.place;
@@ -120,7 +120,7 @@ impl RowWriter {
 
     /// Appends those that are in reach, near ones first, and fills up the last block.
     #[inline(always)]
-    fn judge<N: Lanes>(&mut self, key: N::Key, around: Around<'_>, site: &Site) {
+    fn judge<N: Lanes>(&mut self, key: N::Key, around: SearchContext<'_>, site: &Site) {
         let place = spread::<N>(key, site);
         let [cutoff_sq, reach_sq] = around.reaches_sq;
         let [cutoff_sq, reach_sq] = [N::splat(key, cutoff_sq), N::splat(key, reach_sq)];
@@ -181,13 +181,13 @@ impl RowWriter {
 
 /// Some sites.
 #[derive(Debug, Default)]
-struct Kept {
+struct SelectedSites {
     /// Entries from `count` on are unused.
     sites: Vec<u32>,
     count: usize,
 }
 
-impl Kept {
+impl SelectedSites {
     /// Makes room for some more, and for a whole block after the last.
     fn make_room(&mut self, more: usize) {
         let needed = self.count + more + ROUGH_LANES;

@@ -109,7 +109,7 @@ fn the_processor_does_not_change_the_rows() {
             reaches_sq: [CUTOFF, CUTOFF + SKIN].map(|reach| reach * reach),
             atoms: (&places, &species),
         };
-        lanes::InLanes::go::<wide::f64x4>(build, ());
+        lanes::LaneLoop::go::<wide::f64x4>(build, ());
         assert!(rows(chunk) == expected);
     }
 }

@@ -181,16 +181,16 @@ impl Interaction for LennardJones {
 
     fn forces(&self, list: &mut VerletList, onto: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
         // Separate loops: one species needs no table, an unshifted force no square root.
-        let many = Many {
+        let many = MultiSpecies {
             species: self.species,
             table: &self.table,
         };
-        let one = One(self.table[0]);
+        let one = SingleSpecies(self.table[0]);
         match (self.species, self.shift) {
             (1, Shift::Force) => forces(&law(one, Shifted), list, onto, wanted),
-            (1, _) => forces(&law(one, Plain), list, onto, wanted),
+            (1, _) => forces(&law(one, Unshifted), list, onto, wanted),
             (_, Shift::Force) => forces(&law(many, Shifted), list, onto, wanted),
-            (_, _) => forces(&law(many, Plain), list, onto, wanted),
+            (_, _) => forces(&law(many, Unshifted), list, onto, wanted),
         }
     }
 }
@@ -218,9 +218,9 @@ pub(super) trait Source: Sync {
 }
 
 /// One species: constant coefficients.
-pub(super) struct One(pub(super) Coefficients);
+pub(super) struct SingleSpecies(pub(super) Coefficients);
 
-impl Source for One {
+impl Source for SingleSpecies {
     type Kinds = ();
 
     #[inline(always)]
@@ -237,12 +237,12 @@ impl Source for One {
 }
 
 /// Several species: a table of coefficients.
-pub(super) struct Many<'a> {
+pub(super) struct MultiSpecies<'a> {
     pub(super) species: usize,
     pub(super) table: &'a [Coefficients],
 }
 
-impl Source for Many<'_> {
+impl Source for MultiSpecies<'_> {
     /// Indices into the table.
     type Kinds = [usize; LANES];
 
@@ -269,7 +269,7 @@ impl Source for Many<'_> {
 }
 
 /// The shift of the force at the cut-off, and the corresponding energy.
-pub(super) trait End: Sync {
+pub(super) trait CutoffCorrection: Sync {
     /// −U'(r)/r at 1/r², given its unshifted value.
     fn force<N: Lanes>(&self, unshifted: N, force_at_cutoff: N, inv_sq: N) -> N;
 
@@ -278,9 +278,9 @@ pub(super) trait End: Sync {
 }
 
 /// No shift of the force, and no square root.
-pub(super) struct Plain;
+pub(super) struct Unshifted;
 
-impl End for Plain {
+impl CutoffCorrection for Unshifted {
     #[inline(always)]
     fn force<N: Lanes>(&self, unshifted: N, _: N, _: N) -> N {
         unshifted
@@ -295,7 +295,7 @@ impl End for Plain {
 /// Shift by the force at the cut-off.
 pub(super) struct Shifted;
 
-impl End for Shifted {
+impl CutoffCorrection for Shifted {
     #[inline(always)]
     fn force<N: Lanes>(&self, unshifted: N, force_at_cutoff: N, inv_sq: N) -> N {
         unshifted - force_at_cutoff * inv_sq.sqrt()
@@ -313,7 +313,7 @@ pub(super) struct Truncated<S, E> {
     end: E,
 }
 
-impl<S: Source, E: End> Truncated<S, E> {
+impl<S: Source, E: CutoffCorrection> Truncated<S, E> {
     /// The values where r is below the cut-off, 0 elsewhere.
     #[inline(always)]
     fn within<N: Lanes>(&self, key: N::Key, kinds: S::Kinds, r_sq: N, values: N) -> N {
@@ -322,7 +322,7 @@ impl<S: Source, E: End> Truncated<S, E> {
     }
 }
 
-impl<S: Source, E: End> PairLaw for Truncated<S, E> {
+impl<S: Source, E: CutoffCorrection> PairLaw for Truncated<S, E> {
     type Kinds = S::Kinds;
 
     #[inline(always)]

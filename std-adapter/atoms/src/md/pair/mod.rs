@@ -15,12 +15,12 @@ pub use lennard_jones::{LennardJones, LennardJonesError, Pairing};
 pub use mixing::Mixing;
 
 use super::interaction::{Tally, Wanted};
-use super::lanes::{self, InLanes, Lanes, across, spread, ways};
+use super::lanes::{self, LaneLoop, Lanes, across, spread, ways};
 use super::neighbours::{Chunk, LANES, Site, VerletList};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use std::marker::PhantomData;
-use sums::{ForcesOnly, Summed, Sums, Totals};
+use sums::{Accumulator, ForcesOnly, Sums, Totals};
 
 /// A central force with a cut-off.
 trait PairLaw: Sync {
@@ -83,7 +83,7 @@ impl<'a, L, S> Loop<'a, L, S> {
     }
 }
 
-impl<L: PairLaw, S: Summed> InLanes for Loop<'_, L, S> {
+impl<L: PairLaw, S: Accumulator> LaneLoop for Loop<'_, L, S> {
     type Out = Tally;
 
     /// Adds the forces of a chunk's pairs to its sites, four neighbours of an owned site at a time.

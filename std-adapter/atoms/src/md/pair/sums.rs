@@ -4,7 +4,7 @@ use super::{Lanes, Tally, across};
 use nalgebra::Matrix3;
 
 /// What a loop sums.
-pub(super) trait Summed: Send {
+pub(super) trait Accumulator: Send {
     /// The sums while the loop runs.
     type Sums<N: Lanes>: Sums<N>;
 }
@@ -23,7 +23,7 @@ pub(super) trait Sums<N> {
 /// No sums.
 pub(super) struct ForcesOnly;
 
-impl Summed for ForcesOnly {
+impl Accumulator for ForcesOnly {
     type Sums<N: Lanes> = Self;
 }
 
@@ -47,7 +47,7 @@ impl<N: Lanes> Sums<N> for ForcesOnly {
 /// Energy and virial.
 pub(super) struct Totals;
 
-impl Summed for Totals {
+impl Accumulator for Totals {
     type Sums<N: Lanes> = LaneTotals<N>;
 }
 

@@ -1,6 +1,6 @@
 //! Registers of four numbers give the bits of registers of two.
 
-use super::lennard_jones::{Many, One, Plain, Shifted, law};
+use super::lennard_jones::{MultiSpecies, Shifted, SingleSpecies, Unshifted, law};
 use super::*;
 use crate::md::interaction::Interaction;
 use tribos_base::random::Random;
@@ -21,7 +21,11 @@ fn list(cutoff: f64) -> VerletList {
 }
 
 /// Bits of all forces and sums of a law.
-fn bits<L: PairLaw, S: Summed, N: Lanes>(law: &L, key: Option<N::Key>, cutoff: f64) -> Vec<u64> {
+fn bits<L: PairLaw, S: Accumulator, N: Lanes>(
+    law: &L,
+    key: Option<N::Key>,
+    cutoff: f64,
+) -> Vec<u64> {
     let mut list = list(cutoff);
     let mut bits = Vec::new();
     for chunk in list.chunks_mut() {
@@ -38,7 +42,7 @@ fn bits<L: PairLaw, S: Summed, N: Lanes>(law: &L, key: Option<N::Key>, cutoff: f
     bits
 }
 
-fn assert_same_bits<L: PairLaw, S: Summed>(law: &L, cutoff: f64) {
+fn assert_same_bits<L: PairLaw, S: Accumulator>(law: &L, cutoff: f64) {
     let plain = bits::<L, S, wide::f64x4>(law, Some(()), cutoff);
     assert_eq!(bits::<L, S, wide::f64x4>(law, None, cutoff), plain);
     assert!(plain.iter().filter(|&&bits| bits << 1 != 0).count() > 2000);
@@ -50,18 +54,18 @@ fn the_processor_does_not_change_the_bits() {
     let shifts = [Shift::None, Shift::Energy, Shift::Force];
     for shift in shifts {
         let pairs = [0.9, 1.0, 1.0, 1.1].map(|size| Coefficients::new(1.0, size, cutoff, shift));
-        let many = Many {
+        let many = MultiSpecies {
             species: 2,
             table: &pairs,
         };
-        let one = || One(pairs[0]);
+        let one = || SingleSpecies(pairs[0]);
         if shift == Shift::Force {
             assert_same_bits::<_, Totals>(&law(one(), Shifted), cutoff);
             assert_same_bits::<_, Totals>(&law(many, Shifted), cutoff);
         } else {
-            assert_same_bits::<_, ForcesOnly>(&law(one(), Plain), cutoff);
-            assert_same_bits::<_, Totals>(&law(one(), Plain), cutoff);
-            assert_same_bits::<_, Totals>(&law(many, Plain), cutoff);
+            assert_same_bits::<_, ForcesOnly>(&law(one(), Unshifted), cutoff);
+            assert_same_bits::<_, Totals>(&law(one(), Unshifted), cutoff);
+            assert_same_bits::<_, Totals>(&law(many, Unshifted), cutoff);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! One step: thermostats, kicks and drifts in a symmetric order.
 
 use super::{Exchange, Integrator, System, SystemError};
-use crate::md::group::Hold;
+use crate::md::group::MotionConstraint;
 use crate::md::interaction::{Interaction, Wanted};
 use crate::md::thermostat::Thermostat;
 use nalgebra::Vector3;
@@ -115,8 +115,8 @@ impl<I: Interaction> System<I> {
                 let inv_mass = 1.0 / self.atoms.mass(atom);
                 let mut push = self.forces[atom] * inv_mass;
                 push.z = match group.hold {
-                    Hold::Plane => 0.0,
-                    Hold::Level => common,
+                    MotionConstraint::Plane => 0.0,
+                    MotionConstraint::Level => common,
                     _ => push.z + group.load * inv_mass,
                 };
                 if let Some(drive) = drive {
@@ -137,7 +137,7 @@ impl<I: Interaction> System<I> {
     /// Acceleration along z of a level group as a whole.
     fn common_lift(&self, index: usize) -> f64 {
         let group = &self.groups[index];
-        if group.hold != Hold::Level || self.members[index].is_empty() {
+        if group.hold != MotionConstraint::Level || self.members[index].is_empty() {
             return 0.0;
         }
         let (mut force, mut mass) = (0.0, 0.0);
@@ -154,8 +154,8 @@ impl<I: Interaction> System<I> {
         for index in 0..self.groups.len() {
             let group = self.groups[index];
             match (group.hold, group.thermostat) {
-                (Hold::Frozen, _) => {}
-                (Hold::Turning { axis, rate }, _) => self.turn(index, axis, rate),
+                (MotionConstraint::Frozen, _) => {}
+                (MotionConstraint::Turning { axis, rate }, _) => self.turn(index, axis, rate),
                 (_, Thermostat::Langevin(thermostat)) => {
                     self.go(index, 0.5 * time);
                     self.shake(index, &thermostat);

@@ -1,9 +1,9 @@
 //! Heat of the groups: damping, thermostats, and what they take.
 
 use super::System;
-use crate::md::group::{Frame, Hold};
+use crate::md::group::{MotionConstraint, ThermalFrame};
 use crate::md::interaction::Interaction;
-use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat};
+use crate::md::thermostat::{Langevin, Noise, NoseHoover, RotationBias, Thermostat};
 use nalgebra::Vector3;
 
 impl<I: Interaction> System<I> {
@@ -51,7 +51,7 @@ impl<I: Interaction> System<I> {
     fn scale(&mut self, index: usize, thermostat: &mut NoseHoover, time: f64) {
         let freedoms = self.heat_freedoms(index);
         match thermostat.spin() {
-            Spin::Counts if self.groups[index].frame == Frame::Mean => {
+            RotationBias::Counts if self.groups[index].frame == ThermalFrame::Mean => {
                 let common = self.mean_velocity(index);
                 let kinetic = self.heat_kinetic(index);
                 let factor = thermostat.scale(kinetic, freedoms, time);
@@ -61,7 +61,7 @@ impl<I: Interaction> System<I> {
                     *velocity = (*velocity - common) * factor + common;
                 }
             }
-            Spin::Counts => {
+            RotationBias::Counts => {
                 let kinetic = self.kinetic(index);
                 let factor = thermostat.scale(kinetic, freedoms, time);
                 self.exchange.heat += kinetic * (1.0 - factor * factor);
@@ -69,7 +69,7 @@ impl<I: Interaction> System<I> {
                     self.atoms.velocities[atom] *= factor;
                 }
             }
-            Spin::Spared { axis } => {
+            RotationBias::Spared { axis } => {
                 let rate = self.mean_rate(index, axis);
                 let mut kinetic = 0.0;
                 for &atom in &self.members[index] {
@@ -102,10 +102,10 @@ impl<I: Interaction> System<I> {
     /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
     /// # use tribos::space::PeriodicBox;
     /// # use tribos::md::system::{Integrator, Setup, System};
-    /// # use tribos::md::thermostat::{NoseHoover, Spin, Thermostat};
+    /// # use tribos::md::thermostat::{NoseHoover, RotationBias, Thermostat};
     /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
     /// // The common rotation of a turned body is no heat, nor is the momentum of one that nothing holds.
-    /// let bath = NoseHoover::new(0.1, 0.5, Spin::Spared { axis: [0.0; 2] })?;
+    /// let bath = NoseHoover::new(0.1, 0.5, RotationBias::Spared { axis: [0.0; 2] })?;
     /// let turned = Group { thermostat: Thermostat::NoseHoover(bath), ..Group::default() };
     /// # let system = System::new(Setup {
     /// #     atoms: Atoms::at(vec![Vector3::x(), -Vector3::x()]),
@@ -129,15 +129,15 @@ impl<I: Interaction> System<I> {
         let all = group.hold.freedoms(self.members[index].len());
         let spared = match &group.thermostat {
             Thermostat::NoseHoover(thermostat) => {
-                usize::from(thermostat.spin() != Spin::Counts && all > 0)
+                usize::from(thermostat.spin() != RotationBias::Counts && all > 0)
             }
             _ => 0,
         };
         // The mean velocity of a frame has two components.
         let carried = match group.frame {
             _ if self.is_isolated(index) => group.hold.freedoms(1),
-            Frame::Mean => 2,
-            Frame::Box => 0,
+            ThermalFrame::Mean => 2,
+            ThermalFrame::Box => 0,
         };
         all.saturating_sub(spared + carried) as f64
     }
@@ -156,8 +156,8 @@ impl<I: Interaction> System<I> {
     /// from the stored velocities.
     fn heat_kinetic(&self, index: usize) -> f64 {
         let common = match self.groups[index].frame {
-            Frame::Box => return self.kinetic(index),
-            Frame::Mean => self.mean_velocity(index),
+            ThermalFrame::Box => return self.kinetic(index),
+            ThermalFrame::Mean => self.mean_velocity(index),
         };
         let part = |&atom: &usize| {
             let velocity = self.atoms.velocities[atom] - common;
@@ -215,10 +215,13 @@ impl<I: Interaction> System<I> {
     /// Applies friction and noise over a whole step, along the free axes.
     pub(super) fn shake(&mut self, index: usize, thermostat: &Langevin) {
         let [kept, unit] = thermostat.factors(self.time_step);
-        let is_flat = matches!(self.groups[index].hold, Hold::Plane | Hold::Level);
+        let is_flat = matches!(
+            self.groups[index].hold,
+            MotionConstraint::Plane | MotionConstraint::Level
+        );
         let mut noise = Noise::new(self.seed, self.steps, index);
         let before = self.kinetic(index);
-        if self.groups[index].frame == Frame::Mean {
+        if self.groups[index].frame == ThermalFrame::Mean {
             self.shake_about_the_mean(index, [kept, unit], &mut noise, is_flat);
             self.exchange.heat += before - self.kinetic(index);
             return;

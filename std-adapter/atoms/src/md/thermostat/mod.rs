@@ -4,7 +4,7 @@ mod langevin;
 mod nose_hoover;
 
 pub use langevin::{Langevin, Noise};
-pub use nose_hoover::{NoseHoover, Spin};
+pub use nose_hoover::{NoseHoover, RotationBias};
 
 /// The thermostat of a group. Temperatures are energies: k_B = 1.
 ///

@@ -4,7 +4,7 @@ use super::{ThermostatError, check};
 
 /// Whether the common rotation of a group about the vertical counts as heat.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Spin {
+pub enum RotationBias {
     /// All motion is heat.
     #[default]
     Counts,
@@ -21,9 +21,9 @@ pub enum Spin {
 /// time. E + Qξ²/2 + gTη with η' = ξ is conserved as accurately as the energy without thermostat.
 ///
 /// ```
-/// use tribos::md::thermostat::{NoseHoover, Spin};
-/// let mut bath = NoseHoover::new(0.1, 0.5, Spin::Counts)?;
-/// assert_eq!(bath.spin(), Spin::Counts);
+/// use tribos::md::thermostat::{NoseHoover, RotationBias};
+/// let mut bath = NoseHoover::new(0.1, 0.5, RotationBias::Counts)?;
+/// assert_eq!(bath.spin(), RotationBias::Counts);
 /// let (freedoms, kinetic) = (300.0, 30.0);
 /// assert!(2.0 * kinetic > freedoms * bath.temperature()); // too hot
 /// let start = bath.state();
@@ -43,7 +43,7 @@ pub enum Spin {
 pub struct NoseHoover {
     temperature: f64,
     relaxation: f64,
-    spin: Spin,
+    spin: RotationBias,
     friction: f64,
     position: f64,
 }
@@ -51,7 +51,11 @@ pub struct NoseHoover {
 impl NoseHoover {
     /// A thermostat at `temperature` with the time constant `relaxation`: Q = gT·relaxation². At T
     /// = 0 it does nothing.
-    pub fn new(temperature: f64, relaxation: f64, spin: Spin) -> Result<Self, ThermostatError> {
+    pub fn new(
+        temperature: f64,
+        relaxation: f64,
+        spin: RotationBias,
+    ) -> Result<Self, ThermostatError> {
         check(temperature, "relaxation time", relaxation)?;
         Ok(Self {
             temperature,
@@ -68,7 +72,7 @@ impl NoseHoover {
     }
 
     /// Whether the rotation counts as heat.
-    pub fn spin(&self) -> Spin {
+    pub fn spin(&self) -> RotationBias {
         self.spin
     }
 

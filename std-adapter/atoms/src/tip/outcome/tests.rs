@@ -8,7 +8,7 @@ fn seen(scene: &TipScene, lines: &[Vec<f64>]) -> TipSummary {
     let measured = Measured {
         lines,
         layers: 7,
-        loops: &Loops::default(),
+        loops: &LoopWork::default(),
         work: 60.0,
         samples: lines.len(),
     };

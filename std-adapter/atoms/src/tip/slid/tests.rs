@@ -19,7 +19,7 @@ fn scene(stroke: Option<f64>, drive_time: f64) -> TipScene {
 }
 
 /// A force along the path that turns its sign with the motion, at 0.05 of time.
-fn looks(time: f64, force: impl Fn(f64) -> f64) -> Vec<Look> {
+fn looks(time: f64, force: impl Fn(f64) -> f64) -> Vec<SlidingSample> {
     let count = (time / 0.05).round() as i32;
     (-20..=count)
         .map(|k| {
@@ -32,7 +32,7 @@ fn looks(time: f64, force: impl Fn(f64) -> f64) -> Vec<Look> {
             } else {
                 (STROKE - part, -1.0)
             };
-            Look {
+            SlidingSample {
                 time,
                 support,
                 force: sign * force(part),
@@ -51,7 +51,11 @@ fn saw(x: f64) -> f64 {
 fn a_saw_tooth_has_its_mean_its_period_and_its_slips() {
     for sign in [1.0, -1.0] {
         let scene = scene(Some(STROKE), 36.0);
-        let slid = SlidingSummary::of(&scene, &looks(36.0, |x| sign * saw(x)), &Loops::default());
+        let slid = SlidingSummary::of(
+            &scene,
+            &looks(36.0, |x| sign * saw(x)),
+            &LoopWork::default(),
+        );
         assert_eq!(slid.strokes, 3);
         // Half a stroke is two teeth and a half: means of 2 for four halves, of 2.5 for the last.
         let expected = sign * 2.1;
@@ -72,7 +76,7 @@ fn a_saw_tooth_has_its_mean_its_period_and_its_slips() {
 #[test]
 fn a_loop_is_what_the_support_did_between_every_second_turning_point() {
     let ends = [(1.0, 10.0, -7.0), (21.0, 25.0, -4.0)];
-    let loops = Loops {
+    let loops = LoopWork {
         ends: ends
             .map(|(work, heat, energy)| Totals { work, heat, energy })
             .to_vec(),
@@ -91,13 +95,13 @@ fn what_a_run_has_not_is_no_number() {
     let none = SlidingSummary::of(
         &scene(Some(STROKE), 5.0),
         &looks(5.0, saw),
-        &Loops::default(),
+        &LoopWork::default(),
     );
     assert_eq!((none.strokes, none.loops, none.slips), (0, 0, 0));
     assert!(none.friction.is_nan() && none.period.is_nan() && none.work.is_nan());
     assert!(none.json()["friction"].as_f64().is_none());
     // Without turning points the whole way is one stroke.
-    let far = SlidingSummary::of(&scene(None, 12.0), &looks(12.0, saw), &Loops::default());
+    let far = SlidingSummary::of(&scene(None, 12.0), &looks(12.0, saw), &LoopWork::default());
     assert_eq!((far.strokes, far.loops), (1, 0));
     assert!(far.friction_back.is_nan() && far.friction_forth > 1.0);
 }

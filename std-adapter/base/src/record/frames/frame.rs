@@ -15,7 +15,7 @@ const STEPS: f64 = u16::MAX as f64;
 /// ```
 /// # use nalgebra::Vector3;
 /// # use tribos::record::Partner;
-/// # use tribos::record::frames::{Bodies, Frame, FrameContact, FrameFolder, Hold, Kind};
+/// # use tribos::record::frames::{Bodies, Frame, FrameContact, FrameFolder, ContactStateFlags, Kind};
 /// # let bodies = Bodies {
 /// #     kind: Kind::Powder,
 /// #     scene: serde_json::json!({}),
@@ -33,7 +33,7 @@ const STEPS: f64 = u16::MAX as f64;
 /// # let home = tempfile::tempdir()?;
 /// # let path = home.path().join("frames");
 /// // A sphere that presses the floor, wall 0, with 0.3 and slides on it.
-/// let (a, b, hold) = (0, Partner::Wall(0), Hold::SLIDES);
+/// let (a, b, hold) = (0, Partner::Wall(0), ContactStateFlags::SLIDES);
 /// let state = Frame {
 ///     corners: [[0.0; 3], [10.0; 3]],
 ///     places: vec![Vector3::new(5.0, 5.0, 1.0)],
@@ -79,23 +79,23 @@ pub struct FrameContact {
     /// Normal force, positive for pressure, negative for a pull; in a file to 2⁻⁸ of it.
     pub normal_force: f32,
     /// State of the contact.
-    pub hold: Hold,
+    pub hold: ContactStateFlags,
 }
 
 /// State of a contact: the modes that are at their thresholds, as bits.
 ///
 /// ```
-/// use tribos::record::frames::Hold;
-/// let turning = Hold::of([false, true, true]); // does not slide
-/// assert_eq!(turning.0, Hold::ROLLS.0 | Hold::SPINS.0);
-/// assert_eq!(turning.0 & Hold::SLIDES.0, 0);
-/// assert_eq!(Hold::of([false; 3]), Hold::STICKS);
-/// assert_ne!(Hold::of([true; 3]), Hold::OPEN);
+/// use tribos::record::frames::ContactStateFlags;
+/// let turning = ContactStateFlags::of([false, true, true]); // does not slide
+/// assert_eq!(turning.0, ContactStateFlags::ROLLS.0 | ContactStateFlags::SPINS.0);
+/// assert_eq!(turning.0 & ContactStateFlags::SLIDES.0, 0);
+/// assert_eq!(ContactStateFlags::of([false; 3]), ContactStateFlags::STICKS);
+/// assert_ne!(ContactStateFlags::of([true; 3]), ContactStateFlags::OPEN);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Hold(pub u8);
+pub struct ContactStateFlags(pub u8);
 
-impl Hold {
+impl ContactStateFlags {
     /// No mode is at its threshold.
     pub const STICKS: Self = Self(0);
     /// The force across is at the threshold of sliding.
@@ -193,7 +193,7 @@ impl Frame {
         let a = source.list(m, u32::from_le_bytes)?;
         let b = source.list(m, u32::from_le_bytes)?;
         let forces = source.list(m, half)?;
-        let holds = source.list(m, |[hold]| Hold(hold))?;
+        let holds = source.list(m, |[hold]| ContactStateFlags(hold))?;
         frame.contacts = (0..m)
             .map(|at| FrameContact {
                 a: a[at],
@@ -273,8 +273,13 @@ mod tests {
                 .map(|k| 1e-7 * libm::exp2f(k as f32 / 1.3))
                 .collect(),
             contacts: vec![
-                contact(0, Partner::Particle(49), 0.3, Hold::STICKS),
-                contact(7, Partner::Wall(1), -1.25, Hold::of([true, false, true])),
+                contact(0, Partner::Particle(49), 0.3, ContactStateFlags::STICKS),
+                contact(
+                    7,
+                    Partner::Wall(1),
+                    -1.25,
+                    ContactStateFlags::of([true, false, true]),
+                ),
             ],
         }
     }
@@ -300,7 +305,7 @@ mod tests {
         assert_eq!(read.contacts.len(), 2);
         assert_eq!(read.contacts[0].b, Partner::Particle(49));
         assert_eq!(read.contacts[1].b, Partner::Wall(1));
-        assert_eq!(read.contacts[1].hold, Hold(5));
+        assert_eq!(read.contacts[1].hold, ContactStateFlags(5));
         assert_eq!(read.contacts[1].normal_force, -1.25);
         // Reading and writing again gives the same bytes.
         assert_eq!(read.bytes(RUN), written.bytes(RUN));

@@ -35,7 +35,7 @@ pub struct Lock {
 
 /// Result of an attempt to lock.
 #[derive(Debug)]
-pub enum Attempt {
+pub enum LockOutcome {
     /// The lock is held.
     Taken(Lock),
     /// Another process holds the lock; the text names it as the beginning of a sentence.
@@ -46,15 +46,15 @@ impl Lock {
     /// Locks a folder, which is created if missing.
     pub fn take(folder: &Path, sharing: Sharing) -> Result<Self, FolderError> {
         match Self::attempt(folder, sharing)? {
-            Attempt::Taken(lock) => Ok(lock),
-            Attempt::InUse(told) => Err(FolderError::Refused(format!(
+            LockOutcome::Taken(lock) => Ok(lock),
+            LockOutcome::InUse(told) => Err(FolderError::Refused(format!(
                 "{told}; wait for it, or give another --out"
             ))),
         }
     }
 
     /// Locks a folder, which is created if missing, unless another process holds the lock.
-    pub fn attempt(folder: &Path, sharing: Sharing) -> Result<Attempt, FolderError> {
+    pub fn attempt(folder: &Path, sharing: Sharing) -> Result<LockOutcome, FolderError> {
         let path = folder.join(NAME);
         let fail = |error| FolderError::access("lock", folder, error);
         if folder.exists() && !folder.is_dir() {
@@ -79,7 +79,9 @@ impl Lock {
             let file = match taken {
                 Ok(()) if !is_at(&file, &path) => continue,
                 Ok(()) => Some(signed(file)),
-                Err(TryLockError::WouldBlock) => return Ok(Attempt::InUse(in_use(folder, file))),
+                Err(TryLockError::WouldBlock) => {
+                    return Ok(LockOutcome::InUse(in_use(folder, file)));
+                }
                 Err(TryLockError::Error(error))
                     if error.kind() == std::io::ErrorKind::Unsupported =>
                 {
@@ -87,7 +89,7 @@ impl Lock {
                 }
                 Err(TryLockError::Error(error)) => return Err(fail(error)),
             };
-            return Ok(Attempt::Taken(Self {
+            return Ok(LockOutcome::Taken(Self {
                 folder: folder.to_owned(),
                 path,
                 file,

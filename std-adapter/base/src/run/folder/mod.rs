@@ -10,9 +10,9 @@ mod manifest;
 mod worth;
 
 pub use error::FolderError;
-pub use lock::{Attempt, Lock, Sharing};
+pub use lock::{Lock, LockOutcome, Sharing};
 pub use manifest::Manifest;
-pub use worth::{Broken, is_finished};
+pub use worth::{InterruptedRunPolicy, is_finished};
 
 use crate::record::frames::FrameFolder;
 use crate::record::{is_unfinished, write_atomically_there};
@@ -33,7 +33,7 @@ pub struct Contents<'a> {
     /// Names of files that it adds later, before it writes them.
     pub later: &'a [&'a str],
     /// What happens to an interrupted run.
-    pub broken: Broken,
+    pub broken: InterruptedRunPolicy,
 }
 
 impl<'a> Contents<'a> {
@@ -44,7 +44,7 @@ impl<'a> Contents<'a> {
             about: Value::Null,
             files,
             later: &[],
-            broken: Broken::Kept,
+            broken: InterruptedRunPolicy::Kept,
         }
     }
 }

@@ -12,7 +12,7 @@ const RUN: &str = "run";
 
 /// What happens to an interrupted run when another one begins in its folder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Broken {
+pub enum InterruptedRunPolicy {
     /// The interrupted run is kept, and the new one refused.
     Kept,
     /// The interrupted run is removed.
@@ -50,10 +50,12 @@ pub fn refuse_loss(path: &Path, old: &Manifest, new: &Contents<'_>) -> Result<()
              {name}"
         ))),
         (true, false) if is_finished(path) => Err(held()),
-        (false, true) if new.broken == Broken::Kept => Err(FolderError::Refused(format!(
-            "{name} holds a run that was broken off; go on with its own command and --resume, give \
+        (false, true) if new.broken == InterruptedRunPolicy::Kept => {
+            Err(FolderError::Refused(format!(
+                "{name} holds a run that was broken off; go on with its own command and --resume, give \
              another --out, or take it away and start with --anew"
-        ))),
+            )))
+        }
         _ => Ok(()),
     }
 }

@@ -29,7 +29,7 @@ pub struct ProblemFileError {
 }
 
 /// A fault and its place, before the file's path is known.
-pub(super) type Refusal = (Place, Fault);
+pub(super) type LocatedFault = (Place, Fault);
 
 /// Where in a file something is wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -78,7 +78,7 @@ impl ContactProblem {
         })
     }
 
-    fn parse(bytes: &[u8]) -> Result<Self, error::Refusal> {
+    fn parse(bytes: &[u8]) -> Result<Self, error::LocatedFault> {
         if fclib::is_hdf5(bytes) {
             return fclib::read(bytes);
         }

@@ -8,7 +8,7 @@
 //!
 //! with at most six unknowns a body. In packings it has fewer entries than W: all contacts of a body meet in W.
 
-use super::super::global::{Made, components};
+use super::super::global::{SourceBodies, components};
 use super::super::matrix::SparseMatrix;
 use super::blocks::Blocks;
 use super::cone::{Local, MOST, Square, solve_small};
@@ -18,7 +18,7 @@ use super::system::Linear;
 
 /// The part of H of one contact and one node.
 #[derive(Clone, Copy, Debug)]
-struct Arm {
+struct JacobianBlock {
     node: usize,
     /// First of its rows in [`Bodies::rows`], one for each degree of freedom of the node.
     start: usize,
@@ -33,13 +33,13 @@ pub(super) struct Bodies {
     inverse_mass: Vec<f64>,
     /// Nodes that each contact acts on: its first one in `arms`, and their number.
     starts: Vec<usize>,
-    arms: Vec<Arm>,
+    arms: Vec<JacobianBlock>,
     rows: Vec<Local>,
 }
 
 /// M + H S Hᵀ and its factors.
 #[derive(Clone, Debug)]
-pub(super) struct ByBodies {
+pub(super) struct BodyFactorisation {
     matrix: Blocks,
     lu: Lu,
     /// B⁻¹ and S of each contact.
@@ -49,7 +49,11 @@ pub(super) struct ByBodies {
 impl Bodies {
     /// The bodies of a problem; `place` tells the contact, the unknown and its unit of each column
     /// of H that is left.
-    pub fn new(made: &Made, contacts: usize, place: &[Option<(usize, usize, f64)>]) -> Self {
+    pub fn new(
+        made: &SourceBodies,
+        contacts: usize,
+        place: &[Option<(usize, usize, f64)>],
+    ) -> Self {
         let (m, h) = (made.global.m(), made.global.h());
         let nodes = nodes(m, h, place);
         let mut first = vec![0];
@@ -70,7 +74,7 @@ impl Bodies {
             })
             .collect();
         entries.sort_unstable_by_key(|entry| (entry.0, entry.1));
-        let (mut starts, mut arms, mut rows) = (vec![0], Vec::<Arm>::new(), Vec::new());
+        let (mut starts, mut arms, mut rows) = (vec![0], Vec::<JacobianBlock>::new(), Vec::new());
         for (contact, node, at, unknown, value) in entries {
             while starts.len() <= contact {
                 starts.push(arms.len());
@@ -80,7 +84,7 @@ impl Bodies {
                 Some(arm) if arm.node == node => arm.start,
                 _ => {
                     let start = rows.len();
-                    arms.push(Arm { node, start });
+                    arms.push(JacobianBlock { node, start });
                     rows.resize(start + nodes[node].len(), Local::default());
                     start
                 }
@@ -188,7 +192,7 @@ impl Bodies {
     }
 }
 
-impl ByBodies {
+impl BodyFactorisation {
     /// Prepares factorisations.
     pub fn new(bodies: &Bodies) -> Self {
         Self {

@@ -35,7 +35,7 @@ const SHIFT: f64 = 1e-10;
 const SOFT: f64 = 1e-17;
 const LARGEST_START: f64 = 1e18;
 
-/// Second-order cone points of one mode: the first component, and at most three others.
+/// SecondMaterial-order cone points of one mode: the first component, and at most three others.
 pub(super) type Point = [f64; 4];
 
 /// The iteration's state.

@@ -13,7 +13,7 @@ const CLOSED: f64 = 1e-14;
 
 /// W of one contact.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Own {
+pub(super) struct DelassusBlock {
     pub w: Square,
     /// Its inverse, if it has one.
     inverse: Option<Square>,
@@ -22,7 +22,7 @@ pub(super) struct Own {
     sliding: [[f64; 2]; 2],
 }
 
-impl Own {
+impl DelassusBlock {
     pub fn new(w: Square, size: usize) -> Self {
         let mut inverse = Some(Square::default());
         for column in 0..size {
@@ -56,7 +56,7 @@ impl Own {
 }
 
 /// As [`solve_contact`] for |r_T| ≤ μ r_N with two components of sliding.
-pub(super) fn solve_three(mu: f64, own: &Own, q: [f64; 3]) -> [f64; 3] {
+pub(super) fn solve_three(mu: f64, own: &DelassusBlock, q: [f64; 3]) -> [f64; 3] {
     if q[0] >= 0.0 {
         return [0.0; 3];
     }
@@ -82,7 +82,7 @@ pub(super) fn solve_three(mu: f64, own: &Own, q: [f64; 3]) -> [f64; 3] {
 }
 
 /// r with ũ ∈ K* ⊥ r ∈ K and u = W r + q for one contact's W; near `guess` where it is found by iteration.
-pub(super) fn solve_contact(cone: &Cone, own: &Own, q: &Local, guess: &Local) -> Local {
+pub(super) fn solve_contact(cone: &Cone, own: &DelassusBlock, q: &Local, guess: &Local) -> Local {
     let size = cone.size();
     let w = &own.w;
     // The contact opens.
@@ -124,7 +124,7 @@ pub(super) fn solve_contact(cone: &Cone, own: &Own, q: &Local, guess: &Local) ->
 ///
 /// Newton's method for λ on μ r_N/|r_T| = 1, whose left side is almost a straight line (Moré and Sorensen, SIAM J.
 /// Sci. Stat. Comput. 4 (1983) 553, have it for trust regions), within a bracket.
-fn slide(mu: f64, own: &Own, q: [f64; 3]) -> [f64; 3] {
+fn slide(mu: f64, own: &DelassusBlock, q: [f64; 3]) -> [f64; 3] {
     let (w, inv, a) = (&own.w, own.inv_normal, &own.sliding);
     let b = [1, 2].map(|row| w[row][0] * q[0] * inv - q[row]);
     let (trace, cross) = (a[0][0] + a[1][1], a[0][1] * a[1][0]);

@@ -14,21 +14,21 @@ const SHIFT: f64 = 1e-9;
 const DECREASE: f64 = 1e-4;
 /// A problem with W + a I in place of W and q − a r₀ in place of q: its solution stays near r₀.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Near<'a> {
+pub(super) struct ProximalProblem<'a> {
     pub weight: f64,
     pub centre: &'a [f64],
 }
 
 /// What an iteration may cost.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Effort {
+pub(super) struct CostLimit {
     /// Steps, each with a factorisation.
     pub steps: usize,
     /// Halvings of a step before the iteration gives up.
     pub halvings: usize,
 }
 
-impl Near<'static> {
+impl ProximalProblem<'static> {
     /// The problem itself.
     pub const NOTHING: Self = Self {
         weight: 0.0,
@@ -36,7 +36,7 @@ impl Near<'static> {
     };
 }
 
-impl Near<'_> {
+impl ProximalProblem<'_> {
     /// Adds a (r − r₀) to velocities.
     fn add(&self, r: &[f64], u: &mut [f64]) {
         if self.weight > 0.0 {
@@ -51,9 +51,9 @@ impl Near<'_> {
 pub(super) fn newton(
     problem: &Prepared,
     system: &mut System,
-    near: Near<'_>,
+    near: ProximalProblem<'_>,
     r: &mut Vec<f64>,
-    (goal, most): (f64, Effort),
+    (goal, most): (f64, CostLimit),
 ) -> bool {
     let mut u = vec![0.0; r.len()];
     let mut value = vec![0.0; r.len()];
@@ -110,7 +110,7 @@ pub(super) fn newton(
 /// Velocities and the map of r; returns |F|.
 fn evaluate(
     problem: &Prepared,
-    near: Near<'_>,
+    near: ProximalProblem<'_>,
     r: &[f64],
     u: &mut [f64],
     value: &mut [f64],

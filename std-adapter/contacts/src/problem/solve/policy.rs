@@ -6,7 +6,7 @@ use super::super::squeeze::Squeeze;
 use super::asked::{ProblemMethod, Solution, SolverOptions, SolverProgress, SolverStatus};
 use super::gradient::Gradient;
 use super::interior::Interior;
-use super::newton::{Effort, Near, newton};
+use super::newton::{CostLimit, ProximalProblem, newton};
 use super::prepared::Prepared;
 use super::proof::squeeze;
 use super::proximal::proximal;
@@ -27,7 +27,7 @@ const EXPECTED: f64 = 20.0;
 const NEAR: f64 = 0.03;
 const NEARER: f64 = 0.01;
 /// Steps of that trial, and halvings of each: a trial that fails costs one factorisation.
-const FINISH: Effort = Effort {
+const FINISH: CostLimit = CostLimit {
     steps: 10,
     halvings: 3,
 };
@@ -382,7 +382,13 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
                 next = NEARER * residual;
                 let mut trial = point.r.clone();
                 let goal = 0.5 * self.goal;
-                let solved = newton(problem, system, Near::NOTHING, &mut trial, (goal, FINISH));
+                let solved = newton(
+                    problem,
+                    system,
+                    ProximalProblem::NOTHING,
+                    &mut trial,
+                    (goal, FINISH),
+                );
                 self.factorisations = system.factorisations;
                 if solved && self.done(&trial, ProblemMethod::Interior) {
                     return true;

@@ -8,7 +8,7 @@
 use super::super::law::ContactThresholds;
 use super::super::reduced::ReducedProblem;
 use super::super::squeeze::Squeeze;
-use super::newton::{Effort, Near, newton};
+use super::newton::{CostLimit, ProximalProblem, newton};
 use super::prepared::Prepared;
 use super::system::System;
 
@@ -18,7 +18,7 @@ const LAST: f64 = 1e-12;
 const FALL: f64 = 0.1;
 /// Accuracy of each problem, and its effort.
 const GOAL: f64 = 1e-12;
-const EFFORT: Effort = Effort {
+const EFFORT: CostLimit = CostLimit {
     steps: 30,
     halvings: 12,
 };
@@ -48,7 +48,7 @@ pub(super) fn squeeze(problem: &ReducedProblem, tolerance: f64, most_cost: f64) 
     let (mut r, mut before) = (centre.clone(), centre.clone());
     let mut weight = FIRST;
     while weight >= LAST {
-        let near = Near {
+        let near = ProximalProblem {
             weight,
             centre: &centre,
         };

@@ -4,7 +4,7 @@
 //! and stays near r. The weight a falls while that succeeds and grows where it fails (Rockafellar, SIAM J. Control
 //! Optim. 14 (1976) 877; Acary, Brémond and Huber 2018 on contacts).
 
-use super::newton::{Effort, Near, newton};
+use super::newton::{CostLimit, ProximalProblem, newton};
 use super::prepared::Prepared;
 use super::system::System;
 
@@ -15,7 +15,7 @@ const MOST: f64 = 1e3;
 /// Change of the weight with success and failure.
 const CHANGE: f64 = 10.0;
 /// Newton's steps of an inner problem, and their halvings.
-const INNER: Effort = Effort {
+const INNER: CostLimit = CostLimit {
     steps: 12,
     halvings: 12,
 };
@@ -36,7 +36,7 @@ pub(super) fn proximal(
     let mut best = problem.residual(&centre, &u);
     for _ in 0..most {
         let mut trial = centre.clone();
-        let near = Near {
+        let near = ProximalProblem {
             weight,
             centre: &centre,
         };

@@ -4,7 +4,7 @@
 //! with all others held; the next sweep starts from a point extrapolated along the last step.
 
 use super::cone::{Cone, Local, Square};
-use super::local::{Own, solve_contact, solve_three};
+use super::local::{DelassusBlock, solve_contact, solve_three};
 use super::prepared::Prepared;
 
 /// Factor that a restart applies to the age of the momentum.
@@ -27,7 +27,7 @@ pub(super) struct Sweeps {
     /// Those of the sweep at hand.
     now: Vec<f64>,
     age: f64,
-    diagonal: Vec<Own>,
+    diagonal: Vec<DelassusBlock>,
 }
 
 impl Sweeps {
@@ -41,7 +41,7 @@ impl Sweeps {
                         square[row][..size].copy_from_slice(values);
                     }
                 }
-                Own::new(square, size)
+                DelassusBlock::new(square, size)
             })
             .collect();
         Self {
@@ -129,7 +129,7 @@ impl Sweeps {
 fn slide_three(
     problem: &Prepared,
     contact: usize,
-    (mu, own): (f64, &Own),
+    (mu, own): (f64, &DelassusBlock),
     swept: &[f64],
     now: &mut [f64],
 ) -> f64 {

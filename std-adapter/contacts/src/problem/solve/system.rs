@@ -1,7 +1,7 @@
 //! The linear systems of Newton's methods: B Δr + C W Δr = right, with a square of B and of C at each contact.
 
 use super::blocks::Blocks;
-use super::bodies::ByBodies;
+use super::bodies::BodyFactorisation;
 use super::cone::Square;
 use super::factor::Lu;
 use super::prepared::Prepared;
@@ -33,14 +33,14 @@ pub(super) struct System {
 #[derive(Clone, Debug)]
 enum Factors {
     Contacts(Lu),
-    Bodies(Box<ByBodies>),
+    Bodies(Box<BodyFactorisation>),
 }
 
 impl System {
     /// Prepares the way with fewer multiplications.
     pub fn new(problem: &Prepared) -> Self {
         let contacts = Lu::new(&problem.w);
-        let bodies = problem.bodies.as_ref().map(ByBodies::new);
+        let bodies = problem.bodies.as_ref().map(BodyFactorisation::new);
         let factors = match bodies {
             Some(bodies) if bodies.cost() < contacts.cost() => Factors::Bodies(Box::new(bodies)),
             _ => Factors::Contacts(contacts),

@@ -8,7 +8,7 @@ const MOST_COLUMNS: f64 = 1024.0;
 
 /// A deposited sphere in its column.
 #[derive(Clone, Copy, Debug)]
-struct Resident {
+struct ColumnEntry {
     position: Vector3<f64>,
     radius: f64,
     index: u32,
@@ -20,13 +20,13 @@ pub struct Columns {
     space: PeriodicBox,
     inv_width: f64,
     side: usize,
-    columns: Vec<Vec<Resident>>,
+    columns: Vec<Vec<ColumnEntry>>,
     largest: f64,
 }
 
 /// Contact of a falling sphere with a deposited one.
 #[derive(Clone, Copy, Debug)]
-pub struct Meeting {
+pub struct FallContact {
     /// Number of the deposited sphere.
     pub index: u32,
     /// Centre of the deposited sphere.
@@ -59,7 +59,7 @@ impl Columns {
         let place = column.partition_point(|other| other.position.z <= position.z);
         column.insert(
             place,
-            Resident {
+            ColumnEntry {
                 position,
                 radius,
                 index,
@@ -70,8 +70,8 @@ impl Columns {
     /// The first sphere that another meets while falling down the vertical of `above`, at a height above
     /// `above.z`. They meet when the distance of the centres falls to the radius plus `reach`, which must not
     /// exceed the value for which the columns were made.
-    pub fn first_meeting(&self, above: Vector3<f64>, reach: f64) -> Option<Meeting> {
-        let mut first: Option<Meeting> = None;
+    pub fn first_meeting(&self, above: Vector3<f64>, reach: f64) -> Option<FallContact> {
+        let mut first: Option<FallContact> = None;
         let mut floor = above.z;
         let farthest = reach + self.largest;
         for y in self.around(above.y) {
@@ -88,7 +88,7 @@ impl Columns {
                     let height = other.position.z + way.z;
                     if rise_sq >= 0.0 && height > floor {
                         floor = height;
-                        first = Some(Meeting {
+                        first = Some(FallContact {
                             index: other.index,
                             centre: other.position,
                             radius: other.radius,

@@ -1,6 +1,6 @@
 //! Porosity of ballistic deposits against the inverse capture radius (fig. 4.5).
 
-use super::{Ballistic, DepositError, Until};
+use super::{Ballistic, DepositError, DepositTarget};
 
 /// Columns of the table; lengths in radii, standard deviations of single deposits.
 pub const COLUMNS: [&str; 8] = [
@@ -29,7 +29,7 @@ pub struct PorosityCurve {
 
 impl PorosityCurve {
     /// Grows deposits on a base of `width`, with five seeds starting at `seed`.
-    pub fn new(width: f64, until: Until, seed: u64) -> Result<Self, DepositError> {
+    pub fn new(width: f64, until: DepositTarget, seed: u64) -> Result<Self, DepositError> {
         let mut rows = Vec::new();
         for capture in CAPTURE_RADII {
             let ballistic = Ballistic::new(width, 1.0, capture)?;
@@ -70,7 +70,7 @@ impl Sample {
     /// Grows one deposit per seed.
     pub fn new(
         ballistic: &Ballistic,
-        until: Until,
+        until: DepositTarget,
         seeds: impl Iterator<Item = u64>,
     ) -> Result<Self, DepositError> {
         let mut sample = Self {

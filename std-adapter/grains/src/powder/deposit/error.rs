@@ -7,11 +7,11 @@ use tribos_base::space::PeriodicBoxError;
 /// Why a deposit cannot be grown.
 ///
 /// ```
-/// use tribos::powder::deposit::{Ballistic, DepositError, Until};
+/// use tribos::powder::deposit::{Ballistic, DepositError, DepositTarget};
 /// // Captured at less than a diameter, spheres would overlap.
 /// let inside = Ballistic::new(20.0, 1.0, 1.5);
 /// assert_eq!(inside, Err(DepositError::CaptureRadius { given: 1.5, least: 2.0 }));
-/// let nothing = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Count(0), 1);
+/// let nothing = Ballistic::new(20.0, 1.0, 3.0)?.grow(DepositTarget::Count(0), 1);
 /// assert_eq!(nothing, Err(DepositError::Empty));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -1,7 +1,7 @@
 //! Growth of a deposit, sphere by sphere.
 
-use super::columns::{Columns, Meeting};
-use super::{Ballistic, Deposit, DepositError, MOST_SPHERES, STREAM, Until};
+use super::columns::{Columns, FallContact};
+use super::{Ballistic, Deposit, DepositError, DepositTarget, MOST_SPHERES, STREAM};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -9,7 +9,7 @@ use tribos_base::random::Random;
 use tribos_base::space::PeriodicBox;
 
 /// A sphere that has come to rest.
-struct Landed {
+struct SettledSphere {
     position: Vector3<f64>,
     radius: f64,
     parent: Option<u32>,
@@ -26,7 +26,7 @@ impl Ballistic {
     /// *Domain*: a finite, positive height, a cut above the first sphere, at least one sphere.
     /// *Cost*: one to two microseconds per sphere; a million spheres take two seconds and 100 MB.
     /// *Accuracy*: distances of touching spheres to a few ulp of the coordinates.
-    pub fn grow(&self, until: Until, seed: u64) -> Result<Deposit, DepositError> {
+    pub fn grow(&self, until: DepositTarget, seed: u64) -> Result<Deposit, DepositError> {
         self.grow_watched(until, seed, |_| ControlFlow::Continue(()))
     }
 
@@ -35,9 +35,9 @@ impl Ballistic {
     ///
     /// ```
     /// use std::ops::ControlFlow;
-    /// use tribos::powder::deposit::{Ballistic, DepositError, Until};
+    /// use tribos::powder::deposit::{Ballistic, DepositError, DepositTarget};
     /// let wide = Ballistic::new(100.0, 1.0, 3.0)?;
-    /// let stopped = wide.grow_watched(Until::Cut(1e9), 1, |spheres| {
+    /// let stopped = wide.grow_watched(DepositTarget::Cut(1e9), 1, |spheres| {
     ///     if spheres < 5000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     /// });
     /// assert_eq!(stopped, Err(DepositError::Stopped));
@@ -45,17 +45,17 @@ impl Ballistic {
     /// ```
     pub fn grow_watched(
         &self,
-        until: Until,
+        until: DepositTarget,
         seed: u64,
         mut watch: impl FnMut(usize) -> ControlFlow<()>,
     ) -> Result<Deposit, DepositError> {
         let watch = &mut watch;
         match until {
-            Until::Height(height) => {
+            DepositTarget::Height(height) => {
                 check_height(height)?;
                 self.grow_while(seed, watch, |deposit| deposit.height < height)
             }
-            Until::Cut(height) => {
+            DepositTarget::Cut(height) => {
                 check_height(height)?;
                 let mut above = 0;
                 let enough = self.cover();
@@ -73,9 +73,9 @@ impl Ballistic {
                 }
                 Ok(low)
             }
-            Until::Count(0) => Err(DepositError::Empty),
-            Until::Count(count) if count > MOST_SPHERES => Err(DepositError::TooMany),
-            Until::Count(count) => {
+            DepositTarget::Count(0) => Err(DepositError::Empty),
+            DepositTarget::Count(count) if count > MOST_SPHERES => Err(DepositError::TooMany),
+            DepositTarget::Count(count) => {
                 self.grow_while(seed, watch, |deposit| deposit.positions.len() < count)
             }
         }
@@ -88,20 +88,20 @@ impl Ballistic {
     /// of at least ten radii: a fit to means of five deposits on 40R × 40R, cut at 200R.
     ///
     /// ```
-    /// use tribos::powder::deposit::{Ballistic, Until};
+    /// use tribos::powder::deposit::{Ballistic, DepositTarget};
     /// let small = Ballistic::new(20.0, 1.0, 3.0)?;
-    /// let told = small.expected_spheres(Until::Cut(61.5));
+    /// let told = small.expected_spheres(DepositTarget::Cut(61.5));
     /// assert!((told / 470.0 - 1.0).abs() < 0.1); // the thesis' small system
-    /// assert_eq!(small.expected_spheres(Until::Count(7)), 7.0);
+    /// assert_eq!(small.expected_spheres(DepositTarget::Count(7)), 7.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn expected_spheres(&self, until: Until) -> f64 {
+    pub fn expected_spheres(&self, until: DepositTarget) -> f64 {
         /// Solid fraction of spheres that stick where they touch, and the exponent of its decrease.
         const TOUCHING: f64 = 0.1535;
         const POWER: f64 = 1.72;
         let height = match until {
-            Until::Count(count) => return count as f64,
-            Until::Height(height) | Until::Cut(height) => height,
+            DepositTarget::Count(count) => return count as f64,
+            DepositTarget::Height(height) | DepositTarget::Cut(height) => height,
         };
         let solid = TOUCHING * libm::pow(self.radii.two_means() / self.capture_radius, POWER);
         let sphere = 4.0 / 3.0 * PI * self.radii.mean_cube();
@@ -152,7 +152,7 @@ impl Ballistic {
     }
 
     /// Drops one sphere and brings it to rest.
-    fn drop_one(&self, columns: &Columns, random: &mut Random) -> Landed {
+    fn drop_one(&self, columns: &Columns, random: &mut Random) -> SettledSphere {
         let [x, y] = [(); 2].map(|()| self.width * random.unit());
         let radius = if self.radii.are_equal() {
             self.radii.at(0.0)
@@ -168,7 +168,7 @@ impl Ballistic {
         let lying = Vector3::new(x, y, radius);
         match columns.first_meeting(lying, radius) {
             Some(meeting) => touching(&meeting, radius, &self.space),
-            None => Landed {
+            None => SettledSphere {
                 position: self.space.wrap(&lying),
                 radius,
                 parent: None,
@@ -178,9 +178,9 @@ impl Ballistic {
 }
 
 /// Moves a captured sphere along the line of centres until it touches.
-fn touching(meeting: &Meeting, radius: f64, space: &PeriodicBox) -> Landed {
+fn touching(meeting: &FallContact, radius: f64, space: &PeriodicBox) -> SettledSphere {
     let way = meeting.way * ((meeting.radius + radius) / meeting.way.norm());
-    Landed {
+    SettledSphere {
         position: space.wrap(&(meeting.centre + way)),
         radius,
         parent: Some(meeting.index),

@@ -25,9 +25,9 @@ use tribos_base::space::PeriodicBox;
 /// that are smaller, whose quantile is the radius, of each sphere, in this order.
 ///
 /// ```
-/// use tribos::powder::deposit::{Ballistic, STREAM, Until};
+/// use tribos::powder::deposit::{Ballistic, STREAM, DepositTarget};
 /// use tribos::random::Random;
-/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Count(1), 7)?;
+/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(DepositTarget::Count(1), 7)?;
 /// let mut random = Random::new(7, STREAM);
 /// let [x, y] = [(); 2].map(|()| 20.0 * random.unit());
 /// assert_eq!((deposit.positions[0].x, deposit.positions[0].y), (x, y));
@@ -38,8 +38,8 @@ pub const STREAM: u64 = 0;
 /// Largest number of spheres, for which about 4 GB of memory are sufficient.
 ///
 /// ```
-/// use tribos::powder::deposit::{Ballistic, DepositError, MOST_SPHERES, Until};
-/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Count(MOST_SPHERES + 1), 1);
+/// use tribos::powder::deposit::{Ballistic, DepositError, MOST_SPHERES, DepositTarget};
+/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(DepositTarget::Count(MOST_SPHERES + 1), 1);
 /// assert_eq!(deposit, Err(DepositError::TooMany));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -71,8 +71,8 @@ pub const MOST_SPHERES: usize = 20_000_000;
 /// Any unit of length. In the thesis' units R = 1, and r_capt = 3 gives a porosity of 92 %.
 ///
 /// ```
-/// use tribos::powder::deposit::{Ballistic, Until};
-/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Cut(61.5), 1)?;
+/// use tribos::powder::deposit::{Ballistic, DepositTarget};
+/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(DepositTarget::Cut(61.5), 1)?;
 /// assert!((deposit.porosity() - 0.92).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -86,7 +86,7 @@ pub struct Ballistic {
 
 /// When a deposit is complete.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Until {
+pub enum DepositTarget {
     /// Growth ends with the first sphere whose highest point reaches this height above the substrate. That
     /// sphere remains, so that the [height](Deposit::height) of the deposit, at which a piston just
     /// touches it, lies between this height and one sphere diameter above it.
@@ -107,9 +107,9 @@ pub enum Until {
 /// Spheres that rest on each other.
 ///
 /// ```
-/// use tribos::powder::deposit::{Ballistic, Deposit, SUBSTRATE, Until};
+/// use tribos::powder::deposit::{Ballistic, Deposit, SUBSTRATE, DepositTarget};
 /// use tribos::record::Partner;
-/// let deposit: Deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Count(200), 1)?;
+/// let deposit: Deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(DepositTarget::Count(200), 1)?;
 /// // Every sphere touches what holds it, and that leads down to the substrate.
 /// let contacts = deposit.contacts();
 /// assert!(contacts.iter().all(|row| row.gap.abs() < 1e-12));
@@ -147,8 +147,8 @@ impl Ballistic {
     /// bounds in order, their sum ≤ `capture_radius`, and the two largest spheres captured within width/2.
     ///
     /// ```
-    /// use tribos::powder::deposit::{Ballistic, Until};
-    /// let deposit = Ballistic::uneven(20.0, [0.8, 1.2], 3.0)?.grow(Until::Count(100), 1)?;
+    /// use tribos::powder::deposit::{Ballistic, DepositTarget};
+    /// let deposit = Ballistic::uneven(20.0, [0.8, 1.2], 3.0)?.grow(DepositTarget::Count(100), 1)?;
     /// assert!(deposit.radii.iter().all(|radius| (0.8..=1.2).contains(radius)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -164,10 +164,10 @@ impl Ballistic {
     /// radii ≤ `capture_radius`, and the two largest spheres captured within width/2.
     ///
     /// ```
-    /// use tribos::powder::deposit::{Ballistic, Until};
+    /// use tribos::powder::deposit::{Ballistic, DepositTarget};
     /// use tribos::scene::SizeDistribution;
     /// let radii = SizeDistribution::LogNormal(0.2).radii()?;
-    /// let deposit = Ballistic::sized(20.0, radii.clone(), 3.0)?.grow(Until::Count(100), 1)?;
+    /// let deposit = Ballistic::sized(20.0, radii.clone(), 3.0)?.grow(DepositTarget::Count(100), 1)?;
     /// let [low, high] = radii.bounds();
     /// assert!(deposit.radii.iter().all(|radius| (low..=high).contains(radius)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())

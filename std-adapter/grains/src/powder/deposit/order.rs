@@ -68,7 +68,7 @@ fn key(place: &Vector3<f64>, cell: f64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::{LARGE, key};
-    use crate::powder::deposit::{Ballistic, Deposit, DepositError, Until};
+    use crate::powder::deposit::{Ballistic, Deposit, DepositError, DepositTarget};
     use nalgebra::Vector3;
 
     /// Share of the parents in another thousand of numbers, and heights of all with their parents'.
@@ -90,7 +90,7 @@ mod tests {
     #[test]
     fn large_deposits_number_spheres_that_touch_closely_and_keep_their_parents()
     -> Result<(), DepositError> {
-        let grown = Ballistic::new(150.0, 1.0, 3.0)?.grow(Until::Count(LARGE), 3)?;
+        let grown = Ballistic::new(150.0, 1.0, 3.0)?.grow(DepositTarget::Count(LARGE), 3)?;
         let (apart, heights) = describe(&grown);
         let (sorted_apart, sorted_heights) = describe(&grown.clone().numbered_for_run());
         assert!(sorted_apart < 0.5 * apart, "{sorted_apart} {apart}");
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn small_deposits_keep_the_order_of_arrival() -> Result<(), DepositError> {
-        let grown = Ballistic::new(60.0, 1.0, 3.0)?.grow(Until::Count(LARGE - 1), 3)?;
+        let grown = Ballistic::new(60.0, 1.0, 3.0)?.grow(DepositTarget::Count(LARGE - 1), 3)?;
         assert_eq!(grown.clone().numbered_for_run(), grown);
         Ok(())
     }

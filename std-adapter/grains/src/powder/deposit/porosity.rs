@@ -20,8 +20,8 @@ impl Deposit {
     /// the deposit is many times higher than its structure.
     ///
     /// ```
-    /// use tribos::powder::deposit::{BULK, Ballistic, Until};
-    /// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Cut(61.5), 1)?;
+    /// use tribos::powder::deposit::{BULK, Ballistic, DepositTarget};
+    /// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(DepositTarget::Cut(61.5), 1)?;
     /// let [low, high] = BULK.map(|share| share * deposit.height);
     /// assert_eq!(deposit.bulk_porosity(), 1.0 - deposit.solid_fraction(low, high));
     /// // The two halves of a deposit hold all of its spheres.

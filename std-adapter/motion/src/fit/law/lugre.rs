@@ -2,7 +2,9 @@
 
 use super::super::Measurements;
 use super::super::parameter::{FitParameter, Model, Range};
-use super::{Interval, Scales, between, distances, intervals, log_between, merged, order, picked};
+use super::{
+    DataRange, Interval, between, distances, intervals, log_between, merged, order, picked,
+};
 use std::borrow::Cow;
 use tribos_core::law::{Bristle, LuGre, LuGreParameters};
 
@@ -62,7 +64,7 @@ fn law(values: &[f64]) -> Option<LuGre<f64>> {
 }
 
 /// Starts of the parameters of steady sliding.
-fn steady_start(unit: &[f64], scales: &Scales) -> Vec<f64> {
+fn steady_start(unit: &[f64], scales: &DataRange) -> Vec<f64> {
     let [low, high] = scales.forces;
     vec![
         between(unit[0], [0.5 * low, low]),
@@ -75,7 +77,7 @@ fn steady_start(unit: &[f64], scales: &Scales) -> Vec<f64> {
 /// Steady friction.
 pub(super) struct Steady<'a> {
     pub speeds: Cow<'a, [f64]>,
-    pub scales: Scales,
+    pub scales: DataRange,
 }
 
 impl Model for Steady<'_> {
@@ -113,7 +115,7 @@ pub(super) struct Series<'a> {
     velocities: Cow<'a, [f64]>,
     intervals: Vec<Interval>,
     /// Forces from half of the largest to the largest.
-    scales: Scales,
+    scales: DataRange,
     slid: [f64; 2],
 }
 
@@ -125,7 +127,7 @@ impl<'a> Series<'a> {
             slid: distances(&intervals),
             velocities: Cow::Borrowed(velocities),
             intervals,
-            scales: Scales {
+            scales: DataRange {
                 speeds: data.speeds(),
                 forces: [0.5 * largest, largest],
             },

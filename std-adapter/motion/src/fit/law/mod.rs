@@ -105,7 +105,7 @@ impl FromStr for FitLaw {
 pub fn law_model<'a>(law: FitLaw, data: &'a Measurements) -> Result<Box<dyn Model + 'a>, FitError> {
     const STATELESS: &str =
         "this law has no memory: give steady friction, columns v,f, or fit lugre or rate-state";
-    let scales = Scales::of(data);
+    let scales = DataRange::of(data);
     Ok(match (law, data.motion()) {
         (FitLaw::Stribeck, Motion::Steady { speeds }) => {
             let speeds = Cow::Borrowed(speeds.as_slice());
@@ -137,12 +137,12 @@ pub fn law_model<'a>(law: FitLaw, data: &'a Measurements) -> Result<Box<dyn Mode
 
 /// Scales of the starts: the smallest and largest measured values.
 #[derive(Clone, Copy)]
-struct Scales {
+struct DataRange {
     speeds: [f64; 2],
     forces: [f64; 2],
 }
 
-impl Scales {
+impl DataRange {
     fn of(data: &Measurements) -> Self {
         Self {
             speeds: data.speeds(),

@@ -3,7 +3,9 @@
 use super::super::estimate::FitError;
 use super::super::parameter::{FitParameter, Model, Range};
 use super::super::{DataError, Measurements};
-use super::{Interval, Scales, between, distances, intervals, log_between, merged, picked, steady};
+use super::{
+    DataRange, Interval, between, distances, intervals, log_between, merged, picked, steady,
+};
 use std::borrow::Cow;
 use std::marker::PhantomData;
 use tribos_core::law::{RateState, RateStateParameters, StateEvolution};
@@ -70,7 +72,7 @@ fn law<E: StateEvolution>(values: &[f64]) -> Option<RateState<f64, E>> {
 }
 
 /// Starts of the parameters of steady sliding.
-fn steady_start(unit: &[f64], scales: &Scales) -> Vec<f64> {
+fn steady_start(unit: &[f64], scales: &DataRange) -> Vec<f64> {
     let mu = between(unit[0], scales.forces);
     vec![
         mu,
@@ -85,7 +87,7 @@ fn steady_start(unit: &[f64], scales: &Scales) -> Vec<f64> {
 /// Steady friction.
 pub(super) struct Steady<'a> {
     pub speeds: Cow<'a, [f64]>,
-    pub scales: Scales,
+    pub scales: DataRange,
 }
 
 impl Model for Steady<'_> {
@@ -118,7 +120,7 @@ impl Model for Steady<'_> {
 pub(super) struct Series<'a, E> {
     velocities: Cow<'a, [f64]>,
     intervals: Vec<Interval>,
-    scales: Scales,
+    scales: DataRange,
     slid: [f64; 2],
     evolution: PhantomData<E>,
 }
@@ -142,7 +144,7 @@ impl<'a, E: StateEvolution> Series<'a, E> {
         }
         let intervals = intervals(times, velocities);
         Ok(Self {
-            scales: Scales::of(data),
+            scales: DataRange::of(data),
             slid: distances(&intervals),
             velocities: Cow::Borrowed(velocities),
             intervals,

@@ -1,7 +1,7 @@
 //! The Stribeck law μ_d + (μₛ − μ_d) exp(−(v/vₛ)^δ) + k v.
 
 use super::super::parameter::{FitParameter, Model, Range};
-use super::{Scales, between, log_between, order, picked, steady};
+use super::{DataRange, between, log_between, order, picked, steady};
 use std::borrow::Cow;
 use tribos_core::law::{DryFriction, Stribeck, StribeckParameters};
 
@@ -43,7 +43,7 @@ const EXPONENTS: [f64; 2] = [0.5, 3.0];
 /// Steady friction.
 pub(super) struct Steady<'a> {
     pub speeds: Cow<'a, [f64]>,
-    pub scales: Scales,
+    pub scales: DataRange,
 }
 
 impl Model for Steady<'_> {
@@ -71,7 +71,7 @@ impl Model for Steady<'_> {
     }
 
     fn start(&self, unit: &[f64]) -> Vec<f64> {
-        let Scales {
+        let DataRange {
             speeds,
             forces: [low, high],
         } = self.scales;

@@ -8,7 +8,7 @@ use tribos_core::Real;
 /// H(w) = Σ c (d·w)ⁿ with n = 2 or 4 and c ≥ 0 over fixed directions d, which is convex; it has any positive
 /// definite quadratic form up to the fineness of the directions, and a cone of convex quartics.
 #[derive(Clone, Debug)]
-pub struct Form {
+pub struct ConvexForm {
     degree: i32,
     /// Unit of the wrench.
     mean: f64,
@@ -26,7 +26,7 @@ const RIDGE: f64 = 1e-9;
 const MOST_STEPS: u32 = 60;
 const LEFT: f64 = 1e-12;
 
-impl Form {
+impl ConvexForm {
     /// The form of degree 2 or 4 with the least squares of H − 1 and of the parts of its gradient across the
     /// measured motions, for wrenches in units of their mean; `None` if they are not found.
     pub fn fitted(degree: i32, rows: &[Row]) -> Option<Self> {
@@ -58,7 +58,7 @@ impl Form {
     }
 }
 
-impl Form {
+impl ConvexForm {
     /// The wrench with H = 1 whose normal is along a motion: where the gradient of H/n is the motion, by Newton's
     /// method, scaled; NaN if that does not end.
     pub fn wrench(&self, motion: &Vector3<f64>) -> Vector3<f64> {
@@ -91,7 +91,7 @@ impl Form {
     }
 }
 
-impl Model for Form {
+impl Model for ConvexForm {
     fn motion(&self, wrench: &Vector3<f64>) -> Vector3<f64> {
         let unit = wrench / size(wrench);
         let slope = |(d, c): &(Vector3<f64>, f64)| d * (c * power(d.dot(&unit), self.degree - 1));

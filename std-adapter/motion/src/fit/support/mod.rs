@@ -14,7 +14,7 @@ mod least;
 mod nodes;
 mod points;
 
-use form::Form;
+use form::ConvexForm;
 use nalgebra::Vector3;
 use points::Points;
 use tribos_core::Real;
@@ -168,7 +168,7 @@ pub fn fit_support_at(
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct ConvexQuartic {
-    form: Form,
+    form: ConvexForm,
     length: f64,
 }
 
@@ -176,7 +176,7 @@ impl ConvexQuartic {
     /// As in [`fit_support`].
     pub fn fitted(pushes: &[MeasuredPush]) -> Result<Self, MeasuredPushError> {
         let length = checked(pushes)?;
-        let form = Form::fitted(4, &rows(pushes, length)).ok_or_else(not_found)?;
+        let form = ConvexForm::fitted(4, &rows(pushes, length)).ok_or_else(not_found)?;
         Ok(Self { form, length })
     }
 
@@ -296,8 +296,8 @@ fn judged(
         .map(|place| place.map(|x| x / length))
         .collect();
     let pressure = |rows: &[Row]| boxed(Points::fitted(&places, rows));
-    let ellipsoid = |rows: &[Row]| boxed(Form::fitted(2, rows));
-    let quartic = |rows: &[Row]| boxed(Form::fitted(4, rows));
+    let ellipsoid = |rows: &[Row]| boxed(ConvexForm::fitted(2, rows));
+    let quartic = |rows: &[Row]| boxed(ConvexForm::fitted(4, rows));
     models.push(score("pressure", crossed(&rows, &pressure)?.into_iter()));
     models.push(score("ellipsoid", crossed(&rows, &ellipsoid)?.into_iter()));
     models.push(score("quartic", crossed(&rows, &quartic)?.into_iter()));

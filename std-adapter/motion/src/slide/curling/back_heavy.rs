@@ -49,7 +49,7 @@ impl CurlingModel for BackHeavy {
     }
 
     fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
-        Ok(Box::new(Modulated {
+        Ok(Box::new(AsymmetricBand {
             foot: rock.friction(self.ice)?,
             strength: self.ice.coefficient * rock.gravity,
             gradient: self.gradient(),
@@ -61,7 +61,7 @@ impl CurlingModel for BackHeavy {
 
 /// A band whose friction varies linearly along the velocity.
 #[derive(Debug)]
-struct Modulated {
+struct AsymmetricBand {
     foot: AnyFriction,
     strength: f64,
     gradient: f64,
@@ -69,7 +69,7 @@ struct Modulated {
     inertia_ratio: f64,
 }
 
-impl Resistance for Modulated {
+impl Resistance for AsymmetricBand {
     fn deceleration(&self, [x, y, rim]: [f64; 3]) -> [f64; 3] {
         let speed = Real::hypot(x, y);
         let LeaningWrench {

@@ -1,6 +1,6 @@
 //! Pivoting about points on the slow side.
 
-use super::sideways::{Mechanism, Sideways};
+use super::sideways::{Mechanism, RockWithSideForce};
 use super::{CurlingModel, CurlingRock, IceLaw};
 use crate::slide::SlideError;
 use crate::slide::planar::Resistance;
@@ -51,7 +51,7 @@ impl CurlingModel for PivotSlide {
     }
 
     fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
-        Ok(Box::new(Sideways {
+        Ok(Box::new(RockWithSideForce {
             body: rock.body(self.ice, 0.0)?,
             mechanism: Pivots {
                 pull: self.weight * self.ice.coefficient * rock.gravity,

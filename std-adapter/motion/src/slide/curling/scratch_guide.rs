@@ -1,6 +1,6 @@
 //! Guidance by scratches in the ice.
 
-use super::sideways::{Mechanism, Sideways};
+use super::sideways::{Mechanism, RockWithSideForce};
 use super::{CurlingModel, CurlingRock, IceLaw};
 use crate::slide::SlideError;
 use crate::slide::planar::Resistance;
@@ -60,7 +60,7 @@ impl CurlingModel for ScratchGuide {
     }
 
     fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
-        Ok(Box::new(Sideways {
+        Ok(Box::new(RockWithSideForce {
             body: rock.body(self.ice, 0.0)?,
             mechanism: Scratches {
                 pull: self.strength * rock.gravity,

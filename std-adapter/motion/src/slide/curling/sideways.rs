@@ -12,12 +12,12 @@ pub(super) trait Mechanism: std::fmt::Debug {
 
 /// An upright rock with an additional mechanism.
 #[derive(Debug)]
-pub(super) struct Sideways<M> {
+pub(super) struct RockWithSideForce<M> {
     pub body: TallBody,
     pub mechanism: M,
 }
 
-impl<M: Mechanism> Resistance for Sideways<M> {
+impl<M: Mechanism> Resistance for RockWithSideForce<M> {
     fn deceleration(&self, velocity: [f64; 3]) -> [f64; 3] {
         let [x, y, rim] = velocity;
         let [ax, ay, aw] = self.body.deceleration(velocity);

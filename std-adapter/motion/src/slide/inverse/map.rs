@@ -28,7 +28,7 @@ pub struct RestMap<P> {
 /// Rest pose and time of a launch.
 ///
 /// ```
-/// use tribos::slide::inverse::{Landing, PlanarLaunch, RestMap};
+/// use tribos::slide::inverse::{RestPose, PlanarLaunch, RestMap};
 /// use tribos::kernel::coupling::PowerLawFriction;
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
@@ -36,14 +36,14 @@ pub struct RestMap<P> {
 /// let alpha: f64 = disk.profile().exponent();
 /// assert_eq!(alpha, 0.0); // CoulombDisk's
 /// let launch = PlanarLaunch { velocity: [0.6, 0.8], spin: 0.0 }; // 1 m/s
-/// let Landing { pose, time } = disk.rest(&launch);
+/// let RestPose { pose, time } = disk.rest(&launch);
 /// assert!((time - 1.0 / (0.3 * 9.81)).abs() < 1e-14); // v/(mu g)
 /// let work = 0.3 * 9.81 * pose.x.hypot(pose.y); // of friction, per mass
 /// assert!((work - disk.energy_per_mass(&launch)).abs() < 1e-14);
 /// # Ok::<(), tribos::slide::inverse::InverseError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Landing {
+pub struct RestPose {
     /// Position and orientation at rest.
     pub pose: Pose,
     /// Time from launch to rest, in s.
@@ -101,12 +101,12 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     ///
     /// *Accuracy*: 1e-13 relative in each of distance and angle. *Special values*: NaN for a launch that
     /// is not finite.
-    pub fn rest(&self, launch: &Launch) -> Landing {
+    pub fn rest(&self, launch: &Launch) -> RestPose {
         let [x, y] = launch.velocity;
         let speed = Real::hypot(x, y);
         let motion = SliderState::launched(speed, launch.spin * self.radius);
         let Some(rest) = self.unit.to_rest(&motion) else {
-            return Landing {
+            return RestPose {
                 pose: Pose {
                     x: f64::NAN,
                     y: f64::NAN,
@@ -120,7 +120,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
             0.0 => 0.0,
             _ => distance * (component / speed),
         };
-        Landing {
+        RestPose {
             pose: Pose {
                 x: along(x),
                 y: along(y),

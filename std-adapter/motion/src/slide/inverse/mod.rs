@@ -57,9 +57,9 @@ pub use error::OutOfReach;
 #[doc(hidden)]
 pub use jacobian::PoseJacobian;
 pub use limits::LaunchLimits;
-#[doc(hidden)]
-pub use map::Landing;
 pub use map::RestMap;
+#[doc(hidden)]
+pub use map::RestPose;
 #[doc(hidden)]
 pub use plan::MAX_SOLUTIONS;
 pub use plan::{LaunchSolution, Launches, Turns};
@@ -80,7 +80,7 @@ pub use plan::{LaunchSolution, Launches, Turns};
 pub struct Launch {
     /// Components of the velocity.
     pub velocity: [f64; 2],
-    /// Spin; positive turns the first axis towards the second.
+    /// RotationBias; positive turns the first axis towards the second.
     pub spin: f64,
 }
 

@@ -1,7 +1,7 @@
 //! From a rest pose to every launch within the limits.
 
 use super::{InverseError, Launch, LaunchLimits, OutOfReach, Pose, RestMap};
-use crate::slide::inverse::solve::Throw;
+use crate::slide::inverse::solve::LaunchMagnitudes;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::num::NonZeroU32;
@@ -32,7 +32,7 @@ pub enum Turns {
 /// let all: Vec<LaunchSolution> = disk.launches(&target, turns, &LaunchLimits::new(3.0, 30.0)?)?;
 /// assert!(all.len() > 2);
 /// assert!(all.iter().all(|one| (one.turns() - one.turns().round()).abs() < 1e-12));
-/// // Spin only adds to the work of friction: the least is mu g d, without a turn.
+/// // RotationBias only adds to the work of friction: the least is mu g d, without a turn.
 /// assert_eq!(all[0].turns(), 0.0);
 /// assert!((all[0].energy_per_mass - 0.3 * 9.81).abs() < 1e-12);
 /// # Ok::<(), tribos::slide::inverse::InverseError>(())
@@ -108,7 +108,7 @@ pub struct Launches {
 const SPARE: f64 = 1e-9;
 
 /// Angles of one sign, `first` + j `step`, that have the same orientation.
-struct Ladder {
+struct EquivalentAngles {
     sense: f64,
     first: f64,
     step: f64,
@@ -135,7 +135,7 @@ fn wholes_up_to(x: f64) -> u64 {
     largest.to_bits() - (WHOLE as f64).to_bits() + WHOLE + 1
 }
 
-impl Ladder {
+impl EquivalentAngles {
     fn angle(&self, rank: u64) -> f64 {
         self.first + whole(rank) * self.step
     }
@@ -152,13 +152,13 @@ impl Ladder {
 
 /// The angles of a ladder whose launches are within the limits, by rank, from `first` up to but not including
 /// `end`.
-struct Flight {
-    ladder: Ladder,
+struct AdmissibleAngles {
+    ladder: EquivalentAngles,
     first: u64,
     end: u64,
 }
 
-impl Flight {
+impl AdmissibleAngles {
     fn count(&self) -> u64 {
         if self.first == self.end {
             return 0;
@@ -178,16 +178,16 @@ impl Flight {
 }
 
 /// Total number of launches of all flights, at most [`u64::MAX`].
-fn count(flights: &[Flight]) -> u64 {
-    let counts = flights.iter().map(Flight::count);
+fn count(flights: &[AdmissibleAngles]) -> u64 {
+    let counts = flights.iter().map(AdmissibleAngles::count);
     counts.fold(0, u64::saturating_add)
 }
 
 impl Turns {
     /// The angles that match a requested `angle`, positive direction first.
-    fn ladders(self, angle: f64) -> Vec<Ladder> {
+    fn ladders(self, angle: f64) -> Vec<EquivalentAngles> {
         let Self::Modulo { symmetry } = self else {
-            return vec![Ladder {
+            return vec![EquivalentAngles {
                 sense: 1.0_f64.copysign(angle),
                 first: angle.abs(),
                 step: 0.0,
@@ -198,7 +198,7 @@ impl Turns {
         // Zero belongs to one direction only.
         let right = step - left;
         [(1.0, left), (-1.0, right)]
-            .map(|(sense, first)| Ladder { sense, first, step })
+            .map(|(sense, first)| EquivalentAngles { sense, first, step })
             .into()
     }
 }
@@ -253,7 +253,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         target: &Pose,
         turns: Turns,
         limits: &LaunchLimits,
-    ) -> Result<Vec<Flight>, InverseError> {
+    ) -> Result<Vec<AdmissibleAngles>, InverseError> {
         let distance = Real::hypot(target.x, target.y);
         if !distance.is_finite() || !target.angle.is_finite() {
             return Err(InverseError::Target { given: *target });
@@ -270,7 +270,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
             };
             let first = partition(0, ranks, |rank| throw(rank).speed > limits.max_speed());
             let end = partition(first, ranks, |rank| throw(rank).spin <= limits.max_spin());
-            Flight { ladder, first, end }
+            AdmissibleAngles { ladder, first, end }
         });
         Ok(flights.collect())
     }
@@ -281,7 +281,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         target: &Pose,
         turns: Turns,
         limits: &LaunchLimits,
-        flights: &[Flight],
+        flights: &[AdmissibleAngles],
         most: u64,
     ) -> Result<Launches, InverseError> {
         let distance = Real::hypot(target.x, target.y);
@@ -327,7 +327,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     }
 
     /// A launch of given magnitudes, aimed at the target.
-    fn solution(&self, target: &Pose, angle: f64, throw: &Throw) -> LaunchSolution {
+    fn solution(&self, target: &Pose, angle: f64, throw: &LaunchMagnitudes) -> LaunchSolution {
         let distance = Real::hypot(target.x, target.y);
         let along = |component: f64| match distance {
             0.0 => 0.0,
@@ -352,10 +352,15 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
 
     /// The launch of one direction that exceeds the limits by the least. With more turns the required speed
     /// falls and the required spin rises: the optimum is where their excesses are equal.
-    fn nearest(&self, target: &Pose, ladder: &Ladder, limits: &LaunchLimits) -> LaunchSolution {
+    fn nearest(
+        &self,
+        target: &Pose,
+        ladder: &EquivalentAngles,
+        limits: &LaunchLimits,
+    ) -> LaunchSolution {
         let distance = Real::hypot(target.x, target.y);
         let throw = |rank| self.throw(distance, ladder.angle(rank));
-        let sliding_exceeds_more = |throw: &Throw| {
+        let sliding_exceeds_more = |throw: &LaunchMagnitudes| {
             over(throw.speed, limits.max_speed()) > over(throw.spin, limits.max_spin())
         };
         let solution =

@@ -7,7 +7,7 @@ use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 
 /// Magnitudes of a launch, and its time to rest.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Throw {
+pub(super) struct LaunchMagnitudes {
     /// Speed v.
     pub speed: f64,
     /// Spin |ω|.
@@ -27,10 +27,10 @@ const WIDEN: f64 = 2.0;
 
 impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     /// The launch for `distance` ≥ 0 and `angle` ≥ 0; it exists and is unique.
-    pub(super) fn throw(&self, distance: f64, angle: f64) -> Throw {
+    pub(super) fn throw(&self, distance: f64, angle: f64) -> LaunchMagnitudes {
         let rim_path = angle * self.radius();
         if distance == 0.0 && rim_path == 0.0 {
-            return Throw {
+            return LaunchMagnitudes {
                 speed: 0.0,
                 spin: 0.0,
                 time: 0.0,
@@ -46,7 +46,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         );
         let pace = Real::pow(scale, self.degree() - 1.0);
         let [c, n] = direction;
-        Throw {
+        LaunchMagnitudes {
             speed: scale * c,
             spin: scale * n / self.radius(),
             time: pace * paths.time / self.deceleration(),

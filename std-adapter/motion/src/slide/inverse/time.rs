@@ -11,7 +11,7 @@
 //! (2) contains no quotient by the turning rate m and is used until (1) is accurate.
 
 use super::slope::{BRISK, FIRST, MAX_STEPS, SETTLED, SPENT, STEP, TOLERANCE};
-use super::{Landing, Launch, PoseJacobian, RestMap};
+use super::{Launch, PoseJacobian, RestMap, RestPose};
 use tribos_core::Real;
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::internals::runge_kutta;
@@ -25,7 +25,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     /// *Units*: 1/acceleration, and s² for the spin. *Special values*: all derivatives zero at rest, where
     /// the time has a kink.
     #[doc(hidden)]
-    pub fn landing_derivatives(&self, launch: &Launch) -> (Landing, PoseJacobian, [f64; 3]) {
+    pub fn landing_derivatives(&self, launch: &Launch) -> (RestPose, PoseJacobian, [f64; 3]) {
         let landing = self.rest(launch);
         let pose = self.jacobian(launch);
         let [x, y] = launch.velocity;

@@ -25,7 +25,7 @@ use tribos_core::internals::runge_kutta;
 pub struct PlanarLaunch {
     /// Velocity of the centre of mass, in m/s.
     pub velocity: [f64; 2],
-    /// Spin, positive counterclockwise, in rad/s.
+    /// RotationBias, positive counterclockwise, in rad/s.
     pub spin: f64,
 }
 
@@ -38,7 +38,7 @@ pub struct PlanarState {
     pub position: [f64; 2],
     /// Velocity of the centre, in m/s.
     pub velocity: [f64; 2],
-    /// Spin, in rad/s.
+    /// RotationBias, in rad/s.
     pub spin: f64,
     /// Angle turned, in rad.
     pub angle: f64,
@@ -196,7 +196,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
         let mut times = times.iter().copied().peekable();
         let mut shown = self.state;
         let start = self.point(&shown);
-        let mut uprightness = Uprightness::default();
+        let mut uprightness = TippingMonitor::default();
         uprightness.see(&start);
         observe(&start);
         let mut size = FIRST;
@@ -375,7 +375,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
     }
 
     /// The end: the remaining time follows as a power of the speed, everything else is negligible.
-    fn arrival(&self, uprightness: Uprightness, steps: u64) -> PlanarResult {
+    fn arrival(&self, uprightness: TippingMonitor, steps: u64) -> PlanarResult {
         let mut point = self.point(&self.state);
         let beta = 1.0 - self.body.exponent();
         let ending = if beta > 0.0 {
@@ -398,12 +398,12 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
 
 /// Largest lean so far, and the time at which the body began to tip.
 #[derive(Clone, Copy, Debug, Default)]
-struct Uprightness {
+struct TippingMonitor {
     most_lean: f64,
     tips_at: Option<f64>,
 }
 
-impl Uprightness {
+impl TippingMonitor {
     fn see(&mut self, point: &PlanarState) {
         if point.lean > self.most_lean {
             self.most_lean = point.lean;

@@ -1,7 +1,7 @@
 //! LuGre's bristles under a body on a spring.
 
-use super::motion::{Follower, SpringSample, spring_impulse};
-use super::rosenbrock::{Flow, Pace};
+use super::motion::{SpringIntegrator, SpringSample, spring_impulse};
+use super::rosenbrock::{OdeSystem, StepSizeControl};
 use crate::stick::StickError;
 use tribos_core::law::{Bristle, LuGre};
 
@@ -15,7 +15,7 @@ pub(super) struct BristleMotion {
     pull: f64,
     /// Velocity, deflection of the bristles, force of the spring.
     y: [f64; 3],
-    pace: Pace,
+    pace: StepSizeControl,
     scale: [f64; 3],
     /// Speed from which the body counts as slipping.
     slow: f64,
@@ -33,7 +33,7 @@ impl BristleMotion {
             time: 0.0,
             pull: 0.0,
             y: [0.0; 3],
-            pace: Pace::new(first, tolerance),
+            pace: StepSizeControl::new(first, tolerance),
             scale: [speed, law.largest_deflection(), p.static_force],
             slow: super::SLOW * speed,
         }
@@ -46,7 +46,7 @@ struct BristleFlow<'a> {
     speed: f64,
 }
 
-impl Flow<3> for BristleFlow<'_> {
+impl OdeSystem<3> for BristleFlow<'_> {
     fn rate(&self, &[velocity, deflection, force]: &[f64; 3]) -> [f64; 3] {
         let BristleMotion {
             law,
@@ -87,7 +87,7 @@ impl Flow<3> for BristleFlow<'_> {
     }
 }
 
-impl Follower for BristleMotion {
+impl SpringIntegrator for BristleMotion {
     fn moment(&self) -> SpringSample {
         let [velocity, deflection, force] = self.y;
         SpringSample {

@@ -11,7 +11,7 @@
 //! The instants at which it stops (v = 0) and at which the spring force is extremal (u' = 0) are therefore
 //! known. At rest the force grows linearly, and the body lets go where it meets N μ_s(age).
 
-use super::motion::{Follower, SpringSample};
+use super::motion::{SpringIntegrator, SpringSample};
 use crate::stick::StickError;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use tribos_core::Real;
@@ -50,7 +50,7 @@ enum Phase {
 
 /// Phase of the oscillation, in rad, within which an instant counts as now: its rounding.
 const NOW: f64 = 1e-9;
-/// Shares of the swing of the force and of what friction holds, beyond which a force exceeds what friction holds: its
+/// MassRatios of the swing of the force and of what friction holds, beyond which a force exceeds what friction holds: its
 /// rounding over as many pieces as an arc may have. Without friction in motion a body stops where it began.
 const ROUNDED: f64 = 1e-9;
 const MOST_ROUNDED: f64 = 1e-6;
@@ -144,7 +144,7 @@ impl DryMotion {
         let omega = Real::sqrt(block.stiffness / block.mass);
         let friction = sign * block.load * block.mu_dynamic;
         let centre = -friction / block.stiffness;
-        let arc = Arc {
+        let arc = HarmonicMotion {
             cosine: self.offset - centre,
             sine: (velocity - speed) / omega,
             drift: speed / omega,
@@ -180,7 +180,7 @@ impl DryMotion {
     }
 
     /// Whether friction holds the force at the end of an arc, up to its rounding.
-    fn holds_after(&self, arc: &Arc) -> bool {
+    fn holds_after(&self, arc: &HarmonicMotion) -> bool {
         let limit = self.limit(0.0);
         let swing = self.block.stiffness * (arc.cosine.abs() + arc.sine.abs() + arc.drift.abs());
         self.force().abs() - limit <= (ROUNDED * swing).min(MOST_ROUNDED * limit)
@@ -188,13 +188,13 @@ impl DryMotion {
 }
 
 /// v/ω = drift + sine cos φ − cosine sin φ over the phase φ = ωτ.
-struct Arc {
+struct HarmonicMotion {
     cosine: f64,
     sine: f64,
     drift: f64,
 }
 
-impl Arc {
+impl HarmonicMotion {
     /// Phase at which a motion of this sign stops; infinite if it does not.
     fn stop(&self, sign: f64) -> f64 {
         let lead = libm::atan2(self.cosine, self.sine);
@@ -224,7 +224,7 @@ impl Arc {
     }
 }
 
-impl Follower for DryMotion {
+impl SpringIntegrator for DryMotion {
     fn moment(&self) -> SpringSample {
         let (velocity, friction, state, slips) = match self.phase {
             Phase::Sticks { age } => (0.0, self.force(), age, false),

@@ -26,7 +26,7 @@ pub struct SpringSample {
 }
 
 /// A body, its spring and its law, advanced in time.
-pub(super) trait Follower {
+pub(super) trait SpringIntegrator {
     /// The state now.
     fn moment(&self) -> SpringSample;
 

@@ -1,6 +1,6 @@
 //! The summary of a body on a spring.
 
-use super::tally::Tally;
+use super::tally::RunStatistics;
 use tribos_base::record::json_number;
 
 use serde_json::{Map, Value, json};
@@ -90,7 +90,7 @@ const STEADY: f64 = 0.01;
 const FADES: f64 = 0.9;
 
 /// The regime from both quarters of the second half, in this order.
-pub(super) fn regime(quarters: &[Tally; 2], speed: f64, weakens: bool) -> StickSlipRegime {
+pub(super) fn regime(quarters: &[RunStatistics; 2], speed: f64, weakens: bool) -> StickSlipRegime {
     let [third, last] = quarters;
     let slips = third.slip_time + last.slip_time;
     let time = third.time + last.time;

@@ -11,8 +11,8 @@
 //! μ_w w' = k (V − v)/N − μ_φ φ', with μ_w = a T + ηv, μ_φ = b T and T = v/√(v² + q²), the regularised
 //! law's tanh; F is then what the law says and cannot drift.
 
-use super::motion::{Follower, SpringSample, spring_impulse};
-use super::rosenbrock::{Flow, Pace};
+use super::motion::{SpringIntegrator, SpringSample, spring_impulse};
+use super::rosenbrock::{OdeSystem, StepSizeControl};
 use crate::stick::StickError;
 use tribos_core::Real;
 use tribos_core::law::{AgeingLaw, RateState, StateVariable};
@@ -40,7 +40,7 @@ pub(super) struct RateStateMotion {
     pull: f64,
     /// w, φ, and the spring force, which counts with mass only.
     y: [f64; 3],
-    pace: Pace,
+    pace: StepSizeControl,
     /// Speeds: of slipping, and beyond all bounds.
     slow: f64,
     runaway: f64,
@@ -78,7 +78,7 @@ impl RateStateMotion {
             time: 0.0,
             pull: force / stiffness,
             y: [log_speed, -log_speed, force],
-            pace: Pace::new(first, tolerance),
+            pace: StepSizeControl::new(first, tolerance),
             slow: super::SLOW * speed,
             runaway: RUNAWAY * speed,
         }
@@ -135,7 +135,7 @@ struct Inertial<'a> {
     speed: f64,
 }
 
-impl Flow<3> for Inertial<'_> {
+impl OdeSystem<3> for Inertial<'_> {
     fn rate(&self, &[w, phi, force]: &[f64; 3]) -> [f64; 3] {
         let body = self.body;
         let (speed, age) = (body.speed_of(w), body.age_of(phi));
@@ -184,7 +184,7 @@ impl QuasiStatic<'_> {
     }
 }
 
-impl Flow<2> for QuasiStatic<'_> {
+impl OdeSystem<2> for QuasiStatic<'_> {
     fn rate(&self, &[w, phi]: &[f64; 2]) -> [f64; 2] {
         let [over, under] = self.parts(w, phi);
         [over / under, self.body.ageing(w, phi)[0]]
@@ -216,7 +216,7 @@ impl Flow<2> for QuasiStatic<'_> {
 
 impl RateStateMotion {
     /// The next state and the step's length.
-    fn next(&self, pace: &mut Pace, speed: f64, left: f64) -> Option<([f64; 3], f64)> {
+    fn next(&self, pace: &mut StepSizeControl, speed: f64, left: f64) -> Option<([f64; 3], f64)> {
         let body = self;
         if self.mass > 0.0 {
             let scale = [1.0, 1.0, self.load * self.law.parameters().a];
@@ -229,7 +229,7 @@ impl RateStateMotion {
     }
 }
 
-impl Follower for RateStateMotion {
+impl SpringIntegrator for RateStateMotion {
     fn moment(&self) -> SpringSample {
         let (velocity, age) = (self.speed_of(self.y[0]), self.age_of(self.y[1]));
         let force = self.force();

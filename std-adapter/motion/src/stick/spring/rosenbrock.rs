@@ -7,7 +7,7 @@
 use tribos_core::Real;
 
 /// An autonomous system of N differential equations.
-pub(super) trait Flow<const N: usize> {
+pub(super) trait OdeSystem<const N: usize> {
     /// dy/dt.
     fn rate(&self, y: &[f64; N]) -> [f64; N];
 
@@ -69,7 +69,7 @@ const C: [[f64; 5]; 5] = [
 
 /// The end of one step and its estimated error in units of `scale`.
 pub(super) fn trial<const N: usize>(
-    flow: &impl Flow<N>,
+    flow: &impl OdeSystem<N>,
     y: &[f64; N],
     step: f64,
     scale: &[f64; N],
@@ -170,7 +170,7 @@ impl<const N: usize> Factored<N> {
 
 /// Chooses the lengths of steps.
 #[derive(Clone, Debug)]
-pub(super) struct Pace {
+pub(super) struct StepSizeControl {
     next: f64,
     tolerance: f64,
 }
@@ -182,7 +182,7 @@ const GROW: f64 = 5.0;
 /// Rejections in a row that say that no step will do.
 const MOST_REJECTIONS: u32 = 200;
 
-impl Pace {
+impl StepSizeControl {
     /// Starting with `first`, with errors below `tolerance` in units of the scales.
     pub fn new(first: f64, tolerance: f64) -> Self {
         Self {
@@ -194,7 +194,7 @@ impl Pace {
     /// The state after the next step and its length, `left` at most; none if no step will do.
     pub fn step<const N: usize>(
         &mut self,
-        flow: &impl Flow<N>,
+        flow: &impl OdeSystem<N>,
         y: &[f64; N],
         left: f64,
         scale: &[f64; N],
@@ -230,7 +230,7 @@ mod tests {
 
     /// A pendulum: its energy is known, its equation is not linear.
     struct Pendulum;
-    impl Flow<2> for Pendulum {
+    impl OdeSystem<2> for Pendulum {
         fn rate(&self, &[angle, speed]: &[f64; 2]) -> [f64; 2] {
             [speed, -Real::sin(angle)]
         }
@@ -257,7 +257,7 @@ mod tests {
 
     /// y' = −10⁹ (y − cos t), with the time as a second component.
     struct Stiff;
-    impl Flow<2> for Stiff {
+    impl OdeSystem<2> for Stiff {
         fn rate(&self, &[y, t]: &[f64; 2]) -> [f64; 2] {
             [-1e9 * (y - Real::cos(t)), 1.0]
         }
@@ -268,7 +268,7 @@ mod tests {
 
     #[test]
     fn a_fast_decay_does_not_bind_the_step() {
-        let (mut y, mut pace, mut steps) = ([0.3, 0.0], Pace::new(1e-12, 1e-8), 0);
+        let (mut y, mut pace, mut steps) = ([0.3, 0.0], StepSizeControl::new(1e-12, 1e-8), 0);
         while y[1] < 3.0 {
             let left = 3.0 - y[1];
             (y, _) = pace.step(&Stiff, &y, left, &[1.0; 2]).unwrap();

@@ -2,14 +2,14 @@
 
 use super::bristles::BristleMotion;
 use super::dry::{DryBlock, DryMotion};
-use super::motion::{Follower, SpringSample};
+use super::motion::{SpringIntegrator, SpringSample};
 use super::outcome::{HoldPeak, SpringSummary, healing, regime};
 use super::rate_state::RateStateMotion;
 use super::speed::SpeedMotion;
 use super::stability::critical_stiffness;
-use super::tally::Tally;
+use super::tally::RunStatistics;
 use crate::stick::scene::{SpringFriction, SpringScene};
-use crate::stick::{HeldRun, HeldScene, StickError};
+use crate::stick::{StickError, StickSlipRun, StickSlipScene};
 use tribos_core::law::{LocalLaw, LuGre, RateState, RateStateParameters, StaticAgeing};
 use tribos_friction::Law;
 
@@ -73,7 +73,7 @@ fn watched(
 ) -> Result<SpringRun, StickError> {
     scene.check()?;
     let mut body = follower(scene)?;
-    let mut course = Course::new(scene, &*body, watch);
+    let mut course = SpringRunState::new(scene, &*body, watch);
     for piece in pieces(scene) {
         course.follow(&mut *body, &piece)?;
         if course.ran_away {
@@ -84,10 +84,10 @@ fn watched(
 }
 
 /// The body of a scene at its start.
-fn follower(scene: &SpringScene) -> Result<Box<dyn Follower>, StickError> {
+fn follower(scene: &SpringScene) -> Result<Box<dyn SpringIntegrator>, StickError> {
     let (speed, tolerance) = (scene.pull_speed, scene.tolerance);
     let [mass, stiffness, load] = [scene.mass, scene.stiffness, scene.load];
-    let dry = |mu_static, mu_dynamic, growth| -> Result<Box<dyn Follower>, StickError> {
+    let dry = |mu_static, mu_dynamic, growth| -> Result<Box<dyn SpringIntegrator>, StickError> {
         Ok(Box::new(DryMotion::new(DryBlock {
             mass,
             stiffness,
@@ -170,15 +170,15 @@ fn pieces(scene: &SpringScene) -> Vec<Piece> {
 }
 
 /// A run on its way.
-struct Course<'a> {
+struct SpringRunState<'a> {
     scene: &'a SpringScene,
     watch: &'a mut dyn FnMut(f64) -> bool,
     /// Time of all pulls and holds.
     duration: f64,
     moments: Vec<SpringSample>,
     /// Of the whole run; of the third and the last quarter of the last pull.
-    whole: Tally,
-    quarters: [Tally; 2],
+    whole: RunStatistics,
+    quarters: [RunStatistics; 2],
     work: f64,
     /// The largest force since the last hold, if there was one.
     hold: Option<HoldPeak>,
@@ -188,13 +188,13 @@ struct Course<'a> {
     start: f64,
 }
 
-impl<'a> Course<'a> {
+impl<'a> SpringRunState<'a> {
     fn new(
         scene: &'a SpringScene,
-        body: &dyn Follower,
+        body: &dyn SpringIntegrator,
         watch: &'a mut dyn FnMut(f64) -> bool,
     ) -> Self {
-        let tally = Tally::new(scene.pull_speed, body.holds_exactly());
+        let tally = RunStatistics::new(scene.pull_speed, body.holds_exactly());
         let first = body.moment();
         Self {
             scene,
@@ -213,7 +213,7 @@ impl<'a> Course<'a> {
     }
 
     /// One piece, with a row at the end of each interval and stops at the quarters.
-    fn follow(&mut self, body: &mut dyn Follower, piece: &Piece) -> Result<(), StickError> {
+    fn follow(&mut self, body: &mut dyn SpringIntegrator, piece: &Piece) -> Result<(), StickError> {
         let begin = body.moment();
         if piece.speed == 0.0 {
             let (time, before) = (piece.duration, begin.spring_force);
@@ -250,7 +250,7 @@ impl<'a> Course<'a> {
 
     fn advance(
         &mut self,
-        body: &mut dyn Follower,
+        body: &mut dyn SpringIntegrator,
         piece: &Piece,
         until: f64,
         quarter: Option<usize>,
@@ -284,7 +284,7 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    fn end(self, body: &dyn Follower) -> SpringRun {
+    fn end(self, body: &dyn SpringIntegrator) -> SpringRun {
         let last = body.moment();
         let [third, fourth] = &self.quarters;
         // A run that ends early has its whole course only.
@@ -293,8 +293,9 @@ impl<'a> Course<'a> {
         } else {
             [&self.whole; 2]
         };
-        let sum = |part: fn(&Tally) -> f64| counted.iter().map(|tally| part(tally)).sum::<f64>();
-        let worst = |pick: fn(f64, f64) -> f64, part: fn(&Tally) -> f64| {
+        let sum =
+            |part: fn(&RunStatistics) -> f64| counted.iter().map(|tally| part(tally)).sum::<f64>();
+        let worst = |pick: fn(f64, f64) -> f64, part: fn(&RunStatistics) -> f64| {
             pick(part(counted[0]), part(counted[1]))
         };
         let mut both = counted[0].clone();
@@ -370,8 +371,8 @@ impl SpringSample {
     }
 }
 
-impl HeldScene for SpringScene {
-    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<HeldRun, StickError> {
+impl StickSlipScene for SpringScene {
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<StickSlipRun, StickError> {
         let result = watched(self, watch)?;
         let outcome = &result.outcome;
         let mut told = vec![
@@ -416,7 +417,7 @@ impl HeldScene for SpringScene {
                 ),
             ));
         }
-        Ok(HeldRun {
+        Ok(StickSlipRun {
             columns: &SPRING_COLUMNS,
             rows: result
                 .moments

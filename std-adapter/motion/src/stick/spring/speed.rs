@@ -1,8 +1,8 @@
 //! Friction that depends on the speed alone: rest is exact where the law holds, motion is integrated, and
 //! the instant of rest is found as a root of the step's length.
 
-use super::motion::{Follower, SpringSample, spring_impulse};
-use super::rosenbrock::{Flow, Pace, trial};
+use super::motion::{SpringIntegrator, SpringSample, spring_impulse};
+use super::rosenbrock::{OdeSystem, StepSizeControl, trial};
 use crate::stick::StickError;
 use tribos_core::law::LocalLaw;
 use tribos_friction::AnyLaw;
@@ -25,7 +25,7 @@ pub(super) struct SpeedMotion {
     force: f64,
     /// Direction of the motion; 0 at rest.
     sign: f64,
-    pace: Pace,
+    pace: StepSizeControl,
     scale: [f64; 2],
 }
 
@@ -59,7 +59,7 @@ impl SpeedMotion {
             velocity: 0.0,
             force: 0.0,
             sign: 0.0,
-            pace: Pace::new(first, tolerance),
+            pace: StepSizeControl::new(first, tolerance),
             scale: [speed, force],
         }
     }
@@ -204,7 +204,7 @@ impl SpeedFlow<'_> {
     }
 }
 
-impl Flow<2> for SpeedFlow<'_> {
+impl OdeSystem<2> for SpeedFlow<'_> {
     fn rate(&self, &[velocity, force]: &[f64; 2]) -> [f64; 2] {
         let [friction, _] = self.friction(velocity);
         let (mass, stiffness) = (self.body.mass, self.body.stiffness);
@@ -221,7 +221,7 @@ impl Flow<2> for SpeedFlow<'_> {
     }
 }
 
-impl Follower for SpeedMotion {
+impl SpringIntegrator for SpeedMotion {
     fn moment(&self) -> SpringSample {
         let is_at_rest = self.holds_exactly() && self.sign == 0.0;
         let friction = if is_at_rest {

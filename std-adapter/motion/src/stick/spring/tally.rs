@@ -28,7 +28,7 @@ impl Range {
 
 /// Sums over a stretch of the run.
 #[derive(Clone, Debug)]
-pub(super) struct Tally {
+pub(super) struct RunStatistics {
     /// The speed of the pull.
     speed: f64,
     holds_exactly: bool,
@@ -44,7 +44,7 @@ pub(super) struct Tally {
     pub slips: u64,
 }
 
-impl Tally {
+impl RunStatistics {
     /// Nothing yet, under a pull of this speed.
     pub fn new(speed: f64, holds_exactly: bool) -> Self {
         Self {

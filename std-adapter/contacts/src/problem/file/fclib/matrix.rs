@@ -1,6 +1,6 @@
 //! Sparse matrices of FCLib.
 
-use super::super::error::{Fault, Refusal};
+use super::super::error::{Fault, LocatedFault};
 use super::store::Store;
 use crate::problem::SparseMatrix;
 use hdf5_pure::GroupBuilder;
@@ -10,7 +10,11 @@ const COLUMNS: i64 = -1;
 const ROWS: i64 = -2;
 
 /// Reads a matrix whose shape the vectors have told.
-pub(super) fn read(store: &Store, name: &str, shape: [usize; 2]) -> Result<SparseMatrix, Refusal> {
+pub(super) fn read(
+    store: &Store,
+    name: &str,
+    shape: [usize; 2],
+) -> Result<SparseMatrix, LocatedFault> {
     let part = |part: &str| format!("{name}/{part}");
     let sizes = [("m", "the number of rows"), ("n", "the number of columns")];
     for ((size, what), wanted) in sizes.into_iter().zip(shape) {
@@ -65,7 +69,12 @@ pub(super) fn read(store: &Store, name: &str, shape: [usize; 2]) -> Result<Spars
 }
 
 /// Indices below a size.
-fn checked(store: &Store, name: &str, indices: &[i64], size: i64) -> Result<Vec<usize>, Refusal> {
+fn checked(
+    store: &Store,
+    name: &str,
+    indices: &[i64],
+    size: i64,
+) -> Result<Vec<usize>, LocatedFault> {
     let index = |&index: &i64| {
         if (0..size).contains(&index) {
             return Ok(index as usize);
@@ -82,7 +91,7 @@ fn lines(
     [number, size]: [i64; 2],
     [starts, indices]: [&[i64]; 2],
     values: &[f64],
-) -> Result<Vec<(usize, usize, f64)>, Refusal> {
+) -> Result<Vec<(usize, usize, f64)>, LocatedFault> {
     let [p, i, x] = ["p", "i", "x"].map(|part| format!("{name}/{part}"));
     if starts.len() as i64 != number + 1 {
         return Err(store.wrong_count(&p, "the number of elements", starts.len(), number + 1));

@@ -1,14 +1,14 @@
 //! Problems from HDF5: vectors first, because they tell the shapes of the matrices.
 
 use super::super::ContactProblem;
-use super::super::error::{Fault, Place, Refusal};
+use super::super::error::{Fault, LocatedFault, Place};
 use super::store::Store;
 use super::{matrix, names};
 use crate::problem::{
     ContactComponents, ContactThresholds, Friction, GlobalProblem, ProblemError, ReducedProblem,
 };
 
-pub(in super::super) fn read(bytes: &[u8]) -> Result<ContactProblem, Refusal> {
+pub(in super::super) fn read(bytes: &[u8]) -> Result<ContactProblem, LocatedFault> {
     let store = Store::open(bytes, &[names::LOCAL, names::GLOBAL].concat())?;
     for name in names::CONSTRAINTS {
         if store.has(name)? {
@@ -52,7 +52,7 @@ fn place(store: &Store, error: &ProblemError) -> Place {
 
 /// Components of each contact. A group without rolling may hold it all the same, but not the reverse: FCLib's
 /// three components with rolling are normal, sliding and rolling in a plane, not those of [`ContactComponents::Space`].
-fn layout(store: &Store) -> Result<ContactComponents, Refusal> {
+fn layout(store: &Store) -> Result<ContactComponents, LocatedFault> {
     let size = store.integer(names::SIZE)?;
     let layout = usize::try_from(size)
         .ok()
@@ -70,7 +70,7 @@ fn layout(store: &Store) -> Result<ContactComponents, Refusal> {
         })
 }
 
-fn vector(store: &Store, name: &str, size: usize) -> Result<Vec<f64>, Refusal> {
+fn vector(store: &Store, name: &str, size: usize) -> Result<Vec<f64>, LocatedFault> {
     let numbers = store.numbers(name)?;
     if numbers.len() == size {
         return Ok(numbers);
@@ -80,7 +80,7 @@ fn vector(store: &Store, name: &str, size: usize) -> Result<Vec<f64>, Refusal> {
 
 /// Laws of all contacts. Rolling thresholds must be there if contacts have rolling components; else what a file
 /// does not mention is zero.
-fn laws(store: &Store, layout: ContactComponents) -> Result<Vec<ContactThresholds>, Refusal> {
+fn laws(store: &Store, layout: ContactComponents) -> Result<Vec<ContactThresholds>, LocatedFault> {
     let sliding = store.numbers(names::SLIDING)?;
     let optional = |name| match store.has(name)? {
         true => vector(store, name, sliding.len()),
@@ -103,7 +103,7 @@ fn laws(store: &Store, layout: ContactComponents) -> Result<Vec<ContactThreshold
         .collect())
 }
 
-fn friction(store: &Store, contacts: usize) -> Result<Vec<Friction>, Refusal> {
+fn friction(store: &Store, contacts: usize) -> Result<Vec<Friction>, LocatedFault> {
     if !store.has(names::ELLIPSOID)? {
         return Ok(vec![Friction::Separate; contacts]);
     }

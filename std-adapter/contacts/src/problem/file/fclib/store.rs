@@ -1,6 +1,6 @@
 //! Datasets of a file, checked before memory is taken for them.
 
-use super::super::error::{Fault, Place, Refusal};
+use super::super::error::{Fault, LocatedFault, Place};
 use hdf5_pure::{DType, Dataset, File};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -14,7 +14,7 @@ pub(super) struct Store {
 
 impl Store {
     /// Opens the file and the first of the groups that it has.
-    pub fn open(bytes: &[u8], groups: &[&'static str]) -> Result<Self, Refusal> {
+    pub fn open(bytes: &[u8], groups: &[&'static str]) -> Result<Self, LocatedFault> {
         let opened = guarded(|| {
             let file = File::from_bytes(bytes.to_vec())?;
             let names = file.root().groups()?;
@@ -52,12 +52,12 @@ impl Store {
         Place::Dataset(self.path(name))
     }
 
-    fn refusal(&self, name: &str, message: String) -> Refusal {
+    fn refusal(&self, name: &str, message: String) -> LocatedFault {
         (self.place(name), Fault::Hdf5(message))
     }
 
     /// Whether the group has a part of this path; a part that cannot be read counts as one.
-    pub fn has(&self, name: &str) -> Result<bool, Refusal> {
+    pub fn has(&self, name: &str) -> Result<bool, LocatedFault> {
         let (folder, last) = match name.rsplit_once('/') {
             Some((folder, last)) => (self.path(folder), last),
             None => (self.group.to_string(), name),
@@ -73,7 +73,7 @@ impl Store {
     }
 
     /// Numbers of a dataset.
-    pub fn numbers(&self, name: &str) -> Result<Vec<f64>, Refusal> {
+    pub fn numbers(&self, name: &str) -> Result<Vec<f64>, LocatedFault> {
         let dataset = self.dataset(name, "floating-point numbers", |kind| {
             matches!(kind, DType::F32 | DType::F64)
         })?;
@@ -82,7 +82,7 @@ impl Store {
     }
 
     /// Integers of a dataset.
-    pub fn integers(&self, name: &str) -> Result<Vec<i64>, Refusal> {
+    pub fn integers(&self, name: &str) -> Result<Vec<i64>, LocatedFault> {
         let dataset = self.dataset(name, "integers", |kind| {
             use DType::{I8, I16, I32, I64, U8, U16, U32};
             matches!(kind, I8 | I16 | I32 | I64 | U8 | U16 | U32)
@@ -92,7 +92,7 @@ impl Store {
     }
 
     /// The only integer of a dataset.
-    pub fn integer(&self, name: &str) -> Result<i64, Refusal> {
+    pub fn integer(&self, name: &str) -> Result<i64, LocatedFault> {
         match self.integers(name)?.as_slice() {
             [integer] => Ok(*integer),
             many => Err(self.wrong_count(name, "the number of elements", many.len(), "1")),
@@ -105,7 +105,7 @@ impl Store {
         what: &str,
         found: impl TryInto<i128>,
         wanted: impl ToString,
-    ) -> Refusal {
+    ) -> LocatedFault {
         let fault = Fault::Count {
             what: what.to_string(),
             found: found.try_into().unwrap_or(i128::MAX),
@@ -120,7 +120,7 @@ impl Store {
         name: &str,
         wanted: &'static str,
         fits: impl Fn(&DType) -> bool,
-    ) -> Result<Dataset, Refusal> {
+    ) -> Result<Dataset, LocatedFault> {
         if !self.has(name)? {
             return Err((
                 self.place(name),

@@ -1,13 +1,13 @@
 //! Problems to HDF5.
 
 use super::super::ContactProblem;
-use super::super::error::{Fault, Place, Refusal};
+use super::super::error::{Fault, LocatedFault, Place};
 use super::{matrix, names};
 use crate::problem::{ContactThresholds, Friction};
 use hdf5_pure::{FileBuilder, GroupBuilder, LibVer};
 
 /// Bytes of a file that HDF5 1.8 and later read.
-pub(in super::super) fn write(problem: &ContactProblem) -> Result<Vec<u8>, Refusal> {
+pub(in super::super) fn write(problem: &ContactProblem) -> Result<Vec<u8>, LocatedFault> {
     let with_rolling = usize::from(!problem.layout().rolling().is_empty());
     let kind = match problem {
         ContactProblem::Reduced(_) => names::LOCAL,

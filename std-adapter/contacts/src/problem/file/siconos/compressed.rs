@@ -1,11 +1,14 @@
 //! Sparse matrices as CSparse prints them.
 
-use super::super::error::Refusal;
+use super::super::error::LocatedFault;
 use super::matrix::Triplet;
-use super::words::Words;
+use super::words::TokenReader;
 
 /// A kind of storage, its title, then entries.
-pub(super) fn read(words: &mut Words, shape: [usize; 2]) -> Result<Vec<Triplet>, Refusal> {
+pub(super) fn read(
+    words: &mut TokenReader,
+    shape: [usize; 2],
+) -> Result<Vec<Triplet>, LocatedFault> {
     // 1: triplets, 2: columns, 3: rows; the title says it too.
     words.count("the origin of a sparse matrix (1 to 4)", 4)?;
     words.exactly("CSparse")?;
@@ -36,7 +39,11 @@ pub(super) fn read(words: &mut Words, shape: [usize; 2]) -> Result<Vec<Triplet>,
 }
 
 /// Number of entries, after sizes as in `3-by-4,`.
-fn entries(words: &mut Words, sizes: &str, [rows, columns]: [usize; 2]) -> Result<usize, Refusal> {
+fn entries(
+    words: &mut TokenReader,
+    sizes: &str,
+    [rows, columns]: [usize; 2],
+) -> Result<usize, LocatedFault> {
     let wanted = format!("{rows}-by-{columns},");
     if sizes != wanted {
         return Err(words.wrong_word(sizes, &wanted));
@@ -52,7 +59,7 @@ fn entries(words: &mut Words, sizes: &str, [rows, columns]: [usize; 2]) -> Resul
 }
 
 /// Lines of `row column : value`.
-fn triplets(words: &mut Words, count: usize) -> Result<Vec<Triplet>, Refusal> {
+fn triplets(words: &mut TokenReader, count: usize) -> Result<Vec<Triplet>, LocatedFault> {
     let mut triplets = Vec::with_capacity(count);
     for _ in 0..count {
         let row = words.count("the row of an entry", usize::MAX)?;
@@ -65,11 +72,11 @@ fn triplets(words: &mut Words, count: usize) -> Result<Vec<Triplet>, Refusal> {
 
 /// Rows or columns, as in `col 2 : locations 4 to 5` and two lines of `index : value`.
 fn lines(
-    words: &mut Words,
+    words: &mut TokenReader,
     name: &str,
     number: usize,
     count: usize,
-) -> Result<Vec<Triplet>, Refusal> {
+) -> Result<Vec<Triplet>, LocatedFault> {
     let mut triplets = Vec::with_capacity(count);
     for line in 0..number {
         words.exactly(name)?;

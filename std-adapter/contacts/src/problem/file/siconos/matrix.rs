@@ -1,8 +1,8 @@
 //! Matrices of Siconos: dense, in blocks, or as CSparse prints them.
 
-use super::super::error::Refusal;
+use super::super::error::LocatedFault;
 use super::compressed;
-use super::words::Words;
+use super::words::TokenReader;
 use crate::problem::SparseMatrix;
 
 /// Ways of storage, by the number that precedes a matrix.
@@ -14,11 +14,11 @@ const COMPRESSED: usize = 2;
 pub(super) type Triplet = (usize, usize, f64);
 
 /// Whether the next words can begin a matrix: a way of storage and two sizes.
-pub(super) fn may_follow(mut words: Words) -> bool {
+pub(super) fn may_follow(mut words: TokenReader) -> bool {
     words.count("", COMPRESSED).is_ok() && (0..2).all(|_| words.count("", usize::MAX).is_ok())
 }
 
-pub(super) fn read(words: &mut Words) -> Result<SparseMatrix, Refusal> {
+pub(super) fn read(words: &mut TokenReader) -> Result<SparseMatrix, LocatedFault> {
     let storage = words.count(
         "the storage of a matrix (0 dense, 1 blocks, 2 CSparse)",
         COMPRESSED,
@@ -37,7 +37,7 @@ pub(super) fn read(words: &mut Words) -> Result<SparseMatrix, Refusal> {
 }
 
 /// All elements, column by column as Siconos holds them (lines of the file break elsewhere).
-fn dense(words: &mut Words, shape: [usize; 2]) -> Result<Vec<Triplet>, Refusal> {
+fn dense(words: &mut TokenReader, shape: [usize; 2]) -> Result<Vec<Triplet>, LocatedFault> {
     words.same("the repeated number of rows", shape[0])?;
     words.same("the repeated number of columns", shape[1])?;
     let mut triplets = Vec::new();
@@ -47,11 +47,11 @@ fn dense(words: &mut Words, shape: [usize; 2]) -> Result<Vec<Triplet>, Refusal> 
 
 /// Elements of a block column by column, without zeros.
 fn block(
-    words: &mut Words,
+    words: &mut TokenReader,
     [row, column]: [usize; 2],
     [rows, columns]: [usize; 2],
     triplets: &mut Vec<Triplet>,
-) -> Result<(), Refusal> {
+) -> Result<(), LocatedFault> {
     // A block without rows takes no words, but its columns must not take time either.
     if rows == 0 {
         return Ok(());
@@ -69,7 +69,7 @@ fn block(
 
 /// Blocks by rows of blocks: ends of the rows and columns of blocks, first block of each row, column of each block,
 /// then each block's number and elements.
-fn blocks(words: &mut Words, shape: [usize; 2]) -> Result<Vec<Triplet>, Refusal> {
+fn blocks(words: &mut TokenReader, shape: [usize; 2]) -> Result<Vec<Triplet>, LocatedFault> {
     let count = words.amount("the number of blocks")?;
     let mut triplets = Vec::new();
     // Siconos writes nothing more.
@@ -98,7 +98,12 @@ fn blocks(words: &mut Words, shape: [usize; 2]) -> Result<Vec<Triplet>, Refusal>
 }
 
 /// Numbers that do not fall, none above `most`.
-fn rising(words: &mut Words, what: &str, count: usize, most: usize) -> Result<Vec<usize>, Refusal> {
+fn rising(
+    words: &mut TokenReader,
+    what: &str,
+    count: usize,
+    most: usize,
+) -> Result<Vec<usize>, LocatedFault> {
     let mut last = 0;
     let mut numbers = Vec::with_capacity(count);
     for _ in 0..count {
@@ -109,7 +114,12 @@ fn rising(words: &mut Words, what: &str, count: usize, most: usize) -> Result<Ve
 }
 
 /// Ends of rows or columns of blocks, the last one that of the matrix.
-fn ends(words: &mut Words, what: &str, count: usize, size: usize) -> Result<Vec<usize>, Refusal> {
+fn ends(
+    words: &mut TokenReader,
+    what: &str,
+    count: usize,
+    size: usize,
+) -> Result<Vec<usize>, LocatedFault> {
     let ends = rising(words, what, count, size)?;
     let last = ends.last().copied().unwrap_or(0);
     if last != size {

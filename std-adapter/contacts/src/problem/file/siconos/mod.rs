@@ -8,11 +8,11 @@ mod write;
 pub(super) use write::write;
 
 use super::ContactProblem;
-use super::error::{Fault, Place, Refusal};
+use super::error::{Fault, LocatedFault, Place};
 use crate::problem::{
     ContactComponents, ContactThresholds, GlobalProblem, ProblemError, ReducedProblem, SparseMatrix,
 };
-use words::Words;
+use words::TokenReader;
 
 /// What precedes the vectors in both kinds of problems.
 struct Head {
@@ -23,8 +23,8 @@ struct Head {
 
 /// Reads a problem. The two kinds have different numbers of words for the same first matrix, so that at most one of
 /// the readings ends with the file; if both fail, the one that got further tells what is wrong.
-pub(super) fn read(text: &str) -> Result<ContactProblem, Refusal> {
-    let mut words = Words::new(text);
+pub(super) fn read(text: &str) -> Result<ContactProblem, LocatedFault> {
+    let mut words = TokenReader::new(text);
     let head = head(&mut words)?;
     let local = match reduced(&head, words.clone()) {
         Err(refusal) if matrix::may_follow(words.clone()) => refusal,
@@ -37,14 +37,14 @@ pub(super) fn read(text: &str) -> Result<ContactProblem, Refusal> {
 }
 
 /// The line that a reading reached; a refusal without one came after the last.
-fn reached((place, _): &Refusal) -> usize {
+fn reached((place, _): &LocatedFault) -> usize {
     match place {
         Place::Line(line) => *line,
         Place::File | Place::Dataset(_) => usize::MAX,
     }
 }
 
-fn head(words: &mut Words) -> Result<Head, Refusal> {
+fn head(words: &mut TokenReader) -> Result<Head, LocatedFault> {
     let size = words.count("the number of components of a contact", usize::MAX)?;
     let layout = match size {
         2 | 3 | 5 => ContactComponents::of_size(size),
@@ -64,7 +64,7 @@ fn head(words: &mut Words) -> Result<Head, Refusal> {
 }
 
 /// W, then q and the coefficients.
-fn reduced(head: &Head, mut words: Words) -> Result<ContactProblem, Refusal> {
+fn reduced(head: &Head, mut words: TokenReader) -> Result<ContactProblem, LocatedFault> {
     let size = head.layout.size() * head.contacts;
     for (what, found) in [
         ("rows", head.first.rows()),
@@ -88,7 +88,7 @@ fn reduced(head: &Head, mut words: Words) -> Result<ContactProblem, Refusal> {
 }
 
 /// M, then H, f, w and the coefficients.
-fn global(head: &Head, mut words: Words) -> Result<ContactProblem, Refusal> {
+fn global(head: &Head, mut words: TokenReader) -> Result<ContactProblem, LocatedFault> {
     let m = head.first.clone();
     let h = matrix::read(&mut words)?;
     let f = words.numbers("an element of f", m.rows())?;
@@ -100,7 +100,7 @@ fn global(head: &Head, mut words: Words) -> Result<ContactProblem, Refusal> {
 }
 
 /// Coefficients of all contacts, to the end of the file.
-fn laws(head: &Head, words: &mut Words) -> Result<Vec<ContactThresholds>, Refusal> {
+fn laws(head: &Head, words: &mut TokenReader) -> Result<Vec<ContactThresholds>, LocatedFault> {
     let sliding = words.numbers("a friction coefficient", head.contacts)?;
     let rolling = match head.layout.rolling().is_empty() {
         true => vec![0.0; head.contacts],
@@ -118,7 +118,7 @@ fn laws(head: &Head, words: &mut Words) -> Result<Vec<ContactThresholds>, Refusa
 }
 
 /// Nothing may follow but a flag that old versions of Siconos wrote.
-fn end(words: &mut Words) -> Result<(), Refusal> {
+fn end(words: &mut TokenReader) -> Result<(), LocatedFault> {
     let mut after = words.clone();
     if let Some("0" | "1") = after.next_word() {
         *words = after;

@@ -1,6 +1,6 @@
 //! Words of a text and the lines that they stand in.
 
-use super::super::error::{Fault, Place, Refusal};
+use super::super::error::{Fault, LocatedFault, Place};
 use crate::problem::ProblemError;
 
 /// Most characters of a word in a message.
@@ -8,7 +8,7 @@ const SHOWN: usize = 40;
 
 /// The part of a text that was not read yet.
 #[derive(Clone)]
-pub(super) struct Words<'a> {
+pub(super) struct TokenReader<'a> {
     rest: &'a str,
     /// Line of the last word.
     line: usize,
@@ -18,7 +18,7 @@ fn newlines(text: &str) -> usize {
     text.bytes().filter(|&byte| byte == b'\n').count()
 }
 
-impl<'a> Words<'a> {
+impl<'a> TokenReader<'a> {
     pub fn new(text: &'a str) -> Self {
         Self {
             rest: text,
@@ -56,13 +56,13 @@ impl<'a> Words<'a> {
     }
 
     /// The next word; `wanted` says what it should be.
-    pub fn word(&mut self, wanted: &str) -> Result<&'a str, Refusal> {
+    pub fn word(&mut self, wanted: &str) -> Result<&'a str, LocatedFault> {
         self.next_word()
             .ok_or_else(|| (self.place(), Fault::Ended(wanted.to_string())))
     }
 
     /// Demands a word.
-    pub fn exactly(&mut self, wanted: &str) -> Result<(), Refusal> {
+    pub fn exactly(&mut self, wanted: &str) -> Result<(), LocatedFault> {
         let found = self.word(wanted)?;
         if found == wanted {
             return Ok(());
@@ -70,7 +70,7 @@ impl<'a> Words<'a> {
         Err(self.wrong_word(found, wanted))
     }
 
-    pub fn wrong_word(&self, found: &str, wanted: &str) -> Refusal {
+    pub fn wrong_word(&self, found: &str, wanted: &str) -> LocatedFault {
         let fault = Fault::Word {
             found: shortened(found),
             wanted: wanted.to_string(),
@@ -79,13 +79,18 @@ impl<'a> Words<'a> {
     }
 
     /// An integer in a range.
-    pub fn integer(&mut self, what: &str, range: [i128; 2]) -> Result<i128, Refusal> {
+    pub fn integer(&mut self, what: &str, range: [i128; 2]) -> Result<i128, LocatedFault> {
         let word = self.word(what)?;
         self.integer_of(word, what, range)
     }
 
     /// The integer that a word is.
-    pub fn integer_of(&self, word: &str, what: &str, range: [i128; 2]) -> Result<i128, Refusal> {
+    pub fn integer_of(
+        &self,
+        word: &str,
+        what: &str,
+        range: [i128; 2],
+    ) -> Result<i128, LocatedFault> {
         let number: i128 = word.parse().map_err(|_| self.wrong_word(word, what))?;
         let [least, most] = range;
         if (least..=most).contains(&number) {
@@ -99,7 +104,12 @@ impl<'a> Words<'a> {
         Err(self.wrong_count(what, number, wanted))
     }
 
-    pub fn wrong_count(&self, what: &str, found: impl TryInto<i128>, wanted: String) -> Refusal {
+    pub fn wrong_count(
+        &self,
+        what: &str,
+        found: impl TryInto<i128>,
+        wanted: String,
+    ) -> LocatedFault {
         let fault = Fault::Count {
             what: what.to_string(),
             found: found.try_into().unwrap_or(i128::MAX),
@@ -109,13 +119,13 @@ impl<'a> Words<'a> {
     }
 
     /// A number of things, at most `most`.
-    pub fn count(&mut self, what: &str, most: usize) -> Result<usize, Refusal> {
+    pub fn count(&mut self, what: &str, most: usize) -> Result<usize, LocatedFault> {
         let number = self.integer(what, [0, most as i128])?;
         Ok(number as usize)
     }
 
     /// A number of things that take a word each, at least.
-    pub fn amount(&mut self, what: &str) -> Result<usize, Refusal> {
+    pub fn amount(&mut self, what: &str) -> Result<usize, LocatedFault> {
         let most = self.room();
         let number = self.integer(what, [0, i128::MAX])?;
         match usize::try_from(number) {
@@ -128,12 +138,12 @@ impl<'a> Words<'a> {
     }
 
     /// A count that must be `wanted`.
-    pub fn same(&mut self, what: &str, wanted: usize) -> Result<(), Refusal> {
+    pub fn same(&mut self, what: &str, wanted: usize) -> Result<(), LocatedFault> {
         self.integer(what, [wanted as i128; 2]).map(|_| ())
     }
 
     /// A finite number.
-    pub fn number(&mut self, what: &str) -> Result<f64, Refusal> {
+    pub fn number(&mut self, what: &str) -> Result<f64, LocatedFault> {
         let word = self.word(what)?;
         match word.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
@@ -142,7 +152,7 @@ impl<'a> Words<'a> {
     }
 
     /// Finite numbers.
-    pub fn numbers(&mut self, what: &str, count: usize) -> Result<Vec<f64>, Refusal> {
+    pub fn numbers(&mut self, what: &str, count: usize) -> Result<Vec<f64>, LocatedFault> {
         let mut numbers = Vec::with_capacity(count.min(self.room()));
         for _ in 0..count {
             numbers.push(self.number(what)?);
@@ -150,7 +160,7 @@ impl<'a> Words<'a> {
         Ok(numbers)
     }
 
-    pub fn not_a_problem(&self, error: ProblemError) -> Refusal {
+    pub fn not_a_problem(&self, error: ProblemError) -> LocatedFault {
         (self.place(), Fault::Problem(error))
     }
 }

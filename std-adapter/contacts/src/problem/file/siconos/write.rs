@@ -1,12 +1,12 @@
 //! Writes what Siconos reads: W in blocks, M and H in triplets.
 
 use super::super::ContactProblem;
-use super::super::error::{Fault, Place, Refusal};
+use super::super::error::{Fault, LocatedFault, Place};
 use crate::problem::{ContactComponents, ContactThresholds, Friction, SparseMatrix};
 use std::fmt::Write as _;
 
 /// Text of a problem.
-pub(in super::super) fn write(problem: &ContactProblem) -> Result<String, Refusal> {
+pub(in super::super) fn write(problem: &ContactProblem) -> Result<String, LocatedFault> {
     let (layout, laws) = (problem.layout(), problem.laws());
     check(layout, laws)?;
     let mut text = format!("{}\n{}\n", layout.size(), laws.len());
@@ -30,7 +30,7 @@ pub(in super::super) fn write(problem: &ContactProblem) -> Result<String, Refusa
 }
 
 /// Refuses what the format has no place for.
-fn check(layout: ContactComponents, laws: &[ContactThresholds]) -> Result<(), Refusal> {
+fn check(layout: ContactComponents, laws: &[ContactThresholds]) -> Result<(), LocatedFault> {
     if !layout.torsion().is_empty() {
         return Err((Place::File, Fault::Layout(layout.size())));
     }
