@@ -77,18 +77,18 @@ impl Failure {
 
     /// The same failure with where it happened before it.
     pub fn within(self, place: &str) -> Self {
-        self.reworded(|message| format!("{place}: {message}"))
+        self.with_message(|message| format!("{place}: {message}"))
     }
 
     /// If there was no room for a file: how to go on once there is.
-    pub fn going_on(self, how: &str) -> Self {
+    pub fn resume_hint(self, how: &str) -> Self {
         match self {
             Self::NoRoom(message) => Self::NoRoom(format!("{message}\n  {how}")),
             other => other,
         }
     }
 
-    fn reworded(self, word: impl FnOnce(String) -> String) -> Self {
+    fn with_message(self, word: impl FnOnce(String) -> String) -> Self {
         match self {
             Self::Input(message) => Self::Input(word(message)),
             Self::Run(message) => Self::Run(word(message)),
@@ -114,7 +114,7 @@ impl Failure {
 
 impl<P: Error + 'static> From<PackingRunError<P>> for Failure {
     fn from(error: PackingRunError<P>) -> Self {
-        if error.is_of_course() {
+        if error.is_runtime_failure() {
             Self::run(error)
         } else {
             // The scene, its placement, the laws or the checkpoint cannot be used.

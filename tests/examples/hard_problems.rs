@@ -132,7 +132,7 @@ fn posed<F>(spheres: &Spheres<F>) -> Result<ReducedProblem, Box<dyn Error>>
 where
     F: ContactFriction<f64> + Coefficients,
 {
-    let posed = spheres.posed().ok_or("these laws are no data")?;
+    let posed = spheres.to_problem().ok_or("these laws are no data")?;
     Ok(posed.problem.reduced()?)
 }
 

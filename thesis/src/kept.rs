@@ -32,7 +32,8 @@ impl SectionCache {
         let mine = all.join(program());
         let others = std::fs::read_dir(&all).into_iter().flatten().flatten();
         let others = others.filter(|other| other.path() != mine);
-        for other in others.filter(|other| is_a_programs(&other.file_name().to_string_lossy())) {
+        for other in others.filter(|other| is_generated_name(&other.file_name().to_string_lossy()))
+        {
             let place = other.path();
             std::fs::remove_dir_all(&place)
                 .with_context(|| format!("cannot remove {}", place.display()))?;
@@ -80,7 +81,7 @@ fn program() -> String {
 }
 
 /// Whether a name is one of a program; others are somebody else's.
-fn is_a_programs(name: &str) -> bool {
+fn is_generated_name(name: &str) -> bool {
     /// Hexadecimal digits of a digest.
     const DIGITS: usize = 16;
     let digest = name.rsplit_once('-').map_or("", |(_, digest)| digest);

@@ -172,7 +172,7 @@ impl Report {
     /// comparison does: a row that neither holds nor differs for a known cause.
     pub fn write(&self, out: &Path, reader: &dyn Reader) -> Result<()> {
         let files = ["index.html", "claims.csv"];
-        let folder = OutputFolder::go_on(out, &Contents::of("reproduce", &files))?;
+        let folder = OutputFolder::reopen(out, &Contents::of("reproduce", &files))?;
         let kept = SectionCache::open(folder.lock().clone(), self.pause)?;
         let runs = Runs::new(self.effort, kept, reader);
         let sections = self.sections(&folder, &runs, reader)?;

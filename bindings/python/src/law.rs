@@ -16,7 +16,7 @@ impl Law {
     #[new]
     fn new(text: &str) -> PyResult<Self> {
         let law: friction::Law = text.parse().map_err(refused)?;
-        law.made::<f64>().map_err(refused)?;
+        law.build::<f64>().map_err(refused)?;
         Ok(Self(law))
     }
 
@@ -61,7 +61,7 @@ impl Law {
         let speed = speed.over(&batch)?;
         let view = speed.view()?;
         let mut output = Output::new(py, &batch, &[], out)?;
-        let law = self.0.made::<f64>().map_err(refused)?;
+        let law = self.0.build::<f64>().map_err(refused)?;
         fill(py, output.rows::<1>()?, 20, |from, piece| {
             for (index, row) in piece.iter_mut().enumerate() {
                 *row = [of(&law, view.at(from + index)[0].abs())];

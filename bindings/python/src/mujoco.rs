@@ -131,7 +131,7 @@ impl MujocoFeet {
         let joints = view.joints();
         let mut is_loaded = false;
         for (foot, &[place, turn]) in self.feet.iter_mut().zip(&self.places.frames) {
-            foot.weigh(view.acceleration);
+            foot.update_load(view.acceleration);
             self.contacts.clear();
             constraints.contacts(foot, &mut self.contacts);
             if self.contacts.is_empty() {

@@ -52,11 +52,11 @@ struct RunChannel {
 }
 
 impl HostProgram for RunChannel {
-    fn is_asked(&self) -> bool {
+    fn is_cancelled(&self) -> bool {
         self.asked.load(Ordering::Relaxed)
     }
 
-    fn hear(&self, done: Option<f64>, words: fmt::Arguments<'_>) {
+    fn on_progress(&self, done: Option<f64>, words: fmt::Arguments<'_>) {
         if let Some(told) = &self.told {
             // Nobody listens any more: the run goes on.
             let _ = told.send((done, words.to_string()));

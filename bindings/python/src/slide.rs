@@ -152,7 +152,7 @@ impl Slider {
         let (patch, radius) = round(&patch.0)?;
         let [coefficient, alpha] = power_of(&law.0)?;
         let tier: Option<Tier> = tier.map(|name| name.parse().map_err(refused)).transpose()?;
-        let tier = Tier::serving::<f64>(patch, &law.0, tier).map_err(refused)?;
+        let tier = Tier::choose::<f64>(patch, &law.0, tier).map_err(refused)?;
         let boxed = Boxed {
             coefficient,
             radius,

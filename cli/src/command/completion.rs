@@ -67,7 +67,7 @@ fn within(command: Command, path: &[&str], change: &dyn Fn(Command) -> Command) 
 }
 
 /// Candidates that begin with what is there.
-fn beginning<T: AsRef<str>>(
+fn candidates<T: AsRef<str>>(
     current: &OsStr,
     words: impl IntoIterator<Item = (T, &'static str)>,
 ) -> Vec<CompletionCandidate> {
@@ -81,11 +81,11 @@ fn beginning<T: AsRef<str>>(
 
 fn library(current: &OsStr) -> Vec<CompletionCandidate> {
     let scenes = LIBRARY.iter().map(|scene| (scene.name, scene.summary()));
-    beginning(current, scenes)
+    candidates(current, scenes)
 }
 
 fn all_bodies(current: &OsStr) -> Vec<CompletionCandidate> {
-    beginning(current, bodies().map(|body| (body, "a body")))
+    candidates(current, bodies().map(|body| (body, "a body")))
 }
 
 fn library_and_bodies(current: &OsStr) -> Vec<CompletionCandidate> {
@@ -105,21 +105,21 @@ fn scenes(current: &OsStr) -> Vec<CompletionCandidate> {
 
 fn exhibits(current: &OsStr) -> Vec<CompletionCandidate> {
     let names = reproduce::names();
-    beginning(
+    candidates(
         current,
         names.map(|name| (name, "an exhibit of the thesis")),
     )
 }
 
 fn laws(current: &OsStr) -> Vec<CompletionCandidate> {
-    beginning(current, LAWS.iter().map(|law| (law.name, law.summary)))
+    candidates(current, LAWS.iter().map(|law| (law.name, law.summary)))
 }
 
 fn bonds(current: &OsStr) -> Vec<CompletionCandidate> {
     // What follows the sign is for the user to write.
     let begun = |syntax: &'static str| syntax.split_inclusive('=').next().unwrap_or(syntax);
     let all = Bond::SYNTAX.iter();
-    beginning(
+    candidates(
         current,
         all.map(|(syntax, meaning)| (begun(syntax), *meaning)),
     )
@@ -136,7 +136,7 @@ fn patches(current: &OsStr) -> Vec<CompletionCandidate> {
     // What follows the colon is for the user to write.
     let begun = |syntax: &'static str| syntax.split_inclusive(':').next().unwrap_or(syntax);
     let patches = Patch::SYNTAX.iter();
-    beginning(
+    candidates(
         current,
         patches.map(|(syntax, meaning)| (begun(syntax), *meaning)),
     )
@@ -147,7 +147,7 @@ fn local_laws(current: &OsStr) -> Vec<CompletionCandidate> {
     let text = current.to_string_lossy();
     let Some((name, list)) = text.split_once(':') else {
         let local = LAWS.iter().filter(|law| law.local.is_some());
-        return beginning(
+        return candidates(
             current,
             local.map(|law| (format!("{}:", law.name), law.summary)),
         );
@@ -166,7 +166,7 @@ fn local_laws(current: &OsStr) -> Vec<CompletionCandidate> {
     let free = parameters
         .iter()
         .filter(|parameter| is_free(parameter.name));
-    beginning(
+    candidates(
         current,
         free.map(|parameter| (format!("{head}{}=", parameter.name), parameter.meaning)),
     )
@@ -177,7 +177,7 @@ fn settings(current: &OsStr) -> Vec<CompletionCandidate> {
     let text = current.to_string_lossy();
     let keys = keys(program::line().into_iter());
     let Some((name, _)) = text.split_once('=') else {
-        return beginning(
+        return candidates(
             current,
             keys.iter()
                 .map(|key| (format!("{}=", key.name), key.meaning)),
@@ -188,7 +188,7 @@ fn settings(current: &OsStr) -> Vec<CompletionCandidate> {
         .find(|key| key.name == name)
         .map(|key| key.domain)
     {
-        Some(Domain::OneOf(words)) => beginning(
+        Some(Domain::OneOf(words)) => candidates(
             current,
             words.iter().map(|word| (format!("{name}={word}"), "")),
         ),

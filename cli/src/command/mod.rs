@@ -116,7 +116,7 @@ pub fn complete(arguments: &[OsString]) {
 pub fn parse(arguments: Vec<OsString>) -> Command {
     match Program::from_arg_matches(&program().get_matches_from(arguments)) {
         Ok(program) => {
-            program.presentation.adopt();
+            program.presentation.set_global();
             program.command
         }
         Err(error) => error.exit(),
@@ -206,7 +206,7 @@ impl Command {
 }
 
 /// A line on standard error about progress or a choice, unless --quiet is given.
-fn tell(line: fmt::Arguments<'_>) {
+fn note(line: fmt::Arguments<'_>) {
     if !presentation::is_quiet() {
         warn(line);
     }

@@ -119,11 +119,11 @@ impl Arguments {
         let surface = OnsetSurface::new(&self.patch, self.bond, &contact, self.points as usize)?;
         if let Some(path) = &self.picture {
             self.draw(path, &surface)?;
-            super::tell(format_args!("written to    {}", path.display()));
+            super::note(format_args!("written to    {}", path.display()));
         }
         if let Some(path) = &self.output {
             spool::deliver(Some(path), |sink| sink.put(&csv(&surface)))?;
-            super::tell(format_args!("written to    {}", path.display()));
+            super::note(format_args!("written to    {}", path.display()));
         }
         let text = match self.format {
             Format::Text => self.text(&surface),

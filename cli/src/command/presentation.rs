@@ -19,7 +19,7 @@ static QUIET: AtomicBool = AtomicBool::new(false);
 
 impl OutputOptions {
     /// Holds for the rest of this process.
-    pub fn adopt(self) {
+    pub fn set_global(self) {
         if let Some(digits) = self.digits {
             digits.choose();
         }

@@ -122,7 +122,7 @@ impl<'a> Meter<'a> {
     pub fn tell(&mut self, done: f64, words: fmt::Arguments<'_>) {
         self.told = Instant::now();
         if let Some(host) = self.host {
-            return host.hear(Some(done), words);
+            return host.on_progress(Some(done), words);
         }
         let before = self.before.unwrap_or(0.0);
         let left = match left(self.started.elapsed(), before, done) {
@@ -137,10 +137,10 @@ impl<'a> Meter<'a> {
     }
 
     /// As [`Self::tell`] for work whose end is not known: the time gone.
-    pub fn tell_open(&mut self, words: fmt::Arguments<'_>) {
+    pub fn report_elapsed(&mut self, words: fmt::Arguments<'_>) {
         self.told = Instant::now();
         if let Some(host) = self.host {
-            return host.hear(None, words);
+            return host.on_progress(None, words);
         }
         let gone = in_words(self.started.elapsed());
         if is_terminal() {

@@ -66,7 +66,7 @@ impl Reader for Terminal {
     }
 
     fn progress(&self, line: fmt::Arguments<'_>) {
-        super::tell(line);
+        super::note(line);
     }
 
     fn is_cancelled(&self) -> bool {
@@ -109,9 +109,8 @@ fn failure(error: anyhow::Error) -> Failure {
         .unwrap_or_else(|error| Failure::run(format!("{error:#}")));
     match failure {
         Failure::Interrupted(_) => Failure::ended_early("exhibits were made"),
-        failure => {
-            failure.going_on("Then give the same command again; a name after it makes one exhibit.")
-        }
+        failure => failure
+            .resume_hint("Then give the same command again; a name after it makes one exhibit."),
     }
 }
 

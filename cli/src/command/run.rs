@@ -149,6 +149,6 @@ impl Arguments {
             pictures: Pictures::Drawn,
             caller: Frontend::Terminal,
         });
-        done.map_err(|failure| failure.going_on(&how_to_go_on(&self.out)))
+        done.map_err(|failure| failure.resume_hint(&how_to_go_on(&self.out)))
     }
 }

@@ -125,13 +125,13 @@ impl Arguments {
         let set = limit_surface(&self.patch, limit, self.radius, self.centre)?;
         if let Some(path) = &self.picture {
             draw(path, &self.patch, &*set)?;
-            super::tell(format_args!("written to    {}", path.display()));
+            super::note(format_args!("written to    {}", path.display()));
         }
         if let Some(path) = &self.page {
             let pushes = self.pushes.as_deref().map_or(Ok(Vec::new()), read)?;
             let page = page(&self.patch, &*set, pushes);
             write_atomically(path, page.html().as_bytes())?;
-            super::tell(format_args!("written to    {}", path.display()));
+            super::note(format_args!("written to    {}", path.display()));
         }
         let is_drawn = self.picture.is_some() || self.page.is_some();
         match (&self.pushes, self.points) {
@@ -144,13 +144,13 @@ impl Arguments {
             (None, points) => {
                 // Whoever names the points wants them alone.
                 if points.is_none() {
-                    super::tell(format_args!("{}", limits(&*set).trim_end()));
+                    super::note(format_args!("{}", limits(&*set).trim_end()));
                 }
                 self.tabulate(&*set, points.unwrap_or(POINTS))?;
             }
         }
         if let Some(path) = &self.output {
-            super::tell(format_args!("written to    {}", path.display()));
+            super::note(format_args!("written to    {}", path.display()));
         }
         Ok(())
     }

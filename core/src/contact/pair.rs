@@ -120,12 +120,12 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         if left < R::from_f64(WEAK) {
             return self.share(shared);
         }
-        self.take_turns(held)
+        self.alternate_slip(held)
     }
 
     /// Both slip, from a guess of what sliding does.
     #[cold]
-    fn take_turns(&self, mut held: TangentialLoad<R>) -> (TangentialLoad<R>, Vector3<R>) {
+    fn alternate_slip(&self, mut held: TangentialLoad<R>) -> (TangentialLoad<R>, Vector3<R>) {
         let turned = self.hold_rolling(&self.rolling_that_sticks(&held.sliding));
         let mut rolling = self.near_balance(&held.sliding, &turned).unwrap_or(turned);
         held = self.hold(&self.slip_after(&rolling), self.block.mass_sliding);

@@ -4,7 +4,7 @@ use super::lateral::{LateralFriction, LateralJacobian};
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::rings::{Rings, ring_factors};
 use super::speeds::Speeds;
-use super::wide::{ExtendedRange, is_ordinary};
+use super::wide::{ExtendedRange, is_in_normal_range};
 use super::{DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::patch::PatchError;
 use crate::real::Real;
@@ -121,7 +121,7 @@ impl<R: Real, C: ReducedFriction<R>> Annulus<R, C> {
     fn mean_of_rings(&self, slide: R, rim: R) -> ReducedWrench<R> {
         let (slide, rim) = (slide.abs(), rim.abs());
         let drag = self.disk.reduced_jacobian(slide, rim).force_per_slide;
-        let mean = if is_ordinary(drag) {
+        let mean = if is_in_normal_range(drag) {
             self.rings(slide, rim)
         } else {
             [R::NAN; 2]
@@ -220,7 +220,7 @@ impl<R: Real, P: SmoothProfile<R>> PowerLawFriction<R> for Annulus<R, P> {
         }
         let scale = self.disk.rate_scale(inside.major);
         let [phi_middle, chi_middle] = self.disk.factors(&inside);
-        if is_ordinary(scale) && is_ordinary(k4) {
+        if is_in_normal_range(scale) && is_in_normal_range(k4) {
             return [
                 self.less(phi, scale * phi_middle, k2),
                 self.less(chi, scale * chi_middle, k4),

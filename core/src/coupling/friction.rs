@@ -1,7 +1,7 @@
 //! A round contact with its dimensions: radius, coefficient, load.
 
 use super::batch;
-use super::wide::is_ordinary;
+use super::wide::is_in_normal_range;
 use super::{ReducedFriction, ReducedWrench};
 use crate::error::Error;
 use crate::law::validated_coefficient;
@@ -136,7 +136,7 @@ impl<R: Real, C: ReducedFriction<R>> RoundFriction<R, C> {
             let strength = self.coefficient * load;
             let [drag, torque] = self.coupling.reduced_drag(square.sqrt(), rim);
             let drag = strength * drag;
-            if is_ordinary(drag) {
+            if is_in_normal_range(drag) {
                 let torque = strength * self.radius * torque;
                 return Wrench::new(-(drag * x), -(drag * y), -torque.copysign(twist.spin));
             }
@@ -157,7 +157,7 @@ impl<R: Real, C: ReducedFriction<R>> RoundFriction<R, C> {
             return Wrench::new(none, none, -torque.copysign(twist.spin));
         }
         let drag = force / speed;
-        let [x, y] = if is_ordinary(drag) {
+        let [x, y] = if is_in_normal_range(drag) {
             [drag * twist.velocity.x, drag * twist.velocity.y]
         } else {
             along(force, speed, twist)

@@ -68,7 +68,7 @@ fn velocity<R: Real>(node: &Node<R>, twist: &Twist<R>) -> Vector2<R> {
 
 /// |u| without care for the ends of the range; `None` if the square is too near to them.
 #[inline]
-fn ordinary_speed<R: Real>(u: &Vector2<R>) -> Option<R> {
+fn speed_unchecked<R: Real>(u: &Vector2<R>) -> Option<R> {
     let sq = u.x * u.x + u.y * u.y;
     // Below, the square of the smaller component loses digits that count. False for NaN.
     let is_ordinary = sq > R::MIN_POSITIVE / R::EPSILON && sq < R::INFINITY;
@@ -167,18 +167,18 @@ impl<L, P> NodeFriction<L, P> {
         L: LocalLaw<R>,
     {
         let u = velocity(node, twist);
-        match ordinary_speed(&u) {
+        match speed_unchecked(&u) {
             Some(speed) => {
                 let rate = node.weight * self.law.friction(speed) / speed;
                 [rate * u.x, rate * u.y]
             }
-            None => self.unordinary_drag(node.weight, u),
+            None => self.drag_edge_cases(node.weight, u),
         }
     }
 
     /// [`NodeFriction::drag`] at rest, at the ends of the range, and for NaN.
     #[cold]
-    fn unordinary_drag<R: Real>(&self, weight: R, u: Vector2<R>) -> [R; 2]
+    fn drag_edge_cases<R: Real>(&self, weight: R, u: Vector2<R>) -> [R; 2]
     where
         L: LocalLaw<R>,
     {
@@ -199,7 +199,7 @@ impl<L, P> NodeFriction<L, P> {
         L: LocalLaw<R>,
     {
         let u = velocity(node, twist);
-        let speed = ordinary_speed(&u).unwrap_or_else(|| u.x.hypot(u.y));
+        let speed = speed_unchecked(&u).unwrap_or_else(|| u.x.hypot(u.y));
         if speed == R::ZERO {
             // Any two perpendicular directions do.
             let slope = self.law.slope(R::MIN_POSITIVE);

@@ -31,7 +31,7 @@
 
 use super::beyond;
 use super::speeds::{DominantSpeed, Speeds};
-use super::wide::is_ordinary;
+use super::wide::is_in_normal_range;
 use super::{ReducedJacobian, ReducedWrench};
 use crate::real::Real;
 
@@ -216,17 +216,17 @@ pub(super) fn drag<R: Real, P: PowerLawFriction<R>>(profile: &P, slide: R, rim: 
     let scale = profile.speed_scale(speeds.major);
     let per_speed = scale * per_major;
     // 1/m itself is ordinary.
-    if scale == R::ONE || is_ordinary(scale) && is_ordinary(per_speed) {
+    if scale == R::ONE || is_in_normal_range(scale) && is_in_normal_range(per_speed) {
         let [drag, torque] = profile.drag_and_torque(&speeds);
         [per_speed * drag, scale * torque]
     } else {
-        careful_drag(profile, slide, rim)
+        drag_extended_range(profile, slide, rim)
     }
 }
 
 #[cold]
 #[inline(never)]
-fn careful_drag<R: Real, P: PowerLawFriction<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
+fn drag_extended_range<R: Real, P: PowerLawFriction<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
     let ReducedWrench { force, torque } = wrench(profile, slide, rim);
     [force / slide, torque]
 }
@@ -244,7 +244,8 @@ pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
     }
     let scale = profile.rate_scale(speeds.major);
     let [force_per_slide, force_slide, mixed, torque_rim] =
-        if is_ordinary(scale) && speeds.major.is_finite() && speeds.are_resolved(slide, rim) {
+        if is_in_normal_range(scale) && speeds.major.is_finite() && speeds.are_resolved(slide, rim)
+        {
             let factors = profile.factors_and_slope(&speeds);
             unscaled_jacobian(profile.exponent(), &speeds, factors).map(|x| scale * x)
         } else {

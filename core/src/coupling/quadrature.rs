@@ -22,7 +22,7 @@
 //! s = v sinθ/ρ: T = w ∫2r³ ⟨(1 − s²) g/ρ + s² g'⟩ dr. The derivatives are integrals of the same
 //! kinds. Nothing divides by a small number, and no singular point is ever a node.
 
-use super::wide::{ExtendedRange, is_ordinary};
+use super::wide::{ExtendedRange, is_in_normal_range};
 use super::{ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::law::LocalLaw;
 use crate::real::Real;
@@ -248,7 +248,7 @@ impl<L: LocalLaw<R>, R: Real> LocalLaw<R> for NormalisedLaw<'_, L, R> {
     }
     fn slope(&self, speed: R) -> R {
         let own = self.law.slope(speed * self.speed);
-        if is_ordinary(own.abs()) {
+        if is_in_normal_range(own.abs()) {
             let own = ExtendedRange::new(own).times(ExtendedRange::new(self.speed));
             return own.over(ExtendedRange::new(self.friction)).value();
         }
@@ -286,7 +286,7 @@ impl<L> DiskQuadrature<L> {
     where
         L: LocalLaw<R>,
     {
-        let known = speed.is_finite() && is_ordinary(friction);
+        let known = speed.is_finite() && is_in_normal_range(friction);
         known.then_some(DiskQuadrature::new(NormalisedLaw {
             law: &self.law,
             speed,

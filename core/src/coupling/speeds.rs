@@ -1,6 +1,6 @@
 //! The two speeds of a contact in units of the larger one.
 
-use super::wide::is_ordinary;
+use super::wide::is_in_normal_range;
 use crate::real::Real;
 
 /// Which of the two speeds is the larger one.
@@ -46,7 +46,7 @@ impl<R: Real> Speeds<R> {
                 gap: (slide - rim).abs() / major,
             }
         } else {
-            Self::unordinary(slide, rim)
+            Self::limit_at_rest_or_nonfinite(slide, rim)
         }
     }
 
@@ -110,7 +110,7 @@ impl<R: Real> Speeds<R> {
 
     /// Rest, infinities and NaN: the limit if only one speed is infinite, zeros at rest.
     #[cold]
-    fn unordinary(slide: R, rim: R) -> Self {
+    fn limit_at_rest_or_nonfinite(slide: R, rim: R) -> Self {
         let in_units = |speed: R, other: R| {
             if speed == R::INFINITY && other < R::INFINITY {
                 R::ONE
@@ -184,7 +184,7 @@ impl<R: Real> Speeds<R> {
     /// of a quotient that is none.
     #[inline]
     pub(super) fn may_be_scaled(&self, scale: R, slide: R, rim: R) -> bool {
-        scale == R::ONE || is_ordinary(scale) && self.are_resolved(slide, rim)
+        scale == R::ONE || is_in_normal_range(scale) && self.are_resolved(slide, rim)
     }
 
     /// x = h² and z = 1 − x, each without rounding near its zero.

@@ -44,11 +44,11 @@ impl<R: Real> ExtendedRange<R> {
     /// `base`^`exponent`. *Accuracy*: 1 ulp where the power is a normal number, 4 ulp beyond.
     pub fn power(base: R, exponent: R) -> Self {
         let whole = base.pow(exponent);
-        if is_ordinary(whole) {
+        if is_in_normal_range(whole) {
             return Self::new(whole);
         }
         let half = base.pow(R::HALF * exponent);
-        if is_ordinary(half) {
+        if is_in_normal_range(half) {
             return Self::new(half).times(Self::new(half));
         }
         // Where a quarter leaves the range too, no product with two speeds comes back.
@@ -144,7 +144,7 @@ impl<R: Real> ExtendedRange<R> {
 
 /// True if a product with `scale` can be formed at once.
 #[inline]
-pub(super) fn is_ordinary<R: Real>(scale: R) -> bool {
+pub(super) fn is_in_normal_range<R: Real>(scale: R) -> bool {
     scale.normal_and_positive()
 }
 

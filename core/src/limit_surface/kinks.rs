@@ -17,7 +17,7 @@
 
 use super::quadratic::{Factors, dot, norm};
 use super::search::{
-    Ended, MOST_HALVINGS, Minimiser, Power, TwistObjective, ended_at, pivot, rough,
+    Ended, MOST_HALVINGS, Minimiser, Power, TwistObjective, ended_at, pivot, rounding_gradient,
 };
 use crate::real::Real;
 use nalgebra::Vector3;
@@ -77,7 +77,7 @@ struct Rim<R: Real> {
 }
 
 /// The twist at which `goal` is least, from `start` on.
-pub(super) fn least<R: Real>(
+pub(super) fn minimise<R: Real>(
     goal: &impl TwistObjective<R>,
     start: Vector3<R>,
     power_at: impl Fn(&Vector3<R>) -> Power<R>,
@@ -124,7 +124,7 @@ pub(super) fn least<R: Real>(
         // Rounding of the slowest point's direction.
         if let Some(slow) = &way.slow {
             let noise = slow.share * goal.reach(&power) * norm(&at) / slow.speed;
-            let most = R::from_f64(NEAR_KINK) * rough::<R>();
+            let most = R::from_f64(NEAR_KINK) * rounding_gradient::<R>();
             let known = ulps(DONE_ULPS) * noise;
             if size <= if known < most { known } else { most } {
                 break;
@@ -152,8 +152,9 @@ pub(super) fn least<R: Real>(
             next_power = power_at(&next);
         }
         let after = goal.value(&next, next_power.value);
-        let is_rounding =
-            factor == R::ONE && size < rough() && norm(&goal.gradient(&next, &next_power)) >= size;
+        let is_rounding = factor == R::ONE
+            && size < rounding_gradient()
+            && norm(&goal.gradient(&next, &next_power)) >= size;
         if is_rounding || after > before + slack || after.is_nan() {
             break;
         }
@@ -202,7 +203,7 @@ fn balanced<R: Real>(
         return None;
     }
     let spin = at.z.abs();
-    let others = if speed <= rough::<R>() * spin {
+    let others = if speed <= rounding_gradient::<R>() * spin {
         let (_, turn) = rotation(kink, at.z, power_at)?;
         let (h, dx, dy) = (&turn.hessian, x / spin, y / spin);
         let by = |a, b| a * dx + b * dy;

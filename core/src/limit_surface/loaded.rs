@@ -264,7 +264,7 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C> {
         length: R,
     ) -> AnswerOrSearch<Projection<R>, ProjectionSearch<R>> {
         if self.force_limit == R::ZERO {
-            return AnswerOrSearch::Known(self.pulled_to_zero(wrench, length));
+            return AnswerOrSearch::Known(self.project_to_origin(wrench, length));
         }
         let scaled = self.scaled(wrench);
         // A tangent may tell what a search would.
@@ -274,7 +274,7 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C> {
         {
             return AnswerOrSearch::Known(known);
         }
-        self.pulled_back(wrench, &scaled, length)
+        self.project_outside(wrench, &scaled, length)
     }
 
     /// The projection of a wrench inside or on the surface; none for one outside or NaN.
@@ -300,7 +300,7 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C> {
 
     /// The nearest point for a wrench outside.
     #[inline]
-    fn pulled_back(
+    fn project_outside(
         &self,
         wrench: &Wrench<R>,
         scaled: &Scaled<R>,
@@ -314,7 +314,7 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C> {
         let bound = self.meridian.gauge_bound(far.force, far.torque);
         let has_gauge = bound.is_finite() || self.has_gauge(wrench);
         if !(has_gauge && length > R::ZERO && length.is_finite()) {
-            return AnswerOrSearch::Known(nowhere());
+            return AnswerOrSearch::Known(no_projection());
         }
         AnswerOrSearch::Open(ProjectionSearch {
             polar: scaled.polar,
@@ -331,7 +331,7 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C> {
 
     /// The projection onto {0}, the set without force limit.
     #[cold]
-    fn pulled_to_zero(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
+    fn project_to_origin(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
         let polar = AxisymmetricPair::new(&wrench.force, wrench.torque);
         if polar.planar == R::ZERO && polar.normal == R::ZERO {
             return inside(wrench);
@@ -341,7 +341,7 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C> {
         let (slide, rim) = (polar.planar, polar.normal / length / lever);
         let norm = slide.hypot(rim);
         if !(norm.is_finite() && length > R::ZERO) {
-            return nowhere();
+            return no_projection();
         }
         let normal = polar.twist(slide / norm, rim / norm / self.radius);
         Projection {
@@ -362,7 +362,7 @@ pub(super) fn inside<R: Real>(wrench: &Wrench<R>) -> Projection<R> {
 
 /// The answer to a wrench that has no nearest point.
 #[cold]
-fn nowhere<R: Real>() -> Projection<R> {
+fn no_projection<R: Real>() -> Projection<R> {
     let nan = nalgebra::Vector2::new(R::NAN, R::NAN);
     Projection {
         wrench: Wrench {

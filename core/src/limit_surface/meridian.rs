@@ -304,7 +304,7 @@ impl<R: Real> Search<R> for RaySearch<R> {
         let this = *self;
         let end = self
             .search
-            .seen(at, at.across_ray(ratio, self.given), |step| {
+            .update(at, at.across_ray(ratio, self.given), |step| {
                 match this.aim {
                     NormalTolerance::Normal => step.is_settled(),
                     _ => step.is_stationary() || this.is_side_known(step, &at),
@@ -333,7 +333,7 @@ impl<R: Real> Search<R> for NearestPointSearch<R> {
         let ratio = self.search.at();
         let at = curve.local(self.lead, ratio);
         let value = at.beside_normal(ratio, self.given, self.weight);
-        let end = self.search.seen(at, value, Step::is_settled)?;
+        let end = self.search.update(at, value, Step::is_settled)?;
         let [major, minor] = end.point();
         let [force, torque] = ordered(self.lead, major, minor);
         Some(NormalAndPoint {

@@ -171,7 +171,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
         wrench: &Wrench<R>,
         length: R,
     ) -> (Projection<R>, Matrix3<R>) {
-        match self.pulled_back(wrench, length) {
+        match self.project_outside(wrench, length) {
             ProjectionCase::Stays(projection) => (projection, unit_matrix()),
             ProjectionCase::Nowhere(projection) => (projection, Matrix3::from_element(R::NAN)),
             ProjectionCase::Back {
@@ -239,9 +239,9 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
     fn least(&self, goal: &impl TwistObjective<R>, start: Vector3<R>) -> Minimiser<R> {
         let power_at = |at: &Vector3<R>| self.power(at);
         if !self.has_points() {
-            return search::least(goal, start, self.patch().rounding(), power_at);
+            return search::minimise(goal, start, self.patch().rounding(), power_at);
         }
-        kinks::least(goal, start, power_at, |at| self.kink(at))
+        kinks::minimise(goal, start, power_at, |at| self.kink(at))
     }
 
     /// The point next to the centre of rotation, if points carry load.
@@ -283,7 +283,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
         Twist::new(at.x / length, at.y / length, spin / length)
     }
 
-    fn pulled_back(&self, wrench: &Wrench<R>, length: R) -> ProjectionCase<R> {
+    fn project_outside(&self, wrench: &Wrench<R>, length: R) -> ProjectionCase<R> {
         let limit = self.force_limit();
         let stays = |region| {
             ProjectionCase::Stays(Projection {
@@ -463,7 +463,7 @@ impl<R: Real, P: PatchShape<R>> FrictionSet<R> for ShapeLimitSurface<R, P> {
     }
 
     fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
-        match self.pulled_back(wrench, length) {
+        match self.project_outside(wrench, length) {
             ProjectionCase::Stays(projection)
             | ProjectionCase::Nowhere(projection)
             | ProjectionCase::Back { projection, .. } => projection,

@@ -119,7 +119,7 @@ impl<R: Real> MonotoneRoot<R> {
     /// Goes on from the next point, where the function has this value and slope. The end is known at once on
     /// NaN, and after [`MAX_STEPS`] at the latest.
     #[inline]
-    pub fn seen(
+    pub fn update(
         &mut self,
         point: CurvePoint<R>,
         [value, slope]: [R; 2],

@@ -175,7 +175,7 @@ impl<R: Real> Trial<R> {
 }
 
 /// The twist at which `goal` is least, from `start` on, of a power whose `rounding` is given.
-pub(super) fn least<R: Real>(
+pub(super) fn minimise<R: Real>(
     goal: &impl TwistObjective<R>,
     start: Vector3<R>,
     rounding: R,
@@ -241,7 +241,7 @@ const MISSED: f64 = 64.0;
 
 /// The end of a search whose gradient has this size.
 pub(super) fn ended_at<R: Real>(size: R) -> Ended {
-    if size <= R::from_f64(MISSED) * rough() {
+    if size <= R::from_f64(MISSED) * rounding_gradient() {
         Ended::Rounding
     } else {
         Ended::Missed
@@ -249,6 +249,6 @@ pub(super) fn ended_at<R: Real>(size: R) -> Ended {
 }
 
 /// A gradient below which a full step that does not shrink it shows rounding.
-pub(super) fn rough<R: Real>() -> R {
+pub(super) fn rounding_gradient<R: Real>() -> R {
     R::EPSILON.sqrt()
 }

@@ -34,7 +34,7 @@ impl<R: Real> Frame<R> {
             }
         }
         // Holes may leave nothing of it.
-        if area <= least_area(size) {
+        if area <= area_tolerance(size) {
             return Err(OutlineError::Flat { in_loop: 0 });
         }
         let third = R::ONE / (R::from_f64(3.0) * area);
@@ -63,7 +63,7 @@ pub(super) fn twice_area<R: Real>(corners: &[[R; 2]], scale: &OutlineExtent<R>) 
         area += a.x * b.y - a.y * b.x;
         size += (a.x * b.y).abs() + (a.y * b.x).abs();
     }
-    if area.abs() > least_area(size) {
+    if area.abs() > area_tolerance(size) {
         area
     } else {
         R::ZERO
@@ -71,6 +71,6 @@ pub(super) fn twice_area<R: Real>(corners: &[[R; 2]], scale: &OutlineExtent<R>) 
 }
 
 /// Rounding of a sum of areas whose magnitudes add up to `size`, or of a number with few digits left.
-fn least_area<R: Real>(size: R) -> R {
+fn area_tolerance<R: Real>(size: R) -> R {
     R::TWO * R::TWO * R::EPSILON * size + R::MIN_POSITIVE / R::EPSILON
 }

@@ -79,7 +79,7 @@ pub fn polygon_into<R: Real>(
     }
     let apex = corners
         .iter()
-        .find(|&&apex| sees_everything(corners, apex))
+        .find(|&&apex| is_star_centre(corners, apex))
         .ok_or(PatchError::Hidden)?;
     for triangle in fan(corners, *apex) {
         push_triangle(list, triangle, divisions)?;
@@ -110,7 +110,7 @@ fn fan<R: Real>(corners: &[[R; 2]], apex: [R; 2]) -> impl Iterator<Item = [[R; 2
 }
 
 /// True if all triangles of `apex` have one sense of rotation and some have an area.
-fn sees_everything<R: Real>(corners: &[[R; 2]], apex: [R; 2]) -> bool {
+fn is_star_centre<R: Real>(corners: &[[R; 2]], apex: [R; 2]) -> bool {
     let any = |sign: R| fan(corners, apex).any(|triangle| sign * twice_area(triangle) > R::ZERO);
     any(R::ONE) != any(-R::ONE)
 }

@@ -125,7 +125,7 @@ fn check_crossings<R: Real>(
             if first == second && (j <= i || are_neighbours) {
                 continue;
             }
-            if meet(a.map(|end| scale.at(end)), b.map(|end| scale.at(end))) {
+            if segments_intersect(a.map(|end| scale.at(end)), b.map(|end| scale.at(end))) {
                 let edges = [[first, i], [second, j]];
                 return Err(OutlineError::Crossing { edges });
             }
@@ -186,7 +186,7 @@ fn side_of<R: Real>(a: &Vector2<R>, b: &Vector2<R>, c: &Vector2<R>) -> Side {
 }
 
 /// True if two segments have a point in common.
-fn meet<R: Real>([a, b]: [Vector2<R>; 2], [c, d]: [Vector2<R>; 2]) -> bool {
+fn segments_intersect<R: Real>([a, b]: [Vector2<R>; 2], [c, d]: [Vector2<R>; 2]) -> bool {
     let of_first = [side_of(&a, &b, &c), side_of(&a, &b, &d)];
     let of_second = [side_of(&c, &d, &a), side_of(&c, &d, &b)];
     let are_apart = |[one, other]: [Side; 2]| one == other && one != Side::On;

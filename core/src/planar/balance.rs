@@ -146,7 +146,7 @@ impl<R: Real> Balance<'_, R> {
             }
             if motion.smoothing <= ROUGH * length {
                 is_rough = false;
-                self.refer_to_slowest(&mut motion);
+                self.recentre_on_slowest_point(&mut motion);
                 if let Some(turn) = self.turning_about(motion.origin, size) {
                     motion = turn;
                     break;
@@ -164,7 +164,7 @@ impl<R: Real> Balance<'_, R> {
     }
 
     /// Makes the velocity of the slowest point an unknown.
-    fn refer_to_slowest(&self, motion: &mut Motion) {
+    fn recentre_on_slowest_point(&self, motion: &mut Motion) {
         let mut least = f64::INFINITY;
         let mut slowest = motion.origin;
         for node in self.nodes {

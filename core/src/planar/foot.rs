@@ -117,7 +117,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> PointContacts<R, P, CAPACI
         if !(size.is_finite() && inv_length > R::ZERO && inv_length.is_finite()) {
             return Wrench::new(R::NAN, R::NAN, R::NAN);
         }
-        if self.carries_as_it_is(wrench, inv_length, size) {
+        if self.stored_forces_balance(wrench, inv_length, size) {
             return *wrench;
         }
         let torque = wrench.torque.to_f64() / length.to_f64();
@@ -149,10 +149,10 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> PointContacts<R, P, CAPACI
             );
         }
         for _ in 0..=PASSES {
-            if self.carries_as_it_is(wrench, inv_length, size) {
+            if self.stored_forces_balance(wrench, inv_length, size) {
                 return *wrench;
             }
-            self.settle(wrench, inv_length);
+            self.distribute_rounding(wrench, inv_length);
         }
         // No motion was found, and no forces either: what they carry is in the set.
         -self.left(&Wrench::ZERO)
@@ -164,7 +164,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> PointContacts<R, P, CAPACI
     }
 
     /// True if the kept forces lie in their discs and add up to `wrench`.
-    fn carries_as_it_is(&self, wrench: &Wrench<R>, inv_length: R, size: R) -> bool {
+    fn stored_forces_balance(&self, wrench: &Wrench<R>, inv_length: R, size: R) -> bool {
         let unit = self.unit() * (R::ONE + R::from_f64(COLLAR_ULPS) * R::EPSILON);
         let mut points = self.patch.nodes().iter().zip(&self.forces);
         let within = points.all(|(node, force)| force.x.hypot(force.y) <= unit * node.weight);
@@ -175,7 +175,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> PointContacts<R, P, CAPACI
 
     /// Spreads what rounding and σ leave of a carried wrench over points that can take it: each
     /// takes what it would stop by itself, with 1 + |r|²/length² for the mass in its way.
-    fn settle(&mut self, wrench: &Wrench<R>, inv_length: R) {
+    fn distribute_rounding(&mut self, wrench: &Wrench<R>, inv_length: R) {
         let unit = self.unit();
         let arm = inv_length * inv_length;
         let mut left = self.left(wrench);
@@ -189,7 +189,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> PointContacts<R, P, CAPACI
             if !wanted.x.hypot(wanted.y).is_finite() {
                 continue;
             }
-            let after = within(&wanted, unit * node.weight);
+            let after = project_on_disc(&wanted, unit * node.weight);
             let change = after - *force;
             left.force -= change;
             left.torque -= node.x * change.y - node.y * change.x;
@@ -220,7 +220,7 @@ fn unit_of<R: Real>(wrench: R, limit: R) -> R {
 }
 
 /// The point of the disc |f| ≤ `bound` nearest to `wanted`.
-fn within<R: Real>(wanted: &Vector2<R>, bound: R) -> Vector2<R> {
+fn project_on_disc<R: Real>(wanted: &Vector2<R>, bound: R) -> Vector2<R> {
     let size = wanted.x.hypot(wanted.y);
     if size <= bound {
         return *wanted;

@@ -89,7 +89,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
         }
         let time = self.time_unit(motion).measure(duration);
         let ShortStepResult { end, evaluations } = if R::IS_SINGLE {
-            let (end, evaluations) = self.few_steps(speeds, time);
+            let (end, evaluations) = self.integrate_briefly(speeds, time);
             ShortStepResult { end, evaluations }
         } else {
             self.short_step(speeds, time)
@@ -107,7 +107,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
         }
         let is_finite = speeds[0].is_finite() && speeds[1].is_finite() && time.is_finite();
         if !is_finite {
-            return lost(motion, later, evaluations);
+            return out_of_range(motion, later, evaluations);
         }
         let mut marched = march(self, speeds, IntegrationTarget::Time(time));
         marched.evaluations += evaluations;
@@ -131,7 +131,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
                     evaluations: marched.evaluations,
                 }
             }
-            Outcome::Unfit => lost(motion, later, marched.evaluations),
+            Outcome::Unfit => out_of_range(motion, later, marched.evaluations),
         }
     }
 
@@ -169,14 +169,14 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
             };
             tried.evaluations += STEP_EVALUATIONS;
             if is_exact(&end, &error.map(|error| error * share)) {
-                tried.end = Some(kept_after(end));
+                tried.end = Some(remaining_motion(end));
                 return tried;
             }
         }
         let (end, error) = eighth_order::step(first, time, derivative);
         tried.evaluations += eighth_order::STAGES as u32 - 1;
         if is_exact(&end, &error) {
-            tried.end = Some(kept_after(end));
+            tried.end = Some(remaining_motion(end));
         }
         tried
     }
@@ -189,7 +189,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
 }
 
 /// From ln v₀/v, ln w₀/w and the two paths in units of v₀ and w₀.
-fn kept_after<R: Real>([slide, rim, distance, angle]: [R; 4]) -> ShortIntegration<R> {
+fn remaining_motion<R: Real>([slide, rim, distance, angle]: [R; 4]) -> ShortIntegration<R> {
     ShortIntegration {
         kept: [(-slide).exp(), (-rim).exp()],
         paths: [distance, angle],
@@ -213,7 +213,7 @@ fn is_exact<R: Real>(end: &[R; 4], error: &[R; 4]) -> bool {
 }
 
 /// Out of range: no number rather than a wrong one.
-fn lost<R: Real>(motion: &SliderState<R>, later: R, evaluations: u32) -> Advance<R> {
+fn out_of_range<R: Real>(motion: &SliderState<R>, later: R, evaluations: u32) -> Advance<R> {
     Advance {
         motion: SliderState {
             time: later,

@@ -110,7 +110,7 @@ impl<R: Real> DirectionArc<R> {
     }
 
     /// True if it is run through.
-    pub fn is_over(&self) -> bool {
+    pub fn is_complete(&self) -> bool {
         if self.rising {
             self.p <= self.goal
         } else {

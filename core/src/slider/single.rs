@@ -54,7 +54,11 @@ struct DecayRates<R> {
 
 impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     /// Follows a motion for a time in units of m₀^(1−α)/κ, if a few steps do; and the evaluations.
-    pub(super) fn few_steps(&self, speeds: [R; 2], time: R) -> (Option<ShortIntegration<R>>, u32) {
+    pub(super) fn integrate_briefly(
+        &self,
+        speeds: [R; 2],
+        time: R,
+    ) -> (Option<ShortIntegration<R>>, u32) {
         let major = Speeds::new(speeds[0], speeds[1]).major();
         let first = speeds.map(|speed| speed / major);
         let mut now = ShortIntegration {

@@ -152,7 +152,7 @@ impl PatchContacts {
         mu: GroundMu,
         colliders: &mut ColliderSet,
     ) -> Result<(), PairError> {
-        if let Some(given) = mu.unsound() {
+        if let Some(given) = mu.first_invalid_mu() {
             return Err(PairError::Coefficient { given });
         }
         enable_hooks(ground, colliders)?;
@@ -254,7 +254,7 @@ impl PatchContacts {
         self.collect_known(&mut members, bodies, colliders);
         let mut rest = &mut members[..];
         while !rest.is_empty() {
-            let size = group::bring_forward(rest, bodies);
+            let size = group::prepare_groups(rest, bodies);
             let (group, others) = rest.split_at_mut(size);
             let from = self.stands.len();
             let (pairs, stands) = (&self.pairs, &mut self.stands);
@@ -283,7 +283,7 @@ impl PatchContacts {
             self.cancel_step(bodies);
         }
         if !self.grounds.is_empty() {
-            self.meet_grounds(bodies, colliders, narrow_phase, parameters.dt);
+            self.add_ground_pairs(bodies, colliders, narrow_phase, parameters.dt);
         }
         let mut members = core::mem::take(&mut self.members);
         let mut group = core::mem::take(&mut self.group);
@@ -291,7 +291,7 @@ impl PatchContacts {
         // Groups that began the step, each with the members of its body.
         let mut end = members.len();
         while let Some(begun) = self.begun.pop() {
-            self.take_back(begun.lent, bodies);
+            self.undo(begun.lent, bodies);
             let is_after = |member: &Member| index(member.body) > index(begun.body);
             let run = members[..end].iter().rposition(|member| !is_after(member));
             end = run.map_or(0, |at| at + 1);
@@ -321,7 +321,7 @@ impl PatchContacts {
         let mut rest = &mut members[..];
         let mut sizes = Vec::new();
         while !rest.is_empty() {
-            let size = group::bring_forward(rest, bodies);
+            let size = group::prepare_groups(rest, bodies);
             sizes.push(size);
             rest = &mut rest[size..];
         }
@@ -331,13 +331,13 @@ impl PatchContacts {
             group::finish(None, group, &mut self.pairs, parameters, bodies, colliders);
             end -= size;
         }
-        self.leave_grounds(colliders);
+        self.remove_ground_pairs(colliders);
         self.members = members;
         self.group = group;
     }
 
     /// Patches for what has come to stand on the grounds.
-    fn meet_grounds(
+    fn add_ground_pairs(
         &mut self,
         bodies: &RigidBodySet,
         colliders: &ColliderSet,
@@ -365,7 +365,7 @@ impl PatchContacts {
     }
 
     /// Drops the patches of what no longer lies flat on its ground.
-    fn leave_grounds(&mut self, colliders: &ColliderSet) {
+    fn remove_ground_pairs(&mut self, colliders: &ColliderSet) {
         let grounds = &self.grounds;
         self.pairs.retain_mut(|pair| {
             let of_pair = |ground: &&Ground| ground.collider == pair.ground;
@@ -423,16 +423,16 @@ impl PatchContacts {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn cancel_step(&mut self, bodies: &mut RigidBodySet) {
-        self.take_back(self.lent.len(), bodies);
+        self.undo(self.lent.len(), bodies);
         self.begun.clear();
         self.stands.clear();
     }
 
     /// Undoes the last `count` changes.
-    fn take_back(&mut self, count: usize, bodies: &mut RigidBodySet) {
+    fn undo(&mut self, count: usize, bodies: &mut RigidBodySet) {
         for _ in 0..count {
             if let Some(lent) = self.lent.pop() {
-                lent.take_back(bodies);
+                lent.restore_forces(bodies);
             }
         }
     }

@@ -47,7 +47,7 @@ pub(crate) struct Ground {
 
 impl GroundMu {
     /// The first value that is not a coefficient of friction.
-    pub(crate) fn unsound(&self) -> Option<f32> {
+    pub(crate) fn first_invalid_mu(&self) -> Option<f32> {
         let is_sound = |mu: f32| mu >= 0.0 && mu.is_finite();
         match self {
             Self::Combined => None,

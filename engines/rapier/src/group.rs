@@ -69,7 +69,7 @@ impl PendingPrediction {
 /// those that go with the first one of `members` to the front, and returns their number.
 ///
 /// Feet of one body lie next to each other.
-pub(crate) fn bring_forward(members: &mut [Member], bodies: &RigidBodySet) -> usize {
+pub(crate) fn prepare_groups(members: &mut [Member], bodies: &RigidBodySet) -> usize {
     let Some(body) = members.first().map(|first| first.body) else {
         return 0;
     };

@@ -38,7 +38,7 @@ impl TemporaryForces {
     }
 
     /// Restores the user's forces and removes the velocity offsets. Removed bodies are ignored.
-    pub(crate) fn take_back(self, bodies: &mut RigidBodySet) {
+    pub(crate) fn restore_forces(self, bodies: &mut RigidBodySet) {
         let Some(body) = bodies.get_mut(self.body) else {
             return;
         };

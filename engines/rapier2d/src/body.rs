@@ -194,7 +194,7 @@ impl FootPose {
     }
 
     /// Sets the coefficient of friction by the floor around the centre of mass `at`.
-    fn lay_on(&mut self, materials: &impl Materials, at: Vector) {
+    fn set_floor_friction(&mut self, materials: &impl Materials, at: Vector) {
         let place = |[x, y]: [f64; 2]| at + Vector::new(x as f32, y as f32);
         self.mu = match materials.even(place(self.place), self.footprint.radius()) {
             Some(mu) => Mu::Even(mu),
@@ -280,8 +280,8 @@ impl RestingBody {
             let mut stand = FootPose::new(foot, body, half_turn, load * (foot.share / whole));
             let material = self.mu.map(UniformMu);
             match material {
-                Some(everywhere) => stand.lay_on(&everywhere, at),
-                None => stand.lay_on(materials, at),
+                Some(everywhere) => stand.set_floor_friction(&everywhere, at),
+                None => stand.set_floor_friction(materials, at),
             }
             stand
         };

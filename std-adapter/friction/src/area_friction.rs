@@ -61,7 +61,7 @@ impl<R: Precision> AreaFriction<R> {
                     .into(),
             ));
         }
-        let made = law.made::<R>()?;
+        let made = law.build::<R>()?;
         let kernel: Box<dyn AtTwist<R>> = match (flat, law.power_of_speed()) {
             (_, Some([mu, 0.0])) => Box::new(ShapeFriction::new(flat.clone(), R::from_f64(mu))?),
             (Flat::Points(points), _) => Box::new(NodeFriction::new(made, points.nodes().clone())),
@@ -90,7 +90,7 @@ impl<R: Precision> AreaFriction<R> {
     pub fn at_points(nodes: Vec<Node<R>>, law: &Law) -> Result<Self, FrictionError> {
         let nodes = OwnedNodes::new(nodes)?;
         Ok(Self {
-            kernel: Box::new(NodeFriction::new(law.made()?, nodes)),
+            kernel: Box::new(NodeFriction::new(law.build()?, nodes)),
             law: *law,
             tier: None,
         })
@@ -102,7 +102,7 @@ impl<R: Precision> AreaFriction<R> {
         law: &Law,
         tier: Option<Tier>,
     ) -> Result<Self, FrictionError> {
-        let tier = Tier::serving::<R>(patch, law, tier)?;
+        let tier = Tier::choose::<R>(patch, law, tier)?;
         let kernel = match (tier, law.power_of_speed()) {
             (Tier::Table | Tier::Compact, Some([coefficient, alpha])) => {
                 let coefficient = R::from_f64(coefficient);

@@ -78,7 +78,7 @@ impl Law {
             maker,
             values,
         };
-        law.made::<f64>().map(|_| law)
+        law.build::<f64>().map(|_| law)
     }
 
     /// Its name in the catalogue.
@@ -98,7 +98,7 @@ impl Law {
     }
 
     /// The law itself. Its parameters are checked here.
-    pub fn made<R: Precision>(&self) -> Result<AnyLaw<R>, FrictionError> {
+    pub fn build<R: Precision>(&self) -> Result<AnyLaw<R>, FrictionError> {
         let made = R::make(&self.maker, self.values.map(R::from_f64));
         made.map(AnyLaw).map_err(|error| match error {
             LawError::Exponent {
@@ -124,7 +124,7 @@ impl Law {
 
     /// d ln(friction)/d ln(speed): α of a power of the speed.
     pub(super) fn exponent_near(&self, speed: f64) -> f64 {
-        match (self.power_of_speed(), self.made::<f64>()) {
+        match (self.power_of_speed(), self.build::<f64>()) {
             (Some([_, alpha]), _) => alpha,
             (None, Ok(law)) => law.slope(speed) * speed / law.friction(speed),
             (None, Err(_)) => f64::NAN,

@@ -142,8 +142,8 @@ enum Kind<R: Real> {
 impl<R: Precision> AnyFriction<R> {
     /// Friction of `law` on `patch`, in the tier asked for or in the quickest that serves both.
     pub fn new(patch: &Patch, law: &Law, tier: Option<Tier>) -> Result<Self, FrictionError> {
-        let tier = Tier::serving::<R>(patch, law, tier)?;
-        let any = |law: &Law| Ok::<_, FrictionError>(DiskOfAnyLaw::new(law.made::<R>()?));
+        let tier = Tier::choose::<R>(patch, law, tier)?;
+        let any = |law: &Law| Ok::<_, FrictionError>(DiskOfAnyLaw::new(law.build::<R>()?));
         let kind = match (patch, tier) {
             (_, Tier::Table | Tier::Compact) => {
                 Kind::Power(visit(patch, law.exponent(), tier, visit::BoxingVisitor)?)

@@ -156,7 +156,7 @@ pub(super) struct NodeQuadrature<R> {
 impl<R: Precision> NodeQuadrature<R> {
     pub fn new(patch: &Patch, law: &Law) -> Result<Self, FrictionError> {
         let nodes = OwnedNodes::new(pressure_nodes(patch, R::ZERO)?)?;
-        let friction = NodeFriction::new(law.made()?, nodes);
+        let friction = NodeFriction::new(law.build()?, nodes);
         Ok(Self { friction })
     }
 }

@@ -51,7 +51,7 @@ impl Tier {
     pub const ALL: [Self; 3] = [Self::Table, Self::Compact, Self::Quadrature];
 
     /// The tier that serves `law` on `patch`: the one asked for, if it does, or the quickest.
-    pub fn serving<R: Precision>(
+    pub fn choose<R: Precision>(
         patch: &Patch,
         law: &Law,
         asked: Option<Self>,
@@ -59,7 +59,7 @@ impl Tier {
         if !patch.has_axis() {
             return Err(FrictionError::NoAxis);
         }
-        law.made::<R>()?;
+        law.build::<R>()?;
         match asked {
             Some(tier) => tier.serves::<R>(patch, law).map(|()| tier),
             None => {

@@ -127,7 +127,7 @@ pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn PowerLawFriction<f64>
 pub fn upright(patch: &Patch, alpha: f64) -> Result<Box<dyn RoundPower<f64>>, FrictionError> {
     let closed = alpha == 0.0 && patch.has_closed_form();
     let asked = closed.then_some(Tier::Compact);
-    let tier = Tier::serving::<f64>(patch, &Law::power(1.0, alpha)?, asked)?;
+    let tier = Tier::choose::<f64>(patch, &Law::power(1.0, alpha)?, asked)?;
     visit(patch, alpha, tier, BoxingVisitor)
 }
 

@@ -415,8 +415,8 @@ fn a_watch_that_joins_sees_what_one_watch_sees() {
     for (change_sq, bound) in seen {
         let mut part = (GlobalChange::default(), LocalChange::above(0.1));
         for watch in [&mut whole, &mut part] {
-            watch.0.see(change_sq, bound, bound);
-            watch.1.see(change_sq, bound, bound);
+            watch.0.record(change_sq, bound, bound);
+            watch.1.record(change_sq, bound, bound);
         }
         parts.0.join(&part.0);
         parts.1.join(&part.1);

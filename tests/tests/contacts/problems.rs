@@ -71,7 +71,7 @@ fn changed_problems_are_solved() {
 /// Solutions to 1e-10 of a jammed, shaken box of 30: from no impulses, and from normal ones of 10.
 fn solutions(seed: u64) -> [Solution; 2] {
     let laws = WorldMaterials::uniform(cohesive(), rough(0.3, 0.2, 0.2));
-    let posed = shaken(30, seed, laws, 0.3).posed();
+    let posed = shaken(30, seed, laws, 0.3).to_problem();
     let problem = posed.expect("thresholds are separate").problem.reduced();
     let problem = problem.expect("masses are positive");
     [0.0, 10.0].map(|pushed| {
@@ -109,14 +109,14 @@ fn a_box_under_ellipsoids_is_data_and_one_under_exact_surfaces_is_not() {
     let usual = LimitEllipsoid::new(0.3, 0.5, 2.0 / 3.0).expect("valid");
     let usual = CoupledFriction::all(usual, 0.1).expect("valid");
     let mut jammed = shaken(30, 0, WorldMaterials::uniform(dry(), usual), 0.3);
-    let posed = jammed.posed().expect("an ellipsoid is data");
+    let posed = jammed.to_problem().expect("an ellipsoid is data");
     let problem = posed.problem.reduced().expect("masses are positive");
     let end = honest("ellipsoids", &problem, &SolverOptions::default());
     assert_eq!(end.ending, SolverStatus::Converged, "{:?}", end.residual);
-    jammed.take(&posed, &end.impulses);
+    jammed.apply_solution(&posed, &end.impulses);
     assert!(judged(&jammed).relative < 1e-6, "{:?}", judged(&jammed));
     let exact = RoundLimitSurface::new(CoulombDisk, 0.3, 0.5).expect("valid");
     let exact = CoupledFriction::all(exact, 0.1).expect("valid");
     let jammed = shaken(30, 0, WorldMaterials::uniform(dry(), exact), 0.3);
-    assert!(jammed.posed().is_none());
+    assert!(jammed.to_problem().is_none());
 }

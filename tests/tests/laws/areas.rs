@@ -184,7 +184,7 @@ fn kernel(name: &str, law: &Law) -> Option<AtTwist> {
         (shape, "coulomb") => with_shape(shape, DryAt),
         ("points", _) => {
             let nodes = Nodes::new(FEET.map(node)).unwrap();
-            let friction = NodeFriction::new(law.made::<f64>().unwrap(), nodes);
+            let friction = NodeFriction::new(law.build::<f64>().unwrap(), nodes);
             Box::new(move |twist| {
                 let wrench = friction.wrench(LOAD, twist);
                 (wrench, friction.wrench_jacobian(LOAD, twist))

@@ -287,7 +287,7 @@ fn every_local_law_serves_every_round_patch() {
             let friction = AnyFriction::<f64>::new(&patch(name), &law(text), None).unwrap();
             // Sliding without spin, all of the patch has one speed.
             let slide = friction.coefficient() * friction.reduced_wrench(0.3, 0.0).force;
-            let local = law(text).made::<f64>().unwrap().friction(0.3);
+            let local = law(text).build::<f64>().unwrap().friction(0.3);
             assert!(
                 (slide / local - 1.0).abs() < 1e-8,
                 "{text} on {name}: {slide}, not {local}"
@@ -389,7 +389,7 @@ fn every_local_law_brings_a_disk_to_rest() {
         assert_eq!(end.ending, SlideStopReason::Rest, "{text}");
         assert!(end.energy_error < 1e-7, "{text}: {}", end.energy_error);
         // Friction lies between its extremes at speeds up to that of the rim.
-        let made = law(text).made::<f64>().unwrap();
+        let made = law(text).build::<f64>().unwrap();
         let friction = (0..200).map(|k| made.friction(1.5 * libm::pow(10.0, -0.04 * f64::from(k))));
         let [least, most] =
             friction.fold([f64::INFINITY, 0.0_f64], |[a, b], x| [a.min(x), b.max(x)]);
@@ -456,7 +456,7 @@ fn a_law_that_is_coulomb_s_in_disguise_moves_as_coulomb_s() {
 #[test]
 fn a_stribeck_disk_without_spin_takes_the_time_of_the_integral() {
     let text = LOCAL[4];
-    let made = law(text).made::<f64>().unwrap();
+    let made = law(text).build::<f64>().unwrap();
     // t = ∫ dv/(g mu(v)) and x = ∫ v dv/(g mu(v)) from 0 to 1 m/s, by the midpoint rule.
     const PARTS: u32 = 1_000_000;
     let [mut time, mut way] = [0.0; 2];

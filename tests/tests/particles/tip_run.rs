@@ -242,7 +242,7 @@ fn the_angle_counts_turns_of_a_known_rotation() -> Result<(), Error> {
                     way + Vector3::new(cos * x - sin * y, sin * x + cos * y, 0.0)
                 })
                 .collect();
-            let seen = torsion.look(&now);
+            let seen = torsion.update_angle(&now);
             assert!((seen - angle).abs() < 1e-12, "{seen} {angle}");
             assert_eq!(seen, torsion.angle());
         }

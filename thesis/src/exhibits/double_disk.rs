@@ -70,7 +70,7 @@ pub fn figure_3_13() -> Result<Exhibit> {
             let mut right = 0;
             for launch in LAUNCHES.into_iter().chain([fixed]) {
                 let points = follow(&slider, alpha, launch);
-                right += usize::from(ends_as_foretold(&modes, launch, &points));
+                right += usize::from(ends_at_predicted_mode(&modes, launch, &points));
                 rows.extend(
                     points
                         .iter()
@@ -97,7 +97,7 @@ pub fn figure_3_13() -> Result<Exhibit> {
 }
 
 /// True if the run moves from its launch towards the end that the fixed points foretell.
-fn ends_as_foretold<P: tribos_core::coupling::PowerLawFriction<f64>>(
+fn ends_at_predicted_mode<P: tribos_core::coupling::PowerLawFriction<f64>>(
     modes: &TerminalMotion<f64, P>,
     launch: f64,
     points: &[(f64, f64)],

@@ -195,7 +195,7 @@ impl Foot {
     }
 
     /// The load of the last step, given the acceleration that it ended with.
-    pub fn weigh(&mut self, acceleration: &[f64]) {
+    pub fn update_load(&mut self, acceleration: &[f64]) {
         if self.normals.is_empty() {
             self.load = 0.0;
             return;

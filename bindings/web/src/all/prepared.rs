@@ -74,7 +74,7 @@ impl Prepared {
     pub fn glides(&self) -> Result<&dyn Glides, Refused> {
         let made = self.glides.get_or_init(|| {
             let (patch, alpha) = self.round_power()?;
-            let slide = Tier::serving::<f64>(patch, self.law(), None)
+            let slide = Tier::choose::<f64>(patch, self.law(), None)
                 .and_then(|tier| visit(patch, alpha, tier, Kept))?;
             let profile = upright(patch, alpha)?;
             let powered: Box<dyn Glides> = Box::new(Powered { slide, profile });

@@ -135,7 +135,7 @@ pub extern "C" fn kept() -> usize {
 pub unsafe extern "C" fn make_law(line: *const u8, length: usize) -> u32 {
     let made = text(line, length).and_then(|line| {
         let law: Law = line.parse().map_err(said)?;
-        let made = law.made::<f64>().map_err(said)?;
+        let made = law.build::<f64>().map_err(said)?;
         Ok((law, made))
     });
     status(made.map(|(law, made)| {

@@ -357,7 +357,7 @@ fn other_straight_edges(chapter: &mut Chapter) {
 
 fn law(chapter: &mut Chapter) {
     let law: tribos::friction::Law = OIL.parse().unwrap();
-    let law = law.made::<f64>().unwrap();
+    let law = law.build::<f64>().unwrap();
     let speeds: Vec<f64> = (0..CALLS).map(|_| chapter.signed(1.0)).collect();
     for speed in &speeds {
         chapter.add(&[law.friction(speed.abs()), law.slope(speed.abs())]);

@@ -53,7 +53,7 @@ impl Row<'_> {
     }
 
     /// What keeps the problem from being solved.
-    pub fn lack(&self, tolerance: f64) -> String {
+    pub fn failure_reason(&self, tolerance: f64) -> String {
         if let Some(certificate) = self.certificate() {
             return certificate;
         }

@@ -68,7 +68,7 @@ impl Solve {
                 left.push(format!(
                     "{} ({})",
                     posed.file.display(),
-                    row.lack(self.tolerance)
+                    row.failure_reason(self.tolerance)
                 ));
             }
         }

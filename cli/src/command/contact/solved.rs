@@ -58,7 +58,7 @@ impl<'a> LoadedProblem<'a> {
                     residual,
                     ..
                 } = progress;
-                meter.tell_open(format_args!(
+                meter.report_elapsed(format_args!(
                     "{}: {sweeps} sweeps, {factorisations} factorisations, residual {residual:.1e}",
                     self.file.display()
                 ));

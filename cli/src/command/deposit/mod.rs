@@ -2,7 +2,7 @@
 
 use super::digits::shown;
 use super::number;
-use super::run::size::{MemoryPermission, check, told};
+use super::run::size::{MemoryPermission, check, describe_size};
 use crate::failure::Failure;
 use serde_json::{Map, Value};
 use std::ops::ControlFlow;
@@ -134,7 +134,7 @@ impl Arguments {
             seconds: SECONDS_A_SPHERE * bodies,
         };
         if bodies > LARGE {
-            super::tell(format_args!("{}", told(&size, "spheres")));
+            super::note(format_args!("{}", describe_size(&size, "spheres")));
         }
         check(&size, "spheres", MemoryPermission::of(self.allow_large))
     }
@@ -146,7 +146,7 @@ impl Arguments {
         let grown = ballistic.grow_watched(until, self.seed, |spheres| {
             if last.elapsed() >= Duration::from_secs(1) {
                 last = Instant::now();
-                super::tell(format_args!(
+                super::note(format_args!(
                     "{spheres} spheres have fallen, about {expected:.0} will stay"
                 ));
             }

@@ -27,7 +27,7 @@ pub fn disk(scene: &DiskScene) -> Result<String, Failure> {
             SliderIntegrator::Verlet => "verlet: fixed steps, as the thesis has it",
         },
     );
-    Ok(text + &price(&cost, ""))
+    Ok(text + &cost_text(&cost, ""))
 }
 
 /// A body that follows a path in the plane under these laws.
@@ -40,7 +40,7 @@ pub fn planar(scene: &dyn PlanarScene, laws: &str) -> Result<String, Failure> {
         "stepper",
         "in the logarithm of the speed, adaptive, stops at the instant of rest",
     );
-    Ok(text + &price(&cost, ", with the lateral force and the lean"))
+    Ok(text + &cost_text(&cost, ", with the lateral force and the lean"))
 }
 
 /// Laws of a cylinder.
@@ -111,7 +111,7 @@ fn pressure(pressure: FootPressure) -> &'static str {
     }
 }
 
-fn price(cost: &EvaluationCost, with: &str) -> String {
+fn cost_text(cost: &EvaluationCost, with: &str) -> String {
     const NANO: f64 = 1e9;
     line(
         "cost",

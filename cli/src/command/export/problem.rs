@@ -79,7 +79,7 @@ impl Step {
                 about: kept.manifest.about.clone(),
                 ..Contents::of("export", &FILES)
             };
-            Some(OutputFolder::go_on(out, &contents)?)
+            Some(OutputFolder::reopen(out, &contents)?)
         };
         let contacts = problem.laws().len();
         let file = out.join(format!("problem-{}.{ending}", self.step));

@@ -63,7 +63,7 @@ impl Trajectory {
                     about: kept.manifest.about.clone(),
                     ..Contents::of("export", files(format))
                 };
-                Ok((out, Some(OutputFolder::go_on(out, &contents)?)))
+                Ok((out, Some(OutputFolder::reopen(out, &contents)?)))
             }
             _ => {
                 folder::add(&self.run, files(format))?;
@@ -97,7 +97,7 @@ impl Trajectory {
             Kind::Tip => "final.data",
             Kind::Powder | Kind::Grains | Kind::Gas => "final.xyz",
         };
-        crate::command::tell(format_args!(
+        crate::command::note(format_args!(
             "frames have positions to half a 65535th of the box, speeds without directions and no spins; {exact} of a \
              finished run has all of its last state"
         ));

@@ -49,7 +49,7 @@ impl Report<'_> {
     fn line(&self, estimate: &Estimate) -> String {
         let parameter = &estimate.parameter;
         let (value, how) = match &estimate.known {
-            Uncertainty::StandardError(error) => told(estimate.value, *error),
+            Uncertainty::StandardError(error) => value_with_error(estimate.value, *error),
             Uncertainty::Fixed => (plain(estimate.value), "fixed".into()),
             Uncertainty::AtBound => (plain(estimate.value), "at its bound".into()),
             Uncertainty::Undetermined(_) => {
@@ -285,7 +285,7 @@ fn plain(value: f64) -> String {
 }
 
 /// Value and error with two digits of the error.
-fn told(value: f64, error: f64) -> (String, String) {
+fn value_with_error(value: f64, error: f64) -> (String, String) {
     /// Values that are written without a power of ten.
     const EVERYDAY: std::ops::Range<f64> = 1e-3..1e5;
     /// f64 has no more digits.

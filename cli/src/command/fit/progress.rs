@@ -31,7 +31,7 @@ impl Progress {
             search: [search, of],
             steps,
         } = progress;
-        crate::command::tell(format_args!(
+        crate::command::note(format_args!(
             "search {search} of {of} on {points} points, step {}",
             steps + 1
         ));

@@ -71,7 +71,7 @@ fn ticker(name: &str) -> impl FnMut() {
     let mut meter = Meter::new();
     move || {
         if meter.is_due(0.0) {
-            meter.tell_open(format_args!("{name} is being run:"));
+            meter.report_elapsed(format_args!("{name} is being run:"));
         }
     }
 }

@@ -127,7 +127,7 @@ impl Arguments {
             angle: self.angle.radians,
         };
         if let Some(hint) = self.angle.hint() {
-            super::tell(format_args!("note: {hint}"));
+            super::note(format_args!("note: {hint}"));
         }
         let Launches { count, solutions } = map
             .fewest_turns(&target, self.meaning(), &limits, self.most)
@@ -143,7 +143,7 @@ impl Arguments {
             } else {
                 "lower --max-spin for fewer".into()
             };
-            super::tell(format_args!(
+            super::note(format_args!(
                 "note: {many} launches lead there; the {listed} with the fewest turns are listed \
                  ({cure})"
             ));

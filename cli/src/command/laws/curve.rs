@@ -29,7 +29,7 @@ pub fn write(path: &Path, laws: &[Law], [from, to]: [f64; 2]) -> Result<(), Fail
     );
     let names: Vec<String> = laws.iter().map(Law::to_string).collect();
     for (law, name) in laws.iter().zip(&names) {
-        let law = law.made::<f64>()?;
+        let law = law.build::<f64>()?;
         let friction: Vec<f64> = speeds.iter().map(|&v| law.friction(v)).collect();
         for (row, f) in rows.iter_mut().zip(&friction) {
             row.push(*f);

@@ -239,7 +239,7 @@ impl Arguments {
             done += 1;
             if last.elapsed() >= Duration::from_secs(1) {
                 last = Instant::now();
-                super::tell(format_args!("frame {done} of {count}, step {step}"));
+                super::note(format_args!("frame {done} of {count}, step {step}"));
             }
         });
         table.map(Some).map_err(Failure::input)

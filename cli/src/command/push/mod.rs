@@ -98,11 +98,11 @@ impl Arguments {
         let answer = run(&scene)?;
         if let Some(path) = &self.output {
             write(path, &answer)?;
-            super::tell(format_args!("written to    {}", path.display()));
+            super::note(format_args!("written to    {}", path.display()));
         }
         if let Some(path) = &self.picture {
             picture::draw(path, &scene, &answer)?;
-            super::tell(format_args!("written to    {}", path.display()));
+            super::note(format_args!("written to    {}", path.display()));
         }
         match self.format {
             Format::Json => super::print(&format!("{:#}\n", answer.json(&scene))),

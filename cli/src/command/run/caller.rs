@@ -8,10 +8,10 @@ use std::fmt;
 /// A program that runs scenes through this crate.
 pub trait HostProgram: Sync {
     /// Whether the run is to end; a long one leaves its checkpoint then. Called after every step.
-    fn is_asked(&self) -> bool;
+    fn is_cancelled(&self) -> bool;
 
     /// Called a few times in a second: the share of the run that is done, if its end is known, and words.
-    fn hear(&self, done: Option<f64>, words: fmt::Arguments<'_>);
+    fn on_progress(&self, done: Option<f64>, words: fmt::Arguments<'_>);
 }
 
 /// The one who asked, and who hears what a person at a terminal would read.
@@ -45,7 +45,7 @@ impl<'a> Frontend<'a> {
     pub fn is_asked(self) -> bool {
         match self {
             Self::Terminal => interrupt::is_asked(),
-            Self::Host(host) => host.is_asked(),
+            Self::Host(host) => host.is_cancelled(),
         }
     }
 
@@ -60,7 +60,7 @@ impl<'a> Frontend<'a> {
     /// A line before the work starts.
     pub fn tell(self, words: fmt::Arguments<'_>) {
         if matches!(self, Self::Terminal) {
-            crate::command::tell(words);
+            crate::command::note(words);
         }
     }
 

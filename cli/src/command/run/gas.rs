@@ -41,7 +41,10 @@ fn simulate(
     session: Session<'_, GasSimulation>,
     caller: Frontend<'_>,
 ) -> Result<GasSimulation, RunError<GasError>> {
-    caller.tell(format_args!("{}", size::told(&gas::size(scene), "spheres")));
+    caller.tell(format_args!(
+        "{}",
+        size::describe_size(&gas::size(scene), "spheres")
+    ));
     let mut meter = caller.meter();
     session
         .on_progress(|run: &GasSimulation| {

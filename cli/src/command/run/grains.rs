@@ -36,7 +36,7 @@ fn simulate(
     caller: Frontend<'_>,
 ) -> Result<GrainsSimulation, RunError<GrainsError>> {
     let size = grains::size(scene);
-    caller.tell(format_args!("{}", size::told(&size, "grains")));
+    caller.tell(format_args!("{}", size::describe_size(&size, "grains")));
     let mut meter = caller.meter();
     session
         .on_progress(|run: &GrainsSimulation| {

@@ -132,7 +132,7 @@ impl<'a> RunRequest<'a> {
             self.caller.report(&told)?;
             return Ok(None);
         };
-        let folder = OutputFolder::go_on_with(lock, &contents)?;
+        let folder = OutputFolder::reopen_locked(lock, &contents)?;
         // What was made from the frames of the unfinished run is out of date.
         folder.remove(files::is_made_from_frames)?;
         Ok(Some((folder, start)))

@@ -40,14 +40,14 @@ fn simulate(
     caller: Frontend<'_>,
 ) -> Result<PowderSimulation, RunError<CompactionError>> {
     let size = powder::size(scene);
-    caller.tell(format_args!("{}", size::told(&size, "spheres")));
+    caller.tell(format_args!("{}", size::describe_size(&size, "spheres")));
     let (mut growth, mut meter) = (caller.meter(), caller.meter());
     // Sweeps since the last line, and the step that it told.
     let (mut sweeps, mut since) = (0, None);
     session
         .on_growth(|spheres| {
             if growth.is_due(0.0) {
-                growth.tell_open(format_args!(
+                growth.report_elapsed(format_args!(
                     "deposit: {spheres} spheres have fallen, about {:.0} will be below the cut",
                     size.bodies
                 ));
@@ -83,6 +83,6 @@ fn tell(meter: &mut Meter<'_>, scene: &PowderScene, compaction: &PowderSimulatio
     if scene.duration.is_some() || scene.steps <= FEW {
         meter.tell(compaction.progress(), format_args!("{words}"));
     } else {
-        meter.tell_open(format_args!("{words}"));
+        meter.report_elapsed(format_args!("{words}"));
     }
 }

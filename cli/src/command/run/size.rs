@@ -33,20 +33,20 @@ pub fn check(size: &RunSize, what: &str, allowed: MemoryPermission) -> Result<()
         return Err(Failure::input(format!(
             "{}: more than {MOST_SPHERES} spheres, the most that a deposit may have; make it lower \
              or narrower",
-            told(size, what)
+            describe_size(size, what)
         )));
     }
     if size.bytes > MOST_BYTES && allowed == MemoryPermission::Usual {
         return Err(Failure::input(format!(
             "{}: more than the 4 GB that are taken without --allow-large",
-            told(size, what)
+            describe_size(size, what)
         )));
     }
     Ok(())
 }
 
 /// The size in words.
-pub fn told(size: &RunSize, what: &str) -> String {
+pub fn describe_size(size: &RunSize, what: &str) -> String {
     const GIGA: f64 = 1e9;
     const MEGA: f64 = 1e6;
     let memory = if size.bytes >= GIGA {
@@ -113,12 +113,12 @@ mod tests {
             bytes: 5e3 * bodies,
             seconds: 25e-3 * bodies,
         };
-        let small = told(&size(449.3), "spheres");
+        let small = describe_size(&size(449.3), "spheres");
         assert_eq!(
             small,
             "about 450 spheres, 2.2 MB of memory, in the order of 11 seconds"
         );
-        let wide = told(&size(194_321.0), "spheres");
+        let wide = describe_size(&size(194_321.0), "spheres");
         assert_eq!(
             wide,
             "about 190000 spheres, 970 MB of memory, in the order of 81 minutes"

@@ -38,7 +38,7 @@ fn simulate(
     caller: Frontend<'_>,
 ) -> Result<TipSimulation, RunError<TipError>> {
     let size = tip::size(scene);
-    caller.tell(format_args!("{}", size::told(&size, "atoms")));
+    caller.tell(format_args!("{}", size::describe_size(&size, "atoms")));
     let mut meter = caller.meter();
     session
         .on_progress(|run: &TipSimulation| {

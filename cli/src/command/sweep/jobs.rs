@@ -64,7 +64,7 @@ pub fn run(tasks: &[&Task], asked: Option<usize>, lock: &Lock) -> Result<(), Fai
     let kept = possible - missing.len();
     let progress = Progress::start(possible, kept, share.jobs);
     for task in missing.iter().filter(|task| task.is_changed()) {
-        crate::command::tell(format_args!(
+        crate::command::note(format_args!(
             "{}: its summary was changed after the run; the run is repeated",
             task.name
         ));
@@ -98,7 +98,7 @@ pub fn run(tasks: &[&Task], asked: Option<usize>, lock: &Lock) -> Result<(), Fai
         )));
     }
     let first = failures.into_iter().next();
-    first.map_or(Ok(()), |failure| Err(failure.going_on(&done)))
+    first.map_or(Ok(()), |failure| Err(failure.resume_hint(&done)))
 }
 
 impl Task {

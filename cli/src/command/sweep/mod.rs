@@ -128,7 +128,7 @@ const GO_ON: &str = "Then give the same command again: finished runs are not rep
 impl Arguments {
     /// Runs, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
-        self.take().map_err(|failure| failure.going_on(GO_ON))
+        self.take().map_err(|failure| failure.resume_hint(GO_ON))
     }
 
     fn take(self) -> Result<(), Failure> {
@@ -140,7 +140,7 @@ impl Arguments {
         let (plan, out) = self.planned()?;
         let tasks = plan.tasks(&out)?;
         if self.slurm {
-            return self.hand_over(&plan, &tasks, &out);
+            return self.write_job_array(&plan, &tasks, &out);
         }
         if self.plan.is_none() {
             guard(&plan, &out)?;
@@ -200,7 +200,7 @@ impl Arguments {
         };
         while !Manifest::read(out)?.is_some_and(is_mine) {
             if let Some(lock) = attempt(Sharing::Alone)? {
-                drop(OutputFolder::go_on_with(lock, &contents(plan))?);
+                drop(OutputFolder::reopen_locked(lock, &contents(plan))?);
                 break;
             }
         }
@@ -212,7 +212,7 @@ impl Arguments {
     }
 
     /// Writes the plan and the job array.
-    fn hand_over(&self, plan: &Plan, tasks: &[Task], out: &Path) -> Result<(), Failure> {
+    fn write_job_array(&self, plan: &Plan, tasks: &[Task], out: &Path) -> Result<(), Failure> {
         let count = self.slurm_tasks.map(NonZero::get);
         let array = JobArray::new(count, tasks.len(), &self.slurm_option)?;
         guard(plan, out)?;
@@ -231,7 +231,7 @@ impl Arguments {
 
 /// The folder of the sweep, for this process alone.
 fn claim(plan: &Plan, out: &Path) -> Result<OutputFolder, Failure> {
-    Ok(OutputFolder::go_on(out, &contents(plan))?)
+    Ok(OutputFolder::reopen(out, &contents(plan))?)
 }
 
 /// What a sweep leaves beside its runs and its plan, which may have come from another machine.
@@ -295,7 +295,7 @@ fn tables(plan: &Plan, tasks: &[Task], lock: &Lock) -> Result<(), Failure> {
             "all {refused} runs were refused; the column `refusal` says why"
         ))),
         (refused, _) => {
-            super::tell(format_args!(
+            super::note(format_args!(
                 "{refused} of {} runs were refused; the column `refusal` says why",
                 tasks.len()
             ));

@@ -26,7 +26,7 @@ impl Progress {
     /// Of `total` runs, of which some were `kept` and the others go `jobs` at a time.
     pub fn start(total: usize, kept: usize, jobs: usize) -> Self {
         if kept > 0 {
-            crate::command::tell(format_args!("{kept} of {total} runs kept"));
+            crate::command::note(format_args!("{kept} of {total} runs kept"));
         }
         Self {
             started: Instant::now(),

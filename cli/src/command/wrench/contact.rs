@@ -100,7 +100,7 @@ impl<R: Precision> Contact<R> {
             in_range::<R>(name, x)?;
         }
         let tier = if is_round {
-            Tier::serving::<R>(request.patch, &law, request.tier)?
+            Tier::choose::<R>(request.patch, &law, request.tier)?
         } else {
             Tier::Quadrature
         };
@@ -124,7 +124,7 @@ impl<R: Precision> Contact<R> {
                 round => pressure_nodes(round, lean)?,
             };
             let nodes = OwnedNodes::new(nodes).map_err(Failure::input)?;
-            let friction = NodeFriction::new(law.made()?, nodes);
+            let friction = NodeFriction::new(law.build()?, nodes);
             (
                 Kind::Nodes(friction),
                 factor,

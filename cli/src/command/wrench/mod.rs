@@ -213,12 +213,12 @@ impl Arguments {
     ) -> Result<(), Failure> {
         if format == Format::Csv {
             // Columns have no place for the contact.
-            super::tell(format_args!("contact: {}", given::sentence(given)));
+            super::note(format_args!("contact: {}", given::sentence(given)));
         }
         match &self.output {
             Some(path) => {
                 write_atomically(path, text.as_bytes())?;
-                super::tell(format_args!("written to    {}", path.display()));
+                super::note(format_args!("written to    {}", path.display()));
                 Ok(())
             }
             None => super::print(text),
@@ -251,9 +251,9 @@ impl Arguments {
             sink.put(format.end())
         })?;
         warn_of_beyond(beyond);
-        super::tell(format_args!("contact: {}", given::sentence(given)));
+        super::note(format_args!("contact: {}", given::sentence(given)));
         if let Some(path) = &self.output {
-            super::tell(format_args!("written to    {}", path.display()));
+            super::note(format_args!("written to    {}", path.display()));
         }
         Ok(())
     }

@@ -181,7 +181,7 @@ fn every_search_on_points_ends_with_a_wrench_that_balances() {
             let far = radial.wrench * size;
             let far = Wrench::new(far.x, far.y, far.z * surface.arm);
             if let ProjectionCase::Back { goal, found, .. } =
-                surface.pulled_back(&far, arms * surface.arm)
+                surface.project_outside(&far, arms * surface.arm)
             {
                 let left = norm(&goal.gradient(&found.at, &found.power));
                 assert!(left < 1e-7, "{far:?} {arms} {left:e}");

@@ -14,7 +14,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
     PanelIntegration<'_, R, P, N>
 {
     /// Finds the first leg, from the ratio h with its logarithm and its distance from 1.
-    pub(super) fn set_out(&mut self, ratio: [R; 3], excess: R) {
+    pub(super) fn first_arc(&mut self, ratio: [R; 3], excess: R) {
         let lead = self.lead;
         let at_ends = self.at_ends(lead);
         for other in [DominantSpeed::Spinning, DominantSpeed::Sliding] {
@@ -41,7 +41,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
         let leg = DirectionArc::new(lead, ends, rising, end, ratio);
         (_, [self.slowness, _]) = self.measured(&leg, &leg.place(leg.p));
         self.leg = Some(leg);
-        self.aim();
+        self.target_ratio();
     }
 
     /// C_α − C at h = 0 and 1.
@@ -83,11 +83,11 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
         };
         self.leg = Some(DirectionArc::from_equal(self.lead, bottom));
         self.slowness = R::ZERO;
-        self.aim();
+        self.target_ratio();
     }
 
     /// The ratio to which the present leg leads.
-    pub(super) fn aim(&mut self) {
+    pub(super) fn target_ratio(&mut self) {
         if let Some(leg) = &self.leg {
             let limit = leg.limit();
             self.ratio = match self.lead {

@@ -169,7 +169,7 @@ impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
         march.least = rates.map(|rate| R::HALF * rate);
         march.most = rates.map(|rate| R::TWO * rate);
         if minor > R::ZERO && excess != R::ZERO {
-            march.set_out([at.ratio(), ln_ratio, at.gap()], excess);
+            march.first_arc([at.ratio(), ln_ratio, at.gap()], excess);
         }
         march
     }
@@ -194,7 +194,7 @@ impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
             let Some(leg) = self.leg else {
                 return self.close(None, until);
             };
-            if leg.is_over() {
+            if leg.is_complete() {
                 match leg.end {
                     ArcEnd::Settled => return self.close(Some(&leg), until),
                     ArcEnd::EqualSpeeds => self.cross(),
@@ -266,11 +266,11 @@ impl<'a, R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
             *sum += more;
         }
         (self.rates, self.slowness) = (panel.rates, panel.slowness);
-        self.see_what_grows();
+        self.mark_converged_sums();
     }
 
     /// Finds the sums that are complete.
-    fn see_what_grows(&mut self) {
+    fn mark_converged_sums(&mut self) {
         let pace = self.pace(self.faded);
         let [slide, rim] = self.least;
         // The slowest fall of the pace, or its fastest growth.

@@ -29,7 +29,7 @@ pub(super) trait Lanes:
     fn sqrt(self) -> Self;
 
     /// A bit for each lane, from the lowest: whether it is less than that of the others.
-    fn which_below(self, others: Self) -> usize;
+    fn less_mask(self, others: Self) -> usize;
 
     /// `chosen` where these are less than `others`, `other` elsewhere.
     fn if_below(self, others: Self, chosen: Self, other: Self) -> Self;
@@ -85,7 +85,7 @@ impl Lanes for wide::f64x4 {
     }
 
     #[inline(always)]
-    fn which_below(self, others: Self) -> usize {
+    fn less_mask(self, others: Self) -> usize {
         self.simd_lt(others).to_bitmask() as usize
     }
 
@@ -121,7 +121,7 @@ impl Lanes for tribos_avx2::F64x4 {
     }
 
     #[inline(always)]
-    fn which_below(self, others: Self) -> usize {
+    fn less_mask(self, others: Self) -> usize {
         self.below(others).bits()
     }
 

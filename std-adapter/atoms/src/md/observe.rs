@@ -145,7 +145,7 @@ impl RotationAngle {
     }
 
     /// Updates the angle from the current positions.
-    pub fn look(&mut self, positions: &[Vector3<f64>]) -> f64 {
+    pub fn update_angle(&mut self, positions: &[Vector3<f64>]) -> f64 {
         let (mut cross, mut dot) = (0.0, 0.0);
         for ([x0, y0], [x, y]) in self.arms.iter().zip(arms(&self.atoms, positions)) {
             cross += x0 * y - y0 * x;

@@ -86,7 +86,7 @@ pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
         .iter()
         .map(|site| number(site.part).unwrap_or_default() as u8)
         .collect();
-    warm(scene, &groups, &group_of, &mut atoms);
+    initial_velocities(scene, &groups, &group_of, &mut atoms);
     let setup = Setup {
         drive: (scene.drive == DriveKind::Torque).then(|| drive(scene, &sites)),
         atoms,
@@ -205,7 +205,7 @@ fn thermostat(scene: &TipScene, wanted: RotationBias) -> Result<Thermostat, Ther
 }
 
 /// Velocities at twice the temperature, since atoms on lattice sites lose half of it to potential energy.
-fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) {
+fn initial_velocities(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) {
     let mut noise = Noise::new(scene.seed, FIRST, 0);
     let heat = 2.0 * scene.temperature * scene.potential.boltzmann();
     for (atom, &group) in group_of.iter().enumerate() {

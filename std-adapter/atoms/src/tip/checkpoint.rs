@@ -7,7 +7,7 @@ use crate::md::system::State;
 use crate::tip::scene::TipScene;
 use serde_json::Map;
 use tribos_base::record::kept::{damaged, hex, numbers, opened, triple, vectors};
-use tribos_base::record::{CheckpointError, sealed};
+use tribos_base::record::{CheckpointError, with_digest};
 
 /// Version of the format.
 const VERSION: u64 = 3;
@@ -64,7 +64,7 @@ impl Checkpoint {
         put("turns", self.loops.turns.clone());
         put("lines", self.lines.iter().flatten().copied().collect());
         put("series", self.series.iter().flatten().copied().collect());
-        sealed(map)
+        with_digest(map)
     }
 
     /// Reads a file of the same scene, of so many atoms and numbers in a line for averages and in one

@@ -117,7 +117,7 @@ impl RunMonitor {
     /// Updates the angles.
     pub fn look(&mut self, system: &System<TipForces>) {
         for torsion in &mut self.torsions {
-            torsion.look(&system.atoms().positions);
+            torsion.update_angle(&system.atoms().positions);
         }
     }
 

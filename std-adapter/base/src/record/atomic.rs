@@ -86,7 +86,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write_atomically_there(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    let mut file = AtomicFile::begin_there(path)?;
+    let mut file = AtomicFile::begin_in_existing_folder(path)?;
     file.add(bytes)?;
     file.finish()
 }
@@ -145,7 +145,7 @@ impl AtomicFile {
     }
 
     /// The same in an existing folder.
-    fn begin_there(path: &Path) -> Result<Self, WriteError> {
+    fn begin_in_existing_folder(path: &Path) -> Result<Self, WriteError> {
         Self::begin_in(path, |_| Ok(()))
     }
 

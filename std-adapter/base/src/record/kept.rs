@@ -1,7 +1,7 @@
 //! The common format of checkpoints: JSON, in which a list of numbers is a text of 16 hexadecimal
 //! digits per number, the bits of each f64.
 
-use super::seal::unsealed;
+use super::seal::verified;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 
@@ -66,7 +66,7 @@ pub fn opened(
         found,
         read: format,
     };
-    let Some(value) = unsealed(text) else {
+    let Some(value) = verified(text) else {
         // Format 1 had no digest.
         let is_first = text.starts_with(&format!("{{\"{name}\":1,"));
         return Err(if is_first && !text.contains("\"digest\"") {

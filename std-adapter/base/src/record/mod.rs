@@ -31,7 +31,7 @@ pub use read::ReadError;
 pub use read::read_text;
 pub(crate) use seal::with_number;
 #[doc(hidden)]
-pub use seal::{digest, sealed, unsealed};
+pub use seal::{digest, verified, with_digest};
 #[doc(hidden)]
 pub use series::{series_csv, write_series};
 #[doc(hidden)]

@@ -35,7 +35,7 @@ pub fn digest(bytes: &[u8]) -> u128 {
 /// assert_eq!(unsealed(&text.replace('7', "8")), None);
 /// # Ok::<(), &str>(())
 /// ```
-pub fn sealed(object: Map<String, Value>) -> String {
+pub fn with_digest(object: Map<String, Value>) -> String {
     let is_empty = object.is_empty();
     let mut text = Value::Object(object).to_string();
     // Another key goes before the closing brace.
@@ -48,7 +48,7 @@ pub fn sealed(object: Map<String, Value>) -> String {
 }
 
 /// The object of a [`sealed`] text; `None` if any byte differs from what was written.
-pub fn unsealed(text: &str) -> Option<Value> {
+pub fn verified(text: &str) -> Option<Value> {
     let (head, kept) = parts(text)?;
     let is_whole = kept == format!("{:032x}", digest(head.as_bytes()));
     is_whole.then(|| serde_json::from_str(text).ok())?
@@ -81,10 +81,10 @@ mod tests {
             ("name".to_owned(), Value::from("tip")),
             ("numbers".to_owned(), Value::from(vec![1, 2, 3])),
         ]);
-        let text = sealed(object);
-        assert!(unsealed(&text).is_some_and(|value| value["numbers"][2] == 3));
+        let text = with_digest(object);
+        assert!(verified(&text).is_some_and(|value| value["numbers"][2] == 3));
         let bytes = text.as_bytes();
-        let read = |bytes: &[u8]| std::str::from_utf8(bytes).ok().and_then(unsealed);
+        let read = |bytes: &[u8]| std::str::from_utf8(bytes).ok().and_then(verified);
         for at in 0..bytes.len() {
             for bit in 0..8 {
                 let mut other = bytes.to_vec();
@@ -99,11 +99,11 @@ mod tests {
         // One number more is sealed with the rest.
         let more = with_number(text, "frames", 20);
         assert!(
-            unsealed(&more).is_some_and(|value| value["frames"] == 20 && value["name"] == "tip")
+            verified(&more).is_some_and(|value| value["frames"] == 20 && value["name"] == "tip")
         );
         assert_eq!(with_number("no seal".into(), "frames", 20), "no seal");
         assert_eq!(
-            unsealed(&sealed(Map::new())).map(|value| value["digest"].is_string()),
+            verified(&with_digest(Map::new())).map(|value| value["digest"].is_string()),
             Some(true)
         );
     }

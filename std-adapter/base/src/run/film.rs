@@ -3,7 +3,7 @@
 use super::long_run::{LongRun, RunError};
 use super::session::FRAMES;
 use crate::record::frames::{FrameError, FrameFolder};
-use crate::record::unsealed;
+use crate::record::verified;
 use std::path::Path;
 
 /// Default number of frames.
@@ -23,7 +23,7 @@ impl FrameRecorder {
         limit: Option<u64>,
     ) -> Result<Self, RunError<R::Error>> {
         if let Some(text) = checkpoint {
-            let said = unsealed(text).and_then(|value| value[FRAMES].as_u64());
+            let said = verified(text).and_then(|value| value[FRAMES].as_u64());
             return Self::resume(folder, run.steps(), said, limit).map_err(RunError::Frames);
         }
         let begun = match limit.unwrap_or(USUAL) {
@@ -61,7 +61,7 @@ impl FrameRecorder {
     }
 
     /// Call this for the first state and after every step.
-    pub fn look<R: LongRun>(&mut self, run: &R) {
+    pub fn offer_frame<R: LongRun>(&mut self, run: &R) {
         match &mut self.0 {
             Some(folder) if folder.wants(run.steps()) => folder.add(&run.frame()),
             _ => {}

@@ -181,7 +181,7 @@ impl<'a, R: LongRun> Session<'a, R> {
         let mut saved = Instant::now();
         loop {
             (self.progress)(&run);
-            film.look(&run);
+            film.offer_frame(&run);
             let is_cancelled = (self.cancelled)();
             if is_cancelled || (run.steps() > 0 && saved.elapsed() >= self.pause) {
                 self.save(&run, &mut film, &file)?;

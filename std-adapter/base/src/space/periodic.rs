@@ -152,7 +152,11 @@ impl PeriodicBox {
 
     /// The places from which a search looks around, for a `place` in the cell: itself and, in a sheared box,
     /// its images beyond the borders along z that are within `reach`.
-    pub(crate) fn lookouts(&self, place: Vector3<f64>, reach: f64) -> [Option<Vector3<f64>>; 3] {
+    pub(crate) fn search_origins(
+        &self,
+        place: Vector3<f64>,
+        reach: f64,
+    ) -> [Option<Vector3<f64>>; 3] {
         let mut all = [Some(place), None, None];
         if let Some(height) = self.lengths[2].filter(|_| self.offset != 0.0) {
             let moved = |levels: f64| {

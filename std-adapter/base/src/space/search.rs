@@ -80,7 +80,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             let place = self.space.wrap(&entry.position);
-            for place in self.space.lookouts(place, reach).iter().flatten() {
+            for place in self.space.search_origins(place, reach).iter().flatten() {
                 self.grid.near(place, reach, |cells| {
                     let from = (starts[*cells.start()] as usize).max(first);
                     let to = starts[cells.end() + 1] as usize;

@@ -97,7 +97,7 @@ impl Progress {
     }
 
     /// Whether the changes stay above the tolerance and no longer decrease.
-    fn is_circling(&self, goal: f64) -> bool {
+    fn is_cycling(&self, goal: f64) -> bool {
         let [early, late] = self.changes.map(|(sum, count)| sum / count as f64);
         late > goal && late > CIRCLING * early
     }
@@ -153,7 +153,7 @@ impl<I: Impulse> Accelerated<I> {
         let goal = goal.into();
         let mut end = self.iterate(problem, goal, most);
         if !end.met && rescue(problem) {
-            end.met = self.judge(problem, goal, &mut end.sweeps);
+            end.met = self.verify_by_plain_sweeps(problem, goal, &mut end.sweeps);
         }
         end
     }
@@ -183,14 +183,14 @@ impl<I: Impulse> Accelerated<I> {
             let older = 0.5 * (1.0 + (1.0 + 4.0 * age * age).sqrt());
             if change.along < 0.0 {
                 age = (LEFT * age).max(1.0);
-                self.rest(problem);
+                self.restart_momentum(problem);
             } else {
                 problem.extrapolate((age - 1.0) / older, &mut self.swept);
                 age = older;
                 sweeps += EXTRAPOLATION;
             }
         }
-        if progress.is_circling(goal.relative) {
+        if progress.is_cycling(goal.relative) {
             self.damp(problem, goal, sweeps, sweeps + most / 2)
         } else {
             Iterations { sweeps, met: false }
@@ -198,7 +198,7 @@ impl<I: Impulse> Accelerated<I> {
     }
 
     /// A few plain sweeps from impulses that should solve the problem. Tells whether they meet the tolerance.
-    fn judge<O: Operator<Impulse = I>>(
+    fn verify_by_plain_sweeps<O: Operator<Impulse = I>>(
         &mut self,
         problem: &mut O,
         goal: Tolerance,
@@ -226,7 +226,7 @@ impl<I: Impulse> Accelerated<I> {
         let middle = sweeps + (most - sweeps) / 2;
         while sweeps < most {
             let share = DAMPED[usize::from(sweeps > middle)];
-            self.rest(problem);
+            self.restart_momentum(problem);
             let mut change = GlobalChange::default();
             problem.sweep(Visit::Forward, &mut change);
             sweeps += 1;
@@ -244,7 +244,7 @@ impl<I: Impulse> Accelerated<I> {
     }
 
     /// Continues from the result of the sweep, without extrapolation.
-    fn rest<O: Operator<Impulse = I>>(&mut self, problem: &O) {
+    fn restart_momentum<O: Operator<Impulse = I>>(&mut self, problem: &O) {
         for (contact, swept) in self.swept.iter_mut().enumerate() {
             *swept = problem.impulse(contact);
         }

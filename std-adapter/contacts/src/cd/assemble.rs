@@ -67,7 +67,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         // Impacts come first, at the middle of the step's load.
         let book = self.setup.book();
         let (mut spheres, mut walls_before, mut loaded) = (&state.spheres, &state.walls, dt);
-        if impact::rebounds(book) {
+        if impact::has_restitution(book) {
             let around = Surroundings {
                 touching: [&pairs, &walls],
                 images: &images,
@@ -102,7 +102,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         }
 
         // Lasting contacts; contacts that rebound were treated as impacts.
-        let [pair, wall] = book.laws.normal().map(lasting);
+        let [pair, wall] = book.laws.normal().map(without_restitution);
         problem.pairs.clear();
         problem.images.clear();
         let mut images = Images::new(&images);
@@ -113,7 +113,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                 let (a, b) = (&spheres[a], &seen(&spheres[b], image));
                 let law = match book.mixture {
                     None => pair,
-                    Some(mixture) => lasting(mixture.of_pair(*bodies).normal),
+                    Some(mixture) => without_restitution(mixture.of_pair(*bodies).normal),
                 };
                 let contact = Contact::new(touch, &law, a, b, dt);
                 let number = problem.pairs.len() as u32;
@@ -129,7 +129,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                 let (a, b) = (&spheres[a], &walls_before[b].plate);
                 let law = match book.mixture {
                     None => wall,
-                    Some(mixture) => lasting(mixture.at_wall(*bodies).normal),
+                    Some(mixture) => without_restitution(mixture.at_wall(*bodies).normal),
                 };
                 let contact = Contact::new(touch, &law, a, b, dt);
                 problem.walls.push(Link {
@@ -139,7 +139,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             }
         }
         if self.setup.solver.warm_start {
-            state.memory.recall(problem, dt);
+            state.memory.warm_start(problem, dt);
         }
         problem.start();
         Ok(())
@@ -214,7 +214,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
 }
 
 /// The law of a contact without restitution.
-fn lasting(law: NormalLaw<f64>) -> NormalLaw<f64> {
+fn without_restitution(law: NormalLaw<f64>) -> NormalLaw<f64> {
     // 0 is a valid coefficient of restitution.
     NormalLaw::new(*law.cohesion(), 0.0).unwrap_or(law)
 }

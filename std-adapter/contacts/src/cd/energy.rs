@@ -89,7 +89,7 @@ impl EnergyBalance {
     }
 
     /// Adds one step; spheres and walls are those at its start.
-    pub fn enter<F: ContactFriction<f64>>(
+    pub fn add_step<F: ContactFriction<f64>>(
         &mut self,
         awake: &[bool],
         (before, walls): (&[SphereBody<f64>], &[Wall]),
@@ -156,7 +156,7 @@ impl EnergyBalance {
     }
 
     /// Adds the impacts of a step, before the step itself.
-    pub(super) fn enter_impacts(&mut self, taken: &Taken) {
+    pub(super) fn add_impacts(&mut self, taken: &Taken) {
         self.kinetic_initial.get_or_insert(taken.kinetic);
         self.work += taken.work;
         self.normal += taken.normal;
@@ -173,7 +173,7 @@ impl EnergyBalance {
     }
 
     /// Adds the energy of a body that is put to sleep.
-    pub fn still(&mut self, sphere: &SphereBody<f64>) {
+    pub fn add_sleep(&mut self, sphere: &SphereBody<f64>) {
         let energy = 0.5 * sphere.velocity.norm_squared() / sphere.inv_mass
             + 0.5 * sphere.spin.norm_squared() / sphere.inv_inertia;
         self.stilled += energy;

@@ -95,7 +95,7 @@ pub(super) struct Impacts<F: ContactFriction<f64>> {
 }
 
 /// Whether any contact law has restitution.
-pub(super) fn rebounds<F>(book: LawBook<'_, F>) -> bool {
+pub(super) fn has_restitution<F>(book: LawBook<'_, F>) -> bool {
     book.all().any(|law| law.normal.restitution() > 0.0)
 }
 

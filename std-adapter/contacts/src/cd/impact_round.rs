@@ -22,7 +22,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
             self.spheres.clear();
             self.spheres.extend(self.reflection.moving());
         } else {
-            let rubbed = self.rub();
+            let rubbed = self.apply_friction();
             self.counts.unmet += usize::from(!rubbed.met);
             self.spheres.clear();
             self.spheres.extend(self.friction.moving());
@@ -78,18 +78,20 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     }
 
     /// Friction under the normal impulses of the reflection.
-    fn rub(&mut self) -> Iterations {
+    fn apply_friction(&mut self) -> Iterations {
         let (source, problem) = (&self.reflection, &mut self.friction);
         problem.free.0.clear();
         problem.free.0.extend(source.moving());
         problem.free.1.clone_from(&source.plates);
         problem.pairs.clear();
         for link in source.pairs.iter() {
-            problem.join(&rough(&link));
+            problem.join(&friction_contact(&link));
         }
         problem.images.clone_from(&source.images);
         problem.walls.clear();
-        problem.walls.extend(source.walls.iter().map(rough));
+        problem
+            .walls
+            .extend(source.walls.iter().map(friction_contact));
         problem.start();
         let iterations = settle(problem, self.most_sweeps);
         let slipped = slipped(problem);
@@ -145,7 +147,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
 
 /// Contact of a reflection with friction under a given normal impulse: the impulse acts as a cohesion
 /// on a contact that cannot move along the normal.
-fn rough<M: ContactModes<f64>>(link: &Link<Frictionless>) -> Link<M> {
+fn friction_contact<M: ContactModes<f64>>(link: &Link<Frictionless>) -> Link<M> {
     let mut prepared = link.contact.prepared();
     prepared.cohesion = link.contact.impulse().normal;
     prepared.block.mass_normal = 0.0;

@@ -61,17 +61,23 @@ impl<M: ContactModes<f64>> Memory<M> {
     }
 
     /// Initialises contacts that existed before with their former force.
-    pub fn recall<F: ContactFriction<f64, Modes = M>>(&self, problem: &mut Spheres<F>, dt: f64) {
+    pub fn warm_start<F: ContactFriction<f64, Modes = M>>(
+        &self,
+        problem: &mut Spheres<F>,
+        dt: f64,
+    ) {
         let (friction, mixture) = (problem.friction, problem.mixture.as_deref());
         let pair = |bodies| mixture.map_or(friction[0], |mixture| mixture.of_pair(bodies).friction);
         let wall = |bodies| mixture.map_or(friction[1], |mixture| mixture.at_wall(bodies).friction);
-        problem.pairs.change(recalled(&self.forces[0], pair, dt));
-        let recall_wall = recalled(&self.forces[1], wall, dt);
+        problem
+            .pairs
+            .change(with_stored_forces(&self.forces[0], pair, dt));
+        let recall_wall = with_stored_forces(&self.forces[1], wall, dt);
         problem.walls.iter_mut().for_each(recall_wall);
     }
 
     /// Stores the forces of this step, and keeps those between bodies that slept through it.
-    pub fn keep<F: ContactFriction<f64, Modes = M>>(
+    pub fn store<F: ContactFriction<f64, Modes = M>>(
         &mut self,
         problem: &Spheres<F>,
         dt: f64,
@@ -105,7 +111,7 @@ pub(super) fn find<M: ContactModes<f64>>(
 
 /// Gives links their former forces; these and the links that follow one another are in ascending order of their
 /// bodies.
-fn recalled<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
+fn with_stored_forces<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
     forces: &[StoredForce<M>],
     friction: impl Fn([u32; 2]) -> F,
     dt: f64,

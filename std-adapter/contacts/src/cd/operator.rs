@@ -15,7 +15,7 @@ pub trait Monitor: Send {
     fn fork(&self) -> Self;
     /// Records one contact: the square of its impulse's change, P (the force scale of its friction), and
     /// the change of its normal speed.
-    fn see(&mut self, change_sq: f64, bound: f64, speed: f64);
+    fn record(&mut self, change_sq: f64, bound: f64, speed: f64);
     /// Records the product of a contact's change with its step before, in [`Operator::sweep_on`].
     fn follow(&mut self, along: f64) {
         let _ = along;
@@ -160,7 +160,7 @@ impl Monitor for NoMonitor {
         Self
     }
     #[inline(always)]
-    fn see(&mut self, _: f64, _: f64, _: f64) {}
+    fn record(&mut self, _: f64, _: f64, _: f64) {}
     fn join(&mut self, _: &Self) {}
 }
 
@@ -220,7 +220,7 @@ impl Monitor for GlobalChange {
     }
 
     #[inline(always)]
-    fn see(&mut self, change_sq: f64, bound: f64, speed: f64) {
+    fn record(&mut self, change_sq: f64, bound: f64, speed: f64) {
         self.speed = largest(self.speed, speed);
         self.change_sq += change_sq;
         self.bound_sq += bound * bound;
@@ -276,7 +276,7 @@ impl Monitor for LocalChange {
     }
 
     #[inline(always)]
-    fn see(&mut self, change_sq: f64, bound: f64, _: f64) {
+    fn record(&mut self, change_sq: f64, bound: f64, _: f64) {
         // A zero change has converged for any bound; NaN has not.
         let rests = change_sq <= self.tolerance_sq * bound * bound;
         self.count += usize::from(!rests);

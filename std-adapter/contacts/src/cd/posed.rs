@@ -29,7 +29,7 @@ struct Freedoms {
 impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
     /// The problem as data; `None` if one of its laws has no such form: sliding and torsion under a common set that
     /// is no ellipsoid, or an open gap under a resistance.
-    pub fn posed(&self) -> Option<Posed> {
+    pub fn to_problem(&self) -> Option<Posed> {
         let mut posing = Posing::<F::Modes>::new(self);
         let mut images = Images::new(&self.images);
         for (number, link) in self.pairs.iter().enumerate() {
@@ -69,7 +69,7 @@ impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
     }
 
     /// Takes over the impulses of a solution, as far as the contacts admit them, and the velocities that follow.
-    pub fn take(&mut self, posed: &Posed, impulses: &[f64]) {
+    pub fn apply_solution(&mut self, posed: &Posed, impulses: &[f64]) {
         let layout = posed.problem.layout();
         for (contact, (r, t)) in impulses
             .chunks_exact(layout.size())

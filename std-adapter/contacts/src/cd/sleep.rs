@@ -59,7 +59,7 @@ impl Sleep {
     }
 
     /// Number of steps for which each body has been slow.
-    pub fn still(&self) -> &[u8] {
+    pub fn slow_steps(&self) -> &[u8] {
         &self.still
     }
 
@@ -132,7 +132,7 @@ impl Sleep {
             let awake = restless[find(&mut self.group, body as u32) as usize];
             if self.awake[body] && !awake {
                 let sphere = &mut spheres[body];
-                energy.still(sphere);
+                energy.add_sleep(sphere);
                 sphere.velocity.fill(0.0);
                 sphere.spin.fill(0.0);
             }

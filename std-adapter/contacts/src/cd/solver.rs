@@ -116,9 +116,9 @@ where
     F: ContactFriction<f64> + Coefficients,
 {
     let most_cost = DEARER * A_CONTACT * (problem.contacts() * most) as f64;
-    let posed = problem.posed()?;
+    let posed = problem.to_problem()?;
     let reduced = posed.problem.reduced().ok()?;
     let found = solve_directly(&reduced, FINER * tolerance, most_cost)?;
-    problem.take(&posed, &found.impulses);
+    problem.apply_solution(&posed, &found.impulses);
     Some(())
 }

@@ -143,7 +143,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     }
 
     /// Number of pairs that are solved four at a time.
-    pub fn side_by_side(&self) -> usize {
+    pub fn lane_pairs(&self) -> usize {
         self.grouping.count()
     }
 

@@ -120,7 +120,7 @@ impl Way {
 fn show<W: Monitor>([change_sq, bound, speed, along]: &Records, way: Way, watch: &mut W) {
     for turn in 0..LANES {
         let lane = way.place(turn, LANES);
-        watch.see(change_sq[lane], bound[lane], speed[lane]);
+        watch.record(change_sq[lane], bound[lane], speed[lane]);
         watch.follow(along[lane]);
     }
 }
@@ -207,7 +207,7 @@ impl Seen {
     #[inline(always)]
     pub fn tell<W: Monitor>(&self, watch: &mut W) {
         let [change_sq, bound, speed] = self.change;
-        watch.see(change_sq, bound, speed);
+        watch.record(change_sq, bound, speed);
         if let Some(along) = self.along {
             watch.follow(along);
         }

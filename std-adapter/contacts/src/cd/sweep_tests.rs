@@ -77,9 +77,9 @@ fn swept<F: ContactFriction<f64>>(threads: usize, lanes: Lanes, friction: F) -> 
         let mut problem = tangle(friction);
         if lanes == Lanes::One {
             problem.without_lanes();
-            assert_eq!(problem.side_by_side(), 0);
+            assert_eq!(problem.lane_pairs(), 0);
         } else {
-            assert!(10 * problem.side_by_side() > 9 * problem.pairs.len());
+            assert!(10 * problem.lane_pairs() > 9 * problem.pairs.len());
         }
         let mut seen = Vec::new();
         for visit in [Visit::Forward, Visit::Backward, Visit::Forward] {

@@ -142,7 +142,7 @@ fn edges_and_corners_push_along_the_line_to_the_centre() -> Tested {
         // The problem as data has the same solution.
         let posed = world
             .problem()
-            .posed()
+            .to_problem()
             .ok_or("a problem without contacts")?;
         let solved = crate::problem::solve(&posed.problem.reduced()?, &Default::default(), |_| ());
         let weight = 4.0 / 3.0 * std::f64::consts::PI * normal.z * dt;

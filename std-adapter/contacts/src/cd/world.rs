@@ -214,7 +214,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             let speed = self.fastest(self.problem.moving(), &self.problem.plates)?;
             // Contacts were searched up to the distance that two bodies can cover with this motion.
             if speed * dt <= 2.0 * self.setup.step_limits.motion {
-                return Ok(self.commit(dt, answer));
+                return Ok(self.apply_step(dt, answer));
             }
             dt *= 0.5;
         }
@@ -263,12 +263,12 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 
     /// Applies the solution: velocities, positions, memory, energy.
-    fn commit(&mut self, dt: f64, answer: Answer) -> StepReport {
+    fn apply_step(&mut self, dt: f64, answer: Answer) -> StepReport {
         let residual = residual(&self.problem);
         let (problem, state) = (&self.problem, &mut self.state);
         let (mut before, mut loaded) = ((&state.spheres[..], &state.walls[..]), dt);
-        let counts = if impact::rebounds(self.setup.book()) {
-            state.energy.enter_impacts(&self.impacts.taken);
+        let counts = if impact::has_restitution(self.setup.book()) {
+            state.energy.add_impacts(&self.impacts.taken);
             before = (&self.impacts.spheres, &self.impacts.walls);
             loaded = 0.5 * dt;
             self.impacts.counts
@@ -278,7 +278,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let gravity = &self.setup.gravity;
         state
             .energy
-            .enter(state.sleep.awake(), before, problem, gravity, loaded);
+            .add_step(state.sleep.awake(), before, problem, gravity, loaded);
         state.spheres.clear();
         state.spheres.extend(problem.moving());
         for (x, sphere) in state.positions.iter_mut().zip(&state.spheres) {
@@ -288,7 +288,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             wall.plate = *plate;
             wall.place += wall.outward.dot(&plate.velocity) * dt;
         }
-        state.memory.keep(problem, dt, state.sleep.awake());
+        state.memory.store(problem, dt, state.sleep.awake());
         let awake = state.sleep.awake().iter().filter(|awake| **awake).count();
         state.sleep.settle(
             self.setup.sleep_speed,

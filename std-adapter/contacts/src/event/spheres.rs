@@ -123,7 +123,7 @@ impl HardSpheres {
         if let Some(bad) = bodies.iter().position(|body| !is_good(body)) {
             return Err(EventError::NotFinite(bad));
         }
-        apart(length, bodies)?;
+        check_overlaps(length, bodies)?;
         let cells = Cells::new(length, bodies.len());
         let bodies = bodies.iter().map(|(place, motion)| {
             let place = place.map(|x| x - length * (x / length).floor());
@@ -181,10 +181,10 @@ impl HardSpheres {
     pub fn advance(&mut self, collisions: u64, until: f64) -> Advance {
         while self.totals.collisions < collisions {
             let Some(next) = self.queue.first() else {
-                return self.fly(until, Advance::Rest);
+                return self.advance_all_to(until, Advance::Rest);
             };
             if next.time > until {
-                return self.fly(until, Advance::Time);
+                return self.advance_all_to(until, Advance::Time);
             }
             let Some(event) = self.queue.pop() else {
                 return Advance::Rest;
@@ -194,7 +194,7 @@ impl HardSpheres {
             }
             if event.b == CELL {
                 self.cross(event);
-            } else if self.collide(event) && self.stands() {
+            } else if self.collide(event) && self.is_stalled() {
                 return Advance::Collapse;
             }
             let bodies = &self.bodies;
@@ -204,7 +204,7 @@ impl HardSpheres {
     }
 
     /// Lets all spheres fly on to a time, if there is one.
-    fn fly(&mut self, until: f64, why: Advance) -> Advance {
+    fn advance_all_to(&mut self, until: f64, why: Advance) -> Advance {
         if until.is_finite() && until > self.totals.time {
             self.totals.time = until;
         }
@@ -296,7 +296,7 @@ impl HardSpheres {
     }
 
     /// Whether time has stood still for a burst of collisions.
-    fn stands(&mut self) -> bool {
+    fn is_stalled(&mut self) -> bool {
         if self
             .totals
             .collisions
@@ -383,12 +383,12 @@ impl HardSpheres {
     }
 
     /// Number of collisions within the contact time.
-    pub fn cured(&self) -> u64 {
+    pub fn lossless_collisions(&self) -> u64 {
         self.totals.cured
     }
 
     /// Energy lost since the start.
-    pub fn lost(&self) -> f64 {
+    pub fn dissipated_energy(&self) -> f64 {
         self.totals.lost
     }
 
@@ -446,7 +446,7 @@ fn is_live(bodies: &[Body], event: &Event) -> bool {
 }
 
 /// Refuses spheres that overlap.
-fn apart(length: f64, bodies: &[(Vector3<f64>, Motion)]) -> Result<(), EventError> {
+fn check_overlaps(length: f64, bodies: &[(Vector3<f64>, Motion)]) -> Result<(), EventError> {
     let space = PeriodicBox::new([Some(length); 3]).map_err(|_| EventError::Length(length))?;
     let places: Vec<_> = bodies.iter().map(|(place, _)| *place).collect();
     let radii = vec![1.0; places.len()];

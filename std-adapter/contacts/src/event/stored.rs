@@ -34,7 +34,7 @@ impl HardSpheres {
 
     /// Spheres that go on from a stored state.
     #[doc(hidden)]
-    pub fn thawed(stored: Stored, length: f64, law: Impact, contact_time: f64) -> Self {
+    pub fn restore(stored: Stored, length: f64, law: Impact, contact_time: f64) -> Self {
         Self::of(length, law, contact_time, stored.bodies, stored.totals)
     }
 }

@@ -62,7 +62,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
     }
 
     /// Margin that fits into the periods.
-    pub(super) fn usual_skin(&self) -> f64 {
+    pub(super) fn default_skin(&self) -> f64 {
         let smallest = self
             .setup
             .radii

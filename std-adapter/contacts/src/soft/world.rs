@@ -124,7 +124,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             at_walls: Vec::new(),
             setup,
         };
-        world.skin = world.usual_skin();
+        world.skin = world.default_skin();
         world
     }
 

@@ -5,7 +5,7 @@ use super::run::{GasStopReason, Row};
 use crate::gas::scene::GasScene;
 use serde_json::{Map, Value};
 use tribos_base::record::kept::{damaged, groups, hex, one, opened};
-use tribos_base::record::{CheckpointError, sealed};
+use tribos_base::record::{CheckpointError, with_digest};
 
 /// Version of the format.
 const VERSION: u64 = 1;
@@ -34,7 +34,7 @@ impl Checkpoint {
         map.insert("wall_seconds".into(), hex(&[self.wall_seconds]).into());
         map.insert("gas_steps".into(), self.steps.into());
         map.insert("ending".into(), self.ending.map(GasStopReason::name).into());
-        sealed(map)
+        with_digest(map)
     }
 
     /// Reads a checkpoint of the same scene.

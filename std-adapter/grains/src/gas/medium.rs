@@ -45,7 +45,7 @@ impl GasEngine {
         match kept {
             EngineCheckpoint::Events(stored) => {
                 let (law, tc) = (scene.impact()?, scene.contact_time);
-                let gas = HardSpheres::thawed(stored, length, law, tc);
+                let gas = HardSpheres::restore(stored, length, law, tc);
                 Ok(Self::Events(Box::new(gas)))
             }
             EngineCheckpoint::Steps(kept) => {
@@ -95,7 +95,7 @@ impl GasEngine {
     /// Energy lost in collisions since the start.
     pub fn lost(&self) -> f64 {
         match self {
-            Self::Events(gas) => gas.lost(),
+            Self::Events(gas) => gas.dissipated_energy(),
             Self::Steps(gas) => gas.lost(),
         }
     }
@@ -103,7 +103,7 @@ impl GasEngine {
     /// Collisions without loss within the contact time.
     pub fn cured(&self) -> u64 {
         match self {
-            Self::Events(gas) => gas.cured(),
+            Self::Events(gas) => gas.lossless_collisions(),
             Self::Steps(_) => 0,
         }
     }

@@ -54,7 +54,7 @@ impl TimeSteppedGas {
         // A new packing at rest, with the motions put in.
         let places = bodies.iter().map(|(place, _)| *place).collect();
         let still = Self::built(scene, length, places, None)?;
-        let mut frozen = still.packing.freeze();
+        let mut frozen = still.packing.snapshot();
         for (motion, (_, given)) in frozen.motions.iter_mut().zip(bodies) {
             *motion = [given.velocity, given.spin];
         }
@@ -114,7 +114,7 @@ impl TimeSteppedGas {
         self.unmet += u64::from(report.impacts_cut || report.impacts_unmet > 0);
         if let Some(before) = self.touching.take() {
             let now = self.overlapping()?;
-            self.collisions += begun(&before, &now);
+            self.collisions += new_contacts(&before, &now);
             self.touching = Some(now);
         }
         Ok(())
@@ -173,7 +173,7 @@ impl TimeSteppedGas {
     /// What a checkpoint holds.
     pub fn kept(&self) -> TimeSteppedState {
         TimeSteppedState {
-            frozen: self.packing.freeze(),
+            frozen: self.packing.snapshot(),
             collisions: self.collisions,
             unmet: self.unmet,
         }
@@ -181,7 +181,7 @@ impl TimeSteppedGas {
 }
 
 /// Number of pairs that are not among those before; both in ascending order.
-fn begun(before: &[[u32; 2]], now: &[[u32; 2]]) -> u64 {
+fn new_contacts(before: &[[u32; 2]], now: &[[u32; 2]]) -> u64 {
     let mut before = before.iter().peekable();
     let is_new = |pair: &&[u32; 2]| {
         while before.next_if(|old| old < pair).is_some() {}

@@ -76,7 +76,7 @@ impl Body<{ COLUMNS.len() }> for GrainsBody {
         *slow >= SLOW_STEPS
     }
 
-    fn put(SlowStepCount(slow): &SlowStepCount, map: &mut Map<String, Value>) {
+    fn write_checkpoint(SlowStepCount(slow): &SlowStepCount, map: &mut Map<String, Value>) {
         map.insert("slow".into(), (*slow).into());
     }
 

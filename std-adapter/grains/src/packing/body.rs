@@ -37,7 +37,7 @@ pub(crate) trait Body<const N: usize>: Debug {
     fn is_over(&self, watch: &mut Self::Watch, seen: &MeasuredState) -> bool;
 
     /// Adds what is remembered to a checkpoint.
-    fn put(watch: &Self::Watch, map: &mut Map<String, Value>);
+    fn write_checkpoint(watch: &Self::Watch, map: &mut Map<String, Value>);
     /// Reads what is remembered from a checkpoint.
     fn read(value: &Value) -> Result<Self::Watch, CheckpointError>;
 }

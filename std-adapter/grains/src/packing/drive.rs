@@ -13,7 +13,7 @@ use std::time::Instant;
 use tribos_base::golden::{Digest, Measurement, contacts, digest};
 use tribos_base::record::frames::{Bodies, ContactStateFlags, Frame, FrameContact, Kind};
 use tribos_base::record::kept::hex;
-use tribos_base::record::{ContactRow, Snapshot, json_number, sealed};
+use tribos_base::record::{ContactRow, Snapshot, json_number, with_digest};
 use tribos_contacts::cd::{EnergyBalance, StepReport};
 use tribos_contacts::problem::GlobalProblem;
 
@@ -103,7 +103,7 @@ impl<B: Body<N>, const N: usize> PackingDriver<B, N> {
         self.totals.add(&seen.report);
         self.check_overlap()?;
         if B::CADENCE == MeasurementSchedule::Steps {
-            self.look()?;
+            self.measure_step()?;
         }
 
         // Lines of the series; the last state is one of them.
@@ -115,7 +115,7 @@ impl<B: Body<N>, const N: usize> PackingDriver<B, N> {
         };
         let is_line = ending.is_some() || self.steps().is_multiple_of(bounds.samples);
         if is_line && B::CADENCE == MeasurementSchedule::Lines {
-            self.look()?;
+            self.measure_step()?;
         }
         if is_line {
             self.judge_overlap()?;
@@ -158,7 +158,7 @@ impl<B: Body<N>, const N: usize> PackingDriver<B, N> {
     }
 
     /// Finds the contacts after a step and measures them.
-    fn look<P: Error>(&mut self) -> Result<(), PackingRunError<P>> {
+    fn measure_step<P: Error>(&mut self) -> Result<(), PackingRunError<P>> {
         self.find_contacts()?;
         self.body.measure(&mut self.watch, &self.seen);
         Ok(())
@@ -248,15 +248,15 @@ impl<B: Body<N>, const N: usize> PackingDriver<B, N> {
         map.insert("scene".into(), self.body.scene());
         // Read by runs that start from this state.
         self.shape().put(&mut map);
-        self.seen.packing.freeze().put(&mut map);
+        self.seen.packing.snapshot().put(&mut map);
         self.totals().put(&mut map);
         put_report(&self.seen.report, &mut map);
         map.insert(ORIGIN.into(), self.origin.clone().into());
-        B::put(&self.watch, &mut map);
+        B::write_checkpoint(&self.watch, &mut map);
         let series: Vec<f64> = self.series.iter().flatten().copied().collect();
         map.insert("series".into(), hex(&series).into());
         map.insert("ending".into(), self.ending.map(Ending::name).into());
-        sealed(map)
+        with_digest(map)
     }
 
     /// The current state as a file, from which a run of another scene can start.
@@ -264,7 +264,7 @@ impl<B: Body<N>, const N: usize> PackingDriver<B, N> {
         let stored = Stored {
             scene: self.body.scene(),
             shape: self.shape(),
-            frozen: self.seen.packing.freeze(),
+            frozen: self.seen.packing.snapshot(),
         };
         stored.text()
     }

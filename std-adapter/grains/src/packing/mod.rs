@@ -142,7 +142,7 @@ pub(crate) trait Packing: Debug {
     /// that was asked for leaves.
     fn is_rigid(&self) -> bool;
     /// The complete state of a run.
-    fn freeze(&self) -> WorldSnapshot;
+    fn snapshot(&self) -> WorldSnapshot;
 }
 
 /// Builds a packing at its start or from a stored state. Modes whose coefficient is zero are omitted if a

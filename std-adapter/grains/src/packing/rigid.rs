@@ -169,13 +169,13 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
     }
     let mut world = World::new(setup)?;
     if let Some(frozen) = frozen {
-        thaw(frozen, world.state_mut());
+        restore(frozen, world.state_mut());
     }
     Ok(Box::new(world))
 }
 
 /// Restores a stored state in a new world of the same bodies.
-fn thaw<M: ContactModes<f64>>(frozen: &WorldSnapshot, state: &mut WorldState<M>) {
+fn restore<M: ContactModes<f64>>(frozen: &WorldSnapshot, state: &mut WorldState<M>) {
     state.time = frozen.time;
     state.steps = frozen.steps;
     state.positions.clone_from(&frozen.positions);
@@ -276,7 +276,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
     }
 
     fn problem(&self) -> Option<GlobalProblem> {
-        self.problem().posed().map(|posed| posed.problem)
+        self.problem().to_problem().map(|posed| posed.problem)
     }
 
     fn is_rigid(&self) -> bool {
@@ -323,7 +323,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         Ok(rows)
     }
 
-    fn freeze(&self) -> WorldSnapshot {
+    fn snapshot(&self) -> WorldSnapshot {
         let state = self.state();
         WorldSnapshot {
             time: state.time,
@@ -340,7 +340,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             forces: forces(&state.memory),
             impacts: forces(&state.impacts),
             awake: state.sleep.awake().to_vec(),
-            still: state.sleep.still().to_vec(),
+            still: state.sleep.slow_steps().to_vec(),
             origin: None,
         }
     }

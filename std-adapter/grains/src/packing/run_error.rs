@@ -97,7 +97,7 @@ impl<P: Error + 'static> PackingRunError<P> {
     /// assert!(refused.is_err_and(|error| !error.is_of_course()));
     /// ```
     #[doc(hidden)]
-    pub fn is_of_course(&self) -> bool {
+    pub fn is_runtime_failure(&self) -> bool {
         matches!(
             self,
             Self::World(_) | Self::Touch { .. } | Self::NotFinite { .. } | Self::Overlap { .. }

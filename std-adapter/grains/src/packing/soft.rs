@@ -190,7 +190,7 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
         self.world.setup().space
     }
 
-    fn freeze(&self) -> WorldSnapshot {
+    fn snapshot(&self) -> WorldSnapshot {
         let state = self.world.state();
         let bodies = state.spheres.len();
         WorldSnapshot {

@@ -4,7 +4,7 @@ use super::{Kinds, WorldSnapshot};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use tribos_base::record::kept::{damaged, groups, hex, numbers, of_other_body, triple};
-use tribos_base::record::{CheckpointError, ContactRow, Partner, sealed, unsealed};
+use tribos_base::record::{CheckpointError, ContactRow, Partner, verified, with_digest};
 use tribos_base::space::PeriodicBox;
 
 /// Name of the file in the folder of a run.
@@ -83,12 +83,12 @@ impl Stored {
         map.insert("scene".into(), self.scene.clone());
         self.shape.put(&mut map);
         self.frozen.put(&mut map);
-        sealed(map)
+        with_digest(map)
     }
 
     /// Reads a state, or the state in a checkpoint of any kind.
     pub fn read(text: &str) -> Result<Self, CheckpointError> {
-        let value = unsealed(text)
+        let value = verified(text)
             .ok_or_else(|| CheckpointError::Format("its digest is not that of its bytes".into()))?;
         match value[NAME].as_u64() {
             Some(found) if found != VERSION => {

@@ -183,7 +183,7 @@ impl Body<{ COLUMNS.len() }> for PowderBody {
         means.is_blocked(scene.blocked, scene.pressure, self.area())
     }
 
-    fn put(watch: &Watch, map: &mut Map<String, Value>) {
+    fn write_checkpoint(watch: &Watch, map: &mut Map<String, Value>) {
         let complete = watch
             .complete
             .iter()

@@ -4,7 +4,7 @@ use crate::powder::scene::{BlockedCriterion, PowderScene};
 use nalgebra::{Matrix3, Vector3};
 use std::cell::Cell;
 use tribos_base::record::frames::FrameError;
-use tribos_base::record::sealed;
+use tribos_base::record::with_digest;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::run::{FRAMES, RunError, Session, Simulation, StartMode, run_to_end};
 
@@ -459,7 +459,7 @@ fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
         let mut map = whole.clone();
         map.remove("digest");
         map.insert(name.into(), value);
-        refusal(&here, &sealed(map))
+        refusal(&here, &with_digest(map))
     };
     for name in [
         "positions",

@@ -194,7 +194,7 @@ pub fn fit_watched(
 ) -> Result<Fit, FitError> {
     let unknowns = Unknowns::new(model, &options.fixed)?;
     let search = search(&unknowns, data, options.starts, watch)?;
-    Ok(search.judged(&unknowns, data.sigma().is_some()))
+    Ok(search.with_standard_errors(&unknowns, data.sigma().is_some()))
 }
 
 impl Fit {

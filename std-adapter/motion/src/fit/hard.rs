@@ -139,8 +139,8 @@ impl Model for Whole<'_> {
     fn start(&self, unit: &[f64]) -> Vec<f64> {
         self.0.start(unit)
     }
-    fn repair(&self, values: &mut [f64], is_free: &[bool]) {
-        self.0.repair(values, is_free);
+    fn project_to_valid(&self, values: &mut [f64], is_free: &[bool]) {
+        self.0.project_to_valid(values, is_free);
     }
 }
 

@@ -15,7 +15,7 @@ struct FreeCoordinates {
 
 impl Search {
     /// The fit with its standard errors.
-    pub fn judged(self, unknowns: &Unknowns<'_>, is_weighted: bool) -> Fit {
+    pub fn with_standard_errors(self, unknowns: &Unknowns<'_>, is_weighted: bool) -> Fit {
         let values = unknowns.values(&self.best.q);
         let freedoms = self.residuals.len() - unknowns.sought.len();
         let scatter = (self.best.cost / freedoms as f64).sqrt();

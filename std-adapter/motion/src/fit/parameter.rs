@@ -80,11 +80,11 @@ pub trait Model {
 
     /// Moves values to the nearest that the law admits if parameters bound each other. Values
     /// that are not free must not change.
-    fn repair(&self, _values: &mut [f64], _is_free: &[bool]) {}
+    fn project_to_valid(&self, _values: &mut [f64], _is_free: &[bool]) {}
 
     /// The same model for a subset of the points, in rising order and including the first; `None`
     /// if it needs all points. Fits of many points search on such a sample first.
-    fn thinned(&self, _points: &[usize]) -> Option<Box<dyn Model>> {
+    fn subsample(&self, _points: &[usize]) -> Option<Box<dyn Model>> {
         None
     }
 }

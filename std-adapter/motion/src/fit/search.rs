@@ -79,7 +79,7 @@ impl<'a> Unknowns<'a> {
         let before = self.values(q);
         let mut values = before.clone();
         let is_free: Vec<bool> = self.fixed.iter().map(Option::is_none).collect();
-        self.model.repair(&mut values, &is_free);
+        self.model.project_to_valid(&mut values, &is_free);
         for (x, &j) in q.iter_mut().zip(&self.sought) {
             if values[j] != before[j] {
                 *x = self.range(j).coordinate(values[j]);
@@ -176,7 +176,7 @@ pub(super) fn search(
     let target = WeightedData::new(data);
     let points = sample(data);
     let thinned = points.as_deref().and_then(|points| {
-        let model = unknowns.model.thinned(points)?;
+        let model = unknowns.model.subsample(points)?;
         Some((model, target.thinned(points)))
     });
     let lengths = unknowns.lengths(&starts);

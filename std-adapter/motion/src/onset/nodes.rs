@@ -47,7 +47,9 @@ pub(super) fn spread(
 fn of_round(patch: &Patch, radius: f64) -> Result<Vec<Node<f64>>, FrictionError> {
     Ok(match patch {
         // Smoother across the rings than nodes at the middles of equal shares.
-        Patch::Annulus(inner) => squeezed(&on_rings(&Patch::Disk, radius)?, *inner, radius),
+        Patch::Annulus(inner) => {
+            map_disk_to_annulus(&on_rings(&Patch::Disk, radius)?, *inner, radius)
+        }
         _ => on_rings(patch, radius)?,
     })
 }
@@ -57,7 +59,7 @@ fn on_rings(patch: &Patch, radius: f64) -> Result<Vec<Node<f64>>, FrictionError>
 }
 
 /// The nodes of a disk moved into the annulus with the same shares of the area: r² is linear in r².
-fn squeezed(disk: &[Node<f64>], inner: f64, radius: f64) -> Vec<Node<f64>> {
+fn map_disk_to_annulus(disk: &[Node<f64>], inner: f64, radius: f64) -> Vec<Node<f64>> {
     let moved = |node: &Node<f64>| {
         let square = (node.x * node.x + node.y * node.y) / (radius * radius);
         let factor = (inner * inner / square + (1.0 - inner * inner)).sqrt();

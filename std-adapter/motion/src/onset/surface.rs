@@ -236,7 +236,7 @@ impl RaySetup<'_> {
                      search goes, some 4e8 strains",
                     share(i)
                 ))),
-                Some(onset) => Ok(self.judged(share(i), onset, &direction)),
+                Some(onset) => Ok(self.compared_with_limit(share(i), onset, &direction)),
                 None => Err(FrictionError::Syntax(format!(
                     "along the ray of {} degrees the onset is out of the range of numbers: take units in which \
                      lengths and loads are nearer to 1",
@@ -254,7 +254,12 @@ impl RaySetup<'_> {
     }
 
     /// An onset beside the limit surfaces.
-    fn judged(&self, share: f64, mut onset: SlipOnset<f64>, direction: &Twist<f64>) -> OnsetPoint {
+    fn compared_with_limit(
+        &self,
+        share: f64,
+        mut onset: SlipOnset<f64>,
+        direction: &Twist<f64>,
+    ) -> OnsetPoint {
         if onset.release == FailureMode::Yields {
             // What yielding bonds hold is known exactly.
             onset.push = self.at_centre(&-self.limit.wrench(&self.at_origin_twist(direction)));

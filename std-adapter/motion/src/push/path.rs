@@ -191,7 +191,7 @@ pub fn push_path(set: &dyn FrictionSet<f64>, drive: &Pusher) -> Result<PushPath,
             // A rest that is too short for a step is taken along.
             let left = until - time;
             let length = if step > left - shortest { left } else { step };
-            let (next, error) = path.stepped(time, &state, length)?;
+            let (next, error) = path.step_with_error(time, &state, length)?;
             steps += 1;
             let allowed = drive.tolerance * length / drive.duration + path.rounding(time, &state);
             let at = path.moment(time + length, &next)?;
@@ -351,7 +351,7 @@ impl<'a> Path<'a> {
     }
 
     /// One step of fourth order.
-    fn leap(&self, time: f64, from: &State, length: f64) -> Result<State, PushError> {
+    fn rk4_step(&self, time: f64, from: &State, length: f64) -> Result<State, PushError> {
         let half = 0.5 * length;
         let first = self.rate(time, from)?;
         let second = self.rate(time + half, &(from + first * half))?;
@@ -361,11 +361,16 @@ impl<'a> Path<'a> {
     }
 
     /// Two steps of half the length, and their error.
-    fn stepped(&self, time: f64, from: &State, length: f64) -> Result<(State, f64), PushError> {
+    fn step_with_error(
+        &self,
+        time: f64,
+        from: &State,
+        length: f64,
+    ) -> Result<(State, f64), PushError> {
         let half = 0.5 * length;
-        let whole = self.leap(time, from, length)?;
-        let middle = self.leap(time, from, half)?;
-        let halves = self.leap(time + half, &middle, half)?;
+        let whole = self.rk4_step(time, from, length)?;
+        let middle = self.rk4_step(time, from, half)?;
+        let halves = self.rk4_step(time + half, &middle, half)?;
         let off = halves - whole;
         let turn = off.z * self.set.radius();
         let error = Real::hypot(Real::hypot(off.x, off.y), turn);

@@ -50,14 +50,14 @@ impl DiskScene {
             let friction = AnyFriction::<f64>::new(&Patch::Disk, &law, None)?;
             return Ok(timed(&|v, w| both(friction.reduced_wrench(v, w))));
         };
-        let tier = Tier::serving::<f64>(&Patch::Disk, &law, None)?;
+        let tier = Tier::choose::<f64>(&Patch::Disk, &law, None)?;
         Ok(visit_disk(alpha, tier, EvaluationTiming)?)
     }
 }
 
 /// Method of evaluation in the tier chosen for the law.
 pub(crate) fn of_law(patch: &Patch, law: &Law) -> Result<Evaluation, SlideError> {
-    Ok(Tier::serving::<f64>(patch, law, None)?.evaluation(patch, law))
+    Ok(Tier::choose::<f64>(patch, law, None)?.evaluation(patch, law))
 }
 
 /// Times the kernel's type for this friction.

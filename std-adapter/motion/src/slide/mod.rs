@@ -179,7 +179,7 @@ pub fn run(scene: &DiskScene, progress: impl FnMut(f64)) -> Result<SlideRun, Sli
     if let Some(law) = &scene.law {
         return run_law(scene, law, progress);
     }
-    let tier = Tier::serving::<f64>(&Patch::Disk, &scene.law()?, None)?;
+    let tier = Tier::choose::<f64>(&Patch::Disk, &scene.law()?, None)?;
     visit_disk(scene.alpha, tier, Run { scene, progress })?
 }
 

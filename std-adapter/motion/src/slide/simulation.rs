@@ -123,14 +123,14 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
             steps: 0,
         };
         simulation.end = simulation
-            .scout()?
+            .estimate_end_time()?
             .min(scene.duration.unwrap_or(f64::INFINITY));
         simulation.length = simulation.choose_length()?;
         Ok(simulation)
     }
 
     /// Time of rest (α < 1), or the time at which both speeds have faded.
-    fn scout(&self) -> Result<f64, SlideError> {
+    fn estimate_end_time(&self) -> Result<f64, SlideError> {
         if let Some(rest) = &self.coming {
             return Ok(rest.motion.time);
         }

@@ -79,7 +79,7 @@ impl<F: Functions> LaneLoop for DensityPass<'_, F> {
                 let [x, y, z] = ways(key, &place, block, sites);
                 let r_sq = x * x + y * y + z * z;
                 // Blocks beyond the cut-off would add zeros.
-                let is_near = r_sq.which_below(cutoff_sq) != 0;
+                let is_near = r_sq.less_mask(cutoff_sq) != 0;
                 near.push(is_near);
                 if !is_near {
                     continue;

@@ -137,8 +137,8 @@ impl RowWriter {
         for block in blocks {
             let [x, y, z] = ways(key, &place, block, around.sites);
             let r_sq = x * x + y * y + z * z;
-            let inner = r_sq.which_below(cutoff_sq);
-            let outer = r_sq.which_below(reach_sq);
+            let inner = r_sq.less_mask(cutoff_sq);
+            let outer = r_sq.less_mask(reach_sq);
             near.keep::<N>(key, block, inner);
             far.keep::<N>(key, block, outer & !inner);
         }

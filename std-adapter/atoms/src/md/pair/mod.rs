@@ -103,7 +103,7 @@ impl<L: PairLaw, S: Accumulator> LaneLoop for Loop<'_, L, S> {
                 let [x, y, z] = way;
                 let r_sq = x * x + y * y + z * z;
                 // Blocks beyond the cut-off would add zeros.
-                if r_sq.which_below(reach_sq) == 0 {
+                if r_sq.less_mask(reach_sq) == 0 {
                     continue;
                 }
                 let kinds = law.kinds(&own, block, sites);

@@ -158,14 +158,14 @@ impl<I: Interaction> System<I> {
                 (MotionConstraint::Turning { axis, rate }, _) => self.turn(index, axis, rate),
                 (_, Thermostat::Langevin(thermostat)) => {
                     self.go(index, 0.5 * time);
-                    self.shake(index, &thermostat);
+                    self.langevin_kick(index, &thermostat);
                     self.go(index, 0.5 * time);
                 }
                 (_, _) => self.go(index, time),
             }
         }
         self.steps += 1;
-        self.refuse_flights()
+        self.check_displacements()
     }
 
     fn go(&mut self, index: usize, time: f64) {
@@ -188,7 +188,7 @@ impl<I: Interaction> System<I> {
     }
 
     /// Refuses velocities that carry an atom by more than half the cut-off in a step.
-    fn refuse_flights(&self) -> Result<(), SystemError> {
+    fn check_displacements(&self) -> Result<(), SystemError> {
         let limit = 0.5 * self.interaction.cutoff() / self.time_step;
         let is_flight = |velocity: &Vector3<f64>| {
             let speed_sq = velocity.norm_squared();

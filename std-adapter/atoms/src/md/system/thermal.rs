@@ -213,7 +213,7 @@ impl<I: Interaction> System<I> {
     }
 
     /// Applies friction and noise over a whole step, along the free axes.
-    pub(super) fn shake(&mut self, index: usize, thermostat: &Langevin) {
+    pub(super) fn langevin_kick(&mut self, index: usize, thermostat: &Langevin) {
         let [kept, unit] = thermostat.factors(self.time_step);
         let is_flat = matches!(
             self.groups[index].hold,

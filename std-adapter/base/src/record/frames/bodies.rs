@@ -1,6 +1,6 @@
 //! The data that all frames of a run share.
 
-use crate::record::{digest, sealed, unsealed};
+use crate::record::{digest, verified, with_digest};
 use serde_json::{Map, Value, json};
 
 /// The version of `bodies.json`.
@@ -130,8 +130,8 @@ impl Bodies {
             value["marked"] = json!(self.marked);
         }
         match value {
-            Value::Object(map) => sealed(map),
-            _ => sealed(Map::new()),
+            Value::Object(map) => with_digest(map),
+            _ => with_digest(Map::new()),
         }
     }
 
@@ -143,7 +143,7 @@ impl Bodies {
 
     /// Parses the text of `bodies.json`; `None` if it is invalid.
     pub(super) fn parse(text: &str) -> Option<Self> {
-        let value = unsealed(text)?;
+        let value = verified(text)?;
         if value["format"].as_u64() != Some(FORMAT) {
             return None;
         }

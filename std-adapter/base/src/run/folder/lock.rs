@@ -106,7 +106,7 @@ impl Lock {
     /// Call this before writing: it fails if the folder at this path is not the one that was locked.
     /// In that case it was moved or deleted, or the lock was removed, and another command may use it.
     pub fn check(&self) -> Result<(), FolderError> {
-        if self.is_mine() {
+        if self.is_own() {
             return Ok(());
         }
         Err(FolderError::Access(format!(
@@ -117,7 +117,7 @@ impl Lock {
         )))
     }
 
-    fn is_mine(&self) -> bool {
+    fn is_own(&self) -> bool {
         let file = self.file.as_ref();
         file.is_none_or(|file| match self.sharing {
             Sharing::Alone => is_still_at(file, &self.path),
@@ -138,7 +138,7 @@ impl Drop for Lock {
     /// The file goes while it is locked: whoever opened it before sees that it is gone. One that is
     /// shared stays for the others, and one that another command has made since for that.
     fn drop(&mut self) {
-        if self.file.is_some() && self.sharing == Sharing::Alone && self.is_mine() {
+        if self.file.is_some() && self.sharing == Sharing::Alone && self.is_own() {
             let _ = std::fs::remove_file(&self.path);
         }
     }
@@ -193,11 +193,11 @@ fn in_use(folder: &Path, mut file: File) -> String {
 fn sign(file: &mut File) -> std::io::Result<()> {
     file.set_len(0)?;
     file.rewind()?;
-    file.write_all(myself().as_bytes())
+    file.write_all(process_description().as_bytes())
 }
 
 /// Description of this process for others.
-fn myself() -> String {
+fn process_description() -> String {
     let words: Vec<String> = program::line()
         .iter()
         .map(|word| word.to_string_lossy().into_owned())

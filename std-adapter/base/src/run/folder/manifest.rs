@@ -2,7 +2,7 @@
 
 use super::Contents;
 use super::FolderError;
-use crate::record::{digest, read_text, sealed, unsealed, write_atomically_there};
+use crate::record::{digest, read_text, verified, with_digest, write_atomically_there};
 use serde_json::{Map, Value};
 use std::path::{Component, Path};
 
@@ -68,7 +68,7 @@ impl Manifest {
     }
 
     fn parse(text: &str) -> Option<Self> {
-        let value = unsealed(text)?;
+        let value = verified(text)?;
         if value[KEY].as_u64() != Some(FORMAT) {
             return None;
         }
@@ -99,7 +99,7 @@ impl Manifest {
         ]);
         Ok(write_atomically_there(
             &folder.join(NAME),
-            sealed(map).as_bytes(),
+            with_digest(map).as_bytes(),
         )?)
     }
 

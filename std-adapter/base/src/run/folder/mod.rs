@@ -64,12 +64,12 @@ impl OutputFolder {
     }
 
     /// The folder of the same command and subject, whose files are kept, or else a folder for a new result.
-    pub fn go_on(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
-        Self::go_on_with(Lock::take(path, Sharing::Alone)?, contents)
+    pub fn reopen(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
+        Self::reopen_locked(Lock::take(path, Sharing::Alone)?, contents)
     }
 
     /// The same for a folder that is already locked.
-    pub fn go_on_with(lock: Lock, contents: &Contents<'_>) -> Result<Self, FolderError> {
+    pub fn reopen_locked(lock: Lock, contents: &Contents<'_>) -> Result<Self, FolderError> {
         Self::claim(lock, contents, |old| {
             old.command == contents.command && old.about == contents.about
         })
@@ -93,10 +93,10 @@ impl OutputFolder {
         let names = old.as_ref().map_or(&[][..], |old| &old.files);
         let kept = old.as_ref().filter(|old| stays(old));
         if let (Some(old), None) = (&old, kept) {
-            worth::refuse_loss(path, old, contents)?;
+            worth::refuse_overwrite(path, old, contents)?;
         }
-        refuse_strangers(path, contents.files, names)?;
-        refuse_strangers(path, contents.later, names)?;
+        refuse_foreign_files(path, contents.files, names)?;
+        refuse_foreign_files(path, contents.later, names)?;
         remove_unfinished(path)?;
         let mut manifest = Manifest::of(contents);
         if let Some(kept) = kept {
@@ -205,7 +205,7 @@ pub fn add(path: &Path, names: &[&str]) -> Result<(), FolderError> {
             path.join(manifest::NAME).display()
         )));
     };
-    refuse_strangers(path, names, &manifest.files)?;
+    refuse_foreign_files(path, names, &manifest.files)?;
     if manifest.add(names) {
         manifest.write(path)?;
     }
@@ -213,7 +213,7 @@ pub fn add(path: &Path, names: &[&str]) -> Result<(), FolderError> {
 }
 
 /// Refuses to replace files that no tribos command wrote in this folder.
-fn refuse_strangers(path: &Path, files: &[&str], known: &[String]) -> Result<(), FolderError> {
+fn refuse_foreign_files(path: &Path, files: &[&str], known: &[String]) -> Result<(), FolderError> {
     for file in files {
         if known.iter().any(|name| name == file) {
             continue;

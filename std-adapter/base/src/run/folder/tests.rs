@@ -71,13 +71,13 @@ fn what_goes_on_stays_and_collections_are_not_replaced() -> Outcome {
     let held = OutputFolder::begin(out, &sweep)?;
     write(out.join("sweep.csv"), "x")?;
     drop(held);
-    drop(OutputFolder::go_on(out, &sweep)?);
+    drop(OutputFolder::reopen(out, &sweep)?);
     assert!(out.join("sweep.csv").exists());
     let about = Contents {
         about: 7.into(),
         ..sweep.clone()
     };
-    drop(OutputFolder::go_on(out, &about)?);
+    drop(OutputFolder::reopen(out, &about)?);
     assert!(!out.join("sweep.csv").exists());
     assert!(OutputFolder::begin(out, &contents("run", &["series.csv"])).is_err());
     Ok(())
@@ -100,7 +100,7 @@ fn runs_of_every_body_that_takes_long_are_kept() -> Outcome {
         let other = contents("measure", &["measures.json"]);
         assert!(OutputFolder::begin(out, &other).is_err(), "{body}");
         // Finished: the same command does, another one does not.
-        let held = OutputFolder::go_on(out, &run)?;
+        let held = OutputFolder::reopen(out, &run)?;
         write(out.join("summary.json"), "x")?;
         drop(held);
         assert!(OutputFolder::begin(out, &other).is_err(), "{body}");

@@ -26,7 +26,11 @@ pub fn is_finished(path: &Path) -> bool {
 
 /// Refuses to remove results that took long: collections and long runs if the command is another,
 /// and interrupted runs always.
-pub fn refuse_loss(path: &Path, old: &Manifest, new: &Contents<'_>) -> Result<(), FolderError> {
+pub fn refuse_overwrite(
+    path: &Path,
+    old: &Manifest,
+    new: &Contents<'_>,
+) -> Result<(), FolderError> {
     let name = path.display();
     let is_other = old.command != new.command;
     let held = || {

@@ -87,13 +87,13 @@ fn cones(cone: &Cone) -> usize {
 
 impl Interior {
     /// Starts from P = t = 1, in scaled unknowns.
-    pub fn cold(problem: &Prepared) -> Self {
+    pub fn start_at_unit(problem: &Prepared) -> Self {
         Self::at(problem, 1.0)
     }
 
     /// Starts from a larger P: the root mean square of the normal impulses that would stop all contacts if they
     /// could pull. Long chains and heavy bodies on light ones take many short steps from P = 1.
-    pub fn laden(problem: &Prepared, system: &mut System) -> Self {
+    pub fn start_at_stopping_impulse(problem: &Prepared, system: &mut System) -> Self {
         Self::at(problem, load(problem, system))
     }
 

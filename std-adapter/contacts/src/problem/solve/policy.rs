@@ -167,7 +167,7 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
         };
         // No impulses have been judged already.
         let solved = match given {
-            Some(_) => self.done(&start, self.settings.method),
+            Some(_) => self.accept_iterate(&start, self.settings.method),
             None => self.judged.meets(self.settings.tolerance),
         };
         if solved {
@@ -225,11 +225,11 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
                 if self.sweeps >= self.settings.most_sweeps {
                     return false;
                 }
-                if self.some_sweeps(&mut sweeps).1 {
+                if self.run_sweep_batch(&mut sweeps).1 {
                     return true;
                 }
             }
-            self.done(&sweeps.r, ProblemMethod::Sweeps);
+            self.accept_iterate(&sweeps.r, ProblemMethod::Sweeps);
             let best = self.prepared.scaled(&self.best, self.problem);
             if self.approach(system, best) {
                 return true;
@@ -248,7 +248,7 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
     }
 
     /// Judges a point, keeps it if it is the best, and tells whether it solves the problem.
-    fn done(&mut self, r: &[f64], method: ProblemMethod) -> bool {
+    fn accept_iterate(&mut self, r: &[f64], method: ProblemMethod) -> bool {
         let impulses = self.prepared.unscaled(r, self.problem);
         let judged = residual(self.problem, &impulses);
         let meets = judged.meets(self.settings.tolerance);
@@ -276,13 +276,13 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
         let mut history: Vec<f64> = Vec::new();
         let cost = Sweeps::cost(problem);
         while self.sweeps < self.settings.most_sweeps {
-            let (residual, solved) = self.some_sweeps(sweeps);
+            let (residual, solved) = self.run_sweep_batch(sweeps);
             if solved {
                 return true;
             }
             history.push(residual);
             if self.settings.method == ProblemMethod::Automatic {
-                let left = foreseen(&history, self.goal) * cost;
+                let left = predicted_sweeps(&history, self.goal) * cost;
                 // The pattern's factors are worth looking at.
                 if left > EXPECTED * System::least_cost(problem) {
                     let other = system.get_or_insert_with(|| System::new(problem));
@@ -292,14 +292,14 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
                 }
             }
         }
-        self.done(&sweeps.r, ProblemMethod::Sweeps)
+        self.accept_iterate(&sweeps.r, ProblemMethod::Sweeps)
     }
 
     /// Sweeps for as long as the residual falls. Tells whether they solve the problem.
     fn sweep_on(&mut self, sweeps: &mut Sweeps) -> bool {
         let (mut lowest, mut since) = (f64::INFINITY, self.sweeps);
         while self.sweeps < self.settings.most_sweeps && self.sweeps < 2 * since + PATIENCE {
-            let (residual, solved) = self.some_sweeps(sweeps);
+            let (residual, solved) = self.run_sweep_batch(sweeps);
             if solved {
                 return true;
             }
@@ -307,7 +307,7 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
                 (lowest, since) = (residual, self.sweeps);
             }
         }
-        self.done(&sweeps.r, ProblemMethod::Sweeps)
+        self.accept_iterate(&sweeps.r, ProblemMethod::Sweeps)
     }
 
     /// Projected gradients for as long as the residual falls.
@@ -325,18 +325,18 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
             self.prepared.velocities(&gradient.r, &mut u);
             let residual = self.prepared.residual(&gradient.r, &u);
             self.tell(ProblemMethod::Gradient, residual);
-            if residual <= self.goal && self.done(&gradient.r, ProblemMethod::Gradient) {
+            if residual <= self.goal && self.accept_iterate(&gradient.r, ProblemMethod::Gradient) {
                 return;
             }
             if residual < 0.5 * lowest {
                 (lowest, since) = (residual, self.sweeps - begun);
             }
         }
-        self.done(&gradient.r, ProblemMethod::Gradient);
+        self.accept_iterate(&gradient.r, ProblemMethod::Gradient);
     }
 
     /// A few sweeps; returns the scaled residual, and whether the problem is solved.
-    fn some_sweeps(&mut self, sweeps: &mut Sweeps) -> (f64, bool) {
+    fn run_sweep_batch(&mut self, sweeps: &mut Sweeps) -> (f64, bool) {
         for _ in 0..BETWEEN {
             sweeps.sweep(self.prepared);
         }
@@ -345,17 +345,17 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
         self.prepared.velocities(&sweeps.r, &mut u);
         let residual = self.prepared.residual(&sweeps.r, &u);
         self.tell(ProblemMethod::Sweeps, residual);
-        let solved = residual <= self.goal && self.done(&sweeps.r, ProblemMethod::Sweeps);
+        let solved = residual <= self.goal && self.accept_iterate(&sweeps.r, ProblemMethod::Sweeps);
         (residual, solved)
     }
 
     /// The interior point method from one start, and from another one if steps are short.
     fn interior(&mut self, system: &mut System) -> bool {
-        let cold = Interior::cold(self.prepared);
+        let cold = Interior::start_at_unit(self.prepared);
         if self.follow(system, cold, true) {
             return true;
         }
-        let laden = Interior::laden(self.prepared, system);
+        let laden = Interior::start_at_stopping_impulse(self.prepared, system);
         self.follow(system, laden, false)
     }
 
@@ -375,7 +375,7 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
             let residual = problem.residual(&point.r, &point.u);
             self.factorisations = system.factorisations;
             self.tell(ProblemMethod::Interior, residual);
-            if residual <= self.goal && self.done(&point.r, ProblemMethod::Interior) {
+            if residual <= self.goal && self.accept_iterate(&point.r, ProblemMethod::Interior) {
                 return true;
             }
             if residual < next {
@@ -390,7 +390,7 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
                     (goal, FINISH),
                 );
                 self.factorisations = system.factorisations;
-                if solved && self.done(&trial, ProblemMethod::Interior) {
+                if solved && self.accept_iterate(&trial, ProblemMethod::Interior) {
                     return true;
                 }
             }
@@ -405,7 +405,7 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
                 break;
             }
         }
-        self.done(&point.r, ProblemMethod::Interior)
+        self.accept_iterate(&point.r, ProblemMethod::Interior)
     }
 
     /// Proximal points.
@@ -419,7 +419,7 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
                 self.tell(ProblemMethod::Proximal, residual);
                 system.factorisations >= most
             });
-            if self.done(&r, ProblemMethod::Proximal) {
+            if self.accept_iterate(&r, ProblemMethod::Proximal) {
                 return true;
             }
             if !solved {
@@ -440,7 +440,7 @@ impl<'a, W: FnMut(&SolverProgress)> Run<'a, W> {
 }
 
 /// Sweeps that remain if the residual falls as it did over the second half of its history.
-fn foreseen(history: &[f64], goal: f64) -> f64 {
+fn predicted_sweeps(history: &[f64], goal: f64) -> f64 {
     let [.., now] = history else { return 0.0 };
     if history.len() < 3 {
         return 0.0;

@@ -98,11 +98,11 @@ impl Model for Steady<'_> {
         steady_start(unit, &self.scales)
     }
 
-    fn repair(&self, values: &mut [f64], is_free: &[bool]) {
+    fn project_to_valid(&self, values: &mut [f64], is_free: &[bool]) {
         order(values, is_free, [0, 1]);
     }
 
-    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+    fn subsample(&self, points: &[usize]) -> Option<Box<dyn Model>> {
         Some(Box::new(Steady {
             speeds: Cow::Owned(picked(&self.speeds, points)),
             scales: self.scales,
@@ -171,11 +171,11 @@ impl Model for Series<'_> {
         start
     }
 
-    fn repair(&self, values: &mut [f64], is_free: &[bool]) {
+    fn project_to_valid(&self, values: &mut [f64], is_free: &[bool]) {
         order(values, is_free, [0, 1]);
     }
 
-    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+    fn subsample(&self, points: &[usize]) -> Option<Box<dyn Model>> {
         Some(Box::new(Series {
             velocities: Cow::Owned(picked(&self.velocities, points)),
             intervals: merged(&self.intervals, points),

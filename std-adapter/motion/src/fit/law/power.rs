@@ -64,7 +64,7 @@ impl Model for Steady<'_> {
         vec![gamma * (0.5 + unit[0]), alpha]
     }
 
-    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+    fn subsample(&self, points: &[usize]) -> Option<Box<dyn Model>> {
         Some(Box::new(Steady {
             speeds: Cow::Owned(picked(&self.speeds, points)),
             middle: self.middle,

@@ -108,7 +108,7 @@ impl Model for Steady<'_> {
         steady_start(unit, &self.scales)
     }
 
-    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+    fn subsample(&self, points: &[usize]) -> Option<Box<dyn Model>> {
         Some(Box::new(Steady {
             speeds: Cow::Owned(picked(&self.speeds, points)),
             scales: self.scales,
@@ -187,7 +187,7 @@ impl<E: StateEvolution + 'static> Model for Series<'_, E> {
         start
     }
 
-    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+    fn subsample(&self, points: &[usize]) -> Option<Box<dyn Model>> {
         Some(Box::new(Series::<E> {
             velocities: Cow::Owned(picked(&self.velocities, points)),
             intervals: merged(&self.intervals, points),

@@ -85,11 +85,11 @@ impl Model for Steady<'_> {
         ]
     }
 
-    fn repair(&self, values: &mut [f64], is_free: &[bool]) {
+    fn project_to_valid(&self, values: &mut [f64], is_free: &[bool]) {
         order(values, is_free, [1, 0]);
     }
 
-    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+    fn subsample(&self, points: &[usize]) -> Option<Box<dyn Model>> {
         Some(Box::new(Steady {
             speeds: Cow::Owned(picked(&self.speeds, points)),
             scales: self.scales,

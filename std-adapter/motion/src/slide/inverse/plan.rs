@@ -126,7 +126,7 @@ fn whole(rank: u64) -> f64 {
 }
 
 /// Count of the whole numbers that are an f64 and do not exceed `x`.
-fn wholes_up_to(x: f64) -> u64 {
+fn integers_up_to(x: f64) -> u64 {
     if x < WHOLE as f64 {
         // Zero if negative or NaN.
         return if x >= 0.0 { x as u64 + 1 } else { 0 };
@@ -146,7 +146,7 @@ impl EquivalentAngles {
         if self.step == 0.0 {
             return 1;
         }
-        wholes_up_to((most * (1.0 + SPARE) - self.first) / self.step)
+        integers_up_to((most * (1.0 + SPARE) - self.first) / self.step)
     }
 }
 
@@ -225,7 +225,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         if count > MAX_SOLUTIONS {
             return Err(InverseError::TooMany { count });
         }
-        let all = self.worked_out(target, turns, limits, &flights, count)?;
+        let all = self.compute_launches(target, turns, limits, &flights, count)?;
         Ok(all.solutions)
     }
 
@@ -244,7 +244,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         most: u64,
     ) -> Result<Launches, InverseError> {
         let flights = self.flights(target, turns, limits)?;
-        self.worked_out(target, turns, limits, &flights, most)
+        self.compute_launches(target, turns, limits, &flights, most)
     }
 
     /// The angles of each direction whose launches are within the limits.
@@ -276,7 +276,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     }
 
     /// The `most` launches with the fewest turns.
-    fn worked_out(
+    fn compute_launches(
         &self,
         target: &Pose,
         turns: Turns,

@@ -69,7 +69,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     fn followed(&self, [c, n]: [f64; 2]) -> Option<[f64; 2]> {
         let [start, turning] = self.loss_and_turning([c, n]);
         if turning.abs() >= BRISK * start {
-            return Some(self.brisk([c, n]));
+            return Some(self.direction_derivatives([c, n]));
         }
         // c, n, W and the two integrals.
         let mut state: State = [c, n, 1.0, 0.0, 0.0];
@@ -80,7 +80,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
             let [loss, turning] = self.loss_and_turning([c, n]);
             if turning.abs() >= BRISK * loss {
                 let left = weight * start / loss;
-                let [dx, dy] = self.brisk([c, n]);
+                let [dx, dy] = self.direction_derivatives([c, n]);
                 return finite([p * start * x + left * dx, p * start * y + left * dy]);
             }
             let rates = self.rates([c, n]);
@@ -102,7 +102,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     }
 
     /// Derivatives by (1).
-    fn brisk(&self, at: [f64; 2]) -> [f64; 2] {
+    fn direction_derivatives(&self, at: [f64; 2]) -> [f64; 2] {
         let [loss, turning] = self.loss_and_turning(at);
         let paths = self.reduced(at);
         let gain = self.degree() * loss;

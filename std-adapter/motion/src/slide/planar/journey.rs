@@ -207,7 +207,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
                 return Err(SlideError::Interrupted { steps });
             }
             let taken = self.step(&mut size, &mut steps)?;
-            let taken = self.cut_at_fading(&from, taken);
+            let taken = self.truncate_at_decay(&from, taken);
             while let Some(time) = times.next_if(|&time| time < self.state[3]) {
                 if time > from[3] {
                     let at = self.at_time(&from, taken, time);
@@ -220,7 +220,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
                 uprightness.see(&self.point(&limit.1));
             }
             uprightness.see(&here);
-            if self.extinguish() {
+            if self.zero_decayed_part() {
                 here = self.point(&self.state);
             }
             if self.has_turned(&shown) {
@@ -240,7 +240,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
             let largest = self.largest_step();
             let taken = if *size > largest { largest } else { *size };
             let (next, error) = runge_kutta::step(&self.state, taken, |y| self.derivative(y));
-            let error = self.weighed(&next, &error);
+            let error = self.error_norm(&next, &error);
             let (accepted, factor) = runge_kutta::judge(error, self.tolerance(), true);
             *size = taken * factor;
             let fits = self.state[9] <= MOST_FOLDS || self.body.exponent() < 1.0;
@@ -306,7 +306,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
     }
 
     /// The largest error: each part relative to itself, the position relative to the path.
-    fn weighed(&self, at: &State, error: &State) -> f64 {
+    fn error_norm(&self, at: &State, error: &State) -> f64 {
         let least = |length: f64, floor: f64| {
             let length = if length < floor { floor } else { length };
             length + NOTHING

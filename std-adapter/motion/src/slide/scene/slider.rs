@@ -49,7 +49,7 @@ scene! {
     /// ```
     #[derive(Copy)]
     pub struct DiskScene = "disk", "A disk that slides and spins to rest",
-        moves_at_all, in_force;
+        check_initial_motion, in_force;
 
     /// Initial sliding speed.
     speed: f64 = 1.0, "m/s", NotNegative, Required;
@@ -83,7 +83,7 @@ scene! {
     stepper: SliderIntegrator = SliderIntegrator::Exact, "-", OneOf(SliderIntegrator::WORDS);
 }
 
-fn moves_at_all(scene: &DiskScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {
+fn check_initial_motion(scene: &DiskScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {
     moves(scene.speed, scene.spin, judge);
 }
 

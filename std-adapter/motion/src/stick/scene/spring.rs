@@ -154,7 +154,7 @@ fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
         judge.refuse(&["holds", "hold_growth", "hold"], message);
     }
     no_dry_friction(scene, judge);
-    match scene.law.map(|law| (law, law.made::<f64>())) {
+    match scene.law.map(|law| (law, law.build::<f64>())) {
         Some((_, Err(refusal))) => judge.refuse(&["law"], format!("`law`: {refusal}")),
         Some((law, Ok(made))) if !made.friction(0.0).is_finite() => {
             let message = format!(

@@ -102,7 +102,7 @@ fn follower(scene: &SpringScene) -> Result<Box<dyn SpringIntegrator>, StickError
             Some(law) => match coefficients(&law) {
                 Some([mu_static, mu_dynamic]) => dry(mu_static, mu_dynamic, 0.0)?,
                 None => {
-                    let law = law.made::<f64>()?;
+                    let law = law.build::<f64>()?;
                     let masses = [mass, stiffness, load];
                     Box::new(SpeedMotion::new(law, masses, speed, tolerance))
                 }

@@ -113,7 +113,7 @@ impl<B: Resistance> PlanarSimulation<'_, B> {
     }
 
     /// Sets a part of e to zero if it has ended and its fast decay would keep the steps short.
-    pub(super) fn extinguish(&mut self) -> bool {
+    pub(super) fn zero_decayed_part(&mut self) -> bool {
         if !self.body.is_round() {
             return false;
         }
@@ -138,7 +138,7 @@ impl<B: Resistance> PlanarSimulation<'_, B> {
     }
 
     /// Shortens the step so that it ends with a fading motion; returns the new length.
-    pub(super) fn cut_at_fading(&mut self, from: &State, taken: f64) -> f64 {
+    pub(super) fn truncate_at_decay(&mut self, from: &State, taken: f64) -> f64 {
         let fades = self.body.exponent() >= 1.0 && self.has_faded(&self.state);
         if !fades || self.has_faded(from) {
             return taken;
