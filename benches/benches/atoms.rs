@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use std::hint::black_box;
 use tribos::md::eam::{SuttonChen, SuttonChenParameters};
 use tribos::md::group::Group;
-use tribos::md::interaction::{Interaction, Wanted};
+use tribos::md::interaction::{Evaluation, Interaction};
 use tribos::md::neighbours::VerletList;
 use tribos::md::pair::Shift;
 use tribos::md::thermostat::{Langevin, NoseHoover, RotationBias, Thermostat};
@@ -54,11 +54,11 @@ fn forces(criterion: &mut Criterion) {
     let pairs: usize = list.chunks_mut().iter().map(|chunk| chunk.pairs()).sum();
     let lennard_jones = lennard_jones(Shift::None).expect("the cut-off is positive");
     let sutton_chen = sutton_chen(&melt);
-    let cases: [(&str, &dyn Interaction, Wanted); 4] = [
-        ("Lennard-Jones", &lennard_jones, Wanted::Forces),
-        ("Lennard-Jones, sums", &lennard_jones, Wanted::Sums),
-        ("Sutton-Chen", &sutton_chen, Wanted::Forces),
-        ("Sutton-Chen, sums", &sutton_chen, Wanted::Sums),
+    let cases: [(&str, &dyn Interaction, Evaluation); 4] = [
+        ("Lennard-Jones", &lennard_jones, Evaluation::Forces),
+        ("Lennard-Jones, sums", &lennard_jones, Evaluation::Sums),
+        ("Sutton-Chen", &sutton_chen, Evaluation::Forces),
+        ("Sutton-Chen, sums", &sutton_chen, Evaluation::Sums),
     ];
     let mut group = criterion.benchmark_group("forces");
     group.throughput(Throughput::Elements(pairs as u64));
@@ -107,7 +107,7 @@ fn steps(criterion: &mut Criterion) {
         let system = melt.moved_as(atoms, Shift::None, TIME_STEP);
         let mut system = system.expect("the melt is valid");
         group.bench_function(name, |bencher| {
-            bencher.iter(|| system.step(Wanted::Forces).expect("nothing overlaps"));
+            bencher.iter(|| system.step(Evaluation::Forces).expect("nothing overlaps"));
         });
     }
     group.finish();

@@ -6,7 +6,7 @@ use tribos_report::figure::{Axis, Color, Figure, Legend, Region, Series};
 
 /// One method in the picture.
 #[derive(Clone, Debug)]
-pub struct Place {
+pub struct PicturePoint {
     /// Name of the method.
     pub label: String,
     /// Group of methods that are drawn alike.
@@ -26,7 +26,7 @@ pub fn scatter(
     name: &str,
     title: &str,
     [x, y]: [&str; 2],
-    places: Vec<Place>,
+    places: Vec<PicturePoint>,
 ) -> Result<(), String> {
     let mut groups: Vec<&str> = places.iter().map(|place| place.group.as_str()).collect();
     groups.sort_unstable();
@@ -43,7 +43,7 @@ pub fn scatter(
     }
     let spans = [0, 1].map(|axis| span(&places, axis));
     let mut named: Vec<[f64; 2]> = Vec::new();
-    for Place { label, at, .. } in places {
+    for PicturePoint { label, at, .. } in places {
         let here = [at.0.log10() / spans[0], at.1.log10() / spans[1]];
         let covers = |other: &[f64; 2]| {
             let gap = |axis: usize| (here[axis] - other[axis]).abs();
@@ -66,7 +66,7 @@ pub fn scatter(
 }
 
 /// Decades between the least and the largest place on an axis.
-fn span(places: &[Place], axis: usize) -> f64 {
+fn span(places: &[PicturePoint], axis: usize) -> f64 {
     let decades = places
         .iter()
         .map(|place| [place.at.0, place.at.1][axis].log10());

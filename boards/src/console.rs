@@ -25,10 +25,10 @@ impl<W: semihosting::io::Write> Write for Terminal<W> {
 
 /// Output that is discarded: the text is still formatted, byte by byte.
 #[cfg(feature = "silent")]
-struct Nowhere;
+struct NullOutput;
 
 #[cfg(feature = "silent")]
-impl Write for Nowhere {
+impl Write for NullOutput {
     fn write_str(&mut self, text: &str) -> Result {
         for byte in text.bytes() {
             core::hint::black_box(byte);
@@ -45,7 +45,7 @@ pub fn tell(text: Arguments<'_>) {
         let _ = Terminal(out).write_fmt(text);
     }
     #[cfg(feature = "silent")]
-    let _ = Nowhere.write_fmt(text);
+    let _ = NullOutput.write_fmt(text);
 }
 
 /// Implementation of [`crate::eprintln`].
@@ -56,7 +56,7 @@ pub fn complain(text: Arguments<'_>) {
         let _ = Terminal(out).write_fmt(text);
     }
     #[cfg(feature = "silent")]
-    let _ = Nowhere.write_fmt(text);
+    let _ = NullOutput.write_fmt(text);
 }
 
 /// Writes to the output of the emulator.

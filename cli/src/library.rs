@@ -2,17 +2,17 @@
 //! terminal.
 
 use crate::command::bodies;
-use crate::command::run::caller::Frontend;
-use crate::command::run::order::RunRequest;
-use crate::command::run::size::MemoryPermission;
+use crate::command::run::frontend::Frontend;
+use crate::command::run::request::RunRequest;
+use crate::command::run::resource_check::MemoryPermission;
 use crate::failure::Failure;
 use std::path::Path;
 use std::time::Duration;
 use tribos::run::folder::InterruptedRunPolicy;
 use tribos::scene::Scene;
 
-pub use crate::command::run::caller::HostProgram;
-pub use crate::command::run::order::Pictures;
+pub use crate::command::run::frontend::HostProgram;
+pub use crate::command::run::request::Pictures;
 
 /// A run in a folder, with the options of `tribos run`.
 #[derive(Clone, Debug)]

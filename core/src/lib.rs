@@ -129,8 +129,8 @@ pub mod twist;
 pub mod internals {
     pub use crate::contact::internals::*;
     pub use crate::coupling::internals::*;
+    pub use crate::coupling::load_transfer::{LeaningWrench, leaning_wrench};
     pub use crate::coupling::table::COULOMB_TABLE_BYTES;
-    pub use crate::coupling::tall::{LeaningWrench, leaning_wrench};
     pub use crate::limit_surface::COLLAR_ULPS;
     pub use crate::patch::tripod::tripod_shares;
     pub use crate::slider::runge_kutta;

@@ -26,16 +26,16 @@ mod sealed {
 
     /// What is done alike in `f32` and in `f64`, with data that differ in more than their precision.
     pub trait InEach {
-        type Given<R: super::Real>;
-        type Gives<R: super::Real>;
-        fn single(given: Self::Given<f32>) -> Self::Gives<f32>;
-        fn double(given: Self::Given<f64>) -> Self::Gives<f64>;
+        type Input<R: super::Real>;
+        type Output<R: super::Real>;
+        fn single(given: Self::Input<f32>) -> Self::Output<f32>;
+        fn double(given: Self::Input<f64>) -> Self::Output<f64>;
     }
 
     /// What only the kernel needs of a precision.
     pub trait Sealed: Sized + 'static + crate::lanes::Laned {
         /// The one of both that is done in this precision.
-        fn in_own<E: InEach>(given: E::Given<Self>) -> E::Gives<Self>
+        fn in_own<E: InEach>(given: E::Input<Self>) -> E::Output<Self>
         where
             Self: super::Real;
 
@@ -132,7 +132,7 @@ mod sealed {
         octaves!(f32, u32, i32, super::MANTISSA_F32, 120, 1e-15);
         const IS_SINGLE: bool = true;
         #[inline(always)]
-        fn in_own<E: InEach>(given: E::Given<f32>) -> E::Gives<f32> {
+        fn in_own<E: InEach>(given: E::Input<f32>) -> E::Output<f32> {
             E::single(given)
         }
         #[inline]
@@ -147,7 +147,7 @@ mod sealed {
         octaves!(f64, u64, i64, super::MANTISSA_F64, 1000, 1e-140);
         const IS_SINGLE: bool = false;
         #[inline(always)]
-        fn in_own<E: InEach>(given: E::Given<f64>) -> E::Gives<f64> {
+        fn in_own<E: InEach>(given: E::Input<f64>) -> E::Output<f64> {
             E::double(given)
         }
         #[inline]

@@ -3,6 +3,7 @@
 pub mod claim;
 pub mod diagram;
 pub mod digits;
+pub mod drawing_grid;
 pub mod figure;
 mod html;
 pub mod image;
@@ -11,7 +12,6 @@ pub mod packing;
 pub mod page;
 pub mod player;
 pub mod runs;
-pub mod sheet;
 mod solid;
 pub mod surface;
 pub mod verdict;

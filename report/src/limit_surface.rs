@@ -3,7 +3,7 @@
 //! Nothing is loaded: the page opens from a file, without a network.
 
 use super::html::escape;
-use super::solid::{paper::hex, ramp};
+use super::solid::{ramp, svg_canvas::hex};
 use serde_json::json;
 
 const STYLE: &str = include_str!("../assets/limit_surface/surface.css");

@@ -10,7 +10,7 @@ pub use state::{Contact, Packing, PackingError};
 
 use super::figure::axis::Axis;
 use super::figure::{Color, FigureError, canvas};
-use super::solid::paper::SvgCanvas;
+use super::solid::svg_canvas::SvgCanvas;
 use super::solid::view::{Frame, View, corners};
 use forces::Network;
 use spheres::Balls;

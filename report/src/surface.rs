@@ -5,8 +5,8 @@ mod cells;
 
 use super::figure::axis::{Axis, Span};
 use super::figure::{FigureError, canvas};
-use super::solid::paper::SvgCanvas;
 use super::solid::ramp;
+use super::solid::svg_canvas::SvgCanvas;
 use super::solid::view::{Point, View, corners};
 
 /// Azimuth of the eye: (0, 0) is the near corner, x runs to the right and y to the left.

@@ -11,11 +11,11 @@ use tribos::slide::curling::{
 };
 use tribos::slide::planar::{PlanarLaunch, PlanarResult, PlanarSimulation};
 
-/// Launch speed of a draw that stops after 28.35 m without spin under Penner's law, m/s.
+/// PlanarLaunch speed of a draw that stops after 28.35 m without spin under Penner's law, m/s.
 const DRAW: f64 = 1.9866;
 /// Spins of a draw, rad/s.
 const SPINS: [f64; 3] = [0.75, 1.5, 3.0];
-/// Launch of a slow shot with fast spin: about 3.5 m forward under Penner's law.
+/// PlanarLaunch of a slow shot with fast spin: about 3.5 m forward under Penner's law.
 const SLOW: [f64; 2] = [0.16, 20.0];
 
 /// Of the table: a draw at three spins, at 1.5 rad/s, and the slow shot, in SI.

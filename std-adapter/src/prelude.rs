@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use tribos::prelude::*;
-//! let puck = DiskScene { speed: 2.0, spin: 40.0, ..SliderScene::default() }; // m/s, rad/s
+//! let puck = DiskScene { speed: 2.0, spin: 40.0, ..DiskScene::default() }; // m/s, rad/s
 //! let rest = slide::run(&puck, |_| ())?.outcome;
 //! assert!(rest.distance > 0.0); // m
 //! let hertz = Friction::<f64>::new(&Patch::Hertz, &Law::coulomb(0.3)?, None)?;

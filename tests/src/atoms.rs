@@ -4,7 +4,7 @@ use crate::tables::Table;
 use nalgebra::Vector3;
 use std::path::{Path, PathBuf};
 use tribos::md::configuration::{Configuration, read};
-use tribos::md::interaction::{Interaction, Tally, Wanted, evaluate};
+use tribos::md::interaction::{Evaluation, Interaction, Tally, evaluate};
 use tribos::md::neighbours::VerletList;
 use tribos::md::pair::{LennardJones, Mixing, Pairing, Shift};
 
@@ -86,7 +86,8 @@ pub fn computed(all: &Configuration, law: &dyn Interaction) -> (Vec<Vector3<f64>
     let space = all.space().expect("a box");
     let mut list = VerletList::new(space, law.cutoff(), 0.3).expect("a list");
     let mut forces = Vec::new();
-    let tally = evaluate(law, &mut list, &all.atoms, &mut forces, Wanted::Sums).expect("forces");
+    let tally =
+        evaluate(law, &mut list, &all.atoms, &mut forces, Evaluation::Sums).expect("forces");
     let mut by_id = vec![Vector3::zeros(); forces.len()];
     for (&id, force) in all.ids.iter().zip(forces) {
         by_id[id as usize - 1] = force;

@@ -47,7 +47,7 @@ pub struct Case<R: Real> {
 
 /// How a load was held.
 #[derive(Clone, Copy, Debug)]
-pub struct Held<R> {
+pub struct HeldLoad<R> {
     /// Displacement when it had settled, in m.
     pub elastic: R,
     /// Change of position and angle since, at the same phase of a cyclic load, in m and rad.
@@ -93,7 +93,7 @@ impl<R: Real> Case<R> {
     }
 
     /// Loads the body slowly, lets it settle and follows it for `steps`.
-    pub fn held(&self, dt: R, steps: u64) -> Held<R> {
+    pub fn held(&self, dt: R, steps: u64) -> HeldLoad<R> {
         let time_step = TimeStep::new(dt).expect("a step");
         let count = |time: f64| (R::from_f64(time) / dt).to_f64().round() as u64;
         let (ramp, settle, period) = (count(RAMP), count(SETTLE), count(PERIOD));
@@ -122,7 +122,7 @@ impl<R: Real> Case<R> {
             }
         }
         let crept = state.pose.since(&settled.pose);
-        Held {
+        HeldLoad {
             elastic: settled.pose.position.x.hypot(settled.pose.position.y),
             drift: [crept.shift.x.hypot(crept.shift.y), crept.turn.abs()],
             anchored: state.anchor == start.anchor,

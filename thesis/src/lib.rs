@@ -3,14 +3,14 @@
 
 mod asperities;
 mod coverage;
-mod direct;
 mod document;
 mod effort;
 mod exhibit;
 mod exhibits;
-mod kept;
 mod plan;
+mod reference_integration;
 mod runs;
+mod section_cache;
 mod text;
 #[doc(hidden)]
 use Maker::{Alone, Checked, Running};
@@ -19,9 +19,9 @@ use document::{claims_csv, counts, page};
 pub use effort::Effort;
 use exhibit::Exhibit;
 use exhibits::*;
-use kept::SectionCache;
 use plan::{Plan, Seconds};
 use runs::Runs;
+use section_cache::SectionCache;
 use std::fmt;
 use std::path::Path;
 use std::time::Duration;

@@ -1,7 +1,7 @@
 //! The compactions behind chapter 4, each run once for all exhibits.
 
 pub use super::effort::Effort;
-use super::kept::SectionCache;
+use super::section_cache::SectionCache;
 use super::{Reader, plan};
 use anyhow::{Result, anyhow};
 use std::cmp::Ordering;
@@ -289,7 +289,7 @@ mod tests {
     use super::*;
     use std::path::Path;
     use std::time::Duration;
-    use tribos::run::folder::{Lock, Sharing};
+    use tribos::run::folder::{Lock, LockMode};
 
     type Outcome = Result<(), Box<dyn std::error::Error>>;
 
@@ -304,7 +304,7 @@ mod tests {
     }
 
     fn runs_in(folder: &Path) -> Result<Runs<'static>> {
-        let lock = Lock::take(folder, Sharing::Shared)?;
+        let lock = Lock::take(folder, LockMode::Shared)?;
         let kept = SectionCache::open(lock.into(), Duration::ZERO)?;
         Ok(Runs::new(Effort::Quick, kept, &SilentReader))
     }

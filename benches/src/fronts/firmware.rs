@@ -9,7 +9,7 @@ use crate::firmware::prices::{self, Boards};
 use crate::firmware::programs::{LEVELS, Program};
 use crate::firmware::report::{self, Row};
 use crate::firmware::{TIER, all_programs};
-use crate::picture::{self, Place};
+use crate::picture::{self, PicturePoint};
 use std::path::Path;
 
 const PICTURE: &str = "firmware.svg";
@@ -72,7 +72,7 @@ fn draw(out: &Path, rows: &[Row]) -> Result<(), String> {
     let place = |row: &Row| {
         let flash = row.flash.first()?.total().max(LEAST_FLASH);
         let instructions = row.fast.map_or(1, |cost| cost.mean);
-        Some(Place {
+        Some(PicturePoint {
             label: row.program.item.name.into(),
             group: row.program.item.group.into(),
             at: (flash as f64, instructions as f64),

@@ -2,7 +2,7 @@
 
 use super::{Finding, Front, Setting};
 use crate::patches::{Entry, Label, Refused, Worst, points, round, surface, tall};
-use crate::picture::{self, Place};
+use crate::picture::{self, PicturePoint};
 use crate::timing::{self, Samples, Task};
 use crate::written::{Sheet, short};
 use std::path::Path;
@@ -218,7 +218,7 @@ fn draw(out: &Path, rows: &[Row], nanoseconds: &[f64]) -> Result<(), String> {
         .iter()
         .zip(nanoseconds)
         .filter(|(row, _)| is_drawn(row));
-    let place = |(row, &time): (&Row, &f64)| Place {
+    let place = |(row, &time): (&Row, &f64)| PicturePoint {
         label: row.label.patch.into(),
         group: row.label.tier.into(),
         at: (time, row.worst.of_larger.max(ROUNDING)),

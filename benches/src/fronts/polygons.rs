@@ -2,7 +2,7 @@
 
 use super::{Finding, Front, Setting};
 use crate::outlines::{Method, Shape, methods, shapes};
-use crate::picture::{self, Place};
+use crate::picture::{self, PicturePoint};
 use crate::timing::{self, Samples, Task};
 use crate::written::{Sheet, short};
 use std::hint::black_box;
@@ -57,7 +57,7 @@ pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
         .iter()
         .enumerate()
         .filter(|(_, row)| !row.error[0].is_nan());
-    let places = known.map(|(index, row)| Place {
+    let places = known.map(|(index, row)| PicturePoint {
         label: row.shape.clone(),
         group: row.method.into(),
         at: (

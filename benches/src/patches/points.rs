@@ -121,12 +121,12 @@ pub fn rules_for_pressures<R: Real>() -> Result<Vec<Entry>, Refused> {
 }
 
 /// Power laws on given points, judged by the same sum with 30 digits.
-struct Given<R> {
+struct PatchInput<R> {
     rows: Vec<Entry>,
     feet: [[R; 2]; 3],
 }
 
-impl<R: Real> ForLaw<R> for Given<R> {
+impl<R: Real> ForLaw<R> for PatchInput<R> {
     fn with<L: LocalLaw<R> + Copy + 'static>(&mut self, name: &'static str, law: L) {
         let alpha = laws::POWERS.iter().find(|(_, known)| *known == name);
         let Some(&(alpha, _)) = alpha else {
@@ -157,7 +157,7 @@ impl<R: Real> ForLaw<R> for Given<R> {
 
 /// Power laws on the tripod and on 100 nodes that stand for nothing but themselves.
 pub fn given<R: Real>() -> Result<Vec<Entry>, Refused> {
-    let mut all = Given::<R> {
+    let mut all = PatchInput::<R> {
         rows: Vec::new(),
         feet: FEET.map(|foot| foot.map(R::from_f64)),
     };

@@ -8,7 +8,7 @@ use crate::mix;
 use crate::reference::Wide;
 use core::marker::PhantomData;
 use tribos::friction::{Patch, Precision, RoundPower, Tier, Visitor, visit};
-use tribos_core::coupling::tall::{
+use tribos_core::coupling::load_transfer::{
     FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
 };
 use tribos_core::coupling::{LateralFriction, RoundFriction};

@@ -50,10 +50,10 @@ pub struct tribos_power_compact_f32 {
 /// Value of `built` after a build, unlikely to occur in other memory.
 const BUILT: u32 = 0x7472_6962;
 
-/// Caller-provided memory whose first field has room for `Held`.
+/// Caller-provided memory whose first field has room for `Object`.
 pub(crate) trait CallerMemory {
     /// The object built there.
-    type Held;
+    type Object;
     /// Address of the marker, which only [`build`] writes.
     unsafe fn built(lent: *const Self) -> *const u32;
 }
@@ -61,7 +61,7 @@ pub(crate) trait CallerMemory {
 macro_rules! lent {
     ($($lent:ident for $held:ty;)*) => {$(
         impl CallerMemory for $lent {
-            type Held = $held;
+            type Object = $held;
             #[inline(always)]
             unsafe fn built(lent: *const Self) -> *const u32 {
                 addr_of!((*lent).built)
@@ -85,14 +85,14 @@ lent! {
 #[inline(always)]
 pub(crate) unsafe fn build<L: CallerMemory, E: Into<tribos_status>>(
     lent: *mut L,
-    held: impl FnOnce() -> Result<L::Held, E>,
+    held: impl FnOnce() -> Result<L::Object, E>,
 ) -> tribos_status {
     if lent.is_null() {
         return tribos_status::NullPointer;
     }
     match held() {
         Ok(held) => {
-            lent.cast::<L::Held>().write(held);
+            lent.cast::<L::Object>().write(held);
             L::built(lent).cast_mut().write(BUILT);
             tribos_status::Ok
         }
@@ -104,12 +104,12 @@ pub(crate) unsafe fn build<L: CallerMemory, E: Into<tribos_status>>(
 #[inline(always)]
 pub(crate) unsafe fn held<'a, L: CallerMemory>(
     lent: *const L,
-) -> Result<&'a L::Held, tribos_status> {
+) -> Result<&'a L::Object, tribos_status> {
     if lent.is_null() {
         Err(tribos_status::NullPointer)
     } else if L::built(lent).read() != BUILT {
         Err(tribos_status::NotBuilt)
     } else {
-        Ok(&*lent.cast::<L::Held>())
+        Ok(&*lent.cast::<L::Object>())
     }
 }

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use tribos::md::atoms::Atoms;
 use tribos::md::group::Group;
-use tribos::md::interaction::{Interaction, Wanted, evaluate};
+use tribos::md::interaction::{Evaluation, Interaction, evaluate};
 use tribos::md::neighbours::VerletList;
 use tribos::md::observe::{conserved_energy, kinetic_energies, temperature};
 use tribos::md::pair::{LennardJones, Mixing, Pairing, Shift};
@@ -70,7 +70,7 @@ impl Potential {
         let mut list = VerletList::new(space, cutoff, ONCE * cutoff).map_err(refused)?;
         let mut forces = Vec::new();
         let tally = detached(py, || {
-            evaluate(&self.0, &mut list, &atoms, &mut forces, Wanted::Sums)
+            evaluate(&self.0, &mut list, &atoms, &mut forces, Evaluation::Sums)
         })?
         .map_err(refused)?;
         Ok((
@@ -87,7 +87,7 @@ impl Potential {
 pub struct System(Mutex<Moving<LennardJones>>);
 
 /// A state that a system goes on from: steps, positions, velocities, positions of the list, thermostat.
-type Kept<'py> = (
+type SavedState<'py> = (
     u64,
     Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray2<f64>>,
@@ -115,7 +115,7 @@ impl System {
         time_step: f64,
         skin: f64,
         seed: u64,
-        kept: Option<Kept<'py>>,
+        kept: Option<SavedState<'py>>,
     ) -> PyResult<Self> {
         let mut atoms = Atoms::at(vectors("positions", positions)?);
         if let Some(given) = velocities {
@@ -216,7 +216,7 @@ impl System {
     }
 
     /// The state from which a system goes on to the same bits.
-    fn state<'py>(&self, py: Python<'py>) -> PyResult<Kept<'py>> {
+    fn state<'py>(&self, py: Python<'py>) -> PyResult<SavedState<'py>> {
         let state = self.held(py).state();
         Ok((
             state.steps,
@@ -238,9 +238,9 @@ impl System {
         let mut system = self.lock();
         for left in (0..steps).rev() {
             system.step(if last && left == 0 {
-                Wanted::Sums
+                Evaluation::Sums
             } else {
-                Wanted::Forces
+                Evaluation::Forces
             })?;
         }
         Ok(())

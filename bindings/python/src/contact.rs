@@ -167,7 +167,7 @@ impl ContactLaw {
         let rows = rows.view()?;
         let mut output = Output::new(py, &batch, &[ANSWER], None)?;
         fill(py, output.rows::<ANSWER>()?, COST, |from, piece| {
-            self.friction.visit(Piece {
+            self.friction.visit(ContactRows {
                 law: &self.normal,
                 dt,
                 prepared: |index: usize| of(&rows.at(from + index)),
@@ -179,14 +179,14 @@ impl ContactLaw {
 }
 
 /// Contacts to be updated.
-struct Piece<'a, P> {
+struct ContactRows<'a, P> {
     law: &'a NormalLaw<f64>,
     dt: f64,
     prepared: P,
     out: &'a mut [[f64; ANSWER]],
 }
 
-impl<B: ContactBody<f64>, P: Fn(usize) -> Prepared<B>> ContactVisitor for Piece<'_, P> {
+impl<B: ContactBody<f64>, P: Fn(usize) -> Prepared<B>> ContactVisitor for ContactRows<'_, P> {
     type Output = PyResult<()>;
     fn visit<F: ContactFriction<f64>>(self, friction: &F) -> PyResult<()> {
         for (index, row) in self.out.iter_mut().enumerate() {

@@ -53,9 +53,9 @@ trait Solver: Send + Sync {
     ) -> SolverReport<f64>;
 }
 
-type Made<F> = tribos_core::manifold::ContactSystem<f64, F, BODIES, CONTACTS>;
+type System<F> = tribos_core::manifold::ContactSystem<f64, F, BODIES, CONTACTS>;
 
-impl<F: ContactFriction<f64> + 'static> Solver for Made<F> {
+impl<F: ContactFriction<f64> + 'static> Solver for System<F> {
     fn copy(&self) -> Box<dyn Solver> {
         Box::new(self.clone())
     }
@@ -70,33 +70,33 @@ impl<F: ContactFriction<f64> + 'static> Solver for Made<F> {
         [first, second]: [BodyHandle; 2],
         touch: ContactGeometry<f64>,
     ) -> Result<ContactHandle, ContactSystemError> {
-        Made::push_contact(self, first, second, touch)
+        System::push_contact(self, first, second, touch)
     }
     fn set_touch(
         &mut self,
         contact: ContactHandle,
         touch: ContactGeometry<f64>,
     ) -> Result<(), ContactSystemError> {
-        Made::set_geometry(self, contact, touch)
+        System::set_geometry(self, contact, touch)
     }
     fn clear_contacts(&mut self) {
-        Made::clear_contacts(self);
+        System::clear_contacts(self);
     }
     fn set_gravity(&mut self, gravity: Vector3<f64>) {
-        Made::set_gravity(self, gravity);
+        System::set_gravity(self, gravity);
     }
     fn set_force(
         &mut self,
         body: BodyHandle,
         [force, torque]: [Vector3<f64>; 2],
     ) -> Result<(), ContactSystemError> {
-        Made::set_force(self, body, force, torque)
+        System::set_force(self, body, force, torque)
     }
     fn body(&mut self, body: BodyHandle) -> Option<&mut SystemBody<f64>> {
         self.body_mut(body)
     }
     fn force(&self, contact: ContactHandle) -> Option<Force> {
-        let force = Made::force(self, contact)?;
+        let force = System::force(self, contact)?;
         Some((
             force.normal,
             force.sliding().into(),
@@ -110,7 +110,7 @@ impl<F: ContactFriction<f64> + 'static> Solver for Made<F> {
         start: InitialGuess,
         stop: SolverSettings<f64>,
     ) -> SolverReport<f64> {
-        Made::solve(self, step, start, stop)
+        System::solve(self, step, start, stop)
     }
 }
 
@@ -119,7 +119,7 @@ struct Maker(NormalLaw<f64>);
 impl ContactVisitor for Maker {
     type Output = Box<dyn Solver>;
     fn visit<F: ContactFriction<f64> + 'static>(self, friction: &F) -> Self::Output {
-        Box::new(Made::<F>::new(self.0, *friction))
+        Box::new(System::<F>::new(self.0, *friction))
     }
 }
 

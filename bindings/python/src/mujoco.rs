@@ -10,7 +10,7 @@ mod planar;
 
 use crate::arrays::refused;
 use carry::Joints;
-use foot::{Contact, Foot, Given};
+use foot::{Contact, Foot, FootArguments};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use planar::{Limits, Rows, Solution, Step};
@@ -79,13 +79,16 @@ type FootState = (f64, Triple, Triple, [Triple; 3], Triple, bool, u64);
 impl MujocoFeet {
     #[new]
     fn new(
-        feet: Vec<Given<'_>>,
+        feet: Vec<FootArguments<'_>>,
         memory: Py<PyArray1<f64>>,
         places: Places,
         layout: Layout,
         mass: Option<Mass>,
     ) -> PyResult<Self> {
-        let feet: Vec<Foot> = feet.into_iter().map(Given::foot).collect::<PyResult<_>>()?;
+        let feet: Vec<Foot> = feet
+            .into_iter()
+            .map(FootArguments::foot)
+            .collect::<PyResult<_>>()?;
         Ok(Self {
             groups: groups(&feet),
             feet,

@@ -96,12 +96,12 @@ impl<P: RoundPower<f64>> Slides for Powered<P> {
 }
 
 /// Puts the kernel's type behind a pointer.
-struct Boxed {
+struct BoxingVisitor {
     coefficient: f64,
     radius: f64,
 }
 
-impl friction::Visitor<f64> for Boxed {
+impl friction::Visitor<f64> for BoxingVisitor {
     type Output = Box<dyn Slides>;
     fn visit<P: RoundPower<f64> + 'static>(self, profile: P) -> Self::Output {
         Box::new(Powered {
@@ -153,7 +153,7 @@ impl Slider {
         let [coefficient, alpha] = power_of(&law.0)?;
         let tier: Option<Tier> = tier.map(|name| name.parse().map_err(refused)).transpose()?;
         let tier = Tier::choose::<f64>(patch, &law.0, tier).map_err(refused)?;
-        let boxed = Boxed {
+        let boxed = BoxingVisitor {
             coefficient,
             radius,
         };

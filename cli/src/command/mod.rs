@@ -24,17 +24,17 @@ mod measure;
 mod modes;
 mod number;
 mod onset;
+mod output_options;
 mod overview;
-mod presentation;
 mod progress;
 mod push;
 mod reproduce;
 pub(crate) mod run;
 mod scene;
 mod spool;
+mod suggestions;
 mod surface;
 mod sweep;
-mod unknown;
 mod view;
 mod wrench;
 
@@ -51,7 +51,7 @@ use std::io::Write;
 #[command(after_help = overview::EXAMPLES)]
 struct Program {
     #[command(flatten)]
-    presentation: presentation::OutputOptions,
+    presentation: output_options::OutputOptions,
     #[command(subcommand)]
     command: Command,
 }
@@ -207,7 +207,7 @@ impl Command {
 
 /// A line on standard error about progress or a choice, unless --quiet is given.
 fn note(line: fmt::Arguments<'_>) {
-    if !presentation::is_quiet() {
+    if !output_options::is_quiet() {
         warn(line);
     }
 }

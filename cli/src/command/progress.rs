@@ -1,8 +1,8 @@
 //! How far long work is, on standard error: one line that is redrawn in a terminal, with a bar and
 //! the time left; plain lines, rarer as time goes on, in a pipe or a file; nothing with --quiet.
 
-use super::presentation::is_quiet;
-use super::run::caller::HostProgram;
+use super::output_options::is_quiet;
+use super::run::frontend::HostProgram;
 use std::fmt;
 use std::io::{IsTerminal, Write};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};

@@ -1,22 +1,22 @@
 //! `tribos run`: a scene simulated, its results in a folder.
 
-pub mod caller;
 pub mod disk;
 pub mod files;
+pub mod frontend;
 pub mod gas;
 pub mod grains;
 pub mod held;
-pub mod order;
 pub mod path;
 pub mod powder;
-pub mod size;
+pub mod request;
+pub mod resource_check;
 pub mod tip;
 
-pub use order::COMMAND;
+pub use request::COMMAND;
 
-use self::caller::Frontend;
-use self::order::{Pictures, RunRequest, how_to_go_on};
-use self::size::MemoryPermission;
+use self::frontend::Frontend;
+use self::request::{Pictures, RunRequest, how_to_go_on};
+use self::resource_check::MemoryPermission;
 use super::{bodies, number};
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};

@@ -2,12 +2,12 @@
 
 mod colors;
 mod encoder;
-pub mod kept;
+mod frame_images;
 pub mod path;
-mod still;
+pub mod run_files;
 
 use self::colors::{ColorBy, RenderStyle};
-use self::kept::RunFiles;
+use self::run_files::RunFiles;
 use crate::command::run::{files, frames_folder};
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
@@ -30,8 +30,8 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// PNG pictures of these frames instead of a page, into DIR/still-<frame>.png: numbers from 1,
     /// or `last`.
-    #[arg(long, value_name = "FRAMES", value_delimiter = ',', value_parser = still::which)]
-    still: Vec<still::FrameSelector>,
+    #[arg(long, value_name = "FRAMES", value_delimiter = ',', value_parser = frame_images::which)]
+    still: Vec<frame_images::FrameSelector>,
     /// A film file instead of a page; needs ffmpeg on the PATH. Ends in .mp4, .webm or .gif.
     #[arg(long, value_name = "FILE", value_parser = encoder::film_name)]
     film: Option<PathBuf>,
@@ -114,7 +114,7 @@ impl Arguments {
             let name = format!("still-{number}.png");
             folder::add(&self.folder, &[&name])?;
             let file = self.folder.join(name);
-            write_atomically(&file, &still::png(run, &look, number - 1)?)?;
+            write_atomically(&file, &frame_images::png(run, &look, number - 1)?)?;
             written(&file)?;
         }
         if let Some(file) = &self.film {

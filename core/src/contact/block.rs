@@ -6,7 +6,7 @@
 //! coupling out are limited to them (thesis, section 5.2).
 
 use super::body::ContactBody;
-use super::touch::ContactGeometry;
+use super::geometry::ContactGeometry;
 use crate::real::Real;
 
 /// Effective masses of one contact: how its relative velocity responds to its impulses.

@@ -33,29 +33,29 @@
 
 mod block;
 mod body;
-mod both_slip;
 mod coupled;
 mod disc;
+mod dual_slip;
 mod friction;
+mod geometry;
 mod modes;
 mod normal;
-mod pair;
 mod prepared;
+mod sliding_rolling;
 mod time_step;
-mod touch;
 mod update;
 mod vector;
 
 pub use body::{ContactBody, SphereBody, WallBody};
 pub use coupled::CoupledFriction;
 pub use friction::{ContactFriction, IndependentFriction};
+pub use geometry::{ContactError, ContactGeometry};
 pub use modes::{
     AllModes, ContactModes, ContactVector, Frictionless, SlidingOnly, SlidingRolling,
     SlidingTorsion,
 };
 pub use normal::{Attraction, Cohesion, NormalLaw};
 pub use time_step::TimeStep;
-pub use touch::{ContactError, ContactGeometry};
 pub use update::Contact;
 
 /// See [`crate::internals`].

@@ -3,11 +3,11 @@
 use super::block::Block;
 use super::body::ContactBody;
 use super::friction::{ContactFriction, TangentialLoad};
+use super::geometry::ContactGeometry;
 use super::modes::{AxialPart, ContactModes, ContactVector, PlanarPart};
 use super::normal::{NormalLaw, NormalStep};
-use super::pair::CoupledSlip;
 use super::prepared::PreparedContact;
-use super::touch::ContactGeometry;
+use super::sliding_rolling::CoupledSlip;
 use super::vector::{cross, tangential};
 use crate::real::Real;
 use nalgebra::Vector3;

@@ -1,10 +1,10 @@
 //! A uniform annulus: the disk minus its middle.
 
+use super::extended_range::{ExtendedRange, is_in_normal_range};
 use super::lateral::{LateralFriction, LateralJacobian};
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::rings::{Rings, ring_factors};
 use super::speeds::Speeds;
-use super::wide::{ExtendedRange, is_in_normal_range};
 use super::{DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::patch::PatchError;
 use crate::real::Real;

@@ -12,7 +12,7 @@
 //! has the end values T(0) = 3π/16 and 1.
 
 use super::DryReducedFriction;
-use super::family;
+use super::pressure_family;
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{DominantSpeed, Speeds};
 use crate::patch::PowerPressure;
@@ -166,10 +166,10 @@ macro_rules! dry_profiles {
                 [phi, chi]
             }
             fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
-                family::inertia_excess(self, order::<Self, R>(), at, inertia_ratio)
+                pressure_family::inertia_excess(self, order::<Self, R>(), at, inertia_ratio)
             }
             fn inertia_ends(&self) -> [R; 2] {
-                family::inertia_ends(self.exponent(), order::<Self, R>())
+                pressure_family::inertia_ends(self.exponent(), order::<Self, R>())
             }
         }
 
@@ -177,7 +177,7 @@ macro_rules! dry_profiles {
             #[inline]
             fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
                 let force = Self::force(at);
-                let chi = family::torque_factor(order::<Self, R>(), R::ZERO, at, force);
+                let chi = pressure_family::torque_factor(order::<Self, R>(), R::ZERO, at, force);
                 [force[0], force[1], chi]
             }
         }
@@ -189,7 +189,7 @@ macro_rules! dry_profiles {
             }
         }
 
-        family::coupled!([R: Real] $form, |_form| order::<Self, R>());
+        pressure_family::coupled!([R: Real] $form, |_form| order::<Self, R>());
     )*};
 }
 

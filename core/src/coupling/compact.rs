@@ -1,9 +1,9 @@
 //! The tier without tables: a few KiB of code, tens of ulp.
 
 use super::DryReducedFriction;
-use super::family;
-use super::member::FamilyMember;
-use super::octave::Pair;
+use super::family_member::FamilyMember;
+use super::half_octave_table::Pair;
+use super::pressure_family;
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{DominantSpeed, Speeds};
 use crate::law::{LawError, PowerLaw, validated_exponent};
@@ -40,10 +40,10 @@ impl<R: Real> PowerLawFriction<R> for CompactCoulombDisk {
         [phi, chi]
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
-        family::inertia_excess(self, R::ZERO, at, inertia_ratio)
+        pressure_family::inertia_excess(self, R::ZERO, at, inertia_ratio)
     }
     fn inertia_ends(&self) -> [R; 2] {
-        family::inertia_ends(self.exponent(), R::ZERO)
+        pressure_family::inertia_ends(self.exponent(), R::ZERO)
     }
 }
 
@@ -64,7 +64,7 @@ impl<R: Real> SmoothProfile<R> for CompactCoulombDisk {
         [
             phi,
             slope,
-            family::torque_factor(R::ZERO, R::ZERO, at, [phi, slope]),
+            pressure_family::torque_factor(R::ZERO, R::ZERO, at, [phi, slope]),
         ]
     }
 }
@@ -140,10 +140,10 @@ impl<R: Real> PowerLawFriction<R> for CompactPower<R> {
         [phi, chi]
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
-        family::inertia_excess(self, self.order, at, inertia_ratio)
+        pressure_family::inertia_excess(self, self.order, at, inertia_ratio)
     }
     fn inertia_ends(&self) -> [R; 2] {
-        family::inertia_ends(self.exponent(), self.order)
+        pressure_family::inertia_ends(self.exponent(), self.order)
     }
 }
 
@@ -158,11 +158,11 @@ impl<R: Real> SmoothProfile<R> for CompactPower<R> {
         let phi = pair.gauss.at(x, z);
         let [phi, slope] = [phi.value, phi.slope].map(|y| pair.scale * y);
         let [order, alpha] = [self.order, self.alpha].map(R::to_f64);
-        let chi = family::torque_factor(order, alpha, &at, [phi, slope]);
+        let chi = pressure_family::torque_factor(order, alpha, &at, [phi, slope]);
         [phi, slope, chi].map(R::from_f64)
     }
 }
 
-family::coupled!([R: Real] CompactCoulombDisk, |_coulomb| R::ZERO);
+pressure_family::coupled!([R: Real] CompactCoulombDisk, |_coulomb| R::ZERO);
 
-family::coupled!([R: Real] CompactPower<R>, |power| power.order);
+pressure_family::coupled!([R: Real] CompactPower<R>, |power| power.order);

@@ -1,11 +1,11 @@
 //! The table of one exponent on the uniform disk, without the power of its scale.
 
-use super::family;
-use super::member::FamilyMember;
+use super::equal_speeds::{EqualSpeedExpansion, Exponent};
+use super::family_member::FamilyMember;
+use super::pressure_family;
 use super::profile::{PowerLawFriction, SmoothProfile};
-use super::side::{self, RegimeTable};
+use super::regime_table::{self, RegimeTable};
 use super::speeds::{DominantSpeed, Speeds};
-use super::tip::{EqualSpeedExpansion, Exponent};
 use crate::real::Real;
 
 /// Below this many roots of rounding Φ' is not taken from Θ, which loses its digits like 1/z.
@@ -78,10 +78,10 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> PowerLawFr
         [phi, spin * phi + a * h * theta]
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
-        family::inertia_excess(self, R::ZERO, at, inertia_ratio)
+        pressure_family::inertia_excess(self, R::ZERO, at, inertia_ratio)
     }
     fn inertia_ends(&self) -> [R; 2] {
-        family::inertia_ends(self.exponent(), R::ZERO)
+        pressure_family::inertia_ends(self.exponent(), R::ZERO)
     }
 }
 
@@ -96,7 +96,7 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Disk<R, E,
             None if self.exponent.bends_values() => return self.bent_force_and_theta(R::ONE - x),
             None => self.side.end_cell(),
         };
-        side::evaluated(cell, cell.mirror - x)
+        regime_table::evaluated(cell, cell.mirror - x)
     }
 
     /// Φ and Φ' at z.
@@ -107,7 +107,7 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Disk<R, E,
             None if self.exponent.bends_slopes() => return self.bent_force_and_slope(z),
             None => self.side.end_cell(),
         };
-        side::value_and_slope(cell, z)
+        regime_table::value_and_slope(cell, z)
     }
 
     /// Φ and Θ at z in the cell of z = 0, from their expansion; NaN for NaN.
@@ -116,7 +116,10 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Disk<R, E,
     pub(super) fn bent_force_and_theta(&self, z: R) -> [R; 2] {
         let [phi, slope] = self.bent_force_and_slope(z);
         let alpha = self.exponent.value();
-        [phi, family::theta(R::ZERO, alpha, [phi, z * slope])]
+        [
+            phi,
+            pressure_family::theta(R::ZERO, alpha, [phi, z * slope]),
+        ]
     }
 
     /// Φ and Φ' at z in the cell of z = 0, from their expansion; NaN for NaN.
@@ -140,7 +143,7 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> SmoothProf
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         let [phi, slope] = self.force_and_slope(at.complement());
         // One table read serves all.
-        let chi = family::torque_factor(R::ZERO, self.exponent.value(), at, [phi, slope]);
+        let chi = pressure_family::torque_factor(R::ZERO, self.exponent.value(), at, [phi, slope]);
         [phi, slope, chi]
     }
     /// Φ' from Θ, next to equal speeds from the polynomial.
@@ -151,7 +154,7 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> SmoothProf
         if z < R::from_f64(CLOSE) * R::EPSILON.sqrt() {
             return self.factors_and_slope(at);
         }
-        let moment = family::moment(R::ZERO, self.exponent.value());
+        let moment = pressure_family::moment(R::ZERO, self.exponent.value());
         let slope = (moment * theta - R::HALF * (R::ONE + self.exponent.value()) * phi) / z;
         let a_sq = at.slide * at.slide;
         let spin = pure_spin_torque(self.exponent.value()) * (R::ONE - a_sq);

@@ -1,7 +1,7 @@
 //! A round contact with its dimensions: radius, coefficient, load.
 
 use super::batch;
-use super::wide::is_in_normal_range;
+use super::extended_range::is_in_normal_range;
 use super::{ReducedFriction, ReducedWrench};
 use crate::error::Error;
 use crate::law::validated_coefficient;

@@ -19,7 +19,7 @@
 //! derives the rest.
 
 use super::ReducedFriction;
-use super::beyond;
+use super::extreme_range;
 use super::profile::SmoothProfile;
 use super::speeds::{DominantSpeed, Speeds};
 use crate::real::Real;
@@ -91,7 +91,7 @@ pub(super) fn of_profile<R: Real, P: SmoothProfile<R>>(
         scale * (at.rim * (phi + chi) / divisor)
     } else {
         let sum = (phi + chi) / divisor;
-        beyond::lateral(profile.exponent(), sum, &at, [slide, rim])
+        extreme_range::lateral(profile.exponent(), sum, &at, [slide, rim])
     }
 }
 
@@ -112,7 +112,7 @@ pub(super) fn jacobian_of_profile<R: Real, P: SmoothProfile<R>>(
     let [slide, rim] = if at.may_be_scaled(scale, slide, rim) {
         unscaled_jacobian(alpha, &at, factors).map(|entry| scale * (entry / divisor))
     } else {
-        beyond::lateral_jacobian(alpha, factors, divisor, &at, [slide, rim])
+        extreme_range::lateral_jacobian(alpha, factors, divisor, &at, [slide, rim])
     };
     LateralJacobian { slide, rim }
 }
@@ -166,5 +166,5 @@ pub(super) fn jacobian_of_order<R: Real, P: SmoothProfile<R>>(
 /// 2(n+1) for pressure of order q under exponent α.
 #[inline]
 pub(super) fn divisor<R: Real>(order: R, alpha: R) -> R {
-    R::TWO * (super::family::moment(order, alpha) + R::ONE)
+    R::TWO * (super::pressure_family::moment(order, alpha) + R::ONE)
 }

@@ -1,6 +1,6 @@
 //! The profile of a tall body under dry friction, with the effect of its lean on the final motion.
 
-use super::tall::{FullGradient, PressureGradient};
+use super::load_transfer::{FullGradient, PressureGradient};
 use super::{DryReducedFriction, LateralFriction, PowerLawFriction, Speeds};
 use crate::patch::PatchError;
 use crate::real::Real;

@@ -25,37 +25,37 @@
 
 mod annulus;
 mod batch;
-mod beyond;
 pub(crate) mod disk;
 mod dry;
-mod family;
+pub(crate) mod equal_speeds;
+mod extended_range;
+mod extreme_range;
+mod family_member;
 mod friction;
+mod half_octave_table;
 mod lateral;
 mod lean_profile;
-mod member;
-mod octave;
 mod polynomial;
+mod pressure_family;
 mod profile;
+mod regime_table;
 mod rings;
-mod side;
 mod speeds;
-pub(crate) mod tip;
-mod wide;
 
 pub mod closed;
 pub mod compact;
 pub mod flat;
+pub mod load_transfer;
 pub mod nodes;
 pub mod quadrature;
 pub mod round;
 pub mod table;
-pub mod tall;
 
 pub use annulus::Annulus;
 pub use dry::DryProfile;
-pub(crate) use family::inertia_ends;
 pub use friction::{Magnitudes, MagnitudesJacobian, RoundFriction};
 pub use lateral::LateralFriction;
+pub(crate) use pressure_family::inertia_ends;
 pub use profile::{PowerLawFriction, unscaled_wrench};
 
 /// See [`crate::internals`].

@@ -2,7 +2,7 @@
 
 use super::lateral::{self, LateralFriction, LateralJacobian};
 use super::profile::{self, PowerLawFriction, SmoothProfile};
-use super::side::RegimeTables;
+use super::regime_table::RegimeTables;
 use super::speeds::Speeds;
 use super::table::{CELLS_F64, MAX_EXPONENT, TERMS_F64};
 use super::{ReducedFriction, ReducedJacobian, ReducedWrench};

@@ -29,9 +29,9 @@
 //! *Source*: the integrals are eqs. 3.6–3.10 of the thesis (for α = 0: Farkas, Bartels, Unger, Wolf,
 //! Phys. Rev. Lett. 90 (2003) 248302); `docs/theory.md` derives the forms above.
 
-use super::beyond;
+use super::extended_range::is_in_normal_range;
+use super::extreme_range;
 use super::speeds::{DominantSpeed, Speeds};
-use super::wide::is_in_normal_range;
 use super::{ReducedJacobian, ReducedWrench};
 use crate::real::Real;
 
@@ -204,7 +204,7 @@ pub(super) fn wrench<R: Real, P: PowerLawFriction<R>>(
         let [drag, torque] = profile.drag_and_torque(&speeds);
         [scale * (speeds.slide * drag), scale * torque]
     } else {
-        beyond::wrench(profile, &speeds, slide, rim)
+        extreme_range::wrench(profile, &speeds, slide, rim)
     };
     ReducedWrench { force, torque }
 }
@@ -249,7 +249,7 @@ pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
             let factors = profile.factors_and_slope(&speeds);
             unscaled_jacobian(profile.exponent(), &speeds, factors).map(|x| scale * x)
         } else {
-            beyond::jacobian(profile, &speeds, [slide, rim])
+            extreme_range::jacobian(profile, &speeds, [slide, rim])
         };
     ReducedJacobian {
         force_per_slide,

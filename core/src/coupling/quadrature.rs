@@ -22,7 +22,7 @@
 //! s = v sinθ/ρ: T = w ∫2r³ ⟨(1 − s²) g/ρ + s² g'⟩ dr. The derivatives are integrals of the same
 //! kinds. Nothing divides by a small number, and no singular point is ever a node.
 
-use super::wide::{ExtendedRange, is_in_normal_range};
+use super::extended_range::{ExtendedRange, is_in_normal_range};
 use super::{ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::law::LocalLaw;
 use crate::real::Real;

@@ -3,10 +3,10 @@
 //! The uniform disk has one table for both regimes ([`super::table`]); every other pressure needs
 //! one for spinning and one for sliding, each of Φ and Χ.
 
-use super::family;
-use super::member::FamilyMember;
+use super::family_member::FamilyMember;
+use super::pressure_family;
 use super::profile::{PowerLawFriction, SmoothProfile};
-use super::side::RegimeTables;
+use super::regime_table::RegimeTables;
 use super::speeds::Speeds;
 use super::table::MAX_EXPONENT;
 use super::table::{CELLS_F32, CELLS_F64, TERMS_F32, TERMS_F64};
@@ -130,13 +130,13 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> PowerLawFriction<R>
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
         // The slope of a table is less accurate than its values: needed near α = 1 only.
         if (self.exponent() - R::ONE).abs() < R::from_f64(NEARLY_LINEAR) {
-            return family::inertia_excess(&self.sides, self.order, at, inertia_ratio);
+            return pressure_family::inertia_excess(&self.sides, self.order, at, inertia_ratio);
         }
         let [phi, chi] = self.factors(at);
         chi / phi - inertia_ratio
     }
     fn inertia_ends(&self) -> [R; 2] {
-        family::inertia_ends(self.exponent(), self.order)
+        pressure_family::inertia_ends(self.exponent(), self.order)
     }
 }
 
@@ -151,4 +151,4 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R>
 
 pub use super::polynomial::{LateralPolynomialTable, PolynomialTable};
 
-family::coupled_in_lanes!([R: Real, const CELLS: usize, const TERMS: usize] RoundTable<R, CELLS, TERMS>, |table| table.order);
+pressure_family::coupled_in_lanes!([R: Real, const CELLS: usize, const TERMS: usize] RoundTable<R, CELLS, TERMS>, |table| table.order);

@@ -1,6 +1,6 @@
 //! The two speeds of a contact in units of the larger one.
 
-use super::wide::is_in_normal_range;
+use super::extended_range::is_in_normal_range;
 use crate::real::Real;
 
 /// Which of the two speeds is the larger one.

@@ -2,10 +2,10 @@
 
 use super::DryReducedFriction;
 use super::disk::Disk;
-use super::family;
+use super::equal_speeds::{DryExponent, Exponent, GeneralExponent};
+use super::pressure_family;
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{DominantSpeed, Speeds};
-use super::tip::{DryExponent, Exponent, GeneralExponent};
 use crate::law::{LawError, validated_exponent};
 use crate::power::FixedPower;
 use crate::real::Real;
@@ -174,22 +174,22 @@ pub(crate) static COULOMB_F32: Aligned<CoulombTable32> =
 /// Looks up the table of α = 0 in the precision of the caller.
 macro_rules! in_own_table {
     ($real:ident, $given:ty => $gives:ty, |$table:ident, $at:pat_param| $found:expr, $value:expr) => {{
-        struct Own;
-        impl crate::real::InEach for Own {
-            type Given<$real: Real> = $given;
-            type Gives<$real: Real> = $gives;
+        struct Lookup;
+        impl crate::real::InEach for Lookup {
+            type Input<$real: Real> = $given;
+            type Output<$real: Real> = $gives;
             #[inline(always)]
-            fn single($at: Self::Given<f32>) -> Self::Gives<f32> {
+            fn single($at: Self::Input<f32>) -> Self::Output<f32> {
                 let $table = &$crate::coupling::table::COULOMB_F32.0;
                 $found
             }
             #[inline(always)]
-            fn double($at: Self::Given<f64>) -> Self::Gives<f64> {
+            fn double($at: Self::Input<f64>) -> Self::Output<f64> {
                 let $table = &$crate::coupling::table::COULOMB_F64.0;
                 $found
             }
         }
-        $real::in_own::<Own>($value)
+        $real::in_own::<Lookup>($value)
     }};
 }
 #[allow(unused_imports, reason = "for targets with vectors")]
@@ -273,6 +273,6 @@ impl<R: Real> DryReducedFriction<R> for CoulombDisk {
     }
 }
 
-family::coupled_in_lanes!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
+pressure_family::coupled_in_lanes!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
 
-family::coupled_in_lanes!([R: Real] CoulombDisk, |_table| R::ZERO);
+pressure_family::coupled_in_lanes!([R: Real] CoulombDisk, |_table| R::ZERO);

@@ -8,8 +8,8 @@
 //! and nothing else is carried by all of them.
 
 use super::central_path::{WrenchRay, reach, speed};
+use super::load_sharing::{Greatest, LoadSharing, cross};
 use super::quadratic::{norm, over};
-use super::sharing::{Greatest, LoadSharing, cross};
 use crate::error::Error;
 use crate::law::validated_not_negative;
 use crate::real::Real;

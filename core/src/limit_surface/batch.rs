@@ -3,8 +3,8 @@
 //! Every wrench goes through the searches of its own call, so that the bits are the same; a group of them goes
 //! on point by point, and a processor computes the points of one while those of another wait for a root.
 
-use super::loaded::{SurfaceSearch, inside};
 use super::meridian::Meridian;
+use super::searches::{SurfaceSearch, inside};
 use super::{Projection, RoundLimitSurface};
 use crate::coupling::DryReducedFriction;
 use crate::real::Real;

@@ -25,9 +25,9 @@
 //!
 //! and nothing cancels. Without a lead g counts as velocity across.
 
+use super::load_sharing::{LoadSharing, cross};
 use super::quadratic::{Factors, dot, norm};
 use super::search::pivot;
-use super::sharing::{LoadSharing, cross};
 use crate::real::Real;
 use nalgebra::{Matrix3, Vector2, Vector3};
 

@@ -1,6 +1,6 @@
 //! The ellipsoidal approximation of the limit surface, common in planners.
 
-use super::exact::RoundLimitSurface;
+use super::round::RoundLimitSurface;
 use super::{FrictionSet, Projection};
 use crate::coupling::{DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::error::Error;

@@ -19,8 +19,8 @@
 //! that it has computed instead of computing another.
 
 use super::collar;
-use super::rising::{MonotoneRoot, Step};
-use super::sketch::CurveApproximation;
+use super::curve_approximation::CurveApproximation;
+use super::monotone_root::{MonotoneRoot, Step};
 use crate::coupling::{DominantSpeed, DryReducedFriction, ReducedWrench};
 use crate::real::Real;
 
@@ -234,10 +234,11 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
 
 /// A search along the curve, one point of it after the other.
 pub(super) trait Search<R: Real> {
-    type Found;
+    type Answer;
 
     /// Computes the next point; what is looked for, if that is known then.
-    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Self::Found>;
+    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>)
+    -> Option<Self::Answer>;
 }
 
 /// What a search finds.
@@ -245,7 +246,7 @@ pub(super) trait Search<R: Real> {
 pub(super) fn solved<R: Real, C: DryReducedFriction<R>, S: Search<R>>(
     search: &mut S,
     curve: &Meridian<R, C>,
-) -> S::Found {
+) -> S::Answer {
     loop {
         if let Some(found) = search.advance(curve) {
             return found;
@@ -292,7 +293,7 @@ impl<R: Real> RaySearch<R> {
 }
 
 impl<R: Real> Search<R> for RaySearch<R> {
-    type Found = RayNormal<R>;
+    type Answer = RayNormal<R>;
 
     #[inline]
     fn advance<C: DryReducedFriction<R>>(
@@ -323,7 +324,7 @@ impl<R: Real> Search<R> for RaySearch<R> {
 }
 
 impl<R: Real> Search<R> for NearestPointSearch<R> {
-    type Found = NormalAndPoint<R>;
+    type Answer = NormalAndPoint<R>;
 
     #[inline]
     fn advance<C: DryReducedFriction<R>>(

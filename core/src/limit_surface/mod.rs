@@ -39,26 +39,26 @@
 mod any_pressure;
 mod batch;
 mod central_path;
+mod curve_approximation;
 mod ellipsoid;
-mod exact;
-mod kinks;
-mod loaded;
+mod load_sharing;
 mod meridian;
-mod patch;
+mod monotone_root;
+mod nonsmooth_search;
 mod polar;
 mod quadratic;
-mod rising;
+mod round;
 mod scaled;
 mod search;
-mod sharing;
-mod sketch;
-mod yaw;
+mod searches;
+mod shape;
+mod torque_range;
 
 pub use any_pressure::{TorqueLimits, UnknownPressureSet};
 pub use ellipsoid::LimitEllipsoid;
-pub use exact::RoundLimitSurface;
-pub use patch::ShapeLimitSurface;
+pub use round::RoundLimitSurface;
 pub use scaled::ScaledSet;
+pub use shape::ShapeLimitSurface;
 
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};

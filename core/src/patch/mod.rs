@@ -4,25 +4,25 @@
 //! over the unit disk, and [`crate::coupling::RoundFriction`] adds the radius.
 
 pub mod bar;
-mod borrowed;
 mod edge;
 mod error;
 pub mod feet;
 mod flat_pressure;
-mod frame;
 mod gauss_jacobi;
 pub mod mesh;
 mod mesh_error;
+mod node_storage;
 pub mod nodes;
 pub mod outline;
+mod outline_check;
 mod outline_error;
-mod parts;
+mod outline_extent;
 pub mod points;
 pub mod polar;
 pub mod polygon;
+mod polygon_parts;
 mod polynomial;
 mod power;
-mod simple;
 mod triangle;
 pub(crate) mod tripod;
 

@@ -3,7 +3,7 @@
 //! The points may be real (the feet of a tripod, the spikes of a shoe) or the nodes of a quadrature
 //! rule that represents a continuous pressure ([`super::polar`], [`super::polygon`]).
 
-pub use super::borrowed::{NodeBuffer, NodeSlice};
+pub use super::node_storage::{NodeBuffer, NodeSlice};
 
 use super::PatchError;
 use crate::real::Real;

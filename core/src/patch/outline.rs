@@ -7,10 +7,10 @@ pub use super::edge::Edge;
 pub use super::flat_pressure::{LinearPressure, PressureField, UniformPressure};
 pub use super::outline_error::OutlineError;
 #[doc(hidden)]
-pub use super::parts::Parts;
+pub use super::polygon_parts::Parts;
 
-use super::frame::{Frame, twice_area};
-use super::simple::{OutlineLoops, checked, sides};
+use super::outline_check::{OutlineLoops, checked, sides};
+use super::outline_extent::{Frame, twice_area};
 use crate::real::Real;
 use nalgebra::Vector2;
 

@@ -41,14 +41,14 @@
 
 mod balance;
 mod elastic;
-mod foot;
+mod point_contacts;
 mod step;
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;
 
 pub use elastic::{ElasticState, ElasticStep};
-pub use foot::PointContacts;
+pub use point_contacts::PointContacts;
 pub use step::PlanarStep;
 
 use crate::law::{LawError, validated_positive};

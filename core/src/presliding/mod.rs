@@ -68,18 +68,18 @@
 //! # Ok::<(), tribos_core::Error>(())
 //! ```
 
-mod bonds;
-mod gradual;
+mod microslip;
 mod nodes;
 mod pose;
 mod root;
 mod step;
+mod stiffness;
 
-pub use bonds::Presliding;
-pub(crate) use bonds::Stiffness;
-pub use gradual::MicroslipPresliding;
+pub use microslip::MicroslipPresliding;
 pub use nodes::{PointPresliding, PointPreslidingStep};
 pub(crate) use pose::Axes;
 pub use pose::{Anchor, Pose};
 pub(crate) use step::not_below_zero;
 pub use step::{PreslidingStep, Settled};
+pub use stiffness::Presliding;
+pub(crate) use stiffness::Stiffness;

@@ -5,7 +5,7 @@ use super::eighth_order;
 use super::march::{IntegrationTarget, Outcome, march};
 use super::rest::SliderRest;
 use super::runge_kutta;
-use super::single::ShortIntegration;
+use super::short_f32::ShortIntegration;
 use super::{Slider, SliderState};
 use crate::coupling::{PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;

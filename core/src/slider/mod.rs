@@ -9,15 +9,15 @@
 //! thesis.
 
 mod advance;
+mod direction_arc;
 mod eighth_order;
-mod leg;
+mod final_decay;
+mod gauss_legendre;
 mod march;
 mod rest;
-mod rule;
 #[doc(hidden)]
 pub mod runge_kutta;
-mod single;
-mod tail;
+mod short_f32;
 mod verlet;
 
 pub use advance::Advance;

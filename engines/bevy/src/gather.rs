@@ -38,7 +38,7 @@ type Places<'w, 's> = Query<
 >;
 
 /// A contact of a patch.
-struct Touching {
+struct PatchContact {
     body: Entity,
     member: Member,
     holds: bool,
@@ -51,7 +51,7 @@ struct Touching {
 
 /// Contacts of feet on one plane, until all have been seen.
 struct FootGroupBuilder {
-    first: Touching,
+    first: PatchContact,
     members: Vec<Member>,
     normals: Vec3,
     arms: [Vec3; 2],
@@ -108,7 +108,7 @@ fn touching(
     constraint: &ContactConstraint,
     patches: &Patches,
     places: &Places,
-) -> Option<Touching> {
+) -> Option<PatchContact> {
     let (patch, friction, transform) = patches.get(colliders[foot]).ok()?;
     let bodies = [constraint.body1, constraint.body2];
     let [body, ground] = [bodies[foot], bodies[1 - foot]];
@@ -143,7 +143,7 @@ fn touching(
     member.last = friction.last;
     let arms = [anchors[foot], anchors[1 - foot]];
     member.lever = arms[1] - arms[0];
-    Some(Touching {
+    Some(PatchContact {
         body,
         member,
         holds: friction.holds,
@@ -154,7 +154,7 @@ fn touching(
 }
 
 impl FootGroupBuilder {
-    fn new(first: Touching) -> Self {
+    fn new(first: PatchContact) -> Self {
         Self {
             members: vec![first.member.clone()],
             normals: first.normal,
@@ -167,15 +167,15 @@ impl FootGroupBuilder {
 
     /// Whether the contact belongs to the same body on the same plane, on the same ground or on one that
     /// friction does not move either.
-    fn takes(&self, other: &Touching) -> bool {
-        let movable = |of: &Touching| of.member.ground.filter(|_| of.moves[1]);
+    fn takes(&self, other: &PatchContact) -> bool {
+        let movable = |of: &PatchContact| of.member.ground.filter(|_| of.moves[1]);
         self.first.body == other.body
             && self.first.moves == other.moves
             && movable(&self.first) == movable(other)
             && self.first.normal.dot(other.normal) > ONE_PLANE
     }
 
-    fn add(&mut self, other: Touching) {
+    fn add(&mut self, other: PatchContact) {
         self.normals += other.normal;
         // The distance to a ground matters for the first one alone.
         if other.member.ground == self.first.member.ground {

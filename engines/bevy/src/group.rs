@@ -55,11 +55,11 @@ pub(crate) struct Member {
     /// Normal impulse in N s with which friction was last solved.
     solved: Option<f32>,
     /// Sums over the substeps.
-    sums: Sums,
+    sums: AppliedLoads,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-struct Sums {
+struct AppliedLoads {
     force: Vec3,
     torque: Vec3,
     load: f32,
@@ -83,7 +83,7 @@ impl Member {
             contacts: Vec::new(),
             last: SubstepFriction::default(),
             solved: None,
-            sums: Sums::default(),
+            sums: AppliedLoads::default(),
         }
     }
 

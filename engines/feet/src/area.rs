@@ -6,7 +6,7 @@
 //! speed v it is smooth and still convex, and as σ → 0 it is h.
 
 use tribos_core::coupling::{ReducedJacobian, ReducedWrench};
-use tribos_friction::{Area as Shape, FrictionError, Held, Patch};
+use tribos_friction::{Area as Shape, BoxedDryFriction, FrictionError, Patch};
 
 /// The shape of an element.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +20,7 @@ pub(crate) enum Area<'a> {
 /// A round foot under dry friction.
 #[derive(Debug)]
 pub(crate) struct Round {
-    dry: Box<dyn Held<f64>>,
+    dry: Box<dyn BoxedDryFriction<f64>>,
     /// In metres.
     radius: f64,
     /// Mean square of the distance from the middle, in radii.
@@ -106,7 +106,7 @@ impl Area<'_> {
 }
 
 fn both(
-    coupling: &dyn Held<f64>,
+    coupling: &dyn BoxedDryFriction<f64>,
     slide: f64,
     rim: f64,
 ) -> (ReducedWrench<f64>, ReducedJacobian<f64>) {

@@ -1,13 +1,13 @@
 //! All pairs with a patch, around the engine's step.
 
+use crate::active_pairs::{ActivePair, bodies_of, colliders_of};
+use crate::foot_pose::FootPose;
 use crate::grounds::{Ground, GroundMu};
 use crate::group::{self, Member, PendingPrediction};
-use crate::handed::TemporaryForces;
 use crate::pair::{ContactLoad, Friction, Pair, Stop};
 use crate::patch::Patch;
 use crate::refusal::{PairError, check};
-use crate::stand::FootPose;
-use crate::touching::{ActivePair, bodies_of, colliders_of};
+use crate::temporary_forces::TemporaryForces;
 use rapier3d::prelude::*;
 
 /// Pairs of colliders whose friction is that of a patch.

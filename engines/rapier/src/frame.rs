@@ -60,7 +60,7 @@ pub(crate) fn relative(frame: &Frame, foot: &RigidBody, ground: Option<&RigidBod
 
 /// What the rotation of the ground asks of a foot that it carries through a step.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Carried {
+pub(crate) struct FrameMotion {
     /// Mean acceleration.
     pub(crate) acceleration: Vector,
     /// To be added to the velocity during the step: under that acceleration, the engine's displacement is then that of
@@ -68,7 +68,7 @@ pub(crate) struct Carried {
     pub(crate) offset: Vector,
 }
 
-impl Carried {
+impl FrameMotion {
     /// A ground without body does not turn. *Derivation*: in a step dt the point r turns by θ, to
     /// r + (1 + s) a + (½ + c) b with a = θ × r, b = θ × a, s = sin(θ)/θ − 1, c = (1 − cos θ)/θ² − ½ (Rodrigues), and
     /// its velocity changes by ω times that displacement. The engine turns bodies in n substeps by an angle whose half

@@ -1,9 +1,9 @@
 //! Grounds on which all that stands flat has a patch of its own shape.
 
+use crate::active_pairs::{ActivePair, colliders_of};
+use crate::flat_faces::{Face, face};
 use crate::pair::{Pair, PreviousStep};
 use crate::patch::Patch;
-use crate::soles::{Face, face};
-use crate::touching::{ActivePair, colliders_of};
 use rapier3d::prelude::*;
 
 /// The coefficient of friction on a ground.

@@ -5,11 +5,11 @@
 //! the same step is repeated with the loads and pushes that the engine has found. Its result is the
 //! motion: at rest it is zero to the last bit.
 
-use crate::frame::{Carried, Frame, relative};
-use crate::handed::TemporaryForces;
+use crate::foot_pose::FootPose;
+use crate::frame::{Frame, FrameMotion, relative};
 use crate::pair::{ContactLoad, Friction, Pair, PreviousStep, Stop};
 use crate::reduced::{Reduced, accelerate, is_free};
-use crate::stand::FootPose;
+use crate::temporary_forces::TemporaryForces;
 use core::ops::Range;
 use rapier3d::prelude::*;
 use tribos_core::contact::TimeStep;
@@ -184,7 +184,7 @@ pub(crate) fn begin(
     let extra = |body: &RigidBody| body.additional_solver_iterations();
     let most = extra(foot).max(ground.map_or(0, extra));
     let substeps = (parameters.num_solver_iterations + most).max(1);
-    let carried = Carried::over(foot, ground, parameters.dt, substeps);
+    let carried = FrameMotion::over(foot, ground, parameters.dt, substeps);
     let push = expected(gravity, &carried, &reduced, &frame, foot, ground);
     let held = pairs.get(first.pair)?.known.and_then(|known| known.held());
     // The feet at the middle of the step.
@@ -357,7 +357,7 @@ fn forces(
 /// Expected push of gravity, the user's forces and the rotation of the ground.
 fn expected(
     gravity: Vector,
-    carried: &Carried,
+    carried: &FrameMotion,
     reduced: &Reduced,
     frame: &Frame,
     foot: &RigidBody,

@@ -48,18 +48,18 @@
 //! after another. Links of multibodies are not moved. With `max_ccd_substeps` above 1 a step that the
 //! engine splits is corrected by its last part.
 
+mod active_pairs;
 mod contacts;
+mod flat_faces;
+mod foot_pose;
 mod frame;
 mod grounds;
 mod group;
-mod handed;
 mod pair;
 mod patch;
 mod reduced;
 mod refusal;
-mod soles;
-mod stand;
-mod touching;
+mod temporary_forces;
 
 pub use contacts::PatchContacts;
 pub use grounds::GroundMu;

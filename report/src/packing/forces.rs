@@ -2,7 +2,7 @@
 
 use super::{Contact, Packing, PackingError};
 use crate::figure::Color;
-use crate::solid::paper::{Anchor, SvgCanvas, mixed, width};
+use crate::solid::svg_canvas::{Anchor, SvgCanvas, mixed, width};
 use crate::solid::view::{Frame, Point, View};
 
 /// Colours of compression and of tension: vermilion and blue of the line colours.

@@ -2,7 +2,7 @@
 
 use super::BoxGeometry;
 use crate::figure::Color;
-use crate::solid::paper::{SvgCanvas, mixed};
+use crate::solid::svg_canvas::{SvgCanvas, mixed};
 use crate::solid::view::{Point, View};
 
 /// Colours of the box's edges, of the substrate and of the piston.

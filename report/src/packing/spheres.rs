@@ -3,8 +3,8 @@
 use super::{Packing, PackingError};
 use crate::figure::axis::{Axis, Span};
 use crate::figure::{Color, FigureError};
-use crate::solid::paper::SvgCanvas;
 use crate::solid::ramp;
+use crate::solid::svg_canvas::SvgCanvas;
 use crate::solid::view::{Frame, Point, View};
 
 /// Spheres with a value each.

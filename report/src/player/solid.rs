@@ -2,10 +2,10 @@
 
 use super::{Film, pack};
 use crate::figure::Color;
-use crate::solid::{paper::hex, ramp};
+use crate::solid::{ramp, svg_canvas::hex};
 use serde_json::{Value, json};
 use tribos::record::frames::{Bodies, Frame, Kind};
-use tribos::tip::Part;
+use tribos::tip::AtomRole;
 
 /// Colours of a tip's parts (thesis, fig. 5.1), from the base to the driven layers.
 pub const PART_COLORS: [Color; 6] = [
@@ -57,7 +57,7 @@ pub fn solid_film(title: &str, bodies: &Bodies, frames: &[Frame]) -> Result<Film
     if bodies.kind == Kind::Tip {
         meta["layers"] = json!(bodies.layers);
         meta["parts"] = json!(bodies.parts);
-        meta["partKinds"] = Part::ALL
+        meta["partKinds"] = AtomRole::ALL
             .iter()
             .zip(PART_COLORS)
             .map(|(part, color)| json!({ "name": part.name(), "color": hex(color) }))

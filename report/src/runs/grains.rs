@@ -1,9 +1,9 @@
 //! Pictures of grains in a box: the packing at both ends, and series over time.
 
 use super::powder::State;
+use crate::drawing_grid::DrawingGrid;
 use crate::figure::{Axis, Figure, Panels, Series};
 use crate::packing::{PackingError, PackingPicture};
-use crate::sheet::DrawingGrid;
 use tribos::grains::{COLUMNS, GrainsSimulation};
 
 /// Initial and final grains in one scale, and the final forces.

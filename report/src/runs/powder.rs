@@ -1,8 +1,8 @@
 //! Pictures of a compaction: the packing at both ends, and series over time.
 
+use crate::drawing_grid::DrawingGrid;
 use crate::figure::{Axis, Figure, Panels, ReferenceLine, Series};
 use crate::packing::{Contact, Packing, PackingError, PackingPicture};
-use crate::sheet::DrawingGrid;
 use tribos::powder::{PowderSimulation, PowderSummary};
 use tribos::record::{ContactRow, Snapshot};
 use tribos::scene::PowderScene;

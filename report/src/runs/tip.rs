@@ -1,13 +1,13 @@
 //! Pictures of a tip: its atoms, coloured by part, the angles over time of a turned one and the
 //! friction loop of a slid one.
 
+use crate::drawing_grid::DrawingGrid;
 use crate::figure::{Axis, Color, Figure, Panels, ReferenceLine, Series};
 use crate::packing::{Packing, PackingError, PackingPicture};
 use crate::player::PART_COLORS;
-use crate::sheet::DrawingGrid;
 use nalgebra::Vector3;
 use tribos::scene::{DriveKind, TipScene};
-use tribos::tip::{Part, Shape, TipSimulation, TipSummary};
+use tribos::tip::{AtomRole, Shape, TipSimulation, TipSummary};
 
 /// Colour of one marked atom in each part of the tip, which shows its rotation.
 const MARK: Color = Color(250, 205, 30);
@@ -18,7 +18,7 @@ pub fn colors(shape: &Shape) -> Vec<Color> {
     let mut colors: Vec<_> = sites
         .iter()
         .map(|site| {
-            let part = Part::ALL.iter().position(|&part| part == site.part);
+            let part = AtomRole::ALL.iter().position(|&part| part == site.part);
             PART_COLORS[part.unwrap_or_default()]
         })
         .collect();

@@ -1,5 +1,5 @@
 //! Shared parts of three-dimensional pictures: the view, the paper and colours.
 
-pub(super) mod paper;
 pub(super) mod ramp;
+pub(super) mod svg_canvas;
 pub(super) mod view;

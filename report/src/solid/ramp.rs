@@ -1,6 +1,6 @@
 //! Colours for values from dark blue over green to yellow, and the bar that explains them.
 
-use super::paper::{Anchor, SvgCanvas, width};
+use super::svg_canvas::{Anchor, SvgCanvas, width};
 use super::view::Frame;
 use crate::figure::axis::{Axis, Span};
 use crate::figure::{Color, FigureError, canvas};

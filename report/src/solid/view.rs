@@ -1,6 +1,6 @@
 //! Parallel projection of space onto the picture: one scale for all directions.
 
-use super::paper::Place;
+use super::svg_canvas::CanvasPoint;
 
 /// A point in space; z points up in the picture.
 pub type Point = [f64; 3];
@@ -15,7 +15,7 @@ pub struct View {
     up: Point,
     toward: Point,
     scale: f64,
-    origin: Place,
+    origin: CanvasPoint,
 }
 
 impl View {
@@ -50,7 +50,7 @@ impl View {
     }
 
     /// Position of a point in the picture, in pixels from the upper left corner.
-    pub fn place(&self, point: Point) -> Place {
+    pub fn place(&self, point: Point) -> CanvasPoint {
         let (x, y) = (dot(self.right, point), dot(self.up, point));
         (
             self.origin.0 + self.scale * x,

@@ -2,7 +2,7 @@
 
 use crate::figure::axis::{Axis, Span};
 use crate::figure::{Color, canvas};
-use crate::solid::paper::{Anchor, Place, SvgCanvas, width};
+use crate::solid::svg_canvas::{Anchor, CanvasPoint, SvgCanvas, width};
 use crate::solid::view::{Point, View};
 
 /// Colours of the frame, the grid and the walls.
@@ -31,7 +31,7 @@ struct Edge {
     across: [Point; 2],
     anchor: Anchor,
     // From the foot of a tick to its label, px.
-    label: Place,
+    label: CanvasPoint,
 }
 
 /// Draws everything behind the surface.
@@ -134,7 +134,7 @@ fn labels(
     (edge, ticks, axis): (&Edge, &[(f64, String)], &Axis),
 ) {
     let away = direction(view.place([0.0; 3]), view.place(edge.outward));
-    let step = |place: Place, far: f64| (place.0 + far * away.0, place.1 + far * away.1);
+    let step = |place: CanvasPoint, far: f64| (place.0 + far * away.0, place.1 + far * away.1);
     for (share, label) in ticks {
         let place = view.place(between(edge.ends, *share));
         paper.line(&[place, step(place, TICK)], FRAME, 1.0);
@@ -169,7 +169,7 @@ fn labels(
 }
 
 // The unit vector from one place to another.
-fn direction(from: Place, to: Place) -> Place {
+fn direction(from: CanvasPoint, to: CanvasPoint) -> CanvasPoint {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let length = x.hypot(y).max(f64::MIN_POSITIVE);
     (x / length, y / length)

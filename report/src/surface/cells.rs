@@ -3,8 +3,8 @@
 use super::{HEIGHT, Surface, inside};
 use crate::figure::Color;
 use crate::figure::axis::Span;
-use crate::solid::paper::SvgCanvas;
 use crate::solid::ramp;
+use crate::solid::svg_canvas::SvgCanvas;
 use crate::solid::view::{Point, View};
 
 /// Quadrilaterals along each axis, about, and the most in one cell, which is bilinear between its

@@ -1,6 +1,6 @@
 //! Contact areas ready for the kernel: a round patch with its radius, or a shape with its own size.
 
-use super::surface::{DryRound, Held, LimitSurfaces};
+use super::surface::{BoxedDryFriction, DryRound, LimitSurfaces};
 use super::{Flat, FrictionError, OwnedNodes, Patch, Precision, polynomial, surface};
 use tribos_core::coupling::flat::PatchShape;
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
@@ -141,7 +141,7 @@ impl<R: Precision> Area<R> {
 
     /// Dry friction of a round area, in units of its radius.
     #[doc(hidden)]
-    pub fn dry(&self) -> Result<Box<dyn Held<R>>, FrictionError> {
+    pub fn dry(&self) -> Result<Box<dyn BoxedDryFriction<R>>, FrictionError> {
         match self {
             Self::Flat(_) => Err(FrictionError::NoAxis),
             Self::Round(patch, _) => Ok(DryRound::new(patch)?.held()),

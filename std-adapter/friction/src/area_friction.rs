@@ -106,7 +106,7 @@ impl<R: Precision> AreaFriction<R> {
         let kernel = match (tier, law.power_of_speed()) {
             (Tier::Table | Tier::Compact, Some([coefficient, alpha])) => {
                 let coefficient = R::from_f64(coefficient);
-                let boxed = Boxed {
+                let boxed = PowerLawVisitor {
                     coefficient,
                     radius,
                 };
@@ -250,12 +250,12 @@ fn of_power<R: Precision>(
 }
 
 /// Puts the kernel's type of a power of the speed on a round patch behind a pointer.
-struct Boxed<R> {
+struct PowerLawVisitor<R> {
     coefficient: R,
     radius: R,
 }
 
-impl<R: Precision> Visitor<R> for Boxed<R> {
+impl<R: Precision> Visitor<R> for PowerLawVisitor<R> {
     type Output = Result<Box<dyn AtTwist<R>>, FrictionError>;
     fn visit<P: RoundPower<R> + 'static>(self, friction: P) -> Self::Output {
         let made = RoundFriction::new(friction, self.coefficient, self.radius)?;

@@ -84,7 +84,7 @@ pub use setting::{LAW, PATCH};
 #[doc(hidden)]
 pub use surface::points_of;
 #[doc(hidden)]
-pub use surface::{Held, OwnedNodes};
+pub use surface::{BoxedDryFriction, OwnedNodes};
 pub use surface::{LimitSurfaces, limit_surface};
 pub use tier::Tier;
 #[doc(hidden)]

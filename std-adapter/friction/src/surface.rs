@@ -68,7 +68,7 @@ pub struct LimitSurfaces(Kind);
 #[derive(Debug)]
 enum Kind {
     Round {
-        dry: Box<dyn Held<f64>>,
+        dry: Box<dyn BoxedDryFriction<f64>>,
         radius: f64,
     },
     Flat(Flat<f64>),
@@ -175,7 +175,7 @@ impl<R: Precision> DryRound<R> {
     }
 
     /// The kernel's own type behind a pointer: no larger than what the patch needs.
-    pub(super) fn held(self) -> Box<dyn Held<R>> {
+    pub(super) fn held(self) -> Box<dyn BoxedDryFriction<R>> {
         match self {
             Self::Disk(dry) => Box::new(dry),
             Self::Ring(dry) => Box::new(dry),
@@ -228,11 +228,11 @@ impl<R: Precision> DryReducedFriction<R> for DryRound<R> {
 }
 
 /// Dry friction of a round area of radius 1, behind a pointer.
-pub trait Held<R: Real>: DryReducedFriction<R> + fmt::Debug + Send + Sync {}
+pub trait BoxedDryFriction<R: Real>: DryReducedFriction<R> + fmt::Debug + Send + Sync {}
 
-impl<R: Real, C: DryReducedFriction<R> + fmt::Debug + Send + Sync> Held<R> for C {}
+impl<R: Real, C: DryReducedFriction<R> + fmt::Debug + Send + Sync> BoxedDryFriction<R> for C {}
 
-impl<R: Real> ReducedFriction<R> for Box<dyn Held<R>> {
+impl<R: Real> ReducedFriction<R> for Box<dyn BoxedDryFriction<R>> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
         (**self).reduced_wrench(slide, rim)
     }
@@ -241,7 +241,7 @@ impl<R: Real> ReducedFriction<R> for Box<dyn Held<R>> {
     }
 }
 
-impl<R: Real> DryReducedFriction<R> for Box<dyn Held<R>> {
+impl<R: Real> DryReducedFriction<R> for Box<dyn BoxedDryFriction<R>> {
     fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
         (**self).reduced_point(lead, ratio)
     }

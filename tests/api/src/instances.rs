@@ -41,13 +41,18 @@ const fn only(precision: &'static str, instance: Instance) -> Instance {
 
 const LAW: &[&str] = &["LocalLaw"];
 const BOND: &[&str] = &["LocalLaw", "BondLaw"];
-const TIER: &[&str] = &["Coupling", "Lateral", "Profile", "SmoothProfile"];
-const DRY: &[&str] = &[
-    "Coupling",
-    "Lateral",
-    "Profile",
+const TIER: &[&str] = &[
+    "ReducedFriction",
+    "LateralFriction",
+    "PowerLawFriction",
     "SmoothProfile",
-    "DryCoupling",
+];
+const DRY: &[&str] = &[
+    "ReducedFriction",
+    "LateralFriction",
+    "PowerLawFriction",
+    "SmoothProfile",
+    "DryReducedFriction",
 ];
 
 const EDGES: &[&str] = &[
@@ -67,30 +72,36 @@ pub const INSTANCES: &[Instance] = &[
     instance("law::CoulombLaw<R>", LAW),
     instance("law::DryFriction<R>", LAW),
     instance("law::PowerLaw<R>", LAW),
-    instance("law::PlateauPower<R>", LAW),
+    instance("law::PlateauPowerLaw<R>", LAW),
     instance("law::Stribeck<R>", LAW),
     instance("law::Savkoor<R>", LAW),
     instance("law::SteadyLuGre<R>", LAW),
     instance("law::SteadyRateState<R>", LAW),
     // Bonds.
-    instance("bond::Exponential<R>", BOND),
-    instance("bond::Weibull<R>", BOND),
-    similar(instance("bond::OneStrength<R>", BOND)),
-    similar(instance("bond::Saturating<R>", BOND)),
-    instance("bond::ReForming<R>", BOND),
+    instance("bond::ExponentialBond<R>", BOND),
+    instance("bond::WeibullBond<R>", BOND),
+    similar(instance("bond::BrittleBond<R>", BOND)),
+    similar(instance("bond::PlasticBond<R>", BOND)),
+    instance("bond::ReformingBond<R>", BOND),
     // What laws are made of.
-    instance("law::Dieterich", &["Evolution"]),
-    instance("law::Ruina", &["Evolution"]),
+    instance("law::AgeingLaw", &["StateEvolution"]),
+    instance("law::SlipLaw", &["StateEvolution"]),
     // Tiers.
-    instance("coupling::table::Coulomb", DRY),
-    similar(instance("&'static coupling::table::Coulomb", DRY)),
-    instance("coupling::compact::CompactCoulomb", DRY),
+    instance("coupling::table::CoulombDisk", DRY),
+    similar(instance("&'static coupling::table::CoulombDisk", DRY)),
+    instance("coupling::compact::CompactCoulombDisk", DRY),
     instance("coupling::compact::CompactPower<R>", TIER),
-    instance("coupling::closed::Ring", DRY),
-    similar(instance("coupling::closed::FlatPunch", DRY)),
-    similar(instance("coupling::closed::Hertz", DRY)),
-    only("f32", similar(instance("coupling::table::Table32", TIER))),
-    only("f64", similar(instance("coupling::table::Table64", TIER))),
+    instance("coupling::closed::CoulombRing", DRY),
+    similar(instance("coupling::closed::CoulombPunch", DRY)),
+    similar(instance("coupling::closed::CoulombHertz", DRY)),
+    only(
+        "f32",
+        similar(instance("coupling::table::DiskTable32", TIER)),
+    ),
+    only(
+        "f64",
+        similar(instance("coupling::table::DiskTable64", TIER)),
+    ),
     only(
         "f32",
         similar(instance("coupling::round::RoundTable32", TIER)),
@@ -107,27 +118,27 @@ pub const INSTANCES: &[Instance] = &[
         "f64",
         similar(instance(
             "coupling::round::PolynomialTable",
-            &["Coupling", "Profile", "SmoothProfile"],
+            &["ReducedFriction", "PowerLawFriction", "SmoothProfile"],
         )),
     ),
     similar(instance(
-        "coupling::Dry<coupling::compact::CompactPower<R>>",
+        "coupling::DryProfile<coupling::compact::CompactPower<R>>",
         DRY,
     )),
     only(
         "f32",
-        instance("coupling::Dry<coupling::round::RoundTable32>", DRY),
+        instance("coupling::DryProfile<coupling::round::RoundTable32>", DRY),
     ),
     only(
         "f64",
-        instance("coupling::Dry<coupling::round::RoundTable64>", DRY),
+        instance("coupling::DryProfile<coupling::round::RoundTable64>", DRY),
     ),
     instance(
         "coupling::quadrature::DiskQuadrature<law::PowerLaw<R>>",
-        &["Coupling"],
+        &["ReducedFriction"],
     ),
-    instance("coupling::tall::FrontBack", &["Lean"]),
-    instance("coupling::tall::AllRound", &["Lean"]),
+    instance("coupling::load_transfer::FrontBack", &["PressureGradient"]),
+    instance("coupling::load_transfer::AllRound", &["PressureGradient"]),
     // Patches.
     instance("patch::nodes::Nodes<R, 3>", &["NodePatch"]),
     instance("patch::nodes::NodeList<R, 12>", &["NodePatch", "NodeSink"]),
@@ -142,105 +153,108 @@ pub const INSTANCES: &[Instance] = &[
     // Corners alone, in the same two ways.
     instance("[[R; 2]; 4]", CORNERS),
     similar(instance("&'static [[R; 2]]", CORNERS)),
-    instance("patch::outline::Uniform", &["FlatPressure"]),
-    instance("patch::outline::Linear<R>", &["FlatPressure"]),
+    instance("patch::outline::Uniform", &["PressureField"]),
+    instance("patch::outline::Linear<R>", &["PressureField"]),
     instance(
         "patch::outline::Polygon<R, [patch::outline::Edge<R>; 4]>",
-        &["DryPatch", "PowerPatch"],
+        &["PatchShape", "PowerLawPatch"],
     ),
     instance(
         "patch::outline::Polygon<R, [patch::outline::Edge<R>; 4], patch::outline::Linear<R>>",
-        &["DryPatch", "PowerPatch"],
+        &["PatchShape", "PowerLawPatch"],
     ),
-    instance("patch::bar::Bar<R>", &["DryPatch"]),
+    instance("patch::bar::Bar<R>", &["PatchShape"]),
     // Meshes, in the same two kinds of memory.
     instance("[patch::mesh::Triangle<R>; 4]", TRIANGLES),
     instance("&'static mut [patch::mesh::Triangle<R>]", TRIANGLES),
     instance(
         "patch::mesh::Mesh<R, [patch::mesh::Triangle<R>; 4]>",
-        &["DryPatch"],
+        &["PatchShape"],
     ),
     instance(
-        "patch::points::Points<R, patch::nodes::Nodes<R, 3>>",
-        &["DryPatch"],
+        "patch::points::PointPatch<R, patch::nodes::Nodes<R, 3>>",
+        &["PatchShape"],
     ),
     instance(
-        "patch::feet::Feet<'static, R, patch::bar::Bar<R>>",
-        &["DryPatch"],
+        "patch::feet::CompoundPatch<'static, R, patch::bar::Bar<R>>",
+        &["PatchShape"],
     ),
     // Limit surfaces.
     instance(
-        "limit_surface::LimitSurface<R, coupling::table::Coulomb>",
+        "limit_surface::RoundLimitSurface<R, coupling::table::CoulombDisk>",
         &["FrictionSet"],
     ),
-    instance("limit_surface::Ellipsoid<R>", &["FrictionSet"]),
+    instance("limit_surface::LimitEllipsoid<R>", &["FrictionSet"]),
     instance(
-        "limit_surface::PatchSurface<R, patch::outline::Polygon<R, [patch::outline::Edge<R>; 4]>>",
+        "limit_surface::ShapeLimitSurface<R, patch::outline::Polygon<R, [patch::outline::Edge<R>; 4]>>",
         &["FrictionSet"],
     ),
     similar(instance(
-        "limit_surface::PatchSurface<R, patch::bar::Bar<R>>",
+        "limit_surface::ShapeLimitSurface<R, patch::bar::Bar<R>>",
         &["FrictionSet"],
     )),
     instance(
-        "limit_surface::PatchSurface<R, patch::points::Points<R, patch::nodes::Nodes<R, 3>>>",
+        "limit_surface::ShapeLimitSurface<R, patch::points::PointPatch<R, patch::nodes::Nodes<R, 3>>>",
         &["FrictionSet"],
     ),
     instance(
-        "limit_surface::Scaled<'static, R, limit_surface::Ellipsoid<R>>",
+        "limit_surface::ScaledSet<'static, R, limit_surface::LimitEllipsoid<R>>",
         &["FrictionSet"],
     ),
     // Manifolds of engines.
-    instance("manifold_friction::CompactOutline<R>", &["Outline"]),
-    instance("manifold_friction::DirectedOutline<R>", &["Outline"]),
+    instance("manifold_friction::IsotropicLimitCurve<R>", &["LimitCurve"]),
+    instance(
+        "manifold_friction::DirectionalLimitCurve<R>",
+        &["LimitCurve"],
+    ),
     // Contacts.
-    instance("contact::Sphere<R>", &["Body"]),
-    instance("contact::Plate<R>", &["Body"]),
+    instance("contact::SphereBody<R>", &["ContactBody"]),
+    instance("contact::WallBody<R>", &["ContactBody"]),
     instance("contact::Frictionless", &["ContactModes"]),
-    instance("contact::Sliding", &["ContactModes"]),
+    instance("contact::SlidingOnly", &["ContactModes"]),
     instance("contact::SlidingTorsion", &["ContactModes"]),
     instance("contact::SlidingRolling", &["ContactModes"]),
     instance("contact::AllModes", &["ContactModes"]),
     instance(
-        "contact::Thresholds<R, contact::Frictionless>",
+        "contact::IndependentFriction<R, contact::Frictionless>",
         &["ContactFriction"],
     ),
     instance(
-        "contact::Thresholds<R, contact::Sliding>",
+        "contact::IndependentFriction<R, contact::SlidingOnly>",
         &["ContactFriction"],
     ),
     instance(
-        "contact::Thresholds<R, contact::SlidingTorsion>",
+        "contact::IndependentFriction<R, contact::SlidingTorsion>",
         &["ContactFriction"],
     ),
     instance(
-        "contact::Thresholds<R, contact::SlidingRolling>",
+        "contact::IndependentFriction<R, contact::SlidingRolling>",
         &["ContactFriction"],
     ),
     instance(
-        "contact::Thresholds<R, contact::AllModes>",
+        "contact::IndependentFriction<R, contact::AllModes>",
         &["ContactFriction"],
     ),
     instance(
-        "contact::CoupledFriction<R, limit_surface::LimitSurface<R, coupling::table::Coulomb>, contact::SlidingTorsion>",
+        "contact::CoupledFriction<R, limit_surface::RoundLimitSurface<R, coupling::table::CoulombDisk>, contact::SlidingTorsion>",
         &["ContactFriction"],
     ),
     instance(
-        "contact::CoupledFriction<R, limit_surface::LimitSurface<R, coupling::table::Coulomb>, contact::AllModes>",
+        "contact::CoupledFriction<R, limit_surface::RoundLimitSurface<R, coupling::table::CoulombDisk>, contact::AllModes>",
         &["ContactFriction"],
     ),
     instance(
-        "contact::CoupledFriction<R, limit_surface::Ellipsoid<R>, contact::SlidingTorsion>",
+        "contact::CoupledFriction<R, limit_surface::LimitEllipsoid<R>, contact::SlidingTorsion>",
         &["ContactFriction"],
     ),
     instance(
-        "contact::CoupledFriction<R, limit_surface::Ellipsoid<R>, contact::AllModes>",
+        "contact::CoupledFriction<R, limit_surface::LimitEllipsoid<R>, contact::AllModes>",
         &["ContactFriction"],
     ),
 ];
 
 /// What is built for all instances, not for the representative ones alone.
-pub const THOROUGH: [&str; 2] = ["<coupling::PatchFriction", "<&"];
+pub const THOROUGH: [&str; 2] = ["<coupling::RoundFriction", "<&"];
 
 /// Constants that stand for constant parameters, by the name of the parameter; in f32, in f64.
 pub const CONSTANTS: &[(&str, [&[&str]; 2])] = &[
@@ -257,7 +271,7 @@ pub const CONSTANTS: &[(&str, [&[&str]; 2])] = &[
 /// Traits of parameters that the source leaves unbounded, by the name of the parameter.
 pub const UNBOUNDED: &[(&str, &str)] = &[
     ("R", "Real"),
-    ("C", "Coupling"),
+    ("C", "ReducedFriction"),
     ("L", "LocalLaw"),
     ("P", "NodePatch"),
     ("M", "ContactModes"),

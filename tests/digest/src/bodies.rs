@@ -4,10 +4,10 @@ use crate::ARGUMENTS;
 use crate::hash::Fnv;
 use crate::inputs::{Lcg, speed};
 use tribos_core::coupling::closed::CoulombHertz;
-use tribos_core::coupling::table::{self, DiskTable64};
-use tribos_core::coupling::tall::{
+use tribos_core::coupling::load_transfer::{
     FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
 };
+use tribos_core::coupling::table::{self, DiskTable64};
 use tribos_core::coupling::{LateralFriction, ReducedFriction, RoundFriction};
 use tribos_core::real::Real;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};

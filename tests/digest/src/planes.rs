@@ -4,11 +4,11 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, arguments, ends, speed, triples_of_ends, twist};
 use nalgebra::Vector3;
 use tribos_core::coupling::closed::CoulombHertz;
-use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::table;
-use tribos_core::coupling::tall::{
+use tribos_core::coupling::load_transfer::{
     FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
 };
+use tribos_core::coupling::nodes::NodeFriction;
+use tribos_core::coupling::table;
 use tribos_core::coupling::{LateralFriction, RoundFriction};
 use tribos_core::internals::leaning_wrench;
 use tribos_core::law::PowerLaw;

@@ -5,11 +5,11 @@ use super::patches::node;
 use super::{Broken, Source};
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::CoulombHertz;
-use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::table::CoulombDisk;
-use tribos_core::coupling::tall::{
+use tribos_core::coupling::load_transfer::{
     FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
 };
+use tribos_core::coupling::nodes::NodeFriction;
+use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::coupling::{LateralFriction, RoundFriction};
 use tribos_core::law::PowerLaw;
 use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};

@@ -1,7 +1,7 @@
 //! Tall bodies: leaning pressures by brute force, the balance of moments, tipping, the ends.
 
 use tribos_core::coupling::closed::{CoulombHertz, CoulombRing};
-use tribos_core::coupling::tall::{
+use tribos_core::coupling::load_transfer::{
     FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
 };
 use tribos_core::coupling::{LateralFriction, ReducedFriction, RoundFriction, table};

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use tribos::md::atoms::Atoms;
 use tribos::md::group::{Group, MotionConstraint, ThermalFrame};
-use tribos::md::interaction::Wanted;
+use tribos::md::interaction::Evaluation;
 use tribos::md::neighbours::ListError;
 use tribos::md::observe::{conserved_energy, kinetic_energies};
 use tribos::md::pair::{LennardJones, Pairing, Shift};
@@ -64,7 +64,7 @@ fn lennard_jones(shift: Shift) -> Result<LennardJones, Error> {
 fn run(setup: Setup<LennardJones>, steps: usize) -> Result<System<LennardJones>, Error> {
     let mut system = System::new(setup)?;
     for _ in 0..steps {
-        system.step(Wanted::Sums)?;
+        system.step(Evaluation::Sums)?;
     }
     Ok(system)
 }
@@ -129,7 +129,7 @@ fn nose_hoover_keeps_the_mean_temperature_of_few_atoms_that_nothing_holds() -> R
     let mut system = System::new(setup)?;
     let (mut sum, mut count) = (0.0, 0.0);
     for step in 0..24_000 {
-        system.step(Wanted::Forces)?;
+        system.step(Evaluation::Forces)?;
         if step >= 4_000 {
             // The mean velocity is none of their heat: 3 (N - 1) T/2.
             sum += 2.0 * kinetic_energies(&system)[0] / (3.0 * 31.0);
@@ -226,7 +226,7 @@ fn langevin_noise_gives_maxwells_velocities() -> Result<(), Error> {
     let mut system = System::new(setup)?;
     let mut speeds = Vec::new();
     for step in 0..4000 {
-        system.step(Wanted::Forces)?;
+        system.step(Evaluation::Forces)?;
         // Velocities forget within 1/(2γ) = 50 steps.
         if step >= 1000 && step % 100 == 0 {
             let components = system
@@ -366,7 +366,7 @@ fn a_run_goes_on_to_the_same_bits() -> Result<(), Error> {
     let half = run(setup()?, 71)?;
     let mut rest = System::resume(setup()?, half.state())?;
     for _ in 71..137 {
-        rest.step(Wanted::Sums)?;
+        rest.step(Evaluation::Sums)?;
     }
     assert_eq!(whole.state(), rest.state());
     assert_eq!(whole.tally(), rest.tally());
@@ -383,7 +383,7 @@ fn the_number_of_threads_changes_nothing() -> Result<(), Error> {
         let state = pool.install(move || {
             let mut system = System::new(setup)?;
             for _ in 0..25 {
-                system.step(Wanted::Sums)?;
+                system.step(Evaluation::Sums)?;
             }
             Ok::<_, SystemError>((system.state(), *system.tally()))
         })?;
@@ -421,7 +421,7 @@ fn what_cannot_run_is_refused_by_name() -> Result<(), Error> {
     let mut wild = crystal(5, 0.8442, 1.4)?;
     wild.time_step = 0.2;
     let mut system = System::new(wild)?;
-    let blown = (0..100).find_map(|_| system.step(Wanted::Forces).err());
+    let blown = (0..100).find_map(|_| system.step(Evaluation::Forces).err());
     let Some(SystemError::BlownUp { step, .. }) = blown else {
         return Err("a run that blew up was not stopped".into());
     };

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use tribos::md::configuration::Configuration;
 use tribos::md::eam::file::PotentialFile;
 use tribos::md::eam::{SuttonChen, SuttonChenError, SuttonChenParameters, Tabulated};
-use tribos::md::interaction::{Interaction, Wanted, evaluate};
+use tribos::md::interaction::{Evaluation, Interaction, evaluate};
 use tribos::md::neighbours::VerletList;
 use tribos::md::pair::{Mixing, Shift};
 use tribos_tests::atoms::{binary, computed, data, single, text};
@@ -245,7 +245,7 @@ fn bits_do_not_depend_on_the_number_of_threads() {
                 let mut list = VerletList::new(all.space().unwrap(), law.cutoff(), 0.2).unwrap();
                 let mut forces = Vec::new();
                 let law = law.as_ref();
-                let tally = evaluate(law, &mut list, &all.atoms, &mut forces, Wanted::Sums);
+                let tally = evaluate(law, &mut list, &all.atoms, &mut forces, Evaluation::Sums);
                 assert!(list.chunks_mut().len() > 2);
                 (forces, tally.unwrap())
             });

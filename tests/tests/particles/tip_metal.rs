@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use std::path::Path;
-use tribos::md::interaction::{Wanted, evaluate};
+use tribos::md::interaction::{Evaluation, evaluate};
 use tribos::md::neighbours::VerletList;
 use tribos::scene::TipScene;
 use tribos::space::PeriodicBox;
@@ -58,7 +58,7 @@ fn computed(scene: &TipScene, name: &str) -> Result<(Vec<Vector3<f64>>, f64), Er
         &mut list,
         &atoms,
         &mut forces,
-        Wanted::Sums,
+        Evaluation::Sums,
     )?;
     Ok((forces, tally.energy))
 }

@@ -1,12 +1,12 @@
 //! A tip in motion: drive, holds, load, damping, stages.
 
 use nalgebra::Vector3;
-use tribos::md::interaction::Wanted;
+use tribos::md::interaction::Evaluation;
 use tribos::md::observe::{RotationAngle, conserved_energy};
 use tribos::md::system::{System, SystemError};
 use tribos::run::Simulation;
 use tribos::scene::TipScene;
-use tribos::tip::{Part, TipError, TipForces, TipSimulation, build};
+use tribos::tip::{AtomRole, TipError, TipForces, TipSimulation, build};
 use tribos_tests::tips::{tiny, to_the_end};
 
 type Error = Box<dyn std::error::Error>;
@@ -22,14 +22,14 @@ fn system(scene: &TipScene) -> Result<System<TipForces>, Error> {
 
 fn steps(system: &mut System<TipForces>, count: usize) -> Result<(), Error> {
     for _ in 0..count {
-        system.step(Wanted::Forces)?;
+        system.step(Evaluation::Forces)?;
     }
     Ok(())
 }
 
 /// Driven atoms.
 fn driven(system: &System<TipForces>) -> &[usize] {
-    system.members(Part::ALL.len() - 1)
+    system.members(AtomRole::ALL.len() - 1)
 }
 
 /// From the axis.
@@ -96,7 +96,7 @@ fn a_free_tip_gets_the_angular_momentum_of_the_drive_and_keeps_it() -> Result<()
                 0.5 * scene.time_step * strength * inertia(&scene, system)
             };
             given += kick(&system);
-            system.step(Wanted::Forces)?;
+            system.step(Evaluation::Forces)?;
             given += kick(&system);
             // The velocity of the last step's end knows nothing of the next step.
             let off = momentum(&scene, &system) - given;
@@ -110,7 +110,7 @@ fn a_free_tip_gets_the_angular_momentum_of_the_drive_and_keeps_it() -> Result<()
 /// Angular momentum of the tip about the axis.
 fn momentum(scene: &TipScene, system: &System<TipForces>) -> f64 {
     let velocities = system.velocities_on_step();
-    let atoms = (3..Part::ALL.len()).flat_map(|group| system.members(group));
+    let atoms = (3..AtomRole::ALL.len()).flat_map(|group| system.members(group));
     let part = |&atom: &usize| {
         let [x, y] = arm(scene, &system.atoms().positions[atom]);
         x * velocities[atom].y - y * velocities[atom].x
@@ -225,7 +225,7 @@ fn the_angle_counts_turns_of_a_known_rotation() -> Result<(), Error> {
     let sites = scene.shape().sites();
     let places: Vec<Vector3<f64>> = sites.iter().map(|site| site.place).collect();
     let tip: Vec<usize> = (0..sites.len())
-        .filter(|&i| sites[i].part == Part::Driven)
+        .filter(|&i| sites[i].part == AtomRole::Driven)
         .collect();
     let [x0, y0] = scene.shape().axis();
     for direction in [1.0, -1.0] {

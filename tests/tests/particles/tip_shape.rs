@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use std::collections::HashMap;
 use tribos::scene::TipScene;
-use tribos::tip::{Part, Shape, Site, TipOutline};
+use tribos::tip::{AtomRole, Shape, Site, TipOutline};
 use tribos_tests::tips::scene;
 
 type Error = Box<dyn std::error::Error>;
@@ -125,12 +125,12 @@ fn the_default_is_the_tip_of_the_thesis() -> Result<(), Error> {
     let sites = shape.sites();
     assert_eq!(sites.len(), 6330);
     let parts = [
-        Part::Base,
-        Part::SubstrateBath,
-        Part::Surface,
-        Part::Apex,
-        Part::TipBath,
-        Part::Driven,
+        AtomRole::Base,
+        AtomRole::SubstrateBath,
+        AtomRole::Surface,
+        AtomRole::Apex,
+        AtomRole::TipBath,
+        AtomRole::Driven,
     ];
     for layer in 0..12 {
         let own: Vec<&Site> = sites.iter().filter(|site| site.layer == layer).collect();
@@ -246,7 +246,7 @@ fn a_raise_lifts_the_driven_layers_only() -> Result<(), Error> {
         let plain = tip("")?.shape().sites();
         let raised = tip(&format!("raise = {raise:?}"))?.shape().sites();
         for (before, after) in plain.iter().zip(&raised) {
-            let lift = if before.part == Part::Driven {
+            let lift = if before.part == AtomRole::Driven {
                 raise
             } else {
                 0.0

@@ -7,6 +7,7 @@ mod determinism;
 mod found;
 mod fuzz;
 mod golden;
+mod names;
 mod scene_bits;
 mod surface;
 mod tip_bits;

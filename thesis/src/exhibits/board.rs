@@ -1,7 +1,7 @@
 //! Section 3.1: a board on a ring, on a disk and on three feet, whose mass sits farther out or in.
 
-use crate::direct::{Points, to_rest};
 use crate::exhibit::{Exhibit, linear, points};
+use crate::reference_integration::{Points, to_rest};
 use crate::text::Text;
 use anyhow::{Context, Result};
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2, TAU};

@@ -3,7 +3,7 @@
 use super::curling::{SPINS, TEXT, short_metres};
 use super::heat;
 use super::rock::{DRAW, dry, pivot, shot, spin_for_a_metre};
-use crate::direct::Points;
+use crate::reference_integration::Points;
 use anyhow::Result;
 use std::f64::consts::{PI, TAU};
 use tribos::slide::curling::{BackHeavy, CurlingModel, IceLaw, LeftRight};

@@ -136,7 +136,7 @@ pub fn figure_3_10() -> Result<Exhibit> {
 
 /// What was found at points of the plane.
 #[derive(Default)]
-struct Found {
+struct PointCounts {
     points: usize,
     right: usize,
     single: usize,
@@ -144,9 +144,9 @@ struct Found {
 }
 
 /// Signs of g on a grid of the plane against the diagram's regions.
-fn look(exponents: impl Iterator<Item = f64>) -> Result<Found> {
+fn look(exponents: impl Iterator<Item = f64>) -> Result<PointCounts> {
     let ratios = geometric(1e-6, 1e6, 60);
-    let mut found = Found::default();
+    let mut found = PointCounts::default();
     for alpha in exponents {
         let (low, high) = inertia_interval(alpha, 0.0);
         for c in linear(0.03, 2.53, 25) {
@@ -174,7 +174,7 @@ fn plane_claims() -> Result<Vec<Claim>> {
     let all = positive.points;
     let shown = |n: usize| format!("{n} of {all} points of the plane, 0 ≤ α ≤ 9");
     let row = |id, n: usize| Claim::trend(FIGURE_3_10.said(id), shown(n), n == all);
-    let Found {
+    let PointCounts {
         points,
         right,
         single,

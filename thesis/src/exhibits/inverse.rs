@@ -1,7 +1,7 @@
 //! Section 3.1's inverse sliding problem: the launch that brings a body to rest at a given pose.
 
-use crate::direct::{Points, to_rest};
 use crate::exhibit::{Exhibit, linear};
+use crate::reference_integration::{Points, to_rest};
 use crate::text::Text;
 use anyhow::{Context, Result};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

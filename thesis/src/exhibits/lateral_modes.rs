@@ -2,8 +2,8 @@
 //! a lateral component.
 
 use super::pressure::PRESSURES;
-use crate::direct::{Points, slowed, to_rest};
 use crate::exhibit::{Exhibit, geometric, linear};
+use crate::reference_integration::{Points, slowed, to_rest};
 use crate::text::Text;
 use anyhow::{Context, Result};
 use tribos::slide::planar::{

@@ -12,8 +12,8 @@ use anyhow::Result;
 use std::sync::Arc;
 use tribos::powder::PowderStopReason;
 use tribos::powder::deposit::curve::statistics;
+use tribos_report::drawing_grid::DrawingGrid;
 use tribos_report::figure::Axis;
-use tribos_report::sheet::DrawingGrid;
 use tribos_report::surface::Surface;
 
 const TEXT: Text = Text(include_str!("figure-4.7.md"));

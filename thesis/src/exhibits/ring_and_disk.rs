@@ -1,7 +1,7 @@
 //! Figure 3.1 and section 3.1: how long and how far a ring and a disk slide and spin.
 
-use crate::direct::{Points, to_rest};
 use crate::exhibit::{Exhibit, linear, points};
+use crate::reference_integration::{Points, to_rest};
 use crate::text::Text;
 use anyhow::{Context, Result};
 use tribos_core::coupling::round::RoundTable64;

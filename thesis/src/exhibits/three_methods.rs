@@ -7,7 +7,7 @@ use anyhow::Result;
 use tribos::powder::deposit::curve::straight_line;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Panels, ReferenceLine, Series};
-use tribos_trials::{Ball, Column, Cooling, Found, Method, Slope, Trial, run};
+use tribos_trials::{Ball, Column, Cooling, Method, Slope, Trial, TrialResult, run};
 
 const TEXT: Text = Text(include_str!("section-4.4.1.md"));
 
@@ -74,7 +74,7 @@ const FULL: Extent = Extent {
 struct Point {
     panel: usize,
     method: Method,
-    found: Found,
+    found: TrialResult,
 }
 
 /// Three methods on five problems.
@@ -98,7 +98,7 @@ pub fn section_4_4_1(runs: &Runs) -> Result<Exhibit> {
             Method::ContactDynamics { step, .. } => step,
             Method::Soft { stiffness, .. } => stiffness,
         };
-        let Found { errors, updates } = &point.found;
+        let TrialResult { errors, updates } = &point.found;
         vec![
             point.panel as f64,
             kind,

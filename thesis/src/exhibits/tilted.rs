@@ -3,10 +3,10 @@
 use crate::exhibit::{Exhibit, at, geometric, linear, points, table};
 use crate::text::Text;
 use anyhow::Result;
-use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::tall::{
+use tribos_core::coupling::load_transfer::{
     FullGradient, LoadTransferFriction, LoadTransferWrench, LongitudinalGradient, PressureGradient,
 };
+use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{LateralFriction, RoundFriction, table::DiskTable64};
 use tribos_core::law::CoulombLaw;
 use tribos_core::patch::nodes::{NodeList, NodePatch};

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::thread::available_parallelism;
 use tribos::run::in_order;
 use tribos::scene::TipScene;
-use tribos::tip::{Part, Reversal, TipSimulation, TipSummary};
+use tribos::tip::{AtomRole, Reversal, TipSimulation, TipSummary};
 use tribos_report::claim::{Claim, MismatchMeaning};
 use tribos_report::figure::{Axis, Figure, ReferenceLine, Series};
 use tribos_report::player::Film;
@@ -69,13 +69,13 @@ pub fn figure_5_1() -> Result<Exhibit> {
     let scene = scene(REVERSIBLE, 1, Effort::Full);
     let sites = scene.shape().sites();
     let places: Vec<Vector3<f64>> = sites.iter().map(|site| site.place).collect();
-    let number = |part: Part| sites.iter().filter(|site| site.part == part).count();
+    let number = |part: AtomRole| sites.iter().filter(|site| site.part == part).count();
     let rows = sites.iter().map(|site| {
-        let part = Part::ALL.iter().position(|&part| part == site.part);
+        let part = AtomRole::ALL.iter().position(|&part| part == site.part);
         let [x, y, z] = site.place.into();
         vec![x, y, z, part.unwrap_or_default() as f64, site.layer as f64]
     });
-    let counts: Vec<String> = Part::ALL
+    let counts: Vec<String> = AtomRole::ALL
         .iter()
         .map(|&part| format!("{} {}", number(part), part.name()))
         .collect();

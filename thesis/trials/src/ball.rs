@@ -2,7 +2,7 @@
 
 use super::column::DENSITY;
 use super::pile::Pile;
-use super::{Found, Method, Ready, Trial};
+use super::{Method, PreparedTrial, Trial, TrialResult};
 use anyhow::Result;
 use nalgebra::Vector3;
 use tribos::cd::solid;
@@ -26,7 +26,7 @@ impl Trial for Ball {
         &["rolling speed [5/7 v]", "way [sliding length]"]
     }
 
-    fn ready(&self, method: Method) -> Result<Ready> {
+    fn ready(&self, method: Method) -> Result<PreparedTrial> {
         let (Self { mu, speed }, up) = (*self, Vector3::z());
         let overlap = match method {
             Method::Soft { stiffness, .. } => 1.0 / stiffness,
@@ -54,7 +54,7 @@ impl Trial for Ball {
                     ((place - exact) / length).abs(),
                 ];
             })?;
-            Ok(Found { errors, updates })
+            Ok(TrialResult { errors, updates })
         }))
     }
 }

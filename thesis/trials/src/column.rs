@@ -1,7 +1,7 @@
 //! A column of spheres: statics says what the floor bears.
 
 use super::pile::{Pile, deepest};
-use super::{Found, Method, Ready, Trial};
+use super::{Method, PreparedTrial, Trial, TrialResult};
 use anyhow::Result;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -36,7 +36,7 @@ impl Trial for Column {
         &["force on the floor [weight]", "deepest overlap [R]"]
     }
 
-    fn ready(&self, method: Method) -> Result<Ready> {
+    fn ready(&self, method: Method) -> Result<PreparedTrial> {
         let (column, up) = (*self, Vector3::z());
         let method = match method {
             Method::Soft { stiffness, steps } => Method::Soft {
@@ -68,7 +68,7 @@ impl Trial for Column {
                 }
             })?;
             let errors = vec![error, depth];
-            Ok(Found { errors, updates })
+            Ok(TrialResult { errors, updates })
         }))
     }
 }

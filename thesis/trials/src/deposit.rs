@@ -1,6 +1,6 @@
 //! A deposit under a piston.
 
-use super::{Found, Method, Ready, Trial};
+use super::{Method, PreparedTrial, Trial, TrialResult};
 use anyhow::{Result, bail};
 use tribos::powder::PowderSimulation;
 use tribos::run::run_to_end;
@@ -20,7 +20,7 @@ impl Trial for Compacted {
         &["deepest overlap [R]", "porosity (no error)"]
     }
 
-    fn ready(&self, method: Method) -> Result<Ready> {
+    fn ready(&self, method: Method) -> Result<PreparedTrial> {
         let [width, height] = self.size;
         let scene = PowderScene {
             width,
@@ -47,7 +47,7 @@ impl Trial for Compacted {
         Ok(Box::new(move || {
             run_to_end(&mut compaction, |_, _| ())?;
             let outcome = compaction.outcome();
-            Ok(Found {
+            Ok(TrialResult {
                 errors: vec![outcome.statistics.max_overlap, outcome.porosity[1]],
                 updates: outcome.steps as f64,
             })

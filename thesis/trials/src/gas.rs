@@ -1,6 +1,6 @@
 //! A gas that cools by its collisions.
 
-use super::{Found, Method, Ready, Trial};
+use super::{Method, PreparedTrial, Trial, TrialResult};
 use anyhow::Result;
 use tribos::gas::GasSimulation;
 use tribos::run::run_to_end;
@@ -60,7 +60,7 @@ impl Cooling {
     }
 
     /// The mean temperature and its standard error in place of errors.
-    fn measured(&self, method: Method) -> Result<Ready> {
+    fn measured(&self, method: Method) -> Result<PreparedTrial> {
         let [from, number] = self.seeds;
         let gases = (from..from + number).map(|seed| GasSimulation::new(&self.scene(method, seed)));
         let mut gases = gases.collect::<Result<Vec<_>, _>>()?;
@@ -80,7 +80,7 @@ impl Cooling {
             let square = temperatures.iter().map(|t| (t - mean) * (t - mean));
             let scatter = (square.sum::<f64>() / (number * (number - 1.0).max(1.0))).sqrt();
             let errors = vec![mean, scatter];
-            Ok(Found { errors, updates })
+            Ok(TrialResult { errors, updates })
         }))
     }
 }
@@ -90,12 +90,12 @@ impl Trial for Cooling {
         &["temperature [reference]", "its standard error [reference]"]
     }
 
-    fn ready(&self, method: Method) -> Result<Ready> {
+    fn ready(&self, method: Method) -> Result<PreparedTrial> {
         let (measured, reference) = (self.measured(method)?, self.reference);
         Ok(Box::new(move || {
-            let Found { errors, updates } = measured()?;
+            let TrialResult { errors, updates } = measured()?;
             let errors = vec![(errors[0] / reference - 1.0).abs(), errors[1] / reference];
-            Ok(Found { errors, updates })
+            Ok(TrialResult { errors, updates })
         }))
     }
 }

@@ -98,7 +98,7 @@ impl fmt::Display for Method {
 
 /// What a trial finds.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct TrialResult {
     /// Errors, in the order of the trial's quantities.
     pub errors: Vec<f64>,
     /// Updates of contacts, collisions of events, or spheres moved in a gas.
@@ -106,18 +106,18 @@ pub struct Found {
 }
 
 /// A trial that is set up.
-pub type Ready = Box<dyn FnOnce() -> Result<Found>>;
+pub type PreparedTrial = Box<dyn FnOnce() -> Result<TrialResult>>;
 
 /// A problem with a known answer.
 pub trait Trial {
     /// What is in error, with its unit.
     fn quantities(&self) -> &'static [&'static str];
     /// Sets it up for a method.
-    fn ready(&self, method: Method) -> Result<Ready>;
+    fn ready(&self, method: Method) -> Result<PreparedTrial>;
 }
 
 /// Sets a trial up and runs it.
-pub fn run(trial: &dyn Trial, method: Method) -> Result<Found> {
+pub fn run(trial: &dyn Trial, method: Method) -> Result<TrialResult> {
     trial.ready(method)?()
 }
 

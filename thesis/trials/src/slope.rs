@@ -2,7 +2,7 @@
 
 use super::column::DENSITY;
 use super::pile::{Pile, StepObservation};
-use super::{Found, Method, Ready, Trial};
+use super::{Method, PreparedTrial, Trial, TrialResult};
 use anyhow::Result;
 use nalgebra::Vector3;
 use tribos::cd::solid;
@@ -30,7 +30,7 @@ impl Trial for Slope {
         &["creep [√(g R)]", "strain before it stands [R]"]
     }
 
-    fn ready(&self, method: Method) -> Result<Ready> {
+    fn ready(&self, method: Method) -> Result<PreparedTrial> {
         let (slope, up) = (*self, Vector3::z());
         let down = Vector3::new(slope.slope, 0.0, -1.0).normalize();
         let top = 1.0 + 2.0_f64.sqrt();
@@ -60,7 +60,7 @@ impl Trial for Slope {
             let (before, from) = first.unwrap_or((0.0, start));
             let (after, to) = last;
             let errors = vec![(to - from).norm() / (after - before), (to - start).norm()];
-            Ok(Found { errors, updates })
+            Ok(TrialResult { errors, updates })
         }))
     }
 }

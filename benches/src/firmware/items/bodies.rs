@@ -5,20 +5,20 @@ use super::{BOTH, Code, Item, NARROW, item, round};
 /// Modules of every item built on the disk's Coulomb table.
 macro_rules! on_table {
     ($($more:literal),*) => {
-        round!("coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways" $(, $more)*)
+        round!("coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways" $(, $more)*)
     };
 }
 
 /// The same with the modules of the limit surface.
 macro_rules! surface {
     () => {
-        on_table!("limit_surface limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch")
+        on_table!("limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation")
     };
 }
 
 const WRENCH: &str = "whole(&object.wrench(given.load, &given.twist))";
 const TALL_WRENCH: &str = "whole(&object.wrench(given.load, &given.twist).wrench)";
-const SURFACE: &str = "LimitSurface::new(table::Coulomb, 1.0 as R, 1.0).ok()?";
+const SURFACE: &str = "RoundLimitSurface::new(table::CoulombDisk, 1.0 as R, 1.0).ok()?";
 const PROJECTION: &str = "whole(&object.project(&given.push).wrench)";
 
 /// Each with the Coulomb table of its precision, unless named otherwise.
@@ -27,29 +27,29 @@ pub const BODIES: [Item; 11] = [
         ["body", "disk with dimensions"],
         BOTH,
         on_table!(),
-        Code::new("disk(table::Coulomb)?", WRENCH),
+        Code::new("disk(table::CoulombDisk)?", WRENCH),
     ),
     item(
         ["body", "disk with dimensions: compact"],
         BOTH,
         round!("coupling::compact special::elliptic"),
-        Code::new("disk(compact::CompactCoulomb)?", WRENCH),
+        Code::new("disk(compact::CompactCoulombDisk)?", WRENCH),
     ),
     item(
         ["body", "tall: front-back"],
         NARROW,
-        on_table!("coupling::tall"),
+        on_table!("coupling::load_transfer"),
         Code::new(
-            "TallFriction::<_, _, FrontBack>::new(disk(table::Coulomb)?, 0.25).ok()?",
+            "LoadTransferFriction::<_, _, LongitudinalGradient>::new(disk(table::CoulombDisk)?, 0.25).ok()?",
             TALL_WRENCH,
         ),
     ),
     item(
         ["body", "tall: all round"],
         NARROW,
-        on_table!("coupling::tall"),
+        on_table!("coupling::load_transfer"),
         Code::new(
-            "TallFriction::<_, _, AllRound>::new(disk(table::Coulomb)?, 0.25).ok()?",
+            "LoadTransferFriction::<_, _, FullGradient>::new(disk(table::CoulombDisk)?, 0.25).ok()?",
             TALL_WRENCH,
         ),
     ),
@@ -68,23 +68,26 @@ pub const BODIES: [Item; 11] = [
     item(
         ["limit surface", "ellipsoid: projection"],
         NARROW,
-        "limit_surface limit_surface::ellipsoid limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
-        Code::new("Ellipsoid::new(1.0 as R, 1.0, 0.625).ok()?", PROJECTION),
+        "limit_surface limit_surface::ellipsoid limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation",
+        Code::new(
+            "LimitEllipsoid::new(1.0 as R, 1.0, 0.625).ok()?",
+            PROJECTION,
+        ),
     ),
     item(
         ["motion", "final modes"],
         NARROW,
         on_table!("modes"),
         Code::new(
-            "table::Coulomb",
-            "Modes::new(*object, b).ok().and_then(|modes| modes.finite_fixed_point()).unwrap_or(0.0)",
+            "table::CoulombDisk",
+            "TerminalMotion::new(*object, b).ok().and_then(|modes| modes.finite_fixed_point()).unwrap_or(0.0)",
         ),
     ),
     item(
         ["motion", "slider to rest"],
         BOTH,
         on_table!(
-            "modes slider slider::rest slider::leg slider::march slider::march::course slider::march::finish slider::march::panel slider::march::rates slider::rule slider::tail special::legendre"
+            "modes slider slider::rest slider::direction_arc slider::march slider::march::arcs slider::march::finish slider::march::panel slider::march::rates slider::gauss_legendre slider::final_decay special::legendre"
         ),
         Code::new(
             "slider()?",
@@ -95,7 +98,7 @@ pub const BODIES: [Item; 11] = [
         ["motion", "slider: a given time"],
         NARROW,
         on_table!(
-            "modes slider slider::rest slider::advance slider::runge_kutta slider::single slider::leg slider::march slider::march::course slider::march::finish slider::march::panel slider::march::rates slider::rule slider::tail special::legendre"
+            "modes slider slider::rest slider::advance slider::runge_kutta slider::short_f32 slider::direction_arc slider::march slider::march::arcs slider::march::finish slider::march::panel slider::march::rates slider::gauss_legendre slider::final_decay special::legendre"
         ),
         Code::new(
             "slider()?",

@@ -15,49 +15,49 @@ const fn bond(name: &'static str, modules: &'static str, prepare: &'static str) 
 macro_rules! ellipsoid {
     ($more:literal) => {
         concat!(
-            "limit_surface limit_surface::ellipsoid limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch ",
+            "limit_surface limit_surface::ellipsoid limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation ",
             $more
         )
     };
 }
 
-const ELLIPSOID: &str = "Ellipsoid::new(1.0 as R, 1.0, 0.625).ok()?";
+const ELLIPSOID: &str = "LimitEllipsoid::new(1.0 as R, 1.0, 0.625).ok()?";
 const ON_ELLIPSOID: &str =
-    "(Ellipsoid::new(1.0 as R, 1.0, 0.625).ok()?, Presliding::new(64.0, 32.0).ok()?)";
+    "(LimitEllipsoid::new(1.0 as R, 1.0, 0.625).ok()?, Presliding::new(64.0, 32.0).ok()?)";
 
 /// Bonds by one law each; the rest on the ellipsoid, beside its projection in the limit surfaces.
 pub const HOLDING: [Item; 12] = [
     bond(
         "exponential",
         "bond::exponential law",
-        "Exponential::new(2.0, b).ok()?",
+        "ExponentialBond::new(2.0, b).ok()?",
     ),
     bond(
-        "Weibull",
+        "WeibullBond",
         "bond::weibull law",
-        "Weibull::new(2.0, b, 4.0).ok()?",
+        "WeibullBond::new(2.0, b, 4.0).ok()?",
     ),
     bond(
         "saturating",
         "bond::saturating law",
-        "Saturating::new(2.0, b).ok()?",
+        "PlasticBond::new(2.0, b).ok()?",
     ),
     bond(
         "one strength",
         "bond::one_strength",
-        "OneStrength::new(2.0, b).ok()?",
+        "BrittleBond::new(2.0, b).ok()?",
     ),
     bond(
         "re-forming",
         "bond::re_forming bond::renewal law",
-        "ReForming::new(2.0, b, 16).ok()?",
+        "ReformingBond::new(2.0, b, 16).ok()?",
     ),
     item(
         ["bond", "three points: wrench"],
         NARROW,
         "bond::bonds bond::exponential coupling::nodes law patch::nodes",
         Code::new(
-            "Bonds::new(Exponential::new(2.0, 1.0).ok()?, feet(b)?).ok()?",
+            "Bonds::new(ExponentialBond::new(2.0, 1.0).ok()?, feet(b)?).ok()?",
             "whole(&object.wrench(given.load, &given.twist))",
         ),
     ),
@@ -65,11 +65,11 @@ pub const HOLDING: [Item; 12] = [
         ["holding", "holds, slips or undecided: disk"],
         NARROW,
         round!(
-            "coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways holding limit_surface limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch"
+            "coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways holding limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation"
         ),
         Code::new(
-            "(LimitSurface::new(table::Coulomb, 1.0 as R, 1.0).ok()?, LimitSurface::new(table::Coulomb, 1.5 as R, 1.0).ok()?)",
-            "Holding::of(&object.0, &object.1, &given.push).surely_held_scale()",
+            "(RoundLimitSurface::new(table::CoulombDisk, 1.0 as R, 1.0).ok()?, RoundLimitSurface::new(table::CoulombDisk, 1.5 as R, 1.0).ok()?)",
+            "StictionBounds::of(&object.0, &object.1, &given.push).surely_held_scale()",
         ),
     ),
     item(
@@ -78,13 +78,13 @@ pub const HOLDING: [Item; 12] = [
         ellipsoid!("limit_surface::scaled"),
         Code::new(
             ELLIPSOID,
-            "Scaled::new(&*object, b).map_or(R::NAN, |set| whole(&set.project(&given.push).wrench))",
+            "ScaledSet::new(&*object, b).map_or(R::NAN, |set| whole(&set.project(&given.push).wrench))",
         ),
     ),
     item(
         ["holding", "presliding"],
         NARROW,
-        ellipsoid!("presliding::bonds presliding::pose presliding::step"),
+        ellipsoid!("presliding::stiffness presliding::pose presliding::step"),
         Code::new(
             ON_ELLIPSOID,
             "whole(&object.1.step(&object.0, &Anchor::at(Pose::new(0.0, 0.0, 0.0)), &pose(&given.twist)).friction)",
@@ -94,10 +94,10 @@ pub const HOLDING: [Item; 12] = [
         ["holding", "gradual presliding"],
         NARROW,
         ellipsoid!(
-            "presliding::bonds presliding::gradual presliding::pose presliding::root presliding::step"
+            "presliding::stiffness presliding::microslip presliding::pose presliding::root presliding::step"
         ),
         Code::new(
-            "(Ellipsoid::new(1.0 as R, 1.0, 0.625).ok()?, GradualPresliding::new(Presliding::new(64.0, 32.0).ok()?, 0.25, 1.0).ok()?)",
+            "(LimitEllipsoid::new(1.0 as R, 1.0, 0.625).ok()?, MicroslipPresliding::new(Presliding::new(64.0, 32.0).ok()?, 0.25, 1.0).ok()?)",
             "whole(&object.1.step(&object.0, &Anchor::at(Pose::new(0.0, 0.0, 0.0)), [&Pose::new(0.0, 0.0, 0.0), &pose(&given.twist)]).friction)",
         ),
     ),
@@ -106,16 +106,18 @@ pub const HOLDING: [Item; 12] = [
         NARROW,
         "patch::nodes presliding::nodes presliding::pose",
         Code::new(
-            "NodePresliding::<R, _, 3>::new(feet(b)?, 64.0, 1.0, &Pose::new(0.0, 0.0, 0.0)).ok()?",
+            "PointPresliding::<R, _, 3>::new(feet(b)?, 64.0, 1.0, &Pose::new(0.0, 0.0, 0.0)).ok()?",
             "whole(&object.step(&pose(&given.twist)).friction)",
         ),
     ),
     item(
         ["holding", "body on elastic bonds"],
         NARROW,
-        ellipsoid!("planar planar::elastic presliding::bonds presliding::pose presliding::step"),
+        ellipsoid!(
+            "planar planar::elastic presliding::stiffness presliding::pose presliding::step"
+        ),
         Code::new(
-            "(Ellipsoid::new(1.0 as R, 1.0, 0.625).ok()?, Presliding::new(64.0, 32.0).ok()?, PlanarBody::new(1.0, 0.5).ok()?, TimeStep::new(0.0625).ok()?)",
+            "(LimitEllipsoid::new(1.0 as R, 1.0, 0.625).ok()?, Presliding::new(64.0, 32.0).ok()?, PlanarBody::new(1.0, 0.5).ok()?, TimeStep::new(0.0625).ok()?)",
             "whole(&object.2.step_elastic(&object.1, &object.0, &ElasticState { twist: given.twist, ..ElasticState::at_rest(Pose::new(0.0, 0.0, 0.0)) }, &given.push, object.3).friction)",
         ),
     ),

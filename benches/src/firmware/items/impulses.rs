@@ -7,7 +7,7 @@ macro_rules! impulse {
     ($($more:literal),*) => {
         concat!(
             "contact contact::block contact::body contact::update contact::disc contact::friction ",
-            "contact::modes contact::normal contact::touch contact::vector",
+            "contact::modes contact::normal contact::geometry contact::vector",
             $(" ", $more),*
         )
     };
@@ -17,11 +17,11 @@ macro_rules! impulse {
 macro_rules! exact {
     ($($more:literal),*) => {
         round!(
-            "coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways",
-            "limit_surface limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
+            "coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways",
+            "limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation",
             "contact contact::block contact::body contact::update contact::coupled",
-            "contact::friction contact::modes contact::normal contact::pair contact::both_slip",
-            "contact::touch contact::vector" $(, $more)*
+            "contact::friction contact::modes contact::normal contact::sliding_rolling contact::dual_slip",
+            "contact::geometry contact::vector" $(, $more)*
         )
     };
 }
@@ -30,9 +30,9 @@ macro_rules! exact {
 macro_rules! ellipsoid {
     () => {
         impulse!(
-            "limit_surface limit_surface::ellipsoid limit_surface::exact",
-            "limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
-            "contact::coupled contact::pair contact::both_slip"
+            "limit_surface limit_surface::ellipsoid limit_surface::round",
+            "limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation",
+            "contact::coupled contact::sliding_rolling contact::dual_slip"
         )
     };
 }
@@ -53,68 +53,68 @@ pub const IMPULSES: [Item; 11] = [
         "frictionless",
         NARROW,
         impulse!(),
-        "Struck::on_floor(Thresholds::none())?",
+        "Struck::on_floor(IndependentFriction::none())?",
     ),
     struck(
         "sliding",
         BOTH,
         impulse!(),
-        "Struck::on_floor(Thresholds::sliding(b).ok()?)?",
+        "Struck::on_floor(IndependentFriction::sliding(b).ok()?)?",
     ),
     struck(
         "sliding, torsion",
         NARROW,
         impulse!(),
-        "Struck::on_floor(Thresholds::sliding_torsion(b, b).ok()?)?",
+        "Struck::on_floor(IndependentFriction::sliding_torsion(b, b).ok()?)?",
     ),
     struck(
         "sliding, rolling",
         NARROW,
-        impulse!("contact::pair contact::both_slip"),
-        "Struck::on_floor(Thresholds::sliding_rolling(b, a).ok()?)?",
+        impulse!("contact::sliding_rolling contact::dual_slip"),
+        "Struck::on_floor(IndependentFriction::sliding_rolling(b, a).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion",
         BOTH,
-        impulse!("contact::pair contact::both_slip"),
-        "Struck::on_floor(Thresholds::all(b, a, b).ok()?)?",
+        impulse!("contact::sliding_rolling contact::dual_slip"),
+        "Struck::on_floor(IndependentFriction::all(b, a, b).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion: two balls",
         NARROW,
-        impulse!("contact::pair contact::both_slip"),
-        "Struck::on_ball(Thresholds::all(b, a, b).ok()?)?",
+        impulse!("contact::sliding_rolling contact::dual_slip"),
+        "Struck::on_ball(IndependentFriction::all(b, a, b).ok()?)?",
     ),
     struck(
         "coupled: exact",
         NARROW,
         exact!(),
-        "Struck::on_floor(CoupledFriction::sliding_torsion(LimitSurface::new(table::Coulomb, b, 0.5).ok()?))?",
+        "Struck::on_floor(CoupledFriction::sliding_torsion(RoundLimitSurface::new(table::CoulombDisk, b, 0.5).ok()?))?",
     ),
     struck(
         "coupled: exact, and rolling",
         NARROW,
         exact!("contact::disc"),
-        "Struck::on_floor(CoupledFriction::all(LimitSurface::new(table::Coulomb, b, 0.5).ok()?, a).ok()?)?",
+        "Struck::on_floor(CoupledFriction::all(RoundLimitSurface::new(table::CoulombDisk, b, 0.5).ok()?, a).ok()?)?",
     ),
     struck(
         "coupled: ellipsoid",
         NARROW,
         ellipsoid!(),
-        "Struck::on_floor(CoupledFriction::sliding_torsion(Ellipsoid::new(b, 0.5, 0.625).ok()?))?",
+        "Struck::on_floor(CoupledFriction::sliding_torsion(LimitEllipsoid::new(b, 0.5, 0.625).ok()?))?",
     ),
     struck(
         "coupled: ellipsoid, and rolling",
         NARROW,
         ellipsoid!(),
-        "Struck::on_floor(CoupledFriction::all(Ellipsoid::new(b, 0.5, 0.625).ok()?, a).ok()?)?",
+        "Struck::on_floor(CoupledFriction::all(LimitEllipsoid::new(b, 0.5, 0.625).ok()?, a).ok()?)?",
     ),
     item(
         ["impulse", "manifold: sliding"],
         BOTH,
         impulse!("manifold manifold::impact manifold::member manifold::solve contact::time_step"),
         Code::new(
-            "Gripped::new(Thresholds::sliding(b).ok()?)?",
+            "Gripped::new(IndependentFriction::sliding(b).ok()?)?",
             "object.solve()",
         )
         .with_ready("object.ready(given)"),

@@ -11,14 +11,14 @@ const fn law(
     item(["law", name], NARROW, modules, Code::new(prepare, call))
 }
 
-const RATE_AND_STATE: &str = "RateState::<R, Dieterich>::new(RateStateParameters { mu: 0.5, a: 0.01, b: 0.02, reference_speed: b, slip_distance: 1e-5, viscous: 0.0 }).ok()?";
-const RATE_AND_STATE_STEADY: &str = "RateState::<R, Dieterich>::new(RateStateParameters { mu: 0.5, a: 0.01, b: 0.02, reference_speed: b, slip_distance: 1e-5, viscous: 0.0 }).ok()?.steady()";
+const RATE_AND_STATE: &str = "RateState::<R, AgeingLaw>::new(RateStateParameters { mu: 0.5, a: 0.01, b: 0.02, reference_speed: b, slip_distance: 1e-5, viscous: 0.0 }).ok()?";
+const RATE_AND_STATE_STEADY: &str = "RateState::<R, AgeingLaw>::new(RateStateParameters { mu: 0.5, a: 0.01, b: 0.02, reference_speed: b, slip_distance: 1e-5, viscous: 0.0 }).ok()?.steady()";
 const LUGRE: &str = "LuGre::new(LuGreParameters { coulomb_force: 1.0, static_force: 1.5, stribeck_speed: b, stiffness: 1e5, bristle_damping: 300.0, viscous_damping: 0.5 }).ok()?";
 
 /// One speed in, one coefficient or force out.
 pub const LAWS: [Item; 11] = [
     law(
-        "Coulomb",
+        "CoulombDisk",
         "law::coulomb",
         "CoulombLaw::new(b).ok()?",
         "object.friction(a)",
@@ -38,7 +38,7 @@ pub const LAWS: [Item; 11] = [
     law(
         "plateau",
         "law::plateau",
-        "PlateauPower::new(PlateauPowerParameters { alpha: -0.5, coefficient: b, plateau_speed: 1e-2, drop_speed: 1e-4, rest_share: 0.5 }).ok()?",
+        "PlateauPowerLaw::new(PlateauPowerLawParameters { alpha: -0.5, coefficient: b, plateau_speed: 1e-2, drop_speed: 1e-4, rest_share: 0.5 }).ok()?",
         "object.friction(a)",
     ),
     law(
@@ -56,14 +56,14 @@ pub const LAWS: [Item; 11] = [
     law(
         "ageing",
         "law::ageing law::grip",
-        "Ageing::new(0.25, 0.125, b).ok()?",
-        "object.mu_static(Age::default().advance(a, object.at_rest(Age::default(), b)))",
+        "StaticAgeing::new(0.25, 0.125, b).ok()?",
+        "object.mu_static(RestTime::default().advance(a, object.at_rest(RestTime::default(), b)))",
     ),
     law(
         "rate and state",
         "law::rate_state law::contact_age",
         RATE_AND_STATE,
-        "let age = object.advance(ContactAge { theta: b }, a, b);
+        "let age = object.advance(StateVariable { theta: b }, a, b);
         object.coefficient(a, age)",
     ),
     law(

@@ -19,7 +19,7 @@ pub const MANIFOLD_FRICTION: [Item; 6] = [
         BOTH,
         projection!(),
         Code::new(
-            "CompactOutline::<R>::area()",
+            "IsotropicLimitCurve::<R>::area()",
             "whole_impulse(&carried(object, &given.push, given.load))",
         ),
     ),
@@ -28,7 +28,7 @@ pub const MANIFOLD_FRICTION: [Item; 6] = [
         NARROW,
         projection!(),
         Code::new(
-            "CompactOutline::<R>::ellipsoid()",
+            "IsotropicLimitCurve::<R>::ellipsoid()",
             "whole_impulse(&carried(object, &given.push, given.load))",
         ),
     ),
@@ -37,7 +37,7 @@ pub const MANIFOLD_FRICTION: [Item; 6] = [
         NARROW,
         projection!("manifold_friction::area"),
         Code::new(
-            "ContactArea::of_corners(&[[-a, -b], [a, -b], [a, b], [-a, b]]).outline",
+            "ManifoldArea::of_corners(&[[-a, -b], [a, -b], [a, b], [-a, b]]).outline",
             "whole_impulse(&carried(object, &given.push, given.load))",
         ),
     ),
@@ -47,7 +47,7 @@ pub const MANIFOLD_FRICTION: [Item; 6] = [
         "manifold_friction manifold_friction::area manifold_friction::outline",
         Code::new(
             "[[-a, -b], [a, -b], [a, b], [-a, b]]",
-            "{ object[2] = [given.a, given.b]; black_box(ContactArea::of_corners(object)).lever }",
+            "{ object[2] = [given.a, given.b]; black_box(ManifoldArea::of_corners(object)).lever }",
         ),
     ),
     item(
@@ -55,13 +55,13 @@ pub const MANIFOLD_FRICTION: [Item; 6] = [
         NARROW,
         projection!("manifold_friction::anisotropy"),
         Code::new(
-            "Anisotropy::new([a, b])",
+            "AnisotropicFriction::new([a, b])",
             concat!(
                 "{ let last = FrictionImpulse { tangential: [0.0, 0.0], angular: 0.0 };",
                 " let motion = &given.twist;",
                 " let moved = [motion.velocity.x, motion.velocity.y];",
                 " let pushed = object.candidate(&last, moved, motion.spin, &MASSES);",
-                " let carried = carried_of(&CompactOutline::area(), &pushed, object.largest() * given.load);",
+                " let carried = carried_of(&IsotropicLimitCurve::area(), &pushed, object.largest() * given.load);",
                 " whole_impulse(&object.unstretched(&carried)) }",
             ),
         ),

@@ -90,15 +90,15 @@ pub const PLUMBING: [&str; 12] = [
     "law::limits",
     "patch::error",
     "coupling::speeds",
-    "coupling::wide",
-    "coupling::beyond",
+    "coupling::extended_range",
+    "coupling::extreme_range",
 ];
 
 /// Modules of every round patch under a power law.
 macro_rules! round {
     ($($more:literal),*) => {
         concat!(
-            "coupling::profile coupling::family coupling::lateral coupling::friction patch::power",
+            "coupling::profile coupling::pressure_family coupling::lateral coupling::friction patch::power",
             $(" ", $more),*
         )
     };

@@ -39,8 +39,8 @@ const fn dry(
 macro_rules! flat {
     ($more:literal) => {
         concat!(
-            "coupling::flat coupling::flat::far coupling::flat::motion coupling::flat::near ",
-            "coupling::flat::two patch::edge patch::frame patch::outline special::legendre ",
+            "coupling::flat coupling::flat::pole_far coupling::flat::motion coupling::flat::pole_near ",
+            "coupling::flat::pair_of_numbers patch::edge patch::outline_extent patch::outline special::legendre ",
             "special::log_quotient ",
             $more
         )
@@ -50,81 +50,81 @@ macro_rules! flat {
 /// One pair of speeds or one twist in.
 pub const PATCHES: [Item; 19] = [
     item(
-        ["patch", "Hertz: table: Coulomb"],
+        ["patch", "CoulombHertz: table: CoulombDisk"],
         BOTH,
-        round!("coupling::round coupling::side coupling::batch::ways"),
+        round!("coupling::round coupling::regime_table coupling::batch::ways"),
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HERTZ_TABLE),
     ),
     coupled(
-        "Hertz: closed",
+        "CoulombHertz: closed",
         NARROW,
         round!("coupling::closed"),
-        "closed::Hertz",
+        "closed::CoulombHertz",
     ),
     coupled(
         "punch: closed",
         NARROW,
         round!("coupling::closed"),
-        "closed::FlatPunch",
+        "closed::CoulombPunch",
     ),
     coupled(
         "ring: closed",
         NARROW,
         round!("coupling::closed special::elliptic"),
-        "closed::Ring",
+        "closed::CoulombRing",
     ),
     coupled(
-        "annulus: table: Coulomb",
+        "annulus: table: CoulombDisk",
         NARROW,
         round!(
-            "coupling::annulus coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways"
+            "coupling::annulus coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways"
         ),
-        "Annulus::new(table::Coulomb, 0.5 as R).ok()?",
+        "Annulus::new(table::CoulombDisk, 0.5 as R).ok()?",
     ),
     coupled(
         "polynomial: table built at run time",
         WIDE,
         round!(
-            "coupling::polynomial coupling::side coupling::batch::ways coupling::member coupling::octave power power::build special::hypergeometric patch::polynomial"
+            "coupling::polynomial coupling::regime_table coupling::batch::ways coupling::family_member coupling::half_octave_table power power::build special::hypergeometric patch::polynomial"
         ),
         "round::PolynomialTable::new(0.0, &PolynomialPressure::new([1.0, -2.0, 1.5]).ok()?).ok()?",
     ),
     dry(
-        "tripod: Coulomb",
+        "tripod: CoulombDisk",
         BOTH,
         "coupling::nodes law::coulomb patch::nodes patch::tripod",
         "dry_nodes(Nodes::tripod([[1.0, 0.0], [-0.5, 0.75], [-0.5, -0.75]], [a, 0.0]).ok()?)?",
     ),
     dry(
-        "100 nodes on a disk: Coulomb",
+        "100 nodes on a disk: CoulombDisk",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polar patch::gauss_jacobi",
-        "dry_nodes(PolarRule::new(1.0 as R, 5, 20).ok()?.nodes::<100>().ok()?)?",
+        "dry_nodes(PolarQuadrature::new(1.0 as R, 5, 20).ok()?.nodes::<100>().ok()?)?",
     ),
     dry(
-        "ring of 100 nodes: Coulomb",
+        "ring of 100 nodes: CoulombDisk",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polar",
         "dry_nodes(NodeList::<R, 100>::ring(1.0 as R, 100).ok()?)?",
     ),
     dry(
-        "polygon of 28 nodes: Coulomb",
+        "polygon of 28 nodes: CoulombDisk",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polygon",
         "dry_nodes(NodeList::<R, 28>::polygon(&[[1.0, 0.0], [-0.5, 0.75], [-0.5, -a]], 2).ok()?)?",
     ),
     dry(
-        "square, exact: Coulomb",
+        "square, exact: CoulombDisk",
         BOTH,
-        flat!("patch::flat_pressure patch::simple"),
-        "FlatFriction::new(square(b)?, 0.5).ok()?",
+        flat!("patch::flat_pressure patch::outline_check"),
+        "ShapeFriction::new(square(b)?, 0.5).ok()?",
     ),
     item(
-        ["patch", "square, exact: Coulomb, Jacobian"],
+        ["patch", "square, exact: CoulombDisk, Jacobian"],
         NARROW,
-        flat!("patch::flat_pressure patch::simple"),
+        flat!("patch::flat_pressure patch::outline_check"),
         Code::new(
-            "FlatFriction::new(square(b)?, 0.5).ok()?",
+            "ShapeFriction::new(square(b)?, 0.5).ok()?",
             "whole_jacobian(&object.wrench_and_jacobian(given.load, &given.twist))",
         ),
     ),
@@ -132,24 +132,24 @@ pub const PATCHES: [Item; 19] = [
         "square, exact: square root of the speed",
         NARROW,
         flat!(
-            "patch::flat_pressure patch::simple coupling::flat::power coupling::flat::power::far coupling::flat::power::fit coupling::flat::power::near coupling::flat::power::prepared special::hypergeometric"
+            "patch::flat_pressure patch::outline_check coupling::flat::power coupling::flat::power::far coupling::flat::power::fit coupling::flat::power::near coupling::flat::power::prepared special::hypergeometric"
         ),
-        "FlatPowerFriction::new(square(b)?, 0.5, FlatPower::new(0.5).ok()?).ok()?",
+        "ShapePowerFriction::new(square(b)?, 0.5, PolygonPowerLaw::new(0.5).ok()?).ok()?",
     ),
     dry(
-        "bar, exact: Coulomb",
+        "bar, exact: CoulombDisk",
         NARROW,
         flat!("coupling::flat::bar coupling::flat::sums patch::bar"),
-        "FlatFriction::new(Bar::new([-1.0, b], [1.0, a]).ok()?, 0.5).ok()?",
+        "ShapeFriction::new(Bar::new([-1.0, b], [1.0, a]).ok()?, 0.5).ok()?",
     ),
     item(
         ["patch", "square, exact: limit surface, motion of a push"],
         NARROW,
         flat!(
-            "patch::flat_pressure patch::simple limit_surface limit_surface::patch limit_surface::quadratic limit_surface::search"
+            "patch::flat_pressure patch::outline_check limit_surface limit_surface::shape limit_surface::quadratic limit_surface::search"
         ),
         Code::new(
-            "PatchSurface::new(square(b)?, 0.5).ok()?",
+            "ShapeLimitSurface::new(square(b)?, 0.5).ok()?",
             "turned(&object.twist_normal_to(&given.push))",
         ),
     ),
@@ -157,34 +157,34 @@ pub const PATCHES: [Item; 19] = [
         ["patch", "square, exact: torque limits at a force"],
         NARROW,
         flat!(
-            "patch::flat_pressure patch::simple limit_surface limit_surface::patch limit_surface::quadratic limit_surface::search limit_surface::yaw"
+            "patch::flat_pressure patch::outline_check limit_surface limit_surface::shape limit_surface::quadratic limit_surface::search limit_surface::torque_range"
         ),
         Code::new(
-            "PatchSurface::new(square(b)?, 0.5).ok()?",
+            "ShapeLimitSurface::new(square(b)?, 0.5).ok()?",
             "pair(object.torque_limits([given.push.force.x, given.push.force.y]))",
         ),
     ),
     item(
         ["patch", "square, any pressure: torque limits at a force"],
         NARROW,
-        "limit_surface limit_surface::any_pressure limit_surface::central_path limit_surface::quadratic limit_surface::sharing",
+        "limit_surface limit_surface::any_pressure limit_surface::central_path limit_surface::quadratic limit_surface::load_sharing",
         Code::new(
-            "AnyPressure::new([[-b, -b], [b, -b], [b, b], [-b, b]], [0.1, 0.1], 0.5).ok()?",
+            "UnknownPressureSet::new([[-b, -b], [b, -b], [b, b], [-b, b]], [0.1, 0.1], 0.5).ok()?",
             "pair(object.torque_limits([given.push.force.x, given.push.force.y]).map(|limits| limits.carried))",
         ),
     ),
     dry(
-        "mesh of two triangles, exact: Coulomb",
+        "mesh of two triangles, exact: CoulombDisk",
         NARROW,
-        "coupling::flat coupling::flat::cone coupling::flat::far coupling::flat::mesh coupling::flat::motion coupling::flat::near coupling::flat::sums coupling::flat::two patch::edge patch::mesh patch::mesh_error patch::triangle special::log_quotient special::triangle",
-        "FlatFriction::new(face(b)?, 0.5).ok()?",
+        "coupling::flat coupling::flat::cone coupling::flat::pole_far coupling::flat::mesh coupling::flat::motion coupling::flat::pole_near coupling::flat::sums coupling::flat::pair_of_numbers patch::edge patch::mesh patch::mesh_error patch::triangle special::log_quotient special::triangle",
+        "ShapeFriction::new(face(b)?, 0.5).ok()?",
     ),
     item(
         ["patch", "three points: limit surface, motion of a push"],
         NARROW,
-        "coupling::flat coupling::flat::far coupling::flat::motion coupling::flat::points coupling::flat::sums coupling::flat::two patch::nodes patch::points limit_surface limit_surface::kinks limit_surface::patch limit_surface::quadratic limit_surface::search",
+        "coupling::flat coupling::flat::pole_far coupling::flat::motion coupling::flat::points coupling::flat::sums coupling::flat::pair_of_numbers patch::nodes patch::points limit_surface limit_surface::nonsmooth_search limit_surface::shape limit_surface::quadratic limit_surface::search",
         Code::new(
-            "PatchSurface::new(spikes(b)?, 0.5).ok()?",
+            "ShapeLimitSurface::new(spikes(b)?, 0.5).ok()?",
             "turned(&object.twist_normal_to(&given.push))",
         ),
     ),

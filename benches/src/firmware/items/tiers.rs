@@ -23,41 +23,45 @@ const fn tier(
 /// One sliding speed and one rim speed in.
 pub const TIERS: [Item; 7] = [
     tier(
-        "table: Coulomb",
+        "table: CoulombDisk",
         BOTH,
         round!(
-            "coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways"
+            "coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways"
         ),
-        "table::Coulomb",
+        "table::CoulombDisk",
     ),
     item(
         [TIER, "table: alpha 0.5"],
         BOTH,
         round!(
-            "coupling::table coupling::disk coupling::tip special::log_quotient coupling::side coupling::batch::ways power"
+            "coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways power"
         ),
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HALF_TABLE),
     ),
     tier(
-        "compact: Coulomb",
+        "compact: CoulombDisk",
         BOTH,
         round!("coupling::compact special::elliptic"),
-        "compact::CompactCoulomb",
+        "compact::CompactCoulombDisk",
     ),
     tier(
         "compact: alpha 0.5",
         BOTH,
-        round!("coupling::compact coupling::member coupling::octave special::hypergeometric"),
+        round!(
+            "coupling::compact coupling::family_member coupling::half_octave_table special::hypergeometric"
+        ),
         "compact::CompactPower::new(0.5 as R).ok()?",
     ),
     tier(
         "compact: power alpha 0",
         BOTH,
-        round!("coupling::compact coupling::member coupling::octave special::hypergeometric"),
+        round!(
+            "coupling::compact coupling::family_member coupling::half_octave_table special::hypergeometric"
+        ),
         "compact::CompactPower::new(0.0 as R).ok()?",
     ),
     tier(
-        "quadrature: Coulomb",
+        "quadrature: CoulombDisk",
         BOTH,
         "coupling::quadrature law law::coulomb",
         "DiskQuadrature::new(CoulombLaw::new(1.0 as R).ok()?)",

@@ -4,7 +4,7 @@ use super::melt::Melt;
 use crate::power_law::{exponent, slope};
 use crate::written::{Sheet, short};
 use rayon::prelude::*;
-use tribos::md::interaction::Wanted;
+use tribos::md::interaction::Evaluation;
 use tribos::md::observe::{conserved_energy, kinetic_energies, temperature};
 use tribos::md::pair::Shift;
 
@@ -69,9 +69,9 @@ fn run(melt: &Melt, shift: (&'static str, Shift), dt: f64, looks: usize) -> Resu
     for _ in 0..looks {
         for step in 1..=steps {
             let wanted = if step == steps {
-                Wanted::Sums
+                Evaluation::Sums
             } else {
-                Wanted::Forces
+                Evaluation::Forces
             };
             system.step(wanted).map_err(|error| error.to_string())?;
         }

@@ -12,7 +12,7 @@ const PROGRAM: &str = "gmx_d";
 
 /// Output of GROMACS about a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Told {
+pub struct RunReport {
     /// The processor's seconds in the loop over steps.
     pub seconds: f64,
     /// Potential energy before the first step, to six digits.
@@ -26,7 +26,7 @@ pub fn is_installed() -> bool {
 }
 
 /// The melt at constant energy on one thread; its lists have our cut-off and skin and live `list_life` steps.
-pub fn run(melt: &Melt, steps: u64, list_life: u64) -> Result<Told, String> {
+pub fn run(melt: &Melt, steps: u64, list_life: u64) -> Result<RunReport, String> {
     let folder = tempfile::tempdir().map_err(|error| format!("no folder for GROMACS: {error}"))?;
     let folder = folder.path();
     for (name, text) in [
@@ -61,7 +61,7 @@ fn call(folder: &Path, command: &str) -> Result<String, String> {
 }
 
 /// Reads the log and what the shell's `times` prints.
-fn read(log: &str, times: &str, elapsed: f64) -> Option<Told> {
+fn read(log: &str, times: &str, elapsed: f64) -> Option<RunReport> {
     let mut lines = log.lines();
     let heading = lines.find(|line| line.contains("LJ (SR)"))?;
     // Columns of 15 characters.
@@ -71,7 +71,7 @@ fn read(log: &str, times: &str, elapsed: f64) -> Option<Told> {
     let wall: f64 = time.split_whitespace().nth(2)?.parse().ok()?;
     // Minutes and seconds of children, in programs and in the system. GROMACS measures wall time.
     let busy: f64 = times.lines().nth(1)?.split_whitespace().map(seconds).sum();
-    Some(Told {
+    Some(RunReport {
         seconds: wall * busy / elapsed,
         energy,
     })

@@ -21,7 +21,7 @@ pub struct Input {
 
 /// Output of LAMMPS about a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Told {
+pub struct RunReport {
     /// The processor's seconds in the loop over steps.
     pub seconds: f64,
     /// Shares of pair forces and of lists.
@@ -43,7 +43,7 @@ pub fn release() -> Option<String> {
 }
 
 /// One run on one thread, with the pair styles of the package OPT.
-pub fn run(input: &Input) -> Result<Told, String> {
+pub fn run(input: &Input) -> Result<RunReport, String> {
     let folder = tempfile::tempdir().map_err(|error| format!("no folder for LAMMPS: {error}"))?;
     let (name, text) = &input.data;
     for (name, text) in [(*name, text), ("in.front", &input.script)] {
@@ -64,7 +64,7 @@ pub fn run(input: &Input) -> Result<Told, String> {
 }
 
 /// Reads the output of LAMMPS.
-fn read(text: &str, timed: usize) -> Option<Told> {
+fn read(text: &str, timed: usize) -> Option<RunReport> {
     let energy = energy(text)?;
     let text = text.split("Loop time of ").nth(timed + 1)?;
     let number = |line: &str, place: usize| line.split_whitespace().nth(place)?.parse().ok();
@@ -74,7 +74,7 @@ fn read(text: &str, timed: usize) -> Option<Told> {
     let busy: f64 = busy.parse().ok()?;
     // LAMMPS measures wall time; its shares apply to processor time too.
     let share = |part: &str| -> Option<f64> { Some(number(line(part)?, 2)? / wall) };
-    Some(Told {
+    Some(RunReport {
         seconds: wall * busy / 100.0,
         shares: [share("Pair  ")?, share("Neigh  ")?],
         pairs: number(line("Total # of neighbors")?, 5)?,
@@ -115,7 +115,7 @@ Neigh   | 0.125      | 0.125      | 0.125      |   0.0 | 25.00
 Total # of neighbors = 150098
 Neighbor list builds = 11
 ";
-        let told = Told {
+        let told = RunReport {
             seconds: 0.4,
             shares: [0.5, 0.25],
             pairs: 150_098.0,

@@ -22,7 +22,7 @@ const PICTURE: &str = "atoms.svg";
 const PANEL: (u32, u32) = (640, 460);
 
 /// Reads a figure of a run.
-type Read = fn(&Run) -> f64;
+type RunQuantity = fn(&Run) -> f64;
 
 /// Length of the measurements.
 struct Extent {
@@ -128,7 +128,7 @@ fn orders(runs: &[Run]) -> String {
 /// Fluctuation and drift over the time step.
 fn draw(folder: &Path, runs: &[Run]) -> Result<(), String> {
     let mut panels = Panels::new("Energy of an atom in a melt", 2).cell(PANEL.0, PANEL.1);
-    let quantities: [(&str, Read); 2] = [
+    let quantities: [(&str, RunQuantity); 2] = [
         ("rms fluctuation [ε]", |run| run.rms),
         ("drift, either way [ε/τ]", |run| run.drift.abs()),
     ];
@@ -169,7 +169,7 @@ fn line(races: &[Race], runs: &[Run]) -> String {
     let speeds: Vec<String> = races.iter().map(speed).collect();
     let usual = |run: &&Run| run.shift == "force shifted" && run.time_step == melt::TIME_STEP;
     let usual = runs.iter().find(usual);
-    let told = |read: Read| short(usual.map_or(f64::NAN, read));
+    let told = |read: RunQuantity| short(usual.map_or(f64::NAN, read));
     format!(
         "One core makes this many Lennard-Jones atom-steps a second: {}; in steps of {} the \
          energy of an atom fluctuates by {} and drifts by {} per time where the force is shifted \

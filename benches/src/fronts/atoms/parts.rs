@@ -1,11 +1,11 @@
 //! Parts of a step: forces over the listed pairs, and occasionally a new list.
 
 use super::melt::SKIN;
-use super::problems::Ran;
+use super::problems::TimedRun;
 use crate::clock::Clock;
 use nalgebra::Vector3;
 use std::hint::black_box;
-use tribos::md::interaction::{Interaction, Wanted};
+use tribos::md::interaction::{Evaluation, Interaction};
 use tribos::md::neighbours::VerletList;
 
 /// Least time of a sample in s.
@@ -23,7 +23,7 @@ pub struct Parts {
 }
 
 /// For the atoms at the end of a run.
-pub fn measure(ran: &Ran) -> Result<Parts, String> {
+pub fn measure(ran: &TimedRun) -> Result<Parts, String> {
     let interaction = &ran.interaction;
     let list = VerletList::new(ran.space, interaction.cutoff(), SKIN);
     let mut list = list.map_err(|error| error.to_string())?;
@@ -33,7 +33,7 @@ pub fn measure(ran: &Ran) -> Result<Parts, String> {
     let pairs: usize = list.chunks_mut().iter().map(|chunk| chunk.pairs()).sum();
     let mut forces = vec![Vector3::zeros(); ran.atoms.len()];
     let forces = once(|| {
-        black_box(interaction.forces(&mut list, black_box(&mut forces), Wanted::Forces));
+        black_box(interaction.forces(&mut list, black_box(&mut forces), Evaluation::Forces));
     });
     let list = once(|| {
         // It was built once: it will be again.

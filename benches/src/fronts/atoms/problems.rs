@@ -5,7 +5,7 @@ use super::melt::{CUTOFF, Melt, SKIN, TIME_STEP};
 use crate::clock::Clock;
 use tribos::md::atoms::Atoms;
 use tribos::md::configuration::Configuration;
-use tribos::md::interaction::{Interaction, Wanted};
+use tribos::md::interaction::{Evaluation, Interaction};
 use tribos::md::lammps::data_file;
 use tribos::md::pair::{LennardJones, Shift};
 use tribos::md::system::System;
@@ -37,7 +37,7 @@ pub enum Problem {
 
 /// One run of ours.
 #[derive(Debug)]
-pub struct Ran {
+pub struct TimedRun {
     /// The processor's seconds.
     pub seconds: f64,
     /// Steps timed.
@@ -54,7 +54,7 @@ pub struct Ran {
     pub interaction: TipForces,
 }
 
-impl Ran {
+impl TimedRun {
     fn new<I: Interaction>(
         system: &System<I>,
         interaction: TipForces,
@@ -123,7 +123,7 @@ impl Problem {
     }
 
     /// Runs ours.
-    pub fn run(&self) -> Result<Ran, String> {
+    pub fn run(&self) -> Result<TimedRun, String> {
         match self {
             Self::Melt { melt, steps } => {
                 let mut system = melt.system(Shift::None, TIME_STEP)?;
@@ -131,7 +131,7 @@ impl Problem {
                 let since = Since::now(&system);
                 advance(&mut system, *steps)?;
                 let forces = TipForces::LennardJones(system.interaction().clone());
-                Ok(Ran::new(&system, forces, energy, &since))
+                Ok(TimedRun::new(&system, forces, energy, &since))
             }
             Self::Tip(scene) => run_tip(scene),
         }
@@ -161,9 +161,9 @@ impl Problem {
 fn advance(system: &mut System<LennardJones>, steps: u64) -> Result<(), String> {
     for left in (0..steps).rev() {
         let wanted = if left == 0 {
-            Wanted::Sums
+            Evaluation::Sums
         } else {
-            Wanted::Forces
+            Evaluation::Forces
         };
         system.step(wanted).map_err(|error| error.to_string())?;
     }
@@ -171,7 +171,7 @@ fn advance(system: &mut System<LennardJones>, steps: u64) -> Result<(), String> 
 }
 
 /// The tip, timed while it is driven; lines of the series included.
-fn run_tip(scene: &TipScene) -> Result<Ran, String> {
+fn run_tip(scene: &TipScene) -> Result<TimedRun, String> {
     let mut run = TipSimulation::new(scene).map_err(|error| error.to_string())?;
     let energy = energy(run.system());
     let steps = scene.stage_steps();
@@ -185,7 +185,7 @@ fn run_tip(scene: &TipScene) -> Result<Ran, String> {
     let since = Since::now(run.system());
     until(&mut run, steps.before + steps.driven)?;
     let forces = run.system().interaction().clone();
-    Ok(Ran::new(run.system(), forces, energy, &since))
+    Ok(TimedRun::new(run.system(), forces, energy, &since))
 }
 
 fn melt_data(melt: &Melt) -> String {

@@ -1,9 +1,9 @@
 //! Speed of ours and of LAMMPS, run in turn on one core.
 
 use super::gromacs;
-use super::lammps::{self, MISSING, Told};
+use super::lammps::{self, MISSING, RunReport};
 use super::parts::{self, Parts};
-use super::problems::{Problem, Ran};
+use super::problems::{Problem, TimedRun};
 use crate::timing::median;
 use crate::written::{Sheet, short};
 use std::iter::once;
@@ -113,7 +113,7 @@ fn agree(peer: &str, ours: f64, theirs: f64, tolerance: f64) -> Result<(), Strin
     }
 }
 
-fn own_speed(ran: &Ran, parts: &Parts) -> Speed {
+fn own_speed(ran: &TimedRun, parts: &Parts) -> Speed {
     let (steps, builds) = (ran.steps as f64, ran.builds as f64);
     Speed {
         per_atom_step: ran.seconds / (steps * ran.atoms.len() as f64),
@@ -124,7 +124,7 @@ fn own_speed(ran: &Ran, parts: &Parts) -> Speed {
     }
 }
 
-fn their_speed(ran: &Ran, told: &Told) -> Speed {
+fn their_speed(ran: &TimedRun, told: &RunReport) -> Speed {
     let (steps, atoms) = (ran.steps as f64, ran.atoms.len() as f64);
     let [forces, lists] = told.shares.map(|share| share * told.seconds);
     Speed {

@@ -4,7 +4,7 @@ use super::melt::{Melt, TIME_STEP};
 use crate::timing::median;
 use crate::written::{Sheet, short};
 use std::time::Instant;
-use tribos::md::interaction::Wanted;
+use tribos::md::interaction::Evaluation;
 use tribos::md::pair::Shift;
 
 /// Numbers of threads.
@@ -28,7 +28,7 @@ fn time(melt: &Melt, steps: usize, threads: usize) -> Result<f64, String> {
         let mut system = melt.system(Shift::None, TIME_STEP)?;
         let clock = Instant::now();
         for _ in 0..steps {
-            let done = system.step(Wanted::Forces);
+            let done = system.step(Evaluation::Forces);
             done.map_err(|error| error.to_string())?;
         }
         Ok(clock.elapsed().as_secs_f64() / (steps * melt.atoms.len()) as f64)

@@ -13,7 +13,7 @@ use crate::errors::Errors;
 use crate::firmware::report::Row as Priced;
 use crate::methods::{Inputs, Kind, Method};
 use crate::mix;
-use crate::picture::{self, Place};
+use crate::picture::{self, PicturePoint};
 use crate::timing::{self, Samples, Task};
 use crate::written::{Sheet, short};
 use std::path::Path;
@@ -122,7 +122,7 @@ fn draw(out: &Path, rows: &[Row]) -> Result<(), String> {
     let places = rows
         .iter()
         .filter(|row| row.method.alpha == 0.0)
-        .map(|row| Place {
+        .map(|row| PicturePoint {
             label: row.method.name.clone(),
             group: row.method.kind.name().into(),
             at: (row.nanoseconds, row.errors.relative()),
@@ -142,7 +142,7 @@ fn draw(out: &Path, rows: &[Row]) -> Result<(), String> {
 fn draw_targets(out: &Path, rows: &[Row]) -> Result<Option<&'static str>, String> {
     let places = rows.iter().flat_map(|row| {
         let place = |(count, target): (Option<u64>, &str)| {
-            Some(Place {
+            Some(PicturePoint {
                 label: row.method.name.clone(),
                 group: format!("{target}, {}", row.method.precision()),
                 at: (count? as f64, row.errors.relative()),
@@ -154,7 +154,7 @@ fn draw_targets(out: &Path, rows: &[Row]) -> Result<Option<&'static str>, String
             .zip(["Cortex-M4F", "Cortex-M0"]);
         targets.filter_map(place).collect::<Vec<_>>()
     });
-    let places: Vec<Place> = places.collect();
+    let places: Vec<PicturePoint> = places.collect();
     if places.is_empty() {
         return Ok(None);
     }

@@ -31,7 +31,7 @@ struct Row {
 }
 
 /// A trial and its rows.
-struct Judged {
+struct MethodScore {
     case: Case,
     rows: Vec<Row>,
 }
@@ -47,7 +47,7 @@ pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
     })?;
     setting.table("methods", &whole(&all))?;
     let mut body = format!("![Error against time]({PICTURE})\n\n{LEGEND}");
-    for Judged { case, rows } in &all {
+    for MethodScore { case, rows } in &all {
         body += &format!("\n## {}\n\n{}", case.title, sheet(case, rows).markdown());
     }
     if let Some(table) = beside::table(setting.out) {
@@ -71,7 +71,7 @@ soft particles have ζ = 1 but in the gas and steps of 0.6 of the longest stable
 ";
 
 /// Runs all methods of a case.
-fn judged(case: Case) -> Result<Judged, String> {
+fn judged(case: Case) -> Result<MethodScore, String> {
     let told = |error: &dyn std::fmt::Display| format!("{}: {error}", case.title);
     let mut rows = Vec::new();
     for &method in &case.methods {
@@ -96,7 +96,7 @@ fn judged(case: Case) -> Result<Judged, String> {
             seconds: least,
         });
     }
-    Ok(Judged { case, rows })
+    Ok(MethodScore { case, rows })
 }
 
 /// Time over that of the row with which all are compared.
@@ -126,8 +126,8 @@ fn sheet(case: &Case, rows: &[Row]) -> Sheet {
 }
 
 /// All trials in one table.
-fn whole(all: &[Judged]) -> Sheet {
-    let lines = all.iter().flat_map(|Judged { case, rows }| {
+fn whole(all: &[MethodScore]) -> Sheet {
+    let lines = all.iter().flat_map(|MethodScore { case, rows }| {
         rows.iter().flat_map(move |row| {
             let quantities = case.trial.quantities().iter().zip(&row.errors);
             quantities.map(move |(quantity, error)| {
@@ -161,9 +161,9 @@ fn whole(all: &[Judged]) -> Sheet {
 }
 
 /// Error over time, a panel a trial.
-fn draw(setting: &Setting<'_>, all: &[Judged]) -> Result<(), String> {
+fn draw(setting: &Setting<'_>, all: &[MethodScore]) -> Result<(), String> {
     let mut panels = Panels::new("Error against time", 2).cell(PANEL.0, PANEL.1);
-    for Judged { case, rows } in all {
+    for MethodScore { case, rows } in all {
         let quantity = case.trial.quantities()[case.drawn];
         let mut figure = Figure::new(
             case.title.clone(),
@@ -186,8 +186,8 @@ fn draw(setting: &Setting<'_>, all: &[Judged]) -> Result<(), String> {
 }
 
 /// What soft particles cost for the error of the row marked 1, and what a gas costs without events.
-fn line(all: &[Judged]) -> String {
-    let gas = |judged: &&Judged| judged.case.unit == Method::Events;
+fn line(all: &[MethodScore]) -> String {
+    let gas = |judged: &&MethodScore| judged.case.unit == Method::Events;
     let lasting: Vec<String> = all
         .iter()
         .filter(|judged| !gas(judged))
@@ -202,7 +202,7 @@ fn line(all: &[Judged]) -> String {
 }
 
 /// The cheapest soft particles that are as good as the row marked 1.
-fn lasting(Judged { case, rows }: &Judged) -> String {
+fn lasting(MethodScore { case, rows }: &MethodScore) -> String {
     let error = |row: &Row| row.errors[case.drawn];
     let unit = rows.iter().find(|row| row.method == case.unit);
     let wanted = unit.map_or(f64::NAN, error).max(ROUNDING);
@@ -220,7 +220,7 @@ fn lasting(Judged { case, rows }: &Judged) -> String {
 }
 
 /// The cheapest rows of the methods with steps.
-fn cooling(Judged { case, rows }: &Judged) -> String {
+fn cooling(MethodScore { case, rows }: &MethodScore) -> String {
     let cost = |name| {
         let of = rows.iter().filter(|row| row.method.name() == name);
         let costs = of.map(|row| ratio(case, rows, row));

@@ -2,7 +2,7 @@
 
 use super::ours;
 use super::siconos::is_usual;
-use super::{Judged, TOLERANCE, tables};
+use super::{SolverScore, TOLERANCE, tables};
 use crate::written;
 use std::path::Path;
 use tribos::problem::ProblemMethod;
@@ -23,10 +23,10 @@ const ROUNDING: f64 = 1e-16;
 type Row = (String, Vec<Option<f64>>);
 
 /// Share of the problems that a solver solves within a multiple of the least time (Dolan and Moré 2002).
-pub fn profiles(folder: &Path, name: &str, all: &[Judged]) -> Result<(), String> {
+pub fn profiles(folder: &Path, name: &str, all: &[SolverScore]) -> Result<(), String> {
     // Problems that Siconos cannot state would count against it.
-    let peers: Vec<&Judged> = all.iter().filter(|judged| judged.has_peer()).collect();
-    let shown: Vec<&Judged> = if peers.is_empty() {
+    let peers: Vec<&SolverScore> = all.iter().filter(|judged| judged.has_peer()).collect();
+    let shown: Vec<&SolverScore> = if peers.is_empty() {
         all.iter().collect()
     } else {
         peers
@@ -73,7 +73,7 @@ pub fn profiles(folder: &Path, name: &str, all: &[Judged]) -> Result<(), String>
     written::write(folder, name, &svg)
 }
 
-fn ours_rows(shown: &[&Judged]) -> Vec<Row> {
+fn ours_rows(shown: &[&SolverScore]) -> Vec<Row> {
     let row = |(place, method): (usize, ProblemMethod)| {
         let runs = shown.iter().map(|judged| &judged.ours[place]);
         let seconds = runs.map(|run| run.is_solved().then_some(run.seconds));
@@ -121,8 +121,8 @@ fn steps(mut ratios: Vec<f64>, problems: usize) -> Vec<(f64, f64)> {
 }
 
 /// Residual of our methods against time, on the problems that take the automatic policy longest.
-pub fn residuals(folder: &Path, name: &str, all: &[Judged]) -> Result<(), String> {
-    let mut longest: Vec<&Judged> = all.iter().collect();
+pub fn residuals(folder: &Path, name: &str, all: &[SolverScore]) -> Result<(), String> {
+    let mut longest: Vec<&SolverScore> = all.iter().collect();
     longest.sort_by(|a, b| b.automatic().seconds.total_cmp(&a.automatic().seconds));
     let mut panels = Panels::new("Residual against time", TRACED as u32).cell(PANEL.0, PANEL.1);
     for judged in longest.into_iter().take(TRACED) {

@@ -12,7 +12,7 @@ use super::{Finding, Front, Setting};
 use cases::Case;
 use ours::Run;
 use search::Trial;
-use siconos::{Posed, Siconos, Storage};
+use siconos::{Siconos, SiconosProblem, Storage};
 use std::path::Path;
 use tribos::problem::ProblemMethod;
 
@@ -47,14 +47,14 @@ const QUICK: Extent = Extent {
 };
 
 /// A problem, our methods in the order of [`ProblemMethod::ALL`], and Siconos' solvers.
-struct Judged {
+struct SolverScore {
     case: Case,
     ours: Vec<Run>,
     /// Empty where there is no peer.
     theirs: Vec<Trial>,
 }
 
-impl Judged {
+impl SolverScore {
     /// Our automatic policy.
     fn automatic(&self) -> &Run {
         &self.ours[0]
@@ -132,14 +132,14 @@ pub fn run(setting: &Setting<'_>, folder: &Path) -> Result<Finding, String> {
 }
 
 /// Runs our methods, the search and the race on a problem, and tells how it went: all problems take minutes.
-fn judged(case: Case, siconos: Option<&Siconos>, extent: &Extent) -> Result<Judged, String> {
+fn judged(case: Case, siconos: Option<&Siconos>, extent: &Extent) -> Result<SolverScore, String> {
     let problem = &case.problem;
     let mut ours: Vec<Run> = ProblemMethod::ALL
         .into_iter()
         .map(|method| ours::measure(problem, method))
         .collect();
     let posed = match siconos {
-        Some(siconos) => Posed::new(siconos, problem)?,
+        Some(siconos) => SiconosProblem::new(siconos, problem)?,
         None => None,
     };
     let mut theirs = Vec::new();
@@ -148,7 +148,7 @@ fn judged(case: Case, siconos: Option<&Siconos>, extent: &Extent) -> Result<Judg
         race::time_again(posed, &mut theirs)?;
         race::race(posed, &mut ours[0], &mut theirs, extent)?;
     }
-    let judged = Judged { case, ours, theirs };
+    let judged = SolverScore { case, ours, theirs };
     println!("{}", tables::told(&judged));
     Ok(judged)
 }

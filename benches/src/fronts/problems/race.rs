@@ -3,7 +3,7 @@
 use super::Extent;
 use super::ours::{self, Run};
 use super::search::{Outcome, Trial};
-use super::siconos::{Answer, Posed};
+use super::siconos::{Answer, SiconosProblem};
 
 /// Solvers of Siconos in the race, the fastest of the search.
 const BEST: usize = 3;
@@ -23,7 +23,7 @@ const UNLIMITED: f64 = 0.0;
 const LONGEST: f64 = 2.0;
 
 /// Times again, one by one and by the processor's clock, what the search found while cores were shared.
-pub fn time_again(posed: &Posed<'_>, trials: &mut [Trial]) -> Result<(), String> {
+pub fn time_again(posed: &SiconosProblem<'_>, trials: &mut [Trial]) -> Result<(), String> {
     for trial in trials {
         if let Outcome::Solved(answer) = &mut trial.outcome
             && answer.seconds < LONGEST
@@ -37,7 +37,7 @@ pub fn time_again(posed: &Posed<'_>, trials: &mut [Trial]) -> Result<(), String>
 
 /// Runs the rounds; `run` and the trials in the race keep their least times.
 pub fn race(
-    posed: &Posed<'_>,
+    posed: &SiconosProblem<'_>,
     run: &mut Run,
     trials: &mut [Trial],
     extent: &Extent,

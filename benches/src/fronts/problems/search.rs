@@ -1,7 +1,7 @@
 //! Which solver of Siconos solves a problem, with which storage and with which tolerance of its own.
 
 use super::Extent;
-use super::siconos::{Answer, Job, Posed, Ran, Storage, is_usual};
+use super::siconos::{Answer, Job, SiconosProblem, SolverRun, Storage, is_usual};
 use rayon::prelude::*;
 
 /// Exponents of a solver's own tolerance: the first, the strictest and the loosest.
@@ -51,7 +51,7 @@ impl Trial {
 }
 
 /// All solvers with all storages.
-pub fn search(posed: &Posed<'_>, extent: &Extent) -> Result<Vec<Trial>, String> {
+pub fn search(posed: &SiconosProblem<'_>, extent: &Extent) -> Result<Vec<Trial>, String> {
     let size = posed.problem.layout().size();
     let wanted = |name: &&str| !extent.usual_only || is_usual(name);
     let solvers: Vec<&str> = posed.siconos.solvers(size).filter(wanted).collect();
@@ -64,7 +64,11 @@ pub fn search(posed: &Posed<'_>, extent: &Extent) -> Result<Vec<Trial>, String> 
 }
 
 /// One solver with all storages: blocks first, then others near the time and the tolerance of blocks.
-fn storages(posed: &Posed<'_>, solver: &str, extent: &Extent) -> Result<Vec<Trial>, String> {
+fn storages(
+    posed: &SiconosProblem<'_>,
+    solver: &str,
+    extent: &Extent,
+) -> Result<Vec<Trial>, String> {
     let (mut trials, mut first, mut limit) = (Vec::new(), FIRST, extent.seconds);
     for &storage in extent.storages {
         if storage == Storage::Dense && posed.problem.q().len() > LARGEST_DENSE {
@@ -88,7 +92,7 @@ fn storages(posed: &Posed<'_>, solver: &str, extent: &Extent) -> Result<Vec<Tria
 
 /// A solver that looks for a tolerance.
 struct Seek<'a> {
-    posed: &'a Posed<'a>,
+    posed: &'a SiconosProblem<'a>,
     solver: &'a str,
     storage: Storage,
     limit: f64,
@@ -103,7 +107,7 @@ impl Seek<'_> {
         }
     }
 
-    fn run(&self, job: &Job) -> Result<Ran, String> {
+    fn run(&self, job: &Job) -> Result<SolverRun, String> {
         self.posed.run(job, self.limit, 1)
     }
 
@@ -155,7 +159,7 @@ fn last_above(last: Option<Trial>, now: Trial) -> Trial {
     }
 }
 
-fn outcome(ran: &Ran) -> Outcome {
+fn outcome(ran: &SolverRun) -> Outcome {
     match ran.answers.first() {
         Some(answer) if answer.is_solved() => Outcome::Solved(*answer),
         Some(answer) => Outcome::Above(answer.residual),

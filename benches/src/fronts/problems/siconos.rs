@@ -96,14 +96,14 @@ impl Answer {
 
 /// Answers of a job.
 #[derive(Clone, Debug, Default)]
-pub struct Ran {
+pub struct SolverRun {
     /// One a repetition; fewer if the solver crashed or took too long.
     pub answers: Vec<Answer>,
     /// Whether it took too long.
     pub is_out_of_time: bool,
 }
 
-impl Ran {
+impl SolverRun {
     /// The least time of the answers that solve the problem.
     pub fn least(&self) -> f64 {
         let solved = self.answers.iter().filter(|answer| answer.is_solved());
@@ -170,7 +170,7 @@ fn solver(line: &str) -> Option<(String, usize)> {
 
 /// A problem that the driver can read.
 #[derive(Debug)]
-pub struct Posed<'a> {
+pub struct SiconosProblem<'a> {
     /// The driver.
     pub siconos: &'a Siconos,
     /// The problem.
@@ -178,7 +178,7 @@ pub struct Posed<'a> {
     file: PathBuf,
 }
 
-impl<'a> Posed<'a> {
+impl<'a> SiconosProblem<'a> {
     /// Writes the problem; `None` if Siconos has no such law.
     pub fn new(siconos: &'a Siconos, problem: &'a ReducedProblem) -> Result<Option<Self>, String> {
         if problem.layout().torsion() != (0..0) {
@@ -195,7 +195,7 @@ impl<'a> Posed<'a> {
     }
 
     /// Runs a job in a process of its own; `limit` is that of a repetition in s, 0 for none.
-    pub fn run(&self, job: &Job, limit: f64, repetitions: usize) -> Result<Ran, String> {
+    pub fn run(&self, job: &Job, limit: f64, repetitions: usize) -> Result<SolverRun, String> {
         let numbers = [limit.to_string(), format!("{:e}", job.tolerance)];
         let output = Command::new(self.siconos.folder.path().join("race"))
             .arg(&self.file)
@@ -206,7 +206,7 @@ impl<'a> Posed<'a> {
             .output()
             .map_err(|error| format!("cannot run the driver of Siconos: {error}"))?;
         let text = String::from_utf8_lossy(&output.stdout);
-        Ok(Ran {
+        Ok(SolverRun {
             answers: text.lines().filter_map(|line| self.answer(line)).collect(),
             is_out_of_time: output.status.code() == Some(OUT_OF_TIME),
         })
@@ -290,7 +290,7 @@ mod tests {
         }];
         let fall =
             ReducedProblem::new(ContactComponents::Space, w, vec![-3.0, 4.0, 0.0], laws).unwrap();
-        let posed = Posed::new(&siconos, &fall).unwrap().unwrap();
+        let posed = SiconosProblem::new(&siconos, &fall).unwrap().unwrap();
         for storage in Storage::ALL {
             let job = Job {
                 solver: "NSGS".into(),

@@ -3,7 +3,7 @@
 use super::ours::Run;
 use super::search::{Outcome, Trial};
 use super::siconos::{Siconos, is_usual};
-use super::{Extent, Judged, TOLERANCE};
+use super::{Extent, SolverScore, TOLERANCE};
 use crate::timing::median;
 use crate::written::{Sheet, short};
 use tribos::problem::ProblemMethod;
@@ -12,7 +12,7 @@ use tribos::problem::ProblemMethod;
 const NONE: &str = "–";
 
 /// Our automatic policy beside the best of Siconos, a row a problem.
-pub fn beside(all: &[Judged], extent: &Extent) -> Sheet {
+pub fn beside(all: &[SolverScore], extent: &Extent) -> Sheet {
     Sheet {
         about: format!(
             "Contact problems solved to a residual of {TOLERANCE:e}: automatic policy beside the best of Siconos, \
@@ -37,7 +37,7 @@ pub fn beside(all: &[Judged], extent: &Extent) -> Sheet {
     }
 }
 
-fn row(judged: &Judged) -> Vec<String> {
+fn row(judged: &SolverScore) -> Vec<String> {
     let (problem, ours) = (&judged.case.problem, judged.automatic());
     let best = |trial: Option<&Trial>| {
         let name = trial.map_or(NONE.into(), |trial| trial.job.name());
@@ -60,7 +60,7 @@ fn row(judged: &Judged) -> Vec<String> {
 }
 
 /// A problem in one line, with the cells of its row.
-pub fn told(judged: &Judged) -> String {
+pub fn told(judged: &SolverScore) -> String {
     row(judged).join(", ")
 }
 
@@ -78,10 +78,10 @@ fn ended(run: &Run) -> String {
 }
 
 /// Each of our methods on each problem.
-pub fn methods(all: &[Judged]) -> Sheet {
+pub fn methods(all: &[SolverScore]) -> Sheet {
     let mut header = vec!["problem"];
     header.extend(ProblemMethod::ALL.map(ProblemMethod::name));
-    let row = |judged: &Judged| {
+    let row = |judged: &SolverScore| {
         let mut cells = vec![judged.case.name.clone()];
         cells.extend(judged.ours.iter().map(ended));
         cells
@@ -94,8 +94,8 @@ pub fn methods(all: &[Judged]) -> Sheet {
 }
 
 /// Problems solved by each method of ours and each solver of Siconos.
-pub fn counts(all: &[Judged], siconos: &Siconos) -> Sheet {
-    let peers: Vec<&Judged> = all.iter().filter(|judged| judged.has_peer()).collect();
+pub fn counts(all: &[SolverScore], siconos: &Siconos) -> Sheet {
+    let peers: Vec<&SolverScore> = all.iter().filter(|judged| judged.has_peer()).collect();
     let mut rows: Vec<(usize, usize, String)> = Vec::new();
     for (place, method) in ProblemMethod::ALL.into_iter().enumerate() {
         let solved = peers
@@ -105,7 +105,7 @@ pub fn counts(all: &[Judged], siconos: &Siconos) -> Sheet {
         rows.push((solved, peers.len(), format!("ours: {}", method.name())));
     }
     for name in solvers(all) {
-        let fits = |judged: &&&Judged| {
+        let fits = |judged: &&&SolverScore| {
             let size = judged.case.problem.layout().size();
             siconos.solvers(size).any(|solver| solver == name)
         };
@@ -127,7 +127,7 @@ pub fn counts(all: &[Judged], siconos: &Siconos) -> Sheet {
 }
 
 /// Names of Siconos' solvers that were tried.
-pub fn solvers(all: &[Judged]) -> Vec<String> {
+pub fn solvers(all: &[SolverScore]) -> Vec<String> {
     let trials = all.iter().flat_map(|judged| &judged.theirs);
     let mut names: Vec<String> = trials.map(|trial| trial.job.solver.clone()).collect();
     // Those with default options first.
@@ -137,8 +137,8 @@ pub fn solvers(all: &[Judged]) -> Vec<String> {
 }
 
 /// Everything that the search of Siconos' solvers found.
-pub fn search(all: &[Judged]) -> Sheet {
-    let row = |judged: &Judged, trial: &Trial| {
+pub fn search(all: &[SolverScore]) -> Sheet {
+    let row = |judged: &SolverScore, trial: &Trial| {
         let [ending, time, residual] = match trial.outcome {
             Outcome::Solved(answer) => [
                 "solved".into(),
@@ -178,8 +178,8 @@ pub fn search(all: &[Judged]) -> Sheet {
 }
 
 /// Summary of the front.
-pub fn line(all: &[Judged]) -> String {
-    let count = |is_solved: &dyn Fn(&Judged) -> bool| {
+pub fn line(all: &[SolverScore]) -> String {
+    let count = |is_solved: &dyn Fn(&SolverScore) -> bool| {
         let peers = all.iter().filter(|judged| judged.has_peer());
         peers.filter(|judged| is_solved(judged)).count()
     };
@@ -202,7 +202,7 @@ pub fn line(all: &[Judged]) -> String {
     let alone = best.map_or(String::new(), |(solved, name)| {
         format!("; alone, none solves more than {solved} ({name})")
     });
-    let ratios: Vec<f64> = all.iter().filter_map(Judged::ratio).collect();
+    let ratios: Vec<f64> = all.iter().filter_map(SolverScore::ratio).collect();
     format!(
         "{ours}. Of the {with_peer} that Siconos can state, its best solver for each one solves {} with default \
          options and {} with any{alone}. Our time over that of its best with any options: median {}, {} to {}.",

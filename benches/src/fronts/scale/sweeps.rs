@@ -21,20 +21,20 @@ const SLIDING: &str = "sliding";
 const SWEEPS: usize = 10;
 
 /// A way to sweep a problem.
-struct Way<F: ContactFriction<f64>> {
+struct SolverVariant<F: ContactFriction<f64>> {
     name: &'static str,
     /// What is done to a problem before its sweeps.
     prepare: fn(&mut Spheres<F>),
 }
 
 /// The ways that are compared; their bits are the same.
-fn ways<F: ContactFriction<f64>>() -> [Way<F>; 2] {
+fn ways<F: ContactFriction<f64>>() -> [SolverVariant<F>; 2] {
     [
-        Way {
+        SolverVariant {
             name: "one by one",
             prepare: Spheres::without_lanes,
         },
-        Way {
+        SolverVariant {
             name: "four at a time",
             prepare: |_| (),
         },
@@ -120,7 +120,7 @@ where
 /// other work on the machine disturbs least, for each number of threads.
 fn time<F: ContactFriction<f64>>(
     start: &Spheres<F>,
-    way: &Way<F>,
+    way: &SolverVariant<F>,
     pools: &Pools,
     rounds: usize,
 ) -> (f64, [f64; 2]) {

@@ -24,7 +24,7 @@ pub const AFTER: usize = 7;
 /// The same, and the derivatives of the former two.
 pub const STEP: usize = AFTER + 6 * BY;
 
-type By = SMatrix<f64, 3, BY>;
+type StepDerivative = SMatrix<f64, 3, BY>;
 
 /// A body that moves and is pushed.
 pub struct StepGradient {
@@ -51,11 +51,11 @@ impl StepGradient {
     }
 
     /// ∂a/∂… for friction that opposes the motion after the share `theta` of the step.
-    fn needed_by(&self, theta: f64) -> By {
+    fn needed_by(&self, theta: f64) -> StepDerivative {
         let tau = theta * self.dt.dt();
         let (mass, inertia) = (self.body.mass(), self.body.inertia());
         let [x, y, spin] = twist_numbers(&self.twist);
-        let mut by = By::zeros();
+        let mut by = StepDerivative::zeros();
         for (row, rate) in [mass, mass, inertia].into_iter().enumerate() {
             by[(row, row)] = -rate / tau;
             by[(row, 3 + row)] = -1.0;
@@ -69,7 +69,7 @@ impl StepGradient {
     }
 
     /// ∂(u + Δt M⁻¹ (push + friction))/∂… with that of friction.
-    fn after_by(&self, friction: &Vector3<f64>, by: &By) -> By {
+    fn after_by(&self, friction: &Vector3<f64>, by: &StepDerivative) -> StepDerivative {
         let dt = self.dt.dt();
         let (mass, inertia) = (self.body.mass(), self.body.inertia());
         let inv_mass = Vector3::new(1.0 / mass, 1.0 / mass, 1.0 / inertia);
@@ -111,7 +111,7 @@ pub fn moved(surface: &dyn Smooth, moved: &StepGradient) -> [f64; STEP] {
     let (step, instant) = body.step_and_instant(surface.set(), twist, push, *dt);
     let (after_by, friction_by) = match instant {
         // Held: friction balances push and momentum, whatever the limit is.
-        None => (By::zeros(), moved.needed_by(1.0)),
+        None => (StepDerivative::zeros(), moved.needed_by(1.0)),
         Some(theta) => sliding(surface, moved, theta),
     };
     let mut all = [0.0; STEP];
@@ -123,7 +123,11 @@ pub fn moved(surface: &dyn Smooth, moved: &StepGradient) -> [f64; STEP] {
     all
 }
 
-fn sliding(surface: &dyn Smooth, moved: &StepGradient, theta: f64) -> (By, By) {
+fn sliding(
+    surface: &dyn Smooth,
+    moved: &StepGradient,
+    theta: f64,
+) -> (StepDerivative, StepDerivative) {
     let StepGradient {
         body,
         dt,

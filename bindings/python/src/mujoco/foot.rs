@@ -14,7 +14,7 @@ const RETURN: f64 = 0.02;
 
 /// What a foot is, from Python.
 #[derive(FromPyObject)]
-pub struct Given<'py> {
+pub struct FootArguments<'py> {
     patch: Bound<'py, Patch>,
     mu: f64,
     geoms: Vec<i32>,
@@ -102,7 +102,7 @@ pub struct Foot {
     pub missed: u64,
 }
 
-impl Given<'_> {
+impl FootArguments<'_> {
     pub fn foot(self) -> PyResult<Foot> {
         let sets = Sets::new(&self.patch.get().0)?;
         let freedoms = self.freedoms.into_iter();

@@ -358,7 +358,7 @@ impl Step<'_> {
     ) -> PyResult<(Rows, bool)> {
         let count = self.limits.len();
         let mut friction = start.to_vec();
-        let mut found = vec![Found::default(); count];
+        let mut found = vec![FootFriction::default(); count];
         let scale = self.limits.iter().map(|l| l.force).fold(0.0, f64::max);
         let mut is_met = false;
         for _ in 0..SWEEPS {
@@ -393,7 +393,7 @@ fn dot(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> f64 {
 
 /// Friction of one foot in a sweep.
 #[derive(Clone, Default)]
-struct Found {
+struct FootFriction {
     friction: Vector3<f64>,
     /// It lies inside the set, where it brings the foot to rest.
     is_held: bool,
@@ -462,11 +462,11 @@ impl Metric {
         start: &Vector3<f64>,
         slope: &Vector3<f64>,
         limits: &Limits<'_>,
-    ) -> Found {
+    ) -> FootFriction {
         let project = |wrench: &Vector3<f64>| self.project(set, wrench);
         let (needed, is_near) = self.needed(start, slope, limits);
         if is_near && project(&needed) == needed {
-            return Found {
+            return FootFriction {
                 friction: needed,
                 is_held: true,
                 is_cut: false,
@@ -487,7 +487,7 @@ impl Metric {
                 break;
             }
         }
-        Found {
+        FootFriction {
             friction,
             is_held: false,
             is_cut,

@@ -5,7 +5,7 @@ use super::{Commands, NoResult, at_once};
 use crate::command::digits::shown;
 use crate::command::explain::{after, slide as text};
 use crate::command::run::disk;
-use crate::command::run::order::RunRequest;
+use crate::command::run::request::RunRequest;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;

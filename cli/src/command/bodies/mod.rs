@@ -5,24 +5,24 @@
 mod disk;
 mod gas;
 mod grains;
-mod held;
 mod kind;
+mod no_result;
 mod planar;
 mod powder;
+mod stick_slip;
 mod tip;
-mod unfinished;
 
 pub use kind::RunKind;
-pub use unfinished::NoResult;
+pub use no_result::NoResult;
 
 use super::explain::slide;
-use super::run::order::RunRequest;
+use super::run::request::RunRequest;
 use crate::failure::Failure;
-use held::StickSlipBody;
 use planar::PlanarBodyCommands;
 use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
+use stick_slip::StickSlipBody;
 use tribos::run::folder::Lock;
 use tribos::scene::Scene;
 
@@ -57,10 +57,10 @@ pub fn of(scene: &Scene) -> Box<dyn Commands + '_> {
         Scene::Pipe(scene) => path(scene, slide::pipe(scene)),
         Scene::Plate(scene) => path(scene, slide::plate(scene)),
         Scene::Curling(scene) => path(scene, slide::curling(scene)),
-        Scene::Spring(scene) => Box::new(StickSlipBody::new(scene, &held::SPRING)),
-        Scene::Incline(scene) => Box::new(StickSlipBody::new(scene, &held::INCLINE)),
-        Scene::Turntable(scene) => Box::new(StickSlipBody::new(scene, &held::TURNTABLE)),
-        Scene::Clamp(scene) => Box::new(StickSlipBody::new(scene, &held::CLAMP)),
+        Scene::Spring(scene) => Box::new(StickSlipBody::new(scene, &stick_slip::SPRING)),
+        Scene::Incline(scene) => Box::new(StickSlipBody::new(scene, &stick_slip::INCLINE)),
+        Scene::Turntable(scene) => Box::new(StickSlipBody::new(scene, &stick_slip::TURNTABLE)),
+        Scene::Clamp(scene) => Box::new(StickSlipBody::new(scene, &stick_slip::CLAMP)),
         Scene::Powder(scene) => Box::new(scene),
         Scene::Grains(scene) => Box::new(scene),
         Scene::Gas(scene) => Box::new(scene),

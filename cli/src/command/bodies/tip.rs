@@ -1,12 +1,12 @@
 //! Tips turned or slid on a substrate.
 
 use super::kind::{RunKind, told};
-use super::unfinished::session;
+use super::no_result::session;
 use super::{Commands, NoResult};
 use crate::command::digits::shown;
 use crate::command::explain::{after, tip as text};
-use crate::command::run::order::RunRequest;
-use crate::command::run::size::{MemoryPermission, check};
+use crate::command::run::request::RunRequest;
+use crate::command::run::resource_check::{MemoryPermission, check};
 use crate::command::run::tip;
 use crate::failure::Failure;
 use serde_json::Value;

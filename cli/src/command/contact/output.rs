@@ -1,6 +1,6 @@
 //! What a solved problem leaves behind, and its line in the table.
 
-use super::solved::{LoadedProblem, Solved};
+use super::solved::{LoadedProblem, SolvedProblem};
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -10,7 +10,7 @@ use tribos::record::{json_number, number, write_atomically};
 /// A problem, and what came of it.
 pub struct Row<'a> {
     pub posed: &'a LoadedProblem<'a>,
-    pub solved: &'a Solved,
+    pub solved: &'a SolvedProblem,
 }
 
 /// Names of the columns on the terminal.

@@ -17,7 +17,7 @@ pub struct LoadedProblem<'a> {
 }
 
 /// A problem that was solved, or tried.
-pub struct Solved {
+pub struct SolvedProblem {
     pub solution: Solution,
     pub history: Vec<SolverProgress>,
     pub seconds: f64,
@@ -44,7 +44,7 @@ impl<'a> LoadedProblem<'a> {
     }
 
     /// Solves it, and says how far the work is.
-    pub fn solve(&self, settings: &SolverOptions) -> Solved {
+    pub fn solve(&self, settings: &SolverOptions) -> SolvedProblem {
         let mut history = Vec::new();
         let mut meter = Meter::new();
         let begun = Instant::now();
@@ -64,7 +64,7 @@ impl<'a> LoadedProblem<'a> {
                 ));
             }
         });
-        Solved {
+        SolvedProblem {
             solution,
             history,
             seconds: begun.elapsed().as_secs_f64(),

@@ -2,7 +2,7 @@
 
 use super::digits::shown;
 use super::number;
-use super::run::size::{MemoryPermission, check, describe_size};
+use super::run::resource_check::{MemoryPermission, check, describe_size};
 use crate::failure::Failure;
 use serde_json::{Map, Value};
 use std::ops::ControlFlow;

@@ -13,7 +13,7 @@ use pair::PairSpec;
 use potential::Potential;
 use std::path::{Path, PathBuf};
 use tribos::md::configuration::{self, Configuration};
-use tribos::md::interaction::{Tally, Wanted, evaluate};
+use tribos::md::interaction::{Evaluation, Tally, evaluate};
 use tribos::md::neighbours::VerletList;
 use tribos::record::{read_text, write_atomically};
 use tribos::run::folder::{Contents, OutputFolder};
@@ -144,7 +144,7 @@ fn forces(
     within_reach(all, cutoff)?;
     let mut list = VerletList::new(space, cutoff, SKIN * cutoff).map_err(Failure::input)?;
     let mut forces = Vec::new();
-    let tally = evaluate(law, &mut list, &all.atoms, &mut forces, Wanted::Sums);
+    let tally = evaluate(law, &mut list, &all.atoms, &mut forces, Evaluation::Sums);
     let tally = tally.map_err(Failure::input)?;
     let is_finite = tally.energy.is_finite()
         && tally.virial.iter().all(|part| part.is_finite())

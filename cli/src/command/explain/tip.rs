@@ -2,14 +2,14 @@
 
 use super::{duration, line};
 use crate::command::digits::shown;
-use crate::command::run::size::{MemoryPermission, check};
+use crate::command::run::resource_check::{MemoryPermission, check};
 use crate::failure::Failure;
 use tribos::md::pair::Shift;
 use tribos::md::system::Integrator;
 use tribos::scene::{
     DriveKind, DrivenHold, StageSteps, ThermostatKind, TipScene, TorqueNormalisation,
 };
-use tribos::tip::{Part, cost, size};
+use tribos::tip::{AtomRole, cost, size};
 
 /// The whole account.
 pub fn text(scene: &TipScene) -> Result<String, Failure> {
@@ -17,7 +17,7 @@ pub fn text(scene: &TipScene) -> Result<String, Failure> {
     check(&size(scene), "atoms", MemoryPermission::Usual)?;
     let cost = cost(scene)?;
     let atoms: usize = cost.atoms.iter().sum();
-    let parts = Part::ALL.iter().zip(cost.atoms);
+    let parts = AtomRole::ALL.iter().zip(cost.atoms);
     let parts: Vec<String> = parts
         .filter(|(_, count)| *count > 0)
         .map(|(part, count)| format!("{} {count}", part.name()))
@@ -180,7 +180,7 @@ fn slid(scene: &TipScene, lift: &str) -> String {
 fn levers(scene: &TipScene) -> [f64; 2] {
     let [x, y] = scene.shape().axis();
     let sites = scene.shape().sites();
-    let driven = sites.iter().filter(|site| site.part == Part::Driven);
+    let driven = sites.iter().filter(|site| site.part == AtomRole::Driven);
     let levers: Vec<f64> = driven
         .map(|site| (site.place.x - x).hypot(site.place.y - y))
         .collect();

@@ -2,7 +2,7 @@
 
 use crate::command::digits::shown;
 use crate::command::progress::Meter;
-use crate::command::view::kept::RunFiles;
+use crate::command::view::run_files::RunFiles;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::error::Error;

@@ -1,8 +1,8 @@
 //! `tribos export vtk|xyz|lammps-dump`: all kept states of a run.
 
 use crate::command::run::frames_folder;
-use crate::command::view::kept::RunFiles;
 use crate::command::view::path;
+use crate::command::view::run_files::RunFiles;
 use crate::failure::Failure;
 use nalgebra::Vector3;
 use std::path::{Path, PathBuf};

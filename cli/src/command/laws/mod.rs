@@ -2,7 +2,7 @@
 
 mod curve;
 
-use crate::command::unknown::unknown;
+use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::PathBuf;

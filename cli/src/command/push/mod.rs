@@ -4,7 +4,7 @@ mod picture;
 mod report;
 
 use super::{file, spool};
-use crate::command::unknown::unknown;
+use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Patch};

@@ -1,7 +1,7 @@
 //! Disks on a straight path.
 
 use super::files;
-use super::order::RunRequest;
+use super::request::RunRequest;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::record::write_series;

@@ -1,8 +1,8 @@
 //! Granular gases.
 
-use super::caller::Frontend;
-use super::order::RunRequest;
-use super::{files, size};
+use super::frontend::Frontend;
+use super::request::RunRequest;
+use super::{files, resource_check};
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::gas::{self, COLUMNS, GasError, GasSimulation, GasStopReason, GasSummary};
@@ -20,7 +20,7 @@ const EXPORTS: [(&str, Export); 2] = [("final.xyz", extended_xyz), ("final.vtp",
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
 pub fn run(scene: &GasScene, order: &RunRequest<'_>) -> Result<(), Failure> {
-    size::check(&gas::size(scene), "spheres", order.allowed)?;
+    resource_check::check(&gas::size(scene), "spheres", order.allowed)?;
     let Some((folder, start)) = order.long(scene.json(), files::GAS)? else {
         return Ok(());
     };
@@ -43,7 +43,7 @@ fn simulate(
 ) -> Result<GasSimulation, RunError<GasError>> {
     caller.tell(format_args!(
         "{}",
-        size::describe_size(&gas::size(scene), "spheres")
+        resource_check::describe_size(&gas::size(scene), "spheres")
     ));
     let mut meter = caller.meter();
     session

@@ -2,9 +2,9 @@
 
 mod output;
 
-use super::caller::Frontend;
-use super::order::RunRequest;
-use super::{files, size};
+use super::frontend::Frontend;
+use super::request::RunRequest;
+use super::{files, resource_check};
 use crate::failure::Failure;
 use output::{report, write};
 use tribos::grains::{self, GrainsError, GrainsSimulation};
@@ -13,7 +13,7 @@ use tribos::scene::{ContactMethod, GrainsScene};
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
 pub fn run(scene: &GrainsScene, order: &RunRequest<'_>) -> Result<(), Failure> {
-    size::check(&grains::size(scene), "grains", order.allowed)?;
+    resource_check::check(&grains::size(scene), "grains", order.allowed)?;
     // All refusals come before the folder is touched.
     GrainsSimulation::check(scene)?;
     let Some((folder, start)) = order.long(scene.json(), files::GRAINS)? else {
@@ -36,7 +36,10 @@ fn simulate(
     caller: Frontend<'_>,
 ) -> Result<GrainsSimulation, RunError<GrainsError>> {
     let size = grains::size(scene);
-    caller.tell(format_args!("{}", size::describe_size(&size, "grains")));
+    caller.tell(format_args!(
+        "{}",
+        resource_check::describe_size(&size, "grains")
+    ));
     let mut meter = caller.meter();
     session
         .on_progress(|run: &GrainsSimulation| {

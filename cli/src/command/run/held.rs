@@ -1,7 +1,7 @@
 //! Bodies that hold, let go and hold again.
 
 use super::files;
-use super::order::RunRequest;
+use super::request::RunRequest;
 use crate::command::explain::held::lines;
 use crate::failure::Failure;
 use tribos::record::write_series;

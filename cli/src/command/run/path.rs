@@ -1,7 +1,7 @@
 //! Bodies that slide along a path in the plane.
 
 use super::files;
-use super::order::RunRequest;
+use super::request::RunRequest;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::record::write_series;

@@ -2,9 +2,9 @@
 
 mod output;
 
-use super::caller::Frontend;
-use super::order::RunRequest;
-use super::{files, size};
+use super::frontend::Frontend;
+use super::request::RunRequest;
+use super::{files, resource_check};
 use crate::command::progress::Meter;
 use crate::failure::Failure;
 pub use output::states;
@@ -16,7 +16,7 @@ use tribos::scene::{ContactMethod, PowderScene};
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
 pub fn run(scene: &PowderScene, order: &RunRequest<'_>) -> Result<(), Failure> {
     let size = tribos::powder::size(scene);
-    size::check(&size, "spheres", order.allowed)?;
+    resource_check::check(&size, "spheres", order.allowed)?;
     // All refusals come before the folder is touched.
     PowderSimulation::check(scene)?;
     let Some((folder, start)) = order.long(scene.json(), files::POWDER)? else {
@@ -40,7 +40,10 @@ fn simulate(
     caller: Frontend<'_>,
 ) -> Result<PowderSimulation, RunError<CompactionError>> {
     let size = powder::size(scene);
-    caller.tell(format_args!("{}", size::describe_size(&size, "spheres")));
+    caller.tell(format_args!(
+        "{}",
+        resource_check::describe_size(&size, "spheres")
+    ));
     let (mut growth, mut meter) = (caller.meter(), caller.meter());
     // Sweeps since the last line, and the step that it told.
     let (mut sweeps, mut since) = (0, None);

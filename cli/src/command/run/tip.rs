@@ -1,8 +1,8 @@
 //! Tips turned or slid on a substrate.
 
-use super::caller::Frontend;
-use super::order::RunRequest;
-use super::{files, size};
+use super::frontend::Frontend;
+use super::request::RunRequest;
+use super::{files, resource_check};
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use std::path::Path;
@@ -15,7 +15,7 @@ use tribos_report::runs::tip as picture;
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
 pub fn run(scene: &TipScene, order: &RunRequest<'_>) -> Result<(), Failure> {
-    size::check(&tip::size(scene), "atoms", order.allowed)?;
+    resource_check::check(&tip::size(scene), "atoms", order.allowed)?;
     // All refusals come before the folder is touched.
     tip::build(scene).map_err(TipError::Build)?;
     let Some((folder, start)) = order.long(scene.json(), files::TIP)? else {
@@ -38,7 +38,10 @@ fn simulate(
     caller: Frontend<'_>,
 ) -> Result<TipSimulation, RunError<TipError>> {
     let size = tip::size(scene);
-    caller.tell(format_args!("{}", size::describe_size(&size, "atoms")));
+    caller.tell(format_args!(
+        "{}",
+        resource_check::describe_size(&size, "atoms")
+    ));
     let mut meter = caller.meter();
     session
         .on_progress(|run: &TipSimulation| {

@@ -1,7 +1,7 @@
 //! `tribos scene keys`.
 
 use super::source;
-use crate::command::unknown::unknown;
+use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use serde_json::Value;
 use tribos::scene::{Key, Vocabulary, bodies, library_scene, toml_value, vocabulary};

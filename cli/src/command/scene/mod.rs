@@ -8,7 +8,7 @@ mod source;
 
 pub use source::{built_in, read, text};
 
-use crate::command::unknown::unknown;
+use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use std::path::PathBuf;
 use tribos::record::write_atomically;

@@ -1,7 +1,7 @@
 //! `tribos scene new`.
 
 use super::source;
-use crate::command::unknown::unknown;
+use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use std::path::PathBuf;
 use tribos::record::write_atomically;

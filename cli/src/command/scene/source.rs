@@ -1,6 +1,6 @@
 //! Where a scene comes from: a file, or the name of one that comes with the program.
 
-use crate::command::unknown::unknown;
+use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::record::read_text;

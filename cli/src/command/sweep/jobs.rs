@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use tribos::record::{read_text, write_atomically_there};
-use tribos::run::folder::{Lock, LockOutcome, Sharing, remove_file, remove_unfinished};
+use tribos::run::folder::{Lock, LockMode, LockOutcome, remove_file, remove_unfinished};
 use tribos::run::{forget_checkpoint, in_order};
 
 /// Bytes of a summary at most.
@@ -125,7 +125,7 @@ impl Task {
             .map_err(|error| Failure::run(format!("cannot start a thread: {error}")))?;
         let body = self.body.as_ref().map_err(Failure::input)?;
         // The same run may be part of another process's share.
-        let lock = match Lock::attempt(&self.folder, Sharing::Alone)? {
+        let lock = match Lock::attempt(&self.folder, LockMode::Alone)? {
             LockOutcome::Taken(lock) => Arc::new(lock),
             LockOutcome::InUse(told) => {
                 return Err(Failure::run(format!(

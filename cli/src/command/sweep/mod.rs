@@ -28,7 +28,7 @@ use slurm::JobArray;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use tribos::run::folder::{Contents, Lock, LockOutcome, Manifest, OutputFolder, Sharing};
+use tribos::run::folder::{Contents, Lock, LockMode, LockOutcome, Manifest, OutputFolder};
 
 /// Runs a scene of any body for every combination of the values of its keys, each with several seeds
 /// if the body has one, and writes tables: sweep.csv, means and standard deviations over the seeds, and
@@ -199,13 +199,13 @@ impl Arguments {
             LockOutcome::InUse(_) => Lock::take(out, sharing).map(Some),
         };
         while !Manifest::read(out)?.is_some_and(is_mine) {
-            if let Some(lock) = attempt(Sharing::Alone)? {
+            if let Some(lock) = attempt(LockMode::Alone)? {
                 drop(OutputFolder::reopen_locked(lock, &contents(plan))?);
                 break;
             }
         }
         loop {
-            if let Some(lock) = attempt(Sharing::Shared)? {
+            if let Some(lock) = attempt(LockMode::Shared)? {
                 return Ok(FolderGuard::Part(lock));
             }
         }

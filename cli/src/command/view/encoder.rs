@@ -1,7 +1,7 @@
 //! Film files: frames drawn one after another and handed to ffmpeg.
 
 use super::colors::RenderStyle;
-use super::still;
+use super::frame_images;
 use crate::failure::Failure;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -109,7 +109,7 @@ fn feed(run: &RunFrames, look: &RenderStyle, encoder: &mut Child) -> Result<(), 
     let count = run.frames.len();
     for first in (0..count).step_by(AT_ONCE) {
         let some = AT_ONCE.min(count - first);
-        let draw = |index: usize| still::png(run, look, first + index);
+        let draw = |index: usize| frame_images::png(run, look, first + index);
         for picture in in_order(some, threads, draw) {
             let picture = picture.unwrap_or_else(|| Err(Failure::run("a picture was lost")))?;
             pipe.write_all(&picture)

@@ -1,6 +1,6 @@
 //! A contact as the command line describes it, ready to be evaluated.
 
-use super::product::ExtendedRange;
+use super::extended_range::ExtendedRange;
 use crate::command::columns;
 use crate::command::number::in_range;
 use crate::failure::Failure;

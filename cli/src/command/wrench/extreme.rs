@@ -12,7 +12,7 @@
 //! larger one and taken down. All products are formed as [`ExtendedRange`]s.
 
 use super::contact::{Contact, Kind, Resistance};
-use super::product::ExtendedRange;
+use super::extended_range::ExtendedRange;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::friction::Precision;

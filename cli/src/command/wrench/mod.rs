@@ -1,21 +1,21 @@
 //! `tribos wrench`: force and torque of one twist or of a file of twists.
 
 mod contact;
+mod extended_range;
 mod extreme;
 mod given;
 mod output;
 mod planar;
-mod product;
 
 use super::columns::Rows;
 use super::{file, number, spool};
 use crate::failure::Failure;
 use contact::{Contact, Request, Resistance};
+use extended_range::ExtendedRange;
 use given::ContactParameter;
 use number::in_range;
 use output::{Fields, Format, Line};
 pub use planar::centre;
-use product::ExtendedRange;
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Law, Patch, Precision, Tier};
 use tribos::record::write_atomically;

@@ -17,11 +17,11 @@
 //! with means along the bar. SecondMaterial derivatives are infinite where the centre lies on the bar: a large
 //! number stands for them.
 
-use super::far::{EdgePairs, FOR_HESSIAN, FOR_WRENCH, TranslatingMotion, by_rule};
 use super::motion::Motion;
-use super::near::EdgeFromPole;
+use super::pair_of_numbers::Pair2;
+use super::pole_far::{EdgePairs, FOR_HESSIAN, FOR_WRENCH, TranslatingMotion, by_rule};
+use super::pole_near::EdgeFromPole;
 use super::sums::{self, slid};
-use super::two::Pair2;
 use super::{Hessian, PatchShape, Reduced};
 use crate::patch::bar::Bar;
 use crate::real::Real;

@@ -21,10 +21,10 @@
 //! edges. Where the centre is nearer, k there is a few mean pressures, and the cones of [`super::cone`] do.
 
 use super::cone::over_edge;
-use super::far::{EdgeQuadrature, FOR_HESSIAN, FOR_WRENCH, TranslatingMotion, by_rule};
-use super::near::EdgeFromPole;
+use super::pair_of_numbers::Pair2;
+use super::pole_far::{EdgeQuadrature, FOR_HESSIAN, FOR_WRENCH, TranslatingMotion, by_rule};
+use super::pole_near::EdgeFromPole;
 use super::sums::{bent, slid};
-use super::two::Pair2;
 use super::{Hessian, Reduced};
 use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;

@@ -17,10 +17,10 @@
 //! it turns, the line integrals of [`super::far`].
 
 use super::cone::about_centre;
-use super::far::TranslatingMotion;
 use super::motion::Motion;
-use super::sums::Sums;
-use super::two::Pair2;
+use super::pair_of_numbers::Pair2;
+use super::pole_far::TranslatingMotion;
+use super::sums::WrenchSums;
 use super::{Hessian, PatchShape, Reduced};
 use crate::patch::mesh::{Mesh, Triangle};
 use crate::real::Real;
@@ -57,7 +57,7 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
     triangles: &[Triangle<R>],
     motion: &Motion<R>,
 ) -> (Reduced<R>, Hessian<R>) {
-    let mut sums = Sums::new();
+    let mut sums = WrenchSums::new();
     match motion {
         Motion::Turns { centre, spin } => {
             for triangle in triangles {
@@ -85,7 +85,7 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
 /// Adds a triangle about a centre of rotation.
 #[inline(always)]
 fn turn<R: Real, const WITH_HESSIAN: bool>(
-    sums: &mut Sums<R>,
+    sums: &mut WrenchSums<R>,
     triangle: &Triangle<R>,
     centre: &Vector2<R>,
 ) {
@@ -106,7 +106,7 @@ fn turn<R: Real, const WITH_HESSIAN: bool>(
 /// Adds a triangle that slides.
 #[inline(always)]
 fn slip<R: Real, const WITH_HESSIAN: bool>(
-    sums: &mut Sums<R>,
+    sums: &mut WrenchSums<R>,
     triangle: &Triangle<R>,
     slide: &TranslatingMotion<'_, R>,
 ) {

@@ -15,26 +15,26 @@
 
 mod bar;
 mod cone;
-mod far;
 mod feet;
 mod layer;
 mod mesh;
 mod motion;
-mod near;
+mod pair_of_numbers;
 mod points;
+mod pole_far;
+mod pole_near;
 mod power;
 mod sums;
-mod two;
 
 use crate::law::{LawError, validated_coefficient};
 use crate::patch::outline::{Edge, Polygon, PressureField};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
-use far::TranslatingMotion;
 use layer::Layer;
 #[doc(hidden)]
 pub use motion::Motion;
 use nalgebra::{Matrix3, Vector2};
+use pole_far::TranslatingMotion;
 pub use power::{PolygonPowerLaw, PowerLawPatch, ShapePowerFriction};
 
 /// Friction of a patch per limit μN, about its centre of pressure; the torque per radius.
@@ -156,7 +156,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
                 let sense = R::ONE.copysign(*spin);
                 match layer {
                     Some(layer) => layer.turns::<false>(centre, sense).0,
-                    None => near::friction(edges, pressure, centre, sense),
+                    None => pole_near::friction(edges, pressure, centre, sense),
                 }
             }
             Motion::Slides {
@@ -184,7 +184,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
                 let sense = R::ONE.copysign(*spin);
                 let (whole, hessian) = match layer {
                     Some(layer) => layer.turns::<true>(centre, sense),
-                    None => near::friction_and_hessian(edges, pressure, centre, sense),
+                    None => pole_near::friction_and_hessian(edges, pressure, centre, sense),
                 };
                 (whole, hessian, spin.abs())
             }

@@ -1,9 +1,9 @@
 //! Friction of points.
 
-use super::far::TranslatingMotion;
 use super::motion::Motion;
-use super::sums::Sums;
-use super::two::Pair2;
+use super::pair_of_numbers::Pair2;
+use super::pole_far::TranslatingMotion;
+use super::sums::WrenchSums;
 use super::{Hessian, PatchShape, PointLoad, Reduced};
 use crate::patch::nodes::NodePatch;
 use crate::patch::points::PointPatch;
@@ -69,7 +69,7 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
     points: &PointPatch<R, impl NodePatch<R>>,
     motion: &Motion<R>,
 ) -> (Reduced<R>, Hessian<R>) {
-    let mut sums = Sums::new();
+    let mut sums = WrenchSums::new();
     let none = ([R::ONE, R::ZERO], R::ZERO);
     let pairs = points.nodes().nodes().chunks(2);
     match motion {

@@ -13,15 +13,15 @@
 //! Σ k x²/(q s),   Σ k x (y − w x²/s)/q,   Σ k x² (1 + q)/(q s),   and for D″  Σ k (g², x g, x²)/q³
 //! ```
 
-use super::two::Pair2;
+use super::pair_of_numbers::Pair2;
 use super::{Hessian, Reduced};
 use crate::real::Real;
 use nalgebra::Vector2;
 
 /// Three sums of the friction and three of the second derivatives.
-pub(super) struct Sums<R>([Pair2<R>; 6]);
+pub(super) struct WrenchSums<R>([Pair2<R>; 6]);
 
-impl<R: Real> Sums<R> {
+impl<R: Real> WrenchSums<R> {
     #[inline(always)]
     pub(super) fn new() -> Self {
         Self([Pair2::of(R::ZERO); 6])
@@ -102,7 +102,7 @@ impl<R: Real> Sums<R> {
     /// Friction and second derivatives of a patch that slides.
     pub(super) fn slid(
         &self,
-        slide: &super::far::TranslatingMotion<'_, R>,
+        slide: &super::pole_far::TranslatingMotion<'_, R>,
         speed: R,
     ) -> (Reduced<R>, Hessian<R>) {
         let Self(sums) = self;

@@ -1,8 +1,8 @@
 //! The end of a march: rest, or the time asked for.
 
-use super::super::leg::DirectionArc;
-use super::super::rule::{self};
-use super::super::tail::FinalDecay;
+use super::super::direction_arc::DirectionArc;
+use super::super::final_decay::FinalDecay;
+use super::super::gauss_legendre::{self};
 use super::panel::Panel;
 use super::{IntegrationTarget, Outcome, PanelIntegration};
 use crate::coupling::{PowerLawFriction, ReducedFriction, Speeds};
@@ -100,7 +100,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
         time: R,
     ) -> Outcome {
         let left = time - self.sums[0];
-        let node = rule::inverse_integral(&panel.times, left);
+        let node = gauss_legendre::inverse_integral(&panel.times, left);
         let mut size = R::HALF * (R::ONE + node) * size;
         for correction in 1..=MOST_CORRECTIONS {
             let panel = self.panel(leg, size);

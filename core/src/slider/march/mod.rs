@@ -19,14 +19,14 @@
 //! rounding error of C_α − C moves s(p), and with it everything alike, so that it is as harmless as
 //! the same error in the law.
 
-mod course;
+mod arcs;
 mod finish;
 mod panel;
 mod rates;
 
 use super::Slider;
-use super::leg::{ArcEnd, DirectionArc};
-use super::rule::{FEW_POINTS, POINTS};
+use super::direction_arc::{ArcEnd, DirectionArc};
+use super::gauss_legendre::{FEW_POINTS, POINTS};
 use crate::coupling::{DominantSpeed, PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 use panel::Panel;

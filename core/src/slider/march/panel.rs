@@ -1,8 +1,8 @@
 //! One panel: sixteen directions, eight in single precision, and what they say of the time and the
 //! paths between its ends.
 
-use super::super::leg::DirectionArc;
-use super::super::rule::{self, Rule, rule};
+use super::super::direction_arc::DirectionArc;
+use super::super::gauss_legendre::{self, Rule, rule};
 use super::{DecayRates, LARGEST_FADING, PanelIntegration};
 use crate::coupling::{DominantSpeed, PowerLawFriction, ReducedFriction};
 use crate::real::Real;
@@ -65,7 +65,10 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
             *slide = *time * rates[0];
             *rim = *time * rates[1];
         }
-        let faded = [rule::integral(&slides), rule::integral(&rims)];
+        let faded = [
+            gauss_legendre::integral(&slides),
+            gauss_legendre::integral(&rims),
+        ];
         let fading = slides
             .iter()
             .zip(&rims)
@@ -78,7 +81,10 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
         let mut sums = [R::ZERO; 3];
         // The pace of α = 0 is the larger speed itself, (m/m₀) = (m₁/m₀) e^(−fading).
         let start = self.leading(self.offsets).exp();
-        let (at_slides, at_rims) = (rule::running(&slides), rule::running(&rims));
+        let (at_slides, at_rims) = (
+            gauss_legendre::running(&slides),
+            gauss_legendre::running(&rims),
+        );
         for (((time, weight), slide), rim) in
             times.iter_mut().zip(weights).zip(at_slides).zip(at_rims)
         {
@@ -129,7 +135,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>, const N: usize>
             .zip(faded)
             .zip(matters)
             .all(|((rates, total), matters)| {
-                let [middle, end] = rule::decay(rates);
+                let [middle, end] = gauss_legendre::decay(rates);
                 let scale = if total > R::ONE { total } else { R::ONE };
                 let is_small = end < noise_level * total;
                 let fall = if end < middle { end / middle } else { R::ONE };

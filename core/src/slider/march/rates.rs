@@ -1,6 +1,6 @@
 //! Rates of fading, and how fast the integrands fall with them.
 
-use super::super::leg::{ArcPoint, DirectionArc};
+use super::super::direction_arc::{ArcPoint, DirectionArc};
 use super::{DecayRates, PanelIntegration};
 use crate::coupling::{DominantSpeed, PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;

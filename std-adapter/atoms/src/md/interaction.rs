@@ -15,7 +15,7 @@ pub struct Tally {
 
 /// What a force calculation sums besides forces. A run requests sums only when it records.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wanted {
+pub enum Evaluation {
     /// Nothing: [`Tally`] is all NaN.
     Forces,
     /// Energy and virial.
@@ -31,7 +31,12 @@ pub trait Interaction: Sync {
     fn species(&self) -> usize;
 
     /// Writes the force on every atom to `forces`; `list` must be up to date.
-    fn forces(&self, list: &mut VerletList, forces: &mut [Vector3<f64>], wanted: Wanted) -> Tally;
+    fn forces(
+        &self,
+        list: &mut VerletList,
+        forces: &mut [Vector3<f64>],
+        wanted: Evaluation,
+    ) -> Tally;
 }
 
 impl<I: Interaction + ?Sized> Interaction for Box<I> {
@@ -43,7 +48,12 @@ impl<I: Interaction + ?Sized> Interaction for Box<I> {
         (**self).species()
     }
 
-    fn forces(&self, list: &mut VerletList, forces: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
+    fn forces(
+        &self,
+        list: &mut VerletList,
+        forces: &mut [Vector3<f64>],
+        wanted: Evaluation,
+    ) -> Tally {
         (**self).forces(list, forces, wanted)
     }
 }
@@ -52,7 +62,7 @@ impl<I: Interaction + ?Sized> Interaction for Box<I> {
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos::md::interaction::{Interaction, Tally, Wanted, evaluate};
+/// use tribos::md::interaction::{Interaction, Tally, Evaluation, evaluate};
 /// use tribos::md::pair::{LennardJones, Pairing, Shift};
 /// use tribos::md::{atoms::Atoms, neighbours::VerletList};
 /// use tribos::space::PeriodicBox;
@@ -62,7 +72,7 @@ impl<I: Interaction + ?Sized> Interaction for Box<I> {
 /// // Pair2 atoms σ apart: U = 0 and −U' = 24 ε/σ, so that Σ r · F = 24 ε.
 /// let pair = Atoms::at(vec![Vector3::zeros(), Vector3::x()]);
 /// let mut forces = Vec::new();
-/// let sums: Tally = evaluate(&potential, &mut list, &pair, &mut forces, Wanted::Sums)?;
+/// let sums: Tally = evaluate(&potential, &mut list, &pair, &mut forces, Evaluation::Sums)?;
 /// assert!(sums.energy.abs() < 1e-14 && (sums.virial.trace() - 24.0).abs() < 1e-13);
 /// assert!((forces[1].x - 24.0).abs() < 1e-13);
 /// assert_eq!(forces[0], -forces[1]); // action and reaction
@@ -73,7 +83,7 @@ pub fn evaluate(
     list: &mut VerletList,
     atoms: &Atoms,
     forces: &mut Vec<Vector3<f64>>,
-    wanted: Wanted,
+    wanted: Evaluation,
 ) -> Result<Tally, ListError> {
     list.update(&atoms.positions, &atoms.species)?;
     forces.clear();

@@ -1,7 +1,7 @@
 //! From a scene to atoms, groups, potential and drive.
 
 use super::forces::TipForces;
-use super::shape::{Part, Site};
+use super::shape::{AtomRole, Site};
 use crate::md::atoms::Atoms;
 use crate::md::drive::TorqueDrive;
 use crate::md::group::{Group, MotionConstraint, ThermalFrame};
@@ -41,7 +41,7 @@ pub enum BuildError {
 /// The setup of a run, with the support of a slid tip and the layer of each atom.
 #[derive(Debug)]
 pub struct TipSystem {
-    /// Atoms, groups in the order of [`Part::ALL`], drive.
+    /// Atoms, groups in the order of [`AtomRole::ALL`], drive.
     pub setup: Setup<TipForces>,
     /// The support of a slid tip.
     pub support: Option<Support>,
@@ -53,7 +53,7 @@ pub struct TipSystem {
 ///
 /// ```
 /// use tribos::scene::TipScene;
-/// use tribos::tip::{BuildError, Part, TipSystem, build};
+/// use tribos::tip::{BuildError, AtomRole, TipSystem, build};
 /// let mut scene = TipScene {
 ///     lambda: 0.01,
 ///     columns: 8,
@@ -81,7 +81,7 @@ pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
     let (sites, [x, y]) = (shape.sites(), shape.periods());
     let groups = groups(scene)?;
     let mut atoms = atoms(scene, &sites);
-    let number = |part: Part| Part::ALL.iter().position(|&other| other == part);
+    let number = |part: AtomRole| AtomRole::ALL.iter().position(|&other| other == part);
     let group_of: Vec<u8> = sites
         .iter()
         .map(|site| number(site.part).unwrap_or_default() as u8)
@@ -108,8 +108,8 @@ pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
 }
 
 /// Whether an atom belongs to the tip.
-pub(super) fn is_of_tip(part: Part) -> bool {
-    matches!(part, Part::Apex | Part::TipBath | Part::Driven)
+pub(super) fn is_of_tip(part: AtomRole) -> bool {
+    matches!(part, AtomRole::Apex | AtomRole::TipBath | AtomRole::Driven)
 }
 
 /// One species, or one each for the substrate and the tip if they differ.
@@ -158,18 +158,20 @@ fn lennard_jones(scene: &TipScene) -> Result<LennardJones, LennardJonesError> {
 /// Groups in the order of their parts.
 fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
     let axis = scene.shape().axis();
-    let of_part = |part: Part| {
+    let of_part = |part: AtomRole| {
         let mut group = Group::default();
         match part {
-            Part::Base => group.hold = MotionConstraint::Frozen,
-            Part::SubstrateBath => group.thermostat = thermostat(scene, RotationBias::Counts)?,
-            Part::TipBath if is_carried(scene) => {
+            AtomRole::Base => group.hold = MotionConstraint::Frozen,
+            AtomRole::SubstrateBath => group.thermostat = thermostat(scene, RotationBias::Counts)?,
+            AtomRole::TipBath if is_carried(scene) => {
                 group.thermostat = thermostat(scene, RotationBias::Counts)?;
                 group.frame = ThermalFrame::Mean;
             }
-            Part::TipBath => group.thermostat = thermostat(scene, RotationBias::Spared { axis })?,
-            Part::Surface | Part::Apex => {}
-            Part::Driven => {
+            AtomRole::TipBath => {
+                group.thermostat = thermostat(scene, RotationBias::Spared { axis })?
+            }
+            AtomRole::Surface | AtomRole::Apex => {}
+            AtomRole::Driven => {
                 group.damping = scene.damping;
                 (group.hold, group.load) = match scene.hold {
                     DrivenHold::Plane => (MotionConstraint::Plane, 0.0),
@@ -179,7 +181,7 @@ fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
         }
         Ok(group)
     };
-    Part::ALL.into_iter().map(of_part).collect()
+    AtomRole::ALL.into_iter().map(of_part).collect()
 }
 
 /// Whether the tip's bath moves with a mean velocity that is not heat.
@@ -224,12 +226,12 @@ fn initial_velocities(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms
 /// The support of a slid tip: one spring for each driven atom, all together of the scene's stiffness.
 fn support(scene: &TipScene, sites: &[Site]) -> Option<Support> {
     let speed = scene.speed.filter(|_| scene.drive == DriveKind::Slide)?;
-    let driven = sites.iter().filter(|site| site.part == Part::Driven);
+    let driven = sites.iter().filter(|site| site.part == AtomRole::Driven);
     let anchors: Vec<[f64; 2]> = driven.map(|site| [site.place.x, site.place.y]).collect();
     let (sin, cos) = libm::sincos(scene.direction.to_radians());
     let [from, until] = drive_times(scene);
     Some(Support {
-        group: Part::ALL.len() - 1,
+        group: AtomRole::ALL.len() - 1,
         stiffness: scene.stiffness / anchors.len() as f64,
         anchors,
         direction: [cos, sin],
@@ -253,7 +255,7 @@ pub(super) fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
     let arms = || {
         sites
             .iter()
-            .filter(|site| site.part == Part::Driven)
+            .filter(|site| site.part == AtomRole::Driven)
             .map(arm)
     };
     let length = match scene.reading {
@@ -267,6 +269,6 @@ pub(super) fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
         acceleration: scene.lambda / (length * scene.potential.masses()[1]),
         from,
         until,
-        groups: vec![Part::ALL.len() - 1],
+        groups: vec![AtomRole::ALL.len() - 1],
     }
 }

@@ -1,12 +1,12 @@
 //! Checkpoints of tip runs.
 
-use super::loops::{LoopWork, Totals, counts};
-use super::shape::Part;
-use super::watch;
+use super::loop_work::{LoopWork, Totals, counts};
+use super::monitor;
+use super::shape::AtomRole;
 use crate::md::system::State;
 use crate::tip::scene::TipScene;
 use serde_json::Map;
-use tribos_base::record::kept::{damaged, hex, numbers, opened, triple, vectors};
+use tribos_base::record::checkpoint::{damaged, hex, numbers, opened, triple, vectors};
 use tribos_base::record::{CheckpointError, with_digest};
 
 /// Version of the format.
@@ -99,7 +99,7 @@ impl Checkpoint {
             Ok(lines_of.map(<[f64]>::to_vec).collect())
         };
         let [ends, turns] = counts(scene, steps);
-        let thermostats = finite("thermostats", 2 * Part::ALL.len())?;
+        let thermostats = finite("thermostats", 2 * AtomRole::ALL.len())?;
         Ok(Self {
             state: State {
                 steps,
@@ -120,7 +120,7 @@ impl Checkpoint {
                     .collect(),
                 turns: finite("turns", turns as usize)?,
             },
-            lines: table("lines", line_width, watch::lines(scene, steps))?,
+            lines: table("lines", line_width, monitor::lines(scene, steps))?,
             // One line at the start and one after every interval of steps.
             series: table("series", width, 1 + steps.div_ceil(scene.samples))?,
         })

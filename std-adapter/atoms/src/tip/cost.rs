@@ -2,8 +2,8 @@
 
 use super::build::{TipSystem, build};
 use super::run::TipError;
-use super::shape::{Part, TipOutline};
-use crate::md::interaction::Wanted;
+use super::shape::{AtomRole, TipOutline};
+use crate::md::interaction::Evaluation;
 use crate::md::system::System;
 use crate::tip::scene::{DrivenHold, StageSteps, ThermostatKind, TipScene};
 use nalgebra::Vector3;
@@ -15,8 +15,8 @@ use tribos_base::space::pairs::neighbours;
 /// Size and cost of a scene. *Units*: times in s on one core of this machine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TipCost {
-    /// Atoms of each part, in the order of [`Part::ALL`].
-    pub atoms: [usize; Part::ALL.len()],
+    /// Atoms of each part, in the order of [`AtomRole::ALL`].
+    pub atoms: [usize; AtomRole::ALL.len()],
     /// Pairs within the cut-off in the crystal.
     pub pairs: usize,
     /// Steps before, with and after the drive.
@@ -41,9 +41,9 @@ impl TipScene {
     /// Number of free coordinates of all atoms: none for the base, two for driven atoms of fixed or
     /// common height.
     pub fn freedoms(&self) -> usize {
-        let of = |part: Part| match part {
-            Part::Base => 0,
-            Part::Driven => 2,
+        let of = |part: AtomRole| match part {
+            AtomRole::Base => 0,
+            AtomRole::Driven => 2,
             _ => 3,
         };
         let sites = self.shape().sites();
@@ -124,7 +124,7 @@ pub fn size(scene: &TipScene) -> RunSize {
 /// neighbour list more often.
 pub fn cost(scene: &TipScene) -> Result<TipCost, TipError> {
     let TipSystem { setup, .. } = build(scene)?;
-    let mut atoms = [0; Part::ALL.len()];
+    let mut atoms = [0; AtomRole::ALL.len()];
     for &group in &setup.group_of {
         if let Some(count) = atoms.get_mut(usize::from(group)) {
             *count += 1;
@@ -133,11 +133,11 @@ pub fn cost(scene: &TipScene) -> Result<TipCost, TipError> {
     let pairs = pairs(&setup.atoms.positions, &setup.space, scene.reach());
     let mut system = System::new(setup)?;
     for _ in 0..WARM {
-        system.step(Wanted::Forces)?;
+        system.step(Evaluation::Forces)?;
     }
     let start = Instant::now();
     for _ in 0..TIMED {
-        system.step(Wanted::Forces)?;
+        system.step(Evaluation::Forces)?;
     }
     let all: usize = atoms.iter().sum();
     let atom_steps = (TIMED * all).max(1) as f64;

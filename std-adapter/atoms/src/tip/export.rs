@@ -1,7 +1,7 @@
 //! Files with which LAMMPS runs the same system.
 
 use super::build::{BuildError, TipSystem, build, is_of_tip};
-use super::shape::Part;
+use super::shape::AtomRole;
 use crate::md::atoms::Atoms;
 use crate::md::configuration::Configuration;
 use crate::md::lammps::data_file;
@@ -42,7 +42,7 @@ const ROOM: f64 = 10.0;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Export {
-    /// Atoms at the start, with a type for each [`Part`], and their velocities.
+    /// Atoms at the start, with a type for each [`AtomRole`], and their velocities.
     pub data: String,
     /// Potential, groups, stages; reads the data as `tip.data`.
     pub script: String,
@@ -73,7 +73,7 @@ pub fn data(
             positions: positions.to_vec(),
             velocities: velocities.to_vec(),
             species: parts.to_vec(),
-            masses: Part::ALL
+            masses: AtomRole::ALL
                 .map(|part| masses[usize::from(is_of_tip(part))])
                 .to_vec(),
         },
@@ -141,7 +141,7 @@ fn embedded(scene: &TipScene, [substrate, tip]: [&str; 2]) -> String {
         Some(rest) => rest.split(',').next().unwrap_or(rest).to_owned(),
         None => "sutton-chen.eam.alloy".into(),
     };
-    let elements = Part::ALL.map(|part| if is_of_tip(part) { tip } else { substrate });
+    let elements = AtomRole::ALL.map(|part| if is_of_tip(part) { tip } else { substrate });
     format!(
         "# The table of the potential; a funcfl table needs pair_style eam and no elements.\n\
          pair_style eam/alloy\npair_coeff * * {file} {}\n",

@@ -1,7 +1,7 @@
 //! Forces between the atoms of a tip and its substrate.
 
 use crate::md::eam::{SuttonChen, Tabulated};
-use crate::md::interaction::{Interaction, Tally, Wanted};
+use crate::md::interaction::{Evaluation, Interaction, Tally};
 use crate::md::neighbours::VerletList;
 use crate::md::pair::LennardJones;
 use nalgebra::Vector3;
@@ -35,7 +35,12 @@ impl Interaction for TipForces {
         }
     }
 
-    fn forces(&self, list: &mut VerletList, onto: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
+    fn forces(
+        &self,
+        list: &mut VerletList,
+        onto: &mut [Vector3<f64>],
+        wanted: Evaluation,
+    ) -> Tally {
         match self {
             Self::LennardJones(law) => law.forces(list, onto, wanted),
             Self::SuttonChen(law) => law.forces(list, onto, wanted),

@@ -13,16 +13,16 @@ pub mod export;
 mod forces;
 mod frames;
 mod lattice;
-mod loops;
+mod loop_work;
+mod monitor;
 mod outcome;
 mod potential;
 mod run;
 pub(crate) mod scene;
 mod session;
 mod shape;
-mod slid;
+mod sliding_summary;
 mod start;
-mod watch;
 
 pub use crate::md::system::{Integrator, SystemError};
 pub use crate::md::thermostat::ThermostatError;
@@ -40,6 +40,6 @@ pub use potential::{PotentialError, TipPotential};
 pub use run::{TipError, TipSimulation};
 pub use shape::TipOutline;
 #[doc(hidden)]
-pub use shape::{LAYERS_OF_A_KIND, Part, Shape, Site};
-pub use slid::SlidingSummary;
+pub use shape::{AtomRole, LAYERS_OF_A_KIND, Shape, Site};
+pub use sliding_summary::SlidingSummary;
 pub use start::EquilibriumCheck;

@@ -1,8 +1,8 @@
 //! The outcome of a run: reversible or not, where it locked in, which layers slipped.
 
 use super::energy::DriveEnergy;
-use super::loops::LoopWork;
-use super::slid::{SlidingSample, SlidingSummary};
+use super::loop_work::LoopWork;
+use super::sliding_summary::{SlidingSample, SlidingSummary};
 use super::start::{Columns, EquilibriumCheck};
 use super::{TipError, TipSimulation};
 use crate::tip::scene::{DriveKind, StageSteps, TipScene};

@@ -3,11 +3,11 @@
 use super::build::{BuildError, TipSystem, build};
 use super::checkpoint::Checkpoint;
 use super::forces::TipForces;
-use super::loops::is_noted;
+use super::loop_work::is_noted;
+use super::monitor::{RunMonitor, interval};
 use super::outcome::{Measured, TipSummary};
-use super::shape::Part;
-use super::watch::{RunMonitor, interval};
-use crate::md::interaction::Wanted;
+use super::shape::AtomRole;
+use crate::md::interaction::Evaluation;
 use crate::md::observe::{heat_energy, temperature};
 use crate::md::system::{System, SystemError};
 use crate::tip::scene::{DriveKind, TipScene};
@@ -60,7 +60,7 @@ pub enum TipError {
 /// ```
 /// use tribos::run::Simulation;
 /// use tribos::scene::TipScene;
-/// use tribos::tip::{Part, TipError, TipSimulation, Reversal};
+/// use tribos::tip::{AtomRole, TipError, TipSimulation, Reversal};
 /// // A cold tip that is pushed for a moment: too short for the lattice to push back.
 /// let scene = TipScene {
 ///     lambda: 0.01,
@@ -90,7 +90,7 @@ pub enum TipError {
 /// assert!(matches!(TipSimulation::resume(&scene, "{}"), Err(TipError::Checkpoint(_))));
 /// // Atoms, each with its layer and its part.
 /// let last = run.system().atoms().len() - 1;
-/// assert_eq!((run.layers()[last], Part::ALL[usize::from(run.parts()[last])]), (7, Part::Driven));
+/// assert_eq!((run.layers()[last], AtomRole::ALL[usize::from(run.parts()[last])]), (7, AtomRole::Driven));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
@@ -181,7 +181,7 @@ impl TipSimulation {
         &self.layer_of
     }
 
-    /// Part of each atom, as a number in [`Part::ALL`].
+    /// Part of each atom, as a number in [`AtomRole::ALL`].
     pub fn parts(&self) -> &[u8] {
         &self.part_of
     }
@@ -242,9 +242,9 @@ impl TipSimulation {
             let next = self.system.steps() + 1;
             let is_noted = is_noted(&self.scene, next);
             let wanted = if next == to || is_noted {
-                Wanted::Sums
+                Evaluation::Sums
             } else {
-                Wanted::Forces
+                Evaluation::Forces
             };
             self.watch.before(&self.system);
             self.system.step(wanted)?;
@@ -287,8 +287,8 @@ impl TipSimulation {
 
     /// The current state as a line.
     fn line(&self) -> Vec<f64> {
-        let heat = |part: Part| {
-            let group = Part::ALL.iter().position(|&other| other == part);
+        let heat = |part: AtomRole| {
+            let group = AtomRole::ALL.iter().position(|&other| other == part);
             let group = group.unwrap_or_default();
             let kinetic = heat_energy(&self.system, group);
             let energy = temperature(kinetic, self.system.heat_freedoms(group));
@@ -299,8 +299,8 @@ impl TipSimulation {
             self.angle().to_degrees(),
             self.resisting_torque(),
             self.height(),
-            heat(Part::SubstrateBath),
-            heat(Part::TipBath),
+            heat(AtomRole::SubstrateBath),
+            heat(AtomRole::TipBath),
             self.system.tally().energy,
         ];
         line.extend(self.slid().into_iter().flatten());
@@ -314,7 +314,7 @@ impl TipSimulation {
         let position = support.position(self.system.time());
         let ([x, y], [along_x, along_y]) = (self.system.support_force(), support.direction);
         let lateral = x * along_x + y * along_y;
-        let driven = self.system.members(Part::ALL.len() - 1).len() as f64;
+        let driven = self.system.members(AtomRole::ALL.len() - 1).len() as f64;
         Some([
             position,
             position - lateral / self.scene.stiffness,
@@ -327,7 +327,7 @@ impl TipSimulation {
 
     /// Mean force of all other atoms on a driven one.
     fn mean_force(&self) -> [f64; FORCE] {
-        let driven = self.system.members(Part::ALL.len() - 1);
+        let driven = self.system.members(AtomRole::ALL.len() - 1);
         let forces = driven.iter().map(|&atom| self.system.forces()[atom]);
         let count = driven.len() as f64;
         (forces.sum::<Vector3<f64>>() / count).into()
@@ -336,7 +336,7 @@ impl TipSimulation {
     /// Torque of all other atoms on the driven ones about the axis, positive against the drive.
     fn resisting_torque(&self) -> f64 {
         let [x0, y0] = self.scene.shape().axis();
-        let driven = self.system.members(Part::ALL.len() - 1);
+        let driven = self.system.members(AtomRole::ALL.len() - 1);
         let part = |&atom: &usize| {
             let (place, force) = (
                 self.system.atoms().positions[atom],
@@ -349,7 +349,7 @@ impl TipSimulation {
 
     /// Mean height of the driven atoms.
     pub(super) fn height(&self) -> f64 {
-        let driven = self.system.members(Part::ALL.len() - 1);
+        let driven = self.system.members(AtomRole::ALL.len() - 1);
         let sum: f64 = driven
             .iter()
             .map(|&atom| self.system.atoms().positions[atom].z)

@@ -82,7 +82,7 @@ pub struct Shape {
 ///
 /// ```
 /// # use tribos::tip::{Face, TipOutline, Shape};
-/// use tribos::tip::{LAYERS_OF_A_KIND, Part};
+/// use tribos::tip::{LAYERS_OF_A_KIND, AtomRole};
 /// # let shape = Shape {
 /// #     face: Face::Fcc111,
 /// #     tip_face: Face::Fcc111,
@@ -98,8 +98,8 @@ pub struct Shape {
 /// #     raise: 0.0,
 /// # };
 /// // A substrate of five layers, a tip of four.
-/// let parts: Vec<Part> = (0..shape.layers()).map(|layer| shape.part(layer)).collect();
-/// let of_kind = Part::ALL.map(|part| parts.iter().filter(|&&other| other == part).count());
+/// let parts: Vec<AtomRole> = (0..shape.layers()).map(|layer| shape.part(layer)).collect();
+/// let of_kind = AtomRole::ALL.map(|part| parts.iter().filter(|&&other| other == part).count());
 /// assert_eq!(of_kind, [2, 2, 1, 0, 2, 2]);
 /// assert_eq!(of_kind[0], LAYERS_OF_A_KIND);
 /// // One atom to watch in each part that the tip has.
@@ -108,7 +108,7 @@ pub struct Shape {
 /// assert_eq!(watched, ["tip bath", "driven"]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum AtomRole {
     /// Black: held in place.
     Base,
     /// Green in the substrate: with a thermostat.
@@ -123,7 +123,7 @@ pub enum Part {
     Driven,
 }
 
-impl Part {
+impl AtomRole {
     /// All parts, in the order of their numbers.
     pub const ALL: [Self; 6] = [
         Self::Base,
@@ -153,7 +153,7 @@ pub struct Site {
     /// Position of the atom.
     pub place: Vector3<f64>,
     /// Part that the atom belongs to.
-    pub part: Part,
+    pub part: AtomRole,
     /// Layer of the atom, from the lowest of the substrate.
     pub layer: usize,
 }
@@ -215,7 +215,7 @@ impl Shape {
         let mut sites = Vec::new();
         for layer in 0..self.layers() {
             let part = self.part(layer);
-            let raise = if part == Part::Driven {
+            let raise = if part == AtomRole::Driven {
                 self.raise
             } else {
                 0.0
@@ -244,29 +244,29 @@ impl Shape {
             let layers = a.layer.cmp(&b.layer);
             layers.then(a.place.x.total_cmp(&b.place.x))
         };
-        let top_right = |part: Part| {
+        let top_right = |part: AtomRole| {
             let atoms = (0..sites.len()).filter(|&atom| sites[atom].part == part);
             atoms.max_by(right_of)
         };
-        let parts = [Part::Apex, Part::TipBath, Part::Driven];
+        let parts = [AtomRole::Apex, AtomRole::TipBath, AtomRole::Driven];
         parts.into_iter().filter_map(top_right).collect()
     }
 
     /// Part that a layer belongs to.
-    pub fn part(&self, layer: usize) -> Part {
+    pub fn part(&self, layer: usize) -> AtomRole {
         let from_top = self.layers() - 1 - layer;
         if layer < LAYERS_OF_A_KIND {
-            Part::Base
+            AtomRole::Base
         } else if layer < 2 * LAYERS_OF_A_KIND {
-            Part::SubstrateBath
+            AtomRole::SubstrateBath
         } else if layer < self.substrate_layers {
-            Part::Surface
+            AtomRole::Surface
         } else if from_top < LAYERS_OF_A_KIND {
-            Part::Driven
+            AtomRole::Driven
         } else if from_top < 2 * LAYERS_OF_A_KIND {
-            Part::TipBath
+            AtomRole::TipBath
         } else {
-            Part::Apex
+            AtomRole::Apex
         }
     }
 

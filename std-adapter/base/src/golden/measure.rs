@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// ```
 /// use tribos::golden::{Measurement, measure};
 /// use tribos::scene::DiskScene;
-/// let disk = DiskScene { speed: 1.0, spin: 0.0, coefficient: 0.3, ..SliderScene::default() };
+/// let disk = DiskScene { speed: 1.0, spin: 0.0, coefficient: 0.3, ..DiskScene::default() };
 /// let run: Measurement = measure(&disk.into(), || ())?;
 /// assert_eq!(run.columns[0], "time");
 /// let stop = run.rows.last().ok_or("no rows")?[0];

@@ -2,9 +2,9 @@
 
 mod atomic;
 #[doc(hidden)]
-pub mod frames;
+pub mod checkpoint;
 #[doc(hidden)]
-pub mod kept;
+pub mod frames;
 mod number;
 mod read;
 mod seal;
@@ -20,8 +20,8 @@ pub(crate) use atomic::AtomicFile;
 pub use atomic::WriteError;
 #[doc(hidden)]
 pub use atomic::{is_unfinished, write_atomically, write_atomically_there, write_atomically_with};
+pub use checkpoint::CheckpointError;
 pub use frames::FrameError;
-pub use kept::CheckpointError;
 #[doc(hidden)]
 pub use number::brief;
 #[doc(hidden)]

@@ -1,7 +1,7 @@
 //! A long run in its own folder: checkpoints, frames, progress, cancellation, resuming.
 
 use super::film::FrameRecorder;
-use super::folder::{FolderError, Lock, Sharing, remove_file};
+use super::folder::{FolderError, Lock, LockMode, remove_file};
 use super::long_run::{Cause, LongRun, NoCheckpoint, RunError, StartMode};
 use crate::record::{read_text, with_number, write_atomically_there};
 use std::fmt;
@@ -80,7 +80,7 @@ impl<R> fmt::Debug for Session<'_, R> {
 impl<'a, R: LongRun> Session<'a, R> {
     /// A run in a folder, which is created if missing and locked until the session ends.
     pub fn in_folder(folder: impl AsRef<Path>) -> Result<Self, FolderError> {
-        let lock = Lock::take(folder.as_ref(), Sharing::Alone)?;
+        let lock = Lock::take(folder.as_ref(), LockMode::Alone)?;
         Ok(Self::under(Arc::new(lock), folder.as_ref()))
     }
 

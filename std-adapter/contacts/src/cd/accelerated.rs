@@ -20,7 +20,7 @@
 //! depend on its own response. The method then continues with damped sweeps, y' = y + ω (x − y), which are
 //! slower and converge.
 
-use super::nsgs::Iterations;
+use super::gauss_seidel::Iterations;
 use super::operator::{GlobalChange, Impulse, Operator, Visit};
 
 /// Buffers of the iteration, kept from step to step.

@@ -10,7 +10,7 @@ use super::world::World;
 use tribos_core::contact::{Contact, ContactFriction, ContactGeometry, NormalLaw};
 
 /// Bodies of a contact, and their geometry.
-pub(super) type Touching = ([u32; 2], ContactGeometry<f64>);
+pub(super) type PairGeometry = ([u32; 2], ContactGeometry<f64>);
 
 /// Margin of the neighbour list beyond the contact distance, in motions of a step: a longer
 /// list remains valid for more steps.
@@ -146,7 +146,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 
     /// Pairs of spheres within interaction range, in ascending order.
-    fn touching_pairs(&self) -> Result<Vec<Touching>, WorldError> {
+    fn touching_pairs(&self) -> Result<Vec<PairGeometry>, WorldError> {
         let (reach, radii, space) = (self.reach(), &self.setup.radii, self.space());
         let mut found = Vec::new();
         for &[a, b] in &self.neighbours {
@@ -169,13 +169,13 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 
     /// Pairs across the border of a sheared cell, with the velocities of the second spheres' images.
-    fn images(&self, pairs: &[Touching]) -> Vec<ImageVelocity> {
+    fn images(&self, pairs: &[PairGeometry]) -> Vec<ImageVelocity> {
         if self.setup.shear_rate == 0.0 {
             return Vec::new();
         }
         let (positions, space) = (&self.state.positions, &self.setup.space);
         let faster = self.level_velocity();
-        let image = |(number, ([a, b], _)): (usize, &Touching)| {
+        let image = |(number, ([a, b], _)): (usize, &PairGeometry)| {
             // The displacement leaves these whole periods out.
             let levels = space.levels(positions[*b as usize].z - positions[*a as usize].z);
             (levels != 0.0).then_some((number as u32, faster * -levels))
@@ -184,7 +184,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 
     /// Pairs of a sphere and a wall within interaction range, sphere by sphere.
-    fn touching_walls(&self) -> Result<Vec<Touching>, WorldError> {
+    fn touching_walls(&self) -> Result<Vec<PairGeometry>, WorldError> {
         let reach = self.reach();
         let mut found = Vec::new();
         for (i, (x, &radius)) in self

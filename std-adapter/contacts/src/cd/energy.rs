@@ -156,7 +156,7 @@ impl EnergyBalance {
     }
 
     /// Adds the impacts of a step, before the step itself.
-    pub(super) fn add_impacts(&mut self, taken: &Taken) {
+    pub(super) fn add_impacts(&mut self, taken: &ImpactEnergies) {
         self.kinetic_initial.get_or_insert(taken.kinetic);
         self.work += taken.work;
         self.normal += taken.normal;
@@ -183,7 +183,7 @@ impl EnergyBalance {
 
 /// Energies taken by the impacts of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Taken {
+pub(super) struct ImpactEnergies {
     /// Kinetic energy before the impacts.
     pub kinetic: f64,
     /// Work of loads and of prescribed wall motions.
@@ -198,7 +198,7 @@ pub(super) struct Taken {
     pub torsion: f64,
 }
 
-impl Taken {
+impl ImpactEnergies {
     /// Zero losses, for bodies in their current motion.
     pub fn from_motion(spheres: &[SphereBody<f64>], walls: &[Wall]) -> Self {
         let moving =

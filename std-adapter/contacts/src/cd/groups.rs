@@ -1,7 +1,7 @@
 //! Which pairs are solved four at a time.
 
-use super::alike::{Alike, AlikePair};
-use super::four::Limits;
+use super::four_contacts::Limits;
+use super::identical_spheres::{Alike, AlikePair};
 use super::pairs::View;
 use std::ops::Range;
 

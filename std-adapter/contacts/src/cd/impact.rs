@@ -23,8 +23,8 @@
 //! and contacts that close within the step count as closed, so that several impacts of a body in
 //! one step happen one after the other.
 
-use super::assemble::Touching;
-use super::energy::Taken;
+use super::assemble::PairGeometry;
+use super::energy::ImpactEnergies;
 use super::image::{ImageVelocity, Images, seen};
 use super::memory::StoredForce;
 use super::mixture::LawBook;
@@ -49,7 +49,7 @@ const SLOW: f64 = 1e-9;
 /// Bodies whose contacts may close in a step, with the laws and loads that apply to them.
 pub(super) struct Surroundings<'a, F> {
     /// Pairs of spheres, and spheres with walls.
-    pub touching: [&'a [Touching]; 2],
+    pub touching: [&'a [PairGeometry]; 2],
     /// Pairs of them whose second sphere is an image.
     pub images: &'a [ImageVelocity],
     /// One flag per sphere, true if awake.
@@ -83,7 +83,7 @@ pub(super) struct Impacts<F: ContactFriction<f64>> {
     /// Walls after half of the loads and the impacts.
     pub walls: Vec<Wall>,
     /// Energies taken by the impacts, and the work of the loads so far.
-    pub taken: Taken,
+    pub taken: ImpactEnergies,
     /// ContactStatistics of the impacts.
     pub counts: Counts,
     /// Impulses of pairs and at walls; after [`Impacts::run`] in ascending order of the bodies.
@@ -105,7 +105,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         Self {
             spheres: Vec::new(),
             walls: Vec::new(),
-            taken: Taken::default(),
+            taken: ImpactEnergies::default(),
             counts: Counts::default(),
             impulses: [Vec::new(), Vec::new()],
             reflection: Spheres::new([IndependentFriction::none(); 2]),
@@ -120,7 +120,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         (spheres, walls): (&[SphereBody<f64>], &[Wall]),
         around: &Surroundings<'_, F>,
     ) {
-        self.taken = Taken::from_motion(spheres, walls);
+        self.taken = ImpactEnergies::from_motion(spheres, walls);
         self.counts = Counts::default();
         self.impulses.iter_mut().for_each(Vec::clear);
         self.spheres.clear();

@@ -4,7 +4,7 @@
 //! changes them by the rounding of the bodies' velocities without end, and no tolerance relative to
 //! the impulse can be met.
 
-use super::nsgs::{IterationOrder, Iterations, StopRule, Sweeper, solve};
+use super::gauss_seidel::{IterationOrder, Iterations, StopRule, Sweeper, solve};
 use super::operator::{NoMonitor, Operator, Visit};
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;

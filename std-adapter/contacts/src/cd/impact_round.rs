@@ -2,10 +2,10 @@
 
 use super::accelerated::{Accelerated, Tolerance};
 use super::energy::{driven_work, kinetic_energy};
+use super::gauss_seidel::Iterations;
 use super::impact::Impacts;
 use super::impact_rest::{TOLERANCE, rests, settle};
 use super::memory::find;
-use super::nsgs::Iterations;
 use super::operator::Operator;
 use super::spheres::{Link, Spheres};
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, ContactVector, Frictionless};

@@ -24,12 +24,13 @@
 
 mod accelerated;
 mod aligned;
-mod alike;
 mod assemble;
 mod energy;
 mod error;
-mod four;
+mod four_contacts;
+mod gauss_seidel;
 mod groups;
+mod identical_spheres;
 mod image;
 mod impact;
 mod impact_rest;
@@ -39,10 +40,8 @@ mod mixture;
 #[cfg(test)]
 mod mixture_tests;
 mod momentum;
-mod nsgs;
 mod operator;
 mod pairs;
-mod posed;
 mod residual;
 mod schedule;
 mod setup;
@@ -55,6 +54,7 @@ mod spheres;
 mod sweep;
 #[cfg(test)]
 mod sweep_tests;
+mod to_problem;
 mod vectors;
 mod wall;
 #[cfg(test)]
@@ -63,8 +63,8 @@ mod world;
 
 pub use energy::EnergyBalance;
 pub use error::WorldError;
+pub use gauss_seidel::{IterationOrder, Iterations, StopRule};
 pub use mixture::MaterialTable;
-pub use nsgs::{IterationOrder, Iterations, StopRule};
 pub use residual::ContactResidual;
 pub use setup::{ContactMaterial, StepLimits, WorldMaterials, WorldSetup, solid};
 pub use solver::{ContactSolver, SolverMethod};
@@ -78,14 +78,14 @@ pub use world::{StepReport, World, WorldState};
 pub mod internals {
     pub use super::accelerated::{Accelerated, Tolerance};
     pub use super::aligned::Aligned;
+    pub use super::gauss_seidel::{Sweeper, solve};
     pub use super::memory::{Memory, StoredForce};
-    pub use super::nsgs::{Sweeper, solve};
     pub use super::operator::{
         GlobalChange, Impulse, LocalChange, Monitor, NoMonitor, Operator, Visit,
     };
     pub use super::pairs::Pairs;
-    pub use super::posed::Posed;
     pub use super::residual::{Coefficients, residual};
     pub use super::sleep::Sleep;
     pub use super::spheres::{Link, Spheres};
+    pub use super::to_problem::PosedProblem;
 }

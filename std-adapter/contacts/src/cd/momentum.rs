@@ -2,9 +2,9 @@
 //! with the same bits as one after the other.
 
 use super::aligned::Aligned;
-use super::alike::AlikePair;
-use super::four;
+use super::four_contacts;
 use super::groups::{Groups, LANES};
+use super::identical_spheres::AlikePair;
 use super::mixture::PairFriction;
 use super::pairs::View;
 use super::sweep::{AHEAD, fetch};
@@ -114,7 +114,9 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
                 break;
             };
             let bodies = (first, &mut *spheres);
-            if four::extrapolate::<L, M>(four, new, old, bodies, beta, groups.common).is_none() {
+            if four_contacts::extrapolate::<L, M>(four, new, old, bodies, beta, groups.common)
+                .is_none()
+            {
                 break;
             }
             done += LANES;

@@ -1,6 +1,6 @@
 //! Contacts of spheres in memory: their geometry, which sweeps only read, apart from their impulses.
 
-use super::alike::{Alike, AlikePair};
+use super::identical_spheres::{Alike, AlikePair};
 use super::spheres::Link;
 use tribos_core::contact::{Contact, ContactModes, ContactVector, SphereBody};
 use tribos_core::internals::PreparedContact;

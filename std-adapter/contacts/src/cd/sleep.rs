@@ -1,6 +1,6 @@
 //! Sleep: groups of bodies at rest cost nothing until something touches them.
 
-use super::assemble::Touching;
+use super::assemble::PairGeometry;
 use super::energy::EnergyBalance;
 use super::wall::Wall;
 use tribos_core::contact::SphereBody;
@@ -72,8 +72,8 @@ impl Sleep {
     pub fn wake(
         &mut self,
         sleep_speed: f64,
-        pairs: &[Touching],
-        walls: &[Touching],
+        pairs: &[PairGeometry],
+        walls: &[PairGeometry],
         plates: &[Wall],
     ) {
         if sleep_speed <= 0.0 {

@@ -1,7 +1,7 @@
 //! Methods for the contact problem of a step.
 
 use super::accelerated::{Accelerated, Tolerance};
-use super::nsgs::{self, IterationOrder, Iterations, StopRule, Sweeper};
+use super::gauss_seidel::{self, IterationOrder, Iterations, StopRule, Sweeper};
 use super::operator::Operator;
 use super::residual::Coefficients;
 use super::spheres::Spheres;
@@ -77,7 +77,7 @@ impl<M: ContactModes<f64>> Workspace<M> {
         let mut handed_over = false;
         let iterations = match solver.method {
             SolverMethod::GaussSeidel { order, stop } => {
-                nsgs::solve(problem, &mut Sweeper::new(order, step), stop, most)
+                gauss_seidel::solve(problem, &mut Sweeper::new(order, step), stop, most)
             }
             SolverMethod::Accelerated { tolerance } => {
                 let relative = tolerance;

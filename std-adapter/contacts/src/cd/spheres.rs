@@ -9,7 +9,7 @@ use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::pairs::Pairs;
 use super::schedule::Schedule;
 use super::sweep::{
-    AHEAD, Stretch, WORTHWHILE, Way, fetch, solve_one, sweep_images, sweep_pairs, update,
+    AHEAD, Stretch, SweepDirection, WORTHWHILE, fetch, solve_one, sweep_images, sweep_pairs, update,
 };
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -205,7 +205,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     /// on the number of threads. `swept` are the impulses after the sweep before, or empty.
     fn sweep_all<W: Monitor>(
         &mut self,
-        way: Way,
+        way: SweepDirection,
         swept: &[ContactVector<f64, F::Modes>],
         watch: &mut W,
     ) {
@@ -218,11 +218,11 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     fn sweep_with<W: Monitor>(
         &mut self,
         friction: &impl PairFriction<F>,
-        way: Way,
+        way: SweepDirection,
         swept: &[ContactVector<f64, F::Modes>],
         watch: &mut W,
     ) {
-        if way == Way::Backward {
+        if way == SweepDirection::Backward {
             self.sweep_images(friction, way, swept, watch);
             self.sweep_across(friction, way, swept, watch);
         }
@@ -254,7 +254,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         for seen in &seen {
             watch.join(seen);
         }
-        if way == Way::Forward {
+        if way == SweepDirection::Forward {
             self.sweep_across(friction, way, swept, watch);
             self.sweep_images(friction, way, swept, watch);
         }
@@ -264,7 +264,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     fn sweep_across<W: Monitor>(
         &mut self,
         friction: &impl PairFriction<F>,
-        way: Way,
+        way: SweepDirection,
         swept: &[ContactVector<f64, F::Modes>],
         watch: &mut W,
     ) {
@@ -283,7 +283,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     fn sweep_images<W: Monitor>(
         &mut self,
         friction: &impl PairFriction<F>,
-        way: Way,
+        way: SweepDirection,
         swept: &[ContactVector<f64, F::Modes>],
         watch: &mut W,
     ) {
@@ -401,8 +401,22 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             };
             let images = &self.images[image..];
             match both {
-                None => sweep_images(stretch, images, spheres, &one, Way::Forward, watch),
-                Some(both) => sweep_images(stretch, images, spheres, both, Way::Forward, watch),
+                None => sweep_images(
+                    stretch,
+                    images,
+                    spheres,
+                    &one,
+                    SweepDirection::Forward,
+                    watch,
+                ),
+                Some(both) => sweep_images(
+                    stretch,
+                    images,
+                    spheres,
+                    both,
+                    SweepDirection::Forward,
+                    watch,
+                ),
             }
         }
     }
@@ -483,7 +497,7 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
     }
 
     fn sweep_on<W: Monitor>(&mut self, swept: &[Self::Impulse], watch: &mut W) {
-        self.sweep_all(Way::Forward, swept, watch);
+        self.sweep_all(SweepDirection::Forward, swept, watch);
         let pairs = self.pairs.len();
         for wall in 0..self.walls.len() {
             self.visit_wall(wall, swept.get(pairs + wall), watch);
@@ -506,7 +520,7 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
                 for wall in (0..walls).rev() {
                     self.visit_wall(wall, None, watch);
                 }
-                self.sweep_all(Way::Backward, &[], watch);
+                self.sweep_all(SweepDirection::Backward, &[], watch);
             }
             Visit::Listed(order) => {
                 for &index in order {

@@ -1,9 +1,9 @@
 //! Sweeps over the pairs of spheres: one after the other, or four at a time.
 
 use super::aligned::Aligned;
-use super::alike::AlikePair;
-use super::four::{self, Records};
+use super::four_contacts::{self, Records};
 use super::groups::{Groups, LANES};
+use super::identical_spheres::AlikePair;
 use super::image::{Image, ImageVelocity};
 use super::mixture::PairFriction;
 use super::operator::Monitor;
@@ -15,7 +15,7 @@ use tribos_prefetch::prefetch;
 
 /// Direction of a sweep.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum SweepDirection {
     Forward,
     Backward,
 }
@@ -43,7 +43,7 @@ pub(super) fn sweep_pairs<F: ContactFriction<f64>, W: Monitor>(
     stretch: Stretch<'_, F::Modes>,
     (first, spheres): (u32, &mut [Aligned]),
     friction: &impl PairFriction<F>,
-    way: Way,
+    way: SweepDirection,
     watch: &mut W,
 ) {
     let Stretch {
@@ -86,7 +86,7 @@ pub(super) fn sweep_pairs<F: ContactFriction<f64>, W: Monitor>(
     }
 }
 
-impl Way {
+impl SweepDirection {
     /// Position of the pair that comes after so many others.
     #[inline(always)]
     fn place(self, done: usize, count: usize) -> usize {
@@ -117,7 +117,11 @@ impl Way {
 
 /// Lets a monitor see the contacts of a group in the order of the sweep.
 #[inline(always)]
-fn show<W: Monitor>([change_sq, bound, speed, along]: &Records, way: Way, watch: &mut W) {
+fn show<W: Monitor>(
+    [change_sq, bound, speed, along]: &Records,
+    way: SweepDirection,
+    watch: &mut W,
+) {
     for turn in 0..LANES {
         let lane = way.place(turn, LANES);
         watch.record(change_sq[lane], bound[lane], speed[lane]);
@@ -143,7 +147,7 @@ type Steps<'a, M> = (
 );
 
 /// The place of one pair among others, all impulses, and its own after the sweep before if a monitor follows it.
-pub(super) type One<'a, M> = (
+pub(super) type ScalarPair<'a, M> = (
     View<'a>,
     usize,
     &'a mut [ContactVector<f64, M>],
@@ -153,7 +157,7 @@ pub(super) type One<'a, M> = (
 /// Solves one pair; the first element of `spheres` has the number `first`.
 #[inline(always)]
 pub(super) fn solve_one<F: ContactFriction<f64>, W: Monitor>(
-    (pairs, at, impulses, swept): One<'_, F::Modes>,
+    (pairs, at, impulses, swept): ScalarPair<'_, F::Modes>,
     bodies: (u32, &mut [Aligned]),
     friction: &impl PairFriction<F>,
     watch: &mut W,
@@ -196,14 +200,14 @@ fn solve_contact<F: ContactFriction<f64>, W: Monitor>(
 }
 
 /// What a monitor records of a contact.
-pub(super) struct Seen {
+pub(super) struct PairRecord {
     /// change², P, speed
     change: [f64; 3],
     /// Product of the change with the step before, if that is followed.
     along: Option<f64>,
 }
 
-impl Seen {
+impl PairRecord {
     #[inline(always)]
     pub fn tell<W: Monitor>(&self, watch: &mut W) {
         let [change_sq, bound, speed] = self.change;
@@ -222,12 +226,12 @@ pub(super) fn update<F: ContactFriction<f64>>(
     friction: &F,
     a: &mut impl ContactBody<f64>,
     b: &mut impl ContactBody<f64>,
-) -> Seen {
+) -> PairRecord {
     let before = swept.map(|swept| contact.impulse().minus(swept));
     let change = contact.update(friction, a, b);
     let lever = contact.effective_radius();
     let speed = change.normal.abs() / contact.block().mass_normal;
-    Seen {
+    PairRecord {
         change: [
             change.dot_with_lever(&change, lever),
             contact.bound(),
@@ -256,7 +260,7 @@ struct Run<'a, M: ContactModes<f64>> {
     groups: Groups<'a>,
     spheres: &'a mut [Aligned],
     first: u32,
-    way: Way,
+    way: SweepDirection,
     at: usize,
     records: &'a mut [Records; RUN],
 }
@@ -289,7 +293,8 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
             };
             let old = swept.get(start..).and_then(<[_]>::first_chunk);
             let bodies = (first, &mut *spheres);
-            let Some(seen) = four::update::<L, M>(four, now, old, bodies, groups.common) else {
+            let Some(seen) = four_contacts::update::<L, M>(four, now, old, bodies, groups.common)
+            else {
                 return solved;
             };
             *record = seen;
@@ -298,8 +303,8 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
                 fetch(ahead.map(AlikePair::bodies), spheres, first);
             }
             start = match way {
-                Way::Forward => start + LANES,
-                Way::Backward => start.wrapping_sub(LANES),
+                SweepDirection::Forward => start + LANES,
+                SweepDirection::Backward => start.wrapping_sub(LANES),
             };
         }
         RUN
@@ -312,7 +317,7 @@ pub(super) fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
     images: &[ImageVelocity],
     spheres: &mut [Aligned],
     friction: &impl PairFriction<F>,
-    way: Way,
+    way: SweepDirection,
     watch: &mut W,
 ) {
     let Stretch {
@@ -338,7 +343,7 @@ pub(super) fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
             }
         };
     let all = impulses.iter_mut().zip(images).enumerate();
-    if way == Way::Forward {
+    if way == SweepDirection::Forward {
         all.for_each(solve);
     } else {
         all.rev().for_each(&mut solve);

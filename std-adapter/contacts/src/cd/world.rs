@@ -2,9 +2,9 @@
 
 use super::energy::EnergyBalance;
 use super::error::WorldError;
+use super::gauss_seidel::Iterations;
 use super::impact::{self, Counts, Impacts};
 use super::memory::Memory;
-use super::nsgs::Iterations;
 use super::operator::Operator;
 use super::residual::{Coefficients, ContactResidual, residual};
 use super::setup::WorldSetup;

@@ -8,7 +8,7 @@ use super::spheres::{HardSpheres, Totals};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use tribos_base::record::CheckpointError;
-use tribos_base::record::kept::{damaged, groups, hex, numbers};
+use tribos_base::record::checkpoint::{damaged, groups, hex, numbers};
 
 /// Numbers of a sphere and of the totals.
 const BODY: usize = 14;

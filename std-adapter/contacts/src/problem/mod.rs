@@ -18,7 +18,7 @@ mod tests;
 pub use error::ProblemError;
 pub use file::{ContactProblem, ProblemFileError, ProblemFormat};
 #[doc(hidden)]
-pub use file::{Fault, Place};
+pub use file::{Fault, FilePosition};
 pub use global::GlobalProblem;
 pub use law::{ContactComponents, ContactThresholds, Friction};
 pub use matrix::SparseMatrix;

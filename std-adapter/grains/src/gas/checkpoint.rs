@@ -1,10 +1,10 @@
 //! Checkpoint files of a gas.
 
-use super::medium::EngineCheckpoint;
+use super::engine::EngineCheckpoint;
 use super::run::{GasStopReason, Row};
 use crate::gas::scene::GasScene;
 use serde_json::{Map, Value};
-use tribos_base::record::kept::{damaged, groups, hex, one, opened};
+use tribos_base::record::checkpoint::{damaged, groups, hex, one, opened};
 use tribos_base::record::{CheckpointError, with_digest};
 
 /// Version of the format.

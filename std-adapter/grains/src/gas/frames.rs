@@ -1,7 +1,7 @@
 //! Frames of a film of a gas.
 
 use super::run::GasSimulation;
-use super::stepped::DENSITY;
+use super::time_stepped::DENSITY;
 use tribos_base::record::frames::{Bodies, Frame, Kind};
 
 impl GasSimulation {

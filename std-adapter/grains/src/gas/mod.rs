@@ -1,11 +1,11 @@
 //! Granular gases: spheres in a periodic cube that cool by their collisions.
 
 mod checkpoint;
+mod engine;
 mod error;
 mod frames;
-mod medium;
+mod lattice;
 mod outcome;
-mod room;
 mod run;
 pub(crate) mod scene;
 mod session;
@@ -13,13 +13,13 @@ mod size;
 mod soft;
 mod start;
 mod state;
-mod stepped;
 #[cfg(test)]
 mod tests;
+mod time_stepped;
 
 pub use error::GasError;
+pub(crate) use lattice::edge;
 pub use outcome::GasSummary;
-pub(crate) use room::edge;
 #[doc(hidden)]
 pub use run::COLUMNS;
 pub use run::{GasSimulation, GasStopReason};

@@ -1,13 +1,13 @@
 //! A gas from its start to its end.
 
 use super::checkpoint::Checkpoint;
+use super::engine::GasEngine;
 use super::error::GasError;
-use super::medium::GasEngine;
+use super::lattice::edge;
 use super::outcome::GasSummary;
-use super::room::edge;
 use super::start::start;
 use super::state::GasState;
-use super::stepped::DENSITY;
+use super::time_stepped::DENSITY;
 use crate::gas::scene::GasScene;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;

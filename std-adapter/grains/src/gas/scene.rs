@@ -1,6 +1,6 @@
 //! The scene of a granular gas in a periodic cube.
 
-use super::{edge, room};
+use super::{edge, lattice};
 use crate::packing::method::NormalForce;
 use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
 use tribos_base::scene::reader::Judge;
@@ -85,12 +85,12 @@ const MOST_LINES: f64 = 1e7;
 /// The cube must have room, and the method must know the law.
 fn rules(scene: &GasScene, judge: &mut Judge<'_>) {
     let length = edge(scene.count, scene.fraction);
-    if !room::is_wide(length) {
+    if !lattice::is_wide(length) {
         let message = format!(
             "`count` and `fraction` give a cube of {length:.3} R, but cells need 6 R: take more spheres"
         );
         judge.refuse(&["count", "fraction"], message);
-    } else if room::lattice(scene.count, length).is_none() {
+    } else if lattice::lattice(scene.count, length).is_none() {
         let fraction = scene.fraction;
         let message = format!("`fraction` is {fraction}: `count` spheres find no place");
         judge.refuse(&["fraction", "count"], message);

@@ -1,6 +1,6 @@
 //! Collisions of soft particles: their springs, how long they last and how deep they go.
 
-use super::stepped::LONGEST;
+use super::time_stepped::LONGEST;
 use crate::gas::scene::{GasMethod, GasScene};
 use crate::packing::Springs;
 use crate::packing::method::NormalForce;

@@ -1,7 +1,7 @@
 //! The state of a gas at the start: places at random, Maxwell's velocities, no momentum.
 
 use super::error::GasError;
-use super::room::{edge, lattice, site};
+use super::lattice::{edge, lattice, site};
 use crate::gas::scene::GasScene;
 use nalgebra::Vector3;
 use std::f64::consts::PI;

@@ -1,10 +1,10 @@
 //! Forecast of the cost of a run: contacts, unknowns, time.
 
-use super::begin::start;
 use super::error::GrainsError;
+use super::from_scene::{self, volume};
+use super::initial_grains::start;
 use super::layout::Layout;
 use super::loads::Loads;
-use super::parts::{self, volume};
 use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::Assembly;
 use crate::packing::method::{ContactMethod, FrictionCoupling};
@@ -171,7 +171,7 @@ fn block(scene: &GrainsScene) -> Result<Box<dyn Packing>, GrainsError> {
     let grains = start(&block, |_| ControlFlow::Continue(()))?;
     let layout = Layout::of(&block, &grains)?;
     let loads = Loads::of(&block, &layout);
-    parts::packing(&block, (&layout, &loads), grains, None)
+    from_scene::packing(&block, (&layout, &loads), grains, None)
 }
 
 /// The scene without moving walls.

@@ -3,16 +3,16 @@
 //! A [`GrainsScene`](crate::grains::scene::GrainsScene) says the box, the grains, their material and the loads,
 //! which may be [`Ramp`]s in time. [`GrainsSimulation`] runs it.
 
-mod begin;
 mod container;
 mod cost;
 mod error;
-mod laden;
+mod from_scene;
+mod grains_body;
+mod initial_grains;
 mod layout;
 mod loads;
 mod measure;
 mod outcome;
-mod parts;
 mod placement;
 mod ramp;
 mod run;

@@ -1,13 +1,13 @@
 //! A run of grains.
 
-use super::begin::start;
 use super::error::GrainsError;
-use super::laden::{GrainsBody, SlowStepCount, bounds};
+use super::from_scene::packing;
+use super::grains_body::{GrainsBody, SlowStepCount, bounds};
+use super::initial_grains::start;
 use super::layout::{AxisEnd, Layout};
 use super::loads::Loads;
 use super::measure::{COLUMNS, PackingState};
 use super::outcome::GrainsSummary;
-use super::parts::packing;
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
 use crate::packing::{
     ContactStatistics, FrameInfo, Limits, PackingCheckpoint, PackingDriver, origin,

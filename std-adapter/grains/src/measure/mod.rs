@@ -32,7 +32,7 @@ use tribos_base::space::pairs::NeighbourError;
 ///
 /// ```
 /// use tribos::measure::MeasureOptions;
-/// let fine = MeasureOptions { bins: 400, ..Options::default() };
+/// let fine = MeasureOptions { bins: 400, ..MeasureOptions::default() };
 /// assert_eq!(fine.angle, std::f64::consts::FRAC_PI_4); // of force chains
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,7 +10,7 @@ use tribos_contacts::cd::StepReport;
 /// columns of its series.
 pub(crate) trait Body<const N: usize>: Debug {
     /// What is remembered from step to step, beside the state of the packing.
-    type Watch: Debug;
+    type Monitor: Debug;
     /// Why a run ends.
     type Ending: Ending;
 
@@ -26,20 +26,20 @@ pub(crate) trait Body<const N: usize>: Debug {
     /// When a run ends in any case, and how often it writes.
     fn bounds(&self) -> RunLimits;
     /// Sets the loads of the next step.
-    fn prepare(&self, watch: &mut Self::Watch, packing: &mut dyn Packing);
+    fn prepare(&self, watch: &mut Self::Monitor, packing: &mut dyn Packing);
     /// Measures after a step, in the cadence of the body.
-    fn measure(&self, _watch: &mut Self::Watch, _seen: &MeasuredState) {}
+    fn measure(&self, _watch: &mut Self::Monitor, _seen: &MeasuredState) {}
     /// Share of the volume below the lid, or of the area, that is solid.
     fn solid_fraction(&self, seen: &MeasuredState) -> f64;
     /// The current line of the series.
-    fn line(&self, watch: &Self::Watch, seen: &MeasuredState) -> [f64; N];
+    fn line(&self, watch: &Self::Monitor, seen: &MeasuredState) -> [f64; N];
     /// Whether the run is over before its bounds, asked once after every step.
-    fn is_over(&self, watch: &mut Self::Watch, seen: &MeasuredState) -> bool;
+    fn is_over(&self, watch: &mut Self::Monitor, seen: &MeasuredState) -> bool;
 
     /// Adds what is remembered to a checkpoint.
-    fn write_checkpoint(watch: &Self::Watch, map: &mut Map<String, Value>);
+    fn write_checkpoint(watch: &Self::Monitor, map: &mut Map<String, Value>);
     /// Reads what is remembered from a checkpoint.
-    fn read(value: &Value) -> Result<Self::Watch, CheckpointError>;
+    fn read(value: &Value) -> Result<Self::Monitor, CheckpointError>;
 }
 
 /// Why a run ends: by a measure of its body, or by its bounds.

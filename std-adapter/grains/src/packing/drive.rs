@@ -3,7 +3,7 @@
 //! A [`Body`] says its loads, its measures and when it ends; all else of a run is here.
 
 use super::body::{Body, Ending, MeasuredState, MeasurementSchedule};
-use super::kept::{ORIGIN, PackingCheckpoint};
+use super::checkpoint::{ORIGIN, PackingCheckpoint};
 use super::last::put_report;
 use super::{Kinds, Limits, Packing, PackingRunError, Shape, Stored, Totals};
 use serde_json::{Map, Value};
@@ -11,8 +11,8 @@ use std::borrow::Cow;
 use std::error::Error;
 use std::time::Instant;
 use tribos_base::golden::{Digest, Measurement, contacts, digest};
+use tribos_base::record::checkpoint::hex;
 use tribos_base::record::frames::{Bodies, ContactStateFlags, Frame, FrameContact, Kind};
-use tribos_base::record::kept::hex;
 use tribos_base::record::{ContactRow, Snapshot, json_number, with_digest};
 use tribos_contacts::cd::{EnergyBalance, StepReport};
 use tribos_contacts::problem::GlobalProblem;
@@ -24,7 +24,7 @@ const TOO_DEEP: f64 = 0.1;
 #[derive(Debug)]
 pub(crate) struct PackingDriver<B: Body<N>, const N: usize> {
     pub body: B,
-    pub watch: B::Watch,
+    pub watch: B::Monitor,
     pub seen: MeasuredState,
     pub series: Vec<[f64; N]>,
     /// Why the run ended, if it has.
@@ -49,7 +49,7 @@ pub(crate) struct FrameInfo<'a> {
 impl<B: Body<N>, const N: usize> PackingDriver<B, N> {
     /// A run at its start, or where it was kept.
     pub fn begin<P: Error>(
-        (body, watch): (B, B::Watch),
+        (body, watch): (B, B::Monitor),
         (packing, contacts): (Box<dyn Packing>, Vec<ContactRow>),
         (kinds, origin): (Kinds, String),
         kept: Option<PackingCheckpoint<B, N>>,

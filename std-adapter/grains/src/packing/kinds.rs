@@ -4,7 +4,7 @@ use super::{Material, SecondMaterial, SecondMaterialKeys};
 use crate::packing::Assembly;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
-use tribos_base::record::kept::{damaged, hex, numbers, triple};
+use tribos_base::record::checkpoint::{damaged, hex, numbers, triple};
 use tribos_base::record::{CheckpointError, digest};
 
 /// Numbers of the two materials of a scene.

@@ -3,7 +3,7 @@
 
 use serde_json::{Map, Value};
 use tribos_base::record::CheckpointError;
-use tribos_base::record::kept::{damaged, hex, numbers};
+use tribos_base::record::checkpoint::{damaged, hex, numbers};
 use tribos_contacts::cd::{ContactResidual, Iterations, StepReport};
 
 /// Keys of the numbers and of the counts.

@@ -3,24 +3,24 @@
 //! A body's scene says the `Material`, the `Bodies` and the `Method`; `build` makes a `Packing` of them. A
 //! `PackingDriver` runs it: the `Body` says its loads, its measures and when it ends.
 
+mod active_modes;
 pub mod assembly;
 mod body;
-mod carried;
+mod checkpoint;
 mod cost;
 mod drive;
-mod extras;
-mod frozen;
-mod given;
-mod kept;
+mod initial_state;
 mod kinds;
 mod last;
 mod limits;
 mod material;
 pub mod method;
+mod optional_features;
 mod read;
 mod rigid;
 mod run_error;
 mod sizes;
+mod snapshot;
 mod soft;
 mod statistics;
 mod stored;
@@ -28,22 +28,22 @@ mod stress;
 mod totals;
 mod volume;
 
+pub use active_modes::{ActiveModes, ModeSet};
 pub use assembly::Assembly;
 pub(crate) use body::{Body, Ending, MeasuredState, MeasurementSchedule, RunLimits};
-pub use carried::{ActiveModes, ModeSet};
+pub(crate) use checkpoint::PackingCheckpoint;
 pub(crate) use cost::{stable_step, stable_step_between, update_seconds};
 pub(crate) use drive::{FrameInfo, PackingDriver, losses, object};
-pub(crate) use extras::{OptionalFeatures, SecondMaterial, SecondMaterialKeys};
-pub(crate) use frozen::{Force, Forces, WorldSnapshot};
-pub(crate) use given::{deepest, given};
-pub(crate) use kept::PackingCheckpoint;
+pub(crate) use initial_state::{deepest, given};
 pub(crate) use kinds::{Kinds, mixed, origin};
 pub use limits::Limits;
 pub use material::Material;
+pub(crate) use optional_features::{OptionalFeatures, SecondMaterial, SecondMaterialKeys};
 pub use read::AssemblyError;
 pub use run_error::PackingRunError;
 pub(crate) use sizes::SIZES;
 pub use sizes::{Radii, SizeDistribution, SizesError};
+pub(crate) use snapshot::{Force, Forces, WorldSnapshot};
 pub use statistics::ContactStatistics;
 pub use stored::STATE;
 pub(crate) use stored::{Shape, Stored};

@@ -3,7 +3,7 @@
 use super::{Kinds, WorldSnapshot};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
-use tribos_base::record::kept::{damaged, groups, hex, numbers, of_other_body, triple};
+use tribos_base::record::checkpoint::{damaged, groups, hex, numbers, of_other_body, triple};
 use tribos_base::record::{CheckpointError, ContactRow, Partner, verified, with_digest};
 use tribos_base::space::PeriodicBox;
 

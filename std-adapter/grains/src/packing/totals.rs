@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 use tribos_base::record::CheckpointError;
-use tribos_base::record::kept::{damaged, hex, one};
+use tribos_base::record::checkpoint::{damaged, hex, one};
 use tribos_contacts::cd::StepReport;
 
 /// Totals of a run.

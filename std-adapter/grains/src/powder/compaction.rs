@@ -4,7 +4,7 @@ use super::deposit::{BULK, Deposit, DepositError};
 use super::error::CompactionError;
 use super::outcome::PowderSummary;
 use super::parts::packing;
-use super::press::{PowderBody, Watch, bounds, height};
+use super::press::{PowderBody, PressMonitor, bounds, height};
 use super::start::Start;
 use crate::packing::volume_between;
 use crate::packing::{
@@ -208,7 +208,7 @@ impl PowderSimulation {
             .map(|kept: &PackingCheckpoint<PowderBody, _>| &kept.frozen);
         let begun = (&deposit, &kinds);
         let packing = packing(scene, begun, frozen.or(start.frozen.as_ref()))?;
-        let watch = Watch::starting(deposit.height);
+        let watch = PressMonitor::starting(deposit.height);
         let body = PowderBody::new(scene, deposit);
         let first_contacts = start.contacts;
         let drive = PackingDriver::begin(

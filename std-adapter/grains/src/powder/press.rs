@@ -12,7 +12,7 @@ use nalgebra::Matrix3;
 use serde_json::{Map, Value};
 use std::f64::consts::PI;
 use tribos_base::record::CheckpointError;
-use tribos_base::record::kept::{damaged, hex, numbers};
+use tribos_base::record::checkpoint::{damaged, hex, numbers};
 use tribos_core::contact::SphereBody;
 
 /// Numbers of a window in a checkpoint, and of a stress.
@@ -30,7 +30,7 @@ pub(super) struct PowderBody {
 
 /// What is remembered from step to step.
 #[derive(Debug)]
-pub(super) struct Watch {
+pub(super) struct PressMonitor {
     pub window: Window,
     /// The last complete window, with the piston's height at its end.
     pub complete: Option<(Window, f64)>,
@@ -60,7 +60,7 @@ impl PowderBody {
     }
 
     /// Means over the last complete window, or over the incomplete first one.
-    pub fn means(&self, watch: &Watch, seen: &MeasuredState) -> Means {
+    pub fn means(&self, watch: &PressMonitor, seen: &MeasuredState) -> Means {
         match &watch.complete {
             Some((window, height)) => window.means(*height),
             None => watch.window.means(height(seen)),
@@ -82,7 +82,7 @@ pub(super) fn height(seen: &MeasuredState) -> f64 {
     -seen.packing.walls()[PISTON as usize].place
 }
 
-impl Watch {
+impl PressMonitor {
     /// Nothing seen yet, with the piston at a height.
     pub fn starting(height: f64) -> Self {
         Self {
@@ -114,7 +114,7 @@ impl Watch {
 }
 
 impl Body<{ COLUMNS.len() }> for PowderBody {
-    type Watch = Watch;
+    type Monitor = PressMonitor;
     type Ending = PowderStopReason;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
@@ -130,13 +130,13 @@ impl Body<{ COLUMNS.len() }> for PowderBody {
         bounds(&self.scene)
     }
 
-    fn prepare(&self, watch: &mut Watch, packing: &mut dyn Packing) {
+    fn prepare(&self, watch: &mut PressMonitor, packing: &mut dyn Packing) {
         watch.before.clear();
         watch.before.extend_from_slice(packing.spheres());
     }
 
     /// Updates the stress, and adds it and the forces to the window.
-    fn measure(&self, watch: &mut Watch, seen: &MeasuredState) {
+    fn measure(&self, watch: &mut PressMonitor, seen: &MeasuredState) {
         let radii = seen.packing.radii();
         let volume = self.area() * height(seen);
         watch.stress = Stress::of(&seen.contacts, |contact| branch(contact, radii), volume);
@@ -148,7 +148,7 @@ impl Body<{ COLUMNS.len() }> for PowderBody {
         1.0 - self.porosity(seen)
     }
 
-    fn line(&self, watch: &Watch, seen: &MeasuredState) -> [f64; COLUMNS.len()] {
+    fn line(&self, watch: &PressMonitor, seen: &MeasuredState) -> [f64; COLUMNS.len()] {
         let (time, step) = seen.packing.clock();
         let energy = seen.packing.energy();
         [
@@ -171,7 +171,7 @@ impl Body<{ COLUMNS.len() }> for PowderBody {
     }
 
     /// Closes a full window and applies the criterion of blocked packings.
-    fn is_over(&self, watch: &mut Watch, seen: &MeasuredState) -> bool {
+    fn is_over(&self, watch: &mut PressMonitor, seen: &MeasuredState) -> bool {
         let scene = &self.scene;
         if !watch.window.is_full(scene.piston_mass, scene.load()) {
             return false;
@@ -183,7 +183,7 @@ impl Body<{ COLUMNS.len() }> for PowderBody {
         means.is_blocked(scene.blocked, scene.pressure, self.area())
     }
 
-    fn write_checkpoint(watch: &Watch, map: &mut Map<String, Value>) {
+    fn write_checkpoint(watch: &PressMonitor, map: &mut Map<String, Value>) {
         let complete = watch
             .complete
             .iter()
@@ -196,12 +196,12 @@ impl Body<{ COLUMNS.len() }> for PowderBody {
         map.insert("last_stress".into(), hex(&stress).into());
     }
 
-    fn read(value: &Value) -> Result<Watch, CheckpointError> {
+    fn read(value: &Value) -> Result<PressMonitor, CheckpointError> {
         let read = |numbers: &[f64], name| window(numbers).ok_or_else(|| damaged(name));
         let complete = numbers(value, "complete_window")?;
         let stress = numbers(value, "last_stress")?;
         let stress = <&[f64; TENSORS]>::try_from(stress.as_slice());
-        Ok(Watch {
+        Ok(PressMonitor {
             window: read(&numbers(value, "window")?, "window")?,
             complete: match complete.split_last() {
                 None => None,

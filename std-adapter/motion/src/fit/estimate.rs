@@ -104,7 +104,7 @@ pub struct Fit {
 /// let refused = fit(model.as_ref(), &data, &FitOptions::default());
 /// assert_eq!(refused, Err(FitError::TooFew { points: 1, free: 2 }));
 /// let fixed = vec![("gamma".into(), 0.3), ("alpha".into(), 0.0)];
-/// let refused = fit(model.as_ref(), &data, &FitOptions { fixed, ..Options::default() });
+/// let refused = fit(model.as_ref(), &data, &FitOptions { fixed, ..FitOptions::default() });
 /// assert_eq!(refused, Err(FitError::NothingFree));
 /// # Ok::<(), FitError>(())
 /// ```
@@ -180,7 +180,7 @@ pub fn fit(model: &dyn Model, data: &Measurements, options: &FitOptions) -> Resu
 /// let data = Measurements::steady(vec![1.0, 2.0, 4.0], vec![0.3, 0.2, 0.1], None)?;
 /// let model = law_model(FitLaw::Power, &data)?;
 /// let mut last = None;
-/// let options = FitOptions { starts: 5, ..Options::default() };
+/// let options = FitOptions { starts: 5, ..FitOptions::default() };
 /// fit_watched(model.as_ref(), &data, &options, &mut |progress| last = Some(progress))?;
 /// let FitProgress { points, search, .. } = last.ok_or("no step")?;
 /// assert_eq!((points, search), (3, [5, 5]));

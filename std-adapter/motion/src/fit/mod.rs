@@ -36,15 +36,15 @@
 mod covariance;
 mod data;
 mod estimate;
+mod halton;
 mod jacobian;
-mod judge;
 mod law;
 mod minimise;
 mod parameter;
 mod reduce;
 mod sample;
 mod search;
-mod starts;
+mod standard_errors;
 pub mod support;
 
 #[doc(hidden)]
@@ -61,7 +61,7 @@ pub use parameter::{Model, Range};
 
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
-mod hard;
+mod hard_cases;
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod nist;

@@ -2,11 +2,11 @@
 
 use super::Measurements;
 use super::estimate::{FitError, FitProgress};
+use super::halton::halton;
 use super::jacobian::DifferenceScale;
 use super::minimise::{Minimum, Problem, minimise};
 use super::parameter::{Model, Range};
 use super::sample::{WeightedData, sample};
-use super::starts::halton;
 use nalgebra::DMatrix;
 
 /// Costs that differ relatively by less belong to the same minimum.

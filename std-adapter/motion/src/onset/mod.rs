@@ -11,7 +11,7 @@
 //! ```
 //! use tribos::friction::Patch;
 //! use tribos::onset::{OnsetContact, OnsetSurface};
-//! let contact = OnsetContact { coefficient: 0.4, load: 1.7, radius: 0.04, ..Contact::default() }; // N, m
+//! let contact = OnsetContact { coefficient: 0.4, load: 1.7, radius: 0.04, ..OnsetContact::default() }; // N, m
 //! let surface = OnsetSurface::new(&Patch::Disk, "weibull:m=2".parse()?, &contact, 9)?;
 //! let summary = surface.summary();
 //! assert!((summary.force - 0.4 * 1.7).abs() < 1e-12); // N

@@ -32,7 +32,7 @@ impl DiskScene {
     ///
     /// ```
     /// use tribos::{friction::Evaluation, scene::DiskScene};
-    /// let evaluation = |alpha| DiskScene { alpha, ..SliderScene::default() }.evaluation();
+    /// let evaluation = |alpha| DiskScene { alpha, ..DiskScene::default() }.evaluation();
     /// assert_eq!(evaluation(0.0)?, Evaluation::TableInProgram);
     /// assert_eq!(evaluation(-0.5)?, Evaluation::TableMade);
     /// assert_eq!(evaluation(20.0)?, Evaluation::Series);

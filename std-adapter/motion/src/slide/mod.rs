@@ -3,26 +3,26 @@
 mod any_law;
 mod cost;
 pub mod curling;
+mod friction_work;
 pub mod inverse;
 mod outcome;
 mod path;
 pub mod planar;
 pub(crate) mod scene;
 mod simulation;
-mod spent;
 
 use any_law::run_law;
 #[doc(hidden)]
 pub use cost::EvaluationCost;
 pub(crate) use cost::of_law;
+#[doc(hidden)]
+pub use friction_work::FrictionWork;
 pub use outcome::{SlideStopReason, SlideSummary};
 #[doc(hidden)]
 pub use path::{PATH_COLUMNS, PlanarCourse, PlanarScene, follow_path};
 pub use path::{PathRun, PlanarSummary, run_planar};
 #[doc(hidden)]
 pub use simulation::{COLUMNS, SlideSimulation};
-#[doc(hidden)]
-pub use spent::FrictionWork;
 
 use crate::slide::scene::DiskScene;
 use tribos_base::record::brief;
@@ -38,7 +38,7 @@ use tribos_friction::{FrictionError, Law, Patch, RoundPower, Tier, Visitor, visi
 /// use tribos::scene::DiskScene;
 /// use tribos::slide::{SlideError, run};
 /// // A disk that is at rest after 0.4 s.
-/// let scene = DiskScene { time_step: Some(1e-12), ..SliderScene::default() };
+/// let scene = DiskScene { time_step: Some(1e-12), ..DiskScene::default() };
 /// assert!(matches!(run(&scene, |_| ()), Err(SlideError::TooManySteps { .. })));
 /// ```
 #[derive(Debug, thiserror::Error)]
@@ -166,7 +166,7 @@ pub struct SlideRun {
 ///
 /// ```
 /// use tribos::{scene::DiskScene, slide::run};
-/// let scene = DiskScene { speed: 1.0, spin: 0.0, coefficient: 0.3, ..SliderScene::default() };
+/// let scene = DiskScene { speed: 1.0, spin: 0.0, coefficient: 0.3, ..DiskScene::default() };
 /// let result = run(&scene, |_| ())?;
 /// assert!((result.outcome.distance - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-13);
 /// // On oil: dv/dt = -g (mu + k v), which ends after ln(1 + k v0/mu)/(g k).

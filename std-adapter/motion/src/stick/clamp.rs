@@ -15,7 +15,7 @@
 //! rule: a branch of the loop is the first loading twice as large.
 
 use super::StickError;
-use super::held::{StickSlipRun, StickSlipScene};
+use super::stick_slip_run::{StickSlipRun, StickSlipScene};
 use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::{Map, Value};

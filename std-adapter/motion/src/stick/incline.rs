@@ -9,7 +9,7 @@
 //! ```
 
 use super::StickError;
-use super::held::{StickSlipRun, StickSlipScene};
+use super::stick_slip_run::{StickSlipRun, StickSlipScene};
 use crate::stick::scene::InclineScene;
 use serde_json::{Map, Value};
 use tribos_base::record::json_number;

@@ -6,12 +6,12 @@
 
 pub mod clamp;
 mod error;
-mod held;
 pub mod incline;
 pub(crate) mod scene;
 pub mod spring;
+mod stick_slip_run;
 pub mod turntable;
 
 pub use error::StickError;
 #[doc(hidden)]
-pub use held::{StickSlipRun, StickSlipScene};
+pub use stick_slip_run::{StickSlipRun, StickSlipScene};

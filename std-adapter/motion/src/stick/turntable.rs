@@ -15,10 +15,10 @@
 mod path;
 
 use super::StickError;
-use super::held::{StickSlipRun, StickSlipScene};
+use super::stick_slip_run::{StickSlipRun, StickSlipScene};
 use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
-use path::{Sliding, State};
+use path::{SlideState, State};
 use serde_json::{Map, Value};
 use tribos_base::record::json_number;
 use tribos_core::Real;
@@ -90,7 +90,7 @@ fn watched(
     scene.check()?;
     let table = Table::new(scene)?;
     let release = table.release();
-    let mut sliding: Option<Sliding> = None;
+    let mut sliding: Option<SlideState> = None;
     let mut rows = vec![table.row(0.0, None)];
     let mut left = None;
     for index in 1..=scene.samples {
@@ -192,7 +192,7 @@ impl<'a> Table<'a> {
     }
 
     /// The body that turns with the table, at its release.
-    fn let_go(&self, release: &TurntableSlip) -> Sliding {
+    fn let_go(&self, release: &TurntableSlip) -> SlideState {
         let angle = self.turned(release.time);
         let place = rotated(Vector2::new(self.scene.distance, 0.0), angle);
         let state = State {
@@ -201,7 +201,7 @@ impl<'a> Table<'a> {
             angle,
             twist: self.under(release.time, &place),
         };
-        Sliding {
+        SlideState {
             state,
             next: self.scene.time_step,
             steps: 0,

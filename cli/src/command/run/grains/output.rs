@@ -2,8 +2,8 @@
 
 use crate::command::digits::shown;
 use crate::command::run::files;
-use crate::command::run::order::RunRequest;
 use crate::command::run::powder::states;
+use crate::command::run::request::RunRequest;
 use crate::failure::Failure;
 use tribos::grains::{COLUMNS, GrainsSimulation, GrainsStopReason, GrainsSummary};
 use tribos::powder::STATE;

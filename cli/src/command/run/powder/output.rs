@@ -2,7 +2,7 @@
 
 use crate::command::digits::shown;
 use crate::command::run::files;
-use crate::command::run::order::RunRequest;
+use crate::command::run::request::RunRequest;
 use crate::failure::Failure;
 use tribos::powder::{COLUMNS, PowderSimulation, PowderStopReason, PowderSummary, STATE};
 use tribos::record::{

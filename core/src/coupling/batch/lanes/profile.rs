@@ -3,12 +3,12 @@
 use super::speeds::LaneSpeeds;
 use super::{Lanes, power};
 use crate::coupling::disk::{Disk, pure_spin_torque};
-use crate::coupling::family::moment;
-use crate::coupling::octave::Cell;
+use crate::coupling::equal_speeds::Exponent;
+use crate::coupling::half_octave_table::Cell;
+use crate::coupling::pressure_family::moment;
+use crate::coupling::regime_table::RegimeTables;
 use crate::coupling::round::RoundTable;
-use crate::coupling::side::RegimeTables;
 use crate::coupling::table::{CoulombDisk, Table, in_own_table};
-use crate::coupling::tip::Exponent;
 use crate::coupling::{PowerLawFriction, SmoothProfile};
 use crate::lanes::{Eight, Group, Lanes as _};
 use crate::real::Real;

@@ -33,8 +33,8 @@
 //! and the rest follows from Euler's theorem: the wrench is homogeneous of degree α in the twist.
 
 use super::prepared::PolygonPowerLaw;
-use crate::coupling::flat::far::{EdgePairs, RotatedPressure, TranslatingMotion, by_rule};
-use crate::coupling::flat::two::Pair2;
+use crate::coupling::flat::pair_of_numbers::Pair2;
+use crate::coupling::flat::pole_far::{EdgePairs, RotatedPressure, TranslatingMotion, by_rule};
 use crate::coupling::flat::{Hessian, Reduced};
 use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;

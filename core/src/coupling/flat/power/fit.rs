@@ -1,6 +1,6 @@
 //! Polynomials that are fitted when a law is prepared, and evaluated in four chains.
 
-use crate::coupling::flat::two::Pair2;
+use crate::coupling::flat::pair_of_numbers::Pair2;
 use crate::real::Real;
 
 /// Most terms of a polynomial.

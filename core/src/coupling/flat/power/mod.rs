@@ -16,7 +16,7 @@ mod prepared;
 
 pub use prepared::PolygonPowerLaw;
 
-use super::far::TranslatingMotion;
+use super::pole_far::TranslatingMotion;
 use super::{Hessian, Motion, PatchShape, Reduced, ShapeFriction};
 use crate::law::LawError;
 use crate::patch::outline::{Edge, Polygon, PressureField};

@@ -6,7 +6,7 @@ use rapier3d::prelude::*;
 const SPINS_RAD_S: [f32; 5] = [0.0, 5.0, 12.5, 25.0, 50.0];
 const RATES_HZ: [f32; 2] = [60.0, 240.0];
 
-struct Thrown {
+struct ThrowResult {
     name: &'static str,
     shape: fn() -> ColliderBuilder,
     half_height: f32,
@@ -16,32 +16,32 @@ struct Thrown {
 /// Coefficient of friction of the plates: a deceleration of 3 m/s².
 const PLATE_MU: f32 = 3.0 / GRAVITY;
 
-const BODIES: [Thrown; 5] = [
-    Thrown {
+const BODIES: [ThrowResult; 5] = [
+    ThrowResult {
         name: "box",
         shape: || ColliderBuilder::cuboid(0.05, 0.005, 0.05),
         half_height: 0.005,
         mu: PLATE_MU,
     },
-    Thrown {
+    ThrowResult {
         name: "plank",
         shape: || ColliderBuilder::cuboid(0.1, 0.005, 0.025),
         half_height: 0.005,
         mu: PLATE_MU,
     },
-    Thrown {
+    ThrowResult {
         name: "triangle",
         shape: triangle,
         half_height: 0.005,
         mu: PLATE_MU,
     },
-    Thrown {
+    ThrowResult {
         name: "puck",
         shape: || ColliderBuilder::cylinder(0.01, 0.08),
         half_height: 0.01,
         mu: 0.3,
     },
-    Thrown {
+    ThrowResult {
         name: "tall",
         shape: || ColliderBuilder::cylinder(0.08, 0.08),
         half_height: 0.08,
@@ -59,7 +59,7 @@ fn triangle() -> ColliderBuilder {
     ColliderBuilder::convex_hull(&[0, 1, 2, 3, 4, 5].map(corner)).expect("a prism")
 }
 
-fn print_throw(model: FrictionModel, thrown: &Thrown, rate_hz: f32, spin_rad_s: f32) {
+fn print_throw(model: FrictionModel, thrown: &ThrowResult, rate_hz: f32, spin_rad_s: f32) {
     let mut world = new_world(model, rate_hz, 0.0, thrown.mu);
     let at = Vector::new(0.0, thrown.half_height, 0.0);
     let body = add_body(&mut world, (thrown.shape)(), at, 0.0, thrown.mu);

@@ -2,7 +2,7 @@
 
 use super::passes::{DensityPass, ForcePass, set_slopes};
 use super::*;
-use crate::md::interaction::Wanted;
+use crate::md::interaction::Evaluation;
 use crate::md::lanes::{self, LaneLoop};
 use crate::md::neighbours::VerletList;
 use nalgebra::Vector3;
@@ -32,7 +32,10 @@ fn bits(law: &SuttonChen, is_plain: bool) -> Vec<u64> {
         bits.push(energy.to_bits());
         bits.extend(chunk.sites().iter().map(|site| site.density().to_bits()));
         set_slopes(chunk, &jets);
-        let tally = go(ForcePass::<SuttonChen>::new(chunk, Wanted::Sums), is_plain);
+        let tally = go(
+            ForcePass::<SuttonChen>::new(chunk, Evaluation::Sums),
+            is_plain,
+        );
         let forces = chunk.sites().iter().flat_map(|site| site.force);
         bits.extend(forces.chain(tally.virial.iter().copied()).map(f64::to_bits));
     }

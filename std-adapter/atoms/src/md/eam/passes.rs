@@ -2,7 +2,7 @@
 //! of a pair, so that the last needs neither roots nor powers.
 
 use super::Functions;
-use crate::md::interaction::{Tally, Wanted};
+use crate::md::interaction::{Evaluation, Tally};
 use crate::md::lanes::{self, LaneLoop, Lanes, across, spread, ways};
 use crate::md::neighbours::{Chunk, LANES, Site, VerletList};
 use nalgebra::{Matrix3, Vector3};
@@ -14,7 +14,7 @@ pub(super) fn forces<F: Functions>(
     law: &F,
     list: &mut VerletList,
     forces: &mut [Vector3<f64>],
-    wanted: Wanted,
+    wanted: Evaluation,
 ) -> Tally {
     let chunks = list.chunks_mut();
     let energies: Vec<f64> = chunks
@@ -36,11 +36,11 @@ pub(super) fn forces<F: Functions>(
         }
     }
     match wanted {
-        Wanted::Forces => Tally {
+        Evaluation::Forces => Tally {
             energy: f64::NAN,
             virial: Matrix3::repeat(f64::NAN),
         },
-        Wanted::Sums => Tally {
+        Evaluation::Sums => Tally {
             energy: jets.iter().map(|[energy, _]| energy).sum::<f64>()
                 + energies.iter().sum::<f64>(),
             virial: tallies.iter().map(|part| part.virial).sum(),
@@ -140,11 +140,11 @@ pub(super) fn set_slopes(chunk: &mut Chunk, jets: &[[f64; 2]]) {
 pub(super) struct ForcePass<'a, F> {
     law: PhantomData<F>,
     chunk: &'a mut Chunk,
-    wanted: Wanted,
+    wanted: Evaluation,
 }
 
 impl<'a, F> ForcePass<'a, F> {
-    pub(super) fn new(chunk: &'a mut Chunk, wanted: Wanted) -> Self {
+    pub(super) fn new(chunk: &'a mut Chunk, wanted: Evaluation) -> Self {
         let law = PhantomData;
         Self { law, chunk, wanted }
     }
@@ -188,7 +188,7 @@ impl<F: Functions> LaneLoop for ForcePass<'_, F> {
                     *sum = *sum + pull;
                 }
                 N::take(key, sites, block, pull);
-                if wanted == Wanted::Sums {
+                if wanted == Evaluation::Sums {
                     for (row, way) in virial.iter_mut().zip(way) {
                         for (sum, pull) in row.iter_mut().zip(pull) {
                             *sum = *sum + way * pull;

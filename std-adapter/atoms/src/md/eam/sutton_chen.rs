@@ -1,7 +1,7 @@
 //! The closed form of Sutton & Chen (1990), Philos. Mag. Lett. 61, 139.
 
 use super::{Functions, Jet, LanesOfJets, PairJets, crystal, passes};
-use crate::md::interaction::{Interaction, Tally, Wanted};
+use crate::md::interaction::{Evaluation, Interaction, Tally};
 use crate::md::lanes::Lanes;
 use crate::md::neighbours::{LANES, VerletList};
 use nalgebra::Vector3;
@@ -64,7 +64,7 @@ const MOST_EXPONENT: u32 = 64;
 /// # use tribos::md::{atoms::Atoms, neighbours::VerletList};
 /// # use tribos::space::PeriodicBox;
 /// use tribos::md::eam::{SuttonChen, SuttonChenError, SuttonChenParameters};
-/// use tribos::md::interaction::{Interaction, Wanted, evaluate};
+/// use tribos::md::interaction::{Interaction, Evaluation, evaluate};
 /// let given = SuttonChenParameters {
 ///     epsilon: 0.012382, // copper: eV and Å
 ///     a: 3.61,
@@ -79,7 +79,7 @@ const MOST_EXPONENT: u32 = 64;
 /// # let mut list = VerletList::new(PeriodicBox::OPEN, copper.cutoff(), 0.3)?;
 /// # let mut forces = Vec::new();
 /// let pair = Atoms::at(vec![Vector3::zeros(), Vector3::x() * 2.3]);
-/// let energy = evaluate(&copper, &mut list, &pair, &mut forces, Wanted::Sums)?.energy;
+/// let energy = evaluate(&copper, &mut list, &pair, &mut forces, Evaluation::Sums)?.energy;
 /// let cube = (copper.parameters().a / 2.3).powi(3);
 /// assert!((energy - 0.012382 * (cube.powi(3) - 2.0 * 39.432 * cube)).abs() < 1e-13);
 /// // Exponents that would not repel at short range are refused.
@@ -226,7 +226,12 @@ impl Interaction for SuttonChen {
         1
     }
 
-    fn forces(&self, list: &mut VerletList, onto: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
+    fn forces(
+        &self,
+        list: &mut VerletList,
+        onto: &mut [Vector3<f64>],
+        wanted: Evaluation,
+    ) -> Tally {
         passes::forces(self, list, onto, wanted)
     }
 }

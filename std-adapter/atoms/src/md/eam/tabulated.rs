@@ -3,7 +3,7 @@
 use super::file::{ElementError, PotentialFile};
 use super::spline::{Grid, Spline};
 use super::{Functions, Jet, LanesOfJets, PairJets, crystal, passes};
-use crate::md::interaction::{Interaction, Tally, Wanted};
+use crate::md::interaction::{Evaluation, Interaction, Tally};
 use crate::md::lanes::Lanes;
 use crate::md::neighbours::{LANES, VerletList};
 use nalgebra::Vector3;
@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 /// # use tribos::md::{atoms::Atoms, neighbours::VerletList};
 /// # use tribos::space::PeriodicBox;
 /// use tribos::md::eam::{Tabulated, file::{Element, ElementError, PotentialFile}};
-/// use tribos::md::interaction::{Interaction, Wanted, evaluate};
+/// use tribos::md::interaction::{Interaction, Evaluation, evaluate};
 /// // Straight lines, which the interpolation meets: F = −ρ, ρ = 5 − r and rφ = 5 − r.
 /// let line = |from: f64, step: f64| (0..=10).map(|k| from + step * f64::from(k)).collect();
 /// let file = PotentialFile {
@@ -31,7 +31,7 @@ use nalgebra::Vector3;
 /// # let mut list = VerletList::new(PeriodicBox::OPEN, potential.cutoff(), 0.3)?;
 /// # let mut forces = Vec::new();
 /// let pair = Atoms::at(vec![Vector3::zeros(), Vector3::x() * 2.0]);
-/// let energy = evaluate(&potential, &mut list, &pair, &mut forces, Wanted::Sums)?.energy;
+/// let energy = evaluate(&potential, &mut list, &pair, &mut forces, Evaluation::Sums)?.energy;
 /// assert!((energy - (-3.0 - 3.0 + 3.0 / 2.0)).abs() < 1e-14);
 /// // An element that the file has not.
 /// let refused = Tabulated::new(&file, &[1]);
@@ -155,7 +155,12 @@ impl Interaction for Tabulated {
         self.densities.len()
     }
 
-    fn forces(&self, list: &mut VerletList, onto: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
+    fn forces(
+        &self,
+        list: &mut VerletList,
+        onto: &mut [Vector3<f64>],
+        wanted: Evaluation,
+    ) -> Tally {
         passes::forces(self, list, onto, wanted)
     }
 }

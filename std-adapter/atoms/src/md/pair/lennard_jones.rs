@@ -1,6 +1,6 @@
 //! The Lennard-Jones potential for any number of species.
 
-use super::{Coefficients, LANES, Lanes, Mixing, PairLaw, Shift, Tally, Wanted, forces};
+use super::{Coefficients, Evaluation, LANES, Lanes, Mixing, PairLaw, Shift, Tally, forces};
 use crate::md::atoms::MOST_SPECIES;
 use crate::md::interaction::Interaction;
 use crate::md::neighbours::{Site, VerletList};
@@ -179,7 +179,12 @@ impl Interaction for LennardJones {
         self.species
     }
 
-    fn forces(&self, list: &mut VerletList, onto: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
+    fn forces(
+        &self,
+        list: &mut VerletList,
+        onto: &mut [Vector3<f64>],
+        wanted: Evaluation,
+    ) -> Tally {
         // Separate loops: one species needs no table, an unshifted force no square root.
         let many = MultiSpecies {
             species: self.species,

@@ -14,13 +14,13 @@ pub use lennard_jones::{LennardJones, LennardJonesError, Pairing};
 #[doc(hidden)]
 pub use mixing::Mixing;
 
-use super::interaction::{Tally, Wanted};
+use super::interaction::{Evaluation, Tally};
 use super::lanes::{self, LaneLoop, Lanes, across, spread, ways};
 use super::neighbours::{Chunk, LANES, Site, VerletList};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use std::marker::PhantomData;
-use sums::{Accumulator, ForcesOnly, Sums, Totals};
+use sums::{Accumulator, ForcesOnly, PairSums, Totals};
 
 /// A central force with a cut-off.
 trait PairLaw: Sync {
@@ -45,14 +45,14 @@ fn forces<L: PairLaw>(
     law: &L,
     list: &mut VerletList,
     forces: &mut [Vector3<f64>],
-    wanted: Wanted,
+    wanted: Evaluation,
 ) -> Tally {
     let chunks = list.chunks_mut();
     let tallies: Vec<Tally> = chunks
         .par_iter_mut()
         .map(|chunk| match wanted {
-            Wanted::Forces => lanes::run(Loop::<L, ForcesOnly>::new(law, chunk)),
-            Wanted::Sums => lanes::run(Loop::<L, Totals>::new(law, chunk)),
+            Evaluation::Forces => lanes::run(Loop::<L, ForcesOnly>::new(law, chunk)),
+            Evaluation::Sums => lanes::run(Loop::<L, Totals>::new(law, chunk)),
         })
         .collect();
     for chunk in &*chunks {

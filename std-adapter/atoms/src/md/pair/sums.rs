@@ -6,11 +6,11 @@ use nalgebra::Matrix3;
 /// What a loop sums.
 pub(super) trait Accumulator: Send {
     /// The sums while the loop runs.
-    type Sums<N: Lanes>: Sums<N>;
+    type Sums<N: Lanes>: PairSums<N>;
 }
 
 /// Accumulates the contributions of blocks of pairs.
-pub(super) trait Sums<N> {
+pub(super) trait PairSums<N> {
     fn new(zero: N) -> Self;
 
     /// Adds a block; the energy is computed only if it is summed.
@@ -27,7 +27,7 @@ impl Accumulator for ForcesOnly {
     type Sums<N: Lanes> = Self;
 }
 
-impl<N: Lanes> Sums<N> for ForcesOnly {
+impl<N: Lanes> PairSums<N> for ForcesOnly {
     #[inline(always)]
     fn new(_: N) -> Self {
         Self
@@ -61,7 +61,7 @@ pub(super) struct LaneTotals<N> {
 /// Axes of displacement and force in each component of the virial.
 const AXES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
 
-impl<N: Lanes> Sums<N> for LaneTotals<N> {
+impl<N: Lanes> PairSums<N> for LaneTotals<N> {
     #[inline(always)]
     fn new(zero: N) -> Self {
         let (energy, virial) = (zero, [zero; 6]);

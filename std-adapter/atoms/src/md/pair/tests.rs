@@ -88,7 +88,7 @@ fn forces_are_those_of_all_pairs() {
     }
     assert!(!list.update(&places, &[0; 700]).expect("few atoms"));
     let mut forces = vec![Vector3::zeros(); places.len()];
-    law.forces(&mut list, &mut forces, Wanted::Forces);
+    law.forces(&mut list, &mut forces, Evaluation::Forces);
     for (atom, force) in forces.iter().enumerate() {
         let (mut sum, mut size) = (Vector3::zeros(), 0.0);
         for other in (0..places.len()).filter(|&other| other != atom) {

@@ -10,7 +10,7 @@ pub use error::SystemError;
 use super::atoms::Atoms;
 use super::drive::TorqueDrive;
 use super::group::Group;
-use super::interaction::{Interaction, Tally, Wanted, evaluate};
+use super::interaction::{Evaluation, Interaction, Tally, evaluate};
 use super::neighbours::VerletList;
 use super::support::Support;
 use super::thermostat::Thermostat;
@@ -57,7 +57,7 @@ pub struct Setup<I> {
 /// ```
 /// # use nalgebra::Vector3;
 /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
-/// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
+/// # use tribos::md::{atoms::Atoms, group::Group, interaction::Evaluation};
 /// # use tribos::space::PeriodicBox;
 /// use tribos::md::system::{Integrator, Setup, State, System};
 /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
@@ -76,11 +76,11 @@ pub struct Setup<I> {
 /// # };
 /// // A run that is broken off after ten of twenty steps, and one that is not.
 /// let (mut whole, mut first) = (System::new(setup())?, System::new(setup())?);
-/// (0..20).try_for_each(|_| whole.step(Wanted::Forces))?;
-/// (0..10).try_for_each(|_| first.step(Wanted::Forces))?;
+/// (0..20).try_for_each(|_| whole.step(Evaluation::Forces))?;
+/// (0..10).try_for_each(|_| first.step(Evaluation::Forces))?;
 /// let kept: State = first.state();
 /// let mut second = System::resume(setup(), kept)?;
-/// (0..10).try_for_each(|_| second.step(Wanted::Forces))?;
+/// (0..10).try_for_each(|_| second.step(Evaluation::Forces))?;
 /// assert_eq!(second.state(), whole.state()); // every bit
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -113,7 +113,7 @@ pub struct Exchange {
 /// use nalgebra::Vector3;
 /// use tribos::md::pair::{LennardJones, Pairing, Shift};
 /// use tribos::md::system::{Integrator, Setup, System};
-/// use tribos::md::{atoms::Atoms, group::Group, interaction::{Interaction, Wanted}};
+/// use tribos::md::{atoms::Atoms, group::Group, interaction::{Interaction, Evaluation}};
 /// use tribos::space::PeriodicBox;
 /// // Pair2 atoms, a little farther apart than r₀ = 2^(1/6), where U'' = 72/r₀²: they vibrate with
 /// // ω = √(2 U''/m) = 12/r₀.
@@ -137,10 +137,10 @@ pub struct Exchange {
 ///     (places[1] - places[0]).norm() - bond
 /// };
 /// while system.time() + 0.5 * system.time_step() < 0.5 * period {
-///     system.step(Wanted::Forces)?;
+///     system.step(Evaluation::Forces)?;
 /// }
 /// assert!((stretch(&system) + 1e-4).abs() < 1e-6); // after half a period as much too near
-/// system.step(Wanted::Sums)?;
+/// system.step(Evaluation::Sums)?;
 /// assert!((system.tally().energy + 1.0).abs() < 1e-6);
 /// assert_eq!(system.forces()[0], -system.forces()[1]);
 /// assert_eq!((system.groups().len(), system.members(0)), (1, &[0, 1][..]));
@@ -171,7 +171,7 @@ impl<I: Interaction> System<I> {
     /// Checks everything and computes the first forces.
     pub fn new(setup: Setup<I>) -> Result<Self, SystemError> {
         let mut system = Self::assemble(setup)?;
-        system.compute(Wanted::Sums)?;
+        system.compute(Evaluation::Sums)?;
         system.refuse_overlaps()?;
         if system.integrator == Integrator::LeapFrog {
             let half = 0.5 * system.time_step;
@@ -193,7 +193,7 @@ impl<I: Interaction> System<I> {
             }
         }
         system.list.build(&state.reference, &system.atoms.species)?;
-        system.compute(Wanted::Sums)?;
+        system.compute(Evaluation::Sums)?;
         Ok(system)
     }
 
@@ -236,7 +236,7 @@ impl<I: Interaction> System<I> {
     }
 
     /// Computes the forces at the current positions.
-    fn compute(&mut self, wanted: Wanted) -> Result<(), SystemError> {
+    fn compute(&mut self, wanted: Evaluation) -> Result<(), SystemError> {
         self.tally = evaluate(
             &self.interaction,
             &mut self.list,
@@ -292,7 +292,7 @@ impl<I: Interaction> System<I> {
     /// ```
     /// # use nalgebra::Vector3;
     /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
-    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
+    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Evaluation};
     /// # use tribos::space::PeriodicBox;
     /// # use tribos::md::{drive::TorqueDrive, system::{Integrator, Setup, System}};
     /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
@@ -312,14 +312,14 @@ impl<I: Interaction> System<I> {
     /// let (axis, acceleration) = ([0.0; 2], 0.1);
     /// let groups = vec![0];
     /// system.set_drive(Some(TorqueDrive { axis, acceleration, from: 0.0, until: 9.0, groups }));
-    /// (0..20).try_for_each(|_| system.step(Wanted::Forces))?;
+    /// (0..20).try_for_each(|_| system.step(Evaluation::Forces))?;
     /// let speed = 2.0 * acceleration * system.time();
     /// for &atom in system.members(0) {
     ///     assert!((system.atoms().velocities[atom].norm() - speed).abs() < 1e-6);
     /// }
     /// system.set_drive(None);
     /// let driven = system.atoms().velocities.clone();
-    /// system.step(Wanted::Forces)?;
+    /// system.step(Evaluation::Forces)?;
     /// assert!(system.drive().is_none() && system.atoms().velocities == driven);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -337,7 +337,7 @@ impl<I: Interaction> System<I> {
     /// ```
     /// # use nalgebra::Vector3;
     /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
-    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
+    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Evaluation};
     /// # use tribos::md::{support::Support, system::{Integrator, Setup, System}};
     /// # use tribos::space::PeriodicBox;
     /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
@@ -366,7 +366,7 @@ impl<I: Interaction> System<I> {
     /// });
     /// let mut work = 0.0;
     /// for _ in 0..200 {
-    ///     system.step(Wanted::Forces)?;
+    ///     system.step(Evaluation::Forces)?;
     ///     work += system.exchange().work;
     /// }
     /// let time = system.time();

@@ -2,7 +2,7 @@
 
 use super::{Exchange, Integrator, System, SystemError};
 use crate::md::group::MotionConstraint;
-use crate::md::interaction::{Interaction, Wanted};
+use crate::md::interaction::{Evaluation, Interaction};
 use crate::md::thermostat::Thermostat;
 use nalgebra::Vector3;
 
@@ -12,7 +12,7 @@ impl<I: Interaction> System<I> {
     /// Velocity Verlet: thermostats and damping for Δt/2, kick Δt/2, drift Δt, forces, kick Δt/2,
     /// thermostats and damping Δt/2 (Tuckerman, Berne & Martyna 1992); leap-frog the same, cut
     /// before the drift. Langevin noise acts in the middle of the drift.
-    pub fn step(&mut self, wanted: Wanted) -> Result<(), SystemError> {
+    pub fn step(&mut self, wanted: Evaluation) -> Result<(), SystemError> {
         let half = 0.5 * self.time_step;
         self.exchange = Exchange::default();
         let begin = self.support_at();
@@ -44,7 +44,7 @@ impl<I: Interaction> System<I> {
     /// ```
     /// # use nalgebra::Vector3;
     /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
-    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
+    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Evaluation};
     /// # use tribos::space::PeriodicBox;
     /// # use tribos::md::system::{Integrator, Setup, System};
     /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
@@ -62,7 +62,7 @@ impl<I: Interaction> System<I> {
     /// #     drive: None,
     /// #     seed: 1,
     /// })?;
-    /// (0..10).try_for_each(|_| system.step(Wanted::Forces))?;
+    /// (0..10).try_for_each(|_| system.step(Evaluation::Forces))?;
     /// let time = system.time();
     /// assert!((system.atoms().velocities[0].z + 2.0 * (time - 0.005)).abs() < 1e-15);
     /// assert!((system.velocities_on_step()[0].z + 2.0 * time).abs() < 1e-15);

@@ -99,7 +99,7 @@ impl<I: Interaction> System<I> {
     /// ```
     /// # use nalgebra::Vector3;
     /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
-    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
+    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Evaluation};
     /// # use tribos::space::PeriodicBox;
     /// # use tribos::md::system::{Integrator, Setup, System};
     /// # use tribos::md::thermostat::{NoseHoover, RotationBias, Thermostat};

@@ -73,7 +73,7 @@ pub struct Bodies {
     pub densities: Vec<f64>,
     /// Layer of each body from below; empty if there are none.
     pub layers: Vec<u16>,
-    /// Part of each body, as an index into `tip::Part::ALL`; empty if there are none.
+    /// Part of each body, as an index into `tip::AtomRole::ALL`; empty if there are none.
     pub parts: Vec<u8>,
     /// Bodies that are drawn in another colour.
     pub marked: Vec<u32>,

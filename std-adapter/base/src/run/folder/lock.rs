@@ -16,7 +16,7 @@ const MOST_LETTERS: usize = 200;
 
 /// Whether others may work in the folder at the same time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sharing {
+pub enum LockMode {
     /// Nobody else.
     Alone,
     /// Other processes that share it too: parts of a sweep.
@@ -30,7 +30,7 @@ pub struct Lock {
     path: PathBuf,
     /// The locked file; `None` if the file system has no locks.
     file: Option<File>,
-    sharing: Sharing,
+    sharing: LockMode,
 }
 
 /// Result of an attempt to lock.
@@ -44,7 +44,7 @@ pub enum LockOutcome {
 
 impl Lock {
     /// Locks a folder, which is created if missing.
-    pub fn take(folder: &Path, sharing: Sharing) -> Result<Self, FolderError> {
+    pub fn take(folder: &Path, sharing: LockMode) -> Result<Self, FolderError> {
         match Self::attempt(folder, sharing)? {
             LockOutcome::Taken(lock) => Ok(lock),
             LockOutcome::InUse(told) => Err(FolderError::Refused(format!(
@@ -54,7 +54,7 @@ impl Lock {
     }
 
     /// Locks a folder, which is created if missing, unless another process holds the lock.
-    pub fn attempt(folder: &Path, sharing: Sharing) -> Result<LockOutcome, FolderError> {
+    pub fn attempt(folder: &Path, sharing: LockMode) -> Result<LockOutcome, FolderError> {
         let path = folder.join(NAME);
         let fail = |error| FolderError::access("lock", folder, error);
         if folder.exists() && !folder.is_dir() {
@@ -73,8 +73,8 @@ impl Lock {
                 .open(&path)
                 .map_err(fail)?;
             let taken = match sharing {
-                Sharing::Alone => file.try_lock(),
-                Sharing::Shared => file.try_lock_shared(),
+                LockMode::Alone => file.try_lock(),
+                LockMode::Shared => file.try_lock_shared(),
             };
             let file = match taken {
                 Ok(()) if !is_at(&file, &path) => continue,
@@ -120,9 +120,9 @@ impl Lock {
     fn is_own(&self) -> bool {
         let file = self.file.as_ref();
         file.is_none_or(|file| match self.sharing {
-            Sharing::Alone => is_still_at(file, &self.path),
+            LockMode::Alone => is_still_at(file, &self.path),
             // Other processes that share the lock sign it too.
-            Sharing::Shared => is_at(file, &self.path),
+            LockMode::Shared => is_at(file, &self.path),
         })
     }
 }
@@ -138,7 +138,7 @@ impl Drop for Lock {
     /// The file goes while it is locked: whoever opened it before sees that it is gone. One that is
     /// shared stays for the others, and one that another command has made since for that.
     fn drop(&mut self) {
-        if self.file.is_some() && self.sharing == Sharing::Alone && self.is_own() {
+        if self.file.is_some() && self.sharing == LockMode::Alone && self.is_own() {
             let _ = std::fs::remove_file(&self.path);
         }
     }
@@ -272,8 +272,8 @@ mod tests {
     fn a_folder_is_for_one_or_for_those_that_share_it() -> Result<(), Box<dyn std::error::Error>> {
         let home = tempfile::tempdir()?;
         let folder = home.path().join("out");
-        let alone = Lock::take(&folder, Sharing::Alone)?;
-        let Err(FolderError::Refused(told)) = Lock::take(&folder, Sharing::Shared) else {
+        let alone = Lock::take(&folder, LockMode::Alone)?;
+        let Err(FolderError::Refused(told)) = Lock::take(&folder, LockMode::Shared) else {
             unreachable!("locked");
         };
         let process = format!("process {}", std::process::id());
@@ -284,15 +284,15 @@ mod tests {
         drop(alone);
         // Nothing is left behind.
         assert_eq!(std::fs::read_dir(&folder)?.count(), 0);
-        let parts = [(); 2].map(|()| Lock::take(&folder, Sharing::Shared));
+        let parts = [(); 2].map(|()| Lock::take(&folder, LockMode::Shared));
         assert!(parts.iter().all(Result::is_ok));
-        assert!(Lock::take(&folder, Sharing::Alone).is_err());
+        assert!(Lock::take(&folder, LockMode::Alone).is_err());
         drop(parts);
-        assert!(Lock::take(&folder, Sharing::Alone).is_ok());
+        assert!(Lock::take(&folder, LockMode::Alone).is_ok());
         // A file that a killed process left is no lock.
         std::fs::write(folder.join(NAME), "process 1")?;
-        assert!(Lock::take(&folder, Sharing::Alone).is_ok());
-        assert!(Lock::take(&folder.join("x/y"), Sharing::Alone).is_ok());
+        assert!(Lock::take(&folder, LockMode::Alone).is_ok());
+        assert!(Lock::take(&folder.join("x/y"), LockMode::Alone).is_ok());
         Ok(())
     }
 
@@ -300,12 +300,12 @@ mod tests {
     fn a_folder_that_is_moved_or_remade_is_lost() -> Result<(), Box<dyn std::error::Error>> {
         let home = tempfile::tempdir()?;
         let folder = home.path().join("out");
-        let lock = Lock::take(&folder, Sharing::Alone)?;
+        let lock = Lock::take(&folder, LockMode::Alone)?;
         lock.check()?;
         std::fs::rename(&folder, home.path().join("moved"))?;
         assert!(matches!(lock.check(), Err(FolderError::Access(_))));
         // The lock of another command there stays when this one ends.
-        let other = Lock::take(&folder, Sharing::Alone)?;
+        let other = Lock::take(&folder, LockMode::Alone)?;
         assert!(lock.check().is_err());
         drop(lock);
         assert!(folder.join(NAME).exists());

@@ -7,12 +7,12 @@
 mod error;
 mod lock;
 mod manifest;
-mod worth;
+mod overwrite_guard;
 
 pub use error::FolderError;
-pub use lock::{Lock, LockOutcome, Sharing};
+pub use lock::{Lock, LockMode, LockOutcome};
 pub use manifest::Manifest;
-pub use worth::{InterruptedRunPolicy, is_finished};
+pub use overwrite_guard::{InterruptedRunPolicy, is_finished};
 
 use crate::record::frames::FrameFolder;
 use crate::record::{is_unfinished, write_atomically_there};
@@ -59,13 +59,13 @@ pub struct OutputFolder {
 impl OutputFolder {
     /// The folder for a new result, created if missing; files of an earlier result are removed.
     pub fn begin(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
-        let lock = Lock::take(path, Sharing::Alone)?;
+        let lock = Lock::take(path, LockMode::Alone)?;
         Self::claim(lock, contents, |_| false)
     }
 
     /// The folder of the same command and subject, whose files are kept, or else a folder for a new result.
     pub fn reopen(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
-        Self::reopen_locked(Lock::take(path, Sharing::Alone)?, contents)
+        Self::reopen_locked(Lock::take(path, LockMode::Alone)?, contents)
     }
 
     /// The same for a folder that is already locked.
@@ -93,7 +93,7 @@ impl OutputFolder {
         let names = old.as_ref().map_or(&[][..], |old| &old.files);
         let kept = old.as_ref().filter(|old| stays(old));
         if let (Some(old), None) = (&old, kept) {
-            worth::refuse_overwrite(path, old, contents)?;
+            overwrite_guard::refuse_overwrite(path, old, contents)?;
         }
         refuse_foreign_files(path, contents.files, names)?;
         refuse_foreign_files(path, contents.later, names)?;

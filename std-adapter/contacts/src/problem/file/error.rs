@@ -7,12 +7,12 @@ use std::path::PathBuf;
 /// A file of a contact problem could not be read or written.
 ///
 /// ```
-/// use tribos::problem::{Place, ContactProblem};
+/// use tribos::problem::{FilePosition, ContactProblem};
 /// let home = tempfile::tempdir()?;
 /// let path = home.path().join("fall.dat");
 /// std::fs::write(&path, "3\n1\n0\n3 x")?;
 /// let error = ContactProblem::read(&path).unwrap_err();
-/// assert!(matches!(error.place, Place::Line(4)));
+/// assert!(matches!(error.place, FilePosition::Line(4)));
 /// assert!(error.to_string().contains("fall.dat, line 4: the number of rows is 3, not at most 2"));
 /// # Ok::<(), std::io::Error>(())
 /// ```
@@ -22,18 +22,18 @@ pub struct ProblemFileError {
     /// Path of the file.
     pub path: PathBuf,
     /// Where in the file.
-    pub place: Place,
+    pub place: FilePosition,
     /// What is wrong there, and what would be valid.
     #[source]
     pub fault: Box<Fault>,
 }
 
 /// A fault and its place, before the file's path is known.
-pub(super) type LocatedFault = (Place, Fault);
+pub(super) type LocatedFault = (FilePosition, Fault);
 
 /// Where in a file something is wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum FilePosition {
     /// The file as a whole.
     File,
     /// A line of text, from 1.
@@ -42,7 +42,7 @@ pub enum Place {
     Dataset(String),
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for FilePosition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::File => Ok(()),

@@ -6,7 +6,7 @@ mod siconos;
 #[cfg(test)]
 mod tests;
 
-pub use error::{Fault, Place, ProblemFileError};
+pub use error::{Fault, FilePosition, ProblemFileError};
 
 use super::{ContactComponents, ContactThresholds, GlobalProblem, ProblemError, ReducedProblem};
 use std::path::Path;
@@ -69,7 +69,7 @@ impl ContactProblem {
     pub fn read(path: &Path) -> Result<Self, ProblemFileError> {
         let parsed = match std::fs::read(path) {
             Ok(bytes) => Self::parse(&bytes),
-            Err(cause) => Err((Place::File, Fault::Read(cause))),
+            Err(cause) => Err((FilePosition::File, Fault::Read(cause))),
         };
         parsed.map_err(|(place, fault)| ProblemFileError {
             path: path.to_path_buf(),
@@ -84,7 +84,7 @@ impl ContactProblem {
         }
         match std::str::from_utf8(bytes) {
             Ok(text) => siconos::read(text),
-            Err(_) => Err((Place::File, Fault::NeitherFormat)),
+            Err(_) => Err((FilePosition::File, Fault::NeitherFormat)),
         }
     }
 
@@ -98,7 +98,8 @@ impl ContactProblem {
             ProblemFormat::SiconosText => siconos::write(self).map(String::into_bytes),
         };
         let written = bytes.and_then(|bytes| {
-            write_atomically(path, &bytes).map_err(|error| (Place::File, Fault::Write(error.cause)))
+            write_atomically(path, &bytes)
+                .map_err(|error| (FilePosition::File, Fault::Write(error.cause)))
         });
         written.map_err(|(place, fault)| ProblemFileError {
             path: path.to_path_buf(),

@@ -5,7 +5,7 @@ use super::super::{
     SparseMatrix,
 };
 use super::super::{residual, solve};
-use super::{ContactProblem, Fault, Place, ProblemFileError, ProblemFormat};
+use super::{ContactProblem, Fault, FilePosition, ProblemFileError, ProblemFormat};
 use std::path::Path;
 use tribos_base::random::Random;
 
@@ -339,7 +339,7 @@ fn refusals_say_where_and_what_would_be_valid() {
     let binary = parsed(&[0xff, 0xfe, 0]).unwrap_err();
     assert!(matches!(*binary.fault, Fault::NeitherFormat));
     let absent = ContactProblem::read(Path::new("/no/such/file")).unwrap_err();
-    assert!(matches!(*absent.fault, Fault::Read(_)) && absent.place == Place::File);
+    assert!(matches!(*absent.fault, Fault::Read(_)) && absent.place == FilePosition::File);
 }
 
 #[test]

@@ -1,16 +1,16 @@
 //! Solvers of contact problems, and the policy that chooses among them.
 
-mod asked;
+mod automatic;
 mod blocks;
 mod bodies;
 mod cone;
+mod delassus_block;
 mod factor;
 mod gradient;
 mod interior;
-mod local;
 mod natural;
 mod newton;
-mod policy;
+mod options;
 mod prepared;
 mod proof;
 mod proximal;
@@ -21,6 +21,6 @@ mod system;
 #[cfg(test)]
 mod tests;
 
-pub use asked::{ProblemMethod, Solution, SolverOptions, SolverProgress, SolverStatus};
-pub use policy::solve;
-pub(crate) use policy::solve_directly;
+pub use automatic::solve;
+pub(crate) use automatic::solve_directly;
+pub use options::{ProblemMethod, Solution, SolverOptions, SolverProgress, SolverStatus};

@@ -4,7 +4,7 @@
 //! with all others held; the next sweep starts from a point extrapolated along the last step.
 
 use super::cone::{Cone, Local, Square};
-use super::local::{DelassusBlock, solve_contact, solve_three};
+use super::delassus_block::{DelassusBlock, solve_contact, solve_three};
 use super::prepared::Prepared;
 
 /// Factor that a restart applies to the age of the momentum.

@@ -115,7 +115,7 @@ pub enum DepositTarget {
 /// assert!(contacts.iter().all(|row| row.gap.abs() < 1e-12));
 /// let lying = contacts.iter().filter(|row| row.b == Partner::Wall(SUBSTRATE)).count();
 /// assert_eq!(lying, deposit.parents.iter().filter(|parent| parent.is_none()).count());
-/// // Ready for a file.
+/// // PreparedTrial for a file.
 /// assert_eq!(deposit.snapshot(&contacts).check(), Ok(()));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -9,12 +9,12 @@
 //! to the measured one, with the spin in units of a length ([`SupportFit::length`]). Fitted models are
 //! cross-validated in 5 parts: push i belongs to part i mod 5, and is foretold by a model of the other four.
 
-mod form;
-mod least;
+mod convex_form;
+mod nnls;
 mod nodes;
 mod points;
 
-use form::ConvexForm;
+use convex_form::ConvexForm;
 use nalgebra::Vector3;
 use points::Points;
 use tribos_core::Real;

@@ -1,6 +1,6 @@
 //! A foot that stands on points: the limit surface is the sum of their discs.
 
-use super::least::Normal;
+use super::nnls::Normal;
 use super::{Model, Row, size};
 use nalgebra::{DVector, Matrix3, Vector2, Vector3};
 use tribos_core::Real;

@@ -23,7 +23,7 @@ mod pivot_slide;
 mod ring_rule;
 mod rock;
 mod scratch_guide;
-mod sideways;
+mod side_force;
 
 pub use back_heavy::BackHeavy;
 pub use dry::Dry;

@@ -1,6 +1,6 @@
 //! Guidance by scratches in the ice.
 
-use super::sideways::{Mechanism, RockWithSideForce};
+use super::side_force::{Mechanism, RockWithSideForce};
 use super::{CurlingModel, CurlingRock, IceLaw};
 use crate::slide::SlideError;
 use crate::slide::planar::Resistance;

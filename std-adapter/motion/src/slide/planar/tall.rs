@@ -3,7 +3,9 @@
 use super::Resistance;
 use crate::slide::SlideError;
 use tribos_core::coupling::RoundFriction;
-use tribos_core::coupling::tall::{FullGradient, LoadTransferFriction, LongitudinalGradient};
+use tribos_core::coupling::load_transfer::{
+    FullGradient, LoadTransferFriction, LongitudinalGradient,
+};
 use tribos_core::law::LawError;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};

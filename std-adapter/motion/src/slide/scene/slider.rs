@@ -41,7 +41,7 @@ scene! {
     ///     gravity: 1.0,
     ///     radius: 1.0,
     ///     mass: 1.0,
-    ///     ..SliderScene::default()
+    ///     ..DiskScene::default()
     /// };
     /// let distance = run(&scene, |_| ())?.outcome.distance; // in radii
     /// assert!((distance - 2.0).abs() < 1e-13); // v²/(2 mu g)

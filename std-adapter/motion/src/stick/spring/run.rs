@@ -140,15 +140,15 @@ fn coefficients(law: &Law) -> Option<[f64; 2]> {
 }
 
 /// A pull or a hold.
-struct Piece {
+struct PullOrHold {
     speed: f64,
     duration: f64,
     is_last: bool,
 }
 
 /// Pull, hold, pull, …, each hold longer than the one before.
-fn pieces(scene: &SpringScene) -> Vec<Piece> {
-    let pull = |is_last| Piece {
+fn pieces(scene: &SpringScene) -> Vec<PullOrHold> {
+    let pull = |is_last| PullOrHold {
         speed: scene.pull_speed,
         duration: scene.pull_time,
         is_last,
@@ -158,7 +158,7 @@ fn pieces(scene: &SpringScene) -> Vec<Piece> {
     };
     let mut all = vec![pull(false)];
     for index in 1..=scene.holds {
-        all.push(Piece {
+        all.push(PullOrHold {
             speed: 0.0,
             duration: hold,
             is_last: false,
@@ -213,7 +213,11 @@ impl<'a> SpringRunState<'a> {
     }
 
     /// One piece, with a row at the end of each interval and stops at the quarters.
-    fn follow(&mut self, body: &mut dyn SpringIntegrator, piece: &Piece) -> Result<(), StickError> {
+    fn follow(
+        &mut self,
+        body: &mut dyn SpringIntegrator,
+        piece: &PullOrHold,
+    ) -> Result<(), StickError> {
         let begin = body.moment();
         if piece.speed == 0.0 {
             let (time, before) = (piece.duration, begin.spring_force);
@@ -251,7 +255,7 @@ impl<'a> SpringRunState<'a> {
     fn advance(
         &mut self,
         body: &mut dyn SpringIntegrator,
-        piece: &Piece,
+        piece: &PullOrHold,
         until: f64,
         quarter: Option<usize>,
     ) -> Result<(), StickError> {

@@ -18,7 +18,7 @@ pub(super) struct State {
 
 /// A body that has let go, and the length of its next step.
 #[derive(Clone, Debug)]
-pub(super) struct Sliding {
+pub(super) struct SlideState {
     pub state: State,
     pub next: f64,
     pub steps: u64,
@@ -40,7 +40,7 @@ const MOST_STEPS: u64 = 100_000_000;
 /// Steps between two looks at the watch.
 const BETWEEN: u64 = 1024;
 
-impl Sliding {
+impl SlideState {
     /// Slides on to a time, to the rim of the table at most; returns when it reached that.
     pub fn until(
         &mut self,

@@ -1,7 +1,7 @@
 //! Problems from HDF5: vectors first, because they tell the shapes of the matrices.
 
 use super::super::ContactProblem;
-use super::super::error::{Fault, LocatedFault, Place};
+use super::super::error::{Fault, FilePosition, LocatedFault};
 use super::store::Store;
 use super::{matrix, names};
 use crate::problem::{
@@ -34,7 +34,7 @@ pub(in super::super) fn read(bytes: &[u8]) -> Result<ContactProblem, LocatedFaul
 }
 
 /// The vector that a refusal is about.
-fn place(store: &Store, error: &ProblemError) -> Place {
+fn place(store: &Store, error: &ProblemError) -> FilePosition {
     let name = match *error {
         ProblemError::Law { what, .. } => match what {
             "the friction coefficient" => names::SLIDING,
@@ -45,7 +45,7 @@ fn place(store: &Store, error: &ProblemError) -> Place {
         ProblemError::NotFinite { what: "q" } => "vectors/q",
         ProblemError::NotFinite { what: "f" } => "vectors/f",
         ProblemError::NotFinite { what: "w" } => "vectors/w",
-        _ => return Place::File,
+        _ => return FilePosition::File,
     };
     store.place(name)
 }

@@ -1,6 +1,6 @@
 //! Datasets of a file, checked before memory is taken for them.
 
-use super::super::error::{Fault, LocatedFault, Place};
+use super::super::error::{Fault, FilePosition, LocatedFault};
 use hdf5_pure::{DType, Dataset, File};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -20,17 +20,17 @@ impl Store {
             let names = file.root().groups()?;
             Ok((file, names))
         });
-        let (file, names) = opened.map_err(|message| (Place::File, Fault::Hdf5(message)))?;
+        let (file, names) = opened.map_err(|message| (FilePosition::File, Fault::Hdf5(message)))?;
         if let Some(length) = length(bytes).filter(|&length| length > bytes.len() as u64) {
             let message = format!("it has {} bytes of {length}", bytes.len());
-            return Err((Place::File, Fault::Hdf5(message)));
+            return Err((FilePosition::File, Fault::Hdf5(message)));
         }
         let found = groups
             .iter()
             .find(|group| names.iter().any(|name| name == *group));
         let Some(group) = found else {
             let wanted = "a problem of FCLib has a group fclib_local or fclib_global, with or without _rolling";
-            return Err((Place::File, Fault::Missing(wanted)));
+            return Err((FilePosition::File, Fault::Missing(wanted)));
         };
         Ok(Self {
             file,
@@ -48,8 +48,8 @@ impl Store {
     }
 
     /// Where a dataset or a group is.
-    pub fn place(&self, name: &str) -> Place {
-        Place::Dataset(self.path(name))
+    pub fn place(&self, name: &str) -> FilePosition {
+        FilePosition::Dataset(self.path(name))
     }
 
     fn refusal(&self, name: &str, message: String) -> LocatedFault {

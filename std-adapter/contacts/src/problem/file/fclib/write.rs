@@ -1,7 +1,7 @@
 //! Problems to HDF5.
 
 use super::super::ContactProblem;
-use super::super::error::{Fault, LocatedFault, Place};
+use super::super::error::{Fault, FilePosition, LocatedFault};
 use super::{matrix, names};
 use crate::problem::{ContactThresholds, Friction};
 use hdf5_pure::{FileBuilder, GroupBuilder, LibVer};
@@ -34,13 +34,13 @@ pub(in super::super) fn write(problem: &ContactProblem) -> Result<Vec<u8>, Locat
     };
     if matrices.is_none() {
         let refusal = "a matrix has more than 2147483647 rows, columns or entries, the most that FCLib can count";
-        return Err((Place::File, Fault::Unsupported(refusal)));
+        return Err((FilePosition::File, Fault::Unsupported(refusal)));
     }
     laws(&mut vectors, problem.laws(), with_rolling == 1);
     group.add_group(vectors.finish());
     file.add_group(group.finish());
     file.finish()
-        .map_err(|error| (Place::File, Fault::Hdf5(error.to_string())))
+        .map_err(|error| (FilePosition::File, Fault::Hdf5(error.to_string())))
 }
 
 /// Friction coefficients, and what else any law has.

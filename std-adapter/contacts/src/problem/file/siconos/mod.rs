@@ -8,7 +8,7 @@ mod write;
 pub(super) use write::write;
 
 use super::ContactProblem;
-use super::error::{Fault, LocatedFault, Place};
+use super::error::{Fault, FilePosition, LocatedFault};
 use crate::problem::{
     ContactComponents, ContactThresholds, GlobalProblem, ProblemError, ReducedProblem, SparseMatrix,
 };
@@ -39,8 +39,8 @@ pub(super) fn read(text: &str) -> Result<ContactProblem, LocatedFault> {
 /// The line that a reading reached; a refusal without one came after the last.
 fn reached((place, _): &LocatedFault) -> usize {
     match place {
-        Place::Line(line) => *line,
-        Place::File | Place::Dataset(_) => usize::MAX,
+        FilePosition::Line(line) => *line,
+        FilePosition::File | FilePosition::Dataset(_) => usize::MAX,
     }
 }
 
@@ -84,7 +84,7 @@ fn reduced(head: &Head, mut words: TokenReader) -> Result<ContactProblem, Locate
     let problem = ReducedProblem::new(head.layout, head.first.clone(), q, laws);
     problem
         .map(ContactProblem::Reduced)
-        .map_err(|error| (Place::File, Fault::Problem(error)))
+        .map_err(|error| (FilePosition::File, Fault::Problem(error)))
 }
 
 /// M, then H, f, w and the coefficients.
@@ -96,7 +96,7 @@ fn global(head: &Head, mut words: TokenReader) -> Result<ContactProblem, Located
     let laws = laws(head, &mut words)?;
     GlobalProblem::new(head.layout, m, h, f, w, laws)
         .map(ContactProblem::Global)
-        .map_err(|error| (Place::File, Fault::Problem(error)))
+        .map_err(|error| (FilePosition::File, Fault::Problem(error)))
 }
 
 /// Coefficients of all contacts, to the end of the file.

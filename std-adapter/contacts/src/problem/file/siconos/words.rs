@@ -1,6 +1,6 @@
 //! Words of a text and the lines that they stand in.
 
-use super::super::error::{Fault, LocatedFault, Place};
+use super::super::error::{Fault, FilePosition, LocatedFault};
 use crate::problem::ProblemError;
 
 /// Most characters of a word in a message.
@@ -45,8 +45,8 @@ impl<'a> TokenReader<'a> {
     }
 
     /// Place of the last word.
-    pub fn place(&self) -> Place {
-        Place::Line(self.line)
+    pub fn place(&self) -> FilePosition {
+        FilePosition::Line(self.line)
     }
 
     /// The rest of the line.

@@ -1,7 +1,7 @@
 //! Writes what Siconos reads: W in blocks, M and H in triplets.
 
 use super::super::ContactProblem;
-use super::super::error::{Fault, LocatedFault, Place};
+use super::super::error::{Fault, FilePosition, LocatedFault};
 use crate::problem::{ContactComponents, ContactThresholds, Friction, SparseMatrix};
 use std::fmt::Write as _;
 
@@ -32,7 +32,7 @@ pub(in super::super) fn write(problem: &ContactProblem) -> Result<String, Locate
 /// Refuses what the format has no place for.
 fn check(layout: ContactComponents, laws: &[ContactThresholds]) -> Result<(), LocatedFault> {
     if !layout.torsion().is_empty() {
-        return Err((Place::File, Fault::Layout(layout.size())));
+        return Err((FilePosition::File, Fault::Layout(layout.size())));
     }
     for (contact, law) in laws.iter().enumerate() {
         let absent = [
@@ -45,7 +45,7 @@ fn check(layout: ContactComponents, laws: &[ContactThresholds]) -> Result<(), Lo
             ),
         ];
         if let Some((what, _)) = absent.into_iter().find(|(_, needed)| *needed) {
-            return Err((Place::File, Fault::NoPlace { what, contact }));
+            return Err((FilePosition::File, Fault::NoPlace { what, contact }));
         }
     }
     Ok(())

@@ -14,7 +14,7 @@
 //! limit lies between one that stays within and one that does not, whatever the masses.
 
 use super::block::{Block, Masses};
-use super::both_slip::DualSlipSystem;
+use super::dual_slip::DualSlipSystem;
 use super::friction::{ContactFriction, TangentialLoad};
 use super::modes::ContactVector;
 use super::vector::{cross, dot};

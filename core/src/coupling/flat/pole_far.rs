@@ -38,7 +38,7 @@
 //! along each edge, by Gauss' rule with as many points as the distance of the centre of rotation
 //! asks for.
 
-use super::two::Pair2;
+use super::pair_of_numbers::Pair2;
 use super::{Hessian, Reduced};
 use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;

@@ -9,7 +9,7 @@ use crate::packing::{Bodies, Material, Method, Packing, WorldSnapshot, build};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use std::f64::consts::PI;
-use tribos_base::record::kept::damaged;
+use tribos_base::record::checkpoint::damaged;
 use tribos_base::record::{CheckpointError, ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::{ContactSolver, SolverMethod as Sweeps, StepLimits};

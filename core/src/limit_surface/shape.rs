@@ -12,7 +12,7 @@
 //! steps that are halved until they descend. φ's matrix g gᵀ + D D″ at its minimum is also the inverse of the
 //! normal's derivative; and M + D″ that of the projection's.
 
-use super::kinks::{self, NonsmoothPoint};
+use super::nonsmooth_search::{self, NonsmoothPoint};
 use super::quadratic::{Factors, dot, norm, outer, over, product, stretched, unit_matrix};
 use super::search::{
     self, Ended, GaugeObjective, Minimiser, Power, ProjectionObjective, TwistObjective, pivot,
@@ -241,7 +241,7 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
         if !self.has_points() {
             return search::minimise(goal, start, self.patch().rounding(), power_at);
         }
-        kinks::minimise(goal, start, power_at, |at| self.kink(at))
+        nonsmooth_search::minimise(goal, start, power_at, |at| self.kink(at))
     }
 
     /// The point next to the centre of rotation, if points carry load.

@@ -9,7 +9,7 @@
 //!
 //! The two meet at x = 1, which fixes K without a Γ function. For q = 0 they are one function.
 
-use super::octave::{CompanionFunction, Pair};
+use super::half_octave_table::{CompanionFunction, Pair};
 use crate::special::Gauss;
 
 /// Exponent and order.

@@ -5,10 +5,10 @@
 //! and Χ, which are of order 1. Neither m^n nor h need be a number of the type for the result to be
 //! one: v = 1e-200 and w = 1e150 have h = 1e-350, but under α = 1 the force is v.
 
+use super::extended_range::ExtendedRange;
 use super::lateral::twice_z_slope;
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{DominantSpeed, Speeds};
-use super::wide::ExtendedRange;
 use crate::real::Real;
 
 /// hᵖ (a + b h²)

@@ -3,10 +3,10 @@
 use super::super::reduced::ReducedProblem;
 use super::super::residual::{ProblemResidual, residual};
 use super::super::squeeze::Squeeze;
-use super::asked::{ProblemMethod, Solution, SolverOptions, SolverProgress, SolverStatus};
 use super::gradient::Gradient;
 use super::interior::Interior;
 use super::newton::{CostLimit, ProximalProblem, newton};
+use super::options::{ProblemMethod, Solution, SolverOptions, SolverProgress, SolverStatus};
 use super::prepared::Prepared;
 use super::proof::squeeze;
 use super::proximal::proximal;

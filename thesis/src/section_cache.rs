@@ -92,13 +92,13 @@ fn is_generated_name(name: &str) -> bool {
 mod tests {
     use super::*;
     use std::path::Path;
-    use tribos::run::folder::Sharing;
+    use tribos::run::folder::LockMode;
     use tribos_report::page::FigureRef;
 
     type Outcome = Result<(), Box<dyn std::error::Error>>;
 
     fn open(report: &Path) -> Result<SectionCache> {
-        let lock = Lock::take(report, Sharing::Shared)?;
+        let lock = Lock::take(report, LockMode::Shared)?;
         SectionCache::open(lock.into(), Duration::ZERO)
     }
 

@@ -76,10 +76,10 @@ pub(super) fn inertia_excess<R: Real, P: SmoothProfile<R>>(
 macro_rules! coupled {
     ([$($generics:tt)*] $profile:ty, |$this:ident| $order:expr) => {
         impl<$($generics)*> $crate::coupling::ReducedFriction<R> for $profile {
-            $crate::coupling::family::coupling_methods!();
+            $crate::coupling::pressure_family::coupling_methods!();
         }
 
-        $crate::coupling::family::lateral!([$($generics)*] $profile, |$this| $order);
+        $crate::coupling::pressure_family::lateral!([$($generics)*] $profile, |$this| $order);
     };
 }
 
@@ -87,7 +87,7 @@ macro_rules! coupled {
 macro_rules! coupled_in_lanes {
     ([$($generics:tt)*] $profile:ty, |$this:ident| $order:expr) => {
         impl<$($generics)*> $crate::coupling::ReducedFriction<R> for $profile {
-            $crate::coupling::family::coupling_methods!();
+            $crate::coupling::pressure_family::coupling_methods!();
 
             #[inline]
             fn reduced_drags(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
@@ -103,7 +103,7 @@ macro_rules! coupled_in_lanes {
             }
         }
 
-        $crate::coupling::family::lateral!([$($generics)*] $profile, |$this| $order);
+        $crate::coupling::pressure_family::lateral!([$($generics)*] $profile, |$this| $order);
     };
 }
 

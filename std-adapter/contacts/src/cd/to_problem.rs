@@ -11,7 +11,7 @@ use tribos_core::internals::{AxialPart, PlanarPart};
 
 /// A contact problem, and the directions that its components stand for.
 #[derive(Clone, Debug)]
-pub struct Posed {
+pub struct PosedProblem {
     /// The problem. Components of a contact: along its normal, along both tangents, then rolling about
     /// the tangents and torsion where the contacts have these modes.
     pub problem: GlobalProblem,
@@ -29,7 +29,7 @@ struct Freedoms {
 impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
     /// The problem as data; `None` if one of its laws has no such form: sliding and torsion under a common set that
     /// is no ellipsoid, or an open gap under a resistance.
-    pub fn to_problem(&self) -> Option<Posed> {
+    pub fn to_problem(&self) -> Option<PosedProblem> {
         let mut posing = Posing::<F::Modes>::new(self);
         let mut images = Images::new(&self.images);
         for (number, link) in self.pairs.iter().enumerate() {
@@ -69,7 +69,7 @@ impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
     }
 
     /// Takes over the impulses of a solution, as far as the contacts admit them, and the velocities that follow.
-    pub fn apply_solution(&mut self, posed: &Posed, impulses: &[f64]) {
+    pub fn apply_solution(&mut self, posed: &PosedProblem, impulses: &[f64]) {
         let layout = posed.problem.layout();
         for (contact, (r, t)) in impulses
             .chunks_exact(layout.size())
@@ -280,13 +280,13 @@ impl<M: ContactModes<f64>> Posing<M> {
             .extend(entries.map(|(at, value)| (first + at, column, *value)));
     }
 
-    fn finish(self) -> Option<Posed> {
+    fn finish(self) -> Option<PosedProblem> {
         let (freedoms, components) = (self.momenta.len(), self.prescribed.len());
         let m = SparseMatrix::from_triplets([freedoms; 2], &self.masses).ok()?;
         let h = SparseMatrix::from_triplets([freedoms, components], &self.arms).ok()?;
         let problem =
             GlobalProblem::new(self.layout, m, h, self.momenta, self.prescribed, self.laws).ok()?;
-        Some(Posed {
+        Some(PosedProblem {
             problem,
             tangents: self.tangents,
         })

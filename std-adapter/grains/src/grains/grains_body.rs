@@ -8,7 +8,7 @@ use crate::grains::scene::GrainsScene;
 use crate::packing::{self, Body, MeasuredState, MeasurementSchedule, Packing, RunLimits};
 use serde_json::{Map, Value};
 use tribos_base::record::CheckpointError;
-use tribos_base::record::kept::damaged;
+use tribos_base::record::checkpoint::damaged;
 
 /// Slow steps after which the grains count as at rest.
 const SLOW_STEPS: u64 = 100;
@@ -40,7 +40,7 @@ impl GrainsBody {
 }
 
 impl Body<{ COLUMNS.len() }> for GrainsBody {
-    type Watch = SlowStepCount;
+    type Monitor = SlowStepCount;
     type Ending = GrainsStopReason;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;

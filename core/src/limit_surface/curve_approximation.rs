@@ -102,7 +102,7 @@ impl<R: Real> CurveApproximation<R> {
     }
 
     /// h of the normal through a point (`major`, `minor`) outside, with the weight of
-    /// [`Local::beside_normal`].
+    /// [`CurvePoint::beside_normal`].
     #[inline]
     pub fn nearest(&self, point: [R; 2], weight: R) -> R {
         let [major, minor] = point;

@@ -14,7 +14,7 @@
 //! For α ≥ 0 values do not show the singular part either: the cell of z = 0 holds polynomials, with a tangent in
 //! place of Λ, which serve Jacobians too where the cells come near enough to z = 0.
 
-use super::octave::Pair;
+use super::half_octave_table::Pair;
 use crate::power::halved;
 use crate::real::Real;
 use crate::special::{Gauss, log_quotient};

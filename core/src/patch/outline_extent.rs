@@ -1,7 +1,7 @@
 //! Where the loops of an outline lie: centroid, radius and area.
 
+use super::outline_check::{OutlineExtent, OutlineLoops, sides};
 use super::outline_error::OutlineError;
-use super::simple::{OutlineExtent, OutlineLoops, sides};
 use crate::real::Real;
 use nalgebra::Vector2;
 

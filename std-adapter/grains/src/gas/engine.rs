@@ -1,9 +1,9 @@
 //! The methods that move a gas, behind one face.
 
 use super::error::GasError;
-use super::room::edge;
+use super::lattice::edge;
 use super::state::GasState;
-use super::stepped::{TimeSteppedGas, TimeSteppedState};
+use super::time_stepped::{TimeSteppedGas, TimeSteppedState};
 use crate::gas::scene::{GasMethod, GasScene};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};

@@ -1,6 +1,6 @@
 //! A slid tip: the friction loop, its stick and slip, and where the work of the support went.
 
-use super::loops::{LoopWork, Totals};
+use super::loop_work::{LoopWork, Totals};
 use crate::tip::scene::TipScene;
 use serde_json::{Value, json};
 use tribos_base::record::json_number;

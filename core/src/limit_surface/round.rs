@@ -1,8 +1,8 @@
 //! The exact limit surface of a dry coupling.
 
-use super::loaded::{ScaledCurve, inside};
 use super::meridian::{Meridian, Normal};
 use super::polar::AxisymmetricPair;
+use super::searches::{ScaledCurve, inside};
 use super::{FrictionSet, LimitEllipsoid, Projection, collar};
 use crate::coupling::{DryReducedFriction, ReducedWrench};
 use crate::error::Error;

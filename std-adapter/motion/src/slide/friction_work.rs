@@ -10,7 +10,7 @@ use crate::slide::scene::DiskScene;
 ///
 /// ```
 /// use tribos::{scene::DiskScene, slide::{FrictionWork, run}};
-/// let scene = DiskScene { speed: 1.0, spin: 5.0, radius: 0.08, mass: 0.1, ..SliderScene::default() };
+/// let scene = DiskScene { speed: 1.0, spin: 5.0, radius: 0.08, mass: 0.1, ..DiskScene::default() };
 /// let spent: FrictionWork = run(&scene, |_| ())?.spent(&scene);
 /// assert!((spent.sliding - 0.05).abs() < 1e-12); // m v²/2
 /// assert!((spent.spinning - 0.004).abs() < 1e-12); // m R² ω²/4

@@ -2,8 +2,8 @@
 //! lines whose interval depends only on the scene's stages.
 
 use super::forces::TipForces;
-use super::loops::{self, LoopWork, Totals};
-use super::shape::Part;
+use super::loop_work::{self, LoopWork, Totals};
+use super::shape::AtomRole;
 use crate::md::drive::TorqueDrive;
 use crate::md::observe::{RotationAngle, kinetic_energies};
 use crate::md::system::System;
@@ -95,7 +95,7 @@ impl RunMonitor {
     /// Stores the positions of the driven atoms; call it before a step.
     pub fn before(&mut self, system: &System<TipForces>) {
         let positions = &system.atoms().positions;
-        let driven = system.members(Part::ALL.len() - 1);
+        let driven = system.members(AtomRole::ALL.len() - 1);
         self.places.clear();
         self.places
             .extend(driven.iter().map(|&atom| positions[atom]));
@@ -125,7 +125,7 @@ impl RunMonitor {
     fn work_of_step(&self, system: &System<TipForces>, drive: &TorqueDrive) -> f64 {
         let [x0, y0] = drive.axis;
         let atoms = system.atoms();
-        let driven = system.members(Part::ALL.len() - 1).iter();
+        let driven = system.members(AtomRole::ALL.len() - 1).iter();
         let swept = driven.zip(&self.places).map(|(&atom, from)| {
             let to = &atoms.positions[atom];
             atoms.mass(atom) * ((from.x - x0) * (to.y - y0) - (from.y - y0) * (to.x - x0))
@@ -161,7 +161,7 @@ impl RunMonitor {
     /// Notes an end of a slid tip's drive or a turning point if this step is one. The sums of the
     /// interaction must be known.
     pub fn note(&mut self, scene: &TipScene, system: &System<TipForces>) {
-        let [ends, turns] = loops::counts(scene, system.steps());
+        let [ends, turns] = loop_work::counts(scene, system.steps());
         if self.loops.ends.len() as u64 != ends {
             self.loops.ends.push(Totals {
                 work: self.work,
@@ -186,7 +186,7 @@ fn stored_energy(scene: &TipScene, system: &System<TipForces>) -> f64 {
     let lifted = match scene.hold {
         DrivenHold::Plane => 0.0,
         DrivenHold::Level => {
-            let driven = system.members(Part::ALL.len() - 1).iter();
+            let driven = system.members(AtomRole::ALL.len() - 1).iter();
             let heights = driven.map(|&atom| system.atoms().positions[atom].z);
             scene.lift() * heights.sum::<f64>()
         }
@@ -205,7 +205,7 @@ fn torsions(
         let atoms = (0..layer_of.len()).filter(|&atom| is_member(layer_of[atom]));
         RotationAngle::new(atoms.collect(), positions)
     };
-    let mut torsions = vec![of(&|layer| shape.part(layer) == Part::Driven)];
+    let mut torsions = vec![of(&|layer| shape.part(layer) == AtomRole::Driven)];
     for layer in shape.substrate_layers..shape.layers() {
         torsions.push(of(&|other| other == layer));
     }

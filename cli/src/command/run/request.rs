@@ -1,15 +1,15 @@
 //! A run as it was asked for: its folder, and how it starts and goes on.
 
-use super::caller::Frontend;
 use super::files;
-use super::size::MemoryPermission;
+use super::frontend::Frontend;
+use super::resource_check::MemoryPermission;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tribos::record::CheckpointError;
 use tribos::run::folder::{
-    Contents, InterruptedRunPolicy, Lock, Manifest, OutputFolder, Sharing, is_finished,
+    Contents, InterruptedRunPolicy, Lock, LockMode, Manifest, OutputFolder, is_finished,
 };
 use tribos::run::{CHECKPOINT, LongRun, RunError, Session, StartMode, read_checkpoint};
 use tribos_report::image::{self, Drawing};
@@ -124,7 +124,7 @@ impl<'a> RunRequest<'a> {
         if !self.out.is_dir() {
             read_checkpoint(&checkpoint(self.out))?;
         }
-        let lock = Lock::take(self.out, Sharing::Alone)?;
+        let lock = Lock::take(self.out, LockMode::Alone)?;
         let Some(start) = self.start(&contents.about)? else {
             OutputFolder::tidy(lock)?;
             let out = self.out.display();

@@ -1,7 +1,7 @@
 //! Cells of one pair of functions on 0 ≤ z ≤ 1: finding one, evaluating it.
 
-use super::member::FamilyMember;
-use super::octave::{self, Cell, Pair};
+use super::family_member::FamilyMember;
+use super::half_octave_table::{self, Cell, Pair};
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{DominantSpeed, Speeds};
 use crate::power::FixedPower;
@@ -17,7 +17,7 @@ pub(super) struct RegimeTable<R, const CELLS: usize, const TERMS: usize> {
 impl<const CELLS: usize, const TERMS: usize> RegimeTable<f64, CELLS, TERMS> {
     pub const fn build(pair: &Pair) -> Self {
         Self {
-            cells: octave::cells(pair),
+            cells: half_octave_table::cells(pair),
         }
     }
 

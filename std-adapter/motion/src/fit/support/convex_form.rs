@@ -1,6 +1,6 @@
 //! Ellipsoid and convex quartic: limit surfaces on which a form of the wrench is 1.
 
-use super::least::Normal;
+use super::nnls::Normal;
 use super::{Model, Row, size};
 use nalgebra::{DVector, Matrix3, Vector3};
 use tribos_core::Real;

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// A place in pixels from the upper left corner.
-pub type Place = (f64, f64);
+pub type CanvasPoint = (f64, f64);
 
 /// Colour of text.
 const INK: Color = Color(50, 50, 50);
@@ -64,7 +64,7 @@ impl SvgCanvas {
     }
 
     /// Fills a polygon, opacity 0 to 1.
-    pub fn fill(&mut self, corners: &[Place], color: Color, opacity: f64) {
+    pub fn fill(&mut self, corners: &[CanvasPoint], color: Color, opacity: f64) {
         let glass = match opacity {
             1.0 => String::new(),
             _ => format!(" fill-opacity=\"{}\"", digits(opacity)),
@@ -73,12 +73,12 @@ impl SvgCanvas {
     }
 
     /// Fills a polygon with hard edges, which leave no seam to its neighbours.
-    pub fn tile(&mut self, corners: &[Place], color: Color) {
+    pub fn tile(&mut self, corners: &[CanvasPoint], color: Color) {
         self.polygon(corners, color, " shape-rendering=\"crispEdges\"");
     }
 
     // A closed path with further attributes.
-    fn polygon(&mut self, corners: &[Place], color: Color, attributes: &str) {
+    fn polygon(&mut self, corners: &[CanvasPoint], color: Color, attributes: &str) {
         let (path, color) = (path(corners), hex(color));
         let _ = writeln!(
             self.body,
@@ -87,7 +87,7 @@ impl SvgCanvas {
     }
 
     /// Draws a line through all places, width in pixels.
-    pub fn line(&mut self, places: &[Place], color: Color, width: f64) {
+    pub fn line(&mut self, places: &[CanvasPoint], color: Color, width: f64) {
         let (path, color, width) = (path(places), hex(color), digits(width));
         let _ = writeln!(
             self.body,
@@ -96,7 +96,7 @@ impl SvgCanvas {
     }
 
     /// Draws a shaded ball.
-    pub fn ball(&mut self, (x, y): Place, radius: f64, color: Color) {
+    pub fn ball(&mut self, (x, y): CanvasPoint, radius: f64, color: Color) {
         let color = hex(color).split_off(1);
         let (x, y, r) = (digits(x), digits(y), digits(radius));
         let _ = writeln!(
@@ -107,7 +107,7 @@ impl SvgCanvas {
     }
 
     /// Draws a flat dot.
-    pub fn dot(&mut self, (x, y): Place, radius: f64, color: Color) {
+    pub fn dot(&mut self, (x, y): CanvasPoint, radius: f64, color: Color) {
         let (x, y, r) = (digits(x), digits(y), digits(radius));
         let color = hex(color);
         let _ = writeln!(
@@ -117,12 +117,19 @@ impl SvgCanvas {
     }
 
     /// Writes a text whose middle line runs through a place, size in pixels.
-    pub fn text(&mut self, at: Place, text: &str, size: f64, anchor: Anchor) {
+    pub fn text(&mut self, at: CanvasPoint, text: &str, size: f64, anchor: Anchor) {
         self.turned_text(at, text, size, anchor, 0.0);
     }
 
     /// Writes a text turned clockwise about its place by an angle in degrees.
-    pub fn turned_text(&mut self, at: Place, text: &str, size: f64, anchor: Anchor, angle: f64) {
+    pub fn turned_text(
+        &mut self,
+        at: CanvasPoint,
+        text: &str,
+        size: f64,
+        anchor: Anchor,
+        angle: f64,
+    ) {
         let (x, y, size) = (digits(at.0), digits(at.1), digits(size));
         let anchor = match anchor {
             Anchor::Start => "start",
@@ -196,7 +203,7 @@ pub fn hex(Color(red, green, blue): Color) -> String {
 }
 
 // Path data through all places.
-fn path(places: &[Place]) -> String {
+fn path(places: &[CanvasPoint]) -> String {
     let mut path = String::new();
     for (at, (x, y)) in places.iter().enumerate() {
         let verb = if at == 0 { 'M' } else { 'L' };

@@ -2,7 +2,7 @@
 //! with selections in place of branches, so that every bit is the same.
 
 use super::aligned::Aligned;
-use super::alike::{Alike, AlikePair};
+use super::identical_spheres::{Alike, AlikePair};
 use super::vectors::{Bodies, Impulses, Vectors, clamp, cross, dot, minus, plus, project, scaled};
 use tribos_core::contact::{ContactModes, ContactVector};
 use tribos_core::internals::{AxialPart, PlanarPart};

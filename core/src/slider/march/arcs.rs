@@ -1,7 +1,7 @@
 //! The stretches of directions that a motion runs through, one after the other.
 
 use super::super::Slider;
-use super::super::leg::{ArcEnd, DirectionArc};
+use super::super::direction_arc::{ArcEnd, DirectionArc};
 use super::{DecayRates, PanelIntegration};
 use crate::coupling::{DominantSpeed, PowerLawFriction, ReducedFriction, Speeds};
 use crate::modes::{balanced_ratio, changes_sign};

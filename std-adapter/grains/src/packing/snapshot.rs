@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use tribos_base::record::CheckpointError;
-use tribos_base::record::kept::{damaged, groups, hex, numbers, one, places, triple};
+use tribos_base::record::checkpoint::{damaged, groups, hex, numbers, one, places, triple};
 use tribos_contacts::cd::EnergyBalance;
 
 /// Lengths of the energy balance, and of a stored force with its bodies.

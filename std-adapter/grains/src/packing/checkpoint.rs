@@ -5,7 +5,7 @@ use super::last::read_report;
 use super::{Totals, WorldSnapshot};
 use serde_json::Value;
 use tribos_base::record::CheckpointError;
-use tribos_base::record::kept::{damaged, groups, opened};
+use tribos_base::record::checkpoint::{damaged, groups, opened};
 use tribos_contacts::cd::StepReport;
 
 /// Key of the digest of what a run began with.
@@ -20,7 +20,7 @@ pub(crate) struct PackingCheckpoint<B: Body<N>, const N: usize> {
     pub report: StepReport,
     /// Digest of what the run began with.
     pub origin: String,
-    pub watch: B::Watch,
+    pub watch: B::Monitor,
     pub series: Vec<[f64; N]>,
     /// Why the run ended, if it has.
     pub ending: Option<B::Ending>,

@@ -5,7 +5,7 @@ use super::{Commands, NoResult, at_once};
 use crate::command::explain::{held as text, within};
 use crate::command::interrupt;
 use crate::command::run::held;
-use crate::command::run::order::RunRequest;
+use crate::command::run::request::RunRequest;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;

@@ -2,7 +2,7 @@
 
 use super::figure::FigureError;
 use super::image::Drawing;
-use super::solid::paper::SvgCanvas;
+use super::solid::svg_canvas::SvgCanvas;
 
 /// Drawings in rows, each at its own size.
 pub struct DrawingGrid {
