@@ -17,7 +17,7 @@ use nalgebra::Matrix3;
 ///
 /// *Units*: any consistent set; displacement and wrench refer to the origin of the nodes' coordinates.
 /// *Accuracy*: a few ulp for the nodes; for a continuous pressure that of their rule, the better the smoother
-/// the law: 16 × 32 nodes of a uniform disk have onsets to 1e-5, and of [`super::OneStrength`] exact to rounding.
+/// the law: 16 × 32 nodes of a uniform disk have onsets to 1e-5, and of [`super::BrittleBond`] exact to rounding.
 ///
 /// ```
 /// use tribos_core::bond::{Bonds, ExponentialBond};

@@ -7,7 +7,7 @@ use crate::real::Real;
 /// f(d) = k d exp(−d/x0): springs that break, the shares of them that still hold fall
 /// exponentially.
 ///
-/// It is [`super::Weibull`] with m = 1, without the power. Its largest force is k x0/e, at d = x0.
+/// It is [`super::WeibullBond`] with m = 1, without the power. Its largest force is k x0/e, at d = x0.
 ///
 /// *Units*: k in 1/length (force per load and strain), x0 in length. *Accuracy*: 4 ulp of the force, times
 /// 1 + d/x0. *Special values*: 0 at no strain and at infinite strain.

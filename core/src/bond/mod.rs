@@ -11,15 +11,15 @@
 //! are the integrals of [`crate::coupling`] with a displacement in place of the velocity and the law
 //! of a bond in place of the law of friction. A bond law is a [`LocalLaw`] for that reason: its
 //! "speed" is a strain, its "friction" a force per unit load. [`Bonds`] puts law and patch together.
-//! Under a growing load the body lets go where the stiffness −∂wrench/∂displacement first turns singular ([`Onset`]).
+//! Under a growing load the body lets go where the stiffness −∂wrench/∂displacement first turns singular ([`SlipOnset`]).
 //!
 //! | law | bonds | force at the strain d | T_s/(F_s R) of the uniform disk |
 //! |---|---|---|---|
-//! | [`Saturating`] | yield and hold on: limit analysis | k d/√(1 + (d/x0)²) | 2/3 |
-//! | [`Exponential`] | break, in a broad spread of strengths | k d exp(−d/x0) | 0.6399 |
-//! | [`Weibull`] | break, spread by the exponent m | k d exp(−(d/x0)^m) | 0.6231 (m = 2), 0.5775 (m = 8) |
-//! | [`OneStrength`] | all break at one strain | k d up to x0 | 1/2 |
-//! | [`ReForming`] | break and re-form without strain | k times the mean age of a renewal process | 2/3 to 1/2 |
+//! | [`PlasticBond`] | yield and hold on: limit analysis | k d/√(1 + (d/x0)²) | 2/3 |
+//! | [`ExponentialBond`] | break, in a broad spread of strengths | k d exp(−d/x0) | 0.6399 |
+//! | [`WeibullBond`] | break, spread by the exponent m | k d exp(−(d/x0)^m) | 0.6231 (m = 2), 0.5775 (m = 8) |
+//! | [`BrittleBond`] | all break at one strain | k d up to x0 | 1/2 |
+//! | [`ReformingBond`] | break and re-form without strain | k times the mean age of a renewal process | 2/3 to 1/2 |
 //!
 //! *Source*: a model in the spirit of S. R. Dahmen, Z. Farkas, H. Hinrichsen, D. E. Wolf, Phys. Rev. E 71
 //! (2005) 066602 and J. Stat. Mech. (2005) P03004, of whose equations none is used here.
@@ -30,7 +30,7 @@
 //! use tribos_core::patch::polar::PolarRule;
 //! use tribos_core::twist::Twist;
 //! let puck: NodeList<f64, 128> = PolarRule::new(0.04, 8, 16)?.nodes()?; // radius in m
-//! let bonds = Bonds::new(OneStrength::new(5e4, 1e-5)?, puck)?.with_rim(0.04)?; // 1/m; m
+//! let bonds = Bonds::new(BrittleBond::new(5e4, 1e-5)?, puck)?.with_rim(0.04)?; // 1/m; m
 //! let [pushed, turned] = [Twist::new(1.0, 0.0, 0.0), Twist::new(0.0, 0.0, 1.0)]
 //!     .map(|direction| bonds.onset(1.7, &direction)); // load in N
 //! let (Some(pushed), Some(turned)) = (pushed, turned) else { panic!("both let go") };

@@ -16,7 +16,7 @@ use core::num::NonZeroU32;
 /// for the density p of breaking strains x. Steady sliding meets the dynamic friction k A(∞); before,
 /// bonds that were formed together also break together, which is static friction.
 /// The breaking strains have Erlang's distribution of n stages with the mean x0: relative width 1/√n,
-/// exponential for n = 1. [`ReForming::one_strength`] is the limit of large n, a sawtooth.
+/// exponential for n = 1. [`ReformingBond::one_strength`] is the limit of large n, a sawtooth.
 ///
 /// | stages n | 1 to 4 | 8 | 16 | 64 | 256 | 1000 | one strength |
 /// |---|---|---|---|---|---|---|---|
@@ -65,7 +65,7 @@ impl<R: Real> ReformingBond<R> {
     /// Bonds whose breaking strains have Erlang's distribution.
     ///
     /// *Domain*: 0 < `stiffness` < ∞ (k), 0 < `mean_strain` < ∞ (x0), 1 ≤ `stages` ≤
-    /// [`ReForming::MAX_STAGES`] (n). *Cost*: some 200 evaluations, which find the peak.
+    /// [`ReformingBond::MAX_STAGES`] (n). *Cost*: some 200 evaluations, which find the peak.
     pub fn new(stiffness: R, mean_strain: R, stages: u32) -> Result<Self, LawError> {
         let given = NonZeroU32::new(stages);
         let Some(count) = given.filter(|_| stages <= Self::MAX_STAGES) else {

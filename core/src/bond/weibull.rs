@@ -7,7 +7,7 @@ use crate::real::Real;
 /// f(d) = k d exp(−(d/x0)^m): springs that break, of which the larger m is the less the strengths
 /// differ.
 ///
-/// m = 1 is [`super::Exponential`]; m → ∞ is [`super::OneStrength`]. The largest force is at
+/// m = 1 is [`super::ExponentialBond`]; m → ∞ is [`super::BrittleBond`]. The largest force is at
 /// d = x0 m^(−1/m), so that x0 = m^(1/m) gives the form d exp(−d^m/m) with its peak at 1.
 ///
 /// *Units*: k in 1/length (force per load and strain), x0 in length; m is a number. *Accuracy*: 4 ulp of the

@@ -21,10 +21,10 @@ use nalgebra::Vector3;
 /// Sliding and torsion in the set P·`S`; rolling, where there is any, under its own threshold.
 ///
 /// `S` is the set for P = 1 and r_eff = 1: its force limit is μ, its radius R_c/r_eff. A ratio, like
-/// the coefficients of [`IndependentFriction`](super::Thresholds), and for the same reason: it stays when a
+/// the coefficients of [`IndependentFriction`](super::IndependentFriction), and for the same reason: it stays when a
 /// packing is scaled. Its largest torque is that of a torsion coefficient μ_n = μ (R_c/r_eff) T₀,
-/// with T₀ = 2/3 under uniform pressure. Take [`LimitSurface`](crate::limit_surface::LimitSurface)
-/// for the exact set, [`Ellipsoid`](crate::limit_surface::Ellipsoid) for the usual approximation; the
+/// with T₀ = 2/3 under uniform pressure. Take [`LimitSurface`](crate::limit_surface::RoundLimitSurface)
+/// for the exact set, [`Ellipsoid`](crate::limit_surface::LimitEllipsoid) for the usual approximation; the
 /// set of a polygon is not symmetric about the normal and does not belong here.
 ///
 /// *Accuracy* of the projection: that of the set's, 1e-15 of the limits for the exact disk by

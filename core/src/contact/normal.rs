@@ -132,7 +132,7 @@ impl<R: Real> NormalLaw<R> {
     /// A [`Contact`](super::Contact) rebounds by Newton's law: with `restitution` times the speed at
     /// which it closes at the start of its step. For two spheres, or a sphere and a plate, friction
     /// does not meet it, and energy is lost or kept. Several contacts that rebound while they are
-    /// swept together can gain energy (Kane's example); a [`Manifold`](crate::manifold::Manifold)
+    /// swept together can gain energy (Kane's example); a [`Manifold`](crate::manifold::ContactSystem)
     /// therefore takes impacts one after the other.
     pub fn new(cohesion: Cohesion<R>, restitution: R) -> Result<Self, LawError> {
         Ok(Self {

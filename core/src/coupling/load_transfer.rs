@@ -15,8 +15,8 @@
 //! ```
 //!
 //! *Source*: eqs. 3.37 and 3.38 of the thesis, which keep only the gradient along the velocity
-//! ([`FrontBack`]). The lateral force tips the body sideways as well, an effect of order λ² that
-//! [`AllRound`] includes.
+//! ([`LongitudinalGradient`]). The lateral force tips the body sideways as well, an effect of order λ² that
+//! [`FullGradient`] includes.
 
 use super::{LateralFriction, LateralJacobian, ReducedWrench, RoundFriction};
 use crate::patch::PatchError;
@@ -110,7 +110,7 @@ pub struct LongitudinalGradient;
 
 /// Both gradients, in balance with the forces that they cause.
 ///
-/// *Cost*: a Jacobian more than [`FrontBack`].
+/// *Cost*: a Jacobian more than [`LongitudinalGradient`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FullGradient;
@@ -213,7 +213,7 @@ impl<R: Real> LoadTransferWrench<R> {
 
 /// Friction of a body whose centre of mass lies above its foot.
 ///
-/// *Units*: as [`PatchFriction`]. The wrench acts at the foot's centre.
+/// *Units*: as [`RoundFriction`]. The wrench acts at the foot's centre.
 ///
 /// ```
 /// use tribos_core::coupling::{PatchFriction, tall::{AllRound, TallFriction}, table::Coulomb};

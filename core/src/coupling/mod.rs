@@ -4,7 +4,7 @@
 //!
 //! | contact | table, a few ulp | compact, tens of ulp | quadrature, any local law |
 //! |---|---|---|---|
-//! | uniform disk | [`table::Coulomb`], [`table::DiskTable64`], [`table::DiskTable32`] | [`compact::CompactCoulombDisk`], [`compact::CompactPower`] | [`quadrature::DiskQuadrature`], 1e-8 |
+//! | uniform disk | [`table::CoulombDisk`], [`table::DiskTable64`], [`table::DiskTable32`] | [`compact::CompactCoulombDisk`], [`compact::CompactPower`] | [`quadrature::DiskQuadrature`], 1e-8 |
 //! | (1−r²)^q: ring, punch, Hertz, … | [`round::RoundTable64`], [`round::RoundTable32`] | [`closed`] (Coulomb), [`compact::CompactPower::with_pressure`] | nodes |
 //! | polynomial in r² | [`round::PolynomialTable`] | – | nodes |
 //! | annulus | [`Annulus`] of the disk's | [`Annulus`] of the disk's | [`Annulus`] of the disk's |
@@ -18,7 +18,7 @@
 //! any exponent.
 //!
 //! [`RoundFriction`] adds radius and coefficient. A pressure that leans makes spinning friction
-//! lateral ([`LateralFriction`]); [`tall::LoadTransferFriction`] finds the lean of a tall body. A tier that a program
+//! lateral ([`LateralFriction`]); [`load_transfer::LoadTransferFriction`] finds the lean of a tall body. A tier that a program
 //! does not name costs nothing.
 //!
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
@@ -134,7 +134,7 @@ pub struct ReducedJacobian<R> {
 /// // Spinning makes dry friction viscous, F = ε − ε³/8 + …, in every tier.
 /// assert!((drag(&table::Coulomb) - 1.0).abs() < 2e-9);
 /// assert!((drag(&compact::CompactCoulombDisk) - 1.0).abs() < 2e-9);
-/// assert!((table::Coulomb.reduced_jacobian(0.0_f64, 1.0).force_slide - 1.0).abs() < 1e-12);
+/// assert!((table::CoulombDisk.reduced_jacobian(0.0_f64, 1.0).force_slide - 1.0).abs() < 1e-12);
 /// ```
 pub trait ReducedFriction<R: Real> {
     /// Force and torque for sliding speed `slide` and rim speed `rim` = |ω|R.

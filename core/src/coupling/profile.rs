@@ -37,7 +37,7 @@ use crate::real::Real;
 
 /// A round patch under a power law |v|^α: every table, compact tier and closed form is one.
 ///
-/// Its methods but [`Profile::exponent`] serve the kernel and are no part of the promise.
+/// Its methods but [`PowerLawFriction::exponent`] serve the kernel and are no part of the promise.
 ///
 /// ```
 /// use tribos_core::coupling::{Profile, compact::CompactPower, table::Coulomb};

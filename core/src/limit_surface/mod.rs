@@ -9,10 +9,10 @@
 //! set = { x : x·twist ≤ D(twist) for every twist },      friction = −∂D/∂twist
 //! ```
 //!
-//! [`LimitSurface`] is this set for any [`crate::coupling::DryReducedFriction`] and [`ShapeLimitSurface`] for
-//! polygons, bars, meshes, points and bodies on several of them; [`Ellipsoid`] is the usual approximation. All are a [`FrictionSet`].
-//! [`Scaled`] makes any of them stronger or weaker.
-//! [`AnyPressure`] is the set where only corners, load and centre of pressure are known.
+//! [`RoundLimitSurface`] is this set for any [`crate::coupling::DryReducedFriction`] and [`ShapeLimitSurface`] for
+//! polygons, bars, meshes, points and bodies on several of them; [`LimitEllipsoid`] is the usual approximation. All are a [`FrictionSet`].
+//! [`ScaledSet`] makes any of them stronger or weaker.
+//! [`UnknownPressureSet`] is the set where only corners, load and centre of pressure are known.
 //!
 //! *Sign*: friction opposes the motion. A *push* is the wrench that moves the patch against its
 //! friction, and its motion is the outward normal. The set is symmetric: what it carries as

@@ -5,7 +5,7 @@ use super::{FrictionImpulse, Lanes};
 /// Friction with coefficients of its own along both tangents.
 ///
 /// The tangential impulse is stretched so that its limit is a circle again;
-/// [`manifold_friction`](super::manifold_friction) then sees the isotropic problem with the larger coefficient.
+/// [`manifold_friction`](super::project_friction) then sees the isotropic problem with the larger coefficient.
 /// The step towards the candidate has to be stretched twice, which makes friction follow the rule of largest
 /// dissipation: slip normal to the ellipse.
 ///

@@ -6,7 +6,7 @@
 //! an area has one budget for both: spin turns the friction of every element sideways, where it cancels. A box
 //! thrown at 1 m/s and spun at 50 rad/s travels 2.7 times as far as two clamps let it.
 //!
-//! [`manifold_friction`] replaces both clamps. From the impulses that would stop the contact it gives the
+//! [`project_friction`] replaces both clamps. From the impulses that would stop the contact it gives the
 //! nearest ones that friction can carry, in the metric k |dp|² + kt dt² of the inverse effective masses, which
 //! makes it the solution of the contact's friction alone. The set is (|p|/F, |t|/T) within a limit
 //! curve of the outline.
@@ -110,7 +110,7 @@ pub fn project_friction<T: Lanes, O: LimitCurve<T>>(
     project::project(candidate, budget, inverse, outline, O::STEPS)
 }
 
-/// [`manifold_friction`] with a number of Newton steps of the caller's: each squares the error or better,
+/// [`project_friction`] with a number of Newton steps of the caller's: each squares the error or better,
 /// and costs 6 ns a manifold in four lanes.
 #[doc(hidden)]
 #[inline]

@@ -28,7 +28,7 @@ pub trait LimitCurve<T: Lanes>: Copy {
 
     /// True if the direction of slip matters.
     const TURNS: bool;
-    /// Newton steps of [`manifold_friction`](super::manifold_friction).
+    /// Newton steps of [`manifold_friction`](super::project_friction).
     const STEPS: usize;
 
     /// Direction of the force nearest to a candidate along `direction`: that of the vector u with

@@ -158,7 +158,7 @@ impl fmt::Display for Law {
 impl FromStr for Law {
     type Err = FrictionError;
 
-    /// Values are read; whether they make sense is for [`Law::made`] to say.
+    /// Values are read; whether they make sense is for [`Law::build`] to say.
     fn from_str(text: &str) -> Result<Self, FrictionError> {
         let (name, list) = text.split_once(':').unwrap_or((text, ""));
         let (entry, maker) = local(name.trim())?;

@@ -18,7 +18,7 @@
 //! | [`Patch`] | a contact patch by name: `disk`, `annulus:0.8`, `hertz`, … |
 //! | [`Law`] | a law of the local speed by name, with its parameters: `stribeck:mu_s=0.4,mu_d=0.2,vs=0.05` |
 //! | [`Tier`] | how force and torque are evaluated: `table`, `compact`, `quadrature` |
-//! | [`Friction`] | the three together: the kernel's coupling |
+//! | [`AnyFriction`] | the three together: the kernel's coupling |
 //! | [`Area`] | any patch with its size, by name or by its corners, triangles or points |
 //! | [`AreaFriction`] | an area under a law: wrench and Jacobian at any planar twist |
 //! | [`LimitSurfaces`] | what an area carries under dry friction, for every force limit |
@@ -106,7 +106,7 @@ use tribos_core::real::Real;
 ///
 /// It is the kernel's coupling for the three, so that all that takes a [`ReducedFriction`] or a [`LateralFriction`]
 /// takes it. A law that is a power of the speed also has a [`RoundPower`], for final motion and
-/// sliders. *Units*: reduced wrenches are per load and per [`Friction::coefficient`].
+/// sliders. *Units*: reduced wrenches are per load and per [`AnyFriction::coefficient`].
 ///
 /// ```
 /// use tribos::friction::{AnyFriction, Law, Patch, Tier};

@@ -62,7 +62,7 @@ impl<R: Real, P: PowerLawFriction<R> + LateralFriction<R> + Send + Sync> RoundPo
 
 /// Hands the kernel's type for |v|^`alpha` on `patch` in `tier` to `visitor`.
 ///
-/// *Domain*: what [`Tier::serving`] admits; otherwise the kernel's refusal. Quadrature has no such
+/// *Domain*: what [`Tier::choose`] admits; otherwise the kernel's refusal. Quadrature has no such
 /// type.
 pub fn visit<R: Precision, V: Visitor<R>>(
     patch: &Patch,

@@ -50,7 +50,7 @@ pub fn kinetic_energies<I: Interaction>(system: &System<I>) -> Vec<f64> {
 }
 
 /// Kinetic energy of a group that counts as heat, at the time of the positions: without its mean
-/// velocity along x and y where that is carried ([`ThermalFrame::Mean`](super::group::Frame)).
+/// velocity along x and y where that is carried ([`ThermalFrame::Mean`](super::group::ThermalFrame)).
 pub fn heat_energy<I: Interaction>(system: &System<I>, group: usize) -> f64 {
     let velocities = system.velocities_on_step();
     let atoms = system.atoms();

@@ -52,7 +52,7 @@
 //! is kept), `stride` (steps between states that may be kept), `sides` (of the cell along x and y), `periods` (along
 //! x, y and z, null along an open axis), `radii` and, if they are known, `densities` (one for all or one each),
 //! `materials` if there are several (numbers from 1); of a tip also `layers` and `parts` (one number an atom) and `marked`
-//! (atoms drawn in another colour); at the end `digest`, see [`sealed`](crate::record::sealed).
+//! (atoms drawn in another colour); at the end `digest`, see [`sealed`](crate::record::with_digest).
 //!
 //! `<step>.frame`, all numbers little-endian, n particles and m contacts:
 //!

@@ -47,14 +47,14 @@ pub fn with_digest(object: Map<String, Value>) -> String {
     text + KEY + &digits + END
 }
 
-/// The object of a [`sealed`] text; `None` if any byte differs from what was written.
+/// The object of a [`with_digest`] text; `None` if any byte differs from what was written.
 pub fn verified(text: &str) -> Option<Value> {
     let (head, kept) = parts(text)?;
     let is_whole = kept == format!("{:032x}", digest(head.as_bytes()));
     is_whole.then(|| serde_json::from_str(text).ok())?
 }
 
-/// A [`sealed`] text with one more number in its object; any other text as it is.
+/// A [`with_digest`] text with one more number in its object; any other text as it is.
 pub(crate) fn with_number(text: String, key: &str, number: u64) -> String {
     let Some((head, _)) = parts(&text) else {
         return text;

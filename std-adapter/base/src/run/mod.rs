@@ -1,7 +1,7 @@
 //! The driver of simulations: step, observe, record, checkpoint, resume, cancel; and the estimated
 //! cost of a run.
 //!
-//! [`drive`] runs any [`Simulation`]. A [`Session`] runs a long simulation in a folder, from which it
+//! [`run_to_end`] runs any [`Simulation`]. A [`Session`] runs a long simulation in a folder, from which it
 //! can be resumed to the same bits.
 
 mod film;

@@ -11,7 +11,7 @@ use tribos_core::internals::{AxialPart, Block, Masses, PlanarPart, TangentialLoa
 
 /// A pair of neighbours, or a sphere near a wall, with the springs of its contact.
 ///
-/// See [`World`](super::World) for an example.
+/// See [`World`](super::SoftWorld) for an example.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SoftContact<M: ContactModes<f64>> {
     /// First body, a sphere; second body, a sphere or a wall.

@@ -117,9 +117,9 @@ impl Stiffness {
 ///
 /// ```
 /// use tribos::soft::restitution;
-/// assert_eq!(restitution(0.0), 1.0);
-/// assert!((restitution(0.2) - 0.5717).abs() < 1e-4);
-/// assert!((restitution(1.0) - (-2.0_f64).exp()).abs() < 1e-15);
+/// assert_eq!(restitution_of(0.0), 1.0);
+/// assert!((restitution_of(0.2) - 0.5717).abs() < 1e-4);
+/// assert!((restitution_of(1.0) - (-2.0_f64).exp()).abs() < 1e-15);
 /// ```
 pub fn restitution_of(damping: f64) -> f64 {
     Real::exp(-damping * duration(damping))
@@ -143,14 +143,14 @@ pub(super) fn duration(damping: f64) -> f64 {
     2.0 * angle
 }
 
-/// Damping ratio ζ whose [`restitution`] is e.
+/// Damping ratio ζ whose [`restitution_of`] is e.
 ///
 /// *Domain*: 0 < e ≤ 1. *Accuracy*: e is met to 1e-12 relative.
 ///
 /// ```
 /// use tribos::soft::{damping, restitution};
 /// for e in [1.0, 0.9, 0.5, 0.135, 0.01] {
-///     assert!((restitution(damping(e)) / e - 1.0).abs() < 1e-12);
+///     assert!((restitution_of(damping(e)) / e - 1.0).abs() < 1e-12);
 /// }
 /// ```
 pub fn damping_ratio_of(coefficient: f64) -> f64 {

@@ -22,7 +22,7 @@ pub struct SoftSetup<F> {
     pub spheres: Vec<SphereBody<f64>>,
     /// Walls and pistons.
     pub walls: Vec<Wall>,
-    /// Cohesion and friction. A restitution above 0 stands for the [`damping`] ratio that leads to it.
+    /// Cohesion and friction. A restitution above 0 stands for the [`damping_ratio_of`] ratio that leads to it.
     pub laws: WorldMaterials<F>,
     /// Normal spring of every contact.
     pub stiffness: Stiffness,

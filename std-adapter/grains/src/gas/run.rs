@@ -129,7 +129,7 @@ impl GasSimulation {
         Self::begin(scene, None, |_| ControlFlow::Continue(()))
     }
 
-    /// Continues from a [checkpoint](Gas::checkpoint) of a run of the same scene, with the same bits as without
+    /// Continues from a [checkpoint](GasSimulation::checkpoint) of a run of the same scene, with the same bits as without
     /// interruption.
     ///
     /// ```

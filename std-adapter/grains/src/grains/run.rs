@@ -70,7 +70,7 @@ impl GrainsSimulation {
         Self::begin(scene, None, |_| ControlFlow::Continue(()))
     }
 
-    /// Continues from a [checkpoint](Grains::checkpoint) of a run of the same scene, with the same bits as
+    /// Continues from a [checkpoint](GrainsSimulation::checkpoint) of a run of the same scene, with the same bits as
     /// without interruption.
     ///
     /// ```

@@ -113,7 +113,7 @@ impl PowderSimulation {
         Self::begin(scene, None, |_| ControlFlow::Continue(()))
     }
 
-    /// Continues from a [checkpoint](Compaction::checkpoint) of a run of the same scene, with the same
+    /// Continues from a [checkpoint](PowderSimulation::checkpoint) of a run of the same scene, with the same
     /// bits as without interruption. A run that had ended remains ended and takes no more steps.
     ///
     /// ```

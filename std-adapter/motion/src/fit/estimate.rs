@@ -167,7 +167,7 @@ pub struct FitProgress {
 /// Fits the model to the data.
 ///
 /// *Cost*: with up to 4,000 points all starts use all points, with some 30 steps each. With more
-/// points, starts use a sample if the model can be [thinned](Model::thinned), and the few minima that
+/// points, starts use a sample if the model can be [thinned](Model::subsample), and the few minima that
 /// are alike on it are refined on all points. The same data give the same bits.
 pub fn fit(model: &dyn Model, data: &Measurements, options: &FitOptions) -> Result<Fit, FitError> {
     fit_watched(model, data, options, &mut |_| ())

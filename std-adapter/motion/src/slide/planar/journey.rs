@@ -175,7 +175,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
         self.follow(&[], |_| ())
     }
 
-    /// Like [`Journey::to_end`]; `observe` receives the launch, the given times, which must ascend,
+    /// Like [`PlanarSimulation::to_end`]; `observe` receives the launch, the given times, which must ascend,
     /// intermediate points wherever the path has turned by 15 degrees, and the end.
     pub fn follow(
         self,

@@ -2,7 +2,7 @@
 //!
 //! A [`Resistance`] gives the deceleration of a body, a [`PlanarSimulation`] follows the body to rest. Bodies that are
 //! ready, a cylinder, a pipe, a box or other plate, and a curling rock, are run from their scenes by
-//! [`run_path`](super::run_path); a body of your own implements [`Resistance`].
+//! [`run_path`](super::run_planar); a body of your own implements [`Resistance`].
 
 mod cylinder;
 mod journey;

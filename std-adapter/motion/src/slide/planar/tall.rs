@@ -23,7 +23,7 @@ pub enum Gradient {
 
 /// A tall body on its foot; beyond |l| = 1 the effect of the gradient on the friction no longer grows.
 ///
-/// *Units*: SI. *Source*: [`tribos_core::coupling::tall`].
+/// *Units*: SI. *Source*: [`tribos_core::coupling::load_transfer`].
 ///
 /// ```
 /// use tribos::friction::{AnyFriction, Law, Patch};
