@@ -17,10 +17,10 @@ macro_rules! errors {
         /// ```
         /// use tribos_core::prelude::*;
         /// fn stopping_time(mu: f32, radius: f32) -> Result<Option<f32>, Error> {
-        ///     let coupling = PatchFriction::new(Coulomb, mu, radius)?;
+        ///     let coupling = RoundFriction::new(CoulombDisk, mu, radius)?;
         ///     let parameters = SliderParameters { deceleration: mu * 9.81, radius, inertia_ratio: 0.5 };
         ///     let puck = Slider::new(*coupling.coupling(), parameters)?;
-        ///     Ok(puck.to_rest(&Motion::launched(1.0, 5.0)).map(|rest| rest.motion.time))
+        ///     Ok(puck.to_rest(&SliderState::launched(1.0, 5.0)).map(|rest| rest.motion.time))
         /// }
         /// assert!(stopping_time(0.3, 0.04).is_ok());
         /// assert!(matches!(stopping_time(-0.3, 0.04), Err(Error::Law(_))));

@@ -53,12 +53,12 @@ pub enum Stiction {
 /// let [certain, possible] = [0.5 * 10.0_f64, 0.7 * 10.0].map(|n| RoundLimitSurface::new(CoulombDisk, n, 5e-3));
 /// let (certain, possible) = (certain?, possible?);
 /// let ask = |pull| StictionBounds::of(&certain, &possible, &Wrench::new(pull, 0.0, 0.0)); // N
-/// assert_eq!(ask(4.0).hold, Stiction::Holds);
-/// assert_eq!(ask(6.0).hold, Stiction::Undecided);
-/// assert_eq!(ask(8.0).hold, Stiction::Slips);
+/// assert_eq!(ask(4.0).stiction, Stiction::Holds);
+/// assert_eq!(ask(6.0).stiction, Stiction::Undecided);
+/// assert_eq!(ask(8.0).stiction, Stiction::Slips);
 /// // A quarter more would still hold for certain; at 7/4 of it nothing can hold.
-/// assert!((ask(4.0).surely_held_scale() - 1.25).abs() < 1e-12);
-/// assert!((ask(4.0).surely_slipping_scale() - 1.75).abs() < 1e-12);
+/// assert!((ask(4.0).certain_scale() - 1.25).abs() < 1e-12);
+/// assert!((ask(4.0).possible_scale() - 1.75).abs() < 1e-12);
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

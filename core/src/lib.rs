@@ -12,7 +12,7 @@
 //!
 //! ```
 //! use tribos_core::prelude::*;
-//! let puck = PatchFriction::new(Coulomb, 0.3_f32, 0.04)?; // coefficient μ, radius in m
+//! let puck = RoundFriction::new(CoulombDisk, 0.3_f32, 0.04)?; // coefficient μ, radius in m
 //! let wrench = puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // load in N; m/s, m/s, rad/s
 //! assert!(wrench.force.x < 0.0 && wrench.torque < 0.0); // N, N m
 //! # Ok::<(), Error>(())
@@ -22,7 +22,7 @@
 //!
 //! ```
 //! use tribos_core::prelude::*;
-//! let puck = LimitSurface::new(Coulomb, 0.5_f64, 0.04)?; // force limit μN in N, radius in m
+//! let puck = RoundLimitSurface::new(CoulombDisk, 0.5_f64, 0.04)?; // force limit μN in N, radius in m
 //! assert!(puck.contains(&Wrench::new(0.4, 0.0, 0.001))); // the puck sticks
 //! let carried = puck.project(&Wrench::new(0.6, 0.0, 0.01)); // too much: it slides
 //! assert!(puck.contains(&carried.wrench));
@@ -34,8 +34,8 @@
 //! ```
 //! use tribos_core::prelude::*;
 //! let puck = SliderParameters { deceleration: 0.3_f64 * 9.81, radius: 0.04, inertia_ratio: 0.5 };
-//! let puck = Slider::new(Coulomb, puck)?;
-//! let rest = puck.to_rest(&Motion::launched(1.0, 20.0)); // m/s, rad/s
+//! let puck = Slider::new(CoulombDisk, puck)?;
+//! let rest = puck.to_rest(&SliderState::launched(1.0, 20.0)); // m/s, rad/s
 //! assert!(rest.is_some_and(|rest| rest.motion.distance > 0.17)); // m: farther than without spin
 //! # Ok::<(), Error>(())
 //! ```
@@ -46,9 +46,9 @@
 //! use tribos_core::{nalgebra::Vector3, prelude::*};
 //! let (still, up) = (Vector3::new(0.0, 0.0, 0.0), Vector3::new(0.0, 0.0, 1.0));
 //! let (velocity, spin) = (Vector3::new(1.0, 0.0, -0.01), Vector3::new(0.0, 0.0, 50.0));
-//! let mut ball = Sphere { velocity, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
-//! let mut table = Plate { velocity: still, inv_mass: 0.0 };
-//! let touch = Touch::plate(0.05, &up, 0.05)?; // a ball of 5 cm that touches the table
+//! let mut ball = SphereBody { velocity, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
+//! let mut table = WallBody { velocity: still, inv_mass: 0.0 };
+//! let touch = ContactGeometry::plate(0.05, &up, 0.05)?; // a ball of 5 cm that touches the table
 //! let mut contact = Contact::new(&touch, &NormalLaw::new(Cohesion::NONE, 0.0)?, &ball, &table, 1e-3);
 //! contact.update(&IndependentFriction::sliding_torsion(0.3_f64, 0.01)?, &mut ball, &mut table);
 //! assert!(ball.velocity.z == 0.0 && ball.velocity.x < 1.0 && ball.spin.z < 50.0);
@@ -61,7 +61,7 @@
 //! use tribos_core::prelude::*;
 //! let dry = DryFriction::new(0.15_f64, 0.1)?; // static and dynamic coefficient
 //! let oil = Stribeck::new(StribeckParameters { dry, speed: 0.01, exponent: 2.0, viscous: 0.5 })?;
-//! let bearing = PatchFriction::new(DiskQuadrature::new(oil), 1.0, 0.04)?; // factor, radius in m
+//! let bearing = RoundFriction::new(DiskQuadrature::new(oil), 1.0, 0.04)?; // factor, radius in m
 //! let [fast, slow] = [0.5, 0.05].map(|v| bearing.wrench(1.7, &Twist::new(v, 0.0, 0.0)));
 //! assert!(fast.force.x < slow.force.x); // viscous: the faster, the larger
 //! # Ok::<(), Error>(())

@@ -64,7 +64,7 @@ pub struct FixedPoints<R> {
 /// use tribos_core::coupling::table::CoulombDisk;
 /// use tribos_core::modes::{TerminalMode, TerminalMotion};
 /// // A disk loaded at its rim, one loaded at its hub, and a plain one, all thrown with v = ωR.
-/// let last = |inertia: f64| Ok(TerminalMotion::new(CoulombDisk, inertia)?.final_mode(1.0));
+/// let last = |inertia: f64| Ok(TerminalMotion::new(CoulombDisk, inertia)?.terminal_mode(1.0));
 /// assert_eq!(last(0.8)?, TerminalMode::Spinning);
 /// assert_eq!(last(0.2)?, TerminalMode::Sliding);
 /// assert!(matches!(last(0.5)?, TerminalMode::Together { ratio } if ratio > 0.6 && ratio < 0.7));
@@ -116,8 +116,8 @@ fn in_order<R: Real>([spinning, sliding]: [R; 2]) -> (R, R) {
 /// The final motion of sliders that share a law and an inertia ratio.
 ///
 /// ```
-/// use tribos_core::{coupling::table::Coulomb, modes::TerminalMotion};
-/// let disk = TerminalMotion::new(Coulomb, 0.5_f64)?;
+/// use tribos_core::{coupling::table::CoulombDisk, modes::TerminalMotion};
+/// let disk = TerminalMotion::new(CoulombDisk, 0.5_f64)?;
 /// let ratio = disk.finite_fixed_point().unwrap_or(f64::NAN);
 /// assert!((ratio - 0.653001789206).abs() < 1e-12);
 /// // There C_α is the disk's own inertia, and the ratio does not change any more.

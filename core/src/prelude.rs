@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use tribos_core::prelude::*;
-//! let puck = PatchFriction::new(Coulomb, 0.3, 0.04)?; // μ, m
+//! let puck = RoundFriction::new(CoulombDisk, 0.3, 0.04)?; // μ, m
 //! assert!(puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)).torque < 0.0); // N; m/s, m/s, rad/s
 //! # Ok::<(), Error>(())
 //! ```

@@ -34,7 +34,7 @@ pub struct Twist<R: Real> {
 ///
 /// ```
 /// use tribos_core::prelude::*;
-/// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?; // mu, radius in m
+/// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?; // mu, radius in m
 /// let twist = Twist::new(1.0, 0.0, 20.0); // m/s, m/s, rad/s
 /// let friction = puck.wrench(1.7, &twist); // load in N
 /// assert!(friction.power(&twist) < 0.0); // in W: friction dissipates

@@ -82,7 +82,7 @@
 //! | [`soft`] | soft spheres: the same contacts with springs and dashpots |
 //! | [`gas`] | granular gases: hard spheres from collision to collision |
 //! | [`measure`] | stress, fabric, pair correlation, force chains of packings; packings of other programs |
-//! | [`md`], [`tip`] | pair potentials of atoms; a tip of atoms turned on a substrate |
+//! | [`tip`] | a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
 //! | [`run`] | the driver: sessions with checkpoints, progress, cancellation |
 //! | [`record`], [`space`] | errors of output files; periodic boxes |
@@ -109,8 +109,10 @@ pub mod run {
     pub use tribos_grains::packing::PackingRunError;
 }
 
+#[doc(hidden)]
+pub use tribos_atoms::md;
 #[doc(inline)]
-pub use tribos_atoms::{md, tip};
+pub use tribos_atoms::tip;
 #[doc(hidden)]
 pub use tribos_base::random;
 #[doc(inline)]

@@ -25,11 +25,11 @@
 //! (2005) 066602 and J. Stat. Mech. (2005) P03004, of whose equations none is used here.
 //!
 //! ```
-//! use tribos_core::bond::{Bonds, OneStrength};
+//! use tribos_core::bond::{Bonds, BrittleBond};
 //! use tribos_core::patch::nodes::NodeList;
-//! use tribos_core::patch::polar::PolarRule;
+//! use tribos_core::patch::polar::PolarQuadrature;
 //! use tribos_core::twist::Twist;
-//! let puck: NodeList<f64, 128> = PolarRule::new(0.04, 8, 16)?.nodes()?; // radius in m
+//! let puck: NodeList<f64, 128> = PolarQuadrature::new(0.04, 8, 16)?.nodes()?; // radius in m
 //! let bonds = Bonds::new(BrittleBond::new(5e4, 1e-5)?, puck)?.with_rim(0.04)?; // 1/m; m
 //! let [pushed, turned] = [Twist::new(1.0, 0.0, 0.0), Twist::new(0.0, 0.0, 1.0)]
 //!     .map(|direction| bonds.onset(1.7, &direction)); // load in N
@@ -66,13 +66,13 @@ use crate::real::Real;
 /// *Units*: strains are lengths; forces per load are numbers, stiffnesses 1/length.
 ///
 /// ```
-/// use tribos_core::bond::{BondLaw, Exponential, OneStrength};
+/// use tribos_core::bond::{BondLaw, ExponentialBond, BrittleBond};
 /// /// Static friction coefficient of a body that is pushed and not turned.
 /// fn static_coefficient(law: &impl BondLaw<f64>) -> f64 {
 ///     law.friction(law.peak())
 /// }
-/// assert_eq!(static_coefficient(&OneStrength::new(5e4, 1e-5)?), 0.5);
-/// let broad = Exponential::new(5e4, 1e-5)?;
+/// assert_eq!(static_coefficient(&BrittleBond::new(5e4, 1e-5)?), 0.5);
+/// let broad = ExponentialBond::new(5e4, 1e-5)?;
 /// assert!((static_coefficient(&broad) - 0.5 / 1.0_f64.exp()).abs() < 1e-15);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```

@@ -32,12 +32,12 @@ use core::num::NonZeroU32;
 /// *Source*: D. R. Cox, Renewal Theory (1962), for A; the sums are derived in this module.
 ///
 /// ```
-/// use tribos_core::bond::{BondLaw, ReForming};
+/// use tribos_core::bond::{BondLaw, ReformingBond};
 /// use tribos_core::law::LocalLaw;
-/// let bonds = ReForming::new(2.0_f64, 0.5, 64)?; // 1/m, m
+/// let bonds = ReformingBond::new(2.0_f64, 0.5, 64)?; // 1/m, m
 /// let ratio = bonds.friction(bonds.peak()) / bonds.plateau(); // static over dynamic friction
 /// assert!((ratio - 1.5119).abs() < 1e-4);
-/// let broad = ReForming::new(2.0_f64, 0.5, 1)?;
+/// let broad = ReformingBond::new(2.0_f64, 0.5, 1)?;
 /// assert!(broad.peak().is_infinite()); // it rises to the steady value and never falls
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
@@ -95,9 +95,9 @@ impl<R: Real> ReformingBond<R> {
     /// mean. *Domain*: 0 < `stiffness` < ∞ (k), 0 < `strain` < ∞ (x0).
     ///
     /// ```
-    /// use tribos_core::bond::{BondLaw, ReForming};
+    /// use tribos_core::bond::{BondLaw, ReformingBond};
     /// use tribos_core::law::LocalLaw;
-    /// let bonds = ReForming::one_strength(2.0, 0.5)?; // 1/m, m
+    /// let bonds = ReformingBond::one_strength(2.0, 0.5)?; // 1/m, m
     /// assert_eq!([0.25, 0.5, 0.75, 1.0].map(|strain| bonds.friction(strain)), [0.5, 1.0, 0.5, 1.0]);
     /// assert_eq!(bonds.plateau(), 0.5);
     /// # Ok::<(), tribos_core::law::LawError>(())

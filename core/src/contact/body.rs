@@ -16,12 +16,12 @@ use nalgebra::Vector3;
 /// let mut wall = WallBody { velocity: still, inv_mass: 0.0 };
 /// // An impulse and its opposite, in N s.
 /// let (kick, normal) = (Vector3::new(0.0, 0.3, 0.4), Vector3::new(0.0, 0.0, 1.0));
-/// ball.push(1.0, &kick, 0.4, &normal);
-/// wall.push(-1.0, &kick, 0.4, &normal);
+/// ball.apply_impulse(1.0, &kick, 0.4, &normal);
+/// wall.apply_impulse(-1.0, &kick, 0.4, &normal);
 /// assert_eq!(ball.velocity(), kick * 2.0); // m/s
 /// assert_eq!(wall.velocity(), still);
-/// ball.turn(1.0, &Vector3::new(0.0, 0.0, 0.01)); // N m s
-/// assert_eq!(ball.spin().z, 0.01 * 500.0); // rad/s
+/// ball.apply_angular_impulse(1.0, &Vector3::new(0.0, 0.0, 0.01)); // N m s
+/// assert_eq!(ball.angular_velocity().z, 0.01 * 500.0); // rad/s
 /// ```
 pub trait ContactBody<R: Real> {
     /// Velocity of the centre.

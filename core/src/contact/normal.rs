@@ -17,10 +17,10 @@ use crate::real::Real;
 /// # let up = Vector3::new(0.0, 0.0, 1.0);
 /// // A ball of 1 kg let go 0.5 mm off a wall that attracts by 2 N up to 1 mm; a millisecond later.
 /// let speed = |attraction| -> Result<f64, tribos_core::Error> {
-///     let mut ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
-///     let mut wall = Plate { velocity: still, inv_mass: 0.0 };
+///     let mut ball = SphereBody { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+///     let mut wall = WallBody { velocity: still, inv_mass: 0.0 };
 ///     let law = NormalLaw::new(Cohesion::new(2.0, 1e-3, attraction)?, 0.0)?;
-///     let touch = Touch::plate(0.0505, &up, 0.05)?;
+///     let touch = ContactGeometry::plate(0.0505, &up, 0.05)?;
 ///     let mut contact = Contact::new(&touch, &law, &ball, &wall, 1e-3);
 ///     contact.update(&IndependentFriction::none(), &mut ball, &mut wall);
 ///     Ok(ball.velocity.z)
@@ -110,9 +110,9 @@ impl<R: Real> Cohesion<R> {
 /// assert_eq!(law.cohesion().strength(), 0.0);
 /// // A ball hits a floor with 2 m/s, and leaves it with half of that.
 /// let (still, down) = (Vector3::new(0.0, 0.0, 0.0), Vector3::new(0.0, 0.0, -2.0));
-/// let mut ball = Sphere { velocity: down, spin: still, inv_mass: 4.0, inv_inertia: 1000.0 };
-/// let mut floor = Plate { velocity: still, inv_mass: 0.0 };
-/// let touch = Touch::plate(0.05, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+/// let mut ball = SphereBody { velocity: down, spin: still, inv_mass: 4.0, inv_inertia: 1000.0 };
+/// let mut floor = WallBody { velocity: still, inv_mass: 0.0 };
+/// let touch = ContactGeometry::plate(0.05, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
 /// let mut contact = Contact::new(&touch, &law, &ball, &floor, 1e-3);
 /// contact.update(&IndependentFriction::none(), &mut ball, &mut floor);
 /// assert!((ball.velocity.z - law.restitution() * 2.0).abs() < 1e-15);

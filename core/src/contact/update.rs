@@ -22,13 +22,13 @@ use nalgebra::Vector3;
 /// use tribos_core::contact::*;
 /// # let still = Vector3::new(0.0, 0.0, 0.0);
 /// # let spin = still;
-/// # let mut ball = Sphere { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
-/// # let mut table = Plate { velocity: still, inv_mass: 0.0 };
+/// # let mut ball = SphereBody { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
+/// # let mut table = WallBody { velocity: still, inv_mass: 0.0 };
 /// // A ball of 1 kg that lies on a table, and sticks to it with 5 N.
 /// let dt = 1e-3;
 /// ball.velocity.z = -9.81 * dt;
 /// let law = NormalLaw::new(Cohesion::new(5.0, 1e-6, Attraction::Pull)?, 0.0)?;
-/// let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+/// let touch = ContactGeometry::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
 /// let mut contact = Contact::new(&touch, &law, &ball, &table, dt);
 /// contact.update(&IndependentFriction::sliding(0.3)?, &mut ball, &mut table);
 /// // The table bears the weight; friction is bounded by weight and cohesion.
@@ -58,16 +58,16 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     /// use tribos_core::contact::*;
     /// # let still = Vector3::new(0.0, 0.0, 0.0);
     /// # let spin = still;
-    /// # let ball = Sphere { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
-    /// # let table = Plate { velocity: still, inv_mass: 0.0 };
+    /// # let ball = SphereBody { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
+    /// # let table = WallBody { velocity: still, inv_mass: 0.0 };
     /// // A ball of 5 cm and 1 kg, 1 mm above a table, and a step of 1 ms.
     /// let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-    /// let touch = Touch::plate(0.051_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
-    /// let contact = Contact::<f64, Sliding>::new(&touch, &law, &ball, &table, 1e-3);
+    /// let touch = ContactGeometry::plate(0.051_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+    /// let contact = Contact::<f64, SlidingOnly>::new(&touch, &law, &ball, &table, 1e-3);
     /// // It may approach by 1 m/s before the table bears.
-    /// assert!((contact.allowance() - 1.0).abs() < 1e-12 && !contact.rests_open());
+    /// assert!((contact.approach_limit() - 1.0).abs() < 1e-12 && !contact.holds_gap_open());
     /// assert_eq!(*contact.normal(), Vector3::new(0.0, 0.0, -1.0)); // from the ball to the table
-    /// assert_eq!((contact.arms(), contact.lever()), ([0.051, 0.0], 0.05));
+    /// assert_eq!((contact.centre_distances(), contact.effective_radius()), ([0.051, 0.0], 0.05));
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn new(
@@ -200,15 +200,15 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     /// use tribos_core::contact::*;
     /// # let still = Vector3::new(0.0, 0.0, 0.0);
     /// # let spin = still;
-    /// # let mut ball = Sphere { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
-    /// # let mut table = Plate { velocity: still, inv_mass: 0.0 };
+    /// # let mut ball = SphereBody { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
+    /// # let mut table = WallBody { velocity: still, inv_mass: 0.0 };
     /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-    /// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
-    /// let mut contact = Contact::<_, Sliding>::new(&touch, &law, &ball, &table, 1e-3);
+    /// # let touch = ContactGeometry::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+    /// let mut contact = Contact::<_, SlidingOnly>::new(&touch, &law, &ball, &table, 1e-3);
     /// // The impulse of the last step, when the normal was another.
     /// contact.set_impulse(&ContactVector::new(1.0, Vector3::new(3.0, 4.0, 7.0), still, 0.0)); // N s
     /// assert_eq!(contact.impulse().sliding(), Vector3::new(3.0, 4.0, 0.0));
-    /// contact.admit(&IndependentFriction::sliding(0.5)?);
+    /// contact.project_impulse(&IndependentFriction::sliding(0.5)?);
     /// assert!((contact.impulse().sliding() - Vector3::new(0.3, 0.4, 0.0)).amax() < 1e-15);
     /// // It is the table's; the ball takes the opposite.
     /// contact.apply(contact.impulse(), &mut ball, &mut table);

@@ -22,7 +22,7 @@ use crate::real::Real;
 ///
 /// ```
 /// use tribos_core::coupling::{Annulus, ReducedFriction, table};
-/// let band = Annulus::new(table::Coulomb, 0.5_f64)?;
+/// let band = Annulus::new(table::CoulombDisk, 0.5_f64)?;
 /// let torque = band.reduced_wrench(0.0, 1.0).torque;
 /// assert!((torque - (2.0 / 3.0) * (1.0 - 0.125) / (1.0 - 0.25)).abs() < 1e-15);
 /// # Ok::<(), tribos_core::patch::PatchError>(())

@@ -27,10 +27,10 @@ use crate::real::Real;
 /// A coupling with its lateral function G.
 ///
 /// ```
-/// use tribos_core::coupling::{Lateral, table::Coulomb};
+/// use tribos_core::coupling::{LateralFriction, table::CoulombDisk};
 /// // Spinning in place under a pressure that leans: half the mean radius goes sideways.
-/// assert!((Coulomb.lateral(0.0_f64, 1.0) - 0.5 * 2.0 / 3.0).abs() < 1e-14);
-/// assert_eq!(Coulomb.lateral(1.0_f64, 0.0), 0.0); // sliding without spin: nothing
+/// assert!((CoulombDisk.lateral(0.0_f64, 1.0) - 0.5 * 2.0 / 3.0).abs() < 1e-14);
+/// assert_eq!(CoulombDisk.lateral(1.0_f64, 0.0), 0.0); // sliding without spin: nothing
 /// ```
 pub trait LateralFriction<R: Real>: ReducedFriction<R> {
     /// G: the lateral force per coefficient, load and unit of pressure gradient l along the

@@ -70,10 +70,10 @@ pub fn leaning_wrench<R: Real, C: LateralFriction<R>>(
 /// FrameSelector components of the pressure gradient are computed.
 ///
 /// ```
-/// use tribos_core::coupling::{table::Coulomb, tall::{AllRound, FrontBack, Lean}};
+/// use tribos_core::coupling::{table::CoulombDisk, load_transfer::{FullGradient, LongitudinalGradient, PressureGradient}};
 /// let (speeds, lean) = ([1.0_f64, 1.0], 0.1);
-/// let (simple, _) = FrontBack::balance(&Coulomb, speeds, lean);
-/// let (both, [along, across]) = AllRound::balance(&Coulomb, speeds, lean);
+/// let (simple, _) = LongitudinalGradient::balance(&CoulombDisk, speeds, lean);
+/// let (both, [along, across]) = FullGradient::balance(&CoulombDisk, speeds, lean);
 /// // The gradient balances the very forces that it causes.
 /// assert!((along - lean * both.force).abs() < 1e-15);
 /// assert!((across - lean * both.lateral).abs() < 1e-15);
@@ -98,9 +98,9 @@ mod sealed {
 /// Only the gradient along the velocity, from the upright body's force (eq. 3.37).
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, table::Coulomb, tall::{FrontBack, Lean}};
-/// let (wrench, gradient) = FrontBack::balance(&Coulomb, [0.3_f64, 0.4], 0.5);
-/// let upright = Coulomb.reduced_wrench(0.3, 0.4);
+/// use tribos_core::coupling::{ReducedFriction, table::CoulombDisk, load_transfer::{LongitudinalGradient, PressureGradient}};
+/// let (wrench, gradient) = LongitudinalGradient::balance(&CoulombDisk, [0.3_f64, 0.4], 0.5);
+/// let upright = CoulombDisk.reduced_wrench(0.3, 0.4);
 /// assert_eq!([wrench.force, wrench.torque], [upright.force, upright.torque]);
 /// assert_eq!(gradient, [0.5 * upright.force, 0.0]);
 /// ```
@@ -157,19 +157,19 @@ impl PressureGradient for FullGradient {
 /// Wrench and pressure gradient of a tall body, and whether it begins to tip.
 ///
 /// ```
-/// use tribos_core::coupling::tall::{AllRound, TallFriction, TallWrench};
-/// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+/// use tribos_core::coupling::load_transfer::{FullGradient, LoadTransferFriction, LoadTransferWrench};
+/// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
 /// use tribos_core::twist::Twist;
-/// let foot = PatchFriction::new(Coulomb, 0.2_f64, 0.08)?; // mu, m
+/// let foot = RoundFriction::new(CoulombDisk, 0.2_f64, 0.08)?; // mu, m
 /// let (height, load) = (0.05, 9.81); // m, N
-/// let puck = TallFriction::<_, _, AllRound>::new(foot, height)?;
-/// let TallWrench { wrench, lean, .. } = puck.wrench(load, &Twist::new(1.0, 0.0, 10.0));
+/// let puck = LoadTransferFriction::<_, _, FullGradient>::new(foot, height)?;
+/// let LoadTransferWrench { wrench, lean, .. } = puck.wrench(load, &Twist::new(1.0, 0.0, 10.0));
 /// // Friction's moment about the centre of mass is the pressure's: N R l/4 in the uniform disk.
 /// let pressure = lean * (load * 0.08 / 4.0);
 /// assert!((wrench.force * height + pressure).amax() < 1e-14);
 /// // A bottle tips when it slides, but not while it spins fast, where sliding meets little friction.
-/// let foot = PatchFriction::new(Coulomb, 0.5_f64, 0.05)?; // mu, m
-/// let bottle = TallFriction::<_, _, AllRound>::new(foot, 0.1)?; // m
+/// let foot = RoundFriction::new(CoulombDisk, 0.5_f64, 0.05)?; // mu, m
+/// let bottle = LoadTransferFriction::<_, _, FullGradient>::new(foot, 0.1)?; // m
 /// let [slides, spins] = [0.0, 1000.0].map(|spin| bottle.wrench(5.0, &Twist::new(1.0, 0.0, spin)));
 /// assert!(slides.is_lifting && !spins.is_lifting);
 /// # Ok::<(), tribos_core::Error>(())
@@ -189,12 +189,12 @@ impl<R: Real> LoadTransferWrench<R> {
     /// The wrench, unless the body tips.
     ///
     /// ```
-    /// use tribos_core::coupling::tall::{AllRound, TallFriction};
-    /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+    /// use tribos_core::coupling::load_transfer::{FullGradient, LoadTransferFriction};
+    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
     /// use tribos_core::patch::PatchError;
     /// use tribos_core::twist::Twist;
-    /// let foot = PatchFriction::new(Coulomb, 0.5_f64, 0.05)?; // mu, m
-    /// let bottle = TallFriction::<_, _, AllRound>::new(foot, 0.1)?; // centre of mass, m
+    /// let foot = RoundFriction::new(CoulombDisk, 0.5_f64, 0.05)?; // mu, m
+    /// let bottle = LoadTransferFriction::<_, _, FullGradient>::new(foot, 0.1)?; // centre of mass, m
     /// // Sliding without spin, force μN: the gradient is 4 μ h/R.
     /// let slides = bottle.wrench(5.0, &Twist::new(1.0, 0.0, 0.0)).whole();
     /// let Err(PatchError::Tips { lean }) = slides else { panic!("it tips") };
@@ -216,11 +216,11 @@ impl<R: Real> LoadTransferWrench<R> {
 /// *Units*: as [`RoundFriction`]. The wrench acts at the foot's centre.
 ///
 /// ```
-/// use tribos_core::coupling::{PatchFriction, tall::{AllRound, TallFriction}, table::Coulomb};
+/// use tribos_core::coupling::{RoundFriction, load_transfer::{FullGradient, LoadTransferFriction}, table::CoulombDisk};
 /// use tribos_core::twist::Twist;
 /// // A cylinder of radius 8 cm and height 16 cm: it drifts to the right when it spins left.
-/// let foot = PatchFriction::new(Coulomb, 0.2_f64, 0.08)?;
-/// let cylinder = TallFriction::<_, _, AllRound>::new(foot, 0.08)?; // centre of mass, m
+/// let foot = RoundFriction::new(CoulombDisk, 0.2_f64, 0.08)?;
+/// let cylinder = LoadTransferFriction::<_, _, FullGradient>::new(foot, 0.08)?; // centre of mass, m
 /// let wrench = cylinder.wrench(9.81, &Twist::new(1.0, 0.0, 10.0)).whole()?;
 /// assert!(wrench.force.x < 0.0 && wrench.force.y < 0.0);
 /// assert_eq!(cylinder.foot().radius(), 0.08);
@@ -292,12 +292,12 @@ impl<R: Real, C: LateralFriction<R>, L: PressureGradient> LoadTransferFriction<R
     /// λ: the pressure gradient per unit of reduced force.
     ///
     /// ```
-    /// use tribos_core::coupling::{PatchFriction, table::Coulomb, tall::{AllRound, TallFriction}};
+    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk, load_transfer::{FullGradient, LoadTransferFriction}};
     /// let (mu, radius) = (0.5_f64, 0.05); // m
-    /// let foot = PatchFriction::new(Coulomb, mu, radius)?;
+    /// let foot = RoundFriction::new(CoulombDisk, mu, radius)?;
     /// // Friction's resultant leaves the kern of the disk, a quarter of its radius: λ = 1.
-    /// let tall = TallFriction::<_, _, AllRound>::new(foot, radius / 4.0 / mu)?;
-    /// assert!((tall.lean() - 1.0).abs() < 1e-15);
+    /// let load_transfer = LoadTransferFriction::<_, _, FullGradient>::new(foot, radius / 4.0 / mu)?;
+    /// assert!((load_transfer.lean() - 1.0).abs() < 1e-15);
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn lean(&self) -> R {

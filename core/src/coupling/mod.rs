@@ -132,7 +132,7 @@ pub struct ReducedJacobian<R> {
 ///     disk.reduced_wrench(1e-4, 1.0).force / 1e-4
 /// }
 /// // Spinning makes dry friction viscous, F = ε − ε³/8 + …, in every tier.
-/// assert!((drag(&table::Coulomb) - 1.0).abs() < 2e-9);
+/// assert!((drag(&table::CoulombDisk) - 1.0).abs() < 2e-9);
 /// assert!((drag(&compact::CompactCoulombDisk) - 1.0).abs() < 2e-9);
 /// assert!((table::CoulombDisk.reduced_jacobian(0.0_f64, 1.0).force_slide - 1.0).abs() < 1e-12);
 /// ```

@@ -40,11 +40,11 @@ use crate::real::Real;
 /// Its methods but [`PowerLawFriction::exponent`] serve the kernel and are no part of the promise.
 ///
 /// ```
-/// use tribos_core::coupling::{Profile, compact::CompactPower, table::Coulomb};
-/// fn is_dry(profile: &impl Profile<f64>) -> bool {
+/// use tribos_core::coupling::{PowerLawFriction, compact::CompactPower, table::CoulombDisk};
+/// fn is_dry(profile: &impl PowerLawFriction<f64>) -> bool {
 ///     profile.exponent() == 0.0
 /// }
-/// assert!(is_dry(&Coulomb) && !is_dry(&CompactPower::new(0.5)?));
+/// assert!(is_dry(&CoulombDisk) && !is_dry(&CompactPower::new(0.5)?));
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 pub trait PowerLawFriction<R: Real> {
@@ -163,8 +163,8 @@ impl<R: Real, P: SmoothProfile<R> + ?Sized> SmoothProfile<R> for &P {
 /// that keeps the scale itself needs. Zero at rest.
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, table::Table64, unscaled_wrench};
-/// let law = Table64::new(0.5)?;
+/// use tribos_core::coupling::{ReducedFriction, table::DiskTable64, unscaled_wrench};
+/// let law = DiskTable64::new(0.5)?;
 /// let (whole, bare) = (law.reduced_wrench(0.3, 0.4), unscaled_wrench(&law, 0.3, 0.4));
 /// assert!((whole.force - bare.force * 0.4_f64.sqrt()).abs() < 1e-15);
 /// assert!((whole.torque - bare.torque * 0.4_f64.sqrt()).abs() < 1e-15);

@@ -40,7 +40,7 @@ use crate::real::Real;
 /// *Cost*: 32 law evaluations for the force, 152 for the torque (256 where v > 2w).
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
+/// use tribos_core::coupling::{ReducedFriction, quadrature::DiskQuadrature};
 /// use tribos_core::law::CoulombLaw;
 /// let disk = DiskQuadrature::new(CoulombLaw::new(1.0_f64)?);
 /// assert!((disk.reduced_wrench(1.0, 1.0).force - 8.0 / (3.0 * core::f64::consts::PI)).abs() < 1e-8);

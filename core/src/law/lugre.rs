@@ -125,9 +125,9 @@ impl<R: Real> LuGre<R> {
     /// z' at this moment.
     #[inline]
     pub fn rate(&self, bristle: Bristle<R>, velocity: R) -> R {
-        let load_share =
+        let load =
             self.parameters.stiffness * bristle.deflection / self.steady_bristle_force(velocity);
-        velocity - velocity.abs() * load_share
+        velocity - velocity.abs() * load
     }
 
     /// Force at this moment, σ₀ z + σ₁ z' + σ₂ v.

@@ -39,10 +39,10 @@ pub struct PlateauPowerLawParameters<R> {
 /// *Source*: eq. 3.39 and fig. 3.19; the closed form is ours.
 ///
 /// ```
-/// use tribos_core::law::{LocalLaw, PlateauPower, PlateauPowerParameters};
-/// let curling = PlateauPower::new(PlateauPowerParameters {
+/// use tribos_core::law::{LocalLaw, PlateauPowerLaw, PlateauPowerLawParameters};
+/// let curling = PlateauPowerLaw::new(PlateauPowerLawParameters {
 ///     alpha: -0.5, coefficient: 0.008, // speeds in m/s
-///     plateau_speed: PlateauPower::<f64>::ICE_PLATEAU_SPEED, // 1e-4 m/s
+///     plateau_speed: PlateauPowerLaw::<f64>::ICE_PLATEAU_SPEED, // 1e-4 m/s
 ///     drop_speed: 1e-7, rest_share: 0.5,
 /// })?;
 /// assert!((curling.friction(1.0) - 0.008).abs() < 1e-8);

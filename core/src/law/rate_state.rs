@@ -41,8 +41,8 @@ pub struct RateStateParameters<R> {
 /// *Source*: AgeingLaw 1979, SlipLaw 1983; asinh: Rice, Lapusta and Ranjith 2001; thesis 2.3.1.
 ///
 /// ```
-/// use tribos_core::law::{LocalLaw, RateState, RateStateParameters, Ruina};
-/// let rock = RateState::<f64, Ruina>::new(RateStateParameters {
+/// use tribos_core::law::{LocalLaw, RateState, RateStateParameters, SlipLaw};
+/// let rock = RateState::<f64, SlipLaw>::new(RateStateParameters {
 ///     mu: 0.6, a: 0.010, b: 0.015,
 ///     reference_speed: 1e-6, slip_distance: 1e-5, viscous: 0.0, // m/s, m
 /// })?;

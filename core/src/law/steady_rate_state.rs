@@ -20,8 +20,8 @@ use crate::real::Real;
 /// thesis. *Accuracy*: as [`RateState`](super::RateState).
 ///
 /// ```
-/// use tribos_core::law::{Dieterich, RateState, RateStateParameters, SteadyRateState};
-/// let paper: SteadyRateState<f64> = RateState::<_, Dieterich>::new(RateStateParameters {
+/// use tribos_core::law::{AgeingLaw, RateState, RateStateParameters, SteadyRateState};
+/// let paper: SteadyRateState<f64> = RateState::<_, AgeingLaw>::new(RateStateParameters {
 ///     mu: 0.35, a: 0.01, b: 0.03,
 ///     reference_speed: 1e-6, slip_distance: 1e-6, viscous: 200.0, // m/s, m, s/m
 /// })?.steady();

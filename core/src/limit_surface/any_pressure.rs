@@ -36,8 +36,8 @@ const FORCE_ULPS: f64 = 2.0;
 /// let foot = UnknownPressureSet::new(sole, [0.05, 0.01], 0.6 * 700.0)?; // m; μN in N
 /// // The yaw torque that the foot may be asked for while it pushes forwards with 200 N.
 /// let yaw = foot.torque_limits([200.0, 0.0]).ok_or("the foot slips")?;
-/// let [lowest, highest] = yaw.carried; // N m
-/// assert!(highest > 30.0 && lowest < -30.0 && yaw.outer[1] - highest < 1e-9);
+/// let [lowest, highest] = yaw.certain; // N m
+/// assert!(highest > 30.0 && lowest < -30.0 && yaw.possible[1] - highest < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +56,7 @@ pub struct UnknownPressureSet<R: Real, S> {
 /// let feet = UnknownPressureSet::new([[-0.1_f64, 0.0], [0.1, 0.0]], [0.0, 0.0], 300.0)?; // m; N
 /// let yaw = feet.torque_limits([0.0, 0.0]).ok_or("slips")?;
 /// // Both feet push across the line between them: 300 N on an arm of 0.1 m.
-/// assert!((yaw.carried[1] - 30.0).abs() < 1e-9 && (yaw.outer[0] + 30.0).abs() < 1e-9);
+/// assert!((yaw.certain[1] - 30.0).abs() < 1e-9 && (yaw.possible[0] + 30.0).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,7 +155,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> UnknownPressureSet<R, S> {
     /// let foot = UnknownPressureSet::new(sole, [0.0, 0.0], 100.0)?; // N
     /// // All load on the corners, all of them as far away from the centre as they can be.
     /// let still = foot.torque_limits([0.0, 0.0]).ok_or("slips")?;
-    /// assert!((still.carried[1] - 100.0 * 0.1_f64.hypot(0.05)).abs() < 1e-9);
+    /// assert!((still.certain[1] - 100.0 * 0.1_f64.hypot(0.05)).abs() < 1e-9);
     /// assert!(foot.torque_limits([101.0, 0.0]).is_none());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

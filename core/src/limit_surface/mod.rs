@@ -19,11 +19,11 @@
 //! friction it carries as push.
 //!
 //! ```
-//! use tribos_core::coupling::table::Coulomb;
-//! use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+//! use tribos_core::coupling::table::CoulombDisk;
+//! use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 //! use tribos_core::twist::{Twist, Wrench};
 //!
-//! let puck = LimitSurface::new(Coulomb, 0.51_f64, 0.04)?; // μN in N, radius in m
+//! let puck = RoundLimitSurface::new(CoulombDisk, 0.51_f64, 0.04)?; // μN in N, radius in m
 //! // A motion, and the friction that it meets.
 //! let friction = puck.wrench(&Twist::new(0.1, 0.0, 2.0));
 //! assert!((puck.gauge(&friction) - 1.0).abs() < 1e-14);
@@ -198,10 +198,10 @@ fn shortened<R: Real>(carried: &Wrench<R>, wanted: &Wrench<R>, length: R) -> Wre
 /// A wrench of the set nearest to a given one.
 ///
 /// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection, Region};
+/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, Projection, Region};
 /// use tribos_core::twist::Wrench;
-/// let puck = LimitSurface::new(Coulomb, 0.5_f64, 0.04)?; // N, m
+/// let puck = RoundLimitSurface::new(CoulombDisk, 0.5_f64, 0.04)?; // N, m
 /// let pull = |x| Wrench::new(x, 0.0, 0.0);
 /// // A pull that friction balances, and one that is too strong.
 /// let sticks = Projection { wrench: pull(0.3), region: Region::Inside };
@@ -221,10 +221,10 @@ pub struct Projection<R: Real> {
 /// Where a projected wrench lies.
 ///
 /// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::limit_surface::{FrictionSet, LimitSurface, Region};
+/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, Region};
 /// use tribos_core::twist::Wrench;
-/// let puck = LimitSurface::new(Coulomb, 0.5_f64, 0.04)?; // N, m
+/// let puck = RoundLimitSurface::new(CoulombDisk, 0.5_f64, 0.04)?; // N, m
 /// let push = Wrench::new(0.6, 0.8, 0.0);
 /// // Pushed through its centre it slides along the push and does not turn.
 /// let Region::OnSurface { normal } = puck.project(&push).region else {

@@ -47,12 +47,12 @@ const BEYOND: f64 = 8.0;
 /// gauge, normal and projection about 5 each, at most 12 (more next to the rotation about a point).
 ///
 /// ```
-/// use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+/// use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 /// use tribos_core::patch::outline::Polygon;
 /// use tribos_core::twist::Wrench;
 /// let (a, b) = (0.1_f64, 0.05); // half sides in m
 /// let book = Polygon::new([[-a, -b], [a, -b], [a, b], [-a, b]])?;
-/// let table = PatchSurface::new(book, 2.0)?; // μN in N
+/// let table = ShapeLimitSurface::new(book, 2.0)?; // μN in N
 /// assert!(table.contains(&Wrench::new(1.0, 0.0, 0.05))); // N, N, N m
 /// // Pushed at its long side, off the middle, it slides and turns.
 /// let motion = table.twist_normal_to(&Wrench::new(0.0, 2.0, 2.0 * 0.04));
@@ -110,11 +110,11 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+    /// use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
     /// use tribos_core::patch::outline::Polygon;
     /// use tribos_core::twist::Wrench;
     /// let foot = Polygon::new([[-0.05_f64, -0.04], [0.2, -0.05], [0.2, 0.05], [-0.05, 0.04]])?; // m
-    /// let floor = PatchSurface::new(foot, 400.0)?; // N
+    /// let floor = ShapeLimitSurface::new(foot, 400.0)?; // N
     /// let push = Wrench::new(100.0, 50.0, 10.0); // N, N, N m
     /// let (normal, hessian) = floor.gauge_derivatives(&push);
     /// // The gauge grows in proportion to the wrench.
@@ -155,11 +155,11 @@ impl<R: Real, P: PatchShape<R>> ShapeLimitSurface<R, P> {
     /// outside of it. *Units*: none, length, 1/length by row and column.
     ///
     /// ```
-    /// use tribos_core::limit_surface::PatchSurface;
+    /// use tribos_core::limit_surface::ShapeLimitSurface;
     /// use tribos_core::patch::outline::Polygon;
     /// use tribos_core::twist::Wrench;
     /// let tile = Polygon::new([[-0.1_f64, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]])?; // m
-    /// let floor = PatchSurface::new(tile, 5.0)?; // N
+    /// let floor = ShapeLimitSurface::new(tile, 5.0)?; // N
     /// // A straight push of 9 N, where 5 N are carried: to the side alone the force follows.
     /// let (carried, rate) = floor.project_with_jacobian(&Wrench::new(9.0, 0.0, 0.0), 0.1);
     /// assert!((carried.wrench.force.x - 5.0).abs() < 1e-13 && rate[(0, 0)].abs() < 1e-13);

@@ -25,7 +25,7 @@
 //!     *contact = Some(grip.push_contact(ball, finger, touch)?);
 //! }
 //! grip.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-//! let report = grip.solve(TimeStep::new(1e-3)?, InitialGuess::Last, SolverSettings { sweeps: 50, tolerance: 1e-5 });
+//! let report = grip.solve(TimeStep::new(1e-3)?, InitialGuess::Last, SolverSettings { max_iterations: 50, tolerance: 1e-5 });
 //! assert!(report.converged);
 //! // 9.81 N by friction, of which 24 N are to be had: it does not fall.
 //! assert!(grip.body(ball).is_some_and(|body| body.velocity().z.abs() < 1e-6));
@@ -80,7 +80,7 @@ pub struct ContactHandle(usize);
 /// assert_eq!(pair.push_contact(first, first, touch), Err(ContactSystemError::SameBody));
 /// let contact: ContactHandle = pair.push_contact(first, second, touch)?;
 /// pair.clear_contacts();
-/// assert_eq!(pair.set_touch(contact, touch), Err(ContactSystemError::Unknown));
+/// assert_eq!(pair.set_geometry(contact, touch), Err(ContactSystemError::Unknown));
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -234,7 +234,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// # let ball = SphereBody { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
     /// # let table = WallBody { velocity: still, inv_mass: 0.0 };
     /// # let (law, dt) = (NormalLaw::new(Cohesion::NONE, 0.0)?, TimeStep::new(1e-3)?);
-    /// # let stop = SolverSettings { sweeps: 10, tolerance: 1e-12 };
+    /// # let stop = SolverSettings { max_iterations: 10, tolerance: 1e-12 };
     /// # let up = Vector3::new(0.0, 0.0, 1.0);
     /// // A ball of 5 cm and 1 kg falls from 1 cm above a table.
     /// let mut falls = ContactSystem::<f64, _, 2, 1>::new(law, IndependentFriction::none());
@@ -243,7 +243,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// let contact = falls.push_contact(ball, table, ContactGeometry::plate(height, &up, 0.05)?)?;
     /// falls.set_gravity(up * -9.81);
     /// for _ in 0..100 {
-    ///     falls.set_touch(contact, ContactGeometry::plate(height, &up, 0.05)?)?;
+    ///     falls.set_geometry(contact, ContactGeometry::plate(height, &up, 0.05)?)?;
     ///     falls.solve(dt, InitialGuess::Last, stop);
     ///     height += dt.dt() * falls.body(ball).map_or(0.0, |ball| ball.velocity().z);
     /// }
@@ -284,7 +284,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// # let table = WallBody { velocity: still, inv_mass: 0.0 };
     /// # let touch = ContactGeometry::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
     /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-    /// # let stop = SolverSettings { sweeps: 10, tolerance: 1e-12 };
+    /// # let stop = SolverSettings { max_iterations: 10, tolerance: 1e-12 };
     /// // A solid ball of 5 cm and 1 kg on a belt, which is started at 0.1 m/s.
     /// let mut belt = ContactSystem::<f64, _, 2, 1>::new(law, IndependentFriction::sliding(0.3)?);
     /// let (ball, table) = (belt.push_sphere(ball)?, belt.push_plate(table)?);

@@ -44,9 +44,9 @@ pub struct SolverSettings<R> {
 /// let (ball, table) = (lies.push_sphere(ball)?, lies.push_plate(table)?);
 /// lies.push_contact(ball, table, touch)?;
 /// lies.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-/// let stop = SolverSettings { sweeps: 50, tolerance: 1e-12 };
-/// let SolverReport { sweeps, converged, .. } = lies.solve(TimeStep::new(1e-3)?, InitialGuess::Zero, stop);
-/// assert!(converged && sweeps == 2); // one to solve it, one that changes nothing
+/// let stop = SolverSettings { max_iterations: 50, tolerance: 1e-12 };
+/// let SolverReport { iterations, converged, .. } = lies.solve(TimeStep::new(1e-3)?, InitialGuess::Zero, stop);
+/// assert!(converged && iterations == 2); // one to solve it, one that changes nothing
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

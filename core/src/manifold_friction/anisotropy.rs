@@ -11,15 +11,15 @@ use super::{FrictionImpulse, Lanes};
 ///
 /// ```
 /// use tribos_core::manifold_friction::{
-///     AnisotropicFriction, IsotropicLimitCurve, FrictionLimits, FrictionImpulse, InverseEffectiveMasses, manifold_friction,
+///     AnisotropicFriction, IsotropicLimitCurve, FrictionLimits, FrictionImpulse, InverseEffectiveMasses, project_friction,
 /// };
 /// let blade = AnisotropicFriction::new([0.05_f32, 0.5]); // along and across
 /// let inverse = InverseEffectiveMasses { tangential: 2.0, angular: 500.0 };
-/// let budget = FrictionLimits { force: blade.largest() * 1.0, lever: 0.01, slip: 1.0 }; // load impulse 1 N s
+/// let budget = FrictionLimits { impulse: blade.largest() * 1.0, torsion_radius: 0.01, dynamic_over_static: 1.0 }; // load impulse 1 N s
 /// let mut impulse = FrictionImpulse { tangential: [0.0, 0.0], angular: 0.0 };
 /// for _ in 0..100 { // slides across its axis and along it at 1 m/s, as if driven
 ///     let candidate = blade.candidate(&impulse, [1.0, 1.0], 0.0, &inverse);
-///     let carried = manifold_friction(&candidate, &budget, &inverse, &IsotropicLimitCurve::area());
+///     let carried = project_friction(&candidate, &budget, &inverse, &IsotropicLimitCurve::area());
 ///     impulse = blade.unstretched(&carried);
 /// }
 /// // Slip (1, 1) is normal to the ellipse where p is in proportion to the squares of the coefficients.

@@ -13,15 +13,15 @@
 //!
 //! ```
 //! use tribos_core::manifold_friction::{
-//!     ManifoldArea, FrictionLimits, FrictionImpulse, InverseEffectiveMasses, manifold_friction,
+//!     ManifoldArea, FrictionLimits, FrictionImpulse, InverseEffectiveMasses, project_friction,
 //! };
 //! // When the manifold is made: its corners in the frame of the two tangents, in m.
 //! let sole = ManifoldArea::of_corners(&[[-0.1, -0.025], [0.1, -0.025], [0.1, 0.025], [-0.1, 0.025_f32]]);
 //! // In every iteration: the last impulses less relative velocity times effective mass.
 //! let candidate = FrictionImpulse { tangential: [0.4, 0.0], angular: 0.01 }; // N s, N m s
-//! let budget = FrictionLimits { force: 0.05, lever: sole.lever, slip: 1.0 }; // N s, m
+//! let budget = FrictionLimits { impulse: 0.05, torsion_radius: sole.lever, dynamic_over_static: 1.0 }; // N s, m
 //! let inverse = InverseEffectiveMasses { tangential: 2.0, angular: 500.0 }; // 1/kg, 1/(kg m²)
-//! let carried = manifold_friction(&candidate, &budget, &inverse, &sole.outline);
+//! let carried = project_friction(&candidate, &budget, &inverse, &sole.outline);
 //! assert!(carried.tangential[0] > 0.0 && carried.tangential[0] < 0.05);
 //! assert!(carried.angular > 0.0 && carried.angular < 0.05 * sole.lever);
 //! ```

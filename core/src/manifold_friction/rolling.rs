@@ -8,9 +8,9 @@ use super::{Lanes, TINY};
 /// < 1e18.
 ///
 /// ```
-/// use tribos_core::manifold_friction::limited_rolling;
-/// assert_eq!(limited_rolling([3.0_f32, 4.0], 1.0), [0.6, 0.8]);
-/// assert_eq!(limited_rolling([0.3_f32, 0.4], 1.0), [0.3, 0.4]);
+/// use tribos_core::manifold_friction::project_rolling;
+/// assert_eq!(project_rolling([3.0_f32, 4.0], 1.0), [0.6, 0.8]);
+/// assert_eq!(project_rolling([0.3_f32, 0.4], 1.0), [0.3, 0.4]);
 /// ```
 #[inline]
 pub fn project_rolling<T: Lanes>(candidate: [T; 2], limit: T) -> [T; 2] {

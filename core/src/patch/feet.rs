@@ -10,9 +10,9 @@ use nalgebra::Vector2;
 /// ```
 /// use tribos_core::patch::bar::Bar;
 /// use tribos_core::patch::feet::PatchPart;
-/// // One blade of a sledge, with half of its weight.
-/// let runner = PatchPart { patch: Bar::new([-0.5_f64, 0.2], [0.5, 0.2])?, weight: 0.5 }; // m
-/// assert!(runner.weight > 0.0);
+/// // One blade of a sledge, with half of its load.
+/// let runner = PatchPart { patch: Bar::new([-0.5_f64, 0.2], [0.5, 0.2])?, load: 0.5 }; // m
+/// assert!(runner.load > 0.0);
 /// # Ok::<(), tribos_core::patch::outline::OutlineError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub struct PatchPart<R, P> {
     /// The patch.
     pub patch: P,
     /// Its share of the load in any unit, because only ratios count.
-    pub load_share: R,
+    pub load: R,
 }
 
 /// A body on several feet: one patch under dry friction.
@@ -41,8 +41,8 @@ pub struct PatchPart<R, P> {
 /// use tribos_core::twist::Twist;
 /// let runner = |y: f64| Bar::new([-0.5, y], [0.5, y]); // m
 /// let runners = [
-///     PatchPart { patch: runner(-0.2)?, weight: 300.0 }, // N
-///     PatchPart { patch: runner(0.2)?, weight: 100.0 },
+///     PatchPart { patch: runner(-0.2)?, load: 300.0 }, // N
+///     PatchPart { patch: runner(0.2)?, load: 100.0 },
 /// ];
 /// let sledge = CompoundPatch::new(&runners)?;
 /// assert!((sledge.centre().y + 0.1).abs() < 1e-16);
@@ -65,9 +65,9 @@ impl<'a, R: Real, P: PatchShape<R>> CompoundPatch<'a, R, P> {
     pub fn new(feet: &'a [PatchPart<R, P>]) -> Result<Self, PatchError> {
         let mut total = R::ZERO;
         for (index, foot) in feet.iter().enumerate() {
-            total += foot.load_share;
-            if !(foot.load_share >= R::ZERO && total.is_finite()) {
-                let given = foot.load_share.to_f64();
+            total += foot.load;
+            if !(foot.load >= R::ZERO && total.is_finite()) {
+                let given = foot.load.to_f64();
                 return Err(PatchError::NodeWeight { index, given });
             }
         }
@@ -76,10 +76,10 @@ impl<'a, R: Real, P: PatchShape<R>> CompoundPatch<'a, R, P> {
         }
         let mut centre = Vector2::new(R::ZERO, R::ZERO);
         for foot in feet {
-            centre += foot.patch.centre() * (foot.load_share / total);
+            centre += foot.patch.centre() * (foot.load / total);
         }
         let mut radius = R::ZERO;
-        for foot in feet.iter().filter(|foot| foot.load_share > R::ZERO) {
+        for foot in feet.iter().filter(|foot| foot.load > R::ZERO) {
             let from = foot.patch.centre() - centre;
             let reach = from.x.hypot(from.y) + foot.patch.radius();
             if reach > radius || reach.is_nan() {
@@ -115,7 +115,7 @@ impl<'a, R: Real, P: PatchShape<R>> CompoundPatch<'a, R, P> {
 
     /// Share of the load.
     pub(crate) fn share(&self, foot: &PatchPart<R, P>) -> R {
-        foot.load_share / self.total
+        foot.load / self.total
     }
 
     /// Centre and radius of a foot, in radii of all about the common centre.

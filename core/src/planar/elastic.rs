@@ -63,12 +63,12 @@ impl<R: Real> ElasticState<R> {
 ///
 /// ```
 /// use tribos_core::contact::TimeStep;
-/// use tribos_core::limit_surface::Ellipsoid;
+/// use tribos_core::limit_surface::LimitEllipsoid;
 /// use tribos_core::planar::{ElasticState, ElasticStep, PlanarBody};
 /// use tribos_core::presliding::{Pose, Presliding};
 /// use tribos_core::twist::{Twist, Wrench};
 /// let (book, bonds) = (PlanarBody::new(1.0_f64, 4e-3)?, Presliding::new(1e4, 50.0)?);
-/// let (table, dt) = (Ellipsoid::new(3.0, 0.1, 0.6)?, TimeStep::new(0.01)?);
+/// let (table, dt) = (LimitEllipsoid::new(3.0, 0.1, 0.6)?, TimeStep::new(0.01)?);
 /// let slides = ElasticState { twist: Twist::new(1.0, 0.0, 0.0), ..ElasticState::at_rest(Pose::new(0.0, 0.0, 0.0)) };
 /// let ElasticStep { state, friction, slip_heat, .. } =
 ///     book.step_elastic(&bonds, &table, &slides, &Wrench::ZERO, dt);
@@ -181,14 +181,14 @@ impl<R: Real> PlanarBody<R> {
     ///
     /// ```
     /// use tribos_core::contact::TimeStep;
-    /// use tribos_core::coupling::table::Coulomb;
-    /// use tribos_core::limit_surface::LimitSurface;
+    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::limit_surface::RoundLimitSurface;
     /// use tribos_core::planar::{ElasticState, PlanarBody};
     /// use tribos_core::presliding::{Pose, Presliding};
     /// use tribos_core::twist::Wrench;
     /// // A box of 1 kg on a slope that pulls with 3 N; friction carries 4 N.
     /// let body = PlanarBody::new(1.0_f64, 4e-3)?; // kg, kg m²
-    /// let (slope, bonds) = (LimitSurface::new(Coulomb, 4.0, 0.1)?, Presliding::new(1e5, 500.0)?);
+    /// let (slope, bonds) = (RoundLimitSurface::new(CoulombDisk, 4.0, 0.1)?, Presliding::new(1e5, 500.0)?);
     /// let (mut state, dt) = (ElasticState::at_rest(Pose::new(2.0, 0.0, 0.0)), TimeStep::new(0.01)?);
     /// let pull = Wrench::new(3.0, 0.0, 0.0); // N, N, N m
     /// for _ in 0..100 {

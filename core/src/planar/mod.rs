@@ -22,14 +22,14 @@
 //!
 //! ```
 //! use tribos_core::contact::TimeStep;
-//! use tribos_core::coupling::table::Coulomb;
-//! use tribos_core::limit_surface::LimitSurface;
+//! use tribos_core::coupling::table::CoulombDisk;
+//! use tribos_core::limit_surface::RoundLimitSurface;
 //! use tribos_core::planar::PlanarBody;
 //! use tribos_core::twist::{Twist, Wrench};
 //!
 //! // A puck of 0.17 kg and 4 cm radius; friction carries up to 0.5 N.
 //! let puck = PlanarBody::new(0.17_f64, 0.5 * 0.17 * 0.04 * 0.04)?;
-//! let ice = LimitSurface::new(Coulomb, 0.5, 0.04)?;
+//! let ice = RoundLimitSurface::new(CoulombDisk, 0.5, 0.04)?;
 //! let dt = TimeStep::new(1.0 / 60.0)?;
 //! let held = Wrench::new(0.4, 0.0, 0.0);
 //! let rest = puck.step(&ice, &Twist::ZERO, &held, dt);

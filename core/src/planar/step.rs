@@ -94,7 +94,7 @@ impl<R: Real> PlanarBody<R> {
     /// // Four legs 0.2 √2 m away resist a twist by 5.7 N m: 5 N m they hold, 6 N m they do not.
     /// let [held, turns] = [5.0, 6.0].map(|torque| {
     ///     let push = Wrench::new(0.0, 0.0, torque);
-    ///     chair.step_on_foot(&mut legs, &rest, &push, dt)
+    ///     chair.step_on_points(&mut legs, &rest, &push, dt)
     /// });
     /// assert!(held.is_at_rest && held.friction.torque == -5.0);
     /// let left = 6.0 - 20.0 * 0.2 * 2.0_f64.sqrt();

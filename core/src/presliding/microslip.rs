@@ -34,11 +34,11 @@ use crate::twist::{Displacement, Twist, Wrench};
 /// directions, by the gauge, is ours.
 ///
 /// ```
-/// use tribos_core::limit_surface::Ellipsoid;
-/// use tribos_core::presliding::{GradualPresliding, Presliding};
+/// use tribos_core::limit_surface::LimitEllipsoid;
+/// use tribos_core::presliding::{MicroslipPresliding, Presliding};
 /// use tribos_core::twist::Displacement;
-/// let (set, bonds) = (Ellipsoid::new(10.0_f64, 0.1, 0.6)?, Presliding::new(1e4, 50.0)?); // N, m; N/m, N m
-/// let dahl = GradualPresliding::new(bonds, 0.0, 1.0)?;
+/// let (set, bonds) = (LimitEllipsoid::new(10.0_f64, 0.1, 0.6)?, Presliding::new(1e4, 50.0)?); // N, m; N/m, N m
+/// let dahl = MicroslipPresliding::new(bonds, 0.0, 1.0)?;
 /// let (mut strain, mut friction) = (Displacement::ZERO, 0.0);
 /// for _ in 0..1000 {
 ///     let end = dahl.advance(&set, &strain, &Displacement::new(1e-6, 0.0, 0.0)); // m
@@ -106,17 +106,17 @@ impl<R: Real> MicroslipPresliding<R> {
     /// *Units*, axes, *Special values*: as for [`Presliding::step`].
     ///
     /// ```
-    /// use tribos_core::law::Grip;
-    /// use tribos_core::limit_surface::Ellipsoid;
-    /// use tribos_core::presliding::{Anchor, GradualPresliding, Pose, Presliding};
-    /// let (set, bonds) = (Ellipsoid::new(10.0_f64, 0.1, 0.6)?, Presliding::new(1e4, 50.0)?);
-    /// let joint = GradualPresliding::new(bonds, 0.7, 1.0)?;
+    /// use tribos_core::law::StickSlip;
+    /// use tribos_core::limit_surface::LimitEllipsoid;
+    /// use tribos_core::presliding::{Anchor, MicroslipPresliding, Pose, Presliding};
+    /// let (set, bonds) = (LimitEllipsoid::new(10.0_f64, 0.1, 0.6)?, Presliding::new(1e4, 50.0)?);
+    /// let joint = MicroslipPresliding::new(bonds, 0.7, 1.0)?;
     /// let path = [0.0, 6e-4, 9e-4].map(|x| Pose::new(x, 0.0, 0.0)); // m
     /// let touched = Anchor::at(path[0]);
     /// let held = joint.step(&set, &touched, [&path[0], &path[1]]); // 6 N, below 7 N
-    /// assert!(held.grip == Grip::Stick && held.anchor == touched);
+    /// assert!(held.grip == StickSlip::Stick && held.anchor == touched);
     /// let slipped = joint.step(&set, &held.anchor, [&path[1], &path[2]]); // 9 N, above
-    /// assert!(slipped.grip == Grip::Slip && slipped.friction.force.x > -9.0);
+    /// assert!(slipped.grip == StickSlip::Slip && slipped.friction.force.x > -9.0);
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn step<S: FrictionSet<R> + ?Sized>(

@@ -47,22 +47,22 @@
 //! state, instead of a sum of increments, is ours.
 //!
 //! ```
-//! use tribos_core::coupling::table::Coulomb;
-//! use tribos_core::law::Grip;
-//! use tribos_core::limit_surface::LimitSurface;
+//! use tribos_core::coupling::table::CoulombDisk;
+//! use tribos_core::law::StickSlip;
+//! use tribos_core::limit_surface::RoundLimitSurface;
 //! use tribos_core::presliding::{Anchor, Pose, Presliding};
 //!
 //! // A fingertip: μN = 5 N on a disk of 5 mm; 10 N/mm, and k_t R²/2 about the normal.
-//! let finger = LimitSurface::new(Coulomb, 5.0_f64, 5e-3)?; // N, m
+//! let finger = RoundLimitSurface::new(CoulombDisk, 5.0_f64, 5e-3)?; // N, m
 //! let bonds = Presliding::new(1e4, 0.125)?; // N/m, N m/rad
 //! let touched = Anchor::at(Pose::new(0.3, 0.1, 0.0)); // m, m, rad
 //! // Pulled by 0.2 mm it holds with 2 N, today and in a year.
 //! let held = bonds.step(&finger, &touched, &Pose::new(0.3002, 0.1, 0.0));
-//! assert!((held.friction.force.x + 2.0).abs() < 1e-9 && held.grip == Grip::Stick);
+//! assert!((held.friction.force.x + 2.0).abs() < 1e-9 && held.grip == StickSlip::Stick);
 //! assert_eq!(held.anchor, touched);
 //! // Pulled by 1 mm it slips by half of that, and its bonds follow.
 //! let slid = bonds.step(&finger, &touched, &Pose::new(0.301, 0.1, 0.0));
-//! assert!((slid.friction.force.x + 5.0).abs() < 1e-9 && slid.grip == Grip::Slip);
+//! assert!((slid.friction.force.x + 5.0).abs() < 1e-9 && slid.grip == StickSlip::Slip);
 //! assert!((slid.anchor.pose.position.x - 0.3005).abs() < 1e-12);
 //! assert!((slid.dissipated - 5.0 * 0.5e-3).abs() < 1e-12); // J
 //! # Ok::<(), tribos_core::Error>(())

@@ -30,8 +30,8 @@ pub struct Pose<R: Real> {
 /// ```
 /// use tribos_core::presliding::{Anchor, Pose};
 /// let touched = Anchor::at(Pose::new(1.0_f64, 2.0, 0.0)); // m, m, rad
-/// let strain = touched.strain(&Pose::new(1.5, 2.0, 0.0));
-/// assert_eq!([strain.shift.x, strain.turn], [0.5, 0.0]);
+/// let deflection = touched.deflection(&Pose::new(1.5, 2.0, 0.0));
+/// assert_eq!([deflection.shift.x, deflection.turn], [0.5, 0.0]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Anchor<R: Real> {

@@ -16,9 +16,9 @@ use crate::real::Real;
 /// use tribos_core::prelude::*;
 /// use tribos_core::slider::Advance;
 /// let puck = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 }; // m/s², m
-/// let puck = Slider::new(Coulomb, puck)?;
+/// let puck = Slider::new(CoulombDisk, puck)?;
 /// // Without spin it slows down evenly: v = v₀ − μ g t, and stops after v₀/(μ g).
-/// let start = Motion::launched(1.2, 0.0); // m/s
+/// let start = SliderState::launched(1.2, 0.0); // m/s
 /// let Advance { motion, rest, .. } = puck.advance(&start, 0.1); // s
 /// assert!((motion.speed - 0.9).abs() < 1e-13 && (motion.distance - 0.105).abs() < 1e-14);
 /// assert!(rest.is_none());

@@ -92,12 +92,12 @@ pub struct SliderParameters<R> {
 ///
 /// ```
 /// use tribos_core::prelude::*;
-/// let puck = Slider::new(Coulomb, SliderParameters {
+/// let puck = Slider::new(CoulombDisk, SliderParameters {
 ///     deceleration: 0.3 * 9.81, // μ g in m/s²
 ///     radius: 0.08,             // m
 ///     inertia_ratio: 0.5,       // a solid disk
 /// })?;
-/// let rest = puck.to_rest(&Motion::launched(1.0_f64, 5.0)); // m/s, rad/s
+/// let rest = puck.to_rest(&SliderState::launched(1.0_f64, 5.0)); // m/s, rad/s
 /// assert!(rest.is_some_and(|rest| (rest.motion.time - 0.369017132104558).abs() < 1e-12)); // s
 /// # Ok::<(), Error>(())
 /// ```

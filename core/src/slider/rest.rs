@@ -12,11 +12,11 @@ use crate::real::Real;
 /// use tribos_core::{modes::TerminalMotion, slider::SliderRest};
 /// let deceleration = 0.3 * 9.81; // m/s²
 /// let puck = SliderParameters { deceleration, radius: 0.08, inertia_ratio: 0.5_f64 };
-/// let puck = Slider::new(Coulomb, puck)?;
-/// let last = TerminalMotion::new(Coulomb, 0.5)?.finite_fixed_point().unwrap_or(f64::NAN);
+/// let puck = Slider::new(CoulombDisk, puck)?;
+/// let last = TerminalMotion::new(CoulombDisk, 0.5)?.finite_fixed_point().unwrap_or(f64::NAN);
 /// // However it is thrown, sliding and spinning end together, in one ratio.
 /// for (speed, spin) in [(2.0, 1.0), (0.1, 40.0)] {
-///     let rest: Option<SliderRest<f64>> = puck.to_rest(&Motion::launched(speed, spin)); // m/s, rad/s
+///     let rest: Option<SliderRest<f64>> = puck.to_rest(&SliderState::launched(speed, spin)); // m/s, rad/s
 ///     assert!(rest.is_some_and(|rest| (rest.ratio - last).abs() < 1e-12));
 /// }
 /// # Ok::<(), tribos_core::Error>(())

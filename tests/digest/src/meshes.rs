@@ -58,7 +58,7 @@ fn meshes_of<R: Real>(hash: &mut Fnv) {
     };
     let runners = [(-0.25, 1.0), (0.5, 2.0)].map(|(y, weight)| PatchPart {
         patch: blade(y),
-        load_share: R::from_f64(weight),
+        load: R::from_f64(weight),
     });
     let feet = CompoundPatch::new(&runners).expect("loaded");
     hash.numbers([feet.centre().x, feet.centre().y, feet.radius()]);
@@ -79,11 +79,11 @@ fn meshes_of<R: Real>(hash: &mut Fnv) {
         let [near, far] = runners;
         hash.verdict(&CompoundPatch::new(&[
             PatchPart {
-                load_share: x,
+                load: x,
                 ..near
             },
             PatchPart {
-                load_share: y,
+                load: y,
                 ..far
             },
         ]));

@@ -158,7 +158,7 @@ fn sledge<R: Real>(source: &mut Source) -> Result<(), Broken> {
     };
     let feet = [one, other].map(|patch| PatchPart {
         patch,
-        load_share: source.size::<R>(),
+        load: source.size::<R>(),
     });
     let Ok(body) = CompoundPatch::new(&feet) else {
         return Ok(());

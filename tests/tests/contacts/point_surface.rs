@@ -215,11 +215,11 @@ fn two_halves_of_a_plate_as_feet_are_the_plate() {
     let halves = [
         PatchPart {
             patch: rectangle([-1.0, 0.0], [0.0, 2.0]),
-            load_share: 1.0,
+            load: 1.0,
         },
         PatchPart {
             patch: rectangle([0.0, 3.0], [0.0, 2.0]),
-            load_share: 3.0,
+            load: 3.0,
         },
     ];
     let feet = CompoundPatch::new(&halves).expect("loaded");
@@ -267,11 +267,11 @@ fn feet_of_different_kinds_share_a_body_and_keep_the_facets_of_points() {
     let feet: [PatchPart<f64, &dyn PatchShape<f64>>; 2] = [
         PatchPart {
             patch: &blade,
-            load_share: 2.0,
+            load: 2.0,
         },
         PatchPart {
             patch: &props,
-            load_share: 1.0,
+            load: 1.0,
         },
     ];
     let body = CompoundPatch::new(&feet).expect("loaded");

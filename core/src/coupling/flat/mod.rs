@@ -268,11 +268,11 @@ impl<R: Real> Hessian<R> {
 /// *Special values*: zero at rest; NaN for infinite and NaN twists.
 ///
 /// ```
-/// use tribos_core::coupling::flat::FlatFriction;
+/// use tribos_core::coupling::flat::ShapeFriction;
 /// use tribos_core::patch::outline::Polygon;
 /// use tribos_core::twist::Twist;
 /// let box_of_2_m = Polygon::new([[-1.0_f64, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])?;
-/// let friction = FlatFriction::new(box_of_2_m, 0.5)?;
+/// let friction = ShapeFriction::new(box_of_2_m, 0.5)?;
 /// let wrench = friction.wrench(10.0, &Twist::new(0.0, 0.0, 3.0)); // N; m/s, m/s, rad/s
 /// let arm = (2.0_f64.sqrt() + 1.0_f64.asinh()) / 3.0; // the mean distance from the centre, in m
 /// assert!((wrench.torque + 0.5 * 10.0 * arm).abs() < 2e-15);
@@ -325,11 +325,11 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tribos_core::coupling::flat::FlatFriction;
+    /// use tribos_core::coupling::flat::ShapeFriction;
     /// use tribos_core::patch::outline::Polygon;
     /// use tribos_core::twist::Twist;
     /// let triangle = Polygon::new([[0.0_f64, 0.0], [0.3, 0.0], [0.0, 0.2]])?; // m
-    /// let friction = FlatFriction::new(triangle, 0.4)?;
+    /// let friction = ShapeFriction::new(triangle, 0.4)?;
     /// let twist = Twist::new(0.1, 0.2, 3.0); // m/s, m/s, rad/s
     /// let (wrench, jacobian) = friction.wrench_and_jacobian(10.0, &twist); // N
     /// assert_eq!(wrench, friction.wrench(10.0, &twist));

@@ -117,11 +117,11 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PowerLawPatch<R> for Pol
 /// and NaN twists.
 ///
 /// ```
-/// use tribos_core::coupling::flat::{FlatPower, FlatPowerFriction};
+/// use tribos_core::coupling::flat::{PolygonPowerLaw, ShapePowerFriction};
 /// use tribos_core::patch::outline::Polygon;
 /// use tribos_core::twist::Twist;
 /// let box_of_2_m = Polygon::new([[-1.0_f64, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])?;
-/// let oiled = FlatPowerFriction::new(box_of_2_m, 0.5, FlatPower::new(1.0)?)?; // 0.5 s/m
+/// let oiled = ShapePowerFriction::new(box_of_2_m, 0.5, PolygonPowerLaw::new(1.0)?)?; // 0.5 s/m
 /// let wrench = oiled.wrench(10.0, &Twist::new(0.2, 0.0, 3.0)); // N; m/s, m/s, rad/s
 /// // Viscous friction: γN v, and γN ω times the mean square of the distance, 2/3 m².
 /// assert!((wrench.force.x + 0.5 * 10.0 * 0.2).abs() < 1e-14);
@@ -189,11 +189,11 @@ impl<R: Real, P: PowerLawPatch<R>> ShapePowerFriction<R, P> {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tribos_core::coupling::flat::{FlatPower, FlatPowerFriction};
+    /// use tribos_core::coupling::flat::{PolygonPowerLaw, ShapePowerFriction};
     /// use tribos_core::patch::outline::Polygon;
     /// use tribos_core::twist::Twist;
     /// let triangle = Polygon::new([[0.0_f64, 0.0], [0.3, 0.0], [0.0, 0.2]])?; // m
-    /// let friction = FlatPowerFriction::new(triangle, 0.4, FlatPower::new(0.5)?)?; // (s/m)^0.5
+    /// let friction = ShapePowerFriction::new(triangle, 0.4, PolygonPowerLaw::new(0.5)?)?; // (s/m)^0.5
     /// let twist = Twist::new(0.1, 0.2, 3.0); // m/s, m/s, rad/s
     /// let (wrench, jacobian) = friction.wrench_and_jacobian(10.0, &twist); // N
     /// assert_eq!(wrench, friction.wrench(10.0, &twist));

@@ -95,11 +95,11 @@ struct Resonance<R> {
 /// *Size*: 127 numbers. *Cost*: about 60,000 floating-point operations in f64, once.
 ///
 /// ```
-/// use tribos_core::coupling::flat::FlatPower;
-/// let viscous = FlatPower::new(1.0_f64)?;
+/// use tribos_core::coupling::flat::PolygonPowerLaw;
+/// let viscous = PolygonPowerLaw::new(1.0_f64)?;
 /// assert_eq!(viscous.alpha(), 1.0);
 /// assert!(size_of_val(&viscous) <= 1024); // bytes
-/// assert!(FlatPower::new(-1.0_f64).is_err());
+/// assert!(PolygonPowerLaw::new(-1.0_f64).is_err());
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
