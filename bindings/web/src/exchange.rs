@@ -65,9 +65,9 @@ pub fn said(error: impl alloc::string::ToString) -> Refused {
 }
 
 #[cfg(feature = "all")]
-impl From<tribos::friction::Refusal> for Refused {
-    fn from(refusal: tribos::friction::Refusal) -> Self {
-        use tribos::friction::Refusal;
+impl From<tribos_friction::Refusal> for Refused {
+    fn from(refusal: tribos_friction::Refusal) -> Self {
+        use tribos_friction::Refusal;
         match refusal {
             // Numbers are JavaScript's to write.
             Refusal::Friction(error) => error.into(),

@@ -2,11 +2,11 @@
 
 use crate::exchange::Refused;
 use nalgebra::Vector3;
-use tribos::friction::{AnyContactFriction, Area, ContactVisitor};
 use tribos_core::Error;
 use tribos_core::contact::{
     Attraction, Body, Cohesion, Contact, ContactFriction, NormalLaw, Plate, Sphere, TimeStep, Touch,
 };
+use tribos_friction::{AnyContactFriction, Area, ContactVisitor};
 
 /// What a contact resists, in numbers.
 #[derive(Clone, Copy, Debug)]

@@ -4,10 +4,10 @@ use super::prepared::profile;
 use super::store;
 use crate::exchange::{Refused, said};
 use core::num::NonZeroU32;
-use tribos::slide::inverse::{Limits, Pose, RestMap, Solution, Turns};
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::slider::SliderParameters;
+use tribos_motion::slide::inverse::{Limits, Pose, RestMap, Solution, Turns};
 
 /// What is launched, to where, and how fast at most.
 #[derive(Clone, Copy, Debug)]

@@ -8,11 +8,11 @@ use alloc::boxed::Box;
 use alloc::format;
 use core::cell::OnceCell;
 use core::fmt;
-use tribos::friction::{
-    Area, AreaFriction, Law, LimitSurfaces, Patch, RoundPower, Tier, Visitor, upright, visit,
-};
 use tribos_core::slider::{Motion, SliderParameters};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
+use tribos_friction::{
+    Area, AreaFriction, Law, LimitSurfaces, Patch, RoundPower, Tier, Visitor, upright, visit,
+};
 
 /// Friction of a patch under a law.
 pub struct Prepared {
