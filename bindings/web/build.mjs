@@ -28,6 +28,9 @@ const MODULES = [
   { name: "all", features: [], whole: !quick },
 ];
 
+// What is built around the kernel.
+const LIBRARY = ["tribos-base", "tribos-friction", "tribos-motion", "serde_json"];
+
 const missing = missingTool(root);
 if (missing !== undefined) stop(missing);
 
@@ -37,9 +40,9 @@ for (const { name, features, whole } of MODULES) {
   // A folder each, so that a second run has nothing to do.
   const folder = join(target, "web", whole ? name : `${name}-quick`);
   const settings = [
-    ...["opt-level=2", 'panic="abort"', "strip=true"],
-    ...(whole ? ['lto="fat"', "codegen-units=1"] : []),
-    ...['package.tribos.opt-level="s"', 'package.serde_json.opt-level="s"'],
+    ...["opt-level=2", 'panic="abort"', "strip=true", "codegen-units=1"],
+    ...(whole ? ['lto="fat"'] : []),
+    ...LIBRARY.map((name) => `package.${name}.opt-level="s"`),
   ];
   const cargo = [
     ["build", "--release", "--package", "tribos-web", "--lib"],

@@ -74,7 +74,8 @@ pub fn run(options: &Options) -> Result<(), String> {
         let finding = match front {
             Front::Firmware => {
                 let (finding, rows) = firmware::run(&setting)?;
-                counted = Some(rows);
+                // A quick look has not measured all tiers.
+                counted = (!setting.quick).then_some(rows);
                 finding
             }
             Front::Kernel => kernel::run(&setting, counted.as_deref())?,

@@ -65,9 +65,9 @@ pub fn said(error: impl alloc::string::ToString) -> Refused {
 }
 
 #[cfg(feature = "all")]
-impl From<tribos::friction::FrictionError> for Refused {
-    fn from(refusal: tribos::friction::FrictionError) -> Self {
-        use tribos::friction::FrictionError;
+impl From<tribos_friction::FrictionError> for Refused {
+    fn from(refusal: tribos_friction::FrictionError) -> Self {
+        use tribos_friction::FrictionError;
         match refusal {
             // Numbers are JavaScript's to write.
             FrictionError::Friction(error) => error.into(),

@@ -250,6 +250,7 @@ pub const PLATFORMS: [Platform; 15] = [
     Platform {
         name: "thumbv7em-debug",
         profile: "dev",
+        config: &["profile.dev.package.tribos-digest.opt-level=1"],
         ..M4
     },
     RISCV32,

@@ -52,8 +52,19 @@ fn every_share_of_the_energy_has_its_sign_and_no_impulse_depends_on_the_step() {
 
 #[test]
 fn without_rebound_friction_takes_too() {
+    friction_takes_at(&[0.04, 0.02]);
+}
+
+#[test]
+#[ignore = "for its breadth: cargo test --release -p tribos-tests --test contacts cd_restitution -- --ignored"]
+fn without_rebound_friction_takes_in_small_steps_too() {
+    friction_takes_at(&[0.01]);
+}
+
+/// Runs in steps of each of these times.
+fn friction_takes_at(steps: &[f64]) {
     for (mu, rolling) in [(0.3, 0.3), (1.0, 0.0), (10.0, 0.0), (10.0, 0.3)] {
-        for dt in [0.04, 0.02, 0.01] {
+        for &dt in steps {
             let cell = Cell {
                 restitution: 0.0,
                 mu,

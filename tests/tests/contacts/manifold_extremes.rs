@@ -338,14 +338,15 @@ fn extreme_masses_lengths_and_times_change_rounding_alone() {
     assert_same_in::<f32>(1e-4, far([90, 40, 40]));
 }
 
-/// Columns of any sizes: what the answers are worth.
+/// So many columns of any sizes: what the answers are worth.
 fn faults_at_any_size<R: Real, F: ContactFriction<R>>(
+    columns: usize,
     decades: f64,
     friction: impl Fn() -> F,
 ) -> [usize; 3] {
     let mut rng = Lcg::new(72);
     let [mut refused, mut met, mut unmet] = [0; 3];
-    for _ in 0..3_000 {
+    for _ in 0..columns {
         let column = Column::random(&mut rng, |rng| {
             10.0_f64.powf(rng.between(-decades, decades))
         });
@@ -375,17 +376,27 @@ fn faults_at_any_size<R: Real, F: ContactFriction<R>>(
 
 #[test]
 fn numbers_of_any_size_never_panic_and_converge_to_numbers_alone() {
+    never_panic(1_000);
+}
+
+#[test]
+#[ignore = "for its breadth: cargo test --release -p tribos-tests --test contacts manifold_ext -- --ignored"]
+fn numbers_of_any_size_in_more_columns_never_panic_and_converge_to_numbers_alone() {
+    never_panic(3_000);
+}
+
+fn never_panic(columns: usize) {
     for decades in [3.0, 30.0, 150.0, 300.0] {
         let told = [
-            faults_at_any_size::<f64, _>(decades, all),
-            faults_at_any_size::<f64, _>(decades, coupled),
+            faults_at_any_size::<f64, _>(columns, decades, all),
+            faults_at_any_size::<f64, _>(columns, decades, coupled),
         ];
         println!("f64, 1e±{decades}: refused, met, unmet {told:?}");
     }
     for decades in [3.0, 15.0, 37.0] {
         let told = [
-            faults_at_any_size::<f32, _>(decades, all),
-            faults_at_any_size::<f32, _>(decades, coupled),
+            faults_at_any_size::<f32, _>(columns, decades, all),
+            faults_at_any_size::<f32, _>(columns, decades, coupled),
         ];
         println!("f32, 1e±{decades}: refused, met, unmet {told:?}");
     }

@@ -60,7 +60,10 @@ const ALLOWED: &[(&str, &[&str])] = &[
         &["tribos", "tribos-core", "tribos-report", "tribos-thesis"],
     ),
     ("tribos-c", &["tribos-core"]),
-    ("tribos-web", &["tribos", "tribos-core"]),
+    (
+        "tribos-web",
+        &["tribos-core", "tribos-friction", "tribos-motion"],
+    ),
     ("tribos-python", &["tribos", "tribos-cli", "tribos-core"]),
     ("tribos-feet", &["tribos-core", "tribos-friction"]),
     ("tribos-boards", &["tribos-core", "tribos-digest"]),

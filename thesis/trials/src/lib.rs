@@ -120,6 +120,3 @@ pub trait Trial {
 pub fn run(trial: &dyn Trial, method: Method) -> Result<TrialResult> {
     trial.ready(method)?()
 }
-
-#[cfg(test)]
-mod tests;

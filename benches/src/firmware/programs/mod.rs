@@ -89,8 +89,8 @@ pub struct Program {
 }
 
 impl Program {
-    fn file(&self) -> String {
-        format!("program_{}", self.number)
+    fn file(&self, purpose: Purpose) -> String {
+        format!("{}_{}", purpose.name(), self.number)
     }
 
     fn source(&self, purpose: Purpose) -> String {
@@ -106,16 +106,20 @@ impl Program {
     }
 }
 
-/// Where the programs live, and where their images go.
+/// Where the programs of a purpose live, and where their images go.
 #[derive(Clone, Debug)]
 pub struct Workshop {
+    purpose: Purpose,
     folder: PathBuf,
+    /// Of every purpose, so that the kernel is built once.
+    target: PathBuf,
 }
 
 impl Workshop {
     /// Writes the programs into `folder`, with the workspace's own versions of dependencies.
     pub fn write(folder: &Path, purpose: Purpose, programs: &[Program]) -> Result<Self, String> {
         let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        let target = folder.join("target");
         let folder = folder.join(purpose.name());
         let bin = folder.join("src/bin");
         // Programs of an earlier run may have other numbers.
@@ -128,13 +132,17 @@ impl Workshop {
                 fs::write(folder.join("build.rs"), BUILD_SCRIPT)?;
             }
             for program in programs {
-                let path = bin.join(program.file() + ".rs");
+                let path = bin.join(program.file(purpose) + ".rs");
                 fs::write(path, program.source(purpose))?;
             }
             Ok::<_, std::io::Error>(())
         })();
         written.map_err(|error| format!("cannot write {}: {error}", folder.display()))?;
-        Ok(Self { folder })
+        Ok(Self {
+            purpose,
+            folder,
+            target,
+        })
     }
 
     /// Builds the programs that fit `board` with a cargo profile; the images of the others are
@@ -145,12 +153,14 @@ impl Workshop {
             let _ = fs::remove_file(self.path(board, profile, program));
         }
         let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
-        let bins = programs.iter().flat_map(|p| ["--bin".into(), p.file()]);
+        let bins = programs
+            .iter()
+            .flat_map(|p| ["--bin".into(), p.file(self.purpose)]);
         let output = Command::new(cargo)
             .args(["build", "--quiet", "--keep-going", "--target", board.target])
             .args(bins)
             .args(["--profile", profile, "--target-dir"])
-            .arg(self.folder.join("target"))
+            .arg(&self.target)
             .env("TRIBOS_BOARD", board.machine)
             .current_dir(&self.folder)
             .output()
@@ -166,8 +176,8 @@ impl Workshop {
 
     /// Where the image of a program is, if it was built.
     pub fn path(&self, board: &Board, profile: &str, program: &Program) -> PathBuf {
-        let path = self.folder.join("target").join(board.target);
-        path.join(profile).join(program.file())
+        let path = self.target.join(board.target);
+        path.join(profile).join(program.file(self.purpose))
     }
 
     /// The image of a program.

@@ -3,7 +3,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use serde_json::{Value, json};
-use tribos::friction::{LAWS, Law, LawEntry};
+use tribos_friction::{LawEntry, LAWS, Law};
 
 /// All of them as JSON.
 pub fn laws() -> String {

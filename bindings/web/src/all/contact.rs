@@ -2,12 +2,12 @@
 
 use crate::exchange::Refused;
 use nalgebra::Vector3;
-use tribos::friction::{AnyContactFriction, Area, ContactVisitor};
 use tribos_core::Error;
 use tribos_core::contact::{
     Attraction, Cohesion, Contact, ContactBody, ContactFriction, ContactGeometry, NormalLaw,
     SphereBody, TimeStep, WallBody,
 };
+use tribos_friction::{AnyContactFriction, Area, ContactVisitor};
 
 /// What a contact resists, in numbers.
 #[derive(Clone, Copy, Debug)]

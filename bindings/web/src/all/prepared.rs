@@ -8,11 +8,11 @@ use alloc::boxed::Box;
 use alloc::format;
 use core::cell::OnceCell;
 use core::fmt;
-use tribos::friction::{
+use tribos_core::slider::{SliderState, SliderParameters};
+use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
+use tribos_friction::{
     Area, AreaFriction, Law, LimitSurfaces, Patch, RoundPower, Tier, Visitor, upright, visit,
 };
-use tribos_core::slider::{SliderParameters, SliderState};
-use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
 /// Friction of a patch under a law.
 pub struct Prepared {

@@ -6,8 +6,8 @@ use crate::exchange::Refused;
 use alloc::rc::Rc;
 use alloc::vec::Vec;
 use core::cell::RefCell;
-use tribos::friction::{AnyLaw, Law};
 use tribos_core::limit_surface::UnknownPressureSet;
+use tribos_friction::{AnyLaw, Law};
 
 /// A thing that is kept.
 #[derive(Debug)]

@@ -3,13 +3,13 @@
 //! That file has the same chapters, calls the package in Node, and compares its digests with those that this
 //! program leaves in `dist/bits.txt`. Neither side is a snapshot of the other.
 
-use tribos::friction::Area;
 use tribos_core::contact::Attraction;
 use tribos_core::law::LocalLaw;
 use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::patch::mesh::Vertex;
 use tribos_core::patch::nodes::Node;
 use tribos_core::slider::SliderParameters;
+use tribos_friction::Area;
 use tribos_web::all::contact::{ContactLaw, GIVEN, Given};
 use tribos_web::all::launches::Wanted;
 use tribos_web::all::prepared::Prepared;
@@ -356,7 +356,7 @@ fn other_straight_edges(chapter: &mut Chapter) {
 }
 
 fn law(chapter: &mut Chapter) {
-    let law: tribos::friction::Law = OIL.parse().unwrap();
+    let law: tribos_friction::Law = OIL.parse().unwrap();
     let law = law.build::<f64>().unwrap();
     let speeds: Vec<f64> = (0..CALLS).map(|_| chapter.signed(1.0)).collect();
     for speed in &speeds {

@@ -1,6 +1,7 @@
-//! Tests of the trials: each method comes as close to the known answers as its parameters promise.
+//! Each method comes as close to the known answers as its parameters promise.
 
-use super::*;
+use anyhow::Result;
+use tribos_trials::{Ball, Column, Cooling, Method, Slope, run};
 
 #[test]
 fn a_column_presses_on_the_floor_with_its_weight() -> Result<()> {
