@@ -1,10 +1,9 @@
 //! Shapes of feet.
 
-use crate::area::{Area, Element, Round};
+use crate::area::Round;
 use crate::convex::{centroid, divisions, thinned};
 use crate::points::{POINTS, bar_points, disk_points, polygon_points, ring_points, round_points};
 use crate::refusal::FootprintError;
-use crate::standing::Foot;
 use crate::surface::Surface;
 use std::sync::Arc;
 use tribos_core::patch::nodes::NodeList;
@@ -181,6 +180,11 @@ impl Footprint {
         }
     }
 
+    /// Friction of a round foot among others.
+    pub(crate) fn round_friction(&self) -> Option<&Round> {
+        self.inner.round.as_ref()
+    }
+
     /// Whether the exact surface is known for a foot whose centre is at `place` from the centre of mass: a
     /// polygon or a bar anywhere, a round foot in the middle.
     pub(crate) fn is_exact_at(&self, place: [f64; 2]) -> bool {
@@ -191,36 +195,6 @@ impl Footprint {
     /// Whether the distance of the centre from the centre of mass does not count.
     pub(crate) fn is_centred(&self, [x, y]: [f64; 2]) -> bool {
         (x * x + y * y).sqrt() <= CENTRED * f64::from(self.inner.radius)
-    }
-
-    /// Adds the elements of a foot, labelled with its index. A foot without friction has none.
-    pub(crate) fn add_elements<'a>(
-        &'a self,
-        number: usize,
-        foot: &Foot,
-        to: &mut Vec<Element<'a>>,
-    ) {
-        let limit = f64::from(foot.limit);
-        let presses = limit > 0.0;
-        if !presses {
-            return;
-        }
-        let one = |area: Area<'a>, place: [f64; 2], share: f32| Element {
-            place,
-            area,
-            limit: limit * f64::from(share),
-            foot: number,
-        };
-        let (place, [c, s]) = (foot.place, foot.axis);
-        let point = |&[x, y, share]: &[f32; 3]| {
-            let [x, y] = [x, y].map(f64::from);
-            let place = [place[0] + c * x - s * y, place[1] + s * x + c * y];
-            one(Area::Point, place, share)
-        };
-        match &self.inner.round {
-            Some(round) => to.push(one(Area::Round(round), place, 1.0)),
-            None => to.extend(self.inner.points.iter().map(point)),
-        }
     }
 
     /// What follows from an outline and its exact surface.

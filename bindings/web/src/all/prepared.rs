@@ -1,9 +1,9 @@
 //! Friction of a patch under a law, with its limit surfaces and free motions.
 
 use crate::exchange::{Refused, said};
+use crate::friction::Contact;
 use crate::modes::FinalMotion;
-use crate::patch::{Contact, Glides};
-use crate::slide::{End, Free};
+use crate::slide::{End, Free, Glides};
 use alloc::boxed::Box;
 use alloc::format;
 use core::cell::OnceCell;

@@ -6,7 +6,7 @@ use crate::all::launches::Wanted;
 use crate::all::prepared::Prepared;
 use crate::all::store::{self, Item, OTHER};
 use crate::exchange::{Refused, answer, counted, said, say, status};
-use crate::patch::{row_of, twist_of, wrench_of};
+use crate::friction::{row_of, twist_of, wrench_of};
 use alloc::vec::Vec;
 use core::num::NonZeroU32;
 use tribos::friction::{Area, Law, Refusal};
