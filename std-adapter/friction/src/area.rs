@@ -3,7 +3,7 @@
 use super::surface::{DryRound, Held, LimitSurfaces};
 use super::{Flat, HeldNodes, Patch, Precision, Refusal, polynomial, surface};
 use tribos_core::coupling::flat::DryPatch;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::limit_surface::{FrictionSet, PatchSurface};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
@@ -129,8 +129,7 @@ impl<R: Precision> Area<R> {
         Ok(match self {
             Self::Flat(flat) => Box::new(PatchSurface::new(flat.clone(), force_limit)?),
             Self::Round(patch, radius) => {
-                let dry = DryRound::new(patch)?.held();
-                Box::new(LimitSurface::new(dry, force_limit, *radius)?)
+                DryRound::new(patch)?.limit_surface(force_limit, *radius)?
             }
         })
     }

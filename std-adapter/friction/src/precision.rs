@@ -5,12 +5,12 @@ use super::catalogue::{Made, Maker, Values};
 use super::quadrature::polynomial;
 use super::visit::Smooth;
 use std::fmt::Debug;
-use tribos_core::coupling::Lateral;
 use tribos_core::coupling::round::{
     LateralPolynomialTable, PolynomialTable, RoundTable32, RoundTable64,
 };
 use tribos_core::coupling::table::{Table32, Table64};
-use tribos_core::internals::SmoothProfile;
+use tribos_core::coupling::{Coupling, Dry, DryCoupling, Lateral, ReducedJacobian, ReducedWrench};
+use tribos_core::internals::{Lead, SmoothProfile};
 use tribos_core::law::LawError;
 use tribos_core::patch::PowerPressure;
 use tribos_core::real::Real;
@@ -41,7 +41,7 @@ pub(super) mod sealed {
         type Disk: SmoothProfile<Self> + Lateral<Self> + Send + Sync + 'static;
         type Round: SmoothProfile<Self> + Lateral<Self> + Copy + Debug + Send + Sync + 'static;
         /// Under dry friction alone.
-        type Polynomial: SmoothProfile<Self> + Copy + Debug + Send + Sync + 'static;
+        type Polynomial: DryCoupling<Self> + Copy + Debug + Send + Sync + 'static;
         fn disk(alpha: Self) -> Result<Self::Disk, LawError>;
         fn round(alpha: Self, pressure: PowerPressure) -> Result<Self::Round, LawError>;
         /// Hands the table of a polynomial pressure to `visitor`, if there is one.
@@ -58,7 +58,7 @@ pub(super) mod sealed {
         const HAS_POLYNOMIALS: bool = true;
         type Disk = Table64;
         type Round = RoundTable64;
-        type Polynomial = PolynomialTable;
+        type Polynomial = Dry<PolynomialTable>;
         fn disk(alpha: f64) -> Result<Table64, LawError> {
             Table64::new(alpha)
         }
@@ -73,11 +73,42 @@ pub(super) mod sealed {
             let table = LateralPolynomialTable::new(alpha, &polynomial(coefficients)?)?;
             visitor.smooth(table)
         }
-        fn dry_polynomial(coefficients: &[f64]) -> Result<PolynomialTable, Refusal> {
-            Ok(PolynomialTable::new(0.0, &polynomial(coefficients)?)?)
+        fn dry_polynomial(coefficients: &[f64]) -> Result<Dry<PolynomialTable>, Refusal> {
+            let table = PolynomialTable::new(0.0, &polynomial(coefficients)?)?;
+            Ok(Dry::new(table)?)
         }
         fn make(maker: &Maker, values: Values<f64>) -> Made<f64> {
             (maker.double)(values)
+        }
+    }
+
+    /// Dry friction in single precision from a table in double precision.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Narrowed(Dry<PolynomialTable>);
+
+    impl Coupling<f32> for Narrowed {
+        fn reduced_wrench(&self, slide: f32, rim: f32) -> ReducedWrench<f32> {
+            let wrench = self.0.reduced_wrench(slide.into(), rim.into());
+            ReducedWrench {
+                force: wrench.force as f32,
+                torque: wrench.torque as f32,
+            }
+        }
+        fn reduced_jacobian(&self, slide: f32, rim: f32) -> ReducedJacobian<f32> {
+            let jacobian = self.0.reduced_jacobian(slide.into(), rim.into());
+            ReducedJacobian {
+                force_per_slide: jacobian.force_per_slide as f32,
+                force_slide: jacobian.force_slide as f32,
+                mixed: jacobian.mixed as f32,
+                torque_rim: jacobian.torque_rim as f32,
+            }
+        }
+    }
+
+    impl DryCoupling<f32> for Narrowed {
+        fn reduced_point(&self, lead: Lead, ratio: f32) -> [f32; 3] {
+            let point = self.0.reduced_point(lead, ratio.into());
+            point.map(|part| part as f32)
         }
     }
 
@@ -85,8 +116,7 @@ pub(super) mod sealed {
         const HAS_POLYNOMIALS: bool = false;
         type Disk = Table32;
         type Round = RoundTable32;
-        // None is ever made.
-        type Polynomial = RoundTable32;
+        type Polynomial = Narrowed;
         fn disk(alpha: f32) -> Result<Table32, LawError> {
             Table32::new(alpha)
         }
@@ -96,8 +126,8 @@ pub(super) mod sealed {
         fn polynomial<V: Smooth<f32>>(_: f32, _: &[f64], _: V) -> Result<V::Output, Refusal> {
             Err(Refusal::SinglePrecision)
         }
-        fn dry_polynomial(_: &[f64]) -> Result<RoundTable32, Refusal> {
-            Err(Refusal::SinglePrecision)
+        fn dry_polynomial(coefficients: &[f64]) -> Result<Narrowed, Refusal> {
+            f64::dry_polynomial(coefficients).map(Narrowed)
         }
         fn make(maker: &Maker, values: Values<f32>) -> Made<f32> {
             (maker.single)(values)
