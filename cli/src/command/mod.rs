@@ -26,7 +26,7 @@ mod number;
 mod onset;
 mod overview;
 mod presentation;
-mod progress;
+pub(crate) mod progress;
 mod push;
 mod reproduce;
 pub(crate) mod run;

@@ -19,6 +19,7 @@
 //! that it has computed instead of computing another.
 
 use super::collar;
+use super::local::Local;
 use super::rising::{Rising, Step};
 use super::sketch::Sketch;
 use crate::coupling::{DryCoupling, Lead, ReducedWrench};
@@ -47,15 +48,6 @@ pub(super) struct Meridian<R, C> {
 pub(super) struct Normal<R> {
     pub slide: R,
     pub rim: R,
-}
-
-/// Point and rate at one normal, the leading component first.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Local<R> {
-    pub major: R,
-    pub minor: R,
-    /// dm/dh
-    pub rate: R,
 }
 
 /// A normal and its point of the curve.
@@ -97,35 +89,6 @@ fn ordered<T>(lead: Lead, force: T, torque: T) -> [T; 2] {
     match lead {
         Lead::Sliding => [force, torque],
         Lead::Spinning => [torque, force],
-    }
-}
-
-impl<R: Real> Local<R> {
-    #[inline]
-    pub fn of(coupling: &impl DryCoupling<R>, lead: Lead, ratio: R) -> Self {
-        let [major, minor, rate] = coupling.reduced_point(lead, ratio);
-        Self { major, minor, rate }
-    }
-
-    /// A m − a M and its rate.
-    #[inline]
-    pub fn across_ray(&self, ratio: R, [major, minor]: [R; 2]) -> [R; 2] {
-        [
-            major * self.minor - minor * self.major,
-            (major + minor * ratio) * self.rate,
-        ]
-    }
-
-    /// (A − M) h − κ (a − m) and its rate.
-    ///
-    /// Products with a weight only overflow where the other component leads.
-    #[inline]
-    pub fn beside_normal(&self, ratio: R, [major, minor]: [R; 2], weight: R) -> [R; 2] {
-        let ahead = major - self.major;
-        [
-            ahead * ratio - weight * (minor - self.minor),
-            ahead + (ratio * ratio + weight) * self.rate,
-        ]
     }
 }
 

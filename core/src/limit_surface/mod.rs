@@ -43,6 +43,7 @@ mod ellipsoid;
 mod exact;
 mod kinks;
 mod loaded;
+mod local;
 mod meridian;
 mod patch;
 mod polar;

@@ -2,8 +2,8 @@
 
 use crate::figure::axis::{Axis, Span};
 use crate::figure::{Color, canvas};
-use crate::solid::paper::{Anchor, Paper, Place, width};
-use crate::solid::view::{Point, View};
+use crate::solid::paper::{Anchor, Paper, width};
+use crate::solid::view::{Place, Point, View};
 
 /// Colours of the frame, the grid and the walls.
 const FRAME: Color = Color(80, 80, 80);

@@ -1,6 +1,6 @@
 //! Initial state, laws and parameters of a world of soft spheres.
 
-use super::contact::Law;
+use super::law::Law;
 use super::law::{Stiffness, damping};
 use crate::cd::{self, Laws, StepLimits, Wall, WorldError};
 use nalgebra::Vector3;

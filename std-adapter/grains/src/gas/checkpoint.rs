@@ -1,7 +1,7 @@
 //! Checkpoint files of a gas.
 
 use super::medium::Kept;
-use super::run::{Ending, Row};
+use super::outcome::{Ending, Row};
 use crate::gas::scene::GasScene;
 use serde_json::{Map, Value};
 use tribos_base::record::kept::{damaged, groups, hex, one, opened};

@@ -18,11 +18,11 @@ mod stepped;
 mod tests;
 
 pub use error::GasError;
-pub use outcome::Outcome;
-pub(crate) use room::edge;
 #[doc(hidden)]
-pub use run::COLUMNS;
-pub use run::{Ending, Gas};
+pub use outcome::COLUMNS;
+pub use outcome::{Ending, Outcome};
+pub(crate) use room::edge;
+pub use run::Gas;
 #[doc(hidden)]
 pub use size::size;
 #[doc(hidden)]

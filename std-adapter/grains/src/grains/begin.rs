@@ -1,8 +1,9 @@
 //! Where the grains of a run come from: random places, a file, or the last state of another run.
 
 use super::error::GrainsError;
-use super::layout::{Face, Layout, Part};
+use super::layout::Layout;
 use super::placement::{self, Start};
+use super::wall::{Face, Part};
 use crate::grains::scene::{Axis, Container, Ends, GrainsScene, Sides};
 use crate::packing::AssemblyError;
 use crate::packing::method::ContactMethod;

@@ -1,6 +1,6 @@
 //! Hoppers and drums: walls beside those of the box, and the room that they leave.
 
-use super::layout::{Face, Part};
+use super::wall::{Face, Part};
 use crate::grains::scene::{Container, GrainsScene, Sides};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;

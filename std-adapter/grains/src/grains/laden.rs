@@ -3,7 +3,7 @@
 use super::layout::Layout;
 use super::loads::Loads;
 use super::measure::{COLUMNS, Now};
-use super::run::Ending;
+use super::outcome::Ending;
 use crate::grains::scene::GrainsScene;
 use crate::packing::{self, Body, Bounds, Cadence, Packing, Seen};
 use serde_json::{Map, Value};

@@ -1,7 +1,8 @@
 //! What drives the grains: gravity, pistons, moving plates, shaking, each at its time.
 
-use super::layout::{End, Face, Layout, PLATE, Part};
+use super::layout::Layout;
 use super::ramp::Ramp;
+use super::wall::{End, Face, PLATE, Part};
 use crate::grains::scene::{Axis, GrainsScene};
 use crate::packing::Packing;
 use nalgebra::Vector3;

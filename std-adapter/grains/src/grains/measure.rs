@@ -1,8 +1,9 @@
 //! What is measured of the grains after a step.
 
-use super::layout::{End, Face, Layout, PLATE, inward};
+use super::layout::Layout;
 use super::loads::Loads;
 use super::parts::volume;
+use super::wall::{End, Face, PLATE, inward};
 use crate::grains::scene::{Axis, Container, Ends, GrainsScene};
 use crate::packing::{Packing, Stress, branch, is_at};
 use nalgebra::Vector3;

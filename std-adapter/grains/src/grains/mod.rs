@@ -20,16 +20,17 @@ pub(crate) mod scene;
 mod session;
 #[cfg(test)]
 mod sheared_tests;
+mod wall;
 
 #[doc(hidden)]
 pub use cost::{GrainsCost, cost, size, stable_step};
 pub use error::GrainsError;
 #[doc(hidden)]
 pub use measure::COLUMNS;
-pub use outcome::Outcome;
+pub use outcome::{Ending, Outcome};
 pub use placement::PlacementError;
 pub use ramp::{Ramp, RampError};
-pub use run::{Ending, Grains};
+pub use run::Grains;
 
 #[cfg(test)]
 mod tests;

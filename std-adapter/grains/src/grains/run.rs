@@ -3,56 +3,22 @@
 use super::begin::start;
 use super::error::GrainsError;
 use super::laden::{Laden, Slow, bounds};
-use super::layout::{End, Layout};
+use super::layout::Layout;
 use super::loads::Loads;
 use super::measure::{COLUMNS, Now};
-use super::outcome::Outcome;
+use super::outcome::{Ending, Outcome};
 use super::parts::packing;
+use super::wall::End;
 use crate::grains::scene::{Axis, Container, Ends, GrainsScene};
 use crate::packing::{Drive, Kept, Limits, Statistics, Told, origin};
 use serde_json::Value;
 use std::ops::ControlFlow;
-use tribos_base::golden::Measurement;
+use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::frames::{Bodies, Frame, Kind};
 use tribos_base::record::{ContactRow, Snapshot};
-use tribos_base::run::Simulation;
+use tribos_base::run::{Simulation, drive};
 use tribos_contacts::cd::StepReport;
 use tribos_contacts::problem::Global;
-
-/// Why a run ended.
-///
-/// ```
-/// use tribos::grains::{Ending, Grains};
-/// use tribos::run::drive;
-/// # use tribos::scene::GrainsScene;
-/// let scene = GrainsScene { count: 5, rest: Some(1e-3), duration: 10.0, ..Default::default() };
-/// let mut beads = Grains::new(&scene)?;
-/// assert_eq!(beads.ending(), None);
-/// drive(&mut beads, |_, _| ())?;
-/// assert_eq!(beads.ending(), Some(Ending::Rest)); // they fall and stay where they are
-/// assert_eq!(Ending::Rest.name(), "rest");
-/// # Ok::<(), tribos::grains::GrainsError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
-    /// The grains are at rest.
-    Rest,
-    /// The scene's duration elapsed.
-    Time,
-    /// The scene's number of steps was reached.
-    Steps,
-}
-
-impl Ending {
-    /// Name in summaries and checkpoints.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rest => "rest",
-            Self::Time => "time",
-            Self::Steps => "steps",
-        }
-    }
-}
 
 /// Grains in a box, a run in progress.
 ///
@@ -284,5 +250,16 @@ impl Simulation for Grains {
 
     fn progress(&self) -> f64 {
         self.drive.progress()
+    }
+}
+
+impl Measure for GrainsScene {
+    type Error = GrainsError;
+
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, GrainsError> {
+        let mut grains = Grains::new(self)?;
+        drive::<Grains>(&mut grains, |_, _| watch())
+            .map_err(|error: GrainsError| GrainsError::from(error))?;
+        Ok(grains.measurement(&grains.outcome().json(self)))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::deposit::{BULK, Deposit, DepositError};
 use super::error::CompactionError;
-use super::outcome::Outcome;
+use super::outcome::{COLUMNS, Ending, Outcome};
 use super::parts::packing;
 use super::press::{Press, Watch, bounds, height};
 use super::start::Start;
@@ -10,72 +10,12 @@ use crate::packing::volume_between;
 use crate::packing::{Drive, Kept, Limits, Statistics, Told, origin};
 use crate::powder::scene::PowderScene;
 use std::ops::ControlFlow;
+use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::frames::{Bodies, Frame, Kind};
 use tribos_base::record::{ContactRow, Snapshot};
-use tribos_base::run::Simulation;
+use tribos_base::run::{Simulation, drive};
 use tribos_contacts::cd::StepReport;
 use tribos_contacts::problem::Global;
-
-/// Columns of the series, in the units of the scene; `stress_zz` in units of the applied pressure.
-pub const COLUMNS: [&str; 15] = [
-    "time",
-    "step",
-    "piston_height",
-    "porosity",
-    "contacts",
-    "stress_zz",
-    "sweeps",
-    "residual",
-    "kinetic",
-    "dissipated_normal",
-    "dissipated_sliding",
-    "dissipated_rolling",
-    "dissipated_torsion",
-    "dissipated_cohesion",
-    "work",
-];
-
-/// Why a run ended.
-///
-/// ```
-/// use tribos::powder::{Compaction, Ending};
-/// use tribos::run::drive;
-/// # use tribos::scene::PowderScene;
-/// # let scene = PowderScene {
-/// #     width: 6.0,
-/// #     height: 8.0,
-/// #     pressure: 0.02,
-/// #     steps: 10,
-/// #     ..PowderScene::default()
-/// # };
-/// // A scene of ten steps: too few to be blocked.
-/// let mut compaction = Compaction::new(&scene)?;
-/// assert_eq!(compaction.ending(), None);
-/// drive(&mut compaction, |_, _| ())?;
-/// assert_eq!((compaction.ending(), compaction.steps()), (Some(Ending::Steps), 10));
-/// assert_eq!(Ending::Steps.name(), "steps");
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
-    /// The packing is blocked.
-    Blocked,
-    /// The scene's duration elapsed.
-    Time,
-    /// The scene's number of steps was reached.
-    Steps,
-}
-
-impl Ending {
-    /// Name in summaries and checkpoints.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Blocked => "blocked",
-            Self::Time => "time",
-            Self::Steps => "steps",
-        }
-    }
-}
 
 /// A compaction in progress.
 ///
@@ -431,5 +371,16 @@ impl Simulation for Compaction {
 
     fn progress(&self) -> f64 {
         self.drive.progress()
+    }
+}
+
+impl Measure for PowderScene {
+    type Error = CompactionError;
+
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, CompactionError> {
+        let mut compaction = Compaction::new(self)?;
+        drive(&mut compaction, |_, _| watch())?;
+        let summary = compaction.outcome().json(self);
+        Ok(compaction.drive.measurement(&summary))
     }
 }

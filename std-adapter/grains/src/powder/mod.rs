@@ -20,14 +20,14 @@ pub use crate::packing::Statistics;
 pub use crate::packing::{Carried, CarriedModes, Limits, Material, STATE, Stress};
 #[doc(hidden)]
 pub use blocked::{Means, Window};
-#[doc(hidden)]
-pub use compaction::COLUMNS;
-pub use compaction::{Compaction, Ending};
+pub use compaction::Compaction;
 #[doc(hidden)]
 pub use cost::{PowderCost, cost, size, stable_step};
 pub use deposit::DepositError;
 pub use error::CompactionError;
-pub use outcome::Outcome;
+#[doc(hidden)]
+pub use outcome::COLUMNS;
+pub use outcome::{Ending, Outcome};
 #[doc(hidden)]
 pub use parts::PISTON;
 pub use tribos_base::record::CheckpointError;

@@ -1,8 +1,8 @@
 //! What a piston does to a powder, step by step: its loads, its measures and when it ends.
 
 use super::blocked::{Means, Window};
-use super::compaction::{COLUMNS, Ending};
 use super::deposit::Deposit;
+use super::outcome::{COLUMNS, Ending};
 use super::parts::PISTON;
 use crate::packing::{self, Body, Bounds, Cadence, Packing, Seen, Stress, branch, is_at};
 use crate::powder::scene::PowderScene;

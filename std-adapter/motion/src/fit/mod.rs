@@ -35,6 +35,7 @@
 
 mod covariance;
 mod data;
+mod error;
 mod estimate;
 mod jacobian;
 mod judge;
@@ -46,18 +47,22 @@ mod sample;
 mod search;
 mod starts;
 pub mod support;
+mod unknowns;
 
 #[doc(hidden)]
 pub use data::Motion;
 pub use data::{Data, DataError};
-pub use estimate::{Estimate, Fit, FitError, Known, Options, fit};
+pub use error::FitError;
 #[doc(hidden)]
-pub use estimate::{FitProgress, fit_watched};
+pub use estimate::fit_watched;
+pub use estimate::{Estimate, Fit, Known, Options, fit};
 pub use law::LawName;
 pub use law::law_model;
 pub use parameter::Parameter;
 #[doc(hidden)]
 pub use parameter::{Model, Range};
+#[doc(hidden)]
+pub use search::FitProgress;
 
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]

@@ -15,12 +15,12 @@ use any_law::run_law;
 #[doc(hidden)]
 pub use cost::EvaluationCost;
 pub(crate) use cost::of_law;
-pub use outcome::{Ending, Outcome};
+pub use outcome::{COLUMNS, Ending, Outcome};
 #[doc(hidden)]
 pub use path::{PATH_COLUMNS, PlanarCourse, PlanarScene, follow_path};
 pub use path::{PathOutcome, PathRun, run_path};
 #[doc(hidden)]
-pub use simulation::{COLUMNS, SlideSimulation};
+pub use simulation::SlideSimulation;
 #[doc(hidden)]
 pub use spent::Spent;
 

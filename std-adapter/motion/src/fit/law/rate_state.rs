@@ -1,6 +1,6 @@
 //! Rate and state: steady, and with its age over time.
 
-use super::super::estimate::FitError;
+use super::super::error::FitError;
 use super::super::parameter::{Model, Parameter, Range};
 use super::super::{Data, DataError};
 use super::{Interval, Scales, between, distances, intervals, log_between, merged, picked, steady};

@@ -1,8 +1,10 @@
 //! Sparse matrices as CSparse prints them.
 
 use super::super::error::Refusal;
-use super::matrix::Triplet;
 use super::words::Words;
+
+/// An entry: row, column, value.
+pub(super) type Triplet = (usize, usize, f64);
 
 /// A kind of storage, its title, then entries.
 pub(super) fn read(words: &mut Words, shape: [usize; 2]) -> Result<Vec<Triplet>, Refusal> {
