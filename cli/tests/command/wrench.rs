@@ -23,8 +23,13 @@ fn a_motion_that_is_not_given_is_none() -> Outcome {
             ("--speed 1.5", "--speed 1.5 --spin 0"),
             ("--spin -2", "--speed 0 --spin -2"),
         ] {
-            let [short, full] = [given, all].map(|motion| format!("wrench --patch {patch} {motion}"));
-            assert_eq!(told(short.as_str())?, told(full.as_str())?, "{patch} {given}");
+            let [short, full] =
+                [given, all].map(|motion| format!("wrench --patch {patch} {motion}"));
+            assert_eq!(
+                told(short.as_str())?,
+                told(full.as_str())?,
+                "{patch} {given}"
+            );
         }
     }
     assert!(refused(".", "wrench --load 2")?.contains("--speed"));
