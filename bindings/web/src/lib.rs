@@ -8,6 +8,7 @@
 //! |---|---|
 //! | [`boundary`] | the exported functions |
 //! | [`exchange`] | numbers and text that pass between the two sides |
+//! | [`friction`] | friction of a contact at one motion, and at rows of them |
 //! | [`patch`] | a disk by its numbers, or a prepared patch by its handle |
 //! | [`surface`] | limit surfaces, exact and approximate |
 //! | [`planar`] | time steps and rollouts |
@@ -29,6 +30,7 @@ extern crate alloc;
 pub mod all;
 pub mod boundary;
 pub mod exchange;
+pub mod friction;
 pub mod modes;
 pub mod patch;
 pub mod planar;

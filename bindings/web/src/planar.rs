@@ -1,7 +1,7 @@
 //! Time steps of a body that is pushed and turned on its patch.
 
 use crate::exchange::Refused;
-use crate::patch::{row_of, row_of_twist, twist_of, wrench_of};
+use crate::friction::{row_of, row_of_twist, twist_of, wrench_of};
 use crate::surface::Surface;
 use tribos_core::contact::TimeStep;
 use tribos_core::limit_surface::FrictionSet;

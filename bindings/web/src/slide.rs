@@ -1,7 +1,7 @@
 //! Free motions on a round patch, to rest or over a time.
 
 use crate::exchange::Refused;
-use crate::patch::Patch;
+use crate::modes::FinalMotion;
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::real::Real;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
@@ -77,11 +77,44 @@ impl End {
     }
 }
 
-/// A body on a round patch, by what its free motion depends on, and its launch.
+/// Free motion on a round patch under a power of the speed.
+pub trait Glides {
+    /// See [`End::to_rest`].
+    fn to_rest(&self, parameters: SliderParameters<f64>, from: &SliderState<f64>) -> Free;
+    /// See [`End::advance`].
+    fn advance(
+        &self,
+        parameters: SliderParameters<f64>,
+        from: &SliderState<f64>,
+        time: f64,
+    ) -> Free;
+    /// Fixed points and last motion.
+    fn modes(&self, inertia_ratio: f64, initial_ratio: f64) -> Result<FinalMotion, Refused>;
+}
+
+impl<P> Glides for P
+where
+    P: PowerLawFriction<f64> + ReducedFriction<f64>,
+{
+    fn to_rest(&self, parameters: SliderParameters<f64>, from: &SliderState<f64>) -> Free {
+        End::to_rest(self, parameters, from)
+    }
+    fn advance(
+        &self,
+        parameters: SliderParameters<f64>,
+        from: &SliderState<f64>,
+        time: f64,
+    ) -> Free {
+        End::advance(self, parameters, from, time)
+    }
+    fn modes(&self, inertia_ratio: f64, initial_ratio: f64) -> Result<FinalMotion, Refused> {
+        FinalMotion::new(self, inertia_ratio, initial_ratio)
+    }
+}
+
+/// A body by what its free motion depends on, and its launch.
 #[derive(Clone, Copy, Debug)]
 pub struct Thrown {
-    /// The patch.
-    pub patch: Patch,
     /// Deceleration of pure sliding and I/(M R²).
     pub parameters: SliderParameters<f64>,
     /// Velocity and spin.
@@ -101,12 +134,10 @@ impl Thrown {
         (SliderState::launched(speed, spin), direction)
     }
 
-    /// Time, distance, x, y, angle and last ratio at rest.
-    pub fn rest(&self) -> Result<[f64; 6], Refused> {
+    /// Time, distance, x, y, angle and last ratio at rest on a patch.
+    pub fn rest(&self, patch: &dyn Glides) -> Result<[f64; 6], Refused> {
         let (start, [x, y]) = self.start();
-        let end = self
-            .patch
-            .glides(|patch| patch.to_rest(self.parameters, &start))?;
+        let end = patch.to_rest(self.parameters, &start)?;
         let SliderState {
             time,
             distance,
@@ -117,11 +148,9 @@ impl Thrown {
     }
 
     /// Time, x, y, angle, velocity, spin after a time, and 1 at rest.
-    pub fn after(&self, time: f64) -> Result<[f64; 8], Refused> {
+    pub fn after(&self, patch: &dyn Glides, time: f64) -> Result<[f64; 8], Refused> {
         let (start, direction) = self.start();
-        let end = self
-            .patch
-            .glides(|patch| patch.advance(self.parameters, &start, time))?;
+        let end = patch.advance(self.parameters, &start, time)?;
         let [t, x, y, angle, vx, vy, spin] = row(&end.motion, direction);
         let rests = if end.is_at_rest { 1.0 } else { 0.0 };
         Ok([t, x, y, angle, vx, vy, spin, rests])
@@ -129,22 +158,20 @@ impl Thrown {
 
     /// Rows at even times from the launch to rest. Every one is reached from the launch by itself, so that no
     /// error grows along the path.
-    pub fn path(&self, rows: &mut [[f64; 7]]) -> Result<(), Refused> {
+    pub fn path(&self, patch: &dyn Glides, rows: &mut [[f64; 7]]) -> Result<(), Refused> {
         let (start, direction) = self.start();
         let last = rows.len().saturating_sub(1);
-        self.patch.glides(|patch| {
-            let end = patch.to_rest(self.parameters, &start)?;
-            for (index, place) in rows.iter_mut().enumerate() {
-                let time = end.motion.time * (index as f64 / last as f64);
-                let motion = if index == last {
-                    end.motion
-                } else {
-                    patch.advance(self.parameters, &start, time)?.motion
-                };
-                *place = row(&motion, direction);
-            }
-            Ok(())
-        })
+        let end = patch.to_rest(self.parameters, &start)?;
+        for (index, place) in rows.iter_mut().enumerate() {
+            let time = end.motion.time * (index as f64 / last as f64);
+            let motion = if index == last {
+                end.motion
+            } else {
+                patch.advance(self.parameters, &start, time)?.motion
+            };
+            *place = row(&motion, direction);
+        }
+        Ok(())
     }
 }
 

@@ -1,7 +1,8 @@
 //! Limit surfaces, exact and approximate.
 
 use crate::exchange::Refused;
-use crate::patch::{Patch, Work, row_of, row_of_twist, twist_of};
+use crate::friction::{row_of, row_of_twist, twist_of};
+use crate::patch::{Patch, Work};
 use tribos_core::limit_surface::{FrictionSet, Projection, Region};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};

@@ -2,7 +2,6 @@
 //! the time left; plain lines, rarer as time goes on, in a pipe or a file; nothing with --quiet.
 
 use super::output_options::is_quiet;
-use super::run::frontend::HostProgram;
 use std::fmt;
 use std::io::{IsTerminal, Write};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
@@ -64,6 +63,15 @@ pub fn show(done: f64, words: fmt::Arguments<'_>) {
     } else {
         super::warn(words);
     }
+}
+
+/// A program that runs scenes through this crate.
+pub trait Host: Sync {
+    /// Whether the run is to end; a long one leaves its checkpoint then. Called after every step.
+    fn is_asked(&self) -> bool;
+
+    /// Called a few times in a second: the share of the run that is done, if its end is known, and words.
+    fn hear(&self, done: Option<f64>, words: fmt::Arguments<'_>);
 }
 
 /// Follows one piece of work.

@@ -17,6 +17,26 @@ fn one_twist_as_json_keeps_all_bits() -> Outcome {
 }
 
 #[test]
+fn a_motion_that_is_not_given_is_none() -> Outcome {
+    for patch in ["disk", "box:0.3x0.2"] {
+        for (given, all) in [
+            ("--speed 1.5", "--speed 1.5 --spin 0"),
+            ("--spin -2", "--speed 0 --spin -2"),
+        ] {
+            let [short, full] =
+                [given, all].map(|motion| format!("wrench --patch {patch} {motion}"));
+            assert_eq!(
+                told(short.as_str())?,
+                told(full.as_str())?,
+                "{patch} {given}"
+            );
+        }
+    }
+    assert!(refused(".", "wrench --load 2")?.contains("--speed"));
+    Ok(())
+}
+
+#[test]
 fn dimensions_scale_force_and_torque() -> Outcome {
     let dimensionless = ["--speed", "0.5", "--spin", "1", "--format", "csv"];
     let plain = told([&["wrench"][..], &dimensionless].concat())?;

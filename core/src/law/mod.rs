@@ -68,9 +68,9 @@ use crate::real::Real;
 /// ```
 /// use tribos_core::coupling::{ReducedFriction, quadrature::DiskQuadrature};
 /// use tribos_core::law::LocalLaw;
-/// /// Friction that saturates: 0.4 v/(v + 0.1 m/s).
-/// struct Saturating;
-/// impl LocalLaw<f64> for Saturating {
+/// /// A film of grease: 0.4 v/(v + 0.1 m/s).
+/// struct Grease;
+/// impl LocalLaw<f64> for Grease {
 ///     fn friction(&self, speed: f64) -> f64 {
 ///         0.4 * speed / (speed + 0.1)
 ///     }
@@ -79,7 +79,7 @@ use crate::real::Real;
 ///     }
 /// }
 /// // A disk that does not spin has one speed everywhere.
-/// let disk = DiskQuadrature::new(Saturating);
+/// let disk = DiskQuadrature::new(Grease);
 /// assert!((disk.reduced_wrench(0.3, 0.0).force - 0.3).abs() < 1e-12);
 /// ```
 pub trait LocalLaw<R: Real> {

@@ -10,7 +10,7 @@
 //! The quintic that has the coupling's D and dD/dx at x = 0, ½ and 1 is right to 2e-4 on the uniform
 //! disk and to 5e-3 on a ring. Only the number of a search's steps depends on it.
 
-use super::meridian::CurvePoint;
+use super::curve_point::CurvePoint;
 use crate::coupling::{DominantSpeed, DryReducedFriction};
 use crate::real::Real;
 

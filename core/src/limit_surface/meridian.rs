@@ -20,6 +20,7 @@
 
 use super::collar;
 use super::curve_approximation::CurveApproximation;
+use super::curve_point::CurvePoint;
 use super::monotone_root::{MonotoneRoot, Step};
 use crate::coupling::{DominantSpeed, DryReducedFriction, ReducedWrench};
 use crate::real::Real;
@@ -47,15 +48,6 @@ pub(super) struct Meridian<R, C> {
 pub(super) struct Normal<R> {
     pub slide: R,
     pub rim: R,
-}
-
-/// Point and rate at one normal, the leading component first.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct CurvePoint<R> {
-    pub major: R,
-    pub minor: R,
-    /// dm/dh
-    pub rate: R,
 }
 
 /// A normal and its point of the curve.
@@ -97,35 +89,6 @@ fn ordered<T>(lead: DominantSpeed, force: T, torque: T) -> [T; 2] {
     match lead {
         DominantSpeed::Sliding => [force, torque],
         DominantSpeed::Spinning => [torque, force],
-    }
-}
-
-impl<R: Real> CurvePoint<R> {
-    #[inline]
-    pub fn of(coupling: &impl DryReducedFriction<R>, lead: DominantSpeed, ratio: R) -> Self {
-        let [major, minor, rate] = coupling.reduced_point(lead, ratio);
-        Self { major, minor, rate }
-    }
-
-    /// A m − a M and its rate.
-    #[inline]
-    pub fn across_ray(&self, ratio: R, [major, minor]: [R; 2]) -> [R; 2] {
-        [
-            major * self.minor - minor * self.major,
-            (major + minor * ratio) * self.rate,
-        ]
-    }
-
-    /// (A − M) h − κ (a − m) and its rate.
-    ///
-    /// Products with a weight only overflow where the other component leads.
-    #[inline]
-    pub fn beside_normal(&self, ratio: R, [major, minor]: [R; 2], weight: R) -> [R; 2] {
-        let ahead = major - self.major;
-        [
-            ahead * ratio - weight * (minor - self.minor),
-            ahead + (ratio * ratio + weight) * self.rate,
-        ]
     }
 }
 

@@ -40,6 +40,7 @@ mod any_pressure;
 mod batch;
 mod central_path;
 mod curve_approximation;
+mod curve_point;
 mod ellipsoid;
 mod load_sharing;
 mod meridian;

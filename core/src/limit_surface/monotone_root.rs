@@ -1,6 +1,6 @@
 //! The zero of a rising function of the ratio of speeds, by Newton steps kept in a bracket.
 
-use super::meridian::CurvePoint;
+use super::curve_point::CurvePoint;
 use crate::real::Real;
 
 /// More steps than any search needs: bisection alone gets from 1 to the rounding error.

@@ -6,7 +6,7 @@
 //! speed v it is smooth and still convex, and as σ → 0 it is h.
 
 use tribos_core::coupling::{ReducedJacobian, ReducedWrench};
-use tribos_friction::{Area as Shape, BoxedDryFriction, FrictionError, Patch};
+use tribos_friction::{Area as Shape, BoxedDryFriction, FrictionError, Patch, polynomial};
 
 /// The shape of an element.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +32,7 @@ impl Round {
         let radius = f64::from(radius);
         let mean_square = match patch {
             Patch::Annulus(inner) => 0.5 * (1.0 + inner * inner),
+            Patch::Polynomial(coefficients) => polynomial(coefficients)?.mean_square_radius(),
             _ => patch
                 .pressure()
                 .ok_or(FrictionError::NoAxis)?

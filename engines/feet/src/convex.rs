@@ -1,9 +1,7 @@
 //! Polygons with many corners.
 
-use crate::points::POINTS;
+use crate::points::{POINTS, TRIANGLE};
 
-/// Points of a triangle that is not divided.
-const TRIANGLE: usize = 7;
 /// Largest number of corners of a footprint.
 const MOST_CORNERS: usize = POINTS / TRIANGLE + 2;
 /// Divisions of the edges of a polygon with few corners.

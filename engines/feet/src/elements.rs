@@ -3,7 +3,7 @@
 use crate::area::{Area, Element};
 use crate::balance::Balance;
 use crate::ended::{Ended, FootFriction};
-use crate::standing::Foot;
+use crate::foot::Foot;
 use crate::symmetric::{dot, minus, plus, solved, times};
 use tribos_core::twist::{Twist, Wrench};
 
@@ -25,7 +25,7 @@ impl<'a> Elements<'a> {
     pub(crate) fn of(feet: &[Foot<'a>]) -> Self {
         let mut elements = Vec::new();
         for (number, foot) in feet.iter().enumerate() {
-            foot.footprint.add_elements(number, foot, &mut elements);
+            foot.add_elements(number, &mut elements);
         }
         Self {
             elements,

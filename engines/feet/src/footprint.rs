@@ -1,13 +1,16 @@
 //! Shapes of feet.
 
-use crate::area::{Area, Element, Round};
+use crate::area::Round;
 use crate::convex::{centroid, divisions, thinned};
-use crate::points::{POINTS, bar_points, disk_points, polygon_points, ring_points, round_points};
+use crate::points::{
+    POINTS, bar_points, disk_points, mesh_points, polygon_points, ring_points, round_points,
+    weighted_points,
+};
 use crate::refusal::FootprintError;
-use crate::standing::Foot;
 use crate::surface::Surface;
 use std::sync::Arc;
-use tribos_core::patch::nodes::NodeList;
+use tribos_core::patch::mesh::Vertex;
+use tribos_core::patch::nodes::{Node, NodeList};
 use tribos_friction::{Area as Shape, FrictionError, Patch};
 
 /// Distance from the centre of mass, as a fraction of the radius, up to which a footprint counts as centred.
@@ -68,6 +71,15 @@ enum Outline {
     Bar {
         half: f32,
     },
+    Points {
+        /// x, y and weight.
+        points: Vec<[f32; 3]>,
+    },
+    Mesh {
+        /// x, y and pressure.
+        vertices: Vec<[f32; 3]>,
+        triangles: Vec<[usize; 3]>,
+    },
 }
 
 impl Footprint {
@@ -81,8 +93,7 @@ impl Footprint {
         made(Outline::Ring { radius }, radius)
     }
 
-    /// A round foot under any pressure: elastic pads, worn soles. *Domain*: `radius` > 0 in metres; polynomial
-    /// pressures have no tables in single precision.
+    /// A round foot under any pressure: elastic pads, worn soles. *Domain*: `radius` > 0 in metres.
     ///
     /// ```
     /// use tribos_feet::{Footprint, Patch, Refusal};
@@ -115,12 +126,46 @@ impl Footprint {
         let _: NodeList<f32, POINTS> =
             NodeList::polygon(corners, divisions).map_err(FootprintError::Polygon)?;
         let corners = corners.to_vec();
-        let surface = Surface::polygon(&corners);
-        Ok(Self::of(
-            Outline::Polygon { corners, divisions },
-            surface,
-            None,
-        ))
+        let outline = Outline::Polygon { corners, divisions };
+        let surface = outline.surface([0.0; 2]).ok();
+        Ok(Self::of(outline, surface, None))
+    }
+
+    /// Points around the foot's centre, each with x, y in metres and a weight of which only the ratios count:
+    /// legs, studs, measured pressures. *Domain*: at least two places carry load. *Accuracy*: exact.
+    ///
+    /// ```
+    /// use tribos_feet::{Footprint, Refusal};
+    /// let studs = Footprint::weighted(&[[0.1, 0.0, 1.0], [-0.1, 0.1, 2.0], [-0.1, -0.1, 1.0]])?;
+    /// assert_eq!(studs.points()[1], [-0.1, 0.1, 0.5]);
+    /// assert!(Footprint::weighted(&[[0.1, 0.0, 1.0]]).is_err()); // one point resists no torque
+    /// # Ok::<(), Refusal>(())
+    /// ```
+    pub fn weighted(points: &[[f32; 3]]) -> Result<Self, FrictionError> {
+        let points = points.to_vec();
+        Outline::Points { points }.try_into()
+    }
+
+    /// Triangles that name their corners among `vertices`, each with x, y in metres from the foot's centre and a
+    /// pressure of which only the ratios count: soles with holes or parts, any pressure.
+    ///
+    /// *Domain*: at least one triangle with an area and a pressure. *Accuracy*: exact where the body stands on
+    /// this foot alone; elsewhere at least 7 points a triangle stand for it.
+    ///
+    /// ```
+    /// use tribos_feet::{Footprint, Refusal};
+    /// let corners = [[-0.1, -0.1, 1.0], [0.1, -0.1, 1.0], [0.1, 0.1, 1.0], [-0.1, 0.1, 1.0]];
+    /// let tile = Footprint::mesh(&corners, &[[0, 1, 2], [0, 2, 3]])?;
+    /// assert!((tile.radius() - 0.02_f32.sqrt()).abs() < 1e-7);
+    /// # Ok::<(), Refusal>(())
+    /// ```
+    pub fn mesh(vertices: &[[f32; 3]], triangles: &[[usize; 3]]) -> Result<Self, FrictionError> {
+        let (vertices, triangles) = (vertices.to_vec(), triangles.to_vec());
+        Outline::Mesh {
+            vertices,
+            triangles,
+        }
+        .try_into()
     }
 
     /// A convex polygon about the middle of its area, and the middle; of more than 38 corners, 38 are kept,
@@ -169,16 +214,16 @@ impl Footprint {
 
     /// The same about a point from which the foot's centre is at `place`, in the foot's axes. `None` for
     /// round feet, whose exact surface is known about their middle alone.
-    pub(crate) fn surface_from(&self, [x, y]: [f64; 2]) -> Option<Surface> {
-        let moved = |[px, py]: [f32; 2]| [(f64::from(px) + x) as f32, (f64::from(py) + y) as f32];
-        match &self.inner.outline {
-            Outline::Polygon { corners, .. } => {
-                let corners: Vec<[f32; 2]> = corners.iter().copied().map(moved).collect();
-                Surface::polygon(&corners)
-            }
-            Outline::Bar { half } => Surface::bar(moved([-half, 0.0]), moved([*half, 0.0])),
-            _ => None,
+    pub(crate) fn surface_from(&self, place: [f64; 2]) -> Option<Surface> {
+        match &self.inner.round {
+            Some(_) => None,
+            None => self.inner.outline.surface(place).ok(),
         }
+    }
+
+    /// Friction of a round foot among others.
+    pub(crate) fn round_friction(&self) -> Option<&Round> {
+        self.inner.round.as_ref()
     }
 
     /// Whether the exact surface is known for a foot whose centre is at `place` from the centre of mass: a
@@ -193,47 +238,16 @@ impl Footprint {
         (x * x + y * y).sqrt() <= CENTRED * f64::from(self.inner.radius)
     }
 
-    /// Adds the elements of a foot, labelled with its index. A foot without friction has none.
-    pub(crate) fn add_elements<'a>(
-        &'a self,
-        number: usize,
-        foot: &Foot,
-        to: &mut Vec<Element<'a>>,
-    ) {
-        let limit = f64::from(foot.limit);
-        let presses = limit > 0.0;
-        if !presses {
-            return;
-        }
-        let one = |area: Area<'a>, place: [f64; 2], share: f32| Element {
-            place,
-            area,
-            limit: limit * f64::from(share),
-            foot: number,
-        };
-        let (place, [c, s]) = (foot.place, foot.axis);
-        let point = |&[x, y, share]: &[f32; 3]| {
-            let [x, y] = [x, y].map(f64::from);
-            let place = [place[0] + c * x - s * y, place[1] + s * x + c * y];
-            one(Area::Point, place, share)
-        };
-        match &self.inner.round {
-            Some(round) => to.push(one(Area::Round(round), place, 1.0)),
-            None => to.extend(self.inner.points.iter().map(point)),
-        }
-    }
-
     /// What follows from an outline and its exact surface.
     fn of(outline: Outline, surface: Option<Surface>, round: Option<Round>) -> Self {
         let radius = match &outline {
             Outline::Disk { radius } | Outline::Ring { radius } | Outline::Round { radius, .. } => {
                 *radius
             }
-            Outline::Polygon { corners, .. } => {
-                let sizes = corners.iter().map(|[x, y]| (x * x + y * y).sqrt());
-                sizes.fold(0.0, f32::max)
-            }
+            Outline::Polygon { corners, .. } => farthest(corners.iter().copied()),
             Outline::Bar { half } => *half,
+            Outline::Points { points } => farthest(points.iter().map(|&[x, y, _]| [x, y])),
+            Outline::Mesh { vertices, .. } => farthest(vertices.iter().map(|&[x, y, _]| [x, y])),
         };
         let points = match &outline {
             Outline::Disk { radius } => disk_points(*radius),
@@ -241,6 +255,11 @@ impl Footprint {
             Outline::Round { patch, radius } => round_points(patch, *radius),
             Outline::Polygon { corners, divisions } => polygon_points(corners, *divisions),
             Outline::Bar { half } => bar_points(*half),
+            Outline::Points { points } => weighted_points(points),
+            Outline::Mesh {
+                vertices,
+                triangles,
+            } => mesh_points(vertices, triangles),
         };
         let inner = Arc::new(Inner {
             outline,
@@ -253,27 +272,71 @@ impl Footprint {
     }
 }
 
+impl Outline {
+    /// The exact limit surface under 1 N of the foot whose centre is at `place`; a round foot stays in the middle.
+    fn surface(&self, [x, y]: [f64; 2]) -> Result<Surface, FrictionError> {
+        let moved = |[px, py]: [f32; 2]| [(f64::from(px) + x) as f32, (f64::from(py) + y) as f32];
+        let area = match self {
+            Self::Disk { radius } => Shape::round(Patch::Disk, *radius),
+            Self::Ring { radius } => Shape::round(Patch::Ring, *radius),
+            Self::Round { patch, radius } => Shape::round(patch.parse()?, *radius),
+            Self::Polygon { corners, .. } => {
+                let corners: Vec<[f32; 2]> = corners.iter().copied().map(moved).collect();
+                Shape::polygon(&[&corners], None)
+            }
+            Self::Bar { half } => Shape::bar(moved([-half, 0.0]), moved([*half, 0.0])),
+            Self::Points { points } => {
+                let node = |&[x, y, weight]: &[f32; 3]| {
+                    let [x, y] = moved([x, y]);
+                    Node { x, y, weight }
+                };
+                Shape::points(points.iter().map(node).collect())
+            }
+            Self::Mesh {
+                vertices,
+                triangles,
+            } => {
+                let vertex = |&[x, y, pressure]: &[f32; 3]| {
+                    let [x, y] = moved([x, y]);
+                    Vertex { x, y, pressure }
+                };
+                let vertices: Vec<_> = vertices.iter().map(vertex).collect();
+                Shape::mesh(&vertices, triangles)
+            }
+        };
+        Surface::of(&area?)
+    }
+
+    /// Friction of a round foot among others.
+    fn round(&self) -> Result<Option<Round>, FrictionError> {
+        let (patch, radius) = match self {
+            Self::Disk { radius } => (Patch::Disk, radius),
+            Self::Ring { radius } => (Patch::Ring, radius),
+            Self::Round { patch, radius } => (patch.parse()?, radius),
+            _ => return Ok(None),
+        };
+        Round::new(&patch, *radius).map(Some)
+    }
+}
+
 impl TryFrom<Outline> for Footprint {
     type Error = FrictionError;
 
     fn try_from(outline: Outline) -> Result<Self, FrictionError> {
-        let (patch, radius) = match &outline {
-            Outline::Disk { radius } => (Patch::Disk, *radius),
-            Outline::Ring { radius } => (Patch::Ring, *radius),
-            Outline::Round { patch, radius } => (patch.parse()?, *radius),
-            Outline::Polygon { corners, .. } => {
-                let surface = Surface::polygon(corners);
-                return Ok(Self::of(outline, surface, None));
-            }
-            Outline::Bar { half } => {
-                let surface = Surface::bar([-half, 0.0], [*half, 0.0]);
-                return Ok(Self::of(outline, surface, None));
-            }
+        let surface = match (&outline, outline.surface([0.0; 2])) {
+            // Points stand for a polygon whose edges touch.
+            (Outline::Polygon { .. }, surface) => surface.ok(),
+            (_, surface) => Some(surface?),
         };
-        let surface = Surface::of(&Shape::round(patch.clone(), radius)?)?;
-        let round = Round::new(&patch, radius)?;
-        Ok(Self::of(outline, Some(surface), Some(round)))
+        let round = outline.round()?;
+        Ok(Self::of(outline, surface, round))
     }
+}
+
+/// Distance of the farthest of these places from the middle.
+fn farthest(places: impl Iterator<Item = [f32; 2]>) -> f32 {
+    let distances = places.map(|[x, y]| (x * x + y * y).sqrt());
+    distances.fold(0.0, f32::max)
 }
 
 #[cfg(feature = "serde")]

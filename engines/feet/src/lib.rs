@@ -30,6 +30,7 @@ mod balance;
 mod convex;
 mod elements;
 mod ended;
+mod foot;
 mod footprint;
 mod points;
 mod prediction;
@@ -41,8 +42,9 @@ mod surface;
 pub mod symmetric;
 
 pub use ended::{Ended, FootFriction};
+pub use foot::Foot;
 pub use footprint::Footprint;
 pub use prediction::{Correction, Prediction};
 pub use refusal::FootprintError;
-pub use standing::{Foot, Standing, push};
+pub use standing::{Standing, push};
 pub use tribos_friction::{FrictionError, Patch};

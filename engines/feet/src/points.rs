@@ -5,6 +5,10 @@ use tribos_friction::{Patch, round_nodes};
 
 /// Largest number of points of a polygon.
 pub(crate) const POINTS: usize = 256;
+/// Points of a triangle that is not divided.
+pub(crate) const TRIANGLE: usize = 7;
+/// Points of a triangle whose edges are halved.
+const FINE: usize = 4 * TRIANGLE;
 /// Rings of points of a round area under any pressure.
 const RINGS: u32 = 6;
 /// Points of a bar.
@@ -60,4 +64,44 @@ pub(crate) fn polygon_points(corners: &[[f32; 2]], divisions: u32) -> Vec<[f32; 
     let whole = points.total_weight();
     let point = |node: &Node<f32>| [node.x, node.y, node.weight / whole];
     points.nodes().iter().map(point).collect()
+}
+
+/// The points themselves.
+pub(crate) fn weighted_points(points: &[[f32; 3]]) -> Vec<[f32; 3]> {
+    let whole: f32 = points.iter().map(|[_, _, weight]| weight).sum();
+    let share = |&[x, y, weight]: &[f32; 3]| [x, y, weight / whole];
+    points.iter().map(share).collect()
+}
+
+/// The points of each triangle, weighted with its pressure.
+pub(crate) fn mesh_points(vertices: &[[f32; 3]], triangles: &[[usize; 3]]) -> Vec<[f32; 3]> {
+    let is_coarse = FINE * triangles.len() <= POINTS;
+    let divisions = if is_coarse { 2 } else { 1 };
+    let corners = |triangle: &[usize; 3]| triangle.map(|at| vertices.get(at).copied());
+    let mut points = Vec::new();
+    for triangle in triangles.iter().map(corners) {
+        let [Some(a), Some(b), Some(c)] = triangle else {
+            continue;
+        };
+        let places = [a, b, c].map(|[x, y, _]| [x, y]);
+        // A triangle without area carries nothing.
+        let Ok(nodes) = NodeList::<f32, FINE>::polygon(&places, divisions) else {
+            continue;
+        };
+        let nodes: NodeList<f32, FINE> = nodes;
+        let pressure = |node: &Node<f32>| {
+            let [x, y] = [node.x - a[0], node.y - a[1]];
+            let [[bx, by, p], [cx, cy, q]] =
+                [b, c].map(|v| [v[0] - a[0], v[1] - a[1], v[2] - a[2]]);
+            let whole = bx * cy - by * cx;
+            a[2] + (x * cy - y * cx) / whole * p + (bx * y - by * x) / whole * q
+        };
+        points.extend(
+            nodes
+                .nodes()
+                .iter()
+                .map(|node| [node.x, node.y, node.weight * pressure(node)]),
+        );
+    }
+    weighted_points(&points)
 }

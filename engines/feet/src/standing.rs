@@ -3,50 +3,13 @@
 
 use crate::elements::Elements;
 use crate::ended::{Ended, FootFriction};
-use crate::footprint::Footprint;
+use crate::foot::Foot;
 use crate::surface::Surface;
 use crate::symmetric::times;
 use tribos_core::contact::TimeStep;
 use tribos_core::limit_surface::LimitEllipsoid;
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
-
-/// A foot under a body.
-///
-/// ```
-/// use tribos_feet::{Foot, Footprint};
-/// let blade = Footprint::bar(0.14)?;
-/// let aside = Foot { axis: [0.0, 1.0], ..Foot::new(&blade, 8.0, [0.0, 0.1]) }; // along the second axis
-/// assert_eq!(aside.place, [0.0, 0.1]);
-/// # Ok::<(), tribos_feet::FootprintError>(())
-/// ```
-#[derive(Clone, Copy, Debug)]
-pub struct Foot<'a> {
-    /// The shape.
-    pub footprint: &'a Footprint,
-    /// Friction limit μN in newtons.
-    pub limit: f32,
-    /// The foot's centre from the centre of mass in metres, in the plane.
-    pub place: [f64; 2],
-    /// Direction of its x axis in the plane, of length 1.
-    pub axis: [f64; 2],
-    /// Motion of the foot relative to its ground minus that of the first foot relative to its own, at the
-    /// centre of mass: two velocities in m/s and the spin in rad/s.
-    pub drift: [f64; 3],
-}
-
-impl<'a> Foot<'a> {
-    /// A foot whose x axis is the plane's, on the ground of the first foot.
-    pub fn new(footprint: &'a Footprint, limit: f32, place: [f64; 2]) -> Self {
-        Self {
-            footprint,
-            limit,
-            place,
-            axis: [1.0, 0.0],
-            drift: [0.0; 3],
-        }
-    }
-}
 
 /// A body on its feet. See the [crate's example](crate).
 #[derive(Debug)]

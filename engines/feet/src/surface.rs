@@ -22,15 +22,6 @@ impl Surface {
         })
     }
 
-    /// `None` if edges touch.
-    pub(crate) fn polygon(corners: &[[f32; 2]]) -> Option<Self> {
-        Self::of(&Area::polygon(&[corners], None).ok()?).ok()
-    }
-
-    pub(crate) fn bar(from: [f32; 2], to: [f32; 2]) -> Option<Self> {
-        Self::of(&Area::bar(from, to).ok()?).ok()
-    }
-
     /// The kernel's step of a body on this foot alone, whose x axis has the direction `axis`.
     pub(crate) fn step(
         &self,

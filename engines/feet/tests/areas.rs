@@ -1,5 +1,6 @@
 //! Footprints against many small cells, wherever they lie under the body.
 
+use nalgebra::Vector2;
 use tribos_core::contact::TimeStep;
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
@@ -100,6 +101,7 @@ fn a_round_foot_under_any_pressure_resists_as_its_points_do() {
         "punch",
         "paraboloid",
         "power:0.25",
+        "polynomial:1,-0.5",
     ] {
         let patch: Patch = name.parse().unwrap();
         let footprint = Footprint::round(&patch, HALF[0]).unwrap();
@@ -126,7 +128,87 @@ fn a_round_foot_under_any_pressure_resists_as_its_points_do() {
             }
         }
     }
-    // Tables of polynomials are in double precision.
-    let hollow: Patch = "polynomial:1,-0.5".parse().unwrap();
-    assert!(Footprint::round(&hollow, 0.1).is_err());
+}
+
+/// Force over the limit and torque over limit and half length by which the friction of a foot differs from that
+/// of points, on the foot alone and on two halves of it.
+fn differences(footprint: &Footprint, points: &[([f64; 2], f32)], motion: &Twist<f32>) -> Vec<f32> {
+    let (body, dt) = (body(), TimeStep::new(1.0 / 60.0).unwrap());
+    let turned = |([x, y], limit): ([f64; 2], f32)| ([PLACE[0] - y, PLACE[1] + x], limit);
+    let points: Vec<_> = points.iter().copied().map(turned).collect();
+    let foot = |limit: f32| Foot {
+        axis: [0.0, 1.0],
+        ..Foot::new(footprint, limit, PLACE)
+    };
+    let ends = [
+        Standing::on_points(&body, &points),
+        Standing::new(&body, None, &[foot(LIMIT)]),
+        Standing::new(&body, None, &[foot(0.5 * LIMIT); 2]),
+    ];
+    let [right, alone, among] =
+        ends.map(|standing| standing.step(motion, &Wrench::ZERO, dt).unwrap().friction);
+    let off = |is: Wrench<f32>| {
+        let off = is - right;
+        [
+            off.force.norm() / LIMIT,
+            off.torque.abs() / (LIMIT * HALF[0]),
+        ]
+    };
+    [alone, among].into_iter().flat_map(off).collect()
+}
+
+const PLACE: [f64; 2] = [0.03, -0.02];
+const MOTIONS: [Twist<f32>; 2] = [
+    Twist {
+        velocity: Vector2::new(0.4, -0.5),
+        spin: 9.0,
+    },
+    Twist {
+        velocity: Vector2::new(0.05, 0.0),
+        spin: -20.0,
+    },
+];
+
+#[test]
+fn a_sole_with_a_hole_resists_as_its_cells_do() {
+    // A square frame, pressed twice as much on the right as on the left.
+    let pressure = |x: f32| 1.5 + 0.5 * x / HALF[0];
+    let corner = |size: f32, [x, y]: [f32; 2]| [size * x, size * y, pressure(size * x)];
+    let around = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let rings = [HALF[0], 0.5 * HALF[0]].map(|size| around.map(|at| corner(size, at)));
+    let strip = |k: usize| {
+        [
+            [k, (k + 1) % 4, 4 + k],
+            [(k + 1) % 4, 4 + (k + 1) % 4, 4 + k],
+        ]
+    };
+    let triangles: Vec<_> = (0..4).flat_map(strip).collect();
+    let sole = Footprint::mesh(rings.as_flattened(), &triangles).unwrap();
+    let at = |k: usize| HALF[0] * ((2 * k + 1) as f32 / COUNT as f32 - 1.0);
+    let places = (0..COUNT * COUNT).map(|k| [at(k / COUNT), at(k % COUNT)]);
+    let outside = places.filter(|[x, y]| x.abs().max(y.abs()) > 0.5 * HALF[0]);
+    let cells: Vec<_> = outside
+        .map(|[x, y]| ([x, y].map(f64::from), pressure(x)))
+        .collect();
+    let whole: f32 = cells.iter().map(|cell| cell.1).sum();
+    let cells: Vec<_> = cells
+        .into_iter()
+        .map(|(at, p)| (at, LIMIT * p / whole))
+        .collect();
+    for motion in &MOTIONS {
+        for off in differences(&sole, &cells, motion) {
+            assert!(off < NEAR, "{motion:?}: {off}");
+        }
+    }
+}
+
+#[test]
+fn legs_resist_as_their_points_do() {
+    let legs = [[0.1, 0.02, 3.0], [-0.1, 0.05, 2.0], [-0.05, -0.1, 1.0]];
+    let points = legs.map(|[x, y, weight]: [f32; 3]| ([x, y].map(f64::from), LIMIT * weight / 6.0));
+    for motion in &MOTIONS {
+        for off in differences(&Footprint::weighted(&legs).unwrap(), &points, motion) {
+            assert!(off < 1e-5, "{motion:?}: {off}");
+        }
+    }
 }

@@ -66,6 +66,7 @@ pub use grounds::GroundMu;
 pub use pair::{Friction, Stop};
 pub use patch::{Patch, PatchError};
 pub use refusal::PairError;
+pub use tribos_feet::Footprint;
 
 /// The examples of the guide.
 #[cfg(doctest)]

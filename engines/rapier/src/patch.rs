@@ -6,8 +6,9 @@ use tribos_feet::{Footprint, FootprintError};
 
 /// A patch of Coulomb friction under a foot, centred below the origin of the foot's collider.
 ///
-/// The pressure is uniform over a disk, along a ring or a bar, or over a polygon. A body may have several
-/// feet, each a collider with its own patch: the engine determines how they share the load.
+/// The pressure is uniform over a disk, along a ring or a bar, or over a polygon; [`Patch::new`] takes any other
+/// footprint. A body may have several feet, each a collider with its own patch: the engine determines how they
+/// share the load.
 ///
 /// ```
 /// use tribos_rapier::{Patch, PatchError};
@@ -116,7 +117,15 @@ impl Patch {
         self.center
     }
 
-    pub(crate) fn new(mu: f32, footprint: Footprint) -> Result<Self, PatchError> {
+    /// A patch of any footprint: a round foot under another pressure, a sole with holes, legs.
+    ///
+    /// ```
+    /// use tribos_rapier::{Footprint, Patch};
+    /// let studs = Footprint::weighted(&[[0.1, 0.0, 1.0], [-0.1, 0.1, 2.0], [-0.1, -0.1, 1.0]])?; // m, m, share
+    /// assert_eq!(Patch::new(0.6, studs)?.mu(), 0.6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(mu: f32, footprint: Footprint) -> Result<Self, PatchError> {
         if mu >= 0.0 && mu.is_finite() {
             Ok(Self {
                 mu,

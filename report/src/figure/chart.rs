@@ -4,10 +4,8 @@ use super::axis::{Span, Ticks};
 use super::canvas::{Area, PX, fitting, font, width};
 use super::clip::{self, Point};
 use super::legend::Block;
-use super::marks::{ReferenceLine, Region, Series, Style};
+use super::marks::{ReferenceLine, Region, Series, curve};
 use super::{Figure, FigureError};
-use plotters::coord::CoordTranslate;
-use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -63,32 +61,6 @@ pub(super) fn title<'a>(text: &str, size: f64, area: &Area<'a>) -> Result<Area<'
     }
     let full = area.dim_in_pixel().0 as i32;
     Ok(area.titled(text, font(fitting(text, size, full)))?)
-}
-
-/// Draws the lines and markers of a series.
-pub(super) fn curve<C: CoordTranslate<From: Clone>>(
-    area: &DrawingArea<SVGBackend, C>,
-    (series, index): (&Series, usize),
-    pieces: Vec<Vec<C::From>>,
-    points: Vec<C::From>,
-) -> Result<(), FigureError> {
-    let (color, style) = series.look(index);
-    let stroke = color.stroke_width(2 * THIN);
-    for piece in pieces {
-        match style {
-            Style::Points => {}
-            Style::Dashed => {
-                area.draw(&DashedPathElement::new(piece, 8 * PX, 5 * PX, stroke))?;
-            }
-            _ => area.draw(&PathElement::new(piece, stroke))?,
-        }
-    }
-    if matches!(style, Style::Points | Style::LinePoints) {
-        for at in points {
-            area.draw(&Circle::new(at, 7 * PX / 2, stroke.filled()))?;
-        }
-    }
-    Ok(())
 }
 
 // Draws the error bars of a series with a cap at each end inside the plot.
@@ -198,7 +170,7 @@ fn fine_ticks([x, y]: [Vec<f64>; 2], plot: &Plot) -> Result<(), FigureError> {
     Ok(())
 }
 
-// Place of a corner or end; values a log axis cannot show stand at its far low end.
+// CanvasPoint of a corner or end; values a log axis cannot show stand at its far low end.
 fn corner((x, y): Point, spans: AxisRanges) -> Point {
     let end = |value: f64| if value > 0.0 { 1e4 } else { -1e4 };
     let (across, up) = (spans.0.place(x), spans.1.place(y));

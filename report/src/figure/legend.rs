@@ -1,7 +1,8 @@
 //! The legend: which line belongs to which series.
 
 use super::canvas::{Area, PX, fitting, font, width};
-use super::{Figure, FigureError, chart};
+use super::marks::curve;
+use super::{Figure, FigureError};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -102,7 +103,7 @@ impl<'f> Block<'f> {
             let x = left + GAP + cell % self.columns * self.cell;
             let y = top + LINE / 2 + cell / self.columns * LINE;
             let ends = vec![(x, y), (x + SAMPLE, y)];
-            chart::curve(area, (series, index), vec![ends], vec![(x + SAMPLE / 2, y)])?;
+            curve(area, (series, index), vec![ends], vec![(x + SAMPLE / 2, y)])?;
             area.draw_text(&series.label, &style, (x + SAMPLE + GAP, y))?;
         }
         Ok(())

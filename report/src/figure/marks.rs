@@ -1,6 +1,14 @@
 //! Elements of a figure: curves, reference lines, filled regions and their colours.
 
-use plotters::style::RGBColor;
+use super::FigureError;
+use super::canvas::PX;
+use plotters::coord::CoordTranslate;
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+use plotters::style::Color as _;
+
+// Width of the lines of series.
+const STROKE: u32 = 2 * PX as u32;
 
 /// An opaque colour: red, green, blue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -169,4 +177,30 @@ pub struct Region {
     pub fill: Color,
     /// Centre of the label in data coordinates.
     pub label_at: (f64, f64),
+}
+
+/// Draws the lines and markers of a series.
+pub(super) fn curve<C: CoordTranslate<From: Clone>>(
+    area: &DrawingArea<SVGBackend, C>,
+    (series, index): (&Series, usize),
+    pieces: Vec<Vec<C::From>>,
+    points: Vec<C::From>,
+) -> Result<(), FigureError> {
+    let (color, style) = series.look(index);
+    let stroke = color.stroke_width(STROKE);
+    for piece in pieces {
+        match style {
+            Style::Points => {}
+            Style::Dashed => {
+                area.draw(&DashedPathElement::new(piece, 8 * PX, 5 * PX, stroke))?;
+            }
+            _ => area.draw(&PathElement::new(piece, stroke))?,
+        }
+    }
+    if matches!(style, Style::Points | Style::LinePoints) {
+        for at in points {
+            area.draw(&Circle::new(at, 7 * PX / 2, stroke.filled()))?;
+        }
+    }
+    Ok(())
 }

@@ -1,12 +1,9 @@
 //! An SVG document of filled polygons, lines, shaded balls and text, in pixels.
 
-use super::view::Frame;
+use super::view::{CanvasPoint, Frame};
 use crate::figure::{Color, FigureError, canvas};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-
-/// A place in pixels from the upper left corner.
-pub type CanvasPoint = (f64, f64);
 
 /// Colour of text.
 const INK: Color = Color(50, 50, 50);

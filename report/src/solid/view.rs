@@ -1,9 +1,10 @@
 //! Parallel projection of space onto the picture: one scale for all directions.
 
-use super::svg_canvas::CanvasPoint;
-
 /// A point in space; z points up in the picture.
 pub type Point = [f64; 3];
+
+/// A place in the picture, in pixels from the upper left corner.
+pub type CanvasPoint = (f64, f64);
 
 /// A rectangle of the picture in pixels: left, top, right, bottom.
 pub type Frame = [f64; 4];

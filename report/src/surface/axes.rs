@@ -2,8 +2,8 @@
 
 use crate::figure::axis::{Axis, Span};
 use crate::figure::{Color, canvas};
-use crate::solid::svg_canvas::{Anchor, CanvasPoint, SvgCanvas, width};
-use crate::solid::view::{Point, View};
+use crate::solid::svg_canvas::{Anchor, SvgCanvas, width};
+use crate::solid::view::{CanvasPoint, Point, View};
 
 /// Colours of the frame, the grid and the walls.
 const FRAME: Color = Color(80, 80, 80);

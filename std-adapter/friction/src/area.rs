@@ -3,7 +3,7 @@
 use super::surface::{BoxedDryFriction, DryRound, LimitSurfaces};
 use super::{Flat, FrictionError, OwnedNodes, Patch, Precision, polynomial, surface};
 use tribos_core::coupling::flat::PatchShape;
-use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
+use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
@@ -133,8 +133,7 @@ impl<R: Precision> Area<R> {
         Ok(match self {
             Self::Flat(flat) => Box::new(ShapeLimitSurface::new(flat.clone(), force_limit)?),
             Self::Round(patch, radius) => {
-                let dry = DryRound::new(patch)?.held();
-                Box::new(RoundLimitSurface::new(dry, force_limit, *radius)?)
+                DryRound::new(patch)?.limit_surface(force_limit, *radius)?
             }
         })
     }

@@ -5,12 +5,15 @@ use super::catalogue::{LawConstructor, LawResult, Values};
 use super::quadrature::polynomial;
 use super::visit::Smooth;
 use std::fmt::Debug;
-use tribos_core::coupling::LateralFriction;
 use tribos_core::coupling::round::{
     LateralPolynomialTable, PolynomialTable, RoundTable32, RoundTable64,
 };
 use tribos_core::coupling::table::{DiskTable32, DiskTable64};
-use tribos_core::internals::SmoothProfile;
+use tribos_core::coupling::{
+    DryProfile, DryReducedFriction, LateralFriction, ReducedFriction, ReducedJacobian,
+    ReducedWrench,
+};
+use tribos_core::internals::{DominantSpeed, SmoothProfile};
 use tribos_core::law::LawError;
 use tribos_core::patch::PowerPressure;
 use tribos_core::real::Real;
@@ -47,7 +50,7 @@ pub(super) mod sealed {
             + Sync
             + 'static;
         /// Under dry friction alone.
-        type Polynomial: SmoothProfile<Self> + Copy + Debug + Send + Sync + 'static;
+        type Polynomial: DryReducedFriction<Self> + Copy + Debug + Send + Sync + 'static;
         fn disk(alpha: Self) -> Result<Self::Disk, LawError>;
         fn round(alpha: Self, pressure: PowerPressure) -> Result<Self::Round, LawError>;
         /// Hands the table of a polynomial pressure to `visitor`, if there is one.
@@ -64,7 +67,7 @@ pub(super) mod sealed {
         const HAS_POLYNOMIALS: bool = true;
         type Disk = DiskTable64;
         type Round = RoundTable64;
-        type Polynomial = PolynomialTable;
+        type Polynomial = DryProfile<PolynomialTable>;
         fn disk(alpha: f64) -> Result<DiskTable64, LawError> {
             DiskTable64::new(alpha)
         }
@@ -79,11 +82,44 @@ pub(super) mod sealed {
             let table = LateralPolynomialTable::new(alpha, &polynomial(coefficients)?)?;
             visitor.smooth(table)
         }
-        fn dry_polynomial(coefficients: &[f64]) -> Result<PolynomialTable, FrictionError> {
-            Ok(PolynomialTable::new(0.0, &polynomial(coefficients)?)?)
+        fn dry_polynomial(
+            coefficients: &[f64],
+        ) -> Result<DryProfile<PolynomialTable>, FrictionError> {
+            let table = PolynomialTable::new(0.0, &polynomial(coefficients)?)?;
+            Ok(DryProfile::new(table)?)
         }
         fn make(maker: &LawConstructor, values: Values<f64>) -> LawResult<f64> {
             (maker.double)(values)
+        }
+    }
+
+    /// Dry friction in single precision from a table in double precision.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Narrowed(DryProfile<PolynomialTable>);
+
+    impl ReducedFriction<f32> for Narrowed {
+        fn reduced_wrench(&self, slide: f32, rim: f32) -> ReducedWrench<f32> {
+            let wrench = self.0.reduced_wrench(slide.into(), rim.into());
+            ReducedWrench {
+                force: wrench.force as f32,
+                torque: wrench.torque as f32,
+            }
+        }
+        fn reduced_jacobian(&self, slide: f32, rim: f32) -> ReducedJacobian<f32> {
+            let jacobian = self.0.reduced_jacobian(slide.into(), rim.into());
+            ReducedJacobian {
+                force_per_slide: jacobian.force_per_slide as f32,
+                force_slide: jacobian.force_slide as f32,
+                mixed: jacobian.mixed as f32,
+                torque_rim: jacobian.torque_rim as f32,
+            }
+        }
+    }
+
+    impl DryReducedFriction<f32> for Narrowed {
+        fn reduced_point(&self, lead: DominantSpeed, ratio: f32) -> [f32; 3] {
+            let point = self.0.reduced_point(lead, ratio.into());
+            point.map(|part| part as f32)
         }
     }
 
@@ -91,8 +127,7 @@ pub(super) mod sealed {
         const HAS_POLYNOMIALS: bool = false;
         type Disk = DiskTable32;
         type Round = RoundTable32;
-        // None is ever made.
-        type Polynomial = RoundTable32;
+        type Polynomial = Narrowed;
         fn disk(alpha: f32) -> Result<DiskTable32, LawError> {
             DiskTable32::new(alpha)
         }
@@ -102,8 +137,8 @@ pub(super) mod sealed {
         fn polynomial<V: Smooth<f32>>(_: f32, _: &[f64], _: V) -> Result<V::Output, FrictionError> {
             Err(FrictionError::SinglePrecision)
         }
-        fn dry_polynomial(_: &[f64]) -> Result<RoundTable32, FrictionError> {
-            Err(FrictionError::SinglePrecision)
+        fn dry_polynomial(coefficients: &[f64]) -> Result<Narrowed, FrictionError> {
+            f64::dry_polynomial(coefficients).map(Narrowed)
         }
         fn make(maker: &LawConstructor, values: Values<f32>) -> LawResult<f32> {
             (maker.single)(values)

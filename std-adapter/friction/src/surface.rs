@@ -142,7 +142,7 @@ impl LimitSurfaces {
 /// Dry friction of a round patch: the closed form where there is one, else a table.
 ///
 /// Contacts copy what they are made of, so that the tables are here and not behind a pointer. All else takes
-/// it [held](DryRound::held).
+/// what is made of the one type that the patch needs.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub enum DryRound<R: Precision> {
@@ -152,7 +152,22 @@ pub enum DryRound<R: Precision> {
     Punch(closed::CoulombPunch),
     Annulus(Annulus<R, CoulombDisk>),
     Power(DryProfile<R::Round>),
-    Polynomial(DryProfile<R::Polynomial>),
+    Polynomial(R::Polynomial),
+}
+
+/// The same work with any of the kernel's types.
+macro_rules! each {
+    ($round:expr, $dry:ident => $work:expr) => {
+        match $round {
+            Self::Disk($dry) => $work,
+            Self::Ring($dry) => $work,
+            Self::Hertz($dry) => $work,
+            Self::Punch($dry) => $work,
+            Self::Annulus($dry) => $work,
+            Self::Power($dry) => $work,
+            Self::Polynomial($dry) => $work,
+        }
+    };
 }
 
 impl<R: Precision> DryRound<R> {
@@ -167,63 +182,50 @@ impl<R: Precision> DryRound<R> {
                 let pressure = patch.pressure().ok_or(FrictionError::NoAxis)?;
                 Self::Power(DryProfile::new(R::round(R::ZERO, pressure)?)?)
             }
-            Patch::Polynomial(coefficients) => {
-                Self::Polynomial(DryProfile::new(R::dry_polynomial(coefficients)?)?)
-            }
+            Patch::Polynomial(coefficients) => Self::Polynomial(R::dry_polynomial(coefficients)?),
             Patch::Points(_) | Patch::Flat(_) => return Err(FrictionError::NoAxis),
         })
     }
 
+    /// The limit surface of the kernel's own type behind a pointer: one indirect call a question, whatever its
+    /// search costs.
+    pub(super) fn limit_surface(
+        self,
+        force_limit: R,
+        radius: R,
+    ) -> Result<Box<AnySet<R>>, FrictionError> {
+        each!(self, dry => boxed(dry, force_limit, radius))
+    }
+
     /// The kernel's own type behind a pointer: no larger than what the patch needs.
     pub(super) fn held(self) -> Box<dyn BoxedDryFriction<R>> {
-        match self {
-            Self::Disk(dry) => Box::new(dry),
-            Self::Ring(dry) => Box::new(dry),
-            Self::Hertz(dry) => Box::new(dry),
-            Self::Punch(dry) => Box::new(dry),
-            Self::Annulus(dry) => Box::new(dry),
-            Self::Power(dry) => Box::new(dry),
-            Self::Polynomial(dry) => Box::new(dry),
-        }
+        each!(self, dry => Box::new(dry))
     }
+}
+
+/// A limit surface of any type.
+pub(super) type AnySet<R> = dyn FrictionSet<R> + Send + Sync;
+
+fn boxed<R: Real>(
+    dry: impl BoxedDryFriction<R> + 'static,
+    force_limit: R,
+    radius: R,
+) -> Result<Box<AnySet<R>>, FrictionError> {
+    Ok(Box::new(RoundLimitSurface::new(dry, force_limit, radius)?))
 }
 
 impl<R: Precision> ReducedFriction<R> for DryRound<R> {
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
-        match self {
-            Self::Disk(dry) => dry.reduced_wrench(slide, rim),
-            Self::Ring(dry) => dry.reduced_wrench(slide, rim),
-            Self::Hertz(dry) => dry.reduced_wrench(slide, rim),
-            Self::Punch(dry) => dry.reduced_wrench(slide, rim),
-            Self::Annulus(dry) => dry.reduced_wrench(slide, rim),
-            Self::Power(dry) => dry.reduced_wrench(slide, rim),
-            Self::Polynomial(dry) => dry.reduced_wrench(slide, rim),
-        }
+        each!(self, dry => dry.reduced_wrench(slide, rim))
     }
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
-        match self {
-            Self::Disk(dry) => dry.reduced_jacobian(slide, rim),
-            Self::Ring(dry) => dry.reduced_jacobian(slide, rim),
-            Self::Hertz(dry) => dry.reduced_jacobian(slide, rim),
-            Self::Punch(dry) => dry.reduced_jacobian(slide, rim),
-            Self::Annulus(dry) => dry.reduced_jacobian(slide, rim),
-            Self::Power(dry) => dry.reduced_jacobian(slide, rim),
-            Self::Polynomial(dry) => dry.reduced_jacobian(slide, rim),
-        }
+        each!(self, dry => dry.reduced_jacobian(slide, rim))
     }
 }
 
 impl<R: Precision> DryReducedFriction<R> for DryRound<R> {
     fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
-        match self {
-            Self::Disk(dry) => dry.reduced_point(lead, ratio),
-            Self::Ring(dry) => dry.reduced_point(lead, ratio),
-            Self::Hertz(dry) => dry.reduced_point(lead, ratio),
-            Self::Punch(dry) => dry.reduced_point(lead, ratio),
-            Self::Annulus(dry) => dry.reduced_point(lead, ratio),
-            Self::Power(dry) => dry.reduced_point(lead, ratio),
-            Self::Polynomial(dry) => dry.reduced_point(lead, ratio),
-        }
+        each!(self, dry => dry.reduced_point(lead, ratio))
     }
 }
 
@@ -231,21 +233,6 @@ impl<R: Precision> DryReducedFriction<R> for DryRound<R> {
 pub trait BoxedDryFriction<R: Real>: DryReducedFriction<R> + fmt::Debug + Send + Sync {}
 
 impl<R: Real, C: DryReducedFriction<R> + fmt::Debug + Send + Sync> BoxedDryFriction<R> for C {}
-
-impl<R: Real> ReducedFriction<R> for Box<dyn BoxedDryFriction<R>> {
-    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
-        (**self).reduced_wrench(slide, rim)
-    }
-    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
-        (**self).reduced_jacobian(slide, rim)
-    }
-}
-
-impl<R: Real> DryReducedFriction<R> for Box<dyn BoxedDryFriction<R>> {
-    fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
-        (**self).reduced_point(lead, ratio)
-    }
-}
 
 /// The points of a file.
 #[doc(hidden)]

@@ -78,14 +78,8 @@ fn meshes_of<R: Real>(hash: &mut Fnv) {
         hash.verdict(&Nodes::new([place, node([0.0, 0.0, 1.0])]).and_then(PointPatch::new));
         let [near, far] = runners;
         hash.verdict(&CompoundPatch::new(&[
-            PatchPart {
-                load: x,
-                ..near
-            },
-            PatchPart {
-                load: y,
-                ..far
-            },
+            PatchPart { load: x, ..near },
+            PatchPart { load: y, ..far },
         ]));
     }
     hash.verdict(&Mesh::with_vertices(

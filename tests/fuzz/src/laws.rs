@@ -20,23 +20,15 @@ pub fn memoryless(source: &mut Source) -> Result<(), Broken> {
 }
 
 fn memoryless_of<R: Real>(source: &mut Source) -> Result<(), Broken> {
-    match source.below(6) {
-        0 => dry::<R>(source),
-        1 => {
-            let law = CoulombLaw::<R>::new(source.size());
-            let Ok(law) = law else { return Ok(()) };
-            finite(source, "angle of friction", [law.friction_angle()])?;
-            local(source, "Coulomb", &law)
-        }
-        2 => {
-            let alpha = exponent::<R>(source);
-            let law = PowerLaw::new(alpha, source.size());
-            law.map_or(Ok(()), |law| local(source, "power law", &law))
-        }
-        3 => stribeck::<R>(source),
-        4 => plateau::<R>(source),
-        _ => savkoor::<R>(source),
-    }
+    let laws = [
+        dry::<R>,
+        coulomb::<R>,
+        power::<R>,
+        stribeck::<R>,
+        plateau::<R>,
+        savkoor::<R>,
+    ];
+    source.one_of(&laws)(source)
 }
 
 /// −1 < α ≤ 4, or anything.
@@ -64,6 +56,19 @@ fn local<R: Real>(source: &mut Source, name: &str, law: &impl LocalLaw<R>) -> Re
         )?;
     }
     Ok(())
+}
+
+fn coulomb<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let law = CoulombLaw::<R>::new(source.size());
+    let Ok(law) = law else { return Ok(()) };
+    finite(source, "angle of friction", [law.friction_angle()])?;
+    local(source, "Coulomb", &law)
+}
+
+fn power<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let alpha = exponent::<R>(source);
+    let law = PowerLaw::new(alpha, source.size());
+    law.map_or(Ok(()), |law| local(source, "power law", &law))
 }
 
 fn dry<R: Real>(source: &mut Source) -> Result<(), Broken> {
@@ -138,14 +143,15 @@ fn savkoor<R: Real>(source: &mut Source) -> Result<(), Broken> {
 
 /// Ageing, rate and state, bristles, in either precision.
 pub fn with_memory(source: &mut Source) -> Result<(), Broken> {
-    match source.below(6) {
-        0 => ageing::<f64>(source),
-        1 => ageing::<f32>(source),
-        2 => rocks::<f64, AgeingLaw>(source),
-        3 => rocks::<f64, SlipLaw>(source),
-        4 => bristles::<f64>(source),
-        _ => bristles::<f32>(source),
-    }
+    let laws = [
+        ageing::<f64>,
+        ageing::<f32>,
+        rocks::<f64, AgeingLaw>,
+        rocks::<f64, SlipLaw>,
+        bristles::<f64>,
+        bristles::<f32>,
+    ];
+    source.one_of(&laws)(source)
 }
 
 fn ageing<R: Real>(source: &mut Source) -> Result<(), Broken> {

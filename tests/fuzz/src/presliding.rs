@@ -20,12 +20,8 @@ use tribos_core::twist::{Displacement, Wrench};
 const POINTS: usize = 3;
 
 pub fn presliding(source: &mut Source) -> Result<(), Broken> {
-    match source.below(4) {
-        0 => patch::<f64>(source),
-        1 => patch::<f32>(source),
-        2 => points::<f64>(source),
-        _ => points::<f32>(source),
-    }
+    let springs = [patch::<f64>, patch::<f32>, points::<f64>, points::<f32>];
+    source.one_of(&springs)(source)
 }
 
 fn pose<R: Real>(source: &mut Source) -> Pose<R> {

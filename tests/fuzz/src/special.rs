@@ -7,13 +7,14 @@ use tribos_core::real::Real;
 
 /// One of the functions.
 pub fn special(source: &mut Source) -> Result<(), Broken> {
-    match source.below(5) {
-        0 => elementary::<f64>(source),
-        1 => elementary::<f32>(source),
-        2 => elliptic::<f64>(source),
-        3 => elliptic::<f32>(source),
-        _ => gauss(source),
-    }
+    let functions = [
+        elementary::<f64>,
+        elementary::<f32>,
+        elliptic::<f64>,
+        elliptic::<f32>,
+        gauss,
+    ];
+    source.one_of(&functions)(source)
 }
 
 fn elementary<R: Real>(source: &mut Source) -> Result<(), Broken> {

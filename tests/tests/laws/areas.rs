@@ -257,6 +257,31 @@ fn every_area_under_every_law_has_the_bits_of_the_kernel_or_is_refused() {
     }
 }
 
+#[test]
+fn friction_by_name_has_the_bits_of_the_kernel() {
+    let twists = twists();
+    for (name, text) in ROUND.iter().flat_map(|name| LAWS.map(|text| (name, text))) {
+        let law: Law = text.parse().unwrap();
+        let friction = AnyFriction::new(&name.parse().unwrap(), &law, None).unwrap();
+        let (friction, kernel) = (
+            friction.with_radius(RADIUS).unwrap(),
+            round_kernel(name, &law),
+        );
+        let mut wrenches = vec![Wrench::ZERO; twists.len()];
+        let mut jacobians = vec![WrenchJacobian::zeros(); twists.len()];
+        friction.wrench_batch(LOAD, &twists, &mut wrenches);
+        friction.jacobian_batch(LOAD, &twists, &mut jacobians);
+        for ((twist, wrench), jacobian) in twists.iter().zip(&wrenches).zip(&jacobians) {
+            let (expected, rate) = kernel(twist);
+            let expected = bits(&expected, &rate);
+            let rate = friction.wrench_jacobian(LOAD, twist);
+            let one = bits(&friction.wrench(LOAD, twist), &rate);
+            assert_eq!(one, expected, "{text} on {name} at {twist:?}");
+            assert_eq!(bits(wrench, jacobian), expected, "{text} on {name}, batch");
+        }
+    }
+}
+
 /// Answers of a set to a wrench and a twist, in bits.
 fn answers(set: &dyn FrictionSet<f64>, [x, y, n]: [f64; 3]) -> Vec<u64> {
     let (push, twist) = (Wrench::new(x, y, 0.1 * n), Twist::new(x, y, 10.0 * n));
@@ -452,6 +477,38 @@ fn areas_are_served_in_single_precision() {
         assert!(
             (double - single).abs() < 1e-6,
             "{law} on {patch}: {single}, not {double}"
+        );
+    }
+}
+
+#[test]
+fn a_polynomial_pressure_carries_as_much_in_single_precision() {
+    // A power of two is the same radius in both.
+    const LEVER: f32 = 0.03125;
+    // What limit surfaces promise in single precision, over the limits.
+    const SINGLE: f64 = 3e-7;
+    let patch: Patch = "polynomial:1,-0.5".parse().unwrap();
+    let single = Area::round(patch.clone(), LEVER).unwrap();
+    let single = single.limit_surface(1.0).unwrap();
+    let double = Area::round(patch, f64::from(LEVER)).unwrap();
+    let double = double.limit_surface(1.0).unwrap();
+    let mut random = Random::new(5, 0);
+    for _ in 0..200 {
+        let [x, y, n] = [(); 3].map(|()| (4.0 * random.unit() - 2.0) as f32);
+        let n = LEVER * n;
+        let push = Wrench::new(x, y, n);
+        let wide = Wrench::new(f64::from(x), f64::from(y), f64::from(n));
+        let gauge = double.gauge(&wide);
+        assert!((f64::from(single.gauge(&push)) / gauge - 1.0).abs() < SINGLE);
+        let (near, right) = (single.project(&push).wrench, double.project(&wide).wrench);
+        let off = [
+            f64::from(near.force.x) - right.force.x,
+            f64::from(near.force.y) - right.force.y,
+            (f64::from(near.torque) - right.torque) / f64::from(LEVER),
+        ];
+        assert!(
+            off.iter().all(|off| off.abs() < SINGLE),
+            "{push:?}: {off:?}"
         );
     }
 }

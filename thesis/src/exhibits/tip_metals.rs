@@ -6,22 +6,26 @@ use crate::runs::{Effort, Runs};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::scene::{DriveKind, DrivenHold, TipScene};
-use tribos::tip::{Face, SlidingSummary, TipPotential};
+use tribos::tip::{CrystalFace, SlidingSummary, TipPotential};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Panels, Series};
 
 const TEXT: Text = Text(include_str!("section-5.3-metals.md"));
 
 /// Faces of substrate and tip, and the angle between their close-packed rows.
-const FACES: [(&str, Face, f64); 3] = [
-    ("(111) in registry", Face::Fcc111, 0.0),
-    ("(111) turned by 30°", Face::Fcc111, 30.0),
-    ("(100) in registry", Face::Fcc100, 0.0),
+const FACES: [(&str, CrystalFace, f64); 3] = [
+    ("(111) in registry", CrystalFace::Fcc111, 0.0),
+    ("(111) turned by 30°", CrystalFace::Fcc111, 30.0),
+    ("(100) in registry", CrystalFace::Fcc100, 0.0),
 ];
 /// 1 eV/Å in nN.
 const NANONEWTON: f64 = 1.602_176_634;
 
-fn row(effort: Effort, potential: &TipPotential, (_, face, orientation): (&str, Face, f64)) -> Row {
+fn row(
+    effort: Effort,
+    potential: &TipPotential,
+    (_, face, orientation): (&str, CrystalFace, f64),
+) -> Row {
     // Å/ps, spacings.
     let (speed, spacings) = match effort {
         Effort::Quick => (0.8, 2.0),

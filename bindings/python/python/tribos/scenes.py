@@ -201,7 +201,7 @@ class PlateScene(Scene):
     Parameters
     ----------
     patch
-        Outline of the plate. *Value*: a patch such as "box:0.3x0.2", "polygon:FILE" or "disk".
+        Outline of the plate. *Value*: a patch such as "box:0.3x0.2", "polygon:FILE" or "bar:0.2".
     speed
         Initial speed, along x. *Unit*: m/s. *Value*: a finite number >= 0.
     spin

@@ -1,6 +1,7 @@
 //! Derivatives: of limit surfaces, of the planar step, of the way to rest.
 
 mod slide;
+mod smooth;
 mod step;
 mod surface;
 

@@ -10,7 +10,7 @@
 //!
 //! because Π grows in proportion to a and s together, and a − f = M t with the normal t.
 
-use super::surface::Smooth;
+use super::smooth::Smooth;
 use crate::model::{numbers, twist_numbers};
 use nalgebra::{Matrix3, SMatrix, Vector3};
 use tribos_core::contact::TimeStep;

@@ -3,7 +3,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use serde_json::{Value, json};
-use tribos_friction::{LawEntry, LAWS, Law};
+use tribos_friction::{LAWS, Law, LawEntry};
 
 /// All of them as JSON.
 pub fn laws() -> String {

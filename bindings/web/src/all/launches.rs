@@ -5,9 +5,9 @@ use super::store;
 use crate::exchange::{Refused, said};
 use core::num::NonZeroU32;
 use tribos_core::coupling::table::CoulombDisk;
-use tribos_core::coupling::{ReducedFriction, PowerLawFriction};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::slider::SliderParameters;
-use tribos_motion::slide::inverse::{LaunchLimits, Pose, RestMap, LaunchSolution, Turns};
+use tribos_motion::slide::inverse::{LaunchLimits, LaunchSolution, Pose, RestMap, Turns};
 
 /// What is launched, to where, and how fast at most.
 #[derive(Clone, Copy, Debug)]

@@ -1,14 +1,14 @@
 //! Friction of a patch under a law, with its limit surfaces and free motions.
 
 use crate::exchange::{Refused, said};
+use crate::friction::Contact;
 use crate::modes::FinalMotion;
-use crate::patch::{Contact, Glides};
-use crate::slide::{End, Free};
+use crate::slide::{End, Free, Glides};
 use alloc::boxed::Box;
 use alloc::format;
 use core::cell::OnceCell;
 use core::fmt;
-use tribos_core::slider::{SliderState, SliderParameters};
+use tribos_core::slider::{SliderParameters, SliderState};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 use tribos_friction::{
     Area, AreaFriction, Law, LimitSurfaces, Patch, RoundPower, Tier, Visitor, upright, visit,

@@ -2,7 +2,8 @@
 
 use super::rows;
 use crate::exchange::{answer, status};
-use crate::patch::{Patch, jacobians as all_jacobians, nine, row_of, twist_of, wrenches as all};
+use crate::friction::{jacobians as all_jacobians, nine, row_of, twist_of, wrenches as all};
+use crate::patch::Patch;
 
 /// Refuses a disk that is none.
 #[unsafe(no_mangle)]

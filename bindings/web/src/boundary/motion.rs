@@ -117,8 +117,9 @@ pub extern "C" fn slide_to_rest(
     vy: f64,
     spin: f64,
 ) -> u32 {
-    let thrown = thrown(patch, deceleration, radius, inertia_ratio, [vx, vy, spin]);
-    status(thrown.rest().map(answer))
+    let thrown = thrown(deceleration, radius, inertia_ratio, [vx, vy, spin]);
+    let rest = patch_of(patch, radius, 1.0).glides(|patch| thrown.rest(patch));
+    status(rest.map(answer))
 }
 
 /// Time, pose and twist of a free motion after a time, and 1 at rest, on a round patch.
@@ -133,8 +134,9 @@ pub extern "C" fn advance(
     spin: f64,
     time: f64,
 ) -> u32 {
-    let thrown = thrown(patch, deceleration, radius, inertia_ratio, [vx, vy, spin]);
-    status(thrown.after(time).map(answer))
+    let thrown = thrown(deceleration, radius, inertia_ratio, [vx, vy, spin]);
+    let after = patch_of(patch, radius, 1.0).glides(|patch| thrown.after(patch, time));
+    status(after.map(answer))
 }
 
 /// Rows of time, pose and twist at `count` even times from the launch to rest, on a round patch.
@@ -150,8 +152,9 @@ pub unsafe extern "C" fn slide_path(
     out: *mut [f64; 7],
     count: usize,
 ) -> u32 {
-    let thrown = thrown(patch, deceleration, radius, inertia_ratio, [vx, vy, spin]);
-    status(thrown.path(rows(out, count)))
+    let thrown = thrown(deceleration, radius, inertia_ratio, [vx, vy, spin]);
+    let rows = rows(out, count);
+    status(patch_of(patch, radius, 1.0).glides(|patch| thrown.path(patch, rows)))
 }
 
 /// Interval of the inertia ratio, stabilities, ratios and last ratio of the final motion on a round patch.
@@ -163,15 +166,8 @@ pub extern "C" fn modes(patch: u32, inertia_ratio: f64, initial_ratio: f64) -> u
     status(made.map(|made| answer(made.row())))
 }
 
-fn thrown(
-    patch: u32,
-    deceleration: f64,
-    radius: f64,
-    inertia_ratio: f64,
-    twist: [f64; 3],
-) -> Thrown {
+fn thrown(deceleration: f64, radius: f64, inertia_ratio: f64, twist: [f64; 3]) -> Thrown {
     Thrown {
-        patch: patch_of(patch, radius, 1.0),
         parameters: SliderParameters {
             deceleration,
             radius,

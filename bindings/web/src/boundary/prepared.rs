@@ -6,7 +6,7 @@ use crate::all::launches::Wanted;
 use crate::all::prepared::Prepared;
 use crate::all::store::{self, Item, OTHER};
 use crate::exchange::{Refused, answer, counted, said, say, status};
-use crate::patch::{row_of, twist_of, wrench_of};
+use crate::friction::{row_of, twist_of, wrench_of};
 use alloc::vec::Vec;
 use core::num::NonZeroU32;
 use tribos_core::law::LocalLaw;
@@ -14,7 +14,7 @@ use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::patch::mesh::Vertex;
 use tribos_core::patch::nodes::Node;
 use tribos_core::slider::SliderParameters;
-use tribos_friction::{Area, Law, FrictionError};
+use tribos_friction::{Area, FrictionError, Law};
 
 /// A text of the caller.
 pub(super) unsafe fn text<'a>(from: *const u8, length: usize) -> Result<&'a str, Refused> {

@@ -4,7 +4,7 @@
 use super::friction::patch_of;
 use super::rows;
 use crate::exchange::{answer, status};
-use crate::patch::{row_of, row_of_twist, twist_of, wrench_of};
+use crate::friction::{row_of, row_of_twist, twist_of, wrench_of};
 use crate::surface::{Surface, meridian as curve, projected, shape};
 use tribos_core::limit_surface::FrictionSet;
 

@@ -14,7 +14,8 @@ use tribos_web::all::contact::{ContactLaw, GIVEN, Given};
 use tribos_web::all::launches::Wanted;
 use tribos_web::all::prepared::Prepared;
 use tribos_web::all::store::{self, Item};
-use tribos_web::patch::{self, Patch, nine, row_of, row_of_twist, twist_of, wrench_of};
+use tribos_web::friction::{self, nine, row_of, row_of_twist, twist_of, wrench_of};
+use tribos_web::patch::Patch;
 use tribos_web::planar::{Course, Stepper, to_rest};
 use tribos_web::slide::Thrown;
 use tribos_web::surface::{ELLIPSOID, EXACT, Surface, meridian, projected, shape};
@@ -149,14 +150,14 @@ fn friction_of(chapter: &mut Chapter, friction: Friction, count: usize) {
 fn batches_of(chapter: &mut Chapter, friction: Friction) {
     let twists: Vec<[f64; 3]> = (0..CALLS).map(|_| chapter.twist()).collect();
     let loads: Vec<f64> = (0..CALLS).map(|_| chapter.positive(10.0)).collect();
-    let work = |contact: &dyn patch::Contact| {
+    let work = |contact: &dyn friction::Contact| {
         let (mut rows, mut jacobians) = (twists.clone(), vec![[0.0; 9]; CALLS]);
-        patch::wrenches(contact, 2.0, &mut rows);
+        friction::wrenches(contact, 2.0, &mut rows);
         chapter.add(rows.as_flattened());
         for (twist, load) in twists.iter().zip(&loads) {
             chapter.add(&row_of(&contact.wrench(*load, &twist_of(*twist))));
         }
-        patch::jacobians(contact, 2.0, &twists, &mut jacobians);
+        friction::jacobians(contact, 2.0, &twists, &mut jacobians);
         chapter.add(jacobians.as_flattened());
         for (twist, load) in twists.iter().zip(&loads) {
             chapter.add(&nine(&contact.jacobian(*load, &twist_of(*twist))));
@@ -236,15 +237,17 @@ fn slides_of(chapter: &mut Chapter, friction: Friction) {
     for _ in 0..FEW {
         let (mass, inertia) = (chapter.positive(2.0), chapter.positive(0.01));
         let thrown = Thrown {
-            patch: friction.patch,
             parameters: parameters(friction, mass, inertia),
             twist: chapter.twist(),
         };
-        chapter.add(&thrown.rest().unwrap());
+        let patch = friction.patch;
+        let rest = patch.glides(|patch| thrown.rest(patch));
+        chapter.add(&rest.unwrap());
         let time = chapter.positive(0.5);
-        chapter.add(&thrown.after(time).unwrap());
+        let after = patch.glides(|patch| thrown.after(patch, time));
+        chapter.add(&after.unwrap());
         let mut rows = [[0.0; 7]; 5];
-        thrown.path(&mut rows).unwrap();
+        patch.glides(|patch| thrown.path(patch, &mut rows)).unwrap();
         chapter.add(rows.as_flattened());
     }
 }

@@ -2,7 +2,7 @@
 
 use super::kind::{RunKind, told};
 use super::{Commands, NoResult, at_once};
-use crate::command::explain::{held as text, within};
+use crate::command::explain::{held as text, patience::within};
 use crate::command::interrupt;
 use crate::command::run::held;
 use crate::command::run::request::RunRequest;

@@ -1,18 +1,9 @@
 //! Who asked for a run: a person at a terminal, or a program that has this crate as a library.
 
 use crate::command::interrupt;
-use crate::command::progress::Meter;
+use crate::command::progress::{Host, Meter};
 use crate::failure::Failure;
 use std::fmt;
-
-/// A program that runs scenes through this crate.
-pub trait HostProgram: Sync {
-    /// Whether the run is to end; a long one leaves its checkpoint then. Called after every step.
-    fn is_cancelled(&self) -> bool;
-
-    /// Called a few times in a second: the share of the run that is done, if its end is known, and words.
-    fn on_progress(&self, done: Option<f64>, words: fmt::Arguments<'_>);
-}
 
 /// The one who asked, and who hears what a person at a terminal would read.
 #[derive(Clone, Copy)]

@@ -70,13 +70,12 @@ pub struct Arguments {
     /// Radius of the contact [m].
     #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
     radius: f64,
-    /// Sliding speed along x [m/s], of either sign.
+    /// Sliding speed along x [m/s], of either sign [default: 0 where --spin is given].
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true,
-          required_unless_present = "twists", conflicts_with = "twists")]
+          required_unless_present_any = ["twists", "spin"], conflicts_with = "twists")]
     speed: Option<f64>,
-    /// Spin, counterclockwise if positive [rad/s].
-    #[arg(long, value_parser = number::finite, allow_negative_numbers = true,
-          required_unless_present = "twists", conflicts_with = "twists")]
+    /// Spin, counterclockwise if positive [rad/s] [default: 0 where --speed is given].
+    #[arg(long, value_parser = number::finite, allow_negative_numbers = true, conflicts_with = "twists")]
     spin: Option<f64>,
     /// CSV file with columns `speed,spin`, one twist a line (`-` for standard input); for boxes,
     /// polygons, bars and meshes `velocity_x,velocity_y,spin`, for points either.
@@ -187,21 +186,25 @@ impl Arguments {
             super::warn(format_args!("warning: {caveat}"));
         }
         let at = |twist| self.line(&contact, load, twist);
-        match (&self.twists, self.speed, self.spin) {
-            (Some(file), ..) => {
+        match &self.twists {
+            Some(file) => {
                 let given = given::contact(self, contact.tier());
                 let at = |twist| at(twist).map(|line: Line| (line.fields(), line.is_beyond));
                 self.all(file, &["speed", "spin"], &given, at)
             }
-            (None, Some(speed), Some(spin)) => {
+            None => {
                 let format = self.format.unwrap_or(Format::Text);
                 let given = given::contact(self, contact.tier());
-                let line = at([speed, spin])?;
+                let line = at(self.twist())?;
                 warn_of_beyond(u64::from(line.is_beyond));
                 self.deliver(&format.one(&line.fields(), &given), format, &given)
             }
-            _ => Err(Failure::input("give --speed and --spin, or --twists FILE")),
         }
+    }
+
+    /// The one twist: what is not given is 0.
+    fn twist(&self) -> [f64; 2] {
+        [self.speed, self.spin].map(|part| part.unwrap_or(0.0))
     }
 
     /// Prints one answer, or writes it to the file that was asked for.

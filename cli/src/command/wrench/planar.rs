@@ -141,15 +141,15 @@ fn deliver<R: Precision>(
     given: &[ContactParameter],
 ) -> Result<(), Failure> {
     let at = |twist| line(friction, load, twist, arguments.jacobian);
-    match (&arguments.twists, arguments.speed, arguments.spin) {
-        (Some(file), ..) => arguments.all(file, &TWIST, given, at),
-        (None, Some(speed), Some(spin)) => {
+    match &arguments.twists {
+        Some(file) => arguments.all(file, &TWIST, given, at),
+        None => {
             let format = arguments.format.unwrap_or(Format::Text);
+            let [speed, spin] = arguments.twist();
             let (fields, is_beyond) = at([speed, 0.0, spin])?;
             warn_of_beyond(u64::from(is_beyond));
             arguments.deliver(&format.one(&fields, given), format, given)
         }
-        _ => Err(Failure::input("give --speed and --spin, or --twists FILE")),
     }
 }
 

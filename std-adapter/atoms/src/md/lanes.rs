@@ -4,7 +4,7 @@ mod rough;
 
 pub(super) use rough::{ROUGH_LANES, Rough};
 
-use super::neighbours::{LANES, Site};
+use super::neighbours::site::{LANES, Site};
 use std::ops::{Add, Div, Mul, Sub};
 use tribos_avx2::Avx2;
 

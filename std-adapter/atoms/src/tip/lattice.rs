@@ -2,7 +2,7 @@
 
 /// Orientation of the layers: the face that is parallel to them. Close-packed rows are along x.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Face {
+pub enum CrystalFace {
     /// (111): triangular layers, stacked ABC.
     Fcc111,
     /// (100): square layers, stacked AB.
@@ -11,7 +11,7 @@ pub enum Face {
     Fcc110,
 }
 
-impl Face {
+impl CrystalFace {
     /// Distance of two rows of a layer, for atoms a distance `spacing` apart in a row.
     pub fn row_distance(self, spacing: f64) -> f64 {
         match self {

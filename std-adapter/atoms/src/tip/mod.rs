@@ -34,7 +34,7 @@ pub use cost::{TipCost, cost, size};
 pub use energy::DriveEnergy;
 #[doc(hidden)]
 pub use forces::TipForces;
-pub use lattice::Face;
+pub use lattice::CrystalFace;
 pub use outcome::{AnglePlateau, Reversal, TipSummary};
 pub use potential::{PotentialError, TipPotential};
 pub use run::{TipError, TipSimulation};

@@ -4,12 +4,9 @@ use super::energy::DriveEnergy;
 use super::loop_work::LoopWork;
 use super::sliding_summary::{SlidingSample, SlidingSummary};
 use super::start::{Columns, EquilibriumCheck};
-use super::{TipError, TipSimulation};
 use crate::tip::scene::{DriveKind, StageSteps, TipScene};
 use serde_json::{Value, json};
-use tribos_base::golden::{Measure, Measurement, digest};
 use tribos_base::record::json_number;
-use tribos_base::run::run_to_end;
 
 /// Column of the driven layers' angle.
 const ANGLE: usize = 1;
@@ -328,24 +325,6 @@ fn plateaus(curve: &[[f64; 2]]) -> Vec<AnglePlateau> {
         }
     }
     found
-}
-
-impl Measure for TipScene {
-    type Error = TipError;
-
-    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, TipError> {
-        let mut run = TipSimulation::new(self)?;
-        run_to_end(&mut run, |_, _| watch())?;
-        let summary = run.outcome().json(self);
-        let rows = run.series().iter().cloned();
-        let mut measurement = Measurement::new(&summary, &run.columns(), rows);
-        let atoms = run.system().atoms();
-        measurement.state = vec![
-            ("positions", digest(&atoms.positions)),
-            ("velocities", digest(&atoms.velocities)),
-        ];
-        Ok(measurement)
-    }
 }
 
 #[cfg(test)]

@@ -12,8 +12,9 @@ use crate::md::observe::{heat_energy, temperature};
 use crate::md::system::{System, SystemError};
 use crate::tip::scene::{DriveKind, TipScene};
 use nalgebra::Vector3;
+use tribos_base::golden::{Measure, Measurement, digest};
 use tribos_base::record::CheckpointError;
-use tribos_base::run::Simulation;
+use tribos_base::run::{Simulation, run_to_end};
 
 /// First columns of the series.
 const FIXED_COLUMNS: [&str; 7] = [
@@ -395,5 +396,23 @@ impl Simulation for TipSimulation {
 
     fn progress(&self) -> f64 {
         self.system.steps() as f64 / (self.last_step().max(1)) as f64
+    }
+}
+
+impl Measure for TipScene {
+    type Error = TipError;
+
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, TipError> {
+        let mut run = TipSimulation::new(self)?;
+        run_to_end(&mut run, |_, _| watch())?;
+        let summary = run.outcome().json(self);
+        let rows = run.series().iter().cloned();
+        let mut measurement = Measurement::new(&summary, &run.columns(), rows);
+        let atoms = run.system().atoms();
+        measurement.state = vec![
+            ("positions", digest(&atoms.positions)),
+            ("velocities", digest(&atoms.velocities)),
+        ];
+        Ok(measurement)
     }
 }

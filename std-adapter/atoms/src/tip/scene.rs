@@ -2,7 +2,7 @@
 
 use crate::md::pair::Shift;
 use crate::md::system::Integrator;
-use crate::tip::{Face, LAYERS_OF_A_KIND, Shape, TipOutline, TipPotential};
+use crate::tip::{CrystalFace, LAYERS_OF_A_KIND, Shape, TipOutline, TipPotential};
 use tribos_base::record::brief;
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{self, Domain, Domain::*, MOST_SEEDS, Need::*, reads};
@@ -75,7 +75,7 @@ const POTENTIAL: Domain = Form(&key::Form {
 tribos_base::spelled!(TipPotential);
 
 words!(TipOutline { Hexagon = "hexagon", Disk = "disk", Cone = "cone" });
-words!(Face { Fcc111 = "fcc111", Fcc100 = "fcc100", Fcc110 = "fcc110" });
+words!(CrystalFace { Fcc111 = "fcc111", Fcc100 = "fcc100", Fcc110 = "fcc110" });
 words!(Shift { None = "none", Energy = "energy", Force = "force" });
 words!(Integrator { LeapFrog = "leap-frog", VelocityVerlet = "velocity-verlet" });
 
@@ -138,9 +138,9 @@ scene! {
     /// Part by which the crystals of a metal are wider than at zero temperature and pressure.
     expansion: f64 = 0.0, "-", Between { above: -0.2, up_to: 0.2 };
     /// Face of the substrate's crystal that is parallel to its layers; close-packed rows are along x.
-    face: Face = Face::Fcc111, "-", OneOf(Face::WORDS);
+    face: CrystalFace = CrystalFace::Fcc111, "-", OneOf(CrystalFace::WORDS);
     /// Face of the tip's crystal that is parallel to its layers.
-    tip_face: Face = Face::Fcc111, "-", OneOf(Face::WORDS);
+    tip_face: CrystalFace = CrystalFace::Fcc111, "-", OneOf(CrystalFace::WORDS);
     /// Atoms along x in a layer of the substrate, periodic.
     // 6330 atoms as six layers of 28 × 28 and six hexagons of ten a side: an inference from the
     // number.
@@ -220,7 +220,7 @@ scene! {
 
 fn rules(scene: &TipScene, judge: &mut Judge<'_>) {
     metal(scene, judge);
-    if scene.face == Face::Fcc111 && !scene.rows.is_multiple_of(2) {
+    if scene.face == CrystalFace::Fcc111 && !scene.rows.is_multiple_of(2) {
         judge.refuse(
             &["rows", "face"],
             format!(

@@ -1,6 +1,6 @@
 //! A tip on a substrate: layers of face-centred cubic crystals.
 
-use super::lattice::Face;
+use super::lattice::CrystalFace;
 use nalgebra::Vector3;
 
 /// Least height of a tip over a substrate whose crystal it does not continue, in mean spacings: no
@@ -52,9 +52,9 @@ pub enum TipOutline {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
     /// Face of the substrate's crystal that is parallel to its layers.
-    pub face: Face,
+    pub face: CrystalFace,
     /// Face of the tip's crystal that is parallel to its layers.
-    pub tip_face: Face,
+    pub tip_face: CrystalFace,
     /// Distance d of nearest neighbours in the substrate.
     pub spacing: f64,
     /// Distance of nearest neighbours in the tip.
@@ -184,7 +184,7 @@ impl Shape {
     /// Whether the tip continues the crystal of the substrate, but for a rotation of (111) layers.
     pub fn is_one_crystal(&self) -> bool {
         let is_alike = self.face == self.tip_face && self.spacing == self.tip_spacing;
-        is_alike && (self.face == Face::Fcc111 || self.orientation == 0.0)
+        is_alike && (self.face == CrystalFace::Fcc111 || self.orientation == 0.0)
     }
 
     /// Height of a layer in its crystal.
@@ -306,7 +306,7 @@ impl Shape {
     fn outlined(&self, side: usize) -> Vec<[f64; 2]> {
         let reach = side as i64 - 1;
         let row_distance = self.tip_face.row_distance(self.tip_spacing);
-        let is_triangular = self.tip_face == Face::Fcc111;
+        let is_triangular = self.tip_face == CrystalFace::Fcc111;
         let is_inside = |q: i64, r: i64| match (is_triangular, self.outline) {
             (true, TipOutline::Disk) => q * q + q * r + r * r <= reach * reach,
             (true, _) => q.abs().max(r.abs()).max((q + r).abs()) <= reach,

@@ -1,11 +1,12 @@
 //! Frames of a run, kept while it runs.
 
 use super::long_run::{LongRun, RunError};
-use super::session::FRAMES;
 use crate::record::frames::{FrameError, FrameFolder};
 use crate::record::verified;
 use std::path::Path;
 
+/// Name of the folder of frames in the folder of their run.
+pub const FRAMES: &str = "frames";
 /// Default number of frames.
 const USUAL: u64 = 100;
 

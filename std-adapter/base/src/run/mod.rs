@@ -13,6 +13,8 @@ mod parallel;
 pub mod program;
 mod session;
 
+#[doc(hidden)]
+pub use film::FRAMES;
 pub use folder::FolderError;
 #[doc(hidden)]
 pub use long_run::{Cause, LongRun};
@@ -20,8 +22,7 @@ pub use long_run::{NoCheckpoint, RunError, StartMode};
 #[doc(hidden)]
 pub use parallel::in_order;
 pub use session::Session;
-#[doc(hidden)]
-pub use session::{CHECKPOINT, FRAMES, forget_checkpoint, read_checkpoint};
+pub use session::{CHECKPOINT, forget_checkpoint, read_checkpoint};
 
 /// Estimated size of a run, from its scene alone, before anything is built.
 ///

@@ -1,6 +1,6 @@
 //! A long run in its own folder: checkpoints, frames, progress, cancellation, resuming.
 
-use super::film::FrameRecorder;
+use super::film::{FRAMES, FrameRecorder};
 use super::folder::{FolderError, Lock, LockMode, remove_file};
 use super::long_run::{Cause, LongRun, NoCheckpoint, RunError, StartMode};
 use crate::record::{read_text, with_number, write_atomically_there};
@@ -12,8 +12,6 @@ use std::time::{Duration, Instant};
 
 /// Name of a checkpoint in the folder of its run.
 pub const CHECKPOINT: &str = "checkpoint.json";
-/// Name of the folder of frames in the folder of their run.
-pub const FRAMES: &str = "frames";
 /// Largest size of a checkpoint in bytes: twenty million spheres take some 15 GB.
 const MOST_BYTES: u64 = 1 << 36;
 /// Default time between checkpoints.

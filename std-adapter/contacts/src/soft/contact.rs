@@ -1,12 +1,10 @@
 //! One contact: springs and dashpots in all modes, with thresholds.
 
 use super::kick::{Kick, Passage};
-use super::law::Stiffness;
+use super::law::Law;
 use super::transport::Transport;
 use nalgebra::Vector3;
-use tribos_core::contact::{
-    Cohesion, ContactFriction, ContactGeometry, ContactModes, ContactVector,
-};
+use tribos_core::contact::{ContactFriction, ContactGeometry, ContactModes, ContactVector};
 use tribos_core::internals::{AxialPart, Block, Masses, PlanarPart, TangentialLoad};
 
 /// A pair of neighbours, or a sphere near a wall, with the springs of its contact.
@@ -52,16 +50,6 @@ pub(super) struct Motion {
     pub turning: Vector3<f64>,
 }
 
-/// Laws of a contact.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Law<F> {
-    pub stiffness: Stiffness,
-    /// Damping ratio ζ.
-    pub damping: f64,
-    pub cohesion: Cohesion<f64>,
-    pub friction: F,
-}
-
 /// Energies of a contact: stored now, and lost in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Energies {
@@ -87,17 +75,6 @@ impl Motion {
             by.torsion() * self.spin.dot(normal),
         ];
         not_gained(work.map(|work| -work))
-    }
-}
-
-impl<F> Law<F> {
-    /// Cohesion across a gap.
-    pub(super) fn pull(&self, gap: f64) -> f64 {
-        if gap <= self.cohesion.range() {
-            self.cohesion.strength()
-        } else {
-            0.0
-        }
     }
 }
 

@@ -11,7 +11,7 @@
 //!
 //! What the first half of the step has not taken yet is left to its second half.
 
-use super::contact::Law;
+use super::law::Law;
 
 /// How a contact went through a step.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,7 @@
-//! Normal springs, and the dashpots beside them.
+//! Normal springs, the dashpots beside them, and the laws of a contact.
 
 use tribos_core::Real;
+use tribos_core::contact::Cohesion;
 
 /// How the elastic force of a contact grows with its overlap δ.
 ///
@@ -175,6 +176,27 @@ pub fn damping_ratio_of(coefficient: f64) -> f64 {
         }
     }
     high
+}
+
+/// Laws of a contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Law<F> {
+    pub stiffness: Stiffness,
+    /// Damping ratio ζ.
+    pub damping: f64,
+    pub cohesion: Cohesion<f64>,
+    pub friction: F,
+}
+
+impl<F> Law<F> {
+    /// Cohesion across a gap.
+    pub(super) fn pull(&self, gap: f64) -> f64 {
+        if gap <= self.cohesion.range() {
+            self.cohesion.strength()
+        } else {
+            0.0
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Initial state, laws and parameters of a world of soft spheres.
 
-use super::contact::Law;
+use super::law::Law;
 use super::law::{Stiffness, damping_ratio_of};
 use crate::cd::{self, StepLimits, Wall, WorldError, WorldMaterials};
 use nalgebra::Vector3;

@@ -1,6 +1,7 @@
 //! Motion of soft spheres and plates: leapfrog, with velocities at the ends of the steps.
 
-use super::contact::{Energies, Law, Motion, SoftContact};
+use super::contact::{Energies, Motion, SoftContact};
+use super::law::Law;
 use super::setup::SoftSetup;
 use super::step_length::{StepLength, fastest};
 use crate::cd::{EnergyBalance, Facing, Iterations, StepReport, Wall, WorldError};

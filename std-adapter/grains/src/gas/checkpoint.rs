@@ -1,7 +1,7 @@
 //! Checkpoint files of a gas.
 
 use super::engine::EngineCheckpoint;
-use super::run::{GasStopReason, Row};
+use super::outcome::{GasStopReason, Row};
 use crate::gas::scene::GasScene;
 use serde_json::{Map, Value};
 use tribos_base::record::checkpoint::{damaged, groups, hex, one, opened};

@@ -19,10 +19,10 @@ mod time_stepped;
 
 pub use error::GasError;
 pub(crate) use lattice::edge;
-pub use outcome::GasSummary;
 #[doc(hidden)]
-pub use run::COLUMNS;
-pub use run::{GasSimulation, GasStopReason};
+pub use outcome::COLUMNS;
+pub use outcome::{GasStopReason, GasSummary};
+pub use run::GasSimulation;
 #[doc(hidden)]
 pub use size::size;
 #[doc(hidden)]

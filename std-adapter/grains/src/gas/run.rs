@@ -4,7 +4,10 @@ use super::checkpoint::Checkpoint;
 use super::engine::GasEngine;
 use super::error::GasError;
 use super::lattice::edge;
-use super::outcome::GasSummary;
+use super::outcome::{
+    COLLISIONS, COLUMNS, ENERGY, GasStopReason, GasSummary, HAFF, LOST, MOMENTUM, ROTATIONAL, Row,
+    THEORY, THEORY_ROTATIONAL, TIME, TRANSLATIONAL, VARIANCE,
+};
 use super::start::start;
 use super::state::GasState;
 use super::time_stepped::DENSITY;
@@ -12,86 +15,11 @@ use crate::gas::scene::GasScene;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::time::Instant;
+use tribos_base::golden::{Measure, Measurement, digest};
 use tribos_base::record::Snapshot;
-use tribos_base::run::Simulation;
+use tribos_base::run::{Simulation, run_to_end};
 use tribos_base::space::PeriodicBox;
 use tribos_contacts::event::{Advance, Impact, Temperatures, collision_rate};
-
-/// Columns of the series: temperatures in T0; energies a sphere; `theory` the mean-field temperatures after as
-/// many collisions, `haff` the translational one after the same time.
-pub const COLUMNS: [&str; 12] = [
-    "time",
-    "collisions",
-    "temperature",
-    "temperature_rotational",
-    "theory",
-    "theory_rotational",
-    "haff",
-    "enskog_rate",
-    "energy",
-    "lost",
-    "momentum",
-    "density_variance",
-];
-
-/// Indices of columns.
-pub(super) const TIME: usize = 0;
-pub(super) const COLLISIONS: usize = 1;
-pub(super) const TRANSLATIONAL: usize = 2;
-pub(super) const ROTATIONAL: usize = 3;
-pub(super) const THEORY: usize = 4;
-pub(super) const THEORY_ROTATIONAL: usize = 5;
-pub(super) const HAFF: usize = 6;
-pub(super) const ENERGY: usize = 8;
-pub(super) const LOST: usize = 9;
-pub(super) const MOMENTUM: usize = 10;
-pub(super) const VARIANCE: usize = 11;
-
-/// A row of the series.
-pub(super) type Row = [f64; COLUMNS.len()];
-
-/// Why a run ended.
-///
-/// ```
-/// use tribos::gas::{GasStopReason, GasSimulation};
-/// use tribos::run::drive;
-/// # use tribos::scene::GasScene;
-/// // Dense and dissipative: infinitely many collisions in a finite time.
-/// let scene = GasScene { count: 500, fraction: 0.5, restitution: 0.2, collisions: 1e3, ..GasScene::default() };
-/// let mut gas = GasSimulation::new(&scene)?;
-/// drive(&mut gas, |_, _| ())?;
-/// assert_eq!(gas.ending(), Some(GasStopReason::Collapse));
-/// # Ok::<(), tribos::gas::GasError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GasStopReason {
-    /// The scene's number of collisions was reached.
-    Collisions,
-    /// The scene's duration elapsed.
-    Time,
-    /// Inelastic collapse: time stands still while collisions go on.
-    Collapse,
-    /// No sphere will meet another one.
-    Rest,
-}
-
-impl GasStopReason {
-    const ALL: [Self; 4] = [Self::Collisions, Self::Time, Self::Collapse, Self::Rest];
-
-    /// Name in summaries and checkpoints.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Collisions => "collisions",
-            Self::Time => "time",
-            Self::Collapse => "collapse",
-            Self::Rest => "rest",
-        }
-    }
-
-    pub(super) fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|ending| ending.name() == name)
-    }
-}
 
 /// A gas in progress.
 ///
@@ -398,5 +326,25 @@ impl Simulation for GasSimulation {
         of_time
             .max(self.collisions() / self.scene.collisions)
             .min(1.0)
+    }
+}
+
+impl Measure for GasScene {
+    type Error = GasError;
+
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, GasError> {
+        let mut gas = GasSimulation::new(self)?;
+        run_to_end(&mut gas, |_, _| watch())?;
+        let rows = gas.series().iter().map(|row| row.to_vec());
+        let summary = gas.outcome().json(self);
+        let mut measurement = Measurement::new(&summary, &COLUMNS, rows);
+        measurement.state = gas.with_snapshot(|end| {
+            vec![
+                ("positions", digest(end.positions)),
+                ("velocities", digest(end.velocities.unwrap_or_default())),
+                ("spins", digest(end.spins.unwrap_or_default())),
+            ]
+        })?;
+        Ok(measurement)
     }
 }

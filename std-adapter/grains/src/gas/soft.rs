@@ -1,6 +1,5 @@
 //! Collisions of soft particles: their springs, how long they last and how deep they go.
 
-use super::time_stepped::LONGEST;
 use crate::gas::scene::{GasMethod, GasScene};
 use crate::packing::Springs;
 use crate::packing::method::NormalForce;
@@ -74,8 +73,8 @@ pub fn soft_collision(scene: &GasScene) -> Option<SoftCollision> {
     })
 }
 
-/// The springs of the spheres, in steps of which each is counted.
-pub(super) fn springs(scene: &GasScene) -> Springs {
+/// The springs of the spheres, in steps of which each is counted and none is longer than `longest`.
+pub(super) fn springs(scene: &GasScene, longest: f64) -> Springs {
     let stiffness = stiffness(scene);
     Springs {
         stiffness,
@@ -85,7 +84,7 @@ pub(super) fn springs(scene: &GasScene) -> Springs {
         step_limits: StepLimits {
             // A stable step of the spheres is one of the gas, so that no collision passes between two looks.
             motion: 0.0,
-            longest: LONGEST,
+            longest,
         },
     }
 }

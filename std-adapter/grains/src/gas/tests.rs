@@ -35,9 +35,9 @@ fn a_start_has_the_temperatures_asked_for_and_no_momentum() -> Tested {
             ..small()
         };
         let first = GasSimulation::new(&scene)?.record();
-        assert!((first[run::TRANSLATIONAL] - 1.0).abs() < 1e-12);
-        assert!((first[run::ROTATIONAL] - rotational).abs() < 1e-12);
-        assert!(first[run::MOMENTUM] < 1e-12);
+        assert!((first[outcome::TRANSLATIONAL] - 1.0).abs() < 1e-12);
+        assert!((first[outcome::ROTATIONAL] - rotational).abs() < 1e-12);
+        assert!(first[outcome::MOMENTUM] < 1e-12);
     }
     Ok(())
 }

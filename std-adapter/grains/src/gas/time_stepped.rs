@@ -22,7 +22,7 @@ pub(super) const DENSITY: f64 = 3.0 / (4.0 * PI);
 const TOLERANCE: f64 = 1e-4;
 const SWEEPS: usize = 1000;
 /// Longest time step: the spheres' motion bounds it, unless all are at rest.
-pub(super) const LONGEST: f64 = 10.0;
+const LONGEST: f64 = 10.0;
 
 /// A gas that a method with time steps moves.
 #[derive(Debug)]
@@ -193,7 +193,7 @@ fn new_contacts(before: &[[u32; 2]], now: &[[u32; 2]]) -> u64 {
 /// How the contacts of a step are found and solved.
 fn method(scene: &GasScene) -> Method {
     if scene.method == GasMethod::Soft {
-        return Method::Soft(soft::springs(scene));
+        return Method::Soft(soft::springs(scene, LONGEST));
     }
     Method::ContactDynamics {
         solver: ContactSolver {

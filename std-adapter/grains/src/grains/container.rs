@@ -1,6 +1,6 @@
 //! Hoppers and drums: walls beside those of the box, and the room that they leave.
 
-use super::layout::{InitialWall, WallId};
+use super::wall::{InitialWall, WallId};
 use crate::grains::scene::{Container, GrainsScene, SideBoundary};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;

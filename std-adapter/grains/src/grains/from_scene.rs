@@ -1,9 +1,10 @@
 //! What a packing of grains is made of: material, bodies and method of its scene.
 
 use super::error::GrainsError;
-use super::layout::{InitialWall, Layout};
+use super::layout::Layout;
 use super::loads::Loads;
 use super::placement::Start;
+use super::wall::InitialWall;
 use crate::grains::scene::GrainsScene;
 use crate::packing::method::ContactMethod;
 use crate::packing::{

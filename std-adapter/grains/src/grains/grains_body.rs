@@ -3,7 +3,7 @@
 use super::layout::Layout;
 use super::loads::Loads;
 use super::measure::{COLUMNS, PackingState};
-use super::run::GrainsStopReason;
+use super::outcome::GrainsStopReason;
 use crate::grains::scene::GrainsScene;
 use crate::packing::{self, Body, MeasuredState, MeasurementSchedule, Packing, RunLimits};
 use serde_json::{Map, Value};

@@ -1,8 +1,9 @@
 //! Where the grains of a run come from: random places, a file, or the last state of another run.
 
 use super::error::GrainsError;
-use super::layout::{InitialWall, Layout, WallId};
+use super::layout::Layout;
 use super::placement::{self, Start};
+use super::wall::{InitialWall, WallId};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::AssemblyError;
 use crate::packing::method::ContactMethod;

@@ -1,7 +1,8 @@
 //! What drives the grains: gravity, pistons, moving plates, shaking, each at its time.
 
-use super::layout::{AxisEnd, InitialWall, Layout, PLATE, WallId};
+use super::layout::Layout;
 use super::ramp::Ramp;
+use super::wall::{AxisEnd, InitialWall, PLATE, WallId};
 use crate::grains::scene::{Axis, GrainsScene};
 use crate::packing::Packing;
 use nalgebra::Vector3;

@@ -1,8 +1,9 @@
 //! What is measured of the grains after a step.
 
 use super::from_scene::volume;
-use super::layout::{AxisEnd, Layout, PLATE, WallId, inward};
+use super::layout::Layout;
 use super::loads::Loads;
+use super::wall::{AxisEnd, PLATE, WallId, inward};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
 use crate::packing::{Packing, Stress, branch, is_at};
 use nalgebra::Vector3;

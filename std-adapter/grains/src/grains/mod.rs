@@ -20,16 +20,17 @@ pub(crate) mod scene;
 mod session;
 #[cfg(test)]
 mod sheared_tests;
+mod wall;
 
 #[doc(hidden)]
 pub use cost::{GrainsCost, cost, size, stable_step};
 pub use error::GrainsError;
 #[doc(hidden)]
 pub use measure::COLUMNS;
-pub use outcome::GrainsSummary;
+pub use outcome::{GrainsStopReason, GrainsSummary};
 pub use placement::PlacementError;
 pub use ramp::{Ramp, RampError};
-pub use run::{GrainsSimulation, GrainsStopReason};
+pub use run::GrainsSimulation;
 
 #[cfg(test)]
 mod tests;

@@ -1,16 +1,47 @@
 //! Summary of a run of grains.
 
-use super::error::GrainsError;
 use super::measure::COLUMNS;
-use super::run::{GrainsSimulation, GrainsStopReason};
 use crate::grains::scene::{EndBoundary, GrainsScene};
 use crate::packing::method::ContactMethod;
 use crate::packing::{ContactStatistics, losses, object};
 use serde_json::{Map, Value};
-use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::json_number;
-use tribos_base::run::run_to_end;
 use tribos_contacts::cd::EnergyBalance;
+
+/// Why a run ended.
+///
+/// ```
+/// use tribos::grains::{GrainsStopReason, GrainsSimulation};
+/// use tribos::run::drive;
+/// # use tribos::scene::GrainsScene;
+/// let scene = GrainsScene { count: 5, rest: Some(1e-3), duration: 10.0, ..Default::default() };
+/// let mut beads = GrainsSimulation::new(&scene)?;
+/// assert_eq!(beads.ending(), None);
+/// drive(&mut beads, |_, _| ())?;
+/// assert_eq!(beads.ending(), Some(GrainsStopReason::Rest)); // they fall and stay where they are
+/// assert_eq!(GrainsStopReason::Rest.name(), "rest");
+/// # Ok::<(), tribos::grains::GrainsError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GrainsStopReason {
+    /// The grains are at rest.
+    Rest,
+    /// The scene's duration elapsed.
+    Time,
+    /// The scene's number of steps was reached.
+    Steps,
+}
+
+impl GrainsStopReason {
+    /// Name in summaries and checkpoints.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rest => "rest",
+            Self::Time => "time",
+            Self::Steps => "steps",
+        }
+    }
+}
 
 /// Results of a run of grains, in the units of its scene.
 ///
@@ -106,16 +137,5 @@ impl GrainsSummary {
         put("scene", scene.json());
         put("version", env!("CARGO_PKG_VERSION").into());
         Value::Object(map)
-    }
-}
-
-impl Measure for GrainsScene {
-    type Error = GrainsError;
-
-    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, GrainsError> {
-        let mut grains = GrainsSimulation::new(self)?;
-        run_to_end::<GrainsSimulation>(&mut grains, |_, _| watch())
-            .map_err(|error: GrainsError| GrainsError::from(error))?;
-        Ok(grains.measurement(&grains.outcome().json(self)))
     }
 }

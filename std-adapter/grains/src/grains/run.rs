@@ -4,57 +4,23 @@ use super::error::GrainsError;
 use super::from_scene::packing;
 use super::grains_body::{GrainsBody, SlowStepCount, bounds};
 use super::initial_grains::start;
-use super::layout::{AxisEnd, Layout};
+use super::layout::Layout;
 use super::loads::Loads;
 use super::measure::{COLUMNS, PackingState};
-use super::outcome::GrainsSummary;
+use super::outcome::{GrainsStopReason, GrainsSummary};
+use super::wall::AxisEnd;
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
 use crate::packing::{
     ContactStatistics, FrameInfo, Limits, PackingCheckpoint, PackingDriver, origin,
 };
 use serde_json::Value;
 use std::ops::ControlFlow;
-use tribos_base::golden::Measurement;
+use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::frames::{Bodies, Frame, Kind};
 use tribos_base::record::{ContactRow, Snapshot};
-use tribos_base::run::Simulation;
+use tribos_base::run::{Simulation, run_to_end};
 use tribos_contacts::cd::StepReport;
 use tribos_contacts::problem::GlobalProblem;
-
-/// Why a run ended.
-///
-/// ```
-/// use tribos::grains::{GrainsStopReason, GrainsSimulation};
-/// use tribos::run::drive;
-/// # use tribos::scene::GrainsScene;
-/// let scene = GrainsScene { count: 5, rest: Some(1e-3), duration: 10.0, ..Default::default() };
-/// let mut beads = GrainsSimulation::new(&scene)?;
-/// assert_eq!(beads.ending(), None);
-/// drive(&mut beads, |_, _| ())?;
-/// assert_eq!(beads.ending(), Some(GrainsStopReason::Rest)); // they fall and stay where they are
-/// assert_eq!(GrainsStopReason::Rest.name(), "rest");
-/// # Ok::<(), tribos::grains::GrainsError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GrainsStopReason {
-    /// The grains are at rest.
-    Rest,
-    /// The scene's duration elapsed.
-    Time,
-    /// The scene's number of steps was reached.
-    Steps,
-}
-
-impl GrainsStopReason {
-    /// Name in summaries and checkpoints.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rest => "rest",
-            Self::Time => "time",
-            Self::Steps => "steps",
-        }
-    }
-}
 
 /// Grains in a box, a run in progress.
 ///
@@ -289,5 +255,16 @@ impl Simulation for GrainsSimulation {
 
     fn progress(&self) -> f64 {
         self.drive.progress()
+    }
+}
+
+impl Measure for GrainsScene {
+    type Error = GrainsError;
+
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, GrainsError> {
+        let mut grains = GrainsSimulation::new(self)?;
+        run_to_end::<GrainsSimulation>(&mut grains, |_, _| watch())
+            .map_err(|error: GrainsError| GrainsError::from(error))?;
+        Ok(grains.measurement(&grains.outcome().json(self)))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::deposit::{BULK, Deposit, DepositError};
 use super::error::CompactionError;
-use super::outcome::PowderSummary;
+use super::outcome::{COLUMNS, PowderStopReason, PowderSummary};
 use super::parts::packing;
 use super::press::{PowderBody, PressMonitor, bounds, height};
 use super::start::Start;
@@ -12,72 +12,12 @@ use crate::packing::{
 };
 use crate::powder::scene::PowderScene;
 use std::ops::ControlFlow;
+use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::frames::{Bodies, Frame, Kind};
 use tribos_base::record::{ContactRow, Snapshot};
-use tribos_base::run::Simulation;
+use tribos_base::run::{Simulation, run_to_end};
 use tribos_contacts::cd::StepReport;
 use tribos_contacts::problem::GlobalProblem;
-
-/// Columns of the series, in the units of the scene; `stress_zz` in units of the applied pressure.
-pub const COLUMNS: [&str; 15] = [
-    "time",
-    "step",
-    "piston_height",
-    "porosity",
-    "contacts",
-    "stress_zz",
-    "sweeps",
-    "residual",
-    "kinetic",
-    "dissipated_normal",
-    "dissipated_sliding",
-    "dissipated_rolling",
-    "dissipated_torsion",
-    "dissipated_cohesion",
-    "work",
-];
-
-/// Why a run ended.
-///
-/// ```
-/// use tribos::powder::{PowderSimulation, PowderStopReason};
-/// use tribos::run::drive;
-/// # use tribos::scene::PowderScene;
-/// # let scene = PowderScene {
-/// #     width: 6.0,
-/// #     height: 8.0,
-/// #     pressure: 0.02,
-/// #     steps: 10,
-/// #     ..PowderScene::default()
-/// # };
-/// // A scene of ten steps: too few to be blocked.
-/// let mut compaction = PowderSimulation::new(&scene)?;
-/// assert_eq!(compaction.ending(), None);
-/// drive(&mut compaction, |_, _| ())?;
-/// assert_eq!((compaction.ending(), compaction.steps()), (Some(PowderStopReason::Steps), 10));
-/// assert_eq!(PowderStopReason::Steps.name(), "steps");
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PowderStopReason {
-    /// The packing is blocked.
-    Blocked,
-    /// The scene's duration elapsed.
-    Time,
-    /// The scene's number of steps was reached.
-    Steps,
-}
-
-impl PowderStopReason {
-    /// Name in summaries and checkpoints.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Blocked => "blocked",
-            Self::Time => "time",
-            Self::Steps => "steps",
-        }
-    }
-}
 
 /// A compaction in progress.
 ///
@@ -439,5 +379,16 @@ impl Simulation for PowderSimulation {
 
     fn progress(&self) -> f64 {
         self.drive.progress()
+    }
+}
+
+impl Measure for PowderScene {
+    type Error = CompactionError;
+
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, CompactionError> {
+        let mut compaction = PowderSimulation::new(self)?;
+        run_to_end(&mut compaction, |_, _| watch())?;
+        let summary = compaction.outcome().json(self);
+        Ok(compaction.drive.measurement(&summary))
     }
 }

@@ -20,14 +20,14 @@ pub use crate::packing::ContactStatistics;
 pub use crate::packing::{ActiveModes, Limits, Material, ModeSet, STATE, Stress};
 #[doc(hidden)]
 pub use blocked::{Means, Window};
-#[doc(hidden)]
-pub use compaction::COLUMNS;
-pub use compaction::{PowderSimulation, PowderStopReason};
+pub use compaction::PowderSimulation;
 #[doc(hidden)]
 pub use cost::{PowderCost, cost, size, stable_step};
 pub use deposit::DepositError;
 pub use error::CompactionError;
-pub use outcome::PowderSummary;
+#[doc(hidden)]
+pub use outcome::COLUMNS;
+pub use outcome::{PowderStopReason, PowderSummary};
 #[doc(hidden)]
 pub use parts::PISTON;
 pub use tribos_base::record::CheckpointError;

@@ -1,17 +1,74 @@
 //! Summary of a compaction.
 
-use super::CompactionError;
 use super::blocked::Means;
-use super::compaction::{PowderSimulation, PowderStopReason};
 use crate::packing::method::ContactMethod;
 use crate::packing::{ContactStatistics, losses, object};
 use crate::powder::scene::PowderScene;
 use nalgebra::Matrix3;
 use serde_json::{Map, Value};
-use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::json_number;
-use tribos_base::run::run_to_end;
 use tribos_contacts::cd::EnergyBalance;
+
+/// Columns of the series, in the units of the scene; `stress_zz` in units of the applied pressure.
+pub const COLUMNS: [&str; 15] = [
+    "time",
+    "step",
+    "piston_height",
+    "porosity",
+    "contacts",
+    "stress_zz",
+    "sweeps",
+    "residual",
+    "kinetic",
+    "dissipated_normal",
+    "dissipated_sliding",
+    "dissipated_rolling",
+    "dissipated_torsion",
+    "dissipated_cohesion",
+    "work",
+];
+
+/// Why a run ended.
+///
+/// ```
+/// use tribos::powder::{PowderSimulation, PowderStopReason};
+/// use tribos::run::drive;
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene {
+/// #     width: 6.0,
+/// #     height: 8.0,
+/// #     pressure: 0.02,
+/// #     steps: 10,
+/// #     ..PowderScene::default()
+/// # };
+/// // A scene of ten steps: too few to be blocked.
+/// let mut compaction = PowderSimulation::new(&scene)?;
+/// assert_eq!(compaction.ending(), None);
+/// drive(&mut compaction, |_, _| ())?;
+/// assert_eq!((compaction.ending(), compaction.steps()), (Some(PowderStopReason::Steps), 10));
+/// assert_eq!(PowderStopReason::Steps.name(), "steps");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PowderStopReason {
+    /// The packing is blocked.
+    Blocked,
+    /// The scene's duration elapsed.
+    Time,
+    /// The scene's number of steps was reached.
+    Steps,
+}
+
+impl PowderStopReason {
+    /// Name in summaries and checkpoints.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Blocked => "blocked",
+            Self::Time => "time",
+            Self::Steps => "steps",
+        }
+    }
+}
 
 /// Results of a compaction, in the units of its scene.
 ///
@@ -181,15 +238,4 @@ impl PowderSummary {
 fn rows(tensor: &Matrix3<f64>) -> Value {
     let row = |i: usize| (0..3).map(|j| json_number(tensor[(i, j)])).collect();
     Value::Array((0..3).map(row).map(Value::Array).collect())
-}
-
-impl Measure for PowderScene {
-    type Error = CompactionError;
-
-    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, CompactionError> {
-        let mut compaction = PowderSimulation::new(self)?;
-        run_to_end(&mut compaction, |_, _| watch())?;
-        let summary = compaction.outcome().json(self);
-        Ok(compaction.drive.measurement(&summary))
-    }
 }

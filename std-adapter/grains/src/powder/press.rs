@@ -1,8 +1,8 @@
 //! What a piston does to a powder, step by step: its loads, its measures and when it ends.
 
 use super::blocked::{Means, Window};
-use super::compaction::{COLUMNS, PowderStopReason};
 use super::deposit::Deposit;
+use super::outcome::{COLUMNS, PowderStopReason};
 use super::parts::PISTON;
 use crate::packing::{
     self, Body, MeasuredState, MeasurementSchedule, Packing, RunLimits, Stress, branch, is_at,

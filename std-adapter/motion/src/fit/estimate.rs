@@ -1,8 +1,10 @@
 //! Options and result of a fit.
 
+use super::Measurements;
+use super::error::FitError;
 use super::parameter::{FitParameter, Model};
-use super::search::{Unknowns, search};
-use super::{DataError, Measurements};
+use super::search::{FitProgress, search};
+use super::unknowns::Unknowns;
 use nalgebra::DMatrix;
 
 /// Options of a fit.
@@ -93,75 +95,6 @@ pub struct Fit {
     /// Number of points on which the starts were searched: all, or a sample, whose best minima
     /// were refined on all points.
     pub searched: usize,
-}
-
-/// Why a fit failed.
-///
-/// ```
-/// use tribos::fit::{Measurements, FitError, FitLaw, FitOptions, fit, law_model};
-/// let data = Measurements::steady(vec![0.5], vec![0.3], None)?;
-/// let model = law_model(FitLaw::Power, &data)?;
-/// let refused = fit(model.as_ref(), &data, &FitOptions::default());
-/// assert_eq!(refused, Err(FitError::TooFew { points: 1, free: 2 }));
-/// let fixed = vec![("gamma".into(), 0.3), ("alpha".into(), 0.0)];
-/// let refused = fit(model.as_ref(), &data, &FitOptions { fixed, ..FitOptions::default() });
-/// assert_eq!(refused, Err(FitError::NothingFree));
-/// # Ok::<(), FitError>(())
-/// ```
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum FitError {
-    /// A measurement is invalid.
-    #[error(transparent)]
-    Data(#[from] DataError),
-    /// A parameter that the law does not have.
-    #[error("there is no parameter `{name}`; the parameters are {}", known.join(", "))]
-    NoParameter {
-        /// The rejected value.
-        name: String,
-        /// Names of the law's parameters.
-        known: Vec<&'static str>,
-    },
-    /// A fixed value out of its range.
-    #[error("`{name}` must be {range}, not {given}")]
-    Range {
-        /// Name of the parameter.
-        name: &'static str,
-        /// Range of the parameter.
-        range: String,
-        /// The rejected value.
-        given: f64,
-    },
-    /// Fewer points than parameters.
-    #[error(
-        "{points} points cannot determine {free} parameters with an error; give more points or fix \
-         parameters"
-    )]
-    TooFew {
-        /// Number of points.
-        points: usize,
-        /// Number of free parameters.
-        free: usize,
-    },
-    /// All parameters are fixed.
-    #[error("all parameters are fixed; nothing is left to fit")]
-    NothingFree,
-    /// The law refuses every start.
-    #[error("the law refuses every start; check the fixed values against each other")]
-    NoStart,
-    /// The law has no form for such data.
-    #[error("{0}")]
-    Form(&'static str),
-}
-
-/// Progress of a fit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FitProgress {
-    /// Number of points in the current search: a sample, or all.
-    pub points: usize,
-    /// Number of the search, from 1, and number of searches on these points.
-    pub search: [usize; 2],
-    /// Steps of the current search so far.
-    pub steps: usize,
 }
 
 /// Fits the model to the data.

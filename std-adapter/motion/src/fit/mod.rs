@@ -35,6 +35,7 @@
 
 mod covariance;
 mod data;
+mod error;
 mod estimate;
 mod halton;
 mod jacobian;
@@ -46,18 +47,22 @@ mod sample;
 mod search;
 mod standard_errors;
 pub mod support;
+mod unknowns;
 
 #[doc(hidden)]
 pub use data::Motion;
 pub use data::{DataError, Measurements};
-pub use estimate::{Estimate, Fit, FitError, FitOptions, Uncertainty, fit};
+pub use error::FitError;
 #[doc(hidden)]
-pub use estimate::{FitProgress, fit_watched};
+pub use estimate::fit_watched;
+pub use estimate::{Estimate, Fit, FitOptions, Uncertainty, fit};
 pub use law::FitLaw;
 pub use law::law_model;
 pub use parameter::FitParameter;
 #[doc(hidden)]
 pub use parameter::{Model, Range};
+#[doc(hidden)]
+pub use search::FitProgress;
 
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]

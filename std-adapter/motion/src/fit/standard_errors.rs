@@ -3,7 +3,8 @@
 use super::covariance::{CovarianceAnalysis, certainty};
 use super::estimate::{Estimate, Fit, Uncertainty};
 use super::minimise::{free, gradient};
-use super::search::{Search, Unknowns};
+use super::search::Search;
+use super::unknowns::Unknowns;
 use nalgebra::DMatrix;
 
 /// The coordinates that have an error, with their covariance.

@@ -17,12 +17,12 @@ pub use cost::EvaluationCost;
 pub(crate) use cost::of_law;
 #[doc(hidden)]
 pub use friction_work::FrictionWork;
-pub use outcome::{SlideStopReason, SlideSummary};
+pub use outcome::{COLUMNS, SlideStopReason, SlideSummary};
 #[doc(hidden)]
 pub use path::{PATH_COLUMNS, PlanarCourse, PlanarScene, follow_path};
 pub use path::{PathRun, PlanarSummary, run_planar};
 #[doc(hidden)]
-pub use simulation::{COLUMNS, SlideSimulation};
+pub use simulation::SlideSimulation;
 
 use crate::slide::scene::DiskScene;
 use tribos_base::record::brief;

@@ -7,6 +7,18 @@ use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::json_number;
 use tribos_core::modes::TerminalMode;
 
+/// Columns of the series: SI units in SI scenes (s, m/s, rad/s, m, rad, -, J, J).
+pub const COLUMNS: [&str; 8] = [
+    "time",
+    "speed",
+    "spin",
+    "distance",
+    "angle",
+    "ratio",
+    "kinetic_energy",
+    "dissipated_energy",
+];
+
 /// Why a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SlideStopReason {
@@ -113,6 +125,6 @@ impl Measure for DiskScene {
         let run = super::run(self, |_| watch())?;
         let rows = run.series.iter().map(|row| row.to_vec());
         let summary = run.outcome.json(self);
-        Ok(Measurement::new(&summary, &super::COLUMNS, rows))
+        Ok(Measurement::new(&summary, &COLUMNS, rows))
     }
 }

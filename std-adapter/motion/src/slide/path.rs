@@ -7,7 +7,6 @@ use super::planar::{
 use super::{SlideError, energy_at_launch};
 use crate::slide::scene::Tipping;
 use serde_json::{Map, Value};
-use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::json_number;
 use tribos_base::scene::Body;
 use tribos_friction::Evaluation;
@@ -239,25 +238,3 @@ impl PlanarSummary {
         Value::Object(map)
     }
 }
-
-/// Implements what golden files ask of scenes.
-macro_rules! measured {
-    ($($scene:ty),+) => {$(
-        impl Measure for $scene {
-            type Error = SlideError;
-
-            fn measured(&self, _: &mut dyn FnMut()) -> Result<Measurement, SlideError> {
-                let run = run_planar(self)?;
-                let rows = run.series.iter().map(|row| row.to_vec());
-                let summary = run.outcome.json(self);
-                Ok(Measurement::new(&summary, &PATH_COLUMNS, rows))
-            }
-        }
-    )+};
-}
-measured!(
-    crate::slide::scene::CurlingScene,
-    crate::slide::scene::CylinderScene,
-    crate::slide::scene::PipeScene,
-    crate::slide::scene::PlateScene
-);

@@ -1,24 +1,12 @@
 //! One slider followed from launch to end, with its energy balance.
 
-use super::{SlideError, SlideStopReason, SlideSummary, energy_at_launch};
+use super::{COLUMNS, SlideError, SlideStopReason, SlideSummary, energy_at_launch};
 use crate::slide::scene::{DiskScene, SliderIntegrator};
 use tribos_base::run::Simulation;
 use tribos_core::Real;
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::modes::TerminalMotion;
 use tribos_core::slider::{Slider, SliderParameters, SliderRest, SliderState};
-
-/// Columns of the series: SI units in SI scenes (s, m/s, rad/s, m, rad, -, J, J).
-pub const COLUMNS: [&str; 8] = [
-    "time",
-    "speed",
-    "spin",
-    "distance",
-    "angle",
-    "ratio",
-    "kinetic_energy",
-    "dissipated_energy",
-];
 
 /// Index of the velocity ratio among the columns.
 const RATIO: usize = 5;

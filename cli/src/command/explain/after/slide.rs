@@ -1,6 +1,7 @@
 //! A sliding body: run here and now, for a moment at most if it is one in the plane.
 
-use crate::command::explain::{line, takes, within};
+use crate::command::explain::line;
+use crate::command::explain::patience::{takes, within};
 use crate::failure::Failure;
 use std::time::Instant;
 use tribos::scene::DiskScene;

@@ -2,7 +2,6 @@
 
 use super::images::{Slot, fill_slots};
 use super::rough::SinglePrecisionPositions;
-use super::window::Window;
 use nalgebra::Vector3;
 use std::ops::Range;
 use tribos_base::space::PeriodicBox;
@@ -263,10 +262,5 @@ impl Cells {
             let span = self.axes[0].span(x, left_sq.sqrt());
             self.cells(self.row_start(rows, row), span)
         })
-    }
-
-    /// Slots that a chunk needs.
-    pub fn window(&self, owned: Range<usize>) -> Window {
-        Window::new(self, owned)
     }
 }

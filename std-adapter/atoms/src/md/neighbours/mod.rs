@@ -6,14 +6,17 @@ mod chunk;
 mod images;
 mod rough;
 mod row;
+pub(super) mod site;
 #[cfg(test)]
 mod tests;
 mod window;
 
 #[doc(hidden)]
-pub use chunk::{Chunk, LANES, Site};
+pub use chunk::Chunk;
 #[doc(hidden)]
 pub use images::Slot;
+#[doc(hidden)]
+pub use site::{LANES, Site};
 
 use super::lanes;
 use cells::Cells;

@@ -14,7 +14,7 @@
 
 use super::cone::{Cone, Local, MOST, Square};
 use super::prepared::Prepared;
-use super::scaling::Scaling;
+use super::scaling::{Point, Scaling};
 use super::system::{Linear, System};
 
 /// θ, the part of the derivative of |w| in the matrix: with all of it the matrix is singular more often.
@@ -34,9 +34,6 @@ const SHIFT: f64 = 1e-10;
 /// Added to W for the first guess of P, and the largest guess.
 const SOFT: f64 = 1e-17;
 const LARGEST_START: f64 = 1e18;
-
-/// SecondMaterial-order cone points of one mode: the first component, and at most three others.
-pub(super) type Point = [f64; 4];
 
 /// The iteration's state.
 #[derive(Clone, Debug)]

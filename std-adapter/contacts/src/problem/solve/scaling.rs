@@ -1,6 +1,7 @@
 //! Scaling of Nesterov and Todd of a pair of points in a second-order cone.
 
-use super::interior::Point;
+/// Second-order cone points of one mode: the first component, and at most three others.
+pub(super) type Point = [f64; 4];
 
 /// F with F y = F⁻¹ z = λ: F = η (w wᵀ-like arrow of a hyperbolic unit vector).
 #[derive(Clone, Copy, Debug)]

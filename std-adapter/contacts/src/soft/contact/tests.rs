@@ -2,8 +2,9 @@
 
 use super::*;
 use crate::cd::solid;
+use crate::soft::Stiffness;
 use nalgebra::{Rotation3, Unit};
-use tribos_core::contact::{AllModes, Attraction, IndependentFriction};
+use tribos_core::contact::{AllModes, Attraction, Cohesion, IndependentFriction};
 
 /// Error of the sliding spring of a pair that turns as one rigid body, after ten turns.
 fn error(axis: Vector3<f64>, steps_a_turn: usize) -> f64 {

@@ -5,7 +5,7 @@ mod power;
 mod rate_state;
 mod stribeck;
 
-use super::estimate::FitError;
+use super::error::FitError;
 use super::parameter::Model;
 use super::{Measurements, Motion};
 use std::borrow::Cow;

@@ -1,6 +1,6 @@
 //! Rate and state: steady, and with its age over time.
 
-use super::super::estimate::FitError;
+use super::super::error::FitError;
 use super::super::parameter::{FitParameter, Model, Range};
 use super::super::{DataError, Measurements};
 use super::{

@@ -3,9 +3,19 @@
 use super::planar::{STOP_FRACTION, Tipping, moves};
 use crate::slide::planar::{Plate, Resistance};
 use crate::slide::{PlanarCourse, PlanarScene, SlideError};
-use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
+use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*, reads};
 use tribos_base::scene::table::{as_written, scene};
-use tribos_friction::{Evaluation, Flat, FlatPatch, FrictionError, PATCH, Patch};
+use tribos_base::scene::{Domain, Form};
+use tribos_friction::{Evaluation, Flat, FlatPatch, FrictionError, Patch};
+
+/// A patch with an outline that uniform thickness can fill.
+const OUTLINE: Domain = Domain::Form(&Form {
+    name: "patch",
+    valid: "a patch such as \"box:0.3x0.2\", \"polygon:FILE\" or \"bar:0.2\"",
+    read: reads::<Patch>,
+    numbers: None,
+    names_absence: true,
+});
 
 scene! {
     /// A flat plate of any outline, such as a box or a tile, that slides and spins to rest.
@@ -24,7 +34,7 @@ scene! {
         rules, as_written;
 
     /// Outline of the plate.
-    patch: Patch = Patch::Flat(FlatPatch::Box([0.3, 0.2])), "-", PATCH, Required;
+    patch: Patch = Patch::Flat(FlatPatch::Box([0.3, 0.2])), "-", OUTLINE, Required;
     /// Initial speed, along x.
     speed: f64 = 1.0, "m/s", NotNegative, Required;
     /// Initial spin, > 0 counterclockwise.

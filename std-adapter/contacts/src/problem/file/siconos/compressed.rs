@@ -1,8 +1,10 @@
 //! Sparse matrices as CSparse prints them.
 
 use super::super::error::LocatedFault;
-use super::matrix::Triplet;
 use super::words::TokenReader;
+
+/// An entry: row, column, value.
+pub(super) type Triplet = (usize, usize, f64);
 
 /// A kind of storage, its title, then entries.
 pub(super) fn read(

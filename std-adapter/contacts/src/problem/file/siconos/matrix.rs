@@ -1,7 +1,7 @@
 //! Matrices of Siconos: dense, in blocks, or as CSparse prints them.
 
 use super::super::error::LocatedFault;
-use super::compressed;
+use super::compressed::{self, Triplet};
 use super::words::TokenReader;
 use crate::problem::SparseMatrix;
 
@@ -9,9 +9,6 @@ use crate::problem::SparseMatrix;
 const DENSE: usize = 0;
 const BLOCKS: usize = 1;
 const COMPRESSED: usize = 2;
-
-/// An entry: row, column, value.
-pub(super) type Triplet = (usize, usize, f64);
 
 /// Whether the next words can begin a matrix: a way of storage and two sizes.
 pub(super) fn may_follow(mut words: TokenReader) -> bool {
