@@ -102,9 +102,9 @@ impl Layout {
         let lengths = [scene.width, scene.box_depth(), height];
         let is_drum = scene.container == Container::Drum;
         let repeats = [
-            scene.x == Sides::Periodic && !is_drum,
-            scene.y == Sides::Periodic && !scene.is_flat(),
-            scene.z == Ends::Periodic,
+            scene.boundary_x == Sides::Periodic && !is_drum,
+            scene.boundary_y == Sides::Periodic && !scene.is_flat(),
+            scene.boundary_z == Ends::Periodic,
         ];
         let periods = [0, 1, 2].map(|axis: usize| repeats[axis].then_some(lengths[axis]));
         let side = |face: (Axis, End)| Part {
@@ -117,13 +117,13 @@ impl Layout {
             edges: None,
         };
         let mut parts = Vec::new();
-        match scene.z {
+        match scene.boundary_z {
             _ if is_drum => {}
             Ends::Floor => parts.push(side((Axis::Z, End::Low))),
             Ends::Walls => parts.extend([End::Low, End::High].map(|end| side((Axis::Z, end)))),
             Ends::Periodic => {}
         }
-        for (axis, sides) in [(Axis::X, scene.x), (Axis::Y, scene.y)] {
+        for (axis, sides) in [(Axis::X, scene.boundary_x), (Axis::Y, scene.boundary_y)] {
             if sides == Sides::Walls {
                 parts.extend([End::Low, End::High].map(|end| side((axis, end))));
             }

@@ -82,7 +82,7 @@ impl Outcome {
                 put(name, json_number(value));
             }
         }
-        if scene.z == Ends::Floor {
+        if scene.boundary_z == Ends::Floor {
             let angles = self.surface_angles.map(json_number).to_vec();
             put("surface_angles", angles.into());
         }

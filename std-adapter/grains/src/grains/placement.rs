@@ -178,8 +178,8 @@ impl Lattice {
         // A grain must not meet its own image.
         let lonely = |sides: Sides, places: f64| sides == Sides::Periodic && places < 2.0;
         for (axis, sides, places, given) in [
-            ("x", scene.x, nx, scene.width),
-            ("y", scene.y, if flat { 2.0 } else { ny }, depth),
+            ("x", scene.boundary_x, nx, scene.width),
+            ("y", scene.boundary_y, if flat { 2.0 } else { ny }, depth),
         ] {
             if lonely(sides, places) {
                 let needed = 2.0 * needed;
@@ -191,9 +191,9 @@ impl Lattice {
             }
         }
         let (mut high, mut rise) = (f64::INFINITY, needed);
-        if let (Some(height), Ends::Walls | Ends::Periodic) = (scene.height, scene.z) {
+        if let (Some(height), Ends::Walls | Ends::Periodic) = (scene.height, scene.boundary_z) {
             high = divide("z", height)?;
-            rise = rise.max(if scene.z == Ends::Periodic {
+            rise = rise.max(if scene.boundary_z == Ends::Periodic {
                 height / high
             } else {
                 needed

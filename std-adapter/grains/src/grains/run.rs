@@ -25,7 +25,7 @@ use tribos_contacts::problem::Global;
 /// use tribos::grains::{Ending, Grains};
 /// use tribos::run::drive;
 /// # use tribos::scene::GrainsScene;
-/// let scene = GrainsScene { count: 5, rest: Some(1e-3), duration: 10.0, ..Default::default() };
+/// let scene = GrainsScene { count: 5, rest_speed: Some(1e-3), duration: 10.0, ..Default::default() };
 /// let mut beads = Grains::new(&scene)?;
 /// assert_eq!(beads.ending(), None);
 /// drive(&mut beads, |_, _| ())?;
@@ -130,7 +130,7 @@ impl Grains {
         self.drive.checkpoint()
     }
 
-    /// The current state as a file, from which a run of another scene can start: `start` names the file or its
+    /// The current state as a file, from which a run of another scene can start: `initial_state` names the file or its
     /// folder.
     pub fn state(&self) -> String {
         self.drive.state()
@@ -199,7 +199,7 @@ impl Grains {
             corners[1] = [-most, most];
         }
         // Grains that press a wall reach beyond it by their overlap, and the box ends at the wall.
-        let is_open = scene.z == Ends::Floor && scene.container != Container::Drum;
+        let is_open = scene.boundary_z == Ends::Floor && scene.container != Container::Drum;
         for (x, radius) in packing.positions().iter().zip(packing.radii()) {
             let x = layout.space.wrap(x);
             for (axis, [low, high]) in corners.iter_mut().enumerate() {

@@ -49,7 +49,7 @@ impl Material {
     /// use tribos::powder::{Carried, CarriedModes};
     /// use tribos::scene::{Coupling, PowderScene};
     /// // Sliding resists unless it is switched off.
-    /// let scene = PowderScene { torsion: 0.1, ..PowderScene::default() };
+    /// let scene = PowderScene { mu_torsion: 0.1, ..PowderScene::default() };
     /// let (modes, coupling) = (CarriedModes::SlidingTorsion, Coupling::Independent);
     /// assert_eq!(scene.material().carried(), Carried { modes, coupling });
     /// ```

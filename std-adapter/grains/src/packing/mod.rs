@@ -46,7 +46,7 @@ pub(crate) use sizes::SIZES;
 pub use sizes::{Radii, Sizes, SizesError};
 pub use statistics::Statistics;
 pub use stored::STATE;
-pub(crate) use stored::{Shape, Stored};
+pub(crate) use stored::{Shape, Stored, scene};
 pub use stress::Stress;
 pub(crate) use totals::Totals;
 pub use volume::volume_between;

@@ -7,7 +7,7 @@ use crate::slide::scene::{SliderScene, Stepper};
 use tribos_core::modes::Modes;
 use tribos_friction::{Friction, Law, Patch};
 
-/// Runs a scene to its end under `law`, which replaces the scene's `coefficient` and `alpha`.
+/// Runs a scene to its end under `law`, which replaces the scene's `gamma` and `alpha`.
 ///
 /// For a power of the speed this is [`run`]. Under any other law the motion is integrated over the logarithm
 /// of the speed, like that of a body in the plane ([`Journey`]).
@@ -18,7 +18,7 @@ pub(super) fn run_law(
 ) -> Result<SlideRun, SlideError> {
     if let Some([coefficient, alpha]) = law.power_of_speed() {
         let scene = SliderScene {
-            coefficient,
+            gamma: coefficient,
             alpha,
             law: None,
             ..*scene

@@ -99,7 +99,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
     /// Prepares a run; the whole motion is computed once to choose and validate the time step.
     pub fn new(profile: P, scene: &SliderScene) -> Result<Self, SlideError> {
         scene.check()?;
-        let deceleration = scene.coefficient * scene.gravity;
+        let deceleration = scene.gamma * scene.gravity;
         let slider = Slider::new(
             profile,
             SliderParameters {
