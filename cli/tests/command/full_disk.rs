@@ -197,7 +197,7 @@ fn a_sweep_keeps_the_runs_that_were_done() -> Outcome {
     std::fs::write(disk.place.join("others"), vec![1; 68 << 10])?;
     let output = tribos(folder.path(), &sweep("small"), None)?;
     let words = [
-        "cannot write small/runs/rolling=",
+        "cannot write small/runs/mu_rolling=",
         NO_ROOM,
         KEPT,
         "the same command again",

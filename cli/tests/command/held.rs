@@ -66,7 +66,7 @@ fn what_no_body_can_do_is_refused_with_key_and_cure() -> Outcome {
             "must not exceed `mu_static`",
         ),
         ("spring-block", "cut_off=-1", "`cut_off`"),
-        ("spring-block", "a=0.02", "for friction \"rate-state\" only"),
+        ("spring-block", "a=0.02", "for friction_law \"rate-state\" only"),
         ("spring-paper", "stiffness=-1", "`stiffness`"),
         ("incline", "end_angle=2", "`end_angle`"),
         ("incline", "patch=points:none.csv", "points"),

@@ -144,7 +144,7 @@ fn a_sliders_film_has_its_parameters_force_and_torque() -> Outcome {
     for part in [
         "speed 1 m/s",
         "spin 5 rad/s",
-        "coefficient 0.3",
+        "gamma 0.3",
         "mass 0.1 kg",
     ] {
         assert!(

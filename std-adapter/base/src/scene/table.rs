@@ -267,7 +267,8 @@ fn shown(key: &Key, x: f64) -> Value {
 }
 
 /// Declares a scene: each line is a field with its meaning, type, default, unit, domain and, unless
-/// it is optional, its need. `now was before` names a key that earlier versions called `before`. The struct, its `Default` and its [`Table`] are made from them.
+/// it is optional, its need. `now was before` names a key that earlier versions called `before`. The struct,
+/// its `Default` and its [`Table`] are made from them.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! scene {
