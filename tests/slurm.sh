@@ -114,7 +114,7 @@ pressure = 0.01
 piston_mass = 100
 steps = 1500
 SCENE
-keys=(--set rolling=0,0.1,0.2,0.3,0.4 --set torsion=0,0.1,0.2,0.3,0.4)
+keys=(--set mu_rolling=0,0.1,0.2,0.3,0.4 --set mu_torsion=0,0.1,0.2,0.3,0.4)
 "$tribos" sweep scene.toml "${keys[@]}" --out whole 2>whole.log >/dev/null
 
 "$tribos" sweep scene.toml "${keys[@]}" --out array --slurm --slurm-tasks 2 --slurm-option=--time=5

@@ -11,7 +11,7 @@ use std::time::Duration;
 use tribos::run::folder::InterruptedRunPolicy;
 use tribos::scene::Scene;
 
-pub use crate::command::progress::Host;
+pub use crate::command::progress::HostProgram;
 pub use crate::command::run::request::Pictures;
 
 /// A run in a folder, with the options of `tribos run`.

@@ -142,9 +142,9 @@ fn powder(sliding: f64, torsion: f64) -> Result<GlobalProblem, Box<dyn Error>> {
         width: 10.0,
         height: 16.0,
         pressure: 0.02,
-        steps: MOST_STEPS,
-        sliding,
-        torsion,
+        max_steps: MOST_STEPS,
+        mu: sliding,
+        mu_torsion: torsion,
         ..PowderScene::default()
     })?;
     while compaction.ending().is_none() {

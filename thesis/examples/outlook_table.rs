@@ -12,14 +12,15 @@ use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 use std::path::Path;
 use tribos::record::write_atomically;
+use tribos::scene::with_present_names;
 
 /// Keys of a run's scene, then keys of its summary.
 const SCENE: [&str; 6] = [
     "seed",
     "radius_spread",
     "pressure",
-    "rolling",
-    "torsion",
+    "mu_rolling",
+    "mu_torsion",
     "coupling",
 ];
 const SUMMARY: [&str; 10] = [
@@ -38,14 +39,14 @@ const SUMMARY: [&str; 10] = [
 const HEAD: &str = "\
 # Final states of compactions, for section 5.2. The first deposit at all pressures and widths:
 #   SWEEP=\"tribos sweep scenes/compaction-small.toml --set blocked=piston\"
-#   $SWEEP --set seed=1 --set rolling=0,1 --set torsion=0
+#   $SWEEP --set seed=1 --set mu_rolling=0,1 --set mu_torsion=0
 #     --set pressure=0.000625,0.0025,0.01,0.04,0.16,0.64 --set radius_spread=0,0.2,0.4,0.6 --out out/a1
-#   $SWEEP --set seed=1 --set rolling=0,1 --set torsion=1 --set coupling=independent,ellipsoid,exact
+#   $SWEEP --set seed=1 --set mu_rolling=0,1 --set mu_torsion=1 --set coupling=independent,ellipsoid,exact
 #     --set pressure=0.000625,0.0025,0.01,0.04,0.16,0.64 --set radius_spread=0,0.2,0.4,0.6 --out out/b1
 # and for each seed S from 2 to 5 (the second also as the first without torsion):
-#   $SWEEP --set seed=S --set rolling=0,1 --set torsion=0
+#   $SWEEP --set seed=S --set mu_rolling=0,1 --set mu_torsion=0
 #     --set pressure=0.0025,0.04,0.64 --set radius_spread=0,0.4 --out out/aS
-#   $SWEEP --set seed=S --set rolling=0,1 --set torsion=1 --set coupling=independent,exact
+#   $SWEEP --set seed=S --set mu_rolling=0,1 --set mu_torsion=1 --set coupling=independent,exact
 #     --set pressure=0.0025,0.04,0.64 --set radius_spread=0,0.4 --out out/bS
 # and then
 #   cargo run -p tribos-thesis --example outlook_table -- thesis/src/exhibits/outlook/runs.csv out/a* out/b*
@@ -85,7 +86,8 @@ fn line(run: &Path) -> Result<Option<(f64, String)>> {
             .as_str()
             .map_or_else(|| value.to_string(), String::from)
     };
-    let mut words: Vec<String> = SCENE.map(|key| word(&summary["scene"][key])).to_vec();
+    let scene = with_present_names(&summary["scene"]);
+    let mut words: Vec<String> = SCENE.map(|key| word(&scene[key])).to_vec();
     words.extend(SUMMARY.map(|key| word(&summary[key])));
     let seed = summary["scene"]["seed"].as_f64().unwrap_or(f64::NAN);
     Ok(Some((seed, words.join(","))))

@@ -77,8 +77,8 @@ impl Case {
         let scene = PowderScene {
             width,
             height,
-            rolling,
-            torsion,
+            mu_rolling: rolling,
+            mu_torsion: torsion,
             seed,
             ..PowderScene::default()
         };
@@ -314,7 +314,7 @@ mod tests {
         let folder = tempfile::tempdir()?;
         let runs = runs_in(folder.path())?;
         let case = |seed| {
-            Case::new(System::Small, [0.0; 2], seed).with("steps=2", |scene| scene.steps = 2)
+            Case::new(System::Small, [0.0; 2], seed).with("steps=2", |scene| scene.max_steps = 2)
         };
         let first = runs.of(&[case(2), case(1), case(2)])?;
         assert!(Arc::ptr_eq(&first[0], &first[2]) && !Arc::ptr_eq(&first[0], &first[1]));

@@ -1,14 +1,15 @@
 //! Scenes: the library's tables of their keys, and scenes between text and values.
 
 use crate::arrays::refused;
-use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::exceptions::{PyDeprecationWarning, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use serde_json::Value;
+use std::ffi::CString;
 use std::path::PathBuf;
 use tribos::scene::{
-    Domain, Key, LIBRARY, Need, Scene, SceneError, Vocabulary, bodies, parse_scene, read_scene,
-    vocabulary,
+    Domain, Key, LIBRARY, Need, Scene, SceneError, Vocabulary, bodies, earlier_names, parse_scene,
+    read_scene, vocabulary,
 };
 
 /// What every body's scenes may say: a dictionary a body, with its keys.
@@ -25,6 +26,7 @@ pub fn vocabularies(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
         for key in known.keys.iter().filter(|key| key.name != "body") {
             let row = PyDict::new(py);
             row.set_item("name", key.name)?;
+            row.set_item("was", key.was)?;
             row.set_item("unit", key.unit)?;
             row.set_item("meaning", key.meaning)?;
             row.set_item("values", key.domain.describe())?;
@@ -105,7 +107,9 @@ pub fn scene_of_text(
     text: &str,
     overrides: Vec<String>,
 ) -> PyResult<(&'static str, Py<PyAny>)> {
-    shown(py, &parse(name, text, &overrides)?)
+    let scene = parse(name, text, &overrides)?;
+    warn_of_earlier_names(py, &scene, text, &overrides)?;
+    shown(py, &scene)
 }
 
 /// The same of a file.
@@ -119,6 +123,8 @@ pub fn scene_of_file(
         SceneError::Unreadable { .. } => PyOSError::new_err(error.to_string()),
         SceneError::Invalid { .. } => plain(error),
     })?;
+    let text = std::fs::read_to_string(&path).unwrap_or_default();
+    warn_of_earlier_names(py, &scene, &text, &overrides)?;
     shown(py, &scene)
 }
 
@@ -150,6 +156,21 @@ pub fn parse(name: &str, text: &str, overrides: &[String]) -> PyResult<Scene> {
 /// A refusal in which overrides are not options of a command.
 fn plain(error: SceneError) -> PyErr {
     PyValueError::new_err(error.to_string().replace("--set: ", "override: "))
+}
+
+/// Warns the caller's caller of keys that are given by names of earlier versions.
+fn warn_of_earlier_names(
+    py: Python<'_>,
+    scene: &Scene,
+    text: &str,
+    overrides: &[String],
+) -> PyResult<()> {
+    let category = py.get_type::<PyDeprecationWarning>();
+    for [was, now] in earlier_names(scene.as_body().keys(), text, overrides) {
+        let message = CString::new(format!("`{was}` is called `{now}` now"))?;
+        PyErr::warn(py, &category, &message, 2)?;
+    }
+    Ok(())
 }
 
 fn shown(py: Python<'_>, scene: &Scene) -> PyResult<(&'static str, Py<PyAny>)> {

@@ -287,7 +287,7 @@ def of_scenes(add: Callable[..., None]) -> None:
     add("run threads", lambda x: tribos.run("disk", threads=x), [0, -1, "x"])
     add("run", tribos.run, ["none", 3, None, PUCK])
     add("swept key", lambda x: tribos.sweep("disk", x), [{"spn": [1.0]}, {"spin": []}])
-    add("seeds", lambda x: tribos.sweep("compaction-small", {"rolling": [0]}, seeds=x), [0, -1])
+    add("seeds", lambda x: tribos.sweep("compaction-small", {"mu_rolling": [0]}, seeds=x), [0, -1])
 
 
 CALLS = calls()

@@ -51,7 +51,7 @@ def test_all_of_a_long_output_reaches_a_pipe() -> None:
 @pytest.mark.skipif(os.name != "posix", reason="signals")
 def test_ctrl_c_leaves_a_checkpoint_and_the_exit_code_of_a_shell(tmp_path: Path) -> None:
     file, out = tmp_path / "powder.toml", tmp_path / "out"
-    file.write_text(LONG.replace(steps=100_000, width=20.0, height=61.5).to_toml())
+    file.write_text(LONG.replace(max_steps=100_000, width=20.0, height=61.5).to_toml())
     line = [sys.executable, "-m", "tribos", "run", str(file), "--out", str(out)]
     with subprocess.Popen(line, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as run:
         until = time.monotonic() + 10.0
@@ -78,7 +78,7 @@ def test_a_lock_names_the_program_that_holds_it(tmp_path: Path) -> None:
         raise StopIteration
 
     with pytest.raises(StopIteration):
-        tribos.run(LONG.replace(steps=100_000, width=20.0, height=61.5), tmp_path, progress=look)
+        tribos.run(LONG.replace(max_steps=100_000, width=20.0, height=61.5), tmp_path, progress=look)
     assert f"process {os.getpid()}, `python " in seen[0]
 
 

@@ -16,10 +16,10 @@ import numpy as np
 import pytest
 import tribos
 
-POWDER = tribos.PowderScene(width=8.0, height=24.0, pressure=0.02, steps=400, duration=60.0)
+POWDER = tribos.PowderScene(width=8.0, height=24.0, pressure=0.02, max_steps=400, duration=60.0)
 """Some forty spheres, in less than a second."""
 
-LONG = tribos.PowderScene(width=20.0, height=57.0, pressure=0.02, steps=1000)
+LONG = tribos.PowderScene(width=20.0, height=57.0, pressure=0.02, max_steps=1000)
 """Four hundred spheres; it takes seconds and is interrupted within the first half of one."""
 
 
@@ -84,7 +84,7 @@ def test_a_sliding_bodys_files_are_those_of_the_command(name: str, tmp_path: Pat
 
 def test_a_tips_files_are_those_of_the_command(tmp_path: Path) -> None:
     tip = tribos.TipScene(
-        columns=12, rows=12, side=4, equilibration=0.1, drive_time=0.2, rest_time=0.1, samples=10
+        columns=12, rows=12, side=4, equilibration=0.1, drive_time=0.2, rest_time=0.1, sample_every=10
     )
     (tmp_path / "tip.toml").write_text(tip.to_toml())
     command("run", str(tmp_path / "tip.toml"), "--out", str(tmp_path / "command"))
@@ -150,7 +150,7 @@ def test_the_command_goes_on_with_a_run_from_python(long: Path, tmp_path: Path) 
 
 
 def test_a_callback_that_raises_ends_the_run_with_its_error(tmp_path: Path) -> None:
-    scene = POWDER.replace(width=20.0, height=61.5, steps=100_000, duration=None)
+    scene = POWDER.replace(width=20.0, height=61.5, max_steps=100_000, duration=None)
 
     def raises(done: float | None, words: str) -> None:
         assert words
@@ -206,7 +206,7 @@ def test_results_survive_pickling(scene: tribos.Scene, tmp_path: Path) -> None:
 
 
 def test_the_distance_of_a_disk_without_spin_is_the_closed_form() -> None:
-    scene = tribos.SliderScene(speed=1.5, spin=0.0, coefficient=0.25, gravity=9.81)
+    scene = tribos.SliderScene(speed=1.5, spin=0.0, gamma=0.25, gravity=9.81)
     run = tribos.run(scene)
     assert run.summary["distance"] == pytest.approx(1.5**2 / (2 * 0.25 * 9.81), rel=1e-12)
     assert run.series["speed"][0] == 1.5 and run.series["time"][-1] == run.summary["end_time"]

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import tribos
 from tribos import _native, scenes
-from tribos._scene import subclasses, vocabulary
+from tribos._scene import earlier_names, subclasses, vocabulary
 
 LIBRARY = {name: text for name, text, _ in _native.library_scenes()}
 
@@ -73,9 +73,9 @@ def test_refusals_are_the_librarys_words_with_file_and_line(tmp_path: Path) -> N
 
 def test_keys_that_stand_for_each_other_are_given_once() -> None:
     law = tribos.SliderScene(law="coulomb:mu=0.2")
-    assert "coefficient" not in law.to_toml() and "law" in law.values()
+    assert "gamma" not in law.to_toml() and "law" in law.values()
     with pytest.raises(ValueError, match="law"):
-        tribos.SliderScene(law="coulomb:mu=0.2", coefficient=0.5)
+        tribos.SliderScene(law="coulomb:mu=0.2", gamma=0.5)
     counted = tribos.PowderScene(count=100)
     assert counted.height is None and "height" not in counted.to_toml()
     # Without a dimension gravity, radius and mass are 1.
@@ -92,6 +92,18 @@ def test_keys_that_are_words_of_python_have_an_underscore() -> None:
     tip = tribos.TipScene(lambda_=0.02, raise_=0.1)
     assert "lambda = 0.02" in tip.to_toml() and tip.values()["raise"] == 0.1
     assert tribos.scene("tip-reversible", lambda_=0.02).values()["lambda"] == 0.02
+
+
+@pytest.mark.parametrize("kind", subclasses())
+def test_earlier_names_of_fields_are_deprecated_and_mean_the_same(kind: type[tribos.Scene]) -> None:
+    for was, now in earlier_names(kind.BODY).items():
+        default = getattr(kind(), now)
+        with pytest.warns(DeprecationWarning, match=f"`{was}` is called `{now}` now"):
+            assert kind(**{was: default}) == kind(**{now: default})
+        with pytest.warns(DeprecationWarning):
+            assert getattr(kind(), was) == default
+        with pytest.warns(DeprecationWarning), pytest.raises(ValueError, match="alone"):
+            kind(**{was: default, now: default})
 
 
 def test_numbers_of_numpy_are_numbers() -> None:

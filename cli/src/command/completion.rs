@@ -264,9 +264,9 @@ mod tests {
             keys.iter().map(|key| key.name).collect::<Vec<_>>()
         };
         let disk = named(&["run", "disk"]);
-        assert!(disk.contains(&"stepper") && !disk.contains(&"rolling"));
-        assert!(named(&["run", "compaction-small"]).contains(&"rolling"));
+        assert!(disk.contains(&"stepper") && !disk.contains(&"mu_rolling"));
+        assert!(named(&["run", "compaction-small"]).contains(&"mu_rolling"));
         let any = named(&["run"]);
-        assert!(any.contains(&"stepper") && any.contains(&"rolling") && any.contains(&"lambda"));
+        assert!(any.contains(&"stepper") && any.contains(&"mu_rolling") && any.contains(&"lambda"));
     }
 }

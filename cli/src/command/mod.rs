@@ -25,7 +25,6 @@ mod modes;
 mod number;
 mod onset;
 mod output_options;
-mod output_options;
 mod overview;
 pub(crate) mod progress;
 mod push;

@@ -66,12 +66,12 @@ pub fn show(done: f64, words: fmt::Arguments<'_>) {
 }
 
 /// A program that runs scenes through this crate.
-pub trait Host: Sync {
+pub trait HostProgram: Sync {
     /// Whether the run is to end; a long one leaves its checkpoint then. Called after every step.
-    fn is_asked(&self) -> bool;
+    fn is_cancelled(&self) -> bool;
 
     /// Called a few times in a second: the share of the run that is done, if its end is known, and words.
-    fn hear(&self, done: Option<f64>, words: fmt::Arguments<'_>);
+    fn on_progress(&self, done: Option<f64>, words: fmt::Arguments<'_>);
 }
 
 /// Follows one piece of work.

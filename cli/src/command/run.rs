@@ -99,7 +99,7 @@ fn examples() -> String {
          tribos run scenes/disk.toml --out out/verlet --set stepper=verlet --set time_step=1e-4\n  \
          tribos run scenes/cylinder.toml --out out/cylinder --set spin=-12\n  \
          tribos run scenes/curling-draw.toml --out out/draw --set model=pivot-slide\n  \
-         tribos run scenes/compaction-small.toml --out out/powder --set rolling=0.3\n  \
+         tribos run scenes/compaction-small.toml --out out/powder --set mu_rolling=0.3\n  \
          tribos run scenes/compaction-large.toml --out out/large --resume\n  \
          tribos run scenes/tip-irreversible.toml --out out/tip --set seed=2\n\
          Keys of a scene, by its body:\n",

@@ -3,7 +3,7 @@
 use crate::program::{Outcome, assert_has, assert_refused_scenes, refusal, refused};
 use assert_cmd::Command;
 
-const GOOD: &str = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0.0\ngravity = 9.81\n\
+const GOOD: &str = "speed = 1.0\nspin = 5.0\ngamma = 0.3\nalpha = 0.0\ngravity = 9.81\n\
                     radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5\n";
 
 #[test]

@@ -19,15 +19,15 @@ use tribos::tip::TipSimulation;
 
 /// Some twenty spheres, and 748 atoms: a second or two each.
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
-                      piston_mass = 100\nrolling = 0.1\ntorsion = 0.1\nsteps = 900\n";
+                      piston_mass = 100\nmu_rolling = 0.1\nmu_torsion = 0.1\nmax_steps = 900\n";
 const TIP: &str = "body = \"tip\"\ncolumns = 12\nrows = 14\nside = 3\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
-                   rest_time = 0.5\nsamples = 5\n";
+                   rest_time = 0.5\nsample_every = 5\n";
 /// Grains of two materials.
 const GRAINS: &str = "body = \"grains\"\ncount = 60\nradius = 0.005\ndensity = 2500\nshare_second = 0.4\n\
-                      density_second = 7800\nsliding_second = 0.2\nduration = 1\nsamples = 7\n";
+                      density_second = 7800\nmu_second = 0.2\nduration = 1\nsample_every = 7\n";
 const SOFT: &str = "body = \"grains\"\ncount = 60\nradius = 0.005\ndensity = 2500\nduration = 1\n\
-                    method = \"soft\"\nstiffness = 1e4\nsamples = 7\n";
+                    method = \"soft\"\nstiffness = 1e4\nsample_every = 7\n";
 const GAS: &str = "body = \"gas\"\n";
 /// Scenes that are broken off, each of two parts: every body, container and method that keeps checkpoints.
 const BROKEN: [(&str, [&str; 2]); 14] = [
@@ -46,42 +46,45 @@ const BROKEN: [(&str, [&str; 2]); 14] = [
     ),
     (
         "column",
-        [GRAINS, "width = 0.06\nx = \"walls\"\nsteps = 500\n"],
+        [
+            GRAINS,
+            "width = 0.06\nboundary_x = \"walls\"\nmax_steps = 500\n",
+        ],
     ),
     (
         "sheared",
         [
             GRAINS,
-            "width = 0.06\nz = \"periodic\"\nheight = 0.09\ngravity = 0\nshear_rate = 5\nsteps = 500\n",
+            "width = 0.06\nboundary_z = \"periodic\"\nheight = 0.09\ngravity = 0\nshear_rate = 5\nmax_steps = 500\n",
         ],
     ),
     (
         "plates",
         [
             GRAINS,
-            "width = 0.06\nz = \"walls\"\ngravity = 0\npressure_z = 1000\nplate_speed = 0.1\nsteps = 300\n",
+            "width = 0.06\nboundary_z = \"walls\"\ngravity = 0\npressure_z = 1000\nplate_speed = 0.1\nmax_steps = 300\n",
         ],
     ),
     (
         "flat",
-        [GRAINS, "width = 0.2\ndimension = 2\nsteps = 500\n"],
+        [GRAINS, "width = 0.2\ndimension = 2\nmax_steps = 500\n"],
     ),
     (
         "drum",
         [
             GRAINS,
-            "width = 0.2\ncontainer = \"drum\"\ndimension = 2\nsteps = 300\n",
+            "width = 0.2\ncontainer = \"drum\"\ndimension = 2\nmax_steps = 300\n",
         ],
     ),
     (
         "hopper",
         [
             GRAINS,
-            "width = 0.12\ndepth = 0.03\nx = \"walls\"\ncontainer = \"hopper\"\noutlet = 0.03\n\
-             outlet_height = 0.05\nopening = 0.1\nsteps = 300\n",
+            "width = 0.12\ndepth = 0.03\nboundary_x = \"walls\"\ncontainer = \"hopper\"\norifice_width = 0.03\n\
+             orifice_height = 0.05\nopen_time = 0.1\nmax_steps = 300\n",
         ],
     ),
-    ("soft", [SOFT, "width = 0.06\nsteps = 100\n"]),
+    ("soft", [SOFT, "width = 0.06\nmax_steps = 100\n"]),
     ("gas", [GAS, "count = 800\ncollisions = 60\n"]),
     (
         "stepped",
@@ -349,7 +352,7 @@ fn half_written_files_of_killed_runs_go_away() -> Outcome {
     ] {
         std::fs::write(out.join(name), "half")?;
     }
-    let run = prepared(home.path(), "run powder.toml --set steps=5 --out out").output()?;
+    let run = prepared(home.path(), "run powder.toml --set max_steps=5 --out out").output()?;
     assert!(run.status.success(), "{}", said(&run));
     let there = [
         ".tribos-Ab3.tmp",

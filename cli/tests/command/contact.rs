@@ -133,7 +133,7 @@ fn files_are_refused_before_anything_is_solved() -> Outcome {
 #[test]
 fn methods_are_compared_on_the_problem_of_a_step() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let scene = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 4";
+    let scene = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nmax_steps = 4";
     std::fs::write(folder.path().join("tiny.toml"), scene)?;
     let (code, _, said) = tribos(folder.path(), ["run", "tiny.toml", "--out", "run"])?;
     assert_eq!(code, Some(0), "{said}");

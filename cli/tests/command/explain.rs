@@ -36,7 +36,7 @@ fn every_body_tells_its_unknowns_and_cost() -> Outcome {
                 "--set",
                 "height=12",
                 "--set",
-                "torsion=0.1",
+                "mu_torsion=0.1",
                 "--set",
                 "coupling=exact",
             ],
@@ -80,7 +80,7 @@ fn after_a_run_it_tells_where_the_energy_went_and_what_could_go() -> Outcome {
     std::fs::write(folder.path().join("tiny.toml"), scene)?;
     let at = folder.path();
     // So small a threshold of torsion takes next to nothing.
-    let little = ["--set", "torsion=1e-6", "--out", "out"];
+    let little = ["--set", "mu_torsion=1e-6", "--out", "out"];
     tribos(at, [&["run", "tiny.toml"], &little[..]].concat())?;
     let (code, told, said) = tribos(at, [&["explain", "tiny.toml"], &little[..]].concat())?;
     assert_eq!(code, Some(0), "{said}");
@@ -90,7 +90,7 @@ fn after_a_run_it_tells_where_the_energy_went_and_what_could_go() -> Outcome {
             "4 unknowns",
             "torsion dissipated",
             "4 unknowns a contact become 3",
-            "tribos run tiny.toml --set torsion=1e-6 --out out-less --set torsion=0",
+            "tribos run tiny.toml --set mu_torsion=1e-6 --out out-less --set mu_torsion=0",
             "at threshold",
         ],
     );
@@ -110,7 +110,7 @@ fn after_a_run_it_tells_where_the_energy_went_and_what_could_go() -> Outcome {
 
     let (code, _, said) = tribos(at, "explain tiny.toml --out out")?;
     assert!(
-        code == Some(2) && said.contains("`torsion` is 0.000001 there, 0 here"),
+        code == Some(2) && said.contains("`mu_torsion` is 0.000001 there, 0 here"),
         "{said}"
     );
     let (code, _, said) = tribos(at, "explain tiny.toml --out nowhere")?;

@@ -4,10 +4,10 @@ use crate::program::{self, Error, Outcome};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 20\n";
+const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nmax_steps = 20\n";
 const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 8\nrows = 8\nside = 2\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.1\ndrive_time = 0.2\n\
-                   rest_time = 0.1\nsamples = 20\n";
+                   rest_time = 0.1\nsample_every = 20\n";
 const ATOMS: &str = "2\nLattice=\"20 0 0 0 20 0 0 0 20\" Properties=species:S:1:pos:R:3\n\
                      Ar 1 1 1\nAr 2.2 1 1\n";
 const PULLS: &str = "v,f\n0.1,0.30\n0.2,0.31\n0.4,0.29\n0.8,0.30\n1.6,0.31\n";
@@ -17,10 +17,7 @@ const WRITERS: [(&str, bool); 9] = [
     ("run disk --set samples=20 --out DIR", true),
     ("run cylinder --set samples=20 --out DIR", true),
     ("run powder.toml --out DIR", true),
-    (
-        "run powder.toml --set sliding=0.5 --frames 0 --out DIR",
-        false,
-    ),
+    ("run powder.toml --set mu=0.5 --frames 0 --out DIR", false),
     ("run tip.toml --out DIR", true),
     ("deposit --count 20 --out DIR", false),
     ("eval atoms.xyz --pair lj:cutoff=2.5 --out DIR", false),
@@ -180,7 +177,7 @@ fn what_was_put_into_a_run_by_hand_is_not_played() -> Outcome {
         ("run powder.toml --set pressure=0.03", "b"),
         ("run disk", "c"),
         ("run disk --set spin=7", "d"),
-        ("run powder.toml --set steps=40", "longer"),
+        ("run powder.toml --set max_steps=40", "longer"),
     ] {
         let (code, said) = tribos(home.path(), &format!("{command} --out {out}"))?;
         assert_eq!(code, Some(0), "{said}");

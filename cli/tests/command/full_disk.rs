@@ -8,9 +8,9 @@ use std::process::{Command, Output};
 
 /// Some twenty spheres.
 const TINY: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
-                    piston_mass = 100\nsteps = 60\n";
+                    piston_mass = 100\nmax_steps = 60\n";
 /// Nine runs of it.
-const GRID: &str = "--set rolling=0,0.2,0.4 --set torsion=0,0.2,0.4";
+const GRID: &str = "--set mu_rolling=0,0.2,0.4 --set mu_torsion=0,0.2,0.4";
 /// Of the whole small disk.
 const SMALL: &str = "100k";
 const ROOMY: &str = "20m";
@@ -197,7 +197,7 @@ fn a_sweep_keeps_the_runs_that_were_done() -> Outcome {
     std::fs::write(disk.place.join("others"), vec![1; 68 << 10])?;
     let output = tribos(folder.path(), &sweep("small"), None)?;
     let words = [
-        "cannot write small/runs/rolling=",
+        "cannot write small/runs/mu_rolling=",
         NO_ROOM,
         KEPT,
         "the same command again",

@@ -8,10 +8,10 @@ const DONE: Option<i32> = Some(0);
 const BAD_INPUT: Option<i32> = Some(2);
 const MISMATCH: Option<i32> = Some(3);
 
-const DISK: &str = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0.0\ngravity = 9.81\n\
+const DISK: &str = "speed = 1.0\nspin = 5.0\ngamma = 0.3\nalpha = 0.0\ngravity = 9.81\n\
                     radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5\n";
 const ROCK: &str = "body = \"curling\"\nmodel = \"scratch-guide\"\nspeed = 0.16\nspin = 20.0\n";
-const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 60\n";
+const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nmax_steps = 60\n";
 
 /// A folder with scenes in `in/` and their golden file.
 fn pinned() -> Result<tempfile::TempDir, Error> {

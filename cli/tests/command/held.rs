@@ -10,7 +10,7 @@ fn the_block_on_a_spring_has_the_period_of_its_closed_form_and_complete_results(
     // 2 D/(kV) + (2/w)(pi - atan(w D/(kV))) with D = 1.962 N, k V = 5 N/s, w = 10/s.
     assert!((number(&summary, "period") / 1.148_865_389_396_482_9 - 1.0).abs() < 1e-10);
     assert_eq!(summary["regime"], "stick-slip");
-    assert_eq!(summary["scene"]["friction"], "dry");
+    assert_eq!(summary["scene"]["friction_law"], "dry");
     let series = std::fs::read_to_string(folder.path().join("series.csv"))?;
     assert!(series.starts_with("time,pull,position,velocity,spring_force,friction,state,slips\n"));
     assert_eq!(series.lines().count(), 402);
@@ -66,7 +66,11 @@ fn what_no_body_can_do_is_refused_with_key_and_cure() -> Outcome {
             "must not exceed `mu_static`",
         ),
         ("spring-block", "cut_off=-1", "`cut_off`"),
-        ("spring-block", "a=0.02", "for friction \"rate-state\" only"),
+        (
+            "spring-block",
+            "a=0.02",
+            "for friction_law \"rate-state\" only",
+        ),
         ("spring-paper", "stiffness=-1", "`stiffness`"),
         ("incline", "end_angle=2", "`end_angle`"),
         ("incline", "patch=points:none.csv", "points"),

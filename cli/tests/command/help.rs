@@ -231,7 +231,7 @@ fn bash_completes_commands_options_and_values() -> Outcome {
         ("tribos run disk --set ste", "stepper="),
         ("tribos run disk --set stepper = ver", "verlet"),
         ("tribos run tip-reversible --set lam", "lambda="),
-        ("tribos sweep disk --set coeff", "coefficient="),
+        ("tribos sweep disk --set gam", "gamma="),
         ("tribos golden write pipe-", "pipe-a pipe-b"),
         ("tribos scene keys cur", "curling curling-draw curling-slow"),
         ("tribos wrench --patch annu", "annulus:"),

@@ -111,7 +111,7 @@ fn a_finished_run_and_its_export_start_other_runs() -> Outcome {
         first.join("final.xyz"),
         first.join("final.vtp"),
     ] {
-        let start = format!("start={}", start.display());
+        let start = format!("initial_state={}", start.display());
         let output = powder(&second, &[&start, "pressure=0.01"])?;
         assert!(
             output.status.success(),
@@ -128,7 +128,7 @@ fn a_finished_run_and_its_export_start_other_runs() -> Outcome {
         assert!((was - is).abs() < 1e-3, "{was} {is}");
         std::fs::remove_dir_all(&second)?;
     }
-    let output = powder(&second, &["start=nowhere"])?;
+    let output = powder(&second, &["initial_state=nowhere"])?;
     assert_eq!(output.status.code(), Some(2));
     assert!(!second.join("tribos.json").exists());
     Ok(())
@@ -139,7 +139,11 @@ fn options_that_would_change_nothing_are_refused() -> Outcome {
     let home = tempfile::tempdir()?;
     let home = home.path();
     let run = home.join("run");
-    assert!(powder(&run, &["height=12", "steps=20"])?.status.success());
+    assert!(
+        powder(&run, &["height=12", "max_steps=20"])?
+            .status
+            .success()
+    );
     let pair =
         "2\nLattice=\"20 0 0 0 20 0 0 0 20\" Properties=pos:R:3:radius:R:1\n1 1 1 1\n3 1 1 1\n";
     std::fs::write(home.join("pair.xyz"), pair)?;

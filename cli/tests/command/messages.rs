@@ -3,7 +3,7 @@
 use crate::program::{Outcome, refused, tribos};
 use assert_cmd::Command;
 
-const DISK: &str = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0.0\ngravity = 9.81\n\
+const DISK: &str = "speed = 1.0\nspin = 5.0\ngamma = 0.3\nalpha = 0.0\ngravity = 9.81\n\
                     radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5\n";
 
 #[test]

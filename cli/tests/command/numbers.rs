@@ -42,7 +42,14 @@ fn files_of_runs_have_the_shortest_form_that_keeps_the_bits() -> Outcome {
         ("cylinder", vec![], vec!["summary.json", "series.csv"]),
         (
             "compaction-small",
-            vec!["--set", "steps=3", "--set", "height=8", "--set", "width=8"],
+            vec![
+                "--set",
+                "max_steps=3",
+                "--set",
+                "height=8",
+                "--set",
+                "width=8",
+            ],
             vec!["summary.json", "series.csv", "initial.xyz"],
         ),
     ] {
@@ -65,8 +72,15 @@ fn what_is_counted_stays_a_whole_number_in_summaries() -> Outcome {
         ("curling-draw", vec![], vec!["samples"]),
         (
             "compaction-small",
-            vec!["--set", "steps=2", "--set", "height=8", "--set", "width=8"],
-            vec!["seed", "steps", "samples", "sweeps"],
+            vec![
+                "--set",
+                "max_steps=2",
+                "--set",
+                "height=8",
+                "--set",
+                "width=8",
+            ],
+            vec!["seed", "max_steps", "sample_every", "sweeps"],
         ),
         (
             "tip-reversible",
@@ -78,7 +92,14 @@ fn what_is_counted_stays_a_whole_number_in_summaries() -> Outcome {
                 "--set",
                 "rest_time=0.01",
             ],
-            vec!["columns", "rows", "side", "seed", "samples", "tip_layers"],
+            vec![
+                "columns",
+                "rows",
+                "side",
+                "seed",
+                "sample_every",
+                "tip_layers",
+            ],
         ),
     ] {
         let out = folder.path().join(scene);

@@ -61,7 +61,7 @@ fn config(cases: u32) -> ProptestConfig {
 const KEYS: &[&str] = &[
     "speed",
     "spin",
-    "coefficient",
+    "gamma",
     "alpha",
     "gravity",
     "radius",
@@ -89,7 +89,7 @@ proptest! {
     fn any_values_of_known_keys_run_or_are_refused(
         values in prop::collection::vec((prop::sample::select(KEYS), odd()), 1..4),
     ) {
-        let base = "speed=1\nspin=5\ncoefficient=0.3\nalpha=0\ngravity=9.81\nradius=0.08\nmass=0.1\n\
+        let base = "speed=1\nspin=5\ngamma=0.3\nalpha=0\ngravity=9.81\nradius=0.08\nmass=0.1\n\
                     inertia_ratio=0.5\nsamples=20";
         let overrides: Vec<String> = values.iter().map(|(k, v)| format!("{k}={v}")).collect();
         // A long run is a legal answer; only short ones are followed here.
@@ -150,7 +150,7 @@ fn run(scene: &str, overrides: &[&str]) -> Result<(Option<i32>, String, String),
 
 #[test]
 fn numbers_that_are_not_finite_end_in_a_refusal_and_not_in_a_result() -> Result<(), Error> {
-    const SMALL: [&str; 3] = ["width=6", "height=6", "steps=5"];
+    const SMALL: [&str; 3] = ["width=6", "height=6", "max_steps=5"];
     for (scene, overrides, code, words) in [
         ("disk", &["radius=1e300"][..], 2, "kinetic energy of inf J"),
         (
@@ -169,7 +169,7 @@ fn numbers_that_are_not_finite_end_in_a_refusal_and_not_in_a_result() -> Result<
             2,
             "kinetic energy of inf J",
         ),
-        ("cylinder", &["coefficient=1e300"], 1, "no longer finite"),
+        ("cylinder", &["gamma=1e300"], 1, "no longer finite"),
         ("compaction-small", &["pressure=1e300"], 1, "after step "),
     ] {
         let sets = if scene.starts_with("comp") {

@@ -100,7 +100,7 @@ fn every_curling_model_runs_and_a_draw_stops_about_the_tee() -> Outcome {
 
 #[test]
 fn bad_scenes_are_refused_with_their_line_and_cure() -> Outcome {
-    const PIPE: &str = "body = \"pipe\"\nspeed = 1.7\nspin = 10\ncoefficient = 0.2\n\
+    const PIPE: &str = "body = \"pipe\"\nspeed = 1.7\nspin = 10\ngamma = 0.2\n\
                         gravity = 9.81\nradius = 0.05\ninner_radius = 0.046\nheight = 0.15\n\
                         mass = 0.5\n";
     const DRAW: &str = "body = \"curling\"\nspeed = 2.0\nspin = 1.5\n";
@@ -140,7 +140,7 @@ fn all_problems_of_a_body_are_told_at_once() -> Outcome {
             "scene.toml:3: `height`",
             "--set: `mass`",
             "--set: `pressure` must be one of",
-            "`coefficient` is missing",
+            "`gamma` is missing",
             "`spin` is missing",
             "`gravity` is missing",
         ],
@@ -167,7 +167,7 @@ fn odd_numbers_end_with_a_result_or_a_reason() -> Outcome {
     for (scene, keys) in [
         (
             "cylinder",
-            &["speed", "spin", "coefficient", "radius", "height"][..],
+            &["speed", "spin", "gamma", "radius", "height"][..],
         ),
         ("pipe-a", &["inner_radius", "alpha", "gravity"]),
         (

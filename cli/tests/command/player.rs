@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Some twenty spheres.
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
-                      piston_mass = 100\nrolling = 0.1\ntorsion = 0.1\nsteps = 60\n";
+                      piston_mass = 100\nmu_rolling = 0.1\nmu_torsion = 0.1\nmax_steps = 60\n";
 const READY: &str =
     "['ready', 'failed'].includes(document.querySelector('.tribos-player')?.dataset.state)";
 /// A telephone that is held upright.
@@ -141,12 +141,7 @@ fn a_sliders_film_has_its_parameters_force_and_torque() -> Outcome {
     };
     browser.open(&page, READY)?;
     let text = browser.value("document.querySelector('.parameters').textContent")?;
-    for part in [
-        "speed 1 m/s",
-        "spin 5 rad/s",
-        "coefficient 0.3",
-        "mass 0.1 kg",
-    ] {
+    for part in ["speed 1 m/s", "spin 5 rad/s", "gamma 0.3", "mass 0.1 kg"] {
         assert!(
             text.as_str().is_some_and(|text| text.contains(part)),
             "{text}"

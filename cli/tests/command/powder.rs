@@ -25,7 +25,7 @@ fn a_run_leaves_summary_series_states_and_pictures() -> Outcome {
     let folder = tempfile::tempdir()?;
     let out = folder.path().join("out");
     let mut command = tribos(folder.path(), "run")?;
-    command.args(["--set", "rolling=0.3", "--out"]).arg(&out);
+    command.args(["--set", "mu_rolling=0.3", "--out"]).arg(&out);
     let output = command.output()?;
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{said}");
@@ -59,7 +59,7 @@ fn a_run_leaves_summary_series_states_and_pictures() -> Outcome {
         assert!(number(&summary, place).is_finite(), "{place}");
     }
     assert!((number(&summary, "/stress_zz") - 1.0).abs() < 0.01);
-    assert_eq!(summary["scene"]["rolling"].as_f64(), Some(0.3));
+    assert_eq!(summary["scene"]["mu_rolling"].as_f64(), Some(0.3));
     // Porosity, spheres and heights belong together (eq. 4.5).
     let solid = number(&summary, "/particles") * 4.0 / 3.0 * std::f64::consts::PI;
     for end in ["initial", "final"] {
@@ -111,7 +111,7 @@ fn a_run_leaves_summary_series_states_and_pictures() -> Outcome {
 
 /// A heavy piston that falls on spheres that rebound.
 const CRUSHED: &str = "height=16 cohesion_range=0 restitution=0.5 pressure=10 piston_mass=1e4 \
-                       steps=300";
+                       max_steps=300";
 
 #[test]
 fn steps_that_end_approximately_are_told_and_counted() -> Outcome {
@@ -148,7 +148,7 @@ fn steps_that_end_approximately_are_told_and_counted() -> Outcome {
     assert!((most..=sum).contains(&all), "{summary}");
 
     // Nothing is told of what did not happen, and nothing counted that cannot.
-    let (told, summary) = run("steps=300")?;
+    let (told, summary) = run("max_steps=300")?;
     assert_eq!(summary["steps_unmet"], 0);
     for (start, name) in lines {
         assert!(!told.lines().any(|line| line.starts_with(start)), "{told}");
@@ -161,7 +161,7 @@ fn steps_that_end_approximately_are_told_and_counted() -> Outcome {
 fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
     let folder = tempfile::tempdir()?;
     let [whole, broken] = ["whole", "broken"].map(|name| folder.path().join(name));
-    let sets = ["--set", "steps=400", "--set", "rolling=0.1"];
+    let sets = ["--set", "max_steps=400", "--set", "mu_rolling=0.1"];
     let mut command = tribos(folder.path(), "run")?;
     command
         .args(sets)
@@ -189,7 +189,7 @@ fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
     assert_eq!(refused.status.code(), Some(2));
     let said = String::from_utf8(refused.stderr)?;
     assert!(
-        said.contains("`rolling` is") && said.contains("--anew"),
+        said.contains("`mu_rolling` is") && said.contains("--anew"),
         "{said}"
     );
 
@@ -228,12 +228,12 @@ fn bad_powders_are_refused_with_their_line_and_cure() -> Outcome {
         height = 12 | height = 12\nradius_spread = 1 | scene.toml:4 | >= 0 and < 1
         height = 12 | height = 1 | error | above a diameter
         pressure = 0.01 | pressure = 0 | scene.toml:4 | > 0
-        pressure = 0.01 | rolling = -0.1 | scene.toml:4 | >= 0
-        pressure = 0.01 | torsoin = 0.1 | scene.toml:4 | did you mean `torsion`?
+        pressure = 0.01 | mu_rolling = -0.1 | scene.toml:4 | >= 0
+        pressure = 0.01 | mu_torsoin = 0.1 | scene.toml:4 | did you mean `mu_torsion`?
         pressure = 0.01 | order = "fixed" | scene.toml:4 | "gauss-seidel" only
         pressure = 0.01 | wall = "rough" | scene.toml:4 | "smooth"
         pressure = 0.01 | restitution = 2 | scene.toml:4 | from 0 to 1
-        pressure = 0.01 | motion = 3 | scene.toml:4 | <= 0.5
+        pressure = 0.01 | max_displacement = 3 | scene.toml:4 | <= 0.5
         pressure = 0.01 | seed = 1.5 | scene.toml:4 | a whole number
         pressure = 0.01 | solver = "gauss-seidel"\nstop = "fixed"\ntolerance = 1e-3 | scene.toml:6 | not used
     "#;
@@ -246,10 +246,10 @@ fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
     let [serial, parallel] = ["serial", "parallel"].map(|name| folder.path().join(name));
     let sweep = |out: &Path, jobs: &str| -> Result<String, Error> {
         let mut command = tribos(folder.path(), "sweep")?;
-        command.args(["--set", "rolling=0,0.3", "--set", "torsion=0,0.3"]);
+        command.args(["--set", "mu_rolling=0,0.3", "--set", "mu_torsion=0,0.3"]);
         command.args([
             "--set",
-            "steps=200",
+            "max_steps=200",
             "--seeds",
             "2",
             "--jobs",
@@ -275,16 +275,20 @@ fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
     assert_eq!(
         lines[0][..6],
         [
-            "rolling",
-            "torsion",
-            "steps",
+            "mu_rolling",
+            "mu_torsion",
+            "max_steps",
             "runs",
             "blocked",
             "porosity_final"
         ]
     );
     assert_eq!(lines[2][..4], ["0", "0.3", "200", "2"]);
-    let run = |seed: u32| serial.join(format!("runs/rolling=0,torsion=0.3,steps=200,seed={seed}"));
+    let run = |seed: u32| {
+        serial.join(format!(
+            "runs/mu_rolling=0,mu_torsion=0.3,max_steps=200,seed={seed}"
+        ))
+    };
     let [a, b] = [
         number(&summary(&run(1))?, "/porosity_final"),
         number(&summary(&run(2))?, "/porosity_final"),
@@ -318,9 +322,12 @@ fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
 fn impossible_sweeps_are_refused_before_any_run() -> Outcome {
     let cases: [(&[&str], &str); 6] = [
         (&["--set", "rolling"], "not of the form"),
-        (&["--set", "rolling=0,0"], "twice"),
-        (&["--set", "rolling=0", "--set", "rolling=1"], "at once"),
-        (&["--set", "rolling=0,-1"], ">= 0"),
+        (&["--set", "mu_rolling=0,0"], "twice"),
+        (
+            &["--set", "mu_rolling=0", "--set", "mu_rolling=1"],
+            "at once",
+        ),
+        (&["--set", "mu_rolling=0,-1"], ">= 0"),
         (&["--set", "seed=1,2", "--seeds", "2"], "one or the other"),
         (&["--seeds", "2"], "no seed"),
     ];
@@ -361,8 +368,8 @@ fn a_soft_powder_is_exported_for_lammps_and_starts_a_run_of_ours() -> Outcome {
     };
     let soft = export(&[
         "method=soft",
-        "torsion=0.2",
-        "rolling=0.1",
+        "mu_torsion=0.2",
+        "mu_rolling=0.1",
         "coupling=exact",
         "wall=smooth",
         "gravity=0.001",
@@ -387,10 +394,10 @@ fn a_soft_powder_is_exported_for_lammps_and_starts_a_run_of_ours() -> Outcome {
     // The same spheres start a run of ours.
     let data = home.path().join("files/powder.data");
     let mut porosities = Vec::new();
-    for start in [None, Some(format!("start={}", data.display()))] {
+    for start in [None, Some(format!("initial_state={}", data.display()))] {
         let out = home.path().join("out");
         let mut command = tribos(home.path(), "run")?;
-        command.args(["--set", "method=soft", "--set", "steps=1"]);
+        command.args(["--set", "method=soft", "--set", "max_steps=1"]);
         if let Some(start) = &start {
             command.args(["--set", start]);
         }

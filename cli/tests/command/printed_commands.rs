@@ -12,14 +12,14 @@ use std::process::{Command, Stdio};
 const CALLS: [&str; 2] = ["cargo run --release -- ", "tribos "];
 /// Keys that cut a powder, and a tip, to a few steps.
 const SHORT: [(&str, &str); 9] = [
-    ("compaction-", " --set steps=2"),
-    ("shear-cell", " --set steps=2"),
-    ("column", " --set steps=2"),
-    ("heap", " --set steps=2"),
-    ("hopper", " --set steps=2"),
-    ("drum", " --set steps=2"),
-    ("cyclic", " --set steps=2"),
-    ("shaken", " --set steps=2"),
+    ("compaction-", " --set max_steps=2"),
+    ("shear-cell", " --set max_steps=2"),
+    ("column", " --set max_steps=2"),
+    ("heap", " --set max_steps=2"),
+    ("hopper", " --set max_steps=2"),
+    ("drum", " --set max_steps=2"),
+    ("cyclic", " --set max_steps=2"),
+    ("shaken", " --set max_steps=2"),
     (
         "tip-",
         " --set equilibration=0.01 --set drive_time=0.01 --set rest_time=0.01",

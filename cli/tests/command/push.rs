@@ -60,13 +60,13 @@ fn people_read_whether_a_pusher_sticks_and_whether_a_line_holds() -> Outcome {
 #[test]
 fn all_mistakes_of_a_scene_are_told_at_once_with_line_and_cure() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let scene = "patch = \"bx:1x1\"\ncoefficient = -1\nload = 20\ncontact_x = 0\ncontact_y = 0\n\
-                 pusher_coefficient = 0.3\nvelocity_x = 0\nvelocity_y = 0.1\nend_x = 1\nspeed = 3\n";
+    let scene = "patch = \"bx:1x1\"\nmu = -1\nload = 20\ncontact_x = 0\ncontact_y = 0\n\
+                 mu_pusher = 0.3\nvelocity_x = 0\nvelocity_y = 0.1\nend_x = 1\nspeed = 3\n";
     fs::write(folder.path().join("scene.toml"), scene)?;
     let message = refused(folder.path(), "push scene.toml")?;
     for part in [
         "scene.toml:1: `patch`: unknown patch `bx:1x1`",
-        "scene.toml:2: `coefficient` must be a finite number > 0, not -1",
+        "scene.toml:2: `mu` must be a finite number > 0, not -1",
         "scene.toml:9: give both `end_x` and `end_y`, or none",
         "scene.toml:10: ",
         "`distance`",

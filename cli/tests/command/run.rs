@@ -1,6 +1,6 @@
 //! `tribos run` leaves complete, repeatable results.
 
-use crate::program::{Error, Outcome, number, summary_of};
+use crate::program::{Error, Outcome, number, scene, succeed, summary, summary_of};
 use assert_cmd::Command;
 use serde_json::Value;
 
@@ -69,7 +69,7 @@ fn a_dimensionless_scene_is_the_scaled_dimensional_one() -> Outcome {
     // v* = v/√(gR), ω* = ω√(R/g) of the disk scene.
     let scale = (9.81_f64 * 0.08).sqrt();
     let text = format!(
-        "units = \"dimensionless\"\nspeed = {:?}\nspin = {:?}\ncoefficient = 0.3\nalpha = 0\ninertia_ratio = 0.5\n",
+        "units = \"dimensionless\"\nspeed = {:?}\nspin = {:?}\ngamma = 0.3\nalpha = 0\ninertia_ratio = 0.5\n",
         1.0 / scale,
         5.0 * (0.08_f64 / 9.81).sqrt()
     );
@@ -103,5 +103,24 @@ fn linear_and_steeper_laws_fade_without_rest() -> Outcome {
     let summary = summary_of("disk", folder.path(), &["alpha=3", "duration=2"])?;
     assert_eq!(summary["ending"], "duration");
     assert_eq!(number(&summary, "end_time"), 2.0);
+    Ok(())
+}
+
+#[test]
+fn keys_by_earlier_names_are_read_noted_and_written_by_the_present_ones() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let scene = scene("disk");
+    let run = format!("run {scene} --quiet --set coefficient=0.2 --out out");
+    let [_, said] = succeed(folder.path(), run)?;
+    let note = format!("warning: {scene}: `coefficient` is called `gamma` now\n");
+    assert_eq!(said.matches(&note).count(), 1, "{said}");
+    let summary = summary(&folder.path().join("out"))?;
+    assert_eq!(number(&summary, "/scene/gamma"), 0.2);
+    assert!(summary["scene"]["coefficient"].is_null());
+    let sweep = format!("sweep {scene} --set coefficient=0.2,0.3 --out swept");
+    let [_, said] = succeed(folder.path(), sweep)?;
+    assert_eq!(said.matches(&note).count(), 1, "{said}");
+    let table = std::fs::read_to_string(folder.path().join("swept/sweep.csv"))?;
+    assert!(table.starts_with("gamma,"), "{table}");
     Ok(())
 }

@@ -9,13 +9,13 @@ use std::time::{Duration, Instant};
 
 /// Some ten spheres, some milliseconds a run.
 const TINY: &str = "body = \"powder\"\nwidth = 7\nheight = 9\npressure = 0.01\npiston_mass = 100\n\
-                    steps = 300\n";
+                    max_steps = 300\n";
 /// 25 runs of it.
 const GRID: [&str; 4] = [
     "--set",
-    "rolling=0,0.1,0.2,0.3,0.4",
+    "mu_rolling=0,0.1,0.2,0.3,0.4",
     "--set",
-    "torsion=0,0.1,0.2,0.3,0.4",
+    "mu_torsion=0,0.1,0.2,0.3,0.4",
 ];
 
 fn sweep(folder: &Path) -> Result<Command, Error> {
@@ -130,7 +130,7 @@ fn parts_on_two_machines_merge_to_the_undisturbed_tables() -> Outcome {
         &said,
         &[
             "12 of 25 runs are missing",
-            "\n  rolling=0,torsion=0.1\n",
+            "\n  mu_rolling=0,mu_torsion=0.1\n",
             "and 2 more",
             "tribos sweep --plan parts",
         ],
@@ -189,7 +189,7 @@ fn a_job_array_holds_its_plan_and_gives_the_undisturbed_tables() -> Outcome {
     }
 
     // Tasks that still wait would take another plan.
-    let other = ["--set", "rolling=0", "--set", "torsion=1"];
+    let other = ["--set", "mu_rolling=0", "--set", "mu_torsion=1"];
     let output = hand_over(other)?.output()?;
     let [_, said] = texts(&output)?;
     assert_eq!(output.status.code(), Some(2), "{said}");
@@ -251,7 +251,7 @@ fn impossible_shares_are_refused() -> Outcome {
         ("tiny.toml --out x --part 2/2", "0/2 and 1/2"),
         ("--plan x", "no plan of a sweep"),
         ("--merge x --part 0/2", "cannot be used with"),
-        ("--plan x --set rolling=1", "cannot be used with"),
+        ("--plan x --set mu_rolling=1", "cannot be used with"),
         ("--plan old", "same version"),
         ("tiny.toml --out x --slurm-tasks 3", "--slurm"),
         (
@@ -282,16 +282,20 @@ fn heads(file: &Path) -> Result<Vec<String>, Error> {
 #[test]
 fn a_key_with_the_name_of_a_result_has_a_column_of_its_own() -> Outcome {
     let folder = tempfile::tempdir()?;
-    std::fs::write(folder.path().join("tiny.toml"), TINY)?;
+    std::fs::write(
+        folder.path().join("tiny.toml"),
+        "body = \"gas\"\ncount = 100",
+    )?;
     let mut command = sweep(folder.path())?;
-    command.args(["tiny.toml", "--set", "steps=100,200", "--out", "out"]);
+    command.args(["tiny.toml", "--set", "collisions=1,2", "--out", "out"]);
     succeed(command)?;
     for table in ["sweep.csv", "runs.csv"] {
         let heads = heads(&folder.path().join("out").join(table))?;
         for (at, head) in heads.iter().enumerate() {
             assert!(!heads[..at].contains(head), "{table}: {head} twice");
         }
-        let both = ["steps", "steps_result"].map(|name| heads.iter().any(|head| head == name));
+        let both =
+            ["collisions", "collisions_result"].map(|name| heads.iter().any(|head| head == name));
         assert_eq!(both, [true; 2], "{table}: {heads:?}");
     }
     Ok(())
@@ -381,7 +385,7 @@ fn a_summary_that_was_changed_is_not_taken_for_a_result() -> Outcome {
     let folder = undisturbed()?;
     let whole = folder.path().join("whole");
     let tables = std::fs::read(whole.join("runs.csv"))?;
-    let file = whole.join("runs/rolling=0.1,torsion=0.2/summary.json");
+    let file = whole.join("runs/mu_rolling=0.1,mu_torsion=0.2/summary.json");
     let kept = std::fs::read_to_string(&file)?;
     let at = kept.find("\"porosity_final\": 0.").ok_or("no porosity")?;
     let mut changed = kept.clone();
@@ -393,7 +397,7 @@ fn a_summary_that_was_changed_is_not_taken_for_a_result() -> Outcome {
     let output = merge.args(["--merge", "whole"]).output()?;
     let [_, said] = texts(&output)?;
     assert_eq!(output.status.code(), Some(1), "{said}");
-    let words = "rolling=0.1,torsion=0.2 (its summary was changed after the run)";
+    let words = "mu_rolling=0.1,mu_torsion=0.2 (its summary was changed after the run)";
     assert!(said.contains(words), "{said}");
 
     let mut again = sweep(folder.path())?;

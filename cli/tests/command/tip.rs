@@ -8,7 +8,7 @@ use std::path::Path;
 /// 748 atoms, 400 steps.
 const TINY: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
                     substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
-                    rest_time = 0.5\nsamples = 20\n";
+                    rest_time = 0.5\nsample_every = 20\n";
 
 /// Runs a command in the folder, where the scene is `tiny.toml`: what was said.
 fn succeed(folder: &Path, arguments: &str) -> Result<[String; 2], Error> {
@@ -107,7 +107,7 @@ fn a_run_leaves_series_summary_pictures_and_atoms() -> Outcome {
 #[test]
 fn a_killed_run_goes_on_to_the_same_files() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let sets = "--set rest_time=4 --set samples=5";
+    let sets = "--set rest_time=4 --set sample_every=5";
     succeed(folder.path(), &format!("run tiny.toml {sets} --out whole"))?;
 
     // A checkpoint after every line of the series, until the run is killed somewhere on its way.
@@ -201,7 +201,7 @@ fn bad_tips_are_refused_with_their_line_and_cure() -> Outcome {
         side = 3 | side = 3\ncutoff = 0.5 | scene.toml:6 | 10
         tip_layers = 4 | tip_layers = 3 | scene.toml:7 | from 4 to 100, not 3
         substrate_layers = 4 | substrate_layers = 3 | scene.toml:6 | from 4 to 100
-        samples = 20 | samples = 0 | scene.toml:11 | a whole number from 1
+        sample_every = 20 | sample_every = 0 | scene.toml:11 | a whole number from 1
         drive_time = 1 | drive_time = 1e300 | scene.toml:9 | steps of `time_step`
         drive_time = 1 | drive_time = -1 | scene.toml:9 | >= 0
     "#;

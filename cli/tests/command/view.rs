@@ -8,11 +8,11 @@ use std::path::Path;
 
 /// Some twenty spheres.
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
-                      piston_mass = 100\nrolling = 0.1\ntorsion = 0.1\n";
+                      piston_mass = 100\nmu_rolling = 0.1\nmu_torsion = 0.1\n";
 /// 748 atoms, 400 steps.
 const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
-                   rest_time = 0.5\nsamples = 20\n";
+                   rest_time = 0.5\nsample_every = 20\n";
 
 /// Runs a command in the folder, where the scenes are: exit code, output and errors.
 fn tribos(folder: &Path, arguments: &str) -> Result<(Option<i32>, String, String), Error> {
@@ -42,7 +42,7 @@ fn files(out: &Path) -> Result<BTreeMap<String, Vec<u8>>, Error> {
 #[test]
 fn a_killed_run_leaves_the_same_bounded_frames() -> Outcome {
     let home = tempfile::tempdir()?;
-    let run = "run powder.toml --set steps=400 --frames 20";
+    let run = "run powder.toml --set max_steps=400 --frames 20";
     succeed(home.path(), &format!("{run} --out whole"))?;
     let whole = files(&home.path().join("whole"))?;
     // 0, 32, …, 384, the end and what all have in common.
@@ -52,7 +52,7 @@ fn a_killed_run_leaves_the_same_bounded_frames() -> Outcome {
     // No frames change nothing else.
     succeed(
         home.path(),
-        "run powder.toml --set steps=400 --frames 0 --out bare",
+        "run powder.toml --set max_steps=400 --frames 0 --out bare",
     )?;
     assert!(!home.path().join("bare/frames").exists());
     for file in ["series.csv", "final.vtp", "final.xyz"] {
@@ -78,7 +78,7 @@ fn a_killed_run_leaves_the_same_bounded_frames() -> Outcome {
     // As many as at the start, or none: other frames are not there any more.
     let (code, _, said) = tribos(
         home.path(),
-        "run powder.toml --set steps=400 --frames 30 --resume --out broken",
+        "run powder.toml --set max_steps=400 --frames 30 --resume --out broken",
     )?;
     assert_eq!(code, Some(2));
     assert!(
@@ -87,7 +87,7 @@ fn a_killed_run_leaves_the_same_bounded_frames() -> Outcome {
     );
     succeed(
         home.path(),
-        "run powder.toml --set steps=400 --resume --out broken",
+        "run powder.toml --set max_steps=400 --resume --out broken",
     )?;
     assert!(files(&broken)? == whole);
     Ok(())
@@ -98,9 +98,9 @@ fn a_run_that_cannot_be_shown_says_why() -> Outcome {
     let home = tempfile::tempdir()?;
     succeed(
         home.path(),
-        "run powder.toml --set steps=3 --frames 0 --out bare",
+        "run powder.toml --set max_steps=3 --frames 0 --out bare",
     )?;
-    succeed(home.path(), "run powder.toml --set steps=3 --out few")?;
+    succeed(home.path(), "run powder.toml --set max_steps=3 --out few")?;
     std::fs::create_dir_all(home.path().join("empty"))?;
     for (arguments, words) in [
         ("view nowhere", "nowhere: no run is there"),
@@ -140,7 +140,10 @@ fn a_run_that_cannot_be_shown_says_why() -> Outcome {
 #[test]
 fn pictures_of_frames_are_drawn() -> Outcome {
     let home = tempfile::tempdir()?;
-    succeed(home.path(), "run powder.toml --set steps=9 --out powder")?;
+    succeed(
+        home.path(),
+        "run powder.toml --set max_steps=9 --out powder",
+    )?;
     succeed(home.path(), "view powder --still 2,last --network")?;
     succeed(home.path(), "run tip.toml --out tip")?;
     // One frame every line of the series.
@@ -190,7 +193,7 @@ fn the_page_plays_in_a_browser_without_a_network() -> Outcome {
     let home = tempfile::tempdir()?;
     succeed(
         home.path(),
-        "run powder.toml --set steps=400 --frames 60 --out powder",
+        "run powder.toml --set max_steps=400 --frames 60 --out powder",
     )?;
     succeed(home.path(), "view powder")?;
     succeed(home.path(), "run tip.toml --out tip")?;

@@ -4,6 +4,7 @@ use crate::player::{Film, MovieError, solid_film};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder, Kind};
+use tribos::scene::with_present_names;
 
 /// Why a run cannot be shown as a film.
 #[derive(Debug, thiserror::Error)]
@@ -59,18 +60,22 @@ impl RunFrames {
     }
 }
 
+/// Coefficients of spheres in a title.
+const MODES: [(&str, &str); 3] = [("mu", "μ"), ("mu_rolling", "μ_t"), ("mu_torsion", "μ_n")];
+
 /// Title from the kind of run and its summary.
 fn title(bodies: &Bodies, summary: Option<&Value>) -> String {
     let count = bodies.radii.len();
+    let scene = summary.map(|summary| with_present_names(&summary["scene"]));
     let told = |key: &str| {
         // In short form.
-        let value = summary?["scene"][key].as_f64()?;
+        let value = scene.as_ref()?[key].as_f64()?;
         Some(value.to_string())
     };
     match bodies.kind {
         Kind::Powder => {
             let mut title = format!("Compaction of {count} cohesive spheres");
-            for (key, name) in [("sliding", "μ"), ("rolling", "μ_t"), ("torsion", "μ_n")] {
+            for (key, name) in MODES {
                 if let Some(value) = told(key) {
                     title += &format!(", {name} = {value}");
                 }
@@ -79,7 +84,7 @@ fn title(bodies: &Bodies, summary: Option<&Value>) -> String {
         }
         Kind::Grains => {
             let mut title = format!("{count} grains");
-            for (key, name) in [("sliding", "μ"), ("rolling", "μ_t"), ("torsion", "μ_n")] {
+            for (key, name) in MODES {
                 if let Some(value) = told(key) {
                     title += &format!(", {name} = {value}");
                 }

@@ -31,7 +31,7 @@ pub fn packing(
         .map(|contact| contact.normal_force.abs());
     let forces = PackingPicture::forces("Final forces", &blocked, &after.contacts)?
         .full_force(largest.fold(0.0, f64::max), "F_coh");
-    let (mu, mu_t, mu_n) = (scene.sliding, scene.rolling, scene.torsion);
+    let (mu, mu_t, mu_n) = (scene.mu, scene.mu_rolling, scene.mu_torsion);
     let name = format!("Compaction, μ = {mu}, μ_t = {mu_t}, μ_n = {mu_n}");
     Ok(DrawingGrid::new(name, 3)
         .drawing(picture("Initial", percent[0], &initial)?)

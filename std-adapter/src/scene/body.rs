@@ -72,7 +72,10 @@ macro_rules! bodies {
                 watch: &mut dyn FnMut(),
             ) -> Result<Measurement, MeasureError> {
                 match self {
-                    $(Self::$variant(scene) => Ok(scene.measured(watch)?)),+
+                    $(Self::$variant(scene) => Ok(Measurement {
+                        keys: <$scene>::KEYS,
+                        ..scene.measured(watch)?
+                    })),+
                 }
             }
 
@@ -159,7 +162,7 @@ pub fn read_scene(path: &Path, overrides: &[String]) -> Result<Scene, SceneError
 ///
 /// ```
 /// use tribos::scene::{Scene, parse_scene};
-/// let text = "body = \"pipe\"\nspeed = 1.74\nspin = 10.2\ncoefficient = 0.2\ngravity = 9.81\n\
+/// let text = "body = \"pipe\"\nspeed = 1.74\nspin = 10.2\ngamma = 0.2\ngravity = 9.81\n\
 ///             radius = 0.05\ninner_radius = 0.046\nheight = 0.15\nmass = 0.5";
 /// let scene = parse_scene("pipe.toml", text, &[])?;
 /// assert!(matches!(scene, Scene::Pipe(pipe) if pipe.inner_radius == 0.046)); // m

@@ -33,7 +33,8 @@ pub use tribos_atoms::scene::{
 };
 #[doc(hidden)]
 pub use tribos_base::scene::{
-    Body, Domain, Form, Key, MOST_BYTES, Need, UnknownWord, nearest, number_hint,
+    Body, Domain, Form, Key, MOST_BYTES, Need, UnknownWord, earlier_names, nearest, number_hint,
+    present_name,
 };
 pub use tribos_base::scene::{InvalidScene, SceneError, SceneProblem};
 #[doc(hidden)]
@@ -50,6 +51,6 @@ pub use tribos_motion::scene::{
     TurntableScene, Units,
 };
 #[doc(hidden)]
-pub use vocabulary::{Vocabulary, bodies, vocabulary};
+pub use vocabulary::{Vocabulary, bodies, vocabulary, with_present_names};
 
 use tribos_base::scene::{DEFAULT_BODY, entries, key, problem, table, words};

@@ -42,6 +42,12 @@ fn branch(known: &Vocabulary) -> Map<String, Value> {
     let defaults = known.defaults();
     let property = |key: &Key| (key.name.to_owned(), property(key, defaults.get(key.name)));
     let mut properties: Map<String, Value> = known.keys.iter().map(property).collect();
+    for (key, was) in known.keys.iter().filter_map(|key| Some((key, key.was?))) {
+        let mut earlier = properties[key.name].clone();
+        earlier["deprecated"] = true.into();
+        earlier["description"] = format!("Earlier name of `{}`.", key.name).into();
+        properties.insert(was.into(), earlier);
+    }
     let body = json!({"const": known.body, "description": BODY.meaning});
     properties.insert("body".into(), body);
     let mut branch = Map::new();
@@ -117,50 +123,67 @@ fn short(x: f64) -> Value {
     Number::from_f64(x).map_or(Value::Null, Value::Number)
 }
 
-/// Keys that every scene of the body must have, in the order of the documentation.
+/// Keys that every scene of the body must have, in the order of the documentation, but for those with an earlier name.
 fn required(known: &Vocabulary) -> Vec<&'static str> {
-    let needed = known.keys.iter().filter(|key| key.need == Need::Required);
+    let needed = known.keys.iter();
+    let needed = needed.filter(|key| key.need == Need::Required && key.was.is_none());
     let body = (known.body != DEFAULT_BODY).then_some("body");
     needed.map(|key| key.name).chain(body).collect()
 }
 
 /// What keys say about each other.
 fn conditions(keys: &[Key], defaults: &Map<String, Value>) -> Vec<Value> {
+    // Present and earlier name of a key.
+    let names = |name: &'static str| {
+        let key = keys.iter().find(|key| key.name == name);
+        [name].into_iter().chain(key.and_then(|key| key.was))
+    };
+    let any = |rules: Vec<Value>| match &rules[..] {
+        [one] => one.clone(),
+        _ => json!({"anyOf": rules}),
+    };
+    // True of scenes that give a key.
+    let given = |key| any(names(key).map(|name| json!({"required": [name]})).collect());
+    // True of scenes in which a key, where it is given, has a value; none if the value is false.
+    let has = |key, value: Value| {
+        let rules = names(key).map(|name| (name.to_owned(), value.clone()));
+        json!({"properties": Map::from_iter(rules)})
+    };
     // True of scenes in which a key has this word, given or by default.
-    let says = |key: &str, word: &str| {
-        let must = match defaults.get(key) {
-            Some(default) if default == word => Vec::new(),
-            _ => vec![key],
-        };
-        json!({"properties": {key: {"const": word}}, "required": must})
+    let says = |key, word: &str| {
+        let is_word = has(key, json!({"const": word}));
+        match defaults.get(key) {
+            Some(default) if default == word => is_word,
+            _ => json!({"allOf": [is_word, given(key)]}),
+        }
     };
     let condition = |key: &Key| {
         let name = key.name;
         match key.need {
-            Need::Required | Need::Optional => None,
-            Need::UnlessGiven(other) => Some(json!({
-                "oneOf": [{"required": [name]}, {"required": [other]}]
-            })),
-            Need::UnlessEither(one, two) => Some(json!({
-                "oneOf": [{"required": [name]}, {"required": [one]}, {"required": [two]}]
-            })),
+            Need::Required => key.was.map(|_| given(name)),
+            Need::Optional => None,
+            Need::UnlessGiven(other) => Some(json!({"oneOf": [given(name), given(other)]})),
+            Need::UnlessEither(one, two) => {
+                Some(json!({"oneOf": [given(name), given(one), given(two)]}))
+            }
             Need::UnitWith(other, word) => Some(json!({
-                "if": says(other, word),
-                "then": {"properties": {name: {"const": 1}}},
-                "else": {"required": [name]}
+                "if": says(other, word), "then": has(name, json!({"const": 1})), "else": given(name)
             })),
             Need::PartOf(other, word) | Need::OnlyWith(other, word) => Some(json!({
-                "if": says(other, word), "else": {"properties": {name: false}}
+                "if": says(other, word), "else": has(name, false.into())
             })),
             Need::NotWith(other, word) => Some(json!({
-                "if": says(other, word), "then": {"properties": {name: false}}
+                "if": says(other, word), "then": has(name, false.into())
             })),
             Need::Without(other) => Some(json!({
-                "if": {"required": [other]}, "then": {"properties": {name: false}}
+                "if": given(other), "then": has(name, false.into())
             })),
         }
     };
-    keys.iter().filter_map(condition).collect()
+    // A file gives one of two names.
+    let once = |key: &Key| Some(json!({"not": {"required": [key.name, key.was?]}}));
+    let conditions = keys.iter().filter_map(condition);
+    conditions.chain(keys.iter().filter_map(once)).collect()
 }
 
 #[cfg(test)]

@@ -45,7 +45,7 @@ pub fn with_all_keys(text: &str) -> String {
     let Some(known) = vocabulary(body) else {
         return text.to_owned();
     };
-    let (given, values) = (given(text), resolved(text));
+    let (given, values) = (given(known.keys, text), resolved(text));
     let mut all = format!(
         "{}\n\n# What else may be set, with what holds now:\n",
         text.trim_end()
@@ -113,7 +113,10 @@ pub fn keys_page() -> String {
                 }
                 _ => String::new(),
             };
-            let (meaning, domain) = (key.meaning, key.domain.describe());
+            let was = key
+                .was
+                .map_or(String::new(), |was| format!(" Earlier name: `{was}`."));
+            let (meaning, domain) = (&format!("{}{was}", key.meaning), key.domain.describe());
             let row = [
                 &format!("`{}`", key.name),
                 key.unit,

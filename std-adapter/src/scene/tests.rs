@@ -88,9 +88,11 @@ fn every_key_sets_its_field() {
                 .least()
                 .into_iter()
                 .filter(|(name, _)| *name != key.name)
-                .filter(|(name, _)| !(["count", "start"].contains(&key.name) && *name == "height"))
-                .filter(|(name, _)| !(key.name == "start" && *name == "count"))
-                .filter(|(name, _)| key.name != "law" || !["coefficient", "alpha"].contains(name))
+                .filter(|(name, _)| {
+                    !(["count", "initial_state"].contains(&key.name) && *name == "height")
+                })
+                .filter(|(name, _)| !(key.name == "initial_state" && *name == "count"))
+                .filter(|(name, _)| key.name != "law" || !["gamma", "alpha"].contains(name))
                 .filter(|(name, _)| !(is_of_slide(key) && *name == "lambda"))
                 .map(|(name, value)| format!("{name} = {value}\n"))
                 .collect();
@@ -121,11 +123,79 @@ fn every_key_sets_its_field() {
                 continue;
             };
             assert_ne!(read, scene, "{text}");
+            if let Some(was) = key.was {
+                let earlier = format!("{rest}{condition}{was} = {value}\n");
+                assert_eq!(
+                    parse_scene("one.toml", &earlier, &[]).unwrap(),
+                    read,
+                    "{earlier}"
+                );
+                let set = [format!("{was}={}", value.trim_matches('"'))];
+                assert_eq!(
+                    parse_scene("one.toml", &text, &set).unwrap(),
+                    read,
+                    "{set:?}"
+                );
+                assert_eq!(earlier_names(known.keys, &earlier, &[]), [[was, key.name]]);
+                let both = format!("{text}{was} = {value}\n");
+                assert!(parse_scene("one.toml", &both, &[]).is_err(), "{both}");
+            }
             let json = read.json();
             let written = toml_value(key, &json[key.name]).unwrap();
             let same = written == value || written.parse::<f64>().ok() == value.parse().ok();
             assert!(same, "{text}: {written}");
         }
+    }
+}
+
+/// A word has one meaning in the files of a body, and conditions name keys that there are.
+#[test]
+fn every_name_of_a_key_is_that_of_one_key() {
+    for known in bodies().filter_map(vocabulary) {
+        let present = known.keys.iter().map(|key| key.name);
+        let names: Vec<&str> = present
+            .chain(known.keys.iter().filter_map(|key| key.was))
+            .collect();
+        for (at, name) in names.iter().enumerate() {
+            assert!(!names[..at].contains(name), "{}: {name}", known.body);
+        }
+        for key in known.keys {
+            let others = match key.need {
+                Need::Required | Need::Optional => vec![],
+                Need::UnlessEither(one, two) => vec![one, two],
+                Need::UnlessGiven(other)
+                | Need::UnitWith(other, _)
+                | Need::PartOf(other, _)
+                | Need::OnlyWith(other, _)
+                | Need::NotWith(other, _)
+                | Need::Without(other) => vec![other],
+            };
+            let is_key = |name: &str| known.keys.iter().any(|key| key.name == name);
+            assert!(
+                others.into_iter().all(is_key),
+                "{}: {}",
+                known.body,
+                key.name
+            );
+        }
+    }
+}
+
+#[test]
+fn values_that_an_earlier_version_wrote_are_those_of_the_same_scene() {
+    for scene in defaults() {
+        let keys = vocabulary(scene.body()).unwrap().keys;
+        let earlier = |name: &str| {
+            let key = keys.iter().find(|key| key.name == name);
+            key.and_then(|key| key.was).unwrap_or(name).to_owned()
+        };
+        let values = scene.json();
+        let values = values.as_object().unwrap().iter();
+        let then: serde_json::Value = values
+            .map(|(name, value)| (earlier(name), value.clone()))
+            .collect();
+        assert_eq!(with_present_names(&then), scene.json());
+        assert_eq!(Scene::of_json(&then), Scene::of_json(&scene.json()));
     }
 }
 
@@ -213,15 +283,15 @@ fn an_override_puts_keys_of_the_old_word_out_of_use() {
     // What is given beside the override, or by the file alone, still contradicts.
     assert!(read(&rigid, &["method=soft", "sweeps=20"]).is_err());
     assert!(read(&format!("{rigid}method = \"soft\"\n"), &[]).is_err());
-    let hopper = format!("{grains}container = \"hopper\"\noutlet = 0.02\n");
+    let hopper = format!("{grains}container = \"hopper\"\norifice_width = 0.02\n");
     assert_eq!(
         read(&hopper, &["container=box"]).unwrap(),
         read(grains, &[]).unwrap()
     );
     let uneven = format!("{grains}radius_spread = 0.2\n");
-    let starts = read(&uneven, &["start=out/a"]).unwrap();
+    let starts = read(&uneven, &["initial_state=out/a"]).unwrap();
     assert!(starts["radius_spread"].is_null());
-    assert!(read(&uneven, &["start=out/a", "radius_spread=0.1"]).is_err());
+    assert!(read(&uneven, &["initial_state=out/a", "radius_spread=0.1"]).is_err());
     // A key falls with the key that it depends on: without a stop there is no tolerance of one.
     let powder =
         "body = \"powder\"\nwidth = 20\ncount = 10\nsolver = \"gauss-seidel\"\nstop = \"fixed\"\n";
@@ -306,14 +376,14 @@ fn a_checkpoint_of_edited_fields_belongs_to_no_other_scene() {
     let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
     let original = PowderScene::parse("tiny.toml", text, &[]).unwrap();
     let rough = PowderScene {
-        sliding: 0.9,
+        mu: 0.9,
         ..original.clone()
     };
     let pressed = PowderScene {
         pressure: 0.2,
         ..original.clone()
     };
-    for (edited, scene) in [("sliding", rough), ("pressure", pressed)] {
+    for (edited, scene) in [("mu", rough), ("pressure", pressed)] {
         let kept = PowderSimulation::new(&scene).unwrap().checkpoint();
         assert!(PowderSimulation::resume(&scene, &kept).is_ok());
         match PowderSimulation::resume(&original, &kept) {

@@ -2,7 +2,7 @@
 
 use super::body::VOCABULARIES;
 use super::entries::Entries;
-use super::key::{Key, Need};
+use super::key::{self, Key, Need, present_name};
 use super::table::Table;
 use super::{DEFAULT_BODY, parse_scene, toml_value};
 use serde_json::{Map, Value};
@@ -107,10 +107,22 @@ pub(super) fn resolved(text: &str) -> Map<String, Value> {
     }
 }
 
-/// Names of the keys that stand in a file.
-pub(super) fn given(text: &str) -> Vec<String> {
+/// Present names of the keys that stand in a file.
+pub(super) fn given(keys: &[Key], text: &str) -> Vec<String> {
     let entries = Entries::parse(text, &[]).map(|(entries, _)| entries.values);
-    entries.unwrap_or_default().into_keys().collect()
+    let names = entries.unwrap_or_default().into_keys();
+    names
+        .map(|name| present_name(keys, &name).to_owned())
+        .collect()
+}
+
+/// [Values in force](super::Scene::json) that an earlier version may have written, by the present names of their keys.
+pub fn with_present_names(values: &Value) -> Value {
+    let body = values.get("body").map_or(Some(DEFAULT_BODY), Value::as_str);
+    let keys = body
+        .and_then(vocabulary)
+        .map_or(&[][..], |known| known.keys);
+    key::with_present_names(keys, values)
 }
 
 #[cfg(test)]

@@ -53,11 +53,11 @@ const VALUES: [&str; 25] = [
 ];
 /// A powder with a short running time.
 const TINY: &str =
-    "body = \"powder\"\nwidth = 6\nheight = 6\npressure = 0.02\nsteps = 4\nsamples = 1\n";
+    "body = \"powder\"\nwidth = 6\nheight = 6\npressure = 0.02\nmax_steps = 4\nsample_every = 1\n";
 /// A tip with a short running time: a chain of atoms on a substrate.
 const LEAST: &str = "body = \"tip\"\nlambda = 0.1\ncolumns = 4\nrows = 4\nside = 1\n\
                      substrate_layers = 4\ntip_layers = 4\ncutoff = 1.5\nspacing = 1.1\n\
-                     equilibration = 0\ndrive_time = 0.02\nrest_time = 0.02\nsamples = 1\n";
+                     equilibration = 0\ndrive_time = 0.02\nrest_time = 0.02\nsample_every = 1\n";
 
 fn vocabulary() -> &'static [&'static str] {
     static KEYS: OnceLock<Vec<&'static str>> = OnceLock::new();

@@ -371,7 +371,7 @@ fn final_motion_takes_closed_forms_then_tables_then_series() {
 }
 
 fn scene(more: &[&str]) -> DiskScene {
-    let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\nradius = 0.08\n\
+    let text = "speed = 1.0\nspin = 5.0\ngamma = 0.3\nalpha = 0\ngravity = 9.81\nradius = 0.08\n\
                 mass = 0.1\ninertia_ratio = 0.5";
     let more: Vec<String> = more.iter().map(|item| (*item).into()).collect();
     DiskScene::parse("disk.toml", text, &more).unwrap()

@@ -171,7 +171,7 @@ fn a_load_presses_the_tip_down_until_the_substrate_carries_it() -> Result<(), Er
         let scene = tiny(&format!(
             "lambda = 0\nhold = \"level\"\nload = {load:?}\ndamping = 2\nthermostat = \"langevin\"\n\
              friction = 2\ntemperature = 0\nshift = \"force\"\nequilibration = 0\n\
-             drive_time = 0\nrest_time = 15\ntime_step = 0.01\nsamples = 1500"
+             drive_time = 0\nrest_time = 15\ntime_step = 0.01\nsample_every = 1500"
         ))?;
         let mut run = TipSimulation::new(&scene)?;
         to_the_end(&mut run)?;
@@ -283,7 +283,7 @@ fn stages_without_steps_are_no_stages() -> Result<(), Error> {
         let [before, with, after] = times;
         tiny(&format!(
             "lambda = 0.01\nequilibration = {before:?}\ndrive_time = {with:?}\nrest_time = {after:?}\n\
-             samples = 4"
+             sample_every = 4"
         ))
     };
     for (times, lines) in [
@@ -319,7 +319,7 @@ fn stages_without_steps_are_no_stages() -> Result<(), Error> {
 #[test]
 fn the_drives_work_is_what_the_atoms_gain() -> Result<(), Error> {
     let scene = tiny(&format!(
-        "{COLD}\nshift = \"force\"\nlambda = 0.1\ntime_step = 0.002\ndrive_time = 4\nrest_time = 0\nsamples = 10"
+        "{COLD}\nshift = \"force\"\nlambda = 0.1\ntime_step = 0.002\ndrive_time = 4\nrest_time = 0\nsample_every = 10"
     ))?;
     let mut run = TipSimulation::new(&scene)?;
     let before = conserved_energy(run.system());
@@ -337,7 +337,7 @@ fn what_comes_out_does_not_depend_on_how_often_it_is_written() -> Result<(), Err
     for samples in ["1", "10", "200", "5000", "1e9"] {
         // A tip that turns about itself while it is driven.
         let scene = tiny(&format!(
-            "lambda = 0.3\nequilibration = 0.5\ndrive_time = 25\nrest_time = 5\nsamples = {samples}"
+            "lambda = 0.3\nequilibration = 0.5\ndrive_time = 25\nrest_time = 5\nsample_every = {samples}"
         ))?;
         let mut run = TipSimulation::new(&scene)?;
         to_the_end(&mut run)?;
@@ -349,7 +349,7 @@ fn what_comes_out_does_not_depend_on_how_often_it_is_written() -> Result<(), Err
         );
         let lines = json["samples"].take();
         assert_eq!(lines, run.series().len());
-        json["scene"]["samples"].take();
+        json["scene"]["sample_every"].take();
         outcomes.push((samples, angle, json.to_string()));
     }
     for (samples, angle, outcome) in &outcomes {

@@ -19,7 +19,7 @@ fn kinds() -> Result<Vec<TipScene>, Error> {
     ] {
         for integrator in ["leap-frog", "velocity-verlet"] {
             scenes.push(tiny(&format!(
-                "{bath}\nintegrator = \"{integrator}\"\nlambda = 0.5\nskin = 0.05\nsamples = 7\n\
+                "{bath}\nintegrator = \"{integrator}\"\nlambda = 0.5\nskin = 0.05\nsample_every = 7\n\
                  equilibration = 0.1\ndrive_time = 0.1\nrest_time = 0.1"
             ))?);
         }
@@ -164,7 +164,7 @@ fn results_do_not_depend_on_the_number_of_threads() -> Result<(), Error> {
     // Several chunks of the list.
     let text = "body = \"tip\"\ncolumns = 40\nrows = 40\nsubstrate_layers = 4\ntip_layers = 4\n\
                 side = 8\nlambda = 0.5\nskin = 0.1\nequilibration = 0.05\ndrive_time = 0.15\n\
-                rest_time = 0.05\nsamples = 10";
+                rest_time = 0.05\nsample_every = 10";
     let mut ends = Vec::new();
     for bath in ["nose-hoover", "langevin"] {
         let scene = scene(&format!("{text}\nthermostat = \"{bath}\""))?;

@@ -67,7 +67,7 @@ fn case(system: System, diameter: f64, seed: u64) -> Case {
         scene.pressure = GRAIN * gravity / (width * width);
         scene.cohesion_range = 2.0 * CLOSEST / diameter;
         scene.time_step = 1.0 / (STEPS * gravity.sqrt());
-        scene.steps = MOST_STEPS;
+        scene.max_steps = MOST_STEPS;
     })
 }
 

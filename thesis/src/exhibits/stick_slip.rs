@@ -26,7 +26,7 @@ fn scene(stiffness: f64, speed: f64) -> SpringScene {
     let viscous = PAPER.viscous * speed / stiffness;
     let lengths = 150.0 * PAPER.slip_distance + 1.5 / stiffness + 20.0 * viscous;
     SpringScene {
-        friction: SpringFriction::RateState,
+        friction_law: SpringFriction::RateState,
         mass: 0.0,
         load: 1.0,
         stiffness,

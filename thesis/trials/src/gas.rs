@@ -40,7 +40,7 @@ impl Cooling {
             fraction: self.fraction,
             restitution: self.restitution,
             collisions: self.collisions,
-            sample: self.collisions,
+            sample_every: self.collisions,
             seed,
             ..GasScene::default()
         };
@@ -48,7 +48,7 @@ impl Cooling {
             Method::Events => scene,
             Method::ContactDynamics { step, .. } => GasScene {
                 method: GasMethod::ContactDynamics,
-                motion: step,
+                max_displacement: step,
                 ..scene
             },
             Method::Soft { stiffness, .. } => GasScene {

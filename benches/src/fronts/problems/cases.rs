@@ -85,9 +85,9 @@ fn packed(packing: &Packing) -> Result<ReducedProblem, Box<dyn std::error::Error
         width: packing.extents[0],
         height: packing.extents[1],
         pressure: PRESSURE,
-        steps: MOST_STEPS,
-        rolling: packing.twist[0],
-        torsion: packing.twist[1],
+        max_steps: MOST_STEPS,
+        mu_rolling: packing.twist[0],
+        mu_torsion: packing.twist[1],
         ..PowderScene::default()
     };
     let mut compaction = PowderSimulation::new(&scene)?;

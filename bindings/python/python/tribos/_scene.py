@@ -7,6 +7,7 @@ import functools
 import json
 import keyword
 import os
+import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 S = TypeVar("S", bound="Scene")
+T = TypeVar("T")
 
 
 @functools.cache
@@ -30,6 +32,26 @@ def vocabulary() -> dict[str, dict[str, Any]]:
 def field_name(key: str) -> str:
     """The field of a key: a key that is a word of Python has an underscore behind."""
     return key + "_" if keyword.iskeyword(key) else key
+
+
+@functools.cache
+def earlier_names(body: str) -> dict[str, str]:
+    """The fields of a body by the names that earlier versions had for them."""
+    keys = vocabulary().get(body, {}).items()
+    return {field_name(key["was"]): field for field, key in keys if key["was"] is not None}
+
+
+def present_names(body: str, settings: Mapping[str, T]) -> dict[str, T]:
+    """Settings by the present names of their fields."""
+    named: dict[str, T] = {}
+    for name, value in settings.items():
+        now = earlier_names(body).get(name, name)
+        if now != name:
+            warnings.warn(f"`{name}` is called `{now}` now", DeprecationWarning, stacklevel=3)
+            if now in settings:
+                raise ValueError(f"give `{now}` alone; `{name}` is its earlier name")
+        named[now] = value
+    return named
 
 
 def toml_value(value: object) -> str:
@@ -50,11 +72,19 @@ def overrides_of(settings: Mapping[str, object]) -> list[str]:
     return [f"{key.rstrip('_')}={toml_value(value)}" for key, value in settings.items()]
 
 
-class Scene:
+class Named(type):
+    """The class of the scenes' classes: it takes fields by their earlier names too."""
+
+    def __call__(cls, *args: Any, **fields: Any) -> Any:
+        return super().__call__(*args, **present_names(getattr(cls, "BODY", ""), fields))
+
+
+class Scene(metaclass=Named):
     """A scene of any body: an immutable dataclass whose fields are the keys of its files.
 
     A field that is None is off, or chosen from the others, as its documentation says. All values are checked
-    when a scene is made, by the rules that files are read by; `dataclasses.replace` makes a changed one.
+    when a scene is made, by the rules that files are read by; `dataclasses.replace` makes a changed one. Fields
+    by names of earlier versions are taken and given with a `DeprecationWarning`.
     """
 
     __slots__ = ()
@@ -69,6 +99,15 @@ class Scene:
             given = getattr(self, field)
             if given is not None and key["name"] in values:
                 object.__setattr__(self, field, values[key["name"]])
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            now = earlier_names(self.BODY).get(name)
+            if now is None:
+                raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+            warnings.warn(f"`{name}` is called `{now}` now", DeprecationWarning, stacklevel=2)
+            return getattr(self, now)
 
     def _settings(self) -> Iterator[tuple[str, str]]:
         """Keys that a file has to give for this scene, with their values as TOML."""
@@ -136,12 +175,15 @@ class Scene:
 
     @classmethod
     def _of(cls: type[S], body: str, values: Mapping[str, Any]) -> S:
-        """The scene of values in force."""
+        """The scene of values in force, by present or earlier names."""
         made = next((kind for kind in subclasses() if kind.BODY == body), None)
         if made is None or not issubclass(made, cls):
             raise ValueError(f'body = "{body}" is not a {cls.__name__}')
         keys = vocabulary()[body]
-        fields = {field: values.get(key["name"], key["default"]) for field, key in keys.items()}
+        fields = {
+            field: values.get(key["name"], values.get(key["was"], key["default"]))
+            for field, key in keys.items()
+        }
         # What is chosen from other fields stays so.
         chosen = {field for field, key in keys.items() if key["default"] is None}
         least = {field: None if field in chosen else value for field, value in fields.items()}
@@ -162,7 +204,7 @@ class Scene:
 
     def replace(self: S, **changes: object) -> S:
         """The scene with other values of some fields."""
-        return dataclasses.replace(self, **changes)  # type: ignore[type-var]
+        return dataclasses.replace(self, **present_names(self.BODY, changes))  # type: ignore[type-var]
 
 
 def subclasses() -> list[type[Scene]]:
@@ -185,7 +227,7 @@ def scene(name: str, **overrides: object) -> Scene:
     Examples
     --------
     >>> import tribos
-    >>> tribos.scene("compaction-small", rolling=1).rolling
+    >>> tribos.scene("compaction-small", mu_rolling=1).mu_rolling
     1.0
     """
     known = {name: text for name, text, _ in _native.library_scenes()}

@@ -131,8 +131,8 @@ def cases(
     Examples
     --------
     >>> import tribos
-    >>> tribos.cases("compaction-small", {"rolling": [0, 1]}, seeds=2)
-    [{'rolling': 0, 'seed': 1}, {'rolling': 0, 'seed': 2}, {'rolling': 1, 'seed': 1}, {'rolling': 1, 'seed': 2}]
+    >>> tribos.cases("compaction-small", {"mu_rolling": [0, 1]}, seeds=2)
+    [{'mu_rolling': 0, 'seed': 1}, {'mu_rolling': 0, 'seed': 2}, {'mu_rolling': 1, 'seed': 1}, {'mu_rolling': 1, 'seed': 2}]
     """
     text = of(scene).to_toml()
     values = {key.rstrip("_"): list(given) for key, given in keys.items()}

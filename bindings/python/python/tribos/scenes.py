@@ -21,13 +21,13 @@ class SliderScene(Scene):
         Initial sliding speed. *Unit*: m/s. *Value*: a finite number >= 0.
     spin
         Initial spin, of either sign. *Unit*: rad/s. *Value*: a finite number.
-    coefficient
+    gamma
         Friction coefficient of the local law: mu for alpha = 0. *Unit*: (s/m)^alpha. *Value*: a
         finite number > 0.
     alpha
         Exponent of the local law |v|^alpha, 0 for Coulomb. *Value*: a number > -1 and <= 128.
     law
-        Local law in place of `coefficient` and `alpha`. *Value*: a law with its parameters, such as
+        Local law in place of `gamma` and `alpha`. *Value*: a law with its parameters, such as
         "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05".
     gravity
         Acceleration that presses the body down. *Unit*: m/s^2. *Value*: a finite number > 0.
@@ -58,7 +58,7 @@ class SliderScene(Scene):
 
     speed: float = 1.0
     spin: float = 5.0
-    coefficient: float | None = 0.3
+    gamma: float | None = 0.3
     alpha: float | None = 0.0
     law: str | None = None
     gravity: float = 9.81
@@ -83,13 +83,13 @@ class CylinderScene(Scene):
         Initial speed, along x. *Unit*: m/s. *Value*: a finite number >= 0.
     spin
         Initial spin, > 0 counterclockwise. *Unit*: rad/s. *Value*: a finite number.
-    coefficient
+    gamma
         Friction coefficient of the local law: mu for alpha = 0. *Unit*: (s/m)^alpha. *Value*: a
         finite number > 0.
     alpha
         Exponent of the local law |v|^alpha, 0 for Coulomb. *Value*: a number > -1 and <= 128.
     law
-        Local law in place of `coefficient` and `alpha`. *Value*: a law with its parameters, such as
+        Local law in place of `gamma` and `alpha`. *Value*: a law with its parameters, such as
         "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05".
     radius
         Outer radius. *Unit*: m. *Value*: a finite number > 0.
@@ -120,7 +120,7 @@ class CylinderScene(Scene):
 
     speed: float = 1.0
     spin: float = 5.0
-    coefficient: float | None = 0.2
+    gamma: float | None = 0.2
     alpha: float = 0.0
     law: str | None = None
     radius: float = 0.08
@@ -145,13 +145,13 @@ class PipeScene(Scene):
         Initial speed, along x. *Unit*: m/s. *Value*: a finite number >= 0.
     spin
         Initial spin, > 0 counterclockwise. *Unit*: rad/s. *Value*: a finite number.
-    coefficient
+    gamma
         Friction coefficient of the local law: mu for alpha = 0. *Unit*: (s/m)^alpha. *Value*: a
         finite number > 0.
     alpha
         Exponent of the local law |v|^alpha, 0 for Coulomb. *Value*: a number > -1 and <= 128.
     law
-        Local law in place of `coefficient` and `alpha`. *Value*: a law with its parameters, such as
+        Local law in place of `gamma` and `alpha`. *Value*: a law with its parameters, such as
         "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05".
     radius
         Outer radius. *Unit*: m. *Value*: a finite number > 0.
@@ -180,7 +180,7 @@ class PipeScene(Scene):
 
     speed: float = 1.74
     spin: float = 10.2
-    coefficient: float | None = 0.2
+    gamma: float | None = 0.2
     alpha: float = 0.0
     law: str | None = None
     radius: float = 0.05
@@ -209,7 +209,7 @@ class PlateScene(Scene):
     orientation
         Angle from the direction of the launch to the outline's x axis, > 0 counterclockwise.
         *Unit*: rad. *Value*: a finite number.
-    coefficient
+    mu
         Coulomb's friction coefficient. *Value*: a finite number > 0.
     gyration_radius
         Radius of gyration about the upright axis; that of a plate of uniform thickness if it is
@@ -228,7 +228,7 @@ class PlateScene(Scene):
     speed: float = 1.0
     spin: float = 5.0
     orientation: float = 0.0
-    coefficient: float = 0.3
+    mu: float = 0.3
     gyration_radius: float | None = None
     gravity: float = 9.81
     mass: float = 0.5
@@ -261,7 +261,7 @@ class CurlingScene(Scene):
     model
         Why the rock curls; see docs/curling.md. *Value*: one of "left-right", "dry", "front-back",
         "back-heavy", "film", "pivot-slide", "scratch-guide".
-    coefficient
+    gamma
         Friction coefficient of the ice; if left out that of the model: 0.007095 for dry, else
         0.008. *Unit*: (s/m)^alpha. *Value*: a finite number > 0.
     alpha
@@ -300,7 +300,7 @@ class CurlingScene(Scene):
     model: Literal["left-right", "dry", "front-back", "back-heavy", "film", "pivot-slide", "scratch-guide"] = (
         "left-right"
     )
-    coefficient: float | None = None
+    gamma: float | None = None
     alpha: float | None = None
     back_to_front: float | None = None
     film_front: float | None = None
@@ -317,7 +317,7 @@ class SpringScene(Scene):
 
     Parameters
     ----------
-    friction
+    friction_law
         What resists the body. *Value*: one of "dry", "rate-state", "lugre".
     mass
         Mass of the body; 0 for a quasi-static one under rate and state. *Unit*: kg. *Value*: a
@@ -393,7 +393,7 @@ class SpringScene(Scene):
 
     BODY: ClassVar[str] = "spring"
 
-    friction: Literal["dry", "rate-state", "lugre"] = "dry"
+    friction_law: Literal["dry", "rate-state", "lugre"] = "dry"
     mass: float = 1.0
     load: float = 9.81
     stiffness: float = 100.0
@@ -606,11 +606,11 @@ class PowderScene(Scene):
     width
         Side of the square base, periodic in x and y. *Unit*: R. *Value*: a finite number > 0.
     height
-        Height at which the deposit is cut and the piston starts, unless `count` or `start` is
-        given. *Unit*: R. *Value*: a finite number > 0.
+        Height at which the deposit is cut and the piston starts, unless `count` or `initial_state`
+        is given. *Unit*: R. *Value*: a finite number > 0.
     count
         Number of spheres, in place of `height`. *Value*: a whole number from 1 to 1000000.
-    start
+    initial_state
         Spheres to start from in place of a deposit: a file (extended XYZ, LAMMPS data or dump,
         VTP), or the folder of a run, whose last state goes on. *Value*: the path of a file or a
         folder.
@@ -625,28 +625,28 @@ class PowderScene(Scene):
         distribution such as "uniform:0.2", "normal:0.1", "lognormal:0.3" or "table:FILE.csv".
     seed
         Seed of the deposit's random numbers. *Value*: a whole number from 1 to 9007199254740992.
-    sliding
+    mu
         Sliding coefficient mu: largest sliding force over P = F_n + F_coh. *Value*: a finite number
         >= 0.
-    rolling
-        Rolling coefficient mu_t: largest rolling torque over P r_eff. *Value*: a finite number >=
-        0.
-    torsion
-        Torsion coefficient mu_n: largest torsion torque over P r_eff. *Value*: a finite number >=
-        0.
+    mu_rolling
+        Rolling coefficient mu_t: largest rolling torque over P r_eff; a length in Chrono and
+        MuJoCo. *Value*: a finite number >= 0.
+    mu_torsion
+        Torsion coefficient mu_n: largest torsion torque over P r_eff; a length in Chrono and
+        MuJoCo. *Value*: a finite number >= 0.
     coupling
         How the thresholds of sliding and torsion depend on each other. *Value*: one of
         "independent", "ellipsoid", "exact".
     share_second
-        Share of the spheres that are of a second material, chosen at random; those of `start` that
-        have materials keep them. *Value*: a number from 0 to 1.
+        Share of the spheres that are of a second material, chosen at random; those of
+        `initial_state` that have materials keep them. *Value*: a number from 0 to 1.
     density_second
         Density of the second material; that of the first if it is left out. *Unit*: rho. *Value*: a
         finite number > 0.
-    sliding_second
+    mu_second
         Sliding coefficient of the second material; that of the first if it is left out. *Value*: a
         finite number >= 0.
-    sliding_mixed
+    mu_mixed
         Sliding coefficient between the two materials; the geometric mean of theirs if it is left
         out. *Value*: a finite number >= 0.
     pressure
@@ -696,7 +696,7 @@ class PowderScene(Scene):
         to 1000000.
     warm_start
         Whether a step starts from the forces of the last one. *Value*: one of "on", "off".
-    motion
+    max_displacement
         Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
         *Unit*: R. *Value*: a number > 0 and <= 0.5.
     time_step
@@ -707,13 +707,13 @@ class PowderScene(Scene):
     blocked
         Criterion of the end: forces balance and the piston stands, or the piston stands. *Value*:
         one of "balance", "piston".
-    steps
+    max_steps
         Steps after which a run ends that is not blocked before. *Value*: a whole number from 1 to
         1000000000.
     duration
         Time after which a run ends that is not blocked before; if left out there is no such bound.
         *Unit*: sqrt(rho R^4/F_coh). *Value*: a finite number > 0.
-    samples
+    sample_every
         Steps from one line of the series to the next. *Value*: a whole number from 1 to 1000000000.
     """
 
@@ -722,19 +722,19 @@ class PowderScene(Scene):
     width: float = 20.0
     height: float | None = 61.5
     count: int | None = None
-    start: str | None = None
+    initial_state: str | None = None
     capture_radius: float = 3.0
     radius_spread: float = 0.0
     sizes: str | None = None
     seed: int = 1
-    sliding: float = 0.3
-    rolling: float = 0.0
-    torsion: float = 0.0
+    mu: float = 0.3
+    mu_rolling: float = 0.0
+    mu_torsion: float = 0.0
     coupling: Literal["independent", "ellipsoid", "exact"] = "independent"
     share_second: float = 0.0
     density_second: float | None = None
-    sliding_second: float | None = None
-    sliding_mixed: float | None = None
+    mu_second: float | None = None
+    mu_mixed: float | None = None
     pressure: float = 0.0025
     gravity: float = 0.0
     cohesion_range: float = 0.01
@@ -753,13 +753,13 @@ class PowderScene(Scene):
     tolerance: float = 0.0001
     sweeps: int = 1000
     warm_start: Literal["on", "off"] = "on"
-    motion: float = 0.05
+    max_displacement: float = 0.05
     time_step: float = 0.2
     still_speed: float = 1e-07
     blocked: Literal["balance", "piston"] = "balance"
-    steps: int = 200000
+    max_steps: int = 200000
     duration: float | None = None
-    samples: int = 20
+    sample_every: int = 20
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -777,11 +777,11 @@ class GrainsScene(Scene):
         Height of the box: where the plate above starts, or the period; a floor alone does not use
         it. If it is left out, a plate starts at the highest grain. *Unit*: m. *Value*: a finite
         number > 0.
-    x
+    boundary_x
         What bounds the box along x. *Value*: one of "periodic", "walls".
-    y
+    boundary_y
         What bounds the box along y. *Value*: one of "periodic", "walls".
-    z
+    boundary_z
         What bounds the box along z: a floor, floor and plate, or nothing. *Value*: one of "floor",
         "walls", "periodic".
     dimension
@@ -790,21 +790,22 @@ class GrainsScene(Scene):
     container
         What holds the grains: the box, a hopper in it, or a drum of diameter `width` about y.
         *Value*: one of "box", "hopper", "drum".
-    outlet
+    orifice_width
         Width of the slot of the hopper. *Unit*: m. *Value*: a finite number > 0.
-    outlet_height
+    orifice_height
         Height of the slot above the floor. *Unit*: m. *Value*: a finite number > 0.
-    slope
+    hopper_angle
         Angle of the plates of the hopper with the horizontal. *Unit*: degree. *Value*: a number > 0
         and <= 89.
-    opening
+    open_time
         Time at which the slot is opened. *Unit*: s. *Value*: a finite number >= 0.
     drum_rate
         Rate of rotation of the drum. *Unit*: rad/s. *Value*: a finite number, or a ramp such as
         "0:0, 0.5:1e3, 1:0".
     count
-        Number of grains, unless `start` has them. *Value*: a whole number from 1 to 1000000.
-    start
+        Number of grains, unless `initial_state` has them. *Value*: a whole number from 1 to
+        1000000.
+    initial_state
         Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump,
         VTP), or the folder of a run, whose last state goes on. *Value*: the path of a file or a
         folder.
@@ -817,25 +818,25 @@ class GrainsScene(Scene):
         Distribution of the radii about their mean, in place of `radius_spread`. *Value*: a
         distribution such as "uniform:0.2", "normal:0.1", "lognormal:0.3" or "table:FILE.csv".
     density
-        Density of the grains; those of `start` that have one keep it. *Unit*: kg/m^3. *Value*: a
-        finite number > 0.
+        Density of the grains; those of `initial_state` that have one keep it. *Unit*: kg/m^3.
+        *Value*: a finite number > 0.
     seed
         Seed of the random start. *Value*: a whole number from 1 to 9007199254740992.
     spacing
         Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
         *Value*: a number > 1 and <= 100.
     share_second
-        Share of the grains that are of a second material, chosen at random; those of `start` that
-        have materials keep them. *Value*: a number from 0 to 1.
+        Share of the grains that are of a second material, chosen at random; those of
+        `initial_state` that have materials keep them. *Value*: a number from 0 to 1.
     radius_second
         Radius of these, in mean radii of the others. *Value*: a number > 0 and <= 100.
     density_second
         Density of the second material; that of the first if it is left out. *Unit*: kg/m^3.
         *Value*: a finite number > 0.
-    sliding_second
+    mu_second
         Sliding coefficient of the second material; that of the first if it is left out. *Value*: a
         finite number >= 0.
-    sliding_mixed
+    mu_mixed
         Sliding coefficient between the two materials; the geometric mean of theirs if it is left
         out. *Value*: a finite number >= 0.
     cohesion
@@ -848,15 +849,15 @@ class GrainsScene(Scene):
     restitution
         Coefficient of restitution: speed after an impact over speed before, at walls too. *Value*:
         a number from 0 to 1.
-    sliding
+    mu
         Sliding coefficient mu: largest sliding force over P = F_n + F_coh. *Value*: a finite number
         >= 0.
-    rolling
-        Rolling coefficient mu_t: largest rolling torque over P r_eff. *Value*: a finite number >=
-        0.
-    torsion
-        Torsion coefficient mu_n: largest torsion torque over P r_eff. *Value*: a finite number >=
-        0.
+    mu_rolling
+        Rolling coefficient mu_t: largest rolling torque over P r_eff; a length in Chrono and
+        MuJoCo. *Value*: a finite number >= 0.
+    mu_torsion
+        Torsion coefficient mu_n: largest torsion torque over P r_eff; a length in Chrono and
+        MuJoCo. *Value*: a finite number >= 0.
     coupling
         How the thresholds of sliding and torsion depend on each other. *Value*: one of
         "independent", "ellipsoid", "exact".
@@ -926,20 +927,21 @@ class GrainsScene(Scene):
         Change of a sweep, relative to P, at which sweeps stop. *Value*: a number > 0 and <= 1.
     sweeps
         Most sweeps of a step. *Value*: a whole number from 1 to 1000000.
-    motion
+    max_displacement
         Largest distance that a grain may move in a step, in mean radii; soft contacts divide it
         into stable ones. *Value*: a number > 0 and <= 0.5.
     time_step
-        Longest time step; if it is left out, the time in which gravity moves a grain by `motion`
-        from rest, and at most a hundredth of `duration`. *Unit*: s. *Value*: a finite number > 0.
+        Longest time step; if it is left out, the time in which gravity moves a grain by
+        `max_displacement` from rest, and at most a hundredth of `duration`. *Unit*: s. *Value*: a
+        finite number > 0.
     duration
         Time after which the run ends. *Unit*: s. *Value*: a finite number > 0.
-    rest
+    rest_speed
         Speed below which the grains are at rest: the run ends once their root mean square speed was
         lower for 100 steps. *Unit*: m/s. *Value*: a finite number > 0.
-    steps
+    max_steps
         Steps after which a run ends in any case. *Value*: a whole number from 1 to 1000000000.
-    samples
+    sample_every
         Steps from one line of the series to the next. *Value*: a whole number from 1 to 1000000000.
     """
 
@@ -948,18 +950,18 @@ class GrainsScene(Scene):
     width: float = 0.1
     depth: float | None = None
     height: float | None = None
-    x: Literal["periodic", "walls"] = "periodic"
-    y: Literal["periodic", "walls"] = "periodic"
-    z: Literal["floor", "walls", "periodic"] = "floor"
+    boundary_x: Literal["periodic", "walls"] = "periodic"
+    boundary_y: Literal["periodic", "walls"] = "periodic"
+    boundary_z: Literal["floor", "walls", "periodic"] = "floor"
     dimension: int = 3
     container: Literal["box", "hopper", "drum"] = "box"
-    outlet: float = 0.05
-    outlet_height: float = 0.1
-    slope: float = 45.0
-    opening: float = 0.0
+    orifice_width: float = 0.05
+    orifice_height: float = 0.1
+    hopper_angle: float = 45.0
+    open_time: float = 0.0
     drum_rate: float | str = 1.0
     count: int | None = 100
-    start: str | None = None
+    initial_state: str | None = None
     radius: float = 0.005
     radius_spread: float = 0.0
     sizes: str | None = None
@@ -969,15 +971,15 @@ class GrainsScene(Scene):
     share_second: float = 0.0
     radius_second: float = 1.0
     density_second: float | None = None
-    sliding_second: float | None = None
-    sliding_mixed: float | None = None
+    mu_second: float | None = None
+    mu_mixed: float | None = None
     cohesion: float = 0.0
     cohesion_range: float = 0.0
     attraction: Literal["pull", "resistance"] = "pull"
     restitution: float = 0.0
-    sliding: float = 0.5
-    rolling: float = 0.0
-    torsion: float = 0.0
+    mu: float = 0.5
+    mu_rolling: float = 0.0
+    mu_torsion: float = 0.0
     coupling: Literal["independent", "ellipsoid", "exact"] = "independent"
     wall: Literal["full", "smooth", "none"] = "full"
     gravity: float | str = 9.81
@@ -1003,12 +1005,12 @@ class GrainsScene(Scene):
     steps_per_collision: float | None = None
     tolerance: float = 0.0001
     sweeps: int = 1000
-    motion: float = 0.05
+    max_displacement: float = 0.05
     time_step: float | None = None
     duration: float = 1.0
-    rest: float | None = None
-    steps: int = 10000000
-    samples: int = 50
+    rest_speed: float | None = None
+    max_steps: int = 10000000
+    sample_every: int = 50
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -1027,7 +1029,7 @@ class GasScene(Scene):
     tangential
         Tangential restitution, from -1 (smooth) to 1; if left out spheres are smooth, or stop under
         friction. *Value*: a number > -1 and <= 1.
-    friction
+    mu
         Sliding coefficient mu that limits the tangential impulse; if left out there is no such
         limit. *Value*: a finite number >= 0.
     rotational
@@ -1047,11 +1049,11 @@ class GasScene(Scene):
     duration
         Time after which a run ends if it has not before; if left out there is no such bound.
         *Unit*: R sqrt(m/T0). *Value*: a finite number > 0.
-    sample
+    sample_every
         Collisions a sphere from one line of the series to the next. *Value*: a finite number > 0.
     method
         How the motion is computed. *Value*: one of "events", "contact-dynamics", "soft".
-    motion
+    max_displacement
         Largest distance that a sphere may move in a time step. *Unit*: R. *Value*: a number > 0 and
         <= 1.
     stiffness
@@ -1070,16 +1072,16 @@ class GasScene(Scene):
     fraction: float = 0.05
     restitution: float = 0.9
     tangential: float | None = None
-    friction: float | None = None
+    mu: float | None = None
     rotational: float = 0.0
     contact_time: float = 0.0
     seed: int = 1
     mixing: float = 20.0
     collisions: float = 30.0
     duration: float | None = None
-    sample: float = 0.5
+    sample_every: float = 0.5
     method: Literal["events", "contact-dynamics", "soft"] = "events"
-    motion: float | None = None
+    max_displacement: float | None = None
     stiffness: float | None = None
     normal_law: Literal["linear", "hertz"] | None = None
     steps_per_collision: float | None = None
@@ -1196,7 +1198,7 @@ class TipScene(Scene):
     seed
         Seed of the first velocities and of noise. *Value*: a whole number from 1 to
         9007199254740992.
-    samples
+    sample_every
         Steps from one line of the series to the next. *Value*: a whole number from 1 to 1000000000.
     """
 
@@ -1240,7 +1242,7 @@ class TipScene(Scene):
     integrator: Literal["leap-frog", "velocity-verlet"] = "leap-frog"
     skin: float = 0.3
     seed: int = 1
-    samples: int = 100
+    sample_every: int = 100
 
 
 __all__ = [

@@ -11,7 +11,7 @@
 //! they are computed here, in units of force limit and radius.
 
 use crate::arrays::refused;
-use crate::model::Sets;
+use crate::model::{Sets, twist_of};
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 use pyo3::prelude::*;
 use tribos::friction::{self, Area, AreaFriction, Law};
@@ -43,7 +43,7 @@ impl dyn Smooth + '_ {
     }
 
     /// ∂(unit normal)/∂wrench: that of gradient/|gradient|.
-    fn normal_jacobian(&self, wrench: &Wrench<f64>) -> Matrix3<f64> {
+    pub fn normal_jacobian(&self, wrench: &Wrench<f64>) -> Matrix3<f64> {
         let (gradient, hessian) = self.gauge_derivatives(wrench);
         let radius = self.set().radius();
         let rim = gradient.spin * radius;

@@ -2,7 +2,7 @@
 
 use super::part;
 use super::smooth::{Ellipsoids, Family, Smooth, family};
-use super::step::{AFTER, BY, Moved, STEP, moved};
+use super::step::{AFTER, BY, STEP, StepGradient, moved};
 use crate::arrays::{Numbers, Output, Rows, View, broadcast, refused};
 use crate::model::{Sets, twist_numbers, twist_of, wrench_of};
 use crate::patch::Patch;
@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use tribos_core::contact::TimeStep;
 use tribos_core::planar::PlanarBody;
-use tribos_core::twist::{Twist, Wrench};
+use tribos_core::twist::Wrench;
 
 /// Nanoseconds that a derivative takes, about.
 const COST: usize = 1500;

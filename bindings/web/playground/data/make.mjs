@@ -57,7 +57,7 @@ function curling() {
 function powder() {
   const corners = CORNERS.map(([rolling, torsion]) => {
     const out = `out/powder-${rolling}${torsion}`;
-    const command = `tribos run compaction-small --set rolling=${rolling} --set torsion=${torsion} --frames ${FRAMES} --out ${out}`;
+    const command = `tribos run compaction-small --set mu_rolling=${rolling} --set mu_torsion=${torsion} --frames ${FRAMES} --out ${out}`;
     run(command);
     const frames = join(folder, out, "frames");
     const names = readdirSync(frames)

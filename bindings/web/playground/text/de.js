@@ -168,7 +168,7 @@ export default {
   powderTime: "{percent}\u00a0% des Films",
   powderSay: "Leerer Raum zur gezeigten Zeit: {p0}\u00a0% nur mit Gleitreibung, {p1}\u00a0% mit Torsion, {p2}\u00a0% mit Rollreibung, {p3}\u00a0% mit beiden.",
   powderFormula: "<h3>Die Formel</h3><p class=\"math\"><span>|F| ≤ μ P,</span> <span>|T<sub>Rollen</sub>| ≤ μ<sub>r</sub> P r,</span> <span>|T<sub>Torsion</sub>| ≤ μ<sub>n</sub> P r</span></p><p>P ist die Kraft, die einen Kontakt zusammendrückt, Kohäsion eingeschlossen, F seine Reibungskraft, T seine Momente, und r der halbe Radius der gleichen Kugeln. Hier ist μ = 0,3; Rollen und Torsion haben den Koeffizienten 0 oder 1. Jeder Zeitschritt bestimmt die Kräfte aller Kontakte gemeinsam.</p>",
-  powderCommand: "<p>Einer der vier; die anderen haben 0 statt einer 1:</p><pre><code>tribos run compaction-small --set rolling=1 --set torsion=1 --frames 40 --out out/powder-11</code></pre><pre><code>tribos view out/powder-11</code></pre>",
+  powderCommand: "<p>Einer der vier; die anderen haben 0 statt einer 1:</p><pre><code>tribos run compaction-small --set mu_rolling=1 --set mu_torsion=1 --frames 40 --out out/powder-11</code></pre><pre><code>tribos view out/powder-11</code></pre>",
 
   worksheetTitle: "Arbeitsblatt: fünf Experimente",
   worksheetIntro: "Für eine Stunde von 45 bis 90 Minuten mit dieser Seite. Jedes Experiment dauert fünf bis zehn Minuten; die letzten beiden führen auch in ein Gespräch über Modelle. Antworten lassen sich hier aufklappen, gedruckt stehen sie auf einem eigenen Blatt.",

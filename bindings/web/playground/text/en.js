@@ -168,7 +168,7 @@ export default {
   powderTime: "{percent}\u00a0% of the film",
   powderSay: "Empty space at the time shown: {p0}\u00a0% with sliding friction only, {p1}\u00a0% with torsion, {p2}\u00a0% with rolling, {p3}\u00a0% with both.",
   powderFormula: "<h3>The formula</h3><p class=\"math\"><span>|F| ≤ μ P,</span> <span>|T<sub>rolling</sub>| ≤ μ<sub>r</sub> P r,</span> <span>|T<sub>torsion</sub>| ≤ μ<sub>n</sub> P r</span></p><p>P is the force that presses a contact together, cohesion included, F its friction force, T its torques, and r half the radius of the equal spheres. Here μ = 0.3; rolling and torsion have the coefficient 0 or 1. Every time step finds the forces of all contacts together.</p>",
-  powderCommand: "<p>One of the four; the others have 0 in place of a 1:</p><pre><code>tribos run compaction-small --set rolling=1 --set torsion=1 --frames 40 --out out/powder-11</code></pre><pre><code>tribos view out/powder-11</code></pre>",
+  powderCommand: "<p>One of the four; the others have 0 in place of a 1:</p><pre><code>tribos run compaction-small --set mu_rolling=1 --set mu_torsion=1 --frames 40 --out out/powder-11</code></pre><pre><code>tribos view out/powder-11</code></pre>",
 
   worksheetTitle: "Worksheet: five experiments",
   worksheetIntro: "For a lesson of 45 to 90 minutes with this page. Each experiment takes five to ten minutes; the last two also start a discussion about models. Answers unfold here, and are printed on a sheet of their own.",

@@ -63,7 +63,7 @@ fn method(scene: &GasScene) -> String {
         }
         GasMethod::ContactDynamics => format!(
             "contact dynamics: steps in which no sphere moves farther than {} R, impacts first",
-            scene.motion
+            scene.max_displacement
         ),
         GasMethod::Soft => soft(scene),
     }

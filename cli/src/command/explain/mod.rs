@@ -34,11 +34,11 @@ pub struct Arguments {
 const EXAMPLES: &str = "\
 Examples:
   tribos explain compaction-small
-  tribos explain compaction-small --set rolling=0.1 --set torsion=0.1 --set coupling=exact
+  tribos explain compaction-small --set mu_rolling=0.1 --set mu_torsion=0.1 --set coupling=exact
   tribos explain tip-reversible --set cutoff=3
   tribos explain cylinder --set pressure=hertz
-  tribos run compaction-small --set torsion=0.1 --out out/powder
-  tribos explain compaction-small --set torsion=0.1 --out out/powder
+  tribos run compaction-small --set mu_torsion=0.1 --out out/powder
+  tribos explain compaction-small --set mu_torsion=0.1 --out out/powder
   tribos run tip-reversible --set drive_time=200 --out out/tip
   tribos explain tip-reversible --set drive_time=200 --out out/tip";
 

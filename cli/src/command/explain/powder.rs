@@ -9,12 +9,14 @@ use tribos::scene::{ContactMethod, FrictionCoupling, PowderScene};
 use tribos::soft::{self, Stiffness};
 use tribos_core::contact::Attraction;
 
-/// Names of the modes with friction, and the keys that switch them on.
+/// Names of the modes with friction.
 pub const MODES: [&str; 3] = ["sliding", "rolling", "torsion"];
+/// Keys that switch them on.
+pub const SWITCHES: [&str; 3] = ["mu", "mu_rolling", "mu_torsion"];
 
 /// Coefficients of the modes.
 pub fn coefficients(scene: &PowderScene) -> [f64; 3] {
-    [scene.sliding, scene.rolling, scene.torsion]
+    [scene.mu, scene.mu_rolling, scene.mu_torsion]
 }
 
 /// The whole account.

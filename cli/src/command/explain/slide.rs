@@ -17,7 +17,7 @@ pub fn disk(scene: &DiskScene) -> Result<String, Failure> {
         "unknowns",
         "2: sliding speed and spin; the path is straight",
     );
-    text += &line("law", law(scene.law, scene.alpha, scene.coefficient));
+    text += &line("law", law(scene.law, scene.alpha, scene.gamma));
     text += &line("patch", "disk under uniform pressure");
     text += &line("friction", scene.evaluation()?.to_string());
     text += &line(
@@ -45,7 +45,7 @@ pub fn planar(scene: &dyn PlanarScene, laws: &str) -> Result<String, Failure> {
 
 /// Laws of a cylinder.
 pub fn cylinder(scene: &CylinderScene) -> String {
-    line("law", law(scene.law, scene.alpha, scene.coefficient))
+    line("law", law(scene.law, scene.alpha, scene.gamma))
         + &line("patch", pressure(scene.pressure))
         + &leaning(scene.gradient, scene.tipping)
 }
@@ -54,7 +54,7 @@ pub fn cylinder(scene: &CylinderScene) -> String {
 pub fn pipe(scene: &PipeScene) -> String {
     let inner = scene.pipe().inner_ratio;
     let patch = format!("annulus from {inner:.4} to 1 radii under uniform pressure");
-    line("law", law(scene.law, scene.alpha, scene.coefficient))
+    line("law", law(scene.law, scene.alpha, scene.gamma))
         + &line("patch", patch)
         + &leaning(scene.gradient, scene.tipping)
 }
@@ -74,7 +74,7 @@ fn leaning(gradient: Gradient, tipping: Tipping) -> String {
 /// Laws of a plate.
 pub fn plate(scene: &PlateScene) -> String {
     let patch = format!("{} under uniform pressure", scene.patch);
-    line("law", law(None, 0.0, scene.coefficient)) + &line("patch", patch)
+    line("law", law(None, 0.0, scene.mu)) + &line("patch", patch)
 }
 
 /// Laws of a curling rock.

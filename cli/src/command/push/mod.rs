@@ -48,7 +48,7 @@ Examples:
   A box pushed by a finger off its middle, its path as a table and a picture:
     tribos push push-box --output box.csv --picture box.svg
   The same with a finger that sticks at once:
-    tribos push push-box --set pusher_coefficient=0.8
+    tribos push push-box --set mu_pusher=0.8
   A straight pusher of 16 cm under the box that also turns: does it hold the box?
     tribos push push-box --set contact_x=-0.08 --set end_x=0.08 --set end_y=-0.1 --set spin=0.02
   The answer for a program:
@@ -121,7 +121,9 @@ impl Arguments {
                 Failure::input(unknown(&what, &name, [BUILT_IN.0]))
             })?
         };
-        PushScene::parse(&name, &text, &self.overrides).map_err(Failure::input)
+        let scene = PushScene::parse(&name, &text, &self.overrides).map_err(Failure::input)?;
+        super::scene::note_earlier_names(&name, PushScene::KEYS, &text, &self.overrides);
+        Ok(scene)
     }
 }
 

@@ -13,10 +13,7 @@ pub fn text(scene: &PushScene, answer: &PushResult) -> String {
     let [right, left] = answer.cone.angles();
     line(
         "body",
-        format!(
-            "{}, {} N, mu {}",
-            scene.patch, scene.load, scene.coefficient
-        ),
+        format!("{}, {} N, mu {}", scene.patch, scene.load, scene.mu),
     );
     if let Some(grip) = &answer.grip {
         let holds = if grip.is_stable {
@@ -40,7 +37,7 @@ pub fn text(scene: &PushScene, answer: &PushResult) -> String {
                 "at {} of the way along the pusher (0 to 1), tangent over normal {} (+-{})",
                 shown(grip.place),
                 shown(grip.friction),
-                scene.pusher_coefficient
+                scene.mu_pusher
             ),
         );
     } else {
@@ -50,7 +47,7 @@ pub fn text(scene: &PushScene, answer: &PushResult) -> String {
                 "from {} to {} deg off the inward normal, counterclockwise; friction cone +-{} deg",
                 degrees(right),
                 degrees(left),
-                degrees(scene.pusher_coefficient.atan())
+                degrees(scene.mu_pusher.atan())
             ),
         );
         line("pusher", first.mode.to_string());

@@ -1,7 +1,7 @@
 //! Who asked for a run: a person at a terminal, or a program that has this crate as a library.
 
 use crate::command::interrupt;
-use crate::command::progress::{Host, Meter};
+use crate::command::progress::{HostProgram, Meter};
 use crate::failure::Failure;
 use std::fmt;
 

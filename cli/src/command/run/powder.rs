@@ -83,7 +83,7 @@ fn tell(meter: &mut Meter<'_>, scene: &PowderScene, compaction: &PowderSimulatio
         ContactMethod::ContactDynamics => format!("{words}  {sweeps:6.1} sweeps a step"),
         ContactMethod::Soft => words,
     };
-    if scene.duration.is_some() || scene.steps <= FEW {
+    if scene.duration.is_some() || scene.max_steps <= FEW {
         meter.tell(compaction.progress(), format_args!("{words}"));
     } else {
         meter.report_elapsed(format_args!("{words}"));

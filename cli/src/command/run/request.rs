@@ -12,6 +12,7 @@ use tribos::run::folder::{
     Contents, InterruptedRunPolicy, Lock, LockMode, Manifest, OutputFolder, is_finished,
 };
 use tribos::run::{CHECKPOINT, LongRun, RunError, Session, StartMode, read_checkpoint};
+use tribos::scene::with_present_names;
 use tribos_report::image::{self, Drawing};
 
 /// The command's name in the folders that it writes.
@@ -125,6 +126,13 @@ impl<'a> RunRequest<'a> {
             read_checkpoint(&checkpoint(self.out))?;
         }
         let lock = Lock::take(self.out, LockMode::Alone)?;
+        let mut contents = contents;
+        if let Some(begun) = Manifest::read(self.out)?
+            && with_present_names(&begun.about) == contents.about
+        {
+            // A folder keeps the names that its version had for the keys.
+            contents.about = begun.about;
+        }
         let Some(start) = self.start(&contents.about)? else {
             OutputFolder::tidy(lock)?;
             let out = self.out.display();
@@ -166,7 +174,8 @@ impl<'a> RunRequest<'a> {
 /// Refuses to go on with another scene than the folder's.
 fn same_scene(kept: &Value, given: &Value) -> Result<(), Failure> {
     let empty = serde_json::Map::new();
-    let [there, here] = [kept, given].map(|scene| scene.as_object().unwrap_or(&empty));
+    let [kept, given] = [kept, given].map(with_present_names);
+    let [there, here] = [&kept, &given].map(|scene| scene.as_object().unwrap_or(&empty));
     let mut keys = here.keys().chain(there.keys());
     let Some(key) = keys.find(|key| there.get(*key) != here.get(*key)) else {
         return Ok(());

@@ -4,7 +4,7 @@ use super::source;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::PathBuf;
-use tribos::scene::{Scene, toml_value, vocabulary};
+use tribos::scene::{Scene, toml_value};
 
 /// Reads scenes as `tribos run` does and prints the values in force; or everything that is wrong,
 /// with file and line and what would be valid. Exit code 2 if anything is.
@@ -47,9 +47,8 @@ impl Check {
 /// Every key with the value in force and its unit.
 fn resolved(scene: &Scene) -> String {
     let values = scene.json();
-    let keys = vocabulary(scene.body()).map_or(&[][..], |known| known.keys);
     let mut text = String::new();
-    for key in keys {
+    for key in scene.as_body().keys() {
         let value = match values.get(key.name) {
             Some(value) => toml_value(key, value).unwrap_or_else(|| off(value)),
             None if key.name == "body" => format!("\"{}\"", scene.body()),

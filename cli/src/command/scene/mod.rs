@@ -6,7 +6,7 @@ mod list;
 mod new;
 mod source;
 
-pub use source::{built_in, read, text};
+pub use source::{built_in, note_earlier_names, read, text};
 
 use crate::command::suggestions::unknown;
 use crate::failure::Failure;
@@ -65,7 +65,7 @@ Examples:
   tribos run compaction-small --out out/powder
   tribos scene new compaction-small --out mine.toml
   tribos scene new tip --out tip.toml
-  tribos scene check mine.toml --set rolling=0.3
+  tribos scene check mine.toml --set mu_rolling=0.3
   tribos scene keys powder
   tribos scene schema --out tribos-scene.json
 With `#:schema ./tribos-scene.json` as its first line editors that know taplo check a scene as it

@@ -4,13 +4,26 @@ use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::record::read_text;
-use tribos::scene::{self, LIBRARY, LibraryScene, MOST_BYTES, Scene, library_scene};
+use tribos::scene::{
+    self, Key, LIBRARY, LibraryScene, MOST_BYTES, Scene, earlier_names, library_scene,
+};
 
 /// Reads the scene in the file, or that of this name where there is no such file.
 pub fn read(scene: &Path, overrides: &[String]) -> Result<Scene, Failure> {
     set_once(overrides)?;
     let name = scene.display().to_string();
-    scene::parse_scene(&name, &text(scene)?, overrides).map_err(Failure::input)
+    let text = text(scene)?;
+    let scene = scene::parse_scene(&name, &text, overrides).map_err(Failure::input)?;
+    note_earlier_names(&name, scene.as_body().keys(), &text, overrides);
+    Ok(scene)
+}
+
+/// Says which keys are given by names of earlier versions.
+pub fn note_earlier_names(name: &str, keys: &[Key], text: &str, overrides: &[String]) {
+    for [was, now] in earlier_names(keys, text, overrides) {
+        let line = format_args!("warning: {name}: `{was}` is called `{now}` now");
+        crate::command::warn(line);
+    }
 }
 
 /// Refuses a key that `--set` gives twice: one of its values would be lost.

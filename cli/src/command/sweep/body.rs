@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::sync::Arc;
 use tribos::run::folder::Lock;
-use tribos::scene::{Scene, parse_scene};
+use tribos::scene::{Key, Scene, parse_scene};
 
 /// A scene that a sweep runs.
 #[derive(Debug)]
@@ -22,6 +22,11 @@ impl Body {
     /// What is run.
     pub fn scene(&self) -> &Scene {
         &self.0
+    }
+
+    /// The keys of its scene.
+    pub fn keys(&self) -> &'static [Key] {
+        self.0.as_body().keys()
     }
 
     /// The seed, of bodies that have one.

@@ -2,6 +2,7 @@
 
 use super::range::expand;
 use crate::failure::Failure;
+use tribos::scene::{Key, present_name};
 
 /// A key and the values that it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,6 +53,17 @@ impl Grid {
             keys.push(Swept { key, values });
         }
         Ok(Self { keys })
+    }
+
+    /// The grid with the present names of its keys.
+    pub fn with_present_names(&self, keys: &[Key]) -> Self {
+        let named = |swept: &Swept| Swept {
+            key: present_name(keys, &swept.key).to_owned(),
+            values: swept.values.clone(),
+        };
+        Self {
+            keys: self.keys.iter().map(named).collect(),
+        }
     }
 
     /// Number of combinations.

@@ -13,6 +13,7 @@ use std::time::Instant;
 use tribos::record::{read_text, write_atomically_there};
 use tribos::run::folder::{Lock, LockMode, LockOutcome, remove_file, remove_unfinished};
 use tribos::run::{forget_checkpoint, in_order};
+use tribos::scene::with_present_names;
 
 /// Bytes of a summary at most.
 const MOST_BYTES: u64 = 64 << 20;
@@ -162,7 +163,7 @@ impl Task {
         };
         let text = read_text(&self.file(), MOST_BYTES).ok()?;
         let summary = summary::unsealed(&text)?;
-        (summary["scene"] == body.scene().json()).then_some(summary)
+        (with_present_names(&summary["scene"]) == body.scene().json()).then_some(summary)
     }
 
     /// Whether there is a summary that is not as a run left it.

@@ -95,8 +95,8 @@ pub struct Arguments {
 const EXAMPLES: &str = "\
 Examples:
   Final porosity over rolling and torsion friction (fig. 4.7, small system):
-    tribos sweep scenes/compaction-small.toml --set rolling=0,0.1,0.2,0.4,1 \\
-        --set torsion=0,0.1,0.2,0.4,1 --seeds 2 --out out/figure-4.7
+    tribos sweep scenes/compaction-small.toml --set mu_rolling=0,0.1,0.2,0.4,1 \\
+        --set mu_torsion=0,0.1,0.2,0.4,1 --seeds 2 --out out/figure-4.7
   Over the range of cohesion, with error bars from five deposits, two runs at a time:
     tribos sweep scenes/compaction-small.toml --set cohesion_range=1e-4,1e-3,1e-2 \\
         --seeds 5 --jobs 2 --out out/range
@@ -110,11 +110,11 @@ Examples:
     tribos sweep scenes/disk.toml --set inertia_ratio=1e-2:1e2:x10 --out out/inertia
     tribos sweep scenes/curling-draw.toml --set spin=0.5,1,1.5,2 --set speed=1.9,2 --out out/curl
   On two machines that share a folder (or copy DIR together afterwards):
-    tribos sweep scenes/compaction-small.toml --set rolling=0,1 --seeds 50 --out DIR --part 0/2
+    tribos sweep scenes/compaction-small.toml --set mu_rolling=0,1 --seeds 50 --out DIR --part 0/2
     tribos sweep --plan DIR --part 1/2
     tribos sweep --merge DIR
   On a cluster, 20 tasks of 4 cores:
-    tribos sweep scenes/compaction-large.toml --set rolling=0,0.1,1 --seeds 100 --out DIR \\
+    tribos sweep scenes/compaction-large.toml --set mu_rolling=0,0.1,1 --seeds 100 --out DIR \\
         --slurm --slurm-tasks 20 --slurm-option=--time=2:00:00 --slurm-option=--cpus-per-task=4
     sbatch DIR/job.sh
     tribos sweep --merge DIR";

@@ -1,6 +1,5 @@
 //! What a sweep that is complete leaves: its tables and their picture.
 
-use super::body::Body;
 use super::frame::{self, Column};
 use super::jobs::Task;
 use super::plan::Plan;
@@ -23,17 +22,18 @@ pub fn write(
 ) -> Result<Table, Failure> {
     let seeds = plan.seeds as usize;
     let mut bodies = tasks.iter().filter_map(|task| task.body.as_ref().ok());
-    let kind = bodies.next().map(Body::kind);
-    let kind = kind.ok_or_else(|| Failure::input("every combination is refused"))?;
-    let table = Table::new(kind, &plan.grid, summaries, seeds);
+    let body = bodies.next();
+    let body = body.ok_or_else(|| Failure::input("every combination is refused"))?;
+    let grid = &plan.grid.with_present_names(body.keys());
+    let table = Table::new(body.kind(), grid, summaries, seeds);
     let csv = frame::csv(&table.columns()).map_err(Failure::run)?;
     write_atomically(&out.join("sweep.csv"), &csv)?;
-    let runs = runs::columns(&plan.grid, seeds, tasks, summaries);
+    let runs = runs::columns(grid, seeds, tasks, summaries);
     let csv = frame::csv(&runs).map_err(Failure::run)?;
     write_atomically(&out.join("runs.csv"), &csv)?;
     parquet(&table.columns(), &out.join("sweep.parquet"))?;
     parquet(&runs, &out.join("runs.parquet"))?;
-    plot::write(&plan.grid, &table, out)?;
+    plot::write(grid, &table, out)?;
     Ok(table)
 }
 

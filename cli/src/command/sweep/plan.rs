@@ -3,6 +3,7 @@
 use super::body::Body;
 use super::grid::{Grid, Swept};
 use super::jobs::Task;
+use crate::command::scene::note_earlier_names;
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -125,6 +126,10 @@ impl Plan {
         let bodies: Vec<Result<Body, Failure>> =
             all.iter().map(|overrides| self.body(overrides)).collect();
         self.check(&bodies)?;
+        if let Some(body) = bodies.iter().find_map(|body| body.as_ref().ok()) {
+            let overrides = self.grid.overrides(0);
+            note_earlier_names(&self.scene_name, body.keys(), &self.scene, &overrides);
+        }
         let mut tasks: Vec<Task> = Vec::new();
         for (overrides, body) in all.iter().zip(bodies) {
             let body = body.map_err(|failure| failure.to_string());

@@ -7,6 +7,7 @@ use std::path::Path;
 use tribos::record::frames::{Bodies, FrameFolder};
 use tribos::record::read_text;
 use tribos::run::folder::Manifest;
+use tribos::scene::with_present_names;
 
 /// Bytes of a summary at most.
 const MOST_BYTES: u64 = 64 << 20;
@@ -42,10 +43,12 @@ impl RunFiles {
     /// Refuses what was put beside the run from another scene.
     fn refuse_other(&self, what: &Path, of: Option<&Value>) -> Result<(), Failure> {
         match of {
-            Some(scene) if *scene != self.manifest.about => Err(Failure::input(format!(
-                "{} is of another scene than the run of the folder; run the scene again",
-                what.display()
-            ))),
+            Some(scene) if with_present_names(scene) != self.manifest.about => {
+                Err(Failure::input(format!(
+                    "{} is of another scene than the run of the folder; run the scene again",
+                    what.display()
+                )))
+            }
             _ => Ok(()),
         }
     }
@@ -69,7 +72,7 @@ impl RunFiles {
 /// What the folder says that it holds: one run.
 fn manifest(folder: &Path) -> Result<Manifest, Failure> {
     let shown = folder.display();
-    let Some(manifest) = Manifest::read(folder)? else {
+    let Some(mut manifest) = Manifest::read(folder)? else {
         return Err(Failure::input(format!(
             "{shown}: no run is there, or none that says which files are its own; \
              make one with `tribos run SCENE --out {shown}`"
@@ -81,6 +84,7 @@ fn manifest(folder: &Path) -> Result<Manifest, Failure> {
             manifest.command
         )));
     }
+    manifest.about = with_present_names(&manifest.about);
     Ok(manifest)
 }
 
@@ -91,8 +95,13 @@ pub fn summary(folder: &Path) -> Result<Option<Value>, Failure> {
     match read_text(&file, MOST_BYTES) {
         Err(error) if error.is_missing() => Ok(None),
         Err(error) => Err(named(error.to_string())),
-        Ok(text) => serde_json::from_str(&text)
-            .map(Some)
-            .map_err(|error| named(format!("{error}; run the scene again"))),
+        Ok(text) => {
+            let mut summary: Value = serde_json::from_str(&text)
+                .map_err(|error| named(format!("{error}; run the scene again")))?;
+            if let Some(scene) = summary.get_mut("scene") {
+                *scene = with_present_names(scene);
+            }
+            Ok(Some(summary))
+        }
     }
 }

@@ -75,7 +75,7 @@ impl Checkpoint {
         atoms: usize,
         [line_width, width]: [usize; 2],
     ) -> Result<Self, CheckpointError> {
-        let value = opened(text, (NAME, VERSION), &scene.json())?;
+        let value = opened(text, (NAME, VERSION), TipScene::KEYS, &scene.json())?;
         let finite = |name: &str, count: usize| {
             let numbers = numbers(&value, name)?;
             if numbers.len() == count && numbers.iter().all(|number| number.is_finite()) {
@@ -122,7 +122,7 @@ impl Checkpoint {
             },
             lines: table("lines", line_width, monitor::lines(scene, steps))?,
             // One line at the start and one after every interval of steps.
-            series: table("series", width, 1 + steps.div_ceil(scene.samples))?,
+            series: table("series", width, 1 + steps.div_ceil(scene.sample_every))?,
         })
     }
 }

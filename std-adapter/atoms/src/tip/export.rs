@@ -117,7 +117,7 @@ fn script(scene: &TipScene) -> String {
          thermo_modify norm no format float %.17g\nthermo {}\nrun 0\nundump start\n\n",
         pair(scene),
         number(scene.skin),
-        scene.samples
+        scene.sample_every
     );
     text += &motion(scene);
     text += &format!("timestep {}\nrun {before}\n\n", number(scene.time_step));

@@ -12,7 +12,7 @@ impl TipSimulation {
             kind: Kind::Tip,
             scene: self.scene().json(),
             limit,
-            stride: self.scene().samples.max(1),
+            stride: self.scene().sample_every.max(1),
             sides: shape.periods(),
             periods: self.system().space().lengths(),
             radii: vec![0.5 * shape.spacing; self.layers().len()],

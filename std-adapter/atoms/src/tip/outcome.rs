@@ -58,7 +58,7 @@ pub struct AnglePlateau {
 /// The result of a run. Angles in degrees, times in τ from the start of the drive.
 ///
 /// Turns and work are accumulated at every step, averages use lines 0.5 τ apart (closer if a
-/// stage is short): how often a series or frames are written changes only `samples`.
+/// stage is short): how often a series or frames are written changes only `sample_every`.
 ///
 /// ```
 /// use tribos::run::drive;
@@ -77,7 +77,7 @@ pub struct AnglePlateau {
 ///     drive_time: 0.1,
 ///     rest_time: 0.1,
 ///     time_step: 0.005,
-///     samples: 5,
+///     sample_every: 5,
 ///     ..TipScene::default()
 /// };
 /// let mut run = TipSimulation::new(&scene)?;

@@ -75,7 +75,7 @@ pub enum TipError {
 ///     drive_time: 0.04,
 ///     rest_time: 0.0,
 ///     time_step: 0.005,
-///     samples: 4,
+///     sample_every: 4,
 ///     ..TipScene::default()
 /// };
 /// let mut run = TipSimulation::new(&scene)?;
@@ -277,7 +277,7 @@ impl TipSimulation {
     /// Whether the series has a line after this step.
     fn wants_sample(&self) -> bool {
         let steps = self.system.steps();
-        steps.is_multiple_of(self.scene.samples) || steps == self.last_step()
+        steps.is_multiple_of(self.scene.sample_every) || steps == self.last_step()
     }
 
     /// Whether averages take a line after this step.
@@ -384,7 +384,7 @@ impl Simulation for TipSimulation {
         }
         // Lines are at multiples of their interval, and at the end.
         let until = |every: u64, steps: u64| (steps / every + 1).saturating_mul(every).min(last);
-        let next = until(self.scene.samples, self.system.steps());
+        let next = until(self.scene.sample_every, self.system.steps());
         while self.system.steps() < next {
             let steps = self.system.steps();
             let line = next.min(until(interval(&self.scene), steps));

@@ -215,7 +215,7 @@ scene! {
     /// Seed of the first velocities and of noise.
     seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Steps from one line of the series to the next.
-    samples: u64 = 100, "-", Count { from: 1.0, up_to: 1e9 };
+    sample_every was samples: u64 = 100, "-", Count { from: 1.0, up_to: 1e9 };
 }
 
 fn rules(scene: &TipScene, judge: &mut Judge<'_>) {

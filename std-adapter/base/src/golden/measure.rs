@@ -3,7 +3,7 @@
 use super::digest::Digest;
 use super::quantity::{Quantity, leaves};
 use crate::record::{ContactRow, Partner};
-use crate::scene::{BODY, DEFAULT_BODY};
+use crate::scene::{BODY, DEFAULT_BODY, Key};
 use nalgebra::Vector3;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// ```
 /// use tribos::golden::{Measurement, measure};
 /// use tribos::scene::DiskScene;
-/// let disk = DiskScene { speed: 1.0, spin: 0.0, coefficient: 0.3, ..DiskScene::default() };
+/// let disk = DiskScene { speed: 1.0, spin: 0.0, gamma: 0.3, ..DiskScene::default() };
 /// let run: Measurement = measure(&disk.into(), || ())?;
 /// assert_eq!(run.columns[0], "time");
 /// let stop = run.rows.last().ok_or("no rows")?[0];
@@ -32,6 +32,9 @@ pub struct Measurement {
     pub rows: Vec<Vec<f64>>,
     /// Digests of the final state, for powders and tips.
     pub state: Vec<(&'static str, u64)>,
+    /// Keys of the scene, by which the parameters of pins from earlier versions are found.
+    #[doc(hidden)]
+    pub keys: &'static [Key],
 }
 
 /// Branches of a summary that are not results.
@@ -65,6 +68,7 @@ impl Measurement {
             columns: columns.iter().map(ToString::to_string).collect(),
             rows: rows.collect(),
             state: Vec::new(),
+            keys: &[],
         }
     }
 

@@ -3,7 +3,11 @@
 use super::difference::{Difference, SeriesDifference, SummaryDifference, Verdict};
 use super::measure::Measurement;
 use super::quantity::{Quantity, digest};
+use crate::scene::key::present_name;
 use std::collections::BTreeMap;
+
+/// Values by the keys of a scene.
+type Parameters = BTreeMap<String, Quantity>;
 
 /// Number of blocks of rows per column, each with a digest.
 const BLOCKS: usize = 16;
@@ -34,7 +38,7 @@ pub struct Pinned {
     /// Overrides of the form `key=value`.
     pub overrides: Vec<String>,
     /// Resolved parameters.
-    pub(super) parameters: BTreeMap<String, Quantity>,
+    pub(super) parameters: Parameters,
     /// Quantities of the summary.
     pub(super) summary: BTreeMap<String, Quantity>,
     /// Lines of the series.
@@ -84,8 +88,12 @@ impl Pinned {
 
     /// Compares a new run with the pinned results.
     pub fn compare(&self, measured: &Measurement) -> Verdict {
-        if self.scene_digest() != digest(&measured.parameters) {
-            return Verdict::SceneChanged(self.changed_parameter(measured));
+        let named = |(name, value): (&String, &Quantity)| {
+            (present_name(measured.keys, name).into(), value.clone())
+        };
+        let parameters: Parameters = self.parameters.iter().map(named).collect();
+        if digest(&parameters) != digest(&measured.parameters) {
+            return Verdict::SceneChanged(changed_parameter(&parameters, &measured.parameters));
         }
         let (series, columns) = self.series_difference(measured);
         let (summary, quantities) = self.summary_difference(measured);
@@ -100,25 +108,6 @@ impl Pinned {
             state: state.into_iter().next(),
             count,
         })
-    }
-
-    /// The first parameter that differs, in words.
-    fn changed_parameter(&self, measured: &Measurement) -> String {
-        let (was, is) = (&self.parameters, &measured.parameters);
-        let mut names: Vec<&String> = was.keys().chain(is.keys()).collect();
-        names.sort();
-        let changed = names
-            .into_iter()
-            .find(|name| was.get(*name) != is.get(*name));
-        let Some(name) = changed else {
-            return "its parameters".into();
-        };
-        match (is.get(name), was.get(name)) {
-            (Some(is), Some(was)) => format!("`{name}` is {is}, pinned {was}"),
-            (Some(is), None) => format!("`{name}` is {is}, and was unknown when it was pinned"),
-            (None, Some(was)) => format!("`{name}` is unknown, pinned {was}"),
-            (None, None) => format!("`{name}`"),
-        }
     }
 
     /// The earliest difference of the series, and the number of columns that differ.
@@ -199,5 +188,23 @@ impl Pinned {
             .filter(differs)
             .map(str::to_owned)
             .collect()
+    }
+}
+
+/// The first parameter that differs, in words.
+fn changed_parameter(was: &Parameters, is: &Parameters) -> String {
+    let mut names: Vec<&String> = was.keys().chain(is.keys()).collect();
+    names.sort();
+    let changed = names
+        .into_iter()
+        .find(|name| was.get(*name) != is.get(*name));
+    let Some(name) = changed else {
+        return "its parameters".into();
+    };
+    match (is.get(name), was.get(name)) {
+        (Some(is), Some(was)) => format!("`{name}` is {is}, pinned {was}"),
+        (Some(is), None) => format!("`{name}` is {is}, and was unknown when it was pinned"),
+        (None, Some(was)) => format!("`{name}` is unknown, pinned {was}"),
+        (None, None) => format!("`{name}`"),
     }
 }

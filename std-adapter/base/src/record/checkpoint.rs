@@ -2,6 +2,8 @@
 //! digits per number, the bits of each f64.
 
 use super::seal::verified;
+use crate::scene::Key;
+use crate::scene::key::with_present_names;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 
@@ -55,11 +57,13 @@ pub enum CheckpointError {
     },
 }
 
-/// The object in the text of a checkpoint of `scene` whose first key is `name`, with its format as the value.
+/// The object in the text of a checkpoint of `scene`, which has these `keys`; its first key is `name`, with its format
+/// as the value.
 #[doc(hidden)]
 pub fn opened(
     text: &str,
     (name, format): (&str, u64),
+    keys: &[Key],
     scene: &Value,
 ) -> Result<Value, CheckpointError> {
     let version = |found| CheckpointError::Version {
@@ -77,7 +81,7 @@ pub fn opened(
     };
     match value[name].as_u64() {
         Some(found) if found == format => {
-            same_scene(&value["scene"], scene)?;
+            same_scene(&with_present_names(keys, &value["scene"]), scene)?;
             Ok(value)
         }
         Some(found) => Err(version(found)),

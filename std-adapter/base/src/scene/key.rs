@@ -2,6 +2,7 @@
 
 use super::entries::Written;
 use super::words::meant;
+use serde_json::Value;
 use std::fmt::Display;
 use std::str::FromStr;
 
@@ -21,6 +22,8 @@ use std::str::FromStr;
 pub struct Key {
     /// Name of the key, which is the name of the scene's field.
     pub name: &'static str,
+    /// Its name in earlier versions, if that was another one; files that use it are read as before.
+    pub was: Option<&'static str>,
     /// Unit of its value, or "-" for a pure number or a word.
     pub unit: &'static str,
     /// Meaning of the key, as a sentence.
@@ -34,11 +37,27 @@ pub struct Key {
 /// The key that the scenes of all bodies have.
 pub const BODY: Key = Key {
     name: "body",
+    was: None,
     unit: "-",
     meaning: "What the scene is about; a disk if it is left out.",
     domain: Domain::OneOf(&[]),
     need: Need::Optional,
 };
+
+/// The present name of a key that may be given by its earlier one.
+pub fn present_name<'a>(keys: &[Key], name: &'a str) -> &'a str {
+    let renamed = keys.iter().find(|key| key.was == Some(name));
+    renamed.map_or(name, |key| key.name)
+}
+
+/// Values of a scene that an earlier version may have written, by the present names of their keys.
+pub fn with_present_names(keys: &[Key], values: &Value) -> Value {
+    let Value::Object(values) = values else {
+        return values.clone();
+    };
+    let named = |(name, value): (&String, &Value)| (present_name(keys, name).into(), value.clone());
+    Value::Object(values.iter().map(named).collect())
+}
 
 /// Recorded times that a file can reasonably hold.
 pub const MOST_SAMPLES: f64 = 1_000_000.0;

@@ -17,8 +17,9 @@ pub mod table;
 pub mod words;
 
 pub use hint::{nearest, number_hint};
-pub use key::{BODY, Domain, Form, Key, Need};
+pub use key::{BODY, Domain, Form, Key, Need, present_name};
 pub use problem::{InvalidScene, SceneError, SceneProblem};
+pub use reader::earlier_names;
 pub use table::Body;
 pub use words::UnknownWord;
 

@@ -158,7 +158,8 @@ pub fn read<T: Table>(
     entries: &Entries,
     problems: Vec<SceneProblem>,
 ) -> Result<T, Vec<SceneProblem>> {
-    let entries = &in_place::<T>(entries);
+    let mut problems = problems;
+    let entries = &in_place::<T>(&with_present_names(entries, T::TABLE, &mut problems));
     let mut judge = Judge {
         file: Some(entries),
         problems,
@@ -188,6 +189,42 @@ pub fn read<T: Table>(
     } else {
         Err(problems)
     }
+}
+
+/// The entries by the present names of their keys: an override replaces the value of a file under either name.
+fn with_present_names(
+    entries: &Entries,
+    keys: &[Key],
+    problems: &mut Vec<SceneProblem>,
+) -> Entries {
+    let mut named = entries.clone();
+    for key in keys {
+        let name = key.name;
+        let Some((was, given)) = key.was.and_then(|was| named.values.remove_entry(was)) else {
+            continue;
+        };
+        match (given.1, named.values.get(name).map(|(_, origin)| *origin)) {
+            (Origin::Line(_), Some(Origin::Override)) => {}
+            (_, None) | (Origin::Override, Some(Origin::Line(_))) => {
+                named.values.insert(name.into(), given);
+            }
+            (origin, Some(_)) => {
+                let message = format!("give `{name}` alone; `{was}` is its earlier name");
+                problems.push(SceneProblem::new(origin, message));
+            }
+        }
+    }
+    named
+}
+
+/// Earlier names of keys that a file or its overrides use, each with the present one.
+pub fn earlier_names(keys: &[Key], text: &str, overrides: &[String]) -> Vec<[&'static str; 2]> {
+    let entries = Entries::parse(text, overrides).map(|(entries, _)| entries.values);
+    let given = entries.unwrap_or_default();
+    let renamed = keys.iter().filter_map(|key| Some([key.was?, key.name]));
+    renamed
+        .filter(|[was, _]| given.contains_key(*was))
+        .collect()
 }
 
 /// The entries without the keys of a file that an override of the key they depend on has put out of use.

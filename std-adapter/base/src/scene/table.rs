@@ -1,7 +1,7 @@
 //! The table of a scene: its fields, from which reader, errors, JSON, schema and help follow.
 
 use super::entries::{Entries, Written};
-use super::key::{Domain, Key, Need};
+use super::key::{Domain, Key, Need, with_present_names};
 use super::problem::{InvalidScene, SceneError, SceneProblem};
 use super::reader::{self, Judge};
 use super::words::Word;
@@ -127,6 +127,10 @@ pub trait Body: Debug {
     /// What the scene is about: the value of the key `body`.
     fn body(&self) -> &'static str;
 
+    /// The keys of its files.
+    #[doc(hidden)]
+    fn keys(&self) -> &'static [Key];
+
     /// Keys and values in force, defaults included; null for what is off.
     fn json(&self) -> Value;
 
@@ -137,6 +141,10 @@ pub trait Body: Debug {
 impl<T: Table> Body for T {
     fn body(&self) -> &'static str {
         T::BODY
+    }
+
+    fn keys(&self) -> &'static [Key] {
+        T::TABLE
     }
 
     fn json(&self) -> Value {
@@ -216,6 +224,7 @@ pub trait Table: Clone + Debug + Default + PartialEq + 'static {
 
     /// The scene with these [values](Self::values), if it is right and has them all.
     fn of_values(values: &Value) -> Option<Self> {
+        let values = &with_present_names(Self::TABLE, values);
         let mut scene = Self::default();
         for (key, field) in Self::rows() {
             let written = match values.get(key.name) {
@@ -261,18 +270,21 @@ fn shown(key: &Key, x: f64) -> Value {
 }
 
 /// Declares a scene: each line is a field with its meaning, type, default, unit, domain and, unless
-/// it is optional, its need. The struct, its `Default` and its [`Table`] are made from them.
+/// it is optional, its need. `now was before` names a key that earlier versions called `before`. The struct,
+/// its `Default` and its [`Table`] are made from them.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! scene {
     (@need) => { $crate::scene::key::Need::Optional };
     (@need $need:expr) => { $need };
+    (@was) => { None };
+    (@was $was:ident) => { Some(stringify!($was)) };
     (
         $(#[$about:meta])*
         pub struct $name:ident = $body:literal, $title:literal, $rules:expr, $in_force:expr;
         $(
             $(#[doc = $doc:literal])+
-            $field:ident: $type:ty = $default:expr, $unit:literal, $domain:expr $(, $need:expr)?;
+            $field:ident $(was $was:ident)?: $type:ty = $default:expr, $unit:literal, $domain:expr $(, $need:expr)?;
         )+
     ) => {
         $(#[$about])*
@@ -304,6 +316,7 @@ macro_rules! scene {
                 },
                 $($crate::scene::Key {
                     name: stringify!($field),
+                    was: $crate::scene::table::scene!(@was $($was)?),
                     unit: $unit,
                     meaning: concat!($($doc),+).trim_ascii(),
                     domain: $domain,

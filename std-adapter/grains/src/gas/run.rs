@@ -226,7 +226,7 @@ impl GasSimulation {
 
     /// Collisions of pairs at the next line of the series.
     fn next_line(&self) -> u64 {
-        let line = self.series.len() as f64 * self.scene.sample;
+        let line = self.series.len() as f64 * self.scene.sample_every;
         self.pairs(line.min(self.scene.collisions))
     }
 

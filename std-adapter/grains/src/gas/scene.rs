@@ -48,7 +48,7 @@ scene! {
     /// Tangential restitution, from -1 (smooth) to 1; if left out spheres are smooth, or stop under friction.
     tangential: Option<f64> = None, "-", Between { above: -1.0, up_to: 1.0 };
     /// Sliding coefficient mu that limits the tangential impulse; if left out there is no such limit.
-    friction: Option<f64> = None, "-", NotNegative;
+    mu was friction: Option<f64> = None, "-", NotNegative;
     /// Temperature of the spins at the start.
     rotational: f64 = 0.0, "T0", NotNegative;
     /// Contact time t_c: a collision sooner after a sphere's last one loses no energy; 0 for none.
@@ -63,11 +63,11 @@ scene! {
     /// Time after which a run ends if it has not before; if left out there is no such bound.
     duration: Option<f64> = None, "R sqrt(m/T0)", Positive;
     /// Collisions a sphere from one line of the series to the next.
-    sample: f64 = 0.5, "-", Positive;
+    sample_every was sample: f64 = 0.5, "-", Positive;
     /// How the motion is computed.
     method: GasMethod = GasMethod::Events, "-", OneOf(GasMethod::WORDS);
     /// Largest distance that a sphere may move in a time step.
-    motion: f64 = 0.05, "R", Between { above: 0.0, up_to: 1.0 }, PartOf("method", "contact-dynamics");
+    max_displacement was motion: f64 = 0.05, "R", Between { above: 0.0, up_to: 1.0 }, PartOf("method", "contact-dynamics");
     /// Stiffness of soft contacts: a head-on collision at a relative speed of 1 overlaps by 1/sqrt(2 stiffness).
     // At a packing fraction of 0.05 a collision takes 1 % of the time between two.
     stiffness: f64 = 1e4, "T0/R^2", Positive, PartOf("method", "soft");
@@ -96,10 +96,10 @@ fn rules(scene: &GasScene, judge: &mut Judge<'_>) {
         judge.refuse(&["fraction", "count"], message);
     }
     let tangential = scene.tangential.is_some_and(|beta| beta != 0.0);
-    let sticks = scene.tangential.is_some() && scene.friction.is_none();
+    let sticks = scene.tangential.is_some() && scene.mu.is_none();
     if scene.method != GasMethod::Events && (tangential || sticks) {
         let message = format!(
-            "method = \"{}\" has no tangential restitution: leave `tangential` out and give `friction`, or neither",
+            "method = \"{}\" has no tangential restitution: leave `tangential` out and give `mu`, or neither",
             scene.method
         );
         judge.refuse(&["tangential", "method"], message);
@@ -108,9 +108,10 @@ fn rules(scene: &GasScene, judge: &mut Judge<'_>) {
         let message = "`restitution` must be above 0 with method = \"soft\": no dashpot takes all; take 0.01 or more";
         judge.refuse(&["restitution", "method"], message);
     }
-    if scene.collisions / scene.sample > MOST_LINES {
-        let message = format!("`collisions` over `sample` must not exceed {MOST_LINES:e} lines");
-        judge.refuse(&["sample", "collisions"], message);
+    if scene.collisions / scene.sample_every > MOST_LINES {
+        let message =
+            format!("`collisions` over `sample_every` must not exceed {MOST_LINES:e} lines");
+        judge.refuse(&["sample_every", "collisions"], message);
     }
 }
 
@@ -118,7 +119,7 @@ impl GasScene {
     /// The law of a collision.
     #[doc(hidden)]
     pub fn impact(&self) -> Result<Impact, ImpactError> {
-        let tangential = match (self.tangential, self.friction) {
+        let tangential = match (self.tangential, self.mu) {
             (None, None) => Tangential::Smooth,
             (Some(restitution), None) => Tangential::Rough { restitution },
             (beta, Some(mu)) => Tangential::Coulomb {

@@ -29,7 +29,7 @@ pub fn size(scene: &GasScene) -> RunSize {
     let seconds = match scene.method {
         GasMethod::Events => events * SECONDS_A_COLLISION,
         GasMethod::ContactDynamics => {
-            let steps = 3.0 * PATH / (scene.fraction * scene.motion) + 1.0;
+            let steps = 3.0 * PATH / (scene.fraction * scene.max_displacement) + 1.0;
             bodies * scene.collisions * steps * SECONDS_A_SPHERE_STEP
         }
         GasMethod::Soft => {

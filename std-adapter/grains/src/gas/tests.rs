@@ -53,7 +53,7 @@ fn the_energy_balance_of_a_gas_closes_and_its_momentum_stays() -> Tested {
     ] {
         let scene = GasScene {
             tangential,
-            friction,
+            mu: friction,
             method,
             rotational: 0.5,
             collisions: 2.0,
@@ -86,7 +86,7 @@ fn a_dilute_gas_cools_by_haffs_law() -> Tested {
                 fraction: 0.01,
                 restitution: e,
                 collisions,
-                sample: collisions,
+                sample_every: collisions,
                 seed,
                 ..GasScene::default()
             };
@@ -106,7 +106,7 @@ fn rough_spheres_follow_the_mean_field_of_both_temperatures() -> Tested {
             fraction: 0.02,
             restitution: 0.95,
             tangential,
-            friction,
+            mu: friction,
             rotational: 0.3,
             collisions: 4.0,
             ..GasScene::default()
@@ -182,7 +182,7 @@ fn dissipation_makes_clusters() -> Tested {
         restitution: 0.6,
         contact_time: 1e-5,
         collisions: 100.0,
-        sample: 10.0,
+        sample_every: 10.0,
         ..GasScene::default()
     };
     let [before, after] = finished(&scene)?.outcome().density_variance;
@@ -198,7 +198,7 @@ fn a_resumed_gas_ends_with_the_same_bits() -> Tested {
         GasMethod::Soft,
     ] {
         let scene = GasScene {
-            friction: Some(0.3),
+            mu: Some(0.3),
             method,
             collisions: 2.0,
             ..small()
@@ -269,10 +269,10 @@ fn impossible_gases_are_refused_before_work() {
     };
     assert!(refusal(dead).contains("`restitution` must be above 0"));
     let fine = GasScene {
-        sample: 1e-9,
+        sample_every: 1e-9,
         ..GasScene::default()
     };
-    assert!(refusal(fine).contains("`sample`"));
+    assert!(refusal(fine).contains("`sample_every`"));
 }
 
 #[test]
@@ -282,7 +282,7 @@ fn contact_dynamics_cools_like_events() -> Tested {
         fraction: 0.1,
         restitution: 0.9,
         collisions: 4.0,
-        sample: 4.0,
+        sample_every: 4.0,
         method,
         ..GasScene::default()
     };
@@ -312,7 +312,7 @@ fn a_dilute_gas_of_soft_spheres_cools_by_haffs_law() -> Tested {
                 fraction: 0.05,
                 restitution,
                 collisions,
-                sample: collisions,
+                sample_every: collisions,
                 seed,
                 method: GasMethod::Soft,
                 normal_law,
@@ -334,7 +334,7 @@ fn a_dilute_gas_of_soft_spheres_cools_by_haffs_law() -> Tested {
 fn soft_spheres_keep_their_momentum_and_lose_what_springs_do_not_hold() -> Tested {
     for friction in [None, Some(0.3)] {
         let scene = GasScene {
-            friction,
+            mu: friction,
             rotational: 0.5,
             collisions: 2.0,
             method: GasMethod::Soft,
@@ -385,7 +385,7 @@ fn soft_spheres_have_the_same_bits_on_any_number_of_threads() -> Tested {
         fraction: 0.4,
         collisions: 0.3,
         mixing: 2.0,
-        friction: Some(0.3),
+        mu: Some(0.3),
         method: GasMethod::Soft,
         ..GasScene::default()
     };

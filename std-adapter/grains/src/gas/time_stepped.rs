@@ -204,7 +204,7 @@ fn method(scene: &GasScene) -> Method {
             warm_start: true,
         },
         step_limits: StepLimits {
-            motion: scene.motion,
+            motion: scene.max_displacement,
             longest: LONGEST,
         },
         still_speed: 0.0,
@@ -219,7 +219,7 @@ fn material(scene: &GasScene) -> Material {
         cohesion_range: 0.0,
         attraction: Attraction::Pull,
         restitution: scene.restitution,
-        sliding: scene.friction.unwrap_or(0.0),
+        sliding: scene.mu.unwrap_or(0.0),
         rolling: 0.0,
         torsion: 0.0,
         coupling: FrictionCoupling::Independent,

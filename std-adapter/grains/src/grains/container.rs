@@ -23,17 +23,17 @@ pub(super) fn walls(scene: &GrainsScene) -> Vec<InitialWall> {
 
 /// Two plates from the sides down to the slot, and the lid between their edges.
 fn hopper(scene: &GrainsScene) -> [InitialWall; 3] {
-    let (sin, cos) = libm::sincos(scene.slope.to_radians());
+    let (sin, cos) = libm::sincos(scene.hopper_angle.to_radians());
     let plate = |side: f64| {
-        let edge = 0.5 * (scene.width + side * scene.outlet);
-        let slot = Vector3::new(edge, 0.0, scene.outlet_height);
+        let edge = 0.5 * (scene.width + side * scene.orifice_width);
+        let slot = Vector3::new(edge, 0.0, scene.orifice_height);
         let inward = Vector3::new(-side * sin, 0.0, cos);
         // Up the plate, from the slot on. Without walls the two plates meet where the box repeats.
         let along = Vector3::new(side * cos, 0.0, sin);
         let low = along.dot(&slot);
-        let high = match scene.x {
+        let high = match scene.boundary_x {
             SideBoundary::Walls => f64::INFINITY,
-            SideBoundary::Periodic => low + 0.5 * (scene.width - scene.outlet) / cos,
+            SideBoundary::Periodic => low + 0.5 * (scene.width - scene.orifice_width) / cos,
         };
         InitialWall {
             face: WallId::Slope,
@@ -45,11 +45,11 @@ fn hopper(scene: &GrainsScene) -> [InitialWall; 3] {
             }),
         }
     };
-    let ends = [-1.0, 1.0].map(|side| 0.5 * (scene.width + side * scene.outlet));
+    let ends = [-1.0, 1.0].map(|side| 0.5 * (scene.width + side * scene.orifice_width));
     let lid = InitialWall {
         face: WallId::Lid,
         inward: Vector3::z(),
-        place: scene.outlet_height,
+        place: scene.orifice_height,
         edges: Some(Rectangle {
             along: Vector3::x(),
             ends: [ends, ENDLESS],
@@ -78,7 +78,7 @@ fn drum(scene: &GrainsScene) -> Vec<InitialWall> {
 
 /// Whether a grain may start at a place.
 pub(super) fn has_room(scene: &GrainsScene, place: &Vector3<f64>, radius: f64) -> bool {
-    let is_lower = scene.container == Container::Hopper && place.z < scene.outlet_height + radius;
+    let is_lower = scene.container == Container::Hopper && place.z < scene.orifice_height + radius;
     let fits = |part: &InitialWall| part.inward.dot(place) - part.place >= radius;
     !is_lower && walls(scene).iter().all(fits)
 }

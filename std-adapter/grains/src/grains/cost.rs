@@ -67,7 +67,7 @@ const SWEEPS: usize = 50;
 pub fn size(scene: &GrainsScene) -> RunSize {
     let bodies = count(scene) as f64;
     let longest = scene.longest_step();
-    let steps = (scene.duration / longest).min(scene.steps as f64);
+    let steps = (scene.duration / longest).min(scene.max_steps as f64);
     let step = match stable_step(scene) {
         None => SECONDS_A_STEP,
         Some(stable) => (longest / stable).ceil() * SOFT_SECONDS,
@@ -104,7 +104,7 @@ pub fn stable_step(scene: &GrainsScene) -> Option<f64> {
 
 /// Number of grains; 0 if those of a start cannot be read.
 fn count(scene: &GrainsScene) -> usize {
-    match &scene.start {
+    match &scene.initial_state {
         Some(path) => Assembly::read(path).map_or(0, |grains| grains.radii.len()),
         None => scene.count,
     }
@@ -116,18 +116,18 @@ pub fn cost(scene: &GrainsScene) -> Result<GrainsCost, GrainsError> {
     /// A dry friction coefficient.
     const USUAL: f64 = 0.3;
     let modes = scene.material().carried().modes;
-    let mu = scene.sliding;
+    let mu = scene.mu;
     let plain = GrainsScene {
-        sliding: if mu > 0.0 { mu } else { USUAL },
-        rolling: 0.0,
-        torsion: 0.0,
+        mu: if mu > 0.0 { mu } else { USUAL },
+        mu_rolling: 0.0,
+        mu_torsion: 0.0,
         coupling: FrictionCoupling::Independent,
         ..scene.clone()
     };
     let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
     let longest_step = scene.longest_step();
     let spread = scene.radius_spread > 0.0 || scene.sizes.is_some();
-    let unequal = spread || scene.share_second > 0.0 || scene.start.is_some();
+    let unequal = spread || scene.share_second > 0.0 || scene.initial_state.is_some();
     Ok(GrainsCost {
         grains: count(scene),
         contacts: CONTACTS.map(|share| (share * count(scene) as f64).round() as usize),
@@ -150,16 +150,16 @@ fn block(scene: &GrainsScene) -> Result<Box<dyn Packing>, GrainsError> {
         width: side,
         depth: None,
         height: Some(side),
-        x: SideBoundary::Periodic,
-        y: SideBoundary::Periodic,
-        z: EndBoundary::Periodic,
+        boundary_x: SideBoundary::Periodic,
+        boundary_y: SideBoundary::Periodic,
+        boundary_z: EndBoundary::Periodic,
         dimension: 3,
         container: Container::Box,
         count: EDGE.pow(3),
         radius: 0.5 * side / EDGE as f64 / (1.0 + 1e-9),
         radius_spread: 0.0,
         sizes: None,
-        start: None,
+        initial_state: None,
         spacing: 1.0 + 1e-12,
         sweeps: SWEEPS,
         tolerance: f64::MIN_POSITIVE,

@@ -77,7 +77,7 @@ impl GrainsScene {
     /// How the contacts of a step are found and solved.
     pub(super) fn contact_method(&self) -> Method {
         let step_limits = StepLimits {
-            motion: self.motion * self.radius,
+            motion: self.max_displacement * self.radius,
             longest: self.longest_step(),
         };
         match self.method {
@@ -122,7 +122,7 @@ impl GrainsScene {
     /// Longest time step.
     pub(super) fn longest_step(&self) -> f64 {
         let [_, strongest] = self.gravity.range();
-        let fall = (2.0 * self.motion * self.radius / strongest).sqrt();
+        let fall = (2.0 * self.max_displacement * self.radius / strongest).sqrt();
         let longest = fall.min(self.duration / STEPS);
         self.time_step.unwrap_or(longest)
     }
@@ -131,8 +131,8 @@ impl GrainsScene {
     pub(super) fn differences(&self) -> SecondMaterialKeys {
         SecondMaterialKeys {
             density: self.density_second,
-            sliding: self.sliding_second,
-            sliding_mixed: self.sliding_mixed,
+            sliding: self.mu_second,
+            sliding_mixed: self.mu_mixed,
         }
     }
 
@@ -145,9 +145,9 @@ impl GrainsScene {
             cohesion_range: self.cohesion_range,
             attraction: self.attraction,
             restitution: self.restitution,
-            sliding: self.sliding,
-            rolling: self.rolling,
-            torsion: self.torsion,
+            sliding: self.mu,
+            rolling: self.mu_rolling,
+            torsion: self.mu_torsion,
             coupling: self.coupling,
             wall: self.wall,
         }

@@ -9,6 +9,7 @@ use crate::packing::{self, Body, MeasuredState, MeasurementSchedule, Packing, Ru
 use serde_json::{Map, Value};
 use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::damaged;
+use tribos_base::scene::Key;
 
 /// Slow steps after which the grains count as at rest.
 const SLOW_STEPS: u64 = 100;
@@ -45,6 +46,7 @@ impl Body<{ COLUMNS.len() }> for GrainsBody {
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
     const FORMAT: (&'static str, u64) = ("tribos_grains", 3);
+    const KEYS: &'static [Key] = GrainsScene::KEYS;
     const CADENCE: MeasurementSchedule = MeasurementSchedule::Lines;
 
     fn scene(&self) -> Value {
@@ -70,7 +72,7 @@ impl Body<{ COLUMNS.len() }> for GrainsBody {
 
     /// Counts slow steps.
     fn is_over(&self, SlowStepCount(slow): &mut SlowStepCount, seen: &MeasuredState) -> bool {
-        let rest = self.scene.rest;
+        let rest = self.scene.rest_speed;
         let is_slow = rest.is_some_and(|rest| self.now(seen).speed() < rest);
         *slow = if is_slow { *slow + 1 } else { 0 };
         *slow >= SLOW_STEPS
@@ -90,8 +92,8 @@ impl Body<{ COLUMNS.len() }> for GrainsBody {
 pub(super) fn bounds(scene: &GrainsScene) -> RunLimits {
     RunLimits {
         duration: scene.duration,
-        steps: scene.steps,
-        samples: scene.samples,
+        steps: scene.max_steps,
+        samples: scene.sample_every,
     }
 }
 

@@ -22,7 +22,7 @@ pub(super) fn start(
     scene: &GrainsScene,
     watch: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<Start, GrainsError> {
-    match &scene.start {
+    match &scene.initial_state {
         Some(path) => read(scene, path),
         None => Ok(placement::start(scene, watch)?),
     }
@@ -31,9 +31,10 @@ pub(super) fn start(
 /// Grains of a file or a run in the box of the scene.
 fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     let (flat, depth) = (scene.is_flat(), scene.box_depth());
-    let x = (scene.x == SideBoundary::Periodic).then_some((scene.width, "width"));
-    let y = (scene.y == SideBoundary::Periodic && !flat).then_some((depth, "depth"));
-    let z = (scene.z == EndBoundary::Periodic).then(|| (scene.height.unwrap_or(0.0), "height"));
+    let x = (scene.boundary_x == SideBoundary::Periodic).then_some((scene.width, "width"));
+    let y = (scene.boundary_y == SideBoundary::Periodic && !flat).then_some((depth, "depth"));
+    let z = (scene.boundary_z == EndBoundary::Periodic)
+        .then(|| (scene.height.unwrap_or(0.0), "height"));
     let mut assembly = given(path, [x, y, z], (scene.radius, scene.method))?;
     if scene.method == ContactMethod::Soft && assembly.space.offset() != 0.0 {
         return Err(AssemblyError::Content {
@@ -111,11 +112,11 @@ fn check_inside(
         reason,
     };
     let ends = [
-        (scene.x == SideBoundary::Walls).then_some((scene.width, "x", "width")),
-        (scene.y == SideBoundary::Walls).then_some((scene.box_depth(), "y", "depth")),
+        (scene.boundary_x == SideBoundary::Walls).then_some((scene.width, "x", "width")),
+        (scene.boundary_y == SideBoundary::Walls).then_some((scene.box_depth(), "y", "depth")),
         scene
             .height
-            .filter(|_| scene.z == EndBoundary::Walls)
+            .filter(|_| scene.boundary_z == EndBoundary::Walls)
             .map(|height| (height, "z", "height")),
     ];
     // Soft grains may reach as far into a wall as into each other.
@@ -153,7 +154,7 @@ fn check_walls(
     is_meant: impl Fn(&InitialWall) -> bool,
 ) -> Result<(), AssemblyError> {
     let beyond = deepest(scene.method);
-    let is_shut = |part: &&InitialWall| part.face != WallId::Lid || scene.opening > 0.0;
+    let is_shut = |part: &&InitialWall| part.face != WallId::Lid || scene.open_time > 0.0;
     let meant = layout.parts.iter().filter(|part| is_meant(part));
     let walls: Vec<Wall> = meant.filter(is_shut).map(InitialWall::wall).collect();
     for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {

@@ -29,9 +29,9 @@ impl Layout {
         let lengths = [scene.width, scene.box_depth(), height];
         let is_drum = scene.container == Container::Drum;
         let repeats = [
-            scene.x == SideBoundary::Periodic && !is_drum,
-            scene.y == SideBoundary::Periodic && !scene.is_flat(),
-            scene.z == EndBoundary::Periodic,
+            scene.boundary_x == SideBoundary::Periodic && !is_drum,
+            scene.boundary_y == SideBoundary::Periodic && !scene.is_flat(),
+            scene.boundary_z == EndBoundary::Periodic,
         ];
         let periods = [0, 1, 2].map(|axis: usize| repeats[axis].then_some(lengths[axis]));
         let side = |face: (Axis, AxisEnd)| InitialWall {
@@ -44,7 +44,7 @@ impl Layout {
             edges: None,
         };
         let mut parts = Vec::new();
-        match scene.z {
+        match scene.boundary_z {
             _ if is_drum => {}
             EndBoundary::Floor => parts.push(side((Axis::Z, AxisEnd::Low))),
             EndBoundary::Walls => {
@@ -52,7 +52,7 @@ impl Layout {
             }
             EndBoundary::Periodic => {}
         }
-        for (axis, sides) in [(Axis::X, scene.x), (Axis::Y, scene.y)] {
+        for (axis, sides) in [(Axis::X, scene.boundary_x), (Axis::Y, scene.boundary_y)] {
             if sides == SideBoundary::Walls {
                 parts.extend([AxisEnd::Low, AxisEnd::High].map(|end| side((axis, end))));
             }

@@ -74,7 +74,7 @@ impl Loads {
             wall_speed: scene.wall_speed.clone(),
             walls: layout.parts.iter().map(wall).collect(),
             drum: (scene.drum_rate.clone(), 0.5 * scene.width),
-            opening: scene.opening,
+            opening: scene.open_time,
             shake: Shake {
                 amplitude: scene.shake_amplitude,
                 rate: TAU * scene.shake_frequency,

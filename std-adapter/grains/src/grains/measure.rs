@@ -69,7 +69,7 @@ impl PackingState<'_> {
     /// mean height of the centres, weighted with mass: the surface of a level bed.
     pub fn extents(&self) -> [[f64; 2]; 3] {
         let mut extents = self.layout.extents(self.packing.walls());
-        if self.scene.z == EndBoundary::Floor && self.scene.container != Container::Drum {
+        if self.scene.boundary_z == EndBoundary::Floor && self.scene.container != Container::Drum {
             let low = extents[2][0];
             let (mut sum, mut mass) = (0.0, 0.0);
             for (x, radius) in self.packing.positions().iter().zip(self.packing.radii()) {
@@ -203,7 +203,7 @@ impl PackingState<'_> {
         let positions = self.packing.positions().iter();
         let grains = positions.zip(self.packing.spheres());
         grains
-            .filter(|(x, _)| x.z < self.scene.outlet_height)
+            .filter(|(x, _)| x.z < self.scene.orifice_height)
             .map(|(_, grain)| 1.0 / grain.inv_mass)
             .sum()
     }
@@ -224,11 +224,11 @@ impl PackingState<'_> {
 
     /// The highest grain of each strip along x, above the slot of a hopper.
     fn tops(&self) -> Vec<[f64; 2]> {
-        if self.scene.z != EndBoundary::Floor {
+        if self.scene.boundary_z != EndBoundary::Floor {
             return Vec::new();
         }
         let above = match self.scene.container {
-            Container::Hopper => self.scene.outlet_height,
+            Container::Hopper => self.scene.orifice_height,
             _ => f64::NEG_INFINITY,
         };
         let strip = 4.0 * self.scene.radius;

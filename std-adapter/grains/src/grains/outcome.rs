@@ -116,7 +116,7 @@ impl GrainsSummary {
                 put(name, json_number(value));
             }
         }
-        if scene.z == EndBoundary::Floor {
+        if scene.boundary_z == EndBoundary::Floor {
             let angles = self.surface_angles.map(json_number).to_vec();
             put("surface_angles", angles.into());
         }

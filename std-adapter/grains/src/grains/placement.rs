@@ -179,8 +179,8 @@ impl Lattice {
         let lonely =
             |sides: SideBoundary, places: f64| sides == SideBoundary::Periodic && places < 2.0;
         for (axis, sides, places, given) in [
-            ("x", scene.x, nx, scene.width),
-            ("y", scene.y, if flat { 2.0 } else { ny }, depth),
+            ("x", scene.boundary_x, nx, scene.width),
+            ("y", scene.boundary_y, if flat { 2.0 } else { ny }, depth),
         ] {
             if lonely(sides, places) {
                 let needed = 2.0 * needed;
@@ -192,10 +192,11 @@ impl Lattice {
             }
         }
         let (mut high, mut rise) = (f64::INFINITY, needed);
-        if let (Some(height), EndBoundary::Walls | EndBoundary::Periodic) = (scene.height, scene.z)
+        if let (Some(height), EndBoundary::Walls | EndBoundary::Periodic) =
+            (scene.height, scene.boundary_z)
         {
             high = divide("z", height)?;
-            rise = rise.max(if scene.z == EndBoundary::Periodic {
+            rise = rise.max(if scene.boundary_z == EndBoundary::Periodic {
                 height / high
             } else {
                 needed

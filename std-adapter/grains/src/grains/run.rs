@@ -101,7 +101,7 @@ impl GrainsSimulation {
         self.drive.checkpoint()
     }
 
-    /// The current state as a file, from which a run of another scene can start: `start` names the file or its
+    /// The current state as a file, from which a run of another scene can start: `initial_state` names the file or its
     /// folder.
     pub fn state(&self) -> String {
         self.drive.state()
@@ -170,7 +170,7 @@ impl GrainsSimulation {
             corners[1] = [-most, most];
         }
         // Grains that press a wall reach beyond it by their overlap, and the box ends at the wall.
-        let is_open = scene.z == EndBoundary::Floor && scene.container != Container::Drum;
+        let is_open = scene.boundary_z == EndBoundary::Floor && scene.container != Container::Drum;
         for (x, radius) in packing.positions().iter().zip(packing.radii()) {
             let x = layout.space.wrap(x);
             for (axis, [low, high]) in corners.iter_mut().enumerate() {

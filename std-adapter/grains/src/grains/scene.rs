@@ -88,51 +88,51 @@ scene! {
     /// is left out, a plate starts at the highest grain.
     height: Option<f64> = None, "m", Positive;
     /// What bounds the box along x.
-    x: SideBoundary = SideBoundary::Periodic, "-", OneOf(SideBoundary::WORDS);
+    boundary_x was x: SideBoundary = SideBoundary::Periodic, "-", OneOf(SideBoundary::WORDS);
     /// What bounds the box along y.
-    y: SideBoundary = SideBoundary::Periodic, "-", OneOf(SideBoundary::WORDS);
+    boundary_y was y: SideBoundary = SideBoundary::Periodic, "-", OneOf(SideBoundary::WORDS);
     /// What bounds the box along z: a floor, floor and plate, or nothing.
-    z: EndBoundary = EndBoundary::Floor, "-", OneOf(EndBoundary::WORDS);
+    boundary_z was z: EndBoundary = EndBoundary::Floor, "-", OneOf(EndBoundary::WORDS);
     /// 3, or 2 for spheres that stay in the plane y = 0 and spin about y.
     dimension: u32 = 3, "-", Count { from: 2.0, up_to: 3.0 };
     /// What holds the grains: the box, a hopper in it, or a drum of diameter `width` about y.
     container: Container = Container::Box, "-", OneOf(Container::WORDS);
     /// Width of the slot of the hopper.
-    outlet: f64 = 0.05, "m", Positive, OnlyWith("container", "hopper");
+    orifice_width was outlet: f64 = 0.05, "m", Positive, OnlyWith("container", "hopper");
     /// Height of the slot above the floor.
-    outlet_height: f64 = 0.1, "m", Positive, OnlyWith("container", "hopper");
+    orifice_height was outlet_height: f64 = 0.1, "m", Positive, OnlyWith("container", "hopper");
     /// Angle of the plates of the hopper with the horizontal.
-    slope: f64 = 45.0, "degree", Between { above: 0.0, up_to: 89.0 }, OnlyWith("container", "hopper");
+    hopper_angle was slope: f64 = 45.0, "degree", Between { above: 0.0, up_to: 89.0 }, OnlyWith("container", "hopper");
     /// Time at which the slot is opened.
-    opening: f64 = 0.0, "s", NotNegative, OnlyWith("container", "hopper");
+    open_time was opening: f64 = 0.0, "s", NotNegative, OnlyWith("container", "hopper");
     /// Rate of rotation of the drum.
     drum_rate: Ramp = Ramp::from(1.0), "rad/s", RAMP, OnlyWith("container", "drum");
-    /// Number of grains, unless `start` has them.
-    count: usize = 100, "-", Count { from: 1.0, up_to: 1e6 }, UnlessGiven("start");
+    /// Number of grains, unless `initial_state` has them.
+    count: usize = 100, "-", Count { from: 1.0, up_to: 1e6 }, UnlessGiven("initial_state");
     /// Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
-    start: Option<PathBuf> = None, "-", Path;
+    initial_state was start: Option<PathBuf> = None, "-", Path;
     /// Mean radius of the grains.
     radius: f64 = 0.005, "m", Positive, Required;
     /// Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread.
-    radius_spread: f64 = 0.0, "-", Below { from: 0.0, below: 1.0 }, Without("start");
+    radius_spread: f64 = 0.0, "-", Below { from: 0.0, below: 1.0 }, Without("initial_state");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
-    sizes: Option<SizeDistribution> = None, "-", SIZES, Without("start");
-    /// Density of the grains; those of `start` that have one keep it.
+    sizes: Option<SizeDistribution> = None, "-", SIZES, Without("initial_state");
+    /// Density of the grains; those of `initial_state` that have one keep it.
     density: f64 = 2500.0, "kg/m^3", Positive, Required;
     /// Seed of the random start.
     seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
     spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
-    /// Share of the grains that are of a second material, chosen at random; those of `start` that have materials keep them.
+    /// Share of the grains that are of a second material, chosen at random; those of `initial_state` that have materials keep them.
     share_second: f64 = 0.0, "-", Fraction;
     /// Radius of these, in mean radii of the others.
     radius_second: f64 = 1.0, "-", Between { above: 0.0, up_to: 100.0 };
     /// Density of the second material; that of the first if it is left out.
     density_second: Option<f64> = None, "kg/m^3", Positive;
     /// Sliding coefficient of the second material; that of the first if it is left out.
-    sliding_second: Option<f64> = None, "-", NotNegative;
+    mu_second was sliding_second: Option<f64> = None, "-", NotNegative;
     /// Sliding coefficient between the two materials; the geometric mean of theirs if it is left out.
-    sliding_mixed: Option<f64> = None, "-", NotNegative;
+    mu_mixed was sliding_mixed: Option<f64> = None, "-", NotNegative;
     /// Cohesion F_coh: largest pull of a contact.
     cohesion: f64 = 0.0, "N", NotNegative;
     /// Gap up to which cohesion acts.
@@ -143,11 +143,11 @@ scene! {
     restitution: f64 = 0.0, "-", Fraction;
     /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.
     // Glass beads, steel and sand lie between 0.2 and 0.6.
-    sliding: f64 = 0.5, "-", NotNegative;
-    /// Rolling coefficient mu_t: largest rolling torque over P r_eff.
-    rolling: f64 = 0.0, "-", NotNegative;
-    /// Torsion coefficient mu_n: largest torsion torque over P r_eff.
-    torsion: f64 = 0.0, "-", NotNegative;
+    mu was sliding: f64 = 0.5, "-", NotNegative;
+    /// Rolling coefficient mu_t: largest rolling torque over P r_eff; a length in Chrono and MuJoCo.
+    mu_rolling was rolling: f64 = 0.0, "-", NotNegative;
+    /// Torsion coefficient mu_n: largest torsion torque over P r_eff; a length in Chrono and MuJoCo.
+    mu_torsion was torsion: f64 = 0.0, "-", NotNegative;
     /// How the thresholds of sliding and torsion depend on each other.
     coupling: FrictionCoupling = FrictionCoupling::Independent, "-", OneOf(FrictionCoupling::WORDS);
     /// Law at walls: that of grains, cohesion only, or neither.
@@ -158,23 +158,23 @@ scene! {
     /// Angle by which gravity leans from -z towards x.
     gravity_angle: Ramp = Ramp::from(0.0), "degree", RAMP;
     /// Stress on the wall at the far end of x, which moves as a piston.
-    pressure_x: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("x", "walls");
+    pressure_x: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_x", "walls");
     /// Stress on the wall at the far end of y, which moves as a piston.
-    pressure_y: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("y", "walls");
+    pressure_y: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_y", "walls");
     /// Stress on the plate above, which moves as a piston without weight.
-    pressure_z: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("z", "walls");
+    pressure_z: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_z", "walls");
     /// Mass of every piston; that of all grains together if it is left out.
     piston_mass: Option<f64> = None, "kg", Positive;
     /// Speed of the wall at the far end of x along x; negative compresses.
-    velocity_x: Option<Ramp> = None, "m/s", RAMP, OnlyWith("x", "walls");
+    velocity_x: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_x", "walls");
     /// Speed of the wall at the far end of y along y; negative compresses.
-    velocity_y: Option<Ramp> = None, "m/s", RAMP, OnlyWith("y", "walls");
+    velocity_y: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_y", "walls");
     /// Speed of the plate above along z; negative compresses.
-    velocity_z: Option<Ramp> = None, "m/s", RAMP, OnlyWith("z", "walls");
+    velocity_z: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_z", "walls");
     /// Speed of the plate above along x, which shears the grains.
-    plate_speed: Ramp = Ramp::from(0.0), "m/s", RAMP, OnlyWith("z", "walls");
+    plate_speed: Ramp = Ramp::from(0.0), "m/s", RAMP, OnlyWith("boundary_z", "walls");
     /// Rate at which a box without walls along x and z is sheared: speed along x over height along z.
-    shear_rate: Option<f64> = None, "1/s", Finite, OnlyWith("z", "periodic");
+    shear_rate: Option<f64> = None, "1/s", Finite, OnlyWith("boundary_z", "periodic");
     /// Speed of the walls along x and y upwards, which mobilizes their friction; negative downwards.
     wall_speed: Ramp = Ramp::from(0.0), "m/s", RAMP;
     /// Amplitude with which the box is shaken: all walls that are neither piston nor moved otherwise.
@@ -205,19 +205,19 @@ scene! {
     sweeps: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 }, PartOf("method", "contact-dynamics");
     /// Largest distance that a grain may move in a step, in mean radii; soft contacts divide it into stable ones.
     // A twentieth of a radius keeps the angle by which a normal turns in a step small.
-    motion: f64 = 0.05, "-", Between { above: 0.0, up_to: 0.5 };
-    /// Longest time step; if it is left out, the time in which gravity moves a grain by `motion` from
+    max_displacement was motion: f64 = 0.05, "-", Between { above: 0.0, up_to: 0.5 };
+    /// Longest time step; if it is left out, the time in which gravity moves a grain by `max_displacement` from
     /// rest, and at most a hundredth of `duration`.
     time_step: Option<f64> = None, "s", Positive;
     /// Time after which the run ends.
     duration: f64 = 1.0, "s", Positive, Required;
     /// Speed below which the grains are at rest: the run ends once their root mean square speed was lower
     /// for 100 steps.
-    rest: Option<f64> = None, "m/s", Positive;
+    rest_speed was rest: Option<f64> = None, "m/s", Positive;
     /// Steps after which a run ends in any case.
-    steps: u64 = 10_000_000, "-", Count { from: 1.0, up_to: 1e9 };
+    max_steps was steps: u64 = 10_000_000, "-", Count { from: 1.0, up_to: 1e9 };
     /// Steps from one line of the series to the next.
-    samples: u64 = 50, "-", Count { from: 1.0, up_to: 1e9 };
+    sample_every was samples: u64 = 50, "-", Count { from: 1.0, up_to: 1e9 };
 }
 
 /// Masses of a mean grain whose inertia and energies are numbers too.
@@ -232,9 +232,9 @@ const CONTROLS: [[&str; 2]; 3] = [
 
 /// Dimension, walls and loads must fit together.
 fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
-    if scene.is_flat() && (scene.depth.is_some() || scene.y == SideBoundary::Walls) {
+    if scene.is_flat() && (scene.depth.is_some() || scene.boundary_y == SideBoundary::Walls) {
         let message = "a scene with dimension = 2 has no `depth` and no walls along y";
-        judge.refuse(&["depth", "y", "dimension"], message);
+        judge.refuse(&["depth", "boundary_y", "dimension"], message);
     }
     if scene.sizes.is_some() && scene.radius_spread > 0.0 {
         let message = "give `radius_spread` or `sizes`, not both";
@@ -242,17 +242,18 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
     } else if let Err(error) = scene.radii() {
         judge.refuse(&["sizes"], error.to_string());
     }
-    if scene.start.is_some() && (scene.sizes.is_some() || scene.radius_spread > 0.0) {
-        let message = "`start` has its own radii; leave out `sizes` and `radius_spread`";
-        judge.refuse(&["start"], message);
+    if scene.initial_state.is_some() && (scene.sizes.is_some() || scene.radius_spread > 0.0) {
+        let message = "`initial_state` has its own radii; leave out `sizes` and `radius_spread`";
+        judge.refuse(&["initial_state"], message);
     }
-    if scene.z == EndBoundary::Periodic && scene.height.is_none() {
-        let message = "`height` is the period where z = \"periodic\"; give it";
-        judge.refuse(&["height", "z"], message);
+    if scene.boundary_z == EndBoundary::Periodic && scene.height.is_none() {
+        let message = "`height` is the period where boundary_z = \"periodic\"; give it";
+        judge.refuse(&["height", "boundary_z"], message);
     }
-    if scene.shear_rate.is_some() && scene.x == SideBoundary::Walls {
-        let message = "a shear needs x = \"periodic\"; leave `shear_rate` out or `x`";
-        judge.refuse(&["shear_rate", "x"], message);
+    if scene.shear_rate.is_some() && scene.boundary_x == SideBoundary::Walls {
+        let message =
+            "a shear needs boundary_x = \"periodic\"; leave `shear_rate` out or `boundary_x`";
+        judge.refuse(&["shear_rate", "boundary_x"], message);
     }
     let mass = scene.density
         * std::f64::consts::TAU
@@ -281,22 +282,22 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
         }
     }
     if scene.container != Container::Box
-        && (scene.z != EndBoundary::Floor || scene.shake_amplitude > 0.0)
+        && (scene.boundary_z != EndBoundary::Floor || scene.shake_amplitude > 0.0)
     {
-        let message = "a hopper or a drum has z = \"floor\" and is not shaken";
-        judge.refuse(&["container", "z", "shake_amplitude"], message);
+        let message = "a hopper or a drum has boundary_z = \"floor\" and is not shaken";
+        judge.refuse(&["container", "boundary_z", "shake_amplitude"], message);
     }
-    if scene.container == Container::Hopper && scene.outlet >= scene.width {
+    if scene.container == Container::Hopper && scene.orifice_width >= scene.width {
         let message = format!(
-            "`outlet` must be less than the `width` of the box, {}, not {}",
-            scene.width, scene.outlet
+            "`orifice_width` must be less than the `width` of the box, {}, not {}",
+            scene.width, scene.orifice_width
         );
-        judge.refuse(&["outlet", "width"], message);
+        judge.refuse(&["orifice_width", "width"], message);
     }
-    if scene.container == Container::Drum && scene.x == SideBoundary::Walls {
+    if scene.container == Container::Drum && scene.boundary_x == SideBoundary::Walls {
         judge.refuse(
-            &["x", "container"],
-            "a drum has no walls along x; leave `x` out",
+            &["boundary_x", "container"],
+            "a drum has no walls along x; leave `boundary_x` out",
         );
     }
     for (keys, axis) in CONTROLS.iter().zip([Axis::X, Axis::Y, Axis::Z]) {
@@ -310,21 +311,22 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
 
 /// Refuses gravity where nothing bears the grains: they would fall for ever.
 fn gravity_rule(scene: &GrainsScene, judge: &mut Judge<'_>) {
-    let walls = [scene.x, scene.y].contains(&SideBoundary::Walls) && scene.shear_rate.is_none();
+    let walls = [scene.boundary_x, scene.boundary_y].contains(&SideBoundary::Walls)
+        && scene.shear_rate.is_none();
     let [_, most] = scene.gravity.range();
-    if scene.z == EndBoundary::Periodic && !walls && most > 0.0 {
+    if scene.boundary_z == EndBoundary::Periodic && !walls && most > 0.0 {
         let message = format!(
-            "nothing bears the grains against a `gravity` of up to {most} where z = \"periodic\" without walls, \
+            "nothing bears the grains against a `gravity` of up to {most} where boundary_z = \"periodic\" without walls, \
              or with `shear_rate`; set gravity = 0"
         );
-        judge.refuse(&["gravity", "z"], message);
+        judge.refuse(&["gravity", "boundary_z"], message);
     }
 }
 
 /// A start stands in place of the keys of random grains, a distribution in place of the spread, restitution in
 /// place of damping.
 fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<Written> {
-    let starts = scene.start.is_some();
+    let starts = scene.initial_state.is_some();
     written.filter(|_| match key {
         "count" | "spacing" => !starts,
         // A file may lack materials, which are drawn then.

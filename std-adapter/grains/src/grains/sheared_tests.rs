@@ -13,14 +13,14 @@ fn sheared(rate: f64) -> GrainsScene {
         width: 4.0 * 0.0112,
         height: Some(4.0 * 0.0112),
         radius_spread: 0.1,
-        z: EndBoundary::Periodic,
+        boundary_z: EndBoundary::Periodic,
         count: 64,
         spacing: 1.01,
         gravity: 0.0.into(),
         shear_rate: Some(rate),
         restitution: 0.3,
         duration: 0.3,
-        samples: 10,
+        sample_every: 10,
         ..GrainsScene::default()
     }
 }
@@ -93,7 +93,7 @@ fn exports_tell_how_far_a_sheared_box_leans() -> Answer {
 fn shears_of_boxes_with_walls_across_are_refused() {
     for scene in [
         GrainsScene {
-            x: SideBoundary::Walls,
+            boundary_x: SideBoundary::Walls,
             ..sheared(1.0)
         },
         GrainsScene {
@@ -108,7 +108,7 @@ fn shears_of_boxes_with_walls_across_are_refused() {
         assert!(GrainsSimulation::new(&scene).is_err());
     }
     let beside = GrainsScene {
-        y: SideBoundary::Walls,
+        boundary_y: SideBoundary::Walls,
         ..sheared(1.0)
     };
     assert!(GrainsSimulation::new(&beside).is_ok());
@@ -149,12 +149,12 @@ fn so_many_grains_are_of_the_second_material() -> Answer {
 #[test]
 fn grains_all_of_the_second_material_run_as_grains_of_it_alone() -> Answer {
     let second = GrainsScene {
-        sliding_second: Some(0.2),
+        mu_second: Some(0.2),
         density_second: Some(4000.0),
         ..mixed(1.0)
     };
     let alone = GrainsScene {
-        sliding: 0.2,
+        mu: 0.2,
         density: 4000.0,
         ..mixed(0.0)
     };

@@ -38,7 +38,7 @@ fn beads(count: usize) -> GrainsScene {
         radius: 0.005,
         radius_spread: 0.2,
         time_step: Some(2e-3),
-        samples: 5,
+        sample_every: 5,
         ..GrainsScene::default()
     }
 }
@@ -66,9 +66,9 @@ fn the_floor_carries_the_weight_of_grains_at_rest_in_space_and_plane() {
     for (dimension, sliding, rolling) in [(3, 0.5, 0.0), (3, 0.3, 0.2), (2, 0.4, 0.0)] {
         let scene = GrainsScene {
             dimension,
-            sliding,
-            rolling,
-            rest: Some(1e-3),
+            mu: sliding,
+            mu_rolling: rolling,
+            rest_speed: Some(1e-3),
             duration: 5.0,
             ..beads(30)
         };
@@ -86,9 +86,9 @@ fn grains_of_two_dimensions_stay_in_their_plane_to_the_bit() {
     let scene = GrainsScene {
         dimension: 2,
         width: 0.08,
-        x: SideBoundary::Walls,
-        rolling: 0.1,
-        torsion: 0.1,
+        boundary_x: SideBoundary::Walls,
+        mu_rolling: 0.1,
+        mu_torsion: 0.1,
         gravity_angle: ramp("0:0, 0.3:30"),
         restitution: 0.3,
         duration: 0.5,
@@ -107,11 +107,11 @@ fn grains_of_two_dimensions_stay_in_their_plane_to_the_bit() {
 #[test]
 fn pistons_hold_the_stress_of_their_ramp_and_cycles_repeat_it() {
     let scene = GrainsScene {
-        z: EndBoundary::Walls,
+        boundary_z: EndBoundary::Walls,
         gravity: 0.0.into(),
         pressure_z: Some(ramp("0:500, 1:500, 1.05:2000, 1.5:2000")),
         repeat: Some(1.5),
-        sliding: 0.2,
+        mu: 0.2,
         duration: 3.0,
         ..beads(40)
     };
@@ -140,8 +140,8 @@ fn pistons_hold_the_stress_of_their_ramp_and_cycles_repeat_it() {
 fn walls_go_where_their_speed_takes_them() {
     for (speed, moved) in [("0:0, 0.2:0.1", 0.01 + 0.03), ("-0.02", -0.01)] {
         let scene = GrainsScene {
-            x: SideBoundary::Walls,
-            z: EndBoundary::Walls,
+            boundary_x: SideBoundary::Walls,
+            boundary_z: EndBoundary::Walls,
             height: Some(0.1),
             gravity: 0.0.into(),
             velocity_z: Some(speed.parse().unwrap_or_else(|_| ramp(speed))),
@@ -166,7 +166,7 @@ fn walls_go_where_their_speed_takes_them() {
 fn moving_plates_shear_with_and_against_x_and_no_energy_is_missing() {
     for sign in [1.0, -1.0] {
         let scene = GrainsScene {
-            z: EndBoundary::Walls,
+            boundary_z: EndBoundary::Walls,
             gravity: 0.0.into(),
             pressure_z: Some(1000.0.into()),
             plate_speed: Ramp::through(&[[0.3, 0.0], [0.35, sign * 0.1]]).unwrap(),
@@ -189,9 +189,9 @@ fn walls_that_move_up_carry_part_of_a_rough_column_and_nothing_of_a_smooth_one()
     // h = 4 μ K H/D = 1.2 for μ = 0.5, K = 0.4 and a height of 1.5 widths; 0.58.
     let scene = GrainsScene {
         width: 0.04,
-        x: SideBoundary::Walls,
-        y: SideBoundary::Walls,
-        sliding: 0.5,
+        boundary_x: SideBoundary::Walls,
+        boundary_y: SideBoundary::Walls,
+        mu: 0.5,
         wall_speed: ramp("0.02"),
         sweeps: 300,
         tolerance: 1e-3,
@@ -223,8 +223,8 @@ fn walls_that_move_up_carry_part_of_a_rough_column_and_nothing_of_a_smooth_one()
 fn a_shaken_floor_throws_grains_up_and_takes_them_along() {
     // Beads that do not roll: they come to rest, and a floor takes them along.
     let scene = GrainsScene {
-        sliding: 0.5,
-        rolling: 1.0,
+        mu: 0.5,
+        mu_rolling: 1.0,
         shake_amplitude: 2e-3,
         duration: 1.0,
         ..beads(20)
@@ -266,7 +266,7 @@ fn the_floor_carries_the_weight_of_soft_grains_unless_walls_bear_it() {
             normal_law,
             dimension,
             restitution,
-            rest: Some(1e-4),
+            rest_speed: Some(1e-4),
             duration: 5.0,
             ..soft(beads(30))
         };
@@ -280,8 +280,8 @@ fn the_floor_carries_the_weight_of_soft_grains_unless_walls_bear_it() {
     let column_of = |wall: WallLaw| {
         let scene = GrainsScene {
             width: 0.04,
-            x: SideBoundary::Walls,
-            y: SideBoundary::Walls,
+            boundary_x: SideBoundary::Walls,
+            boundary_y: SideBoundary::Walls,
             wall_speed: ramp("0.02"),
             wall,
             duration: 0.7,
@@ -300,7 +300,7 @@ fn the_floor_carries_the_weight_of_soft_grains_unless_walls_bear_it() {
 fn soft_grains_between_plates_bear_their_pressure_and_shear_with_them() {
     for sign in [1.0, -1.0] {
         let scene = GrainsScene {
-            z: EndBoundary::Walls,
+            boundary_z: EndBoundary::Walls,
             gravity: 0.0.into(),
             pressure_z: Some(1000.0.into()),
             plate_speed: Ramp::through(&[[0.3, 0.0], [0.35, sign * 0.1]]).unwrap(),
@@ -344,7 +344,7 @@ fn what_springs_cannot_do_is_refused_with_key_value_and_cure() {
     for (keys, told) in [
         ("share_second = 0.5", "`share_second` is 0.5"),
         (
-            "z = \"periodic\"\nheight = 0.1\ngravity = 0\nshear_rate = 1",
+            "boundary_z = \"periodic\"\nheight = 0.1\ngravity = 0\nshear_rate = 1",
             "`shear_rate`",
         ),
         ("attraction = \"resistance\"", "`attraction`"),
@@ -361,8 +361,8 @@ fn what_springs_cannot_do_is_refused_with_key_value_and_cure() {
 #[test]
 fn gravity_is_refused_where_nothing_bears_the_grains() {
     let periodic = |x: SideBoundary, shear_rate: Option<f64>, gravity: Ramp| GrainsScene {
-        x,
-        z: EndBoundary::Periodic,
+        boundary_x: x,
+        boundary_z: EndBoundary::Periodic,
         height: Some(0.1),
         shear_rate,
         gravity,
@@ -397,10 +397,10 @@ fn hopper() -> GrainsScene {
     GrainsScene {
         width: 0.16,
         depth: Some(0.03),
-        x: SideBoundary::Walls,
+        boundary_x: SideBoundary::Walls,
         container: Container::Hopper,
-        outlet: 0.05,
-        outlet_height: 0.08,
+        orifice_width: 0.05,
+        orifice_height: 0.08,
         duration: 1.2,
         ..beads(80)
     }
@@ -409,7 +409,7 @@ fn hopper() -> GrainsScene {
 #[test]
 fn a_hopper_holds_its_grains_until_it_is_opened_and_loses_none() {
     let closed = run(&GrainsScene {
-        opening: 9.0,
+        open_time: 9.0,
         duration: 0.6,
         ..hopper()
     });
@@ -419,7 +419,7 @@ fn a_hopper_holds_its_grains_until_it_is_opened_and_loses_none() {
             .all(|mass| *mass == 0.0)
     );
     let open = run(&GrainsScene {
-        opening: 0.5,
+        open_time: 0.5,
         ..hopper()
     });
     let masses = column(&open, "discharged");
@@ -455,8 +455,8 @@ fn a_grain_over_a_slot_falls_freely_whatever_the_slope() {
     let file = placed(&[[0.08, 0.015, high]], 0.0025);
     for slope in [0.5, 5.0, 60.0] {
         let scene = GrainsScene {
-            slope,
-            start: Some(file.path().into()),
+            hopper_angle: slope,
+            initial_state: Some(file.path().into()),
             radius: 0.0025,
             radius_spread: 0.0,
             time_step: Some(1e-3),
@@ -470,7 +470,7 @@ fn a_grain_over_a_slot_falls_freely_whatever_the_slope() {
             // The last step counts whole.
             let late = 9.81 * duration * 1e-3;
             assert!((high - z - fallen).abs() < late, "{slope}: {z}");
-            assert!(z < scene.outlet_height - 0.04);
+            assert!(z < scene.orifice_height - 0.04);
         }
     }
 }
@@ -482,13 +482,13 @@ fn a_flat_silo_keeps_no_more_than_slopes_of_repose_beside_its_slot() {
             dimension: 2,
             width: 0.08,
             depth: None,
-            x,
-            outlet: 0.03,
-            slope: 0.1,
-            opening: 0.2,
+            boundary_x: x,
+            orifice_width: 0.03,
+            hopper_angle: 0.1,
+            open_time: 0.2,
             count: 90,
             radius: 0.002,
-            sliding: 0.3,
+            mu: 0.3,
             duration: 1.0,
             ..hopper()
         };
@@ -497,7 +497,7 @@ fn a_flat_silo_keeps_no_more_than_slopes_of_repose_beside_its_slot() {
         grains.with_snapshot(|now| {
             assert_eq!(now.positions.len(), 90);
             for (x, radius) in now.positions.iter().zip(now.radii) {
-                let above = x.z - scene.outlet_height;
+                let above = x.z - scene.orifice_height;
                 if above < 0.0 {
                     fallen += radius * radius * radius;
                     continue;
@@ -505,7 +505,7 @@ fn a_flat_silo_keeps_no_more_than_slopes_of_repose_beside_its_slot() {
                 kept += 1;
                 // A wedge of 35 degrees from the edge on, and two diameters for its roughness.
                 let x = now.space.wrap(x).x;
-                let behind = (x - 0.04).abs() - 0.5 * scene.outlet;
+                let behind = (x - 0.04).abs() - 0.5 * scene.orifice_width;
                 let wedge = 0.7 * behind + 4.0 * scene.radius;
                 assert!(above < wedge, "{x} {above}: {wedge}");
             }
@@ -523,7 +523,7 @@ fn a_flat_silo_keeps_no_more_than_slopes_of_repose_beside_its_slot() {
 #[test]
 fn rigid_grains_that_are_pressed_beyond_any_packing_end_the_run() {
     let pressed = GrainsScene {
-        z: EndBoundary::Walls,
+        boundary_z: EndBoundary::Walls,
         height: Some(0.11),
         gravity: 0.0.into(),
         // At the end the box has little more than the volume of its grains.
@@ -557,7 +557,7 @@ fn rigid_grains_that_are_pressed_beyond_any_packing_end_the_run() {
 #[test]
 fn the_first_line_of_a_sheared_box_has_the_energy_of_its_flow() {
     let sheared = GrainsScene {
-        z: EndBoundary::Periodic,
+        boundary_z: EndBoundary::Periodic,
         height: Some(0.05),
         gravity: 0.0.into(),
         shear_rate: Some(5.0),
@@ -589,11 +589,11 @@ fn the_deepest_overlap_of_a_bounce_stays_in_the_summary() {
     let scene = GrainsScene {
         width: 0.16,
         depth: Some(0.03),
-        x: SideBoundary::Walls,
-        z: EndBoundary::Walls,
+        boundary_x: SideBoundary::Walls,
+        boundary_z: EndBoundary::Walls,
         height: Some(height),
         gravity_angle: ramp("180"),
-        start: Some(file.path().into()),
+        initial_state: Some(file.path().into()),
         radius_spread: 0.0,
         stiffness,
         damping: 0.0,
@@ -628,8 +628,8 @@ fn a_heap_falls_to_both_sides() {
         let scene = GrainsScene {
             width: 0.16,
             depth: Some(0.03),
-            x: SideBoundary::Walls,
-            start: Some(file.path().into()),
+            boundary_x: SideBoundary::Walls,
+            initial_state: Some(file.path().into()),
             radius: 0.0025,
             radius_spread: 0.0,
             ..beads(1)
@@ -676,8 +676,8 @@ fn a_drum_lifts_its_bed_on_the_side_that_rises() {
 #[test]
 fn a_run_resumes_to_the_byte() {
     let sheared = GrainsScene {
-        z: EndBoundary::Walls,
-        x: SideBoundary::Walls,
+        boundary_z: EndBoundary::Walls,
+        boundary_x: SideBoundary::Walls,
         pressure_z: Some(ramp("0:100, 0.5:1000")),
         plate_speed: ramp("0:0, 0.1:0.1"),
         repeat: Some(0.3),
@@ -716,13 +716,13 @@ fn a_run_resumes_to_the_byte() {
 fn what_does_not_fit_together_is_refused_by_name() {
     let scene = || GrainsScene::default();
     let both = GrainsScene {
-        z: EndBoundary::Walls,
+        boundary_z: EndBoundary::Walls,
         pressure_z: Some(1.0.into()),
         velocity_z: Some(1.0.into()),
         ..scene()
     };
     let pull = GrainsScene {
-        z: EndBoundary::Walls,
+        boundary_z: EndBoundary::Walls,
         pressure_z: Some(ramp("0:1, 1:-1")),
         ..scene()
     };
@@ -732,7 +732,7 @@ fn what_does_not_fit_together_is_refused_by_name() {
         ..scene()
     };
     let periodic = GrainsScene {
-        z: EndBoundary::Periodic,
+        boundary_z: EndBoundary::Periodic,
         ..scene()
     };
     for (scene, key) in [
@@ -745,7 +745,7 @@ fn what_does_not_fit_together_is_refused_by_name() {
         assert!(refused.contains(&format!("`{key}`")), "{refused}");
     }
     let full = GrainsScene {
-        z: EndBoundary::Walls,
+        boundary_z: EndBoundary::Walls,
         height: Some(0.03),
         count: 1000,
         ..scene()

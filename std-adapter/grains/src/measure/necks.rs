@@ -38,7 +38,7 @@ pub struct Necks {
 impl Necks {
     pub(super) fn of(assembly: &Assembly) -> Self {
         let coefficient = |name: &str| assembly.scene[name].as_f64();
-        let coefficients = match ["sliding", "rolling", "torsion"].map(coefficient) {
+        let coefficients = match ["mu", "mu_rolling", "mu_torsion"].map(coefficient) {
             [Some(sliding), Some(rolling), Some(torsion)] => Some([sliding, rolling, torsion]),
             _ => None,
         };

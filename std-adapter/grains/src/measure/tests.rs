@@ -284,7 +284,7 @@ fn a_neck_slides_and_turns_at_its_thresholds() {
         for (mu, mu_t, mu_n) in [(0.3, 0.1, 0.2), (0.5, 0.0, 0.9)] {
             let mut pair = with_forces(places.clone(), contacts.clone());
             pair.radii = radii.to_vec();
-            pair.scene = json!({"sliding": mu, "rolling": mu_t, "torsion": mu_n});
+            pair.scene = json!({"mu": mu, "mu_rolling": mu_t, "mu_torsion": mu_n});
             let found = Measures::of(pair, &MeasureOptions::default())
                 .unwrap()
                 .necks;

@@ -49,7 +49,7 @@ impl Material {
     /// use tribos::powder::{Carried, ModeSet};
     /// use tribos::scene::{ReducedFriction, PowderScene};
     /// // Sliding resists unless it is switched off.
-    /// let scene = PowderScene { torsion: 0.1, ..PowderScene::default() };
+    /// let scene = PowderScene { mu_torsion: 0.1, ..PowderScene::default() };
     /// let (modes, coupling) = (ModeSet::SlidingTorsion, ReducedFriction::Independent);
     /// assert_eq!(scene.material().carried(), Carried { modes, coupling });
     /// ```

@@ -4,6 +4,7 @@ use super::Packing;
 use serde_json::{Map, Value};
 use std::fmt::Debug;
 use tribos_base::record::{CheckpointError, ContactRow};
+use tribos_base::scene::Key;
 use tribos_contacts::cd::StepReport;
 
 /// What a body says of the runs of its packing: its loads, its measures and when they end. `N` is the number of
@@ -18,6 +19,8 @@ pub(crate) trait Body<const N: usize>: Debug {
     const COLUMNS: [&'static str; N];
     /// First key of a checkpoint, and the version of its format.
     const FORMAT: (&'static str, u64);
+    /// Keys of the scene.
+    const KEYS: &'static [Key];
     /// When contacts are found and measured.
     const CADENCE: MeasurementSchedule;
 

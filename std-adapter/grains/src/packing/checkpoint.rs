@@ -32,7 +32,7 @@ impl<B: Body<N>, const N: usize> PackingCheckpoint<B, N> {
         let Some(text) = text else {
             return Ok(None);
         };
-        let value = opened(text, B::FORMAT, scene)?;
+        let value = opened(text, B::FORMAT, B::KEYS, scene)?;
         Ok(Some(Self {
             frozen: WorldSnapshot::read(&value)?,
             totals: Totals::read(&value)?,
@@ -63,7 +63,7 @@ impl<B: Body<N>, const N: usize> PackingCheckpoint<B, N> {
     ) -> Result<(), CheckpointError> {
         if self.origin != origin {
             return Err(CheckpointError::Scene {
-                key: "start".into(),
+                key: "initial_state".into(),
                 kept: "of other spheres".into(),
                 given: "changed since".into(),
             });

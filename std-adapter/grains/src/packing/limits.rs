@@ -28,7 +28,7 @@ const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 /// let (force, torque) = (Vector3::new(1.0, 0.36, 0.0), Vector3::new(0.4, 0.0, 0.0));
 /// let contact = ContactRow { a, b, normal, gap: 0.0, force, torque };
 /// for (coupling, reached) in [(ReducedFriction::Independent, false), (ReducedFriction::Ellipsoid, true)] {
-///     let scene = PowderScene { torsion: 0.5, coupling, ..PowderScene::default() };
+///     let scene = PowderScene { mu_torsion: 0.5, coupling, ..PowderScene::default() };
 ///     let limits = Limits::of(&scene.material());
 ///     assert_eq!(limits.resists(), [true, false, true]); // there is no rolling friction
 ///     assert_eq!(limits.reached(&contact, &[1.0; 2]), Some([reached, false, reached]));

@@ -12,7 +12,7 @@ use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 /// ```
 /// use tribos::powder::{ModeSet, Material};
 /// # use tribos::scene::PowderScene;
-/// let powder: Material = PowderScene { rolling: 0.1, ..PowderScene::default() }.material();
+/// let powder: Material = PowderScene { mu_rolling: 0.1, ..PowderScene::default() }.material();
 /// assert_eq!((powder.cohesion, powder.density), (1.0, 1.0)); // the units of a powder
 /// assert_eq!(powder.carried().modes, ModeSet::SlidingRolling);
 /// ```

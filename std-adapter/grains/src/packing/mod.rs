@@ -46,7 +46,7 @@ pub use sizes::{Radii, SizeDistribution, SizesError};
 pub(crate) use snapshot::{Force, Forces, WorldSnapshot};
 pub use statistics::ContactStatistics;
 pub use stored::STATE;
-pub(crate) use stored::{Shape, Stored};
+pub(crate) use stored::{Shape, Stored, scene};
 pub use stress::Stress;
 pub(crate) use totals::Totals;
 pub use volume::volume_between;

@@ -31,7 +31,7 @@ pub enum PackingRunError<P: Error + 'static> {
     #[error(transparent)]
     Placement(P),
     /// The spheres that the scene starts from cannot be used.
-    #[error("`start`: {0}")]
+    #[error("`initial_state`: {0}")]
     Start(#[from] AssemblyError),
     /// A length of the box cannot be a period.
     #[error(transparent)]

@@ -21,7 +21,7 @@ use tribos_base::record::json_number;
 ///     touch(0, Partner::Particle(1), Vector3::new(3.0, 0.0, 1.2)),
 ///     touch(1, Partner::Particle(2), Vector3::new(-0.5, 0.0, 0.0)),
 /// ];
-/// let scene = PowderScene { width: 6.0, height: 8.0, sliding: 0.3, ..PowderScene::default() };
+/// let scene = PowderScene { width: 6.0, height: 8.0, mu: 0.3, ..PowderScene::default() };
 /// let found = ContactStatistics::of(&contacts, &[1.0; 3], &Limits::of(&scene.material()));
 /// assert_eq!((found.contacts, found.wall_contacts), (2, 1));
 /// assert_eq!(found.coordination, [0, 1, 2]); // one sphere has one contact, two have two

@@ -1,10 +1,15 @@
 //! The last state of a packing as a file, complete to the bit: spheres, walls, contacts, motion.
 
 use super::{Kinds, WorldSnapshot};
+use crate::gas::scene::GasScene;
+use crate::grains::scene::GrainsScene;
+use crate::powder::scene::PowderScene;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use tribos_base::record::checkpoint::{damaged, groups, hex, numbers, of_other_body, triple};
 use tribos_base::record::{CheckpointError, ContactRow, Partner, verified, with_digest};
+use tribos_base::scene::key::with_present_names;
+use tribos_base::scene::table::Table;
 use tribos_base::space::PeriodicBox;
 
 /// Name of the file in the folder of a run.
@@ -105,7 +110,7 @@ impl Stored {
             }
         }
         let stored = Self {
-            scene: value["scene"].clone(),
+            scene: scene(&value["scene"]),
             shape: Shape::read(&value)?,
             frozen: WorldSnapshot::read(&value)?,
         };
@@ -123,6 +128,17 @@ impl Stored {
             Err(damaged("numbers of spheres"))
         }
     }
+}
+
+/// The scene of a file, by the present names of its keys.
+pub(crate) fn scene(values: &Value) -> Value {
+    let keys = match values["body"].as_str() {
+        Some(PowderScene::BODY) => PowderScene::KEYS,
+        Some(GrainsScene::BODY) => GrainsScene::KEYS,
+        Some(GasScene::BODY) => GasScene::KEYS,
+        _ => &[],
+    };
+    with_present_names(keys, values)
 }
 
 /// Walls count down from −1, as in the exports of contacts.

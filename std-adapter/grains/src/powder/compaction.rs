@@ -101,10 +101,10 @@ impl PowderSimulation {
     /// ```
     pub fn check(scene: &PowderScene) -> Result<(), CompactionError> {
         let diameter = 2.0 * scene.least_radius();
-        if scene.start.is_none() && scene.count.is_none() && scene.height < diameter {
+        if scene.initial_state.is_none() && scene.count.is_none() && scene.height < diameter {
             return Err(DepositError::Empty.into());
         }
-        if scene.start.is_some() {
+        if scene.initial_state.is_some() {
             return Self::new(scene).map(|_| ());
         }
         let two = PowderScene {
@@ -168,7 +168,7 @@ impl PowderSimulation {
         self.drive.checkpoint()
     }
 
-    /// The current state as a file, from which a run of another scene can start: `start` names the file or its
+    /// The current state as a file, from which a run of another scene can start: `initial_state` names the file or its
     /// folder.
     ///
     /// ```
@@ -183,7 +183,7 @@ impl PowderSimulation {
     /// # let home = tempfile::tempdir()?;
     /// # let file = home.path().join("state.json");
     /// std::fs::write(&file, light.state())?;
-    /// let heavy = PowderScene { pressure: 0.04, start: Some(file), ..scene };
+    /// let heavy = PowderScene { pressure: 0.04, initial_state: Some(file), ..scene };
     /// let heavy = PowderSimulation::new(&heavy)?;
     /// assert_eq!((heavy.steps(), heavy.height()), (0, light.height()));
     /// assert_eq!(heavy.contacts(), light.contacts());

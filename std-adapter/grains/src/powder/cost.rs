@@ -89,7 +89,7 @@ pub fn size(scene: &PowderScene) -> RunSize {
     RunSize {
         bodies,
         bytes: bodies * BYTES_A_SPHERE,
-        seconds: (bodies * scene.steps as f64 * step).min(bodies * sphere),
+        seconds: (bodies * scene.max_steps as f64 * step).min(bodies * sphere),
     }
 }
 
@@ -120,7 +120,7 @@ pub fn stable_step(scene: &PowderScene) -> Option<f64> {
 
 /// Number of spheres in the deposit; `None` if width and capture radius are incompatible.
 fn expected_spheres(scene: &PowderScene) -> f64 {
-    if let Some(path) = &scene.start {
+    if let Some(path) = &scene.initial_state {
         return Assembly::read(path).map_or(0.0, |spheres| spheres.radii.len() as f64);
     }
     let spheres = |ballistic: Ballistic| ballistic.expected_spheres(scene.until());
@@ -143,18 +143,18 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
     /// A dry friction coefficient.
     const USUAL: f64 = 0.3;
     let carried = scene.material().carried();
-    let mu = scene.sliding;
+    let mu = scene.mu;
     let plain = PowderScene {
         // The same coefficient, or the usual one for smooth spheres.
-        sliding: if mu > 0.0 { mu } else { USUAL },
-        rolling: 0.0,
-        torsion: 0.0,
+        mu: if mu > 0.0 { mu } else { USUAL },
+        mu_rolling: 0.0,
+        mu_torsion: 0.0,
         coupling: FrictionCoupling::Independent,
         ..scene.clone()
     };
     let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
     let spread = scene.radius_spread > 0.0 || scene.sizes.is_some();
-    let unequal = spread || scene.share_second > 0.0 || scene.start.is_some();
+    let unequal = spread || scene.share_second > 0.0 || scene.initial_state.is_some();
     Ok(PowderCost {
         spheres,
         contacts: contacts_a_sphere(carried.modes)
@@ -227,9 +227,9 @@ impl PowderCost {
     pub fn unknowns_without(scene: &PowderScene, mode: usize) -> usize {
         let mut less = scene.clone();
         match mode {
-            0 => less.sliding = 0.0,
-            1 => less.rolling = 0.0,
-            _ => less.torsion = 0.0,
+            0 => less.mu = 0.0,
+            1 => less.mu_rolling = 0.0,
+            _ => less.mu_torsion = 0.0,
         }
         less.material().carried().modes.unknowns()
     }
@@ -247,21 +247,21 @@ mod tests {
     #[test]
     fn contacts_carry_the_unknowns_of_the_modes_that_resist() {
         for (keys, unknowns, coupling) in [
-            ("sliding = 0", 1, FrictionCoupling::Independent),
+            ("mu = 0", 1, FrictionCoupling::Independent),
             (
-                "sliding = 0\ncoupling = \"exact\"",
+                "mu = 0\ncoupling = \"exact\"",
                 1,
                 FrictionCoupling::Independent,
             ),
             ("", 3, FrictionCoupling::Independent),
-            ("torsion = 0.1", 4, FrictionCoupling::Independent),
+            ("mu_torsion = 0.1", 4, FrictionCoupling::Independent),
             (
-                "torsion = 0.1\ncoupling = \"exact\"",
+                "mu_torsion = 0.1\ncoupling = \"exact\"",
                 4,
                 FrictionCoupling::Exact,
             ),
             (
-                "rolling = 0.1\ncoupling = \"ellipsoid\"",
+                "mu_rolling = 0.1\ncoupling = \"ellipsoid\"",
                 5,
                 FrictionCoupling::Independent,
             ),
@@ -275,12 +275,18 @@ mod tests {
                 6,
                 FrictionCoupling::Independent,
             ),
+            (
+                "mu_rolling = 0.1\nmu_torsion = 0.1",
+                6,
+                FrictionCoupling::Independent,
+            ),
+            ("mu = 0\nmu_rolling = 0.1", 6, FrictionCoupling::Independent),
         ] {
             let carried = scene(keys).material().carried();
             assert_eq!(carried.modes.unknowns(), unknowns, "{keys}");
             assert_eq!(carried.coupling, coupling, "{keys}");
         }
-        let all = scene("rolling = 0.1\ntorsion = 0.1");
+        let all = scene("mu_rolling = 0.1\nmu_torsion = 0.1");
         let without = [1, 2].map(|mode| PowderCost::unknowns_without(&all, mode));
         assert_eq!(without, [4, 5]);
     }
@@ -288,9 +294,9 @@ mod tests {
     #[test]
     fn a_block_under_any_laws_sweeps_all_of_its_contacts() {
         for keys in [
-            "sliding = 0",
+            "mu = 0",
             "",
-            "rolling = 1\ntorsion = 1\ncoupling = \"exact\"",
+            "mu_rolling = 1\nmu_torsion = 1\ncoupling = \"exact\"",
             "cohesion_range = 0",
         ] {
             let report = block(&scene(keys)).unwrap().step().unwrap();
@@ -302,7 +308,7 @@ mod tests {
                 "{keys}"
             );
         }
-        let cost = cost(&scene("rolling = 0.1")).unwrap();
+        let cost = cost(&scene("mu_rolling = 0.1")).unwrap();
         assert!(
             cost.update_seconds > 0.0 && cost.update_seconds < 1e-4,
             "{cost:?}"

@@ -187,9 +187,9 @@ fn laws(scene: &PowderScene) -> [String; 2] {
         FrictionCoupling::Exact => "exact",
     };
     let [sliding, torsion, rolling, range] = [
-        scene.sliding,
-        scene.torsion,
-        scene.rolling,
+        scene.mu,
+        scene.mu_torsion,
+        scene.mu_rolling,
         scene.cohesion_range,
     ]
     .map(number);
@@ -210,8 +210,8 @@ fn laws(scene: &PowderScene) -> [String; 2] {
 fn script(scene: &PowderScene, deposit: &Deposit, time_step: f64) -> String {
     let [spheres, walls] = laws(scene);
     let window = (window_time(scene.piston_mass, scene.load()) / time_step).ceil() as u64;
-    // As long as the run may take here: `steps` steps of `time_step`, or `duration`.
-    let most = scene.steps as f64 * scene.time_step;
+    // As long as the run may take here: `max_steps` steps of `time_step`, or `duration`.
+    let most = scene.max_steps as f64 * scene.time_step;
     let most = scene.duration.map_or(most, |duration| duration.min(most));
     let windows = (most / (window as f64 * time_step)).ceil().max(1.0) as u64;
     let weight = if scene.gravity > 0.0 {

@@ -74,8 +74,8 @@ impl PowderScene {
     pub(super) fn differences(&self) -> SecondMaterialKeys {
         SecondMaterialKeys {
             density: self.density_second,
-            sliding: self.sliding_second,
-            sliding_mixed: self.sliding_mixed,
+            sliding: self.mu_second,
+            sliding_mixed: self.mu_mixed,
         }
     }
 
@@ -88,9 +88,9 @@ impl PowderScene {
             cohesion_range: self.cohesion_range,
             attraction: self.attraction,
             restitution: self.restitution,
-            sliding: self.sliding,
-            rolling: self.rolling,
-            torsion: self.torsion,
+            sliding: self.mu,
+            rolling: self.mu_rolling,
+            torsion: self.mu_torsion,
             coupling: self.coupling,
             wall: self.wall,
         }

@@ -13,6 +13,7 @@ use serde_json::{Map, Value};
 use std::f64::consts::PI;
 use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::{damaged, hex, numbers};
+use tribos_base::scene::Key;
 use tribos_core::contact::SphereBody;
 
 /// Numbers of a window in a checkpoint, and of a stress.
@@ -119,6 +120,7 @@ impl Body<{ COLUMNS.len() }> for PowderBody {
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
     const FORMAT: (&'static str, u64) = ("tribos_compaction", 4);
+    const KEYS: &'static [Key] = PowderScene::KEYS;
     // A window has the stress of every step.
     const CADENCE: MeasurementSchedule = MeasurementSchedule::Steps;
 
@@ -217,8 +219,8 @@ impl Body<{ COLUMNS.len() }> for PowderBody {
 pub(super) fn bounds(scene: &PowderScene) -> RunLimits {
     RunLimits {
         duration: scene.duration.unwrap_or(f64::INFINITY),
-        steps: scene.steps,
-        samples: scene.samples,
+        steps: scene.max_steps,
+        samples: scene.sample_every,
     }
 }
 

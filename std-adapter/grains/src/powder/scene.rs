@@ -80,38 +80,38 @@ scene! {
 
     /// Side of the square base, periodic in x and y.
     width: f64 = 20.0, "R", Positive, Required;
-    /// Height at which the deposit is cut and the piston starts, unless `count` or `start` is given.
-    height: f64 = 61.5, "R", Positive, UnlessEither("count", "start");
+    /// Height at which the deposit is cut and the piston starts, unless `count` or `initial_state` is given.
+    height: f64 = 61.5, "R", Positive, UnlessEither("count", "initial_state");
     /// Number of spheres, in place of `height`.
     count: Option<usize> = None, "-", Count { from: 1.0, up_to: 1e6 };
     /// Spheres to start from in place of a deposit: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
-    start: Option<PathBuf> = None, "-", Path;
+    initial_state was start: Option<PathBuf> = None, "-", Path;
     /// Distance of centres at which a falling sphere is captured, at least the largest diameter.
     // Thesis, section 4.5.
     capture_radius: f64 = 3.0, "R", Positive;
     /// Spread of the radii, which are uniform from 1 - spread to 1 + spread.
-    radius_spread: f64 = 0.0, "R", Below { from: 0.0, below: 1.0 }, Without("start");
+    radius_spread: f64 = 0.0, "R", Below { from: 0.0, below: 1.0 }, Without("initial_state");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
-    sizes: Option<SizeDistribution> = None, "-", SIZES, Without("start");
+    sizes: Option<SizeDistribution> = None, "-", SIZES, Without("initial_state");
     /// Seed of the deposit's random numbers.
     seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.
     // Thesis, section 4.6.
-    sliding: f64 = 0.3, "-", NotNegative;
-    /// Rolling coefficient mu_t: largest rolling torque over P r_eff.
-    rolling: f64 = 0.0, "-", NotNegative;
-    /// Torsion coefficient mu_n: largest torsion torque over P r_eff.
-    torsion: f64 = 0.0, "-", NotNegative;
+    mu was sliding: f64 = 0.3, "-", NotNegative;
+    /// Rolling coefficient mu_t: largest rolling torque over P r_eff; a length in Chrono and MuJoCo.
+    mu_rolling was rolling: f64 = 0.0, "-", NotNegative;
+    /// Torsion coefficient mu_n: largest torsion torque over P r_eff; a length in Chrono and MuJoCo.
+    mu_torsion was torsion: f64 = 0.0, "-", NotNegative;
     /// How the thresholds of sliding and torsion depend on each other.
     coupling: FrictionCoupling = FrictionCoupling::Independent, "-", OneOf(FrictionCoupling::WORDS);
-    /// Share of the spheres that are of a second material, chosen at random; those of `start` that have materials keep them.
+    /// Share of the spheres that are of a second material, chosen at random; those of `initial_state` that have materials keep them.
     share_second: f64 = 0.0, "-", Fraction;
     /// Density of the second material; that of the first if it is left out.
     density_second: Option<f64> = None, "rho", Positive;
     /// Sliding coefficient of the second material; that of the first if it is left out.
-    sliding_second: Option<f64> = None, "-", NotNegative;
+    mu_second was sliding_second: Option<f64> = None, "-", NotNegative;
     /// Sliding coefficient between the two materials; the geometric mean of theirs if it is left out.
-    sliding_mixed: Option<f64> = None, "-", NotNegative;
+    mu_mixed was sliding_mixed: Option<f64> = None, "-", NotNegative;
     /// Pressure on the piston.
     // Thesis, section 4.5.
     pressure: f64 = 1.0 / 400.0, "F_coh/R^2", Positive;
@@ -164,7 +164,7 @@ scene! {
     warm_start: bool = true, "-", OneOf(bool::WORDS), PartOf("method", "contact-dynamics");
     /// Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
     // A twentieth of a radius keeps the angle by which a normal turns in a step small.
-    motion: f64 = 0.05, "R", Between { above: 0.0, up_to: 0.5 };
+    max_displacement was motion: f64 = 0.05, "R", Between { above: 0.0, up_to: 0.5 };
     /// Longest time step.
     // The pressure moves the piston by 10⁻⁵ R in it from rest.
     time_step: f64 = 0.2, "sqrt(rho R^4/F_coh)", Positive;
@@ -176,11 +176,11 @@ scene! {
     blocked: BlockedCriterion = BlockedCriterion::Balance, "-", OneOf(BlockedCriterion::WORDS);
     /// Steps after which a run ends that is not blocked before.
     // Runs of the thesis' systems block within some thousand steps.
-    steps: u64 = 200_000, "-", Count { from: 1.0, up_to: 1e9 };
+    max_steps was steps: u64 = 200_000, "-", Count { from: 1.0, up_to: 1e9 };
     /// Time after which a run ends that is not blocked before; if left out there is no such bound.
     duration: Option<f64> = None, "sqrt(rho R^4/F_coh)", Positive;
     /// Steps from one line of the series to the next.
-    samples: u64 = 20, "-", Count { from: 1.0, up_to: 1e9 };
+    sample_every was samples: u64 = 20, "-", Count { from: 1.0, up_to: 1e9 };
 }
 
 /// Width, capture radius and spread of the radii must fit together, and so must method and cohesion.
@@ -198,13 +198,13 @@ fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
             [scene.restitution, scene.share_second],
         );
     }
-    if let Some(start) = &scene.start {
+    if let Some(start) = &scene.initial_state {
         if scene.count.is_some() || scene.sizes.is_some() || scene.radius_spread > 0.0 {
             let message = format!(
-                "`start` has its own spheres, those of {}; leave out `count`, `sizes` and `radius_spread`",
+                "`initial_state` has its own spheres, those of {}; leave out `count`, `sizes` and `radius_spread`",
                 start.display()
             );
-            judge.refuse(&["start"], message);
+            judge.refuse(&["initial_state"], message);
         }
     } else if scene.sizes.is_some() && scene.radius_spread > 0.0 {
         judge.refuse(
@@ -226,7 +226,7 @@ fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
 /// A number of spheres or a start stands in place of the height, a start or a distribution in place of the
 /// keys of the deposit, restitution in place of damping, springs in place of sweeps.
 fn in_force(scene: &PowderScene, key: &str, written: Option<Written>) -> Option<Written> {
-    let starts = scene.start.is_some();
+    let starts = scene.initial_state.is_some();
     let soft = scene.method == ContactMethod::Soft;
     written.filter(|_| match key {
         "height" => scene.count.is_none() && !starts,
@@ -309,7 +309,7 @@ impl PowderScene {
     /// Bounds of the time step.
     pub fn step_limits(&self) -> StepLimits {
         StepLimits {
-            motion: self.motion,
+            motion: self.max_displacement,
             longest: self.time_step,
         }
     }

@@ -27,7 +27,7 @@ impl Start {
         scene: &PowderScene,
         watch: impl FnMut(usize) -> ControlFlow<()>,
     ) -> Result<Self, CompactionError> {
-        if let Some(path) = &scene.start {
+        if let Some(path) = &scene.initial_state {
             return Ok(read(scene, path)?);
         }
         let deposit = scene

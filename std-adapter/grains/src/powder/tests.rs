@@ -142,7 +142,7 @@ fn contacts_are_counted_by_sign_and_threshold() -> Tested {
     (spins.a, spins.b) = (0, Partner::Particle(2));
     let rows = [slides, sticks, rolls, spins];
     let limits = |overrides: &[&str]| scene(overrides).map(|scene| Limits::of(&scene.material()));
-    let rough = limits(&["sliding=0.3", "rolling=0.2", "torsion=0.5"])?;
+    let rough = limits(&["mu=0.3", "mu_rolling=0.2", "mu_torsion=0.5"])?;
     let found = ContactStatistics::of(&rows, &[1.0; 4], &rough);
     assert_eq!((found.contacts, found.wall_contacts), (3, 1));
     assert_eq!(found.coordination, [1, 0, 2, 1]);
@@ -151,7 +151,7 @@ fn contacts_are_counted_by_sign_and_threshold() -> Tested {
     assert_eq!((found.tension, found.max_overlap), ([0.25, 0.25], 0.125));
     let third = Some(1.0 / 3.0);
     assert_eq!(found.at_threshold, [third, Some(0.0), third]);
-    let smooth = ContactStatistics::of(&rows, &[1.0; 4], &limits(&["sliding=0"])?);
+    let smooth = ContactStatistics::of(&rows, &[1.0; 4], &limits(&["mu=0"])?);
     assert_eq!(smooth.at_threshold, [None; 3]);
     Ok(())
 }
@@ -171,7 +171,7 @@ fn sliding_and_torsion_reach_a_joint_threshold_together() -> Tested {
         ("ellipsoid", [true, false]),
         ("exact", [true, false]),
     ] {
-        let scene = scene(&["torsion=0.5", &format!("coupling={coupling}")])?;
+        let scene = scene(&["mu_torsion=0.5", &format!("coupling={coupling}")])?;
         let limits = Limits::of(&scene.material());
         for (share, slips) in [0.6, 0.5].into_iter().zip(slips) {
             let row = contact(share);
@@ -209,13 +209,19 @@ fn a_blocked_packing_carries_the_load_whatever_its_modes() -> Tested {
     let mut last = 1.0;
     for (modes, names) in [
         (
-            ["rolling=1", "torsion=1", "sliding=0.3"],
+            ["mu_rolling=1", "mu_torsion=1", "mu=0.3"],
             "rolling torsion sliding",
         ),
-        (["rolling=1", "torsion=0", "sliding=0.3"], "rolling sliding"),
-        (["rolling=0", "torsion=1", "sliding=0.3"], "torsion sliding"),
-        (["rolling=0", "torsion=0", "sliding=0.3"], "sliding"),
-        (["rolling=0", "torsion=0", "sliding=0"], ""),
+        (
+            ["mu_rolling=1", "mu_torsion=0", "mu=0.3"],
+            "rolling sliding",
+        ),
+        (
+            ["mu_rolling=0", "mu_torsion=1", "mu=0.3"],
+            "torsion sliding",
+        ),
+        (["mu_rolling=0", "mu_torsion=0", "mu=0.3"], "sliding"),
+        (["mu_rolling=0", "mu_torsion=0", "mu=0"], ""),
     ] {
         let compaction = finished(&modes)?;
         let outcome = compaction.outcome();
@@ -246,7 +252,7 @@ fn a_blocked_packing_carries_the_load_whatever_its_modes() -> Tested {
 #[test]
 fn a_powder_under_gravity_bears_its_weight_and_the_lid() -> Tested {
     for gravity in ["0.01", "0.2"] {
-        let compaction = finished(&["rolling=0.3", &format!("gravity={gravity}")])?;
+        let compaction = finished(&["mu_rolling=0.3", &format!("gravity={gravity}")])?;
         let outcome = compaction.outcome();
         assert_eq!(outcome.ending, Some(PowderStopReason::Blocked), "{gravity}");
         let area = outcome.area;
@@ -274,9 +280,9 @@ fn a_powder_under_gravity_bears_its_weight_and_the_lid() -> Tested {
 #[test]
 fn a_resumed_run_ends_with_the_same_bits() -> Tested {
     for modes in [
-        &["rolling=0.1", "torsion=0.1"][..],
-        &["rolling=0", "torsion=0"],
-        &["rolling=0.1", "torsion=0.1", "method=soft"],
+        &["mu_rolling=0.1", "mu_torsion=0.1"][..],
+        &["mu_rolling=0", "mu_torsion=0"],
+        &["mu_rolling=0.1", "mu_torsion=0.1", "method=soft"],
         &["method=soft", "normal_law=hertz", "restitution=0.5"],
     ] {
         let scene = scene(modes)?;
@@ -304,7 +310,10 @@ fn a_resumed_run_ends_with_the_same_bits() -> Tested {
 
 #[test]
 fn soft_spheres_end_blocked_near_the_height_of_rigid_ones() -> Tested {
-    for modes in [["rolling=0", "torsion=0"], ["rolling=1", "torsion=1"]] {
+    for modes in [
+        ["mu_rolling=0", "mu_torsion=0"],
+        ["mu_rolling=1", "mu_torsion=1"],
+    ] {
         let rigid = finished(&modes)?.outcome();
         for law in ["linear", "hertz"] {
             let law = format!("normal_law={law}");
@@ -325,15 +334,15 @@ fn soft_spheres_end_blocked_near_the_height_of_rigid_ones() -> Tested {
 
 #[test]
 fn spheres_all_of_the_second_material_are_those_of_it_alone() -> Tested {
-    let first = finished(&["sliding=0.1"])?;
-    let second = finished(&["share_second=1", "sliding_second=0.1"])?;
+    let first = finished(&["mu=0.1"])?;
+    let second = finished(&["share_second=1", "mu_second=0.1"])?;
     assert_eq!(second.series(), first.series());
-    let heavy = finished(&["share_second=1", "sliding_second=0.1", "density_second=2"])?;
+    let heavy = finished(&["share_second=1", "mu_second=0.1", "density_second=2"])?;
     assert_ne!(heavy.series(), first.series());
     // None of it, whatever it would be; and half of it, which is neither.
-    let none = finished(&["sliding_second=0.1", "density_second=2"])?;
+    let none = finished(&["mu_second=0.1", "density_second=2"])?;
     assert_eq!(none.series(), finished(&[])?.series());
-    let half = finished(&["share_second=0.5", "sliding_second=0"])?;
+    let half = finished(&["share_second=0.5", "mu_second=0"])?;
     assert_ne!(half.series(), none.series());
     assert_eq!(half.ending(), Some(PowderStopReason::Blocked));
     Ok(())
@@ -359,7 +368,7 @@ fn keys_of_the_other_method_are_refused() {
 
 #[test]
 fn a_checkpoint_of_the_end_is_the_end() -> Tested {
-    let modes = ["rolling=0.1", "torsion=0.1"];
+    let modes = ["mu_rolling=0.1", "mu_torsion=0.1"];
     let whole = finished(&modes)?;
     assert_eq!(COLUMNS.iter().position(|name| *name == "residual"), Some(7));
     let mut again = PowderSimulation::resume(&scene(&modes)?, &whole.checkpoint())?;
@@ -412,7 +421,7 @@ fn forces_of_contacts_with_rebound_explain_every_velocity() -> Tested {
 
 #[test]
 fn a_checkpoint_read_and_written_is_the_same() -> Tested {
-    let scene = scene(&["rolling=0.1", "torsion=0.1", "height=40"])?;
+    let scene = scene(&["mu_rolling=0.1", "mu_torsion=0.1", "height=40"])?;
     let mut compaction = PowderSimulation::new(&scene)?;
     for _ in 0..WINDOW_STEPS + 10 {
         assert!(compaction.step()?);
@@ -445,8 +454,8 @@ fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
         let told = PowderSimulation::resume(scene, text).map(|_| ());
         told.map_or_else(|error| error.to_string(), |()| "accepted".into())
     };
-    let other = refusal(&scene(&["rolling=0.5"])?, &kept);
-    assert!(other.contains("`rolling` is 0.0") && other.contains("0.5 here"));
+    let other = refusal(&scene(&["mu_rolling=0.5"])?, &kept);
+    assert!(other.contains("`mu_rolling` is 0.0") && other.contains("0.5 here"));
     assert!(refusal(&here, "{").contains("--anew"));
     assert!(refusal(&here, "{}").contains("its digest"));
     let old = "{\"tribos_compaction\":1,\"steps\":3}\n";
@@ -489,14 +498,14 @@ fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
     assert!(with("still", serde_json::json!([300])).contains("cannot be read"));
     assert!(with("last_step_counts", serde_json::json!([1, 2])).contains("cannot be read"));
     // What the run began with has changed.
-    assert!(with("began_with", "0".into()).contains("`start` is of other spheres"));
+    assert!(with("began_with", "0".into()).contains("`initial_state` is of other spheres"));
     assert!(with("tribos_compaction", 5.into()).contains("has format 5"));
     Ok(())
 }
 
 #[test]
 fn a_run_ends_with_its_time_or_its_steps() -> Tested {
-    let short = finished(&["steps=30", "samples=7"])?;
+    let short = finished(&["max_steps=30", "samples=7"])?;
     assert_eq!(
         (short.ending(), short.steps()),
         (Some(PowderStopReason::Steps), 30)
@@ -516,7 +525,7 @@ fn resumed_without_frames(limit: u64) -> Result<u64, RunError<CompactionError>> 
     let scene = PowderScene {
         width: 6.0,
         height: 8.0,
-        steps: 6,
+        max_steps: 6,
         ..PowderScene::default()
     };
     let home = tempfile::tempdir().unwrap();

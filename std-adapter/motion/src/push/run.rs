@@ -47,13 +47,13 @@ pub fn run(scene: &PushScene) -> Result<PushResult, PushError> {
     scene.check()?;
     let set = limit_surface(
         &scene.patch,
-        scene.coefficient * scene.load,
+        scene.mu * scene.load,
         scene.radius,
         pair(scene.centre_x, scene.centre_y),
     )?;
     let shape = Shape::of(&scene.patch, scene.radius)?;
     let [x, y] = [scene.contact_x, scene.contact_y];
-    let mu = scene.pusher_coefficient;
+    let mu = scene.mu_pusher;
     let line = match pair(scene.end_x, scene.end_y) {
         None => None,
         Some(end) => Some(inward_line([[x, y], end], mu, &shape)?),
@@ -134,7 +134,7 @@ fn point(scene: &PushScene, shape: &Shape) -> Result<(PointContact, PushedSide),
     let [inward, reach] = nearest_side(shape, at);
     let given = pair(scene.normal_x, scene.normal_y);
     let normal = given.unwrap_or(inward);
-    let contact = PointContact::new(at, normal, scene.pusher_coefficient)?;
+    let contact = PointContact::new(at, normal, scene.mu_pusher)?;
     let side = match (given, matches!(scene.patch, Patch::Flat(_))) {
         (Some(_), _) => endless(),
         (None, true) => {
@@ -152,7 +152,7 @@ fn any_pressure(scene: &PushScene, shape: &Shape) -> Result<Option<f64>, PushErr
         return Ok(None);
     };
     let centre = pair(scene.centre_x, scene.centre_y).unwrap_or(centroid);
-    let limit = scene.coefficient * scene.load;
+    let limit = scene.mu * scene.load;
     let corners = shape.loops.concat();
     let foot = UnknownPressureSet::new(corners, centre, limit).map_err(FrictionError::from)?;
     Ok(foot.torque_limits([0.0; 2]).map(|yaw| yaw.possible[1]))

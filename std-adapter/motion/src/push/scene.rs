@@ -26,7 +26,7 @@ scene! {
     /// Radius of a round patch.
     radius: f64 = 0.05, "m", Positive;
     /// Friction coefficient between body and floor.
-    coefficient: f64 = 0.4, "-", Positive, Required;
+    mu was coefficient: f64 = 0.4, "-", Positive, Required;
     /// Load of the body on the floor.
     load: f64 = 20.0, "N", Positive, Required;
     /// Centre of pressure of a box or polygon along x, under linear pressure; the centroid if left out.
@@ -46,7 +46,7 @@ scene! {
     /// The same along y.
     normal_y: Option<f64> = None, "-", Finite;
     /// Friction coefficient between pusher and body.
-    pusher_coefficient: f64 = 0.3, "-", NotNegative, Required;
+    mu_pusher was pusher_coefficient: f64 = 0.3, "-", NotNegative, Required;
     /// Velocity of the pusher.
     velocity_x: f64 = 0.0, "m/s", Finite, Required;
     /// The same along y.

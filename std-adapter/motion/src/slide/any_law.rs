@@ -7,7 +7,7 @@ use crate::slide::scene::{DiskScene, SliderIntegrator};
 use tribos_core::modes::TerminalMotion;
 use tribos_friction::{AnyFriction, Law, Patch};
 
-/// Runs a scene to its end under `law`, which replaces the scene's `coefficient` and `alpha`.
+/// Runs a scene to its end under `law`, which replaces the scene's `gamma` and `alpha`.
 ///
 /// For a power of the speed this is [`run`]. Under any other law the motion is integrated over the logarithm
 /// of the speed, like that of a body in the plane ([`PlanarSimulation`]).
@@ -18,7 +18,7 @@ pub(super) fn run_law(
 ) -> Result<SlideRun, SlideError> {
     if let Some([coefficient, alpha]) = law.power_of_speed() {
         let scene = DiskScene {
-            coefficient,
+            gamma: coefficient,
             alpha,
             law: None,
             ..*scene

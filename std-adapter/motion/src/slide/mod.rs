@@ -97,7 +97,7 @@ pub enum SlideError {
     /// A tall body would tip, and the scene forbids it.
     #[error(
         "the body tips: from {time:.6} s on its foot cannot bear the pressure gradient, which \
-         reaches {lean:.4} of the limit; lower `height` or `coefficient`, or set \
+         reaches {lean:.4} of the limit; lower `height` or `gamma`, or set \
          tipping = \"clamp\""
     )]
     Tips {
@@ -166,7 +166,7 @@ pub struct SlideRun {
 ///
 /// ```
 /// use tribos::{scene::DiskScene, slide::run};
-/// let scene = DiskScene { speed: 1.0, spin: 0.0, coefficient: 0.3, ..DiskScene::default() };
+/// let scene = DiskScene { speed: 1.0, spin: 0.0, gamma: 0.3, ..DiskScene::default() };
 /// let result = run(&scene, |_| ())?;
 /// assert!((result.outcome.distance - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-13);
 /// // On oil: dv/dt = -g (mu + k v), which ends after ln(1 + k v0/mu)/(g k).
@@ -210,6 +210,6 @@ impl DiskScene {
     /// Friction law of the scene.
     pub(crate) fn law(&self) -> Result<Law, FrictionError> {
         self.law
-            .map_or_else(|| Law::power(self.coefficient, self.alpha), Ok)
+            .map_or_else(|| Law::power(self.gamma, self.alpha), Ok)
     }
 }

@@ -78,7 +78,7 @@ pub trait PlanarScene: Body {
 /// ```
 /// use tribos::scene::PipeScene;
 /// use tribos::slide::{PATH_COLUMNS, PlanarSummary, PathRun, run_path};
-/// let scene = PipeScene { spin: 0.0, speed: 1.74, coefficient: 0.2, ..PipeScene::default() };
+/// let scene = PipeScene { spin: 0.0, speed: 1.74, gamma: 0.2, ..PipeScene::default() };
 /// let PathRun { series, outcome } = run_path(&scene)?;
 /// // Without spin the pipe leans, but friction stays mu N.
 /// let x = PATH_COLUMNS.iter().position(|name| *name == "x").ok_or("no x")?;

@@ -87,7 +87,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
     /// Prepares a run; the whole motion is computed once to choose and validate the time step.
     pub fn new(profile: P, scene: &DiskScene) -> Result<Self, SlideError> {
         scene.check()?;
-        let deceleration = scene.coefficient * scene.gravity;
+        let deceleration = scene.gamma * scene.gravity;
         let slider = Slider::new(
             profile,
             SliderParameters {

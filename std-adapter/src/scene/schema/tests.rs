@@ -44,7 +44,7 @@ fn is_valid(schema: &Value, instance: &Value) -> bool {
         other => panic!("type {other}"),
     };
     rules.iter().all(|(word, rule)| match word.as_str() {
-        "$schema" | "title" | "description" | "default" | "then" | "else" => true,
+        "$schema" | "title" | "description" | "default" | "deprecated" | "then" | "else" => true,
         "type" => match rule.as_array() {
             Some(kinds) => kinds.iter().any(is_of),
             None => is_of(rule),
@@ -74,6 +74,8 @@ fn is_valid(schema: &Value, instance: &Value) -> bool {
             .keys()
             .all(|name| rules["properties"].get(name).is_some()),
         "allOf" => all(rule).into_iter().all(|valid| valid),
+        "anyOf" => all(rule).into_iter().any(|valid| valid),
+        "not" => !is_valid(rule, instance),
         "oneOf" => all(rule).into_iter().filter(|valid| *valid).count() == 1,
         "if" => part(if is_valid(rule, instance) {
             "then"
@@ -165,7 +167,7 @@ fn another(known: &Vocabulary, key: &str, word: &str) -> &'static str {
 
 #[test]
 fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
-    let disk = "speed = 1\nspin = 1\ncoefficient = 1\nalpha = 0\ninertia_ratio = 0.5\n";
+    let disk = "speed = 1\nspin = 1\ngamma = 1\nalpha = 0\ninertia_ratio = 0.5\n";
     assert!(agreed(&format!(
         "{disk}units = \"dimensionless\"\nmass = 1.0"
     )));
@@ -185,6 +187,12 @@ fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
                 _ => "0.5".to_owned(),
             };
             let text = format!("{}{} = {value}\n", known.least_text(), key.name);
+            if let Some(was) = key.was {
+                let rest = without(&known.least_text(), key.name);
+                agreed(&format!("{rest}{was} = {value}\n"));
+                let both = format!("{rest}{} = {value}\n{was} = {value}\n", key.name);
+                assert!(!agreed(&both), "{both}");
+            }
             match key.need {
                 Need::PartOf(other, word) | Need::OnlyWith(other, word)
                     if known.defaults().get(other).and_then(Value::as_str) == Some(word) =>
@@ -200,9 +208,11 @@ fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
                         ("drive", "speed") => without(&text, "lambda"),
                         ("drive", _) => format!("{}speed = 1\n", without(&text, "lambda")),
                         // The period of a box without a floor is its height, and nothing bears the grains.
-                        ("z", "shear_rate") => format!("{text}height = 0.5\ngravity = 0\n"),
+                        ("boundary_z", "shear_rate") => {
+                            format!("{text}height = 0.5\ngravity = 0\n")
+                        }
                         // A slot is narrower than its box.
-                        (_, "outlet") => text.replace("width = 0.1", "width = 1"),
+                        (_, "orifice_width") => text.replace("width = 0.1", "width = 1"),
                         _ => text,
                     };
                     assert!(agreed(&format!("{text}{other} = \"{word}\"")), "{text}");

@@ -183,7 +183,7 @@ fn read(columns: &[&str], line: &str) -> Result<Line> {
             seed: word("seed")?.parse()?,
             spread: number("radius_spread")?,
             pressure: number("pressure")?,
-            corner: [number("rolling")?, number("torsion")?],
+            corner: [number("mu_rolling")?, number("mu_torsion")?],
             coupling: coupling.context("unknown coupling")?,
         },
         blocked: word("ending")? == "blocked",

@@ -36,7 +36,7 @@ pub fn few_sweeps(friction: [f64; 2]) -> Case {
         scene.sweeps = 20;
         scene.warm_start = false;
         scene.blocked = BlockedCriterion::Piston;
-        scene.steps = 4000;
+        scene.max_steps = 4000;
     })
 }
 
@@ -203,7 +203,7 @@ fn smooth(runs: &Runs) -> Result<Vec<Claim>> {
     let rough = both.map(|friction| Case::new(System::Small, friction, 1));
     let smooth = rough
         .clone()
-        .map(|case| case.with("sliding=0", |scene| scene.sliding = 0.0));
+        .map(|case| case.with("sliding=0", |scene| scene.mu = 0.0));
     let ends = runs.of(&[smooth, rough].concat())?;
     let [free, held, base, with_sliding] =
         [0, 1, 2, 3].map(|at: usize| ends[at].outcome.porosity[1]);

@@ -17,7 +17,7 @@ use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
 use tribos::record::read_text;
-use tribos::scene::Key;
+use tribos::scene::{Key, with_present_names};
 
 /// Bytes of a summary at most.
 const MOST_BYTES: u64 = 64 << 20;
@@ -34,7 +34,8 @@ fn summary(out: &Path, keys: &[Key], here: &Value) -> Result<Value, Failure> {
     let summary: Value = serde_json::from_str(&text).map_err(|cause| {
         Failure::input(format!("{}: {cause}; run the scene again", path.display()))
     })?;
-    same_scene(keys, here, &summary["scene"], out)?;
+    let there = with_present_names(&summary["scene"]);
+    same_scene(keys, here, &there, out)?;
     Ok(summary)
 }
 

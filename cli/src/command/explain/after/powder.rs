@@ -2,7 +2,7 @@
 
 use super::{packing, summary};
 use crate::command::explain::line;
-use crate::command::explain::powder::{MODES, coefficients};
+use crate::command::explain::powder::{MODES, SWITCHES, coefficients};
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::powder::PowderCost;
@@ -31,5 +31,5 @@ fn advice(scene: &PowderScene, mode: usize, share: f64, command: &str) -> String
         format!(
             "{name} dissipated {percent:.2} %: could be left out, {saved}; a threshold that is never reached still holds, so check with"
         ),
-    ) + &line("", format!("  {command} --set {name}=0"))
+    ) + &line("", format!("  {command} --set {}=0", SWITCHES[mode]))
 }

@@ -17,7 +17,7 @@ fn scene() -> GrainsScene {
     GrainsScene {
         width: 0.06,
         count: 30,
-        torsion: 0.1,
+        mu_torsion: 0.1,
         duration: 10.0,
         ..GrainsScene::default()
     }
@@ -50,7 +50,7 @@ fn grains_go_on_from_a_state_or_a_checkpoint_to_the_bit() -> Tested {
     let home = tempfile::tempdir()?;
     for sides in [SideBoundary::Periodic, SideBoundary::Walls] {
         let scene = GrainsScene {
-            x: sides,
+            boundary_x: sides,
             ..scene()
         };
         let mut whole = after(&scene, 300)?;
@@ -58,7 +58,7 @@ fn grains_go_on_from_a_state_or_a_checkpoint_to_the_bit() -> Tested {
             std::fs::write(home.path().join(name), text)?;
         }
         let from = |name: &str| GrainsScene {
-            start: Some(home.path().join(name)),
+            initial_state: Some(home.path().join(name)),
             ..scene.clone()
         };
         let mut parts = [
@@ -103,7 +103,7 @@ fn grains_of_a_file_lie_on_the_floor_and_inside_the_walls() -> Tested {
     std::fs::write(&file, run.with_snapshot(extended_xyz)?)?;
     let start = Some(file.clone());
     let other = GrainsSimulation::new(&GrainsScene {
-        start: start.clone(),
+        initial_state: start.clone(),
         ..scene()
     })?;
     let lowest = other.with_snapshot(|now| {
@@ -120,7 +120,7 @@ fn grains_of_a_file_lie_on_the_floor_and_inside_the_walls() -> Tested {
         GrainsSimulation::new(&scene).map_or_else(|error| error.to_string(), |_| "taken".into())
     };
     let wide = refusal(GrainsScene {
-        start: start.clone(),
+        initial_state: start.clone(),
         width: 0.07,
         ..scene()
     });
@@ -129,7 +129,7 @@ fn grains_of_a_file_lie_on_the_floor_and_inside_the_walls() -> Tested {
         "{wide}"
     );
     let fine = refusal(GrainsScene {
-        start,
+        initial_state: start,
         radius: 5.0,
         ..scene()
     });
@@ -141,7 +141,7 @@ fn grains_of_a_file_lie_on_the_floor_and_inside_the_walls() -> Tested {
 fn the_box_of_an_export_ends_at_its_walls_though_grains_press_them() -> Tested {
     let home = tempfile::tempdir()?;
     let scene = GrainsScene {
-        x: SideBoundary::Walls,
+        boundary_x: SideBoundary::Walls,
         method: ContactMethod::Soft,
         stiffness: 1e3,
         ..scene()
@@ -164,7 +164,7 @@ fn the_box_of_an_export_ends_at_its_walls_though_grains_press_them() -> Tested {
             "{name}"
         );
         let other = GrainsSimulation::new(&GrainsScene {
-            start: Some(file),
+            initial_state: Some(file),
             ..scene.clone()
         })?;
         for (was, is) in motion(&run).iter().zip(motion(&other)) {
@@ -203,7 +203,7 @@ fn a_flat_run_goes_on_from_its_trajectories_in_its_plane() -> Tested {
         let file = trajectory.finish()?;
         let start = |file: PathBuf| {
             GrainsSimulation::new(&GrainsScene {
-                start: Some(file),
+                initial_state: Some(file),
                 ..scene.clone()
             })
         };
@@ -234,15 +234,15 @@ fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
     let hopper = GrainsScene {
         width: 0.16,
         depth: Some(0.1),
-        x: SideBoundary::Walls,
+        boundary_x: SideBoundary::Walls,
         container: Container::Hopper,
-        outlet: 0.04,
-        slope: 45.0,
-        start: Some(file.clone()),
+        orifice_width: 0.04,
+        hopper_angle: 45.0,
+        initial_state: Some(file.clone()),
         ..scene()
     };
     let drum = GrainsScene {
-        x: SideBoundary::Periodic,
+        boundary_x: SideBoundary::Periodic,
         container: Container::Drum,
         ..hopper.clone()
     };
@@ -278,7 +278,7 @@ fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
     write(0.08, 0.1)?;
     let opening = 1.0;
     let refused = refusal(&GrainsScene {
-        opening,
+        open_time: opening,
         ..hopper.clone()
     });
     assert!(refused.contains("reaches into the hopper"), "{refused}");
@@ -289,9 +289,15 @@ fn grains_of_a_file_stay_where_they_are_in_a_hopper_or_a_drum() -> Tested {
         GrainsSimulation::new(&hopper)?.state(),
     )?;
     let start = Some(home.path().join("state.json"));
-    let open = GrainsScene { start, ..hopper };
+    let open = GrainsScene {
+        initial_state: start,
+        ..hopper
+    };
     assert!(GrainsSimulation::new(&open).is_ok());
-    let refused = refusal(&GrainsScene { opening, ..open });
+    let refused = refusal(&GrainsScene {
+        open_time: opening,
+        ..open
+    });
     assert!(refused.contains("reaches into the hopper"), "{refused}");
     Ok(())
 }
@@ -304,7 +310,7 @@ fn springs_take_overlaps_that_rigid_grains_cannot_have() -> Tested {
                 Properties=species:S:1:pos:R:3:radius:R:1\nG 0.03 0.03 0.005 0.005\nG 0.03 0.03 0.014 0.005\n";
     std::fs::write(&file, text)?;
     let rigid = GrainsScene {
-        start: Some(file),
+        initial_state: Some(file),
         ..scene()
     };
     let refused =
@@ -350,7 +356,7 @@ fn grains_of_a_run_or_a_file_keep_materials_and_densities_whatever_the_seed() ->
     let mixed = GrainsScene {
         share_second: 0.4,
         density_second: Some(7800.0),
-        sliding_second: Some(0.1),
+        mu_second: Some(0.1),
         ..scene()
     };
     let run = after(&mixed, 100)?;
@@ -372,7 +378,7 @@ fn grains_of_a_run_or_a_file_keep_materials_and_densities_whatever_the_seed() ->
         // Another draw by another seed would be another packing.
         for (seed, share_second) in [(1, 0.4), (2, 0.4), (3, 0.9), (4, 0.0)] {
             let other = GrainsSimulation::new(&GrainsScene {
-                start: Some(file.clone()),
+                initial_state: Some(file.clone()),
                 seed,
                 share_second,
                 density: 1000.0,
@@ -403,7 +409,7 @@ fn imported_grains_have_the_density_and_the_material_of_each() -> Tested {
         depth: Some(0.04),
         radius: 0.002,
         density: 1000.0,
-        start: Some(file.clone()),
+        initial_state: Some(file.clone()),
         ..GrainsScene::default()
     };
     std::fs::write(
@@ -441,7 +447,7 @@ fn axes_repeat_in_the_box_of_the_scene_and_not_in_that_of_the_file() -> Tested {
         width: 0.08,
         depth: Some(0.04),
         radius: 0.002,
-        start: Some(file),
+        initial_state: Some(file),
         ..GrainsScene::default()
     };
     let run = GrainsSimulation::new(&scene)?;
@@ -450,7 +456,7 @@ fn axes_repeat_in_the_box_of_the_scene_and_not_in_that_of_the_file() -> Tested {
         assert!((now.positions[1].z - 0.08).abs() < 1e-15);
     });
     let closed = GrainsSimulation::new(&GrainsScene {
-        z: EndBoundary::Periodic,
+        boundary_z: EndBoundary::Periodic,
         height: Some(0.08),
         gravity: Ramp::from(0.0),
         ..scene

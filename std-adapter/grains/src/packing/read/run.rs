@@ -2,8 +2,9 @@
 
 use super::{Assembly, AssemblyError, text};
 use crate::packing::assembly::KnownForces;
-use crate::packing::{STATE, mixed};
+use crate::packing::{STATE, mixed, scene};
 use nalgebra::Vector3;
+use serde_json::Value;
 use std::path::Path;
 use tribos_base::record::frames::{Bodies, Frame, FrameContact, FrameFolder, Kind};
 use tribos_base::record::{ContactRow, Partner};
@@ -64,11 +65,11 @@ fn of_frame(bodies: &Bodies, frame: &Frame) -> Assembly {
     if bodies.kind == Kind::Powder {
         assembly.bounds[2] = [0.0, frame.height];
     }
-    let walls = walls(bodies);
+    assembly.scene = scene(&bodies.scene);
+    let walls = walls(bodies.kind, &assembly.scene);
     let row = |contact: &FrameContact| row(&assembly, &walls, contact);
     assembly.contacts = frame.contacts.iter().filter_map(row).collect();
     assembly.forces = KnownForces::Normal;
-    assembly.scene = bodies.scene.clone();
     let known = |all: &Vec<f64>| !all.is_empty();
     assembly.densities = Some(bodies.densities.clone()).filter(known);
     assembly.materials = mixed(&bodies.materials).then(|| bodies.materials.clone());
@@ -76,10 +77,9 @@ fn of_frame(bodies: &Bodies, frame: &Frame) -> Assembly {
 }
 
 /// Axis of each wall, and whether it is at the high end: above and below, then at the sides.
-fn walls(bodies: &Bodies) -> Vec<(usize, bool)> {
-    let scene = &bodies.scene;
+fn walls(kind: Kind, scene: &Value) -> Vec<(usize, bool)> {
     let both = |axis: usize| [(axis, false), (axis, true)];
-    if bodies.kind == Kind::Powder {
+    if kind == Kind::Powder {
         return both(2).to_vec();
     }
     let is_drum = scene["container"] == "drum";

@@ -220,7 +220,7 @@ impl Scene {
 /// Some bodies of each kind, with several sizes, materials and densities, after some steps.
 fn bodies() -> Vec<(&'static str, Scene)> {
     let grains = "body = \"grains\"\nwidth = 0.08\nradius = 0.005\ncount = 30\nduration = 1\ndensity = 2500\n\
-                  share_second = 0.4\nradius_second = 0.7\ndensity_second = 7800\nsliding_second = 0.2\n";
+                  share_second = 0.4\nradius_second = 0.7\ndensity_second = 7800\nmu_second = 0.2\n";
     let scene = |name: &'static str, text: &str| {
         let scene = Scene::parse(name, text);
         (
@@ -231,26 +231,29 @@ fn bodies() -> Vec<(&'static str, Scene)> {
     let of = |name, more: &str| scene(name, &format!("{grains}{more}"));
     vec![
         of("bed", ""),
-        of("column", "x = \"walls\"\ny = \"walls\"\n"),
+        of("column", "boundary_x = \"walls\"\nboundary_y = \"walls\"\n"),
         of("flat", "dimension = 2\n"),
         of(
             "plates",
-            "z = \"walls\"\ngravity = 0\npressure_z = 1000\nplate_speed = 0.1\n",
+            "boundary_z = \"walls\"\ngravity = 0\npressure_z = 1000\nplate_speed = 0.1\n",
         ),
         of(
             "hopper",
-            "x = \"walls\"\ncontainer = \"hopper\"\noutlet = 0.03\noutlet_height = 0.02\n",
+            "boundary_x = \"walls\"\ncontainer = \"hopper\"\norifice_width = 0.03\norifice_height = 0.02\n",
         ),
         of("drum", "container = \"drum\"\ndepth = 0.03\n"),
-        of("cell", "z = \"periodic\"\nheight = 0.08\ngravity = 0\n"),
+        of(
+            "cell",
+            "boundary_z = \"periodic\"\nheight = 0.08\ngravity = 0\n",
+        ),
         of(
             "sheared",
-            "z = \"periodic\"\nheight = 0.08\ngravity = 0\nshear_rate = 2\n",
+            "boundary_z = \"periodic\"\nheight = 0.08\ngravity = 0\nshear_rate = 2\n",
         ),
         scene(
             "powder",
             "body = \"powder\"\nwidth = 8\nheight = 10\npressure = 0.02\nradius_spread = 0.2\n\
-             share_second = 0.3\ndensity_second = 2\nsliding_second = 0.1\n",
+             share_second = 0.3\ndensity_second = 2\nmu_second = 0.1\n",
         ),
         scene("gas", "body = \"gas\"\ncount = 60\n"),
     ]
@@ -420,9 +423,9 @@ fn no_format_loses_a_radius_a_density_a_material_a_period_or_the_tilt() {
             std::fs::write(&file, &texts_of_state).unwrap();
             let soft = PowderScene {
                 method: ContactMethod::Soft,
-                start: Some(file),
+                initial_state: Some(file),
                 share_second: 0.0,
-                sliding_second: None,
+                mu_second: None,
                 density_second: None,
                 radius_spread: 0.0,
                 ..scene.clone()

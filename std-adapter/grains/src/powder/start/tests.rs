@@ -17,8 +17,8 @@ fn tiny() -> PowderScene {
         pressure: 0.01,
         piston_mass: 100.0,
         still_speed: 0.0,
-        rolling: 0.1,
-        torsion: 0.2,
+        mu_rolling: 0.1,
+        mu_torsion: 0.2,
         ..PowderScene::default()
     }
 }
@@ -68,7 +68,7 @@ fn a_run_from_a_state_or_a_checkpoint_goes_on_to_the_bit() -> Tested {
         let mut parts = Vec::new();
         for start in [state, checkpoint, home.path().to_owned()] {
             let scene = PowderScene {
-                start: Some(start),
+                initial_state: Some(start),
                 sizes: None,
                 ..scene.clone()
             };
@@ -97,16 +97,16 @@ fn another_material_starts_from_the_same_places() -> Tested {
     let start = Some(kept(&home, "state.json", &rough.state())?);
     for smooth in [
         PowderScene {
-            sliding: 0.0,
-            rolling: 0.0,
-            torsion: 0.0,
-            start: start.clone(),
+            mu: 0.0,
+            mu_rolling: 0.0,
+            mu_torsion: 0.0,
+            initial_state: start.clone(),
             ..tiny()
         },
         PowderScene {
             pressure: 0.05,
             restitution: 0.3,
-            start,
+            initial_state: start,
             ..tiny()
         },
     ] {
@@ -125,7 +125,7 @@ fn a_run_from_a_start_resumes_from_its_own_checkpoint() -> Tested {
     let home = tempfile::tempdir()?;
     let start = Some(kept(&home, "state.json", &after(&tiny(), 30)?.state())?);
     let scene = PowderScene {
-        start,
+        initial_state: start,
         pressure: 0.02,
         ..tiny()
     };
@@ -144,7 +144,7 @@ fn spheres_of_a_file_lie_between_the_plates_as_they_are() -> Tested {
     let (xyz, vtp) = run.with_snapshot(|now| (extended_xyz(now), particles_vtp(now)));
     for (name, text) in [("a.xyz", xyz?), ("a.vtp", vtp?)] {
         let scene = PowderScene {
-            start: Some(kept(&home, name, &text)?),
+            initial_state: Some(kept(&home, name, &text)?),
             ..tiny()
         };
         let other = PowderSimulation::new(&scene)?;
@@ -181,9 +181,9 @@ fn starts_that_do_not_fit_are_refused_with_what_would() -> Tested {
     };
     let told = |text: &str| -> Result<String, std::io::Error> {
         let start = kept(&home, "a.xyz", text)?;
-        let shown = format!("`start`: {}: ", start.display());
+        let shown = format!("`initial_state`: {}: ", start.display());
         let refused = refusal(&PowderScene {
-            start: Some(start),
+            initial_state: Some(start),
             ..tiny()
         });
         Ok(refused
@@ -208,7 +208,7 @@ fn starts_that_do_not_fit_are_refused_with_what_would() -> Tested {
             .contains("there is no sphere")
     );
     let twice = PowderScene {
-        start: Some("a.xyz".into()),
+        initial_state: Some("a.xyz".into()),
         count: Some(7),
         ..tiny()
     };

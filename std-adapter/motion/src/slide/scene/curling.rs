@@ -81,7 +81,7 @@ scene! {
     /// Why the rock curls; see docs/curling.md.
     model: IceModel = IceModel::LeftRight, "-", OneOf(IceModel::WORDS);
     /// Friction coefficient of the ice; if left out that of the model: 0.007095 for dry, else 0.008.
-    coefficient: Option<f64> = None, "(s/m)^alpha", Positive;
+    gamma was coefficient: Option<f64> = None, "(s/m)^alpha", Positive;
     /// Exponent of the ice; if left out that of the model: 0 for dry, else -0.5.
     // A rock comes to rest.
     alpha: Option<f64> = None, "-", Between { above: -1.0, up_to: 0.9 };
@@ -117,7 +117,7 @@ fn rules(scene: &CurlingScene, judge: &mut Judge<'_>) {
 /// Coefficient and exponent are those of the model unless they are given.
 fn in_force(scene: &CurlingScene, key: &str, written: Option<Written>) -> Option<Written> {
     match key {
-        "coefficient" => Some(Written::Number(scene.ice().coefficient)),
+        "gamma" => Some(Written::Number(scene.ice().coefficient)),
         "alpha" => Some(Written::Number(scene.ice().alpha)),
         _ => written,
     }
@@ -142,7 +142,7 @@ impl CurlingScene {
             _ => IceLaw::PENNER,
         };
         IceLaw {
-            coefficient: self.coefficient.unwrap_or(usual.coefficient),
+            coefficient: self.gamma.unwrap_or(usual.coefficient),
             alpha: self.alpha.unwrap_or(usual.alpha),
         }
     }

@@ -31,10 +31,10 @@ scene! {
     /// Initial spin, > 0 counterclockwise.
     spin: f64 = 10.2, "rad/s", Finite, Required;
     /// Friction coefficient of the local law: mu for alpha = 0.
-    coefficient: f64 = 0.2, "(s/m)^alpha", Positive, UnlessGiven("law");
+    gamma was coefficient: f64 = 0.2, "(s/m)^alpha", Positive, UnlessGiven("law");
     /// Exponent of the local law |v|^alpha, 0 for Coulomb.
     alpha: f64 = 0.0, "-", EXPONENT;
-    /// Local law in place of `coefficient` and `alpha`.
+    /// Local law in place of `gamma` and `alpha`.
     law: Option<Law> = None, "-", LAW;
     /// Outer radius.
     radius: f64 = 0.05, "m", Positive, Required;
@@ -73,13 +73,13 @@ impl PipeScene {
     /// The law of the scene.
     fn local_law(&self) -> Result<Law, FrictionError> {
         self.law
-            .map_or_else(|| Law::power(self.coefficient, self.alpha), Ok)
+            .map_or_else(|| Law::power(self.gamma, self.alpha), Ok)
     }
 
     /// The pipe.
     pub fn pipe(&self) -> Pipe {
         Pipe {
-            coefficient: self.coefficient,
+            coefficient: self.gamma,
             alpha: self.alpha,
             radius: self.radius,
             inner_ratio: self.inner_radius / self.radius,

@@ -73,5 +73,5 @@ pub(super) fn moves(speed: f64, spin: f64, judge: &mut Judge<'_>) {
 
 /// Whether a key is a parameter of the power law, which another law takes the place of.
 pub(super) fn is_of_power_law(key: &str) -> bool {
-    key == "coefficient" || key == "alpha"
+    key == "gamma" || key == "alpha"
 }

@@ -42,7 +42,7 @@ scene! {
     /// Angle from the direction of the launch to the outline's x axis, > 0 counterclockwise.
     orientation: f64 = 0.0, "rad", Finite;
     /// Coulomb's friction coefficient.
-    coefficient: f64 = 0.3, "-", Positive, Required;
+    mu was coefficient: f64 = 0.3, "-", Positive, Required;
     /// Radius of gyration about the upright axis; that of a plate of uniform thickness if it is left out.
     gyration_radius: Option<f64> = None, "m", Positive;
     /// Acceleration that presses the plate down.
@@ -72,8 +72,8 @@ impl PlateScene {
 
     /// The plate.
     pub fn plate(&self) -> Result<Plate, SlideError> {
-        let plate = Plate::new(self.outline()?, self.coefficient, self.gravity)?
-            .with_orientation(self.orientation);
+        let plate =
+            Plate::new(self.outline()?, self.mu, self.gravity)?.with_orientation(self.orientation);
         match self.gyration_radius {
             Some(radius) => plate.with_radius_of_gyration(radius),
             None => Ok(plate),

@@ -37,7 +37,7 @@ scene! {
     /// let scene = DiskScene {
     ///     units: Units::Dimensionless,
     ///     spin: 0.0,
-    ///     coefficient: 0.25,
+    ///     gamma: 0.25,
     ///     gravity: 1.0,
     ///     radius: 1.0,
     ///     mass: 1.0,
@@ -56,10 +56,10 @@ scene! {
     /// Initial spin, of either sign.
     spin: f64 = 5.0, "rad/s", Finite, Required;
     /// Friction coefficient of the local law: mu for alpha = 0.
-    coefficient: f64 = 0.3, "(s/m)^alpha", Positive, UnlessGiven("law");
+    gamma was coefficient: f64 = 0.3, "(s/m)^alpha", Positive, UnlessGiven("law");
     /// Exponent of the local law |v|^alpha, 0 for Coulomb.
     alpha: f64 = 0.0, "-", EXPONENT, UnlessGiven("law");
-    /// Local law in place of `coefficient` and `alpha`.
+    /// Local law in place of `gamma` and `alpha`.
     law: Option<Law> = None, "-", LAW;
     /// Acceleration that presses the body down.
     gravity: f64 = 9.81, "m/s^2", Positive, UnitWith("units", "dimensionless");

@@ -44,7 +44,7 @@ scene! {
     /// // SvgCanvas on paper under a stiff spring, without mass.
     /// let friction = SpringFriction::RateState;
     /// let paper = SpringScene {
-    ///     friction, mass: 0.0, load: 10.0, pull_speed: 1e-6, pull_time: 100.0, ..SpringScene::default()
+    ///     friction_law: friction, mass: 0.0, load: 10.0, pull_speed: 1e-6, pull_time: 100.0, ..SpringScene::default()
     /// };
     /// let critical = paper.critical_stiffness().ok_or("another law")?; // 2e5 N/m
     /// let stiff = SpringScene { stiffness: 1.5 * critical, ..paper };
@@ -56,7 +56,7 @@ scene! {
         rules, in_force;
 
     /// What resists the body.
-    friction: SpringFriction = SpringFriction::Dry, "-", OneOf(SpringFriction::WORDS);
+    friction_law was friction: SpringFriction = SpringFriction::Dry, "-", OneOf(SpringFriction::WORDS);
     /// Mass of the body; 0 for a quasi-static one under rate and state.
     mass: f64 = 1.0, "kg", NotNegative, Required;
     /// Load of the body on the floor.
@@ -84,33 +84,33 @@ scene! {
     /// Law of the speed in place of dry friction.
     law: Option<Law> = None, "-", LAW;
     /// Coefficient of steady sliding with `reference_speed`, of rate and state.
-    mu_reference: f64 = 0.35, "-", NotNegative, PartOf("friction", "rate-state");
+    mu_reference: f64 = 0.35, "-", NotNegative, PartOf("friction_law", "rate-state");
     /// Direct effect a of the speed, of rate and state.
-    a: f64 = 0.01, "-", Positive, PartOf("friction", "rate-state");
+    a: f64 = 0.01, "-", Positive, PartOf("friction_law", "rate-state");
     /// Effect b of the age, of rate and state.
-    b: f64 = 0.03, "-", NotNegative, PartOf("friction", "rate-state");
+    b: f64 = 0.03, "-", NotNegative, PartOf("friction_law", "rate-state");
     /// Reference speed, of rate and state.
-    reference_speed: f64 = 1e-6, "m/s", Positive, PartOf("friction", "rate-state");
+    reference_speed: f64 = 1e-6, "m/s", Positive, PartOf("friction_law", "rate-state");
     /// Memory length D_c, of rate and state.
-    slip_distance: f64 = 1e-6, "m", Positive, PartOf("friction", "rate-state");
+    slip_distance: f64 = 1e-6, "m", Positive, PartOf("friction_law", "rate-state");
     /// Viscous term of the inertial branch, of rate and state.
-    viscous: f64 = 0.0, "s/m", NotNegative, PartOf("friction", "rate-state");
+    viscous: f64 = 0.0, "s/m", NotNegative, PartOf("friction_law", "rate-state");
     /// How the age evolves, of rate and state: Dieterich's ageing law or Ruina's slip law.
-    evolution: StateEvolutionKind = StateEvolutionKind::Ageing, "-", OneOf(StateEvolutionKind::WORDS), PartOf("friction", "rate-state");
+    evolution: StateEvolutionKind = StateEvolutionKind::Ageing, "-", OneOf(StateEvolutionKind::WORDS), PartOf("friction_law", "rate-state");
     /// Speed of the steady sliding that rate and state starts from; 0.9 `pull_speed` if left out.
-    start_speed: Option<f64> = None, "m/s", Positive, PartOf("friction", "rate-state");
+    start_speed: Option<f64> = None, "m/s", Positive, PartOf("friction_law", "rate-state");
     /// Coulomb force of the bristles.
-    coulomb_force: f64 = 0.5, "N", Positive, PartOf("friction", "lugre");
+    coulomb_force: f64 = 0.5, "N", Positive, PartOf("friction_law", "lugre");
     /// Static force of the bristles.
-    static_force: f64 = 0.8, "N", Positive, PartOf("friction", "lugre");
+    static_force: f64 = 0.8, "N", Positive, PartOf("friction_law", "lugre");
     /// Stribeck speed of the bristles.
-    stribeck_speed: f64 = 0.01, "m/s", Positive, PartOf("friction", "lugre");
+    stribeck_speed: f64 = 0.01, "m/s", Positive, PartOf("friction_law", "lugre");
     /// Stiffness of the bristles.
-    bristle_stiffness: f64 = 1e5, "N/m", Positive, PartOf("friction", "lugre");
+    bristle_stiffness: f64 = 1e5, "N/m", Positive, PartOf("friction_law", "lugre");
     /// Damping of the bristles.
-    bristle_damping: f64 = 316.0, "N s/m", NotNegative, PartOf("friction", "lugre");
+    bristle_damping: f64 = 316.0, "N s/m", NotNegative, PartOf("friction_law", "lugre");
     /// Viscous damping beside the bristles.
-    viscous_damping: f64 = 0.4, "N s/m", NotNegative, PartOf("friction", "lugre");
+    viscous_damping: f64 = 0.4, "N s/m", NotNegative, PartOf("friction_law", "lugre");
     /// Error of a step, in units of the motion's scales; dry friction needs none.
     tolerance: f64 = 1e-9, "-", Between { above: 0.0, up_to: 0.01 };
     /// Number of intervals of time in the series, for each pull and each hold.
@@ -127,9 +127,9 @@ const DRY_KEYS: [&str; 4] = ["mu_static", "mu_dynamic", "growth", "cut_off"];
 const LONGEST_HOLD: f64 = 1e12;
 
 fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
-    if scene.mass == 0.0 && scene.friction != SpringFriction::RateState {
+    if scene.mass == 0.0 && scene.friction_law != SpringFriction::RateState {
         let message = "only friction = \"rate-state\" has a motion without mass: give `mass` > 0";
-        judge.refuse(&["mass", "friction"], message);
+        judge.refuse(&["mass", "friction_law"], message);
     }
     if scene.is_dry() && scene.mu_dynamic > scene.mu_static {
         let message = format!(
@@ -138,7 +138,7 @@ fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
         );
         judge.refuse(&["mu_dynamic", "mu_static"], message);
     }
-    let is_lugre = scene.friction == SpringFriction::Bristles;
+    let is_lugre = scene.friction_law == SpringFriction::Bristles;
     if is_lugre && scene.coulomb_force > scene.static_force {
         let most = scene.static_force;
         let message = format!("`coulomb_force` must not exceed `static_force`, {most}");
@@ -159,7 +159,7 @@ fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
         Some((law, Ok(made))) if !made.friction(0.0).is_finite() => {
             let message = format!(
                 "friction of {} grows without bound at rest: such a body never lets go; give a law \
-                 that is finite there, or friction = \"rate-state\"",
+                 that is finite there, or friction_law = \"rate-state\"",
                 law.name()
             );
             judge.refuse(&["law"], message);
@@ -176,11 +176,11 @@ fn no_dry_friction(scene: &SpringScene, judge: &mut Judge<'_>) {
         scene.growth,
         scene.cut_off,
     ];
-    let is_dry = scene.friction == SpringFriction::Dry;
+    let is_dry = scene.friction_law == SpringFriction::Dry;
     if !is_dry && scene.law.is_some() {
         let message =
             "`law` is for friction \"dry\" only, whose place it takes; leave one of them out";
-        judge.refuse(&["law", "friction"], message);
+        judge.refuse(&["law", "friction_law"], message);
     }
     for (key, (value, usual)) in DRY_KEYS.into_iter().zip(values.into_iter().zip(DRY)) {
         if value != usual && (!is_dry || scene.law.is_some()) {
@@ -207,7 +207,7 @@ const START: f64 = 0.9;
 impl SpringScene {
     /// Whether friction is dry.
     pub(crate) fn is_dry(&self) -> bool {
-        self.friction == SpringFriction::Dry && self.law.is_none()
+        self.friction_law == SpringFriction::Dry && self.law.is_none()
     }
 
     /// The speed that rate and state starts with.

@@ -96,7 +96,7 @@ fn follower(scene: &SpringScene) -> Result<Box<dyn SpringIntegrator>, StickError
             mu_static: StaticAgeing::new(mu_static, growth, scene.cut_off)?,
         })))
     };
-    Ok(match scene.friction {
+    Ok(match scene.friction_law {
         SpringFriction::Dry => match scene.law {
             None => dry(scene.mu_static, scene.mu_dynamic, scene.growth)?,
             Some(law) => match coefficients(&law) {
@@ -342,7 +342,7 @@ impl<'a> SpringRunState<'a> {
 impl SpringScene {
     /// Whether steady friction falls with the speed of the pull.
     fn weakens(&self) -> bool {
-        match self.friction {
+        match self.friction_law {
             SpringFriction::RateState => {
                 let law = RateState::<f64>::new(self.rate_state());
                 law.is_ok_and(|law| law.steady().slope(self.pull_speed) < 0.0)
@@ -353,7 +353,7 @@ impl SpringScene {
 
     /// The stiffness below which rate and state cannot be pulled steadily; none for other laws.
     pub fn critical_stiffness(&self) -> Option<f64> {
-        let is_asked = self.friction == SpringFriction::RateState;
+        let is_asked = self.friction_law == SpringFriction::RateState;
         is_asked
             .then(|| critical_stiffness(&self.rate_state(), self.load, self.mass, self.pull_speed))
     }
@@ -435,7 +435,7 @@ impl StickSlipScene for SpringScene {
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {
-        let (unknowns, law, method) = match self.friction {
+        let (unknowns, law, method) = match self.friction_law {
             SpringFriction::Dry => match self.law {
                 None => (
                     "2: position and velocity",

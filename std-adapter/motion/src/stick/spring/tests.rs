@@ -235,7 +235,7 @@ fn static_friction_grows_with_the_logarithm_of_the_hold() {
 
 fn paper() -> SpringScene {
     SpringScene {
-        friction: SpringFriction::RateState,
+        friction_law: SpringFriction::RateState,
         mass: 0.0,
         load: 10.0,
         stiffness: 1e5,
@@ -475,7 +475,7 @@ fn the_cycle_with_mass_is_that_of_another_integrator() {
 #[test]
 fn stick_slip_on_bristles_is_that_of_another_integrator() {
     let scene = SpringScene {
-        friction: SpringFriction::Bristles,
+        friction_law: SpringFriction::Bristles,
         coulomb_force: 3.0,
         static_force: 5.0,
         ..SpringScene::default()
