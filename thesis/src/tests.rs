@@ -11,16 +11,16 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// Rows with the names of their exhibits, and texts in which a placeholder is left.
 #[derive(Default)]
-struct Made {
+struct ExhibitRows {
     rows: Vec<(&'static str, Claim)>,
     unfilled: Vec<(&'static str, String)>,
 }
 
 /// All exhibits that are made in a moment; made once for all tests.
-fn made() -> Result<&'static Made, &'static str> {
-    static MADE: OnceLock<Result<Made, String>> = OnceLock::new();
+fn made() -> Result<&'static ExhibitRows, &'static str> {
+    static MADE: OnceLock<Result<ExhibitRows, String>> = OnceLock::new();
     let make = || {
-        let mut all = Made::default();
+        let mut all = ExhibitRows::default();
         for (name, maker) in EXHIBITS {
             if let Alone(make) | Checked(make, _) = maker {
                 let exhibit = make().map_err(|failure| failure.to_string())?;

@@ -13,7 +13,7 @@ pub struct ManifoldArea<R> {
     /// Centre of the area, in m.
     pub centre: [R; 2],
     /// r̄, the mean distance of the area from its centre: largest torque over largest force, in m.
-    pub lever: R,
+    pub torsion_radius: R,
     /// Limit curves of the area about its centre.
     pub outline: DirectionalLimitCurve<R>,
 }
@@ -66,7 +66,7 @@ impl<R: Real> ManifoldArea<R> {
         };
         Self {
             centre: [R::HALF * (from[0] + to[0]), R::HALF * (from[1] + to[1])],
-            lever: R::HALF * R::HALF * length,
+            torsion_radius: R::HALF * R::HALF * length,
             outline: DirectionalLimitCurve {
                 spinning: along(R::from_f64(LINE_ALONG), R::TWO),
                 slipping: along(R::from_f64(4.0 / 3.0), R::ZERO),
@@ -142,13 +142,13 @@ impl<R: Real> Moments<R> {
     }
 
     fn area(&self, area: R, centre: [R; 2]) -> ManifoldArea<R> {
-        let lever = self.distance / area;
-        let lever_sq = lever * lever;
+        let torsion_radius = self.distance / area;
+        let lever_sq = torsion_radius * torsion_radius;
         let [xx, xy, yy] = self.spinning.map(|moment| moment / area);
-        let scale = R::ONE / ((xx * yy - xy * xy) * lever);
+        let scale = R::ONE / ((xx * yy - xy * xy) * torsion_radius);
         ManifoldArea {
             centre,
-            lever,
+            torsion_radius,
             outline: DirectionalLimitCurve {
                 spinning: [yy * scale, -xy * scale, xx * scale],
                 slipping: self.inertia.map(|moment| moment / area / lever_sq),

@@ -19,11 +19,11 @@
 //! let sole = ManifoldArea::of_corners(&[[-0.1, -0.025], [0.1, -0.025], [0.1, 0.025], [-0.1, 0.025_f32]]);
 //! // In every iteration: the last impulses less relative velocity times effective mass.
 //! let candidate = FrictionImpulse { tangential: [0.4, 0.0], angular: 0.01 }; // N s, N m s
-//! let budget = FrictionLimits { impulse: 0.05, torsion_radius: sole.lever, dynamic_over_static: 1.0 }; // N s, m
+//! let budget = FrictionLimits { impulse: 0.05, torsion_radius: sole.torsion_radius, dynamic_over_static: 1.0 }; // N s, m
 //! let inverse = InverseEffectiveMasses { tangential: 2.0, angular: 500.0 }; // 1/kg, 1/(kg m²)
 //! let carried = project_friction(&candidate, &budget, &inverse, &sole.outline);
 //! assert!(carried.tangential[0] > 0.0 && carried.tangential[0] < 0.05);
-//! assert!(carried.angular > 0.0 && carried.angular < 0.05 * sole.lever);
+//! assert!(carried.angular > 0.0 && carried.angular < 0.05 * sole.torsion_radius);
 //! ```
 //!
 //! *Lanes*: the same function computes four or eight manifolds side by side, [`Lanes`]; every lane has the bits

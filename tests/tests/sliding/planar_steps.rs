@@ -78,14 +78,14 @@ fn kinetic(body: &PlanarBody<f64>, a: &Twist<f64>, b: &Twist<f64>) -> f64 {
 }
 
 /// What is seen of many steps.
-struct Seen {
+struct WorstCases {
     given: Worst,
     reversed: Worst,
     turned: Worst,
     gained: Worst,
 }
 
-impl Seen {
+impl WorstCases {
     fn new() -> Self {
         Self {
             given: Worst::of("power of friction at the mean motion, of force limit times speed"),

@@ -6,7 +6,7 @@ use crate::tip::{CrystalFace, LAYERS_OF_A_KIND, Shape, TipOutline, TipPotential}
 use tribos_base::record::brief;
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{self, Domain, Domain::*, MOST_SEEDS, Need::*, reads};
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
 
@@ -218,7 +218,7 @@ scene! {
     sample_every was samples: u64 = 100, "-", Count { from: 1.0, up_to: 1e9 };
 }
 
-fn rules(scene: &TipScene, judge: &mut Judge<'_>) {
+fn rules(scene: &TipScene, judge: &mut SceneDiagnostics<'_>) {
     metal(scene, judge);
     if scene.face == CrystalFace::Fcc111 && !scene.rows.is_multiple_of(2) {
         judge.refuse(
@@ -243,7 +243,7 @@ fn rules(scene: &TipScene, judge: &mut Judge<'_>) {
 }
 
 /// The tip must not see its own images, nor the list reach round the box.
-fn tip_fits(scene: &TipScene, judge: &mut Judge<'_>) {
+fn tip_fits(scene: &TipScene, judge: &mut SceneDiagnostics<'_>) {
     let (shape, cutoff) = (scene.shape(), scene.reach());
     let [x, y] = shape.periods();
     // Corners of two layers that are stacked to either side of the axis, however the tip is turned.
@@ -266,7 +266,7 @@ fn tip_fits(scene: &TipScene, judge: &mut Judge<'_>) {
 
 /// A slid tip has a speed, moves less than half a spacing in a step of its support, and does not
 /// turn more than once in one.
-fn slide_turns(scene: &TipScene, judge: &mut Judge<'_>) {
+fn slide_turns(scene: &TipScene, judge: &mut SceneDiagnostics<'_>) {
     if scene.drive == DriveKind::Torque {
         return;
     }
@@ -294,7 +294,7 @@ fn slide_turns(scene: &TipScene, judge: &mut Judge<'_>) {
 }
 
 /// Keys of Lennard-Jones atoms have no say with a metal: left out, or what they are.
-fn metal(scene: &TipScene, judge: &mut Judge<'_>) {
+fn metal(scene: &TipScene, judge: &mut SceneDiagnostics<'_>) {
     if !scene.potential.is_metal() {
         if scene.spacing > WIDEST {
             let spacing = scene.spacing;
@@ -339,7 +339,7 @@ fn in_force(scene: &TipScene, key: &str, written: Option<Written>) -> Option<Wri
 }
 
 /// Every stage must have a number of steps that can be counted.
-fn steps_count(scene: &TipScene, judge: &mut Judge<'_>) {
+fn steps_count(scene: &TipScene, judge: &mut SceneDiagnostics<'_>) {
     for (key, time) in [
         ("equilibration", scene.equilibration),
         ("drive_time", scene.drive_time),

@@ -41,21 +41,21 @@ pub enum GoldenError {
 }
 
 /// What is wrong, and at which byte.
-struct Fault(usize, String);
+struct ParseFault(usize, String);
 
 type Table<'a> = Spanned<&'a DeTable<'a>>;
 
 impl Golden {
     /// Reads the text of a file; `name` stands for it in messages.
     pub fn parse(name: &str, text: &str) -> Result<Self, GoldenError> {
-        let damaged = |Fault(byte, message): Fault| GoldenError::Damaged {
+        let damaged = |ParseFault(byte, message): ParseFault| GoldenError::Damaged {
             name: name.into(),
             line: 1 + text.bytes().take(byte).filter(|&b| b == b'\n').count(),
             message,
         };
         let table = DeTable::parse(text).map_err(|error| {
             let byte = error.span().map_or(0, |span| span.start);
-            damaged(Fault(byte, format!("not TOML: {}", error.message())))
+            damaged(ParseFault(byte, format!("not TOML: {}", error.message())))
         })?;
         let table = Spanned::new(table.span(), table.get_ref());
         let format = match find(&table, "format") {
@@ -76,7 +76,7 @@ impl Golden {
     }
 }
 
-fn scenes(table: &Table<'_>) -> Result<Vec<Pinned>, Fault> {
+fn scenes(table: &Table<'_>) -> Result<Vec<Pinned>, ParseFault> {
     let list = find(table, "scene")?;
     let DeValue::Array(items) = list.get_ref() else {
         return Err(fault(list, "`scene` must be a list of tables"));
@@ -90,7 +90,7 @@ fn scenes(table: &Table<'_>) -> Result<Vec<Pinned>, Fault> {
         .collect()
 }
 
-fn pinned(scene: &Table<'_>) -> Result<Pinned, Fault> {
+fn pinned(scene: &Table<'_>) -> Result<Pinned, ParseFault> {
     let digest = find(scene, "scene_digest")?;
     let state = match find(scene, "state") {
         Ok(_) => Some(part(scene, "state")?),
@@ -124,21 +124,21 @@ fn pinned(scene: &Table<'_>) -> Result<Pinned, Fault> {
     {
         Some((name, _)) => {
             let message = format!("column \"{name}\" must have {blocks} digests");
-            Err(Fault(scene.span().start, message))
+            Err(ParseFault(scene.span().start, message))
         }
         None => Ok(pinned),
     }
 }
 
-fn find<'a>(table: &Table<'a>, name: &str) -> Result<&'a Spanned<DeValue<'a>>, Fault> {
+fn find<'a>(table: &Table<'a>, name: &str) -> Result<&'a Spanned<DeValue<'a>>, ParseFault> {
     let mut entries = table.get_ref().iter();
     match entries.find(|(key, _)| key.get_ref() == name) {
         Some((_, value)) => Ok(value),
-        None => Err(Fault(table.span().start, format!("`{name}` is missing"))),
+        None => Err(ParseFault(table.span().start, format!("`{name}` is missing"))),
     }
 }
 
-fn part<'a>(table: &Table<'a>, name: &str) -> Result<Table<'a>, Fault> {
+fn part<'a>(table: &Table<'a>, name: &str) -> Result<Table<'a>, ParseFault> {
     let value = find(table, name)?;
     match value.get_ref() {
         DeValue::Table(part) => Ok(Spanned::new(value.span(), part)),
@@ -149,33 +149,33 @@ fn part<'a>(table: &Table<'a>, name: &str) -> Result<Table<'a>, Fault> {
 /// All entries of a table, read alike.
 fn each<T>(
     table: &Table<'_>,
-    read: impl Fn(&Spanned<DeValue<'_>>) -> Result<T, Fault>,
-) -> Result<BTreeMap<String, T>, Fault> {
+    read: impl Fn(&Spanned<DeValue<'_>>) -> Result<T, ParseFault>,
+) -> Result<BTreeMap<String, T>, ParseFault> {
     let entries = table.get_ref().iter();
     entries
         .map(|(key, value)| Ok((key.get_ref().to_string(), read(value)?)))
         .collect()
 }
 
-fn text<'a>(value: &'a Spanned<DeValue<'_>>) -> Result<&'a str, Fault> {
+fn text<'a>(value: &'a Spanned<DeValue<'_>>) -> Result<&'a str, ParseFault> {
     match value.get_ref() {
         DeValue::String(text) => Ok(text),
         _ => Err(fault(value, "this must be a text")),
     }
 }
 
-fn texts<'a>(value: &'a Spanned<DeValue<'_>>) -> Result<Vec<&'a str>, Fault> {
+fn texts<'a>(value: &'a Spanned<DeValue<'_>>) -> Result<Vec<&'a str>, ParseFault> {
     match value.get_ref() {
         DeValue::Array(items) => items.iter().map(text).collect(),
         _ => Err(fault(value, "this must be a list of texts")),
     }
 }
 
-fn quantity(value: &Spanned<DeValue<'_>>) -> Result<Quantity, Fault> {
+fn quantity(value: &Spanned<DeValue<'_>>) -> Result<Quantity, ParseFault> {
     text(value).map(Quantity::read)
 }
 
-fn bits(value: &Spanned<DeValue<'_>>) -> Result<u64, Fault> {
+fn bits(value: &Spanned<DeValue<'_>>) -> Result<u64, ParseFault> {
     read_hex(text(value)?).ok_or_else(|| {
         fault(
             value,
@@ -184,7 +184,7 @@ fn bits(value: &Spanned<DeValue<'_>>) -> Result<u64, Fault> {
     })
 }
 
-fn digests(value: &Spanned<DeValue<'_>>) -> Result<Vec<u64>, Fault> {
+fn digests(value: &Spanned<DeValue<'_>>) -> Result<Vec<u64>, ParseFault> {
     match value.get_ref() {
         DeValue::Array(items) => items.iter().map(bits).collect(),
         _ => Err(fault(value, "this must be a list of digests")),
@@ -192,7 +192,7 @@ fn digests(value: &Spanned<DeValue<'_>>) -> Result<Vec<u64>, Fault> {
 }
 
 /// A number of rows.
-fn whole(value: &Spanned<DeValue<'_>>) -> Result<usize, Fault> {
+fn whole(value: &Spanned<DeValue<'_>>) -> Result<usize, ParseFault> {
     let number = match value.get_ref() {
         DeValue::Integer(number) => number.as_str().parse().ok(),
         _ => None,
@@ -203,6 +203,6 @@ fn whole(value: &Spanned<DeValue<'_>>) -> Result<usize, Fault> {
     }
 }
 
-fn fault(value: &Spanned<DeValue<'_>>, message: impl Into<String>) -> Fault {
-    Fault(value.span().start, message.into())
+fn fault(value: &Spanned<DeValue<'_>>, message: impl Into<String>) -> ParseFault {
+    ParseFault(value.span().start, message.into())
 }

@@ -11,7 +11,7 @@ const MOST_UNKNOWN: usize = 20;
 
 /// What is wrong with a scene so far.
 #[derive(Debug)]
-pub struct Judge<'a> {
+pub struct SceneDiagnostics<'a> {
     /// The file; none for a scene that was made in a program.
     file: Option<&'a Entries>,
     problems: Vec<SceneProblem>,
@@ -19,7 +19,7 @@ pub struct Judge<'a> {
     doubtful: Vec<&'static str>,
 }
 
-impl<'a> Judge<'a> {
+impl<'a> SceneDiagnostics<'a> {
     /// Notes a problem of these keys at the first of them that is given, unless one of them is wrong
     /// already: then it is no news.
     pub fn refuse(&mut self, keys: &[&'static str], message: impl Into<String>) {
@@ -160,7 +160,7 @@ pub fn read<T: Table>(
 ) -> Result<T, Vec<SceneProblem>> {
     let mut problems = problems;
     let entries = &in_place::<T>(&with_present_names(entries, T::TABLE, &mut problems));
-    let mut judge = Judge {
+    let mut judge = SceneDiagnostics {
         file: Some(entries),
         problems,
         doubtful: Vec::new(),
@@ -265,7 +265,7 @@ fn in_place<T: Table>(entries: &Entries) -> Entries {
 
 /// Everything that is wrong with the fields of a scene.
 pub fn check<T: Table>(scene: &T) -> Vec<SceneProblem> {
-    let mut judge = Judge {
+    let mut judge = SceneDiagnostics {
         file: None,
         problems: Vec::new(),
         doubtful: Vec::new(),

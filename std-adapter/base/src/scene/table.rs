@@ -3,7 +3,7 @@
 use super::entries::{Entries, Written};
 use super::key::{Domain, Key, Need, with_present_names};
 use super::problem::{InvalidScene, SceneError, SceneProblem};
-use super::reader::{self, Judge};
+use super::reader::{self, SceneDiagnostics};
 use super::words::Word;
 use crate::record::json_number;
 use serde_json::{Map, Value};
@@ -182,7 +182,7 @@ pub trait Table: Clone + Debug + Default + PartialEq + 'static {
     const FIELDS: &'static [Field<Self>];
 
     /// Notes what is wrong with values that are right one by one.
-    fn rules(&self, judge: &mut Judge<'_>);
+    fn rules(&self, judge: &mut SceneDiagnostics<'_>);
 
     /// The value that counts, where it follows from other fields.
     fn in_force(&self, key: &str, written: Option<Written>) -> Option<Written>;

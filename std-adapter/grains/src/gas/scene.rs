@@ -3,7 +3,7 @@
 use super::{edge, lattice};
 use crate::packing::method::NormalForce;
 use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::{as_written, scene};
 use tribos_base::scene::words::{Word, words};
 use tribos_contacts::event::{Impact, ImpactError, Tangential};
@@ -83,7 +83,7 @@ scene! {
 const MOST_LINES: f64 = 1e7;
 
 /// The cube must have room, and the method must know the law.
-fn rules(scene: &GasScene, judge: &mut Judge<'_>) {
+fn rules(scene: &GasScene, judge: &mut SceneDiagnostics<'_>) {
     let length = edge(scene.count, scene.fraction);
     if !lattice::is_wide(length) {
         let message = format!(

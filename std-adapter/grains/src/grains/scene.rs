@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use tribos_base::record::brief;
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
 use tribos_contacts::soft::{STEPS_PER_COLLISION, Stiffness};
@@ -231,7 +231,7 @@ const CONTROLS: [[&str; 2]; 3] = [
 ];
 
 /// Dimension, walls and loads must fit together.
-fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
+fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
     if scene.is_flat() && (scene.depth.is_some() || scene.boundary_y == SideBoundary::Walls) {
         let message = "a scene with dimension = 2 has no `depth` and no walls along y";
         judge.refuse(&["depth", "boundary_y", "dimension"], message);
@@ -310,7 +310,7 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
 }
 
 /// Refuses gravity where nothing bears the grains: they would fall for ever.
-fn gravity_rule(scene: &GrainsScene, judge: &mut Judge<'_>) {
+fn gravity_rule(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
     let walls = [scene.boundary_x, scene.boundary_y].contains(&SideBoundary::Walls)
         && scene.shear_rate.is_none();
     let [_, most] = scene.gravity.range();

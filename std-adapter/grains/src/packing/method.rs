@@ -1,6 +1,6 @@
 //! Words of scenes of packings: how contacts are solved, which law walls have.
 
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::words::words;
 use tribos_contacts::soft::Stiffness;
 use tribos_core::contact::Attraction;
@@ -65,7 +65,7 @@ impl NormalForce {
 
 /// Refuses what soft contacts cannot do; `restitution` and the share of a second material are given together.
 pub(crate) fn soft_rules(
-    judge: &mut Judge<'_>,
+    judge: &mut SceneDiagnostics<'_>,
     attraction: Attraction,
     [restitution, share]: [f64; 2],
 ) {

@@ -6,7 +6,7 @@ use crate::powder::deposit::{Ballistic, DepositError, DepositTarget};
 use std::path::PathBuf;
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
 use tribos_contacts::cd::{ContactSolver, IterationOrder, SolverMethod, StepLimits, StopRule};
@@ -184,7 +184,7 @@ scene! {
 }
 
 /// Width, capture radius and spread of the radii must fit together, and so must method and cohesion.
-fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
+fn rules(scene: &PowderScene, judge: &mut SceneDiagnostics<'_>) {
     if scene.method == ContactMethod::Soft {
         for key in ["order", "stop", "tolerance"] {
             if judge.is_given(key) {

@@ -1,7 +1,7 @@
 //! The scene of a body that a pusher moves slowly over the floor.
 
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::{as_written, scene};
 use tribos_friction::{PATCH, Patch};
 
@@ -63,7 +63,7 @@ scene! {
     tolerance: f64 = 1e-7, "m", Between { above: 1e-13, up_to: 1.0 };
 }
 
-fn rules(scene: &PushScene, judge: &mut Judge<'_>) {
+fn rules(scene: &PushScene, judge: &mut SceneDiagnostics<'_>) {
     let pairs: [(&[&'static str], _); 3] = [
         (&["centre_x", "centre_y"], [scene.centre_x, scene.centre_y]),
         (&["end_x", "end_y"], [scene.end_x, scene.end_y]),

@@ -9,7 +9,7 @@ use crate::slide::planar::Resistance;
 use crate::slide::{PlanarCourse, PlanarScene, SlideError, of_law};
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
 use tribos_friction::{Evaluation, Law};
@@ -102,7 +102,7 @@ scene! {
     samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
-fn rules(scene: &CurlingScene, judge: &mut Judge<'_>) {
+fn rules(scene: &CurlingScene, judge: &mut SceneDiagnostics<'_>) {
     moves(scene.speed, scene.spin, judge);
     if scene.band_width > scene.radius {
         let message = format!("`band_width` must not exceed `radius`, {}", scene.radius);

@@ -58,7 +58,7 @@ scene! {
     samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
-fn moves_at_all(scene: &CylinderScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {
+fn moves_at_all(scene: &CylinderScene, judge: &mut tribos_base::scene::reader::SceneDiagnostics<'_>) {
     moves(scene.speed, scene.spin, judge);
 }
 

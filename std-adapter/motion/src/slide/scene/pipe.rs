@@ -56,7 +56,7 @@ scene! {
     samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
-fn rules(scene: &PipeScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {
+fn rules(scene: &PipeScene, judge: &mut tribos_base::scene::reader::SceneDiagnostics<'_>) {
     moves(scene.speed, scene.spin, judge);
     if scene.inner_radius > scene.radius {
         let message = format!("`inner_radius` must not exceed `radius`, {}", scene.radius);

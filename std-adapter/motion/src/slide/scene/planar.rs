@@ -2,7 +2,7 @@
 
 use crate::slide::planar::Gradient;
 use tribos_base::scene::key::Domain;
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::words::words;
 use tribos_core::patch::PowerPressure;
 use tribos_friction::LARGEST_EXPONENT;
@@ -64,7 +64,7 @@ impl FootPressure {
 words!(Gradient { AllRound = "all-round", FrontBack = "front-back" });
 
 /// A body that neither slides nor spins has no scene.
-pub(super) fn moves(speed: f64, spin: f64, judge: &mut Judge<'_>) {
+pub(super) fn moves(speed: f64, spin: f64, judge: &mut SceneDiagnostics<'_>) {
     if speed == 0.0 && spin == 0.0 {
         let message = "nothing moves: give `speed` or `spin` a value other than 0";
         judge.refuse(&["speed", "spin"], message);

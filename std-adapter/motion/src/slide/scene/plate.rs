@@ -53,7 +53,7 @@ scene! {
     samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
-fn rules(scene: &PlateScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {
+fn rules(scene: &PlateScene, judge: &mut tribos_base::scene::reader::SceneDiagnostics<'_>) {
     moves(scene.speed, scene.spin, judge);
     if let Err(refusal) = scene.outline().and_then(|patch| patch.radius_of_gyration()) {
         judge.refuse(&["patch"], format!("`patch`: {refusal}"));

@@ -83,7 +83,7 @@ scene! {
     stepper: SliderIntegrator = SliderIntegrator::Exact, "-", OneOf(SliderIntegrator::WORDS);
 }
 
-fn check_initial_motion(scene: &DiskScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {
+fn check_initial_motion(scene: &DiskScene, judge: &mut tribos_base::scene::reader::SceneDiagnostics<'_>) {
     moves(scene.speed, scene.spin, judge);
 }
 

@@ -1,7 +1,7 @@
 //! The scene of a clamped body under a cyclic load.
 
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::{as_written, scene};
 use tribos_friction::{PATCH, Patch};
 
@@ -54,7 +54,7 @@ scene! {
     samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
-fn rules(scene: &ClampScene, judge: &mut Judge<'_>) {
+fn rules(scene: &ClampScene, judge: &mut SceneDiagnostics<'_>) {
     let still = [
         scene.force_mean,
         scene.force_amplitude,

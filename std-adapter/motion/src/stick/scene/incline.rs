@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::{as_written, scene};
 use tribos_friction::{PATCH, Patch};
 
@@ -49,7 +49,7 @@ scene! {
     samples: u32 = 400, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
-fn rules(scene: &InclineScene, judge: &mut Judge<'_>) {
+fn rules(scene: &InclineScene, judge: &mut SceneDiagnostics<'_>) {
     if scene.mu_dynamic > scene.mu_static {
         let message = format!(
             "`mu_dynamic` must not exceed `mu_static`, {}",

@@ -3,7 +3,7 @@
 use crate::stick::spring::{StateEvolutionKind, StickSlipRegime};
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
-use tribos_base::scene::reader::Judge;
+use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::scene;
 use tribos_base::scene::words::{Word, words};
 use tribos_core::Real;
@@ -126,7 +126,7 @@ const DRY_KEYS: [&str; 4] = ["mu_static", "mu_dynamic", "growth", "cut_off"];
 /// Times beyond this one, in s, leave too few digits for what follows.
 const LONGEST_HOLD: f64 = 1e12;
 
-fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
+fn rules(scene: &SpringScene, judge: &mut SceneDiagnostics<'_>) {
     if scene.mass == 0.0 && scene.friction_law != SpringFriction::RateState {
         let message = "only friction = \"rate-state\" has a motion without mass: give `mass` > 0";
         judge.refuse(&["mass", "friction_law"], message);
@@ -169,7 +169,7 @@ fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
 }
 
 /// Refuses parameters of dry friction where something else resists.
-fn no_dry_friction(scene: &SpringScene, judge: &mut Judge<'_>) {
+fn no_dry_friction(scene: &SpringScene, judge: &mut SceneDiagnostics<'_>) {
     let values = [
         scene.mu_static,
         scene.mu_dynamic,
