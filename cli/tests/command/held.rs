@@ -65,8 +65,16 @@ fn what_no_body_can_do_is_refused_with_key_and_cure() -> Outcome {
             "mu_dynamic=0.6",
             "must not exceed `mu_static`",
         ),
-        ("spring-block", "cut_off=-1", "`cut_off`"),
-        ("spring-block", "a=0.02", "for friction_law \"rate-state\" only"),
+        (
+            "spring-block",
+            "ageing_cutoff_time=-1",
+            "`ageing_cutoff_time`",
+        ),
+        (
+            "spring-block",
+            "a=0.02",
+            "for friction_law \"rate-state\" only",
+        ),
         ("spring-paper", "stiffness=-1", "`stiffness`"),
         ("incline", "end_angle=2", "`end_angle`"),
         ("incline", "patch=points:none.csv", "points"),

@@ -141,12 +141,7 @@ fn a_sliders_film_has_its_parameters_force_and_torque() -> Outcome {
     };
     browser.open(&page, READY)?;
     let text = browser.value("document.querySelector('.parameters').textContent")?;
-    for part in [
-        "speed 1 m/s",
-        "spin 5 rad/s",
-        "gamma 0.3",
-        "mass 0.1 kg",
-    ] {
+    for part in ["speed 1 m/s", "spin 5 rad/s", "gamma 0.3", "mass 0.1 kg"] {
         assert!(
             text.as_str().is_some_and(|text| text.contains(part)),
             "{text}"

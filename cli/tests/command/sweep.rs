@@ -282,7 +282,10 @@ fn heads(file: &Path) -> Result<Vec<String>, Error> {
 #[test]
 fn a_key_with_the_name_of_a_result_has_a_column_of_its_own() -> Outcome {
     let folder = tempfile::tempdir()?;
-    std::fs::write(folder.path().join("tiny.toml"), "body = \"gas\"\ncount = 100")?;
+    std::fs::write(
+        folder.path().join("tiny.toml"),
+        "body = \"gas\"\ncount = 100",
+    )?;
     let mut command = sweep(folder.path())?;
     command.args(["tiny.toml", "--set", "collisions=1,2", "--out", "out"]);
     succeed(command)?;
@@ -291,7 +294,8 @@ fn a_key_with_the_name_of_a_result_has_a_column_of_its_own() -> Outcome {
         for (at, head) in heads.iter().enumerate() {
             assert!(!heads[..at].contains(head), "{table}: {head} twice");
         }
-        let both = ["collisions", "collisions_result"].map(|name| heads.iter().any(|head| head == name));
+        let both =
+            ["collisions", "collisions_result"].map(|name| heads.iter().any(|head| head == name));
         assert_eq!(both, [true; 2], "{table}: {heads:?}");
     }
     Ok(())

@@ -113,7 +113,9 @@ pub fn keys_page() -> String {
                 }
                 _ => String::new(),
             };
-            let was = key.was.map_or(String::new(), |was| format!(" Earlier name: `{was}`."));
+            let was = key
+                .was
+                .map_or(String::new(), |was| format!(" Earlier name: `{was}`."));
             let (meaning, domain) = (&format!("{}{was}", key.meaning), key.domain.describe());
             let row = [
                 &format!("`{}`", key.name),

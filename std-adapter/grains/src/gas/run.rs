@@ -57,7 +57,7 @@ pub(super) type Row = [f64; COLUMNS.len()];
 /// use tribos::run::drive;
 /// # use tribos::scene::GasScene;
 /// // Dense and dissipative: infinitely many collisions in a finite time.
-/// let scene = GasScene { count: 500, fraction: 0.5, restitution: 0.2, collisions: 1e3, ..GasScene::default() };
+/// let scene = GasScene { count: 500, packing_fraction: 0.5, restitution: 0.2, collisions: 1e3, ..GasScene::default() };
 /// let mut gas = Gas::new(&scene)?;
 /// drive(&mut gas, |_, _| ())?;
 /// assert_eq!(gas.ending(), Some(Ending::Collapse));
@@ -173,7 +173,7 @@ impl Gas {
         let mut gas = Self {
             scene: scene.clone(),
             law: scene.impact()?,
-            length: edge(scene.count, scene.fraction),
+            length: edge(scene.count, scene.packing_fraction),
             medium,
             steps,
             series,
@@ -323,7 +323,7 @@ impl Gas {
     fn haff(&self, time: f64, now: f64) -> f64 {
         let first = self.series.first().map_or(now, |row| row[TRANSLATIONAL]);
         let e = self.law.restitution();
-        let rate = (1.0 - e * e) / 6.0 * collision_rate(self.scene.fraction, first);
+        let rate = (1.0 - e * e) / 6.0 * collision_rate(self.scene.packing_fraction, first);
         let slowed = 1.0 + rate * time;
         first / (slowed * slowed)
     }
@@ -360,7 +360,7 @@ impl Simulation for Gas {
             theory.translational,
             theory.rotational,
             self.haff(time, now.translational),
-            collision_rate(self.scene.fraction, now.translational),
+            collision_rate(self.scene.packing_fraction, now.translational),
             state.energy(),
             self.medium.lost() / self.scene.count as f64,
             state.momentum().norm(),

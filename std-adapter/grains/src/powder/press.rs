@@ -180,7 +180,7 @@ impl Body<{ COLUMNS.len() }> for Press {
         let means = watch.window.means(height).less(self.weight_stress(seen));
         watch.complete = Some((watch.window, height));
         watch.window = Window::starting(height);
-        means.is_blocked(scene.blocked, scene.pressure, self.area())
+        means.is_blocked(scene.blocked_criterion, scene.pressure, self.area())
     }
 
     fn put(watch: &Watch, map: &mut Map<String, Value>) {

@@ -213,7 +213,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
 
     /// The scene's time step, or one that suits the motion.
     fn choose_length(&self) -> Result<StepLength, SlideError> {
-        let refinement = match self.scene.stepper {
+        let refinement = match self.scene.integrator {
             Stepper::Exact => 1.0,
             Stepper::Verlet => VERLET_REFINEMENT,
         };
@@ -409,7 +409,7 @@ impl<P: Profile<f64> + Coupling<f64>> Simulation for SlideSimulation<P> {
         let is_last = length * (1.0 + SLIVER) >= left;
         let duration = if is_last { left } else { length };
         let before = self.motion.time;
-        match self.scene.stepper {
+        match self.scene.integrator {
             Stepper::Exact => self.exact_step(duration, is_last),
             Stepper::Verlet => self.verlet_step(duration),
         }

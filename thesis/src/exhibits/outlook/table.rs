@@ -53,7 +53,9 @@ impl Made {
             pressure, spread, ..
         } = *self;
         let mut case = Case::new(System::Small, self.corner, self.seed)
-            .with("blocked=piston", |scene| scene.blocked = Criterion::Piston)
+            .with("blocked=piston", |scene| {
+                scene.blocked_criterion = Criterion::Piston
+            })
             .with(&format!("pressure={pressure}"), |scene| {
                 scene.pressure = pressure
             })

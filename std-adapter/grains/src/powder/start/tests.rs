@@ -56,7 +56,10 @@ fn refusal(scene: &PowderScene) -> String {
 fn a_run_from_a_state_or_a_checkpoint_goes_on_to_the_bit() -> Tested {
     let home = tempfile::tempdir()?;
     for sizes in [None, Some(Sizes::LogNormal(0.1))] {
-        let scene = PowderScene { sizes, ..tiny() };
+        let scene = PowderScene {
+            size_distribution: sizes,
+            ..tiny()
+        };
         let mut whole = after(&scene, 40)?;
         let state = kept(&home, "state.json", &whole.state())?;
         let checkpoint = kept(&home, "checkpoint.json", &whole.checkpoint())?;
@@ -66,7 +69,7 @@ fn a_run_from_a_state_or_a_checkpoint_goes_on_to_the_bit() -> Tested {
         for start in [state, checkpoint, home.path().to_owned()] {
             let scene = PowderScene {
                 initial_state: Some(start),
-                sizes: None,
+                size_distribution: None,
                 ..scene.clone()
             };
             let part = Compaction::new(&scene)?;
@@ -209,13 +212,13 @@ fn starts_that_do_not_fit_are_refused_with_what_would() -> Tested {
         count: Some(7),
         ..tiny()
     };
-    assert!(refusal(&twice).contains("leave out `count`, `sizes` and `radius_spread`"));
+    assert!(refusal(&twice).contains("leave out `count`, `size_distribution` and `radius_spread`"));
     let both = PowderScene {
-        sizes: Some(Sizes::Normal(0.1)),
+        size_distribution: Some(Sizes::Normal(0.1)),
         radius_spread: 0.1,
         ..tiny()
     };
-    assert!(refusal(&both).contains("give `radius_spread` or `sizes`, not both"));
+    assert!(refusal(&both).contains("give `radius_spread` or `size_distribution`, not both"));
     Ok(())
 }
 
@@ -226,7 +229,7 @@ fn a_uniform_distribution_is_the_spread_of_the_radii() -> Tested {
         ..tiny()
     })?;
     let sizes = Compaction::new(&PowderScene {
-        sizes: Some(Sizes::Uniform(0.2)),
+        size_distribution: Some(Sizes::Uniform(0.2)),
         ..tiny()
     })?;
     assert_eq!(spread.deposit(), sizes.deposit());

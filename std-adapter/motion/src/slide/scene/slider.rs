@@ -80,7 +80,7 @@ scene! {
     /// Unit system.
     units: Units = Units::Si, "-", OneOf(Units::WORDS);
     /// Method that follows the motion.
-    stepper: Stepper = Stepper::Exact, "-", OneOf(Stepper::WORDS);
+    integrator was stepper: Stepper = Stepper::Exact, "-", OneOf(Stepper::WORDS);
 }
 
 fn moves_at_all(scene: &SliderScene, judge: &mut tribos_base::scene::reader::Judge<'_>) {
