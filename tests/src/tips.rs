@@ -7,8 +7,8 @@ use tribos::tip::TipSimulation;
 type Error = Box<dyn std::error::Error>;
 
 /// 748 atoms: a hexagon with three atoms per side.
-const TINY: &str = "body = \"tip\"\ncolumns = 12\nrows = 14\nsubstrate_layers = 4\ntip_layers = 4\n\
-                    side = 3\nspacing = 1.1";
+const TINY: &str = "body = \"tip\"\nsubstrate_columns = 12\nsubstrate_rows = 14\nsubstrate_layers = 4\ntip_layers = 4\n\
+                    tip_side_atoms = 3\nspacing = 1.1";
 
 /// Parses the text of a scene.
 pub fn scene(text: &str) -> Result<TipScene, Error> {

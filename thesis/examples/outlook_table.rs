@@ -38,7 +38,7 @@ const SUMMARY: [&str; 10] = [
 
 const HEAD: &str = "\
 # Final states of compactions, for section 5.2. The first deposit at all pressures and widths:
-#   SWEEP=\"tribos sweep scenes/compaction-small.toml --set blocked=piston\"
+#   SWEEP=\"tribos sweep scenes/compaction-small.toml --set blocked_criterion=piston\"
 #   $SWEEP --set seed=1 --set mu_rolling=0,1 --set mu_torsion=0
 #     --set pressure=0.000625,0.0025,0.01,0.04,0.16,0.64 --set radius_spread=0,0.2,0.4,0.6 --out out/a1
 #   $SWEEP --set seed=1 --set mu_rolling=0,1 --set mu_torsion=1 --set coupling=independent,ellipsoid,exact

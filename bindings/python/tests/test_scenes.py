@@ -46,10 +46,10 @@ def test_the_default_scene_is_that_of_the_library(kind: type[tribos.Scene]) -> N
 
 def test_refusals_are_the_librarys_words_with_file_and_line(tmp_path: Path) -> None:
     with pytest.raises(ValueError) as refused:
-        tribos.SliderScene(speed=-1.0, samples=0, stepper="euler")  # type: ignore[arg-type]
+        tribos.SliderScene(speed=-1.0, samples=0, integrator="euler")  # type: ignore[arg-type]
     lines = str(refused.value).splitlines()
     assert lines[0] == "SliderScene: `speed` must be a finite number >= 0, not -1"
-    assert len(lines) == 3 and "`stepper` must be one of" in lines[2]
+    assert len(lines) == 3 and "`integrator` must be one of" in lines[2]
     text = 'body = "curling"\nspeed = -2\nspinn = 1.5'
     with pytest.raises(ValueError) as refused:
         tribos.Scene.from_toml(text, name="rock.toml")

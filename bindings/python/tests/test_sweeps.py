@@ -65,8 +65,8 @@ def test_the_rows_are_those_of_the_command(tmp_path: Path) -> None:
 
 def test_a_combination_that_fails_has_a_row_with_the_reason(tmp_path: Path) -> None:
     tall = tribos.scene("cylinder")
-    there = table(tall, tmp_path, "--set", "height=0.1,10", "--set", "tipping=refuse,clamp")
-    rows = tribos.sweep(tall, {"height": [0.1, 10], "tipping": ["refuse", "clamp"]})
+    there = table(tall, tmp_path, "--set", "height=0.1,10", "--set", "on_tipping=refuse,clamp")
+    rows = tribos.sweep(tall, {"height": [0.1, 10], "on_tipping": ["refuse", "clamp"]})
     same(rows, there)
     assert ["refusal" in row for row in rows] == [False, False, True, False]
 

@@ -264,9 +264,11 @@ mod tests {
             keys.iter().map(|key| key.name).collect::<Vec<_>>()
         };
         let disk = named(&["run", "disk"]);
-        assert!(disk.contains(&"stepper") && !disk.contains(&"mu_rolling"));
+        assert!(disk.contains(&"integrator") && !disk.contains(&"mu_rolling"));
         assert!(named(&["run", "compaction-small"]).contains(&"mu_rolling"));
         let any = named(&["run"]);
-        assert!(any.contains(&"stepper") && any.contains(&"mu_rolling") && any.contains(&"lambda"));
+        assert!(
+            any.contains(&"integrator") && any.contains(&"mu_rolling") && any.contains(&"lambda")
+        );
     }
 }

@@ -96,7 +96,7 @@ fn examples() -> String {
          tribos run disk --out out/disk\n  \
          tribos run my.toml --out out/mine\n  \
          tribos run scenes/disk.toml --out out/fast --set spin=50 --set alpha=0.5\n  \
-         tribos run scenes/disk.toml --out out/verlet --set stepper=verlet --set time_step=1e-4\n  \
+         tribos run scenes/disk.toml --out out/verlet --set integrator=verlet --set time_step=1e-4\n  \
          tribos run scenes/cylinder.toml --out out/cylinder --set spin=-12\n  \
          tribos run scenes/curling-draw.toml --out out/draw --set model=pivot-slide\n  \
          tribos run scenes/compaction-small.toml --out out/powder --set mu_rolling=0.3\n  \

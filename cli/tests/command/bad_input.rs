@@ -32,7 +32,7 @@ fn overrides_are_checked_like_the_file() -> Outcome {
         ("mass=-1", "`mass` must be"),
         ("nonsense", "not of the form key=value"),
         ("=3", "not of the form key=value"),
-        ("stepper=leapfrog", "one of \"exact\", \"verlet\""),
+        ("integrator=leapfrog", "one of \"exact\", \"verlet\""),
         ("units=cgs", "one of \"si\", \"dimensionless\""),
         ("samples=2.5", "a whole number"),
         ("time_step=1e-300", "use at least"),

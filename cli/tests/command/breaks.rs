@@ -20,12 +20,12 @@ use tribos::tip::TipSimulation;
 /// Some twenty spheres, and 748 atoms: a second or two each.
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
                       piston_mass = 100\nmu_rolling = 0.1\nmu_torsion = 0.1\nmax_steps = 900\n";
-const TIP: &str = "body = \"tip\"\ncolumns = 12\nrows = 14\nside = 3\n\
+const TIP: &str = "body = \"tip\"\nsubstrate_columns = 12\nsubstrate_rows = 14\ntip_side_atoms = 3\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
                    rest_time = 0.5\nsample_every = 5\n";
 /// Grains of two materials.
-const GRAINS: &str = "body = \"grains\"\ncount = 60\nradius = 0.005\ndensity = 2500\nshare_second = 0.4\n\
-                      density_second = 7800\nmu_second = 0.2\nduration = 1\nsample_every = 7\n";
+const GRAINS: &str = "body = \"grains\"\ncount = 60\nradius = 0.005\ndensity = 2500\nsecond_fraction = 0.4\n\
+                      second_density = 7800\nmu_second = 0.2\nduration = 1\nsample_every = 7\n";
 const SOFT: &str = "body = \"grains\"\ncount = 60\nradius = 0.005\ndensity = 2500\nduration = 1\n\
                     method = \"soft\"\nstiffness = 1e4\nsample_every = 7\n";
 const GAS: &str = "body = \"gas\"\n";
@@ -34,14 +34,17 @@ const BROKEN: [(&str, [&str; 2]); 14] = [
     ("powder", [POWDER, ""]),
     (
         "springs",
-        [POWDER, "method = \"soft\"\nstiffness = 1e3\ndamping = 1\n"],
+        [
+            POWDER,
+            "method = \"soft\"\nstiffness = 1e3\ndamping_ratio = 1\n",
+        ],
     ),
     ("tip", [TIP, "lambda = 0.02\n"]),
     (
         "slid",
         [
             TIP,
-            "drive = \"slide\"\nspeed = 0.5\nstroke = 0.3\nstiffness = 40\nhold = \"level\"\nload = 0.5\n",
+            "drive = \"slide\"\nspeed = 0.5\nstroke = 0.3\nstiffness = 40\ndriven_constraint = \"level\"\nload = 0.5\n",
         ],
     ),
     (
@@ -62,7 +65,7 @@ const BROKEN: [(&str, [&str; 2]); 14] = [
         "plates",
         [
             GRAINS,
-            "width = 0.06\nboundary_z = \"walls\"\ngravity = 0\npressure_z = 1000\nplate_speed = 0.1\nmax_steps = 300\n",
+            "width = 0.06\nboundary_z = \"walls\"\ngravity = 0\nwall_stress_z = 1000\nlid_speed_x = 0.1\nmax_steps = 300\n",
         ],
     ),
     (
@@ -370,7 +373,7 @@ fn half_written_files_of_killed_runs_go_away() -> Outcome {
 #[test]
 fn what_is_too_large_is_refused_at_once_with_its_size() -> Outcome {
     let home = home()?;
-    let tip = "--set columns=1000 --set rows=1000 --set substrate_layers=100";
+    let tip = "--set substrate_columns=1000 --set substrate_rows=1000 --set substrate_layers=100";
     for (command, words) in [
         (
             "run compaction-small --set width=1e6 --out out",

@@ -126,7 +126,7 @@ fn after_a_run_it_tells_where_the_energy_went_and_what_could_go() -> Outcome {
 #[test]
 fn after_a_tips_run_it_tells_its_work_and_how_long_a_drive_would_do() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let small = "body = \"tip\"\nlambda = 0.01\ncolumns = 12\nrows = 14\nside = 3\nspacing = 1.1\n\
+    let small = "body = \"tip\"\nlambda = 0.01\nsubstrate_columns = 12\nsubstrate_rows = 14\ntip_side_atoms = 3\nspacing = 1.1\n\
                  substrate_layers = 4\ntip_layers = 4\nequilibration = 5\ndrive_time = 80\nrest_time = 5\ntemperature = 0.01\n";
     std::fs::write(folder.path().join("tip.toml"), small)?;
     let at = folder.path();

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nmax_steps = 20\n";
-const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 8\nrows = 8\nside = 2\n\
+const TIP: &str = "body = \"tip\"\nlambda = 0.02\nsubstrate_columns = 8\nsubstrate_rows = 8\ntip_side_atoms = 2\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.1\ndrive_time = 0.2\n\
                    rest_time = 0.1\nsample_every = 20\n";
 const ATOMS: &str = "2\nLattice=\"20 0 0 0 20 0 0 0 20\" Properties=species:S:1:pos:R:3\n\

@@ -15,9 +15,9 @@ const PLACES: [&str; 8] = [
     "wrench --speed 1 --spin 1 --law power:gamma=1,alpha=ALPHA",
     "modes --inertia-ratio 0.5 --alpha=ALPHA",
     "explain disk --set alpha=ALPHA",
-    "explain cylinder --set tipping=clamp --set alpha=ALPHA",
+    "explain cylinder --set on_tipping=clamp --set alpha=ALPHA",
     "run disk --set alpha=ALPHA --set duration=1 --out FOLDER",
-    "run cylinder --set tipping=clamp --set alpha=ALPHA --out FOLDER",
+    "run cylinder --set on_tipping=clamp --set alpha=ALPHA --out FOLDER",
     "laws --curve power:gamma=1,alpha=ALPHA --out FOLDER.svg",
 ];
 

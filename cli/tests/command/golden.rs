@@ -140,15 +140,15 @@ fn a_changed_result_is_named() -> Outcome {
 #[test]
 fn overrides_are_kept_with_the_scene() -> Outcome {
     let folder = pinned()?;
-    let write = "golden write in/disk.toml --set spin=50 --set stepper=verlet --out fast.toml";
+    let write = "golden write in/disk.toml --set spin=50 --set integrator=verlet --out fast.toml";
     assert_eq!(tribos(folder.path(), write)?.0, DONE);
     let (code, said, _) = tribos(folder.path(), "golden verify fast.toml")?;
     assert_eq!(code, DONE);
-    let scene = "in/disk.toml spin=50 stepper=verlet: same";
+    let scene = "in/disk.toml spin=50 integrator=verlet: same";
     assert!(said.starts_with(scene), "{said}");
     let text = std::fs::read_to_string(folder.path().join("fast.toml"))?;
     assert!(
-        text.contains("set = [\"spin=50\", \"stepper=verlet\"]"),
+        text.contains("set = [\"spin=50\", \"integrator=verlet\"]"),
         "{text}"
     );
     Ok(())

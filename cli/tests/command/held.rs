@@ -65,7 +65,11 @@ fn what_no_body_can_do_is_refused_with_key_and_cure() -> Outcome {
             "mu_dynamic=0.6",
             "must not exceed `mu_static`",
         ),
-        ("spring-block", "cut_off=-1", "`cut_off`"),
+        (
+            "spring-block",
+            "ageing_cutoff_time=-1",
+            "`ageing_cutoff_time`",
+        ),
         (
             "spring-block",
             "a=0.02",

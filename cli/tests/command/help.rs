@@ -228,8 +228,8 @@ fn bash_completes_commands_options_and_values() -> Outcome {
             "tribos run compaction-s",
             "compaction-small compaction-soft",
         ),
-        ("tribos run disk --set ste", "stepper="),
-        ("tribos run disk --set stepper = ver", "verlet"),
+        ("tribos run disk --set integ", "integrator="),
+        ("tribos run disk --set integrator = ver", "verlet"),
         ("tribos run tip-reversible --set lam", "lambda="),
         ("tribos sweep disk --set gam", "gamma="),
         ("tribos golden write pipe-", "pipe-a pipe-b"),
@@ -252,7 +252,8 @@ fn bash_completes_commands_options_and_values() -> Outcome {
         );
     }
     // fish answers on the command line, where it is installed.
-    let asked = "tribos completions fish | source; complete -C 'tribos run disk --set stepper=v'";
+    let asked =
+        "tribos completions fish | source; complete -C 'tribos run disk --set integrator=v'";
     let mut fish = std::process::Command::new("fish");
     match fish
         .args(["-c", asked])
@@ -260,7 +261,10 @@ fn bash_completes_commands_options_and_values() -> Outcome {
         .env("HOME", folder.path())
         .output()
     {
-        Ok(output) => assert!(output.stdout.starts_with(b"stepper=verlet"), "{output:?}"),
+        Ok(output) => assert!(
+            output.stdout.starts_with(b"integrator=verlet"),
+            "{output:?}"
+        ),
         Err(_) => println!("skipped: no fish"),
     }
     for shell in ["zsh", "fish", "powershell", "elvish"] {

@@ -102,7 +102,7 @@ fn a_finished_run_and_its_export_start_other_runs() -> Outcome {
     let home = tempfile::tempdir()?;
     let (first, second) = (home.path().join("first"), home.path().join("second"));
     assert!(
-        powder(&first, &["height=12", "sizes=uniform:0.1"])?
+        powder(&first, &["height=12", "size_distribution=uniform:0.1"])?
             .status
             .success()
     );

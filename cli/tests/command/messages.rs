@@ -103,7 +103,7 @@ fn words_that_are_nearly_right_are_told_apart_from_others() -> Outcome {
             "did you mean `hertz`?",
         ),
         (
-            "run disk --out x --set stepper=verlett",
+            "run disk --out x --set integrator=verlett",
             "did you mean \"verlet\"?",
         ),
         (

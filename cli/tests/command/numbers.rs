@@ -80,7 +80,7 @@ fn what_is_counted_stays_a_whole_number_in_summaries() -> Outcome {
                 "--set",
                 "width=8",
             ],
-            vec!["seed", "max_steps", "sample_every", "sweeps"],
+            vec!["seed", "max_steps", "sample_every", "max_iterations"],
         ),
         (
             "tip-reversible",
@@ -93,9 +93,9 @@ fn what_is_counted_stays_a_whole_number_in_summaries() -> Outcome {
                 "rest_time=0.01",
             ],
             vec![
-                "columns",
-                "rows",
-                "side",
+                "substrate_columns",
+                "substrate_rows",
+                "tip_side_atoms",
                 "seed",
                 "sample_every",
                 "tip_layers",

@@ -68,7 +68,7 @@ const KEYS: &[&str] = &[
     "mass",
     "inertia_ratio",
     "units",
-    "stepper",
+    "integrator",
     "time_step",
     "duration",
     "stop_fraction",

@@ -15,7 +15,7 @@ fn the_cylinder_ends_where_the_table_says_and_leaves_complete_results() -> Outco
     assert!((number(&summary, "curl") / -0.014_632_310_204_878_707 - 1.0).abs() < 1e-12);
     assert!(number(&summary, "energy_error") < 1e-13);
     assert_eq!(summary["tipped"], false);
-    assert_eq!(summary["scene"]["gradient"], "all-round");
+    assert_eq!(summary["scene"]["pressure_gradient"], "all-round");
     let series = std::fs::read_to_string(folder.path().join("series.csv"))?;
     assert!(series.starts_with("time,x,y,vx,vy,spin,angle,ratio,lean,"));
     assert!(series.lines().count() > 201);
@@ -112,13 +112,13 @@ fn bad_scenes_are_refused_with_their_line_and_cure() -> Outcome {
         inner_radius | inner_radios | scene.toml:7 | did you mean `inner_radius`?
         height = 0.15 | height = -1 | scene.toml:8 | >= 0
         # A disk's key, not a pipe's.
-        mass = 0.5 | mass = 0.5\nstepper = "exact" | scene.toml:10 | unknown key
-        height = 0.15 | height = 1.5 | error | tipping = "clamp"
+        mass = 0.5 | mass = 0.5\nintegrator = "exact" | scene.toml:10 | unknown key
+        height = 0.15 | height = 1.5 | error | on_tipping = "clamp"
     "#;
     assert_refused_scenes(PIPE, cases)?;
     let cases = r#"
         spin = 1.5 | model = "magic"\nspin = 1 | scene.toml:3 | "scratch-guide"
-        spin = 1.5 | spin = 1\npivot = 0.1 | scene.toml:4 | is for model "pivot-slide"
+        spin = 1.5 | spin = 1\npivot_weight = 0.1 | scene.toml:4 | is for model "pivot-slide"
         spin = 1.5 | spin = 1\nmodel = "dry"\nalpha = -0.5 | scene.toml:5 | `alpha` is 0
         spin = 1.5 | spin = 1\nband_width = 1 | scene.toml:4 | `band_width` must not
         spin = 1.5 | spin = 1\nmodel = "film"\nfilm_back = 2 | scene.toml:5 | from 0 to 1
@@ -151,7 +151,11 @@ fn all_problems_of_a_body_are_told_at_once() -> Outcome {
 #[test]
 fn a_body_that_may_tip_is_held_at_the_edge_when_asked() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let summary = summary_of("cylinder", folder.path(), &["height=0.4", "tipping=clamp"])?;
+    let summary = summary_of(
+        "cylinder",
+        folder.path(),
+        &["height=0.4", "on_tipping=clamp"],
+    )?;
     assert_eq!(summary["tipped"], true);
     assert!(number(&summary, "max_lean") > 1.0 && number(&summary, "tipped_at") < 0.1);
     Ok(())
@@ -172,7 +176,13 @@ fn odd_numbers_end_with_a_result_or_a_reason() -> Outcome {
         ("pipe-a", &["inner_radius", "alpha", "gravity"]),
         (
             "curling-draw",
-            &["spin", "alpha", "scratch", "scratch_onset", "inertia_ratio"],
+            &[
+                "spin",
+                "alpha",
+                "scratch_strength",
+                "scratch_onset_angle",
+                "inertia_ratio",
+            ],
         ),
     ] {
         for key in keys {

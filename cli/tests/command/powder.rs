@@ -133,7 +133,7 @@ fn steps_that_end_approximately_are_told_and_counted() -> Outcome {
         ("unmet         ", "steps_solver_unmet"),
     ];
     // As few sweeps for lasting contacts as leave some of them unsolved.
-    let (told, summary) = run(&format!("{CRUSHED} sweeps=20"))?;
+    let (told, summary) = run(&format!("{CRUSHED} max_iterations=20"))?;
     let mut most = 0;
     let mut sum = 0;
     for (start, name) in lines {
@@ -230,12 +230,12 @@ fn bad_powders_are_refused_with_their_line_and_cure() -> Outcome {
         pressure = 0.01 | pressure = 0 | scene.toml:4 | > 0
         pressure = 0.01 | mu_rolling = -0.1 | scene.toml:4 | >= 0
         pressure = 0.01 | mu_torsoin = 0.1 | scene.toml:4 | did you mean `mu_torsion`?
-        pressure = 0.01 | order = "fixed" | scene.toml:4 | "gauss-seidel" only
-        pressure = 0.01 | wall = "rough" | scene.toml:4 | "smooth"
+        pressure = 0.01 | sweep_order = "fixed" | scene.toml:4 | "gauss-seidel" only
+        pressure = 0.01 | wall_contact = "rough" | scene.toml:4 | "smooth"
         pressure = 0.01 | restitution = 2 | scene.toml:4 | from 0 to 1
         pressure = 0.01 | max_displacement = 3 | scene.toml:4 | <= 0.5
         pressure = 0.01 | seed = 1.5 | scene.toml:4 | a whole number
-        pressure = 0.01 | solver = "gauss-seidel"\nstop = "fixed"\ntolerance = 1e-3 | scene.toml:6 | not used
+        pressure = 0.01 | solver = "gauss-seidel"\nstop_rule = "fixed"\ntolerance = 1e-3 | scene.toml:6 | not used
     "#;
     assert_refused_scenes(TINY, cases)
 }
@@ -371,7 +371,7 @@ fn a_soft_powder_is_exported_for_lammps_and_starts_a_run_of_ours() -> Outcome {
         "mu_torsion=0.2",
         "mu_rolling=0.1",
         "coupling=exact",
-        "wall=smooth",
+        "wall_contact=smooth",
         "gravity=0.001",
     ])?;
     let said = String::from_utf8(soft.stderr)?;

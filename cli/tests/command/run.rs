@@ -50,7 +50,7 @@ fn verlet_tends_to_the_exact_motion() -> Outcome {
     let error = |step: &str| -> Result<f64, Error> {
         let step = format!("time_step={step}");
         Ok((number(
-            &summary_of("disk", folder.path(), &["stepper=verlet", &step])?,
+            &summary_of("disk", folder.path(), &["integrator=verlet", &step])?,
             "distance",
         ) / exact
             - 1.0)

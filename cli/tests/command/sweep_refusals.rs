@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 const POWDER: &str = "body = \"powder\"\nwidth = 7\nheight = 9\npressure = 0.01\n\
                       piston_mass = 100\nmax_steps = 200\n";
 /// 20 steps of some hundred atoms.
-const TIP: &str = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
-                   tip_layers = 4\nside = 2\nequilibration = 0\ndrive_time = 0.1\nrest_time = 0\n\
+const TIP: &str = "body = \"tip\"\nlambda = 0.01\nsubstrate_columns = 8\nsubstrate_rows = 8\nsubstrate_layers = 4\n\
+                   tip_layers = 4\ntip_side_atoms = 2\nequilibration = 0\ndrive_time = 0.1\nrest_time = 0\n\
                    time_step = 0.005\nsample_every = 4\n";
 /// A run that does not end meanwhile.
 const LONG: &str = "body = \"powder\"\nwidth = 20\nheight = 61.5\n";

@@ -6,7 +6,7 @@ use crate::program::{
 use std::path::Path;
 
 /// 748 atoms, 400 steps.
-const TINY: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
+const TINY: &str = "body = \"tip\"\nlambda = 0.02\nsubstrate_columns = 12\nsubstrate_rows = 14\ntip_side_atoms = 3\n\
                     substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
                     rest_time = 0.5\nsample_every = 20\n";
 
@@ -183,22 +183,22 @@ fn bad_tips_are_refused_with_their_line_and_cure() -> Outcome {
     let cases = r#"
         lambda = 0.02\n |  | scene.toml: | `lambda` is missing
         lambda = 0.02 | lambda = "x" | scene.toml:2 | a finite number
-        rows = 14 | rows = 15 | scene.toml:4 | `rows` must be even with face
-        rows = 14 | rows = 6 | scene.toml:4 | `side`, `cutoff` and `skin` need
-        columns = 12 | columns = 0 | scene.toml:3 | a whole number from 1
-        columns = 12 | columns = 6 | scene.toml:3 | `side`, `cutoff` and `skin` need
-        side = 3 | side = 6 | scene.toml:3 | `side`, `cutoff` and `skin` need
-        side = 3 | side = 0 | scene.toml:5 | a whole number from 1
-        side = 3 | side = 3\ncutoff = 7 | scene.toml:3 | `side`, `cutoff` and `skin` need
-        side = 3 | side = 3\nskin = 20 | scene.toml:3 | `side`, `cutoff` and `skin` need
-        side = 3 | side = 3\nload = 1 | scene.toml:6 | hold = "level"
-        side = 3 | side = 3\nskin = 0 | scene.toml:6 | > 0
-        side = 3 | side = 3\norientation = 200 | scene.toml:6 | 180
-        side = 3 | side = 3\noutline = "square" | scene.toml:6 | "hexagon"
-        side = 3 | side = 3\nthermostat = "cold" | scene.toml:6 | "langevin"
-        side = 3 | side = 3\ndampign = 1 | scene.toml:6 | did you mean `damping`?
-        side = 3 | side = 3\ntime_step = 1 | scene.toml:6 | 0.05
-        side = 3 | side = 3\ncutoff = 0.5 | scene.toml:6 | 10
+        substrate_rows = 14 | substrate_rows = 15 | scene.toml:4 | `substrate_rows` must be even with face
+        substrate_rows = 14 | substrate_rows = 6 | scene.toml:4 | `tip_side_atoms`, `cutoff` and `skin` need
+        substrate_columns = 12 | substrate_columns = 0 | scene.toml:3 | a whole number from 1
+        substrate_columns = 12 | substrate_columns = 6 | scene.toml:3 | `tip_side_atoms`, `cutoff` and `skin` need
+        tip_side_atoms = 3 | tip_side_atoms = 6 | scene.toml:3 | `tip_side_atoms`, `cutoff` and `skin` need
+        tip_side_atoms = 3 | tip_side_atoms = 0 | scene.toml:5 | a whole number from 1
+        tip_side_atoms = 3 | tip_side_atoms = 3\ncutoff = 7 | scene.toml:3 | `tip_side_atoms`, `cutoff` and `skin` need
+        tip_side_atoms = 3 | tip_side_atoms = 3\nskin = 20 | scene.toml:3 | `tip_side_atoms`, `cutoff` and `skin` need
+        tip_side_atoms = 3 | tip_side_atoms = 3\nload = 1 | scene.toml:6 | driven_constraint = "level"
+        tip_side_atoms = 3 | tip_side_atoms = 3\nskin = 0 | scene.toml:6 | > 0
+        tip_side_atoms = 3 | tip_side_atoms = 3\ntip_orientation = 200 | scene.toml:6 | 180
+        tip_side_atoms = 3 | tip_side_atoms = 3\noutline = "square" | scene.toml:6 | "hexagon"
+        tip_side_atoms = 3 | tip_side_atoms = 3\nthermostat = "cold" | scene.toml:6 | "langevin"
+        tip_side_atoms = 3 | tip_side_atoms = 3\ndrive_dampign_rate = 1 | scene.toml:6 | did you mean `drive_damping_rate`?
+        tip_side_atoms = 3 | tip_side_atoms = 3\ntime_step = 1 | scene.toml:6 | 0.05
+        tip_side_atoms = 3 | tip_side_atoms = 3\ncutoff = 0.5 | scene.toml:6 | 10
         tip_layers = 4 | tip_layers = 3 | scene.toml:7 | from 4 to 100, not 3
         substrate_layers = 4 | substrate_layers = 3 | scene.toml:6 | from 4 to 100
         sample_every = 20 | sample_every = 0 | scene.toml:11 | a whole number from 1
@@ -303,7 +303,7 @@ fn exported_atoms_have_the_energy_of_the_run() -> Outcome {
         ("plain", "", "lj:cutoff=2.5"),
         (
             "mixed",
-            " --set adhesion=0.5 --set shift=force --set orientation=15 --set raise=0.1",
+            " --set adhesion_energy=0.5 --set shift=force --set tip_orientation=15 --set raise=0.1",
             "lj:cutoff=2.5,shift=force,epsilon14=0.5,epsilon15=0.5,epsilon16=0.5,epsilon24=0.5,\
              epsilon25=0.5,epsilon26=0.5,epsilon34=0.5,epsilon35=0.5,epsilon36=0.5",
         ),

@@ -8,7 +8,7 @@ use std::path::Path;
 use tribos::md::{extended_xyz, lammps};
 use tribos::record::frames::{Bodies, Frame, FrameFolder};
 
-const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
+const TIP: &str = "body = \"tip\"\nlambda = 0.02\nsubstrate_columns = 12\nsubstrate_rows = 14\ntip_side_atoms = 3\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.1\ndrive_time = 0.2\n\
                    rest_time = 0.1\nsample_every = 10\n";
 const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nmax_steps = 60\n";

@@ -10,7 +10,7 @@ use std::path::Path;
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
                       piston_mass = 100\nmu_rolling = 0.1\nmu_torsion = 0.1\n";
 /// 748 atoms, 400 steps.
-const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
+const TIP: &str = "body = \"tip\"\nlambda = 0.02\nsubstrate_columns = 12\nsubstrate_rows = 14\ntip_side_atoms = 3\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
                    rest_time = 0.5\nsample_every = 20\n";
 

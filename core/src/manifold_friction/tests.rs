@@ -11,7 +11,11 @@ fn a_square_has_its_closed_moments() {
     ] {
         let square = ManifoldArea::<f64>::of_corners(&corners);
         assert!((square.centre[0] - 5.0).abs() < 1e-14 && (square.centre[1] - 6.0).abs() < 1e-14);
-        assert!((square.lever / mean - 1.0).abs() < 1e-9, "{}", square.lever);
+        assert!(
+            (square.torsion_radius / mean - 1.0).abs() < 1e-9,
+            "{}",
+            square.torsion_radius
+        );
         let DirectionalLimitCurve {
             spinning: [a, b, c],
             slipping: [u, v, w],
@@ -51,7 +55,7 @@ fn a_triangle_has_the_moments_of_its_points() {
         }
     }
     mean /= count;
-    assert!((triangle.lever / mean - 1.0).abs() < 1e-3);
+    assert!((triangle.torsion_radius / mean - 1.0).abs() < 1e-3);
     let [xx, xy, yy] = spinning.map(|sum| sum / count);
     let det = (xx * yy - xy * xy) * mean;
     for (ours, theirs) in triangle
@@ -75,16 +79,19 @@ fn a_triangle_has_the_moments_of_its_points() {
 #[test]
 fn few_corners_are_a_line_or_a_point() {
     let line = ManifoldArea::<f32>::of_corners(&[[1.0, 1.0], [1.0, 5.0]]);
-    assert_eq!((line.centre, line.lever), ([1.0, 3.0], 1.0));
+    assert_eq!((line.centre, line.torsion_radius), ([1.0, 3.0], 1.0));
     assert_eq!(
         ManifoldArea::<f32>::of_corners(&[[1.0, 1.0], [1.0, 3.0], [1.0, 5.0]]),
         line
     );
-    assert_eq!(ManifoldArea::<f32>::of_corners(&[[1.0, 1.0]]).lever, 0.0);
-    assert_eq!(ManifoldArea::<f32>::of_corners(&[]).lever, 0.0);
+    assert_eq!(
+        ManifoldArea::<f32>::of_corners(&[[1.0, 1.0]]).torsion_radius,
+        0.0
+    );
+    assert_eq!(ManifoldArea::<f32>::of_corners(&[]).torsion_radius, 0.0);
     assert!(
         ManifoldArea::<f32>::of_corners(&[[f32::NAN, 1.0], [1.0, 3.0], [0.0, 0.0]])
-            .lever
+            .torsion_radius
             .is_nan()
     );
 }

@@ -111,9 +111,9 @@ fn every_key_sets_its_field() {
                 assert!(
                     [
                         "units",
-                        "side",
+                        "tip_side_atoms",
                         "drive",
-                        "expansion",
+                        "lattice_expansion",
                         "dimension",
                         "shear_rate"
                     ]
@@ -279,9 +279,9 @@ fn an_override_puts_keys_of_the_old_word_out_of_use() {
     let rigid = format!("{grains}sweeps = 300\ntolerance = 1e-3\n");
     let soft = read(&rigid, &["method=soft"]).unwrap();
     assert_eq!(soft, read(grains, &["method=soft"]).unwrap());
-    assert!(soft.get("sweeps").is_none());
+    assert!(soft.get("max_iterations").is_none());
     // What is given beside the override, or by the file alone, still contradicts.
-    assert!(read(&rigid, &["method=soft", "sweeps=20"]).is_err());
+    assert!(read(&rigid, &["method=soft", "max_iterations=20"]).is_err());
     assert!(read(&format!("{rigid}method = \"soft\"\n"), &[]).is_err());
     let hopper = format!("{grains}container = \"hopper\"\norifice_width = 0.02\n");
     assert_eq!(
@@ -293,10 +293,9 @@ fn an_override_puts_keys_of_the_old_word_out_of_use() {
     assert!(starts["radius_spread"].is_null());
     assert!(read(&uneven, &["initial_state=out/a", "radius_spread=0.1"]).is_err());
     // A key falls with the key that it depends on: without a stop there is no tolerance of one.
-    let powder =
-        "body = \"powder\"\nwidth = 20\ncount = 10\nsolver = \"gauss-seidel\"\nstop = \"fixed\"\n";
+    let powder = "body = \"powder\"\nwidth = 20\ncount = 10\nsolver = \"gauss-seidel\"\nstop_rule = \"fixed\"\n";
     assert!(read(powder, &["tolerance=1e-3"]).is_err());
-    assert!(read(powder, &["tolerance=1e-3", "stop=local"]).is_ok());
+    assert!(read(powder, &["tolerance=1e-3", "stop_rule=local"]).is_ok());
 }
 
 #[test]
@@ -304,7 +303,7 @@ fn fields_out_of_their_domain_are_refused_by_name_value_and_cure_all_at_once() {
     let scene = PowderScene {
         pressure: -1.0,
         restitution: f64::NAN,
-        sweeps: 0,
+        max_iterations: 0,
         count: Some(0),
         ..PowderScene::default()
     };
@@ -316,21 +315,21 @@ fn fields_out_of_their_domain_are_refused_by_name_value_and_cure_all_at_once() {
             "`count` must be a whole number from 1 to 1000000, not 0",
             "`pressure` must be a finite number > 0, not -1",
             "`restitution` must be a number from 0 to 1, not NaN",
-            "`sweeps` must be a whole number from 1 to 1000000, not 0",
+            "`max_iterations` must be a whole number from 1 to 1000000, not 0",
         ]
     );
     // The rules that files are read by hold for fields as well.
     let tip = TipScene {
         load: Some(1.0),
-        rows: 15,
+        substrate_rows: 15,
         ..TipScene::default()
     };
     let told = tip.check().unwrap_err().to_string();
     assert!(
-        told.contains("`rows` must be even with face = \"fcc111\", not 15"),
+        told.contains("`substrate_rows` must be even with face = \"fcc111\", not 15"),
         "{told}"
     );
-    assert!(told.contains("hold = \"level\""), "{told}");
+    assert!(told.contains("driven_constraint = \"level\""), "{told}");
     let disk = DiskScene {
         units: Units::Dimensionless,
         ..DiskScene::default()

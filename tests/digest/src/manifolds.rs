@@ -45,7 +45,7 @@ fn manifolds_of<R: Real + Lanes>(hash: &mut Fnv) {
     for n in 0..MANIFOLDS {
         let area = area::<R>(&mut rng);
         let DirectionalLimitCurve { spinning, slipping } = area.outline;
-        hash.numbers([area.centre[0], area.centre[1], area.lever]);
+        hash.numbers([area.centre[0], area.centre[1], area.torsion_radius]);
         hash.numbers(spinning.into_iter().chain(slipping));
         let candidate = FrictionImpulse {
             tangential: [signed(&mut rng), signed(&mut rng)],
@@ -54,7 +54,7 @@ fn manifolds_of<R: Real + Lanes>(hash: &mut Fnv) {
         let budget = FrictionLimits {
             impulse: speed(&mut rng),
             torsion_radius: if n % 5 == 0 {
-                area.lever
+                area.torsion_radius
             } else {
                 unit(&mut rng)
             },

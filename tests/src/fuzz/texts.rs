@@ -55,7 +55,7 @@ const VALUES: [&str; 25] = [
 const TINY: &str =
     "body = \"powder\"\nwidth = 6\nheight = 6\npressure = 0.02\nmax_steps = 4\nsample_every = 1\n";
 /// A tip with a short running time: a chain of atoms on a substrate.
-const LEAST: &str = "body = \"tip\"\nlambda = 0.1\ncolumns = 4\nrows = 4\nside = 1\n\
+const LEAST: &str = "body = \"tip\"\nlambda = 0.1\nsubstrate_columns = 4\nsubstrate_rows = 4\ntip_side_atoms = 1\n\
                      substrate_layers = 4\ntip_layers = 4\ncutoff = 1.5\nspacing = 1.1\n\
                      equilibration = 0\ndrive_time = 0.02\nrest_time = 0.02\nsample_every = 1\n";
 

@@ -212,7 +212,7 @@ fn travel([a, b]: [f64; 2], spin: f64) -> f64 {
     let (inertia, step) = ((a * a + b * b) / 3.0, 1e-4);
     let budget = FrictionLimits {
         impulse: 3.0 * step,
-        torsion_radius: area.lever,
+        torsion_radius: area.torsion_radius,
         dynamic_over_static: 1.0,
     };
     let inverse = InverseEffectiveMasses {

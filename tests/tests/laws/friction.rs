@@ -490,5 +490,5 @@ fn a_stribeck_disk_without_spin_takes_the_time_of_the_integral() {
         "{}",
         cut.outcome.time
     );
-    assert!(run_under(&scene(&["stepper=verlet"]), law(text)).is_err());
+    assert!(run_under(&scene(&["integrator=verlet"]), law(text)).is_err());
 }

@@ -14,8 +14,8 @@ use tribos_tests::tips::{scene, to_the_end};
 type Error = Box<dyn std::error::Error>;
 
 /// A small tip at rest on a small substrate.
-const SMALL: &str = "body = \"tip\"\nlambda = 0\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
-                     tip_layers = 4\nside = 2\ntemperature = 300\ntime_step = 0.004\nskin = 0.5\n\
+const SMALL: &str = "body = \"tip\"\nlambda = 0\nsubstrate_columns = 8\nsubstrate_rows = 8\nsubstrate_layers = 4\n\
+                     tip_layers = 4\ntip_side_atoms = 2\ntemperature = 300\ntime_step = 0.004\nskin = 0.5\n\
                      equilibration = 0.2\ndrive_time = 0\nrest_time = 0\n";
 
 fn small(text: &str) -> Result<TipScene, Error> {
@@ -25,7 +25,7 @@ fn small(text: &str) -> Result<TipScene, Error> {
 /// A tip of one element on a substrate of another, (111) on (100), turned.
 fn alloy() -> Result<TipScene, Error> {
     small(&format!(
-        "potential = \"eam:{},substrate=Aa,tip=Bb\"\nface = \"fcc100\"\norientation = 15",
+        "potential = \"eam:{},substrate=Aa,tip=Bb\"\nface = \"fcc100\"\ntip_orientation = 15",
         path("synthetic.eam.alloy").display()
     ))
 }
@@ -171,7 +171,7 @@ fn each_face_is_one_of_the_face_centred_cubic_crystal() -> Result<(), Error> {
         for columns in [9, 10] {
             let scene = scene(&format!(
                 "body = \"tip\"\nlambda = 0\nface = \"{face}\"\ntip_face = \"{face}\"\nspacing = 1.1\n\
-                 columns = {columns}\nrows = 10\nsubstrate_layers = 7\ntip_layers = 7\nside = 3"
+                 substrate_columns = {columns}\nsubstrate_rows = 10\nsubstrate_layers = 7\ntip_layers = 7\ntip_side_atoms = 3"
             ))?;
             let shape = scene.shape();
             let sites = shape.sites();
@@ -211,8 +211,8 @@ fn other_faces_and_turned_tips_touch_nothing_too_closely() -> Result<(), Error> 
                 for outline in ["hexagon", "disk", "cone"] {
                     let scene = scene(&format!(
                         "body = \"tip\"\nlambda = 0\nface = \"{face}\"\ntip_face = \"{tip_face}\"\n\
-                         orientation = {orientation}\noutline = \"{outline}\"\ncolumns = 10\nrows = 10\n\
-                         substrate_layers = 4\ntip_layers = 4\nside = 3"
+                         tip_orientation = {orientation}\noutline = \"{outline}\"\nsubstrate_columns = 10\nsubstrate_rows = 10\n\
+                         substrate_layers = 4\ntip_layers = 4\ntip_side_atoms = 3"
                     ))?;
                     let sites = scene.shape().sites();
                     let tip = sites
@@ -283,14 +283,17 @@ fn what_a_metal_has_itself_is_refused_as_a_key() {
             "`cutoff` is for \"lennard-jones\" only",
         ),
         (
-            "potential = \"sutton-chen:Cu\"\nadhesion = 0.5",
-            "`adhesion` is for",
+            "potential = \"sutton-chen:Cu\"\nadhesion_energy = 0.5",
+            "`adhesion_energy` is for",
         ),
         (
             "potential = \"sutton-chen:Cu\"\nshift = \"force\"",
             "`shift` is for",
         ),
-        ("expansion = 0.01", "`expansion` is for metals only"),
+        (
+            "lattice_expansion = 0.01",
+            "`lattice_expansion` is for metals only",
+        ),
         (
             "face = \"fcc211\"",
             "one of \"fcc111\", \"fcc100\", \"fcc110\"",

@@ -12,7 +12,7 @@ use tribos_tests::tips::{tiny, to_the_end};
 type Error = Box<dyn std::error::Error>;
 
 /// Nothing moves but by forces.
-const COLD: &str = "temperature = 0\nthermostat = \"none\"\ndamping = 0\nequilibration = 0\n\
+const COLD: &str = "temperature = 0\nthermostat = \"none\"\ndrive_damping_rate = 0\nequilibration = 0\n\
                     integrator = \"velocity-verlet\"";
 
 /// Its system, before the first step.
@@ -82,7 +82,7 @@ fn a_free_tip_gets_the_angular_momentum_of_the_drive_and_keeps_it() -> Result<()
     for integrator in ["velocity-verlet", "leap-frog"] {
         // So little adhesion that the substrate does not hold the tip.
         let scene = tiny(&format!(
-            "lambda = 0.05\nadhesion = 1e-14\nshift = \"force\"\ntemperature = 0\ndamping = 0\n\
+            "lambda = 0.05\nadhesion_energy = 1e-14\nshift = \"force\"\ntemperature = 0\ndrive_damping_rate = 0\n\
              thermostat = \"none\"\nintegrator = \"{integrator}\"\nequilibration = 0.1\n\
              drive_time = 1\nrest_time = 1"
         ))?;
@@ -131,7 +131,7 @@ fn inertia(scene: &TipScene, system: &System<TipForces>) -> f64 {
 fn held_layers_stay_where_they_are() -> Result<(), Error> {
     for (hold, is_level) in [("plane", false), ("level", true)] {
         let scene = tiny(&format!(
-            "lambda = 0.05\nhold = \"{hold}\"\nequilibration = 0\ndrive_time = 1\nrest_time = 0"
+            "lambda = 0.05\ndriven_constraint = \"{hold}\"\nequilibration = 0\ndrive_time = 1\nrest_time = 0"
         ))?;
         let mut run = TipSimulation::new(&scene)?;
         let start = run.system().atoms().positions.clone();
@@ -169,8 +169,8 @@ fn a_load_presses_the_tip_down_until_the_substrate_carries_it() -> Result<(), Er
     for load in [-1.0, 0.0, 1.0, 3.0, 10.0] {
         // Friction and no heat: everything comes to rest.
         let scene = tiny(&format!(
-            "lambda = 0\nhold = \"level\"\nload = {load:?}\ndamping = 2\nthermostat = \"langevin\"\n\
-             friction = 2\ntemperature = 0\nshift = \"force\"\nequilibration = 0\n\
+            "lambda = 0\ndriven_constraint = \"level\"\nload = {load:?}\ndrive_damping_rate = 2\nthermostat = \"langevin\"\n\
+             langevin_rate = 2\ntemperature = 0\nshift = \"force\"\nequilibration = 0\n\
              drive_time = 0\nrest_time = 15\ntime_step = 0.01\nsample_every = 1500"
         ))?;
         let mut run = TipSimulation::new(&scene)?;
@@ -194,7 +194,7 @@ fn damping_takes_its_share_of_the_driven_atoms_motion_only() -> Result<(), Error
     let with = |damping: f64| {
         tiny(&format!(
             "lambda = 0\nthermostat = \"none\"\nintegrator = \"velocity-verlet\"\n\
-             damping = {damping:?}"
+             drive_damping_rate = {damping:?}"
         ))
     };
     let scene = with(rate)?;

@@ -28,8 +28,8 @@ fn shapes() -> Result<Vec<Shape>, Error> {
     ] {
         for outline in ["hexagon", "disk", "cone"] {
             let text = format!(
-                "columns = {columns}\nrows = {rows}\nsubstrate_layers = {below}\n\
-                 tip_layers = {above}\nside = {side}\noutline = \"{outline}\"\nspacing = 1.1"
+                "substrate_columns = {columns}\nsubstrate_rows = {rows}\nsubstrate_layers = {below}\n\
+                 tip_layers = {above}\ntip_side_atoms = {side}\noutline = \"{outline}\"\nspacing = 1.1"
             );
             shapes.push(tip(&text)?.shape());
         }
@@ -209,9 +209,11 @@ fn every_inner_atom_has_its_twelve_neighbours_and_no_two_are_nearer() -> Result<
 fn an_orientation_turns_the_tip_as_a_rigid_body() -> Result<(), Error> {
     for outline in ["hexagon", "disk", "cone"] {
         for degrees in [17.0, -90.0, 60.0, 180.0] {
-            let text = format!("columns = 17\nrows = 18\nside = 5\noutline = \"{outline}\"");
+            let text = format!(
+                "substrate_columns = 17\nsubstrate_rows = 18\ntip_side_atoms = 5\noutline = \"{outline}\""
+            );
             let plain = tip(&text)?.shape();
-            let turned = tip(&format!("{text}\norientation = {degrees:?}"))?.shape();
+            let turned = tip(&format!("{text}\ntip_orientation = {degrees:?}"))?.shape();
             let [x0, y0] = plain.axis();
             let (sin, cos) = f64::to_radians(degrees).sin_cos();
             for (before, after) in plain.sites().iter().zip(&turned.sites()) {
@@ -233,7 +235,7 @@ fn an_orientation_turns_the_tip_as_a_rigid_body() -> Result<(), Error> {
 
 #[test]
 fn a_cone_loses_one_atom_a_side_from_each_layer_to_the_one_below() -> Result<(), Error> {
-    let shape = tip("outline = \"cone\"\nside = 4\ntip_layers = 6")?.shape();
+    let shape = tip("outline = \"cone\"\ntip_side_atoms = 4\ntip_layers = 6")?.shape();
     let count = |layer: usize| shape.sites().iter().filter(|s| s.layer == layer).count();
     // Hexagons of 1, 2, 3 and 4 atoms a side; an end stays.
     assert_eq!([6, 7, 8, 9, 10, 11].map(count), [1, 1, 1, 7, 19, 37]);
@@ -265,7 +267,7 @@ fn no_tip_that_is_accepted_reaches_its_own_images() -> Result<(), Error> {
         for side in [1, 3, 5, 7, 9] {
             for orientation in [0.0, 11.0, 30.0, 90.0] {
                 let text = format!(
-                    "side = {side}\noutline = \"{outline}\"\norientation = {orientation:?}\n\
+                    "tip_side_atoms = {side}\noutline = \"{outline}\"\ntip_orientation = {orientation:?}\n\
                      cutoff = 2.5\nspacing = 1"
                 );
                 // The narrowest box along each axis.
@@ -276,8 +278,8 @@ fn no_tip_that_is_accepted_reaches_its_own_images() -> Result<(), Error> {
                         .next()
                         .map(|scene| scene.shape())
                 };
-                let columns = narrow("columns", 1, "rows = 40");
-                let rows = narrow("rows", 2, "columns = 40");
+                let columns = narrow("substrate_columns", 1, "substrate_rows = 40");
+                let rows = narrow("substrate_rows", 2, "substrate_columns = 40");
                 for shape in [columns, rows] {
                     let shape = shape.ok_or("no box is wide enough")?;
                     tightest = tightest.min(nearest_image(&shape));

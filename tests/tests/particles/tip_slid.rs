@@ -4,9 +4,9 @@ use tribos::scene::TipScene;
 use tribos::tip::{SlidingSummary, TipSimulation};
 use tribos_tests::tips::{tiny, to_the_end};
 
-const SLID: &str = "body = \"tip\"\ncolumns = 12\nrows = 14\nsubstrate_layers = 4\ntip_layers = 4\nside = 3\n\
-                    spacing = 1.1\ndrive = \"slide\"\nspeed = 0.5\nstroke = 1.65\nhold = \"level\"\n\
-                    load = 0.5\nadhesion = 0.3\nshift = \"force\"\nequilibration = 5\n\
+const SLID: &str = "body = \"tip\"\nsubstrate_columns = 12\nsubstrate_rows = 14\nsubstrate_layers = 4\ntip_layers = 4\ntip_side_atoms = 3\n\
+                    spacing = 1.1\ndrive = \"slide\"\nspeed = 0.5\nstroke = 1.65\ndriven_constraint = \"level\"\n\
+                    load = 0.5\nadhesion_energy = 0.3\nshift = \"force\"\nequilibration = 5\n\
                     drive_time = 9.9\nrest_time = 0";
 
 type Error = Box<dyn std::error::Error>;
@@ -40,7 +40,7 @@ fn the_supports_work_is_heat_and_stored_energy() -> Result<(), Error> {
         let scene = slid(&[
             &format!("thermostat={bath}"),
             &format!("integrator={integrator}"),
-            &format!("direction={direction:?}"),
+            &format!("drive_angle={direction:?}"),
             &format!("spin={spin}"),
         ])?;
         let slid = outcome(&scene)?;
@@ -59,9 +59,9 @@ fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(
         // So little adhesion that the substrate neither holds nor carries it.
         let scene = slid(&[
             &format!("thermostat={bath}"),
-            "adhesion=1e-14",
+            "adhesion_energy=1e-14",
             "load=0",
-            "damping=2",
+            "drive_damping_rate=2",
             "temperature=1e-4",
             "stiffness=50",
             "speed=0.05",
@@ -92,7 +92,7 @@ fn a_tip_resists_in_both_directions_and_more_under_load() -> Result<(), Error> {
             "speed=0.2",
             "drive_time=24.75",
             "stiffness=40",
-            "damping=2",
+            "drive_damping_rate=2",
             &load_key,
         ])?;
         let slid = outcome(&scene)?;
@@ -109,7 +109,7 @@ fn a_tip_resists_in_both_directions_and_more_under_load() -> Result<(), Error> {
 
 #[test]
 fn a_spring_twists_back_a_tip_that_is_turned_and_series_say_where_it_is() -> Result<(), Error> {
-    let scene = slid(&["direction=90", "samples=1"])?;
+    let scene = slid(&["drive_angle=90", "samples=1"])?;
     let mut run = TipSimulation::new(&scene)?;
     to_the_end(&mut run)?;
     let columns = run.columns();

@@ -7,7 +7,7 @@ use tribos::scene::{PowderScene, TipScene};
 use tribos::tip::TipSimulation;
 
 const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nmu_rolling = 0.1";
-const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 8\nrows = 8\nside = 2\n\
+const TIP: &str = "body = \"tip\"\nlambda = 0.02\nsubstrate_columns = 8\nsubstrate_rows = 8\ntip_side_atoms = 2\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.1\ndrive_time = 0.1\n\
                    rest_time = 0.1\nsample_every = 5\n";
 /// Damaged copies of each kind of run.

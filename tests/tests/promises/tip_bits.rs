@@ -13,9 +13,9 @@ fn kinds() -> Result<Vec<TipScene>, Error> {
     let mut scenes = Vec::new();
     for bath in [
         "thermostat = \"nose-hoover\"",
-        "thermostat = \"nose-hoover\"\nspin = \"counts\"\nadhesion = 0.5",
-        "thermostat = \"langevin\"\nhold = \"level\"\nload = 0.5",
-        "thermostat = \"none\"\noutline = \"disk\"\norientation = 20",
+        "thermostat = \"nose-hoover\"\nspin = \"counts\"\nadhesion_energy = 0.5",
+        "thermostat = \"langevin\"\ndriven_constraint = \"level\"\nload = 0.5",
+        "thermostat = \"none\"\noutline = \"disk\"\ntip_orientation = 20",
     ] {
         for integrator in ["leap-frog", "velocity-verlet"] {
             scenes.push(tiny(&format!(
@@ -146,7 +146,10 @@ fn a_checkpoint_of_another_scene_is_refused_with_the_key() -> Result<(), Error> 
     for (other, key) in [
         ("lambda = 0.03", "lambda"),
         ("lambda = 0.02\nseed = 2", "seed"),
-        ("lambda = 0.02\nhold = \"level\"", "hold"),
+        (
+            "lambda = 0.02\ndriven_constraint = \"level\"",
+            "driven_constraint",
+        ),
         ("lambda = 0.02\noutline = \"cone\"", "outline"),
     ] {
         match TipSimulation::resume(&tiny(other)?, &text) {
@@ -162,8 +165,8 @@ fn a_checkpoint_of_another_scene_is_refused_with_the_key() -> Result<(), Error> 
 #[test]
 fn results_do_not_depend_on_the_number_of_threads() -> Result<(), Error> {
     // Several chunks of the list.
-    let text = "body = \"tip\"\ncolumns = 40\nrows = 40\nsubstrate_layers = 4\ntip_layers = 4\n\
-                side = 8\nlambda = 0.5\nskin = 0.1\nequilibration = 0.05\ndrive_time = 0.15\n\
+    let text = "body = \"tip\"\nsubstrate_columns = 40\nsubstrate_rows = 40\nsubstrate_layers = 4\ntip_layers = 4\n\
+                tip_side_atoms = 8\nlambda = 0.5\nskin = 0.1\nequilibration = 0.05\ndrive_time = 0.15\n\
                 rest_time = 0.05\nsample_every = 10";
     let mut ends = Vec::new();
     for bath in ["nose-hoover", "langevin"] {

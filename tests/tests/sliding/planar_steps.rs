@@ -143,7 +143,7 @@ impl WorstCases {
     }
 }
 
-fn see_set<S: FrictionSet<f64>>(seen: &mut Seen, set: &S, seed: u64, count: usize) {
+fn see_set<S: FrictionSet<f64>>(seen: &mut WorstCases, set: &S, seed: u64, count: usize) {
     let mut rng = Lcg::new(seed);
     let dt = TimeStep::new(STEP).expect("positive");
     for n in 0..count {
@@ -155,7 +155,7 @@ fn see_set<S: FrictionSet<f64>>(seen: &mut Seen, set: &S, seed: u64, count: usiz
 
 #[test]
 fn friction_of_round_patches_takes_power_or_none_and_reverses_nothing() {
-    let mut seen = Seen::new();
+    let mut seen = WorstCases::new();
     let surface = "valid limits";
     let disk = RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect(surface);
     see_set(&mut seen, &disk, 51, 400_000);
@@ -188,7 +188,7 @@ fn points(rng: &mut Lcg) -> NodeList<f64, 8> {
 fn friction_of_feet_off_the_centre_takes_power_or_none_and_reverses_nothing() {
     let mut rng = Lcg::new(55);
     let dt = TimeStep::new(STEP).expect("positive");
-    let mut seen = Seen::new();
+    let mut seen = WorstCases::new();
     for n in 0..100_000 {
         let mut foot: PointContacts<f64, _, 8> =
             PointContacts::new(points(&mut rng), LIMIT).expect("valid");

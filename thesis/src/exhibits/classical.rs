@@ -141,7 +141,7 @@ fn starts_with_a_jump() -> Result<Claim> {
             mu_static: MU_STATIC,
             mu_dynamic,
             start_angle: critical + 1e-9,
-            raise_rate: 0.0,
+            tilt_rate: 0.0,
             ..InclineScene::default()
         };
         let release = incline::run(&scene)?.outcome.release;

@@ -41,7 +41,7 @@ fn block(patch: (&str, f64), mass: f64, mu_static: f64) -> Result<InclineScene> 
         gravity: GRAVITY,
         mu_static,
         mu_dynamic: MU_DYNAMIC.min(mu_static),
-        raise_rate: RATE,
+        tilt_rate: RATE,
         end_angle: 1.5,
         duration: 30.0,
         samples: 60,
@@ -204,7 +204,7 @@ fn larger_velocity() -> Result<Claim> {
 fn holds_exactly() -> Result<Claim> {
     let scene = InclineScene {
         start_angle: Real::atan(MU_STATIC) - 1e-9,
-        raise_rate: 0.0,
+        tilt_rate: 0.0,
         duration: 1e9,
         ..block(PATCHES[0], 1.0, MU_STATIC)?
     };
@@ -222,8 +222,8 @@ fn ageing() -> Result<Claim> {
     const GROWTH: f64 = 0.02;
     let slope = |rate: f64| -> Result<f64> {
         let scene = InclineScene {
-            growth: GROWTH,
-            raise_rate: rate,
+            ageing_rate: GROWTH,
+            tilt_rate: rate,
             duration: 2.0 / rate,
             ..block(PATCHES[0], 1.0, MU_STATIC)?
         };

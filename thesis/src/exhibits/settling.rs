@@ -62,11 +62,11 @@ fn case(system: System, diameter: f64, seed: u64) -> Case {
     let [width, _] = system.size();
     Case::new(system, TORQUES, seed).with(&format!("diameter={diameter}"), |scene| {
         scene.gravity = gravity;
-        scene.blocked = BlockedCriterion::Piston;
+        scene.blocked_criterion = BlockedCriterion::Piston;
         scene.piston_mass = GRAIN;
         scene.pressure = GRAIN * gravity / (width * width);
         scene.cohesion_range = 2.0 * CLOSEST / diameter;
-        scene.time_step = 1.0 / (STEPS * gravity.sqrt());
+        scene.max_time_step = 1.0 / (STEPS * gravity.sqrt());
         scene.max_steps = MOST_STEPS;
     })
 }

@@ -37,7 +37,7 @@ fn scene(stiffness: f64, speed: f64) -> SpringScene {
         b: PAPER.b,
         reference_speed: PAPER.reference_speed,
         slip_distance: PAPER.slip_distance,
-        viscous: PAPER.viscous,
+        radiation_damping: PAPER.viscous,
         tolerance: TOLERANCE,
         samples: 40,
         ..SpringScene::default()
@@ -294,7 +294,7 @@ fn oscillation() -> Result<Claim> {
         ..PAPER
     };
     let swinging = SpringScene {
-        viscous: 0.0,
+        radiation_damping: 0.0,
         start_speed: Some(0.999 * speed),
         pull_time: 160.0 * PAPER.slip_distance / speed,
         tolerance: 1e-9,
@@ -332,9 +332,9 @@ fn healing() -> Result<Claim> {
         stiffness: 1e6,
         pull_speed: 1e-5,
         pull_time: 10.0,
-        hold: Some(100.0),
-        holds: 4,
-        viscous: 0.0,
+        hold_time: Some(100.0),
+        hold_count: 4,
+        radiation_damping: 0.0,
         ..scene(1e6, 1e-5)
     };
     let found = run(&held)?.outcome.healing;

@@ -51,12 +51,12 @@ impl Rule {
         let keys = format!("pressure={PRESSURE},gauss-seidel,{}", self.name());
         Case::new(system, [0.0; 2], 1).with(&keys, |scene| {
             scene.solver = SweepMethod::GaussSeidel;
-            scene.blocked = BlockedCriterion::Piston;
+            scene.blocked_criterion = BlockedCriterion::Piston;
             scene.pressure = PRESSURE;
-            scene.stop = self.stop;
-            scene.sweeps = MOST_SWEEPS;
+            scene.stop_rule = self.stop;
+            scene.max_iterations = MOST_SWEEPS;
             match self.stop {
-                SweepStop::Fixed => scene.sweeps = FIXED,
+                SweepStop::Fixed => scene.max_iterations = FIXED,
                 SweepStop::Local | SweepStop::Global => scene.tolerance = self.tolerance,
             }
         })

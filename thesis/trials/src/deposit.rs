@@ -34,7 +34,7 @@ impl Trial for Compacted {
                 tolerance, sweeps, ..
             } => PowderScene {
                 tolerance,
-                sweeps,
+                max_iterations: sweeps,
                 ..scene
             },
             Method::Soft { stiffness, .. } => PowderScene {

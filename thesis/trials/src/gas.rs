@@ -37,7 +37,7 @@ impl Cooling {
     fn scene(&self, method: Method, seed: u64) -> GasScene {
         let scene = GasScene {
             count: self.count,
-            fraction: self.fraction,
+            packing_fraction: self.fraction,
             restitution: self.restitution,
             collisions: self.collisions,
             sample_every: self.collisions,

@@ -47,7 +47,7 @@ pub const MANIFOLD_FRICTION: [Item; 6] = [
         "manifold_friction manifold_friction::area manifold_friction::outline",
         Code::new(
             "[[-a, -b], [a, -b], [a, b], [-a, b]]",
-            "{ object[2] = [given.a, given.b]; black_box(ManifoldArea::of_corners(object)).lever }",
+            "{ object[2] = [given.a, given.b]; black_box(ManifoldArea::of_corners(object)).torsion_radius }",
         ),
     ),
     item(

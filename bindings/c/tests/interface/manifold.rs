@@ -69,7 +69,7 @@ fn of_the_kernel() -> u64 {
             .spinning
             .into_iter()
             .chain(area.outline.slipping);
-        [x, y, area.lever]
+        [x, y, area.torsion_radius]
             .into_iter()
             .chain(matrices)
             .for_each(|x| digest.feed(x));

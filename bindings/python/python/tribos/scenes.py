@@ -50,7 +50,7 @@ class SliderScene(Scene):
         1000000.
     units
         Unit system. *Value*: one of "si", "dimensionless".
-    stepper
+    integrator
         Method that follows the motion. *Value*: one of "exact", "verlet".
     """
 
@@ -70,7 +70,7 @@ class SliderScene(Scene):
     duration: float | None = None
     samples: int = 200
     units: Literal["si", "dimensionless"] = "si"
-    stepper: Literal["exact", "verlet"] = "exact"
+    integrator: Literal["exact", "verlet"] = "exact"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -96,14 +96,14 @@ class CylinderScene(Scene):
     height
         Height of the body; its centre of mass is half way up. *Unit*: m. *Value*: a finite number
         >= 0.
-    gradient
+    pressure_gradient
         Directions in which the pressure may lean. *Value*: one of "all-round", "front-back".
     pressure
         Pressure at rest. *Value*: one of "uniform", "ring", "flat-punch", "hertz", "paraboloid".
     inertia_ratio
         Inertia ratio C = I/(M R^2), 0.5 for a solid, uniform cylinder. *Value*: a finite number >
         0.
-    tipping
+    on_tipping
         What to do where the body would tip. *Value*: one of "refuse", "clamp".
     gravity
         Acceleration that presses the body down. *Unit*: m/s^2. *Value*: a finite number > 0.
@@ -125,10 +125,10 @@ class CylinderScene(Scene):
     law: str | None = None
     radius: float = 0.08
     height: float | None = 0.16
-    gradient: Literal["all-round", "front-back"] = "all-round"
+    pressure_gradient: Literal["all-round", "front-back"] = "all-round"
     pressure: Literal["uniform", "ring", "flat-punch", "hertz", "paraboloid"] = "uniform"
     inertia_ratio: float = 0.5
-    tipping: Literal["refuse", "clamp"] = "refuse"
+    on_tipping: Literal["refuse", "clamp"] = "refuse"
     gravity: float = 9.81
     mass: float = 1.0
     stop_fraction: float = 0.0001
@@ -158,12 +158,12 @@ class PipeScene(Scene):
     height
         Height of the body; its centre of mass is half way up. *Unit*: m. *Value*: a finite number
         >= 0.
-    gradient
+    pressure_gradient
         Directions in which the pressure may lean. *Value*: one of "all-round", "front-back".
     inner_radius
         Inner radius of the pipe; the outer one for a thin ring. *Unit*: m. *Value*: a finite number
         >= 0.
-    tipping
+    on_tipping
         What to do where the body would tip. *Value*: one of "refuse", "clamp".
     gravity
         Acceleration that presses the body down. *Unit*: m/s^2. *Value*: a finite number > 0.
@@ -185,9 +185,9 @@ class PipeScene(Scene):
     law: str | None = None
     radius: float = 0.05
     height: float | None = 0.15
-    gradient: Literal["all-round", "front-back"] = "all-round"
+    pressure_gradient: Literal["all-round", "front-back"] = "all-round"
     inner_radius: float = 0.046
-    tipping: Literal["refuse", "clamp"] = "refuse"
+    on_tipping: Literal["refuse", "clamp"] = "refuse"
     gravity: float = 9.81
     mass: float = 0.5
     stop_fraction: float = 0.0001
@@ -276,11 +276,11 @@ class CurlingScene(Scene):
     film_back
         Fraction of the band's rotation that the film takes at the back, of the model film. *Value*:
         a number from 0 to 1.
-    pivot
+    pivot_weight
         Weight of the pull, of the model pivot-slide. *Value*: a finite number >= 0.
-    scratch
+    scratch_strength
         Guiding force over load, of the model scratch-guide. *Value*: a finite number >= 0.
-    scratch_onset
+    scratch_onset_angle
         Half the crossing angle from which scratches guide, of the model scratch-guide. *Unit*: rad.
         *Value*: a finite number > 0.
     samples
@@ -305,9 +305,9 @@ class CurlingScene(Scene):
     back_to_front: float | None = None
     film_front: float | None = None
     film_back: float | None = None
-    pivot: float | None = None
-    scratch: float | None = None
-    scratch_onset: float | None = None
+    pivot_weight: float | None = None
+    scratch_strength: float | None = None
+    scratch_onset_angle: float | None = None
     samples: int = 200
 
 
@@ -331,22 +331,22 @@ class SpringScene(Scene):
     pull_time
         How long it is pulled; with holds, before the first and after each. *Unit*: s. *Value*: a
         finite number > 0.
-    hold
+    hold_time
         How long the end of the spring stands still first; it never does if left out. *Unit*: s.
         *Value*: a finite number > 0.
-    holds
+    hold_count
         Number of holds. *Value*: a whole number from 1 to 1000.
-    hold_growth
+    hold_time_ratio
         Duration of each hold over that of the one before. *Value*: a finite number > 0.
     mu_static
-        Static coefficient, of dry friction, of a contact not older than `cut_off`. *Value*: a
-        finite number >= 0.
+        Static coefficient, of dry friction, of a contact not older than `ageing_cutoff_time`.
+        *Value*: a finite number >= 0.
     mu_dynamic
         Dynamic coefficient, of dry friction. *Value*: a finite number >= 0.
-    growth
+    ageing_rate
         Growth of the static coefficient for each e-fold of the time of rest, of dry friction.
         *Value*: a finite number >= 0.
-    cut_off
+    ageing_cutoff_time
         Time of rest from which it grows, of dry friction. *Unit*: s. *Value*: a finite number > 0.
     law
         Law of the speed in place of dry friction. *Value*: a law with its parameters, such as
@@ -362,7 +362,7 @@ class SpringScene(Scene):
         Reference speed, of rate and state. *Unit*: m/s. *Value*: a finite number > 0.
     slip_distance
         Memory length D_c, of rate and state. *Unit*: m. *Value*: a finite number > 0.
-    viscous
+    radiation_damping
         Viscous term of the inertial branch, of rate and state. *Unit*: s/m. *Value*: a finite
         number >= 0.
     evolution
@@ -399,20 +399,20 @@ class SpringScene(Scene):
     stiffness: float = 100.0
     pull_speed: float = 0.05
     pull_time: float = 20.0
-    hold: float | None = None
-    holds: int = 1
-    hold_growth: float = 10.0
+    hold_time: float | None = None
+    hold_count: int = 1
+    hold_time_ratio: float = 10.0
     mu_static: float = 0.5
     mu_dynamic: float = 0.3
-    growth: float = 0.0
-    cut_off: float = 1.0
+    ageing_rate: float = 0.0
+    ageing_cutoff_time: float = 1.0
     law: str | None = None
     mu_reference: float | None = None
     a: float | None = None
     b: float | None = None
     reference_speed: float | None = None
     slip_distance: float | None = None
-    viscous: float | None = None
+    radiation_damping: float | None = None
     evolution: Literal["ageing", "slip"] | None = None
     start_speed: float | None = None
     coulomb_force: float | None = None
@@ -441,17 +441,18 @@ class InclineScene(Scene):
     gravity
         Acceleration by gravity. *Unit*: m/s^2. *Value*: a finite number > 0.
     mu_static
-        Static coefficient of a contact not older than `cut_off`. *Value*: a finite number >= 0.
+        Static coefficient of a contact not older than `ageing_cutoff_time`. *Value*: a finite
+        number >= 0.
     mu_dynamic
         Dynamic coefficient. *Value*: a finite number >= 0.
-    growth
+    ageing_rate
         Growth of the static coefficient for each e-fold of the time of rest. *Value*: a finite
         number >= 0.
-    cut_off
+    ageing_cutoff_time
         Time of rest from which it grows. *Unit*: s. *Value*: a finite number > 0.
     start_angle
         Angle of the incline at the start. *Unit*: rad. *Value*: a finite number >= 0.
-    raise_rate
+    tilt_rate
         Rate at which it is raised, 0 for a fixed one. *Unit*: rad/s. *Value*: a finite number >= 0.
     end_angle
         Angle at which the raising ends. *Unit*: rad. *Value*: a number > 0 and <=
@@ -470,10 +471,10 @@ class InclineScene(Scene):
     gravity: float = 9.81
     mu_static: float = 0.5
     mu_dynamic: float = 0.3
-    growth: float = 0.0
-    cut_off: float = 1.0
+    ageing_rate: float = 0.0
+    ageing_cutoff_time: float = 1.0
     start_angle: float = 0.0
-    raise_rate: float = 0.05
+    tilt_rate: float = 0.05
     end_angle: float = 1.0
     duration: float = 12.0
     samples: int = 400
@@ -503,7 +504,7 @@ class TurntableScene(Scene):
         Dynamic coefficient. *Value*: a finite number >= 0.
     distance
         Distance of the body from the axis of the table. *Unit*: m. *Value*: a finite number > 0.
-    spin_up
+    table_angular_acceleration
         Angular acceleration of the table. *Unit*: rad/s^2. *Value*: a finite number > 0.
     table_radius
         Radius of the table, where the run ends. *Unit*: m. *Value*: a finite number > 0.
@@ -526,7 +527,7 @@ class TurntableScene(Scene):
     mu_static: float = 0.4
     mu_dynamic: float = 0.3
     distance: float = 0.2
-    spin_up: float = 1.0
+    table_angular_acceleration: float = 1.0
     table_radius: float = 0.5
     duration: float = 10.0
     time_step: float = 0.0005
@@ -565,7 +566,7 @@ class ClampScene(Scene):
         Mean of the torque. *Unit*: N m. *Value*: a finite number.
     torque_amplitude
         Amplitude of the torque, in phase with the force. *Unit*: N m. *Value*: a finite number.
-    growth
+    amplitude_growth
         Growth of both amplitudes from cycle to cycle, as a share of the first. *Value*: a finite
         number >= 0.
     period
@@ -591,7 +592,7 @@ class ClampScene(Scene):
     force_amplitude: float = 11.0
     torque_mean: float = 0.0
     torque_amplitude: float = 0.0
-    growth: float = 0.0
+    amplitude_growth: float = 0.0
     period: float = 1.0
     cycles: int = 5
     samples: int = 200
@@ -620,7 +621,7 @@ class PowderScene(Scene):
     radius_spread
         Spread of the radii, which are uniform from 1 - spread to 1 + spread. *Unit*: R. *Value*: a
         number >= 0 and < 1.
-    sizes
+    size_distribution
         Distribution of the radii about their mean, in place of `radius_spread`. *Value*: a
         distribution such as "uniform:0.2", "normal:0.1", "lognormal:0.3" or "table:FILE.csv".
     seed
@@ -637,10 +638,10 @@ class PowderScene(Scene):
     coupling
         How the thresholds of sliding and torsion depend on each other. *Value*: one of
         "independent", "ellipsoid", "exact".
-    share_second
+    second_fraction
         Share of the spheres that are of a second material, chosen at random; those of
         `initial_state` that have materials keep them. *Value*: a number from 0 to 1.
-    density_second
+    second_density
         Density of the second material; that of the first if it is left out. *Unit*: rho. *Value*: a
         finite number > 0.
     mu_second
@@ -662,7 +663,7 @@ class PowderScene(Scene):
     restitution
         Coefficient of restitution: speed after an impact over speed before, at walls too. *Value*:
         a number from 0 to 1.
-    wall
+    wall_contact
         Law at substrate and piston: that of spheres, cohesion only, or neither. *Value*: one of
         "full", "smooth", "none".
     piston_mass
@@ -673,7 +674,7 @@ class PowderScene(Scene):
     stiffness
         Stiffness of soft contacts: the overlap under the force F_coh is R over this number. *Unit*:
         F_coh/R. *Value*: a finite number > 0.
-    damping
+    damping_ratio
         Damping ratio of soft contacts in all modes, unless `restitution` is above 0. *Value*: a
         finite number >= 0.
     normal_law
@@ -683,28 +684,28 @@ class PowderScene(Scene):
         Least number of steps of a collision of soft contacts. *Value*: a number > 2 and <= 10000.
     solver
         Method for the contacts of a step. *Value*: one of "accelerated", "gauss-seidel".
-    order
+    sweep_order
         Order of the contacts in a sweep of gauss-seidel. *Value*: one of "alternating", "fixed",
         "random".
-    stop
-        When gauss-seidel stops: by the change of all or of any contacts, or after `sweeps`.
+    stop_rule
+        When gauss-seidel stops: by the change of all or of any contacts, or after `max_iterations`.
         *Value*: one of "global", "local", "fixed".
     tolerance
         Change of a sweep, relative to P, at which sweeps stop. *Value*: a number > 0 and <= 1.
-    sweeps
-        Most sweeps of a step, N_I; all of them with stop = "fixed". *Value*: a whole number from 1
-        to 1000000.
+    max_iterations
+        Most sweeps of a step, N_I; all of them with stop_rule = "fixed". *Value*: a whole number
+        from 1 to 1000000.
     warm_start
         Whether a step starts from the forces of the last one. *Value*: one of "on", "off".
     max_displacement
         Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
         *Unit*: R. *Value*: a number > 0 and <= 0.5.
-    time_step
+    max_time_step
         Longest time step. *Unit*: sqrt(rho R^4/F_coh). *Value*: a finite number > 0.
     still_speed
         Sleep threshold: slower groups that nothing touches are left alone; with 0 none is. *Unit*:
         sqrt(F_coh/rho)/R. *Value*: a finite number >= 0.
-    blocked
+    blocked_criterion
         Criterion of the end: forces balance and the piston stands, or the piston stands. *Value*:
         one of "balance", "piston".
     max_steps
@@ -725,14 +726,14 @@ class PowderScene(Scene):
     initial_state: str | None = None
     capture_radius: float = 3.0
     radius_spread: float = 0.0
-    sizes: str | None = None
+    size_distribution: str | None = None
     seed: int = 1
     mu: float = 0.3
     mu_rolling: float = 0.0
     mu_torsion: float = 0.0
     coupling: Literal["independent", "ellipsoid", "exact"] = "independent"
-    share_second: float = 0.0
-    density_second: float | None = None
+    second_fraction: float = 0.0
+    second_density: float | None = None
     mu_second: float | None = None
     mu_mixed: float | None = None
     pressure: float = 0.0025
@@ -740,23 +741,23 @@ class PowderScene(Scene):
     cohesion_range: float = 0.01
     attraction: Literal["pull", "resistance"] = "pull"
     restitution: float = 0.0
-    wall: Literal["full", "smooth", "none"] = "full"
+    wall_contact: Literal["full", "smooth", "none"] = "full"
     piston_mass: float = 1000.0
     method: Literal["contact-dynamics", "soft"] = "contact-dynamics"
     stiffness: float | None = None
-    damping: float | None = None
+    damping_ratio: float | None = None
     normal_law: Literal["linear", "hertz"] | None = None
     steps_per_collision: float | None = None
     solver: Literal["accelerated", "gauss-seidel"] = "accelerated"
-    order: Literal["alternating", "fixed", "random"] = "alternating"
-    stop: Literal["global", "local", "fixed"] = "global"
+    sweep_order: Literal["alternating", "fixed", "random"] = "alternating"
+    stop_rule: Literal["global", "local", "fixed"] = "global"
     tolerance: float = 0.0001
-    sweeps: int = 1000
+    max_iterations: int = 1000
     warm_start: Literal["on", "off"] = "on"
     max_displacement: float = 0.05
-    time_step: float = 0.2
+    max_time_step: float = 0.2
     still_speed: float = 1e-07
-    blocked: Literal["balance", "piston"] = "balance"
+    blocked_criterion: Literal["balance", "piston"] = "balance"
     max_steps: int = 200000
     duration: float | None = None
     sample_every: int = 20
@@ -799,7 +800,7 @@ class GrainsScene(Scene):
         and <= 89.
     open_time
         Time at which the slot is opened. *Unit*: s. *Value*: a finite number >= 0.
-    drum_rate
+    drum_angular_velocity
         Rate of rotation of the drum. *Unit*: rad/s. *Value*: a finite number, or a ramp such as
         "0:0, 0.5:1e3, 1:0".
     count
@@ -814,7 +815,7 @@ class GrainsScene(Scene):
     radius_spread
         Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread. *Value*:
         a number >= 0 and < 1.
-    sizes
+    size_distribution
         Distribution of the radii about their mean, in place of `radius_spread`. *Value*: a
         distribution such as "uniform:0.2", "normal:0.1", "lognormal:0.3" or "table:FILE.csv".
     density
@@ -822,15 +823,15 @@ class GrainsScene(Scene):
         *Value*: a finite number > 0.
     seed
         Seed of the random start. *Value*: a whole number from 1 to 9007199254740992.
-    spacing
+    initial_spacing
         Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
         *Value*: a number > 1 and <= 100.
-    share_second
+    second_fraction
         Share of the grains that are of a second material, chosen at random; those of
         `initial_state` that have materials keep them. *Value*: a number from 0 to 1.
-    radius_second
+    second_radius
         Radius of these, in mean radii of the others. *Value*: a number > 0 and <= 100.
-    density_second
+    second_density
         Density of the second material; that of the first if it is left out. *Unit*: kg/m^3.
         *Value*: a finite number > 0.
     mu_second
@@ -861,7 +862,7 @@ class GrainsScene(Scene):
     coupling
         How the thresholds of sliding and torsion depend on each other. *Value*: one of
         "independent", "ellipsoid", "exact".
-    wall
+    wall_contact
         Law at walls: that of grains, cohesion only, or neither. *Value*: one of "full", "smooth",
         "none".
     gravity
@@ -870,34 +871,34 @@ class GrainsScene(Scene):
     gravity_angle
         Angle by which gravity leans from -z towards x. *Unit*: degree. *Value*: a finite number, or
         a ramp such as "0:0, 0.5:1e3, 1:0".
-    pressure_x
+    wall_stress_x
         Stress on the wall at the far end of x, which moves as a piston. *Unit*: Pa. *Value*: a
         finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
-    pressure_y
+    wall_stress_y
         Stress on the wall at the far end of y, which moves as a piston. *Unit*: Pa. *Value*: a
         finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
-    pressure_z
+    wall_stress_z
         Stress on the plate above, which moves as a piston without weight. *Unit*: Pa. *Value*: a
         finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
     piston_mass
         Mass of every piston; that of all grains together if it is left out. *Unit*: kg. *Value*: a
         finite number > 0.
-    velocity_x
+    wall_velocity_x
         Speed of the wall at the far end of x along x; negative compresses. *Unit*: m/s. *Value*: a
         finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
-    velocity_y
+    wall_velocity_y
         Speed of the wall at the far end of y along y; negative compresses. *Unit*: m/s. *Value*: a
         finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
-    velocity_z
+    wall_velocity_z
         Speed of the plate above along z; negative compresses. *Unit*: m/s. *Value*: a finite
         number, or a ramp such as "0:0, 0.5:1e3, 1:0".
-    plate_speed
+    lid_speed_x
         Speed of the plate above along x, which shears the grains. *Unit*: m/s. *Value*: a finite
         number, or a ramp such as "0:0, 0.5:1e3, 1:0".
     shear_rate
         Rate at which a box without walls along x and z is sheared: speed along x over height along
         z. *Unit*: 1/s. *Value*: a finite number.
-    wall_speed
+    side_wall_speed_z
         Speed of the walls along x and y upwards, which mobilizes their friction; negative
         downwards. *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
     shake_amplitude
@@ -907,7 +908,7 @@ class GrainsScene(Scene):
         Frequency of the shaking. *Unit*: 1/s. *Value*: a finite number >= 0.
     shake_axis
         Direction of the shaking. *Value*: one of "x", "y", "z".
-    repeat
+    ramp_period
         Time after which all ramps start again; without it they are followed once. *Unit*: s.
         *Value*: a finite number > 0.
     method
@@ -915,7 +916,7 @@ class GrainsScene(Scene):
         "contact-dynamics", "soft".
     stiffness
         Stiffness of soft contacts: force over overlap. *Unit*: N/m. *Value*: a finite number > 0.
-    damping
+    damping_ratio
         Damping ratio of soft contacts in all modes, unless `restitution` is above 0. *Value*: a
         finite number >= 0.
     normal_law
@@ -925,12 +926,12 @@ class GrainsScene(Scene):
         Least number of steps of a collision of soft contacts. *Value*: a number > 2 and <= 10000.
     tolerance
         Change of a sweep, relative to P, at which sweeps stop. *Value*: a number > 0 and <= 1.
-    sweeps
+    max_iterations
         Most sweeps of a step. *Value*: a whole number from 1 to 1000000.
     max_displacement
         Largest distance that a grain may move in a step, in mean radii; soft contacts divide it
         into stable ones. *Value*: a number > 0 and <= 0.5.
-    time_step
+    max_time_step
         Longest time step; if it is left out, the time in which gravity moves a grain by
         `max_displacement` from rest, and at most a hundredth of `duration`. *Unit*: s. *Value*: a
         finite number > 0.
@@ -959,18 +960,18 @@ class GrainsScene(Scene):
     orifice_height: float = 0.1
     hopper_angle: float = 45.0
     open_time: float = 0.0
-    drum_rate: float | str = 1.0
+    drum_angular_velocity: float | str = 1.0
     count: int | None = 100
     initial_state: str | None = None
     radius: float = 0.005
     radius_spread: float = 0.0
-    sizes: str | None = None
+    size_distribution: str | None = None
     density: float = 2500.0
     seed: int = 1
-    spacing: float = 1.2
-    share_second: float = 0.0
-    radius_second: float = 1.0
-    density_second: float | None = None
+    initial_spacing: float = 1.2
+    second_fraction: float = 0.0
+    second_radius: float = 1.0
+    second_density: float | None = None
     mu_second: float | None = None
     mu_mixed: float | None = None
     cohesion: float = 0.0
@@ -981,32 +982,32 @@ class GrainsScene(Scene):
     mu_rolling: float = 0.0
     mu_torsion: float = 0.0
     coupling: Literal["independent", "ellipsoid", "exact"] = "independent"
-    wall: Literal["full", "smooth", "none"] = "full"
+    wall_contact: Literal["full", "smooth", "none"] = "full"
     gravity: float | str = 9.81
     gravity_angle: float | str = 0.0
-    pressure_x: float | str | None = None
-    pressure_y: float | str | None = None
-    pressure_z: float | str | None = None
+    wall_stress_x: float | str | None = None
+    wall_stress_y: float | str | None = None
+    wall_stress_z: float | str | None = None
     piston_mass: float | None = None
-    velocity_x: float | str | None = None
-    velocity_y: float | str | None = None
-    velocity_z: float | str | None = None
-    plate_speed: float | str = 0.0
+    wall_velocity_x: float | str | None = None
+    wall_velocity_y: float | str | None = None
+    wall_velocity_z: float | str | None = None
+    lid_speed_x: float | str = 0.0
     shear_rate: float | None = None
-    wall_speed: float | str = 0.0
+    side_wall_speed_z: float | str = 0.0
     shake_amplitude: float = 0.0
     shake_frequency: float = 25.0
     shake_axis: Literal["x", "y", "z"] = "z"
-    repeat: float | None = None
+    ramp_period: float | None = None
     method: Literal["contact-dynamics", "soft"] = "contact-dynamics"
     stiffness: float | None = None
-    damping: float | None = None
+    damping_ratio: float | None = None
     normal_law: Literal["linear", "hertz"] | None = None
     steps_per_collision: float | None = None
     tolerance: float = 0.0001
-    sweeps: int = 1000
+    max_iterations: int = 1000
     max_displacement: float = 0.05
-    time_step: float | None = None
+    max_time_step: float | None = None
     duration: float = 1.0
     rest_speed: float | None = None
     max_steps: int = 10000000
@@ -1021,18 +1022,18 @@ class GasScene(Scene):
     ----------
     count
         Number of spheres. *Value*: a whole number from 1 to 1000000.
-    fraction
+    packing_fraction
         Packing fraction: share of the cube that the spheres fill. *Value*: a number > 0 and <= 0.6.
     restitution
         Coefficient of restitution: normal speed after a collision over that before. *Value*: a
         number from 0 to 1.
-    tangential
+    tangential_restitution
         Tangential restitution, from -1 (smooth) to 1; if left out spheres are smooth, or stop under
         friction. *Value*: a number > -1 and <= 1.
     mu
         Sliding coefficient mu that limits the tangential impulse; if left out there is no such
         limit. *Value*: a finite number >= 0.
-    rotational
+    rotational_temperature
         Temperature of the spins at the start. *Unit*: T0. *Value*: a finite number >= 0.
     contact_time
         Contact time t_c: a collision sooner after a sphere's last one loses no energy; 0 for none.
@@ -1040,7 +1041,7 @@ class GasScene(Scene):
     seed
         Seed of the places and velocities at the start. *Value*: a whole number from 1 to
         9007199254740992.
-    mixing
+    mixing_collisions
         Collisions a sphere without loss, before the run, that mix the start. *Value*: a finite
         number >= 0.
     collisions
@@ -1069,14 +1070,14 @@ class GasScene(Scene):
     BODY: ClassVar[str] = "gas"
 
     count: int = 1000
-    fraction: float = 0.05
+    packing_fraction: float = 0.05
     restitution: float = 0.9
-    tangential: float | None = None
+    tangential_restitution: float | None = None
     mu: float | None = None
-    rotational: float = 0.0
+    rotational_temperature: float = 0.0
     contact_time: float = 0.0
     seed: int = 1
-    mixing: float = 20.0
+    mixing_collisions: float = 20.0
     collisions: float = 30.0
     duration: float | None = None
     sample_every: float = 0.5
@@ -1099,9 +1100,9 @@ class TipScene(Scene):
         eps/sigma. *Value*: "lennard-jones", "sutton-chen:Cu" or another metal, or "eam:FILE".
     spacing
         Distance of neighbours in a Lennard-Jones crystal, at most 2; the default is that of the
-        potential's minimum. A metal's follows from its potential, see `expansion`. *Unit*: sigma.
-        *Value*: a number > 0.5 and <= 10.
-    expansion
+        potential's minimum. A metal's follows from its potential, see `lattice_expansion`. *Unit*:
+        sigma. *Value*: a number > 0.5 and <= 10.
+    lattice_expansion
         Part by which the crystals of a metal are wider than at zero temperature and pressure.
         *Value*: a number > -0.2 and <= 0.2.
     face
@@ -1110,9 +1111,9 @@ class TipScene(Scene):
     tip_face
         Face of the tip's crystal that is parallel to its layers. *Value*: one of "fcc111",
         "fcc100", "fcc110".
-    columns
+    substrate_columns
         Atoms along x in a layer of the substrate, periodic. *Value*: a whole number from 1 to 1000.
-    rows
+    substrate_rows
         Rows of atoms along y, an even number for fcc111, periodic. *Value*: a whole number from 1
         to 1000.
     substrate_layers
@@ -1121,12 +1122,12 @@ class TipScene(Scene):
     tip_layers
         Layers of the tip: two driven, two with a thermostat, the rest free. *Value*: a whole number
         from 4 to 100.
-    side
+    tip_side_atoms
         Atoms on a side of the tip's top layer, or from its middle to its rim. *Value*: a whole
         number from 1 to 300.
     outline
         Outline of the tip's layers. *Value*: one of "hexagon", "disk", "cone".
-    orientation
+    tip_orientation
         Angle by which the tip's close-packed rows are turned out of those of the substrate. *Unit*:
         degree. *Value*: a number > -180 and <= 180.
     raise_
@@ -1137,7 +1138,7 @@ class TipScene(Scene):
         spring. *Value*: one of "torque", "slide".
     speed
         Speed of the support. *Unit*: sigma/tau. *Value*: a finite number > 0.
-    direction
+    drive_angle
         Direction in which the support moves, from the close-packed rows of the substrate along x.
         *Unit*: degree. *Value*: a number > -360 and <= 360.
     stiffness
@@ -1152,7 +1153,7 @@ class TipScene(Scene):
     reading
         Meaning of lambda: the force at a distance of sigma from the axis, or the mean or largest
         force. *Value*: one of "angular", "mean", "largest".
-    hold
+    driven_constraint
         How driven layers are held: z of each atom fixed, or z common and free under `load`.
         *Value*: one of "plane", "level".
     load
@@ -1164,21 +1165,21 @@ class TipScene(Scene):
     shift
         How the Lennard-Jones potential is shifted at the cut-off. *Value*: one of "none", "energy",
         "force".
-    adhesion
+    adhesion_energy
         Depth of the Lennard-Jones potential between tip and substrate. *Unit*: eps. *Value*: a
         finite number > 0.
     temperature
         Target temperature of the thermostats. *Unit*: eps/k_B. *Value*: a finite number >= 0.
     thermostat
         Thermostat of the bath layers. *Value*: one of "nose-hoover", "langevin", "none".
-    relaxation
+    thermostat_time
         Relaxation time of the Nose-Hoover thermostat. *Unit*: tau. *Value*: a finite number > 0.
-    friction
+    langevin_rate
         Rate of the Langevin thermostat. *Unit*: 1/tau. *Value*: a finite number > 0.
     spin
         Whether the tip's common motion is heat for its thermostat: the rotation of a turned tip
         (Nose-Hoover only), the velocity of a slid one. *Value*: one of "spared", "counts".
-    damping
+    drive_damping_rate
         Damping rate gamma of the driven atoms: the force on each is -gamma m v, with v relative to
         the support of a slid tip. *Unit*: 1/tau. *Value*: a finite number >= 0.
     equilibration
@@ -1206,35 +1207,35 @@ class TipScene(Scene):
 
     potential: str = "lennard-jones"
     spacing: float = 1.122462048309373
-    expansion: float = 0.0
+    lattice_expansion: float = 0.0
     face: Literal["fcc111", "fcc100", "fcc110"] = "fcc111"
     tip_face: Literal["fcc111", "fcc100", "fcc110"] = "fcc111"
-    columns: int = 28
-    rows: int = 28
+    substrate_columns: int = 28
+    substrate_rows: int = 28
     substrate_layers: int = 6
     tip_layers: int = 6
-    side: int = 10
+    tip_side_atoms: int = 10
     outline: Literal["hexagon", "disk", "cone"] = "hexagon"
-    orientation: float = 0.0
+    tip_orientation: float = 0.0
     raise_: float = 0.0
     drive: Literal["torque", "slide"] = "torque"
     speed: float | None = None
-    direction: float | None = None
+    drive_angle: float | None = None
     stiffness: float | None = None
     stroke: float | None = None
     lambda_: float | None = 0.017
     reading: Literal["angular", "mean", "largest"] = "angular"
-    hold: Literal["plane", "level"] = "plane"
+    driven_constraint: Literal["plane", "level"] = "plane"
     load: float | None = None
     cutoff: float = 2.5
     shift: Literal["none", "energy", "force"] = "none"
-    adhesion: float = 1.0
+    adhesion_energy: float = 1.0
     temperature: float = 0.1
     thermostat: Literal["nose-hoover", "langevin", "none"] = "nose-hoover"
-    relaxation: float = 0.5
-    friction: float = 1.0
+    thermostat_time: float = 0.5
+    langevin_rate: float = 1.0
     spin: Literal["spared", "counts"] = "spared"
-    damping: float = 0.1
+    drive_damping_rate: float = 0.1
     equilibration: float = 50.0
     drive_time: float = 200.0
     rest_time: float = 100.0

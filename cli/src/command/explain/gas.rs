@@ -17,8 +17,8 @@ pub fn text(scene: &GasScene) -> Result<String, Failure> {
     );
     text += &line("method", method(scene));
     let (g, rate) = (
-        contact_value(scene.fraction),
-        collision_rate(scene.fraction, 1.0),
+        contact_value(scene.packing_fraction),
+        collision_rate(scene.packing_fraction, 1.0),
     );
     text += &line(
         "Enskog",

@@ -62,7 +62,7 @@ pub fn text(scene: &GrainsScene) -> Result<String, Failure> {
 /// Sweeps, or springs with the overlap under the weight of one grain.
 fn solver(scene: &GrainsScene, longest: f64) -> String {
     let Some(step) = stable_step(scene) else {
-        let (tolerance, sweeps) = (scene.tolerance, scene.sweeps);
+        let (tolerance, sweeps) = (scene.tolerance, scene.max_iterations);
         let how = format!(
             "accelerated Gauss-Seidel to {tolerance:e}, at most {sweeps} sweeps a step; where they miss it, \
              an interior point method if that is not much dearer"
@@ -76,7 +76,7 @@ fn solver(scene: &GrainsScene, longest: f64) -> String {
     springs(&Springs {
         stiffness,
         units: ["N/m", "Pa"],
-        damping: scene.damping,
+        damping: scene.damping_ratio,
         restitution: scene.restitution,
         overlap: ("the weight of a grain", format!("{} m", shown(overlap))),
         steps: [step, longest],

@@ -197,13 +197,13 @@ fn solver(scene: &PowderScene) -> String {
         return springs(&Springs {
             stiffness,
             units: ["F_coh/R", "F_coh/R^2"],
-            damping: scene.damping,
+            damping: scene.damping_ratio,
             restitution: scene.restitution,
             overlap: (
                 "a force of F_coh",
                 format!("{} R", shown(stiffness.overlap(1.0, 0.5))),
             ),
-            steps: [step, scene.time_step],
+            steps: [step, scene.max_time_step],
             per_collision: scene.steps_per_collision,
         });
     }

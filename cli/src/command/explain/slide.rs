@@ -21,8 +21,8 @@ pub fn disk(scene: &DiskScene) -> Result<String, Failure> {
     text += &line("patch", "disk under uniform pressure");
     text += &line("friction", scene.evaluation()?.to_string());
     text += &line(
-        "stepper",
-        match scene.stepper {
+        "integrator",
+        match scene.integrator {
             SliderIntegrator::Exact => "exact: adaptive, stops at the instant of rest",
             SliderIntegrator::Verlet => "verlet: fixed steps, as the thesis has it",
         },
@@ -37,7 +37,7 @@ pub fn planar(scene: &dyn PlanarScene, laws: &str) -> Result<String, Failure> {
     text += laws;
     text += &line("friction", scene.evaluation()?.to_string());
     text += &line(
-        "stepper",
+        "integrator",
         "in the logarithm of the speed, adaptive, stops at the instant of rest",
     );
     Ok(text + &cost_text(&cost, ", with the lateral force and the lean"))
@@ -47,7 +47,7 @@ pub fn planar(scene: &dyn PlanarScene, laws: &str) -> Result<String, Failure> {
 pub fn cylinder(scene: &CylinderScene) -> String {
     line("law", law(scene.law, scene.alpha, scene.gamma))
         + &line("patch", pressure(scene.pressure))
-        + &leaning(scene.gradient, scene.tipping)
+        + &leaning(scene.pressure_gradient, scene.on_tipping)
 }
 
 /// Laws of a pipe.
@@ -56,7 +56,7 @@ pub fn pipe(scene: &PipeScene) -> String {
     let patch = format!("annulus from {inner:.4} to 1 radii under uniform pressure");
     line("law", law(scene.law, scene.alpha, scene.gamma))
         + &line("patch", patch)
-        + &leaning(scene.gradient, scene.tipping)
+        + &leaning(scene.pressure_gradient, scene.on_tipping)
 }
 
 fn leaning(gradient: Gradient, tipping: Tipping) -> String {

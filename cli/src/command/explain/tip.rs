@@ -98,10 +98,10 @@ fn potential(scene: &TipScene) -> String {
         Shift::Energy => "shifted to zero energy",
         Shift::Force => "shifted to zero force",
     };
-    let species = if scene.adhesion == 1.0 {
+    let species = if scene.adhesion_energy == 1.0 {
         "all atoms alike".to_owned()
     } else {
-        format!("{} eps between tip and substrate", scene.adhesion)
+        format!("{} eps between tip and substrate", scene.adhesion_energy)
     };
     format!("Lennard-Jones, {shift} at the cut-off, {species}")
 }
@@ -109,7 +109,11 @@ fn potential(scene: &TipScene) -> String {
 fn thermostat(scene: &TipScene) -> String {
     let groups = scene.thermostat_groups();
     let [_, tau, _, kelvin] = units(scene);
-    let (relaxation, rate, heat) = (scene.relaxation, scene.friction, scene.temperature);
+    let (relaxation, rate, heat) = (
+        scene.thermostat_time,
+        scene.langevin_rate,
+        scene.temperature,
+    );
     match scene.thermostat {
         ThermostatKind::NoseHoover => format!(
             "Nose-Hoover on {groups} groups, one unknown each, relaxation {relaxation} {tau}, T = {heat} {kelvin}"
@@ -122,7 +126,7 @@ fn thermostat(scene: &TipScene) -> String {
 }
 
 fn driven(scene: &TipScene) -> String {
-    let lift = match scene.hold {
+    let lift = match scene.driven_constraint {
         DrivenHold::Plane => "height of each atom fixed".to_owned(),
         DrivenHold::Level => {
             let [length, _, energy, _] = units(scene);
@@ -154,7 +158,7 @@ fn driven(scene: &TipScene) -> String {
          {lift}",
         scene.lambda,
         scene.lambda * largest / length,
-        scene.damping
+        scene.drive_damping_rate
     )
 }
 
@@ -170,9 +174,9 @@ fn slid(scene: &TipScene, lift: &str) -> String {
         "support at {speed} {length}/{time} over {} {length} {turns}, {} degrees from the rows, spring of {} \
          {energy}/{length}^2; damping {} / {time}, {lift}",
         shown(path),
-        scene.direction,
+        scene.drive_angle,
         scene.stiffness,
-        scene.damping
+        scene.drive_damping_rate
     )
 }
 

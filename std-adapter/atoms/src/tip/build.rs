@@ -56,11 +56,11 @@ pub struct TipSystem {
 /// use tribos::tip::{BuildError, AtomRole, TipSystem, build};
 /// let mut scene = TipScene {
 ///     lambda: 0.01,
-///     columns: 8,
-///     rows: 8,
+///     substrate_columns: 8,
+///     substrate_rows: 8,
 ///     substrate_layers: 4,
 ///     tip_layers: 4,
-///     side: 2,
+///     tip_side_atoms: 2,
 ///     ..TipScene::default()
 /// };
 /// let TipSystem { setup, support, layer_of } = build(&scene)?;
@@ -123,7 +123,7 @@ fn atoms(scene: &TipScene, sites: &[Site]) -> Atoms {
         atoms.masses = vec![substrate; 1 + usize::from(species[1])];
         atoms.masses[usize::from(species[1])] = tip;
         atoms.species = sites.iter().map(|site| of_site(species, site)).collect();
-    } else if scene.adhesion != 1.0 {
+    } else if scene.adhesion_energy != 1.0 {
         atoms.masses = vec![1.0; 2];
         atoms.species = sites.iter().map(|site| of_site([0, 1], site)).collect();
     }
@@ -143,12 +143,12 @@ fn lennard_jones(scene: &TipScene) -> Result<LennardJones, LennardJonesError> {
         sigma: 1.0,
         cutoff: scene.cutoff,
     };
-    if scene.adhesion == 1.0 {
+    if scene.adhesion_energy == 1.0 {
         return LennardJones::single(like, scene.shift);
     }
     let mut potential = LennardJones::mixed(&[like, like], Mixing::default(), scene.shift)?;
     let across = Pairing {
-        epsilon: scene.adhesion,
+        epsilon: scene.adhesion_energy,
         ..like
     };
     potential.set(0, 1, across)?;
@@ -172,8 +172,8 @@ fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
             }
             AtomRole::Surface | AtomRole::Apex => {}
             AtomRole::Driven => {
-                group.damping = scene.damping;
-                (group.hold, group.load) = match scene.hold {
+                group.damping = scene.drive_damping_rate;
+                (group.hold, group.load) = match scene.driven_constraint {
                     DrivenHold::Plane => (MotionConstraint::Plane, 0.0),
                     DrivenHold::Level => (MotionConstraint::Level, scene.lift()),
                 };
@@ -197,10 +197,10 @@ fn thermostat(scene: &TipScene, wanted: RotationBias) -> Result<Thermostat, Ther
                 ThermostatBias::Spared => wanted,
                 ThermostatBias::Counts => RotationBias::Counts,
             };
-            Thermostat::NoseHoover(NoseHoover::new(temperature, scene.relaxation, spin)?)
+            Thermostat::NoseHoover(NoseHoover::new(temperature, scene.thermostat_time, spin)?)
         }
         ThermostatKind::Langevin => {
-            Thermostat::Langevin(Langevin::new(temperature, scene.friction)?)
+            Thermostat::Langevin(Langevin::new(temperature, scene.langevin_rate)?)
         }
         ThermostatKind::None => Thermostat::None,
     })
@@ -228,7 +228,7 @@ fn support(scene: &TipScene, sites: &[Site]) -> Option<Support> {
     let speed = scene.speed.filter(|_| scene.drive == DriveKind::Slide)?;
     let driven = sites.iter().filter(|site| site.part == AtomRole::Driven);
     let anchors: Vec<[f64; 2]> = driven.map(|site| [site.place.x, site.place.y]).collect();
-    let (sin, cos) = libm::sincos(scene.direction.to_radians());
+    let (sin, cos) = libm::sincos(scene.drive_angle.to_radians());
     let [from, until] = drive_times(scene);
     Some(Support {
         group: AtomRole::ALL.len() - 1,

@@ -47,7 +47,7 @@ impl TipScene {
             _ => 3,
         };
         let sites = self.shape().sites();
-        let common = usize::from(self.hold == DrivenHold::Level);
+        let common = usize::from(self.driven_constraint == DrivenHold::Level);
         sites.iter().map(|site| of(site.part)).sum::<usize>() + common
     }
 }
@@ -97,11 +97,11 @@ pub fn size(scene: &TipScene) -> RunSize {
 /// use tribos::tip::{TipCost, cost};
 /// let scene = TipScene {
 ///     lambda: 0.01,
-///     columns: 8,
-///     rows: 8,
+///     substrate_columns: 8,
+///     substrate_rows: 8,
 ///     substrate_layers: 4,
 ///     tip_layers: 4,
-///     side: 2,
+///     tip_side_atoms: 2,
 ///     equilibration: 50.0,
 ///     drive_time: 1.0,
 ///     rest_time: 100.0,
@@ -178,8 +178,8 @@ mod tests {
 
     #[test]
     fn atoms_pairs_and_steps_are_those_of_the_crystal() {
-        let keys = "body = \"tip\"\nlambda = 0.01\ncolumns = 10\nrows = 12\nsubstrate_layers = 4\n\
-                    tip_layers = 4\nside = 2\ncutoff = 1.2\ndrive_time = 1\n";
+        let keys = "body = \"tip\"\nlambda = 0.01\nsubstrate_columns = 10\nsubstrate_rows = 12\nsubstrate_layers = 4\n\
+                    tip_layers = 4\ntip_side_atoms = 2\ncutoff = 1.2\ndrive_time = 1\n";
         let scene = TipScene::parse("tip.toml", keys, &[]).unwrap();
         let cost = cost(&scene).unwrap();
         // Two layers of 10 × 12 a part below, two hexagons of 7 atoms a part above.

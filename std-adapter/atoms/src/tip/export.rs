@@ -22,11 +22,11 @@ const ROOM: f64 = 10.0;
 /// use tribos::tip::{build, export::{Export, data, start}};
 /// let scene = TipScene {
 ///     lambda: 0.01,
-///     columns: 8,
-///     rows: 8,
+///     substrate_columns: 8,
+///     substrate_rows: 8,
 ///     substrate_layers: 4,
 ///     tip_layers: 4,
-///     side: 2,
+///     tip_side_atoms: 2,
 ///     ..TipScene::default()
 /// };
 /// let files: Export = start(&scene)?;
@@ -164,8 +164,8 @@ fn pair(scene: &TipScene) -> String {
         text += &format!("pair_modify shift {shift}\n");
     }
     text += "pair_coeff * * 1 1\n";
-    if scene.adhesion != 1.0 {
-        text += &format!("pair_coeff 1*3 4*6 {} 1\n", number(scene.adhesion));
+    if scene.adhesion_energy != 1.0 {
+        text += &format!("pair_coeff 1*3 4*6 {} 1\n", number(scene.adhesion_energy));
     }
     text
 }
@@ -180,7 +180,7 @@ fn motion(scene: &TipScene) -> String {
         // At T = 0 it does nothing here, and LAMMPS refuses it.
         ThermostatKind::NoseHoover if scene.temperature == 0.0 => plain.into(),
         ThermostatKind::NoseHoover => {
-            let relaxation = number(scene.relaxation);
+            let relaxation = number(scene.thermostat_time);
             let fix = format!("nvt temp {temperature} {temperature} {relaxation} tchain 1");
             format!(
                 "# The rotation of the tip's bath counts as heat here: LAMMPS needs the package\n\
@@ -192,11 +192,11 @@ fn motion(scene: &TipScene) -> String {
         ThermostatKind::Langevin => format!(
             "fix move mobile nve\n\
              fix noise baths langevin {temperature} {temperature} {} {seed}\n",
-            number(1.0 / scene.friction)
+            number(1.0 / scene.langevin_rate)
         ),
         ThermostatKind::None => plain.into(),
     };
-    text += &match scene.hold {
+    text += &match scene.driven_constraint {
         DrivenHold::Plane => "fix height driven setforce NULL NULL 0\n".to_owned(),
         DrivenHold::Level => format!(
             "# LAMMPS shares the load and the substrate's push among the driven atoms.\n\
@@ -204,8 +204,11 @@ fn motion(scene: &TipScene) -> String {
             number(scene.lift())
         ),
     };
-    if scene.damping != 0.0 {
-        text += &format!("fix damping driven viscous {}\n", number(scene.damping));
+    if scene.drive_damping_rate != 0.0 {
+        text += &format!(
+            "fix damping driven viscous {}\n",
+            number(scene.drive_damping_rate)
+        );
     }
     if scene.integrator == Integrator::LeapFrog {
         text += "# LAMMPS has velocity Verlet: the same places, velocities half a step on.\n";

@@ -31,11 +31,11 @@ impl TipSimulation {
     /// use tribos::tip::TipSimulation;
     /// let scene = TipScene {
     ///     lambda: 0.01,
-    ///     columns: 8,
-    ///     rows: 8,
+    ///     substrate_columns: 8,
+    ///     substrate_rows: 8,
     ///     substrate_layers: 4,
     ///     tip_layers: 4,
-    ///     side: 2,
+    ///     tip_side_atoms: 2,
     ///     ..TipScene::default()
     /// };
     /// let run = TipSimulation::new(&scene)?;

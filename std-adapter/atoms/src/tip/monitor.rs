@@ -183,7 +183,7 @@ impl RunMonitor {
 /// Energy of atoms, springs and load.
 fn stored_energy(scene: &TipScene, system: &System<TipForces>) -> f64 {
     let kinetic: f64 = kinetic_energies(system).iter().sum();
-    let lifted = match scene.hold {
+    let lifted = match scene.driven_constraint {
         DrivenHold::Plane => 0.0,
         DrivenHold::Level => {
             let driven = system.members(AtomRole::ALL.len() - 1).iter();

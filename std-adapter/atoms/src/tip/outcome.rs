@@ -67,11 +67,11 @@ pub struct AnglePlateau {
 /// // A weak torque for a moment: nothing can slip, nothing stays turned.
 /// let scene = TipScene {
 ///     lambda: 0.001,
-///     columns: 8,
-///     rows: 8,
+///     substrate_columns: 8,
+///     substrate_rows: 8,
 ///     substrate_layers: 4,
 ///     tip_layers: 4,
-///     side: 2,
+///     tip_side_atoms: 2,
 ///     temperature: 0.0,
 ///     equilibration: 0.0,
 ///     drive_time: 0.1,

@@ -65,11 +65,11 @@ pub enum TipError {
 /// // A cold tip that is pushed for a moment: too short for the lattice to push back.
 /// let scene = TipScene {
 ///     lambda: 0.01,
-///     columns: 8,
-///     rows: 8,
+///     substrate_columns: 8,
+///     substrate_rows: 8,
 ///     substrate_layers: 4,
 ///     tip_layers: 4,
-///     side: 2,
+///     tip_side_atoms: 2,
 ///     temperature: 0.0,
 ///     equilibration: 0.0,
 ///     drive_time: 0.04,

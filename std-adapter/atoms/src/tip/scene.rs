@@ -114,11 +114,11 @@ scene! {
     /// ```
     /// use tribos::{run::Simulation, scene::TipScene, tip::TipSimulation};
     /// let scene = TipScene {
-    ///     columns: 8,
-    ///     rows: 8,
+    ///     substrate_columns: 8,
+    ///     substrate_rows: 8,
     ///     substrate_layers: 4,
     ///     tip_layers: 4,
-    ///     side: 2,
+    ///     tip_side_atoms: 2,
     ///     ..TipScene::default()
     /// };
     /// let mut run = TipSimulation::new(&scene)?;
@@ -132,11 +132,11 @@ scene! {
     /// in K and forces in eV/A where other keys say sigma, eps, tau, eps/k_B and eps/sigma.
     potential: TipPotential = TipPotential::default(), "-", POTENTIAL;
     /// Distance of neighbours in a Lennard-Jones crystal, at most 2; the default is that of the potential's
-    /// minimum. A metal's follows from its potential, see `expansion`.
+    /// minimum. A metal's follows from its potential, see `lattice_expansion`.
     // 2^(1/6) (thesis, section 5.3).
     spacing: f64 = 1.122_462_048_309_373, "sigma", Between { above: 0.5, up_to: 10.0 };
     /// Part by which the crystals of a metal are wider than at zero temperature and pressure.
-    expansion: f64 = 0.0, "-", Between { above: -0.2, up_to: 0.2 };
+    lattice_expansion was expansion: f64 = 0.0, "-", Between { above: -0.2, up_to: 0.2 };
     /// Face of the substrate's crystal that is parallel to its layers; close-packed rows are along x.
     face: CrystalFace = CrystalFace::Fcc111, "-", OneOf(CrystalFace::WORDS);
     /// Face of the tip's crystal that is parallel to its layers.
@@ -144,19 +144,19 @@ scene! {
     /// Atoms along x in a layer of the substrate, periodic.
     // 6330 atoms as six layers of 28 × 28 and six hexagons of ten a side: an inference from the
     // number.
-    columns: usize = 28, "-", Count { from: 1.0, up_to: 1000.0 };
+    substrate_columns was columns: usize = 28, "-", Count { from: 1.0, up_to: 1000.0 };
     /// Rows of atoms along y, an even number for fcc111, periodic.
-    rows: usize = 28, "-", Count { from: 1.0, up_to: 1000.0 };
+    substrate_rows was rows: usize = 28, "-", Count { from: 1.0, up_to: 1000.0 };
     /// Layers of the substrate: two frozen, two with a thermostat, the rest free.
     substrate_layers: usize = 6, "-", Count { from: LEAST_LAYERS, up_to: 100.0 };
     /// Layers of the tip: two driven, two with a thermostat, the rest free.
     tip_layers: usize = 6, "-", Count { from: LEAST_LAYERS, up_to: 100.0 };
     /// Atoms on a side of the tip's top layer, or from its middle to its rim.
-    side: usize = 10, "-", Count { from: 1.0, up_to: 300.0 };
+    tip_side_atoms was side: usize = 10, "-", Count { from: 1.0, up_to: 300.0 };
     /// Outline of the tip's layers.
     outline: TipOutline = TipOutline::Hexagon, "-", OneOf(TipOutline::WORDS);
     /// Angle by which the tip's close-packed rows are turned out of those of the substrate.
-    orientation: f64 = 0.0, "degree", Between { above: -180.0, up_to: 180.0 };
+    tip_orientation was orientation: f64 = 0.0, "degree", Between { above: -180.0, up_to: 180.0 };
     /// Height of the driven layers above their place in the crystal.
     raise: f64 = 0.0, "sigma", Finite;
     /// What moves the tip: a torque on the driven layers, or a support that pulls them through a spring.
@@ -164,7 +164,7 @@ scene! {
     /// Speed of the support.
     speed: Option<f64> = None, "sigma/tau", Positive, PartOf("drive", "slide");
     /// Direction in which the support moves, from the close-packed rows of the substrate along x.
-    direction: f64 = 0.0, "degree", Between { above: -360.0, up_to: 360.0 }, PartOf("drive", "slide");
+    drive_angle was direction: f64 = 0.0, "degree", Between { above: -360.0, up_to: 360.0 }, PartOf("drive", "slide");
     /// Stiffness of the spring between the support and the driven layers.
     stiffness: f64 = 10.0, "eps/sigma^2", Positive, PartOf("drive", "slide");
     /// Way of the support from one turning point to the next; if left out it does not turn.
@@ -174,31 +174,31 @@ scene! {
     /// Meaning of lambda: the force at a distance of sigma from the axis, or the mean or largest force.
     reading: TorqueNormalisation = TorqueNormalisation::Angular, "-", OneOf(TorqueNormalisation::WORDS);
     /// How driven layers are held: z of each atom fixed, or z common and free under `load`.
-    hold: DrivenHold = DrivenHold::Plane, "-", OneOf(DrivenHold::WORDS);
+    driven_constraint was hold: DrivenHold = DrivenHold::Plane, "-", OneOf(DrivenHold::WORDS);
     /// Force on each driven atom towards the substrate; if left out it is 0.
-    load: Option<f64> = None, "eps/sigma", Finite, OnlyWith("hold", "level");
+    load: Option<f64> = None, "eps/sigma", Finite, OnlyWith("driven_constraint", "level");
     /// Cut-off radius of the Lennard-Jones potential; a metal has its own.
     // A usual choice; the thesis gives none, here and where no other source is named.
     cutoff: f64 = 2.5, "sigma", Between { above: 1.0, up_to: 10.0 };
     /// How the Lennard-Jones potential is shifted at the cut-off.
     shift: Shift = Shift::None, "-", OneOf(<Shift as Word>::WORDS);
     /// Depth of the Lennard-Jones potential between tip and substrate.
-    adhesion: f64 = 1.0, "eps", Positive;
+    adhesion_energy was adhesion: f64 = 1.0, "eps", Positive;
     /// Target temperature of the thermostats.
     // Thesis, section 5.3.
     temperature: f64 = 0.1, "eps/k_B", NotNegative;
     /// Thermostat of the bath layers.
     thermostat: ThermostatKind = ThermostatKind::NoseHoover, "-", OneOf(ThermostatKind::WORDS);
     /// Relaxation time of the Nose-Hoover thermostat.
-    relaxation: f64 = 0.5, "tau", Positive;
+    thermostat_time was relaxation: f64 = 0.5, "tau", Positive;
     /// Rate of the Langevin thermostat.
-    friction: f64 = 1.0, "1/tau", Positive;
+    langevin_rate was friction: f64 = 1.0, "1/tau", Positive;
     /// Whether the tip's common motion is heat for its thermostat: the rotation of a turned tip
     /// (Nose-Hoover only), the velocity of a slid one.
     spin: ThermostatBias = ThermostatBias::Spared, "-", OneOf(ThermostatBias::WORDS);
     /// Damping rate gamma of the driven atoms: the force on each is -gamma m v, with v relative to
     /// the support of a slid tip.
-    damping: f64 = 0.1, "1/tau", NotNegative;
+    drive_damping_rate was damping: f64 = 0.1, "1/tau", NotNegative;
     /// Time before the drive is switched on.
     equilibration: f64 = 50.0, "tau", NotNegative;
     /// Time that the drive lasts.
@@ -220,12 +220,12 @@ scene! {
 
 fn rules(scene: &TipScene, judge: &mut SceneDiagnostics<'_>) {
     metal(scene, judge);
-    if scene.face == CrystalFace::Fcc111 && !scene.rows.is_multiple_of(2) {
+    if scene.face == CrystalFace::Fcc111 && !scene.substrate_rows.is_multiple_of(2) {
         judge.refuse(
-            &["rows", "face"],
+            &["substrate_rows", "face"],
             format!(
-                "`rows` must be even with face = \"fcc111\", not {}",
-                scene.rows
+                "`substrate_rows` must be even with face = \"fcc111\", not {}",
+                scene.substrate_rows
             ),
         );
     }
@@ -233,12 +233,12 @@ fn rules(scene: &TipScene, judge: &mut SceneDiagnostics<'_>) {
     steps_count(scene, judge);
     slide_turns(scene, judge);
     // A thermostat cannot relax within a step: its unknown would swing faster than it is followed.
-    let (relaxation, step) = (scene.relaxation, scene.time_step);
+    let (relaxation, step) = (scene.thermostat_time, scene.time_step);
     if scene.thermostat == ThermostatKind::NoseHoover && relaxation < step {
         let message = format!(
-            "`relaxation` is {relaxation}, less than a `time_step` of {step}; give at least that"
+            "`thermostat_time` is {relaxation}, less than a `time_step` of {step}; give at least that"
         );
-        judge.refuse(&["relaxation", "time_step"], message);
+        judge.refuse(&["thermostat_time", "time_step"], message);
     }
 }
 
@@ -254,12 +254,15 @@ fn tip_fits(scene: &TipScene, judge: &mut SceneDiagnostics<'_>) {
         "sigma"
     };
     let least = (width + cutoff).max(2.0 * cutoff).max(cutoff + scene.skin);
-    for (key, period) in [("columns", x), ("rows", y)] {
+    for (key, period) in [("substrate_columns", x), ("substrate_rows", y)] {
         if period < least {
             let message = format!(
-                "`{key}`: the period is {period:.3} {unit}, but `side`, `cutoff` and `skin` need {least:.3}"
+                "`{key}`: the period is {period:.3} {unit}, but `tip_side_atoms`, `cutoff` and `skin` need {least:.3}"
             );
-            judge.refuse(&[key, "side", "spacing", "cutoff", "skin"], message);
+            judge.refuse(
+                &[key, "tip_side_atoms", "spacing", "cutoff", "skin"],
+                message,
+            );
         }
     }
 }
@@ -303,9 +306,9 @@ fn metal(scene: &TipScene, judge: &mut SceneDiagnostics<'_>) {
             );
             judge.refuse(&["spacing", "potential"], message);
         }
-        if scene.expansion != 0.0 {
-            let message = "`expansion` is for metals only; set `spacing`, or leave it out";
-            judge.refuse(&["expansion", "potential"], message);
+        if scene.lattice_expansion != 0.0 {
+            let message = "`lattice_expansion` is for metals only; set `spacing`, or leave it out";
+            judge.refuse(&["lattice_expansion", "potential"], message);
         }
         return;
     }
@@ -313,7 +316,12 @@ fn metal(scene: &TipScene, judge: &mut SceneDiagnostics<'_>) {
     for (key, given, own, default) in [
         ("spacing", scene.spacing, scene.spacings()[0], usual.spacing),
         ("cutoff", scene.cutoff, scene.reach(), usual.cutoff),
-        ("adhesion", scene.adhesion, usual.adhesion, usual.adhesion),
+        (
+            "adhesion_energy",
+            scene.adhesion_energy,
+            usual.adhesion_energy,
+            usual.adhesion_energy,
+        ),
     ] {
         if given != own && given != default {
             let message = format!(
@@ -365,13 +373,13 @@ impl TipScene {
             tip_face: self.tip_face,
             spacing,
             tip_spacing,
-            columns: self.columns,
-            rows: self.rows,
+            columns: self.substrate_columns,
+            rows: self.substrate_rows,
             substrate_layers: self.substrate_layers,
             tip_layers: self.tip_layers,
-            side: self.side,
+            side: self.tip_side_atoms,
             outline: self.outline,
-            orientation: self.orientation.to_radians(),
+            orientation: self.tip_orientation.to_radians(),
             raise: self.raise,
         }
     }
@@ -379,7 +387,7 @@ impl TipScene {
     /// Distances of neighbours in the crystals of substrate and tip.
     pub fn spacings(&self) -> [f64; 2] {
         match self.potential.spacings() {
-            Some(spacings) => spacings.map(|spacing| spacing * (1.0 + self.expansion)),
+            Some(spacings) => spacings.map(|spacing| spacing * (1.0 + self.lattice_expansion)),
             None => [self.spacing; 2],
         }
     }

@@ -15,11 +15,11 @@ use tribos_base::record::json_number;
 /// use tribos::tip::{EquilibriumCheck, TipSimulation};
 /// let scene = TipScene {
 ///     lambda: 0.0,
-///     columns: 8,
-///     rows: 8,
+///     substrate_columns: 8,
+///     substrate_rows: 8,
 ///     substrate_layers: 4,
 ///     tip_layers: 4,
-///     side: 2,
+///     tip_side_atoms: 2,
 ///     equilibration: 5.0,
 ///     drive_time: 0.0,
 ///     rest_time: 0.0,

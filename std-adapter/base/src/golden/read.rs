@@ -134,7 +134,10 @@ fn find<'a>(table: &Table<'a>, name: &str) -> Result<&'a Spanned<DeValue<'a>>, P
     let mut entries = table.get_ref().iter();
     match entries.find(|(key, _)| key.get_ref() == name) {
         Some((_, value)) => Ok(value),
-        None => Err(ParseFault(table.span().start, format!("`{name}` is missing"))),
+        None => Err(ParseFault(
+            table.span().start,
+            format!("`{name}` is missing"),
+        )),
     }
 }
 

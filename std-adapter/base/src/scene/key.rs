@@ -9,13 +9,13 @@ use std::str::FromStr;
 /// One key of a scene file.
 ///
 /// ```
-/// use tribos::scene::{Domain, Key, Need, DiskScene};
+/// use tribos::scene::{Domain, Key, Requirement, DiskScene};
 /// let is_exponent = |key: &&Key| key.name == "alpha";
 /// let alpha = DiskScene::KEYS.iter().find(is_exponent).ok_or("no alpha")?;
 /// // At alpha = -1 friction would have no finite torque.
 /// assert!(matches!(alpha.domain, Domain::Between { above, .. } if above == -1.0));
 /// assert!(alpha.domain.describe().starts_with("a number > -1 and <= "));
-/// assert_eq!((alpha.unit, alpha.need), ("-", Need::UnlessGiven("law")));
+/// assert_eq!((alpha.unit, alpha.need), ("-", Requirement::UnlessGiven("law")));
 /// # Ok::<(), &str>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -330,7 +330,7 @@ macro_rules! scene {
                 }),+
             ];
 
-            fn rules(&self, judge: &mut $crate::scene::reader::Judge<'_>) {
+            fn rules(&self, judge: &mut $crate::scene::reader::SceneDiagnostics<'_>) {
                 $rules(self, judge);
             }
 

@@ -27,7 +27,7 @@ pub(super) enum EngineCheckpoint {
 impl GasEngine {
     /// A gas at its start.
     pub fn new(scene: &GasScene, bodies: &[(Vector3<f64>, Motion)]) -> Result<Self, GasError> {
-        let length = edge(scene.count, scene.fraction);
+        let length = edge(scene.count, scene.packing_fraction);
         match scene.method {
             GasMethod::Events => {
                 let gas = HardSpheres::new(length, bodies, scene.impact()?, scene.contact_time)?;
@@ -41,7 +41,7 @@ impl GasEngine {
 
     /// A gas that goes on from a checkpoint.
     pub fn thawed(scene: &GasScene, kept: EngineCheckpoint) -> Result<Self, GasError> {
-        let length = edge(scene.count, scene.fraction);
+        let length = edge(scene.count, scene.packing_fraction);
         match kept {
             EngineCheckpoint::Events(stored) => {
                 let (law, tc) = (scene.impact()?, scene.contact_time);

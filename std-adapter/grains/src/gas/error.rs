@@ -14,7 +14,7 @@ use tribos_core::law::LawError;
 /// ```
 /// use tribos::gas::{GasSimulation, GasError};
 /// use tribos::scene::GasScene;
-/// let crowd = GasScene { fraction: 0.9, ..GasScene::default() };
+/// let crowd = GasScene { packing_fraction: 0.9, ..GasScene::default() };
 /// assert!(matches!(GasSimulation::new(&crowd), Err(GasError::Scene(_))));
 /// ```
 #[derive(Debug, thiserror::Error)]

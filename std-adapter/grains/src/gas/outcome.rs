@@ -44,7 +44,7 @@ pub(super) type Row = [f64; COLUMNS.len()];
 /// use tribos::run::drive;
 /// # use tribos::scene::GasScene;
 /// // Dense and dissipative: infinitely many collisions in a finite time.
-/// let scene = GasScene { count: 500, fraction: 0.5, restitution: 0.2, collisions: 1e3, ..GasScene::default() };
+/// let scene = GasScene { count: 500, packing_fraction: 0.5, restitution: 0.2, collisions: 1e3, ..GasScene::default() };
 /// let mut gas = GasSimulation::new(&scene)?;
 /// drive(&mut gas, |_, _| ())?;
 /// assert_eq!(gas.ending(), Some(GasStopReason::Collapse));

@@ -101,7 +101,7 @@ impl GasSimulation {
         let mut gas = Self {
             scene: scene.clone(),
             law: scene.impact()?,
-            length: edge(scene.count, scene.fraction),
+            length: edge(scene.count, scene.packing_fraction),
             medium,
             steps,
             series,
@@ -251,7 +251,7 @@ impl GasSimulation {
     fn haff(&self, time: f64, now: f64) -> f64 {
         let first = self.series.first().map_or(now, |row| row[TRANSLATIONAL]);
         let e = self.law.restitution();
-        let rate = (1.0 - e * e) / 6.0 * collision_rate(self.scene.fraction, first);
+        let rate = (1.0 - e * e) / 6.0 * collision_rate(self.scene.packing_fraction, first);
         let slowed = 1.0 + rate * time;
         first / (slowed * slowed)
     }
@@ -288,7 +288,7 @@ impl Simulation for GasSimulation {
             theory.translational,
             theory.rotational,
             self.haff(time, now.translational),
-            collision_rate(self.scene.fraction, now.translational),
+            collision_rate(self.scene.packing_fraction, now.translational),
             state.energy(),
             self.medium.lost() / self.scene.count as f64,
             state.momentum().norm(),

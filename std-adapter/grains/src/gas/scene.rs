@@ -42,22 +42,22 @@ scene! {
     /// Number of spheres.
     count: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 };
     /// Packing fraction: share of the cube that the spheres fill.
-    fraction: f64 = 0.05, "-", Between { above: 0.0, up_to: 0.6 };
+    packing_fraction was fraction: f64 = 0.05, "-", Between { above: 0.0, up_to: 0.6 };
     /// Coefficient of restitution: normal speed after a collision over that before.
     restitution: f64 = 0.9, "-", Fraction;
     /// Tangential restitution, from -1 (smooth) to 1; if left out spheres are smooth, or stop under friction.
-    tangential: Option<f64> = None, "-", Between { above: -1.0, up_to: 1.0 };
+    tangential_restitution was tangential: Option<f64> = None, "-", Between { above: -1.0, up_to: 1.0 };
     /// Sliding coefficient mu that limits the tangential impulse; if left out there is no such limit.
     mu was friction: Option<f64> = None, "-", NotNegative;
     /// Temperature of the spins at the start.
-    rotational: f64 = 0.0, "T0", NotNegative;
+    rotational_temperature was rotational: f64 = 0.0, "T0", NotNegative;
     /// Contact time t_c: a collision sooner after a sphere's last one loses no energy; 0 for none.
     contact_time: f64 = 0.0, "R sqrt(m/T0)", NotNegative, OnlyWith("method", "events");
     /// Seed of the places and velocities at the start.
     seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Collisions a sphere without loss, before the run, that mix the start.
     // Velocities forget a start within a few collisions, places within some ten.
-    mixing: f64 = 20.0, "-", NotNegative;
+    mixing_collisions was mixing: f64 = 20.0, "-", NotNegative;
     /// Collisions a sphere after which a run ends; one of a pair counts for both.
     collisions: f64 = 30.0, "-", Positive;
     /// Time after which a run ends if it has not before; if left out there is no such bound.
@@ -84,25 +84,25 @@ const MOST_LINES: f64 = 1e7;
 
 /// The cube must have room, and the method must know the law.
 fn rules(scene: &GasScene, judge: &mut SceneDiagnostics<'_>) {
-    let length = edge(scene.count, scene.fraction);
+    let length = edge(scene.count, scene.packing_fraction);
     if !lattice::is_wide(length) {
         let message = format!(
-            "`count` and `fraction` give a cube of {length:.3} R, but cells need 6 R: take more spheres"
+            "`count` and `packing_fraction` give a cube of {length:.3} R, but cells need 6 R: take more spheres"
         );
-        judge.refuse(&["count", "fraction"], message);
+        judge.refuse(&["count", "packing_fraction"], message);
     } else if lattice::lattice(scene.count, length).is_none() {
-        let fraction = scene.fraction;
-        let message = format!("`fraction` is {fraction}: `count` spheres find no place");
-        judge.refuse(&["fraction", "count"], message);
+        let fraction = scene.packing_fraction;
+        let message = format!("`packing_fraction` is {fraction}: `count` spheres find no place");
+        judge.refuse(&["packing_fraction", "count"], message);
     }
-    let tangential = scene.tangential.is_some_and(|beta| beta != 0.0);
-    let sticks = scene.tangential.is_some() && scene.mu.is_none();
+    let tangential = scene.tangential_restitution.is_some_and(|beta| beta != 0.0);
+    let sticks = scene.tangential_restitution.is_some() && scene.mu.is_none();
     if scene.method != GasMethod::Events && (tangential || sticks) {
         let message = format!(
-            "method = \"{}\" has no tangential restitution: leave `tangential` out and give `mu`, or neither",
+            "method = \"{}\" has no tangential restitution: leave `tangential_restitution` out and give `mu`, or neither",
             scene.method
         );
-        judge.refuse(&["tangential", "method"], message);
+        judge.refuse(&["tangential_restitution", "method"], message);
     }
     if scene.method == GasMethod::Soft && scene.restitution == 0.0 {
         let message = "`restitution` must be above 0 with method = \"soft\": no dashpot takes all; take 0.01 or more";
@@ -119,7 +119,7 @@ impl GasScene {
     /// The law of a collision.
     #[doc(hidden)]
     pub fn impact(&self) -> Result<Impact, ImpactError> {
-        let tangential = match (self.tangential, self.mu) {
+        let tangential = match (self.tangential_restitution, self.mu) {
             (None, None) => Tangential::Smooth,
             (Some(restitution), None) => Tangential::Rough { restitution },
             (beta, Some(mu)) => Tangential::Coulomb {

@@ -25,11 +25,11 @@ const PATH: f64 = 0.24;
 /// ```
 pub fn size(scene: &GasScene) -> RunSize {
     let bodies = scene.count as f64;
-    let events = 0.5 * bodies * (scene.mixing + scene.collisions);
+    let events = 0.5 * bodies * (scene.mixing_collisions + scene.collisions);
     let seconds = match scene.method {
         GasMethod::Events => events * SECONDS_A_COLLISION,
         GasMethod::ContactDynamics => {
-            let steps = 3.0 * PATH / (scene.fraction * scene.max_displacement) + 1.0;
+            let steps = 3.0 * PATH / (scene.packing_fraction * scene.max_displacement) + 1.0;
             bodies * scene.collisions * steps * SECONDS_A_SPHERE_STEP
         }
         GasMethod::Soft => {
@@ -46,7 +46,7 @@ pub fn size(scene: &GasScene) -> RunSize {
 
 /// Time in which a gas that stays homogeneous has its collisions, or less where the scene bounds it.
 fn duration(scene: &GasScene) -> f64 {
-    let rate = collision_rate(scene.fraction, 1.0);
+    let rate = collision_rate(scene.packing_fraction, 1.0);
     // dC/dt = rate √T with T = exp(−(1 − e²) C/3).
     let slowing = (1.0 - scene.restitution * scene.restitution) / 6.0;
     let collisions = if slowing > 0.0 {

@@ -21,7 +21,7 @@ pub(super) fn start(
     scene: &GasScene,
     watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
 ) -> Result<Vec<(Vector3<f64>, Motion)>, GasError> {
-    let length = edge(scene.count, scene.fraction);
+    let length = edge(scene.count, scene.packing_fraction);
     let cells = lattice(scene.count, length).ok_or(GasError::Room)?;
     let places = chosen(scene.count, 4 * cells * cells * cells, scene.seed);
     let mut velocities = maxwellian(scene.count, scene.seed, VELOCITIES);
@@ -39,7 +39,7 @@ pub(super) fn start(
     let elastic = Impact::new(1.0, Tangential::Smooth)?;
     let mut gas = HardSpheres::new(length, &bodies, elastic, 0.0)?;
     let each = scene.count as u64;
-    let enough = (0.5 * scene.mixing * scene.count as f64) as u64;
+    let enough = (0.5 * scene.mixing_collisions * scene.count as f64) as u64;
     while gas.collisions() < enough {
         if watch(scene.count).is_break() {
             return Err(GasError::Stopped);
@@ -53,7 +53,7 @@ pub(super) fn start(
     let mut velocities: Vec<_> = gas.motions().map(|motion| motion.velocity).collect();
     scale(&mut velocities, 1.0);
     let mut spins = maxwellian(scene.count, scene.seed, SPINS);
-    scale(&mut spins, scene.rotational / INERTIA);
+    scale(&mut spins, scene.rotational_temperature / INERTIA);
     let motions = velocities.into_iter().zip(spins);
     let motions = motions.map(|(velocity, spin)| Motion { velocity, spin });
     Ok(gas.places().into_iter().zip(motions).collect())

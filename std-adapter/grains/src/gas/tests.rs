@@ -18,7 +18,7 @@ fn finished(scene: &GasScene) -> Result<GasSimulation, GasError> {
 fn small() -> GasScene {
     GasScene {
         count: 300,
-        fraction: 0.1,
+        packing_fraction: 0.1,
         restitution: 0.9,
         collisions: 5.0,
         ..GasScene::default()
@@ -30,8 +30,8 @@ fn a_start_has_the_temperatures_asked_for_and_no_momentum() -> Tested {
     for (fraction, rotational) in [(0.01, 0.0), (0.3, 0.5), (0.55, 2.0)] {
         let scene = GasScene {
             count: 400,
-            fraction,
-            rotational,
+            packing_fraction: fraction,
+            rotational_temperature: rotational,
             ..small()
         };
         let first = GasSimulation::new(&scene)?.record();
@@ -52,10 +52,10 @@ fn the_energy_balance_of_a_gas_closes_and_its_momentum_stays() -> Tested {
         (None, Some(0.3), GasMethod::ContactDynamics),
     ] {
         let scene = GasScene {
-            tangential,
+            tangential_restitution: tangential,
             mu: friction,
             method,
-            rotational: 0.5,
+            rotational_temperature: 0.5,
             collisions: 2.0,
             ..small()
         };
@@ -83,7 +83,7 @@ fn a_dilute_gas_cools_by_haffs_law() -> Tested {
         for seed in 1..=STARTS {
             let scene = GasScene {
                 count: 1000,
-                fraction: 0.01,
+                packing_fraction: 0.01,
                 restitution: e,
                 collisions,
                 sample_every: collisions,
@@ -103,11 +103,11 @@ fn rough_spheres_follow_the_mean_field_of_both_temperatures() -> Tested {
     for (tangential, friction) in [(Some(0.5), None), (Some(0.2), Some(0.3))] {
         let scene = GasScene {
             count: 2000,
-            fraction: 0.02,
+            packing_fraction: 0.02,
             restitution: 0.95,
-            tangential,
+            tangential_restitution: tangential,
             mu: friction,
-            rotational: 0.3,
+            rotational_temperature: 0.3,
             collisions: 4.0,
             ..GasScene::default()
         };
@@ -126,8 +126,8 @@ fn an_elastic_gas_has_the_pressure_and_the_collision_rate_of_carnahan_and_starli
     for fraction in [0.05, 0.2, 0.4] {
         let scene = GasScene {
             count: 1000,
-            fraction,
-            mixing: 50.0,
+            packing_fraction: fraction,
+            mixing_collisions: 50.0,
             ..GasScene::default()
         };
         let bodies = start::start(&scene, &mut |_| ControlFlow::Continue(()))?;
@@ -153,7 +153,7 @@ fn an_elastic_gas_has_the_pressure_and_the_collision_rate_of_carnahan_and_starli
 fn a_dense_gas_collapses_and_a_contact_time_prevents_it() -> Tested {
     let dense = GasScene {
         count: 1000,
-        fraction: 0.5,
+        packing_fraction: 0.5,
         restitution: 0.2,
         collisions: 200.0,
         ..GasScene::default()
@@ -178,7 +178,7 @@ fn a_dense_gas_collapses_and_a_contact_time_prevents_it() -> Tested {
 fn dissipation_makes_clusters() -> Tested {
     let scene = GasScene {
         count: 2000,
-        fraction: 0.2,
+        packing_fraction: 0.2,
         restitution: 0.6,
         contact_time: 1e-5,
         collisions: 100.0,
@@ -246,12 +246,12 @@ fn impossible_gases_are_refused_before_work() {
     };
     let few = GasScene {
         count: 10,
-        fraction: 0.5,
+        packing_fraction: 0.5,
         ..GasScene::default()
     };
     assert!(refusal(few).contains("6 R"));
     let rough = GasScene {
-        tangential: Some(0.5),
+        tangential_restitution: Some(0.5),
         method: GasMethod::ContactDynamics,
         ..GasScene::default()
     };
@@ -279,7 +279,7 @@ fn impossible_gases_are_refused_before_work() {
 fn contact_dynamics_cools_like_events() -> Tested {
     let scene = |method| GasScene {
         count: 500,
-        fraction: 0.1,
+        packing_fraction: 0.1,
         restitution: 0.9,
         collisions: 4.0,
         sample_every: 4.0,
@@ -309,7 +309,7 @@ fn a_dilute_gas_of_soft_spheres_cools_by_haffs_law() -> Tested {
         for seed in 1..=STARTS {
             let scene = GasScene {
                 count: 500,
-                fraction: 0.05,
+                packing_fraction: 0.05,
                 restitution,
                 collisions,
                 sample_every: collisions,
@@ -335,7 +335,7 @@ fn soft_spheres_keep_their_momentum_and_lose_what_springs_do_not_hold() -> Teste
     for friction in [None, Some(0.3)] {
         let scene = GasScene {
             mu: friction,
-            rotational: 0.5,
+            rotational_temperature: 0.5,
             collisions: 2.0,
             method: GasMethod::Soft,
             ..small()
@@ -358,7 +358,7 @@ fn soft_spheres_keep_their_momentum_and_lose_what_springs_do_not_hold() -> Teste
 #[test]
 fn collisions_of_soft_spheres_are_as_frequent_as_events() -> Tested {
     let scene = |method| GasScene {
-        fraction: 0.1,
+        packing_fraction: 0.1,
         restitution: 1.0,
         collisions: 1e3,
         duration: Some(10.0),
@@ -382,9 +382,9 @@ fn collisions_of_soft_spheres_are_as_frequent_as_events() -> Tested {
 fn soft_spheres_have_the_same_bits_on_any_number_of_threads() -> Tested {
     let scene = GasScene {
         count: 1500,
-        fraction: 0.4,
+        packing_fraction: 0.4,
         collisions: 0.3,
-        mixing: 2.0,
+        mixing_collisions: 2.0,
         mu: Some(0.3),
         method: GasMethod::Soft,
         ..GasScene::default()

@@ -126,8 +126,8 @@ pub fn cost(scene: &GrainsScene) -> Result<GrainsCost, GrainsError> {
     };
     let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
     let longest_step = scene.longest_step();
-    let spread = scene.radius_spread > 0.0 || scene.sizes.is_some();
-    let unequal = spread || scene.share_second > 0.0 || scene.initial_state.is_some();
+    let spread = scene.radius_spread > 0.0 || scene.size_distribution.is_some();
+    let unequal = spread || scene.second_fraction > 0.0 || scene.initial_state.is_some();
     Ok(GrainsCost {
         grains: count(scene),
         contacts: CONTACTS.map(|share| (share * count(scene) as f64).round() as usize),
@@ -158,14 +158,14 @@ fn block(scene: &GrainsScene) -> Result<Box<dyn Packing>, GrainsError> {
         count: EDGE.pow(3),
         radius: 0.5 * side / EDGE as f64 / (1.0 + 1e-9),
         radius_spread: 0.0,
-        sizes: None,
+        size_distribution: None,
         initial_state: None,
-        spacing: 1.0 + 1e-12,
-        sweeps: SWEEPS,
+        initial_spacing: 1.0 + 1e-12,
+        max_iterations: SWEEPS,
         tolerance: f64::MIN_POSITIVE,
         restitution: 0.0,
         // One stable step of soft contacts; sweeps do not depend on it.
-        time_step: stable_step(scene).or(scene.time_step),
+        max_time_step: stable_step(scene).or(scene.max_time_step),
         ..without_drives(scene)
     };
     let grains = start(&block, |_| ControlFlow::Continue(()))?;
@@ -177,13 +177,13 @@ fn block(scene: &GrainsScene) -> Result<Box<dyn Packing>, GrainsError> {
 /// The scene without moving walls.
 fn without_drives(scene: &GrainsScene) -> GrainsScene {
     GrainsScene {
-        pressure_x: None,
-        pressure_y: None,
-        pressure_z: None,
-        velocity_x: None,
-        velocity_y: None,
-        velocity_z: None,
-        plate_speed: 0.0.into(),
+        wall_stress_x: None,
+        wall_stress_y: None,
+        wall_stress_z: None,
+        wall_velocity_x: None,
+        wall_velocity_y: None,
+        wall_velocity_z: None,
+        lid_speed_x: 0.0.into(),
         shake_amplitude: 0.0,
         ..scene.clone()
     }

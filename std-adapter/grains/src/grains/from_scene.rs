@@ -86,7 +86,7 @@ impl GrainsScene {
                     method: Sweeps::Accelerated {
                         tolerance: self.tolerance,
                     },
-                    most_sweeps: self.sweeps,
+                    most_sweeps: self.max_iterations,
                     warm_start: true,
                 },
                 step_limits,
@@ -95,7 +95,7 @@ impl GrainsScene {
             },
             ContactMethod::Soft => Method::Soft(Springs {
                 stiffness: self.spring(),
-                damping: self.damping,
+                damping: self.damping_ratio,
                 steps_per_collision: self.steps_per_collision,
                 step_limits,
             }),
@@ -124,13 +124,13 @@ impl GrainsScene {
         let [_, strongest] = self.gravity.range();
         let fall = (2.0 * self.max_displacement * self.radius / strongest).sqrt();
         let longest = fall.min(self.duration / STEPS);
-        self.time_step.unwrap_or(longest)
+        self.max_time_step.unwrap_or(longest)
     }
 
     /// What the second material has of its own.
     pub(super) fn differences(&self) -> SecondMaterialKeys {
         SecondMaterialKeys {
-            density: self.density_second,
+            density: self.second_density,
             sliding: self.mu_second,
             sliding_mixed: self.mu_mixed,
         }
@@ -149,7 +149,7 @@ impl GrainsScene {
             rolling: self.mu_rolling,
             torsion: self.mu_torsion,
             coupling: self.coupling,
-            wall: self.wall,
+            wall: self.wall_contact,
         }
     }
 }

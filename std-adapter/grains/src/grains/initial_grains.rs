@@ -51,7 +51,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
         radii: assembly.radii.clone(),
         kinds: Kinds::given(
             &assembly,
-            (scene.seed, scene.share_second),
+            (scene.seed, scene.second_fraction),
             (&scene.material(), &scene.differences()),
         ),
         contacts: Vec::new(),

@@ -70,17 +70,17 @@ impl Loads {
         Self {
             gravity: scene.gravity.clone(),
             angle: scene.gravity_angle.clone(),
-            plate_speed: scene.plate_speed.clone(),
-            wall_speed: scene.wall_speed.clone(),
+            plate_speed: scene.lid_speed_x.clone(),
+            wall_speed: scene.side_wall_speed_z.clone(),
             walls: layout.parts.iter().map(wall).collect(),
-            drum: (scene.drum_rate.clone(), 0.5 * scene.width),
+            drum: (scene.drum_angular_velocity.clone(), 0.5 * scene.width),
             opening: scene.open_time,
             shake: Shake {
                 amplitude: scene.shake_amplitude,
                 rate: TAU * scene.shake_frequency,
                 axis: scene.shake_axis,
             },
-            repeat: scene.repeat,
+            repeat: scene.ramp_period,
         }
     }
 

@@ -43,7 +43,7 @@ pub enum PlacementError {
     /// The box is narrower than one place of the lattice.
     #[error(
         "the box is {given} wide along {axis}, and a grain needs {needed} there at the start; \
-         make the box wider, the grains smaller or `spacing` less"
+         make the box wider, the grains smaller or `initial_spacing` less"
     )]
     Narrow {
         /// Name of the axis.
@@ -56,7 +56,7 @@ pub enum PlacementError {
     /// There are more grains than places.
     #[error(
         "`count` is {given}, and the box has room for {room} grains at the start; \
-         {}, or `count` or `spacing` less",
+         {}, or `count` or `initial_spacing` less",
         larger(*.is_drum)
     )]
     Full {
@@ -83,7 +83,7 @@ fn larger(is_drum: bool) -> &'static str {
 
 /// Radii and places of a scene's grains; `watch` receives the number placed so far and can stop.
 ///
-/// The box is divided into equal places of at least `spacing` diameters of the largest grain, which are
+/// The box is divided into equal places of at least `initial_spacing` diameters of the largest grain, which are
 /// filled from below. In its place a grain sits at random where it does not leave it.
 pub(super) fn start(
     scene: &GrainsScene,
@@ -92,16 +92,16 @@ pub(super) fn start(
     let distribution = scene.radii()?;
     let distribution = distribution.as_ref();
     let largest = distribution.map_or(1.0 + scene.radius_spread, |radii| radii.bounds()[1]);
-    let widest = if scene.share_second > 0.0 {
-        scene.radius_second.max(1.0)
+    let widest = if scene.second_fraction > 0.0 {
+        scene.second_radius.max(1.0)
     } else {
         1.0
     };
     let lattice = Lattice::of(scene, widest * largest)?;
-    let is_second = SecondMaterial::choose(scene.seed, scene.share_second, scene.count);
+    let is_second = SecondMaterial::choose(scene.seed, scene.second_fraction, scene.count);
     let mut radii = radii(scene, distribution);
     for (radius, _) in radii.iter_mut().zip(&is_second).filter(|(_, is)| **is) {
-        *radius *= scene.radius_second;
+        *radius *= scene.second_radius;
     }
     let mut random = Random::new(scene.seed, PLACES);
     let mut positions = Vec::with_capacity(scene.count);
@@ -159,7 +159,7 @@ struct Lattice {
 impl Lattice {
     /// Places for grains up to `largest` mean radii.
     fn of(scene: &GrainsScene, largest: f64) -> Result<Self, PlacementError> {
-        let needed = 2.0 * scene.radius * largest * scene.spacing;
+        let needed = 2.0 * scene.radius * largest * scene.initial_spacing;
         let flat = scene.is_flat();
         let divide = |axis: &'static str, given: f64| {
             let places = (given / needed).floor();

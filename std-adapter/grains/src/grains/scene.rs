@@ -106,7 +106,7 @@ scene! {
     /// Time at which the slot is opened.
     open_time was opening: f64 = 0.0, "s", NotNegative, OnlyWith("container", "hopper");
     /// Rate of rotation of the drum.
-    drum_rate: Ramp = Ramp::from(1.0), "rad/s", RAMP, OnlyWith("container", "drum");
+    drum_angular_velocity was drum_rate: Ramp = Ramp::from(1.0), "rad/s", RAMP, OnlyWith("container", "drum");
     /// Number of grains, unless `initial_state` has them.
     count: usize = 100, "-", Count { from: 1.0, up_to: 1e6 }, UnlessGiven("initial_state");
     /// Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
@@ -116,19 +116,19 @@ scene! {
     /// Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread.
     radius_spread: f64 = 0.0, "-", Below { from: 0.0, below: 1.0 }, Without("initial_state");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
-    sizes: Option<SizeDistribution> = None, "-", SIZES, Without("initial_state");
+    size_distribution was sizes: Option<SizeDistribution> = None, "-", SIZES, Without("initial_state");
     /// Density of the grains; those of `initial_state` that have one keep it.
     density: f64 = 2500.0, "kg/m^3", Positive, Required;
     /// Seed of the random start.
     seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
-    spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
+    initial_spacing was spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
     /// Share of the grains that are of a second material, chosen at random; those of `initial_state` that have materials keep them.
-    share_second: f64 = 0.0, "-", Fraction;
+    second_fraction was share_second: f64 = 0.0, "-", Fraction;
     /// Radius of these, in mean radii of the others.
-    radius_second: f64 = 1.0, "-", Between { above: 0.0, up_to: 100.0 };
+    second_radius was radius_second: f64 = 1.0, "-", Between { above: 0.0, up_to: 100.0 };
     /// Density of the second material; that of the first if it is left out.
-    density_second: Option<f64> = None, "kg/m^3", Positive;
+    second_density was density_second: Option<f64> = None, "kg/m^3", Positive;
     /// Sliding coefficient of the second material; that of the first if it is left out.
     mu_second was sliding_second: Option<f64> = None, "-", NotNegative;
     /// Sliding coefficient between the two materials; the geometric mean of theirs if it is left out.
@@ -151,32 +151,32 @@ scene! {
     /// How the thresholds of sliding and torsion depend on each other.
     coupling: FrictionCoupling = FrictionCoupling::Independent, "-", OneOf(FrictionCoupling::WORDS);
     /// Law at walls: that of grains, cohesion only, or neither.
-    wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
+    wall_contact was wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
     /// Gravity, downwards; 0 where nothing bears the grains, as in a sheared box.
     // Standard gravity, to three digits.
     gravity: Ramp = Ramp::from(9.81), "m/s^2", RAMP_NOT_NEGATIVE;
     /// Angle by which gravity leans from -z towards x.
     gravity_angle: Ramp = Ramp::from(0.0), "degree", RAMP;
     /// Stress on the wall at the far end of x, which moves as a piston.
-    pressure_x: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_x", "walls");
+    wall_stress_x was pressure_x: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_x", "walls");
     /// Stress on the wall at the far end of y, which moves as a piston.
-    pressure_y: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_y", "walls");
+    wall_stress_y was pressure_y: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_y", "walls");
     /// Stress on the plate above, which moves as a piston without weight.
-    pressure_z: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_z", "walls");
+    wall_stress_z was pressure_z: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_z", "walls");
     /// Mass of every piston; that of all grains together if it is left out.
     piston_mass: Option<f64> = None, "kg", Positive;
     /// Speed of the wall at the far end of x along x; negative compresses.
-    velocity_x: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_x", "walls");
+    wall_velocity_x was velocity_x: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_x", "walls");
     /// Speed of the wall at the far end of y along y; negative compresses.
-    velocity_y: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_y", "walls");
+    wall_velocity_y was velocity_y: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_y", "walls");
     /// Speed of the plate above along z; negative compresses.
-    velocity_z: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_z", "walls");
+    wall_velocity_z was velocity_z: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_z", "walls");
     /// Speed of the plate above along x, which shears the grains.
-    plate_speed: Ramp = Ramp::from(0.0), "m/s", RAMP, OnlyWith("boundary_z", "walls");
+    lid_speed_x was plate_speed: Ramp = Ramp::from(0.0), "m/s", RAMP, OnlyWith("boundary_z", "walls");
     /// Rate at which a box without walls along x and z is sheared: speed along x over height along z.
     shear_rate: Option<f64> = None, "1/s", Finite, OnlyWith("boundary_z", "periodic");
     /// Speed of the walls along x and y upwards, which mobilizes their friction; negative downwards.
-    wall_speed: Ramp = Ramp::from(0.0), "m/s", RAMP;
+    side_wall_speed_z was wall_speed: Ramp = Ramp::from(0.0), "m/s", RAMP;
     /// Amplitude with which the box is shaken: all walls that are neither piston nor moved otherwise.
     shake_amplitude: f64 = 0.0, "m", NotNegative;
     /// Frequency of the shaking.
@@ -184,14 +184,14 @@ scene! {
     /// Direction of the shaking.
     shake_axis: Axis = Axis::Z, "-", OneOf(Axis::WORDS);
     /// Time after which all ramps start again; without it they are followed once.
-    repeat: Option<f64> = None, "s", Positive;
+    ramp_period was repeat: Option<f64> = None, "s", Positive;
     /// Rigid grains with constraint forces, or soft ones with springs and dashpots.
     method: ContactMethod = ContactMethod::ContactDynamics, "-", OneOf(ContactMethod::WORDS);
     /// Stiffness of soft contacts: force over overlap.
     // A bead of 1 cm under its weight overlaps by a quarter of a thousandth of its radius.
     stiffness: f64 = 1e4, "N/m", Positive, PartOf("method", "soft");
     /// Damping ratio of soft contacts in all modes, unless `restitution` is above 0.
-    damping: f64 = 1.0, "-", NotNegative, PartOf("method", "soft");
+    damping_ratio was damping: f64 = 1.0, "-", NotNegative, PartOf("method", "soft");
     /// Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus `stiffness`/`radius`.
     normal_law: NormalForce = NormalForce::Linear, "-", OneOf(NormalForce::WORDS),
         PartOf("method", "soft");
@@ -202,13 +202,13 @@ scene! {
     /// Change of a sweep, relative to P, at which sweeps stop.
     tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 }, PartOf("method", "contact-dynamics");
     /// Most sweeps of a step.
-    sweeps: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 }, PartOf("method", "contact-dynamics");
+    max_iterations was sweeps: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 }, PartOf("method", "contact-dynamics");
     /// Largest distance that a grain may move in a step, in mean radii; soft contacts divide it into stable ones.
     // A twentieth of a radius keeps the angle by which a normal turns in a step small.
     max_displacement was motion: f64 = 0.05, "-", Between { above: 0.0, up_to: 0.5 };
     /// Longest time step; if it is left out, the time in which gravity moves a grain by `max_displacement` from
     /// rest, and at most a hundredth of `duration`.
-    time_step: Option<f64> = None, "s", Positive;
+    max_time_step was time_step: Option<f64> = None, "s", Positive;
     /// Time after which the run ends.
     duration: f64 = 1.0, "s", Positive, Required;
     /// Speed below which the grains are at rest: the run ends once their root mean square speed was lower
@@ -225,9 +225,9 @@ const MASSES: RangeInclusive<f64> = 1e-90..=1e90;
 
 /// Keys of the controls of the three axes: stress and speed.
 const CONTROLS: [[&str; 2]; 3] = [
-    ["pressure_x", "velocity_x"],
-    ["pressure_y", "velocity_y"],
-    ["pressure_z", "velocity_z"],
+    ["wall_stress_x", "wall_velocity_x"],
+    ["wall_stress_y", "wall_velocity_y"],
+    ["wall_stress_z", "wall_velocity_z"],
 ];
 
 /// Dimension, walls and loads must fit together.
@@ -236,14 +236,17 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         let message = "a scene with dimension = 2 has no `depth` and no walls along y";
         judge.refuse(&["depth", "boundary_y", "dimension"], message);
     }
-    if scene.sizes.is_some() && scene.radius_spread > 0.0 {
-        let message = "give `radius_spread` or `sizes`, not both";
-        judge.refuse(&["sizes", "radius_spread"], message);
+    if scene.size_distribution.is_some() && scene.radius_spread > 0.0 {
+        let message = "give `radius_spread` or `size_distribution`, not both";
+        judge.refuse(&["size_distribution", "radius_spread"], message);
     } else if let Err(error) = scene.radii() {
-        judge.refuse(&["sizes"], error.to_string());
+        judge.refuse(&["size_distribution"], error.to_string());
     }
-    if scene.initial_state.is_some() && (scene.sizes.is_some() || scene.radius_spread > 0.0) {
-        let message = "`initial_state` has its own radii; leave out `sizes` and `radius_spread`";
+    if scene.initial_state.is_some()
+        && (scene.size_distribution.is_some() || scene.radius_spread > 0.0)
+    {
+        let message =
+            "`initial_state` has its own radii; leave out `size_distribution` and `radius_spread`";
         judge.refuse(&["initial_state"], message);
     }
     if scene.boundary_z == EndBoundary::Periodic && scene.height.is_none() {
@@ -273,7 +276,7 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         soft_rules(
             judge,
             scene.attraction,
-            [scene.restitution, scene.share_second],
+            [scene.restitution, scene.second_fraction],
         );
         if scene.shear_rate.is_some() {
             let message =
@@ -328,19 +331,22 @@ fn gravity_rule(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
 fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<Written> {
     let starts = scene.initial_state.is_some();
     written.filter(|_| match key {
-        "count" | "spacing" => !starts,
+        "count" | "initial_spacing" => !starts,
         // A file may lack materials, which are drawn then.
-        "seed" => !starts || scene.share_second > 0.0,
-        "radius_spread" => scene.sizes.is_none() && !starts,
-        "damping" => scene.restitution == 0.0,
+        "seed" => !starts || scene.second_fraction > 0.0,
+        "radius_spread" => scene.size_distribution.is_none() && !starts,
+        "damping_ratio" => scene.restitution == 0.0,
         _ => true,
     })
 }
 
 impl GrainsScene {
-    /// Distribution of the radii, in mean radii, if `sizes` gives one.
+    /// Distribution of the radii, in mean radii, if `size_distribution` gives one.
     pub(crate) fn radii(&self) -> Result<Option<Radii>, SizesError> {
-        self.sizes.as_ref().map(SizeDistribution::radii).transpose()
+        self.size_distribution
+            .as_ref()
+            .map(SizeDistribution::radii)
+            .transpose()
     }
 
     /// Smallest radius, in mean radii; 0 if the distribution is refused.
@@ -375,18 +381,18 @@ impl GrainsScene {
     /// Stress on the moving wall of an axis.
     pub(crate) fn pressure(&self, axis: Axis) -> Option<&Ramp> {
         match axis {
-            Axis::X => self.pressure_x.as_ref(),
-            Axis::Y => self.pressure_y.as_ref(),
-            Axis::Z => self.pressure_z.as_ref(),
+            Axis::X => self.wall_stress_x.as_ref(),
+            Axis::Y => self.wall_stress_y.as_ref(),
+            Axis::Z => self.wall_stress_z.as_ref(),
         }
     }
 
     /// Speed of the moving wall of an axis.
     pub(crate) fn velocity(&self, axis: Axis) -> Option<&Ramp> {
         match axis {
-            Axis::X => self.velocity_x.as_ref(),
-            Axis::Y => self.velocity_y.as_ref(),
-            Axis::Z => self.velocity_z.as_ref(),
+            Axis::X => self.wall_velocity_x.as_ref(),
+            Axis::Y => self.wall_velocity_y.as_ref(),
+            Axis::Z => self.wall_velocity_z.as_ref(),
         }
     }
 }

@@ -15,7 +15,7 @@ fn sheared(rate: f64) -> GrainsScene {
         radius_spread: 0.1,
         boundary_z: EndBoundary::Periodic,
         count: 64,
-        spacing: 1.01,
+        initial_spacing: 1.01,
         gravity: 0.0.into(),
         shear_rate: Some(rate),
         restitution: 0.3,
@@ -119,7 +119,7 @@ fn mixed(share: f64) -> GrainsScene {
     GrainsScene {
         width: 0.05,
         count: 50,
-        share_second: share,
+        second_fraction: share,
         duration: 0.2,
         ..GrainsScene::default()
     }
@@ -128,8 +128,8 @@ fn mixed(share: f64) -> GrainsScene {
 #[test]
 fn so_many_grains_are_of_the_second_material() -> Answer {
     let scene = GrainsScene {
-        radius_second: 0.5,
-        density_second: Some(1000.0),
+        second_radius: 0.5,
+        second_density: Some(1000.0),
         ..mixed(0.3)
     };
     let grains = GrainsSimulation::new(&scene)?;
@@ -150,7 +150,7 @@ fn so_many_grains_are_of_the_second_material() -> Answer {
 fn grains_all_of_the_second_material_run_as_grains_of_it_alone() -> Answer {
     let second = GrainsScene {
         mu_second: Some(0.2),
-        density_second: Some(4000.0),
+        second_density: Some(4000.0),
         ..mixed(1.0)
     };
     let alone = GrainsScene {

@@ -37,7 +37,7 @@ fn beads(count: usize) -> GrainsScene {
         count,
         radius: 0.005,
         radius_spread: 0.2,
-        time_step: Some(2e-3),
+        max_time_step: Some(2e-3),
         sample_every: 5,
         ..GrainsScene::default()
     }
@@ -109,8 +109,8 @@ fn pistons_hold_the_stress_of_their_ramp_and_cycles_repeat_it() {
     let scene = GrainsScene {
         boundary_z: EndBoundary::Walls,
         gravity: 0.0.into(),
-        pressure_z: Some(ramp("0:500, 1:500, 1.05:2000, 1.5:2000")),
-        repeat: Some(1.5),
+        wall_stress_z: Some(ramp("0:500, 1:500, 1.05:2000, 1.5:2000")),
+        ramp_period: Some(1.5),
         mu: 0.2,
         duration: 3.0,
         ..beads(40)
@@ -144,8 +144,8 @@ fn walls_go_where_their_speed_takes_them() {
             boundary_z: EndBoundary::Walls,
             height: Some(0.1),
             gravity: 0.0.into(),
-            velocity_z: Some(speed.parse().unwrap_or_else(|_| ramp(speed))),
-            velocity_x: Some(ramp(speed)),
+            wall_velocity_z: Some(speed.parse().unwrap_or_else(|_| ramp(speed))),
+            wall_velocity_x: Some(ramp(speed)),
             duration: 0.5,
             ..beads(8)
         };
@@ -168,8 +168,8 @@ fn moving_plates_shear_with_and_against_x_and_no_energy_is_missing() {
         let scene = GrainsScene {
             boundary_z: EndBoundary::Walls,
             gravity: 0.0.into(),
-            pressure_z: Some(1000.0.into()),
-            plate_speed: Ramp::through(&[[0.3, 0.0], [0.35, sign * 0.1]]).unwrap(),
+            wall_stress_z: Some(1000.0.into()),
+            lid_speed_x: Ramp::through(&[[0.3, 0.0], [0.35, sign * 0.1]]).unwrap(),
             duration: 1.0,
             ..beads(60)
         };
@@ -192,8 +192,8 @@ fn walls_that_move_up_carry_part_of_a_rough_column_and_nothing_of_a_smooth_one()
         boundary_x: SideBoundary::Walls,
         boundary_y: SideBoundary::Walls,
         mu: 0.5,
-        wall_speed: ramp("0.02"),
-        sweeps: 300,
+        side_wall_speed_z: ramp("0.02"),
+        max_iterations: 300,
         tolerance: 1e-3,
         duration: 0.7,
         ..beads(120)
@@ -212,7 +212,7 @@ fn walls_that_move_up_carry_part_of_a_rough_column_and_nothing_of_a_smooth_one()
     let rough = share(&scene);
     assert!((0.4..0.8).contains(&rough), "{rough}");
     let smooth = share(&GrainsScene {
-        wall: WallLaw::Bare,
+        wall_contact: WallLaw::Bare,
         ..scene
     });
     // The bed of smooth beads still rattles.
@@ -282,8 +282,8 @@ fn the_floor_carries_the_weight_of_soft_grains_unless_walls_bear_it() {
             width: 0.04,
             boundary_x: SideBoundary::Walls,
             boundary_y: SideBoundary::Walls,
-            wall_speed: ramp("0.02"),
-            wall,
+            side_wall_speed_z: ramp("0.02"),
+            wall_contact: wall,
             duration: 0.7,
             ..soft(beads(120))
         };
@@ -302,8 +302,8 @@ fn soft_grains_between_plates_bear_their_pressure_and_shear_with_them() {
         let scene = GrainsScene {
             boundary_z: EndBoundary::Walls,
             gravity: 0.0.into(),
-            pressure_z: Some(1000.0.into()),
-            plate_speed: Ramp::through(&[[0.3, 0.0], [0.35, sign * 0.1]]).unwrap(),
+            wall_stress_z: Some(1000.0.into()),
+            lid_speed_x: Ramp::through(&[[0.3, 0.0], [0.35, sign * 0.1]]).unwrap(),
             duration: 1.0,
             ..soft(beads(60))
         };
@@ -342,14 +342,14 @@ fn what_springs_cannot_do_is_refused_with_key_value_and_cure() {
     };
     assert_eq!(refused("stiffness = 1e5\nnormal_law = \"hertz\""), "");
     for (keys, told) in [
-        ("share_second = 0.5", "`share_second` is 0.5"),
+        ("second_fraction = 0.5", "`second_fraction` is 0.5"),
         (
             "boundary_z = \"periodic\"\nheight = 0.1\ngravity = 0\nshear_rate = 1",
             "`shear_rate`",
         ),
         ("attraction = \"resistance\"", "`attraction`"),
-        ("restitution = 0.5\ndamping = 1", "`damping`"),
-        ("sweeps = 10", "sweeps"),
+        ("restitution = 0.5\ndamping_ratio = 1", "`damping_ratio`"),
+        ("max_iterations = 10", "max_iterations"),
         ("tolerance = 1e-3", "tolerance"),
         ("stiffness = -1", "stiffness"),
     ] {
@@ -459,7 +459,7 @@ fn a_grain_over_a_slot_falls_freely_whatever_the_slope() {
             initial_state: Some(file.path().into()),
             radius: 0.0025,
             radius_spread: 0.0,
-            time_step: Some(1e-3),
+            max_time_step: Some(1e-3),
             duration,
             ..hopper()
         };
@@ -527,7 +527,7 @@ fn rigid_grains_that_are_pressed_beyond_any_packing_end_the_run() {
         height: Some(0.11),
         gravity: 0.0.into(),
         // At the end the box has little more than the volume of its grains.
-        velocity_z: Some(ramp("-0.4")),
+        wall_velocity_z: Some(ramp("-0.4")),
         duration: 0.24,
         ..beads(60)
     };
@@ -596,8 +596,8 @@ fn the_deepest_overlap_of_a_bounce_stays_in_the_summary() {
         initial_state: Some(file.path().into()),
         radius_spread: 0.0,
         stiffness,
-        damping: 0.0,
-        time_step: Some(1e-4),
+        damping_ratio: 0.0,
+        max_time_step: Some(1e-4),
         duration: 0.12,
         ..soft(beads(1))
     };
@@ -652,7 +652,7 @@ fn drum(rate: f64) -> GrainsScene {
         width: 0.08,
         depth: Some(0.03),
         container: Container::Drum,
-        drum_rate: rate.into(),
+        drum_angular_velocity: rate.into(),
         duration: 1.5,
         ..beads(28)
     }
@@ -678,9 +678,9 @@ fn a_run_resumes_to_the_byte() {
     let sheared = GrainsScene {
         boundary_z: EndBoundary::Walls,
         boundary_x: SideBoundary::Walls,
-        pressure_z: Some(ramp("0:100, 0.5:1000")),
-        plate_speed: ramp("0:0, 0.1:0.1"),
-        repeat: Some(0.3),
+        wall_stress_z: Some(ramp("0:100, 0.5:1000")),
+        lid_speed_x: ramp("0:0, 0.1:0.1"),
+        ramp_period: Some(0.3),
         ..beads(30)
     };
     let shaken = GrainsScene {
@@ -717,13 +717,13 @@ fn what_does_not_fit_together_is_refused_by_name() {
     let scene = || GrainsScene::default();
     let both = GrainsScene {
         boundary_z: EndBoundary::Walls,
-        pressure_z: Some(1.0.into()),
-        velocity_z: Some(1.0.into()),
+        wall_stress_z: Some(1.0.into()),
+        wall_velocity_z: Some(1.0.into()),
         ..scene()
     };
     let pull = GrainsScene {
         boundary_z: EndBoundary::Walls,
-        pressure_z: Some(ramp("0:1, 1:-1")),
+        wall_stress_z: Some(ramp("0:1, 1:-1")),
         ..scene()
     };
     let flat = GrainsScene {
@@ -736,8 +736,8 @@ fn what_does_not_fit_together_is_refused_by_name() {
         ..scene()
     };
     for (scene, key) in [
-        (both, "pressure_z"),
-        (pull, "pressure_z"),
+        (both, "wall_stress_z"),
+        (pull, "wall_stress_z"),
         (flat, "depth"),
         (periodic, "height"),
     ] {

@@ -71,18 +71,18 @@ pub(crate) fn soft_rules(
 ) {
     if share > 0.0 {
         let message = format!(
-            "`share_second` is {share} and must be 0 with method = \"soft\": springs know one material; \
+            "`second_fraction` is {share} and must be 0 with method = \"soft\": springs know one material; \
              take method = \"contact-dynamics\""
         );
-        judge.refuse(&["share_second", "method"], message);
+        judge.refuse(&["second_fraction", "method"], message);
     }
     if attraction == Attraction::Resistance {
         let message = "`attraction` must be \"pull\" with method = \"soft\": a resistance to opening \
                        needs constraint forces";
         judge.refuse(&["attraction", "method"], message);
     }
-    if restitution > 0.0 && judge.is_given("damping") {
-        let message = "give `damping` or a `restitution` above 0, not both";
-        judge.refuse(&["damping", "restitution"], message);
+    if restitution > 0.0 && judge.is_given("damping_ratio") {
+        let message = "give `damping_ratio` or a `restitution` above 0, not both";
+        judge.refuse(&["damping_ratio", "restitution"], message);
     }
 }

@@ -70,7 +70,7 @@ pub enum PackingRunError<P: Error + 'static> {
     /// Rigid spheres overlap as in no packing of rigid spheres.
     #[error(
         "after step {step}: rigid spheres overlap by {:.3} % of a radius, at a solid fraction of {solid_fraction:.4}; \
-         more `sweeps` or a shorter `time_step` help where there is still room, otherwise press with a pressure in \
+         more `max_iterations` or a shorter `max_time_step` help where there is still room, otherwise press with a pressure in \
          place of a velocity, end the run earlier, or take method = \"soft\"",
         100.0 * overlap
     )]

@@ -84,7 +84,7 @@ pub fn size(scene: &PowderScene) -> RunSize {
     let bodies = expected_spheres(scene);
     let [step, sphere] = match stable_step(scene) {
         None => [SECONDS_A_STEP, SECONDS_A_SPHERE],
-        Some(stable) => [scene.time_step, SOFT_TIME].map(|time| time / stable * SOFT_SECONDS),
+        Some(stable) => [scene.max_time_step, SOFT_TIME].map(|time| time / stable * SOFT_SECONDS),
     };
     RunSize {
         bodies,
@@ -153,8 +153,8 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
         ..scene.clone()
     };
     let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
-    let spread = scene.radius_spread > 0.0 || scene.sizes.is_some();
-    let unequal = spread || scene.share_second > 0.0 || scene.initial_state.is_some();
+    let spread = scene.radius_spread > 0.0 || scene.size_distribution.is_some();
+    let unequal = spread || scene.second_fraction > 0.0 || scene.initial_state.is_some();
     Ok(PowderCost {
         spheres,
         contacts: contacts_a_sphere(carried.modes)
@@ -200,13 +200,13 @@ fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
         width,
         still_speed: 0.0,
         // One stable step of soft contacts; sweeps do not depend on it.
-        time_step: scene
-            .time_step
+        max_time_step: scene
+            .max_time_step
             .min(stable_step(scene).unwrap_or(f64::INFINITY)),
         solver: SweepMethod::GaussSeidel,
-        order: SweepOrder::Fixed,
-        stop: SweepStop::Fixed,
-        sweeps: SWEEPS,
+        sweep_order: SweepOrder::Fixed,
+        stop_rule: SweepStop::Fixed,
+        max_iterations: SWEEPS,
         warm_start: false,
         ..scene.clone()
     };

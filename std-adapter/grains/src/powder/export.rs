@@ -97,7 +97,7 @@ pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
     let stable = stable_step(scene, &springs, (&deposit, &kinds));
     Ok(Export {
         data: data(scene, (&deposit, &kinds)),
-        script: script(scene, &deposit, stable.min(scene.time_step)),
+        script: script(scene, &deposit, stable.min(scene.max_time_step)),
     })
 }
 
@@ -178,7 +178,7 @@ fn laws(scene: &PowderScene) -> [String; 2] {
     let ratio = if scene.restitution > 0.0 {
         damping_ratio_of(scene.restitution)
     } else {
-        scene.damping
+        scene.damping_ratio
     };
     let spring = format!("{spring} damping {}", number(ratio));
     let coupling = match scene.coupling {
@@ -198,7 +198,7 @@ fn laws(scene: &PowderScene) -> [String; 2] {
     );
     let cohesion = format!("cohesion 1 {range}");
     let full = format!("{spring} {friction} {cohesion}");
-    let wall = match scene.wall {
+    let wall = match scene.wall_contact {
         WallLaw::Full => full.clone(),
         WallLaw::Smooth => format!("{spring} {cohesion}"),
         WallLaw::Bare => spring,
@@ -210,8 +210,8 @@ fn laws(scene: &PowderScene) -> [String; 2] {
 fn script(scene: &PowderScene, deposit: &Deposit, time_step: f64) -> String {
     let [spheres, walls] = laws(scene);
     let window = (window_time(scene.piston_mass, scene.load()) / time_step).ceil() as u64;
-    // As long as the run may take here: `max_steps` steps of `time_step`, or `duration`.
-    let most = scene.max_steps as f64 * scene.time_step;
+    // As long as the run may take here: `max_steps` steps of `max_time_step`, or `duration`.
+    let most = scene.max_steps as f64 * scene.max_time_step;
     let most = scene.duration.map_or(most, |duration| duration.min(most));
     let windows = (most / (window as f64 * time_step)).ceil().max(1.0) as u64;
     let weight = if scene.gravity > 0.0 {

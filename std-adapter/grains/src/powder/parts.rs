@@ -66,14 +66,14 @@ fn bodies(scene: &PowderScene, deposit: &Deposit) -> Bodies {
 impl PowderScene {
     /// Materials and densities of spheres that no file has.
     pub(super) fn kinds(&self, count: usize) -> Kinds {
-        let is_second = SecondMaterial::choose(self.seed, self.share_second, count);
+        let is_second = SecondMaterial::choose(self.seed, self.second_fraction, count);
         Kinds::of(&is_second, &self.material(), &self.differences())
     }
 
     /// What the second material has of its own.
     pub(super) fn differences(&self) -> SecondMaterialKeys {
         SecondMaterialKeys {
-            density: self.density_second,
+            density: self.second_density,
             sliding: self.mu_second,
             sliding_mixed: self.mu_mixed,
         }
@@ -92,7 +92,7 @@ impl PowderScene {
             rolling: self.mu_rolling,
             torsion: self.mu_torsion,
             coupling: self.coupling,
-            wall: self.wall,
+            wall: self.wall_contact,
         }
     }
 
@@ -106,7 +106,7 @@ impl PowderScene {
             },
             ContactMethod::Soft => Method::Soft(Springs {
                 stiffness: self.spring(),
-                damping: self.damping,
+                damping: self.damping_ratio,
                 steps_per_collision: self.steps_per_collision,
                 step_limits: self.step_limits(),
             }),

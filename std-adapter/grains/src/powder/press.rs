@@ -182,7 +182,7 @@ impl Body<{ COLUMNS.len() }> for PowderBody {
         let means = watch.window.means(height).less(self.weight_stress(seen));
         watch.complete = Some((watch.window, height));
         watch.window = Window::starting(height);
-        means.is_blocked(scene.blocked, scene.pressure, self.area())
+        means.is_blocked(scene.blocked_criterion, scene.pressure, self.area())
     }
 
     fn write_checkpoint(watch: &PressMonitor, map: &mut Map<String, Value>) {

@@ -92,7 +92,7 @@ scene! {
     /// Spread of the radii, which are uniform from 1 - spread to 1 + spread.
     radius_spread: f64 = 0.0, "R", Below { from: 0.0, below: 1.0 }, Without("initial_state");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
-    sizes: Option<SizeDistribution> = None, "-", SIZES, Without("initial_state");
+    size_distribution was sizes: Option<SizeDistribution> = None, "-", SIZES, Without("initial_state");
     /// Seed of the deposit's random numbers.
     seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.
@@ -105,9 +105,9 @@ scene! {
     /// How the thresholds of sliding and torsion depend on each other.
     coupling: FrictionCoupling = FrictionCoupling::Independent, "-", OneOf(FrictionCoupling::WORDS);
     /// Share of the spheres that are of a second material, chosen at random; those of `initial_state` that have materials keep them.
-    share_second: f64 = 0.0, "-", Fraction;
+    second_fraction was share_second: f64 = 0.0, "-", Fraction;
     /// Density of the second material; that of the first if it is left out.
-    density_second: Option<f64> = None, "rho", Positive;
+    second_density was density_second: Option<f64> = None, "rho", Positive;
     /// Sliding coefficient of the second material; that of the first if it is left out.
     mu_second was sliding_second: Option<f64> = None, "-", NotNegative;
     /// Sliding coefficient between the two materials; the geometric mean of theirs if it is left out.
@@ -127,7 +127,7 @@ scene! {
     /// Coefficient of restitution: speed after an impact over speed before, at walls too.
     restitution: f64 = 0.0, "-", Fraction;
     /// Law at substrate and piston: that of spheres, cohesion only, or neither.
-    wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
+    wall_contact was wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
     /// Mass of the piston.
     // Thesis, section 4.5.
     piston_mass: f64 = 1000.0, "rho R^3", Positive;
@@ -137,7 +137,7 @@ scene! {
     // Overlaps of a thousandth of the radius: ten times stiffer ones do not change the porosity.
     stiffness: f64 = 1e3, "F_coh/R", Positive, PartOf("method", "soft");
     /// Damping ratio of soft contacts in all modes, unless `restitution` is above 0.
-    damping: f64 = 1.0, "-", NotNegative, PartOf("method", "soft");
+    damping_ratio was damping: f64 = 1.0, "-", NotNegative, PartOf("method", "soft");
     /// Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus `stiffness`/R.
     normal_law: NormalForce = NormalForce::Linear, "-", OneOf(NormalForce::WORDS),
         PartOf("method", "soft");
@@ -149,17 +149,17 @@ scene! {
     solver: SweepMethod = SweepMethod::Accelerated, "-", OneOf(SweepMethod::WORDS),
         PartOf("method", "contact-dynamics");
     /// Order of the contacts in a sweep of gauss-seidel.
-    order: SweepOrder = SweepOrder::Alternating, "-", OneOf(SweepOrder::WORDS),
+    sweep_order was order: SweepOrder = SweepOrder::Alternating, "-", OneOf(SweepOrder::WORDS),
         OnlyWith("solver", "gauss-seidel");
-    /// When gauss-seidel stops: by the change of all or of any contacts, or after `sweeps`.
-    stop: SweepStop = SweepStop::Global, "-", OneOf(SweepStop::WORDS),
+    /// When gauss-seidel stops: by the change of all or of any contacts, or after `max_iterations`.
+    stop_rule was stop: SweepStop = SweepStop::Global, "-", OneOf(SweepStop::WORDS),
         OnlyWith("solver", "gauss-seidel");
     /// Change of a sweep, relative to P, at which sweeps stop.
     // A tenfold smaller or larger tolerance leaves the final porosity as it is.
-    tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 }, NotWith("stop", "fixed");
-    /// Most sweeps of a step, N_I; all of them with stop = "fixed".
+    tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 }, NotWith("stop_rule", "fixed");
+    /// Most sweeps of a step, N_I; all of them with stop_rule = "fixed".
     // A bound for steps in which the tolerance is out of reach.
-    sweeps: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 }, PartOf("method", "contact-dynamics");
+    max_iterations was sweeps: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 }, PartOf("method", "contact-dynamics");
     /// Whether a step starts from the forces of the last one.
     warm_start: bool = true, "-", OneOf(bool::WORDS), PartOf("method", "contact-dynamics");
     /// Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
@@ -167,13 +167,13 @@ scene! {
     max_displacement was motion: f64 = 0.05, "R", Between { above: 0.0, up_to: 0.5 };
     /// Longest time step.
     // The pressure moves the piston by 10⁻⁵ R in it from rest.
-    time_step: f64 = 0.2, "sqrt(rho R^4/F_coh)", Positive;
+    max_time_step was time_step: f64 = 0.2, "sqrt(rho R^4/F_coh)", Positive;
     /// Sleep threshold: slower groups that nothing touches are left alone; with 0 none is.
     // A speed with which a sphere would cross a hundredth of its radius in 10⁵ units of time.
     still_speed: f64 = 1e-7, "sqrt(F_coh/rho)/R", NotNegative,
         PartOf("method", "contact-dynamics");
     /// Criterion of the end: forces balance and the piston stands, or the piston stands.
-    blocked: BlockedCriterion = BlockedCriterion::Balance, "-", OneOf(BlockedCriterion::WORDS);
+    blocked_criterion was blocked: BlockedCriterion = BlockedCriterion::Balance, "-", OneOf(BlockedCriterion::WORDS);
     /// Steps after which a run ends that is not blocked before.
     // Runs of the thesis' systems block within some thousand steps.
     max_steps was steps: u64 = 200_000, "-", Count { from: 1.0, up_to: 1e9 };
@@ -186,7 +186,7 @@ scene! {
 /// Width, capture radius and spread of the radii must fit together, and so must method and cohesion.
 fn rules(scene: &PowderScene, judge: &mut SceneDiagnostics<'_>) {
     if scene.method == ContactMethod::Soft {
-        for key in ["order", "stop", "tolerance"] {
+        for key in ["sweep_order", "stop_rule", "tolerance"] {
             if judge.is_given(key) {
                 let message = format!("`{key}` is not used with method = \"soft\"; leave it out");
                 judge.refuse(&[key, "method"], message);
@@ -195,27 +195,32 @@ fn rules(scene: &PowderScene, judge: &mut SceneDiagnostics<'_>) {
         soft_rules(
             judge,
             scene.attraction,
-            [scene.restitution, scene.share_second],
+            [scene.restitution, scene.second_fraction],
         );
     }
     if let Some(start) = &scene.initial_state {
-        if scene.count.is_some() || scene.sizes.is_some() || scene.radius_spread > 0.0 {
+        if scene.count.is_some() || scene.size_distribution.is_some() || scene.radius_spread > 0.0 {
             let message = format!(
-                "`initial_state` has its own spheres, those of {}; leave out `count`, `sizes` and `radius_spread`",
+                "`initial_state` has its own spheres, those of {}; leave out `count`, `size_distribution` and `radius_spread`",
                 start.display()
             );
             judge.refuse(&["initial_state"], message);
         }
-    } else if scene.sizes.is_some() && scene.radius_spread > 0.0 {
+    } else if scene.size_distribution.is_some() && scene.radius_spread > 0.0 {
         judge.refuse(
-            &["sizes", "radius_spread"],
-            "give `radius_spread` or `sizes`, not both",
+            &["size_distribution", "radius_spread"],
+            "give `radius_spread` or `size_distribution`, not both",
         );
     } else if let Err(error) = scene.ballistic() {
         let (keys, message): (&[&'static str], _) = match error {
-            DepositError::Sizes(error) => (&["sizes"], error.to_string()),
+            DepositError::Sizes(error) => (&["size_distribution"], error.to_string()),
             _ => (
-                &["capture_radius", "width", "radius_spread", "sizes"],
+                &[
+                    "capture_radius",
+                    "width",
+                    "radius_spread",
+                    "size_distribution",
+                ],
                 format!("`capture_radius`, `width` and the radii do not fit together: {error}"),
             ),
         };
@@ -230,12 +235,12 @@ fn in_force(scene: &PowderScene, key: &str, written: Option<Written>) -> Option<
     let soft = scene.method == ContactMethod::Soft;
     written.filter(|_| match key {
         "height" => scene.count.is_none() && !starts,
-        "radius_spread" => scene.sizes.is_none() && !starts,
+        "radius_spread" => scene.size_distribution.is_none() && !starts,
         "capture_radius" => !starts,
         // A file may lack materials, which are drawn then.
-        "seed" => !starts || scene.share_second > 0.0,
-        "damping" => scene.restitution == 0.0,
-        "order" | "stop" | "tolerance" => !soft,
+        "seed" => !starts || scene.second_fraction > 0.0,
+        "damping_ratio" => scene.restitution == 0.0,
+        "sweep_order" | "stop_rule" | "tolerance" => !soft,
         _ => true,
     })
 }
@@ -253,7 +258,7 @@ impl PowderScene {
 
     /// How the deposit grows, if width, capture radius and spread fit together.
     pub fn ballistic(&self) -> Result<Ballistic, DepositError> {
-        if let Some(sizes) = &self.sizes {
+        if let Some(sizes) = &self.size_distribution {
             return Ballistic::sized(self.width, sizes.radii()?, self.capture_radius);
         }
         let radii = [1.0 - self.radius_spread, 1.0 + self.radius_spread];
@@ -262,7 +267,7 @@ impl PowderScene {
 
     /// Smallest radius of the deposit; 0 if the distribution is refused.
     pub(crate) fn least_radius(&self) -> f64 {
-        match &self.sizes {
+        match &self.size_distribution {
             Some(sizes) => sizes.radii().map_or(0.0, |radii| radii.bounds()[0]),
             None => 1.0 - self.radius_spread,
         }
@@ -280,12 +285,12 @@ impl PowderScene {
         let method = match self.solver {
             SweepMethod::Accelerated => SolverMethod::Accelerated { tolerance },
             SweepMethod::GaussSeidel => SolverMethod::GaussSeidel {
-                order: match self.order {
+                order: match self.sweep_order {
                     SweepOrder::Alternating => IterationOrder::Alternating,
                     SweepOrder::Fixed => IterationOrder::Fixed,
                     SweepOrder::Random => IterationOrder::Random { seed: ORDER_SEED },
                 },
-                stop: match self.stop {
+                stop: match self.stop_rule {
                     SweepStop::Global => StopRule::Global(tolerance),
                     SweepStop::Local => StopRule::Local(tolerance),
                     SweepStop::Fixed => StopRule::Fixed,
@@ -294,7 +299,7 @@ impl PowderScene {
         };
         ContactSolver {
             method,
-            most_sweeps: self.sweeps,
+            most_sweeps: self.max_iterations,
             warm_start: self.warm_start,
         }
     }
@@ -310,7 +315,7 @@ impl PowderScene {
     pub fn step_limits(&self) -> StepLimits {
         StepLimits {
             motion: self.max_displacement,
-            longest: self.time_step,
+            longest: self.max_time_step,
         }
     }
 }

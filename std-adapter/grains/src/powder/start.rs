@@ -74,7 +74,7 @@ fn in_units_of_first(assembly: &mut Assembly) {
 
 /// Materials and densities of the spheres of a file or a run.
 fn kinds(scene: &PowderScene, assembly: &Assembly) -> Kinds {
-    let drawn = (scene.seed, scene.share_second);
+    let drawn = (scene.seed, scene.second_fraction);
     Kinds::given(assembly, drawn, (&scene.material(), &scene.differences()))
 }
 

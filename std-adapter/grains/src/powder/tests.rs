@@ -194,7 +194,7 @@ fn smooth_walls_have_no_thresholds() -> Tested {
         Vector3::new(0.3, 0.0, 1.0),
     );
     for (wall, reached) in [("smooth", None), ("full", Some([false; 3]))] {
-        let scene = scene(&[&format!("wall={wall}")])?;
+        let scene = scene(&[&format!("wall_contact={wall}")])?;
         assert_eq!(
             Limits::of(&scene.material()).reached(&row, &[1.0]),
             reached,
@@ -335,14 +335,14 @@ fn soft_spheres_end_blocked_near_the_height_of_rigid_ones() -> Tested {
 #[test]
 fn spheres_all_of_the_second_material_are_those_of_it_alone() -> Tested {
     let first = finished(&["mu=0.1"])?;
-    let second = finished(&["share_second=1", "mu_second=0.1"])?;
+    let second = finished(&["second_fraction=1", "mu_second=0.1"])?;
     assert_eq!(second.series(), first.series());
-    let heavy = finished(&["share_second=1", "mu_second=0.1", "density_second=2"])?;
+    let heavy = finished(&["second_fraction=1", "mu_second=0.1", "second_density=2"])?;
     assert_ne!(heavy.series(), first.series());
     // None of it, whatever it would be; and half of it, which is neither.
-    let none = finished(&["mu_second=0.1", "density_second=2"])?;
+    let none = finished(&["mu_second=0.1", "second_density=2"])?;
     assert_eq!(none.series(), finished(&[])?.series());
-    let half = finished(&["share_second=0.5", "mu_second=0"])?;
+    let half = finished(&["second_fraction=0.5", "mu_second=0"])?;
     assert_ne!(half.series(), none.series());
     assert_eq!(half.ending(), Some(PowderStopReason::Blocked));
     Ok(())
@@ -353,10 +353,13 @@ fn keys_of_the_other_method_are_refused() {
     for (keys, told) in [
         (&["method=soft", "solver=gauss-seidel"][..], "solver"),
         (&["method=soft", "tolerance=1e-3"], "tolerance"),
-        (&["method=soft", "sweeps=10"], "sweeps"),
-        (&["method=soft", "share_second=0.5"], "share_second"),
+        (&["method=soft", "max_iterations=10"], "max_iterations"),
+        (&["method=soft", "second_fraction=0.5"], "second_fraction"),
         (&["method=soft", "attraction=resistance"], "attraction"),
-        (&["method=soft", "restitution=0.5", "damping=1"], "damping"),
+        (
+            &["method=soft", "restitution=0.5", "damping_ratio=1"],
+            "damping_ratio",
+        ),
         (&["stiffness=1e4"], "method = \"soft\""),
         (&["method=soft", "stiffness=0"], "stiffness"),
         (&["method=sfot"], "soft"),

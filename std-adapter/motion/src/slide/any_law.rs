@@ -26,7 +26,7 @@ pub(super) fn run_law(
         return run(&scene, progress);
     }
     scene.check()?;
-    if scene.stepper == SliderIntegrator::Verlet {
+    if scene.integrator == SliderIntegrator::Verlet {
         return Err(SlideError::OnlyPowers { law: law.name() });
     }
     let friction = AnyFriction::new(&Patch::Disk, law, None)?.with_radius(scene.radius)?;

@@ -98,7 +98,7 @@ pub enum SlideError {
     #[error(
         "the body tips: from {time:.6} s on its foot cannot bear the pressure gradient, which \
          reaches {lean:.4} of the limit; lower `height` or `gamma`, or set \
-         tipping = \"clamp\""
+         on_tipping = \"clamp\""
     )]
     Tips {
         /// Time at which tipping begins, in s.
@@ -111,7 +111,7 @@ pub enum SlideError {
     Choice(#[from] FrictionError),
     /// The method supports only powers of the speed.
     #[error(
-        "stepper = \"verlet\" follows powers of the speed; the law {law} needs stepper = \"exact\""
+        "integrator = \"verlet\" follows powers of the speed; the law {law} needs integrator = \"exact\""
     )]
     OnlyPowers {
         /// Name of the law.

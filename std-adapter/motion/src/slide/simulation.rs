@@ -201,7 +201,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
 
     /// The scene's time step, or one that suits the motion.
     fn choose_length(&self) -> Result<StepLength, SlideError> {
-        let refinement = match self.scene.stepper {
+        let refinement = match self.scene.integrator {
             SliderIntegrator::Exact => 1.0,
             SliderIntegrator::Verlet => VERLET_REFINEMENT,
         };
@@ -397,7 +397,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> Simulation for SlideSimula
         let is_last = length * (1.0 + SLIVER) >= left;
         let duration = if is_last { left } else { length };
         let before = self.motion.time;
-        match self.scene.stepper {
+        match self.scene.integrator {
             SliderIntegrator::Exact => self.exact_step(duration, is_last),
             SliderIntegrator::Verlet => self.verlet_step(duration),
         }

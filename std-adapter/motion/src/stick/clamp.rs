@@ -131,7 +131,7 @@ fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<Cla
 
 /// The load at a share of a cycle.
 fn load(scene: &ClampScene, cycle: u32, share: f64) -> Wrench<f64> {
-    let grown = 1.0 + scene.growth * f64::from(cycle);
+    let grown = 1.0 + scene.amplitude_growth * f64::from(cycle);
     let swing = grown * Real::sin(TAU * share);
     Wrench::new(
         scene.force_mean + scene.force_amplitude * swing,
@@ -464,7 +464,7 @@ mod tests {
     fn a_load_that_grows_releases_the_pinch_at_the_sum_of_both_limits() {
         for (torque, mean) in [(0.0, 0.0), (0.0, 5.0)] {
             let scene = ClampScene {
-                growth: 0.1,
+                amplitude_growth: 0.1,
                 force_mean: mean,
                 torque_amplitude: torque,
                 cycles: 10,

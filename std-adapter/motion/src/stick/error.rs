@@ -73,7 +73,7 @@ pub enum StickError {
     /// Under rate and state the spring came to push the body back.
     #[error(
         "the spring would push the body back at {} s, and rate and state is followed forward \
-         only; raise `viscous`, or lower `mass`",
+         only; raise `radiation_damping`, or lower `mass`",
         brief(.time)
     )]
     Backwards {

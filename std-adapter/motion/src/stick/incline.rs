@@ -61,7 +61,7 @@ pub struct InclineRun {
 ///
 /// ```
 /// use tribos::{scene::InclineScene, stick::incline::run};
-/// let fixed = InclineScene { start_angle: 0.6, raise_rate: 0.0, duration: 2.0, ..InclineScene::default() };
+/// let fixed = InclineScene { start_angle: 0.6, tilt_rate: 0.0, duration: 2.0, ..InclineScene::default() };
 /// let end = run(&fixed)?.outcome;
 /// let acceleration = 9.81 * (0.6_f64.sin() - 0.3 * 0.6_f64.cos());
 /// assert!((end.distance / (0.5 * acceleration * 4.0) - 1.0).abs() < 1e-14);
@@ -134,13 +134,17 @@ impl<'a> InclineProblem<'a> {
         let surface = limit_surface(&scene.patch, 1.0, scene.radius, None)?;
         Ok(Self {
             scene,
-            ageing: StaticAgeing::new(scene.mu_static, scene.growth, scene.cut_off)?,
+            ageing: StaticAgeing::new(
+                scene.mu_static,
+                scene.ageing_rate,
+                scene.ageing_cutoff_time,
+            )?,
             gauge: surface.gauge(&Wrench::new(1.0, 0.0, 0.0)),
         })
     }
 
     fn angle(&self, time: f64) -> f64 {
-        let raised = self.scene.start_angle + self.scene.raise_rate * time;
+        let raised = self.scene.start_angle + self.scene.tilt_rate * time;
         raised.min(self.scene.end_angle)
     }
 
@@ -151,14 +155,14 @@ impl<'a> InclineProblem<'a> {
         } else if angle > self.scene.end_angle {
             f64::INFINITY
         } else {
-            (angle - self.scene.start_angle) / self.scene.raise_rate
+            (angle - self.scene.start_angle) / self.scene.tilt_rate
         }
     }
 
     /// Time at which the block lets go, within the run.
     fn release(&self) -> Option<f64> {
         let young = self.time_of(Real::atan(self.scene.mu_static / self.gauge));
-        let grows = self.scene.growth > 0.0 && young > self.scene.cut_off;
+        let grows = self.scene.ageing_rate > 0.0 && young > self.scene.ageing_cutoff_time;
         let release = if grows { self.aged_release() } else { young };
         (release <= self.scene.duration).then_some(release)
     }
@@ -175,7 +179,7 @@ impl<'a> InclineProblem<'a> {
         if !(high.is_finite() && excess(high) > 0.0) {
             return f64::INFINITY;
         }
-        let mut low = self.scene.cut_off;
+        let mut low = self.scene.ageing_cutoff_time;
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             if excess(middle) > 0.0 {
@@ -197,8 +201,8 @@ impl<'a> InclineProblem<'a> {
         let top = self.time_of(self.scene.end_angle);
         while state.time < until {
             let mut end = until;
-            if state.time < top && self.scene.raise_rate > 0.0 {
-                end = end.min(top).min(state.time + TURN / self.scene.raise_rate);
+            if state.time < top && self.scene.tilt_rate > 0.0 {
+                end = end.min(top).min(state.time + TURN / self.scene.tilt_rate);
             }
             let step = end - state.time;
             let (mut gained, mut moved) = (0.0, 0.0);
@@ -371,7 +375,7 @@ mod tests {
     fn a_fixed_incline_below_the_angle_holds_for_any_time() {
         let scene = InclineScene {
             start_angle: Real::atan(0.5) - 1e-12,
-            raise_rate: 0.0,
+            tilt_rate: 0.0,
             duration: 1e9,
             ..InclineScene::default()
         };
@@ -391,8 +395,8 @@ mod tests {
     fn a_contact_that_ages_holds_longer_and_lets_go_where_the_slope_meets_its_age() {
         for rate in [0.05, 1e-3, 1e-5] {
             let scene = InclineScene {
-                growth: 0.02,
-                raise_rate: rate,
+                ageing_rate: 0.02,
+                tilt_rate: rate,
                 duration: 2.0 / rate,
                 ..InclineScene::default()
             };

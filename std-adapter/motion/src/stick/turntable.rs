@@ -147,7 +147,7 @@ impl<'a> Table<'a> {
     /// What friction has to carry at rest over what it can, at a rate of the table.
     fn gauge(&self, rate: f64) -> f64 {
         let [mass, inertia] = [self.body.mass(), self.body.inertia()];
-        let (arm, spin_up) = (self.scene.distance, self.scene.spin_up);
+        let (arm, spin_up) = (self.scene.distance, self.scene.table_angular_acceleration);
         let inward = -mass * rate * rate * arm;
         self.at_rest.gauge(&Wrench::new(
             inward,
@@ -158,7 +158,7 @@ impl<'a> Table<'a> {
 
     /// The gauge is convex in Ω²: from below 1 at rest it passes 1 once.
     fn release(&self) -> Option<TurntableSlip> {
-        let last = self.scene.spin_up * self.scene.duration;
+        let last = self.scene.table_angular_acceleration * self.scene.duration;
         if self.gauge(0.0) > 1.0 {
             let (time, rate) = (0.0, 0.0);
             return Some(TurntableSlip { time, rate });
@@ -178,17 +178,17 @@ impl<'a> Table<'a> {
                 low = middle;
             }
         }
-        let (rate, time) = (high, high / self.scene.spin_up);
+        let (rate, time) = (high, high / self.scene.table_angular_acceleration);
         (rate <= last).then_some(TurntableSlip { time, rate })
     }
 
     fn rate(&self, time: f64) -> f64 {
-        self.scene.spin_up * time
+        self.scene.table_angular_acceleration * time
     }
 
     /// Angle by which the table has turned.
     fn turned(&self, time: f64) -> f64 {
-        0.5 * self.scene.spin_up * time * time
+        0.5 * self.scene.table_angular_acceleration * time * time
     }
 
     /// The body that turns with the table, at its release.

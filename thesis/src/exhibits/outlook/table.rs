@@ -58,7 +58,7 @@ impl CompactionParameters {
         } = *self;
         let mut case = Case::new(System::Small, self.corner, self.seed)
             .with("blocked=piston", |scene| {
-                scene.blocked = BlockedCriterion::Piston
+                scene.blocked_criterion = BlockedCriterion::Piston
             })
             .with(&format!("pressure={pressure}"), |scene| {
                 scene.pressure = pressure

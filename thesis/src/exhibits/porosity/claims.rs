@@ -32,10 +32,10 @@ pub fn few_sweeps(friction: [f64; 2]) -> Case {
     let keys = "solver=gauss-seidel,stop=fixed,sweeps=20,warm_start=off,blocked=piston,steps=4000";
     Case::new(System::Small, friction, 1).with(keys, |scene| {
         scene.solver = SweepMethod::GaussSeidel;
-        scene.stop = SweepStop::Fixed;
-        scene.sweeps = 20;
+        scene.stop_rule = SweepStop::Fixed;
+        scene.max_iterations = 20;
         scene.warm_start = false;
-        scene.blocked = BlockedCriterion::Piston;
+        scene.blocked_criterion = BlockedCriterion::Piston;
         scene.max_steps = 4000;
     })
 }
@@ -156,7 +156,8 @@ fn trials(runs: &Runs) -> Result<Vec<Claim>> {
         usual(friction).with(&key, |scene| scene.cohesion_range = SHORT_RANGE)
     };
     // Bottom and piston with cohesion, but without friction.
-    let smooth = |case: Case| case.with("wall=smooth", |scene| scene.wall = WallLaw::Smooth);
+    let smooth =
+        |case: Case| case.with("wall=smooth", |scene| scene.wall_contact = WallLaw::Smooth);
     let cases = [
         usual(none),
         short(none),

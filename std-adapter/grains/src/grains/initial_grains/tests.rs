@@ -180,8 +180,8 @@ fn a_flat_run_goes_on_from_its_trajectories_in_its_plane() -> Tested {
     let scene = GrainsScene {
         dimension: 2,
         width: 0.3,
-        share_second: 0.3,
-        radius_second: 0.1,
+        second_fraction: 0.3,
+        second_radius: 0.1,
         ..scene()
     };
     let run = after(&scene, 100)?;
@@ -333,7 +333,7 @@ fn grains_of_a_distribution_keep_the_mean_and_the_bounds() -> Tested {
     let sizes = SizeDistribution::LogNormal(0.2);
     let [low, high] = sizes.radii()?.bounds();
     let run = GrainsSimulation::new(&GrainsScene {
-        sizes: Some(sizes),
+        size_distribution: Some(sizes),
         count: 2000,
         width: 0.2,
         ..scene()
@@ -354,8 +354,8 @@ fn grains_of_a_distribution_keep_the_mean_and_the_bounds() -> Tested {
 fn grains_of_a_run_or_a_file_keep_materials_and_densities_whatever_the_seed() -> Tested {
     let home = tempfile::tempdir()?;
     let mixed = GrainsScene {
-        share_second: 0.4,
-        density_second: Some(7800.0),
+        second_fraction: 0.4,
+        second_density: Some(7800.0),
         mu_second: Some(0.1),
         ..scene()
     };
@@ -380,7 +380,7 @@ fn grains_of_a_run_or_a_file_keep_materials_and_densities_whatever_the_seed() ->
             let other = GrainsSimulation::new(&GrainsScene {
                 initial_state: Some(file.clone()),
                 seed,
-                share_second,
+                second_fraction: share_second,
                 density: 1000.0,
                 ..mixed.clone()
             })?;

@@ -220,7 +220,7 @@ impl Scene {
 /// Some bodies of each kind, with several sizes, materials and densities, after some steps.
 fn bodies() -> Vec<(&'static str, Scene)> {
     let grains = "body = \"grains\"\nwidth = 0.08\nradius = 0.005\ncount = 30\nduration = 1\ndensity = 2500\n\
-                  share_second = 0.4\nradius_second = 0.7\ndensity_second = 7800\nmu_second = 0.2\n";
+                  second_fraction = 0.4\nsecond_radius = 0.7\nsecond_density = 7800\nmu_second = 0.2\n";
     let scene = |name: &'static str, text: &str| {
         let scene = Scene::parse(name, text);
         (
@@ -235,7 +235,7 @@ fn bodies() -> Vec<(&'static str, Scene)> {
         of("flat", "dimension = 2\n"),
         of(
             "plates",
-            "boundary_z = \"walls\"\ngravity = 0\npressure_z = 1000\nplate_speed = 0.1\n",
+            "boundary_z = \"walls\"\ngravity = 0\nwall_stress_z = 1000\nlid_speed_x = 0.1\n",
         ),
         of(
             "hopper",
@@ -253,7 +253,7 @@ fn bodies() -> Vec<(&'static str, Scene)> {
         scene(
             "powder",
             "body = \"powder\"\nwidth = 8\nheight = 10\npressure = 0.02\nradius_spread = 0.2\n\
-             share_second = 0.3\ndensity_second = 2\nmu_second = 0.1\n",
+             second_fraction = 0.3\nsecond_density = 2\nmu_second = 0.1\n",
         ),
         scene("gas", "body = \"gas\"\ncount = 60\n"),
     ]
@@ -424,9 +424,9 @@ fn no_format_loses_a_radius_a_density_a_material_a_period_or_the_tilt() {
             let soft = PowderScene {
                 method: ContactMethod::Soft,
                 initial_state: Some(file),
-                share_second: 0.0,
+                second_fraction: 0.0,
                 mu_second: None,
-                density_second: None,
+                second_density: None,
                 radius_spread: 0.0,
                 ..scene.clone()
             };

@@ -59,7 +59,10 @@ fn refusal(scene: &PowderScene) -> String {
 fn a_run_from_a_state_or_a_checkpoint_goes_on_to_the_bit() -> Tested {
     let home = tempfile::tempdir()?;
     for sizes in [None, Some(SizeDistribution::LogNormal(0.1))] {
-        let scene = PowderScene { sizes, ..tiny() };
+        let scene = PowderScene {
+            size_distribution: sizes,
+            ..tiny()
+        };
         let mut whole = after(&scene, 40)?;
         let state = kept(&home, "state.json", &whole.state())?;
         let checkpoint = kept(&home, "checkpoint.json", &whole.checkpoint())?;
@@ -69,7 +72,7 @@ fn a_run_from_a_state_or_a_checkpoint_goes_on_to_the_bit() -> Tested {
         for start in [state, checkpoint, home.path().to_owned()] {
             let scene = PowderScene {
                 initial_state: Some(start),
-                sizes: None,
+                size_distribution: None,
                 ..scene.clone()
             };
             let part = PowderSimulation::new(&scene)?;
@@ -212,13 +215,13 @@ fn starts_that_do_not_fit_are_refused_with_what_would() -> Tested {
         count: Some(7),
         ..tiny()
     };
-    assert!(refusal(&twice).contains("leave out `count`, `sizes` and `radius_spread`"));
+    assert!(refusal(&twice).contains("leave out `count`, `size_distribution` and `radius_spread`"));
     let both = PowderScene {
-        sizes: Some(SizeDistribution::Normal(0.1)),
+        size_distribution: Some(SizeDistribution::Normal(0.1)),
         radius_spread: 0.1,
         ..tiny()
     };
-    assert!(refusal(&both).contains("give `radius_spread` or `sizes`, not both"));
+    assert!(refusal(&both).contains("give `radius_spread` or `size_distribution`, not both"));
     Ok(())
 }
 
@@ -229,7 +232,7 @@ fn a_uniform_distribution_is_the_spread_of_the_radii() -> Tested {
         ..tiny()
     })?;
     let sizes = PowderSimulation::new(&PowderScene {
-        sizes: Some(SizeDistribution::Uniform(0.2)),
+        size_distribution: Some(SizeDistribution::Uniform(0.2)),
         ..tiny()
     })?;
     assert_eq!(spread.deposit(), sizes.deposit());

@@ -93,11 +93,11 @@ scene! {
     /// Fraction of the band's rotation that the film takes at the back, of the model film.
     film_back: f64 = 0.0, "-", Fraction, PartOf("model", "film");
     /// Weight of the pull, of the model pivot-slide.
-    pivot: f64 = PivotSlide::WEIGHT, "-", NotNegative, PartOf("model", "pivot-slide");
+    pivot_weight was pivot: f64 = PivotSlide::WEIGHT, "-", NotNegative, PartOf("model", "pivot-slide");
     /// Guiding force over load, of the model scratch-guide.
-    scratch: f64 = ScratchGuide::STRENGTH, "-", NotNegative, PartOf("model", "scratch-guide");
+    scratch_strength was scratch: f64 = ScratchGuide::STRENGTH, "-", NotNegative, PartOf("model", "scratch-guide");
     /// Half the crossing angle from which scratches guide, of the model scratch-guide.
-    scratch_onset: f64 = ScratchGuide::ONSET, "rad", Positive, PartOf("model", "scratch-guide");
+    scratch_onset_angle was scratch_onset: f64 = ScratchGuide::ONSET, "rad", Positive, PartOf("model", "scratch-guide");
     /// Number of intervals of time in the series.
     samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
@@ -167,12 +167,12 @@ impl CurlingScene {
             }),
             IceModel::PivotSlide => Box::new(PivotSlide {
                 ice,
-                weight: self.pivot,
+                weight: self.pivot_weight,
             }),
             IceModel::ScratchGuide => Box::new(ScratchGuide {
                 ice,
-                strength: self.scratch,
-                onset: self.scratch_onset,
+                strength: self.scratch_strength,
+                onset: self.scratch_onset_angle,
             }),
         }
     }

@@ -18,7 +18,7 @@ scene! {
     /// use tribos::{scene::{CylinderScene, Tipping}, slide::run_path};
     /// let tower = CylinderScene { height: 0.4, ..CylinderScene::default() };
     /// assert!(run_path(&tower).is_err()); // it tips
-    /// let held = run_path(&CylinderScene { tipping: Tipping::Clamp, ..tower })?;
+    /// let held = run_path(&CylinderScene { on_tipping: Tipping::Clamp, ..tower })?;
     /// assert!(held.outcome.arrival.most_lean > 1.0);
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
@@ -41,13 +41,13 @@ scene! {
     /// Height of the body; its centre of mass is half way up.
     height: f64 = 0.16, "m", NotNegative, Required;
     /// Directions in which the pressure may lean.
-    gradient: Gradient = Gradient::AllRound, "-", OneOf(Gradient::WORDS);
+    pressure_gradient was gradient: Gradient = Gradient::AllRound, "-", OneOf(Gradient::WORDS);
     /// Pressure at rest.
     pressure: FootPressure = FootPressure::Uniform, "-", OneOf(FootPressure::WORDS);
     /// Inertia ratio C = I/(M R^2), 0.5 for a solid, uniform cylinder.
     inertia_ratio: f64 = 0.5, "-", Positive;
     /// What to do where the body would tip.
-    tipping: Tipping = Tipping::Refuse, "-", OneOf(Tipping::WORDS);
+    on_tipping was tipping: Tipping = Tipping::Refuse, "-", OneOf(Tipping::WORDS);
     /// Acceleration that presses the body down.
     gravity: f64 = 9.81, "m/s^2", Positive, Required;
     /// Mass of the body.
@@ -58,7 +58,10 @@ scene! {
     samples: u32 = 200, "-", Count { from: 1.0, up_to: MOST_SAMPLES };
 }
 
-fn moves_at_all(scene: &CylinderScene, judge: &mut tribos_base::scene::reader::SceneDiagnostics<'_>) {
+fn moves_at_all(
+    scene: &CylinderScene,
+    judge: &mut tribos_base::scene::reader::SceneDiagnostics<'_>,
+) {
     moves(scene.speed, scene.spin, judge);
 }
 
@@ -83,7 +86,7 @@ impl CylinderScene {
             height: self.height,
             inertia_ratio: self.inertia_ratio,
             pressure: self.pressure.pressure(),
-            gradient: self.gradient,
+            gradient: self.pressure_gradient,
         }
     }
 }
@@ -94,7 +97,7 @@ impl PlanarScene for CylinderScene {
             speed: self.speed,
             spin: self.spin,
             mass: self.mass,
-            tipping: self.tipping,
+            tipping: self.on_tipping,
             stop_fraction: self.stop_fraction,
             samples: self.samples,
         }

@@ -41,11 +41,11 @@ scene! {
     /// Height of the body; its centre of mass is half way up.
     height: f64 = 0.15, "m", NotNegative, Required;
     /// Directions in which the pressure may lean.
-    gradient: Gradient = Gradient::AllRound, "-", OneOf(Gradient::WORDS);
+    pressure_gradient was gradient: Gradient = Gradient::AllRound, "-", OneOf(Gradient::WORDS);
     /// Inner radius of the pipe; the outer one for a thin ring.
     inner_radius: f64 = 0.046, "m", NotNegative, Required;
     /// What to do where the body would tip.
-    tipping: Tipping = Tipping::Refuse, "-", OneOf(Tipping::WORDS);
+    on_tipping was tipping: Tipping = Tipping::Refuse, "-", OneOf(Tipping::WORDS);
     /// Acceleration that presses the body down.
     gravity: f64 = 9.81, "m/s^2", Positive, Required;
     /// Mass of the body.
@@ -84,7 +84,7 @@ impl PipeScene {
             radius: self.radius,
             inner_ratio: self.inner_radius / self.radius,
             height: self.height,
-            gradient: self.gradient,
+            gradient: self.pressure_gradient,
         }
     }
 }
@@ -95,7 +95,7 @@ impl PlanarScene for PipeScene {
             speed: self.speed,
             spin: self.spin,
             mass: self.mass,
-            tipping: self.tipping,
+            tipping: self.on_tipping,
             stop_fraction: self.stop_fraction,
             samples: self.samples,
         }

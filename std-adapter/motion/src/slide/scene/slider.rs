@@ -80,10 +80,13 @@ scene! {
     /// Unit system.
     units: Units = Units::Si, "-", OneOf(Units::WORDS);
     /// Method that follows the motion.
-    stepper: SliderIntegrator = SliderIntegrator::Exact, "-", OneOf(SliderIntegrator::WORDS);
+    integrator was stepper: SliderIntegrator = SliderIntegrator::Exact, "-", OneOf(SliderIntegrator::WORDS);
 }
 
-fn check_initial_motion(scene: &DiskScene, judge: &mut tribos_base::scene::reader::SceneDiagnostics<'_>) {
+fn check_initial_motion(
+    scene: &DiskScene,
+    judge: &mut tribos_base::scene::reader::SceneDiagnostics<'_>,
+) {
     moves(scene.speed, scene.spin, judge);
 }
 

@@ -45,7 +45,7 @@ scene! {
     /// Amplitude of the torque, in phase with the force.
     torque_amplitude: f64 = 0.0, "N m", Finite;
     /// Growth of both amplitudes from cycle to cycle, as a share of the first.
-    growth: f64 = 0.0, "-", NotNegative;
+    amplitude_growth was growth: f64 = 0.0, "-", NotNegative;
     /// Duration of a cycle.
     period: f64 = 1.0, "s", Positive;
     /// Number of cycles.

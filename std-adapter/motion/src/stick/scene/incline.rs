@@ -29,18 +29,18 @@ scene! {
     mass: f64 = 1.0, "kg", Positive, Required;
     /// Acceleration by gravity.
     gravity: f64 = 9.81, "m/s^2", Positive, Required;
-    /// Static coefficient of a contact not older than `cut_off`.
+    /// Static coefficient of a contact not older than `ageing_cutoff_time`.
     mu_static: f64 = 0.5, "-", NotNegative, Required;
     /// Dynamic coefficient.
     mu_dynamic: f64 = 0.3, "-", NotNegative, Required;
     /// Growth of the static coefficient for each e-fold of the time of rest.
-    growth: f64 = 0.0, "-", NotNegative;
+    ageing_rate was growth: f64 = 0.0, "-", NotNegative;
     /// Time of rest from which it grows.
-    cut_off: f64 = 1.0, "s", Positive;
+    ageing_cutoff_time was cut_off: f64 = 1.0, "s", Positive;
     /// Angle of the incline at the start.
     start_angle: f64 = 0.0, "rad", NotNegative;
     /// Rate at which it is raised, 0 for a fixed one.
-    raise_rate: f64 = 0.05, "rad/s", NotNegative;
+    tilt_rate was raise_rate: f64 = 0.05, "rad/s", NotNegative;
     /// Angle at which the raising ends.
     end_angle: f64 = 1.0, "rad", Between { above: 0.0, up_to: FRAC_PI_2 };
     /// End of the run.

@@ -68,19 +68,19 @@ scene! {
     /// How long it is pulled; with holds, before the first and after each.
     pull_time: f64 = 20.0, "s", Positive, Required;
     /// How long the end of the spring stands still first; it never does if left out.
-    hold: Option<f64> = None, "s", Positive;
+    hold_time was hold: Option<f64> = None, "s", Positive;
     /// Number of holds.
-    holds: u32 = 1, "-", Count { from: 1.0, up_to: 1000.0 };
+    hold_count was holds: u32 = 1, "-", Count { from: 1.0, up_to: 1000.0 };
     /// Duration of each hold over that of the one before.
-    hold_growth: f64 = 10.0, "-", Positive;
-    /// Static coefficient, of dry friction, of a contact not older than `cut_off`.
+    hold_time_ratio was hold_growth: f64 = 10.0, "-", Positive;
+    /// Static coefficient, of dry friction, of a contact not older than `ageing_cutoff_time`.
     mu_static: f64 = DRY[0], "-", NotNegative;
     /// Dynamic coefficient, of dry friction.
     mu_dynamic: f64 = DRY[1], "-", NotNegative;
     /// Growth of the static coefficient for each e-fold of the time of rest, of dry friction.
-    growth: f64 = DRY[2], "-", NotNegative;
+    ageing_rate was growth: f64 = DRY[2], "-", NotNegative;
     /// Time of rest from which it grows, of dry friction.
-    cut_off: f64 = DRY[3], "s", Positive;
+    ageing_cutoff_time was cut_off: f64 = DRY[3], "s", Positive;
     /// Law of the speed in place of dry friction.
     law: Option<Law> = None, "-", LAW;
     /// Coefficient of steady sliding with `reference_speed`, of rate and state.
@@ -94,7 +94,7 @@ scene! {
     /// Memory length D_c, of rate and state.
     slip_distance: f64 = 1e-6, "m", Positive, PartOf("friction_law", "rate-state");
     /// Viscous term of the inertial branch, of rate and state.
-    viscous: f64 = 0.0, "s/m", NotNegative, PartOf("friction_law", "rate-state");
+    radiation_damping was viscous: f64 = 0.0, "s/m", NotNegative, PartOf("friction_law", "rate-state");
     /// How the age evolves, of rate and state: Dieterich's ageing law or Ruina's slip law.
     evolution: StateEvolutionKind = StateEvolutionKind::Ageing, "-", OneOf(StateEvolutionKind::WORDS), PartOf("friction_law", "rate-state");
     /// Speed of the steady sliding that rate and state starts from; 0.9 `pull_speed` if left out.
@@ -121,7 +121,12 @@ scene! {
 /// wood on wood.
 const DRY: [f64; 4] = [0.5, 0.3, 0.0, 1.0];
 /// Their keys.
-const DRY_KEYS: [&str; 4] = ["mu_static", "mu_dynamic", "growth", "cut_off"];
+const DRY_KEYS: [&str; 4] = [
+    "mu_static",
+    "mu_dynamic",
+    "ageing_rate",
+    "ageing_cutoff_time",
+];
 
 /// Times beyond this one, in s, leave too few digits for what follows.
 const LONGEST_HOLD: f64 = 1e12;
@@ -144,14 +149,18 @@ fn rules(scene: &SpringScene, judge: &mut SceneDiagnostics<'_>) {
         let message = format!("`coulomb_force` must not exceed `static_force`, {most}");
         judge.refuse(&["coulomb_force", "static_force"], message);
     }
-    let longest = scene.hold.map(|first| {
-        first * Real::pow(scene.hold_growth, f64::from(scene.holds.saturating_sub(1)))
+    let longest = scene.hold_time.map(|first| {
+        first
+            * Real::pow(
+                scene.hold_time_ratio,
+                f64::from(scene.hold_count.saturating_sub(1)),
+            )
     });
     if longest.is_some_and(|time| time > LONGEST_HOLD) {
         let message = format!(
-            "the longest hold, hold * hold_growth^(holds - 1), must not exceed {LONGEST_HOLD:e} s"
+            "the longest hold, hold_time * hold_time_ratio^(hold_count - 1), must not exceed {LONGEST_HOLD:e} s"
         );
-        judge.refuse(&["holds", "hold_growth", "hold"], message);
+        judge.refuse(&["hold_count", "hold_time_ratio", "hold_time"], message);
     }
     no_dry_friction(scene, judge);
     match scene.law.map(|law| (law, law.build::<f64>())) {
@@ -173,8 +182,8 @@ fn no_dry_friction(scene: &SpringScene, judge: &mut SceneDiagnostics<'_>) {
     let values = [
         scene.mu_static,
         scene.mu_dynamic,
-        scene.growth,
-        scene.cut_off,
+        scene.ageing_rate,
+        scene.ageing_cutoff_time,
     ];
     let is_dry = scene.friction_law == SpringFriction::Dry;
     if !is_dry && scene.law.is_some() {
@@ -223,7 +232,7 @@ impl SpringScene {
             b: self.b,
             reference_speed: self.reference_speed,
             slip_distance: self.slip_distance,
-            viscous: self.viscous,
+            viscous: self.radiation_damping,
         }
     }
 

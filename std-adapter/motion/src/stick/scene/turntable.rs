@@ -12,7 +12,7 @@ scene! {
     /// ```
     /// use tribos::{scene::TurntableScene, stick::turntable::run};
     /// // A slow spin-up lets go where the centrifugal force meets friction.
-    /// let table = TurntableScene { spin_up: 1e-4, duration: 1e5, time_step: 1e-2, ..TurntableScene::default() };
+    /// let table = TurntableScene { table_angular_acceleration: 1e-4, duration: 1e5, time_step: 1e-2, ..TurntableScene::default() };
     /// let release = run(&table)?.outcome.release.ok_or("holds")?;
     /// let pull = release.rate * release.rate * table.distance; // omega² r
     /// assert!((pull / (table.mu_static * table.gravity) - 1.0).abs() < 1e-6);
@@ -38,7 +38,7 @@ scene! {
     /// Distance of the body from the axis of the table.
     distance: f64 = 0.2, "m", Positive, Required;
     /// Angular acceleration of the table.
-    spin_up: f64 = 1.0, "rad/s^2", Positive, Required;
+    table_angular_acceleration was spin_up: f64 = 1.0, "rad/s^2", Positive, Required;
     /// Radius of the table, where the run ends.
     table_radius: f64 = 0.5, "m", Positive;
     /// End of the run, if the body stays on the table.

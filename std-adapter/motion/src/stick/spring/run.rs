@@ -93,12 +93,12 @@ fn follower(scene: &SpringScene) -> Result<Box<dyn SpringIntegrator>, StickError
             stiffness,
             load,
             mu_dynamic,
-            mu_static: StaticAgeing::new(mu_static, growth, scene.cut_off)?,
+            mu_static: StaticAgeing::new(mu_static, growth, scene.ageing_cutoff_time)?,
         })))
     };
     Ok(match scene.friction_law {
         SpringFriction::Dry => match scene.law {
-            None => dry(scene.mu_static, scene.mu_dynamic, scene.growth)?,
+            None => dry(scene.mu_static, scene.mu_dynamic, scene.ageing_rate)?,
             Some(law) => match coefficients(&law) {
                 Some([mu_static, mu_dynamic]) => dry(mu_static, mu_dynamic, 0.0)?,
                 None => {
@@ -153,18 +153,18 @@ fn pieces(scene: &SpringScene) -> Vec<PullOrHold> {
         duration: scene.pull_time,
         is_last,
     };
-    let Some(mut hold) = scene.hold else {
+    let Some(mut hold) = scene.hold_time else {
         return vec![pull(true)];
     };
     let mut all = vec![pull(false)];
-    for index in 1..=scene.holds {
+    for index in 1..=scene.hold_count {
         all.push(PullOrHold {
             speed: 0.0,
             duration: hold,
             is_last: false,
         });
-        all.push(pull(index == scene.holds));
-        hold *= scene.hold_growth;
+        all.push(pull(index == scene.hold_count));
+        hold *= scene.hold_time_ratio;
     }
     all
 }
@@ -416,7 +416,7 @@ impl StickSlipScene for SpringScene {
             told.push((
                 "ending",
                 format!(
-                    "the speed leaves all bounds at {:.6} s: give `mass` or `viscous`",
+                    "the speed leaves all bounds at {:.6} s: give `mass` or `radiation_damping`",
                     outcome.end_time
                 ),
             ));

@@ -171,8 +171,8 @@ fn a_pull_too_weak_moves_nothing() {
 fn contacts_that_age_let_go_where_the_force_meets_the_age() {
     for (growth, cut_off, speed) in [(0.02, 0.1, 0.05), (0.1, 3.0, 0.01), (0.05, 1e-3, 1e-3)] {
         let scene = SpringScene {
-            growth,
-            cut_off,
+            ageing_rate: growth,
+            ageing_cutoff_time: cut_off,
             pull_speed: speed,
             pull_time: 20.0 / speed,
             samples: 20_000,
@@ -217,12 +217,12 @@ fn contacts_that_age_let_go_where_the_force_meets_the_age() {
 #[test]
 fn static_friction_grows_with_the_logarithm_of_the_hold() {
     let scene = SpringScene {
-        growth: 0.03,
-        cut_off: 0.01,
+        ageing_rate: 0.03,
+        ageing_cutoff_time: 0.01,
         pull_speed: 1e-3,
         pull_time: 30.0,
-        hold: Some(1000.0),
-        holds: 5,
+        hold_time: Some(1000.0),
+        hold_count: 5,
         stiffness: 1000.0,
         ..SpringScene::default()
     };
@@ -314,7 +314,7 @@ fn a_direct_effect_too_small_to_follow_is_told() {
     for a in [1e-4, 1e-10, 1e-30] {
         let scene = SpringScene {
             a,
-            viscous: 20.0,
+            radiation_damping: 20.0,
             ..paper()
         };
         let ended = run(&scene);
@@ -331,9 +331,9 @@ fn contacts_under_rate_and_state_heal_by_b_for_each_e_fold_of_the_hold() {
         stiffness: 1e7,
         pull_speed: 1e-5,
         pull_time: 10.0,
-        hold: Some(100.0),
-        holds: 4,
-        viscous: 1.0,
+        hold_time: Some(100.0),
+        hold_count: 4,
+        radiation_damping: 1.0,
         ..paper()
     };
     let healing = run(&scene).unwrap().outcome.healing.unwrap();
@@ -408,7 +408,7 @@ fn the_cycle_without_mass_is_that_of_another_integrator() {
     ] {
         let scene = SpringScene {
             evolution,
-            viscous: 20.0,
+            radiation_damping: 20.0,
             ..paper()
         };
         let outcome = run(&scene).unwrap().outcome;

@@ -9,7 +9,7 @@ fn a_small_body_lets_go_where_its_whole_acceleration_meets_friction() {
             mu_static: mu,
             mu_dynamic: 0.05,
             distance: arm,
-            spin_up,
+            table_angular_acceleration: spin_up,
             ..TurntableScene::default()
         };
         let release = run(&scene).unwrap().outcome.release.unwrap();
@@ -28,7 +28,7 @@ fn a_small_body_lets_go_where_its_whole_acceleration_meets_friction() {
 fn the_torque_of_the_spin_up_lets_a_wide_body_go_earlier() {
     let narrow = TurntableScene {
         gyration_radius: 1e-9,
-        spin_up: 5.0,
+        table_angular_acceleration: 5.0,
         ..TurntableScene::default()
     };
     let rates = [1e-9, 0.03, 0.1, 0.15].map(|gyration_radius| {
@@ -70,7 +70,7 @@ fn almost_without_friction_it_leaves_along_the_tangent() {
     };
     let result = run(&scene).unwrap();
     let release = result.outcome.release.unwrap();
-    let turned = 0.5 * scene.spin_up * release.time * release.time;
+    let turned = 0.5 * scene.table_angular_acceleration * release.time * release.time;
     let start = rotated(Vector2::new(scene.distance, 0.0), turned);
     let speed = rotated(Vector2::new(0.0, release.rate * scene.distance), turned);
     let mut seen = 0;
@@ -93,7 +93,7 @@ fn followed(scene: &TurntableScene, release: TurntableSlip) -> f64 {
     let mut x = Vector2::new(scene.distance, 0.0);
     let mut v = Vector2::new(0.0, release.rate * scene.distance);
     let slowed = |time: f64, x: Vector2<f64>, v: Vector2<f64>| {
-        let slip = v - Vector2::new(-x.y, x.x) * (scene.spin_up * time);
+        let slip = v - Vector2::new(-x.y, x.x) * (scene.table_angular_acceleration * time);
         slip * (-pull / slip.norm().max(f64::MIN_POSITIVE))
     };
     while x.norm() < scene.table_radius {
@@ -114,7 +114,7 @@ fn a_body_leaves_a_quick_table_when_an_independent_integration_says_at_any_step(
         radius: 1e-7,
         gyration_radius: 1e-9,
         distance: 0.05,
-        spin_up: 50.0,
+        table_angular_acceleration: 50.0,
         duration: 5.0,
         ..TurntableScene::default()
     };
@@ -140,7 +140,7 @@ fn without_friction_a_body_keeps_its_straight_path_on_a_table_of_any_speed() {
         let scene = TurntableScene {
             mu_dynamic: 0.0,
             mu_static: 0.03 * spin_up,
-            spin_up,
+            table_angular_acceleration: spin_up,
             time_step: 0.1,
             ..TurntableScene::default()
         };
@@ -155,7 +155,7 @@ fn without_friction_a_body_keeps_its_straight_path_on_a_table_of_any_speed() {
     let jerked = TurntableScene {
         mu_dynamic: 0.0,
         mu_static: 0.01,
-        spin_up: 40.0,
+        table_angular_acceleration: 40.0,
         time_step: 0.1,
         ..TurntableScene::default()
     };
