@@ -32,10 +32,10 @@
 //! A curling stone that turns counterclockwise, and curls to the left:
 //!
 //! ```
-//! use tribos::{scene::{CurlingScene, IceModel}, slide::run_path};
+//! use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
 //! let model = IceModel::ScratchGuide;
 //! let stone = CurlingScene { model, speed: 1.9866, spin: 1.5, ..CurlingScene::default() }; // m/s, rad/s
-//! let end = run_path(&stone)?.outcome.arrival.point;
+//! let end = run_planar(&stone)?.outcome.arrival.point;
 //! assert!(end.position[0] > 28.3 && end.position[1] > 0.9); // m on, and to the left
 //! # Ok::<(), tribos::slide::SlideError>(())
 //! ```
@@ -58,10 +58,10 @@
 //! A cohesive powder under a piston:
 //!
 //! ```
-//! use tribos::{powder::PowderSimulation, run::drive, scene::PowderScene};
+//! use tribos::{powder::PowderSimulation, run::run_to_end, scene::PowderScene};
 //! let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 //! let mut compaction = PowderSimulation::new(&scene)?;
-//! drive(&mut compaction, |_line, _done| ())?;
+//! run_to_end(&mut compaction, |_line, _done| ())?;
 //! let [before, after] = compaction.outcome().porosity;
 //! assert!(after < before);
 //! # Ok::<(), tribos::powder::CompactionError>(())

@@ -5,7 +5,7 @@
 //! let puck = DiskScene { speed: 2.0, spin: 40.0, ..DiskScene::default() }; // m/s, rad/s
 //! let rest = slide::run(&puck, |_| ())?.outcome;
 //! assert!(rest.distance > 0.0); // m
-//! let hertz = Friction::<f64>::new(&Patch::Hertz, &Law::coulomb(0.3)?, None)?;
+//! let hertz = AnyFriction::<f64>::new(&Patch::Hertz, &Law::coulomb(0.3)?, None)?;
 //! let wrench = hertz.with_radius(0.01)?.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // m; N
 //! assert!(wrench.torque < 0.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -9,9 +9,9 @@ use bevy::transform::TransformPlugin;
 use std::error::Error;
 use std::time::Duration;
 use tribos_bevy::{FrictionPatch, FrictionPatchPlugin, PatchFriction};
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 const MU: f32 = 0.3;
 const RADIUS: f32 = 0.08;
@@ -43,10 +43,10 @@ fn exact(foot: Foot, spin: f32) -> Result<Throw, Box<dyn Error>> {
         radius: f64::from(RADIUS),
         inertia_ratio: 0.5,
     };
-    let thrown = Motion::launched(f64::from(SPEED), f64::from(spin));
+    let thrown = SliderState::launched(f64::from(SPEED), f64::from(spin));
     let rest = match foot {
-        Foot::Disk => Slider::new(Coulomb, parameters)?.to_rest(&thrown),
-        Foot::Ring => Slider::new(Ring, parameters)?.to_rest(&thrown),
+        Foot::Disk => Slider::new(CoulombDisk, parameters)?.to_rest(&thrown),
+        Foot::Ring => Slider::new(CoulombRing, parameters)?.to_rest(&thrown),
     };
     let motion = rest.ok_or("the puck never stops")?.motion;
     Ok(Throw {

@@ -7,9 +7,9 @@ mod picture;
 use picture::{COLOURS, Picture};
 use rapier3d::prelude::*;
 use std::error::Error;
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_rapier::{Patch, PatchContacts};
 
 const MU: f32 = 0.3;
@@ -38,10 +38,10 @@ struct Throw {
 
 fn exact(foot: Foot, spin: f32) -> Result<Throw, Box<dyn Error>> {
     let (deceleration, radius) = (f64::from(MU) * f64::from(GRAVITY), f64::from(RADIUS));
-    let thrown = Motion::launched(f64::from(SPEED), f64::from(spin));
+    let thrown = SliderState::launched(f64::from(SPEED), f64::from(spin));
     let rest = match foot {
         Foot::Disk => Slider::new(
-            Coulomb,
+            CoulombDisk,
             SliderParameters {
                 deceleration,
                 radius,
@@ -50,7 +50,7 @@ fn exact(foot: Foot, spin: f32) -> Result<Throw, Box<dyn Error>> {
         )?
         .to_rest(&thrown),
         Foot::Ring => Slider::new(
-            Ring,
+            CoulombRing,
             SliderParameters {
                 deceleration,
                 radius,

@@ -7,9 +7,9 @@ mod exact;
 
 use rapier2d::prelude::*;
 use std::error::Error;
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_rapier2d::{Floor, Footprint, PlacedFoot};
 
 const MU: f32 = 0.3;
@@ -67,8 +67,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         inertia_ratio: 0.5,
     };
     for spin in SPINS {
-        let launched = Motion::launched(1.0, f64::from(spin));
-        let end = Slider::new(Coulomb, parameters)?
+        let launched = SliderState::launched(1.0, f64::from(spin));
+        let end = Slider::new(CoulombDisk, parameters)?
             .to_rest(&launched)
             .ok_or("never stops")?
             .motion;
@@ -76,8 +76,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         line("disk", spin, is, [end.distance, end.time]);
     }
     for spin in SPINS {
-        let launched = Motion::launched(1.0, f64::from(spin));
-        let end = Slider::new(Ring, parameters)?
+        let launched = SliderState::launched(1.0, f64::from(spin));
+        let end = Slider::new(CoulombRing, parameters)?
             .to_rest(&launched)
             .ok_or("never stops")?
             .motion;

@@ -21,7 +21,7 @@ use tribos_core::twist::{Twist, Wrench};
 /// use tribos::prelude::*;
 /// let wood = DryFriction::new(0.5, 0.3)?; // static, kinetic
 /// let book = StictionTest::new(&"box:0.2x0.1".parse()?, wood, 10.0, 1.0, None)?; // N; m
-/// let ask = |push: f64| book.holding(&Wrench::new(push, 0.0, 0.0)).hold; // N
+/// let ask = |push: f64| book.holding(&Wrench::new(push, 0.0, 0.0)).stiction; // N
 /// assert_eq!([2.0, 4.0, 6.0].map(ask), [Stiction::Holds, Stiction::Undecided, Stiction::Slips]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

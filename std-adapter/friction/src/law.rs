@@ -15,7 +15,7 @@ use tribos_core::real::Real;
 /// use tribos::kernel::law::LocalLaw;
 /// let law: Law = "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05".parse()?; // m/s
 /// assert_eq!(law.to_string(), "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05,delta=2,k=0");
-/// assert!((law.made::<f64>()?.friction(1.0) - 0.2).abs() < 1e-12);
+/// assert!((law.build::<f64>()?.friction(1.0) - 0.2).abs() < 1e-12);
 /// assert_eq!((law.name(), law.power_of_speed()), ("stribeck", None));
 /// assert_eq!(Law::coulomb(0.3)?.power_of_speed(), Some([0.3, 0.0]));
 /// assert_eq!(Law::power(0.3, -0.5)?.values().collect::<Vec<_>>(), [("gamma", 0.3), ("alpha", -0.5)]);
@@ -34,7 +34,7 @@ pub struct Law {
 /// ```
 /// use tribos::friction::{AnyLaw, Law};
 /// use tribos::kernel::law::LocalLaw;
-/// let law: AnyLaw<f32> = Law::coulomb(0.5)?.made()?;
+/// let law: AnyLaw<f32> = Law::coulomb(0.5)?.build()?;
 /// assert_eq!(law.friction(2.0), 0.5);
 /// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```

@@ -240,7 +240,7 @@ impl<R: Real> LateralFriction<R> for NodeQuadrature<R> {
 /// let total: f64 = nodes.iter().map(|node| node.weight).sum();
 /// let square: f64 = nodes.iter().map(|n| n.weight * (n.x * n.x + n.y * n.y)).sum();
 /// assert!((square / total - 0.4).abs() < 1e-6); // <r²> of Hertz' pressure
-/// # Ok::<(), tribos::friction::Refusal>(())
+/// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
 pub fn pressure_nodes<R: Real>(patch: &Patch, tilt: R) -> Result<Vec<Node<R>>, FrictionError> {
     round_nodes(patch, R::ONE, RINGS, tilt)

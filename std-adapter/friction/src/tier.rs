@@ -28,8 +28,8 @@ pub fn valid_exponent(alpha: f64) -> Result<f64, FrictionError> {
 ///
 /// ```
 /// use tribos::friction::{Evaluation, Law, Patch, FrictionError, Tier};
-/// let serving = |alpha| Tier::serving::<f64>(&Patch::Disk, &Law::power(0.3, alpha)?, None);
-/// assert_eq!([serving(0.5)?, serving(20.0)?], [Tier::Table, Tier::Compact]);
+/// let choose = |alpha| Tier::choose::<f64>(&Patch::Disk, &Law::power(0.3, alpha)?, None);
+/// assert_eq!([choose(0.5)?, choose(20.0)?], [Tier::Table, Tier::Compact]);
 /// assert_eq!(Tier::ALL.map(|tier| tier.to_string()), ["table", "compact", "quadrature"]);
 /// assert_eq!("compact".parse(), Ok(Tier::Compact));
 /// let evaluation: Evaluation = Tier::Table.evaluation(&Patch::Disk, &Law::coulomb(0.3)?);

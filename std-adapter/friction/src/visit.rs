@@ -43,7 +43,7 @@ pub trait Visitor<R: Real> {
 /// use tribos::kernel::modes::{TerminalMode, TerminalMotion};
 /// let disk = AnyFriction::<f64>::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?;
 /// let profile: &dyn RoundPower<f64> = disk.power().ok_or("a power of the speed")?;
-/// let mode = TerminalMotion::new(profile, 0.5)?.final_mode(1.0);
+/// let mode = TerminalMotion::new(profile, 0.5)?.terminal_mode(1.0);
 /// assert!(matches!(mode, TerminalMode::Together { ratio } if (ratio - 0.653).abs() < 1e-3));
 /// let lateral = profile.as_lateral().lateral(1.0, 1.0);
 /// assert!((lateral - 32.0 / (45.0 * std::f64::consts::PI)).abs() < 1e-14);
@@ -97,7 +97,7 @@ pub fn visit_disk<R: Precision, V: Visitor<R>>(
 /// use tribos::kernel::modes::{TerminalMode, TerminalMotion};
 /// let ratio = |lean: f64| -> Result<f64, Box<dyn std::error::Error>> {
 ///     let tall = leaning(&Patch::Disk, lean)?;
-///     match TerminalMotion::new(&*tall, 0.5)?.final_mode(1.0) {
+///     match TerminalMotion::new(&*tall, 0.5)?.terminal_mode(1.0) {
 ///         TerminalMode::Together { ratio } => Ok(ratio),
 ///         other => Err(format!("{other:?}").into()),
 ///     }

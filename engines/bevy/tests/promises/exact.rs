@@ -1,9 +1,9 @@
 //! Exact throws, without the crate under test.
 
 use crate::table::{GRAVITY, MU, RADIUS};
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 /// How far in metres, and when in seconds, a body comes to rest.
 #[derive(Clone, Copy, Debug)]
@@ -34,8 +34,8 @@ fn parameters() -> SliderParameters<f64> {
 
 /// A disk thrown at 1 m/s.
 pub fn disk(spin: f32) -> Throw {
-    let slider = Slider::new(Coulomb, parameters()).expect("valid parameters");
-    let end = slider.to_rest(&Motion::launched(1.0, f64::from(spin)));
+    let slider = Slider::new(CoulombDisk, parameters()).expect("valid parameters");
+    let end = slider.to_rest(&SliderState::launched(1.0, f64::from(spin)));
     let end = end.expect("it stops").motion;
     Throw {
         travel: end.distance,
@@ -45,8 +45,8 @@ pub fn disk(spin: f32) -> Throw {
 
 /// A solid cylinder that stands on a ring, thrown at 1 m/s.
 pub fn ring(spin: f32) -> Throw {
-    let slider = Slider::new(Ring, parameters()).expect("valid parameters");
-    let end = slider.to_rest(&Motion::launched(1.0, f64::from(spin)));
+    let slider = Slider::new(CoulombRing, parameters()).expect("valid parameters");
+    let end = slider.to_rest(&SliderState::launched(1.0, f64::from(spin)));
     let end = end.expect("it stops").motion;
     Throw {
         travel: end.distance,

@@ -2,9 +2,9 @@
 
 use crate::table::*;
 use rapier3d::prelude::*;
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_rapier::Patch;
 
 const SPEED: f32 = 1.0;
@@ -30,7 +30,7 @@ macro_rules! exact {
             },
         )
         .unwrap();
-        let thrown = Motion::launched(f64::from(SPEED), f64::from($spin));
+        let thrown = SliderState::launched(f64::from(SPEED), f64::from($spin));
         let end = slider.to_rest(&thrown).unwrap().motion;
         Throw {
             travel: end.distance,
@@ -71,7 +71,7 @@ fn assert_near(is: Throw, exact: Throw, what: &str) {
 fn a_thrown_disk_stops_where_and_when_the_exact_one_does() {
     for spin in SPINS {
         let what = format!("disk at {spin} rad/s");
-        assert_near(thrown(spin, disk()), exact!(Coulomb, spin), &what);
+        assert_near(thrown(spin, disk()), exact!(CoulombDisk, spin), &what);
     }
 }
 
@@ -79,7 +79,7 @@ fn a_thrown_disk_stops_where_and_when_the_exact_one_does() {
 fn a_thrown_ring_stops_where_and_when_the_exact_one_does() {
     for spin in SPINS {
         let what = format!("ring at {spin} rad/s");
-        assert_near(thrown(spin, ring()), exact!(Ring, spin), &what);
+        assert_near(thrown(spin, ring()), exact!(CoulombRing, spin), &what);
     }
 }
 
@@ -106,14 +106,14 @@ fn a_body_on_a_blade_stops_turning_when_the_exact_one_does() {
 
 #[test]
 fn the_engine_alone_is_off_by_a_fifth() {
-    let exact = exact!(Coulomb, 12.5);
+    let exact = exact!(CoulombDisk, 12.5);
     let alone = thrown(12.5, None);
     assert!(alone.travel < 0.8 * exact.travel, "{alone:?} for {exact:?}");
 }
 
 #[test]
 fn substeps_do_not_move_the_stop() {
-    let exact = exact!(Coulomb, 12.5);
+    let exact = exact!(CoulombDisk, 12.5);
     for iterations in [1, 2, 8, 12] {
         let mut table = Table::level();
         table.world.integration_parameters.num_solver_iterations = iterations;

@@ -3,9 +3,9 @@
 use crate::exact;
 use crate::game::*;
 use rapier2d::prelude::*;
-use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider, SliderParameters};
+use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_rapier2d::{Footprint, PlacedFoot};
 
 const SPINS: [f32; 6] = [0.0, 5.0, 12.5, 20.0, 30.0, 50.0];
@@ -31,7 +31,7 @@ macro_rules! exact_disk {
         };
         let slider = Slider::new($profile, parameters).unwrap();
         let end = slider
-            .to_rest(&Motion::launched(1.0, f64::from($spin)))
+            .to_rest(&SliderState::launched(1.0, f64::from($spin)))
             .unwrap()
             .motion;
         [end.distance, end.time]
@@ -46,7 +46,7 @@ fn a_disk_stops_where_and_when_the_exact_one_does() {
         assert_near(
             &format!("disk, {spin} rad/s"),
             game.run_to_rest(puck),
-            exact_disk!(Coulomb, spin),
+            exact_disk!(CoulombDisk, spin),
         );
     }
 }
@@ -61,7 +61,7 @@ fn a_disk_on_a_ring_stops_where_and_when_the_exact_one_does() {
         assert_near(
             &format!("ring, {spin} rad/s"),
             game.run_to_rest(cup),
-            exact_disk!(Ring, spin),
+            exact_disk!(CoulombRing, spin),
         );
     }
 }

@@ -108,12 +108,12 @@ pub fn pressure<I: Interaction>(system: &System<I>, volume: f64) -> f64 {
 /// let turned = |by: f64| [0.0, 1.0, 2.0].map(|third| corner(by + third * TAU / 3.0));
 /// let mut ring = RotationAngle::new(vec![0, 1, 2], &turned(0.0));
 /// for third in 1..=6 {
-///     ring.look(&turned(f64::from(third) * TAU / 3.0));
+///     ring.update_angle(&turned(f64::from(third) * TAU / 3.0));
 /// }
 /// assert!((ring.angle() - 2.0 * TAU).abs() < 1e-12); // two whole turns
 /// let mut resumed = RotationAngle::new(vec![0, 1, 2], &turned(0.0));
 /// resumed.restore(ring.angle());
-/// assert!((resumed.look(&turned(0.1)) - (2.0 * TAU + 0.1)).abs() < 1e-12);
+/// assert!((resumed.update_angle(&turned(0.1)) - (2.0 * TAU + 0.1)).abs() < 1e-12);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RotationAngle {

@@ -61,7 +61,7 @@ pub struct AnglePlateau {
 /// stage is short): how often a series or frames are written changes only `sample_every`.
 ///
 /// ```
-/// use tribos::run::drive;
+/// use tribos::run::run_to_end;
 /// use tribos::scene::TipScene;
 /// use tribos::tip::{TipSummary, AnglePlateau, TipSimulation, Reversal};
 /// // A weak torque for a moment: nothing can slip, nothing stays turned.
@@ -81,7 +81,7 @@ pub struct AnglePlateau {
 ///     ..TipScene::default()
 /// };
 /// let mut run = TipSimulation::new(&scene)?;
-/// drive(&mut run, |_, _| ())?;
+/// run_to_end(&mut run, |_, _| ())?;
 /// let outcome: TipSummary = run.outcome();
 /// assert_eq!(outcome.verdict, Reversal::Reversible);
 /// assert_eq!(outcome.json(&scene)["verdict"], "reversible");

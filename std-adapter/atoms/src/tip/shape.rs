@@ -24,10 +24,10 @@ pub enum TipOutline {
 /// Shape of a tip on a substrate. Lengths in any unit.
 ///
 /// ```
-/// use tribos::tip::{Face, TipOutline, Shape, Site};
+/// use tribos::tip::{CrystalFace, TipOutline, Shape, Site};
 /// let shape = Shape {
-///     face: Face::Fcc111,
-///     tip_face: Face::Fcc111,
+///     face: CrystalFace::Fcc111,
+///     tip_face: CrystalFace::Fcc111,
 ///     spacing: 1.0,
 ///     tip_spacing: 1.0,
 ///     columns: 8,
@@ -81,11 +81,11 @@ pub struct Shape {
 /// Parts of the system, from below (thesis, fig. 5.1, with its colours).
 ///
 /// ```
-/// # use tribos::tip::{Face, TipOutline, Shape};
+/// # use tribos::tip::{CrystalFace, TipOutline, Shape};
 /// use tribos::tip::{LAYERS_OF_A_KIND, AtomRole};
 /// # let shape = Shape {
-/// #     face: Face::Fcc111,
-/// #     tip_face: Face::Fcc111,
+/// #     face: CrystalFace::Fcc111,
+/// #     tip_face: CrystalFace::Fcc111,
 /// #     spacing: 1.0,
 /// #     tip_spacing: 1.0,
 /// #     columns: 8,

@@ -38,7 +38,7 @@ pub(super) struct SlidingSample {
 /// of the spring. What a run has not is NaN.
 ///
 /// ```
-/// use tribos::run::drive;
+/// use tribos::run::run_to_end;
 /// use tribos::scene::{DriveKind, DrivenHold, TipScene};
 /// use tribos::tip::{SlidingSummary, TipSimulation};
 /// // A cold tip on a weakly attracting substrate, pulled forth by half a spacing and back, twice.
@@ -62,7 +62,7 @@ pub(super) struct SlidingSample {
 ///     ..TipScene::default()
 /// };
 /// let mut run = TipSimulation::new(&scene)?;
-/// drive(&mut run, |_, _| ())?;
+/// run_to_end(&mut run, |_, _| ())?;
 /// let slid: SlidingSummary = run.outcome().slid.ok_or("it is slid")?;
 /// assert_eq!((slid.strokes, slid.loops), (4, 1));
 /// assert!((slid.loop_work - slid.friction * 2.0 * 0.6).abs() < 1e-12);

@@ -10,7 +10,7 @@ use tribos_base::record::json_number;
 /// the force that holds them, per atom. With a load in equilibrium it is the load.
 ///
 /// ```
-/// use tribos::run::drive;
+/// use tribos::run::run_to_end;
 /// use tribos::scene::TipScene;
 /// use tribos::tip::{EquilibriumCheck, TipSimulation};
 /// let scene = TipScene {
@@ -26,7 +26,7 @@ use tribos_base::record::json_number;
 ///     ..TipScene::default()
 /// };
 /// let mut run = TipSimulation::new(&scene)?;
-/// drive(&mut run, |_, _| ())?;
+/// run_to_end(&mut run, |_, _| ())?;
 /// let start: EquilibriumCheck = run.outcome().start;
 /// assert!(start.force[0].abs() < 10.0 * start.force_error[0]);
 /// assert!(start.torque.abs() < 10.0 * start.torque_error);

@@ -28,11 +28,11 @@ pub fn digest(bytes: &[u8]) -> u128 {
 ///
 /// ```
 /// use serde_json::{Map, Value};
-/// use tribos::record::{sealed, unsealed};
+/// use tribos::record::{with_digest, verified};
 /// let kept = Map::from_iter([("steps".to_owned(), Value::from(7))]);
-/// let text = sealed(kept);
-/// assert_eq!(unsealed(&text).ok_or("damaged")?["steps"], 7);
-/// assert_eq!(unsealed(&text.replace('7', "8")), None);
+/// let text = with_digest(kept);
+/// assert_eq!(verified(&text).ok_or("damaged")?["steps"], 7);
+/// assert_eq!(verified(&text.replace('7', "8")), None);
 /// # Ok::<(), &str>(())
 /// ```
 pub fn with_digest(object: Map<String, Value>) -> String {

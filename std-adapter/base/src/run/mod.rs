@@ -48,7 +48,7 @@ pub struct RunSize {
 /// Something that advances step by step.
 ///
 /// ```
-/// use tribos::run::{Simulation, drive};
+/// use tribos::run::{Simulation, run_to_end};
 /// /// A block that brakes with 2 m/s².
 /// struct Block { speed: f64, way: f64 }
 /// impl Simulation for Block {
@@ -64,7 +64,7 @@ pub struct RunSize {
 ///     fn progress(&self) -> f64 { 1.0 - self.speed / 3.0 }
 /// }
 /// let mut ways = Vec::new();
-/// drive(&mut Block { speed: 3.0, way: 0.0 }, |way, _done| ways.push(way))?;
+/// run_to_end(&mut Block { speed: 3.0, way: 0.0 }, |way, _done| ways.push(way))?;
 /// assert_eq!(ways.len(), 1 + 6); // the start and 3 m/s over 0.5 m/s a step
 /// assert_eq!(ways.last(), Some(&2.25)); // v²/(2 a)
 /// # Ok::<(), std::convert::Infallible>(())

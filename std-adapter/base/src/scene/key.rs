@@ -9,7 +9,7 @@ use std::str::FromStr;
 /// One key of a scene file.
 ///
 /// ```
-/// use tribos::scene::{Domain, Key, Requirement, DiskScene};
+/// use tribos::scene::{Domain, Key, Need, DiskScene};
 /// let is_exponent = |key: &&Key| key.name == "alpha";
 /// let alpha = DiskScene::KEYS.iter().find(is_exponent).ok_or("no alpha")?;
 /// // At alpha = -1 friction would have no finite torque.

@@ -118,8 +118,8 @@ impl<T: Setting> Slot for Option<T> {
 /// What the scenes of all bodies have in common.
 ///
 /// ```
-/// use tribos::scene::{ContactBody, PowderScene, TipScene};
-/// let scenes: [&dyn ContactBody; 2] = [&PowderScene::default(), &TipScene::default()];
+/// use tribos::scene::{Body, PowderScene, TipScene};
+/// let scenes: [&dyn Body; 2] = [&PowderScene::default(), &TipScene::default()];
 /// assert_eq!(scenes.map(|scene| scene.body()), ["powder", "tip"]);
 /// assert!(scenes.iter().all(|scene| scene.check().is_ok() && scene.json()["seed"] == 1));
 /// ```

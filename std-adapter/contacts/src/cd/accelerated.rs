@@ -27,27 +27,27 @@ use super::operator::{GlobalChange, Impulse, Operator, Visit};
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{Order, Stop};
+/// # use tribos::cd::{IterationOrder, StopRule};
 /// # use tribos::cd::internals::{Accelerated, Tolerance, Link, Spheres, Sweeper, residual, solve};
-/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
 /// # let velocity = up * (-9.81 * dt);
-/// # let ball = Sphere { velocity, spin: Vector3::zeros(), inv_mass: 1.0, inv_inertia: 1e3 };
-/// # let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// # let ball = SphereBody { velocity, spin: Vector3::zeros(), inv_mass: 1.0, inv_inertia: 1e3 };
+/// # let floor = WallBody { velocity: Vector3::zeros(), inv_mass: 0.0 };
 /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-/// # let touch = Touch::spheres(&(up * 0.1), [0.05; 2])?;
+/// # let touch = ContactGeometry::spheres(&(up * 0.1), [0.05; 2])?;
 /// # let contact = Contact::new(&touch, &law, &ball, &ball, dt);
-/// # let mut column = Spheres::new([Thresholds::sliding(0.3)?; 2]);
+/// # let mut column = Spheres::new([IndependentFriction::sliding(0.3)?; 2]);
 /// # column.free = (vec![ball; 20], vec![floor]);
 /// # (1..20).for_each(|top| column.join(&Link { bodies: [top - 1, top], contact }));
-/// # let touch = Touch::plate(0.05, &up, 0.05)?;
+/// # let touch = ContactGeometry::plate(0.05, &up, 0.05)?;
 /// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
 /// # column.walls.push(Link { bodies: [0, 0], contact });
 /// # column.start();
 /// // The weight of a column of twenty balls has to find its way down. For the work of 100 sweeps
 /// // momentum comes nearer to it than sweeps alone.
 /// let mut swept = column.clone();
-/// solve(&mut swept, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 100);
+/// solve(&mut swept, &mut Sweeper::new(IterationOrder::Fixed, 0), StopRule::Fixed, 100);
 /// let never = Tolerance { relative: 0.0, speed: 0.0 };
 /// Accelerated::default().solve(&mut column, never, 100);
 /// assert!(residual(&column).relative < 0.1 * residual(&swept).relative);

@@ -22,28 +22,28 @@ use tribos_core::contact::{
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{EnergyBalance, Order, Stop, Wall};
+/// # use tribos::cd::{EnergyBalance, IterationOrder, StopRule, Wall};
 /// # use tribos::cd::internals::{Link, Spheres, Sweeper, solve};
-/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
 /// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(1.0, 0.0, -2.0));
-/// # let ball = Sphere { velocity, spin, inv_mass: 1.0, inv_inertia: 1e3 };
-/// # let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
-/// # let touch = Touch::plate(0.05, &up, 0.05)?;
+/// # let ball = SphereBody { velocity, spin, inv_mass: 1.0, inv_inertia: 1e3 };
+/// # let floor = WallBody { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// # let touch = ContactGeometry::plate(0.05, &up, 0.05)?;
 /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
 /// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
-/// # let mut problem = Spheres::new([Thresholds::sliding(0.0)?; 2]);
+/// # let mut problem = Spheres::new([IndependentFriction::sliding(0.0)?; 2]);
 /// # problem.free = (vec![ball], vec![floor]);
 /// # problem.walls.push(Link { bodies: [0, 0], contact });
 /// # problem.start();
 /// // A ball of 1 kg falls on a smooth floor at 2 m/s, does not rebound, and drifts on at 1 m/s.
-/// solve(&mut problem, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 1);
+/// solve(&mut problem, &mut Sweeper::new(IterationOrder::Fixed, 0), StopRule::Fixed, 1);
 /// let mut book = EnergyBalance::default();
 /// let before = (&[ball][..], &[Wall::fixed(up, 0.0)][..]);
-/// book.enter(&[true], before, &problem, &Vector3::zeros(), dt);
+/// book.add_step(&[true], before, &problem, &Vector3::zeros(), dt);
 /// assert_eq!((book.normal, book.kinetic), (2.0, 0.5)); // J
 /// // What is left goes if the ball is stopped by hand.
-/// book.still(&problem.spheres[0]);
+/// book.add_sleep(&problem.spheres[0]);
 /// assert_eq!((book.stilled, book.kinetic, book.imbalance()), (0.5, 0.0, 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

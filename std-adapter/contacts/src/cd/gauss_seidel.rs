@@ -32,7 +32,7 @@ pub enum StopRule {
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::SweepOrder;
+/// # use tribos::cd::IterationOrder;
 /// # use tribos::cd::internals::{GlobalChange, Link, Spheres, Sweeper};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
@@ -48,7 +48,7 @@ pub enum StopRule {
 /// # problem.start();
 /// // A ball that slides on the floor: its one contact is solved by the first sweep, and the second
 /// // has nothing to do.
-/// let mut sweeper = Sweeper::new(SweepOrder::Alternating, 0);
+/// let mut sweeper = Sweeper::new(IterationOrder::Alternating, 0);
 /// let [mut first, mut second] = [GlobalChange::default(); 2];
 /// sweeper.sweep(&mut problem, &mut first);
 /// sweeper.sweep(&mut problem, &mut second);
@@ -124,7 +124,7 @@ pub struct Iterations {
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{Iterations, SweepOrder, StopRule};
+/// # use tribos::cd::{Iterations, IterationOrder, StopRule};
 /// # use tribos::cd::internals::{Link, Spheres, Sweeper, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
@@ -142,7 +142,7 @@ pub struct Iterations {
 /// # column.walls.push(Link { bodies: [0, 0], contact });
 /// # column.start();
 /// // A column of five balls of 1 kg: in any order of visits the floor comes to bear 5 kg.
-/// for order in [SweepOrder::Fixed, SweepOrder::Alternating, SweepOrder::Random { seed: 1 }] {
+/// for order in [IterationOrder::Fixed, IterationOrder::Alternating, IterationOrder::Random { seed: 1 }] {
 ///     let mut trial = column.clone();
 ///     let mut sweeper = Sweeper::new(order, 0);
 ///     let iterations = solve(&mut trial, &mut sweeper, StopRule::Global(1e-12), 1000);
@@ -151,7 +151,7 @@ pub struct Iterations {
 ///     assert!((floor - 5.0 * 9.81).abs() < 1e-6);
 /// }
 /// // A fixed number of sweeps is always done.
-/// let mut sweeper = Sweeper::new(SweepOrder::Fixed, 0);
+/// let mut sweeper = Sweeper::new(IterationOrder::Fixed, 0);
 /// let iterations = solve(&mut column, &mut sweeper, StopRule::Fixed, 3);
 /// assert_eq!(iterations, Iterations { sweeps: 3, met: true });
 /// # Ok::<(), Box<dyn std::error::Error>>(())

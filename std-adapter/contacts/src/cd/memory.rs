@@ -12,7 +12,7 @@ pub type StoredForce<M> = ([u32; 2], ContactVector<f64, M>);
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{SweepOrder, StopRule};
+/// # use tribos::cd::{IterationOrder, StopRule};
 /// # use tribos::cd::internals::{StoredForce, Link, Memory, Spheres, Sweeper, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
@@ -27,14 +27,14 @@ pub type StoredForce<M> = ([u32; 2], ContactVector<f64, M>);
 /// # problem.walls.push(Link { bodies: [0, 0], contact });
 /// # problem.start();
 /// // A ball of 1 kg that rests on the floor, after a step of 1 ms.
-/// solve(&mut problem, &mut Sweeper::new(SweepOrder::Fixed, 0), StopRule::Fixed, 1);
+/// solve(&mut problem, &mut Sweeper::new(IterationOrder::Fixed, 0), StopRule::Fixed, 1);
 /// let mut memory = Memory::default();
-/// memory.keep(&problem, dt, &[true]);
+/// memory.store(&problem, dt, &[true]);
 /// let (bodies, force): StoredForce<_> = memory.forces[1][0];
 /// assert_eq!(bodies, [0, 0]); // sphere 0 and wall 0
 /// assert!((force.normal - 9.81).abs() < 1e-12);
 /// // The impulse that its next step begins with, if that is three times as long.
-/// memory.recall(&mut problem, 3.0 * dt);
+/// memory.warm_start(&mut problem, 3.0 * dt);
 /// let guess = problem.walls[0].contact.impulse().normal;
 /// assert!((guess - 9.81 * 3.0 * dt).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -40,7 +40,7 @@ pub enum Visit<'a> {
 /// The operator holds the current impulses and the velocities that follow from them.
 ///
 /// ```
-/// use tribos::cd::{SweepOrder, StopRule};
+/// use tribos::cd::{IterationOrder, StopRule};
 /// use tribos::cd::internals::{Impulse, Operator, Sweeper, Visit, Monitor, solve};
 ///
 /// /// Wagons of 1 t in a row; their buffers push and do not pull.
@@ -84,7 +84,7 @@ pub enum Visit<'a> {
 ///             self.guess(contact, &Push(old.0 + 0.5 * closing));
 ///             let change = self.pushes[contact].0 - old.0;
 ///             self.refresh();
-///             watch.see(change * change, self.pushes[contact].0, 2.0 * change.abs());
+///             watch.record(change * change, self.pushes[contact].0, 2.0 * change.abs());
 ///         }
 ///     }
 /// }
@@ -92,7 +92,7 @@ pub enum Visit<'a> {
 /// // One wagon runs into two at rest, and takes them along.
 /// let free = [3.0, 0.0, 0.0];
 /// let mut train = Train { free, speeds: free, pushes: [Push(0.0); 2] };
-/// solve(&mut train, &mut Sweeper::new(SweepOrder::Fixed, 0), StopRule::Local(1e-12), 100);
+/// solve(&mut train, &mut Sweeper::new(IterationOrder::Fixed, 0), StopRule::Local(1e-12), 100);
 /// for speed in train.speeds {
 ///     assert!((speed - 1.0).abs() < 1e-9);
 /// }
@@ -149,7 +149,7 @@ pub trait Operator {
 ///
 /// ```
 /// use tribos::cd::internals::{NoMonitor, Monitor};
-/// NoMonitor.see(1.0, 1.0, 1.0);
+/// NoMonitor.record(1.0, 1.0, 1.0);
 /// assert_eq!(size_of::<NoMonitor>(), 0);
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
@@ -170,9 +170,9 @@ impl Monitor for NoMonitor {
 /// use tribos::cd::internals::{GlobalChange, Monitor};
 /// // Pair2 contacts: |Δp| of 3 and 4 where P is 10 each, and no speed but 0.2 at the second.
 /// let mut change = GlobalChange::default();
-/// change.see(9.0, 10.0, 0.0);
+/// change.record(9.0, 10.0, 0.0);
 /// let mut other = change.fork(); // on another thread
-/// other.see(16.0, 10.0, 0.2);
+/// other.record(16.0, 10.0, 0.2);
 /// change.join(&other);
 /// assert!((change.relative() - (25.0_f64 / 200.0).sqrt()).abs() < 1e-15);
 /// assert_eq!((change.relative_mean(), change.speed), (7.0 / 20.0, 0.2));
@@ -248,9 +248,9 @@ impl Monitor for GlobalChange {
 /// ```
 /// use tribos::cd::internals::{LocalChange, Monitor};
 /// let mut watch = LocalChange::above(0.1);
-/// watch.see(0.5 * 0.5, 10.0, 0.0); // |Δp| is a twentieth of P
-/// watch.see(2.0 * 2.0, 10.0, 0.0); // a fifth
-/// watch.see(f64::NAN, 10.0, 0.0); // never at rest
+/// watch.record(0.5 * 0.5, 10.0, 0.0); // |Δp| is a twentieth of P
+/// watch.record(2.0 * 2.0, 10.0, 0.0); // a fifth
+/// watch.record(f64::NAN, 10.0, 0.0); // never at rest
 /// assert_eq!(watch.count, 2);
 /// ```
 #[derive(Clone, Copy, Debug)]

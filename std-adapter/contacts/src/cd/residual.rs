@@ -85,7 +85,7 @@ impl<M> Coefficients for IndependentFriction<f64, M> {
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{SweepOrder, ContactResidual, StopRule};
+/// # use tribos::cd::{IterationOrder, ContactResidual, StopRule};
 /// # use tribos::cd::internals::{Link, Spheres, Sweeper, residual, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
@@ -101,7 +101,7 @@ impl<M> Coefficients for IndependentFriction<f64, M> {
 /// # problem.start();
 /// // A ball that comes down at 2 m/s and slides: without an impulse it would enter the floor.
 /// assert_eq!(residual(&problem).penetration, 2.0);
-/// solve(&mut problem, &mut Sweeper::new(SweepOrder::Fixed, 0), StopRule::Fixed, 1);
+/// solve(&mut problem, &mut Sweeper::new(IterationOrder::Fixed, 0), StopRule::Fixed, 1);
 /// let left: ContactResidual = residual(&problem);
 /// assert!(left.relative < 1e-15 && left.penetration <= 0.0 && left.excess < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -25,7 +25,7 @@ const PATIENCE: u8 = 4;
 /// }
 /// assert_eq!(rest.awake(), [false, false]);
 /// // Who is touched by somebody awake wakes up.
-/// let mut rest = Sleep::restored(vec![false, true], rest.still().to_vec());
+/// let mut rest = Sleep::restored(vec![false, true], rest.slow_steps().to_vec());
 /// rest.wake(1e-3, &pairs, &[], &[]);
 /// assert_eq!(rest.awake(), [true, true]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -41,7 +41,7 @@ pub struct Link<M: ContactModes<f64>> {
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos::cd::{SweepOrder, StopRule};
+/// use tribos::cd::{IterationOrder, StopRule};
 /// use tribos::cd::internals::{Link, Spheres, Sweeper, solve};
 /// use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
 /// // Pair2 balls of 1 kg and 5 cm, one upon the other; gravity has pulled for 1 ms.
@@ -59,7 +59,7 @@ pub struct Link<M: ContactModes<f64>> {
 /// let contact = Contact::new(&touch, &law, &ball, &floor, dt);
 /// stack.walls.push(Link { bodies: [0, 0], contact });
 /// stack.start();
-/// let iterations = solve(&mut stack, &mut Sweeper::new(SweepOrder::Fixed, 0), StopRule::Local(1e-12), 1000);
+/// let iterations = solve(&mut stack, &mut Sweeper::new(IterationOrder::Fixed, 0), StopRule::Local(1e-12), 1000);
 /// assert!(iterations.met);
 /// // The lower ball carries one weight, the floor two.
 /// let forces = stack.links().map(|link| link.contact.impulse().normal / dt);

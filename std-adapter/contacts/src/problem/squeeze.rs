@@ -17,11 +17,11 @@ use super::residual::allowed;
 /// Normal impulses that move nothing, at contacts that close in the mean: proof that a problem has no solution.
 ///
 /// ```
-/// use tribos::problem::{ContactLaw, Layout, Matrix, Reduced, solve};
+/// use tribos::problem::{ContactThresholds, ContactComponents, SparseMatrix, ReducedProblem, solve};
 /// // A body of 1 kg between two plates, each of which comes nearer at 1 m/s.
-/// let w = Matrix::from_triplets([4, 4], &[(0, 0, 1.0), (0, 2, -1.0), (2, 0, -1.0), (2, 2, 1.0)])?;
-/// let laws = vec![ContactLaw::coulomb(0.5); 2];
-/// let plates = Reduced::new(Layout::Plane, w, vec![-1.0, 0.0, -1.0, 0.0], laws)?;
+/// let w = SparseMatrix::from_triplets([4, 4], &[(0, 0, 1.0), (0, 2, -1.0), (2, 0, -1.0), (2, 2, 1.0)])?;
+/// let laws = vec![ContactThresholds::coulomb(0.5); 2];
+/// let plates = ReducedProblem::new(ContactComponents::Plane, w, vec![-1.0, 0.0, -1.0, 0.0], laws)?;
 /// let squeeze = solve(&plates, &Default::default(), |_| ()).squeeze.ok_or("solved")?;
 /// assert!((squeeze.weights[0] - 0.5).abs() < 1e-9 && (squeeze.closing - 1.0).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

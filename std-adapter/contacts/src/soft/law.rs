@@ -117,7 +117,7 @@ impl Stiffness {
 /// (2007) 465, in one expression instead of two branches below ζ = 1.
 ///
 /// ```
-/// use tribos::soft::restitution;
+/// use tribos::soft::restitution_of;
 /// assert_eq!(restitution_of(0.0), 1.0);
 /// assert!((restitution_of(0.2) - 0.5717).abs() < 1e-4);
 /// assert!((restitution_of(1.0) - (-2.0_f64).exp()).abs() < 1e-15);
@@ -149,9 +149,9 @@ pub(super) fn duration(damping: f64) -> f64 {
 /// *Domain*: 0 < e ≤ 1. *Accuracy*: e is met to 1e-12 relative.
 ///
 /// ```
-/// use tribos::soft::{damping, restitution};
+/// use tribos::soft::{damping_ratio_of, restitution_of};
 /// for e in [1.0, 0.9, 0.5, 0.135, 0.01] {
-///     assert!((restitution_of(damping(e)) / e - 1.0).abs() < 1e-12);
+///     assert!((restitution_of(damping_ratio_of(e)) / e - 1.0).abs() < 1e-12);
 /// }
 /// ```
 pub fn damping_ratio_of(coefficient: f64) -> f64 {

@@ -41,12 +41,12 @@ pub(super) type Row = [f64; COLUMNS.len()];
 ///
 /// ```
 /// use tribos::gas::{GasStopReason, GasSimulation};
-/// use tribos::run::drive;
+/// use tribos::run::run_to_end;
 /// # use tribos::scene::GasScene;
 /// // Dense and dissipative: infinitely many collisions in a finite time.
 /// let scene = GasScene { count: 500, packing_fraction: 0.5, restitution: 0.2, collisions: 1e3, ..GasScene::default() };
 /// let mut gas = GasSimulation::new(&scene)?;
-/// drive(&mut gas, |_, _| ())?;
+/// run_to_end(&mut gas, |_, _| ())?;
 /// assert_eq!(gas.ending(), Some(GasStopReason::Collapse));
 /// # Ok::<(), tribos::gas::GasError>(())
 /// ```
@@ -84,11 +84,11 @@ impl GasStopReason {
 ///
 /// ```
 /// use tribos::gas::{GasSimulation, GasSummary};
-/// use tribos::run::drive;
+/// use tribos::run::run_to_end;
 /// # use tribos::scene::GasScene;
 /// # let scene = GasScene { count: 200, collisions: 3.0, ..GasScene::default() };
 /// let mut gas = GasSimulation::new(&scene)?;
-/// drive(&mut gas, |_, _| ())?;
+/// run_to_end(&mut gas, |_, _| ())?;
 /// let end: GasSummary = gas.outcome();
 /// assert!((end.energy[0] - end.energy[1] - end.lost).abs() < 1e-10); // none is missing
 /// assert_eq!(end.json(&scene)["ending"], "collisions");

@@ -25,11 +25,11 @@ use tribos_contacts::event::{Advance, Impact, Temperatures, collision_rate};
 ///
 /// ```
 /// use tribos::gas::{COLUMNS, GasSimulation};
-/// use tribos::run::drive;
+/// use tribos::run::run_to_end;
 /// use tribos::scene::GasScene;
 /// let scene = GasScene { count: 500, restitution: 0.95, collisions: 6.0, ..GasScene::default() };
 /// let mut gas = GasSimulation::new(&scene)?;
-/// drive(&mut gas, |_, _| ())?;
+/// run_to_end(&mut gas, |_, _| ())?;
 /// // Haff's law: T = exp(-(1 - e²) C/3) after C collisions a sphere.
 /// let end = gas.outcome();
 /// assert!((end.temperature / (-0.195_f64).exp() - 1.0).abs() < 0.03);

@@ -29,10 +29,10 @@ scene! {
     /// The default is a dilute gas of 1000 spheres that cools homogeneously.
     ///
     /// ```
-    /// use tribos::{gas::GasSimulation, run::drive, scene::GasScene};
+    /// use tribos::{gas::GasSimulation, run::run_to_end, scene::GasScene};
     /// let scene = GasScene { count: 200, collisions: 2.0, ..GasScene::default() };
     /// let mut gas = GasSimulation::new(&scene)?;
-    /// drive(&mut gas, |_, _| ())?;
+    /// run_to_end(&mut gas, |_, _| ())?;
     /// assert!((0.5..1.0).contains(&gas.outcome().temperature));
     /// # Ok::<(), tribos::gas::GasError>(())
     /// ```

@@ -12,12 +12,12 @@ use tribos_contacts::cd::EnergyBalance;
 ///
 /// ```
 /// use tribos::grains::{GrainsStopReason, GrainsSimulation};
-/// use tribos::run::drive;
+/// use tribos::run::run_to_end;
 /// # use tribos::scene::GrainsScene;
-/// let scene = GrainsScene { count: 5, rest: Some(1e-3), duration: 10.0, ..Default::default() };
+/// let scene = GrainsScene { count: 5, rest_speed: Some(1e-3), duration: 10.0, ..Default::default() };
 /// let mut beads = GrainsSimulation::new(&scene)?;
 /// assert_eq!(beads.ending(), None);
-/// drive(&mut beads, |_, _| ())?;
+/// run_to_end(&mut beads, |_, _| ())?;
 /// assert_eq!(beads.ending(), Some(GrainsStopReason::Rest)); // they fall and stay where they are
 /// assert_eq!(GrainsStopReason::Rest.name(), "rest");
 /// # Ok::<(), tribos::grains::GrainsError>(())

@@ -68,11 +68,11 @@ scene! {
     /// [`Ramp`].
     ///
     /// ```
-    /// use tribos::{grains::GrainsSimulation, run::drive, scene::GrainsScene};
+    /// use tribos::{grains::GrainsSimulation, run::run_to_end, scene::GrainsScene};
     /// // Twenty beads of 1 cm fall on a floor and carry their weight to it.
     /// let scene = GrainsScene { width: 0.1, count: 20, duration: 1.0, ..Default::default() };
     /// let mut beads = GrainsSimulation::new(&scene)?;
-    /// drive(&mut beads, |_, _| ())?;
+    /// run_to_end(&mut beads, |_, _| ())?;
     /// let outcome = beads.outcome();
     /// assert!((outcome.floor_force / (outcome.mass * 9.81) - 1.0).abs() < 0.01);
     /// # Ok::<(), tribos::grains::GrainsError>(())

@@ -28,11 +28,11 @@ const COLUMNS: &[&str] = &[
 /// The last three columns tell how the chains of the state before have bent, in rad; NaN in the first row.
 ///
 /// ```
-/// use tribos::measure::{Assembly, MeasureOptions, series};
+/// use tribos::measure::{Assembly, MeasureOptions, measure_series};
 /// use tribos::{nalgebra::Vector3, space::PeriodicBox};
 /// let space = PeriodicBox::new([Some(9.0); 3])?;
 /// let at = |x: f64| Assembly::new(space, vec![Vector3::zeros(), Vector3::x() * x], vec![1.0; 2]);
-/// let table = series([(0, at(2.0)), (10, at(3.0))], &MeasureOptions::default(), |_step| ())?;
+/// let table = measure_series([(0, at(2.0)), (10, at(3.0))], &MeasureOptions::default(), |_step| ())?;
 /// let contacts = |row: usize| table.rows[row][5];
 /// assert_eq!([contacts(0), contacts(1)], [1.0, 0.0]); // the spheres part
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -46,12 +46,12 @@ impl Material {
     /// coefficient of zero in it are carried but never resist.
     ///
     /// ```
-    /// use tribos::powder::{Carried, ModeSet};
-    /// use tribos::scene::{ReducedFriction, PowderScene};
+    /// use tribos::powder::{ActiveModes, ModeSet};
+    /// use tribos::scene::{FrictionCoupling, PowderScene};
     /// // Sliding resists unless it is switched off.
     /// let scene = PowderScene { mu_torsion: 0.1, ..PowderScene::default() };
-    /// let (modes, coupling) = (ModeSet::SlidingTorsion, ReducedFriction::Independent);
-    /// assert_eq!(scene.material().carried(), Carried { modes, coupling });
+    /// let (modes, coupling) = (ModeSet::SlidingTorsion, FrictionCoupling::Independent);
+    /// assert_eq!(scene.material().carried(), ActiveModes { modes, coupling });
     /// ```
     pub fn carried(&self) -> ActiveModes {
         let [slides, rolls, twists] = [self.sliding, self.rolling, self.torsion].map(|mu| mu > 0.0);

@@ -21,13 +21,13 @@ const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 /// use nalgebra::Vector3;
 /// use tribos::powder::Limits;
 /// use tribos::record::{ContactRow, Partner};
-/// # use tribos::scene::{ReducedFriction, PowderScene};
+/// # use tribos::scene::{FrictionCoupling, PowderScene};
 /// // A push of 1 and the cohesion of 1 allow 0.3 · 2 of sliding and, on spheres of radius 1,
 /// // 0.5 · 2/2 of torsion: 0.6 and 0.8 of them are at work.
 /// let (a, b, normal) = (0, Partner::Particle(1), Vector3::x());
 /// let (force, torque) = (Vector3::new(1.0, 0.36, 0.0), Vector3::new(0.4, 0.0, 0.0));
 /// let contact = ContactRow { a, b, normal, gap: 0.0, force, torque };
-/// for (coupling, reached) in [(ReducedFriction::Independent, false), (ReducedFriction::Ellipsoid, true)] {
+/// for (coupling, reached) in [(FrictionCoupling::Independent, false), (FrictionCoupling::Ellipsoid, true)] {
 ///     let scene = PowderScene { mu_torsion: 0.5, coupling, ..PowderScene::default() };
 ///     let limits = Limits::of(&scene.material());
 ///     assert_eq!(limits.resists(), [true, false, true]); // there is no rolling friction

@@ -94,7 +94,7 @@ impl<P: Error + 'static> PackingRunError<P> {
     /// use tribos::grains::GrainsSimulation;
     /// use tribos::scene::GrainsScene;
     /// let refused = GrainsSimulation::new(&GrainsScene { width: -1.0, ..Default::default() });
-    /// assert!(refused.is_err_and(|error| !error.is_of_course()));
+    /// assert!(refused.is_err_and(|error| !error.is_runtime_failure()));
     /// ```
     #[doc(hidden)]
     pub fn is_runtime_failure(&self) -> bool {

@@ -23,11 +23,11 @@ use tribos_contacts::problem::GlobalProblem;
 ///
 /// ```
 /// use tribos::powder::{COLUMNS, PowderSimulation};
-/// use tribos::run::drive;
+/// use tribos::run::run_to_end;
 /// use tribos::scene::PowderScene;
 /// let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 /// let mut compaction = PowderSimulation::new(&scene)?;
-/// drive(&mut compaction, |_, _| ())?;
+/// run_to_end(&mut compaction, |_, _| ())?;
 /// let outcome = compaction.outcome();
 /// assert!(outcome.porosity[1] < outcome.porosity[0]);
 /// // Spheres keep their volume: the solid share grows as the height shrinks.

@@ -32,19 +32,19 @@ pub const COLUMNS: [&str; 15] = [
 ///
 /// ```
 /// use tribos::powder::{PowderSimulation, PowderStopReason};
-/// use tribos::run::drive;
+/// use tribos::run::run_to_end;
 /// # use tribos::scene::PowderScene;
 /// # let scene = PowderScene {
 /// #     width: 6.0,
 /// #     height: 8.0,
 /// #     pressure: 0.02,
-/// #     steps: 10,
+/// #     max_steps: 10,
 /// #     ..PowderScene::default()
 /// # };
 /// // A scene of ten steps: too few to be blocked.
 /// let mut compaction = PowderSimulation::new(&scene)?;
 /// assert_eq!(compaction.ending(), None);
-/// drive(&mut compaction, |_, _| ())?;
+/// run_to_end(&mut compaction, |_, _| ())?;
 /// assert_eq!((compaction.ending(), compaction.steps()), (Some(PowderStopReason::Steps), 10));
 /// assert_eq!(PowderStopReason::Steps.name(), "steps");
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -15,12 +15,12 @@ use tribos_contacts::cd::Wall;
 /// ```
 /// use tribos::powder::{PowderSimulation, PISTON};
 /// use tribos::record::Partner;
-/// use tribos::run::drive;
+/// use tribos::run::run_to_end;
 /// # use tribos::scene::PowderScene;
 /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 /// // In a packing that is blocked the spheres below the piston bear its load.
 /// let mut compaction = PowderSimulation::new(&scene)?;
-/// drive(&mut compaction, |_, _| ())?;
+/// run_to_end(&mut compaction, |_, _| ())?;
 /// let below = compaction.contacts().iter().filter(|row| row.b == Partner::Wall(PISTON));
 /// let force: f64 = below.map(|row| row.force.z).sum();
 /// assert!((force / scene.load() - 1.0).abs() < 0.05);

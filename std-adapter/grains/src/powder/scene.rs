@@ -67,10 +67,10 @@ scene! {
     /// The default is the thesis' small system: 470 spheres on a base of 20 R by 20 R.
     ///
     /// ```
-    /// use tribos::{powder::PowderSimulation, run::drive, scene::PowderScene};
+    /// use tribos::{powder::PowderSimulation, run::run_to_end, scene::PowderScene};
     /// let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..Default::default() };
     /// let mut compaction = PowderSimulation::new(&scene)?;
-    /// drive(&mut compaction, |_, _| ())?;
+    /// run_to_end(&mut compaction, |_, _| ())?;
     /// let [before, after] = compaction.outcome().porosity;
     /// assert!(after < before);
     /// # Ok::<(), tribos::powder::CompactionError>(())

@@ -18,12 +18,12 @@ use tribos_core::twist::{Twist, Wrench};
 /// let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // N
 /// // A fence under the lower side; the body lies to the left of the way from its first end to its second.
 /// let fence = LineContact::new([[-0.08, -0.05], [0.08, -0.05]], 0.4)?;
-/// let straight = fence.grip(&*table, &Twist::new(0.0, 1.0, 0.0));
+/// let straight = fence.stable_push(&*table, &Twist::new(0.0, 1.0, 0.0));
 /// assert!(straight.is_stable && (straight.place - 0.5).abs() < 1e-9);
 /// // A rotation about a centre far to the right is one too, about a near one it is not.
 /// let about = |x: f64| Twist::new(0.0, -x, 1.0);
-/// assert!(fence.grip(&*table, &about(-0.5)).is_stable);
-/// assert!(!fence.grip(&*table, &about(-0.02)).is_stable);
+/// assert!(fence.stable_push(&*table, &about(-0.5)).is_stable);
+/// assert!(!fence.stable_push(&*table, &about(-0.02)).is_stable);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -56,7 +56,7 @@ pub enum PushedSide {
 ///
 /// ```
 /// use tribos::friction::limit_surface;
-/// use tribos::push::{Pusher, PathEnd, PointContact, Pose, PushedSide, push_along};
+/// use tribos::push::{Pusher, PathEnd, PointContact, Pose, PushedSide, push_path};
 /// let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // N
 /// let drive = Pusher {
 ///     contact: PointContact::new([0.02, -0.05], [0.0, 1.0], 0.3)?,
@@ -67,7 +67,7 @@ pub enum PushedSide {
 ///     samples: 50,
 ///     tolerance: 1e-7, // m
 /// };
-/// let journey = push_along(&*table, &drive)?;
+/// let journey = push_path(&*table, &drive)?;
 /// assert_eq!((journey.end, journey.moments.len()), (PathEnd::Done, 51));
 /// let last = journey.moments[50];
 /// assert!(last.pose.angle > 0.3 && last.pose.position.y > 0.05);

@@ -47,11 +47,11 @@ pub struct PlanarCourse {
 ///
 /// ```
 /// use tribos::scene::{CurlingScene, CylinderScene, PipeScene};
-/// use tribos::slide::{PlanarScene, run_path};
+/// use tribos::slide::{PlanarScene, run_planar};
 /// let scenes: [&dyn PlanarScene; 3] =
 ///     [&CylinderScene::default(), &PipeScene::default(), &CurlingScene::default()];
 /// for scene in scenes {
-///     let end = run_path(scene)?.outcome.arrival.point;
+///     let end = run_planar(scene)?.outcome.arrival.point;
 ///     assert!(end.distance > 0.1 && scene.course().samples == 200); // m
 /// }
 /// # Ok::<(), tribos::slide::SlideError>(())
@@ -77,9 +77,9 @@ pub trait PlanarScene: Body {
 ///
 /// ```
 /// use tribos::scene::PipeScene;
-/// use tribos::slide::{PATH_COLUMNS, PlanarSummary, PathRun, run_path};
+/// use tribos::slide::{PATH_COLUMNS, PlanarSummary, PathRun, run_planar};
 /// let scene = PipeScene { spin: 0.0, speed: 1.74, gamma: 0.2, ..PipeScene::default() };
-/// let PathRun { series, outcome } = run_path(&scene)?;
+/// let PathRun { series, outcome } = run_planar(&scene)?;
 /// // Without spin the pipe leans, but friction stays mu N.
 /// let x = PATH_COLUMNS.iter().position(|name| *name == "x").ok_or("no x")?;
 /// let way = series.last().ok_or("no rows")?[x];
@@ -113,10 +113,10 @@ pub struct PlanarSummary {
 /// Runs a scene to its end.
 ///
 /// ```
-/// use tribos::{scene::{CurlingScene, IceModel}, slide::run_path};
+/// use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
 /// let model = IceModel::ScratchGuide;
 /// let scene = CurlingScene { model, speed: 1.9866, spin: 1.5, ..CurlingScene::default() };
-/// let end = run_path(&scene)?.outcome.arrival.point;
+/// let end = run_planar(&scene)?.outcome.arrival.point;
 /// assert!(end.position[0] > 28.3 && end.position[1] > 0.9); // m, left
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -8,10 +8,10 @@ use tribos_core::slider::{Slider, SliderParameters, SliderState};
 /// Rest pose of a body as a function of its launch.
 ///
 /// ```
-/// use tribos::slide::inverse::{PlanarLaunch, RestMap};
+/// use tribos::slide::inverse::{Launch, RestMap};
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
-/// let end = disk.rest(&PlanarLaunch { velocity: [0.0, 1.0], spin: 0.0 });
+/// let end = disk.rest(&Launch { velocity: [0.0, 1.0], spin: 0.0 });
 /// assert_eq!(end.pose.x, 0.0);
 /// assert!((end.pose.y - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-14);
 /// # Ok::<(), tribos::slide::inverse::InverseError>(())
@@ -28,14 +28,14 @@ pub struct RestMap<P> {
 /// Rest pose and time of a launch.
 ///
 /// ```
-/// use tribos::slide::inverse::{RestPose, PlanarLaunch, RestMap};
+/// use tribos::slide::inverse::{RestPose, Launch, RestMap};
 /// use tribos::kernel::coupling::PowerLawFriction;
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// assert_eq!((disk.deceleration(), disk.radius(), disk.inertia_ratio()), (0.3 * 9.81, 0.08, 0.5));
 /// let alpha: f64 = disk.profile().exponent();
 /// assert_eq!(alpha, 0.0); // CoulombDisk's
-/// let launch = PlanarLaunch { velocity: [0.6, 0.8], spin: 0.0 }; // 1 m/s
+/// let launch = Launch { velocity: [0.6, 0.8], spin: 0.0 }; // 1 m/s
 /// let RestPose { pose, time } = disk.rest(&launch);
 /// assert!((time - 1.0 / (0.3 * 9.81)).abs() < 1e-14); // v/(mu g)
 /// let work = 0.3 * 9.81 * pose.x.hypot(pose.y); // of friction, per mass

@@ -29,12 +29,12 @@
 //! Han and Park; the reduction to one monotone function is this project's own.
 //!
 //! ```
-//! use tribos::slide::inverse::{Limits, Pose, RestMap, Turns};
-//! use tribos::kernel::coupling::table::Coulomb;
+//! use tribos::slide::inverse::{LaunchLimits, Pose, RestMap, Turns};
+//! use tribos::kernel::coupling::table::CoulombDisk;
 //!
-//! let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+//! let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 //! let target = Pose { x: 1.2, y: 0.3, angle: 1.57 };
-//! let limits = Limits::new(3.0, 100.0)?; // m/s, rad/s
+//! let limits = LaunchLimits::new(3.0, 100.0)?; // m/s, rad/s
 //! let launches = disk.launches(&target, Turns::Exact, &limits)?;
 //! let end = disk.rest(&launches[0].launch);
 //! assert!((end.pose.x - 1.2).abs() < 1e-12 && (end.pose.angle - 1.57).abs() < 1e-12);
@@ -68,8 +68,8 @@ pub use plan::{LaunchSolution, Launches, Turns};
 ///
 /// ```
 /// use tribos::slide::inverse::{Launch, RestMap};
-/// use tribos::kernel::coupling::table::Coulomb;
-/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// use tribos::kernel::coupling::table::CoulombDisk;
+/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let throw = Launch { velocity: [1.0, 0.0], spin: 12.5 };
 /// let mirrored = Launch { spin: -12.5, ..throw };
 /// let [left, right] = [throw, mirrored].map(|launch| disk.rest(&launch).pose);

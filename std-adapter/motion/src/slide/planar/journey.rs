@@ -106,14 +106,14 @@ const VISIBLE: f64 = 1e-6;
 /// The motion of a body in progress.
 ///
 /// ```
-/// use tribos::slide::planar::{Arrival, Ending, Journey, Launch, Point, TallCylinder};
+/// use tribos::slide::planar::{PlanarResult, PlanarStopReason, PlanarSimulation, PlanarLaunch, PlanarState, TallCylinder};
 /// let puck = TallCylinder::solid(0.3, 0.08).body(9.81)?; // flat; mu, R
-/// let launch = Launch { velocity: [1.0, 0.0], spin: 0.0 };
+/// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 0.0 };
 /// let stop = 1.0 / (0.3 * 9.81); // v/(mu g)
-/// let mut seen: Vec<Point> = Vec::new();
-/// let observe = |point: &Point| seen.push(*point);
-/// let end: Arrival = Journey::new(&puck, &launch, 1e-4)?.follow(&[0.5 * stop], observe)?;
-/// assert_eq!(end.ending, Ending::Rest);
+/// let mut seen: Vec<PlanarState> = Vec::new();
+/// let observe = |point: &PlanarState| seen.push(*point);
+/// let end: PlanarResult = PlanarSimulation::new(&puck, &launch, 1e-4)?.follow(&[0.5 * stop], observe)?;
+/// assert_eq!(end.ending, PlanarStopReason::Rest);
 /// assert!((end.point.time - stop).abs() < 1e-12);
 /// // After half of the time half of the speed and a quarter of the way are left.
 /// assert!((seen[1].velocity[0] - 0.5).abs() < 1e-12);

@@ -29,7 +29,7 @@ use std::fmt::Debug;
 /// counterclockwise, so that all have the same unit.
 ///
 /// ```
-/// use tribos::slide::planar::{SlideStopReason, PlanarSimulation, PlanarLaunch, Resistance};
+/// use tribos::slide::planar::{PlanarStopReason, PlanarSimulation, PlanarLaunch, Resistance};
 /// /// A disk on a film of oil: velocity and spin fade with 2/s.
 /// #[derive(Debug)]
 /// struct Oiled;
@@ -41,7 +41,7 @@ use std::fmt::Debug;
 /// }
 /// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 5.0 };
 /// let end = PlanarSimulation::new(&Oiled, &launch, 1e-6)?.to_end()?;
-/// assert_eq!(end.ending, SlideStopReason::Faded);
+/// assert_eq!(end.ending, PlanarStopReason::Faded);
 /// assert!((end.point.position[0] - 0.5).abs() < 1e-6); // v/k, but for the last millionth
 /// assert!((end.point.angle - 2.5).abs() < 1e-5); // ω/k
 /// # Ok::<(), tribos::slide::SlideError>(())

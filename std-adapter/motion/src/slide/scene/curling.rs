@@ -51,10 +51,10 @@ scene! {
     /// The default is a rock by the rules at 2 m/s and 1.5 rad/s.
     ///
     /// ```
-    /// use tribos::{scene::{CurlingScene, IceModel}, slide::run_path};
+    /// use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
     /// let model = IceModel::ScratchGuide;
     /// let draw = CurlingScene { model, speed: 1.9866, ..CurlingScene::default() };
-    /// let end = run_path(&draw)?.outcome.arrival.point;
+    /// let end = run_planar(&draw)?.outcome.arrival.point;
     /// assert!(end.position[0] > 28.3 && end.position[1] > 0.9); // m, left
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```

@@ -15,10 +15,10 @@ scene! {
     /// The default is a cylinder as high as wide, 16 cm, at 1 m/s and 5 rad/s.
     ///
     /// ```
-    /// use tribos::{scene::{CylinderScene, Tipping}, slide::run_path};
+    /// use tribos::{scene::{CylinderScene, Tipping}, slide::run_planar};
     /// let tower = CylinderScene { height: 0.4, ..CylinderScene::default() };
-    /// assert!(run_path(&tower).is_err()); // it tips
-    /// let held = run_path(&CylinderScene { on_tipping: Tipping::Clamp, ..tower })?;
+    /// assert!(run_planar(&tower).is_err()); // it tips
+    /// let held = run_planar(&CylinderScene { on_tipping: Tipping::Clamp, ..tower })?;
     /// assert!(held.outcome.arrival.most_lean > 1.0);
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
