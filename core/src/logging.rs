@@ -2,24 +2,28 @@
 //! tables, whose numbers are left out.
 
 use crate::contact::internals::{InPlane, PreparedContact, TangentialLoad};
-use crate::contact::{Contact, ContactModes, Modal, Plate, Sphere, Touch};
+use crate::contact::{Contact, ContactGeometry, ContactModes, ContactVector, SphereBody, WallBody};
 use crate::coupling::disk::Disk;
-use crate::coupling::flat::{DryPatch, FlatPower, Motion, PointLoad, Reduced};
+use crate::coupling::equal_speeds::Exponent;
+use crate::coupling::flat::{Motion, PatchShape, PointLoad, PolygonPowerLaw, Reduced};
+use crate::coupling::load_transfer::LoadTransferWrench;
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
 use crate::coupling::table::Table;
-use crate::coupling::tall::TallWrench;
-use crate::coupling::tip::Exponent;
-use crate::coupling::{DryCoupling, Lateral, Profile, compact::CompactPower};
-use crate::limit_surface::{AnyPressure, Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
+use crate::coupling::{
+    DryReducedFriction, LateralFriction, PowerLawFriction, compact::CompactPower,
+};
+use crate::limit_surface::{
+    FrictionSet, LimitEllipsoid, RoundLimitSurface, ShapeLimitSurface, UnknownPressureSet,
+};
 use crate::patch::bar::Bar;
-use crate::patch::feet::Feet;
+use crate::patch::feet::CompoundPatch;
 use crate::patch::mesh::{Mesh, Triangle};
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
-use crate::patch::outline::{Edge, FlatPressure, Polygon};
-use crate::patch::points::Points;
-use crate::planar::{ElasticState, ElasticStep, NodeFoot, PlanarStep};
+use crate::patch::outline::{Edge, Polygon, PressureField};
+use crate::patch::points::PointPatch;
+use crate::planar::{ElasticState, ElasticStep, PlanarStep, PointContacts};
 use crate::presliding::{
-    Anchor, NodePresliding, NodePreslidingStep, Pose, PreslidingStep, Settled,
+    Anchor, PointPresliding, PointPreslidingStep, Pose, PreslidingStep, Settled,
 };
 use crate::real::Real;
 use crate::twist::{Displacement, Twist, Wrench};
@@ -55,32 +59,32 @@ formats! {
         s.strain, s.friction, s.slip, s.dissipated, s.grip;
     [R: Real + Format] PreslidingStep<R>: |s| "{} under {}, slip {}, dissipated {}, {}",
         s.anchor, s.friction, s.slip, s.dissipated, s.grip;
-    [R: Real + Format] NodePreslidingStep<R>: |s| "under {}, dissipated {}, {} points slip",
+    [R: Real + Format] PointPreslidingStep<R>: |s| "under {}, dissipated {}, {} points slip",
         s.friction, s.dissipated, s.slipping;
-    [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] NodePresliding<R, P, CAPACITY>: |p|
+    [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] PointPresliding<R, P, CAPACITY>: |p|
         "bonds of {} points, stiffness {}, limit {}",
         p.patch().nodes().len(), p.stiffness(), p.force_limit();
-    [R: Real + Format] Sphere<R>: |s| "sphere at velocity {}, spin {}, 1/m {}, 1/I {}",
+    [R: Real + Format] SphereBody<R>: |s| "sphere at velocity {}, spin {}, 1/m {}, 1/I {}",
         Components(s.velocity), Components(s.spin), s.inv_mass, s.inv_inertia;
-    [R: Real + Format] Plate<R>: |p| "plate at velocity {}, 1/m {}",
+    [R: Real + Format] WallBody<R>: |p| "plate at velocity {}, 1/m {}",
         Components(p.velocity), p.inv_mass;
     [R: Real + Format] TangentialLoad<R>: |l| "sliding {}, torsion {}",
         Components(l.sliding), l.torsion;
     [R: Real + Format] InPlane<R>: |v| "{}", Components(v.0);
-    [R: Real + Format, M: ContactModes<R>] Modal<R, M>: |m|
+    [R: Real + Format, M: ContactModes<R>] ContactVector<R, M>: |m|
         "normal {}, sliding {}, rolling {}, torsion {}",
         m.normal, Components(m.sliding()), Components(m.rolling()), m.torsion();
-    [R: Real + Format] Touch<R>: |t| "touch along {}, gap {}", Components(t.normal), t.gap;
+    [R: Real + Format] ContactGeometry<R>: |t| "touch along {}, gap {}", Components(t.normal), t.gap;
     [R: Real + Format, M: ContactModes<R>] Contact<R, M>: |c|
         "contact along {}, bound {}, impulse {}",
         Components(*c.normal()), c.bound(), c.impulse();
     [R: Real + Format] PreparedContact<R>: |c| "prepared contact along {}, {}",
         Components(c.normal), c.block;
-    [R: Real + Format] TallWrench<R>: |w| "{}, lean [{}, {}], lifts: {}",
+    [R: Real + Format] LoadTransferWrench<R>: |w| "{}, lean [{}, {}], lifts: {}",
         w.wrench, w.lean.x, w.lean.y, w.is_lifting;
-    [R: Real + Format, C: DryCoupling<R> + Format] LimitSurface<R, C>: |s|
+    [R: Real + Format, C: DryReducedFriction<R> + Format] RoundLimitSurface<R, C>: |s|
         "limit surface of {}, force {}, radius {}", s.coupling(), s.force_limit(), s.radius();
-    [R: Real + Format] Ellipsoid<R>: |e| "ellipsoid of force {}, torque {}, radius {}",
+    [R: Real + Format] LimitEllipsoid<R>: |e| "ellipsoid of force {}, torque {}, radius {}",
         e.force_limit(), e.torque_limit(), e.radius();
     [R: Real + Format, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>: |t|
         "table of the disk, exponent {}", t.exponent();
@@ -97,24 +101,24 @@ formats! {
     [R: Real + Format, const CAPACITY: usize] NodeList<R, CAPACITY>: |l| "{}", l.nodes();
     [R: Real + Format] NodeSlice<'_, R>: |s| "nodes {}", s.nodes();
     [R: Real + Format] NodeBuffer<'_, R>: |b| "nodes {}", b.nodes();
-    [R: Real + Format, S: AsRef<[Edge<R>]>, K: FlatPressure<R>] Polygon<R, S, K>: |p|
+    [R: Real + Format, S: AsRef<[Edge<R>]>, K: PressureField<R>] Polygon<R, S, K>: |p|
         "polygon of {} edges, radius {}", p.edges().len(), p.radius();
     [R: Real + Format, S: AsRef<[Triangle<R>]>] Mesh<R, S>: |m|
         "mesh of {} triangles, radius {}", m.triangles().len(), m.radius();
-    [R: Real + Format, P: NodePatch<R>] Points<R, P>: |p|
+    [R: Real + Format, P: NodePatch<R>] PointPatch<R, P>: |p|
         "{} points, radius {}", p.nodes().nodes().len(), p.radius();
-    [R: Real + Format, P: DryPatch<R>] Feet<'_, R, P>: |f|
+    [R: Real + Format, P: PatchShape<R>] CompoundPatch<'_, R, P>: |f|
         "{} feet, radius {}", f.feet().len(), f.radius();
     [R: Real + Format] PointLoad<R>: |p| "share {} at [{}, {}]", p.share, p.place.x, p.place.y;
     [R: Real + Format] Bar<R>: |b| "bar of half length {}", b.radius();
-    [R: Real + Format, P: DryPatch<R>] PatchSurface<R, P>: |s|
+    [R: Real + Format, P: PatchShape<R>] ShapeLimitSurface<R, P>: |s|
         "limit surface of force {}, torque {}, radius {}",
         s.force_limit(), s.torque_limit(), s.radius();
-    [R: Real + Format, S: AsRef<[[R; 2]]>] AnyPressure<R, S>: |s|
+    [R: Real + Format, S: AsRef<[[R; 2]]>] UnknownPressureSet<R, S>: |s|
         "support of force {}, centre [{}, {}], radius {}",
         s.force_limit(), s.centre().x, s.centre().y, s.radius();
     [R: Real + Format] Reduced<R>: |r| "force [{}, {}], torque {}", r.force.x, r.force.y, r.torque;
-    [R: Real + Format] FlatPower<R>: |p| "prepared law of exponent {}", p.alpha();
+    [R: Real + Format] PolygonPowerLaw<R>: |p| "prepared law of exponent {}", p.alpha();
     [R: Real + Format] Motion<R>: |m| "{}", match m {
         Motion::Turns { centre, spin } => Components(Vector3::new(centre.x, centre.y, *spin)),
         Motion::Slides { direction, turn, .. } => {
@@ -126,6 +130,6 @@ formats! {
     [R: Real + Format] ElasticState<R>: |s| "{}, {}, {}", s.pose, s.twist, s.anchor;
     [R: Real + Format] ElasticStep<R>: |s| "{} under {}, slip {}, lost {}, {}",
         s.state, s.friction, s.slip, s.lost_energy(), s.grip;
-    [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] NodeFoot<R, P, CAPACITY>: |p|
+    [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] PointContacts<R, P, CAPACITY>: |p|
         "foot of {} points, limit {}", p.patch().nodes().len(), p.force_limit();
 }

@@ -1,11 +1,12 @@
 //! `defmt::Format` of a manifold.
 
-use super::Manifold;
+use super::ContactSystem;
 use crate::contact::ContactFriction;
 use crate::real::Real;
 use defmt::{Format, Formatter};
 
-impl<R, F, const BODIES: usize, const CONTACTS: usize> Format for Manifold<R, F, BODIES, CONTACTS>
+impl<R, F, const BODIES: usize, const CONTACTS: usize> Format
+    for ContactSystem<R, F, BODIES, CONTACTS>
 where
     R: Real + Format,
     F: ContactFriction<R> + Format,

@@ -3,8 +3,8 @@
 use crate::PERIOD;
 use nalgebra::Vector2;
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -23,9 +23,9 @@ pub const LOAD: Wrench<f32> = Wrench::new(0.0, -MASS * 9.81, 0.01);
 const LEAST: f32 = 1e-3;
 
 /// Limit surface of the pads if each presses with `grip` N.
-fn pads(mu: f32, grip: f32) -> Option<LimitSurface<f32, Coulomb>> {
+fn pads(mu: f32, grip: f32) -> Option<RoundLimitSurface<f32, CoulombDisk>> {
     let grip = if grip > LEAST { grip } else { LEAST };
-    LimitSurface::new(Coulomb, PADS * mu * grip, RADIUS).ok()
+    RoundLimitSurface::new(CoulombDisk, PADS * mu * grip, RADIUS).ok()
 }
 
 /// The least grip force that holds a load, N: the surface grows in proportion to the force, so that

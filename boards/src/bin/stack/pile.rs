@@ -2,9 +2,12 @@
 
 use nalgebra::Vector3;
 use tribos_core::contact::AllModes;
-use tribos_core::contact::{Body, Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
+use tribos_core::contact::{
+    Cohesion, ContactBody, ContactGeometry, IndependentFriction, NormalLaw, SphereBody, TimeStep,
+    WallBody,
+};
 use tribos_core::manifold::{
-    BodyHandle, ContactHandle, InitialGuess, Manifold, SolverLimits, SolverReport,
+    BodyHandle, ContactHandle, ContactSystem, InitialGuess, SolverReport, SolverSettings,
 };
 
 /// Radius and mass of a ball: m, kg.
@@ -22,8 +25,8 @@ const FRICTION: [f32; 3] = [0.4, 0.01, 0.01];
 /// continues in the next step.
 pub const SWEEPS: u32 = 20;
 /// When the sweeps end.
-const STOP: SolverLimits<f32> = SolverLimits {
-    sweeps: SWEEPS,
+const STOP: SolverSettings<f32> = SolverSettings {
+    max_iterations: SWEEPS,
     tolerance: 1e-4,
 };
 
@@ -38,7 +41,7 @@ const INV_SQRT_3: f32 = 0.577_350_26;
 /// √(2/3): the fourth lies 2R √(2/3) above them.
 const SQRT_2_3: f32 = 0.816_496_6;
 
-type Friction = Thresholds<f32, AllModes>;
+type Friction = IndependentFriction<f32, AllModes>;
 
 /// A body and its position.
 #[derive(Clone, Copy)]
@@ -79,7 +82,7 @@ const PAIRS: [Pair; CONTACTS] = [
 
 /// The pile.
 pub struct Pile {
-    manifold: Manifold<f32, Friction, BODIES, CONTACTS>,
+    manifold: ContactSystem<f32, Friction, BODIES, CONTACTS>,
     balls: [Placed; BALLS],
     sides: [Side; FINGERS + 1],
     contacts: [Option<ContactHandle>; CONTACTS],
@@ -90,9 +93,9 @@ impl Pile {
     /// Separate bodies at rest; the fingers press, gravity pulls.
     pub fn new(dt: f32) -> Option<Self> {
         let [sliding, rolling, torsion] = FRICTION;
-        let friction = Thresholds::all(sliding, rolling, torsion).ok()?;
+        let friction = IndependentFriction::all(sliding, rolling, torsion).ok()?;
         let law = NormalLaw::new(Cohesion::NONE, 0.0).ok()?;
-        let mut manifold = Manifold::new(law, friction);
+        let mut manifold = ContactSystem::new(law, friction);
         let ring = (2.0 * RADIUS + APART) * INV_SQRT_3;
         let top = RADIUS + 2.0 * RADIUS * SQRT_2_3 + 2.0 * APART;
         let [first, second, third] =
@@ -140,19 +143,19 @@ impl Pile {
             let ([first, second], touch) = match *pair {
                 Pair::Balls(a, b) => {
                     let (a, b) = (self.balls.get(a)?, self.balls.get(b)?);
-                    let touch = Touch::spheres(&(b.place - a.place), [RADIUS; 2]).ok()?;
+                    let touch = ContactGeometry::spheres(&(b.place - a.place), [RADIUS; 2]).ok()?;
                     ([a.body, b.body], touch)
                 }
                 Pair::Plate(a, side) => {
                     let (a, side) = (self.balls.get(a)?, self.sides.get(side)?);
                     let height = dot(&(a.place - side.placed.place), &side.outward);
-                    let touch = Touch::plate(height, &side.outward, RADIUS).ok()?;
+                    let touch = ContactGeometry::plate(height, &side.outward, RADIUS).ok()?;
                     ([a.body, side.placed.body], touch)
                 }
             };
             match slot {
                 None => *slot = Some(self.manifold.push_contact(first, second, touch).ok()?),
-                Some(contact) => self.manifold.set_touch(*contact, touch).ok()?,
+                Some(contact) => self.manifold.set_geometry(*contact, touch).ok()?,
             }
         }
         Some(())
@@ -174,7 +177,7 @@ impl Pile {
         let mut fastest = 0.0;
         for ball in &self.balls {
             let body = self.manifold.body(ball.body)?;
-            let (velocity, rim) = (body.velocity(), body.spin() * RADIUS);
+            let (velocity, rim) = (body.velocity(), body.angular_velocity() * RADIUS);
             let speed = norm(&velocity) + norm(&rim);
             fastest = if speed <= fastest { fastest } else { speed };
         }
@@ -210,8 +213,8 @@ fn still() -> Vector3<f32> {
     Vector3::new(0.0, 0.0, 0.0)
 }
 
-fn ball() -> Sphere<f32> {
-    Sphere {
+fn ball() -> SphereBody<f32> {
+    SphereBody {
         velocity: still(),
         spin: still(),
         inv_mass: 1.0 / MASS,
@@ -221,12 +224,12 @@ fn ball() -> Sphere<f32> {
 
 /// A plate at a distance from the middle.
 fn side(
-    manifold: &mut Manifold<f32, Friction, BODIES, CONTACTS>,
+    manifold: &mut ContactSystem<f32, Friction, BODIES, CONTACTS>,
     outward: Vector3<f32>,
     distance: f32,
     inv_mass: f32,
 ) -> Option<Side> {
-    let plate = Plate {
+    let plate = WallBody {
         velocity: still(),
         inv_mass,
     };

@@ -84,8 +84,8 @@ fn follow(pile: &mut Pile, steps: u32) -> Option<Phase> {
         // Without -icount there is no count, and the budget fails.
         let count = count.unwrap_or(u64::from(u32::MAX));
         phase.steps += 1;
-        phase.sweeps += report.sweeps;
-        phase.most_sweeps = phase.most_sweeps.max(report.sweeps);
+        phase.sweeps += report.iterations;
+        phase.most_sweeps = phase.most_sweeps.max(report.iterations);
         phase.unconverged += u32::from(!report.converged);
         phase.instructions += count;
         phase.worst = phase.worst.max(count);

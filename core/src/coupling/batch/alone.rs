@@ -1,6 +1,6 @@
 //! Targets without such vectors: every speed goes to the scalar function.
 
-use crate::coupling::{Coupling, SmoothProfile};
+use crate::coupling::{ReducedFriction, SmoothProfile};
 use crate::lanes::Group;
 use crate::real::Real;
 use crate::twist::{Twist, WrenchJacobian};
@@ -38,7 +38,7 @@ pub fn jacobians<R: Real, P: LaneProfile<R>>(
 }
 
 #[inline]
-pub fn patch_wrenches<R: Real, C: Coupling<R>>(
+pub fn patch_wrenches<R: Real, C: ReducedFriction<R>>(
     _: &C,
     _: [R; 2],
     _: [&Group<R>; 3],
@@ -47,7 +47,7 @@ pub fn patch_wrenches<R: Real, C: Coupling<R>>(
 }
 
 #[inline]
-pub fn patch_jacobians<R: Real, C: Coupling<R>>(
+pub fn patch_jacobians<R: Real, C: ReducedFriction<R>>(
     _: &C,
     _: [R; 2],
     _: &Group<Twist<R>>,
