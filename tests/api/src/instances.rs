@@ -137,8 +137,14 @@ pub const INSTANCES: &[Instance] = &[
         "coupling::quadrature::DiskQuadrature<law::PowerLaw<R>>",
         &["ReducedFriction"],
     ),
-    instance("coupling::load_transfer::FrontBack", &["PressureGradient"]),
-    instance("coupling::load_transfer::AllRound", &["PressureGradient"]),
+    instance(
+        "coupling::load_transfer::LongitudinalGradient",
+        &["PressureGradient"],
+    ),
+    instance(
+        "coupling::load_transfer::FullGradient",
+        &["PressureGradient"],
+    ),
     // Patches.
     instance("patch::nodes::Nodes<R, 3>", &["NodePatch"]),
     instance("patch::nodes::NodeList<R, 12>", &["NodePatch", "NodeSink"]),
@@ -153,14 +159,14 @@ pub const INSTANCES: &[Instance] = &[
     // Corners alone, in the same two ways.
     instance("[[R; 2]; 4]", CORNERS),
     similar(instance("&'static [[R; 2]]", CORNERS)),
-    instance("patch::outline::Uniform", &["PressureField"]),
-    instance("patch::outline::Linear<R>", &["PressureField"]),
+    instance("patch::outline::UniformPressure", &["PressureField"]),
+    instance("patch::outline::LinearPressure<R>", &["PressureField"]),
     instance(
         "patch::outline::Polygon<R, [patch::outline::Edge<R>; 4]>",
         &["PatchShape", "PowerLawPatch"],
     ),
     instance(
-        "patch::outline::Polygon<R, [patch::outline::Edge<R>; 4], patch::outline::Linear<R>>",
+        "patch::outline::Polygon<R, [patch::outline::Edge<R>; 4], patch::outline::LinearPressure<R>>",
         &["PatchShape", "PowerLawPatch"],
     ),
     instance("patch::bar::Bar<R>", &["PatchShape"]),
