@@ -69,7 +69,7 @@ pub const HOLDING: [Item; 12] = [
         ),
         Code::new(
             "(RoundLimitSurface::new(table::CoulombDisk, 1.0 as R, 1.0).ok()?, RoundLimitSurface::new(table::CoulombDisk, 1.5 as R, 1.0).ok()?)",
-            "StictionBounds::of(&object.0, &object.1, &given.push).surely_held_scale()",
+            "StictionBounds::of(&object.0, &object.1, &given.push).certain_scale()",
         ),
     ),
     item(

@@ -70,6 +70,6 @@ pub const MANIFOLD_FRICTION: [Item; 6] = [
         ["manifold friction", "rolling beside it"],
         NARROW,
         "manifold_friction manifold_friction::rolling",
-        Code::new("()", "limited_rolling([given.a, given.b], given.load)[0]"),
+        Code::new("()", "project_rolling([given.a, given.b], given.load)[0]"),
     ),
 ];

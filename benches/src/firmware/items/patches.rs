@@ -170,7 +170,7 @@ pub const PATCHES: [Item; 19] = [
         "limit_surface limit_surface::any_pressure limit_surface::central_path limit_surface::quadratic limit_surface::load_sharing",
         Code::new(
             "UnknownPressureSet::new([[-b, -b], [b, -b], [b, b], [-b, b]], [0.1, 0.1], 0.5).ok()?",
-            "pair(object.torque_limits([given.push.force.x, given.push.force.y]).map(|limits| limits.carried))",
+            "pair(object.torque_limits([given.push.force.x, given.push.force.y]).map(|limits| limits.certain))",
         ),
     ),
     dry(
