@@ -78,7 +78,9 @@ def test_a_lock_names_the_program_that_holds_it(tmp_path: Path) -> None:
         raise StopIteration
 
     with pytest.raises(StopIteration):
-        tribos.run(LONG.replace(max_steps=100_000, width=20.0, height=61.5), tmp_path, progress=look)
+        tribos.run(
+            LONG.replace(max_steps=100_000, width=20.0, height=61.5), tmp_path, progress=look
+        )
     assert f"process {os.getpid()}, `python " in seen[0]
 
 

@@ -84,7 +84,13 @@ def test_a_sliding_bodys_files_are_those_of_the_command(name: str, tmp_path: Pat
 
 def test_a_tips_files_are_those_of_the_command(tmp_path: Path) -> None:
     tip = tribos.TipScene(
-        substrate_columns=12, substrate_rows=12, tip_side_atoms=4, equilibration=0.1, drive_time=0.2, rest_time=0.1, sample_every=10
+        substrate_columns=12,
+        substrate_rows=12,
+        tip_side_atoms=4,
+        equilibration=0.1,
+        drive_time=0.2,
+        rest_time=0.1,
+        sample_every=10,
     )
     (tmp_path / "tip.toml").write_text(tip.to_toml())
     command("run", str(tmp_path / "tip.toml"), "--out", str(tmp_path / "command"))
