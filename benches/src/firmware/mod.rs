@@ -30,10 +30,10 @@ pub const UNPRICED: [(&str, &str); 6] = [
         "hands calls on to the tier inside",
     ),
     ("error", "moves a refusal into another type"),
-    ("patch::borrowed", "borrows the caller's nodes"),
+    ("patch::node_storage", "borrows the caller's nodes"),
     ("patch::feet", "adds what its feet take"),
     (
-        "planar::foot",
+        "planar::point_contacts",
         "not priced yet: as many rounds as the pose needs",
     ),
 ];

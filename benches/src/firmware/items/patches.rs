@@ -50,13 +50,13 @@ macro_rules! flat {
 /// One pair of speeds or one twist in.
 pub const PATCHES: [Item; 19] = [
     item(
-        ["patch", "CoulombHertz: table: CoulombDisk"],
+        ["patch", "Hertz: table: Coulomb"],
         BOTH,
         round!("coupling::round coupling::regime_table coupling::batch::ways"),
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HERTZ_TABLE),
     ),
     coupled(
-        "CoulombHertz: closed",
+        "Hertz: closed",
         NARROW,
         round!("coupling::closed"),
         "closed::CoulombHertz",
@@ -74,7 +74,7 @@ pub const PATCHES: [Item; 19] = [
         "closed::CoulombRing",
     ),
     coupled(
-        "annulus: table: CoulombDisk",
+        "annulus: table: Coulomb",
         NARROW,
         round!(
             "coupling::annulus coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways"
@@ -90,37 +90,37 @@ pub const PATCHES: [Item; 19] = [
         "round::PolynomialTable::new(0.0, &PolynomialPressure::new([1.0, -2.0, 1.5]).ok()?).ok()?",
     ),
     dry(
-        "tripod: CoulombDisk",
+        "tripod: Coulomb",
         BOTH,
         "coupling::nodes law::coulomb patch::nodes patch::tripod",
         "dry_nodes(Nodes::tripod([[1.0, 0.0], [-0.5, 0.75], [-0.5, -0.75]], [a, 0.0]).ok()?)?",
     ),
     dry(
-        "100 nodes on a disk: CoulombDisk",
+        "100 nodes on a disk: Coulomb",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polar patch::gauss_jacobi",
         "dry_nodes(PolarQuadrature::new(1.0 as R, 5, 20).ok()?.nodes::<100>().ok()?)?",
     ),
     dry(
-        "ring of 100 nodes: CoulombDisk",
+        "ring of 100 nodes: Coulomb",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polar",
         "dry_nodes(NodeList::<R, 100>::ring(1.0 as R, 100).ok()?)?",
     ),
     dry(
-        "polygon of 28 nodes: CoulombDisk",
+        "polygon of 28 nodes: Coulomb",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polygon",
         "dry_nodes(NodeList::<R, 28>::polygon(&[[1.0, 0.0], [-0.5, 0.75], [-0.5, -a]], 2).ok()?)?",
     ),
     dry(
-        "square, exact: CoulombDisk",
+        "square, exact: Coulomb",
         BOTH,
         flat!("patch::flat_pressure patch::outline_check"),
         "ShapeFriction::new(square(b)?, 0.5).ok()?",
     ),
     item(
-        ["patch", "square, exact: CoulombDisk, Jacobian"],
+        ["patch", "square, exact: Coulomb, Jacobian"],
         NARROW,
         flat!("patch::flat_pressure patch::outline_check"),
         Code::new(
@@ -137,7 +137,7 @@ pub const PATCHES: [Item; 19] = [
         "ShapePowerFriction::new(square(b)?, 0.5, PolygonPowerLaw::new(0.5).ok()?).ok()?",
     ),
     dry(
-        "bar, exact: CoulombDisk",
+        "bar, exact: Coulomb",
         NARROW,
         flat!("coupling::flat::bar coupling::flat::sums patch::bar"),
         "ShapeFriction::new(Bar::new([-1.0, b], [1.0, a]).ok()?, 0.5).ok()?",
@@ -174,7 +174,7 @@ pub const PATCHES: [Item; 19] = [
         ),
     ),
     dry(
-        "mesh of two triangles, exact: CoulombDisk",
+        "mesh of two triangles, exact: Coulomb",
         NARROW,
         "coupling::flat coupling::flat::cone coupling::flat::pole_far coupling::flat::mesh coupling::flat::motion coupling::flat::pole_near coupling::flat::sums coupling::flat::pair_of_numbers patch::edge patch::mesh patch::mesh_error patch::triangle special::log_quotient special::triangle",
         "ShapeFriction::new(face(b)?, 0.5).ok()?",

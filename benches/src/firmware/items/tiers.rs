@@ -23,7 +23,7 @@ const fn tier(
 /// One sliding speed and one rim speed in.
 pub const TIERS: [Item; 7] = [
     tier(
-        "table: CoulombDisk",
+        "table: Coulomb",
         BOTH,
         round!(
             "coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways"
@@ -39,7 +39,7 @@ pub const TIERS: [Item; 7] = [
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HALF_TABLE),
     ),
     tier(
-        "compact: CoulombDisk",
+        "compact: Coulomb",
         BOTH,
         round!("coupling::compact special::elliptic"),
         "compact::CompactCoulombDisk",
@@ -61,7 +61,7 @@ pub const TIERS: [Item; 7] = [
         "compact::CompactPower::new(0.0 as R).ok()?",
     ),
     tier(
-        "quadrature: CoulombDisk",
+        "quadrature: Coulomb",
         BOTH,
         "coupling::quadrature law law::coulomb",
         "DiskQuadrature::new(CoulombLaw::new(1.0 as R).ok()?)",
