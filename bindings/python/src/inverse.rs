@@ -1,7 +1,7 @@
 //! Launches that end at a wanted pose.
 
 use crate::arrays::refused;
-use crate::modes::PowerLawVisitor;
+use crate::modes::PowerLawProfile;
 use crate::threads::detached;
 use pyo3::prelude::*;
 use std::num::NonZeroU32;
@@ -31,7 +31,7 @@ struct LaunchTarget {
 #[pyfunction]
 pub fn launches(
     py: Python<'_>,
-    friction: &PowerLawVisitor,
+    friction: &PowerLawProfile,
     wanted: &Bound<'_, PyAny>,
 ) -> PyResult<Vec<Row>> {
     let wanted: LaunchTarget = wanted.extract()?;

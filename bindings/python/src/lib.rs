@@ -57,7 +57,7 @@ mod _native {
     #[pymodule_export]
     use manifold::Manifold;
     #[pymodule_export]
-    use modes::PowerLawVisitor;
+    use modes::PowerLawProfile;
     #[pymodule_export]
     use mujoco::MujocoFeet;
     #[pymodule_export]

@@ -11,7 +11,7 @@ use tribos_core::modes::{Stability, TerminalMode, TerminalMotion};
 
 /// Friction that is a power of the speed on a round patch, for final motion and launches.
 #[pyclass(frozen, module = "tribos._native")]
-pub struct PowerLawVisitor {
+pub struct PowerLawProfile {
     /// On an upright body.
     pub profile: Box<dyn RoundPower<f64>>,
     /// γ, in (s/m)^α.
@@ -31,7 +31,7 @@ type Answer = (
 );
 
 #[pymethods]
-impl PowerLawVisitor {
+impl PowerLawProfile {
     #[new]
     fn new(patch: &Patch, law: &Law) -> PyResult<Self> {
         let (patch, radius) = round(&patch.0)?;

@@ -97,7 +97,7 @@ def _ratio(value: float) -> float:
     return ratio
 
 
-def profiled(friction: Friction) -> _native.Profiled:
+def profiled(friction: Friction) -> _native.PowerLawProfile:
     """The friction as final motion and launches are computed from it."""
     if not isinstance(friction, Friction):
         raise ValueError(f"friction must be a tribos.Friction, not {friction!r}")
@@ -105,5 +105,5 @@ def profiled(friction: Friction) -> _native.Profiled:
 
 
 @lru_cache(maxsize=64)
-def _made(friction: Friction) -> _native.Profiled:
-    return _native.Profiled(friction.patch._handle, friction.law._handle)
+def _made(friction: Friction) -> _native.PowerLawProfile:
+    return _native.PowerLawProfile(friction.patch._handle, friction.law._handle)

@@ -20,7 +20,7 @@ __all__ = [
     "MujocoFeet",
     "Patch",
     "Potential",
-    "Profiled",
+    "PowerLawProfile",
     "RateState",
     "RestMap",
     "Slider",
@@ -71,7 +71,7 @@ def fit_support(
     pushes: list[list[float]], patch: Patch | None, loops: list[list[list[float]]]
 ) -> dict[str, Any]: ...
 def launches(
-    friction: Profiled, wanted: dict[str, float | int | None]
+    friction: PowerLawProfile, wanted: dict[str, float | int | None]
 ) -> list[tuple[tuple[float, float], float, float, float, float, float, float]]: ...
 def host(line: list[str], command: str | None, library: str | PathLike[str]) -> None: ...
 def laws() -> list[dict[str, Any]]: ...
@@ -338,8 +338,8 @@ class SurfaceDerivatives:
     ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]: ...
 
 @final
-class Profiled:
-    def __new__(cls, patch: Patch, law: Law) -> Profiled: ...
+class PowerLawProfile:
+    def __new__(cls, patch: Patch, law: Law) -> PowerLawProfile: ...
     def alpha(self) -> float: ...
     def modes(
         self, inertia_ratio: float, initial_ratio: float | None = None, lean: float = 0.0
