@@ -272,7 +272,7 @@ def of_contacts(add: Callable[..., None]) -> None:
 def of_scenes(add: Callable[..., None]) -> None:
     """Scenes, runs, sweeps."""
     values = [-1.0, NAN, INF, "x", [], {}]
-    for name in ("radius", "mass", "coefficient"):
+    for name in ("radius", "mass", "gamma"):
         add(f"scene {name}", lambda x, n=name: tribos.SliderScene(**{n: x}), values)
     texts = [
         "",
