@@ -11,7 +11,7 @@ use tribos_core::twist::Twist;
 
 /// Twist and friction after a step, and whether friction holds the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stepped {
+pub struct StepResult {
     /// In m/s and rad/s.
     pub twist: [f64; 3],
     /// In N and N m.
@@ -20,7 +20,7 @@ pub struct Stepped {
     pub is_at_rest: bool,
 }
 
-impl Stepped {
+impl StepResult {
     /// As numbers; 1 at rest.
     pub fn row(&self) -> [f64; 7] {
         let [vx, vy, spin] = self.twist;
@@ -53,7 +53,7 @@ impl Stepper {
         angle: f64,
         twist: [f64; 3],
         push: [f64; 3],
-    ) -> Stepped {
+    ) -> StepResult {
         // The small module has round patches alone, to which it does not matter.
         if angle == 0.0 || cfg!(not(feature = "all")) {
             return self.step_along_axes(set, twist, push);
@@ -67,7 +67,7 @@ impl Stepper {
         } else {
             back(step.twist)
         };
-        Stepped {
+        StepResult {
             twist,
             friction: back(step.friction),
             ..step
@@ -79,11 +79,11 @@ impl Stepper {
         set: &dyn FrictionSet<f64>,
         twist: [f64; 3],
         push: [f64; 3],
-    ) -> Stepped {
+    ) -> StepResult {
         let step = self
             .body
             .step(set, &twist_of(twist), &wrench_of(push), self.dt);
-        Stepped {
+        StepResult {
             twist: row_of_twist(&step.twist),
             friction: row_of(&step.friction),
             is_at_rest: step.is_at_rest,
@@ -93,7 +93,7 @@ impl Stepper {
 
 /// A course of many steps: what it starts from, and what it repeats.
 #[derive(Clone, Copy, Debug)]
-pub struct Course {
+pub struct Trajectory {
     /// Motion at the start.
     pub twist: [f64; 3],
     /// Place and angle at the start.
@@ -104,7 +104,7 @@ pub struct Course {
     pub turns: bool,
 }
 
-impl Course {
+impl Trajectory {
     /// Fills rows of time, pose and twist: the start, and one for each step. Position and angle are integrated by
     /// the trapezoidal rule, which is exact under the mean friction of a step; a patch that turns is taken at its
     /// angle at half time. Without a push the rows end with the first at rest. Returns their number.
@@ -163,7 +163,7 @@ pub fn to_rest(
         }
         // At rest any step keeps it there.
         let dt = if time > 0.0 { time / count as f64 } else { 1.0 };
-        let course = Course {
+        let course = Trajectory {
             twist,
             pose: [0.0; 3],
             push: [0.0; 3],

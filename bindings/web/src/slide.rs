@@ -114,14 +114,14 @@ where
 
 /// A body by what its free motion depends on, and its launch.
 #[derive(Clone, Copy, Debug)]
-pub struct Thrown {
+pub struct LaunchedBody {
     /// Deceleration of pure sliding and I/(M R²).
     pub parameters: SliderParameters<f64>,
     /// Velocity and spin.
     pub twist: [f64; 3],
 }
 
-impl Thrown {
+impl LaunchedBody {
     /// Speed and direction of the launch.
     fn start(&self) -> (SliderState<f64>, [f64; 2]) {
         let [vx, vy, spin] = self.twist;

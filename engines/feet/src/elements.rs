@@ -115,7 +115,7 @@ impl<'a> Elements<'a> {
             return End {
                 twist: [0.0; 3],
                 holds: vec![true; self.places.len()],
-                by: By::Traction(traction),
+                by: FrictionDistribution::Traction(traction),
             };
         }
         let found = balance.solve(free, dt);
@@ -123,7 +123,7 @@ impl<'a> Elements<'a> {
         End {
             twist: found.twist,
             holds: self.drifts.iter().map(holds).collect(),
-            by: By::Smoothing(found.smoothing),
+            by: FrictionDistribution::Smoothing(found.smoothing),
         }
     }
 
@@ -159,13 +159,13 @@ impl<'a> Elements<'a> {
         let mut each = vec![[0.0; 3]; self.places.len()];
         for element in &self.elements {
             let part = match end.by {
-                By::Traction([ax, ay, b]) => {
+                FrictionDistribution::Traction([ax, ay, b]) => {
                     let ([x, y], c) = (element.place, element.limit);
                     let [fx, fy] = [c * (ax - b * y), c * (ay + b * x)];
                     let own = c * b * element.area.mean_square();
                     [fx, fy, x * fy - y * fx + own]
                 }
-                By::Smoothing(smoothing) => {
+                FrictionDistribution::Smoothing(smoothing) => {
                     let twist = plus(&end.twist, &balance.drift(element));
                     element.response(&twist, smoothing).wrench.map(|x| -x)
                 }
@@ -191,7 +191,7 @@ impl<'a> Elements<'a> {
 }
 
 /// How the friction of each foot follows from the end of a step.
-enum By {
+enum FrictionDistribution {
     /// A field of traction that holds all.
     Traction([f64; 3]),
     /// The motion, with so much smoothing.
@@ -201,7 +201,7 @@ enum By {
 struct End {
     twist: [f64; 3],
     holds: Vec<bool>,
-    by: By,
+    by: FrictionDistribution,
 }
 
 fn numbers(twist: &Twist<f32>) -> [f64; 3] {

@@ -16,11 +16,11 @@ use tribos_core::twist::{Twist, Wrench};
 pub struct Standing<'a> {
     body: &'a PlanarBody<f32>,
     coupled: Option<[f64; 6]>,
-    on: On<'a>,
+    on: FootSolver<'a>,
 }
 
 #[derive(Debug)]
-enum On<'a> {
+enum FootSolver<'a> {
     /// One foot with its exact limit surface.
     Exact { surface: Exact<'a>, foot: Foot<'a> },
     Elements {
@@ -52,12 +52,12 @@ impl<'a> Standing<'a> {
     /// relative motion if friction moves the ground as well, by x, y and the rotation about the normal.
     pub fn new(body: &'a PlanarBody<f32>, coupled: Option<[f64; 6]>, feet: &[Foot<'a>]) -> Self {
         let on = match (feet, coupled) {
-            ([foot], None) => On::alone(foot),
+            ([foot], None) => FootSolver::alone(foot),
             _ => None,
         };
         let on = on.unwrap_or_else(|| {
             let [mass, inertia] = [body.mass(), body.inertia()].map(f64::from);
-            On::Elements {
+            FootSolver::Elements {
                 mass: coupled.unwrap_or([mass, 0.0, mass, 0.0, 0.0, inertia]),
                 elements: Elements::of(feet),
             }
@@ -92,7 +92,7 @@ impl<'a> Standing<'a> {
         Self {
             body,
             coupled: None,
-            on: On::Elements {
+            on: FootSolver::Elements {
                 mass: [mass, 0.0, mass, 0.0, 0.0, inertia],
                 elements: Elements::of_points(points),
             },
@@ -107,12 +107,14 @@ impl<'a> Standing<'a> {
         dt: TimeStep<f32>,
     ) -> Option<Ended> {
         let step = match &self.on {
-            On::Elements { mass, elements } => return elements.step(mass, before, push, dt.dt()),
-            On::Exact { surface, foot } => {
+            FootSolver::Elements { mass, elements } => {
+                return elements.step(mass, before, push, dt.dt());
+            }
+            FootSolver::Exact { surface, foot } => {
                 let surface = surface.surface();
                 surface.step(foot.limit, foot.axis, self.body, before, push, dt)?
             }
-            On::Nothing => {
+            FootSolver::Nothing => {
                 let nothing = LimitEllipsoid::new(0.0, 1.0, 1.0).ok()?;
                 self.body.step(&nothing, before, push, dt)
             }
@@ -132,13 +134,15 @@ impl<'a> Standing<'a> {
     pub(crate) fn share(&self, ended: &Ended, before: &Twist<f32>) -> f32 {
         let friction = &ended.friction;
         match &self.on {
-            On::Exact { surface, foot } => surface.surface().share(foot.limit, foot.axis, friction),
-            On::Elements { elements, .. } => {
+            FootSolver::Exact { surface, foot } => {
+                surface.surface().share(foot.limit, foot.axis, friction)
+            }
+            FootSolver::Elements { elements, .. } => {
                 let share = -friction.power(before) / elements.dissipation(before);
                 // No friction under no load: no fraction.
                 if share > 0.0 { share.min(1.0) } else { 0.0 }
             }
-            On::Nothing => 0.0,
+            FootSolver::Nothing => 0.0,
         }
     }
 }
@@ -171,7 +175,7 @@ pub fn push(
     }
 }
 
-impl<'a> On<'a> {
+impl<'a> FootSolver<'a> {
     /// A foot alone, if the kernel has its exact limit surface.
     fn alone(foot: &Foot<'a>) -> Option<Self> {
         if foot.limit == 0.0 {

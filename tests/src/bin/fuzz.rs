@@ -16,7 +16,7 @@ const BATCH: u64 = 5_000;
 /// inputs.
 #[derive(Parser)]
 #[command(after_help = "Exit codes: 0 nothing found, 1 something found, 2 bad usage.")]
-struct Wanted {
+struct Arguments {
     /// Inputs in all
     #[arg(long, default_value_t = 200_000)]
     inputs: u64,
@@ -36,7 +36,7 @@ fn names() -> Vec<&'static str> {
 }
 
 fn main() -> ExitCode {
-    let wanted = Wanted::parse();
+    let wanted = Arguments::parse();
     let is_wanted = |target: &Target| wanted.only.as_ref().is_none_or(|only| target.name == only);
     let targets: Vec<Target> = targets().filter(is_wanted).collect();
     // The report describes panics itself.
@@ -60,7 +60,7 @@ fn repeat(target: &Target, seed: u64) -> ExitCode {
     }
 }
 
-fn all(targets: &[Target], wanted: &Wanted) -> ExitCode {
+fn all(targets: &[Target], wanted: &Arguments) -> ExitCode {
     let start = Instant::now();
     let shares: u64 = targets.iter().map(|target| target.share).sum();
     let mut jobs = VecDeque::new();

@@ -11,7 +11,7 @@ use tribos_friction::{AnyContactFriction, Area, ContactVisitor};
 
 /// What a contact resists, in numbers.
 #[derive(Clone, Copy, Debug)]
-pub struct Given<'a> {
+pub struct ContactParameters<'a> {
     /// Coefficients of sliding, rolling and torsion.
     pub coefficients: [f64; 3],
     /// Name of a round patch and R_c/r_eff, in place of torsion; an empty name for none.
@@ -54,7 +54,7 @@ fn sphere(row: &[f64; GIVEN], at: usize) -> SphereBody<f64> {
 
 impl ContactLaw {
     /// Refuses what the kernel refuses.
-    pub fn new(given: &Given<'_>) -> Result<Self, Refused> {
+    pub fn new(given: &ContactParameters<'_>) -> Result<Self, Refused> {
         let [strength, range] = given.cohesion;
         let cohesion = Cohesion::new(strength, range, given.attraction)?;
         let [mu, rolling, _] = given.coefficients;

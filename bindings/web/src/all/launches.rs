@@ -11,7 +11,7 @@ use tribos_motion::slide::inverse::{LaunchLimits, LaunchSolution, Pose, RestMap,
 
 /// What is launched, to where, and how fast at most.
 #[derive(Clone, Copy, Debug)]
-pub struct Wanted {
+pub struct LaunchTarget {
     /// Deceleration of pure sliding, radius and I/(M R²).
     pub parameters: SliderParameters<f64>,
     /// The pose at rest.
@@ -24,7 +24,7 @@ pub struct Wanted {
     pub symmetry: Option<NonZeroU32>,
 }
 
-impl Wanted {
+impl LaunchTarget {
     /// Fills rows of velocity, spin, speed, direction, angle, time and energy per mass, in the order of energy.
     /// Returns their number.
     pub fn launches(&self, patch: u32, rows: &mut [[f64; 8]]) -> Result<usize, Refused> {

@@ -75,7 +75,7 @@ impl Prepared {
         let made = self.glides.get_or_init(|| {
             let (patch, alpha) = self.round_power()?;
             let slide = Tier::choose::<f64>(patch, self.law(), None)
-                .and_then(|tier| visit(patch, alpha, tier, Kept))?;
+                .and_then(|tier| visit(patch, alpha, tier, BoxingVisitor))?;
             let profile = upright(patch, alpha)?;
             let powered: Box<dyn Glides> = Box::new(Powered { slide, profile });
             Ok(powered)
@@ -126,9 +126,9 @@ impl Glides for Powered {
 }
 
 /// Puts the kernel's type behind a pointer.
-struct Kept;
+struct BoxingVisitor;
 
-impl Visitor<f64> for Kept {
+impl Visitor<f64> for BoxingVisitor {
     type Output = Box<dyn RoundPower<f64>>;
     fn visit<P: RoundPower<f64> + 'static>(self, friction: P) -> Self::Output {
         Box::new(friction)

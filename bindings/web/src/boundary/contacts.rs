@@ -1,7 +1,7 @@
 //! Contacts of spheres and plates.
 
 use super::prepared::text;
-use crate::all::contact::{ANSWER, ContactLaw, GIVEN, Given};
+use crate::all::contact::{ANSWER, ContactLaw, ContactParameters, GIVEN};
 use crate::all::store::{self, Item, OTHER};
 use crate::exchange::{Refused, answer, status};
 use tribos_core::contact::Attraction;
@@ -22,7 +22,7 @@ pub unsafe extern "C" fn make_contact_law(
     resists: u32,
 ) -> u32 {
     let made = text(patch, patch_length).and_then(|name| {
-        ContactLaw::new(&Given {
+        ContactLaw::new(&ContactParameters {
             coefficients: [mu, mu_rolling, mu_torsion],
             patch: (name, patch_radius),
             restitution,

@@ -4,8 +4,8 @@ use super::friction::patch_of;
 use super::rows;
 use super::sets::surface_of;
 use crate::exchange::{answer, counted, status};
-use crate::planar::{Course, Stepper, to_rest};
-use crate::slide::Thrown;
+use crate::planar::{Stepper, Trajectory, to_rest};
+use crate::slide::LaunchedBody;
 use tribos_core::slider::SliderParameters;
 
 /// Refuses a body that is none.
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn rollout(
 ) -> u32 {
     let surface = surface_of(patch, radius, force_limit, model, lever, spin_torque);
     let out = rows(out, count);
-    let course = Course {
+    let course = Trajectory {
         twist: [vx, vy, spin],
         pose: [x, y, angle],
         push: [fx, fy, torque],
@@ -166,8 +166,8 @@ pub extern "C" fn modes(patch: u32, inertia_ratio: f64, initial_ratio: f64) -> u
     status(made.map(|made| answer(made.row())))
 }
 
-fn thrown(deceleration: f64, radius: f64, inertia_ratio: f64, twist: [f64; 3]) -> Thrown {
-    Thrown {
+fn thrown(deceleration: f64, radius: f64, inertia_ratio: f64, twist: [f64; 3]) -> LaunchedBody {
+    LaunchedBody {
         parameters: SliderParameters {
             deceleration,
             radius,

@@ -2,7 +2,7 @@
 
 use super::rows;
 use crate::all::catalogue;
-use crate::all::launches::Wanted;
+use crate::all::launches::LaunchTarget;
 use crate::all::prepared::Prepared;
 use crate::all::store::{self, Item, OTHER};
 use crate::exchange::{Refused, answer, counted, said, say, status};
@@ -196,7 +196,7 @@ pub unsafe extern "C" fn launches(
     out: *mut [f64; 8],
     count: usize,
 ) -> u32 {
-    let wanted = Wanted {
+    let wanted = LaunchTarget {
         parameters: SliderParameters {
             deceleration,
             radius,

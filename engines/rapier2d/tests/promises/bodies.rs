@@ -113,8 +113,8 @@ fn rounded_shapes_have_the_torque_of_their_area() {
         }
         sum / count
     };
-    type Inside<'a> = &'a dyn Fn(f64, f64) -> bool;
-    let shapes: [(ColliderBuilder, Inside); 3] = [
+    type Region<'a> = &'a dyn Fn(f64, f64) -> bool;
+    let shapes: [(ColliderBuilder, Region); 3] = [
         (ColliderBuilder::capsule_x(0.1, 0.05), &|x, y| {
             (x.abs() - 0.1).max(0.0).hypot(y) <= 0.05
         }),

@@ -261,7 +261,7 @@ fn bodies() -> Vec<(&'static str, Scene)> {
 
 /// What no file may lose.
 #[derive(Clone, Debug, PartialEq)]
-struct Kept {
+struct ReadPacking {
     positions: Vec<Vector3<f64>>,
     radii: Vec<f64>,
     densities: Option<Vec<f64>>,
@@ -270,7 +270,7 @@ struct Kept {
     tilt: f64,
 }
 
-impl Kept {
+impl ReadPacking {
     fn of(read: &Assembly) -> Self {
         Self {
             positions: read.positions.iter().map(|x| read.space.wrap(x)).collect(),
@@ -331,19 +331,19 @@ fn again(read: &Assembly) -> Assembly {
 }
 
 /// A run after some steps: its exports, its frames, and the files that only spheres with contacts have.
-fn exports(scene: &Scene) -> (Kept, Vec<(&'static str, String)>, Bodies, Frame) {
+fn exports(scene: &Scene) -> (ReadPacking, Vec<(&'static str, String)>, Bodies, Frame) {
     fn all<R: LongRun>(
         scene: &R::Scene,
         show: impl Fn(&R, &mut dyn FnMut(&Snapshot<'_>)),
         state: Option<fn(&R) -> String>,
-    ) -> (Kept, Vec<(&'static str, String)>, Bodies, Frame) {
+    ) -> (ReadPacking, Vec<(&'static str, String)>, Bodies, Frame) {
         let mut run = R::begin(scene, None, &mut |_| ControlFlow::Continue(())).unwrap();
         for _ in 0..30 {
             run.step().unwrap();
         }
         let (mut kept, mut texts) = (None, Vec::new());
         show(&run, &mut |now| {
-            kept = Some(Kept {
+            kept = Some(ReadPacking {
                 positions: now.positions.iter().map(|x| now.space.wrap(x)).collect(),
                 radii: now.radii.to_vec(),
                 densities: now.densities.map(<[f64]>::to_vec),
@@ -407,13 +407,14 @@ fn no_format_loses_a_radius_a_density_a_material_a_period_or_the_tilt() {
         for (format, text) in texts {
             let what = format!("{body}, {format}");
             let read = Assembly::parse(format, &text).unwrap();
-            Kept::of(&read).assert_is(&run, 0.0, &what);
-            Kept::of(&again(&read)).assert_is(&run, 0.0, &what);
+            ReadPacking::of(&read).assert_is(&run, 0.0, &what);
+            ReadPacking::of(&again(&read)).assert_is(&run, 0.0, &what);
             // The folder of a gas has the spheres of its end in no other form.
             if (body, format) == ("gas", "a.xyz") {
                 let home = tempfile::tempdir().unwrap();
                 std::fs::write(home.path().join("final.xyz"), &text).unwrap();
-                Kept::of(&Assembly::read(home.path()).unwrap()).assert_is(&run, 0.0, "a folder");
+                ReadPacking::of(&Assembly::read(home.path()).unwrap())
+                    .assert_is(&run, 0.0, "a folder");
             }
         }
         // Data of LAMMPS: the start of the same spheres as springs, in a box of room above and below.
@@ -433,7 +434,7 @@ fn no_format_loses_a_radius_a_density_a_material_a_period_or_the_tilt() {
             let data = powder::export::start(&soft).unwrap().data;
             let read = Assembly::parse("powder.data", &data).unwrap();
             let open = read.with_periods("powder.data", [Some(8.0), Some(8.0), None]);
-            let mut read = Kept::of(&open.unwrap());
+            let mut read = ReadPacking::of(&open.unwrap());
             // The box begins below the substrate.
             let low = read.positions[0].z - run.positions[0].z;
             read.positions.iter_mut().for_each(|place| place.z -= low);
@@ -448,7 +449,7 @@ fn no_format_loses_a_radius_a_density_a_material_a_period_or_the_tilt() {
         let [(_, read)] = &Assembly::read_all(home.path()).unwrap()[..] else {
             panic!("{body}: one frame");
         };
-        let coarse = Kept::of(read);
+        let coarse = ReadPacking::of(read);
         coarse.assert_is(&run, 2e-5, body);
         let stored = FrameFolder::read(&frames, &bodies, frame.step).unwrap();
         let state = State::of_frame(&bodies, &stored);
@@ -463,8 +464,8 @@ fn no_format_loses_a_radius_a_density_a_material_a_period_or_the_tilt() {
                     .join(format!("trajectory/{:012}.vtp", frame.step));
             }
             let read = Assembly::read(&file).unwrap();
-            Kept::of(&read).assert_is(&coarse, 1e-7, &what);
-            Kept::of(&again(&read)).assert_is(&coarse, 1e-7, &what);
+            ReadPacking::of(&read).assert_is(&coarse, 1e-7, &what);
+            ReadPacking::of(&again(&read)).assert_is(&coarse, 1e-7, &what);
         }
     }
 }
