@@ -10,14 +10,14 @@ use tribos_core::patch::mesh::Vertex;
 use tribos_core::patch::nodes::Node;
 use tribos_core::slider::SliderParameters;
 use tribos_friction::Area;
-use tribos_web::all::contact::{ContactLaw, GIVEN, Given};
-use tribos_web::all::launches::Wanted;
+use tribos_web::all::contact::{ContactLaw, ContactParameters, GIVEN};
+use tribos_web::all::launches::LaunchTarget;
 use tribos_web::all::prepared::Prepared;
 use tribos_web::all::store::{self, Item};
 use tribos_web::friction::{self, nine, row_of, row_of_twist, twist_of, wrench_of};
 use tribos_web::patch::Patch;
-use tribos_web::planar::{Course, Stepper, to_rest};
-use tribos_web::slide::Thrown;
+use tribos_web::planar::{Stepper, Trajectory, to_rest};
+use tribos_web::slide::LaunchedBody;
 use tribos_web::surface::{ELLIPSOID, EXACT, Surface, meridian, projected, shape};
 
 const CALLS: usize = 1000;
@@ -220,7 +220,7 @@ fn steps_of(chapter: &mut Chapter, friction: Friction, model: u32) {
         let pose = [1.0, 1.0, 3.0].map(|most| chapter.signed(most));
         let stepper = Stepper::new(mass, inertia, 0.01).unwrap();
         for (push, pose, steps) in [(push, pose, 20), ([0.0; 3], [0.0; 3], 100)] {
-            let course = Course {
+            let course = Trajectory {
                 twist,
                 pose,
                 push,
@@ -236,7 +236,7 @@ fn steps_of(chapter: &mut Chapter, friction: Friction, model: u32) {
 fn slides_of(chapter: &mut Chapter, friction: Friction) {
     for _ in 0..FEW {
         let (mass, inertia) = (chapter.positive(2.0), chapter.positive(0.01));
-        let thrown = Thrown {
+        let thrown = LaunchedBody {
             parameters: parameters(friction, mass, inertia),
             twist: chapter.twist(),
         };
@@ -382,7 +382,7 @@ fn launches(chapter: &mut Chapter) {
                 chapter.signed(1.0),
                 chapter.signed(3.0),
             ];
-            let wanted = Wanted {
+            let wanted = LaunchTarget {
                 parameters: parameters(friction, 0.5, 0.0016),
                 pose: [x, y, angle],
                 max_speed: 10.0,
@@ -419,30 +419,30 @@ fn any_pressure(chapter: &mut Chapter) {
 }
 
 fn contacts(chapter: &mut Chapter) {
-    let given = Given {
+    let given = ContactParameters {
         coefficients: [0.3, 0.01, 0.02],
         patch: ("", 1.0),
         restitution: 0.5,
         cohesion: [0.0; 2],
         attraction: Attraction::Pull,
     };
-    let coupled = Given {
+    let coupled = ContactParameters {
         coefficients: [0.3, 0.0, 0.0],
         restitution: 0.0,
         ..given
     };
     let laws = [
         given,
-        Given {
+        ContactParameters {
             patch: ("disk", 0.1),
             cohesion: [0.1, 0.0],
             ..coupled
         },
-        Given {
+        ContactParameters {
             patch: ("annulus:0.5", 0.1),
             ..coupled
         },
-        Given {
+        ContactParameters {
             patch: ("polynomial:1,-0.5", 0.1),
             ..coupled
         },
