@@ -96,12 +96,12 @@ impl Footprint {
     /// A round foot under any pressure: elastic pads, worn soles. *Domain*: `radius` > 0 in metres.
     ///
     /// ```
-    /// use tribos_feet::{Footprint, Patch, Refusal};
+    /// use tribos_feet::{Footprint, Patch, FrictionError};
     /// let ball = Footprint::round(&Patch::Hertz, 0.02)?;
     /// let tube = Footprint::round(&Patch::Annulus(0.8), 0.03)?;
     /// assert_eq!([ball.radius(), tube.radius()], [0.02, 0.03]);
-    /// assert_eq!(Footprint::round(&"points:feet.csv".parse()?, 0.1).err(), Some(Refusal::NoAxis));
-    /// # Ok::<(), Refusal>(())
+    /// assert_eq!(Footprint::round(&"points:feet.csv".parse()?, 0.1).err(), Some(FrictionError::NoAxis));
+    /// # Ok::<(), FrictionError>(())
     /// ```
     pub fn round(patch: &Patch, radius: f32) -> Result<Self, FrictionError> {
         let patch = patch.to_string();
@@ -135,11 +135,11 @@ impl Footprint {
     /// legs, studs, measured pressures. *Domain*: at least two places carry load. *Accuracy*: exact.
     ///
     /// ```
-    /// use tribos_feet::{Footprint, Refusal};
+    /// use tribos_feet::{Footprint, FrictionError};
     /// let studs = Footprint::weighted(&[[0.1, 0.0, 1.0], [-0.1, 0.1, 2.0], [-0.1, -0.1, 1.0]])?;
     /// assert_eq!(studs.points()[1], [-0.1, 0.1, 0.5]);
     /// assert!(Footprint::weighted(&[[0.1, 0.0, 1.0]]).is_err()); // one point resists no torque
-    /// # Ok::<(), Refusal>(())
+    /// # Ok::<(), FrictionError>(())
     /// ```
     pub fn weighted(points: &[[f32; 3]]) -> Result<Self, FrictionError> {
         let points = points.to_vec();
@@ -153,11 +153,11 @@ impl Footprint {
     /// this foot alone; elsewhere at least 7 points a triangle stand for it.
     ///
     /// ```
-    /// use tribos_feet::{Footprint, Refusal};
+    /// use tribos_feet::{Footprint, FrictionError};
     /// let corners = [[-0.1, -0.1, 1.0], [0.1, -0.1, 1.0], [0.1, 0.1, 1.0], [-0.1, 0.1, 1.0]];
     /// let tile = Footprint::mesh(&corners, &[[0, 1, 2], [0, 2, 3]])?;
     /// assert!((tile.radius() - 0.02_f32.sqrt()).abs() < 1e-7);
-    /// # Ok::<(), Refusal>(())
+    /// # Ok::<(), FrictionError>(())
     /// ```
     pub fn mesh(vertices: &[[f32; 3]], triangles: &[[usize; 3]]) -> Result<Self, FrictionError> {
         let (vertices, triangles) = (vertices.to_vec(), triangles.to_vec());

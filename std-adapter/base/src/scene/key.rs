@@ -15,7 +15,7 @@ use std::str::FromStr;
 /// // At alpha = -1 friction would have no finite torque.
 /// assert!(matches!(alpha.domain, Domain::Between { above, .. } if above == -1.0));
 /// assert!(alpha.domain.describe().starts_with("a number > -1 and <= "));
-/// assert_eq!((alpha.unit, alpha.need), ("-", Requirement::UnlessGiven("law")));
+/// assert_eq!((alpha.unit, alpha.need), ("-", Need::UnlessGiven("law")));
 /// # Ok::<(), &str>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
