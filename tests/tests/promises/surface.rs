@@ -36,7 +36,7 @@ fn no_library_has_more_items_than_it_had() {
         let count: usize = count.and_then(|count| count.parse().ok()).expect("a count");
         assert!(
             count == most,
-            "{package} has {count} items and {most} are kept: lower the number, or tell the rise in CHANGELOG"
+            "{package} has {count} items and {most} are kept: lower `ITEMS` here, or raise it and tell why in CHANGELOG"
         );
     }
 }
