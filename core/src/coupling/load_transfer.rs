@@ -296,8 +296,8 @@ impl<R: Real, C: LateralFriction<R>, L: PressureGradient> LoadTransferFriction<R
     /// let (mu, radius) = (0.5_f64, 0.05); // m
     /// let foot = RoundFriction::new(CoulombDisk, mu, radius)?;
     /// // Friction's resultant leaves the kern of the disk, a quarter of its radius: λ = 1.
-    /// let load_transfer = LoadTransferFriction::<_, _, FullGradient>::new(foot, radius / 4.0 / mu)?;
-    /// assert!((load_transfer.lean() - 1.0).abs() < 1e-15);
+    /// let puck = LoadTransferFriction::<_, _, FullGradient>::new(foot, radius / 4.0 / mu)?;
+    /// assert!((puck.lean() - 1.0).abs() < 1e-15);
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn lean(&self) -> R {
