@@ -4,6 +4,7 @@ use std::error::Error;
 use std::path::Path;
 use tribos::friction::FrictionError;
 use tribos::golden::MeasureError;
+use tribos::motion::MotionError;
 use tribos::push::PushError;
 use tribos::record::WriteError;
 use tribos::record::frames::FrameError;
@@ -214,15 +215,23 @@ impl From<PushError> for Failure {
     }
 }
 
+impl From<MotionError> for Failure {
+    fn from(error: MotionError) -> Self {
+        match error {
+            MotionError::Slide(error) => error.into(),
+            MotionError::Stick(error) => error.into(),
+        }
+    }
+}
+
 impl From<MeasureError> for Failure {
     fn from(error: MeasureError) -> Self {
         match error {
-            MeasureError::Slide(error) => error.into(),
+            MeasureError::Motion(error) => error.into(),
             MeasureError::Compaction(error) => error.into(),
             MeasureError::Gas(error) => error.into(),
             MeasureError::Tip(error) => error.into(),
             MeasureError::Grains(error) => error.into(),
-            MeasureError::Stick(error) => error.into(),
         }
     }
 }

@@ -10,6 +10,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut run = TipSimulation::new(&scene)?;
     run_to_end(&mut run, |_line, _done| ())?;
     let outcome = run.outcome();
-    println!("{:.2}° driven, {:.2}° after", outcome.driven_angle, outcome.final_angle);
+    println!("{:.2}° driven, {:.2}° after", outcome.driven_angle_degrees, outcome.final_angle_degrees);
     Ok(())
 }

@@ -2,10 +2,9 @@
 
 use crate::gas::GasError;
 use crate::grains::GrainsError;
+use crate::motion::MotionError;
 use crate::powder::CompactionError;
 use crate::scene::Scene;
-use crate::slide::SlideError;
-use crate::stick::StickError;
 use crate::tip::TipError;
 pub use tribos_base::golden::{
     Difference, Digest, FORMAT, Golden, GoldenError, Measurement, Pinned, Quantity,
@@ -17,16 +16,17 @@ pub use tribos_base::golden::{
 /// ```
 /// use tribos::golden::{MeasureError, measure};
 /// use tribos::scene::CylinderScene;
+/// use tribos::motion::MotionError;
 /// use tribos::slide::SlideError;
 /// let tower = CylinderScene { radius: 0.08, height: 1.0, ..CylinderScene::default() };
 /// let tipped = measure(&tower.into(), || ());
-/// assert!(matches!(tipped, Err(MeasureError::Slide(SlideError::Tips { .. }))));
+/// assert!(matches!(tipped, Err(MeasureError::Motion(MotionError::Slide(SlideError::Tips { .. })))));
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum MeasureError {
-    /// A sliding body.
+    /// A body that slides, or holds and slips.
     #[error(transparent)]
-    Slide(#[from] SlideError),
+    Motion(#[from] MotionError),
     /// A powder.
     #[error(transparent)]
     Compaction(#[from] CompactionError),
@@ -39,9 +39,6 @@ pub enum MeasureError {
     /// A tip.
     #[error(transparent)]
     Tip(#[from] TipError),
-    /// A body that holds and slips.
-    #[error(transparent)]
-    Stick(#[from] StickError),
 }
 
 /// Runs the scene to its end; `watch` is called after every step.

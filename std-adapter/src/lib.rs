@@ -35,8 +35,8 @@
 //! use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
 //! let model = IceModel::ScratchGuide;
 //! let stone = CurlingScene { model, speed: 1.9866, spin: 1.5, ..CurlingScene::default() }; // m/s, rad/s
-//! let end = run_planar(&stone)?.outcome.arrival.point;
-//! assert!(end.position[0] > 28.3 && end.position[1] > 0.9); // m on, and to the left
+//! let end = run_planar(&stone)?.outcome;
+//! assert!(end.x > 28.3 && end.curl > 0.9); // m on, and to the left
 //! # Ok::<(), tribos::slide::SlideError>(())
 //! ```
 //!
@@ -115,6 +115,8 @@ pub use tribos_atoms::md;
 pub use tribos_atoms::tip;
 #[doc(hidden)]
 pub use tribos_base::random;
+#[doc(hidden)]
+pub use tribos_base::results;
 #[doc(inline)]
 pub use tribos_base::{record, space};
 #[doc(hidden)]
@@ -123,6 +125,8 @@ pub use tribos_contacts::event;
 pub use tribos_contacts::{cd, problem, soft};
 #[doc(inline)]
 pub use tribos_grains::{gas, grains, measure, powder};
+#[doc(hidden)]
+pub use tribos_motion as motion;
 #[doc(inline)]
 pub use tribos_motion::{fit, onset, push, slide, stick};
 

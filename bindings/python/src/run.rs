@@ -15,12 +15,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
+use tribos::motion::MotionScene;
 use tribos::record::Partner;
 use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder};
 use tribos::run::folder::Manifest;
 use tribos::scene::Scene;
-use tribos::slide::{self, COLUMNS, PATH_COLUMNS, PlanarScene, run_planar};
-use tribos::stick::StickSlipScene;
 use tribos_cli::failure::Failure;
 use tribos_cli::library::{HostProgram, Pictures, Run};
 
@@ -224,35 +223,22 @@ pub fn run_at_once<'py>(
     text: &str,
 ) -> PyResult<Option<InMemoryRun<'py>>> {
     let scene = parse(name, text, &[])?;
-    let planar: &(dyn PlanarScene + Sync) = match &scene {
-        Scene::Disk(scene) => {
-            let run = detached(py, || slide::run(scene, |_| ()))?.map_err(slid)?;
-            let rows = table(py, run.series.as_flattened(), COLUMNS.len())?;
-            let summary = python(py, &run.outcome.json(scene))?;
-            return Ok(Some((summary, COLUMNS.to_vec(), rows)));
-        }
+    let moved: &dyn MotionScene = match &scene {
+        Scene::Disk(scene) => scene,
         Scene::Cylinder(scene) => scene,
         Scene::Pipe(scene) => scene,
         Scene::Plate(scene) => scene,
         Scene::Curling(scene) => scene,
-        Scene::Spring(scene) => return held(py, scene).map(Some),
-        Scene::Incline(scene) => return held(py, scene).map(Some),
-        Scene::Turntable(scene) => return held(py, scene).map(Some),
-        Scene::Clamp(scene) => return held(py, scene).map(Some),
+        Scene::Spring(scene) => scene,
+        Scene::Incline(scene) => scene,
+        Scene::Turntable(scene) => scene,
+        Scene::Clamp(scene) => scene,
         Scene::Powder(_) | Scene::Grains(_) | Scene::Gas(_) | Scene::Tip(_) => return Ok(None),
     };
-    let run = detached(py, || run_planar(planar))?.map_err(slid)?;
-    let rows = table(py, run.series.as_flattened(), PATH_COLUMNS.len())?;
-    let summary = python(py, &run.outcome.json(planar))?;
-    Ok(Some((summary, PATH_COLUMNS.to_vec(), rows)))
-}
-
-/// A body that holds and slips.
-fn held<'py>(py: Python<'py>, scene: &(impl StickSlipScene + Sync)) -> PyResult<InMemoryRun<'py>> {
-    let run = detached(py, || scene.follow(&mut |_| true))?.map_err(slid)?;
+    let run = detached(py, || moved.follow(&mut |_| true))?.map_err(slid)?;
     let rows = table(py, &run.rows.concat(), run.columns.len())?;
-    let summary = python(py, &run.json(scene))?;
-    Ok((summary, run.columns.to_vec(), rows))
+    let summary = python(py, &run.json(moved))?;
+    Ok(Some((summary, run.columns.to_vec(), rows)))
 }
 
 fn slid(error: impl Into<Failure>) -> PyErr {

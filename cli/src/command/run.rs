@@ -1,11 +1,10 @@
 //! `tribos run`: a scene simulated, its results in a folder.
 
-pub mod disk;
 pub mod files;
 pub mod frontend;
 pub mod gas;
 pub mod grains;
-pub mod held;
+pub mod motion;
 pub mod path;
 pub mod powder;
 pub mod request;

@@ -145,7 +145,7 @@ fn turned(scene: &TipScene, run: &TipSimulation, outcome: &TipSummary) -> Panels
         .series(Series::line("", curve(1)))
         .guide(ReferenceLine::vertical(end, "off"));
     for plateau in &outcome.plateaus {
-        driven = driven.guide(ReferenceLine::horizontal(plateau.angle, ""));
+        driven = driven.guide(ReferenceLine::horizontal(plateau.angle_degrees, ""));
     }
     let mut layers = Figure::new("Layers of the tip", time(), Axis::linear("angle [degree]"))
         .guide(ReferenceLine::vertical(end, "off"));

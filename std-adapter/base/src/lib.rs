@@ -8,6 +8,7 @@ pub mod exchange;
 pub mod golden;
 pub mod random;
 pub mod record;
+pub mod results;
 pub mod run;
 pub mod scene;
 pub mod space;

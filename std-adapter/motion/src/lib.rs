@@ -4,10 +4,14 @@
 //! serves the crates beside it and changes without notice.
 
 pub mod fit;
+mod motion_run;
 pub mod onset;
 pub mod push;
 pub mod slide;
 pub mod stick;
+
+#[doc(hidden)]
+pub use motion_run::{MotionError, MotionRun, MotionScene};
 
 /// The scenes of all of them.
 pub mod scene {

@@ -415,11 +415,11 @@ fn a_law_that_is_coulomb_s_in_disguise_moves_as_coulomb_s() {
         let other = run_under(&scene(&[]), law(text)).unwrap();
         let [a, b] = [&coulomb.outcome, &other.outcome];
         assert!(
-            close(a.time, b.time) && close(a.distance, b.distance),
+            close(a.end_time, b.end_time) && close(a.distance, b.distance),
             "{a:?} {b:?}"
         );
         assert!(
-            close(a.angle, b.angle) && close(a.ratio, b.ratio),
+            close(a.angle, b.angle) && close(a.final_ratio, b.final_ratio),
             "{a:?} {b:?}"
         );
         assert_eq!(coulomb.series.len(), other.series.len());
@@ -467,7 +467,11 @@ fn a_stribeck_disk_without_spin_takes_the_time_of_the_integral() {
         way += v * pace;
     }
     let end = run_under(&scene(&["spin=0"]), law(text)).unwrap().outcome;
-    assert!((end.time / time - 1.0).abs() < 1e-8, "{} {time}", end.time);
+    assert!(
+        (end.end_time / time - 1.0).abs() < 1e-8,
+        "{} {time}",
+        end.end_time
+    );
     assert!(
         (end.distance / way - 1.0).abs() < 1e-8,
         "{} {way}",
@@ -477,18 +481,18 @@ fn a_stribeck_disk_without_spin_takes_the_time_of_the_integral() {
     let end = run_under(&scene(&[]), law(text)).unwrap().outcome;
     let coulomb = run(&scene(&[]), |_| ()).unwrap().outcome;
     assert!(
-        (end.ratio - coulomb.ratio).abs() < 1e-6,
+        (end.final_ratio - coulomb.final_ratio).abs() < 1e-6,
         "{} {}",
-        end.ratio,
-        coulomb.ratio
+        end.final_ratio,
+        coulomb.final_ratio
     );
     // A duration cuts the motion; the thesis' method is for powers alone.
     let cut = run_under(&scene(&["duration=0.1"]), law(text)).unwrap();
     assert_eq!(cut.outcome.ending, SlideStopReason::Duration);
     assert!(
-        (cut.outcome.time - 0.1).abs() < 1e-15,
+        (cut.outcome.end_time - 0.1).abs() < 1e-15,
         "{}",
-        cut.outcome.time
+        cut.outcome.end_time
     );
     assert!(run_under(&scene(&["integrator=verlet"]), law(text)).is_err());
 }

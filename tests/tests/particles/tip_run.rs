@@ -325,7 +325,7 @@ fn the_drives_work_is_what_the_atoms_gain() -> Result<(), Error> {
     let before = conserved_energy(run.system());
     to_the_end(&mut run)?;
     let gained = conserved_energy(run.system()) - before;
-    let work = run.outcome().energy.work;
+    let work = run.outcome().drive_energy.work;
     // An error of the second order in the time step.
     assert!((work / gained - 1.0).abs() < 1e-3, "{work} {gained}");
     Ok(())

@@ -28,7 +28,7 @@ const SHORT: [&str; 4] = [
 fn shortened_the_irreversible_tip_does_not_turn_back() -> Result<(), Error> {
     let turned = outcome("tip-irreversible", &SHORT)?;
     assert_eq!(turned.verdict, Reversal::Irreversible, "{turned:?}");
-    assert!(turned.final_angle.abs() > 30.0, "{turned:?}");
+    assert!(turned.final_angle_degrees.abs() > 30.0, "{turned:?}");
     Ok(())
 }
 
@@ -36,7 +36,7 @@ fn shortened_the_irreversible_tip_does_not_turn_back() -> Result<(), Error> {
 fn shortened_the_reversible_tip_turns_back() -> Result<(), Error> {
     let back = outcome("tip-reversible", &SHORT)?;
     assert_eq!(back.verdict, Reversal::Reversible, "{back:?}");
-    assert!(back.driven_angle > 0.5, "it was turned: {back:?}");
+    assert!(back.driven_angle_degrees > 0.5, "it was turned: {back:?}");
     Ok(())
 }
 

@@ -494,10 +494,10 @@ fn a_fading_run_ends_where_it_has_faded_whatever_the_samples() {
         for samples in ["samples=1", "samples=20", "samples=200"] {
             let run = disk_run(&[alpha, samples]);
             for (got, wanted) in [
-                (run.time, fine.time),
+                (run.end_time, fine.end_time),
                 (run.distance, fine.distance),
                 (run.angle, fine.angle),
-                (run.ratio, fine.ratio),
+                (run.final_ratio, fine.final_ratio),
             ] {
                 assert_eq!(got, wanted, "{alpha} {samples}");
             }
@@ -536,10 +536,8 @@ fn the_energy_error_judges_the_motion_and_not_the_samples() {
                 "{alpha} {samples}: {}",
                 run.energy_error
             );
-            let tribos_core::modes::TerminalMode::Together { ratio } = run.limit else {
-                panic!("{:?}", run.limit)
-            };
-            assert_eq!(run.ratio, ratio, "{alpha}");
+            assert_eq!(run.final_mode, "together");
+            assert_eq!(run.final_ratio, run.limit_ratio, "{alpha}");
         }
     }
 }

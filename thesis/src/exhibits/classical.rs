@@ -144,9 +144,9 @@ fn starts_with_a_jump() -> Result<Claim> {
             tilt_rate: 0.0,
             ..InclineScene::default()
         };
-        let release = incline::run(&scene)?.outcome.release;
-        let release = release.ok_or_else(|| anyhow!("the block holds"))?;
-        Ok(release.acceleration / scene.gravity)
+        let acceleration = incline::run(&scene)?.outcome.release_acceleration;
+        let acceleration = acceleration.ok_or_else(|| anyhow!("the block holds"))?;
+        Ok(acceleration / scene.gravity)
     };
     let (jump, none) = (just_steeper(MU_DYNAMIC)?, just_steeper(MU_STATIC)?);
     let expected = (MU_STATIC - MU_DYNAMIC) * critical.cos();

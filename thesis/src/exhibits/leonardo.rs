@@ -5,7 +5,7 @@ use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos::friction::Patch;
 use tribos::scene::InclineScene;
-use tribos::stick::incline::{InclineSlip, run};
+use tribos::stick::incline::run;
 use tribos_core::Real;
 use tribos_report::claim::Claim;
 use tribos_report::digits::{brief, short};
@@ -49,8 +49,10 @@ fn block(patch: (&str, f64), mass: f64, mu_static: f64) -> Result<InclineScene> 
     })
 }
 
-fn release(scene: &InclineScene) -> Result<InclineSlip> {
-    let released = run(scene)?.outcome.release;
+/// Time and angle at which the block lets go.
+fn release(scene: &InclineScene) -> Result<(f64, f64)> {
+    let outcome = run(scene)?.outcome;
+    let released = outcome.release_time.zip(outcome.release_angle);
     released.ok_or_else(|| anyhow!("the block holds"))
 }
 
@@ -60,7 +62,7 @@ pub fn section_2_1() -> Result<Exhibit> {
     for (index, patch) in PATCHES.into_iter().enumerate() {
         for mass in MASSES {
             for mu in linear(0.1, 1.1, 5) {
-                let angle = release(&block(patch, mass, mu)?)?.angle;
+                let angle = release(&block(patch, mass, mu)?)?.1;
                 let weight = mass * GRAVITY;
                 let (drive, load) = (weight * angle.sin(), weight * angle.cos());
                 rows.push(vec![
@@ -127,7 +129,7 @@ fn claims(rows: &[Vec<f64>]) -> Result<Vec<Claim>> {
         .iter()
         .map(|row| (row[4] / row[2] - 1.0).abs())
         .fold(0.0, f64::max);
-    let quarter = release(&block(PATCHES[0], 1.0, 0.25)?)?.angle.tan();
+    let quarter = release(&block(PATCHES[0], 1.0, 0.25)?)?.1.tan();
     Ok(vec![
         breadth(rows),
         double_weight(rows),
@@ -186,7 +188,7 @@ fn larger_velocity() -> Result<Claim> {
             mu_dynamic,
             ..block(PATCHES[0], 1.0, MU_STATIC)?
         };
-        let duration = release(&scene)?.time + 0.1;
+        let duration = release(&scene)?.0 + 0.1;
         Ok(run(&InclineScene { duration, ..scene })?.outcome.speed)
     };
     let (two, one) = (speed(MU_DYNAMIC)?, speed(MU_STATIC)?);
@@ -213,7 +215,7 @@ fn holds_exactly() -> Result<Claim> {
     Ok(Claim::own_statement(
         TEXT.said("holds-exactly"),
         "1e9 s at 1e-9 rad below the angle",
-        is_still && result.outcome.release.is_none(),
+        is_still && result.outcome.release_time.is_none(),
     ))
 }
 
@@ -227,7 +229,7 @@ fn ageing() -> Result<Claim> {
             duration: 2.0 / rate,
             ..block(PATCHES[0], 1.0, MU_STATIC)?
         };
-        Ok(release(&scene)?.angle.tan())
+        Ok(release(&scene)?.1.tan())
     };
     let [quick, slow, slowest] = [1e-2, 1e-4, 1e-6].map(slope);
     let [quick, slow, slowest] = [quick?, slow?, slowest?];

@@ -141,7 +141,10 @@ fn all(runs: &Runs) -> Result<Vec<TorqueRun>> {
     let batch = Batch::new(cases.len(), runs.reader());
     let results = in_order(cases.len(), threads, |index| {
         let turned = turn(cases[index], runs)?;
-        let (driven, after) = (turned.outcome.driven_angle, turned.outcome.final_angle);
+        let (driven, after) = (
+            turned.outcome.driven_angle_degrees,
+            turned.outcome.final_angle_degrees,
+        );
         let (lambda, seed) = cases[index];
         batch.tell(&format!(
             "tip, lambda={lambda}, seed={seed}: {driven:.2} degrees driven, {after:.2} after it"
@@ -162,7 +165,7 @@ pub(super) fn films(runs: &Runs, cases: &[(f64, u64)]) -> Result<Vec<(Film, f64)
         let turned = turn((lambda, seed), runs)?;
         anyhow::Ok((
             film(&folder(lambda, seed, runs))?,
-            turned.outcome.final_angle,
+            turned.outcome.final_angle_degrees,
         ))
     });
     results
@@ -262,7 +265,7 @@ fn slips(turned: &[TorqueRun]) -> String {
     let of = |run: &TorqueRun| {
         let list: Vec<String> = run
             .outcome
-            .slipped_driven
+            .slipped_interfaces_while_driven
             .iter()
             .map(usize::to_string)
             .collect();

@@ -62,7 +62,7 @@ fn share(lambda: f64, ran: &[RunResult]) -> [f64; 3] {
     let back = ran
         .iter()
         .filter(|ran| ran.outcome.verdict == Reversal::Reversible);
-    let angles = ran.iter().map(|ran| ran.outcome.driven_angle.abs());
+    let angles = ran.iter().map(|ran| ran.outcome.driven_angle_degrees.abs());
     let count = ran.len() as f64;
     [
         lambda,

@@ -140,7 +140,7 @@ fn claims(ran: &[Vec<RunResult>]) -> Vec<Claim> {
     let every: Vec<SlidingSummary> = ran.iter().flat_map(|ran| slid(ran)).collect();
     let balance = every
         .iter()
-        .map(|slid| slid.imbalance().abs())
+        .map(|slid| slid.imbalance.abs())
         .fold(0.0, f64::max);
     let [mean, [turned, _]] = [0, 1].map(|number| of(&ran[number], |slid| slid.friction));
     vec![

@@ -124,7 +124,7 @@ fn numbers(point: &Point) -> Vec<f64> {
         point.of(|slid| slid.normal_force),
         point.of(|slid| slid.period),
     ];
-    let [imbalance, _] = point.of(SlidingSummary::imbalance);
+    let [imbalance, _] = point.of(|slid| slid.imbalance);
     let at = [point.load, point.speed, point.temperature];
     [&at[..], &friction, &normal, &period, &[imbalance]].concat()
 }
@@ -196,7 +196,7 @@ fn claims(row: &Row, loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> V
     let open = all.iter().filter(|slid| slid.loop_work > 0.0).count();
     let balance = all
         .iter()
-        .map(|slid| slid.imbalance().abs())
+        .map(|slid| slid.imbalance.abs())
         .fold(0.0, f64::max);
     vec![
         Claim::compared(

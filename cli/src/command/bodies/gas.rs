@@ -1,6 +1,6 @@
 //! Granular gases.
 
-use super::kind::{RunKind, told};
+use super::kind::{Listed, RunKind, told};
 use super::no_result::session;
 use super::{Commands, NoResult};
 use crate::command::digits::shown;
@@ -17,7 +17,7 @@ use tribos::run::folder::Lock;
 use tribos::scene::GasScene;
 
 /// Gases.
-static KIND: RunKind = RunKind {
+static KIND: Listed = Listed {
     quantities: &[
         ("temperature", "/temperature"),
         ("theory", "/theory"),
@@ -51,8 +51,8 @@ impl Commands for &GasScene {
         gas::run(self, order)
     }
 
-    fn kind(&self) -> &'static RunKind {
-        &KIND
+    fn kind(&self) -> RunKind {
+        KIND.kind()
     }
 
     fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {

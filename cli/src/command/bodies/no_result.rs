@@ -4,10 +4,9 @@ use crate::command::interrupt;
 use crate::failure::Failure;
 use std::error::Error;
 use std::sync::Arc;
+use tribos::motion::MotionError;
 use tribos::run::folder::Lock;
 use tribos::run::{LongRun, RunError, Session, StartMode};
-use tribos::slide::SlideError;
-use tribos::stick::StickError;
 
 /// Why there is no result.
 pub enum NoResult {
@@ -26,18 +25,9 @@ impl<E: Error + Into<Failure>> From<RunError<E>> for NoResult {
     }
 }
 
-impl From<SlideError> for NoResult {
-    fn from(error: SlideError) -> Self {
-        if matches!(error, SlideError::Interrupted { .. }) {
-            return Self::Stopped(error.into());
-        }
-        Self::Refused(error.into())
-    }
-}
-
-impl From<StickError> for NoResult {
-    fn from(error: StickError) -> Self {
-        if matches!(error, StickError::Interrupted { .. }) {
+impl From<MotionError> for NoResult {
+    fn from(error: MotionError) -> Self {
+        if error.is_interruption() {
             return Self::Stopped(error.into());
         }
         Self::Refused(error.into())

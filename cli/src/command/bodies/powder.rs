@@ -1,6 +1,6 @@
 //! Powders under a piston.
 
-use super::kind::{RunKind, told};
+use super::kind::{Listed, RunKind, told};
 use super::no_result::session;
 use super::{Commands, NoResult};
 use crate::command::digits::shown;
@@ -17,7 +17,7 @@ use tribos::run::folder::Lock;
 use tribos::scene::PowderScene;
 
 /// Powders.
-static KIND: RunKind = RunKind {
+static KIND: Listed = Listed {
     quantities: &[
         ("porosity_final", "/porosity_final"),
         ("porosity_bulk", "/porosity_bulk"),
@@ -56,8 +56,8 @@ impl Commands for &PowderScene {
         powder::run(self, order)
     }
 
-    fn kind(&self) -> &'static RunKind {
-        &KIND
+    fn kind(&self) -> RunKind {
+        KIND.kind()
     }
 
     fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {

@@ -1,6 +1,6 @@
 //! Tips turned or slid on a substrate.
 
-use super::kind::{RunKind, told};
+use super::kind::RunKind;
 use super::no_result::session;
 use super::{Commands, NoResult};
 use crate::command::digits::shown;
@@ -12,48 +12,10 @@ use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
+use tribos::results::{Summary, SweptQuantity, swept};
 use tribos::run::folder::Lock;
 use tribos::scene::{DriveKind, TipScene};
-use tribos::tip::TipSimulation;
-
-/// Turned tips.
-static KIND: RunKind = RunKind {
-    quantities: &[
-        ("final_angle", "/final_angle_degrees"),
-        ("driven_angle", "/driven_angle_degrees"),
-        ("largest_angle", "/largest_angle_degrees"),
-        ("tip_temperature", "/tip_temperature"),
-    ],
-    drawn: ["Angle after the drive", "final angle [degree]"],
-    share: ["reversible", "/verdict", "reversible"],
-    told: &[
-        told("final angle [deg]", 0, 1.0),
-        told("driven [deg]", 1, 1.0),
-        told("largest [deg]", 2, 1.0),
-        told("tip T [eps/k_B]", 3, 1.0),
-    ],
-};
-
-/// Slid tips.
-static SLID: RunKind = RunKind {
-    quantities: &[
-        ("friction", "/slid/friction"),
-        ("friction_forth", "/slid/friction_forth"),
-        ("friction_back", "/slid/friction_back"),
-        ("normal_force", "/slid/normal_force"),
-        ("period", "/slid/period"),
-        ("peak_force", "/slid/peak_force"),
-        ("tip_temperature", "/tip_temperature"),
-    ],
-    drawn: ["Friction of the tip", "loop area over path"],
-    share: ["periodic", "/slid/motion", "periodic"],
-    told: &[
-        told("friction", 0, 1.0),
-        told("normal force", 3, 1.0),
-        told("period", 4, 1.0),
-        told("tip T", 6, 1.0),
-    ],
-};
+use tribos::tip::{TipSimulation, TipSummary};
 
 impl Commands for &TipScene {
     fn is_long(&self) -> bool {
@@ -64,10 +26,20 @@ impl Commands for &TipScene {
         tip::run(self, order)
     }
 
-    fn kind(&self) -> &'static RunKind {
-        match self.drive {
-            DriveKind::Torque => &KIND,
-            DriveKind::Slide => &SLID,
+    fn kind(&self) -> RunKind {
+        let is_slid = self.drive == DriveKind::Slide;
+        let belongs = |quantity: &SweptQuantity| match quantity.unit {
+            "degrees" => !is_slid,
+            _ => is_slid || quantity.path[1].is_none(),
+        };
+        let quantities = swept(TipSummary::QUANTITIES);
+        let quantities = quantities.into_iter().filter(belongs).collect();
+        if is_slid {
+            let share = ["periodic", "/slid/motion", "periodic"];
+            RunKind::among(quantities, ["Friction of the tip", "friction"], share)
+        } else {
+            let share = ["reversible", "/verdict", "reversible"];
+            RunKind::among(quantities, ["Angle after the drive", "final_angle"], share)
         }
     }
 
@@ -83,14 +55,14 @@ impl Commands for &TipScene {
         if let Some(slid) = &outcome.slid {
             let (friction, normal) = (shown(slid.friction), shown(slid.normal_force));
             let told = format!("friction {friction} at a normal force of {normal}");
-            return Ok((outcome.json(self), told));
+            return Ok((outcome.json(*self), told));
         }
         let told = format!(
             "{} degrees driven, {} after it",
-            shown(outcome.driven_angle),
-            shown(outcome.final_angle)
+            shown(outcome.driven_angle_degrees),
+            shown(outcome.final_angle_degrees)
         );
-        Ok((outcome.json(self), told))
+        Ok((outcome.json(*self), told))
     }
 
     fn explanation(&self) -> Result<String, Failure> {

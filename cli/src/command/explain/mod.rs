@@ -3,7 +3,6 @@
 pub mod after;
 pub mod gas;
 pub mod grains;
-pub mod held;
 pub mod patience;
 pub mod powder;
 pub mod slide;
@@ -73,6 +72,11 @@ impl Arguments {
 /// A line with a head in the first column.
 fn line(head: &str, text: impl AsRef<str>) -> String {
     format!("{head:<14}{}\n", text.as_ref())
+}
+
+/// Lines of heads and texts.
+pub fn lines(parts: &[(&str, String)]) -> String {
+    parts.iter().map(|(head, text)| line(head, text)).collect()
 }
 
 /// A time in words.

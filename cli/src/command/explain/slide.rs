@@ -1,17 +1,30 @@
-//! What a sliding body carries.
+//! What a body in motion carries.
 
-use super::line;
+use super::{line, lines};
 use crate::failure::Failure;
 use tribos::friction::Law;
+use tribos::motion::MotionScene;
 use tribos::scene::{
-    CurlingScene, CylinderScene, DiskScene, FootPressure, PipeScene, PlateScene, SliderIntegrator,
-    Tipping,
+    CurlingScene, CylinderScene, DiskScene, FootPressure, PipeScene, PlateScene, Scene,
+    SliderIntegrator, Tipping,
 };
 use tribos::slide::planar::Gradient;
 use tribos::slide::{EvaluationCost, PlanarScene};
 
+/// What a body in motion carries.
+pub fn text(any: &Scene, scene: &dyn MotionScene) -> Result<String, Failure> {
+    match any {
+        Scene::Disk(scene) => disk(scene),
+        Scene::Cylinder(scene) => planar(scene, &cylinder(scene)),
+        Scene::Pipe(scene) => planar(scene, &pipe(scene)),
+        Scene::Plate(scene) => planar(scene, &plate(scene)),
+        Scene::Curling(scene) => planar(scene, &curling(scene)),
+        _ => Ok(lines(&scene.carried())),
+    }
+}
+
 /// A disk.
-pub fn disk(scene: &DiskScene) -> Result<String, Failure> {
+fn disk(scene: &DiskScene) -> Result<String, Failure> {
     let cost = scene.evaluation_cost()?;
     let mut text = line(
         "unknowns",
@@ -31,7 +44,7 @@ pub fn disk(scene: &DiskScene) -> Result<String, Failure> {
 }
 
 /// A body that follows a path in the plane under these laws.
-pub fn planar(scene: &dyn PlanarScene, laws: &str) -> Result<String, Failure> {
+fn planar(scene: &dyn PlanarScene, laws: &str) -> Result<String, Failure> {
     let cost = scene.evaluation_cost()?;
     let mut text = line("unknowns", "3: two of the velocity, and the spin");
     text += laws;
@@ -44,14 +57,14 @@ pub fn planar(scene: &dyn PlanarScene, laws: &str) -> Result<String, Failure> {
 }
 
 /// Laws of a cylinder.
-pub fn cylinder(scene: &CylinderScene) -> String {
+fn cylinder(scene: &CylinderScene) -> String {
     line("law", law(scene.law, scene.alpha, scene.gamma))
         + &line("patch", pressure(scene.pressure))
         + &leaning(scene.pressure_gradient, scene.on_tipping)
 }
 
 /// Laws of a pipe.
-pub fn pipe(scene: &PipeScene) -> String {
+fn pipe(scene: &PipeScene) -> String {
     let inner = scene.pipe().inner_ratio;
     let patch = format!("annulus from {inner:.4} to 1 radii under uniform pressure");
     line("law", law(scene.law, scene.alpha, scene.gamma))
@@ -72,13 +85,13 @@ fn leaning(gradient: Gradient, tipping: Tipping) -> String {
 }
 
 /// Laws of a plate.
-pub fn plate(scene: &PlateScene) -> String {
+fn plate(scene: &PlateScene) -> String {
     let patch = format!("{} under uniform pressure", scene.patch);
     line("law", law(None, 0.0, scene.mu)) + &line("patch", patch)
 }
 
 /// Laws of a curling rock.
-pub fn curling(scene: &CurlingScene) -> String {
+fn curling(scene: &CurlingScene) -> String {
     let (width, radius, model) = (scene.band_width, scene.radius, scene.model);
     let patch = if width > 0.0 {
         format!("band {width} m wide, {radius} m in radius")

@@ -1,11 +1,8 @@
 //! What a run leaves in its folder, and what `tribos view` and `tribos export` add to it: names, `#`
 //! for a number, and folders of frames.
 
-/// Of a disk.
-pub const DISK: &[&str] = &["summary.json", "series.csv", "motion.svg", "motion.png"];
-
-/// Of a body on a spring, on an incline, on a turntable or in a pinch.
-pub const HELD: &[&str] = DISK;
+/// Of a disk, and of a body on a spring, on an incline, on a turntable or in a pinch.
+pub const MOTION: &[&str] = &["summary.json", "series.csv", "motion.svg", "motion.png"];
 
 /// Of a body in the plane.
 pub const PATH: &[&str] = &["summary.json", "series.csv", "path.svg", "path.png"];

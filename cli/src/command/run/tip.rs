@@ -144,7 +144,7 @@ fn report(outcome: &TipSummary, order: &RunRequest<'_>) -> Result<(), Failure> {
             .join(", "),
     };
     let angles: Vec<String> = outcome
-        .layer_angles
+        .layer_angles_degrees
         .iter()
         .map(|&angle| shown(angle))
         .collect();
@@ -154,18 +154,18 @@ fn report(outcome: &TipSummary, order: &RunRequest<'_>) -> Result<(), Failure> {
          layers        {} degrees at the end, from below\n\
          slipped       while driven {}, for good {} (0 is the contact, k above the tip's layer k)\n\
          temperature   {} eps/k_B of the tip's bath\n",
-        shown(outcome.driven_angle),
-        shown(outcome.final_angle),
-        shown(outcome.largest_angle),
+        shown(outcome.driven_angle_degrees),
+        shown(outcome.final_angle_degrees),
+        shown(outcome.largest_angle_degrees),
         angles.join(", "),
-        interfaces(&outcome.slipped_driven),
-        interfaces(&outcome.slipped),
+        interfaces(&outcome.slipped_interfaces_while_driven),
+        interfaces(&outcome.slipped_interfaces),
         shown(outcome.tip_temperature),
     );
     for plateau in &outcome.plateaus {
         text += &format!(
             "locked        {} degrees from {} to {}\n",
-            shown(plateau.angle),
+            shown(plateau.angle_degrees),
             shown(plateau.from),
             shown(plateau.to)
         );

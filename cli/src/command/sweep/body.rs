@@ -35,7 +35,7 @@ impl Body {
     }
 
     /// What a table is made of.
-    pub fn kind(&self) -> &'static RunKind {
+    pub fn kind(&self) -> RunKind {
         bodies::of(&self.0).kind()
     }
 

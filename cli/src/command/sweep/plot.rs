@@ -14,7 +14,7 @@ pub fn write(grid: &Grid, table: &Table, out: &Path) -> Result<(), Failure> {
     let several = |at: &usize| grid.keys[*at].values.len() > 1;
     let varied: Vec<usize> = (0..grid.keys.len()).filter(several).collect();
     let numbers: Option<Vec<Vec<f64>>> = varied.iter().map(|&at| grid.keys[at].numbers()).collect();
-    let [title, label] = table.kind().drawn;
+    let (title, label) = (table.kind().title, table.kind().axis());
     let name = |at: usize| Axis::linear(grid.keys[varied[at]].key.clone());
     match numbers.as_deref() {
         Some([xs]) => {
@@ -45,7 +45,7 @@ fn line(axis: Axis, xs: &[f64], table: &Table) -> Figure {
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let means = points.iter().map(|(x, (mean, _))| (*x, *mean)).collect();
     let errors = points.iter().map(|(_, (_, error))| *error).collect();
-    let [title, label] = table.kind().drawn;
+    let (title, label) = (table.kind().title, table.kind().axis());
     Figure::new(title, axis, Axis::linear(label))
         .series(Series::line_points("", means).errors(errors))
 }

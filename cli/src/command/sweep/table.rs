@@ -7,11 +7,12 @@ use crate::command::bodies::RunKind;
 use crate::command::digits::shown;
 use serde_json::Value;
 use tribos::powder::deposit::curve::statistics;
+use tribos::results::SweptQuantity;
 
 /// A line a combination.
 #[derive(Debug)]
 pub struct Table {
-    kind: &'static RunKind,
+    kind: RunKind,
     names: Vec<String>,
     rows: Vec<Row>,
 }
@@ -33,26 +34,26 @@ struct Row {
 
 impl Table {
     /// Summaries in the order of the combinations, `seeds` of them each.
-    pub fn new(kind: &'static RunKind, grid: &Grid, summaries: &[Value], seeds: usize) -> Self {
+    pub fn new(kind: RunKind, grid: &Grid, summaries: &[Value], seeds: usize) -> Self {
         let rows = summaries.chunks(seeds).enumerate();
         Self {
-            kind,
             names: grid.keys.iter().map(|swept| swept.key.clone()).collect(),
             rows: rows
-                .map(|(combination, runs)| Row::new(kind, grid, combination, runs))
+                .map(|(combination, runs)| Row::new(&kind, grid, combination, runs))
                 .collect(),
+            kind,
         }
     }
 
     /// What the summaries are of.
-    pub fn kind(&self) -> &'static RunKind {
-        self.kind
+    pub fn kind(&self) -> &RunKind {
+        &self.kind
     }
 
     /// Mean of the drawn quantity of a combination and its deviation.
     pub fn drawn(&self, combination: usize) -> (f64, f64) {
         let row = self.rows.get(combination);
-        row.map_or((f64::NAN, f64::NAN), |row| row.means[0])
+        row.map_or((f64::NAN, f64::NAN), |row| row.means[self.kind.drawn])
     }
 
     /// Number of runs that were refused.
@@ -80,7 +81,8 @@ impl Table {
         }
         let share = Column::numbers(self.kind.share[0], rows().map(|row| row.share));
         add(&mut columns, share);
-        for (at, (name, _)) in self.kind.quantities.iter().enumerate() {
+        for (at, quantity) in self.kind.quantities.iter().enumerate() {
+            let name = quantity.column;
             let means = Column::numbers(name, rows().map(|row| row.means[at].0));
             add(&mut columns, means);
             let deviations = rows().map(|row| row.means[at].1);
@@ -100,6 +102,11 @@ impl Table {
     /// For the terminal.
     pub fn text(&self) -> String {
         let mut text = String::new();
+        let quantities = self.kind.quantities.iter().enumerate();
+        let head = |(at, quantity): (usize, &SweptQuantity)| {
+            Some((at, quantity.labelled(quantity.label?)))
+        };
+        let shown_columns: Vec<(usize, String)> = quantities.filter_map(head).collect();
         let width = |at: usize, name: &String| {
             let values = self.rows.iter().map(|row| row.values[at].chars().count());
             values.fold(name.chars().count().max(12), usize::max)
@@ -110,8 +117,8 @@ impl Table {
             text += &format!("  {name:>width$}");
         }
         text += &format!("  {:>12}", self.kind.share[0]);
-        for column in self.kind.told {
-            text += &format!("  {:>22}", column.head);
+        for (_, head) in &shown_columns {
+            text += &format!("  {head:>22}");
         }
         text.push('\n');
         for row in &self.rows {
@@ -125,9 +132,8 @@ impl Table {
             }
             let share = (row.share * row.runs as f64).round();
             text += &format!("  {:>12}", format!("{share}/{}", row.runs));
-            for column in self.kind.told {
-                let (mean, deviation) = row.means[column.quantity];
-                let [mean, deviation] = [mean, deviation].map(|x| column.factor * x);
+            for (at, _) in &shown_columns {
+                let (mean, deviation) = row.means[*at];
                 let cell = if deviation.is_nan() {
                     shown(mean)
                 } else {
@@ -155,8 +161,8 @@ impl Row {
             .collect();
         let is_so = |run: &&&Value| run.pointer(place).is_some_and(|found| found == word);
         let share = done.iter().filter(is_so).count() as f64 / done.len() as f64;
-        let mean = |(_, place): &(&str, &str)| {
-            let number = |run: &&Value| run.pointer(place).and_then(scalar);
+        let mean = |quantity: &SweptQuantity| {
+            let number = |run: &&Value| quantity.of(run).and_then(scalar);
             let values: Vec<f64> = done
                 .iter()
                 .map(|run| number(run).unwrap_or(f64::NAN))

@@ -5,8 +5,8 @@ use super::loop_work::LoopWork;
 use super::sliding_summary::{SlidingSample, SlidingSummary};
 use super::start::{Columns, EquilibriumCheck};
 use crate::tip::scene::{DriveKind, StageSteps, TipScene};
-use serde_json::{Value, json};
-use tribos_base::record::json_number;
+use tribos_base::results::{Told::*, summary};
+use tribos_base::scene::words::words;
 
 /// Column of the driven layers' angle.
 const ANGLE: usize = 1;
@@ -44,80 +44,85 @@ pub enum Reversal {
     Open,
 }
 
-/// An interval during which the driven layers rested.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AnglePlateau {
-    /// Start of the interval, in τ from the start of the drive.
-    pub from: f64,
-    /// End of the interval, in τ from the start of the drive.
-    pub to: f64,
-    /// Mean angle, in degrees.
-    pub angle: f64,
+words!(Reversal { Reversible = "reversible", Irreversible = "irreversible", Open = "open" });
+
+summary! {
+    /// An interval during which the driven layers rested.
+    #[derive(Copy)]
+    pub struct AnglePlateau = part;
+
+    /// Start of the interval, from the start of the drive.
+    from: f64, "tau";
+    /// End of the interval, from the start of the drive.
+    to: f64, "tau";
+    /// Mean angle.
+    angle_degrees: f64, "degrees";
 }
 
-/// The result of a run. Angles in degrees, times in τ from the start of the drive.
-///
-/// Turns and work are accumulated at every step, averages use lines 0.5 τ apart (closer if a
-/// stage is short): how often a series or frames are written changes only `sample_every`.
-///
-/// ```
-/// use tribos::run::run_to_end;
-/// use tribos::scene::TipScene;
-/// use tribos::tip::{TipSummary, AnglePlateau, TipSimulation, Reversal};
-/// // A weak torque for a moment: nothing can slip, nothing stays turned.
-/// let scene = TipScene {
-///     lambda: 0.001,
-///     substrate_columns: 8,
-///     substrate_rows: 8,
-///     substrate_layers: 4,
-///     tip_layers: 4,
-///     tip_side_atoms: 2,
-///     temperature: 0.0,
-///     equilibration: 0.0,
-///     drive_time: 0.1,
-///     rest_time: 0.1,
-///     time_step: 0.005,
-///     sample_every: 5,
-///     ..TipScene::default()
-/// };
-/// let mut run = TipSimulation::new(&scene)?;
-/// run_to_end(&mut run, |_, _| ())?;
-/// let outcome: TipSummary = run.outcome();
-/// assert_eq!(outcome.verdict, Reversal::Reversible);
-/// assert_eq!(outcome.json(&scene)["verdict"], "reversible");
-/// assert!(outcome.slipped.is_empty() && outcome.samples == 1 + 40 / 5);
-/// let stood: &[AnglePlateau] = &outcome.plateaus;
-/// assert!(stood.is_empty()); // it was not driven for long enough
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct TipSummary {
+summary! {
+    /// The result of a run.
+    ///
+    /// Turns and work are accumulated at every step, averages use lines 0.5 τ apart (closer if a
+    /// stage is short): how often a series or frames are written changes only `sample_every`.
+    ///
+    /// ```
+    /// use tribos::run::run_to_end;
+    /// use tribos::scene::TipScene;
+    /// use tribos::tip::{TipSummary, AnglePlateau, TipSimulation, Reversal};
+    /// // A weak torque for a moment: nothing can slip, nothing stays turned.
+    /// let scene = TipScene {
+    ///     lambda: 0.001,
+    ///     substrate_columns: 8,
+    ///     substrate_rows: 8,
+    ///     substrate_layers: 4,
+    ///     tip_layers: 4,
+    ///     tip_side_atoms: 2,
+    ///     temperature: 0.0,
+    ///     equilibration: 0.0,
+    ///     drive_time: 0.1,
+    ///     rest_time: 0.1,
+    ///     time_step: 0.005,
+    ///     sample_every: 5,
+    ///     ..TipScene::default()
+    /// };
+    /// let mut run = TipSimulation::new(&scene)?;
+    /// run_to_end(&mut run, |_, _| ())?;
+    /// let outcome: TipSummary = run.outcome();
+    /// assert_eq!(outcome.verdict, Reversal::Reversible);
+    /// assert_eq!(outcome.json(&scene)["verdict"], "reversible");
+    /// assert!(outcome.slipped_interfaces.is_empty() && outcome.samples == 1 + 40 / 5);
+    /// let stood: &[AnglePlateau] = &outcome.plateaus;
+    /// assert!(stood.is_empty()); // it was not driven for long enough
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub struct TipSummary;
+
     /// Whether the driven layers turned back.
-    pub verdict: Reversal,
+    verdict: Reversal, "-";
     /// Mean angle of the driven layers before the drive ended.
-    pub driven_angle: f64,
+    driven_angle_degrees: f64, "degrees", ShownAs("driven_angle", "driven");
     /// Largest angle of the driven layers.
-    pub largest_angle: f64,
+    largest_angle_degrees: f64, "degrees", ShownAs("largest_angle", "largest");
     /// Mean angle of the driven layers at the end.
-    pub final_angle: f64,
+    final_angle_degrees: f64, "degrees", ShownAs("final_angle", "final angle");
     /// Mean angles of the tip's layers at the end, from below.
-    pub layer_angles: Vec<f64>,
+    layer_angles_degrees: Vec<f64>, "degrees";
     /// Interfaces that slipped for good: 0 between substrate and tip, k above the tip's k-th layer.
-    pub slipped: Vec<usize>,
+    slipped_interfaces: Vec<usize>, "-";
     /// Interfaces that had slipped before the drive ended.
-    pub slipped_driven: Vec<usize>,
+    slipped_interfaces_while_driven: Vec<usize>, "-";
     /// Intervals in which the driven layers rested while they were driven.
-    pub plateaus: Vec<AnglePlateau>,
-    /// Mean temperature of the tip's bath while driven, ε/k_B.
-    pub tip_temperature: f64,
+    plateaus: Vec<AnglePlateau>, "-";
+    /// Mean temperature of the tip's bath while driven.
+    tip_temperature: f64, "eps/k_B", Shown("tip temperature");
     /// Energy balance of the drive.
-    pub energy: DriveEnergy,
+    drive_energy: DriveEnergy, "-";
     /// How well the tip was in equilibrium when the drive began.
-    pub start: EquilibriumCheck,
-    /// Friction of a slid tip.
-    pub slid: Option<SlidingSummary>,
+    start: EquilibriumCheck, "-";
     /// Lines of the series.
-    pub samples: usize,
+    samples: usize, "-";
+    /// Friction of a slid tip.
+    slid: Option<SlidingSummary>, "-";
 }
 
 /// Measurements of a run.
@@ -163,23 +168,25 @@ impl TipSummary {
         } else {
             Reversal::Irreversible
         };
+        let stored = driven[POTENTIAL] - first[POTENTIAL];
         let largest = series.iter().map(|line| line[ANGLE]);
         Self {
             verdict,
-            driven_angle: driven[ANGLE],
-            largest_angle: largest.fold(
+            driven_angle_degrees: driven[ANGLE],
+            largest_angle_degrees: largest.fold(
                 0.0,
                 |most: f64, x| if x.abs() > most.abs() { x } else { most },
             ),
-            final_angle: last[ANGLE],
-            layer_angles: last[layers..].to_vec(),
-            slipped: slipped(&last[layers..]),
-            slipped_driven: slipped(&driven[layers..]),
+            final_angle_degrees: last[ANGLE],
+            layer_angles_degrees: last[layers..].to_vec(),
+            slipped_interfaces: slipped(&last[layers..]),
+            slipped_interfaces_while_driven: slipped(&driven[layers..]),
             plateaus: plateaus(&on),
             tip_temperature: means(series, 0.0, off, width)[5],
-            energy: DriveEnergy {
+            drive_energy: DriveEnergy {
                 work: measured.work,
-                stored: driven[POTENTIAL] - first[POTENTIAL],
+                stored,
+                heat: measured.work - stored,
                 released: driven[POTENTIAL] - last[POTENTIAL],
                 uncertainty: libm::hypot(
                     standard_error(series, begin.max(-END), 0.0),
@@ -191,41 +198,6 @@ impl TipSummary {
                 .then(|| SlidingSummary::of(scene, &looks(series, off), measured.loops)),
             samples: measured.samples,
         }
-    }
-
-    /// As JSON, with the scene.
-    pub fn json(&self, scene: &TipScene) -> Value {
-        let verdict = match self.verdict {
-            Reversal::Reversible => "reversible",
-            Reversal::Irreversible => "irreversible",
-            Reversal::Open => "open",
-        };
-        let plateau = |plateau: &AnglePlateau| {
-            json!({
-                "from": json_number(plateau.from),
-                "to": json_number(plateau.to),
-                "angle_degrees": json_number(plateau.angle),
-            })
-        };
-        let mut json = json!({
-            "scene": scene.json(),
-            "verdict": verdict,
-            "driven_angle_degrees": json_number(self.driven_angle),
-            "largest_angle_degrees": json_number(self.largest_angle),
-            "final_angle_degrees": json_number(self.final_angle),
-            "layer_angles_degrees": self.layer_angles.iter().copied().map(json_number).collect::<Vec<_>>(),
-            "slipped_interfaces": self.slipped,
-            "slipped_interfaces_while_driven": self.slipped_driven,
-            "plateaus": self.plateaus.iter().map(plateau).collect::<Vec<_>>(),
-            "tip_temperature": json_number(self.tip_temperature),
-            "drive_energy": self.energy.json(),
-            "start": self.start.json(),
-            "samples": self.samples,
-        });
-        if let Some(slid) = &self.slid {
-            json["slid"] = slid.json();
-        }
-        json
     }
 }
 
@@ -317,8 +289,12 @@ fn plateaus(curve: &[[f64; 2]]) -> Vec<AnglePlateau> {
         let [from, to] = [0, stretch.len() - 1].map(|at| stretch[at][0]);
         if to - from >= LOCKED_TIME {
             let sum: f64 = stretch.iter().map(|[_, angle]| angle).sum();
-            let angle = sum / stretch.len() as f64;
-            found.push(AnglePlateau { from, to, angle });
+            let angle_degrees = sum / stretch.len() as f64;
+            found.push(AnglePlateau {
+                from,
+                to,
+                angle_degrees,
+            });
             start += stretch.len();
         } else {
             start += 1;

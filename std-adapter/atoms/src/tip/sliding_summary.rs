@@ -2,8 +2,7 @@
 
 use super::loop_work::{LoopWork, Totals};
 use crate::tip::scene::TipScene;
-use serde_json::{Value, json};
-use tribos_base::record::json_number;
+use tribos_base::results::{Told::*, summary};
 
 /// Part of a stroke that is left out of means: the spring unloads and loads after a turning point.
 const TURNED: f64 = 0.5;
@@ -31,75 +30,81 @@ pub(super) struct SlidingSample {
     pub normal: f64,
 }
 
-/// The friction of a slid tip.
-///
-/// Forces are those of the spring along the direction of the drive, positive against the motion of
-/// the support. Loops begin at the first turning point, so that none contains the first loading
-/// of the spring. What a run has not is NaN.
-///
-/// ```
-/// use tribos::run::run_to_end;
-/// use tribos::scene::{DriveKind, DrivenHold, TipScene};
-/// use tribos::tip::{SlidingSummary, TipSimulation};
-/// // A cold tip on a weakly attracting substrate, pulled forth by half a spacing and back, twice.
-/// let scene = TipScene {
-///     drive: DriveKind::Slide,
-///     speed: Some(0.5),
-///     stroke: Some(0.6),
-///     driven_constraint: DrivenHold::Level,
-///     load: Some(0.1),
-///     adhesion_energy: 0.2,
-///     substrate_columns: 10,
-///     substrate_rows: 10,
-///     substrate_layers: 4,
-///     tip_layers: 4,
-///     tip_side_atoms: 2,
-///     temperature: 0.0,
-///     equilibration: 0.5,
-///     drive_time: 4.8,
-///     rest_time: 0.0,
-///     time_step: 0.01,
-///     ..TipScene::default()
-/// };
-/// let mut run = TipSimulation::new(&scene)?;
-/// run_to_end(&mut run, |_, _| ())?;
-/// let slid: SlidingSummary = run.outcome().slid.ok_or("it is slid")?;
-/// assert_eq!((slid.strokes, slid.loops), (4, 1));
-/// assert!((slid.loop_work - slid.friction * 2.0 * 0.6).abs() < 1e-12);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// *Units*: those of the scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SlidingSummary {
+summary! {
+    /// The friction of a slid tip.
+    ///
+    /// Forces are those of the spring along the direction of the drive, positive against the motion of
+    /// the support. Loops begin at the first turning point, so that none contains the first loading
+    /// of the spring. What a run has not is NaN.
+    ///
+    /// ```
+    /// use tribos::run::run_to_end;
+    /// use tribos::scene::{DriveKind, DrivenHold, TipScene};
+    /// use tribos::tip::{SlidingSummary, TipSimulation};
+    /// // A cold tip on a weakly attracting substrate, pulled forth by half a spacing and back, twice.
+    /// let scene = TipScene {
+    ///     drive: DriveKind::Slide,
+    ///     speed: Some(0.5),
+    ///     stroke: Some(0.6),
+    ///     driven_constraint: DrivenHold::Level,
+    ///     load: Some(0.1),
+    ///     adhesion_energy: 0.2,
+    ///     substrate_columns: 10,
+    ///     substrate_rows: 10,
+    ///     substrate_layers: 4,
+    ///     tip_layers: 4,
+    ///     tip_side_atoms: 2,
+    ///     temperature: 0.0,
+    ///     equilibration: 0.5,
+    ///     drive_time: 4.8,
+    ///     rest_time: 0.0,
+    ///     time_step: 0.01,
+    ///     ..TipScene::default()
+    /// };
+    /// let mut run = TipSimulation::new(&scene)?;
+    /// run_to_end(&mut run, |_, _| ())?;
+    /// let slid: SlidingSummary = run.outcome().slid.ok_or("it is slid")?;
+    /// assert_eq!((slid.strokes, slid.loops), (4, 1));
+    /// assert!((slid.loop_work - slid.friction * 2.0 * 0.6).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// *Units*: those of the scene.
+    #[derive(Copy)]
+    pub struct SlidingSummary = part;
+
     /// Complete strokes of the support; 1 for a support that does not turn.
-    pub strokes: usize,
+    strokes: usize, "-";
     /// Mean force over the second half of the strokes forth.
-    pub friction_forth: f64,
+    friction_forth: f64, "eps/sigma", Swept;
     /// Mean force over the second half of the strokes back.
-    pub friction_back: f64,
+    friction_back: f64, "eps/sigma", Swept;
     /// Complete loops from the first turning point on.
-    pub loops: usize,
+    loops: usize, "-";
     /// Mean work of the support in a loop: the area of the friction loop.
-    pub loop_work: f64,
+    loop_work: f64, "eps";
     /// Loop area over the length of its path, two strokes.
-    pub friction: f64,
+    friction: f64, "eps/sigma", Shown("friction");
     /// Mean force of the substrate on the driven layers over the second halves of all strokes.
-    pub normal_force: f64,
+    normal_force: f64, "eps/sigma", Shown("normal force");
     /// Wavelength at which the force varies most along the path of the support.
-    pub period: f64,
+    period: f64, "sigma", Shown("period");
     /// Part of the force's variance at that wavelength, from 0 to 1.
-    pub period_share: f64,
+    period_share: f64, "-";
     /// Drops of the force by more than half its range, in the searched parts of all strokes.
-    pub slips: usize,
+    slips: usize, "-";
     /// Mean force before these drops.
-    pub peak_force: f64,
+    peak_force: f64, "eps/sigma", Swept;
     /// Work of the support while it moved.
-    pub work: f64,
+    work: f64, "eps";
     /// Heat that thermostats and damping took meanwhile.
-    pub heat: f64,
+    heat: f64, "eps";
     /// Rise of the energy of atoms, springs and load meanwhile.
-    pub stored: f64,
+    stored: f64, "eps";
+    /// Part of the work that is neither heat nor stored: the error of the energy balance.
+    imbalance: f64, "-";
+    /// Whether the force is `periodic` along the path, or `irregular`.
+    motion: &'static str, "-";
 }
 
 impl SlidingSummary {
@@ -126,6 +131,8 @@ impl SlidingSummary {
             let of_side = of_side.filter(|(number, _)| number % 2 == parity);
             mean(of_side.flat_map(|(_, looks)| looks.iter().map(|[_, force, _]| *force)))
         };
+        let (work, heat) = (of(|totals| totals.work), of(|totals| totals.heat));
+        let stored = of(|totals| totals.energy);
         Self {
             strokes: strokes.0.len(),
             friction_forth: side(0),
@@ -138,37 +145,16 @@ impl SlidingSummary {
             period_share,
             slips,
             peak_force,
-            work: of(|totals| totals.work),
-            heat: of(|totals| totals.heat),
-            stored: of(|totals| totals.energy),
+            work,
+            heat,
+            stored,
+            imbalance: (work - heat - stored) / work,
+            motion: if period_share >= PERIODIC {
+                "periodic"
+            } else {
+                "irregular"
+            },
         }
-    }
-
-    /// Part of the work that is neither heat nor stored: the error of the energy balance.
-    pub fn imbalance(&self) -> f64 {
-        (self.work - self.heat - self.stored) / self.work
-    }
-
-    /// As JSON.
-    pub(super) fn json(&self) -> Value {
-        json!({
-            "strokes": self.strokes,
-            "friction_forth": json_number(self.friction_forth),
-            "friction_back": json_number(self.friction_back),
-            "loops": self.loops,
-            "loop_work": json_number(self.loop_work),
-            "friction": json_number(self.friction),
-            "normal_force": json_number(self.normal_force),
-            "period": json_number(self.period),
-            "period_share": json_number(self.period_share),
-            "slips": self.slips,
-            "peak_force": json_number(self.peak_force),
-            "work": json_number(self.work),
-            "heat": json_number(self.heat),
-            "stored": json_number(self.stored),
-            "imbalance": json_number(self.imbalance()),
-            "motion": if self.period_share >= PERIODIC { "periodic" } else { "irregular" },
-        })
     }
 }
 

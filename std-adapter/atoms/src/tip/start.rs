@@ -1,60 +1,61 @@
 //! How well the tip is in equilibrium at the moment the drive begins.
 
-use serde_json::{Value, json};
-use tribos_base::record::json_number;
+use tribos_base::results::summary;
 
-/// The tip before the drive: means over the last 20 τ of the first stage, closer to its start if it
-/// is shorter. In equilibrium forces and torque are 0 within their errors, and nothing drifts.
-///
-/// Driven layers that are held in their plane (`hold = "plane"`) may have a mean force along z: it is
-/// the force that holds them, per atom. With a load in equilibrium it is the load.
-///
-/// ```
-/// use tribos::run::run_to_end;
-/// use tribos::scene::TipScene;
-/// use tribos::tip::{EquilibriumCheck, TipSimulation};
-/// let scene = TipScene {
-///     lambda: 0.0,
-///     substrate_columns: 8,
-///     substrate_rows: 8,
-///     substrate_layers: 4,
-///     tip_layers: 4,
-///     tip_side_atoms: 2,
-///     equilibration: 5.0,
-///     drive_time: 0.0,
-///     rest_time: 0.0,
-///     ..TipScene::default()
-/// };
-/// let mut run = TipSimulation::new(&scene)?;
-/// run_to_end(&mut run, |_, _| ())?;
-/// let start: EquilibriumCheck = run.outcome().start;
-/// assert!(start.force[0].abs() < 10.0 * start.force_error[0]);
-/// assert!(start.torque.abs() < 10.0 * start.torque_error);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// *Units*: those of the scene. *Accuracy*: errors are standard errors of lines 0.5 τ apart
-/// (closer if a stage is short), treated as independent; neighbouring ones are correlated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EquilibriumCheck {
+summary! {
+    /// The tip before the drive: means over the last 20 τ of the first stage, closer to its start if it
+    /// is shorter. In equilibrium forces and torque are 0 within their errors, and nothing drifts.
+    ///
+    /// Driven layers that are held in their plane (`hold = "plane"`) may have a mean force along z: it is
+    /// the force that holds them, per atom. With a load in equilibrium it is the load.
+    ///
+    /// ```
+    /// use tribos::run::run_to_end;
+    /// use tribos::scene::TipScene;
+    /// use tribos::tip::{EquilibriumCheck, TipSimulation};
+    /// let scene = TipScene {
+    ///     lambda: 0.0,
+    ///     substrate_columns: 8,
+    ///     substrate_rows: 8,
+    ///     substrate_layers: 4,
+    ///     tip_layers: 4,
+    ///     tip_side_atoms: 2,
+    ///     equilibration: 5.0,
+    ///     drive_time: 0.0,
+    ///     rest_time: 0.0,
+    ///     ..TipScene::default()
+    /// };
+    /// let mut run = TipSimulation::new(&scene)?;
+    /// run_to_end(&mut run, |_, _| ())?;
+    /// let start: EquilibriumCheck = run.outcome().start;
+    /// assert!(start.force[0].abs() < 10.0 * start.force_error[0]);
+    /// assert!(start.torque.abs() < 10.0 * start.torque_error);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// *Units*: those of the scene. *Accuracy*: errors are standard errors of lines 0.5 τ apart
+    /// (closer if a stage is short), treated as independent; neighbouring ones are correlated.
+    #[derive(Copy)]
+    pub struct EquilibriumCheck = part;
+
     /// Mean force of all other atoms on a driven atom.
-    pub force: [f64; 3],
+    force: [f64; 3], "eps/sigma";
     /// Standard errors of `force`.
-    pub force_error: [f64; 3],
+    force_error: [f64; 3], "eps/sigma";
     /// Mean torque of all other atoms on the driven layers about the vertical axis.
-    pub torque: f64,
+    torque: f64, "eps";
     /// Standard error of `torque`.
-    pub torque_error: f64,
+    torque_error: f64, "eps";
     /// Mean temperatures of the thermostatted layers of substrate and tip.
-    pub temperature: [f64; 2],
+    temperature: [f64; 2], "eps/k_B";
     /// Rise of the driven layers per time.
-    pub height_drift: f64,
-    /// Rotation of the driven layers per time, in degrees.
-    pub angle_drift: f64,
+    height_drift: f64, "sigma/tau";
+    /// Rotation of the driven layers per time.
+    angle_drift_degrees: f64, "degrees/tau";
     /// Rise of the potential energy per time.
-    pub energy_drift: f64,
-    /// Lines that the means are over.
-    pub lines: usize,
+    energy_drift: f64, "eps/tau";
+    /// Number of lines that the means are over.
+    lines: usize, "-";
 }
 
 /// Columns of a line that tell of equilibrium.
@@ -87,26 +88,10 @@ impl EquilibriumCheck {
             torque_error: error(columns.torque),
             temperature: columns.temperatures.map(&mean),
             height_drift: slope(columns.height),
-            angle_drift: slope(columns.angle),
+            angle_drift_degrees: slope(columns.angle),
             energy_drift: slope(columns.energy),
             lines: lines.len(),
         }
-    }
-
-    /// As JSON.
-    pub(super) fn json(&self) -> Value {
-        let list = |numbers: &[f64]| numbers.iter().copied().map(json_number).collect::<Vec<_>>();
-        json!({
-            "force": list(&self.force),
-            "force_error": list(&self.force_error),
-            "torque": json_number(self.torque),
-            "torque_error": json_number(self.torque_error),
-            "temperature": list(&self.temperature),
-            "height_drift": json_number(self.height_drift),
-            "angle_drift_degrees": json_number(self.angle_drift),
-            "energy_drift": json_number(self.energy_drift),
-            "lines": self.lines,
-        })
     }
 }
 
@@ -166,7 +151,7 @@ mod tests {
         assert!(start.force[2].is_nan());
         assert_eq!((start.torque, start.torque_error), (5.0, 0.0));
         assert!((start.force_error[1] - (1.0 / 7.0_f64).sqrt()).abs() < 1e-15);
-        assert_eq!((start.angle_drift, start.energy_drift), (2.0, 0.0));
+        assert_eq!((start.angle_drift_degrees, start.energy_drift), (2.0, 0.0));
         assert_eq!(start.temperature, [3.0, -5.0]);
         assert_eq!(start.lines, 8);
         // No line, no number.

@@ -60,6 +60,12 @@ macro_rules! words {
                 }
             }
         }
+
+        impl $crate::results::Recorded for $name {
+            fn recorded(&self) -> Option<$crate::serde_json::Value> {
+                Some($crate::scene::words::Word::word(*self).into())
+            }
+        }
     };
     ($name:ty { $($variant:ident = $word:literal),+ $(,)? }) => {
         $crate::words!(only $name { $($variant = $word),+ });

@@ -1,5 +1,6 @@
 //! A flat disk under any law of the local speed.
 
+use super::outcome::terminal;
 use super::planar::{Gradient, PlanarLaunch, PlanarSimulation, PlanarState, Resistance, TallBody};
 use super::simulation::{MOST_STEPS, SLIVER};
 use super::{COLUMNS, SlideError, SlideRun, SlideStopReason, SlideSummary, energy_at_launch, run};
@@ -63,25 +64,30 @@ pub(super) fn run_law(
     let near_rest = Law::power(1.0, body.exponent())?;
     let near_rest = AnyFriction::<f64>::new(&Patch::Disk, &near_rest, None)?;
     let profile = near_rest.power().ok_or(SlideError::NotFinite { step: 0 })?;
+    let ending = match (arrival.ending, scene.duration) {
+        (_, Some(duration)) if duration < scouted => SlideStopReason::Duration,
+        (super::planar::PlanarStopReason::Rest, _) => SlideStopReason::Rest,
+        (super::planar::PlanarStopReason::Faded, _) => SlideStopReason::Faded,
+    };
+    let limit = TerminalMotion::new(profile, scene.inertia_ratio)?.terminal_mode(last.ratio);
+    let (limit_ratio, final_mode) = terminal(limit);
     Ok(SlideRun {
         series: points
             .iter()
             .map(|point| row(point, energy(point), scene.mass))
             .collect(),
         outcome: SlideSummary {
-            ending: match (arrival.ending, scene.duration) {
-                (_, Some(duration)) if duration < scouted => SlideStopReason::Duration,
-                (super::planar::PlanarStopReason::Rest, _) => SlideStopReason::Rest,
-                (super::planar::PlanarStopReason::Faded, _) => SlideStopReason::Faded,
-            },
-            time: last.time,
+            ending,
+            stop_time: (ending == SlideStopReason::Rest).then_some(last.time),
+            end_time: last.time,
             distance: last.distance,
             angle: last.angle,
-            ratio: last.ratio,
-            limit: TerminalMotion::new(profile, scene.inertia_ratio)?.terminal_mode(last.ratio),
+            final_ratio: last.ratio,
+            limit_ratio,
+            final_mode,
             steps: points.len() as u64 - 1,
             initial_energy,
-            dissipated_energy: dissipated,
+            energy_dissipated: dissipated,
             energy_error: (dissipated - lost).abs() / initial_energy,
         },
     })

@@ -1,6 +1,6 @@
 //! Distribution of the work of friction over sliding and spinning.
 
-use super::{PathRun, SlideRun};
+use super::{PathRun, PlanarScene, SlideRun};
 use crate::slide::scene::DiskScene;
 
 /// Work of friction in J, split by the motion that it slowed.
@@ -52,10 +52,10 @@ impl SlideRun {
 
 impl PathRun {
     /// Work of friction by the motion that lost the energy.
-    pub fn spent(&self) -> FrictionWork {
+    pub fn spent(&self, scene: &dyn PlanarScene) -> FrictionWork {
         let ends = ends(&self.series)
             .map(|[_, _, _, vx, vy, .., kinetic, _]| [vx * vx + vy * vy, kinetic]);
-        FrictionWork::between(self.outcome.mass, ends)
+        FrictionWork::between(scene.course().mass, ends)
     }
 }
 

@@ -1,13 +1,10 @@
 //! Runs of planar scenes.
 
 use super::cost::{EvaluationCost, resistance_cost};
-use super::planar::{
-    PlanarLaunch, PlanarResult, PlanarSimulation, PlanarState, PlanarStopReason, Resistance,
-};
+use super::planar::{PlanarLaunch, PlanarSimulation, PlanarState, PlanarStopReason, Resistance};
 use super::{SlideError, energy_at_launch};
 use crate::slide::scene::Tipping;
-use serde_json::{Map, Value};
-use tribos_base::record::json_number;
+use tribos_base::results::{Told::*, summary};
 use tribos_base::scene::Body;
 use tribos_friction::Evaluation;
 
@@ -51,12 +48,12 @@ pub struct PlanarCourse {
 /// let scenes: [&dyn PlanarScene; 3] =
 ///     [&CylinderScene::default(), &PipeScene::default(), &CurlingScene::default()];
 /// for scene in scenes {
-///     let end = run_planar(scene)?.outcome.arrival.point;
-///     assert!(end.distance > 0.1 && scene.course().samples == 200); // m
+///     let end = run_planar(scene)?.outcome;
+///     assert!(end.path_length > 0.1 && scene.course().samples == 200); // m
 /// }
 /// # Ok::<(), tribos::slide::SlideError>(())
 /// ```
-pub trait PlanarScene: Body {
+pub trait PlanarScene: Body + Sync {
     /// Launch, mass and stopping conditions.
     fn course(&self) -> PlanarCourse;
 
@@ -84,8 +81,8 @@ pub trait PlanarScene: Body {
 /// let x = PATH_COLUMNS.iter().position(|name| *name == "x").ok_or("no x")?;
 /// let way = series.last().ok_or("no rows")?[x];
 /// assert!((way - 1.74 * 1.74 / (2.0 * 0.2 * 9.81)).abs() < 1e-12);
-/// let PlanarSummary { arrival, energy_error, .. } = outcome;
-/// assert!(arrival.most_lean > 0.0 && energy_error < 1e-12);
+/// let PlanarSummary { max_lean, energy_error, .. } = outcome;
+/// assert!(max_lean > 0.0 && energy_error < 1e-12);
 /// assert_eq!(outcome.json(&scene)["curl"], 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -97,17 +94,43 @@ pub struct PathRun {
     pub outcome: PlanarSummary,
 }
 
-/// Results of the run of a planar scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlanarSummary {
-    /// State at the end of the journey.
-    pub arrival: PlanarResult,
-    /// Kinetic energy at the launch, in J.
-    pub initial_energy: f64,
+summary! {
+    /// Results of the run of a planar scene.
+    #[derive(Copy)]
+    pub struct PlanarSummary;
+
+    /// Why the run ended.
+    ending: PlanarStopReason, "-";
+    /// Time at which the body comes to rest; none if it does not.
+    stop_time: Option<f64>, "s";
+    /// Time at the end.
+    end_time: f64, "s", Shown("time");
+    /// Way forward, along the launch.
+    x: f64, "m", Shown("forward");
+    /// Way to the left.
+    y: f64, "m";
+    /// Way to the left of the launch.
+    curl: f64, "m", Shown("curl");
+    /// Length of the path.
+    path_length: f64, "m", Swept;
+    /// Angle turned.
+    angle: f64, "rad", Shown("angle");
+    /// Velocity ratio v/(|ω|R) at the end; its limit if the body comes to rest.
+    final_ratio: f64, "-", Shown("final ratio");
+    /// Largest pressure gradient |l|; from 1 on a body tips that its foot does not hold.
+    max_lean: f64, "-", Shown("lean");
+    /// Whether the lean was held at its limit.
+    tipped: bool, "-";
+    /// Time from which on it was; none if it was not.
+    tipped_at: Option<f64>, "s";
+    /// Number of steps taken.
+    steps: u64, "-", Swept;
+    /// Kinetic energy at the launch.
+    initial_energy: f64, "J", Swept;
+    /// Work of friction, integrated from its power.
+    energy_dissipated: f64, "J", Swept;
     /// |work − loss of kinetic energy| / initial energy.
-    pub energy_error: f64,
-    /// Mass of the body, in kg.
-    pub(super) mass: f64,
+    energy_error: f64, "-", Swept;
 }
 
 /// Runs a scene to its end.
@@ -116,8 +139,8 @@ pub struct PlanarSummary {
 /// use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
 /// let model = IceModel::ScratchGuide;
 /// let scene = CurlingScene { model, speed: 1.9866, spin: 1.5, ..CurlingScene::default() };
-/// let end = run_planar(&scene)?.outcome.arrival.point;
-/// assert!(end.position[0] > 28.3 && end.position[1] > 0.9); // m, left
+/// let end = run_planar(&scene)?.outcome;
+/// assert!(end.x > 28.3 && end.curl > 0.9); // m, left
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run_planar(scene: &dyn PlanarScene) -> Result<PathRun, SlideError> {
@@ -158,15 +181,26 @@ pub fn follow_path(
     let initial_energy = series.first().map_or(f64::NAN, |row| row[9]);
     let lost = initial_energy - energy(&arrival.point);
     let work = scene.mass * arrival.point.work;
-    Ok(PathRun {
-        series,
-        outcome: PlanarSummary {
-            arrival,
-            initial_energy,
-            energy_error: (work - lost).abs() / initial_energy,
-            mass: scene.mass,
-        },
-    })
+    let (end, [x, y]) = (arrival.point, arrival.point.position);
+    let outcome = PlanarSummary {
+        ending: arrival.ending,
+        stop_time: (arrival.ending == PlanarStopReason::Rest).then_some(end.time),
+        end_time: end.time,
+        x,
+        y,
+        curl: y,
+        path_length: end.distance,
+        angle: end.angle,
+        final_ratio: end.ratio,
+        max_lean: arrival.most_lean,
+        tipped: arrival.tips_at.is_some(),
+        tipped_at: arrival.tips_at,
+        steps: arrival.steps,
+        initial_energy,
+        energy_dissipated: work,
+        energy_error: (work - lost).abs() / initial_energy,
+    };
+    Ok(PathRun { series, outcome })
 }
 
 /// Kinetic energy per mass, (v² + C (ωR)²)/2.
@@ -191,50 +225,4 @@ fn row(point: &PlanarState, energy: f64, mass: f64) -> [f64; PATH_COLUMNS.len()]
         energy,
         mass * point.work,
     ]
-}
-
-impl PlanarSummary {
-    /// The summary as JSON; `stop_time` is null if the body does not come to rest.
-    pub fn json(&self, scene: &dyn PlanarScene) -> Value {
-        let PlanarResult {
-            point,
-            ending,
-            most_lean,
-            tips_at,
-            steps,
-        } = self.arrival;
-        let (name, stop_time) = match ending {
-            PlanarStopReason::Rest => ("rest", json_number(point.time)),
-            PlanarStopReason::Faded => ("faded", Value::Null),
-        };
-        let mut map = Map::new();
-        map.insert("ending".into(), name.into());
-        map.insert("stop_time".into(), stop_time);
-        for (name, value) in [
-            ("end_time", point.time),
-            ("x", point.position[0]),
-            ("y", point.position[1]),
-            ("curl", point.position[1]),
-            ("path_length", point.distance),
-            ("angle", point.angle),
-            ("final_ratio", point.ratio),
-            ("max_lean", most_lean),
-        ] {
-            map.insert(name.into(), json_number(value));
-        }
-        map.insert("tipped".into(), tips_at.is_some().into());
-        let tipped_at = tips_at.map_or(Value::Null, json_number);
-        map.insert("tipped_at".into(), tipped_at);
-        map.insert("steps".into(), steps.into());
-        for (name, value) in [
-            ("initial_energy", self.initial_energy),
-            ("energy_dissipated", self.mass * point.work),
-            ("energy_error", self.energy_error),
-        ] {
-            map.insert(name.into(), json_number(value));
-        }
-        map.insert("scene".into(), scene.json());
-        map.insert("version".into(), env!("CARGO_PKG_VERSION").into());
-        Value::Object(map)
-    }
 }

@@ -1,5 +1,6 @@
 //! One slider followed from launch to end, with its energy balance.
 
+use super::outcome::terminal;
 use super::{COLUMNS, SlideError, SlideStopReason, SlideSummary, energy_at_launch};
 use crate::slide::scene::{DiskScene, SliderIntegrator};
 use tribos_base::run::Simulation;
@@ -335,6 +336,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
         let lost = initial - energy(&self.motion);
         let ratio_at_start = self.slider.ratio(&self.start);
         let modes = TerminalMotion::new(self.slider.profile(), self.scene.inertia_ratio)?;
+        let (limit_ratio, final_mode) = terminal(modes.terminal_mode(ratio_at_start));
         Ok(SlideSummary {
             ending: if self.rest.is_some() {
                 SlideStopReason::Rest
@@ -343,14 +345,16 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
             } else {
                 SlideStopReason::Faded
             },
-            time: self.motion.time,
+            stop_time: self.rest.is_some().then_some(self.motion.time),
+            end_time: self.motion.time,
             distance: self.motion.distance,
             angle: self.motion.angle,
-            ratio: self.ratio(),
-            limit: modes.terminal_mode(ratio_at_start),
+            final_ratio: self.ratio(),
+            limit_ratio,
+            final_mode,
             steps: self.steps,
             initial_energy: initial,
-            dissipated_energy: self.dissipated,
+            energy_dissipated: self.dissipated,
             energy_error: (self.dissipated - lost).abs() / initial,
         })
     }

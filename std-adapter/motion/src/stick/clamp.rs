@@ -15,12 +15,11 @@
 //! rule: a branch of the loop is the first loading twice as large.
 
 use super::StickError;
-use super::stick_slip_run::{StickSlipRun, StickSlipScene};
+use crate::motion_run::{MotionError, MotionRun, MotionScene};
 use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
-use serde_json::{Map, Value};
 use std::f64::consts::TAU;
-use tribos_base::record::json_number;
+use tribos_base::results::{Quantity, Summary, Told::*, summary};
 use tribos_core::Real;
 use tribos_core::law::StickSlip;
 use tribos_core::limit_surface::FrictionSet;
@@ -40,19 +39,25 @@ pub const CLAMP_COLUMNS: [&str; 8] = [
     "second_slips",
 ];
 
-/// Results of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ClampSummary {
-    /// When the pinch lets go, in s; none if it holds to the end.
-    pub release: Option<f64>,
-    /// Heat of the last whole cycle, in J.
-    pub loss: f64,
-    /// Heat of the whole run, in J.
-    pub heat: f64,
-    /// Change of the position over the last whole cycle, in m.
-    pub drift: f64,
-    /// Largest and least position in the last whole cycle, in m.
-    pub swing: [f64; 2],
+summary! {
+    /// Results of a run of a body in a pinch.
+    #[derive(Copy)]
+    pub struct ClampSummary;
+
+    /// Whether the pinch `lets go` or `holds`.
+    ending: &'static str, "-";
+    /// Time at which it lets go; none if it holds to the end.
+    release_time: Option<f64>, "s", Shown("release");
+    /// Heat of the last whole cycle.
+    loss_per_cycle: f64, "J", Shown("loss");
+    /// Heat of the whole run.
+    heat: f64, "J", Swept;
+    /// Change of the position over the last whole cycle.
+    drift_per_cycle: f64, "m", Shown("drift");
+    /// Least position in the last whole cycle.
+    least_position: f64, "m", Swept;
+    /// Largest position in the last whole cycle.
+    most_position: f64, "m", Swept;
 }
 
 /// Series and summary of a run.
@@ -74,7 +79,7 @@ pub struct ClampRun {
 /// use tribos::{scene::ClampScene, stick::clamp::run};
 /// // 6 N and 10 N hold less than 17 N: it lets go where the force passes 16 N.
 /// let outcome = run(&ClampScene { force_amplitude: 17.0, ..ClampScene::default() })?.outcome;
-/// let release = outcome.release.ok_or("holds")?; // s
+/// let release = outcome.release_time.ok_or("holds")?; // s
 /// let force = 17.0 * (std::f64::consts::TAU * release).sin();
 /// assert!((force - 16.0).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -117,14 +122,17 @@ fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<Cla
     let last = &rows[begin..=end];
     let positions = || last.iter().map(|row| row[3]);
     let outcome = ClampSummary {
-        release,
-        loss: rows[end][5] - rows[begin][5],
+        ending: if release.is_some() {
+            "lets go"
+        } else {
+            "holds"
+        },
+        release_time: release,
+        loss_per_cycle: rows[end][5] - rows[begin][5],
         heat: pinch.heat,
-        drift: rows[end][3] - rows[begin][3],
-        swing: [
-            positions().fold(f64::INFINITY, f64::min),
-            positions().fold(f64::NEG_INFINITY, f64::max),
-        ],
+        drift_per_cycle: rows[end][3] - rows[begin][3],
+        least_position: positions().fold(f64::INFINITY, f64::min),
+        most_position: positions().fold(f64::NEG_INFINITY, f64::max),
     };
     Ok(ClampRun { rows, outcome })
 }
@@ -326,51 +334,37 @@ impl ClampedBody {
     }
 }
 
-impl ClampSummary {
-    fn json(&self) -> Map<String, Value> {
-        let mut map = Map::new();
-        let ending = if self.release.is_some() {
-            "lets go"
-        } else {
-            "holds"
-        };
-        map.insert("ending".into(), ending.into());
-        let release = self.release.map_or(Value::Null, json_number);
-        map.insert("release_time".into(), release);
-        for (name, value) in [
-            ("loss_per_cycle", self.loss),
-            ("heat", self.heat),
-            ("drift_per_cycle", self.drift),
-            ("least_position", self.swing[0]),
-            ("most_position", self.swing[1]),
-        ] {
-            map.insert(name.into(), json_number(value));
-        }
-        map
+impl MotionScene for ClampScene {
+    fn quantities(&self) -> &'static [Quantity] {
+        ClampSummary::QUANTITIES
     }
-}
 
-impl StickSlipScene for ClampScene {
-    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<StickSlipRun, StickError> {
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let result = watched(self, watch)?;
         let outcome = &result.outcome;
-        let ending = match outcome.release {
+        let ending = match outcome.release_time {
             Some(time) => format!("lets go at {time:.6} s"),
             None => format!("holds {} cycles", self.cycles),
         };
         let told = vec![
             ("ending", ending),
-            ("loss", format!("{:.6e} J a cycle", outcome.loss)),
-            ("drift", format!("{:.3e} m a cycle", outcome.drift)),
+            ("loss", format!("{:.6e} J a cycle", outcome.loss_per_cycle)),
+            (
+                "drift",
+                format!("{:.3e} m a cycle", outcome.drift_per_cycle),
+            ),
             (
                 "swing",
-                format!("{:.6e} to {:.6e} m", outcome.swing[0], outcome.swing[1]),
+                format!(
+                    "{:.6e} to {:.6e} m",
+                    outcome.least_position, outcome.most_position
+                ),
             ),
         ];
-        Ok(StickSlipRun {
+        Ok(MotionRun {
             columns: &CLAMP_COLUMNS,
             rows: result.rows.iter().map(|row| row.to_vec()).collect(),
-            outcome: outcome.json(),
+            outcome: outcome.entries(),
             told,
             drawn: (&["position"], "position [m]"),
         })
@@ -424,13 +418,14 @@ mod tests {
             let end = first_loading(amplitude);
             let loss = 4.0 * 6.0 * (end - 3e-4_f64).max(0.0);
             assert!(
-                (outcome.loss - loss).abs() < 1e-9 * (1e-3 + loss),
+                (outcome.loss_per_cycle - loss).abs() < 1e-9 * (1e-3 + loss),
                 "{amplitude}: {outcome:?}"
             );
             assert!(
-                (outcome.swing[1] - end).abs() < 1e-12 && (outcome.swing[0] + end).abs() < 1e-12
+                (outcome.most_position - end).abs() < 1e-12
+                    && (outcome.least_position + end).abs() < 1e-12
             );
-            assert!(outcome.drift.abs() < 1e-12 && outcome.release.is_none());
+            assert!(outcome.drift_per_cycle.abs() < 1e-12 && outcome.release_time.is_none());
             // From a quarter to three quarters of the last cycle the load falls.
             let falls = &result.rows[1700..=1900];
             for row in falls {
@@ -454,7 +449,10 @@ mod tests {
             ..ClampScene::default()
         };
         let result = run(&scene).unwrap();
-        assert_eq!((result.outcome.heat, result.outcome.release), (0.0, None));
+        assert_eq!(
+            (result.outcome.heat, result.outcome.release_time),
+            (0.0, None)
+        );
         let at = |cycle: usize| &result.rows[20 * cycle + 5];
         assert!((at(1)[3] - at(999)[3]).abs() < 1e-15);
         assert!(result.rows.iter().all(|row| row[6] == 0.0 && row[7] == 0.0));
@@ -477,7 +475,7 @@ mod tests {
                 .iter()
                 .map(|row| row[1].abs())
                 .fold(0.0, f64::max);
-            let time = result.outcome.release.unwrap();
+            let time = result.outcome.release_time.unwrap();
             let (cycle, share) = (time.floor(), time.fract());
             let carried = load(&scene, cycle as u32, share).force.x.abs();
             // Under a torque the force is less than the sum of both limits.
@@ -508,14 +506,14 @@ mod tests {
             let soft = if first < second { 1e4 } else { 1e4 * ratio };
             let end = (15.9 - weak) / soft;
             let outcome = run(&scene).unwrap().outcome;
-            assert_eq!(outcome.release, None, "{ratio}");
+            assert_eq!(outcome.release_time, None, "{ratio}");
             let loss = 4.0 * weak * (end - strong);
             assert!(
-                (outcome.loss / loss - 1.0).abs() < 1e-7,
+                (outcome.loss_per_cycle / loss - 1.0).abs() < 1e-7,
                 "{ratio}: {outcome:?} {loss}"
             );
             assert!(
-                (outcome.swing[1] / end - 1.0).abs() < 1e-7,
+                (outcome.most_position / end - 1.0).abs() < 1e-7,
                 "{ratio}: {outcome:?} {end}"
             );
         }
@@ -529,7 +527,7 @@ mod tests {
             samples: 3,
             ..ClampScene::default()
         };
-        let release = run(&scene).unwrap().outcome.release.unwrap();
+        let release = run(&scene).unwrap().outcome.release_time.unwrap();
         assert!(
             (17.0 * libm::sin(TAU * release) - 16.0).abs() < 1e-9,
             "{release}"

@@ -9,10 +9,9 @@
 //! ```
 
 use super::StickError;
-use super::stick_slip_run::{StickSlipRun, StickSlipScene};
+use crate::motion_run::{MotionError, MotionRun, MotionScene};
 use crate::stick::scene::InclineScene;
-use serde_json::{Map, Value};
-use tribos_base::record::json_number;
+use tribos_base::results::{Quantity, Summary, Told::*, summary};
 use tribos_core::Real;
 use tribos_core::law::{RestTime, StaticAgeing};
 use tribos_core::twist::Wrench;
@@ -22,28 +21,27 @@ use tribos_friction::limit_surface;
 pub const INCLINE_COLUMNS: [&str; 6] =
     ["time", "angle", "position", "velocity", "drive", "friction"];
 
-/// The instant at which the block lets go.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InclineSlip {
-    /// Time, in s.
-    pub time: f64,
-    /// Angle of the incline, in rad.
-    pub angle: f64,
-    /// Acceleration with which it starts, in m/s²: the jump from μ_s to μ_d.
-    pub acceleration: f64,
-}
+summary! {
+    /// Results of a run of a block on an incline.
+    #[derive(Copy)]
+    pub struct InclineSummary;
 
-/// Results of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InclineSummary {
-    /// When it lets go; none if it holds to the end.
-    pub release: Option<InclineSlip>,
-    /// Distance slid, in m: zero to the bit while it holds.
-    pub distance: f64,
-    /// Speed at the end, in m/s.
-    pub speed: f64,
-    /// Angle at the end, in rad.
-    pub angle: f64,
+    /// Whether the block `slides` in the end or `holds`.
+    ending: &'static str, "-";
+    /// Time at which it lets go; none if it holds to the end.
+    release_time: Option<f64>, "s", Shown("time");
+    /// Angle of the incline then.
+    release_angle: Option<f64>, "rad", Shown("angle");
+    /// Slope of the incline then.
+    release_slope: Option<f64>, "-", Shown("slope");
+    /// Acceleration with which it starts: the jump from mu_s to mu_d.
+    release_acceleration: Option<f64>, "m/s^2", Swept;
+    /// Distance slid: zero to the bit while it holds.
+    distance: f64, "m", Swept;
+    /// Speed at the end.
+    speed: f64, "m/s", Swept;
+    /// Angle of the incline at the end.
+    end_angle: f64, "rad", Swept;
 }
 
 /// Series and summary of a run.
@@ -82,20 +80,16 @@ pub fn run(scene: &InclineScene) -> Result<InclineRun, StickError> {
         }
         rows.push(slope.row(time, &state, release));
     }
-    let release = release.map(|time| {
-        let angle = slope.angle(time);
-        let acceleration = slope.acceleration(angle);
-        InclineSlip {
-            time,
-            angle,
-            acceleration,
-        }
-    });
+    let release_angle = release.map(|time| slope.angle(time));
     let outcome = InclineSummary {
-        release,
+        ending: if release.is_some() { "slides" } else { "holds" },
+        release_time: release,
+        release_angle,
+        release_slope: release_angle.map(libm::tan),
+        release_acceleration: release_angle.map(|angle| slope.acceleration(angle)),
         distance: state.position,
         speed: state.velocity,
-        angle: slope.angle(scene.duration),
+        end_angle: slope.angle(scene.duration),
     };
     Ok(InclineRun { rows, outcome })
 }
@@ -235,67 +229,44 @@ impl<'a> InclineProblem<'a> {
     }
 }
 
-impl InclineSummary {
-    fn json(&self) -> Map<String, Value> {
-        let mut map = Map::new();
-        let ending = if self.release.is_some() {
-            "slides"
-        } else {
-            "holds"
-        };
-        map.insert("ending".into(), ending.into());
-        let of = |part: fn(&InclineSlip) -> f64| {
-            let value = self.release.as_ref().map(part);
-            value.map_or(Value::Null, json_number)
-        };
-        map.insert("release_time".into(), of(|release| release.time));
-        map.insert("release_angle".into(), of(|release| release.angle));
-        map.insert(
-            "release_slope".into(),
-            of(|release| libm::tan(release.angle)),
-        );
-        map.insert(
-            "release_acceleration".into(),
-            of(|release| release.acceleration),
-        );
-        for (name, value) in [
-            ("distance", self.distance),
-            ("speed", self.speed),
-            ("end_angle", self.angle),
-        ] {
-            map.insert(name.into(), json_number(value));
-        }
-        map
+impl MotionScene for InclineScene {
+    fn quantities(&self) -> &'static [Quantity] {
+        InclineSummary::QUANTITIES
     }
-}
 
-impl StickSlipScene for InclineScene {
-    fn follow(&self, _: &mut dyn FnMut(f64) -> bool) -> Result<StickSlipRun, StickError> {
+    fn follow(&self, _: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let result = run(self)?;
         let outcome = &result.outcome;
-        let told = match outcome.release {
-            None => vec![("ending", format!("holds up to {:.6} rad", outcome.angle))],
-            Some(release) => vec![
+        let told = match (outcome.release_time, outcome.release_angle) {
+            (Some(time), Some(angle)) => vec![
                 (
                     "lets go",
                     format!(
-                        "at {:.6} s and {:.6} rad, a slope of {:.6}",
-                        release.time,
-                        release.angle,
-                        libm::tan(release.angle)
+                        "at {time:.6} s and {angle:.6} rad, a slope of {:.6}",
+                        libm::tan(angle)
                     ),
                 ),
-                ("starts with", format!("{:.6} m/s^2", release.acceleration)),
+                (
+                    "starts with",
+                    format!(
+                        "{:.6} m/s^2",
+                        outcome.release_acceleration.unwrap_or(f64::NAN)
+                    ),
+                ),
                 (
                     "slides",
                     format!("{:.6} m, to {:.6} m/s", outcome.distance, outcome.speed),
                 ),
             ],
+            _ => vec![(
+                "ending",
+                format!("holds up to {:.6} rad", outcome.end_angle),
+            )],
         };
-        Ok(StickSlipRun {
+        Ok(MotionRun {
             columns: &INCLINE_COLUMNS,
             rows: result.rows.iter().map(|row| row.to_vec()).collect(),
-            outcome: outcome.json(),
+            outcome: outcome.entries(),
             told,
             drawn: (&["drive", "friction"], "force along the incline [N]"),
         })
@@ -342,23 +313,26 @@ mod tests {
                 ..InclineScene::default()
             };
             let result = run(&scene).unwrap();
-            let release = result.outcome.release.unwrap();
-            assert!(
-                (release.angle.tan() / mu_static - 1.0).abs() < 1e-13,
-                "{patch}"
-            );
-            let jump = 9.81 * (mu_static - mu_dynamic) * release.angle.cos();
-            assert!((release.acceleration - jump).abs() < 1e-12 * 9.81);
+            let outcome = &result.outcome;
+            let [release, start, acceleration] = [
+                outcome.release_time,
+                outcome.release_angle,
+                outcome.release_acceleration,
+            ]
+            .map(Option::unwrap);
+            assert!((start.tan() / mu_static - 1.0).abs() < 1e-13, "{patch}");
+            let jump = 9.81 * (mu_static - mu_dynamic) * start.cos();
+            assert!((acceleration - jump).abs() < 1e-12 * 9.81);
             for row in &result.rows {
                 let [time, angle, position, velocity, drive, friction] = *row;
-                if time <= release.time {
+                if time <= release {
                     assert_eq!((position.to_bits(), velocity.to_bits()), (0, 0));
                     assert_eq!(drive, friction);
                     continue;
                 }
                 // Energy per mass: the work of weight and friction along the way.
                 let raised = 0.05;
-                let [t, s] = [release.angle, angle].map(|at| at.min(1.4));
+                let [t, s] = [start, angle].map(|at| at.min(1.4));
                 let gained =
                     9.81 / raised * ((t.cos() - s.cos()) - mu_dynamic * (s.sin() - t.sin()));
                 let beyond = time - (1.4 / raised).min(time);
@@ -380,7 +354,7 @@ mod tests {
             ..InclineScene::default()
         };
         let outcome = run(&scene).unwrap().outcome;
-        assert_eq!((outcome.release, outcome.distance), (None, 0.0));
+        assert_eq!((outcome.release_time, outcome.distance), (None, 0.0));
         let steeper = InclineScene {
             start_angle: FRAC_PI_4,
             duration: 3.0,
@@ -400,10 +374,14 @@ mod tests {
                 duration: 2.0 / rate,
                 ..InclineScene::default()
             };
-            let release = run(&scene).unwrap().outcome.release.unwrap();
-            let held = 0.5 + 0.02 * release.time.ln();
-            assert!((release.angle.tan() / held - 1.0).abs() < 1e-12, "{rate}");
-            assert!(release.angle > Real::atan(0.5));
+            let outcome = run(&scene).unwrap().outcome;
+            let (release, start) = (
+                outcome.release_time.unwrap(),
+                outcome.release_angle.unwrap(),
+            );
+            let held = 0.5 + 0.02 * release.ln();
+            assert!((start.tan() / held - 1.0).abs() < 1e-12, "{rate}");
+            assert!(start > Real::atan(0.5));
         }
     }
 }

@@ -9,9 +9,6 @@ mod error;
 pub mod incline;
 pub(crate) mod scene;
 pub mod spring;
-mod stick_slip_run;
 pub mod turntable;
 
 pub use error::StickError;
-#[doc(hidden)]
-pub use stick_slip_run::{StickSlipRun, StickSlipScene};

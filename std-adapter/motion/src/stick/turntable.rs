@@ -15,12 +15,11 @@
 mod path;
 
 use super::StickError;
-use super::stick_slip_run::{StickSlipRun, StickSlipScene};
+use crate::motion_run::{MotionError, MotionRun, MotionScene};
 use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
 use path::{SlideState, State};
-use serde_json::{Map, Value};
-use tribos_base::record::json_number;
+use tribos_base::results::{Quantity, Summary, Told::*, summary};
 use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::planar::PlanarBody;
@@ -33,28 +32,29 @@ pub const TURNTABLE_COLUMNS: [&str; 10] = [
     "time", "rate", "x", "y", "vx", "vy", "spin", "angle", "room_x", "room_y",
 ];
 
-/// The instant at which the body lets go.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TurntableSlip {
-    /// Time, in s.
-    pub time: f64,
-    /// Angular velocity of the table, in rad/s.
-    pub rate: f64,
-}
+summary! {
+    /// Results of a run of a body on a turntable.
+    #[derive(Copy)]
+    pub struct TurntableSummary;
 
-/// Results of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TurntableSummary {
-    /// When it lets go; none if it holds to the end.
-    pub release: Option<TurntableSlip>,
-    /// When it reaches the rim of the table, in s.
-    pub left: Option<f64>,
-    /// Its place on the table at the end, in m.
-    pub place: [f64; 2],
-    /// Its velocity relative to the table at the end, in m/s.
-    pub velocity: [f64; 2],
-    /// Angle by which it has turned on the table, in rad.
-    pub angle: f64,
+    /// Whether the body `holds`, `slides` or `leaves` the table.
+    ending: &'static str, "-";
+    /// Time at which it lets go; none if it holds to the end.
+    release_time: Option<f64>, "s", Swept;
+    /// Angular velocity of the table then.
+    release_rate: Option<f64>, "rad/s", Shown("rate");
+    /// Centripetal acceleration then, in limits of static friction: omega^2 r/(mu_s g).
+    release_share: Option<f64>, "-", Shown("omega^2 r/(mu_s g)");
+    /// Time at which it reaches the rim of the table.
+    leave_time: Option<f64>, "s", Shown("leaves");
+    /// Place on the table at the end.
+    x: f64, "m", Swept;
+    /// Place on the table at the end, across.
+    y: f64, "m", Swept;
+    /// Speed relative to the table at the end.
+    speed: f64, "m/s", Swept;
+    /// Angle by which it has turned on the table.
+    angle: f64, "rad", Swept;
 }
 
 /// Series and summary of a run.
@@ -74,8 +74,8 @@ pub struct TurntableRun {
 /// ```
 /// use tribos::{scene::TurntableScene, stick::turntable::run};
 /// let outcome = run(&TurntableScene::default())?.outcome;
-/// let (release, left) = (outcome.release.ok_or("holds")?, outcome.left.ok_or("stays")?);
-/// assert!(release.time < left && outcome.place[1] < 0.0); // it stays behind
+/// let (release, left) = (outcome.release_time.ok_or("holds")?, outcome.leave_time.ok_or("stays")?);
+/// assert!(release < left && outcome.y < 0.0); // it stays behind
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run(scene: &TurntableScene) -> Result<TurntableRun, StickError> {
@@ -107,14 +107,31 @@ fn watched(
         }
     }
     let [.., x, y, vx, vy, _, angle, _, _] = rows[rows.len() - 1];
+    let limit = scene.mu_static * scene.gravity;
+    let share = |start: SlipStart| start.rate * start.rate * scene.distance / limit;
     let outcome = TurntableSummary {
-        release,
-        left,
-        place: [x, y],
-        velocity: [vx, vy],
+        ending: match (release, left) {
+            (None, _) => "holds",
+            (_, None) => "slides",
+            _ => "leaves",
+        },
+        release_time: release.map(|start| start.time),
+        release_rate: release.map(|start| start.rate),
+        release_share: release.map(share),
+        leave_time: left,
+        x,
+        y,
+        speed: Real::hypot(vx, vy),
         angle,
     };
     Ok(TurntableRun { rows, outcome })
+}
+
+/// Time and rate at which the body lets go.
+#[derive(Clone, Copy, Debug)]
+struct SlipStart {
+    time: f64,
+    rate: f64,
 }
 
 /// The table and the body on it.
@@ -157,11 +174,11 @@ impl<'a> Table<'a> {
     }
 
     /// The gauge is convex in Ω²: from below 1 at rest it passes 1 once.
-    fn release(&self) -> Option<TurntableSlip> {
+    fn release(&self) -> Option<SlipStart> {
         let last = self.scene.table_angular_acceleration * self.scene.duration;
         if self.gauge(0.0) > 1.0 {
             let (time, rate) = (0.0, 0.0);
-            return Some(TurntableSlip { time, rate });
+            return Some(SlipStart { time, rate });
         }
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..DOUBLINGS {
@@ -179,7 +196,7 @@ impl<'a> Table<'a> {
             }
         }
         let (rate, time) = (high, high / self.scene.table_angular_acceleration);
-        (rate <= last).then_some(TurntableSlip { time, rate })
+        (rate <= last).then_some(SlipStart { time, rate })
     }
 
     fn rate(&self, time: f64) -> f64 {
@@ -192,7 +209,7 @@ impl<'a> Table<'a> {
     }
 
     /// The body that turns with the table, at its release.
-    fn let_go(&self, release: &TurntableSlip) -> SlideState {
+    fn let_go(&self, release: &SlipStart) -> SlideState {
         let angle = self.turned(release.time);
         let place = rotated(Vector2::new(self.scene.distance, 0.0), angle);
         let state = State {
@@ -252,66 +269,38 @@ fn rotated(v: Vector2<f64>, angle: f64) -> Vector2<f64> {
     Vector2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
 }
 
-impl TurntableSummary {
-    fn json(&self, scene: &TurntableScene) -> Map<String, Value> {
-        let mut map = Map::new();
-        let ending = match (self.release, self.left) {
-            (None, _) => "holds",
-            (_, None) => "slides",
-            _ => "leaves",
-        };
-        map.insert("ending".into(), ending.into());
-        let some = |value: Option<f64>| value.map_or(Value::Null, json_number);
-        let release = |part: fn(&TurntableSlip) -> f64| some(self.release.as_ref().map(part));
-        map.insert("release_time".into(), release(|release| release.time));
-        map.insert("release_rate".into(), release(|release| release.rate));
-        let limit = scene.mu_static * scene.gravity;
-        let share = self
-            .release
-            .map(|release| release.rate * release.rate * scene.distance / limit);
-        map.insert("release_share".into(), some(share));
-        map.insert("leave_time".into(), some(self.left));
-        for (name, value) in [
-            ("x", self.place[0]),
-            ("y", self.place[1]),
-            ("speed", Real::hypot(self.velocity[0], self.velocity[1])),
-            ("angle", self.angle),
-        ] {
-            map.insert(name.into(), json_number(value));
-        }
-        map
+impl MotionScene for TurntableScene {
+    fn quantities(&self) -> &'static [Quantity] {
+        TurntableSummary::QUANTITIES
     }
-}
 
-impl StickSlipScene for TurntableScene {
-    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<StickSlipRun, StickError> {
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let result = watched(self, watch)?;
         let outcome = &result.outcome;
         let mut told = Vec::new();
-        match outcome.release {
-            None => told.push(("ending", "turns with the table to the end".into())),
-            Some(release) => told.push((
+        match (
+            outcome.release_time,
+            outcome.release_rate,
+            outcome.release_share,
+        ) {
+            (Some(time), Some(rate), Some(share)) => told.push((
                 "lets go",
-                format!(
-                    "at {:.6} s and {:.6} rad/s, omega^2 r = {:.6} mu_s g",
-                    release.time,
-                    release.rate,
-                    release.rate * release.rate * self.distance / (self.mu_static * self.gravity)
-                ),
+                format!("at {time:.6} s and {rate:.6} rad/s, omega^2 r = {share:.6} mu_s g"),
             )),
+            _ => told.push(("ending", "turns with the table to the end".into())),
         }
-        if let Some(left) = outcome.left {
-            let [x, y] = outcome.place;
+        if let Some(left) = outcome.leave_time {
+            let (x, y) = (outcome.x, outcome.y);
             told.push((
                 "leaves",
                 format!("the table at {left:.6} s, at {x:.6} m, {y:.6} m on it"),
             ));
             told.push(("turns", format!("{:.6} rad on the table", outcome.angle)));
         }
-        Ok(StickSlipRun {
+        Ok(MotionRun {
             columns: &TURNTABLE_COLUMNS,
             rows: result.rows.iter().map(|row| row.to_vec()).collect(),
-            outcome: outcome.json(self),
+            outcome: outcome.entries(),
             told,
             drawn: (&["x", "y"], "place on the table [m]"),
         })

@@ -10,7 +10,7 @@ mod tip;
 pub use gas::text as gas;
 pub use grains::text as grains;
 pub use powder::text as powder;
-pub use slide::{disk, planar};
+pub use slide::motion;
 pub use tip::text as tip;
 
 use crate::failure::Failure;

@@ -1,17 +1,33 @@
 //! A sliding body: run here and now, for a moment at most if it is one in the plane.
 
-use crate::command::explain::line;
 use crate::command::explain::patience::{takes, within};
+use crate::command::explain::{line, lines};
 use crate::failure::Failure;
 use std::time::Instant;
-use tribos::scene::DiskScene;
+use tribos::motion::MotionScene;
+use tribos::scene::{DiskScene, Scene};
 use tribos::slide::{self, FrictionWork, PlanarScene};
 
 /// Share of all work below which a motion counts as idle, and a bend of the path as straight.
 const LITTLE: f64 = 0.01;
 
+/// A body in motion.
+pub fn motion(any: &Scene, scene: &dyn MotionScene) -> Result<String, Failure> {
+    match any {
+        Scene::Disk(scene) => disk(scene),
+        Scene::Cylinder(scene) => planar(scene),
+        Scene::Pipe(scene) => planar(scene),
+        Scene::Plate(scene) => planar(scene),
+        Scene::Curling(scene) => planar(scene),
+        _ => Ok(match within(|go_on| scene.follow(go_on)) {
+            Ok(run) => lines(&run?.told),
+            Err(text) => text,
+        }),
+    }
+}
+
 /// A disk on its straight path.
-pub fn disk(scene: &DiskScene) -> Result<String, Failure> {
+fn disk(scene: &DiskScene) -> Result<String, Failure> {
     let begun = Instant::now();
     let spent = slide::run(scene, |_| ())?.spent(scene);
     let time = takes(begun.elapsed());
@@ -27,21 +43,21 @@ pub fn disk(scene: &DiskScene) -> Result<String, Failure> {
 }
 
 /// A body in the plane.
-pub fn planar(scene: &dyn PlanarScene) -> Result<String, Failure> {
+fn planar(scene: &dyn PlanarScene) -> Result<String, Failure> {
     let begun = Instant::now();
     let run = match within(|go_on| slide::follow_path(scene, go_on)) {
         Ok(run) => run?,
         Err(text) => return Ok(text),
     };
     let time = takes(begun.elapsed());
-    let [along, aside] = run.outcome.arrival.point.position;
+    let (along, aside) = (run.outcome.x, run.outcome.curl);
     let bend = (aside / along).abs();
-    let mut text = account(&run.spent()) + &time;
+    let mut text = account(&run.spent(scene)) + &time;
     text += &line(
         "path",
         format!(
             "{along:.4} m along and {aside:.4} m aside, most lean {:.4} of the limit",
-            run.outcome.arrival.most_lean
+            run.outcome.max_lean
         ),
     );
     if bend < LITTLE {

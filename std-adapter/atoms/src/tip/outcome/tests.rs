@@ -65,14 +65,14 @@ fn without_a_rest_nothing_is_known() {
 fn angles_are_means_over_the_last_twenty_of_each_stage() {
     let ramp = alike(-50.0, -7.0);
     // The mean of 80, 81 … 100 hundredths.
-    assert!((ramp.driven_angle + 45.0).abs() < 1e-12);
-    assert!((ramp.final_angle + 7.0).abs() < 1e-12);
-    assert_eq!(ramp.largest_angle, -50.0);
+    assert!((ramp.driven_angle_degrees + 45.0).abs() < 1e-12);
+    assert!((ramp.final_angle_degrees + 7.0).abs() < 1e-12);
+    assert_eq!(ramp.largest_angle_degrees, -50.0);
     assert!((ramp.tip_temperature - 0.2).abs() < 1e-12);
     assert_eq!(ramp.samples, 171);
     let early = outcome(|time| [if time < 140.0 { 9.0 } else { 0.0 }; 5], 160);
     assert_eq!(
-        (early.verdict, early.final_angle),
+        (early.verdict, early.final_angle_degrees),
         (Reversal::Reversible, 0.0)
     );
 }
@@ -91,9 +91,9 @@ fn layers_that_slipped_are_those_whose_angles_differ() {
         },
         160,
     );
-    assert_eq!(run.layer_angles, [3.0, 3.0, 9.0, 9.75]);
-    assert_eq!(run.slipped, [0, 2]);
-    assert_eq!(run.slipped_driven, [1]);
+    assert_eq!(run.layer_angles_degrees, [3.0, 3.0, 9.0, 9.75]);
+    assert_eq!(run.slipped_interfaces, [0, 2]);
+    assert_eq!(run.slipped_interfaces_while_driven, [1]);
 }
 
 #[test]
@@ -112,8 +112,8 @@ fn plateaus_are_where_the_angle_stands_while_driven() {
     let times: Vec<[f64; 2]> = run.plateaus.iter().map(|p| [p.from, p.to]).collect();
     assert_eq!(times, [[10.0, 40.0], [70.0, 100.0]]);
     // 16 lines at 60 and 15 at 60.4.
-    assert!((run.plateaus[0].angle - (60.0 + 0.4 * 15.0 / 31.0)).abs() < 1e-12);
-    assert_eq!(run.plateaus[1].angle, 180.0);
+    assert!((run.plateaus[0].angle_degrees - (60.0 + 0.4 * 15.0 / 31.0)).abs() < 1e-12);
+    assert_eq!(run.plateaus[1].angle_degrees, 180.0);
     assert_eq!(alike(500.0, 0.0).plateaus, []);
 }
 
@@ -146,10 +146,10 @@ fn work_is_moment_times_angle_and_what_is_not_stored_is_heat() {
     };
     // The last lines of a stage belong to it.
     let series: Vec<Vec<f64>> = (-30..=160).map(line).collect();
-    let energy = seen(&scene, &series).energy;
+    let energy = seen(&scene, &series).drive_energy;
     assert_eq!(energy.work, 60.0);
     assert!((energy.stored - 40.0).abs() < 1e-12, "{energy:?}");
-    assert!((energy.heat() - 20.0).abs() < 1e-12, "{energy:?}");
+    assert!((energy.heat - 20.0).abs() < 1e-12, "{energy:?}");
     assert!((energy.released - 25.0).abs() < 1e-12, "{energy:?}");
     assert_eq!(energy.uncertainty, 0.0);
 }

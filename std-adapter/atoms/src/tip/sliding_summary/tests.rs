@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::tip::scene::DriveKind;
+use tribos_base::results::Summary;
 
 const SPACING: f64 = 1.2;
 const STROKE: f64 = 6.0;
@@ -87,7 +88,7 @@ fn a_loop_is_what_the_support_did_between_every_second_turning_point() {
     assert_eq!(slid.loop_work, 0.5 * (8.0 + 9.0));
     assert_eq!(slid.friction, 8.5 / 12.0);
     assert_eq!((slid.work, slid.heat, slid.stored), (20.0, 15.0, 3.0));
-    assert_eq!(slid.imbalance(), 0.1);
+    assert_eq!(slid.imbalance, 0.1);
 }
 
 #[test]
@@ -99,7 +100,7 @@ fn what_a_run_has_not_is_no_number() {
     );
     assert_eq!((none.strokes, none.loops, none.slips), (0, 0, 0));
     assert!(none.friction.is_nan() && none.period.is_nan() && none.work.is_nan());
-    assert!(none.json()["friction"].as_f64().is_none());
+    assert!(none.entries()["friction"].as_f64().is_none());
     // Without turning points the whole way is one stroke.
     let far = SlidingSummary::of(&scene(None, 12.0), &looks(12.0, saw), &LoopWork::default());
     assert_eq!((far.strokes, far.loops), (1, 0));

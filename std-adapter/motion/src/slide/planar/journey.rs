@@ -17,6 +17,7 @@ mod ends;
 
 use super::Resistance;
 use crate::slide::SlideError;
+use tribos_base::scene::words::words;
 use tribos_core::Real;
 use tribos_core::internals::runge_kutta;
 
@@ -60,6 +61,7 @@ pub enum PlanarStopReason {
     /// Both speeds fell below the given fraction; under a law with α ≥ 1 the body never comes to rest.
     Faded,
 }
+words!(PlanarStopReason { Rest = "rest", Faded = "faded" });
 
 /// The end of a journey.
 #[derive(Clone, Copy, Debug, PartialEq)]

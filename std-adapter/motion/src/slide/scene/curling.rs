@@ -54,8 +54,8 @@ scene! {
     /// use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
     /// let model = IceModel::ScratchGuide;
     /// let draw = CurlingScene { model, speed: 1.9866, ..CurlingScene::default() };
-    /// let end = run_planar(&draw)?.outcome.arrival.point;
-    /// assert!(end.position[0] > 28.3 && end.position[1] > 0.9); // m, left
+    /// let end = run_planar(&draw)?.outcome;
+    /// assert!(end.x > 28.3 && end.curl > 0.9); // m, left
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     #[derive(Copy)]

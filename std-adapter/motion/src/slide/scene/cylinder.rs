@@ -19,7 +19,7 @@ scene! {
     /// let tower = CylinderScene { height: 0.4, ..CylinderScene::default() };
     /// assert!(run_planar(&tower).is_err()); // it tips
     /// let held = run_planar(&CylinderScene { on_tipping: Tipping::Clamp, ..tower })?;
-    /// assert!(held.outcome.arrival.most_lean > 1.0);
+    /// assert!(held.outcome.max_lean > 1.0);
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     #[derive(Copy)]

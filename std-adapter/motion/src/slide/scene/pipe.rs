@@ -18,7 +18,7 @@ scene! {
     /// use tribos::{scene::PipeScene, slide::run_planar};
     /// let run = run_planar(&PipeScene { spin: 0.0, ..PipeScene::default() })?;
     /// // Without spin the pipe leans, but friction stays mu N.
-    /// let forward = run.outcome.arrival.point.position[0];
+    /// let forward = run.outcome.x;
     /// assert!((forward - 1.74 * 1.74 / (2.0 * 0.2 * 9.81)).abs() < 1e-12);
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```

@@ -26,7 +26,7 @@ scene! {
     /// use tribos::{scene::PlateScene, slide::run_planar};
     /// let run = run_planar(&PlateScene { speed: 1.0, spin: 0.0, ..PlateScene::default() })?;
     /// // Without spin every plate stops like a point.
-    /// let forward = run.outcome.arrival.point.position[0];
+    /// let forward = run.outcome.x;
     /// assert!((forward - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-12);
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```

@@ -1,9 +1,7 @@
 //! The summary of a body on a spring.
 
 use super::tally::RunStatistics;
-use tribos_base::record::json_number;
-
-use serde_json::{Map, Value, json};
+use tribos_base::results::{Told::*, summary};
 
 /// How a body follows the pull in the end.
 ///
@@ -28,60 +26,67 @@ pub enum StickSlipRegime {
     StickSlip,
 }
 
-/// A hold and the force that it took to slide on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HoldPeak {
-    /// How long the pull stood still, in s.
-    pub time: f64,
-    /// Spring force when the hold began, in N.
-    pub before: f64,
-    /// Largest spring force after it, in N.
-    pub peak: f64,
+summary! {
+    /// A hold and the force that it took to slide on.
+    #[derive(Copy)]
+    pub struct HoldPeak = part;
+
+    /// How long the pull stood still.
+    hold: f64, "s";
+    /// Spring force when the hold began.
+    force_before: f64, "N";
+    /// Largest spring force after it.
+    peak_force: f64, "N";
 }
 
-/// Results of a run; forces, period and shares are of the second half of the last pull.
-///
-/// ```
-/// use tribos::scene::SpringScene;
-/// use tribos::stick::spring::{SpringSummary, run};
-/// let SpringSummary { most_force, period, .. } = run(&SpringScene::default())?.outcome;
-/// assert!(most_force > 0.5 * 9.81 && period.is_some()); // mu_s N, and a little beyond
-/// # Ok::<(), tribos::stick::StickError>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct SpringSummary {
+summary! {
+    /// Results of a run; forces, period and shares are of the second half of the last pull.
+    ///
+    /// ```
+    /// use tribos::scene::SpringScene;
+    /// use tribos::stick::spring::{SpringSummary, run};
+    /// let SpringSummary { most_force, period, .. } = run(&SpringScene::default())?.outcome;
+    /// assert!(most_force > 0.5 * 9.81 && period.is_some()); // mu_s N, and a little beyond
+    /// # Ok::<(), tribos::stick::StickError>(())
+    /// ```
+    pub struct SpringSummary;
+
     /// How the body follows the pull.
-    pub regime: StickSlipRegime,
+    regime: StickSlipRegime, "-";
     /// Whether its speed left all bounds, which ends a run without mass and viscous term.
-    pub ran_away: bool,
-    /// Time at the end, in s.
-    pub end_time: f64,
-    /// Mean spring force, in N.
-    pub mean_force: f64,
-    /// Least spring force, in N.
-    pub least_force: f64,
-    /// Largest spring force, in N.
-    pub most_force: f64,
-    /// Largest speed, in m/s.
-    pub most_speed: f64,
-    /// Mean time between starts of slips, in s; none if fewer than two begin.
-    pub period: Option<f64>,
+    ran_away: bool, "-";
+    /// Time at the end.
+    end_time: f64, "s";
+    /// Mean spring force.
+    mean_force: f64, "N", Shown("mean");
+    /// Least spring force.
+    least_force: f64, "N", Swept;
+    /// Largest spring force.
+    most_force: f64, "N", Swept;
+    /// Half the difference of both.
+    amplitude: f64, "N", Shown("amplitude");
+    /// Largest speed.
+    most_speed: f64, "m/s", Swept;
+    /// Mean time between starts of slips; none if fewer than two begin.
+    period: Option<f64>, "s", Shown("period");
     /// Number of slips that begin in the whole run.
-    pub slips: u64,
+    slips: u64, "-", Swept;
     /// Share of the time in which the body slips.
-    pub slip_share: f64,
+    slip_share: f64, "-", Shown("slip share");
     /// Swing of the speed in the last quarter over that in the quarter before; 1 while it lasts.
-    pub swing_ratio: f64,
-    /// Distance over which the body has moved in the whole run, in m.
-    pub distance: f64,
-    /// Work of the pull in the whole run, in J.
-    pub work: f64,
+    swing_ratio: f64, "-";
+    /// Distance over which the body has moved in the whole run.
+    distance: f64, "m", Swept;
+    /// Work of the pull in the whole run.
+    work: f64, "J", Swept;
     /// The holds.
-    pub holds: Vec<HoldPeak>,
+    holds: Vec<HoldPeak>, "-";
     /// Growth of peak force over load per e-fold of the hold, by least squares; none of fewer than two.
-    pub healing: Option<f64>,
+    healing: Option<f64>, "-";
+    /// Stiffness below which rate and state cannot be pulled steadily; none for other laws.
+    critical_stiffness: Option<f64>, "N/m", Swept;
     /// Steps taken.
-    pub steps: u64,
+    steps: u64, "-", Swept;
 }
 
 /// Swing of the speed, in speeds of the pull, that counts as steady.
@@ -113,7 +118,11 @@ const ALIKE: f64 = 1e-9;
 
 /// Slope of peak/load over ln(hold) by least squares.
 pub(super) fn healing(holds: &[HoldPeak], load: f64) -> Option<f64> {
-    let points = || holds.iter().map(|hold| (log(hold.time), hold.peak / load));
+    let points = || {
+        holds
+            .iter()
+            .map(|hold| (log(hold.hold), hold.peak_force / load))
+    };
     let count = holds.len() as f64;
     let mean = |part: fn((f64, f64)) -> f64| points().map(part).sum::<f64>() / count;
     let (x, y) = (mean(|point| point.0), mean(|point| point.1));
@@ -124,46 +133,4 @@ pub(super) fn healing(holds: &[HoldPeak], load: f64) -> Option<f64> {
 
 fn log(x: f64) -> f64 {
     tribos_core::Real::ln(x)
-}
-
-impl SpringSummary {
-    /// The summary without the scene.
-    pub(super) fn json(&self, critical: Option<f64>) -> Map<String, Value> {
-        let mut map = Map::new();
-        map.insert("regime".into(), self.regime.to_string().into());
-        map.insert("ran_away".into(), self.ran_away.into());
-        let some = |value: Option<f64>| value.map_or(Value::Null, json_number);
-        for (name, value) in [
-            ("end_time", self.end_time),
-            ("mean_force", self.mean_force),
-            ("least_force", self.least_force),
-            ("most_force", self.most_force),
-            ("amplitude", 0.5 * (self.most_force - self.least_force)),
-            ("most_speed", self.most_speed),
-        ] {
-            map.insert(name.into(), json_number(value));
-        }
-        map.insert("period".into(), some(self.period));
-        map.insert("slips".into(), self.slips.into());
-        for (name, value) in [
-            ("slip_share", self.slip_share),
-            ("swing_ratio", self.swing_ratio),
-            ("distance", self.distance),
-            ("work", self.work),
-        ] {
-            map.insert(name.into(), json_number(value));
-        }
-        let holds = self.holds.iter().map(|hold| {
-            json!({
-                "hold": json_number(hold.time),
-                "force_before": json_number(hold.before),
-                "peak_force": json_number(hold.peak),
-            })
-        });
-        map.insert("holds".into(), Value::Array(holds.collect()));
-        map.insert("healing".into(), some(self.healing));
-        map.insert("critical_stiffness".into(), some(critical));
-        map.insert("steps".into(), self.steps.into());
-        map
-    }
 }

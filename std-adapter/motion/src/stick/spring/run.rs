@@ -8,8 +8,10 @@ use super::rate_state::RateStateMotion;
 use super::speed::SpeedMotion;
 use super::stability::critical_stiffness;
 use super::tally::RunStatistics;
+use crate::motion_run::{MotionError, MotionRun, MotionScene};
+use crate::stick::StickError;
 use crate::stick::scene::{SpringFriction, SpringScene};
-use crate::stick::{StickError, StickSlipRun, StickSlipScene};
+use tribos_base::results::{Quantity, Summary};
 use tribos_core::law::{LocalLaw, LuGre, RateState, RateStateParameters, StaticAgeing};
 use tribos_friction::Law;
 
@@ -220,9 +222,11 @@ impl<'a> SpringRunState<'a> {
     ) -> Result<(), StickError> {
         let begin = body.moment();
         if piece.speed == 0.0 {
-            let (time, before) = (piece.duration, begin.spring_force);
-            let peak = f64::NEG_INFINITY;
-            self.hold = Some(HoldPeak { time, before, peak });
+            self.hold = Some(HoldPeak {
+                hold: piece.duration,
+                force_before: begin.spring_force,
+                peak_force: f64::NEG_INFINITY,
+            });
         }
         let samples = u64::from(self.scene.samples);
         // Intervals in quarters of a sample, so that every quarter of the piece is one of the ends.
@@ -269,7 +273,7 @@ impl<'a> SpringRunState<'a> {
                 self.quarters[quarter].see(&before, &after, impulse);
             }
             if let (Some(hold), true) = (&mut self.hold, piece.speed != 0.0) {
-                hold.peak = hold.peak.max(after.spring_force);
+                hold.peak_force = hold.peak_force.max(after.spring_force);
             }
             self.steps += 1;
             if body.runs_away() {
@@ -311,6 +315,8 @@ impl<'a> SpringRunState<'a> {
         }
         let swings = [third, fourth].map(|tally| tally.velocity.swing());
         let time = sum(|tally| tally.time);
+        let least_force = worst(f64::min, |tally| tally.force.least);
+        let most_force = worst(f64::max, |tally| tally.force.most);
         SpringRun {
             moments: self.moments,
             outcome: SpringSummary {
@@ -322,8 +328,9 @@ impl<'a> SpringRunState<'a> {
                 ran_away: self.ran_away,
                 end_time: last.time,
                 mean_force: sum(|tally| tally.impulse) / time,
-                least_force: worst(f64::min, |tally| tally.force.least),
-                most_force: worst(f64::max, |tally| tally.force.most),
+                least_force,
+                most_force,
+                amplitude: 0.5 * (most_force - least_force),
                 most_speed: worst(f64::max, |tally| tally.velocity.most),
                 period: both.period(),
                 slips: self.whole.slips,
@@ -333,6 +340,7 @@ impl<'a> SpringRunState<'a> {
                 work: self.work,
                 healing: healing(&self.holds, self.scene.load),
                 holds: self.holds,
+                critical_stiffness: self.scene.critical_stiffness(),
                 steps: self.steps,
             },
         }
@@ -375,8 +383,12 @@ impl SpringSample {
     }
 }
 
-impl StickSlipScene for SpringScene {
-    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<StickSlipRun, StickError> {
+impl MotionScene for SpringScene {
+    fn quantities(&self) -> &'static [Quantity] {
+        SpringSummary::QUANTITIES
+    }
+
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let result = watched(self, watch)?;
         let outcome = &result.outcome;
         let mut told = vec![
@@ -421,14 +433,14 @@ impl StickSlipScene for SpringScene {
                 ),
             ));
         }
-        Ok(StickSlipRun {
+        Ok(MotionRun {
             columns: &SPRING_COLUMNS,
             rows: result
                 .moments
                 .iter()
                 .map(|moment| moment.row().to_vec())
                 .collect(),
-            outcome: outcome.json(self.critical_stiffness()),
+            outcome: outcome.entries(),
             told,
             drawn: (&["spring_force"], "spring force [N]"),
         })

@@ -1,0 +1,112 @@
+//! Bodies that slide, or hold and slip.
+
+use super::kind::RunKind;
+use super::{Commands, NoResult};
+use crate::command::digits::shown;
+use crate::command::explain::{after, slide as text};
+use crate::command::interrupt;
+use crate::command::run::motion;
+use crate::command::run::request::RunRequest;
+use crate::failure::Failure;
+use serde_json::Value;
+use std::path::Path;
+use std::sync::Arc;
+use tribos::motion::MotionScene;
+use tribos::results::{SweptQuantity, swept};
+use tribos::run::folder::Lock;
+use tribos::scene::Scene;
+
+/// A body, as a scene in motion and as one of any body.
+pub struct MotionBody<'a> {
+    pub scene: &'a dyn MotionScene,
+    pub any: &'a Scene,
+}
+
+/// What a sweep draws, with the title of the picture, and the word whose share it tells: column, place, word.
+type Swept = ([&'static str; 2], [&'static str; 3]);
+
+/// The quantities that people are shown, with their units unless the scene has none.
+pub fn shown_quantities(
+    body: &MotionBody<'_>,
+) -> impl Iterator<Item = (&'static str, SweptQuantity)> {
+    let has_units = body.scene.json()["units"] != "dimensionless";
+    let all = swept(body.scene.quantities()).into_iter();
+    all.filter_map(move |quantity| {
+        let unit = if has_units { quantity.unit } else { "-" };
+        Some((quantity.label?, SweptQuantity { unit, ..quantity }))
+    })
+}
+
+impl MotionBody<'_> {
+    fn swept(&self) -> Swept {
+        match self.any {
+            Scene::Disk(_) => (
+                ["Distance to rest", "distance"],
+                ["rest", "/ending", "rest"],
+            ),
+            Scene::Spring(_) => (
+                ["Amplitude of the spring force", "amplitude"],
+                ["stick_slip", "/regime", "stick-slip"],
+            ),
+            Scene::Incline(_) => (
+                ["Angle at which the block lets go", "release_angle"],
+                ["slides", "/ending", "slides"],
+            ),
+            Scene::Turntable(_) => (
+                ["Rate at which the body lets go", "release_rate"],
+                ["leaves", "/ending", "leaves"],
+            ),
+            Scene::Clamp(_) => (
+                ["Heat of a cycle", "loss_per_cycle"],
+                ["lets_go", "/ending", "lets go"],
+            ),
+            _ => (
+                ["Curl, to the left if positive", "curl"],
+                ["rest", "/ending", "rest"],
+            ),
+        }
+    }
+}
+
+impl Commands for MotionBody<'_> {
+    fn is_long(&self) -> bool {
+        false
+    }
+
+    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
+        motion::run(self, order)
+    }
+
+    fn kind(&self) -> RunKind {
+        let (drawn, share) = self.swept();
+        RunKind::of(self.scene.quantities(), drawn, share)
+    }
+
+    fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), NoResult> {
+        let run = self.scene.follow(&mut |_| !interrupt::is_asked())?;
+        let summary = run.json(self.scene);
+        let told = match run.told.first() {
+            Some((head, text)) => format!("{head} {text}"),
+            None => {
+                let first = shown_quantities(self)
+                    .take(2)
+                    .map(|(label, quantity)| format!("{label} {}", quantity.text(&summary, shown)));
+                first.collect::<Vec<_>>().join(", ")
+            }
+        };
+        Ok((summary, told))
+    }
+
+    fn explanation(&self) -> Result<String, Failure> {
+        text::text(self.any, self.scene)
+    }
+
+    fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
+        if out.is_some() {
+            return Err(Failure::input(
+                "--out is for powders, grains, gases and tips; the energy balance of a sliding body needs no run",
+            ));
+        }
+        after::motion(self.any, self.scene)
+    }
+}

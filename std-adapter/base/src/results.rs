@@ -1,0 +1,250 @@
+//! Results as data: a table of quantities for each body, from which its summary, the columns of a sweep
+//! and the documentation are made.
+//!
+//! A summary is a struct whose fields are the entries of `summary.json`;
+//! [`summary!`](crate::summary!) declares both.
+
+use crate::record::json_number;
+use crate::scene::Body;
+use serde_json::{Map, Value};
+
+/// How far a quantity is told beyond its summary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Told {
+    /// Nowhere else.
+    InSummary,
+    /// A sweep has its mean in a column of its name.
+    Swept,
+    /// A sweep has its mean in a column of this name.
+    SweptAs(&'static str),
+    /// The terminal shows it, too, under this label.
+    Shown(&'static str),
+    /// A sweep has its mean in a column of the first name, and the terminal shows it under the second.
+    ShownAs(&'static str, &'static str),
+}
+
+/// An entry of a summary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// Its name in the summary.
+    pub name: &'static str,
+    /// Its unit, `-` for none; that of the scene where a scene has units of its own.
+    pub unit: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+    /// Where it is told.
+    pub told: Told,
+    /// What it consists of; nothing for a single value.
+    pub parts: &'static [Quantity],
+}
+
+/// A quantity that a sweep averages.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SweptQuantity {
+    /// The column of its mean.
+    pub column: &'static str,
+    /// Names on the way to it in the summary.
+    pub path: [Option<&'static str>; 2],
+    /// Label for the terminal; none for a quantity that is not shown there.
+    pub label: Option<&'static str>,
+    /// Its unit.
+    pub unit: &'static str,
+}
+
+impl SweptQuantity {
+    /// The value in a summary.
+    pub fn of<'a>(&self, summary: &'a Value) -> Option<&'a Value> {
+        let mut names = self.path.iter().flatten();
+        names.try_fold(summary, |value, name| value.get(name))
+    }
+
+    /// The value in a summary, with its unit, for people; `shown` rounds numbers.
+    pub fn text(&self, summary: &Value, shown: fn(f64) -> String) -> String {
+        let value = match self.of(summary) {
+            None | Some(Value::Null) => return "none".into(),
+            Some(Value::Number(number)) => shown(number.as_f64().unwrap_or(f64::NAN)),
+            Some(Value::String(word)) => word.clone(),
+            Some(other) => other.to_string(),
+        };
+        match self.unit {
+            "-" => value,
+            unit => format!("{value} {unit}"),
+        }
+    }
+
+    /// A label with the unit.
+    pub fn labelled(&self, label: &str) -> String {
+        match self.unit {
+            "-" => label.to_owned(),
+            unit => format!("{label} [{unit}]"),
+        }
+    }
+}
+
+/// The quantities of a table that a sweep averages, parts after the entries before them.
+pub fn swept(table: &'static [Quantity]) -> Vec<SweptQuantity> {
+    let of = |own: Option<&'static str>, quantity: &Quantity| {
+        let (column, label) = match quantity.told {
+            Told::InSummary => return None,
+            Told::Swept => (quantity.name, None),
+            Told::SweptAs(column) => (column, None),
+            Told::Shown(label) => (quantity.name, Some(label)),
+            Told::ShownAs(column, label) => (column, Some(label)),
+        };
+        let path = match own {
+            Some(own) => [Some(own), Some(quantity.name)],
+            None => [Some(quantity.name), None],
+        };
+        let unit = quantity.unit;
+        Some(SweptQuantity {
+            column,
+            path,
+            label,
+            unit,
+        })
+    };
+    let entries = table.iter().flat_map(|entry| {
+        let parts = entry
+            .parts
+            .iter()
+            .filter_map(|part| of(Some(entry.name), part));
+        of(None, entry).into_iter().chain(parts)
+    });
+    entries.collect()
+}
+
+/// A value of a summary.
+pub trait Recorded {
+    /// What it consists of; nothing for a single value.
+    const PARTS: &'static [Quantity] = &[];
+
+    /// The value as JSON; nothing for parts that a run does not have.
+    fn recorded(&self) -> Option<Value>;
+}
+
+impl Recorded for f64 {
+    fn recorded(&self) -> Option<Value> {
+        Some(json_number(*self))
+    }
+}
+
+macro_rules! plain {
+    ($($value:ty),+) => {$(
+        impl Recorded for $value {
+            fn recorded(&self) -> Option<Value> {
+                Some((*self).into())
+            }
+        }
+    )+};
+}
+plain!(bool, u32, u64, usize, &'static str);
+
+/// A number that a run does not have is null, a part is left out.
+impl<T: Recorded> Recorded for Option<T> {
+    const PARTS: &'static [Quantity] = T::PARTS;
+
+    fn recorded(&self) -> Option<Value> {
+        match self {
+            Some(value) => value.recorded(),
+            None => T::PARTS.is_empty().then_some(Value::Null),
+        }
+    }
+}
+
+impl<T: Recorded, const N: usize> Recorded for [T; N] {
+    fn recorded(&self) -> Option<Value> {
+        Some(self.iter().filter_map(T::recorded).collect())
+    }
+}
+
+/// Entries of a list are not told one by one.
+impl<T: Recorded> Recorded for Vec<T> {
+    fn recorded(&self) -> Option<Value> {
+        Some(self.iter().filter_map(T::recorded).collect())
+    }
+}
+
+/// A summary, whose fields are its entries.
+pub trait Summary {
+    /// The entries, in the order of the fields.
+    const QUANTITIES: &'static [Quantity];
+
+    /// Names with values.
+    fn entries(&self) -> Map<String, Value>;
+}
+
+impl<T: Summary> Recorded for T {
+    const PARTS: &'static [Quantity] = T::QUANTITIES;
+
+    fn recorded(&self) -> Option<Value> {
+        Some(Value::Object(self.entries()))
+    }
+}
+
+/// The file of a summary: its entries, the scene and the version.
+pub fn file(mut entries: Map<String, Value>, scene: &dyn Body) -> Value {
+    entries.insert("scene".into(), scene.json());
+    entries.insert("version".into(), env!("CARGO_PKG_VERSION").into());
+    Value::Object(entries)
+}
+
+/// Declares a summary: each line is an entry with its meaning, type and unit, and where else it is told. The struct and
+/// its [`Summary`] are made from them; `= part` makes the entry of another summary.
+#[macro_export]
+#[doc(hidden)]
+macro_rules! summary {
+    (@told) => { $crate::results::Told::InSummary };
+    (@told $told:expr) => { $told };
+    (@json $name:ident part) => {};
+    (@json $name:ident) => {
+        impl $name {
+            /// The summary as JSON, with its scene.
+            pub fn json(&self, scene: &dyn $crate::scene::Body) -> $crate::serde_json::Value {
+                $crate::results::file($crate::results::Summary::entries(self), scene)
+            }
+        }
+    };
+    (
+        $(#[$about:meta])*
+        pub struct $name:ident $(= $part:ident)?;
+        $(
+            $(#[doc = $doc:literal])+
+            $field:ident: $type:ty, $unit:literal $(, $told:expr)?;
+        )+
+    ) => {
+        $(#[$about])*
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct $name {
+            $(
+                $(#[doc = $doc])+
+                #[doc = concat!("*Unit*: ", $unit, ".")]
+                pub $field: $type,
+            )+
+        }
+
+        $crate::results::summary!(@json $name $($part)?);
+
+        impl $crate::results::Summary for $name {
+            const QUANTITIES: &'static [$crate::results::Quantity] = &[
+                $($crate::results::Quantity {
+                    name: stringify!($field),
+                    unit: $unit,
+                    meaning: concat!($($doc),+).trim_ascii(),
+                    told: $crate::results::summary!(@told $($told)?),
+                    parts: <$type as $crate::results::Recorded>::PARTS,
+                }),+
+            ];
+
+            fn entries(&self) -> $crate::serde_json::Map<String, $crate::serde_json::Value> {
+                let mut map = $crate::serde_json::Map::new();
+                $(
+                    if let Some(value) = $crate::results::Recorded::recorded(&self.$field) {
+                        map.insert(stringify!($field).into(), value);
+                    }
+                )+
+                map
+            }
+        }
+    };
+}
+pub use summary;

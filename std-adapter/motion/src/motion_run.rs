@@ -1,0 +1,136 @@
+//! What the scenes of all bodies in motion have in common: each runs in a moment, to a series and a summary.
+
+use crate::scene::{
+    ClampScene, CurlingScene, CylinderScene, DiskScene, InclineScene, PipeScene, PlateScene,
+    SpringScene, TurntableScene,
+};
+use crate::slide::{self, PATH_COLUMNS, PlanarScene, PlanarSummary, SlideError, SlideSummary};
+use crate::stick::StickError;
+use serde_json::{Map, Value};
+use tribos_base::golden::{Measure, Measurement};
+use tribos_base::results::{Quantity, Summary, file};
+use tribos_base::scene::Body;
+
+/// Series and summary of a run.
+#[derive(Clone, Debug)]
+pub struct MotionRun {
+    /// Names of the columns; the first is the time.
+    pub columns: &'static [&'static str],
+    /// Rows of the series.
+    pub rows: Vec<Vec<f64>>,
+    /// The summary without the scene.
+    pub outcome: Map<String, Value>,
+    /// The outcome in a few lines for a terminal, head and text; none where the quantities say it.
+    pub told: Vec<(&'static str, String)>,
+    /// Columns that a figure draws over the time, with the label of their axis; none for a figure of its own.
+    pub drawn: (&'static [&'static str], &'static str),
+}
+
+impl MotionRun {
+    /// The summary as JSON.
+    pub fn json(&self, scene: &dyn Body) -> Value {
+        file(self.outcome.clone(), scene)
+    }
+}
+
+/// Why a scene of a body in motion has no result.
+#[derive(Debug, thiserror::Error)]
+pub enum MotionError {
+    /// A sliding body.
+    #[error(transparent)]
+    Slide(#[from] SlideError),
+    /// A body that holds and slips.
+    #[error(transparent)]
+    Stick(#[from] StickError),
+}
+
+impl MotionError {
+    /// Whether whoever asked for the run ended it.
+    pub fn is_interruption(&self) -> bool {
+        matches!(
+            self,
+            Self::Slide(SlideError::Interrupted { .. })
+                | Self::Stick(StickError::Interrupted { .. })
+        )
+    }
+}
+
+/// The scene of a body that slides, or holds and slips.
+pub trait MotionScene: Body + Sync {
+    /// The quantities of its summary.
+    fn quantities(&self) -> &'static [Quantity];
+
+    /// Runs the scene to its end. `watch` sees now and then the share of the run that is done, and ends the run by
+    /// answering false.
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError>;
+
+    /// Unknowns, law and method, head and text, of a body that holds.
+    fn carried(&self) -> Vec<(&'static str, String)> {
+        Vec::new()
+    }
+}
+
+impl MotionScene for DiskScene {
+    fn quantities(&self) -> &'static [Quantity] {
+        SlideSummary::QUANTITIES
+    }
+
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
+        let run = slide::run(self, |done| {
+            watch(done);
+        })?;
+        Ok(MotionRun {
+            columns: &slide::COLUMNS,
+            rows: run.series.iter().map(|row| row.to_vec()).collect(),
+            outcome: run.outcome.entries(),
+            told: Vec::new(),
+            drawn: (&[], ""),
+        })
+    }
+}
+
+impl<T: PlanarScene> MotionScene for T {
+    fn quantities(&self) -> &'static [Quantity] {
+        PlanarSummary::QUANTITIES
+    }
+
+    fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
+        let run = slide::follow_path(self, watch)?;
+        Ok(MotionRun {
+            columns: &PATH_COLUMNS,
+            rows: run.series.iter().map(|row| row.to_vec()).collect(),
+            outcome: run.outcome.entries(),
+            told: Vec::new(),
+            drawn: (&[], ""),
+        })
+    }
+}
+
+/// Implements what golden files ask of scenes.
+macro_rules! measured {
+    ($($scene:ty),+) => {$(
+        impl Measure for $scene {
+            type Error = MotionError;
+
+            fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MotionError> {
+                let run = self.follow(&mut |_| {
+                    watch();
+                    true
+                })?;
+                let summary = run.json(self);
+                Ok(Measurement::new(&summary, run.columns, run.rows.into_iter()))
+            }
+        }
+    )+};
+}
+measured!(
+    ClampScene,
+    CurlingScene,
+    CylinderScene,
+    DiskScene,
+    InclineScene,
+    PipeScene,
+    PlateScene,
+    SpringScene,
+    TurntableScene
+);
