@@ -6,6 +6,8 @@ pub mod frontend;
 pub mod gas;
 pub mod grains;
 pub mod held;
+pub mod long;
+pub mod packing;
 pub mod path;
 pub mod powder;
 pub mod request;

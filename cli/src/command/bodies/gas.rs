@@ -1,20 +1,20 @@
 //! Granular gases.
 
+use super::LongBody;
 use super::kind::{RunKind, told};
-use super::no_result::session;
-use super::{Commands, NoResult};
 use crate::command::digits::shown;
-use crate::command::explain::{after, gas as text};
-use crate::command::run::gas;
+use crate::command::explain::{self, after};
+use crate::command::run::files;
+use crate::command::run::gas as results;
 use crate::command::run::request::RunRequest;
-use crate::command::run::resource_check::{MemoryPermission, check};
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
-use std::sync::Arc;
-use tribos::gas::GasSimulation;
-use tribos::run::folder::Lock;
-use tribos::scene::GasScene;
+use tribos::gas::{COLUMNS, GasSimulation, GasSummary, size};
+use tribos::record::{WriteError, write_series};
+use tribos::run::RunSize;
+use tribos::run::folder::OutputFolder;
+use tribos::scene::{GasScene, Key};
 
 /// Gases.
 static KIND: RunKind = RunKind {
@@ -42,38 +42,63 @@ static KIND: RunKind = RunKind {
     ],
 };
 
-impl Commands for &GasScene {
-    fn is_long(&self) -> bool {
-        true
+impl LongBody for GasScene {
+    type Run = GasSimulation;
+    type Summary = GasSummary;
+
+    const KIND: &'static RunKind = &KIND;
+    const KEYS: &'static [Key] = Self::KEYS;
+    const SPHERES: &'static str = "spheres";
+    const FILES: &'static [&'static str] = files::GAS;
+
+    fn size(&self) -> RunSize {
+        size(self)
     }
 
-    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
-        gas::run(self, order)
+    fn state(run: &GasSimulation) -> String {
+        let (collisions, time) = (run.collisions(), run.time());
+        format!("{collisions:9.3} collisions a sphere  time {time:9.3}")
     }
 
-    fn kind(&self) -> &'static RunKind {
-        &KIND
+    fn summary(run: &GasSimulation) -> GasSummary {
+        run.outcome()
     }
 
-    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
-        check(&tribos::gas::size(self), "spheres", MemoryPermission::Usual)
-            .map_err(NoResult::Refused)?;
-        let run: GasSimulation = session(lock).run(*self)?;
-        let outcome = run.outcome();
-        let told = format!(
+    fn json(&self, summary: &GasSummary) -> Value {
+        summary.json(self)
+    }
+
+    fn told(summary: &GasSummary) -> String {
+        format!(
             "temperature {} after {} collisions a sphere, {:.1} s",
-            shown(outcome.temperature),
-            shown(outcome.collisions),
-            outcome.wall_seconds
-        );
-        Ok((outcome.json(self), told))
+            shown(summary.temperature),
+            shown(summary.collisions),
+            summary.wall_seconds
+        )
+    }
+
+    fn write_series(run: &GasSimulation, file: &Path) -> Result<(), WriteError> {
+        write_series(file, &COLUMNS, run.series().iter().map(|row| &row[..]))
+    }
+
+    fn write(
+        &self,
+        (run, _): (&GasSimulation, &GasSummary),
+        folder: &OutputFolder,
+        order: &RunRequest<'_>,
+    ) -> Result<(), Failure> {
+        results::write(run, (folder, order))
+    }
+
+    fn report(summary: &GasSummary) -> String {
+        results::report(summary)
     }
 
     fn explanation(&self) -> Result<String, Failure> {
-        text::text(self)
+        explain::gas::text(self)
     }
 
-    fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
-        out.map_or(Ok(String::new()), |out| after::gas(self, out))
+    fn account(&self, summary: &Value, _: &str) -> String {
+        after::gas(summary)
     }
 }

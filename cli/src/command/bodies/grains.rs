@@ -1,20 +1,20 @@
 //! Grains in a box.
 
+use super::LongBody;
 use super::kind::{RunKind, told};
-use super::no_result::session;
-use super::{Commands, NoResult};
 use crate::command::digits::shown;
-use crate::command::explain::{after, grains as text};
-use crate::command::run::grains;
+use crate::command::explain::{self, after};
+use crate::command::run::files;
+use crate::command::run::grains as results;
 use crate::command::run::request::RunRequest;
-use crate::command::run::resource_check::{MemoryPermission, check};
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
-use std::sync::Arc;
-use tribos::grains::GrainsSimulation;
-use tribos::run::folder::Lock;
-use tribos::scene::GrainsScene;
+use tribos::grains::{COLUMNS, GrainsSimulation, GrainsSummary, size};
+use tribos::record::{WriteError, write_series};
+use tribos::run::RunSize;
+use tribos::run::folder::OutputFolder;
+use tribos::scene::{ContactMethod, GrainsScene, Key};
 
 /// Grains.
 static KIND: RunKind = RunKind {
@@ -48,42 +48,71 @@ static KIND: RunKind = RunKind {
     ],
 };
 
-impl Commands for &GrainsScene {
-    fn is_long(&self) -> bool {
-        true
+impl LongBody for GrainsScene {
+    type Run = GrainsSimulation;
+    type Summary = GrainsSummary;
+
+    const KIND: &'static RunKind = &KIND;
+    const KEYS: &'static [Key] = Self::KEYS;
+    const SPHERES: &'static str = "grains";
+    const FILES: &'static [&'static str] = files::POWDER;
+
+    fn size(&self) -> RunSize {
+        size(self)
     }
 
-    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
-        grains::run(self, order)
+    fn refuse(&self) -> Result<(), Failure> {
+        Ok(GrainsSimulation::check(self)?)
     }
 
-    fn kind(&self) -> &'static RunKind {
-        &KIND
+    fn sweeps(&self, run: &GrainsSimulation) -> Option<usize> {
+        let sweeps = run.last_step().iterations.sweeps;
+        (self.method == ContactMethod::ContactDynamics).then_some(sweeps)
     }
 
-    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
-        check(
-            &tribos::grains::size(self),
-            "grains",
-            MemoryPermission::Usual,
-        )
-        .map_err(NoResult::Refused)?;
-        let run: GrainsSimulation = session(lock).run(*self)?;
-        let outcome = run.outcome();
-        let told = format!(
+    fn state(run: &GrainsSimulation) -> String {
+        format!("step {:7}  time {:9.4}", run.steps(), run.time())
+    }
+
+    fn summary(run: &GrainsSimulation) -> GrainsSummary {
+        run.outcome()
+    }
+
+    fn json(&self, summary: &GrainsSummary) -> Value {
+        summary.json(self)
+    }
+
+    fn told(summary: &GrainsSummary) -> String {
+        format!(
             "solid fraction {} after {} steps, {:.1} s",
-            shown(outcome.column("solid_fraction").unwrap_or(f64::NAN)),
-            outcome.steps,
-            outcome.wall_seconds
-        );
-        Ok((outcome.json(self), told))
+            shown(summary.column("solid_fraction").unwrap_or(f64::NAN)),
+            summary.steps,
+            summary.wall_seconds
+        )
+    }
+
+    fn write_series(run: &GrainsSimulation, file: &Path) -> Result<(), WriteError> {
+        write_series(file, &COLUMNS, run.series().iter().map(|row| &row[..]))
+    }
+
+    fn write(
+        &self,
+        (run, _): (&GrainsSimulation, &GrainsSummary),
+        folder: &OutputFolder,
+        order: &RunRequest<'_>,
+    ) -> Result<(), Failure> {
+        results::write(self, run, (folder, order))
+    }
+
+    fn report(summary: &GrainsSummary) -> String {
+        results::report(summary)
     }
 
     fn explanation(&self) -> Result<String, Failure> {
-        text::text(self)
+        explain::grains::text(self)
     }
 
-    fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
-        out.map_or(Ok(String::new()), |out| after::grains(self, out))
+    fn account(&self, summary: &Value, command: &str) -> String {
+        after::packing(summary, &self.material(), command)
     }
 }

@@ -6,6 +6,7 @@ mod disk;
 mod gas;
 mod grains;
 mod kind;
+mod long;
 mod no_result;
 mod planar;
 mod powder;
@@ -13,6 +14,7 @@ mod stick_slip;
 mod tip;
 
 pub use kind::RunKind;
+pub use long::LongBody;
 pub use no_result::NoResult;
 
 use super::explain::slide;

@@ -1,20 +1,23 @@
 //! Powders under a piston.
 
+use super::LongBody;
 use super::kind::{RunKind, told};
-use super::no_result::session;
-use super::{Commands, NoResult};
 use crate::command::digits::shown;
-use crate::command::explain::{after, powder as text};
-use crate::command::run::powder;
+use crate::command::explain::{self, after};
+use crate::command::run::files;
+use crate::command::run::powder as results;
 use crate::command::run::request::RunRequest;
-use crate::command::run::resource_check::{MemoryPermission, check};
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
-use std::sync::Arc;
-use tribos::powder::PowderSimulation;
-use tribos::run::folder::Lock;
-use tribos::scene::PowderScene;
+use tribos::powder::{COLUMNS, PowderSimulation, PowderSummary, size};
+use tribos::record::{WriteError, write_series};
+use tribos::run::RunSize;
+use tribos::run::folder::OutputFolder;
+use tribos::scene::{ContactMethod, Key, PowderScene};
+
+/// A packing is seldom blocked within fewer steps.
+const FEW: u64 = 5_000;
 
 /// Powders.
 static KIND: RunKind = RunKind {
@@ -47,42 +50,87 @@ static KIND: RunKind = RunKind {
     ],
 };
 
-impl Commands for &PowderScene {
-    fn is_long(&self) -> bool {
-        true
+impl LongBody for PowderScene {
+    type Run = PowderSimulation;
+    type Summary = PowderSummary;
+
+    const KIND: &'static RunKind = &KIND;
+    const KEYS: &'static [Key] = Self::KEYS;
+    const SPHERES: &'static str = "spheres";
+    const FILES: &'static [&'static str] = files::POWDER;
+
+    fn size(&self) -> RunSize {
+        size(self)
     }
 
-    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
-        powder::run(self, order)
+    fn refuse(&self) -> Result<(), Failure> {
+        Ok(PowderSimulation::check(self)?)
     }
 
-    fn kind(&self) -> &'static RunKind {
-        &KIND
+    fn growth(placed: usize, expected: f64) -> Option<String> {
+        Some(format!(
+            "deposit: {placed} spheres have fallen, about {expected:.0} will be below the cut"
+        ))
     }
 
-    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
-        check(
-            &tribos::powder::size(self),
-            "spheres",
-            MemoryPermission::Usual,
+    fn sweeps(&self, run: &PowderSimulation) -> Option<usize> {
+        let sweeps = run.last_step().iterations.sweeps;
+        (self.method == ContactMethod::ContactDynamics).then_some(sweeps)
+    }
+
+    fn state(run: &PowderSimulation) -> String {
+        format!(
+            "step {:6}  height {:8.4}  porosity {:7.3} %",
+            run.steps(),
+            run.height(),
+            100.0 * run.porosity()
         )
-        .map_err(NoResult::Refused)?;
-        let run: PowderSimulation = session(lock).run(*self)?;
-        let outcome = run.outcome();
-        let told = format!(
+    }
+
+    /// Where a time is given, or so few steps that they may end it before the packing is blocked.
+    fn is_end_known(&self) -> bool {
+        self.duration.is_some() || self.max_steps <= FEW
+    }
+
+    fn summary(run: &PowderSimulation) -> PowderSummary {
+        run.outcome()
+    }
+
+    fn json(&self, summary: &PowderSummary) -> Value {
+        summary.json(self)
+    }
+
+    fn told(summary: &PowderSummary) -> String {
+        format!(
             "porosity {} % after {} steps, {:.1} s",
-            shown(100.0 * outcome.porosity[1]),
-            outcome.steps,
-            outcome.wall_seconds
-        );
-        Ok((outcome.json(self), told))
+            shown(100.0 * summary.porosity[1]),
+            summary.steps,
+            summary.wall_seconds
+        )
+    }
+
+    fn write_series(run: &PowderSimulation, file: &Path) -> Result<(), WriteError> {
+        write_series(file, &COLUMNS, run.series().iter().map(|row| &row[..]))
+    }
+
+    fn write(
+        &self,
+        (run, summary): (&PowderSimulation, &PowderSummary),
+        folder: &OutputFolder,
+        order: &RunRequest<'_>,
+    ) -> Result<(), Failure> {
+        results::write(self, run, (folder, order), summary)
+    }
+
+    fn report(summary: &PowderSummary) -> String {
+        results::report(summary)
     }
 
     fn explanation(&self) -> Result<String, Failure> {
-        text::text(self)
+        explain::powder::text(self)
     }
 
-    fn account(&self, out: Option<&Path>, command: &str) -> Result<String, Failure> {
-        out.map_or(Ok(String::new()), |out| after::powder(self, out, command))
+    fn account(&self, summary: &Value, command: &str) -> String {
+        after::packing(summary, &self.material(), command)
     }
 }

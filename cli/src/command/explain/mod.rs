@@ -4,6 +4,7 @@ pub mod after;
 pub mod gas;
 pub mod grains;
 pub mod held;
+pub mod packing;
 pub mod patience;
 pub mod powder;
 pub mod slide;

@@ -1,59 +1,71 @@
-//! Grains in a box.
+//! What a run of grains leaves behind.
 
-mod output;
-
-use super::frontend::Frontend;
+use super::packing::{budget, states};
 use super::request::RunRequest;
-use super::{files, resource_check};
+use crate::command::digits::shown;
 use crate::failure::Failure;
-use output::{report, write};
-use tribos::grains::{self, GrainsError, GrainsSimulation};
-use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
-use tribos::scene::{ContactMethod, GrainsScene};
+use tribos::grains::{GrainsSimulation, GrainsStopReason, GrainsSummary};
+use tribos::powder::STATE;
+use tribos::run::folder::OutputFolder;
+use tribos::scene::GrainsScene;
+use tribos_report::runs::grains as picture;
 
-/// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
-pub fn run(scene: &GrainsScene, order: &RunRequest<'_>) -> Result<(), Failure> {
-    resource_check::check(&grains::size(scene), "grains", order.allowed)?;
-    // All refusals come before the folder is touched.
-    GrainsSimulation::check(scene)?;
-    let Some((folder, start)) = order.long(scene.json(), files::GRAINS)? else {
-        return Ok(());
-    };
-    let run = simulate(scene, order.session(start, &folder), order.caller)
-        .map_err(|error| order.failure(error))?;
-    folder.remove(files::is_made_from_frames)?;
-    let outcome = run.outcome();
-    write(scene, &run, &outcome, &folder, order)?;
+/// Writes the states at both ends and the pictures.
+pub fn write(
+    scene: &GrainsScene,
+    run: &GrainsSimulation,
+    (folder, order): (&OutputFolder, &RunRequest<'_>),
+) -> Result<(), Failure> {
+    let start = GrainsSimulation::new(scene)?;
+    start.with_snapshot(|first| run.with_snapshot(|last| states(first, last, (folder, order))))?;
+    folder.write(STATE, run.state().as_bytes())?;
+
+    order.interrupted()?;
     folder.check()?;
-    forget_checkpoint(order.out)?;
-    report(&outcome, order)
+    order.draw("packing", || {
+        picture::packing(&start, run).map_err(Failure::run)
+    })?;
+    folder.check()?;
+    order.draw("series", || Ok(picture::series(run)))
 }
 
-/// Runs the scene to its end and says how far it is.
-fn simulate(
-    scene: &GrainsScene,
-    session: Session<'_, GrainsSimulation>,
-    caller: Frontend<'_>,
-) -> Result<GrainsSimulation, RunError<GrainsError>> {
-    let size = grains::size(scene);
-    caller.tell(format_args!(
-        "{}",
-        resource_check::describe_size(&size, "grains")
-    ));
-    let mut meter = caller.meter();
-    session
-        .on_progress(|run: &GrainsSimulation| {
-            if meter.is_due(run.progress()) {
-                let words = format!("step {:7}  time {:9.4}", run.steps(), run.time());
-                let words = match scene.method {
-                    ContactMethod::ContactDynamics => {
-                        let sweeps = run.last_step().iterations.sweeps;
-                        format!("{words}  {sweeps:4} sweeps")
-                    }
-                    ContactMethod::Soft => words,
-                };
-                meter.tell(run.progress(), format_args!("{words}"));
-            }
-        })
-        .run(scene)
+/// A few lines for the person at the terminal.
+pub fn report(outcome: &GrainsSummary) -> String {
+    let ending = match outcome.ending {
+        Some(GrainsStopReason::Rest) => "at rest",
+        Some(GrainsStopReason::Time) => "duration over",
+        _ => "steps done",
+    };
+    let column = |name: &str| shown(outcome.column(name).unwrap_or(f64::NAN));
+    let mut text = format!(
+        "ending        {ending}: time {} s, {} steps, {} sweeps; it took {:.1} s\n\
+         grains        {}, {} kg, {} contacts, {:.2} a grain\n\
+         height        {} m, solid fraction {}\n\
+         forces        floor {} N, plate {} N, side x {} N\n\
+         stresses      zz {} Pa, shear at the plate {} Pa\n",
+        shown(outcome.time),
+        outcome.steps,
+        outcome.iterations,
+        outcome.wall_seconds,
+        outcome.grains,
+        shown(outcome.mass),
+        outcome.statistics.contacts,
+        outcome.statistics.mean_coordination(),
+        column("height"),
+        column("solid_fraction"),
+        column("floor_force"),
+        column("plate_force"),
+        column("side_force_x"),
+        column("stress_zz"),
+        column("shear_stress"),
+    );
+    if outcome.unmet > 0 {
+        text += &format!(
+            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate, overlaps \
+             reach {} m\n",
+            outcome.unmet,
+            shown(outcome.statistics.max_overlap)
+        );
+    }
+    text + &budget(&outcome.energy, &outcome.dissipation(), " J")
 }

@@ -1,91 +1,101 @@
-//! Powders under a piston.
+//! What a compaction leaves behind.
 
-mod output;
-
-use super::frontend::Frontend;
+use super::packing::{budget, states};
 use super::request::RunRequest;
-use super::{files, resource_check};
-use crate::command::progress::Meter;
+use crate::command::digits::shown;
 use crate::failure::Failure;
-pub use output::states;
-use output::{report, write};
-use tribos::powder::{self, CompactionError, PowderSimulation};
-use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
-use tribos::scene::{ContactMethod, PowderScene};
+use tribos::powder::{PowderSimulation, PowderStopReason, PowderSummary, STATE};
+use tribos::record::Snapshot;
+use tribos::run::folder::OutputFolder;
+use tribos::scene::PowderScene;
+use tribos_report::runs::powder as picture;
 
-/// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
-pub fn run(scene: &PowderScene, order: &RunRequest<'_>) -> Result<(), Failure> {
-    let size = tribos::powder::size(scene);
-    resource_check::check(&size, "spheres", order.allowed)?;
-    // All refusals come before the folder is touched.
-    PowderSimulation::check(scene)?;
-    let Some((folder, start)) = order.long(scene.json(), files::POWDER)? else {
-        return Ok(());
-    };
-    // After its end an interruption costs no more than the results.
-    let compaction = simulate(scene, order.session(start, &folder), order.caller)
-        .map_err(|error| order.failure(error))?;
-    folder.remove(files::is_made_from_frames)?;
-    let outcome = compaction.outcome();
-    write(scene, &compaction, &outcome, &folder, order)?;
-    folder.check()?;
-    forget_checkpoint(order.out)?;
-    report(&outcome, order)
-}
-
-/// Runs the scene to its end and says how far it is.
-fn simulate(
+/// Writes the states at both ends and the pictures.
+pub fn write(
     scene: &PowderScene,
-    session: Session<'_, PowderSimulation>,
-    caller: Frontend<'_>,
-) -> Result<PowderSimulation, RunError<CompactionError>> {
-    let size = powder::size(scene);
-    caller.tell(format_args!(
-        "{}",
-        resource_check::describe_size(&size, "spheres")
-    ));
-    let (mut growth, mut meter) = (caller.meter(), caller.meter());
-    // Sweeps since the last line, and the step that it told.
-    let (mut sweeps, mut since) = (0, None);
-    session
-        .on_growth(|spheres| {
-            if growth.is_due(0.0) {
-                growth.report_elapsed(format_args!(
-                    "deposit: {spheres} spheres have fallen, about {:.0} will be below the cut",
-                    size.bodies
-                ));
-            }
-        })
-        .on_progress(|run: &PowderSimulation| {
-            sweeps += run.last_step().iterations.sweeps;
-            let from = *since.get_or_insert(run.steps());
-            if meter.is_due(run.progress()) {
-                let each = sweeps as f64 / (run.steps() - from).max(1) as f64;
-                tell(&mut meter, scene, run, each);
-                (sweeps, since) = (0, Some(run.steps()));
-            }
-        })
-        .run(scene)
+    compaction: &PowderSimulation,
+    (folder, order): (&OutputFolder, &RunRequest<'_>),
+    outcome: &PowderSummary,
+) -> Result<(), Failure> {
+    let deposit = compaction.deposit();
+    compaction.with_snapshot(|last| {
+        // Spheres are of the same materials all the time.
+        let first = Snapshot {
+            materials: last.materials,
+            densities: last.densities,
+            ..deposit.snapshot(compaction.first_contacts())
+        };
+        states(&first, last, (folder, order))
+    })?;
+    folder.write(STATE, compaction.state().as_bytes())?;
+
+    order.interrupted()?;
+    folder.check()?;
+    order.draw("packing", || {
+        let states = picture::State::both(compaction);
+        picture::packing(scene, &states, outcome).map_err(Failure::run)
+    })?;
+    folder.check()?;
+    order.draw("series", || Ok(picture::series(compaction, outcome)))
 }
 
-/// How far a compaction is: its end is known where a time is given, or so few steps that they may
-/// end it before the packing is blocked.
-fn tell(meter: &mut Meter<'_>, scene: &PowderScene, compaction: &PowderSimulation, sweeps: f64) {
-    /// A packing is seldom blocked within fewer steps.
-    const FEW: u64 = 5_000;
-    let words = format!(
-        "step {:6}  height {:8.4}  porosity {:7.3} %",
-        compaction.steps(),
-        compaction.height(),
-        100.0 * compaction.porosity()
-    );
-    let words = match scene.method {
-        ContactMethod::ContactDynamics => format!("{words}  {sweeps:6.1} sweeps a step"),
-        ContactMethod::Soft => words,
+/// A few lines for the person at the terminal.
+pub fn report(outcome: &PowderSummary) -> String {
+    let ending = match outcome.ending {
+        Some(PowderStopReason::Blocked) => "blocked",
+        Some(PowderStopReason::Time) => "duration over before the packing was blocked",
+        _ => "steps done before the packing was blocked",
     };
-    if scene.duration.is_some() || scene.max_steps <= FEW {
-        meter.tell(compaction.progress(), format_args!("{words}"));
-    } else {
-        meter.report_elapsed(format_args!("{words}"));
+    let [before, after] = outcome.porosity.map(|porosity| shown(100.0 * porosity));
+    let [total, plus, minus] = outcome.stress_zz();
+    let sign = if minus < 0.0 { '-' } else { '+' };
+    let [total, plus, minus] = [total, plus, minus.abs()].map(shown);
+    let text = format!(
+        "ending        {ending}: {} steps, {} sweeps, {:.1} s\n\
+         particles     {}, {} contacts, {:.2} a sphere\n\
+         porosity      {after} % from {before} %\n\
+         stress_zz     {total} = {plus} {sign} {minus} of the pressure\n\
+         residual      {:.1e}, overlap {:.1e} R\n",
+        outcome.steps,
+        outcome.iterations,
+        outcome.wall_seconds,
+        outcome.particles,
+        outcome.statistics.contacts,
+        outcome.statistics.mean_coordination(),
+        outcome.residual,
+        outcome.statistics.max_overlap,
+    );
+    text + &unmet(outcome) + &budget(&outcome.energy, &outcome.dissipation(), "")
+}
+
+/// Steps that did not end as they should, and what that means.
+fn unmet(outcome: &PowderSummary) -> String {
+    let mut text = String::new();
+    if outcome.impacts_cut > 0 {
+        text += &format!(
+            "impacts       cut in {} steps after 100 rounds: the rest was stopped without rebound, \
+             its energy is in normal\n",
+            outcome.impacts_cut
+        );
     }
+    if outcome.impacts_unmet > 0 {
+        text += &format!(
+            "impacts       unmet in {} steps: a reflection, or friction under it, missed its tolerance after \
+             1000 sweeps; its impulses are approximate\n",
+            outcome.impacts_unmet
+        );
+    }
+    if outcome.handed_over > 0 {
+        text += &format!(
+            "handed over   {} steps, in which sweeps missed the tolerance, to an interior point method\n",
+            outcome.handed_over
+        );
+    }
+    if outcome.solver_unmet > 0 {
+        text += &format!(
+            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate\n",
+            outcome.solver_unmet
+        );
+    }
+    text
 }

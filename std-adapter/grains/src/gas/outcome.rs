@@ -1,6 +1,7 @@
 //! What a gas leaves: columns of the series, why it ended, and the summary.
 
 use crate::gas::scene::GasScene;
+use crate::packing::PackingStopReason;
 use serde_json::{Map, Value};
 use tribos_base::record::json_number;
 
@@ -37,49 +38,6 @@ pub(super) const VARIANCE: usize = 11;
 /// A row of the series.
 pub(super) type Row = [f64; COLUMNS.len()];
 
-/// Why a run ended.
-///
-/// ```
-/// use tribos::gas::{GasStopReason, GasSimulation};
-/// use tribos::run::run_to_end;
-/// # use tribos::scene::GasScene;
-/// // Dense and dissipative: infinitely many collisions in a finite time.
-/// let scene = GasScene { count: 500, packing_fraction: 0.5, restitution: 0.2, collisions: 1e3, ..GasScene::default() };
-/// let mut gas = GasSimulation::new(&scene)?;
-/// run_to_end(&mut gas, |_, _| ())?;
-/// assert_eq!(gas.ending(), Some(GasStopReason::Collapse));
-/// # Ok::<(), tribos::gas::GasError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GasStopReason {
-    /// The scene's number of collisions was reached.
-    Collisions,
-    /// The scene's duration elapsed.
-    Time,
-    /// Inelastic collapse: time stands still while collisions go on.
-    Collapse,
-    /// No sphere will meet another one.
-    Rest,
-}
-
-impl GasStopReason {
-    const ALL: [Self; 4] = [Self::Collisions, Self::Time, Self::Collapse, Self::Rest];
-
-    /// Name in summaries and checkpoints.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Collisions => "collisions",
-            Self::Time => "time",
-            Self::Collapse => "collapse",
-            Self::Rest => "rest",
-        }
-    }
-
-    pub(super) fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|ending| ending.name() == name)
-    }
-}
-
 /// Results of a gas, in the units of its scene.
 ///
 /// ```
@@ -97,7 +55,7 @@ impl GasStopReason {
 #[derive(Clone, Debug, PartialEq)]
 pub struct GasSummary {
     /// Why the run ended; `None` if it has not.
-    pub ending: Option<GasStopReason>,
+    pub ending: Option<PackingStopReason>,
     /// Time at the end.
     pub time: f64,
     /// Number of steps taken.
@@ -138,7 +96,10 @@ impl GasSummary {
     /// The summary as JSON.
     pub fn json(&self, scene: &GasScene) -> Value {
         let mut map = Map::new();
-        map.insert("ending".into(), self.ending.map(GasStopReason::name).into());
+        map.insert(
+            "ending".into(),
+            self.ending.map(PackingStopReason::name).into(),
+        );
         for (name, number) in [
             ("temperature", self.temperature),
             ("temperature_rotational", self.temperature_rotational),

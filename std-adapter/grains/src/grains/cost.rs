@@ -1,62 +1,23 @@
 //! Forecast of the cost of a run: contacts, unknowns, time.
 
 use super::error::GrainsError;
-use super::from_scene::{self, volume};
-use super::initial_grains::start;
-use super::layout::Layout;
-use super::loads::Loads;
+use super::from_scene::volume;
+use super::grains_body::GrainsBody;
 use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
-use crate::packing::Assembly;
-use crate::packing::method::{ContactMethod, FrictionCoupling};
-use crate::packing::{self, Method, Packing};
+use crate::packing::method::FrictionCoupling;
+use crate::packing::{
+    self, Assembly, BYTES_A_SPHERE, EDGE, Method, Packing, PackingBody, PackingCost, SOFT_SECONDS,
+    SWEEPS, USUAL, packing_of,
+};
 use std::ops::ControlFlow;
 use tribos_base::run::RunSize;
-use tribos_core::contact::SphereBody;
-
-/// Cost of a scene. *Units*: times in s on one core of this machine.
-///
-/// ```
-/// use tribos::grains::cost;
-/// // Beads that slide with friction: a normal and two tangential unknowns.
-/// let cost = cost(&tribos::scene::GrainsScene::default())?;
-/// assert_eq!((cost.grains, cost.unknowns), (100, 3));
-/// assert!(cost.update_seconds > 0.0);
-/// # Ok::<(), tribos::grains::GrainsError>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct GrainsCost {
-    /// Number of grains.
-    pub grains: usize,
-    /// Lower and upper estimate of the number of contacts in a dense packing.
-    pub contacts: [usize; 2],
-    /// Unknowns per contact.
-    pub unknowns: usize,
-    /// Bytes per contact in the solver.
-    pub bytes: usize,
-    /// Longest time step.
-    pub longest_step: f64,
-    /// Number of steps of this length in the duration; fast grains take shorter ones.
-    pub steps: f64,
-    /// Time of one contact update.
-    pub update_seconds: f64,
-    /// Time of an update with sliding friction only.
-    pub sliding_seconds: f64,
-}
 
 /// Contacts per grain of a dense packing: isostatic with friction and without.
 const CONTACTS: [f64; 2] = [2.0, 3.0];
-/// Memory of a run per grain, in bytes, that of powders.
-const BYTES_A_GRAIN: f64 = 5e3;
 /// Time of a step per grain, with some hundred sweeps, as dense beds need them.
 const SECONDS_A_STEP: f64 = 100e-6;
-/// Time of a stable step of soft contacts per grain, that of powders.
-const SOFT_SECONDS: f64 = 0.25e-6;
 /// Grains whose weight a usual contact bears.
 const LAYERS: f64 = 10.0;
-/// Grains along an edge of the block whose updates are timed, and sweeps of its step.
-const EDGE: usize = 6;
-const SWEEPS: usize = 50;
-
 /// Rough cost of a run of the scene: the order of magnitude.
 ///
 /// ```
@@ -74,7 +35,7 @@ pub fn size(scene: &GrainsScene) -> RunSize {
     };
     RunSize {
         bodies,
-        bytes: bodies * BYTES_A_GRAIN,
+        bytes: bodies * BYTES_A_SPHERE,
         seconds: bodies * steps * step,
     }
 }
@@ -111,11 +72,16 @@ fn count(scene: &GrainsScene) -> usize {
 }
 
 /// Counts unknowns, and times updates in a small block of grains under load.
-pub fn cost(scene: &GrainsScene) -> Result<GrainsCost, GrainsError> {
+///
+/// ```
+/// use tribos::grains::cost;
+/// // Beads that slide with friction: a normal and two tangential unknowns.
+/// let cost = cost(&tribos::scene::GrainsScene::default())?;
+/// assert_eq!((cost.spheres, cost.unknowns), (100, 3));
+/// # Ok::<(), tribos::grains::GrainsError>(())
+/// ```
+pub fn cost(scene: &GrainsScene) -> Result<PackingCost, GrainsError> {
     scene.check()?;
-    /// A dry friction coefficient.
-    const USUAL: f64 = 0.3;
-    let modes = scene.material().carried().modes;
     let mu = scene.mu;
     let plain = GrainsScene {
         mu: if mu > 0.0 { mu } else { USUAL },
@@ -124,23 +90,15 @@ pub fn cost(scene: &GrainsScene) -> Result<GrainsCost, GrainsError> {
         coupling: FrictionCoupling::Independent,
         ..scene.clone()
     };
-    let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
-    let longest_step = scene.longest_step();
+    let seconds = packing::update_seconds([scene, &plain], block)?;
     let spread = scene.radius_spread > 0.0 || scene.size_distribution.is_some();
     let unequal = spread || scene.second_fraction > 0.0 || scene.initial_state.is_some();
-    Ok(GrainsCost {
-        grains: count(scene),
-        contacts: CONTACTS.map(|share| (share * count(scene) as f64).round() as usize),
-        unknowns: modes.unknowns(),
-        bytes: match scene.method {
-            ContactMethod::ContactDynamics => modes.bytes()[usize::from(unequal)],
-            ContactMethod::Soft => modes.soft_bytes(),
-        },
-        longest_step,
-        steps: scene.duration / longest_step,
-        update_seconds,
-        sliding_seconds,
-    })
+    Ok(PackingCost::of(
+        &scene.contact_keys(),
+        (count(scene), unequal),
+        |_| CONTACTS,
+        seconds,
+    ))
 }
 
 /// A cubic lattice of grains that just touch, under gravity along a diagonal.
@@ -168,10 +126,8 @@ fn block(scene: &GrainsScene) -> Result<Box<dyn Packing>, GrainsError> {
         max_time_step: stable_step(scene).or(scene.max_time_step),
         ..without_drives(scene)
     };
-    let grains = start(&block, |_| ControlFlow::Continue(()))?;
-    let layout = Layout::of(&block, &grains)?;
-    let loads = Loads::of(&block, &layout);
-    from_scene::packing(&block, (&layout, &loads), grains, None)
+    let (body, grains) = GrainsBody::place(&block, &mut |_| ControlFlow::Continue(()))?;
+    Ok(packing_of(&body, &grains, None)?)
 }
 
 /// The scene without moving walls.
@@ -186,13 +142,5 @@ fn without_drives(scene: &GrainsScene) -> GrainsScene {
         lid_speed_x: 0.0.into(),
         shake_amplitude: 0.0,
         ..scene.clone()
-    }
-}
-
-impl GrainsCost {
-    /// Memory of the grains and of the most contacts in the solver, in bytes, without neighbour lists.
-    pub fn memory(&self) -> usize {
-        let grain = 4 * size_of::<f64>() + 3 * size_of::<SphereBody<f64>>();
-        self.grains * grain + self.contacts[1] * self.bytes
     }
 }
