@@ -3,13 +3,10 @@
 pub mod disk;
 pub mod files;
 pub mod frontend;
-pub mod gas;
-pub mod grains;
 pub mod held;
 pub mod long;
 pub mod packing;
 pub mod path;
-pub mod powder;
 pub mod request;
 pub mod resource_check;
 pub mod tip;

@@ -1,6 +1,6 @@
 //! Pictures of grains in a box: the packing at both ends, and series over time.
 
-use super::packing::{Ends, State, over_time};
+use super::packing::{State, both, over_time};
 use crate::drawing_grid::DrawingGrid;
 use crate::figure::Panels;
 use crate::packing::PackingError;
@@ -15,16 +15,17 @@ pub fn packing(
     let extents = [before, after].map(|grains| grains.with_snapshot(|state| state.extents));
     let [x, y, _] = extents[0].map(|[low, high]| high - low);
     let [low, high] = extents.map(|[_, _, [_, top]]| top);
-    let ends = Ends {
-        name: format!("{} grains", first.positions.len()),
-        titles: ["Initial", "Final"].map(String::from),
-        states: [&first, &last],
-        sides: [x, y],
-        pistons: [None; 2],
-        top: low.max(high),
-        words: ["initial height [m]", ""],
-    };
-    ends.draw()
+    let name = format!("{} grains", first.positions.len());
+    let ends = [
+        (&first, "Initial".into(), None),
+        (&last, "Final".into(), None),
+    ];
+    both(
+        [&name, "initial height [m]", ""],
+        &ends,
+        [x, y],
+        low.max(high),
+    )
 }
 
 /// Solid fraction, forces, stresses and energies over time.

@@ -41,45 +41,32 @@ impl State {
     }
 }
 
-/// Both ends of a run, to be drawn side by side.
-#[derive(Debug)]
-pub(super) struct Ends<'a> {
-    pub name: String,
-    pub titles: [String; 2],
-    pub states: [&'a State; 2],
-    /// Sides of the cell along x and y.
-    pub sides: [f64; 2],
-    /// Height of the piston at both ends, where there is one.
-    pub pistons: [Option<f64>; 2],
-    /// Height of the pictures.
-    pub top: f64,
-    /// Axis of the colours, and unit of the forces.
-    pub words: [&'a str; 2],
-}
-
-impl Ends<'_> {
-    /// Initial and final spheres in one scale, and the final forces.
-    pub fn draw(self) -> Result<DrawingGrid, PackingError> {
-        let [before, after] = self.states;
-        let [first, last] = self.pistons;
-        let initial = before.packing(self.sides, first)?;
-        let end = after.packing(self.sides, last)?;
-        // Both are coloured by height at the start, which shows how layers sink and mix.
-        let layers: Vec<f64> = before.positions.iter().map(|[_, _, z]| *z).collect();
-        let [axis, unit] = self.words;
-        let picture = |title: String, packing: &Packing<'_>| {
-            let picture = PackingPicture::spheres(title, packing).headroom(self.top);
-            picture.color_by(Axis::linear(axis), &layers)
-        };
-        let forces = PackingPicture::forces("Final forces", &end, &after.contacts)?
-            .full_force(after.largest_force(), unit)
-            .headroom(self.top);
-        let [initial_title, end_title] = self.titles;
-        Ok(DrawingGrid::new(self.name, 3)
-            .drawing(picture(initial_title, &initial)?)
-            .drawing(picture(end_title, &end)?)
-            .drawing(forces))
+/// Initial and final spheres in one scale, and the final forces: the name of the drawing, the axis of the colours and
+/// the unit of the forces; each end with its title and the height of its piston, if it has one; the sides of the cell
+/// along x and y; the height of the pictures.
+pub(super) fn both(
+    [name, axis, unit]: [&str; 3],
+    ends: &[(&State, String, Option<f64>); 2],
+    sides: [f64; 2],
+    top: f64,
+) -> Result<DrawingGrid, PackingError> {
+    let [(before, ..), (after, _, piston)] = ends;
+    // Both are coloured by height at the start, which shows how layers sink and mix.
+    let layers: Vec<f64> = before.positions.iter().map(|[_, _, z]| *z).collect();
+    let mut grid = DrawingGrid::new(name, 3);
+    for (state, title, piston) in ends {
+        let picture = PackingPicture::spheres(title, &state.packing(sides, *piston)?);
+        grid = grid.drawing(
+            picture
+                .headroom(top)
+                .color_by(Axis::linear(axis), &layers)?,
+        );
     }
+    let end = after.packing(sides, *piston)?;
+    let forces = PackingPicture::forces("Final forces", &end, &after.contacts)?
+        .full_force(after.largest_force(), unit)
+        .headroom(top);
+    Ok(grid.drawing(forces))
 }
 
 /// Columns of a series over time, each with its label.

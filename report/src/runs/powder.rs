@@ -2,7 +2,7 @@
 
 pub use super::packing::State;
 
-use super::packing::{Ends, over_time};
+use super::packing::{both, over_time};
 use crate::drawing_grid::DrawingGrid;
 use crate::figure::{Panels, ReferenceLine};
 use crate::packing::PackingError;
@@ -17,29 +17,24 @@ pub fn packing(
 ) -> Result<DrawingGrid, PackingError> {
     let [first, last] = outcome.porosity.map(|porosity| 100.0 * porosity);
     let (mu, mu_t, mu_n) = (scene.mu, scene.mu_rolling, scene.mu_torsion);
-    let ends = Ends {
-        name: format!("Compaction, μ = {mu}, μ_t = {mu_t}, μ_n = {mu_n}"),
-        titles: [
-            format!("Initial, {first:.1} % empty"),
-            format!("Final, {last:.1} % empty"),
-        ],
-        states: [before, after],
-        sides: [scene.width; 2],
-        pistons: outcome.heights.map(Some),
-        top: outcome.heights[0],
-        words: ["initial height", "F_coh"],
-    };
-    ends.draw()
+    let name = format!("Compaction, μ = {mu}, μ_t = {mu_t}, μ_n = {mu_n}");
+    let [start, end] = outcome.heights;
+    let ends = [
+        (before, format!("Initial, {first:.1} % empty"), Some(start)),
+        (after, format!("Final, {last:.1} % empty"), Some(end)),
+    ];
+    let words = [&name, "initial height", "F_coh"];
+    both(words, &ends, [scene.width; 2], start)
 }
 
 /// Porosity, stress and energies over time.
-pub fn series(compaction: &PowderSimulation, outcome: &PowderSummary) -> Panels {
+pub fn series(compaction: &PowderSimulation) -> Panels {
     let over_time = |axis: &str, curves: &[(&str, &str)]| {
         let axes = ["time [√(ρR⁴/F_coh)]", axis];
         over_time((compaction.series(), COLUMNS), axes, curves)
     };
     let porosity = over_time("porosity", &[("", "porosity")])
-        .guide(ReferenceLine::horizontal(outcome.porosity[1], ""));
+        .guide(ReferenceLine::horizontal(compaction.porosity(), ""));
     let stress = over_time("σ_zz of the pressure", &[("", "stress_zz")])
         .guide(ReferenceLine::horizontal(1.0, "applied"));
     let energies = over_time(

@@ -1,20 +1,23 @@
 //! Granular gases.
 
-use super::LongBody;
 use super::kind::{RunKind, told};
+use super::long::{LongBody, Results};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
 use crate::command::run::files;
-use crate::command::run::gas as results;
+use crate::command::run::long::{Export, write_state};
 use crate::command::run::request::RunRequest;
 use crate::failure::Failure;
 use serde_json::Value;
-use std::path::Path;
-use tribos::gas::{COLUMNS, GasSimulation, GasSummary, size};
-use tribos::record::{WriteError, write_series};
+use tribos::gas::{COLUMNS, GasSimulation, GasStopReason, GasSummary, size};
+use tribos::record::{extended_xyz, particles_vtp};
 use tribos::run::RunSize;
 use tribos::run::folder::OutputFolder;
-use tribos::scene::{GasScene, Key};
+use tribos::scene::GasScene;
+use tribos_report::runs::gas as picture;
+
+/// Endings of the names of the last state's files, and what they hold.
+const EXPORTS: [(&str, Export); 2] = [(".xyz", extended_xyz), (".vtp", particles_vtp)];
 
 /// Gases.
 static KIND: RunKind = RunKind {
@@ -44,10 +47,8 @@ static KIND: RunKind = RunKind {
 
 impl LongBody for GasScene {
     type Run = GasSimulation;
-    type Summary = GasSummary;
 
     const KIND: &'static RunKind = &KIND;
-    const KEYS: &'static [Key] = Self::KEYS;
     const SPHERES: &'static str = "spheres";
     const FILES: &'static [&'static str] = files::GAS;
 
@@ -60,38 +61,33 @@ impl LongBody for GasScene {
         format!("{collisions:9.3} collisions a sphere  time {time:9.3}")
     }
 
-    fn summary(run: &GasSimulation) -> GasSummary {
-        run.outcome()
-    }
-
-    fn json(&self, summary: &GasSummary) -> Value {
-        summary.json(self)
-    }
-
-    fn told(summary: &GasSummary) -> String {
-        format!(
-            "temperature {} after {} collisions a sphere, {:.1} s",
-            shown(summary.temperature),
-            shown(summary.collisions),
-            summary.wall_seconds
-        )
-    }
-
-    fn write_series(run: &GasSimulation, file: &Path) -> Result<(), WriteError> {
-        write_series(file, &COLUMNS, run.series().iter().map(|row| &row[..]))
+    fn results<'a>(&self, run: &'a GasSimulation) -> Results<'a> {
+        let summary = run.outcome();
+        Results {
+            summary: summary.json(self),
+            told: format!(
+                "temperature {} after {} collisions a sphere, {:.1} s",
+                shown(summary.temperature),
+                shown(summary.collisions),
+                summary.wall_seconds
+            ),
+            report: report(&summary),
+            columns: &COLUMNS,
+            rows: run.series().iter().map(|row| &row[..]).collect(),
+        }
     }
 
     fn write(
         &self,
-        (run, _): (&GasSimulation, &GasSummary),
+        run: &GasSimulation,
         folder: &OutputFolder,
         order: &RunRequest<'_>,
     ) -> Result<(), Failure> {
-        results::write(run, (folder, order))
-    }
-
-    fn report(summary: &GasSummary) -> String {
-        results::report(summary)
+        run.with_snapshot(|last| write_state(last, ("final", &EXPORTS), folder, order))??;
+        order.interrupted()?;
+        folder.check()?;
+        order.draw("spheres", || picture::spheres(run).map_err(Failure::run))?;
+        order.draw("series", || Ok(picture::series(run)))
     }
 
     fn explanation(&self) -> Result<String, Failure> {
@@ -101,4 +97,50 @@ impl LongBody for GasScene {
     fn account(&self, summary: &Value, _: &str) -> String {
         after::gas(summary)
     }
+}
+
+/// A few lines for the person at the terminal.
+fn report(outcome: &GasSummary) -> String {
+    let ending = match outcome.ending {
+        Some(GasStopReason::Time) => "duration over",
+        Some(GasStopReason::Collapse) => {
+            "inelastic collapse: time stands still while collisions go on; set contact_time, such as 1e-4"
+        }
+        Some(GasStopReason::Rest) => "no sphere will meet another one",
+        _ => "collisions done",
+    };
+    let mut text = format!(
+        "ending        {ending}\n\
+         collisions    {} a sphere of {}, time {}, {:.1} s\n\
+         temperature   {} T0, mean field {} after as many collisions, Haff {} after the same time\n",
+        shown(outcome.collisions),
+        outcome.particles,
+        shown(outcome.time),
+        outcome.wall_seconds,
+        shown(outcome.temperature),
+        shown(outcome.theory),
+        shown(outcome.haff),
+    );
+    if outcome.theory_rotational > 0.0 {
+        text += &format!(
+            "rotation      {} T0, mean field {}\n",
+            shown(outcome.temperature_rotational),
+            shown(outcome.theory_rotational)
+        );
+    }
+    let [before, after] = outcome.density_variance.map(shown);
+    text += &format!("clusters      variance over mean of counts {after} from {before}\n");
+    if outcome.cured > 0 {
+        text += &format!(
+            "contact time  {} collisions lost no energy\n",
+            outcome.cured
+        );
+    }
+    if outcome.unmet > 0 {
+        text += &format!(
+            "unmet         {} steps missed the tolerance of their impacts\n",
+            outcome.unmet
+        );
+    }
+    text
 }

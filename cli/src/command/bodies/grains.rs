@@ -1,20 +1,20 @@
 //! Grains in a box.
 
-use super::LongBody;
 use super::kind::{RunKind, told};
+use super::long::{LongBody, Results};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
 use crate::command::run::files;
-use crate::command::run::grains as results;
+use crate::command::run::packing::{budget, states};
 use crate::command::run::request::RunRequest;
 use crate::failure::Failure;
 use serde_json::Value;
-use std::path::Path;
-use tribos::grains::{COLUMNS, GrainsSimulation, GrainsSummary, size};
-use tribos::record::{WriteError, write_series};
+use tribos::grains::{COLUMNS, GrainsSimulation, GrainsStopReason, GrainsSummary, size};
+use tribos::powder::STATE;
 use tribos::run::RunSize;
 use tribos::run::folder::OutputFolder;
-use tribos::scene::{ContactMethod, GrainsScene, Key};
+use tribos::scene::{ContactMethod, GrainsScene};
+use tribos_report::runs::grains as picture;
 
 /// Grains.
 static KIND: RunKind = RunKind {
@@ -50,10 +50,8 @@ static KIND: RunKind = RunKind {
 
 impl LongBody for GrainsScene {
     type Run = GrainsSimulation;
-    type Summary = GrainsSummary;
 
     const KIND: &'static RunKind = &KIND;
-    const KEYS: &'static [Key] = Self::KEYS;
     const SPHERES: &'static str = "grains";
     const FILES: &'static [&'static str] = files::POWDER;
 
@@ -74,38 +72,41 @@ impl LongBody for GrainsScene {
         format!("step {:7}  time {:9.4}", run.steps(), run.time())
     }
 
-    fn summary(run: &GrainsSimulation) -> GrainsSummary {
-        run.outcome()
-    }
-
-    fn json(&self, summary: &GrainsSummary) -> Value {
-        summary.json(self)
-    }
-
-    fn told(summary: &GrainsSummary) -> String {
-        format!(
-            "solid fraction {} after {} steps, {:.1} s",
-            shown(summary.column("solid_fraction").unwrap_or(f64::NAN)),
-            summary.steps,
-            summary.wall_seconds
-        )
-    }
-
-    fn write_series(run: &GrainsSimulation, file: &Path) -> Result<(), WriteError> {
-        write_series(file, &COLUMNS, run.series().iter().map(|row| &row[..]))
+    fn results<'a>(&self, run: &'a GrainsSimulation) -> Results<'a> {
+        let summary = run.outcome();
+        Results {
+            summary: summary.json(self),
+            told: format!(
+                "solid fraction {} after {} steps, {:.1} s",
+                shown(summary.column("solid_fraction").unwrap_or(f64::NAN)),
+                summary.steps,
+                summary.wall_seconds
+            ),
+            report: report(&summary),
+            columns: &COLUMNS,
+            rows: run.series().iter().map(|row| &row[..]).collect(),
+        }
     }
 
     fn write(
         &self,
-        (run, _): (&GrainsSimulation, &GrainsSummary),
+        run: &GrainsSimulation,
         folder: &OutputFolder,
         order: &RunRequest<'_>,
     ) -> Result<(), Failure> {
-        results::write(self, run, (folder, order))
-    }
+        let start = GrainsSimulation::new(run.scene())?;
+        start.with_snapshot(|first| {
+            run.with_snapshot(|last| states(first, last, (folder, order)))
+        })?;
+        folder.write(STATE, run.state().as_bytes())?;
 
-    fn report(summary: &GrainsSummary) -> String {
-        results::report(summary)
+        order.interrupted()?;
+        folder.check()?;
+        order.draw("packing", || {
+            picture::packing(&start, run).map_err(Failure::run)
+        })?;
+        folder.check()?;
+        order.draw("series", || Ok(picture::series(run)))
     }
 
     fn explanation(&self) -> Result<String, Failure> {
@@ -115,4 +116,45 @@ impl LongBody for GrainsScene {
     fn account(&self, summary: &Value, command: &str) -> String {
         after::packing(summary, &self.material(), command)
     }
+}
+
+/// A few lines for the person at the terminal.
+fn report(outcome: &GrainsSummary) -> String {
+    let ending = match outcome.ending {
+        Some(GrainsStopReason::Rest) => "at rest",
+        Some(GrainsStopReason::Time) => "duration over",
+        _ => "steps done",
+    };
+    let column = |name: &str| shown(outcome.column(name).unwrap_or(f64::NAN));
+    let mut text = format!(
+        "ending        {ending}: time {} s, {} steps, {} sweeps; it took {:.1} s\n\
+         grains        {}, {} kg, {} contacts, {:.2} a grain\n\
+         height        {} m, solid fraction {}\n\
+         forces        floor {} N, plate {} N, side x {} N\n\
+         stresses      zz {} Pa, shear at the plate {} Pa\n",
+        shown(outcome.time),
+        outcome.steps,
+        outcome.iterations,
+        outcome.wall_seconds,
+        outcome.grains,
+        shown(outcome.mass),
+        outcome.statistics.contacts,
+        outcome.statistics.mean_coordination(),
+        column("height"),
+        column("solid_fraction"),
+        column("floor_force"),
+        column("plate_force"),
+        column("side_force_x"),
+        column("stress_zz"),
+        column("shear_stress"),
+    );
+    if outcome.unmet > 0 {
+        text += &format!(
+            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate, overlaps \
+             reach {} m\n",
+            outcome.unmet,
+            shown(outcome.statistics.max_overlap)
+        );
+    }
+    text + &budget(&outcome.energy, &outcome.dissipation(), " J")
 }

@@ -12,22 +12,30 @@ use serde_json::Value;
 use std::error::Error;
 use std::path::Path;
 use std::sync::Arc;
-use tribos::record::WriteError;
 use tribos::run::folder::{Lock, OutputFolder};
 use tribos::run::{LongRun, RunSize};
-use tribos::scene::{Body, Key};
+use tribos::scene::Body;
+
+/// What a run has found.
+#[derive(Debug)]
+pub struct Results<'a> {
+    /// The summary as it is written.
+    pub summary: Value,
+    /// A line about a run of a sweep.
+    pub told: String,
+    /// A few lines for the person at the terminal.
+    pub report: String,
+    /// Columns of the series, and its rows.
+    pub columns: &'static [&'static str],
+    pub rows: Vec<&'a [f64]>,
+}
 
 /// What the commands ask of a scene of spheres.
 pub trait LongBody: Body + Sized + 'static {
     /// Its run.
     type Run: LongRun<Scene = Self, Error: Error + Into<Failure>>;
-    /// The summary of a run.
-    type Summary;
-
     /// What a sweep makes a table of.
     const KIND: &'static RunKind;
-    /// The names of its keys.
-    const KEYS: &'static [Key];
     /// What it consists of.
     const SPHERES: &'static str;
     /// Results of a run.
@@ -55,23 +63,15 @@ pub trait LongBody: Body + Sized + 'static {
         true
     }
 
-    /// The summary of a run.
-    fn summary(run: &Self::Run) -> Self::Summary;
-    /// The summary as it is written.
-    fn json(&self, summary: &Self::Summary) -> Value;
-    /// A line about a run of a sweep.
-    fn told(summary: &Self::Summary) -> String;
-    /// Writes the series.
-    fn write_series(run: &Self::Run, file: &Path) -> Result<(), WriteError>;
+    /// What a run has found.
+    fn results<'a>(&self, run: &'a Self::Run) -> Results<'a>;
     /// Writes states and pictures.
     fn write(
         &self,
-        end: (&Self::Run, &Self::Summary),
+        run: &Self::Run,
         folder: &OutputFolder,
         order: &RunRequest<'_>,
     ) -> Result<(), Failure>;
-    /// A few lines for the person at the terminal.
-    fn report(summary: &Self::Summary) -> String;
 
     /// Laws, modes and unknowns that the scene carries, and their cost.
     fn explanation(&self) -> Result<String, Failure>;
@@ -94,8 +94,9 @@ impl<S: LongBody> Commands for &S {
 
     fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
         check(&self.size(), S::SPHERES, MemoryPermission::Usual).map_err(NoResult::Refused)?;
-        let summary = S::summary(&session(lock).run(*self)?);
-        Ok((LongBody::json(*self, &summary), S::told(&summary)))
+        let run = session(lock).run(*self)?;
+        let results = self.results(&run);
+        Ok((results.summary, results.told))
     }
 
     fn explanation(&self) -> Result<String, Failure> {
@@ -106,7 +107,7 @@ impl<S: LongBody> Commands for &S {
         let Some(out) = out else {
             return Ok(String::new());
         };
-        let summary = after::summary(out, S::KEYS, &Body::json(*self))?;
+        let summary = after::summary(out, self.keys(), &self.json())?;
         Ok(LongBody::account(*self, &summary, command))
     }
 }

@@ -1,20 +1,20 @@
 //! Powders under a piston.
 
-use super::LongBody;
 use super::kind::{RunKind, told};
+use super::long::{LongBody, Results};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
 use crate::command::run::files;
-use crate::command::run::powder as results;
+use crate::command::run::packing::{budget, states};
 use crate::command::run::request::RunRequest;
 use crate::failure::Failure;
 use serde_json::Value;
-use std::path::Path;
-use tribos::powder::{COLUMNS, PowderSimulation, PowderSummary, size};
-use tribos::record::{WriteError, write_series};
+use tribos::powder::{COLUMNS, PowderSimulation, PowderStopReason, PowderSummary, STATE, size};
+use tribos::record::Snapshot;
 use tribos::run::RunSize;
 use tribos::run::folder::OutputFolder;
-use tribos::scene::{ContactMethod, Key, PowderScene};
+use tribos::scene::{ContactMethod, PowderScene};
+use tribos_report::runs::powder as picture;
 
 /// A packing is seldom blocked within fewer steps.
 const FEW: u64 = 5_000;
@@ -52,10 +52,8 @@ static KIND: RunKind = RunKind {
 
 impl LongBody for PowderScene {
     type Run = PowderSimulation;
-    type Summary = PowderSummary;
 
     const KIND: &'static RunKind = &KIND;
-    const KEYS: &'static [Key] = Self::KEYS;
     const SPHERES: &'static str = "spheres";
     const FILES: &'static [&'static str] = files::POWDER;
 
@@ -92,38 +90,48 @@ impl LongBody for PowderScene {
         self.duration.is_some() || self.max_steps <= FEW
     }
 
-    fn summary(run: &PowderSimulation) -> PowderSummary {
-        run.outcome()
-    }
-
-    fn json(&self, summary: &PowderSummary) -> Value {
-        summary.json(self)
-    }
-
-    fn told(summary: &PowderSummary) -> String {
-        format!(
-            "porosity {} % after {} steps, {:.1} s",
-            shown(100.0 * summary.porosity[1]),
-            summary.steps,
-            summary.wall_seconds
-        )
-    }
-
-    fn write_series(run: &PowderSimulation, file: &Path) -> Result<(), WriteError> {
-        write_series(file, &COLUMNS, run.series().iter().map(|row| &row[..]))
+    fn results<'a>(&self, run: &'a PowderSimulation) -> Results<'a> {
+        let summary = run.outcome();
+        Results {
+            summary: summary.json(self),
+            told: format!(
+                "porosity {} % after {} steps, {:.1} s",
+                shown(100.0 * summary.porosity[1]),
+                summary.steps,
+                summary.wall_seconds
+            ),
+            report: report(&summary),
+            columns: &COLUMNS,
+            rows: run.series().iter().map(|row| &row[..]).collect(),
+        }
     }
 
     fn write(
         &self,
-        (run, summary): (&PowderSimulation, &PowderSummary),
+        run: &PowderSimulation,
         folder: &OutputFolder,
         order: &RunRequest<'_>,
     ) -> Result<(), Failure> {
-        results::write(self, run, (folder, order), summary)
-    }
+        let deposit = run.deposit();
+        run.with_snapshot(|last| {
+            // Spheres are of the same materials all the time.
+            let first = Snapshot {
+                materials: last.materials,
+                densities: last.densities,
+                ..deposit.snapshot(run.first_contacts())
+            };
+            states(&first, last, (folder, order))
+        })?;
+        folder.write(STATE, run.state().as_bytes())?;
 
-    fn report(summary: &PowderSummary) -> String {
-        results::report(summary)
+        order.interrupted()?;
+        folder.check()?;
+        order.draw("packing", || {
+            let states = picture::State::both(run);
+            picture::packing(run.scene(), &states, &run.outcome()).map_err(Failure::run)
+        })?;
+        folder.check()?;
+        order.draw("series", || Ok(picture::series(run)))
     }
 
     fn explanation(&self) -> Result<String, Failure> {
@@ -133,4 +141,65 @@ impl LongBody for PowderScene {
     fn account(&self, summary: &Value, command: &str) -> String {
         after::packing(summary, &self.material(), command)
     }
+}
+
+/// A few lines for the person at the terminal.
+fn report(outcome: &PowderSummary) -> String {
+    let ending = match outcome.ending {
+        Some(PowderStopReason::Blocked) => "blocked",
+        Some(PowderStopReason::Time) => "duration over before the packing was blocked",
+        _ => "steps done before the packing was blocked",
+    };
+    let [before, after] = outcome.porosity.map(|porosity| shown(100.0 * porosity));
+    let [total, plus, minus] = outcome.stress_zz();
+    let sign = if minus < 0.0 { '-' } else { '+' };
+    let [total, plus, minus] = [total, plus, minus.abs()].map(shown);
+    let text = format!(
+        "ending        {ending}: {} steps, {} sweeps, {:.1} s\n\
+         particles     {}, {} contacts, {:.2} a sphere\n\
+         porosity      {after} % from {before} %\n\
+         stress_zz     {total} = {plus} {sign} {minus} of the pressure\n\
+         residual      {:.1e}, overlap {:.1e} R\n",
+        outcome.steps,
+        outcome.iterations,
+        outcome.wall_seconds,
+        outcome.particles,
+        outcome.statistics.contacts,
+        outcome.statistics.mean_coordination(),
+        outcome.residual,
+        outcome.statistics.max_overlap,
+    );
+    text + &unmet(outcome) + &budget(&outcome.energy, &outcome.dissipation(), "")
+}
+
+/// Steps that did not end as they should, and what that means.
+fn unmet(outcome: &PowderSummary) -> String {
+    let mut text = String::new();
+    if outcome.impacts_cut > 0 {
+        text += &format!(
+            "impacts       cut in {} steps after 100 rounds: the rest was stopped without rebound, \
+             its energy is in normal\n",
+            outcome.impacts_cut
+        );
+    }
+    if outcome.impacts_unmet > 0 {
+        text += &format!(
+            "impacts       unmet in {} steps: a reflection, or friction under it, missed its tolerance after \
+             1000 sweeps; its impulses are approximate\n",
+            outcome.impacts_unmet
+        );
+    }
+    if outcome.handed_over > 0 {
+        text += &format!(
+            "handed over   {} steps, in which sweeps missed the tolerance, to an interior point method\n",
+            outcome.handed_over
+        );
+    }
+    if outcome.solver_unmet > 0 {
+        text += &format!(
+            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate\n",
+            outcome.solver_unmet
+        );
+    }
+    text
 }

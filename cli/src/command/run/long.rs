@@ -5,10 +5,9 @@ use super::request::RunRequest;
 use super::{files, resource_check};
 use crate::command::bodies::LongBody;
 use crate::failure::Failure;
-use tribos::record::{Snapshot, SnapshotError};
+use tribos::record::{Snapshot, SnapshotError, write_series};
 use tribos::run::folder::OutputFolder;
 use tribos::run::{LongRun, RunError, Session, Simulation, forget_checkpoint};
-use tribos::scene::Body;
 
 /// A format of a state: text of a snapshot.
 pub type Export = fn(&Snapshot<'_>) -> Result<String, SnapshotError>;
@@ -18,19 +17,25 @@ pub fn run<S: LongBody>(scene: &S, order: &RunRequest<'_>) -> Result<(), Failure
     resource_check::check(&scene.size(), S::SPHERES, order.allowed)?;
     // All refusals come before the folder is touched.
     scene.refuse()?;
-    let Some((folder, start)) = order.long(Body::json(scene), S::FILES)? else {
+    let Some((folder, start)) = order.long(scene.json(), S::FILES)? else {
         return Ok(());
     };
     // After its end an interruption costs no more than the results.
     let run = simulate(scene, order.session(start, &folder), order.caller)
         .map_err(|error| order.failure(error))?;
     folder.remove(files::is_made_from_frames)?;
-    let summary = S::summary(&run);
-    write(scene, (&run, &summary), &folder, order)?;
+    let results = scene.results(&run);
+    folder.add(S::FILES)?;
+    let series = order.out.join("series.csv");
+    write_series(&series, results.columns, results.rows.into_iter())?;
+    scene.write(&run, &folder, order)?;
+    // Last: a summary stands only beside complete results.
+    let summary = format!("{:#}\n", results.summary);
+    folder.write("summary.json", summary.as_bytes())?;
     folder.check()?;
     forget_checkpoint(order.out)?;
     let written = format!("written to    {}\n", order.out.display());
-    order.caller.report(&(S::report(&summary) + &written))
+    order.caller.report(&(results.report + &written))
 }
 
 /// Runs the scene to its end and says how far it is.
@@ -75,21 +80,6 @@ fn simulate<S: LongBody>(
             (sweeps, since) = (0, Some(run.steps()));
         })
         .run(scene)
-}
-
-/// Writes series, states, pictures and at last the summary.
-fn write<S: LongBody>(
-    scene: &S,
-    (run, summary): (&S::Run, &S::Summary),
-    folder: &OutputFolder,
-    order: &RunRequest<'_>,
-) -> Result<(), Failure> {
-    folder.add(S::FILES)?;
-    S::write_series(run, &folder.path().join("series.csv"))?;
-    scene.write((run, summary), folder, order)?;
-    // Last: a summary stands only beside complete results.
-    let summary = format!("{:#}\n", LongBody::json(scene, summary));
-    Ok(folder.write("summary.json", summary.as_bytes())?)
 }
 
 /// A state in all formats: endings of the files' names and what they hold.

@@ -2,14 +2,8 @@
 
 use super::error::GrainsError;
 use super::from_scene::volume;
-use super::grains_body::GrainsBody;
-use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
-use crate::packing::method::FrictionCoupling;
-use crate::packing::{
-    self, Assembly, BYTES_A_SPHERE, EDGE, Method, Packing, PackingBody, PackingCost, SOFT_SECONDS,
-    SWEEPS, USUAL, packing_of,
-};
-use std::ops::ControlFlow;
+use crate::grains::scene::GrainsScene;
+use crate::packing::{self, Assembly, BYTES_A_SPHERE, Method, PackingCost, SOFT_SECONDS};
 use tribos_base::run::RunSize;
 
 /// Contacts per grain of a dense packing: isostatic with friction and without.
@@ -54,10 +48,8 @@ pub fn stable_step(scene: &GrainsScene) -> Option<f64> {
     match scene.contact_method() {
         Method::ContactDynamics { .. } => None,
         Method::Soft(springs) => {
-            let (material, [_, gravity]) = (scene.material(), scene.gravity.range());
-            let mass = material.density * volume(scene.radius);
+            let (material, force) = (scene.material(), usual_force(scene));
             let smallest = scene.radius * scene.least_radius();
-            let force = LAYERS * mass * gravity;
             Some(packing::stable_step(&springs, &material, smallest, force))
         }
     }
@@ -82,65 +74,18 @@ fn count(scene: &GrainsScene) -> usize {
 /// ```
 pub fn cost(scene: &GrainsScene) -> Result<PackingCost, GrainsError> {
     scene.check()?;
-    let mu = scene.mu;
-    let plain = GrainsScene {
-        mu: if mu > 0.0 { mu } else { USUAL },
-        mu_rolling: 0.0,
-        mu_torsion: 0.0,
-        coupling: FrictionCoupling::Independent,
-        ..scene.clone()
-    };
-    let seconds = packing::update_seconds([scene, &plain], block)?;
     let spread = scene.radius_spread > 0.0 || scene.size_distribution.is_some();
     let unequal = spread || scene.second_fraction > 0.0 || scene.initial_state.is_some();
-    Ok(PackingCost::of(
+    Ok(PackingCost::measured(
         &scene.contact_keys(),
+        (scene.radius, usual_force(scene)),
         (count(scene), unequal),
         |_| CONTACTS,
-        seconds,
-    ))
+    )?)
 }
 
-/// A cubic lattice of grains that just touch, under gravity along a diagonal.
-fn block(scene: &GrainsScene) -> Result<Box<dyn Packing>, GrainsError> {
-    let side = 2.0 * EDGE as f64 * scene.radius * (1.0 - 1e-9);
-    let block = GrainsScene {
-        width: side,
-        depth: None,
-        height: Some(side),
-        boundary_x: SideBoundary::Periodic,
-        boundary_y: SideBoundary::Periodic,
-        boundary_z: EndBoundary::Periodic,
-        dimension: 3,
-        container: Container::Box,
-        count: EDGE.pow(3),
-        radius: 0.5 * side / EDGE as f64 / (1.0 + 1e-9),
-        radius_spread: 0.0,
-        size_distribution: None,
-        initial_state: None,
-        initial_spacing: 1.0 + 1e-12,
-        max_iterations: SWEEPS,
-        tolerance: f64::MIN_POSITIVE,
-        restitution: 0.0,
-        // One stable step of soft contacts; sweeps do not depend on it.
-        max_time_step: stable_step(scene).or(scene.max_time_step),
-        ..without_drives(scene)
-    };
-    let (body, grains) = GrainsBody::place(&block, &mut |_| ControlFlow::Continue(()))?;
-    Ok(packing_of(&body, &grains, None)?)
-}
-
-/// The scene without moving walls.
-fn without_drives(scene: &GrainsScene) -> GrainsScene {
-    GrainsScene {
-        wall_stress_x: None,
-        wall_stress_y: None,
-        wall_stress_z: None,
-        wall_velocity_x: None,
-        wall_velocity_y: None,
-        wall_velocity_z: None,
-        lid_speed_x: 0.0.into(),
-        shake_amplitude: 0.0,
-        ..scene.clone()
-    }
+/// Force of a usual contact: the weight of the grains above it.
+fn usual_force(scene: &GrainsScene) -> f64 {
+    let [_, gravity] = scene.gravity.range();
+    LAYERS * scene.density * volume(scene.radius) * gravity
 }

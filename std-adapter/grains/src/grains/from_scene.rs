@@ -20,7 +20,7 @@ pub(super) fn volume(radius: f64) -> f64 {
 
 impl GrainsScene {
     /// What the scene says of the contacts.
-    pub(super) fn contact_keys(&self) -> ContactKeys {
+    pub(crate) fn contact_keys(&self) -> ContactKeys {
         ContactKeys {
             material: self.material(),
             second: self.differences(),

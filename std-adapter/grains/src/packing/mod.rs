@@ -32,14 +32,9 @@ mod world;
 
 pub use active_modes::{ActiveModes, ModeSet};
 pub use assembly::Assembly;
-pub(crate) use body::{
-    ContactKeys, MeasuredState, MeasurementSchedule, PackingBody, RunLimits, packing_of,
-};
+pub(crate) use body::{ContactKeys, MeasuredState, MeasurementSchedule, PackingBody, RunLimits};
 pub use cost::PackingCost;
-pub(crate) use cost::{
-    BYTES_A_SPHERE, EDGE, SOFT_SECONDS, SWEEPS, USUAL, stable_step, stable_step_between,
-    update_seconds,
-};
+pub(crate) use cost::{BYTES_A_SPHERE, SOFT_SECONDS, stable_step, stable_step_between};
 pub(crate) use initial_state::{InitialSpheres, deepest, given};
 pub(crate) use kinds::{Kinds, mixed, origin};
 pub use limits::Limits;

@@ -1,19 +1,12 @@
 //! Forecast of the cost of a compaction: spheres, contacts, unknowns, and the time of an update.
 
-use super::deposit::{Ballistic, Deposit};
+use super::deposit::Ballistic;
 use super::error::CompactionError;
-use super::powder_body::PowderBody;
 use super::start::start;
-use crate::packing::method::FrictionCoupling;
-use crate::packing::{
-    self, Assembly, BYTES_A_SPHERE, EDGE, InitialSpheres, Method, ModeSet, Packing, PackingCost,
-    SOFT_SECONDS, SWEEPS, USUAL, packing_of,
-};
-use crate::powder::scene::{PowderScene, SweepMethod, SweepOrder, SweepStop};
-use nalgebra::Vector3;
+use crate::packing::{self, Assembly, BYTES_A_SPHERE, Method, ModeSet, PackingCost, SOFT_SECONDS};
+use crate::powder::scene::PowderScene;
 use std::ops::ControlFlow;
 use tribos_base::run::RunSize;
-use tribos_base::space::PeriodicBox;
 
 /// Contacts per sphere after compaction. The thesis' small system ends with 2.8 if smooth, with 2.1
 /// under sliding friction, and with 1.5 and 1.0 for rolling and torsion coefficients of 0.1 and 1:
@@ -107,78 +100,22 @@ pub fn cost(scene: &PowderScene) -> Result<PackingCost, CompactionError> {
     } else {
         expected.round() as usize
     };
-    let mu = scene.mu;
-    let plain = PowderScene {
-        // The same coefficient, or the usual one for smooth spheres.
-        mu: if mu > 0.0 { mu } else { USUAL },
-        mu_rolling: 0.0,
-        mu_torsion: 0.0,
-        coupling: FrictionCoupling::Independent,
-        ..scene.clone()
-    };
-    let seconds = packing::update_seconds([scene, &plain], block)?;
     let spread = scene.radius_spread > 0.0 || scene.size_distribution.is_some();
     let unequal = spread || scene.second_fraction > 0.0 || scene.initial_state.is_some();
-    Ok(PackingCost::of(
+    // The load on a column of spheres of radius 1.
+    let usual = (1.0, 4.0 * scene.pressure);
+    Ok(PackingCost::measured(
         &scene.contact_keys(),
+        usual,
         (spheres, unequal),
         contacts_a_sphere,
-        seconds,
-    ))
-}
-
-/// Distance of spheres in the block, slightly less than a diameter.
-const SPACING: f64 = 2.0 - 1e-6;
-/// Shear of the block per layer, which mixes normals and tangents.
-const SHEAR: f64 = 0.05;
-
-/// A block of equal spheres under the scene's laws and a fixed number of sweeps.
-fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
-    let width = EDGE as f64 * SPACING;
-    let rise = (SPACING * SPACING - 2.0 * SHEAR * SHEAR).sqrt();
-    let at = |index: usize| {
-        let place = [index % EDGE, index / EDGE % EDGE, index / (EDGE * EDGE)];
-        let [x, y, z] = place.map(|i| i as f64);
-        let aside = |x: f64| (x * SPACING + z * SHEAR).rem_euclid(width);
-        Vector3::new(aside(x), aside(y), 1.0 + z * rise)
-    };
-    let count = EDGE.pow(3);
-    let deposit = Deposit {
-        positions: (0..count).map(at).collect(),
-        radii: vec![1.0; count],
-        parents: vec![None; count],
-        width,
-        space: PeriodicBox::new([Some(width), Some(width), None]).unwrap_or_default(),
-        height: 2.0 + (EDGE - 1) as f64 * rise,
-    };
-    let timed = PowderScene {
-        width,
-        still_speed: 0.0,
-        // One stable step of soft contacts; sweeps do not depend on it.
-        max_time_step: scene
-            .max_time_step
-            .min(stable_step(scene).unwrap_or(f64::INFINITY)),
-        solver: SweepMethod::GaussSeidel,
-        sweep_order: SweepOrder::Fixed,
-        stop_rule: SweepStop::Fixed,
-        max_iterations: SWEEPS,
-        warm_start: false,
-        ..scene.clone()
-    };
-    let start = InitialSpheres {
-        positions: deposit.positions.clone(),
-        radii: deposit.radii.clone(),
-        kinds: timed.kinds(count),
-        contacts: Vec::new(),
-        frozen: None,
-    };
-    let body = PowderBody::new(&timed, deposit, Vec::new());
-    Ok(packing_of(&body, &start, None)?)
+    )?)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::packing::method::FrictionCoupling;
 
     fn scene(keys: &str) -> PowderScene {
         let text = format!("body = \"powder\"\nwidth = 6\nheight = 8\n{keys}");
@@ -227,30 +164,5 @@ mod tests {
             assert_eq!(carried.modes.unknowns(), unknowns, "{keys}");
             assert_eq!(carried.coupling, coupling, "{keys}");
         }
-    }
-
-    #[test]
-    fn a_block_under_any_laws_sweeps_all_of_its_contacts() {
-        for keys in [
-            "mu = 0",
-            "",
-            "mu_rolling = 1\nmu_torsion = 1\ncoupling = \"exact\"",
-            "cohesion_range = 0",
-        ] {
-            let report = block(&scene(keys)).unwrap().step().unwrap();
-            // Three contacts per sphere and two walls; the top layer has no layer above it.
-            let expected = 3 * EDGE.pow(3) + EDGE.pow(2);
-            assert_eq!(
-                (report.iterations.sweeps, report.contacts),
-                (SWEEPS, expected),
-                "{keys}"
-            );
-        }
-        let cost = cost(&scene("mu_rolling = 0.1")).unwrap();
-        assert!(
-            cost.update_seconds > 0.0 && cost.update_seconds < 1e-4,
-            "{cost:?}"
-        );
-        assert!(cost.memory() > cost.spheres * 100);
     }
 }

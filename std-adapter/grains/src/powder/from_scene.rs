@@ -40,7 +40,7 @@ impl PowderScene {
     }
 
     /// What the scene says of the contacts.
-    pub(super) fn contact_keys(&self) -> ContactKeys {
+    pub(crate) fn contact_keys(&self) -> ContactKeys {
         ContactKeys {
             material: self.material(),
             second: self.differences(),

@@ -95,20 +95,6 @@ pub struct PressMonitor {
 }
 
 impl PowderBody {
-    pub(super) fn new(
-        scene: &PowderScene,
-        deposit: Deposit,
-        first_contacts: Vec<ContactRow>,
-    ) -> Self {
-        let volumes = deposit.radii.iter().map(|r| 4.0 / 3.0 * PI * r * r * r);
-        Self {
-            scene: scene.clone(),
-            solid: volumes.sum(),
-            deposit,
-            first_contacts,
-        }
-    }
-
     fn area(&self) -> f64 {
         self.scene.width * self.scene.width
     }
@@ -174,7 +160,14 @@ impl PackingBody<{ COLUMNS.len() }> for PowderBody {
         watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
     ) -> Result<(Self, InitialSpheres), CompactionError> {
         let (deposit, start) = start(scene, watch)?;
-        Ok((Self::new(scene, deposit, start.contacts.clone()), start))
+        let volumes = deposit.radii.iter().map(|r| 4.0 / 3.0 * PI * r * r * r);
+        let body = Self {
+            scene: scene.clone(),
+            solid: volumes.sum(),
+            deposit,
+            first_contacts: start.contacts.clone(),
+        };
+        Ok((body, start))
     }
 
     fn is_stop(error: &DepositError) -> bool {
