@@ -106,7 +106,7 @@ pub mod run {
     #[doc(inline)]
     pub use tribos_base::run::*;
     #[doc(inline)]
-    pub use tribos_grains::packing::PackingRunError;
+    pub use tribos_grains::packing::{PackingRun, PackingRunError, PackingStopReason};
 }
 
 #[doc(hidden)]

@@ -2,11 +2,10 @@
 
 pub mod files;
 pub mod frontend;
-pub mod gas;
-pub mod grains;
+pub mod long;
 pub mod motion;
+pub mod packing;
 pub mod path;
-pub mod powder;
 pub mod request;
 pub mod resource_check;
 pub mod tip;

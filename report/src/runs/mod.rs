@@ -5,6 +5,7 @@ mod frames;
 pub mod gas;
 pub mod grains;
 pub mod measure;
+mod packing;
 pub mod powder;
 pub mod tip;
 

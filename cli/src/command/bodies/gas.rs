@@ -1,79 +1,127 @@
 //! Granular gases.
 
-use super::kind::{Listed, RunKind, told};
-use super::no_result::session;
-use super::{Commands, NoResult};
+use super::kind::RunKind;
+use super::long::{LongBody, Results};
 use crate::command::digits::shown;
-use crate::command::explain::{after, gas as text};
-use crate::command::run::gas;
+use crate::command::explain::{self, after};
+use crate::command::run::files;
+use crate::command::run::long::{Export, write_state};
 use crate::command::run::request::RunRequest;
-use crate::command::run::resource_check::{MemoryPermission, check};
 use crate::failure::Failure;
 use serde_json::Value;
-use std::path::Path;
-use std::sync::Arc;
-use tribos::gas::GasSimulation;
-use tribos::run::folder::Lock;
+use tribos::gas::{COLUMNS, GasSimulation, GasStopReason, GasSummary, size};
+use tribos::record::{extended_xyz, particles_vtp};
+use tribos::results::Summary;
+use tribos::run::RunSize;
+use tribos::run::folder::OutputFolder;
 use tribos::scene::GasScene;
+use tribos_report::runs::gas as picture;
 
-/// Gases.
-static KIND: Listed = Listed {
-    quantities: &[
-        ("temperature", "/temperature"),
-        ("theory", "/theory"),
-        ("temperature_rotational", "/temperature_rotational"),
-        ("theory_rotational", "/theory_rotational"),
-        ("haff", "/haff"),
-        ("time", "/time"),
-        ("collisions", "/collisions"),
-        ("energy_lost", "/energy_lost"),
-        ("momentum", "/momentum"),
-        ("density_variance", "/density_variance_final"),
-        ("collisions_cured", "/collisions_cured"),
-    ],
-    drawn: ["Temperature at the end", "temperature [T0]"],
-    share: ["collapsed", "/ending", "collapse"],
-    told: &[
-        told("temperature", 0, 1.0),
-        told("mean field", 1, 1.0),
-        told("time", 5, 1.0),
-        told("collisions", 6, 1.0),
-        told("clusters", 9, 1.0),
-    ],
-};
+/// Endings of the names of the last state's files, and what they hold.
+const EXPORTS: [(&str, Export); 2] = [(".xyz", extended_xyz), (".vtp", particles_vtp)];
 
-impl Commands for &GasScene {
-    fn is_long(&self) -> bool {
-        true
+impl LongBody for GasScene {
+    type Run = GasSimulation;
+
+    const SPHERES: &'static str = "spheres";
+    const FILES: &'static [&'static str] = files::GAS;
+
+    fn kind() -> RunKind {
+        let drawn = ["Temperature at the end", "temperature"];
+        let share = ["collapsed", "/ending", "collapse"];
+        RunKind::of(GasSummary::QUANTITIES, drawn, share)
     }
 
-    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
-        gas::run(self, order)
+    fn size(&self) -> RunSize {
+        size(self)
     }
 
-    fn kind(&self) -> RunKind {
-        KIND.kind()
+    fn state(run: &GasSimulation) -> String {
+        let (collisions, time) = (run.collisions(), run.time());
+        format!("{collisions:9.3} collisions a sphere  time {time:9.3}")
     }
 
-    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
-        check(&tribos::gas::size(self), "spheres", MemoryPermission::Usual)
-            .map_err(NoResult::Refused)?;
-        let run: GasSimulation = session(lock).run(*self)?;
-        let outcome = run.outcome();
-        let told = format!(
-            "temperature {} after {} collisions a sphere, {:.1} s",
-            shown(outcome.temperature),
-            shown(outcome.collisions),
-            outcome.wall_seconds
-        );
-        Ok((outcome.json(self), told))
+    fn results<'a>(&self, run: &'a GasSimulation) -> Results<'a> {
+        let summary = run.outcome();
+        Results {
+            summary: summary.json(self),
+            told: format!(
+                "temperature {} after {} collisions a sphere, {:.1} s",
+                shown(summary.temperature),
+                shown(summary.collisions),
+                summary.wall_seconds
+            ),
+            report: report(&summary),
+            columns: &COLUMNS,
+            rows: run.series().iter().map(|row| &row[..]).collect(),
+        }
+    }
+
+    fn write(
+        &self,
+        run: &GasSimulation,
+        folder: &OutputFolder,
+        order: &RunRequest<'_>,
+    ) -> Result<(), Failure> {
+        run.with_snapshot(|last| write_state(last, ("final", &EXPORTS), folder, order))??;
+        order.interrupted()?;
+        folder.check()?;
+        order.draw("spheres", || picture::spheres(run).map_err(Failure::run))?;
+        order.draw("series", || Ok(picture::series(run)))
     }
 
     fn explanation(&self) -> Result<String, Failure> {
-        text::text(self)
+        explain::gas::text(self)
     }
 
-    fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
-        out.map_or(Ok(String::new()), |out| after::gas(self, out))
+    fn account(&self, summary: &Value, _: &str) -> String {
+        after::gas(summary)
     }
+}
+
+/// A few lines for the person at the terminal.
+fn report(outcome: &GasSummary) -> String {
+    let ending = match outcome.ending {
+        Some(GasStopReason::Time) => "duration over",
+        Some(GasStopReason::Collapse) => {
+            "inelastic collapse: time stands still while collisions go on; set contact_time, such as 1e-4"
+        }
+        Some(GasStopReason::Rest) => "no sphere will meet another one",
+        _ => "collisions done",
+    };
+    let mut text = format!(
+        "ending        {ending}\n\
+         collisions    {} a sphere of {}, time {}, {:.1} s\n\
+         temperature   {} T0, mean field {} after as many collisions, Haff {} after the same time\n",
+        shown(outcome.collisions),
+        outcome.particles,
+        shown(outcome.time),
+        outcome.wall_seconds,
+        shown(outcome.temperature),
+        shown(outcome.theory),
+        shown(outcome.haff),
+    );
+    if outcome.theory_rotational > 0.0 {
+        text += &format!(
+            "rotation      {} T0, mean field {}\n",
+            shown(outcome.temperature_rotational),
+            shown(outcome.theory_rotational)
+        );
+    }
+    let before = shown(outcome.density_variance_initial);
+    let after = shown(outcome.density_variance_final);
+    text += &format!("clusters      variance over mean of counts {after} from {before}\n");
+    if outcome.collisions_cured > 0 {
+        text += &format!(
+            "contact time  {} collisions lost no energy\n",
+            outcome.collisions_cured
+        );
+    }
+    if outcome.steps_unmet > 0 {
+        text += &format!(
+            "unmet         {} steps missed the tolerance of their impacts\n",
+            outcome.steps_unmet
+        );
+    }
+    text
 }

@@ -1,89 +1,192 @@
 //! Grains in a box.
 
-use super::kind::{Listed, RunKind, told};
-use super::no_result::session;
-use super::{Commands, NoResult};
+use super::kind::{Listed, RunKind};
+use super::long::{LongBody, Results};
 use crate::command::digits::shown;
-use crate::command::explain::{after, grains as text};
-use crate::command::run::grains;
+use crate::command::explain::{self, after};
+use crate::command::run::files;
+use crate::command::run::packing::{budget, states};
 use crate::command::run::request::RunRequest;
-use crate::command::run::resource_check::{MemoryPermission, check};
 use crate::failure::Failure;
 use serde_json::Value;
-use std::path::Path;
-use std::sync::Arc;
-use tribos::grains::GrainsSimulation;
-use tribos::run::folder::Lock;
-use tribos::scene::GrainsScene;
+use tribos::grains::{COLUMNS, GrainsSimulation, GrainsStopReason, GrainsSummary, size};
+use tribos::powder::STATE;
+use tribos::run::RunSize;
+use tribos::run::folder::OutputFolder;
+use tribos::scene::{ContactMethod, GrainsScene};
+use tribos_report::runs::grains as picture;
 
 /// Grains.
-static KIND: Listed = Listed {
-    quantities: &[
-        ("solid_fraction", "/solid_fraction"),
-        ("height", "/height"),
-        ("coordination", "/coordination"),
-        ("floor_force", "/floor_force"),
-        ("plate_stress", "/plate_stress"),
-        ("shear_stress", "/shear_stress"),
-        ("stress_xx", "/stress_xx"),
-        ("stress_zz", "/stress_zz"),
-        ("stress_xz", "/stress_xz"),
-        ("surface_angle", "/surface_angle"),
-        ("time", "/time"),
-        ("steps", "/steps"),
-        ("iterations_total", "/iterations_total"),
-        ("dissipation_normal", "/dissipation/normal"),
-        ("dissipation_sliding", "/dissipation/sliding"),
-        ("dissipation_rolling", "/dissipation/rolling"),
-        ("dissipation_torsion", "/dissipation/torsion"),
-    ],
-    drawn: ["Final solid fraction", "solid fraction"],
-    share: ["rest", "/ending", "rest"],
-    told: &[
-        told("solid fraction", 0, 1.0),
-        told("contacts a grain", 2, 1.0),
-        told("floor force", 3, 1.0),
-        told("shear stress", 5, 1.0),
-        told("angle [deg]", 9, 1.0),
-    ],
-};
+const QUANTITIES: &[Listed] = &[
+    (
+        "solid_fraction",
+        [Some("solid_fraction"), None],
+        Some(["solid fraction", "-"]),
+    ),
+    ("height", [Some("height"), None], None),
+    (
+        "coordination",
+        [Some("coordination"), None],
+        Some(["contacts a grain", "-"]),
+    ),
+    (
+        "floor_force",
+        [Some("floor_force"), None],
+        Some(["floor force", "-"]),
+    ),
+    ("plate_stress", [Some("plate_stress"), None], None),
+    (
+        "shear_stress",
+        [Some("shear_stress"), None],
+        Some(["shear stress", "-"]),
+    ),
+    ("stress_xx", [Some("stress_xx"), None], None),
+    ("stress_zz", [Some("stress_zz"), None], None),
+    ("stress_xz", [Some("stress_xz"), None], None),
+    (
+        "surface_angle",
+        [Some("surface_angle"), None],
+        Some(["angle", "deg"]),
+    ),
+    ("time", [Some("time"), None], None),
+    ("steps", [Some("steps"), None], None),
+    ("iterations_total", [Some("iterations_total"), None], None),
+    (
+        "dissipation_normal",
+        [Some("dissipation"), Some("normal")],
+        None,
+    ),
+    (
+        "dissipation_sliding",
+        [Some("dissipation"), Some("sliding")],
+        None,
+    ),
+    (
+        "dissipation_rolling",
+        [Some("dissipation"), Some("rolling")],
+        None,
+    ),
+    (
+        "dissipation_torsion",
+        [Some("dissipation"), Some("torsion")],
+        None,
+    ),
+];
 
-impl Commands for &GrainsScene {
-    fn is_long(&self) -> bool {
-        true
-    }
+impl LongBody for GrainsScene {
+    type Run = GrainsSimulation;
 
-    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
-        grains::run(self, order)
-    }
+    const SPHERES: &'static str = "grains";
+    const FILES: &'static [&'static str] = files::POWDER;
 
-    fn kind(&self) -> RunKind {
-        KIND.kind()
-    }
-
-    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
-        check(
-            &tribos::grains::size(self),
-            "grains",
-            MemoryPermission::Usual,
+    fn kind() -> RunKind {
+        RunKind::listed(
+            QUANTITIES,
+            ["Final solid fraction", "solid_fraction"],
+            ["rest", "/ending", "rest"],
         )
-        .map_err(NoResult::Refused)?;
-        let run: GrainsSimulation = session(lock).run(*self)?;
-        let outcome = run.outcome();
-        let told = format!(
-            "solid fraction {} after {} steps, {:.1} s",
-            shown(outcome.column("solid_fraction").unwrap_or(f64::NAN)),
-            outcome.steps,
-            outcome.wall_seconds
-        );
-        Ok((outcome.json(self), told))
+    }
+
+    fn size(&self) -> RunSize {
+        size(self)
+    }
+
+    fn refuse(&self) -> Result<(), Failure> {
+        Ok(GrainsSimulation::check(self)?)
+    }
+
+    fn sweeps(&self, run: &GrainsSimulation) -> Option<usize> {
+        let sweeps = run.last_step().iterations.sweeps;
+        (self.method == ContactMethod::ContactDynamics).then_some(sweeps)
+    }
+
+    fn state(run: &GrainsSimulation) -> String {
+        format!("step {:7}  time {:9.4}", run.steps(), run.time())
+    }
+
+    fn results<'a>(&self, run: &'a GrainsSimulation) -> Results<'a> {
+        let summary = run.outcome();
+        Results {
+            summary: summary.json(self),
+            told: format!(
+                "solid fraction {} after {} steps, {:.1} s",
+                shown(summary.column("solid_fraction").unwrap_or(f64::NAN)),
+                summary.steps,
+                summary.wall_seconds
+            ),
+            report: report(&summary),
+            columns: &COLUMNS,
+            rows: run.series().iter().map(|row| &row[..]).collect(),
+        }
+    }
+
+    fn write(
+        &self,
+        run: &GrainsSimulation,
+        folder: &OutputFolder,
+        order: &RunRequest<'_>,
+    ) -> Result<(), Failure> {
+        let start = GrainsSimulation::new(run.scene())?;
+        start.with_snapshot(|first| {
+            run.with_snapshot(|last| states(first, last, (folder, order)))
+        })?;
+        folder.write(STATE, run.state().as_bytes())?;
+
+        order.interrupted()?;
+        folder.check()?;
+        order.draw("packing", || {
+            picture::packing(&start, run).map_err(Failure::run)
+        })?;
+        folder.check()?;
+        order.draw("series", || Ok(picture::series(run)))
     }
 
     fn explanation(&self) -> Result<String, Failure> {
-        text::text(self)
+        explain::grains::text(self)
     }
 
-    fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
-        out.map_or(Ok(String::new()), |out| after::grains(self, out))
+    fn account(&self, summary: &Value, command: &str) -> String {
+        after::packing(summary, &self.material(), command)
     }
+}
+
+/// A few lines for the person at the terminal.
+fn report(outcome: &GrainsSummary) -> String {
+    let ending = match outcome.ending {
+        Some(GrainsStopReason::Rest) => "at rest",
+        Some(GrainsStopReason::Time) => "duration over",
+        _ => "steps done",
+    };
+    let column = |name: &str| shown(outcome.column(name).unwrap_or(f64::NAN));
+    let mut text = format!(
+        "ending        {ending}: time {} s, {} steps, {} sweeps; it took {:.1} s\n\
+         grains        {}, {} kg, {} contacts, {:.2} a grain\n\
+         height        {} m, solid fraction {}\n\
+         forces        floor {} N, plate {} N, side x {} N\n\
+         stresses      zz {} Pa, shear at the plate {} Pa\n",
+        shown(outcome.time),
+        outcome.steps,
+        outcome.iterations,
+        outcome.wall_seconds,
+        outcome.grains,
+        shown(outcome.mass),
+        outcome.statistics.contacts,
+        outcome.statistics.mean_coordination(),
+        column("height"),
+        column("solid_fraction"),
+        column("floor_force"),
+        column("plate_force"),
+        column("side_force_x"),
+        column("stress_zz"),
+        column("shear_stress"),
+    );
+    if outcome.unmet > 0 {
+        text += &format!(
+            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate, overlaps \
+             reach {} m\n",
+            outcome.unmet,
+            shown(outcome.statistics.max_overlap)
+        );
+    }
+    text + &budget(&outcome.energy, &outcome.dissipation(), " J")
 }

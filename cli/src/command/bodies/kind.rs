@@ -49,40 +49,22 @@ impl RunKind {
     }
 }
 
-/// Temporary.
-pub struct Listed {
-    pub quantities: &'static [(&'static str, &'static str)],
-    pub drawn: [&'static str; 2],
-    pub share: [&'static str; 3],
-    pub told: &'static [(&'static str, usize, f64)],
-}
-pub const fn told(a: &'static str, b: usize, c: f64) -> (&'static str, usize, f64) {
-    (a, b, c)
-}
-impl Listed {
-    pub fn kind(&self) -> RunKind {
-        let quantities = self
-            .quantities
-            .iter()
-            .enumerate()
-            .map(|(at, (column, place))| {
-                let mut names = place[1..].split('/');
-                SweptQuantity {
-                    column,
-                    path: [names.next(), names.next()],
-                    label: self
-                        .told
-                        .iter()
-                        .find(|told| told.1 == at)
-                        .map(|told| told.0),
-                    unit: "-",
-                }
-            });
-        RunKind {
-            quantities: quantities.collect(),
-            drawn: 0,
-            title: self.drawn[0],
-            share: self.share,
-        }
+/// A quantity of a summary that is no table yet: its column, its place, and its label and unit if people are shown it.
+pub type Listed = (
+    &'static str,
+    [Option<&'static str>; 2],
+    Option<[&'static str; 2]>,
+);
+
+impl RunKind {
+    /// Quantities of a summary that is no table yet.
+    pub fn listed(list: &[Listed], drawn: [&'static str; 2], share: [&'static str; 3]) -> Self {
+        let quantity = |&(column, path, shown): &Listed| SweptQuantity {
+            column,
+            path,
+            label: shown.map(|[label, _]| label),
+            unit: shown.map_or("-", |[_, unit]| unit),
+        };
+        Self::among(list.iter().map(quantity).collect(), drawn, share)
     }
 }

@@ -5,12 +5,14 @@
 mod gas;
 mod grains;
 mod kind;
+mod long;
 pub mod motion;
 mod no_result;
 mod powder;
 mod tip;
 
 pub use kind::RunKind;
+pub use long::LongBody;
 pub use no_result::NoResult;
 
 use super::run::request::RunRequest;

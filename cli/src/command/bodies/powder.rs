@@ -1,88 +1,241 @@
 //! Powders under a piston.
 
-use super::kind::{Listed, RunKind, told};
-use super::no_result::session;
-use super::{Commands, NoResult};
+use super::kind::{Listed, RunKind};
+use super::long::{LongBody, Results};
 use crate::command::digits::shown;
-use crate::command::explain::{after, powder as text};
-use crate::command::run::powder;
+use crate::command::explain::{self, after};
+use crate::command::run::files;
+use crate::command::run::packing::{budget, states};
 use crate::command::run::request::RunRequest;
-use crate::command::run::resource_check::{MemoryPermission, check};
 use crate::failure::Failure;
 use serde_json::Value;
-use std::path::Path;
-use std::sync::Arc;
-use tribos::powder::PowderSimulation;
-use tribos::run::folder::Lock;
-use tribos::scene::PowderScene;
+use tribos::powder::{COLUMNS, PowderSimulation, PowderStopReason, PowderSummary, STATE, size};
+use tribos::record::Snapshot;
+use tribos::run::RunSize;
+use tribos::run::folder::OutputFolder;
+use tribos::scene::{ContactMethod, PowderScene};
+use tribos_report::runs::powder as picture;
+
+/// A packing is seldom blocked within fewer steps.
+const FEW: u64 = 5_000;
 
 /// Powders.
-static KIND: Listed = Listed {
-    quantities: &[
-        ("porosity_final", "/porosity_final"),
-        ("porosity_bulk", "/porosity_bulk"),
-        ("porosity_initial", "/porosity_initial"),
-        ("particles", "/particles"),
-        ("contacts", "/contacts"),
-        ("coordination", "/statistics/mean_coordination"),
-        ("stress_zz", "/stress_zz"),
-        ("stress_zz_plus", "/stress_zz_plus"),
-        ("stress_zz_minus", "/stress_zz_minus"),
-        ("steps", "/steps"),
-        ("iterations_total", "/iterations_total"),
-        ("dissipation_normal", "/dissipation/normal"),
-        ("dissipation_sliding", "/dissipation/sliding"),
-        ("dissipation_rolling", "/dissipation/rolling"),
-        ("dissipation_torsion", "/dissipation/torsion"),
-        ("dissipation_cohesion", "/dissipation/cohesion"),
-    ],
-    drawn: ["Final porosity", "porosity"],
-    share: ["blocked", "/ending", "blocked"],
-    told: &[
-        told("porosity [%]", 0, 100.0),
-        told("contacts a sphere", 5, 1.0),
-        told("stress_zz", 6, 1.0),
-        told("plus", 7, 1.0),
-        told("minus", 8, 1.0),
-    ],
-};
+const QUANTITIES: &[Listed] = &[
+    (
+        "porosity_final",
+        [Some("porosity_final"), None],
+        Some(["porosity", "-"]),
+    ),
+    ("porosity_bulk", [Some("porosity_bulk"), None], None),
+    ("porosity_initial", [Some("porosity_initial"), None], None),
+    ("particles", [Some("particles"), None], None),
+    ("contacts", [Some("contacts"), None], None),
+    (
+        "coordination",
+        [Some("statistics"), Some("mean_coordination")],
+        Some(["contacts a sphere", "-"]),
+    ),
+    (
+        "stress_zz",
+        [Some("stress_zz"), None],
+        Some(["stress_zz", "-"]),
+    ),
+    (
+        "stress_zz_plus",
+        [Some("stress_zz_plus"), None],
+        Some(["plus", "-"]),
+    ),
+    (
+        "stress_zz_minus",
+        [Some("stress_zz_minus"), None],
+        Some(["minus", "-"]),
+    ),
+    ("steps", [Some("steps"), None], None),
+    ("iterations_total", [Some("iterations_total"), None], None),
+    (
+        "dissipation_normal",
+        [Some("dissipation"), Some("normal")],
+        None,
+    ),
+    (
+        "dissipation_sliding",
+        [Some("dissipation"), Some("sliding")],
+        None,
+    ),
+    (
+        "dissipation_rolling",
+        [Some("dissipation"), Some("rolling")],
+        None,
+    ),
+    (
+        "dissipation_torsion",
+        [Some("dissipation"), Some("torsion")],
+        None,
+    ),
+    (
+        "dissipation_cohesion",
+        [Some("dissipation"), Some("cohesion")],
+        None,
+    ),
+];
 
-impl Commands for &PowderScene {
-    fn is_long(&self) -> bool {
-        true
-    }
+impl LongBody for PowderScene {
+    type Run = PowderSimulation;
 
-    fn simulate(&self, order: &RunRequest<'_>) -> Result<(), Failure> {
-        powder::run(self, order)
-    }
+    const SPHERES: &'static str = "spheres";
+    const FILES: &'static [&'static str] = files::POWDER;
 
-    fn kind(&self) -> RunKind {
-        KIND.kind()
-    }
-
-    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
-        check(
-            &tribos::powder::size(self),
-            "spheres",
-            MemoryPermission::Usual,
+    fn kind() -> RunKind {
+        RunKind::listed(
+            QUANTITIES,
+            ["Final porosity", "porosity_final"],
+            ["blocked", "/ending", "blocked"],
         )
-        .map_err(NoResult::Refused)?;
-        let run: PowderSimulation = session(lock).run(*self)?;
-        let outcome = run.outcome();
-        let told = format!(
-            "porosity {} % after {} steps, {:.1} s",
-            shown(100.0 * outcome.porosity[1]),
-            outcome.steps,
-            outcome.wall_seconds
-        );
-        Ok((outcome.json(self), told))
+    }
+
+    fn size(&self) -> RunSize {
+        size(self)
+    }
+
+    fn refuse(&self) -> Result<(), Failure> {
+        Ok(PowderSimulation::check(self)?)
+    }
+
+    fn growth(placed: usize, expected: f64) -> Option<String> {
+        Some(format!(
+            "deposit: {placed} spheres have fallen, about {expected:.0} will be below the cut"
+        ))
+    }
+
+    fn sweeps(&self, run: &PowderSimulation) -> Option<usize> {
+        let sweeps = run.last_step().iterations.sweeps;
+        (self.method == ContactMethod::ContactDynamics).then_some(sweeps)
+    }
+
+    fn state(run: &PowderSimulation) -> String {
+        format!(
+            "step {:6}  height {:8.4}  porosity {:7.3} %",
+            run.steps(),
+            run.height(),
+            100.0 * run.porosity()
+        )
+    }
+
+    /// Where a time is given, or so few steps that they may end it before the packing is blocked.
+    fn is_end_known(&self) -> bool {
+        self.duration.is_some() || self.max_steps <= FEW
+    }
+
+    fn results<'a>(&self, run: &'a PowderSimulation) -> Results<'a> {
+        let summary = run.outcome();
+        Results {
+            summary: summary.json(self),
+            told: format!(
+                "porosity {} % after {} steps, {:.1} s",
+                shown(100.0 * summary.porosity[1]),
+                summary.steps,
+                summary.wall_seconds
+            ),
+            report: report(&summary),
+            columns: &COLUMNS,
+            rows: run.series().iter().map(|row| &row[..]).collect(),
+        }
+    }
+
+    fn write(
+        &self,
+        run: &PowderSimulation,
+        folder: &OutputFolder,
+        order: &RunRequest<'_>,
+    ) -> Result<(), Failure> {
+        let deposit = run.deposit();
+        run.with_snapshot(|last| {
+            // Spheres are of the same materials all the time.
+            let first = Snapshot {
+                materials: last.materials,
+                densities: last.densities,
+                ..deposit.snapshot(run.first_contacts())
+            };
+            states(&first, last, (folder, order))
+        })?;
+        folder.write(STATE, run.state().as_bytes())?;
+
+        order.interrupted()?;
+        folder.check()?;
+        order.draw("packing", || {
+            let states = picture::State::both(run);
+            picture::packing(run.scene(), &states, &run.outcome()).map_err(Failure::run)
+        })?;
+        folder.check()?;
+        order.draw("series", || Ok(picture::series(run)))
     }
 
     fn explanation(&self) -> Result<String, Failure> {
-        text::text(self)
+        explain::powder::text(self)
     }
 
-    fn account(&self, out: Option<&Path>, command: &str) -> Result<String, Failure> {
-        out.map_or(Ok(String::new()), |out| after::powder(self, out, command))
+    fn account(&self, summary: &Value, command: &str) -> String {
+        after::packing(summary, &self.material(), command)
     }
+}
+
+/// A few lines for the person at the terminal.
+fn report(outcome: &PowderSummary) -> String {
+    let ending = match outcome.ending {
+        Some(PowderStopReason::Blocked) => "blocked",
+        Some(PowderStopReason::Time) => "duration over before the packing was blocked",
+        _ => "steps done before the packing was blocked",
+    };
+    let [before, after] = outcome.porosity.map(|porosity| shown(100.0 * porosity));
+    let [total, plus, minus] = outcome.stress_zz();
+    let sign = if minus < 0.0 { '-' } else { '+' };
+    let [total, plus, minus] = [total, plus, minus.abs()].map(shown);
+    let text = format!(
+        "ending        {ending}: {} steps, {} sweeps, {:.1} s\n\
+         particles     {}, {} contacts, {:.2} a sphere\n\
+         porosity      {after} % from {before} %\n\
+         stress_zz     {total} = {plus} {sign} {minus} of the pressure\n\
+         residual      {:.1e}, overlap {:.1e} R\n",
+        outcome.steps,
+        outcome.iterations,
+        outcome.wall_seconds,
+        outcome.particles,
+        outcome.statistics.contacts,
+        outcome.statistics.mean_coordination(),
+        outcome.residual,
+        outcome.statistics.max_overlap,
+    );
+    text + &unmet(outcome) + &budget(&outcome.energy, &outcome.dissipation(), "")
+}
+
+/// Steps that did not end as they should, and what that means.
+fn unmet(outcome: &PowderSummary) -> String {
+    let mut text = String::new();
+    if outcome.impacts_cut > 0 {
+        text += &format!(
+            "impacts       cut in {} steps after 100 rounds: the rest was stopped without rebound, \
+             its energy is in normal\n",
+            outcome.impacts_cut
+        );
+    }
+    if outcome.impacts_unmet > 0 {
+        text += &format!(
+            "impacts       unmet in {} steps: a reflection, or friction under it, missed its tolerance after \
+             1000 sweeps; its impulses are approximate\n",
+            outcome.impacts_unmet
+        );
+    }
+    if outcome.handed_over > 0 {
+        text += &format!(
+            "handed over   {} steps, in which sweeps missed the tolerance, to an interior point method\n",
+            outcome.handed_over
+        );
+    }
+    if outcome.solver_unmet > 0 {
+        text += &format!(
+            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate\n",
+            outcome.solver_unmet
+        );
+    }
+    text
 }

@@ -1,55 +1,30 @@
 //! What grains carry.
 
-use super::powder::{Springs, cohesion, coupling, modes, springs, thresholds};
-use super::{bytes, duration, line};
+use super::packing::{Springs, accelerated, cohesion, contacts, costs, springs};
+use super::{duration, line};
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::cd::solid;
-use tribos::grains::{GrainsCost, cost, size, stable_step};
-use tribos::powder::ModeSet;
-use tribos::scene::GrainsScene;
+use tribos::grains::{cost, size, stable_step};
+use tribos::scene::{ContactMethod, GrainsScene};
 
 /// The whole account.
 pub fn text(scene: &GrainsScene) -> Result<String, Failure> {
-    let cost = cost(scene)?;
-    let material = scene.material();
-    let carried = material.carried();
-    let mut text = line("contacts", modes(carried.modes));
-    text += &line(
-        "",
-        format!(
-            "{} unknowns each (normal 1, sliding 2, rolling 2, torsion 1), {} bytes",
-            cost.unknowns, cost.bytes
-        ),
-    );
-    text += &line("thresholds", thresholds(&material));
-    text += &line("coupling", coupling(carried.coupling));
-    text += &line(
-        "cohesion",
-        if material.cohesion > 0.0 {
-            format!("{} N, {}", material.cohesion, cohesion(&material, "m"))
-        } else {
-            "none".into()
-        },
-    );
-    text += &solver(scene, cost.longest_step);
-    text += &line("grains", cost.grains.to_string());
-    let [low, high] = cost.contacts;
-    text += &line(
-        "expected",
-        format!(
-            "{low} to {high} contacts when dense, {} to {} unknowns",
-            low * cost.unknowns,
-            high * cost.unknowns
-        ),
-    );
-    text += &line("memory", format!("{} in the solver", bytes(cost.memory())));
-    text += &update(&cost, carried.modes);
+    let (cost, material) = (cost(scene)?, scene.material());
+    let pull = if material.cohesion > 0.0 {
+        format!("{} N, {}", material.cohesion, cohesion(&material, "m"))
+    } else {
+        "none".into()
+    };
+    let longest = scene.longest_step();
+    let is_soft = scene.method == ContactMethod::Soft;
+    let mut text = contacts(&material, &cost, pull, is_soft) + &solver(scene, longest);
+    text += &costs(&cost, ["grains", "", "dense"], material.carried().modes);
     text += &line(
         "steps",
         format!(
-            "{:.0} of {:.3e} s at least; fast grains take shorter ones",
-            cost.steps, cost.longest_step
+            "{:.0} of {longest:.3e} s at least; fast grains take shorter ones",
+            scene.duration / longest
         ),
     );
     text += &line(
@@ -63,11 +38,7 @@ pub fn text(scene: &GrainsScene) -> Result<String, Failure> {
 fn solver(scene: &GrainsScene, longest: f64) -> String {
     let Some(step) = stable_step(scene) else {
         let (tolerance, sweeps) = (scene.tolerance, scene.max_iterations);
-        let how = format!(
-            "accelerated Gauss-Seidel to {tolerance:e}, at most {sweeps} sweeps a step; where they miss it, \
-             an interior point method if that is not much dearer"
-        );
-        return line("solver", how);
+        return line("solver", accelerated(tolerance, sweeps));
     };
     let stiffness = scene.spring();
     let [_, gravity] = scene.gravity.range();
@@ -82,15 +53,4 @@ fn solver(scene: &GrainsScene, longest: f64) -> String {
         steps: [step, longest],
         per_collision: scene.steps_per_collision,
     })
-}
-
-/// Time of an update, and what rolling and torsion add to it.
-fn update(cost: &GrainsCost, modes: ModeSet) -> String {
-    const NANO: f64 = 1e9;
-    let mut rate = format!("{:.0} ns a contact here", NANO * cost.update_seconds);
-    if modes != ModeSet::Sliding {
-        let ratio = cost.update_seconds / cost.sliding_seconds;
-        rate += &format!(", {ratio:.2} times what sliding alone takes");
-    }
-    line("update", rate)
 }

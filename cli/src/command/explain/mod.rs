@@ -3,6 +3,7 @@
 pub mod after;
 pub mod gas;
 pub mod grains;
+pub mod packing;
 pub mod patience;
 pub mod powder;
 pub mod slide;

@@ -10,7 +10,7 @@ pub const PATH: &[&str] = &["summary.json", "series.csv", "path.svg", "path.png"
 /// Of a powder or a tip under way.
 pub const UNDER_WAY: &[&str] = &["checkpoint.json", "frames/"];
 
-/// Results of a powder.
+/// Results of a powder or of grains.
 pub const POWDER: &[&str] = &[
     "summary.json",
     "series.csv",
@@ -26,9 +26,6 @@ pub const POWDER: &[&str] = &[
     "final-contacts.vtp",
     "final-state.json",
 ];
-
-/// Results of grains.
-pub const GRAINS: &[&str] = POWDER;
 
 /// Results of a gas.
 pub const GAS: &[&str] = &[

@@ -1,9 +1,10 @@
 //! Checkpoint files of a gas.
 
 use super::engine::EngineCheckpoint;
-use super::outcome::{GasStopReason, Row};
+use super::outcome::Row;
 use crate::gas::scene::GasScene;
-use serde_json::{Map, Value};
+use crate::packing::PackingStopReason;
+use serde_json::Map;
 use tribos_base::record::checkpoint::{damaged, groups, hex, one, opened};
 use tribos_base::record::{CheckpointError, with_digest};
 
@@ -18,7 +19,7 @@ pub(super) struct Checkpoint {
     pub medium: EngineCheckpoint,
     pub steps: u64,
     pub series: Vec<Row>,
-    pub ending: Option<GasStopReason>,
+    pub ending: Option<PackingStopReason>,
     pub wall_seconds: f64,
 }
 
@@ -33,7 +34,10 @@ impl Checkpoint {
         map.insert("series".into(), hex(&series).into());
         map.insert("wall_seconds".into(), hex(&[self.wall_seconds]).into());
         map.insert("gas_steps".into(), self.steps.into());
-        map.insert("ending".into(), self.ending.map(GasStopReason::name).into());
+        map.insert(
+            "ending".into(),
+            self.ending.map(PackingStopReason::name).into(),
+        );
         with_digest(map)
     }
 
@@ -49,13 +53,15 @@ impl Checkpoint {
             medium: EngineCheckpoint::read(&value, scene)?,
             steps: steps.ok_or_else(|| damaged("gas_steps"))?,
             series,
-            ending: match &value["ending"] {
-                Value::Null => None,
-                name => {
-                    let ending = name.as_str().and_then(GasStopReason::named);
-                    Some(ending.ok_or_else(|| damaged("ending"))?)
-                }
-            },
+            ending: PackingStopReason::read(
+                &value,
+                &[
+                    PackingStopReason::Collisions,
+                    PackingStopReason::Time,
+                    PackingStopReason::Collapse,
+                    PackingStopReason::Rest,
+                ],
+            )?,
             wall_seconds: one(&value, "wall_seconds")?,
         })
     }

@@ -17,11 +17,12 @@ mod state;
 mod tests;
 mod time_stepped;
 
-pub use error::GasError;
+pub use crate::packing::PackingStopReason as GasStopReason;
+pub use error::{GasError, GasStartError};
 pub(crate) use lattice::edge;
 #[doc(hidden)]
 pub use outcome::COLUMNS;
-pub use outcome::{GasStopReason, GasSummary};
+pub use outcome::GasSummary;
 pub use run::GasSimulation;
 #[doc(hidden)]
 pub use size::size;

@@ -1,8 +1,7 @@
 //! What a gas leaves: columns of the series, why it ended, and the summary.
 
-use crate::gas::scene::GasScene;
-use serde_json::{Map, Value};
-use tribos_base::record::json_number;
+use crate::packing::PackingStopReason;
+use tribos_base::results::{Told::*, summary};
 
 /// Columns of the series: temperatures in T0; energies a sphere; `theory` the mean-field temperatures after as
 /// many collisions, `haff` the translational one after the same time.
@@ -37,137 +36,62 @@ pub(super) const VARIANCE: usize = 11;
 /// A row of the series.
 pub(super) type Row = [f64; COLUMNS.len()];
 
-/// Why a run ended.
-///
-/// ```
-/// use tribos::gas::{GasStopReason, GasSimulation};
-/// use tribos::run::run_to_end;
-/// # use tribos::scene::GasScene;
-/// // Dense and dissipative: infinitely many collisions in a finite time.
-/// let scene = GasScene { count: 500, packing_fraction: 0.5, restitution: 0.2, collisions: 1e3, ..GasScene::default() };
-/// let mut gas = GasSimulation::new(&scene)?;
-/// run_to_end(&mut gas, |_, _| ())?;
-/// assert_eq!(gas.ending(), Some(GasStopReason::Collapse));
-/// # Ok::<(), tribos::gas::GasError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GasStopReason {
-    /// The scene's number of collisions was reached.
-    Collisions,
-    /// The scene's duration elapsed.
-    Time,
-    /// Inelastic collapse: time stands still while collisions go on.
-    Collapse,
-    /// No sphere will meet another one.
-    Rest,
-}
+summary! {
+    /// Results of a gas, in the units of its scene.
+    ///
+    /// ```
+    /// use tribos::gas::{GasSimulation, GasSummary};
+    /// use tribos::run::run_to_end;
+    /// # use tribos::scene::GasScene;
+    /// # let scene = GasScene { count: 200, collisions: 3.0, ..GasScene::default() };
+    /// let mut gas = GasSimulation::new(&scene)?;
+    /// run_to_end(&mut gas, |_, _| ())?;
+    /// let end: GasSummary = gas.outcome();
+    /// let missing = end.energy_initial - end.energy_final - end.energy_lost;
+    /// assert!(missing.abs() < 1e-10);
+    /// assert_eq!(end.json(&scene)["ending"], "collisions");
+    /// # Ok::<(), tribos::gas::GasError>(())
+    /// ```
+    pub struct GasSummary;
 
-impl GasStopReason {
-    const ALL: [Self; 4] = [Self::Collisions, Self::Time, Self::Collapse, Self::Rest];
-
-    /// Name in summaries and checkpoints.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Collisions => "collisions",
-            Self::Time => "time",
-            Self::Collapse => "collapse",
-            Self::Rest => "rest",
-        }
-    }
-
-    pub(super) fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|ending| ending.name() == name)
-    }
-}
-
-/// Results of a gas, in the units of its scene.
-///
-/// ```
-/// use tribos::gas::{GasSimulation, GasSummary};
-/// use tribos::run::run_to_end;
-/// # use tribos::scene::GasScene;
-/// # let scene = GasScene { count: 200, collisions: 3.0, ..GasScene::default() };
-/// let mut gas = GasSimulation::new(&scene)?;
-/// run_to_end(&mut gas, |_, _| ())?;
-/// let end: GasSummary = gas.outcome();
-/// assert!((end.energy[0] - end.energy[1] - end.lost).abs() < 1e-10); // none is missing
-/// assert_eq!(end.json(&scene)["ending"], "collisions");
-/// # Ok::<(), tribos::gas::GasError>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct GasSummary {
-    /// Why the run ended; `None` if it has not.
-    pub ending: Option<GasStopReason>,
-    /// Time at the end.
-    pub time: f64,
-    /// Number of steps taken.
-    pub steps: u64,
-    /// Number of spheres.
-    pub particles: usize,
-    /// Edge of the cube.
-    pub length: f64,
-    /// Collisions a sphere.
-    pub collisions: f64,
+    /// Why the run ended; none if it has not.
+    ending: Option<PackingStopReason>, "-";
     /// Translational temperature at the end.
-    pub temperature: f64,
+    temperature: f64, "T0", Shown("temperature");
     /// Rotational temperature at the end.
-    pub temperature_rotational: f64,
+    temperature_rotational: f64, "T0", Swept;
     /// Translational temperature of mean-field theory after as many collisions.
-    pub theory: f64,
+    theory: f64, "T0", Shown("mean field");
     /// Rotational temperature of mean-field theory after as many collisions.
-    pub theory_rotational: f64,
+    theory_rotational: f64, "T0", Swept;
     /// Haff's law of smooth spheres after the same time.
-    pub haff: f64,
-    /// Kinetic energy a sphere, at the start and at the end.
-    pub energy: [f64; 2],
+    haff: f64, "T0", Swept;
+    /// Collisions a sphere.
+    collisions: f64, "-", Shown("collisions");
+    /// Time at the end.
+    time: f64, "R sqrt(m/T0)", Shown("time");
+    /// Kinetic energy a sphere at the start.
+    energy_initial: f64, "T0";
+    /// Kinetic energy a sphere at the end.
+    energy_final: f64, "T0";
     /// Energy a sphere that collisions took.
-    pub lost: f64,
+    energy_lost: f64, "T0", Swept;
     /// Size of the total momentum.
-    pub momentum: f64,
-    /// Variance over mean of the numbers of spheres in cells of about eight, at the start and at the end.
-    pub density_variance: [f64; 2],
+    momentum: f64, "sqrt(m T0)", Swept;
+    /// Variance over mean of the numbers of spheres in cells of about eight, at the start.
+    density_variance_initial: f64, "-";
+    /// The same at the end.
+    density_variance_final: f64, "-", ShownAs("density_variance", "clusters");
+    /// Edge of the cube.
+    edge: f64, "R";
+    /// Number of spheres.
+    particles: usize, "-";
+    /// Number of steps taken.
+    steps: u64, "-";
     /// Collisions of pairs within the contact time, which lost no energy.
-    pub cured: u64,
+    collisions_cured: u64, "-", Swept;
     /// Time steps whose impacts missed their tolerance.
-    pub unmet: u64,
-    /// Wall-clock time, in s.
-    pub wall_seconds: f64,
-}
-
-impl GasSummary {
-    /// The summary as JSON.
-    pub fn json(&self, scene: &GasScene) -> Value {
-        let mut map = Map::new();
-        map.insert("ending".into(), self.ending.map(GasStopReason::name).into());
-        for (name, number) in [
-            ("temperature", self.temperature),
-            ("temperature_rotational", self.temperature_rotational),
-            ("theory", self.theory),
-            ("theory_rotational", self.theory_rotational),
-            ("haff", self.haff),
-            ("collisions", self.collisions),
-            ("time", self.time),
-            ("energy_initial", self.energy[0]),
-            ("energy_final", self.energy[1]),
-            ("energy_lost", self.lost),
-            ("momentum", self.momentum),
-            ("density_variance_initial", self.density_variance[0]),
-            ("density_variance_final", self.density_variance[1]),
-            ("edge", self.length),
-        ] {
-            map.insert(name.into(), json_number(number));
-        }
-        for (name, count) in [
-            ("particles", self.particles as u64),
-            ("steps", self.steps),
-            ("collisions_cured", self.cured),
-            ("steps_unmet", self.unmet),
-        ] {
-            map.insert(name.into(), count.into());
-        }
-        map.insert("wall_seconds".into(), json_number(self.wall_seconds));
-        map.insert("scene".into(), scene.json());
-        map.insert("version".into(), env!("CARGO_PKG_VERSION").into());
-        Value::Object(map)
-    }
+    steps_unmet: u64, "-";
+    /// Wall-clock time.
+    wall_seconds: f64, "s";
 }

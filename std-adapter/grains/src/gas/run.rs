@@ -5,13 +5,14 @@ use super::engine::GasEngine;
 use super::error::GasError;
 use super::lattice::edge;
 use super::outcome::{
-    COLLISIONS, COLUMNS, ENERGY, GasStopReason, GasSummary, HAFF, LOST, MOMENTUM, ROTATIONAL, Row,
-    THEORY, THEORY_ROTATIONAL, TIME, TRANSLATIONAL, VARIANCE,
+    COLLISIONS, COLUMNS, ENERGY, GasSummary, HAFF, LOST, MOMENTUM, ROTATIONAL, Row, THEORY,
+    THEORY_ROTATIONAL, TIME, TRANSLATIONAL, VARIANCE,
 };
 use super::start::start;
 use super::state::GasState;
 use super::time_stepped::DENSITY;
 use crate::gas::scene::GasScene;
+use crate::packing::PackingStopReason;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -45,7 +46,7 @@ pub struct GasSimulation {
     medium: GasEngine,
     steps: u64,
     series: Vec<Row>,
-    ending: Option<GasStopReason>,
+    ending: Option<PackingStopReason>,
     radii: Vec<f64>,
     wall_seconds: f64,
     started: Instant,
@@ -155,7 +156,7 @@ impl GasSimulation {
     }
 
     /// Why the run has ended, if it has.
-    pub fn ending(&self) -> Option<GasStopReason> {
+    pub fn ending(&self) -> Option<PackingStopReason> {
         self.ending
     }
 
@@ -198,19 +199,21 @@ impl GasSimulation {
             time: now[TIME],
             steps: self.steps,
             particles: self.scene.count,
-            length: self.length,
+            edge: self.length,
             collisions: now[COLLISIONS],
             temperature: now[TRANSLATIONAL],
             temperature_rotational: now[ROTATIONAL],
             theory: now[THEORY],
             theory_rotational: now[THEORY_ROTATIONAL],
             haff: now[HAFF],
-            energy: [first[ENERGY], now[ENERGY]],
-            lost: now[LOST],
+            energy_initial: first[ENERGY],
+            energy_final: now[ENERGY],
+            energy_lost: now[LOST],
             momentum: now[MOMENTUM],
-            density_variance: [first[VARIANCE], now[VARIANCE]],
-            cured: self.medium.cured(),
-            unmet: self.medium.unmet(),
+            density_variance_initial: first[VARIANCE],
+            density_variance_final: now[VARIANCE],
+            collisions_cured: self.medium.cured(),
+            steps_unmet: self.medium.unmet(),
             wall_seconds: self.wall_seconds(),
         }
     }
@@ -306,11 +309,11 @@ impl Simulation for GasSimulation {
         let stop = self.medium.advance(next, until)?;
         self.steps += 1;
         self.ending = match stop {
-            Some(Advance::Time) => Some(GasStopReason::Time),
-            Some(Advance::Collapse) => Some(GasStopReason::Collapse),
-            Some(Advance::Rest) => Some(GasStopReason::Rest),
+            Some(Advance::Time) => Some(PackingStopReason::Time),
+            Some(Advance::Collapse) => Some(PackingStopReason::Collapse),
+            Some(Advance::Rest) => Some(PackingStopReason::Rest),
             Some(Advance::Collisions) if self.medium.collisions() >= all => {
-                Some(GasStopReason::Collisions)
+                Some(PackingStopReason::Collisions)
             }
             _ => None,
         };

@@ -1,6 +1,6 @@
 //! Gases as long runs.
 
-use super::{GasError, GasSimulation};
+use super::{GasError, GasSimulation, GasStartError};
 use crate::gas::scene::GasScene;
 use std::ops::ControlFlow;
 use tribos_base::record::frames::{Bodies, Frame};
@@ -18,11 +18,7 @@ impl LongRun for GasSimulation {
     }
 
     fn cause(error: &GasError) -> Cause {
-        match error {
-            GasError::Checkpoint(_) => Cause::Checkpoint,
-            GasError::Stopped => Cause::Stopped,
-            _ => Cause::Scene,
-        }
+        error.cause(|start| matches!(start, GasStartError::Stopped))
     }
 
     fn checkpoint(&self) -> String {

@@ -64,11 +64,11 @@ fn the_energy_balance_of_a_gas_closes_and_its_momentum_stays() -> Tested {
         let [before, after] = end.energy;
         assert!(after < before);
         assert!(
-            (before - after - end.lost).abs() < 1e-9,
+            (before - after - end.energy_lost).abs() < 1e-9,
             "{scene:?} {end:?}"
         );
         assert!(end.momentum < 1e-9, "{end:?}");
-        assert_eq!(end.unmet, 0);
+        assert_eq!(end.steps_unmet, 0);
     }
     Ok(())
 }
@@ -170,7 +170,7 @@ fn a_dense_gas_collapses_and_a_contact_time_prevents_it() -> Tested {
         Some(GasStopReason::Collisions),
         "{through:?}"
     );
-    assert!(through.cured > 0 && through.time > 2.0 * stuck.time);
+    assert!(through.collisions_cured > 0 && through.time > 2.0 * stuck.time);
     Ok(())
 }
 
@@ -345,7 +345,7 @@ fn soft_spheres_keep_their_momentum_and_lose_what_springs_do_not_hold() -> Teste
         // Contacts that are open hold the rest: a collision lasts 1 % of the time between two.
         assert!(end.momentum < 1e-9, "{end:?}");
         assert!(
-            (before - after - end.lost).abs() < 0.03 * end.lost,
+            (before - after - end.energy_lost).abs() < 0.03 * end.energy_lost,
             "{end:?}"
         );
         // Friction, and only friction, turns spheres.

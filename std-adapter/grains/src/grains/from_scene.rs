@@ -1,72 +1,17 @@
-//! What a packing of grains is made of: material, bodies and method of its scene.
+//! What a scene of grains says of its packing: material, method, steps and first velocities.
 
-use super::error::GrainsError;
-use super::layout::Layout;
-use super::loads::Loads;
-use super::placement::Start;
-use super::wall::InitialWall;
 use crate::grains::scene::GrainsScene;
 use crate::packing::method::ContactMethod;
-use crate::packing::{
-    Bodies, Material, Method, OptionalFeatures, Packing, SecondMaterial, SecondMaterialKeys,
-    Springs, WorldSnapshot, build_with,
-};
+use crate::packing::{ContactKeys, Material, Method, SecondMaterialKeys, Springs};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use tribos_base::random::Random;
-use tribos_contacts::cd::{ContactSolver, SolverMethod as Sweeps, StepLimits, Wall};
+use tribos_contacts::cd::{ContactSolver, SolverMethod as Sweeps, StepLimits};
 
 /// Stream of the seed for the velocities of a sheared box.
 const VELOCITIES: u64 = 3;
 /// A share of the duration that no step exceeds.
 const STEPS: f64 = 100.0;
-
-/// The packing of a scene, at its start or from a stored state.
-pub(super) fn packing(
-    scene: &GrainsScene,
-    (layout, loads): (&Layout, &Loads),
-    start: Start,
-    frozen: Option<&WorldSnapshot>,
-) -> Result<Box<dyn Packing>, GrainsError> {
-    let material = scene.material();
-    let extras = OptionalFeatures {
-        shear_rate: scene.shear_rate.unwrap_or(0.0),
-        second: SecondMaterial::beside(&material, &scene.differences(), start.kinds.is_second()),
-        densities: start.kinds.densities,
-        velocities: scene.agitation(start.radii.len()),
-    };
-    let mass = scene.piston_mass.unwrap_or_else(|| {
-        let grains = start.radii.iter().enumerate();
-        grains
-            .map(|(grain, radius)| extras.density(&material, grain) * volume(*radius))
-            .sum()
-    });
-    let wall = |(wall, part): (usize, &InitialWall)| {
-        let mass = if loads.is_piston(wall) {
-            mass
-        } else {
-            f64::INFINITY
-        };
-        Wall {
-            edges: part.edges,
-            ..Wall::piston(part.inward, part.place, mass, 0.0)
-        }
-    };
-    let bodies = Bodies {
-        space: layout.space,
-        positions: start.positions,
-        radii: start.radii,
-        walls: layout.parts.iter().enumerate().map(wall).collect(),
-        gravity: loads.gravity(0.0),
-    };
-    let method = scene.contact_method();
-    let mut packing = build_with(&material, (bodies, &extras), &method, frozen)?;
-    // A stored state has its walls where they were.
-    if frozen.is_none() {
-        loads.apply(layout, &mut *packing);
-    }
-    Ok(packing)
-}
 
 /// Volume of a sphere.
 pub(super) fn volume(radius: f64) -> f64 {
@@ -74,6 +19,15 @@ pub(super) fn volume(radius: f64) -> f64 {
 }
 
 impl GrainsScene {
+    /// What the scene says of the contacts.
+    pub(crate) fn contact_keys(&self) -> ContactKeys {
+        ContactKeys {
+            material: self.material(),
+            second: self.differences(),
+            method: self.contact_method(),
+        }
+    }
+
     /// How the contacts of a step are found and solved.
     pub(super) fn contact_method(&self) -> Method {
         let step_limits = StepLimits {
@@ -104,7 +58,7 @@ impl GrainsScene {
 
     /// Random velocities of a sheared box, of the rate times the radius and without momentum: the places of the
     /// start lie in layers, which would pass each other.
-    fn agitation(&self, count: usize) -> Vec<Vector3<f64>> {
+    pub(super) fn agitation(&self, count: usize) -> Vec<Vector3<f64>> {
         let Some(rate) = self.shear_rate else {
             return Vec::new();
         };
@@ -120,7 +74,8 @@ impl GrainsScene {
     }
 
     /// Longest time step.
-    pub(super) fn longest_step(&self) -> f64 {
+    #[doc(hidden)]
+    pub fn longest_step(&self) -> f64 {
         let [_, strongest] = self.gravity.range();
         let fall = (2.0 * self.max_displacement * self.radius / strongest).sqrt();
         let longest = fall.min(self.duration / STEPS);

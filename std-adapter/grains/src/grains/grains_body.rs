@@ -1,34 +1,52 @@
 //! Grains under their loads, step by step: their measures and when they end.
 
+use super::error::GrainsError;
+use super::from_scene::volume;
+use super::initial_grains::start;
 use super::layout::Layout;
 use super::loads::Loads;
 use super::measure::{COLUMNS, PackingState};
-use super::outcome::GrainsStopReason;
-use crate::grains::scene::GrainsScene;
-use crate::packing::{self, Body, MeasuredState, MeasurementSchedule, Packing, RunLimits};
+use super::outcome::GrainsSummary;
+use super::placement::PlacementError;
+use super::wall::{AxisEnd, InitialWall};
+use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
+use crate::packing::{
+    Bodies, ContactKeys, ContactStatistics, InitialSpheres, Limits, MeasuredState,
+    MeasurementSchedule, OptionalFeatures, Packing, PackingBody, PackingRun, PackingStopReason,
+    RunLimits,
+};
 use serde_json::{Map, Value};
+use std::ops::ControlFlow;
+use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::damaged;
-use tribos_base::scene::Key;
+use tribos_base::record::frames::Kind;
+use tribos_base::run::Simulation;
+use tribos_contacts::cd::Wall;
 
 /// Slow steps after which the grains count as at rest.
 const SLOW_STEPS: u64 = 100;
 
+/// Grains in a box, a run in progress; its columns are [`COLUMNS`].
+///
+/// [`GrainsScene`] has an example.
+pub type GrainsSimulation = PackingRun<GrainsBody, { COLUMNS.len() }>;
+
 /// Grains in their box under its loads.
 #[derive(Debug)]
-pub(super) struct GrainsBody {
-    pub scene: GrainsScene,
-    pub layout: Layout,
-    pub loads: Loads,
+pub struct GrainsBody {
+    scene: GrainsScene,
+    layout: Layout,
+    loads: Loads,
 }
 
 /// Number of steps for which the grains have been slow.
 #[derive(Debug)]
-pub(super) struct SlowStepCount(pub u64);
+pub struct SlowStepCount(u64);
 
 impl GrainsBody {
     /// The state after a step, for measurements.
-    pub fn now<'a>(&'a self, seen: &'a MeasuredState) -> PackingState<'a> {
+    pub(super) fn now<'a>(&'a self, seen: &'a MeasuredState) -> PackingState<'a> {
         PackingState {
             scene: &self.scene,
             layout: &self.layout,
@@ -40,30 +58,101 @@ impl GrainsBody {
     }
 }
 
-impl Body<{ COLUMNS.len() }> for GrainsBody {
+impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
+    type Scene = GrainsScene;
+    type Placement = PlacementError;
     type Monitor = SlowStepCount;
-    type Ending = GrainsStopReason;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
     const FORMAT: (&'static str, u64) = ("tribos_grains", 3);
-    const KEYS: &'static [Key] = GrainsScene::KEYS;
+    const KIND: Kind = Kind::Grains;
     const CADENCE: MeasurementSchedule = MeasurementSchedule::Lines;
+    const OVER: PackingStopReason = PackingStopReason::Rest;
 
-    fn scene(&self) -> Value {
-        self.scene.json()
+    fn place(
+        scene: &GrainsScene,
+        watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<(Self, InitialSpheres), GrainsError> {
+        let start = start(scene, watch)?;
+        let layout = Layout::of(scene, &start)?;
+        let body = Self {
+            scene: scene.clone(),
+            loads: Loads::of(scene, &layout),
+            layout,
+        };
+        Ok((body, start))
+    }
+
+    fn is_stop(error: &PlacementError) -> bool {
+        matches!(error, PlacementError::Stopped)
+    }
+
+    fn scene(&self) -> &GrainsScene {
+        &self.scene
+    }
+
+    fn contact_keys(&self) -> ContactKeys {
+        self.scene.contact_keys()
     }
 
     fn bounds(&self) -> RunLimits {
-        bounds(&self.scene)
+        RunLimits {
+            duration: self.scene.duration,
+            steps: self.scene.max_steps,
+            samples: self.scene.sample_every,
+        }
+    }
+
+    fn walls(&self) -> usize {
+        self.layout.parts.len()
+    }
+
+    fn bodies(&self, start: &InitialSpheres, features: &OptionalFeatures) -> Bodies {
+        let mass = self.scene.piston_mass.unwrap_or_else(|| {
+            let grains = start.radii.iter().zip(&features.densities);
+            grains
+                .map(|(radius, density)| density * volume(*radius))
+                .sum()
+        });
+        let wall = |(wall, part): (usize, &InitialWall)| {
+            let mass = if self.loads.is_piston(wall) {
+                mass
+            } else {
+                f64::INFINITY
+            };
+            Wall {
+                edges: part.edges,
+                ..Wall::piston(part.inward, part.place, mass, 0.0)
+            }
+        };
+        Bodies {
+            space: self.layout.space,
+            positions: start.positions.clone(),
+            radii: start.radii.clone(),
+            walls: self.layout.parts.iter().enumerate().map(wall).collect(),
+            gravity: self.loads.gravity(0.0),
+        }
+    }
+
+    fn features(&self, start: &InitialSpheres) -> OptionalFeatures {
+        OptionalFeatures {
+            shear_rate: self.scene.shear_rate.unwrap_or(0.0),
+            velocities: self.scene.agitation(start.radii.len()),
+            ..OptionalFeatures::default()
+        }
+    }
+
+    fn monitor(&self) -> SlowStepCount {
+        SlowStepCount(0)
     }
 
     fn prepare(&self, _: &mut SlowStepCount, packing: &mut dyn Packing) {
         self.loads.apply(&self.layout, packing);
     }
 
-    fn solid_fraction(&self, seen: &MeasuredState) -> f64 {
+    fn porosity(&self, seen: &MeasuredState) -> f64 {
         let now = self.now(seen);
-        now.solid_fraction(now.extents().map(|[low, high]| high - low))
+        1.0 - now.solid_fraction(now.extents().map(|[low, high]| high - low))
     }
 
     fn line(&self, _: &SlowStepCount, seen: &MeasuredState) -> [f64; COLUMNS.len()] {
@@ -78,6 +167,38 @@ impl Body<{ COLUMNS.len() }> for GrainsBody {
         *slow >= SLOW_STEPS
     }
 
+    /// Its walls, and the highest grain below an open top. All centres are inside.
+    fn extents(&self, seen: &MeasuredState) -> [[f64; 2]; 3] {
+        let (scene, layout, packing) = (&self.scene, &self.layout, &seen.packing);
+        let mut corners = layout.extents(packing.walls());
+        if scene.is_flat() {
+            let most = packing.radii().iter().copied().fold(0.0, f64::max);
+            corners[1] = [-most, most];
+        }
+        // Grains that press a wall reach beyond it by their overlap, and the box ends at the wall.
+        let is_open = scene.boundary_z == EndBoundary::Floor && scene.container != Container::Drum;
+        for (x, radius) in packing.positions().iter().zip(packing.radii()) {
+            let x = layout.space.wrap(x);
+            for (axis, [low, high]) in corners.iter_mut().enumerate() {
+                if layout.space.lengths()[axis].is_none() {
+                    let above = if is_open && axis == 2 { *radius } else { 0.0 };
+                    *low = low.min(x[axis]);
+                    *high = high.max(x[axis] + above);
+                }
+            }
+        }
+        corners
+    }
+
+    fn sides(&self) -> [f64; 2] {
+        [self.scene.width, self.scene.box_depth()]
+    }
+
+    fn height(&self, seen: &MeasuredState) -> f64 {
+        let [_, _, [low, high]] = self.now(seen).extents();
+        high - low
+    }
+
     fn write_checkpoint(SlowStepCount(slow): &SlowStepCount, map: &mut Map<String, Value>) {
         map.insert("slow".into(), (*slow).into());
     }
@@ -88,21 +209,39 @@ impl Body<{ COLUMNS.len() }> for GrainsBody {
     }
 }
 
-/// Limits of a run of a scene.
-pub(super) fn bounds(scene: &GrainsScene) -> RunLimits {
-    RunLimits {
-        duration: scene.duration,
-        steps: scene.max_steps,
-        samples: scene.sample_every,
+impl GrainsSimulation {
+    /// Summary of the run so far.
+    pub fn outcome(&self) -> GrainsSummary {
+        let now = self.body.now(&self.seen);
+        let radii = now.packing.radii();
+        let limits = Limits::of(&self.scene().material());
+        let spheres = now.packing.spheres().iter();
+        let totals = self.totals();
+        GrainsSummary {
+            ending: self.ending(),
+            time: self.time(),
+            steps: self.steps(),
+            grains: radii.len(),
+            mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
+            floor_force: now.push(Axis::Z, AxisEnd::Low),
+            surface_angles: now.surface_angles(),
+            last: self.record(),
+            statistics: ContactStatistics::of(self.contacts(), radii, &limits)
+                .of_materials(self.kinds.mixed().is_some())
+                .since(totals.overlap),
+            iterations: totals.iterations,
+            unmet: totals.unmet,
+            handed_over: totals.handed_over,
+            energy: *now.packing.energy(),
+            wall_seconds: totals.wall_seconds,
+        }
     }
 }
 
-impl packing::Ending for GrainsStopReason {
-    const OVER: Self = Self::Rest;
-    const TIME: Self = Self::Time;
-    const STEPS: Self = Self::Steps;
+impl Measure for GrainsScene {
+    type Error = GrainsError;
 
-    fn name(self) -> &'static str {
-        self.name()
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, GrainsError> {
+        GrainsSimulation::measured(self, watch, |run| run.outcome().json(self))
     }
 }

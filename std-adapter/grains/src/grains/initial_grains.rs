@@ -2,12 +2,12 @@
 
 use super::error::GrainsError;
 use super::layout::Layout;
-use super::placement::{self, Start};
+use super::placement;
 use super::wall::{InitialWall, WallId};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::AssemblyError;
 use crate::packing::method::ContactMethod;
-use crate::packing::{Kinds, WorldSnapshot, deepest, given};
+use crate::packing::{InitialSpheres, Kinds, WorldSnapshot, deepest, given};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -21,7 +21,7 @@ const OFF_PLANE: f64 = 2.0 / 65_535.0;
 pub(super) fn start(
     scene: &GrainsScene,
     watch: impl FnMut(usize) -> ControlFlow<()>,
-) -> Result<Start, GrainsError> {
+) -> Result<InitialSpheres, GrainsError> {
     match &scene.initial_state {
         Some(path) => read(scene, path),
         None => Ok(placement::start(scene, watch)?),
@@ -29,7 +29,7 @@ pub(super) fn start(
 }
 
 /// Grains of a file or a run in the box of the scene.
-fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
+fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, GrainsError> {
     let (flat, depth) = (scene.is_flat(), scene.box_depth());
     let x = (scene.boundary_x == SideBoundary::Periodic).then_some((scene.width, "width"));
     let y = (scene.boundary_y == SideBoundary::Periodic && !flat).then_some((depth, "depth"));
@@ -46,7 +46,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
         .into());
     }
     let frozen = assembly.frozen.take();
-    let mut start = Start {
+    let mut start = InitialSpheres {
         positions: assembly.positions.clone(),
         radii: assembly.radii.clone(),
         kinds: Kinds::given(
@@ -104,7 +104,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
 fn check_inside(
     scene: &GrainsScene,
     path: &Path,
-    start: &Start,
+    start: &InitialSpheres,
     layout: &Layout,
 ) -> Result<(), AssemblyError> {
     let refused = |reason: String| AssemblyError::Content {
@@ -149,7 +149,7 @@ fn check_inside(
 fn check_walls(
     scene: &GrainsScene,
     path: &Path,
-    start: &Start,
+    start: &InitialSpheres,
     layout: &Layout,
     is_meant: impl Fn(&InitialWall) -> bool,
 ) -> Result<(), AssemblyError> {

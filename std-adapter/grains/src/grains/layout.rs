@@ -1,9 +1,9 @@
 //! The box: which walls it has, and its current lengths.
 
 use super::container;
-use super::placement::Start;
 use super::wall::{AxisEnd, InitialWall, WallId, inward};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
+use crate::packing::InitialSpheres;
 use tribos_base::space::{PeriodicBox, PeriodicBoxError};
 use tribos_contacts::cd::Wall;
 
@@ -19,7 +19,7 @@ pub(super) struct Layout {
 
 impl Layout {
     /// The box of a scene around its grains.
-    pub fn of(scene: &GrainsScene, start: &Start) -> Result<Self, PeriodicBoxError> {
+    pub fn of(scene: &GrainsScene, start: &InitialSpheres) -> Result<Self, PeriodicBoxError> {
         let grains = start.positions.iter().zip(&start.radii);
         let top = grains.map(|(x, radius)| x.z + radius).fold(0.0, f64::max);
         let height = match scene.container {

@@ -15,22 +15,21 @@ mod measure;
 mod outcome;
 mod placement;
 mod ramp;
-mod run;
 pub(crate) mod scene;
-mod session;
 #[cfg(test)]
 mod sheared_tests;
 mod wall;
 
+pub use crate::packing::PackingStopReason as GrainsStopReason;
 #[doc(hidden)]
-pub use cost::{GrainsCost, cost, size, stable_step};
+pub use cost::{cost, size, stable_step};
 pub use error::GrainsError;
+pub use grains_body::GrainsSimulation;
 #[doc(hidden)]
 pub use measure::COLUMNS;
-pub use outcome::{GrainsStopReason, GrainsSummary};
+pub use outcome::GrainsSummary;
 pub use placement::PlacementError;
 pub use ramp::{Ramp, RampError};
-pub use run::GrainsSimulation;
 
 #[cfg(test)]
 mod tests;

@@ -3,45 +3,10 @@
 use super::measure::COLUMNS;
 use crate::grains::scene::{EndBoundary, GrainsScene};
 use crate::packing::method::ContactMethod;
-use crate::packing::{ContactStatistics, losses, object};
+use crate::packing::{ContactStatistics, PackingStopReason, losses, object};
 use serde_json::{Map, Value};
 use tribos_base::record::json_number;
 use tribos_contacts::cd::EnergyBalance;
-
-/// Why a run ended.
-///
-/// ```
-/// use tribos::grains::{GrainsStopReason, GrainsSimulation};
-/// use tribos::run::run_to_end;
-/// # use tribos::scene::GrainsScene;
-/// let scene = GrainsScene { count: 5, rest_speed: Some(1e-3), duration: 10.0, ..Default::default() };
-/// let mut beads = GrainsSimulation::new(&scene)?;
-/// assert_eq!(beads.ending(), None);
-/// run_to_end(&mut beads, |_, _| ())?;
-/// assert_eq!(beads.ending(), Some(GrainsStopReason::Rest)); // they fall and stay where they are
-/// assert_eq!(GrainsStopReason::Rest.name(), "rest");
-/// # Ok::<(), tribos::grains::GrainsError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GrainsStopReason {
-    /// The grains are at rest.
-    Rest,
-    /// The scene's duration elapsed.
-    Time,
-    /// The scene's number of steps was reached.
-    Steps,
-}
-
-impl GrainsStopReason {
-    /// Name in summaries and checkpoints.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rest => "rest",
-            Self::Time => "time",
-            Self::Steps => "steps",
-        }
-    }
-}
 
 /// Results of a run of grains, in the units of its scene.
 ///
@@ -49,7 +14,7 @@ impl GrainsStopReason {
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrainsSummary {
     /// Why the run ended; `None` if it has not.
-    pub ending: Option<GrainsStopReason>,
+    pub ending: Option<PackingStopReason>,
     /// Time at the end.
     pub time: f64,
     /// Number of steps taken.
@@ -96,7 +61,7 @@ impl GrainsSummary {
         let mut map = Map::new();
         map.insert(
             "ending".into(),
-            self.ending.map(GrainsStopReason::name).into(),
+            self.ending.map(PackingStopReason::name).into(),
         );
         let mut put = |name: &str, value: Value| map.insert(name.into(), value);
         put("grains", self.grains.into());

@@ -2,28 +2,16 @@
 
 use super::container::has_room;
 use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
-use crate::packing::{Kinds, Radii, SecondMaterial, SizesError, WorldSnapshot};
+use crate::packing::{InitialSpheres, Kinds, Radii, SecondMaterial, SizesError};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use tribos_base::random::Random;
-use tribos_base::record::ContactRow;
 
 /// Streams of the seed: one for the radii, one for the places.
 const RADII: u64 = 0;
 const PLACES: u64 = 1;
 /// Grains between two reports of the placement.
 const BATCH: usize = 1000;
-
-/// Grains at the start.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Start {
-    pub positions: Vec<Vector3<f64>>,
-    pub radii: Vec<f64>,
-    pub kinds: Kinds,
-    pub contacts: Vec<ContactRow>,
-    /// Motion, walls and forces of grains that were not placed at random.
-    pub frozen: Option<WorldSnapshot>,
-}
 
 /// Why grains cannot be placed.
 ///
@@ -88,7 +76,7 @@ fn larger(is_drum: bool) -> &'static str {
 pub(super) fn start(
     scene: &GrainsScene,
     mut watch: impl FnMut(usize) -> ControlFlow<()>,
-) -> Result<Start, PlacementError> {
+) -> Result<InitialSpheres, PlacementError> {
     let distribution = scene.radii()?;
     let distribution = distribution.as_ref();
     let largest = distribution.map_or(1.0 + scene.radius_spread, |radii| radii.bounds()[1]);
@@ -125,7 +113,7 @@ pub(super) fn start(
             });
         }
     }
-    Ok(Start {
+    Ok(InitialSpheres {
         positions,
         radii,
         kinds: Kinds::of(&is_second, &scene.material(), &scene.differences()),

@@ -47,7 +47,7 @@ fn a_sheared_box_resists_with_stress_and_viscosity_of_one_sign() -> Answer {
         assert!(mean("viscosity") > 0.0);
         assert!((mean("viscosity") * rate / mean("shear_stress") - 1.0).abs() < 1e-12);
         assert!(mean("stress_zz") > 0.0);
-        let book = *grains.now().packing.energy();
+        let book = *grains.seen.packing.energy();
         assert!(book.work > 0.0, "{book:?}");
         assert!(book.imbalance().abs() < 1e-9 * book.work, "{book:?}");
     }
@@ -133,7 +133,7 @@ fn so_many_grains_are_of_the_second_material() -> Answer {
         ..mixed(0.3)
     };
     let grains = GrainsSimulation::new(&scene)?;
-    let packing = grains.now().packing;
+    let packing = grains.seen.packing;
     let (radii, spheres) = (packing.radii(), packing.spheres());
     assert_eq!(radii.iter().filter(|r| **r == 0.0025).count(), 15);
     assert_eq!(radii.iter().filter(|r| **r == 0.005).count(), 35);

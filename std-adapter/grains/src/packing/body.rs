@@ -1,43 +1,87 @@
 //! What a body says of the runs of its packing.
 
-use super::Packing;
+use super::{
+    Bodies, InitialSpheres, Material, Method, OptionalFeatures, Packing, PackingError, PackingRun,
+    PackingRunError, PackingStopReason, SecondMaterial, SecondMaterialKeys, WorldSnapshot,
+    build_with,
+};
 use serde_json::{Map, Value};
+use std::error::Error;
 use std::fmt::Debug;
+use std::ops::ControlFlow;
+use tribos_base::record::frames::Kind;
 use tribos_base::record::{CheckpointError, ContactRow};
-use tribos_base::scene::Key;
+use tribos_base::scene::table::Table;
 use tribos_contacts::cd::StepReport;
 
-/// What a body says of the runs of its packing: its loads, its measures and when they end. `N` is the number of
-/// columns of its series.
-pub(crate) trait Body<const N: usize>: Debug {
+/// What a body says of the runs of its packing: its spheres, its loads, its measures and when they end. `N` is the
+/// number of columns of its series.
+pub trait PackingBody<const N: usize>: Debug + Sized {
+    /// Description from which a run starts.
+    type Scene: Table;
+    /// Why its spheres cannot be placed.
+    type Placement: Error + 'static;
     /// What is remembered from step to step, beside the state of the packing.
     type Monitor: Debug;
-    /// Why a run ends.
-    type Ending: Ending;
 
     /// Columns of the series.
     const COLUMNS: [&'static str; N];
     /// First key of a checkpoint, and the version of its format.
     const FORMAT: (&'static str, u64);
-    /// Keys of the scene.
-    const KEYS: &'static [Key];
+    /// What a film shows.
+    const KIND: Kind;
     /// When contacts are found and measured.
     const CADENCE: MeasurementSchedule;
+    /// Why a run ends before its bounds.
+    const OVER: PackingStopReason;
 
-    /// The scene of the run, as it is written into files.
-    fn scene(&self) -> Value;
+    /// Places the spheres of a scene, or reads what it names; `watch` receives the number placed so far and can
+    /// stop the placement.
+    fn place(
+        scene: &Self::Scene,
+        watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<(Self, InitialSpheres), PackingRunError<Self::Placement>>;
+    /// Whether the caller stopped the placement.
+    fn is_stop(error: &Self::Placement) -> bool;
+    /// Checks that a run of the scene can start.
+    fn check(scene: &Self::Scene) -> Result<(), PackingRunError<Self::Placement>> {
+        PackingRun::<Self, N>::new(scene).map(|_| ())
+    }
+
+    /// The scene of the run.
+    fn scene(&self) -> &Self::Scene;
+    /// Materials of the spheres and how their contacts are solved.
+    fn contact_keys(&self) -> ContactKeys;
     /// When a run ends in any case, and how often it writes.
     fn bounds(&self) -> RunLimits;
+    /// Number of walls.
+    fn walls(&self) -> usize;
+    /// Spheres and walls at the start.
+    fn bodies(&self, start: &InitialSpheres, features: &OptionalFeatures) -> Bodies;
+    /// What the body has beside material and walls; the spheres' kinds are added to it.
+    fn features(&self, _start: &InitialSpheres) -> OptionalFeatures {
+        OptionalFeatures::default()
+    }
+    /// What is remembered at the start.
+    fn monitor(&self) -> Self::Monitor;
+
     /// Sets the loads of the next step.
     fn prepare(&self, watch: &mut Self::Monitor, packing: &mut dyn Packing);
     /// Measures after a step, in the cadence of the body.
     fn measure(&self, _watch: &mut Self::Monitor, _seen: &MeasuredState) {}
-    /// Share of the volume below the lid, or of the area, that is solid.
-    fn solid_fraction(&self, seen: &MeasuredState) -> f64;
+    /// Share of the volume below the lid, or of the area, that is free.
+    fn porosity(&self, seen: &MeasuredState) -> f64;
     /// The current line of the series.
     fn line(&self, watch: &Self::Monitor, seen: &MeasuredState) -> [f64; N];
     /// Whether the run is over before its bounds, asked once after every step.
     fn is_over(&self, watch: &mut Self::Monitor, seen: &MeasuredState) -> bool;
+
+    /// Low and high coordinates of the box.
+    fn extents(&self, seen: &MeasuredState) -> [[f64; 2]; 3];
+    /// Sides of the box along x and y in a film.
+    fn sides(&self) -> [f64; 2];
+    /// Height of the packing in a film.
+    fn height(&self, seen: &MeasuredState) -> f64;
 
     /// Adds what is remembered to a checkpoint.
     fn write_checkpoint(watch: &Self::Monitor, map: &mut Map<String, Value>);
@@ -45,28 +89,17 @@ pub(crate) trait Body<const N: usize>: Debug {
     fn read(value: &Value) -> Result<Self::Monitor, CheckpointError>;
 }
 
-/// Why a run ends: by a measure of its body, or by its bounds.
-pub(crate) trait Ending: Copy + Debug + PartialEq {
-    /// The body says that the run is over.
-    const OVER: Self;
-    /// The duration elapsed.
-    const TIME: Self;
-    /// The number of steps was reached.
-    const STEPS: Self;
-
-    /// Name in summaries and checkpoints.
-    fn name(self) -> &'static str;
-
-    /// The ending of a name.
-    fn named(name: &str) -> Option<Self> {
-        let mut all = [Self::OVER, Self::TIME, Self::STEPS].into_iter();
-        all.find(|ending| ending.name() == name)
-    }
+/// What a scene says of the contacts of its spheres.
+#[derive(Debug)]
+pub struct ContactKeys {
+    pub(crate) material: Material,
+    pub(crate) second: SecondMaterialKeys,
+    pub(crate) method: Method,
 }
 
 /// When the contacts of a run are found and measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum MeasurementSchedule {
+pub enum MeasurementSchedule {
     /// After every step.
     Steps,
     /// For every line of the series.
@@ -75,7 +108,7 @@ pub(crate) enum MeasurementSchedule {
 
 /// When a run ends in any case, and how often it writes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RunLimits {
+pub struct RunLimits {
     /// Time after which a run ends; infinite for none.
     pub duration: f64,
     /// Steps after which a run ends.
@@ -86,7 +119,7 @@ pub(crate) struct RunLimits {
 
 /// A packing between two steps.
 #[derive(Debug)]
-pub(crate) struct MeasuredState {
+pub struct MeasuredState {
     pub packing: Box<dyn Packing>,
     /// Contacts with their forces, as of the last measurement.
     pub contacts: Vec<ContactRow>,
@@ -96,11 +129,11 @@ pub(crate) struct MeasuredState {
 
 impl RunLimits {
     /// The bound that is reached.
-    pub fn reached<E: Ending>(&self, (time, steps): (f64, u64)) -> Option<E> {
+    pub fn reached(&self, (time, steps): (f64, u64)) -> Option<PackingStopReason> {
         if time >= self.duration {
-            Some(E::TIME)
+            Some(PackingStopReason::Time)
         } else {
-            (steps >= self.steps).then_some(E::STEPS)
+            (steps >= self.steps).then_some(PackingStopReason::Steps)
         }
     }
 
@@ -109,4 +142,26 @@ impl RunLimits {
         let of_time = time / self.duration;
         of_time.max(steps as f64 / self.steps as f64).min(1.0)
     }
+}
+
+/// The packing of a body, at its start or from a stored state.
+pub(crate) fn packing_of<B: PackingBody<N>, const N: usize>(
+    body: &B,
+    start: &InitialSpheres,
+    frozen: Option<&WorldSnapshot>,
+) -> Result<Box<dyn Packing>, PackingError> {
+    let keys = body.contact_keys();
+    let is_second = start.kinds.is_second();
+    let features = OptionalFeatures {
+        second: SecondMaterial::beside(&keys.material, &keys.second, is_second),
+        densities: start.kinds.densities.clone(),
+        ..body.features(start)
+    };
+    let bodies = (body.bodies(start, &features), &features);
+    let mut packing = build_with(&keys.material, bodies, &keys.method, frozen)?;
+    // A stored state has its walls where they were.
+    if frozen.is_none() {
+        body.prepare(&mut body.monitor(), &mut *packing);
+    }
+    Ok(packing)
 }

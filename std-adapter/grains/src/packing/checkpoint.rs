@@ -1,11 +1,12 @@
 //! Checkpoint files of a run: its complete state, from which it continues with identical bits.
 
-use super::body::{Body, Ending, RunLimits};
+use super::body::{PackingBody, RunLimits};
 use super::last::read_report;
-use super::{Totals, WorldSnapshot};
+use super::{PackingStopReason, Totals, WorldSnapshot};
 use serde_json::Value;
 use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::{damaged, groups, opened};
+use tribos_base::scene::table::Table;
 use tribos_contacts::cd::StepReport;
 
 /// Key of the digest of what a run began with.
@@ -13,7 +14,7 @@ pub(super) const ORIGIN: &str = "began_with";
 
 /// State of a run between two steps.
 #[derive(Debug)]
-pub(crate) struct PackingCheckpoint<B: Body<N>, const N: usize> {
+pub(crate) struct PackingCheckpoint<B: PackingBody<N>, const N: usize> {
     pub frozen: WorldSnapshot,
     pub totals: Totals,
     /// Report of the last step.
@@ -23,16 +24,16 @@ pub(crate) struct PackingCheckpoint<B: Body<N>, const N: usize> {
     pub watch: B::Monitor,
     pub series: Vec<[f64; N]>,
     /// Why the run ended, if it has.
-    pub ending: Option<B::Ending>,
+    pub ending: Option<PackingStopReason>,
 }
 
-impl<B: Body<N>, const N: usize> PackingCheckpoint<B, N> {
+impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
     /// Reads a checkpoint of the same scene, if there is one.
     pub fn read(text: Option<&str>, scene: &Value) -> Result<Option<Self>, CheckpointError> {
         let Some(text) = text else {
             return Ok(None);
         };
-        let value = opened(text, B::FORMAT, B::KEYS, scene)?;
+        let value = opened(text, B::FORMAT, B::Scene::TABLE, scene)?;
         Ok(Some(Self {
             frozen: WorldSnapshot::read(&value)?,
             totals: Totals::read(&value)?,
@@ -43,13 +44,10 @@ impl<B: Body<N>, const N: usize> PackingCheckpoint<B, N> {
                 .into(),
             watch: B::read(&value)?,
             series: groups(&value, "series")?,
-            ending: match &value["ending"] {
-                Value::Null => None,
-                name => {
-                    let ending = name.as_str().and_then(B::Ending::named);
-                    Some(ending.ok_or_else(|| damaged("ending"))?)
-                }
-            },
+            ending: PackingStopReason::read(
+                &value,
+                &[B::OVER, PackingStopReason::Time, PackingStopReason::Steps],
+            )?,
         }))
     }
 

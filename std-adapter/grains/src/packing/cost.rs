@@ -1,25 +1,125 @@
 //! What updates of contacts cost, measured, and how long stable steps of springs are.
 
-use super::{Material, Packing, Springs};
+use super::{
+    Bodies, ContactKeys, Material, Method, ModeSet, OptionalFeatures, Packing, PackingError,
+    Springs, build_with,
+};
+use crate::packing::method::FrictionCoupling;
+use nalgebra::Vector3;
 use std::time::Instant;
-use tribos_contacts::cd::{Wall, WorldError, solid};
+use tribos_base::space::PeriodicBox;
+use tribos_contacts::cd::{
+    ContactSolver, IterationOrder, SolverMethod, StepLimits, StopRule, Wall, solid,
+};
 use tribos_contacts::soft::{self, StepLength};
-use tribos_core::contact::Cohesion;
+use tribos_core::contact::{Cohesion, SphereBody};
+
+/// Memory of a run per sphere, in bytes, including contacts, neighbours and exports: measured with
+/// 3,000 and 12,000 spheres.
+pub(crate) const BYTES_A_SPHERE: f64 = 5e3;
+/// Time of a stable step of soft contacts per sphere, in s.
+pub(crate) const SOFT_SECONDS: f64 = 0.25e-6;
+/// Spheres along an edge of the block whose updates are timed, and their distance in radii, slightly less than a
+/// diameter.
+const EDGE: usize = 6;
+const SPACING: f64 = 2.0 - 1e-6;
+/// Shear of the block per layer in radii, which mixes normals and tangents.
+const SHEAR: f64 = 0.05;
+/// Sweeps of its step, so that the rest of the step is negligible.
+const SWEEPS: usize = 50;
+/// Sliding coefficient of a comparison with spheres without one: a dry friction coefficient.
+const USUAL: f64 = 0.3;
+
+/// Cost of a scene of spheres in contact. *Units*: times in s on one core of this machine.
+///
+/// ```
+/// use tribos::powder::{PackingCost, cost};
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
+/// // A small powder whose contacts slide with friction: a normal and two tangential unknowns.
+/// let cost: PackingCost = cost(&scene)?;
+/// assert_eq!(cost.unknowns, 3);
+/// assert!(cost.memory() > cost.contacts[1] * cost.bytes); // and the spheres
+/// assert!(cost.update_seconds > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct PackingCost {
+    /// Number of spheres; an estimate of a deposit from 200,000 on, which is not grown.
+    pub spheres: usize,
+    /// Lower and upper estimate of the number of contacts in a dense packing.
+    pub contacts: [usize; 2],
+    /// Unknowns per contact.
+    pub unknowns: usize,
+    /// Bytes per contact in the solver, or per pair of soft neighbours.
+    pub bytes: usize,
+    /// Time of one contact update.
+    pub update_seconds: f64,
+    /// Time of an update with sliding friction only, measured alternately with the other.
+    pub sliding_seconds: f64,
+}
+
+impl PackingCost {
+    /// Counts unknowns, and times updates in a small block of spheres of the mean radius under a usual force of
+    /// contacts; `contacts_a_sphere` are the usual contacts of a sphere, and unequal spheres need more memory.
+    pub(crate) fn measured(
+        keys: &ContactKeys,
+        usual: (f64, f64),
+        (spheres, is_unequal): (usize, bool),
+        contacts_a_sphere: impl Fn(ModeSet) -> [f64; 2],
+    ) -> Result<Self, PackingError> {
+        let material = keys.material;
+        // The same coefficient, or the usual one for smooth spheres.
+        let plain = Material {
+            sliding: if material.sliding > 0.0 {
+                material.sliding
+            } else {
+                USUAL
+            },
+            rolling: 0.0,
+            torsion: 0.0,
+            coupling: FrictionCoupling::Independent,
+            ..material
+        };
+        let blocks = [&material, &plain].map(|material| || block(material, &keys.method, usual));
+        let [update_seconds, sliding_seconds] = update_seconds(blocks)?;
+        let modes = material.carried().modes;
+        let contacts = |share: f64| (share * spheres as f64).round() as usize;
+        Ok(Self {
+            spheres,
+            contacts: contacts_a_sphere(modes).map(contacts),
+            unknowns: modes.unknowns(),
+            bytes: match keys.method {
+                Method::ContactDynamics { .. } => modes.bytes()[usize::from(is_unequal)],
+                Method::Soft(_) => modes.soft_bytes(),
+            },
+            update_seconds,
+            sliding_seconds,
+        })
+    }
+
+    /// Memory of the spheres and of the most contacts in the solver, in bytes, without neighbour lists.
+    pub fn memory(&self) -> usize {
+        // Place and radius; velocities and masses of the state, of the trial and without contacts.
+        let sphere =
+            size_of::<Vector3<f64>>() + size_of::<f64>() + 3 * size_of::<SphereBody<f64>>();
+        self.spheres * sphere + self.contacts[1] * self.bytes
+    }
+}
 
 /// Number of timings.
 const ROUNDS: usize = 31;
 /// Steps of a timing without sweeps.
 const STEPS: usize = 50;
 
-/// Time of an update of a contact in the packing of each of two scenes: the minimum over alternating rounds.
-pub(crate) fn update_seconds<S, E: From<WorldError>>(
-    scenes: [&S; 2],
-    packing: impl Fn(&S) -> Result<Box<dyn Packing>, E>,
-) -> Result<[f64; 2], E> {
+/// Time of an update of a contact in each of two packings: the minimum over alternating rounds.
+fn update_seconds(
+    packings: [impl Fn() -> Result<Box<dyn Packing>, PackingError>; 2],
+) -> Result<[f64; 2], PackingError> {
     let mut least = [f64::INFINITY; 2];
     for _ in 0..ROUNDS {
-        for (scene, least) in scenes.into_iter().zip(&mut least) {
-            let mut packing = packing(scene)?;
+        for (packing, least) in packings.iter().zip(&mut least) {
+            let mut packing = packing()?;
             let start = Instant::now();
             let mut updates = 0;
             for _ in 0..STEPS {
@@ -35,6 +135,72 @@ pub(crate) fn update_seconds<S, E: From<WorldError>>(
         }
     }
     Ok(least)
+}
+
+/// A block of equal spheres between a floor and a piston that presses each column with a force; a step has a fixed
+/// number of sweeps, or is one stable step of springs.
+fn block(
+    material: &Material,
+    method: &Method,
+    (radius, force): (f64, f64),
+) -> Result<Box<dyn Packing>, PackingError> {
+    let width = EDGE as f64 * SPACING;
+    let rise = (SPACING * SPACING - 2.0 * SHEAR * SHEAR).sqrt();
+    let at = |index: usize| {
+        let place = [index % EDGE, index / EDGE % EDGE, index / (EDGE * EDGE)];
+        let [x, y, z] = place.map(|i| i as f64);
+        let aside = |x: f64| (x * SPACING + z * SHEAR).rem_euclid(width);
+        radius * Vector3::new(aside(x), aside(y), 1.0 + z * rise)
+    };
+    let (count, columns) = (EDGE.pow(3), EDGE.pow(2));
+    let height = 2.0 + (EDGE - 1) as f64 * rise;
+    let mass = count as f64 / solid(radius, material.density).inv_mass;
+    let side = Some(radius * width);
+    let bodies = Bodies {
+        space: PeriodicBox::new([side, side, None]).unwrap_or_default(),
+        positions: (0..count).map(at).collect(),
+        radii: vec![radius; count],
+        walls: vec![
+            Wall::fixed(Vector3::z(), 0.0),
+            Wall::piston(
+                -Vector3::z(),
+                -radius * height,
+                mass,
+                columns as f64 * force,
+            ),
+        ],
+        gravity: Vector3::zeros(),
+    };
+    let method = match *method {
+        Method::ContactDynamics { step_limits, .. } => Method::ContactDynamics {
+            solver: ContactSolver {
+                method: SolverMethod::GaussSeidel {
+                    order: IterationOrder::Fixed,
+                    stop: StopRule::Fixed,
+                },
+                most_sweeps: SWEEPS,
+                warm_start: false,
+            },
+            step_limits,
+            still_speed: 0.0,
+        },
+        Method::Soft(springs) => {
+            let stable = stable_step(&springs, material, radius, force);
+            Method::Soft(Springs {
+                step_limits: StepLimits {
+                    longest: springs.step_limits.longest.min(stable),
+                    ..springs.step_limits
+                },
+                ..springs
+            })
+        }
+    };
+    build_with(
+        material,
+        (bodies, &OptionalFeatures::default()),
+        &method,
+        None,
+    )
 }
 
 /// Length of the stable steps of spheres at rest, of a smallest radius and under a force.
@@ -67,4 +233,42 @@ pub(crate) fn stable_step_between(
     );
     let overlap = stiffness.overlap(force, 0.5 * radius);
     length.next(&[], walls, overlap, touching)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grains::scene::GrainsScene;
+    use crate::powder::scene::PowderScene;
+
+    #[test]
+    fn a_block_under_any_laws_sweeps_all_of_its_contacts() {
+        // Three contacts per sphere and two walls; the top layer has no layer above it.
+        let expected = 3 * EDGE.pow(3) + EDGE.pow(2);
+        let powder = |keys: &str| {
+            let text = format!("body = \"powder\"\nwidth = 6\nheight = 8\n{keys}");
+            let scene = PowderScene::parse("tiny.toml", &text, &[]).unwrap();
+            (scene.contact_keys(), 1.0)
+        };
+        let beads = GrainsScene::default();
+        for (keys, radius) in [
+            powder("mu = 0"),
+            powder(""),
+            powder("mu_rolling = 1\nmu_torsion = 1\ncoupling = \"exact\""),
+            powder("cohesion_range = 0"),
+            (beads.contact_keys(), beads.radius),
+        ] {
+            let mut block = block(&keys.material, &keys.method, (radius, 0.01)).unwrap();
+            let report = block.step().unwrap();
+            let found = (report.iterations.sweeps, report.contacts);
+            assert_eq!(found, (SWEEPS, expected), "{keys:?}");
+            let cost = PackingCost::measured(&keys, (radius, 0.01), (100, false), |_| [1.0, 2.0]);
+            let cost = cost.unwrap();
+            assert!(
+                cost.update_seconds > 0.0 && cost.update_seconds < 1e-4,
+                "{cost:?}"
+            );
+            assert!(cost.memory() > cost.spheres * 100);
+        }
+    }
 }

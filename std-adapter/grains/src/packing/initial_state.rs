@@ -1,10 +1,11 @@
-//! Spheres that a scene starts from in place of its own: read, and checked against its box.
+//! Spheres at the start of a run; those of a file or of another run are read, and checked against the box.
 
-use super::{Forces, WorldSnapshot};
+use super::{Forces, Kinds, WorldSnapshot};
 use crate::packing::method::ContactMethod;
 use crate::packing::{Assembly, AssemblyError};
 use nalgebra::Vector3;
 use std::path::Path;
+use tribos_base::record::ContactRow;
 use tribos_base::space::AXES;
 use tribos_contacts::cd::EnergyBalance;
 
@@ -17,6 +18,17 @@ const DEEPEST_SOFT: f64 = 1.0;
 const SAME_PERIOD: f64 = 1e-9;
 /// Range of the mean radius of a file, over that of the scene.
 const MEAN_RADII: [f64; 2] = [0.5, 2.0];
+
+/// Spheres at the start of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InitialSpheres {
+    pub(crate) positions: Vec<Vector3<f64>>,
+    pub(crate) radii: Vec<f64>,
+    pub(crate) kinds: Kinds,
+    pub(crate) contacts: Vec<ContactRow>,
+    /// Motion, walls and forces of spheres that a file or another run has.
+    pub(crate) frozen: Option<WorldSnapshot>,
+}
 
 /// How far spheres of a file may overlap under a method, over the smaller radius.
 pub(crate) fn deepest(method: ContactMethod) -> f64 {

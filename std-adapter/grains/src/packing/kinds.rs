@@ -13,7 +13,7 @@ pub(super) const SECOND: u8 = 2;
 
 /// Material and density of each sphere.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Kinds {
+pub struct Kinds {
     /// Numbers of the materials, from 1.
     pub materials: Vec<u8>,
     pub densities: Vec<f64>,

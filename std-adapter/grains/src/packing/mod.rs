@@ -1,14 +1,13 @@
 //! Packings: spheres between walls, with a material and a method for their contacts chosen at run time.
 //!
 //! A body's scene says the `Material`, the `Bodies` and the `Method`; `build` makes a `Packing` of them. A
-//! `PackingDriver` runs it: the `Body` says its loads, its measures and when it ends.
+//! [`PackingRun`] runs it: the `PackingBody` says its loads, its measures and when it ends.
 
 mod active_modes;
 pub mod assembly;
 mod body;
 mod checkpoint;
 mod cost;
-mod drive;
 mod initial_state;
 mod kinds;
 mod last;
@@ -18,166 +17,43 @@ pub mod method;
 mod optional_features;
 mod read;
 mod rigid;
+mod run;
 mod run_error;
 mod sizes;
 mod snapshot;
 mod soft;
 mod statistics;
+mod stop_reason;
 mod stored;
 mod stress;
 mod totals;
 mod volume;
+mod world;
 
 pub use active_modes::{ActiveModes, ModeSet};
 pub use assembly::Assembly;
-pub(crate) use body::{Body, Ending, MeasuredState, MeasurementSchedule, RunLimits};
-pub(crate) use checkpoint::PackingCheckpoint;
-pub(crate) use cost::{stable_step, stable_step_between, update_seconds};
-pub(crate) use drive::{FrameInfo, PackingDriver, losses, object};
-pub(crate) use initial_state::{deepest, given};
+pub(crate) use body::{ContactKeys, MeasuredState, MeasurementSchedule, PackingBody, RunLimits};
+pub use cost::PackingCost;
+pub(crate) use cost::{BYTES_A_SPHERE, SOFT_SECONDS, stable_step, stable_step_between};
+pub(crate) use initial_state::{InitialSpheres, deepest, given};
 pub(crate) use kinds::{Kinds, mixed, origin};
 pub use limits::Limits;
 pub use material::Material;
 pub(crate) use optional_features::{OptionalFeatures, SecondMaterial, SecondMaterialKeys};
 pub use read::AssemblyError;
+pub use run::PackingRun;
+pub(crate) use run::{losses, object};
 pub use run_error::PackingRunError;
 pub(crate) use sizes::SIZES;
 pub use sizes::{Radii, SizeDistribution, SizesError};
 pub(crate) use snapshot::{Force, Forces, WorldSnapshot};
 pub use statistics::ContactStatistics;
+pub use stop_reason::PackingStopReason;
 pub use stored::STATE;
 pub(crate) use stored::{Shape, Stored, scene};
 pub use stress::Stress;
 pub(crate) use totals::Totals;
 pub use volume::volume_between;
-
-use nalgebra::Vector3;
-use std::fmt::Debug;
-use tribos_base::record::{ContactRow, Partner};
-use tribos_base::space::PeriodicBox;
-use tribos_contacts::cd::{ContactSolver, EnergyBalance, StepLimits, StepReport, Wall, WorldError};
-use tribos_contacts::problem::GlobalProblem;
-use tribos_contacts::soft::Stiffness;
-use tribos_core::Error;
-use tribos_core::contact::{ContactError, SphereBody};
-use tribos_core::law::LawError;
-
-/// Spheres and walls at the start.
-#[derive(Clone, Debug)]
-pub(crate) struct Bodies {
-    pub space: PeriodicBox,
-    pub positions: Vec<Vector3<f64>>,
-    pub radii: Vec<f64>,
-    pub walls: Vec<Wall>,
-    /// Acceleration of all spheres.
-    pub gravity: Vector3<f64>,
-}
-
-/// How the contacts of a step are found and solved.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Method {
-    /// Rigid spheres with constraint forces.
-    ContactDynamics {
-        solver: ContactSolver,
-        step_limits: StepLimits,
-        /// Slower groups that nothing touches are left alone.
-        still_speed: f64,
-    },
-    /// Springs and dashpots.
-    Soft(Springs),
-}
-
-/// The contacts of soft spheres. A step is as long as the limits allow and is made of stable ones.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Springs {
-    pub stiffness: Stiffness,
-    /// Damping ratio of a material without restitution.
-    pub damping: f64,
-    pub steps_per_collision: f64,
-    pub step_limits: StepLimits,
-}
-
-/// Why a packing cannot be built.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum PackingError {
-    /// The kernel refused a law.
-    #[error(transparent)]
-    Law(#[from] LawError),
-    /// The kernel refused a set of sliding and torsion.
-    #[error(transparent)]
-    Surface(#[from] Error),
-    /// The bodies or their motion are refused.
-    #[error(transparent)]
-    World(#[from] WorldError),
-}
-
-/// Spheres between walls, with any contact modes.
-pub(crate) trait Packing: Debug {
-    /// Takes one step.
-    fn step(&mut self) -> Result<StepReport, WorldError>;
-    /// Elapsed time and number of steps.
-    fn clock(&self) -> (f64, u64);
-    /// Centres of the spheres.
-    fn positions(&self) -> &[Vector3<f64>];
-    /// Radii of the spheres.
-    fn radii(&self) -> &[f64];
-    /// Velocities, inverse masses and inertias of the spheres.
-    fn spheres(&self) -> &[SphereBody<f64>];
-    /// Walls, with their current places and velocities.
-    fn walls(&self) -> &[Wall];
-    /// Walls, which a body may move and load between two steps.
-    fn walls_mut(&mut self) -> &mut [Wall];
-    /// The periodic box, with the images of a sheared one at their current places.
-    fn space(&self) -> PeriodicBox;
-    /// Sets the acceleration of all spheres for the next steps.
-    fn set_gravity(&mut self, gravity: Vector3<f64>);
-    /// Energy balance.
-    fn energy(&self) -> &EnergyBalance;
-    /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last
-    /// step, including its impacts, at the current positions.
-    fn contacts(&self) -> Result<Vec<ContactRow>, ContactError>;
-    /// The contact problem of the last step, as data; `None` where the contacts have none of that form.
-    fn problem(&self) -> Option<GlobalProblem>;
-    /// Whether an overlap is an error of the solver, and neither the strain of a spring nor what a number of sweeps
-    /// that was asked for leaves.
-    fn is_rigid(&self) -> bool;
-    /// The complete state of a run.
-    fn snapshot(&self) -> WorldSnapshot;
-}
-
-/// Builds a packing at its start or from a stored state. Modes whose coefficient is zero are omitted if a
-/// type without them exists.
-pub(crate) fn build(
-    material: &Material,
-    bodies: Bodies,
-    method: &Method,
-    frozen: Option<&WorldSnapshot>,
-) -> Result<Box<dyn Packing>, PackingError> {
-    build_with(
-        material,
-        (bodies, &OptionalFeatures::default()),
-        method,
-        frozen,
-    )
-}
-
-/// [`build`] with a shear or a second material.
-pub(crate) fn build_with(
-    material: &Material,
-    bodies: (Bodies, &OptionalFeatures),
-    method: &Method,
-    frozen: Option<&WorldSnapshot>,
-) -> Result<Box<dyn Packing>, PackingError> {
-    rigid::build(material, bodies, method, frozen)
-}
-
-/// Vector from the first centre of a contact to the second, or perpendicular to the wall.
-pub(crate) fn branch(contact: &ContactRow, radii: &[f64]) -> Vector3<f64> {
-    let other = contact.b.particle().map_or(0.0, |b| radii[b as usize]);
-    contact.normal * (radii[contact.a as usize] + other + contact.gap)
-}
-
-/// True for a contact of a sphere with this wall.
-pub(crate) fn is_at(contact: &ContactRow, wall: u32) -> bool {
-    contact.b == Partner::Wall(wall)
-}
+pub(crate) use world::{
+    Bodies, Method, Packing, PackingError, Springs, branch, build, build_with, is_at,
+};

@@ -6,7 +6,7 @@ use tribos_base::random::Random;
 
 /// A shear and a second material, of which most bodies have neither.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct OptionalFeatures {
+pub struct OptionalFeatures {
     /// Rate of a simple shear, velocity along x over height along z.
     pub shear_rate: f64,
     pub second: Option<SecondMaterial>,
@@ -18,7 +18,7 @@ pub(crate) struct OptionalFeatures {
 
 /// A second material among the spheres.
 #[derive(Clone, Debug)]
-pub(crate) struct SecondMaterial {
+pub struct SecondMaterial {
     /// One flag a sphere, true if it is of the second material.
     pub is_second: Vec<bool>,
     /// Its law; spheres have their own densities.
@@ -33,7 +33,7 @@ const STREAM: u64 = 2;
 /// What a scene says of its second material; what it leaves out is that of the first, and between the two the
 /// geometric mean.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SecondMaterialKeys {
+pub struct SecondMaterialKeys {
     pub density: Option<f64>,
     pub sliding: Option<f64>,
     pub sliding_mixed: Option<f64>,

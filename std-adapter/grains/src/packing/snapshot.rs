@@ -18,7 +18,7 @@ const IMPACTS: [&str; 2] = ["pair_impacts", "wall_impacts"];
 
 /// The state of a world independent of its contact modes.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct WorldSnapshot {
+pub struct WorldSnapshot {
     pub time: f64,
     pub steps: u64,
     pub positions: Vec<Vector3<f64>>,
@@ -40,11 +40,11 @@ pub(crate) struct WorldSnapshot {
 }
 
 /// Forces of pairs and at walls, with their bodies.
-pub(crate) type Forces = [Vec<([u32; 2], Force)>; 2];
+pub type Forces = [Vec<([u32; 2], Force)>; 2];
 
 /// Force and torque of a contact, in all modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Force {
+pub struct Force {
     pub normal: f64,
     pub sliding: Vector3<f64>,
     pub rolling: Vector3<f64>,

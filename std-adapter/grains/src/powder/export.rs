@@ -3,7 +3,7 @@
 use super::blocked::{LOAD_DEVIATION, PISTON_MOTION, window_time};
 use super::deposit::Deposit;
 use super::error::CompactionError;
-use super::start::Start;
+use super::start;
 use crate::packing::method::{FrictionCoupling, WallLaw};
 use crate::packing::{Kinds, Material, Method, Springs, stable_step_between};
 use crate::powder::scene::PowderScene;
@@ -92,11 +92,12 @@ pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
         .check()
         .map_err(CompactionError::from)
         .map_err(ExportError::Start)?;
-    let Start { deposit, kinds, .. } =
-        Start::of(scene, |_| ControlFlow::Continue(())).map_err(ExportError::Start)?;
-    let stable = stable_step(scene, &springs, (&deposit, &kinds));
+    let (deposit, spheres) =
+        start::start(scene, |_| ControlFlow::Continue(())).map_err(ExportError::Start)?;
+    let kinds = &spheres.kinds;
+    let stable = stable_step(scene, &springs, (&deposit, kinds));
     Ok(Export {
-        data: data(scene, (&deposit, &kinds)),
+        data: data(scene, (&deposit, kinds)),
         script: script(scene, &deposit, stable.min(scene.max_time_step)),
     })
 }

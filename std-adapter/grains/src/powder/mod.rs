@@ -1,35 +1,34 @@
 //! Cohesive powders of spheres.
 
 mod blocked;
-mod compaction;
 mod cost;
 #[doc(hidden)]
 pub mod deposit;
 mod error;
 #[doc(hidden)]
 pub mod export;
+mod from_scene;
 mod outcome;
-mod parts;
-mod press;
+mod powder_body;
 pub(crate) mod scene;
-mod session;
 mod start;
 
 pub use crate::packing::ContactStatistics;
+pub use crate::packing::PackingStopReason as PowderStopReason;
 #[doc(hidden)]
-pub use crate::packing::{ActiveModes, Limits, Material, ModeSet, STATE, Stress};
+pub use crate::packing::{ActiveModes, Limits, Material, ModeSet, PackingCost, STATE, Stress};
 #[doc(hidden)]
 pub use blocked::{Means, Window};
-pub use compaction::PowderSimulation;
 #[doc(hidden)]
-pub use cost::{PowderCost, cost, size, stable_step};
+pub use cost::{cost, size, stable_step};
 pub use deposit::DepositError;
 pub use error::CompactionError;
 #[doc(hidden)]
 pub use outcome::COLUMNS;
-pub use outcome::{PowderStopReason, PowderSummary};
+pub use outcome::PowderSummary;
 #[doc(hidden)]
-pub use parts::PISTON;
+pub use powder_body::PISTON;
+pub use powder_body::PowderSimulation;
 pub use tribos_base::record::CheckpointError;
 
 #[cfg(test)]

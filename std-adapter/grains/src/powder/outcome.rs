@@ -2,7 +2,7 @@
 
 use super::blocked::Means;
 use crate::packing::method::ContactMethod;
-use crate::packing::{ContactStatistics, losses, object};
+use crate::packing::{ContactStatistics, PackingStopReason, losses, object};
 use crate::powder::scene::PowderScene;
 use nalgebra::Matrix3;
 use serde_json::{Map, Value};
@@ -27,48 +27,6 @@ pub const COLUMNS: [&str; 15] = [
     "dissipated_cohesion",
     "work",
 ];
-
-/// Why a run ended.
-///
-/// ```
-/// use tribos::powder::{PowderSimulation, PowderStopReason};
-/// use tribos::run::run_to_end;
-/// # use tribos::scene::PowderScene;
-/// # let scene = PowderScene {
-/// #     width: 6.0,
-/// #     height: 8.0,
-/// #     pressure: 0.02,
-/// #     max_steps: 10,
-/// #     ..PowderScene::default()
-/// # };
-/// // A scene of ten steps: too few to be blocked.
-/// let mut compaction = PowderSimulation::new(&scene)?;
-/// assert_eq!(compaction.ending(), None);
-/// run_to_end(&mut compaction, |_, _| ())?;
-/// assert_eq!((compaction.ending(), compaction.steps()), (Some(PowderStopReason::Steps), 10));
-/// assert_eq!(PowderStopReason::Steps.name(), "steps");
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PowderStopReason {
-    /// The packing is blocked.
-    Blocked,
-    /// The scene's duration elapsed.
-    Time,
-    /// The scene's number of steps was reached.
-    Steps,
-}
-
-impl PowderStopReason {
-    /// Name in summaries and checkpoints.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Blocked => "blocked",
-            Self::Time => "time",
-            Self::Steps => "steps",
-        }
-    }
-}
 
 /// Results of a compaction, in the units of its scene.
 ///
@@ -98,7 +56,7 @@ impl PowderStopReason {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PowderSummary {
     /// Why the run ended; `None` if it has not.
-    pub ending: Option<PowderStopReason>,
+    pub ending: Option<PackingStopReason>,
     /// Time at the end.
     pub time: f64,
     /// Number of steps taken.
@@ -158,7 +116,7 @@ impl PowderSummary {
         let mut map = Map::new();
         map.insert(
             "ending".into(),
-            self.ending.map(PowderStopReason::name).into(),
+            self.ending.map(PackingStopReason::name).into(),
         );
         let mut put = |name: &str, value: Value| map.insert(name.into(), value);
         put("porosity_initial", json_number(self.porosity[0]));

@@ -1,16 +1,13 @@
 //! A finished run of a gas.
 
-use super::{number, summary};
+use super::number;
 use crate::command::digits::shown;
 use crate::command::explain::{duration, line};
-use crate::failure::Failure;
-use std::path::Path;
-use tribos::scene::GasScene;
+use serde_json::Value;
 
-/// The account of the run in `out`.
-pub fn text(scene: &GasScene, out: &Path) -> Result<String, Failure> {
-    let summary = summary(out, GasScene::KEYS, &scene.json())?;
-    let number = |place: &str| number(&summary, place);
+/// The account of the run with this summary.
+pub fn text(summary: &Value) -> String {
+    let number = |place: &str| number(summary, place);
     let mut text = line(
         "run",
         format!(
@@ -28,5 +25,5 @@ pub fn text(scene: &GasScene, out: &Path) -> Result<String, Failure> {
             shown(number("/energy_lost"))
         ),
     );
-    Ok(text)
+    text
 }

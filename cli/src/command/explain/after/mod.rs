@@ -1,15 +1,12 @@
 //! Where the energy of a run went, and what could have been left out.
 
 mod gas;
-mod grains;
 mod packing;
-mod powder;
 mod slide;
 mod tip;
 
 pub use gas::text as gas;
-pub use grains::text as grains;
-pub use powder::text as powder;
+pub use packing::text as packing;
 pub use slide::motion;
 pub use tip::text as tip;
 
@@ -23,7 +20,7 @@ use tribos::scene::{Key, with_present_names};
 const MOST_BYTES: u64 = 64 << 20;
 
 /// The summary of a finished run of the scene that these keys of `here` describe.
-fn summary(out: &Path, keys: &[Key], here: &Value) -> Result<Value, Failure> {
+pub fn summary(out: &Path, keys: &[Key], here: &Value) -> Result<Value, Failure> {
     let path = out.join("summary.json");
     let text = read_text(&path, MOST_BYTES).map_err(|cause| {
         Failure::input(format!(

@@ -1,22 +1,19 @@
 //! A finished run of a packing.
 
 use super::number;
-use crate::command::explain::powder::MODES;
+use crate::command::explain::packing::{MODES, SWITCHES, coefficients};
 use crate::command::explain::{duration, line};
 use serde_json::Value;
+use tribos::powder::Material;
 
 /// Share of all dissipation below which a mode counts as idle.
 const LITTLE: f64 = 0.01;
 /// Entries of the summary.
 const PARTS: [&str; 5] = ["normal", "sliding", "rolling", "torsion", "cohesion"];
 
-/// The account of a run: steps, energies, thresholds, and `advice` on every mode that did next to nothing, given its
-/// number and its share of the dissipation.
-pub fn text(
-    summary: &Value,
-    coefficients: [f64; 3],
-    advice: impl Fn(usize, f64) -> String,
-) -> String {
+/// The account of a run: steps, energies, thresholds, and what did next to nothing; `command` runs the scene anew,
+/// with one more override.
+pub fn text(summary: &Value, material: &Material, command: &str) -> String {
     let number = |place: &str| number(summary, place);
     let parts = PARTS.map(|part| number(&format!("/dissipation/{part}")));
     let total: f64 = parts.iter().map(|part| part.abs()).sum();
@@ -41,12 +38,33 @@ pub fn text(
         text += &line("", format!("{part:<10} {percent:6.1} %{gave}"));
     }
     text += &at_thresholds(summary);
+    let coefficients = coefficients(material);
     for (mode, (mu, share)) in coefficients.iter().zip(&shares[1..]).enumerate() {
         if *mu > 0.0 && share.abs() < LITTLE {
-            text += &advice(mode, share.abs());
+            text += &advice(material, mode, share.abs(), command);
         }
     }
     text
+}
+
+/// A mode that did next to nothing.
+fn advice(material: &Material, mode: usize, share: f64, command: &str) -> String {
+    let mut less = *material;
+    let coefficients = [&mut less.sliding, &mut less.rolling, &mut less.torsion];
+    *coefficients[mode] = 0.0;
+    let [before, after] = [material, &less].map(|material| material.carried().modes.unknowns());
+    let saved = if after < before {
+        format!("{before} unknowns a contact become {after}")
+    } else {
+        format!("though contacts keep {before} unknowns")
+    };
+    let (name, percent) = (MODES[mode], 100.0 * share);
+    line(
+        "could go",
+        format!(
+            "{name} dissipated {percent:.2} %: could be left out, {saved}; a threshold that is never reached still holds, so check with"
+        ),
+    ) + &line("", format!("  {command} --set {}=0", SWITCHES[mode]))
 }
 
 /// Shares of contacts at their thresholds at the end.
