@@ -38,6 +38,25 @@ pub struct Quantity {
     pub parts: &'static [Quantity],
 }
 
+impl Quantity {
+    /// The column of its mean in a sweep, if it has one.
+    pub fn column(&self) -> Option<&'static str> {
+        match self.told {
+            Told::InSummary => None,
+            Told::Swept | Told::Shown(_) => Some(self.name),
+            Told::SweptAs(column) | Told::ShownAs(column, _) => Some(column),
+        }
+    }
+
+    /// Its label for the terminal, if people are shown it.
+    fn label(&self) -> Option<&'static str> {
+        match self.told {
+            Told::Shown(label) | Told::ShownAs(_, label) => Some(label),
+            _ => None,
+        }
+    }
+}
+
 /// A quantity that a sweep averages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SweptQuantity {
@@ -84,23 +103,14 @@ impl SweptQuantity {
 /// The quantities of a table that a sweep averages, parts after the entries before them.
 pub fn swept(table: &'static [Quantity]) -> Vec<SweptQuantity> {
     let of = |own: Option<&'static str>, quantity: &Quantity| {
-        let (column, label) = match quantity.told {
-            Told::InSummary => return None,
-            Told::Swept => (quantity.name, None),
-            Told::SweptAs(column) => (column, None),
-            Told::Shown(label) => (quantity.name, Some(label)),
-            Told::ShownAs(column, label) => (column, Some(label)),
-        };
-        let path = match own {
-            Some(own) => [Some(own), Some(quantity.name)],
-            None => [Some(quantity.name), None],
-        };
-        let unit = quantity.unit;
         Some(SweptQuantity {
-            column,
-            path,
-            label,
-            unit,
+            column: quantity.column()?,
+            path: match own {
+                Some(own) => [Some(own), Some(quantity.name)],
+                None => [Some(quantity.name), None],
+            },
+            label: quantity.label(),
+            unit: quantity.unit,
         })
     };
     let entries = table.iter().flat_map(|entry| {

@@ -11,14 +11,22 @@ use super::{
     InclineScene, PipeScene, PlateScene, PowderScene, SceneError, SpringScene, TipScene,
     TurntableScene,
 };
+use crate::gas::GasSummary;
 use crate::golden::MeasureError;
+use crate::results::Summary;
+use crate::slide::{PlanarSummary, SlideSummary};
+use crate::stick::{
+    clamp::ClampSummary, incline::InclineSummary, spring::SpringSummary,
+    turntable::TurntableSummary,
+};
+use crate::tip::TipSummary;
 use serde_json::Value;
 use std::path::Path;
 use tribos_base::golden::{Measure, Measurement};
 
 /// Declares the bodies: the enum of their scenes, and what is the same for all of them.
 macro_rules! bodies {
-    ($($(#[$doc:meta])+ $variant:ident($scene:ty)),+ $(,)?) => {
+    ($($(#[$doc:meta])+ $variant:ident($scene:ty) $(-> $summary:ty)?),+ $(,)?) => {
         /// A validated scene of any body.
         #[derive(Clone, Debug, PartialEq)]
         #[allow(clippy::large_enum_variant, reason = "a run has one scene")]
@@ -27,7 +35,10 @@ macro_rules! bodies {
         }
 
         /// What each body's scenes may say, the default body first.
-        pub(super) const VOCABULARIES: &[Vocabulary] = &[$(Vocabulary::of::<$scene>()),+];
+        pub(super) const VOCABULARIES: &[Vocabulary] = &[$(Vocabulary {
+            $(results: <$summary as Summary>::QUANTITIES,)?
+            ..Vocabulary::of::<$scene>()
+        }),+];
 
         impl Scene {
             /// The scene as one of any body.
@@ -104,31 +115,31 @@ macro_rules! bodies {
 
 bodies! {
     /// A flat, round body: its path is straight.
-    Disk(DiskScene),
+    Disk(DiskScene) -> SlideSummary,
     /// A tall cylinder along a path in the plane.
-    Cylinder(CylinderScene),
+    Cylinder(CylinderScene) -> PlanarSummary,
     /// A pipe on its end along a path in the plane.
-    Pipe(PipeScene),
+    Pipe(PipeScene) -> PlanarSummary,
     /// A flat plate of any outline along a path in the plane.
-    Plate(PlateScene),
+    Plate(PlateScene) -> PlanarSummary,
     /// A curling rock.
-    Curling(CurlingScene),
+    Curling(CurlingScene) -> PlanarSummary,
     /// A body on a spring.
-    Spring(SpringScene),
+    Spring(SpringScene) -> SpringSummary,
     /// A block on an incline.
-    Incline(InclineScene),
+    Incline(InclineScene) -> InclineSummary,
     /// A body on a turntable.
-    Turntable(TurntableScene),
+    Turntable(TurntableScene) -> TurntableSummary,
     /// A body in a pinch.
-    Clamp(ClampScene),
+    Clamp(ClampScene) -> ClampSummary,
     /// A powder under a piston.
     Powder(PowderScene),
     /// Grains in a box.
     Grains(GrainsScene),
     /// A gas of spheres that cools.
-    Gas(GasScene),
+    Gas(GasScene) -> GasSummary,
     /// A tip turned on a substrate.
-    Tip(TipScene),
+    Tip(TipScene) -> TipSummary,
 }
 
 /// The key that every vocabulary has, with the bodies that there are.

@@ -25,7 +25,9 @@ pub use library::{LIBRARY, LibraryScene, library_scene};
 #[doc(hidden)]
 pub use schema::schema;
 #[doc(hidden)]
-pub use template::{keys_page, template, toml_value, with_all_keys};
+#[doc(hidden)]
+pub use template::{keys_page, results_page};
+pub use template::{template, toml_value, with_all_keys};
 #[doc(hidden)]
 pub use tribos_atoms::scene::StageSteps;
 pub use tribos_atoms::scene::{

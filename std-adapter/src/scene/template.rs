@@ -3,6 +3,7 @@
 use super::key::{Domain, Key, Need};
 use super::parse_scene;
 use super::vocabulary::{Vocabulary, bodies, given, resolved, vocabulary};
+use crate::results::Quantity;
 use serde_json::Value;
 
 /// A scene of a body with all of its keys: those that must be given have plausible values, the
@@ -133,6 +134,55 @@ pub fn keys_page() -> String {
     page
 }
 
+/// The entries of the summaries of all bodies as a page of tables in Markdown: `docs/results.md`.
+///
+/// ```
+/// let page = tribos::scene::results_page();
+/// assert!(page.contains("## body = \"disk\"") && page.contains("| `distance` | m |"));
+/// ```
+pub fn results_page() -> String {
+    let mut page = String::from(
+        "# Entries of summaries\n\nEvery run leaves `summary.json`; these tables, which it is made from, say what its \
+         entries are. Units are those of the scene where it has units of its own. A sweep averages what has a column. \
+         A number that a run does not have is null.\n",
+    );
+    let all: Vec<Vocabulary> = bodies().filter_map(vocabulary).collect();
+    for (at, known) in all.iter().enumerate() {
+        let has_same = |other: &&Vocabulary| other.results == known.results;
+        if known.results.is_empty() || all[..at].iter().any(|before| has_same(&before)) {
+            continue;
+        }
+        let names = all
+            .iter()
+            .filter(has_same)
+            .map(|same| format!("\"{}\"", same.body));
+        let names: Vec<String> = names.collect();
+        page += &format!("\n## body = {}\n\n", names.join(", "));
+        page += "| entry | unit | meaning | column of a sweep |\n|---|---|---|---|\n";
+        for entry in known.results {
+            page += &entry_row("", entry);
+            for part in entry.parts {
+                page += &entry_row(&format!("{}.", entry.name), part);
+            }
+        }
+    }
+    page
+}
+
+fn entry_row(of: &str, entry: &Quantity) -> String {
+    let column = entry
+        .column()
+        .map_or(String::new(), |name| format!("`{name}`"));
+    let cells = [
+        format!("`{of}{}`", entry.name),
+        entry.unit.into(),
+        entry.meaning.into(),
+        column,
+    ];
+    let cells = cells.map(|cell| cell.replace('|', "\\|"));
+    format!("| {} |\n", cells.join(" | "))
+}
+
 /// A setting with its comment in one column.
 fn line(setting: &str, comment: &str) -> String {
     format!("{setting:<32} # {comment}\n")
@@ -201,15 +251,17 @@ mod tests {
     }
 
     #[test]
-    fn the_page_of_keys_is_what_the_tables_say() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/keys.md");
-        if std::env::var_os("TRIBOS_WRITE_KEYS").is_some() {
-            std::fs::write(path, keys_page()).unwrap();
+    fn the_pages_of_keys_and_of_results_are_what_the_tables_say() {
+        for (name, made) in [("keys", keys_page()), ("results", results_page())] {
+            let path = format!("{}/../docs/{name}.md", env!("CARGO_MANIFEST_DIR"));
+            if std::env::var_os("TRIBOS_WRITE_KEYS").is_some() {
+                std::fs::write(&path, &made).unwrap();
+            }
+            let page = std::fs::read_to_string(&path).unwrap_or_default();
+            assert!(
+                page == made,
+                "run this test with TRIBOS_WRITE_KEYS=1 to write {path}"
+            );
         }
-        let page = std::fs::read_to_string(path).unwrap_or_default();
-        assert!(
-            page == keys_page(),
-            "run this test with TRIBOS_WRITE_KEYS=1 to write {path}"
-        );
     }
 }

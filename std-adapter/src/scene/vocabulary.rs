@@ -5,6 +5,7 @@ use super::entries::Entries;
 use super::key::{self, Key, Need, present_name};
 use super::table::Table;
 use super::{DEFAULT_BODY, parse_scene, toml_value};
+use crate::results::Quantity;
 use serde_json::{Map, Value};
 
 /// A body that scenes can be about.
@@ -29,8 +30,11 @@ pub struct Vocabulary {
     pub title: &'static str,
     /// Its keys, in the order of the documentation.
     pub keys: &'static [Key],
+    /// The quantities of the summaries of its runs; none of a body whose summary is no table yet.
+    #[doc(hidden)]
+    pub results: &'static [Quantity],
     /// The default scene, as JSON.
-    example: fn() -> Value,
+    pub(super) example: fn() -> Value,
 }
 
 /// The vocabulary of a body, if there is one of that name.
@@ -59,6 +63,7 @@ impl Vocabulary {
             body: T::BODY,
             title: T::TITLE,
             keys: T::TABLE,
+            results: &[],
             example: || T::default().values(),
         }
     }

@@ -1,9 +1,10 @@
-//! `tribos scene keys`.
+//! `tribos scene keys` and `tribos scene results`.
 
 use super::source;
 use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use serde_json::Value;
+use tribos::results::Quantity;
 use tribos::scene::{Key, Vocabulary, bodies, library_scene, toml_value, vocabulary};
 
 /// The keys of a body's scenes with unit, meaning, default and what each may be; without one, which
@@ -25,6 +26,46 @@ impl Keys {
         };
         crate::command::print(&text)
     }
+}
+
+/// The entries of the summaries of a body's runs with unit and meaning, and the columns that a sweep has of them.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = super::EXAMPLES)]
+pub struct Results {
+    /// A body such as disk or gas, or a scene of it as `tribos scene list` has it.
+    #[arg(value_name = "BODY")]
+    of: String,
+}
+
+impl Results {
+    /// Prints.
+    pub fn execute(self) -> Result<(), Failure> {
+        let known = of(&self.of)?;
+        let mut text = format!(
+            "Entries of the summary of a run with body = \"{}\":\n",
+            known.body
+        );
+        for entry in known.results {
+            text += &result("", entry);
+            for part in entry.parts {
+                text += &result(&format!("{}.", entry.name), part);
+            }
+        }
+        if known.results.is_empty() {
+            text = format!(
+                "no table yet of body = \"{}\": see summary.json of a run\n",
+                known.body
+            );
+        }
+        crate::command::print(&text)
+    }
+}
+
+fn result(of: &str, entry: &Quantity) -> String {
+    let column = entry.column();
+    let column = column.map_or(String::new(), |name| format!(" Sweep: `{name}`."));
+    let name = format!("{of}{}", entry.name);
+    format!("  {name:<24} [{}] {}{column}\n", entry.unit, entry.meaning)
 }
 
 /// The vocabulary that a word asks for.

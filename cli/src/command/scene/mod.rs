@@ -41,6 +41,8 @@ enum Action {
     Check(check::Check),
     /// The keys of a body: unit, meaning, default, what each may be.
     Keys(keys::Keys),
+    /// What the runs of a body leave in their summaries: unit, meaning, column of a sweep.
+    Results(keys::Results),
     /// Start a scene of your own: a commented file with every key.
     New(new::New),
     /// JSON Schema of scenes, with which editors complete and check them.
@@ -67,6 +69,7 @@ Examples:
   tribos scene new tip --out tip.toml
   tribos scene check mine.toml --set mu_rolling=0.3
   tribos scene keys powder
+  tribos scene results disk
   tribos scene schema --out tribos-scene.json
 With `#:schema ./tribos-scene.json` as its first line editors that know taplo check a scene as it
 is written.";
@@ -79,6 +82,7 @@ impl Arguments {
             Action::Show { name } => super::print(source::named(&name)?.text),
             Action::Check(check) => check.execute(),
             Action::Keys(keys) => keys.execute(),
+            Action::Results(results) => results.execute(),
             Action::New(new) => new.execute(),
             Action::Schema(schema) => schema.execute(),
         }

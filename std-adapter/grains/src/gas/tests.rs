@@ -61,7 +61,7 @@ fn the_energy_balance_of_a_gas_closes_and_its_momentum_stays() -> Tested {
         };
         let end = finished(&scene)?.outcome();
         assert_eq!(end.ending, Some(GasStopReason::Collisions), "{scene:?}");
-        let [before, after] = end.energy;
+        let (before, after) = (end.energy_initial, end.energy_final);
         assert!(after < before);
         assert!(
             (before - after - end.energy_lost).abs() < 1e-9,
@@ -185,7 +185,8 @@ fn dissipation_makes_clusters() -> Tested {
         sample_every: 10.0,
         ..GasScene::default()
     };
-    let [before, after] = finished(&scene)?.outcome().density_variance;
+    let end = finished(&scene)?.outcome();
+    let (before, after) = (end.density_variance_initial, end.density_variance_final);
     assert!(before < 0.6 && after > 2.0 * before, "{before} {after}");
     Ok(())
 }
@@ -341,7 +342,7 @@ fn soft_spheres_keep_their_momentum_and_lose_what_springs_do_not_hold() -> Teste
             ..small()
         };
         let end = finished(&scene)?.outcome();
-        let [before, after] = end.energy;
+        let (before, after) = (end.energy_initial, end.energy_final);
         // Contacts that are open hold the rest: a collision lasts 1 % of the time between two.
         assert!(end.momentum < 1e-9, "{end:?}");
         assert!(
