@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::reference::Reference;
 use tribos_tests::tables::{Row, Table};
-use tribos_tests::tolerance::{self, Bound};
+use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
 const COMPONENTS: [&str; 3] = ["force_x", "force_y", "torque"];
@@ -192,17 +192,11 @@ fn viscous_friction_has_the_moments_of_the_pressure() {
     );
 }
 
-/// Torque of a slow spin, relative.
-const SLOW_SPIN: Bound = Bound {
-    limit: 2e-15,
-    reason: "a second moment of the patch and a few roundings",
-};
-
 #[test]
 fn the_small_torque_of_a_slow_spin_keeps_its_digits() {
     hold(
         "slow spin",
-        |_| Some([SLOW_SPIN; 2]),
+        |_| Some([tolerance::SLOW_SPIN; 2]),
         |case, _, see| {
             // Elsewhere the centre of pressure is at the origin but for rounding.
             let is_centred = ["square", "centred"].contains(&case.name);
@@ -244,12 +238,6 @@ fn a_power_of_zero_is_dry_friction() {
     });
 }
 
-/// Differences of wrenches, of the largest entry of the Jacobian.
-const DIFFERENCES: Bound = Bound {
-    limit: 1e-9,
-    reason: "steps of a 64th of the distance from the nearest kink, to the sixth power; rounding of a sliver's wrench over 1e-3",
-};
-
 /// Central differences, extrapolated to sixth order.
 fn differences(case: &Case, twist: &Twist<f64>, step: f64) -> Matrix3<f64> {
     let units = Vector3::new(1.0, 1.0, 1.0 / case.arm());
@@ -274,7 +262,7 @@ fn differences(case: &Case, twist: &Twist<f64>, step: f64) -> Matrix3<f64> {
 fn differences_of_the_wrench_are_the_jacobian() {
     hold(
         "differences",
-        |_| Some([DIFFERENCES; 2]),
+        |_| Some([tolerance::DIFFERENCES; 2]),
         |case, rng, see| {
             for _ in 0..20 {
                 let (twist, clearance) = case.clear(rng);

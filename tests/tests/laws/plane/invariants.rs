@@ -5,7 +5,7 @@ use super::shape::{Frame, PlaneLaw, Shape};
 use super::{COEFFICIENT, LOAD, hold, twice};
 use nalgebra::{Matrix2, SymmetricEigen, Vector2, Vector3};
 use tribos_core::twist::{Twist, Wrench};
-use tribos_tests::tolerance::{self, Bound};
+use tribos_tests::tolerance;
 
 #[test]
 fn friction_dissipates_and_its_jacobian_is_symmetric_and_alpha_times_the_wrench_along_the_twist() {
@@ -122,20 +122,11 @@ fn power_of_two(exponent: i32) -> f64 {
     2_f64.powi(exponent / 2) * 2_f64.powi(exponent - exponent / 2)
 }
 
-/// Friction in another unit of speed.
-const UNITS: [Bound; 2] = [
-    tolerance::ROUNDING,
-    Bound {
-        limit: 1e-14,
-        reason: "speeds below the normal range are rounded",
-    },
-];
-
 #[test]
 fn speeds_at_the_ends_of_the_range_scale_the_friction() {
     hold(
         "ends of the range",
-        |_| Some(UNITS),
+        |_| Some([tolerance::UNITS, tolerance::UNITS_JACOBIAN]),
         |case, _, see| {
             let alpha = case.law.alpha();
             for twist in [Twist::new(0.75, -0.5, 0.625), Twist::new(3.0, 1.0, 0.03125)] {

@@ -51,17 +51,6 @@ const POWERS: &[PlaneLaw] = &[
     PlaneLaw::Power(2.5),
 ];
 
-/// Twelve points, one of them without load: sums of a dozen terms up to the load.
-const SUM: [Bound; 2] = [
-    Bound {
-        limit: 2e-15,
-        reason: "a dozen roundings of terms up to the load",
-    },
-    tolerance::EIGENVALUE,
-];
-/// Points as one shape.
-const POINTS: [Bound; 2] = [tolerance::POLYGON, tolerance::POLYGON_JACOBIAN];
-
 /// All patches.
 fn families() -> Vec<Family> {
     use tolerance::*;
@@ -128,9 +117,19 @@ fn families() -> Vec<Family> {
             [MESH_UNEVEN, MESH_UNEVEN_JACOBIAN],
         ),
         family("bar", bars(), DRY, [POLYGON, POLYGON_JACOBIAN]),
-        family("points", scattered(Shape::Points), DRY, POINTS),
-        family("nodes", scattered(Shape::Nodes), DRY, SUM),
-        family("power law at nodes", scattered(Shape::Nodes), POWERS, SUM),
+        family(
+            "points",
+            scattered(Shape::Points),
+            DRY,
+            [POLYGON, POLYGON_JACOBIAN],
+        ),
+        family("nodes", scattered(Shape::Nodes), DRY, [NODES, EIGENVALUE]),
+        family(
+            "power law at nodes",
+            scattered(Shape::Nodes),
+            POWERS,
+            [NODES, EIGENVALUE],
+        ),
         family("round patch", rounds(), POWERS, [IDENTITY, JACOBIAN_DENSE]),
     ]
 }
