@@ -175,94 +175,48 @@ fn senseless_laws_are_refused() {
         })
     );
     let dry = DryFriction::new(0.5, 0.3).unwrap();
+    let stribeck = |speed, exponent| {
+        let viscous = 0.0;
+        Stribeck::new(StribeckParameters {
+            dry,
+            speed,
+            exponent,
+            viscous,
+        })
+        .is_err()
+    };
+    let plateau = |alpha, plateau_speed, drop_speed, rest_share| {
+        let coefficient = 1.0;
+        let parameters = PlateauPowerLawParameters {
+            alpha,
+            coefficient,
+            plateau_speed,
+            drop_speed,
+            rest_share,
+        };
+        PlateauPowerLaw::new(parameters).is_err()
+    };
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(
-            Stribeck::new(StribeckParameters {
-                dry,
-                speed: bad,
-                exponent: 1.0,
-                viscous: 0.0
-            })
-            .is_err()
-        );
-        assert!(
-            Stribeck::new(StribeckParameters {
-                dry,
-                speed: 1.0,
-                exponent: bad,
-                viscous: 0.0
-            })
-            .is_err()
-        );
+        assert!(stribeck(bad, 1.0) && stribeck(1.0, bad));
         assert!(StaticAgeing::new(0.3, 0.1, bad).is_err());
-        assert!(
-            PlateauPowerLaw::new(PlateauPowerLawParameters {
-                alpha: -0.5,
-                coefficient: 1.0,
-                plateau_speed: bad,
-                drop_speed: 1e-9,
-                rest_share: 0.5
-            })
-            .is_err()
-        );
-        assert!(
-            PlateauPowerLaw::new(PlateauPowerLawParameters {
-                alpha: -0.5,
-                coefficient: 1.0,
-                plateau_speed: 1e-4,
-                drop_speed: bad,
-                rest_share: 0.5
-            })
-            .is_err()
-        );
+        assert!(plateau(-0.5, bad, 1e-9, 0.5) && plateau(-0.5, 1e-4, bad, 0.5));
         assert!(lugre::<f64>().steady_per_load(bad).is_err());
         let parameters = *rate_state::<f64>(0.01, 0.02, 0.0).parameters();
-        assert!(
-            RateState::<_, AgeingLaw>::new(RateStateParameters {
-                a: bad,
-                ..parameters
-            })
-            .is_err()
-        );
+        let with_a = RateStateParameters {
+            a: bad,
+            ..parameters
+        };
+        assert!(RateState::<_, AgeingLaw>::new(with_a).is_err());
         let parameters = *lugre::<f64>().parameters();
-        assert!(
-            LuGre::new(LuGreParameters {
-                coulomb_force: bad,
-                ..parameters
-            })
-            .is_err()
-        );
+        let with_force = LuGreParameters {
+            coulomb_force: bad,
+            ..parameters
+        };
+        assert!(LuGre::new(with_force).is_err());
     }
-    assert!(
-        PlateauPowerLaw::new(PlateauPowerLawParameters {
-            alpha: -0.5,
-            coefficient: 1.0,
-            plateau_speed: 1e-4,
-            drop_speed: 1e-3,
-            rest_share: 0.5
-        })
-        .is_err()
-    );
-    assert!(
-        PlateauPowerLaw::new(PlateauPowerLawParameters {
-            alpha: -0.5,
-            coefficient: 1.0,
-            plateau_speed: 1e-4,
-            drop_speed: 1e-6,
-            rest_share: 1.5
-        })
-        .is_err()
-    );
-    assert!(
-        PlateauPowerLaw::new(PlateauPowerLawParameters {
-            alpha: 0.5,
-            coefficient: 1.0,
-            plateau_speed: 1e-4,
-            drop_speed: 1e-6,
-            rest_share: 0.5
-        })
-        .is_err()
-    );
+    assert!(plateau(-0.5, 1e-4, 1e-3, 0.5));
+    assert!(plateau(-0.5, 1e-4, 1e-6, 1.5));
+    assert!(plateau(0.5, 1e-4, 1e-6, 0.5));
     let message = StaticAgeing::new(0.3, 0.1, -2.0).unwrap_err().to_string();
     assert_eq!(
         message,

@@ -6,7 +6,8 @@ mod invariants;
 mod shape;
 
 use nalgebra::{Matrix3, Vector2, Vector3};
-use shape::{AtTwist, PlaneLaw, Shape};
+use shape::PlaneLaw::{self, Dry, Power};
+use shape::{AtTwist, Shape};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::meshes::{Faces, meshes};
 use tribos_tests::outlines::{Outline, outlines};
@@ -25,113 +26,94 @@ struct Family {
     single: Option<[Bound; 2]>,
 }
 
-const DRY: &[PlaneLaw] = &[PlaneLaw::Dry];
-const FALLING: &[PlaneLaw] = &[
-    PlaneLaw::Power(-0.5),
-    PlaneLaw::Power(-0.25),
-    PlaneLaw::Power(0.0),
-];
+const DRY: &[PlaneLaw] = &[Dry];
+const FALLING: &[PlaneLaw] = &[Power(-0.5), Power(-0.25), Power(0.0)];
 const RISING: &[PlaneLaw] = &[
-    PlaneLaw::Power(0.0625),
-    PlaneLaw::Power(0.5),
-    PlaneLaw::Power(1.0),
-    PlaneLaw::Power(2.25),
-    PlaneLaw::Power(3.0),
+    Power(0.0625),
+    Power(0.5),
+    Power(1.0),
+    Power(2.25),
+    Power(3.0),
 ];
-const ENDS: &[PlaneLaw] = &[
-    PlaneLaw::Power(-0.75),
-    PlaneLaw::Power(4.0),
-    PlaneLaw::Power(7.5),
-];
-const POWERS: &[PlaneLaw] = &[
-    PlaneLaw::Power(-0.5),
-    PlaneLaw::Power(0.0),
-    PlaneLaw::Power(0.5),
-    PlaneLaw::Power(1.0),
-    PlaneLaw::Power(2.5),
-];
+const STEEP: &[PlaneLaw] = &[Power(-0.75), Power(4.0), Power(7.5)];
+const POWERS: &[PlaneLaw] = &[Power(-0.5), Power(0.0), Power(0.5), Power(1.0), Power(2.5)];
 
-/// All patches.
+/// All patches, a line a kind: name, shapes, laws, bounds in f64 and in f32.
 fn families() -> Vec<Family> {
     use tolerance::*;
-    let family = |name, shapes, laws, bounds| Family {
+    let uniform = |is_sliver| outlined(is_sliver, None);
+    // Half of the mean pressure from the centroid to the farthest corner, or less.
+    let linear = |is_sliver| outlined(is_sliver, Some([0.4, -0.3]));
+    let even = [POLYGON, POLYGON_JACOBIAN];
+    let leaning = [POLYGON_LINEAR, POLYGON_LINEAR_JACOBIAN];
+    let thin = [SLIVER, SLIVER_JACOBIAN];
+    let power = [POLYGON_POWER, POLYGON_POWER_JACOBIAN];
+    let powers = [POLYGON_POWER_LINEAR, POLYGON_POWER_LINEAR_JACOBIAN];
+    let steep = [POLYGON_POWER_ENDS, POLYGON_POWER_ENDS_JACOBIAN];
+    let mesh = [MESH, MESH_JACOBIAN];
+    let uneven = [MESH_UNEVEN, MESH_UNEVEN_JACOBIAN];
+    let sums = [NODES, EIGENVALUE];
+    let single = Some([POLYGON_SINGLE, POLYGON_SINGLE_JACOBIAN]);
+    let of_power = Some([POLYGON_POWER_SINGLE, POLYGON_POWER_SINGLE_JACOBIAN]);
+    let of_mesh = Some([MESH_SINGLE, MESH_SINGLE_JACOBIAN]);
+    let (nodes, points) = (scattered(Shape::Nodes), scattered(Shape::Points));
+    let lines = [
+        ("polygon", uniform(false), DRY, even, single),
+        ("leaning polygon", linear(false), DRY, leaning, None),
+        ("sliver", uniform(true), DRY, thin, None),
+        ("leaning sliver", linear(true), DRY, thin, None),
+        ("falling law, polygon", uniform(false), FALLING, power, None),
+        (
+            "rising law, polygon",
+            uniform(false),
+            RISING,
+            power,
+            of_power,
+        ),
+        ("steep law, polygon", uniform(false), STEEP, steep, None),
+        (
+            "falling law, leaning polygon",
+            linear(false),
+            FALLING,
+            powers,
+            None,
+        ),
+        (
+            "rising law, leaning polygon",
+            linear(false),
+            RISING,
+            powers,
+            None,
+        ),
+        (
+            "steep law, leaning polygon",
+            linear(false),
+            STEEP,
+            steep,
+            None,
+        ),
+        ("mesh", meshed(false), DRY, mesh, of_mesh),
+        ("uneven mesh", meshed(true), DRY, uneven, None),
+        ("bar", bars(), DRY, even, None),
+        ("points", points, DRY, even, None),
+        ("nodes", nodes.clone(), DRY, sums, None),
+        ("power law at nodes", nodes, POWERS, sums, None),
+        (
+            "round patch",
+            rounds(),
+            POWERS,
+            [IDENTITY, JACOBIAN_DENSE],
+            None,
+        ),
+    ];
+    let family = |(name, shapes, laws, bounds, single)| Family {
         name,
         shapes,
         laws,
         bounds,
-        single: None,
+        single,
     };
-    let uniform = |is_sliver| outlined(is_sliver, None);
-    // Half of the mean pressure from the centroid to the farthest corner, or less.
-    let linear = |is_sliver| outlined(is_sliver, Some([0.4, -0.3]));
-    let [falling, ends] = [
-        [POLYGON_POWER, POLYGON_POWER_JACOBIAN],
-        [POLYGON_POWER_ENDS, POLYGON_POWER_ENDS_JACOBIAN],
-    ];
-    let leaning = [POLYGON_POWER_LINEAR, POLYGON_POWER_LINEAR_JACOBIAN];
-    vec![
-        Family {
-            single: Some([POLYGON_SINGLE, POLYGON_SINGLE_JACOBIAN]),
-            ..family("polygon", uniform(false), DRY, [POLYGON, POLYGON_JACOBIAN])
-        },
-        family(
-            "leaning polygon",
-            linear(false),
-            DRY,
-            [POLYGON_LINEAR, POLYGON_LINEAR_JACOBIAN],
-        ),
-        family("sliver", uniform(true), DRY, [SLIVER, SLIVER_JACOBIAN]),
-        family(
-            "leaning sliver",
-            linear(true),
-            DRY,
-            [SLIVER, SLIVER_JACOBIAN],
-        ),
-        family("falling law on a polygon", uniform(false), FALLING, falling),
-        Family {
-            single: Some([POLYGON_POWER_SINGLE, POLYGON_POWER_SINGLE_JACOBIAN]),
-            ..family("rising law on a polygon", uniform(false), RISING, falling)
-        },
-        family(
-            "falling law on a leaning polygon",
-            linear(false),
-            FALLING,
-            leaning,
-        ),
-        family(
-            "rising law on a leaning polygon",
-            linear(false),
-            RISING,
-            leaning,
-        ),
-        family("steep law on a polygon", uniform(false), ENDS, ends),
-        family("steep law on a leaning polygon", linear(false), ENDS, ends),
-        Family {
-            single: Some([MESH_SINGLE, MESH_SINGLE_JACOBIAN]),
-            ..family("mesh", meshed(false), DRY, [MESH, MESH_JACOBIAN])
-        },
-        family(
-            "uneven mesh",
-            meshed(true),
-            DRY,
-            [MESH_UNEVEN, MESH_UNEVEN_JACOBIAN],
-        ),
-        family("bar", bars(), DRY, [POLYGON, POLYGON_JACOBIAN]),
-        family(
-            "points",
-            scattered(Shape::Points),
-            DRY,
-            [POLYGON, POLYGON_JACOBIAN],
-        ),
-        family("nodes", scattered(Shape::Nodes), DRY, [NODES, EIGENVALUE]),
-        family(
-            "power law at nodes",
-            scattered(Shape::Nodes),
-            POWERS,
-            [NODES, EIGENVALUE],
-        ),
-        family("round patch", rounds(), POWERS, [IDENTITY, JACOBIAN_DENSE]),
-    ]
+    lines.into_iter().map(family).collect()
 }
 
 fn outlined(is_sliver: bool, lean: Option<[f64; 2]>) -> Vec<(String, Shape)> {
