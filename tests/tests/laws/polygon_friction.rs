@@ -9,7 +9,7 @@ use tribos_core::twist::Twist;
 use tribos_tests::sweep::Lcg;
 
 /// A twist whose centre of rotation is anywhere from the patch to 10⁶ radii away, at any speed.
-pub(crate) fn anyhow(rng: &mut Lcg, patch: &impl PatchShape<f64>) -> Twist<f64> {
+fn anyhow(rng: &mut Lcg, patch: &impl PatchShape<f64>) -> Twist<f64> {
     let speed = 10_f64.powf(rng.between(-6.0, 6.0));
     let turn = speed / patch.radius() * 10_f64.powf(rng.between(-6.0, 1.0));
     let angle = rng.between(0.0, core::f64::consts::TAU);

@@ -130,19 +130,20 @@ fn outlined(is_sliver: bool, lean: Option<[f64; 2]>) -> Vec<(String, Shape)> {
 
 /// Needles, and triangles that are much smaller than their mesh but carry a good part of its load, are uneven.
 fn meshed(is_uneven: bool) -> Vec<(String, Shape)> {
-    // Judged by the rows of the polygon.
-    let [a, b, c, d] = [
-        [-1.0, -1.0, 2.0],
-        [1.0, -1.0, 2.0],
-        [1.0, 1.0, 2.0],
-        [-1.0, 1.0, 2.0],
-    ];
-    let square = Faces {
-        name: "square".to_owned(),
-        triangles: vec![[a, b, c], [a, c, d]],
+    // Polygons in triangles are judged by the rows of the polygon.
+    let dissected = |name: &str, triangles: &[[usize; 3]]| {
+        let outline = outlines().into_iter().find(|one| one.name == name);
+        let corners = outline.expect(name).loops.remove(0);
+        let corner = |n: usize| [corners[n][0], corners[n][1], 2.0];
+        Faces {
+            name: name.to_owned(),
+            triangles: triangles.iter().map(|named| named.map(corner)).collect(),
+        }
     };
+    let square = dissected("square", &[[0, 1, 2], [0, 2, 3]]);
+    let ell = dissected("ell", &[[0, 1, 2], [0, 2, 3], [3, 4, 0], [0, 4, 5]]);
     let uneven = ["graded", "needles", "spike"];
-    let all = meshes().into_iter().chain([square]);
+    let all = meshes().into_iter().chain([square, ell]);
     let kept = all.filter(|faces| uneven.contains(&faces.name.as_str()) == is_uneven);
     kept.map(|faces| (faces.name.clone(), Shape::Faces(faces)))
         .collect()
