@@ -34,7 +34,7 @@ const fn on_disk(text: &'static str, speeds: [f64; 2]) -> LawInstance {
 }
 
 /// Every law of the catalogue that depends on the speed alone: first with usual values, then others.
-pub const LAWS: [LawInstance; 25] = [
+pub const LAWS: [LawInstance; 24] = [
     of("coulomb:mu=0.3"),
     of("dry:mu_s=0.4,mu_d=0.3"),
     of("power:gamma=0.3,alpha=0.5"),
@@ -74,7 +74,6 @@ pub const LAWS: [LawInstance; 25] = [
     of("rate-state:mu0=0.6,a=0.01,b=0.01,v0=1e-6,dc=1e-5"),
     of("rate-state:mu0=0.6,a=0.02,b=0,v0=1e-6,dc=1e-5"),
     on_disk("lugre:fc=1,fs=1.5,vs=1e-3,s2=0.4,load=4", [1e-4, 1e-2]),
-    of("lugre:fc=1,fs=1,vs=1e-3"),
 ];
 
 /// Savkoor's bell for μ₀ = 0.6, μ_m = 1.2, v_m = 0.5, h = 0.4: mpmath in 40 digits.
