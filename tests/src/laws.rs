@@ -1,10 +1,126 @@
-//! Friction laws shared by several tests, and their derivative by differences.
+//! Friction laws: one list of them with what is known of each, and some that have tests of their own.
 
+use tribos::friction::Law;
 use tribos_core::law::{
     AgeingLaw, DryFriction, LuGre, LuGreParameters, PlateauPowerLaw, PlateauPowerLawParameters,
     RateState, RateStateParameters, Savkoor, SavkoorParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
+
+/// A law of the local speed, as it is written in scenes, and what is known of it from elsewhere.
+#[derive(Debug)]
+pub struct LawInstance {
+    /// Name and parameters.
+    pub text: &'static str,
+    /// Speed, coefficient and its slope with 16 digits of 40.
+    pub exact: &'static [[f64; 3]],
+    /// Speeds between which friction of a disk under it is compared with the mean over the rim.
+    pub disk: Option<[f64; 2]>,
+}
+
+const fn of(text: &'static str) -> LawInstance {
+    LawInstance {
+        text,
+        exact: &[],
+        disk: None,
+    }
+}
+
+const fn on_disk(text: &'static str, speeds: [f64; 2]) -> LawInstance {
+    LawInstance {
+        disk: Some(speeds),
+        ..of(text)
+    }
+}
+
+/// Every law of the catalogue that depends on the speed alone: first with usual values, then others.
+pub const LAWS: [LawInstance; 24] = [
+    of("coulomb:mu=0.3"),
+    of("dry:mu_s=0.4,mu_d=0.3"),
+    of("power:gamma=0.3,alpha=0.5"),
+    of("plateau:gamma=0.1,alpha=-0.4,vp=1e-3,vd=1e-4"),
+    of("stribeck:mu_s=0.4,mu_d=0.2,vs=0.05,k=0.02"),
+    of("savkoor:mu0=0.6,mu_m=1.2,vm=0.5"),
+    of("rate-state:mu0=0.4,a=0.01,b=0.015,v0=1e-3,dc=1e-5"),
+    of("lugre:fc=0.3,fs=0.4,vs=0.01,s2=0.1"),
+    of("power:gamma=0.7,alpha=-0.5"),
+    of("power:gamma=0.7,alpha=2.5"),
+    of("stribeck:mu_s=0.15,mu_d=0.1,vs=0.01,delta=0.5,k=0.5"),
+    of("stribeck:mu_s=0.15,mu_d=0.1,vs=0.01,delta=1,k=0.5"),
+    of("stribeck:mu_s=0.15,mu_d=0.1,vs=0.01,delta=2,k=0"),
+    on_disk(
+        "stribeck:mu_s=0.15,mu_d=0.1,vs=0.01,delta=2,k=0.5",
+        [1e-3, 0.1],
+    ),
+    on_disk(
+        "plateau:gamma=0.008,alpha=-0.5,vp=1e-4,vd=1e-7,r=0.5",
+        [1e-5, 1.0],
+    ),
+    of("plateau:gamma=0.008,alpha=-0.19,vp=1e-4,vd=1e-7,r=0"),
+    of("plateau:gamma=0.008,alpha=0,vp=1e-4,vd=1e-7,r=1"),
+    LawInstance {
+        exact: &WIDE_BELL,
+        ..on_disk("savkoor:mu0=0.6,mu_m=1.2,vm=0.5,h=0.4", [1e-3, 10.0])
+    },
+    LawInstance {
+        exact: &NARROW_BELL,
+        ..of("savkoor:mu0=0.6,mu_m=1.2,vm=0.5,h=2")
+    },
+    on_disk(
+        "rate-state:mu0=0.6,a=0.01,b=0.015,v0=1e-6,dc=1e-5,eta=2",
+        [1e-6, 1.0],
+    ),
+    of("rate-state:mu0=0.6,a=0.015,b=0.01,v0=1e-6,dc=1e-5"),
+    of("rate-state:mu0=0.6,a=0.01,b=0.01,v0=1e-6,dc=1e-5"),
+    of("rate-state:mu0=0.6,a=0.02,b=0,v0=1e-6,dc=1e-5"),
+    on_disk("lugre:fc=1,fs=1.5,vs=1e-3,s2=0.4,load=4", [1e-4, 1e-2]),
+];
+
+/// Savkoor's bell for μ₀ = 0.6, μ_m = 1.2, v_m = 0.5, h = 0.4: mpmath in 40 digits.
+const WIDE_BELL: [[f64; 3]; 10] = [
+    [0.0, 0.6, 0.0],
+    [1e-9, 0.6, 5.085814675869668e-19],
+    [1e-6, 0.6000000000006497, 2.7282266363130422e-6],
+    [1e-3, 0.6012429816434762, 2.4718860120760833],
+    [0.1, 0.9964235427854786, 2.041661053249251],
+    [0.5, 1.2, 0.0],
+    [0.7, 1.1892293429289142, -0.09063282966772089],
+    [3.0, 0.9589795187141159, -0.06860852820426101],
+    [1e3, 0.6000580259324764, -1.4113582492049572e-7],
+    [f64::INFINITY, 0.6, 0.0],
+];
+/// The same for h = 2.
+const NARROW_BELL: [[f64; 3]; 6] = [
+    [0.0, 0.6, 0.0],
+    [1e-6, 0.6, 4.607148404837301e-292],
+    [0.1, 0.6000189826111652, 0.0024441067268901186],
+    [0.7, 0.9814864724116401, -1.466966932720928],
+    [3.0, 0.600001588955611, -7.59207003205463e-6],
+    [f64::INFINITY, 0.6, 0.0],
+];
+
+/// The law of this text, in either precision.
+///
+/// # Panics
+/// If it is refused.
+pub fn made(text: &str) -> Law {
+    text.parse()
+        .unwrap_or_else(|error| panic!("{text}: {error}"))
+}
+
+/// One law for each name, with usual values.
+pub fn usual() -> Vec<&'static str> {
+    let mut texts: Vec<&str> = Vec::new();
+    for LawInstance { text, .. } in &LAWS {
+        if texts
+            .iter()
+            .all(|known| made(known).name() != made(text).name())
+        {
+            texts.push(text);
+        }
+    }
+    texts
+}
 
 /// Rock with direct effect a, age effect b and viscosity.
 pub fn rate_state<R: Real>(a: f64, b: f64, viscous: f64) -> RateState<R, AgeingLaw> {

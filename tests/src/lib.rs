@@ -28,7 +28,6 @@ pub mod sound;
 pub mod surfaces;
 pub mod sweep;
 pub mod tables;
-pub mod tiers;
 pub mod tilted;
 pub mod tips;
 pub mod tolerance;

@@ -1,20 +1,23 @@
-//! Round patches by pressure: all tiers for a pressure (1−r²)^q, by name, and their errors against
-//! a row of the tables.
+//! Round patches: all tiers of a pressure and an exponent, by name, and their errors against a row of
+//! the tables.
 
 use crate::reference::Reference;
 use crate::tables::Row;
 use crate::tolerance::Bound;
 use crate::worst::Worst;
-use tribos_core::coupling::LateralFriction;
 use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
-use tribos_core::coupling::compact;
-use tribos_core::coupling::round::{RoundTable32, RoundTable64};
+use tribos_core::coupling::quadrature::DiskQuadrature;
+use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
 use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
-use tribos_core::patch::PowerPressure;
+use tribos_core::coupling::{LateralFriction, ReducedFriction, compact};
+use tribos_core::law::PowerLaw;
+use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 
 /// A tier's name and the tier, with force, torque and lateral function.
 pub type PatchTier<R> = (&'static str, Box<dyn LateralFriction<R>>);
+/// The same with force and torque alone.
+pub type Tier<R> = (&'static str, Box<dyn ReducedFriction<R>>);
 
 /// A scalar whose tables of pressures can be built at run time.
 pub trait RoundTabulated: Real {
@@ -22,6 +25,10 @@ pub trait RoundTabulated: Real {
     fn round_table(alpha: f64, pressure: PowerPressure) -> Option<Box<dyn LateralFriction<Self>>>;
     /// The table of the uniform disk.
     fn disk_table(alpha: f64) -> Option<Box<dyn LateralFriction<Self>>>;
+    /// The table of a pressure that dips towards the middle, which exists in f64 alone.
+    fn polynomial_table(_alpha: f64) -> Option<Box<dyn LateralFriction<Self>>> {
+        None
+    }
 }
 
 impl RoundTabulated for f64 {
@@ -30,6 +37,12 @@ impl RoundTabulated for f64 {
     }
     fn disk_table(alpha: f64) -> Option<Box<dyn LateralFriction<f64>>> {
         Some(Box::new(DiskTable64::new(alpha).ok()?))
+    }
+    fn polynomial_table(alpha: f64) -> Option<Box<dyn LateralFriction<f64>>> {
+        let pressure = PolynomialPressure::new([0.2, 1.0, -0.5]).ok()?;
+        Some(Box::new(
+            LateralPolynomialTable::new(alpha, &pressure).ok()?,
+        ))
     }
 }
 
@@ -96,6 +109,63 @@ pub fn disks<R: RoundTabulated>(alpha: f64) -> Vec<PatchTier<R>> {
     tiers
 }
 
+/// The uniform disk's tiers with rounding accuracy, the compact power last.
+///
+/// # Panics
+/// If the exponent is refused.
+pub fn exact<R: RoundTabulated + 'static>(alpha: f64) -> Vec<Tier<R>> {
+    let plain = |(name, tier): PatchTier<R>| (name, tier as Box<dyn ReducedFriction<R>>);
+    let mut tiers: Vec<Tier<R>> = disks(alpha).into_iter().map(plain).collect();
+    let power = compact::CompactPower::new(R::from_f64(alpha)).expect("an exponent in range");
+    tiers.push(("compact", Box::new(power)));
+    tiers
+}
+
+/// Those of [`exact`] and the quadrature.
+///
+/// # Panics
+/// If the exponent is refused.
+pub fn all<R: RoundTabulated + 'static>(alpha: f64) -> Vec<Tier<R>> {
+    let mut tiers = exact(alpha);
+    let law = PowerLaw::new(R::from_f64(alpha), R::ONE).expect("an exponent in range");
+    tiers.push(("quadrature", Box::new(DiskQuadrature::new(law))));
+    tiers
+}
+
+/// Names of what [`numbers`] returns, and columns of tables.
+pub const RESULTS: [&str; 9] = ["F", "T", "G", "drag", "F_v", "F_w", "T_w", "vG_v", "vG_w"];
+
+/// Force, torque and lateral function, F/v, the derivatives of both, and those of vG.
+pub fn numbers<R: Real>(tier: &dyn LateralFriction<R>, slide: R, rim: R) -> [f64; 9] {
+    let [force, torque, drag, force_slide, mixed, torque_rim] = plain_numbers(tier, slide, rim);
+    let lateral = tier.lateral_jacobian(slide, rim);
+    let [g, along, across] = [tier.lateral(slide, rim), lateral.slide, lateral.rim].map(R::to_f64);
+    [
+        force,
+        torque,
+        g,
+        drag,
+        force_slide,
+        mixed,
+        torque_rim,
+        along,
+        across,
+    ]
+}
+
+/// [`numbers`] without the lateral ones.
+pub fn plain_numbers<R: Real>(
+    tier: &(impl ReducedFriction<R> + ?Sized),
+    slide: R,
+    rim: R,
+) -> [f64; 6] {
+    let w = tier.reduced_wrench(slide, rim);
+    let j = tier.reduced_jacobian(slide, rim);
+    let rates = [j.force_per_slide, j.force_slide, j.mixed, j.torque_rim];
+    let [a, b, c, d] = rates;
+    [w.force, w.torque, a, b, c, d].map(R::to_f64)
+}
+
 /// Largest errors of one tier over rows with F, T, G and the derivatives dF, dT along v.
 #[derive(Clone, Debug)]
 pub struct RowErrors {
@@ -105,10 +175,11 @@ pub struct RowErrors {
 
 impl RowErrors {
     /// No rows so far.
-    pub fn of(wrench: [&'static str; 3], derivatives: [&'static str; 2]) -> Self {
+    pub fn of(tier: &str) -> Self {
+        let of = |quantity: &str| Worst::of(format!("{tier}, {quantity}"));
         Self {
-            wrench: wrench.map(Worst::of),
-            derivatives: derivatives.map(Worst::of),
+            wrench: ["F", "T", "G"].map(of),
+            derivatives: ["dF", "dT"].map(of),
         }
     }
 

@@ -66,6 +66,11 @@ impl Table {
 }
 
 impl<'a> Row<'a> {
+    /// True if there is such a column.
+    pub fn has(&self, column: &str) -> bool {
+        self.table.columns.iter().any(|one| one == column)
+    }
+
     /// The text of a column.
     ///
     /// # Panics

@@ -128,10 +128,16 @@ bounds! {
 
     /// Identities between outputs (Euler, reciprocity, scaling), relative to the largest term.
     IDENTITY = 4e-15, "both sides round; 18 ulp";
-    /// Jacobian against central differences with step 2⁻¹⁷ of the speed, of F/v.
-    DIFFERENCES = 2e-8, "truncation: third derivative x 2^-34/6; rounding 1e-16 x 2^17";
-    /// The same for contacts in the plane, step 2⁻²⁰ of the speed, of the matrix norm.
-    DIFFERENCES_IN_PLANE = 1e-6, "Coulomb's third derivative near equal speeds and near zero of either";
+    /// Jacobians of patches in the plane against differences of sixth order, of the largest entry.
+    DIFFERENCES = 1e-9, "steps of a 64th of the distance from the nearest kink, to the sixth power; rounding of a sliver's wrench over 1e-3";
+    /// Torque of a slow spin of a patch in the plane, relative.
+    SLOW_SPIN = 2e-15, "a second moment of the patch and a few roundings";
+    /// Friction of a patch in the plane in another unit of speed, of the scale of the wrench.
+    UNITS = 1e-15, "powers of two change nothing but speeds below the normal range";
+    /// Its Jacobian, of the largest entry.
+    UNITS_JACOBIAN = 1e-14, "speeds below the normal range are rounded";
+    /// Twelve points summed one by one, of the scale of the wrench.
+    NODES = 2e-15, "a dozen roundings of terms up to the load";
     /// Derivatives of pressures against twice extrapolated differences, of F/v times the speeds' ratio.
     RICHARDSON = 2e-12, "differences of steps down to 4e-4: 1e-16/4e-4, doubled by each extrapolation";
     /// Quantities that differ by a few rounding errors, relative.

@@ -5,7 +5,7 @@ use crate::tolerance::Bound;
 /// Accumulates the largest of many errors.
 #[derive(Clone, Debug)]
 pub struct Worst {
-    quantity: &'static str,
+    quantity: String,
     error: f64,
     place: String,
     seen: usize,
@@ -13,9 +13,9 @@ pub struct Worst {
 
 impl Worst {
     /// No errors so far.
-    pub fn of(quantity: &'static str) -> Self {
+    pub fn of(quantity: impl Into<String>) -> Self {
         Self {
-            quantity,
+            quantity: quantity.into(),
             error: 0.0,
             place: String::new(),
             seen: 0,
@@ -57,6 +57,17 @@ impl Worst {
             bound.reason,
             self.place
         );
+    }
+
+    /// [`Worst::assert_within`] where something was seen.
+    ///
+    /// # Panics
+    /// If the largest error exceeds `bound`.
+    #[track_caller]
+    pub fn assert_if_seen(&self, bound: &Bound) {
+        if self.seen > 0 {
+            self.assert_within(bound);
+        }
     }
 
     /// Like [`Worst::assert_within`] for a tolerance that is looser than the `general` one: also fails

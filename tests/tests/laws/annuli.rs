@@ -1,4 +1,4 @@
-//! Annuli of every width: thin ones keep their digits, and their limit surfaces are consistent.
+//! Annuli of every width: their factors and their limit surfaces are consistent.
 use tribos_core::Real;
 use tribos_core::coupling::closed::CoulombRing;
 use tribos_core::coupling::{
@@ -7,53 +7,13 @@ use tribos_core::coupling::{
 use tribos_core::internals::Speeds;
 use tribos_core::limit_surface::{FrictionSet, Projection, RoundLimitSurface};
 use tribos_core::twist::Wrench;
-use tribos_tests::patches;
 use tribos_tests::surfaces::{FORCE_LIMIT, RADIUS, random_wrench};
 use tribos_tests::sweep::Lcg;
-use tribos_tests::tables::Table;
-use tribos_tests::tolerance;
-use tribos_tests::worst::Worst;
 
 /// Inner over outer radius; the wrench is a mean over rings above 15/16.
 const RATIOS: [f64; 10] = [
     0.0, 0.5, 0.9, 0.937, 0.938, 0.95, 0.99, 0.999, 0.9999, 0.999_999,
 ];
-
-/// Errors of F and T of bands from 0.99 radii on, relative.
-fn thin(name: &'static str, dry_or_rising: bool, kept: impl Fn(&str) -> bool) -> Worst {
-    let mut worst = Worst::of(name);
-    let table = Table::read("annulus.csv");
-    let exponents = table.distinct("alpha").into_iter();
-    for alpha in exponents.filter(|alpha| (*alpha >= 0.0) == dry_or_rising) {
-        let mut tiers = patches::disks::<f64>(alpha);
-        tiers.retain(|(name, _)| kept(name));
-        for (name, tier) in tiers {
-            for row in table.rows().filter(|row| row.number("alpha") == alpha) {
-                let [inner, ratio] = ["k", "eps"].map(|column| row.number(column));
-                if inner < 0.99 {
-                    continue;
-                }
-                let band = Annulus::new(tier.as_ref(), inner).expect("in range");
-                let got = band.reduced_wrench(ratio, 1.0);
-                for (column, got) in [("F", got.force), ("T", got.torque)] {
-                    worst.see(row.reference(column).relative(got), || {
-                        format!("{name} {column}, k {inner}, alpha {alpha}, eps {ratio:e}")
-                    });
-                }
-            }
-        }
-    }
-    worst
-}
-
-#[test]
-fn thin_bands_keep_the_digits_of_their_disks() {
-    let table = |name: &str| name != "coulomb compact";
-    thin("thin bands of tables", true, table).assert_within(&tolerance::THIN_ANNULUS);
-    thin("thin bands, alpha < 0", false, table).assert_within(&tolerance::THIN_ANNULUS_WEAKENING);
-    thin("thin bands of the AGM", true, |name| !table(name))
-        .assert_within(&tolerance::THIN_ANNULUS_AGM);
-}
 
 #[test]
 fn factors_of_thin_bands_make_their_wrenches() {

@@ -220,9 +220,27 @@ fn bits(wrench: &Wrench<f64>, jacobian: &WrenchJacobian<f64>) -> Vec<u64> {
         .collect()
 }
 
+/// Single calls and batches have the bits of the kernel.
+fn assert_bits(
+    what: &str,
+    kernel: &AtTwist,
+    one: impl Fn(&Twist<f64>) -> (Wrench<f64>, WrenchJacobian<f64>),
+    many: impl Fn(&[Twist<f64>], &mut [Wrench<f64>], &mut [WrenchJacobian<f64>]),
+) {
+    let twists = twists();
+    let mut wrenches = vec![Wrench::ZERO; twists.len()];
+    let mut jacobians = vec![WrenchJacobian::zeros(); twists.len()];
+    many(&twists, &mut wrenches, &mut jacobians);
+    for ((twist, wrench), jacobian) in twists.iter().zip(&wrenches).zip(&jacobians) {
+        let ((expected, rate), (alone, slope)) = (kernel(twist), one(twist));
+        let expected = bits(&expected, &rate);
+        assert_eq!(bits(&alone, &slope), expected, "{what} at {twist:?}");
+        assert_eq!(bits(wrench, jacobian), expected, "{what}, batch");
+    }
+}
+
 #[test]
 fn every_area_under_every_law_has_the_bits_of_the_kernel_or_is_refused() {
-    let twists = twists();
     for name in ROUND.iter().chain(&SHAPES) {
         let area = area(name);
         for text in LAWS {
@@ -235,50 +253,39 @@ fn every_area_under_every_law_has_the_bits_of_the_kernel_or_is_refused() {
                     panic!("{text} on {name}: {made:?}, kernel {}", kernel.is_some())
                 }
             };
-            let mut wrenches = vec![Wrench::ZERO; twists.len()];
-            let mut jacobians = vec![WrenchJacobian::zeros(); twists.len()];
-            friction.wrench_batch(LOAD, &twists, &mut wrenches);
-            friction.jacobian_batch(LOAD, &twists, &mut jacobians);
-            for ((twist, wrench), jacobian) in twists.iter().zip(&wrenches).zip(&jacobians) {
-                let (expected, rate) = kernel(twist);
-                let expected = bits(&expected, &rate);
-                let one = (
-                    friction.wrench(LOAD, twist),
-                    friction.wrench_jacobian(LOAD, twist),
-                );
-                assert_eq!(
-                    bits(&one.0, &one.1),
-                    expected,
-                    "{text} on {name} at {twist:?}"
-                );
-                assert_eq!(bits(wrench, jacobian), expected, "{text} on {name}, batch");
-            }
+            let one = |twist: &Twist<f64>| {
+                let wrench = friction.wrench(LOAD, twist);
+                (wrench, friction.wrench_jacobian(LOAD, twist))
+            };
+            let many = |twists: &[Twist<f64>], wrenches: &mut [Wrench<f64>], rates: &mut [_]| {
+                friction.wrench_batch(LOAD, twists, wrenches);
+                friction.jacobian_batch(LOAD, twists, rates);
+            };
+            assert_bits(&format!("{text} on {name}"), &kernel, one, many);
         }
     }
 }
 
 #[test]
 fn friction_by_name_has_the_bits_of_the_kernel() {
-    let twists = twists();
     for (name, text) in ROUND.iter().flat_map(|name| LAWS.map(|text| (name, text))) {
         let law: Law = text.parse().unwrap();
         let friction = AnyFriction::new(&name.parse().unwrap(), &law, None).unwrap();
-        let (friction, kernel) = (
-            friction.with_radius(RADIUS).unwrap(),
-            round_kernel(name, &law),
+        let friction = friction.with_radius(RADIUS).unwrap();
+        let one = |twist: &Twist<f64>| {
+            let wrench = friction.wrench(LOAD, twist);
+            (wrench, friction.wrench_jacobian(LOAD, twist))
+        };
+        let many = |twists: &[Twist<f64>], wrenches: &mut [Wrench<f64>], rates: &mut [_]| {
+            friction.wrench_batch(LOAD, twists, wrenches);
+            friction.jacobian_batch(LOAD, twists, rates);
+        };
+        assert_bits(
+            &format!("{text} on {name}"),
+            &round_kernel(name, &law),
+            one,
+            many,
         );
-        let mut wrenches = vec![Wrench::ZERO; twists.len()];
-        let mut jacobians = vec![WrenchJacobian::zeros(); twists.len()];
-        friction.wrench_batch(LOAD, &twists, &mut wrenches);
-        friction.jacobian_batch(LOAD, &twists, &mut jacobians);
-        for ((twist, wrench), jacobian) in twists.iter().zip(&wrenches).zip(&jacobians) {
-            let (expected, rate) = kernel(twist);
-            let expected = bits(&expected, &rate);
-            let rate = friction.wrench_jacobian(LOAD, twist);
-            let one = bits(&friction.wrench(LOAD, twist), &rate);
-            assert_eq!(one, expected, "{text} on {name} at {twist:?}");
-            assert_eq!(bits(wrench, jacobian), expected, "{text} on {name}, batch");
-        }
     }
 }
 

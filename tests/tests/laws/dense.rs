@@ -3,10 +3,10 @@
 
 use tribos_core::coupling::table::{self, DiskTable64};
 use tribos_core::coupling::{ReducedFriction, compact};
+use tribos_tests::patches;
 use tribos_tests::reference::Reference;
 use tribos_tests::rim_mean;
 use tribos_tests::sweep::{self, Lcg};
-use tribos_tests::tiers;
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
@@ -69,7 +69,7 @@ fn against_rim_mean(quantity: &'static str, low: f64, high: f64) -> Worst {
     let mut rng = Lcg::new(5);
     for _ in 0..60 {
         let alpha = rng.between(low, high);
-        let tiers = tiers::exact::<f64>(alpha);
+        let tiers = patches::exact::<f64>(alpha);
         for n in 0..40 {
             let ratio = match n % 4 {
                 0 => rng.log_between(1e-4, 1e4),
@@ -114,7 +114,7 @@ fn quadrature_keeps_its_promise_between_the_rows() {
         -0.5, -0.4, -0.25, -0.1, 0.0, 0.02, 0.1, 0.3, 0.5, 0.75, 1.0, 2.0, 3.5, 4.5, 5.0,
     ] {
         let compact = compact::CompactPower::new(alpha).unwrap();
-        let (_, quadrature) = tiers::all::<f64>(alpha).pop().unwrap();
+        let (_, quadrature) = patches::all::<f64>(alpha).pop().unwrap();
         for &ratio in &ratios {
             let place = || format!("alpha {alpha}, eps {ratio:e}");
             let wanted = compact.reduced_wrench(ratio, 1.0);

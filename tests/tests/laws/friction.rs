@@ -1,8 +1,7 @@
 //! Friction chosen by name is the kernel's own, to the bit, and one place says what is served.
 
 use tribos::friction::{
-    AnyFriction, FrictionError, LARGEST_EXPONENT, LAWS, Law, Patch, Precision, Tier, leaning,
-    upright,
+    AnyFriction, FrictionError, LARGEST_EXPONENT, Law, Patch, Precision, Tier, leaning, upright,
 };
 use tribos::random::Random;
 use tribos::scene::DiskScene;
@@ -24,18 +23,10 @@ use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::polar::PolarQuadrature;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::twist::Twist;
+use tribos_tests::laws::usual;
 
-/// One law with values for each name of the catalogue.
-const LOCAL: [&str; 8] = [
-    "coulomb:mu=0.3",
-    "dry:mu_s=0.4,mu_d=0.3",
-    "power:gamma=0.3,alpha=0.5",
-    "plateau:gamma=0.1,alpha=-0.4,vp=1e-3,vd=1e-4",
-    "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05,k=0.02",
-    "savkoor:mu0=0.6,mu_m=1.2,vm=0.5",
-    "rate-state:mu0=0.4,a=0.01,b=0.015,v0=1e-3,dc=1e-5",
-    "lugre:fc=0.3,fs=0.4,vs=0.01,s2=0.1",
-];
+const PLATEAU: &str = "plateau:gamma=0.1,alpha=-0.4,vp=1e-3,vd=1e-4";
+const STRIBECK: &str = "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05,k=0.02";
 const ROUND: [&str; 8] = [
     "disk",
     "ring",
@@ -272,17 +263,13 @@ fn other_laws_are_the_kernel_s_quadratures() {
             );
         }
     }
-    agree(LOCAL[4], stribeck);
-    agree(LOCAL[3], plateau);
+    agree(STRIBECK, stribeck);
+    agree(PLATEAU, plateau);
 }
 
 #[test]
 fn every_local_law_serves_every_round_patch() {
-    let local = LAWS.iter().filter(|entry| entry.local.is_some());
-    let names: Vec<&str> = LOCAL.iter().map(|text| law(text).name()).collect();
-    assert_eq!(local.map(|entry| entry.name).collect::<Vec<_>>(), names);
-    for text in LOCAL {
-        assert_eq!(law(&law(text).to_string()), law(text));
+    for text in usual() {
         for name in ROUND {
             let friction = AnyFriction::<f64>::new(&patch(name), &law(text), None).unwrap();
             // Sliding without spin, all of the patch has one speed.
@@ -384,7 +371,7 @@ fn run_under(disk: &DiskScene, law: Law) -> Result<SlideRun, SlideError> {
 
 #[test]
 fn every_local_law_brings_a_disk_to_rest() {
-    for text in LOCAL {
+    for text in usual() {
         let end = run_under(&scene(&[]), law(text)).unwrap().outcome;
         assert_eq!(end.ending, SlideStopReason::Rest, "{text}");
         assert!(end.energy_error < 1e-7, "{text}: {}", end.energy_error);
@@ -455,7 +442,7 @@ fn a_law_that_is_coulomb_s_in_disguise_moves_as_coulomb_s() {
 
 #[test]
 fn a_stribeck_disk_without_spin_takes_the_time_of_the_integral() {
-    let text = LOCAL[4];
+    let text = STRIBECK;
     let made = law(text).build::<f64>().unwrap();
     // t = ∫ dv/(g mu(v)) and x = ∫ v dv/(g mu(v)) from 0 to 1 m/s, by the midpoint rule.
     const PARTS: u32 = 1_000_000;

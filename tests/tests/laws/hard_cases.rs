@@ -1,35 +1,24 @@
 //! The ends of the range: equal and nearly equal speeds, 600 decades between them, subnormal and
-//! huge numbers, zeros of either sign.
+//! huge numbers.
 
-use tribos_core::coupling::{ReducedJacobian, ReducedWrench};
-use tribos_core::real::Real;
+use tribos_tests::patches::{Tier, exact};
 use tribos_tests::reference::Reference;
 use tribos_tests::tables::{Row, Table};
-use tribos_tests::tiers;
-use tribos_tests::tolerance;
 
-const EXPONENTS: [f64; 8] = [-0.9, -0.5, 0.0, 0.25, 0.5, 1.0, 1.5, 3.0];
+use tribos_tests::tolerance;
 
 /// Distance of subnormal numbers.
 const SMALLEST: f64 = f64::from_bits(1);
 
-fn wrench<R: Real>(w: ReducedWrench<R>) -> [f64; 2] {
-    [w.force, w.torque].map(R::to_f64)
-}
-
-fn jacobian<R: Real>(j: ReducedJacobian<R>) -> [f64; 4] {
-    [j.force_per_slide, j.force_slide, j.mixed, j.torque_rim].map(R::to_f64)
-}
-
 /// Checks every row of hard_twists.csv in every exact tier; fails with all misses by name.
 fn assert_rows(
     limit: impl Fn(&str) -> f64,
-    checks: impl Fn(&Row, &tiers::Tier<f64>) -> Vec<(Reference, f64)>,
+    checks: impl Fn(&Row, &Tier<f64>) -> Vec<(Reference, f64)>,
 ) {
     let table = Table::read("hard_twists.csv");
     let mut misses = Vec::new();
     for alpha in table.distinct("alpha") {
-        for tier in tiers::exact::<f64>(alpha) {
+        for tier in exact::<f64>(alpha) {
             for row in table.rows().filter(|row| row.number("alpha") == alpha) {
                 for (wanted, got) in checks(&row, &tier) {
                     let error = wanted.relative(got);
@@ -88,46 +77,4 @@ fn every_hard_twist_has_its_derivatives() {
                 .to_vec()
         },
     );
-}
-
-#[test]
-fn signs_of_the_arguments_do_not_matter() {
-    for alpha in EXPONENTS {
-        for (name, tier) in tiers::all::<f64>(alpha) {
-            for (slide, rim) in [
-                (0.7, 1.1),
-                (1.3, 0.2),
-                (0.0, 1.0),
-                (1.0, 0.0),
-                (0.0, 0.0),
-                (2.0, 2.0),
-            ] {
-                let bits = |v, w| {
-                    let wrench = wrench(tier.reduced_wrench(v, w)).map(f64::to_bits);
-                    let jacobian = jacobian(tier.reduced_jacobian(v, w)).map(f64::to_bits);
-                    (wrench, jacobian)
-                };
-                let wanted = bits(slide, rim);
-                for (v, w) in [(-slide, rim), (slide, -rim), (-slide, -rim)] {
-                    assert_eq!(bits(v, w), wanted, "{name}, alpha {alpha}: ({v}, {w})");
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn a_body_at_rest_feels_no_friction_and_its_damping_is_the_limit() {
-    for alpha in EXPONENTS {
-        for (name, tier) in tiers::exact::<f64>(alpha) {
-            assert_eq!(wrench(tier.reduced_wrench(0.0, -0.0)), [0.0, 0.0], "{name}");
-            let [slide, rim] = match alpha {
-                1.0 => [1.0, 0.5],
-                a if a > 1.0 => [0.0, 0.0],
-                _ => [f64::INFINITY, f64::INFINITY],
-            };
-            let got = jacobian(tier.reduced_jacobian(0.0, 0.0));
-            assert_eq!(got, [slide, slide, 0.0, rim], "{name}, alpha {alpha}");
-        }
-    }
 }

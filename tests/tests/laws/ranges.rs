@@ -1,39 +1,15 @@
 //! Speeds of the whole range of both types: every result is right, infinite or zero as it must be.
 
-use tribos_core::Real;
 use tribos_core::coupling::compact::CompactPower;
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::round::LateralPolynomialTable;
 use tribos_core::coupling::table::DiskTable64;
-use tribos_core::coupling::{Annulus, LateralFriction, ReducedFriction};
+use tribos_core::coupling::{Annulus, LateralFriction};
 use tribos_core::law::PowerLaw;
-use tribos_core::patch::PolynomialPressure;
-use tribos_tests::patches::{self, PatchTier, RoundTabulated};
+use tribos_tests::patches::{self, PatchTier, RESULTS, RoundTabulated, numbers, plain_numbers};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tables::Table;
 use tribos_tests::tolerance::{self, Bound};
 use tribos_tests::worst::Worst;
-
-/// Columns of the table, and the order of [`all`].
-const RESULTS: [&str; 9] = ["F", "T", "G", "drag", "F_v", "F_w", "T_w", "vG_v", "vG_w"];
-
-fn all<R: Real>(tier: &dyn LateralFriction<R>, slide: R, rim: R) -> [f64; 9] {
-    let w = tier.reduced_wrench(slide, rim);
-    let j = tier.reduced_jacobian(slide, rim);
-    let l = tier.lateral_jacobian(slide, rim);
-    [
-        w.force,
-        w.torque,
-        tier.lateral(slide, rim),
-        j.force_per_slide,
-        j.force_slide,
-        j.mixed,
-        j.torque_rim,
-        l.slide,
-        l.rim,
-    ]
-    .map(R::to_f64)
-}
 
 /// What a type can hold.
 #[derive(Clone, Copy)]
@@ -119,7 +95,7 @@ fn assert_table<R: Ranged>() {
     {
         let [q, alpha, v, w] = ["q", "alpha", "v", "w"].map(|name| row.number(name));
         for (name, tier) in patches::tiers::<R>(q, alpha) {
-            let got = all(tier.as_ref(), R::from_f64(v), R::from_f64(w));
+            let got = numbers(tier.as_ref(), R::from_f64(v), R::from_f64(w));
             let expected = RESULTS.map(|column| row.reference(column).high);
             for (n, (column, got)) in RESULTS.into_iter().zip(got).enumerate() {
                 let wanted = expected[n];
@@ -191,9 +167,9 @@ impl Homogeneous {
                 for apart in 0..=SLOW {
                     let [large, small] = [major, major - apart].map(|e| 2.0_f64.powi(e));
                     base.push(if sliding_leads {
-                        all(tier, large, small)
+                        numbers(tier, large, small)
                     } else {
-                        all(tier, small, large)
+                        numbers(tier, small, large)
                     });
                 }
             }
@@ -249,7 +225,7 @@ fn see_grid_in<R: Ranged>(
     let expected = Homogeneous::new(wide, alpha);
     for &(i, j) in pairs {
         let [v, w] = [i, j].map(|e| R::from_f64(scaled(1.0, e)));
-        let got = all(tier.as_ref(), v, w);
+        let got = numbers(tier.as_ref(), v, w);
         let expected = expected.at(i, j);
         for (n, (wanted, got)) in expected.into_iter().zip(got).enumerate() {
             let part = usize::from(n >= 3);
@@ -315,12 +291,11 @@ fn every_power_of_two_in_single_precision() {
 
 #[test]
 fn tables_of_polynomials_at_every_power_of_two() {
-    let pressure = PolynomialPressure::new([0.2, 1.0, -0.5]).expect("positive");
     let mut worst = ["F, T, G, polynomial", "derivatives, polynomial"].map(Worst::of);
     for alpha in EXPONENTS {
-        let table = || LateralPolynomialTable::new(alpha, &pressure).expect("in range");
-        let tier: PatchTier<f64> = ("polynomial", Box::new(table()));
-        see_grid(&mut worst, &tier, &table(), alpha, &pairs::<f64>(1));
+        let table = || f64::polynomial_table(alpha).expect("in range");
+        let tier: PatchTier<f64> = ("polynomial", table());
+        see_grid(&mut worst, &tier, &*table(), alpha, &pairs::<f64>(1));
     }
     let [wrench, jacobian] = worst;
     wrench.assert_within(&tolerance::RANGES);
@@ -379,16 +354,7 @@ fn quadrature_at_every_power_of_two() {
             }
             let [v, w] = [i, j].map(|e| scaled(1.0, e));
             let wanted = expected.at(i, j);
-            let wrench = tier.reduced_wrench(v, w);
-            let jacobian = tier.reduced_jacobian(v, w);
-            let got = [
-                wrench.force,
-                wrench.torque,
-                jacobian.force_per_slide,
-                jacobian.force_slide,
-                jacobian.mixed,
-                jacobian.torque_rim,
-            ];
+            let got = plain_numbers(&tier, v, w);
             for (m, (n, got)) in [0, 1, 3, 4, 5, 6].into_iter().zip(got).enumerate() {
                 // Derivatives are promised in units of F/v.
                 let unit = if m < 2 { 0.0 } else { wanted[3] };
@@ -419,7 +385,7 @@ fn derivatives_next_to_equal_speeds() {
     for row in Table::read("equal_speeds.csv").rows() {
         let [q, alpha, v] = ["q", "alpha", "v"].map(|name| row.number(name));
         for (name, tier) in patches::tiers::<f64>(q, alpha) {
-            let [_, _, _, got @ .., _, _] = all(tier.as_ref(), v, 1.0);
+            let [_, _, _, got @ .., _, _] = numbers(tier.as_ref(), v, 1.0);
             let drag = row.number("drag");
             let worst = if name.starts_with("closed") {
                 &mut closed

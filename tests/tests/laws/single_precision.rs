@@ -2,9 +2,9 @@
 
 use tribos_core::coupling::ReducedFriction;
 use tribos_core::coupling::table::DiskTable64;
+use tribos_tests::patches;
 use tribos_tests::reference::Reference;
 use tribos_tests::sweep;
-use tribos_tests::tiers;
 use tribos_tests::tolerance::{self, Bound};
 use tribos_tests::worst::Worst;
 
@@ -17,47 +17,12 @@ fn in_range(x: f64) -> bool {
     x == 0.0 || normal.contains(&x)
 }
 
-/// Worst force and torque of the tiers called `tier_name` over `alphas`, by `measure`.
-fn wrench(
-    quantities: [&'static str; 2],
-    tier_name: &str,
-    alphas: &[f64],
-    measure: impl Fn(&Reference, f32) -> f64,
-) -> [Worst; 2] {
-    let [mut force, mut torque] = quantities.map(Worst::of);
-    let mut ratios = sweep::ratios_f32(COUNT);
-    ratios.extend(FOUND_WORST);
-    for &alpha in alphas {
-        // The f32 tier has the f32 exponent.
-        let alpha = f64::from(alpha as f32);
-        let wide = DiskTable64::new(alpha).unwrap();
-        let tiers = tiers::exact::<f32>(alpha);
-        let (_, tier) = tiers.iter().find(|(name, _)| *name == tier_name).unwrap();
-        for &ratio in &ratios {
-            let wanted = wide.reduced_wrench(f64::from(ratio), 1.0);
-            if !in_range(wanted.force) || !in_range(wanted.torque) {
-                continue;
-            }
-            let got = tier.reduced_wrench(ratio, 1.0);
-            let place = || format!("alpha {alpha}, eps {ratio:e}");
-            force.see(measure(&Reference::exact(wanted.force), got.force), place);
-            torque.see(measure(&Reference::exact(wanted.torque), got.torque), place);
-        }
-    }
-    [force, torque]
-}
-
-fn assert_all(worst: &[Worst], bound: &Bound) {
-    for worst in worst {
-        worst.assert_within(bound);
-    }
-}
-
 const MODERATE: [f64; 13] = [
     -0.75, -0.5, -0.25, -0.05, 0.0, 0.1, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0,
 ];
 
 const STEEP: [f64; 3] = [7.0, 9.0, 10.0];
+const DEEP: [f64; 3] = [-0.99, -0.95, -0.9];
 
 /// Ratios that a sweep of 800,000 a exponent found worst.
 const FOUND_WORST: [f32; 12] = [
@@ -75,66 +40,77 @@ const FOUND_WORST: [f32; 12] = [
     1.414_25,
 ];
 
-#[test]
-fn coulomb_table_stays_within_five_ulps() {
-    let names = ["f32 coulomb table F (ulp)", "f32 coulomb table T (ulp)"];
-    let worst = wrench(names, "coulomb table", &[0.0], Reference::ulps_f32);
-    assert_all(&worst, &tolerance::SINGLE_ULPS);
+/// A tier and exponents, bounds of force and torque, and a tighter one that they do exceed.
+const LINES: [(&str, &[f64], [Bound; 2], [Option<Bound>; 2]); 7] = {
+    use tolerance::*;
+    let (few, steep) = ([SINGLE_ULPS; 2], Some(SINGLE_ULPS));
+    [
+        ("coulomb table", &[0.0], few, [None; 2]),
+        ("disk table", &MODERATE, few, [None; 2]),
+        ("disk table", &STEEP, [SINGLE_STEEP_ULPS; 2], [steep; 2]),
+        // Close to −1 the torque alone loses digits.
+        (
+            "disk table",
+            &DEEP,
+            [SINGLE_ULPS, SINGLE_DEEP_ULPS],
+            [None, steep],
+        ),
+        ("compact", &MODERATE, few, [None; 2]),
+        ("compact", &STEEP, few, [None; 2]),
+        ("compact", &DEEP, few, [None; 2]),
+    ]
+};
+
+/// Sees force and torque of the tiers of this name by `measure`, over all ratios.
+fn see(worst: &mut [Worst; 2], of: &str, alpha: f64, measure: impl Fn(&Reference, f32) -> f64) {
+    let mut ratios = sweep::ratios_f32(COUNT);
+    ratios.extend(FOUND_WORST);
+    // The f32 tier has the f32 exponent.
+    let alpha = f64::from(alpha as f32);
+    let wide = DiskTable64::new(alpha).unwrap();
+    let tiers = patches::exact::<f32>(alpha);
+    let (_, tier) = tiers.iter().find(|(name, _)| *name == of).unwrap();
+    for &ratio in &ratios {
+        let wanted = wide.reduced_wrench(f64::from(ratio), 1.0);
+        if !in_range(wanted.force) || !in_range(wanted.torque) {
+            continue;
+        }
+        let got = tier.reduced_wrench(ratio, 1.0);
+        let place = || format!("alpha {alpha}, eps {ratio:e}");
+        for (worst, (wanted, got)) in worst
+            .iter_mut()
+            .zip([(wanted.force, got.force), (wanted.torque, got.torque)])
+        {
+            worst.see(measure(&Reference::exact(wanted), got), place);
+        }
+    }
 }
 
 #[test]
-fn power_tables_stay_within_five_ulps() {
-    let names = [
-        "f32 table F, alpha [-0.75, 5] (ulp)",
-        "f32 table T, alpha [-0.75, 5] (ulp)",
-    ];
-    let worst = wrench(names, "table", &MODERATE, Reference::ulps_f32);
-    assert_all(&worst, &tolerance::SINGLE_ULPS);
-    let names = [
-        "f32 table F, alpha [7, 10] (ulp)",
-        "f32 table T, alpha [7, 10] (ulp)",
-    ];
-    let [force, torque] = wrench(names, "table", &STEEP, Reference::ulps_f32);
-    force.assert_excused(&tolerance::SINGLE_STEEP_ULPS, &tolerance::SINGLE_ULPS);
-    torque.assert_excused(&tolerance::SINGLE_STEEP_ULPS, &tolerance::SINGLE_ULPS);
-}
-
-#[test]
-fn compact_powers_stay_within_five_ulps_for_every_tabulated_exponent() {
-    let names = [
-        "f32 compact F, alpha [-0.75, 10] (ulp)",
-        "f32 compact T, alpha [-0.75, 10] (ulp)",
-    ];
-    let alphas = [&MODERATE[..], &STEEP[..]].concat();
-    let worst = wrench(names, "compact", &alphas, Reference::ulps_f32);
-    assert_all(&worst, &tolerance::SINGLE_ULPS);
-}
-
-#[test]
-fn tables_close_to_minus_one_lose_digits_of_the_torque_only() {
-    let alphas = [-0.99, -0.95, -0.9];
-    let names = [
-        "f32 table F, alpha [-0.99, -0.9] (ulp)",
-        "f32 table T, alpha [-0.99, -0.9] (ulp)",
-    ];
-    let [force, torque] = wrench(names, "table", &alphas, Reference::ulps_f32);
-    force.assert_within(&tolerance::SINGLE_ULPS);
-    torque.assert_excused(&tolerance::SINGLE_DEEP_ULPS, &tolerance::SINGLE_ULPS);
-    let names = [
-        "f32 compact F, alpha [-0.99, -0.9] (ulp)",
-        "f32 compact T, alpha [-0.99, -0.9] (ulp)",
-    ];
-    let worst = wrench(names, "compact", &alphas, Reference::ulps_f32);
-    assert_all(&worst, &tolerance::SINGLE_ULPS);
+fn every_tier_stays_within_a_few_units() {
+    for (of, alphas, bounds, excused) in &LINES {
+        let label = |part| format!("f32 {of} {part}, alpha {alphas:?} (ulp)");
+        let mut worst = ["F", "T"].map(|part| Worst::of(label(part)));
+        for &alpha in *alphas {
+            see(&mut worst, of, alpha, Reference::ulps_f32);
+        }
+        for ((worst, bound), general) in worst.iter().zip(bounds).zip(excused) {
+            match general {
+                Some(general) => worst.assert_excused(bound, general),
+                None => worst.assert_within(bound),
+            }
+        }
+    }
 }
 
 #[test]
 fn elliptic_coulomb_stays_within_its_bound() {
-    let names = ["f32 AGM F", "f32 AGM T"];
-    let worst = wrench(names, "coulomb compact", &[0.0], |wanted, got| {
-        wanted.relative(f64::from(got))
-    });
-    assert_all(&worst, &tolerance::SINGLE_AGM);
+    let mut worst = ["f32 AGM F", "f32 AGM T"].map(Worst::of);
+    let relative = |wanted: &Reference, got| wanted.relative(f64::from(got));
+    see(&mut worst, "coulomb compact", 0.0, relative);
+    for worst in worst {
+        worst.assert_within(&tolerance::SINGLE_AGM);
+    }
 }
 
 #[test]
@@ -143,7 +119,7 @@ fn derivatives_stay_within_their_bound() {
     for alpha in MODERATE {
         let alpha = f64::from(alpha as f32);
         let wide = DiskTable64::new(alpha).unwrap();
-        for (name, tier) in tiers::exact::<f32>(alpha) {
+        for (name, tier) in patches::exact::<f32>(alpha) {
             for ratio in sweep::ratios_f32(COUNT / 10) {
                 let wanted = wide.reduced_jacobian(f64::from(ratio), 1.0);
                 let got = tier.reduced_jacobian(ratio, 1.0);

@@ -113,23 +113,6 @@ fn limits_3_12_to_3_16_are_met_from_both_sides() {
 }
 
 #[test]
-fn equations_3_21_and_3_22_are_polynomials() {
-    let mut worst = Worst::of("alpha 1 and 3");
-    for e in ratios() {
-        for (alpha, force, torque) in [(1.0, e, 0.5), (3.0, e * e * e + e, e * e + 1.0 / 3.0)] {
-            let got = power(alpha, e);
-            worst.see(relative(got.force, force), || {
-                format!("F, alpha {alpha}, eps {e}")
-            });
-            worst.see(relative(got.torque, torque), || {
-                format!("T, alpha {alpha}, eps {e}")
-            });
-        }
-    }
-    worst.assert_within(&tolerance::POLYNOMIAL);
-}
-
-#[test]
 fn the_cubic_torque_of_fast_sliding_has_no_third() {
     // Section 3.3 prints −(1/3)(ωR)² v²; table 3.1 and the kernel give ωR v².
     let (v, w) = (2e5, 0.5);

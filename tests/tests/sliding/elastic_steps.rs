@@ -13,10 +13,11 @@ use tribos_core::presliding::{Anchor, Pose, Presliding};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 
-const LIMIT: f64 = 5.0;
-const RADIUS: f64 = 0.05;
+pub(crate) const LIMIT: f64 = 5.0;
+pub(crate) const RADIUS: f64 = 0.05;
 
-fn sets() -> [Box<dyn FrictionSet<f64>>; 3] {
+/// A disk, its ellipsoid and a box.
+pub(crate) fn sets() -> [Box<dyn FrictionSet<f64>>; 3] {
     let (a, b) = (RADIUS, 0.4 * RADIUS);
     let corners = [[-a, -b], [a, -b], [a, b], [-a, b]];
     let book = ShapeLimitSurface::new(Polygon::new(corners).expect("a box"), LIMIT);

@@ -1,31 +1,16 @@
 //! Slip that begins early: Dahl's curve, the conditions of the step's minimum, vibration.
 
+use crate::elastic_steps::{LIMIT, RADIUS, sets};
 use tribos_core::Real;
 use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::law::StickSlip;
-use tribos_core::limit_surface::{
-    FrictionSet, LimitEllipsoid, RoundLimitSurface, ScaledSet, ShapeLimitSurface,
-};
-use tribos_core::patch::outline::Polygon;
+use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface, ScaledSet};
 use tribos_core::presliding::{Anchor, MicroslipPresliding, Pose, Presliding, PreslidingStep};
 use tribos_core::twist::{Displacement, Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 
-const LIMIT: f64 = 5.0;
-const RADIUS: f64 = 0.05;
 const STIFFNESS: f64 = 1e4;
 const REACH: f64 = LIMIT / STIFFNESS;
-
-fn sets() -> [Box<dyn FrictionSet<f64>>; 3] {
-    let (a, b) = (RADIUS, 0.4 * RADIUS);
-    let corners = [[-a, -b], [a, -b], [a, b], [-a, b]];
-    let book = ShapeLimitSurface::new(Polygon::new(corners).expect("a box"), LIMIT);
-    [
-        Box::new(RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect("in range")),
-        Box::new(LimitEllipsoid::new(LIMIT, RADIUS, 0.6).expect("in range")),
-        Box::new(book.expect("in range")),
-    ]
-}
 
 fn bonds() -> Presliding<f64> {
     Presliding::new(STIFFNESS, 0.5 * STIFFNESS * RADIUS * RADIUS).expect("positive")

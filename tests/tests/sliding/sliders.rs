@@ -19,17 +19,7 @@ fn stops_are_those_of_the_table() {
         let (alpha, c) = (row.number("alpha"), row.number("inertia_ratio"));
         let launched = SliderState::launched(row.number("v0"), row.number("w0"));
         let profile = DiskTable64::new(alpha).unwrap();
-        let rest = Slider::new(
-            profile,
-            SliderParameters {
-                deceleration: 1.0,
-                radius: 1.0,
-                inertia_ratio: c,
-            },
-        )
-        .unwrap()
-        .to_rest(&launched)
-        .unwrap();
+        let rest = unit_slider(profile, c).to_rest(&launched).unwrap();
         let place = || {
             format!(
                 "alpha {alpha}, C {c}, v0 {}, w0 {}",
@@ -88,6 +78,19 @@ fn see_on_the_way<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
     }
 }
 
+/// With radius and deceleration 1.
+fn unit_slider<C: PowerLawFriction<f64> + ReducedFriction<f64>>(
+    coupling: C,
+    inertia_ratio: f64,
+) -> Slider<f64, C> {
+    let parameters = SliderParameters {
+        deceleration: 1.0,
+        radius: 1.0,
+        inertia_ratio,
+    };
+    Slider::new(coupling, parameters).unwrap()
+}
+
 #[test]
 fn each_of_time_distance_and_angle_is_relative_whichever_motion_dies_first() {
     let mut stop = Worst::of("time, distance, angle to rest, launches of any ratio");
@@ -96,15 +99,7 @@ fn each_of_time_distance_and_angle_is_relative_whichever_motion_dies_first() {
         let number = |column: &str| row.number(column);
         let pressure = PowerPressure::new(number("q")).unwrap();
         let table = RoundTable64::new(number("alpha"), pressure).unwrap();
-        let slider = Slider::new(
-            &table,
-            SliderParameters {
-                deceleration: 1.0,
-                radius: 1.0,
-                inertia_ratio: number("inertia_ratio"),
-            },
-        )
-        .unwrap();
+        let slider = unit_slider(&table, number("inertia_ratio"));
         let start = SliderState::launched(number("v0"), number("w0"));
         let place = || {
             ["q", "alpha", "inertia_ratio", "v0", "w0"]
@@ -138,15 +133,7 @@ fn an_annulus_comes_to_rest_to_its_own_bound() {
         let number = |column: &str| row.number(column);
         let disk = RoundTable64::new(number("alpha"), PowerPressure::new(0.0).unwrap()).unwrap();
         let band = Annulus::new(&disk, number("k")).unwrap();
-        let slider = Slider::new(
-            &band,
-            SliderParameters {
-                deceleration: 1.0,
-                radius: 1.0,
-                inertia_ratio: number("inertia_ratio"),
-            },
-        )
-        .unwrap();
+        let slider = unit_slider(&band, number("inertia_ratio"));
         let start = SliderState::launched(number("v0"), number("w0"));
         let place = || {
             ["k", "alpha", "inertia_ratio", "v0", "w0"]
@@ -176,15 +163,7 @@ fn an_annulus_comes_to_rest_to_its_own_bound() {
 #[test]
 fn a_small_distance_under_a_heavy_spin_has_its_closed_form() {
     // As v/w → 0, v C w/(κ k (C n + 1)) with k = 2/3 and n = 3/2 (a ball on a small contact, C = 1000).
-    let puck = Slider::new(
-        CoulombDisk,
-        SliderParameters {
-            deceleration: 1.0,
-            radius: 1.0,
-            inertia_ratio: 1000.0,
-        },
-    )
-    .unwrap();
+    let puck = unit_slider(CoulombDisk, 1000.0);
     for speed in [1e-8, 1e-12, 1e-100, 1e-300] {
         let distance = puck
             .to_rest(&SliderState::launched(speed, 1.0))
@@ -204,15 +183,7 @@ fn exponents_near_one_end_at_the_fixed_point_of_the_modes() {
     for away in [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
         let below = DiskTable64::new(1.0 - away).unwrap();
         let modes = tribos_core::modes::TerminalMotion::new(&below, 0.5).unwrap();
-        let puck = Slider::new(
-            &below,
-            SliderParameters {
-                deceleration: 1.0,
-                radius: 1.0,
-                inertia_ratio: 0.5,
-            },
-        )
-        .unwrap();
+        let puck = unit_slider(&below, 0.5);
         for (speed, spin) in [(1.0, 0.4), (1.0, 1.0), (1e-9, 1.0), (1e9, 1.0)] {
             let start = SliderState::launched(speed, spin);
             let rest = puck.to_rest(&start).unwrap();
@@ -236,15 +207,7 @@ fn exponents_near_one_end_at_the_fixed_point_of_the_modes() {
             }
         }
         let above = DiskTable64::new(1.0 + away).unwrap();
-        let puck = Slider::new(
-            &above,
-            SliderParameters {
-                deceleration: 1.0,
-                radius: 1.0,
-                inertia_ratio: 0.5,
-            },
-        )
-        .unwrap();
+        let puck = unit_slider(&above, 0.5);
         let start = SliderState::launched(1.0, 1.0);
         let whole = puck.advance(&start, 5.0).motion;
         let mut steps = start;
@@ -444,39 +407,16 @@ fn zero_time_and_rest_change_nothing() {
 #[test]
 fn impossible_sliders_are_refused() {
     for bad in [0.0, -1.0, f64::INFINITY, f64::NAN] {
-        assert!(
-            Slider::new(
-                CoulombDisk,
-                SliderParameters {
-                    deceleration: bad,
-                    radius: 1.0,
-                    inertia_ratio: 0.5
-                }
-            )
-            .is_err()
-        );
-        assert!(
-            Slider::new(
-                CoulombDisk,
-                SliderParameters {
-                    deceleration: 1.0,
-                    radius: bad,
-                    inertia_ratio: 0.5
-                }
-            )
-            .is_err()
-        );
-        assert!(
-            Slider::new(
-                CoulombDisk,
-                SliderParameters {
-                    deceleration: 1.0,
-                    radius: 1.0,
-                    inertia_ratio: bad
-                }
-            )
-            .is_err()
-        );
+        for [deceleration, radius, inertia_ratio] in
+            [[bad, 1.0, 0.5], [1.0, bad, 0.5], [1.0, 1.0, bad]]
+        {
+            let parameters = SliderParameters {
+                deceleration,
+                radius,
+                inertia_ratio,
+            };
+            assert!(Slider::new(CoulombDisk, parameters).is_err());
+        }
     }
 }
 
