@@ -38,10 +38,10 @@ REGION_ALIAS(\"REGION_STACK\", RAM);
 
 fn main() {
     println!("cargo::rerun-if-env-changed=TRIBOS_BOARD");
-    println!("cargo::rerun-if-env-changed=TRIBOS_CHAPTERS");
-    // Chapters of the digest program; an empty list selects all.
-    let chapters = env::var("TRIBOS_CHAPTERS").unwrap_or_default();
-    println!("cargo::rustc-env=TRIBOS_CHAPTERS={chapters}");
+    println!("cargo::rerun-if-env-changed=TRIBOS_SUBJECTS");
+    // Subjects of the digest program; an empty list selects all.
+    let subjects = env::var("TRIBOS_SUBJECTS").unwrap_or_default();
+    println!("cargo::rustc-env=TRIBOS_SUBJECTS={subjects}");
     let [os, arch, target] = ["CARGO_CFG_TARGET_OS", "CARGO_CFG_TARGET_ARCH", "TARGET"]
         .map(|key| env::var(key).unwrap());
     if os != "none" {

@@ -1,21 +1,21 @@
 //! Digests of the kernel's bits as this target computes them: `index digest instructions`, one
-//! chapter per line. `TRIBOS_CHAPTERS=2,3,8` at build time selects chapters, so that the image
+//! subject per line. `TRIBOS_SUBJECTS=2,3,8` at build time selects subjects, so that the image
 //! stays small; by default it contains all.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 tribos_boards::main!(run);
 
 #[cfg(target_os = "none")]
-use tribos_digest::{CHAPTERS, Chapter};
+use tribos_subjects::{SUBJECTS, Subject};
 
-/// The chapters in the image; the linker drops the others.
+/// The subjects in the image; the linker drops the others.
 #[cfg(target_os = "none")]
-static CHOSEN: [Option<Chapter>; CHAPTERS.len()] = {
-    let mut chosen = [None; CHAPTERS.len()];
+static CHOSEN: [Option<Subject>; SUBJECTS.len()] = {
+    let mut chosen = [None; SUBJECTS.len()];
     let mut index = 0;
-    while index < CHAPTERS.len() {
-        if is_listed(index, env!("TRIBOS_CHAPTERS").as_bytes()) {
-            chosen[index] = Some(CHAPTERS[index]);
+    while index < SUBJECTS.len() {
+        if is_listed(index, env!("TRIBOS_SUBJECTS").as_bytes()) {
+            chosen[index] = Some(SUBJECTS[index]);
         }
         index += 1;
     }
@@ -42,10 +42,10 @@ const fn is_listed(number: usize, list: &[u8]) -> bool {
 
 #[cfg(target_os = "none")]
 fn run() {
-    for (index, chapter) in CHOSEN.iter().enumerate() {
-        let Some(chapter) = chapter else { continue };
+    for (index, subject) in CHOSEN.iter().enumerate() {
+        let Some(subject) = subject else { continue };
         let mut digest = 0;
-        let count = tribos_boards::instructions(&mut || digest = (chapter.run)());
+        let count = tribos_boards::instructions(&mut || digest = subject.digest());
         let count = count.unwrap_or(0);
         tribos_boards::println!("{index} {digest:016x} {count}");
     }

@@ -1,4 +1,4 @@
-//! The digests of `tribos-digest` on every platform that this machine can build for and emulate.
+//! The digests of `tribos-subjects` on every platform that this machine can build for and emulate.
 
 pub mod options;
 pub mod platforms;

@@ -4,7 +4,7 @@ use super::platforms::PLATFORMS;
 use std::path::PathBuf;
 
 /// Computes the digests of the kernel's bits on every platform that can be built for and emulated
-/// here, compares them with tests/digest/digests.txt and prints one table.
+/// here, compares them with tests/subjects/digests.txt and prints one table.
 #[derive(Clone, Debug, clap::Parser)]
 pub struct Options {
     /// This row only; may be repeated

@@ -1,6 +1,6 @@
 //! The platforms that compute the digests, one row of the table each.
 
-use tribos_digest::{CHAPTERS, Needs};
+use tribos_subjects::{Needs, SUBJECTS};
 
 /// A build with the machine that runs it.
 #[derive(Clone, Copy, Debug)]
@@ -36,21 +36,19 @@ pub enum Machine {
         emulator: &'static str,
         /// Its `-M`, which is also our `TRIBOS_BOARD`.
         board: &'static str,
-        /// Chapters that fit the board and finish in time.
-        chapters: Share,
+        /// Subjects that fit the board and finish in time.
+        subjects: Share,
     },
 }
 
-/// Chapters that run on a board.
+/// Subjects that run on a board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Share {
-    /// Chapters with low requirements.
+    /// Subjects with low requirements.
     Little,
-    /// Chapters that require only memory: those that a neighbouring board omits.
+    /// Subjects that require only memory: those that a neighbouring board omits.
     Memory,
-    /// All chapters except those that require speed.
-    WithoutSpeed,
-    /// All chapters.
+    /// All subjects.
     All,
 }
 
@@ -68,21 +66,20 @@ impl Share {
         match self {
             Self::Little => needs == Needs::Little,
             Self::Memory => needs == Needs::Memory,
-            Self::WithoutSpeed => needs != Needs::Speed,
             Self::All => true,
         }
     }
 }
 
 impl Platform {
-    /// Indices of the chapters that the platform computes.
-    pub fn chapters(&self) -> Vec<usize> {
+    /// Indices of the subjects that the platform computes.
+    pub fn subjects(&self) -> Vec<usize> {
         let share = match self.machine {
-            Machine::Board { chapters, .. } => chapters,
+            Machine::Board { subjects, .. } => subjects,
             _ => Share::All,
         };
-        (0..CHAPTERS.len())
-            .filter(|&index| share.holds(CHAPTERS[index].needs))
+        (0..SUBJECTS.len())
+            .filter(|&index| share.holds(SUBJECTS[index].needs))
             .collect()
     }
 
@@ -156,13 +153,13 @@ const M4: Platform = Platform {
     machine: Machine::Board {
         emulator: "qemu-system-arm",
         board: "mps2-an386",
-        chapters: Share::WithoutSpeed,
+        subjects: Share::All,
     },
     tools: &[QEMU_ARM],
     ..NATIVE
 };
 
-/// Small code, so that a chapter fits into 256 KiB of flash; without optimisation at link time the
+/// Small code, so that a subject fits into 256 KiB of flash; without optimisation at link time the
 /// search for images that fit remains fast.
 const SMALL: &[&str] = &[
     "profile.release.opt-level=\"z\"",
@@ -175,7 +172,7 @@ const M0: Platform = Platform {
     machine: Machine::Board {
         emulator: "qemu-system-arm",
         board: "microbit",
-        chapters: Share::Little,
+        subjects: Share::Little,
     },
     config: SMALL,
     ..M4
@@ -187,7 +184,7 @@ const RISCV32: Platform = Platform {
     machine: Machine::Board {
         emulator: "qemu-system-riscv32",
         board: "virt",
-        chapters: Share::WithoutSpeed,
+        subjects: Share::All,
     },
     tools: &[QEMU_RISCV32],
     ..NATIVE
@@ -242,7 +239,7 @@ pub const PLATFORMS: [Platform; 15] = [
         machine: Machine::Board {
             emulator: "qemu-system-arm",
             board: "mps2-an386",
-            chapters: Share::Memory,
+            subjects: Share::Memory,
         },
         ..M0
     },
@@ -250,7 +247,7 @@ pub const PLATFORMS: [Platform; 15] = [
     Platform {
         name: "thumbv7em-debug",
         profile: "dev",
-        config: &["profile.dev.package.tribos-digest.opt-level=1"],
+        config: &["profile.dev.package.tribos-subjects.opt-level=1"],
         ..M4
     },
     RISCV32,
@@ -260,7 +257,7 @@ pub const PLATFORMS: [Platform; 15] = [
         machine: Machine::Board {
             emulator: "qemu-system-riscv64",
             board: "virt",
-            chapters: Share::All,
+            subjects: Share::All,
         },
         tools: &[QEMU_RISCV64],
         ..RISCV32

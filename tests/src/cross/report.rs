@@ -4,7 +4,7 @@ use super::platforms::Platform;
 use super::work::Answer;
 use std::fmt::Write;
 use std::time::Duration;
-use tribos_digest::{CHAPTERS, pinned, whole};
+use tribos_subjects::{SUBJECTS, Subject, whole};
 
 /// Result of a row.
 #[derive(Clone, Debug)]
@@ -13,7 +13,7 @@ pub enum Outcome {
     Ran {
         /// Its digests.
         answers: Vec<Answer>,
-        /// Number of programs among which the chapters were divided.
+        /// Number of programs among which the subjects were divided.
         images: usize,
         /// Running time on the machine.
         time: Duration,
@@ -34,17 +34,17 @@ pub struct Row {
 }
 
 const HEADER: &str = "\
-| row | target | machine | chapters | digest | equal | instructions | seconds |
+| row | target | machine | subjects | digest | equal | instructions | seconds |
 |---|---|---|---:|---|---|---:|---:|
 ";
 
-/// The first chapter whose digest differs from the pinned one.
+/// The first subject whose digest differs from the pinned one.
 pub fn first_difference(answers: &[Answer]) -> Option<&'static str> {
-    let differs = |answer: &&Answer| pinned(CHAPTERS[answer.chapter].name) != Some(answer.digest);
+    let differs = |answer: &&Answer| SUBJECTS[answer.subject].pinned() != Some(answer.digest);
     answers
         .iter()
         .find(differs)
-        .map(|answer| CHAPTERS[answer.chapter].name)
+        .map(|answer| SUBJECTS[answer.subject].name)
 }
 
 impl Row {
@@ -83,7 +83,7 @@ impl Row {
 }
 
 fn ran(platform: &Platform, answers: &[Answer], images: usize, time: Duration) -> String {
-    let chapters = match images {
+    let subjects = match images {
         1 => answers.len().to_string(),
         _ => format!("{} in {images} images", answers.len()),
     };
@@ -96,7 +96,7 @@ fn ran(platform: &Platform, answers: &[Answer], images: usize, time: Duration) -
     let counts: Option<u64> = answers.iter().map(|answer| answer.instructions).sum();
     let counts = counts.map_or("-".into(), grouped);
     let seconds = time.as_secs_f64();
-    format!("{chapters} | `{digest:016x}` | {promise}{equal} | {counts} | {seconds:.1}")
+    format!("{subjects} | `{digest:016x}` | {promise}{equal} | {counts} | {seconds:.1}")
 }
 
 /// A number with digits in groups of three.
@@ -120,8 +120,8 @@ pub fn table(rows: &[Row]) -> String {
         let _ = writeln!(out, "{}", row.line());
     }
     out.push_str(
-        "\nEqual: every chapter has the digest of tests/digest/digests.txt. The digest of a row is \
-         over the chapters it ran.\nNot promised: x87 registers (i586), compilers that contract \
+        "\nEqual: every subject has the digest of tests/subjects/digests.txt. The digest of a row is \
+         over the subjects it ran.\nNot promised: x87 registers (i586), compilers that contract \
          a product and a sum (`-ffp-contract=fast`).\n",
     );
     for row in rows {
@@ -141,11 +141,12 @@ pub fn table(rows: &[Row]) -> String {
     out
 }
 
-/// Every chapter with differing digests, with both digests.
+/// Every subject with differing digests, with both digests.
 fn differences(out: &mut String, row: &str, answers: &[Answer]) -> std::fmt::Result {
     for answer in answers {
-        let name = CHAPTERS[answer.chapter].name;
-        let (got, wanted) = (answer.digest, pinned(name).unwrap_or_default());
+        let Subject { name, .. } = SUBJECTS[answer.subject];
+        let wanted = SUBJECTS[answer.subject].pinned().unwrap_or_default();
+        let got = answer.digest;
         if got != wanted {
             writeln!(
                 out,
@@ -162,9 +163,9 @@ mod tests {
     use crate::cross::platforms::PLATFORMS;
 
     fn row(change: u64) -> Row {
-        let answers = (0..CHAPTERS.len()).map(|chapter| Answer {
-            chapter,
-            digest: pinned(CHAPTERS[chapter].name).unwrap() ^ if chapter == 4 { change } else { 0 },
+        let answers = (0..SUBJECTS.len()).map(|subject| Answer {
+            subject,
+            digest: SUBJECTS[subject].pinned().unwrap() ^ if subject == 4 { change } else { 0 },
             instructions: Some(1000),
         });
         let outcome = Outcome::Ran {
@@ -181,7 +182,7 @@ mod tests {
         assert!(!row(0).is_broken() && row(0).line().contains("| yes |"));
         let broken = row(1);
         assert!(broken.is_broken());
-        assert!(broken.line().contains(CHAPTERS[4].name));
+        assert!(broken.line().contains(SUBJECTS[4].name));
     }
 
     #[test]

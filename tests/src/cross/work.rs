@@ -7,16 +7,16 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{env, fs};
-use tribos_digest::CHAPTERS;
+use tribos_subjects::SUBJECTS;
 
 /// Longest time for one build.
 const BUILD_LIMIT: Duration = Duration::from_secs(1800);
-/// QEMU's clock: one nanosecond per instruction, so that instructions of whole chapters can be counted.
+/// QEMU's clock: one nanosecond per instruction, so that instructions of whole subjects can be counted.
 const ICOUNT: &str = "shift=0,sleep=off";
 /// Message of the linker for an image larger than its flash.
 const TOO_LARGE: &str = "will not fit in region";
 
-/// Runs every chapter of the WebAssembly module given as argument.
+/// Runs every subject of the WebAssembly module given as argument.
 const NODE_SCRIPT: &str = "
 const bytes = require('fs').readFileSync(process.argv[1]);
 const { digest } = new WebAssembly.Instance(new WebAssembly.Module(bytes), {}).exports;
@@ -24,22 +24,22 @@ for (let index = 0, got; (got = BigInt.asUintN(64, digest(index))) !== 0n; index
   console.log(`${index} ${got.toString(16)}`);
 ";
 
-/// One chapter as a platform computed it.
+/// One subject as a platform computed it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Answer {
-    /// Its index among all chapters.
-    pub chapter: usize,
+    /// Its index among all subjects.
+    pub subject: usize,
     /// Its digest.
     pub digest: u64,
     /// Number of instructions, if counted.
     pub instructions: Option<u64>,
 }
 
-/// A program and the chapters that it contains.
+/// A program and the subjects that it contains.
 #[derive(Clone, Debug)]
 pub struct Image {
     file: PathBuf,
-    chapters: Vec<usize>,
+    subjects: Vec<usize>,
 }
 
 /// Missing programs of a platform: one line each, with the command that installs it.
@@ -75,14 +75,14 @@ fn is_installed(target: &str) -> bool {
 /// # Errors
 /// The message of cargo or the linker.
 pub fn build(platform: &Platform) -> Result<Vec<Image>, String> {
-    let mut open = vec![platform.chapters()];
+    let mut open = vec![platform.subjects()];
     let mut images = Vec::new();
-    while let Some(chapters) = open.pop() {
-        match image(platform, &chapters) {
+    while let Some(subjects) = open.pop() {
+        match image(platform, &subjects) {
             Ok(image) => images.push(image),
-            // Half the chapters in each of two images.
-            Err(message) if message.contains(TOO_LARGE) && chapters.len() > 1 => {
-                let (first, second) = chapters.split_at(chapters.len() / 2);
+            // Half the subjects in each of two images.
+            Err(message) if message.contains(TOO_LARGE) && subjects.len() > 1 => {
+                let (first, second) = subjects.split_at(subjects.len() / 2);
                 open.extend([second.to_vec(), first.to_vec()]);
             }
             Err(message) => return Err(message),
@@ -91,8 +91,8 @@ pub fn build(platform: &Platform) -> Result<Vec<Image>, String> {
     Ok(images)
 }
 
-fn image(platform: &Platform, chapters: &[usize]) -> Result<Image, String> {
-    let listed: Vec<String> = chapters.iter().map(usize::to_string).collect();
+fn image(platform: &Platform, subjects: &[usize]) -> Result<Image, String> {
+    let listed: Vec<String> = subjects.iter().map(usize::to_string).collect();
     let target_dir = target_dir();
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
     cargo.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
@@ -108,17 +108,17 @@ fn image(platform: &Platform, chapters: &[usize]) -> Result<Image, String> {
     }
     let made = match platform.machine {
         Machine::Host(_) => {
-            cargo.args(["-p", "tribos-digest", "--example", "print"]);
+            cargo.args(["-p", "tribos-subjects", "--example", "print"]);
             "examples/print"
         }
         Machine::Node => {
-            cargo.args(["-p", "tribos-digest", "--example", "wasm"]);
+            cargo.args(["-p", "tribos-subjects", "--example", "wasm"]);
             "examples/wasm.wasm"
         }
         Machine::Board { board, .. } => {
             cargo.args(["-p", "tribos-boards", "--bin", "digest"]);
             cargo.env("TRIBOS_BOARD", board);
-            cargo.env("TRIBOS_CHAPTERS", listed.join(","));
+            cargo.env("TRIBOS_SUBJECTS", listed.join(","));
             "digest"
         }
     };
@@ -129,11 +129,11 @@ fn image(platform: &Platform, chapters: &[usize]) -> Result<Image, String> {
         .find(|(of, _)| *of == platform.profile);
     let folder = folder.map_or(platform.profile, |(_, folder)| folder);
     let built = target_dir.join(platform.target.unwrap_or(""));
-    let file = target_dir.join(format!("{}-{}", platform.name, chapters[0]));
+    let file = target_dir.join(format!("{}-{}", platform.name, subjects[0]));
     let built = built.join(folder).join(made);
     fs::copy(&built, &file).map_err(|e| format!("{}: {e}", built.display()))?;
-    let chapters = chapters.to_vec();
-    Ok(Image { file, chapters })
+    let subjects = subjects.to_vec();
+    Ok(Image { file, subjects })
 }
 
 /// A separate folder, so that no other build waits for this one.
@@ -143,10 +143,10 @@ fn target_dir() -> PathBuf {
     root.join("cross")
 }
 
-/// Runs the images one after the other: returns the results in the order of the chapters, and the time.
+/// Runs the images one after the other: returns the results in the order of the subjects, and the time.
 ///
 /// # Errors
-/// A program that fails, takes too long or gives no result for one of its chapters.
+/// A program that fails, takes too long or gives no result for one of its subjects.
 pub fn run(
     platform: &Platform,
     images: &[Image],
@@ -162,16 +162,16 @@ pub fn run(
         }
         let text = output(&mut command, limit)?;
         let lines = text.lines().map(answer).collect::<Result<Vec<_>, _>>()?;
-        let told: Vec<usize> = lines.iter().map(|answer| answer.chapter).collect();
-        if told != image.chapters {
+        let told: Vec<usize> = lines.iter().map(|answer| answer.subject).collect();
+        if told != image.subjects {
             return Err(format!(
-                "chapters {told:?} answered, not {:?}",
-                image.chapters
+                "subjects {told:?} answered, not {:?}",
+                image.subjects
             ));
         }
         answers.extend(lines);
     }
-    answers.sort_by_key(|answer| answer.chapter);
+    answers.sort_by_key(|answer| answer.subject);
     Ok((answers, begin.elapsed()))
 }
 
@@ -209,17 +209,17 @@ fn answer(line: &str) -> Result<Answer, String> {
     let wrong = || format!("an answer that cannot be read: {line}");
     let mut words = line.split_whitespace();
     let mut word = || words.next();
-    let chapter = word().and_then(|w| w.parse().ok()).ok_or_else(wrong)?;
+    let subject = word().and_then(|w| w.parse().ok()).ok_or_else(wrong)?;
     let digest = word().and_then(|w| u64::from_str_radix(w, 16).ok());
     let digest = digest.ok_or_else(wrong)?;
     let instructions = word()
         .and_then(|w| w.parse().ok())
         .filter(|&count| count > 0);
-    if chapter >= CHAPTERS.len() {
+    if subject >= SUBJECTS.len() {
         return Err(wrong());
     }
     Ok(Answer {
-        chapter,
+        subject,
         digest,
         instructions,
     })
@@ -232,7 +232,7 @@ mod tests {
     #[test]
     fn answers_are_read_whole_or_refused() {
         let got = answer("3 00ff 17").unwrap();
-        assert_eq!([got.chapter as u64, got.digest], [3, 255]);
+        assert_eq!([got.subject as u64, got.digest], [3, 255]);
         assert_eq!(got.instructions, Some(17));
         assert_eq!(answer("0 1").unwrap().instructions, None);
         for wrong in ["", "3", "x 1 1", "3 g 1", "99999 1 1"] {

@@ -1,6 +1,5 @@
 //! Files written by people and programs: scenes, overrides, checkpoints, golden files.
 
-use super::{Broken, Source};
 use std::sync::OnceLock;
 use tribos::golden::{Golden, Measurement, Pinned, measure};
 use tribos::powder::PowderSimulation;
@@ -10,6 +9,7 @@ use tribos::scene::{
     PowderScene, Scene, SceneError, TipScene, bodies, parse_scene, vocabulary as of_body,
 };
 use tribos::tip::TipSimulation;
+use tribos_subjects::Source;
 
 /// Scenes from which inputs are derived.
 const SCENES: [&str; 9] = [
@@ -125,14 +125,14 @@ fn scramble(source: &mut Source, line: &mut Vec<u8>) {
 }
 
 /// A scene file is accepted with parameters that are numbers, or refused with the positions of its errors.
-pub fn scenes(source: &mut Source) -> Result<(), Broken> {
+pub fn scenes(source: &mut Source) -> Result<(), String> {
     let base = source.one_of(&SCENES);
     let text = mutated(source, base);
     judged(parse_scene("scene.toml", &text, &[])).map_err(|broken| format!("{broken}\n{text}"))
 }
 
 /// A valid scene with overrides of all kinds.
-pub fn overrides(source: &mut Source) -> Result<(), Broken> {
+pub fn overrides(source: &mut Source) -> Result<(), String> {
     let text = source.one_of(&SCENES);
     let mut all = Vec::new();
     for _ in 0..1 + source.below(3) {
@@ -145,7 +145,7 @@ pub fn overrides(source: &mut Source) -> Result<(), Broken> {
     judged(parse_scene("scene.toml", text, &all)).map_err(|broken| format!("{broken}\n{all:?}"))
 }
 
-fn judged(read: Result<Scene, SceneError>) -> Result<(), Broken> {
+fn judged(read: Result<Scene, SceneError>) -> Result<(), String> {
     match read {
         Ok(scene) => {
             let text = scene.json().to_string();
@@ -201,7 +201,7 @@ fn tip() -> Option<&'static (TipScene, String)> {
 }
 
 /// A damaged checkpoint is refused, or the run continues or ends with an error.
-pub fn checkpoints(source: &mut Source) -> Result<(), Broken> {
+pub fn checkpoints(source: &mut Source) -> Result<(), String> {
     if source.one_in(2) {
         let (scene, text) = powder().ok_or("the tiny powder cannot be run")?;
         if let Ok(mut compaction) = PowderSimulation::resume(scene, &damaged(source, text)) {
@@ -244,7 +244,7 @@ fn golden() -> Option<&'static (Measurement, String)> {
 }
 
 /// A damaged golden file is refused with its line number, or compared.
-pub fn golden_files(source: &mut Source) -> Result<(), Broken> {
+pub fn golden_files(source: &mut Source) -> Result<(), String> {
     let (measured, text) = golden().ok_or("the disk cannot be run")?;
     let text = mutated(source, text);
     match Golden::parse("golden.toml", &text) {

@@ -1,13 +1,15 @@
-//! No input breaks a property: 20,000 seeded ones a target, fewer of whole motions.
+//! No input breaks a property: half a million seeded ones of the kernel, among them those of the digests,
+//! and 20,000 files a reader.
 
-use tribos_tests::fuzz::{KERNEL, READERS, Target, run};
+use tribos_subjects::RUN;
+use tribos_tests::fuzz::{READERS, Target, kernel, run};
 
-const INPUTS: u64 = 20_000;
-/// A motion to rest takes a thousand times as long as anything else.
-const MOTIONS: u64 = 1_000;
+/// Inputs per unit of a subject's share.
+const INPUTS: u64 = 500;
+const FILES: u64 = 20_000;
 
 fn assert_nothing_is_found(target: &Target, inputs: u64) {
-    let report = run(target, 7, 0..inputs);
+    let report = run(target, RUN, 0..inputs);
     let first = report.findings.first();
     assert!(
         report.found == 0,
@@ -21,18 +23,14 @@ fn assert_nothing_is_found(target: &Target, inputs: u64) {
 
 #[test]
 fn no_input_of_the_kernel_breaks_a_property() {
-    for target in &KERNEL {
-        let inputs = match target.name {
-            "sliders" => MOTIONS,
-            _ => INPUTS,
-        };
-        assert_nothing_is_found(target, inputs);
+    for target in kernel() {
+        assert_nothing_is_found(&target, INPUTS * target.share);
     }
 }
 
 #[test]
 fn no_file_makes_a_reader_panic() {
     for target in &READERS {
-        assert_nothing_is_found(target, INPUTS);
+        assert_nothing_is_found(target, FILES);
     }
 }

@@ -66,21 +66,14 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     ("tribos-python", &["tribos", "tribos-cli", "tribos-core"]),
     ("tribos-feet", &["tribos-core", "tribos-friction"]),
-    ("tribos-boards", &["tribos-core", "tribos-digest"]),
+    ("tribos-boards", &["tribos-core", "tribos-subjects"]),
     // What proves and measures stands beside the command.
     ("tribos-api", &[]),
-    ("tribos-digest", &["tribos-core"]),
-    ("tribos-fuzz", &["tribos-core"]),
     ("tribos-no-panic", &["tribos-api", "tribos-core"]),
+    ("tribos-subjects", &["tribos-core"]),
     (
         "tribos-tests",
-        &[
-            "tribos",
-            "tribos-api",
-            "tribos-core",
-            "tribos-digest",
-            "tribos-fuzz",
-        ],
+        &["tribos", "tribos-api", "tribos-core", "tribos-subjects"],
     ),
     (
         "tribos-benches",

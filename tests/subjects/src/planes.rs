@@ -1,0 +1,225 @@
+//! Wrenches in the plane, implicit steps, feet of many points.
+
+use super::patches::node;
+use crate::{Input, Verdict};
+use nalgebra::Vector3;
+use tribos_core::contact::TimeStep;
+use tribos_core::coupling::closed::CoulombHertz;
+use tribos_core::coupling::load_transfer::{
+    FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
+};
+use tribos_core::coupling::nodes::NodeFriction;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{LateralFriction, RoundFriction};
+use tribos_core::internals::leaning_wrench;
+use tribos_core::law::PowerLaw;
+use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
+use tribos_core::patch::nodes::{NodePatch, Nodes};
+use tribos_core::planar::{PlanarBody, PlanarStep, PointContacts};
+use tribos_core::real::Real;
+use tribos_core::twist::{Twist, Wrench};
+
+/// Points of a foot.
+const POINTS: usize = 5;
+
+pub fn twist<R: Real>(input: &mut Input<'_>) -> Twist<R> {
+    Twist::new(input.number(), input.number(), input.number())
+}
+
+pub fn wrench<R: Real>(input: &mut Input<'_>) -> Wrench<R> {
+    Wrench::new(input.number(), input.number(), input.number())
+}
+
+/// The components of a wrench.
+pub fn parts<R: Real>(of: &Wrench<R>) -> [R; 3] {
+    [of.force.x, of.force.y, of.torque]
+}
+
+/// The components of a twist.
+pub fn rates<R: Real>(of: &Twist<R>) -> [R; 3] {
+    [of.velocity.x, of.velocity.y, of.spin]
+}
+
+/// Friction dissipates: its power on a mild motion is not positive.
+pub fn dissipates<R: Real>(
+    input: &mut Input<'_>,
+    friction: &Wrench<R>,
+    motion: &Twist<R>,
+) -> Verdict {
+    input.finite("friction", parts(friction))?;
+    if !input.is_mild() {
+        return Ok(());
+    }
+    let powers = [
+        friction.force.x * motion.velocity.x,
+        friction.force.y * motion.velocity.y,
+        friction.torque * motion.spin,
+    ];
+    let scale = powers.iter().fold(R::ZERO, |sum, part| sum + part.abs());
+    input.at_most(
+        "friction's power ≤ 0",
+        powers[0] + powers[1] + powers[2],
+        R::ZERO,
+        scale,
+    )
+}
+
+/// Moving patches, upright and tall, and points.
+pub fn planes<R: Real>(input: &mut Input<'_>) -> Verdict {
+    match input.below(5) {
+        0 | 1 => upright::<R>(input),
+        2 => tall::<R, _, FullGradient>(input, CoulombDisk),
+        3 => tall::<R, _, LongitudinalGradient>(input, CoulombHertz),
+        _ => points::<R>(input),
+    }
+}
+
+fn upright<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let puck = RoundFriction::<R, _>::new(CoulombDisk, input.size(), input.positive());
+    let puck = input.taken(puck)?;
+    let (load, motion) = (input.size(), twist::<R>(input));
+    let friction = puck.wrench(load, &motion);
+    let jacobian = puck.wrench_jacobian(load, &motion);
+    if rates(&motion).iter().any(|x| x.is_nan()) {
+        input.all_nan("wrench", parts(&friction))?;
+    }
+    let (speed, spin) = (motion.speed(), motion.spin);
+    let sizes = puck.magnitudes(load, speed, spin);
+    let slopes = puck.magnitudes_jacobian(load, speed, spin);
+    input.give([sizes.force, sizes.torque, slopes.force_speed]);
+    input.give([slopes.force_spin, slopes.torque_speed, slopes.torque_spin]);
+    input.give([puck.coefficient(), puck.coupling().mean_square_radius()]);
+    let again = Twist::from(Vector3::from(motion));
+    let is_same = again == motion || rates(&again).iter().any(|x| x.is_nan());
+    input.holds(is_same, "a vector is the same twist", &rates(&again))?;
+    input.give(jacobian.iter().copied());
+    if motion.speed() > R::ZERO
+        && motion.spin.abs() > R::ZERO
+        && motion.speed() != motion.spin.abs() * puck.radius()
+    {
+        input.finite("Jacobian of a wrench", jacobian.iter().copied())?;
+    }
+    dissipates(input, &friction, &motion)
+}
+
+fn tall<R: Real, C: LateralFriction<R>, L: PressureGradient>(
+    input: &mut Input<'_>,
+    coupling: C,
+) -> Verdict {
+    let foot = RoundFriction::new(coupling, input.size::<R>(), input.positive());
+    let foot = input.taken(foot)?;
+    let body = LoadTransferFriction::<R, C, L>::new(foot, input.size());
+    let body = input.taken(body)?;
+    let (load, motion) = (input.size(), twist::<R>(input));
+    let got = body.wrench(load, &motion);
+    let whole = got.whole();
+    input.give_bits(u64::from(got.is_lifting));
+    input.give([body.lean(), body.foot().radius()]);
+    let speeds = [motion.speed(), motion.spin];
+    let leaning = leaning_wrench(body.foot().coupling(), speeds, [got.lean.x, got.lean.y]);
+    input.give([leaning.force, leaning.lateral, leaning.torque]);
+    let (balance, leans) = L::balance(body.foot().coupling(), speeds, body.lean());
+    input.give([balance.force, balance.lateral, balance.torque]);
+    input.give(leans);
+    if motion.velocity.x.is_nan() || motion.spin.is_nan() {
+        return input.holds(whole.is_err(), "NaN lifts", &[got.lean.x]);
+    }
+    input.give(whole.iter().flat_map(parts));
+    input.finite("lean", [got.lean.x, got.lean.y])?;
+    dissipates(input, &got.wrench, &motion)
+}
+
+fn points<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let nodes = Nodes::new([(); POINTS].map(|()| node::<R>(input)));
+    let nodes = input.taken(nodes)?;
+    let alpha = R::from_f64(input.one_of(&[-0.5, 0.0, 0.5, 1.0, 2.0]));
+    let law = PowerLaw::new(alpha, input.size());
+    let law = input.taken(law)?;
+    let friction = NodeFriction::new(law, nodes);
+    let (load, motion) = (input.size(), twist(input));
+    let wrench = friction.wrench(load, &motion);
+    let jacobian = friction.wrench_jacobian(load, &motion);
+    if friction.law().alpha() >= R::ZERO && input.is_mild() {
+        input.numbers("Jacobian of points", jacobian.iter().copied())?;
+    }
+    input.give(jacobian.iter().copied());
+    input.give([friction.patch().total_weight()]);
+    dissipates(input, &wrench, &motion)
+}
+
+/// Implicit steps on sets.
+pub fn steps<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let (force, radius) = (input.size::<R>(), input.positive());
+    if input.one_in(2) {
+        let set = input.taken(RoundLimitSurface::new(CoulombDisk, force, radius))?;
+        stepped(input, |body, twist, push, dt| {
+            body.step(&set, twist, push, dt)
+        })
+    } else {
+        let set = LimitEllipsoid::new(force, radius, input.positive());
+        let set = input.taken(set)?;
+        stepped(input, |body, twist, push, dt| {
+            body.step(&set, twist, push, dt)
+        })
+    }
+}
+
+/// A step is finite, and without a push it does not raise the kinetic energy.
+pub fn stepped<R: Real>(
+    input: &mut Input<'_>,
+    mut step: impl FnMut(&PlanarBody<R>, &Twist<R>, &Wrench<R>, TimeStep<R>) -> PlanarStep<R>,
+) -> Verdict {
+    let (mass, inertia, dt) = (input.positive::<R>(), input.positive(), input.positive());
+    let body = input.taken(PlanarBody::new(mass, inertia))?;
+    let dt = input.taken(TimeStep::new(dt))?;
+    input.give([body.mass(), body.inertia(), body.gyration(), dt.dt()]);
+    let before = twist::<R>(input);
+    let is_free = input.one_in(2);
+    let push = if is_free { Wrench::ZERO } else { wrench(input) };
+    let after = step(&body, &before, &push, dt);
+    let all = rates(&after.twist);
+    input.finite("a step", all)?;
+    input.give(parts(&after.friction));
+    input.give_bits(u64::from(after.is_at_rest));
+    if after.is_at_rest {
+        input.holds(after.twist == Twist::ZERO, "rest is exact", &all)?;
+    }
+    if is_free && input.is_mild() {
+        let energy = |u: &Twist<R>| {
+            mass * (u.velocity.x * u.velocity.x + u.velocity.y * u.velocity.y)
+                + inertia * u.spin * u.spin
+        };
+        // A projection is accurate to 1e-8 of the wrench (f32: 1e-5).
+        let slack = R::from_f64(if size_of::<R>() == 4 { 1e-4 } else { 1e-7 });
+        let (was, is) = (energy(&before), energy(&after.twist));
+        input.holds(is <= was + slack * was, "energy falls", &[was, is])?;
+    }
+    Ok(())
+}
+
+/// Feet of many points: the forces that they carry, and steps on them.
+pub fn feet<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let nodes = Nodes::new([(); POINTS].map(|()| node::<R>(input)));
+    let nodes = input.taken(nodes)?;
+    let foot = PointContacts::<R, _, POINTS>::new(nodes, input.size());
+    let mut foot = input.taken(foot)?;
+    if input.one_in(2) {
+        return stepped(input, |body, twist, push, dt| {
+            body.step_on_points(&mut foot, twist, push, dt)
+        });
+    }
+    let (wanted, length) = (wrench::<R>(input), input.positive::<R>());
+    let limit = input.size();
+    if input.taken(foot.set_force_limit(limit)).is_ok() {
+        input.holds(foot.force_limit() == limit, "a limit is kept", &[limit])?;
+    } else {
+        foot.release();
+    }
+    input.give([foot.patch().total_weight()]);
+    let wanted = Wrench::from(Vector3::from(wanted));
+    let near = parts(&foot.nearest(&wanted, length));
+    if wanted.force.x.is_nan() || wanted.torque.is_nan() {
+        input.all_nan("nearest wrench", near)?;
+    }
+    input.finite("nearest wrench", near)
+}

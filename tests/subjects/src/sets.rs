@@ -1,0 +1,163 @@
+//! Limit surfaces and ellipsoids: gauge, support, projection.
+
+use super::planes::{dissipates, parts, rates, twist, wrench};
+use crate::{Input, Verdict};
+use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::compact::CompactCoulombDisk;
+use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::{Annulus, DryProfile, DryReducedFriction};
+use tribos_core::limit_surface::{
+    FrictionSet, LimitEllipsoid, Projection, Region, RoundLimitSurface,
+};
+use tribos_core::real::Real;
+use tribos_core::twist::Twist;
+
+/// Wrenches of a batch: more than go side by side.
+const BATCH: usize = 11;
+
+/// One set and one query.
+pub fn sets<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let (force, radius) = (input.size::<R>(), input.positive::<R>());
+    match input.below(8) {
+        0 => {
+            let set = input.taken(RoundLimitSurface::new(CoulombHertz, force, radius))?;
+            round(input, &set)
+        }
+        1 => {
+            let set = input.taken(RoundLimitSurface::new(CoulombRing, force, radius))?;
+            asked(input, &set)
+        }
+        2 => {
+            let set = input.taken(RoundLimitSurface::new(CoulombPunch, force, radius))?;
+            asked(input, &set)
+        }
+        3 => {
+            let set = LimitEllipsoid::new(force, radius, input.positive());
+            let set = input.taken(set)?;
+            input.finite("torque limit", [set.torque_limit()])?;
+            asked(input, &set)
+        }
+        4 => rare(input, force, radius),
+        _ => {
+            let set = input.taken(RoundLimitSurface::new(CoulombDisk, force, radius))?;
+            round(input, &set)
+        }
+    }
+}
+
+/// Surfaces of tiers that other sets stand for.
+fn rare<R: Real>(input: &mut Input<'_>, force: R, radius: R) -> Verdict {
+    match input.below(3) {
+        0 => {
+            let set = input.taken(RoundLimitSurface::new(CompactCoulombDisk, force, radius))?;
+            asked(input, &set)
+        }
+        1 => {
+            let dry = input.taken(DryProfile::new::<R>(CoulombHertz))?;
+            let set = input.taken(RoundLimitSurface::new(dry, force, radius))?;
+            asked(input, &set)
+        }
+        _ => {
+            let band = input.taken(Annulus::new(CoulombDisk, R::HALF))?;
+            let set = input.taken(RoundLimitSurface::new(band, force, radius))?;
+            asked(input, &set)
+        }
+    }
+}
+
+/// A round patch: one query, and a batch of them.
+fn round<R: Real, C: DryReducedFriction<R>>(
+    input: &mut Input<'_>,
+    set: &RoundLimitSurface<R, C>,
+) -> Verdict {
+    asked(input, set)?;
+    let inner = input.taken(set.ellipsoid());
+    input.give(
+        inner
+            .map(|inner| inner.torque_limit())
+            .into_iter()
+            .chain([set.torque_limit()]),
+    );
+    let (pushes, length) = ([(); BATCH].map(|()| wrench(input)), input.positive());
+    let loads = [(); BATCH].map(|()| input.size::<R>());
+    let mut gauges = [R::NAN; BATCH];
+    let mut motions = [Twist::ZERO; BATCH];
+    let mut nearest = pushes.map(|wrench| Projection {
+        wrench,
+        region: Region::Inside,
+    });
+    set.gauge_batch(&loads, &pushes, &mut gauges);
+    set.twist_normal_to_batch(&pushes, &mut motions);
+    set.project_batch(length, &loads, &pushes, &mut nearest);
+    for at in 0..BATCH {
+        let (push, limit) = (&pushes[at], set.force_limit() * loads[at]);
+        let Ok(alone) = RoundLimitSurface::new(set.coupling(), limit, set.radius()) else {
+            continue;
+        };
+        let one = parts(&alone.project_with_length(push, length).wrench);
+        let normal = rates(&set.twist_normal_to(push));
+        let together = parts(&nearest[at].wrench)
+            .into_iter()
+            .chain(rates(&motions[at]));
+        let singly = one.into_iter().chain(normal);
+        let gauge = (gauges[at], alone.gauge(push));
+        for (a, b) in together.zip(singly).chain([gauge]) {
+            let is_same = a == b || a.is_nan() && b.is_nan();
+            input.holds(is_same, "a batch answers as one call", &[a, b])?;
+        }
+    }
+    Ok(())
+}
+
+pub fn asked<R: Real, S: FrictionSet<R>>(input: &mut Input<'_>, set: &S) -> Verdict {
+    let motion = twist::<R>(input);
+    let (power, met) = (set.support(&motion), set.wrench(&motion));
+    input.finite("support", [power])?;
+    input.holds(
+        power >= R::ZERO || !input.is_mild(),
+        "support ≥ 0",
+        &[power],
+    )?;
+    dissipates(input, &met, &motion)?;
+
+    let push = if input.one_in(3) { met } else { wrench(input) };
+    let all = parts(&push);
+    let [x, y, torque] = all;
+    let gauge = set.gauge(&push);
+    input.give_bits(u64::from(set.contains(&push)));
+    if all.iter().any(|x| x.is_nan()) {
+        return input.holds(gauge.is_nan(), "NaN has no gauge", &[x, y, torque, gauge]);
+    }
+    let is_fine = gauge >= R::ZERO || !all.iter().all(|x| x.is_finite());
+    input.holds(is_fine, "gauge ≥ 0", &[x, y, torque, gauge])?;
+    input.give(rates(&set.twist_normal_to(&push)));
+    let resisted = set.twist_resisted_by(&push);
+    let surface = set.scale_to_surface(&push);
+    let length = if input.one_in(2) {
+        set.radius()
+    } else {
+        input.positive()
+    };
+    input.give(parts(&set.project(&push).wrench));
+    let near = set.project_with_length(&push, length);
+    if set.force_limit() > R::ZERO {
+        input.finite("gauge", [gauge])?;
+        input.finite("normal", rates(&resisted))?;
+        input.finite("radial wrench", parts(&surface))?;
+    }
+    input.finite("projection", parts(&near.wrench))?;
+    if let Region::OnSurface { normal } = near.region {
+        input.give(rates(&normal));
+    }
+    if near.region == Region::Inside {
+        input.holds(near.wrench == push, "inside nothing changes", &all)?;
+    } else if input.is_mild() && set.force_limit() > R::ZERO {
+        input.at_most(
+            "a projection lies in the set",
+            set.gauge(&near.wrench),
+            R::ONE,
+            R::ONE,
+        )?;
+    }
+    Ok(())
+}
