@@ -25,8 +25,11 @@ use section_cache::SectionCache;
 use std::fmt;
 use std::path::Path;
 use std::time::Duration;
+use tribos::powder::CompactionError;
 use tribos::record::{series_csv, write_atomically};
+use tribos::run::RunError;
 use tribos::run::folder::{Contents, OutputFolder};
+use tribos::tip::TipError;
 use tribos_report::image;
 use tribos_report::page::{FigureRef, Section};
 use tribos_report::verdict::Verdict;
@@ -150,6 +153,20 @@ pub trait Reader: Sync {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("interrupted while exhibits were made")]
 pub struct Interrupted;
+
+/// Whether the reader cancelled the report: between exhibits, or within a run.
+pub fn is_interruption(error: &anyhow::Error) -> bool {
+    fn is_cancelled<E: std::error::Error + Send + Sync + 'static>(error: &anyhow::Error) -> bool {
+        use RunError::{Cancelled, CancelledEarly};
+        matches!(
+            error.downcast_ref::<RunError<E>>(),
+            Some(Cancelled(_) | CancelledEarly)
+        )
+    }
+    error.is::<Interrupted>()
+        || is_cancelled::<CompactionError>(error)
+        || is_cancelled::<TipError>(error)
+}
 
 /// A name that is no exhibit's.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
