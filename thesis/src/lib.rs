@@ -1,18 +1,30 @@
 //! The results of the thesis, claim by claim: figures, tables and sections recomputed, each claim
 //! with the thesis' number, ours, and a verdict.
 
-mod asperities;
-mod coverage;
-mod document;
 mod effort;
-mod exhibit;
-mod exhibits;
-mod plan;
-mod reference_integration;
-mod runs;
-mod section_cache;
-mod text;
+
+// The tests of these stand beside the library, which is long to compile.
 #[doc(hidden)]
+pub mod asperities;
+#[doc(hidden)]
+pub mod coverage;
+#[doc(hidden)]
+pub mod document;
+#[doc(hidden)]
+pub mod exhibit;
+#[doc(hidden)]
+pub mod exhibits;
+#[doc(hidden)]
+pub mod plan;
+#[doc(hidden)]
+pub mod reference_integration;
+#[doc(hidden)]
+pub mod runs;
+#[doc(hidden)]
+pub mod section_cache;
+#[doc(hidden)]
+pub mod text;
+
 use Maker::{Alone, Checked, Running};
 use anyhow::{Result, bail, ensure};
 use document::{claims_csv, counts, page};
@@ -35,8 +47,9 @@ use tribos_report::page::{FigureRef, Section};
 use tribos_report::verdict::Verdict;
 
 /// Makes one exhibit.
-#[derive(Clone, Copy)]
-enum Maker {
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub enum Maker {
     /// In a moment.
     Alone(fn() -> Result<Exhibit>),
     /// In seconds: journeys, and bodies on points that check them.
@@ -67,7 +80,8 @@ impl Maker {
 }
 
 /// All exhibits in the order of the thesis.
-const EXHIBITS: &[(&str, Maker)] = &[
+#[doc(hidden)]
+pub const EXHIBITS: &[(&str, Maker)] = &[
     ("section-2.1", Alone(leonardo::section_2_1)),
     ("2.5", Alone(classical::figure_2_5)),
     ("2.7", Alone(creep::figure_2_7)),
@@ -326,6 +340,3 @@ fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<
         claims: exhibit.claims,
     })
 }
-
-#[cfg(test)]
-mod tests;

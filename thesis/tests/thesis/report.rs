@@ -1,13 +1,12 @@
 //! The report is complete, no comparison with the thesis fails, and what ends it early loses nothing.
 
-use crate::browser::{Browser, Error};
+use crate::browser::Browser;
+use crate::{Error, Outcome};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 use tribos::run::folder::{Contents, OutputFolder};
-
-type Outcome = Result<(), Error>;
 
 /// Exhibits for the test of kills: quick ones, and a compaction of some seconds.
 const KILLED: [&str; 4] = ["3.4", "3.9", "4.5", "4.6"];

@@ -76,7 +76,7 @@ impl CompactionParameters {
     }
 
     /// All that a full report makes.
-    fn all() -> Vec<Self> {
+    pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         for seed in 1..=SEEDS {
             for (spread, pressure) in cells() {
@@ -154,7 +154,7 @@ pub fn kept() -> Result<Vec<Line>> {
 }
 
 /// Lines of a table with a head of columns; `#` begins a comment.
-fn parse(text: &str) -> Result<Vec<Line>> {
+pub fn parse(text: &str) -> Result<Vec<Line>> {
     let mut lines = text
         .lines()
         .filter(|line| !line.starts_with('#') && !line.is_empty());
@@ -195,47 +195,4 @@ fn read(columns: &[&str], line: &str) -> Result<Line> {
         pull: number("stress_zz_minus")?,
         seconds: number("wall_seconds")?,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_kept_run_is_one_of_the_map_and_there_once() -> Result<()> {
-        let lines = kept()?;
-        for (at, line) in lines.iter().enumerate() {
-            let CompactionParameters {
-                spread,
-                pressure,
-                corner,
-                coupling,
-                ..
-            } = line.made;
-            assert!(
-                SPREADS.contains(&spread) && PRESSURES.contains(&pressure),
-                "{:?}",
-                line.made
-            );
-            assert!(CORNERS.contains(&corner) && (0.0..1.0).contains(&line.porosity));
-            assert!(corner[1] > 0.0 || coupling == FrictionCoupling::Independent);
-            assert!(
-                lines[..at].iter().all(|other| other.made != line.made),
-                "{:?}",
-                line.made
-            );
-        }
-        Ok(())
-    }
-
-    #[test]
-    fn a_full_map_has_eight_runs_a_cell_and_seed() {
-        assert_eq!(CompactionParameters::all().len(), 5 * 24 * 8);
-    }
-
-    #[test]
-    fn a_table_without_a_column_is_refused() {
-        assert!(parse("seed,pressure\n1,0.01\n").is_err());
-        assert!(parse("# only a comment\n").is_err());
-    }
 }
