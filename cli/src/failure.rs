@@ -5,8 +5,8 @@ use std::path::Path;
 use tribos::friction::FrictionError;
 use tribos::golden::MeasureError;
 use tribos::push::PushError;
-use tribos::record::WriteError;
 use tribos::record::frames::FrameError;
+use tribos::record::{TableError, WriteError};
 use tribos::run::folder::FolderError;
 use tribos::run::{NoCheckpoint, PackingRunError, RunError};
 use tribos::slide::SlideError;
@@ -142,6 +142,12 @@ impl From<FrameError> for Failure {
             // What is there cannot be used, or is asked for what it is not.
             _ => Self::input(error),
         }
+    }
+}
+
+impl From<TableError> for Failure {
+    fn from(error: TableError) -> Self {
+        Self::input(error)
     }
 }
 

@@ -38,7 +38,6 @@
 mod area;
 mod area_friction;
 mod catalogue;
-mod columns;
 mod contact_friction;
 mod flat;
 mod hold;
