@@ -115,6 +115,8 @@ pub use tribos_atoms::md;
 pub use tribos_atoms::tip;
 #[doc(hidden)]
 pub use tribos_base::random;
+#[doc(hidden)]
+pub use tribos_base::{bracket, statistics};
 #[doc(inline)]
 pub use tribos_base::{record, space};
 #[doc(hidden)]

@@ -1,7 +1,7 @@
 //! Patches with straight edges and meshes by name, and their corners from files.
 
 use super::refusal::finite_number;
-use super::text::Rows;
+use super::text::files;
 use super::{FrictionError, OwnedNodes};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -51,8 +51,6 @@ pub enum Flat<R: Real> {
     Points(PointPatch<R, OwnedNodes<R>>),
 }
 
-/// Most corners of a file: the check that no edges cross takes the square of their number.
-const MOST_CORNERS: usize = 10_000;
 /// Most triangles of a file.
 const MOST_TRIANGLES: usize = 1_000_000;
 /// Columns of a file of triangles: place and pressure of each corner.
@@ -100,10 +98,7 @@ impl FlatPatch {
                 let (x, y) = (0.5 * a, 0.5 * b);
                 vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]]
             }
-            Self::Polygon(path) => {
-                let rows = Rows::open(path, corner_columns).map_err(|refusal| refusal.to_string());
-                rows.and_then(read_loops).map_err(FrictionError::Syntax)?
-            }
+            Self::Polygon(path) => files::loops(path)?,
         })
     }
 
@@ -153,8 +148,7 @@ impl FlatPatch {
 /// Place and pressure of the three corners of each triangle of a file.
 #[doc(hidden)]
 pub fn triangles_of(path: &Path) -> Result<Vec<[f64; 9]>, FrictionError> {
-    let rows = Rows::open(path, |_| &TRIANGLE).and_then(|rows| rows.all(MOST_TRIANGLES));
-    rows.map_err(|refusal| FrictionError::Syntax(refusal.to_string()))
+    files::numbers(path, &TRIANGLE, MOST_TRIANGLES)
 }
 
 /// The mesh of a file of triangles.
@@ -171,46 +165,6 @@ fn mesh<R: Real>(path: &Path) -> Result<Mesh<R, Vec<Triangle<R>>>, FrictionError
     let triangles: Vec<[usize; 3]> = (0..count).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
     Mesh::with_vertices(&vertices, &triangles, vec![Triangle::default(); count])
         .map_err(|error| FrictionError::Syntax(format!("{}: {error}", path.display())))
-}
-
-/// Columns of a file of corners, with or without loops.
-fn corner_columns(header: &[&str]) -> &'static [&'static str] {
-    match header.contains(&"loop") {
-        true => &["x", "y", "loop"],
-        false => &["x", "y"],
-    }
-}
-
-/// The corners of a file with columns x, y and perhaps loop: the first loop is the outer one.
-fn read_loops(mut rows: Rows) -> Result<Vec<Vec<[f64; 2]>>, String> {
-    let mut order: Vec<String> = Vec::new();
-    let mut loops: Vec<Vec<[f64; 2]>> = Vec::new();
-    let (mut count, mut corner) = (0, [0.0; 2]);
-    while rows
-        .next(&mut corner)
-        .map_err(|refusal| refusal.to_string())?
-        .is_some()
-    {
-        let name = rows.words().concat();
-        match order.iter().position(|known| *known == name) {
-            Some(last) if last + 1 == order.len() => loops[last].push(corner),
-            Some(_) => {
-                let reason = format!("the corners of loop {name} must follow each other");
-                return Err(rows.refusal(&reason).to_string());
-            }
-            None => {
-                order.push(name);
-                loops.push(vec![corner]);
-            }
-        }
-        count += 1;
-        if count > MOST_CORNERS {
-            return Err(rows
-                .refusal(&format!("more than {MOST_CORNERS} corners"))
-                .to_string());
-        }
-    }
-    Ok(loops)
 }
 
 impl<R: Real> Flat<R> {
@@ -352,48 +306,6 @@ impl FromStr for FlatPatch {
                 let list = format!("the patches with straight edges are {}", all.join(", "));
                 Err(FrictionError::unknown("patch", text, names, list))
             }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use tribos_base::record::OtherColumns;
-
-    #[test]
-    fn corners_and_holes_are_read_and_faults_named_by_line() {
-        let read = |text: &str| {
-            let (name, others) = (Path::new("sole.csv"), OtherColumns::Refused);
-            let rows = Rows::of(name, text.as_bytes(), others, corner_columns);
-            read_loops(rows.map_err(|refusal| refusal.to_string())?)
-        };
-        let plain = read("# a triangle\nx,y\n0,0\n1,0\n0,1\n");
-        assert_eq!(plain, Ok(vec![vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]]));
-        let holed = read("loop,y,x\no,0,0\no,0,4\no,4,0\nh,1,1\nh,1,2\nh,2,1\n");
-        assert_eq!(
-            holed.map(|loops| loops[1].clone()),
-            Ok(vec![[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]])
-        );
-        for (text, reason) in [
-            (
-                "x,z\n0,0",
-                "sole.csv:1: column `y` is missing; the header must be x,y",
-            ),
-            (
-                "x,x,y\n0,0,0",
-                "sole.csv:1: column `x` occurs twice; the header must be x,y",
-            ),
-            (
-                "x,y\n0,0\n1,abc",
-                "sole.csv:3: y is `abc`; give a number such as 0.5 or 1e-3",
-            ),
-            (
-                "x,y,loop\n0,0,a\n0,0,b\n0,0,a",
-                "sole.csv:4: the corners of loop a must follow each other",
-            ),
-        ] {
-            assert_eq!(read(text), Err(reason.to_owned()), "{text:?}");
         }
     }
 }

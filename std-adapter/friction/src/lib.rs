@@ -39,6 +39,8 @@ mod area;
 mod area_friction;
 mod catalogue;
 mod contact_friction;
+#[cfg(feature = "scenes")]
+mod files;
 mod flat;
 mod hold;
 mod law;

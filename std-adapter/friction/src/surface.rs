@@ -1,6 +1,6 @@
 //! Limit surfaces of patches by name.
 
-use super::text::Rows;
+use super::text::files;
 use super::{Area, Flat, FrictionError, Patch, Precision};
 use std::fmt;
 use std::path::Path;
@@ -238,8 +238,7 @@ impl<R: Real, C: DryReducedFriction<R> + fmt::Debug + Send + Sync> BoxedDryFrict
 /// The points of a file.
 #[doc(hidden)]
 pub fn points_of(file: &Path) -> Result<Vec<Node<f64>>, FrictionError> {
-    let rows = Rows::open(file, |_| &["x", "y", "weight"]).and_then(|rows| rows.all(MOST_POINTS));
-    let rows = rows.map_err(|refusal| FrictionError::Syntax(refusal.to_string()))?;
+    let rows = files::numbers(file, &["x", "y", "weight"], MOST_POINTS)?;
     let node = |&[x, y, weight]: &[f64; 3]| Node { x, y, weight };
     Ok(rows.iter().map(node).collect())
 }

@@ -1,20 +1,16 @@
 //! Files, numbers and words of scenes, where they are.
 
 #[cfg(feature = "scenes")]
-pub(super) use tribos_base::{
-    record::Rows,
-    scene::{finite_number, nearest},
-};
+pub(super) use super::files;
+#[cfg(feature = "scenes")]
+pub(super) use tribos_base::scene::{finite_number, nearest};
 
 #[cfg(not(feature = "scenes"))]
-pub(super) use without::{Rows, finite_number, nearest};
+pub(super) use without::{files, finite_number, nearest};
 
 /// Names are known by heart, and areas made of numbers.
 #[cfg(not(feature = "scenes"))]
 mod without {
-    use std::convert::Infallible;
-    use std::path::Path;
-
     pub fn nearest<'a>(_: &str, _: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
         None
     }
@@ -25,31 +21,22 @@ mod without {
         finite.ok_or_else(|| "give a finite number such as 0.5 or 1e-3".into())
     }
 
-    /// There are none.
-    pub struct Rows(Infallible);
+    pub mod files {
+        use crate::FrictionError;
+        use std::path::Path;
 
-    impl Rows {
-        pub fn open(
+        pub fn numbers<const N: usize>(
             _: &Path,
-            _: impl FnOnce(&[&str]) -> &'static [&'static str],
-        ) -> Result<Self, &'static str> {
-            Err("files are read with the feature `scenes`")
+            _: &[&str; N],
+            _: usize,
+        ) -> Result<Vec<[f64; N]>, FrictionError> {
+            Err(FrictionError::Syntax(
+                "files are read with the feature `scenes`".into(),
+            ))
         }
 
-        pub fn all<const N: usize>(self, _: usize) -> Result<Vec<[f64; N]>, &'static str> {
-            match self.0 {}
-        }
-
-        pub fn next(&mut self, _: &mut [f64]) -> Result<Option<u64>, &'static str> {
-            match self.0 {}
-        }
-
-        pub fn words(&self) -> &[String] {
-            match self.0 {}
-        }
-
-        pub fn refusal(&self, _: &str) -> &'static str {
-            match self.0 {}
+        pub fn loops(path: &Path) -> Result<Vec<Vec<[f64; 2]>>, FrictionError> {
+            numbers(path, &["x", "y"], 0).map(|corners| vec![corners])
         }
     }
 }

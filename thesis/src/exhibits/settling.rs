@@ -5,6 +5,7 @@ use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
 use std::f64::consts::PI;
+use tribos::bracket::Bracket;
 use tribos::powder::PowderStopReason;
 use tribos::scene::BlockedCriterion;
 use tribos_report::claim::Claim;
@@ -215,14 +216,7 @@ fn force_claims() -> Vec<Claim> {
 }
 
 /// Zero of a function that falls.
-fn bisect([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if of(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
+fn bisect([low, high]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
+    let has_fallen = |x: f64| of(x) <= 0.0;
+    Bracket::new(low, high).halved(60, has_fallen).middle()
 }

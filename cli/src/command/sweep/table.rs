@@ -6,7 +6,7 @@ use super::refusal;
 use crate::command::bodies::RunKind;
 use crate::command::digits::shown;
 use serde_json::Value;
-use tribos::powder::deposit::curve::statistics;
+use tribos::statistics::statistics;
 
 /// A line a combination.
 #[derive(Debug)]

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 use tribos_base::record::json_number;
+use tribos_base::statistics;
 
 /// The tip before the drive: means over the last 20 τ of the first stage, closer to its start if it
 /// is shorter. In equilibrium forces and torque are 0 within their errors, and nothing drifts.
@@ -117,14 +118,12 @@ fn values<'a>(lines: &'a [&[f64]], column: usize) -> impl Iterator<Item = f64> +
 }
 
 fn mean(lines: &[&[f64]], column: usize) -> f64 {
-    values(lines, column).sum::<f64>() / lines.len() as f64
+    statistics::mean(&values(lines, column).collect::<Vec<_>>())
 }
 
 /// Standard error of a mean of independent numbers.
 fn standard_error(lines: &[&[f64]], column: usize) -> f64 {
-    let (count, mean) = (lines.len() as f64, mean(lines, column));
-    let square: f64 = values(lines, column).map(|x| (x - mean) * (x - mean)).sum();
-    (square / (count * (count - 1.0))).sqrt()
+    statistics::mean_and_error(&values(lines, column).collect::<Vec<_>>())[1]
 }
 
 /// Slope of the straight line of least squares against the time.

@@ -12,6 +12,7 @@ use super::StickError;
 use super::stick_slip_run::{StickSlipRun, StickSlipScene};
 use crate::stick::scene::InclineScene;
 use serde_json::{Map, Value};
+use tribos_base::bracket::Bracket;
 use tribos_base::record::json_number;
 use tribos_core::Real;
 use tribos_core::law::{RestTime, StaticAgeing};
@@ -127,7 +128,7 @@ const RULE: [[f64; 2]; 5] = [
 /// Largest turn, in rad, over which the rule is exact to rounding.
 const TURN: f64 = 0.1;
 /// Halvings that exhaust the digits of a time.
-const HALVINGS: u32 = 200;
+const HALVINGS: usize = 200;
 
 impl<'a> InclineProblem<'a> {
     fn new(scene: &'a InclineScene) -> Result<Self, StickError> {
@@ -175,20 +176,13 @@ impl<'a> InclineProblem<'a> {
             let held = self.ageing.mu_static(RestTime { time }) * Real::cos(angle);
             Real::sin(angle) * self.gauge - held
         };
-        let mut high = self.time_of(self.scene.end_angle);
+        let high = self.time_of(self.scene.end_angle);
         if !(high.is_finite() && excess(high) > 0.0) {
             return f64::INFINITY;
         }
-        let mut low = self.scene.ageing_cutoff_time;
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if excess(middle) > 0.0 {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        high
+        let slips = |time: f64| excess(time) > 0.0;
+        let around = Bracket::new(self.scene.ageing_cutoff_time, high);
+        around.halved(HALVINGS, slips).high
     }
 
     fn acceleration(&self, angle: f64) -> f64 {

@@ -2,6 +2,7 @@
 
 use super::table::{CompactionParameters, Line};
 use tribos::scene::FrictionCoupling;
+use tribos::statistics::{mean, mean_and_error};
 
 /// Mean of some deposits, and what it is good to.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,14 +20,12 @@ const STUDENT_BEYOND: f64 = 2.228;
 
 impl Estimate {
     pub fn mean(&self) -> f64 {
-        self.values.iter().sum::<f64>() / self.values.len() as f64
+        mean(&self.values)
     }
 
     /// Standard error of the mean; NaN of less than two.
     pub fn error(&self) -> f64 {
-        let (count, mean) = (self.values.len() as f64, self.mean());
-        let square: f64 = self.values.iter().map(|x| (x - mean).powi(2)).sum();
-        (square / (count * (count - 1.0))).sqrt()
+        mean_and_error(&self.values)[1]
     }
 
     /// Half the width of the 95 % interval of the mean; NaN of less than two.

@@ -109,8 +109,9 @@ impl SizeDistribution {
             Self::Normal(deviation) => Ok(Radii::normal(*deviation)),
             Self::LogNormal(deviation) => Ok(Radii::log_normal(*deviation)),
             Self::Table(path) => {
-                let rows = Rows::open(path, |_| &table::COLUMNS)?;
-                Ok(Radii::table(table::read(rows)?))
+                let rows = Rows::open(path, |_| &table::COLUMNS);
+                let rows = rows.and_then(table::read).map_err(table::refused)?;
+                Ok(Radii::table(rows))
             }
         }
     }

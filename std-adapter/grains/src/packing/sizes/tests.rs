@@ -70,9 +70,8 @@ fn quantiles_rise_from_bound_to_bound() {
 
 fn read(text: &str) -> Result<Vec<[f64; 2]>, SizesError> {
     let (name, others) = (Path::new("t.csv"), OtherColumns::Refused);
-    table::read(Rows::of(name, text.as_bytes(), others, |_| {
-        &table::COLUMNS
-    })?)
+    let rows = Rows::of(name, text.as_bytes(), others, |_| &table::COLUMNS);
+    rows.and_then(table::read).map_err(table::refused)
 }
 
 #[test]
