@@ -15,7 +15,24 @@ pub struct Sheet {
     pub rows: Vec<Vec<String>>,
 }
 
+/// A column: its name, and the cell of a row.
+pub type Column<'a, T> = (&'static str, &'a dyn Fn(&T) -> String);
+
 impl Sheet {
+    /// A line for each row, column by column.
+    pub fn of<T>(
+        about: impl Into<String>,
+        rows: impl IntoIterator<Item = T>,
+        columns: &[Column<'_, T>],
+    ) -> Self {
+        let line = |row: T| columns.iter().map(|(_, cell)| cell(&row)).collect();
+        Self {
+            about: about.into(),
+            header: columns.iter().map(|(name, _)| *name).collect(),
+            rows: rows.into_iter().map(line).collect(),
+        }
+    }
+
     /// The table as CSV, with its description as a comment.
     pub fn csv(&self) -> String {
         let mut text = format!("# {}\n{}\n", self.about, self.header.join(","));
@@ -75,11 +92,11 @@ mod tests {
 
     #[test]
     fn sheets_have_one_line_a_row() {
-        let sheet = Sheet {
-            about: "about".into(),
-            header: vec!["a", "b"],
-            rows: vec![vec!["1".into(), "2".into()]],
-        };
+        let sheet = Sheet::of(
+            "about",
+            [1],
+            &[("a", &|n| n.to_string()), ("b", &|n| (n + 1).to_string())],
+        );
         assert_eq!(sheet.csv(), "# about\na,b\n1,2\n");
         assert_eq!(
             sheet.markdown(),

@@ -6,8 +6,8 @@ use tribos::friction::FrictionError;
 use tribos::golden::MeasureError;
 use tribos::motion::MotionError;
 use tribos::push::PushError;
-use tribos::record::WriteError;
 use tribos::record::frames::FrameError;
+use tribos::record::{TableError, WriteError};
 use tribos::run::folder::FolderError;
 use tribos::run::{NoCheckpoint, PackingRunError, RunError};
 use tribos::slide::SlideError;
@@ -143,6 +143,12 @@ impl From<FrameError> for Failure {
             // What is there cannot be used, or is asked for what it is not.
             _ => Self::input(error),
         }
+    }
+}
+
+impl From<TableError> for Failure {
+    fn from(error: TableError) -> Self {
+        Self::input(error)
     }
 }
 

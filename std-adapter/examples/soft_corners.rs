@@ -9,6 +9,7 @@ use std::error::Error;
 use tribos::powder::PowderSimulation;
 use tribos::run::run_to_end;
 use tribos::scene::PowderScene;
+use tribos::statistics::mean_and_error;
 
 type Answer<T> = Result<T, Box<dyn Error>>;
 
@@ -45,14 +46,6 @@ fn porosity(corner: &str, seed: &str, method: &[String]) -> Answer<f64> {
     Ok(porosity)
 }
 
-/// Mean of the differences and its standard error.
-fn mean(differences: &[f64]) -> [f64; 2] {
-    let count = differences.len() as f64;
-    let mean = differences.iter().sum::<f64>() / count;
-    let squares: f64 = differences.iter().map(|x| (x - mean) * (x - mean)).sum();
-    [mean, (squares / (count - 1.0) / count).sqrt()]
-}
-
 fn main() -> Answer<()> {
     let given: Vec<String> = std::env::args().skip(1).collect();
     let list = |place: usize, usual: &str| -> Vec<String> {
@@ -70,7 +63,7 @@ fn main() -> Answer<()> {
             }
         }
         for (stiffness, differences) in stiffnesses.iter().zip(&differences) {
-            let [mean, error] = mean(differences);
+            let [mean, error] = mean_and_error(differences);
             println!("corner {corner}, k = {stiffness}: {mean:+.2} ± {error:.2} points");
         }
     }

@@ -116,7 +116,7 @@ pub use tribos_atoms::tip;
 #[doc(hidden)]
 pub use tribos_base::random;
 #[doc(hidden)]
-pub use tribos_base::results;
+pub use tribos_base::{bracket, results, statistics};
 #[doc(inline)]
 pub use tribos_base::{record, space};
 #[doc(hidden)]

@@ -41,7 +41,7 @@ pub fn claims_csv(sections: &[Section]) -> String {
 }
 
 /// The sentence that a reader takes away.
-fn lead(sections: &[Section]) -> String {
+pub fn lead(sections: &[Section]) -> String {
     let claims = || sections.iter().flat_map(|section| &section.claims);
     let all = counts(claims());
     let [
@@ -111,50 +111,4 @@ fn environment(effort: Effort) -> String {
     };
     let made = TEXT.part(part).concat();
     format!("tribos {version}, table tier in f64. {made}")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use tribos_report::claim::Statement;
-    use tribos_report::verdict::Allowance;
-
-    #[test]
-    fn the_first_sentence_counts_every_row_once() {
-        let statement = || Statement::parse("(1): a — order");
-        let stated = |allowance| Claim::stated(statement(), ("0.5", 0.5), 0.5, allowance);
-        let claims = vec![
-            stated(Allowance::Exact(0.0)),
-            stated(Allowance::Digits(0.05)),
-            Claim::trend(statement(), "", true),
-            Claim::own_statement(statement(), "", true),
-            Claim::not_checkable(statement()),
-        ];
-        let section = Section {
-            claims,
-            ..Section::default()
-        };
-        let text = lead(&[section]);
-        assert!(
-            text.starts_with("Of 5 rows, 2 reproduce a number"),
-            "{text}"
-        );
-        assert!(text.contains("(1 of them exact values and closed forms, 1 with an error)"));
-        assert!(text.contains("The other 2 compare nothing") && !text.contains("failed"));
-    }
-
-    #[test]
-    fn claims_are_a_table_without_backticks() {
-        let section = Section {
-            id: "figure-1".into(),
-            claims: vec![Claim::not_checkable(Statement::parse(
-                "(1): run `tribos` — a \"b\"",
-            ))],
-            ..Section::default()
-        };
-        let text = claims_csv(&[section]);
-        let line = text.lines().nth(1);
-        let expected = "\"figure-1\",\"1\",\"run tribos\",\"\",\"\",\"\",\"\",\"not checkable\",\"a \"\"b\"\"\"";
-        assert_eq!(line, Some(expected));
-    }
 }

@@ -10,6 +10,7 @@ use tribos_report::image::Drawing;
 use tribos_report::player::Film;
 
 /// What one maker returns.
+#[allow(missing_debug_implementations)] // Figures have none.
 pub struct Exhibit {
     pub prose: Prose,
     /// Shown below the figure.

@@ -1,18 +1,30 @@
 //! The results of the thesis, claim by claim: figures, tables and sections recomputed, each claim
 //! with the thesis' number, ours, and a verdict.
 
-mod asperities;
-mod coverage;
-mod document;
 mod effort;
-mod exhibit;
-mod exhibits;
-mod plan;
-mod reference_integration;
-mod runs;
-mod section_cache;
-mod text;
+
+// The tests of these stand beside the library, which is long to compile.
 #[doc(hidden)]
+pub mod asperities;
+#[doc(hidden)]
+pub mod coverage;
+#[doc(hidden)]
+pub mod document;
+#[doc(hidden)]
+pub mod exhibit;
+#[doc(hidden)]
+pub mod exhibits;
+#[doc(hidden)]
+pub mod plan;
+#[doc(hidden)]
+pub mod reference_integration;
+#[doc(hidden)]
+pub mod runs;
+#[doc(hidden)]
+pub mod section_cache;
+#[doc(hidden)]
+pub mod text;
+
 use Maker::{Alone, Checked, Running};
 use anyhow::{Result, bail, ensure};
 use document::{claims_csv, counts, page};
@@ -25,15 +37,19 @@ use section_cache::SectionCache;
 use std::fmt;
 use std::path::Path;
 use std::time::Duration;
+use tribos::powder::CompactionError;
 use tribos::record::{series_csv, write_atomically};
+use tribos::run::RunError;
 use tribos::run::folder::{Contents, OutputFolder};
+use tribos::tip::TipError;
 use tribos_report::image;
 use tribos_report::page::{FigureRef, Section};
 use tribos_report::verdict::Verdict;
 
 /// Makes one exhibit.
-#[derive(Clone, Copy)]
-enum Maker {
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub enum Maker {
     /// In a moment.
     Alone(fn() -> Result<Exhibit>),
     /// In seconds: journeys, and bodies on points that check them.
@@ -64,7 +80,8 @@ impl Maker {
 }
 
 /// All exhibits in the order of the thesis.
-const EXHIBITS: &[(&str, Maker)] = &[
+#[doc(hidden)]
+pub const EXHIBITS: &[(&str, Maker)] = &[
     ("section-2.1", Alone(leonardo::section_2_1)),
     ("2.5", Alone(classical::figure_2_5)),
     ("2.7", Alone(creep::figure_2_7)),
@@ -150,6 +167,20 @@ pub trait Reader: Sync {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("interrupted while exhibits were made")]
 pub struct Interrupted;
+
+/// Whether the reader cancelled the report: between exhibits, or within a run.
+pub fn is_interruption(error: &anyhow::Error) -> bool {
+    fn is_cancelled<E: std::error::Error + Send + Sync + 'static>(error: &anyhow::Error) -> bool {
+        use RunError::{Cancelled, CancelledEarly};
+        matches!(
+            error.downcast_ref::<RunError<E>>(),
+            Some(Cancelled(_) | CancelledEarly)
+        )
+    }
+    error.is::<Interrupted>()
+        || is_cancelled::<CompactionError>(error)
+        || is_cancelled::<TipError>(error)
+}
 
 /// A name that is no exhibit's.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -309,6 +340,3 @@ fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<
         claims: exhibit.claims,
     })
 }
-
-#[cfg(test)]
-mod tests;

@@ -42,7 +42,7 @@ impl Plan {
 }
 
 /// Seconds left at the pace so far, or by the measured costs while there is none.
-fn left(total: Seconds, done: Seconds, elapsed: f64) -> Duration {
+pub fn left(total: Seconds, done: Seconds, elapsed: f64) -> Duration {
     let rest = (total - done).max(0.0);
     let pace = if done > PACED * total && elapsed > 0.0 {
         done / elapsed
@@ -52,7 +52,8 @@ fn left(total: Seconds, done: Seconds, elapsed: f64) -> Duration {
     rounded(rest / pace)
 }
 
-fn cores() -> f64 {
+/// Cores of this machine.
+pub fn cores() -> f64 {
     available_parallelism().map_or(1, NonZero::get) as f64
 }
 
@@ -68,33 +69,5 @@ pub fn told(time: Duration) -> String {
         0..=99 => format!("{seconds} s"),
         100..=5999 => format!("{minutes} min"),
         _ => format!("{} h {} min", minutes / 60, minutes % 60),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_left_follows_the_pace() {
-        // A fifth of the work took 20 s.
-        assert_eq!(left(100.0, 20.0, 20.0), Duration::from_secs(80));
-        assert_eq!(left(100.0, 100.0, 50.0), Duration::ZERO);
-        // Too little to tell a pace from.
-        let first = left(100.0, 1.0, 50.0).as_secs_f64();
-        assert!((first - 99.0 / cores()).abs() <= 0.5, "{first}");
-    }
-
-    #[test]
-    fn times_are_told_as_a_person_would() {
-        let cases = [
-            (0, "0 s"),
-            (99, "99 s"),
-            (130, "2 min"),
-            (12_000, "3 h 20 min"),
-        ];
-        for (seconds, text) in cases {
-            assert_eq!(told(Duration::from_secs(seconds)), text);
-        }
     }
 }

@@ -145,29 +145,3 @@ fn runge_kutta(state: [f64; 6], step: f64, rate: impl Fn([f64; 6]) -> [f64; 6]) 
         state[i] + step / 6.0 * (first[i] + 2.0 * (second[i] + third[i]) + fourth[i])
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn points_have_the_known_limits_and_stops() {
-        let (ring, disk) = (Points::ring(720), Points::disk(32, 32));
-        // Pure spin: T = 1 and 2/3; a little slide on it: F = ε/2 and ε.
-        let [force, torque] = ring.reduced(0.0, 1e-4);
-        assert!((force / 1e-4 - 0.5).abs() < 1e-6 && (torque - 1.0).abs() < 1e-6);
-        let [force, torque] = disk.reduced(0.0, 1e-4);
-        assert!((force / 1e-4 - 1.0).abs() < 1e-3 && (torque - 2.0 / 3.0).abs() < 1e-3);
-        // The linear law decouples: F = ε and T = ⟨r²⟩.
-        let [force, torque] = disk.reduced(1.0, 0.7);
-        assert!((force - 0.7).abs() < 1e-14 && (torque - 0.5).abs() < 1e-3);
-        // A pure slide ends after v/κ and v²/(2κ).
-        let slide = to_rest(
-            |v| ring.friction(v, 0.0, [0.0; 2]),
-            0.0,
-            1.0,
-            [2.0, 0.0, 0.0],
-        );
-        assert!((slide.time - 2.0).abs() < 1e-4 && (slide.place[0] - 2.0).abs() < 1e-8);
-    }
-}

@@ -170,6 +170,7 @@ pub fn film(folder: &Path) -> Result<Film> {
 }
 
 /// All compactions so far.
+#[allow(missing_debug_implementations)] // Who reads has none.
 pub struct Runs<'a> {
     effort: Effort,
     kept: SectionCache,
@@ -250,6 +251,7 @@ impl<'a> Runs<'a> {
 }
 
 /// Runs of one exhibit, told on standard error as they end.
+#[allow(missing_debug_implementations)] // Who reads has none.
 pub struct Batch<'a> {
     reader: &'a dyn Reader,
     runs: usize,
@@ -281,51 +283,5 @@ impl<'a> Batch<'a> {
             "  {ended:>3} of {} runs: {what}{left}",
             self.runs
         ));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::path::Path;
-    use std::time::Duration;
-    use tribos::run::folder::{Lock, LockMode};
-
-    type Outcome = Result<(), Box<dyn std::error::Error>>;
-
-    struct SilentReader;
-
-    impl Reader for SilentReader {
-        fn result(&self, _: fmt::Arguments<'_>) {}
-        fn progress(&self, _: fmt::Arguments<'_>) {}
-        fn is_cancelled(&self) -> bool {
-            false
-        }
-    }
-
-    fn runs_in(folder: &Path) -> Result<Runs<'static>> {
-        let lock = Lock::take(folder, LockMode::Shared)?;
-        let kept = SectionCache::open(lock.into(), Duration::ZERO)?;
-        Ok(Runs::new(Effort::Quick, kept, &SilentReader))
-    }
-
-    #[test]
-    fn a_case_is_run_once_and_answers_in_the_order_asked() -> Outcome {
-        let folder = tempfile::tempdir()?;
-        let runs = runs_in(folder.path())?;
-        let case = |seed| {
-            Case::new(System::Small, [0.0; 2], seed).with("steps=2", |scene| scene.max_steps = 2)
-        };
-        let first = runs.of(&[case(2), case(1), case(2)])?;
-        assert!(Arc::ptr_eq(&first[0], &first[2]) && !Arc::ptr_eq(&first[0], &first[1]));
-        assert!(Arc::ptr_eq(&first[1], &runs.one(&case(1))?));
-        assert_eq!(first[0].scene.seed, 2);
-        assert_eq!(first[1].scene.seed, 1);
-        assert_eq!(first[1].outcome.steps, 2);
-        // Another process finds it at its end.
-        let again = runs_in(folder.path())?.one(&case(1))?;
-        assert_eq!(again.outcome.statistics, first[1].outcome.statistics);
-        assert_eq!(again.states[1].positions, first[1].states[1].positions);
-        Ok(())
     }
 }

@@ -12,7 +12,7 @@ use tribos::run::program;
 use tribos_report::page::Section;
 
 /// Name of the folder in a report's.
-const FOLDER: &str = "kept";
+pub const FOLDER: &str = "kept";
 
 /// The part of a report's folder that no reader looks at. It belongs to one program: another one
 /// may compute other bits.
@@ -86,55 +86,4 @@ fn is_generated_name(name: &str) -> bool {
     const DIGITS: usize = 16;
     let digest = name.rsplit_once('-').map_or("", |(_, digest)| digest);
     digest.len() == DIGITS && digest.bytes().all(|byte| byte.is_ascii_hexdigit())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::path::Path;
-    use tribos::run::folder::LockMode;
-    use tribos_report::page::FigureRef;
-
-    type Outcome = Result<(), Box<dyn std::error::Error>>;
-
-    fn open(report: &Path) -> Result<SectionCache> {
-        let lock = Lock::take(report, LockMode::Shared)?;
-        SectionCache::open(lock.into(), Duration::ZERO)
-    }
-
-    #[test]
-    fn a_section_is_kept_with_its_effort_while_its_files_are_there() -> Outcome {
-        let folder = tempfile::tempdir()?;
-        let kept = open(folder.path())?;
-        let section = Section {
-            heading: "Ångström".into(),
-            figure: Some(FigureRef {
-                files: vec!["a.csv".into()],
-                ..FigureRef::default()
-            }),
-            ..Section::default()
-        };
-        kept.keep("3.4", Effort::Quick, &section)?;
-        assert_eq!(kept.section("3.4", Effort::Quick), None);
-        std::fs::write(folder.path().join("a.csv"), "x\n")?;
-        assert_eq!(kept.section("3.4", Effort::Quick), Some(section));
-        assert_eq!(kept.section("3.4", Effort::Full), None);
-        Ok(())
-    }
-
-    #[test]
-    fn what_another_program_left_is_taken_away() -> Outcome {
-        let folder = tempfile::tempdir()?;
-        let other = folder.path().join(FOLDER).join("0.0.0-0123456789abcdef");
-        std::fs::create_dir_all(&other)?;
-        let mine = ["mine", "kept/mine", "kept/holiday-2026"].map(|name| folder.path().join(name));
-        for mine in &mine {
-            std::fs::create_dir_all(mine)?;
-        }
-        let kept = open(folder.path())?;
-        assert!(!other.exists() && mine.iter().all(|mine| mine.exists()));
-        std::fs::create_dir_all(kept.run("x"))?;
-        assert!(open(folder.path())?.run("x").exists());
-        Ok(())
-    }
 }

@@ -170,36 +170,24 @@ fn told(order: f64) -> String {
 
 /// Methods at one step and the middle spin, with their orders.
 fn compared(rows: &[Row], orders: &[[f64; 2]]) -> Sheet {
-    let line = |(family, order): (Vec<Stepper>, &[f64; 2])| {
-        let row = compared_row(rows, family[0].name())?;
-        Some(vec![
-            row.stepper.name().into(),
-            told(order[0]),
-            told(order[1]),
-            short(row.errors[0]),
-            short(row.errors[1]),
-            short(row.microseconds),
-        ])
-    };
-    Sheet {
-        about: format!(
+    let families = families().into_iter().zip(orders);
+    let known =
+        families.filter_map(|(family, order)| Some((compared_row(rows, family[0].name())?, order)));
+    Sheet::of(
+        format!(
             "Methods: order, and one stop from {SPEED} m/s and {} rad/s in steps of {COMPARED:e} s",
             SPINS[1]
         ),
-        header: vec![
-            "method",
-            "order of time",
-            "order of distance",
-            "time error",
-            "distance error",
-            "us per stop",
+        known,
+        &[
+            ("method", &|(row, _)| row.stepper.name().into()),
+            ("order of time", &|(_, order)| told(order[0])),
+            ("order of distance", &|(_, order)| told(order[1])),
+            ("time error", &|(row, _)| short(row.errors[0])),
+            ("distance error", &|(row, _)| short(row.errors[1])),
+            ("us per stop", &|(row, _)| short(row.microseconds)),
         ],
-        rows: families()
-            .into_iter()
-            .zip(orders)
-            .filter_map(line)
-            .collect(),
-    }
+    )
 }
 
 /// The row of a method at the step and spin of comparison.
@@ -212,43 +200,36 @@ fn compared_row<'a>(rows: &'a [Row], name: &str) -> Option<&'a Row> {
 
 /// Every stop.
 fn stops(rows: &[Row], rounds: usize) -> Sheet {
-    let cells = |(index, row): (usize, &Row)| {
+    let order = |index: usize, i: usize| {
+        let row = &rows[index];
         let coarser = index.checked_sub(1).map(|before| &rows[before]);
         let coarser = coarser.filter(|coarser| coarser.stepper.name() == row.stepper.name());
-        let order = |i: usize| {
-            let known = coarser.filter(|_| row.errors[i].abs() > ROUNDING);
-            let point = |row: &Row| Some([row.stepper.step()?, row.errors[i].abs()]);
-            told(exponent(known.into_iter().chain([row]).filter_map(point)))
-        };
-        let step = row.stepper.step();
-        vec![
-            row.stepper.name().into(),
-            step.map_or("-".into(), |dt| format!("{dt:e}")),
-            row.spin.to_string(),
-            short(row.microseconds),
-            short(row.errors[0]),
-            short(row.errors[1]),
-            order(0),
-            order(1),
-        ]
+        let known = coarser.filter(|_| row.errors[i].abs() > ROUNDING);
+        let point = |row: &Row| Some([row.stepper.step()?, row.errors[i].abs()]);
+        told(exponent(known.into_iter().chain([row]).filter_map(point)))
     };
-    Sheet {
-        about: format!(
+    let step = |row: &Row| {
+        row.stepper
+            .step()
+            .map_or("-".into(), |dt| format!("{dt:e}"))
+    };
+    Sheet::of(
+        format!(
             "Stop of a disk (R = 0.08 m, mu = 0.3, C = 1/2, 1 m/s) against to_rest: median of \
              {rounds} interleaved rounds, relative errors"
         ),
-        header: vec![
-            "method",
-            "dt s",
-            "spin rad/s",
-            "us per stop",
-            "time error",
-            "distance error",
-            "order of time",
-            "order of distance",
+        rows.iter().enumerate(),
+        &[
+            ("method", &|(_, row)| row.stepper.name().into()),
+            ("dt s", &|(_, row)| step(row)),
+            ("spin rad/s", &|(_, row)| row.spin.to_string()),
+            ("us per stop", &|(_, row)| short(row.microseconds)),
+            ("time error", &|(_, row)| short(row.errors[0])),
+            ("distance error", &|(_, row)| short(row.errors[1])),
+            ("order of time", &|(index, _)| order(*index, 0)),
+            ("order of distance", &|(index, _)| order(*index, 1)),
         ],
-        rows: rows.iter().enumerate().map(cells).collect(),
-    }
+    )
 }
 
 /// Errors of distance and time at the middle spin, against the step and against the cost.

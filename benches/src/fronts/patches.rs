@@ -172,39 +172,24 @@ fn key(row: &Row) -> (&'static str, &'static str, &'static str) {
 
 /// The whole table.
 fn full(rows: &[Row], nanoseconds: &[f64], samples: &Samples, rounds: usize) -> Sheet {
-    let cells = |(index, row): (usize, &Row)| {
-        let ratio = samples.ratio(&index.to_string(), &UNIT.to_string());
-        vec![
-            row.label.patch.into(),
-            row.label.law.into(),
-            row.label.tier.into(),
-            row.precision.into(),
-            short(nanoseconds[index]),
-            short(ratio.unwrap_or(f64::NAN)),
-            short(row.worst.force),
-            short(row.worst.torque),
-            short(row.worst.of_larger),
-            row.bytes.to_string(),
-            row.label.judge.into(),
-        ]
-    };
-    Sheet {
-        about: format!("Patch, law and tier: medians of {rounds} interleaved rounds"),
-        header: vec![
-            "patch",
-            "law",
-            "tier",
-            "type",
-            "ns",
-            "x",
-            "rel F",
-            "rel T",
-            "of larger",
-            "bytes",
-            "judge",
+    let ratio = |index: usize| samples.ratio(&index.to_string(), &UNIT.to_string());
+    Sheet::of(
+        format!("Patch, law and tier: medians of {rounds} interleaved rounds"),
+        rows.iter().enumerate(),
+        &[
+            ("patch", &|(_, row)| row.label.patch.into()),
+            ("law", &|(_, row)| row.label.law.into()),
+            ("tier", &|(_, row)| row.label.tier.into()),
+            ("type", &|(_, row)| row.precision.into()),
+            ("ns", &|(index, _)| short(nanoseconds[*index])),
+            ("x", &|(index, _)| short(ratio(*index).unwrap_or(f64::NAN))),
+            ("rel F", &|(_, row)| short(row.worst.force)),
+            ("rel T", &|(_, row)| short(row.worst.torque)),
+            ("of larger", &|(_, row)| short(row.worst.of_larger)),
+            ("bytes", &|(_, row)| row.bytes.to_string()),
+            ("judge", &|(_, row)| row.label.judge.into()),
         ],
-        rows: rows.iter().enumerate().map(cells).collect(),
-    }
+    )
 }
 
 /// Coulomb friction in f64, without surfaces.

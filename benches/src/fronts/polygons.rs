@@ -177,34 +177,22 @@ stands here, takes Newton's method.
 
 fn sheet(rows: &[Row], samples: &Samples, rounds: usize) -> Sheet {
     let medians = samples.medians();
-    let cells = |(index, row): (usize, &Row)| {
-        let ratio = samples.ratio(&index.to_string(), UNIT);
-        vec![
-            row.shape.clone(),
-            row.method.into(),
-            row.points.to_string(),
+    let ratio = |index: usize| samples.ratio(&index.to_string(), UNIT).unwrap_or(f64::NAN);
+    Sheet::of(
+        format!("Shape and method: medians of {rounds} interleaved rounds"),
+        rows.iter().enumerate(),
+        &[
+            ("shape", &|(_, row)| row.shape.clone()),
+            ("method", &|(_, row)| row.method.into()),
+            ("points", &|(_, row)| row.points.to_string()),
             // The unit is the first task.
-            short(1e9 * medians[index + 1]),
-            short(ratio.unwrap_or(f64::NAN)),
-            judged_error(row.error[0]),
-            judged_error(row.error[1]),
-            row.judge.into(),
-        ]
-    };
-    Sheet {
-        about: format!("Shape and method: medians of {rounds} interleaved rounds"),
-        header: vec![
-            "shape",
-            "method",
-            "points",
-            "ns",
-            "x",
-            "largest error",
-            "rms error",
-            "judge",
+            ("ns", &|(index, _)| short(1e9 * medians[index + 1])),
+            ("x", &|(index, _)| short(ratio(*index))),
+            ("largest error", &|(_, row)| judged_error(row.error[0])),
+            ("rms error", &|(_, row)| judged_error(row.error[1])),
+            ("judge", &|(_, row)| row.judge.into()),
         ],
-        rows: rows.iter().enumerate().map(cells).collect(),
-    }
+    )
 }
 
 /// An error, if something judged it.

@@ -223,26 +223,20 @@ where
 
 /// Every rung.
 pub fn rungs_sheet(rungs: &[Rung]) -> Sheet {
-    let cells = |rung: &Rung| {
-        vec![
-            rung.problem.replace(',', ""),
-            rung.method.name().into(),
-            rung.rule.clone(),
-            rung.met.to_string(),
-            rung.work.sweeps.to_string(),
-            short(1e3 * rung.work.seconds),
-            short(rung.work.residual),
-        ]
-    };
-    Sheet {
-        about: "Cold starts: residual sqrt(sum |p - proj(p - m U)|^2 / sum P^2) against work, an \
-                extrapolation counted as a sweep"
-            .into(),
-        header: vec![
-            "problem", "method", "rule", "met", "sweeps", "ms", "residual",
+    Sheet::of(
+        "Cold starts: residual sqrt(sum |p - proj(p - m U)|^2 / sum P^2) against work, an \
+         extrapolation counted as a sweep",
+        rungs,
+        &[
+            ("problem", &|rung| rung.problem.replace(',', "")),
+            ("method", &|rung| rung.method.name().into()),
+            ("rule", &|rung| rung.rule.clone()),
+            ("met", &|rung| rung.met.to_string()),
+            ("sweeps", &|rung| rung.work.sweeps.to_string()),
+            ("ms", &|rung| short(1e3 * rung.work.seconds)),
+            ("residual", &|rung| short(rung.work.residual)),
         ],
-        rows: rungs.iter().map(cells).collect(),
-    }
+    )
 }
 
 /// Sweeps and time to the same residual, and how much less the accelerated method takes than plain

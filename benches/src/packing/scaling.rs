@@ -213,53 +213,42 @@ pub fn laws(points: &[Point]) -> Vec<Law> {
 
 /// Every point.
 pub fn points_sheet(points: &[Point]) -> Sheet {
-    let cells = |point: &Point| {
-        let [spheres, contacts] = point.size;
-        vec![
-            point.family.replace(',', ""),
-            spheres.to_string(),
-            contacts.to_string(),
-            short(point.length),
-            point.method.name().into(),
-            format!("{:.0e}", point.target),
-            point.work.sweeps.to_string(),
-            short(point.work.seconds),
-        ]
-    };
-    Sheet {
-        about: "Work to a residual against size: a chain, towers and cubes of a jammed packing \
-                under a loaded plate, cold starts"
-            .into(),
-        header: vec![
-            "family", "spheres", "contacts", "L/d", "method", "residual", "sweeps", "s",
+    Sheet::of(
+        "Work to a residual against size: a chain, towers and cubes of a jammed packing \
+         under a loaded plate, cold starts",
+        points,
+        &[
+            ("family", &|point| point.family.replace(',', "")),
+            ("spheres", &|point| point.size[0].to_string()),
+            ("contacts", &|point| point.size[1].to_string()),
+            ("L/d", &|point| short(point.length)),
+            ("method", &|point| point.method.name().into()),
+            ("residual", &|point| format!("{:.0e}", point.target)),
+            ("sweeps", &|point| point.work.sweeps.to_string()),
+            ("s", &|point| short(point.work.seconds)),
         ],
-        rows: points.iter().map(cells).collect(),
-    }
+    )
 }
 
 /// Fitted exponents beside those of theory.
 pub fn laws_sheet(laws: &[Law]) -> Sheet {
-    let cells = |law: &Law| {
-        let theory = if law.method == Method::Accelerated {
-            1
-        } else {
-            2
-        };
-        vec![
-            law.family.replace(',', ""),
-            law.method.name().into(),
-            format!("{:.0e}", law.target),
-            law.points.to_string(),
-            format!("{} to {}", short(law.lengths[0]), short(law.lengths[1])),
-            format!("{:.2}", law.exponent),
-            theory.to_string(),
-        ]
+    let theory = |law: &&Law| match law.method {
+        Method::Accelerated => "1".into(),
+        _ => "2".into(),
     };
-    Sheet {
-        about: "Exponents of sweeps in L/d, by least squares of logarithms".into(),
-        header: vec![
-            "family", "method", "residual", "sizes", "L/d", "exponent", "theory",
+    Sheet::of(
+        "Exponents of sweeps in L/d, by least squares of logarithms",
+        laws,
+        &[
+            ("family", &|law| law.family.replace(',', "")),
+            ("method", &|law| law.method.name().into()),
+            ("residual", &|law| format!("{:.0e}", law.target)),
+            ("sizes", &|law| law.points.to_string()),
+            ("L/d", &|law| {
+                format!("{} to {}", short(law.lengths[0]), short(law.lengths[1]))
+            }),
+            ("exponent", &|law| format!("{:.2}", law.exponent)),
+            ("theory", &theory),
         ],
-        rows: laws.iter().map(cells).collect(),
-    }
+    )
 }

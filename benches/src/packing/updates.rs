@@ -142,38 +142,30 @@ fn sweeps<F: ContactFriction<f64> + 'static>(start: Spheres<F>) -> Box<dyn FnMut
 
 /// Updates per second, and the cost of a contact relative to one with all modes.
 pub fn sheet(costs: &[Cost], rounds: usize) -> Sheet {
-    let cells = |cost: &Cost| {
-        let full = costs.iter().find(|other| other.state == cost.state);
-        let of_full = full.map_or(f64::NAN, |full| cost.seconds / full.seconds);
-        let bytes = full.map_or(f64::NAN, |full| cost.bytes as f64 / full.bytes as f64);
-        vec![
-            cost.modes.replace(", ", " "),
-            cost.state.replace(", ", " "),
-            cost.unknowns.to_string(),
-            cost.contacts.to_string(),
-            short(1e9 * cost.seconds),
-            short(1e-6 / cost.seconds),
-            short(of_full),
-            cost.bytes.to_string(),
-            short(bytes),
-        ]
+    let full = |cost: &Cost| costs.iter().find(|other| other.state == cost.state);
+    let of_full = |cost: &Cost, size: fn(&Cost) -> f64| {
+        short(full(cost).map_or(f64::NAN, |full| size(cost) / size(full)))
     };
-    Sheet {
-        about: format!(
+    Sheet::of(
+        format!(
             "Contact updates on one core: sweeps over a jammed box of 1,000 spheres under load \
              without a watch, median of {rounds} interleaved rounds"
         ),
-        header: vec![
-            "modes",
-            "state",
-            "unknowns",
-            "contacts",
-            "ns per update",
-            "million/s",
-            "time of all six",
-            "bytes",
-            "bytes of all six",
+        costs,
+        &[
+            ("modes", &|cost| cost.modes.replace(", ", " ")),
+            ("state", &|cost| cost.state.replace(", ", " ")),
+            ("unknowns", &|cost| cost.unknowns.to_string()),
+            ("contacts", &|cost| cost.contacts.to_string()),
+            ("ns per update", &|cost| short(1e9 * cost.seconds)),
+            ("million/s", &|cost| short(1e-6 / cost.seconds)),
+            ("time of all six", &|cost| {
+                of_full(cost, |cost| cost.seconds)
+            }),
+            ("bytes", &|cost| cost.bytes.to_string()),
+            ("bytes of all six", &|cost| {
+                of_full(cost, |cost| cost.bytes as f64)
+            }),
         ],
-        rows: costs.iter().map(cells).collect(),
-    }
+    )
 }

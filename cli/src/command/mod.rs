@@ -1,7 +1,6 @@
 //! The subcommands, one module each.
 
 pub(crate) mod bodies;
-mod columns;
 mod completion;
 mod completions;
 mod contact;
@@ -18,7 +17,6 @@ mod hold;
 pub(crate) mod interrupt;
 mod inverse;
 mod laws;
-mod lines;
 mod manual;
 mod measure;
 mod modes;

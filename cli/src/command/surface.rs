@@ -1,12 +1,12 @@
 //! `tribos surface`: the limit surface of a patch as a table and a picture; pushes and their motions.
 
-use super::columns::Rows;
 use super::wrench::{centre, patches};
 use super::{digits, file, number, spool};
 use crate::failure::Failure;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Patch, limit_surface};
+use tribos::record::Rows;
 use tribos::record::{number as shortest, series_csv, write_atomically};
 use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;

@@ -123,16 +123,11 @@ fn bad_files_of_twists_are_refused_with_their_line() -> Outcome {
 }
 
 #[test]
-fn unknown_exhibits_and_diagram_endings_are_refused() -> Outcome {
+fn pure_spin_without_inertia_and_diagram_endings_are_refused() -> Outcome {
     let folder = tempfile::tempdir()?;
     let out = folder.path().display().to_string();
     let diagram = format!("{out}/diagram.pdf");
     for (arguments, words) in [
-        (
-            vec!["reproduce", "--out", &out, "9.9"],
-            "the names are section-2.1",
-        ),
-        (vec!["reproduce"], "--out"),
         (vec!["modes", "--alpha", "0", "--inertia-ratio", "0"], "> 0"),
         (
             vec![

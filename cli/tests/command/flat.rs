@@ -274,11 +274,11 @@ fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
         ),
         (
             "wrench --patch polygon:gap.csv --speed 1 --spin 1",
-            "gap.csv:3: y: ",
+            "gap.csv:3: y is `",
         ),
         (
             "wrench --patch mesh:tie.csv --speed 1 --spin 1",
-            "the columns must be x1,y1,p1,x2,y2,p2,x3,y3,p3",
+            "column `x1` is missing; the header must be x1,y1,p1,x2,y2,p2,x3,y3,p3",
         ),
         (
             "wrench --patch mesh:pull.csv --speed 1 --spin 1",

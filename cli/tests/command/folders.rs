@@ -125,23 +125,20 @@ fn every_command_after_every_other_leaves_its_own_files_only() -> Outcome {
 }
 
 #[test]
-fn sweeps_and_reports_are_not_replaced_and_a_sweep_replaces_a_run() -> Outcome {
+fn sweeps_are_not_replaced_and_a_sweep_replaces_a_run() -> Outcome {
     let home = home()?;
     let sweep = "sweep disk --set spin=0,5 --set samples=20 --out DIR";
-    let report = "reproduce 2.7 --out DIR";
-    for (collection, out) in [(sweep, "sweep"), (report, "report")] {
-        let (code, said) = tribos(home.path(), &collection.replace("DIR", out))?;
-        assert_eq!(code, Some(0), "{said}");
-        let before = files(&home.path().join(out))?;
-        for (command, _) in WRITERS {
-            let (code, said) = tribos(home.path(), &command.replace("DIR", out))?;
-            assert_eq!(code, Some(2), "{command}: {said}");
-            assert!(said.contains("holds the results of `tribos"), "{said}");
-        }
-        assert!(files(&home.path().join(out))? == before);
-        let (code, said) = tribos(home.path(), &format!("view {out}"))?;
-        assert!(code == Some(2) && said.contains("not a run"), "{said}");
+    let (code, said) = tribos(home.path(), &sweep.replace("DIR", "sweep"))?;
+    assert_eq!(code, Some(0), "{said}");
+    let before = files(&home.path().join("sweep"))?;
+    for (command, _) in WRITERS {
+        let (code, said) = tribos(home.path(), &command.replace("DIR", "sweep"))?;
+        assert_eq!(code, Some(2), "{command}: {said}");
+        assert!(said.contains("holds the results of `tribos"), "{said}");
     }
+    assert!(files(&home.path().join("sweep"))? == before);
+    let (code, said) = tribos(home.path(), "view sweep")?;
+    assert!(code == Some(2) && said.contains("not a run"), "{said}");
     let (code, said) = tribos(home.path(), "run cylinder --out used")?;
     assert_eq!(code, Some(0), "{said}");
     let (code, said) = tribos(home.path(), &sweep.replace("DIR", "used"))?;
@@ -218,7 +215,7 @@ fn what_was_put_into_a_run_by_hand_is_not_played() -> Outcome {
 }
 
 #[test]
-fn a_powder_is_not_lost_to_an_export_a_fit_a_report_or_a_sweep() -> Outcome {
+fn a_powder_is_not_lost_to_an_export_a_fit_or_a_sweep() -> Outcome {
     let home = home()?;
     let run = |scene: &str, out: &str| tribos(home.path(), &format!("run {scene} --out {out}"));
     for (scene, out) in [
@@ -237,7 +234,6 @@ fn a_powder_is_not_lost_to_an_export_a_fit_a_report_or_a_sweep() -> Outcome {
             "export lammps-dump a --out DIR",
             "export lammps tip.toml --out DIR",
             "fit --law power pulls.csv --out DIR",
-            "reproduce 2.7 --out DIR",
             "sweep disk --set spin=0,5 --set samples=20 --out DIR",
         ] {
             let (code, said) = tribos(home.path(), &command.replace("DIR", used))?;
@@ -303,12 +299,5 @@ fn a_folder_says_what_was_written_and_other_files_are_their_owners() -> Outcome 
         let name = name.as_str().ok_or("no text")?;
         assert!(out.join(name).exists(), "{name}");
     }
-    // A report names its figures.
-    std::fs::create_dir(home.path().join("report"))?;
-    std::fs::write(home.path().join("report/figure-2.7.csv"), "mine")?;
-    let (code, said) = tribos(home.path(), "reproduce 2.7 --out report")?;
-    assert_eq!(code, Some(2), "{said}");
-    let left = std::fs::read(home.path().join("report/figure-2.7.csv"))?;
-    assert_eq!(left, b"mine");
     Ok(())
 }

@@ -231,33 +231,6 @@ fn a_lock_without_room_for_its_name_holds_and_goes_away() -> Outcome {
 }
 
 #[test]
-fn a_reproduction_is_told_where_it_stopped() -> Outcome {
-    let folder = folder()?;
-    let reproduce = "reproduce 3.4 --out out";
-    let output = tribos(folder.path(), reproduce, Some(4))?;
-    let words = [
-        "cannot write out/figure-3.4.",
-        TOO_LARGE,
-        KEPT,
-        "the same command again",
-    ];
-    refused(folder.path(), output, &words)?;
-    if let Some(disk) = Disk::mount(folder.path().join("small"))? {
-        std::fs::write(disk.place.join("others"), vec![1; 80 << 10])?;
-        let reproduce = "reproduce 3.4 --out small";
-        let output = tribos(folder.path(), reproduce, None)?;
-        refused(
-            folder.path(),
-            output,
-            &["cannot write small/figure-3.4.", NO_ROOM, KEPT],
-        )?;
-        disk.enlarge()?;
-        succeed(folder.path(), reproduce)?;
-    }
-    Ok(())
-}
-
-#[test]
 fn results_are_kept_when_the_terminal_cannot_be_written() -> Outcome {
     if !Path::new("/dev/full").exists() {
         println!("skipped: no /dev/full");

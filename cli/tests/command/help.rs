@@ -239,7 +239,6 @@ fn bash_completes_commands_options_and_values() -> Outcome {
         ("tribos wrench --law stribeck : mu_", "mu_s= mu_d="),
         ("tribos wrench --law stribeck : mu_s = 1,del", "1,delta="),
         ("tribos laws rate-state-s", "rate-state-slip"),
-        ("tribos reproduce table-3.", "table-3.1 table-3.2"),
     ] {
         let found = completed(words)?;
         let mut found: Vec<&str> = found.split_whitespace().collect();

@@ -31,7 +31,7 @@ mod printed_commands;
 mod program;
 mod progress;
 mod push;
-mod reports;
+mod reproduce;
 mod run;
 mod scene;
 mod sweep;

@@ -127,7 +127,6 @@ fn a_file_in_the_place_of_a_folder_is_said_to_be_one() -> Outcome {
         "run disk --out taken",
         "sweep disk --set spin=1,2 --out taken",
         "deposit --count 10 --width 8 --out taken",
-        "reproduce 2.5 --out taken",
         "man --out taken",
     ] {
         let told = refused(folder.path(), arguments)?;
@@ -152,7 +151,6 @@ fn an_empty_name_is_refused_and_a_link_to_nowhere_is_said_to_be_one() -> Outcome
         "sweep --plan",
         "sweep --merge",
         "deposit --count 10 --width 8 --out",
-        "reproduce 2.5 --out",
         "export lammps tip-reversible --out",
         "export xyz",
         "man --out",

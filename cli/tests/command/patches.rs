@@ -240,3 +240,23 @@ fn final_motion_depends_on_patch_and_lean() -> Outcome {
     }
     Ok(())
 }
+
+#[test]
+fn modes_answers_in_json_and_draws() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    for ending in ["svg", "png", "csv"] {
+        let file = folder.path().join(format!("diagram.{ending}"));
+        let place = file.to_str().ok_or("a name")?;
+        let arguments = "modes --alpha 0 --inertia-ratio 0.5 --format json --diagram";
+        let words = [arguments.split(' ').collect(), vec![place]].concat();
+        let answer: serde_json::Value = serde_json::from_str(&told(words)?)?;
+        let points = answer["fixed_points"].as_array().ok_or("no points")?;
+        assert_eq!(points.len(), 3);
+        assert_eq!(points[1]["stability"], "stable");
+        let ratio = points[1]["ratio"].as_f64().ok_or("no ratio")?;
+        assert!((ratio - 0.653_001_789_205_597_6).abs() < 1e-15);
+        assert_eq!(answer["final_mode"], "together");
+        assert!(file.metadata()?.len() > 1000);
+    }
+    Ok(())
+}

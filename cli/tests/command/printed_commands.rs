@@ -36,10 +36,7 @@ const ELSEWHERE: [(&str, &str); 7] = [
     ("Out-String", "PowerShell"),
     ("&& man ", "a reader of manuals"),
     ("sbatch", "Slurm: tests/slurm.sh"),
-    (
-        "reproduce --out out/thesis\n",
-        "the test of the whole report",
-    ),
+    ("tribos reproduce ", "tribos-thesis: its own tests"),
 ];
 
 #[test]

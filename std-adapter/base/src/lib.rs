@@ -4,6 +4,7 @@
 //! Users take it through the crate `tribos`, whose paths are the promise; what else is public here
 //! serves the crates beside it and changes without notice.
 
+pub mod bracket;
 pub mod exchange;
 pub mod golden;
 pub mod random;
@@ -12,6 +13,7 @@ pub mod results;
 pub mod run;
 pub mod scene;
 pub mod space;
+pub mod statistics;
 
 #[doc(hidden)]
 pub use serde_json;

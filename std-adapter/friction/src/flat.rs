@@ -1,7 +1,8 @@
 //! Patches with straight edges and meshes by name, and their corners from files.
 
 use super::refusal::finite_number;
-use super::{FrictionError, OwnedNodes, columns};
+use super::text::files;
+use super::{FrictionError, OwnedNodes};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -50,14 +51,10 @@ pub enum Flat<R: Real> {
     Points(PointPatch<R, OwnedNodes<R>>),
 }
 
-/// Most corners of a file: the check that no edges cross takes the square of their number.
-const MOST_CORNERS: usize = 10_000;
 /// Most triangles of a file.
 const MOST_TRIANGLES: usize = 1_000_000;
 /// Columns of a file of triangles: place and pressure of each corner.
 const TRIANGLE: [&str; 9] = ["x1", "y1", "p1", "x2", "y2", "p2", "x3", "y3", "p3"];
-/// Most bytes of a file of corners.
-const MOST_BYTES: u64 = 1 << 20;
 
 impl FlatPatch {
     /// Every patch as it is written, and what it is.
@@ -95,19 +92,13 @@ impl FlatPatch {
             Self::Mesh(path) => {
                 let triangle =
                     |row: &[f64; 9]| vec![[row[0], row[1]], [row[3], row[4]], [row[6], row[7]]];
-                let rows = columns::read(path, TRIANGLE, MOST_TRIANGLES)?;
-                rows.iter().map(triangle).collect()
+                triangles_of(path)?.iter().map(triangle).collect()
             }
             Self::Box([a, b]) => {
                 let (x, y) = (0.5 * a, 0.5 * b);
                 vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]]
             }
-            Self::Polygon(path) => {
-                let text = super::text::read_text(path, MOST_BYTES).map_err(|error| {
-                    FrictionError::Syntax(format!("{}: {error}", path.display()))
-                })?;
-                read_loops(path, &text)?
-            }
+            Self::Polygon(path) => files::loops(path)?,
         })
     }
 
@@ -157,7 +148,7 @@ impl FlatPatch {
 /// Place and pressure of the three corners of each triangle of a file.
 #[doc(hidden)]
 pub fn triangles_of(path: &Path) -> Result<Vec<[f64; 9]>, FrictionError> {
-    columns::read(path, TRIANGLE, MOST_TRIANGLES)
+    files::numbers(path, &TRIANGLE, MOST_TRIANGLES)
 }
 
 /// The mesh of a file of triangles.
@@ -174,64 +165,6 @@ fn mesh<R: Real>(path: &Path) -> Result<Mesh<R, Vec<Triangle<R>>>, FrictionError
     let triangles: Vec<[usize; 3]> = (0..count).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
     Mesh::with_vertices(&vertices, &triangles, vec![Triangle::default(); count])
         .map_err(|error| FrictionError::Syntax(format!("{}: {error}", path.display())))
-}
-
-/// The corners of a file with columns x, y and perhaps loop: the first loop is the outer one.
-fn read_loops(path: &Path, text: &str) -> Result<Vec<Vec<[f64; 2]>>, FrictionError> {
-    let refused = |line: usize, reason: &str| {
-        FrictionError::Syntax(format!("{}:{}: {reason}", path.display(), line + 1))
-    };
-    let rows = text.lines().enumerate();
-    let mut rows = rows.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
-    let (first, header) = rows
-        .next()
-        .ok_or_else(|| refused(0, "the file is empty; give columns x,y[,loop]"))?;
-    let names: Vec<&str> = header.split(',').map(str::trim).collect();
-    let place = |wanted: &str| names.iter().position(|name| *name == wanted);
-    let known = names.iter().all(|name| ["x", "y", "loop"].contains(name));
-    let repeated = (1..names.len()).any(|i| names[..i].contains(&names[i]));
-    let (Some(x), Some(y), true, false) = (place("x"), place("y"), known, repeated) else {
-        return Err(refused(first, "the columns must be x,y or x,y,loop"));
-    };
-    let in_loop = place("loop");
-    let mut order: Vec<&str> = Vec::new();
-    let mut loops: Vec<Vec<[f64; 2]>> = Vec::new();
-    let mut count = 0;
-    for (number, row) in rows {
-        let fields: Vec<&str> = row.split(',').map(str::trim).collect();
-        if fields.len() != names.len() {
-            let expected = names.len();
-            let reason = format!("{} values where there are {expected} columns", fields.len());
-            return Err(refused(number, &reason));
-        }
-        let part = |at: usize, name: &str| {
-            finite_number(fields[at]).map_err(|error| refused(number, &format!("{name}: {error}")))
-        };
-        let corner = [part(x, "x")?, part(y, "y")?];
-        let name = in_loop.map_or("", |at| fields[at]);
-        match order.iter().position(|known| *known == name) {
-            Some(last) if last + 1 == order.len() => loops[last].push(corner),
-            Some(_) => {
-                let reason = format!("the corners of loop {name} must follow each other");
-                return Err(refused(number, &reason));
-            }
-            None => {
-                order.push(name);
-                loops.push(vec![corner]);
-            }
-        }
-        count += 1;
-        if count > MOST_CORNERS {
-            return Err(refused(
-                number,
-                &format!("more than {MOST_CORNERS} corners"),
-            ));
-        }
-    }
-    if loops.is_empty() {
-        return Err(refused(first, "there are no corners; give at least 3"));
-    }
-    Ok(loops)
 }
 
 impl<R: Real> Flat<R> {
@@ -373,52 +306,6 @@ impl FromStr for FlatPatch {
                 let list = format!("the patches with straight edges are {}", all.join(", "));
                 Err(FrictionError::unknown("patch", text, names, list))
             }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn corners_and_holes_are_read_and_faults_named_by_line() {
-        let read = |text: &str| {
-            read_loops(Path::new("sole.csv"), text).map_err(|refusal| refusal.to_string())
-        };
-        let plain = read("# a triangle\nx,y\n0,0\n1,0\n0,1\n");
-        assert_eq!(plain, Ok(vec![vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]]));
-        let holed = read("loop,y,x\no,0,0\no,0,4\no,4,0\nh,1,1\nh,1,2\nh,2,1\n");
-        assert_eq!(
-            holed.map(|loops| loops[1].clone()),
-            Ok(vec![[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]])
-        );
-        for (text, reason) in [
-            ("", "sole.csv:1: the file is empty; give columns x,y[,loop]"),
-            (
-                "x,z\n0,0",
-                "sole.csv:1: the columns must be x,y or x,y,loop",
-            ),
-            (
-                "x,x,y\n0,0,0",
-                "sole.csv:1: the columns must be x,y or x,y,loop",
-            ),
-            (
-                "x,y\n0,0\n1",
-                "sole.csv:3: 1 values where there are 2 columns",
-            ),
-            (
-                "x,y\n0,0\n1,abc",
-                "sole.csv:3: y: give a number such as 0.5 or 1e-3",
-            ),
-            ("x,y\n0,nan", "sole.csv:2: y: give a finite number, not NaN"),
-            (
-                "x,y,loop\n0,0,a\n0,0,b\n0,0,a",
-                "sole.csv:4: the corners of loop a must follow each other",
-            ),
-            ("x,y\n", "sole.csv:1: there are no corners; give at least 3"),
-        ] {
-            assert_eq!(read(text), Err(reason.to_owned()), "{text:?}");
         }
     }
 }

@@ -38,8 +38,9 @@
 mod area;
 mod area_friction;
 mod catalogue;
-mod columns;
 mod contact_friction;
+#[cfg(feature = "scenes")]
+mod files;
 mod flat;
 mod hold;
 mod law;

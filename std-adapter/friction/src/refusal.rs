@@ -116,12 +116,5 @@ impl FrictionError {
 /// assert_eq!(finite_number("0,5"), Err("got 0,5; write a decimal point: 0.5".into()));
 /// ```
 pub fn finite_number(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(x) if x.is_finite() => Ok(x),
-        Ok(x) => Err(format!("give a finite number, not {x}")),
-        Err(_) => Err(match super::text::number_hint(text) {
-            Some(hint) => format!("got {}; {hint}", text.trim()),
-            None => "give a number such as 0.5 or 1e-3".into(),
-        }),
-    }
+    super::text::finite_number(text)
 }

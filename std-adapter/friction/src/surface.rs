@@ -1,6 +1,7 @@
 //! Limit surfaces of patches by name.
 
-use super::{Area, Flat, FrictionError, Patch, Precision, columns};
+use super::text::files;
+use super::{Area, Flat, FrictionError, Patch, Precision};
 use std::fmt;
 use std::path::Path;
 use tribos_core::coupling::{
@@ -237,7 +238,7 @@ impl<R: Real, C: DryReducedFriction<R> + fmt::Debug + Send + Sync> BoxedDryFrict
 /// The points of a file.
 #[doc(hidden)]
 pub fn points_of(file: &Path) -> Result<Vec<Node<f64>>, FrictionError> {
-    let rows = columns::read(file, ["x", "y", "weight"], MOST_POINTS)?;
+    let rows = files::numbers(file, &["x", "y", "weight"], MOST_POINTS)?;
     let node = |&[x, y, weight]: &[f64; 3]| Node { x, y, weight };
     Ok(rows.iter().map(node).collect())
 }

@@ -1,28 +1,42 @@
-//! Files and words of scenes, where they are.
+//! Files, numbers and words of scenes, where they are.
 
 #[cfg(feature = "scenes")]
-pub(super) use tribos_base::{
-    record::read_text,
-    scene::{nearest, number_hint},
-};
+pub(super) use super::files;
+#[cfg(feature = "scenes")]
+pub(super) use tribos_base::scene::{finite_number, nearest};
 
 #[cfg(not(feature = "scenes"))]
-pub(super) use without::{nearest, number_hint, read_text};
+pub(super) use without::{files, finite_number, nearest};
 
 /// Names are known by heart, and areas made of numbers.
 #[cfg(not(feature = "scenes"))]
 mod without {
-    use std::path::Path;
-
-    pub fn read_text(_: &Path, _: u64) -> Result<String, &'static str> {
-        Err("files are read with the feature `scenes`")
-    }
-
     pub fn nearest<'a>(_: &str, _: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
         None
     }
 
-    pub fn number_hint(_: &str) -> Option<String> {
-        None
+    pub fn finite_number(text: &str) -> Result<f64, String> {
+        let number = text.trim().parse().ok();
+        let finite = number.filter(|x: &f64| x.is_finite());
+        finite.ok_or_else(|| "give a finite number such as 0.5 or 1e-3".into())
+    }
+
+    pub mod files {
+        use crate::FrictionError;
+        use std::path::Path;
+
+        pub fn numbers<const N: usize>(
+            _: &Path,
+            _: &[&str; N],
+            _: usize,
+        ) -> Result<Vec<[f64; N]>, FrictionError> {
+            Err(FrictionError::Syntax(
+                "files are read with the feature `scenes`".into(),
+            ))
+        }
+
+        pub fn loops(path: &Path) -> Result<Vec<Vec<[f64; 2]>>, FrictionError> {
+            numbers(path, &["x", "y"], 0).map(|corners| vec![corners])
+        }
     }
 }

@@ -55,10 +55,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         &["tribos", "tribos-core", "tribos-report", "tribos-trials"],
     ),
     ("tribos-trials", &["tribos", "tribos-core"]),
-    (
-        "tribos-cli",
-        &["tribos", "tribos-core", "tribos-report", "tribos-thesis"],
-    ),
+    ("tribos-cli", &["tribos", "tribos-core", "tribos-report"]),
     ("tribos-c", &["tribos-core"]),
     (
         "tribos-web",

@@ -3,8 +3,9 @@
 use crate::exhibit::Exhibit;
 use crate::text::Text;
 use anyhow::Result;
-use tribos::powder::deposit::curve::{COLUMNS, PorosityCurve, Sample, statistics, straight_line};
+use tribos::powder::deposit::curve::{COLUMNS, PorosityCurve, Sample};
 use tribos::powder::deposit::{Ballistic, DepositTarget};
+use tribos::statistics::{statistics, straight_line};
 use tribos_report::claim::{Claim, MismatchMeaning};
 use tribos_report::runs::deposit::porosity;
 use tribos_report::verdict::Allowance;

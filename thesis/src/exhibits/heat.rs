@@ -7,7 +7,7 @@ const STEP: f64 = 0.4;
 
 /// The surface temperatures at the given ascending times under a heat flux of 1 into a half space
 /// whose conductivity and heat capacity are 1.
-pub(super) fn surface(times: &[f64]) -> Vec<f64> {
+pub fn surface(times: &[f64]) -> Vec<f64> {
     let mut cells = [0.0_f64; CELLS];
     let dt = STEP * WIDTH * WIDTH;
     let mut time = 0.0;
@@ -26,16 +26,4 @@ pub(super) fn surface(times: &[f64]) -> Vec<f64> {
         seen.push(cells[0] + 0.5 * WIDTH);
     }
     seen
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn the_surface_follows_the_closed_form() {
-        let times = [0.25, 1.0];
-        for (time, ours) in times.into_iter().zip(super::surface(&times)) {
-            let exact = 2.0 * f64::sqrt(time / std::f64::consts::PI);
-            assert!((ours / exact - 1.0).abs() < 3e-3, "{time}: {ours} {exact}");
-        }
-    }
 }

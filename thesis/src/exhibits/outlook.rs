@@ -1,8 +1,8 @@
 //! Section 5.2: the questions of the outlook on contact torques in nano-powders.
 
 mod claims;
-mod map;
-mod table;
+pub mod map;
+pub mod table;
 
 use crate::exhibit::Exhibit;
 use crate::runs::{Effort, Runs};

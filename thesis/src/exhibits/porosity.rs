@@ -11,7 +11,7 @@ use crate::text::Text;
 use anyhow::Result;
 use std::sync::Arc;
 use tribos::powder::PowderStopReason;
-use tribos::powder::deposit::curve::statistics;
+use tribos::statistics::statistics;
 use tribos_report::drawing_grid::DrawingGrid;
 use tribos_report::figure::Axis;
 use tribos_report::surface::Surface;

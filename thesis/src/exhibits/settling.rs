@@ -5,6 +5,7 @@ use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
 use std::f64::consts::PI;
+use tribos::bracket::Bracket;
 use tribos::powder::PowderStopReason;
 use tribos::scene::BlockedCriterion;
 use tribos_report::claim::Claim;
@@ -40,12 +41,12 @@ const TORQUES: [f64; 2] = [0.3, 0.3];
 const MOST_STEPS: u64 = 20_000;
 
 /// Attraction of two rough grains, in N: of an asperity to a flat, or of smooth grains if they are smaller.
-fn attraction(diameter: f64) -> f64 {
+pub fn attraction(diameter: f64) -> f64 {
     HAMAKER * ASPERITY.min(0.25 * diameter) / (6.0 * CLOSEST * CLOSEST)
 }
 
 /// Weight of a grain, in N.
-fn weight(diameter: f64) -> f64 {
+pub fn weight(diameter: f64) -> f64 {
     PI / 6.0 * diameter.powi(3) * DENSITY * GRAVITY
 }
 
@@ -215,28 +216,7 @@ fn force_claims() -> Vec<Claim> {
 }
 
 /// Zero of a function that falls.
-fn bisect([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if of(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn attractions_are_those_of_hamaker() {
-        // python3: 1e-19*1e-7/(6*0.165e-9**2), and 1e-19*5e-8/(12*0.165e-9**2) of two smooth spheres of 100 nm.
-        assert!((attraction(1e-4) / 6.121824e-8 - 1.0).abs() < 1e-6);
-        assert!((attraction(1e-7) / 1.530456e-8 - 1.0).abs() < 1e-6);
-        // (π/6) 2650·9.81·10⁻¹² at 100 µm.
-        assert!((weight(1e-4) / 1.361174e-8 - 1.0).abs() < 1e-5);
-    }
+fn bisect([low, high]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
+    let has_fallen = |x: f64| of(x) <= 0.0;
+    Bracket::new(low, high).halved(60, has_fallen).middle()
 }

@@ -7,8 +7,8 @@ use crate::text::Text;
 use anyhow::Result;
 use std::sync::Arc;
 use tribos::powder::PowderStopReason;
-use tribos::powder::deposit::curve::straight_line;
 use tribos::scene::{BlockedCriterion, SweepMethod, SweepStop};
+use tribos::statistics::straight_line;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Panels, ReferenceLine, Series};
 

@@ -4,7 +4,7 @@ use crate::exhibit::Exhibit;
 use crate::runs::{Effort, Runs};
 use crate::text::Text;
 use anyhow::Result;
-use tribos::powder::deposit::curve::straight_line;
+use tribos::statistics::straight_line;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Panels, ReferenceLine, Series};
 use tribos_trials::{Ball, Column, Cooling, Method, Slope, Trial, TrialResult, run};

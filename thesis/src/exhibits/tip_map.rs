@@ -6,6 +6,7 @@ use crate::runs::{Effort, Runs};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::scene::{DrivenHold, TipScene};
+use tribos::statistics::mean as mean_of;
 use tribos::tip::Reversal;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Panels, Series};
@@ -177,7 +178,7 @@ fn claims(cells: &[Cell]) -> Vec<Claim> {
     let map: Vec<String> = cells.iter().map(words).collect();
     let mean = |is_of: &dyn Fn(&&Cell) -> bool| {
         let of: Vec<f64> = cells.iter().filter(is_of).map(Cell::strength).collect();
-        of.iter().sum::<f64>() / of.len() as f64
+        mean_of(&of)
     };
     let most = |number: fn(&Cell) -> f64| cells.iter().map(number).fold(0.0, f64::max);
     let (load, heat) = (most(|cell| cell.load), most(|cell| cell.temperature));

@@ -1,11 +1,12 @@
 //! Section 5.3: tips of copper, as in the simulations of others.
 
-use super::tip_runs::{Row, RunResult, SEEDS, STROKES, all, mean_and_error};
+use super::tip_runs::{Row, RunResult, SEEDS, STROKES, all};
 use crate::exhibit::Exhibit;
 use crate::runs::{Effort, Runs};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::scene::{DriveKind, DrivenHold, TipScene};
+use tribos::statistics::mean_and_error;
 use tribos::tip::{CrystalFace, SlidingSummary, TipPotential};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Panels, Series};

@@ -73,14 +73,6 @@ pub(super) fn all(runs: &Runs, rows: &[Row]) -> Result<Vec<Vec<RunResult>>> {
         .collect()
 }
 
-/// Mean and standard error.
-pub(super) fn mean_and_error(values: &[f64]) -> [f64; 2] {
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let square: f64 = values.iter().map(|x| (x - mean) * (x - mean)).sum();
-    [mean, (square / (count * (count - 1.0))).sqrt()]
-}
-
 /// A straight line by least squares.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {

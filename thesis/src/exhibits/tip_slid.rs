@@ -1,10 +1,11 @@
 //! Section 5.3: the experiments with the atomic force microscope, on the slid tip.
 
-use super::tip_runs::{Line, Row, RunResult, SEEDS, all, mean_and_error, slid};
+use super::tip_runs::{Line, Row, RunResult, SEEDS, all, slid};
 use crate::exhibit::Exhibit;
 use crate::runs::{Effort, Runs};
 use crate::text::Text;
 use anyhow::Result;
+use tribos::statistics::mean_and_error;
 use tribos::tip::SlidingSummary;
 use tribos_report::claim::{Claim, MismatchMeaning};
 use tribos_report::figure::{Axis, Figure, Panels, Series};

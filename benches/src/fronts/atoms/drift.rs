@@ -115,38 +115,28 @@ pub fn order(runs: &[Run], shift: &str) -> f64 {
 pub fn sheet(runs: &[Run], is_quick: bool) -> Sheet {
     let looks = if is_quick { QUICK_LOOKS } else { LOOKS };
     let atoms = 4 * CUBES.pow(3);
-    let row = |run: &Run| {
-        vec![
-            run.shift.into(),
-            run.time_step.to_string(),
-            short(atoms as f64 / run.time_step),
-            short(run.rms),
-            short(run.drift),
-            short(run.drift_error),
-            short(run.temperature),
-        ]
-    };
-    let rows = SHIFTS.iter().flat_map(|&(shift, _)| {
-        let of = runs.iter().filter(move |run| run.shift == shift);
-        of.map(row)
-    });
-    Sheet {
-        about: format!(
+    let rows = SHIFTS
+        .iter()
+        .flat_map(|&(shift, _)| runs.iter().filter(move |run| run.shift == shift));
+    Sheet::of(
+        format!(
             "Energy of an atom of {atoms} in a melt over a time of {}: fluctuation about the nearest \
              straight line, and its slope",
             looks as f64 * BETWEEN
         ),
-        header: vec![
-            "cut-off",
-            "dt",
-            "atom-steps per time",
-            "rms fluctuation",
-            "drift per time",
-            "error of the drift",
-            "temperature",
+        rows,
+        &[
+            ("cut-off", &|run| run.shift.into()),
+            ("dt", &|run| run.time_step.to_string()),
+            ("atom-steps per time", &|run| {
+                short(atoms as f64 / run.time_step)
+            }),
+            ("rms fluctuation", &|run| short(run.rms)),
+            ("drift per time", &|run| short(run.drift)),
+            ("error of the drift", &|run| short(run.drift_error)),
+            ("temperature", &|run| short(run.temperature)),
         ],
-        rows: rows.collect(),
-    }
+    )
 }
 
 #[cfg(test)]

@@ -115,39 +115,28 @@ fn line(rows: &[Row]) -> String {
 /// The table of the front.
 fn sheet(rows: &[Row], rounds: usize) -> Sheet {
     let told = |value: Option<f64>| value.map_or("-".into(), short);
-    let cells = |row: &Row| {
+    let fewer = |row: &Row| {
         let [one, batch] = row.counts.0;
-        let fewer = batch.zip(one).map(|(batch, one)| batch / one);
-        vec![
-            row.label.name.into(),
-            row.label.alpha.to_string(),
-            row.label.precision.into(),
-            told(row.nanoseconds[0]),
-            told(row.nanoseconds[1]),
-            told(row.ratio),
-            told(one),
-            told(batch),
-            told(fewer),
-        ]
+        batch.zip(one).map(|(batch, one)| batch / one)
     };
-    Sheet {
-        about: format!(
+    Sheet::of(
+        format!(
             "Calls one by one and one call for all: median of {rounds} interleaved rounds; instructions \
              of x86-64 by callgrind, all of them a call or an element"
         ),
-        header: vec![
-            "call",
-            "alpha",
-            "type",
-            "ns one by one",
-            "ns batch",
-            "batch / one",
-            "instructions one by one",
-            "instructions batch",
-            "batch / one (instructions)",
+        rows,
+        &[
+            ("call", &|row| row.label.name.into()),
+            ("alpha", &|row| row.label.alpha.to_string()),
+            ("type", &|row| row.label.precision.into()),
+            ("ns one by one", &|row| told(row.nanoseconds[0])),
+            ("ns batch", &|row| told(row.nanoseconds[1])),
+            ("batch / one", &|row| told(row.ratio)),
+            ("instructions one by one", &|row| told(row.counts.0[0])),
+            ("instructions batch", &|row| told(row.counts.0[1])),
+            ("batch / one (instructions)", &|row| told(fewer(row))),
         ],
-        rows: rows.iter().map(cells).collect(),
-    }
+    )
 }
 
 /// Nanoseconds of calls and batches, an item a place.

@@ -269,49 +269,34 @@ fn sweep<R: tribos_core::Real>(contact: &mut Contact<R, CoulombDisk>, single: bo
 
 /// The table of the front.
 fn sheet(rows: &[Row], rounds: usize) -> Sheet {
-    let cells = |row: &Row| {
-        let Row {
-            method,
-            nanoseconds,
-            errors,
-            instructions,
-        } = row;
-        let counted = |count: Option<u64>| count.map_or("-".into(), |count| count.to_string());
-        // Absolute errors have a scale of their own for every other exponent.
-        let absolute = |error| {
-            if method.alpha == 0.0 {
-                short(error)
-            } else {
-                "-".into()
-            }
-        };
-        vec![
-            method.name.clone(),
-            method.kind.name().into(),
-            method.precision().into(),
-            method.alpha.to_string(),
-            short(*nanoseconds),
-            counted(instructions[0]),
-            counted(instructions[1]),
-            short(errors.relative_force),
-            short(errors.relative_torque),
-            absolute(errors.absolute_force),
-            absolute(errors.absolute_torque),
-        ]
+    let counted = |count: Option<u64>| count.map_or("-".into(), |count| count.to_string());
+    // Absolute errors have a scale of their own for every other exponent.
+    let absolute = |row: &Row, error: f64| match row.method.alpha {
+        0.0 => short(error),
+        _ => "-".into(),
     };
-    Sheet {
-        about: format!(
+    Sheet::of(
+        format!(
             "Force and torque of the uniform disk: median of {rounds} interleaved rounds and \
              largest errors over the mix of 3800 velocity ratios (integration: every 100th); M4F and \
              M0: mean instructions of a call over the 256 inputs of the firmware front, - where not \
              counted"
         ),
-        header: vec![
-            "method", "kind", "type", "alpha", "ns", "M4F", "M0", "rel F", "rel T", "abs F",
-            "abs T/T0",
+        rows,
+        &[
+            ("method", &|row| row.method.name.clone()),
+            ("kind", &|row| row.method.kind.name().into()),
+            ("type", &|row| row.method.precision().into()),
+            ("alpha", &|row| row.method.alpha.to_string()),
+            ("ns", &|row| short(row.nanoseconds)),
+            ("M4F", &|row| counted(row.instructions[0])),
+            ("M0", &|row| counted(row.instructions[1])),
+            ("rel F", &|row| short(row.errors.relative_force)),
+            ("rel T", &|row| short(row.errors.relative_torque)),
+            ("abs F", &|row| absolute(row, row.errors.absolute_force)),
+            ("abs T/T0", &|row| absolute(row, row.errors.absolute_torque)),
         ],
-        rows: rows.iter().map(cells).collect(),
-    }
+    )
 }
 
 /// The ratios that matter, each the median of the rounds' own ratios.

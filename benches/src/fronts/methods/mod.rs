@@ -127,37 +127,28 @@ fn sheet(case: &Case, rows: &[Row]) -> Sheet {
 
 /// All trials in one table.
 fn whole(all: &[MethodScore]) -> Sheet {
-    let lines = all.iter().flat_map(|MethodScore { case, rows }| {
-        rows.iter().flat_map(move |row| {
-            let quantities = case.trial.quantities().iter().zip(&row.errors);
-            quantities.map(move |(quantity, error)| {
-                vec![
-                    case.stem.into(),
-                    row.method.name().into(),
-                    row.method.to_string(),
-                    (*quantity).into(),
-                    format!("{error:e}"),
-                    format!("{:e}", row.updates),
-                    format!("{:e}", row.seconds),
-                    format!("{:.4}", ratio(case, rows, row)),
-                ]
-            })
+    let lines = all.iter().flat_map(|score| {
+        score.rows.iter().flat_map(move |row| {
+            let quantities = score.case.trial.quantities().iter().zip(&row.errors);
+            quantities.map(move |(quantity, error)| (score, row, *quantity, *error))
         })
     });
-    Sheet {
-        about: "Events, contact dynamics and soft particles against known answers".into(),
-        header: vec![
-            "trial",
-            "method",
-            "parameters",
-            "quantity",
-            "error",
-            "updates",
-            "cpu_s",
-            "x",
+    Sheet::of(
+        "Events, contact dynamics and soft particles against known answers",
+        lines,
+        &[
+            ("trial", &|(score, ..)| score.case.stem.into()),
+            ("method", &|(_, row, ..)| row.method.name().into()),
+            ("parameters", &|(_, row, ..)| row.method.to_string()),
+            ("quantity", &|(.., quantity, _)| (*quantity).into()),
+            ("error", &|(.., error)| format!("{error:e}")),
+            ("updates", &|(_, row, ..)| format!("{:e}", row.updates)),
+            ("cpu_s", &|(_, row, ..)| format!("{:e}", row.seconds)),
+            ("x", &|(score, row, ..)| {
+                format!("{:.4}", ratio(&score.case, &score.rows, row))
+            }),
         ],
-        rows: lines.collect(),
-    }
+    )
 }
 
 /// Error over time, a panel a trial.

@@ -138,43 +138,37 @@ pub fn solvers(all: &[SolverScore]) -> Vec<String> {
 
 /// Everything that the search of Siconos' solvers found.
 pub fn search(all: &[SolverScore]) -> Sheet {
-    let row = |judged: &SolverScore, trial: &Trial| {
-        let [ending, time, residual] = match trial.outcome {
-            Outcome::Solved(answer) => [
-                "solved".into(),
-                milliseconds(answer.seconds),
-                short(answer.residual),
-            ],
-            Outcome::Above(residual) => ["above".into(), String::new(), short(residual)],
-            Outcome::OutOfTime => ["out of time".into(), String::new(), String::new()],
-            Outcome::Crashed => ["crashed".into(), String::new(), String::new()],
-        };
-        vec![
-            judged.case.name.clone(),
-            trial.job.solver.clone(),
-            trial.job.storage.name().into(),
-            format!("{:.0e}", trial.job.tolerance),
-            ending,
-            time,
-            residual,
-        ]
-    };
     let rows = all
         .iter()
-        .flat_map(|judged| judged.theirs.iter().map(move |trial| row(judged, trial)));
-    Sheet {
-        about: "Siconos' solvers: their own tolerance, and time in ms".into(),
-        header: vec![
-            "problem",
-            "solver",
-            "storage",
-            "tolerance",
-            "ending",
-            "time",
-            "residual",
+        .flat_map(|judged| judged.theirs.iter().map(move |trial| (judged, trial)));
+    let ending = |trial: &Trial| match trial.outcome {
+        Outcome::Solved(_) => "solved",
+        Outcome::Above(_) => "above",
+        Outcome::OutOfTime => "out of time",
+        Outcome::Crashed => "crashed",
+    };
+    let residual = |trial: &Trial| match trial.outcome {
+        Outcome::Solved(answer) => short(answer.residual),
+        Outcome::Above(residual) => short(residual),
+        Outcome::OutOfTime | Outcome::Crashed => String::new(),
+    };
+    Sheet::of(
+        "Siconos' solvers: their own tolerance, and time in ms",
+        rows,
+        &[
+            ("problem", &|(judged, _)| judged.case.name.clone()),
+            ("solver", &|(_, trial)| trial.job.solver.clone()),
+            ("storage", &|(_, trial)| trial.job.storage.name().into()),
+            ("tolerance", &|(_, trial)| {
+                format!("{:.0e}", trial.job.tolerance)
+            }),
+            ("ending", &|(_, trial)| ending(trial).into()),
+            ("time", &|(_, trial)| {
+                trial.seconds().map_or(String::new(), milliseconds)
+            }),
+            ("residual", &|(_, trial)| residual(trial)),
         ],
-        rows: rows.collect(),
-    }
+    )
 }
 
 /// Summary of the front.

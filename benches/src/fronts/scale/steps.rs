@@ -107,48 +107,41 @@ fn resident() -> Option<f64> {
 
 /// A row for each size.
 pub fn sheet(splits: &[Split]) -> Sheet {
-    let cells = |split: &Split| {
-        let spheres = split.spheres as f64;
-        let a_sphere = |seconds: f64| short(1e9 * seconds / spheres);
-        let a_contact = |seconds: f64| short(1e9 * seconds / split.contacts as f64);
-        let [sweeps, rest, lists] = split.shares().map(|share| short(100.0 * share));
-        vec![
-            split.spheres.to_string(),
-            split.contacts.to_string(),
-            short(split.growth),
-            a_sphere(split.growth),
-            a_sphere(split.sorting),
-            a_sphere(split.list),
-            a_contact(split.sweep),
-            a_contact(split.rest),
-            sweeps,
-            rest,
-            lists,
-            split
-                .bytes
-                .map_or("-".into(), |bytes| short(bytes / spheres)),
-        ]
+    let a_sphere = |split: &Split, seconds: f64| short(1e9 * seconds / split.spheres as f64);
+    let a_contact = |split: &Split, seconds: f64| short(1e9 * seconds / split.contacts as f64);
+    let share = |split: &Split, part: usize| short(100.0 * split.shares()[part]);
+    let bytes = |split: &&Split| {
+        let bytes = split.bytes.map(|bytes| short(bytes / split.spheres as f64));
+        bytes.unwrap_or("-".into())
     };
-    Sheet {
-        about: format!(
+    Sheet::of(
+        format!(
             "Steps of the same deposits with all six modes along the curve, by the processor's time on one \
              thread: shares of a step of {USUAL} sweeps with a new list every {STEPS} steps, as often as a \
              list can be renewed; memory of a world with its neighbours and contacts"
         ),
-        header: vec![
-            "spheres",
-            "contacts",
-            "growth [s]",
-            "growth [ns a sphere]",
-            "sorting [ns a sphere]",
-            "list [ns a sphere]",
-            "sweep [ns a contact]",
-            "rest of a step [ns a contact]",
-            "sweeps [%]",
-            "rest [%]",
-            "lists [%]",
-            "bytes a sphere",
+        splits,
+        &[
+            ("spheres", &|split| split.spheres.to_string()),
+            ("contacts", &|split| split.contacts.to_string()),
+            ("growth [s]", &|split| short(split.growth)),
+            ("growth [ns a sphere]", &|split| {
+                a_sphere(split, split.growth)
+            }),
+            ("sorting [ns a sphere]", &|split| {
+                a_sphere(split, split.sorting)
+            }),
+            ("list [ns a sphere]", &|split| a_sphere(split, split.list)),
+            ("sweep [ns a contact]", &|split| {
+                a_contact(split, split.sweep)
+            }),
+            ("rest of a step [ns a contact]", &|split| {
+                a_contact(split, split.rest)
+            }),
+            ("sweeps [%]", &|split| share(split, 0)),
+            ("rest [%]", &|split| share(split, 1)),
+            ("lists [%]", &|split| share(split, 2)),
+            ("bytes a sphere", &bytes),
         ],
-        rows: splits.iter().map(cells).collect(),
-    }
+    )
 }

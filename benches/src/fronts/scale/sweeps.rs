@@ -160,43 +160,30 @@ pub fn weak(points: &[Point], point: &Point) -> Option<f64> {
 /// A row for each problem and way.
 pub fn sheet(points: &[Point], rounds: usize) -> Sheet {
     let million = |seconds: f64| short(1e-6 / seconds);
-    let cells = |point: &Point| {
-        vec![
-            point.modes.into(),
-            point.spheres.to_string(),
-            point.order.name().into(),
-            point.way.into(),
-            point.contacts.to_string(),
-            million(point.processor),
-            million(point.day[0]),
-            million(point.day[1]),
-            short(point.speedup()),
-            weak(points, point).map_or("-".into(), short),
-            point.bytes.to_string(),
-        ]
-    };
     let [_, threads] = THREADS;
-    Sheet {
-        about: format!(
+    Sheet::of(
+        format!(
             "Sweeps of shaken cohesive deposits, {SWEEPS} from zero impulses, {rounds} rounds: million \
              contacts a second by the processor's time on one thread (median), then by the time of day on \
              one and on {threads} threads (best; other work on the machine shows); strong: speed on {threads} \
              threads over one; weak: speed on {threads} threads of a deposit {threads} times as large over \
              {threads} times that on one"
         ),
-        header: vec![
-            "modes",
-            "spheres",
-            "order",
-            "way",
-            "contacts",
-            "million/s (processor)",
-            "million/s (1 thread)",
-            "million/s (2 threads)",
-            "strong",
-            "weak",
-            "bytes a contact",
+        points,
+        &[
+            ("modes", &|point| point.modes.into()),
+            ("spheres", &|point| point.spheres.to_string()),
+            ("order", &|point| point.order.name().into()),
+            ("way", &|point| point.way.into()),
+            ("contacts", &|point| point.contacts.to_string()),
+            ("million/s (processor)", &|point| million(point.processor)),
+            ("million/s (1 thread)", &|point| million(point.day[0])),
+            ("million/s (2 threads)", &|point| million(point.day[1])),
+            ("strong", &|point| short(point.speedup())),
+            ("weak", &|point| {
+                weak(points, point).map_or("-".into(), short)
+            }),
+            ("bytes a contact", &|point| point.bytes.to_string()),
         ],
-        rows: points.iter().map(cells).collect(),
-    }
+    )
 }

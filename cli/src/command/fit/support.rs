@@ -1,12 +1,12 @@
 //! `tribos fit --support`: the pressure under a foot from measured pushes.
 
-use crate::command::columns::Rows;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::Path;
 use tribos::fit::support::{MeasuredPush, MeasuredPushError, SupportFit, fit_support};
 use tribos::friction::Patch;
+use tribos::record::Rows;
 use tribos::record::{write_atomically, write_series};
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_core::twist::{Twist, Wrench};

@@ -1,9 +1,9 @@
 //! Measurements from a CSV file.
 
-use crate::command::columns::Rows;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::fit::{DataError, FitError, Measurements, Motion};
+use tribos::record::{Rows, TableError};
 
 /// The measurements of a file.
 #[derive(Debug)]
@@ -29,7 +29,7 @@ impl Table {
     /// Reads `v,f` or `t,v,f`, either with `sigma`; friction is divided by the load.
     pub fn read(path: &Path, load: Option<f64>) -> Result<Self, Failure> {
         let mut names: &[&str] = HEADERS[0];
-        let explained = |failure: Failure| Failure::input(format!("{failure} {EXPECTED}"));
+        let explained = |failure: TableError| Failure::input(format!("{failure} {EXPECTED}"));
         let mut rows = Rows::open(path, |header| {
             let [is_record, has_sigma] = ["t", "sigma"].map(|name| header.contains(&name));
             names = HEADERS[2 * usize::from(is_record) + usize::from(has_sigma)];

@@ -6,8 +6,8 @@ use super::refusal;
 use crate::command::bodies::RunKind;
 use crate::command::digits::shown;
 use serde_json::Value;
-use tribos::powder::deposit::curve::statistics;
 use tribos::results::SweptQuantity;
+use tribos::statistics::statistics;
 
 /// A line a combination.
 #[derive(Debug)]

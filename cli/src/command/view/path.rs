@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
 use tribos::friction::FlatPatch;
-use tribos::record::read_text;
+use tribos::record::{OtherColumns, Rows, TableError, read_text};
 use tribos::run::folder::Manifest;
 use tribos::scene::{Key, vocabulary};
 use tribos::slide::planar::{Plate, Resistance};
@@ -19,6 +19,10 @@ const BAND: f64 = 0.065;
 
 /// Bytes of a series at most: a million lines have some 200 MB.
 const MOST_BYTES: u64 = 1 << 30;
+
+/// What a film needs of the series of a body that turns aside, and of one that goes straight on.
+const CURVED: [&str; 7] = ["time", "angle", "spin", "x", "y", "vx", "vy"];
+const STRAIGHT: [&str; 5] = ["time", "angle", "spin", "distance", "speed"];
 
 /// The film of a run.
 pub fn film(folder: &Path, scene: &Value, run: &Manifest) -> Result<Film, Failure> {
@@ -129,29 +133,27 @@ pub fn rows(file: &Path, run: &Manifest) -> Result<Vec<Row>, Failure> {
     if !run.is_of("series.csv", text.as_bytes()) {
         return Err(named(&"changed after the run of this folder"));
     }
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let head = reader.headers().map_err(|error| named(&error))?.clone();
-    let column = |name: &str| head.iter().position(|column| column == name);
-    let [time, angle, spin] = ["time", "angle", "spin"].map(column);
-    let curved = ["x", "y", "vx", "vy"].map(column);
-    let straight = ["distance", "speed"].map(column);
-    let mut rows = Vec::new();
-    for line in reader.records() {
-        let line = line.map_err(|error| named(&error))?;
-        let cell = |column: Option<usize>| {
-            let text = line.get(column?)?;
-            text.parse::<f64>().ok().filter(|value| value.is_finite())
+    let is_curved = text
+        .lines()
+        .next()
+        .is_some_and(|head| head.split(',').any(|name| name == "vx"));
+    let names = if is_curved { &CURVED[..] } else { &STRAIGHT };
+    let broken = |error: TableError| Failure::input(format!("{error}; run the scene again"));
+    let mut table =
+        Rows::of(file, text.as_bytes(), OtherColumns::Ignored, |_| names).map_err(broken)?;
+    let (mut rows, mut row) = (Vec::new(), [0.0; CURVED.len()]);
+    while table
+        .next(&mut row[..names.len()])
+        .map_err(broken)?
+        .is_some()
+    {
+        let [time, angle, spin, x, y, vx, vy] = row;
+        let [x, y, vx, vy] = if is_curved {
+            [x, y, vx, vy]
+        } else {
+            [x, 0.0, y, 0.0]
         };
-        let row = || -> Option<Row> {
-            let (time, angle, spin) = (cell(time)?, cell(angle)?, cell(spin)?);
-            let [x, y, vx, vy] = match curved.map(cell) {
-                [Some(x), Some(y), Some(vx), Some(vy)] => [x, y, vx, vy],
-                _ => [cell(straight[0])?, 0.0, cell(straight[1])?, 0.0],
-            };
-            Some([time, x, y, angle, vx.hypot(vy), spin, vx, vy])
-        };
-        let place = line.position().map_or(0, csv::Position::line);
-        rows.push(row().ok_or_else(|| named(&format!("line {place} is not of a path")))?);
+        rows.push([time, x, y, angle, vx.hypot(vy), spin, vx, vy]);
     }
     Ok(rows)
 }

@@ -1,13 +1,13 @@
 //! A contact as the command line describes it, ready to be evaluated.
 
 use super::extended_range::ExtendedRange;
-use crate::command::columns;
 use crate::command::number::in_range;
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::friction::{
     AnyFriction, AnyLaw, Evaluation, Law, OwnedNodes, Patch, Precision, Tier, pressure_nodes,
 };
+use tribos::record::Rows;
 use tribos_core::Real;
 use tribos_core::coupling::RoundFriction;
 use tribos_core::coupling::nodes::NodeFriction;
@@ -218,7 +218,7 @@ pub(super) fn points<R: Real>(
     path: &Path,
     lean: &impl Fn(R) -> R,
 ) -> Result<Vec<Node<R>>, Failure> {
-    let rows = columns::read(path, &["x", "y", "weight"])?;
+    let rows = Rows::open(path, |_| &["x", "y", "weight"])?.all::<3>(usize::MAX)?;
     let name = path.display();
     // Only ratios of the weights count: the largest one is brought to order 1, to the bit.
     let heaviest = rows.iter().fold(0.0, |most: f64, row| most.max(row[2]));

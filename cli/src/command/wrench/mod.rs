@@ -7,7 +7,6 @@ mod given;
 mod output;
 mod planar;
 
-use super::columns::Rows;
 use super::{file, number, spool};
 use crate::failure::Failure;
 use contact::{Contact, Request, Resistance};
@@ -18,6 +17,7 @@ use output::{Fields, Format, Line};
 pub use planar::centre;
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Law, Patch, Precision, Tier};
+use tribos::record::Rows;
 use tribos::record::write_atomically;
 
 /// Friction force and torque of a contact under the local law `coefficient` * |v|^`alpha`, or

@@ -3,11 +3,11 @@
 use super::given::ContactParameter;
 use super::output::{Fields, Format};
 use super::{Arguments, contact, warn_of_beyond};
-use crate::command::columns::Rows;
 use crate::command::number::{self, in_range};
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::friction::{Area, AreaFriction, Law, Precision};
+use tribos::record::Rows;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
 const TWIST: [&str; 3] = ["velocity_x", "velocity_y", "spin"];

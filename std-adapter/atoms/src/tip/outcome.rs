@@ -7,6 +7,7 @@ use super::start::{Columns, EquilibriumCheck};
 use crate::tip::scene::{DriveKind, StageSteps, TipScene};
 use tribos_base::results::{Told::*, summary};
 use tribos_base::scene::words::words;
+use tribos_base::statistics::mean_and_error;
 
 /// Column of the driven layers' angle.
 const ANGLE: usize = 1;
@@ -248,19 +249,10 @@ fn means(series: &[Vec<f64>], from: f64, to: f64, width: usize) -> Vec<f64> {
 
 /// Standard error of the mean potential energy over an interval of time, with lines treated as independent.
 fn standard_error(series: &[Vec<f64>], from: f64, to: f64) -> f64 {
-    let within = |line: &&Vec<f64>| line[0] >= from && line[0] <= to;
-    let energies: Vec<f64> = series
+    let within = series
         .iter()
-        .filter(within)
-        .map(|line| line[POTENTIAL])
-        .collect();
-    let count = energies.len() as f64;
-    let mean = energies.iter().sum::<f64>() / count;
-    let square: f64 = energies
-        .iter()
-        .map(|energy| (energy - mean) * (energy - mean))
-        .sum();
-    (square / (count * (count - 1.0))).sqrt()
+        .filter(|line| line[0] >= from && line[0] <= to);
+    mean_and_error(&within.map(|line| line[POTENTIAL]).collect::<Vec<_>>())[1]
 }
 
 /// Interfaces across which the angles differ; the substrate has angle 0.

@@ -1,6 +1,7 @@
 //! How well the tip is in equilibrium at the moment the drive begins.
 
 use tribos_base::results::summary;
+use tribos_base::statistics;
 
 summary! {
     /// The tip before the drive: means over the last 20 τ of the first stage, closer to its start if it
@@ -102,14 +103,12 @@ fn values<'a>(lines: &'a [&[f64]], column: usize) -> impl Iterator<Item = f64> +
 }
 
 fn mean(lines: &[&[f64]], column: usize) -> f64 {
-    values(lines, column).sum::<f64>() / lines.len() as f64
+    statistics::mean(&values(lines, column).collect::<Vec<_>>())
 }
 
 /// Standard error of a mean of independent numbers.
 fn standard_error(lines: &[&[f64]], column: usize) -> f64 {
-    let (count, mean) = (lines.len() as f64, mean(lines, column));
-    let square: f64 = values(lines, column).map(|x| (x - mean) * (x - mean)).sum();
-    (square / (count * (count - 1.0))).sqrt()
+    statistics::mean_and_error(&values(lines, column).collect::<Vec<_>>())[1]
 }
 
 /// Slope of the straight line of least squares against the time.

@@ -5,11 +5,13 @@ mod atomic;
 pub mod checkpoint;
 #[doc(hidden)]
 pub mod frames;
+mod lines;
 mod number;
 mod read;
 mod seal;
 mod series;
 mod snapshot;
+mod table;
 mod target;
 #[doc(hidden)]
 pub mod trajectory;
@@ -36,6 +38,8 @@ pub use seal::{digest, verified, with_digest};
 pub use series::{series_csv, write_series};
 #[doc(hidden)]
 pub use snapshot::{ContactRow, Partner, Snapshot, SnapshotError};
+#[doc(hidden)]
+pub use table::{OtherColumns, Rows, TableError};
 #[doc(hidden)]
 pub use vtk::{contacts_vtp, particles_vtp};
 #[doc(hidden)]

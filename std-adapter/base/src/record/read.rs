@@ -76,6 +76,12 @@ pub fn read_text(path: &Path, most: u64) -> Result<String, ReadError> {
     read_text_from(&mut File::open(path)?, most)
 }
 
+/// What unpacks a compressed file that begins with these bytes.
+pub(super) fn packer(bytes: &[u8]) -> Option<&'static str> {
+    let known = COMPRESSED.iter().find(|(head, _)| bytes.starts_with(head));
+    known.map(|(_, cure)| *cure)
+}
+
 /// As [`read_text`], from an open source.
 fn read_text_from(source: &mut impl Read, most: u64) -> Result<String, ReadError> {
     let mut bytes = Vec::new();
@@ -86,7 +92,7 @@ fn read_text_from(source: &mut impl Read, most: u64) -> Result<String, ReadError
             break;
         }
         if before == 0
-            && let Some((_, cure)) = COMPRESSED.iter().find(|(head, _)| bytes.starts_with(head))
+            && let Some(cure) = packer(&bytes)
         {
             return Err(ReadError::Compressed(cure));
         }

@@ -55,6 +55,18 @@ pub fn number_hint(text: &str) -> Option<String> {
         .then(|| "numbers carry no units".into())
 }
 
+/// A finite number, or why a text is none and what to write instead.
+pub fn finite_number(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(x) if x.is_finite() => Ok(x),
+        Ok(x) => Err(format!("give a finite number, not {x}")),
+        Err(_) => Err(match number_hint(text) {
+            Some(hint) => format!("got {}; {hint}", text.trim()),
+            None => "give a number such as 0.5 or 1e-3".into(),
+        }),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -16,6 +16,8 @@ pub mod reader;
 pub mod table;
 pub mod words;
 
+#[doc(hidden)]
+pub use hint::finite_number;
 pub use hint::{nearest, number_hint};
 pub use key::{BODY, Domain, Form, Key, Need, present_name};
 pub use problem::{InvalidScene, SceneError, SceneProblem};

@@ -1,5 +1,6 @@
 //! Normal springs, the dashpots beside them, and the laws of a contact.
 
+use tribos_base::bracket::Bracket;
 use tribos_core::Real;
 use tribos_core::contact::Cohesion;
 
@@ -157,25 +158,17 @@ pub(super) fn duration(damping: f64) -> f64 {
 pub fn damping_ratio_of(coefficient: f64) -> f64 {
     // Restitution falls with ζ: an interval that brackets the answer, then bisection to the last bit.
     const MOST_HALVINGS: usize = 200;
-    let [mut low, mut high] = [0.0, 1.0];
-    while restitution_of(high) > coefficient && high < f64::MAX {
-        high *= 2.0;
-    }
     if coefficient >= 1.0 {
         return 0.0;
     }
-    for _ in 0..MOST_HALVINGS {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if restitution_of(middle) > coefficient {
-            low = middle;
-        } else {
-            high = middle;
-        }
+    let mut high = 1.0;
+    while restitution_of(high) > coefficient && high < f64::MAX {
+        high *= 2.0;
     }
-    high
+    let is_damped = |ratio: f64| restitution_of(ratio) <= coefficient;
+    Bracket::new(0.0, high)
+        .halved(MOST_HALVINGS, is_damped)
+        .high
 }
 
 /// Laws of a contact.

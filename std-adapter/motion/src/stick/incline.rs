@@ -11,6 +11,7 @@
 use super::StickError;
 use crate::motion_run::{MotionError, MotionRun, MotionScene};
 use crate::stick::scene::InclineScene;
+use tribos_base::bracket::Bracket;
 use tribos_base::results::{Quantity, Summary, Told::*, summary};
 use tribos_core::Real;
 use tribos_core::law::{RestTime, StaticAgeing};
@@ -121,7 +122,7 @@ const RULE: [[f64; 2]; 5] = [
 /// Largest turn, in rad, over which the rule is exact to rounding.
 const TURN: f64 = 0.1;
 /// Halvings that exhaust the digits of a time.
-const HALVINGS: u32 = 200;
+const HALVINGS: usize = 200;
 
 impl<'a> InclineProblem<'a> {
     fn new(scene: &'a InclineScene) -> Result<Self, StickError> {
@@ -169,20 +170,13 @@ impl<'a> InclineProblem<'a> {
             let held = self.ageing.mu_static(RestTime { time }) * Real::cos(angle);
             Real::sin(angle) * self.gauge - held
         };
-        let mut high = self.time_of(self.scene.end_angle);
+        let high = self.time_of(self.scene.end_angle);
         if !(high.is_finite() && excess(high) > 0.0) {
             return f64::INFINITY;
         }
-        let mut low = self.scene.ageing_cutoff_time;
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if excess(middle) > 0.0 {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        high
+        let slips = |time: f64| excess(time) > 0.0;
+        let around = Bracket::new(self.scene.ageing_cutoff_time, high);
+        around.halved(HALVINGS, slips).high
     }
 
     fn acceleration(&self, angle: f64) -> f64 {

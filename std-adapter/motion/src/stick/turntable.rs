@@ -19,6 +19,7 @@ use crate::motion_run::{MotionError, MotionRun, MotionScene};
 use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
 use path::{SlideState, State};
+use tribos_base::bracket::Bracket;
 use tribos_base::results::{Quantity, Summary, Told::*, summary};
 use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
@@ -143,7 +144,7 @@ struct Table<'a> {
 }
 
 /// Halvings that exhaust the digits of a rate.
-const HALVINGS: u32 = 200;
+const HALVINGS: usize = 200;
 /// Doublings from 1 rad/s that reach every rate that a number can square.
 const DOUBLINGS: u32 = 500;
 
@@ -180,21 +181,15 @@ impl<'a> Table<'a> {
             let (time, rate) = (0.0, 0.0);
             return Some(SlipStart { time, rate });
         }
-        let (mut low, mut high) = (0.0, 1.0);
+        let mut high = 1.0;
         for _ in 0..DOUBLINGS {
             if self.gauge(high) > 1.0 {
                 break;
             }
             high *= 2.0;
         }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if self.gauge(middle) > 1.0 {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
+        let slips = |rate: f64| self.gauge(rate) > 1.0;
+        let high = Bracket::new(0.0, high).halved(HALVINGS, slips).high;
         let (rate, time) = (high, high / self.scene.table_angular_acceleration);
         (rate <= last).then_some(SlipStart { time, rate })
     }

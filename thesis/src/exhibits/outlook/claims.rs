@@ -9,6 +9,7 @@ use crate::exhibits::porosity::{ADDITIVITY, FLUCTUATION};
 use crate::runs::{Effort, Runs};
 use anyhow::Result;
 use tribos::scene::FrictionCoupling;
+use tribos::statistics::mean;
 use tribos_report::claim::Claim;
 
 /// The ratio of pressure to cohesion of the thesis.
@@ -165,7 +166,7 @@ fn of_pressure(map: &Map) -> Vec<Claim> {
 }
 
 fn mean_of(estimates: &[Estimate]) -> f64 {
-    estimates.iter().map(Estimate::mean).sum::<f64>() / estimates.len() as f64
+    mean(&estimates.iter().map(Estimate::mean).collect::<Vec<_>>())
 }
 
 /// Spheres of different size.

@@ -2,6 +2,7 @@
 
 use super::table::{CompactionParameters, Line};
 use tribos::scene::FrictionCoupling;
+use tribos::statistics::{mean, mean_and_error};
 
 /// Mean of some deposits, and what it is good to.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,14 +20,12 @@ const STUDENT_BEYOND: f64 = 2.228;
 
 impl Estimate {
     pub fn mean(&self) -> f64 {
-        self.values.iter().sum::<f64>() / self.values.len() as f64
+        mean(&self.values)
     }
 
     /// Standard error of the mean; NaN of less than two.
     pub fn error(&self) -> f64 {
-        let (count, mean) = (self.values.len() as f64, self.mean());
-        let square: f64 = self.values.iter().map(|x| (x - mean).powi(2)).sum();
-        (square / (count * (count - 1.0))).sqrt()
+        mean_and_error(&self.values)[1]
     }
 
     /// Half the width of the 95 % interval of the mean; NaN of less than two.
@@ -146,72 +145,5 @@ impl Map {
             values: ratios.collect(),
         };
         logarithms.mean().exp()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn line(seed: u64, corner: [f64; 2], coupling: FrictionCoupling, porosity: f64) -> Line {
-        Line {
-            made: CompactionParameters {
-                seed,
-                spread: 0.0,
-                pressure: 0.01,
-                corner,
-                coupling,
-            },
-            blocked: true,
-            porosity,
-            contacts: 1.0,
-            steps: 1.0,
-            unmet: 0.0,
-            sweeps: 2.0 * porosity,
-            pull: 0.0,
-            seconds: 1.0,
-        }
-    }
-
-    const CELL: (f64, f64) = (0.0, 0.01);
-
-    #[test]
-    fn sums_are_taken_deposit_by_deposit_and_leave_out_what_is_not_complete() {
-        let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
-        let mut lines = Vec::new();
-        // Deposits differ by 0.1, their excess does not.
-        for (seed, base) in [(1, 0.4), (2, 0.5)] {
-            for (corner, more) in corners.into_iter().zip([0.0, 0.1, 0.2, 0.28]) {
-                lines.push(line(
-                    seed,
-                    corner,
-                    FrictionCoupling::Independent,
-                    base + more,
-                ));
-            }
-        }
-        lines.push(line(3, [0.0, 0.0], FrictionCoupling::Independent, 0.9));
-        lines.push(line(2, [0.0, 1.0], FrictionCoupling::Exact, 0.3));
-        let map = Map::new(lines);
-        let excess = map.excess(CELL, FrictionCoupling::Independent);
-        assert_eq!(excess.values.len(), 2);
-        assert!((excess.mean() + 0.02).abs() < 1e-15 && excess.error() < 1e-15);
-        assert!(excess.differs_from_zero());
-        let coupled = map.coupled(CELL, [0.0, 1.0], FrictionCoupling::Exact);
-        assert_eq!(coupled.values.len(), 1);
-        assert!((coupled.mean() + 0.3).abs() < 1e-15 && coupled.error().is_nan());
-        assert!(!coupled.differs_from_zero());
-        assert!((map.cost(FrictionCoupling::Exact, |line| line.sweeps) - 0.5).abs() < 1e-15);
-    }
-
-    #[test]
-    fn intervals_are_students() {
-        // numpy: mean 0.3, standard error 0.1; scipy.stats.t.ppf(0.975, 2) = 4.302653.
-        let three = Estimate {
-            values: vec![0.3 - 0.1 * 3f64.sqrt(), 0.3, 0.3 + 0.1 * 3f64.sqrt()],
-        };
-        assert!((three.error() - 0.1).abs() < 1e-15);
-        assert!((three.half_width() - 0.4303).abs() < 1e-12);
-        assert!(!three.differs_from_zero());
     }
 }

@@ -1,8 +1,10 @@
 //! Runs behind section 5.2: a kept table, or runs of this report.
 
 use crate::runs::{Case, Run, Runs, System};
-use anyhow::{Context, Result, anyhow};
+use anyhow::Result;
+use std::path::Path;
 use tribos::powder::PowderStopReason;
+use tribos::record::{OtherColumns, Rows};
 use tribos::scene::{BlockedCriterion, FrictionCoupling};
 
 /// The kept table with the commands that made it.
@@ -76,7 +78,7 @@ impl CompactionParameters {
     }
 
     /// All that a full report makes.
-    fn all() -> Vec<Self> {
+    pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
         for seed in 1..=SEEDS {
             for (spread, pressure) in cells() {
@@ -153,89 +155,66 @@ pub fn kept() -> Result<Vec<Line>> {
     parse(KEPT)
 }
 
-/// Lines of a table with a head of columns; `#` begins a comment.
-fn parse(text: &str) -> Result<Vec<Line>> {
-    let mut lines = text
-        .lines()
-        .filter(|line| !line.starts_with('#') && !line.is_empty());
-    let columns: Vec<&str> = lines
-        .next()
-        .context("the table has no head")?
-        .split(',')
-        .collect();
-    lines
-        .map(|line| read(&columns, line).with_context(|| format!("in the line {line}")))
-        .collect()
-}
+/// Columns of the table that are numbers, then those that are words.
+const NUMBERS: usize = 12;
+const COLUMNS: [&str; NUMBERS + 2] = [
+    "seed",
+    "radius_spread",
+    "pressure",
+    "mu_rolling",
+    "mu_torsion",
+    "porosity_final",
+    "contacts",
+    "steps",
+    "steps_unmet",
+    "iterations_total",
+    "stress_zz_minus",
+    "wall_seconds",
+    "coupling",
+    "ending",
+];
 
-fn read(columns: &[&str], line: &str) -> Result<Line> {
-    let words: Vec<&str> = line.split(',').collect();
-    let word = |name: &str| {
-        let at = columns.iter().position(|column| *column == name);
-        let found = at.and_then(|at| words.get(at)).copied();
-        found.ok_or_else(|| anyhow!("no {name}"))
-    };
-    let number = |name: &str| Ok::<f64, anyhow::Error>(word(name)?.parse()?);
-    let coupling = word("coupling")?;
-    let coupling = COUPLINGS.into_iter().find(|&known| name(known) == coupling);
-    Ok(Line {
-        made: CompactionParameters {
-            seed: word("seed")?.parse()?,
-            spread: number("radius_spread")?,
-            pressure: number("pressure")?,
-            corner: [number("mu_rolling")?, number("mu_torsion")?],
-            coupling: coupling.context("unknown coupling")?,
-        },
-        blocked: word("ending")? == "blocked",
-        porosity: number("porosity_final")?,
-        contacts: number("contacts")?,
-        steps: number("steps")?,
-        unmet: number("steps_unmet")?,
-        sweeps: number("iterations_total")?,
-        pull: number("stress_zz_minus")?,
-        seconds: number("wall_seconds")?,
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_kept_run_is_one_of_the_map_and_there_once() -> Result<()> {
-        let lines = kept()?;
-        for (at, line) in lines.iter().enumerate() {
-            let CompactionParameters {
+/// Lines of a table with these columns among others.
+pub fn parse(text: &str) -> Result<Vec<Line>> {
+    let (file, others) = (Path::new("runs.csv"), OtherColumns::Ignored);
+    let mut rows = Rows::of(file, text.as_bytes(), others, |_| &COLUMNS)?;
+    let (mut lines, mut row) = (Vec::new(), [0.0; NUMBERS]);
+    while rows.next(&mut row)?.is_some() {
+        let [
+            seed,
+            spread,
+            pressure,
+            rolling,
+            torsion,
+            porosity,
+            contacts,
+            steps,
+            unmet,
+            sweeps,
+            pull,
+            seconds,
+        ] = row;
+        let [coupling, ending] = rows.words() else {
+            continue;
+        };
+        let known = COUPLINGS.into_iter().find(|&known| name(known) == coupling);
+        lines.push(Line {
+            made: CompactionParameters {
+                seed: seed as u64,
                 spread,
                 pressure,
-                corner,
-                coupling,
-                ..
-            } = line.made;
-            assert!(
-                SPREADS.contains(&spread) && PRESSURES.contains(&pressure),
-                "{:?}",
-                line.made
-            );
-            assert!(CORNERS.contains(&corner) && (0.0..1.0).contains(&line.porosity));
-            assert!(corner[1] > 0.0 || coupling == FrictionCoupling::Independent);
-            assert!(
-                lines[..at].iter().all(|other| other.made != line.made),
-                "{:?}",
-                line.made
-            );
-        }
-        Ok(())
+                corner: [rolling, torsion],
+                coupling: known.ok_or_else(|| rows.refusal("unknown coupling"))?,
+            },
+            blocked: ending == "blocked",
+            porosity,
+            contacts,
+            steps,
+            unmet,
+            sweeps,
+            pull,
+            seconds,
+        });
     }
-
-    #[test]
-    fn a_full_map_has_eight_runs_a_cell_and_seed() {
-        assert_eq!(CompactionParameters::all().len(), 5 * 24 * 8);
-    }
-
-    #[test]
-    fn a_table_without_a_column_is_refused() {
-        assert!(parse("seed,pressure\n1,0.01\n").is_err());
-        assert!(parse("# only a comment\n").is_err());
-    }
+    Ok(lines)
 }

@@ -4,8 +4,8 @@ use super::{Porosities, TEXT, grid};
 use crate::runs::{Case, Runs, System};
 use anyhow::Result;
 use tribos::powder::PowderStopReason;
-use tribos::powder::deposit::curve::statistics;
 use tribos::scene::{BlockedCriterion, SweepMethod, SweepStop, WallLaw};
+use tribos::statistics::statistics;
 use tribos_report::claim::{Claim, MismatchMeaning};
 use tribos_report::verdict::Allowance;
 

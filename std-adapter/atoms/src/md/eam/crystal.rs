@@ -1,6 +1,7 @@
 //! The face-centred cubic crystal of a potential at zero temperature and pressure.
 
 use super::Functions;
+use tribos_base::bracket::Bracket;
 
 /// Distances tried for the deepest energy, as parts of the cut-off.
 const RANGE: [f64; 2] = [0.2, 0.98];
@@ -66,16 +67,10 @@ pub(super) fn crystal(law: &impl Functions, species: u8) -> Option<[f64; 2]> {
     if deepest == 0 || deepest == TRIED || !is_bound {
         return None;
     }
-    let [mut low, mut high] = [at(deepest - 1), at(deepest + 1)];
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if energy(law, species, middle)[1] < 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    let spacing = 0.5 * (low + high);
+    // The energy falls before its least value and rises behind it.
+    let rises = |distance: f64| energy(law, species, distance)[1] >= 0.0;
+    let around = Bracket::new(at(deepest - 1), at(deepest + 1));
+    let spacing = around.halved(HALVINGS, rises).middle();
     Some([spacing, energy(law, species, spacing)[0]])
 }
 

@@ -9,7 +9,7 @@ pub use radii::Radii;
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
-use tribos_base::record::read_text;
+use tribos_base::record::Rows;
 use tribos_base::scene::key::{Domain, Form, reads};
 
 /// Distance of the cuts of normal and log-normal distributions from the middle, in standard deviations:
@@ -19,8 +19,6 @@ const CUT: f64 = 3.0;
 const WIDEST_NORMAL: f64 = 1.0 / CUT;
 /// Largest standard deviation of the logarithm: the largest radius is e⁶ = 403 times the smallest.
 const WIDEST_LOG_NORMAL: f64 = 1.0;
-/// Largest size of a table in bytes.
-const MOST_BYTES: u64 = 16 << 20;
 
 /// Distribution of radii by number, in units of the mean radius.
 ///
@@ -111,12 +109,9 @@ impl SizeDistribution {
             Self::Normal(deviation) => Ok(Radii::normal(*deviation)),
             Self::LogNormal(deviation) => Ok(Radii::log_normal(*deviation)),
             Self::Table(path) => {
-                let file = path.display().to_string();
-                let text = read_text(path, MOST_BYTES).map_err(|error| SizesError::File {
-                    file: file.clone(),
-                    reason: error.to_string(),
-                })?;
-                Ok(Radii::table(table::read(&file, &text)?))
+                let rows = Rows::open(path, |_| &table::COLUMNS);
+                let rows = rows.and_then(table::read).map_err(table::refused)?;
+                Ok(Radii::table(rows))
             }
         }
     }

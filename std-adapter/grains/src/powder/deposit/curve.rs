@@ -1,6 +1,7 @@
 //! Porosity of ballistic deposits against the inverse capture radius (fig. 4.5).
 
 use super::{Ballistic, DepositError, DepositTarget};
+use tribos_base::statistics::statistics;
 
 /// Columns of the table; lengths in radii, standard deviations of single deposits.
 pub const COLUMNS: [&str; 8] = [
@@ -86,22 +87,4 @@ impl Sample {
         }
         Ok(sample)
     }
-}
-
-/// Mean and standard deviation of two or more values.
-pub fn statistics(values: &[f64]) -> (f64, f64) {
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let squares: f64 = values.iter().map(|x| (x - mean) * (x - mean)).sum();
-    (mean, (squares / (count - 1.0)).sqrt())
-}
-
-/// Intercept and slope of the least-squares line through points.
-pub fn straight_line(points: &[(f64, f64)]) -> (f64, f64) {
-    let count = points.len() as f64;
-    let mean = |value: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(value).sum::<f64>() / count;
-    let (x, y) = (mean(&|point| point.0), mean(&|point| point.1));
-    let slope =
-        mean(&|point| (point.0 - x) * (point.1 - y)) / mean(&|point| (point.0 - x) * (point.0 - x));
-    (y - slope * x, slope)
 }

@@ -1,6 +1,7 @@
 //! End conditions of a journey: rest, fading, and one motion that ends before the other.
 
 use super::{LARGEST, MOST_FOLDS, PlanarSimulation, Resistance, State, normalized};
+use tribos_base::bracket::Bracket;
 use tribos_core::Real;
 use tribos_core::internals::runge_kutta;
 
@@ -23,7 +24,7 @@ const DEAD: f64 = 1e-16;
 /// e-folds of a part per e-fold of the speed above which its decay limits the steps.
 const STIFF: f64 = 10.0;
 /// Halvings after which a step vanishes in f64.
-const HALVINGS: u32 = 53;
+const HALVINGS: usize = 53;
 
 impl<B: Resistance> PlanarSimulation<'_, B> {
     /// 1 − α, the exponent with which the remaining time follows the speed; at most 1.
@@ -156,16 +157,16 @@ impl<B: Resistance> PlanarSimulation<'_, B> {
         taken: f64,
         holds: impl Fn(&State) -> bool,
     ) -> (f64, State) {
-        let (mut low, mut high, mut end) = (0.0, taken, self.state);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            let at = normalized(runge_kutta::step(from, middle, |y| self.derivative(y)).0);
-            if holds(&at) {
-                (high, end) = (middle, at);
-            } else {
-                low = middle;
+        let mut end = self.state;
+        let is_reached = |length: f64| {
+            let at = normalized(runge_kutta::step(from, length, |y| self.derivative(y)).0);
+            let is_reached = holds(&at);
+            if is_reached {
+                end = at;
             }
-        }
+            is_reached
+        };
+        let high = Bracket::new(0.0, taken).halved(HALVINGS, is_reached).high;
         (high, end)
     }
 }

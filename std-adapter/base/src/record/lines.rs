@@ -1,6 +1,7 @@
 //! The lines of a text file, one after the other.
 
-use crate::failure::Failure;
+use super::read::packer;
+use super::table::TableError;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
@@ -11,9 +12,9 @@ const LONGEST: usize = 65_536;
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
 /// Lines of a file that are not blank, with their numbers; one of them is held in memory.
-pub struct Lines {
+pub struct Lines<'a> {
     name: PathBuf,
-    source: Box<dyn BufRead>,
+    source: Box<dyn BufRead + 'a>,
     /// The line read last, without its end.
     bytes: Vec<u8>,
     number: u64,
@@ -21,9 +22,9 @@ pub struct Lines {
     ended_by_return: bool,
 }
 
-impl Lines {
+impl<'a> Lines<'a> {
     /// Of a file, or of standard input for `-`.
-    pub fn open(path: &Path) -> Result<Self, Failure> {
+    pub fn open(path: &Path) -> Result<Self, TableError> {
         let source: Box<dyn BufRead> = if path == Path::new("-") {
             Box::new(io::stdin().lock())
         } else {
@@ -33,7 +34,8 @@ impl Lines {
         Ok(Self::of(path, source))
     }
 
-    fn of(path: &Path, source: Box<dyn BufRead>) -> Self {
+    /// Of an open source with this name.
+    pub fn of(path: &Path, source: Box<dyn BufRead + 'a>) -> Self {
         Self {
             name: path.to_path_buf(),
             source,
@@ -44,11 +46,18 @@ impl Lines {
     }
 
     /// The next line that is neither blank nor a comment, which begins with #.
-    pub fn next(&mut self) -> Result<Option<&str>, Failure> {
+    pub fn next(&mut self) -> Result<Option<&str>, TableError> {
         loop {
             let read = self.read_line();
             if !read.map_err(|error| unreadable(&self.name, &error))? {
                 return Ok(None);
+            }
+            if self.number == 1
+                && let Some(cure) = packer(&self.bytes)
+            {
+                return Err(
+                    self.refusal(&format!("the file is compressed ({cure}); unpack it first"))
+                );
             }
             if self.bytes.contains(&0) {
                 return Err(self.refusal("not a text: there is a zero byte; give plain CSV"));
@@ -75,13 +84,17 @@ impl Lines {
     }
 
     /// The refusal of what stands in the line read last.
-    pub fn refusal(&self, message: &str) -> Failure {
+    pub fn refusal(&self, message: &str) -> TableError {
         self.refusal_at(self.number.max(1), message)
     }
 
     /// The refusal of what stands in a line.
-    pub fn refusal_at(&self, line: u64, message: &str) -> Failure {
-        Failure::input(format!("{}:{line}: {message}", self.name.display()))
+    pub fn refusal_at(&self, line: u64, message: &str) -> TableError {
+        TableError::Line {
+            file: self.name.display().to_string(),
+            line,
+            reason: message.into(),
+        }
     }
 
     /// Reads up to the next line feed or carriage return, or past [`LONGEST`] bytes; false at the
@@ -123,8 +136,11 @@ impl Lines {
     }
 }
 
-fn unreadable(path: &Path, error: &io::Error) -> Failure {
-    Failure::input(format!("cannot read {}: {error}", path.display()))
+fn unreadable(path: &Path, error: &io::Error) -> TableError {
+    TableError::Access {
+        file: path.display().to_string(),
+        reason: error.to_string(),
+    }
 }
 
 #[cfg(test)]
@@ -169,6 +185,8 @@ mod tests {
         static ENDLESS: [u8; LONGEST + 2] = [b'0'; LONGEST + 2];
         let refused = lines(&ENDLESS, 4096).err().unwrap_or_default();
         assert!(refused.starts_with("a:1: longer than"), "{refused}");
+        let refused = lines(b"\x1f\x8b\x08\0", 8).err().unwrap_or_default();
+        assert!(refused.contains("(gunzip); unpack it first"), "{refused}");
         let refused = lines(b"v\n\xff\n", 8).err().unwrap_or_default();
         assert!(refused.starts_with("a:2: not UTF-8"), "{refused}");
     }

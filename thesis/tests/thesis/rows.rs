@@ -1,13 +1,13 @@
 //! Every row of the exhibits that need no simulation.
 
-use super::text::Text;
-use super::*;
-use anyhow::Result;
+use crate::Outcome;
 use std::sync::OnceLock;
 use tribos_report::claim::Claim;
-use tribos_report::verdict::Agreement;
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
+use tribos_report::verdict::{Agreement, Verdict};
+use tribos_thesis::EXHIBITS;
+use tribos_thesis::Maker::{Alone, Checked};
+use tribos_thesis::exhibit::Exhibit;
+use tribos_thesis::text::Text;
 
 /// Rows with the names of their exhibits, and texts in which a placeholder is left.
 #[derive(Default)]

@@ -1,12 +1,12 @@
-//! The report and the phase diagram are complete, and no comparison with the thesis fails.
+//! The report is complete, no comparison with the thesis fails, and what ends it early loses nothing.
 
 use crate::browser::Browser;
-use crate::program::{Error, Outcome};
-#[allow(dead_code)]
-use assert_cmd::Command;
+use crate::{Error, Outcome};
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 use std::time::Duration;
+use tribos::run::folder::{Contents, OutputFolder};
 
 /// Exhibits for the test of kills: quick ones, and a compaction of some seconds.
 const KILLED: [&str; 4] = ["3.4", "3.9", "4.5", "4.6"];
@@ -14,9 +14,9 @@ const KILLED: [&str; 4] = ["3.4", "3.9", "4.5", "4.6"];
 /// Rows of each kind of verdict in a quick report.
 const COUNTS: [usize; 9] = [49, 126, 149, 33, 34, 11, 16, 26, 0];
 
-fn reproduce(folder: &Path) -> std::process::Command {
-    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"));
-    command.args(["reproduce", "--out"]).arg(folder);
+fn reproduce(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_tribos-thesis"));
+    command.arg("--out").arg(folder);
     command
 }
 
@@ -56,7 +56,7 @@ fn a_report_that_is_killed_and_gone_on_with_has_the_same_bits() -> Outcome {
     Ok(())
 }
 
-/// The report in the folder that TRIBOS_REPORT names, made by `tribos reproduce`; or one made now.
+/// The report in the folder that TRIBOS_REPORT names, made by this program; or one made now.
 #[test]
 fn the_whole_report_is_made_and_no_comparison_fails() -> Outcome {
     let made = tempfile::tempdir()?;
@@ -195,11 +195,8 @@ fn single_exhibits_are_found_under_several_names() -> Outcome {
         ("Section 5.1", "section-5.1.csv"),
         ("Section 5.1 modes", "section-5.1-modes.csv"),
     ] {
-        Command::cargo_bin("tribos")?
-            .args(["reproduce", name, "--out"])
-            .arg(folder.path())
-            .assert()
-            .success();
+        let output = reproduce(folder.path()).arg(name).output()?;
+        assert!(output.status.success(), "{name}: {output:?}");
         assert!(folder.path().join(file).exists());
     }
     assert!(!folder.path().join("figure-3.4.csv").exists());
@@ -207,24 +204,158 @@ fn single_exhibits_are_found_under_several_names() -> Outcome {
 }
 
 #[test]
-fn modes_answers_in_json_and_draws() -> Outcome {
+fn bad_arguments_are_refused_before_any_work() -> Outcome {
     let folder = tempfile::tempdir()?;
-    for ending in ["svg", "png", "csv"] {
-        let file = folder.path().join(format!("diagram.{ending}"));
-        let output = Command::cargo_bin("tribos")?
-            .args("modes --alpha 0 --inertia-ratio 0.5 --format json --diagram".split(' '))
-            .arg(&file)
-            .output()?;
-        let answer: serde_json::Value = serde_json::from_slice(&output.stdout)?;
-        let points = answer["fixed_points"].as_array().ok_or("no points")?;
-        assert_eq!(points.len(), 3);
-        assert_eq!(points[1]["stability"], "stable");
-        let ratio = points[1]["ratio"].as_f64().ok_or("no ratio")?;
-        assert!((ratio - 0.653_001_789_205_597_6).abs() < 1e-15);
-        assert_eq!(answer["final_mode"], "together");
-        assert!(file.metadata()?.len() > 1000);
+    std::fs::write(folder.path().join("taken"), "text")?;
+    for (arguments, words) in [
+        ("--out out 9.9", "the names are section-2.1"),
+        ("", "--out"),
+        ("--out out --quick --full", "cannot be used with"),
+        ("--out out --checkpoint -1", "give a number >= 0"),
+        ("--out taken 2.5", "taken is a file; give a folder"),
+        ("--out= 2.5", "a value is required for '--out <DIR>'"),
+    ] {
+        let said = fails(folder.path(), arguments, 2)?;
+        assert!(said.contains(words), "{arguments}: {said}");
     }
+    assert_eq!(std::fs::read_dir(folder.path())?.count(), 1);
     Ok(())
+}
+
+#[test]
+fn a_strangers_file_and_the_results_of_others_are_not_replaced() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let out = folder.path().join("out");
+    std::fs::create_dir(&out)?;
+    std::fs::write(out.join("figure-2.7.csv"), "mine")?;
+    let said = fails(folder.path(), "--out out 2.7", 2)?;
+    assert!(said.contains("does not say that tribos wrote it"), "{said}");
+    assert_eq!(std::fs::read(out.join("figure-2.7.csv"))?, b"mine");
+    // A sweep, and a finished run of a powder.
+    for (command, about) in [("sweep", Value::Null), ("run", json!({ "body": "powder" }))] {
+        let out = folder.path().join(command);
+        let contents = Contents {
+            about,
+            ..Contents::of(command, &["summary.json"])
+        };
+        let theirs = OutputFolder::begin(&out, &contents)?;
+        std::fs::write(out.join("summary.json"), "{}")?;
+        drop(theirs);
+        let said = fails(folder.path(), &format!("--out {command} 2.7"), 2)?;
+        let words = format!("holds the results of `tribos {command}`; give another --out");
+        assert!(said.contains(&words), "{said}");
+        assert!(out.join("summary.json").exists() && !out.join("claims.csv").exists());
+    }
+    // Nor is a report by them.
+    let report = folder.path().join("report");
+    assert!(reproduce(&report).arg("2.7").status()?.success());
+    let theirs = OutputFolder::begin(&report, &Contents::of("run", &["summary.json"]));
+    let said = theirs.map_or_else(|refusal| refusal.to_string(), |_| String::new());
+    assert!(
+        said.contains("holds the results of `tribos reproduce`"),
+        "{said}"
+    );
+    Ok(())
+}
+
+/// With files of at most two kilobytes: a larger write is an error, as on a full disk.
+#[cfg(unix)]
+#[test]
+fn a_report_without_room_says_where_it_stopped_and_goes_on() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let program = env!("CARGO_BIN_EXE_tribos-thesis");
+    let line = format!("trap '' XFSZ; ulimit -f 4; exec '{program}' --out out 3.4");
+    let limited = Command::new("sh")
+        .args(["-c", &line])
+        .current_dir(folder.path())
+        .output()?;
+    let said = String::from_utf8(limited.stderr)?;
+    assert_eq!(limited.status.code(), Some(1), "{said}");
+    for words in [
+        "cannot write out/figure-3.4.",
+        "File too large",
+        "whole and kept",
+        "the same command again",
+    ] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    assert_eq!(said.matches("File too large").count(), 1, "{said}");
+    nothing_is_half_written(&folder.path().join("out"))?;
+    let whole = reproduce(&folder.path().join("out")).arg("3.4").output()?;
+    assert!(whole.status.success(), "{whole:?}");
+    Ok(())
+}
+
+/// SIGINT ends a report with the code that shells have for it; what is finished is kept.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_report_says_so_and_goes_on() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let child = reproduce(folder.path())
+        .args(["--checkpoint", "0.5", "4.6"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()?;
+    std::thread::sleep(Duration::from_secs(1));
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status()?.success());
+    let output = child.wait_with_output()?;
+    let said = String::from_utf8(output.stderr)?;
+    assert_eq!(output.status.code(), Some(130), "{said}");
+    assert!(
+        said.ends_with("what was finished is kept\n  Give the same command again.\n"),
+        "{said}"
+    );
+    Ok(())
+}
+
+/// Every line that the documentation prints is one that the program takes, and so are its own examples.
+#[test]
+fn printed_commands_are_taken() -> Outcome {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut texts = vec![std::fs::read_to_string(root.join("README.md"))?];
+    for page in std::fs::read_dir(root.join("docs"))? {
+        let page = page?.path();
+        if page.extension().is_some_and(|ending| ending == "md") {
+            texts.push(std::fs::read_to_string(page)?);
+        }
+    }
+    let help = Command::new(env!("CARGO_BIN_EXE_tribos-thesis"))
+        .arg("--help")
+        .output()?;
+    texts.push(String::from_utf8(help.stdout)?);
+    let calls = ["tribos reproduce ", "tribos-thesis -- ", "  tribos-thesis "];
+    let mut taken = 0;
+    for text in &texts {
+        for call in calls {
+            for rest in text.split(call).skip(1) {
+                let rest = rest.split(['`', '\n', '#']).next().unwrap_or_default();
+                // A word of a sentence, or a placeholder.
+                let is_whole = rest.contains("--") && !rest.contains(char::is_uppercase);
+                if is_whole {
+                    let output = Command::new(env!("CARGO_BIN_EXE_tribos-thesis"))
+                        .args(rest.split_whitespace())
+                        .args((!rest.contains("--list")).then_some("--list"))
+                        .output()?;
+                    assert!(output.status.success(), "{rest}: {output:?}");
+                    taken += 1;
+                }
+            }
+        }
+    }
+    assert!(taken > 8, "{taken}");
+    Ok(())
+}
+
+/// What the program says when it ends with this code.
+fn fails(folder: &Path, arguments: &str, code: i32) -> Result<String, Error> {
+    let output = Command::new(env!("CARGO_BIN_EXE_tribos-thesis"))
+        .args(arguments.split_whitespace())
+        .current_dir(folder)
+        .output()?;
+    let said = String::from_utf8(output.stderr)?;
+    assert_eq!(output.status.code(), Some(code), "{arguments}: {said}");
+    Ok(said)
 }
 
 /// Every file under its final name is whole: it ends as its format does.
