@@ -1,7 +1,7 @@
 //! Granular gases.
 
 use super::kind::RunKind;
-use super::long::{LongBody, Results};
+use super::long::{LongBody, RunResults};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
 use crate::command::run::files;
@@ -41,9 +41,9 @@ impl LongBody for GasScene {
         format!("{collisions:9.3} collisions a sphere  time {time:9.3}")
     }
 
-    fn results<'a>(&self, run: &'a GasSimulation) -> Results<'a> {
+    fn results<'a>(&self, run: &'a GasSimulation) -> RunResults<'a> {
         let summary = run.outcome();
-        Results {
+        RunResults {
             summary: summary.json(self),
             told: format!(
                 "temperature {} after {} collisions a sphere, {:.1} s",

@@ -1,7 +1,7 @@
 //! Grains in a box.
 
 use super::kind::{Listed, RunKind};
-use super::long::{LongBody, Results};
+use super::long::{LongBody, RunResults};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
 use crate::command::run::files;
@@ -104,9 +104,9 @@ impl LongBody for GrainsScene {
         format!("step {:7}  time {:9.4}", run.steps(), run.time())
     }
 
-    fn results<'a>(&self, run: &'a GrainsSimulation) -> Results<'a> {
+    fn results<'a>(&self, run: &'a GrainsSimulation) -> RunResults<'a> {
         let summary = run.outcome();
-        Results {
+        RunResults {
             summary: summary.json(self),
             told: format!(
                 "solid fraction {} after {} steps, {:.1} s",

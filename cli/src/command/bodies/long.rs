@@ -18,7 +18,7 @@ use tribos::scene::Body;
 
 /// What a run has found.
 #[derive(Debug)]
-pub struct Results<'a> {
+pub struct RunResults<'a> {
     /// The summary as it is written.
     pub summary: Value,
     /// A line about a run of a sweep.
@@ -38,7 +38,7 @@ pub trait LongBody: Body + Sized + 'static {
     fn kind() -> RunKind;
     /// What it consists of.
     const SPHERES: &'static str;
-    /// Results of a run.
+    /// Names of the files with its results.
     const FILES: &'static [&'static str];
 
     /// Rough cost of a run.
@@ -64,7 +64,7 @@ pub trait LongBody: Body + Sized + 'static {
     }
 
     /// What a run has found.
-    fn results<'a>(&self, run: &'a Self::Run) -> Results<'a>;
+    fn results<'a>(&self, run: &'a Self::Run) -> RunResults<'a>;
     /// Writes states and pictures.
     fn write(
         &self,

@@ -1,7 +1,7 @@
 //! Powders under a piston.
 
 use super::kind::{Listed, RunKind};
-use super::long::{LongBody, Results};
+use super::long::{LongBody, RunResults};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
 use crate::command::run::files;
@@ -126,9 +126,9 @@ impl LongBody for PowderScene {
         self.duration.is_some() || self.max_steps <= FEW
     }
 
-    fn results<'a>(&self, run: &'a PowderSimulation) -> Results<'a> {
+    fn results<'a>(&self, run: &'a PowderSimulation) -> RunResults<'a> {
         let summary = run.outcome();
-        Results {
+        RunResults {
             summary: summary.json(self),
             told: format!(
                 "porosity {} % after {} steps, {:.1} s",

@@ -11,9 +11,8 @@ use super::placement::PlacementError;
 use super::wall::{AxisEnd, InitialWall};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
 use crate::packing::{
-    Bodies, ContactKeys, ContactStatistics, InitialSpheres, Limits, MeasuredState,
-    MeasurementSchedule, OptionalFeatures, Packing, PackingBody, PackingRun, PackingStopReason,
-    RunLimits,
+    Bodies, ContactKeys, InitialSpheres, MeasuredState, MeasurementSchedule, OptionalFeatures,
+    Packing, PackingBody, PackingRun, PackingStopReason, RunLimits,
 };
 use serde_json::{Map, Value};
 use std::ops::ControlFlow;
@@ -46,7 +45,7 @@ pub struct SlowStepCount(u64);
 
 impl GrainsBody {
     /// The state after a step, for measurements.
-    pub(super) fn now<'a>(&'a self, seen: &'a MeasuredState) -> PackingState<'a> {
+    fn now<'a>(&'a self, seen: &'a MeasuredState) -> PackingState<'a> {
         PackingState {
             scene: &self.scene,
             layout: &self.layout,
@@ -213,22 +212,18 @@ impl GrainsSimulation {
     /// Summary of the run so far.
     pub fn outcome(&self) -> GrainsSummary {
         let now = self.body.now(&self.seen);
-        let radii = now.packing.radii();
-        let limits = Limits::of(&self.scene().material());
         let spheres = now.packing.spheres().iter();
         let totals = self.totals();
         GrainsSummary {
             ending: self.ending(),
             time: self.time(),
             steps: self.steps(),
-            grains: radii.len(),
+            grains: now.packing.radii().len(),
             mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
             floor_force: now.push(Axis::Z, AxisEnd::Low),
             surface_angles: now.surface_angles(),
             last: self.record(),
-            statistics: ContactStatistics::of(self.contacts(), radii, &limits)
-                .of_materials(self.kinds.mixed().is_some())
-                .since(totals.overlap),
+            statistics: self.statistics(),
             iterations: totals.iterations,
             unmet: totals.unmet,
             handed_over: totals.handed_over,

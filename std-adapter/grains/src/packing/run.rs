@@ -5,7 +5,10 @@
 use super::body::{MeasuredState, MeasurementSchedule, PackingBody, packing_of};
 use super::checkpoint::{ORIGIN, PackingCheckpoint};
 use super::last::put_report;
-use super::{Kinds, Limits, PackingRunError, PackingStopReason, Shape, Stored, Totals, origin};
+use super::{
+    ContactStatistics, Kinds, Limits, PackingRunError, PackingStopReason, Shape, Stored, Totals,
+    origin,
+};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
 use std::error::Error;
@@ -23,7 +26,8 @@ use tribos_contacts::problem::GlobalProblem;
 /// Overlap of rigid spheres over the smaller radius beyond which their packing is none: twice what a start may have.
 const TOO_DEEP: f64 = 0.1;
 
-/// A packing of spheres in motion: a [powder](crate::powder::PowderSimulation) or [grains](crate::grains::GrainsSimulation).
+/// A packing of spheres in motion: a [powder](crate::powder::PowderSimulation) or
+/// [grains](crate::grains::GrainsSimulation).
 ///
 /// `B` is the body, which a scene describes; `N` is the number of columns of its series.
 ///
@@ -52,7 +56,7 @@ pub struct PackingRun<B: PackingBody<N>, const N: usize> {
     pub(crate) body: B,
     pub(crate) watch: B::Monitor,
     pub(crate) seen: MeasuredState,
-    pub(crate) kinds: Kinds,
+    kinds: Kinds,
     series: Vec<[f64; N]>,
     /// Why the run ended, if it has.
     ending: Option<PackingStopReason>,
@@ -212,6 +216,14 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
     pub fn problem(&self) -> Option<GlobalProblem> {
         let problem = self.seen.packing.problem();
         problem.filter(|problem| !problem.laws().is_empty())
+    }
+
+    /// Numbers and forces of the contacts now, and the deepest overlap so far.
+    pub(crate) fn statistics(&self) -> ContactStatistics {
+        let limits = Limits::of(&self.body.contact_keys().material);
+        ContactStatistics::of(&self.seen.contacts, self.seen.packing.radii(), &limits)
+            .of_materials(self.kinds.mixed().is_some())
+            .since(self.totals.overlap)
     }
 
     /// Sums over the steps, with the time up to now.

@@ -6,9 +6,9 @@ use super::error::CompactionError;
 use super::outcome::{COLUMNS, PowderSummary};
 use super::start::start;
 use crate::packing::{
-    Bodies, ContactKeys, ContactStatistics, InitialSpheres, Limits, MeasuredState,
-    MeasurementSchedule, OptionalFeatures, Packing, PackingBody, PackingRun, PackingStopReason,
-    RunLimits, Stress, branch, is_at, volume_between,
+    Bodies, ContactKeys, InitialSpheres, MeasuredState, MeasurementSchedule, OptionalFeatures,
+    Packing, PackingBody, PackingRun, PackingStopReason, RunLimits, Stress, branch, is_at,
+    volume_between,
 };
 use crate::powder::scene::PowderScene;
 use nalgebra::{Matrix3, Vector3};
@@ -375,13 +375,7 @@ impl PowderSimulation {
             means: body.means(&self.watch, seen),
             pressure: scene.pressure,
             area,
-            statistics: ContactStatistics::of(
-                &seen.contacts,
-                radii,
-                &Limits::of(&scene.material()),
-            )
-            .of_materials(self.kinds.mixed().is_some())
-            .since(totals.overlap),
+            statistics: self.statistics(),
             residual: seen.report.residual.relative,
             iterations: totals.iterations,
             unmet: totals.unmet,
