@@ -7,7 +7,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use std::ffi::c_void;
 use tribos_mujoco::{
-    ContactLayout, Contacts, Feet, FootModel, FootReport, LinkError, Project, Simulation, arrays,
+    Contacts, Feet, FootModel, FootReport, LinkError, Project, Simulation, arrays,
 };
 
 /// What a foot is.
@@ -48,10 +48,25 @@ impl MujocoFeet {
     fn new(simulation: SimulationArguments, feet: Vec<FootArguments<'_>>) -> PyResult<Self> {
         let feet = feet.into_iter().map(FootArguments::foot);
         let feet = feet.collect::<PyResult<Vec<_>>>()?;
-        let simulation = simulation.simulation();
-        if simulation.arrays.len() != arrays().split_terminator(';').count() {
+        let SimulationArguments {
+            arrays: addresses,
+            solve,
+            model,
+            data,
+            counts,
+            layout,
+        } = simulation;
+        if addresses.len() != arrays().split_terminator(';').count() {
             return Err(refused("one address for each array"));
         }
+        let simulation = Simulation {
+            arrays: addresses.as_ptr(),
+            solve,
+            model,
+            data,
+            counts,
+            layout,
+        };
         // SAFETY: the package's promise.
         let made = unsafe { Feet::new(&simulation, feet) };
         made.map(Self).map_err(|error| match error {
@@ -116,40 +131,6 @@ impl MujocoFeet {
         let axes = [[a, b, c], [d, e, f], [g, h, i]];
         let is_held = is_held > 0.0;
         Ok((load, friction, twist, axes, centre, is_held, missed as u64))
-    }
-}
-
-impl SimulationArguments {
-    fn simulation(self) -> Simulation {
-        let [
-            width,
-            distance,
-            position,
-            frame,
-            margin,
-            geoms,
-            dimension,
-            row,
-            surface,
-        ] = self.layout;
-        Simulation {
-            arrays: self.arrays,
-            solve: self.solve,
-            model: self.model,
-            data: self.data,
-            counts: self.counts,
-            layout: ContactLayout {
-                width,
-                distance,
-                position,
-                frame,
-                margin,
-                geoms,
-                dimension,
-                row,
-                surface,
-            },
-        }
     }
 }
 

@@ -25,35 +25,12 @@ pub struct FootModel {
     pub mu: f64,
 }
 
-/// Where the fields of a contact lie, in bytes from its start.
+/// A simulation by addresses.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct ContactLayout {
-    /// Bytes from one contact to the next.
-    pub width: c_int,
-    /// Distance of the surfaces.
-    pub distance: c_int,
-    /// Position.
-    pub position: c_int,
-    /// Normal and two tangents.
-    pub frame: c_int,
-    /// Margin of distance.
-    pub margin: c_int,
-    /// The two geoms.
-    pub geoms: c_int,
-    /// Number of directions with a force.
-    pub dimension: c_int,
-    /// Its first row among the constraints.
-    pub row: c_int,
-    /// Motion of a conveyor's surface; negative where contacts have none.
-    pub surface: c_int,
-}
-
-/// A simulation by addresses.
-#[derive(Clone, Debug)]
 pub struct Simulation {
-    /// The arrays that [`arrays`] names, in its order.
-    pub arrays: Vec<usize>,
+    /// Address of the addresses of the arrays that [`arrays`] names, in its order.
+    pub arrays: *const usize,
     /// MuJoCo's function `mj_solveM`.
     pub solve: usize,
     /// The `mjModel`.
@@ -62,8 +39,9 @@ pub struct Simulation {
     pub data: usize,
     /// Degrees of freedom, bodies and geoms.
     pub counts: [c_int; 3],
-    /// Its contacts.
-    pub layout: ContactLayout,
+    /// Bytes from one contact to the next; then where in it are, in bytes, distance, position, axes, margin, geoms,
+    /// dimension, first row, and the motion of a conveyor's surface, negative where contacts have none.
+    pub layout: [c_int; 9],
 }
 
 /// Contacts and constraints of a step.
@@ -152,16 +130,6 @@ struct GivenFoot {
 }
 
 #[repr(C)]
-struct GivenSimulation {
-    arrays: *const usize,
-    solve: usize,
-    model: usize,
-    data: usize,
-    counts: [c_int; 3],
-    layout: ContactLayout,
-}
-
-#[repr(C)]
 #[derive(Default)]
 struct LinkFault {
     foot: c_int,
@@ -178,7 +146,7 @@ struct Attached {
 unsafe extern "C" {
     fn attached_arrays() -> *const c_char;
     fn attached_new(
-        of: *const GivenSimulation,
+        of: *const Simulation,
         feet: *const GivenFoot,
         count: c_int,
         result: *mut c_int,
@@ -253,18 +221,11 @@ impl Feet {
         let sets = sets.into_boxed_slice();
         let each = models.iter().zip(sets.iter());
         let given: Vec<GivenFoot> = each.map(|(model, set)| model.given(set)).collect();
-        let of = GivenSimulation {
-            arrays: simulation.arrays.as_ptr(),
-            solve: simulation.solve,
-            model: simulation.model,
-            data: simulation.data,
-            counts: simulation.counts,
-            layout: simulation.layout,
-        };
         let (mut result, mut fault) = (0, LinkFault::default());
         let count = given.len() as c_int;
         // SAFETY: the caller's promise; C copies what `given` points to but the sets, which `Feet` keeps.
-        let attached = unsafe { attached_new(&of, given.as_ptr(), count, &mut result, &mut fault) };
+        let attached =
+            unsafe { attached_new(simulation, given.as_ptr(), count, &mut result, &mut fault) };
         let foot = fault.foot.cast_unsigned() as usize;
         if !attached.is_null() {
             return Ok(Self { attached, sets });
