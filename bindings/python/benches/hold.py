@@ -14,9 +14,8 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-import numpy as np
-
 import mujoco
+import numpy as np
 
 GRAVITY = 9.81  # m/s²
 STEP = 2e-3  # s

@@ -8,10 +8,9 @@ same; on exact patches it stands still.
 
 from __future__ import annotations
 
+import mujoco
 import tribos
 import tribos.mujoco
-
-import mujoco
 
 MASS, GRAVITY, MU = 0.1, 9.81, 1.0  # kg, m/s², -
 

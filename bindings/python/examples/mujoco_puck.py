@@ -8,11 +8,10 @@ motion. The exact travel is the integral of the equation of motion with `tribos.
 
 from __future__ import annotations
 
+import mujoco
 import numpy as np
 import tribos
 import tribos.mujoco
-
-import mujoco
 
 RADIUS, MU, GRAVITY = 0.05, 0.3, 10.0  # m, -, m/s²
 SPEED = 1.0  # m/s

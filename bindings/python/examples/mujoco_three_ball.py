@@ -8,11 +8,10 @@ low as the floor, such that the loads stay equal and the exact answer is that of
 
 from __future__ import annotations
 
+import mujoco
 import numpy as np
 import tribos
 import tribos.mujoco
-
-import mujoco
 
 MU, GRAVITY, GYRATION_SQ = 0.3, 10.0, 0.005  # -, m/s², m²
 SPEED = 1.0  # m/s

@@ -228,12 +228,12 @@ fn a_sweep_tells_the_share_of_tips_that_turned_back() -> Outcome {
         "lambda",
         "runs",
         "reversible",
-        "final_angle",
-        "final_angle_std",
         "driven_angle",
         "driven_angle_std",
         "largest_angle",
         "largest_angle_std",
+        "final_angle",
+        "final_angle_std",
         "tip_temperature",
         "tip_temperature_std",
     ];
@@ -250,7 +250,7 @@ fn a_sweep_tells_the_share_of_tips_that_turned_back() -> Outcome {
             assert_eq!(summary["verdict"] == "reversible", share == 1.0);
             assert!(serial.join(&name).join("series.csv").exists());
         }
-        assert!((lines[line][5].parse::<f64>()? - 0.5 * sum).abs() < 1e-13);
+        assert!((lines[line][9].parse::<f64>()? - 0.5 * sum).abs() < 1e-13);
     }
     for plot in ["sweep.svg", "sweep.png"] {
         assert!(serial.join(plot).metadata()?.len() > 1000, "{plot}");

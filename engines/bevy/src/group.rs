@@ -9,7 +9,7 @@ use avian3d::dynamics::solver::solver_body::{SolverBody, SolverBodyInertia};
 use bevy::prelude::*;
 use tribos_core::contact::TimeStep;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_feet::{Correction, Foot, Footprint, Standing};
+use tribos_feet::{Correction, Foot, Footprint, Stance, Standing};
 
 /// What friction needs of bodies during the substeps.
 pub(crate) type Bodies<'w, 's> = Query<
@@ -21,9 +21,6 @@ pub(crate) type Bodies<'w, 's> = Query<
         &'static VelocityIntegrationData,
     ),
 >;
-
-/// Length of a direction's part in the plane below which the direction is undefined there.
-const LEAST_AXIS: f64 = 1e-2;
 
 /// The change of velocity in a substep by gravity and the forces of the application.
 fn increased(by: &VelocityIntegrationData) -> Change {
@@ -113,21 +110,9 @@ impl Member {
 
     /// Place and direction in the plane, after the body has turned and for half of the coming turn: `half` is a
     /// quarter of the angle of a substep in radians.
-    fn stand(&self, frame: &Frame, body: &SolverBody, half: f32) -> [[f64; 2]; 2] {
-        let half = f64::from(half);
-        let scale = 1.0 / (1.0 + half * half);
-        let [cos, sin] = [(1.0 - half * half) * scale, 2.0 * half * scale];
-        let plane = |vector: Vec3| {
-            let [x, y] = frame.plane(body.delta_rotation * vector).map(f64::from);
-            [cos * x - sin * y, sin * x + cos * y]
-        };
-        let [c, s] = plane(self.along);
-        let length = (c * c + s * s).sqrt();
-        let axis = match length > LEAST_AXIS {
-            true => [c / length, s / length],
-            false => [1.0, 0.0],
-        };
-        [plane(self.arm), axis]
+    fn stand(&self, frame: &Frame, body: &SolverBody, half: f32) -> Stance {
+        let plane = |vector: Vec3| frame.plane(body.delta_rotation * vector);
+        Stance::new(plane(self.arm), plane(self.along)).turned(half)
     }
 }
 
@@ -314,7 +299,7 @@ impl Group {
     fn balance(
         &mut self,
         reduced: &Reduced,
-        stands: &[[[f64; 2]; 2]],
+        stands: &[Stance],
         free: &Twist<f32>,
         bodies: &Bodies,
         graph: &ConstraintGraph,
@@ -336,15 +321,15 @@ impl Group {
         };
         let members = self.members.iter().zip(stands).zip(&loads);
         let feet: Vec<Foot> = members
-            .map(|((member, &[place, axis]), load)| Foot {
+            .map(|((member, stance), load)| Foot {
                 footprint: &member.footprint,
                 limit: member.mu * load,
-                place,
-                axis,
+                place: stance.place,
+                axis: stance.axis,
                 drift: drift(member),
             })
             .collect();
-        let standing = Standing::new(&reduced.body, reduced.coupled, &feet);
+        let standing = Standing::new(reduced.planar.body(), reduced.planar.coupled(), &feet);
         let end = standing.correct(None, free, dt)?;
         let share = match end.ended.is_at_rest() && *free != Twist::ZERO {
             true => standing.share_until_rest(None, &end),

@@ -3,22 +3,17 @@
 use crate::frame::{Change, Frame, relative};
 use avian3d::dynamics::solver::solver_body::SolverBodyInertia;
 use bevy::math::Vec3;
-use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_feet::{push, symmetric::solved};
+use tribos_feet::Reduced as Planar;
 
-/// Radius of gyration in metres of a pair that cannot turn; its inverse, of one that cannot shift.
-const LOCKED: f32 = 1e3;
 /// Cosine to the normal from which on an axis of the world counts as the normal.
 const ALONG: f32 = 0.99;
 
 /// A foot and its ground, reduced to one body.
 #[derive(Clone, Debug)]
 pub(crate) struct Reduced {
-    /// The pair, if friction acted at the ground's centre of mass.
-    pub(crate) body: PlanarBody<f32>,
-    /// The mass matrix of the relative motion if friction moves the ground: xx, xy, yy, xn, yn, nn.
-    pub(crate) coupled: Option<[f64; 6]>,
+    /// In the plane.
+    pub(crate) planar: Planar,
     foot: Inverse,
     ground: Inverse,
     /// Vectors from the centres of mass of the foot and the ground to the point at which friction acts.
@@ -83,21 +78,10 @@ impl Reduced {
         arms: [Vec3; 2],
         frame: &Frame,
     ) -> Option<Self> {
-        let sums = [foot.mass + ground.mass, foot.inertia + ground.inertia];
-        // Locked motions get a large mass, so that friction acts only on the others.
-        let [mass, inertia] = match sums.map(|sum| sum > 0.0) {
-            [true, true] => sums.map(f32::recip),
-            [true, false] => [sums[0].recip(), sums[0].recip() * (LOCKED * LOCKED)],
-            [false, true] => [sums[1].recip() * (LOCKED * LOCKED), sums[1].recip()],
-            [false, false] => return None,
-        };
         let lever = frame.plane(arms[1] - arms[0]);
-        let coupled = ground
-            .moves()
-            .then(|| mass_matrix([mass, inertia], ground.inertia, lever));
+        let of = |inverse: &Inverse| [inverse.mass, inverse.inertia];
         Some(Self {
-            body: PlanarBody::new(mass, inertia).ok()?,
-            coupled,
+            planar: Planar::new([of(&foot), of(&ground)], lever)?,
             foot,
             ground,
             arms,
@@ -122,9 +106,9 @@ impl Reduced {
     /// Changes of both bodies' velocities that together give a change of the relative twist: exactly, if the
     /// ground is not moved.
     pub(crate) fn by_change(&self, change: &Twist<f32>, frame: &Frame) -> [Change; 2] {
-        let impulse = push(&self.body, self.coupled.as_ref(), change, 1.0);
+        let impulse = self.planar.push(change, 1.0);
         let mut both = self.by_impulse(&impulse, frame);
-        if self.coupled.is_none() {
+        if !self.planar.moved()[1] {
             let exact = frame.motion(change);
             let tilt = self
                 .foot
@@ -147,24 +131,4 @@ impl Reduced {
         };
         frame.twist(&relative(&foot, &ground, self.arms[1] - self.arms[0]))
     }
-}
-
-/// The mass matrix of the relative motion at the foot's centre of mass, which is at `lever` from that of a ground
-/// with the inverse inertia `turn`.
-fn mass_matrix(body: [f32; 2], turn: f32, lever: [f32; 2]) -> [f64; 6] {
-    let [mass, inertia] = body.map(f64::from);
-    let ([x, y], turn) = (lever.map(f64::from), f64::from(turn));
-    // A force on the ground rotates it, which moves points off its centre.
-    let inverse = [
-        1.0 / mass + turn * y * y,
-        -(turn * x * y),
-        1.0 / mass + turn * x * x,
-        -(turn * y),
-        turn * x,
-        1.0 / inertia,
-    ];
-    let [xx, xy, xn] = solved(&inverse, &[1.0, 0.0, 0.0]);
-    let [_, yy, yn] = solved(&inverse, &[0.0, 1.0, 0.0]);
-    let [_, _, nn] = solved(&inverse, &[0.0, 0.0, 1.0]);
-    [xx, xy, yy, xn, yn, nn]
 }

@@ -3,6 +3,53 @@
 use crate::area::{Area, Element};
 use crate::footprint::Footprint;
 
+/// Length of a direction's part in the plane below which the direction is undefined there: within a hundredth of the
+/// normal.
+const LEAST_AXIS: f64 = 1e-2;
+
+/// Where a foot stands in the plane.
+///
+/// ```
+/// let stance = tribos_feet::Stance::new([0.1, 0.0], [2.0, 0.0]);
+/// assert_eq!(stance.axis, [1.0, 0.0]);
+/// assert!((stance.turned(0.05).place[1] - 0.1 * 0.1_f64.sin()).abs() < 1e-5);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Stance {
+    /// The foot's centre from the centre of mass in metres.
+    pub place: [f64; 2],
+    /// Direction of its x axis, of length 1.
+    pub axis: [f64; 2],
+}
+
+impl Stance {
+    /// At a place in metres; `along` is the part of the foot's x axis in the plane.
+    pub fn new(place: [f32; 2], along: [f32; 2]) -> Self {
+        let [c, s] = along.map(f64::from);
+        let length = (c * c + s * s).sqrt();
+        let axis = match length > LEAST_AXIS {
+            true => [c / length, s / length],
+            false => [1.0, 0.0],
+        };
+        Self {
+            place: place.map(f64::from),
+            axis,
+        }
+    }
+
+    /// The stance turned about the centre of mass by an angle, given half of it in radians; accurate to third order.
+    pub fn turned(self, half: f32) -> Self {
+        let half = f64::from(half);
+        let scale = 1.0 / (1.0 + half * half);
+        let [cos, sin] = [(1.0 - half * half) * scale, 2.0 * half * scale];
+        let turn = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+        Self {
+            place: turn(self.place),
+            axis: turn(self.axis),
+        }
+    }
+}
+
 /// A foot under a body.
 ///
 /// ```

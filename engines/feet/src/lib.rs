@@ -35,16 +35,17 @@ mod footprint;
 mod points;
 mod prediction;
 mod pressed;
+mod reduced;
 mod refusal;
 mod standing;
 mod surface;
-#[doc(hidden)]
-pub mod symmetric;
+mod symmetric;
 
 pub use ended::{Ended, FootFriction};
-pub use foot::Foot;
+pub use foot::{Foot, Stance};
 pub use footprint::Footprint;
 pub use prediction::{Correction, Prediction};
+pub use reduced::Reduced;
 pub use refusal::FootprintError;
-pub use standing::{Standing, push};
+pub use standing::Standing;
 pub use tribos_friction::{FrictionError, Patch};

@@ -149,16 +149,7 @@ impl<'a> Standing<'a> {
 
 /// The mean push that makes `change` of the motion of a body in `dt` seconds; `coupled` is the mass matrix
 /// of the relative motion where the ground moves as well, as in [`Standing::new`].
-///
-/// ```
-/// use tribos_core::planar::PlanarBody;
-/// use tribos_core::twist::{Twist, Wrench};
-/// let puck = PlanarBody::new(0.5, 0.25)?; // kg, kg m²
-/// let push = tribos_feet::push(&puck, None, &Twist::new(1.0, 0.0, 2.0), 0.5);
-/// assert_eq!(push, Wrench::new(1.0, 0.0, 1.0)); // N, N, N m
-/// # Ok::<(), tribos_core::law::LawError>(())
-/// ```
-pub fn push(
+pub(crate) fn push(
     body: &PlanarBody<f32>,
     coupled: Option<&[f64; 6]>,
     change: &Twist<f32>,

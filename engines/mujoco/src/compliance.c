@@ -1,6 +1,5 @@
 #include "compliance.h"
 
-#include <string.h>
 #include "vectors.h"
 
 // Where all bodies move freely.
@@ -21,24 +20,23 @@ static void free_mobility(foot **feet, int count, double *mobility)
                             block[6 * row + column] += sum;
                         }
                 }
-            if (i != j) mju_transpose(mobility + 36 * (count * j + i), block, 6, 6);
+            double *mirror = mobility + 36 * (count * j + i);
+            for (int k = 0; i != j && k < 36; k++) mirror[k] = block[6 * (k % 6) + k / 6];
         }
 }
 
 // For any bodies, with MuJoCo's factors of the mass.
-static void solved_mobility(const mjModel *m, mjData *d, foot **feet, int count, double *mobility)
+static void solved_mobility(const view *v, foot **feet, int count, double *rows, double *mobility)
 {
-    mj_markStack(d);
-    const int nv = m->nv;
-    mjtNum *rows = mj_stackAllocNum(d, (size_t)6 * count * nv);
-    mjtNum *solved = mj_stackAllocNum(d, (size_t)6 * count * nv);
-    memset(rows, 0, sizeof(mjtNum) * 6 * count * nv);
+    const int nv = v->nv;
+    double *solved = rows + ROWS(count, nv) / 2;
+    memset(rows, 0, sizeof(double) * 6 * count * nv);
     for (int i = 0; i < count; i++)
         for (int k = 0; k < feet[i]->freedom_count; k++)
             for (int row = 0; row < 6; row++)
                 rows[nv * (6 * i + row) + feet[i]->freedoms[k].index] =
                     feet[i]->jacobian[MOTIONS * k + row];
-    mj_solveM(m, d, solved, rows, 6 * count);
+    v->solve(v->model, v->data, solved, rows, 6 * count);
     for (int i = 0; i < count; i++)
         for (int j = 0; j < count; j++)
             for (int row = 0; row < 6; row++)
@@ -49,15 +47,14 @@ static void solved_mobility(const mjModel *m, mjData *d, foot **feet, int count,
                                solved[nv * (6 * j + column) + feet[i]->freedoms[k].index];
                     mobility[36 * (count * i + j) + 6 * row + column] = sum;
                 }
-    mj_freeStack(d);
 }
 
-void find_mobility(const mjModel *m, mjData *d, foot **feet, int count, bool is_free, double *mobility)
+void find_mobility(const view *v, foot **feet, int count, bool is_free, double *scratch, double *mobility)
 {
     if (is_free)
         free_mobility(feet, count, mobility);
     else
-        solved_mobility(m, d, feet, count, mobility);
+        solved_mobility(v, feet, count, scratch, mobility);
 }
 
 // Solves system * x = right of `size` rows for `columns` right sides at once, in place, with row pivots.

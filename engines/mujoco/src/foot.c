@@ -1,42 +1,82 @@
 #include "foot.h"
 
+#include <stdlib.h>
 #include "vectors.h"
 
-bool body_is_free(const mjModel *m, int body)
+bool body_is_free(const view *v, int body)
 {
-    if (m->body_dofnum[body] != 6 || m->body_jntnum[body] != 1 || !(m->body_mass[body] > 0))
+    if (v->body_dofnum[body] != 6 || v->body_jntnum[body] != 1 || !(v->body_mass[body] > 0))
         return false;
-    for (int other = 1; other < m->nbody; other++)
-        if (other != body && m->body_rootid[other] == m->body_rootid[body]) return false;
+    for (int other = 1; other < v->nbody; other++)
+        if (other != body && v->body_rootid[other] == v->body_rootid[body]) return false;
     for (int i = 0; i < 6; i++)
-        if (m->dof_armature[m->body_dofadr[body] + i] != 0) return false;
+        if (v->dof_armature[v->body_dofadr[body] + i] != 0) return false;
+    return true;
+}
+
+bool foot_stands_on(const foot *foot, int ground)
+{
+    for (int i = 0; i < foot->ground_count; i++)
+        if (foot->grounds[i] == ground) return true;
+    return false;
+}
+
+// The degrees of freedom of foot and ground; those that move both alike do not move the foot on its ground.
+static void link_freedoms(foot *foot, const view *v)
+{
+    foot->freedom_count = 0;
+    for (int side = 0; side < 2; side++)
+        for (int body = foot->bodies[side]; body > 0; body = v->body_parentid[body])
+            for (int k = 0; k < v->body_dofnum[body]; k++) {
+                const int index = v->body_dofadr[body] + k;
+                int at = 0;
+                while (at < foot->freedom_count && foot->freedoms[at].index != index) at++;
+                if (at < foot->freedom_count) {
+                    foot->freedoms[at] = foot->freedoms[--foot->freedom_count];
+                    continue;
+                }
+                const freedom made = {index, v->body_rootid[body], side == 0 ? 1 : -1};
+                foot->freedoms[foot->freedom_count++] = made;
+            }
+}
+
+bool foot_link(foot *foot, const view *v)
+{
+    for (int side = 0; side < 2; side++) foot->moves[side] = foot->bodies[side] != 0;
+    int jointed = foot->bodies[0];
+    while (jointed && !v->body_jntnum[jointed]) jointed = v->body_parentid[jointed];
+    foot->is_afloat = jointed && v->jnt_type[v->body_jntadr[jointed]] == JOINT_FREE;
+    foot->freedoms = malloc((size_t)(v->nv + 1) * sizeof *foot->freedoms);
+    foot->jacobian = malloc((size_t)(v->nv + 1) * MOTIONS * sizeof(double));
+    if (!foot->freedoms || !foot->jacobian) return false;
+    link_freedoms(foot, v);
     return true;
 }
 
 // Position and orientation, column by column, of the frame that the patch turns with.
-static void frame_of(const foot *foot, const mjData *d, const mjtNum **position,
-                     const mjtNum **matrix)
+static void frame_of(const foot *foot, const view *v, const double **position,
+                     const double **matrix)
 {
     const int i = foot->frame_index;
     if (foot->frame == FRAME_GEOM) {
-        *position = d->geom_xpos + 3 * i;
-        *matrix = d->geom_xmat + 9 * i;
+        *position = v->geom_xpos + 3 * i;
+        *matrix = v->geom_xmat + 9 * i;
     } else if (foot->frame == FRAME_BODY) {
-        *position = d->xpos + 3 * i;
-        *matrix = d->xmat + 9 * i;
+        *position = v->xpos + 3 * i;
+        *matrix = v->xmat + 9 * i;
     } else {
-        *position = d->site_xpos + 3 * i;
-        *matrix = d->site_xmat + 9 * i;
+        *position = v->site_xpos + 3 * i;
+        *matrix = v->site_xmat + 9 * i;
     }
 }
 
-void foot_place(foot *foot, const mjData *d)
+void foot_place(foot *foot, const view *v)
 {
-    const mjtNum *origin, *frame;
-    frame_of(foot, d, &origin, &frame);
+    const double *origin, *frame;
+    frame_of(foot, v, &origin, &frame);
     double *x = foot->axes, *y = foot->axes + 3, *normal = foot->axes + 6;
     memcpy(normal, foot->normal_sum, 3 * sizeof(double));
-    mju_normalize3(normal);
+    normalise3(normal);
 
     // The origin of the frame, brought along the normal to the mean height of the contacts.
     double lever[3] = {0, 0, 0};
@@ -47,13 +87,14 @@ void foot_place(foot *foot, const mjData *d)
 
     // The frame's axis after the one along the normal is the patch's x.
     double along[3];
-    mju_mulMatTVec3(along, frame, normal);
+    for (int i = 0; i < 3; i++)
+        along[i] = frame[i] * normal[0] + frame[3 + i] * normal[1] + frame[6 + i] * normal[2];
     int upright = 0;
     for (int i = 1; i < 3; i++)
         if (fabs(along[i]) > fabs(along[upright])) upright = i;
     const int next = (upright + 1) % 3;
     for (int i = 0; i < 3; i++) x[i] = frame[3 * i + next] - normal[i] * along[next];
-    mju_normalize3(x);
+    normalise3(x);
     cross3(y, normal, x);
 }
 
@@ -70,14 +111,14 @@ static void in_axes(const foot *foot, const double shift[3], const double turn[3
     motion[TILT_Y] = dot3(y, turn);
 }
 
-void foot_turn(foot *foot, const mjData *d)
+void foot_turn(foot *foot, const view *v)
 {
     for (int i = 0; i < foot->freedom_count; i++) {
         const freedom *freedom = foot->freedoms + i;
         // MuJoCo's axes are angular and linear, the latter at the centre of mass of the tree.
-        const mjtNum *axis = d->cdof + 6 * freedom->index;
+        const double *axis = v->cdof + 6 * freedom->index;
         double lever[3], shift[3], *motion = foot->jacobian + MOTIONS * i;
-        subtract3(lever, foot->centre, d->subtree_com + 3 * freedom->root);
+        subtract3(lever, foot->centre, v->subtree_com + 3 * freedom->root);
         cross3(shift, axis, lever);
         add_scaled3(shift, axis + 3, 1);
         in_axes(foot, shift, axis, motion);
@@ -85,7 +126,7 @@ void foot_turn(foot *foot, const mjData *d)
     }
 }
 
-void foot_motion(const foot *foot, const mjtNum *velocities, double motion[MOTIONS])
+void foot_motion(const foot *foot, const double *velocities, double motion[MOTIONS])
 {
     memset(motion, 0, MOTIONS * sizeof(double));
     for (int i = 0; i < foot->freedom_count; i++)
@@ -114,25 +155,24 @@ typedef struct carried {
 } carried;
 
 // Adds how the joints of a body move a point of it in a time, from the innermost outwards.
-static void carry(const mjModel *m, const mjData *d, int body, const mjtNum *velocities, double dt,
-                  const double point[3], carried *out)
+static void carry(const view *v, int body, double dt, const double point[3], carried *out)
 {
-    for (; body; body = m->body_parentid[body])
-        for (int k = m->body_jntnum[body] - 1; k >= 0; k--) {
-            const int joint = m->body_jntadr[body] + k, type = m->jnt_type[joint], first = m->jnt_dofadr[joint];
-            const int shifts = type == mjJNT_FREE ? 3 : type == mjJNT_SLIDE;
-            const int turns = type == mjJNT_HINGE ? 1 : type == mjJNT_SLIDE ? 0 : 3;
+    for (; body; body = v->body_parentid[body])
+        for (int k = v->body_jntnum[body] - 1; k >= 0; k--) {
+            const int joint = v->body_jntadr[body] + k, type = v->jnt_type[joint], first = v->jnt_dofadr[joint];
+            const int shifts = type == JOINT_FREE ? 3 : type == JOINT_SLIDE;
+            const int turns = type == JOINT_HINGE ? 1 : type == JOINT_SLIDE ? 0 : 3;
             double turn[3] = {0, 0, 0}, lever[3], tangent[3];
             for (int i = first + shifts; i < first + shifts + turns; i++)
-                add_scaled3(turn, d->cdof + 6 * i, velocities[i] * dt);
-            subtract3(lever, point, d->xanchor + 3 * joint);
+                add_scaled3(turn, v->cdof + 6 * i, v->qvel[i] * dt);
+            subtract3(lever, point, v->xanchor + 3 * joint);
             cross3(tangent, turn, lever);
             add_scaled3(out->straight, tangent, 1);
             add_scaled3(lever, out->shift, 1);
             add_turn(out->shift, turn, lever);
             for (int i = first; i < first + shifts; i++) {
-                add_scaled3(out->shift, d->cdof + 6 * i + 3, velocities[i] * dt);
-                add_scaled3(out->straight, d->cdof + 6 * i + 3, velocities[i] * dt);
+                add_scaled3(out->shift, v->cdof + 6 * i + 3, v->qvel[i] * dt);
+                add_scaled3(out->straight, v->cdof + 6 * i + 3, v->qvel[i] * dt);
             }
         }
 }
@@ -157,14 +197,13 @@ static void convey(const foot *foot, const double point[3], double dt, carried *
     }
 }
 
-void foot_bend(const foot *foot, const mjModel *m, const mjData *d, const mjtNum *velocities, double dt,
-               double bend[2])
+void foot_bend(const foot *foot, const view *v, double dt, double bend[2])
 {
-    const double *origin = d->xpos + 3 * foot->bodies[0];
+    const double *origin = v->xpos + 3 * foot->bodies[0];
     carried own = {{0}, {0}}, under = {{0}, {0}};
     convey(foot, origin, dt, &under);
-    carry(m, d, foot->bodies[0], velocities, dt, origin, &own);
-    carry(m, d, foot->bodies[1], velocities, dt, origin, &under);
+    carry(v, foot->bodies[0], dt, origin, &own);
+    carry(v, foot->bodies[1], dt, origin, &under);
     double way[3], straight[3];
     subtract3(way, own.shift, under.shift);
     subtract3(straight, own.straight, under.straight);
@@ -172,16 +211,16 @@ void foot_bend(const foot *foot, const mjModel *m, const mjData *d, const mjtNum
     foot_in_plane(foot, way, bend);
 }
 
-void foot_mobility_roots(foot *foot, const mjModel *m, const mjData *d)
+void foot_mobility_roots(foot *foot, const view *v)
 {
     for (int side = 0; side < 2; side++) {
         const int body = foot->bodies[side];
         double *root = foot->roots[side];
         if (!foot->moves[side]) continue;
         const double sign = side == 0 ? 1 : -1;
-        const double inv_mass = sign / sqrt(m->body_mass[body]);
+        const double inv_mass = sign / sqrt(v->body_mass[body]);
         double lever[3];
-        subtract3(lever, foot->centre, d->xipos + 3 * body);
+        subtract3(lever, foot->centre, v->xipos + 3 * body);
         for (int axis = 0; axis < 3; axis++) {
             const double none[3] = {0, 0, 0};
             double unit[3] = {0, 0, 0}, turn[3], shift[3], motion[MOTIONS];
@@ -190,8 +229,8 @@ void foot_mobility_roots(foot *foot, const mjModel *m, const mjData *d)
             in_axes(foot, unit, none, motion);
             for (int k = 0; k < MOTIONS; k++) root[6 * k + axis] = motion[k];
             // About the axes of the inertia.
-            const double inv_inertia = sign / sqrt(m->body_inertia[3 * body + axis]);
-            for (int k = 0; k < 3; k++) turn[k] = d->ximat[9 * body + 3 * k + axis] * inv_inertia;
+            const double inv_inertia = sign / sqrt(v->body_inertia[3 * body + axis]);
+            for (int k = 0; k < 3; k++) turn[k] = v->ximat[9 * body + 3 * k + axis] * inv_inertia;
             cross3(shift, turn, lever);
             in_axes(foot, shift, turn, motion);
             for (int k = 0; k < MOTIONS; k++) root[6 * k + 3 + axis] = motion[k];
@@ -199,13 +238,20 @@ void foot_mobility_roots(foot *foot, const mjModel *m, const mjData *d)
     }
 }
 
-void foot_press(foot *foot, const double position[3], const double normal[3], double stiffness)
+void foot_row(const foot *foot, const double position[3], const double normal[3], double row[3])
 {
     double lever[3], moment[3];
     subtract3(lever, position, foot->centre);
     cross3(moment, lever, normal);
-    // The part of a normal force in lift and tilts.
-    const double row[3] = {1, dot3(moment, foot->axes), dot3(moment, foot->axes + 3)};
+    row[0] = 1;
+    row[1] = dot3(moment, foot->axes);
+    row[2] = dot3(moment, foot->axes + 3);
+}
+
+void foot_press(foot *foot, const double position[3], const double normal[3], double stiffness)
+{
+    double row[3];
+    foot_row(foot, position, normal, row);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) foot->stiffness[3 * i + j] += stiffness * row[i] * row[j];
 }

@@ -2,12 +2,12 @@
 #ifndef TRIBOS_MUJOCO_FOOT_H
 #define TRIBOS_MUJOCO_FOOT_H
 
-#include <mujoco/mujoco.h>
 #include <stdbool.h>
-#include "patch.h"
+#include "set.h"
+#include "view.h"
 
-// What a foot remembers from step to step, in MuJoCo's `plugin_state`: it is saved, copied and reset with the
-// simulation. Vectors are in the frame of the world.
+// What a foot remembers from step to step. The plugin has it in MuJoCo's `plugin_state`: it is saved, copied and reset
+// with the simulation. Vectors are in the frame of the world.
 enum {
     STATE_LOAD = 0,          // sum of its normal forces in the last step, N
     STATE_FORCE = 1,         // friction on it in the last step, N, 3 numbers
@@ -35,7 +35,7 @@ enum { ALONG_X, ALONG_Y, SPIN, LIFT, TILT_X, TILT_Y, MOTIONS };
 typedef struct foot {
     // From the model.
     int instance;  // of the plugin
-    int state;     // address in plugin_state
+    int state;     // address among the states
     int *geoms, geom_count;
     int *grounds, ground_count;
     int bodies[2];  // of the foot, of the ground
@@ -44,7 +44,7 @@ typedef struct foot {
     frame_kind frame;
     int frame_index;
     double mu;
-    patch patch;
+    const friction_set *set;
     freedom *freedoms;
     int freedom_count;
 
@@ -58,7 +58,7 @@ typedef struct foot {
     double *jacobian;       // a row of MOTIONS numbers for each of its freedoms
     double roots[2][36];    // of the inverse mass of foot and ground, if they move freely: [motion][column]
     double stiffness[9];    // of its contacts in lift and tilts
-    double motion[3];       // by the degrees of freedom, along x, y, about the normal
+    double motion[MOTIONS]; // by the degrees of freedom
     double surface[3];      // motion of a conveyor's surface, along x, along y, about the normal
     double velocity[3];     // mean over the step, relative to the surface, if no velocity changes
     double friction[3];     // on the foot
@@ -66,26 +66,37 @@ typedef struct foot {
     bool is_held, is_missed;
 } foot;
 
+// MuJoCo's joints, by its numbers.
+enum { JOINT_FREE, JOINT_BALL, JOINT_SLIDE, JOINT_HINGE };
+
 // Whether a body moves freely: alone in its tree, on a free joint without armature.
-bool body_is_free(const mjModel *m, int body);
+bool body_is_free(const view *v, int body);
+
+// Whether a geom is one of its grounds.
+bool foot_stands_on(const foot *foot, int ground);
+
+// What moves foot and ground. False if there is no memory for it.
+bool foot_link(foot *foot, const view *v);
 
 // The patch's plane, centre and axes, from the sums over its contacts and its frame.
-void foot_place(foot *foot, const mjData *d);
+void foot_place(foot *foot, const view *v);
 
 // Its motions by each of its degrees of freedom.
-void foot_turn(foot *foot, const mjData *d);
+void foot_turn(foot *foot, const view *v);
 
 // Its motions for velocities of all degrees of freedom, or accelerations.
-void foot_motion(const foot *foot, const mjtNum *velocities, double motion[MOTIONS]);
+void foot_motion(const foot *foot, const double *velocities, double motion[MOTIONS]);
 
-// By how much the way of its body along its ground's surface, in a time in which no velocity changes, is not straight:
+// By how much the way of its body along its ground's surface, in a time `dt` in which no velocity changes, is not straight:
 // MuJoCo gives the joints whole turns, which carry what they hold in a circle and not along its tangent.
 // It is that of the body's origin, which a free joint moves straight, such that feet of one body have one bend.
-void foot_bend(const foot *foot, const mjModel *m, const mjData *d, const mjtNum *velocities, double dt,
-               double bend[2]);
+void foot_bend(const foot *foot, const view *v, double dt, double bend[2]);
 
 // Roots of the inverse masses of foot and ground, of those that move.
-void foot_mobility_roots(foot *foot, const mjModel *m, const mjData *d);
+void foot_mobility_roots(foot *foot, const view *v);
+
+// The part of a normal force in lift and tilts.
+void foot_row(const foot *foot, const double position[3], const double normal[3], double row[3]);
 
 // Adds a contact to the stiffness of its normal forces: `stiffness` in acceleration's inverse units.
 void foot_press(foot *foot, const double position[3], const double normal[3], double stiffness);

@@ -5,6 +5,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "patch.h"
+
+_Static_assert(sizeof(mjtNum) == sizeof(double), "MuJoCo in single precision is not supported");
+_Static_assert((int)JOINT_FREE == mjJNT_FREE && (int)JOINT_BALL == mjJNT_BALL && (int)JOINT_SLIDE == mjJNT_SLIDE &&
+                   (int)JOINT_HINGE == mjJNT_HINGE,
+               "the numbers of MuJoCo's joints");
 
 // Where a refusal is written.
 typedef struct refusal {
@@ -162,31 +168,6 @@ static bool read_frame(const mjModel *m, foot *foot, const char *site, const ref
     return true;
 }
 
-// The degrees of freedom of foot and ground; those that move both alike do not move the foot on its ground.
-static bool read_freedoms(const mjModel *m, foot *foot, const refusal *to)
-{
-    foot->freedoms = malloc((size_t)(m->nv + 1) * sizeof *foot->freedoms);
-    foot->jacobian = malloc((size_t)(m->nv + 1) * MOTIONS * sizeof(double));
-    if (!foot->freedoms || !foot->jacobian) return refuse(to, "no memory for degrees of freedom");
-    for (int side = 0; side < 2; side++)
-        for (int body = foot->bodies[side]; body > 0; body = m->body_parentid[body])
-            for (int k = 0; k < m->body_dofnum[body]; k++) {
-                const int index = m->body_dofadr[body] + k;
-                int at = 0;
-                while (at < foot->freedom_count && foot->freedoms[at].index != index) at++;
-                if (at < foot->freedom_count) {
-                    foot->freedoms[at] = foot->freedoms[--foot->freedom_count];
-                    continue;
-                }
-                const freedom made = {index, m->body_rootid[m->dof_bodyid[index]],
-                                      side == 0 ? 1 : -1};
-                foot->freedoms[foot->freedom_count++] = made;
-            }
-    if (!foot->freedom_count)
-        return refuse(to, "the foot never moves on its ground: neither body has a joint");
-    return true;
-}
-
 static bool read_foot(const mjModel *m, foot *foot, const refusal *to)
 {
     static const char *const keys[] = ATTRIBUTES;
@@ -202,117 +183,20 @@ static bool read_foot(const mjModel *m, foot *foot, const refusal *to)
         !check_side(m, "geom", foot->geoms, foot->geom_count, &foot->bodies[0], to) ||
         !check_side(m, "ground", foot->grounds, foot->ground_count, &foot->bodies[1], to))
         return false;
-    for (int side = 0; side < 2; side++) foot->moves[side] = foot->bodies[side] != 0;
-    int jointed = foot->bodies[0];
-    while (jointed && !m->body_jntnum[jointed]) jointed = m->body_parentid[jointed];
-    foot->is_afloat = jointed && m->jnt_type[m->body_jntadr[jointed]] == mjJNT_FREE;
     if (foot->bodies[0] == foot->bodies[1])
         return refuse(to, "geom \"%s\" and ground \"%s\" are of one body", geom, ground);
     if (!*texts[3]) return refuse(to, "patch is missing: give one of " PATCH_NAMES);
-    if (!patch_read(&foot->patch, texts[3], texts[4], texts[5], to->why, to->room)) return false;
+    patch *patch = calloc(1, sizeof *patch);
+    if (!patch) return refuse(to, "no memory for a patch");
+    foot->set = &patch->set;
+    if (!patch_read(patch, texts[3], texts[4], texts[5], to->why, to->room)) return false;
     if (read_numbers(mu, &foot->mu, 1) != 1 || !(foot->mu >= 0) || isinf(foot->mu))
         return refuse(to, "mu must be one number >= 0 and finite, not \"%s\"", mu);
-    return read_frame(m, foot, site, to) && read_freedoms(m, foot, to) && check_contacts(m, foot, to);
+    return read_frame(m, foot, site, to) && check_contacts(m, foot, to);
 }
 
-// Links each geom to its feet; a pair of geoms belongs to one foot alone.
-static bool link_geoms(tribos_system *system, const mjModel *m, int *blamed, const refusal *to)
-{
-    int total = 0;
-    for (int i = 0; i < system->count; i++) total += system->feet[i].geom_count;
-    system->geom_first = malloc((size_t)(m->ngeom + 1) * sizeof(int));
-    system->memberships = malloc((size_t)total * sizeof *system->memberships);
-    if (!system->geom_first || !system->memberships) return refuse(to, "no memory for geoms");
-    for (int i = 0; i < m->ngeom; i++) system->geom_first[i] = -1;
-    int made = 0;
-    for (int i = 0; i < system->count; i++) {
-        const foot *foot = system->feet + i;
-        *blamed = foot->instance;
-        for (int j = 0; j < foot->geom_count; j++) {
-            const int geom = foot->geoms[j];
-            system->memberships[made] = (membership){i, system->geom_first[geom]};
-            system->geom_first[geom] = made++;
-        }
-    }
-    for (int i = 0; i < system->count; i++)
-        for (int j = 0; j < system->feet[i].geom_count; j++)
-            for (int k = 0; k < system->feet[i].ground_count; k++) {
-                const int geom = system->feet[i].geoms[j], ground = system->feet[i].grounds[k];
-                const int ends[2][2] = {{geom, ground}, {ground, geom}};
-                for (int way = 0; way < 2; way++)
-                    for (int at = system->geom_first[ends[way][0]]; at >= 0;
-                         at = system->memberships[at].next) {
-                        const int other = system->memberships[at].foot;
-                        if (other >= i) continue;
-                        for (int l = 0; l < system->feet[other].ground_count; l++) {
-                            if (system->feet[other].grounds[l] != ends[way][1]) continue;
-                            *blamed = system->feet[i].instance;
-                            const char *name = mj_id2name(m, mjOBJ_PLUGIN, system->feet[other].instance);
-                            return refuse(to, "geom \"%s\" and ground \"%s\" have the friction of instance \"%s\" "
-                                              "already", name_of(m, geom), name_of(m, ground), name ? name : "");
-                        }
-                    }
-            }
-    return true;
-}
-
-static bool shares_tree(const foot *a, const foot *b)
-{
-    for (int i = 0; i < a->freedom_count; i++)
-        for (int j = 0; j < b->freedom_count; j++)
-            if (a->freedoms[i].root == b->freedoms[j].root) return true;
-    return false;
-}
-
-static bool is_free(const mjModel *m, const foot *foot)
-{
-    for (int side = 0; side < 2; side++) {
-        if (foot->moves[side] && !body_is_free(m, foot->bodies[side])) return false;
-    }
-    return true;
-}
-
-// Puts feet that move each other into groups.
-static bool link_groups(tribos_system *system, const mjModel *m, const refusal *to)
-{
-    const int count = system->count;
-    int *label = malloc((size_t)count * sizeof(int));
-    system->groups = calloc((size_t)m->nplugin, sizeof *system->groups);
-    if (!label || !system->groups) {
-        free(label);
-        return refuse(to, "no memory for feet");
-    }
-    for (int i = 0; i < count; i++) label[i] = i;
-    for (int i = 0; i < count; i++)
-        for (int j = 0; j < i; j++) {
-            if (label[i] == label[j] || !shares_tree(system->feet + i, system->feet + j)) continue;
-            const int from = label[i], into = label[j];
-            for (int k = 0; k < count; k++)
-                if (label[k] == from) label[k] = into;
-        }
-    int largest = 0;
-    for (int i = 0; i < count; i++) {
-        group *group = system->groups + system->group_count;
-        for (int j = 0; j < count; j++) group->count += label[j] == i;
-        if (!group->count) continue;
-        group->feet = malloc((size_t)group->count * sizeof(int));
-        if (!group->feet) {
-            free(label);
-            return refuse(to, "no memory for feet");
-        }
-        group->is_free = true;
-        for (int j = 0, at = 0; j < count; j++) {
-            if (label[j] != i) continue;
-            group->feet[at++] = j;
-            group->is_free = group->is_free && is_free(m, system->feet + j);
-        }
-        if (group->count > largest) largest = group->count;
-        system->group_count++;
-    }
-    free(label);
-    system->scratch = malloc(system_scratch(largest));
-    return system->scratch ? true : refuse(to, "no memory for a step of %d feet", largest);
-}
+// MuJoCo's factors of the mass.
+static void solve(const void *m, void *d, double *x, const double *y, int count) { mj_solveM(m, d, x, y, count); }
 
 static bool check_options(const mjModel *m, const refusal *to)
 {
@@ -329,75 +213,69 @@ static bool check_options(const mjModel *m, const refusal *to)
     return true;
 }
 
-tribos_system *system_new(const mjModel *m, int lead, int *blamed, char *why, size_t room)
+// What is wrong with feet that each may be right.
+static bool refuse_link(const mjModel *m, const tribos_system *system, link_result result, const link_fault *fault,
+                        const refusal *to)
+{
+    switch (result) {
+    case LINKED: return true;
+    case NO_MEMORY: return refuse(to, "no memory for %d feet", system->count);
+    case NEVER_MOVES: return refuse(to, "the foot never moves on its ground: neither body has a joint");
+    case CLAIMED_TWICE: break;
+    }
+    const char *name = mj_id2name(m, mjOBJ_PLUGIN, system->feet[fault->other].instance);
+    return refuse(to, "geom \"%s\" and ground \"%s\" have the friction of instance \"%s\" already",
+                  name_of(m, fault->geom), name_of(m, fault->ground), name ? name : "");
+}
+
+tribos_system *feet_new(const mjModel *m, int lead, int *blamed, char *why, size_t room)
 {
     const refusal to = {why, room};
     *blamed = lead;
-    tribos_system *system = calloc(1, sizeof *system);
-    if (system) system->feet = calloc((size_t)m->nplugin, sizeof *system->feet);
-    bool is_made = system && system->feet;
-    if (!is_made) refuse(&to, "no memory for feet");
+    int count = 0;
+    for (int i = lead; i < m->nplugin; i++) count += m->plugin[i] == m->plugin[lead];
+    tribos_system *system = system_new(count);
+    bool is_made = system || refuse(&to, "no memory for feet");
     is_made = is_made && check_options(m, &to);
-    for (int i = lead; is_made && i < m->nplugin; i++) {
+    for (int i = lead, at = 0; is_made && i < m->nplugin; i++) {
         if (m->plugin[i] != m->plugin[lead]) continue;
-        foot *foot = system->feet + system->count++;
+        foot *foot = system->feet + at++;
         *blamed = foot->instance = i;
         foot->state = m->plugin_stateadr[i];
         is_made = read_foot(m, foot, &to);
     }
-    is_made = is_made && link_geoms(system, m, blamed, &to) && link_groups(system, m, &to);
+    if (is_made) {
+        const view v = view_of(m, NULL);
+        link_fault fault = {0};
+        const link_result result = system_link(system, &v, &fault);
+        if (result != LINKED) *blamed = system->feet[fault.foot].instance;
+        is_made = refuse_link(m, system, result, &fault, &to);
+    }
     if (is_made) return system;
-    system_free(system);
+    feet_free(system);
     return NULL;
 }
 
-void system_free(tribos_system *system)
+void feet_free(tribos_system *system)
 {
-    if (!system) return;
-    for (int i = 0; system->feet && i < system->count; i++) {
-        foot *foot = system->feet + i;
-        free(foot->geoms);
-        free(foot->grounds);
-        free(foot->freedoms);
-        free(foot->jacobian);
-        patch_free(&foot->patch);
+    for (int i = 0; system && i < system->count; i++) {
+        patch *patch = (struct patch *)system->feet[i].set;
+        if (patch) patch_free(patch);
+        free(patch);
     }
-    for (int i = 0; i < system->group_count; i++) free(system->groups[i].feet);
-    free(system->feet);
-    free(system->groups);
-    free(system->geom_first);
-    free(system->memberships);
-    free(system->touches);
-    free(system->scratch);
-    free(system);
+    system_free(system);
 }
 
-// Takes what a foot of an equal system found in this step; what it owns stays its own.
-static void copy_foot(foot *to, const foot *from)
-{
-    const foot own = *to;
-    *to = *from;
-    to->geoms = own.geoms;
-    to->grounds = own.grounds;
-    to->patch = own.patch;
-    to->freedoms = own.freedoms;
-    to->jacobian = own.jacobian;
-    memcpy(to->jacobian, from->jacobian, (size_t)to->freedom_count * MOTIONS * sizeof(double));
-}
+#define OF_MODEL(type, name) v.name = m->name;
+#define OF_DATA(type, name) v.name = d->name;
 
-void system_copy(tribos_system *to, const tribos_system *from)
+view view_of(const mjModel *m, mjData *d)
 {
-    to->is_current = false;
-    if (!from->is_current || to->count != from->count) return;
-    if (to->touch_room < from->touch_count) {
-        touch *touches = realloc(to->touches, (size_t)from->touch_count * sizeof *touches);
-        if (!touches) return;
-        to->touches = touches;
-        to->touch_room = from->touch_count;
-    }
-    to->touch_count = from->touch_count;
-    if (from->touch_count)
-        memcpy(to->touches, from->touches, (size_t)from->touch_count * sizeof *to->touches);
-    for (int i = 0; i < to->count; i++) copy_foot(to->feet + i, from->feet + i);
-    to->is_current = true;
+    view v = {.solve = solve, .model = m, .data = d, .timestep = m->opt.timestep,
+              .nv = (int)m->nv, .nbody = (int)m->nbody, .ngeom = (int)m->ngeom};
+    MODEL_ARRAYS(OF_MODEL)
+    if (!d) return v;
+    DATA_ARRAYS(OF_DATA)
+    v.states = d->plugin_state;
+    return v;
 }

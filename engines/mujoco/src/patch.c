@@ -149,6 +149,34 @@ static double arm(const patch *patch)
     return fabs(wrench.torque);
 }
 
+static void project(const friction_set *set, double force_limit, const double wrench[3], double length,
+                    double nearest[3])
+{
+    const patch *patch = (const struct patch *)set;
+    const tribos_wrench_f64 given = {wrench[0], wrench[1], wrench[2]};
+    const tribos_disk_surface_f64 disk = {force_limit, patch->radius};
+    const tribos_round_f64 round = {1, patch->radius};
+    tribos_projection_f64 found = {.wrench = {NAN, NAN, NAN}};
+    switch (patch->kind) {
+    case PATCH_DISK: tribos_disk_surface_project_f64(&disk, &given, length, &found); break;
+    case PATCH_ANNULUS:
+        tribos_annulus_project_f64(&round, patch->inner_ratio, force_limit, &given, length, &found);
+        break;
+    case PATCH_RING: tribos_ring_project_f64(&round, force_limit, &given, length, &found); break;
+    case PATCH_HERTZ: tribos_hertz_project_f64(&round, force_limit, &given, length, &found); break;
+    case PATCH_PUNCH: tribos_punch_project_f64(&round, force_limit, &given, length, &found); break;
+    case PATCH_POLYGON:
+        tribos_polygon_project_f64(&patch->polygon, force_limit, &given, length, &found);
+        break;
+    case PATCH_POINTS:
+        tribos_nodes_project_f64(patch->nodes, patch->node_count, force_limit, &given, length, &found);
+        break;
+    }
+    nearest[0] = found.wrench.x;
+    nearest[1] = found.wrench.y;
+    nearest[2] = found.wrench.torque;
+}
+
 bool patch_read(patch *out, const char *kind, const char *size, const char *corners, char *why,
                 size_t room)
 {
@@ -180,7 +208,7 @@ bool patch_read(patch *out, const char *kind, const char *size, const char *corn
         }
     }
     if (!is_known) return refuse(why, room, "patch must be one of " PATCH_NAMES ", not \"%s\"", kind);
-    if (is_read) out->arm = arm(out);
+    if (is_read) out->set = (friction_set){project, arm(out)};
     return is_read;
 }
 
@@ -190,31 +218,4 @@ void patch_free(patch *patch)
     free(patch->nodes);
     patch->edges = NULL;
     patch->nodes = NULL;
-}
-
-void patch_project(const patch *patch, double force_limit, const double wrench[3], double length,
-                   double nearest[3])
-{
-    const tribos_wrench_f64 given = {wrench[0], wrench[1], wrench[2]};
-    const tribos_disk_surface_f64 disk = {force_limit, patch->radius};
-    const tribos_round_f64 round = {1, patch->radius};
-    tribos_projection_f64 found = {.wrench = {NAN, NAN, NAN}};
-    switch (patch->kind) {
-    case PATCH_DISK: tribos_disk_surface_project_f64(&disk, &given, length, &found); break;
-    case PATCH_ANNULUS:
-        tribos_annulus_project_f64(&round, patch->inner_ratio, force_limit, &given, length, &found);
-        break;
-    case PATCH_RING: tribos_ring_project_f64(&round, force_limit, &given, length, &found); break;
-    case PATCH_HERTZ: tribos_hertz_project_f64(&round, force_limit, &given, length, &found); break;
-    case PATCH_PUNCH: tribos_punch_project_f64(&round, force_limit, &given, length, &found); break;
-    case PATCH_POLYGON:
-        tribos_polygon_project_f64(&patch->polygon, force_limit, &given, length, &found);
-        break;
-    case PATCH_POINTS:
-        tribos_nodes_project_f64(patch->nodes, patch->node_count, force_limit, &given, length, &found);
-        break;
-    }
-    nearest[0] = found.wrench.x;
-    nearest[1] = found.wrench.y;
-    nearest[2] = found.wrench.torque;
 }

@@ -1,9 +1,10 @@
-// The area on which a foot stands, and the set of all friction that it can carry.
+// The area on which a foot stands, as a model names it.
 #ifndef TRIBOS_MUJOCO_PATCH_H
 #define TRIBOS_MUJOCO_PATCH_H
 
 #include <stdbool.h>
 #include <stddef.h>
+#include "set.h"
 #include "tribos.h"
 
 typedef enum patch_kind {
@@ -17,6 +18,7 @@ typedef enum patch_kind {
 } patch_kind;
 
 typedef struct patch {
+    friction_set set;
     patch_kind kind;
     double radius;       // of a round patch, in m
     double inner_ratio;  // of an annulus
@@ -24,7 +26,6 @@ typedef struct patch {
     tribos_edge_f64 *edges;  // memory of the polygon
     tribos_node_f64 *nodes;  // points with equal loads
     size_t node_count;
-    double arm;              // largest torque per force about the origin, in m
 } patch;
 
 // The kinds, by the names in a model.
@@ -35,11 +36,6 @@ typedef struct patch {
 bool patch_read(patch *out, const char *kind, const char *size, const char *corners, char *why,
                 size_t room);
 void patch_free(patch *patch);
-
-// The friction of the set nearest to `wrench` (N, N, N m) where torques are divided by `length` (m):
-// the same bits if it lies inside. NaN for what is not finite.
-void patch_project(const patch *patch, double force_limit, const double wrench[3], double length,
-                   double nearest[3]);
 
 // Reads numbers separated by white space; -1 where something else stands. Returns how many there are; those
 // beyond `room` are not written.

@@ -9,8 +9,6 @@
 #include <string.h>
 #include "model.h"
 
-_Static_assert(sizeof(mjtNum) == sizeof(double), "MuJoCo in single precision is not supported");
-
 #define NAME "tribos.patch"
 
 static tribos_system *system_of(const mjData *d, int instance)
@@ -47,7 +45,7 @@ static int make(const mjModel *m, mjData *d, int instance)
     if (!is_lead(m, instance)) return 0;
     char why[600];
     int blamed;
-    tribos_system *system = system_new(m, instance, &blamed, why, sizeof why);
+    tribos_system *system = feet_new(m, instance, &blamed, why, sizeof why);
     if (!system) fail(m, blamed, why);
     d->plugin_data[instance] = (uintptr_t)system;
     return system ? 0 : -1;
@@ -55,7 +53,7 @@ static int make(const mjModel *m, mjData *d, int instance)
 
 static void destroy(mjData *d, int instance)
 {
-    system_free(system_of(d, instance));
+    feet_free(system_of(d, instance));
     d->plugin_data[instance] = 0;
 }
 
@@ -75,14 +73,38 @@ static void reset(const mjModel *m, mjtNum *state, void *data, int instance)
     if (system) system->is_current = false;
 }
 
+// The contacts of a step, as this version of MuJoCo has them. NULL, or the reason why one has no friction.
+static const char *collect(tribos_system *system, const mjModel *m, const mjData *d)
+{
+    (void)m;
+    system_begin(system);
+    for (int i = 0; i < d->ncon; i++) {
+        const mjContact *found = d->contact + i;
+        contact contact = {.geoms = {found->geom[0], found->geom[1]}, .dimension = found->dim,
+                           .row = found->efc_address, .position = found->pos, .frame = found->frame};
+        if (contact.row >= 0) contact.stiffness = d->efc_D[contact.row];
+#if mjVERSION_HEADER >= 4000000
+        if (m->flg_surfacevel) contact.surface = found->surfacevel;
+#endif
+        const char *why = system_touch(system, &contact);
+        if (why) return why;
+    }
+    return NULL;
+}
+
 static void compute(const mjModel *m, mjData *d, int instance, int capability)
 {
     (void)capability;
     tribos_system *system = system_of(d, instance);
     if (!system) return;
-    const char *why = system_step(system, m, d);
+    if (m->opt.integrator == mjINT_RK4)
+        fail(m, instance, "the integrator RK4 evaluates forces within a step, where friction has no implicit step: "
+                          "choose Euler, implicit or implicitfast");
+    const char *why = collect(system, m, d);
     if (why) fail(m, instance, why);
-    system_push(system, d);
+    const view v = view_of(m, d);
+    system_step(system, &v);
+    system_push(system, &v);
 }
 
 static void advance(const mjModel *m, mjData *d, int instance)
@@ -94,7 +116,12 @@ static void advance(const mjModel *m, mjData *d, int instance)
                           "was made");
         return;
     }
-    system_remember(system, m, d);
+    const view v = view_of(m, d);
+    const int *awake = NULL;
+#if mjVERSION_HEADER >= 340
+    if (m->opt.enableflags & mjENBL_SLEEP) awake = d->body_awake;
+#endif
+    system_remember(system, &v, d->efc_force, awake);
 }
 
 // MuJoCo's macro for this has other arguments in other versions.

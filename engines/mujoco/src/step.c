@@ -62,7 +62,7 @@ static void prepare(planar_foot *foot, const double block[9])
     double *c = foot->compliance;
     foot->is_missed = false;
     memcpy(c, block, 9 * sizeof(double));
-    const double arm_sq = foot->patch->arm * foot->patch->arm;
+    const double arm_sq = foot->set->arm * foot->set->arm;
     const double floor = FLOOR * (c[0] + c[4] + c[8] * arm_sq);
     c[0] += floor;
     c[4] += floor;
@@ -83,7 +83,7 @@ static void prepare(planar_foot *foot, const double block[9])
 
 static void project(const planar_foot *foot, const double wrench[3], double nearest[3])
 {
-    patch_project(foot->patch, foot->limit, wrench, foot->length, nearest);
+    foot->set->project(foot->set, foot->limit, wrench, foot->length, nearest);
 }
 
 static bool is_inside(const planar_foot *foot, const double wrench[3])
@@ -104,7 +104,7 @@ static bool needed(const planar_foot *foot, const double start[3], const double 
     product3(step, foot->inverse, slope);
     add_scaled3(wrench, step, -1);
     const double most = BEYOND * foot->limit;
-    return norm2(wrench[0], wrench[1]) <= most && fabs(wrench[2]) <= most * foot->patch->arm;
+    return norm2(wrench[0], wrench[1]) <= most && fabs(wrench[2]) <= most * foot->set->arm;
 }
 
 // The friction that leaves the least energy, from `at` where the motion is `slope`; true if it brings the
@@ -182,7 +182,7 @@ static bool mark_held(planar_foot *feet, int count, const double *compliance, do
         double after[3];
         velocity_after(feet, count, compliance, dt, i, after);
         const double none = share * feet[i].bound * feet[i].limit * dt;
-        feet[i].is_held = norm2(after[0], after[1]) <= none && fabs(after[2]) * feet[i].patch->arm <= none;
+        feet[i].is_held = norm2(after[0], after[1]) <= none && fabs(after[2]) * feet[i].set->arm <= none;
         all = all && feet[i].is_held;
     }
     return all;
@@ -210,7 +210,7 @@ static bool minimise_all(planar_foot *feet, int count, const double *compliance,
             is_held = is_held && foot->is_held;
             subtract3(moved, foot->friction, before);
             change = fmax(change, norm2(moved[0], moved[1]));
-            change = fmax(change, fabs(moved[2]) / foot->patch->arm);
+            change = fmax(change, fabs(moved[2]) / foot->set->arm);
         }
         is_met = count == 1 || !(change > TOLERANCE * limit);
     }
@@ -273,7 +273,7 @@ static bool hold_together(planar_foot *feet, int count, const double *compliance
         slope_of(feet, count, compliance, 1 / dt, i, slope);
         foot->is_held = true;
         for (int k = 0; k < 3; k++) {
-            foot->unit[k] = k == 2 ? foot->limit * foot->patch->arm : foot->limit;
+            foot->unit[k] = k == 2 ? foot->limit * foot->set->arm : foot->limit;
             foot->left[k] = -foot->unit[k] * slope[k];
             foot->along[k] = foot->change[k] = 0;
         }
@@ -328,7 +328,7 @@ static bool is_beyond(planar_foot *feet, int count, const double *compliance, do
         for (int j = 0; j < count; j++) {
             const double *c = compliance + 9 * (count * i + j);
             const double force = sqrt(c[0] * c[0] + c[1] * c[1] + c[3] * c[3] + c[4] * c[4]);
-            most += (force + norm2(c[2], c[5]) * feet[j].patch->arm) * feet[j].limit;
+            most += (force + norm2(c[2], c[5]) * feet[j].set->arm) * feet[j].limit;
         }
         for (int k = 0; k < 2; k++) rate[k] = feet[i].acceleration[k] + feet[i].velocity[k] / dt;
         if (!(norm2(rate[0], rate[1]) > BEYOND * most)) return false;
@@ -340,7 +340,7 @@ static bool is_beyond(planar_foot *feet, int count, const double *compliance, do
 static bool turns_about(const planar_foot *feet, int count, const double *compliance, double dt)
 {
     for (int i = 0; i < count; i++) {
-        const double *u = feet[i].velocity, arm_sq = feet[i].patch->arm * feet[i].patch->arm;
+        const double *u = feet[i].velocity, arm_sq = feet[i].set->arm * feet[i].set->arm;
         double v[3];
         velocity_after(feet, count, compliance, dt, i, v);
         const double speed_sq = u[0] * u[0] + u[1] * u[1] + arm_sq * u[2] * u[2];

@@ -3,11 +3,11 @@
 #define TRIBOS_MUJOCO_STEP_H
 
 #include <stdbool.h>
-#include "patch.h"
+#include "set.h"
 
 // A foot's friction, or any other motion or wrench of it: along x, along y, about the normal.
 typedef struct planar_foot {
-    const patch *patch;
+    const friction_set *set;
     double limit;            // mu x load, in N
     double velocity[3];      // relative to its ground, m/s and rad/s
     double acceleration[3];  // without friction of the feet

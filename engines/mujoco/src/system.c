@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 #include "compliance.h"
+#include "step.h"
 #include "vectors.h"
 
 // Share of its slip that friction takes back in a step from a body that it holds: what it knows a step late, of third
@@ -9,26 +10,7 @@
 // move a body back visibly that a sudden push has moved in the step in which friction did not know of it.
 #define RETURN 0.02
 
-// A foot whose body sleeps keeps what it remembers: MuJoCo leaves its contacts out.
-static bool is_asleep(const mjModel *m, const mjData *d, const foot *foot)
-{
-#if mjVERSION_HEADER >= 340
-    return (m->opt.enableflags & mjENBL_SLEEP) && d->body_awake[foot->bodies[0]] == 0;
-#else
-    (void)m, (void)d, (void)foot;
-    return false;
-#endif
-}
-
-static bool stands_on(const foot *foot, int ground)
-{
-    for (int i = 0; i < foot->ground_count; i++)
-        if (foot->grounds[i] == ground) return true;
-    return false;
-}
-
-static bool remember_touch(tribos_system *system, foot *foot, const mjContact *contact, int index,
-                           double sign)
+static bool remember_touch(tribos_system *system, foot *foot, const contact *contact, double sign)
 {
     if (system->touch_count == system->touch_room) {
         const int room = 2 * system->touch_room + 16;
@@ -37,17 +19,20 @@ static bool remember_touch(tribos_system *system, foot *foot, const mjContact *c
         system->touches = touches;
         system->touch_room = room;
     }
-    const touch made = {index, sign, foot->first};
+    touch made = {.sign = sign, .row = contact->row, .stiffness = contact->stiffness, .gap = contact->gap, .next = foot->first};
+    memcpy(made.position, contact->position, sizeof made.position);
+    memcpy(made.frame, contact->frame, sizeof made.frame);
+    memcpy(made.spring, contact->spring, sizeof made.spring);
+    if (contact->surface) memcpy(made.surface, contact->surface, sizeof made.surface);
     foot->first = system->touch_count;
     system->touches[system->touch_count++] = made;
     foot->contact_count++;
     add_scaled3(foot->normal_sum, contact->frame, sign);
-    add_scaled3(foot->position_sum, contact->pos, 1);
+    add_scaled3(foot->position_sum, contact->position, 1);
     return true;
 }
 
-// Gives the feet their contacts with their grounds.
-static const char *collect(tribos_system *system, const mjData *d)
+void system_begin(tribos_system *system)
 {
     system->touch_count = 0;
     for (int i = 0; i < system->count; i++) {
@@ -57,39 +42,38 @@ static const char *collect(tribos_system *system, const mjData *d)
         memset(foot->normal_sum, 0, sizeof foot->normal_sum);
         memset(foot->position_sum, 0, sizeof foot->position_sum);
     }
-    for (int i = 0; i < d->ncon; i++) {
-        const mjContact *contact = d->contact + i;
-        if (contact->efc_address < 0 || contact->geom[0] < 0 || contact->geom[1] < 0) continue;
-        for (int side = 0; side < 2; side++) {
-            const int geom = contact->geom[side], ground = contact->geom[1 - side];
-            int at = system->geom_first[geom];
-            for (; at >= 0; at = system->memberships[at].next) {
-                foot *foot = system->feet + system->memberships[at].foot;
-                if (!stands_on(foot, ground)) continue;
-                if (contact->dim != 1)
-                    return "a contact of a foot with its ground has friction of MuJoCo's own: "
-                           "condim was changed after the simulation was made; set it to 1 again";
-                if (!remember_touch(system, foot, contact, i, side == 1 ? 1 : -1))
-                    return "no memory for contacts";
-            }
+}
+
+const char *system_touch(tribos_system *system, const contact *contact)
+{
+    if (contact->row < 0 || contact->geoms[0] < 0 || contact->geoms[1] < 0) return NULL;
+    for (int side = 0; side < 2; side++) {
+        const int geom = contact->geoms[side], ground = contact->geoms[1 - side];
+        int at = system->geom_first[geom];
+        for (; at >= 0; at = system->memberships[at].next) {
+            foot *foot = system->feet + system->memberships[at].foot;
+            if (!foot_stands_on(foot, ground)) continue;
+            if (contact->dimension != 1)
+                return "a contact of a foot with its ground has friction of MuJoCo's own: "
+                       "condim was changed after the simulation was made; set it to 1 again";
+            if (!remember_touch(system, foot, contact, side == 1 ? 1 : -1)) return "no memory for contacts";
         }
     }
     return NULL;
 }
 
-#if mjVERSION_HEADER >= 4000000
 // The motion of the surfaces of conveyors, as the mean of those that each contact shows.
-static void find_surface_velocity(const tribos_system *system, const mjData *d, foot *foot)
+static void find_surface_velocity(const tribos_system *system, foot *foot)
 {
     double shift[3] = {0, 0, 0}, spin = 0;
     for (int at = foot->first; at >= 0; at = system->touches[at].next) {
-        const mjContact *contact = d->contact + system->touches[at].contact;
-        const double *v = contact->surfacevel, sign = system->touches[at].sign;
+        const touch *touch = system->touches + at;
+        const double *v = touch->surface, sign = touch->sign;
         double lever[3], turned[3];
-        subtract3(lever, foot->centre, contact->pos);
-        cross3(turned, contact->frame, lever);
-        add_scaled3(shift, contact->frame + 3, sign * v[0]);
-        add_scaled3(shift, contact->frame + 6, sign * v[1]);
+        subtract3(lever, foot->centre, touch->position);
+        cross3(turned, touch->frame, lever);
+        add_scaled3(shift, touch->frame + 3, sign * v[0]);
+        add_scaled3(shift, touch->frame + 6, sign * v[1]);
         add_scaled3(shift, turned, sign * v[2]);
         // The spin about the contact's normal is `sign` times that about the foot's, as is its sense.
         spin += v[2];
@@ -101,46 +85,53 @@ static void find_surface_velocity(const tribos_system *system, const mjData *d, 
     foot->surface[ALONG_Y] = -plane[1] / foot->contact_count;
     foot->surface[SPIN] = -spin / foot->contact_count;
 }
-#endif
 
-// Where a foot's patch lies, how it moves, and how its contacts respond.
-static void settle(const tribos_system *system, const mjModel *m, const mjData *d, foot *foot,
-                   bool is_free)
+// How far a foot moves on its ground in a step that begins where MuJoCo's arrays are, or, `sense` -1, in one that has ended
+// there: added to its slip.
+static void add_slip(const foot *foot, const view *v, const double motion[MOTIONS], int sense, double *slip)
 {
-    foot_place(foot, d);
-    foot_turn(foot, d);
-    if (is_free) foot_mobility_roots(foot, m, d);
-    memset(foot->stiffness, 0, sizeof foot->stiffness);
-    for (int at = foot->first; at >= 0; at = system->touches[at].next) {
-        const mjContact *contact = d->contact + system->touches[at].contact;
-        double normal[3] = {0, 0, 0};
-        add_scaled3(normal, contact->frame, system->touches[at].sign);
-        foot_press(foot, contact->pos, normal, d->efc_D[contact->efc_address]);
-    }
-    double motion[MOTIONS];
-    foot_motion(foot, d->qvel, motion);
-    memcpy(foot->motion, motion, sizeof foot->motion);
-    memset(foot->surface, 0, sizeof foot->surface);
-#if mjVERSION_HEADER >= 4000000
-    if (m->flg_surfacevel) find_surface_velocity(system, d, foot);
-#endif
-    double bend[2];
-    foot_bend(foot, m, d, d->qvel, m->opt.timestep, bend);
-    subtract3(foot->velocity, motion, foot->surface);
-    for (int k = 0; k < 2; k++) foot->velocity[k] += bend[k] / m->opt.timestep;
+    double way[3], bend[2];
+    subtract3(way, motion, foot->surface);
+    for (int k = 0; k < 3; k++) way[k] *= v->timestep;
+    foot_bend(foot, v, sense * v->timestep, bend);
+    for (int k = 0; k < 2; k++) way[k] += sense * bend[k];
+    add_scaled3(slip, way, 1);
 }
 
-size_t system_scratch(int count)
+// Where a foot's patch lies, how it moves, and how its contacts respond.
+static void settle(const tribos_system *system, const view *v, foot *foot, bool is_free)
+{
+    foot_place(foot, v);
+    foot_turn(foot, v);
+    if (is_free) foot_mobility_roots(foot, v);
+    memset(foot->stiffness, 0, sizeof foot->stiffness);
+    for (int at = foot->first; at >= 0; at = system->touches[at].next) {
+        const touch *touch = system->touches + at;
+        double normal[3] = {0, 0, 0};
+        add_scaled3(normal, touch->frame, touch->sign);
+        foot_press(foot, touch->position, normal, touch->stiffness);
+    }
+    foot_motion(foot, v->qvel, foot->motion);
+    find_surface_velocity(system, foot);
+    double *state = v->states + foot->state;
+    if (system->owes_slip && state[STATE_HELD] > 0) add_slip(foot, v, foot->motion, -1, state + STATE_SLIP);
+    double bend[2];
+    foot_bend(foot, v, v->timestep, bend);
+    subtract3(foot->velocity, foot->motion, foot->surface);
+    for (int k = 0; k < 2; k++) foot->velocity[k] += bend[k] / v->timestep;
+}
+
+size_t system_scratch(int count, int nv)
 {
     const size_t numbers = (size_t)MOBILITY(count) + 2 * (size_t)COMPLIANCE(count) +
-                           (size_t)SPRINGS(count);
+                           (size_t)SPRINGS(count) + (size_t)ROWS(count, nv);
     return sizeof(double) * numbers + (size_t)count * (sizeof(planar_foot) + sizeof(foot *));
 }
 
 // A foot in the step of its group: what it remembers, in the axes that its patch has now.
-static planar_foot planar_of(const foot *foot, const mjtNum *state)
+static planar_foot planar_of(const foot *foot, const double *state)
 {
-    planar_foot planar = {.patch = &foot->patch, .limit = foot->mu * state[STATE_LOAD]};
+    planar_foot planar = {.set = foot->set, .limit = foot->mu * state[STATE_LOAD]};
     memcpy(planar.velocity, foot->velocity, sizeof planar.velocity);
     foot_in_plane(foot, state + STATE_ACCELERATION, planar.acceleration);
     planar.acceleration[2] = state[STATE_TURNING];
@@ -151,7 +142,7 @@ static planar_foot planar_of(const foot *foot, const mjtNum *state)
 
 // Adds the velocity with which slip is taken back, as one motion of the body: slips of feet that differ would turn
 // into forces between them. A body that stands on two grounds, or lacks a motion, might not be able to follow.
-static void take_back(foot **touching, planar_foot *planar, int loaded, const mjData *d, double dt)
+static void take_back(foot **touching, planar_foot *planar, int loaded, const double *states, double dt)
 {
     for (int i = 0; i < loaded; i++) {
         const foot *own = touching[planar[i].index], *first = NULL;
@@ -159,11 +150,11 @@ static void take_back(foot **touching, planar_foot *planar, int loaded, const mj
         for (int j = 0; j < loaded; j++) {
             const foot *other = touching[planar[j].index];
             if (other->bodies[0] != own->bodies[0]) continue;
-            if (!first && d->plugin_state[other->state + STATE_HELD] > 0) first = other;
+            if (!first && states[other->state + STATE_HELD] > 0) first = other;
             is_on_one = is_on_one && other->bodies[1] == own->bodies[1];
         }
         if (!first || !is_on_one) continue;
-        const mjtNum *slip = d->plugin_state + first->state + STATE_SLIP;
+        const double *slip = states + first->state + STATE_SLIP;
         double way[3], lever[3], turn[3] = {0, 0, 0}, moved[3], plane[2];
         foot_in_world(first, slip, way);
         add_scaled3(turn, first->axes + 6, slip[SPIN]);
@@ -178,12 +169,12 @@ static void take_back(foot **touching, planar_foot *planar, int loaded, const mj
 }
 
 // Friction of a group of feet.
-static void step_group(tribos_system *system, const mjModel *m, mjData *d, const group *group)
+static void step_group(tribos_system *system, const view *v, const group *group)
 {
     const int room = group->count;
     double *mobility = system->scratch, *compliance = mobility + MOBILITY(room),
-           *among = compliance + COMPLIANCE(room), *rest = among + COMPLIANCE(room);
-    planar_foot *planar = (planar_foot *)(rest + SPRINGS(room));
+           *among = compliance + COMPLIANCE(room), *rest = among + COMPLIANCE(room), *rows = rest + SPRINGS(room);
+    planar_foot *planar = (planar_foot *)(rows + ROWS(room, v->nv));
     foot **touching = (foot **)(planar + room);
 
     int count = 0;
@@ -193,28 +184,28 @@ static void step_group(tribos_system *system, const mjModel *m, mjData *d, const
         memset(foot->response, 0, sizeof foot->response);
         foot->is_held = foot->is_missed = false;
         if (foot->first < 0) continue;
-        settle(system, m, d, foot, group->is_free);
+        settle(system, v, foot, group->is_free);
         touching[count++] = foot;
     }
     if (!count) return;
-    find_mobility(m, d, touching, count, group->is_free, mobility);
+    find_mobility(v, touching, count, group->is_free, rows, mobility);
     find_compliance(touching, count, mobility, rest, compliance);
 
     // Only feet that carried a load in the last step have friction.
     int loaded = 0;
     for (int i = 0; i < count; i++) {
-        const mjtNum *state = d->plugin_state + touching[i]->state;
+        const double *state = v->states + touching[i]->state;
         if (!(state[STATE_LOAD] > 0)) continue;
         planar[loaded] = planar_of(touching[i], state);
         planar[loaded++].index = i;
     }
     if (!loaded) return;
-    take_back(touching, planar, loaded, d, m->opt.timestep);
+    take_back(touching, planar, loaded, v->states, v->timestep);
     for (int i = 0; i < loaded; i++)
         for (int j = 0; j < loaded; j++)
             memcpy(among + 9 * (loaded * i + j),
                    compliance + 9 * (count * planar[i].index + planar[j].index), 9 * sizeof(double));
-    step_solve(planar, loaded, among, m->opt.timestep);
+    step_solve(planar, loaded, among, v->timestep);
     for (int j = 0; j < loaded; j++) {
         foot *foot = touching[planar[j].index];
         memcpy(foot->friction, planar[j].friction, sizeof foot->friction);
@@ -226,72 +217,89 @@ static void step_group(tribos_system *system, const mjModel *m, mjData *d, const
     }
 }
 
-const char *system_step(tribos_system *system, const mjModel *m, mjData *d)
+void system_step(tribos_system *system, const view *v)
 {
-    if (m->opt.integrator == mjINT_RK4)
-        return "the integrator RK4 evaluates forces within a step, where friction has no implicit step: "
-               "choose Euler, implicit or implicitfast";
-    const char *why = collect(system, d);
-    if (why) return why;
-    for (int i = 0; i < system->group_count; i++) step_group(system, m, d, system->groups + i);
+    for (int i = 0; i < system->group_count; i++) step_group(system, v, system->groups + i);
     system->is_current = true;
-    return NULL;
 }
 
-void system_push(const tribos_system *system, mjData *d)
+void system_push(const tribos_system *system, const view *v)
 {
     for (int i = 0; i < system->count; i++) {
         const foot *foot = system->feet + i;
         if (foot->first < 0) continue;
         for (int k = 0; k < foot->freedom_count; k++)
-            d->qfrc_passive[foot->freedoms[k].index] +=
+            v->qfrc_passive[foot->freedoms[k].index] +=
                 dot3(foot->jacobian + MOTIONS * k, foot->friction);
     }
 }
 
-// What a touching foot remembers.
-static void remember(const tribos_system *system, const mjModel *m, const mjData *d,
-                     const foot *foot, mjtNum *state)
+// What a touching foot remembers of friction, and of its acceleration by all forces, less that by friction.
+static void remember(const foot *foot, double load, const double by_all[3], double *state)
 {
-    state[STATE_LOAD] = 0;
-    for (int at = foot->first; at >= 0; at = system->touches[at].next)
-        state[STATE_LOAD] +=
-            d->efc_force[d->contact[system->touches[at].contact].efc_address];
+    state[STATE_LOAD] = load;
     foot_in_world(foot, foot->friction, state + STATE_FORCE);
     state[STATE_TORQUE] = foot->friction[2];
     state[STATE_HELD] = foot->is_held;
     state[STATE_MISSED] += foot->is_missed;
-
-    // Its acceleration in this step, as the integrator made it, less that by friction.
-    double motion[MOTIONS], acceleration[3];
-    foot_motion(foot, d->qvel, motion);
-    for (int k = 0; k < 3; k++)
-        acceleration[k] =
-            (motion[k] - foot->motion[k]) / m->opt.timestep - foot->response[k];
+    double acceleration[3];
+    subtract3(acceleration, by_all, foot->response);
     foot_in_world(foot, acceleration, state + STATE_ACCELERATION);
     state[STATE_TURNING] = acceleration[2];
-
-    // How far it has moved on its ground in spite of being held.
-    double slip[3], bend[2];
-    subtract3(slip, motion, foot->surface);
-    for (int k = 0; k < 3; k++) slip[k] *= m->opt.timestep;
-    foot_bend(foot, m, d, d->qvel, m->opt.timestep, bend);
-    for (int k = 0; k < 2; k++) slip[k] += bend[k];
-    if (foot->is_held)
-        add_scaled3(state + STATE_SLIP, slip, 1);
-    else
-        memset(state + STATE_SLIP, 0, sizeof slip);
+    if (!foot->is_held) memset(state + STATE_SLIP, 0, 3 * sizeof(double));
 }
 
-void system_remember(tribos_system *system, const mjModel *m, mjData *d)
+// A foot that touches nothing.
+static void forget(double *state) { memset(state, 0, STATE_MISSED * sizeof(double)); }
+
+void system_remember(tribos_system *system, const view *v, const double *forces, const int *awake)
 {
     for (int i = 0; i < system->count; i++) {
         const foot *foot = system->feet + i;
-        mjtNum *state = d->plugin_state + foot->state;
-        if (foot->first >= 0)
-            remember(system, m, d, foot, state);
-        else if (!is_asleep(m, d, foot))
-            memset(state, 0, STATE_MISSED * sizeof(mjtNum));
+        double *state = v->states + foot->state;
+        if (foot->first < 0) {
+            // MuJoCo leaves the contacts of sleeping bodies out.
+            if (!awake || awake[foot->bodies[0]]) forget(state);
+            continue;
+        }
+        double load = 0, motion[MOTIONS], by_all[3];
+        for (int at = foot->first; at >= 0; at = system->touches[at].next) load += forces[system->touches[at].row];
+        // As the integrator made it.
+        foot_motion(foot, v->qvel, motion);
+        for (int k = 0; k < 3; k++) by_all[k] = (motion[k] - foot->motion[k]) / v->timestep;
+        remember(foot, load, by_all, state);
+        if (foot->is_held) add_slip(foot, v, motion, 1, state + STATE_SLIP);
+    }
+    system->is_current = false;
+}
+
+// The normal force of a contact, as the solver has it: stiffness x max(0, reference - acceleration).
+static double normal_force(const foot *foot, const touch *touch, const double acceleration[MOTIONS])
+{
+    double normal[3] = {0, 0, 0}, row[3];
+    add_scaled3(normal, touch->frame, touch->sign);
+    foot_row(foot, touch->position, normal, row);
+    const double reference = -touch->spring[1] * dot3(row, foot->motion + LIFT) -
+                             touch->spring[0] * touch->spring[2] * touch->gap;
+    return touch->stiffness * fmax(reference - dot3(row, acceleration + LIFT), 0);
+}
+
+void system_recall(tribos_system *system, const view *v, bool has_passed)
+{
+    system->owes_slip = has_passed && system->is_current;
+    if (!system->is_current) return;
+    for (int i = 0; i < system->count; i++) {
+        const foot *foot = system->feet + i;
+        double *state = v->states + foot->state;
+        if (foot->first < 0) {
+            forget(state);
+            continue;
+        }
+        double load = 0, motion[MOTIONS];
+        foot_motion(foot, v->qacc, motion);
+        for (int at = foot->first; at >= 0; at = system->touches[at].next)
+            load += normal_force(foot, system->touches + at, motion);
+        remember(foot, load, motion, state);
     }
     system->is_current = false;
 }

@@ -28,6 +28,12 @@ static inline void add_scaled3(double out[3], const double a[3], double scale)
     for (int i = 0; i < 3; i++) out[i] += scale * a[i];
 }
 
+static inline void normalise3(double a[3])
+{
+    const double norm = sqrt(dot3(a, a)), inverse = 1 / norm;
+    for (int i = 0; i < 3; i++) a[i] = norm > 0 ? a[i] * inverse : i == 0;
+}
+
 // out += matrix * a
 static inline void add_product3(double out[3], const double matrix[9], const double a[3])
 {

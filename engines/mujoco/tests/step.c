@@ -1,6 +1,7 @@
 // Judges the step of feet: by the kernel's step of one body, and by the conditions that friction has to meet.
 // Prints the largest deviations.
 
+#include "patch.h"
 #include "step.h"
 
 #include <stdint.h>
@@ -38,7 +39,7 @@ static patch read(const char *kind, const char *size)
 // Velocities and pushes from those that hold to those that slide far, in units of what friction does in a step.
 static void draw_motion(planar_foot *foot, const double per_force[3])
 {
-    const double units[3] = {per_force[0], per_force[1], per_force[2] * foot->patch->arm};
+    const double units[3] = {per_force[0], per_force[1], per_force[2] * foot->set->arm};
     const double speed = pow(10, 1.5 * drawn()), push = pow(10, 1.5 * drawn() - 0.5);
     for (int k = 0; k < 3; k++) {
         foot->velocity[k] = drawn() * speed * foot->limit * units[k] * DT;
@@ -55,7 +56,7 @@ static void beside_the_kernel(double *worst, int *held, int *others)
         const tribos_planar_body_f64 body = {pow(10, drawn()), 1e-3 * pow(10, drawn())};
         const double per_force[3] = {1 / body.mass, 1 / body.mass, 1 / body.inertia};
         const double compliance[9] = {per_force[0], 0, 0, 0, per_force[1], 0, 0, 0, per_force[2]};
-        planar_foot foot = {.patch = &disk, .limit = pow(10, drawn())};
+        planar_foot foot = {.set = &disk.set, .limit = pow(10, drawn())};
         draw_motion(&foot, per_force);
         step_solve(&foot, 1, compliance, DT);
 
@@ -69,7 +70,7 @@ static void beside_the_kernel(double *worst, int *held, int *others)
         *held += foot.is_held;
         *others += foot.is_held != (bool)step.is_at_rest;
         const double error[3] = {foot.friction[0] - step.friction.x, foot.friction[1] - step.friction.y,
-                                 (foot.friction[2] - step.friction.torque) / disk.arm};
+                                 (foot.friction[2] - step.friction.torque) / disk.set.arm};
         *worst = most(sqrt(dot3(error, error)) / foot.limit, *worst);
     }
     patch_free(&disk);
@@ -94,10 +95,10 @@ static double residual(const planar_foot *foot, const double compliance[9], doub
     memcpy(motion, foot->acceleration, sizeof motion);
     add_scaled3(motion, foot->velocity, inv_time);
     add_product3(motion, compliance, foot->friction);
-    const double arm = foot->patch->arm, rate = 1 / (compliance[0] + compliance[4] + compliance[8] * arm * arm);
+    const double arm = foot->set->arm, rate = 1 / (compliance[0] + compliance[4] + compliance[8] * arm * arm);
     for (int k = 0; k < 3; k++)
         moved[k] = foot->friction[k] - rate * motion[k] * (k == 2 ? arm * arm : 1);
-    patch_project(foot->patch, foot->limit, moved, arm, nearest);
+    foot->set->project(foot->set, foot->limit, moved, arm, nearest);
     subtract3(moved, nearest, foot->friction);
     moved[2] /= arm;
     return sqrt(dot3(moved, moved)) / foot->limit;
@@ -108,10 +109,10 @@ static void by_its_conditions(double *worst, int *held)
 {
     patch patches[2] = {read("disk", "0.05"), read("box", "0.05 0.02")};
     for (int i = 0; i < CASES; i++) {
-        planar_foot foot = {.patch = patches + i % 2, .limit = pow(10, drawn())};
+        planar_foot foot = {.set = &patches[i % 2].set, .limit = pow(10, drawn())};
         double compliance[9];
-        draw_compliance(compliance, foot.patch->arm);
-        const double per_force[3] = {1, 1, 1 / (foot.patch->arm * foot.patch->arm)};
+        draw_compliance(compliance, foot.set->arm);
+        const double per_force[3] = {1, 1, 1 / (foot.set->arm * foot.set->arm)};
         draw_motion(&foot, per_force);
         step_solve(&foot, 1, compliance, DT);
         const double at_end = residual(&foot, compliance, 1 / DT), midway = residual(&foot, compliance, 2 / DT);
@@ -141,7 +142,7 @@ static void together(double *left, double *changed, int *held)
                     compliance[9 * (FEET * f + g) + k] = dot3(root[f] + 3 * (k / 3), root[g] + 3 * (k % 3));
         const double body[3] = {0.3 * drawn(), 0.3 * drawn(), 0.1 * drawn()};
         for (int f = 0; f < FEET; f++) {
-            feet[f] = (planar_foot){.patch = &disk, .limit = 2 + drawn()};
+            feet[f] = (planar_foot){.set = &disk.set, .limit = 2 + drawn()};
             for (int k = 0; k < 3; k++) {
                 feet[f].acceleration[k] = dot3(root[f] + 3 * k, body);
                 feet[f].velocity[k] = 0.3 * DT * feet[f].acceleration[k];
@@ -183,13 +184,13 @@ static void sliding(double *outside, double *given, int *missed)
             const double x = drawn(), y = drawn(), height = pow(10, drawn() - 3) * drawn(), b = sqrt(10), c = 30 * height;
             const double row[15] = {1, 0, -y * b, 0, c, 0, 1, x * b, -c, 0, 0, 0, b, 0, 0};
             memcpy(root[f], row, sizeof row);
-            feet[f] = (planar_foot){.patch = &disk, .limit = 2 + drawn()};
+            feet[f] = (planar_foot){.set = &disk.set, .limit = 2 + drawn()};
             for (int k = 0; k < 3; k++) {
                 for (int j = 0; j < 5; j++) feet[f].acceleration[k] += row[5 * k + j] * body[j];
                 feet[f].velocity[k] = DT * drawn() * feet[f].acceleration[k];
-                feet[f].start[k] = 0.7 * drawn() * feet[f].limit * (k == 2 ? disk.arm : 1);
+                feet[f].start[k] = 0.7 * drawn() * feet[f].limit * (k == 2 ? disk.set.arm : 1);
             }
-            patch_project(&disk, feet[f].limit, feet[f].start, disk.arm, feet[f].start);
+            disk.set.project(&disk.set, feet[f].limit, feet[f].start, disk.set.arm, feet[f].start);
         }
         for (int f = 0; f < FEET; f++)
             for (int g = 0; g < FEET; g++)
@@ -205,10 +206,10 @@ static void sliding(double *outside, double *given, int *missed)
             for (int g = 0; g < FEET; g++) add_product3(motion, compliance + 9 * (FEET * f + g), feet[g].friction);
             for (int k = 0; k < 3; k++) motion[k] = 2 * feet[f].velocity[k] + DT * motion[k];
             power += dot3(motion, feet[f].friction);
-            full += feet[f].limit * (fabs(motion[0]) + fabs(motion[1]) + disk.arm * fabs(motion[2]));
-            patch_project(&disk, feet[f].limit, feet[f].friction, disk.arm, nearest);
+            full += feet[f].limit * (fabs(motion[0]) + fabs(motion[1]) + disk.set.arm * fabs(motion[2]));
+            disk.set.project(&disk.set, feet[f].limit, feet[f].friction, disk.set.arm, nearest);
             subtract3(nearest, nearest, feet[f].friction);
-            nearest[2] /= disk.arm;
+            nearest[2] /= disk.set.arm;
             *outside = most(sqrt(dot3(nearest, nearest)) / feet[f].limit, *outside);
         }
         *given = most(power / full, *given);

@@ -3,15 +3,14 @@
 use crate::frame::Frame;
 use crate::pair::Pair;
 use rapier3d::prelude::*;
+use tribos_feet::Stance;
 
 /// Position of a foot in the plane after half a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FootPose {
     pub(crate) foot: ColliderHandle,
     pub(crate) ground: ColliderHandle,
-    pub(crate) place: [f64; 2],
-    /// Direction of the foot's own x.
-    pub(crate) axis: [f64; 2],
+    pub(crate) stance: Stance,
 }
 
 impl FootPose {
@@ -25,18 +24,11 @@ impl FootPose {
         let pose = colliders.get(pair.foot)?.position_wrt_parent()?;
         let arm = pose.transform_point(pair.patch.center()) - foot.local_center_of_mass();
         let along = *foot.rotation() * (pose.rotation * pair.patch.axis());
-        let [c, s] = frame.plane(along).map(f64::from);
-        let length = (c * c + s * s).sqrt();
-        // A direction within a hundredth of the normal is undefined in the plane.
-        let axis = match length > 1e-2 {
-            true => [c / length, s / length],
-            false => [1.0, 0.0],
-        };
+        let place = frame.plane(*foot.rotation() * arm);
         Some(Self {
             foot: pair.foot,
             ground: pair.ground,
-            place: frame.plane(*foot.rotation() * arm).map(f64::from),
-            axis,
+            stance: Stance::new(place, frame.plane(along)),
         })
     }
 
@@ -44,15 +36,10 @@ impl FootPose {
         self.foot == pair.foot && self.ground == pair.ground
     }
 
-    /// The position rotated by an angle, given half of it in radians; accurate to third order.
+    /// The position rotated by an angle, given half of it in radians.
     pub(crate) fn turned(self, half: f32) -> Self {
-        let half = f64::from(half);
-        let scale = 1.0 / (1.0 + half * half);
-        let [cos, sin] = [(1.0 - half * half) * scale, 2.0 * half * scale];
-        let turn = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
         Self {
-            place: turn(self.place),
-            axis: turn(self.axis),
+            stance: self.stance.turned(half),
             ..self
         }
     }

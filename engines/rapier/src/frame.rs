@@ -32,6 +32,11 @@ impl Frame {
         )
     }
 
+    /// A motion in the plane as one of the world.
+    pub(crate) fn motion(&self, twist: &Twist<f32>) -> [Vector; 2] {
+        [self.world(&twist.velocity), self.normal * twist.spin]
+    }
+
     /// Coordinates in the plane.
     pub(crate) fn plane(&self, vector: Vector) -> [f32; 2] {
         [vector.dot(self.first), vector.dot(self.second)]

@@ -8,13 +8,13 @@
 use crate::foot_pose::FootPose;
 use crate::frame::{Frame, FrameMotion, relative};
 use crate::pair::{ContactLoad, Friction, Pair, PreviousStep, Stop};
-use crate::reduced::{Reduced, accelerate, is_free};
+use crate::reduced::{accelerate, is_free, reduced};
 use crate::temporary_forces::TemporaryForces;
 use core::ops::Range;
 use rapier3d::prelude::*;
 use tribos_core::contact::TimeStep;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_feet::{Foot, FootFriction, Prediction, Standing};
+use tribos_feet::{Foot, FootFriction, Prediction, Reduced, Standing};
 
 /// Least cosine of the angle between the normals of two feet on one plane.
 const ONE_PLANE: f32 = 0.99;
@@ -120,15 +120,15 @@ fn standing<'a>(
         Some(Foot {
             footprint: patch.footprint(),
             limit: patch.mu() * member.touching.load,
-            place: stand.place,
-            axis: stand.axis,
+            place: stand.stance.place,
+            axis: stand.stance.axis,
             drift: [0.0; 3],
         })
     };
     let coupled = reduced.coupled();
     if let ([member], [stand]) = (members, stands) {
         return Some(Standing::new(
-            &reduced.body,
+            reduced.body(),
             coupled,
             &[foot((member, stand))?],
         ));
@@ -145,7 +145,7 @@ fn standing<'a>(
         .zip(stands)
         .map(with_drift)
         .collect::<Option<_>>()?;
-    Some(Standing::new(&reduced.body, coupled, &feet))
+    Some(Standing::new(reduced.body(), coupled, &feet))
 }
 
 /// Mean normal and depth of some contacts, weighted by load.
@@ -179,7 +179,7 @@ pub(crate) fn begin(
     let dt = TimeStep::new(parameters.dt).ok()?;
     let (normal, depth) = mean_contact(members)?;
     let frame = Frame::new(normal);
-    let reduced = Reduced::new(foot, ground, &frame)?;
+    let reduced = reduced(foot, ground, &frame)?;
     let before = relative(&frame, foot, ground);
     let extra = |body: &RigidBody| body.additional_solver_iterations();
     let most = extra(foot).max(ground.map_or(0, extra));
@@ -207,14 +207,15 @@ pub(crate) fn begin(
         let [velocity, spin] = known.jump(ground, foot.center_of_mass());
         offset += frame.twist(velocity, spin) * (0.5 * stops);
     }
-    let mut offsets = reduced.shared(&offset, &frame);
-    if reduced.moved[0] {
+    let moved = reduced.moved();
+    let mut offsets = reduced.shared(&offset).map(|offset| frame.motion(&offset));
+    if moved[0] {
         offsets[0][0] += frame.flat(carried.offset);
     }
     let forces = forces(&step.friction, &frame, depth, foot, ground);
     let handles = [Some(first.body), first.ground];
     let lent = [0, 1].map(|i| {
-        let handle = handles[i].filter(|_| reduced.moved[i])?;
+        let handle = handles[i].filter(|_| moved[i])?;
         TemporaryForces::to(bodies, handle, forces[i], offsets[i])
     });
     let begun = PendingPrediction {
@@ -250,7 +251,7 @@ pub(crate) fn finish(
         Some((begun, _)) => (begun.frame, begun.reduced),
         None => {
             let frame = Frame::new(mean_contact(members)?.0);
-            (frame, Reduced::new(foot, ground, &frame)?)
+            (frame, reduced(foot, ground, &frame)?)
         }
     };
     let after = relative(&frame, foot, ground);
@@ -275,11 +276,11 @@ pub(crate) fn finish(
         [one] => on(&[stand_of(one)?])?,
         _ => on(&members.iter().map(stand_of).collect::<Option<Vec<_>>>()?)?,
     };
-    let changes = reduced.shared(&end.change, &frame);
+    let changes = reduced.shared(&end.change);
     for (handle, change) in [Some(handles.0), handles.1].into_iter().zip(&changes) {
         let body = handle.and_then(|handle| bodies.get_mut(handle));
         if let Some(body) = body.filter(|body| is_free(body)) {
-            accelerate(body, change, 1.0);
+            accelerate(body, &frame.motion(change), 1.0);
         }
     }
     for (number, member) in members.iter().enumerate() {

@@ -6,12 +6,8 @@ use crate::shape::Derived;
 use rapier2d::prelude::*;
 use std::sync::Arc;
 use tribos_core::contact::TimeStep;
-use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_feet::{Foot, Footprint, Prediction, Standing, push};
-
-/// Radius of gyration in metres of a body that cannot turn; its inverse, of one that cannot shift.
-const LOCKED: f32 = 1e3;
+use tribos_feet::{Foot, Footprint, Prediction, Reduced, Stance, Standing};
 
 /// What the floor knows of a body.
 #[derive(Clone, Debug, Default)]
@@ -38,10 +34,7 @@ pub(crate) struct RestingBody {
 #[derive(Clone, Debug)]
 pub(crate) struct FootPose {
     footprint: Footprint,
-    /// Position from the centre of mass in metres.
-    place: [f64; 2],
-    /// Direction of its x axis.
-    axis: [f64; 2],
+    stance: Stance,
     /// Load in newtons.
     load: f32,
     mu: Mu,
@@ -59,7 +52,7 @@ enum Mu {
 #[derive(Clone, Debug)]
 pub(crate) struct PendingPrediction {
     pub(crate) body: RigidBodyHandle,
-    planar: PlanarBody<f32>,
+    planar: Reduced,
     step: Prediction,
     stands: Vec<FootPose>,
 }
@@ -83,18 +76,12 @@ pub(crate) fn is_free(body: &RigidBody) -> bool {
     body.is_dynamic() && body.is_enabled() && !body.is_sleeping()
 }
 
-/// Mass and inertia of a body; `None` if both are locked.
-fn planar(body: &RigidBody) -> Option<PlanarBody<f32>> {
+/// A body in the plane; `None` if both its motions are locked.
+fn planar(body: &RigidBody) -> Option<Reduced> {
     let properties = body.mass_properties();
     let shift = properties.effective_inv_mass.max_element();
     let turn = properties.effective_world_inv_inertia;
-    let [mass, inertia] = match [shift > 0.0, turn > 0.0] {
-        [true, true] => [shift.recip(), turn.recip()],
-        [true, false] => [shift.recip(), shift.recip() * (LOCKED * LOCKED)],
-        [false, true] => [turn.recip() * (LOCKED * LOCKED), turn.recip()],
-        [false, false] => return None,
-    };
-    PlanarBody::new(mass, inertia).ok()
+    Reduced::new([[shift, turn], [0.0; 2]], [0.0; 2])
 }
 
 fn motion(body: &RigidBody) -> Twist<f32> {
@@ -149,11 +136,12 @@ impl TemporaryForces {
 }
 
 /// The body on its feet.
-fn standing<'a>(planar: &'a PlanarBody<f32>, stands: &'a [FootPose]) -> Standing<'a> {
+fn standing<'a>(planar: &'a Reduced, stands: &'a [FootPose]) -> Standing<'a> {
+    let planar = planar.body();
     let foot = |stand: &'a FootPose| match stand.mu {
         Mu::Even(mu) => Some(Foot {
-            axis: stand.axis,
-            ..Foot::new(&stand.footprint, mu * stand.load, stand.place)
+            axis: stand.stance.axis,
+            ..Foot::new(&stand.footprint, mu * stand.load, stand.stance.place)
         }),
         Mu::OfPoints(_) => None,
     };
@@ -174,20 +162,17 @@ fn standing<'a>(planar: &'a PlanarBody<f32>, stands: &'a [FootPose]) -> Standing
 impl FootPose {
     /// A foot after half of a step, with the body's rotation in it as half of that angle in radians.
     fn new(foot: &PlacedFoot, body: &RigidBody, half: f32, load: f32) -> Self {
-        let turn = |[x, y]: [f64; 2]| {
-            // Accurate to third order.
-            let half = f64::from(half);
-            let scale = 1.0 / (1.0 + half * half);
-            let [cos, sin] = [(1.0 - half * half) * scale, 2.0 * half * scale];
-            [cos * x - sin * y, sin * x + cos * y]
-        };
         let rotation = body.rotation();
         let arm = *rotation * (foot.pose.translation - body.local_center_of_mass());
         let along = *rotation * (foot.pose.rotation * Vector::X);
+        // Rotated, and so of length 1.
+        let stance = Stance {
+            place: [arm.x, arm.y].map(f64::from),
+            axis: [along.x, along.y].map(f64::from),
+        };
         Self {
             footprint: foot.footprint.clone(),
-            place: turn([arm.x, arm.y].map(f64::from)),
-            axis: turn([along.x, along.y].map(f64::from)),
+            stance: stance.turned(half),
             load,
             mu: Mu::Even(0.0),
         }
@@ -196,7 +181,7 @@ impl FootPose {
     /// Sets the coefficient of friction by the floor around the centre of mass `at`.
     fn set_floor_friction(&mut self, materials: &impl Materials, at: Vector) {
         let place = |[x, y]: [f64; 2]| at + Vector::new(x as f32, y as f32);
-        self.mu = match materials.even(place(self.place), self.footprint.radius()) {
+        self.mu = match materials.even(place(self.stance.place), self.footprint.radius()) {
             Some(mu) => Mu::Even(mu),
             None => {
                 let mu = |point: &[f32; 3]| materials.at(place(self.point(point)));
@@ -211,8 +196,12 @@ impl FootPose {
 
     /// Position of a point of the footprint from the centre of mass.
     fn point(&self, &[x, y, _]: &[f32; 3]) -> [f64; 2] {
-        let ([c, s], [x, y]) = (self.axis, [x, y].map(f64::from));
-        [self.place[0] + c * x - s * y, self.place[1] + s * x + c * y]
+        let Stance {
+            place,
+            axis: [c, s],
+        } = self.stance;
+        let [x, y] = [x, y].map(f64::from);
+        [place[0] + c * x - s * y, place[1] + s * x + c * y]
     }
 
     /// Places and friction limits of all points.
@@ -340,9 +329,9 @@ impl RestingBody {
 }
 
 /// Expected push of gravity in the plane and the user's forces.
-fn expected(body: &RigidBody, planar: &PlanarBody<f32>, gravity: Vector) -> Wrench<f32> {
+fn expected(body: &RigidBody, planar: &Reduced, gravity: Vector) -> Wrench<f32> {
     let linear = gravity * body.gravity_scale() + body.user_force() / body.mass();
     let angular = body.mass_properties().effective_world_inv_inertia * body.user_torque();
     let change = Twist::new(linear.x, linear.y, angular);
-    push(planar, None, &change, 1.0)
+    planar.push(&change, 1.0)
 }

@@ -61,8 +61,12 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "tribos-web",
         &["tribos-core", "tribos-friction", "tribos-motion"],
     ),
-    ("tribos-python", &["tribos", "tribos-cli", "tribos-core"]),
+    (
+        "tribos-python",
+        &["tribos", "tribos-cli", "tribos-core", "tribos-mujoco"],
+    ),
     ("tribos-feet", &["tribos-core", "tribos-friction"]),
+    ("tribos-mujoco", &[]),
     ("tribos-boards", &["tribos-core", "tribos-subjects"]),
     // What proves and measures stands beside the command.
     ("tribos-api", &[]),

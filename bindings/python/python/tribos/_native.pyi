@@ -401,24 +401,17 @@ class RateState:
 
 @final
 class MujocoFeet:
-    def __new__(
-        cls,
-        feet: Sequence[object],
-        memory: NDArray[Any],
-        places: object,
-        layout: object,
-        mass: tuple[NDArray[Any], NDArray[Any]] | None,
-    ) -> MujocoFeet: ...
-    def lift(self) -> None: ...
+    def __new__(cls, simulation: object, feet: Sequence[object]) -> MujocoFeet: ...
+    @staticmethod
+    def arrays() -> list[tuple[str, str]]: ...
     def step(
         self,
         time: float,
         dt: float,
-        contacts: NDArray[Any],
+        contacts: tuple[int, int],
         stiffness: NDArray[Any],
         springs: NDArray[Any],
-    ) -> bool: ...
-    def push(self, dt: float) -> None: ...
+    ) -> None: ...
     def state(
         self, foot: int
     ) -> tuple[float, list[float], list[float], list[list[float]], list[float], bool, int]: ...

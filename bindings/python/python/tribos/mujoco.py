@@ -30,14 +30,16 @@ True
 
 How it works
 ------------
-Contacts of the geoms with their floor are made frictionless while the feet are attached. In each
-step the load of a foot is the sum of its normal forces of the step before, and friction is that of
-an implicit step: the wrench that would bring the foot to rest relative to its floor, against its
-momentum and all other forces, brought to the nearest point of the limit surface in the metric of
-the effective masses. A foot that friction can hold therefore stands still exactly; on a floor that
+The step is that of MuJoCo's plugin ``tribos.patch``, for a model without the plugin and for every
+version of MuJoCo. Contacts of the geoms with their floor are made frictionless while the feet are
+attached. In each step the load of a foot is the sum of its normal forces of the step before, and
+friction is that of an implicit step: the wrench that would bring the foot to rest relative to its
+floor, against its momentum and all other forces, brought to the nearest point of the limit surface
+in the metric of the effective masses. A foot that friction can hold therefore stands still exactly; on a floor that
 moves it is brought to where the floor will be at the end of the step, by the whole turns of the
-floor's joints, and what it has slipped meanwhile is taken back, a fiftieth in each step. Several
-feet of one body are solved together. Reactions act on the floor.
+floor's joints, and what it has slipped meanwhile is taken back, a fiftieth in each step. Feet that
+move each other are solved together. Reactions act on the floor. Conveyors (``surfacevel``, MuJoCo 4)
+take bodies along.
 
 MuJoCo runs its callbacks when it compiles a model, and fails where they are Python's: compile
 models before feet are attached, or within `paused`.
@@ -48,15 +50,18 @@ Friction of a body that starts to touch begins one step late.
 
 from __future__ import annotations
 
+import ctypes
+import os
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from pathlib import Path
 from types import TracebackType
 from typing import Any, NamedTuple
 
+import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-import mujoco
 from tribos import _native
 from tribos._friction import Friction
 
@@ -142,8 +147,8 @@ def attach(
     ------
     ValueError
         For names that the model does not have, geoms of one foot on several bodies, laws without a
-        limit surface, the integrator RK4, disabled passive forces, and a model that has feet
-        already.
+        limit surface, the integrator RK4, disabled passive forces, feet that no joint moves on their
+        floor, two feet with a geom on the same floor, and a model that has feet already.
 
     Examples
     --------
@@ -173,7 +178,7 @@ def paused() -> Iterator[None]:
 class Feet:
     """Feet of a model, made by `attach`; ``feet[name]`` is the `FootState` of one of them."""
 
-    __slots__ = ("_data", "_given", "_model", "_names", "_restore", "_states")
+    __slots__ = ("_data", "_given", "_layout", "_model", "_names", "_restore", "_states")
 
     def __init__(
         self,
@@ -200,7 +205,7 @@ class Feet:
             _given(model, name, friction, floor, (sites or {}).get(name))
             for name, friction in feet.items()
         ]
-        _layout()
+        self._layout = _layout(has_surfaces=bool(getattr(model, "flg_surfacevel", False)))
         self._free_of_friction()
         _FEET[model._address] = self
         _install()
@@ -275,7 +280,9 @@ class Feet:
     def _state_of(self, data: Any) -> _State:
         state = self._states.get(data._address)
         if state is None:
-            state = self._states[data._address] = _State(self._model, data, self._given)
+            state = self._states[data._address] = _State(
+                self._model, data, self._given, self._layout
+            )
             _STATES[id(data)] = state
         return state
 
@@ -287,163 +294,85 @@ class _Given(NamedTuple):
     mu: float
     geoms: list[int]
     floor: int
-    frame: tuple[int, int]
-    freedoms: list[tuple[int, float, int]]
-    free: list[tuple[int, float, float, list[float]]]
     bodies: tuple[int, int]
-    chains: tuple[list[tuple[int, int, int, int]], ...]
-    is_free: bool
+    frame: tuple[int, int]
 
 
-class _Places(NamedTuple):
-    """Where arrays begin in the memory of a simulation, in numbers of 8 bytes, and their sizes."""
+class _Simulation(NamedTuple):
+    """A simulation, by the addresses of its parts."""
 
-    velocity: int
-    acceleration: int
-    force: int
-    axes: int
-    centres: int
-    origins: int
-    anchors: int
-    inertias: int
-    frames: list[tuple[int, int]]
-    freedoms: int
-    bodies: int
-    joints: int
-
-
-class _Layout(NamedTuple):
-    """Places of fields in MuJoCo's contacts: in numbers of 8 bytes, the last two of 4."""
-
-    width: int
-    distance: int
-    position: int
-    frame: int
-    margin: int
-    geoms: int
-    row: int
+    arrays: list[int]
+    solve: int
+    model: int
+    data: int
+    counts: tuple[int, int, int]
+    layout: tuple[int, ...]
 
 
 class _State:
     """The feet of one MjData."""
 
-    __slots__ = ("_mass", "_options", "_views", "data", "is_lifted", "native")
+    __slots__ = ("_contacts", "_options", "data", "native")
 
-    def __init__(self, model: Any, data: Any, given: list[_Given]) -> None:
-        self._mass: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
-        if not all(foot.is_free for foot in given):
-            shape = (6 * len(given), model.nv)
-            self._mass = (np.zeros(shape), np.zeros(shape))
+    def __init__(self, model: Any, data: Any, given: list[_Given], layout: tuple[int, ...]) -> None:
         self.data = data
         self._options = model.opt
-        self._views: dict[int, NDArray[np.int64]] = {}
-        self.is_lifted = True
-        frames = (
-            (data.geom_xpos, data.geom_xmat),
-            (data.xpos, data.xmat),
-            (data.site_xpos, data.site_xmat),
+        self._contacts: dict[int, int] = {0: 0}
+        simulation = _Simulation(
+            arrays=[_array(model, data, *array) for array in _native.MujocoFeet.arrays()],
+            solve=_solver(),
+            model=model._address,
+            data=data._address,
+            counts=(model.nv, model.nbody, model.ngeom),
+            layout=layout,
         )
-        rows = [
-            array[row] for foot in given for table, row in [foot.frame] for array in frames[table]
-        ]
-        memory, places = _memory(
-            data,
-            [
-                data.qvel,
-                data.qacc,
-                data.qfrc_passive,
-                data.cdof,
-                data.subtree_com,
-                data.xpos,
-                data.xanchor,
-                data.ximat,
-                *rows,
-            ],
-        )
-        velocity, acceleration, force, axes, centres, origins, anchors, inertias, *others = places
-        self.native = _native.MujocoFeet(
-            given,
-            memory,
-            _Places(
-                velocity,
-                acceleration,
-                force,
-                axes,
-                centres,
-                origins,
-                anchors,
-                inertias,
-                frames=list(zip(others[::2], others[1::2], strict=True)),
-                freedoms=model.nv,
-                bodies=model.nbody,
-                joints=model.njnt,
-            ),
-            _layout(),
-            self._mass,
-        )
+        self.native = _native.MujocoFeet(simulation, given)
 
-    def push(self, model: Any, data: Any) -> None:
+    def push(self, data: Any) -> None:
         """Adds the friction of this step to the passive forces."""
         count = data.ncon
-        native = self.native
-        if not count:
-            if not self.is_lifted:
-                native.lift()
-                self.is_lifted = True
-            return
-        self.is_lifted = False
-        view = self._views.get(count)
-        if view is None:
-            view = self._views[count] = _view(data.contact)
+        # Contacts begin where the memory of a step begins, which does not move.
+        first = self._contacts.get(count)
+        if first is None:
+            first = self._contacts[count] = _address(data.contact.dist)
         step = self._options.timestep
-        if native.step(data.time, step, view, data.efc_D, data.efc_KBIP):
-            assert self._mass is not None
-            mujoco.mj_solveM(model, data, self._mass[1], self._mass[0])
-            native.push(step)
+        self.native.step(data.time, step, (first, count), data.efc_D, data.efc_KBIP)
 
 
-def _memory(data: Any, arrays: list[NDArray[Any]]) -> tuple[NDArray[np.float64], list[int]]:
-    """One array over the memory that MuJoCo's arrays are parts of, and where in it each begins."""
-    starts = [_address(array) for array in arrays]
-    first = min(starts)
-    size = max(start + array.nbytes for start, array in zip(starts, arrays, strict=True)) - first
-    if size > data.nbuffer or any((start - first) % 8 for start in starts):
-        raise RuntimeError("the arrays of this version of MuJoCo are not in one piece of memory")
-    lowest = arrays[starts.index(first)]
-    whole = np.lib.stride_tricks.as_strided(lowest, shape=(size // 8,), strides=(8,))
-    return whole, [(start - first) // 8 for start in starts]
+def _array(model: Any, data: Any, kind: str, name: str) -> int:
+    """The address of one of MuJoCo's arrays."""
+    array = getattr(model if hasattr(model, name) else data, name)
+    if array.dtype != (np.int32 if "int" in kind else np.float64) or not array.flags.c_contiguous:
+        raise RuntimeError(f"this version of MuJoCo has {name} in another form")
+    return _address(array)
 
 
-def _view(contact: Any) -> NDArray[np.int64]:
-    """MuJoCo's contacts as words of 8 bytes. They begin where the memory of a step begins, which does not
-    move; their number is that of this step."""
-    distance = contact.dist
-    size = len(distance) * distance.strides[0] // 8
-    whole = np.lib.stride_tricks.as_strided(distance, shape=(size,), strides=(8,))
-    return whole.view(np.int64)
+def _solver() -> int:
+    """The address of MuJoCo's solution for the mass."""
+    library = Path(mujoco._functions.__file__)
+    if os.name == "nt":
+        library = library.with_name("mujoco.dll")
+    address = ctypes.cast(ctypes.CDLL(str(library)).mj_solveM, ctypes.c_void_p).value
+    assert address is not None
+    return address
 
 
-def _layout() -> _Layout:
-    """The fields' places, from a contact of a tiny model."""
-    global _LAYOUT
-    if _LAYOUT is None:
-        with paused():
-            model = mujoco.MjModel.from_xml_string(_TWO_SPHERES)
-            data = mujoco.MjData(model)
-            mujoco.mj_forward(model, data)
-        contact = data.contact
-        start = _address(contact.dist)
-        fields = (contact.dist, contact.pos, contact.frame, contact.includemargin)
-        places = [_address(field) - start for field in fields]
-        indices = [_address(field) - start for field in (contact.geom, contact.efc_address)]
-        width = contact.dist.strides[0]
-        if min(places + indices) < 0 or max(places + indices) >= width or width % 8:
-            raise RuntimeError("the contacts of this version of MuJoCo are laid out in another way")
-        _LAYOUT = _Layout(width // 8, *(at // 8 for at in places), *(at // 4 for at in indices))
-    return _LAYOUT
+def _layout(*, has_surfaces: bool) -> tuple[int, ...]:
+    """How wide MuJoCo's contacts are and where in them the fields lie, from a contact of a tiny model."""
+    with paused():
+        model = mujoco.MjModel.from_xml_string(_TWO_SPHERES)
+        data = mujoco.MjData(model)
+        mujoco.mj_forward(model, data)
+    contact, width = data.contact, int(data.contact.dist.strides[0])
+    start = _address(contact.dist)
+    names = ("dist", "pos", "frame", "includemargin", "geom", "dim", "efc_address")
+    places = [_address(getattr(contact, name)) - start for name in names]
+    places.append(_address(contact.surfacevel) - start if has_surfaces else -1)
+    if min(places[:-1]) < 0 or max(places) >= width:
+        raise RuntimeError("the contacts of this version of MuJoCo are laid out in another way")
+    return (width, *places)
 
 
-_LAYOUT: _Layout | None = None
 _TWO_SPHERES = """
 <mujoco>
   <worldbody>
@@ -477,7 +406,9 @@ def _given(
     if not isinstance(friction, Friction):
         raise ValueError(f"the friction of {name!r} must be a tribos.Friction, not {friction!r}")
     geoms = [_index(model, "geom", geom) for geom in ((name,) if isinstance(name, str) else name)]
-    bodies = {int(model.geom_bodyid[geom]) for geom in geoms}
+    # Bodies that no joint moves against each other are one.
+    body_of = model.body_weldid[model.geom_bodyid]
+    bodies = {int(body_of[geom]) for geom in geoms}
     if len(bodies) != 1:
         raise ValueError(f"the geoms of a foot must be of one body, those of {name!r} are not")
     if not isinstance(floor, str) and name not in floor:
@@ -485,73 +416,17 @@ def _given(
     ground = _index(model, "geom", floor if isinstance(floor, str) else floor[name])
     if ground in geoms:
         raise ValueError(f"{name!r} cannot be its own floor")
-    (body,) = bodies
-    other = int(model.geom_bodyid[ground])
     if site is not None:
         frame = (2, _index(model, "site", site))
     else:
-        frame = (0, geoms[0]) if len(geoms) == 1 else (1, body)
-    sides = ((body, 1.0), (other, -1.0))
-    signs: dict[int, float] = {}
-    for side, sign in sides:
-        for freedom in _freedoms(model, side):
-            signs[freedom] = signs.get(freedom, 0.0) + sign
-    roots = model.body_rootid[model.dof_bodyid]
-    moving = [(side, sign) for side, sign in sides if _freedoms(model, side)]
+        frame = (0, geoms[0]) if len(geoms) == 1 else (1, int(model.geom_bodyid[geoms[0]]))
     return _Given(
         patch=friction.patch._handle,
         mu=friction.mu,
         geoms=geoms,
         floor=ground,
+        bodies=(bodies.pop(), int(body_of[ground])),
         frame=frame,
-        freedoms=[(index, sign, int(roots[index])) for index, sign in signs.items() if sign],
-        free=[
-            (side, sign, float(model.body_mass[side]), model.body_inertia[side].tolist())
-            for side, sign in moving
-        ],
-        bodies=(body, other),
-        chains=tuple(_joints(model, side) for side, _ in sides),
-        is_free=all(_is_free(model, side) for side, _ in moving),
-    )
-
-
-def _freedoms(model: Any, body: int) -> list[int]:
-    """Degrees of freedom that move a body."""
-    found: list[int] = []
-    while body:
-        start = int(model.body_dofadr[body])
-        found.extend(range(start, start + int(model.body_dofnum[body])))
-        body = int(model.body_parentid[body])
-    return found
-
-
-def _joints(model: Any, body: int) -> list[tuple[int, int, int, int]]:
-    """Joints that carry a body, from the innermost on: index, first freedom, how many shift and turn."""
-    kinds = {
-        int(getattr(mujoco.mjtJoint, f"mjJNT_{name}")): counts for name, counts in _FREEDOMS.items()
-    }
-    found: list[tuple[int, int, int, int]] = []
-    while body:
-        start = int(model.body_jntadr[body])
-        for joint in reversed(range(start, start + int(model.body_jntnum[body]))):
-            first = int(model.jnt_dofadr[joint])
-            found.append((joint, first, *kinds[int(model.jnt_type[joint])]))
-        body = int(model.body_parentid[body])
-    return found
-
-
-_FREEDOMS = {"FREE": (3, 3), "BALL": (0, 3), "SLIDE": (1, 0), "HINGE": (0, 1)}
-
-
-def _is_free(model: Any, body: int) -> bool:
-    """Whether a body moves as a free rigid body, alone in its tree."""
-    if model.body_dofnum[body] != 6 or model.body_jntnum[body] != 1:
-        return False
-    start = model.body_dofadr[body]
-    return bool(
-        np.count_nonzero(model.body_rootid == model.body_rootid[body]) == 1
-        and not model.dof_armature[start : start + 6].any()
-        and model.body_mass[body] > 0.0
     )
 
 
@@ -586,7 +461,7 @@ def _push(model: Any, data: Any) -> None:
         if feet is None:
             return
         state = feet._state_of(data)
-    state.push(model, data)
+    state.push(data)
 
 
 def _install() -> None:
