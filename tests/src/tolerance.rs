@@ -130,8 +130,10 @@ bounds! {
     IDENTITY = 4e-15, "both sides round; 18 ulp";
     /// Jacobians of patches in the plane against differences of sixth order, of the largest entry.
     DIFFERENCES = 1e-9, "steps of a 64th of the distance from the nearest kink, to the sixth power; rounding of a sliver's wrench over 1e-3";
-    /// Torque of a slow spin of a patch in the plane, relative.
-    SLOW_SPIN = 2e-15, "a second moment of the patch and a few roundings";
+    /// Torque of a slow spin of a patch in the plane, of the mean square of the distance.
+    SLOW_SPIN = 3e-15, "a second moment of the patch and a few roundings";
+    /// The same of polygons under dry friction.
+    SLOW_SPIN_DRY = 1.5e-15, "as SLOW_SPIN, without powers";
     /// Friction of a patch in the plane in another unit of speed, of the scale of the wrench.
     UNITS = 1e-15, "powers of two change nothing but speeds below the normal range";
     /// Its Jacobian, of the largest entry.

@@ -196,11 +196,15 @@ fn viscous_friction_has_the_moments_of_the_pressure() {
 fn the_small_torque_of_a_slow_spin_keeps_its_digits() {
     hold(
         "slow spin",
-        |_| Some([tolerance::SLOW_SPIN; 2]),
+        |family| match family.name {
+            "polygon" => Some([tolerance::SLOW_SPIN_DRY; 2]),
+            _ => Some([tolerance::SLOW_SPIN; 2]),
+        },
         |case, _, see| {
             // Elsewhere the centre of pressure is at the origin but for rounding.
             let is_centred = ["square", "centred"].contains(&case.name);
-            if !is_centred && !matches!(case.shape, Shape::Round { .. }) || case.centre.norm() > 0.0
+            if !is_centred && !matches!(case.shape, Shape::Round { .. })
+                || case.centre.norm() > f64::EPSILON
             {
                 return;
             }
@@ -212,7 +216,10 @@ fn the_small_torque_of_a_slow_spin_keeps_its_digits() {
                 let twist = Twist::new(0.6, 0.8, spin / case.radius);
                 let expected = -COEFFICIENT * LOAD * spread * twist.spin;
                 let torque = (case.at)(LOAD, &twist).alone.torque;
-                see(&[(torque / expected - 1.0).abs()], &twist);
+                see(
+                    &[(torque / expected - 1.0).abs() * (spread / (xx + yy)).abs()],
+                    &twist,
+                );
             }
         },
     );
