@@ -126,7 +126,7 @@ pub const SUBJECTS: [Subject; 24] = [
     subject!("patches", 30, Memory, patches::patches),
     subject!("planes", 100, Little, planes::planes),
     subject!("limit surfaces", 60, Little, sets::sets),
-    subject!("contacts", 110, Little, contacts::contacts),
+    subject!("contacts", 110, Memory, contacts::contacts),
     subject!("manifolds", 40, Little, contacts::manifold),
     subject!("manifold friction", 20, Little, manifolds::manifold),
     subject!("final motions", 40, Little, motions::modes),
