@@ -2,9 +2,11 @@
 //!
 //! `cargo run --release --manifest-path engines/Cargo.toml -p tribos-rapier2d --example disks_and_boxes`
 
-#[path = "../tests/promises/exact.rs"]
+#[path = "../../feet/tests/exact/mod.rs"]
+#[allow(dead_code, reason = "what tests need")]
 mod exact;
 
+use exact::{GRAVITY, MU, RADIUS, Throw, on_cells, rectangle};
 use rapier2d::prelude::*;
 use std::error::Error;
 use tribos_core::coupling::closed::CoulombRing;
@@ -12,9 +14,6 @@ use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_rapier2d::{Floor, Footprint, PlacedFoot};
 
-const MU: f32 = 0.3;
-const GRAVITY: f32 = 9.81;
-const RADIUS: f32 = 0.08;
 const SPINS: [f32; 6] = [0.0, 5.0, 12.5, 20.0, 30.0, 50.0];
 
 /// Travel in m and stop in s of a body thrown at 1 m/s.
@@ -22,7 +21,7 @@ fn thrown(
     shape: ColliderBuilder,
     foot: Option<Footprint>,
     spin: f32,
-) -> Result<[f64; 2], Box<dyn Error>> {
+) -> Result<Throw, Box<dyn Error>> {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;
     let body = RigidBodyBuilder::dynamic()
@@ -39,18 +38,21 @@ fn thrown(
         floor.step(&mut world);
         if let Some(stop) = floor.stop(body) {
             let travel = world.bodies[body].translation().length();
-            return Ok([
-                f64::from(travel),
-                f64::from(step) * dt + f64::from(stop.within_step),
-            ]);
+            return Ok(Throw {
+                travel: f64::from(travel),
+                stop: f64::from(step) * dt + f64::from(stop.within_step),
+            });
         }
     }
     Err("moves after ten seconds".into())
 }
 
-fn line(name: &str, spin: f32, is: [f64; 2], exact: [f64; 2]) {
-    let [travel, stop] = [0, 1].map(|i| 100.0 * (is[i] / exact[i] - 1.0));
-    let [right, end] = exact;
+fn line(name: &str, spin: f32, is: Throw, exact: Throw) {
+    let Throw {
+        travel: right,
+        stop: end,
+    } = exact;
+    let [travel, stop] = [is.travel / right, is.stop / end].map(|ratio| 100.0 * (ratio - 1.0));
     println!("| {name} | {spin} | {right:.4} | {end:.4} | {travel:+.2} % | {stop:+.2} % |");
 }
 
@@ -73,7 +75,15 @@ fn main() -> Result<(), Box<dyn Error>> {
             .ok_or("never stops")?
             .motion;
         let is = thrown(ColliderBuilder::ball(RADIUS), None, spin)?;
-        line("disk", spin, is, [end.distance, end.time]);
+        line(
+            "disk",
+            spin,
+            is,
+            Throw {
+                travel: end.distance,
+                stop: end.time,
+            },
+        );
     }
     for spin in SPINS {
         let launched = SliderState::launched(1.0, f64::from(spin));
@@ -83,16 +93,23 @@ fn main() -> Result<(), Box<dyn Error>> {
             .motion;
         let ring = Some(Footprint::ring(RADIUS)?);
         let is = thrown(ColliderBuilder::ball(RADIUS), ring, spin)?;
-        line("ring", spin, is, [end.distance, end.time]);
+        line(
+            "ring",
+            spin,
+            is,
+            Throw {
+                travel: end.distance,
+                stop: end.time,
+            },
+        );
     }
     for (name, [a, b]) in [
         ("box 20 × 20 cm", [0.1, 0.1]),
         ("plank 40 × 10 cm", [0.2, 0.05]),
     ] {
-        let cells = exact::rectangle([a, b], 100, deceleration);
-        let gyration = ((a * a + b * b) / 3.0).sqrt();
+        let cells = rectangle([a, b], 100);
         for spin in [0.0, 5.0, 12.5, 25.0] {
-            let right = exact::to_rest(&cells, gyration, 1.0, f64::from(spin));
+            let right = on_cells(&cells, (a * a + b * b) / 3.0, spin);
             let is = thrown(ColliderBuilder::cuboid(a as f32, b as f32), None, spin)?;
             line(name, spin, is, right);
         }

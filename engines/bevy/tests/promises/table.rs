@@ -7,10 +7,9 @@ use bevy::transform::TransformPlugin;
 use std::time::Duration;
 use tribos_bevy::{FrictionPatch, FrictionPatchPlugin, PatchFriction};
 
-pub const MU: f32 = 0.3;
-pub const RADIUS: f32 = 0.08;
+pub use crate::exact::{GRAVITY, MU, RADIUS};
+
 pub const HEIGHT: f32 = 0.02;
-pub const GRAVITY: f32 = 9.81;
 pub const STEPS_A_SECOND: f32 = 60.0;
 
 pub struct Table {

@@ -1,12 +1,11 @@
 //! Thrown bodies against the exact solution.
 
-use crate::exact::{self, Throw};
+use crate::exact::{BOX_GRAVITY, HALF_SIDES, Throw, answer, assert_stops, on_cells};
 use crate::table::*;
 use avian3d::prelude::*;
 use bevy::prelude::*;
 use tribos_bevy::FrictionPatch;
 
-const SPINS: [f32; 6] = [0.0, 5.0, 12.5, 20.0, 30.0, 50.0];
 const STEPS: usize = 150;
 /// Largest relative error of travel and stop.
 const TOLERANCE: f64 = 2e-4;
@@ -44,19 +43,10 @@ fn thrown(spin: f32, patch: FrictionPatch) -> Throw {
 }
 
 #[test]
-fn a_thrown_disk_stops_where_and_when_the_exact_one_does() {
-    for spin in SPINS {
-        let what = format!("disk at {spin} rad/s");
-        thrown(spin, disk(MU)).assert_near(&exact::disk(spin), TOLERANCE, &what);
-    }
-}
-
-#[test]
-fn a_thrown_ring_stops_where_and_when_the_exact_one_does() {
-    for spin in SPINS {
-        let ring = FrictionPatch::ring(MU, RADIUS).expect("a valid ring");
-        let what = format!("ring at {spin} rad/s");
-        thrown(spin, ring).assert_near(&exact::ring(spin), TOLERANCE, &what);
+fn a_thrown_puck_or_cup_stops_where_and_when_it_should() {
+    let ring = FrictionPatch::ring(MU, RADIUS).expect("a valid ring");
+    for (scene, patch) in [("puck", disk(MU)), ("ring", ring)] {
+        assert_stops(scene, TOLERANCE, |spin| thrown(spin, patch.clone()));
     }
 }
 
@@ -64,15 +54,16 @@ fn a_thrown_ring_stops_where_and_when_the_exact_one_does() {
 fn a_puck_without_a_patch_stops_early() {
     let mut table = Table::level();
     let puck = table.puck(Vec3::ZERO, Vec3::X, 50.0);
-    let exact = exact::disk(50.0);
+    let exact = answer("puck", 50.0);
     table.steps((0.9 * exact.stop * f64::from(STEPS_A_SECOND)) as usize);
     assert!(table.velocity(puck)[0].x < 1e-3);
 }
 
 #[test]
-fn a_thrown_box_goes_as_far_as_its_integral() {
-    let (half, spin) = (0.05_f32, 25.0_f32);
-    let mut table = Table::level();
+fn a_thrown_box_stops_where_and_when_it_should() {
+    let (scene, [half, _]) = HALF_SIDES[0];
+    let spin = 25.0;
+    let mut table = Table::turned(Quat::IDENTITY, Vec3::NEG_Y * BOX_GRAVITY);
     let body = table.app.world_mut().spawn((
         RigidBody::Dynamic,
         Collider::cuboid(2.0 * half, 0.02, 2.0 * half),
@@ -89,12 +80,7 @@ fn a_thrown_box_goes_as_far_as_its_integral() {
         FrictionPatch::polygon(MU, &corners).expect("a square"),
     );
     let is = followed(&mut table, body, body);
-    // Midpoints of 60 by 60 cells.
-    let cell = |i: i32| f64::from(half) * ((2 * i + 1) as f64 / 60.0 - 1.0);
-    let cells = (0..60).flat_map(|i| (0..60).map(move |j| ([cell(i), cell(j)], 1.0 / 3600.0)));
-    let inertia = 2.0 / 3.0 * f64::from(half * half);
-    let exact = exact::on_points(&cells.collect::<Vec<_>>(), inertia, f64::from(spin));
-    is.assert_near(&exact, 1e-3, "box");
+    is.assert_near(&answer(scene, spin), 1e-3, scene);
 }
 
 #[test]
@@ -139,6 +125,6 @@ fn a_body_on_four_feet_goes_as_far_as_its_integral() {
             }
         }
     }
-    let exact = exact::on_points(&points, f64::from(inertia), f64::from(spin));
+    let exact = on_cells(&points, f64::from(inertia), spin);
     is.assert_near(&exact, SHARED, "four feet");
 }

@@ -3,10 +3,9 @@
 use rapier3d::prelude::*;
 use tribos_rapier::{Patch, PatchContacts};
 
-pub const MU: f32 = 0.3;
-pub const RADIUS: f32 = 0.08;
+pub use crate::exact::{GRAVITY, MU, RADIUS};
+
 pub const HALF_HEIGHT: f32 = 0.01;
-pub const GRAVITY: f32 = 9.81;
 
 pub struct Table {
     pub world: PhysicsWorld,

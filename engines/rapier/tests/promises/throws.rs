@@ -1,43 +1,12 @@
 //! Thrown pucks against the exact solution.
 
+use crate::exact::{Throw, answer, assert_stops};
 use crate::table::*;
 use rapier3d::prelude::*;
-use tribos_core::coupling::closed::CoulombRing;
-use tribos_core::coupling::table::CoulombDisk;
-use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_rapier::Patch;
 
 const SPEED: f32 = 1.0;
-const SPINS: [f32; 6] = [0.0, 5.0, 12.5, 20.0, 30.0, 50.0];
 const STEPS: usize = 300;
-
-#[derive(Clone, Copy, Debug)]
-struct Throw {
-    travel: f64,
-    stop: f64,
-}
-
-/// Slides are exact for any pressure: deceleration, radius, inertia of a solid disk.
-macro_rules! exact {
-    ($profile:expr, $spin:expr) => {{
-        let deceleration = f64::from(MU) * f64::from(GRAVITY);
-        let slider = Slider::new(
-            $profile,
-            SliderParameters {
-                deceleration,
-                radius: f64::from(RADIUS),
-                inertia_ratio: 0.5,
-            },
-        )
-        .unwrap();
-        let thrown = SliderState::launched(f64::from(SPEED), f64::from($spin));
-        let end = slider.to_rest(&thrown).unwrap().motion;
-        Throw {
-            travel: end.distance,
-            stop: end.time,
-        }
-    }};
-}
 
 fn thrown(spin: f32, patch: Option<Patch>) -> Throw {
     let mut table = Table::level();
@@ -61,25 +30,10 @@ fn thrown(spin: f32, patch: Option<Patch>) -> Throw {
     }
 }
 
-fn assert_near(is: Throw, exact: Throw, what: &str) {
-    for (is, exact) in [(is.travel, exact.travel), (is.stop, exact.stop)] {
-        assert!((is / exact - 1.0).abs() < 5e-3, "{what}: {is} for {exact}");
-    }
-}
-
 #[test]
-fn a_thrown_disk_stops_where_and_when_the_exact_one_does() {
-    for spin in SPINS {
-        let what = format!("disk at {spin} rad/s");
-        assert_near(thrown(spin, disk()), exact!(CoulombDisk, spin), &what);
-    }
-}
-
-#[test]
-fn a_thrown_ring_stops_where_and_when_the_exact_one_does() {
-    for spin in SPINS {
-        let what = format!("ring at {spin} rad/s");
-        assert_near(thrown(spin, ring()), exact!(CoulombRing, spin), &what);
+fn a_thrown_puck_or_cup_stops_where_and_when_it_should() {
+    for (scene, patch) in [("puck", disk()), ("ring", ring())] {
+        assert_stops(scene, 5e-3, |spin| thrown(spin, patch.clone()));
     }
 }
 
@@ -106,14 +60,14 @@ fn a_body_on_a_blade_stops_turning_when_the_exact_one_does() {
 
 #[test]
 fn the_engine_alone_is_off_by_a_fifth() {
-    let exact = exact!(CoulombDisk, 12.5);
+    let exact = answer("puck", 12.5);
     let alone = thrown(12.5, None);
     assert!(alone.travel < 0.8 * exact.travel, "{alone:?} for {exact:?}");
 }
 
 #[test]
 fn substeps_do_not_move_the_stop() {
-    let exact = exact!(CoulombDisk, 12.5);
+    let exact = answer("puck", 12.5);
     for iterations in [1, 2, 8, 12] {
         let mut table = Table::level();
         table.world.integration_parameters.num_solver_iterations = iterations;

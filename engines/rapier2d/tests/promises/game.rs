@@ -1,11 +1,10 @@
 //! A world seen from above.
 
+use crate::exact::Throw;
 use rapier2d::prelude::*;
 use tribos_rapier2d::Floor;
 
-pub const MU: f32 = 0.3;
-pub const GRAVITY: f32 = 9.81;
-pub const RADIUS: f32 = 0.08;
+pub use crate::exact::{GRAVITY, MU, RADIUS};
 
 pub struct Game {
     pub world: PhysicsWorld,
@@ -15,9 +14,16 @@ pub struct Game {
 impl Game {
     /// A floor that is inclined along x: `pull` m/s² in the plane.
     pub fn inclined(pull: f32) -> Self {
+        let mut game = Self::under(GRAVITY);
+        game.world.gravity = Vector::new(pull, 0.0);
+        game
+    }
+
+    /// A level floor under a gravity towards it.
+    pub fn under(gravity: f32) -> Self {
         let mut world = PhysicsWorld::new();
-        world.gravity = Vector::new(pull, 0.0);
-        let floor = Floor::new(MU, GRAVITY).expect("sound numbers");
+        world.gravity = Vector::ZERO;
+        let floor = Floor::new(MU, gravity).expect("sound numbers");
         Self { world, floor }
     }
 
@@ -40,14 +46,16 @@ impl Game {
     }
 
     /// Travel and time until rest of a body that began at the origin.
-    pub fn run_to_rest(&mut self, body: RigidBodyHandle) -> [f64; 2] {
+    pub fn run_to_rest(&mut self, body: RigidBodyHandle) -> Throw {
         let dt = f64::from(self.world.integration_parameters.dt);
         for step in 0..600 {
             self.steps(1);
             if let Some(stop) = self.floor.stop(body) {
                 let place = self.world.bodies[body].center_of_mass();
-                let time = f64::from(step) * dt + f64::from(stop.within_step);
-                return [f64::from(place.length()), time];
+                return Throw {
+                    travel: f64::from(place.length()),
+                    stop: f64::from(step) * dt + f64::from(stop.within_step),
+                };
             }
         }
         panic!("moves after ten seconds");

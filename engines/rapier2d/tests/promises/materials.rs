@@ -31,7 +31,7 @@ fn a_puck_on_ice_alone_stops_as_on_a_floor_of_ice() {
 fn a_puck_that_leaves_the_ice_stops_by_the_energy_that_is_left() {
     let mut game = on_ice(-5.0, 0.5);
     let puck = game.put(thrown(2.0, 0.0), disk());
-    let [travel, _] = game.run_to_rest(puck);
+    let travel = game.run_to_rest(puck).travel;
     // Without spin friction is the mean coefficient below the area, whose centre passes the border.
     let (mu, ice, g) = (f64::from(MU), f64::from(ICE), f64::from(GRAVITY));
     let right = 0.5 + (2.0 - ice * g * 0.5) / (mu * g);
