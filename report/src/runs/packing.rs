@@ -84,11 +84,11 @@ pub(super) fn over_time<const N: usize>(
     let figure = Figure::new("", time, axis);
     curves.iter().fold(figure, |figure, (label, name)| {
         // The work is dashed beside where it went.
-        let drawn = if *name == "work" {
-            Series::dashed
+        let (label, points) = (label.to_string(), curve(name));
+        figure.series(if *name == "work" {
+            Series::dashed(label, points)
         } else {
-            Series::line
-        };
-        figure.series(drawn(*label, curve(name)))
+            Series::line(label, points)
+        })
     })
 }

@@ -25,9 +25,7 @@ pub use library::{LIBRARY, LibraryScene, library_scene};
 #[doc(hidden)]
 pub use schema::schema;
 #[doc(hidden)]
-#[doc(hidden)]
-pub use template::{keys_page, results_page};
-pub use template::{template, toml_value, with_all_keys};
+pub use template::{keys_page, results_page, template, toml_value, with_all_keys};
 #[doc(hidden)]
 pub use tribos_atoms::scene::StageSteps;
 pub use tribos_atoms::scene::{

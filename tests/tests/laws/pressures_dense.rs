@@ -161,8 +161,11 @@ fn find<'a, R>(tiers: &'a [PatchTier<R>], name: &str) -> &'a PatchTier<R> {
 /// Exponents of the f32 tiers.
 const SINGLE: [f64; 8] = [-0.75, -0.5, 0.0, 0.5, 3.0, 5.0, 7.0, 10.0];
 
-/// f32 tiers, their orders and exponents, the bound in ulp of f32, and a tighter one that they do exceed.
-const SINGLE_LINES: [(&str, usize, &[f64], Bound, Option<Bound>); 5] = {
+/// A tier, its orders and exponents, the bound in ulp of f32, and a tighter one that it does exceed.
+type SingleLine = (&'static str, usize, &'static [f64], Bound, Option<Bound>);
+
+/// The f32 tiers.
+const SINGLE_LINES: [SingleLine; 5] = {
     use tolerance::*;
     let (all, flat) = (ORDERS.len(), ORDERS.len() - 1);
     [

@@ -41,7 +41,9 @@ const FOUND_WORST: [f32; 12] = [
 ];
 
 /// A tier and exponents, bounds of force and torque, and a tighter one that they do exceed.
-const LINES: [(&str, &[f64], [Bound; 2], [Option<Bound>; 2]); 7] = {
+type Line = (&'static str, &'static [f64], [Bound; 2], [Option<Bound>; 2]);
+
+const LINES: [Line; 7] = {
     use tolerance::*;
     let (few, steep) = ([SINGLE_ULPS; 2], Some(SINGLE_ULPS));
     [

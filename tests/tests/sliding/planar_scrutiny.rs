@@ -305,7 +305,7 @@ fn what_is_recorded_leaves_the_end_as_it_is() {
                 other => unreachable!("{other:?}"),
             };
             let outcome = run_planar(scene).expect("it ends").outcome;
-            (outcome.clone(), outcome.energy_error)
+            (outcome, outcome.energy_error)
         });
         assert_eq!(ends[0], ends[1], "{body} {overrides:?}");
         assert_eq!(ends[0], ends[2], "{body} {overrides:?}");

@@ -27,7 +27,7 @@ pub fn run<S: LongBody>(scene: &S, order: &RunRequest<'_>) -> Result<(), Failure
     let results = scene.results(&run);
     folder.add(S::FILES)?;
     let series = order.out.join("series.csv");
-    write_series(&series, results.columns, results.rows.into_iter())?;
+    write_series(&series, results.columns, results.rows)?;
     scene.write(&run, &folder, order)?;
     // Last: a summary stands only beside complete results.
     let summary = format!("{:#}\n", results.summary);
