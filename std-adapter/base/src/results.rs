@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 
 /// How far a quantity is told beyond its summary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Told {
+pub enum Reporting {
     /// Nowhere else.
     InSummary,
     /// A sweep has its mean in a column of its name.
@@ -33,7 +33,7 @@ pub struct Quantity {
     /// What it is.
     pub meaning: &'static str,
     /// Where it is told.
-    pub told: Told,
+    pub reporting: Reporting,
     /// What it consists of; nothing for a single value.
     pub parts: &'static [Quantity],
 }
@@ -41,17 +41,17 @@ pub struct Quantity {
 impl Quantity {
     /// The column of its mean in a sweep, if it has one.
     pub fn column(&self) -> Option<&'static str> {
-        match self.told {
-            Told::InSummary => None,
-            Told::Swept | Told::Shown(_) => Some(self.name),
-            Told::SweptAs(column) | Told::ShownAs(column, _) => Some(column),
+        match self.reporting {
+            Reporting::InSummary => None,
+            Reporting::Swept | Reporting::Shown(_) => Some(self.name),
+            Reporting::SweptAs(column) | Reporting::ShownAs(column, _) => Some(column),
         }
     }
 
     /// Its label for the terminal, if people are shown it.
     fn label(&self) -> Option<&'static str> {
-        match self.told {
-            Told::Shown(label) | Told::ShownAs(_, label) => Some(label),
+        match self.reporting {
+            Reporting::Shown(label) | Reporting::ShownAs(_, label) => Some(label),
             _ => None,
         }
     }
@@ -203,8 +203,8 @@ pub fn file(mut entries: Map<String, Value>, scene: &dyn Body) -> Value {
 #[macro_export]
 #[doc(hidden)]
 macro_rules! summary {
-    (@told) => { $crate::results::Told::InSummary };
-    (@told $told:expr) => { $told };
+    (@reporting) => { $crate::results::Reporting::InSummary };
+    (@reporting $reporting:expr) => { $reporting };
     (@json $name:ident part) => {};
     (@json $name:ident) => {
         impl $name {
@@ -219,7 +219,7 @@ macro_rules! summary {
         pub struct $name:ident $(= $part:ident)?;
         $(
             $(#[doc = $doc:literal])+
-            $field:ident: $type:ty, $unit:literal $(, $told:expr)?;
+            $field:ident: $type:ty, $unit:literal $(, $reporting:expr)?;
         )+
     ) => {
         $(#[$about])*
@@ -240,7 +240,7 @@ macro_rules! summary {
                     name: stringify!($field),
                     unit: $unit,
                     meaning: concat!($($doc),+).trim_ascii(),
-                    told: $crate::results::summary!(@told $($told)?),
+                    reporting: $crate::results::summary!(@reporting $($reporting)?),
                     parts: <$type as $crate::results::Recorded>::PARTS,
                 }),+
             ];

@@ -1,6 +1,6 @@
 //! Grains in a box.
 
-use super::kind::{Listed, RunKind};
+use super::kind::{ListedQuantity, RunKind};
 use super::long::{LongBody, RunResults};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
@@ -17,7 +17,7 @@ use tribos::scene::{ContactMethod, GrainsScene};
 use tribos_report::runs::grains as picture;
 
 /// Grains.
-const QUANTITIES: &[Listed] = &[
+const QUANTITIES: &[ListedQuantity] = &[
     (
         "solid_fraction",
         [Some("solid_fraction"), None],

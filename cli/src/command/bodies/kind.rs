@@ -50,7 +50,7 @@ impl RunKind {
 }
 
 /// A quantity of a summary that is no table yet: its column, its place, and its label and unit if people are shown it.
-pub type Listed = (
+pub type ListedQuantity = (
     &'static str,
     [Option<&'static str>; 2],
     Option<[&'static str; 2]>,
@@ -58,8 +58,8 @@ pub type Listed = (
 
 impl RunKind {
     /// Quantities of a summary that is no table yet.
-    pub fn listed(list: &[Listed], drawn: [&'static str; 2], share: [&'static str; 3]) -> Self {
-        let quantity = |&(column, path, shown): &Listed| SweptQuantity {
+    pub fn listed(list: &[ListedQuantity], drawn: [&'static str; 2], share: [&'static str; 3]) -> Self {
+        let quantity = |&(column, path, shown): &ListedQuantity| SweptQuantity {
             column,
             path,
             label: shown.map(|[label, _]| label),

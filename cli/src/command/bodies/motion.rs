@@ -23,7 +23,7 @@ pub struct MotionBody<'a> {
 }
 
 /// What a sweep draws, with the title of the picture, and the word whose share it tells: column, place, word.
-type Swept = ([&'static str; 2], [&'static str; 3]);
+type SweepView = ([&'static str; 2], [&'static str; 3]);
 
 /// The quantities that people are shown, with their units unless the scene has none.
 pub fn shown_quantities(
@@ -38,7 +38,7 @@ pub fn shown_quantities(
 }
 
 impl MotionBody<'_> {
-    fn swept(&self) -> Swept {
+    fn swept(&self) -> SweepView {
         match self.any {
             Scene::Disk(_) => (
                 ["Distance to rest", "distance"],

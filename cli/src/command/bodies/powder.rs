@@ -1,6 +1,6 @@
 //! Powders under a piston.
 
-use super::kind::{Listed, RunKind};
+use super::kind::{ListedQuantity, RunKind};
 use super::long::{LongBody, RunResults};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
@@ -20,7 +20,7 @@ use tribos_report::runs::powder as picture;
 const FEW: u64 = 5_000;
 
 /// Powders.
-const QUANTITIES: &[Listed] = &[
+const QUANTITIES: &[ListedQuantity] = &[
     (
         "porosity_final",
         [Some("porosity_final"), None],

@@ -5,7 +5,7 @@ use super::loop_work::LoopWork;
 use super::sliding_summary::{SlidingSample, SlidingSummary};
 use super::start::{Columns, EquilibriumCheck};
 use crate::tip::scene::{DriveKind, StageSteps, TipScene};
-use tribos_base::results::{Told::*, summary};
+use tribos_base::results::{Reporting::*, summary};
 use tribos_base::scene::words::words;
 use tribos_base::statistics::mean_and_error;
 

@@ -2,7 +2,7 @@
 
 use super::loop_work::{LoopWork, Totals};
 use crate::tip::scene::TipScene;
-use tribos_base::results::{Told::*, summary};
+use tribos_base::results::{Reporting::*, summary};
 
 /// Part of a stroke that is left out of means: the spring unloads and loads after a turning point.
 const TURNED: f64 = 0.5;

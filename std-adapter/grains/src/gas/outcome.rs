@@ -1,7 +1,7 @@
 //! What a gas leaves: columns of the series, why it ended, and the summary.
 
 use crate::packing::PackingStopReason;
-use tribos_base::results::{Told::*, summary};
+use tribos_base::results::{Reporting::*, summary};
 
 /// Columns of the series: temperatures in T0; energies a sphere; `theory` the mean-field temperatures after as
 /// many collisions, `haff` the translational one after the same time.

@@ -1,6 +1,6 @@
 //! The summary of a slide.
 
-use tribos_base::results::{Told::*, summary};
+use tribos_base::results::{Reporting::*, summary};
 use tribos_base::scene::words::words;
 use tribos_core::modes::TerminalMode;
 

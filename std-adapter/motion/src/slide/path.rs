@@ -4,7 +4,7 @@ use super::cost::{EvaluationCost, resistance_cost};
 use super::planar::{PlanarLaunch, PlanarSimulation, PlanarState, PlanarStopReason, Resistance};
 use super::{SlideError, energy_at_launch};
 use crate::slide::scene::Tipping;
-use tribos_base::results::{Told::*, summary};
+use tribos_base::results::{Reporting::*, summary};
 use tribos_base::scene::Body;
 use tribos_friction::Evaluation;
 

@@ -19,7 +19,7 @@ use crate::motion_run::{MotionError, MotionRun, MotionScene};
 use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
-use tribos_base::results::{Quantity, Summary, Told::*, summary};
+use tribos_base::results::{Quantity, Summary, Reporting::*, summary};
 use tribos_core::Real;
 use tribos_core::law::StickSlip;
 use tribos_core::limit_surface::FrictionSet;

@@ -1,7 +1,7 @@
 //! The summary of a body on a spring.
 
 use super::tally::RunStatistics;
-use tribos_base::results::{Told::*, summary};
+use tribos_base::results::{Reporting::*, summary};
 
 /// How a body follows the pull in the end.
 ///
