@@ -170,7 +170,7 @@ impl Arguments {
 
     /// Gauge and motion of every push of a file.
     fn judge(&self, file: &Path, set: &dyn FrictionSet<f64>) -> Result<(), Failure> {
-        let mut rows = Rows::open(file, |_| &PUSH)?;
+        let mut rows = Rows::asked_for(file, |_| &PUSH)?;
         spool::deliver(self.output.as_deref(), |sink| {
             sink.put(&series_csv(&JUDGED, []))?;
             let mut push = [0.0; 3];
@@ -187,7 +187,7 @@ impl Arguments {
 
 /// All pushes of a file.
 fn read(file: &Path) -> Result<Vec<[f64; 3]>, Failure> {
-    let mut rows = Rows::open(file, |_| &PUSH)?;
+    let mut rows = Rows::asked_for(file, |_| &PUSH)?;
     let (mut pushes, mut push) = (Vec::new(), [0.0; 3]);
     while rows.next(&mut push)?.is_some() {
         pushes.push(push);

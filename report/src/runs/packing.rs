@@ -78,8 +78,9 @@ pub(super) fn over_time<const N: usize>(
     let [time, axis] = axes.map(Axis::linear);
     let curve = |name: &str| -> Vec<(f64, f64)> {
         let column = columns.iter().position(|known| *known == name);
-        let column = column.unwrap_or_default();
-        rows.iter().map(|row| (row[0], row[column])).collect()
+        column.map_or(Vec::new(), |column| {
+            rows.iter().map(|row| (row[0], row[column])).collect()
+        })
     };
     let figure = Figure::new("", time, axis);
     curves.iter().fold(figure, |figure, (label, name)| {

@@ -61,7 +61,7 @@ pub trait MotionScene: Body + Sync {
     fn quantities(&self) -> &'static [Quantity];
 
     /// Runs the scene to its end. `watch` sees now and then the share of the run that is done, and ends the run by
-    /// answering false.
+    /// answering false; that of a disk, which takes a moment, goes on.
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError>;
 
     /// Unknowns, law and method, head and text, of a body that holds.

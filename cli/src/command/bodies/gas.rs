@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use serde_json::Value;
 use tribos::gas::{COLUMNS, GasSimulation, GasStopReason, GasSummary, size};
 use tribos::record::{extended_xyz, particles_vtp};
-use tribos::results::Summary;
+use tribos::results::{Summary, swept};
 use tribos::run::RunSize;
 use tribos::run::folder::OutputFolder;
 use tribos::scene::GasScene;
@@ -29,7 +29,7 @@ impl LongBody for GasScene {
     fn kind() -> RunKind {
         let drawn = ["Temperature at the end", "temperature"];
         let share = ["collapsed", "/ending", "collapse"];
-        RunKind::of(GasSummary::QUANTITIES, drawn, share)
+        RunKind::of(swept(GasSummary::QUANTITIES), drawn, share)
     }
 
     fn size(&self) -> RunSize {

@@ -1,6 +1,6 @@
 //! Grains in a box.
 
-use super::kind::{ListedQuantity, RunKind};
+use super::kind::{ListedQuantity, RunKind, listed};
 use super::long::{LongBody, RunResults};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
@@ -18,59 +18,23 @@ use tribos_report::runs::grains as picture;
 
 /// Grains.
 const QUANTITIES: &[ListedQuantity] = &[
-    (
-        "solid_fraction",
-        [Some("solid_fraction"), None],
-        Some(["solid fraction", "-"]),
-    ),
-    ("height", [Some("height"), None], None),
-    (
-        "coordination",
-        [Some("coordination"), None],
-        Some(["contacts a grain", "-"]),
-    ),
-    (
-        "floor_force",
-        [Some("floor_force"), None],
-        Some(["floor force", "-"]),
-    ),
-    ("plate_stress", [Some("plate_stress"), None], None),
-    (
-        "shear_stress",
-        [Some("shear_stress"), None],
-        Some(["shear stress", "-"]),
-    ),
-    ("stress_xx", [Some("stress_xx"), None], None),
-    ("stress_zz", [Some("stress_zz"), None], None),
-    ("stress_xz", [Some("stress_xz"), None], None),
-    (
-        "surface_angle",
-        [Some("surface_angle"), None],
-        Some(["angle", "deg"]),
-    ),
-    ("time", [Some("time"), None], None),
-    ("steps", [Some("steps"), None], None),
-    ("iterations_total", [Some("iterations_total"), None], None),
-    (
-        "dissipation_normal",
-        [Some("dissipation"), Some("normal")],
-        None,
-    ),
-    (
-        "dissipation_sliding",
-        [Some("dissipation"), Some("sliding")],
-        None,
-    ),
-    (
-        "dissipation_rolling",
-        [Some("dissipation"), Some("rolling")],
-        None,
-    ),
-    (
-        "dissipation_torsion",
-        [Some("dissipation"), Some("torsion")],
-        None,
-    ),
+    ("solid_fraction", "solid_fraction", "solid fraction", "-"),
+    ("height", "height", "", "-"),
+    ("coordination", "coordination", "contacts a grain", "-"),
+    ("floor_force", "floor_force", "floor force", "N"),
+    ("plate_stress", "plate_stress", "", "-"),
+    ("shear_stress", "shear_stress", "shear stress", "Pa"),
+    ("stress_xx", "stress_xx", "", "-"),
+    ("stress_zz", "stress_zz", "", "-"),
+    ("stress_xz", "stress_xz", "", "-"),
+    ("surface_angle", "surface_angle", "angle", "deg"),
+    ("time", "time", "", "-"),
+    ("steps", "steps", "", "-"),
+    ("iterations_total", "iterations_total", "", "-"),
+    ("dissipation_normal", "dissipation.normal", "", "-"),
+    ("dissipation_sliding", "dissipation.sliding", "", "-"),
+    ("dissipation_rolling", "dissipation.rolling", "", "-"),
+    ("dissipation_torsion", "dissipation.torsion", "", "-"),
 ];
 
 impl LongBody for GrainsScene {
@@ -80,8 +44,8 @@ impl LongBody for GrainsScene {
     const FILES: &'static [&'static str] = files::POWDER;
 
     fn kind() -> RunKind {
-        RunKind::listed(
-            QUANTITIES,
+        RunKind::of(
+            listed(QUANTITIES),
             ["Final solid fraction", "solid_fraction"],
             ["rest", "/ending", "rest"],
         )

@@ -1,9 +1,9 @@
 //! What a sweep makes of the summaries of a kind of run.
 
-use tribos::results::{Quantity, SweptQuantity, swept};
+use tribos::results::SweptQuantity;
 
 /// The quantities of a kind of run.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct RunKind {
     /// All that go into the table.
     pub quantities: Vec<SweptQuantity>,
@@ -18,15 +18,6 @@ pub struct RunKind {
 impl RunKind {
     /// The quantities of a summary; of them the column that is drawn, after the title of its picture.
     pub fn of(
-        table: &'static [Quantity],
-        [title, drawn]: [&'static str; 2],
-        share: [&'static str; 3],
-    ) -> Self {
-        Self::among(swept(table), [title, drawn], share)
-    }
-
-    /// The same of some of the quantities.
-    pub fn among(
         quantities: Vec<SweptQuantity>,
         [title, drawn]: [&'static str; 2],
         share: [&'static str; 3],
@@ -40,6 +31,17 @@ impl RunKind {
         }
     }
 
+    /// Whether one table can hold the results of both.
+    pub fn has_columns_of(&self, other: &Self) -> bool {
+        let columns = |kind: &Self| {
+            kind.quantities
+                .iter()
+                .map(|known| known.column)
+                .collect::<Vec<_>>()
+        };
+        self.title == other.title && columns(self) == columns(other)
+    }
+
     /// Label of the axis of the drawn quantity.
     pub fn axis(&self) -> String {
         let drawn = self.quantities.get(self.drawn);
@@ -49,22 +51,20 @@ impl RunKind {
     }
 }
 
-/// A quantity of a summary that is no table yet: its column, its place, and its label and unit if people are shown it.
-pub type ListedQuantity = (
-    &'static str,
-    [Option<&'static str>; 2],
-    Option<[&'static str; 2]>,
-);
+/// A quantity of a summary that is no table yet: its column, its place, its label, empty unless people are shown it, and its
+/// unit.
+pub type ListedQuantity = (&'static str, &'static str, &'static str, &'static str);
 
-impl RunKind {
-    /// Quantities of a summary that is no table yet.
-    pub fn listed(list: &[ListedQuantity], drawn: [&'static str; 2], share: [&'static str; 3]) -> Self {
-        let quantity = |&(column, path, shown): &ListedQuantity| SweptQuantity {
-            column,
-            path,
-            label: shown.map(|[label, _]| label),
-            unit: shown.map_or("-", |[_, unit]| unit),
-        };
-        Self::among(list.iter().map(quantity).collect(), drawn, share)
-    }
+/// The quantities of a summary that is no table yet.
+pub fn listed(list: &[ListedQuantity]) -> Vec<SweptQuantity> {
+    let quantity = |&(column, place, label, unit): &ListedQuantity| SweptQuantity {
+        column,
+        path: match place.split_once('.') {
+            Some((entry, part)) => [Some(entry), Some(part)],
+            None => [Some(place), None],
+        },
+        label: Some(label).filter(|label| !label.is_empty()),
+        unit,
+    };
+    list.iter().map(quantity).collect()
 }

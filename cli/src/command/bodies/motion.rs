@@ -25,19 +25,24 @@ pub struct MotionBody<'a> {
 /// What a sweep draws, with the title of the picture, and the word whose share it tells: column, place, word.
 type SweepView = ([&'static str; 2], [&'static str; 3]);
 
-/// The quantities that people are shown, with their units unless the scene has none.
-pub fn shown_quantities(
-    body: &MotionBody<'_>,
-) -> impl Iterator<Item = (&'static str, SweptQuantity)> {
-    let has_units = body.scene.json()["units"] != "dimensionless";
-    let all = swept(body.scene.quantities()).into_iter();
-    all.filter_map(move |quantity| {
-        let unit = if has_units { quantity.unit } else { "-" };
-        Some((quantity.label?, SweptQuantity { unit, ..quantity }))
-    })
-}
-
 impl MotionBody<'_> {
+    /// The quantities that a sweep averages, with their units unless the scene has none.
+    fn quantities(&self) -> Vec<SweptQuantity> {
+        let mut all = swept(self.scene.quantities());
+        if self.scene.json()["units"] == "dimensionless" {
+            for quantity in &mut all {
+                quantity.unit = "-";
+            }
+        }
+        all
+    }
+
+    /// Those of them that people are shown, with their labels.
+    pub fn shown_quantities(&self) -> impl Iterator<Item = (&'static str, SweptQuantity)> {
+        let all = self.quantities().into_iter();
+        all.filter_map(|quantity| Some((quantity.label?, quantity)))
+    }
+
     fn swept(&self) -> SweepView {
         match self.any {
             Scene::Disk(_) => (
@@ -79,7 +84,7 @@ impl Commands for MotionBody<'_> {
 
     fn kind(&self) -> RunKind {
         let (drawn, share) = self.swept();
-        RunKind::of(self.scene.quantities(), drawn, share)
+        RunKind::of(self.quantities(), drawn, share)
     }
 
     fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), NoResult> {
@@ -88,7 +93,8 @@ impl Commands for MotionBody<'_> {
         let told = match run.told.first() {
             Some((head, text)) => format!("{head} {text}"),
             None => {
-                let first = shown_quantities(self)
+                let first = self
+                    .shown_quantities()
                     .take(2)
                     .map(|(label, quantity)| format!("{label} {}", quantity.text(&summary, shown)));
                 first.collect::<Vec<_>>().join(", ")

@@ -1,6 +1,6 @@
 //! Powders under a piston.
 
-use super::kind::{ListedQuantity, RunKind};
+use super::kind::{ListedQuantity, RunKind, listed};
 use super::long::{LongBody, RunResults};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
@@ -21,62 +21,27 @@ const FEW: u64 = 5_000;
 
 /// Powders.
 const QUANTITIES: &[ListedQuantity] = &[
-    (
-        "porosity_final",
-        [Some("porosity_final"), None],
-        Some(["porosity", "-"]),
-    ),
-    ("porosity_bulk", [Some("porosity_bulk"), None], None),
-    ("porosity_initial", [Some("porosity_initial"), None], None),
-    ("particles", [Some("particles"), None], None),
-    ("contacts", [Some("contacts"), None], None),
+    ("porosity_final", "porosity_final", "porosity", "-"),
+    ("porosity_bulk", "porosity_bulk", "", "-"),
+    ("porosity_initial", "porosity_initial", "", "-"),
+    ("particles", "particles", "", "-"),
+    ("contacts", "contacts", "", "-"),
     (
         "coordination",
-        [Some("statistics"), Some("mean_coordination")],
-        Some(["contacts a sphere", "-"]),
+        "statistics.mean_coordination",
+        "contacts a sphere",
+        "-",
     ),
-    (
-        "stress_zz",
-        [Some("stress_zz"), None],
-        Some(["stress_zz", "-"]),
-    ),
-    (
-        "stress_zz_plus",
-        [Some("stress_zz_plus"), None],
-        Some(["plus", "-"]),
-    ),
-    (
-        "stress_zz_minus",
-        [Some("stress_zz_minus"), None],
-        Some(["minus", "-"]),
-    ),
-    ("steps", [Some("steps"), None], None),
-    ("iterations_total", [Some("iterations_total"), None], None),
-    (
-        "dissipation_normal",
-        [Some("dissipation"), Some("normal")],
-        None,
-    ),
-    (
-        "dissipation_sliding",
-        [Some("dissipation"), Some("sliding")],
-        None,
-    ),
-    (
-        "dissipation_rolling",
-        [Some("dissipation"), Some("rolling")],
-        None,
-    ),
-    (
-        "dissipation_torsion",
-        [Some("dissipation"), Some("torsion")],
-        None,
-    ),
-    (
-        "dissipation_cohesion",
-        [Some("dissipation"), Some("cohesion")],
-        None,
-    ),
+    ("stress_zz", "stress_zz", "stress_zz", "-"),
+    ("stress_zz_plus", "stress_zz_plus", "plus", "-"),
+    ("stress_zz_minus", "stress_zz_minus", "minus", "-"),
+    ("steps", "steps", "", "-"),
+    ("iterations_total", "iterations_total", "", "-"),
+    ("dissipation_normal", "dissipation.normal", "", "-"),
+    ("dissipation_sliding", "dissipation.sliding", "", "-"),
+    ("dissipation_rolling", "dissipation.rolling", "", "-"),
+    ("dissipation_torsion", "dissipation.torsion", "", "-"),
+    ("dissipation_cohesion", "dissipation.cohesion", "", "-"),
 ];
 
 impl LongBody for PowderScene {
@@ -86,8 +51,8 @@ impl LongBody for PowderScene {
     const FILES: &'static [&'static str] = files::POWDER;
 
     fn kind() -> RunKind {
-        RunKind::listed(
-            QUANTITIES,
+        RunKind::of(
+            listed(QUANTITIES),
             ["Final porosity", "porosity_final"],
             ["blocked", "/ending", "blocked"],
         )

@@ -28,18 +28,24 @@ impl Commands for &TipScene {
 
     fn kind(&self) -> RunKind {
         let is_slid = self.drive == DriveKind::Slide;
-        let belongs = |quantity: &SweptQuantity| match quantity.unit {
-            "degrees" => !is_slid,
-            _ => is_slid || quantity.path[1].is_none(),
+        let belongs = |quantity: &SweptQuantity| match quantity.path[0] {
+            Some("tip_temperature") => true,
+            Some("slid") => is_slid,
+            _ => !is_slid,
         };
-        let quantities = swept(TipSummary::QUANTITIES);
-        let quantities = quantities.into_iter().filter(belongs).collect();
+        let mut quantities = swept(TipSummary::QUANTITIES);
+        quantities.retain(belongs);
+        if self.potential.is_metal() {
+            for quantity in &mut quantities {
+                quantity.unit = metal_unit(quantity.unit);
+            }
+        }
         if is_slid {
             let share = ["periodic", "/slid/motion", "periodic"];
-            RunKind::among(quantities, ["Friction of the tip", "friction"], share)
+            RunKind::of(quantities, ["Friction of the tip", "friction"], share)
         } else {
             let share = ["reversible", "/verdict", "reversible"];
-            RunKind::among(quantities, ["Angle after the drive", "final_angle"], share)
+            RunKind::of(quantities, ["Angle after the drive", "final_angle"], share)
         }
     }
 
@@ -71,5 +77,15 @@ impl Commands for &TipScene {
 
     fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
         out.map_or(Ok(String::new()), |out| after::tip(self, out))
+    }
+}
+
+/// The unit of a scene with a metal.
+fn metal_unit(unit: &'static str) -> &'static str {
+    match unit {
+        "sigma" => "A",
+        "eps/sigma" => "eV/A",
+        "eps/k_B" => "K",
+        other => other,
     }
 }

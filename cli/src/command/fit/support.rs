@@ -58,7 +58,7 @@ pub fn execute(file: &Path, patch: Option<&Patch>, out: Option<&Path>) -> Result
 /// The pushes of a file, and the refusal of one of them.
 #[expect(clippy::type_complexity, reason = "a list and what to say of it")]
 fn read(file: &Path) -> Result<(Vec<MeasuredPush>, impl Fn(usize, &str) -> Failure), Failure> {
-    let mut rows = Rows::open(file, |_| &COLUMNS)?;
+    let mut rows = Rows::asked_for(file, |_| &COLUMNS)?;
     let (mut pushes, mut lines, mut row) = (Vec::new(), Vec::new(), [0.0; 6]);
     while let Some(line) = rows.next(&mut row)? {
         let [dx, dy, turn, fx, fy, torque] = row;

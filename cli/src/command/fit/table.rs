@@ -30,7 +30,7 @@ impl Table {
     pub fn read(path: &Path, load: Option<f64>) -> Result<Self, Failure> {
         let mut names: &[&str] = HEADERS[0];
         let explained = |failure: TableError| Failure::input(format!("{failure} {EXPECTED}"));
-        let mut rows = Rows::open(path, |header| {
+        let mut rows = Rows::asked_for(path, |header| {
             let [is_record, has_sigma] = ["t", "sigma"].map(|name| header.contains(&name));
             names = HEADERS[2 * usize::from(is_record) + usize::from(has_sigma)];
             names

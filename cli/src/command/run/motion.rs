@@ -2,7 +2,7 @@
 
 use super::request::RunRequest;
 use super::{files, path};
-use crate::command::bodies::motion::{MotionBody, shown_quantities};
+use crate::command::bodies::motion::MotionBody;
 use crate::command::digits::shown;
 use crate::command::explain::lines;
 use crate::failure::Failure;
@@ -14,7 +14,10 @@ use tribos_report::figure::{Axis, Figure, ReferenceLine, Series};
 
 /// Runs the scene and writes its results into the folder.
 pub fn run(body: &MotionBody<'_>, order: &RunRequest<'_>) -> Result<(), Failure> {
-    order.caller.watch()?;
+    // A disk is at rest before anybody could interrupt it.
+    if !matches!(body.any, Scene::Disk(_)) {
+        order.caller.watch()?;
+    }
     let mut meter = order.caller.meter();
     let holds = !body.scene.carried().is_empty();
     let doing = if holds {
@@ -63,7 +66,8 @@ fn outcome(body: &MotionBody<'_>, summary: &Value) -> Vec<(&'static str, String)
         ));
     }
     told.extend(
-        shown_quantities(body).map(|(label, quantity)| (label, quantity.text(summary, shown))),
+        body.shown_quantities()
+            .map(|(label, quantity)| (label, quantity.text(summary, shown))),
     );
     let error = summary["energy_error"].as_f64().unwrap_or(f64::NAN);
     told.push(("energy error", format!("{error:.1e} of the initial energy")));

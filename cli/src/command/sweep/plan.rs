@@ -178,7 +178,7 @@ impl Plan {
             let refused = bodies.iter().find_map(|body| body.as_ref().err());
             return refused.map_or(Ok(()), |failure| Err(failure.clone()));
         };
-        if accepted.any(|body| body.kind() != first.kind()) {
+        if accepted.any(|body| !body.kind().has_columns_of(&first.kind())) {
             let message = "--set body=…: the results of one table must be of one kind of body";
             return Err(Failure::input(message));
         }

@@ -218,7 +218,7 @@ pub(super) fn points<R: Real>(
     path: &Path,
     lean: &impl Fn(R) -> R,
 ) -> Result<Vec<Node<R>>, Failure> {
-    let rows = Rows::open(path, |_| &["x", "y", "weight"])?.all::<3>(usize::MAX)?;
+    let rows = Rows::asked_for(path, |_| &["x", "y", "weight"])?.all::<3>(usize::MAX)?;
     let name = path.display();
     // Only ratios of the weights count: the largest one is brought to order 1, to the bit.
     let heaviest = rows.iter().fold(0.0, |most: f64, row| most.max(row[2]));

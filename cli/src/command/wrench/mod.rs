@@ -237,7 +237,7 @@ impl Arguments {
         given: &[ContactParameter],
         at: impl Fn([f64; N]) -> Result<(Fields, bool), Failure>,
     ) -> Result<(), Failure> {
-        let mut rows = Rows::open(file, |_| columns)?;
+        let mut rows = Rows::asked_for(file, |_| columns)?;
         let format = self.format.unwrap_or(Format::Csv);
         let mut beyond = 0;
         spool::deliver(self.output.as_deref(), |sink| {

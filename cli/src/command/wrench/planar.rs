@@ -44,7 +44,7 @@ pub fn is_asked_of_points(arguments: &Arguments) -> Result<bool, Failure> {
     if let Some(file) = &arguments.twists
         && file.as_os_str() != "-"
     {
-        Rows::open(file, |header| {
+        Rows::asked_for(file, |header| {
             is_planar = header.contains(&TWIST[0]);
             if is_planar {
                 &TWIST

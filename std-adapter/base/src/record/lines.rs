@@ -23,15 +23,10 @@ pub struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// Of a file, or of standard input for `-`.
+    /// Of a file.
     pub fn open(path: &Path) -> Result<Self, TableError> {
-        let source: Box<dyn BufRead> = if path == Path::new("-") {
-            Box::new(io::stdin().lock())
-        } else {
-            let file = File::open(path).map_err(|error| unreadable(path, &error))?;
-            Box::new(BufReader::new(file))
-        };
-        Ok(Self::of(path, source))
+        let file = File::open(path).map_err(|error| unreadable(path, &error))?;
+        Ok(Self::of(path, Box::new(BufReader::new(file))))
     }
 
     /// Of an open source with this name.

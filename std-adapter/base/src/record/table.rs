@@ -5,7 +5,7 @@
 
 use super::lines::Lines;
 use crate::scene::finite_number;
-use std::io::BufRead;
+use std::io::{self, BufRead};
 use std::path::Path;
 
 /// A table that cannot be read.
@@ -56,13 +56,24 @@ pub struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// Opens a file (`-` for standard input) and reads its header; `choose` says which columns a
+    /// Opens a file and reads its header; `choose` says which columns a
     /// file with this header must have, and it may have no others.
     pub fn open(
         path: &Path,
         choose: impl FnOnce(&[&str]) -> &'static [&'static str],
     ) -> Result<Self, TableError> {
         Self::with(Lines::open(path)?, OtherColumns::Refused, choose)
+    }
+
+    /// The same of a file that a command line names: `-` is standard input.
+    pub fn asked_for(
+        path: &Path,
+        choose: impl FnOnce(&[&str]) -> &'static [&'static str],
+    ) -> Result<Self, TableError> {
+        if path == Path::new("-") {
+            return Self::of(path, io::stdin().lock(), OtherColumns::Refused, choose);
+        }
+        Self::open(path, choose)
     }
 
     /// The same of an open source with this name.

@@ -55,10 +55,7 @@ pub enum PackingRunError<P: Error + 'static> {
         cause: ContactError,
     },
     /// A number of the series left the range of f64.
-    #[error(
-        "after step {step}: `{column}` is {value:e}; the scene's loads, masses and lengths are too \
-         far apart"
-    )]
+    #[error("after step {step}: `{column}` is {value:e}; the scene's scales are too far apart")]
     NotFinite {
         /// Number of the step.
         step: u64,

@@ -110,7 +110,7 @@ summary! {
     /// Way to the left.
     y: f64, "m";
     /// Way to the left of the launch.
-    curl: f64, "m", Shown("curl");
+    curl: f64, "m", ShownAs("curl", "curl, left");
     /// Length of the path.
     path_length: f64, "m", Swept;
     /// Angle turned.

@@ -19,7 +19,8 @@ use crate::motion_run::{MotionError, MotionRun, MotionScene};
 use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
-use tribos_base::results::{Quantity, Summary, Reporting::*, summary};
+use tribos_base::bracket::Bracket;
+use tribos_base::results::{Quantity, Reporting::*, Summary, summary};
 use tribos_core::Real;
 use tribos_core::law::StickSlip;
 use tribos_core::limit_surface::FrictionSet;
@@ -173,7 +174,7 @@ struct Trial {
     left: Vector3<f64>,
 }
 
-/// MassRatios of a cycle at which the load turns.
+/// Shares of a cycle at which the load turns.
 const TURNS: [f64; 2] = [0.25, 0.75];
 /// What the balance may leave, as a share of the limits; more where the rounding of a pose is more, up to a cap.
 const BALANCED: f64 = 1e-12;
@@ -215,21 +216,12 @@ impl ClampedBody {
     /// they hold it. They have one shape, so that their sets add up to that of the sum of their coefficients.
     fn release_between(&self, scene: &ClampScene, cycle: u32, shares: [f64; 2]) -> Option<f64> {
         let leaves = |share: f64| self.both.gauge(&load(scene, cycle, share)) > 1.0;
-        let [mut held, end] = shares;
+        let [held, end] = shares;
         // Between its turns the load is monotone, and what is held is convex.
         let turns = TURNS.into_iter().filter(|turn| *turn > held && *turn < end);
-        let mut lost = turns.chain([end]).find(|share| leaves(*share))?;
-        loop {
-            let middle = 0.5 * (held + lost);
-            if middle <= held || middle >= lost {
-                return Some(scene.period * (f64::from(cycle) + lost));
-            }
-            if leaves(middle) {
-                lost = middle;
-            } else {
-                held = middle;
-            }
-        }
+        let lost = turns.chain([end]).find(|share| leaves(*share))?;
+        let lost = Bracket::new(held, lost).halved(usize::MAX, leaves).high;
+        Some(scene.period * (f64::from(cycle) + lost))
     }
 
     /// Moves the body to where the pads balance the load, which they hold; else the force that is left.
@@ -396,7 +388,7 @@ impl MotionScene for ClampScene {
 mod tests {
     use super::*;
 
-    /// Pair2 elements in parallel: F₁ = 6 N at 2e4 N/m slips at 0.3 mm, F₂ = 10 N at 1e4 N/m at 1 mm.
+    /// Two elements in parallel: F₁ = 6 N at 2e4 N/m slips at 0.3 mm, F₂ = 10 N at 1e4 N/m at 1 mm.
     #[test]
     fn the_loss_of_a_cycle_is_that_of_two_elements_and_its_branches_obey_masings_rule() {
         for amplitude in [8.0, 9.5, 11.0, 14.0, 15.9] {

@@ -12,7 +12,7 @@ use super::StickError;
 use crate::motion_run::{MotionError, MotionRun, MotionScene};
 use crate::stick::scene::InclineScene;
 use tribos_base::bracket::Bracket;
-use tribos_base::results::{Quantity, Summary, Reporting::*, summary};
+use tribos_base::results::{Quantity, Reporting::*, Summary, summary};
 use tribos_core::Real;
 use tribos_core::law::{RestTime, StaticAgeing};
 use tribos_core::twist::Wrench;

@@ -20,7 +20,7 @@ use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
 use path::{SlideState, State};
 use tribos_base::bracket::Bracket;
-use tribos_base::results::{Quantity, Summary, Reporting::*, summary};
+use tribos_base::results::{Quantity, Reporting::*, Summary, summary};
 use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::planar::PlanarBody;
