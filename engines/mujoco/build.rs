@@ -12,8 +12,6 @@ const SOURCES: [&str; 6] = [
 fn main() {
     let mut build = cc::Build::new();
     build.files(SOURCES).std("c11").opt_level(3);
-    // MuJoCo's errors leave by C++ exceptions in Python.
-    build.flag_if_supported("-fexceptions");
     build.flag_if_supported("-fvisibility=hidden");
     build.compile("tribos_mujoco");
     println!("cargo::rerun-if-changed=src");

@@ -13,6 +13,7 @@ use tribos_mujoco::{
 /// What a foot is.
 #[derive(FromPyObject)]
 struct FootArguments<'py> {
+    name: String,
     patch: Bound<'py, Patch>,
     mu: f64,
     geoms: Vec<i32>,
@@ -28,6 +29,7 @@ struct SimulationArguments {
     solve: usize,
     model: usize,
     data: usize,
+    awake: usize,
     counts: [i32; 3],
     /// Width of a contact in bytes, and where in it the fields lie.
     layout: [i32; 9],
@@ -46,6 +48,8 @@ impl MujocoFeet {
     #[new]
     #[expect(unsafe_code, reason = "addresses of MuJoCo's arrays")]
     fn new(simulation: SimulationArguments, feet: Vec<FootArguments<'_>>) -> PyResult<Self> {
+        let names: Vec<_> = feet.iter().map(|foot| foot.name.clone()).collect();
+        let name = |foot: usize| names.get(foot).map_or("", String::as_str);
         let feet = feet.into_iter().map(FootArguments::foot);
         let feet = feet.collect::<PyResult<Vec<_>>>()?;
         let SimulationArguments {
@@ -53,6 +57,7 @@ impl MujocoFeet {
             solve,
             model,
             data,
+            awake,
             counts,
             layout,
         } = simulation;
@@ -64,6 +69,7 @@ impl MujocoFeet {
             solve,
             model,
             data,
+            awake,
             counts,
             layout,
         };
@@ -72,10 +78,13 @@ impl MujocoFeet {
         made.map(Self).map_err(|error| match error {
             LinkError::NoMemory => refused("there is no memory for the feet"),
             LinkError::NeverMoves { foot } => refused(format!(
-                "foot {foot} never moves on its floor: neither body has a joint"
+                "foot {} never moves on its floor: neither body has a joint",
+                name(foot)
             )),
             LinkError::ClaimedTwice { foot, other } => refused(format!(
-                "feet {other} and {foot} have a geom on the same floor"
+                "feet {} and {} have a geom on the same floor",
+                name(other),
+                name(foot)
             )),
         })
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 
 import numpy as np
@@ -244,6 +245,29 @@ def test_close_gives_the_model_and_the_callback_back():
     assert mujoco.get_mjcb_passive() is own
     mujoco.set_mjcb_passive(None)
     assert "closed" in repr(feet)
+    with pytest.raises(ValueError, match="closed"):
+        feet["foot"]
+
+
+def test_only_steps_of_the_model_with_data_of_its_own_have_feet():
+    model, data = world(PUCK)
+    more = '<body pos="0 1 1"><freejoint/><geom size="0.1"/></body>'
+    (larger, strange), (_, alone) = world(PUCK, more=more), world(PUCK, more=more)
+    with pytest.raises(ValueError, match="another model"):
+        tribos.mujoco.attach(model, strange, {"foot": DISK}, floor="floor")
+    assert model.geom_condim.tolist() == [3, 3]
+    mujoco.mj_step(larger, alone, nstep=100)
+    with tribos.mujoco.attach(model, data, {"foot": DISK}, floor="floor") as feet:
+        for other in (strange, mujoco.MjData(model)):
+            with pytest.raises(ValueError, match="made no step"):
+                feet.state("foot", other)
+        mujoco.mj_step(larger, strange, nstep=100)
+        assert (strange.qpos == alone.qpos).all()
+        # A copy of the model has contacts without friction, and no feet.
+        mujoco.mj_step(model, data, nstep=400)
+        data.qvel[:] = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+        mujoco.mj_step(copy.copy(model), data, nstep=10)
+        assert data.qvel[0] == pytest.approx(1.0, abs=1e-9)
 
 
 def test_models_can_be_compiled_in_a_pause():
@@ -347,6 +371,31 @@ def test_a_body_rests_again_after_a_reset():
         assert feet["foot"].is_held
 
 
+@pytest.mark.skipif(
+    not hasattr(mujoco.mjtEnableBit, "mjENBL_SLEEP"), reason="this MuJoCo has no sleep"
+)
+def test_a_sleeping_body_wakes_with_its_load():
+    flag = '><flag sleep="enable"/></option><option timestep="0.001"'
+    model, data = world(PUCK, option=flag)
+    with tribos.mujoco.attach(model, data, {"foot": DISK}, floor="floor") as feet:
+        mujoco.mj_step(model, data, nstep=1500)
+        assert data.body_awake[1] == 0
+        mujoco.mj_step(model, data, nstep=200)
+        data.qvel[0] = 1.0
+        mujoco.mj_step(model, data)
+        assert feet["foot"].load == pytest.approx(0.2 * GRAVITY, rel=3e-3)
+        assert data.qvel[0] == pytest.approx(1.0 - 0.3 * GRAVITY * 1e-3, abs=1e-5)
+
+
+def test_friction_of_mujocos_own_ends_the_step():
+    model, data = world(PUCK)
+    with tribos.mujoco.attach(model, data, {"foot": DISK}, floor="floor"):
+        mujoco.mj_step(model, data, nstep=200)
+        model.geom_condim[:] = 3
+        with pytest.raises(ValueError, match="condim was changed after the feet were made"):
+            mujoco.mj_step(model, data)
+
+
 def test_a_lifted_foot_has_no_friction():
     model, data = world(PUCK, height=1.0)
     with tribos.mujoco.attach(model, data, {"foot": DISK}, floor="floor") as feet:
@@ -374,12 +423,19 @@ def test_what_cannot_be_attached_is_refused():
         attach(model, data, {"foot": tribos.Friction(tribos.disk(0.05), law=law)}, floor="floor")
     with pytest.raises(ValueError, match=r"tribos\.Friction"):
         attach(model, data, {"foot": 0.3}, floor="floor")
-    with pytest.raises(ValueError, match="0 and 1 have a geom on the same floor"):
+    with pytest.raises(ValueError, match=r"'foot' and \('foot',\) have a geom on the same floor"):
         attach(model, data, {"foot": DISK, ("foot",): DISK}, floor="floor")
-    fixed, held = world(PUCK, more='<geom name="shelf" size="1" pos="0 9 0"/>')
-    with pytest.raises(ValueError, match="never moves"):
-        attach(fixed, held, {"shelf": DISK}, floor="floor")
-    assert fixed.geom_condim.tolist() == [3, 3, 3]
+    more = """<geom name="shelf" size="1" pos="0 9 0"/>
+        <body mocap="true"><geom name="hand" size="1" pos="0 0 9"/></body>"""
+    fixed, held = world(PUCK + '/><geom name="lid" size="0.01"', more=more)
+    for name, floor, why in (
+        ("shelf", "floor", "foot 'shelf' and its floor 'floor' are of one body"),
+        ("lid", "foot", "foot 'lid' and its floor 'foot' are of one body"),
+        ("hand", "floor", "foot 'hand' (never moves|and its floor 'floor' are of one body)"),
+    ):
+        with pytest.raises(ValueError, match=why):
+            attach(fixed, held, {name: DISK}, floor=floor)
+    assert (fixed.geom_condim == 3).all()
     with attach(model, data, {"foot": DISK}, floor="floor") as feet:
         with pytest.raises(ValueError, match="already"):
             attach(model, data, {"foot": DISK}, floor="floor")

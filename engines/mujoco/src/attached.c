@@ -20,7 +20,7 @@ const char *attached_arrays(void) { return MODEL_ARRAYS(NAMED) DATA_ARRAYS(NAMED
 
 static view view_of(const simulation *of, double *states)
 {
-    view v = {.states = states, .solve = of->solve, .model = of->model, .data = of->data,
+    view v = {.states = states, .solve = of->solve, .model = of->model, .data = of->data, .body_awake = of->body_awake,
               .nv = of->nv, .nbody = of->nbody, .ngeom = of->ngeom};
     void *const *next = of->arrays;
     MODEL_ARRAYS(TAKEN)
@@ -123,7 +123,7 @@ const char *attached_step(attached *attached, double time, double timestep, cons
     }
     system_recall(system, &attached->view, time > attached->time);
     attached->time = time;
-    system_begin(system);
+    system_begin(system, &attached->view);
     const char *why = collect(attached, contacts);
     if (why) return why;
     system_step(system, &attached->view);

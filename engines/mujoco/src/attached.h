@@ -15,6 +15,7 @@ typedef struct simulation {
     void (*solve)(const void *model, void *data, double *x, const double *y, int count);
     const void *model;
     void *data;
+    const int *body_awake;  // NULL where bodies do not sleep
     int nv, nbody, ngeom;
     contact_layout layout;
 } simulation;

@@ -49,6 +49,7 @@ typedef struct foot {
     int freedom_count;
 
     // Of this step.
+    bool is_asleep;         // MuJoCo leaves its contacts out
     int first;              // of its contacts, -1 without
     int contact_count;
     double normal_sum[3];   // of the contacts' normals, from the ground to the foot

@@ -31,12 +31,14 @@ pub struct FootModel {
 pub struct Simulation {
     /// Address of the addresses of the arrays that [`arrays`] names, in its order.
     pub arrays: *const usize,
-    /// MuJoCo's function `mj_solveM`.
+    /// MuJoCo's function `mj_solveM`, which raises none of its errors: nothing unwinds or jumps through a step.
     pub solve: usize,
     /// The `mjModel`.
     pub model: usize,
     /// The `mjData`.
     pub data: usize,
+    /// Address of its `body_awake`, or 0 where bodies do not sleep.
+    pub awake: usize,
     /// Degrees of freedom, bodies and geoms.
     pub counts: [c_int; 3],
     /// Bytes from one contact to the next; then where in it are, in bytes, distance, position, axes, margin, geoms,

@@ -276,6 +276,9 @@ view view_of(const mjModel *m, mjData *d)
     MODEL_ARRAYS(OF_MODEL)
     if (!d) return v;
     DATA_ARRAYS(OF_DATA)
+#if mjVERSION_HEADER >= 340
+    if (m->opt.enableflags & mjENBL_SLEEP) v.body_awake = d->body_awake;
+#endif
     v.states = d->plugin_state;
     return v;
 }

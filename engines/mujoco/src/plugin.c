@@ -77,7 +77,6 @@ static void reset(const mjModel *m, mjtNum *state, void *data, int instance)
 static const char *collect(tribos_system *system, const mjModel *m, const mjData *d)
 {
     (void)m;
-    system_begin(system);
     for (int i = 0; i < d->ncon; i++) {
         const mjContact *found = d->contact + i;
         contact contact = {.geoms = {found->geom[0], found->geom[1]}, .dimension = found->dim,
@@ -100,9 +99,10 @@ static void compute(const mjModel *m, mjData *d, int instance, int capability)
     if (m->opt.integrator == mjINT_RK4)
         fail(m, instance, "the integrator RK4 evaluates forces within a step, where friction has no implicit step: "
                           "choose Euler, implicit or implicitfast");
+    const view v = view_of(m, d);
+    system_begin(system, &v);
     const char *why = collect(system, m, d);
     if (why) fail(m, instance, why);
-    const view v = view_of(m, d);
     system_step(system, &v);
     system_push(system, &v);
 }
@@ -117,11 +117,7 @@ static void advance(const mjModel *m, mjData *d, int instance)
         return;
     }
     const view v = view_of(m, d);
-    const int *awake = NULL;
-#if mjVERSION_HEADER >= 340
-    if (m->opt.enableflags & mjENBL_SLEEP) awake = d->body_awake;
-#endif
-    system_remember(system, &v, d->efc_force, awake);
+    system_remember(system, &v, d->efc_force);
 }
 
 // MuJoCo's macro for this has other arguments in other versions.

@@ -32,11 +32,12 @@ static bool remember_touch(tribos_system *system, foot *foot, const contact *con
     return true;
 }
 
-void system_begin(tribos_system *system)
+void system_begin(tribos_system *system, const view *v)
 {
     system->touch_count = 0;
     for (int i = 0; i < system->count; i++) {
         foot *foot = system->feet + i;
+        foot->is_asleep = v->body_awake && !v->body_awake[foot->bodies[0]];
         foot->first = -1;
         foot->contact_count = 0;
         memset(foot->normal_sum, 0, sizeof foot->normal_sum);
@@ -55,7 +56,7 @@ const char *system_touch(tribos_system *system, const contact *contact)
             if (!foot_stands_on(foot, ground)) continue;
             if (contact->dimension != 1)
                 return "a contact of a foot with its ground has friction of MuJoCo's own: "
-                       "condim was changed after the simulation was made; set it to 1 again";
+                       "condim was changed after the feet were made; set it to 1 again";
             if (!remember_touch(system, foot, contact, side == 1 ? 1 : -1)) return "no memory for contacts";
         }
     }
@@ -249,17 +250,19 @@ static void remember(const foot *foot, double load, const double by_all[3], doub
     if (!foot->is_held) memset(state + STATE_SLIP, 0, 3 * sizeof(double));
 }
 
-// A foot that touches nothing.
-static void forget(double *state) { memset(state, 0, STATE_MISSED * sizeof(double)); }
+// A foot that touches nothing; one that sleeps touches what it did.
+static void forget(const foot *foot, double *state)
+{
+    if (!foot->is_asleep) memset(state, 0, STATE_MISSED * sizeof(double));
+}
 
-void system_remember(tribos_system *system, const view *v, const double *forces, const int *awake)
+void system_remember(tribos_system *system, const view *v, const double *forces)
 {
     for (int i = 0; i < system->count; i++) {
         const foot *foot = system->feet + i;
         double *state = v->states + foot->state;
         if (foot->first < 0) {
-            // MuJoCo leaves the contacts of sleeping bodies out.
-            if (!awake || awake[foot->bodies[0]]) forget(state);
+            forget(foot, state);
             continue;
         }
         double load = 0, motion[MOTIONS], by_all[3];
@@ -292,7 +295,7 @@ void system_recall(tribos_system *system, const view *v, bool has_passed)
         const foot *foot = system->feet + i;
         double *state = v->states + foot->state;
         if (foot->first < 0) {
-            forget(state);
+            forget(foot, state);
             continue;
         }
         double load = 0, motion[MOTIONS];

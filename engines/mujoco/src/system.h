@@ -74,7 +74,7 @@ size_t system_scratch(int count, int nv);
 void system_copy(tribos_system *to, const tribos_system *from);
 
 // Forgets the contacts of the step before.
-void system_begin(tribos_system *system);
+void system_begin(tribos_system *system, const view *v);
 
 // Gives the feet a contact, if it is theirs. NULL, or the reason why it has no friction.
 const char *system_touch(tribos_system *system, const contact *contact);
@@ -86,8 +86,8 @@ void system_step(tribos_system *system, const view *v);
 void system_push(const tribos_system *system, const view *v);
 
 // Remembers loads and friction for the next step, at the end of this one, where the velocities are new and all else is not.
-// `forces` are those of the constraints' rows. `awake` is of bodies, NULL where none can sleep.
-void system_remember(tribos_system *system, const view *v, const double *forces, const int *awake);
+// `forces` are those of the constraints' rows.
+void system_remember(tribos_system *system, const view *v, const double *forces);
 
 // The same at the start of the next step, if a step `has_passed`: from the acceleration that the solver found, as the
 // forces are gone. What feet have slipped is found within the step, with the places of its start.

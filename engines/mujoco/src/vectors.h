@@ -28,10 +28,13 @@ static inline void add_scaled3(double out[3], const double a[3], double scale)
     for (int i = 0; i < 3; i++) out[i] += scale * a[i];
 }
 
+// Length up to which a vector has no direction but x: mjMINVAL, as in mju_normalize3.
+#define LEAST_NORM 1e-15
+
 static inline void normalise3(double a[3])
 {
     const double norm = sqrt(dot3(a, a)), inverse = 1 / norm;
-    for (int i = 0; i < 3; i++) a[i] = norm > 0 ? a[i] * inverse : i == 0;
+    for (int i = 0; i < 3; i++) a[i] = norm > LEAST_NORM ? a[i] * inverse : i == 0;
 }
 
 // out += matrix * a

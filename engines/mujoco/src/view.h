@@ -19,7 +19,8 @@
 typedef struct view {
     MODEL_ARRAYS(MEMBER)
     DATA_ARRAYS(MEMBER)
-    double *states;  // memory of the feet, STATE_SIZE numbers each
+    const int *body_awake;  // 0 of a body that sleeps; NULL where none can
+    double *states;         // memory of the feet, STATE_SIZE numbers each
 
     // x = M^-1 y for `count` rows of nv numbers, as mj_solveM.
     void (*solve)(const void *model, void *data, double *x, const double *y, int count);

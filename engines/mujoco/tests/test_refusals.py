@@ -117,7 +117,7 @@ def test_changes_of_a_running_model_are_refused():
     model, data = world(PUCK_GEOM, DISK)
     mujoco.mj_step(model, data, nstep=200)
     model.geom_condim[:] = 3
-    with pytest.raises(mujoco.FatalError, match="condim was changed"):
+    with pytest.raises(mujoco.FatalError, match="condim was changed after the feet were made"):
         mujoco.mj_step(model, data)
     model.geom_condim[:] = 1
     mujoco.mj_step(model, data)

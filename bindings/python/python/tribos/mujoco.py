@@ -54,6 +54,7 @@ import ctypes
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from types import TracebackType
 from typing import Any, NamedTuple
@@ -148,7 +149,8 @@ def attach(
     ValueError
         For names that the model does not have, geoms of one foot on several bodies, laws without a
         limit surface, the integrator RK4, disabled passive forces, feet that no joint moves on their
-        floor, two feet with a geom on the same floor, and a model that has feet already.
+        floor, two feet with a geom on the same floor, a model that has feet already, and data of
+        another model.
 
     Examples
     --------
@@ -178,7 +180,7 @@ def paused() -> Iterator[None]:
 class Feet:
     """Feet of a model, made by `attach`; ``feet[name]`` is the `FootState` of one of them."""
 
-    __slots__ = ("_data", "_given", "_layout", "_model", "_names", "_restore", "_states")
+    __slots__ = ("_data", "_given", "_model", "_names", "_restore", "_states")
 
     def __init__(
         self,
@@ -205,7 +207,7 @@ class Feet:
             _given(model, name, friction, floor, (sites or {}).get(name))
             for name, friction in feet.items()
         ]
-        self._layout = _layout(has_surfaces=bool(getattr(model, "flg_surfacevel", False)))
+        self._state_of(data)
         self._free_of_friction()
         _FEET[model._address] = self
         _install()
@@ -219,13 +221,22 @@ class Feet:
         return self.state(name)
 
     def state(self, name: Name, data: Any = None) -> FootState:
-        """A foot in the last step of data; None for those that it was attached with."""
+        """A foot in the last step of data; None for those that it was attached with.
+
+        Raises
+        ------
+        KeyError
+            For a name that is no foot's.
+        ValueError
+            For feet that are closed, and for data that made no step with them.
+        """
         if name not in self._names:
             raise KeyError(f"no foot {name!r}: there are {list(self._names)}")
-        chosen = self._data if data is None else data
-        native = self._state_of(chosen).native
+        state = self._states.get((self._data if data is None else data)._address)
+        if state is None:
+            raise ValueError("the feet are closed, or these data made no step with them")
         index = self._names.index(name)
-        load, friction, twist, axes, centre, is_held, missed = native.state(index)
+        load, friction, twist, axes, centre, is_held, missed = state.native.state(index)
         arrays = (np.array(friction), np.array(twist), np.array(axes), np.array(centre))
         return FootState(load, *arrays, is_held, missed)
 
@@ -237,8 +248,6 @@ class Feet:
         for array, index, value in self._restore:
             array[index] = value
         self._restore.clear()
-        for state in self._states.values():
-            _STATES.pop(id(state.data), None)
         self._states.clear()
         if not _FEET:
             _uninstall()
@@ -280,16 +289,14 @@ class Feet:
     def _state_of(self, data: Any) -> _State:
         state = self._states.get(data._address)
         if state is None:
-            state = self._states[data._address] = _State(
-                self._model, data, self._given, self._layout
-            )
-            _STATES[id(data)] = state
+            state = self._states[data._address] = _State(self._model, data, self._given)
         return state
 
 
 class _Given(NamedTuple):
     """A foot, as the compiled half takes it."""
 
+    name: str
     patch: _native.Patch
     mu: float
     geoms: list[int]
@@ -305,38 +312,45 @@ class _Simulation(NamedTuple):
     solve: int
     model: int
     data: int
+    awake: int
     counts: tuple[int, int, int]
     layout: tuple[int, ...]
 
 
 class _State:
-    """The feet of one MjData."""
+    """The feet of one MjData, which stays alive with its model as long as they do."""
 
-    __slots__ = ("_contacts", "_options", "data", "native")
+    __slots__ = ("_contacts", "_data", "_model", "native")
 
-    def __init__(self, model: Any, data: Any, given: list[_Given], layout: tuple[int, ...]) -> None:
-        self.data = data
-        self._options = model.opt
-        self._contacts: dict[int, int] = {0: 0}
+    def __init__(self, model: Any, data: Any, given: list[_Given]) -> None:
+        if any(getattr(data.model, size, 0) != getattr(model, size, 0) for size in _SIZES):
+            raise ValueError("the data are of another model")
+        self._model, self._data = model, data
+        self._contacts = 0
         simulation = _Simulation(
             arrays=[_array(model, data, *array) for array in _native.MujocoFeet.arrays()],
             solve=_solver(),
             model=model._address,
             data=data._address,
+            # MuJoCo's bodies sleep since 3.4.
+            awake=_array(model, data, "int", "body_awake") if hasattr(data, "body_awake") else 0,
             counts=(model.nv, model.nbody, model.ngeom),
-            layout=layout,
+            layout=_layout(has_surfaces=bool(getattr(model, "flg_surfacevel", False))),
         )
         self.native = _native.MujocoFeet(simulation, given)
 
-    def push(self, data: Any) -> None:
+    def push(self) -> None:
         """Adds the friction of this step to the passive forces."""
+        data, step = self._data, self._model.opt.timestep
         count = data.ncon
         # Contacts begin where the memory of a step begins, which does not move.
-        first = self._contacts.get(count)
-        if first is None:
-            first = self._contacts[count] = _address(data.contact.dist)
-        step = self._options.timestep
-        self.native.step(data.time, step, (first, count), data.efc_D, data.efc_KBIP)
+        if count and not self._contacts:
+            self._contacts = _address(data.contact.dist)
+        self.native.step(data.time, step, (self._contacts, count), data.efc_D, data.efc_KBIP)
+
+
+# Sizes of a model that those of the arrays of its data come from; MuJoCo 3.2.0 has no nC.
+_SIZES = ("nv", "nbody", "njnt", "ngeom", "nsite", "nM", "nC")
 
 
 def _array(model: Any, data: Any, kind: str, name: str) -> int:
@@ -347,6 +361,7 @@ def _array(model: Any, data: Any, kind: str, name: str) -> int:
     return _address(array)
 
 
+@cache
 def _solver() -> int:
     """The address of MuJoCo's solution for the mass."""
     library = Path(mujoco._functions.__file__)
@@ -357,6 +372,7 @@ def _solver() -> int:
     return address
 
 
+@cache
 def _layout(*, has_surfaces: bool) -> tuple[int, ...]:
     """How wide MuJoCo's contacts are and where in them the fields lie, from a contact of a tiny model."""
     with paused():
@@ -413,14 +429,16 @@ def _given(
         raise ValueError(f"the geoms of a foot must be of one body, those of {name!r} are not")
     if not isinstance(floor, str) and name not in floor:
         raise ValueError(f"floor has no entry for {name!r}")
-    ground = _index(model, "geom", floor if isinstance(floor, str) else floor[name])
-    if ground in geoms:
-        raise ValueError(f"{name!r} cannot be its own floor")
+    floor = floor if isinstance(floor, str) else floor[name]
+    ground = _index(model, "geom", floor)
+    if body_of[ground] in bodies:
+        raise ValueError(f"foot {name!r} and its floor {floor!r} are of one body")
     if site is not None:
         frame = (2, _index(model, "site", site))
     else:
         frame = (0, geoms[0]) if len(geoms) == 1 else (1, int(model.geom_bodyid[geoms[0]]))
     return _Given(
+        name=repr(name),
         patch=friction.patch._handle,
         mu=friction.mu,
         geoms=geoms,
@@ -445,9 +463,8 @@ def _index(model: Any, kind: str, name: object) -> int:
     return int(index)
 
 
-# Feet by their model's address; states by the identity of their data, which they keep alive.
+# Feet by the address of their model, which they keep alive.
 _FEET: dict[int, Feet] = {}
-_STATES: dict[int, _State] = {}
 _EARLIER: list[Any] = []
 
 
@@ -455,13 +472,9 @@ def _push(model: Any, data: Any) -> None:
     """MuJoCo's callback for passive forces."""
     for earlier in _EARLIER:
         earlier(model, data)
-    state = _STATES.get(id(data))
-    if state is None:
-        feet = _FEET.get(model._address)
-        if feet is None:
-            return
-        state = feet._state_of(data)
-    state.push(data)
+    feet = _FEET.get(model._address)
+    if feet is not None:
+        feet._state_of(data).push()
 
 
 def _install() -> None:
