@@ -13,7 +13,7 @@
 //! use tribos::{scene::DiskScene, slide::run};
 //! let puck = DiskScene { speed: 1.0, spin: 5.0, gamma: 0.3, ..DiskScene::default() };
 //! let end = run(&puck, |_done| ())?.outcome; // m/s, rad/s
-//! assert!((end.time - 0.369017132104558).abs() < 1e-9); // s
+//! assert!((end.end_time - 0.369017132104558).abs() < 1e-9); // s
 //! # Ok::<(), tribos::slide::SlideError>(())
 //! ```
 //!

@@ -172,7 +172,7 @@ pub struct SlideRun {
 /// // On oil: dv/dt = -g (mu + k v), which ends after ln(1 + k v0/mu)/(g k).
 /// let law = Some("stribeck:mu_s=0.2,mu_d=0.2,vs=0.01,k=0.1".parse()?); // s/m
 /// let oiled = DiskScene { gravity: 10.0, law, ..scene };
-/// assert!((run(&oiled, |_| ())?.outcome.time - 1.5_f64.ln()).abs() < 1e-8);
+/// assert!((run(&oiled, |_| ())?.outcome.end_time - 1.5_f64.ln()).abs() < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run(scene: &DiskScene, progress: impl FnMut(f64)) -> Result<SlideRun, SlideError> {

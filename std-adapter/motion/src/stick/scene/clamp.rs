@@ -14,7 +14,7 @@ scene! {
     /// use tribos::{scene::ClampScene, stick::clamp::run};
     /// // Below what the weaker pad holds nothing slips: the loop has no area.
     /// let gentle = ClampScene { force_amplitude: 1.0, ..ClampScene::default() };
-    /// assert_eq!(run(&gentle)?.outcome.loss, 0.0);
+    /// assert_eq!(run(&gentle)?.outcome.loss_per_cycle, 0.0);
     /// # Ok::<(), tribos::stick::StickError>(())
     /// ```
     pub struct ClampScene = "clamp", "A clamped body under a load that swings",

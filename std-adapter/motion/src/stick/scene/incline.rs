@@ -14,8 +14,8 @@ scene! {
     /// ```
     /// use tribos::{scene::InclineScene, stick::incline::run};
     /// let end = run(&InclineScene { mu_static: 0.5, ..InclineScene::default() })?.outcome;
-    /// let release = end.release.ok_or("holds")?;
-    /// assert!((release.angle.tan() - 0.5).abs() < 1e-14);
+    /// let angle: f64 = end.release_angle.ok_or("holds")?;
+    /// assert!((angle.tan() - 0.5).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub struct InclineScene = "incline", "A block on an incline",
