@@ -108,10 +108,18 @@ fn framed(family: &Family) -> Option<[Bound; 2]> {
     Some([wrench, if is_round { turned } else { jacobian }])
 }
 
+/// Both sides of the comparison are wrong where a plank or a dome makes that add up.
+fn of_pieces(family: &Family) -> Option<[Bound; 2]> {
+    match family.name {
+        "falling law, polygon" | "mesh" => twice(family),
+        _ => once(family),
+    }
+}
+
 #[test]
 fn a_patch_in_more_pieces_is_the_same_patch() {
     // Bars and round patches are whole.
-    hold("cut", ALL - 34, twice, |case, rng, see| {
+    hold("cut", ALL - 34, of_pieces, |case, rng, see| {
         let Some(shape) = case.shape.cut() else {
             return;
         };
