@@ -140,6 +140,10 @@ bounds! {
     UNITS_JACOBIAN = 1e-14, "speeds below the normal range are rounded";
     /// Twelve points summed one by one, of the scale of the wrench.
     NODES = 2e-15, "a dozen roundings of terms up to the load";
+    /// Their Jacobian, of its largest entry.
+    NODES_JACOBIAN = 1e-14, "a dozen terms, each over the speed of its point, whose rounding is relative to the centre's distance";
+    /// Jacobian of a round patch against itself in a frame that is turned, of its largest entry.
+    ROUND_TURNED_JACOBIAN = 6.4e-14, "turning rounds the speed by an ulp or two, which the law raises to its power";
     /// Derivatives of pressures against twice extrapolated differences, of F/v times the speeds' ratio.
     RICHARDSON = 2e-12, "differences of steps down to 4e-4: 1e-16/4e-4, doubled by each extrapolation";
     /// Quantities that differ by a few rounding errors, relative.

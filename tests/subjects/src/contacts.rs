@@ -1,6 +1,6 @@
 //! Contacts of spheres and plates, one or a few at a time.
 
-use crate::{Input, Stop, Verdict};
+use crate::{Input, Verdict};
 use tribos_core::contact::{
     AllModes, Attraction, Cohesion, Contact, ContactBody, ContactFriction, ContactGeometry,
     ContactModes, ContactVector, CoupledFriction, IndependentFriction, NormalLaw, SphereBody,
@@ -236,37 +236,45 @@ fn components<R: Real, M: ContactModes<R>>(modal: &ContactVector<R, M>) -> [R; 8
 /// Three bodies with up to three contacts, over several steps.
 pub fn manifold<R: Real>(input: &mut Input<'_>) -> Verdict {
     let [mu, rolling, torsion] = [(); 3].map(|()| input.size::<R>());
+    if input.one_in(2) {
+        let set = RoundLimitSurface::new(CoulombDisk, mu, input.positive());
+        let set = input.taken(set)?;
+        let friction = input.taken(CoupledFriction::all(set, rolling))?;
+        return system(input, friction);
+    }
+    let friction = IndependentFriction::<R, AllModes>::all(mu, rolling, torsion);
+    let friction = input.taken(friction)?;
+    system(input, friction)
+}
+
+fn system<R: Real, F: ContactFriction<R>>(input: &mut Input<'_>, friction: F) -> Verdict {
     let law = normal_law(input)?;
-    let friction = input.taken(IndependentFriction::<R, AllModes>::all(
-        mu, rolling, torsion,
-    ))?;
     let step = TimeStep::new(input.positive());
     let step = input.taken(step)?;
     let mut pile = ContactSystem::<R, _, 3, 3>::new(law, friction);
-    let bodies = [
-        pile.push_sphere(sphere(input)),
-        pile.push_sphere(sphere(input)),
-        pile.push_plate(plate(input)),
+    let room = "room for a body";
+    let balls = [(); 2].map(|()| pile.push_sphere(sphere(input)).ok());
+    let [a, b] = [
+        input.present(room, balls[0])?,
+        input.present(room, balls[1])?,
     ];
-    let are_in = bodies.iter().all(|body| body.is_ok());
-    input.holds(are_in, "room for three bodies", &[mu])?;
+    let floor = pile.push_plate(plate(input)).ok();
+    let floor = input.present(room, floor)?;
     let is_full = pile.push_plate(plate(input)).is_err();
-    input.holds(is_full, "a full manifold refuses", &[mu])?;
-    let [Ok(a), Ok(b), Ok(floor)] = bodies else {
-        return Ok(());
-    };
+    input.holds(is_full, "a full manifold refuses", &[step.dt()])?;
     let mut last = None;
     for (one, other) in [(a, b), (a, floor), (b, floor)] {
         let radii = [input.positive(), input.positive()];
         let touch = ContactGeometry::spheres(&input.vector(), radii);
         if let Ok(touch) = input.taken(touch) {
-            let contact = input.taken(pile.push_contact(one, other, touch))?;
+            let contact = pile.push_contact(one, other, touch).ok();
+            let contact = input.present("room for a contact", contact)?;
             last = Some((contact, touch));
         }
     }
     pile.set_gravity(input.vector());
     let set = pile.set_force(a, input.vector(), input.vector());
-    let _ = input.taken(set);
+    input.present("a body that is pushed", set.ok())?;
     let stop = SolverSettings {
         max_iterations: input.below(8) as u32,
         tolerance: input.size(),
@@ -279,17 +287,19 @@ pub fn manifold<R: Real>(input: &mut Input<'_>) -> Verdict {
         let Some((contact, touch)) = last else {
             continue;
         };
-        let force = pile.force(contact).ok_or(Stop::Refused)?;
+        let force = input.present("force of a contact", pile.force(contact))?;
         input.give(components(&force));
         let gap = input.number();
-        let _ = input.taken(pile.set_geometry(contact, ContactGeometry { gap, ..touch }));
-        input.give(pile.contact(contact).map(|contact| contact.bound()));
+        let set = pile.set_geometry(contact, ContactGeometry { gap, ..touch });
+        input.present("a contact that moves", set.ok())?;
+        let solved = input.present("a contact that was solved", pile.contact(contact))?;
+        input.give([solved.bound()]);
     }
     for body in [a, b, floor] {
         if let Some(SystemBody::Sphere(ball)) = pile.body_mut(body) {
             ball.spin *= R::HALF;
         }
-        let member = pile.body(body).ok_or(Stop::Refused)?;
+        let member = input.present("a body", pile.body(body))?;
         input.finite("velocity in a manifold", member.velocity().iter().copied())?;
         input.give(member.angular_velocity().iter().copied());
         input.give([member.inv_mass_normal(), member.inv_mass_tangential()]);
@@ -297,5 +307,5 @@ pub fn manifold<R: Real>(input: &mut Input<'_>) -> Verdict {
     }
     pile.clear_contacts();
     let is_gone = last.is_none_or(|(contact, _)| pile.contact(contact).is_none());
-    input.holds(is_gone, "contacts are cleared", &[mu])
+    input.holds(is_gone, "contacts are cleared", &[step.dt()])
 }

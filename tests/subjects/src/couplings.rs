@@ -65,27 +65,31 @@ pub fn combined<R: Real>(input: &mut Input<'_>) -> Verdict {
             let speeds = [input.number(), input.number()];
             profile(input, &lean, speeds)
         }
-        _ => annulus::<R>(input),
+        2 => annulus::<R>(input, CoulombDisk),
+        _ => {
+            let alpha = R::from_f64(input.one_of(&EXPONENTS));
+            let power = input.taken(CompactPower::new(alpha))?;
+            annulus(input, power)
+        }
     }
 }
 
-/// All that a tier tells at one pair of speeds.
+/// All that a tier tells at one pair of speeds, and a batch.
 pub(crate) fn smooth<R: Real>(
     input: &mut Input<'_>,
     tier: &(impl SmoothProfile<R> + LateralFriction<R>),
 ) -> Verdict {
     let at = [input.number(), input.number()];
-    match input.below(4) {
-        0 => {
-            let speeds = Speeds::new(at[0], at[1]);
-            input.give(tier.factors_and_slope(&speeds));
-            input.give(tier.factors_and_rough_slope(&speeds));
-            profile(input, tier, at)
-        }
-        1 => lateral(input, tier, at),
-        2 => batches(input, tier),
-        _ => exact(input, tier, at),
+    let speeds = Speeds::new(at[0], at[1]);
+    input.give(tier.factors_and_slope(&speeds));
+    input.give(tier.factors_and_rough_slope(&speeds));
+    if at.iter().all(|speed| speed.is_finite()) {
+        input.numbers("factors", tier.factors(&speeds))?;
     }
+    profile(input, tier, at)?;
+    exact(input, tier, at)?;
+    lateral(input, tier, at)?;
+    batches(input, tier)
 }
 
 /// Finite speeds give forces ≥ 0 and derivatives that are not NaN; NaN gives NaN.
@@ -147,7 +151,14 @@ pub(crate) fn profile<R: Real>(
     let lead = u64::from(speeds.lead() == DominantSpeed::Sliding);
     input.give_bits(u64::from(speeds.at_rest()) << 1 | lead);
     input.give([speeds.ratio(), speeds.complement(), tier.exponent()]);
-    input.give(tier.inertia_ends().into_iter().chain(tier.factors(&speeds)));
+    input.give(tier.inertia_ends());
+    let factors = tier.factors(&speeds);
+    if speeds.at_rest() {
+        // They are of the larger speed, which is 1 in motion.
+        input.give(factors);
+    } else {
+        input.finite("factors", factors)?;
+    }
     let inertia = tier.inertia_excess(&speeds, R::HALF);
     input.give(tier.drag_and_torque(&speeds).into_iter().chain([inertia]));
     input.give([tier.speed_scale(slide), tier.rate_scale(rim)]);
@@ -237,32 +248,41 @@ fn same<R: Real>(
     Ok(())
 }
 
-fn annulus<R: Real>(input: &mut Input<'_>) -> Verdict {
-    let ratio = if input.is_mild() {
-        input.unit::<R>() * R::from_f64(0.9)
+/// Inner over outer radius of an annulus: refused, of any width, or in half of the inputs a thin band.
+pub(crate) fn inner_ratio<R: Real>(input: &mut Input<'_>) -> R {
+    if input.one_in(2) {
+        let thinnest = 1.0 - Annulus::<R, CoulombDisk>::MAX_INNER_RATIO;
+        R::from_f64(1.0 - thinnest * f64::from(1_u32 << input.below(THIN)))
+    } else if input.is_mild() {
+        input.unit()
     } else {
         input.number()
-    };
-    let ring = input.taken(Annulus::new(CoulombDisk, ratio))?;
+    }
+}
+
+/// Octaves of the widths of thin bands: from 1e-6 to 1/30.
+const THIN: usize = 16;
+
+fn annulus<R: Real>(
+    input: &mut Input<'_>,
+    disk: impl SmoothProfile<R> + LateralFriction<R> + Copy,
+) -> Verdict {
+    let ratio = inner_ratio(input);
+    let ring = input.taken(Annulus::new(disk, ratio))?;
     let [slide, rim] = [input.number(), input.number()];
     let wrench = ring.reduced_wrench(slide, rim);
     input.finite("wrench of an annulus", [wrench.force, wrench.torque])?;
-    if slide.is_finite() && rim.is_finite() && slide * rim != R::ZERO {
-        let factors = ring.factors(&Speeds::new(slide, rim));
-        input.finite("factors of an annulus", factors)?;
+    if input.is_mild() {
+        // Up to 15/16 the annulus is the difference of two disks, divided by 1 − k² > 1/9.
+        let disk = disk.reduced_wrench(slide, rim);
+        let scale = R::from_f64(9.0) * (disk.force + disk.torque);
+        input.at_most("force ≥ 0", -wrench.force, R::ZERO, scale)?;
+        input.at_most("torque ≥ 0", -wrench.torque, R::ZERO, scale)?;
     }
-    // The annulus is the difference of two disks, so that its result may be negative by a rounding error.
-    let least = -R::from_f64(ROUNDING) * R::EPSILON;
-    let resists = wrench.force >= least && wrench.torque >= least;
-    let values = [slide, rim, wrench.force, wrench.torque];
-    input.holds(resists || !input.is_mild(), "force and torque ≥ 0", &values)?;
     profile(input, &ring, [slide, rim])?;
     lateral(input, &ring, [slide, rim])?;
     batches(input, &ring)
 }
-
-/// Rounding errors of the difference of two disks.
-const ROUNDING: f64 = 4096.0;
 
 /// The disk by quadrature.
 pub fn quadrature<R: Real>(input: &mut Input<'_>) -> Verdict {

@@ -71,6 +71,12 @@ impl<'a> Input<'a> {
         made.map_err(|_| Stop::Refused)
     }
 
+    /// Gives whether the kernel has what it must have, and that.
+    pub fn present<T>(&mut self, what: &'static str, found: Option<T>) -> Verdict<T> {
+        self.give_bits(u64::from(found.is_some()));
+        found.ok_or(Stop::Broken(Broken::of([what, "is not there"])))
+    }
+
     /// Gives answers that are finite if the input is mild.
     pub fn finite<R: Real>(
         &mut self,

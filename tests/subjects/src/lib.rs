@@ -1,7 +1,7 @@
 //! Everything that the kernel computes, as one list: [`SUBJECTS`].
 //!
 //! A subject draws what it needs from the numbers of one seed, uses it as a program would, gives all
-//! answers and judges them. The list is walked
+//! answers and judges those of which more is promised than their bits. The list is walked
 //!
 //! - on every platform, for a digest of the answers' bits ([`Subject::digest`]): what has to come out stands
 //!   in `digests.txt`;

@@ -2,8 +2,9 @@
 
 use crate::{Input, Verdict};
 use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::compact::CompactPower;
 use tribos_core::coupling::table::CoulombDisk;
-use tribos_core::coupling::{PowerLawFriction, ReducedFriction, compact};
+use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::internals::runge_kutta::{judge, step, tolerance};
 use tribos_core::modes::{TerminalMode, TerminalMotion, inertia_interval};
 use tribos_core::real::Real;
@@ -16,11 +17,16 @@ pub fn modes<R: Real>(input: &mut Input<'_>) -> Verdict {
         1 => of_profile::<R, _>(input, CoulombHertz),
         2 => of_profile::<R, _>(input, CoulombRing),
         _ => {
-            let alpha = R::from_f64(input.unit::<f64>() * 3.0 - 0.9);
-            let power = input.taken(compact::CompactPower::new(alpha))?;
+            let power = power::<R>(input, 3.0)?;
             of_profile(input, power)
         }
     }
+}
+
+/// A power law of an exponent from −0.9 to −0.9 + `range`.
+fn power<R: Real>(input: &mut Input<'_>, range: f64) -> Verdict<CompactPower<R>> {
+    let alpha = R::from_f64(input.unit::<f64>() * range - 0.9);
+    input.taken(CompactPower::new(alpha))
 }
 
 fn of_profile<R: Real, P: PowerLawFriction<R>>(input: &mut Input<'_>, profile: P) -> Verdict {
@@ -59,11 +65,15 @@ fn of_profile<R: Real, P: PowerLawFriction<R>>(input: &mut Input<'_>, profile: P
 
 /// A slider launched, advanced and brought to rest.
 pub fn sliders<R: Real>(input: &mut Input<'_>) -> Verdict {
-    match input.below(5) {
+    match input.below(6) {
         0 => slid::<R, _>(input, CoulombDisk),
         1 => slid::<R, _>(input, CoulombHertz),
         2 => slid::<R, _>(input, CoulombPunch),
         3 => slid::<R, _>(input, CoulombRing),
+        4 => {
+            let power = power::<R>(input, 2.4)?;
+            slid(input, power)
+        }
         _ => pendulum::<R>(input),
     }
 }

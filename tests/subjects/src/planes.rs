@@ -1,10 +1,12 @@
 //! Wrenches in the plane, implicit steps, feet of many points.
 
+use super::couplings::EXPONENTS;
 use super::patches::node;
 use crate::{Input, Verdict};
 use nalgebra::Vector3;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::CoulombHertz;
+use tribos_core::coupling::compact::CompactPower;
 use tribos_core::coupling::load_transfer::{
     FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
 };
@@ -21,6 +23,8 @@ use tribos_core::twist::{Twist, Wrench};
 
 /// Points of a foot.
 const POINTS: usize = 5;
+/// Steps on a foot, which keeps its forces.
+const STEPS: usize = 3;
 
 pub fn twist<R: Real>(input: &mut Input<'_>) -> Twist<R> {
     Twist::new(input.number(), input.number(), input.number())
@@ -66,10 +70,15 @@ pub fn dissipates<R: Real>(
 
 /// Moving patches, upright and tall, and points.
 pub fn planes<R: Real>(input: &mut Input<'_>) -> Verdict {
-    match input.below(5) {
+    match input.below(6) {
         0 | 1 => upright::<R>(input),
         2 => tall::<R, _, FullGradient>(input, CoulombDisk),
         3 => tall::<R, _, LongitudinalGradient>(input, CoulombHertz),
+        4 => {
+            let alpha = R::from_f64(input.one_of(&EXPONENTS));
+            let power = input.taken(CompactPower::new(alpha))?;
+            tall::<R, _, FullGradient>(input, power)
+        }
         _ => points::<R>(input),
     }
 }
@@ -197,26 +206,39 @@ pub fn stepped<R: Real>(
     Ok(())
 }
 
-/// Feet of many points: the forces that they carry, and steps on them.
+/// Feet of many points: several steps on them, or the forces that they carry before and after a release.
 pub fn feet<R: Real>(input: &mut Input<'_>) -> Verdict {
     let nodes = Nodes::new([(); POINTS].map(|()| node::<R>(input)));
     let nodes = input.taken(nodes)?;
     let foot = PointContacts::<R, _, POINTS>::new(nodes, input.size());
     let mut foot = input.taken(foot)?;
     if input.one_in(2) {
-        return stepped(input, |body, twist, push, dt| {
-            body.step_on_points(&mut foot, twist, push, dt)
+        return (0..STEPS).try_for_each(|_| {
+            stepped(input, |body, twist, push, dt| {
+                body.step_on_points(&mut foot, twist, push, dt)
+            })
         });
     }
-    let (wanted, length) = (wrench::<R>(input), input.positive::<R>());
+    let length = input.positive::<R>();
+    carried(input, &mut foot, length)?;
     let limit = input.size();
     if input.taken(foot.set_force_limit(limit)).is_ok() {
         input.holds(foot.force_limit() == limit, "a limit is kept", &[limit])?;
-    } else {
-        foot.release();
     }
+    carried(input, &mut foot, length)?;
+    foot.release();
+    carried(input, &mut foot, length)?;
     input.give([foot.patch().total_weight()]);
-    let wanted = Wrench::from(Vector3::from(wanted));
+    Ok(())
+}
+
+/// The nearest wrench that a foot carries, with what it keeps of the last one.
+fn carried<R: Real>(
+    input: &mut Input<'_>,
+    foot: &mut PointContacts<R, impl NodePatch<R>, POINTS>,
+    length: R,
+) -> Verdict {
+    let wanted = Wrench::from(Vector3::from(wrench::<R>(input)));
     let near = parts(&foot.nearest(&wanted, length));
     if wanted.force.x.is_nan() || wanted.torque.is_nan() {
         input.all_nan("nearest wrench", near)?;

@@ -1,5 +1,6 @@
 //! Limit surfaces and ellipsoids: gauge, support, projection.
 
+use super::couplings::inner_ratio;
 use super::planes::{dissipates, parts, rates, twist, wrench};
 use crate::{Input, Verdict};
 use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
@@ -58,7 +59,8 @@ fn rare<R: Real>(input: &mut Input<'_>, force: R, radius: R) -> Verdict {
             asked(input, &set)
         }
         _ => {
-            let band = input.taken(Annulus::new(CoulombDisk, R::HALF))?;
+            let ratio = inner_ratio(input);
+            let band = input.taken(Annulus::new(CoulombDisk, ratio))?;
             let set = input.taken(RoundLimitSurface::new(band, force, radius))?;
             asked(input, &set)
         }

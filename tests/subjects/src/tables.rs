@@ -22,7 +22,7 @@ static HERTZ_64: RoundTable64 = made(RoundTable64::new(-0.25, PowerPressure::HER
 static RIM_32: RoundTable32 = made(RoundTable32::new(2.0, PowerPressure::RING));
 
 /// Questions about a table that is made at run time.
-const QUESTIONS: usize = 16;
+const QUESTIONS: usize = 4;
 
 /// Tables in flash, f64.
 pub fn flash_f64(input: &mut Input<'_>) -> Verdict {

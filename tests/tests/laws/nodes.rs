@@ -96,6 +96,8 @@ fn a_node_at_the_centre_of_rotation_carries_nothing() {
     for scale in [1e-323, 1e-310, 1e-154, 1e153, 1e307] {
         let wrench = NodeFriction::new(dry(1.0), pivot).wrench(1.0, &Twist::new(-scale, 0.0, 0.0));
         assert_eq!(entries(&wrench), [1.0, 0.0, 0.0], "{scale:e}");
+        let wrench = NodeFriction::new(dry(1.0), pivot).wrench(1.0, &Twist::new(0.0, 0.0, scale));
+        assert_eq!(entries(&wrench), [0.0, -1.0, -0.75], "{scale:e}");
     }
     let rest = Twist::ZERO;
     assert_eq!(

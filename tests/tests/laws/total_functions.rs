@@ -211,7 +211,7 @@ fn a_patch_at_rest_feels_no_friction_and_its_damping_is_the_limit() {
             let rim = got[5] == torque || (got[5] - torque).abs() <= tolerance::ROUNDING.limit;
             // An infinite damping less another one has no value.
             let drags = coupling.kind == Kind::Annulus || got[2] == slide && got[3] == slide;
-            coupling.kind == Kind::Quadrature || none && got[4] == 0.0 && rim && drags
+            none && (coupling.kind == Kind::Quadrature || got[4] == 0.0 && rim && drags)
         },
     );
 }

@@ -2,24 +2,24 @@
 //! numbers that are none.
 
 use super::shape::{Frame, PlaneLaw, Shape};
-use super::{COEFFICIENT, LOAD, hold, twice};
+use super::{ALL, COEFFICIENT, Family, LOAD, hold, once, twice};
 use nalgebra::{Matrix2, SymmetricEigen, Vector2, Vector3};
 use tribos_core::twist::{Twist, Wrench};
-use tribos_tests::tolerance;
+use tribos_tests::tolerance::{self, Bound};
+
+/// Largest eigenvalue of the Jacobian of a falling law, of its largest entry: no rounding error.
+const GAIN: f64 = 1e-11;
 
 #[test]
 fn friction_dissipates_and_its_jacobian_is_symmetric_and_alpha_times_the_wrench_along_the_twist() {
     hold(
         "Euler",
+        ALL,
         |_| Some([tolerance::IDENTITY; 2]),
         |case, rng, see| {
             let alpha = case.law.alpha();
             for n in 0..200 {
-                let twist = if n % 2 == 0 {
-                    case.anyhow(rng)
-                } else {
-                    case.clear(rng).0
-                };
+                let twist = case.either(n, rng);
                 let found = (case.at)(LOAD, &twist);
                 assert_eq!(found.alone, found.wrench, "{} {twist:?}", case.family.name);
                 assert!(
@@ -36,7 +36,11 @@ fn friction_dissipates_and_its_jacobian_is_symmetric_and_alpha_times_the_wrench_
                 let euler = rate.amax() / (3.0 * even.amax() * along.amax());
                 // It damps unless the law falls with the speed: then the twist itself gains.
                 let most = SymmetricEigen::new(even).eigenvalues.max() / even.amax();
-                assert!(alpha >= 0.0 || most > 0.0, "{} {twist:?}", case.family.name);
+                assert!(
+                    alpha >= 0.0 || most > GAIN,
+                    "{} {twist:?}",
+                    case.family.name
+                );
                 // Dry friction is at most that of all elements in one direction.
                 let is_largest = alpha == 0.0;
                 let most_force = case.limit(&twist) * (1.0 + case.family.bounds[0].limit);
@@ -46,7 +50,7 @@ fn friction_dissipates_and_its_jacobian_is_symmetric_and_alpha_times_the_wrench_
                     case.name
                 );
                 let gain = if alpha < 0.0 { 0.0 } else { most.max(0.0) };
-                see(&[0.0, euler.max(gain)], &twist);
+                see([None, Some(euler.max(gain))], &twist);
             }
         },
     );
@@ -64,7 +68,7 @@ fn a_patch_in_another_frame_has_the_same_friction() {
         (turn(-0.7) * mirror, Vector2::zeros()),
         (turn(0.4), Vector2::new(0.75, -0.5)),
     ];
-    hold("frames", twice, |case, rng, see| {
+    hold("frames", ALL, framed, |case, rng, see| {
         for (turn, shift) in frames {
             let shift = shift * case.radius;
             let frame = Frame { turn, shift };
@@ -90,29 +94,46 @@ fn a_patch_in_another_frame_has_the_same_friction() {
                     case.apart(&twist, [&wrench, &here.wrench]) * sharp,
                     case.jacobians_apart([&jacobian, &here.jacobian]) * sharp,
                 ];
-                see(&errors, &twist);
+                see(errors.map(Some), &twist);
             }
         }
     });
 }
 
+/// Both sides of a comparison may be wrong, but for round patches in the same way.
+fn framed(family: &Family) -> Option<[Bound; 2]> {
+    let [wrench, jacobian] = twice(family)?;
+    let is_round = matches!(family.shapes[0].1, Shape::Round { .. });
+    let turned = tolerance::ROUND_TURNED_JACOBIAN;
+    Some([wrench, if is_round { turned } else { jacobian }])
+}
+
+/// Both sides of the comparison are wrong where a plank or a dome makes that add up.
+fn of_pieces(family: &Family) -> Option<[Bound; 2]> {
+    match family.name {
+        "falling law, polygon" | "mesh" => twice(family),
+        _ => once(family),
+    }
+}
+
 #[test]
 fn a_patch_in_more_pieces_is_the_same_patch() {
-    hold("cut", twice, |case, rng, see| {
+    // Bars and round patches are whole.
+    hold("cut", ALL - 34, of_pieces, |case, rng, see| {
         let Some(shape) = case.shape.cut() else {
             return;
         };
         let cut = shape
             .friction::<f64>(case.law, COEFFICIENT)
             .expect("as the whole");
-        for _ in 0..50 {
-            let (twist, _) = case.clear(rng);
+        for n in 0..100 {
+            let twist = case.either(n, rng);
             let (found, whole) = (cut(LOAD, &twist), (case.at)(LOAD, &twist));
             let errors = [
                 case.apart(&twist, [&found.wrench, &whole.wrench]),
                 case.jacobians_apart([&found.jacobian, &whole.jacobian]),
             ];
-            see(&errors, &twist);
+            see(errors.map(Some), &twist);
         }
     });
 }
@@ -126,6 +147,7 @@ fn power_of_two(exponent: i32) -> f64 {
 fn speeds_at_the_ends_of_the_range_scale_the_friction() {
     hold(
         "ends of the range",
+        283,
         |_| Some([tolerance::UNITS, tolerance::UNITS_JACOBIAN]),
         |case, _, see| {
             let alpha = case.law.alpha();
@@ -143,12 +165,13 @@ fn speeds_at_the_ends_of_the_range_scale_the_friction() {
                     let pace = power_of_two(degree as i32);
                     let found = (case.at)(LOAD, &(twist * power_of_two(exponent)));
                     let wrench = found.wrench * (1.0 / pace);
-                    let mut errors = vec![case.apart(&twist, [&wrench, &usual.wrench])];
-                    if (degree - at).abs() < 900.0 {
+                    let slopes = (degree - at).abs() <= 1000.0;
+                    let slopes = slopes.then(|| {
                         let scaled = found.jacobian * power_of_two(exponent - degree as i32);
-                        errors.push(case.jacobians_apart([&scaled, &usual.jacobian]));
-                    }
-                    see(&errors, &twist);
+                        case.jacobians_apart([&scaled, &usual.jacobian])
+                    });
+                    let error = case.apart(&twist, [&wrench, &usual.wrench]);
+                    see([Some(error), slopes], &twist);
                 }
             }
         },
@@ -157,7 +180,7 @@ fn speeds_at_the_ends_of_the_range_scale_the_friction() {
 
 #[test]
 fn rest_is_rest_and_what_is_no_number_stays_none() {
-    hold("rest and NaN", twice, |case, _, see| {
+    hold("rest and NaN", ALL, once, |case, _, see| {
         let name = case.family.name;
         let rest = (case.at)(LOAD, &Twist::ZERO);
         assert!(
@@ -201,6 +224,6 @@ fn rest_is_rest_and_what_is_no_number_stays_none() {
             (case.at)(f64::NAN, &moving).alone.force.x.is_nan(),
             "{name}"
         );
-        see(&[0.0], &moving);
+        see([None; 2], &moving);
     });
 }

@@ -304,13 +304,15 @@ impl Shape {
             Self::Outline(outline, slope) => {
                 let mut outline = outline.clone();
                 for corners in &mut outline.loops {
-                    *corners = quartered(corners);
+                    *corners = divided(corners);
                 }
                 Self::Outline(outline, *slope)
             }
             Self::Faces(faces) => Self::Faces(Faces {
                 name: faces.name.clone(),
-                triangles: faces.triangles.iter().flat_map(in_four).collect(),
+                triangles: (0..3).fold(faces.triangles.clone(), |triangles, _| {
+                    triangles.iter().flat_map(in_four).collect()
+                }),
             }),
             Self::Nodes(nodes) => Self::Nodes(halves(nodes)),
             Self::Points(nodes) => Self::Points(halves(nodes)),
@@ -323,14 +325,14 @@ fn halfway<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
     std::array::from_fn(|part| 0.5 * (a[part] + b[part]))
 }
 
-/// Each side cut into four.
-fn quartered(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
+/// Each side cut into two, until the loop has as many corners as a square with 32 pieces a side.
+fn divided(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    if corners.len() > 64 {
+        return corners.to_vec();
+    }
     let next = corners.iter().cycle().skip(1);
-    let cut = |(&a, &b): (&[f64; 2], &[f64; 2])| {
-        let middle = halfway(a, b);
-        [a, halfway(a, middle), middle, halfway(middle, b)]
-    };
-    corners.iter().zip(next).flat_map(cut).collect()
+    let cut = |(&a, &b): (&[f64; 2], &[f64; 2])| [a, halfway(a, b)];
+    divided(&corners.iter().zip(next).flat_map(cut).collect::<Vec<_>>())
 }
 
 /// Each triangle cut into four, its pressure linear in all of them.
