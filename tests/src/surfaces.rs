@@ -64,6 +64,9 @@ impl DryReducedFriction<f64> for Ring {}
 impl ReducedFriction<f64> for Ring {
     fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
         let (slide, rim) = (slide.abs(), rim.abs());
+        if slide == 0.0 && rim == 0.0 {
+            return ReducedWrench::default();
+        }
         let (force, torque) = if slide > rim {
             ring_factors(rim / slide)
         } else {

@@ -72,6 +72,10 @@ bounds! {
     SLIVER_JACOBIAN = 2e-11, "promised in coupling::flat: the aspect ratio times 2e-14";
     /// Push over gauge plus the friction of its motion, of μN with the torque over the largest arm.
     PATCH_SURFACE = 1e-13, "promised in limit_surface::PatchSurface; Newton's residual and the gauge's rounding";
+    /// Gauge and normal of points, of the limits.
+    POINT_SURFACE = 1e-9, "promised in limit_surface::ShapeLimitSurface between facets";
+    /// Projections onto the surface of points, of the wrench.
+    POINT_PROJECTION = 1e-8, "promised in limit_surface::ShapeLimitSurface between facets";
     /// Meshes of triangles up to 5 times as long as wide: of μN and μN (R + |centre|).
     MESH = 2e-14, "promised in patch::mesh; next to the centre of rotation a triangle loses the square of its distance over its size";
     /// Their Jacobian, of its largest entry.
@@ -176,16 +180,12 @@ bounds! {
     ON_SURFACE_ULPS = 8.0, "surface point and gauge round a few times each";
     /// The same for couplings by the arithmetic-geometric mean.
     ON_SURFACE_AGM_ULPS = 56.0, "noise of the mean near equal speeds, 31 ulp, in point and gauge";
-    /// Distance of a projection against brute force, of the set's size and the distance.
-    NEAREST_DISTANCE = 1e-15, "stationary in the normal: rounding only";
-    /// Projected wrench against brute force, over the root of the set's size and the distance.
-    NEAREST_POINT = 2e-7, "golden section resolves an argument to the root of rounding";
+    /// The same for points, whose gauge between facets is right to POINT_SURFACE.
+    ON_SURFACE_POINT_ULPS = 4.5e6, "POINT_SURFACE in units of EPSILON";
     /// Displacement across the normal, of the set's size and the displacement.
     ACROSS_NORMAL = 1e-15, "normal and surface point round a few times";
     /// Friction of a projection's normal against the projection, of the set's size.
     FRICTION_OF_NORMAL = 2e-14, "noise of the arithmetic-geometric mean near equal speeds, ring and disk";
-    /// Work of the displacement towards any wrench of the set, of the squared size.
-    POLAR = 1e-16, "the surface point rounds by half of 2.2e-16 of the scale, times a displacement of that scale";
     /// Growth of the distance of two wrenches by projection, of the set's size.
     EXPANSION = 1e-15, "surface points round to a few ulp of the limits";
     /// The same in f32.

@@ -51,7 +51,7 @@ pub trait PowerLawFriction<R: Real> {
     /// The exponent α > −1 of the local law.
     fn exponent(&self) -> R;
 
-    /// Φ and Χ.
+    /// Φ and Χ of a motion: at rest there is no larger speed, and callers answer themselves.
     #[doc(hidden)]
     fn factors(&self, at: &Speeds<R>) -> [R; 2];
 

@@ -72,7 +72,12 @@ impl<R: Real, S: FrictionSet<R> + ?Sized> FrictionSet<R> for ScaledSet<'_, R, S>
     }
     #[inline]
     fn gauge(&self, wrench: &Wrench<R>) -> R {
-        self.set.gauge(wrench) / self.strength
+        // Of the wrench that is projected: both agree on what is inside.
+        self.set.gauge(&self.reduced(wrench))
+    }
+    #[inline]
+    fn contains(&self, wrench: &Wrench<R>) -> bool {
+        self.set.contains(&self.reduced(wrench))
     }
     #[inline]
     fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {

@@ -22,5 +22,5 @@ mod manifold_friction;
 mod patch_surface;
 mod point_surface;
 mod problems;
-mod projection;
+mod sets;
 mod surface_batch;

@@ -2,14 +2,12 @@
 
 use nalgebra::{Matrix3, Vector3};
 use tribos_core::contact::TimeStep;
-use tribos_core::limit_surface::{FrictionSet, Region, ShapeLimitSurface};
+use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::outlines::outlines;
 use tribos_tests::sweep::Lcg;
-use tribos_tests::tolerance;
-use tribos_tests::worst::Worst;
 
 const LIMIT: f64 = 0.51;
 
@@ -40,65 +38,6 @@ fn anyhow(rng: &mut Lcg, surface: &Surface, size: f64) -> Wrench<f64> {
         unit * part(),
         size * surface.torque_limit() * part(),
     )
-}
-
-/// With the torque over `arm`.
-fn vector(wrench: &Wrench<f64>, arm: f64) -> Vector3<f64> {
-    Vector3::new(wrench.force.x, wrench.force.y, wrench.torque / arm)
-}
-
-#[test]
-fn friction_under_the_motion_that_a_push_causes_balances_it() {
-    let (mut worst, mut rng) = (Worst::of("push, motion, friction"), Lcg::new(1));
-    for (name, surface) in surfaces() {
-        let arm = surface.torque_limit() / LIMIT;
-        for _ in 0..3000 {
-            let push = anyhow(&mut rng, &surface, 3.0);
-            let motion = surface.twist_normal_to(&push);
-            let friction = surface.wrench(&motion);
-            let rest = vector(&(push * (1.0 / surface.gauge(&push)) + friction), arm);
-            worst.see(rest.norm() / LIMIT, || format!("{name}, {push:?}"));
-            let length = motion.velocity.norm().hypot(motion.spin * surface.radius());
-            assert!((length - 1.0).abs() < 1e-15);
-        }
-    }
-    worst.assert_within(&tolerance::PATCH_SURFACE);
-}
-
-#[test]
-fn projections_are_nearest_idempotent_and_never_move_a_pair_apart() {
-    let mut rng = Lcg::new(2);
-    for (name, surface) in surfaces() {
-        let length = surface.radius() * 0.7;
-        let mut before = None;
-        for _ in 0..500 {
-            let wrench = anyhow(&mut rng, &surface, 4.0);
-            let projection = surface.project_with_length(&wrench, length);
-            let again = surface.project_with_length(&projection.wrench, length);
-            assert_eq!(again.wrench, projection.wrench, "{name} {wrench:?}");
-            let gauge = surface.gauge(&projection.wrench);
-            assert!(gauge <= 1.0 + 1e-13, "{name} {gauge}");
-            let (at, near) = (vector(&wrench, length), vector(&projection.wrench, length));
-            if let Region::OnSurface { normal } = projection.region {
-                // The displacement lies along the normal, in the metric of the projection.
-                let normal =
-                    Vector3::new(normal.velocity.x, normal.velocity.y, normal.spin * length);
-                let moved = at - near;
-                let across = moved - normal * (moved.dot(&normal) / normal.norm_squared());
-                assert!(
-                    across.norm() <= 1e-12 * at.norm(),
-                    "{name} {wrench:?} {}",
-                    across.norm()
-                );
-                assert!(moved.dot(&normal) >= -1e-14);
-            }
-            if let Some((other, other_near)) = before {
-                let (apart, after): (Vector3<f64>, Vector3<f64>) = (at - other, near - other_near);
-                assert!(after.norm() <= apart.norm() + 1e-13, "{name} {wrench:?}");
-            }
-            before = Some((at, near));
-        }
-    }
 }
 
 #[test]
@@ -189,40 +128,13 @@ fn a_box_on_a_table_sticks_to_the_last_bit_and_slides_no_further_than_it_must() 
 }
 
 #[test]
-fn odd_wrenches_have_the_answers_of_other_sets() {
+fn without_force_limit_nothing_is_carried() {
     let (_, surface) = surfaces().swap_remove(0);
-    assert_eq!(surface.gauge(&Wrench::ZERO), 0.0);
-    assert_eq!(surface.twist_normal_to(&Wrench::ZERO), Twist::ZERO);
-    assert_eq!(surface.project(&Wrench::ZERO).region, Region::Inside);
-    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        for wrench in [
-            Wrench::new(bad, 0.0, 0.1),
-            Wrench::new(0.1, bad, 0.0),
-            Wrench::new(0.0, 0.1, bad),
-        ] {
-            let gauge = surface.gauge(&wrench);
-            assert!(if bad.is_nan() {
-                gauge.is_nan()
-            } else {
-                gauge == f64::INFINITY
-            });
-            assert!(surface.twist_normal_to(&wrench).spin.is_nan());
-            assert!(surface.project(&wrench).wrench.torque.is_nan());
-        }
-    }
     let none = ShapeLimitSurface::new(surface.patch(), 0.0).expect("valid");
     let push = Wrench::new(0.1, 0.2, 0.3);
     assert_eq!(none.gauge(&push), f64::INFINITY);
     assert_eq!(none.project(&push).wrench, Wrench::ZERO);
     assert!(ShapeLimitSurface::new(surface.patch(), -1.0).is_err());
-    let huge = push * 1e300;
-    let carried = surface.project(&huge).wrench;
-    assert!((surface.gauge(&carried) - 1.0).abs() < 1e-13);
-    assert!(
-        surface
-            .project_with_length(&push, 0.0)
-            .wrench
-            .torque
-            .is_nan()
-    );
+    let nowhere = surface.project_with_length(&push, 0.0).wrench;
+    assert!(nowhere.torque.is_nan());
 }

@@ -163,50 +163,6 @@ fn the_nearest_wrench_is_that_of_the_search_with_smoothed_points() {
 }
 
 #[test]
-fn points_in_a_line_or_with_little_between_them_are_served() {
-    let line = [-1.0, -0.25, 0.5, 1.0].map(|x| Node {
-        x,
-        y: 0.0,
-        weight: 1.0_f64,
-    });
-    let twice = [0.0, 0.0, 1.0, 1.0].map(|x| Node {
-        x,
-        y: x,
-        weight: 1.0_f64,
-    });
-    let light = [0.0, 1e-3, 2.0, 3.0].map(|x| Node {
-        x,
-        y: x * x,
-        weight: x,
-    });
-    let mut rng = Lcg::new(24);
-    for nodes in [line, twice, light] {
-        let patch = PointPatch::new(Nodes::new(nodes).expect("valid")).expect("several places");
-        let surface = ShapeLimitSurface::new(patch, 1.0).expect("valid");
-        for _ in 0..500 {
-            let push = Wrench::new(
-                rng.between(-1.0, 1.0),
-                rng.between(-1.0, 1.0),
-                rng.between(-1.0, 1.0),
-            );
-            let on = surface.scale_to_surface(&push);
-            let motion = surface.twist_normal_to(&push);
-            // The wrench of the ray reaches the support of its normal, and no other one exceeds it.
-            let rest = on.power(&motion) / surface.support(&motion) - 1.0;
-            assert!(rest.abs() < 1e-12, "{rest:e} {push:?}");
-            let any = Twist::new(
-                rng.between(-1.0, 1.0),
-                rng.between(-1.0, 1.0),
-                rng.between(-1.0, 1.0),
-            );
-            assert!(on.power(&any) <= surface.support(&any) * (1.0 + 1e-7));
-        }
-        let nowhere = surface.twist_normal_to(&Wrench::new(f64::NAN, 0.0, 1.0));
-        assert!(nowhere.spin.is_nan() && surface.gauge(&Wrench::ZERO) == 0.0);
-    }
-}
-
-#[test]
 fn two_halves_of_a_plate_as_feet_are_the_plate() {
     let rectangle = |x: [f64; 2], y: [f64; 2]| {
         Polygon::new([[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]]).expect("valid")
