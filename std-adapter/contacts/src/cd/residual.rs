@@ -2,6 +2,9 @@
 //!
 //! Velocities are recomputed from the impulses. Each law is treated as a set: its conditions on a
 //! contact are implemented here a second time, from the formulas, not through [`Contact::update`].
+//!
+//! Each bound P is held where [`crate::problem::residual`] moves it with the normal impulse: any convex set, and a gap
+//! that a resistance holds open, have a map then. Both are zero for the same impulses; their sizes differ.
 
 use super::operator::largest;
 use super::spheres::{Link, Spheres};
