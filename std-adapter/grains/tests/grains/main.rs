@@ -1,5 +1,6 @@
 //! Powders, grains and gases as a program runs them.
 
+mod cost;
 mod gas;
 mod grains;
 mod initial_grains;
