@@ -29,7 +29,7 @@ impl Library {
     /// rustdoc fails, or writes a format that this reader does not know.
     pub fn read(package: &str, features: &[&str]) -> Result<Self, String> {
         let read = |part: &str| -> Result<Value, String> {
-            let file = document(package, part, if part == package { features } else { &[] })?;
+            let file = document(part, if part == package { features } else { &[] })?;
             let told = |error: &dyn std::fmt::Display| format!("{}: {error}", file.display());
             let text = std::fs::read_to_string(&file).map_err(|error| told(&error))?;
             serde_json::from_str(&text).map_err(|error| told(&error))
@@ -193,15 +193,14 @@ pub(crate) fn ids(list: &Value) -> Result<Vec<String>, String> {
         .collect()
 }
 
-/// Runs rustdoc for a part of a package; where it wrote.
-fn document(package: &str, part: &str, features: &[&str]) -> Result<PathBuf, String> {
+/// Runs rustdoc for a crate; where it wrote.
+fn document(part: &str, features: &[&str]) -> Result<PathBuf, String> {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from);
-    // A folder of its own, so that the switch below rebuilds nothing else; one for each set of
-    // features, so that tests that run at the same time do not meet.
-    let target = target
-        .join("api")
-        .join([&[package], features].concat().join("-"));
+    // A folder of its own, so that the switch below rebuilds nothing else; one for each set of features, so that
+    // tests that run at the same time do not take one document for another.
+    let folder = [&["api"], features].concat().join("-");
+    let target = target.join(folder);
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let output = Command::new(cargo)
         .current_dir(root)

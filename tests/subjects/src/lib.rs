@@ -98,8 +98,8 @@ macro_rules! subject {
     };
 }
 
-/// All of them.
-pub const SUBJECTS: [Subject; 24] = [
+/// All of them. As a static they are compiled here, once, not in every program that walks them.
+pub static SUBJECTS: [Subject; 24] = [
     subject!("laws", 100, Little, laws::memoryless),
     subject!("laws with memory", 100, Little, laws::with_memory),
     subject!("bonds", 20, Little, bonds::bonds),

@@ -2,4 +2,5 @@
 
 mod bits;
 mod package;
+mod separate;
 mod words;

@@ -13,8 +13,6 @@ mod size;
 mod soft;
 mod start;
 mod state;
-#[cfg(test)]
-mod tests;
 mod time_stepped;
 
 pub use crate::packing::PackingStopReason as GasStopReason;

@@ -174,6 +174,3 @@ fn check_walls(
     }
     Ok(())
 }
-
-#[cfg(test)]
-mod tests;

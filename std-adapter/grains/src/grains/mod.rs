@@ -16,8 +16,6 @@ mod outcome;
 mod placement;
 mod ramp;
 pub(crate) mod scene;
-#[cfg(test)]
-mod sheared_tests;
 mod wall;
 
 pub use crate::packing::PackingStopReason as GrainsStopReason;
@@ -30,6 +28,3 @@ pub use measure::COLUMNS;
 pub use outcome::GrainsSummary;
 pub use placement::PlacementError;
 pub use ramp::{Ramp, RampError};
-
-#[cfg(test)]
-mod tests;

@@ -137,13 +137,9 @@ fn update_seconds(
     Ok(least)
 }
 
-/// A block of equal spheres between a floor and a piston that presses each column with a force; a step has a fixed
-/// number of sweeps, or is one stable step of springs.
-fn block(
-    material: &Material,
-    method: &Method,
-    (radius, force): (f64, f64),
-) -> Result<Box<dyn Packing>, PackingError> {
+/// A block of equal spheres between a floor and a piston that presses each column with a force: each sphere touches
+/// six others, walls included.
+fn spheres(density: f64, (radius, force): (f64, f64)) -> Bodies {
     let width = EDGE as f64 * SPACING;
     let rise = (SPACING * SPACING - 2.0 * SHEAR * SHEAR).sqrt();
     let at = |index: usize| {
@@ -154,9 +150,9 @@ fn block(
     };
     let (count, columns) = (EDGE.pow(3), EDGE.pow(2));
     let height = 2.0 + (EDGE - 1) as f64 * rise;
-    let mass = count as f64 / solid(radius, material.density).inv_mass;
+    let mass = count as f64 / solid(radius, density).inv_mass;
     let side = Some(radius * width);
-    let bodies = Bodies {
+    Bodies {
         space: PeriodicBox::new([side, side, None]).unwrap_or_default(),
         positions: (0..count).map(at).collect(),
         radii: vec![radius; count],
@@ -170,7 +166,15 @@ fn block(
             ),
         ],
         gravity: Vector3::zeros(),
-    };
+    }
+}
+
+/// The block under the laws of a scene; a step has a fixed number of sweeps, or is one stable step of springs.
+fn block(
+    material: &Material,
+    method: &Method,
+    (radius, force): (f64, f64),
+) -> Result<Box<dyn Packing>, PackingError> {
     let method = match *method {
         Method::ContactDynamics { step_limits, .. } => Method::ContactDynamics {
             solver: ContactSolver {
@@ -197,7 +201,10 @@ fn block(
     };
     build_with(
         material,
-        (bodies, &OptionalFeatures::default()),
+        (
+            spheres(material.density, (radius, force)),
+            &OptionalFeatures::default(),
+        ),
         &method,
         None,
     )
@@ -238,37 +245,27 @@ pub(crate) fn stable_step_between(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grains::scene::GrainsScene;
-    use crate::powder::scene::PowderScene;
 
     #[test]
-    fn a_block_under_any_laws_sweeps_all_of_its_contacts() {
-        // Three contacts per sphere and two walls; the top layer has no layer above it.
-        let expected = 3 * EDGE.pow(3) + EDGE.pow(2);
-        let powder = |keys: &str| {
-            let text = format!("body = \"powder\"\nwidth = 6\nheight = 8\n{keys}");
-            let scene = PowderScene::parse("tiny.toml", &text, &[]).unwrap();
-            (scene.contact_keys(), 1.0)
-        };
-        let beads = GrainsScene::default();
-        for (keys, radius) in [
-            powder("mu = 0"),
-            powder(""),
-            powder("mu_rolling = 1\nmu_torsion = 1\ncoupling = \"exact\""),
-            powder("cohesion_range = 0"),
-            (beads.contact_keys(), beads.radius),
-        ] {
-            let mut block = block(&keys.material, &keys.method, (radius, 0.01)).unwrap();
-            let report = block.step().unwrap();
-            let found = (report.iterations.sweeps, report.contacts);
-            assert_eq!(found, (SWEEPS, expected), "{keys:?}");
-            let cost = PackingCost::measured(&keys, (radius, 0.01), (100, false), |_| [1.0, 2.0]);
-            let cost = cost.unwrap();
-            assert!(
-                cost.update_seconds > 0.0 && cost.update_seconds < 1e-4,
-                "{cost:?}"
-            );
-            assert!(cost.memory() > cost.spheres * 100);
+    fn every_sphere_of_the_block_touches_six_and_nothing_is_crushed() {
+        for radius in [1.0, 0.0025] {
+            let block = spheres(1.0, (radius, 0.01));
+            let near = |gap: f64| (-1e-5 * radius..0.0).contains(&gap);
+            let mut touching = 0;
+            for (i, a) in block.positions.iter().enumerate() {
+                for b in &block.positions[..i] {
+                    let gap = block.space.displacement(a, b).norm() - 2.0 * radius;
+                    assert!(gap > 0.1 * radius || near(gap), "{gap}");
+                    touching += usize::from(near(gap));
+                }
+                let walls = block.walls.iter();
+                let height = |wall: &Wall| wall.outward.dot(a) - wall.place;
+                touching += walls
+                    .filter(|wall| (height(wall) - radius).abs() < 1e-5 * radius)
+                    .count();
+            }
+            // Three contacts per sphere and two walls; the top layer has no layer above it.
+            assert_eq!(touching, 3 * EDGE.pow(3) + EDGE.pow(2));
         }
     }
 }

@@ -30,6 +30,3 @@ pub use outcome::PowderSummary;
 pub use powder_body::PISTON;
 pub use powder_body::PowderSimulation;
 pub use tribos_base::record::CheckpointError;
-
-#[cfg(test)]
-mod tests;

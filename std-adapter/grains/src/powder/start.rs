@@ -91,6 +91,3 @@ fn in_units_of_first(assembly: &mut Assembly) {
         densities.iter_mut().for_each(|density| *density /= unit);
     }
 }
-
-#[cfg(test)]
-mod tests;

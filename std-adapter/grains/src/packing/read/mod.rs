@@ -339,6 +339,3 @@ impl Assembly {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,15 +1,15 @@
-use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
-use crate::grains::{GrainsSimulation, Ramp};
-use crate::measure::{Assembly, MeasureOptions, Measures};
-use crate::packing::STATE;
-use crate::packing::SizeDistribution;
-use crate::packing::method::ContactMethod;
 use nalgebra::Vector3;
 use std::path::PathBuf;
 use tribos_base::record::frames::{Frame, FrameFolder};
 use tribos_base::record::trajectory::{Format, State, Trajectory};
 use tribos_base::record::{extended_xyz, particles_vtp};
 use tribos_base::run::Simulation;
+use tribos_grains::grains::{GrainsSimulation, Ramp};
+use tribos_grains::measure::{Assembly, MeasureOptions, Measures};
+use tribos_grains::packing::STATE;
+use tribos_grains::packing::SizeDistribution;
+use tribos_grains::scene::ContactMethod;
+use tribos_grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 

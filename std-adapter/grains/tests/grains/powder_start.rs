@@ -1,11 +1,11 @@
-use crate::packing::SizeDistribution;
-use crate::powder::PowderSimulation;
-use crate::powder::scene::PowderScene;
 use nalgebra::Vector3;
 use std::path::PathBuf;
 use tempfile::TempDir;
 use tribos_base::record::{extended_xyz, particles_vtp};
 use tribos_base::run::Simulation;
+use tribos_grains::packing::SizeDistribution;
+use tribos_grains::powder::PowderSimulation;
+use tribos_grains::scene::PowderScene;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -67,7 +67,7 @@ fn a_run_from_a_state_or_a_checkpoint_goes_on_to_the_bit() -> Tested {
         let state = kept(&home, "state.json", &whole.state())?;
         let checkpoint = kept(&home, "checkpoint.json", &whole.checkpoint())?;
         // A folder has them under these names.
-        kept(&home, crate::packing::STATE, &whole.state())?;
+        kept(&home, tribos_grains::packing::STATE, &whole.state())?;
         let mut parts = Vec::new();
         for start in [state, checkpoint, home.path().to_owned()] {
             let scene = PowderScene {

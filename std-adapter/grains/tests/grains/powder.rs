@@ -1,15 +1,16 @@
-use super::blocked::WINDOW_STEPS;
-use super::*;
-use crate::powder::scene::{BlockedCriterion, PowderScene};
 use nalgebra::{Matrix3, Vector3};
 use std::cell::Cell;
 use tribos_base::record::frames::FrameError;
 use tribos_base::record::with_digest;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::run::{FRAMES, RunError, Session, Simulation, StartMode, run_to_end};
+use tribos_grains::powder::*;
+use tribos_grains::scene::{BlockedCriterion, PowderScene};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
+/// Least number of steps in a window.
+const WINDOW_STEPS: u64 = 200;
 // Some twenty spheres, a fraction of a second.
 const TINY: &str =
     "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\npiston_mass = 100\n";

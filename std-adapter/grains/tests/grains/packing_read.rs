@@ -1,11 +1,3 @@
-use crate::gas::GasSimulation;
-use crate::gas::scene::GasScene;
-use crate::grains::GrainsSimulation;
-use crate::grains::scene::GrainsScene;
-use crate::packing::assembly::{Assembly, KnownForces};
-use crate::packing::method::ContactMethod;
-use crate::powder::scene::PowderScene;
-use crate::powder::{self, PowderSimulation};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use tribos_base::random::Random;
@@ -15,6 +7,14 @@ use tribos_base::record::{Snapshot, extended_xyz, particles_vtp};
 use tribos_base::run::LongRun;
 use tribos_base::scene::SceneError;
 use tribos_base::space::PeriodicBox;
+use tribos_grains::gas::GasSimulation;
+use tribos_grains::grains::GrainsSimulation;
+use tribos_grains::packing::assembly::{Assembly, KnownForces};
+use tribos_grains::powder::{self, PowderSimulation};
+use tribos_grains::scene::ContactMethod;
+use tribos_grains::scene::GasScene;
+use tribos_grains::scene::GrainsScene;
+use tribos_grains::scene::PowderScene;
 
 /// Places, velocities, spins and radii with all their bits in use.
 fn cloud(count: usize) -> ([Vec<Vector3<f64>>; 3], Vec<f64>) {

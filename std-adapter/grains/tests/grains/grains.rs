@@ -1,9 +1,9 @@
 //! Grains do what their loads say.
 
-use super::*;
-use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
-use crate::packing::method::{ContactMethod, NormalForce, WallLaw};
 use tribos_base::run::{Simulation, run_to_end};
+use tribos_grains::grains::*;
+use tribos_grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
+use tribos_grains::scene::{ContactMethod, NormalForce, WallLaw};
 
 /// A run to its end.
 fn run(scene: &GrainsScene) -> GrainsSimulation {
@@ -152,7 +152,7 @@ fn walls_go_where_their_speed_takes_them() {
         let mut grains = run(&scene);
         // The last step goes beyond the end; the next would put the wall where the ramp is by then.
         let time = grains.time();
-        let exact = scene.velocity(Axis::Z).unwrap().integral(time);
+        let exact = scene.wall_velocity_z.as_ref().unwrap().integral(time);
         let height = column(&grains, "height").pop().unwrap();
         assert!((exact - moved).abs() < 2e-3);
         assert!((height - 0.1 - exact).abs() < 2e-5, "{height} {exact}");

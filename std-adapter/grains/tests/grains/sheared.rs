@@ -1,9 +1,9 @@
 //! Boxes without walls that are sheared, and grains of two materials.
 
-use super::{COLUMNS, GrainsSimulation};
-use crate::grains::scene::{EndBoundary, GrainsScene, SideBoundary};
 use tribos_base::record::extended_xyz;
 use tribos_base::run::{Simulation, run_to_end};
+use tribos_grains::grains::{COLUMNS, GrainsSimulation};
+use tribos_grains::scene::{EndBoundary, GrainsScene, SideBoundary};
 
 type Answer = Result<(), Box<dyn std::error::Error>>;
 
@@ -47,7 +47,7 @@ fn a_sheared_box_resists_with_stress_and_viscosity_of_one_sign() -> Answer {
         assert!(mean("viscosity") > 0.0);
         assert!((mean("viscosity") * rate / mean("shear_stress") - 1.0).abs() < 1e-12);
         assert!(mean("stress_zz") > 0.0);
-        let book = *grains.seen.packing.energy();
+        let book = grains.outcome().energy;
         assert!(book.work > 0.0, "{book:?}");
         assert!(book.imbalance().abs() < 1e-9 * book.work, "{book:?}");
     }
@@ -133,16 +133,19 @@ fn so_many_grains_are_of_the_second_material() -> Answer {
         ..mixed(0.3)
     };
     let grains = GrainsSimulation::new(&scene)?;
-    let packing = grains.seen.packing;
-    let (radii, spheres) = (packing.radii(), packing.spheres());
-    assert_eq!(radii.iter().filter(|r| **r == 0.0025).count(), 15);
-    assert_eq!(radii.iter().filter(|r| **r == 0.005).count(), 35);
-    for (radius, sphere) in radii.iter().zip(spheres) {
-        let density = if *radius == 0.005 { 2500.0 } else { 1000.0 };
-        let volume = 4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius;
-        let mass = 1.0 / sphere.inv_mass;
-        assert!((mass / (density * volume) - 1.0).abs() < 1e-12);
-    }
+    let masses = grains.with_snapshot(|now| {
+        assert_eq!(now.radii.iter().filter(|r| **r == 0.0025).count(), 15);
+        assert_eq!(now.radii.iter().filter(|r| **r == 0.005).count(), 35);
+        let mass = |(radius, density): (&f64, &f64)| {
+            let wanted = if *radius == 0.005 { 2500.0 } else { 1000.0 };
+            assert_eq!(*density, wanted);
+            4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius * density
+        };
+        let grains = now.radii.iter().zip(now.densities.unwrap_or_default());
+        grains.map(mass).sum::<f64>()
+    });
+    // Each as heavy as its material makes it: 15 of the one, 35 of the other.
+    assert!((grains.outcome().mass / masses - 1.0).abs() < 1e-12);
     Ok(())
 }
 
@@ -158,7 +161,7 @@ fn grains_all_of_the_second_material_run_as_grains_of_it_alone() -> Answer {
         density: 4000.0,
         ..mixed(0.0)
     };
-    let runs = [second, alone].map(|scene| -> Result<_, super::GrainsError> {
+    let runs = [second, alone].map(|scene| -> Result<_, tribos_grains::grains::GrainsError> {
         let mut grains = GrainsSimulation::new(&scene)?;
         run_to_end(&mut grains, |_, _| ())?;
         Ok(grains.series().to_vec())
