@@ -1,11 +1,11 @@
 //! Friction laws: one list of them with what is known of each, and some that have tests of their own.
 
-use tribos::friction::Law;
 use tribos_core::law::{
     AgeingLaw, DryFriction, LuGre, LuGreParameters, PlateauPowerLaw, PlateauPowerLawParameters,
     RateState, RateStateParameters, Savkoor, SavkoorParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
+use tribos_friction::Law;
 
 /// A law of the local speed, as it is written in scenes, and what is known of it from elsewhere.
 #[derive(Debug)]

@@ -44,7 +44,7 @@ pub const READERS: [Target; 4] = [
 ];
 
 /// The parts of the kernel.
-pub fn kernel() -> impl Iterator<Item = Target> {
+fn kernel() -> impl Iterator<Item = Target> {
     SUBJECTS.into_iter().map(|subject| Target {
         name: subject.name,
         share: subject.share,

@@ -309,7 +309,7 @@ fn kinetic(heap: &ContactSystem<f64, All, 4, 6>, bodies: &[BodyHandle]) -> f64 {
 
 #[test]
 fn impacts_with_friction_never_add_energy() {
-    let mut random = tribos::random::Random::new(5, 0);
+    let mut random = tribos_base::random::Random::new(5, 0);
     let mut signed = || 2.0 * random.unit() - 1.0;
     let mut rebounds = 0;
     for round in 0..300 {

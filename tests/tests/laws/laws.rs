@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use tribos::friction::{AnyLaw, LawParameter, Precision, find};
 use tribos_core::coupling::{ReducedFriction, quadrature::DiskQuadrature};
 use tribos_core::law::{CoulombLaw, DryFriction, LocalLaw, PowerLaw, Stribeck, StribeckParameters};
+use tribos_friction::{AnyLaw, LawParameter, Precision, find};
 use tribos_tests::laws::{LAWS, LawInstance, differentiated, made, plateau, usual};
 use tribos_tests::sweep::{Lcg, special_f64};
 use tribos_tests::tables::Table;
@@ -19,7 +19,7 @@ fn laws<R: Precision>() -> impl Iterator<Item = (&'static LawInstance, AnyLaw<R>
 
 #[test]
 fn every_local_law_of_the_catalogue_is_in_the_list_and_means_its_text() {
-    let local = tribos::friction::LAWS
+    let local = tribos_friction::LAWS
         .iter()
         .filter(|entry| entry.local.is_some());
     let names: Vec<&str> = usual().iter().map(|text| made(text).name()).collect();

@@ -2,10 +2,12 @@
 
 mod annuli;
 mod appendix_a;
+#[cfg(feature = "library")]
 mod areas;
 mod batches;
 mod dense;
 mod disk_friction;
+#[cfg(feature = "library")]
 mod friction;
 mod hard_cases;
 mod laws;

@@ -3,7 +3,6 @@
 
 mod coverage;
 mod damaged;
-mod determinism;
 mod found;
 mod fuzz;
 mod golden;

@@ -74,7 +74,14 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("tribos-subjects", &["tribos-core"]),
     (
         "tribos-tests",
-        &["tribos", "tribos-api", "tribos-core", "tribos-subjects"],
+        &[
+            "tribos",
+            "tribos-api",
+            "tribos-base",
+            "tribos-core",
+            "tribos-friction",
+            "tribos-subjects",
+        ],
     ),
     (
         "tribos-benches",
