@@ -6,6 +6,7 @@
 
 use crate::record::json_number;
 use crate::scene::Body;
+use nalgebra::Matrix3;
 use serde_json::{Map, Value};
 
 /// How far a quantity is told beyond its summary.
@@ -57,13 +58,23 @@ impl Quantity {
     }
 }
 
+/// The entries of a table with the names on the way to each, its parts after it.
+pub fn entries(table: &'static [Quantity]) -> Vec<(Vec<&'static str>, &'static Quantity)> {
+    let of = |entry: &'static Quantity| {
+        let part = |(path, part): (Vec<_>, _)| ([&[entry.name], &path[..]].concat(), part);
+        let parts = entries(entry.parts).into_iter().map(part);
+        std::iter::once((vec![entry.name], entry)).chain(parts)
+    };
+    table.iter().flat_map(of).collect()
+}
+
 /// A quantity that a sweep averages.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SweptQuantity {
     /// The column of its mean.
     pub column: &'static str,
     /// Names on the way to it in the summary.
-    pub path: [Option<&'static str>; 2],
+    pub path: Vec<&'static str>,
     /// Label for the terminal; none for a quantity that is not shown there.
     pub label: Option<&'static str>,
     /// Its unit.
@@ -73,7 +84,7 @@ pub struct SweptQuantity {
 impl SweptQuantity {
     /// The value in a summary.
     pub fn of<'a>(&self, summary: &'a Value) -> Option<&'a Value> {
-        let mut names = self.path.iter().flatten();
+        let mut names = self.path.iter();
         names.try_fold(summary, |value, name| value.get(name))
     }
 
@@ -102,25 +113,15 @@ impl SweptQuantity {
 
 /// The quantities of a table that a sweep averages, parts after the entries before them.
 pub fn swept(table: &'static [Quantity]) -> Vec<SweptQuantity> {
-    let of = |own: Option<&'static str>, quantity: &Quantity| {
+    let of = |(path, quantity): (_, &Quantity)| {
         Some(SweptQuantity {
             column: quantity.column()?,
-            path: match own {
-                Some(own) => [Some(own), Some(quantity.name)],
-                None => [Some(quantity.name), None],
-            },
+            path,
             label: quantity.label(),
             unit: quantity.unit,
         })
     };
-    let entries = table.iter().flat_map(|entry| {
-        let parts = entry
-            .parts
-            .iter()
-            .filter_map(|part| of(Some(entry.name), part));
-        of(None, entry).into_iter().chain(parts)
-    });
-    entries.collect()
+    entries(table).into_iter().filter_map(of).collect()
 }
 
 /// A value of a summary.
@@ -167,6 +168,13 @@ impl<T: Recorded, const N: usize> Recorded for [T; N] {
     }
 }
 
+/// A tensor row by row.
+impl Recorded for Matrix3<f64> {
+    fn recorded(&self) -> Option<Value> {
+        self.transpose().data.0.recorded()
+    }
+}
+
 /// Entries of a list are not told one by one.
 impl<T: Recorded> Recorded for Vec<T> {
     fn recorded(&self) -> Option<Value> {
@@ -199,12 +207,17 @@ pub fn file(mut entries: Map<String, Value>, scene: &dyn Body) -> Value {
 }
 
 /// Declares a summary: each line is an entry with its meaning, type and unit, and where else it is told. The struct and
-/// its [`Summary`] are made from them; `= part` makes the entry of another summary.
+/// its [`Summary`] are made from them; `= part` makes the entry of another summary, `= optional` leaves out a value that a
+/// run does not have.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! summary {
     (@reporting) => { $crate::results::Reporting::InSummary };
     (@reporting $reporting:expr) => { $reporting };
+    (@value $value:expr) => { $crate::results::Recorded::recorded(&$value) };
+    (@value $value:expr, optional) => {
+        $value.as_ref().and_then($crate::results::Recorded::recorded)
+    };
     (@json $name:ident part) => {};
     (@json $name:ident) => {
         impl $name {
@@ -219,7 +232,7 @@ macro_rules! summary {
         pub struct $name:ident $(= $part:ident)?;
         $(
             $(#[doc = $doc:literal])+
-            $field:ident: $type:ty, $unit:literal $(, $reporting:expr)?;
+            $field:ident: $type:ty $(= $presence:ident)?, $unit:literal $(, $reporting:expr)?;
         )+
     ) => {
         $(#[$about])*
@@ -248,7 +261,8 @@ macro_rules! summary {
             fn entries(&self) -> $crate::serde_json::Map<String, $crate::serde_json::Value> {
                 let mut map = $crate::serde_json::Map::new();
                 $(
-                    if let Some(value) = $crate::results::Recorded::recorded(&self.$field) {
+                    let value = $crate::results::summary!(@value self.$field $(, $presence)?);
+                    if let Some(value) = value {
                         map.insert(stringify!($field).into(), value);
                     }
                 )+

@@ -1,6 +1,6 @@
 //! Grains in a box.
 
-use super::kind::{ListedQuantity, RunKind, listed};
+use super::kind::{RunKind, first};
 use super::long::{LongBody, RunResults};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
@@ -11,30 +11,24 @@ use crate::failure::Failure;
 use serde_json::Value;
 use tribos::grains::{COLUMNS, GrainsSimulation, GrainsStopReason, GrainsSummary, size};
 use tribos::powder::STATE;
+use tribos::results::{Summary, swept};
 use tribos::run::RunSize;
 use tribos::run::folder::OutputFolder;
 use tribos::scene::{ContactMethod, GrainsScene};
 use tribos_report::runs::grains as picture;
 
-/// Grains.
-const QUANTITIES: &[ListedQuantity] = &[
-    ("solid_fraction", "solid_fraction", "solid fraction", "-"),
-    ("height", "height", "", "-"),
-    ("coordination", "coordination", "contacts a grain", "-"),
-    ("floor_force", "floor_force", "floor force", "N"),
-    ("plate_stress", "plate_stress", "", "-"),
-    ("shear_stress", "shear_stress", "shear stress", "Pa"),
-    ("stress_xx", "stress_xx", "", "-"),
-    ("stress_zz", "stress_zz", "", "-"),
-    ("stress_xz", "stress_xz", "", "-"),
-    ("surface_angle", "surface_angle", "angle", "deg"),
-    ("time", "time", "", "-"),
-    ("steps", "steps", "", "-"),
-    ("iterations_total", "iterations_total", "", "-"),
-    ("dissipation_normal", "dissipation.normal", "", "-"),
-    ("dissipation_sliding", "dissipation.sliding", "", "-"),
-    ("dissipation_rolling", "dissipation.rolling", "", "-"),
-    ("dissipation_torsion", "dissipation.torsion", "", "-"),
+/// Columns of a sweep that stand before all others.
+const FIRST: [&str; 10] = [
+    "solid_fraction",
+    "height",
+    "coordination",
+    "floor_force",
+    "plate_stress",
+    "shear_stress",
+    "stress_xx",
+    "stress_zz",
+    "stress_xz",
+    "surface_angle",
 ];
 
 impl LongBody for GrainsScene {
@@ -45,7 +39,7 @@ impl LongBody for GrainsScene {
 
     fn kind() -> RunKind {
         RunKind::of(
-            listed(QUANTITIES),
+            first(&FIRST, swept(GrainsSummary::QUANTITIES)),
             ["Final solid fraction", "solid_fraction"],
             ["rest", "/ending", "rest"],
         )
@@ -74,7 +68,7 @@ impl LongBody for GrainsScene {
             summary: summary.json(self),
             told: format!(
                 "solid fraction {} after {} steps, {:.1} s",
-                shown(summary.column("solid_fraction").unwrap_or(f64::NAN)),
+                shown(summary.solid_fraction),
                 summary.steps,
                 summary.wall_seconds
             ),
@@ -121,7 +115,6 @@ fn report(outcome: &GrainsSummary) -> String {
         Some(GrainsStopReason::Time) => "duration over",
         _ => "steps done",
     };
-    let column = |name: &str| shown(outcome.column(name).unwrap_or(f64::NAN));
     let mut text = format!(
         "ending        {ending}: time {} s, {} steps, {} sweeps; it took {:.1} s\n\
          grains        {}, {} kg, {} contacts, {:.2} a grain\n\
@@ -130,27 +123,27 @@ fn report(outcome: &GrainsSummary) -> String {
          stresses      zz {} Pa, shear at the plate {} Pa\n",
         shown(outcome.time),
         outcome.steps,
-        outcome.iterations,
+        outcome.iterations_total,
         outcome.wall_seconds,
         outcome.grains,
         shown(outcome.mass),
-        outcome.statistics.contacts,
-        outcome.statistics.mean_coordination(),
-        column("height"),
-        column("solid_fraction"),
-        column("floor_force"),
-        column("plate_force"),
-        column("side_force_x"),
-        column("stress_zz"),
-        column("shear_stress"),
+        outcome.contacts,
+        outcome.statistics.mean_coordination,
+        shown(outcome.height),
+        shown(outcome.solid_fraction),
+        shown(outcome.floor_force),
+        shown(outcome.plate_force),
+        shown(outcome.side_force_x),
+        shown(outcome.stress_zz),
+        shown(outcome.shear_stress),
     );
-    if outcome.unmet > 0 {
+    if outcome.steps_unmet > 0 {
         text += &format!(
             "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate, overlaps \
              reach {} m\n",
-            outcome.unmet,
-            shown(outcome.statistics.max_overlap)
+            outcome.steps_unmet,
+            shown(outcome.max_overlap)
         );
     }
-    text + &budget(&outcome.energy, &outcome.dissipation(), " J")
+    text + &budget(&outcome.energy, &outcome.dissipation, " J")
 }

@@ -51,20 +51,9 @@ impl RunKind {
     }
 }
 
-/// A quantity of a summary that is no table yet: its column, its place, its label, empty unless people are shown it, and its
-/// unit.
-pub type ListedQuantity = (&'static str, &'static str, &'static str, &'static str);
-
-/// The quantities of a summary that is no table yet.
-pub fn listed(list: &[ListedQuantity]) -> Vec<SweptQuantity> {
-    let quantity = |&(column, place, label, unit): &ListedQuantity| SweptQuantity {
-        column,
-        path: match place.split_once('.') {
-            Some((entry, part)) => [Some(entry), Some(part)],
-            None => [Some(place), None],
-        },
-        label: Some(label).filter(|label| !label.is_empty()),
-        unit,
-    };
-    list.iter().map(quantity).collect()
+/// Quantities, those of these columns before the others.
+pub fn first(columns: &[&str], mut all: Vec<SweptQuantity>) -> Vec<SweptQuantity> {
+    let place = |known: &SweptQuantity| columns.iter().position(|column| *column == known.column);
+    all.sort_by_key(|known| place(known).unwrap_or(columns.len()));
+    all
 }

@@ -29,8 +29,8 @@ impl Commands for &TipScene {
     fn kind(&self) -> RunKind {
         let is_slid = self.drive == DriveKind::Slide;
         let belongs = |quantity: &SweptQuantity| match quantity.path[0] {
-            Some("tip_temperature") => true,
-            Some("slid") => is_slid,
+            "tip_temperature" => true,
+            "slid" => is_slid,
             _ => !is_slid,
         };
         let mut quantities = swept(TipSummary::QUANTITIES);

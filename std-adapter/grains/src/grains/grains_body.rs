@@ -8,11 +8,12 @@ use super::loads::Loads;
 use super::measure::{COLUMNS, PackingState};
 use super::outcome::GrainsSummary;
 use super::placement::PlacementError;
-use super::wall::{AxisEnd, InitialWall};
-use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
+use super::wall::InitialWall;
+use crate::grains::scene::{Container, EndBoundary, GrainsScene};
 use crate::packing::{
-    Bodies, ContactKeys, InitialSpheres, MeasuredState, MeasurementSchedule, OptionalFeatures,
-    Packing, PackingBody, PackingRun, PackingStopReason, RunLimits,
+    Bodies, ContactKeys, Dissipation, InitialSpheres, MeasuredState, MeasurementSchedule,
+    OptionalFeatures, Packing, PackingBody, PackingEnergy, PackingRun, PackingStopReason,
+    RunLimits,
 };
 use serde_json::{Map, Value};
 use std::ops::ControlFlow;
@@ -214,20 +215,79 @@ impl GrainsSimulation {
         let now = self.body.now(&self.seen);
         let spheres = now.packing.spheres().iter();
         let totals = self.totals();
+        let has_surface = now.scene.boundary_z == EndBoundary::Floor;
+        let energy = now.packing.energy();
+        // The last line of the series up to its energies.
+        let [
+            _,
+            _,
+            width,
+            depth,
+            height,
+            solid_fraction,
+            _,
+            speed,
+            _,
+            coordination,
+            floor_force,
+            plate_force,
+            side_force_x,
+            side_force_y,
+            stress_xx,
+            stress_yy,
+            stress_zz,
+            stress_xz,
+            plate_stress,
+            shear_stress,
+            plate_speed,
+            shear_rate,
+            gravity_x,
+            gravity_z,
+            surface_angle,
+            discharged,
+            sweeps,
+            residual,
+            ..,
+        ] = self.record();
         GrainsSummary {
             ending: self.ending(),
-            time: self.time(),
-            steps: self.steps(),
             grains: now.packing.radii().len(),
             mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
-            floor_force: now.push(Axis::Z, AxisEnd::Low),
-            surface_angles: now.surface_angles(),
-            last: self.record(),
+            time: self.time(),
+            steps: self.steps(),
+            iterations_total: totals.iterations,
+            steps_unmet: totals.unmet,
+            steps_handed_over: Some(totals.handed_over).filter(|steps| *steps > 0),
+            contacts: self.pairs(),
+            width,
+            depth,
+            height,
+            solid_fraction,
+            speed,
+            coordination,
+            floor_force,
+            plate_force,
+            side_force_x,
+            side_force_y,
+            stress_xx,
+            stress_yy,
+            stress_zz,
+            stress_xz,
+            plate_stress,
+            shear_stress,
+            plate_speed,
+            shear_rate,
+            gravity_x,
+            gravity_z,
+            surface_angle,
+            discharged,
+            sweeps,
+            residual,
+            surface_angles: has_surface.then(|| now.surface_angles()),
+            max_overlap: self.max_overlap(),
             statistics: self.statistics(),
-            iterations: totals.iterations,
-            unmet: totals.unmet,
-            handed_over: totals.handed_over,
-            energy: *now.packing.energy(),
+            dissipation: Dissipation::of(energy),
+            energy: PackingEnergy::of(energy, &now.scene.contact_method()),
             wall_seconds: totals.wall_seconds,
         }
     }

@@ -1,106 +1,91 @@
 //! Summary of a run of grains.
 
-use super::measure::COLUMNS;
-use crate::grains::scene::{EndBoundary, GrainsScene};
-use crate::packing::method::ContactMethod;
-use crate::packing::{ContactStatistics, PackingStopReason, losses, object};
-use serde_json::{Map, Value};
-use tribos_base::record::json_number;
-use tribos_contacts::cd::EnergyBalance;
+use crate::packing::{ContactStatistics, Dissipation, PackingEnergy, PackingStopReason};
+use tribos_base::results::{Reporting::*, summary};
 
-/// Results of a run of grains, in the units of its scene.
-///
-/// [`GrainsScene`] has an example.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GrainsSummary {
-    /// Why the run ended; `None` if it has not.
-    pub ending: Option<PackingStopReason>,
-    /// Time at the end.
-    pub time: f64,
-    /// Number of steps taken.
-    pub steps: u64,
+summary! {
+    /// Results of a run of grains, in the units of its scene.
+    ///
+    /// [`GrainsScene`](crate::grains::scene::GrainsScene) has an example.
+    pub struct GrainsSummary;
+
+    /// Why the run ended; none if it has not.
+    ending: Option<PackingStopReason>, "-";
     /// Number of grains.
-    pub grains: usize,
+    grains: usize, "-";
     /// Mass of all grains.
-    pub mass: f64,
-    /// Force of the grains on the floor, downwards.
-    pub floor_force: f64,
-    /// Slopes of the lower and the upper half of the free surface along x, in degrees, positive where they fall
-    /// towards +x: a heap has one of each sign, and its `surface_angle` says nothing.
-    pub surface_angles: [f64; 2],
-    /// The last line of the series, with the columns of [`COLUMNS`].
-    pub last: [f64; COLUMNS.len()],
-    /// Numbers and forces of the contacts at the end.
-    pub statistics: ContactStatistics,
+    mass: f64, "kg";
+    /// Time at the end.
+    time: f64, "s", Swept;
+    /// Number of steps taken.
+    steps: u64, "-", Swept;
     /// Total number of sweeps.
-    pub iterations: u64,
+    iterations_total: u64, "-", Swept;
     /// Steps in which any tolerance or rule was not met.
-    pub unmet: u64,
-    /// Steps that sweeps handed over to a solver with factorisations.
-    pub handed_over: u64,
+    steps_unmet: u64, "-";
+    /// Steps that sweeps handed over to a solver with factorisations; left out where there are none.
+    steps_handed_over: Option<u64> = optional, "-";
+    /// Number of contacts between grains at the end.
+    contacts: usize, "-";
+    /// Length along x of the volume that the grains fill at the end.
+    width: f64, "m";
+    /// Length along y of this volume.
+    depth: f64, "m";
+    /// Length along z of this volume; below an open top, that of a level bed.
+    height: f64, "m", Swept;
+    /// Share of the volume, or of the area in two dimensions, that is solid.
+    solid_fraction: f64, "-", Shown("solid fraction");
+    /// Root mean square speed of the grains.
+    speed: f64, "m/s";
+    /// Mean number of contacts of a grain, walls included.
+    coordination: f64, "-";
+    /// Force of the grains on the floor, downwards.
+    floor_force: f64, "N", Shown("floor force");
+    /// Force of the grains on the plate above, upwards.
+    plate_force: f64, "N";
+    /// Force of the grains on the wall at the far end of x, outwards.
+    side_force_x: f64, "N";
+    /// Force of the grains on the wall at the far end of y, outwards.
+    side_force_y: f64, "N";
+    /// Stress of the contacts along x; pressure is positive.
+    stress_xx: f64, "Pa", Swept;
+    /// Stress of the contacts along y.
+    stress_yy: f64, "Pa";
+    /// Stress of the contacts along z.
+    stress_zz: f64, "Pa", Swept;
+    /// Shear stress of the contacts in the plane of x and z.
+    stress_xz: f64, "Pa", Swept;
+    /// Normal stress on the plate above.
+    plate_stress: f64, "Pa", Swept;
+    /// Shear stress on the plate; of the contacts in a sheared box without walls.
+    shear_stress: f64, "Pa", Shown("shear stress");
+    /// Speed of the plate along x.
+    plate_speed: f64, "m/s";
+    /// Rate of the shear: that of the scene, or speed of the plate over height.
+    shear_rate: f64, "1/s";
+    /// Gravity along x.
+    gravity_x: f64, "m/s^2";
+    /// Gravity along z.
+    gravity_z: f64, "m/s^2";
+    /// Slope of the free surface along x, positive where it falls towards +x; 0 without a free surface.
+    surface_angle: f64, "deg", Shown("angle");
+    /// Mass of the grains below the slot of a hopper; 0 without one.
+    discharged: f64, "kg";
+    /// Sweeps of the last step.
+    sweeps: f64, "-";
+    /// Relative residual of the contact laws in the last step.
+    residual: f64, "-";
+    /// Slopes of the lower and the upper half of the free surface along x: a heap has one of each sign, and its
+    /// `surface_angle` says nothing. Left out without a free surface.
+    surface_angles: Option<[f64; 2]> = optional, "deg";
+    /// Deepest overlap in all steps.
+    max_overlap: f64, "m";
+    /// Numbers and forces of the contacts at the end.
+    statistics: ContactStatistics, "-";
+    /// Energy that the contacts took.
+    dissipation: Dissipation, "-";
     /// Energy balance.
-    pub energy: EnergyBalance,
-    /// Wall-clock time, in s.
-    pub wall_seconds: f64,
-}
-
-impl GrainsSummary {
-    /// A column of the last line of the series.
-    pub fn column(&self, name: &str) -> Option<f64> {
-        let column = COLUMNS.iter().position(|column| *column == name)?;
-        self.last.get(column).copied()
-    }
-
-    /// Where the energy went: names and energies.
-    pub fn dissipation(&self) -> [(&'static str, f64); 5] {
-        losses(&self.energy)
-    }
-
-    /// The summary as JSON.
-    pub fn json(&self, scene: &GrainsScene) -> Value {
-        let mut map = Map::new();
-        map.insert(
-            "ending".into(),
-            self.ending.map(PackingStopReason::name).into(),
-        );
-        let mut put = |name: &str, value: Value| map.insert(name.into(), value);
-        put("grains", self.grains.into());
-        put("mass", json_number(self.mass));
-        put("time", json_number(self.time));
-        put("steps", self.steps.into());
-        put("iterations_total", self.iterations.into());
-        put("steps_unmet", self.unmet.into());
-        if self.handed_over > 0 {
-            put("steps_handed_over", self.handed_over.into());
-        }
-        put("contacts", self.statistics.contacts.into());
-        let energies = COLUMNS.iter().position(|name| *name == "work");
-        let last = COLUMNS.iter().zip(self.last);
-        for (name, value) in last.take(energies.unwrap_or(COLUMNS.len())) {
-            if !["time", "step", "contacts", "kinetic"].contains(name) {
-                put(name, json_number(value));
-            }
-        }
-        if scene.boundary_z == EndBoundary::Floor {
-            let angles = self.surface_angles.map(json_number).to_vec();
-            put("surface_angles", angles.into());
-        }
-        put("max_overlap", json_number(self.statistics.max_overlap));
-        put("statistics", self.statistics.json());
-        put("dissipation", object(&self.dissipation()));
-        let others = [
-            ("work", self.energy.work),
-            ("kinetic", self.energy.kinetic),
-            ("imbalance", self.energy.imbalance()),
-        ];
-        let mut energy = object(&others);
-        if let (ContactMethod::Soft, Value::Object(map)) = (scene.method, &mut energy) {
-            map.insert("elastic".into(), json_number(self.energy.elastic));
-        }
-        put("energy", energy);
-        put("wall_seconds", json_number(self.wall_seconds));
-        put("scene", scene.json());
-        put("version", env!("CARGO_PKG_VERSION").into());
-        Value::Object(map)
-    }
+    energy: PackingEnergy, "-";
+    /// Wall-clock time.
+    wall_seconds: f64, "s";
 }

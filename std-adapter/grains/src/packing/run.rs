@@ -17,10 +17,10 @@ use std::time::Instant;
 use tribos_base::golden::{Digest, Measurement, contacts, digest};
 use tribos_base::record::checkpoint::hex;
 use tribos_base::record::frames::{Bodies, ContactStateFlags, Frame, FrameContact};
-use tribos_base::record::{ContactRow, Snapshot, json_number, with_digest};
+use tribos_base::record::{ContactRow, Snapshot, with_digest};
 use tribos_base::run::{Cause, LongRun, Simulation, run_to_end};
 use tribos_base::scene::Body as _;
-use tribos_contacts::cd::{EnergyBalance, StepReport};
+use tribos_contacts::cd::StepReport;
 use tribos_contacts::problem::GlobalProblem;
 
 /// Overlap of rigid spheres over the smaller radius beyond which their packing is none: twice what a start may have.
@@ -218,12 +218,23 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
         problem.filter(|problem| !problem.laws().is_empty())
     }
 
-    /// Numbers and forces of the contacts now, and the deepest overlap so far.
+    /// Number of contacts between spheres now.
+    pub(crate) fn pairs(&self) -> usize {
+        let rows = self.seen.contacts.iter();
+        rows.filter(|row| row.b.particle().is_some()).count()
+    }
+
+    /// Deepest overlap so far, a length; 0 if there was none.
+    pub(crate) fn max_overlap(&self) -> f64 {
+        let depths = self.seen.contacts.iter().map(|row| -row.gap);
+        depths.fold(self.totals.overlap, f64::max)
+    }
+
+    /// Numbers and forces of the contacts now.
     pub(crate) fn statistics(&self) -> ContactStatistics {
         let limits = Limits::of(&self.body.contact_keys().material);
         ContactStatistics::of(&self.seen.contacts, self.seen.packing.radii(), &limits)
             .of_materials(self.kinds.mixed().is_some())
-            .since(self.totals.overlap)
     }
 
     /// Sums over the steps, with the time up to now.
@@ -560,21 +571,4 @@ impl<B: PackingBody<N>, const N: usize> LongRun for PackingRun<B, N> {
     fn frame(&self) -> Frame {
         self.frame()
     }
-}
-
-/// Where the energy went: names and energies.
-pub(crate) fn losses(energy: &EnergyBalance) -> [(&'static str, f64); 5] {
-    [
-        ("normal", energy.normal),
-        ("sliding", energy.sliding),
-        ("rolling", energy.rolling),
-        ("torsion", energy.torsion),
-        ("cohesion", energy.cohesion),
-    ]
-}
-
-/// Named numbers as a JSON object.
-pub(crate) fn object(numbers: &[(&str, f64)]) -> Value {
-    let entry = |(name, value): &(&str, f64)| ((*name).to_owned(), json_number(*value));
-    Value::Object(numbers.iter().map(entry).collect())
 }
