@@ -124,6 +124,17 @@ pub fn swept(table: &'static [Quantity]) -> Vec<SweptQuantity> {
     entries(table).into_iter().filter_map(of).collect()
 }
 
+/// What a sweep shows of the summaries of a body.
+#[derive(Clone, Copy, Debug)]
+pub struct SweepView {
+    /// The column that is drawn.
+    pub drawn: &'static str,
+    /// Title of its picture.
+    pub title: &'static str,
+    /// A word of the summary whose share is told: column, entry as a JSON pointer, word.
+    pub share: [&'static str; 3],
+}
+
 /// A value of a summary.
 pub trait Recorded {
     /// What it consists of; nothing for a single value.

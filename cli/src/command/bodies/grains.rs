@@ -1,7 +1,6 @@
 //! Grains in a box.
 
-use super::kind::{RunKind, first};
-use super::long::{LongBody, RunResults};
+use super::long::{LongBody, Series, series};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
 use crate::command::run::files;
@@ -11,38 +10,37 @@ use crate::failure::Failure;
 use serde_json::Value;
 use tribos::grains::{COLUMNS, GrainsSimulation, GrainsStopReason, GrainsSummary, size};
 use tribos::powder::STATE;
-use tribos::results::{Summary, swept};
+use tribos::results::SweepView;
 use tribos::run::RunSize;
 use tribos::run::folder::OutputFolder;
 use tribos::scene::{ContactMethod, GrainsScene};
 use tribos_report::runs::grains as picture;
 
-/// Columns of a sweep that stand before all others.
-const FIRST: [&str; 10] = [
-    "solid_fraction",
-    "height",
-    "coordination",
-    "floor_force",
-    "plate_stress",
-    "shear_stress",
-    "stress_xx",
-    "stress_zz",
-    "stress_xz",
-    "surface_angle",
-];
-
 impl LongBody for GrainsScene {
     type Run = GrainsSimulation;
+    type Summary = GrainsSummary;
 
     const SPHERES: &'static str = "grains";
     const FILES: &'static [&'static str] = files::POWDER;
+    const FIRST: &'static [&'static str] = &[
+        "solid_fraction",
+        "height",
+        "coordination",
+        "floor_force",
+        "plate_stress",
+        "shear_stress",
+        "stress_xx",
+        "stress_zz",
+        "stress_xz",
+        "surface_angle",
+    ];
 
-    fn kind() -> RunKind {
-        RunKind::of(
-            first(&FIRST, swept(GrainsSummary::QUANTITIES)),
-            ["Final solid fraction", "solid_fraction"],
-            ["rest", "/ending", "rest"],
-        )
+    fn sweep_view(&self) -> SweepView {
+        SweepView {
+            drawn: "solid_fraction",
+            title: "Final solid fraction",
+            share: ["rest", "/ending", "rest"],
+        }
     }
 
     fn size(&self) -> RunSize {
@@ -62,20 +60,60 @@ impl LongBody for GrainsScene {
         format!("step {:7}  time {:9.4}", run.steps(), run.time())
     }
 
-    fn results<'a>(&self, run: &'a GrainsSimulation) -> RunResults<'a> {
-        let summary = run.outcome();
-        RunResults {
-            summary: summary.json(self),
-            told: format!(
-                "solid fraction {} after {} steps, {:.1} s",
-                shown(summary.solid_fraction),
-                summary.steps,
-                summary.wall_seconds
-            ),
-            report: report(&summary),
-            columns: &COLUMNS,
-            rows: run.series().iter().map(|row| &row[..]).collect(),
+    fn outcome(run: &GrainsSimulation) -> GrainsSummary {
+        run.outcome()
+    }
+
+    fn told(outcome: &GrainsSummary) -> String {
+        format!(
+            "solid fraction {} after {} steps, {:.1} s",
+            shown(outcome.solid_fraction),
+            outcome.steps,
+            outcome.wall_seconds
+        )
+    }
+
+    fn report(outcome: &GrainsSummary) -> String {
+        let ending = match outcome.ending {
+            Some(GrainsStopReason::Rest) => "at rest",
+            Some(GrainsStopReason::Time) => "duration over",
+            _ => "steps done",
+        };
+        let mut text = format!(
+            "ending        {ending}: time {} s, {} steps, {} sweeps; it took {:.1} s\n\
+             grains        {}, {} kg, {} contacts, {:.2} a grain\n\
+             height        {} m, solid fraction {}\n\
+             forces        floor {} N, plate {} N, side x {} N\n\
+             stresses      zz {} Pa, shear at the plate {} Pa\n",
+            shown(outcome.time),
+            outcome.steps,
+            outcome.iterations_total,
+            outcome.wall_seconds,
+            outcome.grains,
+            shown(outcome.mass),
+            outcome.contacts,
+            outcome.statistics.mean_coordination,
+            shown(outcome.height),
+            shown(outcome.solid_fraction),
+            shown(outcome.floor_force),
+            shown(outcome.plate_force),
+            shown(outcome.side_force_x),
+            shown(outcome.stress_zz),
+            shown(outcome.shear_stress),
+        );
+        if outcome.steps_unmet > 0 {
+            text += &format!(
+                "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate, overlaps \
+                 reach {} m\n",
+                outcome.steps_unmet,
+                shown(outcome.max_overlap)
+            );
         }
+        text + &budget(&outcome.energy, &outcome.dissipation, " J")
+    }
+
+    fn series(run: &GrainsSimulation) -> Series<'_> {
+        series(COLUMNS, run.series())
     }
 
     fn write(
@@ -106,44 +144,4 @@ impl LongBody for GrainsScene {
     fn account(&self, summary: &Value, command: &str) -> String {
         after::packing(summary, &self.material(), command)
     }
-}
-
-/// A few lines for the person at the terminal.
-fn report(outcome: &GrainsSummary) -> String {
-    let ending = match outcome.ending {
-        Some(GrainsStopReason::Rest) => "at rest",
-        Some(GrainsStopReason::Time) => "duration over",
-        _ => "steps done",
-    };
-    let mut text = format!(
-        "ending        {ending}: time {} s, {} steps, {} sweeps; it took {:.1} s\n\
-         grains        {}, {} kg, {} contacts, {:.2} a grain\n\
-         height        {} m, solid fraction {}\n\
-         forces        floor {} N, plate {} N, side x {} N\n\
-         stresses      zz {} Pa, shear at the plate {} Pa\n",
-        shown(outcome.time),
-        outcome.steps,
-        outcome.iterations_total,
-        outcome.wall_seconds,
-        outcome.grains,
-        shown(outcome.mass),
-        outcome.contacts,
-        outcome.statistics.mean_coordination,
-        shown(outcome.height),
-        shown(outcome.solid_fraction),
-        shown(outcome.floor_force),
-        shown(outcome.plate_force),
-        shown(outcome.side_force_x),
-        shown(outcome.stress_zz),
-        shown(outcome.shear_stress),
-    );
-    if outcome.steps_unmet > 0 {
-        text += &format!(
-            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate, overlaps \
-             reach {} m\n",
-            outcome.steps_unmet,
-            shown(outcome.max_overlap)
-        );
-    }
-    text + &budget(&outcome.energy, &outcome.dissipation, " J")
 }

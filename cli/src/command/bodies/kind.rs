@@ -1,6 +1,6 @@
 //! What a sweep makes of the summaries of a kind of run.
 
-use tribos::results::SweptQuantity;
+use tribos::results::{SweepView, SweptQuantity};
 
 /// The quantities of a kind of run.
 #[derive(Clone, Debug)]
@@ -16,18 +16,14 @@ pub struct RunKind {
 }
 
 impl RunKind {
-    /// The quantities of a summary; of them the column that is drawn, after the title of its picture.
-    pub fn of(
-        quantities: Vec<SweptQuantity>,
-        [title, drawn]: [&'static str; 2],
-        share: [&'static str; 3],
-    ) -> Self {
-        let place = quantities.iter().position(|known| known.column == drawn);
+    /// The quantities of a summary, with what a sweep shows of them.
+    pub fn of(quantities: Vec<SweptQuantity>, view: SweepView) -> Self {
+        let mut columns = quantities.iter().map(|known| known.column);
         Self {
+            drawn: columns.position(|column| column == view.drawn).unwrap_or(0),
+            title: view.title,
+            share: view.share,
             quantities,
-            drawn: place.unwrap_or(0),
-            title,
-            share,
         }
     }
 

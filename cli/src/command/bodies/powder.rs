@@ -1,7 +1,6 @@
 //! Powders under a piston.
 
-use super::kind::{RunKind, first};
-use super::long::{LongBody, RunResults};
+use super::long::{LongBody, Series, series};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
 use crate::command::run::files;
@@ -11,7 +10,7 @@ use crate::failure::Failure;
 use serde_json::Value;
 use tribos::powder::{COLUMNS, PowderSimulation, PowderStopReason, PowderSummary, STATE, size};
 use tribos::record::Snapshot;
-use tribos::results::{Summary, swept};
+use tribos::results::SweepView;
 use tribos::run::RunSize;
 use tribos::run::folder::OutputFolder;
 use tribos::scene::{ContactMethod, PowderScene};
@@ -20,31 +19,30 @@ use tribos_report::runs::powder as picture;
 /// A packing is seldom blocked within fewer steps.
 const FEW: u64 = 5_000;
 
-/// Columns of a sweep that stand before all others.
-const FIRST: [&str; 9] = [
-    "porosity_final",
-    "porosity_bulk",
-    "porosity_initial",
-    "particles",
-    "contacts",
-    "coordination",
-    "stress_zz",
-    "stress_zz_plus",
-    "stress_zz_minus",
-];
-
 impl LongBody for PowderScene {
     type Run = PowderSimulation;
+    type Summary = PowderSummary;
 
     const SPHERES: &'static str = "spheres";
     const FILES: &'static [&'static str] = files::POWDER;
+    const FIRST: &'static [&'static str] = &[
+        "porosity_final",
+        "porosity_bulk",
+        "porosity_initial",
+        "particles",
+        "contacts",
+        "coordination",
+        "stress_zz",
+        "stress_zz_plus",
+        "stress_zz_minus",
+    ];
 
-    fn kind() -> RunKind {
-        RunKind::of(
-            first(&FIRST, swept(PowderSummary::QUANTITIES)),
-            ["Final porosity", "porosity_final"],
-            ["blocked", "/ending", "blocked"],
-        )
+    fn sweep_view(&self) -> SweepView {
+        SweepView {
+            drawn: "porosity_final",
+            title: "Final porosity",
+            share: ["blocked", "/ending", "blocked"],
+        }
     }
 
     fn size(&self) -> RunSize {
@@ -80,20 +78,58 @@ impl LongBody for PowderScene {
         self.duration.is_some() || self.max_steps <= FEW
     }
 
-    fn results<'a>(&self, run: &'a PowderSimulation) -> RunResults<'a> {
-        let summary = run.outcome();
-        RunResults {
-            summary: summary.json(self),
-            told: format!(
-                "porosity {} % after {} steps, {:.1} s",
-                shown(100.0 * summary.porosity_final),
-                summary.steps,
-                summary.wall_seconds
-            ),
-            report: report(&summary),
-            columns: &COLUMNS,
-            rows: run.series().iter().map(|row| &row[..]).collect(),
-        }
+    fn outcome(run: &PowderSimulation) -> PowderSummary {
+        run.outcome()
+    }
+
+    fn told(outcome: &PowderSummary) -> String {
+        format!(
+            "porosity {} % after {} steps, {:.1} s",
+            shown(100.0 * outcome.porosity_final),
+            outcome.steps,
+            outcome.wall_seconds
+        )
+    }
+
+    fn report(outcome: &PowderSummary) -> String {
+        let ending = match outcome.ending {
+            Some(PowderStopReason::Blocked) => "blocked",
+            Some(PowderStopReason::Time) => "duration over before the packing was blocked",
+            _ => "steps done before the packing was blocked",
+        };
+        let porosity = [outcome.porosity_initial, outcome.porosity_final];
+        let [before, after] = porosity.map(|porosity| shown(100.0 * porosity));
+        let sign = if outcome.stress_zz_minus < 0.0 {
+            '-'
+        } else {
+            '+'
+        };
+        let stress = [
+            outcome.stress_zz,
+            outcome.stress_zz_plus,
+            outcome.stress_zz_minus.abs(),
+        ];
+        let [total, plus, minus] = stress.map(shown);
+        let text = format!(
+            "ending        {ending}: {} steps, {} sweeps, {:.1} s\n\
+             particles     {}, {} contacts, {:.2} a sphere\n\
+             porosity      {after} % from {before} %\n\
+             stress_zz     {total} = {plus} {sign} {minus} of the pressure\n\
+             residual      {:.1e}, overlap {:.1e} R\n",
+            outcome.steps,
+            outcome.iterations_total,
+            outcome.wall_seconds,
+            outcome.particles,
+            outcome.contacts,
+            outcome.statistics.mean_coordination,
+            outcome.residual_final,
+            outcome.max_overlap,
+        );
+        text + &unmet(outcome) + &budget(&outcome.energy, &outcome.dissipation, "")
+    }
+
+    fn series(run: &PowderSimulation) -> Series<'_> {
+        series(COLUMNS, run.series())
     }
 
     fn write(
@@ -131,44 +167,6 @@ impl LongBody for PowderScene {
     fn account(&self, summary: &Value, command: &str) -> String {
         after::packing(summary, &self.material(), command)
     }
-}
-
-/// A few lines for the person at the terminal.
-fn report(outcome: &PowderSummary) -> String {
-    let ending = match outcome.ending {
-        Some(PowderStopReason::Blocked) => "blocked",
-        Some(PowderStopReason::Time) => "duration over before the packing was blocked",
-        _ => "steps done before the packing was blocked",
-    };
-    let porosity = [outcome.porosity_initial, outcome.porosity_final];
-    let [before, after] = porosity.map(|porosity| shown(100.0 * porosity));
-    let sign = if outcome.stress_zz_minus < 0.0 {
-        '-'
-    } else {
-        '+'
-    };
-    let stress = [
-        outcome.stress_zz,
-        outcome.stress_zz_plus,
-        outcome.stress_zz_minus.abs(),
-    ];
-    let [total, plus, minus] = stress.map(shown);
-    let text = format!(
-        "ending        {ending}: {} steps, {} sweeps, {:.1} s\n\
-         particles     {}, {} contacts, {:.2} a sphere\n\
-         porosity      {after} % from {before} %\n\
-         stress_zz     {total} = {plus} {sign} {minus} of the pressure\n\
-         residual      {:.1e}, overlap {:.1e} R\n",
-        outcome.steps,
-        outcome.iterations_total,
-        outcome.wall_seconds,
-        outcome.particles,
-        outcome.contacts,
-        outcome.statistics.mean_coordination,
-        outcome.residual_final,
-        outcome.max_overlap,
-    );
-    text + &unmet(outcome) + &budget(&outcome.energy, &outcome.dissipation, "")
 }
 
 /// Steps that did not end as they should, and what that means.

@@ -1,21 +1,17 @@
 //! A finished run of a tip.
 
-use super::{number, summary};
+use super::number;
 use crate::command::explain::line;
-use crate::failure::Failure;
 use serde_json::Value;
-use std::path::Path;
-use tribos::scene::TipScene;
 
 /// What a drive needs after the tip has come to stand, in τ: a plateau and a mean.
 const TO_TELL: f64 = 40.0;
 /// Part of the drive that is worth sparing.
 const WORTH: f64 = 0.25;
 
-/// The account of the run in `out`.
-pub fn text(scene: &TipScene, out: &Path) -> Result<String, Failure> {
-    let summary = summary(out, TipScene::KEYS, &scene.json())?;
-    let energy = |name: &str| number(&summary, &format!("/drive_energy/{name}"));
+/// The account of the run with this summary.
+pub fn text(summary: &Value) -> String {
+    let energy = |name: &str| number(summary, &format!("/drive_energy/{name}"));
     let mut text = line(
         "energy",
         format!(
@@ -35,7 +31,7 @@ pub fn text(scene: &TipScene, out: &Path) -> Result<String, Failure> {
             interfaces(&summary["slipped_interfaces"])
         ),
     );
-    Ok(text + &spare(&summary))
+    text + &spare(summary)
 }
 
 fn interfaces(list: &Value) -> String {

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use tribos_base::record::frames::{Frame, FrameFolder};
 use tribos_base::record::trajectory::{Format, State, Trajectory};
 use tribos_base::record::{extended_xyz, particles_vtp};
-use tribos_base::run::Simulation;
+use tribos_base::run::{LongRun, Simulation};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
