@@ -14,6 +14,8 @@ use serde_json::{Map, Value};
 pub enum Reporting {
     /// Nowhere else.
     InSummary,
+    /// In the series of a run alone.
+    InSeries,
     /// A sweep has its mean in a column of its name.
     Swept,
     /// A sweep has its mean in a column of this name.
@@ -37,13 +39,15 @@ pub struct Quantity {
     pub reporting: Reporting,
     /// What it consists of; nothing for a single value.
     pub parts: &'static [Quantity],
+    /// Whether its parts stand among the entries in its place.
+    pub is_flat: bool,
 }
 
 impl Quantity {
     /// The column of its mean in a sweep, if it has one.
     pub fn column(&self) -> Option<&'static str> {
         match self.reporting {
-            Reporting::InSummary => None,
+            Reporting::InSummary | Reporting::InSeries => None,
             Reporting::Swept | Reporting::Shown(_) => Some(self.name),
             Reporting::SweptAs(column) | Reporting::ShownAs(column, _) => Some(column),
         }
@@ -61,11 +65,18 @@ impl Quantity {
 /// The entries of a table with the names on the way to each, its parts after it.
 pub fn entries(table: &'static [Quantity]) -> Vec<(Vec<&'static str>, &'static Quantity)> {
     let of = |entry: &'static Quantity| {
-        let part = |(path, part): (Vec<_>, _)| ([&[entry.name], &path[..]].concat(), part);
+        let own = if entry.is_flat {
+            vec![]
+        } else {
+            vec![entry.name]
+        };
+        let itself = (!entry.is_flat).then(|| (own.clone(), entry));
+        let part = move |(path, part): (Vec<_>, _)| ([&own[..], &path].concat(), part);
         let parts = entries(entry.parts).into_iter().map(part);
-        std::iter::once((vec![entry.name], entry)).chain(parts)
+        itself.into_iter().chain(parts)
     };
-    table.iter().flat_map(of).collect()
+    let told = |entry: &&Quantity| entry.reporting != Reporting::InSeries;
+    table.iter().filter(told).flat_map(of).collect()
 }
 
 /// A quantity that a sweep averages.
@@ -218,19 +229,43 @@ pub fn file(mut entries: Map<String, Value>, scene: &dyn Body) -> Value {
 }
 
 /// Declares a summary: each line is an entry with its meaning, type and unit, and where else it is told. The struct and
-/// its [`Summary`] are made from them; `= part` makes the entry of another summary, `= optional` leaves out a value that a
-/// run does not have.
+/// its [`Summary`] are made from them. `= part` makes the entry of another summary, `= series` a line of a series, whose
+/// columns are its entries. A value that is `= optional` is left out where a run does not have it; entries of one that is
+/// `= flat` stand among the others.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! summary {
     (@reporting) => { $crate::results::Reporting::InSummary };
     (@reporting $reporting:expr) => { $reporting };
-    (@value $value:expr) => { $crate::results::Recorded::recorded(&$value) };
-    (@value $value:expr, optional) => {
-        $value.as_ref().and_then($crate::results::Recorded::recorded)
+    (@flat flat) => { true };
+    (@flat $($presence:ident)?) => { false };
+    (@put $map:ident, $value:expr, $name:expr, flat) => {
+        $map.append(&mut $crate::results::Summary::entries(&$value));
     };
-    (@json $name:ident part) => {};
-    (@json $name:ident) => {
+    (@put $map:ident, $value:expr, $name:expr, optional) => {
+        if let Some(value) = $value.as_ref().and_then($crate::results::Recorded::recorded) {
+            $map.insert($name.into(), value);
+        }
+    };
+    (@put $map:ident, $value:expr, $name:expr) => {
+        if let Some(value) = $crate::results::Recorded::recorded(&$value) {
+            $map.insert($name.into(), value);
+        }
+    };
+    (@kind part $name:ident $($field:ident)+) => {};
+    (@kind series $name:ident $($field:ident)+) => {
+        impl $name {
+            /// Names of the columns.
+            pub const COLUMNS: [&'static str; <Self as $crate::results::Summary>::QUANTITIES.len()] =
+                [$(stringify!($field)),+];
+
+            /// The line.
+            pub fn values(&self) -> [f64; Self::COLUMNS.len()] {
+                [$(self.$field),+]
+            }
+        }
+    };
+    (@kind $name:ident $($field:ident)+) => {
         impl $name {
             /// The summary as JSON, with its scene.
             pub fn json(&self, scene: &dyn $crate::scene::Body) -> $crate::serde_json::Value {
@@ -256,7 +291,7 @@ macro_rules! summary {
             )+
         }
 
-        $crate::results::summary!(@json $name $($part)?);
+        $crate::results::summary!(@kind $($part)? $name $($field)+);
 
         impl $crate::results::Summary for $name {
             const QUANTITIES: &'static [$crate::results::Quantity] = &[
@@ -266,15 +301,15 @@ macro_rules! summary {
                     meaning: concat!($($doc),+).trim_ascii(),
                     reporting: $crate::results::summary!(@reporting $($reporting)?),
                     parts: <$type as $crate::results::Recorded>::PARTS,
+                    is_flat: $crate::results::summary!(@flat $($presence)?),
                 }),+
             ];
 
             fn entries(&self) -> $crate::serde_json::Map<String, $crate::serde_json::Value> {
                 let mut map = $crate::serde_json::Map::new();
                 $(
-                    let value = $crate::results::summary!(@value self.$field $(, $presence)?);
-                    if let Some(value) = value {
-                        map.insert(stringify!($field).into(), value);
+                    if $crate::results::summary!(@reporting $($reporting)?) != $crate::results::Reporting::InSeries {
+                        $crate::results::summary!(@put map, self.$field, stringify!($field) $(, $presence)?);
                     }
                 )+
                 map

@@ -67,7 +67,7 @@ impl LongBody for GrainsScene {
     fn told(outcome: &GrainsSummary) -> String {
         format!(
             "solid fraction {} after {} steps, {:.1} s",
-            shown(outcome.solid_fraction),
+            shown(outcome.end.solid_fraction),
             outcome.steps,
             outcome.wall_seconds
         )
@@ -93,13 +93,13 @@ impl LongBody for GrainsScene {
             shown(outcome.mass),
             outcome.contacts,
             outcome.statistics.mean_coordination,
-            shown(outcome.height),
-            shown(outcome.solid_fraction),
-            shown(outcome.floor_force),
-            shown(outcome.plate_force),
-            shown(outcome.side_force_x),
-            shown(outcome.stress_zz),
-            shown(outcome.shear_stress),
+            shown(outcome.end.height),
+            shown(outcome.end.solid_fraction),
+            shown(outcome.end.floor_force),
+            shown(outcome.end.plate_force),
+            shown(outcome.end.side_force_x),
+            shown(outcome.end.stress_zz),
+            shown(outcome.end.shear_stress),
         );
         if outcome.steps_unmet > 0 {
             text += &format!(

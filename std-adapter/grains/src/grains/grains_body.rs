@@ -21,7 +21,6 @@ use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::damaged;
 use tribos_base::record::frames::Kind;
-use tribos_base::run::Simulation;
 use tribos_contacts::cd::Wall;
 
 /// Slow steps after which the grains count as at rest.
@@ -156,7 +155,7 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     }
 
     fn line(&self, _: &SlowStepCount, seen: &MeasuredState) -> [f64; COLUMNS.len()] {
-        self.now(seen).line()
+        self.now(seen).line().values()
     }
 
     /// Counts slow steps.
@@ -217,38 +216,6 @@ impl GrainsSimulation {
         let totals = self.totals();
         let has_surface = now.scene.boundary_z == EndBoundary::Floor;
         let energy = now.packing.energy();
-        // The last line of the series up to its energies.
-        let [
-            _,
-            _,
-            width,
-            depth,
-            height,
-            solid_fraction,
-            _,
-            speed,
-            _,
-            coordination,
-            floor_force,
-            plate_force,
-            side_force_x,
-            side_force_y,
-            stress_xx,
-            stress_yy,
-            stress_zz,
-            stress_xz,
-            plate_stress,
-            shear_stress,
-            plate_speed,
-            shear_rate,
-            gravity_x,
-            gravity_z,
-            surface_angle,
-            discharged,
-            sweeps,
-            residual,
-            ..,
-        ] = self.record();
         GrainsSummary {
             ending: self.ending(),
             grains: now.packing.radii().len(),
@@ -259,30 +226,7 @@ impl GrainsSimulation {
             steps_unmet: totals.unmet,
             steps_handed_over: Some(totals.handed_over).filter(|steps| *steps > 0),
             contacts: self.pairs(),
-            width,
-            depth,
-            height,
-            solid_fraction,
-            speed,
-            coordination,
-            floor_force,
-            plate_force,
-            side_force_x,
-            side_force_y,
-            stress_xx,
-            stress_yy,
-            stress_zz,
-            stress_xz,
-            plate_stress,
-            shear_stress,
-            plate_speed,
-            shear_rate,
-            gravity_x,
-            gravity_z,
-            surface_angle,
-            discharged,
-            sweeps,
-            residual,
+            end: now.line(),
             surface_angles: has_surface.then(|| now.surface_angles()),
             max_overlap: self.max_overlap(),
             statistics: self.statistics(),
