@@ -56,7 +56,7 @@ impl LongBody for GasScene {
         )
     }
 
-    fn report(outcome: &GasSummary) -> String {
+    fn report(&self, outcome: &GasSummary) -> String {
         let ending = match outcome.ending {
             Some(GasStopReason::Time) => "duration over",
             Some(GasStopReason::Collapse) => {

@@ -73,7 +73,7 @@ impl LongBody for GrainsScene {
         )
     }
 
-    fn report(outcome: &GrainsSummary) -> String {
+    fn report(&self, outcome: &GrainsSummary) -> String {
         let ending = match outcome.ending {
             Some(GrainsStopReason::Rest) => "at rest",
             Some(GrainsStopReason::Time) => "duration over",

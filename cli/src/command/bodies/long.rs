@@ -76,7 +76,7 @@ pub trait LongBody: Body + Sized + 'static {
     /// A line about a run of a sweep.
     fn told(outcome: &Self::Summary) -> String;
     /// A few lines for the person at the terminal.
-    fn report(outcome: &Self::Summary) -> String;
+    fn report(&self, outcome: &Self::Summary) -> String;
     /// The series of a run.
     fn series(run: &Self::Run) -> Series<'_>;
     /// Writes states and pictures.

@@ -91,7 +91,7 @@ impl LongBody for PowderScene {
         )
     }
 
-    fn report(outcome: &PowderSummary) -> String {
+    fn report(&self, outcome: &PowderSummary) -> String {
         let ending = match outcome.ending {
             Some(PowderStopReason::Blocked) => "blocked",
             Some(PowderStopReason::Time) => "duration over before the packing was blocked",

@@ -34,10 +34,8 @@ impl LongBody for TipScene {
         };
         let mut quantities = swept(TipSummary::QUANTITIES);
         quantities.retain(belongs);
-        if self.potential.is_metal() {
-            for quantity in &mut quantities {
-                quantity.unit = metal_unit(quantity.unit);
-            }
+        for quantity in &mut quantities {
+            quantity.unit = text::unit(self, quantity.unit);
         }
         RunKind::of(quantities, self.sweep_view())
     }
@@ -87,10 +85,10 @@ impl LongBody for TipScene {
         )
     }
 
-    fn report(outcome: &TipSummary) -> String {
+    fn report(&self, outcome: &TipSummary) -> String {
         match &outcome.slid {
             Some(slid) => slid_report(slid, outcome),
-            None => turned_report(outcome),
+            None => turned_report(outcome, text::unit(self, "eps/k_B")),
         }
     }
 
@@ -125,17 +123,7 @@ impl LongBody for TipScene {
     }
 
     fn account(&self, summary: &Value, _: &str) -> String {
-        after::tip(summary)
-    }
-}
-
-/// The unit of a scene with a metal.
-fn metal_unit(unit: &'static str) -> &'static str {
-    match unit {
-        "sigma" => "A",
-        "eps/sigma" => "eV/A",
-        "eps/k_B" => "K",
-        other => other,
+        after::tip(self, summary)
     }
 }
 
@@ -173,7 +161,7 @@ fn slid_report(slid: &SlidingSummary, outcome: &TipSummary) -> String {
 }
 
 /// What a turned tip shows.
-fn turned_report(outcome: &TipSummary) -> String {
+fn turned_report(outcome: &TipSummary, kelvin: &str) -> String {
     let verdict = match outcome.verdict {
         Reversal::Reversible => "reversible: the driven layers turned back",
         Reversal::Irreversible => "irreversible: the driven layers did not turn back",
@@ -197,7 +185,7 @@ fn turned_report(outcome: &TipSummary) -> String {
          angle         {} degrees driven, {} at the end, {} at most\n\
          layers        {} degrees at the end, from below\n\
          slipped       while driven {}, for good {} (0 is the contact, k above the tip's layer k)\n\
-         temperature   {} eps/k_B of the tip's bath\n",
+         temperature   {} {kelvin} of the tip's bath\n",
         shown(outcome.driven_angle_degrees),
         shown(outcome.final_angle_degrees),
         shown(outcome.largest_angle_degrees),

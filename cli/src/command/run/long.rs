@@ -36,7 +36,7 @@ pub fn run<S: LongBody>(scene: &S, order: &RunRequest<'_>) -> Result<(), Failure
     folder.check()?;
     forget_checkpoint(order.out)?;
     let written = format!("written to    {}\n", order.out.display());
-    order.caller.report(&(S::report(&outcome) + &written))
+    order.caller.report(&(scene.report(&outcome) + &written))
 }
 
 /// The series of a run as CSV.

@@ -2,7 +2,9 @@
 
 use super::number;
 use crate::command::explain::line;
+use crate::command::explain::tip::unit;
 use serde_json::Value;
+use tribos::scene::TipScene;
 
 /// What a drive needs after the tip has come to stand, in τ: a plateau and a mean.
 const TO_TELL: f64 = 40.0;
@@ -10,12 +12,13 @@ const TO_TELL: f64 = 40.0;
 const WORTH: f64 = 0.25;
 
 /// The account of the run with this summary.
-pub fn text(summary: &Value) -> String {
+pub fn text(scene: &TipScene, summary: &Value) -> String {
+    let [tau, eps] = ["tau", "eps"].map(|of| unit(scene, of));
     let energy = |name: &str| number(summary, &format!("/drive_energy/{name}"));
     let mut text = line(
         "energy",
         format!(
-            "the drive did {:.2} eps of work: {:.2} stored by the potential, {:.2} taken as heat by thermostats and damping; {:.2} given back after it; all but the work to +-{:.2}",
+            "the drive did {:.2} {eps} of work: {:.2} stored by the potential, {:.2} taken as heat by thermostats and damping; {:.2} given back after it; all but the work to +-{:.2}",
             energy("work"),
             energy("stored"),
             energy("heat"),
@@ -31,7 +34,7 @@ pub fn text(summary: &Value) -> String {
             interfaces(&summary["slipped_interfaces"])
         ),
     );
-    text + &spare(summary)
+    text + &spare(summary, tau)
 }
 
 fn interfaces(list: &Value) -> String {
@@ -45,7 +48,7 @@ fn interfaces(list: &Value) -> String {
 }
 
 /// A drive that goes on long after the tip stood still.
-fn spare(summary: &Value) -> String {
+fn spare(summary: &Value, tau: &str) -> String {
     let plateaus = summary["plateaus"].as_array();
     let Some(last) = plateaus.and_then(|all| all.last()) else {
         return String::new();
@@ -59,7 +62,7 @@ fn spare(summary: &Value) -> String {
     line(
         "could go",
         format!(
-            "the driven layers stayed at {:.2} degrees after {:.0} tau: --set drive_time={enough} shows the same",
+            "the driven layers stayed at {:.2} degrees after {:.0} {tau}: --set drive_time={enough} shows the same",
             number(last, "/angle_degrees"),
             number(last, "/from")
         ),
