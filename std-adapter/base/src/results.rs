@@ -264,6 +264,12 @@ macro_rules! summary {
                 [$(self.$field),+]
             }
         }
+
+        impl From<[f64; $name::COLUMNS.len()]> for $name {
+            fn from([$($field),+]: [f64; $name::COLUMNS.len()]) -> Self {
+                Self { $($field),+ }
+            }
+        }
     };
     (@kind $name:ident $($field:ident)+) => {
         impl $name {

@@ -34,10 +34,10 @@ fn a_start_has_the_temperatures_asked_for_and_no_momentum() -> Tested {
             rotational_temperature: rotational,
             ..small()
         };
-        let first = GasSimulation::new(&scene)?.record();
-        assert!((first[outcome::TRANSLATIONAL] - 1.0).abs() < 1e-12);
-        assert!((first[outcome::ROTATIONAL] - rotational).abs() < 1e-12);
-        assert!(first[outcome::MOMENTUM] < 1e-12);
+        let first = GasSimulation::new(&scene)?.outcome();
+        assert!((first.temperature - 1.0).abs() < 1e-12);
+        assert!((first.temperature_rotational - rotational).abs() < 1e-12);
+        assert!(first.momentum < 1e-12);
     }
     Ok(())
 }

@@ -4,24 +4,45 @@ use crate::packing::{ContactStatistics, Dissipation, PackingEnergy, PackingStopR
 use nalgebra::Matrix3;
 use tribos_base::results::{Reporting::*, summary};
 
-/// Columns of the series, in the units of the scene; `stress_zz` in units of the applied pressure.
-pub const COLUMNS: [&str; 15] = [
-    "time",
-    "step",
-    "piston_height",
-    "porosity",
-    "contacts",
-    "stress_zz",
-    "sweeps",
-    "residual",
-    "kinetic",
-    "dissipated_normal",
-    "dissipated_sliding",
-    "dissipated_rolling",
-    "dissipated_torsion",
-    "dissipated_cohesion",
-    "work",
-];
+summary! {
+    /// A line of the series, in the units of the scene.
+    #[derive(Copy)]
+    pub struct PowderLine = series;
+
+    /// Time.
+    time: f64, "sqrt(rho R^4/F_coh)";
+    /// Number of steps taken.
+    step: f64, "-";
+    /// Height of the piston.
+    piston_height: f64, "R";
+    /// Porosity below the piston.
+    porosity: f64, "-";
+    /// Number of contacts, those with substrate and piston included.
+    contacts: f64, "-";
+    /// stress_zz of the step over the applied pressure.
+    stress_zz: f64, "-";
+    /// Sweeps of the step.
+    sweeps: f64, "-";
+    /// Relative residual of the contact laws in the step.
+    residual: f64, "-";
+    /// Kinetic energy.
+    kinetic: f64, "F_coh R";
+    /// Energy lost in collisions and in closing gaps.
+    dissipated_normal: f64, "F_coh R";
+    /// Energy lost in sliding.
+    dissipated_sliding: f64, "F_coh R";
+    /// Energy lost in rolling.
+    dissipated_rolling: f64, "F_coh R";
+    /// Energy lost in torsion.
+    dissipated_torsion: f64, "F_coh R";
+    /// Work against cohesion.
+    dissipated_cohesion: f64, "F_coh R";
+    /// Work of the loads.
+    work: f64, "F_coh R";
+}
+
+/// Columns of the series.
+pub const COLUMNS: [&str; PowderLine::COLUMNS.len()] = PowderLine::COLUMNS;
 
 summary! {
     /// What the criterion of blocked packings looks at: means over the last window of steps.

@@ -3,7 +3,7 @@
 use super::blocked::{Means, Window};
 use super::deposit::{BULK, Deposit, DepositError, SUBSTRATE};
 use super::error::CompactionError;
-use super::outcome::{COLUMNS, MeanStress, PistonBalance, PowderSummary};
+use super::outcome::{COLUMNS, MeanStress, PistonBalance, PowderLine, PowderSummary};
 use super::start::start;
 use crate::packing::{
     Bodies, ContactKeys, Dissipation, InitialSpheres, MeasuredState, MeasurementSchedule,
@@ -259,23 +259,24 @@ impl PackingBody<{ COLUMNS.len() }> for PowderBody {
     fn line(&self, watch: &PressMonitor, seen: &MeasuredState) -> [f64; COLUMNS.len()] {
         let (time, step) = seen.packing.clock();
         let energy = seen.packing.energy();
-        [
+        let line = PowderLine {
             time,
-            step as f64,
-            height(seen),
-            self.porosity(seen),
-            seen.contacts.len() as f64,
-            watch.stress.total().m33 / self.scene.pressure,
-            seen.report.iterations.sweeps as f64,
-            seen.report.residual.relative,
-            energy.kinetic,
-            energy.normal,
-            energy.sliding,
-            energy.rolling,
-            energy.torsion,
-            energy.cohesion,
-            energy.work,
-        ]
+            step: step as f64,
+            piston_height: height(seen),
+            porosity: self.porosity(seen),
+            contacts: seen.contacts.len() as f64,
+            stress_zz: watch.stress.total().m33 / self.scene.pressure,
+            sweeps: seen.report.iterations.sweeps as f64,
+            residual: seen.report.residual.relative,
+            kinetic: energy.kinetic,
+            dissipated_normal: energy.normal,
+            dissipated_sliding: energy.sliding,
+            dissipated_rolling: energy.rolling,
+            dissipated_torsion: energy.torsion,
+            dissipated_cohesion: energy.cohesion,
+            work: energy.work,
+        };
+        line.values()
     }
 
     /// Closes a full window and applies the criterion of blocked packings.
