@@ -12,6 +12,7 @@ use tribos::run::folder::FolderError;
 use tribos::run::{NoCheckpoint, PackingRunError, RunError};
 use tribos::slide::SlideError;
 use tribos::stick::StickError;
+use tribos::tip::TipError;
 use tribos_report::figure::FigureError;
 use tribos_report::image::ImageError;
 use tribos_report::runs::FilmError;
@@ -206,6 +207,16 @@ impl From<StickError> for Failure {
             StickError::TooSlow { .. } | StickError::Unbalanced { .. } => Self::run(error),
             StickError::Interrupted { .. } => Self::Interrupted(error.to_string()),
             StickError::Choice(refusal) => refusal.into(),
+            _ => Self::input(error),
+        }
+    }
+}
+
+impl From<TipError> for Failure {
+    fn from(error: TipError) -> Self {
+        match error {
+            TipError::System(_) => Self::run(error),
+            // The scene or the checkpoint cannot be used.
             _ => Self::input(error),
         }
     }

@@ -11,6 +11,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .start(StartMode::ResumeIfPossible)
         .on_checkpoint(|run: &PowderSimulation, file| println!("step {}: {}", run.steps(), file.display()))
         .run(&scene)?;
-    println!("porosity {:.4}", run.outcome().porosity[1]);
+    println!("porosity {:.4}", run.outcome().porosity_final);
     Ok(())
 }

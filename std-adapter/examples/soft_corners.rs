@@ -29,8 +29,8 @@ fn porosity(corner: &str, seed: &str, method: &[String]) -> Answer<f64> {
     let mut compaction = PowderSimulation::new(&scene)?;
     run_to_end(&mut compaction, |_, _| ())?;
     let outcome = compaction.outcome();
-    let [_, plus, minus] = outcome.stress_zz();
-    let porosity = 100.0 * outcome.porosity[1];
+    let (plus, minus) = (outcome.stress_zz_plus, outcome.stress_zz_minus);
+    let porosity = 100.0 * outcome.porosity_final;
     println!(
         "{} porosity {porosity:.2} {:?} time {:.0} steps {} overlap {:.1e} stress {plus:+.2} {minus:+.2} \
          imbalance {:.1e} of {:.1e}, {:.1} s",
@@ -38,8 +38,8 @@ fn porosity(corner: &str, seed: &str, method: &[String]) -> Answer<f64> {
         outcome.ending,
         outcome.time,
         outcome.steps,
-        outcome.statistics.max_overlap,
-        outcome.energy.imbalance(),
+        outcome.max_overlap,
+        outcome.energy.imbalance,
         outcome.energy.work,
         outcome.wall_seconds,
     );

@@ -62,8 +62,8 @@
 //! let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 //! let mut compaction = PowderSimulation::new(&scene)?;
 //! run_to_end(&mut compaction, |_line, _done| ())?;
-//! let [before, after] = compaction.outcome().porosity;
-//! assert!(after < before);
+//! let outcome = compaction.outcome();
+//! assert!(outcome.porosity_final < outcome.porosity_initial);
 //! # Ok::<(), tribos::powder::CompactionError>(())
 //! ```
 //!

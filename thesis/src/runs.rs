@@ -227,7 +227,7 @@ impl<'a> Runs<'a> {
         let batch = Batch::new(missing.len(), self.reader);
         let results = in_order(missing.len(), threads, |index| {
             let run = Run::of(missing[index], self)?;
-            let (porosity, steps) = (100.0 * run.outcome.porosity[1], run.outcome.steps);
+            let (porosity, steps) = (100.0 * run.outcome.porosity_final, run.outcome.steps);
             let what = format!(
                 "{}: porosity {porosity:.2} % after {steps} steps",
                 missing[index]

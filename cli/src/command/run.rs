@@ -8,7 +8,6 @@ pub mod packing;
 pub mod path;
 pub mod request;
 pub mod resource_check;
-pub mod tip;
 
 pub use request::COMMAND;
 

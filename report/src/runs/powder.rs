@@ -15,10 +15,11 @@ pub fn packing(
     [before, after]: &[State; 2],
     outcome: &PowderSummary,
 ) -> Result<DrawingGrid, PackingError> {
-    let [first, last] = outcome.porosity.map(|porosity| 100.0 * porosity);
+    let porosity = [outcome.porosity_initial, outcome.porosity_final];
+    let [first, last] = porosity.map(|porosity| 100.0 * porosity);
     let (mu, mu_t, mu_n) = (scene.mu, scene.mu_rolling, scene.mu_torsion);
     let name = format!("Compaction, μ = {mu}, μ_t = {mu_t}, μ_n = {mu_n}");
-    let [start, end] = outcome.heights;
+    let (start, end) = (outcome.height_initial, outcome.height_final);
     let ends = [
         (before, format!("Initial, {first:.1} % empty"), Some(start)),
         (after, format!("Final, {last:.1} % empty"), Some(end)),

@@ -6,6 +6,7 @@
 
 use crate::record::json_number;
 use crate::scene::Body;
+use nalgebra::Matrix3;
 use serde_json::{Map, Value};
 
 /// How far a quantity is told beyond its summary.
@@ -13,6 +14,8 @@ use serde_json::{Map, Value};
 pub enum Reporting {
     /// Nowhere else.
     InSummary,
+    /// In the series of a run alone.
+    InSeries,
     /// A sweep has its mean in a column of its name.
     Swept,
     /// A sweep has its mean in a column of this name.
@@ -36,13 +39,15 @@ pub struct Quantity {
     pub reporting: Reporting,
     /// What it consists of; nothing for a single value.
     pub parts: &'static [Quantity],
+    /// Whether its parts stand among the entries in its place.
+    pub is_flat: bool,
 }
 
 impl Quantity {
     /// The column of its mean in a sweep, if it has one.
     pub fn column(&self) -> Option<&'static str> {
         match self.reporting {
-            Reporting::InSummary => None,
+            Reporting::InSummary | Reporting::InSeries => None,
             Reporting::Swept | Reporting::Shown(_) => Some(self.name),
             Reporting::SweptAs(column) | Reporting::ShownAs(column, _) => Some(column),
         }
@@ -57,13 +62,30 @@ impl Quantity {
     }
 }
 
+/// The entries of a table with the names on the way to each, its parts after it.
+pub fn entries(table: &'static [Quantity]) -> Vec<(Vec<&'static str>, &'static Quantity)> {
+    let of = |entry: &'static Quantity| {
+        let own = if entry.is_flat {
+            vec![]
+        } else {
+            vec![entry.name]
+        };
+        let itself = (!entry.is_flat).then(|| (own.clone(), entry));
+        let part = move |(path, part): (Vec<_>, _)| ([&own[..], &path].concat(), part);
+        let parts = entries(entry.parts).into_iter().map(part);
+        itself.into_iter().chain(parts)
+    };
+    let told = |entry: &&Quantity| entry.reporting != Reporting::InSeries;
+    table.iter().filter(told).flat_map(of).collect()
+}
+
 /// A quantity that a sweep averages.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SweptQuantity {
     /// The column of its mean.
     pub column: &'static str,
     /// Names on the way to it in the summary.
-    pub path: [Option<&'static str>; 2],
+    pub path: Vec<&'static str>,
     /// Label for the terminal; none for a quantity that is not shown there.
     pub label: Option<&'static str>,
     /// Its unit.
@@ -73,7 +95,7 @@ pub struct SweptQuantity {
 impl SweptQuantity {
     /// The value in a summary.
     pub fn of<'a>(&self, summary: &'a Value) -> Option<&'a Value> {
-        let mut names = self.path.iter().flatten();
+        let mut names = self.path.iter();
         names.try_fold(summary, |value, name| value.get(name))
     }
 
@@ -102,25 +124,26 @@ impl SweptQuantity {
 
 /// The quantities of a table that a sweep averages, parts after the entries before them.
 pub fn swept(table: &'static [Quantity]) -> Vec<SweptQuantity> {
-    let of = |own: Option<&'static str>, quantity: &Quantity| {
+    let of = |(path, quantity): (_, &Quantity)| {
         Some(SweptQuantity {
             column: quantity.column()?,
-            path: match own {
-                Some(own) => [Some(own), Some(quantity.name)],
-                None => [Some(quantity.name), None],
-            },
+            path,
             label: quantity.label(),
             unit: quantity.unit,
         })
     };
-    let entries = table.iter().flat_map(|entry| {
-        let parts = entry
-            .parts
-            .iter()
-            .filter_map(|part| of(Some(entry.name), part));
-        of(None, entry).into_iter().chain(parts)
-    });
-    entries.collect()
+    entries(table).into_iter().filter_map(of).collect()
+}
+
+/// What a sweep shows of the summaries of a body.
+#[derive(Clone, Copy, Debug)]
+pub struct SweepView {
+    /// The column that is drawn.
+    pub drawn: &'static str,
+    /// Title of its picture.
+    pub title: &'static str,
+    /// A word of the summary whose share is told: column, entry as a JSON pointer, word.
+    pub share: [&'static str; 3],
 }
 
 /// A value of a summary.
@@ -167,6 +190,13 @@ impl<T: Recorded, const N: usize> Recorded for [T; N] {
     }
 }
 
+/// A tensor row by row.
+impl Recorded for Matrix3<f64> {
+    fn recorded(&self) -> Option<Value> {
+        self.transpose().data.0.recorded()
+    }
+}
+
 /// Entries of a list are not told one by one.
 impl<T: Recorded> Recorded for Vec<T> {
     fn recorded(&self) -> Option<Value> {
@@ -199,14 +229,49 @@ pub fn file(mut entries: Map<String, Value>, scene: &dyn Body) -> Value {
 }
 
 /// Declares a summary: each line is an entry with its meaning, type and unit, and where else it is told. The struct and
-/// its [`Summary`] are made from them; `= part` makes the entry of another summary.
+/// its [`Summary`] are made from them. `= part` makes the entry of another summary, `= series` a line of a series, whose
+/// columns are its entries. A value that is `= optional` is left out where a run does not have it; entries of one that is
+/// `= flat` stand among the others.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! summary {
     (@reporting) => { $crate::results::Reporting::InSummary };
     (@reporting $reporting:expr) => { $reporting };
-    (@json $name:ident part) => {};
-    (@json $name:ident) => {
+    (@flat flat) => { true };
+    (@flat $($presence:ident)?) => { false };
+    (@put $map:ident, $value:expr, $name:expr, flat) => {
+        $map.append(&mut $crate::results::Summary::entries(&$value));
+    };
+    (@put $map:ident, $value:expr, $name:expr, optional) => {
+        if let Some(value) = $value.as_ref().and_then($crate::results::Recorded::recorded) {
+            $map.insert($name.into(), value);
+        }
+    };
+    (@put $map:ident, $value:expr, $name:expr) => {
+        if let Some(value) = $crate::results::Recorded::recorded(&$value) {
+            $map.insert($name.into(), value);
+        }
+    };
+    (@kind part $name:ident $($field:ident)+) => {};
+    (@kind series $name:ident $($field:ident)+) => {
+        impl $name {
+            /// Names of the columns.
+            pub const COLUMNS: [&'static str; <Self as $crate::results::Summary>::QUANTITIES.len()] =
+                [$(stringify!($field)),+];
+
+            /// The line.
+            pub fn values(&self) -> [f64; Self::COLUMNS.len()] {
+                [$(self.$field),+]
+            }
+        }
+
+        impl From<[f64; $name::COLUMNS.len()]> for $name {
+            fn from([$($field),+]: [f64; $name::COLUMNS.len()]) -> Self {
+                Self { $($field),+ }
+            }
+        }
+    };
+    (@kind $name:ident $($field:ident)+) => {
         impl $name {
             /// The summary as JSON, with its scene.
             pub fn json(&self, scene: &dyn $crate::scene::Body) -> $crate::serde_json::Value {
@@ -219,7 +284,7 @@ macro_rules! summary {
         pub struct $name:ident $(= $part:ident)?;
         $(
             $(#[doc = $doc:literal])+
-            $field:ident: $type:ty, $unit:literal $(, $reporting:expr)?;
+            $field:ident: $type:ty $(= $presence:ident)?, $unit:literal $(, $reporting:expr)?;
         )+
     ) => {
         $(#[$about])*
@@ -232,7 +297,7 @@ macro_rules! summary {
             )+
         }
 
-        $crate::results::summary!(@json $name $($part)?);
+        $crate::results::summary!(@kind $($part)? $name $($field)+);
 
         impl $crate::results::Summary for $name {
             const QUANTITIES: &'static [$crate::results::Quantity] = &[
@@ -242,14 +307,15 @@ macro_rules! summary {
                     meaning: concat!($($doc),+).trim_ascii(),
                     reporting: $crate::results::summary!(@reporting $($reporting)?),
                     parts: <$type as $crate::results::Recorded>::PARTS,
+                    is_flat: $crate::results::summary!(@flat $($presence)?),
                 }),+
             ];
 
             fn entries(&self) -> $crate::serde_json::Map<String, $crate::serde_json::Value> {
                 let mut map = $crate::serde_json::Map::new();
                 $(
-                    if let Some(value) = $crate::results::Recorded::recorded(&self.$field) {
-                        map.insert(stringify!($field).into(), value);
+                    if $crate::results::summary!(@reporting $($reporting)?) != $crate::results::Reporting::InSeries {
+                        $crate::results::summary!(@put map, self.$field, stringify!($field) $(, $presence)?);
                     }
                 )+
                 map

@@ -4,11 +4,13 @@ use crate::scene::{
     ClampScene, CurlingScene, CylinderScene, DiskScene, InclineScene, PipeScene, PlateScene,
     SpringScene, TurntableScene,
 };
-use crate::slide::{self, PATH_COLUMNS, PlanarScene, PlanarSummary, SlideError, SlideSummary};
+use crate::slide::{
+    self, FrictionWork, PATH_COLUMNS, PlanarScene, PlanarSummary, SlideError, SlideSummary,
+};
 use crate::stick::StickError;
 use serde_json::{Map, Value};
 use tribos_base::golden::{Measure, Measurement};
-use tribos_base::results::{Quantity, Summary, file};
+use tribos_base::results::{Quantity, Summary, SweepView, file};
 use tribos_base::scene::Body;
 
 /// Series and summary of a run.
@@ -20,6 +22,8 @@ pub struct MotionRun {
     pub rows: Vec<Vec<f64>>,
     /// The summary without the scene.
     pub outcome: Map<String, Value>,
+    /// Work of friction, by the motion that lost the energy; none of a body that holds.
+    pub spent: Option<FrictionWork>,
     /// The outcome in a few lines for a terminal, head and text; none where the quantities say it.
     pub told: Vec<(&'static str, String)>,
     /// Columns that a figure draws over the time, with the label of their axis; none for a figure of its own.
@@ -60,6 +64,9 @@ pub trait MotionScene: Body + Sync {
     /// The quantities of its summary.
     fn quantities(&self) -> &'static [Quantity];
 
+    /// What a sweep shows of them.
+    fn sweep_view(&self) -> SweepView;
+
     /// Runs the scene to its end. `watch` sees now and then the share of the run that is done, and ends the run by
     /// answering false; that of a disk, which takes a moment, goes on.
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError>;
@@ -75,6 +82,14 @@ impl MotionScene for DiskScene {
         SlideSummary::QUANTITIES
     }
 
+    fn sweep_view(&self) -> SweepView {
+        SweepView {
+            drawn: "distance",
+            title: "Distance to rest",
+            share: ["rest", "/ending", "rest"],
+        }
+    }
+
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let run = slide::run(self, |done| {
             watch(done);
@@ -83,6 +98,7 @@ impl MotionScene for DiskScene {
             columns: &slide::COLUMNS,
             rows: run.series.iter().map(|row| row.to_vec()).collect(),
             outcome: run.outcome.entries(),
+            spent: Some(run.spent(self)),
             told: Vec::new(),
             drawn: (&[], ""),
         })
@@ -94,12 +110,21 @@ impl<T: PlanarScene> MotionScene for T {
         PlanarSummary::QUANTITIES
     }
 
+    fn sweep_view(&self) -> SweepView {
+        SweepView {
+            drawn: "curl",
+            title: "Curl, to the left if positive",
+            share: ["rest", "/ending", "rest"],
+        }
+    }
+
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let run = slide::follow_path(self, watch)?;
         Ok(MotionRun {
             columns: &PATH_COLUMNS,
             rows: run.series.iter().map(|row| row.to_vec()).collect(),
             outcome: run.outcome.entries(),
+            spent: Some(run.spent(self)),
             told: Vec::new(),
             drawn: (&[], ""),
         })

@@ -13,7 +13,8 @@ use super::{
 };
 use crate::gas::GasSummary;
 use crate::golden::MeasureError;
-use crate::results::Summary;
+use crate::grains::GrainsSummary;
+use crate::powder::PowderSummary;
 use crate::slide::{PlanarSummary, SlideSummary};
 use crate::stick::{
     clamp::ClampSummary, incline::InclineSummary, spring::SpringSummary,
@@ -26,7 +27,7 @@ use tribos_base::golden::{Measure, Measurement};
 
 /// Declares the bodies: the enum of their scenes, and what is the same for all of them.
 macro_rules! bodies {
-    ($($(#[$doc:meta])+ $variant:ident($scene:ty) $(-> $summary:ty)?),+ $(,)?) => {
+    ($($(#[$doc:meta])+ $variant:ident($scene:ty) -> $summary:ty),+ $(,)?) => {
         /// A validated scene of any body.
         #[derive(Clone, Debug, PartialEq)]
         #[allow(clippy::large_enum_variant, reason = "a run has one scene")]
@@ -35,10 +36,7 @@ macro_rules! bodies {
         }
 
         /// What each body's scenes may say, the default body first.
-        pub(super) const VOCABULARIES: &[Vocabulary] = &[$(Vocabulary {
-            $(results: <$summary as Summary>::QUANTITIES,)?
-            ..Vocabulary::of::<$scene>()
-        }),+];
+        pub(super) const VOCABULARIES: &[Vocabulary] = &[$(Vocabulary::of::<$scene, $summary>()),+];
 
         impl Scene {
             /// The scene as one of any body.
@@ -133,9 +131,9 @@ bodies! {
     /// A body in a pinch.
     Clamp(ClampScene) -> ClampSummary,
     /// A powder under a piston.
-    Powder(PowderScene),
+    Powder(PowderScene) -> PowderSummary,
     /// Grains in a box.
-    Grains(GrainsScene),
+    Grains(GrainsScene) -> GrainsSummary,
     /// A gas of spheres that cools.
     Gas(GasScene) -> GasSummary,
     /// A tip turned on a substrate.

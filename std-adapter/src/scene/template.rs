@@ -3,7 +3,7 @@
 use super::key::{Domain, Key, Need};
 use super::parse_scene;
 use super::vocabulary::{Vocabulary, bodies, given, resolved, vocabulary};
-use crate::results::Quantity;
+use crate::results::{Quantity, entries};
 use serde_json::Value;
 
 /// A scene of a body with all of its keys: those that must be given have plausible values, the
@@ -143,14 +143,13 @@ pub fn keys_page() -> String {
 pub fn results_page() -> String {
     let mut page = String::from(
         "# Entries of summaries\n\nEvery run leaves `summary.json`; these tables, which it is made from, say what its \
-         entries are (those of powders and grains are no tables yet). Units are those of the scene where it has units of \
-         its own. A sweep averages what has a column. What a run does not have is null or \"nan\". Every summary ends \
-         with `scene`, the keys in force, and `version`.\n",
+         entries are. Units are those of the scene where it has units of its own. A sweep averages what has a column. What \
+         a run does not have is null or \"nan\". Every summary ends with `scene`, the keys in force, and `version`.\n",
     );
     let all: Vec<Vocabulary> = bodies().filter_map(vocabulary).collect();
     for (at, known) in all.iter().enumerate() {
         let has_same = |other: &&Vocabulary| other.results == known.results;
-        if known.results.is_empty() || all[..at].iter().any(|before| has_same(&before)) {
+        if all[..at].iter().any(|before| has_same(&before)) {
             continue;
         }
         let names = all
@@ -160,22 +159,19 @@ pub fn results_page() -> String {
         let names: Vec<String> = names.collect();
         page += &format!("\n## body = {}\n\n", names.join(", "));
         page += "| entry | unit | meaning | column of a sweep |\n|---|---|---|---|\n";
-        for entry in known.results {
-            page += &entry_row("", entry);
-            for part in entry.parts {
-                page += &entry_row(&format!("{}.", entry.name), part);
-            }
+        for (path, entry) in entries(known.results) {
+            page += &entry_row(&path.join("."), entry);
         }
     }
     page
 }
 
-fn entry_row(of: &str, entry: &Quantity) -> String {
+fn entry_row(name: &str, entry: &Quantity) -> String {
     let column = entry
         .column()
         .map_or(String::new(), |name| format!("`{name}`"));
     let cells = [
-        format!("`{of}{}`", entry.name),
+        format!("`{name}`"),
         entry.unit.into(),
         entry.meaning.into(),
         column,

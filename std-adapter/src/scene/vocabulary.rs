@@ -5,7 +5,7 @@ use super::entries::Entries;
 use super::key::{self, Key, Need, present_name};
 use super::table::Table;
 use super::{DEFAULT_BODY, parse_scene, toml_value};
-use crate::results::Quantity;
+use crate::results::{Quantity, Summary};
 use serde_json::{Map, Value};
 
 /// A body that scenes can be about.
@@ -30,7 +30,7 @@ pub struct Vocabulary {
     pub title: &'static str,
     /// Its keys, in the order of the documentation.
     pub keys: &'static [Key],
-    /// The quantities of the summaries of its runs; none of a body whose summary is no table yet.
+    /// The quantities of the summaries of its runs.
     #[doc(hidden)]
     pub results: &'static [Quantity],
     /// The default scene, as JSON.
@@ -57,13 +57,13 @@ pub fn bodies() -> impl Iterator<Item = &'static str> {
 }
 
 impl Vocabulary {
-    /// That of a table.
-    pub(super) const fn of<T: Table>() -> Self {
+    /// That of a table of keys and one of results.
+    pub(super) const fn of<T: Table, S: Summary>() -> Self {
         Self {
             body: T::BODY,
             title: T::TITLE,
             keys: T::TABLE,
-            results: &[],
+            results: S::QUANTITIES,
             example: || T::default().values(),
         }
     }

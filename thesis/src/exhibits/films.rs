@@ -76,6 +76,6 @@ fn both_looks(film: &Film, [rolling, torsion]: [f64; 2]) -> [(String, Film); 2] 
 }
 
 fn row(([rolling, torsion], run): ([f64; 2], &Arc<Run>)) -> Vec<f64> {
-    let [before, after] = run.outcome.porosity;
+    let [before, after] = [run.outcome.porosity_initial, run.outcome.porosity_final];
     vec![rolling, torsion, f64::NAN, before, after, f64::NAN]
 }

@@ -78,22 +78,21 @@ fn piston_claim(id: &str, system: System) -> Result<Claim> {
 fn end_claims(run: &Run) -> [Claim; 2] {
     /// More than what is left of a volume exclusion that is solved to 10⁻⁴ and never pushed out.
     const OVERLAP: f64 = 1e-2;
-    let (outcome, means) = (&run.outcome, &run.outcome.means);
+    let (outcome, balance) = (&run.outcome, &run.outcome.balance);
     [
         Claim::trend(
             TEXT.said("blocked"),
             format!(
                 "piston moved {:.1e}R in the last window of 200 steps or more; mean net force \
                  {:.1e} of the mean contact force",
-                means.moved,
-                means.net / means.contact
+                balance.piston_moved, balance.net_force
             ),
             outcome.ending == Some(PowderStopReason::Blocked),
         ),
         Claim::own_statement(
             TEXT.said("rigid"),
-            format!("{:.1e}R", outcome.statistics.max_overlap),
-            outcome.statistics.max_overlap < OVERLAP,
+            format!("{:.1e}R", outcome.max_overlap),
+            outcome.max_overlap < OVERLAP,
         ),
     ]
 }

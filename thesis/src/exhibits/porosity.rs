@@ -66,7 +66,7 @@ impl Porosities {
         let is_blocked = |run: &&Arc<Run>| run.outcome.ending == Some(PowderStopReason::Blocked);
         let blocked = [all.iter().filter(is_blocked).count(), all.len()];
         let deposits = runs.of(&cases([1.0; 2]).collect::<Vec<_>>())?;
-        let final_porosity = |case: Case| Ok(runs.one(&case)?.outcome.porosity[1]);
+        let final_porosity = |case: Case| Ok(runs.one(&case)?.outcome.porosity_final);
         let values = mus.iter().map(|t| {
             let row = mus
                 .iter()
@@ -79,7 +79,10 @@ impl Porosities {
             mus,
             values,
             blocked,
-            initial: deposits.iter().map(|run| run.outcome.porosity[0]).collect(),
+            initial: deposits
+                .iter()
+                .map(|run| run.outcome.porosity_initial)
+                .collect(),
             spheres: deposits.iter().map(|run| run.outcome.particles).collect(),
         })
     }

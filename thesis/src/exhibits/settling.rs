@@ -80,7 +80,7 @@ pub fn section_4_1(runs: &Runs) -> Result<Exhibit> {
     };
     let of = |&diameter: &f64| (1..=seeds).map(move |seed| case(system, diameter, seed));
     let done = runs.of(&diameters.iter().flat_map(of).collect::<Vec<_>>())?;
-    let porosity = |run: &Run| run.outcome.porosity[1];
+    let porosity = |run: &Run| run.outcome.porosity_final;
     let groups = done.chunks(seeds as usize);
     let rows: Vec<Vec<f64>> = diameters
         .iter()
@@ -92,7 +92,7 @@ pub fn section_4_1(runs: &Runs) -> Result<Exhibit> {
             vec![
                 1e6 * diameter,
                 bond(diameter),
-                mean(&|run| run.outcome.porosity[0]),
+                mean(&|run| run.outcome.porosity_initial),
                 mean(&porosity),
             ]
         })

@@ -42,7 +42,7 @@ pub fn table_4_1(runs: &Runs) -> Result<Exhibit> {
     };
     let case = |line: &[f64; 4]| Case::new(system, [line[0], line[1]], 1);
     let packings = runs.of(&lines.iter().map(case).collect::<Vec<_>>())?;
-    let stresses: Vec<[f64; 3]> = packings.iter().map(|run| run.outcome.stress_zz()).collect();
+    let stresses: Vec<[f64; 3]> = packings.iter().map(|run| stress_zz(run)).collect();
     let rows: Vec<Vec<f64>> = lines
         .iter()
         .zip(&stresses)
@@ -90,6 +90,12 @@ fn figure(lines: &[[f64; 4]], rows: &[Vec<f64>]) -> Figure {
     .guide(ReferenceLine::horizontal(0.0, ""))
     .guide(ReferenceLine::horizontal(1.0, "applied"))
     .legend(Legend::Below)
+}
+
+/// σ_zz of all contacts, of those that push and of those that pull, over the pressure.
+fn stress_zz(run: &Run) -> [f64; 3] {
+    let of = &run.outcome;
+    [of.stress_zz, of.stress_zz_plus, of.stress_zz_minus]
 }
 
 /// "+6.06 −5.07"
@@ -169,17 +175,14 @@ fn choice_claims(runs: &Runs) -> Result<Vec<Claim>> {
     let usual = Case::new(System::Small, [0.0; 2], 1);
     let warm = runs.one(&usual)?;
     let few = runs.one(&few_sweeps([0.0; 2]))?;
-    let plus = |run: &Run| run.outcome.stress_zz()[1];
+    let plus = |run: &Run| run.outcome.stress_zz_plus;
     let shown = |run: &Run| {
-        let porosity = 100.0 * run.outcome.porosity[1];
+        let porosity = 100.0 * run.outcome.porosity_final;
         let creeping = match run.outcome.ending {
             Some(PowderStopReason::Blocked) => "",
             _ => ", still sinking",
         };
-        format!(
-            "{} at {porosity:.1} %{creeping}",
-            split(run.outcome.stress_zz())
-        )
+        format!("{} at {porosity:.1} %{creeping}", split(stress_zz(run)))
     };
     let mut claims = vec![Claim::own_statement(
         TEXT.said("few-sweeps").with("warm", shown(&warm)),
@@ -188,8 +191,8 @@ fn choice_claims(runs: &Runs) -> Result<Vec<Claim>> {
     )];
     if runs.effort() == Effort::Full {
         let cold = runs.one(&usual.with("warm_start=off", |scene| scene.warm_start = false))?;
-        let apart = cold.outcome.porosity[1] - warm.outcome.porosity[1];
-        let overlap = cold.outcome.statistics.max_overlap;
+        let apart = cold.outcome.porosity_final - warm.outcome.porosity_final;
+        let overlap = cold.outcome.max_overlap;
         claims.push(Claim::own_statement(
             TEXT.said("zero-forces").with("warm", shown(&warm)),
             format!("{}, overlaps up to {overlap:.2}R", shown(&cold)),

@@ -114,8 +114,8 @@ fn by_rule(runs: &Runs, system: System, tolerances: &[f64]) -> Result<Vec<Ended>
 fn cost_and_error(run: &Run) -> (f64, f64) {
     let outcome = &run.outcome;
     (
-        outcome.iterations as f64 / outcome.steps as f64,
-        outcome.residual,
+        outcome.iterations_total as f64 / outcome.steps as f64,
+        outcome.residual_final,
     )
 }
 
@@ -217,7 +217,7 @@ fn needed_claim(needed: &[(f64, f64)]) -> Claim {
 fn rule_claims(ended: &[Ended]) -> Vec<Claim> {
     let porosities: Vec<f64> = ended
         .iter()
-        .map(|(_, run)| run.outcome.porosity[1])
+        .map(|(_, run)| run.outcome.porosity_final)
         .collect();
     let [least, most] = [
         porosities.iter().fold(f64::INFINITY, |a, b| a.min(*b)),

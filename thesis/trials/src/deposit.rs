@@ -48,7 +48,7 @@ impl Trial for Compacted {
             run_to_end(&mut compaction, |_, _| ())?;
             let outcome = compaction.outcome();
             Ok(TrialResult {
-                errors: vec![outcome.statistics.max_overlap, outcome.porosity[1]],
+                errors: vec![outcome.max_overlap, outcome.porosity_final],
                 updates: outcome.steps as f64,
             })
         }))

@@ -1,6 +1,6 @@
 //! What a sweep makes of the summaries of a kind of run.
 
-use tribos::results::SweptQuantity;
+use tribos::results::{SweepView, SweptQuantity};
 
 /// The quantities of a kind of run.
 #[derive(Clone, Debug)]
@@ -16,18 +16,14 @@ pub struct RunKind {
 }
 
 impl RunKind {
-    /// The quantities of a summary; of them the column that is drawn, after the title of its picture.
-    pub fn of(
-        quantities: Vec<SweptQuantity>,
-        [title, drawn]: [&'static str; 2],
-        share: [&'static str; 3],
-    ) -> Self {
-        let place = quantities.iter().position(|known| known.column == drawn);
+    /// The quantities of a summary, with what a sweep shows of them.
+    pub fn of(quantities: Vec<SweptQuantity>, view: SweepView) -> Self {
+        let mut columns = quantities.iter().map(|known| known.column);
         Self {
+            drawn: columns.position(|column| column == view.drawn).unwrap_or(0),
+            title: view.title,
+            share: view.share,
             quantities,
-            drawn: place.unwrap_or(0),
-            title,
-            share,
         }
     }
 
@@ -51,20 +47,9 @@ impl RunKind {
     }
 }
 
-/// A quantity of a summary that is no table yet: its column, its place, its label, empty unless people are shown it, and its
-/// unit.
-pub type ListedQuantity = (&'static str, &'static str, &'static str, &'static str);
-
-/// The quantities of a summary that is no table yet.
-pub fn listed(list: &[ListedQuantity]) -> Vec<SweptQuantity> {
-    let quantity = |&(column, place, label, unit): &ListedQuantity| SweptQuantity {
-        column,
-        path: match place.split_once('.') {
-            Some((entry, part)) => [Some(entry), Some(part)],
-            None => [Some(place), None],
-        },
-        label: Some(label).filter(|label| !label.is_empty()),
-        unit,
-    };
-    list.iter().map(quantity).collect()
+/// Quantities, those of these columns before the others.
+pub fn first(columns: &[&str], mut all: Vec<SweptQuantity>) -> Vec<SweptQuantity> {
+    let place = |known: &SweptQuantity| columns.iter().position(|column| *column == known.column);
+    all.sort_by_key(|known| place(known).unwrap_or(columns.len()));
+    all
 }

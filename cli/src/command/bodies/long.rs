@@ -1,6 +1,6 @@
-//! Bodies of spheres, whose runs take long enough for checkpoints and frames.
+//! Bodies of spheres or atoms, whose runs take long enough for checkpoints and frames.
 
-use super::kind::RunKind;
+use super::kind::{RunKind, first};
 use super::no_result::session;
 use super::{Commands, NoResult};
 use crate::command::explain::after;
@@ -12,34 +12,42 @@ use serde_json::Value;
 use std::error::Error;
 use std::path::Path;
 use std::sync::Arc;
+use tribos::results::{Summary, SweepView, file, swept};
 use tribos::run::folder::{Lock, OutputFolder};
 use tribos::run::{LongRun, RunSize};
 use tribos::scene::Body;
 
-/// What a run has found.
-#[derive(Debug)]
-pub struct RunResults<'a> {
-    /// The summary as it is written.
-    pub summary: Value,
-    /// A line about a run of a sweep.
-    pub told: String,
-    /// A few lines for the person at the terminal.
-    pub report: String,
-    /// Columns of the series, and its rows.
-    pub columns: &'static [&'static str],
-    pub rows: Vec<&'a [f64]>,
+/// Names of the columns of a series, and its rows.
+pub type Series<'a> = (Vec<String>, Vec<&'a [f64]>);
+
+/// A series whose rows have all the same columns.
+pub fn series<'a, const N: usize>(columns: [&str; N], rows: &'a [[f64; N]]) -> Series<'a> {
+    let names = columns.map(str::to_owned).to_vec();
+    (names, rows.iter().map(|row| &row[..]).collect())
 }
 
-/// What the commands ask of a scene of spheres.
+/// What the commands ask of a scene of spheres or atoms.
 pub trait LongBody: Body + Sized + 'static {
     /// Its run.
     type Run: LongRun<Scene = Self, Error: Error + Into<Failure>>;
-    /// What a sweep makes a table of.
-    fn kind() -> RunKind;
+    /// What it has found.
+    type Summary: Summary;
     /// What it consists of.
     const SPHERES: &'static str;
     /// Names of the files with its results.
     const FILES: &'static [&'static str];
+    /// Columns of a sweep that stand before all others.
+    const FIRST: &'static [&'static str] = &[];
+    /// Whether the runs of a sweep leave their series.
+    const KEEPS_SERIES: bool = false;
+
+    /// What a sweep makes a table of.
+    fn kind(&self) -> RunKind {
+        let quantities = swept(Self::Summary::QUANTITIES);
+        RunKind::of(first(Self::FIRST, quantities), self.sweep_view())
+    }
+    /// What a sweep shows.
+    fn sweep_view(&self) -> SweepView;
 
     /// Rough cost of a run.
     fn size(&self) -> RunSize;
@@ -64,7 +72,13 @@ pub trait LongBody: Body + Sized + 'static {
     }
 
     /// What a run has found.
-    fn results<'a>(&self, run: &'a Self::Run) -> RunResults<'a>;
+    fn outcome(run: &Self::Run) -> Self::Summary;
+    /// A line about a run of a sweep.
+    fn told(outcome: &Self::Summary) -> String;
+    /// A few lines for the person at the terminal.
+    fn report(&self, outcome: &Self::Summary) -> String;
+    /// The series of a run.
+    fn series(run: &Self::Run) -> Series<'_>;
     /// Writes states and pictures.
     fn write(
         &self,
@@ -89,14 +103,19 @@ impl<S: LongBody> Commands for &S {
     }
 
     fn kind(&self) -> RunKind {
-        S::kind()
+        LongBody::kind(*self)
     }
 
     fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
         check(&self.size(), S::SPHERES, MemoryPermission::Usual).map_err(NoResult::Refused)?;
         let run = session(lock).run(*self)?;
-        let results = self.results(&run);
-        Ok((results.summary, results.told))
+        if S::KEEPS_SERIES {
+            let written = lock.check().map_err(Failure::from);
+            let written = written.and_then(|()| long::write_series::<S>(&run, lock.folder()));
+            written.map_err(NoResult::Stopped)?;
+        }
+        let outcome = S::outcome(&run);
+        Ok((file(outcome.entries(), *self), S::told(&outcome)))
     }
 
     fn explanation(&self) -> Result<String, Failure> {

@@ -1,7 +1,6 @@
 //! Powders under a piston.
 
-use super::kind::{ListedQuantity, RunKind, listed};
-use super::long::{LongBody, RunResults};
+use super::long::{LongBody, Series, series};
 use crate::command::digits::shown;
 use crate::command::explain::{self, after};
 use crate::command::run::files;
@@ -11,6 +10,7 @@ use crate::failure::Failure;
 use serde_json::Value;
 use tribos::powder::{COLUMNS, PowderSimulation, PowderStopReason, PowderSummary, STATE, size};
 use tribos::record::Snapshot;
+use tribos::results::SweepView;
 use tribos::run::RunSize;
 use tribos::run::folder::OutputFolder;
 use tribos::scene::{ContactMethod, PowderScene};
@@ -19,43 +19,30 @@ use tribos_report::runs::powder as picture;
 /// A packing is seldom blocked within fewer steps.
 const FEW: u64 = 5_000;
 
-/// Powders.
-const QUANTITIES: &[ListedQuantity] = &[
-    ("porosity_final", "porosity_final", "porosity", "-"),
-    ("porosity_bulk", "porosity_bulk", "", "-"),
-    ("porosity_initial", "porosity_initial", "", "-"),
-    ("particles", "particles", "", "-"),
-    ("contacts", "contacts", "", "-"),
-    (
-        "coordination",
-        "statistics.mean_coordination",
-        "contacts a sphere",
-        "-",
-    ),
-    ("stress_zz", "stress_zz", "stress_zz", "-"),
-    ("stress_zz_plus", "stress_zz_plus", "plus", "-"),
-    ("stress_zz_minus", "stress_zz_minus", "minus", "-"),
-    ("steps", "steps", "", "-"),
-    ("iterations_total", "iterations_total", "", "-"),
-    ("dissipation_normal", "dissipation.normal", "", "-"),
-    ("dissipation_sliding", "dissipation.sliding", "", "-"),
-    ("dissipation_rolling", "dissipation.rolling", "", "-"),
-    ("dissipation_torsion", "dissipation.torsion", "", "-"),
-    ("dissipation_cohesion", "dissipation.cohesion", "", "-"),
-];
-
 impl LongBody for PowderScene {
     type Run = PowderSimulation;
+    type Summary = PowderSummary;
 
     const SPHERES: &'static str = "spheres";
     const FILES: &'static [&'static str] = files::POWDER;
+    const FIRST: &'static [&'static str] = &[
+        "porosity_final",
+        "porosity_bulk",
+        "porosity_initial",
+        "particles",
+        "contacts",
+        "coordination",
+        "stress_zz",
+        "stress_zz_plus",
+        "stress_zz_minus",
+    ];
 
-    fn kind() -> RunKind {
-        RunKind::of(
-            listed(QUANTITIES),
-            ["Final porosity", "porosity_final"],
-            ["blocked", "/ending", "blocked"],
-        )
+    fn sweep_view(&self) -> SweepView {
+        SweepView {
+            drawn: "porosity_final",
+            title: "Final porosity",
+            share: ["blocked", "/ending", "blocked"],
+        }
     }
 
     fn size(&self) -> RunSize {
@@ -91,20 +78,58 @@ impl LongBody for PowderScene {
         self.duration.is_some() || self.max_steps <= FEW
     }
 
-    fn results<'a>(&self, run: &'a PowderSimulation) -> RunResults<'a> {
-        let summary = run.outcome();
-        RunResults {
-            summary: summary.json(self),
-            told: format!(
-                "porosity {} % after {} steps, {:.1} s",
-                shown(100.0 * summary.porosity[1]),
-                summary.steps,
-                summary.wall_seconds
-            ),
-            report: report(&summary),
-            columns: &COLUMNS,
-            rows: run.series().iter().map(|row| &row[..]).collect(),
-        }
+    fn outcome(run: &PowderSimulation) -> PowderSummary {
+        run.outcome()
+    }
+
+    fn told(outcome: &PowderSummary) -> String {
+        format!(
+            "porosity {} % after {} steps, {:.1} s",
+            shown(100.0 * outcome.porosity_final),
+            outcome.steps,
+            outcome.wall_seconds
+        )
+    }
+
+    fn report(&self, outcome: &PowderSummary) -> String {
+        let ending = match outcome.ending {
+            Some(PowderStopReason::Blocked) => "blocked",
+            Some(PowderStopReason::Time) => "duration over before the packing was blocked",
+            _ => "steps done before the packing was blocked",
+        };
+        let porosity = [outcome.porosity_initial, outcome.porosity_final];
+        let [before, after] = porosity.map(|porosity| shown(100.0 * porosity));
+        let sign = if outcome.stress_zz_minus < 0.0 {
+            '-'
+        } else {
+            '+'
+        };
+        let stress = [
+            outcome.stress_zz,
+            outcome.stress_zz_plus,
+            outcome.stress_zz_minus.abs(),
+        ];
+        let [total, plus, minus] = stress.map(shown);
+        let text = format!(
+            "ending        {ending}: {} steps, {} sweeps, {:.1} s\n\
+             particles     {}, {} contacts, {:.2} a sphere\n\
+             porosity      {after} % from {before} %\n\
+             stress_zz     {total} = {plus} {sign} {minus} of the pressure\n\
+             residual      {:.1e}, overlap {:.1e} R\n",
+            outcome.steps,
+            outcome.iterations_total,
+            outcome.wall_seconds,
+            outcome.particles,
+            outcome.contacts,
+            outcome.statistics.mean_coordination,
+            outcome.residual_final,
+            outcome.max_overlap,
+        );
+        text + &unmet(outcome) + &budget(&outcome.energy, &outcome.dissipation, "")
+    }
+
+    fn series(run: &PowderSimulation) -> Series<'_> {
+        series(COLUMNS, run.series())
     }
 
     fn write(
@@ -144,63 +169,36 @@ impl LongBody for PowderScene {
     }
 }
 
-/// A few lines for the person at the terminal.
-fn report(outcome: &PowderSummary) -> String {
-    let ending = match outcome.ending {
-        Some(PowderStopReason::Blocked) => "blocked",
-        Some(PowderStopReason::Time) => "duration over before the packing was blocked",
-        _ => "steps done before the packing was blocked",
-    };
-    let [before, after] = outcome.porosity.map(|porosity| shown(100.0 * porosity));
-    let [total, plus, minus] = outcome.stress_zz();
-    let sign = if minus < 0.0 { '-' } else { '+' };
-    let [total, plus, minus] = [total, plus, minus.abs()].map(shown);
-    let text = format!(
-        "ending        {ending}: {} steps, {} sweeps, {:.1} s\n\
-         particles     {}, {} contacts, {:.2} a sphere\n\
-         porosity      {after} % from {before} %\n\
-         stress_zz     {total} = {plus} {sign} {minus} of the pressure\n\
-         residual      {:.1e}, overlap {:.1e} R\n",
-        outcome.steps,
-        outcome.iterations,
-        outcome.wall_seconds,
-        outcome.particles,
-        outcome.statistics.contacts,
-        outcome.statistics.mean_coordination(),
-        outcome.residual,
-        outcome.statistics.max_overlap,
-    );
-    text + &unmet(outcome) + &budget(&outcome.energy, &outcome.dissipation(), "")
-}
-
 /// Steps that did not end as they should, and what that means.
 fn unmet(outcome: &PowderSummary) -> String {
-    let mut text = String::new();
-    if outcome.impacts_cut > 0 {
-        text += &format!(
-            "impacts       cut in {} steps after 100 rounds: the rest was stopped without rebound, \
-             its energy is in normal\n",
-            outcome.impacts_cut
-        );
-    }
-    if outcome.impacts_unmet > 0 {
-        text += &format!(
-            "impacts       unmet in {} steps: a reflection, or friction under it, missed its tolerance after \
-             1000 sweeps; its impulses are approximate\n",
-            outcome.impacts_unmet
-        );
-    }
-    if outcome.handed_over > 0 {
-        text += &format!(
-            "handed over   {} steps, in which sweeps missed the tolerance, to an interior point method\n",
-            outcome.handed_over
-        );
-    }
-    if outcome.solver_unmet > 0 {
-        text += &format!(
-            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate\n",
-            outcome.solver_unmet
-        );
-    }
-    text
+    // Without restitution no step misses anything but the solver's rule.
+    let solver = outcome.steps_solver_unmet.or(Some(outcome.steps_unmet));
+    let told = [
+        (
+            "impacts       cut in",
+            outcome.steps_impacts_cut,
+            "steps after 100 rounds: the rest was stopped without rebound, its energy is in normal",
+        ),
+        (
+            "impacts       unmet in",
+            outcome.steps_impacts_unmet,
+            "steps: a reflection, or friction under it, missed its tolerance after 1000 sweeps; its impulses are \
+             approximate",
+        ),
+        (
+            "handed over  ",
+            outcome.steps_handed_over,
+            "steps, in which sweeps missed the tolerance, to an interior point method",
+        ),
+        (
+            "unmet        ",
+            solver,
+            "steps missed the solver's tolerance; their forces and energies are approximate",
+        ),
+    ];
+    let line = |(head, steps, text): (&str, Option<u64>, &str)| {
+        let steps = steps.filter(|steps| *steps > 0)?;
+        Some(format!("{head} {steps} {text}\n"))
+    };
+    told.into_iter().filter_map(line).collect()
 }

@@ -71,13 +71,22 @@ pub fn text(scene: &TipScene) -> Result<String, Failure> {
     Ok(text)
 }
 
+/// A unit of Lennard-Jones atoms as the scene has it.
+pub fn unit(scene: &TipScene, unit: &'static str) -> &'static str {
+    match unit {
+        _ if !scene.potential.is_metal() => unit,
+        "sigma" => "A",
+        "tau" => "ps",
+        "eps" => "eV",
+        "eps/sigma" => "eV/A",
+        "eps/k_B" => "K",
+        other => other,
+    }
+}
+
 /// Units of lengths, times, energies and temperatures.
 fn units(scene: &TipScene) -> [&'static str; 4] {
-    if scene.potential.is_metal() {
-        ["A", "ps", "eV", "K"]
-    } else {
-        ["sigma", "tau", "eps", "eps/k_B"]
-    }
+    ["sigma", "tau", "eps", "eps/k_B"].map(|of| unit(scene, of))
 }
 
 /// A metal, its crystals and its units.

@@ -1,11 +1,13 @@
-//! Runs of spheres, from the request to their results.
+//! Runs of spheres or atoms, from the request to their results.
 
 use super::frontend::Frontend;
 use super::request::RunRequest;
 use super::{files, resource_check};
 use crate::command::bodies::LongBody;
 use crate::failure::Failure;
-use tribos::record::{Snapshot, SnapshotError, write_series};
+use std::path::Path;
+use tribos::record::{self, Snapshot, SnapshotError};
+use tribos::results::{Summary, file};
 use tribos::run::folder::OutputFolder;
 use tribos::run::{LongRun, RunError, Session, Simulation, forget_checkpoint};
 
@@ -24,18 +26,24 @@ pub fn run<S: LongBody>(scene: &S, order: &RunRequest<'_>) -> Result<(), Failure
     let run = simulate(scene, order.session(start, &folder), order.caller)
         .map_err(|error| order.failure(error))?;
     folder.remove(files::is_made_from_frames)?;
-    let results = scene.results(&run);
+    let outcome = S::outcome(&run);
     folder.add(S::FILES)?;
-    let series = order.out.join("series.csv");
-    write_series(&series, results.columns, results.rows)?;
+    write_series::<S>(&run, order.out)?;
     scene.write(&run, &folder, order)?;
     // Last: a summary stands only beside complete results.
-    let summary = format!("{:#}\n", results.summary);
+    let summary = format!("{:#}\n", file(outcome.entries(), scene));
     folder.write("summary.json", summary.as_bytes())?;
     folder.check()?;
     forget_checkpoint(order.out)?;
     let written = format!("written to    {}\n", order.out.display());
-    order.caller.report(&(results.report + &written))
+    order.caller.report(&(scene.report(&outcome) + &written))
+}
+
+/// The series of a run as CSV.
+pub fn write_series<S: LongBody>(run: &S::Run, out: &Path) -> Result<(), Failure> {
+    let (columns, rows) = S::series(run);
+    let names: Vec<&str> = columns.iter().map(String::as_str).collect();
+    Ok(record::write_series(&out.join("series.csv"), &names, rows)?)
 }
 
 /// Runs the scene to its end and says how far it is.

@@ -4,8 +4,9 @@ use super::long::{Export, write_state};
 use super::request::RunRequest;
 use crate::command::digits::shown;
 use crate::failure::Failure;
-use tribos::cd::EnergyBalance;
+use tribos::powder::{Dissipation, PackingEnergy};
 use tribos::record::{Snapshot, contacts_vtp, extended_xyz, particles_vtp};
+use tribos::results::Summary;
 use tribos::run::folder::OutputFolder;
 
 /// Endings of the names of a state's files, and what they hold.
@@ -26,10 +27,11 @@ pub fn states(
 }
 
 /// Where the work went; `unit` follows the energies.
-pub fn budget(energy: &EnergyBalance, losses: &[(&str, f64)], unit: &str) -> String {
+pub fn budget(energy: &PackingEnergy, losses: &Dissipation, unit: &str) -> String {
     let work = energy.work;
     let mut text = format!("work          {}{unit}, of which\n", shown(work));
-    for (name, lost) in losses {
+    for (name, lost) in losses.entries() {
+        let lost = lost.as_f64().unwrap_or(f64::NAN);
         let percent = 100.0 * lost / work;
         // No work, no share of it.
         let share = if percent.is_finite() {
@@ -37,10 +39,10 @@ pub fn budget(energy: &EnergyBalance, losses: &[(&str, f64)], unit: &str) -> Str
         } else {
             String::new()
         };
-        text += &format!("  {name:<11} {}{share}\n", shown(*lost));
+        text += &format!("  {name:<11} {}{share}\n", shown(lost));
     }
-    if energy.elastic != 0.0 {
-        text += &format!("  elastic     {}\n", shown(energy.elastic));
+    if let Some(elastic) = energy.elastic.filter(|elastic| *elastic != 0.0) {
+        text += &format!("  elastic     {}\n", shown(elastic));
     }
-    text + &format!("  imbalance   {:.1e}\n", energy.imbalance())
+    text + &format!("  imbalance   {:.1e}\n", energy.imbalance)
 }

@@ -4,7 +4,7 @@ use super::source;
 use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use serde_json::Value;
-use tribos::results::Quantity;
+use tribos::results::{Quantity, entries};
 use tribos::scene::{Key, Vocabulary, bodies, library_scene, toml_value, vocabulary};
 
 /// The keys of a body's scenes with unit, meaning, default and what each may be; without one, which
@@ -45,26 +45,16 @@ impl Results {
             "Entries of the summary of a run with body = \"{}\":\n",
             known.body
         );
-        for entry in known.results {
-            text += &result("", entry);
-            for part in entry.parts {
-                text += &result(&format!("{}.", entry.name), part);
-            }
-        }
-        if known.results.is_empty() {
-            text = format!(
-                "no table yet of body = \"{}\": see summary.json of a run\n",
-                known.body
-            );
+        for (path, entry) in entries(known.results) {
+            text += &result(&path.join("."), entry);
         }
         crate::command::print(&text)
     }
 }
 
-fn result(of: &str, entry: &Quantity) -> String {
+fn result(name: &str, entry: &Quantity) -> String {
     let column = entry.column();
     let column = column.map_or(String::new(), |name| format!(" Sweep: `{name}`."));
-    let name = format!("{of}{}", entry.name);
     format!("  {name:<24} [{}] {}{column}\n", entry.unit, entry.meaning)
 }
 

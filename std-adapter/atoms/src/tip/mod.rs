@@ -11,7 +11,6 @@ mod energy;
 #[doc(hidden)]
 pub mod export;
 mod forces;
-mod frames;
 mod lattice;
 mod loop_work;
 mod monitor;

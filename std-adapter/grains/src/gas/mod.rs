@@ -3,7 +3,6 @@
 mod checkpoint;
 mod engine;
 mod error;
-mod frames;
 mod lattice;
 mod outcome;
 mod run;

@@ -1,37 +1,41 @@
-//! What a gas leaves: columns of the series, why it ended, and the summary.
+//! What a gas leaves: the lines of its series and the summary.
 
 use crate::packing::PackingStopReason;
 use tribos_base::results::{Reporting::*, summary};
 
-/// Columns of the series: temperatures in T0; energies a sphere; `theory` the mean-field temperatures after as
-/// many collisions, `haff` the translational one after the same time.
-pub const COLUMNS: [&str; 12] = [
-    "time",
-    "collisions",
-    "temperature",
-    "temperature_rotational",
-    "theory",
-    "theory_rotational",
-    "haff",
-    "enskog_rate",
-    "energy",
-    "lost",
-    "momentum",
-    "density_variance",
-];
+summary! {
+    /// A line of the series, in the units of the scene.
+    #[derive(Copy)]
+    pub struct GasLine = series;
 
-/// Indices of columns.
-pub(super) const TIME: usize = 0;
-pub(super) const COLLISIONS: usize = 1;
-pub(super) const TRANSLATIONAL: usize = 2;
-pub(super) const ROTATIONAL: usize = 3;
-pub(super) const THEORY: usize = 4;
-pub(super) const THEORY_ROTATIONAL: usize = 5;
-pub(super) const HAFF: usize = 6;
-pub(super) const ENERGY: usize = 8;
-pub(super) const LOST: usize = 9;
-pub(super) const MOMENTUM: usize = 10;
-pub(super) const VARIANCE: usize = 11;
+    /// Time.
+    time: f64, "R sqrt(m/T0)";
+    /// Collisions a sphere.
+    collisions: f64, "-";
+    /// Translational temperature.
+    temperature: f64, "T0";
+    /// Rotational temperature.
+    temperature_rotational: f64, "T0";
+    /// Translational temperature of mean-field theory after as many collisions.
+    theory: f64, "T0";
+    /// Rotational temperature of mean-field theory after as many collisions.
+    theory_rotational: f64, "T0";
+    /// Haff's law of smooth spheres after the same time.
+    haff: f64, "T0";
+    /// Enskog's rate of the collisions of a sphere.
+    enskog_rate: f64, "sqrt(T0/m)/R";
+    /// Kinetic energy a sphere.
+    energy: f64, "T0";
+    /// Energy a sphere that collisions took.
+    lost: f64, "T0";
+    /// Size of the total momentum.
+    momentum: f64, "sqrt(m T0)";
+    /// Variance over mean of the numbers of spheres in cells of about eight.
+    density_variance: f64, "-";
+}
+
+/// Columns of the series.
+pub const COLUMNS: [&str; GasLine::COLUMNS.len()] = GasLine::COLUMNS;
 
 /// A row of the series.
 pub(super) type Row = [f64; COLUMNS.len()];

@@ -4,10 +4,7 @@ use super::checkpoint::Checkpoint;
 use super::engine::GasEngine;
 use super::error::GasError;
 use super::lattice::edge;
-use super::outcome::{
-    COLLISIONS, COLUMNS, ENERGY, GasSummary, HAFF, LOST, MOMENTUM, ROTATIONAL, Row, THEORY,
-    THEORY_ROTATIONAL, TIME, TRANSLATIONAL, VARIANCE,
-};
+use super::outcome::{COLUMNS, GasLine, GasSummary, Row};
 use super::start::start;
 use super::state::GasState;
 use super::time_stepped::DENSITY;
@@ -192,26 +189,26 @@ impl GasSimulation {
 
     /// Summary of the run so far.
     pub fn outcome(&self) -> GasSummary {
-        let now = self.record();
-        let first = self.series.first().copied().unwrap_or(now);
+        let now = self.line();
+        let first = self.series.first().map_or(now, |row| (*row).into());
         GasSummary {
             ending: self.ending,
-            time: now[TIME],
+            time: now.time,
             steps: self.steps,
             particles: self.scene.count,
             edge: self.length,
-            collisions: now[COLLISIONS],
-            temperature: now[TRANSLATIONAL],
-            temperature_rotational: now[ROTATIONAL],
-            theory: now[THEORY],
-            theory_rotational: now[THEORY_ROTATIONAL],
-            haff: now[HAFF],
-            energy_initial: first[ENERGY],
-            energy_final: now[ENERGY],
-            energy_lost: now[LOST],
-            momentum: now[MOMENTUM],
-            density_variance_initial: first[VARIANCE],
-            density_variance_final: now[VARIANCE],
+            collisions: now.collisions,
+            temperature: now.temperature,
+            temperature_rotational: now.temperature_rotational,
+            theory: now.theory,
+            theory_rotational: now.theory_rotational,
+            haff: now.haff,
+            energy_initial: first.energy,
+            energy_final: now.energy,
+            energy_lost: now.lost,
+            momentum: now.momentum,
+            density_variance_initial: first.density_variance,
+            density_variance_final: now.density_variance,
             collisions_cured: self.medium.cured(),
             steps_unmet: self.medium.unmet(),
             wall_seconds: self.wall_seconds(),
@@ -235,14 +232,14 @@ impl GasSimulation {
 
     /// Mean-field temperatures, on from the last line.
     fn theory(&self, collisions: f64, measured: Temperatures) -> Temperatures {
-        let Some(last) = self.series.last() else {
+        let Some(last) = self.series.last().map(|row| GasLine::from(*row)) else {
             return measured;
         };
         let then = Temperatures {
-            translational: last[THEORY],
-            rotational: last[THEORY_ROTATIONAL],
+            translational: last.theory,
+            rotational: last.theory_rotational,
         };
-        let since = collisions - last[COLLISIONS];
+        let since = collisions - last.collisions;
         if since > 0.0 {
             then.after(since, &self.law)
         } else {
@@ -252,11 +249,34 @@ impl GasSimulation {
 
     /// Haff's law of smooth spheres: T₀/(1 + t/τ)², 1/τ = (1 − e²)/6 of the collision rate at the start.
     fn haff(&self, time: f64, now: f64) -> f64 {
-        let first = self.series.first().map_or(now, |row| row[TRANSLATIONAL]);
+        let first = self.series.first().map(|row| GasLine::from(*row));
+        let first = first.map_or(now, |line| line.temperature);
         let e = self.law.restitution();
         let rate = (1.0 - e * e) / 6.0 * collision_rate(self.scene.packing_fraction, first);
         let slowed = 1.0 + rate * time;
         first / (slowed * slowed)
+    }
+
+    /// The current line of the series.
+    fn line(&self) -> GasLine {
+        let state = self.state();
+        let now = state.temperatures();
+        let (time, collisions) = (self.time(), self.collisions());
+        let theory = self.theory(collisions, now);
+        GasLine {
+            time,
+            collisions,
+            temperature: now.translational,
+            temperature_rotational: now.rotational,
+            theory: theory.translational,
+            theory_rotational: theory.rotational,
+            haff: self.haff(time, now.translational),
+            enskog_rate: collision_rate(self.scene.packing_fraction, now.translational),
+            energy: state.energy(),
+            lost: self.medium.lost() / self.scene.count as f64,
+            momentum: state.momentum().norm(),
+            density_variance: state.density_variance(self.length),
+        }
     }
 
     /// The current row, if all its values are finite.
@@ -279,24 +299,7 @@ impl Simulation for GasSimulation {
     type Error = GasError;
 
     fn record(&self) -> Row {
-        let state = self.state();
-        let now = state.temperatures();
-        let (time, collisions) = (self.time(), self.collisions());
-        let theory = self.theory(collisions, now);
-        [
-            time,
-            collisions,
-            now.translational,
-            now.rotational,
-            theory.translational,
-            theory.rotational,
-            self.haff(time, now.translational),
-            collision_rate(self.scene.packing_fraction, now.translational),
-            state.energy(),
-            self.medium.lost() / self.scene.count as f64,
-            state.momentum().norm(),
-            state.density_variance(self.length),
-        ]
+        self.line().values()
     }
 
     /// A run that has ended takes no more steps.

@@ -1,9 +1,10 @@
-//! Gases as long runs.
+//! Gases as long runs, with their frames.
 
+use super::time_stepped::DENSITY;
 use super::{GasError, GasSimulation, GasStartError};
 use crate::gas::scene::GasScene;
 use std::ops::ControlFlow;
-use tribos_base::record::frames::{Bodies, Frame};
+use tribos_base::record::frames::{Bodies, Frame, Kind};
 use tribos_base::run::{Cause, LongRun};
 
 impl LongRun for GasSimulation {
@@ -29,11 +30,42 @@ impl LongRun for GasSimulation {
         self.steps()
     }
 
+    /// Data common to all frames of the film, which keeps at most `limit` of them.
     fn bodies(&self, limit: u64) -> Bodies {
-        self.bodies(limit)
+        Bodies {
+            kind: Kind::Gas,
+            scene: self.scene().json(),
+            limit,
+            stride: 1,
+            sides: [self.length(); 2],
+            periods: [Some(self.length()); 3],
+            radii: vec![1.0; self.scene().count],
+            materials: Vec::new(),
+            densities: vec![DENSITY; self.scene().count],
+            layers: Vec::new(),
+            parts: Vec::new(),
+            marked: Vec::new(),
+        }
     }
 
+    /// The current state; its measure is the translational temperature.
     fn frame(&self) -> Frame {
-        self.frame()
+        let state = self.state();
+        let length = self.length() as f32;
+        Frame {
+            step: self.steps(),
+            time: self.time(),
+            height: self.length(),
+            tilt: 0.0,
+            measure: state.temperatures().translational,
+            corners: [[0.0; 3], [length; 3]],
+            places: state.places,
+            speeds: state
+                .motions
+                .iter()
+                .map(|motion| motion.velocity.norm() as f32)
+                .collect(),
+            contacts: Vec::new(),
+        }
     }
 }

@@ -8,11 +8,12 @@ use super::loads::Loads;
 use super::measure::{COLUMNS, PackingState};
 use super::outcome::GrainsSummary;
 use super::placement::PlacementError;
-use super::wall::{AxisEnd, InitialWall};
-use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
+use super::wall::InitialWall;
+use crate::grains::scene::{Container, EndBoundary, GrainsScene};
 use crate::packing::{
-    Bodies, ContactKeys, InitialSpheres, MeasuredState, MeasurementSchedule, OptionalFeatures,
-    Packing, PackingBody, PackingRun, PackingStopReason, RunLimits,
+    Bodies, ContactKeys, Dissipation, InitialSpheres, MeasuredState, MeasurementSchedule,
+    OptionalFeatures, Packing, PackingBody, PackingEnergy, PackingRun, PackingStopReason,
+    RunLimits,
 };
 use serde_json::{Map, Value};
 use std::ops::ControlFlow;
@@ -20,7 +21,6 @@ use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::damaged;
 use tribos_base::record::frames::Kind;
-use tribos_base::run::Simulation;
 use tribos_contacts::cd::Wall;
 
 /// Slow steps after which the grains count as at rest.
@@ -155,7 +155,7 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     }
 
     fn line(&self, _: &SlowStepCount, seen: &MeasuredState) -> [f64; COLUMNS.len()] {
-        self.now(seen).line()
+        self.now(seen).line().values()
     }
 
     /// Counts slow steps.
@@ -214,20 +214,24 @@ impl GrainsSimulation {
         let now = self.body.now(&self.seen);
         let spheres = now.packing.spheres().iter();
         let totals = self.totals();
+        let has_surface = now.scene.boundary_z == EndBoundary::Floor;
+        let energy = now.packing.energy();
         GrainsSummary {
             ending: self.ending(),
-            time: self.time(),
-            steps: self.steps(),
             grains: now.packing.radii().len(),
             mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
-            floor_force: now.push(Axis::Z, AxisEnd::Low),
-            surface_angles: now.surface_angles(),
-            last: self.record(),
+            time: self.time(),
+            steps: self.steps(),
+            iterations_total: totals.iterations,
+            steps_unmet: totals.unmet,
+            steps_handed_over: Some(totals.handed_over).filter(|steps| *steps > 0),
+            contacts: self.pairs(),
+            end: now.line(),
+            surface_angles: has_surface.then(|| now.surface_angles()),
+            max_overlap: self.max_overlap(),
             statistics: self.statistics(),
-            iterations: totals.iterations,
-            unmet: totals.unmet,
-            handed_over: totals.handed_over,
-            energy: *now.packing.energy(),
+            dissipation: Dissipation::of(energy),
+            energy: PackingEnergy::of(energy, &now.scene.contact_method()),
             wall_seconds: totals.wall_seconds,
         }
     }

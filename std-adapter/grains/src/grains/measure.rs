@@ -9,49 +9,88 @@ use crate::packing::{Packing, Stress, branch, is_at};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use tribos_base::record::ContactRow;
+use tribos_base::results::{Reporting::*, summary};
 use tribos_contacts::cd::StepReport;
 
-/// Columns of the series, in the units of the scene.
-pub const COLUMNS: [&str; 35] = [
-    "time",
-    "step",
-    "width",
-    "depth",
-    "height",
-    "solid_fraction",
-    "kinetic",
-    "speed",
-    "contacts",
-    "coordination",
-    "floor_force",
-    "plate_force",
-    "side_force_x",
-    "side_force_y",
-    "stress_xx",
-    "stress_yy",
-    "stress_zz",
-    "stress_xz",
-    "plate_stress",
-    "shear_stress",
-    "plate_speed",
-    "shear_rate",
-    "gravity_x",
-    "gravity_z",
-    "surface_angle",
-    "discharged",
-    "sweeps",
-    "residual",
-    "work",
-    "dissipated_normal",
-    "dissipated_sliding",
-    "dissipated_rolling",
-    "dissipated_torsion",
-    "dissipated_cohesion",
-    "viscosity",
-];
+summary! {
+    /// A line of the series, in the units of the scene.
+    #[derive(Copy)]
+    pub struct GrainsLine = series;
 
-/// A line of the series.
-pub(super) type Line = [f64; COLUMNS.len()];
+    /// Time.
+    time: f64, "s", InSeries;
+    /// Number of steps taken.
+    step: f64, "-", InSeries;
+    /// Length along x of the volume that the grains fill.
+    width: f64, "m";
+    /// Length along y of this volume.
+    depth: f64, "m";
+    /// Length along z of this volume; below an open top, that of a level bed.
+    height: f64, "m", Swept;
+    /// Share of the volume, or of the area in two dimensions, that is solid.
+    solid_fraction: f64, "-", Shown("solid fraction");
+    /// Kinetic energy of the grains.
+    kinetic: f64, "J", InSeries;
+    /// Root mean square speed of the grains.
+    speed: f64, "m/s";
+    /// Number of contacts, those with walls included.
+    contacts: f64, "-", InSeries;
+    /// Mean number of contacts of a grain, walls included.
+    coordination: f64, "-";
+    /// Force of the grains on the floor, downwards.
+    floor_force: f64, "N", Shown("floor force");
+    /// Force of the grains on the plate above, upwards.
+    plate_force: f64, "N";
+    /// Force of the grains on the wall at the far end of x, outwards.
+    side_force_x: f64, "N";
+    /// Force of the grains on the wall at the far end of y, outwards.
+    side_force_y: f64, "N";
+    /// Stress of the contacts along x; pressure is positive.
+    stress_xx: f64, "Pa", Swept;
+    /// Stress of the contacts along y.
+    stress_yy: f64, "Pa";
+    /// Stress of the contacts along z.
+    stress_zz: f64, "Pa", Swept;
+    /// Shear stress of the contacts in the plane of x and z.
+    stress_xz: f64, "Pa", Swept;
+    /// Normal stress on the plate above.
+    plate_stress: f64, "Pa", Swept;
+    /// Shear stress on the plate; of the contacts in a sheared box without walls.
+    shear_stress: f64, "Pa", Shown("shear stress");
+    /// Speed of the plate along x.
+    plate_speed: f64, "m/s";
+    /// Rate of the shear: that of the scene, or speed of the plate over height.
+    shear_rate: f64, "1/s";
+    /// Gravity along x.
+    gravity_x: f64, "m/s^2";
+    /// Gravity along z.
+    gravity_z: f64, "m/s^2";
+    /// Slope of the free surface along x, positive where it falls towards +x; 0 without a free surface.
+    surface_angle: f64, "deg", Shown("angle");
+    /// Mass of the grains below the slot of a hopper; 0 without one.
+    discharged: f64, "kg";
+    /// Sweeps of the last step.
+    sweeps: f64, "-";
+    /// Relative residual of the contact laws in the last step.
+    residual: f64, "-";
+    /// Work of the loads on walls, of prescribed wall motions, of gravity, and of a shear.
+    work: f64, "J", InSeries;
+    /// Energy lost in collisions and in closing gaps.
+    dissipated_normal: f64, "J", InSeries;
+    /// Energy lost in sliding.
+    dissipated_sliding: f64, "J", InSeries;
+    /// Energy lost in rolling.
+    dissipated_rolling: f64, "J", InSeries;
+    /// Energy lost in torsion.
+    dissipated_torsion: f64, "J", InSeries;
+    /// Work against cohesion.
+    dissipated_cohesion: f64, "J", InSeries;
+    /// Shear stress of the contacts over the rate of a sheared box; 0 without a rate.
+    viscosity: f64, "Pa s", InSeries;
+}
+
+/// Columns of the series, in the units of the scene.
+pub const COLUMNS: [&str; GrainsLine::COLUMNS.len()] = GrainsLine::COLUMNS;
 
 /// State of the packing after a step, for measurements.
 #[derive(Clone, Copy, Debug)]
@@ -129,7 +168,7 @@ impl PackingState<'_> {
     }
 
     /// The current line of the series.
-    pub fn line(&self) -> Line {
+    pub fn line(&self) -> GrainsLine {
         let (time, step) = self.packing.clock();
         let extents = self.extents();
         let [width, depth, height] = extents.map(|[low, high]| high - low);
@@ -139,43 +178,43 @@ impl PackingState<'_> {
         let plate_area = Layout::area(&extents, Axis::Z);
         let plate = self.force(PLATE);
         let plate_speed = self.loads.plate_speed(time);
-        [
+        GrainsLine {
             time,
-            step as f64,
+            step: step as f64,
             width,
             depth,
             height,
-            self.solid_fraction([width, depth, height]),
-            energy.kinetic,
-            self.speed(),
-            self.contacts.len() as f64,
-            self.coordination(),
-            self.push(Axis::Z, AxisEnd::Low),
-            self.push(Axis::Z, AxisEnd::High),
-            self.push(Axis::X, AxisEnd::High),
-            self.push(Axis::Y, AxisEnd::High),
-            stress.m11,
-            stress.m22,
-            stress.m33,
-            stress.m13,
-            plate.z / plate_area,
-            self.shear_stress(-plate.x / plate_area, stress.m13),
+            solid_fraction: self.solid_fraction([width, depth, height]),
+            kinetic: energy.kinetic,
+            speed: self.speed(),
+            contacts: self.contacts.len() as f64,
+            coordination: self.coordination(),
+            floor_force: self.push(Axis::Z, AxisEnd::Low),
+            plate_force: self.push(Axis::Z, AxisEnd::High),
+            side_force_x: self.push(Axis::X, AxisEnd::High),
+            side_force_y: self.push(Axis::Y, AxisEnd::High),
+            stress_xx: stress.m11,
+            stress_yy: stress.m22,
+            stress_zz: stress.m33,
+            stress_xz: stress.m13,
+            plate_stress: plate.z / plate_area,
+            shear_stress: self.shear_stress(-plate.x / plate_area, stress.m13),
             plate_speed,
-            self.scene.shear_rate.unwrap_or(plate_speed / height),
-            gravity.x,
-            gravity.z,
-            self.surface_angle(),
-            self.discharged(),
-            self.report.iterations.sweeps as f64,
-            self.report.residual.relative,
-            energy.work,
-            energy.normal,
-            energy.sliding,
-            energy.rolling,
-            energy.torsion,
-            energy.cohesion,
-            self.viscosity(stress.m13),
-        ]
+            shear_rate: self.scene.shear_rate.unwrap_or(plate_speed / height),
+            gravity_x: gravity.x,
+            gravity_z: gravity.z,
+            surface_angle: self.surface_angle(),
+            discharged: self.discharged(),
+            sweeps: self.report.iterations.sweeps as f64,
+            residual: self.report.residual.relative,
+            work: energy.work,
+            dissipated_normal: energy.normal,
+            dissipated_sliding: energy.sliding,
+            dissipated_rolling: energy.rolling,
+            dissipated_torsion: energy.torsion,
+            dissipated_cohesion: energy.cohesion,
+            viscosity: self.viscosity(stress.m13),
+        }
     }
 
     /// Shear stress on the plate; of the contacts in a sheared box without walls.

@@ -24,7 +24,7 @@ pub use cost::{cost, size, stable_step};
 pub use error::GrainsError;
 pub use grains_body::GrainsSimulation;
 #[doc(hidden)]
-pub use measure::COLUMNS;
+pub use measure::{COLUMNS, GrainsLine};
 pub use outcome::GrainsSummary;
 pub use placement::PlacementError;
 pub use ramp::{Ramp, RampError};

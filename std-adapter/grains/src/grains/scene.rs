@@ -74,7 +74,7 @@ scene! {
     /// let mut beads = GrainsSimulation::new(&scene)?;
     /// run_to_end(&mut beads, |_, _| ())?;
     /// let outcome = beads.outcome();
-    /// assert!((outcome.floor_force / (outcome.mass * 9.81) - 1.0).abs() < 0.01);
+    /// assert!((outcome.end.floor_force / (outcome.mass * 9.81) - 1.0).abs() < 0.01);
     /// # Ok::<(), tribos::grains::GrainsError>(())
     /// ```
     pub struct GrainsScene = "grains", "Grains in a box",

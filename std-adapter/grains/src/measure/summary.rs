@@ -1,9 +1,9 @@
 //! Measures as JSON and tables.
 
 use super::{Measures, Table};
-use nalgebra::Matrix3;
 use serde_json::{Map, Value, json};
 use tribos_base::record::json_number;
+use tribos_base::results::Recorded;
 
 impl Measures {
     /// The summary; lengths, forces and stresses in the units of the packing.
@@ -47,10 +47,10 @@ impl Measures {
         json!({
             "pressure": json_number(stress.pressure()),
             "deviator": json_number(stress.deviator()),
-            "total": rows(&stress.total()),
-            "plus": rows(&stress.plus),
-            "minus": rows(&stress.minus),
-            "kinetic": rows(&stress.kinetic),
+            "total": stress.total().recorded(),
+            "plus": stress.plus.recorded(),
+            "minus": stress.minus.recorded(),
+            "kinetic": stress.kinetic.recorded(),
             "forces": match self.assembly.forces {
                 super::KnownForces::Complete => "complete",
                 _ => "normal only",
@@ -62,7 +62,7 @@ impl Measures {
         let fabric = &self.fabric;
         let direction: Vec<Value> = fabric.direction.iter().map(|x| json_number(*x)).collect();
         json!({
-            "tensor": rows(&fabric.tensor),
+            "tensor": fabric.tensor.recorded(),
             "values": fabric.values.map(json_number),
             "direction": direction,
             "anisotropy": json_number(fabric.anisotropy),
@@ -117,10 +117,4 @@ impl Measures {
             "necks_beyond_sphere": necks.beyond,
         })
     }
-}
-
-/// A tensor row by row.
-fn rows(tensor: &Matrix3<f64>) -> Value {
-    let row = |i: usize| (0..3).map(|j| json_number(tensor[(i, j)])).collect();
-    Value::Array((0..3).map(row).map(Value::Array).collect())
 }

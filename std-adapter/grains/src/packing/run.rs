@@ -17,10 +17,10 @@ use std::time::Instant;
 use tribos_base::golden::{Digest, Measurement, contacts, digest};
 use tribos_base::record::checkpoint::hex;
 use tribos_base::record::frames::{Bodies, ContactStateFlags, Frame, FrameContact};
-use tribos_base::record::{ContactRow, Snapshot, json_number, with_digest};
+use tribos_base::record::{ContactRow, Snapshot, with_digest};
 use tribos_base::run::{Cause, LongRun, Simulation, run_to_end};
 use tribos_base::scene::Body as _;
-use tribos_contacts::cd::{EnergyBalance, StepReport};
+use tribos_contacts::cd::StepReport;
 use tribos_contacts::problem::GlobalProblem;
 
 /// Overlap of rigid spheres over the smaller radius beyond which their packing is none: twice what a start may have.
@@ -218,12 +218,23 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
         problem.filter(|problem| !problem.laws().is_empty())
     }
 
-    /// Numbers and forces of the contacts now, and the deepest overlap so far.
+    /// Number of contacts between spheres now.
+    pub(crate) fn pairs(&self) -> usize {
+        let rows = self.seen.contacts.iter();
+        rows.filter(|row| row.b.particle().is_some()).count()
+    }
+
+    /// Deepest overlap so far, a length; 0 if there was none.
+    pub(crate) fn max_overlap(&self) -> f64 {
+        let depths = self.seen.contacts.iter().map(|row| -row.gap);
+        depths.fold(self.totals.overlap, f64::max)
+    }
+
+    /// Numbers and forces of the contacts now.
     pub(crate) fn statistics(&self) -> ContactStatistics {
         let limits = Limits::of(&self.body.contact_keys().material);
         ContactStatistics::of(&self.seen.contacts, self.seen.packing.radii(), &limits)
             .of_materials(self.kinds.mixed().is_some())
-            .since(self.totals.overlap)
     }
 
     /// Sums over the steps, with the time up to now.
@@ -395,67 +406,6 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
         })
     }
 
-    /// Data common to all frames of the film, which keeps at most `limit` of them.
-    pub fn bodies(&self, limit: u64) -> Bodies {
-        Bodies {
-            kind: B::KIND,
-            scene: self.scene().json(),
-            limit,
-            stride: 1,
-            sides: self.body.sides(),
-            periods: self.seen.packing.space().lengths(),
-            radii: self.seen.packing.radii().to_vec(),
-            materials: self.kinds.mixed().unwrap_or_default().to_vec(),
-            densities: self.kinds.densities.clone(),
-            layers: Vec::new(),
-            parts: Vec::new(),
-            marked: Vec::new(),
-        }
-    }
-
-    /// The current state; before the first step the contacts of the start carry no force.
-    ///
-    /// ```
-    /// use tribos::powder::PowderSimulation;
-    /// # use tribos::scene::PowderScene;
-    /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
-    /// let compaction = PowderSimulation::new(&scene)?;
-    /// let (bodies, first) = (compaction.bodies(100), compaction.frame());
-    /// assert_eq!(first.places.len(), bodies.radii.len());
-    /// assert_eq!((first.step, first.height), (0, compaction.height()));
-    /// assert!(first.speeds.iter().all(|speed| *speed == 0.0));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn frame(&self) -> Frame {
-        let packing = &self.seen.packing;
-        let limits = Limits::of(&self.body.contact_keys().material);
-        let extents = self.body.extents(&self.seen);
-        let (space, radii) = (packing.space(), packing.radii());
-        let corner = |end: usize| extents.map(|ends| ends[end] as f32);
-        let contact = |row: &ContactRow| FrameContact {
-            a: row.a,
-            b: row.b,
-            normal_force: row.normal_force() as f32,
-            hold: limits
-                .reached(row, radii)
-                .map_or(ContactStateFlags::OPEN, ContactStateFlags::of),
-        };
-        let spheres = packing.spheres().iter();
-        Frame {
-            step: self.steps(),
-            time: self.time(),
-            height: self.body.height(&self.seen),
-            measure: self.body.porosity(&self.seen),
-            corners: [corner(0), corner(1)],
-            tilt: space.offset(),
-            places: packing.positions().iter().map(|x| space.wrap(x)).collect(),
-            speeds: spheres
-                .map(|sphere| sphere.velocity.norm() as f32)
-                .collect(),
-            contacts: self.contacts_now().iter().map(contact).collect(),
-        }
-    }
-
     /// Runs the scene to its end for golden files, with the summary of the end.
     pub(crate) fn measured(
         scene: &B::Scene,
@@ -553,28 +503,65 @@ impl<B: PackingBody<N>, const N: usize> LongRun for PackingRun<B, N> {
         self.steps()
     }
 
+    /// Data common to all frames of the film, which keeps at most `limit` of them.
     fn bodies(&self, limit: u64) -> Bodies {
-        self.bodies(limit)
+        Bodies {
+            kind: B::KIND,
+            scene: self.scene().json(),
+            limit,
+            stride: 1,
+            sides: self.body.sides(),
+            periods: self.seen.packing.space().lengths(),
+            radii: self.seen.packing.radii().to_vec(),
+            materials: self.kinds.mixed().unwrap_or_default().to_vec(),
+            densities: self.kinds.densities.clone(),
+            layers: Vec::new(),
+            parts: Vec::new(),
+            marked: Vec::new(),
+        }
     }
 
+    /// The current state; before the first step the contacts of the start carry no force.
+    ///
+    /// ```
+    /// use tribos::powder::PowderSimulation;
+    /// use tribos::run::LongRun;
+    /// # use tribos::scene::PowderScene;
+    /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
+    /// let compaction = PowderSimulation::new(&scene)?;
+    /// let (bodies, first) = (compaction.bodies(100), compaction.frame());
+    /// assert_eq!(first.places.len(), bodies.radii.len());
+    /// assert_eq!((first.step, first.height), (0, compaction.height()));
+    /// assert!(first.speeds.iter().all(|speed| *speed == 0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     fn frame(&self) -> Frame {
-        self.frame()
+        let packing = &self.seen.packing;
+        let limits = Limits::of(&self.body.contact_keys().material);
+        let extents = self.body.extents(&self.seen);
+        let (space, radii) = (packing.space(), packing.radii());
+        let corner = |end: usize| extents.map(|ends| ends[end] as f32);
+        let contact = |row: &ContactRow| FrameContact {
+            a: row.a,
+            b: row.b,
+            normal_force: row.normal_force() as f32,
+            hold: limits
+                .reached(row, radii)
+                .map_or(ContactStateFlags::OPEN, ContactStateFlags::of),
+        };
+        let spheres = packing.spheres().iter();
+        Frame {
+            step: self.steps(),
+            time: self.time(),
+            height: self.body.height(&self.seen),
+            measure: self.body.porosity(&self.seen),
+            corners: [corner(0), corner(1)],
+            tilt: space.offset(),
+            places: packing.positions().iter().map(|x| space.wrap(x)).collect(),
+            speeds: spheres
+                .map(|sphere| sphere.velocity.norm() as f32)
+                .collect(),
+            contacts: self.contacts_now().iter().map(contact).collect(),
+        }
     }
-}
-
-/// Where the energy went: names and energies.
-pub(crate) fn losses(energy: &EnergyBalance) -> [(&'static str, f64); 5] {
-    [
-        ("normal", energy.normal),
-        ("sliding", energy.sliding),
-        ("rolling", energy.rolling),
-        ("torsion", energy.torsion),
-        ("cohesion", energy.cohesion),
-    ]
-}
-
-/// Named numbers as a JSON object.
-pub(crate) fn object(numbers: &[(&str, f64)]) -> Value {
-    let entry = |(name, value): &(&str, f64)| ((*name).to_owned(), json_number(*value));
-    Value::Object(numbers.iter().map(entry).collect())
 }

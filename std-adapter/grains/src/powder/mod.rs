@@ -16,16 +16,19 @@ mod start;
 pub use crate::packing::ContactStatistics;
 pub use crate::packing::PackingStopReason as PowderStopReason;
 #[doc(hidden)]
-pub use crate::packing::{ActiveModes, Limits, Material, ModeSet, PackingCost, STATE, Stress};
+pub use crate::packing::{
+    ActiveModes, Dissipation, Limits, Material, ModeSet, NormalForces, PackingCost, PackingEnergy,
+    STATE, Stress, ThresholdShares,
+};
 #[doc(hidden)]
 pub use blocked::{Means, Window};
 #[doc(hidden)]
 pub use cost::{cost, size, stable_step};
 pub use deposit::DepositError;
 pub use error::CompactionError;
-#[doc(hidden)]
-pub use outcome::COLUMNS;
 pub use outcome::PowderSummary;
+#[doc(hidden)]
+pub use outcome::{COLUMNS, MeanStress, PistonBalance};
 #[doc(hidden)]
 pub use powder_body::PISTON;
 pub use powder_body::PowderSimulation;

@@ -3,12 +3,12 @@
 use super::blocked::{Means, Window};
 use super::deposit::{BULK, Deposit, DepositError, SUBSTRATE};
 use super::error::CompactionError;
-use super::outcome::{COLUMNS, PowderSummary};
+use super::outcome::{COLUMNS, MeanStress, PistonBalance, PowderLine, PowderSummary};
 use super::start::start;
 use crate::packing::{
-    Bodies, ContactKeys, InitialSpheres, MeasuredState, MeasurementSchedule, OptionalFeatures,
-    Packing, PackingBody, PackingRun, PackingStopReason, RunLimits, Stress, branch, is_at,
-    volume_between,
+    Bodies, ContactKeys, Dissipation, InitialSpheres, MeasuredState, MeasurementSchedule,
+    OptionalFeatures, Packing, PackingBody, PackingEnergy, PackingRun, PackingStopReason,
+    RunLimits, Stress, branch, is_at, volume_between,
 };
 use crate::powder::scene::PowderScene;
 use nalgebra::{Matrix3, Vector3};
@@ -58,15 +58,15 @@ const WALLS: usize = 2;
 /// let mut compaction = PowderSimulation::new(&scene)?;
 /// run_to_end(&mut compaction, |_, _| ())?;
 /// let outcome = compaction.outcome();
-/// assert!(outcome.porosity[1] < outcome.porosity[0]);
+/// assert!(outcome.porosity_final < outcome.porosity_initial);
 /// // Spheres keep their volume: the solid share grows as the height shrinks.
 /// let solid = |porosity: f64, height: f64| (1.0 - porosity) * height;
-/// let before = solid(outcome.porosity[0], compaction.deposit().height);
+/// let before = solid(outcome.porosity_initial, outcome.height_initial);
 /// assert!((solid(compaction.porosity(), compaction.height()) / before - 1.0).abs() < 1e-12);
 /// // The last line of the series is the end.
 /// let column = COLUMNS.iter().position(|name| *name == "porosity");
 /// let last = compaction.series().last().zip(column).map(|(line, column)| line[column]);
-/// assert_eq!(last, Some(outcome.porosity[1]));
+/// assert_eq!(last, Some(outcome.porosity_final));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub type PowderSimulation = PackingRun<PowderBody, { COLUMNS.len() }>;
@@ -259,23 +259,24 @@ impl PackingBody<{ COLUMNS.len() }> for PowderBody {
     fn line(&self, watch: &PressMonitor, seen: &MeasuredState) -> [f64; COLUMNS.len()] {
         let (time, step) = seen.packing.clock();
         let energy = seen.packing.energy();
-        [
+        let line = PowderLine {
             time,
-            step as f64,
-            height(seen),
-            self.porosity(seen),
-            seen.contacts.len() as f64,
-            watch.stress.total().m33 / self.scene.pressure,
-            seen.report.iterations.sweeps as f64,
-            seen.report.residual.relative,
-            energy.kinetic,
-            energy.normal,
-            energy.sliding,
-            energy.rolling,
-            energy.torsion,
-            energy.cohesion,
-            energy.work,
-        ]
+            step: step as f64,
+            piston_height: height(seen),
+            porosity: self.porosity(seen),
+            contacts: seen.contacts.len() as f64,
+            stress_zz: watch.stress.total().m33 / self.scene.pressure,
+            sweeps: seen.report.iterations.sweeps as f64,
+            residual: seen.report.residual.relative,
+            kinetic: energy.kinetic,
+            dissipated_normal: energy.normal,
+            dissipated_sliding: energy.sliding,
+            dissipated_rolling: energy.rolling,
+            dissipated_torsion: energy.torsion,
+            dissipated_cohesion: energy.cohesion,
+            work: energy.work,
+        };
+        line.values()
     }
 
     /// Closes a full window and applies the criterion of blocked packings.
@@ -363,27 +364,48 @@ impl PowderSimulation {
         let [low, high] = BULK.map(|share| share * height);
         let (positions, radii) = (seen.packing.positions(), seen.packing.radii());
         let bulk = volume_between(positions, radii, [low, high]);
-        let totals = self.totals();
+        let (totals, means) = (self.totals(), body.means(&self.watch, seen));
+        let rebounds = |count: u64| (scene.restitution > 0.0).then_some(count);
+        let stress = MeanStress {
+            total: means.stress.total(),
+            plus: means.stress.plus,
+            minus: means.stress.minus,
+        };
+        let energy = seen.packing.energy();
         PowderSummary {
             ending: self.ending(),
+            porosity_initial: body.deposit.porosity(),
+            porosity_final: self.porosity(),
+            porosity_bulk: 1.0 - bulk / (area * (high - low)),
+            height_initial: body.deposit.height,
+            height_final: height,
+            particles: radii.len(),
+            contacts: self.pairs(),
             time: self.time(),
             steps: self.steps(),
-            particles: radii.len(),
-            heights: [body.deposit.height, height],
-            porosity: [body.deposit.porosity(), self.porosity()],
-            bulk_porosity: 1.0 - bulk / (area * (high - low)),
-            means: body.means(&self.watch, seen),
-            pressure: scene.pressure,
-            area,
+            iterations_total: totals.iterations,
+            steps_unmet: totals.unmet,
+            steps_handed_over: Some(totals.handed_over).filter(|steps| *steps > 0),
+            steps_solver_unmet: rebounds(totals.solver_unmet),
+            steps_impacts_cut: rebounds(totals.cut),
+            steps_impacts_unmet: rebounds(totals.impacts_unmet),
+            stress_zz: stress.total.m33 / scene.pressure,
+            stress_zz_plus: stress.plus.m33 / scene.pressure,
+            stress_zz_minus: stress.minus.m33 / scene.pressure,
+            residual_final: seen.report.residual.relative,
+            max_overlap: self.max_overlap(),
+            balance: PistonBalance {
+                piston_moved: means.moved,
+                piston_force: means.piston / (scene.pressure * area),
+                net_force: means.net / means.contact,
+            },
+            stress,
             statistics: self.statistics(),
-            residual: seen.report.residual.relative,
-            iterations: totals.iterations,
-            unmet: totals.unmet,
-            solver_unmet: totals.solver_unmet,
-            handed_over: totals.handed_over,
-            impacts_cut: totals.cut,
-            impacts_unmet: totals.impacts_unmet,
-            energy: *seen.packing.energy(),
+            dissipation: Dissipation::of(energy),
+            energy: PackingEnergy {
+                stilled: Some(energy.stilled),
+                ..PackingEnergy::of(energy, &scene.contact_method())
+            },
             wall_seconds: totals.wall_seconds,
         }
     }

@@ -71,8 +71,8 @@ scene! {
     /// let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..Default::default() };
     /// let mut compaction = PowderSimulation::new(&scene)?;
     /// run_to_end(&mut compaction, |_, _| ())?;
-    /// let [before, after] = compaction.outcome().porosity;
-    /// assert!(after < before);
+    /// let outcome = compaction.outcome();
+    /// assert!(outcome.porosity_final < outcome.porosity_initial);
     /// # Ok::<(), tribos::powder::CompactionError>(())
     /// ```
     pub struct PowderScene = "powder", "A powder under a piston",

@@ -3,6 +3,7 @@ use std::cell::Cell;
 use tribos_base::record::frames::FrameError;
 use tribos_base::record::with_digest;
 use tribos_base::record::{ContactRow, Partner};
+use tribos_base::results::Summary;
 use tribos_base::run::{FRAMES, RunError, Session, Simulation, StartMode, run_to_end};
 use tribos_grains::powder::*;
 use tribos_grains::scene::{BlockedCriterion, PowderScene};
@@ -129,6 +130,15 @@ fn windows_average_over_time_and_wait_for_slow_pistons() {
     assert!(!window.is_full(190.0, 1.0));
 }
 
+/// Those of sliding, rolling and torsion.
+fn shares([sliding, rolling, torsion]: [Option<f64>; 3]) -> ThresholdShares {
+    ThresholdShares {
+        sliding,
+        rolling,
+        torsion,
+    }
+}
+
 #[test]
 fn contacts_are_counted_by_sign_and_threshold() -> Tested {
     let x = Vector3::x();
@@ -145,15 +155,20 @@ fn contacts_are_counted_by_sign_and_threshold() -> Tested {
     let limits = |overrides: &[&str]| scene(overrides).map(|scene| Limits::of(&scene.material()));
     let rough = limits(&["mu=0.3", "mu_rolling=0.2", "mu_torsion=0.5"])?;
     let found = ContactStatistics::of(&rows, &[1.0; 4], &rough);
-    assert_eq!((found.contacts, found.wall_contacts), (3, 1));
+    assert_eq!(found.wall_contacts, 1);
     assert_eq!(found.coordination, [1, 0, 2, 1]);
-    assert_eq!(found.mean_coordination(), 7.0 / 4.0);
-    assert_eq!((found.signs, found.compression), ([1, 2], [1.0, 1.0]));
-    assert_eq!((found.tension, found.max_overlap), ([0.25, 0.25], 0.125));
+    assert_eq!(found.mean_coordination, 7.0 / 4.0);
+    let forces = |contacts, mean, largest| NormalForces {
+        contacts,
+        mean,
+        largest,
+    };
+    assert_eq!(found.compression, forces(1, 1.0, 1.0));
+    assert_eq!(found.tension, forces(2, 0.25, 0.25));
     let third = Some(1.0 / 3.0);
-    assert_eq!(found.at_threshold, [third, Some(0.0), third]);
+    assert_eq!(found.at_threshold, shares([third, Some(0.0), third]));
     let smooth = ContactStatistics::of(&rows, &[1.0; 4], &limits(&["mu=0"])?);
-    assert_eq!(smooth.at_threshold, [None; 3]);
+    assert_eq!(smooth.at_threshold, shares([None; 3]));
     Ok(())
 }
 
@@ -178,9 +193,9 @@ fn sliding_and_torsion_reach_a_joint_threshold_together() -> Tested {
             let row = contact(share);
             let reached = limits.reached(&row, &[1.0; 2]);
             assert_eq!(reached, Some([slips, false, slips]), "{coupling} {share}");
-            let shares = ContactStatistics::of(&[row], &[1.0; 2], &limits).at_threshold;
+            let found = ContactStatistics::of(&[row], &[1.0; 2], &limits).at_threshold;
             let share = Some(f64::from(u8::from(slips)));
-            assert_eq!(shares, [share, None, share], "{coupling}");
+            assert_eq!(found, shares([share, None, share]), "{coupling}");
         }
     }
     Ok(())
@@ -227,23 +242,24 @@ fn a_blocked_packing_carries_the_load_whatever_its_modes() -> Tested {
         let compaction = finished(&modes)?;
         let outcome = compaction.outcome();
         assert_eq!(outcome.ending, Some(PowderStopReason::Blocked), "{modes:?}");
-        let [total, plus, minus] = outcome.stress_zz();
+        let total = outcome.stress_zz;
+        let (plus, minus) = (outcome.stress_zz_plus, outcome.stress_zz_minus);
         assert!((total - 1.0).abs() < 0.01, "{modes:?} {total}");
         assert!(
             (plus + minus - total).abs() < 1e-12 && minus < 0.0,
             "{modes:?} {minus}"
         );
-        assert!(outcome.residual < 1e-3, "{}", outcome.residual);
-        assert!(outcome.energy.imbalance().abs() < 1e-9 * outcome.energy.work);
+        let residual = outcome.residual_final;
+        assert!(residual < 1e-3, "{residual}");
+        assert!(outcome.energy.imbalance.abs() < 1e-9 * outcome.energy.work);
         // Less resistance, less room; modes without a coefficient take no energy.
-        assert!(
-            outcome.porosity[1] < last,
-            "{modes:?} {:?}",
-            outcome.porosity
-        );
-        last = outcome.porosity[1];
-        for (name, energy) in outcome.dissipation() {
-            let resists = ["normal", "cohesion"].contains(&name) || names.contains(name);
+        let porosity = outcome.porosity_final;
+        assert!(porosity < last, "{modes:?} {porosity}");
+        last = porosity;
+        for (name, energy) in outcome.dissipation.entries() {
+            let resists = ["normal", "cohesion", names]
+                .iter()
+                .any(|known| known.contains(&name));
             assert_eq!(energy != 0.0, resists, "{modes:?} {name} {energy}");
         }
     }
@@ -256,7 +272,6 @@ fn a_powder_under_gravity_bears_its_weight_and_the_lid() -> Tested {
         let compaction = finished(&["mu_rolling=0.3", &format!("gravity={gravity}")])?;
         let outcome = compaction.outcome();
         assert_eq!(outcome.ending, Some(PowderStopReason::Blocked), "{gravity}");
-        let area = outcome.area;
         let mass: f64 = compaction
             .deposit()
             .radii
@@ -270,7 +285,7 @@ fn a_powder_under_gravity_bears_its_weight_and_the_lid() -> Tested {
             rows.map(|row| row.force.z).sum::<f64>()
         };
         let (floor, lid) = (-at(0), at(PISTON));
-        let load = outcome.pressure * area;
+        let load = compaction.scene().load();
         assert!((lid / load - 1.0).abs() < 0.05, "{gravity}: lid {lid}");
         let expected = load + weight;
         assert!((floor / expected - 1.0).abs() < 0.05, "{gravity}: {floor}");
@@ -321,13 +336,13 @@ fn soft_spheres_end_blocked_near_the_height_of_rigid_ones() -> Tested {
             let keys = [&modes[..], &["method=soft", &law, "stiffness=2e3"]].concat();
             let soft = finished(&keys)?.outcome();
             assert_eq!(soft.ending, Some(PowderStopReason::Blocked), "{keys:?}");
-            let [total, ..] = soft.stress_zz();
+            let total = soft.stress_zz;
             assert!((total - 1.0).abs() < 0.01, "{keys:?} {total}");
             // Twenty spheres: one more or less that is caught is a point.
-            let apart = soft.porosity[1] - rigid.porosity[1];
+            let apart = soft.porosity_final - rigid.porosity_final;
             assert!(apart.abs() < 0.05, "{keys:?} {apart}");
-            assert!(soft.statistics.max_overlap > rigid.statistics.max_overlap);
-            assert!(soft.energy.elastic > 0.0 && soft.iterations == 0);
+            assert!(soft.max_overlap > rigid.max_overlap);
+            assert!(soft.energy.elastic > Some(0.0) && soft.iterations_total == 0);
         }
     }
     Ok(())

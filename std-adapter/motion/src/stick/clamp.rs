@@ -20,7 +20,7 @@ use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 use tribos_base::bracket::Bracket;
-use tribos_base::results::{Quantity, Reporting::*, Summary, summary};
+use tribos_base::results::{Quantity, Reporting::*, Summary, SweepView, summary};
 use tribos_core::Real;
 use tribos_core::law::StickSlip;
 use tribos_core::limit_surface::FrictionSet;
@@ -331,6 +331,14 @@ impl MotionScene for ClampScene {
         ClampSummary::QUANTITIES
     }
 
+    fn sweep_view(&self) -> SweepView {
+        SweepView {
+            drawn: "loss_per_cycle",
+            title: "Heat of a cycle",
+            share: ["lets_go", "/ending", "lets go"],
+        }
+    }
+
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let result = watched(self, watch)?;
         let outcome = &result.outcome;
@@ -358,6 +366,7 @@ impl MotionScene for ClampScene {
             rows: result.rows.iter().map(|row| row.to_vec()).collect(),
             outcome: outcome.entries(),
             told,
+            spent: None,
             drawn: (&["position"], "position [m]"),
         })
     }

@@ -12,7 +12,7 @@ use super::StickError;
 use crate::motion_run::{MotionError, MotionRun, MotionScene};
 use crate::stick::scene::InclineScene;
 use tribos_base::bracket::Bracket;
-use tribos_base::results::{Quantity, Reporting::*, Summary, summary};
+use tribos_base::results::{Quantity, Reporting::*, Summary, SweepView, summary};
 use tribos_core::Real;
 use tribos_core::law::{RestTime, StaticAgeing};
 use tribos_core::twist::Wrench;
@@ -228,6 +228,14 @@ impl MotionScene for InclineScene {
         InclineSummary::QUANTITIES
     }
 
+    fn sweep_view(&self) -> SweepView {
+        SweepView {
+            drawn: "release_angle",
+            title: "Angle at which the block lets go",
+            share: ["slides", "/ending", "slides"],
+        }
+    }
+
     fn follow(&self, _: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let result = run(self)?;
         let outcome = &result.outcome;
@@ -262,6 +270,7 @@ impl MotionScene for InclineScene {
             rows: result.rows.iter().map(|row| row.to_vec()).collect(),
             outcome: outcome.entries(),
             told,
+            spent: None,
             drawn: (&["drive", "friction"], "force along the incline [N]"),
         })
     }

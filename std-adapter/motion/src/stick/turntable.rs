@@ -20,7 +20,7 @@ use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
 use path::{SlideState, State};
 use tribos_base::bracket::Bracket;
-use tribos_base::results::{Quantity, Reporting::*, Summary, summary};
+use tribos_base::results::{Quantity, Reporting::*, Summary, SweepView, summary};
 use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::planar::PlanarBody;
@@ -269,6 +269,14 @@ impl MotionScene for TurntableScene {
         TurntableSummary::QUANTITIES
     }
 
+    fn sweep_view(&self) -> SweepView {
+        SweepView {
+            drawn: "release_rate",
+            title: "Rate at which the body lets go",
+            share: ["leaves", "/ending", "leaves"],
+        }
+    }
+
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let result = watched(self, watch)?;
         let outcome = &result.outcome;
@@ -297,6 +305,7 @@ impl MotionScene for TurntableScene {
             rows: result.rows.iter().map(|row| row.to_vec()).collect(),
             outcome: outcome.entries(),
             told,
+            spent: None,
             drawn: (&["x", "y"], "place on the table [m]"),
         })
     }

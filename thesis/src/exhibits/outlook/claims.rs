@@ -314,7 +314,7 @@ fn all_blocked(map: &Map) -> Claim {
 /// One line of the kept table, run now.
 fn repeated(runs: &Runs, map: &Map) -> Result<Claim> {
     let run = runs.one(&REPEATED.case())?;
-    let ours = run.outcome.porosity[1];
+    let ours = run.outcome.porosity_final;
     let kept = map.line(REPEATED).map_or(f64::NAN, |line| line.porosity);
     Ok(Claim::own_statement(
         TEXT.said("repeated"),

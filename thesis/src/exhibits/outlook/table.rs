@@ -109,12 +109,12 @@ impl Line {
         Self {
             made,
             blocked: outcome.ending == Some(PowderStopReason::Blocked),
-            porosity: outcome.porosity[1],
-            contacts: outcome.statistics.contacts as f64,
+            porosity: outcome.porosity_final,
+            contacts: outcome.contacts as f64,
             steps: outcome.steps as f64,
-            unmet: outcome.unmet as f64,
-            sweeps: outcome.iterations as f64,
-            pull: outcome.stress_zz()[2],
+            unmet: outcome.steps_unmet as f64,
+            sweeps: outcome.iterations_total as f64,
+            pull: outcome.stress_zz_minus,
             seconds: outcome.wall_seconds,
         }
     }

@@ -168,7 +168,7 @@ fn trials(runs: &Runs) -> Result<Vec<Claim>> {
         smooth(short(none)),
     ];
     let runs = runs.of(&cases)?;
-    let ends: Vec<f64> = runs.iter().map(|run| run.outcome.porosity[1]).collect();
+    let ends: Vec<f64> = runs.iter().map(|run| run.outcome.porosity_final).collect();
     let blocked = |at: usize| runs[at].outcome.ending == Some(PowderStopReason::Blocked);
     let shown = |at: usize| {
         let creeping = if blocked(at) { "" } else { ", still sinking" };
@@ -207,7 +207,7 @@ fn smooth(runs: &Runs) -> Result<Vec<Claim>> {
         .map(|case| case.with("sliding=0", |scene| scene.mu = 0.0));
     let ends = runs.of(&[smooth, rough].concat())?;
     let [free, held, base, with_sliding] =
-        [0, 1, 2, 3].map(|at: usize| ends[at].outcome.porosity[1]);
+        [0, 1, 2, 3].map(|at: usize| ends[at].outcome.porosity_final);
     Ok(vec![
         Claim::definition(
             TEXT.said("no-sliding"),

@@ -4,19 +4,20 @@ use super::number;
 use crate::command::explain::packing::{MODES, SWITCHES, coefficients};
 use crate::command::explain::{duration, line};
 use serde_json::Value;
-use tribos::powder::Material;
+use tribos::powder::{Dissipation, Material};
+use tribos::results::Summary;
 
 /// Share of all dissipation below which a mode counts as idle.
 const LITTLE: f64 = 0.01;
-/// Entries of the summary.
-const PARTS: [&str; 5] = ["normal", "sliding", "rolling", "torsion", "cohesion"];
 
 /// The account of a run: steps, energies, thresholds, and what did next to nothing; `command` runs the scene anew,
 /// with one more override.
 pub fn text(summary: &Value, material: &Material, command: &str) -> String {
     let number = |place: &str| number(summary, place);
-    let parts = PARTS.map(|part| number(&format!("/dissipation/{part}")));
-    let total: f64 = parts.iter().map(|part| part.abs()).sum();
+    let parts = Dissipation::QUANTITIES.iter().map(|part| part.name);
+    let energies = parts.map(|part| (part, number(&format!("/dissipation/{part}"))));
+    let energies: Vec<(&str, f64)> = energies.collect();
+    let total: f64 = energies.iter().map(|(_, energy)| energy.abs()).sum();
     let mut text = line(
         "run",
         format!(
@@ -31,17 +32,20 @@ pub fn text(summary: &Value, material: &Material, command: &str) -> String {
         "energy balance, as shares of all energy exchanged at contacts:",
     );
     // Nothing exchanged has no shares.
-    let shares = parts.map(|energy| if total > 0.0 { energy / total } else { 0.0 });
-    for (part, share) in PARTS.iter().zip(shares) {
+    let share = |energy: f64| if total > 0.0 { energy / total } else { 0.0 };
+    for (part, energy) in &energies {
+        let share = share(*energy);
         let gave = if share < 0.0 { "  (gave energy)" } else { "" };
         let percent = 100.0 * share;
         text += &line("", format!("{part:<10} {percent:6.1} %{gave}"));
     }
     text += &at_thresholds(summary);
-    let coefficients = coefficients(material);
-    for (mode, (mu, share)) in coefficients.iter().zip(&shares[1..]).enumerate() {
-        if *mu > 0.0 && share.abs() < LITTLE {
-            text += &advice(material, mode, share.abs(), command);
+    for (mode, mu) in coefficients(material).into_iter().enumerate() {
+        let idle = energies.iter().find(|(part, energy)| {
+            *part == MODES[mode] && mu > 0.0 && share(*energy).abs() < LITTLE
+        });
+        if let Some((_, energy)) = idle {
+            text += &advice(material, mode, share(*energy).abs(), command);
         }
     }
     text

@@ -3,63 +3,52 @@
 use crate::command::explain::patience::{takes, within};
 use crate::command::explain::{line, lines};
 use crate::failure::Failure;
+use serde_json::Value;
 use std::time::Instant;
 use tribos::motion::MotionScene;
-use tribos::scene::{DiskScene, Scene};
-use tribos::slide::{self, FrictionWork, PlanarScene};
+use tribos::slide::FrictionWork;
 
 /// Share of all work below which a motion counts as idle, and a bend of the path as straight.
 const LITTLE: f64 = 0.01;
 
 /// A body in motion.
-pub fn motion(any: &Scene, scene: &dyn MotionScene) -> Result<String, Failure> {
-    match any {
-        Scene::Disk(scene) => disk(scene),
-        Scene::Cylinder(scene) => planar(scene),
-        Scene::Pipe(scene) => planar(scene),
-        Scene::Plate(scene) => planar(scene),
-        Scene::Curling(scene) => planar(scene),
-        _ => Ok(match within(|go_on| scene.follow(go_on)) {
-            Ok(run) => lines(&run?.told),
-            Err(text) => text,
-        }),
-    }
+pub fn motion(scene: &dyn MotionScene) -> Result<String, Failure> {
+    let begun = Instant::now();
+    let run = match within(|go_on| scene.follow(go_on)) {
+        Ok(run) => run?,
+        Err(text) => return Ok(text),
+    };
+    let Some(spent) = run.spent else {
+        return Ok(lines(&run.told));
+    };
+    let text = account(&spent) + &takes(begun.elapsed());
+    let entry = |name: &str| run.outcome.get(name).and_then(Value::as_f64);
+    Ok(text
+        + &match (entry("x"), entry("curl"), entry("max_lean")) {
+            (Some(along), Some(aside), Some(lean)) => path(along, aside, lean),
+            _ => idle_spin(scene, &spent),
+        })
 }
 
-/// A disk on its straight path.
-fn disk(scene: &DiskScene) -> Result<String, Failure> {
-    let begun = Instant::now();
-    let spent = slide::run(scene, |_| ())?.spent(scene);
-    let time = takes(begun.elapsed());
-    let idle = if spent.spinning_share() < LITTLE && scene.spin != 0.0 {
+/// A spin that a straight path could do without.
+fn idle_spin(scene: &dyn MotionScene, spent: &FrictionWork) -> String {
+    if spent.spinning_share() < LITTLE && scene.json()["spin"].as_f64() != Some(0.0) {
         line(
             "could go",
             "the spin held next to no energy: check with --set spin=0",
         )
     } else {
         String::new()
-    };
-    Ok(account(&spent) + &time + &idle)
+    }
 }
 
-/// A body in the plane.
-fn planar(scene: &dyn PlanarScene) -> Result<String, Failure> {
-    let begun = Instant::now();
-    let run = match within(|go_on| slide::follow_path(scene, go_on)) {
-        Ok(run) => run?,
-        Err(text) => return Ok(text),
-    };
-    let time = takes(begun.elapsed());
-    let (along, aside) = (run.outcome.x, run.outcome.curl);
-    let bend = (aside / along).abs();
-    let mut text = account(&run.spent(scene)) + &time;
-    text += &line(
+/// A path, and its bend if it has next to none.
+fn path(along: f64, aside: f64, lean: f64) -> String {
+    let mut text = line(
         "path",
-        format!(
-            "{along:.4} m along and {aside:.4} m aside, most lean {:.4} of the limit",
-            run.outcome.max_lean
-        ),
+        format!("{along:.4} m along and {aside:.4} m aside, most lean {lean:.4} of the limit"),
     );
+    let bend = (aside / along).abs();
     if bend < LITTLE {
         text += &line(
             "could go",
@@ -69,7 +58,7 @@ fn planar(scene: &dyn PlanarScene) -> Result<String, Failure> {
             ),
         );
     }
-    Ok(text)
+    text
 }
 
 fn account(spent: &FrictionWork) -> String {

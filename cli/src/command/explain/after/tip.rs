@@ -1,10 +1,9 @@
 //! A finished run of a tip.
 
-use super::{number, summary};
+use super::number;
 use crate::command::explain::line;
-use crate::failure::Failure;
+use crate::command::explain::tip::unit;
 use serde_json::Value;
-use std::path::Path;
 use tribos::scene::TipScene;
 
 /// What a drive needs after the tip has come to stand, in τ: a plateau and a mean.
@@ -12,14 +11,14 @@ const TO_TELL: f64 = 40.0;
 /// Part of the drive that is worth sparing.
 const WORTH: f64 = 0.25;
 
-/// The account of the run in `out`.
-pub fn text(scene: &TipScene, out: &Path) -> Result<String, Failure> {
-    let summary = summary(out, TipScene::KEYS, &scene.json())?;
-    let energy = |name: &str| number(&summary, &format!("/drive_energy/{name}"));
+/// The account of the run with this summary.
+pub fn text(scene: &TipScene, summary: &Value) -> String {
+    let [tau, eps] = ["tau", "eps"].map(|of| unit(scene, of));
+    let energy = |name: &str| number(summary, &format!("/drive_energy/{name}"));
     let mut text = line(
         "energy",
         format!(
-            "the drive did {:.2} eps of work: {:.2} stored by the potential, {:.2} taken as heat by thermostats and damping; {:.2} given back after it; all but the work to +-{:.2}",
+            "the drive did {:.2} {eps} of work: {:.2} stored by the potential, {:.2} taken as heat by thermostats and damping; {:.2} given back after it; all but the work to +-{:.2}",
             energy("work"),
             energy("stored"),
             energy("heat"),
@@ -35,7 +34,7 @@ pub fn text(scene: &TipScene, out: &Path) -> Result<String, Failure> {
             interfaces(&summary["slipped_interfaces"])
         ),
     );
-    Ok(text + &spare(&summary))
+    text + &spare(summary, tau)
 }
 
 fn interfaces(list: &Value) -> String {
@@ -49,7 +48,7 @@ fn interfaces(list: &Value) -> String {
 }
 
 /// A drive that goes on long after the tip stood still.
-fn spare(summary: &Value) -> String {
+fn spare(summary: &Value, tau: &str) -> String {
     let plateaus = summary["plateaus"].as_array();
     let Some(last) = plateaus.and_then(|all| all.last()) else {
         return String::new();
@@ -63,7 +62,7 @@ fn spare(summary: &Value) -> String {
     line(
         "could go",
         format!(
-            "the driven layers stayed at {:.2} degrees after {:.0} tau: --set drive_time={enough} shows the same",
+            "the driven layers stayed at {:.2} degrees after {:.0} {tau}: --set drive_time={enough} shows the same",
             number(last, "/angle_degrees"),
             number(last, "/from")
         ),

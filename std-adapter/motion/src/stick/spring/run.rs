@@ -11,7 +11,7 @@ use super::tally::RunStatistics;
 use crate::motion_run::{MotionError, MotionRun, MotionScene};
 use crate::stick::StickError;
 use crate::stick::scene::{SpringFriction, SpringScene};
-use tribos_base::results::{Quantity, Summary};
+use tribos_base::results::{Quantity, Summary, SweepView};
 use tribos_core::law::{LocalLaw, LuGre, RateState, RateStateParameters, StaticAgeing};
 use tribos_friction::Law;
 
@@ -388,6 +388,14 @@ impl MotionScene for SpringScene {
         SpringSummary::QUANTITIES
     }
 
+    fn sweep_view(&self) -> SweepView {
+        SweepView {
+            drawn: "amplitude",
+            title: "Amplitude of the spring force",
+            share: ["stick_slip", "/regime", "stick-slip"],
+        }
+    }
+
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let result = watched(self, watch)?;
         let outcome = &result.outcome;
@@ -442,6 +450,7 @@ impl MotionScene for SpringScene {
                 .collect(),
             outcome: outcome.entries(),
             told,
+            spent: None,
             drawn: (&["spring_force"], "spring force [N]"),
         })
     }
