@@ -83,6 +83,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "tribos-api",
             "tribos-core",
             "tribos-report",
+            "tribos-subjects",
             "tribos-tests",
             "tribos-trials",
         ],
