@@ -1,13 +1,10 @@
 //! What the scenes of all bodies in motion have in common: each runs in a moment, to a series and a summary.
 
-use crate::scene::{
-    ClampScene, CurlingScene, CylinderScene, DiskScene, InclineScene, PipeScene, PlateScene,
-    SpringScene, TurntableScene,
-};
+use crate::scene::DiskScene;
 use crate::slide::{self, PATH_COLUMNS, PlanarScene, PlanarSummary, SlideError, SlideSummary};
 use crate::stick::StickError;
 use serde_json::{Map, Value};
-use tribos_base::golden::{Measure, Measurement};
+use tribos_base::golden::Measurement;
 use tribos_base::results::{Quantity, Summary, file};
 use tribos_base::scene::Body;
 
@@ -55,6 +52,10 @@ impl MotionError {
     }
 }
 
+/// What a sweep draws, as the title of the picture and the column; and the word whose share it tells, as a column,
+/// the place in the summary and the word.
+pub type SweepView = ([&'static str; 2], [&'static str; 3]);
+
 /// The scene of a body that slides, or holds and slips.
 pub trait MotionScene: Body + Sync {
     /// The quantities of its summary.
@@ -63,6 +64,9 @@ pub trait MotionScene: Body + Sync {
     /// Runs the scene to its end. `watch` sees now and then the share of the run that is done, and ends the run by
     /// answering false; that of a disk, which takes a moment, goes on.
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError>;
+
+    /// What a sweep of it draws, and the word whose share it tells.
+    fn sweep_view(&self) -> SweepView;
 
     /// Unknowns, law and method, head and text, of a body that holds.
     fn carried(&self) -> Vec<(&'static str, String)> {
@@ -87,6 +91,13 @@ impl MotionScene for DiskScene {
             drawn: (&[], ""),
         })
     }
+
+    fn sweep_view(&self) -> SweepView {
+        (
+            ["Distance to rest", "distance"],
+            ["rest", "/ending", "rest"],
+        )
+    }
 }
 
 impl<T: PlanarScene> MotionScene for T {
@@ -104,33 +115,28 @@ impl<T: PlanarScene> MotionScene for T {
             drawn: (&[], ""),
         })
     }
+
+    fn sweep_view(&self) -> SweepView {
+        (
+            ["Curl, to the left if positive", "curl"],
+            ["rest", "/ending", "rest"],
+        )
+    }
 }
 
-/// Implements what golden files ask of scenes.
-macro_rules! measured {
-    ($($scene:ty),+) => {$(
-        impl Measure for $scene {
-            type Error = MotionError;
-
-            fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MotionError> {
-                let run = self.follow(&mut |_| {
-                    watch();
-                    true
-                })?;
-                let summary = run.json(self);
-                Ok(Measurement::new(&summary, run.columns, run.rows.into_iter()))
-            }
-        }
-    )+};
+/// What golden files pin of a run; `watch` is called now and then.
+pub fn measured_motion(
+    scene: &dyn MotionScene,
+    watch: &mut dyn FnMut(),
+) -> Result<Measurement, MotionError> {
+    let run = scene.follow(&mut |_| {
+        watch();
+        true
+    })?;
+    let summary = run.json(scene);
+    Ok(Measurement::new(
+        &summary,
+        run.columns,
+        run.rows.into_iter(),
+    ))
 }
-measured!(
-    ClampScene,
-    CurlingScene,
-    CylinderScene,
-    DiskScene,
-    InclineScene,
-    PipeScene,
-    PlateScene,
-    SpringScene,
-    TurntableScene
-);

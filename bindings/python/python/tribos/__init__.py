@@ -68,21 +68,8 @@ from tribos._states import Frame, Frames, State
 from tribos._surface import LimitSurface
 from tribos._sweep import cases, run_case, sweep
 from tribos._threads import num_threads, set_num_threads
-from tribos.scenes import (
-    ClampScene,
-    CurlingScene,
-    CylinderScene,
-    GasScene,
-    GrainsScene,
-    InclineScene,
-    PipeScene,
-    PlateScene,
-    PowderScene,
-    SliderScene,
-    SpringScene,
-    TipScene,
-    TurntableScene,
-)
+from tribos.scenes import *  # noqa: F403 - the scene of every body
+from tribos.scenes import __all__ as _scenes
 
 __version__: str = _native.__version__
 
@@ -90,22 +77,16 @@ _command.host(["python", *getattr(sys, "argv", [])])
 
 __all__ = [
     "AnyPressure",
-    "ClampScene",
     "Collision",
     "ConeEdge",
     "ContactForce",
     "ContactLaw",
-    "CurlingScene",
-    "CylinderScene",
     "Estimate",
     "FixedPoint",
     "Frame",
     "Frames",
     "Friction",
-    "GasScene",
-    "GrainsScene",
     "Grip",
-    "InclineScene",
     "Journey",
     "Launch",
     "Law",
@@ -118,14 +99,11 @@ __all__ = [
     "Motion",
     "MotionCone",
     "Patch",
-    "PipeScene",
     "PlanarBody",
     "PlanarStepBy",
     "PlanarStepJacobian",
-    "PlateScene",
     "Plates",
     "PointContact",
-    "PowderScene",
     "Push",
     "RateState",
     "Rest",
@@ -134,16 +112,12 @@ __all__ = [
     "Scene",
     "SlideBy",
     "SlideJacobian",
-    "SliderScene",
     "SolverReport",
     "Spheres",
-    "SpringScene",
     "State",
     "Step",
     "SupportFit",
-    "TipScene",
     "TorqueLimits",
-    "TurntableScene",
     "annulus",
     "any_pressure",
     "bar",
@@ -183,3 +157,4 @@ __all__ = [
     "softened",
     "sweep",
 ]
+__all__ += _scenes

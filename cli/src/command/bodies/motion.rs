@@ -22,9 +22,6 @@ pub struct MotionBody<'a> {
     pub any: &'a Scene,
 }
 
-/// What a sweep draws, with the title of the picture, and the word whose share it tells: column, place, word.
-type SweepView = ([&'static str; 2], [&'static str; 3]);
-
 impl MotionBody<'_> {
     /// The quantities that a sweep averages, with their units unless the scene has none.
     fn quantities(&self) -> Vec<SweptQuantity> {
@@ -42,35 +39,6 @@ impl MotionBody<'_> {
         let all = self.quantities().into_iter();
         all.filter_map(|quantity| Some((quantity.label?, quantity)))
     }
-
-    fn swept(&self) -> SweepView {
-        match self.any {
-            Scene::Disk(_) => (
-                ["Distance to rest", "distance"],
-                ["rest", "/ending", "rest"],
-            ),
-            Scene::Spring(_) => (
-                ["Amplitude of the spring force", "amplitude"],
-                ["stick_slip", "/regime", "stick-slip"],
-            ),
-            Scene::Incline(_) => (
-                ["Angle at which the block lets go", "release_angle"],
-                ["slides", "/ending", "slides"],
-            ),
-            Scene::Turntable(_) => (
-                ["Rate at which the body lets go", "release_rate"],
-                ["leaves", "/ending", "leaves"],
-            ),
-            Scene::Clamp(_) => (
-                ["Heat of a cycle", "loss_per_cycle"],
-                ["lets_go", "/ending", "lets go"],
-            ),
-            _ => (
-                ["Curl, to the left if positive", "curl"],
-                ["rest", "/ending", "rest"],
-            ),
-        }
-    }
 }
 
 impl Commands for MotionBody<'_> {
@@ -83,7 +51,7 @@ impl Commands for MotionBody<'_> {
     }
 
     fn kind(&self) -> RunKind {
-        let (drawn, share) = self.swept();
+        let (drawn, share) = self.scene.sweep_view();
         RunKind::of(self.quantities(), drawn, share)
     }
 

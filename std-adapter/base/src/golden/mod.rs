@@ -26,7 +26,7 @@ mod text;
 
 pub use difference::{Difference, SeriesDifference, SummaryDifference, Verdict};
 pub use digest::{Digest, canonical_bits};
-pub use measure::{Measure, Measurement, contacts, digest};
+pub use measure::{Measure, Measurement, contacts, digest, values};
 pub use pinned::Pinned;
 pub use quantity::Quantity;
 pub use read::GoldenError;

@@ -15,7 +15,7 @@
 //! rule: a branch of the loop is the first loading twice as large.
 
 use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene};
+use crate::motion_run::{MotionError, MotionRun, MotionScene, SweepView};
 use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -360,6 +360,13 @@ impl MotionScene for ClampScene {
             told,
             drawn: (&["position"], "position [m]"),
         })
+    }
+
+    fn sweep_view(&self) -> SweepView {
+        (
+            ["Heat of a cycle", "loss_per_cycle"],
+            ["lets_go", "/ending", "lets go"],
+        )
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {

@@ -9,7 +9,7 @@
 //! ```
 
 use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene};
+use crate::motion_run::{MotionError, MotionRun, MotionScene, SweepView};
 use crate::stick::scene::InclineScene;
 use tribos_base::bracket::Bracket;
 use tribos_base::results::{Quantity, Reporting::*, Summary, summary};
@@ -264,6 +264,13 @@ impl MotionScene for InclineScene {
             told,
             drawn: (&["drive", "friction"], "force along the incline [N]"),
         })
+    }
+
+    fn sweep_view(&self) -> SweepView {
+        (
+            ["Angle at which the block lets go", "release_angle"],
+            ["slides", "/ending", "slides"],
+        )
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {

@@ -15,7 +15,7 @@
 mod path;
 
 use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene};
+use crate::motion_run::{MotionError, MotionRun, MotionScene, SweepView};
 use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
 use path::{SlideState, State};
@@ -299,6 +299,13 @@ impl MotionScene for TurntableScene {
             told,
             drawn: (&["x", "y"], "place on the table [m]"),
         })
+    }
+
+    fn sweep_view(&self) -> SweepView {
+        (
+            ["Rate at which the body lets go", "release_rate"],
+            ["leaves", "/ending", "leaves"],
+        )
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {

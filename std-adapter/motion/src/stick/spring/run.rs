@@ -8,7 +8,7 @@ use super::rate_state::RateStateMotion;
 use super::speed::SpeedMotion;
 use super::stability::critical_stiffness;
 use super::tally::RunStatistics;
-use crate::motion_run::{MotionError, MotionRun, MotionScene};
+use crate::motion_run::{MotionError, MotionRun, MotionScene, SweepView};
 use crate::stick::StickError;
 use crate::stick::scene::{SpringFriction, SpringScene};
 use tribos_base::results::{Quantity, Summary};
@@ -444,6 +444,13 @@ impl MotionScene for SpringScene {
             told,
             drawn: (&["spring_force"], "spring force [N]"),
         })
+    }
+
+    fn sweep_view(&self) -> SweepView {
+        (
+            ["Amplitude of the spring force", "amplitude"],
+            ["stick_slip", "/regime", "stick-slip"],
+        )
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {
