@@ -31,22 +31,8 @@ from tribos._inverse import Launch, inverse
 from tribos._laws import Law, laws
 from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._modes import FixedPoint, Modes, modes
-from tribos._patches import (
-    Patch,
-    annulus,
-    bar,
-    box,
-    disk,
-    hertz,
-    mesh,
-    paraboloid,
-    points,
-    polygon,
-    polynomial,
-    power,
-    punch,
-    ring,
-)
+from tribos._patches import *  # noqa: F403 - every patch
+from tribos._patches import __all__ as _patches
 from tribos._planar import PlanarBody, Rollout, Step
 from tribos._push import (
     ConeEdge,
@@ -98,7 +84,6 @@ __all__ = [
     "Modes",
     "Motion",
     "MotionCone",
-    "Patch",
     "PlanarBody",
     "PlanarStepBy",
     "PlanarStepJacobian",
@@ -118,35 +103,22 @@ __all__ = [
     "Step",
     "SupportFit",
     "TorqueLimits",
-    "annulus",
     "any_pressure",
-    "bar",
-    "box",
     "cases",
     "cd",
-    "disk",
     "fit",
     "fit_support",
-    "hertz",
     "inverse",
     "laws",
     "md",
-    "mesh",
     "modes",
     "motion_cone",
     "num_threads",
     "open_run",
-    "paraboloid",
     "planar_step_jacobian",
-    "points",
-    "polygon",
-    "polynomial",
-    "power",
-    "punch",
     "push",
     "push_along",
     "resume",
-    "ring",
     "run",
     "run_case",
     "scene",
@@ -157,4 +129,5 @@ __all__ = [
     "softened",
     "sweep",
 ]
+__all__ += _patches
 __all__ += _scenes
