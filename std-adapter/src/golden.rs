@@ -45,3 +45,27 @@ pub enum MeasureError {
 pub fn measure(scene: &Scene, mut watch: impl FnMut()) -> Result<Measurement, MeasureError> {
     scene.measured(&mut watch)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::DiskScene;
+
+    #[test]
+    fn a_pin_from_before_a_key_holds_while_the_key_has_its_default() {
+        let compared = |scene: DiskScene| {
+            let now = measure(&scene.into(), || ()).unwrap();
+            let mut then = now.clone();
+            then.parameters.remove("samples").unwrap();
+            let pinned = Pinned::new("disk.toml".into(), vec![], &then);
+            pinned.compare(&now)
+        };
+        let usual = DiskScene::default();
+        assert_eq!(compared(usual.clone()), Verdict::Same);
+        let fewer = DiskScene {
+            samples: usual.samples / 2,
+            ..usual
+        };
+        assert!(matches!(compared(fewer), Verdict::SceneChanged(_)));
+    }
+}

@@ -16,11 +16,8 @@ pub use crate::gas::GasSimulation;
 pub use crate::grains::GrainsSimulation;
 pub use crate::powder::PowderSimulation;
 pub use crate::run::{Session, run_to_end};
-pub use crate::scene::{
-    ClampScene, CurlingScene, CylinderScene, DiskScene, GasScene, GrainsScene, InclineScene,
-    PipeScene, PlateScene, PowderScene, Scene, SpringScene, TipScene, TurntableScene, parse_scene,
-    read_scene,
-};
+pub use crate::scene::scenes::*;
+pub use crate::scene::{Scene, parse_scene, read_scene};
 pub use crate::slide;
 pub use crate::tip::TipSimulation;
 pub use tribos_core::prelude::*;

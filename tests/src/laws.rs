@@ -1,14 +1,16 @@
 //! Friction laws: one list of them with what is known of each, and some that have tests of their own.
 
+use std::sync::LazyLock;
 use tribos_core::law::{
     AgeingLaw, DryFriction, LuGre, LuGreParameters, PlateauPowerLaw, PlateauPowerLawParameters,
-    RateState, RateStateParameters, Savkoor, SavkoorParameters, Stribeck, StribeckParameters,
+    RateState, RateStateParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
-use tribos_friction::Law;
+use tribos_friction::{LAWS as CATALOGUE, Law};
+use tribos_subjects::MEMORYLESS;
 
 /// A law of the local speed, as it is written in scenes, and what is known of it from elsewhere.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct LawInstance {
     /// Name and parameters.
     pub text: &'static str,
@@ -33,16 +35,18 @@ const fn on_disk(text: &'static str, speeds: [f64; 2]) -> LawInstance {
     }
 }
 
+/// Steady states of laws with memory, with usual values; the laws without memory are among the subjects.
+const STEADY: [&str; 2] = [
+    "rate-state:mu0=0.4,a=0.01,b=0.015,v0=1e-3,dc=1e-5",
+    "lugre:fc=0.3,fs=0.4,vs=0.01,s2=0.1",
+];
+
 /// Every law of the catalogue that depends on the speed alone: first with usual values, then others.
-pub const LAWS: [LawInstance; 24] = [
-    of("coulomb:mu=0.3"),
-    of("dry:mu_s=0.4,mu_d=0.3"),
-    of("power:gamma=0.3,alpha=0.5"),
-    of("plateau:gamma=0.1,alpha=-0.4,vp=1e-3,vd=1e-4"),
-    of("stribeck:mu_s=0.4,mu_d=0.2,vs=0.05,k=0.02"),
-    of("savkoor:mu0=0.6,mu_m=1.2,vm=0.5"),
-    of("rate-state:mu0=0.4,a=0.01,b=0.015,v0=1e-3,dc=1e-5"),
-    of("lugre:fc=0.3,fs=0.4,vs=0.01,s2=0.1"),
+pub static LAWS: LazyLock<Vec<LawInstance>> =
+    LazyLock::new(|| usual().into_iter().map(of).chain(OTHERS).collect());
+
+/// Other values.
+const OTHERS: [LawInstance; 16] = [
     of("power:gamma=0.7,alpha=-0.5"),
     of("power:gamma=0.7,alpha=2.5"),
     of("stribeck:mu_s=0.15,mu_d=0.1,vs=0.01,delta=0.5,k=0.5"),
@@ -108,17 +112,16 @@ pub fn made(text: &str) -> Law {
         .unwrap_or_else(|error| panic!("{text}: {error}"))
 }
 
-/// One law for each name, with usual values.
+/// One law for each name, with usual values, in the order of the catalogue.
 pub fn usual() -> Vec<&'static str> {
-    let mut texts: Vec<&str> = Vec::new();
-    for LawInstance { text, .. } in &LAWS {
-        if texts
+    let memoryless = MEMORYLESS.iter().map(|law| law.usual);
+    let mut texts: Vec<&str> = memoryless.chain(STEADY).collect();
+    let place = |text: &&str| {
+        CATALOGUE
             .iter()
-            .all(|known| made(known).name() != made(text).name())
-        {
-            texts.push(text);
-        }
-    }
+            .position(|entry| entry.name == made(text).name())
+    };
+    texts.sort_by_key(place);
     texts
 }
 
@@ -156,18 +159,6 @@ pub fn plateau<R: Real>(alpha: f64, rest: f64) -> PlateauPowerLaw<R> {
         plateau_speed: plateau,
         drop_speed: drop,
         rest_share: rest,
-    })
-    .expect("a law in its domain")
-}
-
-/// A tread with its largest friction at 0.5 m/s.
-pub fn savkoor<R: Real>(narrowness: f64) -> Savkoor<R> {
-    let [base, max, speed, narrowness] = [0.6, 1.2, 0.5, narrowness].map(R::from_f64);
-    Savkoor::new(SavkoorParameters {
-        mu_base: base,
-        mu_max: max,
-        speed,
-        narrowness,
     })
     .expect("a law in its domain")
 }

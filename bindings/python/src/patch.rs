@@ -12,11 +12,11 @@ pub struct Patch(pub Area);
 
 #[pymethods]
 impl Patch {
-    /// A patch with an axis, by its name in radii.
+    /// A patch as scenes write it; one with an axis has this radius.
     #[staticmethod]
-    fn round(text: &str, radius: f64) -> PyResult<Self> {
+    fn named(text: &str, radius: f64) -> PyResult<Self> {
         let patch = text.parse().map_err(refused)?;
-        Ok(Self(Area::round(patch, radius).map_err(refused)?))
+        Ok(Self(Area::named(&patch, radius, None).map_err(refused)?))
     }
 
     /// A polygon: its outer loop, then its holes.
@@ -24,12 +24,6 @@ impl Patch {
     fn polygon(loops: Vec<Vec<[f64; 2]>>, centre: Option<[f64; 2]>) -> PyResult<Self> {
         let loops: Vec<&[[f64; 2]]> = loops.iter().map(Vec::as_slice).collect();
         Ok(Self(Area::polygon(&loops, centre).map_err(refused)?))
-    }
-
-    /// A line between two points.
-    #[staticmethod]
-    fn bar(start: [f64; 2], end: [f64; 2]) -> PyResult<Self> {
-        Ok(Self(Area::bar(start, end).map_err(refused)?))
     }
 
     /// Triangles of vertices x, y, pressure.

@@ -15,11 +15,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
-use tribos::motion::MotionScene;
 use tribos::record::Partner;
 use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder};
 use tribos::run::folder::Manifest;
-use tribos::scene::Scene;
+use tribos::scene::RunBy;
 use tribos_cli::failure::Failure;
 use tribos_cli::library::{HostProgram, Pictures, Run};
 
@@ -223,17 +222,8 @@ pub fn run_at_once<'py>(
     text: &str,
 ) -> PyResult<Option<InMemoryRun<'py>>> {
     let scene = parse(name, text, &[])?;
-    let moved: &dyn MotionScene = match &scene {
-        Scene::Disk(scene) => scene,
-        Scene::Cylinder(scene) => scene,
-        Scene::Pipe(scene) => scene,
-        Scene::Plate(scene) => scene,
-        Scene::Curling(scene) => scene,
-        Scene::Spring(scene) => scene,
-        Scene::Incline(scene) => scene,
-        Scene::Turntable(scene) => scene,
-        Scene::Clamp(scene) => scene,
-        Scene::Powder(_) | Scene::Grains(_) | Scene::Gas(_) | Scene::Tip(_) => return Ok(None),
+    let RunBy::Motion(moved) = scene.run_by() else {
+        return Ok(None);
     };
     let run = detached(py, || moved.follow(&mut |_| true))?.map_err(slid)?;
     let rows = table(py, &run.rows.concat(), run.columns.len())?;

@@ -8,6 +8,8 @@ import threading
 import numpy as np
 import pytest
 import tribos
+from conftest import PATCHES
+from tribos import _patches
 
 PUCK = tribos.Friction(tribos.disk(0.04), mu=0.3)
 BOX = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4)
@@ -133,20 +135,16 @@ def test_a_forked_process_has_threads_of_its_own() -> None:
 
 
 OBJECTS = [
-    tribos.disk(0.04),
-    tribos.annulus(0.03, 0.04),
-    tribos.power(0.01, 0.25),
-    tribos.polynomial(0.01, [1.0, -0.5]),
-    tribos.polygon([[0, 0], [4, 0], [0, 4]], holes=[[[1, 1], [2, 1], [1, 2]]]),
-    tribos.box(0.3, 0.2, centre=(0.01, 0.02)),
-    tribos.bar(0.2),
-    tribos.mesh([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]], [1.0, 2.0, 3.0]),
-    tribos.points([[0, 0], [1, 0]], [1.0, 2.0]),
+    *PATCHES,
     tribos.Law("stribeck", mu_s=0.4, mu_d=0.2, vs=0.05),
     PUCK,
     tribos.Friction(tribos.ring(0.1), mu=0.2, alpha=0.5, tier="compact"),
     tribos.Friction(tribos.hertz(0.1), law="savkoor:mu0=0.1,mu_m=0.5,vm=0.1"),
 ]
+
+
+def test_every_kind_of_patch_is_in_the_list() -> None:
+    assert [patch.kind for patch in PATCHES] == _patches.MAKERS
 
 
 @pytest.mark.parametrize("thing", OBJECTS, ids=repr)

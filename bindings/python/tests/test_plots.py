@@ -9,18 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 import tribos
+from conftest import PATCHES
 
-PATCHES = [
-    tribos.disk(0.04),
-    tribos.ring(0.04),
-    tribos.annulus(0.02, 0.04),
-    tribos.hertz(0.04),
-    tribos.box(0.3, 0.2, centre=(0.02, 0.01)),
-    tribos.polygon([[0, 0], [4, 0], [4, 2], [0, 2]], holes=[[[1.0, 0.5], [2.0, 0.5], [2.0, 1.5]]]),
-    tribos.bar(0.2),
-    tribos.mesh([[0.0, 0.0], [0.1, 0.0], [0.0, 0.1]], [[0, 1, 2]], [1.0, 1.0, 2.0]),
-    tribos.points([[0.1, 0.0], [-0.1, 0.05], [-0.1, -0.05]], [1.0, 2.0, 1.0]),
-]
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -80,7 +70,8 @@ def test_the_picture_of_a_patch_is_valid_and_within_its_frame(patch: tribos.Patc
 
 def test_the_centre_of_pressure_is_drawn_where_it_is() -> None:
     # 0.3 m are 160 pixels, margins 10; the picture's y leads downwards.
-    root = xml.fromstring(PATCHES[4]._repr_svg_())
+    box = tribos.box(0.3, 0.2, centre=(0.02, 0.01))
+    root = xml.fromstring(box._repr_svg_())
     cross = list(root.iter(f"{SVG}path"))[-1].attrib["d"].split()
     x, y = float(cross[1]) + 5.0, float(cross[2])
     scale = 160.0 / 0.3

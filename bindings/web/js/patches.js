@@ -48,9 +48,13 @@ function prepared(kind, isRound, status) {
 
 /** A round patch by its name in radii. */
 function round(kind, name, { radius, ...law }) {
-  number("radius", radius);
+  return named(kind, name, number("radius", radius), true, law);
+}
+
+/** A patch as scenes write it. */
+function named(kind, name, radius, isRound, law) {
   const [at, length, lawAt, lawLength] = texts(0, name, lawLine(law));
-  return prepared(kind, true, wasm.make_round(at, length, radius, lawAt, lawLength));
+  return prepared(kind, isRound, wasm.make_named(at, length, radius, lawAt, lawLength));
 }
 
 export function disk(options) {
@@ -123,9 +127,7 @@ function straight(kind, loops, centre, law) {
 
 export function bar(options) {
   const { length, ...law } = fields("the bar", options);
-  number("length", length);
-  const [lawAt, lawLength] = texts(0, lawLine(law));
-  return prepared("bar", false, wasm.make_bar(length, lawAt, lawLength));
+  return named("bar", `bar:${number("length", length)}`, 0, false, law);
 }
 
 export function points(options) {

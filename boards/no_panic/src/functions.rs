@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 use tribos_api::{
-    CONSTANTS, Function, INSTANCES, Instance, Library, Parameter, THOROUGH, UNBOUNDED,
+    CONSTANTS, EVERY, Function, INSTANCES, Instance, Library, Parameter, THOROUGH, UNBOUNDED,
 };
 
 /// Precisions with their place in [`CONSTANTS`].
@@ -37,6 +37,7 @@ fn of(functions: &[Function]) -> Result<Image, String> {
         functions: 0,
     };
     let (mut calls, mut without) = ([String::new(), String::new()], String::new());
+    let plain = plain(functions);
     // The board has no vectors: their arithmetic is one instruction each, and calls nothing that is here.
     let is_here = |function: &&Function| !function.derived && !function.path.contains("<wide::");
     for function in functions.iter().filter(is_here) {
@@ -58,7 +59,7 @@ fn of(functions: &[Function]) -> Result<Image, String> {
             &PRECISIONS
         };
         for &(place, precision) in precisions {
-            let choices = choices(&given, place, thorough);
+            let choices = choices(&given, place, thorough, &plain);
             if choices.is_empty() {
                 let _ = writeln!(without, "{} in {precision}", function.path);
             }
@@ -160,8 +161,42 @@ fn is_closure(parameter: &Parameter) -> bool {
         .any(|bound| bound.starts_with("core::ops::Fn"))
 }
 
+/// A type with the scalar as its only parameter, and a trait of [`EVERY`] that it implements.
+type Plain<'a> = (&'a str, &'static str);
+
+/// Those that the list of instances leaves out: they stand for their traits as they are.
+fn plain(functions: &[Function]) -> Vec<Plain<'_>> {
+    let mut found = Vec::new();
+    for function in functions {
+        let Some((this, rest)) = function
+            .path
+            .strip_prefix('<')
+            .and_then(|path| path.split_once(" as "))
+        else {
+            continue;
+        };
+        let implemented = EVERY.into_iter().find(|name| last(rest) == *name);
+        let has_others = function
+            .parameters
+            .iter()
+            .any(|parameter| parameter.name != "R");
+        let is_listed = INSTANCES.iter().any(|instance| instance.of == this);
+        if let (Some(name), false, false) = (implemented, has_others, is_listed)
+            && !found.contains(&(this, name))
+        {
+            found.push((this, name));
+        }
+    }
+    found
+}
+
 /// Every choice of arguments.
-fn choices(parameters: &[&Parameter], precision: usize, thorough: bool) -> Vec<Vec<&'static str>> {
+fn choices<'a>(
+    parameters: &[&Parameter],
+    precision: usize,
+    thorough: bool,
+    plain: &[Plain<'a>],
+) -> Vec<Vec<&'a str>> {
     let mut choices = vec![Vec::new()];
     for parameter in parameters {
         let is_given = |other: &&&Parameter| {
@@ -171,9 +206,9 @@ fn choices(parameters: &[&Parameter], precision: usize, thorough: bool) -> Vec<V
         let candidates = match parameters.iter().any(|other| is_given(&other)) {
             // The compiler infers it.
             true => vec!["_"],
-            false => candidates(parameter, precision, thorough),
+            false => candidates(parameter, precision, thorough, plain),
         };
-        let longer = |choice: &Vec<&'static str>| {
+        let longer = |choice: &Vec<&'a str>| {
             let choice = choice.clone();
             let with = |&candidate| [&choice[..], &[candidate]].concat();
             candidates.iter().map(with).collect::<Vec<_>>()
@@ -184,7 +219,12 @@ fn choices(parameters: &[&Parameter], precision: usize, thorough: bool) -> Vec<V
 }
 
 /// Candidates for a parameter.
-fn candidates(parameter: &Parameter, precision: usize, thorough: bool) -> Vec<&'static str> {
+fn candidates<'a>(
+    parameter: &Parameter,
+    precision: usize,
+    thorough: bool,
+    plain: &[Plain<'a>],
+) -> Vec<&'a str> {
     if parameter.constant.is_some() {
         let named = CONSTANTS.iter().find(|(name, _)| *name == parameter.name);
         return named.map_or(Vec::new(), |(_, values)| values[precision].to_vec());
@@ -205,11 +245,9 @@ fn candidates(parameter: &Parameter, precision: usize, thorough: bool) -> Vec<&'
             && (thorough || instance.representative);
         here && !traits.is_empty() && traits.iter().all(|wanted| instance.traits.contains(wanted))
     };
-    INSTANCES
-        .iter()
-        .filter(suits)
-        .map(|instance| instance.of)
-        .collect()
+    let listed = INSTANCES.iter().filter(suits).map(|instance| instance.of);
+    let plain = plain.iter().filter(|(_, name)| traits == [*name]);
+    listed.chain(plain.map(|(of, _)| *of)).collect()
 }
 
 /// The name of a trait without path; conversions, of which there are many, with their arguments.
@@ -226,22 +264,38 @@ fn last(bound: &str) -> &str {
 mod tests {
     use super::*;
 
-    #[test]
-    fn a_function_without_instance_is_named() {
-        let bound = |bound: &str| Function {
-            path: "law::lonely".into(),
+    fn function(path: &str, name: &str, bound: &str) -> Function {
+        Function {
+            path: path.into(),
             symbol: None,
             parameters: vec![Parameter {
-                name: "L".into(),
+                name: name.into(),
                 bounds: vec![bound.into()],
                 ..Parameter::default()
             }],
             conditions: Vec::new(),
-            own: vec!["L".into()],
+            own: vec![name.into()],
             inputs: Vec::new(),
             always_inlined: false,
             derived: false,
-        };
+        }
+    }
+
+    #[test]
+    fn a_law_stands_for_laws_without_a_line_in_the_list() {
+        let law = function(
+            "<law::Grease<R> as law::LocalLaw<R>>::slope",
+            "R",
+            "real::Real",
+        );
+        let on_disk = function("<Disk<L>>::wrench", "L", "law::LocalLaw<f64>");
+        let source = of(&[law, on_disk]).unwrap().source;
+        assert!(source.contains("f2::<law::Grease<R>>"), "{source}");
+    }
+
+    #[test]
+    fn a_function_without_instance_is_named() {
+        let bound = |bound: &str| function("law::lonely", "L", bound);
         assert!(of(&[bound("law::LocalLaw<f64>")]).is_ok());
         let error = of(&[bound("law::Unlisted")]).unwrap_err();
         assert!(error.contains("law::lonely in f32"), "{error}");

@@ -23,7 +23,7 @@ use tribos::run::folder::InterruptedRunPolicy;
 use tribos::scene::bodies as names;
 
 /// Simulate the scene and write summary.json, series.csv and a plot: motion.svg and motion.png of
-/// a disk, spring, incline, turntable or clamp, path.svg and path.png of a body in the plane.
+/// a disk and of bodies that hold and slip, path.svg and path.png of a body in the plane.
 ///
 /// Of a powder or grains: series.svg and .png, packing.svg and .png (spheres before and after, the forces),
 /// and both states as initial and final .xyz (OVITO, ASE), .vtp and -contacts.vtp (ParaView).

@@ -13,6 +13,7 @@ use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::record::write_atomically;
 use tribos::run::folder;
+use tribos::scene::vocabulary;
 use tribos_report::player::Film;
 use tribos_report::runs::RunFrames;
 
@@ -77,7 +78,9 @@ impl Arguments {
                 "{folder}: the run kept no frames; run it again without `--frames 0`"
             )));
         }
-        if ["spring", "incline", "turntable", "clamp"].contains(&body) {
+        // Bodies that slide to rest alone have a final ratio, and a path.
+        let results = vocabulary(body).map_or(&[][..], |known| known.results);
+        if !results.iter().any(|entry| entry.name == "final_ratio") {
             return Err(Failure::input(format!(
                 "{folder}: the motion of a {body} is in motion.svg and series.csv; it has no film"
             )));

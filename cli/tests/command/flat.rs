@@ -237,7 +237,7 @@ fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
         ),
         (
             "wrench --patch bar:1 --alpha 0.5 --speed 1 --spin 1",
-            "bars and meshes serve dry friction",
+            "this patch serves dry friction alone",
         ),
         (
             "wrench --patch box:1x1 --law stribeck:mu_s=0.2,mu_d=0.1,vs=0.01 --speed 1 --spin 1",

@@ -20,8 +20,8 @@ use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 /// |---|---|---|---|
 /// | round | tiers | tiers | quadrature |
 /// | polygons | exact | exact | – |
-/// | bars, meshes | exact | – | – |
 /// | points | exact | sum | sum |
+/// | bars, meshes, others | exact | – | – |
 ///
 /// *Units*: N, m/s, rad/s, N m; wrench and twist refer to the origin of the area. *Accuracy*: the bits of the
 /// kernel's own type. *Cost*: that of the kernel's type and one indirect call, for a batch as for one twist.
@@ -67,9 +67,9 @@ impl<R: Precision> AreaFriction<R> {
             (Flat::Points(points), _) => Box::new(NodeFriction::new(made, points.nodes().clone())),
             (Flat::Polygon(patch), Some(power)) => of_power(patch.clone(), power)?,
             (Flat::Leaning(patch), Some(power)) => of_power(patch.clone(), power)?,
-            (Flat::Bar(_) | Flat::Mesh(_), Some(_)) => {
+            (_, Some(_)) => {
                 return Err(FrictionError::Unserved(
-                    "bars and meshes serve dry friction: give Coulomb's law, or use a box, a polygon \
+                    "this patch serves dry friction alone: give Coulomb's law, or use a box, a polygon \
                      or points"
                         .into(),
                 ));

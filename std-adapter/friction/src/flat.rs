@@ -105,23 +105,23 @@ impl FlatPatch {
     /// The patch for the kernel, its file read; with a centre of pressure under linear pressure.
     pub fn loaded<R: Real>(&self, centre: Option<[f64; 2]>) -> Result<Flat<R>, FrictionError> {
         let narrow = |[x, y]: [f64; 2]| [x, y].map(R::from_f64);
-        if let Self::Mesh(path) = self {
-            if centre.is_some() {
-                return Err(FrictionError::Syntax(
-                    "a mesh has its own pressure; leave the centre of pressure out".into(),
-                ));
+        let own = |reason: &str| {
+            let refused =
+                FrictionError::Syntax(format!("{reason}; leave the centre of pressure out"));
+            centre.map_or(Ok(()), |_| Err(refused))
+        };
+        match self {
+            Self::Mesh(path) => {
+                own("a mesh has its own pressure")?;
+                return Ok(Flat::Mesh(mesh(path)?));
             }
-            return Ok(Flat::Mesh(mesh(path)?));
-        }
-        if let Self::Bar(length) = self {
-            if centre.is_some() {
-                return Err(FrictionError::Syntax(
-                    "a bar carries its load evenly; leave the centre of pressure out".into(),
-                ));
+            Self::Bar(length) => {
+                own("a bar carries its load evenly")?;
+                let half = 0.5 * length;
+                let bar = Bar::new(narrow([-half, 0.0]), narrow([half, 0.0]));
+                return Ok(Flat::Bar(bar.map_err(tribos_core::Error::from)?));
             }
-            let half = 0.5 * length;
-            let bar = Bar::new(narrow([-half, 0.0]), narrow([half, 0.0]));
-            return Ok(Flat::Bar(bar.map_err(tribos_core::Error::from)?));
+            Self::Box(_) | Self::Polygon(_) => {}
         }
         let narrowed: Vec<Vec<[R; 2]>> = self
             .loops()?
@@ -198,57 +198,37 @@ impl<R: Real> Flat<R> {
     }
 }
 
+/// What the kernel's patch of a [`Flat`] answers.
+macro_rules! each {
+    ($flat:expr, $patch:ident => $answer:expr) => {
+        match $flat {
+            Flat::Polygon($patch) => $answer,
+            Flat::Leaning($patch) => $answer,
+            Flat::Bar($patch) => $answer,
+            Flat::Mesh($patch) => $answer,
+            Flat::Points($patch) => $answer,
+        }
+    };
+}
+
 impl<R: Real> PatchShape<R> for Flat<R> {
     fn centre(&self) -> nalgebra::Vector2<R> {
-        match self {
-            Self::Polygon(patch) => patch.centre(),
-            Self::Leaning(patch) => patch.centre(),
-            Self::Bar(patch) => patch.centre(),
-            Self::Mesh(patch) => patch.centre(),
-            Self::Points(patch) => patch.centre(),
-        }
+        each!(self, patch => patch.centre())
     }
     fn radius(&self) -> R {
-        match self {
-            Self::Polygon(patch) => patch.radius(),
-            Self::Leaning(patch) => patch.radius(),
-            Self::Bar(patch) => patch.radius(),
-            Self::Mesh(patch) => patch.radius(),
-            Self::Points(patch) => patch.radius(),
-        }
+        each!(self, patch => patch.radius())
     }
     fn rounding(&self) -> R {
-        match self {
-            Self::Polygon(patch) => patch.rounding(),
-            Self::Leaning(patch) => patch.rounding(),
-            Self::Bar(patch) => patch.rounding(),
-            Self::Mesh(patch) => patch.rounding(),
-            Self::Points(patch) => patch.rounding(),
-        }
+        each!(self, patch => patch.rounding())
     }
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
-        match self {
-            Self::Polygon(patch) => patch.reduced(motion),
-            Self::Leaning(patch) => patch.reduced(motion),
-            Self::Bar(patch) => patch.reduced(motion),
-            Self::Mesh(patch) => patch.reduced(motion),
-            Self::Points(patch) => patch.reduced(motion),
-        }
+        each!(self, patch => patch.reduced(motion))
     }
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
-        match self {
-            Self::Polygon(patch) => patch.reduced_with_hessian(motion),
-            Self::Leaning(patch) => patch.reduced_with_hessian(motion),
-            Self::Bar(patch) => patch.reduced_with_hessian(motion),
-            Self::Mesh(patch) => patch.reduced_with_hessian(motion),
-            Self::Points(patch) => patch.reduced_with_hessian(motion),
-        }
+        each!(self, patch => patch.reduced_with_hessian(motion))
     }
     fn nearest_point(&self, place: &nalgebra::Vector2<R>) -> Option<PointLoad<R>> {
-        match self {
-            Self::Points(patch) => patch.nearest_point(place),
-            _ => None,
-        }
+        each!(self, patch => patch.nearest_point(place))
     }
 }
 

@@ -47,12 +47,32 @@ pub enum Patch {
     Flat(FlatPatch),
 }
 
+/// Number of patches that are written here.
+const OWN: usize = 9;
+
+/// These, and then those of [`FlatPatch`].
+const fn with_flat_ones(
+    own: [(&'static str, &'static str); OWN],
+) -> [(&'static str, &'static str); OWN + FlatPatch::SYNTAX.len()] {
+    let mut all = [("", ""); OWN + FlatPatch::SYNTAX.len()];
+    let mut place = 0;
+    while place < all.len() {
+        all[place] = if place < OWN {
+            own[place]
+        } else {
+            FlatPatch::SYNTAX[place - OWN]
+        };
+        place += 1;
+    }
+    all
+}
+
 /// Most coefficients of a polynomial pressure.
 pub(super) const MOST_COEFFICIENTS: usize = PowerPressure::MAX_ORDER as usize + 1;
 
 impl Patch {
     /// Every patch as it is written, and what it is.
-    pub const SYNTAX: &[(&str, &str)] = &[
+    pub const SYNTAX: &[(&str, &str)] = &with_flat_ones([
         ("disk", "uniform pressure"),
         ("ring", "all load on the rim"),
         ("annulus:INNER", "uniform from INNER, in radii, to the rim"),
@@ -62,11 +82,7 @@ impl Patch {
         ("power:Q", "(1 - r^2)^Q"),
         ("polynomial:a0,a1,...", "a0 + a1 r^2 + ..."),
         ("points:FILE", "a CSV file with columns x, y, weight"),
-        FlatPatch::SYNTAX[0],
-        FlatPatch::SYNTAX[1],
-        FlatPatch::SYNTAX[2],
-        FlatPatch::SYNTAX[3],
-    ];
+    ]);
 
     /// A band of uniform pressure from `inner_ratio` to 1 radii; a ring if it is too thin for one.
     pub fn band(inner_ratio: f64) -> Self {

@@ -11,16 +11,11 @@ pub mod slide;
 pub mod stick;
 
 #[doc(hidden)]
-pub use motion_run::{MotionError, MotionRun, MotionScene};
+pub use motion_run::{MotionError, MotionRun, MotionScene, measured_motion};
 
 /// The scenes of all of them.
 pub mod scene {
     pub use crate::push::scene::PushScene;
-    pub use crate::slide::scene::{
-        CurlingScene, CylinderScene, DiskScene, FootPressure, IceModel, PipeScene, PlateScene,
-        SliderIntegrator, Tipping, Units,
-    };
-    pub use crate::stick::scene::{
-        ClampScene, InclineScene, SpringFriction, SpringScene, TurntableScene,
-    };
+    pub use crate::slide::scene::*;
+    pub use crate::stick::scene::*;
 }

@@ -1,15 +1,12 @@
 //! What the scenes of all bodies in motion have in common: each runs in a moment, to a series and a summary.
 
-use crate::scene::{
-    ClampScene, CurlingScene, CylinderScene, DiskScene, InclineScene, PipeScene, PlateScene,
-    SpringScene, TurntableScene,
-};
+use crate::scene::DiskScene;
 use crate::slide::{
     self, FrictionWork, PATH_COLUMNS, PlanarScene, PlanarSummary, SlideError, SlideSummary,
 };
 use crate::stick::StickError;
 use serde_json::{Map, Value};
-use tribos_base::golden::{Measure, Measurement};
+use tribos_base::golden::Measurement;
 use tribos_base::results::{Quantity, Summary, SweepView, file};
 use tribos_base::scene::Body;
 
@@ -131,31 +128,19 @@ impl<T: PlanarScene> MotionScene for T {
     }
 }
 
-/// Implements what golden files ask of scenes.
-macro_rules! measured {
-    ($($scene:ty),+) => {$(
-        impl Measure for $scene {
-            type Error = MotionError;
-
-            fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MotionError> {
-                let run = self.follow(&mut |_| {
-                    watch();
-                    true
-                })?;
-                let summary = run.json(self);
-                Ok(Measurement::new(&summary, run.columns, run.rows.into_iter()))
-            }
-        }
-    )+};
+/// What golden files pin of a run; `watch` is called now and then.
+pub fn measured_motion(
+    scene: &dyn MotionScene,
+    watch: &mut dyn FnMut(),
+) -> Result<Measurement, MotionError> {
+    let run = scene.follow(&mut |_| {
+        watch();
+        true
+    })?;
+    let summary = run.json(scene);
+    Ok(Measurement::new(
+        &summary,
+        run.columns,
+        run.rows.into_iter(),
+    ))
 }
-measured!(
-    ClampScene,
-    CurlingScene,
-    CylinderScene,
-    DiskScene,
-    InclineScene,
-    PipeScene,
-    PlateScene,
-    SpringScene,
-    TurntableScene
-);

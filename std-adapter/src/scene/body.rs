@@ -6,14 +6,11 @@ use super::problem::{Origin, SceneProblem};
 use super::table::Table;
 use super::vocabulary::Vocabulary;
 use super::words::meant;
-use super::{
-    Body, ClampScene, CurlingScene, CylinderScene, DEFAULT_BODY, DiskScene, GasScene, GrainsScene,
-    InclineScene, PipeScene, PlateScene, PowderScene, SceneError, SpringScene, TipScene,
-    TurntableScene,
-};
+use super::{Body, DEFAULT_BODY, GasScene, GrainsScene, PowderScene, SceneError, TipScene};
 use crate::gas::GasSummary;
 use crate::golden::MeasureError;
 use crate::grains::GrainsSummary;
+use crate::motion::{MotionScene, measured_motion, scene::*};
 use crate::powder::PowderSummary;
 use crate::slide::{PlanarSummary, SlideSummary};
 use crate::stick::{
@@ -23,11 +20,38 @@ use crate::stick::{
 use crate::tip::TipSummary;
 use serde_json::Value;
 use std::path::Path;
-use tribos_base::golden::{Measure, Measurement};
+use tribos_base::golden::{Measure, Measurement, values};
 
-/// Declares the bodies: the enum of their scenes, and what is the same for all of them.
+/// A scene by what runs it.
+#[doc(hidden)]
+#[derive(Clone, Copy)]
+#[allow(
+    missing_debug_implementations,
+    reason = "a view of a scene, which has one"
+)]
+pub enum RunBy<'a> {
+    /// At once.
+    Motion(&'a dyn MotionScene),
+    Powder(&'a PowderScene),
+    Grains(&'a GrainsScene),
+    Gas(&'a GasScene),
+    Tip(&'a TipScene),
+}
+
+/// A scene of a body in motion as such, any other as what it is.
+macro_rules! run_by {
+    ($variant:ident, $scene:ident, motion) => {
+        RunBy::Motion($scene)
+    };
+    ($variant:ident, $scene:ident,) => {
+        RunBy::$variant($scene)
+    };
+}
+
+/// Declares the bodies: the enum of their scenes, and what is the same for all of them. The scene of a body in
+/// motion is called so.
 macro_rules! bodies {
-    ($($(#[$doc:meta])+ $variant:ident($scene:ty) -> $summary:ty),+ $(,)?) => {
+    ($($(#[$doc:meta])+ $variant:ident($scene:ident $(in $motion:ident)?) -> $summary:ty),+ $(,)?) => {
         /// A validated scene of any body.
         #[derive(Clone, Debug, PartialEq)]
         #[allow(clippy::large_enum_variant, reason = "a run has one scene")]
@@ -43,6 +67,14 @@ macro_rules! bodies {
             pub fn as_body(&self) -> &dyn Body {
                 match self {
                     $(Self::$variant(scene) => scene),+
+                }
+            }
+
+            /// What runs it.
+            #[doc(hidden)]
+            pub fn run_by(&self) -> RunBy<'_> {
+                match self {
+                    $(Self::$variant(scene) => run_by!($variant, scene, $($motion)?)),+
                 }
             }
 
@@ -75,16 +107,10 @@ macro_rules! bodies {
                 None
             }
 
-            /// Runs the scene to its end for a golden file; `watch` is called after every step.
-            pub(crate) fn measured(
-                &self,
-                watch: &mut dyn FnMut(),
-            ) -> Result<Measurement, MeasureError> {
+            /// Keys of its body, and what they say in the default scene.
+            fn vocabulary(&self) -> (&'static [Key], Value) {
                 match self {
-                    $(Self::$variant(scene) => Ok(Measurement {
-                        keys: <$scene>::KEYS,
-                        ..scene.measured(watch)?
-                    })),+
+                    $(Self::$variant(_) => (<$scene>::KEYS, <$scene>::default().json())),+
                 }
             }
 
@@ -108,28 +134,39 @@ macro_rules! bodies {
         })+
 
         const BODIES: &[&str] = &[$(<$scene>::BODY),+];
+
+        /// The scenes of all bodies.
+        pub mod scenes {
+            pub use super::super::{$($scene),+};
+        }
+
+        /// Every body's default scene.
+        #[cfg(test)]
+        pub(super) fn defaults() -> Vec<Scene> {
+            vec![$($scene::default().into()),+]
+        }
     };
 }
 
 bodies! {
     /// A flat, round body: its path is straight.
-    Disk(DiskScene) -> SlideSummary,
+    Disk(DiskScene in motion) -> SlideSummary,
     /// A tall cylinder along a path in the plane.
-    Cylinder(CylinderScene) -> PlanarSummary,
+    Cylinder(CylinderScene in motion) -> PlanarSummary,
     /// A pipe on its end along a path in the plane.
-    Pipe(PipeScene) -> PlanarSummary,
+    Pipe(PipeScene in motion) -> PlanarSummary,
     /// A flat plate of any outline along a path in the plane.
-    Plate(PlateScene) -> PlanarSummary,
+    Plate(PlateScene in motion) -> PlanarSummary,
     /// A curling rock.
-    Curling(CurlingScene) -> PlanarSummary,
+    Curling(CurlingScene in motion) -> PlanarSummary,
     /// A body on a spring.
-    Spring(SpringScene) -> SpringSummary,
+    Spring(SpringScene in motion) -> SpringSummary,
     /// A block on an incline.
-    Incline(InclineScene) -> InclineSummary,
+    Incline(InclineScene in motion) -> InclineSummary,
     /// A body on a turntable.
-    Turntable(TurntableScene) -> TurntableSummary,
+    Turntable(TurntableScene in motion) -> TurntableSummary,
     /// A body in a pinch.
-    Clamp(ClampScene) -> ClampSummary,
+    Clamp(ClampScene in motion) -> ClampSummary,
     /// A powder under a piston.
     Powder(PowderScene) -> PowderSummary,
     /// Grains in a box.
@@ -138,6 +175,25 @@ bodies! {
     Gas(GasScene) -> GasSummary,
     /// A tip turned on a substrate.
     Tip(TipScene) -> TipSummary,
+}
+
+impl Scene {
+    /// Runs the scene to its end for a golden file; `watch` is called after every step.
+    pub(crate) fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MeasureError> {
+        let measured = match self.run_by() {
+            RunBy::Motion(scene) => measured_motion(scene, watch)?,
+            RunBy::Powder(scene) => scene.measured(watch)?,
+            RunBy::Grains(scene) => scene.measured(watch)?,
+            RunBy::Gas(scene) => scene.measured(watch)?,
+            RunBy::Tip(scene) => scene.measured(watch)?,
+        };
+        let (keys, defaults) = self.vocabulary();
+        Ok(Measurement {
+            keys,
+            defaults: values(&defaults),
+            ..measured
+        })
+    }
 }
 
 /// The key that every vocabulary has, with the bodies that there are.

@@ -11,6 +11,16 @@ pub struct LibraryScene {
     pub text: &'static str,
 }
 
+/// The files of these names.
+macro_rules! library {
+    ($($name:literal),+ $(,)?) => {
+        &[$(LibraryScene {
+            name: $name,
+            text: include_str!(concat!("../../scenes/", $name, ".toml")),
+        }),+]
+    };
+}
+
 /// The scenes of the folder `scenes/` that ship inside the program, by body and size.
 ///
 /// ```
@@ -22,135 +32,39 @@ pub struct LibraryScene {
 /// let powders = LIBRARY.iter().filter(|scene| scene.body() == "powder");
 /// assert!(powders.count() >= 2); // small and large
 /// ```
-pub const LIBRARY: &[LibraryScene] = &[
-    LibraryScene {
-        name: "disk",
-        text: include_str!("../../scenes/disk.toml"),
-    },
-    LibraryScene {
-        name: "cylinder",
-        text: include_str!("../../scenes/cylinder.toml"),
-    },
-    LibraryScene {
-        name: "pipe-a",
-        text: include_str!("../../scenes/pipe-a.toml"),
-    },
-    LibraryScene {
-        name: "pipe-b",
-        text: include_str!("../../scenes/pipe-b.toml"),
-    },
-    LibraryScene {
-        name: "plate",
-        text: include_str!("../../scenes/plate.toml"),
-    },
-    LibraryScene {
-        name: "curling-draw",
-        text: include_str!("../../scenes/curling-draw.toml"),
-    },
-    LibraryScene {
-        name: "curling-slow",
-        text: include_str!("../../scenes/curling-slow.toml"),
-    },
-    LibraryScene {
-        name: "spring-block",
-        text: include_str!("../../scenes/spring-block.toml"),
-    },
-    LibraryScene {
-        name: "spring-paper",
-        text: include_str!("../../scenes/spring-paper.toml"),
-    },
-    LibraryScene {
-        name: "spring-holds",
-        text: include_str!("../../scenes/spring-holds.toml"),
-    },
-    LibraryScene {
-        name: "incline",
-        text: include_str!("../../scenes/incline.toml"),
-    },
-    LibraryScene {
-        name: "turntable",
-        text: include_str!("../../scenes/turntable.toml"),
-    },
-    LibraryScene {
-        name: "clamp",
-        text: include_str!("../../scenes/clamp.toml"),
-    },
-    LibraryScene {
-        name: "compaction-small",
-        text: include_str!("../../scenes/compaction-small.toml"),
-    },
-    LibraryScene {
-        name: "compaction-large",
-        text: include_str!("../../scenes/compaction-large.toml"),
-    },
-    LibraryScene {
-        name: "compaction-4193",
-        text: include_str!("../../scenes/compaction-4193.toml"),
-    },
-    LibraryScene {
-        name: "shear-periodic",
-        text: include_str!("../../scenes/shear-periodic.toml"),
-    },
-    LibraryScene {
-        name: "compaction-soft",
-        text: include_str!("../../scenes/compaction-soft.toml"),
-    },
-    LibraryScene {
-        name: "gas-haff",
-        text: include_str!("../../scenes/gas-haff.toml"),
-    },
-    LibraryScene {
-        name: "gas-clusters",
-        text: include_str!("../../scenes/gas-clusters.toml"),
-    },
-    LibraryScene {
-        name: "gas-collapse",
-        text: include_str!("../../scenes/gas-collapse.toml"),
-    },
-    LibraryScene {
-        name: "shear-cell",
-        text: include_str!("../../scenes/shear-cell.toml"),
-    },
-    LibraryScene {
-        name: "column",
-        text: include_str!("../../scenes/column.toml"),
-    },
-    LibraryScene {
-        name: "heap",
-        text: include_str!("../../scenes/heap.toml"),
-    },
-    LibraryScene {
-        name: "hopper",
-        text: include_str!("../../scenes/hopper.toml"),
-    },
-    LibraryScene {
-        name: "drum",
-        text: include_str!("../../scenes/drum.toml"),
-    },
-    LibraryScene {
-        name: "cyclic",
-        text: include_str!("../../scenes/cyclic.toml"),
-    },
-    LibraryScene {
-        name: "shaken",
-        text: include_str!("../../scenes/shaken.toml"),
-    },
-    LibraryScene {
-        name: "tip-reversible",
-        text: include_str!("../../scenes/tip-reversible.toml"),
-    },
-    LibraryScene {
-        name: "tip-irreversible",
-        text: include_str!("../../scenes/tip-irreversible.toml"),
-    },
-    LibraryScene {
-        name: "tip-slid",
-        text: include_str!("../../scenes/tip-slid.toml"),
-    },
-    LibraryScene {
-        name: "tip-metal",
-        text: include_str!("../../scenes/tip-metal.toml"),
-    },
+pub const LIBRARY: &[LibraryScene] = library![
+    "disk",
+    "cylinder",
+    "pipe-a",
+    "pipe-b",
+    "plate",
+    "curling-draw",
+    "curling-slow",
+    "spring-block",
+    "spring-paper",
+    "spring-holds",
+    "incline",
+    "turntable",
+    "clamp",
+    "compaction-small",
+    "compaction-large",
+    "compaction-4193",
+    "shear-periodic",
+    "compaction-soft",
+    "gas-haff",
+    "gas-clusters",
+    "gas-collapse",
+    "shear-cell",
+    "column",
+    "heap",
+    "hopper",
+    "drum",
+    "cyclic",
+    "shaken",
+    "tip-reversible",
+    "tip-irreversible",
+    "tip-slid",
+    "tip-metal",
 ];
 
 /// The scene of this name.

@@ -7,8 +7,8 @@
 //! override, or the field), what is wrong and what would be valid. A scene that was made in Rust is
 //! checked by the same rules when its run begins.
 //!
-//! To add a body, declare its scene beside its runs, in the crate that has them; implement `Measure` there
-//! for golden files (a body in the plane: `PlanarScene`, and its name in the list of `slide/path.rs`); and
+//! To add a body, declare its scene beside its runs, in the crate that has them; implement there what a run of
+//! it is (a body in motion: `MotionScene`, in the plane `PlanarScene`; another: `Measure` for golden files); and
 //! name it in the list of `body.rs`.
 
 mod body;
@@ -19,6 +19,8 @@ mod template;
 mod tests;
 mod vocabulary;
 
+#[doc(hidden)]
+pub use body::{RunBy, scenes};
 pub use body::{Scene, parse_scene, read_scene};
 #[doc(hidden)]
 pub use library::{LIBRARY, LibraryScene, library_scene};
@@ -45,11 +47,7 @@ pub use tribos_grains::scene::{
     GasScene, GrainsScene, NormalForce, PowderScene, SideBoundary, SweepMethod, SweepOrder,
     SweepStop, WallLaw,
 };
-pub use tribos_motion::scene::{
-    ClampScene, CurlingScene, CylinderScene, DiskScene, FootPressure, IceModel, InclineScene,
-    PipeScene, PlateScene, PushScene, SliderIntegrator, SpringFriction, SpringScene, Tipping,
-    TurntableScene, Units,
-};
+pub use tribos_motion::scene::*;
 #[doc(hidden)]
 pub use vocabulary::{Vocabulary, bodies, vocabulary, with_present_names};
 

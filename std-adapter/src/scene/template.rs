@@ -247,17 +247,64 @@ mod tests {
         }
     }
 
+    /// The local laws of the catalogue, a row each.
+    fn laws_table() -> String {
+        let mut table =
+            String::from("| law | friction per unit load | parameters |\n|---|---|---|\n");
+        for law in crate::friction::LAWS
+            .iter()
+            .filter(|law| law.local.is_some())
+        {
+            let parameters = law.parameters.iter().map(|p| {
+                let unit = Some(p.unit).filter(|unit| *unit != "-");
+                let unit = unit.map_or(String::new(), |unit| format!(" [{unit}]"));
+                let default = p
+                    .default
+                    .map_or(String::new(), |value| format!(" (default {value:?})"));
+                format!("`{}`{unit}: {}{default}", p.name, p.meaning)
+            });
+            let parameters = parameters.collect::<Vec<_>>().join("; ");
+            let cells = [
+                format!("`{}`: {}", law.name, law.summary),
+                format!("`{}`", law.formula),
+                parameters,
+            ];
+            let cells = cells.map(|cell| cell.replace('|', "\\|"));
+            table += &format!("| {} |\n", cells.join(" | "));
+        }
+        table
+    }
+
+    /// What a page says between this line and the next empty one.
+    fn made_part<'a>(page: &'a str, mark: &str) -> Option<&'a str> {
+        let (_, rest) = page.split_once(mark)?;
+        rest.split_inclusive("\n\n").next()?.strip_suffix('\n')
+    }
+
     #[test]
-    fn the_pages_of_keys_and_of_results_are_what_the_tables_say() {
-        for (name, made) in [("keys", keys_page()), ("results", results_page())] {
+    fn what_pages_list_is_what_the_tables_say() {
+        const LAWS: &str = "<!-- Made from the catalogue of laws. -->\n";
+        let read = |name: &str| {
             let path = format!("{}/../docs/{name}.md", env!("CARGO_MANIFEST_DIR"));
-            if std::env::var_os("TRIBOS_WRITE_KEYS").is_some() {
-                std::fs::write(&path, &made).unwrap();
-            }
             let page = std::fs::read_to_string(&path).unwrap_or_default();
+            (path, page)
+        };
+        let laws = read("laws").1;
+        let part = made_part(&laws, LAWS).expect("a table of laws");
+        let laws = laws.replace(part, &laws_table());
+        for (name, made) in [
+            ("keys", keys_page()),
+            ("results", results_page()),
+            ("laws", laws),
+        ] {
+            let (path, page) = read(name);
+            if page != made && std::env::var_os("TRIBOS_WRITE_PAGES").is_some() {
+                std::fs::write(&path, &made).unwrap();
+                continue;
+            }
             assert!(
                 page == made,
-                "run this test with TRIBOS_WRITE_KEYS=1 to write {path}"
+                "run this test with TRIBOS_WRITE_PAGES=1 to write {path}"
             );
         }
     }

@@ -1,32 +1,13 @@
 //! A scene is what its fields say, whether it was read or made in Rust.
 
+use super::body::defaults;
 use super::*;
 use crate::powder::{CompactionError, PowderSimulation};
 use crate::record::CheckpointError;
 use std::time::{Duration, Instant};
 
-/// Every body's default scene.
-fn defaults() -> [Scene; 13] {
-    [
-        DiskScene::default().into(),
-        CylinderScene::default().into(),
-        PipeScene::default().into(),
-        PlateScene::default().into(),
-        CurlingScene::default().into(),
-        SpringScene::default().into(),
-        InclineScene::default().into(),
-        TurntableScene::default().into(),
-        ClampScene::default().into(),
-        PowderScene::default().into(),
-        GrainsScene::default().into(),
-        GasScene::default().into(),
-        TipScene::default().into(),
-    ]
-}
-
 #[test]
 fn the_default_scene_of_a_body_is_what_its_least_file_says() {
-    assert_eq!(defaults().len(), bodies().count());
     for scene in defaults() {
         let body = scene.body();
         let text = vocabulary(body).unwrap().least_text();

@@ -1,7 +1,8 @@
 //! What stands for a generic parameter: one list for every proof.
 //!
-//! A type is listed once, with the traits that it is wanted for. A new law, tier, patch or friction
-//! set enters every proof by its line here.
+//! A type is listed once, with the traits that it is wanted for. A new tier or friction set enters every
+//! proof by its line here, as does a patch with parameters beside the scalar; others enter by themselves
+//! ([`EVERY`]).
 
 /// A type that stands for parameters bounded by any of its traits.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +40,6 @@ const fn only(precision: &'static str, instance: Instance) -> Instance {
     }
 }
 
-const LAW: &[&str] = &["LocalLaw"];
 const BOND: &[&str] = &["LocalLaw", "BondLaw"];
 const TIER: &[&str] = &[
     "ReducedFriction",
@@ -68,15 +68,6 @@ const CORNERS: &[&str] = &["AsRef<[[R; 2]]>"];
 /// All of them.
 pub const INSTANCES: &[Instance] = &[
     instance("R", &["Real", "Lanes"]),
-    // Local laws.
-    instance("law::CoulombLaw<R>", LAW),
-    instance("law::DryFriction<R>", LAW),
-    instance("law::PowerLaw<R>", LAW),
-    instance("law::PlateauPowerLaw<R>", LAW),
-    instance("law::Stribeck<R>", LAW),
-    instance("law::Savkoor<R>", LAW),
-    instance("law::SteadyLuGre<R>", LAW),
-    instance("law::SteadyRateState<R>", LAW),
     // Bonds.
     instance("bond::ExponentialBond<R>", BOND),
     instance("bond::WeibullBond<R>", BOND),
@@ -169,7 +160,6 @@ pub const INSTANCES: &[Instance] = &[
         "patch::outline::Polygon<R, [patch::outline::Edge<R>; 4], patch::outline::LinearPressure<R>>",
         &["PatchShape", "PowerLawPatch"],
     ),
-    instance("patch::bar::Bar<R>", &["PatchShape"]),
     // Meshes, in the same two kinds of memory.
     instance("[patch::mesh::Triangle<R>; 4]", TRIANGLES),
     instance("&'static mut [patch::mesh::Triangle<R>]", TRIANGLES),
@@ -258,6 +248,9 @@ pub const INSTANCES: &[Instance] = &[
         &["ContactFriction"],
     ),
 ];
+
+/// Traits for which every type with the scalar as its only parameter stands, unless it is listed.
+pub const EVERY: [&str; 2] = ["LocalLaw", "PatchShape"];
 
 /// What is built for all instances, not for the representative ones alone.
 pub const THOROUGH: [&str; 2] = ["<coupling::RoundFriction", "<&"];

@@ -15,7 +15,7 @@ mod types;
 
 pub use document::Library;
 pub use functions::{Function, Parameter};
-pub use instances::{CONSTANTS, INSTANCES, Instance, THOROUGH, UNBOUNDED};
+pub use instances::{CONSTANTS, EVERY, INSTANCES, Instance, THOROUGH, UNBOUNDED};
 
 /// The libraries whose surface is kept.
 pub const LIBRARIES: [&str; 2] = ["tribos-core", "tribos"];

@@ -9,17 +9,51 @@ use tribos_core::law::{
 };
 use tribos_core::real::Real;
 
-/// One law without memory.
-pub fn memoryless<R: Real>(input: &mut Input<'_>) -> Verdict {
-    let laws = [
-        dry::<R>,
-        coulomb::<R>,
-        power::<R>,
-        stribeck::<R>,
-        plateau::<R>,
-        savkoor::<R>,
-    ];
-    input.one_of(&laws)(input)
+/// A law of the local speed alone, and what walks over such laws need of it.
+#[derive(Clone, Copy, Debug)]
+pub struct MemorylessLaw {
+    /// Its name among prices.
+    pub name: &'static str,
+    /// As scenes write it, with usual values.
+    pub usual: &'static str,
+    /// Modules of the kernel that a program with no other law contains.
+    pub modules: &'static str,
+    /// How such a program makes it from a number `b`; `?` refuses.
+    pub made: &'static str,
+    /// How it calls the `object` with a number `a`.
+    pub call: &'static str,
+}
+
+/// Declares them: the function that draws one from an input, then the fields; most are called alike.
+macro_rules! memoryless {
+    ($($draw:ident: $name:literal, $usual:literal, $modules:literal, $made:literal $(, $call:literal)?;)+) => {
+        /// All of them.
+        pub const MEMORYLESS: [MemorylessLaw; [$($name),+].len()] = [$(MemorylessLaw {
+            name: $name,
+            usual: $usual,
+            modules: $modules,
+            made: concat!($made, ".ok()?"),
+            call: [$($call,)? "object.friction(a)"][0],
+        }),+];
+
+        /// One law without memory.
+        pub fn memoryless<R: Real>(input: &mut Input<'_>) -> Verdict {
+            input.one_of(&[$($draw::<R>),+])(input)
+        }
+    };
+}
+
+memoryless! {
+    dry: "dry friction", "dry:mu_s=0.4,mu_d=0.3", "law::dry law::grip",
+        "DryFriction::new(0.5 as R, 0.25)", "object.net_drive(a)";
+    coulomb: "CoulombDisk", "coulomb:mu=0.3", "law::coulomb", "CoulombLaw::new(b)";
+    power: "power", "power:gamma=0.3,alpha=0.5", "law::power", "PowerLaw::new(0.5, b)";
+    stribeck: "Stribeck", "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05,k=0.02", "law::stribeck law::dry",
+        "Stribeck::new(StribeckParameters { dry: DryFriction::new(0.5, 0.25).ok()?, speed: b, exponent: 2.0, viscous: 0.125 })";
+    plateau: "plateau", "plateau:gamma=0.1,alpha=-0.4,vp=1e-3,vd=1e-4", "law::plateau",
+        "PlateauPowerLaw::new(PlateauPowerLawParameters { alpha: -0.5, coefficient: b, plateau_speed: 1e-2, drop_speed: 1e-4, rest_share: 0.5 })";
+    savkoor: "Savkoor", "savkoor:mu0=0.6,mu_m=1.2,vm=0.5", "law::savkoor",
+        "Savkoor::new(SavkoorParameters { mu_base: 0.625, mu_max: 1.25, speed: b, narrowness: 0.5 })";
 }
 
 /// −1 < α ≤ 4, or anything.

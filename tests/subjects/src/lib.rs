@@ -44,6 +44,7 @@ mod tables;
 
 pub use digest::whole;
 pub use input::{Broken, Input, Stop, Verdict};
+pub use laws::{MEMORYLESS, MemorylessLaw};
 pub use source::{Regime, Source, seed_of};
 
 /// Takes one input in one precision.

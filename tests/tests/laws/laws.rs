@@ -24,7 +24,7 @@ fn every_local_law_of_the_catalogue_is_in_the_list_and_means_its_text() {
         .filter(|entry| entry.local.is_some());
     let names: Vec<&str> = usual().iter().map(|text| made(text).name()).collect();
     assert_eq!(local.map(|entry| entry.name).collect::<Vec<_>>(), names);
-    for LawInstance { text, .. } in &LAWS {
+    for LawInstance { text, .. } in LAWS.iter() {
         assert_eq!(made(&made(text).to_string()), made(text));
     }
 }

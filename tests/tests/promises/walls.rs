@@ -90,6 +90,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "tribos-api",
             "tribos-core",
             "tribos-report",
+            "tribos-subjects",
             "tribos-tests",
             "tribos-trials",
         ],

@@ -1,6 +1,7 @@
 //! Local laws: one friction, or one step of a state.
 
 use super::{Code, Item, NARROW, item};
+use tribos_subjects::MEMORYLESS;
 
 const fn law(
     name: &'static str,
@@ -15,44 +16,8 @@ const RATE_AND_STATE: &str = "RateState::<R, AgeingLaw>::new(RateStateParameters
 const RATE_AND_STATE_STEADY: &str = "RateState::<R, AgeingLaw>::new(RateStateParameters { mu: 0.5, a: 0.01, b: 0.02, reference_speed: b, slip_distance: 1e-5, viscous: 0.0 }).ok()?.steady()";
 const LUGRE: &str = "LuGre::new(LuGreParameters { coulomb_force: 1.0, static_force: 1.5, stribeck_speed: b, stiffness: 1e5, bristle_damping: 300.0, viscous_damping: 0.5 }).ok()?";
 
-/// One speed in, one coefficient or force out.
-pub const LAWS: [Item; 11] = [
-    law(
-        "CoulombDisk",
-        "law::coulomb",
-        "CoulombLaw::new(b).ok()?",
-        "object.friction(a)",
-    ),
-    law(
-        "dry friction",
-        "law::dry law::grip",
-        "DryFriction::new(0.5 as R, 0.25).ok()?",
-        "object.net_drive(a)",
-    ),
-    law(
-        "power",
-        "law::power",
-        "PowerLaw::new(0.5, b).ok()?",
-        "object.friction(a)",
-    ),
-    law(
-        "plateau",
-        "law::plateau",
-        "PlateauPowerLaw::new(PlateauPowerLawParameters { alpha: -0.5, coefficient: b, plateau_speed: 1e-2, drop_speed: 1e-4, rest_share: 0.5 }).ok()?",
-        "object.friction(a)",
-    ),
-    law(
-        "Stribeck",
-        "law::stribeck law::dry",
-        "Stribeck::new(StribeckParameters { dry: DryFriction::new(0.5, 0.25).ok()?, speed: b, exponent: 2.0, viscous: 0.125 }).ok()?",
-        "object.friction(a)",
-    ),
-    law(
-        "Savkoor",
-        "law::savkoor",
-        "Savkoor::new(SavkoorParameters { mu_base: 0.625, mu_max: 1.25, speed: b, narrowness: 0.5 }).ok()?",
-        "object.friction(a)",
-    ),
+/// Laws with a state, and their steady states.
+const WITH_MEMORY: [Item; 5] = [
     law(
         "ageing",
         "law::ageing law::grip",
@@ -85,3 +50,10 @@ pub const LAWS: [Item; 11] = [
         "object.steady_force(a)",
     ),
 ];
+
+/// One speed in, one coefficient or force out.
+pub fn laws() -> impl Iterator<Item = Item> {
+    let memoryless = MEMORYLESS.iter();
+    let memoryless = memoryless.map(|one| law(one.name, one.modules, one.made, one.call));
+    memoryless.chain(WITH_MEMORY)
+}

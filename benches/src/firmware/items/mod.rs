@@ -11,7 +11,7 @@ mod tiers;
 use bodies::BODIES;
 use holding::HOLDING;
 use impulses::IMPULSES;
-use laws::LAWS;
+use laws::laws;
 use manifold_friction::MANIFOLD_FRICTION;
 use patches::PATCHES;
 use tiers::TIERS;
@@ -125,7 +125,7 @@ pub const BASELINE: Item = item(["baseline", "nothing"], BOTH, "", Code::new("()
 
 /// All items, the baseline first.
 pub fn all() -> impl Iterator<Item = Item> {
-    let items = [BASELINE].into_iter().chain(LAWS).chain(TIERS);
+    let items = [BASELINE].into_iter().chain(laws()).chain(TIERS);
     let bodies = PATCHES.into_iter().chain(BODIES).chain(HOLDING);
     let impulses = IMPULSES.into_iter().chain(MANIFOLD_FRICTION);
     items.chain(bodies).chain(impulses)

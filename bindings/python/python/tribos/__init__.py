@@ -31,22 +31,8 @@ from tribos._inverse import Launch, inverse
 from tribos._laws import Law, laws
 from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._modes import FixedPoint, Modes, modes
-from tribos._patches import (
-    Patch,
-    annulus,
-    bar,
-    box,
-    disk,
-    hertz,
-    mesh,
-    paraboloid,
-    points,
-    polygon,
-    polynomial,
-    power,
-    punch,
-    ring,
-)
+from tribos._patches import *  # noqa: F403 - every patch
+from tribos._patches import __all__ as _PATCHES
 from tribos._planar import PlanarBody, Rollout, Step
 from tribos._push import (
     ConeEdge,
@@ -68,21 +54,8 @@ from tribos._states import Frame, Frames, State
 from tribos._surface import LimitSurface
 from tribos._sweep import cases, run_case, sweep
 from tribos._threads import num_threads, set_num_threads
-from tribos.scenes import (
-    ClampScene,
-    CurlingScene,
-    CylinderScene,
-    GasScene,
-    GrainsScene,
-    InclineScene,
-    PipeScene,
-    PlateScene,
-    PowderScene,
-    SliderScene,
-    SpringScene,
-    TipScene,
-    TurntableScene,
-)
+from tribos.scenes import *  # noqa: F403 - the scene of every body
+from tribos.scenes import __all__ as _SCENES
 
 __version__: str = _native.__version__
 
@@ -90,22 +63,16 @@ _command.host(["python", *getattr(sys, "argv", [])])
 
 __all__ = [
     "AnyPressure",
-    "ClampScene",
     "Collision",
     "ConeEdge",
     "ContactForce",
     "ContactLaw",
-    "CurlingScene",
-    "CylinderScene",
     "Estimate",
     "FixedPoint",
     "Frame",
     "Frames",
     "Friction",
-    "GasScene",
-    "GrainsScene",
     "Grip",
-    "InclineScene",
     "Journey",
     "Launch",
     "Law",
@@ -117,15 +84,11 @@ __all__ = [
     "Modes",
     "Motion",
     "MotionCone",
-    "Patch",
-    "PipeScene",
     "PlanarBody",
     "PlanarStepBy",
     "PlanarStepJacobian",
-    "PlateScene",
     "Plates",
     "PointContact",
-    "PowderScene",
     "Push",
     "RateState",
     "Rest",
@@ -134,45 +97,28 @@ __all__ = [
     "Scene",
     "SlideBy",
     "SlideJacobian",
-    "SliderScene",
     "SolverReport",
     "Spheres",
-    "SpringScene",
     "State",
     "Step",
     "SupportFit",
-    "TipScene",
     "TorqueLimits",
-    "TurntableScene",
-    "annulus",
     "any_pressure",
-    "bar",
-    "box",
     "cases",
     "cd",
-    "disk",
     "fit",
     "fit_support",
-    "hertz",
     "inverse",
     "laws",
     "md",
-    "mesh",
     "modes",
     "motion_cone",
     "num_threads",
     "open_run",
-    "paraboloid",
     "planar_step_jacobian",
-    "points",
-    "polygon",
-    "polynomial",
-    "power",
-    "punch",
     "push",
     "push_along",
     "resume",
-    "ring",
     "run",
     "run_case",
     "scene",
@@ -183,3 +129,5 @@ __all__ = [
     "softened",
     "sweep",
 ]
+__all__ += _PATCHES
+__all__ += _SCENES

@@ -17,6 +17,27 @@ Pair = Sequence[float]
 Parameters = tuple[tuple[str, Any], ...]
 
 
+MAKERS = [
+    "annulus",
+    "bar",
+    "box",
+    "disk",
+    "hertz",
+    "mesh",
+    "paraboloid",
+    "points",
+    "polygon",
+    "polynomial",
+    "power",
+    "punch",
+    "ring",
+]
+"""The functions that make patches."""
+
+__all__ = ["Patch"]
+__all__ += MAKERS
+
+
 class Patch(Frozen):
     """A contact patch: its shape and how it spreads the load.
 
@@ -108,14 +129,14 @@ def _short(value: Any) -> str:
 
 def _made(kind: str, parameters: Parameters) -> Patch:
     """The patch of a maker's name and arguments."""
-    made: Patch = _MAKERS[kind](**dict(parameters))
+    made: Patch = globals()[kind](**dict(parameters))
     return made
 
 
 def _round(kind: str, text: str, radius: float, **others: Any) -> Patch:
     length = positive("radius", radius)
     parameters = (("radius", length), *others.items())
-    return Patch(kind, parameters, _native.Patch.round(text, length))
+    return Patch(kind, parameters, _native.Patch.named(text, length))
 
 
 def disk(radius: float) -> Patch:
@@ -162,7 +183,7 @@ def annulus(inner: float, outer: float) -> Patch:
     tribos.annulus(inner=0.03, outer=0.04)
     """
     small, large = number("inner", inner), positive("outer", outer)
-    native = _native.Patch.round(f"annulus:{small / large!r}", large)
+    native = _native.Patch.named(f"annulus:{small / large!r}", large)
     return Patch("annulus", (("inner", small), ("outer", large)), native)
 
 
@@ -296,9 +317,8 @@ def bar(length: float) -> Patch:
     length
         Its length, in m.
     """
-    half = 0.5 * positive("length", length)
-    native = _native.Patch.bar([-half, 0.0], [half, 0.0])
-    return Patch("bar", (("length", 2.0 * half),), native)
+    along = positive("length", length)
+    return Patch("bar", (("length", along),), _native.Patch.named(f"bar:{along!r}", along))
 
 
 def mesh(vertices: ArrayLike, triangles: ArrayLike, pressure: ArrayLike) -> Patch:
@@ -363,20 +383,3 @@ def points(positions: ArrayLike, weights: ArrayLike | None = None) -> Patch:
 
 def _frozen(rows: np.ndarray[Any, np.dtype[np.float64]]) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(row) for row in rows.tolist())
-
-
-_MAKERS: dict[str, Any] = {
-    "annulus": annulus,
-    "bar": bar,
-    "box": box,
-    "disk": disk,
-    "hertz": hertz,
-    "mesh": mesh,
-    "paraboloid": paraboloid,
-    "points": points,
-    "polygon": polygon,
-    "polynomial": polynomial,
-    "power": power,
-    "punch": punch,
-    "ring": ring,
-}

@@ -34,9 +34,9 @@ fn keep(area: Result<Area, FrictionError>, law: Result<&str, Refused>) -> u32 {
     }))
 }
 
-/// A patch with an axis, by its name.
+/// A patch as scenes write it; one with an axis has this radius.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn make_round(
+pub unsafe extern "C" fn make_named(
     name: *const u8,
     name_length: usize,
     radius: f64,
@@ -47,7 +47,9 @@ pub unsafe extern "C" fn make_round(
         Ok(name) => name,
         Err(refused) => return status(Err(refused)),
     };
-    let area = name.parse().and_then(|patch| Area::round(patch, radius));
+    let area = name
+        .parse()
+        .and_then(|patch| Area::named(&patch, radius, None));
     keep(area, text(law, law_length))
 }
 
@@ -75,13 +77,6 @@ pub unsafe extern "C" fn make_polygon(
     let is_uniform = centre_x.is_nan() && centre_y.is_nan();
     let centre = (!is_uniform).then_some([centre_x, centre_y]);
     keep(Area::polygon(&loops, centre), text(law, law_length))
-}
-
-/// A line along x about the origin.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn make_bar(length: f64, law: *const u8, law_length: usize) -> u32 {
-    let half = 0.5 * length;
-    keep(Area::bar([-half, 0.0], [half, 0.0]), text(law, law_length))
 }
 
 /// Points with weights.

@@ -1,6 +1,6 @@
 //! What the commands do with the scenes of each body.
 //!
-//! A body has its own file here, and its line in the list of [`of`].
+//! Bodies in motion share a file; every other has its own.
 
 mod gas;
 mod grains;
@@ -22,7 +22,7 @@ use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
 use tribos::run::folder::Lock;
-use tribos::scene::Scene;
+use tribos::scene::{RunBy, Scene};
 
 /// What the commands ask of a scene.
 pub trait Commands {
@@ -46,22 +46,13 @@ pub trait Commands {
     fn account(&self, out: Option<&Path>, command: &str) -> Result<String, Failure>;
 }
 
-/// The commands of a scene: the one list of bodies here.
+/// The commands of a scene.
 pub fn of(any: &Scene) -> Box<dyn Commands + '_> {
-    let motion = |scene| Box::new(MotionBody { scene, any });
-    match any {
-        Scene::Disk(scene) => motion(scene),
-        Scene::Cylinder(scene) => motion(scene),
-        Scene::Pipe(scene) => motion(scene),
-        Scene::Plate(scene) => motion(scene),
-        Scene::Curling(scene) => motion(scene),
-        Scene::Spring(scene) => motion(scene),
-        Scene::Incline(scene) => motion(scene),
-        Scene::Turntable(scene) => motion(scene),
-        Scene::Clamp(scene) => motion(scene),
-        Scene::Powder(scene) => Box::new(scene),
-        Scene::Grains(scene) => Box::new(scene),
-        Scene::Gas(scene) => Box::new(scene),
-        Scene::Tip(scene) => Box::new(scene),
+    match any.run_by() {
+        RunBy::Motion(scene) => Box::new(MotionBody { scene, any }),
+        RunBy::Powder(scene) => Box::new(scene),
+        RunBy::Grains(scene) => Box::new(scene),
+        RunBy::Gas(scene) => Box::new(scene),
+        RunBy::Tip(scene) => Box::new(scene),
     }
 }

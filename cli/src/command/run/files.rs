@@ -1,7 +1,7 @@
 //! What a run leaves in its folder, and what `tribos view` and `tribos export` add to it: names, `#`
 //! for a number, and folders of frames.
 
-/// Of a disk, and of a body on a spring, on an incline, on a turntable or in a pinch.
+/// Of a disk, and of a body that holds and slips.
 pub const MOTION: &[&str] = &["summary.json", "series.csv", "motion.svg", "motion.png"];
 
 /// Of a body in the plane.

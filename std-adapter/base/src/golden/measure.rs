@@ -35,6 +35,10 @@ pub struct Measurement {
     /// Keys of the scene, by which the parameters of pins from earlier versions are found.
     #[doc(hidden)]
     pub keys: &'static [Key],
+    /// Parameters of the default scene: those that pins of earlier versions lack, and that have these values, are
+    /// no change.
+    #[doc(hidden)]
+    pub defaults: BTreeMap<String, Quantity>,
 }
 
 /// Branches of a summary that are not results.
@@ -56,8 +60,7 @@ impl Measurement {
         columns: &[impl ToString],
         rows: impl Iterator<Item = Vec<f64>>,
     ) -> Self {
-        let mut parameters: BTreeMap<_, _> =
-            leaves(&summary["scene"], |_| false).into_iter().collect();
+        let mut parameters = values(&summary["scene"]);
         // A disk's scene need not name its body.
         parameters
             .entry(BODY.name.into())
@@ -69,6 +72,7 @@ impl Measurement {
             rows: rows.collect(),
             state: Vec::new(),
             keys: &[],
+            defaults: BTreeMap::new(),
         }
     }
 
@@ -80,6 +84,11 @@ impl Measurement {
             .map(|rows| Digest::of(rows.iter().map(cell)))
             .collect()
     }
+}
+
+/// The values in force in a scene, by their keys.
+pub fn values(scene: &Value) -> BTreeMap<String, Quantity> {
+    leaves(scene, |_| false).into_iter().collect()
 }
 
 /// Digest of the components of vectors.

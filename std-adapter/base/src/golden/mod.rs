@@ -3,7 +3,8 @@
 //! A golden file is TOML. For each scene it contains the path, the overrides, the resolved parameters
 //! with their digest, every quantity of the summary by its bits, digests of each column of the series
 //! over consecutive blocks of rows, and of powders digests of the final state. A digest is FNV-1a of
-//! 64 bits over the bits of the numbers, lowest byte first, with one NaN for all.
+//! 64 bits over the bits of the numbers, lowest byte first, with one NaN for all. A parameter that came later than
+//! the file is no difference while it has its default.
 //!
 //! ```
 //! use tribos::golden::{Golden, Pinned, Verdict, measure};
@@ -26,7 +27,7 @@ mod text;
 
 pub use difference::{Difference, SeriesDifference, SummaryDifference, Verdict};
 pub use digest::{Digest, canonical_bits};
-pub use measure::{Measure, Measurement, contacts, digest};
+pub use measure::{Measure, Measurement, contacts, digest, values};
 pub use pinned::Pinned;
 pub use quantity::Quantity;
 pub use read::GoldenError;

@@ -91,7 +91,15 @@ impl Pinned {
         let named = |(name, value): (&String, &Quantity)| {
             (present_name(measured.keys, name).into(), value.clone())
         };
-        let parameters: Parameters = self.parameters.iter().map(named).collect();
+        let mut parameters: Parameters = self.parameters.iter().map(named).collect();
+        // A key that came later and has its default says nothing new.
+        for (name, default) in &measured.defaults {
+            if measured.parameters.get(name) == Some(default) {
+                parameters
+                    .entry(name.clone())
+                    .or_insert_with(|| default.clone());
+            }
+        }
         if digest(&parameters) != digest(&measured.parameters) {
             return Verdict::SceneChanged(changed_parameter(&parameters, &measured.parameters));
         }
