@@ -113,8 +113,8 @@ impl Failure {
     }
 }
 
-impl<P: Error + 'static> From<PackingRunError<P>> for Failure {
-    fn from(error: PackingRunError<P>) -> Self {
+impl From<PackingRunError> for Failure {
+    fn from(error: PackingRunError) -> Self {
         if error.is_runtime_failure() {
             Self::run(error)
         } else {
@@ -234,10 +234,8 @@ impl From<MeasureError> for Failure {
     fn from(error: MeasureError) -> Self {
         match error {
             MeasureError::Motion(error) => error.into(),
-            MeasureError::Compaction(error) => error.into(),
-            MeasureError::Gas(error) => error.into(),
+            MeasureError::Packing(error) => error.into(),
             MeasureError::Tip(error) => error.into(),
-            MeasureError::Grains(error) => error.into(),
         }
     }
 }

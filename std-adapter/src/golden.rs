@@ -1,9 +1,7 @@
 //! Golden files: results of scenes, pinned to the bit, to be checked later and on other machines.
 
-use crate::gas::GasError;
-use crate::grains::GrainsError;
 use crate::motion::MotionError;
-use crate::powder::CompactionError;
+use crate::run::PackingRunError;
 use crate::scene::Scene;
 use crate::tip::TipError;
 pub use tribos_base::golden::{
@@ -27,15 +25,9 @@ pub enum MeasureError {
     /// A body that slides, or holds and slips.
     #[error(transparent)]
     Motion(#[from] MotionError),
-    /// A powder.
+    /// A powder, grains in a box or a gas.
     #[error(transparent)]
-    Compaction(#[from] CompactionError),
-    /// Grains in a box.
-    #[error(transparent)]
-    Grains(#[from] GrainsError),
-    /// A gas.
-    #[error(transparent)]
-    Gas(#[from] GasError),
+    Packing(#[from] PackingRunError),
     /// A tip.
     #[error(transparent)]
     Tip(#[from] TipError),

@@ -10,9 +10,9 @@
 //! A puck that slides and spins: both motions end in the same moment.
 //!
 //! ```
-//! use tribos::{scene::DiskScene, slide::run};
+//! use tribos::scene::DiskScene;
 //! let puck = DiskScene { speed: 1.0, spin: 5.0, gamma: 0.3, ..DiskScene::default() };
-//! let end = run(&puck, |_done| ())?.outcome; // m/s, rad/s
+//! let end = puck.run()?.outcome; // m/s, rad/s
 //! assert!((end.end_time - 0.369017132104558).abs() < 1e-9); // s
 //! # Ok::<(), tribos::slide::SlideError>(())
 //! ```
@@ -32,10 +32,10 @@
 //! A curling stone that turns counterclockwise, and curls to the left:
 //!
 //! ```
-//! use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
+//! use tribos::scene::{CurlingScene, IceModel};
 //! let model = IceModel::ScratchGuide;
 //! let stone = CurlingScene { model, speed: 1.9866, spin: 1.5, ..CurlingScene::default() }; // m/s, rad/s
-//! let end = run_planar(&stone)?.outcome;
+//! let end = stone.run()?.outcome;
 //! assert!(end.x > 28.3 && end.curl > 0.9); // m on, and to the left
 //! # Ok::<(), tribos::slide::SlideError>(())
 //! ```
@@ -64,7 +64,7 @@
 //! run_to_end(&mut compaction, |_line, _done| ())?;
 //! let [before, after] = compaction.outcome().porosity;
 //! assert!(after < before);
-//! # Ok::<(), tribos::powder::CompactionError>(())
+//! # Ok::<(), tribos::run::PackingRunError>(())
 //! ```
 //!
 //! # Modules
@@ -106,7 +106,11 @@ pub mod run {
     #[doc(inline)]
     pub use tribos_base::run::*;
     #[doc(inline)]
-    pub use tribos_grains::packing::{PackingRun, PackingRunError, PackingStopReason};
+    pub use tribos_grains::packing::{
+        PackingRun, PackingRunError, PackingStopReason, PlacementError,
+    };
+    #[doc(inline)]
+    pub use tribos_motion::SceneRun;
 }
 
 #[doc(hidden)]

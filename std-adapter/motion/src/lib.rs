@@ -10,6 +10,7 @@ pub mod push;
 pub mod slide;
 pub mod stick;
 
+pub use motion_run::SceneRun;
 #[doc(hidden)]
 pub use motion_run::{MotionError, MotionRun, MotionScene};
 

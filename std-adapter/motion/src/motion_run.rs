@@ -4,14 +4,51 @@ use crate::scene::{
     ClampScene, CurlingScene, CylinderScene, DiskScene, InclineScene, PipeScene, PlateScene,
     SpringScene, TurntableScene,
 };
-use crate::slide::{self, PATH_COLUMNS, PlanarScene, PlanarSummary, SlideError, SlideSummary};
+use crate::slide::{self, PlanarScene, PlanarSummary, SlideError, SlideSummary};
 use crate::stick::StickError;
 use serde_json::{Map, Value};
 use tribos_base::golden::{Measure, Measurement};
 use tribos_base::results::{Quantity, Summary, file};
 use tribos_base::scene::Body;
 
-/// Series and summary of a run.
+/// Series and summary of the run of a scene.
+///
+/// ```
+/// use tribos::run::SceneRun;
+/// use tribos::scene::SpringScene;
+/// let SceneRun { columns, rows, outcome } = SpringScene::default().run()?;
+/// let time = columns.iter().position(|name| *name == "time").ok_or("no time")?;
+/// assert_eq!(rows.last().map(|last| last[time]), Some(outcome.end_time));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneRun<S, const N: usize> {
+    /// Names of the columns; the first is the time.
+    pub columns: &'static [&'static str; N],
+    /// Rows of the series.
+    pub rows: Vec<[f64; N]>,
+    /// The summary.
+    pub outcome: S,
+}
+
+impl<S: Summary, const N: usize> SceneRun<S, N> {
+    /// The run without its type, with what a terminal and a figure show.
+    pub(crate) fn shown(
+        self,
+        told: Vec<(&'static str, String)>,
+        drawn: (&'static [&'static str], &'static str),
+    ) -> MotionRun {
+        MotionRun {
+            columns: self.columns,
+            rows: self.rows.iter().map(|row| row.to_vec()).collect(),
+            outcome: self.outcome.entries(),
+            told,
+            drawn,
+        }
+    }
+}
+
+/// Series and summary of a run of any body.
 #[derive(Clone, Debug)]
 pub struct MotionRun {
     /// Names of the columns; the first is the time.
@@ -76,16 +113,10 @@ impl MotionScene for DiskScene {
     }
 
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
-        let run = slide::run(self, |done| {
+        let run = slide::follow(self, |done| {
             watch(done);
         })?;
-        Ok(MotionRun {
-            columns: &slide::COLUMNS,
-            rows: run.series.iter().map(|row| row.to_vec()).collect(),
-            outcome: run.outcome.entries(),
-            told: Vec::new(),
-            drawn: (&[], ""),
-        })
+        Ok(run.shown(Vec::new(), (&[], "")))
     }
 }
 
@@ -96,13 +127,7 @@ impl<T: PlanarScene> MotionScene for T {
 
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let run = slide::follow_path(self, watch)?;
-        Ok(MotionRun {
-            columns: &PATH_COLUMNS,
-            rows: run.series.iter().map(|row| row.to_vec()).collect(),
-            outcome: run.outcome.entries(),
-            told: Vec::new(),
-            drawn: (&[], ""),
-        })
+        Ok(run.shown(Vec::new(), (&[], "")))
     }
 }
 

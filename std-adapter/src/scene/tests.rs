@@ -1,8 +1,9 @@
 //! A scene is what its fields say, whether it was read or made in Rust.
 
 use super::*;
-use crate::powder::{CompactionError, PowderSimulation};
+use crate::powder::PowderSimulation;
 use crate::record::CheckpointError;
+use crate::run::PackingRunError;
 use std::time::{Duration, Instant};
 
 /// Every body's default scene.
@@ -344,7 +345,7 @@ fn no_run_begins_with_fields_that_no_file_could_have() {
         ..PowderScene::default()
     };
     let refused = PowderSimulation::new(&powder);
-    assert!(matches!(refused, Err(CompactionError::Scene(_))));
+    assert!(matches!(refused, Err(PackingRunError::Scene(_))));
     let tip = TipScene {
         tip_layers: 1,
         ..TipScene::default()
@@ -360,13 +361,13 @@ fn no_run_begins_with_fields_that_no_file_could_have() {
         mass: f64::INFINITY,
         ..DiskScene::default()
     };
-    let refused = crate::slide::run(&disk, |_| ());
+    let refused = disk.run();
     assert!(matches!(refused, Err(crate::slide::SlideError::Scene(_))));
     let pipe = PipeScene {
         inner_radius: 1.0,
         ..PipeScene::default()
     };
-    let refused = crate::slide::run_planar(&pipe);
+    let refused = pipe.run();
     assert!(matches!(refused, Err(crate::slide::SlideError::Scene(_))));
 }
 
@@ -386,7 +387,7 @@ fn a_checkpoint_of_edited_fields_belongs_to_no_other_scene() {
         let kept = PowderSimulation::new(&scene).unwrap().checkpoint();
         assert!(PowderSimulation::resume(&scene, &kept).is_ok());
         match PowderSimulation::resume(&original, &kept) {
-            Err(CompactionError::Checkpoint(CheckpointError::Scene { key, .. })) => {
+            Err(PackingRunError::Checkpoint(CheckpointError::Scene { key, .. })) => {
                 assert_eq!(key, edited);
             }
             other => panic!("{other:?}"),

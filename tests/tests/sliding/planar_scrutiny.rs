@@ -6,7 +6,7 @@ use tribos::slide::planar::{
     PlanarLaunch, PlanarResult, PlanarSimulation, PlanarState, PlanarStopReason, Resistance,
 };
 use tribos::slide::planar::{TallBody, TallCylinder};
-use tribos::slide::{PlanarScene, run_planar};
+use tribos::slide::{PlanarScene, follow_path};
 use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::modes::{TerminalMode, TerminalMotion};
@@ -304,7 +304,7 @@ fn what_is_recorded_leaves_the_end_as_it_is() {
                 Scene::Curling(scene) => scene,
                 other => unreachable!("{other:?}"),
             };
-            let outcome = run_planar(scene).expect("it ends").outcome;
+            let outcome = follow_path(scene, &mut |_| true).expect("it ends").outcome;
             (outcome, outcome.energy_error)
         });
         assert_eq!(ends[0], ends[1], "{body} {overrides:?}");
@@ -333,7 +333,7 @@ fn launches_outside_the_range_of_numbers_are_refused() {
         ..usual
     };
     for scene in [slow, fast, wide] {
-        let refused = run_planar(&scene);
+        let refused = scene.run();
         assert!(
             matches!(refused, Err(SlideError::Energy { .. })),
             "{scene:?}: {refused:?}"

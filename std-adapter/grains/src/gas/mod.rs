@@ -2,7 +2,6 @@
 
 mod checkpoint;
 mod engine;
-mod error;
 mod frames;
 mod lattice;
 mod outcome;
@@ -18,7 +17,6 @@ mod tests;
 mod time_stepped;
 
 pub use crate::packing::PackingStopReason as GasStopReason;
-pub use error::{GasError, GasStartError};
 pub(crate) use lattice::edge;
 #[doc(hidden)]
 pub use outcome::COLUMNS;

@@ -1,7 +1,8 @@
 //! Gases as long runs.
 
-use super::{GasError, GasSimulation, GasStartError};
+use super::GasSimulation;
 use crate::gas::scene::GasScene;
+use crate::packing::PackingRunError;
 use std::ops::ControlFlow;
 use tribos_base::record::frames::{Bodies, Frame};
 use tribos_base::run::{Cause, LongRun};
@@ -13,12 +14,12 @@ impl LongRun for GasSimulation {
         scene: &GasScene,
         checkpoint: Option<&str>,
         growing: &mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<Self, GasError> {
+    ) -> Result<Self, PackingRunError> {
         Self::begin(scene, checkpoint, growing)
     }
 
-    fn cause(error: &GasError) -> Cause {
-        error.cause(|start| matches!(start, GasStartError::Stopped))
+    fn cause(error: &PackingRunError) -> Cause {
+        error.cause()
     }
 
     fn checkpoint(&self) -> String {

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::gas::scene::{GasMethod, GasScene};
+use crate::packing::PackingRunError;
 use crate::packing::method::NormalForce;
 use std::ops::ControlFlow;
 use tribos_base::run::{Simulation, run_to_end};
@@ -9,7 +10,7 @@ use tribos_contacts::event::{HardSpheres, Impact, Tangential, collision_rate, co
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-fn finished(scene: &GasScene) -> Result<GasSimulation, GasError> {
+fn finished(scene: &GasScene) -> Result<GasSimulation, PackingRunError> {
     let mut gas = GasSimulation::new(scene)?;
     run_to_end(&mut gas, |_, _| ())?;
     Ok(gas)
@@ -242,7 +243,7 @@ fn checkpoints_of_other_gases_and_damaged_ones_are_refused() -> Tested {
 #[test]
 fn impossible_gases_are_refused_before_work() {
     let refusal = |scene: GasScene| match GasSimulation::new(&scene) {
-        Err(GasError::Scene(error)) => error.to_string(),
+        Err(PackingRunError::Scene(error)) => error.to_string(),
         other => format!("{other:?}"),
     };
     let few = GasScene {

@@ -75,7 +75,7 @@ scene! {
     /// run_to_end(&mut beads, |_, _| ())?;
     /// let outcome = beads.outcome();
     /// assert!((outcome.floor_force / (outcome.mass * 9.81) - 1.0).abs() < 0.01);
-    /// # Ok::<(), tribos::grains::GrainsError>(())
+    /// # Ok::<(), tribos::run::PackingRunError>(())
     /// ```
     pub struct GrainsScene = "grains", "Grains in a box",
         rules, in_force;

@@ -158,7 +158,7 @@ fn grains_all_of_the_second_material_run_as_grains_of_it_alone() -> Answer {
         density: 4000.0,
         ..mixed(0.0)
     };
-    let runs = [second, alone].map(|scene| -> Result<_, super::GrainsError> {
+    let runs = [second, alone].map(|scene| -> Result<_, crate::packing::PackingRunError> {
         let mut grains = GrainsSimulation::new(&scene)?;
         run_to_end(&mut grains, |_, _| ())?;
         Ok(grains.series().to_vec())

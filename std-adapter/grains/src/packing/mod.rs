@@ -15,6 +15,7 @@ mod limits;
 mod material;
 pub mod method;
 mod optional_features;
+mod placement_error;
 mod read;
 mod rigid;
 mod run;
@@ -40,6 +41,7 @@ pub(crate) use kinds::{Kinds, mixed, origin};
 pub use limits::Limits;
 pub use material::Material;
 pub(crate) use optional_features::{OptionalFeatures, SecondMaterial, SecondMaterialKeys};
+pub use placement_error::PlacementError;
 pub use read::AssemblyError;
 pub use run::PackingRun;
 pub(crate) use run::{losses, object};
@@ -54,6 +56,4 @@ pub(crate) use stored::{Shape, Stored, scene};
 pub use stress::Stress;
 pub(crate) use totals::Totals;
 pub use volume::volume_between;
-pub(crate) use world::{
-    Bodies, Method, Packing, PackingError, Springs, branch, build, build_with, is_at,
-};
+pub(crate) use world::{Bodies, Method, Packing, Springs, branch, build, build_with, is_at};

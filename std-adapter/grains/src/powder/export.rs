@@ -2,8 +2,8 @@
 
 use super::blocked::{LOAD_DEVIATION, PISTON_MOTION, window_time};
 use super::deposit::Deposit;
-use super::error::CompactionError;
 use super::start;
+use crate::packing::PackingRunError;
 use crate::packing::method::{FrictionCoupling, WallLaw};
 use crate::packing::{Kinds, Material, Method, Springs, stable_step_between};
 use crate::powder::scene::PowderScene;
@@ -59,7 +59,7 @@ pub enum ExportError {
     /// Rigid spheres have no springs that LAMMPS could integrate.
     Rigid,
     /// The spheres cannot be made or read.
-    Start(CompactionError),
+    Start(PackingRunError),
 }
 
 impl std::fmt::Display for ExportError {
@@ -90,7 +90,7 @@ pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
     };
     scene
         .check()
-        .map_err(CompactionError::from)
+        .map_err(PackingRunError::from)
         .map_err(ExportError::Start)?;
     let (deposit, spheres) =
         start::start(scene, |_| ControlFlow::Continue(())).map_err(ExportError::Start)?;

@@ -4,7 +4,6 @@ mod blocked;
 mod cost;
 #[doc(hidden)]
 pub mod deposit;
-mod error;
 #[doc(hidden)]
 pub mod export;
 mod from_scene;
@@ -21,8 +20,6 @@ pub use crate::packing::{ActiveModes, Limits, Material, ModeSet, PackingCost, ST
 pub use blocked::{Means, Window};
 #[doc(hidden)]
 pub use cost::{cost, size, stable_step};
-pub use deposit::DepositError;
-pub use error::CompactionError;
 #[doc(hidden)]
 pub use outcome::COLUMNS;
 pub use outcome::PowderSummary;

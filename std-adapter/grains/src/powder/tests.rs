@@ -1,5 +1,6 @@
 use super::blocked::WINDOW_STEPS;
 use super::*;
+use crate::packing::PackingRunError;
 use crate::powder::scene::{BlockedCriterion, PowderScene};
 use nalgebra::{Matrix3, Vector3};
 use std::cell::Cell;
@@ -527,7 +528,7 @@ fn a_run_ends_with_its_time_or_its_steps() -> Tested {
 }
 
 /// A run that is broken off after three steps, and goes on once its folder of frames is removed.
-fn resumed_without_frames(limit: u64) -> Result<u64, RunError<CompactionError>> {
+fn resumed_without_frames(limit: u64) -> Result<u64, RunError<PackingRunError>> {
     let scene = PowderScene {
         width: 6.0,
         height: 8.0,

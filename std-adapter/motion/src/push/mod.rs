@@ -45,7 +45,7 @@ pub use outline::straight_side;
 pub use path::{PathEnd, PathSample, Pose, PushPath, PushedSide, Pusher, push_path};
 #[doc(hidden)]
 pub use run::PUSH_BOX;
-pub use run::{PushResult, run};
+pub use run::PushResult;
 pub use solve::{ContactMode, QuasiStaticPush, push};
 
 #[cfg(doc)]

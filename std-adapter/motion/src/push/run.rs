@@ -40,58 +40,60 @@ pub struct PushResult {
     pub journey: PushPath,
 }
 
-/// Computes what a scene asks for.
-///
-/// The path of a straight pusher that does not hold the body is not followed: it has its start alone.
-pub fn run(scene: &PushScene) -> Result<PushResult, PushError> {
-    scene.check()?;
-    let set = limit_surface(
-        &scene.patch,
-        scene.mu * scene.load,
-        scene.radius,
-        pair(scene.centre_x, scene.centre_y),
-    )?;
-    let shape = Shape::of(&scene.patch, scene.radius)?;
-    let [x, y] = [scene.contact_x, scene.contact_y];
-    let mu = scene.mu_pusher;
-    let line = match pair(scene.end_x, scene.end_y) {
-        None => None,
-        Some(end) => Some(inward_line([[x, y], end], mu, &shape)?),
-    };
-    let (contact, side) = match &line {
-        Some(line) => (line.ends()[0], endless()),
-        None => point(scene, &shape)?,
-    };
-    let cone = motion_cone(&*set, &contact)?;
-    let twist = Twist::new(scene.velocity_x, scene.velocity_y, scene.spin);
-    let at_contact = contact.velocity(&twist);
-    let first = push(&*set, &contact, at_contact.into())?;
-    let grip = line.map(|line| line.stable_push(&*set, &twist));
-    let journey = match &grip {
-        None => push_path(
-            &*set,
-            &Pusher {
-                contact,
-                side,
-                start: Pose::ORIGIN,
-                velocity: at_contact.into(),
-                duration: duration(scene),
-                samples: scene.samples,
-                tolerance: scene.tolerance,
-            },
-        )?,
-        Some(grip) => with_pusher(&contact, grip, &twist, duration(scene), scene.samples),
-    };
-    Ok(PushResult {
-        gauge: set.gauge(&first.wrench),
-        yaw_limit: set.scale_to_surface(&Wrench::new(0.0, 0.0, 1.0)).torque,
-        yaw_limit_of_any_pressure: any_pressure(scene, &shape)?,
-        outline: shape.loops,
-        cone,
-        first,
-        grip,
-        journey,
-    })
+impl PushScene {
+    /// Computes what the scene asks for.
+    ///
+    /// The path of a straight pusher that does not hold the body is not followed: it has its start alone.
+    pub fn run(&self) -> Result<PushResult, PushError> {
+        self.check()?;
+        let set = limit_surface(
+            &self.patch,
+            self.mu * self.load,
+            self.radius,
+            pair(self.centre_x, self.centre_y),
+        )?;
+        let shape = Shape::of(&self.patch, self.radius)?;
+        let [x, y] = [self.contact_x, self.contact_y];
+        let mu = self.mu_pusher;
+        let line = match pair(self.end_x, self.end_y) {
+            None => None,
+            Some(end) => Some(inward_line([[x, y], end], mu, &shape)?),
+        };
+        let (contact, side) = match &line {
+            Some(line) => (line.ends()[0], endless()),
+            None => point(self, &shape)?,
+        };
+        let cone = motion_cone(&*set, &contact)?;
+        let twist = Twist::new(self.velocity_x, self.velocity_y, self.spin);
+        let at_contact = contact.velocity(&twist);
+        let first = push(&*set, &contact, at_contact.into())?;
+        let grip = line.map(|line| line.stable_push(&*set, &twist));
+        let journey = match &grip {
+            None => push_path(
+                &*set,
+                &Pusher {
+                    contact,
+                    side,
+                    start: Pose::ORIGIN,
+                    velocity: at_contact.into(),
+                    duration: duration(self),
+                    samples: self.samples,
+                    tolerance: self.tolerance,
+                },
+            )?,
+            Some(grip) => with_pusher(&contact, grip, &twist, duration(self), self.samples),
+        };
+        Ok(PushResult {
+            gauge: set.gauge(&first.wrench),
+            yaw_limit: set.scale_to_surface(&Wrench::new(0.0, 0.0, 1.0)).torque,
+            yaw_limit_of_any_pressure: any_pressure(self, &shape)?,
+            outline: shape.loops,
+            cone,
+            first,
+            grip,
+            journey,
+        })
+    }
 }
 
 fn pair(x: Option<f64>, y: Option<f64>) -> Option<[f64; 2]> {

@@ -3,14 +3,17 @@
 use super::outcome::terminal;
 use super::planar::{Gradient, PlanarLaunch, PlanarSimulation, PlanarState, Resistance, TallBody};
 use super::simulation::{MOST_STEPS, SLIVER};
-use super::{COLUMNS, SlideError, SlideRun, SlideStopReason, SlideSummary, energy_at_launch, run};
+use super::{
+    COLUMNS, SlideError, SlideRun, SlideStopReason, SlideSummary, energy_at_launch, follow,
+};
+use crate::motion_run::SceneRun;
 use crate::slide::scene::{DiskScene, SliderIntegrator};
 use tribos_core::modes::TerminalMotion;
 use tribos_friction::{AnyFriction, Law, Patch};
 
 /// Runs a scene to its end under `law`, which replaces the scene's `gamma` and `alpha`.
 ///
-/// For a power of the speed this is [`run`]. Under any other law the motion is integrated over the logarithm
+/// For a power of the speed this is [`follow`]. Under any other law the motion is integrated over the logarithm
 /// of the speed, like that of a body in the plane ([`PlanarSimulation`]).
 pub(super) fn run_law(
     scene: &DiskScene,
@@ -24,7 +27,7 @@ pub(super) fn run_law(
             law: None,
             ..*scene
         };
-        return run(&scene, progress);
+        return follow(&scene, progress);
     }
     scene.check()?;
     if scene.integrator == SliderIntegrator::Verlet {
@@ -71,8 +74,9 @@ pub(super) fn run_law(
     };
     let limit = TerminalMotion::new(profile, scene.inertia_ratio)?.terminal_mode(last.ratio);
     let (limit_ratio, final_mode) = terminal(limit);
-    Ok(SlideRun {
-        series: points
+    Ok(SceneRun {
+        columns: &COLUMNS,
+        rows: points
             .iter()
             .map(|point| row(point, energy(point), scene.mass))
             .collect(),

@@ -17,13 +17,15 @@ pub use cost::EvaluationCost;
 pub(crate) use cost::of_law;
 #[doc(hidden)]
 pub use friction_work::FrictionWork;
-pub use outcome::{COLUMNS, SlideStopReason, SlideSummary};
+use outcome::COLUMNS;
+pub use outcome::{SlideStopReason, SlideSummary};
+pub use path::PlanarSummary;
 #[doc(hidden)]
-pub use path::{PATH_COLUMNS, PlanarCourse, PlanarScene, follow_path};
-pub use path::{PathRun, PlanarSummary, run_planar};
+pub use path::{PlanarCourse, PlanarScene, follow_path};
 #[doc(hidden)]
 pub use simulation::SlideSimulation;
 
+use crate::motion_run::SceneRun;
 use crate::slide::scene::DiskScene;
 use tribos_base::record::brief;
 use tribos_base::run::run_to_end;
@@ -36,10 +38,10 @@ use tribos_friction::{FrictionError, Law, Patch, RoundPower, Tier, Visitor, visi
 ///
 /// ```
 /// use tribos::scene::DiskScene;
-/// use tribos::slide::{SlideError, run};
+/// use tribos::slide::SlideError;
 /// // A disk that is at rest after 0.4 s.
 /// let scene = DiskScene { time_step: Some(1e-12), ..DiskScene::default() };
-/// assert!(matches!(run(&scene, |_| ()), Err(SlideError::TooManySteps { .. })));
+/// assert!(matches!(scene.run(), Err(SlideError::TooManySteps { .. })));
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum SlideError {
@@ -137,45 +139,11 @@ fn energy_at_launch(energy: f64) -> Result<f64, SlideError> {
     }
 }
 
-/// Series and summary of the run of one slider.
-///
-/// ```
-/// use tribos::scene::DiskScene;
-/// use tribos::slide::{SlideRun, run};
-/// let SlideRun { series, outcome } = run(&DiskScene::default(), |_| ())?;
-/// assert_eq!(series.len() as u64, outcome.steps + 1);
-/// for [.., kinetic, dissipated] in series {
-///     let sum = kinetic + dissipated; // stays what it was at the launch
-///     assert!((sum - outcome.initial_energy).abs() < 1e-9 * outcome.initial_energy);
-/// }
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Debug)]
-pub struct SlideRun {
-    /// Rows of the series, with the columns of [`COLUMNS`].
-    pub series: Vec<[f64; COLUMNS.len()]>,
-    /// The summary.
-    pub outcome: SlideSummary,
-}
+/// Columns as in [`COLUMNS`].
+type SlideRun = SceneRun<SlideSummary, { COLUMNS.len() }>;
 
-/// Runs a scene to its end; `progress` receives the completed fraction after every step.
-///
-/// *Accuracy* under a law that is no power of the speed: 1e-8, that of the law's quadrature. A law with a state
-/// (bristles, ages) acts in its steady form, because on a patch that slides and spins the state differs from
-/// point to point.
-///
-/// ```
-/// use tribos::{scene::DiskScene, slide::run};
-/// let scene = DiskScene { speed: 1.0, spin: 0.0, gamma: 0.3, ..DiskScene::default() };
-/// let result = run(&scene, |_| ())?;
-/// assert!((result.outcome.distance - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-13);
-/// // On oil: dv/dt = -g (mu + k v), which ends after ln(1 + k v0/mu)/(g k).
-/// let law = Some("stribeck:mu_s=0.2,mu_d=0.2,vs=0.01,k=0.1".parse()?); // s/m
-/// let oiled = DiskScene { gravity: 10.0, law, ..scene };
-/// assert!((run(&oiled, |_| ())?.outcome.end_time - 1.5_f64.ln()).abs() < 1e-8);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn run(scene: &DiskScene, progress: impl FnMut(f64)) -> Result<SlideRun, SlideError> {
+/// Runs a scene; `progress` receives the completed fraction after every step.
+pub(crate) fn follow(scene: &DiskScene, progress: impl FnMut(f64)) -> Result<SlideRun, SlideError> {
     if let Some(law) = &scene.law {
         return run_law(scene, law, progress);
     }
@@ -194,19 +162,48 @@ impl<F: FnMut(f64)> Visitor<f64> for Run<'_, F> {
 
     fn visit<P: RoundPower<f64> + 'static>(mut self, profile: P) -> Self::Output {
         let mut simulation = SlideSimulation::new(profile, self.scene)?;
-        let mut series = Vec::new();
+        let mut rows = Vec::new();
         run_to_end(&mut simulation, |row, done| {
-            series.push(row);
+            rows.push(row);
             (self.progress)(done);
         })?;
-        Ok(SlideRun {
-            series,
+        Ok(SceneRun {
+            columns: &COLUMNS,
+            rows,
             outcome: simulation.outcome()?,
         })
     }
 }
 
 impl DiskScene {
+    /// Runs the scene to its end.
+    ///
+    /// *Columns* of the series: SI units in SI scenes (s, m/s, rad/s, m, rad, -, J, J).
+    ///
+    /// *Accuracy* under a law that is no power of the speed: 1e-8, that of the law's quadrature. A law with a state
+    /// (bristles, ages) acts in its steady form, because on a patch that slides and spins the state differs from
+    /// point to point.
+    ///
+    /// ```
+    /// use tribos::{run::SceneRun, scene::DiskScene};
+    /// let scene = DiskScene { speed: 1.0, spin: 0.0, gamma: 0.3, ..DiskScene::default() };
+    /// let result = scene.run()?;
+    /// assert!((result.outcome.distance - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-13);
+    /// // On oil: dv/dt = -g (mu + k v), which ends after ln(1 + k v0/mu)/(g k).
+    /// let law = Some("stribeck:mu_s=0.2,mu_d=0.2,vs=0.01,k=0.1".parse()?); // s/m
+    /// let oiled = DiskScene { gravity: 10.0, law, ..scene };
+    /// let SceneRun { rows, outcome, .. } = oiled.run()?;
+    /// assert!((outcome.end_time - 1.5_f64.ln()).abs() < 1e-8);
+    /// for [.., kinetic, dissipated] in rows {
+    ///     let sum = kinetic + dissipated; // stays what it was at the launch
+    ///     assert!((sum - outcome.initial_energy).abs() < 1e-9 * outcome.initial_energy);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn run(&self) -> Result<SlideRun, SlideError> {
+        follow(self, |_| ())
+    }
+
     /// Friction law of the scene.
     pub(crate) fn law(&self) -> Result<Law, FrictionError> {
         self.law

@@ -3,13 +3,14 @@
 use super::cost::{EvaluationCost, resistance_cost};
 use super::planar::{PlanarLaunch, PlanarSimulation, PlanarState, PlanarStopReason, Resistance};
 use super::{SlideError, energy_at_launch};
-use crate::slide::scene::Tipping;
+use crate::motion_run::SceneRun;
+use crate::slide::scene::{CurlingScene, CylinderScene, PipeScene, PlateScene, Tipping};
 use tribos_base::results::{Reporting::*, summary};
 use tribos_base::scene::Body;
 use tribos_friction::Evaluation;
 
-/// Columns of the series: s, m, m, m/s, m/s, rad/s, rad, –, –, J, J.
-pub const PATH_COLUMNS: [&str; 11] = [
+/// Columns of the series.
+const COLUMNS: [&str; 11] = [
     "time",
     "x",
     "y",
@@ -44,11 +45,11 @@ pub struct PlanarCourse {
 ///
 /// ```
 /// use tribos::scene::{CurlingScene, CylinderScene, PipeScene};
-/// use tribos::slide::{PlanarScene, run_planar};
+/// use tribos::slide::{PlanarScene, follow_path};
 /// let scenes: [&dyn PlanarScene; 3] =
 ///     [&CylinderScene::default(), &PipeScene::default(), &CurlingScene::default()];
 /// for scene in scenes {
-///     let end = run_planar(scene)?.outcome;
+///     let end = follow_path(scene, &mut |_| true)?.outcome;
 ///     assert!(end.path_length > 0.1 && scene.course().samples == 200); // m
 /// }
 /// # Ok::<(), tribos::slide::SlideError>(())
@@ -70,32 +71,23 @@ pub trait PlanarScene: Body + Sync {
     }
 }
 
-/// Series and summary of the run of a planar scene.
-///
-/// ```
-/// use tribos::scene::PipeScene;
-/// use tribos::slide::{PATH_COLUMNS, PlanarSummary, PathRun, run_planar};
-/// let scene = PipeScene { spin: 0.0, speed: 1.74, gamma: 0.2, ..PipeScene::default() };
-/// let PathRun { series, outcome } = run_planar(&scene)?;
-/// // Without spin the pipe leans, but friction stays mu N.
-/// let x = PATH_COLUMNS.iter().position(|name| *name == "x").ok_or("no x")?;
-/// let way = series.last().ok_or("no rows")?[x];
-/// assert!((way - 1.74 * 1.74 / (2.0 * 0.2 * 9.81)).abs() < 1e-12);
-/// let PlanarSummary { max_lean, energy_error, .. } = outcome;
-/// assert!(max_lean > 0.0 && energy_error < 1e-12);
-/// assert_eq!(outcome.json(&scene)["curl"], 0.0);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Debug)]
-pub struct PathRun {
-    /// Rows of the series, with the columns of [`PATH_COLUMNS`].
-    pub series: Vec<[f64; PATH_COLUMNS.len()]>,
-    /// The summary.
-    pub outcome: PlanarSummary,
-}
-
 summary! {
     /// Results of the run of a planar scene.
+    ///
+    /// ```
+    /// use tribos::scene::PipeScene;
+    /// use tribos::{run::SceneRun, slide::PlanarSummary};
+    /// let scene = PipeScene { spin: 0.0, speed: 1.74, gamma: 0.2, ..PipeScene::default() };
+    /// let SceneRun { columns, rows, outcome } = scene.run()?;
+    /// // Without spin the pipe leans, but friction stays mu N.
+    /// let x = columns.iter().position(|name| *name == "x").ok_or("no x")?;
+    /// let way = rows.last().ok_or("no rows")?[x];
+    /// assert!((way - 1.74 * 1.74 / (2.0 * 0.2 * 9.81)).abs() < 1e-12);
+    /// let PlanarSummary { max_lean, energy_error, .. } = outcome;
+    /// assert!(max_lean > 0.0 && energy_error < 1e-12);
+    /// assert_eq!(outcome.json(&scene)["curl"], 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[derive(Copy)]
     pub struct PlanarSummary;
 
@@ -133,21 +125,25 @@ summary! {
     energy_error: f64, "-", Swept;
 }
 
-/// Runs a scene to its end.
-///
-/// ```
-/// use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
-/// let model = IceModel::ScratchGuide;
-/// let scene = CurlingScene { model, speed: 1.9866, spin: 1.5, ..CurlingScene::default() };
-/// let end = run_planar(&scene)?.outcome;
-/// assert!(end.x > 28.3 && end.curl > 0.9); // m, left
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn run_planar(scene: &dyn PlanarScene) -> Result<PathRun, SlideError> {
-    follow_path(scene, &mut |_| true)
-}
+/// Columns as in [`COLUMNS`].
+pub(super) type PathRun = SceneRun<PlanarSummary, { COLUMNS.len() }>;
 
-/// The same; `watch` sees the share of the work that is done, roughly, and ends the run by answering false.
+/// Gives planar scenes the method that runs them.
+macro_rules! run {
+    ($($scene:ty),+) => {$(
+        impl $scene {
+            /// Runs the scene to its end.
+            ///
+            /// *Columns* of the series: s, m, m, m/s, m/s, rad/s, rad, –, –, J, J.
+            pub fn run(&self) -> Result<PathRun, SlideError> {
+                follow_path(self, &mut |_| true)
+            }
+        }
+    )+};
+}
+run!(CurlingScene, CylinderScene, PipeScene, PlateScene);
+
+/// Runs a scene; `watch` sees the share of the work that is done, roughly, and ends the run by answering false.
 #[doc(hidden)]
 pub fn follow_path(
     scene: &dyn PlanarScene,
@@ -175,10 +171,10 @@ pub fn follow_path(
         .map(|k| interval * f64::from(k))
         .collect();
     let energy = |point: &PlanarState| scene.mass * energy_per_mass(&body, point);
-    let mut series = Vec::new();
-    let observe = |point: &PlanarState| series.push(row(point, energy(point), scene.mass));
+    let mut rows = Vec::new();
+    let observe = |point: &PlanarState| rows.push(row(point, energy(point), scene.mass));
     let arrival = journey()?.watched(&times, observe, &mut |share| watch(0.5 + 0.5 * share))?;
-    let initial_energy = series.first().map_or(f64::NAN, |row| row[9]);
+    let initial_energy = rows.first().map_or(f64::NAN, |row| row[9]);
     let lost = initial_energy - energy(&arrival.point);
     let work = scene.mass * arrival.point.work;
     let (end, [x, y]) = (arrival.point, arrival.point.position);
@@ -200,7 +196,11 @@ pub fn follow_path(
         energy_dissipated: work,
         energy_error: (work - lost).abs() / initial_energy,
     };
-    Ok(PathRun { series, outcome })
+    Ok(SceneRun {
+        columns: &COLUMNS,
+        rows,
+        outcome,
+    })
 }
 
 /// Kinetic energy per mass, (v² + C (ωR)²)/2.
@@ -210,7 +210,7 @@ pub(super) fn energy_per_mass(body: &impl Resistance, point: &PlanarState) -> f6
     0.5 * (x * x + y * y + body.inertia_ratio() * rim * rim)
 }
 
-fn row(point: &PlanarState, energy: f64, mass: f64) -> [f64; PATH_COLUMNS.len()] {
+fn row(point: &PlanarState, energy: f64, mass: f64) -> [f64; COLUMNS.len()] {
     let ([x, y], [vx, vy]) = (point.position, point.velocity);
     [
         point.time,

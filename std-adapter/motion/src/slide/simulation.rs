@@ -54,10 +54,9 @@ enum StepLength {
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// use tribos::run::Simulation;
 /// use tribos::scene::DiskScene;
-/// use tribos::slide::{COLUMNS, SlideStopReason, SlideSimulation};
+/// use tribos::slide::{SlideStopReason, SlideSimulation};
 /// let mut disk = SlideSimulation::new(CoulombDisk, &DiskScene::default())?;
-/// assert_eq!(COLUMNS[1..3], ["speed", "spin"]);
-/// let mut before = disk.record();
+/// let mut before = disk.record(); // time, speed, spin, …
 /// while disk.step()? {
 ///     before = disk.record();
 /// }

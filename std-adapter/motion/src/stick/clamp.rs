@@ -15,7 +15,7 @@
 //! rule: a branch of the loop is the first loading twice as large.
 
 use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene};
+use crate::motion_run::{MotionError, MotionRun, MotionScene, SceneRun};
 use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -28,8 +28,8 @@ use tribos_core::presliding::{Anchor, Pose, Presliding, PreslidingStep};
 use tribos_core::twist::{Displacement, Wrench};
 use tribos_friction::limit_surface;
 
-/// Columns of the series: s, N, N m, m, rad, J of heat so far, and whether each pad slips.
-pub const CLAMP_COLUMNS: [&str; 8] = [
+/// Columns of the series.
+const COLUMNS: [&str; 8] = [
     "time",
     "force",
     "torque",
@@ -61,35 +61,33 @@ summary! {
     most_position: f64, "m", Swept;
 }
 
-/// Series and summary of a run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ClampRun {
-    /// Rows of the series, with the columns of [`CLAMP_COLUMNS`].
-    pub rows: Vec<[f64; CLAMP_COLUMNS.len()]>,
-    /// The summary.
-    pub outcome: ClampSummary,
+/// Columns as in [`COLUMNS`].
+type ClampRun = SceneRun<ClampSummary, { COLUMNS.len() }>;
+
+impl ClampScene {
+    /// Runs the scene to its end, or to the release.
+    ///
+    /// *Columns* of the series: s, N, N m, m, rad, J of heat so far, and whether each pad slips.
+    ///
+    /// *Accuracy*: the balance to 1e-12 of the pads' limits; the way of slips that turn is of first order in the
+    /// interval of the series, of those along a line it is exact but for where the interval meets the turn of the
+    /// load.
+    ///
+    /// ```
+    /// use tribos::scene::ClampScene;
+    /// // 6 N and 10 N hold less than 17 N: it lets go where the force passes 16 N.
+    /// let outcome = ClampScene { force_amplitude: 17.0, ..ClampScene::default() }.run()?.outcome;
+    /// let release = outcome.release_time.ok_or("holds")?; // s
+    /// let force = 17.0 * (std::f64::consts::TAU * release).sin();
+    /// assert!((force - 16.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn run(&self) -> Result<ClampRun, StickError> {
+        watched(self, &mut |_| true)
+    }
 }
 
-/// Runs a scene to its end, or to the release.
-///
-/// *Accuracy*: the balance to 1e-12 of the pads' limits; the way of slips that turn is of first order in the
-/// interval of the series, of those along a line it is exact but for where the interval meets the turn of the
-/// load.
-///
-/// ```
-/// use tribos::{scene::ClampScene, stick::clamp::run};
-/// // 6 N and 10 N hold less than 17 N: it lets go where the force passes 16 N.
-/// let outcome = run(&ClampScene { force_amplitude: 17.0, ..ClampScene::default() })?.outcome;
-/// let release = outcome.release_time.ok_or("holds")?; // s
-/// let force = 17.0 * (std::f64::consts::TAU * release).sin();
-/// assert!((force - 16.0).abs() < 1e-9);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn run(scene: &ClampScene) -> Result<ClampRun, StickError> {
-    watched(scene, &mut |_| true)
-}
-
-/// The same; `watch` sees the share of the cycles that is done, and ends the run by answering false.
+/// Runs a scene; `watch` sees the share of the cycles that is done, and ends the run by answering false.
 fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<ClampRun, StickError> {
     scene.check()?;
     let mut pinch = ClampedBody::new(scene)?;
@@ -135,7 +133,11 @@ fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<Cla
         least_position: positions().fold(f64::INFINITY, f64::min),
         most_position: positions().fold(f64::NEG_INFINITY, f64::max),
     };
-    Ok(ClampRun { rows, outcome })
+    Ok(SceneRun {
+        columns: &COLUMNS,
+        rows,
+        outcome,
+    })
 }
 
 /// The load at a share of a cycle.
@@ -305,12 +307,7 @@ impl ClampedBody {
         (length, there)
     }
 
-    fn row(
-        &self,
-        time: f64,
-        load: &Wrench<f64>,
-        grips: [StickSlip; 2],
-    ) -> [f64; CLAMP_COLUMNS.len()] {
+    fn row(&self, time: f64, load: &Wrench<f64>, grips: [StickSlip; 2]) -> [f64; COLUMNS.len()] {
         let slips = grips.map(|grip| if grip == StickSlip::Slip { 1.0 } else { 0.0 });
         let (x, angle) = (self.pose.position.x, self.pose.angle);
         [
@@ -353,13 +350,7 @@ impl MotionScene for ClampScene {
                 ),
             ),
         ];
-        Ok(MotionRun {
-            columns: &CLAMP_COLUMNS,
-            rows: result.rows.iter().map(|row| row.to_vec()).collect(),
-            outcome: outcome.entries(),
-            told,
-            drawn: (&["position"], "position [m]"),
-        })
+        Ok(result.shown(told, (&["position"], "position [m]")))
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {
@@ -397,7 +388,7 @@ mod tests {
                 samples: 400,
                 ..ClampScene::default()
             };
-            let result = run(&scene).unwrap();
+            let result = scene.run().unwrap();
             let outcome = result.outcome;
             // Both are elastic up to 9 N; then the second alone.
             let first_loading = |force: f64| {
@@ -440,7 +431,7 @@ mod tests {
             samples: 20,
             ..ClampScene::default()
         };
-        let result = run(&scene).unwrap();
+        let result = scene.run().unwrap();
         assert_eq!(
             (result.outcome.heat, result.outcome.release_time),
             (0.0, None)
@@ -461,7 +452,7 @@ mod tests {
                 samples: 400,
                 ..ClampScene::default()
             };
-            let result = run(&scene).unwrap();
+            let result = scene.run().unwrap();
             let most = result
                 .rows
                 .iter()
@@ -497,7 +488,7 @@ mod tests {
             };
             let soft = if first < second { 1e4 } else { 1e4 * ratio };
             let end = (15.9 - weak) / soft;
-            let outcome = run(&scene).unwrap().outcome;
+            let outcome = scene.run().unwrap().outcome;
             assert_eq!(outcome.release_time, None, "{ratio}");
             let loss = 4.0 * weak * (end - strong);
             assert!(
@@ -519,7 +510,7 @@ mod tests {
             samples: 3,
             ..ClampScene::default()
         };
-        let release = run(&scene).unwrap().outcome.release_time.unwrap();
+        let release = scene.run().unwrap().outcome.release_time.unwrap();
         assert!(
             (17.0 * libm::sin(TAU * release) - 16.0).abs() < 1e-9,
             "{release}"

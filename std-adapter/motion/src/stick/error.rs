@@ -9,9 +9,9 @@ use tribos_friction::FrictionError;
 ///
 /// ```
 /// use tribos::scene::SpringScene;
-/// use tribos::stick::{StickError, spring::run};
+/// use tribos::stick::StickError;
 /// let scene = SpringScene { stiffness: -1.0, ..SpringScene::default() };
-/// assert!(matches!(run(&scene), Err(StickError::Scene(_))));
+/// assert!(matches!(scene.run(), Err(StickError::Scene(_))));
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum StickError {

@@ -15,7 +15,7 @@
 mod path;
 
 use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene};
+use crate::motion_run::{MotionError, MotionRun, MotionScene, SceneRun};
 use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
 use path::{SlideState, State};
@@ -27,9 +27,8 @@ use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_friction::limit_surface;
 
-/// Columns of the series: s, rad/s, then relative to the table m, m, m/s, m/s, rad/s, rad, and the
-/// place in the room in m, m.
-pub const TURNTABLE_COLUMNS: [&str; 10] = [
+/// Columns of the series.
+const COLUMNS: [&str; 10] = [
     "time", "rate", "x", "y", "vx", "vy", "spin", "angle", "room_x", "room_y",
 ];
 
@@ -58,32 +57,31 @@ summary! {
     angle: f64, "rad", Swept;
 }
 
-/// Series and summary of a run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TurntableRun {
-    /// Rows of the series, with the columns of [`TURNTABLE_COLUMNS`].
-    pub rows: Vec<[f64; TURNTABLE_COLUMNS.len()]>,
-    /// The summary.
-    pub outcome: TurntableSummary,
+/// Columns as in [`COLUMNS`].
+type TurntableRun = SceneRun<TurntableSummary, { COLUMNS.len() }>;
+
+impl TurntableScene {
+    /// Runs the scene to its end.
+    ///
+    /// *Columns* of the series: s, rad/s, then relative to the table m, m, m/s, m/s, rad/s, rad, and the place in
+    /// the room in m, m.
+    ///
+    /// *Accuracy*: the release to rounding; each step of the path to 1e-9 of the table's radius, and of its velocity to
+    /// 1e-9 of the rim's or of √(μ_s g R).
+    ///
+    /// ```
+    /// use tribos::scene::TurntableScene;
+    /// let outcome = TurntableScene::default().run()?.outcome;
+    /// let (release, left) = (outcome.release_time.ok_or("holds")?, outcome.leave_time.ok_or("stays")?);
+    /// assert!(release < left && outcome.y < 0.0); // it stays behind
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn run(&self) -> Result<TurntableRun, StickError> {
+        watched(self, &mut |_| true)
+    }
 }
 
-/// Runs a scene to its end.
-///
-/// *Accuracy*: the release to rounding; each step of the path to 1e-9 of the table's radius, and of its velocity to
-/// 1e-9 of the rim's or of √(μ_s g R).
-///
-/// ```
-/// use tribos::{scene::TurntableScene, stick::turntable::run};
-/// let outcome = run(&TurntableScene::default())?.outcome;
-/// let (release, left) = (outcome.release_time.ok_or("holds")?, outcome.leave_time.ok_or("stays")?);
-/// assert!(release < left && outcome.y < 0.0); // it stays behind
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn run(scene: &TurntableScene) -> Result<TurntableRun, StickError> {
-    watched(scene, &mut |_| true)
-}
-
-/// The same; `watch` sees the share of the time that is done, and ends the run by answering false.
+/// Runs a scene; `watch` sees the share of the time that is done, and ends the run by answering false.
 fn watched(
     scene: &TurntableScene,
     watch: &mut dyn FnMut(f64) -> bool,
@@ -125,7 +123,11 @@ fn watched(
         speed: Real::hypot(vx, vy),
         angle,
     };
-    Ok(TurntableRun { rows, outcome })
+    Ok(SceneRun {
+        columns: &COLUMNS,
+        rows,
+        outcome,
+    })
 }
 
 /// Time and rate at which the body lets go.
@@ -227,7 +229,7 @@ impl<'a> Table<'a> {
     }
 
     /// A row of the series; without a state the body turns with the table.
-    fn row(&self, time: f64, state: Option<&State>) -> [f64; TURNTABLE_COLUMNS.len()] {
+    fn row(&self, time: f64, state: Option<&State>) -> [f64; COLUMNS.len()] {
         let (rate, turned) = (self.rate(time), self.turned(time));
         let (place, velocity, spin, angle, room) = match state {
             None => {
@@ -292,13 +294,7 @@ impl MotionScene for TurntableScene {
             ));
             told.push(("turns", format!("{:.6} rad on the table", outcome.angle)));
         }
-        Ok(MotionRun {
-            columns: &TURNTABLE_COLUMNS,
-            rows: result.rows.iter().map(|row| row.to_vec()).collect(),
-            outcome: outcome.entries(),
-            told,
-            drawn: (&["x", "y"], "place on the table [m]"),
-        })
+        Ok(result.shown(told, (&["x", "y"], "place on the table [m]")))
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {

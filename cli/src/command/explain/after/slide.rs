@@ -29,7 +29,7 @@ pub fn motion(any: &Scene, scene: &dyn MotionScene) -> Result<String, Failure> {
 /// A disk on its straight path.
 fn disk(scene: &DiskScene) -> Result<String, Failure> {
     let begun = Instant::now();
-    let spent = slide::run(scene, |_| ())?.spent(scene);
+    let spent = scene.run()?.spent(scene);
     let time = takes(begun.elapsed());
     let idle = if spent.spinning_share() < LITTLE && scene.spin != 0.0 {
         line(

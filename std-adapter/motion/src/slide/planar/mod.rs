@@ -1,8 +1,8 @@
 //! Bodies with lateral friction, which follow a curved path in the plane.
 //!
 //! A [`Resistance`] gives the deceleration of a body, a [`PlanarSimulation`] follows the body to rest. Bodies that are
-//! ready, a cylinder, a pipe, a box or other plate, and a curling rock, are run from their scenes by
-//! [`run_path`](super::run_planar); a body of your own implements [`Resistance`].
+//! ready, a cylinder, a pipe, a box or other plate, and a curling rock, are run from their
+//! scenes; a body of your own implements [`Resistance`].
 
 mod cylinder;
 mod journey;

@@ -51,10 +51,10 @@ scene! {
     /// The default is a rock by the rules at 2 m/s and 1.5 rad/s.
     ///
     /// ```
-    /// use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
+    /// use tribos::scene::{CurlingScene, IceModel};
     /// let model = IceModel::ScratchGuide;
     /// let draw = CurlingScene { model, speed: 1.9866, ..CurlingScene::default() };
-    /// let end = run_planar(&draw)?.outcome;
+    /// let end = draw.run()?.outcome;
     /// assert!(end.x > 28.3 && end.curl > 0.9); // m, left
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```

@@ -15,10 +15,10 @@ scene! {
     /// The default is a cylinder as high as wide, 16 cm, at 1 m/s and 5 rad/s.
     ///
     /// ```
-    /// use tribos::{scene::{CylinderScene, Tipping}, slide::run_planar};
+    /// use tribos::scene::{CylinderScene, Tipping};
     /// let tower = CylinderScene { height: 0.4, ..CylinderScene::default() };
-    /// assert!(run_planar(&tower).is_err()); // it tips
-    /// let held = run_planar(&CylinderScene { on_tipping: Tipping::Clamp, ..tower })?;
+    /// assert!(tower.run().is_err()); // it tips
+    /// let held = CylinderScene { on_tipping: Tipping::Clamp, ..tower }.run()?;
     /// assert!(held.outcome.max_lean > 1.0);
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```

@@ -15,8 +15,8 @@ scene! {
     /// The default is Penner's pipe of 10 cm at 1.74 m/s and 10.2 rad/s.
     ///
     /// ```
-    /// use tribos::{scene::PipeScene, slide::run_planar};
-    /// let run = run_planar(&PipeScene { spin: 0.0, ..PipeScene::default() })?;
+    /// use tribos::scene::PipeScene;
+    /// let run = PipeScene { spin: 0.0, ..PipeScene::default() }.run()?;
     /// // Without spin the pipe leans, but friction stays mu N.
     /// let forward = run.outcome.x;
     /// assert!((forward - 1.74 * 1.74 / (2.0 * 0.2 * 9.81)).abs() < 1e-12);

@@ -23,8 +23,8 @@ scene! {
     /// Its centre of mass lies above the centre of the outline, so low that the pressure stays uniform.
     ///
     /// ```
-    /// use tribos::{scene::PlateScene, slide::run_planar};
-    /// let run = run_planar(&PlateScene { speed: 1.0, spin: 0.0, ..PlateScene::default() })?;
+    /// use tribos::scene::PlateScene;
+    /// let run = PlateScene { speed: 1.0, spin: 0.0, ..PlateScene::default() }.run()?;
     /// // Without spin every plate stops like a point.
     /// let forward = run.outcome.x;
     /// assert!((forward - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-12);

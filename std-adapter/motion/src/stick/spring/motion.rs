@@ -5,7 +5,7 @@ use crate::stick::StickError;
 /// The body at one instant. *Units*: SI. Forces are positive forward, friction where it resists forward
 /// motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpringSample {
+pub(super) struct SpringSample {
     /// Time.
     pub time: f64,
     /// Place of the pulled end of the spring.
