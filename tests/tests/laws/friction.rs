@@ -6,7 +6,7 @@ use tribos::friction::{
 use tribos::random::Random;
 use tribos::run::SceneRun;
 use tribos::scene::DiskScene;
-use tribos::slide::planar::{Gradient, PlanarLaunch, PlanarSimulation, TallBody, TallCylinder};
+use tribos::slide::planar::{Gradient, Launch, PlanarSimulation, TallBody, TallCylinder};
 use tribos::slide::{SlideError, SlideStopReason, SlideSummary};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
@@ -416,7 +416,7 @@ fn a_law_that_is_coulomb_s_in_disguise_moves_as_coulomb_s() {
         }
     }
     // A tall body leans and bends its path as under Coulomb's law.
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [1.0, 0.0],
         spin: 5.0,
     };

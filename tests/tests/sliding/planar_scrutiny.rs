@@ -3,7 +3,7 @@
 use tribos::scene::{CylinderScene, Scene, parse_scene, vocabulary};
 use tribos::slide::SlideError;
 use tribos::slide::planar::{
-    PlanarLaunch, PlanarResult, PlanarSimulation, PlanarState, PlanarStopReason, Resistance,
+    Launch, PlanarResult, PlanarSimulation, PlanarState, Resistance, SlideStopReason,
 };
 use tribos::slide::planar::{TallBody, TallCylinder};
 use tribos::slide::{PlanarScene, follow_path};
@@ -29,7 +29,7 @@ fn cylinder(alpha: f64, inertia_ratio: f64, height: f64) -> TallBody {
 }
 
 fn end(body: &impl Resistance, speed: f64, spin: f64) -> Result<PlanarResult, SlideError> {
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [speed, 0.0],
         spin,
     };
@@ -237,13 +237,13 @@ impl Resistance for Oiled {
 #[test]
 fn a_fading_motion_ends_where_the_slower_one_has_faded() {
     for fraction in [0.3, 1e-2, 1e-4, 1e-9] {
-        let launch = PlanarLaunch {
+        let launch = Launch {
             velocity: [1.0, 0.0],
             spin: 5.0,
         };
         let journey = PlanarSimulation::new(&Oiled, &launch, fraction).expect("in range");
         let got = journey.to_end().expect("it fades");
-        assert_eq!(got.ending, PlanarStopReason::Faded);
+        assert_eq!(got.ending, SlideStopReason::Faded);
         let time = -f64::ln(fraction) / 2.0;
         assert!(off(got.point.time, time) < 1e-11, "{fraction}: {got:?}");
         let way = 0.5 * (1.0 - fraction);
@@ -256,7 +256,7 @@ fn a_fading_motion_ends_where_the_slower_one_has_faded() {
 fn tipping_begins_where_the_gradient_reaches_its_limit() {
     // A spinning body slides more and more against friction, and leans the more.
     let body = cylinder(0.0, 0.5, 0.4);
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [0.2, 0.0],
         spin: 20.0,
     };

@@ -17,7 +17,7 @@ use tribos_report::runs::tip as picture;
 pub fn run(scene: &TipScene, order: &RunRequest<'_>) -> Result<(), Failure> {
     resource_check::check(&tip::size(scene), "atoms", order.allowed)?;
     // All refusals come before the folder is touched.
-    tip::build(scene).map_err(TipError::Build)?;
+    tip::build(scene)?;
     let Some((folder, start)) = order.long(scene.json(), files::TIP)? else {
         return Ok(());
     };

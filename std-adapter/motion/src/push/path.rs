@@ -3,7 +3,7 @@
 use super::contact::PointContact;
 use super::error::{PushError, finite};
 use super::line::StablePush;
-use super::solve::{ContactMode, QuasiStaticPush, push};
+use super::solve::{ContactMode, QuasiStaticPush};
 use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::nalgebra::{Vector2, Vector3};
@@ -56,7 +56,7 @@ pub enum PushedSide {
 ///
 /// ```
 /// use tribos::friction::limit_surface;
-/// use tribos::push::{Pusher, PathEnd, PointContact, Pose, PushedSide, push_path};
+/// use tribos::push::{Pusher, PathEnd, PointContact, Pose, PushedSide};
 /// let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // N
 /// let drive = Pusher {
 ///     contact: PointContact::new([0.02, -0.05], [0.0, 1.0], 0.3)?,
@@ -67,7 +67,7 @@ pub enum PushedSide {
 ///     samples: 50,
 ///     tolerance: 1e-7, // m
 /// };
-/// let journey = push_path(&*table, &drive)?;
+/// let journey = drive.path(&*table)?;
 /// assert_eq!((journey.end, journey.moments.len()), (PathEnd::Done, 51));
 /// let last = journey.moments[50];
 /// assert!(last.pose.angle > 0.3 && last.pose.position.y > 0.05);
@@ -162,67 +162,69 @@ fn turned(v: Vector2<f64>, angle: f64) -> Vector2<f64> {
     Vector2::new(c * v.x - s * v.y, s * v.x + c * v.y)
 }
 
-/// Follows a body under a pusher of constant velocity.
-///
-/// The pusher is a point, such as a thin finger. Steps are of fourth order (Runge and Kutta) and halved until their
-/// error, by comparison with two half steps, is at most the tolerance times their part of the duration; the kinks
-/// where sticking begins or ends are passed in short steps. *Domain*: finite numbers; duration and
-/// tolerance > 0. *Accuracy*: the tolerance, as long as neighbouring paths do not move apart. The path is the same
-/// on every platform.
-pub fn push_path(set: &dyn FrictionSet<f64>, drive: &Pusher) -> Result<PushPath, PushError> {
-    let path = Path::new(set, drive)?;
-    let mut state = [
-        drive.start.position.x,
-        drive.start.position.y,
-        drive.start.angle,
-    ]
-    .into();
-    let (mut moments, mut steps) = (vec![path.moment(0.0, &state)?], 0);
-    let shortest = SHORTEST * drive.duration;
-    let mut step = drive.duration / f64::from(drive.samples.max(1));
-    let mut end = ended(&moments[0]);
-    let mut time = 0.0;
-    for sample in 1..=drive.samples.max(1) {
-        if end.is_some() {
-            break;
+impl Pusher {
+    /// Follows a body of this friction.
+    ///
+    /// The pusher is a point, such as a thin finger. Steps are of fourth order (Runge and Kutta) and halved until their
+    /// error, by comparison with two half steps, is at most the tolerance times their part of the duration; the kinks
+    /// where sticking begins or ends are passed in short steps. *Domain*: finite numbers; duration and
+    /// tolerance > 0. *Accuracy*: the tolerance, as long as neighbouring paths do not move apart. The path is the same
+    /// on every platform.
+    pub fn path(&self, set: &dyn FrictionSet<f64>) -> Result<PushPath, PushError> {
+        let path = Path::new(set, self)?;
+        let mut state = [
+            self.start.position.x,
+            self.start.position.y,
+            self.start.angle,
+        ]
+        .into();
+        let (mut moments, mut steps) = (vec![path.moment(0.0, &state)?], 0);
+        let shortest = SHORTEST * self.duration;
+        let mut step = self.duration / f64::from(self.samples.max(1));
+        let mut end = ended(&moments[0]);
+        let mut time = 0.0;
+        for sample in 1..=self.samples.max(1) {
+            if end.is_some() {
+                break;
+            }
+            let until = self.duration * (f64::from(sample) / f64::from(self.samples.max(1)));
+            while end.is_none() && time < until {
+                // A rest that is too short for a step is taken along.
+                let left = until - time;
+                let length = if step > left - shortest { left } else { step };
+                let (next, error) = path.step_with_error(time, &state, length)?;
+                steps += 1;
+                let allowed = self.tolerance * length / self.duration + path.rounding(time, &state);
+                let at = path.moment(time + length, &next)?;
+                let is_off = !path.is_on_side(&at);
+                if (error > allowed || is_off) && length > 2.0 * shortest {
+                    step = 0.5 * length;
+                    continue;
+                }
+                if error > allowed {
+                    let tolerance = self.tolerance;
+                    return Err(PushError::Steps { time, tolerance });
+                }
+                time = if length == left { until } else { time + length };
+                state = next;
+                end = if is_off {
+                    Some(PathEnd::Slipped)
+                } else {
+                    ended(&at)
+                };
+                if error < EASY * allowed {
+                    step = 2.0 * length.max(step);
+                }
+            }
+            moments.push(path.moment(time, &state)?);
         }
-        let until = drive.duration * (f64::from(sample) / f64::from(drive.samples.max(1)));
-        while end.is_none() && time < until {
-            // A rest that is too short for a step is taken along.
-            let left = until - time;
-            let length = if step > left - shortest { left } else { step };
-            let (next, error) = path.step_with_error(time, &state, length)?;
-            steps += 1;
-            let allowed = drive.tolerance * length / drive.duration + path.rounding(time, &state);
-            let at = path.moment(time + length, &next)?;
-            let is_off = !path.is_on_side(&at);
-            if (error > allowed || is_off) && length > 2.0 * shortest {
-                step = 0.5 * length;
-                continue;
-            }
-            if error > allowed {
-                let tolerance = drive.tolerance;
-                return Err(PushError::Steps { time, tolerance });
-            }
-            time = if length == left { until } else { time + length };
-            state = next;
-            end = if is_off {
-                Some(PathEnd::Slipped)
-            } else {
-                ended(&at)
-            };
-            if error < EASY * allowed {
-                step = 2.0 * length.max(step);
-            }
-        }
-        moments.push(path.moment(time, &state)?);
+        let end = end.unwrap_or(PathEnd::Done);
+        Ok(PushPath {
+            moments,
+            end,
+            steps,
+        })
     }
-    let end = end.unwrap_or(PathEnd::Done);
-    Ok(PushPath {
-        moments,
-        end,
-        steps,
-    })
 }
 
 /// The path of a body that keeps its place at a pusher with this motion, in the frame of the body; the start
@@ -340,7 +342,7 @@ impl<'a> Path<'a> {
             time,
             pose,
             contact,
-            push: push(self.set, &touching, velocity.into())?,
+            push: touching.push(self.set, velocity.into())?,
         })
     }
 
@@ -406,21 +408,19 @@ mod tests {
     fn the_end_of_a_side_is_found_to_any_tolerance() {
         let table = limit_surface(&"box:0.3x0.2".parse().unwrap(), 8.0, 1.0, None).unwrap();
         for tolerance in [1e-5, 1e-7, 1e-9, 1e-11] {
-            let journey = push_path(
-                &*table,
-                &Pusher {
-                    contact: PointContact::new([0.05, -0.1], [0.0, 1.0], 0.1).unwrap(),
-                    side: PushedSide::Straight {
-                        right: 0.01,
-                        left: 0.01,
-                    },
-                    start: Pose::ORIGIN,
-                    velocity: [0.0, 0.02],
-                    duration: 100.0,
-                    samples: 100,
-                    tolerance,
+            let journey = Pusher {
+                contact: PointContact::new([0.05, -0.1], [0.0, 1.0], 0.1).unwrap(),
+                side: PushedSide::Straight {
+                    right: 0.01,
+                    left: 0.01,
                 },
-            )
+                start: Pose::ORIGIN,
+                velocity: [0.0, 0.02],
+                duration: 100.0,
+                samples: 100,
+                tolerance,
+            }
+            .path(&*table)
             .unwrap();
             assert_eq!(journey.end, PathEnd::Slipped);
             let last = journey.moments.last().unwrap();

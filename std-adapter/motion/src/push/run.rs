@@ -1,12 +1,12 @@
 //! What a scene of a pushed body asks for, computed.
 
-use super::cone::{MotionCone, motion_cone};
+use super::cone::MotionCone;
 use super::contact::PointContact;
 use super::error::PushError;
 use super::line::{LineContact, StablePush};
 use super::outline::{Shape, nearest_side};
-use super::path::{Pose, PushPath, PushedSide, Pusher, push_path, with_pusher};
-use super::solve::{QuasiStaticPush, push};
+use super::path::{Pose, PushPath, PushedSide, Pusher, with_pusher};
+use super::solve::QuasiStaticPush;
 use crate::push::scene::PushScene;
 use serde_json::{Map, Value};
 use tribos_base::record::json_number;
@@ -63,24 +63,22 @@ impl PushScene {
             Some(line) => (line.ends()[0], endless()),
             None => point(self, &shape)?,
         };
-        let cone = motion_cone(&*set, &contact)?;
+        let cone = contact.motion_cone(&*set)?;
         let twist = Twist::new(self.velocity_x, self.velocity_y, self.spin);
         let at_contact = contact.velocity(&twist);
-        let first = push(&*set, &contact, at_contact.into())?;
+        let first = contact.push(&*set, at_contact.into())?;
         let grip = line.map(|line| line.stable_push(&*set, &twist));
         let journey = match &grip {
-            None => push_path(
-                &*set,
-                &Pusher {
-                    contact,
-                    side,
-                    start: Pose::ORIGIN,
-                    velocity: at_contact.into(),
-                    duration: duration(self),
-                    samples: self.samples,
-                    tolerance: self.tolerance,
-                },
-            )?,
+            None => Pusher {
+                contact,
+                side,
+                start: Pose::ORIGIN,
+                velocity: at_contact.into(),
+                duration: duration(self),
+                samples: self.samples,
+                tolerance: self.tolerance,
+            }
+            .path(&*set)?,
             Some(grip) => with_pusher(&contact, grip, &twist, duration(self), self.samples),
         };
         Ok(PushResult {

@@ -1,7 +1,7 @@
 //! A flat disk under any law of the local speed.
 
 use super::outcome::terminal;
-use super::planar::{Gradient, PlanarLaunch, PlanarSimulation, PlanarState, Resistance, TallBody};
+use super::planar::{Gradient, Launch, PlanarSimulation, PlanarState, Resistance, TallBody};
 use super::simulation::{MOST_STEPS, SLIVER};
 use super::{
     COLUMNS, SlideError, SlideRun, SlideStopReason, SlideSummary, energy_at_launch, follow,
@@ -36,7 +36,7 @@ pub(super) fn run_law(
     let friction = AnyFriction::new(&Patch::Disk, law, None)?.with_radius(scene.radius)?;
     let upright = [scene.gravity, scene.inertia_ratio];
     let body = TallBody::new(friction, 0.0, Gradient::AllRound, upright)?;
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [scene.speed, 0.0],
         spin: scene.spin,
     };
@@ -69,8 +69,7 @@ pub(super) fn run_law(
     let profile = near_rest.power().ok_or(SlideError::NotFinite { step: 0 })?;
     let ending = match (arrival.ending, scene.duration) {
         (_, Some(duration)) if duration < scouted => SlideStopReason::Duration,
-        (super::planar::PlanarStopReason::Rest, _) => SlideStopReason::Rest,
-        (super::planar::PlanarStopReason::Faded, _) => SlideStopReason::Faded,
+        (ending, _) => ending,
     };
     let limit = TerminalMotion::new(profile, scene.inertia_ratio)?.terminal_mode(last.ratio);
     let (limit_ratio, final_mode) = terminal(limit);

@@ -2,6 +2,7 @@
 
 mod any_law;
 mod cost;
+#[doc(hidden)]
 pub mod curling;
 mod friction_work;
 pub mod inverse;
@@ -33,6 +34,26 @@ use tribos_base::scene::InvalidScene;
 use tribos_core::law::LawError;
 use tribos_core::patch::PatchError;
 use tribos_friction::{FrictionError, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
+
+/// Initial velocity of the centre and initial spin, in m/s and rad/s.
+///
+/// ```
+/// use tribos::slide::inverse::{Launch, RestMap};
+/// use tribos::kernel::coupling::table::CoulombDisk;
+/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// let throw = Launch { velocity: [1.0, 0.0], spin: 12.5 };
+/// let mirrored = Launch { spin: -12.5, ..throw };
+/// let [left, right] = [throw, mirrored].map(|launch| disk.rest(&launch).pose);
+/// assert_eq!([left.x, left.y, left.angle], [right.x, right.y, -right.angle]);
+/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Launch {
+    /// Components of the velocity.
+    pub velocity: [f64; 2],
+    /// Spin; positive turns the first axis towards the second.
+    pub spin: f64,
+}
 
 /// Why a validated scene could not be run to its end.
 ///

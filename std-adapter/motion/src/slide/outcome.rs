@@ -21,7 +21,7 @@ pub(super) const COLUMNS: [&str; 8] = [
 pub enum SlideStopReason {
     /// Sliding and spinning stopped at the same instant.
     Rest,
-    /// Both speeds fell below the scene's `stop_fraction`.
+    /// Both speeds fell below the scene's `stop_fraction`; under a law with α ≥ 1 the body never comes to rest.
     Faded,
     /// The scene's `duration` elapsed.
     Duration,

@@ -1,7 +1,7 @@
 //! Runs of planar scenes.
 
 use super::cost::{EvaluationCost, resistance_cost};
-use super::planar::{PlanarLaunch, PlanarSimulation, PlanarState, PlanarStopReason, Resistance};
+use super::planar::{Launch, PlanarSimulation, PlanarState, Resistance, SlideStopReason};
 use super::{SlideError, energy_at_launch};
 use crate::motion_run::SceneRun;
 use crate::slide::scene::{CurlingScene, CylinderScene, PipeScene, PlateScene, Tipping};
@@ -92,7 +92,7 @@ summary! {
     pub struct PlanarSummary;
 
     /// Why the run ended.
-    ending: PlanarStopReason, "-";
+    ending: SlideStopReason, "-";
     /// Time at which the body comes to rest; none if it does not.
     stop_time: Option<f64>, "s";
     /// Time at the end.
@@ -152,7 +152,7 @@ pub fn follow_path(
     scene.check()?;
     let body = scene.resistance()?;
     let scene = scene.course();
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [scene.speed, 0.0],
         spin: scene.spin,
     };
@@ -180,7 +180,7 @@ pub fn follow_path(
     let (end, [x, y]) = (arrival.point, arrival.point.position);
     let outcome = PlanarSummary {
         ending: arrival.ending,
-        stop_time: (arrival.ending == PlanarStopReason::Rest).then_some(end.time),
+        stop_time: (arrival.ending == SlideStopReason::Rest).then_some(end.time),
         end_time: end.time,
         x,
         y,

@@ -46,13 +46,13 @@ use std::fmt::Debug;
 ///
 /// ```
 /// use tribos::slide::curling::{CurlingModel, CurlingRock, Dry, IceLaw, LeftRight};
-/// use tribos::slide::planar::{PlanarSimulation, PlanarLaunch};
+/// use tribos::slide::planar::{PlanarSimulation, Launch};
 /// let models: [Box<dyn CurlingModel>; 2] =
 ///     [Box::new(Dry { coefficient: 0.0071 }), Box::new(LeftRight { ice: IceLaw::PENNER })];
 /// assert_eq!([models[0].name(), models[1].name()], ["dry", "left-right"]);
 /// let curl = |model: &Box<dyn CurlingModel>| {
 ///     let body = model.resistance(&CurlingRock::STANDARD)?;
-///     let launch = PlanarLaunch { velocity: [2.0, 0.0], spin: 1.5 };
+///     let launch = Launch { velocity: [2.0, 0.0], spin: 1.5 };
 ///     let end = PlanarSimulation::new(&body, &launch, 1e-4)?.to_end()?;
 ///     Ok::<_, tribos::slide::SlideError>(end.point.position[1])
 /// };

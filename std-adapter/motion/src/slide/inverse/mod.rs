@@ -51,6 +51,7 @@ mod slope;
 mod solve;
 mod time;
 
+pub use super::Launch;
 pub use error::InverseError;
 #[doc(hidden)]
 pub use error::OutOfReach;
@@ -63,26 +64,6 @@ pub use map::RestPose;
 #[doc(hidden)]
 pub use plan::MAX_SOLUTIONS;
 pub use plan::{LaunchSolution, Launches, Turns};
-
-/// Initial velocity of the centre and initial spin, in m/s and rad/s.
-///
-/// ```
-/// use tribos::slide::inverse::{Launch, RestMap};
-/// use tribos::kernel::coupling::table::CoulombDisk;
-/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
-/// let throw = Launch { velocity: [1.0, 0.0], spin: 12.5 };
-/// let mirrored = Launch { spin: -12.5, ..throw };
-/// let [left, right] = [throw, mirrored].map(|launch| disk.rest(&launch).pose);
-/// assert_eq!([left.x, left.y, left.angle], [right.x, right.y, -right.angle]);
-/// # Ok::<(), tribos::slide::inverse::InverseError>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Launch {
-    /// Components of the velocity.
-    pub velocity: [f64; 2],
-    /// RotationBias; positive turns the first axis towards the second.
-    pub spin: f64,
-}
 
 /// Displacement of the centre and angle turned since the launch, in m and rad.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

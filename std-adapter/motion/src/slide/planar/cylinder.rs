@@ -10,9 +10,9 @@ use tribos_friction::{AnyFriction, Law};
 /// *Units*: SI. *Source*: section 3.5.1 of the thesis.
 ///
 /// ```
-/// use tribos::slide::planar::{PlanarSimulation, PlanarLaunch, TallCylinder};
+/// use tribos::slide::planar::{PlanarSimulation, Launch, TallCylinder};
 /// let cylinder = TallCylinder { height: 0.16, ..TallCylinder::solid(0.2, 0.08) };
-/// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 5.0 };
+/// let launch = Launch { velocity: [1.0, 0.0], spin: 5.0 };
 /// let body = cylinder.body(9.81)?;
 /// let end = PlanarSimulation::new(&body, &launch, 1e-4)?.to_end()?;
 /// assert!((end.point.position[1] + 0.014632310).abs() < 1e-9);

@@ -16,19 +16,9 @@
 mod ends;
 
 use super::Resistance;
-use crate::slide::SlideError;
-use tribos_base::scene::words::words;
+use crate::slide::{Launch, SlideError, SlideStopReason};
 use tribos_core::Real;
 use tribos_core::internals::runge_kutta;
-
-/// Initial velocity and spin of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlanarLaunch {
-    /// Velocity of the centre of mass, in m/s.
-    pub velocity: [f64; 2],
-    /// RotationBias, positive counterclockwise, in rad/s.
-    pub spin: f64,
-}
 
 /// State at one time of a journey that starts at time 0 in the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +29,7 @@ pub struct PlanarState {
     pub position: [f64; 2],
     /// Velocity of the centre, in m/s.
     pub velocity: [f64; 2],
-    /// RotationBias, in rad/s.
+    /// Spin, in rad/s.
     pub spin: f64,
     /// Angle turned, in rad.
     pub angle: f64,
@@ -53,23 +43,13 @@ pub struct PlanarState {
     pub lean: f64,
 }
 
-/// Why a journey ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PlanarStopReason {
-    /// Sliding and spinning stopped at the same instant.
-    Rest,
-    /// Both speeds fell below the given fraction; under a law with α ≥ 1 the body never comes to rest.
-    Faded,
-}
-words!(PlanarStopReason { Rest = "rest", Faded = "faded" });
-
 /// The end of a journey.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarResult {
     /// State at the end.
     pub point: PlanarState,
     /// Why the journey ended.
-    pub ending: PlanarStopReason,
+    pub ending: SlideStopReason,
     /// Largest |l| during the journey.
     pub most_lean: f64,
     /// Time at which |l| first exceeded 1 and the body began to tip, in s, located within the step.
@@ -108,14 +88,14 @@ const VISIBLE: f64 = 1e-6;
 /// The motion of a body in progress.
 ///
 /// ```
-/// use tribos::slide::planar::{PlanarResult, PlanarStopReason, PlanarSimulation, PlanarLaunch, PlanarState, TallCylinder};
+/// use tribos::slide::planar::{PlanarResult, SlideStopReason, PlanarSimulation, Launch, PlanarState, TallCylinder};
 /// let puck = TallCylinder::solid(0.3, 0.08).body(9.81)?; // flat; mu, R
-/// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 0.0 };
+/// let launch = Launch { velocity: [1.0, 0.0], spin: 0.0 };
 /// let stop = 1.0 / (0.3 * 9.81); // v/(mu g)
 /// let mut seen: Vec<PlanarState> = Vec::new();
 /// let observe = |point: &PlanarState| seen.push(*point);
 /// let end: PlanarResult = PlanarSimulation::new(&puck, &launch, 1e-4)?.follow(&[0.5 * stop], observe)?;
-/// assert_eq!(end.ending, PlanarStopReason::Rest);
+/// assert_eq!(end.ending, SlideStopReason::Rest);
 /// assert!((end.point.time - stop).abs() < 1e-12);
 /// // After half of the time half of the speed and a quarter of the way are left.
 /// assert!((seen[1].velocity[0] - 0.5).abs() < 1e-12);
@@ -145,7 +125,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
     /// minor speeds down to 1e-12 of the others; for 0.9 < α < 1 the time is accurate to 1e-12/(1−α). A
     /// motion that fades (α ≥ 1) ends when the slower of the two speeds to fade reaches
     /// `stop_fraction`, to 1e-11 in time.
-    pub fn new(body: &'a B, launch: &PlanarLaunch, stop_fraction: f64) -> Result<Self, SlideError> {
+    pub fn new(body: &'a B, launch: &Launch, stop_fraction: f64) -> Result<Self, SlideError> {
         let [x, y] = launch.velocity;
         let rim = launch.spin * body.radius();
         let slide = Real::hypot(x, y);
@@ -384,9 +364,9 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
             point.time += self.derivative(&self.state)[3] / beta;
             point.velocity = [0.0, 0.0];
             point.spin = 0.0;
-            PlanarStopReason::Rest
+            SlideStopReason::Rest
         } else {
-            PlanarStopReason::Faded
+            SlideStopReason::Faded
         };
         PlanarResult {
             point,
@@ -437,7 +417,7 @@ mod tests {
             ..TallCylinder::solid(0.3, 0.08)
         };
         let body = puck.body(9.81).unwrap();
-        let launch = PlanarLaunch {
+        let launch = Launch {
             velocity: [1.0, 0.0],
             spin: 20.0,
         };

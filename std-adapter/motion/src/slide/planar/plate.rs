@@ -16,10 +16,10 @@ use tribos_friction::Flat;
 ///
 /// ```
 /// use tribos::friction::FlatPatch;
-/// use tribos::slide::planar::{PlanarSimulation, PlanarLaunch, Plate};
+/// use tribos::slide::planar::{PlanarSimulation, Launch, Plate};
 /// let tile: FlatPatch = "box:0.3x0.2".parse()?; // m
 /// let tile = Plate::new(tile.loaded(None)?, 0.3, 9.81)?; // mu, m/s²
-/// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 5.0 };
+/// let launch = Launch { velocity: [1.0, 0.0], spin: 5.0 };
 /// let end = PlanarSimulation::new(&tile, &launch, 1e-4)?.to_end()?;
 /// // Without spin it would stop after v²/(2 mu g).
 /// assert!(end.point.distance > 1.0 / (2.0 * 0.3 * 9.81));
