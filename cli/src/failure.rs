@@ -6,10 +6,8 @@ use tribos::friction::FrictionError;
 use tribos::golden::MeasureError;
 use tribos::motion::MotionError;
 use tribos::push::PushError;
-use tribos::record::frames::FrameError;
-use tribos::record::{TableError, WriteError};
-use tribos::run::folder::FolderError;
-use tribos::run::{NoCheckpoint, PackingRunError, RunError};
+use tribos::record::{RecordError, TableError};
+use tribos::run::{PackingRunError, RunError};
 use tribos::slide::SlideError;
 use tribos::stick::StickError;
 use tribos_report::figure::FigureError;
@@ -124,22 +122,13 @@ impl From<PackingRunError> for Failure {
     }
 }
 
-impl From<WriteError> for Failure {
-    fn from(error: WriteError) -> Self {
-        if error.is_out_of_room() {
-            Self::NoRoom(format!(
-                "{error}\n  Files written before it are whole and kept, also one of this name. Make room."
-            ))
-        } else {
-            Self::run(error)
-        }
-    }
-}
-
-impl From<FrameError> for Failure {
-    fn from(error: FrameError) -> Self {
+impl From<RecordError> for Failure {
+    fn from(error: RecordError) -> Self {
         match error {
-            FrameError::Write(error) => error.into(),
+            error if error.is_out_of_room() => Self::NoRoom(format!(
+                "{error}\n  Files written before it are whole and kept, also one of this name. Make room."
+            )),
+            RecordError::Write { .. } | RecordError::Lost(_) => Self::run(error),
             // What is there cannot be used, or is asked for what it is not.
             _ => Self::input(error),
         }
@@ -152,34 +141,15 @@ impl From<TableError> for Failure {
     }
 }
 
-impl From<NoCheckpoint> for Failure {
-    fn from(error: NoCheckpoint) -> Self {
-        Self::input(error)
-    }
-}
-
-impl From<FolderError> for Failure {
-    fn from(error: FolderError) -> Self {
-        match error {
-            FolderError::Refused(_) => Self::input(error),
-            FolderError::Access(_) => Self::run(error),
-            FolderError::Write(error) => error.into(),
-            FolderError::Frames(error) => error.into(),
-        }
-    }
-}
-
 impl<E: Error + Into<Failure>> From<RunError<E>> for Failure {
     fn from(error: RunError<E>) -> Self {
         match error {
             RunError::Scene(error) | RunError::Checkpoint(error) => error.into(),
-            RunError::Folder(error) => error.into(),
-            RunError::Write(error) => error.into(),
+            RunError::Record(error) => error.into(),
             RunError::Frames(error) => error.into(),
             // A folder of frames that went away under its run is no bad input.
-            RunError::Recording(FrameError::Access { .. }) => Self::run(error),
+            RunError::Recording(RecordError::Access { .. }) => Self::run(error),
             RunError::Recording(error) => error.into(),
-            RunError::NoCheckpoint(error) => error.into(),
             RunError::Cancelled(step) => {
                 Self::Interrupted(format!("interrupted after step {step}"))
             }

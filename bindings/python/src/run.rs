@@ -17,7 +17,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use tribos::motion::MotionScene;
 use tribos::record::Partner;
-use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder};
+use tribos::record::RecordError;
+use tribos::record::frames::{Bodies, Frame, FrameFolder};
 use tribos::run::folder::Manifest;
 use tribos::scene::Scene;
 use tribos_cli::failure::Failure;
@@ -324,7 +325,7 @@ impl Film {
     }
 }
 
-fn unread(error: FrameError) -> PyErr {
+fn unread(error: RecordError) -> PyErr {
     PyOSError::new_err(error.to_string())
 }
 

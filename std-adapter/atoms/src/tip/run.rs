@@ -19,7 +19,7 @@ use tribos_base::golden::{Measure, Measurement, digest};
 use tribos_base::record::CheckpointError;
 use tribos_base::run::{Simulation, run_to_end};
 use tribos_base::scene::InvalidScene;
-use tribos_base::space::PeriodicBoxError;
+use tribos_base::space::SpaceError;
 
 /// First columns of the series.
 const FIXED_COLUMNS: [&str; 7] = [
@@ -80,7 +80,7 @@ pub enum TipError {
     Scene(#[from] InvalidScene),
     /// The box.
     #[error(transparent)]
-    Space(#[from] PeriodicBoxError),
+    Space(#[from] SpaceError),
     /// The parameters of the potential.
     #[error(transparent)]
     LennardJones(#[from] LennardJonesError),

@@ -1,6 +1,6 @@
 //! What is wrong with a scene, in words for a person.
 
-use crate::record::ReadError;
+use crate::record::RecordError;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -79,7 +79,7 @@ pub enum SceneError {
         /// The file.
         path: PathBuf,
         /// What the system said, or what is wrong with it.
-        cause: ReadError,
+        cause: RecordError,
     },
     /// The scene says something that makes no sense.
     Invalid {

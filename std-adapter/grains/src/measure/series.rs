@@ -1,7 +1,7 @@
 //! Measures of many states of one run, and how its chains bend from one to the next.
 
 use super::{Assembly, Buckling, ForceChains, MeasureOptions, Measures, Table};
-use tribos_base::space::pairs::NeighbourError;
+use tribos_base::space::SpaceError;
 
 /// Columns of the series.
 const COLUMNS: &[&str] = &[
@@ -41,7 +41,7 @@ pub fn measure_series(
     states: impl IntoIterator<Item = (u64, Assembly)>,
     options: &MeasureOptions,
     mut watch: impl FnMut(u64),
-) -> Result<Table, NeighbourError> {
+) -> Result<Table, SpaceError> {
     let mut rows = Vec::new();
     let mut before: Option<(ForceChains, Assembly)> = None;
     for (step, state) in states {

@@ -2,7 +2,7 @@
 
 use crate::packing::SizesError;
 use crate::powder::deposit::MOST_SPHERES;
-use tribos_base::space::PeriodicBoxError;
+use tribos_base::space::SpaceError;
 use tribos_contacts::event::{EventError, ImpactError};
 
 /// Why a deposit cannot be grown, grains cannot be put into their box, or a gas cannot be mixed.
@@ -34,7 +34,7 @@ pub enum PlacementError {
     },
     /// The width of the base is not a valid period.
     #[error(transparent)]
-    Base(#[from] PeriodicBoxError),
+    Base(#[from] SpaceError),
     /// The distribution of the radii is refused.
     #[error(transparent)]
     Sizes(#[from] SizesError),

@@ -5,7 +5,7 @@ use crate::packing::AssemblyError;
 use tribos_base::record::CheckpointError;
 use tribos_base::run::Cause;
 use tribos_base::scene::InvalidScene;
-use tribos_base::space::PeriodicBoxError;
+use tribos_base::space::SpaceError;
 use tribos_contacts::cd::WorldError;
 use tribos_core::contact::ContactError;
 use tribos_core::law::LawError;
@@ -34,7 +34,7 @@ pub enum PackingRunError {
     Start(#[from] AssemblyError),
     /// A length of the box cannot be a period.
     #[error(transparent)]
-    Space(#[from] PeriodicBoxError),
+    Space(#[from] SpaceError),
     /// The kernel refused a law.
     #[error(transparent)]
     Law(#[from] LawError),

@@ -4,7 +4,7 @@ use crate::packing::PackingRunError;
 use crate::powder::scene::{BlockedCriterion, PowderScene};
 use nalgebra::{Matrix3, Vector3};
 use std::cell::Cell;
-use tribos_base::record::frames::FrameError;
+use tribos_base::record::RecordError;
 use tribos_base::record::with_digest;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::run::{FRAMES, RunError, Session, Simulation, StartMode, run_to_end};
@@ -555,7 +555,7 @@ fn resumed_without_frames(limit: u64) -> Result<u64, RunError<PackingRunError>> 
 fn frames_that_are_all_gone_are_missed_where_a_run_kept_some() {
     let refused = resumed_without_frames(20);
     assert!(
-        matches!(&refused, Err(RunError::Frames(FrameError::Missing(path))) if path.ends_with(FRAMES)),
+        matches!(&refused, Err(RunError::Frames(RecordError::Missing(path))) if path.ends_with(FRAMES)),
         "{refused:?}"
     );
     assert_eq!(resumed_without_frames(0).unwrap(), 6);

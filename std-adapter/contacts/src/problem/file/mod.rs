@@ -99,7 +99,7 @@ impl ContactProblem {
         };
         let written = bytes.and_then(|bytes| {
             write_atomically(path, &bytes)
-                .map_err(|error| (FilePosition::File, Fault::Write(error.cause)))
+                .map_err(|error| (FilePosition::File, Fault::Write(error.into())))
         });
         written.map_err(|(place, fault)| ProblemFileError {
             path: path.to_path_buf(),
