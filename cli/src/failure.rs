@@ -4,12 +4,10 @@ use std::error::Error;
 use std::path::Path;
 use tribos::friction::FrictionError;
 use tribos::golden::MeasureError;
-use tribos::motion::MotionError;
 use tribos::push::PushError;
 use tribos::record::{RecordError, TableError};
 use tribos::run::{PackingRunError, RunError};
-use tribos::slide::SlideError;
-use tribos::stick::StickError;
+use tribos::slide::MotionError;
 use tribos_report::figure::FigureError;
 use tribos_report::image::ImageError;
 use tribos_report::runs::FilmError;
@@ -158,24 +156,17 @@ impl<E: Error + Into<Failure>> From<RunError<E>> for Failure {
     }
 }
 
-impl From<SlideError> for Failure {
-    fn from(error: SlideError) -> Self {
+impl From<MotionError> for Failure {
+    fn from(error: MotionError) -> Self {
         match error {
-            SlideError::NotFinite { .. } | SlideError::TooStiff { .. } => Self::run(error),
-            SlideError::Interrupted { .. } => Self::Interrupted(error.to_string()),
+            MotionError::NotFinite { .. }
+            | MotionError::NotFiniteAt { .. }
+            | MotionError::TooManyStepsAt { .. }
+            | MotionError::TooStiff { .. }
+            | MotionError::TooSlow { .. }
+            | MotionError::Unbalanced { .. } => Self::run(error),
+            error if error.is_interruption() => Self::Interrupted(error.to_string()),
             // The kernel or the planning refused a number of the scene.
-            _ => Self::input(error),
-        }
-    }
-}
-
-impl From<StickError> for Failure {
-    fn from(error: StickError) -> Self {
-        match error {
-            StickError::NotFinite { .. } | StickError::TooManySteps { .. } => Self::run(error),
-            StickError::TooSlow { .. } | StickError::Unbalanced { .. } => Self::run(error),
-            StickError::Interrupted { .. } => Self::Interrupted(error.to_string()),
-            StickError::Choice(refusal) => refusal.into(),
             _ => Self::input(error),
         }
     }
@@ -187,15 +178,6 @@ impl From<PushError> for Failure {
             PushError::Steps { .. } | PushError::NotFound { .. } => Self::run(error),
             PushError::Refusal(refusal) => refusal.into(),
             _ => Self::input(error),
-        }
-    }
-}
-
-impl From<MotionError> for Failure {
-    fn from(error: MotionError) -> Self {
-        match error {
-            MotionError::Slide(error) => error.into(),
-            MotionError::Stick(error) => error.into(),
         }
     }
 }

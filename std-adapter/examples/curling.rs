@@ -5,7 +5,7 @@
 //! ```
 
 use tribos::scene::{CurlingScene, IceModel};
-use tribos::slide::{PlanarSummary, SlideError};
+use tribos::slide::{MotionError, PlanarSummary};
 
 /// Speed of a draw that stops after 28.35 m without spin under Penner's law, m/s.
 const DRAW: f64 = 1.9866;
@@ -21,7 +21,7 @@ const HEADING: &str = "\
 | model | curl, 0.75 / 1.5 / 3 rad/s | forward, time | slow: forward, left, time | v/(ωR) at rest |
 |---|---|---|---|---|";
 
-fn main() -> Result<(), SlideError> {
+fn main() -> Result<(), MotionError> {
     use IceModel::{BackHeavy, Dry, Film, FrontBack, LeftRight, PivotSlide, ScratchGuide};
     let rock = |model| CurlingScene {
         model,
@@ -49,7 +49,7 @@ fn main() -> Result<(), SlideError> {
 }
 
 /// One model's line of the table.
-fn line(rock: &CurlingScene) -> Result<String, SlideError> {
+fn line(rock: &CurlingScene) -> Result<String, MotionError> {
     let mut curls = Vec::new();
     for spin in SPINS {
         curls.push(format!("{:+.3}", shot(rock, DRAW, spin)?.curl));
@@ -71,7 +71,7 @@ fn line(rock: &CurlingScene) -> Result<String, SlideError> {
 }
 
 /// The spin at which a draw curls by 1 m, by bisection to a hundredth.
-fn spin_for_a_metre(rock: &CurlingScene) -> Result<f64, SlideError> {
+fn spin_for_a_metre(rock: &CurlingScene) -> Result<f64, MotionError> {
     let (mut low, mut high) = (0.0, 10.0);
     while high - low > 5e-3 {
         let middle = 0.5 * (low + high);
@@ -84,7 +84,7 @@ fn spin_for_a_metre(rock: &CurlingScene) -> Result<f64, SlideError> {
     Ok(high)
 }
 
-fn shot(rock: &CurlingScene, speed: f64, spin: f64) -> Result<PlanarSummary, SlideError> {
+fn shot(rock: &CurlingScene, speed: f64, spin: f64) -> Result<PlanarSummary, MotionError> {
     let scene = CurlingScene {
         speed,
         spin,

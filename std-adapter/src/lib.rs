@@ -14,7 +14,7 @@
 //! let puck = DiskScene { speed: 1.0, spin: 5.0, gamma: 0.3, ..DiskScene::default() };
 //! let end = puck.run()?.outcome; // m/s, rad/s
 //! assert!((end.end_time - 0.369017132104558).abs() < 1e-9); // s
-//! # Ok::<(), tribos::slide::SlideError>(())
+//! # Ok::<(), tribos::slide::MotionError>(())
 //! ```
 //!
 //! A patch and a law chosen by name:
@@ -37,7 +37,7 @@
 //! let stone = CurlingScene { model, speed: 1.9866, spin: 1.5, ..CurlingScene::default() }; // m/s, rad/s
 //! let end = stone.run()?.outcome;
 //! assert!(end.x > 28.3 && end.curl > 0.9); // m on, and to the left
-//! # Ok::<(), tribos::slide::SlideError>(())
+//! # Ok::<(), tribos::slide::MotionError>(())
 //! ```
 //!
 //! A billiard ball, struck through its centre, ends rolling with 5/7 of its speed:

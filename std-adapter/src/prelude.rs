@@ -18,8 +18,7 @@ pub use crate::powder::PowderSimulation;
 pub use crate::run::{Session, run_to_end};
 pub use crate::scene::{
     ClampScene, CurlingScene, CylinderScene, DiskScene, GasScene, GrainsScene, InclineScene,
-    PipeScene, PlateScene, PowderScene, Scene, SpringScene, TipScene, TurntableScene, parse_scene,
-    read_scene,
+    PipeScene, PlateScene, PowderScene, Scene, SpringScene, TipScene, TurntableScene,
 };
 pub use crate::tip::TipSimulation;
 pub use tribos_core::prelude::*;

@@ -11,7 +11,6 @@ use tribos::push::{
     PushedSide, Pusher, QuasiStaticPush,
 };
 use tribos_core::limit_surface::FrictionSet;
-use tribos_core::nalgebra::Vector2;
 
 /// Nanoseconds that a push takes, about.
 const COST: usize = 5_000;
@@ -148,7 +147,7 @@ fn moment_numbers(moment: &PathSample) -> [f64; 17] {
     let pose = &moment.pose;
     joined(&[
         &[moment.time],
-        pose.position.as_slice(),
+        &[pose.x, pose.y],
         &[pose.angle],
         moment.contact.as_slice(),
         &push_numbers(&moment.push),
@@ -178,10 +177,7 @@ pub fn push_along<'py>(
             Some([right, left]) => PushedSide::Straight { right, left },
             None => PushedSide::Round,
         },
-        start: Pose {
-            position: Vector2::new(x, y),
-            angle,
-        },
+        start: Pose { x, y, angle },
         velocity,
         duration,
         samples,

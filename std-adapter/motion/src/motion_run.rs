@@ -1,11 +1,11 @@
 //! What the scenes of all bodies in motion have in common: each runs in a moment, to a series and a summary.
 
+use crate::error::MotionError;
 use crate::scene::{
     ClampScene, CurlingScene, CylinderScene, DiskScene, InclineScene, PipeScene, PlateScene,
     SpringScene, TurntableScene,
 };
-use crate::slide::{self, PlanarScene, PlanarSummary, SlideError, SlideSummary};
-use crate::stick::StickError;
+use crate::slide::{self, PlanarScene, PlanarSummary, SlideSummary};
 use serde_json::{Map, Value};
 use tribos_base::golden::{Measure, Measurement};
 use tribos_base::results::{Quantity, Summary, file};
@@ -67,28 +67,6 @@ impl MotionRun {
     /// The summary as JSON.
     pub fn json(&self, scene: &dyn Body) -> Value {
         file(self.outcome.clone(), scene)
-    }
-}
-
-/// Why a scene of a body in motion has no result.
-#[derive(Debug, thiserror::Error)]
-pub enum MotionError {
-    /// A sliding body.
-    #[error(transparent)]
-    Slide(#[from] SlideError),
-    /// A body that holds and slips.
-    #[error(transparent)]
-    Stick(#[from] StickError),
-}
-
-impl MotionError {
-    /// Whether whoever asked for the run ended it.
-    pub fn is_interruption(&self) -> bool {
-        matches!(
-            self,
-            Self::Slide(SlideError::Interrupted { .. })
-                | Self::Stick(StickError::Interrupted { .. })
-        )
     }
 }
 

@@ -19,7 +19,7 @@ mod template;
 mod tests;
 mod vocabulary;
 
-pub use body::{Scene, parse_scene, read_scene};
+pub use body::Scene;
 #[doc(hidden)]
 pub use library::{LIBRARY, LibraryScene, library_scene};
 #[doc(hidden)]

@@ -7,7 +7,7 @@ use tribos::random::Random;
 use tribos::run::SceneRun;
 use tribos::scene::DiskScene;
 use tribos::slide::planar::{Gradient, Launch, PlanarSimulation, TallBody, TallCylinder};
-use tribos::slide::{SlideError, SlideStopReason, SlideSummary};
+use tribos::slide::{MotionError, SlideStopReason, SlideSummary};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
@@ -365,7 +365,7 @@ fn scene(more: &[&str]) -> DiskScene {
     DiskScene::parse("disk.toml", text, &more).unwrap()
 }
 
-fn run_under(disk: &DiskScene, law: Law) -> Result<SceneRun<SlideSummary, 8>, SlideError> {
+fn run_under(disk: &DiskScene, law: Law) -> Result<SceneRun<SlideSummary, 8>, MotionError> {
     let law = Some(law);
     DiskScene { law, ..*disk }.run()
 }

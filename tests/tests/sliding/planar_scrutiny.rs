@@ -1,7 +1,7 @@
 //! Bodies on a path in the plane: the motion that dies first, ends that are located, recording.
 
-use tribos::scene::{CylinderScene, Scene, parse_scene, vocabulary};
-use tribos::slide::SlideError;
+use tribos::scene::{CylinderScene, Scene, vocabulary};
+use tribos::slide::MotionError;
 use tribos::slide::planar::{
     Launch, PlanarResult, PlanarSimulation, PlanarState, Resistance, SlideStopReason,
 };
@@ -28,7 +28,7 @@ fn cylinder(alpha: f64, inertia_ratio: f64, height: f64) -> TallBody {
     cylinder.body(GRAVITY).expect("in range")
 }
 
-fn end(body: &impl Resistance, speed: f64, spin: f64) -> Result<PlanarResult, SlideError> {
+fn end(body: &impl Resistance, speed: f64, spin: f64) -> Result<PlanarResult, MotionError> {
     let launch = Launch {
         velocity: [speed, 0.0],
         spin,
@@ -297,7 +297,7 @@ fn what_is_recorded_leaves_the_end_as_it_is() {
                 .map(|item| (*item).to_owned())
                 .chain([samples])
                 .collect();
-            let scene = parse_scene("body.toml", &text, &all).expect("in range");
+            let scene = Scene::parse("body.toml", &text, &all).expect("in range");
             let scene: &dyn PlanarScene = match &scene {
                 Scene::Cylinder(scene) => scene,
                 Scene::Pipe(scene) => scene,
@@ -335,7 +335,7 @@ fn launches_outside_the_range_of_numbers_are_refused() {
     for scene in [slow, fast, wide] {
         let refused = scene.run();
         assert!(
-            matches!(refused, Err(SlideError::Energy { .. })),
+            matches!(refused, Err(MotionError::Energy { .. })),
             "{scene:?}: {refused:?}"
         );
     }

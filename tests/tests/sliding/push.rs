@@ -156,7 +156,7 @@ fn drive(samples: u32, tolerance: f64) -> Pusher {
             right: 0.1,
             left: 0.2,
         },
-        start: Pose::ORIGIN,
+        start: Pose::default(),
         velocity: [0.0, 0.02],
         duration: 10.0,
         samples,
@@ -172,7 +172,7 @@ fn paths_have_the_error_that_they_were_asked_for_and_keep_the_pusher_on_the_side
     for tolerance in [1e-4, 1e-6, 1e-8] {
         let path = drive(10, tolerance).path(&*floor).expect("a path");
         let pose = path.moments[10].pose;
-        let off = (pose.position - exact.position).norm();
+        let off = (pose.x - exact.x).hypot(pose.y - exact.y);
         let turn = (pose.angle - exact.angle).abs() * floor.radius();
         assert!(
             off < tolerance && turn < tolerance,
@@ -187,7 +187,8 @@ fn paths_have_the_error_that_they_were_asked_for_and_keep_the_pusher_on_the_side
     assert!((often.moments[1000].pose.angle - exact.angle).abs() < 1e-8);
     let turned = Pusher {
         start: Pose {
-            position: Vector2::new(1.0, -2.0),
+            x: 1.0,
+            y: -2.0,
             angle: 1.0,
         },
         velocity: [-0.02 * 1.0_f64.sin(), 0.02 * 1.0_f64.cos()],
@@ -227,7 +228,7 @@ fn paths_end_where_the_pusher_slips_off_or_moves_away() {
     };
     let path = straight.path(&*puck).expect("a path");
     let last = path.moments[10].pose;
-    assert!((last.position.x - 0.2).abs() < 1e-9 && last.angle.abs() < 1e-9);
+    assert!((last.x - 0.2).abs() < 1e-9 && last.angle.abs() < 1e-9);
     let never = Pusher {
         duration: 0.0,
         ..straight

@@ -32,9 +32,9 @@ enum FinalCheckpoint {
 /// ```
 /// use tribos::powder::PowderSimulation;
 /// use tribos::run::Session;
-/// # use tribos::scene::{Scene, parse_scene};
+/// # use tribos::scene::Scene;
 /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nmax_steps = 20";
-/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// # let Scene::Powder(scene) = Scene::parse("tiny.toml", text, &[])? else { unreachable!() };
 /// let folder = std::env::temp_dir().join(format!("tribos-session-{}", std::process::id()));
 /// let mut checkpoints = 0;
 /// let run: PowderSimulation = Session::in_folder(&folder)?

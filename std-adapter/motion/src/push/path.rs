@@ -19,22 +19,24 @@ const ROUNDING_ULPS: f64 = 8.0;
 /// A step whose error is this part of what it may be is doubled.
 const EASY: f64 = 1.0 / 64.0;
 
-/// Place and angle of a body: where the origin of its patch is, and its turn counterclockwise.
+/// Place and angle of a body: where its centre, or the origin of its patch, is, and its turn counterclockwise.
 ///
-/// *Units*: m and rad.
+/// *Units*: m and rad. A launch is thrown from the default, the origin.
 ///
 /// ```
 /// use tribos::push::Pose;
-/// let quarter = Pose { position: [1.0, 0.0].into(), angle: std::f64::consts::FRAC_PI_2 };
+/// let quarter = Pose { x: 1.0, y: 0.0, angle: std::f64::consts::FRAC_PI_2 };
 /// let corner = quarter.place([0.2, 0.0].into());
 /// assert!((corner.x - 1.0).abs() < 1e-15 && (corner.y - 0.2).abs() < 1e-15);
 /// assert!((quarter.in_body(corner).x - 0.2).abs() < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
-    /// Place of the patch's origin.
-    pub position: Vector2<f64>,
-    /// Turn counterclockwise.
+    /// Place along the first axis.
+    pub x: f64,
+    /// Place along the second axis.
+    pub y: f64,
+    /// Angle turned counterclockwise, not reduced to one turn.
     pub angle: f64,
 }
 
@@ -61,7 +63,7 @@ pub enum PushedSide {
 /// let drive = Pusher {
 ///     contact: PointContact::new([0.02, -0.05], [0.0, 1.0], 0.3)?,
 ///     side: PushedSide::Straight { right: 0.08, left: 0.12 },
-///     start: Pose::ORIGIN,
+///     start: Pose::default(),
 ///     velocity: [0.0, 0.01], // m/s
 ///     duration: 10.0,
 ///     samples: 50,
@@ -70,7 +72,7 @@ pub enum PushedSide {
 /// let journey = drive.path(&*table)?;
 /// assert_eq!((journey.end, journey.moments.len()), (PathEnd::Done, 51));
 /// let last = journey.moments[50];
-/// assert!(last.pose.angle > 0.3 && last.pose.position.y > 0.05);
+/// assert!(last.pose.angle > 0.3 && last.pose.y > 0.05);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,20 +142,18 @@ pub struct PushPath {
 }
 
 impl Pose {
-    /// At the origin, not turned.
-    pub const ORIGIN: Self = Self {
-        position: Vector2::new(0.0, 0.0),
-        angle: 0.0,
-    };
+    fn position(&self) -> Vector2<f64> {
+        Vector2::new(self.x, self.y)
+    }
 
     /// Where a place of the body is.
     pub fn place(&self, in_body: Vector2<f64>) -> Vector2<f64> {
-        self.position + turned(in_body, self.angle)
+        self.position() + turned(in_body, self.angle)
     }
 
     /// Which place of the body is there.
     pub fn in_body(&self, place: Vector2<f64>) -> Vector2<f64> {
-        turned(place - self.position, -self.angle)
+        turned(place - self.position(), -self.angle)
     }
 }
 
@@ -172,12 +172,7 @@ impl Pusher {
     /// on every platform.
     pub fn path(&self, set: &dyn FrictionSet<f64>) -> Result<PushPath, PushError> {
         let path = Path::new(set, self)?;
-        let mut state = [
-            self.start.position.x,
-            self.start.position.y,
-            self.start.angle,
-        ]
-        .into();
+        let mut state = [self.start.x, self.start.y, self.start.angle].into();
         let (mut moments, mut steps) = (vec![path.moment(0.0, &state)?], 0);
         let shortest = SHORTEST * self.duration;
         let mut step = self.duration / f64::from(self.samples.max(1));
@@ -254,10 +249,13 @@ pub(super) fn with_pusher(
             (Real::sin(angle) / angle, 2.0 * half * half / angle)
         };
         let v = twist.velocity * time;
-        let position = Vector2::new(along * v.x - across * v.y, across * v.x + along * v.y);
         PathSample {
             time,
-            pose: Pose { position, angle },
+            pose: Pose {
+                x: along * v.x - across * v.y,
+                y: across * v.x + along * v.y,
+                angle,
+            },
             contact: contact.position(),
             push,
         }
@@ -296,8 +294,8 @@ impl<'a> Path<'a> {
         for (what, number) in [
             ("x of the pusher's velocity", x),
             ("y of the pusher's velocity", y),
-            ("x of the start", start.position.x),
-            ("y of the start", start.position.y),
+            ("x of the start", start.x),
+            ("y of the start", start.y),
             ("the angle of the start", start.angle),
         ] {
             finite(what, number)?;
@@ -325,7 +323,8 @@ impl<'a> Path<'a> {
 
     fn moment(&self, time: f64, state: &State) -> Result<PathSample, PushError> {
         let pose = Pose {
-            position: Vector2::new(state.x, state.y),
+            x: state.x,
+            y: state.y,
             angle: state.z,
         };
         // The pusher's own path is exact: the contact is where it is.
@@ -414,7 +413,7 @@ mod tests {
                     right: 0.01,
                     left: 0.01,
                 },
-                start: Pose::ORIGIN,
+                start: Pose::default(),
                 velocity: [0.0, 0.02],
                 duration: 100.0,
                 samples: 100,

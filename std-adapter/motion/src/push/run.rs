@@ -72,7 +72,7 @@ impl PushScene {
             None => Pusher {
                 contact,
                 side,
-                start: Pose::ORIGIN,
+                start: Pose::default(),
                 velocity: at_contact.into(),
                 duration: duration(self),
                 samples: self.samples,
@@ -183,8 +183,8 @@ impl PushResult {
             let (pose, push) = (&moment.pose, &moment.push);
             [
                 moment.time,
-                pose.position.x,
-                pose.position.y,
+                pose.x,
+                pose.y,
                 pose.angle,
                 moment.contact.x,
                 moment.contact.y,
@@ -225,8 +225,8 @@ impl PushResult {
         }
         if let Some(last) = self.journey.moments.last() {
             number("end_time", last.time);
-            number("end_x", last.pose.position.x);
-            number("end_y", last.pose.position.y);
+            number("end_x", last.pose.x);
+            number("end_y", last.pose.y);
             number("end_angle", last.pose.angle);
         }
         map.insert("mode".into(), first.mode.to_string().into());

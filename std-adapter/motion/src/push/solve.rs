@@ -274,7 +274,7 @@ mod tests {
                 right: 0.02,
                 left: 0.02,
             },
-            start: Pose::ORIGIN,
+            start: Pose::default(),
             velocity: [0.01, 0.0],
             duration: 1.0,
             samples: 3,

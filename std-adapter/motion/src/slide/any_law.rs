@@ -4,7 +4,7 @@ use super::outcome::terminal;
 use super::planar::{Gradient, Launch, PlanarSimulation, PlanarState, Resistance, TallBody};
 use super::simulation::{MOST_STEPS, SLIVER};
 use super::{
-    COLUMNS, SlideError, SlideRun, SlideStopReason, SlideSummary, energy_at_launch, follow,
+    COLUMNS, MotionError, SlideRun, SlideStopReason, SlideSummary, energy_at_launch, follow,
 };
 use crate::motion_run::SceneRun;
 use crate::slide::scene::{DiskScene, SliderIntegrator};
@@ -19,7 +19,7 @@ pub(super) fn run_law(
     scene: &DiskScene,
     law: &Law,
     mut progress: impl FnMut(f64),
-) -> Result<SlideRun, SlideError> {
+) -> Result<SlideRun, MotionError> {
     if let Some([coefficient, alpha]) = law.power_of_speed() {
         let scene = DiskScene {
             gamma: coefficient,
@@ -31,7 +31,7 @@ pub(super) fn run_law(
     }
     scene.check()?;
     if scene.integrator == SliderIntegrator::Verlet {
-        return Err(SlideError::OnlyPowers { law: law.name() });
+        return Err(MotionError::OnlyPowers { law: law.name() });
     }
     let friction = AnyFriction::new(&Patch::Disk, law, None)?.with_radius(scene.radius)?;
     let upright = [scene.gravity, scene.inertia_ratio];
@@ -58,7 +58,7 @@ pub(super) fn run_law(
         }
     })?;
     let (Some(first), Some(last)) = (points.first(), points.last()) else {
-        return Err(SlideError::NotFinite { step: 0 });
+        return Err(MotionError::NotFinite { step: 0 });
     };
     let initial_energy = energy_at_launch(energy(first))?;
     let dissipated = scene.mass * last.work;
@@ -66,7 +66,9 @@ pub(super) fn run_law(
     // Towards rest the law tends to a power of the speed, whose fixed points give the limit of the ratio.
     let near_rest = Law::power(1.0, body.exponent())?;
     let near_rest = AnyFriction::<f64>::new(&Patch::Disk, &near_rest, None)?;
-    let profile = near_rest.power().ok_or(SlideError::NotFinite { step: 0 })?;
+    let profile = near_rest
+        .power()
+        .ok_or(MotionError::NotFinite { step: 0 })?;
     let ending = match (arrival.ending, scene.duration) {
         (_, Some(duration)) if duration < scouted => SlideStopReason::Duration,
         (ending, _) => ending,
@@ -97,11 +99,11 @@ pub(super) fn run_law(
 }
 
 /// Times of the samples up to and including `end`.
-fn sample_times(scene: &DiskScene, end: f64) -> Result<Vec<f64>, SlideError> {
+fn sample_times(scene: &DiskScene, end: f64) -> Result<Vec<f64>, MotionError> {
     let interval = scene.time_step.unwrap_or(end / f64::from(scene.samples));
     let steps = end / interval;
     if steps > MOST_STEPS {
-        return Err(SlideError::TooManySteps {
+        return Err(MotionError::TooManySteps {
             time_step: interval,
             steps,
             most: MOST_STEPS,

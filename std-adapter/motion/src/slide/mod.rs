@@ -26,13 +26,10 @@ pub use path::{PlanarCourse, PlanarScene, follow_path};
 #[doc(hidden)]
 pub use simulation::SlideSimulation;
 
+pub use crate::error::MotionError;
 use crate::motion_run::SceneRun;
 use crate::slide::scene::DiskScene;
-use tribos_base::record::brief;
 use tribos_base::run::run_to_end;
-use tribos_base::scene::InvalidScene;
-use tribos_core::law::LawError;
-use tribos_core::patch::PatchError;
 use tribos_friction::{FrictionError, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
 
 /// Initial velocity of the centre and initial spin, in m/s and rad/s.
@@ -45,7 +42,7 @@ use tribos_friction::{FrictionError, Law, Patch, RoundPower, Tier, Visitor, visi
 /// let mirrored = Launch { spin: -12.5, ..throw };
 /// let [left, right] = [throw, mirrored].map(|launch| disk.rest(&launch).pose);
 /// assert_eq!([left.x, left.y, left.angle], [right.x, right.y, -right.angle]);
-/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// # Ok::<(), tribos::slide::inverse::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Launch {
@@ -55,108 +52,12 @@ pub struct Launch {
     pub spin: f64,
 }
 
-/// Why a validated scene could not be run to its end.
-///
-/// ```
-/// use tribos::scene::DiskScene;
-/// use tribos::slide::SlideError;
-/// // A disk that is at rest after 0.4 s.
-/// let scene = DiskScene { time_step: Some(1e-12), ..DiskScene::default() };
-/// assert!(matches!(scene.run(), Err(SlideError::TooManySteps { .. })));
-/// ```
-#[derive(Debug, thiserror::Error)]
-pub enum SlideError {
-    /// A field of the scene is wrong.
-    #[error(transparent)]
-    Scene(#[from] InvalidScene),
-    /// The time step is so short that the run would need too many steps.
-    #[error(
-        "a time_step of {time_step} s needs {steps:.3e} steps, more than {most:.0e}; \
-         use at least {at_least:.1e} s"
-    )]
-    TooManySteps {
-        /// Requested time step.
-        time_step: f64,
-        /// Number of steps it would need.
-        steps: f64,
-        /// Largest number of steps allowed.
-        most: f64,
-        /// Shortest time step allowed.
-        at_least: f64,
-    },
-    /// Whoever asked for the run ended it.
-    #[error("interrupted after {steps} steps")]
-    Interrupted {
-        /// Number of steps taken.
-        steps: u64,
-    },
-    /// A number left the range of f64, or the time no longer advances.
-    #[error("the motion is no longer finite after step {step}; its scales are too far apart")]
-    NotFinite {
-        /// Number of the step.
-        step: u64,
-    },
-    /// The kinetic energy of the launch, or one of its two shares, is not a positive f64.
-    #[error(
-        "the launch has a kinetic energy of {} J, outside the range of numbers; bring \
-         `speed`, `spin`, `radius` and `mass` nearer to 1",
-        brief(.energy)
-    )]
-    Energy {
-        /// Kinetic energy at the launch, in J.
-        energy: f64,
-    },
-    /// One motion keeps the steps so short that the other does not reach its end.
-    #[error(
-        "after {steps} steps the speeds have fallen by {folds:.3} e-folds only; sliding and \
-         spinning change on scales that are too far apart"
-    )]
-    TooStiff {
-        /// Number of steps taken.
-        steps: u64,
-        /// e-folds by which the common scale of both speeds has fallen.
-        folds: f64,
-    },
-    /// A tall body would tip, and the scene forbids it.
-    #[error(
-        "the body tips: from {time:.6} s on its foot cannot bear the pressure gradient, which \
-         reaches {lean:.4} of the limit; lower `height` or `gamma`, or set \
-         on_tipping = \"clamp\""
-    )]
-    Tips {
-        /// Time at which tipping begins, in s.
-        time: f64,
-        /// Largest |l| during the motion.
-        lean: f64,
-    },
-    /// The law, or the tier chosen for it, was refused.
-    #[error(transparent)]
-    Choice(#[from] FrictionError),
-    /// The method supports only powers of the speed.
-    #[error(
-        "integrator = \"verlet\" follows powers of the speed; the law {law} needs integrator = \"exact\""
-    )]
-    OnlyPowers {
-        /// Name of the law.
-        law: &'static str,
-    },
-    /// The kernel refused the contact patch.
-    #[error(transparent)]
-    Patch(#[from] PatchError),
-    /// The kernel refused the law or the inertia.
-    #[error(transparent)]
-    Law(#[from] LawError),
-    /// The kernel refused the body on its patch.
-    #[error(transparent)]
-    Body(#[from] tribos_core::Error),
-}
-
 /// The kinetic energy of a launch, if both of its shares are positive numbers.
-fn energy_at_launch(energy: f64) -> Result<f64, SlideError> {
+fn energy_at_launch(energy: f64) -> Result<f64, MotionError> {
     if energy.is_finite() && energy >= f64::MIN_POSITIVE {
         Ok(energy)
     } else {
-        Err(SlideError::Energy { energy })
+        Err(MotionError::Energy { energy })
     }
 }
 
@@ -164,7 +65,10 @@ fn energy_at_launch(energy: f64) -> Result<f64, SlideError> {
 type SlideRun = SceneRun<SlideSummary, { COLUMNS.len() }>;
 
 /// Runs a scene; `progress` receives the completed fraction after every step.
-pub(crate) fn follow(scene: &DiskScene, progress: impl FnMut(f64)) -> Result<SlideRun, SlideError> {
+pub(crate) fn follow(
+    scene: &DiskScene,
+    progress: impl FnMut(f64),
+) -> Result<SlideRun, MotionError> {
     if let Some(law) = &scene.law {
         return run_law(scene, law, progress);
     }
@@ -179,7 +83,7 @@ struct Run<'a, F> {
 }
 
 impl<F: FnMut(f64)> Visitor<f64> for Run<'_, F> {
-    type Output = Result<SlideRun, SlideError>;
+    type Output = Result<SlideRun, MotionError>;
 
     fn visit<P: RoundPower<f64> + 'static>(mut self, profile: P) -> Self::Output {
         let mut simulation = SlideSimulation::new(profile, self.scene)?;
@@ -221,7 +125,7 @@ impl DiskScene {
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn run(&self) -> Result<SlideRun, SlideError> {
+    pub fn run(&self) -> Result<SlideRun, MotionError> {
         follow(self, |_| ())
     }
 

@@ -2,7 +2,7 @@
 
 use super::cost::{EvaluationCost, resistance_cost};
 use super::planar::{Launch, PlanarSimulation, PlanarState, Resistance, SlideStopReason};
-use super::{SlideError, energy_at_launch};
+use super::{MotionError, energy_at_launch};
 use crate::motion_run::SceneRun;
 use crate::slide::scene::{CurlingScene, CylinderScene, PipeScene, PlateScene, Tipping};
 use tribos_base::results::{Reporting::*, summary};
@@ -52,21 +52,21 @@ pub struct PlanarCourse {
 ///     let end = follow_path(scene, &mut |_| true)?.outcome;
 ///     assert!(end.path_length > 0.1 && scene.course().samples == 200); // m
 /// }
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 pub trait PlanarScene: Body + Sync {
     /// Launch, mass and stopping conditions.
     fn course(&self) -> PlanarCourse;
 
     /// Resistance that the body meets.
-    fn resistance(&self) -> Result<Box<dyn Resistance>, SlideError>;
+    fn resistance(&self) -> Result<Box<dyn Resistance>, MotionError>;
 
     /// Method by which force and torque are evaluated.
-    fn evaluation(&self) -> Result<Evaluation, SlideError>;
+    fn evaluation(&self) -> Result<Evaluation, MotionError>;
 
     /// Times evaluations over a mix of speeds for some tenths of a second. *Accuracy*: a few per cent for the
     /// ratio of the two times, about ten per cent for the times.
-    fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
+    fn evaluation_cost(&self) -> Result<EvaluationCost, MotionError> {
         Ok(resistance_cost(&self.resistance()?))
     }
 }
@@ -135,7 +135,7 @@ macro_rules! run {
             /// Runs the scene to its end.
             ///
             /// *Columns* of the series: s, m, m, m/s, m/s, rad/s, rad, –, –, J, J.
-            pub fn run(&self) -> Result<PathRun, SlideError> {
+            pub fn run(&self) -> Result<PathRun, MotionError> {
                 follow_path(self, &mut |_| true)
             }
         }
@@ -148,7 +148,7 @@ run!(CurlingScene, CylinderScene, PipeScene, PlateScene);
 pub fn follow_path(
     scene: &dyn PlanarScene,
     watch: &mut dyn FnMut(f64) -> bool,
-) -> Result<PathRun, SlideError> {
+) -> Result<PathRun, MotionError> {
     scene.check()?;
     let body = scene.resistance()?;
     let scene = scene.course();
@@ -164,7 +164,7 @@ pub fn follow_path(
     let scouted = journey()?.watched(&[], |_| (), &mut |share| watch(0.5 * share))?;
     if let (Tipping::Refuse, Some(time)) = (scene.tipping, scouted.tips_at) {
         let lean = scouted.most_lean;
-        return Err(SlideError::Tips { time, lean });
+        return Err(MotionError::Tips { time, lean });
     }
     let interval = scouted.point.time / f64::from(scene.samples);
     let times: Vec<f64> = (1..scene.samples)

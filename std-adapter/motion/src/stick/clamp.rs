@@ -14,8 +14,8 @@
 //! a million times stiffer than the other. One pad that slips while the other holds is Iwan's assembly of two elements, which obeys Masing's
 //! rule: a branch of the loop is the first loading twice as large.
 
-use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene, SceneRun};
+use crate::error::MotionError;
+use crate::motion_run::{MotionRun, MotionScene, SceneRun};
 use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -82,13 +82,16 @@ impl ClampScene {
     /// assert!((force - 16.0).abs() < 1e-9);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn run(&self) -> Result<ClampRun, StickError> {
+    pub fn run(&self) -> Result<ClampRun, MotionError> {
         watched(self, &mut |_| true)
     }
 }
 
 /// Runs a scene; `watch` sees the share of the cycles that is done, and ends the run by answering false.
-fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<ClampRun, StickError> {
+fn watched(
+    scene: &ClampScene,
+    watch: &mut dyn FnMut(f64) -> bool,
+) -> Result<ClampRun, MotionError> {
     scene.check()?;
     let mut pinch = ClampedBody::new(scene)?;
     let mut rows = vec![pinch.row(0.0, &Wrench::ZERO, [StickSlip::Stick; 2])];
@@ -106,9 +109,9 @@ fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<Cla
             let load = load(scene, cycle, share);
             let grips = pinch
                 .settle(&load)
-                .map_err(|left| StickError::Unbalanced { time, left })?;
+                .map_err(|left| MotionError::Unbalanced { time, left })?;
             if !watch((f64::from(cycle) + share) / f64::from(scene.cycles)) {
-                return Err(StickError::Interrupted { time });
+                return Err(MotionError::InterruptedAt { time });
             }
             rows.push(pinch.row(time, &load, grips));
         }
@@ -190,11 +193,11 @@ const FARTHER: f64 = 4.0;
 const FLATTER: f64 = 0.5;
 
 impl ClampedBody {
-    fn new(scene: &ClampScene) -> Result<Self, StickError> {
+    fn new(scene: &ClampScene) -> Result<Self, MotionError> {
         let default = 0.5 * scene.radius * scene.radius;
         let lever_sq = scene.torsion_lever_squared.unwrap_or(default);
         let origin = Pose::new(0.0, 0.0, 0.0);
-        let pad = |mu: f64, stiffness: f64| -> Result<Pad, StickError> {
+        let pad = |mu: f64, stiffness: f64| -> Result<Pad, MotionError> {
             let bonds = Presliding::new(stiffness, stiffness * lever_sq)?;
             let set = limit_surface(&scene.patch, mu * scene.load, scene.radius, None)?;
             let anchor = Anchor::at(origin);
@@ -521,6 +524,6 @@ mod tests {
     fn a_run_ends_when_it_is_asked_to() {
         let scene = ClampScene::default();
         let ended = watched(&scene, &mut |share| share < 0.5);
-        assert!(matches!(ended, Err(StickError::Interrupted { time }) if time == 2.5));
+        assert!(matches!(ended, Err(MotionError::InterruptedAt { time }) if time == 2.5));
     }
 }

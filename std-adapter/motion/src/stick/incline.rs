@@ -8,8 +8,8 @@
 //! holds while tan θ ≤ μ_s(age);    then a = g (sin θ − μ_d cos θ)
 //! ```
 
-use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene, SceneRun};
+use crate::error::MotionError;
+use crate::motion_run::{MotionRun, MotionScene, SceneRun};
 use crate::stick::scene::InclineScene;
 use tribos_base::bracket::Bracket;
 use tribos_base::results::{Quantity, Reporting::*, Summary, summary};
@@ -60,9 +60,9 @@ impl InclineScene {
     /// let end = fixed.run()?.outcome;
     /// let acceleration = 9.81 * (0.6_f64.sin() - 0.3 * 0.6_f64.cos());
     /// assert!((end.distance / (0.5 * acceleration * 4.0) - 1.0).abs() < 1e-14);
-    /// # Ok::<(), tribos::stick::StickError>(())
+    /// # Ok::<(), tribos::stick::MotionError>(())
     /// ```
-    pub fn run(&self) -> Result<InclineRun, StickError> {
+    pub fn run(&self) -> Result<InclineRun, MotionError> {
         self.check()?;
         let slope = InclineProblem::new(self)?;
         let release = slope.release();
@@ -126,7 +126,7 @@ const TURN: f64 = 0.1;
 const HALVINGS: usize = 200;
 
 impl<'a> InclineProblem<'a> {
-    fn new(scene: &'a InclineScene) -> Result<Self, StickError> {
+    fn new(scene: &'a InclineScene) -> Result<Self, MotionError> {
         let surface = limit_surface(&scene.patch, 1.0, scene.radius, None)?;
         Ok(Self {
             scene,

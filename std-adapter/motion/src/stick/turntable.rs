@@ -14,8 +14,8 @@
 
 mod path;
 
-use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene, SceneRun};
+use crate::error::MotionError;
+use crate::motion_run::{MotionRun, MotionScene, SceneRun};
 use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
 use path::{SlideState, State};
@@ -76,7 +76,7 @@ impl TurntableScene {
     /// assert!(release < left && outcome.y < 0.0); // it stays behind
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn run(&self) -> Result<TurntableRun, StickError> {
+    pub fn run(&self) -> Result<TurntableRun, MotionError> {
         watched(self, &mut |_| true)
     }
 }
@@ -85,7 +85,7 @@ impl TurntableScene {
 fn watched(
     scene: &TurntableScene,
     watch: &mut dyn FnMut(f64) -> bool,
-) -> Result<TurntableRun, StickError> {
+) -> Result<TurntableRun, MotionError> {
     scene.check()?;
     let table = Table::new(scene)?;
     let release = table.release();
@@ -151,7 +151,7 @@ const HALVINGS: usize = 200;
 const DOUBLINGS: u32 = 500;
 
 impl<'a> Table<'a> {
-    fn new(scene: &'a TurntableScene) -> Result<Self, StickError> {
+    fn new(scene: &'a TurntableScene) -> Result<Self, MotionError> {
         let weight = scene.mass * scene.gravity;
         let surface = |mu: f64| limit_surface(&scene.patch, mu * weight, scene.radius, None);
         let gyration = scene.gyration_radius;

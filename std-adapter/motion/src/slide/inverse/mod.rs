@@ -38,7 +38,7 @@
 //! let launches = disk.launches(&target, Turns::Exact, &limits)?;
 //! let end = disk.rest(&launches[0].launch);
 //! assert!((end.pose.x - 1.2).abs() < 1e-12 && (end.pose.angle - 1.57).abs() < 1e-12);
-//! # Ok::<(), tribos::slide::inverse::InverseError>(())
+//! # Ok::<(), tribos::slide::inverse::MotionError>(())
 //! ```
 
 mod error;
@@ -52,7 +52,8 @@ mod solve;
 mod time;
 
 pub use super::Launch;
-pub use error::InverseError;
+pub use crate::error::MotionError;
+pub use crate::push::Pose;
 #[doc(hidden)]
 pub use error::OutOfReach;
 #[doc(hidden)]
@@ -64,14 +65,3 @@ pub use map::RestPose;
 #[doc(hidden)]
 pub use plan::MAX_SOLUTIONS;
 pub use plan::{LaunchSolution, Launches, Turns};
-
-/// Displacement of the centre and angle turned since the launch, in m and rad.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pose {
-    /// Along the first axis.
-    pub x: f64,
-    /// Along the second axis.
-    pub y: f64,
-    /// Angle turned, not reduced to one turn.
-    pub angle: f64,
-}

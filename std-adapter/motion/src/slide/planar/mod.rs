@@ -45,7 +45,7 @@ use std::fmt::Debug;
 /// assert_eq!(end.ending, SlideStopReason::Faded);
 /// assert!((end.point.position[0] - 0.5).abs() < 1e-6); // v/k, but for the last millionth
 /// assert!((end.point.angle - 2.5).abs() < 1e-5); // ω/k
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 pub trait Resistance: Debug {
     /// A of dV/dt = −A: force per mass, and torque/(C M R), in m/s². The power against the motion,

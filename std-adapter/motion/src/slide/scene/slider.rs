@@ -45,7 +45,7 @@ scene! {
     /// };
     /// let distance = scene.run()?.outcome.distance; // in radii
     /// assert!((distance - 2.0).abs() < 1e-13); // v²/(2 mu g)
-    /// # Ok::<(), tribos::slide::SlideError>(())
+    /// # Ok::<(), tribos::slide::MotionError>(())
     /// ```
     #[derive(Copy)]
     pub struct DiskScene = "disk", "A disk that slides and spins to rest",

@@ -15,7 +15,7 @@ scene! {
     /// // Below what the weaker pad holds nothing slips: the loop has no area.
     /// let gentle = ClampScene { force_amplitude: 1.0, ..ClampScene::default() };
     /// assert_eq!(run(&gentle)?.outcome.loss_per_cycle, 0.0);
-    /// # Ok::<(), tribos::stick::StickError>(())
+    /// # Ok::<(), tribos::stick::MotionError>(())
     /// ```
     pub struct ClampScene = "clamp", "A clamped body under a load that swings",
         rules, as_written;

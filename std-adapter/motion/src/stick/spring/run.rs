@@ -8,8 +8,8 @@ use super::rate_state::RateStateMotion;
 use super::speed::SpeedMotion;
 use super::stability::critical_stiffness;
 use super::tally::RunStatistics;
-use crate::motion_run::{MotionError, MotionRun, MotionScene, SceneRun};
-use crate::stick::StickError;
+use crate::error::MotionError;
+use crate::motion_run::{MotionRun, MotionScene, SceneRun};
 use crate::stick::scene::{SpringFriction, SpringScene};
 use tribos_base::results::{Quantity, Summary};
 use tribos_core::law::{LocalLaw, LuGre, RateState, RateStateParameters, StaticAgeing};
@@ -52,7 +52,7 @@ impl SpringScene {
     /// assert!((found / period - 1.0).abs() < 1e-10);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn run(&self) -> Result<SpringRun, StickError> {
+    pub fn run(&self) -> Result<SpringRun, MotionError> {
         watched(self, &mut |_| true)
     }
 }
@@ -61,7 +61,7 @@ impl SpringScene {
 fn watched(
     scene: &SpringScene,
     watch: &mut dyn FnMut(f64) -> bool,
-) -> Result<SpringRun, StickError> {
+) -> Result<SpringRun, MotionError> {
     scene.check()?;
     let mut body = follower(scene)?;
     let mut course = SpringRunState::new(scene, &*body, watch);
@@ -75,10 +75,10 @@ fn watched(
 }
 
 /// The body of a scene at its start.
-fn follower(scene: &SpringScene) -> Result<Box<dyn SpringIntegrator>, StickError> {
+fn follower(scene: &SpringScene) -> Result<Box<dyn SpringIntegrator>, MotionError> {
     let (speed, tolerance) = (scene.pull_speed, scene.tolerance);
     let [mass, stiffness, load] = [scene.mass, scene.stiffness, scene.load];
-    let dry = |mu_static, mu_dynamic, growth| -> Result<Box<dyn SpringIntegrator>, StickError> {
+    let dry = |mu_static, mu_dynamic, growth| -> Result<Box<dyn SpringIntegrator>, MotionError> {
         Ok(Box::new(DryMotion::new(DryBlock {
             mass,
             stiffness,
@@ -208,7 +208,7 @@ impl<'a> SpringRunState<'a> {
         &mut self,
         body: &mut dyn SpringIntegrator,
         piece: &PullOrHold,
-    ) -> Result<(), StickError> {
+    ) -> Result<(), MotionError> {
         let begin = body.moment();
         if piece.speed == 0.0 {
             self.hold = Some(HoldPeak {
@@ -251,7 +251,7 @@ impl<'a> SpringRunState<'a> {
         piece: &PullOrHold,
         until: f64,
         quarter: Option<usize>,
-    ) -> Result<(), StickError> {
+    ) -> Result<(), MotionError> {
         let mut before = body.moment();
         while before.time < until {
             let impulse = body.step(piece.speed, until)?;
@@ -271,10 +271,10 @@ impl<'a> SpringRunState<'a> {
             }
             let (steps, time) = (self.steps, after.time);
             if steps > MOST_STEPS {
-                return Err(StickError::TooManySteps { steps, time });
+                return Err(MotionError::TooManyStepsAt { steps, time });
             }
             if steps.is_multiple_of(BETWEEN) && !(self.watch)(time / self.duration) {
-                return Err(StickError::Interrupted { time });
+                return Err(MotionError::InterruptedAt { time });
             }
             before = after;
         }

@@ -1,7 +1,7 @@
 //! Bodies on springs against closed forms and independent integrations.
 
 use super::*;
-use crate::stick::StickError;
+use crate::stick::MotionError;
 use crate::stick::scene::{SpringFriction, SpringScene};
 use std::f64::consts::PI;
 
@@ -325,7 +325,7 @@ fn a_direct_effect_too_small_to_follow_is_told() {
         };
         let ended = scene.run();
         assert!(
-            matches!(ended, Err(StickError::TooSlow { .. })),
+            matches!(ended, Err(MotionError::TooSlow { .. })),
             "{a}: {ended:?}"
         );
     }
