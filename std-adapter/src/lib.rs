@@ -105,10 +105,10 @@ pub mod friction {
 pub mod run {
     #[doc(inline)]
     pub use tribos_base::run::*;
+    #[doc(hidden)]
+    pub use tribos_grains::packing::PackingRun;
     #[doc(inline)]
-    pub use tribos_grains::packing::{
-        PackingRun, PackingRunError, PackingStopReason, PlacementError,
-    };
+    pub use tribos_grains::packing::{PackingRunError, PackingStopReason, PlacementError};
     #[doc(inline)]
     pub use tribos_motion::SceneRun;
 }

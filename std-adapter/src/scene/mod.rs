@@ -39,7 +39,7 @@ pub use tribos_base::scene::{
 pub use tribos_base::scene::{InvalidScene, SceneError, SceneProblem};
 #[doc(hidden)]
 pub use tribos_grains::packing::Radii;
-pub use tribos_grains::packing::{SizeDistribution, SizesError};
+pub use tribos_grains::packing::{SettingError, SizeDistribution};
 pub use tribos_grains::scene::{
     Axis, BlockedCriterion, ContactMethod, Container, EndBoundary, FrictionCoupling, GasMethod,
     GasScene, GrainsScene, NormalForce, PowderScene, SideBoundary, SweepMethod, SweepOrder,

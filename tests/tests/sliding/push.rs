@@ -1,6 +1,6 @@
 //! Quasi-static pushing: against sums over nodes, by symmetry, by energy, along paths.
 
-use tribos::friction::limit_surface;
+use tribos::friction::Area;
 use tribos::kernel::limit_surface::FrictionSet;
 use tribos::kernel::nalgebra::Vector2;
 use tribos::kernel::twist::Twist;
@@ -11,7 +11,10 @@ use tribos_tests::sweep::Lcg;
 use tribos_tests::tables::Table;
 
 fn set(patch: &str, centre: Option<[f64; 2]>) -> Box<dyn FrictionSet<f64>> {
-    limit_surface(&patch.parse().expect("a patch"), 1.0, 0.05, centre).expect("a set")
+    Area::named(&patch.parse().expect("a patch"), 0.05, centre)
+        .expect("a set")
+        .limit_surface(1.0)
+        .expect("a set")
 }
 
 fn finger(position: [f64; 2], normal: [f64; 2], mu: f64) -> PointContact {

@@ -26,7 +26,7 @@ pub use grains_body::GrainsSimulation;
 #[doc(hidden)]
 pub use measure::COLUMNS;
 pub use outcome::GrainsSummary;
-pub use ramp::{Ramp, RampError};
+pub use ramp::Ramp;
 
 #[cfg(test)]
 mod tests;

@@ -2,7 +2,7 @@
 
 use super::ramp::{RAMP, RAMP_NOT_NEGATIVE, Ramp};
 use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
-use crate::packing::{Radii, SIZES, SizeDistribution, SizesError};
+use crate::packing::{Radii, SIZES, SettingError, SizeDistribution};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use tribos_base::record::brief;
@@ -342,7 +342,7 @@ fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<
 
 impl GrainsScene {
     /// Distribution of the radii, in mean radii, if `size_distribution` gives one.
-    pub(crate) fn radii(&self) -> Result<Option<Radii>, SizesError> {
+    pub(crate) fn radii(&self) -> Result<Option<Radii>, SettingError> {
         self.size_distribution
             .as_ref()
             .map(SizeDistribution::radii)

@@ -22,7 +22,6 @@ pub use forces::ForceDistribution;
 pub use necks::{Neck, Necks};
 pub use pair_correlation::PairCorrelation;
 pub use profile::PorosityProfile;
-pub use series::measure_series;
 pub use stress::StressTensor;
 pub use table::Table;
 

@@ -216,7 +216,7 @@ pub(crate) fn stable_step_between(
 ) -> f64 {
     let sphere = solid(radius, material.density);
     let damping = if material.restitution > 0.0 {
-        soft::damping_ratio_of(material.restitution)
+        soft::Stiffness::damping_ratio_of(material.restitution)
     } else {
         springs.damping
     };

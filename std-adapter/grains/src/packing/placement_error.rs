@@ -1,6 +1,6 @@
 //! Why the spheres of a run cannot be placed.
 
-use crate::packing::SizesError;
+use crate::packing::SettingError;
 use crate::powder::deposit::MOST_SPHERES;
 use tribos_base::space::SpaceError;
 use tribos_contacts::event::{EventError, ImpactError};
@@ -37,7 +37,7 @@ pub enum PlacementError {
     Base(#[from] SpaceError),
     /// The distribution of the radii is refused.
     #[error(transparent)]
-    Sizes(#[from] SizesError),
+    Sizes(#[from] SettingError),
     /// The bounds of the radii are in the wrong order.
     #[error("the smallest radius, {low}, exceeds the largest, {high}")]
     Radii {

@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use tribos_base::record::number;
 use tribos_contacts::cd::Wall;
-use tribos_contacts::soft::{Stiffness, damping_ratio_of};
+use tribos_contacts::soft::Stiffness;
 
 /// Room above the piston and below the substrate in the box of the files, in R.
 const ROOM: f64 = 2.0;
@@ -177,7 +177,7 @@ fn laws(scene: &PowderScene) -> [String; 2] {
         Stiffness::Hertz(modulus) => format!("hertz {}", number(modulus)),
     };
     let ratio = if scene.restitution > 0.0 {
-        damping_ratio_of(scene.restitution)
+        Stiffness::damping_ratio_of(scene.restitution)
     } else {
         scene.damping_ratio
     };

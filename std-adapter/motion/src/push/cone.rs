@@ -9,9 +9,9 @@ use tribos_core::nalgebra::Vector2;
 /// All motions of a body that a contact can cause without sliding: those between two edges.
 ///
 /// ```
-/// use tribos::friction::limit_surface;
+/// use tribos::friction::Area;
 /// use tribos::push::PointContact;
-/// let puck = limit_surface(&"disk".parse()?, 1.0, 0.05, None)?; // N, m
+/// let puck = Area::named(&"disk".parse()?, 0.05, None)?.limit_surface(1.0)?; // N, m
 /// let finger = PointContact::new([-0.05, 0.0], [1.0, 0.0], 0.5)?;
 /// let cone = finger.motion_cone(&*puck)?;
 /// // The contact may move farther off the normal than the force: the body also turns.

@@ -15,9 +15,9 @@
 //! Places, velocities and forces are in the frame of the body, about the origin of its patch.
 //!
 //! ```
-//! use tribos::friction::limit_surface;
+//! use tribos::friction::Area;
 //! use tribos::push::{ContactMode, PointContact};
-//! let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // μN in N
+//! let table = Area::named(&"box:0.2x0.1".parse()?, 1.0, None)?.limit_surface(2.0)?; // μN in N
 //! // A finger at the lower long side, 4 cm to the right of the middle, pushes upwards.
 //! let finger = PointContact::new([0.04, -0.05], [0.0, 1.0], 0.3)?;
 //! let moved = finger.push(&*table, [0.0, 0.01])?; // m/s

@@ -57,9 +57,9 @@ pub enum PushedSide {
 /// A pusher that moves at constant velocity, and how its path is followed.
 ///
 /// ```
-/// use tribos::friction::limit_surface;
+/// use tribos::friction::Area;
 /// use tribos::push::{Pusher, PathEnd, PointContact, Pose, PushedSide};
-/// let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // N
+/// let table = Area::named(&"box:0.2x0.1".parse()?, 1.0, None)?.limit_surface(2.0)?; // N
 /// let drive = Pusher {
 ///     contact: PointContact::new([0.02, -0.05], [0.0, 1.0], 0.3)?,
 ///     side: PushedSide::Straight { right: 0.08, left: 0.12 },
@@ -401,11 +401,14 @@ impl<'a> Path<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribos_friction::limit_surface;
+    use tribos_friction::Area;
 
     #[test]
     fn the_end_of_a_side_is_found_to_any_tolerance() {
-        let table = limit_surface(&"box:0.3x0.2".parse().unwrap(), 8.0, 1.0, None).unwrap();
+        let table = Area::named(&"box:0.3x0.2".parse().unwrap(), 1.0, None)
+            .unwrap()
+            .limit_surface(8.0)
+            .unwrap();
         for tolerance in [1e-5, 1e-7, 1e-9, 1e-11] {
             let journey = Pusher {
                 contact: PointContact::new([0.05, -0.1], [0.0, 1.0], 0.1).unwrap(),

@@ -13,7 +13,7 @@ use tribos_base::record::json_number;
 use tribos_core::Real;
 use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{FrictionError, Patch, limit_surface};
+use tribos_friction::{Area, FrictionError, Patch};
 
 /// The scene of a pushed body that comes with the program.
 #[doc(hidden)]
@@ -46,12 +46,8 @@ impl PushScene {
     /// The path of a straight pusher that does not hold the body is not followed: it has its start alone.
     pub fn run(&self) -> Result<PushResult, PushError> {
         self.check()?;
-        let set = limit_surface(
-            &self.patch,
-            self.mu * self.load,
-            self.radius,
-            pair(self.centre_x, self.centre_y),
-        )?;
+        let set = Area::named(&self.patch, self.radius, pair(self.centre_x, self.centre_y))?
+            .limit_surface(self.mu * self.load)?;
         let shape = Shape::of(&self.patch, self.radius)?;
         let [x, y] = [self.contact_x, self.contact_y];
         let mu = self.mu_pusher;

@@ -43,10 +43,10 @@ impl std::fmt::Display for ContactMode {
 /// A quasi-static push.
 ///
 /// ```
-/// use tribos::friction::limit_surface;
+/// use tribos::friction::Area;
 /// use tribos::nalgebra::Vector2;
 /// use tribos::push::{ContactMode, PointContact};
-/// let puck = limit_surface(&"disk".parse()?, 1.0, 0.05, None)?; // N, m
+/// let puck = Area::named(&"disk".parse()?, 0.05, None)?.limit_surface(1.0)?; // N, m
 /// let slippery = PointContact::new([-0.05, 0.0], [1.0, 0.0], 0.1)?;
 /// let moved = slippery.push(&*puck, [0.01, 0.02])?; // m/s
 /// assert_eq!(moved.mode, ContactMode::SlidingLeft);
@@ -229,7 +229,10 @@ mod tests {
 
     impl Astray {
         fn disk(&self) -> Box<dyn FrictionSet<f64>> {
-            tribos_friction::limit_surface(&"disk".parse().unwrap(), 1.0, 0.05, None).unwrap()
+            tribos_friction::Area::named(&"disk".parse().unwrap(), 0.05, None)
+                .unwrap()
+                .limit_surface(1.0)
+                .unwrap()
         }
     }
 

@@ -26,7 +26,7 @@ use tribos_core::law::StickSlip;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::presliding::{Anchor, Pose, Presliding, PreslidingStep};
 use tribos_core::twist::{Displacement, Wrench};
-use tribos_friction::limit_surface;
+use tribos_friction::Area;
 
 /// Columns of the series.
 const COLUMNS: [&str; 8] = [
@@ -197,15 +197,16 @@ impl ClampedBody {
         let default = 0.5 * scene.radius * scene.radius;
         let lever_sq = scene.torsion_lever_squared.unwrap_or(default);
         let origin = Pose::new(0.0, 0.0, 0.0);
+        let area = Area::named(&scene.patch, scene.radius, None)?;
         let pad = |mu: f64, stiffness: f64| -> Result<Pad, MotionError> {
             let bonds = Presliding::new(stiffness, stiffness * lever_sq)?;
-            let set = limit_surface(&scene.patch, mu * scene.load, scene.radius, None)?;
+            let set = area.limit_surface(mu * scene.load)?;
             let anchor = Anchor::at(origin);
             Ok(Pad { set, bonds, anchor })
         };
         let limit = (scene.mu_first + scene.mu_second) * scene.load;
         Ok(Self {
-            both: limit_surface(&scene.patch, limit, scene.radius, None)?,
+            both: area.limit_surface(limit)?,
             pads: [
                 pad(scene.mu_first, scene.stiffness_first)?,
                 pad(scene.mu_second, scene.stiffness_second)?,

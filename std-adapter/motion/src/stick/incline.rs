@@ -16,7 +16,7 @@ use tribos_base::results::{Quantity, Reporting::*, Summary, summary};
 use tribos_core::Real;
 use tribos_core::law::{RestTime, StaticAgeing};
 use tribos_core::twist::Wrench;
-use tribos_friction::limit_surface;
+use tribos_friction::Area;
 
 /// Columns of the series.
 const COLUMNS: [&str; 6] = ["time", "angle", "position", "velocity", "drive", "friction"];
@@ -127,7 +127,7 @@ const HALVINGS: usize = 200;
 
 impl<'a> InclineProblem<'a> {
     fn new(scene: &'a InclineScene) -> Result<Self, MotionError> {
-        let surface = limit_surface(&scene.patch, 1.0, scene.radius, None)?;
+        let surface = Area::named(&scene.patch, scene.radius, None)?.limit_surface(1.0)?;
         Ok(Self {
             scene,
             ageing: StaticAgeing::new(

@@ -25,7 +25,7 @@ use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::limit_surface;
+use tribos_friction::Area;
 
 /// Columns of the series.
 const COLUMNS: [&str; 10] = [
@@ -153,14 +153,14 @@ const DOUBLINGS: u32 = 500;
 impl<'a> Table<'a> {
     fn new(scene: &'a TurntableScene) -> Result<Self, MotionError> {
         let weight = scene.mass * scene.gravity;
-        let surface = |mu: f64| limit_surface(&scene.patch, mu * weight, scene.radius, None);
+        let area = Area::named(&scene.patch, scene.radius, None)?;
         let gyration = scene.gyration_radius;
         Ok(Self {
             scene,
             body: PlanarBody::new(scene.mass, scene.mass * gyration * gyration)
                 .map_err(tribos_core::Error::from)?,
-            at_rest: surface(scene.mu_static)?,
-            in_motion: surface(scene.mu_dynamic)?,
+            at_rest: area.limit_surface(scene.mu_static * weight)?,
+            in_motion: area.limit_surface(scene.mu_dynamic * weight)?,
         })
     }
 

@@ -22,7 +22,7 @@ use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::patch::nodes::{Node, NodeSlice};
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{FrictionError, Patch, limit_surface, points_of};
+use tribos_friction::{Area, FrictionError, Patch, points_of};
 
 /// A measured push: a motion of the body, of which the direction alone counts, and the wrench on it.
 ///
@@ -79,10 +79,10 @@ impl SupportFit {
     ///
     /// ```
     /// use tribos::fit::support::{MeasuredPush, SupportFit};
-    /// use tribos::friction::limit_surface;
+    /// use tribos::friction::Area;
     /// use tribos::prelude::*;
     /// let tile: Patch = "box:0.2x0.1".parse()?; // m
-    /// let floor = limit_surface(&tile, 4.0, 1.0, None)?; // μN in N
+    /// let floor = Area::named(&tile, 1.0, None)?.limit_surface(4.0)?; // μN in N
     /// let pushes: Vec<MeasuredPush> = (0..40)
     ///     .map(|i| {
     ///         let (a, b) = (0.7 * f64::from(i), 1.3 * f64::from(i));
@@ -102,7 +102,7 @@ impl SupportFit {
         match known {
             None => judged(pushes, length, &nodes::disc(length), None),
             Some(patch @ Patch::Flat(flat)) => {
-                let surface = limit_surface(patch, 1.0, 1.0, None)?;
+                let surface = Area::named(patch, 1.0, None)?.limit_surface(1.0)?;
                 fit_support_within(pushes, &flat.loops()?, surface)
             }
             Some(Patch::Points(file)) => Self::at(pushes, &points_of(file)?),
