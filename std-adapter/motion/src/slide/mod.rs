@@ -61,7 +61,7 @@ fn energy_at_launch(energy: f64) -> Result<f64, MotionError> {
     }
 }
 
-/// Columns as in [`COLUMNS`].
+/// The run of a scene, with these [`COLUMNS`].
 type SlideRun = SceneRun<SlideSummary, { COLUMNS.len() }>;
 
 /// Runs a scene; `progress` receives the completed fraction after every step.

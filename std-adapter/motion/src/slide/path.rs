@@ -125,7 +125,7 @@ summary! {
     energy_error: f64, "-", Swept;
 }
 
-/// Columns as in [`COLUMNS`].
+/// The run of a scene, with these [`COLUMNS`].
 pub(super) type PathRun = SceneRun<PlanarSummary, { COLUMNS.len() }>;
 
 /// Gives planar scenes the method that runs them.

@@ -61,7 +61,7 @@ summary! {
     most_position: f64, "m", Swept;
 }
 
-/// Columns as in [`COLUMNS`].
+/// The run of a scene, with these [`COLUMNS`].
 type ClampRun = SceneRun<ClampSummary, { COLUMNS.len() }>;
 
 impl ClampScene {

@@ -44,7 +44,7 @@ summary! {
     end_angle: f64, "rad", Swept;
 }
 
-/// Columns as in [`COLUMNS`].
+/// The run of a scene, with these [`COLUMNS`].
 type InclineRun = SceneRun<InclineSummary, { COLUMNS.len() }>;
 
 impl InclineScene {

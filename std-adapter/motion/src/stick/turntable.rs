@@ -57,7 +57,7 @@ summary! {
     angle: f64, "rad", Swept;
 }
 
-/// Columns as in [`COLUMNS`].
+/// The run of a scene, with these [`COLUMNS`].
 type TurntableRun = SceneRun<TurntableSummary, { COLUMNS.len() }>;
 
 impl TurntableScene {

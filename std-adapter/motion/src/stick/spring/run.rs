@@ -31,7 +31,7 @@ const COLUMNS: [&str; 8] = [
 const MOST_STEPS: u64 = 20_000_000;
 const BETWEEN: u64 = 1024;
 
-/// Columns as in [`COLUMNS`].
+/// The run of a scene, with these [`COLUMNS`].
 type SpringRun = SceneRun<SpringSummary, { COLUMNS.len() }>;
 
 impl SpringScene {
