@@ -104,12 +104,12 @@ pub fn cost(scene: &PowderScene) -> Result<PackingCost, PackingRunError> {
     let unequal = spread || scene.second_fraction > 0.0 || scene.initial_state.is_some();
     // The load on a column of spheres of radius 1.
     let usual = (1.0, 4.0 * scene.pressure);
-    Ok(PackingCost::measured(
+    PackingCost::measured(
         &scene.contact_keys(),
         usual,
         (spheres, unequal),
         contacts_a_sphere,
-    )?)
+    )
 }
 
 #[cfg(test)]

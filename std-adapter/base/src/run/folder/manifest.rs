@@ -97,10 +97,7 @@ impl Manifest {
             ("files".to_owned(), files.into()),
             ("digests".to_owned(), self.digests.clone().into()),
         ]);
-        Ok(write_atomically_there(
-            &folder.join(NAME),
-            with_digest(map).as_bytes(),
-        )?)
+        write_atomically_there(&folder.join(NAME), with_digest(map).as_bytes())
     }
 
     /// Records the digests of files.

@@ -136,7 +136,7 @@ impl OutputFolder {
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), RecordError> {
         self.check()?;
         write_atomically_there(&self.path().join(name), bytes)
-            .map_err(|error| self.check().err().unwrap_or_else(|| error.into()))
+            .map_err(|error| self.check().err().unwrap_or(error))
     }
 
     /// Adds names to the manifest; call it before writing files that were not named at the start.
@@ -231,7 +231,7 @@ fn refuse_foreign_files(path: &Path, files: &[&str], known: &[String]) -> Result
 /// Removes the files that a name in a manifest denotes.
 fn remove(path: &Path, name: &str) -> Result<(), RecordError> {
     if let Some(folder) = name.strip_suffix('/') {
-        return Ok(FrameFolder::clear(&path.join(folder))?);
+        return FrameFolder::clear(&path.join(folder));
     }
     for file in matching(path, name)? {
         remove_file(&file)?;
