@@ -4,14 +4,10 @@ use std::error::Error;
 use std::path::Path;
 use tribos::friction::FrictionError;
 use tribos::golden::MeasureError;
-use tribos::motion::MotionError;
 use tribos::push::PushError;
-use tribos::record::frames::FrameError;
-use tribos::record::{TableError, WriteError};
-use tribos::run::folder::FolderError;
-use tribos::run::{NoCheckpoint, PackingRunError, RunError};
-use tribos::slide::SlideError;
-use tribos::stick::StickError;
+use tribos::record::{RecordError, TableError};
+use tribos::run::{PackingRunError, RunError};
+use tribos::slide::MotionError;
 use tribos::tip::TipError;
 use tribos_report::figure::FigureError;
 use tribos_report::image::ImageError;
@@ -114,8 +110,8 @@ impl Failure {
     }
 }
 
-impl<P: Error + 'static> From<PackingRunError<P>> for Failure {
-    fn from(error: PackingRunError<P>) -> Self {
+impl From<PackingRunError> for Failure {
+    fn from(error: PackingRunError) -> Self {
         if error.is_runtime_failure() {
             Self::run(error)
         } else {
@@ -125,22 +121,13 @@ impl<P: Error + 'static> From<PackingRunError<P>> for Failure {
     }
 }
 
-impl From<WriteError> for Failure {
-    fn from(error: WriteError) -> Self {
-        if error.is_out_of_room() {
-            Self::NoRoom(format!(
-                "{error}\n  Files written before it are whole and kept, also one of this name. Make room."
-            ))
-        } else {
-            Self::run(error)
-        }
-    }
-}
-
-impl From<FrameError> for Failure {
-    fn from(error: FrameError) -> Self {
+impl From<RecordError> for Failure {
+    fn from(error: RecordError) -> Self {
         match error {
-            FrameError::Write(error) => error.into(),
+            error if error.is_out_of_room() => Self::NoRoom(format!(
+                "{error}\n  Files written before it are whole and kept, also one of this name. Make room."
+            )),
+            RecordError::Write { .. } | RecordError::Lost(_) => Self::run(error),
             // What is there cannot be used, or is asked for what it is not.
             _ => Self::input(error),
         }
@@ -153,34 +140,15 @@ impl From<TableError> for Failure {
     }
 }
 
-impl From<NoCheckpoint> for Failure {
-    fn from(error: NoCheckpoint) -> Self {
-        Self::input(error)
-    }
-}
-
-impl From<FolderError> for Failure {
-    fn from(error: FolderError) -> Self {
-        match error {
-            FolderError::Refused(_) => Self::input(error),
-            FolderError::Access(_) => Self::run(error),
-            FolderError::Write(error) => error.into(),
-            FolderError::Frames(error) => error.into(),
-        }
-    }
-}
-
 impl<E: Error + Into<Failure>> From<RunError<E>> for Failure {
     fn from(error: RunError<E>) -> Self {
         match error {
             RunError::Scene(error) | RunError::Checkpoint(error) => error.into(),
-            RunError::Folder(error) => error.into(),
-            RunError::Write(error) => error.into(),
+            RunError::Record(error) => error.into(),
             RunError::Frames(error) => error.into(),
             // A folder of frames that went away under its run is no bad input.
-            RunError::Recording(FrameError::Access { .. }) => Self::run(error),
+            RunError::Recording(RecordError::Access { .. }) => Self::run(error),
             RunError::Recording(error) => error.into(),
-            RunError::NoCheckpoint(error) => error.into(),
             RunError::Cancelled(step) => {
                 Self::Interrupted(format!("interrupted after step {step}"))
             }
@@ -189,24 +157,17 @@ impl<E: Error + Into<Failure>> From<RunError<E>> for Failure {
     }
 }
 
-impl From<SlideError> for Failure {
-    fn from(error: SlideError) -> Self {
+impl From<MotionError> for Failure {
+    fn from(error: MotionError) -> Self {
         match error {
-            SlideError::NotFinite { .. } | SlideError::TooStiff { .. } => Self::run(error),
-            SlideError::Interrupted { .. } => Self::Interrupted(error.to_string()),
+            MotionError::NotFinite { .. }
+            | MotionError::NotFiniteAt { .. }
+            | MotionError::TooManyStepsAt { .. }
+            | MotionError::TooStiff { .. }
+            | MotionError::TooSlow { .. }
+            | MotionError::Unbalanced { .. } => Self::run(error),
+            error if error.is_interruption() => Self::Interrupted(error.to_string()),
             // The kernel or the planning refused a number of the scene.
-            _ => Self::input(error),
-        }
-    }
-}
-
-impl From<StickError> for Failure {
-    fn from(error: StickError) -> Self {
-        match error {
-            StickError::NotFinite { .. } | StickError::TooManySteps { .. } => Self::run(error),
-            StickError::TooSlow { .. } | StickError::Unbalanced { .. } => Self::run(error),
-            StickError::Interrupted { .. } => Self::Interrupted(error.to_string()),
-            StickError::Choice(refusal) => refusal.into(),
             _ => Self::input(error),
         }
     }
@@ -232,23 +193,12 @@ impl From<PushError> for Failure {
     }
 }
 
-impl From<MotionError> for Failure {
-    fn from(error: MotionError) -> Self {
-        match error {
-            MotionError::Slide(error) => error.into(),
-            MotionError::Stick(error) => error.into(),
-        }
-    }
-}
-
 impl From<MeasureError> for Failure {
     fn from(error: MeasureError) -> Self {
         match error {
             MeasureError::Motion(error) => error.into(),
-            MeasureError::Compaction(error) => error.into(),
-            MeasureError::Gas(error) => error.into(),
+            MeasureError::Packing(error) => error.into(),
             MeasureError::Tip(error) => error.into(),
-            MeasureError::Grains(error) => error.into(),
         }
     }
 }

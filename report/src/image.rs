@@ -4,7 +4,7 @@ use super::figure::{Figure, FigureError, Panels, canvas};
 use super::packing::PackingPicture;
 use super::surface::Surface;
 use std::path::{Path, PathBuf};
-use tribos::record::{WriteError, write_atomically};
+use tribos::record::{RecordError, write_atomically};
 
 /// Why a drawing could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -14,7 +14,7 @@ pub enum ImageError {
     Figure(#[from] FigureError),
     /// The file cannot be written.
     #[error(transparent)]
-    Write(#[from] WriteError),
+    Write(#[from] RecordError),
     /// The file extension is not that of a supported format.
     #[error("{}: end the name in .svg, .png or .csv", .0.display())]
     Ending(PathBuf),

@@ -1,10 +1,8 @@
 //! Golden files: results of scenes, pinned to the bit, to be checked later and on other machines.
 
-use crate::gas::GasError;
-use crate::grains::GrainsError;
-use crate::motion::MotionError;
-use crate::powder::CompactionError;
+use crate::run::PackingRunError;
 use crate::scene::Scene;
+use crate::slide::MotionError;
 use crate::tip::TipError;
 pub use tribos_base::golden::{
     Difference, Digest, FORMAT, Golden, GoldenError, Measurement, Pinned, Quantity,
@@ -16,26 +14,19 @@ pub use tribos_base::golden::{
 /// ```
 /// use tribos::golden::{MeasureError, measure};
 /// use tribos::scene::CylinderScene;
-/// use tribos::motion::MotionError;
-/// use tribos::slide::SlideError;
+/// use tribos::slide::MotionError;
 /// let tower = CylinderScene { radius: 0.08, height: 1.0, ..CylinderScene::default() };
 /// let tipped = measure(&tower.into(), || ());
-/// assert!(matches!(tipped, Err(MeasureError::Motion(MotionError::Slide(SlideError::Tips { .. })))));
+/// assert!(matches!(tipped, Err(MeasureError::Motion(MotionError::Tips { .. }))));
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum MeasureError {
     /// A body that slides, or holds and slips.
     #[error(transparent)]
     Motion(#[from] MotionError),
-    /// A powder.
+    /// A powder, grains in a box or a gas.
     #[error(transparent)]
-    Compaction(#[from] CompactionError),
-    /// Grains in a box.
-    #[error(transparent)]
-    Grains(#[from] GrainsError),
-    /// A gas.
-    #[error(transparent)]
-    Gas(#[from] GasError),
+    Packing(#[from] PackingRunError),
     /// A tip.
     #[error(transparent)]
     Tip(#[from] TipError),

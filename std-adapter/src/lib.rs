@@ -10,11 +10,11 @@
 //! A puck that slides and spins: both motions end in the same moment.
 //!
 //! ```
-//! use tribos::{scene::DiskScene, slide::run};
+//! use tribos::scene::DiskScene;
 //! let puck = DiskScene { speed: 1.0, spin: 5.0, gamma: 0.3, ..DiskScene::default() };
-//! let end = run(&puck, |_done| ())?.outcome; // m/s, rad/s
+//! let end = puck.run()?.outcome; // m/s, rad/s
 //! assert!((end.end_time - 0.369017132104558).abs() < 1e-9); // s
-//! # Ok::<(), tribos::slide::SlideError>(())
+//! # Ok::<(), tribos::slide::MotionError>(())
 //! ```
 //!
 //! A patch and a law chosen by name:
@@ -32,12 +32,12 @@
 //! A curling stone that turns counterclockwise, and curls to the left:
 //!
 //! ```
-//! use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
+//! use tribos::scene::{CurlingScene, IceModel};
 //! let model = IceModel::ScratchGuide;
 //! let stone = CurlingScene { model, speed: 1.9866, spin: 1.5, ..CurlingScene::default() }; // m/s, rad/s
-//! let end = run_planar(&stone)?.outcome;
+//! let end = stone.run()?.outcome;
 //! assert!(end.x > 28.3 && end.curl > 0.9); // m on, and to the left
-//! # Ok::<(), tribos::slide::SlideError>(())
+//! # Ok::<(), tribos::slide::MotionError>(())
 //! ```
 //!
 //! A billiard ball, struck through its centre, ends rolling with 5/7 of its speed:
@@ -64,7 +64,7 @@
 //! run_to_end(&mut compaction, |_line, _done| ())?;
 //! let outcome = compaction.outcome();
 //! assert!(outcome.porosity_final < outcome.porosity_initial);
-//! # Ok::<(), tribos::powder::CompactionError>(())
+//! # Ok::<(), tribos::run::PackingRunError>(())
 //! ```
 //!
 //! # Modules
@@ -105,8 +105,12 @@ pub mod friction {
 pub mod run {
     #[doc(inline)]
     pub use tribos_base::run::*;
+    #[doc(hidden)]
+    pub use tribos_grains::packing::PackingRun;
     #[doc(inline)]
-    pub use tribos_grains::packing::{PackingRun, PackingRunError, PackingStopReason};
+    pub use tribos_grains::packing::{PackingRunError, PackingStopReason, PlacementError};
+    #[doc(inline)]
+    pub use tribos_motion::SceneRun;
 }
 
 #[doc(hidden)]

@@ -3,7 +3,7 @@
 //! ```
 //! use tribos::prelude::*;
 //! let puck = DiskScene { speed: 2.0, spin: 40.0, ..DiskScene::default() }; // m/s, rad/s
-//! let rest = slide::run(&puck, |_| ())?.outcome;
+//! let rest = puck.run()?.outcome;
 //! assert!(rest.distance > 0.0); // m
 //! let hertz = AnyFriction::<f64>::new(&Patch::Hertz, &Law::coulomb(0.3)?, None)?;
 //! let wrench = hertz.with_radius(0.01)?.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // m; N
@@ -16,8 +16,7 @@ pub use crate::gas::GasSimulation;
 pub use crate::grains::GrainsSimulation;
 pub use crate::powder::PowderSimulation;
 pub use crate::run::{Session, run_to_end};
+pub use crate::scene::Scene;
 pub use crate::scene::scenes::*;
-pub use crate::scene::{Scene, parse_scene, read_scene};
-pub use crate::slide;
 pub use crate::tip::TipSimulation;
 pub use tribos_core::prelude::*;

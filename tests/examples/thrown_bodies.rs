@@ -8,7 +8,7 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 use tribos::friction::Flat;
-use tribos::slide::planar::{PlanarLaunch, PlanarSimulation, Plate, Resistance, TallCylinder};
+use tribos::slide::planar::{Launch, PlanarSimulation, Plate, Resistance, TallCylinder};
 use tribos_core::patch::outline::{Edge, Polygon};
 
 /// Acceleration of gravity, in m/s².
@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn throws(name: &str, body: &impl Resistance) -> Result<(), Box<dyn Error>> {
     for spin in SPINS {
         let velocity = [SPEED, 0.0];
-        let end = PlanarSimulation::new(body, &PlanarLaunch { velocity, spin }, 1e-4)?.to_end()?;
+        let end = PlanarSimulation::new(body, &Launch { velocity, spin }, 1e-4)?.to_end()?;
         let [travel, left] = end.point.position.map(to_tenths_of_micrometres);
         let turn = end.point.angle;
         println!("{name},{spin},{travel:.7},{left:.7},{turn:.6}");

@@ -37,10 +37,9 @@ use section_cache::SectionCache;
 use std::fmt;
 use std::path::Path;
 use std::time::Duration;
-use tribos::powder::CompactionError;
 use tribos::record::{series_csv, write_atomically};
-use tribos::run::RunError;
 use tribos::run::folder::{Contents, OutputFolder};
+use tribos::run::{PackingRunError, RunError};
 use tribos::tip::TipError;
 use tribos_report::image;
 use tribos_report::page::{FigureRef, Section};
@@ -178,7 +177,7 @@ pub fn is_interruption(error: &anyhow::Error) -> bool {
         )
     }
     error.is::<Interrupted>()
-        || is_cancelled::<CompactionError>(error)
+        || is_cancelled::<PackingRunError>(error)
         || is_cancelled::<TipError>(error)
 }
 

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use tribos::friction::finite_number;
-use tribos::run::folder::FolderError;
+use tribos::record::RecordError;
 use tribos::run::program::{self, Program};
 use tribos_thesis::{Effort, Reader, Report, UnknownName, chosen, is_interruption};
 
@@ -137,7 +137,7 @@ fn explain(error: &Error) -> (u8, String) {
         let text = "interrupted while exhibits were made; what was finished is kept\n  Give the same command again.";
         return (INTERRUPTED, text.into());
     }
-    let is_refused = matches!(error.downcast_ref(), Some(FolderError::Refused(_)));
+    let is_refused = matches!(error.downcast_ref(), Some(RecordError::Refused(_)));
     let text = format!("error: {}", causes(error));
     if is_refused || error.is::<UnknownName>() {
         return (BAD_INPUT, text);

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use tribos::random::Random;
-use tribos::space::pairs::{Cells, NeighbourError};
-use tribos::space::{PeriodicBox, PeriodicBoxError};
+use tribos::space::pairs::Cells;
+use tribos::space::{PeriodicBox, SpaceError};
 
 /// Solid fraction, above random close packing (0.64): there are more contacts than forces can determine.
 pub const SOLID_FRACTION: f64 = 0.66;
@@ -44,14 +44,8 @@ impl core::fmt::Display for NotJammed {
 
 impl core::error::Error for NotJammed {}
 
-impl From<NeighbourError> for NotJammed {
-    fn from(error: NeighbourError) -> Self {
-        Self(error.to_string())
-    }
-}
-
-impl From<PeriodicBoxError> for NotJammed {
-    fn from(error: PeriodicBoxError) -> Self {
+impl From<SpaceError> for NotJammed {
+    fn from(error: SpaceError) -> Self {
         Self(error.to_string())
     }
 }

@@ -5,13 +5,8 @@ use crate::patch::Patch;
 use crate::threads::detached;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use tribos::fit::support::{
-    MeasuredPush, MeasuredPushError, SupportFit, fit_support as fitted, fit_support_at,
-    fit_support_within,
-};
-use tribos::fit::{
-    DataError, Fit, FitError, FitLaw, FitOptions, Measurements, Uncertainty, fit, law_model,
-};
+use tribos::fit::support::{MeasuredPush, SupportFit, fit_support_within};
+use tribos::fit::{Fit, FitError, FitLaw, FitOptions, Measurements, Uncertainty};
 use tribos::friction::{Area, Flat};
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::nodes::NodePatch;
@@ -37,9 +32,8 @@ fn data((velocities, friction, times, sigma): Columns) -> Result<Measurements, F
 
 fn told(error: FitError) -> PyErr {
     match error {
-        FitError::Data(DataError::Point { point, message }) => {
-            refused(format!("point {point}: {message}"))
-        }
+        FitError::Point { point, message } => refused(format!("point {point}: {message}")),
+        FitError::Push { push, message } => refused(format!("push {push}: {message}")),
         other => refused(other),
     }
 }
@@ -56,8 +50,8 @@ pub fn fit_law<'py>(
     let law: FitLaw = law.parse().map_err(refused)?;
     let found = detached(py, || {
         let data = data(columns)?;
-        let model = law_model(law, &data)?;
-        fit(model.as_ref(), &data, &FitOptions { fixed, starts })
+        let model = law.model(&data)?;
+        data.fit(model.as_ref(), &FitOptions { fixed, starts })
     })?;
     result(py, &found.map_err(told)?)
 }
@@ -114,17 +108,10 @@ pub fn predict_law(
         // Any friction along the motion serves: models take their places from the data alone.
         let friction = velocities.iter().map(|v| v.signum()).collect();
         let data = data((velocities, friction, times, None))?;
-        Ok(law_model(law, &data)?.predict(&values))
+        Ok(law.model(&data)?.predict(&values))
     })?;
     let refusal = || refused("the law refuses these values");
     predicted.map_err(told)?.ok_or_else(refusal)
-}
-
-fn refusal(error: MeasuredPushError) -> PyErr {
-    match error {
-        MeasuredPushError::Push { push, message } => refused(format!("push {push}: {message}")),
-        other => refused(other),
-    }
 }
 
 /// The limit surface of μN = 1 on a patch with straight edges.
@@ -157,13 +144,13 @@ pub fn fit_support<'py>(
     let area = patch.map(|patch| &patch.0);
     let fit: PyResult<SupportFit> = detached(py, || {
         match area {
-            None => fitted(&pushes, None),
+            None => SupportFit::new(&pushes, None),
             Some(Area::Flat(Flat::Points(points))) => {
-                fit_support_at(&pushes, points.nodes().nodes())
+                SupportFit::at(&pushes, points.nodes().nodes())
             }
             Some(area) => fit_support_within(&pushes, &loops, unit_surface(area)?),
         }
-        .map_err(refusal)
+        .map_err(told)
     })?;
     let fit = fit?;
     let models = fit.models.iter();

@@ -7,11 +7,10 @@ use crate::surface::LimitSurface;
 use crate::threads::{detached, fill};
 use pyo3::prelude::*;
 use tribos::push::{
-    ConeEdge, ContactMode, LineContact, PathEnd, PathSample, PointContact, Pose, PushError,
-    PushPath, PushedSide, Pusher, QuasiStaticPush,
+    ContactMode, LineContact, PathEnd, PathSample, PointContact, Pose, PushError, PushPath,
+    PushedSide, Pusher, QuasiStaticPush,
 };
 use tribos_core::limit_surface::FrictionSet;
-use tribos_core::nalgebra::Vector2;
 
 /// Nanoseconds that a push takes, about.
 const COST: usize = 5_000;
@@ -68,11 +67,11 @@ fn joined<const M: usize>(parts: &[&[f64]]) -> [f64; M] {
     row
 }
 
-fn edge_numbers(edge: &ConeEdge) -> [f64; 8] {
+fn edge_numbers(edge: &QuasiStaticPush) -> [f64; 8] {
     joined(&[
         &numbers(&edge.wrench),
         &twist_numbers(&edge.twist),
-        edge.velocity.as_slice(),
+        edge.contact_velocity.as_slice(),
     ])
 }
 
@@ -114,7 +113,7 @@ pub fn motion_cone<'py>(
     contacts: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyAny>> {
     each::<5, 18>(py, surface, force_limit, contacts, |set, row| {
-        let cone = tribos::push::motion_cone(set, &contact(row)?)?;
+        let cone = contact(row)?.motion_cone(set)?;
         Ok(joined(&[
             &edge_numbers(&cone.right),
             &edge_numbers(&cone.left),
@@ -138,7 +137,7 @@ pub fn pushes<'py>(
         contacts,
         |set, [x, y, nx, ny, mu, u, v]| {
             let contact = contact([x, y, nx, ny, mu])?;
-            Ok(push_numbers(&tribos::push::push(set, &contact, [u, v])?))
+            Ok(push_numbers(&contact.push(set, [u, v])?))
         },
     )
 }
@@ -148,7 +147,7 @@ fn moment_numbers(moment: &PathSample) -> [f64; 17] {
     let pose = &moment.pose;
     joined(&[
         &[moment.time],
-        pose.position.as_slice(),
+        &[pose.x, pose.y],
         &[pose.angle],
         moment.contact.as_slice(),
         &push_numbers(&moment.push),
@@ -178,19 +177,14 @@ pub fn push_along<'py>(
             Some([right, left]) => PushedSide::Straight { right, left },
             None => PushedSide::Round,
         },
-        start: Pose {
-            position: Vector2::new(x, y),
-            angle,
-        },
+        start: Pose { x, y, angle },
         velocity,
         duration,
         samples,
         tolerance,
     };
     let journey: PushPath = detached(py, || {
-        let journey = surface
-            .sets
-            .with(force_limit, |set| tribos::push::push_path(set, &drive))?;
+        let journey = surface.sets.with(force_limit, |set| drive.path(set))?;
         journey.map_err(refused)
     })??;
     let end = match journey.end {

@@ -16,7 +16,8 @@ use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use tribos::record::Partner;
-use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder};
+use tribos::record::RecordError;
+use tribos::record::frames::{Bodies, Frame, FrameFolder};
 use tribos::run::folder::Manifest;
 use tribos::scene::RunBy;
 use tribos_cli::failure::Failure;
@@ -314,7 +315,7 @@ impl Film {
     }
 }
 
-fn unread(error: FrameError) -> PyErr {
+fn unread(error: RecordError) -> PyErr {
     PyOSError::new_err(error.to_string())
 }
 

@@ -8,8 +8,7 @@ use serde_json::Value;
 use std::ffi::CString;
 use std::path::PathBuf;
 use tribos::scene::{
-    Domain, Key, LIBRARY, Need, Scene, SceneError, Vocabulary, bodies, earlier_names, parse_scene,
-    read_scene, vocabulary,
+    Domain, Key, LIBRARY, Need, Scene, SceneError, Vocabulary, bodies, earlier_names, vocabulary,
 };
 
 /// What every body's scenes may say: a dictionary a body, with its keys.
@@ -20,7 +19,7 @@ pub fn vocabularies(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
         let body = PyDict::new(py);
         body.set_item("body", known.body)?;
         body.set_item("title", known.title)?;
-        let example = parse_scene(known.body, &known.least_text(), &[]).map_err(refused)?;
+        let example = Scene::parse(known.body, &known.least_text(), &[]).map_err(refused)?;
         let (values, defaults) = (example.json(), known.defaults());
         let keys = PyList::empty(py);
         for key in known.keys.iter().filter(|key| key.name != "body") {
@@ -79,7 +78,7 @@ fn is_chosen(known: &Vocabulary, key: &Key, default: &Value) -> bool {
             .collect(),
         _ => Vec::new(),
     });
-    let values = |setting| parse_scene("", &known.least_text(), &[setting]).ok();
+    let values = |setting| Scene::parse("", &known.least_text(), &[setting]).ok();
     let mut held = settings.filter_map(values).map(|scene| scene.json());
     !is_needed(key.need)
         && held.any(|values| {
@@ -119,7 +118,7 @@ pub fn scene_of_file(
     path: PathBuf,
     overrides: Vec<String>,
 ) -> PyResult<(&'static str, Py<PyAny>)> {
-    let scene = read_scene(&path, &overrides).map_err(|error| match error {
+    let scene = Scene::read(&path, &overrides).map_err(|error| match error {
         SceneError::Unreadable { .. } => PyOSError::new_err(error.to_string()),
         SceneError::Invalid { .. } => plain(error),
     })?;
@@ -137,7 +136,7 @@ pub fn scene_of_settings(
     settings: Vec<String>,
 ) -> PyResult<Py<PyAny>> {
     let text = format!("body = \"{body}\"\n");
-    match parse_scene(name, &text, &settings) {
+    match Scene::parse(name, &text, &settings) {
         Ok(scene) => Ok(shown(py, &scene)?.1),
         Err(SceneError::Invalid { problems, .. }) => {
             let all = problems.iter().map(|problem| problem.message());
@@ -150,7 +149,7 @@ pub fn scene_of_settings(
 
 /// A scene of a text, with the library's refusal.
 pub fn parse(name: &str, text: &str, overrides: &[String]) -> PyResult<Scene> {
-    parse_scene(name, text, overrides).map_err(plain)
+    Scene::parse(name, text, overrides).map_err(plain)
 }
 
 /// A refusal in which overrides are not options of a command.

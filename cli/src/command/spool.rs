@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
-use tribos::record::{WriteError, write_atomically_with};
+use tribos::record::{RecordError, write_atomically_with};
 
 /// Where text goes before it is delivered.
 pub struct Sink<'a> {
@@ -27,7 +27,7 @@ impl Sink<'_> {
 
     fn failure(&self, cause: io::Error) -> Failure {
         let path = self.name.clone();
-        WriteError { path, cause }.into()
+        RecordError::Write { path, cause }.into()
     }
 }
 
@@ -50,7 +50,7 @@ pub fn deliver(
         None => {
             // A file without a name: nothing of it is left, however the program ends.
             let folder = std::env::temp_dir();
-            let fail = |cause| WriteError {
+            let fail = |cause| RecordError::Write {
                 path: folder.clone(),
                 cause,
             };

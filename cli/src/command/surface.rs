@@ -5,7 +5,7 @@ use super::{digits, file, number, spool};
 use crate::failure::Failure;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use tribos::friction::{FlatPatch, Patch, limit_surface};
+use tribos::friction::{Area, FlatPatch, Patch};
 use tribos::record::Rows;
 use tribos::record::{number as shortest, series_csv, write_atomically};
 use tribos_core::Real;
@@ -122,7 +122,7 @@ impl Arguments {
             ));
         }
         let limit = self.coefficient * self.load;
-        let set = limit_surface(&self.patch, limit, self.radius, self.centre)?;
+        let set = Area::named(&self.patch, self.radius, self.centre)?.limit_surface(limit)?;
         if let Some(path) = &self.picture {
             draw(path, &self.patch, &*set)?;
             super::note(format_args!("written to    {}", path.display()));

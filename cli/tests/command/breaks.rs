@@ -14,7 +14,7 @@ use tribos::grains::GrainsSimulation;
 use tribos::powder::PowderSimulation;
 use tribos::run::LongRun;
 use tribos::run::folder::Manifest;
-use tribos::scene::{Scene, read_scene};
+use tribos::scene::Scene;
 use tribos::tip::TipSimulation;
 
 /// Some twenty spheres, and 748 atoms: a second or two each.
@@ -222,7 +222,7 @@ fn last_checkpoint(scene: &Path) -> Result<String, Error> {
         while run.step()? {}
         Ok(run.checkpoint())
     }
-    match read_scene(scene, &[])? {
+    match Scene::read(scene, &[])? {
         Scene::Powder(scene) => ended::<PowderSimulation>(&scene),
         Scene::Grains(scene) => ended::<GrainsSimulation>(&scene),
         Scene::Gas(scene) => ended::<GasSimulation>(&scene),

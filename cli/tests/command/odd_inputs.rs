@@ -5,7 +5,6 @@ use assert_cmd::Command;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use tribos::scene::DiskScene;
-use tribos::slide;
 
 /// Numbers that break things.
 const ODD: &[&str] = &[
@@ -98,9 +97,9 @@ proptest! {
         };
         if let Ok(scene) = DiskScene::parse("text", base, &overrides)
             && bounded(&scene)
-            && let Ok(result) = slide::run(&scene, |_| ())
+            && let Ok(result) = scene.run()
         {
-            for row in &result.series {
+            for row in &result.rows {
                 prop_assert!(row.iter().take(5).all(|x| x.is_finite()));
             }
         }

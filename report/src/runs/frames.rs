@@ -3,7 +3,8 @@
 use crate::player::{Film, MovieError, solid_film};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder, Kind};
+use tribos::record::RecordError;
+use tribos::record::frames::{Bodies, Frame, FrameFolder, Kind};
 use tribos::scene::with_present_names;
 
 /// Why a run cannot be shown as a film.
@@ -14,7 +15,7 @@ pub enum FilmError {
     Missing(PathBuf),
     /// The frames cannot be read.
     #[error(transparent)]
-    Frames(#[from] FrameError),
+    Frames(#[from] RecordError),
     /// The frames cannot be made into a film.
     #[error(transparent)]
     Movie(#[from] MovieError),

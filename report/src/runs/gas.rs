@@ -2,15 +2,16 @@
 
 use crate::figure::{Axis, Figure, Panels, Series};
 use crate::packing::{Packing, PackingError, PackingPicture};
-use tribos::gas::{COLUMNS, GasError, GasSimulation};
+use tribos::gas::{COLUMNS, GasSimulation};
 use tribos::record::Snapshot;
+use tribos::run::PackingRunError;
 
 /// Why the spheres of a gas cannot be drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum GasPictureError {
     /// The gas has no state.
     #[error(transparent)]
-    Gas(#[from] GasError),
+    Gas(#[from] PackingRunError),
     /// The spheres cannot be drawn.
     #[error(transparent)]
     Packing(#[from] PackingError),

@@ -123,9 +123,20 @@ impl<R: Precision> Area<R> {
         }
     }
 
-    /// All wrenches that dry friction carries on it under the force limit μN, in N: [`limit_surface`].
+    /// All wrenches that dry friction carries on it, exact to rounding, under the force limit μN, in N.
     ///
-    /// [`limit_surface`]: super::limit_surface
+    /// The set of points has flat facets, whose normal is the rotation about a point.
+    ///
+    /// ```
+    /// use tribos::friction::Area;
+    /// use tribos::prelude::*;
+    /// let table = Area::named(&"box:0.2x0.1".parse()?, 1.0, None)?.limit_surface(2.0)?; // N, m
+    /// let motion = table.twist_normal_to(&Wrench::new(0.0, 2.0, 0.08)); // N, N, N m
+    /// assert!(motion.velocity.y > 0.0 && motion.spin > 0.0);
+    /// let puck = Area::named(&Patch::Disk, 0.04, None)?.limit_surface(0.5)?;
+    /// assert!((puck.gauge(&Wrench::new(0.0, 0.0, 0.5 * 0.04 * 2.0 / 3.0)) - 1.0).abs() < 1e-14);
+    /// # Ok::<(), tribos::friction::FrictionError>(())
+    /// ```
     pub fn limit_surface(
         &self,
         force_limit: R,

@@ -1,6 +1,6 @@
 //! Whether a patch by name holds a push at rest.
 
-use super::{FrictionError, Patch, limit_surface};
+use super::{Area, FrictionError, Patch};
 use tribos_core::holding::StictionBounds;
 use tribos_core::law::DryFriction;
 use tribos_core::limit_surface::FrictionSet;
@@ -12,7 +12,7 @@ use tribos_core::twist::{Twist, Wrench};
 /// depends on how the bonds of the contact share the push (see [`tribos_core::holding`]).
 ///
 /// *Units*: `load` in N, `radius` of round patches in m; pushes act on the body at the origin of the
-/// patch, in N and N m. *Accuracy*: that of [`limit_surface`].
+/// patch, in N and N m. *Accuracy*: that of [`Area::limit_surface`].
 ///
 /// ```
 /// use tribos::friction::StictionTest;
@@ -31,7 +31,7 @@ pub struct StictionTest {
 }
 
 impl StictionTest {
-    /// *Domain*: that of [`limit_surface`], whose last three arguments these are; 0 ≤ `load` < ∞.
+    /// *Domain*: that of [`Area::named`]; 0 ≤ `load` < ∞.
     pub fn new(
         patch: &Patch,
         dry: DryFriction<f64>,
@@ -39,10 +39,10 @@ impl StictionTest {
         radius: f64,
         centre: Option<[f64; 2]>,
     ) -> Result<Self, FrictionError> {
-        let set = |mu: f64| limit_surface(patch, mu * load, radius, centre);
+        let area = Area::named(patch, radius, centre)?;
         Ok(Self {
-            certain: set(dry.mu_dynamic())?,
-            possible: set(dry.mu_static())?,
+            certain: area.limit_surface(dry.mu_dynamic() * load)?,
+            possible: area.limit_surface(dry.mu_static() * load)?,
         })
     }
 

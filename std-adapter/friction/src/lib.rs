@@ -82,11 +82,11 @@ pub use refusal::finite_number;
 #[cfg(feature = "scenes")]
 #[doc(hidden)]
 pub use setting::{LAW, PATCH};
+pub use surface::LimitSurfaces;
 #[doc(hidden)]
 pub use surface::points_of;
 #[doc(hidden)]
 pub use surface::{BoxedDryFriction, OwnedNodes};
-pub use surface::{LimitSurfaces, limit_surface};
 pub use tier::Tier;
 #[doc(hidden)]
 pub use tier::{Evaluation, LARGEST_EXPONENT, valid_exponent};

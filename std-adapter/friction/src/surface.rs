@@ -17,37 +17,11 @@ use tribos_core::patch::nodes::{Node, NodePatch, NodeSlice};
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
-/// All wrenches that dry friction carries on `patch`, exact to rounding.
-///
-/// *Units*: `force_limit` is μN in N, `radius` in m. A patch with straight edges has its own size, and
-/// its pressure its centre at `centre` where one is given; `radius` is for round patches. Points and
-/// meshes have their own size too. The set of points has flat facets, whose normal is the rotation
-/// about a point.
-///
-/// ```
-/// use tribos::friction::limit_surface;
-/// use tribos::prelude::*;
-/// let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // N, m
-/// let motion = table.twist_normal_to(&Wrench::new(0.0, 2.0, 0.08)); // N, N, N m
-/// assert!(motion.velocity.y > 0.0 && motion.spin > 0.0);
-/// let puck = limit_surface(&Patch::Disk, 0.5, 0.04, None)?;
-/// assert!((puck.gauge(&Wrench::new(0.0, 0.0, 0.5 * 0.04 * 2.0 / 3.0)) - 1.0).abs() < 1e-14);
-/// # Ok::<(), tribos::friction::FrictionError>(())
-/// ```
-pub fn limit_surface(
-    patch: &Patch,
-    force_limit: f64,
-    radius: f64,
-    centre: Option<[f64; 2]>,
-) -> Result<Box<dyn FrictionSet<f64>>, FrictionError> {
-    Ok(Area::named(patch, radius, centre)?.limit_surface(force_limit)?)
-}
-
 /// The limit surfaces of a contact area under dry friction: one for every force limit.
 ///
 /// What takes long, a table of a pressure, is made once.
 ///
-/// *Units*: N, m, N m. *Accuracy*: that of [`limit_surface`], to the bit.
+/// *Units*: N, m, N m. *Accuracy*: that of [`Area::limit_surface`], to the bit.
 ///
 /// ```
 /// use tribos::friction::{Area, Patch};

@@ -3,6 +3,7 @@
 //! Users take it through the crate `tribos`, whose paths are the promise; what else is public here
 //! serves the crates beside it and changes without notice.
 
+mod error;
 pub mod fit;
 mod motion_run;
 pub mod onset;
@@ -10,8 +11,10 @@ pub mod push;
 pub mod slide;
 pub mod stick;
 
+pub use error::MotionError;
+pub use motion_run::SceneRun;
 #[doc(hidden)]
-pub use motion_run::{MotionError, MotionRun, MotionScene, measured_motion};
+pub use motion_run::{MotionRun, MotionScene, measured_motion};
 
 /// The scenes of all of them.
 pub mod scene {

@@ -1,16 +1,52 @@
 //! What the scenes of all bodies in motion have in common: each runs in a moment, to a series and a summary.
 
+use crate::error::MotionError;
 use crate::scene::DiskScene;
-use crate::slide::{
-    self, FrictionWork, PATH_COLUMNS, PlanarScene, PlanarSummary, SlideError, SlideSummary,
-};
-use crate::stick::StickError;
+use crate::slide::{self, FrictionWork, PlanarScene, PlanarSummary, SlideSummary};
 use serde_json::{Map, Value};
 use tribos_base::golden::Measurement;
 use tribos_base::results::{Quantity, Summary, SweepView, file};
 use tribos_base::scene::Body;
 
-/// Series and summary of a run.
+/// Series and summary of the run of a scene.
+///
+/// ```
+/// use tribos::run::SceneRun;
+/// use tribos::scene::SpringScene;
+/// let SceneRun { columns, rows, outcome } = SpringScene::default().run()?;
+/// let time = columns.iter().position(|name| *name == "time").ok_or("no time")?;
+/// assert_eq!(rows.last().map(|last| last[time]), Some(outcome.end_time));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneRun<S, const N: usize> {
+    /// Names of the columns; the first is the time.
+    pub columns: &'static [&'static str; N],
+    /// Rows of the series.
+    pub rows: Vec<[f64; N]>,
+    /// The summary.
+    pub outcome: S,
+}
+
+impl<S: Summary, const N: usize> SceneRun<S, N> {
+    /// The run without its type, with what a terminal and a figure show.
+    pub(crate) fn shown(
+        self,
+        told: Vec<(&'static str, String)>,
+        drawn: (&'static [&'static str], &'static str),
+    ) -> MotionRun {
+        MotionRun {
+            columns: self.columns,
+            rows: self.rows.iter().map(|row| row.to_vec()).collect(),
+            outcome: self.outcome.entries(),
+            told,
+            spent: None,
+            drawn,
+        }
+    }
+}
+
+/// Series and summary of a run of any body.
 #[derive(Clone, Debug)]
 pub struct MotionRun {
     /// Names of the columns; the first is the time.
@@ -31,28 +67,6 @@ impl MotionRun {
     /// The summary as JSON.
     pub fn json(&self, scene: &dyn Body) -> Value {
         file(self.outcome.clone(), scene)
-    }
-}
-
-/// Why a scene of a body in motion has no result.
-#[derive(Debug, thiserror::Error)]
-pub enum MotionError {
-    /// A sliding body.
-    #[error(transparent)]
-    Slide(#[from] SlideError),
-    /// A body that holds and slips.
-    #[error(transparent)]
-    Stick(#[from] StickError),
-}
-
-impl MotionError {
-    /// Whether whoever asked for the run ended it.
-    pub fn is_interruption(&self) -> bool {
-        matches!(
-            self,
-            Self::Slide(SlideError::Interrupted { .. })
-                | Self::Stick(StickError::Interrupted { .. })
-        )
     }
 }
 
@@ -88,16 +102,12 @@ impl MotionScene for DiskScene {
     }
 
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
-        let run = slide::run(self, |done| {
+        let run = slide::follow(self, |done| {
             watch(done);
         })?;
         Ok(MotionRun {
-            columns: &slide::COLUMNS,
-            rows: run.series.iter().map(|row| row.to_vec()).collect(),
-            outcome: run.outcome.entries(),
             spent: Some(run.spent(self)),
-            told: Vec::new(),
-            drawn: (&[], ""),
+            ..run.shown(Vec::new(), (&[], ""))
         })
     }
 }
@@ -118,12 +128,8 @@ impl<T: PlanarScene> MotionScene for T {
     fn follow(&self, watch: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
         let run = slide::follow_path(self, watch)?;
         Ok(MotionRun {
-            columns: &PATH_COLUMNS,
-            rows: run.series.iter().map(|row| row.to_vec()).collect(),
-            outcome: run.outcome.entries(),
             spent: Some(run.spent(self)),
-            told: Vec::new(),
-            drawn: (&[], ""),
+            ..run.shown(Vec::new(), (&[], ""))
         })
     }
 }

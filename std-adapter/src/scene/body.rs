@@ -92,9 +92,9 @@ macro_rules! bodies {
             /// scene has them. Values that followed from others are given ones in it.
             ///
             /// ```
-            /// use tribos::scene::{LIBRARY, Scene, parse_scene};
+            /// use tribos::scene::{LIBRARY, Scene};
             /// let disk = &LIBRARY[0];
-            /// let scene = parse_scene(disk.name, disk.text, &[])?;
+            /// let scene = Scene::parse(disk.name, disk.text, &[])?;
             /// let again = Scene::of_json(&scene.json()).expect("the values are a scene's");
             /// assert_eq!(again.json(), scene.json());
             /// # Ok::<(), tribos::scene::SceneError>(())
@@ -202,53 +202,58 @@ pub(super) const BODY: Key = Key {
     ..tribos_base::scene::BODY
 };
 
-/// Reads the scene in `path` with `overrides` of the form `key=value` put over it.
-///
-/// ```
-/// use std::path::Path;
-/// use tribos::scene::{Scene, SceneError, read_scene};
-/// let scene = read_scene(Path::new("../scenes/disk.toml"), &["speed=2".into()])?;
-/// assert!(matches!(scene, Scene::Disk(disk) if disk.speed == 2.0)); // m/s
-/// let nowhere = read_scene(Path::new("nowhere.toml"), &[]);
-/// assert!(matches!(nowhere, Err(SceneError::Unreadable { .. })));
-/// # Ok::<(), SceneError>(())
-/// ```
-pub fn read_scene(path: &Path, overrides: &[String]) -> Result<Scene, SceneError> {
-    let text = crate::record::read_text(path, super::MOST_BYTES).map_err(|cause| {
-        SceneError::Unreadable {
-            path: path.to_path_buf(),
-            cause,
-        }
-    })?;
-    parse_scene(&path.display().to_string(), &text, overrides)
-}
+impl Scene {
+    /// Reads the scene in `path` with `overrides` of the form `key=value` put over it.
+    ///
+    /// ```
+    /// use std::path::Path;
+    /// use tribos::scene::{Scene, SceneError};
+    /// let scene = Scene::read(Path::new("../scenes/disk.toml"), &["speed=2".into()])?;
+    /// assert!(matches!(scene, Scene::Disk(disk) if disk.speed == 2.0)); // m/s
+    /// let nowhere = Scene::read(Path::new("nowhere.toml"), &[]);
+    /// assert!(matches!(nowhere, Err(SceneError::Unreadable { .. })));
+    /// # Ok::<(), SceneError>(())
+    /// ```
+    pub fn read(path: &Path, overrides: &[String]) -> Result<Self, SceneError> {
+        let text = crate::record::read_text(path, super::MOST_BYTES).map_err(|cause| {
+            SceneError::Unreadable {
+                path: path.to_path_buf(),
+                cause,
+            }
+        })?;
+        Self::parse(&path.display().to_string(), &text, overrides)
+    }
 
-/// Reads a scene from text; `name` stands for the file in messages.
-///
-/// ```
-/// use tribos::scene::{Scene, parse_scene};
-/// let text = "body = \"pipe\"\nspeed = 1.74\nspin = 10.2\ngamma = 0.2\ngravity = 9.81\n\
-///             radius = 0.05\ninner_radius = 0.046\nheight = 0.15\nmass = 0.5";
-/// let scene = parse_scene("pipe.toml", text, &[])?;
-/// assert!(matches!(scene, Scene::Pipe(pipe) if pipe.inner_radius == 0.046)); // m
-/// # Ok::<(), tribos::scene::SceneError>(())
-/// ```
-pub fn parse_scene(name: &str, text: &str, overrides: &[String]) -> Result<Scene, SceneError> {
-    Entries::parse(text, overrides)
-        .and_then(|(entries, problems)| read(&entries, problems))
-        .map_err(|problems| SceneError::invalid(name, problems))
-}
+    /// Reads a scene from text; `name` stands for the file in messages.
+    ///
+    /// ```
+    /// use tribos::scene::Scene;
+    /// let text = "body = \"pipe\"\nspeed = 1.74\nspin = 10.2\ngamma = 0.2\ngravity = 9.81\n\
+    ///             radius = 0.05\ninner_radius = 0.046\nheight = 0.15\nmass = 0.5";
+    /// let scene = Scene::parse("pipe.toml", text, &[])?;
+    /// assert!(matches!(scene, Scene::Pipe(pipe) if pipe.inner_radius == 0.046)); // m
+    /// # Ok::<(), tribos::scene::SceneError>(())
+    /// ```
+    pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, SceneError> {
+        Entries::parse(text, overrides)
+            .and_then(|(entries, problems)| Self::of_entries(&entries, problems))
+            .map_err(|problems| SceneError::invalid(name, problems))
+    }
 
-fn read(entries: &Entries, problems: Vec<SceneProblem>) -> Result<Scene, Vec<SceneProblem>> {
-    let (body, origin) = match entries.values.get(BODY.name) {
-        None => (DEFAULT_BODY, Origin::File),
-        Some((Written::Text(text), origin)) => (text.as_str(), *origin),
-        Some((other, origin)) => return Err(refusal(other.kind(), *origin, problems)),
-    };
-    Scene::of(body, entries, problems.clone()).unwrap_or_else(|| {
-        let given = format!("\"{body}\"{}", meant(body, BODIES));
-        Err(refusal(&given, origin, problems))
-    })
+    fn of_entries(
+        entries: &Entries,
+        problems: Vec<SceneProblem>,
+    ) -> Result<Self, Vec<SceneProblem>> {
+        let (body, origin) = match entries.values.get(BODY.name) {
+            None => (DEFAULT_BODY, Origin::File),
+            Some((Written::Text(text), origin)) => (text.as_str(), *origin),
+            Some((other, origin)) => return Err(refusal(other.kind(), *origin, problems)),
+        };
+        Self::of(body, entries, problems.clone()).unwrap_or_else(|| {
+            let given = format!("\"{body}\"{}", meant(body, BODIES));
+            Err(refusal(&given, origin, problems))
+        })
+    }
 }
 
 /// Without a body nothing else can be judged.

@@ -1,6 +1,6 @@
 //! Scenes that come with the program.
 
-use super::parse_scene;
+use super::Scene;
 
 /// A scene file that is part of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,7 +97,7 @@ impl LibraryScene {
 
     /// What it is about.
     pub fn body(&self) -> &'static str {
-        parse_scene(self.name, self.text, &[]).map_or("", |scene| scene.body())
+        Scene::parse(self.name, self.text, &[]).map_or("", |scene| scene.body())
     }
 }
 
@@ -108,7 +108,7 @@ mod tests {
     #[test]
     fn every_scene_runs_as_it_is_and_says_what_it_shows_and_how_long_it_takes() {
         for scene in LIBRARY {
-            parse_scene(scene.name, scene.text, &[]).unwrap();
+            Scene::parse(scene.name, scene.text, &[]).unwrap();
             assert!(scene.summary().ends_with('.'), "{}", scene.name);
             assert!(scene.summary().len() < 100, "{}", scene.name);
             assert!(!scene.takes().is_empty(), "{}", scene.name);

@@ -19,9 +19,9 @@ mod template;
 mod tests;
 mod vocabulary;
 
+pub use body::Scene;
 #[doc(hidden)]
 pub use body::{RunBy, scenes};
-pub use body::{Scene, parse_scene, read_scene};
 #[doc(hidden)]
 pub use library::{LIBRARY, LibraryScene, library_scene};
 #[doc(hidden)]
@@ -41,7 +41,7 @@ pub use tribos_base::scene::{
 pub use tribos_base::scene::{InvalidScene, SceneError, SceneProblem};
 #[doc(hidden)]
 pub use tribos_grains::packing::Radii;
-pub use tribos_grains::packing::{SizeDistribution, SizesError};
+pub use tribos_grains::packing::{SettingError, SizeDistribution};
 pub use tribos_grains::scene::{
     Axis, BlockedCriterion, ContactMethod, Container, EndBoundary, FrictionCoupling, GasMethod,
     GasScene, GrainsScene, NormalForce, PowderScene, SideBoundary, SweepMethod, SweepOrder,

@@ -1,7 +1,7 @@
 //! Commented scene files with every key of their body.
 
+use super::Scene;
 use super::key::{Domain, Key, Need};
-use super::parse_scene;
 use super::vocabulary::{Vocabulary, bodies, given, resolved, vocabulary};
 use crate::results::{Quantity, entries};
 use serde_json::Value;
@@ -10,12 +10,12 @@ use serde_json::Value;
 /// others stand as comments with their defaults.
 ///
 /// ```
-/// use tribos::scene::{parse_scene, template, vocabulary};
+/// use tribos::scene::{template, vocabulary, Scene};
 /// let pipe = vocabulary("pipe").ok_or("no pipe")?;
 /// let text = template(&pipe);
 /// assert!(pipe.keys.iter().all(|key| text.contains(key.name)));
 /// assert!(text.contains("# alpha = 0.0")); // Coulomb, unless it is changed
-/// assert_eq!(parse_scene("pipe.toml", &text, &[])?.body(), "pipe");
+/// assert_eq!(Scene::parse("pipe.toml", &text, &[])?.body(), "pipe");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn template(known: &Vocabulary) -> String {
@@ -33,16 +33,16 @@ pub fn template(known: &Vocabulary) -> String {
 /// The file, followed by the keys that it leaves out, as comments with the values in force.
 ///
 /// ```
-/// use tribos::scene::{parse_scene, with_all_keys};
+/// use tribos::scene::{with_all_keys, Scene};
 /// let text = "body = \"curling\"\nspeed = 2.0\nspin = 1.5";
 /// let all = with_all_keys(text);
 /// assert!(all.starts_with(text) && all.contains("# mass = 20.0")); // kg
-/// let [before, after] = [text, &all].map(|text| parse_scene("rock.toml", text, &[]));
+/// let [before, after] = [text, &all].map(|text| Scene::parse("rock.toml", text, &[]));
 /// assert_eq!(before?.json(), after?.json());
 /// # Ok::<(), tribos::scene::SceneError>(())
 /// ```
 pub fn with_all_keys(text: &str) -> String {
-    let body = parse_scene("scene", text, &[]).map_or("", |scene| scene.body());
+    let body = Scene::parse("scene", text, &[]).map_or("", |scene| scene.body());
     let Some(known) = vocabulary(body) else {
         return text.to_owned();
     };
@@ -221,7 +221,7 @@ mod tests {
             let all = with_all_keys(&text);
             assert_eq!(resolved(&text), resolved(&all));
             assert!(!resolved(&all).is_empty());
-            let body = parse_scene("all", &all, &[]).unwrap().body();
+            let body = Scene::parse("all", &all, &[]).unwrap().body();
             for key in vocabulary(body)
                 .unwrap()
                 .keys

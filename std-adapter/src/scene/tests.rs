@@ -2,8 +2,9 @@
 
 use super::body::defaults;
 use super::*;
-use crate::powder::{CompactionError, PowderSimulation};
+use crate::powder::PowderSimulation;
 use crate::record::CheckpointError;
+use crate::run::PackingRunError;
 use std::time::{Duration, Instant};
 
 #[test]
@@ -11,7 +12,7 @@ fn the_default_scene_of_a_body_is_what_its_least_file_says() {
     for scene in defaults() {
         let body = scene.body();
         let text = vocabulary(body).unwrap().least_text();
-        assert_eq!(parse_scene(body, &text, &[]).unwrap(), scene);
+        assert_eq!(Scene::parse(body, &text, &[]).unwrap(), scene);
         scene.as_body().check().unwrap();
     }
 }
@@ -19,7 +20,7 @@ fn the_default_scene_of_a_body_is_what_its_least_file_says() {
 #[test]
 fn a_scene_comes_back_from_its_values_in_force() {
     for scene in LIBRARY {
-        let read = parse_scene(scene.name, scene.text, &[]).unwrap();
+        let read = Scene::parse(scene.name, scene.text, &[]).unwrap();
         let mut values = read.json();
         let again = Scene::of_json(&values).expect(scene.name);
         assert_eq!(again.json(), values, "{}", scene.name);
@@ -87,7 +88,7 @@ fn every_key_sets_its_field() {
                 _ => String::new(),
             };
             let text = format!("{rest}{condition}{} = {value}\n", key.name);
-            let Ok(read) = parse_scene("one.toml", &text, &[]) else {
+            let Ok(read) = Scene::parse("one.toml", &text, &[]) else {
                 // Values that other keys would have to follow.
                 assert!(
                     [
@@ -107,19 +108,19 @@ fn every_key_sets_its_field() {
             if let Some(was) = key.was {
                 let earlier = format!("{rest}{condition}{was} = {value}\n");
                 assert_eq!(
-                    parse_scene("one.toml", &earlier, &[]).unwrap(),
+                    Scene::parse("one.toml", &earlier, &[]).unwrap(),
                     read,
                     "{earlier}"
                 );
                 let set = [format!("{was}={}", value.trim_matches('"'))];
                 assert_eq!(
-                    parse_scene("one.toml", &text, &set).unwrap(),
+                    Scene::parse("one.toml", &text, &set).unwrap(),
                     read,
                     "{set:?}"
                 );
                 assert_eq!(earlier_names(known.keys, &earlier, &[]), [[was, key.name]]);
                 let both = format!("{text}{was} = {value}\n");
-                assert!(parse_scene("one.toml", &both, &[]).is_err(), "{both}");
+                assert!(Scene::parse("one.toml", &both, &[]).is_err(), "{both}");
             }
             let json = read.json();
             let written = toml_value(key, &json[key.name]).unwrap();
@@ -214,7 +215,7 @@ fn the_ends_that_a_domain_tells_are_the_readers() {
                 if let Need::PartOf(other, word) | Need::OnlyWith(other, word) = key.need {
                     set.push(format!("{other}={word}"));
                 }
-                let read = parse_scene(known.body, &known.least_text(), &set);
+                let read = Scene::parse(known.body, &known.least_text(), &set);
                 read.err().map(|error| error.to_string())
             };
             let [inside, beyond] = ends(&key.domain);
@@ -253,7 +254,7 @@ fn the_ends_that_a_domain_tells_are_the_readers() {
 fn an_override_puts_keys_of_the_old_word_out_of_use() {
     let read = |text: &str, set: &[&str]| {
         let set: Vec<String> = set.iter().map(|item| (*item).to_owned()).collect();
-        parse_scene("one.toml", text, &set).map(|scene| scene.json())
+        Scene::parse("one.toml", text, &set).map(|scene| scene.json())
     };
     let grains =
         "body = \"grains\"\nwidth = 0.1\ncount = 9\nradius = 0.005\ndensity = 2500\nduration = 1\n";
@@ -325,7 +326,7 @@ fn no_run_begins_with_fields_that_no_file_could_have() {
         ..PowderScene::default()
     };
     let refused = PowderSimulation::new(&powder);
-    assert!(matches!(refused, Err(CompactionError::Scene(_))));
+    assert!(matches!(refused, Err(PackingRunError::Scene(_))));
     let tip = TipScene {
         tip_layers: 1,
         ..TipScene::default()
@@ -341,14 +342,14 @@ fn no_run_begins_with_fields_that_no_file_could_have() {
         mass: f64::INFINITY,
         ..DiskScene::default()
     };
-    let refused = crate::slide::run(&disk, |_| ());
-    assert!(matches!(refused, Err(crate::slide::SlideError::Scene(_))));
+    let refused = disk.run();
+    assert!(matches!(refused, Err(crate::slide::MotionError::Scene(_))));
     let pipe = PipeScene {
         inner_radius: 1.0,
         ..PipeScene::default()
     };
-    let refused = crate::slide::run_planar(&pipe);
-    assert!(matches!(refused, Err(crate::slide::SlideError::Scene(_))));
+    let refused = pipe.run();
+    assert!(matches!(refused, Err(crate::slide::MotionError::Scene(_))));
 }
 
 #[test]
@@ -367,7 +368,7 @@ fn a_checkpoint_of_edited_fields_belongs_to_no_other_scene() {
         let kept = PowderSimulation::new(&scene).unwrap().checkpoint();
         assert!(PowderSimulation::resume(&scene, &kept).is_ok());
         match PowderSimulation::resume(&original, &kept) {
-            Err(CompactionError::Checkpoint(CheckpointError::Scene { key, .. })) => {
+            Err(PackingRunError::Checkpoint(CheckpointError::Scene { key, .. })) => {
                 assert_eq!(key, edited);
             }
             other => panic!("{other:?}"),
@@ -382,7 +383,7 @@ fn refused(strangers: usize) -> (String, usize, Duration) {
         text += &format!("key_{key} = 1\n");
     }
     let began = Instant::now();
-    let refusal = parse_scene("many.toml", &text, &[]);
+    let refusal = Scene::parse("many.toml", &text, &[]);
     let took = began.elapsed();
     let Err(error @ SceneError::Invalid { .. }) = refusal else {
         unreachable!("unknown keys");

@@ -4,17 +4,17 @@ use super::body::VOCABULARIES;
 use super::entries::Entries;
 use super::key::{self, Key, Need, present_name};
 use super::table::Table;
-use super::{DEFAULT_BODY, parse_scene, toml_value};
+use super::{DEFAULT_BODY, Scene, toml_value};
 use crate::results::{Quantity, Summary};
 use serde_json::{Map, Value};
 
 /// A body that scenes can be about.
 ///
 /// ```
-/// use tribos::scene::{Vocabulary, bodies, parse_scene, vocabulary};
+/// use tribos::scene::{Vocabulary, bodies, vocabulary, Scene};
 /// for body in bodies() {
 ///     let known: Vocabulary = vocabulary(body).ok_or(body)?;
-///     let scene = parse_scene("least.toml", &known.least_text(), &[])?;
+///     let scene = Scene::parse("least.toml", &known.least_text(), &[])?;
 ///     assert_eq!(scene.body(), body);
 ///     // What it leaves out holds by default.
 ///     let values = scene.json();
@@ -106,7 +106,7 @@ impl Vocabulary {
 
 /// Values in force in a scene; none if it cannot be read.
 pub(super) fn resolved(text: &str) -> Map<String, Value> {
-    match parse_scene("scene", text, &[]).map(|scene| scene.json()) {
+    match Scene::parse("scene", text, &[]).map(|scene| scene.json()) {
         Ok(Value::Object(values)) => values,
         _ => Map::new(),
     }
@@ -138,7 +138,7 @@ mod tests {
     fn the_least_scene_of_every_body_is_accepted_and_says_nothing_in_vain() {
         for body in bodies() {
             let known = vocabulary(body).unwrap();
-            let scene = parse_scene(body, &known.least_text(), &[]);
+            let scene = Scene::parse(body, &known.least_text(), &[]);
             assert_eq!(scene.unwrap().body(), body);
             let least = known.least();
             for (left_out, _) in least.iter().filter(|(key, _)| *key != "body") {
@@ -146,7 +146,10 @@ mod tests {
                 let text: String = rest
                     .map(|(key, value)| format!("{key}={value}\n"))
                     .collect();
-                assert!(parse_scene(body, &text, &[]).is_err(), "{body}: {left_out}");
+                assert!(
+                    Scene::parse(body, &text, &[]).is_err(),
+                    "{body}: {left_out}"
+                );
             }
         }
         assert!(vocabulary("brick").is_none());

@@ -5,9 +5,7 @@ use tribos::golden::{Golden, Measurement, Pinned, measure};
 use tribos::powder::PowderSimulation;
 use tribos::record::digest;
 use tribos::run::Simulation;
-use tribos::scene::{
-    PowderScene, Scene, SceneError, TipScene, bodies, parse_scene, vocabulary as of_body,
-};
+use tribos::scene::{PowderScene, Scene, SceneError, TipScene, bodies, vocabulary as of_body};
 use tribos::tip::TipSimulation;
 use tribos_subjects::Source;
 
@@ -128,7 +126,7 @@ fn scramble(source: &mut Source, line: &mut Vec<u8>) {
 pub fn scenes(source: &mut Source) -> Result<(), String> {
     let base = source.one_of(&SCENES);
     let text = mutated(source, base);
-    judged(parse_scene("scene.toml", &text, &[])).map_err(|broken| format!("{broken}\n{text}"))
+    judged(Scene::parse("scene.toml", &text, &[])).map_err(|broken| format!("{broken}\n{text}"))
 }
 
 /// A valid scene with overrides of all kinds.
@@ -142,7 +140,7 @@ pub fn overrides(source: &mut Source) -> Result<(), String> {
         }
         all.push(String::from_utf8_lossy(&item).into_owned());
     }
-    judged(parse_scene("scene.toml", text, &all)).map_err(|broken| format!("{broken}\n{all:?}"))
+    judged(Scene::parse("scene.toml", text, &all)).map_err(|broken| format!("{broken}\n{all:?}"))
 }
 
 fn judged(read: Result<Scene, SceneError>) -> Result<(), String> {
@@ -234,7 +232,7 @@ fn damaged(source: &mut Source, text: &str) -> String {
 fn golden() -> Option<&'static (Measurement, String)> {
     static KEPT: OnceLock<Option<(Measurement, String)>> = OnceLock::new();
     let made = KEPT.get_or_init(|| {
-        let scene = parse_scene("disk.toml", SCENES[0], &["samples=20".into()]).ok()?;
+        let scene = Scene::parse("disk.toml", SCENES[0], &["samples=20".into()]).ok()?;
         let measured = measure(&scene, || ()).ok()?;
         let scenes = vec![Pinned::new("disk.toml".into(), vec![], &measured)];
         let text = Golden { scenes }.text();

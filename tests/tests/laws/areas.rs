@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use tribos::friction::{
     AnyContactFriction, AnyFriction, Area, AreaFriction, ContactVisitor, FrictionError, Law, Patch,
-    Precision, limit_surface,
+    Precision,
 };
 use tribos::random::Random;
 use tribos_core::contact::{
@@ -336,7 +336,10 @@ impl WithDry for Compare<'_> {
         }
         // By name the same.
         let patch: Patch = self.0.parse().unwrap();
-        let named = limit_surface(&patch, 1.0, RADIUS, None).unwrap();
+        let named = Area::named(&patch, RADIUS, None)
+            .unwrap()
+            .limit_surface(1.0)
+            .unwrap();
         self.with_set(1.0, &*named);
         // No table where the patch has none: a pointer to what the kernel's own set has in it.
         let own = size_of::<RoundLimitSurface<f64, C>>();

@@ -4,9 +4,10 @@ use tribos::friction::{
     AnyFriction, FrictionError, LARGEST_EXPONENT, Law, Patch, Precision, Tier, leaning, upright,
 };
 use tribos::random::Random;
+use tribos::run::SceneRun;
 use tribos::scene::DiskScene;
-use tribos::slide::planar::{Gradient, PlanarLaunch, PlanarSimulation, TallBody, TallCylinder};
-use tribos::slide::{SlideError, SlideRun, SlideStopReason, run};
+use tribos::slide::planar::{Gradient, Launch, PlanarSimulation, TallBody, TallCylinder};
+use tribos::slide::{MotionError, SlideStopReason, SlideSummary};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
@@ -364,9 +365,9 @@ fn scene(more: &[&str]) -> DiskScene {
     DiskScene::parse("disk.toml", text, &more).unwrap()
 }
 
-fn run_under(disk: &DiskScene, law: Law) -> Result<SlideRun, SlideError> {
+fn run_under(disk: &DiskScene, law: Law) -> Result<SceneRun<SlideSummary, 8>, MotionError> {
     let law = Some(law);
-    run(&DiskScene { law, ..*disk }, |_| ())
+    DiskScene { law, ..*disk }.run()
 }
 
 #[test]
@@ -393,7 +394,7 @@ fn every_local_law_brings_a_disk_to_rest() {
 
 #[test]
 fn a_law_that_is_coulomb_s_in_disguise_moves_as_coulomb_s() {
-    let coulomb = run(&scene(&[]), |_| ()).unwrap();
+    let coulomb = scene(&[]).run().unwrap();
     let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-7;
     for text in [
         "dry:mu_s=0.4,mu_d=0.3",
@@ -409,13 +410,13 @@ fn a_law_that_is_coulomb_s_in_disguise_moves_as_coulomb_s() {
             close(a.angle, b.angle) && close(a.final_ratio, b.final_ratio),
             "{a:?} {b:?}"
         );
-        assert_eq!(coulomb.series.len(), other.series.len());
-        for (a, b) in coulomb.series.iter().zip(&other.series).skip(1) {
+        assert_eq!(coulomb.rows.len(), other.rows.len());
+        for (a, b) in coulomb.rows.iter().zip(&other.rows).skip(1) {
             assert!((a[3] - b[3]).abs() < 1e-7, "{a:?} {b:?}");
         }
     }
     // A tall body leans and bends its path as under Coulomb's law.
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [1.0, 0.0],
         spin: 5.0,
     };
@@ -466,7 +467,7 @@ fn a_stribeck_disk_without_spin_takes_the_time_of_the_integral() {
     );
     // With spin both motions end together, in the ratio of Coulomb friction: near rest mu is mu_s.
     let end = run_under(&scene(&[]), law(text)).unwrap().outcome;
-    let coulomb = run(&scene(&[]), |_| ()).unwrap().outcome;
+    let coulomb = scene(&[]).run().unwrap().outcome;
     assert!(
         (end.final_ratio - coulomb.final_ratio).abs() < 1e-6,
         "{} {}",

@@ -2,8 +2,9 @@
 
 use nalgebra::Vector3;
 use std::f64::consts::PI;
-use tribos::powder::deposit::{Ballistic, Deposit, DepositError, DepositTarget, STREAM};
+use tribos::powder::deposit::{Ballistic, Deposit, DepositTarget, STREAM};
 use tribos::random::Random;
+use tribos::run::PlacementError;
 use tribos::space::PeriodicBox;
 use tribos::space::pairs::neighbours;
 use tribos_tests::sweep::Lcg;
@@ -277,7 +278,7 @@ fn a_cut_takes_away_what_is_above_and_nothing_else() {
         }
     }
     let nothing = small().grow(DepositTarget::Cut(1.9), 1);
-    assert_eq!(nothing, Err(DepositError::Empty));
+    assert_eq!(nothing, Err(PlacementError::Empty));
 }
 
 #[test]
@@ -337,7 +338,7 @@ fn impossible_deposits_are_refused() {
     let narrow = Ballistic::new(5.9, 1.0, 3.0).unwrap_err();
     assert_eq!(
         narrow,
-        DepositError::Narrow {
+        PlacementError::NarrowBase {
             width: 5.9,
             farthest: 3.0
         }
@@ -353,22 +354,22 @@ fn impossible_deposits_are_refused() {
     }
     assert_eq!(
         Ballistic::new(20.0, 1.0, 1.9),
-        Err(DepositError::CaptureRadius {
+        Err(PlacementError::CaptureRadius {
             given: 1.9,
             least: 2.0
         })
     );
     assert_eq!(
         Ballistic::uneven(20.0, [1.1, 1.0], 3.0),
-        Err(DepositError::Radii {
+        Err(PlacementError::Radii {
             low: 1.1,
             high: 1.0
         })
     );
     assert_eq!(
         small().grow(DepositTarget::Count(0), 1),
-        Err(DepositError::Empty)
+        Err(PlacementError::Empty)
     );
     let too_many = small().grow(DepositTarget::Count(usize::MAX), 1);
-    assert_eq!(too_many, Err(DepositError::TooMany));
+    assert_eq!(too_many, Err(PlacementError::TooMany));
 }

@@ -1,8 +1,8 @@
 //! Lists of neighbours: every pair that counting all of them finds, and no other.
 
 use nalgebra::Vector3;
-use tribos::space::pairs::{Cells, NeighbourError, neighbours};
-use tribos::space::{PeriodicBox, PeriodicBoxError};
+use tribos::space::pairs::{Cells, neighbours};
+use tribos::space::{PeriodicBox, SpaceError};
 use tribos_tests::sweep::Lcg;
 
 /// Spheres in a box.
@@ -252,25 +252,25 @@ fn bad_input_is_refused_by_name() {
     };
     assert!(matches!(
         ask(&[origin, Vector3::new(0.0, 0.0, f64::NAN)], &[1.0; 2], 0.1),
-        NeighbourError::Position { particle: 1, axis: 2, given } if given.is_nan()
+        SpaceError::Position { particle: 1, axis: 2, given } if given.is_nan()
     ));
     assert_eq!(
         ask(&[origin; 2], &[1.0, -1.0], 0.1),
-        NeighbourError::Radius {
+        SpaceError::Radius {
             particle: 1,
             given: -1.0
         }
     );
     assert_eq!(
         ask(&[origin; 2], &[1.0], 0.1),
-        NeighbourError::Lengths {
+        SpaceError::Lengths {
             positions: 2,
             radii: 1
         }
     );
     assert_eq!(
         ask(&[origin; 3], &[1.0, 0.5, 1.5], 0.25),
-        NeighbourError::Reach {
+        SpaceError::Reach {
             axis: 1,
             reach: 2.75,
             length: 5.0
@@ -278,7 +278,7 @@ fn bad_input_is_refused_by_name() {
     );
     assert_eq!(
         ask(&[origin], &[1.0], f64::INFINITY),
-        NeighbourError::Skin {
+        SpaceError::Skin {
             given: f64::INFINITY
         }
     );
@@ -286,7 +286,7 @@ fn bad_input_is_refused_by_name() {
     assert_eq!(neighbours(&space, &[origin], &[1e9], 0.1), Ok(vec![]));
     for given in [0.0, -1.0, f64::INFINITY] {
         let error = PeriodicBox::new([None, None, Some(given)]);
-        assert_eq!(error, Err(PeriodicBoxError { axis: 2, given }));
+        assert_eq!(error, Err(SpaceError::Period { axis: 2, given }));
     }
     assert!(PeriodicBox::new([Some(f64::NAN), None, None]).is_err());
 }

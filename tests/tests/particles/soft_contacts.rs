@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use tribos::cd::{Wall, WorldMaterials, solid};
-use tribos::soft::{SoftSetup, SoftWorld, Stiffness, damping_ratio_of, restitution_of};
+use tribos::soft::{SoftSetup, SoftWorld, Stiffness};
 use tribos_core::contact::{
     Attraction, Cohesion, ContactFriction, Frictionless, IndependentFriction, NormalLaw,
 };
@@ -124,7 +124,7 @@ fn restitution_comes_closer_in_the_second_order_of_the_steps() {
 fn damping_and_restitution_are_inverse() {
     for e in [1.0, 0.999, 0.7, 0.1353, 0.05, 1e-3] {
         assert!(
-            (restitution_of(damping_ratio_of(e)) / e - 1.0).abs() < 1e-12,
+            (Stiffness::restitution_of(Stiffness::damping_ratio_of(e)) / e - 1.0).abs() < 1e-12,
             "{e}"
         );
     }
@@ -291,7 +291,7 @@ fn sticks_exactly(stiffness: f64, restitution: f64, speed: f64) -> bool {
     const DT: f64 = 1e-7;
     let [radius, density] = BEAD;
     let mass = 0.5 / solid(radius, density).inv_mass;
-    let c = 2.0 * damping_ratio_of(restitution) * (stiffness * mass).sqrt();
+    let c = 2.0 * Stiffness::damping_ratio_of(restitution) * (stiffness * mass).sqrt();
     let acceleration = |x: f64, v: f64| {
         let push = if x > 0.0 {
             (stiffness * x + c * v).max(0.0)

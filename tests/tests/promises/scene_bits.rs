@@ -5,7 +5,7 @@
 
 use std::path::Path;
 use tribos::golden::{Golden, Verdict, measure};
-use tribos::scene::read_scene;
+use tribos::scene::Scene;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
@@ -16,7 +16,7 @@ fn assert_pinned(file: &str, left_out: &str) -> Outcome {
     assert!(!golden.scenes.is_empty());
     let mut wrong = Vec::new();
     for pinned in golden.scenes.iter().filter(|scene| scene.path != left_out) {
-        let scene = read_scene(&folder.join(&pinned.path), &pinned.overrides)?;
+        let scene = Scene::read(&folder.join(&pinned.path), &pinned.overrides)?;
         match pinned.compare(&measure(&scene, || ())?) {
             Verdict::Same => {}
             Verdict::SceneChanged(what) => wrong.push(format!("{}: {what}", pinned.path)),

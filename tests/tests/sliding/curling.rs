@@ -5,7 +5,7 @@ use tribos::slide::curling::{
     BackHeavy, CurlingModel, CurlingRock, Dry, Film, FilmRing, FrontBack, IceLaw, LeftRight,
     PivotSlide, ScratchGuide,
 };
-use tribos::slide::planar::{PlanarLaunch, PlanarResult, PlanarSimulation, Resistance};
+use tribos::slide::planar::{Launch, PlanarResult, PlanarSimulation, Resistance};
 use tribos_tests::pucks::relative;
 
 /// Hog line to tee, m.
@@ -15,7 +15,7 @@ const STOP_FRACTION: f64 = 1e-4;
 
 fn shot(model: &dyn CurlingModel, speed: f64, spin: f64) -> PlanarResult {
     let body = model.resistance(&CurlingRock::STANDARD).unwrap();
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [speed, 0.0],
         spin,
     };
@@ -51,7 +51,7 @@ fn rocks_without_spin_stop_where_the_closed_form_says() {
         assert!(relative(x, SHEET) < 1e-4 && (t - time).abs() < 2e-3);
         // From the first hog line, 28.35 m before the tee, 21.95 m to the second.
         let body = model.resistance(&CurlingRock::STANDARD).unwrap();
-        let launch = PlanarLaunch {
+        let launch = Launch {
             velocity: [speed, 0.0],
             spin: 0.0,
         };
@@ -107,7 +107,7 @@ fn a_real_band_is_nearly_its_mean_ring() {
         ..CurlingRock::STANDARD
     };
     let body = LeftRight { ice }.resistance(&band).unwrap();
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [1.9866, 0.0],
         spin: 3.0,
     };

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::num::NonZeroU32;
 use tribos::slide::inverse::{
-    InverseError, Launch, LaunchLimits, LaunchSolution, Pose, RestMap, Turns,
+    Launch, LaunchLimits, LaunchSolution, MotionError, Pose, RestMap, Turns,
 };
 use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::round::RoundTable64;
@@ -356,7 +356,7 @@ fn every_number_of_turns_is_listed_once() {
                 ..target
             };
             let refused = disk().launches(&next, Turns::Exact, &limits);
-            assert!(matches!(refused, Err(InverseError::OutOfReach(_))));
+            assert!(matches!(refused, Err(MotionError::OutOfReach(_))));
         }
         let by_energy =
             |pair: &[LaunchSolution]| pair[0].energy_per_mass <= pair[1].energy_per_mass;
@@ -395,7 +395,7 @@ fn what_is_out_of_reach_is_refused_with_the_reach() {
     let map = disk();
     let limits = LaunchLimits::new(2.0, 50.0).unwrap();
     let refuse = |target: Pose, turns| match map.launches(&target, turns, &limits) {
-        Err(InverseError::OutOfReach(reach)) => *reach,
+        Err(MotionError::OutOfReach(reach)) => *reach,
         other => panic!("{other:?}"),
     };
     let far = refuse(
@@ -475,10 +475,10 @@ fn what_is_out_of_reach_is_refused_with_the_reach() {
 #[test]
 fn bad_requests_are_refused() {
     let linear = RestMap::new(DiskTable64::new(1.0).unwrap(), 1.0, 1.0, 0.5);
-    assert!(matches!(linear, Err(InverseError::NeverRests { .. })));
+    assert!(matches!(linear, Err(MotionError::NeverRests { .. })));
     assert!(matches!(
         RestMap::new(CoulombDisk, -1.0, 1.0, 0.5),
-        Err(InverseError::Body(_))
+        Err(MotionError::Body(_))
     ));
     assert!(LaunchLimits::new(-1.0, 1.0).is_err() && LaunchLimits::new(1.0, f64::NAN).is_err());
     let limits = LaunchLimits::new(1.0, 1.0).unwrap();
@@ -488,7 +488,7 @@ fn bad_requests_are_refused() {
         angle: 0.0,
     };
     let refused = disk().launches(&nowhere, Turns::Exact, &limits);
-    assert!(matches!(refused, Err(InverseError::Target { .. })));
+    assert!(matches!(refused, Err(MotionError::Target { .. })));
     let dizzy = LaunchLimits::new(1.0, 1e5).unwrap();
     let target = Pose {
         x: 0.1,
@@ -496,7 +496,7 @@ fn bad_requests_are_refused() {
         angle: 0.0,
     };
     let refused = disk().launches(&target, modulo(1), &dizzy);
-    assert!(matches!(refused, Err(InverseError::TooMany { .. })));
+    assert!(matches!(refused, Err(MotionError::TooMany { .. })));
 }
 
 /// The direction of the rest, atan(R angle/d), rises with that of the launch, and neither path
@@ -602,10 +602,10 @@ fn far_targets_of_slow_launches_take_many_turns() {
     // Without speed it goes nowhere, however fast it spins.
     let still = LaunchLimits::new(0.0, 1e300).unwrap();
     let refused = disk.fewest_turns(&target, modulo(1), &still, 4);
-    assert!(matches!(refused, Err(InverseError::OutOfReach(_))));
+    assert!(matches!(refused, Err(MotionError::OutOfReach(_))));
     // A limit of the spin that is missed by far is told with the turns that miss it least.
     let near = LaunchLimits::new(1.0, 1.0).unwrap();
-    let Err(InverseError::OutOfReach(why)) = disk.launches(&target, modulo(1), &near) else {
+    let Err(MotionError::OutOfReach(why)) = disk.launches(&target, modulo(1), &near) else {
         panic!("it does not reach that far");
     };
     let balance = why.needed.speed / (why.needed.launch.spin.abs());

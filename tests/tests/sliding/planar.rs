@@ -2,8 +2,8 @@
 
 use tribos::friction::{AnyFriction, Flat, FlatPatch, Law, Patch};
 use tribos::slide::planar::{
-    Gradient, Pipe, PlanarLaunch, PlanarResult, PlanarSimulation, PlanarStopReason, Plate,
-    Resistance, TallBody, TallCylinder,
+    Gradient, Launch, Pipe, PlanarResult, PlanarSimulation, Plate, Resistance, SlideStopReason,
+    TallBody, TallCylinder,
 };
 use tribos_core::coupling::table::DiskTable64;
 use tribos_core::patch::outline::{Edge, Polygon};
@@ -17,7 +17,7 @@ const STOP_FRACTION: f64 = 1e-4;
 const GRAVITY: f64 = 9.81;
 
 fn end(body: &impl Resistance, velocity: [f64; 2], spin: f64) -> PlanarResult {
-    PlanarSimulation::new(body, &PlanarLaunch { velocity, spin }, STOP_FRACTION)
+    PlanarSimulation::new(body, &Launch { velocity, spin }, STOP_FRACTION)
         .unwrap()
         .to_end()
         .unwrap()
@@ -51,7 +51,7 @@ fn tall_cylinders_end_where_the_table_says() {
         let body = cylinder.body(row.number("g")).unwrap();
         let arrival = end(&body, [row.number("v0"), 0.0], row.number("spin0"));
         let point = arrival.point;
-        assert_eq!(arrival.ending, PlanarStopReason::Rest);
+        assert_eq!(arrival.ending, SlideStopReason::Rest);
         // Measured: 2e-13 in the angle, 4e-14 elsewhere.
         let at = (row.text("variant"), row.number("spin0"));
         let place = off(point.position, [row.number("x"), row.number("y")]);
@@ -115,7 +115,7 @@ fn ring(height: f64, gradient: Gradient, inertia_ratio: f64) -> TallBody {
 #[test]
 fn loops_have_at_least_24_points_a_turn() {
     let body = ring(4.0, Gradient::FrontBack, 3.0);
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [0.05, 0.0],
         spin: 500.0,
     };
@@ -236,7 +236,7 @@ fn friction_takes_all_the_kinetic_energy() {
 #[test]
 fn requested_times_lie_on_the_path() {
     let body = cylinder().body(GRAVITY).unwrap();
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [1.0, 0.0],
         spin: 50.0,
     };
@@ -265,7 +265,7 @@ fn steep_laws_fade_and_a_body_too_tall_is_held_at_the_edge() {
         ..TallCylinder::solid(0.05, 0.08)
     };
     let arrival = end(&faint.body(GRAVITY).unwrap(), [1.0, 0.0], 5.0);
-    assert_eq!(arrival.ending, PlanarStopReason::Faded);
+    assert_eq!(arrival.ending, SlideStopReason::Faded);
     let [x, y] = arrival.point.velocity;
     assert!(x.hypot(y) <= STOP_FRACTION && arrival.point.spin.abs() <= 5.0 * STOP_FRACTION);
     let tall = TallCylinder {
@@ -302,7 +302,7 @@ fn plates_end_where_the_table_says() {
         let arrival = end(&plate, [row.number("v0"), 0.0], row.number("spin0"));
         let point = arrival.point;
         let at = (row.text("shape"), row.number("spin0"));
-        assert_eq!(arrival.ending, PlanarStopReason::Rest);
+        assert_eq!(arrival.ending, SlideStopReason::Rest);
         // The table's own steps are good to 1e-11.
         let reach = point.distance;
         let [x, y] = [row.number("x"), row.number("y")];

@@ -1,12 +1,12 @@
 //! Bodies on a path in the plane: the motion that dies first, ends that are located, recording.
 
-use tribos::scene::{CylinderScene, Scene, parse_scene, vocabulary};
-use tribos::slide::SlideError;
+use tribos::scene::{CylinderScene, Scene, vocabulary};
+use tribos::slide::MotionError;
 use tribos::slide::planar::{
-    PlanarLaunch, PlanarResult, PlanarSimulation, PlanarState, PlanarStopReason, Resistance,
+    Launch, PlanarResult, PlanarSimulation, PlanarState, Resistance, SlideStopReason,
 };
 use tribos::slide::planar::{TallBody, TallCylinder};
-use tribos::slide::{PlanarScene, run_planar};
+use tribos::slide::{PlanarScene, follow_path};
 use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::modes::{TerminalMode, TerminalMotion};
@@ -28,8 +28,8 @@ fn cylinder(alpha: f64, inertia_ratio: f64, height: f64) -> TallBody {
     cylinder.body(GRAVITY).expect("in range")
 }
 
-fn end(body: &impl Resistance, speed: f64, spin: f64) -> Result<PlanarResult, SlideError> {
-    let launch = PlanarLaunch {
+fn end(body: &impl Resistance, speed: f64, spin: f64) -> Result<PlanarResult, MotionError> {
+    let launch = Launch {
         velocity: [speed, 0.0],
         spin,
     };
@@ -237,13 +237,13 @@ impl Resistance for Oiled {
 #[test]
 fn a_fading_motion_ends_where_the_slower_one_has_faded() {
     for fraction in [0.3, 1e-2, 1e-4, 1e-9] {
-        let launch = PlanarLaunch {
+        let launch = Launch {
             velocity: [1.0, 0.0],
             spin: 5.0,
         };
         let journey = PlanarSimulation::new(&Oiled, &launch, fraction).expect("in range");
         let got = journey.to_end().expect("it fades");
-        assert_eq!(got.ending, PlanarStopReason::Faded);
+        assert_eq!(got.ending, SlideStopReason::Faded);
         let time = -f64::ln(fraction) / 2.0;
         assert!(off(got.point.time, time) < 1e-11, "{fraction}: {got:?}");
         let way = 0.5 * (1.0 - fraction);
@@ -256,7 +256,7 @@ fn a_fading_motion_ends_where_the_slower_one_has_faded() {
 fn tipping_begins_where_the_gradient_reaches_its_limit() {
     // A spinning body slides more and more against friction, and leans the more.
     let body = cylinder(0.0, 0.5, 0.4);
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [0.2, 0.0],
         spin: 20.0,
     };
@@ -297,14 +297,14 @@ fn what_is_recorded_leaves_the_end_as_it_is() {
                 .map(|item| (*item).to_owned())
                 .chain([samples])
                 .collect();
-            let scene = parse_scene("body.toml", &text, &all).expect("in range");
+            let scene = Scene::parse("body.toml", &text, &all).expect("in range");
             let scene: &dyn PlanarScene = match &scene {
                 Scene::Cylinder(scene) => scene,
                 Scene::Pipe(scene) => scene,
                 Scene::Curling(scene) => scene,
                 other => unreachable!("{other:?}"),
             };
-            let outcome = run_planar(scene).expect("it ends").outcome;
+            let outcome = follow_path(scene, &mut |_| true).expect("it ends").outcome;
             (outcome, outcome.energy_error)
         });
         assert_eq!(ends[0], ends[1], "{body} {overrides:?}");
@@ -333,9 +333,9 @@ fn launches_outside_the_range_of_numbers_are_refused() {
         ..usual
     };
     for scene in [slow, fast, wide] {
-        let refused = run_planar(&scene);
+        let refused = scene.run();
         assert!(
-            matches!(refused, Err(SlideError::Energy { .. })),
+            matches!(refused, Err(MotionError::Energy { .. })),
             "{scene:?}: {refused:?}"
         );
     }

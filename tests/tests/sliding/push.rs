@@ -1,18 +1,20 @@
 //! Quasi-static pushing: against sums over nodes, by symmetry, by energy, along paths.
 
-use tribos::friction::limit_surface;
+use tribos::friction::Area;
 use tribos::kernel::limit_surface::FrictionSet;
 use tribos::kernel::nalgebra::Vector2;
 use tribos::kernel::twist::Twist;
 use tribos::push::{
     ContactMode, LineContact, PathEnd, PointContact, Pose, PushError, PushedSide, Pusher,
-    motion_cone, push, push_path,
 };
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tables::Table;
 
 fn set(patch: &str, centre: Option<[f64; 2]>) -> Box<dyn FrictionSet<f64>> {
-    limit_surface(&patch.parse().expect("a patch"), 1.0, 0.05, centre).expect("a set")
+    Area::named(&patch.parse().expect("a patch"), 0.05, centre)
+        .expect("a set")
+        .limit_surface(1.0)
+        .expect("a set")
 }
 
 fn finger(position: [f64; 2], normal: [f64; 2], mu: f64) -> PointContact {
@@ -32,7 +34,7 @@ fn pushes_of_a_box_are_those_of_sums_over_nodes() {
             row.number("mu"),
         );
         let velocity = pair("pusher_x", "pusher_y");
-        let moved = push(&*floor, &contact, velocity).expect("pushes");
+        let moved = contact.push(&*floor, velocity).expect("pushes");
         let slip = row.number("slip");
         let mode = match slip {
             0.0 => ContactMode::Sticking,
@@ -61,13 +63,13 @@ fn pushes_of_a_box_are_those_of_sums_over_nodes() {
 fn a_push_through_the_centre_of_a_disk_does_not_turn_it() {
     let puck = set("disk", None);
     let contact = finger([-0.05, 0.0], [1.0, 0.0], 0.3);
-    let moved = push(&*puck, &contact, [0.02, 0.0]).expect("pushes");
+    let moved = contact.push(&*puck, [0.02, 0.0]).expect("pushes");
     assert_eq!(moved.mode, ContactMode::Sticking);
     assert!(moved.twist.spin.abs() < 1e-15 && moved.twist.velocity.y.abs() < 1e-16);
     assert!((moved.twist.velocity.x - 0.02).abs() < 1e-16);
     // A pusher that moves along the side or away leaves it at rest.
     for away in [[0.0, 0.01], [-0.02, 0.0]] {
-        let left = push(&*puck, &contact, away).expect("answers");
+        let left = contact.push(&*puck, away).expect("answers");
         assert_eq!(
             (left.mode, left.twist),
             (ContactMode::Separating, Twist::ZERO)
@@ -82,9 +84,13 @@ fn mirror_images_move_like_mirror_images() {
     for _ in 0..50 {
         let (x, mu) = (rng.between(-0.15, 0.15), rng.between(0.0, 1.0));
         let velocity = [rng.between(-1.0, 1.0), rng.between(0.1, 1.0)];
-        let one = push(&*floor, &finger([x, -0.1], [0.0, 1.0], mu), velocity).expect("pushes");
+        let one = finger([x, -0.1], [0.0, 1.0], mu)
+            .push(&*floor, velocity)
+            .expect("pushes");
         let image = finger([-x, -0.1], [0.0, 1.0], mu);
-        let other = push(&*floor, &image, [-velocity[0], velocity[1]]).expect("pushes");
+        let other = image
+            .push(&*floor, [-velocity[0], velocity[1]])
+            .expect("pushes");
         assert!(
             (one.twist.spin + other.twist.spin).abs() < 1e-11,
             "{x} {mu}"
@@ -103,7 +109,7 @@ fn the_pushers_power_is_what_floor_and_contact_dissipate() {
             let normal = [rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)];
             let contact = finger(place, normal, rng.between(0.0, 2.0));
             let velocity = Vector2::new(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0));
-            let moved = push(&*floor, &contact, velocity.into()).expect("pushes");
+            let moved = contact.push(&*floor, velocity.into()).expect("pushes");
             let given = moved.wrench.force.dot(&velocity);
             let rubbed = moved.wrench.force.dot(&moved.slip);
             let floor_takes = floor.support(&moved.twist);
@@ -130,20 +136,20 @@ fn the_pushers_power_is_what_floor_and_contact_dissipate() {
 fn motions_are_continuous_where_sliding_begins() {
     let floor = set("box:0.3x0.2", None);
     let contact = finger([0.04, -0.1], [0.0, 1.0], 0.3);
-    let cone = motion_cone(&*floor, &contact).expect("a cone");
+    let cone = contact.motion_cone(&*floor).expect("a cone");
     for edge in [cone.right, cone.left] {
-        let speed = edge.velocity.norm();
-        let along = edge.velocity / speed;
+        let speed = edge.contact_velocity.norm();
+        let along = edge.contact_velocity / speed;
         let across = Vector2::new(-along.y, along.x);
         let [one, other] = [-1e-9, 1e-9].map(|off| {
             let velocity = along + across * off;
-            push(&*floor, &contact, velocity.into()).expect("pushes")
+            contact.push(&*floor, velocity.into()).expect("pushes")
         });
         assert_ne!(one.mode, other.mode);
         assert!((one.twist.spin - other.twist.spin).abs() < 1e-6);
         assert!((one.wrench.force - other.wrench.force).norm() < 1e-7);
     }
-    assert!(cone.holds(cone.left.velocity + cone.right.velocity));
+    assert!(cone.holds(cone.left.contact_velocity + cone.right.contact_velocity));
 }
 
 fn drive(samples: u32, tolerance: f64) -> Pusher {
@@ -153,7 +159,7 @@ fn drive(samples: u32, tolerance: f64) -> Pusher {
             right: 0.1,
             left: 0.2,
         },
-        start: Pose::ORIGIN,
+        start: Pose::default(),
         velocity: [0.0, 0.02],
         duration: 10.0,
         samples,
@@ -164,12 +170,12 @@ fn drive(samples: u32, tolerance: f64) -> Pusher {
 #[test]
 fn paths_have_the_error_that_they_were_asked_for_and_keep_the_pusher_on_the_side() {
     let floor = set("box:0.3x0.2", None);
-    let fine = push_path(&*floor, &drive(10, 1e-11)).expect("a path");
+    let fine = drive(10, 1e-11).path(&*floor).expect("a path");
     let exact = fine.moments[10].pose;
     for tolerance in [1e-4, 1e-6, 1e-8] {
-        let path = push_path(&*floor, &drive(10, tolerance)).expect("a path");
+        let path = drive(10, tolerance).path(&*floor).expect("a path");
         let pose = path.moments[10].pose;
-        let off = (pose.position - exact.position).norm();
+        let off = (pose.x - exact.x).hypot(pose.y - exact.y);
         let turn = (pose.angle - exact.angle).abs() * floor.radius();
         assert!(
             off < tolerance && turn < tolerance,
@@ -180,17 +186,18 @@ fn paths_have_the_error_that_they_were_asked_for_and_keep_the_pusher_on_the_side
         }
     }
     // How often it is recorded does not matter, nor where the floor's axes lie.
-    let often = push_path(&*floor, &drive(1000, 1e-9)).expect("a path");
+    let often = drive(1000, 1e-9).path(&*floor).expect("a path");
     assert!((often.moments[1000].pose.angle - exact.angle).abs() < 1e-8);
     let turned = Pusher {
         start: Pose {
-            position: Vector2::new(1.0, -2.0),
+            x: 1.0,
+            y: -2.0,
             angle: 1.0,
         },
         velocity: [-0.02 * 1.0_f64.sin(), 0.02 * 1.0_f64.cos()],
         ..drive(10, 1e-9)
     };
-    let path = push_path(&*floor, &turned).expect("a path");
+    let path = turned.path(&*floor).expect("a path");
     assert!((path.moments[10].pose.angle - 1.0 - exact.angle).abs() < 1e-8);
 }
 
@@ -205,7 +212,7 @@ fn paths_end_where_the_pusher_slips_off_or_moves_away() {
         },
         ..drive(10, 1e-7)
     };
-    let path = push_path(&*floor, &short).expect("a path");
+    let path = short.path(&*floor).expect("a path");
     let last = path.moments.last().expect("an end");
     assert_eq!(path.end, PathEnd::Slipped);
     assert!((last.contact.x - 0.049).abs() < 1e-5 && last.time < 10.0);
@@ -213,7 +220,7 @@ fn paths_end_where_the_pusher_slips_off_or_moves_away() {
         velocity: [0.0, -0.02],
         ..short
     };
-    let path = push_path(&*floor, &away).expect("a path");
+    let path = away.path(&*floor).expect("a path");
     assert_eq!((path.end, path.moments.len()), (PathEnd::Separated, 1));
     let puck = set("disk", None);
     let straight = Pusher {
@@ -222,14 +229,14 @@ fn paths_end_where_the_pusher_slips_off_or_moves_away() {
         velocity: [0.02, 0.0],
         ..short
     };
-    let path = push_path(&*puck, &straight).expect("a path");
+    let path = straight.path(&*puck).expect("a path");
     let last = path.moments[10].pose;
-    assert!((last.position.x - 0.2).abs() < 1e-9 && last.angle.abs() < 1e-9);
+    assert!((last.x - 0.2).abs() < 1e-9 && last.angle.abs() < 1e-9);
     let never = Pusher {
         duration: 0.0,
         ..straight
     };
-    let refused = push_path(&*puck, &never);
+    let refused = never.path(&*puck);
     assert!(matches!(refused, Err(PushError::Number { .. })));
 }
 

@@ -424,7 +424,7 @@ fn disk_run(keys: &[&str]) -> tribos::slide::SlideSummary {
     let text = tribos::scene::vocabulary("disk").unwrap().least_text();
     let keys: Vec<String> = keys.iter().map(|key| key.to_string()).collect();
     let scene = tribos::scene::DiskScene::parse("disk.toml", &text, &keys).unwrap();
-    tribos::slide::run(&scene, |_| ()).unwrap().outcome
+    scene.run().unwrap().outcome
 }
 
 #[test]
@@ -452,7 +452,7 @@ fn a_fading_run_ends_where_it_has_faded_whatever_the_samples() {
     let text = tribos::scene::vocabulary("disk").unwrap().least_text();
     let keys = ["alpha=3".into(), "stop_fraction=0.01".into()];
     let scene = tribos::scene::DiskScene::parse("disk.toml", &text, &keys).unwrap();
-    let series = tribos::slide::run(&scene, |_| ()).unwrap().series;
+    let series = scene.run().unwrap().rows;
     let [first, last] = [series.first(), series.last()].map(Option::unwrap);
     let slower = (last[1] / first[1]).max(last[2] / first[2]);
     assert!(relative(slower, 0.01) < 1e-10, "{slower}");

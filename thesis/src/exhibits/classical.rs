@@ -5,7 +5,6 @@ use crate::exhibit::{Exhibit, geometric, linear, points};
 use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos::scene::InclineScene;
-use tribos::stick::incline;
 use tribos_core::law::{CoulombLaw, DryFriction, LocalLaw, RestTime, StaticAgeing};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
@@ -144,7 +143,7 @@ fn starts_with_a_jump() -> Result<Claim> {
             tilt_rate: 0.0,
             ..InclineScene::default()
         };
-        let acceleration = incline::run(&scene)?.outcome.release_acceleration;
+        let acceleration = scene.run()?.outcome.release_acceleration;
         let acceleration = acceleration.ok_or_else(|| anyhow!("the block holds"))?;
         Ok(acceleration / scene.gravity)
     };

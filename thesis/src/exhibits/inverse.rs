@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::num::NonZeroU32;
 use tribos::slide::inverse::{
-    InverseError, Launch, LaunchLimits, LaunchSolution, Pose, RestMap, Turns,
+    Launch, LaunchLimits, LaunchSolution, MotionError, Pose, RestMap, Turns,
 };
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::modes::{TerminalMode, TerminalMotion};
@@ -251,7 +251,7 @@ fn behaviour(disk: &Map) -> Result<Vec<Claim>> {
         Claim::trend(
             TEXT.said("never"),
             "refused for α = 1",
-            matches!(never, Err(InverseError::NeverRests { .. })),
+            matches!(never, Err(MotionError::NeverRests { .. })),
         ),
         Claim::not_checkable(TEXT.said("robots")),
     ])

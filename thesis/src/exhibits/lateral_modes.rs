@@ -7,7 +7,7 @@ use crate::reference_integration::{Points, slowed, to_rest};
 use crate::text::Text;
 use anyhow::{Context, Result};
 use tribos::slide::planar::{
-    Gradient, PlanarLaunch, PlanarSimulation, PlanarState, TallBody, TallCylinder,
+    Gradient, Launch, PlanarSimulation, PlanarState, TallBody, TallCylinder,
 };
 use tribos_core::coupling::DryProfile;
 use tribos_core::coupling::round::RoundTable64;
@@ -95,7 +95,7 @@ fn cylinder(alpha: f64, lean: f64) -> Result<TallBody> {
 
 /// The last ratio of a cylinder that is thrown at 1 m/s.
 fn last_ratio(body: &TallBody, launch: f64) -> Result<f64> {
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [1.0, 0.0],
         spin: 1.0 / (launch * RADIUS),
     };
@@ -289,7 +289,7 @@ fn rock() -> Result<Vec<Claim>> {
 fn slowing(rock: &TallCylinder) -> Result<([f64; 3], [f64; 3])> {
     let body = rock.body(GRAVITY)?;
     let [slide, rim] = THROWN;
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [slide, 0.0],
         spin: rim / rock.radius,
     };

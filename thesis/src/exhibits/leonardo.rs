@@ -5,7 +5,6 @@ use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos::friction::Patch;
 use tribos::scene::InclineScene;
-use tribos::stick::incline::run;
 use tribos_core::Real;
 use tribos_report::claim::Claim;
 use tribos_report::digits::{brief, short};
@@ -51,7 +50,7 @@ fn block(patch: (&str, f64), mass: f64, mu_static: f64) -> Result<InclineScene> 
 
 /// Time and angle at which the block lets go.
 fn release(scene: &InclineScene) -> Result<(f64, f64)> {
-    let outcome = run(scene)?.outcome;
+    let outcome = scene.run()?.outcome;
     let released = outcome.release_time.zip(outcome.release_angle);
     released.ok_or_else(|| anyhow!("the block holds"))
 }
@@ -189,7 +188,7 @@ fn larger_velocity() -> Result<Claim> {
             ..block(PATCHES[0], 1.0, MU_STATIC)?
         };
         let duration = release(&scene)?.0 + 0.1;
-        Ok(run(&InclineScene { duration, ..scene })?.outcome.speed)
+        Ok(InclineScene { duration, ..scene }.run()?.outcome.speed)
     };
     let (two, one) = (speed(MU_DYNAMIC)?, speed(MU_STATIC)?);
     Ok(Claim::trend(
@@ -210,7 +209,7 @@ fn holds_exactly() -> Result<Claim> {
         duration: 1e9,
         ..block(PATCHES[0], 1.0, MU_STATIC)?
     };
-    let result = run(&scene)?;
+    let result = scene.run()?;
     let is_still = result.rows.iter().all(|row| row[2] == 0.0 && row[3] == 0.0);
     Ok(Claim::own_statement(
         TEXT.said("holds-exactly"),

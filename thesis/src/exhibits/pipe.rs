@@ -3,7 +3,7 @@
 use crate::exhibit::{Exhibit, linear};
 use crate::text::Text;
 use anyhow::Result;
-use tribos::slide::planar::{Pipe, PlanarLaunch, PlanarResult, PlanarSimulation};
+use tribos::slide::planar::{Launch, Pipe, PlanarResult, PlanarSimulation};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Legend, Series};
 
@@ -39,7 +39,7 @@ fn journey(
     times: &[f64],
 ) -> Result<(PlanarResult, Vec<[f64; 3]>)> {
     let body = pipe(height).body(GRAVITY)?;
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [speed, 0.0],
         spin,
     };

@@ -5,7 +5,7 @@ use tribos::slide::curling::{
     BackHeavy, CurlingModel, CurlingRock, Dry, Film, FrontBack, IceLaw, LeftRight, PivotSlide,
     ScratchGuide,
 };
-use tribos::slide::planar::{PlanarLaunch, PlanarSimulation, PlanarState, Resistance};
+use tribos::slide::planar::{Launch, PlanarSimulation, PlanarState, Resistance};
 
 /// Launch of a draw that stops after 28.35 m without spin under Penner's law, m/s.
 pub(super) const DRAW: f64 = 1.9866;
@@ -58,7 +58,7 @@ pub(super) fn pivot() -> PivotSlide {
 }
 
 fn journey<B: Resistance>(body: &B, (speed, spin): (f64, f64)) -> Result<PlanarSimulation<'_, B>> {
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [speed, 0.0],
         spin,
     };

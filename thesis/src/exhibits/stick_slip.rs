@@ -6,7 +6,7 @@ use crate::text::Text;
 use anyhow::{Result, anyhow};
 use std::f64::consts::PI;
 use tribos::scene::{SpringFriction, SpringScene};
-use tribos::stick::spring::{SpringSummary, StickSlipRegime, critical_stiffness, run};
+use tribos::stick::spring::{SpringSummary, StickSlipRegime, critical_stiffness};
 use tribos_core::law::RateStateParameters;
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
@@ -45,7 +45,7 @@ fn scene(stiffness: f64, speed: f64) -> SpringScene {
 }
 
 fn outcome(stiffness: f64, speed: f64) -> Result<SpringSummary> {
-    Ok(run(&scene(stiffness, speed))?.outcome)
+    Ok(scene(stiffness, speed).run()?.outcome)
 }
 
 /// One run of the phase diagram.
@@ -136,7 +136,7 @@ fn border(speed: f64) -> Result<f64> {
             tolerance: 1e-9,
             ..scene(middle, speed)
         };
-        if run(&disturbed)?.outcome.swing_ratio > 1.0 {
+        if disturbed.run()?.outcome.swing_ratio > 1.0 {
             low = middle;
         } else {
             high = middle;
@@ -300,7 +300,7 @@ fn oscillation() -> Result<Claim> {
         tolerance: 1e-9,
         ..scene(criterion(&dry, speed), speed)
     };
-    let found = run(&swinging)?.outcome.period;
+    let found = swinging.run()?.outcome.period;
     let found = found.ok_or_else(|| anyhow!("nothing oscillates"))?;
     let expected = 2.0 * PI * PAPER.slip_distance / speed * (PAPER.a / (PAPER.b - PAPER.a)).sqrt();
     Ok(Claim::own(
@@ -337,7 +337,7 @@ fn healing() -> Result<Claim> {
         radiation_damping: 0.0,
         ..scene(1e6, 1e-5)
     };
-    let found = run(&held)?.outcome.healing;
+    let found = held.run()?.outcome.healing;
     let found = found.ok_or_else(|| anyhow!("no holds"))?;
     Ok(Claim::own(
         TEXT.said("healing"),

@@ -4,9 +4,9 @@ use crate::command::interrupt;
 use crate::failure::Failure;
 use std::error::Error;
 use std::sync::Arc;
-use tribos::motion::MotionError;
 use tribos::run::folder::Lock;
 use tribos::run::{LongRun, RunError, Session, StartMode};
+use tribos::slide::MotionError;
 
 /// Why there is no result.
 pub enum NoResult {

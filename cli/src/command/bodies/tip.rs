@@ -12,9 +12,7 @@ use tribos::results::{Summary, SweepView, SweptQuantity, swept};
 use tribos::run::RunSize;
 use tribos::run::folder::OutputFolder;
 use tribos::scene::{DriveKind, TipScene};
-use tribos::tip::{
-    Reversal, SlidingSummary, TipError, TipSimulation, TipSummary, build, export, size,
-};
+use tribos::tip::{Reversal, SlidingSummary, TipSimulation, TipSummary, build, export, size};
 use tribos_report::runs::tip as picture;
 
 impl LongBody for TipScene {
@@ -61,7 +59,7 @@ impl LongBody for TipScene {
     }
 
     fn refuse(&self) -> Result<(), Failure> {
-        Ok(build(self).map(|_| ()).map_err(TipError::Build)?)
+        Ok(build(self).map(drop)?)
     }
 
     fn state(run: &TipSimulation) -> String {

@@ -4,12 +4,13 @@ use super::line;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::event::{Tangential, collision_rate, contact_value};
-use tribos::gas::{GasError, soft_collision};
+use tribos::gas::soft_collision;
+use tribos::run::PackingRunError;
 use tribos::scene::{GasMethod, GasScene, NormalForce};
 
 /// The whole account.
 pub fn text(scene: &GasScene) -> Result<String, Failure> {
-    let law = scene.impact().map_err(GasError::from)?;
+    let law = scene.impact().map_err(PackingRunError::from)?;
     let e = scene.restitution;
     let mut text = line(
         "collision",

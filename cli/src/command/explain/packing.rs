@@ -205,7 +205,7 @@ pub struct Springs<'a> {
 /// Springs, dashpots and their step.
 pub fn springs(told: &Springs<'_>) -> String {
     let damping = if told.restitution > 0.0 {
-        soft::damping_ratio_of(told.restitution)
+        soft::Stiffness::damping_ratio_of(told.restitution)
     } else {
         told.damping
     };
@@ -217,7 +217,7 @@ pub fn springs(told: &Springs<'_>) -> String {
     let method = format!(
         "none: {law}, damping ratio {}, restitution {}",
         shown(damping),
-        shown(soft::restitution_of(damping))
+        shown(soft::Stiffness::restitution_of(damping))
     );
     let ((force, overlap), [stable, longest]) = (&told.overlap, told.steps);
     let steps = format!(

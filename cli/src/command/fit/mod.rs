@@ -11,7 +11,7 @@ use progress::Progress;
 use std::num::NonZero;
 use std::path::PathBuf;
 use table::Table;
-use tribos::fit::{FitLaw, FitOptions, fit_watched, law_model};
+use tribos::fit::{FitLaw, FitOptions, fit_watched};
 use tribos::friction::Patch;
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_report::image;
@@ -113,7 +113,7 @@ impl Arguments {
         let table = Table::read(data, self.load)?;
         let fail = |error| table.refusal(error);
         let data = &table.data;
-        let model = law_model(law, data).map_err(fail)?;
+        let model = law.model(data).map_err(fail)?;
         let options = FitOptions {
             fixed: self.fixed.clone(),
             starts: self.starts.get(),

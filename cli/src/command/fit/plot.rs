@@ -1,7 +1,7 @@
 //! Data with the fitted curve, and what is left.
 
 use crate::failure::Failure;
-use tribos::fit::{Fit, FitLaw, Measurements, Motion, law_model};
+use tribos::fit::{Fit, FitLaw, Measurements, Motion};
 use tribos_report::figure::{Axis, Figure, Panels, ReferenceLine, Series};
 
 /// Most measurements that are drawn: more of them hide each other, and fill files.
@@ -67,7 +67,7 @@ fn curve(law: FitLaw, data: &Measurements, fit: &Fit) -> Result<Vec<(f64, f64)>,
         .collect();
     let places =
         Measurements::steady(all.clone(), vec![1.0; all.len()], None).map_err(Failure::run)?;
-    let model = law_model(law, &places).map_err(Failure::run)?;
+    let model = law.model(&places).map_err(Failure::run)?;
     let friction = model.predict(&values).unwrap_or_default();
     Ok(all.into_iter().zip(friction).collect())
 }

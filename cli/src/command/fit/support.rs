@@ -4,7 +4,8 @@ use crate::command::digits::shown;
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::Path;
-use tribos::fit::support::{MeasuredPush, MeasuredPushError, SupportFit, fit_support};
+use tribos::fit::FitError;
+use tribos::fit::support::{MeasuredPush, SupportFit};
 use tribos::friction::Patch;
 use tribos::record::Rows;
 use tribos::record::{write_atomically, write_series};
@@ -32,12 +33,11 @@ const LEGEND: u32 = 60;
 /// Fits, writes and prints.
 pub fn execute(file: &Path, patch: Option<&Patch>, out: Option<&Path>) -> Result<(), Failure> {
     let (pushes, refusals) = read(file)?;
-    let fit = fit_support(&pushes, patch).map_err(|error| match error {
-        MeasuredPushError::Push { push, message } => refusals(push, &message),
-        MeasuredPushError::Whole(message) => {
-            Failure::input(format!("{}: {message}", file.display()))
-        }
-        MeasuredPushError::Support(refusal) => refusal.into(),
+    let fit = SupportFit::new(&pushes, patch).map_err(|error| match error {
+        FitError::Push { push, message } => refusals(push, &message),
+        FitError::Pushes(message) => Failure::input(format!("{}: {message}", file.display())),
+        FitError::Support(refusal) => refusal.into(),
+        other => Failure::input(other),
     })?;
     if let Some(out) = out {
         let _folder = OutputFolder::begin(out, &Contents::of("fit", &FILES))?;

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
-use tribos::fit::{DataError, FitError, Measurements, Motion};
+use tribos::fit::{FitError, Measurements, Motion};
 use tribos::record::{Rows, TableError};
 
 /// The measurements of a file.
@@ -58,7 +58,7 @@ impl Table {
             Some(times) => Measurements::series(times, velocities, friction, sigma),
             None => Measurements::steady(velocities, friction, sigma),
         };
-        let data = data.map_err(|error| refusal(path, &lines, FitError::Data(error)))?;
+        let data = data.map_err(|error| refusal(path, &lines, error))?;
         let name = path.to_path_buf();
         Ok(Self { data, name, lines })
     }
@@ -87,7 +87,7 @@ impl Table {
 fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
     let name = path.display();
     match error {
-        FitError::Data(DataError::Point { point, message }) => {
+        FitError::Point { point, message } => {
             let line = lines.get(point).copied().unwrap_or(1);
             Failure::input(format!("{name}:{line}: {message}"))
         }

@@ -6,9 +6,7 @@ use super::number;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use tribos::measure::{
-    Assembly, AssemblyError, KnownForces, MeasureOptions, Measures, Table, measure_series,
-};
+use tribos::measure::{Assembly, AssemblyError, KnownForces, MeasureOptions, Measures, Table};
 use tribos::record::{write_atomically, write_series};
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_report::image;
@@ -235,7 +233,7 @@ impl Arguments {
             states.push((step, self.periodic(state)?));
         }
         let (count, mut done, mut last) = (states.len(), 0, Instant::now());
-        let table = measure_series(states, options, |step| {
+        let table = Measures::series(states, options, |step| {
             done += 1;
             if last.elapsed() >= Duration::from_secs(1) {
                 last = Instant::now();

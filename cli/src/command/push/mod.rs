@@ -8,7 +8,7 @@ use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Patch};
-use tribos::push::{PUSH_BOX, PushResult, run};
+use tribos::push::{PUSH_BOX, PushResult};
 use tribos::record::{number as shortest, read_text, series_csv};
 use tribos::scene::{MOST_BYTES, PushScene, toml_value};
 
@@ -95,7 +95,7 @@ impl Arguments {
                 file::refuse_input(name, output, input)?;
             }
         }
-        let answer = run(&scene)?;
+        let answer = scene.run()?;
         if let Some(path) = &self.output {
             write(path, &answer)?;
             super::note(format_args!("written to    {}", path.display()));

@@ -40,7 +40,7 @@ pub fn draw(path: &Path, scene: &PushScene, answer: &PushResult) -> Result<(), F
     let pusher: Points = moments.iter().map(touching).collect();
     let centre: Points = moments
         .iter()
-        .map(|moment| (moment.pose.position.x, moment.pose.position.y))
+        .map(|moment| (moment.pose.x, moment.pose.y))
         .collect();
     let outlines: Vec<Points> = shown.iter().map(|&at| outline(&moments[at])).collect();
     let all = outlines.iter().flatten().chain(&pusher);

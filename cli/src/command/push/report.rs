@@ -97,8 +97,8 @@ pub fn text(scene: &PushScene, answer: &PushResult) -> String {
                 "{} after {} s: body at {}, {} m, turned by {} deg",
                 answer.journey.end,
                 shown(last.time),
-                shown(last.pose.position.x),
-                shown(last.pose.position.y),
+                shown(last.pose.x),
+                shown(last.pose.y),
                 degrees(last.pose.angle)
             ),
         );

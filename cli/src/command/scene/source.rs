@@ -4,16 +4,14 @@ use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::record::read_text;
-use tribos::scene::{
-    self, Key, LIBRARY, LibraryScene, MOST_BYTES, Scene, earlier_names, library_scene,
-};
+use tribos::scene::{Key, LIBRARY, LibraryScene, MOST_BYTES, Scene, earlier_names, library_scene};
 
 /// Reads the scene in the file, or that of this name where there is no such file.
 pub fn read(scene: &Path, overrides: &[String]) -> Result<Scene, Failure> {
     set_once(overrides)?;
     let name = scene.display().to_string();
     let text = text(scene)?;
-    let scene = scene::parse_scene(&name, &text, overrides).map_err(Failure::input)?;
+    let scene = Scene::parse(&name, &text, overrides).map_err(Failure::input)?;
     note_earlier_names(&name, scene.as_body().keys(), &text, overrides);
     Ok(scene)
 }

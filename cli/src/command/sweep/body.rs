@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::sync::Arc;
 use tribos::run::folder::Lock;
-use tribos::scene::{Key, Scene, parse_scene};
+use tribos::scene::{Key, Scene};
 
 /// A scene that a sweep runs.
 #[derive(Debug)]
@@ -15,7 +15,7 @@ pub struct Body(Scene);
 impl Body {
     /// The scene of this text with overrides; `name` stands for its file in messages.
     pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, Failure> {
-        let scene = parse_scene(name, text, overrides).map_err(Failure::input)?;
+        let scene = Scene::parse(name, text, overrides).map_err(Failure::input)?;
         Ok(Self(scene))
     }
 

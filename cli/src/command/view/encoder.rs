@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use tribos::record::{WriteError, write_atomically_with};
+use tribos::record::{RecordError, write_atomically_with};
 use tribos::run::in_order;
 use tribos_report::runs::RunFrames;
 
@@ -62,7 +62,7 @@ pub fn film(run: &RunFrames, look: &RenderStyle, file: &Path, rate: u32) -> Resu
 
 /// Copies a film to its place, as every other output goes there.
 fn deliver(film: &Path, file: &Path) -> Result<(), Failure> {
-    let fail = |cause| WriteError {
+    let fail = |cause| RecordError::Write {
         path: file.to_owned(),
         cause,
     };

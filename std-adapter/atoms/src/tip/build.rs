@@ -1,6 +1,7 @@
 //! From a scene to atoms, groups, potential and drive.
 
 use super::forces::TipForces;
+use super::run::TipError;
 use super::shape::{AtomRole, Site};
 use crate::md::atoms::Atoms;
 use crate::md::drive::TorqueDrive;
@@ -15,28 +16,10 @@ use crate::tip::scene::{
     DriveKind, DrivenHold, ThermostatBias, ThermostatKind, TipScene, TorqueNormalisation,
 };
 use nalgebra::Vector3;
-use tribos_base::scene::InvalidScene;
-use tribos_base::space::{PeriodicBox, PeriodicBoxError};
+use tribos_base::space::PeriodicBox;
 
 /// Stream of the initial velocities, separate from the noise of the steps.
 const FIRST: u64 = u64::MAX;
-
-/// A tip that cannot be built.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum BuildError {
-    /// A field of the scene is wrong.
-    #[error(transparent)]
-    Scene(#[from] InvalidScene),
-    /// The box.
-    #[error(transparent)]
-    Space(#[from] PeriodicBoxError),
-    /// The potential.
-    #[error(transparent)]
-    Potential(#[from] LennardJonesError),
-    /// The thermostats.
-    #[error(transparent)]
-    Thermostat(#[from] ThermostatError),
-}
 
 /// The setup of a run, with the support of a slid tip and the layer of each atom.
 #[derive(Debug)]
@@ -53,7 +36,7 @@ pub struct TipSystem {
 ///
 /// ```
 /// use tribos::scene::TipScene;
-/// use tribos::tip::{BuildError, AtomRole, TipSystem, build};
+/// use tribos::tip::{AtomRole, TipError, TipSystem, build};
 /// let mut scene = TipScene {
 ///     lambda: 0.01,
 ///     substrate_columns: 8,
@@ -72,10 +55,10 @@ pub struct TipSystem {
 /// assert_eq!(setup.drive.map(|drive| drive.acceleration), Some(0.01));
 /// assert!(support.is_none()); // it is not slid
 /// scene.cutoff = 0.0; // no potential
-/// assert!(matches!(build(&scene), Err(BuildError::Scene(_))));
+/// assert!(matches!(build(&scene), Err(TipError::Scene(_))));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
+pub fn build(scene: &TipScene) -> Result<TipSystem, TipError> {
     scene.check()?;
     let shape = scene.shape();
     let (sites, [x, y]) = (shape.sites(), shape.periods());

@@ -1,6 +1,7 @@
 //! Files with which LAMMPS runs the same system.
 
-use super::build::{BuildError, TipSystem, build, is_of_tip};
+use super::build::{TipSystem, build, is_of_tip};
+use super::run::TipError;
 use super::shape::AtomRole;
 use crate::md::atoms::Atoms;
 use crate::md::configuration::Configuration;
@@ -49,7 +50,7 @@ pub struct Export {
 }
 
 /// The start of a scene's run.
-pub fn start(scene: &TipScene) -> Result<Export, BuildError> {
+pub fn start(scene: &TipScene) -> Result<Export, TipError> {
     let TipSystem { setup, .. } = build(scene)?;
     let atoms = &setup.atoms;
     Ok(Export {

@@ -23,9 +23,7 @@ mod shape;
 mod sliding_summary;
 mod start;
 
-pub use crate::md::system::{Integrator, SystemError};
-pub use crate::md::thermostat::ThermostatError;
-pub use build::BuildError;
+pub use crate::md::system::Integrator;
 #[doc(hidden)]
 pub use build::{TipSystem, build};
 #[doc(hidden)]
@@ -35,7 +33,7 @@ pub use energy::DriveEnergy;
 pub use forces::TipForces;
 pub use lattice::CrystalFace;
 pub use outcome::{AnglePlateau, Reversal, TipSummary};
-pub use potential::{PotentialError, TipPotential};
+pub use potential::TipPotential;
 pub use run::{TipError, TipSimulation};
 pub use shape::TipOutline;
 #[doc(hidden)]

@@ -1,6 +1,7 @@
 //! Potentials of a tip by name: Lennard-Jones in reduced units, metals in Å, eV, ps, K and u.
 
 use super::forces::TipForces;
+use super::run::TipError;
 use crate::md::eam::file::PotentialFile;
 use crate::md::eam::{SUTTON_CHEN, SuttonChen, Tabulated};
 use crate::md::interaction::Interaction;
@@ -54,40 +55,6 @@ struct Metal {
     spacings: [f64; 2],
 }
 
-/// A text that is no potential.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum PotentialError {
-    /// Neither form.
-    #[error(
-        "must be \"lennard-jones\", \"sutton-chen:Cu\" or \"eam:FILE\" (\"eam:FILE,substrate=Cu,tip=Ni\"), got \"{0}\""
-    )]
-    Form(String),
-    /// No metal of the table.
-    #[error("no parameters for \"{given}\"; the metals are {all}", all = names())]
-    Metal {
-        /// The rejected name.
-        given: String,
-    },
-    /// The file cannot be read.
-    #[error("{file}: {reason}")]
-    File {
-        /// The file.
-        file: String,
-        /// What is wrong with it.
-        reason: String,
-    },
-    /// A crystal of the element does not hold together.
-    #[error("{name} has no stable face-centred cubic crystal in this potential")]
-    Unbound {
-        /// The element.
-        name: String,
-    },
-}
-
-fn names() -> String {
-    SUTTON_CHEN.map(|metal| metal.name).join(", ")
-}
-
 impl TipPotential {
     /// Whether it is a metal, in metal units.
     pub fn is_metal(&self) -> bool {
@@ -138,12 +105,12 @@ impl TipPotential {
 
 impl Metal {
     /// A metal of the table, tip and substrate alike.
-    fn sutton_chen(text: &str, name: &str) -> Result<Self, PotentialError> {
+    fn sutton_chen(text: &str, name: &str) -> Result<Self, TipError> {
         let metal = SUTTON_CHEN.iter().find(|metal| metal.name == name);
-        let refused = || PotentialError::Metal { given: name.into() };
+        let refused = || TipError::Metal { given: name.into() };
         let metal = metal.ok_or_else(refused)?;
         let law = SuttonChen::new(metal.parameters()).map_err(|_| refused())?;
-        let unbound = || PotentialError::Unbound { name: name.into() };
+        let unbound = || TipError::Unbound { name: name.into() };
         let [spacing, _] = law.crystal(0).ok_or_else(unbound)?;
         Ok(Self {
             text: text.into(),
@@ -156,10 +123,10 @@ impl Metal {
     }
 
     /// Elements of a file.
-    fn of_file(text: &str, rest: &str) -> Result<Self, PotentialError> {
+    fn of_file(text: &str, rest: &str) -> Result<Self, TipError> {
         let mut parts = rest.split(',').map(str::trim);
         let file = parts.next().unwrap_or_default();
-        let refuse = |reason: String| PotentialError::File {
+        let refuse = |reason: String| TipError::File {
             file: file.into(),
             reason,
         };
@@ -168,18 +135,20 @@ impl Metal {
             match part.split_once('=') {
                 Some(("substrate", name)) => wanted[0] = Some(name.trim()),
                 Some(("tip", name)) => wanted[1] = Some(name.trim()),
-                _ => return Err(PotentialError::Form(text.into())),
+                _ => return Err(TipError::Potential(text.into())),
             }
         }
         let tables = std::fs::read_to_string(file).map_err(|error| refuse(error.to_string()))?;
         let tables = PotentialFile::read(&tables).map_err(|error| refuse(error.to_string()))?;
-        let number = |wanted: Option<&str>| match wanted {
-            None => Ok(0),
-            Some(name) => {
-                let names = [name.to_owned()];
-                let found = tables.elements_of(Some(&names), 1);
-                let found = found.map_err(|error| refuse(error.to_string()))?;
-                Ok(found.first().copied().unwrap_or_default())
+        let number = |wanted: Option<&str>| -> Result<usize, TipError> {
+            match wanted {
+                None => Ok(0),
+                Some(name) => {
+                    let names = [name.to_owned()];
+                    let found = tables.elements_of(Some(&names), 1);
+                    let found = found.map_err(|error| refuse(error.to_string()))?;
+                    Ok(found.first().copied().unwrap_or_default())
+                }
             }
         };
         let numbers = [number(wanted[0])?, number(wanted[1])?];
@@ -196,7 +165,7 @@ impl Metal {
         };
         let names = numbers.map(name);
         let [below, above] = [0, 1].map(|side| {
-            let unbound = || PotentialError::Unbound {
+            let unbound = || TipError::Unbound {
                 name: names[side].clone(),
             };
             law.crystal(species[side]).ok_or_else(unbound)
@@ -213,15 +182,15 @@ impl Metal {
 }
 
 impl FromStr for TipPotential {
-    type Err = PotentialError;
+    type Err = TipError;
 
-    fn from_str(text: &str) -> Result<Self, PotentialError> {
+    fn from_str(text: &str) -> Result<Self, TipError> {
         let text = text.trim();
         let metal = match text.split_once(':') {
             None if text == "lennard-jones" => return Ok(Self(None)),
             Some(("sutton-chen", name)) => Metal::sutton_chen(text, name.trim())?,
             Some(("eam", rest)) if !rest.is_empty() => Metal::of_file(text, rest)?,
-            _ => return Err(PotentialError::Form(text.into())),
+            _ => return Err(TipError::Potential(text.into())),
         };
         Ok(Self(Some(Arc::new(metal))))
     }

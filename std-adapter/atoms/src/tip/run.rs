@@ -1,20 +1,25 @@
 //! A run of the tip: stages, series, checkpoints.
 
-use super::build::{BuildError, TipSystem, build};
+use super::build::{TipSystem, build};
 use super::checkpoint::Checkpoint;
 use super::forces::TipForces;
 use super::loop_work::is_noted;
 use super::monitor::{RunMonitor, interval};
 use super::outcome::{Measured, TipSummary};
 use super::shape::AtomRole;
+use crate::md::eam::SUTTON_CHEN;
 use crate::md::interaction::Evaluation;
 use crate::md::observe::{heat_energy, temperature};
+use crate::md::pair::LennardJonesError;
 use crate::md::system::{System, SystemError};
+use crate::md::thermostat::ThermostatError;
 use crate::tip::scene::{DriveKind, TipScene};
 use nalgebra::Vector3;
 use tribos_base::golden::{Measure, Measurement, digest};
 use tribos_base::record::CheckpointError;
 use tribos_base::run::{Simulation, run_to_end};
+use tribos_base::scene::InvalidScene;
+use tribos_base::space::SpaceError;
 
 /// First columns of the series.
 const FIXED_COLUMNS: [&str; 7] = [
@@ -42,12 +47,46 @@ const SLID_COLUMNS: [&str; 6] = [
 /// Numbers that a line for averages has after those of the series: mean force on a driven atom.
 const FORCE: usize = 3;
 
-/// Why a run cannot start or continue.
-#[derive(Debug, thiserror::Error)]
+/// Why a tip cannot be built, started or continued, or a text is no potential of a tip.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TipError {
-    /// The scene does not give a valid system.
+    /// The text is no potential.
+    #[error(
+        "must be \"lennard-jones\", \"sutton-chen:Cu\" or \"eam:FILE\" (\"eam:FILE,substrate=Cu,tip=Ni\"), got \"{0}\""
+    )]
+    Potential(String),
+    /// The metal of a potential is not in the table.
+    #[error("no parameters for \"{given}\"; the metals are {all}", all = SUTTON_CHEN.map(|metal| metal.name).join(", "))]
+    Metal {
+        /// The rejected name.
+        given: String,
+    },
+    /// The file of a potential cannot be read.
+    #[error("{file}: {reason}")]
+    File {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A crystal of the element does not hold together in the potential.
+    #[error("{name} has no stable face-centred cubic crystal in this potential")]
+    Unbound {
+        /// The element.
+        name: String,
+    },
+    /// A field of the scene is wrong.
     #[error(transparent)]
-    Build(#[from] BuildError),
+    Scene(#[from] InvalidScene),
+    /// The box.
+    #[error(transparent)]
+    Space(#[from] SpaceError),
+    /// The parameters of the potential.
+    #[error(transparent)]
+    LennardJones(#[from] LennardJonesError),
+    /// The thermostats.
+    #[error(transparent)]
+    Thermostat(#[from] ThermostatError),
     /// The system cannot be set up, or blew up.
     #[error(transparent)]
     System(#[from] SystemError),

@@ -18,9 +18,9 @@ pub enum Verdict {
 ///
 /// ```
 /// use tribos::golden::{Difference, Pinned, SeriesDifference, SummaryDifference, Verdict, measure};
-/// # use tribos::scene::parse_scene;
+/// # use tribos::scene::Scene;
 /// # let text = "body = \"curling\"\nmodel = \"dry\"\nspeed = 2\nspin = 1.5";
-/// let mut run = measure(&parse_scene("rock.toml", text, &[])?, || ())?;
+/// let mut run = measure(&Scene::parse("rock.toml", text, &[])?, || ())?;
 /// let pinned = Pinned::new("rock.toml".into(), vec![], &run);
 /// run.rows[9][1] = run.rows[9][1].next_up(); // the last bit of a place
 /// let lost = run.summary.pop();

@@ -8,9 +8,9 @@
 //!
 //! ```
 //! use tribos::golden::{Golden, Pinned, Verdict, measure};
-//! use tribos::scene::parse_scene;
+//! use tribos::scene::Scene;
 //! let text = "body = \"curling\"\nmodel = \"dry\"\nspeed = 2\nspin = 1.5";
-//! let measured = measure(&parse_scene("rock.toml", text, &[])?, || ())?;
+//! let measured = measure(&Scene::parse("rock.toml", text, &[])?, || ())?;
 //! let golden = Golden { scenes: vec![Pinned::new("rock.toml".into(), vec![], &measured)] };
 //! let read = Golden::parse("golden.toml", &golden.text())?;
 //! assert_eq!(read.scenes[0].compare(&measured), Verdict::Same);

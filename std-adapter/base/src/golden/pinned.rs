@@ -16,16 +16,16 @@ const BLOCKS: usize = 16;
 ///
 /// ```
 /// use tribos::golden::{Pinned, Verdict, measure};
-/// # use tribos::scene::parse_scene;
+/// # use tribos::scene::Scene;
 /// # let text = "body = \"curling\"\nmodel = \"dry\"\nspeed = 2\nspin = 1.5";
-/// let run = measure(&parse_scene("rock.toml", text, &[])?, || ())?;
+/// let run = measure(&Scene::parse("rock.toml", text, &[])?, || ())?;
 /// let pinned = Pinned::new("rock.toml".into(), vec![], &run);
 /// assert_eq!(pinned.rows(), run.rows.len());
 /// let counts = [run.columns.len(), run.summary.len(), 0]; // a slide has no state but its path
 /// assert_eq!(pinned.results(), counts);
 /// // On a lighter rock the same results would mean nothing.
 /// let set = vec!["mass=19".into()];
-/// let lighter = measure(&parse_scene("rock.toml", text, &set)?, || ())?;
+/// let lighter = measure(&Scene::parse("rock.toml", text, &set)?, || ())?;
 /// assert!(matches!(pinned.compare(&lighter), Verdict::SceneChanged(_)));
 /// let other = Pinned::new("rock.toml".into(), set, &lighter);
 /// assert_ne!(other.scene_digest(), pinned.scene_digest());

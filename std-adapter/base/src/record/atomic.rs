@@ -1,38 +1,9 @@
 //! Files that are complete or absent.
 
+use super::RecordError;
 use super::target::{Target, prepare};
 use std::io::{BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
-
-/// A file could not be written; an earlier file at its path is unchanged.
-///
-/// ```
-/// use std::io::{Error, ErrorKind};
-/// use tribos::record::WriteError;
-/// let full = WriteError { path: "run.csv".into(), cause: Error::from(ErrorKind::StorageFull) };
-/// assert!(full.is_out_of_room());
-/// assert!(full.to_string().starts_with("cannot write run.csv: "));
-/// ```
-#[derive(Debug, thiserror::Error)]
-#[error("cannot write {}: {cause}", path.display())]
-pub struct WriteError {
-    /// Path of the file.
-    pub path: PathBuf,
-    /// Error of the operating system.
-    #[source]
-    pub cause: std::io::Error,
-}
-
-impl WriteError {
-    /// Whether the disk or the user's quota is full, or the file exceeds the allowed size.
-    pub fn is_out_of_room(&self) -> bool {
-        use std::io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
-        matches!(
-            self.cause.kind(),
-            StorageFull | QuotaExceeded | FileTooLarge
-        )
-    }
-}
 
 /// Beginning and end of the names of unfinished files.
 const UNFINISHED: [&str; 2] = [".tribos-", ".tmp"];
@@ -69,7 +40,7 @@ pub fn is_unfinished(name: &str) -> bool {
 /// assert_eq!(std::fs::read_dir(home.path())?.count(), 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
     let mut file = AtomicFile::begin(path)?;
     file.add(bytes)?;
     file.finish()
@@ -85,7 +56,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 /// write_atomically_there(&home.path().join("speed.csv"), b"time")?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write_atomically_there(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+pub fn write_atomically_there(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
     let mut file = AtomicFile::begin_in_existing_folder(path)?;
     file.add(bytes)?;
     file.finish()
@@ -96,17 +67,17 @@ pub fn write_atomically_there(path: &Path, bytes: &[u8]) -> Result<(), WriteErro
 ///
 /// ```
 /// use std::io::Write;
-/// use tribos::record::{WriteError, write_atomically_with};
+/// use tribos::record::{RecordError, write_atomically_with};
 /// let home = tempfile::tempdir()?;
 /// let path = home.path().join("speed.csv");
 /// write_atomically_with(&path, |file| {
-///     let fail = |cause| WriteError { path: path.clone(), cause };
+///     let fail = |cause| RecordError::Write { path: path.clone(), cause };
 ///     (0..3).try_for_each(|k| writeln!(file, "{k}").map_err(fail))
 /// })?;
 /// assert_eq!(std::fs::read_to_string(&path)?, "0\n1\n2\n");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write_atomically_with<E: From<WriteError>>(
+pub fn write_atomically_with<E: From<RecordError>>(
     path: &Path,
     fill: impl FnOnce(&mut std::fs::File) -> Result<(), E>,
 ) -> Result<(), E> {
@@ -140,19 +111,19 @@ impl Write for Unnamed {
 
 impl AtomicFile {
     /// Begins a temporary file in the folder of `path`, which is created if missing.
-    pub(crate) fn begin(path: &Path) -> Result<Self, WriteError> {
+    pub(crate) fn begin(path: &Path) -> Result<Self, RecordError> {
         Self::begin_in(path, |folder| std::fs::create_dir_all(folder))
     }
 
     /// The same in an existing folder.
-    fn begin_in_existing_folder(path: &Path) -> Result<Self, WriteError> {
+    fn begin_in_existing_folder(path: &Path) -> Result<Self, RecordError> {
         Self::begin_in(path, |_| Ok(()))
     }
 
     fn begin_in(
         path: &Path,
         make: impl FnOnce(&Path) -> std::io::Result<()>,
-    ) -> Result<Self, WriteError> {
+    ) -> Result<Self, RecordError> {
         let begun = || {
             let target = Target::of(path)?;
             let folder = target.folder();
@@ -169,20 +140,22 @@ impl AtomicFile {
                 target,
                 file: BufWriter::new(Unnamed(file)),
             }),
-            Err(cause) => Err(WriteError { path, cause }),
+            Err(cause) => Err(RecordError::Write { path, cause }),
         }
     }
 
     /// Adds bytes.
-    pub(crate) fn add(&mut self, bytes: &[u8]) -> Result<(), WriteError> {
-        self.file.write_all(bytes).map_err(|cause| WriteError {
-            path: self.path.clone(),
-            cause,
-        })
+    pub(crate) fn add(&mut self, bytes: &[u8]) -> Result<(), RecordError> {
+        self.file
+            .write_all(bytes)
+            .map_err(|cause| RecordError::Write {
+                path: self.path.clone(),
+                cause,
+            })
     }
 
     /// Gives the file its name, or copies its bytes to a device, pipe or socket.
-    pub(crate) fn finish(self) -> Result<(), WriteError> {
+    pub(crate) fn finish(self) -> Result<(), RecordError> {
         let Self { path, target, file } = self;
         let deliver = || {
             let Unnamed(mut file) = file.into_inner().map_err(|error| error.into_error())?;
@@ -201,7 +174,7 @@ impl AtomicFile {
             }
             Ok(())
         };
-        deliver().map_err(|cause| WriteError { path, cause })
+        deliver().map_err(|cause| RecordError::Write { path, cause })
     }
 }
 

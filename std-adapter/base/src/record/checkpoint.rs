@@ -13,7 +13,7 @@ const DIGITS: usize = 16;
 /// A checkpoint from which a run cannot resume.
 ///
 /// ```
-/// use tribos::powder::{PowderSimulation, CompactionError};
+/// use tribos::{powder::PowderSimulation, run::PackingRunError};
 /// use tribos::record::CheckpointError;
 /// use tribos::scene::PowderScene;
 /// let light = PowderScene { width: 6.0, height: 8.0, pressure: 0.01, ..PowderScene::default() };
@@ -22,7 +22,7 @@ const DIGITS: usize = 16;
 /// let refused = PowderSimulation::resume(&heavy, &kept);
 /// assert!(matches!(
 ///     refused,
-///     Err(CompactionError::Checkpoint(CheckpointError::Scene { key, .. })) if key == "pressure"
+///     Err(PackingRunError::Checkpoint(CheckpointError::Scene { key, .. })) if key == "pressure"
 /// ));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

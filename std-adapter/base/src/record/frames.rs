@@ -87,6 +87,6 @@ mod frame;
 mod schedule;
 
 pub use bodies::{Bodies, Kind};
-pub use folder::{FrameError, FrameFolder};
+pub use folder::FrameFolder;
 pub use frame::{ContactStateFlags, Frame, FrameContact};
 pub use schedule::{FEWEST, spacing};

@@ -3,6 +3,7 @@
 mod atomic;
 #[doc(hidden)]
 pub mod checkpoint;
+mod error;
 #[doc(hidden)]
 pub mod frames;
 mod lines;
@@ -19,16 +20,14 @@ mod vtk;
 mod xyz;
 
 pub(crate) use atomic::AtomicFile;
-pub use atomic::WriteError;
 #[doc(hidden)]
 pub use atomic::{is_unfinished, write_atomically, write_atomically_there, write_atomically_with};
 pub use checkpoint::CheckpointError;
-pub use frames::FrameError;
+pub use error::RecordError;
 #[doc(hidden)]
 pub use number::brief;
 #[doc(hidden)]
 pub use number::{json_number, number, significant};
-pub use read::ReadError;
 #[doc(hidden)]
 pub use read::read_text;
 pub(crate) use seal::with_number;

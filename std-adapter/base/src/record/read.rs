@@ -1,46 +1,9 @@
 //! Reading text files of limited size.
 
+use super::RecordError;
 use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::Read;
 use std::path::Path;
-
-/// A text that cannot be read.
-///
-/// ```
-/// use tribos::record::ReadError;
-/// let error = ReadError::TooLarge { most: 3 << 20 };
-/// assert_eq!(error.to_string(), "the file is larger than 3 MB, which is the most that is read");
-/// let nowhere = tribos::record::read_text("nowhere.toml".as_ref(), 100);
-/// assert!(nowhere.is_err_and(|error| error.is_missing()) && !error.is_missing());
-/// ```
-#[derive(Debug, thiserror::Error)]
-pub enum ReadError {
-    /// The file cannot be opened or read.
-    #[error(transparent)]
-    Io(#[from] std::io::Error),
-    /// The file is larger than the limit.
-    #[error("the file is larger than {} MB, which is the most that is read", most >> 20)]
-    TooLarge {
-        /// Largest number of bytes.
-        most: u64,
-    },
-    /// The file is compressed.
-    #[error("the file is compressed ({0}); unpack it first")]
-    Compressed(&'static str),
-    /// The file contains a zero byte or is not UTF-8.
-    #[error("the file is not a text: byte {at} is not of one")]
-    NotText {
-        /// Offset of the first byte that is not text.
-        at: u64,
-    },
-}
-
-impl ReadError {
-    /// Whether the file does not exist.
-    pub fn is_missing(&self) -> bool {
-        matches!(self, Self::Io(error) if error.kind() == ErrorKind::NotFound)
-    }
-}
 
 /// First bytes of compressed files (RFC 1952; bzip2; .xz 1.2.1; RFC 8878; APPNOTE 6.3), and what unpacks them.
 const COMPRESSED: [(&[u8], &str); 5] = [
@@ -60,19 +23,19 @@ const CHUNK: u64 = 1 << 16;
 /// byte that is not text or exceeds the limit, so that an endless device is refused at once.
 ///
 /// ```
-/// use tribos::record::{ReadError, read_text};
+/// use tribos::record::{RecordError, read_text};
 /// # let home = tempfile::tempdir()?;
 /// # let file = home.path().join("scene.toml");
 /// std::fs::write(&file, "speed = 1")?;
 /// assert_eq!(read_text(&file, 9)?, "speed = 1");
-/// assert!(matches!(read_text(&file, 8), Err(ReadError::TooLarge { most: 8 })));
+/// assert!(matches!(read_text(&file, 8), Err(RecordError::TooLarge { most: 8 })));
 /// std::fs::write(&file, "\u{feff}speed = 1")?;
 /// assert_eq!(read_text(&file, 99)?, "speed = 1");
 /// std::fs::write(&file, "speed\0= 1")?;
-/// assert!(matches!(read_text(&file, 100), Err(ReadError::NotText { at: 5 })));
+/// assert!(matches!(read_text(&file, 100), Err(RecordError::NotText { at: 5 })));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn read_text(path: &Path, most: u64) -> Result<String, ReadError> {
+pub fn read_text(path: &Path, most: u64) -> Result<String, RecordError> {
     read_text_from(&mut File::open(path)?, most)
 }
 
@@ -83,7 +46,7 @@ pub(super) fn packer(bytes: &[u8]) -> Option<&'static str> {
 }
 
 /// As [`read_text`], from an open source.
-fn read_text_from(source: &mut impl Read, most: u64) -> Result<String, ReadError> {
+fn read_text_from(source: &mut impl Read, most: u64) -> Result<String, RecordError> {
     let mut bytes = Vec::new();
     loop {
         let before = bytes.len();
@@ -94,20 +57,20 @@ fn read_text_from(source: &mut impl Read, most: u64) -> Result<String, ReadError
         if before == 0
             && let Some(cure) = packer(&bytes)
         {
-            return Err(ReadError::Compressed(cure));
+            return Err(RecordError::Compressed(cure));
         }
         if let Some(at) = bytes[before..].iter().position(|byte| *byte == 0) {
             let at = (before + at) as u64;
-            return Err(ReadError::NotText { at });
+            return Err(RecordError::NotText { at });
         }
         if bytes.len() as u64 > most {
-            return Err(ReadError::TooLarge { most });
+            return Err(RecordError::TooLarge { most });
         }
     }
     if bytes.starts_with(BYTE_ORDER_MARK) {
         bytes.drain(..BYTE_ORDER_MARK.len());
     }
-    String::from_utf8(bytes).map_err(|error| ReadError::NotText {
+    String::from_utf8(bytes).map_err(|error| RecordError::NotText {
         at: error.utf8_error().valid_up_to() as u64,
     })
 }
@@ -121,11 +84,11 @@ mod tests {
         let endless = &mut std::io::repeat(b'y');
         assert!(matches!(
             read_text_from(endless, 1 << 20),
-            Err(ReadError::TooLarge { .. })
+            Err(RecordError::TooLarge { .. })
         ));
         assert!(matches!(
             read_text_from(&mut &b"\xff"[..], 9),
-            Err(ReadError::NotText { at: 0 })
+            Err(RecordError::NotText { at: 0 })
         ));
         let packed = read_text_from(&mut &b"\x1f\x8b\x08\0rest"[..], 99);
         let told = packed.map_err(|error| error.to_string());

@@ -1,6 +1,6 @@
 //! Tables of numbers as CSV.
 
-use super::{AtomicFile, WriteError, number};
+use super::{AtomicFile, RecordError, number};
 use std::path::Path;
 
 /// CSV text with a header line and one line per row, each number in its shortest form that keeps the bits.
@@ -40,7 +40,7 @@ pub fn write_series<'a>(
     path: &Path,
     columns: &[&str],
     rows: impl IntoIterator<Item = &'a [f64]>,
-) -> Result<(), WriteError> {
+) -> Result<(), RecordError> {
     let mut file = AtomicFile::begin(path)?;
     file.add(series_csv(columns, []).as_bytes())?;
     for row in rows {

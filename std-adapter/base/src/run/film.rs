@@ -1,7 +1,8 @@
 //! Frames of a run, kept while it runs.
 
 use super::long_run::{LongRun, RunError};
-use crate::record::frames::{FrameError, FrameFolder};
+use crate::record::RecordError;
+use crate::record::frames::FrameFolder;
 use crate::record::verified;
 use std::path::Path;
 
@@ -41,16 +42,16 @@ impl FrameRecorder {
         steps: u64,
         said: Option<u64>,
         limit: Option<u64>,
-    ) -> Result<Self, FrameError> {
+    ) -> Result<Self, RecordError> {
         let there = FrameFolder::resume(folder, steps)?;
         if there.is_none() && said.is_some_and(|kept| kept > 0) {
-            return Err(FrameError::Missing(folder.to_owned()));
+            return Err(RecordError::Missing(folder.to_owned()));
         }
         let kept = there.as_ref().map_or(0, FrameFolder::limit);
         match limit {
             Some(given) if given != kept => {
                 let path = folder.to_owned();
-                Err(FrameError::Limit { path, kept, given })
+                Err(RecordError::Limit { path, kept, given })
             }
             _ => Ok(Self(there)),
         }

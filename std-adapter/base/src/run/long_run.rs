@@ -1,12 +1,10 @@
 //! A run that can be saved and resumed, where it starts, and why it ends without its result.
 
 use super::Simulation;
-use super::folder::FolderError;
-use crate::record::frames::{Bodies, Frame, FrameError};
-use crate::record::{ReadError, WriteError};
+use crate::record::RecordError;
+use crate::record::frames::{Bodies, Frame};
 use std::error::Error;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
 
 /// A simulation that can be saved to a file and resumed from it to the same bits.
 pub trait LongRun: Simulation<Error: Error> + Sized {
@@ -59,17 +57,6 @@ pub enum StartMode {
     ResumeIfPossible,
 }
 
-/// There is no checkpoint that can be read.
-#[derive(Debug, thiserror::Error)]
-#[error("nothing to go on from: {}: {cause}; run without --resume", file.display())]
-pub struct NoCheckpoint {
-    /// Path of the missing checkpoint.
-    pub file: PathBuf,
-    /// Description of the error.
-    #[source]
-    pub cause: ReadError,
-}
-
 /// Why a run ended without its result.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError<E: Error + 'static> {
@@ -79,21 +66,16 @@ pub enum RunError<E: Error + 'static> {
     /// The checkpoint cannot be used.
     #[error(transparent)]
     Checkpoint(E),
-    /// There is no checkpoint that can be read.
+    /// There is no checkpoint that can be read, or the folder or a file of it cannot be used, or was lost while the
+    /// run worked in it.
     #[error(transparent)]
-    NoCheckpoint(#[from] NoCheckpoint),
-    /// The folder cannot be used, or was lost while the run worked in it.
-    #[error(transparent)]
-    Folder(#[from] FolderError),
+    Record(#[from] RecordError),
     /// The existing frames cannot be continued.
     #[error(transparent)]
-    Frames(FrameError),
+    Frames(RecordError),
     /// A frame cannot be kept.
     #[error(transparent)]
-    Recording(FrameError),
-    /// The checkpoint cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
+    Recording(RecordError),
     /// The caller cancelled the run; its checkpoint and frames are written.
     #[error("cancelled after step {0}; resume it from its checkpoint")]
     Cancelled(u64),
@@ -105,20 +87,14 @@ pub enum RunError<E: Error + 'static> {
 impl<E: Error> RunError<E> {
     /// Whether the disk is full; files written before are complete.
     pub fn is_out_of_room(&self) -> bool {
-        match self {
-            Self::Write(error) | Self::Recording(FrameError::Write(error)) => {
-                error.is_out_of_room()
-            }
-            Self::Folder(error) => error.is_out_of_room(),
-            _ => false,
-        }
+        matches!(self, Self::Record(error) | Self::Recording(error) if error.is_out_of_room())
     }
 
     /// Whether a run from the beginning would avoid this error.
     pub(super) fn is_of_earlier_run(&self) -> bool {
         matches!(
             self,
-            Self::Checkpoint(_) | Self::NoCheckpoint(_) | Self::Frames(_)
+            Self::Checkpoint(_) | Self::Record(RecordError::NoCheckpoint { .. }) | Self::Frames(_)
         )
     }
 }

@@ -15,13 +15,13 @@ mod session;
 
 #[doc(hidden)]
 pub use film::FRAMES;
-pub use folder::FolderError;
 #[doc(hidden)]
 pub use long_run::{Cause, LongRun};
-pub use long_run::{NoCheckpoint, RunError, StartMode};
+pub use long_run::{RunError, StartMode};
 #[doc(hidden)]
 pub use parallel::in_order;
 pub use session::Session;
+#[doc(hidden)]
 pub use session::{CHECKPOINT, forget_checkpoint, read_checkpoint};
 
 /// Estimated size of a run, from its scene alone, before anything is built.

@@ -1,9 +1,9 @@
 //! A long run in its own folder: checkpoints, frames, progress, cancellation, resuming.
 
 use super::film::{FRAMES, FrameRecorder};
-use super::folder::{FolderError, Lock, LockMode, remove_file};
-use super::long_run::{Cause, LongRun, NoCheckpoint, RunError, StartMode};
-use crate::record::{read_text, with_number, write_atomically_there};
+use super::folder::{Lock, LockMode, remove_file};
+use super::long_run::{Cause, LongRun, RunError, StartMode};
+use crate::record::{RecordError, read_text, with_number, write_atomically_there};
 use std::fmt;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -32,9 +32,9 @@ enum FinalCheckpoint {
 /// ```
 /// use tribos::powder::PowderSimulation;
 /// use tribos::run::Session;
-/// # use tribos::scene::{Scene, parse_scene};
+/// # use tribos::scene::Scene;
 /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nmax_steps = 20";
-/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// # let Scene::Powder(scene) = Scene::parse("tiny.toml", text, &[])? else { unreachable!() };
 /// let folder = std::env::temp_dir().join(format!("tribos-session-{}", std::process::id()));
 /// let mut checkpoints = 0;
 /// let run: PowderSimulation = Session::in_folder(&folder)?
@@ -77,7 +77,7 @@ impl<R> fmt::Debug for Session<'_, R> {
 
 impl<'a, R: LongRun> Session<'a, R> {
     /// A run in a folder, which is created if missing and locked until the session ends.
-    pub fn in_folder(folder: impl AsRef<Path>) -> Result<Self, FolderError> {
+    pub fn in_folder(folder: impl AsRef<Path>) -> Result<Self, RecordError> {
         let lock = Lock::take(folder.as_ref(), LockMode::Alone)?;
         Ok(Self::under(Arc::new(lock), folder.as_ref()))
     }
@@ -163,7 +163,7 @@ impl<'a, R: LongRun> Session<'a, R> {
     fn attempt(&mut self, scene: &R::Scene, start: StartMode) -> Result<R, RunError<R::Error>> {
         self.lock.check()?;
         std::fs::create_dir_all(&self.folder)
-            .map_err(|error| FolderError::access("make", &self.folder, error))?;
+            .map_err(|error| RecordError::lost("make", &self.folder, error))?;
         let file = self.folder.join(CHECKPOINT);
         let (mut run, mut film) = {
             let kept = match start {
@@ -245,19 +245,22 @@ impl<'a, R: LongRun> Session<'a, R> {
             RunError::Scene(_) | RunError::Cancelled(_) | RunError::CancelledEarly
         );
         match self.lock.check() {
-            Err(lost) if !is_final && !error.is_out_of_room() => RunError::Folder(lost),
+            Err(lost) if !is_final && !error.is_out_of_room() => RunError::Record(lost),
             _ => error,
         }
     }
 }
 
 /// The text of a checkpoint.
-pub fn read_checkpoint(file: &Path) -> Result<String, NoCheckpoint> {
+pub fn read_checkpoint(file: &Path) -> Result<String, RecordError> {
     let file = file.to_owned();
-    read_text(&file, MOST_BYTES).map_err(|cause| NoCheckpoint { file, cause })
+    read_text(&file, MOST_BYTES).map_err(|cause| RecordError::NoCheckpoint {
+        file,
+        cause: Box::new(cause),
+    })
 }
 
 /// Removes the checkpoint of a run whose results are written.
-pub fn forget_checkpoint(folder: &Path) -> Result<(), FolderError> {
+pub fn forget_checkpoint(folder: &Path) -> Result<(), RecordError> {
     remove_file(&folder.join(CHECKPOINT))
 }

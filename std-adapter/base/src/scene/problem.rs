@@ -1,6 +1,6 @@
 //! What is wrong with a scene, in words for a person.
 
-use crate::record::ReadError;
+use crate::record::RecordError;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -63,9 +63,9 @@ pub struct InvalidScene {
 /// A scene that cannot be run.
 ///
 /// ```
-/// use tribos::scene::{SceneProblem, SceneError, parse_scene};
+/// use tribos::scene::{SceneProblem, SceneError, Scene};
 /// let text = "body = \"curling\"\nspeed = -2\nspinn = 1.5";
-/// let Err(error) = parse_scene("rock.toml", text, &[]) else { unreachable!() };
+/// let Err(error) = Scene::parse("rock.toml", text, &[]) else { unreachable!() };
 /// assert!(error.to_string().starts_with("rock.toml:2: `speed` must be a finite number >= 0"));
 /// let SceneError::Invalid { problems, .. } = error else { unreachable!() };
 /// let messages: Vec<&str> = problems.iter().map(SceneProblem::message).collect();
@@ -79,7 +79,7 @@ pub enum SceneError {
         /// The file.
         path: PathBuf,
         /// What the system said, or what is wrong with it.
-        cause: ReadError,
+        cause: RecordError,
     },
     /// The scene says something that makes no sense.
     Invalid {

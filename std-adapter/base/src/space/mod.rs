@@ -8,7 +8,7 @@ mod search;
 #[cfg(test)]
 mod sheared_tests;
 
-pub use pairs::NeighbourError;
+pub use pairs::SpaceError;
 #[doc(hidden)]
 pub use periodic::AXES;
-pub use periodic::{PeriodicBox, PeriodicBoxError};
+pub use periodic::PeriodicBox;

@@ -6,19 +6,29 @@ use super::{AXES, PeriodicBox};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-/// Why a neighbour search is refused.
+/// Why a box or a search for neighbours in it is refused.
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos::space::{PeriodicBox, pairs::{NeighbourError, neighbours}};
+/// use tribos::space::{PeriodicBox, SpaceError, pairs::neighbours};
 /// // Spheres of radius 1 in a period of 3 would touch each other from both sides.
 /// let space = PeriodicBox::new([Some(3.0), None, None])?;
 /// let found = neighbours(&space, &[Vector3::zeros(), Vector3::x()], &[1.0; 2], 0.0);
-/// assert_eq!(found, Err(NeighbourError::Reach { axis: 0, reach: 2.0, length: 3.0 }));
+/// assert_eq!(found, Err(SpaceError::Reach { axis: 0, reach: 2.0, length: 3.0 }));
+/// let flat = PeriodicBox::new([Some(1.0), Some(0.0), None]);
+/// assert_eq!(flat, Err(SpaceError::Period { axis: 1, given: 0.0 }));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum NeighbourError {
+pub enum SpaceError {
+    /// A length cannot be a period.
+    #[error("the period along {} must be finite and positive, not {given}", AXES[*axis])]
+    Period {
+        /// Axis: 0, 1 or 2 for x, y or z.
+        axis: usize,
+        /// The rejected value.
+        given: f64,
+    },
     /// The numbers of radii and positions differ.
     #[error("{positions} positions need as many radii, not {radii}")]
     Lengths {
@@ -137,7 +147,7 @@ pub fn neighbours(
     positions: &[Vector3<f64>],
     radii: &[f64],
     skin: f64,
-) -> Result<Vec<[u32; 2]>, NeighbourError> {
+) -> Result<Vec<[u32; 2]>, SpaceError> {
     let mut cells = Cells::default();
     cells.find(space, positions, radii, skin)?;
     Ok(cells.pairs)
@@ -151,7 +161,7 @@ impl Cells {
         positions: &[Vector3<f64>],
         radii: &[f64],
         skin: f64,
-    ) -> Result<&[[u32; 2]], NeighbourError> {
+    ) -> Result<&[[u32; 2]], SpaceError> {
         self.pairs.clear();
         let (grid, median) = self.prepare(space, positions, radii, skin)?;
         self.search(&Search::new(&grid, space, radii, (median, skin)));
@@ -173,7 +183,7 @@ impl Cells {
         radii: &[f64],
         (skin, zeros): (f64, &[f64]),
         see: impl Fn(&[[u32; 2]], &mut [f64]) + Sync,
-    ) -> Result<Vec<f64>, NeighbourError> {
+    ) -> Result<Vec<f64>, SpaceError> {
         let (grid, median) = self.prepare(space, positions, radii, skin)?;
         let search = Search::new(&grid, space, radii, (median, skin));
         let (entries, starts) = (&self.entries[..], &self.starts[..]);
@@ -207,7 +217,7 @@ impl Cells {
         positions: &[Vector3<f64>],
         radii: &[f64],
         skin: f64,
-    ) -> Result<(Grid, f64), NeighbourError> {
+    ) -> Result<(Grid, f64), SpaceError> {
         check(positions, radii, skin)?;
         check_reach(space, radii, skin)?;
         // A sheared border is crossed by images of the searching sphere instead of by the grid.
@@ -318,31 +328,31 @@ impl Cells {
 }
 
 /// Refuses positions, radii and skins that are not finite.
-fn check(positions: &[Vector3<f64>], radii: &[f64], skin: f64) -> Result<(), NeighbourError> {
+fn check(positions: &[Vector3<f64>], radii: &[f64], skin: f64) -> Result<(), SpaceError> {
     if positions.len() != radii.len() {
-        return Err(NeighbourError::Lengths {
+        return Err(SpaceError::Lengths {
             positions: positions.len(),
             radii: radii.len(),
         });
     }
     if u32::try_from(positions.len()).is_err() {
-        return Err(NeighbourError::TooMany {
+        return Err(SpaceError::TooMany {
             given: positions.len(),
         });
     }
     if !skin.is_finite() {
-        return Err(NeighbourError::Skin { given: skin });
+        return Err(SpaceError::Skin { given: skin });
     }
     for (particle, (place, &radius)) in positions.iter().zip(radii).enumerate() {
         if let Some(axis) = (0..3).find(|&axis| !place[axis].is_finite()) {
-            return Err(NeighbourError::Position {
+            return Err(SpaceError::Position {
                 particle,
                 axis,
                 given: place[axis],
             });
         }
         if !radius.is_finite() || radius < 0.0 {
-            return Err(NeighbourError::Radius {
+            return Err(SpaceError::Radius {
                 particle,
                 given: radius,
             });
@@ -352,7 +362,7 @@ fn check(positions: &[Vector3<f64>], radii: &[f64], skin: f64) -> Result<(), Nei
 }
 
 /// Refuses boxes so small that a pair could meet through two images.
-fn check_reach(space: &PeriodicBox, radii: &[f64], skin: f64) -> Result<(), NeighbourError> {
+fn check_reach(space: &PeriodicBox, radii: &[f64], skin: f64) -> Result<(), SpaceError> {
     if radii.len() < 2 {
         return Ok(());
     }
@@ -365,7 +375,7 @@ fn check_reach(space: &PeriodicBox, radii: &[f64], skin: f64) -> Result<(), Neig
         if let Some(length) = length
             && reach > 0.5 * length
         {
-            return Err(NeighbourError::Reach {
+            return Err(SpaceError::Reach {
                 axis,
                 reach,
                 length,

@@ -1,5 +1,6 @@
 //! Space that is periodic along some axes.
 
+use super::SpaceError;
 use nalgebra::Vector3;
 
 /// Names of the axes, as messages spell them.
@@ -31,22 +32,6 @@ pub struct PeriodicBox {
     offset: f64,
 }
 
-/// A length that cannot be a period.
-///
-/// ```
-/// use tribos::space::{PeriodicBox, PeriodicBoxError};
-/// let flat = PeriodicBox::new([Some(1.0), Some(0.0), None]);
-/// assert_eq!(flat, Err(PeriodicBoxError { axis: 1, given: 0.0 }));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("the period along {} must be finite and positive, not {given}", AXES[*axis])]
-pub struct PeriodicBoxError {
-    /// Axis: 0, 1 or 2 for x, y or z.
-    pub axis: usize,
-    /// The rejected value.
-    pub given: f64,
-}
-
 impl PeriodicBox {
     /// Open along every axis.
     pub const OPEN: Self = Self {
@@ -55,11 +40,11 @@ impl PeriodicBox {
     };
 
     /// A box with these periods, `None` for an open axis. *Domain*: finite, > 0.
-    pub fn new(lengths: [Option<f64>; 3]) -> Result<Self, PeriodicBoxError> {
+    pub fn new(lengths: [Option<f64>; 3]) -> Result<Self, SpaceError> {
         for (axis, length) in lengths.into_iter().enumerate() {
             match length {
                 Some(given) if given.is_nan() || given <= 0.0 || given.is_infinite() => {
-                    return Err(PeriodicBoxError { axis, given });
+                    return Err(SpaceError::Period { axis, given });
                 }
                 _ => {}
             }

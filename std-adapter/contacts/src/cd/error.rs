@@ -1,7 +1,7 @@
 //! Why a world cannot start or continue.
 
 use tribos_base::record::brief;
-use tribos_base::space::pairs::NeighbourError;
+use tribos_base::space::SpaceError;
 use tribos_core::contact::ContactError;
 
 /// Why a world cannot start or continue.
@@ -38,7 +38,7 @@ pub enum WorldError {
         step: u64,
         /// The reason.
         #[source]
-        cause: NeighbourError,
+        cause: SpaceError,
     },
     /// A velocity is infinite or NaN.
     #[error("step {step}: the velocity of sphere {body} is not finite")]

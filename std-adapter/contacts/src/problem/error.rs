@@ -1,9 +1,34 @@
 //! Refusals of contact problems.
 
-/// Why data is not a contact problem.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+use super::file::{Fault, FilePosition};
+use std::path::PathBuf;
+
+/// Why data is not a contact problem, or a file of one cannot be read or written.
+///
+/// ```
+/// use tribos::problem::{ContactProblem, ProblemError};
+/// let home = tempfile::tempdir()?;
+/// let path = home.path().join("fall.dat");
+/// std::fs::write(&path, "3\n1\n0\n3 x")?;
+/// let error = ContactProblem::read(&path).unwrap_err();
+/// assert!(matches!(error, ProblemError::File { .. }));
+/// assert!(error.to_string().contains("fall.dat, line 4: the number of rows is 3, not at most 2"));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ProblemError {
+    /// A file could not be read or written.
+    #[error("{}{place}: {fault}", path.display())]
+    File {
+        /// Path of the file.
+        path: PathBuf,
+        /// Where in the file.
+        place: FilePosition,
+        /// What is wrong there, and what would be valid.
+        #[source]
+        fault: Box<Fault>,
+    },
     /// An entry of a matrix is outside.
     #[error("entry ({row}, {column}) is outside the matrix of {} rows and {} columns", shape[0], shape[1])]
     OutOfRange {

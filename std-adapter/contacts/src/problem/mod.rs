@@ -16,7 +16,7 @@ mod squeeze;
 mod tests;
 
 pub use error::ProblemError;
-pub use file::{ContactProblem, ProblemFileError, ProblemFormat};
+pub use file::{ContactProblem, ProblemFormat};
 #[doc(hidden)]
 pub use file::{Fault, FilePosition};
 pub use global::GlobalProblem;

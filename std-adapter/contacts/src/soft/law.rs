@@ -107,24 +107,52 @@ impl Stiffness {
     }
 }
 
-/// Coefficient of restitution of a head-on impact of two bodies on a spring with damping ratio ζ that only
-/// pushes.
-///
-/// *Formula*: e = exp(−2 ζ arccos(ζ)/√(1 − ζ²)) for ζ < 1, exp(−2) at ζ = 1, and with arcosh(ζ)/√(ζ² − 1)
-/// above. The contact ends where the dashpot's pull would exceed the spring's push, before the overlap is zero.
-/// Hertz contacts with the dashpot of this module have the same e at any speed.
-///
-/// *Domain*: ζ ≥ 0. *Accuracy*: 1e-14 relative, to ζ = 1e3. *Source*: Schwager and Pöschel, Granular Matter 9
-/// (2007) 465, in one expression instead of two branches below ζ = 1.
-///
-/// ```
-/// use tribos::soft::restitution_of;
-/// assert_eq!(restitution_of(0.0), 1.0);
-/// assert!((restitution_of(0.2) - 0.5717).abs() < 1e-4);
-/// assert!((restitution_of(1.0) - (-2.0_f64).exp()).abs() < 1e-15);
-/// ```
-pub fn restitution_of(damping: f64) -> f64 {
-    Real::exp(-damping * duration(damping))
+impl Stiffness {
+    /// Coefficient of restitution of a head-on impact of two bodies on a spring with damping ratio ζ that only
+    /// pushes.
+    ///
+    /// *Formula*: e = exp(−2 ζ arccos(ζ)/√(1 − ζ²)) for ζ < 1, exp(−2) at ζ = 1, and with arcosh(ζ)/√(ζ² − 1)
+    /// above. The contact ends where the dashpot's pull would exceed the spring's push, before the overlap is zero.
+    /// Hertz contacts with the dashpot of this module have the same e at any speed.
+    ///
+    /// *Domain*: ζ ≥ 0. *Accuracy*: 1e-14 relative, to ζ = 1e3. *Source*: Schwager and Pöschel, Granular Matter 9
+    /// (2007) 465, in one expression instead of two branches below ζ = 1.
+    ///
+    /// ```
+    /// use tribos::soft::Stiffness;
+    /// assert_eq!(Stiffness::restitution_of(0.0), 1.0);
+    /// assert!((Stiffness::restitution_of(0.2) - 0.5717).abs() < 1e-4);
+    /// assert!((Stiffness::restitution_of(1.0) - (-2.0_f64).exp()).abs() < 1e-15);
+    /// ```
+    pub fn restitution_of(damping: f64) -> f64 {
+        Real::exp(-damping * duration(damping))
+    }
+
+    /// Damping ratio ζ whose [`Self::restitution_of`] is e.
+    ///
+    /// *Domain*: 0 < e ≤ 1. *Accuracy*: e is met to 1e-12 relative.
+    ///
+    /// ```
+    /// use tribos::soft::Stiffness;
+    /// for e in [1.0, 0.9, 0.5, 0.135, 0.01] {
+    ///     assert!((Stiffness::restitution_of(Stiffness::damping_ratio_of(e)) / e - 1.0).abs() < 1e-12);
+    /// }
+    /// ```
+    pub fn damping_ratio_of(coefficient: f64) -> f64 {
+        // Restitution falls with ζ: an interval that brackets the answer, then bisection to the last bit.
+        const MOST_HALVINGS: usize = 200;
+        if coefficient >= 1.0 {
+            return 0.0;
+        }
+        let mut high = 1.0;
+        while Self::restitution_of(high) > coefficient && high < f64::MAX {
+            high *= 2.0;
+        }
+        let is_damped = |ratio: f64| Self::restitution_of(ratio) <= coefficient;
+        Bracket::new(0.0, high)
+            .halved(MOST_HALVINGS, is_damped)
+            .high
+    }
 }
 
 /// Duration of that impact, in units of √(m/k): 2 arccos(ζ)/√(1 − ζ²).
@@ -143,32 +171,6 @@ pub(super) fn duration(damping: f64) -> f64 {
         Real::asinh(root) / root
     };
     2.0 * angle
-}
-
-/// Damping ratio ζ whose [`restitution_of`] is e.
-///
-/// *Domain*: 0 < e ≤ 1. *Accuracy*: e is met to 1e-12 relative.
-///
-/// ```
-/// use tribos::soft::{damping_ratio_of, restitution_of};
-/// for e in [1.0, 0.9, 0.5, 0.135, 0.01] {
-///     assert!((restitution_of(damping_ratio_of(e)) / e - 1.0).abs() < 1e-12);
-/// }
-/// ```
-pub fn damping_ratio_of(coefficient: f64) -> f64 {
-    // Restitution falls with ζ: an interval that brackets the answer, then bisection to the last bit.
-    const MOST_HALVINGS: usize = 200;
-    if coefficient >= 1.0 {
-        return 0.0;
-    }
-    let mut high = 1.0;
-    while restitution_of(high) > coefficient && high < f64::MAX {
-        high *= 2.0;
-    }
-    let is_damped = |ratio: f64| restitution_of(ratio) <= coefficient;
-    Bracket::new(0.0, high)
-        .halved(MOST_HALVINGS, is_damped)
-        .high
 }
 
 /// Laws of a contact.
@@ -216,7 +218,7 @@ mod tests {
         for zeta in [
             0.01, 0.2, 0.5, 0.707, 0.9, 0.999_99, 1.0, 1.000_02, 1.5, 4.0,
         ] {
-            let error = restitution_of(zeta) - integrated(zeta);
+            let error = Stiffness::restitution_of(zeta) - integrated(zeta);
             assert!(error.abs() < 3e-5, "{zeta}: {error:e}");
         }
     }
@@ -225,7 +227,7 @@ mod tests {
     fn restitution_is_smooth_through_critical_damping() {
         // From both sides of both borders of the series.
         for middle in [1.0 - 1e-5, 1.0 + 1e-5] {
-            let [a, b] = [middle - 1e-12, middle + 1e-12].map(restitution_of);
+            let [a, b] = [middle - 1e-12, middle + 1e-12].map(Stiffness::restitution_of);
             assert!(((a - b) / a).abs() < 1e-11, "{middle}: {a} {b}");
         }
     }

@@ -38,7 +38,7 @@ mod transport;
 mod world;
 
 pub use contact::SoftContact;
-pub use law::{Stiffness, damping_ratio_of, restitution_of};
+pub use law::Stiffness;
 #[doc(hidden)]
 pub use setup::STEPS_PER_COLLISION;
 pub use setup::SoftSetup;

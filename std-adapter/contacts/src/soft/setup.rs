@@ -1,7 +1,7 @@
 //! Initial state, laws and parameters of a world of soft spheres.
 
 use super::law::Law;
-use super::law::{Stiffness, damping_ratio_of};
+use super::law::Stiffness;
 use crate::cd::{self, StepLimits, Wall, WorldError, WorldMaterials};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
@@ -22,7 +22,7 @@ pub struct SoftSetup<F> {
     pub spheres: Vec<SphereBody<f64>>,
     /// Walls and pistons.
     pub walls: Vec<Wall>,
-    /// Cohesion and friction. A restitution above 0 stands for the [`damping_ratio_of`] ratio that leads to it.
+    /// Cohesion and friction. A restitution above 0 stands for the [`Stiffness::damping_ratio_of`] ratio that leads to it.
     pub laws: WorldMaterials<F>,
     /// Normal spring of every contact.
     pub stiffness: Stiffness,
@@ -129,7 +129,7 @@ impl<F: Copy> SoftSetup<F> {
             Law {
                 stiffness: self.stiffness,
                 damping: if restitution > 0.0 {
-                    damping_ratio_of(restitution)
+                    Stiffness::damping_ratio_of(restitution)
                 } else {
                     self.damping
                 },

@@ -1,10 +1,10 @@
 //! The methods that move a gas, behind one face.
 
-use super::error::GasError;
 use super::lattice::edge;
 use super::state::GasState;
 use super::time_stepped::{TimeSteppedGas, TimeSteppedState};
 use crate::gas::scene::{GasMethod, GasScene};
+use crate::packing::{PackingRunError, PlacementError};
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use tribos_base::record::CheckpointError;
@@ -26,11 +26,15 @@ pub(super) enum EngineCheckpoint {
 
 impl GasEngine {
     /// A gas at its start.
-    pub fn new(scene: &GasScene, bodies: &[(Vector3<f64>, Motion)]) -> Result<Self, GasError> {
+    pub fn new(
+        scene: &GasScene,
+        bodies: &[(Vector3<f64>, Motion)],
+    ) -> Result<Self, PackingRunError> {
         let length = edge(scene.count, scene.packing_fraction);
         match scene.method {
             GasMethod::Events => {
-                let gas = HardSpheres::new(length, bodies, scene.impact()?, scene.contact_time)?;
+                let gas = HardSpheres::new(length, bodies, scene.impact()?, scene.contact_time)
+                    .map_err(PlacementError::from)?;
                 Ok(Self::Events(Box::new(gas)))
             }
             GasMethod::ContactDynamics | GasMethod::Soft => {
@@ -40,7 +44,7 @@ impl GasEngine {
     }
 
     /// A gas that goes on from a checkpoint.
-    pub fn thawed(scene: &GasScene, kept: EngineCheckpoint) -> Result<Self, GasError> {
+    pub fn thawed(scene: &GasScene, kept: EngineCheckpoint) -> Result<Self, PackingRunError> {
         let length = edge(scene.count, scene.packing_fraction);
         match kept {
             EngineCheckpoint::Events(stored) => {
@@ -63,7 +67,11 @@ impl GasEngine {
     }
 
     /// Goes on to a number of collisions or a time, with one step at most; none if neither is reached.
-    pub fn advance(&mut self, collisions: u64, until: f64) -> Result<Option<Advance>, GasError> {
+    pub fn advance(
+        &mut self,
+        collisions: u64,
+        until: f64,
+    ) -> Result<Option<Advance>, PackingRunError> {
         match self {
             Self::Events(gas) => Ok(Some(gas.advance(collisions, until))),
             Self::Steps(gas) => {

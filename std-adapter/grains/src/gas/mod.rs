@@ -2,7 +2,6 @@
 
 mod checkpoint;
 mod engine;
-mod error;
 mod lattice;
 mod outcome;
 mod run;
@@ -15,7 +14,6 @@ mod state;
 mod time_stepped;
 
 pub use crate::packing::PackingStopReason as GasStopReason;
-pub use error::{GasError, GasStartError};
 pub(crate) use lattice::edge;
 #[doc(hidden)]
 pub use outcome::COLUMNS;

@@ -54,7 +54,7 @@ summary! {
     /// let missing = end.energy_initial - end.energy_final - end.energy_lost;
     /// assert!(missing.abs() < 1e-10);
     /// assert_eq!(end.json(&scene)["ending"], "collisions");
-    /// # Ok::<(), tribos::gas::GasError>(())
+    /// # Ok::<(), tribos::run::PackingRunError>(())
     /// ```
     pub struct GasSummary;
 

@@ -2,13 +2,13 @@
 
 use super::checkpoint::Checkpoint;
 use super::engine::GasEngine;
-use super::error::GasError;
 use super::lattice::edge;
 use super::outcome::{COLUMNS, GasLine, GasSummary, Row};
 use super::start::start;
 use super::state::GasState;
 use super::time_stepped::DENSITY;
 use crate::gas::scene::GasScene;
+use crate::packing::PackingRunError;
 use crate::packing::PackingStopReason;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
@@ -33,7 +33,7 @@ use tribos_contacts::event::{Advance, Impact, Temperatures, collision_rate};
 /// assert!((end.temperature / (-0.195_f64).exp() - 1.0).abs() < 0.03);
 /// assert!(end.momentum < 1e-10);
 /// assert_eq!(gas.series().last().map(|row| row.len()), Some(COLUMNS.len()));
-/// # Ok::<(), tribos::gas::GasError>(())
+/// # Ok::<(), tribos::run::PackingRunError>(())
 /// ```
 #[derive(Debug)]
 pub struct GasSimulation {
@@ -51,7 +51,7 @@ pub struct GasSimulation {
 
 impl GasSimulation {
     /// Starts from the scene's mixed state.
-    pub fn new(scene: &GasScene) -> Result<Self, GasError> {
+    pub fn new(scene: &GasScene) -> Result<Self, PackingRunError> {
         Self::begin(scene, None, |_| ControlFlow::Continue(()))
     }
 
@@ -69,9 +69,9 @@ impl GasSimulation {
     /// whole.step()?;
     /// broken.step()?;
     /// assert_eq!(broken.series(), whole.series());
-    /// # Ok::<(), tribos::gas::GasError>(())
+    /// # Ok::<(), tribos::run::PackingRunError>(())
     /// ```
-    pub fn resume(scene: &GasScene, checkpoint: &str) -> Result<Self, GasError> {
+    pub fn resume(scene: &GasScene, checkpoint: &str) -> Result<Self, PackingRunError> {
         Self::begin(scene, Some(checkpoint), |_| ControlFlow::Continue(()))
     }
 
@@ -80,7 +80,7 @@ impl GasSimulation {
         scene: &GasScene,
         checkpoint: Option<&str>,
         mut watch: impl FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<Self, GasError> {
+    ) -> Result<Self, PackingRunError> {
         scene.check()?;
         let kept = checkpoint.map(|text| Checkpoint::read(text, scene));
         let (medium, steps, series, ending, wall_seconds) = match kept.transpose()? {
@@ -168,7 +168,10 @@ impl GasSimulation {
     }
 
     /// Calls `export` with the current state.
-    pub fn with_snapshot<T>(&self, export: impl FnOnce(&Snapshot<'_>) -> T) -> Result<T, GasError> {
+    pub fn with_snapshot<T>(
+        &self,
+        export: impl FnOnce(&Snapshot<'_>) -> T,
+    ) -> Result<T, PackingRunError> {
         let state = self.state();
         let velocities: Vec<Vector3<f64>> = state.motions.iter().map(|m| m.velocity).collect();
         let spins: Vec<Vector3<f64>> = state.motions.iter().map(|m| m.spin).collect();
@@ -280,11 +283,11 @@ impl GasSimulation {
     }
 
     /// The current row, if all its values are finite.
-    fn finite_record(&self) -> Result<Row, GasError> {
+    fn finite_record(&self) -> Result<Row, PackingRunError> {
         let record = self.record();
         let bad = COLUMNS.into_iter().zip(record);
         match bad.into_iter().find(|(_, value)| !value.is_finite()) {
-            Some((column, value)) => Err(GasError::NotFinite {
+            Some((column, value)) => Err(PackingRunError::NotFinite {
                 step: self.steps,
                 column,
                 value,
@@ -296,14 +299,14 @@ impl GasSimulation {
 
 impl Simulation for GasSimulation {
     type Record = Row;
-    type Error = GasError;
+    type Error = PackingRunError;
 
     fn record(&self) -> Row {
         self.line().values()
     }
 
     /// A run that has ended takes no more steps.
-    fn step(&mut self) -> Result<bool, GasError> {
+    fn step(&mut self) -> Result<bool, PackingRunError> {
         if self.ending.is_some() {
             return Ok(false);
         }
@@ -336,9 +339,9 @@ impl Simulation for GasSimulation {
 }
 
 impl Measure for GasScene {
-    type Error = GasError;
+    type Error = PackingRunError;
 
-    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, GasError> {
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, PackingRunError> {
         let mut gas = GasSimulation::new(self)?;
         run_to_end(&mut gas, |_, _| watch())?;
         let rows = gas.series().iter().map(|row| row.to_vec());

@@ -1,12 +1,13 @@
 //! The scene of a granular gas in a periodic cube.
 
 use super::{edge, lattice};
+use crate::packing::PlacementError;
 use crate::packing::method::NormalForce;
 use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
 use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::{as_written, scene};
 use tribos_base::scene::words::{Word, words};
-use tribos_contacts::event::{Impact, ImpactError, Tangential};
+use tribos_contacts::event::{Impact, Tangential};
 use tribos_contacts::soft::STEPS_PER_COLLISION;
 
 /// How the motion of a gas is computed.
@@ -34,7 +35,7 @@ scene! {
     /// let mut gas = GasSimulation::new(&scene)?;
     /// run_to_end(&mut gas, |_, _| ())?;
     /// assert!((0.5..1.0).contains(&gas.outcome().temperature));
-    /// # Ok::<(), tribos::gas::GasError>(())
+    /// # Ok::<(), tribos::run::PackingRunError>(())
     /// ```
     pub struct GasScene = "gas", "A gas of spheres that cools",
         rules, as_written;
@@ -118,7 +119,7 @@ fn rules(scene: &GasScene, judge: &mut SceneDiagnostics<'_>) {
 impl GasScene {
     /// The law of a collision.
     #[doc(hidden)]
-    pub fn impact(&self) -> Result<Impact, ImpactError> {
+    pub fn impact(&self) -> Result<Impact, PlacementError> {
         let tangential = match (self.tangential_restitution, self.mu) {
             (None, None) => Tangential::Smooth,
             (Some(restitution), None) => Tangential::Rough { restitution },
@@ -127,6 +128,6 @@ impl GasScene {
                 restitution: beta.unwrap_or(0.0),
             },
         };
-        Impact::new(self.restitution, tangential)
+        Ok(Impact::new(self.restitution, tangential)?)
     }
 }

@@ -1,8 +1,9 @@
 //! Gases as long runs, with their frames.
 
+use super::GasSimulation;
 use super::time_stepped::DENSITY;
-use super::{GasError, GasSimulation, GasStartError};
 use crate::gas::scene::GasScene;
+use crate::packing::PackingRunError;
 use std::ops::ControlFlow;
 use tribos_base::record::frames::{Bodies, Frame, Kind};
 use tribos_base::run::{Cause, LongRun};
@@ -14,12 +15,12 @@ impl LongRun for GasSimulation {
         scene: &GasScene,
         checkpoint: Option<&str>,
         growing: &mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<Self, GasError> {
+    ) -> Result<Self, PackingRunError> {
         Self::begin(scene, checkpoint, growing)
     }
 
-    fn cause(error: &GasError) -> Cause {
-        error.cause(|start| matches!(start, GasStartError::Stopped))
+    fn cause(error: &PackingRunError) -> Cause {
+        error.cause()
     }
 
     fn checkpoint(&self) -> String {

@@ -6,7 +6,7 @@ use crate::packing::method::NormalForce;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use tribos_contacts::cd::{StepLimits, solid};
-use tribos_contacts::soft::{StepLength, Stiffness, damping_ratio_of};
+use tribos_contacts::soft::{StepLength, Stiffness};
 use tribos_core::contact::{Cohesion, SphereBody};
 
 /// Effective mass and radius of a pair of spheres of mass 1 and radius 1.
@@ -61,7 +61,7 @@ pub fn soft_collision(scene: &GasScene) -> Option<SoftCollision> {
         ..solid(1.0, 3.0 / (4.0 * PI))
     };
     let length = StepLength::of_spheres(
-        (stiffness, damping_ratio_of(scene.restitution)),
+        (stiffness, Stiffness::damping_ratio_of(scene.restitution)),
         [1.0; 2],
         Cohesion::NONE,
         scene.steps_per_collision,

@@ -1,8 +1,8 @@
 //! The state of a gas at the start: places at random, Maxwell's velocities, no momentum.
 
-use super::error::GasStartError;
 use super::lattice::{edge, lattice, site};
 use crate::gas::scene::GasScene;
+use crate::packing::PlacementError;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -20,9 +20,9 @@ const INERTIA: f64 = 0.4;
 pub(super) fn start(
     scene: &GasScene,
     watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
-) -> Result<Vec<(Vector3<f64>, Motion)>, GasStartError> {
+) -> Result<Vec<(Vector3<f64>, Motion)>, PlacementError> {
     let length = edge(scene.count, scene.packing_fraction);
-    let cells = lattice(scene.count, length).ok_or(GasStartError::Room)?;
+    let cells = lattice(scene.count, length).ok_or(PlacementError::Room)?;
     let places = chosen(scene.count, 4 * cells * cells * cells, scene.seed);
     let mut velocities = maxwellian(scene.count, scene.seed, VELOCITIES);
     scale(&mut velocities, 1.0);
@@ -42,7 +42,7 @@ pub(super) fn start(
     let enough = (0.5 * scene.mixing_collisions * scene.count as f64) as u64;
     while gas.collisions() < enough {
         if watch(scene.count).is_break() {
-            return Err(GasStartError::Stopped);
+            return Err(PlacementError::Stopped);
         }
         let next = (gas.collisions() + each).min(enough);
         if gas.advance(next, f64::INFINITY) != Advance::Collisions {

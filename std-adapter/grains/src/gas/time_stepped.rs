@@ -1,9 +1,9 @@
 //! A gas that moves by time steps: contact dynamics, or soft particles.
 
-use super::error::GasError;
 use super::soft;
 use super::state::GasState;
 use crate::gas::scene::{GasMethod, GasScene};
+use crate::packing::PackingRunError;
 use crate::packing::method::{FrictionCoupling, WallLaw};
 use crate::packing::{Bodies, Material, Method, Packing, WorldSnapshot, build};
 use nalgebra::Vector3;
@@ -50,7 +50,7 @@ impl TimeSteppedGas {
         scene: &GasScene,
         length: f64,
         bodies: &[(Vector3<f64>, Motion)],
-    ) -> Result<Self, GasError> {
+    ) -> Result<Self, PackingRunError> {
         // A new packing at rest, with the motions put in.
         let places = bodies.iter().map(|(place, _)| *place).collect();
         let still = Self::built(scene, length, places, None)?;
@@ -72,7 +72,7 @@ impl TimeSteppedGas {
         scene: &GasScene,
         length: f64,
         kept: &TimeSteppedState,
-    ) -> Result<Self, GasError> {
+    ) -> Result<Self, PackingRunError> {
         let places = kept.frozen.positions.clone();
         let gas = Self::built(scene, length, places, Some(&kept.frozen))?;
         Ok(Self {
@@ -87,7 +87,7 @@ impl TimeSteppedGas {
         length: f64,
         positions: Vec<Vector3<f64>>,
         frozen: Option<&WorldSnapshot>,
-    ) -> Result<Self, GasError> {
+    ) -> Result<Self, PackingRunError> {
         let bodies = Bodies {
             space: PeriodicBox::new([Some(length); 3])?,
             radii: vec![1.0; positions.len()],
@@ -108,7 +108,7 @@ impl TimeSteppedGas {
     }
 
     /// Takes one step and counts its collisions.
-    pub fn step(&mut self) -> Result<(), GasError> {
+    pub fn step(&mut self) -> Result<(), PackingRunError> {
         let report = self.packing.step()?;
         self.collisions += report.impacts as u64;
         self.unmet += u64::from(report.impacts_cut || report.impacts_unmet > 0);
@@ -121,10 +121,10 @@ impl TimeSteppedGas {
     }
 
     /// Pairs that overlap, in ascending order.
-    fn overlapping(&self) -> Result<Vec<[u32; 2]>, GasError> {
+    fn overlapping(&self) -> Result<Vec<[u32; 2]>, PackingRunError> {
         let step = self.packing.clock().1;
         let contacts = self.packing.contacts();
-        let contacts = contacts.map_err(|cause| GasError::Touch { step, cause })?;
+        let contacts = contacts.map_err(|cause| PackingRunError::Touch { step, cause })?;
         let pair = |contact: &ContactRow| match contact.b {
             Partner::Particle(b) => Some([contact.a, b]),
             Partner::Wall(_) => None,

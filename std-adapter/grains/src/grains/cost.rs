@@ -1,8 +1,8 @@
 //! Forecast of the cost of a run: contacts, unknowns, time.
 
-use super::error::GrainsError;
 use super::from_scene::volume;
 use crate::grains::scene::GrainsScene;
+use crate::packing::PackingRunError;
 use crate::packing::{self, Assembly, BYTES_A_SPHERE, Method, PackingCost, SOFT_SECONDS};
 use tribos_base::run::RunSize;
 
@@ -70,18 +70,18 @@ fn count(scene: &GrainsScene) -> usize {
 /// // Beads that slide with friction: a normal and two tangential unknowns.
 /// let cost = cost(&tribos::scene::GrainsScene::default())?;
 /// assert_eq!((cost.spheres, cost.unknowns), (100, 3));
-/// # Ok::<(), tribos::grains::GrainsError>(())
+/// # Ok::<(), tribos::run::PackingRunError>(())
 /// ```
-pub fn cost(scene: &GrainsScene) -> Result<PackingCost, GrainsError> {
+pub fn cost(scene: &GrainsScene) -> Result<PackingCost, PackingRunError> {
     scene.check()?;
     let spread = scene.radius_spread > 0.0 || scene.size_distribution.is_some();
     let unequal = spread || scene.second_fraction > 0.0 || scene.initial_state.is_some();
-    Ok(PackingCost::measured(
+    PackingCost::measured(
         &scene.contact_keys(),
         (scene.radius, usual_force(scene)),
         (count(scene), unequal),
         |_| CONTACTS,
-    )?)
+    )
 }
 
 /// Force of a usual contact: the weight of the grains above it.

@@ -1,15 +1,14 @@
 //! Grains under their loads, step by step: their measures and when they end.
 
-use super::error::GrainsError;
 use super::from_scene::volume;
 use super::initial_grains::start;
 use super::layout::Layout;
 use super::loads::Loads;
 use super::measure::{COLUMNS, PackingState};
 use super::outcome::GrainsSummary;
-use super::placement::PlacementError;
 use super::wall::InitialWall;
 use crate::grains::scene::{Container, EndBoundary, GrainsScene};
+use crate::packing::PackingRunError;
 use crate::packing::{
     Bodies, ContactKeys, Dissipation, InitialSpheres, MeasuredState, MeasurementSchedule,
     OptionalFeatures, Packing, PackingBody, PackingEnergy, PackingRun, PackingStopReason,
@@ -59,7 +58,6 @@ impl GrainsBody {
 
 impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     type Scene = GrainsScene;
-    type Placement = PlacementError;
     type Monitor = SlowStepCount;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
@@ -71,7 +69,7 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     fn place(
         scene: &GrainsScene,
         watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<(Self, InitialSpheres), GrainsError> {
+    ) -> Result<(Self, InitialSpheres), PackingRunError> {
         let start = start(scene, watch)?;
         let layout = Layout::of(scene, &start)?;
         let body = Self {
@@ -80,10 +78,6 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
             layout,
         };
         Ok((body, start))
-    }
-
-    fn is_stop(error: &PlacementError) -> bool {
-        matches!(error, PlacementError::Stopped)
     }
 
     fn scene(&self) -> &GrainsScene {
@@ -238,9 +232,9 @@ impl GrainsSimulation {
 }
 
 impl Measure for GrainsScene {
-    type Error = GrainsError;
+    type Error = PackingRunError;
 
-    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, GrainsError> {
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, PackingRunError> {
         GrainsSimulation::measured(self, watch, |run| run.outcome().json(self))
     }
 }

@@ -1,11 +1,11 @@
 //! Where the grains of a run come from: random places, a file, or the last state of another run.
 
-use super::error::GrainsError;
 use super::layout::Layout;
 use super::placement;
 use super::wall::{InitialWall, WallId};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::AssemblyError;
+use crate::packing::PackingRunError;
 use crate::packing::method::ContactMethod;
 use crate::packing::{InitialSpheres, Kinds, WorldSnapshot, deepest, given};
 use nalgebra::Vector3;
@@ -21,7 +21,7 @@ const OFF_PLANE: f64 = 2.0 / 65_535.0;
 pub(super) fn start(
     scene: &GrainsScene,
     watch: impl FnMut(usize) -> ControlFlow<()>,
-) -> Result<InitialSpheres, GrainsError> {
+) -> Result<InitialSpheres, PackingRunError> {
     match &scene.initial_state {
         Some(path) => read(scene, path),
         None => Ok(placement::start(scene, watch)?),
@@ -29,7 +29,7 @@ pub(super) fn start(
 }
 
 /// Grains of a file or a run in the box of the scene.
-fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, GrainsError> {
+fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunError> {
     let (flat, depth) = (scene.is_flat(), scene.box_depth());
     let x = (scene.boundary_x == SideBoundary::Periodic).then_some((scene.width, "width"));
     let y = (scene.boundary_y == SideBoundary::Periodic && !flat).then_some((depth, "depth"));

@@ -4,7 +4,7 @@ use super::container;
 use super::wall::{AxisEnd, InitialWall, WallId, inward};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::InitialSpheres;
-use tribos_base::space::{PeriodicBox, PeriodicBoxError};
+use tribos_base::space::{PeriodicBox, SpaceError};
 use tribos_contacts::cd::Wall;
 
 /// Walls of a box at its start.
@@ -19,7 +19,7 @@ pub(super) struct Layout {
 
 impl Layout {
     /// The box of a scene around its grains.
-    pub fn of(scene: &GrainsScene, start: &InitialSpheres) -> Result<Self, PeriodicBoxError> {
+    pub fn of(scene: &GrainsScene, start: &InitialSpheres) -> Result<Self, SpaceError> {
         let grains = start.positions.iter().zip(&start.radii);
         let top = grains.map(|(x, radius)| x.z + radius).fold(0.0, f64::max);
         let height = match scene.container {

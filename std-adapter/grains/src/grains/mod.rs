@@ -5,7 +5,6 @@
 
 mod container;
 mod cost;
-mod error;
 mod from_scene;
 mod grains_body;
 mod initial_grains;
@@ -21,10 +20,8 @@ mod wall;
 pub use crate::packing::PackingStopReason as GrainsStopReason;
 #[doc(hidden)]
 pub use cost::{cost, size, stable_step};
-pub use error::GrainsError;
 pub use grains_body::GrainsSimulation;
 #[doc(hidden)]
 pub use measure::{COLUMNS, GrainsLine};
 pub use outcome::GrainsSummary;
-pub use placement::PlacementError;
-pub use ramp::{Ramp, RampError};
+pub use ramp::Ramp;

@@ -2,7 +2,7 @@
 
 use super::container::has_room;
 use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
-use crate::packing::{InitialSpheres, Kinds, Radii, SecondMaterial, SizesError};
+use crate::packing::{InitialSpheres, Kinds, PlacementError, Radii, SecondMaterial};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use tribos_base::random::Random;
@@ -12,62 +12,6 @@ const RADII: u64 = 0;
 const PLACES: u64 = 1;
 /// Grains between two reports of the placement.
 const BATCH: usize = 1000;
-
-/// Why grains cannot be placed.
-///
-/// ```
-/// use tribos::grains::{GrainsSimulation, GrainsError, PlacementError};
-/// # use tribos::scene::GrainsScene;
-/// // GrainsSimulation as wide as their box.
-/// let wide = GrainsScene { width: 0.01, radius: 0.005, ..GrainsScene::default() };
-/// let refused = GrainsSimulation::new(&wide);
-/// assert!(matches!(refused, Err(GrainsError::Placement(PlacementError::Narrow { .. }))));
-/// ```
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum PlacementError {
-    /// The distribution of the radii is refused.
-    #[error(transparent)]
-    Sizes(#[from] SizesError),
-    /// The box is narrower than one place of the lattice.
-    #[error(
-        "the box is {given} wide along {axis}, and a grain needs {needed} there at the start; \
-         make the box wider, the grains smaller or `initial_spacing` less"
-    )]
-    Narrow {
-        /// Name of the axis.
-        axis: &'static str,
-        /// Length of the box.
-        given: f64,
-        /// Length of a place.
-        needed: f64,
-    },
-    /// There are more grains than places.
-    #[error(
-        "`count` is {given}, and the box has room for {room} grains at the start; \
-         {}, or `count` or `initial_spacing` less",
-        larger(*.is_drum)
-    )]
-    Full {
-        /// Number of grains.
-        given: usize,
-        /// Number of places.
-        room: usize,
-        /// Whether the box is a drum, whose height is its width.
-        is_drum: bool,
-    },
-    /// The caller stopped the placement.
-    #[error("the placement was stopped")]
-    Stopped,
-}
-
-/// What has to be larger for more grains.
-fn larger(is_drum: bool) -> &'static str {
-    if is_drum {
-        "make the `width` of the drum more"
-    } else {
-        "make the box wider or higher"
-    }
-}
 
 /// Radii and places of a scene's grains; `watch` receives the number placed so far and can stop.
 ///
@@ -152,7 +96,7 @@ impl Lattice {
         let divide = |axis: &'static str, given: f64| {
             let places = (given / needed).floor();
             if places < 1.0 {
-                return Err(PlacementError::Narrow {
+                return Err(PlacementError::NarrowBox {
                     axis,
                     given,
                     needed,
@@ -172,7 +116,7 @@ impl Lattice {
         ] {
             if lonely(sides, places) {
                 let needed = 2.0 * needed;
-                return Err(PlacementError::Narrow {
+                return Err(PlacementError::NarrowBox {
                     axis,
                     given,
                     needed,

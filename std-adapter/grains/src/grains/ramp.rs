@@ -1,5 +1,6 @@
 //! Loads in time: constant, or linear between given values.
 
+use crate::packing::SettingError;
 use std::fmt;
 use std::str::FromStr;
 use tribos_base::scene::entries::Written;
@@ -21,7 +22,7 @@ use tribos_base::scene::table::Setting;
 /// assert_eq!([0.5, 2.0, 2.5, 9.0].map(|time| load.at(time)), [250.0, 1e3, 750.0, 500.0]);
 /// assert_eq!(load.integral(3.0), 1e3 + 750.0);
 /// assert_eq!(Ramp::from(9.81).at(5.0), 9.81);
-/// # Ok::<(), tribos::grains::RampError>(())
+/// # Ok::<(), tribos::scene::SettingError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ramp {
@@ -29,40 +30,20 @@ pub struct Ramp {
     knots: Vec<[f64; 2]>,
 }
 
-/// A text that is no ramp.
-///
-/// ```
-/// use tribos::grains::{Ramp, RampError};
-/// let refused: Result<Ramp, RampError> = "0:1, 0:2".parse();
-/// assert!(refused.is_err_and(|error| error.to_string().contains("ascend")));
-/// ```
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum RampError {
-    /// A part is no pair of numbers.
-    #[error("`{0}` must be a number, or pairs TIME:VALUE such as \"0:0, 0.5:1e3, 1:0\"")]
-    Form(String),
-    /// A time is negative, or a number is not finite.
-    #[error("times must be finite and >= 0, values finite, not {0}:{1}")]
-    Range(f64, f64),
-    /// Times do not ascend.
-    #[error("times must ascend: {0} is followed by {1}")]
-    Order(f64, f64),
-}
-
 impl Ramp {
     /// A ramp through pairs of time and value.
-    pub fn through(knots: &[[f64; 2]]) -> Result<Self, RampError> {
+    pub fn through(knots: &[[f64; 2]]) -> Result<Self, SettingError> {
         for &[time, value] in knots {
             if !(time >= 0.0 && time.is_finite() && value.is_finite()) {
-                return Err(RampError::Range(time, value));
+                return Err(SettingError::RampRange(time, value));
             }
         }
         let descends = |pair: &&[[f64; 2]]| pair[0][0] >= pair[1][0];
         if let Some(pair) = knots.windows(2).find(descends) {
-            return Err(RampError::Order(pair[0][0], pair[1][0]));
+            return Err(SettingError::RampOrder(pair[0][0], pair[1][0]));
         }
         if knots.is_empty() {
-            return Err(RampError::Form(String::new()));
+            return Err(SettingError::Ramp(String::new()));
         }
         Ok(Self {
             knots: knots.to_vec(),
@@ -175,9 +156,9 @@ impl fmt::Display for Ramp {
 }
 
 impl FromStr for Ramp {
-    type Err = RampError;
+    type Err = SettingError;
 
-    fn from_str(text: &str) -> Result<Self, RampError> {
+    fn from_str(text: &str) -> Result<Self, SettingError> {
         let number = |text: &str| text.trim().parse::<f64>().ok();
         if let Some(value) = number(text) {
             return Self::through(&[[0.0, value]]);
@@ -185,7 +166,7 @@ impl FromStr for Ramp {
         let pair = |part: &str| {
             let pair = part.split_once(':');
             let pair = pair.and_then(|(time, value)| Some([number(time)?, number(value)?]));
-            pair.ok_or_else(|| RampError::Form(part.trim().into()))
+            pair.ok_or_else(|| SettingError::Ramp(part.trim().into()))
         };
         let knots: Result<Vec<_>, _> = text.split(',').map(pair).collect();
         Self::through(&knots?)

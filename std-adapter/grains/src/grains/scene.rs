@@ -2,7 +2,7 @@
 
 use super::ramp::{RAMP, RAMP_NOT_NEGATIVE, Ramp};
 use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
-use crate::packing::{Radii, SIZES, SizeDistribution, SizesError};
+use crate::packing::{Radii, SIZES, SettingError, SizeDistribution};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use tribos_base::record::brief;
@@ -75,7 +75,7 @@ scene! {
     /// run_to_end(&mut beads, |_, _| ())?;
     /// let outcome = beads.outcome();
     /// assert!((outcome.end.floor_force / (outcome.mass * 9.81) - 1.0).abs() < 0.01);
-    /// # Ok::<(), tribos::grains::GrainsError>(())
+    /// # Ok::<(), tribos::run::PackingRunError>(())
     /// ```
     pub struct GrainsScene = "grains", "Grains in a box",
         rules, in_force;
@@ -342,7 +342,7 @@ fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<
 
 impl GrainsScene {
     /// Distribution of the radii, in mean radii, if `size_distribution` gives one.
-    pub(crate) fn radii(&self) -> Result<Option<Radii>, SizesError> {
+    pub(crate) fn radii(&self) -> Result<Option<Radii>, SettingError> {
         self.size_distribution
             .as_ref()
             .map(SizeDistribution::radii)

@@ -22,11 +22,10 @@ pub use forces::ForceDistribution;
 pub use necks::{Neck, Necks};
 pub use pair_correlation::PairCorrelation;
 pub use profile::PorosityProfile;
-pub use series::measure_series;
 pub use stress::StressTensor;
 pub use table::Table;
 
-use tribos_base::space::pairs::NeighbourError;
+use tribos_base::space::SpaceError;
 
 /// What is measured, and how finely.
 ///
@@ -115,7 +114,7 @@ pub struct Measures {
 impl Measures {
     /// Measures a state; where it has no forces, contacts are those of the geometry. *Domain*: finite positions;
     /// a reach of at most half of every period.
-    pub fn of(mut assembly: Assembly, options: &MeasureOptions) -> Result<Self, NeighbourError> {
+    pub fn of(mut assembly: Assembly, options: &MeasureOptions) -> Result<Self, SpaceError> {
         if assembly.forces == KnownForces::Unknown {
             assembly.touch(options.gap * assembly.mean_radius())?;
         }

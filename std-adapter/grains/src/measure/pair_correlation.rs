@@ -2,7 +2,8 @@
 
 use super::{Assembly, Table};
 use std::f64::consts::PI;
-use tribos_base::space::pairs::{Cells, NeighbourError};
+use tribos_base::space::SpaceError;
+use tribos_base::space::pairs::Cells;
 
 /// Reach without a choice, in mean radii.
 const REACH: f64 = 10.0;
@@ -27,7 +28,7 @@ impl PairCorrelation {
         assembly: &Assembly,
         reach: Option<f64>,
         bins: usize,
-    ) -> Result<Self, NeighbourError> {
+    ) -> Result<Self, SpaceError> {
         let reach = reach.unwrap_or_else(|| usual(assembly));
         let width = reach / bins as f64;
         let (counts, centres) = counts(assembly, reach, bins)?;
@@ -83,7 +84,7 @@ fn counts(
     assembly: &Assembly,
     reach: f64,
     bins: usize,
-) -> Result<(Vec<f64>, Vec<f64>), NeighbourError> {
+) -> Result<(Vec<f64>, Vec<f64>), SpaceError> {
     let points = vec![0.0; assembly.positions.len()];
     let scale = bins as f64 / reach;
     // Number of bins for which each sphere is far enough from open faces.

@@ -5,7 +5,8 @@ use nalgebra::Vector3;
 use serde_json::Value;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
-use tribos_base::space::pairs::{NeighbourError, neighbours};
+use tribos_base::space::SpaceError;
+use tribos_base::space::pairs::neighbours;
 
 /// Spheres in a box, with contacts if they are known. Any consistent units.
 ///
@@ -112,7 +113,7 @@ impl Assembly {
     /// Replaces the contacts by all pairs of spheres whose gap is at most `gap`, without forces.
     ///
     /// *Domain*: `gap` finite; two diameters at most along every period.
-    pub fn touch(&mut self, gap: f64) -> Result<(), NeighbourError> {
+    pub fn touch(&mut self, gap: f64) -> Result<(), SpaceError> {
         let pairs = neighbours(&self.space, &self.positions, &self.radii, gap.next_up())?;
         let row = |&[a, b]: &[u32; 2]| {
             let [i, j] = [a as usize, b as usize];
@@ -144,7 +145,7 @@ impl Assembly {
     }
 
     /// The deepest overlap over the smaller radius, with its spheres.
-    pub(crate) fn deepest(&self) -> Result<Option<(f64, [u32; 2])>, NeighbourError> {
+    pub(crate) fn deepest(&self) -> Result<Option<(f64, [u32; 2])>, SpaceError> {
         let pairs = neighbours(&self.space, &self.positions, &self.radii, 0.0)?;
         let depth = |&[a, b]: &[u32; 2]| {
             let [i, j] = [a as usize, b as usize];

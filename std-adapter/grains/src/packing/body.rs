@@ -1,12 +1,11 @@
 //! What a body says of the runs of its packing.
 
 use super::{
-    Bodies, InitialSpheres, Material, Method, OptionalFeatures, Packing, PackingError, PackingRun,
+    Bodies, InitialSpheres, Material, Method, OptionalFeatures, Packing, PackingRun,
     PackingRunError, PackingStopReason, SecondMaterial, SecondMaterialKeys, WorldSnapshot,
     build_with,
 };
 use serde_json::{Map, Value};
-use std::error::Error;
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 use tribos_base::record::frames::Kind;
@@ -19,8 +18,6 @@ use tribos_contacts::cd::StepReport;
 pub trait PackingBody<const N: usize>: Debug + Sized {
     /// Description from which a run starts.
     type Scene: Table;
-    /// Why its spheres cannot be placed.
-    type Placement: Error + 'static;
     /// What is remembered from step to step, beside the state of the packing.
     type Monitor: Debug;
 
@@ -40,11 +37,9 @@ pub trait PackingBody<const N: usize>: Debug + Sized {
     fn place(
         scene: &Self::Scene,
         watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<(Self, InitialSpheres), PackingRunError<Self::Placement>>;
-    /// Whether the caller stopped the placement.
-    fn is_stop(error: &Self::Placement) -> bool;
+    ) -> Result<(Self, InitialSpheres), PackingRunError>;
     /// Checks that a run of the scene can start.
-    fn check(scene: &Self::Scene) -> Result<(), PackingRunError<Self::Placement>> {
+    fn check(scene: &Self::Scene) -> Result<(), PackingRunError> {
         PackingRun::<Self, N>::new(scene).map(|_| ())
     }
 
@@ -149,7 +144,7 @@ pub(crate) fn packing_of<B: PackingBody<N>, const N: usize>(
     body: &B,
     start: &InitialSpheres,
     frozen: Option<&WorldSnapshot>,
-) -> Result<Box<dyn Packing>, PackingError> {
+) -> Result<Box<dyn Packing>, PackingRunError> {
     let keys = body.contact_keys();
     let is_second = start.kinds.is_second();
     let features = OptionalFeatures {

@@ -1,7 +1,7 @@
 //! What updates of contacts cost, measured, and how long stable steps of springs are.
 
 use super::{
-    Bodies, ContactKeys, Material, Method, ModeSet, OptionalFeatures, Packing, PackingError,
+    Bodies, ContactKeys, Material, Method, ModeSet, OptionalFeatures, Packing, PackingRunError,
     Springs, build_with,
 };
 use crate::packing::method::FrictionCoupling;
@@ -67,7 +67,7 @@ impl PackingCost {
         usual: (f64, f64),
         (spheres, is_unequal): (usize, bool),
         contacts_a_sphere: impl Fn(ModeSet) -> [f64; 2],
-    ) -> Result<Self, PackingError> {
+    ) -> Result<Self, PackingRunError> {
         let material = keys.material;
         // The same coefficient, or the usual one for smooth spheres.
         let plain = Material {
@@ -114,8 +114,8 @@ const STEPS: usize = 50;
 
 /// Time of an update of a contact in each of two packings: the minimum over alternating rounds.
 fn update_seconds(
-    packings: [impl Fn() -> Result<Box<dyn Packing>, PackingError>; 2],
-) -> Result<[f64; 2], PackingError> {
+    packings: [impl Fn() -> Result<Box<dyn Packing>, PackingRunError>; 2],
+) -> Result<[f64; 2], PackingRunError> {
     let mut least = [f64::INFINITY; 2];
     for _ in 0..ROUNDS {
         for (packing, least) in packings.iter().zip(&mut least) {
@@ -174,7 +174,7 @@ fn block(
     material: &Material,
     method: &Method,
     (radius, force): (f64, f64),
-) -> Result<Box<dyn Packing>, PackingError> {
+) -> Result<Box<dyn Packing>, PackingRunError> {
     let method = match *method {
         Method::ContactDynamics { step_limits, .. } => Method::ContactDynamics {
             solver: ContactSolver {
@@ -223,7 +223,7 @@ pub(crate) fn stable_step_between(
 ) -> f64 {
     let sphere = solid(radius, material.density);
     let damping = if material.restitution > 0.0 {
-        soft::damping_ratio_of(material.restitution)
+        soft::Stiffness::damping_ratio_of(material.restitution)
     } else {
         springs.damping
     };

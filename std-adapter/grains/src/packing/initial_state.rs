@@ -128,12 +128,10 @@ fn check_spheres(
             "the mean radius is {mean}, and that of the scene is {radius}; multiply all lengths by {factor}"
         )));
     }
-    let deepest = assembly
-        .deepest()
-        .map_err(|cause| AssemblyError::Neighbours {
-            file: file.into(),
-            cause,
-        })?;
+    let deepest = assembly.deepest().map_err(|cause| AssemblyError::Space {
+        file: file.into(),
+        cause,
+    })?;
     match deepest {
         Some((depth, [a, b])) if depth > most => Err(refused(format!(
             "spheres {a} and {b} (from 0) overlap by {:.3} % of the smaller radius; at most {} % is taken",

@@ -1,7 +1,7 @@
 //! A world of contact dynamics with its contact modes hidden behind the trait of packings.
 
 use super::{
-    Bodies, Force, Forces, Material, Method, ModeSet, OptionalFeatures, Packing, PackingError,
+    Bodies, Force, Forces, Material, Method, ModeSet, OptionalFeatures, Packing, PackingRunError,
     WorldSnapshot, soft,
 };
 use crate::packing::method::{FrictionCoupling, WallLaw};
@@ -35,7 +35,7 @@ pub(super) fn build(
     bodies: (Bodies, &OptionalFeatures),
     method: &Method,
     frozen: Option<&WorldSnapshot>,
-) -> Result<Box<dyn Packing>, PackingError> {
+) -> Result<Box<dyn Packing>, PackingRunError> {
     let carried = bodies.1.widest(material).carried();
     let at = (material, bodies, method, frozen);
     match carried.coupling {
@@ -72,8 +72,8 @@ pub(super) fn build(
 /// A world in which sliding and torsion share a set: one between spheres, one at smooth walls.
 fn coupled<S: FrictionSet<f64> + Copy + Debug + Send + Sync + 'static>(
     at: Parts<'_>,
-    sets: impl Fn(&Material) -> Result<[S; 2], PackingError>,
-) -> Result<Box<dyn Packing>, PackingError> {
+    sets: impl Fn(&Material) -> Result<[S; 2], PackingRunError>,
+) -> Result<Box<dyn Packing>, PackingRunError> {
     if at.1.1.widest(at.0).rolling > 0.0 {
         boxed(at, |m| {
             let [rough, smooth] = sets(m)?;
@@ -98,7 +98,10 @@ fn both<F: Copy>(material: &Material, rough: F, smooth: F) -> [F; 2] {
 }
 
 /// Laws of a material with this friction.
-fn laws<F: Copy>(material: &Material, friction: [F; 2]) -> Result<WorldMaterials<F>, PackingError> {
+fn laws<F: Copy>(
+    material: &Material,
+    friction: [F; 2],
+) -> Result<WorldMaterials<F>, PackingRunError> {
     let normal = material.normal_laws()?;
     let law = |kind: usize| ContactMaterial {
         normal: normal[kind],
@@ -113,8 +116,8 @@ fn laws<F: Copy>(material: &Material, friction: [F; 2]) -> Result<WorldMaterials
 /// A world with these contact modes; `friction` gives that of a material between spheres and at walls.
 fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
     (material, (bodies, extras), method, frozen): Parts<'_>,
-    friction: impl Fn(&Material) -> Result<[F; 2], PackingError>,
-) -> Result<Box<dyn Packing>, PackingError> {
+    friction: impl Fn(&Material) -> Result<[F; 2], PackingRunError>,
+) -> Result<Box<dyn Packing>, PackingRunError> {
     let of = |material: &Material| laws(material, friction(material)?);
     let first = of(material)?;
     let mixture = match &extras.second {

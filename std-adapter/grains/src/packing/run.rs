@@ -11,7 +11,6 @@ use super::{
 };
 use serde_json::{Map, Value};
 use std::borrow::Cow;
-use std::error::Error;
 use std::ops::ControlFlow;
 use std::time::Instant;
 use tribos_base::golden::{Digest, Measurement, contacts, digest};
@@ -69,30 +68,28 @@ pub struct PackingRun<B: PackingBody<N>, const N: usize> {
 impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
     /// Starts from the spheres of the scene: a deposit with the piston on it, grains that do not touch, or those
     /// of its `initial_state`.
-    pub fn new(scene: &B::Scene) -> Result<Self, PackingRunError<B::Placement>> {
+    pub fn new(scene: &B::Scene) -> Result<Self, PackingRunError> {
         Self::begin(scene, None, |_| ControlFlow::Continue(()))
     }
 
     /// Continues from a [checkpoint](Self::checkpoint) of a run of the same scene, with the same bits as without
     /// interruption. A run that had ended remains ended and takes no more steps.
-    pub fn resume(
-        scene: &B::Scene,
-        checkpoint: &str,
-    ) -> Result<Self, PackingRunError<B::Placement>> {
+    pub fn resume(scene: &B::Scene, checkpoint: &str) -> Result<Self, PackingRunError> {
         Self::begin(scene, Some(checkpoint), |_| ControlFlow::Continue(()))
     }
 
     /// Checks that a run of the scene can start. A deposit is not grown for it: two spheres are enough.
     ///
     /// ```
-    /// use tribos::powder::{PowderSimulation, CompactionError, deposit::DepositError};
+    /// use tribos::powder::PowderSimulation;
+    /// use tribos::run::{PackingRunError, PlacementError};
     /// # use tribos::scene::PowderScene;
     /// # let flat = PowderScene { width: 6.0, height: 1.0, pressure: 0.02, ..PowderScene::default() };
     /// // A deposit that is cut at a height of half a sphere.
     /// let refused = PowderSimulation::check(&flat);
-    /// assert!(matches!(refused, Err(CompactionError::Placement(DepositError::Empty))));
+    /// assert!(matches!(refused, Err(PackingRunError::Placement(PlacementError::Empty))));
     /// ```
-    pub fn check(scene: &B::Scene) -> Result<(), PackingRunError<B::Placement>> {
+    pub fn check(scene: &B::Scene) -> Result<(), PackingRunError> {
         B::check(scene)
     }
 
@@ -101,17 +98,18 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
     ///
     /// ```
     /// use std::ops::ControlFlow;
-    /// use tribos::powder::{PowderSimulation, CompactionError, deposit::DepositError};
+    /// use tribos::powder::PowderSimulation;
+    /// use tribos::run::{PackingRunError, PlacementError};
     /// # use tribos::scene::PowderScene;
     /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
     /// let stopped = PowderSimulation::begin(&scene, None, |_spheres| ControlFlow::Break(()));
-    /// assert!(matches!(stopped, Err(CompactionError::Placement(DepositError::Stopped))));
+    /// assert!(matches!(stopped, Err(PackingRunError::Placement(PlacementError::Stopped))));
     /// ```
     pub fn begin(
         scene: &B::Scene,
         checkpoint: Option<&str>,
         mut watch: impl FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<Self, PackingRunError<B::Placement>> {
+    ) -> Result<Self, PackingRunError> {
         scene.check()?;
         let kept = PackingCheckpoint::<B, N>::read(checkpoint, &scene.json())?;
         let (body, start) = B::place(scene, &mut watch)?;
@@ -144,10 +142,7 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
     }
 
     /// Takes over what a checkpoint has beside the packing.
-    fn restore<P: Error>(
-        &mut self,
-        kept: PackingCheckpoint<B, N>,
-    ) -> Result<(), PackingRunError<P>> {
+    fn restore(&mut self, kept: PackingCheckpoint<B, N>) -> Result<(), PackingRunError> {
         self.watch = kept.watch;
         self.totals = kept.totals;
         self.series = kept.series;
@@ -246,7 +241,7 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
     }
 
     /// Refuses a packing that rigid spheres cannot have, where the step began with such an overlap for the smallest.
-    fn check_overlap<P: Error>(&mut self) -> Result<(), PackingRunError<P>> {
+    fn check_overlap(&mut self) -> Result<(), PackingRunError> {
         let radii = self.seen.packing.radii().iter();
         let smallest = radii.copied().fold(f64::INFINITY, f64::min);
         if self.seen.packing.is_rigid() && self.seen.report.overlap > TOO_DEEP * smallest {
@@ -257,7 +252,7 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
     }
 
     /// Refuses such a packing by its contacts.
-    fn judge_overlap<P: Error>(&self) -> Result<(), PackingRunError<P>> {
+    fn judge_overlap(&self) -> Result<(), PackingRunError> {
         let radii = self.seen.packing.radii();
         let radius = |body: Option<u32>| body.map_or(f64::INFINITY, |body| radii[body as usize]);
         let depth = |row: &ContactRow| -row.gap / radius(Some(row.a)).min(radius(row.b.particle()));
@@ -273,13 +268,13 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
     }
 
     /// Finds the contacts after a step and measures them.
-    fn measure_step<P: Error>(&mut self) -> Result<(), PackingRunError<P>> {
+    fn measure_step(&mut self) -> Result<(), PackingRunError> {
         self.find_contacts()?;
         self.body.measure(&mut self.watch, &self.seen);
         Ok(())
     }
 
-    fn find_contacts<P: Error>(&mut self) -> Result<(), PackingRunError<P>> {
+    fn find_contacts(&mut self) -> Result<(), PackingRunError> {
         let step = self.steps();
         let contacts = self.seen.packing.contacts();
         self.seen.contacts = contacts.map_err(|cause| PackingRunError::Touch { step, cause })?;
@@ -287,7 +282,7 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
     }
 
     /// The current line, if all its values and the energy balance are finite.
-    fn finite_line<P: Error>(&self) -> Result<[f64; N], PackingRunError<P>> {
+    fn finite_line(&self) -> Result<[f64; N], PackingRunError> {
         let line = self.record();
         let named = B::COLUMNS.into_iter().zip(line);
         let balance = [("work", self.seen.packing.energy().imbalance())];
@@ -411,7 +406,7 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
         scene: &B::Scene,
         watch: &mut dyn FnMut(),
         summary: impl FnOnce(&Self) -> Value,
-    ) -> Result<Measurement, PackingRunError<B::Placement>> {
+    ) -> Result<Measurement, PackingRunError> {
         let mut run = Self::new(scene)?;
         run_to_end(&mut run, |_, _| watch())?;
         let rows = run.series.iter().map(|row| row.to_vec());
@@ -431,7 +426,7 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
 
 impl<B: PackingBody<N>, const N: usize> Simulation for PackingRun<B, N> {
     type Record = [f64; N];
-    type Error = PackingRunError<B::Placement>;
+    type Error = PackingRunError;
 
     fn record(&self) -> [f64; N] {
         self.body.line(&self.watch, &self.seen)
@@ -492,7 +487,7 @@ impl<B: PackingBody<N>, const N: usize> LongRun for PackingRun<B, N> {
     }
 
     fn cause(error: &Self::Error) -> Cause {
-        error.cause(B::is_stop)
+        error.cause()
     }
 
     fn checkpoint(&self) -> String {

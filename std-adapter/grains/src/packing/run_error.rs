@@ -1,41 +1,40 @@
 //! Why a run of a packing cannot start or continue.
 
-use super::PackingError;
+use super::PlacementError;
 use crate::packing::AssemblyError;
-use std::error::Error;
 use tribos_base::record::CheckpointError;
 use tribos_base::run::Cause;
 use tribos_base::scene::InvalidScene;
-use tribos_base::space::PeriodicBoxError;
+use tribos_base::space::SpaceError;
 use tribos_contacts::cd::WorldError;
 use tribos_core::contact::ContactError;
 use tribos_core::law::LawError;
 
-/// Why a run of a packing cannot start or continue; `P` says why its spheres cannot be placed.
+/// Why a run of a packing cannot start or continue.
 ///
 /// ```
-/// use tribos::powder::{PowderSimulation, CompactionError};
+/// use tribos::powder::PowderSimulation;
 /// use tribos::record::CheckpointError;
 /// use tribos::run::PackingRunError;
 /// # use tribos::scene::PowderScene;
 /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
-/// let refused: Result<_, CompactionError> = PowderSimulation::resume(&scene, "{}");
+/// let refused = PowderSimulation::resume(&scene, "{}");
 /// assert!(matches!(refused, Err(PackingRunError::Checkpoint(CheckpointError::Format(_)))));
 /// ```
 #[derive(Debug, thiserror::Error)]
-pub enum PackingRunError<P: Error + 'static> {
+pub enum PackingRunError {
     /// A field of the scene is wrong.
     #[error(transparent)]
     Scene(#[from] InvalidScene),
     /// The spheres cannot be placed.
     #[error(transparent)]
-    Placement(P),
+    Placement(#[from] PlacementError),
     /// The spheres that the scene starts from cannot be used.
     #[error("`initial_state`: {0}")]
     Start(#[from] AssemblyError),
     /// A length of the box cannot be a period.
     #[error(transparent)]
-    Space(#[from] PeriodicBoxError),
+    Space(#[from] SpaceError),
     /// The kernel refused a law.
     #[error(transparent)]
     Law(#[from] LawError),
@@ -84,7 +83,7 @@ pub enum PackingRunError<P: Error + 'static> {
     Checkpoint(#[from] CheckpointError),
 }
 
-impl<P: Error + 'static> PackingRunError<P> {
+impl PackingRunError {
     /// Whether the run failed on its course, after its scene had been accepted.
     ///
     /// ```
@@ -101,22 +100,12 @@ impl<P: Error + 'static> PackingRunError<P> {
         )
     }
 
-    /// Cause for a long run; `is_stop` tells a placement that its caller stopped.
-    pub(crate) fn cause(&self, is_stop: impl Fn(&P) -> bool) -> Cause {
+    /// Cause for a long run.
+    pub(crate) fn cause(&self) -> Cause {
         match self {
             Self::Checkpoint(_) => Cause::Checkpoint,
-            Self::Placement(error) if is_stop(error) => Cause::Stopped,
+            Self::Placement(PlacementError::Stopped) => Cause::Stopped,
             _ => Cause::Scene,
-        }
-    }
-}
-
-impl<P: Error + 'static> From<PackingError> for PackingRunError<P> {
-    fn from(error: PackingError) -> Self {
-        match error {
-            PackingError::Law(error) => Self::Law(error),
-            PackingError::Surface(error) => Self::Surface(error),
-            PackingError::World(error) => Self::World(error),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A world of soft spheres with its contact modes hidden behind the trait of packings.
 
-use super::{Bodies, Force, Forces, Packing, PackingError, Springs, WorldSnapshot};
+use super::{Bodies, Force, Forces, Packing, PackingRunError, Springs, WorldSnapshot};
 use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
@@ -30,7 +30,7 @@ pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
     springs: &Springs,
     frozen: Option<&WorldSnapshot>,
     laws: WorldMaterials<F>,
-) -> Result<Box<dyn Packing>, PackingError> {
+) -> Result<Box<dyn Packing>, PackingRunError> {
     let limits = springs.step_limits;
     let spheres = bodies.radii.iter().enumerate();
     let setup = SoftSetup {

@@ -17,7 +17,7 @@ use tribos_base::scene::words::{Word, words};
 /// run_to_end(&mut beads, |_, _| ())?;
 /// assert_eq!(beads.ending(), Some(GrainsStopReason::Rest)); // they fall and stay where they are
 /// assert_eq!(GrainsStopReason::Rest.name(), "rest");
-/// # Ok::<(), tribos::grains::GrainsError>(())
+/// # Ok::<(), tribos::run::PackingRunError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PackingStopReason {

@@ -1,6 +1,6 @@
 //! Spheres between walls, with a material and a method for their contacts chosen at run time.
 
-use super::{Material, OptionalFeatures, WorldSnapshot, rigid};
+use super::{Material, OptionalFeatures, PackingRunError, WorldSnapshot, rigid};
 use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
@@ -8,9 +8,7 @@ use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::{ContactSolver, EnergyBalance, StepLimits, StepReport, Wall, WorldError};
 use tribos_contacts::problem::GlobalProblem;
 use tribos_contacts::soft::Stiffness;
-use tribos_core::Error;
 use tribos_core::contact::{ContactError, SphereBody};
-use tribos_core::law::LawError;
 
 /// Spheres and walls at the start.
 #[derive(Clone, Debug)]
@@ -45,20 +43,6 @@ pub struct Springs {
     pub damping: f64,
     pub steps_per_collision: f64,
     pub step_limits: StepLimits,
-}
-
-/// Why a packing cannot be built.
-#[derive(Debug, thiserror::Error)]
-pub enum PackingError {
-    /// The kernel refused a law.
-    #[error(transparent)]
-    Law(#[from] LawError),
-    /// The kernel refused a set of sliding and torsion.
-    #[error(transparent)]
-    Surface(#[from] Error),
-    /// The bodies or their motion are refused.
-    #[error(transparent)]
-    World(#[from] WorldError),
 }
 
 /// Spheres between walls, with any contact modes.
@@ -102,7 +86,7 @@ pub(crate) fn build(
     bodies: Bodies,
     method: &Method,
     frozen: Option<&WorldSnapshot>,
-) -> Result<Box<dyn Packing>, PackingError> {
+) -> Result<Box<dyn Packing>, PackingRunError> {
     build_with(
         material,
         (bodies, &OptionalFeatures::default()),
@@ -117,7 +101,7 @@ pub(crate) fn build_with(
     bodies: (Bodies, &OptionalFeatures),
     method: &Method,
     frozen: Option<&WorldSnapshot>,
-) -> Result<Box<dyn Packing>, PackingError> {
+) -> Result<Box<dyn Packing>, PackingRunError> {
     rigid::build(material, bodies, method, frozen)
 }
 

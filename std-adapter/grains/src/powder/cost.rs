@@ -1,8 +1,8 @@
 //! Forecast of the cost of a compaction: spheres, contacts, unknowns, and the time of an update.
 
 use super::deposit::Ballistic;
-use super::error::CompactionError;
 use super::start::start;
+use crate::packing::PackingRunError;
 use crate::packing::{self, Assembly, BYTES_A_SPHERE, Method, ModeSet, PackingCost, SOFT_SECONDS};
 use crate::powder::scene::PowderScene;
 use std::ops::ControlFlow;
@@ -91,7 +91,7 @@ fn expected_spheres(scene: &PowderScene) -> f64 {
 ///
 /// *Accuracy*: about ten per cent for the times; the updates of unequal spheres, or with all contacts at
 /// their thresholds, take longer.
-pub fn cost(scene: &PowderScene) -> Result<PackingCost, CompactionError> {
+pub fn cost(scene: &PowderScene) -> Result<PackingCost, PackingRunError> {
     scene.check()?;
     let expected = expected_spheres(scene);
     let spheres = if expected <= COUNTED {
@@ -104,12 +104,12 @@ pub fn cost(scene: &PowderScene) -> Result<PackingCost, CompactionError> {
     let unequal = spread || scene.second_fraction > 0.0 || scene.initial_state.is_some();
     // The load on a column of spheres of radius 1.
     let usual = (1.0, 4.0 * scene.pressure);
-    Ok(PackingCost::measured(
+    PackingCost::measured(
         &scene.contact_keys(),
         usual,
         (spheres, unequal),
         contacts_a_sphere,
-    )?)
+    )
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use super::blocked::{LOAD_DEVIATION, PISTON_MOTION, window_time};
 use super::deposit::Deposit;
-use super::error::CompactionError;
 use super::start;
+use crate::packing::PackingRunError;
 use crate::packing::method::{FrictionCoupling, WallLaw};
 use crate::packing::{Kinds, Material, Method, Springs, stable_step_between};
 use crate::powder::scene::PowderScene;
@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use tribos_base::record::number;
 use tribos_contacts::cd::Wall;
-use tribos_contacts::soft::{Stiffness, damping_ratio_of};
+use tribos_contacts::soft::Stiffness;
 
 /// Room above the piston and below the substrate in the box of the files, in R.
 const ROOM: f64 = 2.0;
@@ -59,7 +59,7 @@ pub enum ExportError {
     /// Rigid spheres have no springs that LAMMPS could integrate.
     Rigid,
     /// The spheres cannot be made or read.
-    Start(CompactionError),
+    Start(PackingRunError),
 }
 
 impl std::fmt::Display for ExportError {
@@ -90,7 +90,7 @@ pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
     };
     scene
         .check()
-        .map_err(CompactionError::from)
+        .map_err(PackingRunError::from)
         .map_err(ExportError::Start)?;
     let (deposit, spheres) =
         start::start(scene, |_| ControlFlow::Continue(())).map_err(ExportError::Start)?;
@@ -177,7 +177,7 @@ fn laws(scene: &PowderScene) -> [String; 2] {
         Stiffness::Hertz(modulus) => format!("hertz {}", number(modulus)),
     };
     let ratio = if scene.restitution > 0.0 {
-        damping_ratio_of(scene.restitution)
+        Stiffness::damping_ratio_of(scene.restitution)
     } else {
         scene.damping_ratio
     };

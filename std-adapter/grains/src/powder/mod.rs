@@ -4,7 +4,6 @@ mod blocked;
 mod cost;
 #[doc(hidden)]
 pub mod deposit;
-mod error;
 #[doc(hidden)]
 pub mod export;
 mod from_scene;
@@ -24,8 +23,6 @@ pub use crate::packing::{
 pub use blocked::{Means, Window};
 #[doc(hidden)]
 pub use cost::{cost, size, stable_step};
-pub use deposit::DepositError;
-pub use error::CompactionError;
 pub use outcome::PowderSummary;
 #[doc(hidden)]
 pub use outcome::{COLUMNS, MeanStress, PistonBalance};

@@ -1,8 +1,7 @@
 //! What a piston does to a powder, step by step: its loads, its measures and when it ends.
 
 use super::blocked::{Means, Window};
-use super::deposit::{BULK, Deposit, DepositError, SUBSTRATE};
-use super::error::CompactionError;
+use super::deposit::{BULK, Deposit, SUBSTRATE};
 use super::outcome::{COLUMNS, MeanStress, PistonBalance, PowderLine, PowderSummary};
 use super::start::start;
 use crate::packing::{
@@ -10,6 +9,7 @@ use crate::packing::{
     OptionalFeatures, Packing, PackingBody, PackingEnergy, PackingRun, PackingStopReason,
     RunLimits, Stress, branch, is_at, volume_between,
 };
+use crate::packing::{PackingRunError, PlacementError};
 use crate::powder::scene::PowderScene;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::{Map, Value};
@@ -145,7 +145,6 @@ impl PressMonitor {
 
 impl PackingBody<{ COLUMNS.len() }> for PowderBody {
     type Scene = PowderScene;
-    type Placement = DepositError;
     type Monitor = PressMonitor;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
@@ -158,7 +157,7 @@ impl PackingBody<{ COLUMNS.len() }> for PowderBody {
     fn place(
         scene: &PowderScene,
         watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<(Self, InitialSpheres), CompactionError> {
+    ) -> Result<(Self, InitialSpheres), PackingRunError> {
         let (deposit, start) = start(scene, watch)?;
         let volumes = deposit.radii.iter().map(|r| 4.0 / 3.0 * PI * r * r * r);
         let body = Self {
@@ -170,14 +169,10 @@ impl PackingBody<{ COLUMNS.len() }> for PowderBody {
         Ok((body, start))
     }
 
-    fn is_stop(error: &DepositError) -> bool {
-        matches!(error, DepositError::Stopped)
-    }
-
-    fn check(scene: &PowderScene) -> Result<(), CompactionError> {
+    fn check(scene: &PowderScene) -> Result<(), PackingRunError> {
         let diameter = 2.0 * scene.least_radius();
         if scene.initial_state.is_none() && scene.count.is_none() && scene.height < diameter {
-            return Err(DepositError::Empty.into());
+            return Err(PlacementError::Empty.into());
         }
         let mut two = scene.clone();
         if scene.initial_state.is_none() {
@@ -412,9 +407,9 @@ impl PowderSimulation {
 }
 
 impl Measure for PowderScene {
-    type Error = CompactionError;
+    type Error = PackingRunError;
 
-    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, CompactionError> {
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, PackingRunError> {
         PowderSimulation::measured(self, watch, |run| run.outcome().json(self))
     }
 }

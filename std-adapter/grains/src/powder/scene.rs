@@ -1,8 +1,9 @@
 //! The scene of a cohesive powder under a piston (thesis, section 4.5).
 
+use crate::packing::PlacementError;
 use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
 use crate::packing::{SIZES, SizeDistribution};
-use crate::powder::deposit::{Ballistic, DepositError, DepositTarget};
+use crate::powder::deposit::{Ballistic, DepositTarget};
 use std::path::PathBuf;
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
@@ -73,7 +74,7 @@ scene! {
     /// run_to_end(&mut compaction, |_, _| ())?;
     /// let outcome = compaction.outcome();
     /// assert!(outcome.porosity_final < outcome.porosity_initial);
-    /// # Ok::<(), tribos::powder::CompactionError>(())
+    /// # Ok::<(), tribos::run::PackingRunError>(())
     /// ```
     pub struct PowderScene = "powder", "A powder under a piston",
         rules, in_force;
@@ -213,7 +214,7 @@ fn rules(scene: &PowderScene, judge: &mut SceneDiagnostics<'_>) {
         );
     } else if let Err(error) = scene.ballistic() {
         let (keys, message): (&[&'static str], _) = match error {
-            DepositError::Sizes(error) => (&["size_distribution"], error.to_string()),
+            PlacementError::Sizes(error) => (&["size_distribution"], error.to_string()),
             _ => (
                 &[
                     "capture_radius",
@@ -257,7 +258,7 @@ impl PowderScene {
     }
 
     /// How the deposit grows, if width, capture radius and spread fit together.
-    pub fn ballistic(&self) -> Result<Ballistic, DepositError> {
+    pub fn ballistic(&self) -> Result<Ballistic, PlacementError> {
         if let Some(sizes) = &self.size_distribution {
             return Ballistic::sized(self.width, sizes.radii()?, self.capture_radius);
         }

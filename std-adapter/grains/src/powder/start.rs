@@ -1,7 +1,7 @@
 //! Where the spheres of a run come from: a deposit, a file, or the last state of another run.
 
 use super::deposit::Deposit;
-use super::error::CompactionError;
+use crate::packing::PackingRunError;
 use crate::packing::method::ContactMethod;
 use crate::packing::{Assembly, AssemblyError};
 use crate::packing::{InitialSpheres, Kinds, WorldSnapshot, given};
@@ -14,7 +14,7 @@ use std::path::Path;
 pub(super) fn start(
     scene: &PowderScene,
     watch: impl FnMut(usize) -> ControlFlow<()>,
-) -> Result<(Deposit, InitialSpheres), CompactionError> {
+) -> Result<(Deposit, InitialSpheres), PackingRunError> {
     if let Some(path) = &scene.initial_state {
         return Ok(read(scene, path)?);
     }

@@ -6,12 +6,13 @@ use tribos_contacts::event::{
     HardSpheres, Impact, Motion, Tangential, collision_rate, contact_value,
 };
 use tribos_grains::gas::*;
+use tribos_grains::packing::PackingRunError;
 use tribos_grains::scene::NormalForce;
 use tribos_grains::scene::{GasMethod, GasScene};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-fn finished(scene: &GasScene) -> Result<GasSimulation, GasError> {
+fn finished(scene: &GasScene) -> Result<GasSimulation, PackingRunError> {
     let mut gas = GasSimulation::new(scene)?;
     run_to_end(&mut gas, |_, _| ())?;
     Ok(gas)
@@ -256,7 +257,7 @@ fn checkpoints_of_other_gases_and_damaged_ones_are_refused() -> Tested {
 #[test]
 fn impossible_gases_are_refused_before_work() {
     let refusal = |scene: GasScene| match GasSimulation::new(&scene) {
-        Err(GasError::Scene(error)) => error.to_string(),
+        Err(PackingRunError::Scene(error)) => error.to_string(),
         other => format!("{other:?}"),
     };
     let few = GasScene {

@@ -2,6 +2,7 @@
 
 use tribos_base::run::{Simulation, run_to_end};
 use tribos_grains::grains::*;
+use tribos_grains::packing::{PackingRunError, PlacementError};
 use tribos_grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
 use tribos_grains::scene::{ContactMethod, NormalForce, WallLaw};
 
@@ -534,7 +535,7 @@ fn rigid_grains_that_are_pressed_beyond_any_packing_end_the_run() {
     let mut grains = GrainsSimulation::new(&pressed).unwrap();
     let error = run_to_end(&mut grains, |_, _| ()).unwrap_err();
     let told = error.to_string();
-    let GrainsError::Overlap {
+    let PackingRunError::Overlap {
         step,
         overlap,
         solid_fraction,
@@ -753,6 +754,6 @@ fn what_does_not_fit_together_is_refused_by_name() {
     let refused = GrainsSimulation::new(&full).unwrap_err();
     assert!(matches!(
         refused,
-        GrainsError::Placement(PlacementError::Full { given: 1000, .. })
+        PackingRunError::Placement(PlacementError::Full { given: 1000, .. })
     ));
 }

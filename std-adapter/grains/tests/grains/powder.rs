@@ -1,10 +1,11 @@
 use nalgebra::{Matrix3, Vector3};
 use std::cell::Cell;
-use tribos_base::record::frames::FrameError;
+use tribos_base::record::RecordError;
 use tribos_base::record::with_digest;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::results::Summary;
 use tribos_base::run::{FRAMES, RunError, Session, Simulation, StartMode, run_to_end};
+use tribos_grains::packing::PackingRunError;
 use tribos_grains::powder::*;
 use tribos_grains::scene::{BlockedCriterion, PowderScene};
 
@@ -543,7 +544,7 @@ fn a_run_ends_with_its_time_or_its_steps() -> Tested {
 }
 
 /// A run that is broken off after three steps, and goes on once its folder of frames is removed.
-fn resumed_without_frames(limit: u64) -> Result<u64, RunError<CompactionError>> {
+fn resumed_without_frames(limit: u64) -> Result<u64, RunError<PackingRunError>> {
     let scene = PowderScene {
         width: 6.0,
         height: 8.0,
@@ -570,7 +571,7 @@ fn resumed_without_frames(limit: u64) -> Result<u64, RunError<CompactionError>> 
 fn frames_that_are_all_gone_are_missed_where_a_run_kept_some() {
     let refused = resumed_without_frames(20);
     assert!(
-        matches!(&refused, Err(RunError::Frames(FrameError::Missing(path))) if path.ends_with(FRAMES)),
+        matches!(&refused, Err(RunError::Frames(RecordError::Missing(path))) if path.ends_with(FRAMES)),
         "{refused:?}"
     );
     assert_eq!(resumed_without_frames(0).unwrap(), 6);

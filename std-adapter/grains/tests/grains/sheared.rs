@@ -49,7 +49,7 @@ fn a_sheared_box_resists_with_stress_and_viscosity_of_one_sign() -> Answer {
         assert!(mean("stress_zz") > 0.0);
         let book = grains.outcome().energy;
         assert!(book.work > 0.0, "{book:?}");
-        assert!(book.imbalance().abs() < 1e-9 * book.work, "{book:?}");
+        assert!(book.imbalance.abs() < 1e-9 * book.work, "{book:?}");
     }
     Ok(())
 }
@@ -161,11 +161,13 @@ fn grains_all_of_the_second_material_run_as_grains_of_it_alone() -> Answer {
         density: 4000.0,
         ..mixed(0.0)
     };
-    let runs = [second, alone].map(|scene| -> Result<_, tribos_grains::grains::GrainsError> {
-        let mut grains = GrainsSimulation::new(&scene)?;
-        run_to_end(&mut grains, |_, _| ())?;
-        Ok(grains.series().to_vec())
-    });
+    let runs = [second, alone].map(
+        |scene| -> Result<_, tribos_grains::packing::PackingRunError> {
+            let mut grains = GrainsSimulation::new(&scene)?;
+            run_to_end(&mut grains, |_, _| ())?;
+            Ok(grains.series().to_vec())
+        },
+    );
     let [second, alone] = runs;
     assert_eq!(second?, alone?);
     Ok(())

@@ -1,5 +1,7 @@
 //! Measurements: friction at speeds, or over time.
 
+use super::FitError;
+
 /// Motion of the surfaces.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
@@ -21,7 +23,7 @@ pub enum Motion {
 /// parameters come out likewise.
 ///
 /// ```
-/// use tribos::fit::{Measurements, DataError, Motion};
+/// use tribos::fit::{FitError, Measurements, Motion};
 /// // A block drawn to and fro: s, m/s, N and the standard deviation of the force.
 /// let (times, velocities) = (vec![0.0, 0.1, 0.2], vec![0.2, 0.0, -0.2]);
 /// let data = Measurements::series(times, velocities, vec![1.5, 0.1, -1.5], Some(vec![0.05; 3]))?;
@@ -29,33 +31,14 @@ pub enum Motion {
 /// assert_eq!((data.velocities()[2], data.friction()[2]), (-0.2, -1.5)); // it resists
 /// assert_eq!(data.sigma(), Some(&[0.05; 3][..]));
 /// // A force that drives the body is no friction.
-/// assert!(matches!(Measurements::steady(vec![0.2], vec![-1.5], None), Err(DataError::Whole(_))));
-/// # Ok::<(), DataError>(())
+/// assert!(matches!(Measurements::steady(vec![0.2], vec![-1.5], None), Err(FitError::Whole(_))));
+/// # Ok::<(), FitError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measurements {
     pub(super) motion: Motion,
     pub(super) friction: Vec<f64>,
     pub(super) sigma: Option<Vec<f64>>,
-}
-
-/// A measurement that cannot be used.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum DataError {
-    /// One point.
-    #[error("{message}")]
-    Point {
-        /// Index of the point, from 0.
-        point: usize,
-        /// Description of the error and of valid values.
-        message: String,
-    },
-    /// Columns of different lengths.
-    #[error("columns have different lengths, {0} and {1}")]
-    Lengths(usize, usize),
-    /// The measurements as a whole.
-    #[error("{0}")]
-    Whole(&'static str),
 }
 
 /// Speeds and frictions whose logarithms and ratios to each other stay within the normal numbers.
@@ -70,7 +53,7 @@ impl Measurements {
         speeds: Vec<f64>,
         friction: Vec<f64>,
         sigma: Option<Vec<f64>>,
-    ) -> Result<Self, DataError> {
+    ) -> Result<Self, FitError> {
         let wrong = |v: &f64| !(*v > 0.0 && v.is_finite());
         refuse(&speeds, wrong, |v| {
             format!(
@@ -89,7 +72,7 @@ impl Measurements {
         velocities: Vec<f64>,
         friction: Vec<f64>,
         sigma: Option<Vec<f64>>,
-    ) -> Result<Self, DataError> {
+    ) -> Result<Self, FitError> {
         same_length(times.len(), velocities.len())?;
         refuse(
             &times,
@@ -102,7 +85,7 @@ impl Measurements {
                 times[point],
                 times[point - 1]
             );
-            return Err(DataError::Point { point, message });
+            return Err(FitError::Point { point, message });
         }
         refuse(
             &velocities,
@@ -116,7 +99,7 @@ impl Measurements {
         motion: Motion,
         friction: Vec<f64>,
         sigma: Option<Vec<f64>>,
-    ) -> Result<Self, DataError> {
+    ) -> Result<Self, FitError> {
         let velocities = match &motion {
             Motion::Steady { speeds } => speeds,
             Motion::Series { velocities, .. } => velocities,
@@ -139,7 +122,7 @@ impl Measurements {
         let speeds = extremes(velocities.iter().map(|v| v.abs()));
         let fits = |x: f64| x <= 0.0 || x.is_infinite() || MAGNITUDES.contains(&x);
         if !fits(largest) || !speeds.into_iter().all(fits) {
-            return Err(DataError::Whole(
+            return Err(FitError::Whole(
                 "speeds and the largest friction must lie between 1e-290 and 1e290; give them in \
                  another unit",
             ));
@@ -147,7 +130,7 @@ impl Measurements {
         let along = velocities.iter().zip(&friction);
         let work: f64 = along.map(|(v, f)| f.copysign(f * v)).sum();
         if work.is_nan() || work <= 0.0 {
-            return Err(DataError::Whole(
+            return Err(FitError::Whole(
                 "friction must be positive where the speed is: it resists a body that moves with v",
             ));
         }
@@ -192,11 +175,11 @@ impl Measurements {
     }
 }
 
-fn same_length(one: usize, other: usize) -> Result<(), DataError> {
+fn same_length(one: usize, other: usize) -> Result<(), FitError> {
     if one == other {
         Ok(())
     } else {
-        Err(DataError::Lengths(one, other))
+        Err(FitError::Lengths(one, other))
     }
 }
 
@@ -205,9 +188,9 @@ fn refuse(
     values: &[f64],
     wrong: impl Fn(&f64) -> bool,
     message: impl Fn(&f64) -> String,
-) -> Result<(), DataError> {
+) -> Result<(), FitError> {
     match values.iter().position(wrong) {
-        Some(point) => Err(DataError::Point {
+        Some(point) => Err(FitError::Point {
             point,
             message: message(&values[point]),
         }),

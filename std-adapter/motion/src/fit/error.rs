@@ -1,25 +1,50 @@
 //! Fits that fail.
 
-use super::DataError;
+use tribos_friction::FrictionError;
 
 /// Why a fit failed.
 ///
 /// ```
-/// use tribos::fit::{Measurements, FitError, FitLaw, FitOptions, fit, law_model};
+/// use tribos::fit::{FitError, FitLaw, FitOptions, Measurements};
 /// let data = Measurements::steady(vec![0.5], vec![0.3], None)?;
-/// let model = law_model(FitLaw::Power, &data)?;
-/// let refused = fit(model.as_ref(), &data, &FitOptions::default());
+/// let model = FitLaw::Power.model(&data)?;
+/// let refused = data.fit(model.as_ref(), &FitOptions::default());
 /// assert_eq!(refused, Err(FitError::TooFew { points: 1, free: 2 }));
 /// let fixed = vec![("gamma".into(), 0.3), ("alpha".into(), 0.0)];
-/// let refused = fit(model.as_ref(), &data, &FitOptions { fixed, ..FitOptions::default() });
+/// let refused = data.fit(model.as_ref(), &FitOptions { fixed, ..FitOptions::default() });
 /// assert_eq!(refused, Err(FitError::NothingFree));
 /// # Ok::<(), FitError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FitError {
-    /// A measurement is invalid.
+    /// A measurement cannot be used.
+    #[error("{message}")]
+    Point {
+        /// Index of the point, from 0.
+        point: usize,
+        /// Description of the error and of valid values.
+        message: String,
+    },
+    /// The columns of the measurements differ in length.
+    #[error("columns have different lengths, {0} and {1}")]
+    Lengths(usize, usize),
+    /// The measurements cannot be used as a whole.
+    #[error("{0}")]
+    Whole(&'static str),
+    /// A push cannot be used.
+    #[error("{message}")]
+    Push {
+        /// Index of the push, from 0.
+        push: usize,
+        /// Description of the error and of valid values.
+        message: String,
+    },
+    /// The pushes cannot be used as a whole.
+    #[error("{0}")]
+    Pushes(String),
+    /// The known support is refused.
     #[error(transparent)]
-    Data(#[from] DataError),
+    Support(#[from] FrictionError),
     /// A parameter that the law does not have.
     #[error("there is no parameter `{name}`; the parameters are {}", known.join(", "))]
     NoParameter {

@@ -54,10 +54,10 @@ pub struct Estimate {
 /// A fitted model.
 ///
 /// ```
-/// use tribos::fit::{Measurements, Estimate, Fit, Uncertainty, FitLaw, FitOptions, fit, law_model};
+/// use tribos::fit::{Measurements, Estimate, Fit, Uncertainty, FitLaw, FitOptions};
 /// // Friction over load at speeds that lie evenly about 1 m/s on a scale of ratios.
 /// let data = Measurements::steady(vec![0.25, 0.5, 2.0, 4.0], vec![0.31, 0.29, 0.29, 0.31], None)?;
-/// let found: Fit = fit(law_model(FitLaw::Power, &data)?.as_ref(), &data, &FitOptions::default())?;
+/// let found: Fit = data.fit(FitLaw::Power.model(&data)?.as_ref(), &FitOptions::default())?;
 /// // By symmetry alpha is 0: gamma is the mean, its standard error s/√n, and they do not trade.
 /// assert!(found.value("alpha").is_some_and(|alpha| alpha.abs() < 1e-6));
 /// let s = (4.0 * 0.01_f64.powi(2) / 2.0).sqrt(); // two points more than parameters
@@ -97,21 +97,23 @@ pub struct Fit {
     pub searched: usize,
 }
 
-/// Fits the model to the data.
-///
-/// *Cost*: with up to 4,000 points all starts use all points, with some 30 steps each. With more
-/// points, starts use a sample if the model can be [thinned](Model::subsample), and the few minima that
-/// are alike on it are refined on all points. The same data give the same bits.
-pub fn fit(model: &dyn Model, data: &Measurements, options: &FitOptions) -> Result<Fit, FitError> {
-    fit_watched(model, data, options, &mut |_| ())
+impl Measurements {
+    /// Fits the model to these data.
+    ///
+    /// *Cost*: with up to 4,000 points all starts use all points, with some 30 steps each. With more
+    /// points, starts use a sample if the model can be [thinned](Model::subsample), and the few minima that
+    /// are alike on it are refined on all points. The same data give the same bits.
+    pub fn fit(&self, model: &dyn Model, options: &FitOptions) -> Result<Fit, FitError> {
+        fit_watched(model, self, options, &mut |_| ())
+    }
 }
 
-/// As [`fit`]; `watch` is called before each step.
+/// As [`Measurements::fit`]; `watch` is called before each step.
 ///
 /// ```
-/// use tribos::fit::{Measurements, FitProgress, FitLaw, FitOptions, fit_watched, law_model};
+/// use tribos::fit::{Measurements, FitProgress, FitLaw, FitOptions, fit_watched};
 /// let data = Measurements::steady(vec![1.0, 2.0, 4.0], vec![0.3, 0.2, 0.1], None)?;
-/// let model = law_model(FitLaw::Power, &data)?;
+/// let model = FitLaw::Power.model(&data)?;
 /// let mut last = None;
 /// let options = FitOptions { starts: 5, ..FitOptions::default() };
 /// fit_watched(model.as_ref(), &data, &options, &mut |progress| last = Some(progress))?;

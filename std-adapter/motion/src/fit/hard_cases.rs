@@ -7,7 +7,7 @@ use tribos_core::law::{
 };
 
 fn found(law: FitLaw, data: &Measurements) -> Result<Fit, FitError> {
-    fit(law_model(law, data)?.as_ref(), data, &FitOptions::default())
+    data.fit(law.model(data)?.as_ref(), &FitOptions::default())
 }
 
 /// 0.3 √v with a scatter of 1 %, in some unit of force.
@@ -66,7 +66,7 @@ fn a_fit_does_not_depend_on_the_unit_of_force() {
 fn magnitudes_beyond_the_domain_are_refused() {
     for (v, f) in [(1.0, 1e-295), (1.0, 1e300), (1e-300, 1.0), (1e300, 1.0)] {
         let refused = Measurements::steady(vec![1.0, v, 2.0], vec![f; 3], None);
-        assert!(matches!(refused, Err(DataError::Whole(words)) if words.contains("unit")));
+        assert!(matches!(refused, Err(FitError::Whole(words)) if words.contains("unit")));
     }
 }
 
@@ -110,8 +110,9 @@ fn odd_data_end_in_a_fit_or_a_refusal() {
         let record = Measurements::series(t, v, f, sigma);
         for data in [steady, record].into_iter().flatten() {
             for law in laws {
-                let ended =
-                    law_model(law, &data).and_then(|model| fit(model.as_ref(), &data, &options));
+                let ended = law
+                    .model(&data)
+                    .and_then(|model| data.fit(model.as_ref(), &options));
                 match ended {
                     Ok(_) => fits += 1,
                     Err(_) => refusals += 1,
@@ -156,8 +157,8 @@ fn assert_same_minimum(law: FitLaw, data: &Measurements) {
         starts: 2,
         ..FitOptions::default()
     };
-    let whole = Whole(law_model(law, data).unwrap());
-    let all = fit(&whole, data, &options).unwrap();
+    let whole = Whole(law.model(data).unwrap());
+    let all = data.fit(&whole, &options).unwrap();
     assert_eq!(all.searched, data.friction().len());
     assert!((sampled.cost / all.cost - 1.0).abs() < 1e-9);
     for (a, b) in sampled.parameters.iter().zip(&all.parameters) {

@@ -1,8 +1,8 @@
 //! Parameters of friction laws from measurements: nonlinear least squares.
 //!
 //! The laws are the kernel's own ([`tribos_core::law`]), steady or with their states, without a
-//! second implementation. [`Measurements`] are speeds with friction, or friction over time; [`law_model`]
-//! joins them with a law; [`fit`] finds the parameters with the least sum of squared residuals,
+//! second implementation. [`Measurements`] are speeds with friction, or friction over time; [`FitLaw::model`]
+//! joins them with a law; [`Measurements::fit`] finds the parameters with the least sum of squared residuals,
 //! each divided by its standard deviation if that is known:
 //!
 //! - Levenberg–Marquardt (Marquardt 1963; damping after Nielsen 1999), every step from a singular
@@ -21,13 +21,13 @@
 //! the parameters and 6 of their standard deviations, from both of NIST's starts.
 //!
 //! ```
-//! use tribos::fit::{Measurements, FitLaw, FitOptions, fit, law_model};
+//! use tribos::fit::{FitLaw, FitOptions, Measurements};
 //! use tribos_core::law::{LocalLaw, PowerLaw};
 //! let law = PowerLaw::new(-0.5_f64, 0.008)?; // ice
 //! let speeds: Vec<f64> = (1..=20).map(|k| 0.1 * f64::from(k)).collect();
 //! let friction = speeds.iter().map(|&v| law.friction(v)).collect();
 //! let data = Measurements::steady(speeds, friction, None)?;
-//! let found = fit(law_model(FitLaw::Power, &data)?.as_ref(), &data, &FitOptions::default())?;
+//! let found = data.fit(FitLaw::Power.model(&data)?.as_ref(), &FitOptions::default())?;
 //! assert!((found.parameters[0].value - 0.008).abs() < 1e-12);
 //! assert!((found.parameters[1].value + 0.5).abs() < 1e-10);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -49,15 +49,14 @@ mod standard_errors;
 pub mod support;
 mod unknowns;
 
+pub use data::Measurements;
 #[doc(hidden)]
 pub use data::Motion;
-pub use data::{DataError, Measurements};
 pub use error::FitError;
 #[doc(hidden)]
 pub use estimate::fit_watched;
-pub use estimate::{Estimate, Fit, FitOptions, Uncertainty, fit};
+pub use estimate::{Estimate, Fit, FitOptions, Uncertainty};
 pub use law::FitLaw;
-pub use law::law_model;
 pub use parameter::FitParameter;
 #[doc(hidden)]
 pub use parameter::{Model, Range};

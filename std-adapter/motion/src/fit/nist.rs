@@ -3,7 +3,7 @@
 //! starting points and certified values of Misra1a (lower difficulty), Thurber and MGH09 (higher).
 
 use super::parameter::{FitParameter, Model, Range};
-use super::{Fit, FitOptions, Measurements, fit};
+use super::{Fit, FitOptions, Measurements};
 
 struct Reference {
     name: &'static str,
@@ -145,7 +145,7 @@ fn fitted(problem: &Reference, start: &[f64], range: Range) -> Fit {
         starts: 1,
         ..FitOptions::default()
     };
-    fit(&model, &data, &options).unwrap()
+    data.fit(&model, &options).unwrap()
 }
 
 #[test]

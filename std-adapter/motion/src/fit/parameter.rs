@@ -43,7 +43,7 @@ pub struct FitParameter {
 /// A model to be fitted: it predicts each point of the data.
 ///
 /// ```
-/// use tribos::fit::{Measurements, Model, FitOptions, FitParameter, Range, fit};
+/// use tribos::fit::{Measurements, Model, FitOptions, FitParameter, Range};
 /// /// Coulomb friction and a viscous film, a + b v.
 /// struct Film(Vec<f64>);
 /// const A: FitParameter =
@@ -59,7 +59,7 @@ pub struct FitParameter {
 /// }
 /// let speeds = vec![1.0, 2.0, 3.0];
 /// let data = Measurements::steady(speeds.clone(), vec![2.5, 3.0, 3.5], None)?; // on the line 2 + v/2
-/// let found = fit(&Film(speeds), &data, &FitOptions::default())?;
+/// let found = data.fit(&Film(speeds), &FitOptions::default())?;
 /// assert!((found.parameters[0].value - 2.0).abs() < 1e-9);
 /// assert!((found.parameters[1].value - 0.5).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

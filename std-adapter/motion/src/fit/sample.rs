@@ -113,8 +113,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_sample_reaches_from_end_to_end_and_keeps_rare_speeds()
-    -> Result<(), super::super::DataError> {
+    fn a_sample_reaches_from_end_to_end_and_keeps_rare_speeds() -> Result<(), super::super::FitError>
+    {
         // Ten slow points among 50,000 that are alike.
         let speed = |k: usize| {
             if k < 10 {

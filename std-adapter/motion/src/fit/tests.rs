@@ -41,7 +41,8 @@ fn fits<'a>(
             .collect();
         let sigma = is_known.then(|| vec![noise; exact.len()]);
         let data = Measurements::steady(speeds.to_vec(), noisy, sigma).unwrap();
-        fit(law_model(law, &data).unwrap().as_ref(), &data, options).unwrap()
+        data.fit(law.model(&data).unwrap().as_ref(), options)
+            .unwrap()
     })
 }
 
@@ -137,12 +138,12 @@ fn exact_data_give_the_parameters_back_and_starts_agree() {
     let speeds = spread(40, [1e-3, 1.0]);
     let exact = speeds.iter().map(|&v| joint.steady_force(v)).collect();
     let data = Measurements::steady(speeds, exact, None).unwrap();
-    let found = fit(
-        law_model(FitLaw::LuGre, &data).unwrap().as_ref(),
-        &data,
-        &FitOptions::default(),
-    )
-    .unwrap();
+    let found = data
+        .fit(
+            FitLaw::LuGre.model(&data).unwrap().as_ref(),
+            &FitOptions::default(),
+        )
+        .unwrap();
     for (name, truth) in [("fc", 10.0), ("fs", 14.0), ("vs", 0.02), ("s2", 5.0)] {
         assert!(
             (found.value(name).unwrap() / truth - 1.0).abs() < 1e-9,
@@ -176,12 +177,12 @@ fn bristles_are_found_in_a_record_of_pulling_back_and_forth() {
         forces.push(joint.force(bristle, v[1]) + 0.01 * normal(&mut random));
     }
     let data = Measurements::series(times, velocities, forces, None).unwrap();
-    let found = fit(
-        law_model(FitLaw::LuGre, &data).unwrap().as_ref(),
-        &data,
-        &FitOptions::default(),
-    )
-    .unwrap();
+    let found = data
+        .fit(
+            FitLaw::LuGre.model(&data).unwrap().as_ref(),
+            &FitOptions::default(),
+        )
+        .unwrap();
     for (name, value) in [
         ("fc", truth.coulomb_force),
         ("fs", truth.static_force),
@@ -242,12 +243,9 @@ fn steps_of_the_speed_tell_rate_from_age_and_steady_sliding_does_not() {
         fixed: vec![("v0".into(), 1e-5), ("eta".into(), 0.0)],
         ..FitOptions::default()
     };
-    let found = fit(
-        law_model(FitLaw::RateState, &data).unwrap().as_ref(),
-        &data,
-        &options,
-    )
-    .unwrap();
+    let found = data
+        .fit(FitLaw::RateState.model(&data).unwrap().as_ref(), &options)
+        .unwrap();
     for (name, truth) in [("mu0", 0.6), ("a", 0.010), ("b", 0.015), ("dc", 1e-5)] {
         assert!(
             (found.value(name).unwrap() / truth - 1.0).abs() < 1e-6,
@@ -258,12 +256,9 @@ fn steps_of_the_speed_tell_rate_from_age_and_steady_sliding_does_not() {
     let speeds = spread(30, [1e-6, 1e-3]);
     let steady = speeds.iter().map(|&v| rock.steady().friction(v)).collect();
     let data = Measurements::steady(speeds, steady, None).unwrap();
-    let found = fit(
-        law_model(FitLaw::RateState, &data).unwrap().as_ref(),
-        &data,
-        &options,
-    )
-    .unwrap();
+    let found = data
+        .fit(FitLaw::RateState.model(&data).unwrap().as_ref(), &options)
+        .unwrap();
     let known = |name: &str| {
         found
             .parameters
@@ -296,12 +291,9 @@ fn a_parameter_that_ends_at_its_bound_has_no_error() {
         fixed: vec![("delta".into(), 1.0)],
         ..FitOptions::default()
     };
-    let found = fit(
-        law_model(FitLaw::Stribeck, &data).unwrap().as_ref(),
-        &data,
-        &options,
-    )
-    .unwrap();
+    let found = data
+        .fit(FitLaw::Stribeck.model(&data).unwrap().as_ref(), &options)
+        .unwrap();
     let viscous = &found.parameters[4];
     assert_eq!(
         (viscous.value, &viscous.known),
@@ -314,8 +306,8 @@ fn a_parameter_that_ends_at_its_bound_has_no_error() {
 fn what_cannot_be_fitted_is_refused_with_its_cure() {
     let two = || (vec![1.0, 2.0], vec![0.3, 0.2]);
     let (v, f) = two();
-    let point = |error: DataError| match error {
-        DataError::Point { point, .. } => point,
+    let point = |error: FitError| match error {
+        FitError::Point { point, .. } => point,
         other => panic!("{other}"),
     };
     assert_eq!(
@@ -334,13 +326,14 @@ fn what_cannot_be_fitted_is_refused_with_its_cure() {
     assert!(Measurements::steady(v.clone(), vec![1.0], None).is_err());
 
     let data = Measurements::steady(v, f, None).unwrap();
-    let model = law_model(FitLaw::Power, &data).unwrap();
+    let model = FitLaw::Power.model(&data).unwrap();
     let with = |fixed: &[(&str, f64)]| {
         let fixed = fixed
             .iter()
             .map(|(name, value)| ((*name).to_owned(), *value))
             .collect();
-        fit(model.as_ref(), &data, &FitOptions { fixed, starts: 1 }).unwrap_err()
+        data.fit(model.as_ref(), &FitOptions { fixed, starts: 1 })
+            .unwrap_err()
     };
     assert!(matches!(with(&[]), FitError::TooFew { points: 2, free: 2 }));
     assert!(matches!(
@@ -356,12 +349,12 @@ fn what_cannot_be_fitted_is_refused_with_its_cure() {
     let (v, f) = two();
     let series = Measurements::series(vec![0.0, 1.0], v, f.clone(), None).unwrap();
     assert!(matches!(
-        law_model(FitLaw::Stribeck, &series),
+        FitLaw::Stribeck.model(&series),
         Err(FitError::Form(_))
     ));
     let back = Measurements::series(vec![0.0, 1.0], vec![1.0, -0.1], f, None).unwrap();
     assert!(matches!(
-        law_model(FitLaw::RateState, &back),
-        Err(FitError::Data(_))
+        FitLaw::RateState.model(&back),
+        Err(FitError::Point { .. })
     ));
 }

@@ -7,7 +7,7 @@ use tribos_core::bond::{BondLaw, Bonds, FailureMode, SlipOnset};
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{FrictionError, OwnedNodes, Patch, limit_surface};
+use tribos_friction::{Area, FrictionError, OwnedNodes, Patch};
 
 /// The contact that bonds hold.
 ///
@@ -154,18 +154,11 @@ impl OnsetSurface {
             centre,
             reach,
         } = spread(patch, contact.radius, contact.centre)?;
-        let set = |coefficient: f64| {
-            limit_surface(
-                patch,
-                coefficient * contact.load,
-                contact.radius,
-                contact.centre,
-            )
-        };
-        let limit = set(contact.coefficient)?;
-        let dynamic = match law.plateau() {
+        let area = Area::named(patch, contact.radius, contact.centre)?;
+        let limit = area.limit_surface(contact.coefficient * contact.load)?;
+        let dynamic: Option<Box<dyn FrictionSet<f64>>> = match law.plateau() {
             0.0 => None,
-            held => Some(set(held)?),
+            held => Some(area.limit_surface(held * contact.load)?),
         };
         let mut bonds = Bonds::new(law, nodes)?;
         if patch.has_axis() {

@@ -2,29 +2,18 @@
 
 use super::contact::{PointContact, cross};
 use super::error::PushError;
+use super::solve::{ContactMode, QuasiStaticPush};
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::nalgebra::Vector2;
-use tribos_core::twist::{Twist, Wrench};
-
-/// The motion under an edge of a pusher's friction cone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ConeEdge {
-    /// The push, scaled to the limit surface. *Units*: N and N m.
-    pub wrench: Wrench<f64>,
-    /// Motion of the body under it, of length 1 as [`FrictionSet::twist_normal_to`] scales it.
-    pub twist: Twist<f64>,
-    /// Velocity of the body at the contact at this motion.
-    pub velocity: Vector2<f64>,
-}
 
 /// All motions of a body that a contact can cause without sliding: those between two edges.
 ///
 /// ```
-/// use tribos::friction::limit_surface;
-/// use tribos::push::{PointContact, motion_cone};
-/// let puck = limit_surface(&"disk".parse()?, 1.0, 0.05, None)?; // N, m
+/// use tribos::friction::Area;
+/// use tribos::push::PointContact;
+/// let puck = Area::named(&"disk".parse()?, 0.05, None)?.limit_surface(1.0)?; // N, m
 /// let finger = PointContact::new([-0.05, 0.0], [1.0, 0.0], 0.5)?;
-/// let cone = motion_cone(&*puck, &finger)?;
+/// let cone = finger.motion_cone(&*puck)?;
 /// // The contact may move farther off the normal than the force: the body also turns.
 /// let [right, left] = cone.angles();
 /// assert!(left > 0.5_f64.atan() && (right + left).abs() < 1e-15); // rad
@@ -35,30 +24,29 @@ pub struct ConeEdge {
 pub struct MotionCone {
     /// The contact that it belongs to.
     pub contact: PointContact,
-    /// Under the largest friction to the right.
-    pub right: ConeEdge,
-    /// Under the largest friction to the left.
-    pub left: ConeEdge,
+    /// The push under the largest friction to the right; its motion has length 1 as
+    /// [`FrictionSet::twist_normal_to`] scales it.
+    pub right: QuasiStaticPush,
+    /// The same under the largest friction to the left.
+    pub left: QuasiStaticPush,
 }
 
-/// The motion cone of a contact with a body of this friction.
-///
-/// *Accuracy*: that of the set's normals. *Cost*: two normals and two gauges.
-pub fn motion_cone(
-    set: &dyn FrictionSet<f64>,
-    contact: &PointContact,
-) -> Result<MotionCone, PushError> {
-    let limit = set.force_limit();
-    if !(limit > 0.0 && limit.is_finite()) {
-        return Err(PushError::Frictionless(limit));
+impl PointContact {
+    /// The motion cone of this contact with a body of this friction.
+    ///
+    /// *Accuracy*: that of the set's normals. *Cost*: two normals and two gauges.
+    pub fn motion_cone(&self, set: &dyn FrictionSet<f64>) -> Result<MotionCone, PushError> {
+        let limit = set.force_limit();
+        if !(limit > 0.0 && limit.is_finite()) {
+            return Err(PushError::Frictionless(limit));
+        }
+        let [right, left] = self.edges().map(|force| edge(set, self, force));
+        Ok(MotionCone {
+            contact: *self,
+            right,
+            left,
+        })
     }
-    let [right, left] = contact.edges().map(|force| edge(set, contact, force));
-    let contact = *contact;
-    Ok(MotionCone {
-        contact,
-        right,
-        left,
-    })
 }
 
 /// The motion under a force along this direction.
@@ -66,13 +54,15 @@ pub(super) fn edge(
     set: &dyn FrictionSet<f64>,
     contact: &PointContact,
     force: Vector2<f64>,
-) -> ConeEdge {
+) -> QuasiStaticPush {
     let wrench = contact.wrench(force);
     let twist = set.twist_normal_to(&wrench);
-    ConeEdge {
-        wrench: set.scale_to_surface(&wrench),
+    QuasiStaticPush {
+        mode: ContactMode::Sticking,
         twist,
-        velocity: contact.velocity(&twist),
+        contact_velocity: contact.velocity(&twist),
+        slip: Vector2::zeros(),
+        wrench: set.scale_to_surface(&wrench),
     }
 }
 
@@ -80,7 +70,7 @@ impl MotionCone {
     /// Angles of the contact's velocities at the right and the left edge, counterclockwise from the inward
     /// normal. *Units*: rad.
     pub fn angles(&self) -> [f64; 2] {
-        [&self.right, &self.left].map(|edge| self.angle(edge.velocity))
+        [&self.right, &self.left].map(|edge| self.angle(edge.contact_velocity))
     }
 
     /// Angle of a velocity, counterclockwise from the inward normal. *Units*: rad.

@@ -12,10 +12,10 @@ use tribos_core::twist::{Twist, Wrench};
 /// (Lynch and Mason, Int. J. Robotics Research 15 (1996) 533). *Units*: m.
 ///
 /// ```
-/// use tribos::friction::limit_surface;
+/// use tribos::friction::Area;
 /// use tribos::prelude::*;
 /// use tribos::push::LineContact;
-/// let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // N
+/// let table = Area::named(&"box:0.2x0.1".parse()?, 1.0, None)?.limit_surface(2.0)?; // N
 /// // A fence under the lower side; the body lies to the left of the way from its first end to its second.
 /// let fence = LineContact::new([[-0.08, -0.05], [0.08, -0.05]], 0.4)?;
 /// let straight = fence.stable_push(&*table, &Twist::new(0.0, 1.0, 0.0));
@@ -108,9 +108,9 @@ impl LineContact {
     /// centre of rotation is (−v_y, v_x)/spin.
     ///
     /// ```
-    /// use tribos::friction::limit_surface;
+    /// use tribos::friction::Area;
     /// use tribos::push::LineContact;
-    /// let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // N
+    /// let table = Area::named(&"box:0.2x0.1".parse()?, 1.0, None)?.limit_surface(2.0)?; // N
     /// let fence = LineContact::new([[-0.08, -0.05], [0.08, -0.05]], 0.4)?;
     /// let boundary = fence.stable_boundary(&*table, 10);
     /// assert_eq!(boundary.len(), 40);

@@ -15,12 +15,12 @@
 //! Places, velocities and forces are in the frame of the body, about the origin of its patch.
 //!
 //! ```
-//! use tribos::friction::limit_surface;
-//! use tribos::push::{ContactMode, PointContact, push};
-//! let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // μN in N
+//! use tribos::friction::Area;
+//! use tribos::push::{ContactMode, PointContact};
+//! let table = Area::named(&"box:0.2x0.1".parse()?, 1.0, None)?.limit_surface(2.0)?; // μN in N
 //! // A finger at the lower long side, 4 cm to the right of the middle, pushes upwards.
 //! let finger = PointContact::new([0.04, -0.05], [0.0, 1.0], 0.3)?;
-//! let moved = push(&*table, &finger, [0.0, 0.01])?; // m/s
+//! let moved = finger.push(&*table, [0.0, 0.01])?; // m/s
 //! assert_eq!(moved.mode, ContactMode::SlidingLeft); // the body turns away to the right
 //! assert!(moved.twist.spin > 0.0 && (moved.contact_velocity.y - 0.01).abs() < 1e-15);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -36,17 +36,17 @@ mod run;
 pub(crate) mod scene;
 mod solve;
 
-pub use cone::{ConeEdge, MotionCone, motion_cone};
+pub use cone::MotionCone;
 pub use contact::PointContact;
 pub use error::PushError;
 pub use line::{LineContact, StablePush};
 #[doc(hidden)]
 pub use outline::straight_side;
-pub use path::{PathEnd, PathSample, Pose, PushPath, PushedSide, Pusher, push_path};
+pub use path::{PathEnd, PathSample, Pose, PushPath, PushedSide, Pusher};
 #[doc(hidden)]
 pub use run::PUSH_BOX;
-pub use run::{PushResult, run};
-pub use solve::{ContactMode, QuasiStaticPush, push};
+pub use run::PushResult;
+pub use solve::{ContactMode, QuasiStaticPush};
 
 #[cfg(doc)]
 use tribos_core::limit_surface::FrictionSet;

@@ -3,7 +3,7 @@
 use super::contact::PointContact;
 use super::error::{PushError, finite};
 use super::line::StablePush;
-use super::solve::{ContactMode, QuasiStaticPush, push};
+use super::solve::{ContactMode, QuasiStaticPush};
 use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::nalgebra::{Vector2, Vector3};
@@ -19,22 +19,24 @@ const ROUNDING_ULPS: f64 = 8.0;
 /// A step whose error is this part of what it may be is doubled.
 const EASY: f64 = 1.0 / 64.0;
 
-/// Place and angle of a body: where the origin of its patch is, and its turn counterclockwise.
+/// Place and angle of a body: where its centre, or the origin of its patch, is, and its turn counterclockwise.
 ///
-/// *Units*: m and rad.
+/// *Units*: m and rad. A launch is thrown from the default, the origin.
 ///
 /// ```
 /// use tribos::push::Pose;
-/// let quarter = Pose { position: [1.0, 0.0].into(), angle: std::f64::consts::FRAC_PI_2 };
+/// let quarter = Pose { x: 1.0, y: 0.0, angle: std::f64::consts::FRAC_PI_2 };
 /// let corner = quarter.place([0.2, 0.0].into());
 /// assert!((corner.x - 1.0).abs() < 1e-15 && (corner.y - 0.2).abs() < 1e-15);
 /// assert!((quarter.in_body(corner).x - 0.2).abs() < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
-    /// Place of the patch's origin.
-    pub position: Vector2<f64>,
-    /// Turn counterclockwise.
+    /// Place along the first axis.
+    pub x: f64,
+    /// Place along the second axis.
+    pub y: f64,
+    /// Angle turned counterclockwise, not reduced to one turn.
     pub angle: f64,
 }
 
@@ -55,22 +57,22 @@ pub enum PushedSide {
 /// A pusher that moves at constant velocity, and how its path is followed.
 ///
 /// ```
-/// use tribos::friction::limit_surface;
-/// use tribos::push::{Pusher, PathEnd, PointContact, Pose, PushedSide, push_path};
-/// let table = limit_surface(&"box:0.2x0.1".parse()?, 2.0, 1.0, None)?; // N
+/// use tribos::friction::Area;
+/// use tribos::push::{Pusher, PathEnd, PointContact, Pose, PushedSide};
+/// let table = Area::named(&"box:0.2x0.1".parse()?, 1.0, None)?.limit_surface(2.0)?; // N
 /// let drive = Pusher {
 ///     contact: PointContact::new([0.02, -0.05], [0.0, 1.0], 0.3)?,
 ///     side: PushedSide::Straight { right: 0.08, left: 0.12 },
-///     start: Pose::ORIGIN,
+///     start: Pose::default(),
 ///     velocity: [0.0, 0.01], // m/s
 ///     duration: 10.0,
 ///     samples: 50,
 ///     tolerance: 1e-7, // m
 /// };
-/// let journey = push_path(&*table, &drive)?;
+/// let journey = drive.path(&*table)?;
 /// assert_eq!((journey.end, journey.moments.len()), (PathEnd::Done, 51));
 /// let last = journey.moments[50];
-/// assert!(last.pose.angle > 0.3 && last.pose.position.y > 0.05);
+/// assert!(last.pose.angle > 0.3 && last.pose.y > 0.05);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,20 +142,18 @@ pub struct PushPath {
 }
 
 impl Pose {
-    /// At the origin, not turned.
-    pub const ORIGIN: Self = Self {
-        position: Vector2::new(0.0, 0.0),
-        angle: 0.0,
-    };
+    fn position(&self) -> Vector2<f64> {
+        Vector2::new(self.x, self.y)
+    }
 
     /// Where a place of the body is.
     pub fn place(&self, in_body: Vector2<f64>) -> Vector2<f64> {
-        self.position + turned(in_body, self.angle)
+        self.position() + turned(in_body, self.angle)
     }
 
     /// Which place of the body is there.
     pub fn in_body(&self, place: Vector2<f64>) -> Vector2<f64> {
-        turned(place - self.position, -self.angle)
+        turned(place - self.position(), -self.angle)
     }
 }
 
@@ -162,67 +162,64 @@ fn turned(v: Vector2<f64>, angle: f64) -> Vector2<f64> {
     Vector2::new(c * v.x - s * v.y, s * v.x + c * v.y)
 }
 
-/// Follows a body under a pusher of constant velocity.
-///
-/// The pusher is a point, such as a thin finger. Steps are of fourth order (Runge and Kutta) and halved until their
-/// error, by comparison with two half steps, is at most the tolerance times their part of the duration; the kinks
-/// where sticking begins or ends are passed in short steps. *Domain*: finite numbers; duration and
-/// tolerance > 0. *Accuracy*: the tolerance, as long as neighbouring paths do not move apart. The path is the same
-/// on every platform.
-pub fn push_path(set: &dyn FrictionSet<f64>, drive: &Pusher) -> Result<PushPath, PushError> {
-    let path = Path::new(set, drive)?;
-    let mut state = [
-        drive.start.position.x,
-        drive.start.position.y,
-        drive.start.angle,
-    ]
-    .into();
-    let (mut moments, mut steps) = (vec![path.moment(0.0, &state)?], 0);
-    let shortest = SHORTEST * drive.duration;
-    let mut step = drive.duration / f64::from(drive.samples.max(1));
-    let mut end = ended(&moments[0]);
-    let mut time = 0.0;
-    for sample in 1..=drive.samples.max(1) {
-        if end.is_some() {
-            break;
+impl Pusher {
+    /// Follows a body of this friction.
+    ///
+    /// The pusher is a point, such as a thin finger. Steps are of fourth order (Runge and Kutta) and halved until their
+    /// error, by comparison with two half steps, is at most the tolerance times their part of the duration; the kinks
+    /// where sticking begins or ends are passed in short steps. *Domain*: finite numbers; duration and
+    /// tolerance > 0. *Accuracy*: the tolerance, as long as neighbouring paths do not move apart. The path is the same
+    /// on every platform.
+    pub fn path(&self, set: &dyn FrictionSet<f64>) -> Result<PushPath, PushError> {
+        let path = Path::new(set, self)?;
+        let mut state = [self.start.x, self.start.y, self.start.angle].into();
+        let (mut moments, mut steps) = (vec![path.moment(0.0, &state)?], 0);
+        let shortest = SHORTEST * self.duration;
+        let mut step = self.duration / f64::from(self.samples.max(1));
+        let mut end = ended(&moments[0]);
+        let mut time = 0.0;
+        for sample in 1..=self.samples.max(1) {
+            if end.is_some() {
+                break;
+            }
+            let until = self.duration * (f64::from(sample) / f64::from(self.samples.max(1)));
+            while end.is_none() && time < until {
+                // A rest that is too short for a step is taken along.
+                let left = until - time;
+                let length = if step > left - shortest { left } else { step };
+                let (next, error) = path.step_with_error(time, &state, length)?;
+                steps += 1;
+                let allowed = self.tolerance * length / self.duration + path.rounding(time, &state);
+                let at = path.moment(time + length, &next)?;
+                let is_off = !path.is_on_side(&at);
+                if (error > allowed || is_off) && length > 2.0 * shortest {
+                    step = 0.5 * length;
+                    continue;
+                }
+                if error > allowed {
+                    let tolerance = self.tolerance;
+                    return Err(PushError::Steps { time, tolerance });
+                }
+                time = if length == left { until } else { time + length };
+                state = next;
+                end = if is_off {
+                    Some(PathEnd::Slipped)
+                } else {
+                    ended(&at)
+                };
+                if error < EASY * allowed {
+                    step = 2.0 * length.max(step);
+                }
+            }
+            moments.push(path.moment(time, &state)?);
         }
-        let until = drive.duration * (f64::from(sample) / f64::from(drive.samples.max(1)));
-        while end.is_none() && time < until {
-            // A rest that is too short for a step is taken along.
-            let left = until - time;
-            let length = if step > left - shortest { left } else { step };
-            let (next, error) = path.step_with_error(time, &state, length)?;
-            steps += 1;
-            let allowed = drive.tolerance * length / drive.duration + path.rounding(time, &state);
-            let at = path.moment(time + length, &next)?;
-            let is_off = !path.is_on_side(&at);
-            if (error > allowed || is_off) && length > 2.0 * shortest {
-                step = 0.5 * length;
-                continue;
-            }
-            if error > allowed {
-                let tolerance = drive.tolerance;
-                return Err(PushError::Steps { time, tolerance });
-            }
-            time = if length == left { until } else { time + length };
-            state = next;
-            end = if is_off {
-                Some(PathEnd::Slipped)
-            } else {
-                ended(&at)
-            };
-            if error < EASY * allowed {
-                step = 2.0 * length.max(step);
-            }
-        }
-        moments.push(path.moment(time, &state)?);
+        let end = end.unwrap_or(PathEnd::Done);
+        Ok(PushPath {
+            moments,
+            end,
+            steps,
+        })
     }
-    let end = end.unwrap_or(PathEnd::Done);
-    Ok(PushPath {
-        moments,
-        end,
-        steps,
-    })
 }
 
 /// The path of a body that keeps its place at a pusher with this motion, in the frame of the body; the start
@@ -252,10 +249,13 @@ pub(super) fn with_pusher(
             (Real::sin(angle) / angle, 2.0 * half * half / angle)
         };
         let v = twist.velocity * time;
-        let position = Vector2::new(along * v.x - across * v.y, across * v.x + along * v.y);
         PathSample {
             time,
-            pose: Pose { position, angle },
+            pose: Pose {
+                x: along * v.x - across * v.y,
+                y: across * v.x + along * v.y,
+                angle,
+            },
             contact: contact.position(),
             push,
         }
@@ -294,8 +294,8 @@ impl<'a> Path<'a> {
         for (what, number) in [
             ("x of the pusher's velocity", x),
             ("y of the pusher's velocity", y),
-            ("x of the start", start.position.x),
-            ("y of the start", start.position.y),
+            ("x of the start", start.x),
+            ("y of the start", start.y),
             ("the angle of the start", start.angle),
         ] {
             finite(what, number)?;
@@ -323,7 +323,8 @@ impl<'a> Path<'a> {
 
     fn moment(&self, time: f64, state: &State) -> Result<PathSample, PushError> {
         let pose = Pose {
-            position: Vector2::new(state.x, state.y),
+            x: state.x,
+            y: state.y,
             angle: state.z,
         };
         // The pusher's own path is exact: the contact is where it is.
@@ -340,7 +341,7 @@ impl<'a> Path<'a> {
             time,
             pose,
             contact,
-            push: push(self.set, &touching, velocity.into())?,
+            push: touching.push(self.set, velocity.into())?,
         })
     }
 
@@ -400,27 +401,28 @@ impl<'a> Path<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribos_friction::limit_surface;
+    use tribos_friction::Area;
 
     #[test]
     fn the_end_of_a_side_is_found_to_any_tolerance() {
-        let table = limit_surface(&"box:0.3x0.2".parse().unwrap(), 8.0, 1.0, None).unwrap();
+        let table = Area::named(&"box:0.3x0.2".parse().unwrap(), 1.0, None)
+            .unwrap()
+            .limit_surface(8.0)
+            .unwrap();
         for tolerance in [1e-5, 1e-7, 1e-9, 1e-11] {
-            let journey = push_path(
-                &*table,
-                &Pusher {
-                    contact: PointContact::new([0.05, -0.1], [0.0, 1.0], 0.1).unwrap(),
-                    side: PushedSide::Straight {
-                        right: 0.01,
-                        left: 0.01,
-                    },
-                    start: Pose::ORIGIN,
-                    velocity: [0.0, 0.02],
-                    duration: 100.0,
-                    samples: 100,
-                    tolerance,
+            let journey = Pusher {
+                contact: PointContact::new([0.05, -0.1], [0.0, 1.0], 0.1).unwrap(),
+                side: PushedSide::Straight {
+                    right: 0.01,
+                    left: 0.01,
                 },
-            )
+                start: Pose::default(),
+                velocity: [0.0, 0.02],
+                duration: 100.0,
+                samples: 100,
+                tolerance,
+            }
+            .path(&*table)
             .unwrap();
             assert_eq!(journey.end, PathEnd::Slipped);
             let last = journey.moments.last().unwrap();

@@ -1,19 +1,19 @@
 //! What a scene of a pushed body asks for, computed.
 
-use super::cone::{MotionCone, motion_cone};
+use super::cone::MotionCone;
 use super::contact::PointContact;
 use super::error::PushError;
 use super::line::{LineContact, StablePush};
 use super::outline::{Shape, nearest_side};
-use super::path::{Pose, PushPath, PushedSide, Pusher, push_path, with_pusher};
-use super::solve::{QuasiStaticPush, push};
+use super::path::{Pose, PushPath, PushedSide, Pusher, with_pusher};
+use super::solve::QuasiStaticPush;
 use crate::push::scene::PushScene;
 use serde_json::{Map, Value};
 use tribos_base::record::json_number;
 use tribos_core::Real;
 use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{FrictionError, Patch, limit_surface};
+use tribos_friction::{Area, FrictionError, Patch};
 
 /// The scene of a pushed body that comes with the program.
 #[doc(hidden)]
@@ -40,58 +40,54 @@ pub struct PushResult {
     pub journey: PushPath,
 }
 
-/// Computes what a scene asks for.
-///
-/// The path of a straight pusher that does not hold the body is not followed: it has its start alone.
-pub fn run(scene: &PushScene) -> Result<PushResult, PushError> {
-    scene.check()?;
-    let set = limit_surface(
-        &scene.patch,
-        scene.mu * scene.load,
-        scene.radius,
-        pair(scene.centre_x, scene.centre_y),
-    )?;
-    let shape = Shape::of(&scene.patch, scene.radius)?;
-    let [x, y] = [scene.contact_x, scene.contact_y];
-    let mu = scene.mu_pusher;
-    let line = match pair(scene.end_x, scene.end_y) {
-        None => None,
-        Some(end) => Some(inward_line([[x, y], end], mu, &shape)?),
-    };
-    let (contact, side) = match &line {
-        Some(line) => (line.ends()[0], endless()),
-        None => point(scene, &shape)?,
-    };
-    let cone = motion_cone(&*set, &contact)?;
-    let twist = Twist::new(scene.velocity_x, scene.velocity_y, scene.spin);
-    let at_contact = contact.velocity(&twist);
-    let first = push(&*set, &contact, at_contact.into())?;
-    let grip = line.map(|line| line.stable_push(&*set, &twist));
-    let journey = match &grip {
-        None => push_path(
-            &*set,
-            &Pusher {
+impl PushScene {
+    /// Computes what the scene asks for.
+    ///
+    /// The path of a straight pusher that does not hold the body is not followed: it has its start alone.
+    pub fn run(&self) -> Result<PushResult, PushError> {
+        self.check()?;
+        let set = Area::named(&self.patch, self.radius, pair(self.centre_x, self.centre_y))?
+            .limit_surface(self.mu * self.load)?;
+        let shape = Shape::of(&self.patch, self.radius)?;
+        let [x, y] = [self.contact_x, self.contact_y];
+        let mu = self.mu_pusher;
+        let line = match pair(self.end_x, self.end_y) {
+            None => None,
+            Some(end) => Some(inward_line([[x, y], end], mu, &shape)?),
+        };
+        let (contact, side) = match &line {
+            Some(line) => (line.ends()[0], endless()),
+            None => point(self, &shape)?,
+        };
+        let cone = contact.motion_cone(&*set)?;
+        let twist = Twist::new(self.velocity_x, self.velocity_y, self.spin);
+        let at_contact = contact.velocity(&twist);
+        let first = contact.push(&*set, at_contact.into())?;
+        let grip = line.map(|line| line.stable_push(&*set, &twist));
+        let journey = match &grip {
+            None => Pusher {
                 contact,
                 side,
-                start: Pose::ORIGIN,
+                start: Pose::default(),
                 velocity: at_contact.into(),
-                duration: duration(scene),
-                samples: scene.samples,
-                tolerance: scene.tolerance,
-            },
-        )?,
-        Some(grip) => with_pusher(&contact, grip, &twist, duration(scene), scene.samples),
-    };
-    Ok(PushResult {
-        gauge: set.gauge(&first.wrench),
-        yaw_limit: set.scale_to_surface(&Wrench::new(0.0, 0.0, 1.0)).torque,
-        yaw_limit_of_any_pressure: any_pressure(scene, &shape)?,
-        outline: shape.loops,
-        cone,
-        first,
-        grip,
-        journey,
-    })
+                duration: duration(self),
+                samples: self.samples,
+                tolerance: self.tolerance,
+            }
+            .path(&*set)?,
+            Some(grip) => with_pusher(&contact, grip, &twist, duration(self), self.samples),
+        };
+        Ok(PushResult {
+            gauge: set.gauge(&first.wrench),
+            yaw_limit: set.scale_to_surface(&Wrench::new(0.0, 0.0, 1.0)).torque,
+            yaw_limit_of_any_pressure: any_pressure(self, &shape)?,
+            outline: shape.loops,
+            cone,
+            first,
+            grip,
+            journey,
+        })
+    }
 }
 
 fn pair(x: Option<f64>, y: Option<f64>) -> Option<[f64; 2]> {
@@ -183,8 +179,8 @@ impl PushResult {
             let (pose, push) = (&moment.pose, &moment.push);
             [
                 moment.time,
-                pose.position.x,
-                pose.position.y,
+                pose.x,
+                pose.y,
                 pose.angle,
                 moment.contact.x,
                 moment.contact.y,
@@ -225,8 +221,8 @@ impl PushResult {
         }
         if let Some(last) = self.journey.moments.last() {
             number("end_time", last.time);
-            number("end_x", last.pose.position.x);
-            number("end_y", last.pose.position.y);
+            number("end_x", last.pose.x);
+            number("end_y", last.pose.y);
             number("end_angle", last.pose.angle);
         }
         map.insert("mode".into(), first.mode.to_string().into());

@@ -12,9 +12,9 @@ scene! {
     /// pusher a line, which holds the body or not. The default is a box of 30 × 20 cm, pushed at its long side.
     ///
     /// ```
-    /// use tribos::{push::{ContactMode, run}, scene::PushScene};
+    /// use tribos::{push::ContactMode, scene::PushScene};
     /// let scene = PushScene { contact_x: 0.05, ..PushScene::default() }; // m
-    /// let pushed = run(&scene)?;
+    /// let pushed = scene.run()?;
     /// assert_eq!(pushed.first.mode, ContactMode::SlidingLeft);
     /// assert!(pushed.journey.moments.last().is_some_and(|last| last.pose.angle > 0.1));
     /// # Ok::<(), tribos::push::PushError>(())

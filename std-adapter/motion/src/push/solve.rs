@@ -1,6 +1,6 @@
 //! The motion of a body under a pusher of given velocity.
 
-use super::cone::{ConeEdge, MotionCone, edge, motion_cone};
+use super::cone::{MotionCone, edge};
 use super::contact::{PointContact, cross};
 use super::error::{PushError, finite};
 use tribos_core::limit_surface::FrictionSet;
@@ -43,12 +43,12 @@ impl std::fmt::Display for ContactMode {
 /// A quasi-static push.
 ///
 /// ```
-/// use tribos::friction::limit_surface;
+/// use tribos::friction::Area;
 /// use tribos::nalgebra::Vector2;
-/// use tribos::push::{ContactMode, PointContact, push};
-/// let puck = limit_surface(&"disk".parse()?, 1.0, 0.05, None)?; // N, m
+/// use tribos::push::{ContactMode, PointContact};
+/// let puck = Area::named(&"disk".parse()?, 0.05, None)?.limit_surface(1.0)?; // N, m
 /// let slippery = PointContact::new([-0.05, 0.0], [1.0, 0.0], 0.1)?;
-/// let moved = push(&*puck, &slippery, [0.01, 0.02])?; // m/s
+/// let moved = slippery.push(&*puck, [0.01, 0.02])?; // m/s
 /// assert_eq!(moved.mode, ContactMode::SlidingLeft);
 /// // What the pusher does not spend on the floor it spends at the contact.
 /// let given = moved.wrench.force.dot(&Vector2::new(0.01, 0.02));
@@ -70,24 +70,26 @@ pub struct QuasiStaticPush {
     pub wrench: Wrench<f64>,
 }
 
-/// The motion of a body of this friction under a pusher whose contact point has this `velocity`.
-///
-/// A pusher with no velocity along the inward normal leaves the body at rest, though a wedged one might drag it.
-/// *Errors*: [`PushError::NotFound`] if the motion that was found does not take the pusher's velocity.
-/// *Accuracy*: contact velocities 1e-14 of the pusher's, motions what the set's normals allow. *Cost*:
-/// about 8 normals if it sticks, 2 if not.
-pub fn push(
-    set: &dyn FrictionSet<f64>,
-    contact: &PointContact,
-    velocity: [f64; 2],
-) -> Result<QuasiStaticPush, PushError> {
-    let [x, y] = velocity;
-    let velocity = Vector2::new(
-        finite("x of the pusher's velocity", x)?,
-        finite("y of the pusher's velocity", y)?,
-    );
-    let cone = motion_cone(set, contact)?;
-    followed(within(set, &cone, velocity), velocity)
+impl PointContact {
+    /// The motion of a body of this friction under a pusher that touches it here with this `velocity`.
+    ///
+    /// A pusher with no velocity along the inward normal leaves the body at rest, though a wedged one might drag it.
+    /// *Errors*: [`PushError::NotFound`] if the motion that was found does not take the pusher's velocity.
+    /// *Accuracy*: contact velocities 1e-14 of the pusher's, motions what the set's normals allow. *Cost*:
+    /// about 8 normals if it sticks, 2 if not.
+    pub fn push(
+        &self,
+        set: &dyn FrictionSet<f64>,
+        velocity: [f64; 2],
+    ) -> Result<QuasiStaticPush, PushError> {
+        let [x, y] = velocity;
+        let velocity = Vector2::new(
+            finite("x of the pusher's velocity", x)?,
+            finite("y of the pusher's velocity", y)?,
+        );
+        let cone = self.motion_cone(set)?;
+        followed(within(set, &cone, velocity), velocity)
+    }
 }
 
 /// The push, if the body at the contact and the slip take the pusher's velocity.
@@ -129,11 +131,11 @@ pub(super) fn within(
     };
     // The body takes the whole velocity, or its part along the normal.
     let factor = if mode == ContactMode::Sticking {
-        velocity.dot(&at.velocity) / at.velocity.dot(&at.velocity)
+        velocity.dot(&at.contact_velocity) / at.contact_velocity.dot(&at.contact_velocity)
     } else {
-        approach / contact.normal().dot(&at.velocity)
+        approach / contact.normal().dot(&at.contact_velocity)
     };
-    let contact_velocity = at.velocity * factor;
+    let contact_velocity = at.contact_velocity * factor;
     let slip = if mode == ContactMode::Sticking {
         Vector2::zeros()
     } else {
@@ -153,11 +155,15 @@ pub(super) fn within(
 /// The velocity turns with the force: a bracket of the friction's share, made smaller by the Illinois
 /// variant of the secant (Dowell and Jarratt, BIT 11 (1971) 168). Sets with edges, such as those of points, have many
 /// normals under one force: the motion is then the one between those of both ends of the bracket.
-fn sticking(set: &dyn FrictionSet<f64>, cone: &MotionCone, velocity: Vector2<f64>) -> ConeEdge {
+fn sticking(
+    set: &dyn FrictionSet<f64>,
+    cone: &MotionCone,
+    velocity: Vector2<f64>,
+) -> QuasiStaticPush {
     let contact = &cone.contact;
     let wanted = cone.angle(velocity);
     // From the pusher's velocity to the contact's.
-    let off = |at: &ConeEdge| cone.angle(at.velocity) - wanted;
+    let off = |at: &QuasiStaticPush| cone.angle(at.contact_velocity) - wanted;
     let (mut low, mut high) = (-1.0, 1.0);
     let (mut below, mut above) = (off(&cone.right), off(&cone.left));
     let (mut at, mut ends) = (cone.left, [cone.right, cone.left]);
@@ -201,10 +207,10 @@ fn sticking(set: &dyn FrictionSet<f64>, cone: &MotionCone, velocity: Vector2<f64
         was_above = Some(is_above);
     }
     if off(&at).abs() > CORNER {
-        let [right, left] = ends.map(|end| cross(&velocity, &end.velocity).abs());
+        let [right, left] = ends.map(|end| cross(&velocity, &end.contact_velocity).abs());
         let share = right / (right + left);
         at.twist = ends[0].twist * (1.0 - share) + ends[1].twist * share;
-        at.velocity = contact.velocity(&at.twist);
+        at.contact_velocity = contact.velocity(&at.twist);
     }
     at
 }
@@ -223,7 +229,10 @@ mod tests {
 
     impl Astray {
         fn disk(&self) -> Box<dyn FrictionSet<f64>> {
-            tribos_friction::limit_surface(&"disk".parse().unwrap(), 1.0, 0.05, None).unwrap()
+            tribos_friction::Area::named(&"disk".parse().unwrap(), 0.05, None)
+                .unwrap()
+                .limit_surface(1.0)
+                .unwrap()
         }
     }
 
@@ -257,10 +266,10 @@ mod tests {
 
     #[test]
     fn a_push_without_a_normal_is_an_error_and_ends_no_path() {
-        use crate::push::{Pose, PushedSide, Pusher, push_path};
+        use crate::push::{Pose, PushedSide, Pusher};
         let contact = PointContact::new([-0.05, 0.01], [1.0, 0.0], 0.3).unwrap();
-        assert!(push(&Astray(1.0), &contact, [0.01, 0.001]).is_ok());
-        let lost = push(&Astray(f64::NAN), &contact, [0.01, 0.001]);
+        assert!(contact.push(&Astray(1.0), [0.01, 0.001]).is_ok());
+        let lost = contact.push(&Astray(f64::NAN), [0.01, 0.001]);
         assert!(matches!(lost, Err(PushError::NotFound { .. })), "{lost:?}");
         let drive = Pusher {
             contact,
@@ -268,14 +277,14 @@ mod tests {
                 right: 0.02,
                 left: 0.02,
             },
-            start: Pose::ORIGIN,
+            start: Pose::default(),
             velocity: [0.01, 0.0],
             duration: 1.0,
             samples: 3,
             tolerance: 1e-6,
         };
-        assert!(push_path(&Astray(1.0), &drive).is_ok());
-        let lost = push_path(&Astray(f64::NAN), &drive);
+        assert!(drive.path(&Astray(1.0)).is_ok());
+        let lost = drive.path(&Astray(f64::NAN));
         assert!(matches!(lost, Err(PushError::NotFound { .. })), "{lost:?}");
     }
 
@@ -286,7 +295,7 @@ mod tests {
         let nodes = OwnedNodes::new(feet.map(node).to_vec()).unwrap();
         let set = ShapeLimitSurface::new(PointPatch::new(nodes).unwrap(), 3.0).unwrap();
         let contact = PointContact::new([-0.12, 0.02], [1.0, 0.0], 2.0).unwrap();
-        let cone = motion_cone(&set, &contact).unwrap();
+        let cone = contact.motion_cone(&set).unwrap();
         let [right, left] = cone.angles();
         for i in 1..200 {
             let angle = right + (left - right) * f64::from(i) / 200.0;

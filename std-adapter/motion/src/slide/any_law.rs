@@ -1,22 +1,25 @@
 //! A flat disk under any law of the local speed.
 
 use super::outcome::terminal;
-use super::planar::{Gradient, PlanarLaunch, PlanarSimulation, PlanarState, Resistance, TallBody};
+use super::planar::{Gradient, Launch, PlanarSimulation, PlanarState, Resistance, TallBody};
 use super::simulation::{MOST_STEPS, SLIVER};
-use super::{COLUMNS, SlideError, SlideRun, SlideStopReason, SlideSummary, energy_at_launch, run};
+use super::{
+    COLUMNS, MotionError, SlideRun, SlideStopReason, SlideSummary, energy_at_launch, follow,
+};
+use crate::motion_run::SceneRun;
 use crate::slide::scene::{DiskScene, SliderIntegrator};
 use tribos_core::modes::TerminalMotion;
 use tribos_friction::{AnyFriction, Law, Patch};
 
 /// Runs a scene to its end under `law`, which replaces the scene's `gamma` and `alpha`.
 ///
-/// For a power of the speed this is [`run`]. Under any other law the motion is integrated over the logarithm
+/// For a power of the speed this is [`follow`]. Under any other law the motion is integrated over the logarithm
 /// of the speed, like that of a body in the plane ([`PlanarSimulation`]).
 pub(super) fn run_law(
     scene: &DiskScene,
     law: &Law,
     mut progress: impl FnMut(f64),
-) -> Result<SlideRun, SlideError> {
+) -> Result<SlideRun, MotionError> {
     if let Some([coefficient, alpha]) = law.power_of_speed() {
         let scene = DiskScene {
             gamma: coefficient,
@@ -24,16 +27,16 @@ pub(super) fn run_law(
             law: None,
             ..*scene
         };
-        return run(&scene, progress);
+        return follow(&scene, progress);
     }
     scene.check()?;
     if scene.integrator == SliderIntegrator::Verlet {
-        return Err(SlideError::OnlyPowers { law: law.name() });
+        return Err(MotionError::OnlyPowers { law: law.name() });
     }
     let friction = AnyFriction::new(&Patch::Disk, law, None)?.with_radius(scene.radius)?;
     let upright = [scene.gravity, scene.inertia_ratio];
     let body = TallBody::new(friction, 0.0, Gradient::AllRound, upright)?;
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [scene.speed, 0.0],
         spin: scene.spin,
     };
@@ -55,7 +58,7 @@ pub(super) fn run_law(
         }
     })?;
     let (Some(first), Some(last)) = (points.first(), points.last()) else {
-        return Err(SlideError::NotFinite { step: 0 });
+        return Err(MotionError::NotFinite { step: 0 });
     };
     let initial_energy = energy_at_launch(energy(first))?;
     let dissipated = scene.mass * last.work;
@@ -63,16 +66,18 @@ pub(super) fn run_law(
     // Towards rest the law tends to a power of the speed, whose fixed points give the limit of the ratio.
     let near_rest = Law::power(1.0, body.exponent())?;
     let near_rest = AnyFriction::<f64>::new(&Patch::Disk, &near_rest, None)?;
-    let profile = near_rest.power().ok_or(SlideError::NotFinite { step: 0 })?;
+    let profile = near_rest
+        .power()
+        .ok_or(MotionError::NotFinite { step: 0 })?;
     let ending = match (arrival.ending, scene.duration) {
         (_, Some(duration)) if duration < scouted => SlideStopReason::Duration,
-        (super::planar::PlanarStopReason::Rest, _) => SlideStopReason::Rest,
-        (super::planar::PlanarStopReason::Faded, _) => SlideStopReason::Faded,
+        (ending, _) => ending,
     };
     let limit = TerminalMotion::new(profile, scene.inertia_ratio)?.terminal_mode(last.ratio);
     let (limit_ratio, final_mode) = terminal(limit);
-    Ok(SlideRun {
-        series: points
+    Ok(SceneRun {
+        columns: &COLUMNS,
+        rows: points
             .iter()
             .map(|point| row(point, energy(point), scene.mass))
             .collect(),
@@ -94,11 +99,11 @@ pub(super) fn run_law(
 }
 
 /// Times of the samples up to and including `end`.
-fn sample_times(scene: &DiskScene, end: f64) -> Result<Vec<f64>, SlideError> {
+fn sample_times(scene: &DiskScene, end: f64) -> Result<Vec<f64>, MotionError> {
     let interval = scene.time_step.unwrap_or(end / f64::from(scene.samples));
     let steps = end / interval;
     if steps > MOST_STEPS {
-        return Err(SlideError::TooManySteps {
+        return Err(MotionError::TooManySteps {
             time_step: interval,
             steps,
             most: MOST_STEPS,

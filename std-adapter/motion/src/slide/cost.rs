@@ -1,6 +1,6 @@
 //! How the friction of a sliding body is evaluated, and the cost of an evaluation.
 
-use super::SlideError;
+use super::MotionError;
 use super::planar::Resistance;
 use crate::slide::scene::DiskScene;
 use std::hint::black_box;
@@ -36,15 +36,15 @@ impl DiskScene {
     /// assert_eq!(evaluation(0.0)?, Evaluation::TableInProgram);
     /// assert_eq!(evaluation(-0.5)?, Evaluation::TableMade);
     /// assert_eq!(evaluation(20.0)?, Evaluation::Series);
-    /// # Ok::<(), tribos::slide::SlideError>(())
+    /// # Ok::<(), tribos::slide::MotionError>(())
     /// ```
-    pub fn evaluation(&self) -> Result<Evaluation, SlideError> {
+    pub fn evaluation(&self) -> Result<Evaluation, MotionError> {
         of_law(&Patch::Disk, &self.law()?)
     }
 
     /// Times evaluations over a mix of speeds for some tenths of a second. *Accuracy*: a few per cent for the
     /// ratio of the two times, about ten per cent for the times.
-    pub fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
+    pub fn evaluation_cost(&self) -> Result<EvaluationCost, MotionError> {
         let law = self.law()?;
         let Some([_, alpha]) = law.power_of_speed() else {
             let friction = AnyFriction::<f64>::new(&Patch::Disk, &law, None)?;
@@ -56,7 +56,7 @@ impl DiskScene {
 }
 
 /// Method of evaluation in the tier chosen for the law.
-pub(crate) fn of_law(patch: &Patch, law: &Law) -> Result<Evaluation, SlideError> {
+pub(crate) fn of_law(patch: &Patch, law: &Law) -> Result<Evaluation, MotionError> {
     Ok(Tier::choose::<f64>(patch, law, None)?.evaluation(patch, law))
 }
 

@@ -1,6 +1,7 @@
 //! Distribution of the work of friction over sliding and spinning.
 
-use super::{PathRun, PlanarScene, SlideRun};
+use super::path::PathRun;
+use super::{PlanarScene, SlideRun};
 use crate::slide::scene::DiskScene;
 
 /// Work of friction in J, split by the motion that it slowed.
@@ -9,9 +10,9 @@ use crate::slide::scene::DiskScene;
 /// slows the sliding, and the work of the torque slows the spin.
 ///
 /// ```
-/// use tribos::{scene::DiskScene, slide::{FrictionWork, run}};
+/// use tribos::{scene::DiskScene, slide::FrictionWork};
 /// let scene = DiskScene { speed: 1.0, spin: 5.0, radius: 0.08, mass: 0.1, ..DiskScene::default() };
-/// let spent: FrictionWork = run(&scene, |_| ())?.spent(&scene);
+/// let spent: FrictionWork = scene.run()?.spent(&scene);
 /// assert!((spent.sliding - 0.05).abs() < 1e-12); // m v²/2
 /// assert!((spent.spinning - 0.004).abs() < 1e-12); // m R² ω²/4
 /// assert!((spent.spinning_share() - 4.0 / 54.0).abs() < 1e-12);
@@ -45,7 +46,7 @@ impl FrictionWork {
 impl SlideRun {
     /// Work of friction by the motion that lost the energy.
     pub fn spent(&self, scene: &DiskScene) -> FrictionWork {
-        let ends = ends(&self.series).map(|[_, speed, .., kinetic, _]| [speed * speed, kinetic]);
+        let ends = ends(&self.rows).map(|[_, speed, .., kinetic, _]| [speed * speed, kinetic]);
         FrictionWork::between(scene.mass, ends)
     }
 }
@@ -53,8 +54,8 @@ impl SlideRun {
 impl PathRun {
     /// Work of friction by the motion that lost the energy.
     pub fn spent(&self, scene: &dyn PlanarScene) -> FrictionWork {
-        let ends = ends(&self.series)
-            .map(|[_, _, _, vx, vy, .., kinetic, _]| [vx * vx + vy * vy, kinetic]);
+        let ends =
+            ends(&self.rows).map(|[_, _, _, vx, vy, .., kinetic, _]| [vx * vx + vy * vy, kinetic]);
         FrictionWork::between(scene.course().mass, ends)
     }
 }

@@ -4,8 +4,8 @@ use tribos_base::results::{Reporting::*, summary};
 use tribos_base::scene::words::words;
 use tribos_core::modes::TerminalMode;
 
-/// Columns of the series: SI units in SI scenes (s, m/s, rad/s, m, rad, -, J, J).
-pub const COLUMNS: [&str; 8] = [
+/// Columns of the series.
+pub(super) const COLUMNS: [&str; 8] = [
     "time",
     "speed",
     "spin",
@@ -21,7 +21,7 @@ pub const COLUMNS: [&str; 8] = [
 pub enum SlideStopReason {
     /// Sliding and spinning stopped at the same instant.
     Rest,
-    /// Both speeds fell below the scene's `stop_fraction`.
+    /// Both speeds fell below the scene's `stop_fraction`; under a law with α ≥ 1 the body never comes to rest.
     Faded,
     /// The scene's `duration` elapsed.
     Duration,
@@ -33,9 +33,9 @@ summary! {
     ///
     /// ```
     /// use tribos::scene::DiskScene;
-    /// use tribos::slide::{SlideStopReason, SlideSummary, run};
+    /// use tribos::slide::{SlideStopReason, SlideSummary};
     /// let scene = DiskScene::default(); // 1 m/s, 5 rad/s, 8 cm, 0.1 kg
-    /// let end: SlideSummary = run(&scene, |_| ())?.outcome;
+    /// let end: SlideSummary = scene.run()?.outcome;
     /// assert_eq!(end.ending, SlideStopReason::Rest);
     /// // A disk under Coulomb friction stops at v = 0.653 ωR, whatever the launch.
     /// assert!((end.final_ratio - 0.653).abs() < 1e-3);

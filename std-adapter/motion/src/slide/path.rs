@@ -1,15 +1,16 @@
 //! Runs of planar scenes.
 
 use super::cost::{EvaluationCost, resistance_cost};
-use super::planar::{PlanarLaunch, PlanarSimulation, PlanarState, PlanarStopReason, Resistance};
-use super::{SlideError, energy_at_launch};
-use crate::slide::scene::Tipping;
+use super::planar::{Launch, PlanarSimulation, PlanarState, Resistance, SlideStopReason};
+use super::{MotionError, energy_at_launch};
+use crate::motion_run::SceneRun;
+use crate::slide::scene::{CurlingScene, CylinderScene, PipeScene, PlateScene, Tipping};
 use tribos_base::results::{Reporting::*, summary};
 use tribos_base::scene::Body;
 use tribos_friction::Evaluation;
 
-/// Columns of the series: s, m, m, m/s, m/s, rad/s, rad, –, –, J, J.
-pub const PATH_COLUMNS: [&str; 11] = [
+/// Columns of the series.
+const COLUMNS: [&str; 11] = [
     "time",
     "x",
     "y",
@@ -44,63 +45,54 @@ pub struct PlanarCourse {
 ///
 /// ```
 /// use tribos::scene::{CurlingScene, CylinderScene, PipeScene};
-/// use tribos::slide::{PlanarScene, run_planar};
+/// use tribos::slide::{PlanarScene, follow_path};
 /// let scenes: [&dyn PlanarScene; 3] =
 ///     [&CylinderScene::default(), &PipeScene::default(), &CurlingScene::default()];
 /// for scene in scenes {
-///     let end = run_planar(scene)?.outcome;
+///     let end = follow_path(scene, &mut |_| true)?.outcome;
 ///     assert!(end.path_length > 0.1 && scene.course().samples == 200); // m
 /// }
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 pub trait PlanarScene: Body + Sync {
     /// Launch, mass and stopping conditions.
     fn course(&self) -> PlanarCourse;
 
     /// Resistance that the body meets.
-    fn resistance(&self) -> Result<Box<dyn Resistance>, SlideError>;
+    fn resistance(&self) -> Result<Box<dyn Resistance>, MotionError>;
 
     /// Method by which force and torque are evaluated.
-    fn evaluation(&self) -> Result<Evaluation, SlideError>;
+    fn evaluation(&self) -> Result<Evaluation, MotionError>;
 
     /// Times evaluations over a mix of speeds for some tenths of a second. *Accuracy*: a few per cent for the
     /// ratio of the two times, about ten per cent for the times.
-    fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
+    fn evaluation_cost(&self) -> Result<EvaluationCost, MotionError> {
         Ok(resistance_cost(&self.resistance()?))
     }
 }
 
-/// Series and summary of the run of a planar scene.
-///
-/// ```
-/// use tribos::scene::PipeScene;
-/// use tribos::slide::{PATH_COLUMNS, PlanarSummary, PathRun, run_planar};
-/// let scene = PipeScene { spin: 0.0, speed: 1.74, gamma: 0.2, ..PipeScene::default() };
-/// let PathRun { series, outcome } = run_planar(&scene)?;
-/// // Without spin the pipe leans, but friction stays mu N.
-/// let x = PATH_COLUMNS.iter().position(|name| *name == "x").ok_or("no x")?;
-/// let way = series.last().ok_or("no rows")?[x];
-/// assert!((way - 1.74 * 1.74 / (2.0 * 0.2 * 9.81)).abs() < 1e-12);
-/// let PlanarSummary { max_lean, energy_error, .. } = outcome;
-/// assert!(max_lean > 0.0 && energy_error < 1e-12);
-/// assert_eq!(outcome.json(&scene)["curl"], 0.0);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Debug)]
-pub struct PathRun {
-    /// Rows of the series, with the columns of [`PATH_COLUMNS`].
-    pub series: Vec<[f64; PATH_COLUMNS.len()]>,
-    /// The summary.
-    pub outcome: PlanarSummary,
-}
-
 summary! {
     /// Results of the run of a planar scene.
+    ///
+    /// ```
+    /// use tribos::scene::PipeScene;
+    /// use tribos::{run::SceneRun, slide::PlanarSummary};
+    /// let scene = PipeScene { spin: 0.0, speed: 1.74, gamma: 0.2, ..PipeScene::default() };
+    /// let SceneRun { columns, rows, outcome } = scene.run()?;
+    /// // Without spin the pipe leans, but friction stays mu N.
+    /// let x = columns.iter().position(|name| *name == "x").ok_or("no x")?;
+    /// let way = rows.last().ok_or("no rows")?[x];
+    /// assert!((way - 1.74 * 1.74 / (2.0 * 0.2 * 9.81)).abs() < 1e-12);
+    /// let PlanarSummary { max_lean, energy_error, .. } = outcome;
+    /// assert!(max_lean > 0.0 && energy_error < 1e-12);
+    /// assert_eq!(outcome.json(&scene)["curl"], 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[derive(Copy)]
     pub struct PlanarSummary;
 
     /// Why the run ended.
-    ending: PlanarStopReason, "-";
+    ending: SlideStopReason, "-";
     /// Time at which the body comes to rest; none if it does not.
     stop_time: Option<f64>, "s";
     /// Time at the end.
@@ -133,30 +125,34 @@ summary! {
     energy_error: f64, "-", Swept;
 }
 
-/// Runs a scene to its end.
-///
-/// ```
-/// use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
-/// let model = IceModel::ScratchGuide;
-/// let scene = CurlingScene { model, speed: 1.9866, spin: 1.5, ..CurlingScene::default() };
-/// let end = run_planar(&scene)?.outcome;
-/// assert!(end.x > 28.3 && end.curl > 0.9); // m, left
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn run_planar(scene: &dyn PlanarScene) -> Result<PathRun, SlideError> {
-    follow_path(scene, &mut |_| true)
-}
+/// The run of a scene, with these [`COLUMNS`].
+pub(super) type PathRun = SceneRun<PlanarSummary, { COLUMNS.len() }>;
 
-/// The same; `watch` sees the share of the work that is done, roughly, and ends the run by answering false.
+/// Gives planar scenes the method that runs them.
+macro_rules! run {
+    ($($scene:ty),+) => {$(
+        impl $scene {
+            /// Runs the scene to its end.
+            ///
+            /// *Columns* of the series: s, m, m, m/s, m/s, rad/s, rad, –, –, J, J.
+            pub fn run(&self) -> Result<PathRun, MotionError> {
+                follow_path(self, &mut |_| true)
+            }
+        }
+    )+};
+}
+run!(CurlingScene, CylinderScene, PipeScene, PlateScene);
+
+/// Runs a scene; `watch` sees the share of the work that is done, roughly, and ends the run by answering false.
 #[doc(hidden)]
 pub fn follow_path(
     scene: &dyn PlanarScene,
     watch: &mut dyn FnMut(f64) -> bool,
-) -> Result<PathRun, SlideError> {
+) -> Result<PathRun, MotionError> {
     scene.check()?;
     let body = scene.resistance()?;
     let scene = scene.course();
-    let launch = PlanarLaunch {
+    let launch = Launch {
         velocity: [scene.speed, 0.0],
         spin: scene.spin,
     };
@@ -168,23 +164,23 @@ pub fn follow_path(
     let scouted = journey()?.watched(&[], |_| (), &mut |share| watch(0.5 * share))?;
     if let (Tipping::Refuse, Some(time)) = (scene.tipping, scouted.tips_at) {
         let lean = scouted.most_lean;
-        return Err(SlideError::Tips { time, lean });
+        return Err(MotionError::Tips { time, lean });
     }
     let interval = scouted.point.time / f64::from(scene.samples);
     let times: Vec<f64> = (1..scene.samples)
         .map(|k| interval * f64::from(k))
         .collect();
     let energy = |point: &PlanarState| scene.mass * energy_per_mass(&body, point);
-    let mut series = Vec::new();
-    let observe = |point: &PlanarState| series.push(row(point, energy(point), scene.mass));
+    let mut rows = Vec::new();
+    let observe = |point: &PlanarState| rows.push(row(point, energy(point), scene.mass));
     let arrival = journey()?.watched(&times, observe, &mut |share| watch(0.5 + 0.5 * share))?;
-    let initial_energy = series.first().map_or(f64::NAN, |row| row[9]);
+    let initial_energy = rows.first().map_or(f64::NAN, |row| row[9]);
     let lost = initial_energy - energy(&arrival.point);
     let work = scene.mass * arrival.point.work;
     let (end, [x, y]) = (arrival.point, arrival.point.position);
     let outcome = PlanarSummary {
         ending: arrival.ending,
-        stop_time: (arrival.ending == PlanarStopReason::Rest).then_some(end.time),
+        stop_time: (arrival.ending == SlideStopReason::Rest).then_some(end.time),
         end_time: end.time,
         x,
         y,
@@ -200,7 +196,11 @@ pub fn follow_path(
         energy_dissipated: work,
         energy_error: (work - lost).abs() / initial_energy,
     };
-    Ok(PathRun { series, outcome })
+    Ok(SceneRun {
+        columns: &COLUMNS,
+        rows,
+        outcome,
+    })
 }
 
 /// Kinetic energy per mass, (v² + C (ωR)²)/2.
@@ -210,7 +210,7 @@ pub(super) fn energy_per_mass(body: &impl Resistance, point: &PlanarState) -> f6
     0.5 * (x * x + y * y + body.inertia_ratio() * rim * rim)
 }
 
-fn row(point: &PlanarState, energy: f64, mass: f64) -> [f64; PATH_COLUMNS.len()] {
+fn row(point: &PlanarState, energy: f64, mass: f64) -> [f64; COLUMNS.len()] {
     let ([x, y], [vx, vy]) = (point.position, point.velocity);
     [
         point.time,

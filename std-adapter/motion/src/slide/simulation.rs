@@ -1,7 +1,7 @@
 //! One slider followed from launch to end, with its energy balance.
 
 use super::outcome::terminal;
-use super::{COLUMNS, SlideError, SlideStopReason, SlideSummary, energy_at_launch};
+use super::{COLUMNS, MotionError, SlideStopReason, SlideSummary, energy_at_launch};
 use crate::slide::scene::{DiskScene, SliderIntegrator};
 use tribos_base::run::Simulation;
 use tribos_core::Real;
@@ -54,10 +54,9 @@ enum StepLength {
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// use tribos::run::Simulation;
 /// use tribos::scene::DiskScene;
-/// use tribos::slide::{COLUMNS, SlideStopReason, SlideSimulation};
+/// use tribos::slide::{SlideStopReason, SlideSimulation};
 /// let mut disk = SlideSimulation::new(CoulombDisk, &DiskScene::default())?;
-/// assert_eq!(COLUMNS[1..3], ["speed", "spin"]);
-/// let mut before = disk.record();
+/// let mut before = disk.record(); // time, speed, spin, …
 /// while disk.step()? {
 ///     before = disk.record();
 /// }
@@ -86,7 +85,7 @@ pub struct SlideSimulation<P> {
 
 impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
     /// Prepares a run; the whole motion is computed once to choose and validate the time step.
-    pub fn new(profile: P, scene: &DiskScene) -> Result<Self, SlideError> {
+    pub fn new(profile: P, scene: &DiskScene) -> Result<Self, MotionError> {
         scene.check()?;
         let deceleration = scene.gamma * scene.gravity;
         let slider = Slider::new(
@@ -119,7 +118,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
     }
 
     /// Time of rest (α < 1), or the time at which both speeds have faded.
-    fn estimate_end_time(&self) -> Result<f64, SlideError> {
+    fn estimate_end_time(&self) -> Result<f64, MotionError> {
         if let Some(rest) = &self.coming {
             return Ok(rest.motion.time);
         }
@@ -130,7 +129,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
     }
 
     /// Time at which the slower of the two motions to fade reaches the scene's fraction of its initial value.
-    fn fading_time(&self) -> Result<f64, SlideError> {
+    fn fading_time(&self) -> Result<f64, MotionError> {
         // The logarithm's excess decreases with the logarithm of the time.
         let excess = |ln_time: f64| {
             let time = Real::exp(ln_time);
@@ -139,7 +138,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
         let energy = self.slider.energy_per_mass(&self.start);
         let first = 2.0 * energy / self.slider.dissipation_per_mass(&self.start);
         if !(first.is_finite() && first > 0.0) {
-            return Err(SlideError::NotFinite { step: 0 });
+            return Err(MotionError::NotFinite { step: 0 });
         }
         let (mut low, mut high) = (Real::ln(first) - 1.0, Real::ln(first));
         let (mut above, mut below) = (excess(low), excess(high));
@@ -178,7 +177,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
             let nearest = if above < -below { low } else { high };
             Ok(Real::exp(nearest))
         } else {
-            Err(SlideError::NotFinite { step: 0 })
+            Err(MotionError::NotFinite { step: 0 })
         }
     }
 
@@ -201,7 +200,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
     }
 
     /// The scene's time step, or one that suits the motion.
-    fn choose_length(&self) -> Result<StepLength, SlideError> {
+    fn choose_length(&self) -> Result<StepLength, MotionError> {
         let refinement = match self.scene.integrator {
             SliderIntegrator::Exact => 1.0,
             SliderIntegrator::Verlet => VERLET_REFINEMENT,
@@ -220,7 +219,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
         let steps = self.end / time_step;
         if steps > MOST_STEPS {
             let at_least = self.end / MOST_STEPS;
-            return Err(SlideError::TooManySteps {
+            return Err(MotionError::TooManySteps {
                 time_step,
                 steps,
                 most: MOST_STEPS,
@@ -330,7 +329,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> SlideSimulation<P> {
     }
 
     /// Summary of the run so far.
-    pub fn outcome(&self) -> Result<SlideSummary, SlideError> {
+    pub fn outcome(&self) -> Result<SlideSummary, MotionError> {
         let energy = |motion| self.scene.mass * self.slider.energy_per_mass(motion);
         let initial = energy(&self.start);
         let lost = initial - energy(&self.motion);
@@ -367,7 +366,7 @@ fn fading_fraction(scene: &DiskScene) -> f64 {
 
 impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> Simulation for SlideSimulation<P> {
     type Record = [f64; COLUMNS.len()];
-    type Error = SlideError;
+    type Error = MotionError;
 
     fn record(&self) -> Self::Record {
         let SliderState {
@@ -391,7 +390,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> Simulation for SlideSimula
         ]
     }
 
-    fn step(&mut self) -> Result<bool, SlideError> {
+    fn step(&mut self) -> Result<bool, MotionError> {
         let left = match self.scene.duration {
             Some(end) => end - self.motion.time,
             None if self.scene.alpha >= 1.0 => self.end - self.motion.time,
@@ -415,7 +414,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> Simulation for SlideSimula
                 // The ratio is infinite where nothing spins.
                 .all(|(column, x)| column == RATIO || x.is_finite())
         {
-            return Err(SlideError::NotFinite { step: self.steps });
+            return Err(MotionError::NotFinite { step: self.steps });
         }
         Ok(self.rest.is_none() && !is_last)
     }

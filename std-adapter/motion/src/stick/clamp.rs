@@ -14,8 +14,8 @@
 //! a million times stiffer than the other. One pad that slips while the other holds is Iwan's assembly of two elements, which obeys Masing's
 //! rule: a branch of the loop is the first loading twice as large.
 
-use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene};
+use crate::error::MotionError;
+use crate::motion_run::{MotionRun, MotionScene, SceneRun};
 use crate::stick::scene::ClampScene;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -26,10 +26,10 @@ use tribos_core::law::StickSlip;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::presliding::{Anchor, Pose, Presliding, PreslidingStep};
 use tribos_core::twist::{Displacement, Wrench};
-use tribos_friction::limit_surface;
+use tribos_friction::Area;
 
-/// Columns of the series: s, N, N m, m, rad, J of heat so far, and whether each pad slips.
-pub const CLAMP_COLUMNS: [&str; 8] = [
+/// Columns of the series.
+const COLUMNS: [&str; 8] = [
     "time",
     "force",
     "torque",
@@ -61,36 +61,37 @@ summary! {
     most_position: f64, "m", Swept;
 }
 
-/// Series and summary of a run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ClampRun {
-    /// Rows of the series, with the columns of [`CLAMP_COLUMNS`].
-    pub rows: Vec<[f64; CLAMP_COLUMNS.len()]>,
-    /// The summary.
-    pub outcome: ClampSummary,
+/// The run of a scene, with these [`COLUMNS`].
+type ClampRun = SceneRun<ClampSummary, { COLUMNS.len() }>;
+
+impl ClampScene {
+    /// Runs the scene to its end, or to the release.
+    ///
+    /// *Columns* of the series: s, N, N m, m, rad, J of heat so far, and whether each pad slips.
+    ///
+    /// *Accuracy*: the balance to 1e-12 of the pads' limits; the way of slips that turn is of first order in the
+    /// interval of the series, of those along a line it is exact but for where the interval meets the turn of the
+    /// load.
+    ///
+    /// ```
+    /// use tribos::scene::ClampScene;
+    /// // 6 N and 10 N hold less than 17 N: it lets go where the force passes 16 N.
+    /// let outcome = ClampScene { force_amplitude: 17.0, ..ClampScene::default() }.run()?.outcome;
+    /// let release = outcome.release_time.ok_or("holds")?; // s
+    /// let force = 17.0 * (std::f64::consts::TAU * release).sin();
+    /// assert!((force - 16.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn run(&self) -> Result<ClampRun, MotionError> {
+        watched(self, &mut |_| true)
+    }
 }
 
-/// Runs a scene to its end, or to the release.
-///
-/// *Accuracy*: the balance to 1e-12 of the pads' limits; the way of slips that turn is of first order in the
-/// interval of the series, of those along a line it is exact but for where the interval meets the turn of the
-/// load.
-///
-/// ```
-/// use tribos::{scene::ClampScene, stick::clamp::run};
-/// // 6 N and 10 N hold less than 17 N: it lets go where the force passes 16 N.
-/// let outcome = run(&ClampScene { force_amplitude: 17.0, ..ClampScene::default() })?.outcome;
-/// let release = outcome.release_time.ok_or("holds")?; // s
-/// let force = 17.0 * (std::f64::consts::TAU * release).sin();
-/// assert!((force - 16.0).abs() < 1e-9);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn run(scene: &ClampScene) -> Result<ClampRun, StickError> {
-    watched(scene, &mut |_| true)
-}
-
-/// The same; `watch` sees the share of the cycles that is done, and ends the run by answering false.
-fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<ClampRun, StickError> {
+/// Runs a scene; `watch` sees the share of the cycles that is done, and ends the run by answering false.
+fn watched(
+    scene: &ClampScene,
+    watch: &mut dyn FnMut(f64) -> bool,
+) -> Result<ClampRun, MotionError> {
     scene.check()?;
     let mut pinch = ClampedBody::new(scene)?;
     let mut rows = vec![pinch.row(0.0, &Wrench::ZERO, [StickSlip::Stick; 2])];
@@ -108,9 +109,9 @@ fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<Cla
             let load = load(scene, cycle, share);
             let grips = pinch
                 .settle(&load)
-                .map_err(|left| StickError::Unbalanced { time, left })?;
+                .map_err(|left| MotionError::Unbalanced { time, left })?;
             if !watch((f64::from(cycle) + share) / f64::from(scene.cycles)) {
-                return Err(StickError::Interrupted { time });
+                return Err(MotionError::InterruptedAt { time });
             }
             rows.push(pinch.row(time, &load, grips));
         }
@@ -135,7 +136,11 @@ fn watched(scene: &ClampScene, watch: &mut dyn FnMut(f64) -> bool) -> Result<Cla
         least_position: positions().fold(f64::INFINITY, f64::min),
         most_position: positions().fold(f64::NEG_INFINITY, f64::max),
     };
-    Ok(ClampRun { rows, outcome })
+    Ok(SceneRun {
+        columns: &COLUMNS,
+        rows,
+        outcome,
+    })
 }
 
 /// The load at a share of a cycle.
@@ -188,19 +193,20 @@ const FARTHER: f64 = 4.0;
 const FLATTER: f64 = 0.5;
 
 impl ClampedBody {
-    fn new(scene: &ClampScene) -> Result<Self, StickError> {
+    fn new(scene: &ClampScene) -> Result<Self, MotionError> {
         let default = 0.5 * scene.radius * scene.radius;
         let lever_sq = scene.torsion_lever_squared.unwrap_or(default);
         let origin = Pose::new(0.0, 0.0, 0.0);
-        let pad = |mu: f64, stiffness: f64| -> Result<Pad, StickError> {
+        let area = Area::named(&scene.patch, scene.radius, None)?;
+        let pad = |mu: f64, stiffness: f64| -> Result<Pad, MotionError> {
             let bonds = Presliding::new(stiffness, stiffness * lever_sq)?;
-            let set = limit_surface(&scene.patch, mu * scene.load, scene.radius, None)?;
+            let set = area.limit_surface(mu * scene.load)?;
             let anchor = Anchor::at(origin);
             Ok(Pad { set, bonds, anchor })
         };
         let limit = (scene.mu_first + scene.mu_second) * scene.load;
         Ok(Self {
-            both: limit_surface(&scene.patch, limit, scene.radius, None)?,
+            both: area.limit_surface(limit)?,
             pads: [
                 pad(scene.mu_first, scene.stiffness_first)?,
                 pad(scene.mu_second, scene.stiffness_second)?,
@@ -305,12 +311,7 @@ impl ClampedBody {
         (length, there)
     }
 
-    fn row(
-        &self,
-        time: f64,
-        load: &Wrench<f64>,
-        grips: [StickSlip; 2],
-    ) -> [f64; CLAMP_COLUMNS.len()] {
+    fn row(&self, time: f64, load: &Wrench<f64>, grips: [StickSlip; 2]) -> [f64; COLUMNS.len()] {
         let slips = grips.map(|grip| if grip == StickSlip::Slip { 1.0 } else { 0.0 });
         let (x, angle) = (self.pose.position.x, self.pose.angle);
         [
@@ -361,14 +362,7 @@ impl MotionScene for ClampScene {
                 ),
             ),
         ];
-        Ok(MotionRun {
-            columns: &CLAMP_COLUMNS,
-            rows: result.rows.iter().map(|row| row.to_vec()).collect(),
-            outcome: outcome.entries(),
-            told,
-            spent: None,
-            drawn: (&["position"], "position [m]"),
-        })
+        Ok(result.shown(told, (&["position"], "position [m]")))
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {
@@ -406,7 +400,7 @@ mod tests {
                 samples: 400,
                 ..ClampScene::default()
             };
-            let result = run(&scene).unwrap();
+            let result = scene.run().unwrap();
             let outcome = result.outcome;
             // Both are elastic up to 9 N; then the second alone.
             let first_loading = |force: f64| {
@@ -449,7 +443,7 @@ mod tests {
             samples: 20,
             ..ClampScene::default()
         };
-        let result = run(&scene).unwrap();
+        let result = scene.run().unwrap();
         assert_eq!(
             (result.outcome.heat, result.outcome.release_time),
             (0.0, None)
@@ -470,7 +464,7 @@ mod tests {
                 samples: 400,
                 ..ClampScene::default()
             };
-            let result = run(&scene).unwrap();
+            let result = scene.run().unwrap();
             let most = result
                 .rows
                 .iter()
@@ -506,7 +500,7 @@ mod tests {
             };
             let soft = if first < second { 1e4 } else { 1e4 * ratio };
             let end = (15.9 - weak) / soft;
-            let outcome = run(&scene).unwrap().outcome;
+            let outcome = scene.run().unwrap().outcome;
             assert_eq!(outcome.release_time, None, "{ratio}");
             let loss = 4.0 * weak * (end - strong);
             assert!(
@@ -528,7 +522,7 @@ mod tests {
             samples: 3,
             ..ClampScene::default()
         };
-        let release = run(&scene).unwrap().outcome.release_time.unwrap();
+        let release = scene.run().unwrap().outcome.release_time.unwrap();
         assert!(
             (17.0 * libm::sin(TAU * release) - 16.0).abs() < 1e-9,
             "{release}"
@@ -539,6 +533,6 @@ mod tests {
     fn a_run_ends_when_it_is_asked_to() {
         let scene = ClampScene::default();
         let ended = watched(&scene, &mut |share| share < 0.5);
-        assert!(matches!(ended, Err(StickError::Interrupted { time }) if time == 2.5));
+        assert!(matches!(ended, Err(MotionError::InterruptedAt { time }) if time == 2.5));
     }
 }

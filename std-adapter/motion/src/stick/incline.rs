@@ -8,19 +8,18 @@
 //! holds while tan θ ≤ μ_s(age);    then a = g (sin θ − μ_d cos θ)
 //! ```
 
-use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene};
+use crate::error::MotionError;
+use crate::motion_run::{MotionRun, MotionScene, SceneRun};
 use crate::stick::scene::InclineScene;
 use tribos_base::bracket::Bracket;
 use tribos_base::results::{Quantity, Reporting::*, Summary, SweepView, summary};
 use tribos_core::Real;
 use tribos_core::law::{RestTime, StaticAgeing};
 use tribos_core::twist::Wrench;
-use tribos_friction::limit_surface;
+use tribos_friction::Area;
 
-/// Columns of the series: s, rad, m, m/s, N, N.
-pub const INCLINE_COLUMNS: [&str; 6] =
-    ["time", "angle", "position", "velocity", "drive", "friction"];
+/// Columns of the series.
+const COLUMNS: [&str; 6] = ["time", "angle", "position", "velocity", "drive", "friction"];
 
 summary! {
     /// Results of a run of a block on an incline.
@@ -45,54 +44,56 @@ summary! {
     end_angle: f64, "rad", Swept;
 }
 
-/// Series and summary of a run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct InclineRun {
-    /// Rows of the series, with the columns of [`INCLINE_COLUMNS`].
-    pub rows: Vec<[f64; INCLINE_COLUMNS.len()]>,
-    /// The summary.
-    pub outcome: InclineSummary,
-}
+/// The run of a scene, with these [`COLUMNS`].
+type InclineRun = SceneRun<InclineSummary, { COLUMNS.len() }>;
 
-/// Runs a scene to its end.
-///
-/// *Accuracy*: rounding. *Special values*: while the block holds, position and velocity are zero to the bit.
-///
-/// ```
-/// use tribos::{scene::InclineScene, stick::incline::run};
-/// let fixed = InclineScene { start_angle: 0.6, tilt_rate: 0.0, duration: 2.0, ..InclineScene::default() };
-/// let end = run(&fixed)?.outcome;
-/// let acceleration = 9.81 * (0.6_f64.sin() - 0.3 * 0.6_f64.cos());
-/// assert!((end.distance / (0.5 * acceleration * 4.0) - 1.0).abs() < 1e-14);
-/// # Ok::<(), tribos::stick::StickError>(())
-/// ```
-pub fn run(scene: &InclineScene) -> Result<InclineRun, StickError> {
-    scene.check()?;
-    let slope = InclineProblem::new(scene)?;
-    let release = slope.release();
-    let mut state = SlideState::default();
-    let mut rows = vec![slope.row(0.0, &state, release)];
-    let samples = scene.samples;
-    for index in 1..=samples {
-        let time = scene.duration * (f64::from(index) / f64::from(samples));
-        if let Some(start) = release.filter(|start| *start < time) {
-            state.time = state.time.max(start);
-            slope.slide(&mut state, time);
+impl InclineScene {
+    /// Runs the scene to its end.
+    ///
+    /// *Columns* of the series: s, rad, m, m/s, N, N.
+    ///
+    /// *Accuracy*: rounding. *Special values*: while the block holds, position and velocity are zero to the bit.
+    ///
+    /// ```
+    /// use tribos::scene::InclineScene;
+    /// let fixed = InclineScene { start_angle: 0.6, tilt_rate: 0.0, duration: 2.0, ..InclineScene::default() };
+    /// let end = fixed.run()?.outcome;
+    /// let acceleration = 9.81 * (0.6_f64.sin() - 0.3 * 0.6_f64.cos());
+    /// assert!((end.distance / (0.5 * acceleration * 4.0) - 1.0).abs() < 1e-14);
+    /// # Ok::<(), tribos::stick::MotionError>(())
+    /// ```
+    pub fn run(&self) -> Result<InclineRun, MotionError> {
+        self.check()?;
+        let slope = InclineProblem::new(self)?;
+        let release = slope.release();
+        let mut state = SlideState::default();
+        let mut rows = vec![slope.row(0.0, &state, release)];
+        let samples = self.samples;
+        for index in 1..=samples {
+            let time = self.duration * (f64::from(index) / f64::from(samples));
+            if let Some(start) = release.filter(|start| *start < time) {
+                state.time = state.time.max(start);
+                slope.slide(&mut state, time);
+            }
+            rows.push(slope.row(time, &state, release));
         }
-        rows.push(slope.row(time, &state, release));
+        let release_angle = release.map(|time| slope.angle(time));
+        let outcome = InclineSummary {
+            ending: if release.is_some() { "slides" } else { "holds" },
+            release_time: release,
+            release_angle,
+            release_slope: release_angle.map(libm::tan),
+            release_acceleration: release_angle.map(|angle| slope.acceleration(angle)),
+            distance: state.position,
+            speed: state.velocity,
+            end_angle: slope.angle(self.duration),
+        };
+        Ok(SceneRun {
+            columns: &COLUMNS,
+            rows,
+            outcome,
+        })
     }
-    let release_angle = release.map(|time| slope.angle(time));
-    let outcome = InclineSummary {
-        ending: if release.is_some() { "slides" } else { "holds" },
-        release_time: release,
-        release_angle,
-        release_slope: release_angle.map(libm::tan),
-        release_acceleration: release_angle.map(|angle| slope.acceleration(angle)),
-        distance: state.position,
-        speed: state.velocity,
-        end_angle: slope.angle(scene.duration),
-    };
-    Ok(InclineRun { rows, outcome })
 }
 
 /// What the block has done since it let go.
@@ -125,8 +126,8 @@ const TURN: f64 = 0.1;
 const HALVINGS: usize = 200;
 
 impl<'a> InclineProblem<'a> {
-    fn new(scene: &'a InclineScene) -> Result<Self, StickError> {
-        let surface = limit_surface(&scene.patch, 1.0, scene.radius, None)?;
+    fn new(scene: &'a InclineScene) -> Result<Self, MotionError> {
+        let surface = Area::named(&scene.patch, scene.radius, None)?.limit_surface(1.0)?;
         Ok(Self {
             scene,
             ageing: StaticAgeing::new(
@@ -205,12 +206,7 @@ impl<'a> InclineProblem<'a> {
         }
     }
 
-    fn row(
-        &self,
-        time: f64,
-        state: &SlideState,
-        release: Option<f64>,
-    ) -> [f64; INCLINE_COLUMNS.len()] {
+    fn row(&self, time: f64, state: &SlideState, release: Option<f64>) -> [f64; COLUMNS.len()] {
         let angle = self.angle(time);
         let weight = self.scene.mass * self.scene.gravity;
         let drive = weight * Real::sin(angle);
@@ -237,7 +233,7 @@ impl MotionScene for InclineScene {
     }
 
     fn follow(&self, _: &mut dyn FnMut(f64) -> bool) -> Result<MotionRun, MotionError> {
-        let result = run(self)?;
+        let result = self.run()?;
         let outcome = &result.outcome;
         let told = match (outcome.release_time, outcome.release_angle) {
             (Some(time), Some(angle)) => vec![
@@ -265,14 +261,10 @@ impl MotionScene for InclineScene {
                 format!("holds up to {:.6} rad", outcome.end_angle),
             )],
         };
-        Ok(MotionRun {
-            columns: &INCLINE_COLUMNS,
-            rows: result.rows.iter().map(|row| row.to_vec()).collect(),
-            outcome: outcome.entries(),
+        Ok(result.shown(
             told,
-            spent: None,
-            drawn: (&["drive", "friction"], "force along the incline [N]"),
-        })
+            (&["drive", "friction"], "force along the incline [N]"),
+        ))
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {
@@ -315,7 +307,7 @@ mod tests {
                 samples: 1000,
                 ..InclineScene::default()
             };
-            let result = run(&scene).unwrap();
+            let result = scene.run().unwrap();
             let outcome = &result.outcome;
             let [release, start, acceleration] = [
                 outcome.release_time,
@@ -356,14 +348,14 @@ mod tests {
             duration: 1e9,
             ..InclineScene::default()
         };
-        let outcome = run(&scene).unwrap().outcome;
+        let outcome = scene.run().unwrap().outcome;
         assert_eq!((outcome.release_time, outcome.distance), (None, 0.0));
         let steeper = InclineScene {
             start_angle: FRAC_PI_4,
             duration: 3.0,
             ..scene
         };
-        let outcome = run(&steeper).unwrap().outcome;
+        let outcome = steeper.run().unwrap().outcome;
         let acceleration = 9.81 * (1.0 - 0.3) / 2_f64.sqrt();
         assert!((outcome.distance / (4.5 * acceleration) - 1.0).abs() < 1e-13);
     }
@@ -377,7 +369,7 @@ mod tests {
                 duration: 2.0 / rate,
                 ..InclineScene::default()
             };
-            let outcome = run(&scene).unwrap().outcome;
+            let outcome = scene.run().unwrap().outcome;
             let (release, start) = (
                 outcome.release_time.unwrap(),
                 outcome.release_angle.unwrap(),

@@ -5,10 +5,9 @@
 //! at which it lets go and stops are computed, not taken from the grid of the series.
 
 pub mod clamp;
-mod error;
 pub mod incline;
 pub(crate) mod scene;
 pub mod spring;
 pub mod turntable;
 
-pub use error::StickError;
+pub use crate::error::MotionError;

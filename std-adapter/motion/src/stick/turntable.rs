@@ -14,8 +14,8 @@
 
 mod path;
 
-use super::StickError;
-use crate::motion_run::{MotionError, MotionRun, MotionScene};
+use crate::error::MotionError;
+use crate::motion_run::{MotionRun, MotionScene, SceneRun};
 use crate::stick::scene::TurntableScene;
 use nalgebra::Vector2;
 use path::{SlideState, State};
@@ -25,11 +25,10 @@ use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::limit_surface;
+use tribos_friction::Area;
 
-/// Columns of the series: s, rad/s, then relative to the table m, m, m/s, m/s, rad/s, rad, and the
-/// place in the room in m, m.
-pub const TURNTABLE_COLUMNS: [&str; 10] = [
+/// Columns of the series.
+const COLUMNS: [&str; 10] = [
     "time", "rate", "x", "y", "vx", "vy", "spin", "angle", "room_x", "room_y",
 ];
 
@@ -58,36 +57,35 @@ summary! {
     angle: f64, "rad", Swept;
 }
 
-/// Series and summary of a run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TurntableRun {
-    /// Rows of the series, with the columns of [`TURNTABLE_COLUMNS`].
-    pub rows: Vec<[f64; TURNTABLE_COLUMNS.len()]>,
-    /// The summary.
-    pub outcome: TurntableSummary,
+/// The run of a scene, with these [`COLUMNS`].
+type TurntableRun = SceneRun<TurntableSummary, { COLUMNS.len() }>;
+
+impl TurntableScene {
+    /// Runs the scene to its end.
+    ///
+    /// *Columns* of the series: s, rad/s, then relative to the table m, m, m/s, m/s, rad/s, rad, and the place in
+    /// the room in m, m.
+    ///
+    /// *Accuracy*: the release to rounding; each step of the path to 1e-9 of the table's radius, and of its velocity to
+    /// 1e-9 of the rim's or of √(μ_s g R).
+    ///
+    /// ```
+    /// use tribos::scene::TurntableScene;
+    /// let outcome = TurntableScene::default().run()?.outcome;
+    /// let (release, left) = (outcome.release_time.ok_or("holds")?, outcome.leave_time.ok_or("stays")?);
+    /// assert!(release < left && outcome.y < 0.0); // it stays behind
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn run(&self) -> Result<TurntableRun, MotionError> {
+        watched(self, &mut |_| true)
+    }
 }
 
-/// Runs a scene to its end.
-///
-/// *Accuracy*: the release to rounding; each step of the path to 1e-9 of the table's radius, and of its velocity to
-/// 1e-9 of the rim's or of √(μ_s g R).
-///
-/// ```
-/// use tribos::{scene::TurntableScene, stick::turntable::run};
-/// let outcome = run(&TurntableScene::default())?.outcome;
-/// let (release, left) = (outcome.release_time.ok_or("holds")?, outcome.leave_time.ok_or("stays")?);
-/// assert!(release < left && outcome.y < 0.0); // it stays behind
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn run(scene: &TurntableScene) -> Result<TurntableRun, StickError> {
-    watched(scene, &mut |_| true)
-}
-
-/// The same; `watch` sees the share of the time that is done, and ends the run by answering false.
+/// Runs a scene; `watch` sees the share of the time that is done, and ends the run by answering false.
 fn watched(
     scene: &TurntableScene,
     watch: &mut dyn FnMut(f64) -> bool,
-) -> Result<TurntableRun, StickError> {
+) -> Result<TurntableRun, MotionError> {
     scene.check()?;
     let table = Table::new(scene)?;
     let release = table.release();
@@ -125,7 +123,11 @@ fn watched(
         speed: Real::hypot(vx, vy),
         angle,
     };
-    Ok(TurntableRun { rows, outcome })
+    Ok(SceneRun {
+        columns: &COLUMNS,
+        rows,
+        outcome,
+    })
 }
 
 /// Time and rate at which the body lets go.
@@ -149,16 +151,16 @@ const HALVINGS: usize = 200;
 const DOUBLINGS: u32 = 500;
 
 impl<'a> Table<'a> {
-    fn new(scene: &'a TurntableScene) -> Result<Self, StickError> {
+    fn new(scene: &'a TurntableScene) -> Result<Self, MotionError> {
         let weight = scene.mass * scene.gravity;
-        let surface = |mu: f64| limit_surface(&scene.patch, mu * weight, scene.radius, None);
+        let area = Area::named(&scene.patch, scene.radius, None)?;
         let gyration = scene.gyration_radius;
         Ok(Self {
             scene,
             body: PlanarBody::new(scene.mass, scene.mass * gyration * gyration)
                 .map_err(tribos_core::Error::from)?,
-            at_rest: surface(scene.mu_static)?,
-            in_motion: surface(scene.mu_dynamic)?,
+            at_rest: area.limit_surface(scene.mu_static * weight)?,
+            in_motion: area.limit_surface(scene.mu_dynamic * weight)?,
         })
     }
 
@@ -227,7 +229,7 @@ impl<'a> Table<'a> {
     }
 
     /// A row of the series; without a state the body turns with the table.
-    fn row(&self, time: f64, state: Option<&State>) -> [f64; TURNTABLE_COLUMNS.len()] {
+    fn row(&self, time: f64, state: Option<&State>) -> [f64; COLUMNS.len()] {
         let (rate, turned) = (self.rate(time), self.turned(time));
         let (place, velocity, spin, angle, room) = match state {
             None => {
@@ -300,14 +302,7 @@ impl MotionScene for TurntableScene {
             ));
             told.push(("turns", format!("{:.6} rad on the table", outcome.angle)));
         }
-        Ok(MotionRun {
-            columns: &TURNTABLE_COLUMNS,
-            rows: result.rows.iter().map(|row| row.to_vec()).collect(),
-            outcome: outcome.entries(),
-            told,
-            spent: None,
-            drawn: (&["x", "y"], "place on the table [m]"),
-        })
+        Ok(result.shown(told, (&["x", "y"], "place on the table [m]")))
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::scene::entries::{Entries, Written};
-use crate::scene::{LIBRARY, parse_scene};
+use crate::scene::{LIBRARY, Scene};
 
 /// A file as JSON, as an editor hands it to its validator.
 fn instance(text: &str) -> Value {
@@ -89,7 +89,11 @@ fn is_valid(schema: &Value, instance: &Value) -> bool {
 /// Schema and reader judge alike.
 fn agreed(text: &str) -> bool {
     let by_schema = is_valid(&schema(None), &instance(text));
-    assert_eq!(by_schema, parse_scene("scene", text, &[]).is_ok(), "{text}");
+    assert_eq!(
+        by_schema,
+        Scene::parse("scene", text, &[]).is_ok(),
+        "{text}"
+    );
     by_schema
 }
 
@@ -192,7 +196,7 @@ fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
                 let judged = |name: &str| {
                     let text = format!("{rest}{name} = {value}\n");
                     let by_schema = is_valid(&schema(None), &instance(&text));
-                    [by_schema, parse_scene("scene", &text, &[]).is_ok()]
+                    [by_schema, Scene::parse("scene", &text, &[]).is_ok()]
                 };
                 assert_eq!(judged(was), judged(key.name), "{was}");
                 let both = format!("{rest}{} = {value}\n{was} = {value}\n", key.name);

@@ -10,9 +10,7 @@ use sheet::Sheet;
 use std::collections::HashMap;
 use tribos::cd::{Wall, World, WorldMaterials, WorldSetup, solid};
 use tribos::friction::FlatPatch;
-use tribos::slide::planar::{
-    PlanarLaunch, PlanarResult, PlanarSimulation, Resistance, TallCylinder,
-};
+use tribos::slide::planar::{Launch, PlanarResult, PlanarSimulation, Resistance, TallCylinder};
 use tribos_core::contact::{Cohesion, IndependentFriction, NormalLaw, SphereBody};
 use tribos_core::coupling::closed::CoulombRing;
 use tribos_core::coupling::table::CoulombDisk;
@@ -61,8 +59,7 @@ fn problems() -> HashMap<String, Problem> {
 /// The quantities of a motion: along, left, turn, stop.
 fn arrived(body: &impl Resistance, problem: &Problem, spin: f64) -> Vec<f64> {
     let velocity = [problem.number("speed"), 0.0];
-    let journey =
-        PlanarSimulation::new(body, &PlanarLaunch { velocity, spin }, 1e-4).expect("a launch");
+    let journey = PlanarSimulation::new(body, &Launch { velocity, spin }, 1e-4).expect("a launch");
     let PlanarResult { point, .. } = journey.to_end().expect("a rest");
     let [along, left] = point.position;
     vec![along, left, point.angle, point.time]

@@ -3,7 +3,7 @@
 use super::deviation;
 use std::path::Path;
 use tribos::golden::{Golden, Pinned, Quantity, Verdict, measure};
-use tribos::scene::parse_scene;
+use tribos::scene::Scene;
 use tribos_tests::tables::Table;
 
 /// The scenes follow a motion to a tolerance of their own.
@@ -40,7 +40,7 @@ fn pinned_scenes_arrive_at_the_reference_answers() {
             .iter()
             .find_map(|set| set.strip_prefix("spin="));
         let (problem, spin) = (problem(pinned), spin.expect("a spin"));
-        let scene = parse_scene(&pinned.path, &read(&pinned.path), &pinned.overrides);
+        let scene = Scene::parse(&pinned.path, &read(&pinned.path), &pinned.overrides);
         let measured = measure(&scene.expect("a scene"), || ()).expect("a run");
         assert_eq!(
             pinned.compare(&measured),

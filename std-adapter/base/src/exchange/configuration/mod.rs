@@ -7,7 +7,7 @@ pub use format::recognised;
 pub use format::{Format, read};
 
 use super::atoms::Atoms;
-use crate::space::{PeriodicBox, PeriodicBoxError};
+use crate::space::{PeriodicBox, SpaceError};
 use nalgebra::Vector3;
 
 /// One state of numbered atoms in an orthogonal box.
@@ -60,7 +60,7 @@ impl Configuration {
     }
 
     /// The box as a [`PeriodicBox`], which repeats along the periodic axes.
-    pub fn space(&self) -> Result<PeriodicBox, PeriodicBoxError> {
+    pub fn space(&self) -> Result<PeriodicBox, SpaceError> {
         let lengths = self.lengths();
         PeriodicBox::new(std::array::from_fn(|axis| {
             self.is_periodic[axis].then_some(lengths[axis])

@@ -1,7 +1,7 @@
 //! The folder of a run's frames, filled and thinned while it runs.
 
 use super::{Bodies, FEWEST, Frame, spacing};
-use crate::record::{WriteError, is_unfinished, write_atomically, write_atomically_there};
+use crate::record::{RecordError, is_unfinished, write_atomically, write_atomically_there};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -9,73 +9,6 @@ use std::path::{Path, PathBuf};
 const BODIES: &str = "bodies.json";
 /// File extension of a frame.
 const ENDING: &str = ".frame";
-/// Frames cannot be stored or read.
-///
-/// ```
-/// # use tribos::record::frames::{Bodies, FrameError, FrameFolder, Kind};
-/// # let bodies = Bodies {
-/// #     kind: Kind::Powder,
-/// #     scene: serde_json::json!({}),
-/// #     limit: 20,
-/// #     stride: 1,
-/// #     sides: [10.0; 2],
-/// #     periods: [Some(10.0), Some(10.0), None],
-/// #     radii: vec![1.0],
-/// #     materials: Vec::new(),
-/// #     densities: Vec::new(),
-/// #     layers: Vec::new(),
-/// #     parts: Vec::new(),
-/// #     marked: Vec::new(),
-/// # };
-/// # let home = tempfile::tempdir()?;
-/// # let path = home.path().join("frames");
-/// FrameFolder::begin(&path, &bodies)?;
-/// let missing = FrameFolder::read(&path, &bodies, 7);
-/// assert!(matches!(missing, Err(FrameError::Access { .. })));
-/// // A frame of which nothing but the first bytes is there.
-/// std::fs::write(path.join("000000000007.frame"), "TrFr")?;
-/// let short = FrameFolder::read(&path, &bodies, 7);
-/// assert!(matches!(short, Err(FrameError::Damaged(_))));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Debug, thiserror::Error)]
-pub enum FrameError {
-    /// A frame cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-    /// A file or the folder cannot be read or removed.
-    #[error("{}: {cause}", path.display())]
-    Access {
-        /// Path of the file or folder.
-        path: PathBuf,
-        /// Error of the operating system.
-        #[source]
-        cause: std::io::Error,
-    },
-    /// A file is damaged or of another run.
-    #[error(
-        "{} is damaged, of another run or of another version; run the scene again, with --anew if it was broken off",
-        .0.display()
-    )]
-    Damaged(PathBuf),
-    /// A required frame is missing.
-    #[error("{} is missing; run the scene again, with --anew if it was broken off", .0.display())]
-    Missing(PathBuf),
-    /// The folder contains frames of another limit.
-    #[error(
-        "{}: {kept} frames are kept there, not {given}; give `--frames {kept}`, or start anew with --anew",
-        path.display()
-    )]
-    Limit {
-        /// The folder.
-        path: PathBuf,
-        /// Number of frames that the run keeps.
-        kept: u64,
-        /// Number of frames that was requested.
-        given: u64,
-    },
-}
-
 /// Frames of one run. New ones stay in memory until they must be on disk, as most are discarded
 /// again.
 ///
@@ -136,7 +69,7 @@ pub struct FrameFolder {
 
 impl FrameFolder {
     /// An empty folder for the frames of these bodies; frames of an earlier run are removed.
-    pub fn begin(path: &Path, bodies: &Bodies) -> Result<Self, FrameError> {
+    pub fn begin(path: &Path, bodies: &Bodies) -> Result<Self, RecordError> {
         Self::clear(path)?;
         write_atomically(&path.join(BODIES), bodies.text().as_bytes())?;
         Ok(Self::of(path, bodies))
@@ -144,7 +77,7 @@ impl FrameFolder {
 
     /// The folder of a run resumed after this many steps; `None` if it has no frames. Refuses damaged and missing
     /// frames: the run would not make them again.
-    pub fn resume(path: &Path, after: u64) -> Result<Option<Self>, FrameError> {
+    pub fn resume(path: &Path, after: u64) -> Result<Option<Self>, RecordError> {
         let steps = if path.exists() {
             there(path)?
         } else {
@@ -153,7 +86,7 @@ impl FrameFolder {
         let Some(bodies) = Self::bodies(path)? else {
             return match steps[..] {
                 [] => Ok(None),
-                _ => Err(FrameError::Missing(path.join(BODIES))),
+                _ => Err(RecordError::Missing(path.join(BODIES))),
             };
         };
         for step in &steps {
@@ -183,7 +116,7 @@ impl FrameFolder {
     }
 
     /// Removes frames, if there are any, and the folder if nothing else is in it.
-    pub fn clear(path: &Path) -> Result<(), FrameError> {
+    pub fn clear(path: &Path) -> Result<(), RecordError> {
         if !path.exists() {
             return Ok(());
         }
@@ -213,7 +146,7 @@ impl FrameFolder {
 
     /// Writes all frames so far to disk, except those no longer wanted. Call it before each
     /// checkpoint: a resumed run does not make earlier frames again.
-    pub fn save(&mut self) -> Result<(), FrameError> {
+    pub fn save(&mut self) -> Result<(), RecordError> {
         for (step, bytes) in std::mem::take(&mut self.held) {
             write_atomically_there(&file(&self.path, step), &bytes)?;
         }
@@ -226,7 +159,7 @@ impl FrameFolder {
     }
 
     /// Adds the last state, wanted or not, and writes all frames.
-    pub fn finish(mut self, frame: &Frame) -> Result<(), FrameError> {
+    pub fn finish(mut self, frame: &Frame) -> Result<(), RecordError> {
         self.thin(frame.step);
         // Frames from steps after the last checkpoint of an interrupted run.
         remove_where(&self.path, |step| step > frame.step)?;
@@ -244,7 +177,7 @@ impl FrameFolder {
     }
 
     /// The data that the frames of a folder share; `None` if there are no frames.
-    pub fn bodies(path: &Path) -> Result<Option<Bodies>, FrameError> {
+    pub fn bodies(path: &Path) -> Result<Option<Bodies>, RecordError> {
         let file = path.join(BODIES);
         let text = match std::fs::read_to_string(&file) {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
@@ -252,13 +185,13 @@ impl FrameFolder {
         };
         match Bodies::parse(&text) {
             Some(bodies) => Ok(Some(bodies)),
-            None => Err(FrameError::Damaged(file)),
+            None => Err(RecordError::Damaged(file)),
         }
     }
 
     /// Steps of the existing frames, in order. Refuses a gap: the number of steps determines which
     /// frames are kept.
-    pub fn steps(path: &Path) -> Result<Vec<u64>, FrameError> {
+    pub fn steps(path: &Path) -> Result<Vec<u64>, RecordError> {
         let steps = there(path)?;
         if let (Some(bodies), Some(&last)) = (Self::bodies(path)?, steps.last()) {
             refuse_gap(path, &bodies, &steps, (last, last))?;
@@ -267,13 +200,13 @@ impl FrameFolder {
     }
 
     /// Reads the frame of a step and checks its number of bodies.
-    pub fn read(path: &Path, bodies: &Bodies, step: u64) -> Result<Frame, FrameError> {
+    pub fn read(path: &Path, bodies: &Bodies, step: u64) -> Result<Frame, RecordError> {
         let file = file(path, step);
         let bytes = std::fs::read(&file).map_err(|cause| access(&file, cause))?;
         let frame = Frame::parse(&bytes, bodies.run());
         frame
             .filter(|frame| frame.step == step && frame.places.len() == bodies.radii.len())
-            .ok_or(FrameError::Damaged(file))
+            .ok_or(RecordError::Damaged(file))
     }
 }
 
@@ -282,15 +215,15 @@ fn file(path: &Path, step: u64) -> PathBuf {
     path.join(format!("{step:012}{ENDING}"))
 }
 
-fn access(path: &Path, cause: std::io::Error) -> FrameError {
-    FrameError::Access {
+fn access(path: &Path, cause: std::io::Error) -> RecordError {
+    RecordError::Access {
         path: path.to_path_buf(),
         cause,
     }
 }
 
 /// Names of all files in a folder that are readable as text.
-fn names(path: &Path) -> Result<Vec<String>, FrameError> {
+fn names(path: &Path) -> Result<Vec<String>, RecordError> {
     let fail = |cause| access(path, cause);
     let mut names = Vec::new();
     for entry in std::fs::read_dir(path).map_err(fail)? {
@@ -300,7 +233,7 @@ fn names(path: &Path) -> Result<Vec<String>, FrameError> {
 }
 
 /// Steps of the frames in a folder, in order.
-fn there(path: &Path) -> Result<Vec<u64>, FrameError> {
+fn there(path: &Path) -> Result<Vec<u64>, RecordError> {
     let mut steps: Vec<u64> = names(path)?.iter().filter_map(|name| step(name)).collect();
     steps.sort_unstable();
     Ok(steps)
@@ -312,11 +245,11 @@ fn refuse_gap(
     bodies: &Bodies,
     steps: &[u64],
     (newest, end): (u64, u64),
-) -> Result<(), FrameError> {
+) -> Result<(), RecordError> {
     let apart = spacing(newest / bodies.stride, bodies.limit).saturating_mul(bodies.stride);
     let mut kept = (0..=end).step_by(usize::try_from(apart).unwrap_or(usize::MAX));
     match kept.find(|wanted| steps.binary_search(wanted).is_err()) {
-        Some(wanted) => Err(FrameError::Missing(file(path, wanted))),
+        Some(wanted) => Err(RecordError::Missing(file(path, wanted))),
         None => Ok(()),
     }
 }
@@ -327,7 +260,7 @@ fn step(name: &str) -> Option<u64> {
 }
 
 /// Removes the frames of some steps, and half-written files of a killed run.
-fn remove_where(path: &Path, is_old: impl Fn(u64) -> bool) -> Result<(), FrameError> {
+fn remove_where(path: &Path, is_old: impl Fn(u64) -> bool) -> Result<(), RecordError> {
     for name in names(path)? {
         if is_unfinished(&name) || step(&name).is_some_and(&is_old) {
             remove(&path.join(name))?;
@@ -337,7 +270,7 @@ fn remove_where(path: &Path, is_old: impl Fn(u64) -> bool) -> Result<(), FrameEr
 }
 
 /// Removes a file, if it is there.
-fn remove(file: &Path) -> Result<(), FrameError> {
+fn remove(file: &Path) -> Result<(), RecordError> {
     match std::fs::remove_file(file) {
         Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(access(file, error)),
         _ => Ok(()),
@@ -447,14 +380,14 @@ mod tests {
             std::fs::rename(&gone, &kept)?;
             let refused = FrameFolder::resume(&path, 30).map(|_| ());
             assert!(
-                matches!(&refused, Err(FrameError::Missing(missing)) if *missing == gone),
+                matches!(&refused, Err(RecordError::Missing(missing)) if *missing == gone),
                 "{step}: {refused:?}"
             );
             std::fs::rename(&kept, &gone)?;
         }
         std::fs::remove_file(path.join(BODIES))?;
         let refused = FrameFolder::resume(&path, 30);
-        assert!(matches!(refused, Err(FrameError::Missing(_))));
+        assert!(matches!(refused, Err(RecordError::Missing(_))));
         Ok(())
     }
 
@@ -472,10 +405,10 @@ mod tests {
         assert_eq!(FrameFolder::read(&path, &given, 3)?.step, 3);
         std::fs::write(path.join("000000000004.frame"), "TrFr")?;
         let refused = FrameFolder::read(&path, &given, 4);
-        assert!(matches!(refused, Err(FrameError::Damaged(_))));
+        assert!(matches!(refused, Err(RecordError::Damaged(_))));
         // A run does not go on beside it.
         let refused = FrameFolder::resume(&path, 3);
-        assert!(matches!(refused, Err(FrameError::Damaged(_))));
+        assert!(matches!(refused, Err(RecordError::Damaged(_))));
         // A frame of the same step from another run, and one that is not there.
         let other = home.path().join("other");
         let scene = serde_json::json!({"lambda": 0.03});
@@ -490,16 +423,16 @@ mod tests {
         film.finish(&frame(2))?;
         std::fs::copy(file(&other, 2), file(&path, 2))?;
         let refused = FrameFolder::read(&path, &given, 2);
-        assert!(matches!(refused, Err(FrameError::Damaged(_))));
+        assert!(matches!(refused, Err(RecordError::Damaged(_))));
         std::fs::remove_file(file(&path, 0))?;
         assert!(matches!(
             FrameFolder::steps(&path),
-            Err(FrameError::Missing(_))
+            Err(RecordError::Missing(_))
         ));
         std::fs::write(path.join(BODIES), "{}")?;
         assert!(matches!(
             FrameFolder::bodies(&path),
-            Err(FrameError::Damaged(_))
+            Err(RecordError::Damaged(_))
         ));
         // Other people's files stay.
         std::fs::write(path.join("notes.txt"), "mine")?;

@@ -47,7 +47,7 @@ mod xyz;
 
 pub use state::{Column, Side, State, Values};
 
-use super::{AtomicFile, WriteError, write_atomically};
+use super::{AtomicFile, RecordError, write_atomically};
 use std::path::{Path, PathBuf};
 
 /// File formats of other programs.
@@ -95,7 +95,7 @@ pub struct Trajectory {
 impl Trajectory {
     /// Begins the files in a folder, which is created if missing; files of an earlier export in the
     /// same format are replaced.
-    pub fn begin(folder: &Path, format: Format) -> Result<Self, WriteError> {
+    pub fn begin(folder: &Path, format: Format) -> Result<Self, RecordError> {
         let mut file = AtomicFile::begin(&folder.join(format.file()))?;
         if format == Format::Vtk {
             remove_states(&folder.join(STATES))?;
@@ -110,7 +110,7 @@ impl Trajectory {
     }
 
     /// Writes a state.
-    pub fn add(&mut self, state: &State) -> Result<(), WriteError> {
+    pub fn add(&mut self, state: &State) -> Result<(), RecordError> {
         self.states += 1;
         match self.format {
             Format::Xyz => self.file.add(xyz::frame(state).as_bytes()),
@@ -129,7 +129,7 @@ impl Trajectory {
     }
 
     /// Completes the files; returns the one to open.
-    pub fn finish(mut self) -> Result<PathBuf, WriteError> {
+    pub fn finish(mut self) -> Result<PathBuf, RecordError> {
         if self.format == Format::Vtk {
             self.file.add(vtp::COLLECTION_END.as_bytes())?;
         }
@@ -139,8 +139,8 @@ impl Trajectory {
 }
 
 /// Removes the states of an earlier collection, whose names are numbers.
-fn remove_states(folder: &Path) -> Result<(), WriteError> {
-    let fail = |cause| WriteError {
+fn remove_states(folder: &Path) -> Result<(), RecordError> {
+    let fail = |cause| RecordError::Write {
         path: folder.to_path_buf(),
         cause,
     };
@@ -151,7 +151,7 @@ fn remove_states(folder: &Path) -> Result<(), WriteError> {
     for entry in entries {
         let path = entry.map_err(fail)?.path();
         if is_state(&path) {
-            std::fs::remove_file(&path).map_err(|cause| WriteError { path, cause })?;
+            std::fs::remove_file(&path).map_err(|cause| RecordError::Write { path, cause })?;
         }
     }
     Ok(())

@@ -2,7 +2,7 @@
 //!
 //! The operating system releases the lock when the process ends for any reason, so there are no stale locks.
 
-use super::FolderError;
+use crate::record::RecordError;
 use crate::run::program;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{Read, Seek, Write};
@@ -44,22 +44,22 @@ pub enum LockOutcome {
 
 impl Lock {
     /// Locks a folder, which is created if missing.
-    pub fn take(folder: &Path, sharing: LockMode) -> Result<Self, FolderError> {
+    pub fn take(folder: &Path, sharing: LockMode) -> Result<Self, RecordError> {
         match Self::attempt(folder, sharing)? {
             LockOutcome::Taken(lock) => Ok(lock),
-            LockOutcome::InUse(told) => Err(FolderError::Refused(format!(
+            LockOutcome::InUse(told) => Err(RecordError::Refused(format!(
                 "{told}; wait for it, or give another --out"
             ))),
         }
     }
 
     /// Locks a folder, which is created if missing, unless another process holds the lock.
-    pub fn attempt(folder: &Path, sharing: LockMode) -> Result<LockOutcome, FolderError> {
+    pub fn attempt(folder: &Path, sharing: LockMode) -> Result<LockOutcome, RecordError> {
         let path = folder.join(NAME);
-        let fail = |error| FolderError::access("lock", folder, error);
+        let fail = |error| RecordError::lost("lock", folder, error);
         if folder.exists() && !folder.is_dir() {
             let name = folder.display();
-            return Err(FolderError::Refused(format!(
+            return Err(RecordError::Refused(format!(
                 "{name} is a file; give a folder for the results"
             )));
         }
@@ -105,11 +105,11 @@ impl Lock {
 
     /// Call this before writing: it fails if the folder at this path is not the one that was locked.
     /// In that case it was moved or deleted, or the lock was removed, and another command may use it.
-    pub fn check(&self) -> Result<(), FolderError> {
+    pub fn check(&self) -> Result<(), RecordError> {
         if self.is_own() {
             return Ok(());
         }
-        Err(FolderError::Access(format!(
+        Err(RecordError::Lost(format!(
             "{0} was moved or deleted while this command worked in it, or its file {NAME} was; \
              nothing more is written there\n  Leave the folder of a command where it is until the \
              command ends, and give the command again.",
@@ -273,7 +273,7 @@ mod tests {
         let home = tempfile::tempdir()?;
         let folder = home.path().join("out");
         let alone = Lock::take(&folder, LockMode::Alone)?;
-        let Err(FolderError::Refused(told)) = Lock::take(&folder, LockMode::Shared) else {
+        let Err(RecordError::Refused(told)) = Lock::take(&folder, LockMode::Shared) else {
             unreachable!("locked");
         };
         let process = format!("process {}", std::process::id());
@@ -303,7 +303,7 @@ mod tests {
         let lock = Lock::take(&folder, LockMode::Alone)?;
         lock.check()?;
         std::fs::rename(&folder, home.path().join("moved"))?;
-        assert!(matches!(lock.check(), Err(FolderError::Access(_))));
+        assert!(matches!(lock.check(), Err(RecordError::Lost(_))));
         // The lock of another command there stays when this one ends.
         let other = Lock::take(&folder, LockMode::Alone)?;
         assert!(lock.check().is_err());

@@ -1,7 +1,7 @@
 //! `tribos.json`: which command wrote which files.
 
 use super::Contents;
-use super::FolderError;
+use crate::record::RecordError;
 use crate::record::{digest, read_text, verified, with_digest, write_atomically_there};
 use serde_json::{Map, Value};
 use std::path::{Component, Path};
@@ -50,16 +50,16 @@ impl Manifest {
     }
 
     /// Reads the manifest of a folder, if there is one.
-    pub fn read(folder: &Path) -> Result<Option<Self>, FolderError> {
+    pub fn read(folder: &Path) -> Result<Option<Self>, RecordError> {
         let file = folder.join(NAME);
         let text = match read_text(&file, MOST_BYTES) {
             Err(error) if error.is_missing() => return Ok(None),
             text => text.map_err(|error| {
-                FolderError::Refused(format!("cannot read {}: {error}", file.display()))
+                RecordError::Refused(format!("cannot read {}: {error}", file.display()))
             })?,
         };
         Self::parse(&text).map(Some).ok_or_else(|| {
-            FolderError::Refused(format!(
+            RecordError::Refused(format!(
                 "{} is damaged or of another version, so that nobody knows which files beside it \
                  tribos wrote; empty the folder, or give another one",
                 file.display()
@@ -85,7 +85,7 @@ impl Manifest {
     }
 
     /// Writes the manifest to the folder.
-    pub fn write(&self, folder: &Path) -> Result<(), FolderError> {
+    pub fn write(&self, folder: &Path) -> Result<(), RecordError> {
         // Sorted, so that the order does not depend on interruptions.
         let mut files = self.files.clone();
         files.sort();
@@ -97,18 +97,15 @@ impl Manifest {
             ("files".to_owned(), files.into()),
             ("digests".to_owned(), self.digests.clone().into()),
         ]);
-        Ok(write_atomically_there(
-            &folder.join(NAME),
-            with_digest(map).as_bytes(),
-        )?)
+        write_atomically_there(&folder.join(NAME), with_digest(map).as_bytes())
     }
 
     /// Records the digests of files.
-    pub fn seal(&mut self, folder: &Path, names: &[&str]) -> Result<(), FolderError> {
+    pub fn seal(&mut self, folder: &Path, names: &[&str]) -> Result<(), RecordError> {
         for &name in names {
             let file = folder.join(name);
             let bytes =
-                std::fs::read(&file).map_err(|error| FolderError::access("read", &file, error))?;
+                std::fs::read(&file).map_err(|error| RecordError::lost("read", &file, error))?;
             self.digests.insert(name.into(), digits(&bytes).into());
         }
         Ok(())

@@ -4,18 +4,16 @@
 //! there removes the files named there, and nothing else; it never replaces other files. While a command works
 //! it holds a lock that names it to others. The next command removes half-written files of a killed one.
 
-mod error;
 mod lock;
 mod manifest;
 mod overwrite_guard;
 
-pub use error::FolderError;
 pub use lock::{Lock, LockMode, LockOutcome};
 pub use manifest::Manifest;
 pub use overwrite_guard::{InterruptedRunPolicy, is_finished};
 
 use crate::record::frames::FrameFolder;
-use crate::record::{is_unfinished, write_atomically_there};
+use crate::record::{RecordError, is_unfinished, write_atomically_there};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -58,18 +56,18 @@ pub struct OutputFolder {
 
 impl OutputFolder {
     /// The folder for a new result, created if missing; files of an earlier result are removed.
-    pub fn begin(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
+    pub fn begin(path: &Path, contents: &Contents<'_>) -> Result<Self, RecordError> {
         let lock = Lock::take(path, LockMode::Alone)?;
         Self::claim(lock, contents, |_| false)
     }
 
     /// The folder of the same command and subject, whose files are kept, or else a folder for a new result.
-    pub fn reopen(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
+    pub fn reopen(path: &Path, contents: &Contents<'_>) -> Result<Self, RecordError> {
         Self::reopen_locked(Lock::take(path, LockMode::Alone)?, contents)
     }
 
     /// The same for a folder that is already locked.
-    pub fn reopen_locked(lock: Lock, contents: &Contents<'_>) -> Result<Self, FolderError> {
+    pub fn reopen_locked(lock: Lock, contents: &Contents<'_>) -> Result<Self, RecordError> {
         Self::claim(lock, contents, |old| {
             old.command == contents.command && old.about == contents.about
         })
@@ -77,7 +75,7 @@ impl OutputFolder {
 
     /// Finishes the folder of a command that was killed after its last result: half-written files go, and the manifest
     /// names the existing files.
-    pub fn tidy(lock: Lock) -> Result<(), FolderError> {
+    pub fn tidy(lock: Lock) -> Result<(), RecordError> {
         remove_unfinished(lock.folder())?;
         let lock = Arc::new(lock);
         Self { lock }.trim()
@@ -87,7 +85,7 @@ impl OutputFolder {
         lock: Lock,
         contents: &Contents<'_>,
         stays: impl FnOnce(&Manifest) -> bool,
-    ) -> Result<Self, FolderError> {
+    ) -> Result<Self, RecordError> {
         let path = lock.folder();
         let old = Manifest::read(path)?;
         let names = old.as_ref().map_or(&[][..], |old| &old.files);
@@ -130,25 +128,25 @@ impl OutputFolder {
     }
 
     /// Call this before writing results: it fails if the folder now belongs to another command.
-    pub fn check(&self) -> Result<(), FolderError> {
+    pub fn check(&self) -> Result<(), RecordError> {
         self.lock.check()
     }
 
     /// Writes a file that the manifest names, if the folder still belongs to this command.
-    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), RecordError> {
         self.check()?;
         write_atomically_there(&self.path().join(name), bytes)
-            .map_err(|error| self.check().err().unwrap_or_else(|| error.into()))
+            .map_err(|error| self.check().err().unwrap_or(error))
     }
 
     /// Adds names to the manifest; call it before writing files that were not named at the start.
-    pub fn add(&self, names: &[&str]) -> Result<(), FolderError> {
+    pub fn add(&self, names: &[&str]) -> Result<(), RecordError> {
         self.check()?;
         add(self.path(), names)
     }
 
     /// Removes the files of the manifest that `is_meant` selects.
-    pub fn remove(&self, is_meant: impl Fn(&str) -> bool) -> Result<(), FolderError> {
+    pub fn remove(&self, is_meant: impl Fn(&str) -> bool) -> Result<(), RecordError> {
         self.check()?;
         let Some(mut manifest) = Manifest::read(self.path())? else {
             return Ok(());
@@ -161,7 +159,7 @@ impl OutputFolder {
     }
 
     /// Records the digests of files that others rely on; call it before writing the summary.
-    pub fn seal(&self, names: &[&str]) -> Result<(), FolderError> {
+    pub fn seal(&self, names: &[&str]) -> Result<(), RecordError> {
         self.check()?;
         let Some(mut manifest) = Manifest::read(self.path())? else {
             return Ok(());
@@ -171,7 +169,7 @@ impl OutputFolder {
     }
 
     /// Removes files that were not written from the manifest.
-    fn trim(&self) -> Result<(), FolderError> {
+    fn trim(&self) -> Result<(), RecordError> {
         self.check()?;
         let Some(manifest) = Manifest::read(self.path())? else {
             return Ok(());
@@ -198,9 +196,9 @@ impl Drop for OutputFolder {
 }
 
 /// Adds names to the manifest of a folder, before files of these names are written there.
-pub fn add(path: &Path, names: &[&str]) -> Result<(), FolderError> {
+pub fn add(path: &Path, names: &[&str]) -> Result<(), RecordError> {
     let Some(mut manifest) = Manifest::read(path)? else {
-        return Err(FolderError::Access(format!(
+        return Err(RecordError::Lost(format!(
             "{} is gone",
             path.join(manifest::NAME).display()
         )));
@@ -213,13 +211,13 @@ pub fn add(path: &Path, names: &[&str]) -> Result<(), FolderError> {
 }
 
 /// Refuses to replace files that no tribos command wrote in this folder.
-fn refuse_foreign_files(path: &Path, files: &[&str], known: &[String]) -> Result<(), FolderError> {
+fn refuse_foreign_files(path: &Path, files: &[&str], known: &[String]) -> Result<(), RecordError> {
     for file in files {
         if known.iter().any(|name| name == file) {
             continue;
         }
         if let Some(there) = matching(path, file)?.into_iter().next() {
-            return Err(FolderError::Refused(format!(
+            return Err(RecordError::Refused(format!(
                 "{} is there, and {} does not say that tribos wrote it; move it away, or give \
                  another --out",
                 there.display(),
@@ -231,9 +229,9 @@ fn refuse_foreign_files(path: &Path, files: &[&str], known: &[String]) -> Result
 }
 
 /// Removes the files that a name in a manifest denotes.
-fn remove(path: &Path, name: &str) -> Result<(), FolderError> {
+fn remove(path: &Path, name: &str) -> Result<(), RecordError> {
     if let Some(folder) = name.strip_suffix('/') {
-        return Ok(FrameFolder::clear(&path.join(folder))?);
+        return FrameFolder::clear(&path.join(folder));
     }
     for file in matching(path, name)? {
         remove_file(&file)?;
@@ -246,7 +244,7 @@ fn remove(path: &Path, name: &str) -> Result<(), FolderError> {
 }
 
 /// Files of a folder that a name denotes.
-fn matching(path: &Path, name: &str) -> Result<Vec<PathBuf>, FolderError> {
+fn matching(path: &Path, name: &str) -> Result<Vec<PathBuf>, RecordError> {
     if let Some(folder) = name.strip_suffix('/') {
         let frames = path.join(folder);
         let bodies = frames.join("bodies.json");
@@ -284,7 +282,7 @@ fn matching(path: &Path, name: &str) -> Result<Vec<PathBuf>, FolderError> {
 }
 
 /// Removes half-written files of killed commands, here and among the frames.
-pub fn remove_unfinished(path: &Path) -> Result<(), FolderError> {
+pub fn remove_unfinished(path: &Path) -> Result<(), RecordError> {
     for folder in [path.to_owned(), path.join("frames")] {
         if !folder.is_dir() {
             continue;
@@ -296,8 +294,8 @@ pub fn remove_unfinished(path: &Path) -> Result<(), FolderError> {
     Ok(())
 }
 
-fn names(folder: &Path) -> Result<Vec<String>, FolderError> {
-    let fail = |error| FolderError::access("read", folder, error);
+fn names(folder: &Path) -> Result<Vec<String>, RecordError> {
+    let fail = |error| RecordError::lost("read", folder, error);
     let mut names = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(fail)? {
         names.extend(entry.map_err(fail)?.file_name().into_string().ok());
@@ -306,9 +304,9 @@ fn names(folder: &Path) -> Result<Vec<String>, FolderError> {
 }
 
 /// Removes a file if it exists.
-pub fn remove_file(file: &Path) -> Result<(), FolderError> {
+pub fn remove_file(file: &Path) -> Result<(), RecordError> {
     match std::fs::remove_file(file) {
-        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(FolderError::Access(
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(RecordError::Lost(
             format!("cannot remove {}: {error}", file.display()),
         )),
         _ => Ok(()),

@@ -1,7 +1,7 @@
 //! Protection of results that took long to compute.
 
-use super::FolderError;
 use super::{Contents, Manifest};
+use crate::record::RecordError;
 use crate::record::frames::Kind;
 use std::path::Path;
 
@@ -30,11 +30,11 @@ pub fn refuse_overwrite(
     path: &Path,
     old: &Manifest,
     new: &Contents<'_>,
-) -> Result<(), FolderError> {
+) -> Result<(), RecordError> {
     let name = path.display();
     let is_other = old.command != new.command;
     let held = || {
-        FolderError::Refused(format!(
+        RecordError::Refused(format!(
             "{name} holds the results of `tribos {}`; give another --out, or remove {name}",
             old.command
         ))
@@ -49,13 +49,13 @@ pub fn refuse_overwrite(
     }
     let is_broken = path.join("checkpoint.json").exists() && !is_finished(path);
     match (is_other, is_broken) {
-        (true, true) => Err(FolderError::Refused(format!(
+        (true, true) => Err(RecordError::Refused(format!(
             "{name} holds a run that was broken off and can go on; give another --out, or remove \
              {name}"
         ))),
         (true, false) if is_finished(path) => Err(held()),
         (false, true) if new.broken == InterruptedRunPolicy::Kept => {
-            Err(FolderError::Refused(format!(
+            Err(RecordError::Refused(format!(
                 "{name} holds a run that was broken off; go on with its own command and --resume, give \
              another --out, or take it away and start with --anew"
             )))

@@ -48,7 +48,7 @@ fn files_of_somebody_else_are_not_replaced() -> Outcome {
     let out = home.path();
     write(out.join("summary.json"), "mine")?;
     let refused = OutputFolder::begin(out, &contents("run", &["summary.json"]));
-    let Err(FolderError::Refused(told)) = refused else {
+    let Err(RecordError::Refused(told)) = refused else {
         unreachable!("a stranger's file");
     };
     assert!(told.contains("summary.json is there"), "{told}");

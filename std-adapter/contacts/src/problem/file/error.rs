@@ -2,31 +2,6 @@
 
 use super::super::ProblemError;
 use std::fmt;
-use std::path::PathBuf;
-
-/// A file of a contact problem could not be read or written.
-///
-/// ```
-/// use tribos::problem::{FilePosition, ContactProblem};
-/// let home = tempfile::tempdir()?;
-/// let path = home.path().join("fall.dat");
-/// std::fs::write(&path, "3\n1\n0\n3 x")?;
-/// let error = ContactProblem::read(&path).unwrap_err();
-/// assert!(matches!(error.place, FilePosition::Line(4)));
-/// assert!(error.to_string().contains("fall.dat, line 4: the number of rows is 3, not at most 2"));
-/// # Ok::<(), std::io::Error>(())
-/// ```
-#[derive(Debug, thiserror::Error)]
-#[error("{}{place}: {fault}", path.display())]
-pub struct ProblemFileError {
-    /// Path of the file.
-    pub path: PathBuf,
-    /// Where in the file.
-    pub place: FilePosition,
-    /// What is wrong there, and what would be valid.
-    #[source]
-    pub fault: Box<Fault>,
-}
 
 /// A fault and its place, before the file's path is known.
 pub(super) type LocatedFault = (FilePosition, Fault);

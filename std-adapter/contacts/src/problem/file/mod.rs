@@ -6,7 +6,7 @@ mod siconos;
 #[cfg(test)]
 mod tests;
 
-pub use error::{Fault, FilePosition, ProblemFileError};
+pub use error::{Fault, FilePosition};
 
 use super::{ContactComponents, ContactThresholds, GlobalProblem, ProblemError, ReducedProblem};
 use std::path::Path;
@@ -64,14 +64,14 @@ impl ContactProblem {
     /// (`G`, `V`, `R`) are refused.
     ///
     /// # Errors
-    /// [`ProblemFileError`] if the file cannot be read, or is not a contact problem. Memory is bounded by a multiple
+    /// [`ProblemError`] if the file cannot be read, or is not a contact problem. Memory is bounded by a multiple
     /// of the file's size, whatever sizes it claims.
-    pub fn read(path: &Path) -> Result<Self, ProblemFileError> {
+    pub fn read(path: &Path) -> Result<Self, ProblemError> {
         let parsed = match std::fs::read(path) {
             Ok(bytes) => Self::parse(&bytes),
             Err(cause) => Err((FilePosition::File, Fault::Read(cause))),
         };
-        parsed.map_err(|(place, fault)| ProblemFileError {
+        parsed.map_err(|(place, fault)| ProblemError::File {
             path: path.to_path_buf(),
             place,
             fault: fault.into(),
@@ -91,17 +91,17 @@ impl ContactProblem {
     /// Writes a file; it is complete, or an earlier one at `path` is unchanged.
     ///
     /// # Errors
-    /// [`ProblemFileError`] if the format has no place for a law or a layout, or the file cannot be written.
-    pub fn write(&self, path: &Path, format: ProblemFormat) -> Result<(), ProblemFileError> {
+    /// [`ProblemError`] if the format has no place for a law or a layout, or the file cannot be written.
+    pub fn write(&self, path: &Path, format: ProblemFormat) -> Result<(), ProblemError> {
         let bytes = match format {
             ProblemFormat::FclibHdf5 => fclib::write(self),
             ProblemFormat::SiconosText => siconos::write(self).map(String::into_bytes),
         };
         let written = bytes.and_then(|bytes| {
             write_atomically(path, &bytes)
-                .map_err(|error| (FilePosition::File, Fault::Write(error.cause)))
+                .map_err(|error| (FilePosition::File, Fault::Write(error.into())))
         });
-        written.map_err(|(place, fault)| ProblemFileError {
+        written.map_err(|(place, fault)| ProblemError::File {
             path: path.to_path_buf(),
             place,
             fault: fault.into(),

@@ -5,7 +5,7 @@ use super::super::{
     SparseMatrix,
 };
 use super::super::{residual, solve};
-use super::{ContactProblem, Fault, FilePosition, ProblemFileError, ProblemFormat};
+use super::{ContactProblem, Fault, FilePosition, ProblemFormat};
 use std::path::Path;
 use tribos_base::random::Random;
 
@@ -103,12 +103,20 @@ fn written(problem: &ContactProblem, format: ProblemFormat) -> Vec<u8> {
     std::fs::read(path).unwrap()
 }
 
-fn parsed(bytes: &[u8]) -> Result<ContactProblem, ProblemFileError> {
-    ContactProblem::parse(bytes).map_err(|(place, fault)| ProblemFileError {
+fn parsed(bytes: &[u8]) -> Result<ContactProblem, ProblemError> {
+    ContactProblem::parse(bytes).map_err(|(place, fault)| ProblemError::File {
         path: "problem".into(),
         place,
         fault: fault.into(),
     })
+}
+
+/// Where a file is refused, and why.
+fn fault(error: ProblemError) -> (FilePosition, Fault) {
+    match error {
+        ProblemError::File { place, fault, .. } => (place, *fault),
+        other => unreachable!("{other}"),
+    }
 }
 
 fn refused(text: &str) -> String {
@@ -154,7 +162,7 @@ fn extensions_are_kept_in_hdf5_and_refused_in_text() {
         let error = problem
             .write(&path, ProblemFormat::SiconosText)
             .unwrap_err();
-        match *error.fault {
+        match fault(error).1 {
             Fault::Layout(size) => assert_eq!(size, layout.size()),
             Fault::NoPlace { contact, .. } => {
                 assert!(layout == ContactComponents::Space && contact == 1)
@@ -337,9 +345,12 @@ fn refusals_say_where_and_what_would_be_valid() {
         assert_eq!(refused(text), message);
     }
     let binary = parsed(&[0xff, 0xfe, 0]).unwrap_err();
-    assert!(matches!(*binary.fault, Fault::NeitherFormat));
+    assert!(matches!(fault(binary), (_, Fault::NeitherFormat)));
     let absent = ContactProblem::read(Path::new("/no/such/file")).unwrap_err();
-    assert!(matches!(*absent.fault, Fault::Read(_)) && absent.place == FilePosition::File);
+    assert!(matches!(
+        fault(absent),
+        (FilePosition::File, Fault::Read(_))
+    ));
 }
 
 #[test]

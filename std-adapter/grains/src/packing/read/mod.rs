@@ -10,9 +10,8 @@ use tribos_base::exchange::configuration::{Configuration, Format, recognised};
 use tribos_base::exchange::spheres::Spheres;
 use tribos_base::exchange::text::TextError;
 use tribos_base::exchange::{extended_xyz, lammps};
-use tribos_base::record::{CheckpointError, FrameError, ReadError, read_text};
-use tribos_base::space::pairs::NeighbourError;
-use tribos_base::space::{AXES, PeriodicBox, PeriodicBoxError};
+use tribos_base::record::{CheckpointError, RecordError, read_text};
+use tribos_base::space::{AXES, PeriodicBox, SpaceError};
 
 /// Largest size of a file in bytes: about ten million spheres as text.
 const MOST_BYTES: u64 = 4 << 30;
@@ -37,7 +36,7 @@ pub enum AssemblyError {
         file: String,
         /// The reason.
         #[source]
-        cause: ReadError,
+        cause: RecordError,
     },
     /// A line of the file is wrong.
     #[error("{file}: {cause}")]
@@ -58,7 +57,7 @@ pub enum AssemblyError {
     },
     /// Frames of a run cannot be read.
     #[error(transparent)]
-    Frames(#[from] FrameError),
+    Frames(#[from] RecordError),
     /// The file has no radii.
     #[error("{file}: line {line}: there are no radii; {cure}")]
     NoRadii {
@@ -69,23 +68,14 @@ pub enum AssemblyError {
         /// How to add them.
         cure: &'static str,
     },
-    /// The box of the file is invalid.
+    /// The box of the file is invalid, or its spheres do not fit the box.
     #[error("{file}: {cause}")]
-    Box {
+    Space {
         /// Name of the file.
         file: String,
         /// The reason.
         #[source]
-        cause: PeriodicBoxError,
-    },
-    /// Spheres of the file do not fit the box.
-    #[error("{file}: {cause}")]
-    Neighbours {
-        /// Name of the file.
-        file: String,
-        /// The reason.
-        #[source]
-        cause: NeighbourError,
+        cause: SpaceError,
     },
     /// Anything else that a file or folder lacks.
     #[error("{file}: {reason}")]
@@ -239,7 +229,7 @@ fn assembly(
         line: spheres.line,
         cure,
     })?;
-    let space = atoms.space().map_err(|cause| AssemblyError::Box {
+    let space = atoms.space().map_err(|cause| AssemblyError::Space {
         file: file.into(),
         cause,
     })?;
@@ -326,7 +316,7 @@ impl Assembly {
     ) -> Result<(), AssemblyError> {
         let before = self.space;
         let leans = periods[0].is_some() && periods[2].is_some();
-        let space = PeriodicBox::new(periods).map_err(|cause| AssemblyError::Box {
+        let space = PeriodicBox::new(periods).map_err(|cause| AssemblyError::Space {
             file: file.into(),
             cause,
         })?;

@@ -5,7 +5,7 @@ use crate::packing::mixed;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use nalgebra::Vector3;
-use tribos_base::space::{PeriodicBox, PeriodicBoxError};
+use tribos_base::space::{PeriodicBox, SpaceError};
 
 /// How to write a file that is read here.
 const CURE: &str = "in ParaView save it with Data Mode Ascii or Binary and Compressor Type None";
@@ -83,7 +83,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<Assembly, AssemblyError> {
     let densities = numbers("density", [f64::MIN_POSITIVE, f64::MAX])?;
     let cell = cell(&vtp).map_err(refused)?;
     let space = cell.map_or(Ok(PeriodicBox::OPEN), |cell| cell.space());
-    let space = space.map_err(|cause| AssemblyError::Box {
+    let space = space.map_err(|cause| AssemblyError::Space {
         file: file.into(),
         cause,
     })?;
@@ -110,7 +110,7 @@ struct Cell {
 }
 
 impl Cell {
-    fn space(&self) -> Result<PeriodicBox, PeriodicBoxError> {
+    fn space(&self) -> Result<PeriodicBox, SpaceError> {
         let period = |axis: usize| {
             let [low, high] = self.ends[axis];
             self.is_periodic[axis].then_some(high - low)

@@ -6,6 +6,7 @@ mod table;
 
 pub use radii::Radii;
 
+use crate::packing::SettingError;
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -39,7 +40,7 @@ const WIDEST_LOG_NORMAL: f64 = 1.0;
 /// assert_eq!(sizes.to_string(), "lognormal:0.3");
 /// let [low, high] = sizes.radii()?.bounds();
 /// assert!((high / low - 1.8_f64.exp()).abs() < 1e-12); // six standard deviations of the logarithm
-/// # Ok::<(), tribos::scene::SizesError>(())
+/// # Ok::<(), tribos::scene::SettingError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum SizeDistribution {
@@ -53,56 +54,12 @@ pub enum SizeDistribution {
     Table(PathBuf),
 }
 
-/// Why a distribution of radii is refused.
-///
-/// ```
-/// use tribos::scene::{SizeDistribution, SizesError};
-/// let wide: Result<SizeDistribution, SizesError> = "normal:0.5".parse();
-/// assert!(matches!(wide, Err(SizesError::Width { given, .. }) if given == 0.5));
-/// ```
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum SizesError {
-    /// The text names no distribution.
-    #[error(
-        "give \"uniform:0.2\", \"normal:0.1\", \"lognormal:0.3\" or \"table:FILE.csv\", not \"{0}\""
-    )]
-    Form(String),
-    /// The width of a distribution is out of its domain.
-    #[error("{name}: the width must be {valid}, not {given}")]
-    Width {
-        /// Name of the distribution.
-        name: &'static str,
-        /// Description of valid values.
-        valid: &'static str,
-        /// The rejected value.
-        given: f64,
-    },
-    /// A table cannot be read.
-    #[error("{file}: {reason}")]
-    File {
-        /// Name of the file.
-        file: String,
-        /// What is wrong, and what would be valid.
-        reason: String,
-    },
-    /// A line of a table is wrong.
-    #[error("{file}:{line}: {reason}")]
-    Line {
-        /// Name of the file.
-        file: String,
-        /// Line number, from 1.
-        line: usize,
-        /// What is wrong, and what would be valid.
-        reason: String,
-    },
-}
-
 impl SizeDistribution {
     /// What a message says would be valid.
     pub(crate) const FORMS: &'static str = "a distribution such as \"uniform:0.2\", \"normal:0.1\", \"lognormal:0.3\" or \"table:FILE.csv\"";
 
     /// The distribution, ready to be drawn from; reads the file of a table.
-    pub fn radii(&self) -> Result<Radii, SizesError> {
+    pub fn radii(&self) -> Result<Radii, SettingError> {
         self.check()?;
         match self {
             Self::Uniform(spread) => Ok(Radii::uniform(1.0 - spread, 1.0 + spread)),
@@ -117,7 +74,7 @@ impl SizeDistribution {
     }
 
     /// Refuses widths out of their domains.
-    fn check(&self) -> Result<(), SizesError> {
+    fn check(&self) -> Result<(), SettingError> {
         let (name, given, holds, valid) = match *self {
             Self::Uniform(s) => ("uniform", s, s < 1.0, "> 0 and < 1"),
             Self::Normal(s) => ("normal", s, s < WIDEST_NORMAL, "> 0 and < 1/3"),
@@ -127,7 +84,7 @@ impl SizeDistribution {
         if given > 0.0 && holds {
             Ok(())
         } else {
-            Err(SizesError::Width { name, valid, given })
+            Err(SettingError::Width { name, valid, given })
         }
     }
 }
@@ -156,10 +113,10 @@ impl fmt::Display for SizeDistribution {
 }
 
 impl FromStr for SizeDistribution {
-    type Err = SizesError;
+    type Err = SettingError;
 
-    fn from_str(text: &str) -> Result<Self, SizesError> {
-        let refused = || SizesError::Form(text.into());
+    fn from_str(text: &str) -> Result<Self, SettingError> {
+        let refused = || SettingError::Sizes(text.into());
         let (name, rest) = text.split_once(':').ok_or_else(refused)?;
         let rest = rest.trim();
         let width = || rest.parse::<f64>().map_err(|_| refused());

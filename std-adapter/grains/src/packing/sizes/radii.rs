@@ -12,7 +12,7 @@ use super::normal::{quantile, share};
 /// assert!((radii.at(0.5) - 1.0).abs() < 1e-15 && (radii.mean() - 1.0).abs() < 1e-15);
 /// let [low, high] = radii.bounds();
 /// assert!((low - 0.7).abs() < 1e-15 && (high - 1.3).abs() < 1e-15);
-/// # Ok::<(), tribos::scene::SizesError>(())
+/// # Ok::<(), tribos::scene::SettingError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Radii(Kind);

@@ -1,6 +1,6 @@
 //! Tables of radii and their weights.
 
-use super::SizesError;
+use crate::packing::SettingError;
 use tribos_base::record::{Rows, TableError};
 
 /// Columns of a table; weights are numbers of spheres.
@@ -26,10 +26,10 @@ pub(super) fn read(mut rows: Rows<'_>) -> Result<Vec<[f64; 2]>, TableError> {
 }
 
 /// The refusal with its place.
-pub(super) fn refused(error: TableError) -> SizesError {
+pub(super) fn refused(error: TableError) -> SettingError {
     match error {
-        TableError::Access { file, reason } => SizesError::File { file, reason },
-        TableError::Line { file, line, reason } => SizesError::Line {
+        TableError::Access { file, reason } => SettingError::File { file, reason },
+        TableError::Line { file, line, reason } => SettingError::Line {
             file,
             line: usize::try_from(line).unwrap_or(usize::MAX),
             reason,

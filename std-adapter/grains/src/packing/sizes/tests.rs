@@ -1,4 +1,4 @@
-use super::{Radii, SizeDistribution, SizesError, table};
+use super::{Radii, SettingError, SizeDistribution, table};
 use std::path::Path;
 use tribos_base::record::{OtherColumns, Rows};
 
@@ -68,7 +68,7 @@ fn quantiles_rise_from_bound_to_bound() {
     }
 }
 
-fn read(text: &str) -> Result<Vec<[f64; 2]>, SizesError> {
+fn read(text: &str) -> Result<Vec<[f64; 2]>, SettingError> {
     let (name, others) = (Path::new("t.csv"), OtherColumns::Refused);
     let rows = Rows::of(name, text.as_bytes(), others, |_| &table::COLUMNS);
     rows.and_then(table::read).map_err(table::refused)
@@ -116,7 +116,7 @@ fn refusals_name_file_line_and_what_would_be_valid() {
     for text in ["", "normal", "gamma:0.1", "table:", "uniform:x"] {
         assert_eq!(
             text.parse::<SizeDistribution>(),
-            Err(SizesError::Form(text.into())),
+            Err(SettingError::Sizes(text.into())),
             "{text:?}"
         );
     }
@@ -131,7 +131,7 @@ fn refusals_name_file_line_and_what_would_be_valid() {
         assert!(
             matches!(
                 text.parse::<SizeDistribution>(),
-                Err(SizesError::Width { .. })
+                Err(SettingError::Width { .. })
             ),
             "{text}"
         );

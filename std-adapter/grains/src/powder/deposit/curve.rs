@@ -1,6 +1,7 @@
 //! Porosity of ballistic deposits against the inverse capture radius (fig. 4.5).
 
-use super::{Ballistic, DepositError, DepositTarget};
+use super::{Ballistic, DepositTarget};
+use crate::packing::PlacementError;
 use tribos_base::statistics::statistics;
 
 /// Columns of the table; lengths in radii, standard deviations of single deposits.
@@ -30,7 +31,7 @@ pub struct PorosityCurve {
 
 impl PorosityCurve {
     /// Grows deposits on a base of `width`, with five seeds starting at `seed`.
-    pub fn new(width: f64, until: DepositTarget, seed: u64) -> Result<Self, DepositError> {
+    pub fn new(width: f64, until: DepositTarget, seed: u64) -> Result<Self, PlacementError> {
         let mut rows = Vec::new();
         for capture in CAPTURE_RADII {
             let ballistic = Ballistic::new(width, 1.0, capture)?;
@@ -73,7 +74,7 @@ impl Sample {
         ballistic: &Ballistic,
         until: DepositTarget,
         seeds: impl Iterator<Item = u64>,
-    ) -> Result<Self, DepositError> {
+    ) -> Result<Self, PlacementError> {
         let mut sample = Self {
             porosity: Vec::new(),
             bulk: Vec::new(),

@@ -1,7 +1,8 @@
 //! Growth of a deposit, sphere by sphere.
 
 use super::columns::{Columns, FallContact};
-use super::{Ballistic, Deposit, DepositError, DepositTarget, MOST_SPHERES, STREAM};
+use super::{Ballistic, Deposit, DepositTarget, MOST_SPHERES, STREAM};
+use crate::packing::PlacementError;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -26,7 +27,7 @@ impl Ballistic {
     /// *Domain*: a finite, positive height, a cut above the first sphere, at least one sphere.
     /// *Cost*: one to two microseconds per sphere; a million spheres take two seconds and 100 MB.
     /// *Accuracy*: distances of touching spheres to a few ulp of the coordinates.
-    pub fn grow(&self, until: DepositTarget, seed: u64) -> Result<Deposit, DepositError> {
+    pub fn grow(&self, until: DepositTarget, seed: u64) -> Result<Deposit, PlacementError> {
         self.grow_watched(until, seed, |_| ControlFlow::Continue(()))
     }
 
@@ -35,20 +36,21 @@ impl Ballistic {
     ///
     /// ```
     /// use std::ops::ControlFlow;
-    /// use tribos::powder::deposit::{Ballistic, DepositError, DepositTarget};
+    /// use tribos::powder::deposit::{Ballistic, DepositTarget};
+    /// use tribos::run::PlacementError;
     /// let wide = Ballistic::new(100.0, 1.0, 3.0)?;
     /// let stopped = wide.grow_watched(DepositTarget::Cut(1e9), 1, |spheres| {
     ///     if spheres < 5000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     /// });
-    /// assert_eq!(stopped, Err(DepositError::Stopped));
-    /// # Ok::<(), DepositError>(())
+    /// assert_eq!(stopped, Err(PlacementError::Stopped));
+    /// # Ok::<(), PlacementError>(())
     /// ```
     pub fn grow_watched(
         &self,
         until: DepositTarget,
         seed: u64,
         mut watch: impl FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<Deposit, DepositError> {
+    ) -> Result<Deposit, PlacementError> {
         let watch = &mut watch;
         match until {
             DepositTarget::Height(height) => {
@@ -69,12 +71,12 @@ impl Ballistic {
                 })?;
                 let low = whole.cut(height);
                 if low.positions.is_empty() {
-                    return Err(DepositError::Empty);
+                    return Err(PlacementError::Empty);
                 }
                 Ok(low)
             }
-            DepositTarget::Count(0) => Err(DepositError::Empty),
-            DepositTarget::Count(count) if count > MOST_SPHERES => Err(DepositError::TooMany),
+            DepositTarget::Count(0) => Err(PlacementError::Empty),
+            DepositTarget::Count(count) if count > MOST_SPHERES => Err(PlacementError::TooMany),
             DepositTarget::Count(count) => {
                 self.grow_while(seed, watch, |deposit| deposit.positions.len() < count)
             }
@@ -89,6 +91,7 @@ impl Ballistic {
     ///
     /// ```
     /// use tribos::powder::deposit::{Ballistic, DepositTarget};
+    /// use tribos::run::PlacementError;
     /// let small = Ballistic::new(20.0, 1.0, 3.0)?;
     /// let told = small.expected_spheres(DepositTarget::Cut(61.5));
     /// assert!((told / 470.0 - 1.0).abs() < 0.1); // the thesis' small system
@@ -114,7 +117,7 @@ impl Ballistic {
         seed: u64,
         watch: &mut impl FnMut(usize) -> ControlFlow<()>,
         mut goes_on: impl FnMut(&Deposit) -> bool,
-    ) -> Result<Deposit, DepositError> {
+    ) -> Result<Deposit, PlacementError> {
         let [_, largest] = self.radii.bounds();
         let farthest = 2.0 * largest + self.capture_gap();
         let mut columns = Columns::new(self.space, self.width, farthest, largest);
@@ -130,10 +133,10 @@ impl Ballistic {
         while goes_on(&deposit) {
             let index = deposit.positions.len();
             if index == MOST_SPHERES {
-                return Err(DepositError::TooMany);
+                return Err(PlacementError::TooMany);
             }
             if index.is_multiple_of(WATCHED) && watch(index).is_break() {
-                return Err(DepositError::Stopped);
+                return Err(PlacementError::Stopped);
             }
             let sphere = self.drop_one(&columns, &mut random);
             columns.insert(index as u32, sphere.position, sphere.radius);
@@ -196,11 +199,11 @@ impl Deposit {
 }
 
 /// Refuses heights that are not positive and finite.
-fn check_height(given: f64) -> Result<(), DepositError> {
+fn check_height(given: f64) -> Result<(), PlacementError> {
     if given.is_finite() && given > 0.0 {
         Ok(())
     } else {
-        Err(DepositError::NotPositive {
+        Err(PlacementError::NotPositive {
             name: "height",
             given,
         })

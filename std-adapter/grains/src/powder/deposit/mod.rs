@@ -5,7 +5,6 @@ mod contacts;
 #[doc(hidden)]
 pub mod curve;
 mod cut;
-mod error;
 mod grow;
 mod order;
 mod porosity;
@@ -14,10 +13,9 @@ mod porosity;
 pub use crate::packing::volume_between;
 #[doc(hidden)]
 pub use contacts::SUBSTRATE;
-pub use error::DepositError;
 pub use porosity::BULK;
 
-use crate::packing::Radii;
+use crate::packing::{PlacementError, Radii};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
 
@@ -38,9 +36,10 @@ pub const STREAM: u64 = 0;
 /// Largest number of spheres, for which about 4 GB of memory are sufficient.
 ///
 /// ```
-/// use tribos::powder::deposit::{Ballistic, DepositError, MOST_SPHERES, DepositTarget};
+/// use tribos::powder::deposit::{Ballistic, MOST_SPHERES, DepositTarget};
+/// use tribos::run::PlacementError;
 /// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(DepositTarget::Count(MOST_SPHERES + 1), 1);
-/// assert_eq!(deposit, Err(DepositError::TooMany));
+/// assert_eq!(deposit, Err(PlacementError::TooMany));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub const MOST_SPHERES: usize = 20_000_000;
@@ -139,7 +138,7 @@ pub struct Deposit {
 impl Ballistic {
     /// Equal spheres of `radius` on a base of `width` × `width`. *Domain*: all finite and
     /// positive, 2 radius ≤ `capture_radius` ≤ width/2.
-    pub fn new(width: f64, radius: f64, capture_radius: f64) -> Result<Self, DepositError> {
+    pub fn new(width: f64, radius: f64, capture_radius: f64) -> Result<Self, PlacementError> {
         Self::uneven(width, [radius; 2], capture_radius)
     }
 
@@ -152,10 +151,14 @@ impl Ballistic {
     /// assert!(deposit.radii.iter().all(|radius| (0.8..=1.2).contains(radius)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn uneven(width: f64, radii: [f64; 2], capture_radius: f64) -> Result<Self, DepositError> {
+    pub fn uneven(
+        width: f64,
+        radii: [f64; 2],
+        capture_radius: f64,
+    ) -> Result<Self, PlacementError> {
         let [low, high] = radii;
         if low > high {
-            return Err(DepositError::Radii { low, high });
+            return Err(PlacementError::Radii { low, high });
         }
         Self::sized(width, Radii::uniform(low, high), capture_radius)
     }
@@ -172,7 +175,7 @@ impl Ballistic {
     /// assert!(deposit.radii.iter().all(|radius| (low..=high).contains(radius)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn sized(width: f64, radii: Radii, capture_radius: f64) -> Result<Self, DepositError> {
+    pub fn sized(width: f64, radii: Radii, capture_radius: f64) -> Result<Self, PlacementError> {
         let [low, high] = radii.bounds();
         for (name, given) in [
             ("width", width),
@@ -181,19 +184,19 @@ impl Ballistic {
             ("capture radius", capture_radius),
         ] {
             if !given.is_finite() || given <= 0.0 {
-                return Err(DepositError::NotPositive { name, given });
+                return Err(PlacementError::NotPositive { name, given });
             }
         }
         let space = PeriodicBox::new([Some(width), Some(width), None])?;
         let least = radii.two_means();
         let farthest = 2.0 * high + (capture_radius - least);
         if capture_radius < least {
-            Err(DepositError::CaptureRadius {
+            Err(PlacementError::CaptureRadius {
                 given: capture_radius,
                 least,
             })
         } else if farthest > 0.5 * width {
-            Err(DepositError::Narrow { width, farthest })
+            Err(PlacementError::NarrowBase { width, farthest })
         } else {
             Ok(Self {
                 space,

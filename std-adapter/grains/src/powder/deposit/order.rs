@@ -68,7 +68,8 @@ fn key(place: &Vector3<f64>, cell: f64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::{LARGE, key};
-    use crate::powder::deposit::{Ballistic, Deposit, DepositError, DepositTarget};
+    use crate::packing::PlacementError;
+    use crate::powder::deposit::{Ballistic, Deposit, DepositTarget};
     use nalgebra::Vector3;
 
     /// Share of the parents in another thousand of numbers, and heights of all with their parents'.
@@ -89,7 +90,7 @@ mod tests {
 
     #[test]
     fn large_deposits_number_spheres_that_touch_closely_and_keep_their_parents()
-    -> Result<(), DepositError> {
+    -> Result<(), PlacementError> {
         let grown = Ballistic::new(150.0, 1.0, 3.0)?.grow(DepositTarget::Count(LARGE), 3)?;
         let (apart, heights) = describe(&grown);
         let (sorted_apart, sorted_heights) = describe(&grown.clone().numbered_for_run());
@@ -99,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn small_deposits_keep_the_order_of_arrival() -> Result<(), DepositError> {
+    fn small_deposits_keep_the_order_of_arrival() -> Result<(), PlacementError> {
         let grown = Ballistic::new(60.0, 1.0, 3.0)?.grow(DepositTarget::Count(LARGE - 1), 3)?;
         assert_eq!(grown.clone().numbered_for_run(), grown);
         Ok(())

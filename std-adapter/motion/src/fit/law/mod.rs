@@ -97,42 +97,46 @@ impl FromStr for FitLaw {
     }
 }
 
-/// The law as a model of these data: in its steady form, or with its state over time.
-///
-/// Over time the state follows the kernel's exact step through each interval at the mean of the
-/// velocities at its ends; it begins as in steady sliding at the first velocity, relaxed if that is
-/// zero.
-pub fn law_model<'a>(law: FitLaw, data: &'a Measurements) -> Result<Box<dyn Model + 'a>, FitError> {
-    const STATELESS: &str =
-        "this law has no memory: give steady friction, columns v,f, or fit lugre or rate-state";
-    let scales = DataRange::of(data);
-    Ok(match (law, data.motion()) {
-        (FitLaw::Stribeck, Motion::Steady { speeds }) => {
-            let speeds = Cow::Borrowed(speeds.as_slice());
-            Box::new(stribeck::Steady { speeds, scales })
-        }
-        (FitLaw::Power, Motion::Steady { speeds }) => Box::new(power::Steady::new(data, speeds)),
-        (FitLaw::LuGre, Motion::Steady { speeds }) => {
-            let speeds = Cow::Borrowed(speeds.as_slice());
-            Box::new(lugre::Steady { speeds, scales })
-        }
-        (FitLaw::LuGre, Motion::Series { times, velocities }) => {
-            Box::new(lugre::Series::new(data, times, velocities))
-        }
-        (FitLaw::RateState | FitLaw::RateStateSlip, Motion::Steady { speeds }) => {
-            let speeds = Cow::Borrowed(speeds.as_slice());
-            Box::new(rate_state::Steady { speeds, scales })
-        }
-        (FitLaw::RateState, Motion::Series { times, velocities }) => Box::new(
-            rate_state::Series::<AgeingLaw>::new(data, times, velocities)?,
-        ),
-        (FitLaw::RateStateSlip, Motion::Series { times, velocities }) => {
-            Box::new(rate_state::Series::<SlipLaw>::new(data, times, velocities)?)
-        }
-        (FitLaw::Stribeck | FitLaw::Power, Motion::Series { .. }) => {
-            return Err(FitError::Form(STATELESS));
-        }
-    })
+impl FitLaw {
+    /// The law as a model of these data: in its steady form, or with its state over time.
+    ///
+    /// Over time the state follows the kernel's exact step through each interval at the mean of the
+    /// velocities at its ends; it begins as in steady sliding at the first velocity, relaxed if that is
+    /// zero.
+    pub fn model(self, data: &Measurements) -> Result<Box<dyn Model + '_>, FitError> {
+        const STATELESS: &str =
+            "this law has no memory: give steady friction, columns v,f, or fit lugre or rate-state";
+        let scales = DataRange::of(data);
+        Ok(match (self, data.motion()) {
+            (FitLaw::Stribeck, Motion::Steady { speeds }) => {
+                let speeds = Cow::Borrowed(speeds.as_slice());
+                Box::new(stribeck::Steady { speeds, scales })
+            }
+            (FitLaw::Power, Motion::Steady { speeds }) => {
+                Box::new(power::Steady::new(data, speeds))
+            }
+            (FitLaw::LuGre, Motion::Steady { speeds }) => {
+                let speeds = Cow::Borrowed(speeds.as_slice());
+                Box::new(lugre::Steady { speeds, scales })
+            }
+            (FitLaw::LuGre, Motion::Series { times, velocities }) => {
+                Box::new(lugre::Series::new(data, times, velocities))
+            }
+            (FitLaw::RateState | FitLaw::RateStateSlip, Motion::Steady { speeds }) => {
+                let speeds = Cow::Borrowed(speeds.as_slice());
+                Box::new(rate_state::Steady { speeds, scales })
+            }
+            (FitLaw::RateState, Motion::Series { times, velocities }) => Box::new(
+                rate_state::Series::<AgeingLaw>::new(data, times, velocities)?,
+            ),
+            (FitLaw::RateStateSlip, Motion::Series { times, velocities }) => {
+                Box::new(rate_state::Series::<SlipLaw>::new(data, times, velocities)?)
+            }
+            (FitLaw::Stribeck | FitLaw::Power, Motion::Series { .. }) => {
+                return Err(FitError::Form(STATELESS));
+            }
+        })
+    }
 }
 
 /// Scales of the starts: the smallest and largest measured values.

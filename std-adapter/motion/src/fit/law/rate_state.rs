@@ -1,8 +1,8 @@
 //! Rate and state: steady, and with its age over time.
 
+use super::super::Measurements;
 use super::super::error::FitError;
 use super::super::parameter::{FitParameter, Model, Range};
-use super::super::{DataError, Measurements};
 use super::{
     DataRange, Interval, between, distances, intervals, log_between, merged, picked, steady,
 };
@@ -154,10 +154,10 @@ impl<'a, E: StateEvolution> Series<'a, E> {
 }
 
 fn refused(point: usize, message: &str) -> FitError {
-    FitError::Data(DataError::Point {
+    FitError::Point {
         point,
         message: message.into(),
-    })
+    }
 }
 
 impl<E: StateEvolution + 'static> Model for Series<'_, E> {

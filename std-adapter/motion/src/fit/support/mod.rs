@@ -14,6 +14,7 @@ mod nnls;
 mod nodes;
 mod points;
 
+use super::FitError;
 use convex_form::ConvexForm;
 use nalgebra::Vector3;
 use points::Points;
@@ -21,7 +22,7 @@ use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::patch::nodes::{Node, NodeSlice};
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{FrictionError, Patch, limit_surface, points_of};
+use tribos_friction::{Area, FrictionError, Patch, points_of};
 
 /// A measured push: a motion of the body, of which the direction alone counts, and the wrench on it.
 ///
@@ -62,25 +63,6 @@ pub struct SupportFit {
     pub length: f64,
 }
 
-/// Pushes that cannot be used.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum MeasuredPushError {
-    /// One of them.
-    #[error("{message}")]
-    Push {
-        /// Its index, from 0.
-        push: usize,
-        /// What is wrong, and what would be valid.
-        message: String,
-    },
-    /// All of them.
-    #[error("{0}")]
-    Whole(String),
-    /// The known support.
-    #[error(transparent)]
-    Support(#[from] FrictionError),
-}
-
 /// Parts of the cross-validation.
 const PARTS: usize = 5;
 /// Pushes below which nothing is fitted.
@@ -88,80 +70,77 @@ const FEWEST: usize = 10;
 /// Part of the torques and forces that give the length.
 const USUAL: f64 = 0.9;
 
-/// Fits the pressure under a foot to pushes, and compares models.
-///
-/// *Domain*: at least 10 pushes, finite, each with a motion and a wrench, some with a torque. `known` is the support if it is
-/// known, in the coordinates of the pushes: a box, a polygon, a bar, a mesh or points.
-/// Without a support the points lie on a grid over the disc of 2.2 lengths around the origin.
-///
-/// ```
-/// use tribos::fit::support::{MeasuredPush, fit_support};
-/// use tribos::friction::limit_surface;
-/// use tribos::prelude::*;
-/// let tile: Patch = "box:0.2x0.1".parse()?; // m
-/// let floor = limit_surface(&tile, 4.0, 1.0, None)?; // μN in N
-/// let pushes: Vec<MeasuredPush> = (0..40)
-///     .map(|i| {
-///         let (a, b) = (0.7 * f64::from(i), 1.3 * f64::from(i));
-///         let motion = Twist::new(a.sin(), a.cos(), 15.0 * b.sin());
-///         MeasuredPush { motion, wrench: -floor.wrench(&motion) }
-///     })
-///     .collect();
-/// let fit = fit_support(&pushes, Some(&tile))?;
-/// assert!(fit.centre_of_pressure.iter().all(|x| x.abs() < 1e-3)); // m
-/// assert!((fit.force_limit - 4.0).abs() < 0.04);
-/// let [known, pressure, ..] = &fit.models[..] else { return Ok(()) };
-/// assert!(known.median < 1e-6 && pressure.median < 1.0); // degrees
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn fit_support(
-    pushes: &[MeasuredPush],
-    known: Option<&Patch>,
-) -> Result<SupportFit, MeasuredPushError> {
-    let length = checked(pushes)?;
-    match known {
-        None => judged(pushes, length, &nodes::disc(length), None),
-        Some(patch @ Patch::Flat(flat)) => {
-            let surface = limit_surface(patch, 1.0, 1.0, None)?;
-            fit_support_within(pushes, &flat.loops()?, surface)
+impl SupportFit {
+    /// Fits the pressure under a foot to pushes, and compares models.
+    ///
+    /// *Domain*: at least 10 pushes, finite, each with a motion and a wrench, some with a torque. `known` is the support if it is
+    /// known, in the coordinates of the pushes: a box, a polygon, a bar, a mesh or points.
+    /// Without a support the points lie on a grid over the disc of 2.2 lengths around the origin.
+    ///
+    /// ```
+    /// use tribos::fit::support::{MeasuredPush, SupportFit};
+    /// use tribos::friction::Area;
+    /// use tribos::prelude::*;
+    /// let tile: Patch = "box:0.2x0.1".parse()?; // m
+    /// let floor = Area::named(&tile, 1.0, None)?.limit_surface(4.0)?; // μN in N
+    /// let pushes: Vec<MeasuredPush> = (0..40)
+    ///     .map(|i| {
+    ///         let (a, b) = (0.7 * f64::from(i), 1.3 * f64::from(i));
+    ///         let motion = Twist::new(a.sin(), a.cos(), 15.0 * b.sin());
+    ///         MeasuredPush { motion, wrench: -floor.wrench(&motion) }
+    ///     })
+    ///     .collect();
+    /// let fit = SupportFit::new(&pushes, Some(&tile))?;
+    /// assert!(fit.centre_of_pressure.iter().all(|x| x.abs() < 1e-3)); // m
+    /// assert!((fit.force_limit - 4.0).abs() < 0.04);
+    /// let [known, pressure, ..] = &fit.models[..] else { return Ok(()) };
+    /// assert!(known.median < 1e-6 && pressure.median < 1.0); // degrees
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(pushes: &[MeasuredPush], known: Option<&Patch>) -> Result<Self, FitError> {
+        let length = checked(pushes)?;
+        match known {
+            None => judged(pushes, length, &nodes::disc(length), None),
+            Some(patch @ Patch::Flat(flat)) => {
+                let surface = Area::named(patch, 1.0, None)?.limit_surface(1.0)?;
+                fit_support_within(pushes, &flat.loops()?, surface)
+            }
+            Some(Patch::Points(file)) => Self::at(pushes, &points_of(file)?),
+            Some(other) => Err(FitError::Pushes(format!(
+                "a support is a box, a polygon, a bar, a mesh or points, not {other}"
+            ))),
         }
-        Some(Patch::Points(file)) => fit_support_at(pushes, &points_of(file)?),
-        Some(other) => Err(MeasuredPushError::Whole(format!(
-            "a support is a box, a polygon, a bar, a mesh or points, not {other}"
-        ))),
+    }
+
+    /// As [`SupportFit::new`], for a foot that stands on these points; only ratios of weights matter.
+    ///
+    /// *Domain*: points finite, weights not negative, one of them positive.
+    pub fn at(pushes: &[MeasuredPush], points: &[Node<f64>]) -> Result<Self, FitError> {
+        let length = checked(pushes)?;
+        NodeSlice::new(points)
+            .map_err(|error| FrictionError::from(tribos_core::Error::from(error)))?;
+        let places: Vec<[f64; 2]> = points.iter().map(|node| [node.x, node.y]).collect();
+        let loads = points.iter().map(|node| node.weight).collect();
+        let scaled = places
+            .iter()
+            .map(|place| place.map(|x| x / length))
+            .collect();
+        let truth = Points::new(scaled, loads);
+        judged(pushes, length, &places, Some(Box::new(truth)))
     }
 }
 
-/// As [`fit_support`], for a support with these loops of corners, of which two make a bar, and this limit
+/// As [`SupportFit::new`], for a support with these loops of corners, of which two make a bar, and this limit
 /// surface.
 #[doc(hidden)]
 pub fn fit_support_within(
     pushes: &[MeasuredPush],
     loops: &[Vec<[f64; 2]>],
     surface: Box<dyn FrictionSet<f64>>,
-) -> Result<SupportFit, MeasuredPushError> {
+) -> Result<SupportFit, FitError> {
     let length = checked(pushes)?;
     let truth = Box::new(Exact { surface, length });
     judged(pushes, length, &nodes::of(loops), Some(truth))
-}
-
-/// As [`fit_support`], for a foot that stands on these points; only ratios of weights matter.
-///
-/// *Domain*: points finite, weights not negative, one of them positive.
-pub fn fit_support_at(
-    pushes: &[MeasuredPush],
-    points: &[Node<f64>],
-) -> Result<SupportFit, MeasuredPushError> {
-    let length = checked(pushes)?;
-    NodeSlice::new(points).map_err(|error| FrictionError::from(tribos_core::Error::from(error)))?;
-    let places: Vec<[f64; 2]> = points.iter().map(|node| [node.x, node.y]).collect();
-    let loads = points.iter().map(|node| node.weight).collect();
-    let scaled = places
-        .iter()
-        .map(|place| place.map(|x| x / length))
-        .collect();
-    let truth = Points::new(scaled, loads);
-    judged(pushes, length, &places, Some(Box::new(truth)))
 }
 
 /// The convex quartic fitted to pushes, for comparisons.
@@ -173,8 +152,8 @@ pub struct ConvexQuartic {
 }
 
 impl ConvexQuartic {
-    /// As in [`fit_support`].
-    pub fn fitted(pushes: &[MeasuredPush]) -> Result<Self, MeasuredPushError> {
+    /// As in [`SupportFit::new`].
+    pub fn fitted(pushes: &[MeasuredPush]) -> Result<Self, FitError> {
         let length = checked(pushes)?;
         let form = ConvexForm::fitted(4, &rows(pushes, length)).ok_or_else(not_found)?;
         Ok(Self { form, length })
@@ -221,10 +200,10 @@ impl Model for Exact {
 }
 
 /// The length of valid pushes.
-fn checked(pushes: &[MeasuredPush]) -> Result<f64, MeasuredPushError> {
+fn checked(pushes: &[MeasuredPush]) -> Result<f64, FitError> {
     if pushes.len() < FEWEST {
         let given = pushes.len();
-        return Err(MeasuredPushError::Whole(format!(
+        return Err(FitError::Pushes(format!(
             "{given} pushes are too few for a fit; give at least {FEWEST}"
         )));
     }
@@ -244,7 +223,7 @@ fn checked(pushes: &[MeasuredPush]) -> Result<f64, MeasuredPushError> {
             } else {
                 continue;
             };
-            return Err(MeasuredPushError::Push { push, message });
+            return Err(FitError::Push { push, message });
         }
     }
     let usual = |of: fn(&MeasuredPush) -> f64| {
@@ -258,7 +237,7 @@ fn checked(pushes: &[MeasuredPush]) -> Result<f64, MeasuredPushError> {
     if length > 0.0 && length.is_finite() {
         Ok(length)
     } else {
-        Err(MeasuredPushError::Whole(
+        Err(FitError::Pushes(
             "a tenth of the pushes at least must have a torque, and most of them a force".into(),
         ))
     }
@@ -285,7 +264,7 @@ fn judged(
     length: f64,
     places: &[[f64; 2]],
     truth: Option<Box<dyn Model>>,
-) -> Result<SupportFit, MeasuredPushError> {
+) -> Result<SupportFit, FitError> {
     let rows = rows(pushes, length);
     let mut models: Vec<Score> = truth
         .iter()
@@ -318,7 +297,7 @@ fn judged(
 }
 
 /// A model, or why there is none.
-type Fitted = Result<Box<dyn Model>, MeasuredPushError>;
+type Fitted = Result<Box<dyn Model>, FitError>;
 
 fn boxed<M: Model + 'static>(model: Option<M>) -> Fitted {
     model
@@ -326,15 +305,15 @@ fn boxed<M: Model + 'static>(model: Option<M>) -> Fitted {
         .ok_or_else(not_found)
 }
 
-fn not_found() -> MeasuredPushError {
-    MeasuredPushError::Whole(
+fn not_found() -> FitError {
+    FitError::Pushes(
         "the search for the least squares did not end: the motions are too much alike; give pushes in more directions"
             .into(),
     )
 }
 
 /// Angles of all pushes, each foretold by a model of the parts that it does not belong to.
-fn crossed(rows: &[Row], fitted: &dyn Fn(&[Row]) -> Fitted) -> Result<Vec<f64>, MeasuredPushError> {
+fn crossed(rows: &[Row], fitted: &dyn Fn(&[Row]) -> Fitted) -> Result<Vec<f64>, FitError> {
     let mut angles = Vec::with_capacity(rows.len());
     for part in 0..PARTS {
         let is_in = |i: usize| i % PARTS == part;

@@ -42,7 +42,7 @@ fn named<'a>(fit: &'a SupportFit, name: &str) -> &'a Score {
 #[test]
 fn the_loads_of_known_feet_come_back() {
     let (feet, pushes) = pushes_of_feet(0.0);
-    let fit = fit_support_at(&pushes, &feet).unwrap();
+    let fit = SupportFit::at(&pushes, &feet).unwrap();
     for (found, foot) in fit.pressure.iter().zip(&feet) {
         assert!((found.weight / foot.weight - 1.0).abs() < 1e-3, "{found:?}");
     }
@@ -60,13 +60,13 @@ fn the_loads_of_known_feet_come_back() {
 fn an_unknown_foot_has_its_centre_of_pressure_and_noise_spoils_little() {
     for (noise, off, angle) in [(0.0, 1e-3, 3.0), (0.05, 4e-3, 8.0)] {
         let (_, pushes) = pushes_of_feet(noise);
-        let fit = fit_support(&pushes, None).unwrap();
+        let fit = SupportFit::new(&pushes, None).unwrap();
         let [x, y] = fit.centre_of_pressure;
         assert!((x - 0.015).hypot(y + 0.0025) < off, "{noise}: {x} {y}");
         assert!((fit.force_limit - 4.0).abs() < 0.2, "{noise}");
         let found = named(&fit, "pressure").median;
         assert!(found < angle, "{noise}: {found}");
-        assert_eq!(fit, fit_support(&pushes, None).unwrap());
+        assert_eq!(fit, SupportFit::new(&pushes, None).unwrap());
     }
 }
 
@@ -84,7 +84,7 @@ fn a_leaning_pressure_has_its_centre() {
     };
     let pushes: Vec<MeasuredPush> = (0..80).map(one).collect();
     let patch = "box:0.2x0.1".parse().unwrap();
-    let fit = fit_support(&pushes, Some(&patch)).unwrap();
+    let fit = SupportFit::new(&pushes, Some(&patch)).unwrap();
     let [x, y] = fit.centre_of_pressure;
     assert!((x - 0.02).hypot(y + 0.005) < 1e-3, "{x} {y}");
     assert!((fit.force_limit - 4.0).abs() < 0.04);
@@ -114,7 +114,7 @@ fn a_quartic_answers_motions_with_the_pushes_that_cause_them() {
 #[test]
 fn what_cannot_be_used_is_refused() {
     let (feet, pushes) = pushes_of_feet(0.0);
-    let told = |pushes: &[MeasuredPush]| fit_support(pushes, None).unwrap_err().to_string();
+    let told = |pushes: &[MeasuredPush]| SupportFit::new(pushes, None).unwrap_err().to_string();
     assert!(told(&pushes[..9]).contains("at least 10"));
     let mut wrong = pushes.clone();
     wrong[3].motion = Twist::ZERO;
@@ -130,7 +130,7 @@ fn what_cannot_be_used_is_refused() {
         .collect();
     assert!(told(&straight).contains("torque"));
     let disk = "disk".parse().unwrap();
-    assert!(fit_support(&pushes, Some(&disk)).is_err());
+    assert!(SupportFit::new(&pushes, Some(&disk)).is_err());
     let none: Vec<Node<f64>> = feet.iter().map(|f| Node { weight: 0.0, ..*f }).collect();
-    assert!(fit_support_at(&pushes, &none).is_err());
+    assert!(SupportFit::at(&pushes, &none).is_err());
 }

@@ -1,7 +1,7 @@
 //! Friction that is larger at the back of the band.
 
 use super::{CurlingModel, CurlingRock, IceLaw};
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use crate::slide::planar::Resistance;
 use tribos_core::Real;
 use tribos_core::internals::{LeaningWrench, leaning_wrench};
@@ -22,11 +22,11 @@ use tribos_friction::AnyFriction;
 /// let side = |back_to_front: f64| {
 ///     let model = BackHeavy { ice: IceLaw::PENNER, back_to_front };
 ///     let body = model.resistance(&CurlingRock::STANDARD)?;
-///     Ok::<_, tribos::slide::SlideError>(-body.deceleration([2.0, 0.0, 0.1])[1]) // to the left
+///     Ok::<_, tribos::slide::MotionError>(-body.deceleration([2.0, 0.0, 0.1])[1]) // to the left
 /// };
 /// assert!(side(1.0)?.abs() < 1e-15); // evenly rough: straight
 /// assert!(side(10.0)? > side(2.0)? && side(2.0)? > 0.0);
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BackHeavy {
@@ -48,7 +48,7 @@ impl CurlingModel for BackHeavy {
         "back-heavy"
     }
 
-    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, MotionError> {
         Ok(Box::new(AsymmetricBand {
             foot: rock.friction(self.ice)?,
             strength: self.ice.coefficient * rock.gravity,

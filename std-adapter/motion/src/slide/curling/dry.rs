@@ -1,7 +1,7 @@
 //! A dry rock.
 
 use super::{CurlingModel, CurlingRock, IceLaw};
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use crate::slide::planar::Resistance;
 
 /// Coulomb friction under a rock that leans forward, as under a cylinder on a table.
@@ -22,7 +22,7 @@ use crate::slide::planar::Resistance;
 ///     .resistance(&CurlingRock { height: 0.0, ..rock })?
 ///     .deceleration([2.0, 0.0, 0.1]);
 /// assert_eq!(right, 0.0); // a flat rock does not lean
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dry {
@@ -35,7 +35,7 @@ impl CurlingModel for Dry {
         "dry"
     }
 
-    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, MotionError> {
         let ice = IceLaw {
             coefficient: self.coefficient,
             alpha: 0.0,

@@ -2,7 +2,7 @@
 
 use super::ring_rule::{POINTS, points};
 use super::{CurlingModel, CurlingRock, IceLaw};
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use crate::slide::planar::Resistance;
 use tribos_core::Real;
 use tribos_core::law::LawError;
@@ -42,7 +42,7 @@ const ACCURACY: f64 = 1e-9;
 /// // One that goes along in front only lets the back hold: to the left.
 /// let front = Film { ice, front: 1.0, back: 0.0 }.resistance(&rock)?;
 /// assert!(front.deceleration([2.0, 0.0, 0.1])[1] < 0.0);
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Film {
@@ -59,7 +59,7 @@ impl CurlingModel for Film {
         "film"
     }
 
-    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, MotionError> {
         Ok(Box::new(FilmRing::new(self, rock)?))
     }
 }
@@ -71,7 +71,7 @@ impl CurlingModel for Film {
 ///
 /// ```
 /// use tribos::slide::curling::{CurlingModel, CurlingRock, Film, FilmRing, IceLaw, LeftRight};
-/// use tribos::slide::{SlideError, planar::Resistance};
+/// use tribos::slide::{MotionError, planar::Resistance};
 /// let (rock, ice) = (CurlingRock::STANDARD, IceLaw::PENNER);
 /// // Without a film it is the ring on bare ice, which the kernel integrates.
 /// let ring = FilmRing::new(&Film { ice, front: 0.0, back: 0.0 }, &rock)?;
@@ -79,8 +79,8 @@ impl CurlingModel for Film {
 /// let [a, b] = [ring.deceleration([2.0, 0.0, 0.1]), bare.deceleration([2.0, 0.0, 0.1])];
 /// assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12));
 /// let steep = Film { ice: IceLaw { alpha: -1.0, ..ice }, front: 0.0, back: 0.0 };
-/// assert!(matches!(FilmRing::new(&steep, &rock), Err(SlideError::Law(_))));
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// assert!(matches!(FilmRing::new(&steep, &rock), Err(MotionError::Law(_))));
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct FilmRing {
@@ -96,11 +96,11 @@ pub struct FilmRing {
 
 impl FilmRing {
     /// *Domain*: α > −1.
-    pub fn new(film: &Film, rock: &CurlingRock) -> Result<Self, SlideError> {
+    pub fn new(film: &Film, rock: &CurlingRock) -> Result<Self, MotionError> {
         let alpha = film.ice.alpha;
         let is_valid = alpha > -1.0 && alpha.is_finite();
         if !is_valid {
-            return Err(SlideError::Law(LawError::Exponent {
+            return Err(MotionError::Law(LawError::Exponent {
                 given: alpha,
                 max: f64::MAX,
             }));

@@ -1,7 +1,7 @@
 //! Ice friction under a rock that leans.
 
 use super::{CurlingModel, CurlingRock, IceLaw};
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use crate::slide::planar::Resistance;
 
 /// [`super::LeftRight`] with the pressure gradient caused by the rock's height.
@@ -20,7 +20,7 @@ use crate::slide::planar::Resistance;
 ///     [0.1, -0.1].map(|rim| body.deceleration([2.0, 0.0, rim])[1]);
 /// assert!(left_turning > 0.0); // counterclockwise spin bends to the right
 /// assert_eq!(left_turning, -right_turning);
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrontBack {
@@ -33,7 +33,7 @@ impl CurlingModel for FrontBack {
         "front-back"
     }
 
-    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, MotionError> {
         Ok(Box::new(rock.body(self.ice, rock.height)?))
     }
 }

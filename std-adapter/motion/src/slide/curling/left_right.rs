@@ -1,7 +1,7 @@
 //! Friction that differs between left and right.
 
 use super::{CurlingModel, CurlingRock, IceLaw};
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use crate::slide::planar::Resistance;
 
 /// γ v^α with α < 0 under a rock that does not lean: the slower left side of a counterclockwise
@@ -19,7 +19,7 @@ use crate::slide::planar::Resistance;
 /// // alpha = -1/2: a quarter of the speeds, twice the friction.
 /// let slow = body.deceleration([0.5, 0.0, 0.025]);
 /// assert!((slow[0] - 2.0 * back).abs() < 1e-14 && (slow[2] - 2.0 * spin_down).abs() < 1e-14);
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeftRight {
@@ -32,7 +32,7 @@ impl CurlingModel for LeftRight {
         "left-right"
     }
 
-    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, MotionError> {
         Ok(Box::new(rock.body(self.ice, 0.0)?))
     }
 }

@@ -38,7 +38,7 @@ pub(crate) use ring_rule::POINTS as RING_POINTS;
 pub use rock::{CurlingRock, IceLaw};
 pub use scratch_guide::ScratchGuide;
 
-use super::SlideError;
+use super::MotionError;
 use super::planar::Resistance;
 use std::fmt::Debug;
 
@@ -46,19 +46,19 @@ use std::fmt::Debug;
 ///
 /// ```
 /// use tribos::slide::curling::{CurlingModel, CurlingRock, Dry, IceLaw, LeftRight};
-/// use tribos::slide::planar::{PlanarSimulation, PlanarLaunch};
+/// use tribos::slide::planar::{PlanarSimulation, Launch};
 /// let models: [Box<dyn CurlingModel>; 2] =
 ///     [Box::new(Dry { coefficient: 0.0071 }), Box::new(LeftRight { ice: IceLaw::PENNER })];
 /// assert_eq!([models[0].name(), models[1].name()], ["dry", "left-right"]);
 /// let curl = |model: &Box<dyn CurlingModel>| {
 ///     let body = model.resistance(&CurlingRock::STANDARD)?;
-///     let launch = PlanarLaunch { velocity: [2.0, 0.0], spin: 1.5 };
+///     let launch = Launch { velocity: [2.0, 0.0], spin: 1.5 };
 ///     let end = PlanarSimulation::new(&body, &launch, 1e-4)?.to_end()?;
-///     Ok::<_, tribos::slide::SlideError>(end.point.position[1])
+///     Ok::<_, tribos::slide::MotionError>(end.point.position[1])
 /// };
 /// assert!(curl(&models[0])? < 0.0); // to the right
 /// assert_eq!(curl(&models[1])?, 0.0);
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[doc(hidden)]
 pub trait CurlingModel: Debug + Send + Sync {
@@ -66,5 +66,5 @@ pub trait CurlingModel: Debug + Send + Sync {
     fn name(&self) -> &'static str;
 
     /// Resistance that the rock meets on the ice.
-    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError>;
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, MotionError>;
 }

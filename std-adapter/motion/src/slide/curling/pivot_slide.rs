@@ -2,7 +2,7 @@
 
 use super::side_force::{Mechanism, RockWithSideForce};
 use super::{CurlingModel, CurlingRock, IceLaw};
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use crate::slide::planar::Resistance;
 use tribos_core::Real;
 
@@ -27,7 +27,7 @@ use tribos_core::Real;
 /// let pull = weight * ice.coefficient * 0.1_f64.powf(ice.alpha) * rock.gravity;
 /// assert!((left(0.1) - pull).abs() < 1e-3 * pull); // 0.1 m/s is far above the fading
 /// assert!((left(0.4) - 0.5 * left(0.1)).abs() < 1e-3 * pull); // faster spin pulls less
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PivotSlide {
@@ -50,7 +50,7 @@ impl CurlingModel for PivotSlide {
         "pivot-slide"
     }
 
-    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, MotionError> {
         Ok(Box::new(RockWithSideForce {
             body: rock.body(self.ice, 0.0)?,
             mechanism: Pivots {

@@ -1,6 +1,6 @@
 //! The rock, and the friction law of ice.
 
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use crate::slide::planar::{Gradient, TallBody};
 use tribos_friction::{AnyFriction, Law, Patch};
 
@@ -48,13 +48,13 @@ impl CurlingRock {
     }
 
     /// Friction of ice on the running band.
-    pub(super) fn friction(&self, ice: IceLaw) -> Result<AnyFriction, SlideError> {
+    pub(super) fn friction(&self, ice: IceLaw) -> Result<AnyFriction, MotionError> {
         let law = Law::power(ice.coefficient, ice.alpha)?;
         Ok(AnyFriction::new(&self.patch(), &law, None)?)
     }
 
     /// The rock under a law of ice, with its centre of mass at `height`.
-    pub(super) fn body(&self, ice: IceLaw, height: f64) -> Result<TallBody, SlideError> {
+    pub(super) fn body(&self, ice: IceLaw, height: f64) -> Result<TallBody, MotionError> {
         let foot = self.friction(ice)?.with_radius(self.band_radius)?;
         let rest = [self.gravity, self.inertia_ratio];
         TallBody::new(foot, height, Gradient::AllRound, rest)

@@ -2,7 +2,7 @@
 
 use super::side_force::{Mechanism, RockWithSideForce};
 use super::{CurlingModel, CurlingRock, IceLaw};
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use crate::slide::planar::Resistance;
 use tribos_core::Real;
 
@@ -35,7 +35,7 @@ use tribos_core::Real;
 /// // Far above the onset (2 m/s times 0.01) the force hardly knows the spin.
 /// assert!([0.1, 0.2, 0.3].iter().all(|&rim| (0.97..1.0).contains(&left(rim))));
 /// assert!((left(0.02) - 0.5_f64.sqrt()).abs() < 1e-3); // at the onset
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScratchGuide {
@@ -59,7 +59,7 @@ impl CurlingModel for ScratchGuide {
         "scratch-guide"
     }
 
-    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, MotionError> {
         Ok(Box::new(RockWithSideForce {
             body: rock.body(self.ice, 0.0)?,
             mechanism: Scratches {

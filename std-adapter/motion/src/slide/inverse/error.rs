@@ -1,65 +1,22 @@
 //! Why no launch was found.
 
-use super::{LaunchLimits, LaunchSolution, Pose};
-use tribos_core::Error;
-
-/// Why a rest pose could not be inverted.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum InverseError {
-    /// The kernel refused the body.
-    #[error(transparent)]
-    Body(#[from] Error),
-    /// α ≥ 1.
-    #[error("a body under |v|^{alpha} never comes to rest; the inverse problem needs alpha < 1")]
-    NeverRests {
-        /// The exponent.
-        alpha: f64,
-    },
-    /// A launch limit is negative, infinite or NaN.
-    #[error("the largest {name} must be finite and not negative, not {given}")]
-    Limit {
-        /// Name of the limit.
-        name: &'static str,
-        /// Value given.
-        given: f64,
-    },
-    /// The target is not finite, or so far away that the launch exceeds the range of numbers.
-    #[error(
-        "the target x {} m, y {} m, angle {} rad is not finite or its launch is not",
-        given.x, given.y, given.angle
-    )]
-    Target {
-        /// Target given.
-        given: Pose,
-    },
-    /// There are more solutions than can usefully be listed.
-    #[error(
-        "{count} numbers of turns lead there; lower the largest spin or ask for an exact angle"
-    )]
-    TooMany {
-        /// Number of solutions.
-        count: u64,
-    },
-    /// No launch within the limits reaches the target.
-    #[error(transparent)]
-    OutOfReach(Box<OutOfReach>),
-}
+use super::{LaunchLimits, LaunchSolution};
 
 /// A target beyond the launch limits: the launch it needs, and the reach of the limits.
 ///
 /// ```
-/// use tribos::slide::inverse::{InverseError, LaunchLimits, OutOfReach, Pose, RestMap, Turns};
+/// use tribos::slide::inverse::{MotionError, LaunchLimits, OutOfReach, Pose, RestMap, Turns};
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let (target, limits) = (Pose { x: 10.0, y: 0.0, angle: 0.0 }, LaunchLimits::new(3.0, 100.0)?);
 /// let thrown = disk.launches(&target, Turns::Exact, &limits);
-/// let Err(InverseError::OutOfReach(why)) = thrown else { unreachable!() };
+/// let Err(MotionError::OutOfReach(why)) = thrown else { unreachable!() };
 /// let OutOfReach { needed, distances, .. } = *why;
 /// // Without spin the way is v²/(2 mu g).
 /// assert!((needed.speed - (2.0_f64 * 0.3 * 9.81 * 10.0).sqrt()).abs() < 1e-12);
-/// let farthest = distances.ok_or(InverseError::Target { given: target })?[1];
+/// let farthest = distances.ok_or(MotionError::Target { given: target })?[1];
 /// assert!((farthest - 3.0 * 3.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-12);
-/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// # Ok::<(), tribos::slide::inverse::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfReach {

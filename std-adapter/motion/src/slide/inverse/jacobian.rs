@@ -36,7 +36,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     /// assert!((by[0][0] - 1.0 / (0.3 * 9.81)).abs() < 1e-13);
     /// assert!((by[1][1] - 0.5 / (0.3 * 9.81)).abs() < 1e-13);
     /// assert_eq!([by[0][1], by[0][2], by[2][0]], [0.0; 3]); // the rest is even or odd in the spin
-    /// # Ok::<(), tribos::slide::inverse::InverseError>(())
+    /// # Ok::<(), tribos::slide::inverse::MotionError>(())
     /// ```
     pub fn jacobian(&self, launch: &Launch) -> PoseJacobian {
         let [x, y] = launch.velocity;

@@ -1,14 +1,14 @@
 //! Limits of the launcher, and their reach.
 
 use super::root::rising_root;
-use super::{InverseError, RestMap};
+use super::{MotionError, RestMap};
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 
 /// The fastest launch: a solution is admissible if |velocity| ≤ `max_speed` and |spin| ≤ `max_spin`,
 /// compared exactly.
 ///
 /// ```
-/// use tribos::slide::inverse::{InverseError, LaunchLimits, RestMap};
+/// use tribos::slide::inverse::{MotionError, LaunchLimits, RestMap};
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let limits = LaunchLimits::new(3.0, 50.0)?;
@@ -21,8 +21,8 @@ use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 /// assert!(far > way && most > angle);
 /// assert_eq!(disk.distances(0.0, &limits), Some([0.0, disk.reach(3.0, 0.0)[0]]));
 /// assert_eq!(disk.distances(2.0 * most, &limits), None);
-/// assert!(matches!(LaunchLimits::new(-3.0, 50.0), Err(InverseError::Limit { name: "speed", .. })));
-/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// assert!(matches!(LaunchLimits::new(-3.0, 50.0), Err(MotionError::Limit { name: "speed", .. })));
+/// # Ok::<(), tribos::slide::inverse::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LaunchLimits {
@@ -32,12 +32,12 @@ pub struct LaunchLimits {
 
 impl LaunchLimits {
     /// *Domain*: finite and not negative; m/s and rad/s.
-    pub fn new(max_speed: f64, max_spin: f64) -> Result<Self, InverseError> {
+    pub fn new(max_speed: f64, max_spin: f64) -> Result<Self, MotionError> {
         let limit = |name: &'static str, given: f64| {
             if given >= 0.0 && given.is_finite() {
                 Ok(given)
             } else {
-                Err(InverseError::Limit { name, given })
+                Err(MotionError::Limit { name, given })
             }
         };
         Ok(Self {

@@ -1,6 +1,6 @@
 //! Map from launch to rest pose.
 
-use super::{InverseError, Launch, Pose};
+use super::{Launch, MotionError, Pose};
 use tribos_core::Real;
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
@@ -14,7 +14,7 @@ use tribos_core::slider::{Slider, SliderParameters, SliderState};
 /// let end = disk.rest(&Launch { velocity: [0.0, 1.0], spin: 0.0 });
 /// assert_eq!(end.pose.x, 0.0);
 /// assert!((end.pose.y - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-14);
-/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// # Ok::<(), tribos::slide::inverse::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct RestMap<P> {
@@ -40,7 +40,7 @@ pub struct RestMap<P> {
 /// assert!((time - 1.0 / (0.3 * 9.81)).abs() < 1e-14); // v/(mu g)
 /// let work = 0.3 * 9.81 * pose.x.hypot(pose.y); // of friction, per mass
 /// assert!((work - disk.energy_per_mass(&launch)).abs() < 1e-14);
-/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// # Ok::<(), tribos::slide::inverse::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RestPose {
@@ -69,7 +69,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         deceleration: f64,
         radius: f64,
         inertia_ratio: f64,
-    ) -> Result<Self, InverseError> {
+    ) -> Result<Self, MotionError> {
         Slider::new(
             &profile,
             SliderParameters {
@@ -80,7 +80,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         )?;
         let alpha = profile.exponent();
         if alpha >= 1.0 {
-            return Err(InverseError::NeverRests { alpha });
+            return Err(MotionError::NeverRests { alpha });
         }
         Ok(Self {
             unit: Slider::new(

@@ -38,7 +38,7 @@
 //! let launches = disk.launches(&target, Turns::Exact, &limits)?;
 //! let end = disk.rest(&launches[0].launch);
 //! assert!((end.pose.x - 1.2).abs() < 1e-12 && (end.pose.angle - 1.57).abs() < 1e-12);
-//! # Ok::<(), tribos::slide::inverse::InverseError>(())
+//! # Ok::<(), tribos::slide::inverse::MotionError>(())
 //! ```
 
 mod error;
@@ -51,7 +51,9 @@ mod slope;
 mod solve;
 mod time;
 
-pub use error::InverseError;
+pub use super::Launch;
+pub use crate::error::MotionError;
+pub use crate::push::Pose;
 #[doc(hidden)]
 pub use error::OutOfReach;
 #[doc(hidden)]
@@ -63,34 +65,3 @@ pub use map::RestPose;
 #[doc(hidden)]
 pub use plan::MAX_SOLUTIONS;
 pub use plan::{LaunchSolution, Launches, Turns};
-
-/// Initial velocity of the centre and initial spin, in m/s and rad/s.
-///
-/// ```
-/// use tribos::slide::inverse::{Launch, RestMap};
-/// use tribos::kernel::coupling::table::CoulombDisk;
-/// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
-/// let throw = Launch { velocity: [1.0, 0.0], spin: 12.5 };
-/// let mirrored = Launch { spin: -12.5, ..throw };
-/// let [left, right] = [throw, mirrored].map(|launch| disk.rest(&launch).pose);
-/// assert_eq!([left.x, left.y, left.angle], [right.x, right.y, -right.angle]);
-/// # Ok::<(), tribos::slide::inverse::InverseError>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Launch {
-    /// Components of the velocity.
-    pub velocity: [f64; 2],
-    /// RotationBias; positive turns the first axis towards the second.
-    pub spin: f64,
-}
-
-/// Displacement of the centre and angle turned since the launch, in m and rad.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pose {
-    /// Along the first axis.
-    pub x: f64,
-    /// Along the second axis.
-    pub y: f64,
-    /// Angle turned, not reduced to one turn.
-    pub angle: f64,
-}

@@ -1,6 +1,6 @@
 //! From a rest pose to every launch within the limits.
 
-use super::{InverseError, Launch, LaunchLimits, OutOfReach, Pose, RestMap};
+use super::{Launch, LaunchLimits, MotionError, OutOfReach, Pose, RestMap};
 use crate::slide::inverse::solve::LaunchMagnitudes;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -35,7 +35,7 @@ pub enum Turns {
 /// // RotationBias only adds to the work of friction: the least is mu g d, without a turn.
 /// assert_eq!(all[0].turns(), 0.0);
 /// assert!((all[0].energy_per_mass - 0.3 * 9.81).abs() < 1e-12);
-/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// # Ok::<(), tribos::slide::inverse::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LaunchSolution {
@@ -65,15 +65,15 @@ impl LaunchSolution {
 /// caller chooses the number.
 ///
 /// ```
-/// use tribos::slide::inverse::{InverseError, LaunchLimits, MAX_SOLUTIONS, Pose, RestMap, Turns};
+/// use tribos::slide::inverse::{MotionError, LaunchLimits, MAX_SOLUTIONS, Pose, RestMap, Turns};
 /// use tribos::kernel::coupling::table::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
 /// let spins = LaunchLimits::new(3.0, 1e4)?; // ω² 3 R/(8 mu g) = 10⁶ rad
 /// let all = disk.launches(&Pose::default(), turns, &spins);
-/// assert!(matches!(all, Err(InverseError::TooMany { count }) if count > MAX_SOLUTIONS));
+/// assert!(matches!(all, Err(MotionError::TooMany { count }) if count > MAX_SOLUTIONS));
 /// assert_eq!(disk.fewest_turns(&Pose::default(), turns, &spins, 7)?.solutions.len(), 7);
-/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// # Ok::<(), tribos::slide::inverse::MotionError>(())
 /// ```
 pub const MAX_SOLUTIONS: u64 = 10_000;
 
@@ -93,7 +93,7 @@ pub const MAX_SOLUTIONS: u64 = 10_000;
 /// let mut found: Vec<f64> = solutions.iter().map(|one| one.turns().round()).collect();
 /// found.sort_by(f64::total_cmp);
 /// assert_eq!(found, [-1.0, 0.0, 1.0]);
-/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// # Ok::<(), tribos::slide::inverse::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Launches {
@@ -219,11 +219,11 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         target: &Pose,
         turns: Turns,
         limits: &LaunchLimits,
-    ) -> Result<Vec<LaunchSolution>, InverseError> {
+    ) -> Result<Vec<LaunchSolution>, MotionError> {
         let flights = self.flights(target, turns, limits)?;
         let count = count(&flights);
         if count > MAX_SOLUTIONS {
-            return Err(InverseError::TooMany { count });
+            return Err(MotionError::TooMany { count });
         }
         let all = self.compute_launches(target, turns, limits, &flights, count)?;
         Ok(all.solutions)
@@ -242,7 +242,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         turns: Turns,
         limits: &LaunchLimits,
         most: u64,
-    ) -> Result<Launches, InverseError> {
+    ) -> Result<Launches, MotionError> {
         let flights = self.flights(target, turns, limits)?;
         self.compute_launches(target, turns, limits, &flights, most)
     }
@@ -253,10 +253,10 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         target: &Pose,
         turns: Turns,
         limits: &LaunchLimits,
-    ) -> Result<Vec<AdmissibleAngles>, InverseError> {
+    ) -> Result<Vec<AdmissibleAngles>, MotionError> {
         let distance = Real::hypot(target.x, target.y);
         if !distance.is_finite() || !target.angle.is_finite() {
-            return Err(InverseError::Target { given: *target });
+            return Err(MotionError::Target { given: *target });
         }
         let [_, most] = self.reach(limits.max_speed(), limits.max_spin());
         let ladders = turns.ladders(target.angle).into_iter();
@@ -283,7 +283,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         limits: &LaunchLimits,
         flights: &[AdmissibleAngles],
         most: u64,
-    ) -> Result<Launches, InverseError> {
+    ) -> Result<Launches, MotionError> {
         let distance = Real::hypot(target.x, target.y);
         let mut angles: Vec<f64> = flights
             .iter()
@@ -299,7 +299,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
         });
         let mut solutions: Vec<LaunchSolution> = all.filter(|one| is_within(one, limits)).collect();
         if solutions.iter().any(|solution| !solution.time.is_finite()) {
-            return Err(InverseError::Target { given: *target });
+            return Err(MotionError::Target { given: *target });
         }
         let count = count(flights);
         if count == 0 || (most > 0 && solutions.is_empty()) {
@@ -311,9 +311,9 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
             let Some(needed) =
                 needed.min_by(|a, b| excess(a, limits).total_cmp(&excess(b, limits)))
             else {
-                return Err(InverseError::Target { given: *target });
+                return Err(MotionError::Target { given: *target });
             };
-            return Err(InverseError::OutOfReach(Box::new(OutOfReach {
+            return Err(MotionError::OutOfReach(Box::new(OutOfReach {
                 needed,
                 limits: *limits,
                 distance,

@@ -1,7 +1,7 @@
 //! The tall cylinder on its flat face.
 
 use super::{Gradient, TallBody};
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use tribos_core::patch::PowerPressure;
 use tribos_friction::{AnyFriction, Law};
 
@@ -10,13 +10,13 @@ use tribos_friction::{AnyFriction, Law};
 /// *Units*: SI. *Source*: section 3.5.1 of the thesis.
 ///
 /// ```
-/// use tribos::slide::planar::{PlanarSimulation, PlanarLaunch, TallCylinder};
+/// use tribos::slide::planar::{PlanarSimulation, Launch, TallCylinder};
 /// let cylinder = TallCylinder { height: 0.16, ..TallCylinder::solid(0.2, 0.08) };
-/// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 5.0 };
+/// let launch = Launch { velocity: [1.0, 0.0], spin: 5.0 };
 /// let body = cylinder.body(9.81)?;
 /// let end = PlanarSimulation::new(&body, &launch, 1e-4)?.to_end()?;
 /// assert!((end.point.position[1] + 0.014632310).abs() < 1e-9);
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TallCylinder {
@@ -51,12 +51,12 @@ impl TallCylinder {
     }
 
     /// Its resistance under `gravity`, in m/s².
-    pub fn body(&self, gravity: f64) -> Result<TallBody, SlideError> {
+    pub fn body(&self, gravity: f64) -> Result<TallBody, MotionError> {
         self.body_under(&Law::power(self.coefficient, self.alpha)?, gravity)
     }
 
     /// Its resistance under `gravity`, in m/s², and another law than its own.
-    pub(crate) fn body_under(&self, law: &Law, gravity: f64) -> Result<TallBody, SlideError> {
+    pub(crate) fn body_under(&self, law: &Law, gravity: f64) -> Result<TallBody, MotionError> {
         let foot = AnyFriction::new(&self.pressure.into(), law, None)?.with_radius(self.radius)?;
         let rest = [gravity, self.inertia_ratio];
         TallBody::new(foot, 0.5 * self.height, self.gradient, rest)

@@ -16,19 +16,9 @@
 mod ends;
 
 use super::Resistance;
-use crate::slide::SlideError;
-use tribos_base::scene::words::words;
+use crate::slide::{Launch, MotionError, SlideStopReason};
 use tribos_core::Real;
 use tribos_core::internals::runge_kutta;
-
-/// Initial velocity and spin of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlanarLaunch {
-    /// Velocity of the centre of mass, in m/s.
-    pub velocity: [f64; 2],
-    /// RotationBias, positive counterclockwise, in rad/s.
-    pub spin: f64,
-}
 
 /// State at one time of a journey that starts at time 0 in the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +29,7 @@ pub struct PlanarState {
     pub position: [f64; 2],
     /// Velocity of the centre, in m/s.
     pub velocity: [f64; 2],
-    /// RotationBias, in rad/s.
+    /// Spin, in rad/s.
     pub spin: f64,
     /// Angle turned, in rad.
     pub angle: f64,
@@ -53,23 +43,13 @@ pub struct PlanarState {
     pub lean: f64,
 }
 
-/// Why a journey ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PlanarStopReason {
-    /// Sliding and spinning stopped at the same instant.
-    Rest,
-    /// Both speeds fell below the given fraction; under a law with α ≥ 1 the body never comes to rest.
-    Faded,
-}
-words!(PlanarStopReason { Rest = "rest", Faded = "faded" });
-
 /// The end of a journey.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarResult {
     /// State at the end.
     pub point: PlanarState,
     /// Why the journey ended.
-    pub ending: PlanarStopReason,
+    pub ending: SlideStopReason,
     /// Largest |l| during the journey.
     pub most_lean: f64,
     /// Time at which |l| first exceeded 1 and the body began to tip, in s, located within the step.
@@ -108,19 +88,19 @@ const VISIBLE: f64 = 1e-6;
 /// The motion of a body in progress.
 ///
 /// ```
-/// use tribos::slide::planar::{PlanarResult, PlanarStopReason, PlanarSimulation, PlanarLaunch, PlanarState, TallCylinder};
+/// use tribos::slide::planar::{PlanarResult, SlideStopReason, PlanarSimulation, Launch, PlanarState, TallCylinder};
 /// let puck = TallCylinder::solid(0.3, 0.08).body(9.81)?; // flat; mu, R
-/// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 0.0 };
+/// let launch = Launch { velocity: [1.0, 0.0], spin: 0.0 };
 /// let stop = 1.0 / (0.3 * 9.81); // v/(mu g)
 /// let mut seen: Vec<PlanarState> = Vec::new();
 /// let observe = |point: &PlanarState| seen.push(*point);
 /// let end: PlanarResult = PlanarSimulation::new(&puck, &launch, 1e-4)?.follow(&[0.5 * stop], observe)?;
-/// assert_eq!(end.ending, PlanarStopReason::Rest);
+/// assert_eq!(end.ending, SlideStopReason::Rest);
 /// assert!((end.point.time - stop).abs() < 1e-12);
 /// // After half of the time half of the speed and a quarter of the way are left.
 /// assert!((seen[1].velocity[0] - 0.5).abs() < 1e-12);
 /// assert!((seen[1].distance - 0.75 * end.point.distance).abs() < 1e-12);
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Debug)]
 pub struct PlanarSimulation<'a, B> {
@@ -138,20 +118,20 @@ pub struct PlanarSimulation<'a, B> {
 impl<'a, B: Resistance> PlanarSimulation<'a, B> {
     /// Starts a journey; `stop_fraction` matters only for laws that never reach rest.
     ///
-    /// *Domain*: a finite launch with nonzero motion, otherwise [`SlideError::NotFinite`].
+    /// *Domain*: a finite launch with nonzero motion, otherwise [`MotionError::NotFinite`].
     ///
     /// *Accuracy*: time, path length and angle at the end each have this relative accuracy, whichever
     /// motion ends first: 2e-12 for upright bodies with α ≤ 0.9, inertia ratios from 1e-3 to 1e3 and
     /// minor speeds down to 1e-12 of the others; for 0.9 < α < 1 the time is accurate to 1e-12/(1−α). A
     /// motion that fades (α ≥ 1) ends when the slower of the two speeds to fade reaches
     /// `stop_fraction`, to 1e-11 in time.
-    pub fn new(body: &'a B, launch: &PlanarLaunch, stop_fraction: f64) -> Result<Self, SlideError> {
+    pub fn new(body: &'a B, launch: &Launch, stop_fraction: f64) -> Result<Self, MotionError> {
         let [x, y] = launch.velocity;
         let rim = launch.spin * body.radius();
         let slide = Real::hypot(x, y);
         let scale = Real::hypot(slide, rim);
         if scale == 0.0 || !scale.is_finite() {
-            return Err(SlideError::NotFinite { step: 0 });
+            return Err(MotionError::NotFinite { step: 0 });
         }
         let lengths = [slide / scale, rim.abs() / scale];
         // Motions that cause each other are accurate relative to both.
@@ -173,7 +153,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
     }
 
     /// Follows the motion to its end.
-    pub fn to_end(self) -> Result<PlanarResult, SlideError> {
+    pub fn to_end(self) -> Result<PlanarResult, MotionError> {
         self.follow(&[], |_| ())
     }
 
@@ -183,7 +163,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
         self,
         times: &[f64],
         observe: impl FnMut(&PlanarState),
-    ) -> Result<PlanarResult, SlideError> {
+    ) -> Result<PlanarResult, MotionError> {
         self.watched(times, observe, &mut |_| true)
     }
 
@@ -194,7 +174,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
         times: &[f64],
         mut observe: impl FnMut(&PlanarState),
         watch: &mut dyn FnMut(f64) -> bool,
-    ) -> Result<PlanarResult, SlideError> {
+    ) -> Result<PlanarResult, MotionError> {
         let mut times = times.iter().copied().peekable();
         let mut shown = self.state;
         let start = self.point(&shown);
@@ -206,7 +186,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
         while !self.is_over() {
             let from = self.state;
             if !watch((from[9] / ends::FOLDS).min(1.0)) {
-                return Err(SlideError::Interrupted { steps });
+                return Err(MotionError::Interrupted { steps });
             }
             let taken = self.step(&mut size, &mut steps)?;
             let taken = self.truncate_at_decay(&from, taken);
@@ -236,7 +216,7 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
     }
 
     /// Takes one accepted step and returns its length.
-    fn step(&mut self, size: &mut f64, steps: &mut u64) -> Result<f64, SlideError> {
+    fn step(&mut self, size: &mut f64, steps: &mut u64) -> Result<f64, MotionError> {
         loop {
             *steps += 1;
             let largest = self.largest_step();
@@ -248,11 +228,11 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
             let fits = self.state[9] <= MOST_FOLDS || self.body.exponent() < 1.0;
             let advances = fits && self.state[9] + *size > self.state[9];
             if !advances {
-                return Err(SlideError::NotFinite { step: *steps });
+                return Err(MotionError::NotFinite { step: *steps });
             }
             if *steps >= MOST_STEPS {
                 let (steps, folds) = (*steps, self.state[9]);
-                return Err(SlideError::TooStiff { steps, folds });
+                return Err(MotionError::TooStiff { steps, folds });
             }
             if accepted {
                 self.state = normalized(next);
@@ -384,9 +364,9 @@ impl<'a, B: Resistance> PlanarSimulation<'a, B> {
             point.time += self.derivative(&self.state)[3] / beta;
             point.velocity = [0.0, 0.0];
             point.spin = 0.0;
-            PlanarStopReason::Rest
+            SlideStopReason::Rest
         } else {
-            PlanarStopReason::Faded
+            SlideStopReason::Faded
         };
         PlanarResult {
             point,
@@ -437,7 +417,7 @@ mod tests {
             ..TallCylinder::solid(0.3, 0.08)
         };
         let body = puck.body(9.81).unwrap();
-        let launch = PlanarLaunch {
+        let launch = Launch {
             velocity: [1.0, 0.0],
             spin: 20.0,
         };

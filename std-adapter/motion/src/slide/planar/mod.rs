@@ -1,8 +1,8 @@
 //! Bodies with lateral friction, which follow a curved path in the plane.
 //!
 //! A [`Resistance`] gives the deceleration of a body, a [`PlanarSimulation`] follows the body to rest. Bodies that are
-//! ready, a cylinder, a pipe, a box or other plate, and a curling rock, are run from their scenes by
-//! [`run_path`](super::run_planar); a body of your own implements [`Resistance`].
+//! ready, a cylinder, a pipe, a box or other plate, and a curling rock, are run from their
+//! scenes; a body of your own implements [`Resistance`].
 
 mod cylinder;
 mod journey;
@@ -10,9 +10,10 @@ mod pipe;
 mod plate;
 mod tall;
 
+pub use super::{Launch, SlideStopReason};
 #[doc(hidden)]
 pub use cylinder::TallCylinder;
-pub use journey::{PlanarLaunch, PlanarResult, PlanarSimulation, PlanarState, PlanarStopReason};
+pub use journey::{PlanarResult, PlanarSimulation, PlanarState};
 #[doc(hidden)]
 pub use pipe::Pipe;
 #[doc(hidden)]
@@ -29,7 +30,7 @@ use std::fmt::Debug;
 /// counterclockwise, so that all have the same unit.
 ///
 /// ```
-/// use tribos::slide::planar::{PlanarStopReason, PlanarSimulation, PlanarLaunch, Resistance};
+/// use tribos::slide::planar::{SlideStopReason, PlanarSimulation, Launch, Resistance};
 /// /// A disk on a film of oil: velocity and spin fade with 2/s.
 /// #[derive(Debug)]
 /// struct Oiled;
@@ -39,12 +40,12 @@ use std::fmt::Debug;
 ///     fn inertia_ratio(&self) -> f64 { 0.5 }
 ///     fn radius(&self) -> f64 { 0.08 }
 /// }
-/// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 5.0 };
+/// let launch = Launch { velocity: [1.0, 0.0], spin: 5.0 };
 /// let end = PlanarSimulation::new(&Oiled, &launch, 1e-6)?.to_end()?;
-/// assert_eq!(end.ending, PlanarStopReason::Faded);
+/// assert_eq!(end.ending, SlideStopReason::Faded);
 /// assert!((end.point.position[0] - 0.5).abs() < 1e-6); // v/k, but for the last millionth
 /// assert!((end.point.angle - 2.5).abs() < 1e-5); // ω/k
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 pub trait Resistance: Debug {
     /// A of dV/dt = −A: force per mass, and torque/(C M R), in m/s². The power against the motion,

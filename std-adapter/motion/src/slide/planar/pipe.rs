@@ -1,7 +1,7 @@
 //! Penner's pipe.
 
 use super::{Gradient, TallBody};
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use tribos_friction::{AnyFriction, Law, Patch};
 
 /// A hollow cylinder that stands and slides on its end.
@@ -24,7 +24,7 @@ use tribos_friction::{AnyFriction, Law, Patch};
 /// // All friction acts at R, too: the rim of a spinning ring slows down with mu g.
 /// let [_, _, rim] = thin.body(9.81)?.deceleration([0.0, 0.0, 0.5]);
 /// assert!((rim - 0.3 * 9.81).abs() < 1e-14);
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pipe {
@@ -49,12 +49,12 @@ impl Pipe {
     }
 
     /// Its resistance under `gravity`, in m/s².
-    pub fn body(&self, gravity: f64) -> Result<TallBody, SlideError> {
+    pub fn body(&self, gravity: f64) -> Result<TallBody, MotionError> {
         self.body_under(&Law::power(self.coefficient, self.alpha)?, gravity)
     }
 
     /// Its resistance under `gravity`, in m/s², and another law than its own.
-    pub(crate) fn body_under(&self, law: &Law, gravity: f64) -> Result<TallBody, SlideError> {
+    pub(crate) fn body_under(&self, law: &Law, gravity: f64) -> Result<TallBody, MotionError> {
         let foot = AnyFriction::new(&Patch::band(self.inner_ratio), law, None)?;
         let foot = foot.with_radius(self.radius)?;
         let rest = [gravity, self.inertia_ratio()];

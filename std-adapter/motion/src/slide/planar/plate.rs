@@ -1,7 +1,7 @@
 //! A flat plate of any outline.
 
 use super::Resistance;
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use tribos_core::Real;
 use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
 use tribos_core::law::LawError;
@@ -16,14 +16,14 @@ use tribos_friction::Flat;
 ///
 /// ```
 /// use tribos::friction::FlatPatch;
-/// use tribos::slide::planar::{PlanarSimulation, PlanarLaunch, Plate};
+/// use tribos::slide::planar::{PlanarSimulation, Launch, Plate};
 /// let tile: FlatPatch = "box:0.3x0.2".parse()?; // m
 /// let tile = Plate::new(tile.loaded(None)?, 0.3, 9.81)?; // mu, m/s²
-/// let launch = PlanarLaunch { velocity: [1.0, 0.0], spin: 5.0 };
+/// let launch = Launch { velocity: [1.0, 0.0], spin: 5.0 };
 /// let end = PlanarSimulation::new(&tile, &launch, 1e-4)?.to_end()?;
 /// // Without spin it would stop after v²/(2 mu g).
 /// assert!(end.point.distance > 1.0 / (2.0 * 0.3 * 9.81));
-/// # Ok::<(), tribos::slide::SlideError>(())
+/// # Ok::<(), tribos::slide::MotionError>(())
 /// ```
 #[derive(Debug)]
 pub struct Plate {
@@ -37,7 +37,7 @@ impl Plate {
     /// A plate of uniform thickness on `patch`, under friction with this coefficient.
     ///
     /// *Domain*: coefficient ≥ 0, gravity > 0, in m/s²; meshes are refused.
-    pub fn new(patch: Flat<f64>, coefficient: f64, gravity: f64) -> Result<Self, SlideError> {
+    pub fn new(patch: Flat<f64>, coefficient: f64, gravity: f64) -> Result<Self, MotionError> {
         let gyration = patch.radius_of_gyration()?;
         Ok(Self {
             friction: ShapeFriction::new(patch, coefficient)?,
@@ -48,7 +48,7 @@ impl Plate {
     }
 
     /// The plate with another radius of gyration about its upright axis, in m.
-    pub fn with_radius_of_gyration(self, radius: f64) -> Result<Self, SlideError> {
+    pub fn with_radius_of_gyration(self, radius: f64) -> Result<Self, MotionError> {
         let gyration = positive("radius of gyration", radius)?;
         Ok(Self { gyration, ..self })
     }
@@ -62,11 +62,11 @@ impl Plate {
     }
 }
 
-fn positive(parameter: &'static str, given: f64) -> Result<f64, SlideError> {
+fn positive(parameter: &'static str, given: f64) -> Result<f64, MotionError> {
     if given > 0.0 && given.is_finite() {
         Ok(given)
     } else {
-        Err(SlideError::Law(LawError::NotPositive { parameter, given }))
+        Err(MotionError::Law(LawError::NotPositive { parameter, given }))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Bodies of revolution with a raised centre of mass.
 
 use super::Resistance;
-use crate::slide::SlideError;
+use crate::slide::MotionError;
 use tribos_core::coupling::RoundFriction;
 use tribos_core::coupling::load_transfer::{
     FullGradient, LoadTransferFriction, LongitudinalGradient,
@@ -27,7 +27,7 @@ pub enum Gradient {
 ///
 /// ```
 /// use tribos::friction::{AnyFriction, Law, Patch};
-/// use tribos::slide::SlideError;
+/// use tribos::slide::MotionError;
 /// use tribos::slide::planar::{Gradient, Resistance, TallBody};
 /// let body = |height: f64, gravity: f64| {
 ///     let foot = AnyFriction::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?.with_radius(0.08)?;
@@ -37,8 +37,8 @@ pub enum Gradient {
 /// let lean = body(0.05, 9.81)?.lean([1.0, 0.0, 0.0]);
 /// assert!((lean - 4.0 * 0.3 * 0.05 / 0.08).abs() < 1e-14);
 /// assert!(body(0.10, 9.81)?.lean([1.0, 0.0, 0.0]) > 1.0); // it begins to tip
-/// assert!(matches!(body(0.05, 0.0), Err(SlideError::Law(_))));
-/// # Ok::<(), SlideError>(())
+/// assert!(matches!(body(0.05, 0.0), Err(MotionError::Law(_))));
+/// # Ok::<(), MotionError>(())
 /// ```
 #[derive(Debug)]
 pub struct TallBody {
@@ -64,11 +64,11 @@ impl TallBody {
         height: f64,
         gradient: Gradient,
         [gravity, inertia_ratio]: [f64; 2],
-    ) -> Result<Self, SlideError> {
+    ) -> Result<Self, MotionError> {
         for (parameter, given) in [("gravity", gravity), ("inertia ratio", inertia_ratio)] {
             let is_valid = given > 0.0 && given.is_finite();
             if !is_valid {
-                return Err(SlideError::Law(LawError::NotPositive { parameter, given }));
+                return Err(MotionError::Law(LawError::NotPositive { parameter, given }));
             }
         }
         let friction = match gradient {

@@ -6,7 +6,7 @@ use crate::slide::curling::{
     RING_POINTS, ScratchGuide,
 };
 use crate::slide::planar::Resistance;
-use crate::slide::{PlanarCourse, PlanarScene, SlideError, of_law};
+use crate::slide::{MotionError, PlanarCourse, PlanarScene, of_law};
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::reader::SceneDiagnostics;
@@ -51,12 +51,12 @@ scene! {
     /// The default is a rock by the rules at 2 m/s and 1.5 rad/s.
     ///
     /// ```
-    /// use tribos::{scene::{CurlingScene, IceModel}, slide::run_planar};
+    /// use tribos::scene::{CurlingScene, IceModel};
     /// let model = IceModel::ScratchGuide;
     /// let draw = CurlingScene { model, speed: 1.9866, ..CurlingScene::default() };
-    /// let end = run_planar(&draw)?.outcome;
+    /// let end = draw.run()?.outcome;
     /// assert!(end.x > 28.3 && end.curl > 0.9); // m, left
-    /// # Ok::<(), tribos::slide::SlideError>(())
+    /// # Ok::<(), tribos::slide::MotionError>(())
     /// ```
     #[derive(Copy)]
     pub struct CurlingScene = "curling", "A curling rock",
@@ -191,11 +191,11 @@ impl PlanarScene for CurlingScene {
         }
     }
 
-    fn resistance(&self) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self) -> Result<Box<dyn Resistance>, MotionError> {
         self.ice_model().resistance(&self.rock())
     }
 
-    fn evaluation(&self) -> Result<Evaluation, SlideError> {
+    fn evaluation(&self) -> Result<Evaluation, MotionError> {
         let points = RING_POINTS;
         match self.model {
             IceModel::Film => Ok(Evaluation::RingRule { points }),

@@ -2,7 +2,7 @@
 
 use super::planar::{EXPONENT, FootPressure, STOP_FRACTION, Tipping, is_of_power_law, moves};
 use crate::slide::planar::{Gradient, Resistance, TallCylinder};
-use crate::slide::{PlanarCourse, PlanarScene, SlideError, of_law};
+use crate::slide::{MotionError, PlanarCourse, PlanarScene, of_law};
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::table::scene;
@@ -15,12 +15,12 @@ scene! {
     /// The default is a cylinder as high as wide, 16 cm, at 1 m/s and 5 rad/s.
     ///
     /// ```
-    /// use tribos::{scene::{CylinderScene, Tipping}, slide::run_planar};
+    /// use tribos::scene::{CylinderScene, Tipping};
     /// let tower = CylinderScene { height: 0.4, ..CylinderScene::default() };
-    /// assert!(run_planar(&tower).is_err()); // it tips
-    /// let held = run_planar(&CylinderScene { on_tipping: Tipping::Clamp, ..tower })?;
+    /// assert!(tower.run().is_err()); // it tips
+    /// let held = CylinderScene { on_tipping: Tipping::Clamp, ..tower }.run()?;
     /// assert!(held.outcome.max_lean > 1.0);
-    /// # Ok::<(), tribos::slide::SlideError>(())
+    /// # Ok::<(), tribos::slide::MotionError>(())
     /// ```
     #[derive(Copy)]
     pub struct CylinderScene = "cylinder", "A tall cylinder that slides and spins to rest",
@@ -103,14 +103,14 @@ impl PlanarScene for CylinderScene {
         }
     }
 
-    fn resistance(&self) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self) -> Result<Box<dyn Resistance>, MotionError> {
         Ok(Box::new(
             self.cylinder()
                 .body_under(&self.local_law()?, self.gravity)?,
         ))
     }
 
-    fn evaluation(&self) -> Result<Evaluation, SlideError> {
+    fn evaluation(&self) -> Result<Evaluation, MotionError> {
         of_law(&self.pressure.pressure().into(), &self.local_law()?)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::planar::{EXPONENT, STOP_FRACTION, Tipping, is_of_power_law, moves};
 use crate::slide::planar::{Gradient, Pipe, Resistance};
-use crate::slide::{PlanarCourse, PlanarScene, SlideError, of_law};
+use crate::slide::{MotionError, PlanarCourse, PlanarScene, of_law};
 use tribos_base::scene::entries::Written;
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::table::scene;
@@ -15,12 +15,12 @@ scene! {
     /// The default is Penner's pipe of 10 cm at 1.74 m/s and 10.2 rad/s.
     ///
     /// ```
-    /// use tribos::{scene::PipeScene, slide::run_planar};
-    /// let run = run_planar(&PipeScene { spin: 0.0, ..PipeScene::default() })?;
+    /// use tribos::scene::PipeScene;
+    /// let run = PipeScene { spin: 0.0, ..PipeScene::default() }.run()?;
     /// // Without spin the pipe leans, but friction stays mu N.
     /// let forward = run.outcome.x;
     /// assert!((forward - 1.74 * 1.74 / (2.0 * 0.2 * 9.81)).abs() < 1e-12);
-    /// # Ok::<(), tribos::slide::SlideError>(())
+    /// # Ok::<(), tribos::slide::MotionError>(())
     /// ```
     #[derive(Copy)]
     pub struct PipeScene = "pipe", "An upright pipe that slides and spins to rest",
@@ -101,13 +101,13 @@ impl PlanarScene for PipeScene {
         }
     }
 
-    fn resistance(&self) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self) -> Result<Box<dyn Resistance>, MotionError> {
         Ok(Box::new(
             self.pipe().body_under(&self.local_law()?, self.gravity)?,
         ))
     }
 
-    fn evaluation(&self) -> Result<Evaluation, SlideError> {
+    fn evaluation(&self) -> Result<Evaluation, MotionError> {
         of_law(
             &Patch::band(self.inner_radius / self.radius),
             &self.local_law()?,

@@ -2,7 +2,7 @@
 
 use super::planar::{STOP_FRACTION, Tipping, moves};
 use crate::slide::planar::{Plate, Resistance};
-use crate::slide::{PlanarCourse, PlanarScene, SlideError};
+use crate::slide::{MotionError, PlanarCourse, PlanarScene};
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*, reads};
 use tribos_base::scene::table::{as_written, scene};
 use tribos_base::scene::{Domain, Form};
@@ -23,12 +23,12 @@ scene! {
     /// Its centre of mass lies above the centre of the outline, so low that the pressure stays uniform.
     ///
     /// ```
-    /// use tribos::{scene::PlateScene, slide::run_planar};
-    /// let run = run_planar(&PlateScene { speed: 1.0, spin: 0.0, ..PlateScene::default() })?;
+    /// use tribos::scene::PlateScene;
+    /// let run = PlateScene { speed: 1.0, spin: 0.0, ..PlateScene::default() }.run()?;
     /// // Without spin every plate stops like a point.
     /// let forward = run.outcome.x;
     /// assert!((forward - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-12);
-    /// # Ok::<(), tribos::slide::SlideError>(())
+    /// # Ok::<(), tribos::slide::MotionError>(())
     /// ```
     pub struct PlateScene = "plate", "A flat plate that slides and spins to rest",
         rules, as_written;
@@ -71,7 +71,7 @@ impl PlateScene {
     }
 
     /// The plate.
-    pub fn plate(&self) -> Result<Plate, SlideError> {
+    pub fn plate(&self) -> Result<Plate, MotionError> {
         let plate =
             Plate::new(self.outline()?, self.mu, self.gravity)?.with_orientation(self.orientation);
         match self.gyration_radius {
@@ -94,11 +94,11 @@ impl PlanarScene for PlateScene {
         }
     }
 
-    fn resistance(&self) -> Result<Box<dyn Resistance>, SlideError> {
+    fn resistance(&self) -> Result<Box<dyn Resistance>, MotionError> {
         Ok(Box::new(self.plate()?))
     }
 
-    fn evaluation(&self) -> Result<Evaluation, SlideError> {
+    fn evaluation(&self) -> Result<Evaluation, MotionError> {
         Ok(Evaluation::Edges)
     }
 }

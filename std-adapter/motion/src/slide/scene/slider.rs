@@ -33,7 +33,7 @@ scene! {
     /// The default is a disk of 8 cm and 100 g, thrown over a table at 1 m/s and 5 rad/s.
     ///
     /// ```
-    /// use tribos::{scene::{DiskScene, Units}, slide::run};
+    /// use tribos::scene::{DiskScene, Units};
     /// let scene = DiskScene {
     ///     units: Units::Dimensionless,
     ///     spin: 0.0,
@@ -43,9 +43,9 @@ scene! {
     ///     mass: 1.0,
     ///     ..DiskScene::default()
     /// };
-    /// let distance = run(&scene, |_| ())?.outcome.distance; // in radii
+    /// let distance = scene.run()?.outcome.distance; // in radii
     /// assert!((distance - 2.0).abs() < 1e-13); // v²/(2 mu g)
-    /// # Ok::<(), tribos::slide::SlideError>(())
+    /// # Ok::<(), tribos::slide::MotionError>(())
     /// ```
     #[derive(Copy)]
     pub struct DiskScene = "disk", "A disk that slides and spins to rest",

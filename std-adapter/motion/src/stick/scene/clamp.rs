@@ -11,11 +11,11 @@ scene! {
     /// Both pads press with the same load; the body moves as far as their bonds give way.
     ///
     /// ```
-    /// use tribos::{scene::ClampScene, stick::clamp::run};
+    /// use tribos::scene::ClampScene;
     /// // Below what the weaker pad holds nothing slips: the loop has no area.
     /// let gentle = ClampScene { force_amplitude: 1.0, ..ClampScene::default() };
-    /// assert_eq!(run(&gentle)?.outcome.loss_per_cycle, 0.0);
-    /// # Ok::<(), tribos::stick::StickError>(())
+    /// assert_eq!(gentle.run()?.outcome.loss_per_cycle, 0.0);
+    /// # Ok::<(), tribos::stick::MotionError>(())
     /// ```
     pub struct ClampScene = "clamp", "A clamped body under a load that swings",
         rules, as_written;

@@ -12,8 +12,8 @@ scene! {
     /// It is raised so slowly that the raising itself accelerates nothing.
     ///
     /// ```
-    /// use tribos::{scene::InclineScene, stick::incline::run};
-    /// let end = run(&InclineScene { mu_static: 0.5, ..InclineScene::default() })?.outcome;
+    /// use tribos::scene::InclineScene;
+    /// let end = InclineScene { mu_static: 0.5, ..InclineScene::default() }.run()?.outcome;
     /// let angle: f64 = end.release_angle.ok_or("holds")?;
     /// assert!((angle.tan() - 0.5).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -40,7 +40,7 @@ scene! {
     /// The default is a block of 1 kg that sticks and slips.
     ///
     /// ```
-    /// use tribos::{scene::{SpringFriction, SpringScene}, stick::spring::{StickSlipRegime, run}};
+    /// use tribos::{scene::{SpringFriction, SpringScene}, stick::spring::StickSlipRegime};
     /// // SvgCanvas on paper under a stiff spring, without mass.
     /// let friction = SpringFriction::RateState;
     /// let paper = SpringScene {
@@ -48,7 +48,7 @@ scene! {
     /// };
     /// let critical = paper.critical_stiffness().ok_or("another law")?; // 2e5 N/m
     /// let stiff = SpringScene { stiffness: 1.5 * critical, ..paper };
-    /// assert_eq!(run(&stiff)?.outcome.regime, StickSlipRegime::Creeps);
+    /// assert_eq!(stiff.run()?.outcome.regime, StickSlipRegime::Creeps);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[derive(Copy)]

@@ -10,10 +10,10 @@ scene! {
     /// A body that lies on a turntable which is spun up from rest: it holds, lets go and slides outward.
     ///
     /// ```
-    /// use tribos::{scene::TurntableScene, stick::turntable::run};
+    /// use tribos::scene::TurntableScene;
     /// // A slow spin-up lets go where the centrifugal force meets friction.
     /// let table = TurntableScene { table_angular_acceleration: 1e-4, duration: 1e5, time_step: 1e-2, ..TurntableScene::default() };
-    /// let rate = run(&table)?.outcome.release_rate.ok_or("holds")?;
+    /// let rate = table.run()?.outcome.release_rate.ok_or("holds")?;
     /// let pull = rate * rate * table.distance; // omega² r
     /// assert!((pull / (table.mu_static * table.gravity) - 1.0).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

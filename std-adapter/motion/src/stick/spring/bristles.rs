@@ -2,7 +2,7 @@
 
 use super::motion::{SpringIntegrator, SpringSample, spring_impulse};
 use super::rosenbrock::{OdeSystem, StepSizeControl};
-use crate::stick::StickError;
+use crate::stick::MotionError;
 use tribos_core::law::{Bristle, LuGre};
 
 /// A body on bristles.
@@ -102,14 +102,14 @@ impl SpringIntegrator for BristleMotion {
         }
     }
 
-    fn step(&mut self, speed: f64, until: f64) -> Result<f64, StickError> {
+    fn step(&mut self, speed: f64, until: f64) -> Result<f64, MotionError> {
         let before = self.moment();
         let mut pace = self.pace.clone();
         let flow = BristleFlow { body: self, speed };
         let left = until - self.time;
         let (end, step) = pace
             .step(&flow, &self.y, left, &self.scale)
-            .ok_or(StickError::NotFinite { time: self.time })?;
+            .ok_or(MotionError::NotFiniteAt { time: self.time })?;
         (self.y, self.pace) = (end, pace);
         self.pull += speed * step;
         self.time = if step >= left {

@@ -12,7 +12,7 @@
 //! known. At rest the force grows linearly, and the body lets go where it meets N μ_s(age).
 
 use super::motion::{SpringIntegrator, SpringSample};
-use crate::stick::StickError;
+use crate::stick::MotionError;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use tribos_core::Real;
 use tribos_core::law::{RestTime, StaticAgeing};
@@ -245,7 +245,7 @@ impl SpringIntegrator for DryMotion {
         }
     }
 
-    fn step(&mut self, speed: f64, until: f64) -> Result<f64, StickError> {
+    fn step(&mut self, speed: f64, until: f64) -> Result<f64, MotionError> {
         let left = until - self.time;
         let before = self.time;
         let impulse = match self.phase {
@@ -257,7 +257,7 @@ impl SpringIntegrator for DryMotion {
             self.time = until;
         }
         if !(self.offset.is_finite() && self.time >= before) {
-            return Err(StickError::NotFinite { time: before });
+            return Err(MotionError::NotFiniteAt { time: before });
         }
         Ok(impulse)
     }

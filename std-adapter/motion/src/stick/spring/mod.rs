@@ -25,10 +25,8 @@ mod tally;
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;
 
-pub use motion::SpringSample;
 pub use outcome::{HoldPeak, SpringSummary, StickSlipRegime};
 pub use rate_state::StateEvolutionKind;
-pub use run::{SPRING_COLUMNS, SpringRun, run};
 #[doc(hidden)]
 pub use stability::critical_stiffness;
 

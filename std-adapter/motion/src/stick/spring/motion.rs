@@ -1,11 +1,11 @@
 //! The state of a body on a spring, and what every way of following it answers.
 
-use crate::stick::StickError;
+use crate::stick::MotionError;
 
 /// The body at one instant. *Units*: SI. Forces are positive forward, friction where it resists forward
 /// motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpringSample {
+pub(super) struct SpringSample {
     /// Time.
     pub time: f64,
     /// Place of the pulled end of the spring.
@@ -32,7 +32,7 @@ pub(super) trait SpringIntegrator {
 
     /// Takes one step towards `until` while the end of the spring moves with `speed`; returns ∫F dt of the
     /// spring force.
-    fn step(&mut self, speed: f64, until: f64) -> Result<f64, StickError>;
+    fn step(&mut self, speed: f64, until: f64) -> Result<f64, MotionError>;
 
     /// Whether it comes to rest to the bit.
     fn holds_exactly(&self) -> bool;

@@ -7,10 +7,10 @@ use tribos_base::results::{Reporting::*, summary};
 ///
 /// ```
 /// use tribos::scene::SpringScene;
-/// use tribos::stick::spring::{StickSlipRegime, run};
+/// use tribos::stick::spring::StickSlipRegime;
 /// let block = SpringScene::default(); // mu_s = 0.5, mu_d = 0.3
-/// assert_eq!(run(&block)?.outcome.regime, StickSlipRegime::StickSlip);
-/// # Ok::<(), tribos::stick::StickError>(())
+/// assert_eq!(block.run()?.outcome.regime, StickSlipRegime::StickSlip);
+/// # Ok::<(), tribos::stick::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StickSlipRegime {
@@ -44,10 +44,10 @@ summary! {
     ///
     /// ```
     /// use tribos::scene::SpringScene;
-    /// use tribos::stick::spring::{SpringSummary, run};
-    /// let SpringSummary { most_force, period, .. } = run(&SpringScene::default())?.outcome;
+    /// use tribos::stick::spring::SpringSummary;
+    /// let SpringSummary { most_force, period, .. } = SpringScene::default().run()?.outcome;
     /// assert!(most_force > 0.5 * 9.81 && period.is_some()); // mu_s N, and a little beyond
-    /// # Ok::<(), tribos::stick::StickError>(())
+    /// # Ok::<(), tribos::stick::MotionError>(())
     /// ```
     pub struct SpringSummary;
 

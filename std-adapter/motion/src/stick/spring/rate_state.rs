@@ -13,7 +13,7 @@
 
 use super::motion::{SpringIntegrator, SpringSample, spring_impulse};
 use super::rosenbrock::{OdeSystem, StepSizeControl};
-use crate::stick::StickError;
+use crate::stick::MotionError;
 use tribos_core::Real;
 use tribos_core::law::{AgeingLaw, RateState, StateVariable};
 
@@ -245,16 +245,16 @@ impl SpringIntegrator for RateStateMotion {
         }
     }
 
-    fn step(&mut self, speed: f64, until: f64) -> Result<f64, StickError> {
+    fn step(&mut self, speed: f64, until: f64) -> Result<f64, MotionError> {
         let (before, left) = (self.moment(), until - self.time);
         let mut pace = self.pace.clone();
-        let lost = StickError::NotFinite { time: self.time };
+        let lost = MotionError::NotFiniteAt { time: self.time };
         let (end, step) = self.next(&mut pace, speed, left).ok_or(lost)?;
         if self.speed_of(end[0]) < SLOWEST {
-            return Err(StickError::TooSlow { time: self.time });
+            return Err(MotionError::TooSlow { time: self.time });
         }
         if self.mass > 0.0 && end[2] < 0.0 {
-            return Err(StickError::Backwards { time: self.time });
+            return Err(MotionError::Backwards { time: self.time });
         }
         (self.y, self.pace) = (end, pace);
         self.pull += speed * step;

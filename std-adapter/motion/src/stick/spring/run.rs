@@ -8,15 +8,15 @@ use super::rate_state::RateStateMotion;
 use super::speed::SpeedMotion;
 use super::stability::critical_stiffness;
 use super::tally::RunStatistics;
-use crate::motion_run::{MotionError, MotionRun, MotionScene};
-use crate::stick::StickError;
+use crate::error::MotionError;
+use crate::motion_run::{MotionRun, MotionScene, SceneRun};
 use crate::stick::scene::{SpringFriction, SpringScene};
 use tribos_base::results::{Quantity, Summary, SweepView};
 use tribos_core::law::{LocalLaw, LuGre, RateState, RateStateParameters, StaticAgeing};
 use tribos_friction::Law;
 
-/// Columns of the series: s, m, m, m/s, N, N, s or m, 0 or 1.
-pub const SPRING_COLUMNS: [&str; 8] = [
+/// Columns of the series.
+const COLUMNS: [&str; 8] = [
     "time",
     "pull",
     "position",
@@ -31,48 +31,37 @@ pub const SPRING_COLUMNS: [&str; 8] = [
 const MOST_STEPS: u64 = 20_000_000;
 const BETWEEN: u64 = 1024;
 
-/// Series and summary of a run.
-///
-/// ```
-/// use tribos::scene::SpringScene;
-/// use tribos::stick::spring::{SpringRun, run};
-/// let SpringRun { moments, outcome } = run(&SpringScene::default())?;
-/// assert_eq!(moments.last().map(|last| last.time), Some(outcome.end_time));
-/// # Ok::<(), tribos::stick::StickError>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct SpringRun {
-    /// The state at evenly spaced times of every pull and hold.
-    pub moments: Vec<SpringSample>,
-    /// The summary.
-    pub outcome: SpringSummary,
+/// The run of a scene, with these [`COLUMNS`].
+type SpringRun = SceneRun<SpringSummary, { COLUMNS.len() }>;
+
+impl SpringScene {
+    /// Runs the scene to its end.
+    ///
+    /// *Columns* of the series: s, m, m, m/s, N, N, s or m, 0 or 1.
+    ///
+    /// *Accuracy*: dry friction to rounding, some ulp an arc; the others within the scene's `tolerance` a step.
+    ///
+    /// ```
+    /// use tribos::scene::SpringScene;
+    /// // m = 1 kg, k = 100 N/m, N = 9.81 N, mu_s = 0.5, mu_d = 0.3: T = 2 D/(kV) + 2 (pi - atan(D w/(kV)))/w.
+    /// let scene = SpringScene::default();
+    /// let (drop, omega) = (0.2 * 9.81, 10.0);
+    /// let share: f64 = drop / (scene.stiffness * scene.pull_speed); // D/(kV), in s
+    /// let period = 2.0 * share + 2.0 * (std::f64::consts::PI - (share * omega).atan()) / omega;
+    /// let found = scene.run()?.outcome.period.ok_or("steady")?;
+    /// assert!((found / period - 1.0).abs() < 1e-10);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn run(&self) -> Result<SpringRun, MotionError> {
+        watched(self, &mut |_| true)
+    }
 }
 
-/// Runs a scene to its end.
-///
-/// *Accuracy*: dry friction to rounding, some ulp an arc; the others within the scene's `tolerance` a step.
-///
-/// ```
-/// use tribos::scene::SpringScene;
-/// use tribos::stick::spring::run;
-/// // m = 1 kg, k = 100 N/m, N = 9.81 N, mu_s = 0.5, mu_d = 0.3: T = 2 D/(kV) + 2 (pi - atan(D w/(kV)))/w.
-/// let scene = SpringScene::default();
-/// let (drop, omega) = (0.2 * 9.81, 10.0);
-/// let share: f64 = drop / (scene.stiffness * scene.pull_speed); // D/(kV), in s
-/// let period = 2.0 * share + 2.0 * (std::f64::consts::PI - (share * omega).atan()) / omega;
-/// let found = run(&scene)?.outcome.period.ok_or("steady")?;
-/// assert!((found / period - 1.0).abs() < 1e-10);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn run(scene: &SpringScene) -> Result<SpringRun, StickError> {
-    watched(scene, &mut |_| true)
-}
-
-/// The same; `watch` sees the share of the time that is done, and ends the run by answering false.
+/// Runs a scene; `watch` sees the share of the time that is done, and ends the run by answering false.
 fn watched(
     scene: &SpringScene,
     watch: &mut dyn FnMut(f64) -> bool,
-) -> Result<SpringRun, StickError> {
+) -> Result<SpringRun, MotionError> {
     scene.check()?;
     let mut body = follower(scene)?;
     let mut course = SpringRunState::new(scene, &*body, watch);
@@ -86,10 +75,10 @@ fn watched(
 }
 
 /// The body of a scene at its start.
-fn follower(scene: &SpringScene) -> Result<Box<dyn SpringIntegrator>, StickError> {
+fn follower(scene: &SpringScene) -> Result<Box<dyn SpringIntegrator>, MotionError> {
     let (speed, tolerance) = (scene.pull_speed, scene.tolerance);
     let [mass, stiffness, load] = [scene.mass, scene.stiffness, scene.load];
-    let dry = |mu_static, mu_dynamic, growth| -> Result<Box<dyn SpringIntegrator>, StickError> {
+    let dry = |mu_static, mu_dynamic, growth| -> Result<Box<dyn SpringIntegrator>, MotionError> {
         Ok(Box::new(DryMotion::new(DryBlock {
             mass,
             stiffness,
@@ -177,7 +166,7 @@ struct SpringRunState<'a> {
     watch: &'a mut dyn FnMut(f64) -> bool,
     /// Time of all pulls and holds.
     duration: f64,
-    moments: Vec<SpringSample>,
+    rows: Vec<[f64; COLUMNS.len()]>,
     /// Of the whole run; of the third and the last quarter of the last pull.
     whole: RunStatistics,
     quarters: [RunStatistics; 2],
@@ -202,7 +191,7 @@ impl<'a> SpringRunState<'a> {
             scene,
             watch,
             duration: pieces(scene).iter().map(|piece| piece.duration).sum(),
-            moments: vec![first],
+            rows: vec![first.row()],
             whole: tally.clone(),
             quarters: [tally.clone(), tally],
             work: 0.0,
@@ -219,7 +208,7 @@ impl<'a> SpringRunState<'a> {
         &mut self,
         body: &mut dyn SpringIntegrator,
         piece: &PullOrHold,
-    ) -> Result<(), StickError> {
+    ) -> Result<(), MotionError> {
         let begin = body.moment();
         if piece.speed == 0.0 {
             self.hold = Some(HoldPeak {
@@ -244,7 +233,7 @@ impl<'a> SpringRunState<'a> {
             };
             self.advance(body, piece, until, quarter)?;
             if is_row || self.ran_away {
-                self.moments.push(body.moment());
+                self.rows.push(body.moment().row());
             }
             if self.ran_away {
                 return Ok(());
@@ -262,7 +251,7 @@ impl<'a> SpringRunState<'a> {
         piece: &PullOrHold,
         until: f64,
         quarter: Option<usize>,
-    ) -> Result<(), StickError> {
+    ) -> Result<(), MotionError> {
         let mut before = body.moment();
         while before.time < until {
             let impulse = body.step(piece.speed, until)?;
@@ -282,10 +271,10 @@ impl<'a> SpringRunState<'a> {
             }
             let (steps, time) = (self.steps, after.time);
             if steps > MOST_STEPS {
-                return Err(StickError::TooManySteps { steps, time });
+                return Err(MotionError::TooManyStepsAt { steps, time });
             }
             if steps.is_multiple_of(BETWEEN) && !(self.watch)(time / self.duration) {
-                return Err(StickError::Interrupted { time });
+                return Err(MotionError::InterruptedAt { time });
             }
             before = after;
         }
@@ -317,8 +306,9 @@ impl<'a> SpringRunState<'a> {
         let time = sum(|tally| tally.time);
         let least_force = worst(f64::min, |tally| tally.force.least);
         let most_force = worst(f64::max, |tally| tally.force.most);
-        SpringRun {
-            moments: self.moments,
+        SceneRun {
+            columns: &COLUMNS,
+            rows: self.rows,
             outcome: SpringSummary {
                 regime: regime(
                     &[counted[0].clone(), counted[1].clone()],
@@ -369,7 +359,7 @@ impl SpringScene {
 
 impl SpringSample {
     /// A row of the series.
-    pub(super) fn row(&self) -> [f64; SPRING_COLUMNS.len()] {
+    pub(super) fn row(&self) -> [f64; COLUMNS.len()] {
         [
             self.time,
             self.pull,
@@ -441,18 +431,7 @@ impl MotionScene for SpringScene {
                 ),
             ));
         }
-        Ok(MotionRun {
-            columns: &SPRING_COLUMNS,
-            rows: result
-                .moments
-                .iter()
-                .map(|moment| moment.row().to_vec())
-                .collect(),
-            outcome: outcome.entries(),
-            told,
-            spent: None,
-            drawn: (&["spring_force"], "spring force [N]"),
-        })
+        Ok(result.shown(told, (&["spring_force"], "spring force [N]")))
     }
 
     fn carried(&self) -> Vec<(&'static str, String)> {

@@ -3,7 +3,7 @@
 
 use super::motion::{SpringIntegrator, SpringSample, spring_impulse};
 use super::rosenbrock::{OdeSystem, StepSizeControl, trial};
-use crate::stick::StickError;
+use crate::stick::MotionError;
 use tribos_core::law::LocalLaw;
 use tribos_friction::AnyLaw;
 
@@ -95,9 +95,9 @@ impl SpeedMotion {
     }
 
     /// Moves on by one step, to the instant of rest at most.
-    fn slide(&mut self, speed: f64, left: f64) -> Result<(), StickError> {
+    fn slide(&mut self, speed: f64, left: f64) -> Result<(), MotionError> {
         let time = self.time;
-        let lost = || StickError::NotFinite { time };
+        let lost = || MotionError::NotFiniteAt { time };
         let start = [self.velocity, self.force];
         let mut pace = self.pace.clone();
         let flow = self.flow(speed);
@@ -241,7 +241,7 @@ impl SpringIntegrator for SpeedMotion {
         }
     }
 
-    fn step(&mut self, speed: f64, until: f64) -> Result<f64, StickError> {
+    fn step(&mut self, speed: f64, until: f64) -> Result<f64, MotionError> {
         let before = self.moment();
         let left = until - self.time;
         if self.holds_exactly() && self.sign == 0.0 {

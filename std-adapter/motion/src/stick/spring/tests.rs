@@ -1,7 +1,7 @@
 //! Bodies on springs against closed forms and independent integrations.
 
 use super::*;
-use crate::stick::StickError;
+use crate::stick::MotionError;
 use crate::stick::scene::{SpringFriction, SpringScene};
 use std::f64::consts::PI;
 
@@ -47,7 +47,7 @@ fn dry_blocks() -> impl Iterator<Item = SpringScene> {
 fn coulombs_stick_slip_has_the_period_and_the_forces_of_its_closed_form() {
     for scene in dry_blocks() {
         let [drop, omega, period] = closed_form(&scene);
-        let outcome = run(&scene).unwrap().outcome;
+        let outcome = scene.run().unwrap().outcome;
         assert_eq!(outcome.regime, StickSlipRegime::StickSlip);
         let found = outcome.period.unwrap();
         assert!(
@@ -67,23 +67,29 @@ fn a_body_that_sticks_keeps_its_place_to_the_bit_and_work_becomes_heat_and_tensi
     let mut stuck = 0;
     for scene in dry_blocks() {
         let samples = 4000;
-        let result = run(&SpringScene { samples, ..scene }).unwrap();
-        for pair in result.moments.windows(2) {
-            if pair.iter().all(|moment| !moment.slips) && pair[1].state > pair[0].state {
-                assert_eq!(pair[0].position.to_bits(), pair[1].position.to_bits());
-                assert_eq!(
-                    (pair[1].velocity, pair[1].friction),
-                    (0.0, pair[1].spring_force)
-                );
+        let result = SpringScene { samples, ..scene }.run().unwrap();
+        for pair in result.rows.windows(2) {
+            let [[_, _, before, .., rested, slipped], row] = [pair[0], pair[1]];
+            let [
+                _,
+                _,
+                position,
+                velocity,
+                spring_force,
+                friction,
+                rests,
+                slips,
+            ] = row;
+            if slipped + slips == 0.0 && rests > rested {
+                assert_eq!(before.to_bits(), position.to_bits());
+                assert_eq!((velocity, friction), (0.0, spring_force));
                 stuck += 1;
             }
         }
-        let (last, work) = (
-            result.moments[result.moments.len() - 1],
-            result.outcome.work,
-        );
-        let stored = 0.5 * last.spring_force * last.spring_force / scene.stiffness
-            + 0.5 * scene.mass * last.velocity * last.velocity;
+        let work = result.outcome.work;
+        let [_, _, _, velocity, spring_force, ..] = result.rows[result.rows.len() - 1];
+        let stored = 0.5 * spring_force * spring_force / scene.stiffness
+            + 0.5 * scene.mass * velocity * velocity;
         // All motion is forward: heat is friction times distance.
         let heat = scene.mu_dynamic * scene.load * result.outcome.distance;
         assert!(
@@ -101,7 +107,7 @@ fn equal_coefficients_leave_an_oscillation_about_the_dynamic_friction() {
         mu_static: 0.3,
         ..SpringScene::default()
     };
-    let outcome = run(&scene).unwrap().outcome;
+    let outcome = scene.run().unwrap().outcome;
     let swing = scene.pull_speed * (scene.stiffness * scene.mass).sqrt();
     assert_eq!(outcome.regime, StickSlipRegime::Oscillates);
     assert!(
@@ -122,7 +128,7 @@ fn without_friction_in_motion_the_series_does_not_decide_whether_a_body_holds() 
             ..SpringScene::default()
         };
         let [_, _, period] = closed_form(&scene);
-        let outcome = run(&scene).unwrap().outcome;
+        let outcome = scene.run().unwrap().outcome;
         assert_eq!(outcome.regime, StickSlipRegime::StickSlip, "{samples}");
         let found = outcome.period.unwrap();
         assert!(
@@ -142,7 +148,7 @@ fn a_body_stops_however_slowly_it_is_pulled() {
             ..SpringScene::default()
         };
         let [_, _, period] = closed_form(&scene);
-        let outcome = run(&scene).unwrap().outcome;
+        let outcome = scene.run().unwrap().outcome;
         assert_eq!(outcome.regime, StickSlipRegime::StickSlip, "{pull_speed}");
         let found = outcome.period.unwrap();
         assert!(
@@ -163,7 +169,7 @@ fn a_pull_too_weak_moves_nothing() {
         distance,
         slips,
         ..
-    } = run(&scene).unwrap().outcome;
+    } = scene.run().unwrap().outcome;
     assert_eq!((regime, distance, slips), (StickSlipRegime::Rests, 0.0, 0));
 }
 
@@ -178,7 +184,7 @@ fn contacts_that_age_let_go_where_the_force_meets_the_age() {
             samples: 20_000,
             ..SpringScene::default()
         };
-        let outcome = run(&scene).unwrap().outcome;
+        let outcome = scene.run().unwrap().outcome;
         // The onset by bisection: k V t = N (mu_s + growth ln(t/cut_off)).
         let strength = |age: f64| {
             let grown = if age > cut_off {
@@ -226,7 +232,7 @@ fn static_friction_grows_with_the_logarithm_of_the_hold() {
         stiffness: 1000.0,
         ..SpringScene::default()
     };
-    let outcome = run(&scene).unwrap().outcome;
+    let outcome = scene.run().unwrap().outcome;
     assert_eq!(outcome.holds.len(), 5);
     let healing = outcome.healing.unwrap();
     // The reload adds some seconds to ages of 1000 s and more.
@@ -254,7 +260,7 @@ fn bisected(scene: &SpringScene, expected: f64) -> f64 {
             stiffness,
             ..*scene
         };
-        let outcome = run(&trial).unwrap().outcome;
+        let outcome = trial.run().unwrap().outcome;
         if outcome.ran_away || outcome.swing_ratio > 1.0 {
             low = stiffness;
         } else {
@@ -297,13 +303,13 @@ fn the_critical_stiffness_is_that_of_ruina_with_and_without_mass() {
 
 #[test]
 fn without_mass_and_viscous_term_a_soft_spring_ends_in_a_run_that_says_so() {
-    let outcome = run(&paper()).unwrap().outcome;
+    let outcome = paper().run().unwrap().outcome;
     assert!(outcome.ran_away && outcome.end_time < 200.0, "{outcome:?}");
     let stiff = SpringScene {
         stiffness: 4e5,
         ..paper()
     };
-    let outcome = run(&stiff).unwrap().outcome;
+    let outcome = stiff.run().unwrap().outcome;
     assert_eq!(outcome.regime, StickSlipRegime::Creeps);
     // mu_0 at V_0.
     assert!((outcome.mean_force / 3.5 - 1.0).abs() < 1e-5, "{outcome:?}");
@@ -317,9 +323,9 @@ fn a_direct_effect_too_small_to_follow_is_told() {
             radiation_damping: 20.0,
             ..paper()
         };
-        let ended = run(&scene);
+        let ended = scene.run();
         assert!(
-            matches!(ended, Err(StickError::TooSlow { .. })),
+            matches!(ended, Err(MotionError::TooSlow { .. })),
             "{a}: {ended:?}"
         );
     }
@@ -336,7 +342,7 @@ fn contacts_under_rate_and_state_heal_by_b_for_each_e_fold_of_the_hold() {
         radiation_damping: 1.0,
         ..paper()
     };
-    let healing = run(&scene).unwrap().outcome.healing.unwrap();
+    let healing = scene.run().unwrap().outcome.healing.unwrap();
     assert!((healing / scene.b - 1.0).abs() < 0.02, "{healing}");
 }
 
@@ -364,7 +370,7 @@ fn stick_slip_under_stribecks_law_is_that_of_another_integrator() {
             tolerance: 1e-11,
             ..SpringScene::default()
         };
-        let outcome = run(&scene).unwrap().outcome;
+        let outcome = scene.run().unwrap().outcome;
         assert_eq!(outcome.regime, StickSlipRegime::StickSlip);
         let found = outcome.period.unwrap();
         assert!((found / period - 1.0).abs() < 1e-8, "{law}: {found}");
@@ -411,7 +417,7 @@ fn the_cycle_without_mass_is_that_of_another_integrator() {
             radiation_damping: 20.0,
             ..paper()
         };
-        let outcome = run(&scene).unwrap().outcome;
+        let outcome = scene.run().unwrap().outcome;
         assert_eq!(outcome.regime, StickSlipRegime::StickSlip);
         assert!(
             (outcome.period.unwrap() / period - 1.0).abs() < 1e-5,
@@ -455,7 +461,7 @@ fn the_cycle_with_mass_is_that_of_another_integrator() {
             stiffness: 2e4,
             ..paper()
         };
-        let outcome = run(&scene).unwrap().outcome;
+        let outcome = scene.run().unwrap().outcome;
         assert_eq!(outcome.regime, StickSlipRegime::StickSlip);
         assert!(
             (outcome.least_force / forces[0] - 1.0).abs() < 1e-4,
@@ -480,7 +486,7 @@ fn stick_slip_on_bristles_is_that_of_another_integrator() {
         static_force: 5.0,
         ..SpringScene::default()
     };
-    let outcome = run(&scene).unwrap().outcome;
+    let outcome = scene.run().unwrap().outcome;
     assert_eq!(outcome.regime, StickSlipRegime::StickSlip);
     assert!(
         (outcome.period.unwrap() / 1.154_266_908_4 - 1.0).abs() < 1e-4,
@@ -500,7 +506,7 @@ fn stick_slip_on_bristles_is_that_of_another_integrator() {
         viscous_damping: 20.0,
         ..scene
     };
-    let outcome = run(&fast).unwrap().outcome;
+    let outcome = fast.run().unwrap().outcome;
     assert_eq!(outcome.regime, StickSlipRegime::Steady);
     assert!(
         (outcome.mean_force - 3.0 - 10.0).abs() < 1e-4,

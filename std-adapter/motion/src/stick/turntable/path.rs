@@ -1,7 +1,7 @@
 //! The path of a body that slides on a turntable, in the room.
 
 use super::{Table, difference, rotated};
-use crate::stick::StickError;
+use crate::stick::MotionError;
 use nalgebra::Vector2;
 use tribos_core::Real;
 use tribos_core::contact::TimeStep;
@@ -47,12 +47,12 @@ impl SlideState {
         table: &Table<'_>,
         until: f64,
         watch: &mut dyn FnMut(f64) -> bool,
-    ) -> Result<Option<f64>, StickError> {
+    ) -> Result<Option<f64>, MotionError> {
         while self.state.time < until {
             let before = self.state;
             let time = before.time;
             if self.steps.is_multiple_of(BETWEEN) && !watch(time / table.scene.duration) {
-                return Err(StickError::Interrupted { time });
+                return Err(MotionError::InterruptedAt { time });
             }
             let step = self.step(table, until)?;
             let rim = table.scene.table_radius;
@@ -67,11 +67,11 @@ impl SlideState {
     }
 
     /// One step whose error is within the tolerance; returns its length.
-    fn step(&mut self, table: &Table<'_>, until: f64) -> Result<f64, StickError> {
+    fn step(&mut self, table: &Table<'_>, until: f64) -> Result<f64, MotionError> {
         let time = self.state.time;
         if self.steps >= MOST_STEPS {
             let steps = self.steps;
-            return Err(StickError::TooManySteps { steps, time });
+            return Err(MotionError::TooManyStepsAt { steps, time });
         }
         for _ in 0..MOST_REJECTIONS {
             let longest = self.next.min(table.scene.time_step);
@@ -98,7 +98,7 @@ impl SlideState {
                 break;
             }
         }
-        Err(StickError::NotFinite { time })
+        Err(MotionError::NotFiniteAt { time })
     }
 }
 
@@ -118,13 +118,13 @@ fn share_to(from: &Vector2<f64>, to: &Vector2<f64>, radius: f64) -> f64 {
 
 impl Table<'_> {
     /// Two steps of half the length.
-    fn halves(&self, state: &State, step: f64) -> Result<State, StickError> {
+    fn halves(&self, state: &State, step: f64) -> Result<State, MotionError> {
         let middle = self.step(state, 0.5 * step)?;
         self.step(&middle, 0.5 * step)
     }
 
     /// One step: where it leads and how the body is turned at half time is found from two first passes.
-    fn step(&self, state: &State, step: f64) -> Result<State, StickError> {
+    fn step(&self, state: &State, step: f64) -> Result<State, MotionError> {
         let dt = TimeStep::new(step).map_err(tribos_core::Error::from)?;
         let free = self.pass(state, state, dt);
         let first = self.pass(state, &free, dt);

@@ -17,7 +17,7 @@ fn a_small_body_lets_go_where_its_whole_acceleration_meets_friction() {
             table_angular_acceleration: spin_up,
             ..TurntableScene::default()
         };
-        let release = start(&run(&scene).unwrap().outcome).unwrap();
+        let release = start(&scene.run().unwrap().outcome).unwrap();
         // r √(Ω⁴ + α²) = μ_s g
         let limit: f64 = mu * 9.81 / arm;
         let expected = (limit * limit - spin_up * spin_up).sqrt().sqrt();
@@ -41,7 +41,7 @@ fn the_torque_of_the_spin_up_lets_a_wide_body_go_earlier() {
             gyration_radius,
             ..narrow.clone()
         };
-        run(&scene).unwrap().outcome.release_rate.unwrap()
+        scene.run().unwrap().outcome.release_rate.unwrap()
     });
     assert!(rates.windows(2).all(|pair| pair[1] < pair[0]), "{rates:?}");
     // I α above the torque (2/3) R μ_s m g that a disk carries: it turns at once.
@@ -49,12 +49,12 @@ fn the_torque_of_the_spin_up_lets_a_wide_body_go_earlier() {
         gyration_radius: (2.0 / 3.0 * 0.03 * 0.4 * 9.81 / 5.0_f64).sqrt() * 1.001,
         ..narrow
     };
-    assert_eq!(run(&wide).unwrap().outcome.release_rate.unwrap(), 0.0);
+    assert_eq!(wide.run().unwrap().outcome.release_rate.unwrap(), 0.0);
 }
 
 #[test]
 fn it_rests_on_the_table_to_the_bit_until_it_lets_go() {
-    let result = run(&TurntableScene::default()).unwrap();
+    let result = TurntableScene::default().run().unwrap();
     let release = start(&result.outcome).unwrap();
     let held = result.rows.iter().filter(|row| row[0] <= release.time);
     assert!(held.clone().count() > 100);
@@ -73,7 +73,7 @@ fn almost_without_friction_it_leaves_along_the_tangent() {
         samples: 2000,
         ..TurntableScene::default()
     };
-    let result = run(&scene).unwrap();
+    let result = scene.run().unwrap();
     let release = start(&result.outcome).unwrap();
     let turned = 0.5 * scene.table_angular_acceleration * release.time * release.time;
     let start = rotated(Vector2::new(scene.distance, 0.0), turned);
@@ -123,7 +123,7 @@ fn a_body_leaves_a_quick_table_when_an_independent_integration_says_at_any_step(
         duration: 5.0,
         ..TurntableScene::default()
     };
-    let release = start(&run(&quick).unwrap().outcome).unwrap();
+    let release = start(&quick.run().unwrap().outcome).unwrap();
     let expected = followed(&quick, release);
     for (time_step, samples) in [(5e-4, 400), (1e-2, 400), (0.5, 7)] {
         let scene = TurntableScene {
@@ -131,7 +131,7 @@ fn a_body_leaves_a_quick_table_when_an_independent_integration_says_at_any_step(
             samples,
             ..quick.clone()
         };
-        let left = run(&scene).unwrap().outcome.leave_time.unwrap();
+        let left = scene.run().unwrap().outcome.leave_time.unwrap();
         assert!(
             (left - expected).abs() < 1e-5,
             "{time_step}: {left} {expected}"
@@ -149,7 +149,7 @@ fn without_friction_a_body_keeps_its_straight_path_on_a_table_of_any_speed() {
             time_step: 0.1,
             ..TurntableScene::default()
         };
-        let outcome = run(&scene).unwrap().outcome;
+        let outcome = scene.run().unwrap().outcome;
         let (release, left) = (start(&outcome), outcome.leave_time);
         // √(R² − r²) along the tangent, at Ω r.
         let (release, left) = (release.unwrap(), left.unwrap());
@@ -165,7 +165,7 @@ fn without_friction_a_body_keeps_its_straight_path_on_a_table_of_any_speed() {
         time_step: 0.1,
         ..TurntableScene::default()
     };
-    let result = run(&jerked).unwrap();
+    let result = jerked.run().unwrap();
     assert_eq!(result.outcome.release_rate.unwrap(), 0.0);
     for row in &result.rows {
         assert_eq!(row[8..], [0.2, 0.0]);
@@ -181,7 +181,7 @@ fn a_wide_body_has_the_same_path_at_steps_of_any_length() {
             patch: "box:0.06x0.02".parse().unwrap(),
             ..TurntableScene::default()
         };
-        run(&scene).unwrap().outcome
+        scene.run().unwrap().outcome
     };
     let fine = left(1e-5);
     for time_step in [4e-3, 1.0] {
