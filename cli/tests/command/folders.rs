@@ -1,7 +1,7 @@
 //! Output folders that were used before: what stands there is of one command, or a clear refusal.
 
-use crate::program::{self, Error, Outcome};
-use std::collections::BTreeMap;
+use crate::program::{self, Error, Outcome, files};
+use crate::reader::copy;
 use std::path::Path;
 
 const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nmax_steps = 20\n";
@@ -24,44 +24,6 @@ const WRITERS: [(&str, bool); 9] = [
     ("fit --law power pulls.csv --out DIR", false),
     ("export lammps tip.toml --out DIR", false),
 ];
-
-/// The files of a folder with all below it; times on the clock left out.
-fn files(folder: &Path) -> Result<BTreeMap<String, Vec<u8>>, Error> {
-    let mut files = BTreeMap::new();
-    let mut folders = vec![folder.to_path_buf()];
-    while let Some(here) = folders.pop() {
-        for entry in std::fs::read_dir(&here)? {
-            let path = entry?.path();
-            if path.is_dir() {
-                folders.push(path);
-                continue;
-            }
-            let name = path.strip_prefix(folder)?.to_string_lossy().into_owned();
-            let mut bytes = std::fs::read(&path)?;
-            if name == "summary.json" {
-                let text = String::from_utf8(bytes)?;
-                let kept = text.lines().filter(|line| !line.contains("wall_seconds"));
-                bytes = kept.collect::<String>().into_bytes();
-            }
-            files.insert(name, bytes);
-        }
-    }
-    Ok(files)
-}
-
-fn copy(from: &Path, to: &Path) -> Outcome {
-    std::fs::create_dir_all(to)?;
-    for entry in std::fs::read_dir(from)? {
-        let path = entry?.path();
-        let target = to.join(path.file_name().ok_or("no name")?);
-        if path.is_dir() {
-            copy(&path, &target)?;
-        } else {
-            std::fs::copy(&path, &target)?;
-        }
-    }
-    Ok(())
-}
 
 /// Runs a command in the home folder: exit code and what was said.
 fn tribos(home: &Path, command: &str) -> Result<(Option<i32>, String), Error> {
