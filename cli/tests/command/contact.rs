@@ -1,6 +1,6 @@
 //! `tribos contact`: problems of other programs, files that go together.
 
-use crate::program::{Outcome, assert_has, summary, tribos};
+use crate::program::{Outcome, assert_has, succeed, summary, tribos};
 
 /// Samples of Siconos.
 fn sample(name: &str) -> String {
@@ -13,8 +13,7 @@ fn several_problems_have_a_folder_each() -> Outcome {
     let folder = tempfile::tempdir()?;
     let (rover, spheres) = (sample("Rover1041.dat"), sample("NESpheres_10_1.dat"));
     let line = ["contact", &rover, &spheres, "--out", "out"];
-    let (code, _, said) = tribos(folder.path(), line)?;
-    assert_eq!(code, Some(0), "{said}");
+    succeed(folder.path(), line)?;
     for (name, contacts) in [("Rover1041", 5), ("NESpheres_10_1", 9)] {
         let out = folder.path().join("out").join(name);
         let summary = summary(&out)?;
@@ -35,17 +34,14 @@ fn several_problems_have_a_folder_each() -> Outcome {
         }
     }
     // Again into the same folder; alone a problem has the folder itself.
-    let (code, _, said) = tribos(folder.path(), line)?;
-    assert_eq!(code, Some(0), "{said}");
+    succeed(folder.path(), line)?;
     // Other problems: what the first ones left is gone.
-    let (code, _, said) = tribos(folder.path(), ["contact", &spheres, "--out", "out"])?;
-    assert_eq!(code, Some(0), "{said}");
+    succeed(folder.path(), ["contact", &spheres, "--out", "out"])?;
     for name in ["Rover1041", "NESpheres_10_1"] {
         assert!(!folder.path().join("out").join(name).exists(), "{name}");
     }
     let alone = ["contact", &rover, "--method", "interior", "--out", "alone"];
-    let (code, _, said) = tribos(folder.path(), alone)?;
-    assert_eq!(code, Some(0), "{said}");
+    succeed(folder.path(), alone)?;
     assert_eq!(summary(&folder.path().join("alone"))?["contacts"], 5);
     Ok(())
 }
@@ -55,10 +51,8 @@ fn methods_are_compared_on_the_problem_of_a_step() -> Outcome {
     let folder = tempfile::tempdir()?;
     let scene = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nmax_steps = 4";
     std::fs::write(folder.path().join("tiny.toml"), scene)?;
-    let (code, _, said) = tribos(folder.path(), ["run", "tiny.toml", "--out", "run"])?;
-    assert_eq!(code, Some(0), "{said}");
-    let (code, _, said) = tribos(folder.path(), ["export", "problem", "run", "--step", "3"])?;
-    assert_eq!(code, Some(0), "{said}");
+    succeed(folder.path(), ["run", "tiny.toml", "--out", "run"])?;
+    succeed(folder.path(), ["export", "problem", "run", "--step", "3"])?;
     let file = "run/problem-3.hdf5";
     let line = [
         "contact",

@@ -1,14 +1,13 @@
 //! `tribos scene`: scenes that come with the program work anywhere, and editors get a schema.
 
-use crate::program::{Outcome, tribos};
+use crate::program::{Outcome, succeed, tribos};
 use serde_json::Value;
 
 #[test]
 fn scenes_are_run_by_name_anywhere() -> Outcome {
     let folder = tempfile::tempdir()?;
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/disk.toml");
-    let (code, _, said) = tribos(folder.path(), "run disk --out by-name")?;
-    assert_eq!(code, Some(0), "{said}");
+    succeed(folder.path(), "run disk --out by-name")?;
     tribos(folder.path(), ["run", file, "--out", "by-file"])?;
     let summary = |out: &str| std::fs::read(folder.path().join(out).join("summary.json"));
     assert_eq!(summary("by-name")?, summary("by-file")?);

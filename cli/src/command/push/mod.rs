@@ -102,7 +102,7 @@ impl Arguments {
     /// The scene in the file, or that of the program where there is no such file.
     fn read(&self) -> Result<PushScene, Failure> {
         let name = self.scene.display().to_string();
-        let text = if name == BUILT_IN.0 && !self.scene.exists() {
+        let text = if name == BUILT_IN.0 && (!self.scene.exists() || self.scene.is_dir()) {
             BUILT_IN.1.to_owned()
         } else {
             read_text(&self.scene, MOST_BYTES).map_err(|error| {
