@@ -102,11 +102,10 @@ fn answer(command: &str, input: &str, folder: &Path, before: &[&str]) -> Result<
         .next()
         .is_some_and(|last| last.starts_with("tribos "));
     if code == REFUSED && is_its {
-        for name in names(folder)?.difference(&there) {
-            let is_given = command.contains(&format!("> {name}"));
-            if !is_given {
-                return Err(format!("{command}: refused, and {name} is there").into());
-            }
+        let now = names(folder)?;
+        let is_given = |name: &&String| command.contains(&format!("> {name}"));
+        if let Some(name) = now.difference(&there).find(|name| !is_given(name)) {
+            return Err(format!("{command}: refused, and {name} is there").into());
         }
     }
     if err.contains("panicked") {
@@ -168,23 +167,15 @@ fn names(folder: &Path) -> Result<BTreeSet<String>, Error> {
     Ok(names)
 }
 
-/// The lines that are not as they were, with the place of the first.
+/// Each command whose answer is another: as the file has it, and as it is now.
 fn difference(file: &Path, shown: &str, found: &str) -> String {
-    let [shown, found] = [shown, found].map(|text| text.lines().collect::<Vec<_>>());
-    let pairs = || shown.iter().zip(&found);
-    let start = pairs().take_while(|(a, b)| a == b).count();
-    let ends = shown[start..].iter().rev().zip(found[start..].iter().rev());
-    let end = ends.take_while(|(a, b)| a == b).count();
-    let part = |mark: char, lines: &[&str]| -> String {
-        let lines = &lines[start..lines.len() - end];
-        lines.iter().map(|line| format!("{mark}{line}\n")).collect()
-    };
+    let pairs = shown.split("\n$ ").zip(found.split("\n$ "));
+    let changed = pairs.filter(|(shown, found)| shown != found);
+    let told = changed.map(|(shown, found)| format!("$ {shown}\nis now\n$ {found}\n"));
     format!(
-        "{}:{}: (TRIBOS_TRANSCRIPTS=write takes what was found)\n{}{}",
+        "{}: (TRIBOS_TRANSCRIPTS=write takes what is now)\n{}",
         file.display(),
-        start + 1,
-        part('-', &shown),
-        part('+', &found)
+        told.collect::<String>()
     )
 }
 
