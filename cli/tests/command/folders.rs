@@ -49,7 +49,7 @@ fn every_command_after_every_other_leaves_its_own_files_only() -> Outcome {
     let home = home()?;
     let alone = |index: usize| format!("alone-{index}");
     for (index, (command, _)) in WRITERS.iter().enumerate() {
-        succeed(home.path(), &command.replace("DIR", &alone(index)))?;
+        succeed(home.path(), command.replace("DIR", &alone(index)))?;
     }
     let mut mixed = 0;
     for (first, (earlier, _)) in WRITERS.iter().enumerate() {
@@ -89,7 +89,7 @@ fn every_command_after_every_other_leaves_its_own_files_only() -> Outcome {
 fn sweeps_are_not_replaced_and_a_sweep_replaces_a_run() -> Outcome {
     let home = home()?;
     let sweep = "sweep disk --set spin=0,5 --set samples=20 --out DIR";
-    succeed(home.path(), &sweep.replace("DIR", "sweep"))?;
+    succeed(home.path(), sweep.replace("DIR", "sweep"))?;
     let before = files(&home.path().join("sweep"))?;
     for (command, _) in WRITERS {
         let (code, said) = tribos(home.path(), &command.replace("DIR", "sweep"))?;
@@ -100,7 +100,7 @@ fn sweeps_are_not_replaced_and_a_sweep_replaces_a_run() -> Outcome {
     let (code, said) = tribos(home.path(), "view sweep")?;
     assert!(code == Some(2) && said.contains("not a run"), "{said}");
     succeed(home.path(), "run cylinder --out used")?;
-    succeed(home.path(), &sweep.replace("DIR", "used"))?;
+    succeed(home.path(), sweep.replace("DIR", "used"))?;
     assert!(files(&home.path().join("used"))? == files(&home.path().join("sweep"))?);
     Ok(())
 }
@@ -111,7 +111,7 @@ fn a_strangers_file_is_never_replaced() -> Outcome {
     for (index, (command, _)) in WRITERS.iter().enumerate() {
         let out = format!("mine-{index}");
         let folder = home.path().join(&out);
-        succeed(home.path(), &command.replace("DIR", &out))?;
+        succeed(home.path(), command.replace("DIR", &out))?;
         std::fs::write(folder.join("notes.txt"), "mine")?;
         std::fs::remove_file(folder.join("tribos.json"))?;
         let before = files(&folder)?;

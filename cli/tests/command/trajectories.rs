@@ -61,7 +61,7 @@ fn a_tip_and_a_powder_are_read_back_frame_by_frame() -> Outcome {
         let (bodies, frames) = frames(&run)?;
         assert!(frames.len() > 3);
         for format in ["vtk", "xyz", "lammps-dump"] {
-            succeed(home, &format!("export {format} run --out files"))?;
+            succeed(home, format!("export {format} run --out files"))?;
         }
         let files = home.join("files");
         let text = |name: &str| std::fs::read_to_string(files.join(name));
@@ -128,7 +128,7 @@ fn a_body_in_the_plane_is_exported_along_its_path() -> Outcome {
     let home = home.path();
     succeed(home, "run cylinder --out run")?;
     for format in ["vtk", "xyz", "lammps-dump"] {
-        succeed(home, &format!("export {format} run"))?;
+        succeed(home, format!("export {format} run"))?;
     }
     let run = home.join("run");
     let series = std::fs::read_to_string(run.join("series.csv"))?;
