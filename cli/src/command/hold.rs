@@ -188,10 +188,16 @@ impl Answer {
         line("push", pushed);
         let [held, slipping] = [self.holding.certain_scale(), self.holding.possible_scale()];
         let margin = |gauge: f64, scale: f64| {
-            format!("gauge {}, {} times the push", shown(gauge), shown(scale))
+            format!("{} times the push (gauge {})", shown(scale), shown(gauge))
         };
-        line("surely held up to", margin(certain_gauge, held));
-        line("surely slips from", margin(possible_gauge, slipping));
+        line(
+            "surely held",
+            format!("up to {}", margin(certain_gauge, held)),
+        );
+        line(
+            "surely slips",
+            format!("from {}", margin(possible_gauge, slipping)),
+        );
         let Twist { velocity, spin } = self.first_motion;
         if self.push != Wrench::ZERO && spin.is_finite() {
             let motion = format!(

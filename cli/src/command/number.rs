@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::num::NonZeroU32;
+use std::ops::RangeInclusive;
 use std::time::Duration;
 use tribos_core::Real;
 
@@ -82,6 +83,20 @@ where
 pub fn count(text: &str) -> Result<NonZeroU32, String> {
     let count = text.trim().parse();
     count.map_err(|_| format!("give a whole number from 1 to {}", u32::MAX))
+}
+
+/// A whole number of a range.
+pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String> + Clone {
+    move |text| {
+        let number = text.trim().parse().ok();
+        number
+            .filter(|number| range.contains(number))
+            .ok_or(format!(
+                "give a whole number from {} to {}",
+                range.start(),
+                range.end()
+            ))
+    }
 }
 
 /// `x` in the precision asked for; refused if it overflows there, or underflows.

@@ -53,7 +53,7 @@ pub struct Arguments {
     #[arg(long, default_value = "0", value_parser = number::finite, allow_negative_numbers = true)]
     heading: f64,
     /// Number of points, from pushed to turned.
-    #[arg(long, default_value = "19", value_parser = clap::value_parser!(u32).range(2..=10_000))]
+    #[arg(long, default_value = "19", value_parser = number::whole(2..=10_000))]
     points: u32,
     /// Output format.
     #[arg(long, default_value = "text")]

@@ -7,7 +7,10 @@ pub fn unknown<'a>(said: &str, word: &str, all: impl IntoIterator<Item = &'a str
     let all: Vec<&str> = all.into_iter().collect();
     match nearest(word, all.iter().copied()) {
         Some(meant) => format!("{said}; did you mean `{meant}`?"),
-        None => format!("{said}; there are {}", all.join(", ")),
+        None => match all[..] {
+            [only] => format!("{said}; there is {only}"),
+            _ => format!("{said}; there are {}", all.join(", ")),
+        },
     }
 }
 

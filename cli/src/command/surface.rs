@@ -45,7 +45,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", conflicts_with = "points")]
     pushes: Option<PathBuf>,
     /// Number of points of the table [default: 1000].
-    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    #[arg(long, value_parser = number::whole(1..=10_000_000))]
     points: Option<u32>,
     /// Write the table to this file instead of standard output.
     #[arg(long, short, value_name = "FILE")]

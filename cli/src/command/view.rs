@@ -8,6 +8,7 @@ pub mod run_files;
 
 use self::colors::{ColorBy, RenderStyle};
 use self::run_files::RunFiles;
+use crate::command::number;
 use crate::command::run::{files, frames_folder};
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
@@ -37,7 +38,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", value_parser = encoder::film_name)]
     film: Option<PathBuf>,
     /// Frames a second of a film file.
-    #[arg(long, default_value = "20", value_parser = clap::value_parser!(u32).range(1..=100), requires = "film")]
+    #[arg(long, default_value = "20", value_parser = number::whole(1..=100), requires = "film")]
     rate: u32,
     /// Quantity shown by colour in pictures and film files. [default: layer, or part for a tip]
     #[arg(long, value_enum)]

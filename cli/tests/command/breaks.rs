@@ -2,8 +2,7 @@
 
 #![cfg(unix)]
 
-use crate::program::{Error, Outcome, assert_has, prepared, wait_for};
-use serde_json::Value;
+use crate::program::{Error, Outcome, assert_has, files, prepared, succeed, tribos, wait_for};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -132,28 +131,6 @@ fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// All files; times on the clock left out.
-fn files(out: &Path) -> Result<BTreeMap<String, Vec<u8>>, Error> {
-    let mut files = BTreeMap::new();
-    for folder in [out.to_path_buf(), out.join("frames")] {
-        for entry in std::fs::read_dir(folder)? {
-            let path = entry?.path();
-            if path.is_dir() {
-                continue;
-            }
-            let mut bytes = std::fs::read(&path)?;
-            if path.ends_with("summary.json") {
-                let mut summary: Value = serde_json::from_slice(&bytes)?;
-                summary["wall_seconds"] = 0.into();
-                bytes = summary.to_string().into_bytes();
-            }
-            let name = path.strip_prefix(out)?.to_string_lossy().into_owned();
-            files.insert(name, bytes);
-        }
-    }
-    Ok(files)
-}
-
 #[test]
 fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome {
     let home = home()?;
@@ -165,8 +142,7 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
     for (scene, _) in BROKEN {
         let run = format!("run {scene}.toml --frames 10 --out");
         let began = Instant::now();
-        let whole = prepared(home.path(), format!("{run} whole-{scene}")).output()?;
-        assert!(whole.status.success(), "{}", said(&whole));
+        succeed(home.path(), format!("{run} whole-{scene}"))?;
         let lasts = began.elapsed().as_millis() as u64;
         let whole = files(&home.path().join(format!("whole-{scene}")))?;
         for name in ["INT", "TERM", "KILL"] {
@@ -202,8 +178,7 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
             }
             // A run that was killed after its last result is tidied up.
             if !resume.is_empty() || !home.path().join(&out).join("summary.json").exists() {
-                let end = prepared(home.path(), format!("{run} {out}{resume}")).output()?;
-                assert!(end.status.success(), "{out}: {}", said(&end));
+                succeed(home.path(), format!("{run} {out}{resume}"))?;
             }
             let ours = files(&home.path().join(&out))?;
             let names =
@@ -236,8 +211,7 @@ fn a_run_broken_while_it_writes_its_results_goes_on_to_the_same_bytes() -> Outco
     let home = home()?;
     for (scene, _) in BROKEN {
         let run = format!("run {scene}.toml --frames 10 --out {scene}");
-        let output = prepared(home.path(), &run).output()?;
-        assert!(output.status.success(), "{scene}: {}", said(&output));
+        succeed(home.path(), &run)?;
         let out = home.path().join(scene);
         let whole = files(&out)?;
         // Killed after its last result, it leaves half a file and names of files that are gone.
@@ -245,8 +219,7 @@ fn a_run_broken_while_it_writes_its_results_goes_on_to_the_same_bytes() -> Outco
         let mut manifest = Manifest::read(&out)?.ok_or("a manifest")?;
         manifest.add(&["checkpoint.json"]);
         manifest.write(&out)?;
-        let output = prepared(home.path(), format!("{run} --resume")).output()?;
-        assert!(output.status.success(), "{scene}: {}", said(&output));
+        succeed(home.path(), format!("{run} --resume"))?;
         assert!(files(&out)? == whole, "{scene}");
         let checkpoint = last_checkpoint(&home.path().join(format!("{scene}.toml")))?;
         std::fs::write(out.join("checkpoint.json"), checkpoint)?;
@@ -259,8 +232,7 @@ fn a_run_broken_while_it_writes_its_results_goes_on_to_the_same_bytes() -> Outco
                 std::fs::remove_file(out.join(name))?;
             }
         }
-        let output = prepared(home.path(), format!("{run} --resume")).output()?;
-        assert!(output.status.success(), "{scene}: {}", said(&output));
+        succeed(home.path(), format!("{run} --resume"))?;
         let ours = files(&out)?;
         for (name, bytes) in &whole {
             assert!(ours.get(name) == Some(bytes), "{scene}: {name}");
@@ -277,9 +249,8 @@ fn the_first_second_is_kept_and_two_runs_do_not_share_a_folder() -> Outcome {
     let child = prepared(home.path(), "run long.toml --out out").spawn()?;
     wait_for("the run starts", || out.join("frames/bodies.json").exists());
     // Another one is told who works there, and changes nothing.
-    let other = prepared(home.path(), "run disk --out out").output()?;
-    assert_eq!(other.status.code(), Some(2));
-    let told = said(&other);
+    let (code, _, told) = tribos(home.path(), "run disk --out out")?;
+    assert_eq!(code, Some(2), "{told}");
     let process = format!("process {}", child.id());
     assert_has(
         &told,
@@ -306,8 +277,7 @@ fn the_first_second_is_kept_and_two_runs_do_not_share_a_folder() -> Outcome {
     assert!(out.join("checkpoint.json").exists() && !out.join("summary.json").exists());
     assert!(out.join("frames/000000000000.frame").exists());
     assert!(!out.join(".tribos-lock").exists());
-    let view = prepared(home.path(), "view out").output()?;
-    assert!(view.status.success(), "{}", said(&view));
+    succeed(home.path(), "view out")?;
     // What goes on has the folder again, from where it was.
     let child = prepared(home.path(), "run long.toml --resume --out out").spawn()?;
     wait_for("the run goes on", || out.join(".tribos-lock").exists());
@@ -322,9 +292,8 @@ fn the_first_second_is_kept_and_two_runs_do_not_share_a_folder() -> Outcome {
         "run long.toml --out out",
         "deposit --count 20 --out out",
     ] {
-        let refused = prepared(home.path(), command).output()?;
-        assert_eq!(refused.status.code(), Some(2), "{command}");
-        let told = said(&refused);
+        let (code, _, told) = tribos(home.path(), command)?;
+        assert_eq!(code, Some(2), "{told}");
         assert!(told.contains("broken off"), "{command}: {told}");
         assert!(
             names.iter().all(|name| out.join(name).exists()),
@@ -336,8 +305,7 @@ fn the_first_second_is_kept_and_two_runs_do_not_share_a_folder() -> Outcome {
             "{told}"
         );
     }
-    let disk = prepared(home.path(), "run disk --out out --anew").output()?;
-    assert!(disk.status.success(), "{}", said(&disk));
+    succeed(home.path(), "run disk --out out --anew")?;
     assert!(!out.join("frames").exists() && !out.join("checkpoint.json").exists());
     Ok(())
 }
@@ -355,8 +323,7 @@ fn half_written_files_of_killed_runs_go_away() -> Outcome {
     ] {
         std::fs::write(out.join(name), "half")?;
     }
-    let run = prepared(home.path(), "run powder.toml --set max_steps=5 --out out").output()?;
-    assert!(run.status.success(), "{}", said(&run));
+    succeed(home.path(), "run powder.toml --set max_steps=5 --out out")?;
     let there = [
         ".tribos-Ab3.tmp",
         "frames/.tribos-x.tmp",
@@ -366,100 +333,6 @@ fn half_written_files_of_killed_runs_go_away() -> Outcome {
     assert_eq!(
         there.map(|name| out.join(name).exists()),
         [false, false, true, true]
-    );
-    Ok(())
-}
-
-#[test]
-fn what_is_too_large_is_refused_at_once_with_its_size() -> Outcome {
-    let home = home()?;
-    let tip = "--set substrate_columns=1000 --set substrate_rows=1000 --set substrate_layers=100";
-    for (command, words) in [
-        (
-            "run compaction-small --set width=1e6 --out out",
-            "1.1e12 spheres",
-        ),
-        (
-            "run compaction-small --set width=1e6 --allow-large --out out",
-            "20000000 spheres",
-        ),
-        (
-            "run compaction-small --set width=1000 --out out",
-            "without --allow-large",
-        ),
-        (
-            &format!("run tip-reversible {tip} --out out"),
-            "1.0e8 atoms",
-        ),
-        (&format!("explain tip-reversible {tip}"), "1.0e8 atoms"),
-        ("deposit --width 1e6 --cut 61.5 --out out", "1.1e12 spheres"),
-        (
-            "deposit --count 19000000 --out out",
-            "without --allow-large",
-        ),
-        (
-            "deposit --width 1e5 --cut 200 --porosity-curve --out out",
-            "spheres",
-        ),
-        (
-            "sweep compaction-small --set width=1e5,1e6 --out sweep",
-            "spheres",
-        ),
-    ] {
-        let began = Instant::now();
-        let output = prepared(home.path(), command).output()?;
-        assert_eq!(
-            output.status.code(),
-            Some(2),
-            "{command}: {}",
-            said(&output)
-        );
-        assert!(
-            said(&output).contains(words),
-            "{command}: {}",
-            said(&output)
-        );
-        assert!(began.elapsed() < Duration::from_secs(10), "{command}");
-        assert!(!home.path().join("out").exists(), "{command}");
-    }
-    Ok(())
-}
-
-#[test]
-fn endless_and_foreign_inputs_are_refused_at_once() -> Outcome {
-    let home = home()?;
-    for command in [
-        "run /dev/zero --out out",
-        "explain /dev/zero",
-        "scene check /dev/zero",
-        "sweep /dev/zero --set spin=1,2 --out out",
-        "wrench --alpha 0 --twists /dev/zero",
-        "fit --law power /dev/zero",
-        "eval /dev/zero --pair lj:cutoff=2.5 --out out",
-        "golden verify /dev/zero",
-        "golden write /dev/zero --out golden.toml",
-        "export lammps /dev/zero --out out",
-        "run /dev/urandom --out out",
-    ] {
-        let output = prepared(home.path(), command).output()?;
-        assert_eq!(
-            output.status.code(),
-            Some(2),
-            "{command}: {}",
-            said(&output)
-        );
-        let told = said(&output);
-        assert!(told.contains("not a text"), "{command}: {told}");
-    }
-    // A text that is larger than any scene.
-    let large = home.path().join("large.toml");
-    std::fs::write(&large, "# much\n".repeat(3 << 20))?;
-    let output = prepared(home.path(), "run large.toml --out out").output()?;
-    assert_eq!(output.status.code(), Some(2));
-    assert!(
-        said(&output).contains("larger than 16 MB"),
-        "{}",
-        said(&output)
     );
     Ok(())
 }
@@ -486,8 +359,7 @@ fn a_run_whose_folder_is_lost_ends_and_mixes_with_no_other() -> Outcome {
     // Moved away, and made again by another run, whose files are all of it.
     lost(home.path(), |out| {
         std::fs::rename(out, home.path().join("moved"))?;
-        let other = prepared(home.path(), "run powder.toml --out out").output()?;
-        assert!(other.status.success(), "{}", said(&other));
+        succeed(home.path(), "run powder.toml --out out")?;
         Ok(())
     })?;
     let alone = prepared(home.path(), "run powder.toml --out alone").output()?;
@@ -547,12 +419,10 @@ fn what_was_exported_from_a_broken_run_goes_away_when_it_goes_on() -> Outcome {
         "view out",
         "view out --still 1,last",
     ] {
-        let made = prepared(home.path(), command).output()?;
-        assert!(made.status.success(), "{command}: {}", said(&made));
+        succeed(home.path(), command)?;
     }
     std::fs::write(out.join("still-life.png"), "mine")?;
-    let run = prepared(home.path(), "run powder.toml --resume --out out").output()?;
-    assert!(run.status.success(), "{}", said(&run));
+    succeed(home.path(), "run powder.toml --resume --out out")?;
     for gone in [
         "trajectory.xyz",
         "trajectory.pvd",

@@ -1,7 +1,6 @@
 //! `tribos run`, `explain` and `sweep` of bodies that hold, let go and hold again.
 
-use crate::program::{Outcome, number, refusal, summary_of};
-use tribos::scene::library_scene;
+use crate::program::{Outcome, number, summary_of};
 
 #[test]
 fn the_block_on_a_spring_has_the_period_of_its_closed_form_and_complete_results() -> Outcome {
@@ -53,42 +52,5 @@ fn the_incline_and_the_turntable_hold_and_let_go() -> Outcome {
     assert_eq!(table["ending"], "leaves");
     let share = number(&table, "release_share");
     assert!(share < 1.0 && share > 0.9, "{share}");
-    Ok(())
-}
-
-#[test]
-fn what_no_body_can_do_is_refused_with_key_and_cure() -> Outcome {
-    for (name, set, words) in [
-        ("spring-block", "mass=0", "give `mass` > 0"),
-        (
-            "spring-block",
-            "mu_dynamic=0.6",
-            "must not exceed `mu_static`",
-        ),
-        (
-            "spring-block",
-            "ageing_cutoff_time=-1",
-            "`ageing_cutoff_time`",
-        ),
-        (
-            "spring-block",
-            "a=0.02",
-            "for friction_law \"rate-state\" only",
-        ),
-        ("spring-paper", "stiffness=-1", "`stiffness`"),
-        ("incline", "end_angle=2", "`end_angle`"),
-        ("incline", "patch=points:none.csv", "points"),
-        ("turntable", "distance=0.6", "must be below `table_radius`"),
-        (
-            "turntable",
-            "time_step=1e-9",
-            "`time_step` must be at least",
-        ),
-    ] {
-        let scene = library_scene(name).ok_or(name)?;
-        let (code, message) = refusal(scene.text, &[set])?;
-        assert_eq!(code, Some(2), "{set}: {message}");
-        assert!(message.contains(words), "{set}: {message}");
-    }
     Ok(())
 }

@@ -1,6 +1,5 @@
 //! The command as a user meets it.
 
-mod bad_input;
 mod before;
 mod breaks;
 mod browser;
@@ -11,7 +10,6 @@ mod explain;
 mod fit;
 mod flat;
 mod folders;
-mod friction;
 mod full_disk;
 mod golden;
 mod held;
@@ -19,7 +17,6 @@ mod help;
 mod hold;
 mod inverse;
 mod measure;
-mod messages;
 mod numbers;
 mod odd_inputs;
 mod onset;
@@ -31,6 +28,7 @@ mod printed_commands;
 mod program;
 mod progress;
 mod push;
+mod reader;
 mod reproduce;
 mod run;
 mod scene;
@@ -38,5 +36,6 @@ mod sweep;
 mod sweep_refusals;
 mod tip;
 mod trajectories;
+mod transcripts;
 mod view;
 mod wrench;

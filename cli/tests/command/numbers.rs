@@ -1,16 +1,13 @@
-//! Numbers: the shortest form that keeps the bits in files, six digits for people; signs and units
-//! that an answer states itself.
+//! Numbers: the shortest form that keeps the bits in files, six digits for people; signs of answers.
 
-use crate::program::{Error, Outcome, assert_has, refused, succeed};
+use crate::program::{Error, Outcome, succeed, summary, told};
 use serde_json::Value;
 use std::path::Path;
 
 fn wrench(more: &str) -> Result<Value, Error> {
-    let arguments: Vec<&str> = ["wrench", "--format", "json"]
-        .into_iter()
-        .chain(more.split_whitespace())
-        .collect();
-    Ok(serde_json::from_str(&succeed(".", &arguments)?[0])?)
+    Ok(serde_json::from_str(&told(format!(
+        "wrench --format json {more}"
+    ))?)?)
 }
 
 /// Every number of a text that has a point or a power of ten.
@@ -37,27 +34,19 @@ fn assert_shortest(file: &Path) -> Outcome {
 #[test]
 fn files_of_runs_have_the_shortest_form_that_keeps_the_bits() -> Outcome {
     let folder = tempfile::tempdir()?;
+    let small = " --set max_steps=3 --set height=8 --set width=8";
     for (scene, more, files) in [
-        ("disk", vec![], vec!["summary.json", "series.csv"]),
-        ("cylinder", vec![], vec!["summary.json", "series.csv"]),
+        ("disk", "", &["summary.json", "series.csv"][..]),
+        ("cylinder", "", &["summary.json", "series.csv"]),
         (
             "compaction-small",
-            vec![
-                "--set",
-                "max_steps=3",
-                "--set",
-                "height=8",
-                "--set",
-                "width=8",
-            ],
-            vec!["summary.json", "series.csv", "initial.xyz"],
+            small,
+            &["summary.json", "series.csv", "initial.xyz"],
         ),
     ] {
-        let out = folder.path().join(scene);
-        let place = out.to_str().ok_or("a name")?;
-        succeed(".", [&["run", scene, "--out", place][..], &more].concat())?;
+        succeed(folder.path(), format!("run {scene} --out {scene}{more}"))?;
         for file in files {
-            assert_shortest(&out.join(file))?;
+            assert_shortest(&folder.path().join(scene).join(file))?;
         }
     }
     Ok(())
@@ -66,48 +55,26 @@ fn files_of_runs_have_the_shortest_form_that_keeps_the_bits() -> Outcome {
 #[test]
 fn what_is_counted_stays_a_whole_number_in_summaries() -> Outcome {
     let folder = tempfile::tempdir()?;
+    let packing = " --set max_steps=2 --set height=8 --set width=8";
+    let tip = " --set equilibration=0.01 --set drive_time=0.01 --set rest_time=0.01";
     for (scene, more, counted) in [
-        ("disk", vec![], vec!["samples"]),
-        ("pipe-a", vec![], vec!["samples"]),
-        ("curling-draw", vec![], vec!["samples"]),
+        ("disk", "", "samples"),
+        ("pipe-a", "", "samples"),
+        ("curling-draw", "", "samples"),
         (
             "compaction-small",
-            vec![
-                "--set",
-                "max_steps=2",
-                "--set",
-                "height=8",
-                "--set",
-                "width=8",
-            ],
-            vec!["seed", "max_steps", "sample_every", "max_iterations"],
+            packing,
+            "seed max_steps sample_every max_iterations",
         ),
         (
             "tip-reversible",
-            vec![
-                "--set",
-                "equilibration=0.01",
-                "--set",
-                "drive_time=0.01",
-                "--set",
-                "rest_time=0.01",
-            ],
-            vec![
-                "substrate_columns",
-                "substrate_rows",
-                "tip_side_atoms",
-                "seed",
-                "sample_every",
-                "tip_layers",
-            ],
+            tip,
+            "substrate_columns substrate_rows tip_side_atoms seed sample_every tip_layers",
         ),
     ] {
-        let out = folder.path().join(scene);
-        let place = out.to_str().ok_or("a name")?;
-        succeed(".", [&["run", scene, "--out", place][..], &more].concat())?;
-        let summary: Value =
-            serde_json::from_str(&std::fs::read_to_string(out.join("summary.json"))?)?;
-        for key in counted {
+        succeed(folder.path(), format!("run {scene} --out {scene}{more}"))?;
+        let summary = summary(&folder.path().join(scene))?;
+        for key in counted.split(' ') {
             let value = &summary["scene"][key];
             assert!(value.is_u64(), "{scene}: {key} is {value}");
         }
@@ -117,22 +84,9 @@ fn what_is_counted_stays_a_whole_number_in_summaries() -> Outcome {
 
 #[test]
 fn people_read_six_digits_unless_they_ask_for_others() -> Outcome {
-    let twist = [
-        "wrench",
-        "--speed",
-        "0.3",
-        "--spin",
-        "1",
-        "--coefficient",
-        "0.3",
-    ];
-    let with =
-        |more: &[&str]| Ok::<_, Error>(succeed(".", [&twist[..], more].concat())?[0].clone());
-    let [six, four, all] = [
-        with(&[])?,
-        with(&["--digits", "4"])?,
-        with(&["--digits", "full"])?,
-    ];
+    let twist = "wrench --speed 0.3 --spin 1 --coefficient 0.3";
+    let with = |more: &str| told(format!("{twist} {more}"));
+    let [six, four, all] = [with("")?, with("--digits 4")?, with("--digits full")?];
     let force = wrench("--speed 0.3 --spin 1 --coefficient 0.3")?["force"]
         .as_f64()
         .ok_or("no force")?;
@@ -148,75 +102,32 @@ fn people_read_six_digits_unless_they_ask_for_others() -> Outcome {
     assert_eq!(line(&all), Some(format!("{force:?}")));
     assert!(six.contains("speed           0.3 m/s\n"), "{six}");
     // The option may stand before the command too, and changes no file.
-    assert_eq!(
-        succeed(".", [&["--digits", "4"], &twist[..]].concat())?[0],
-        four
-    );
-    let csv = [&twist[..], &["--format", "csv"]].concat();
-    let short = [&csv[..], &["--digits", "2"]].concat();
-    assert_eq!(succeed(".", &csv)?[0], succeed(".", &short)?[0]);
-    assert!(refused(".", [&twist[..], &["--digits", "18"]].concat())?.contains("from 1 to 17"));
+    assert_eq!(told(format!("--digits 4 {twist}"))?, four);
+    assert_eq!(with("--format csv")?, with("--format csv --digits 2")?);
     Ok(())
 }
 
 #[test]
 fn reports_of_all_commands_have_short_numbers() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let place = |name: &str| folder.path().join(name).display().to_string();
-    for arguments in [
-        format!("run disk --out {}", place("disk")),
-        format!("run cylinder --out {}", place("cylinder")),
-        "modes --alpha 0 --inertia-ratio 0.5".into(),
+    for line in [
+        "run disk --out disk",
+        "run cylinder --out cylinder",
+        "modes --alpha 0 --inertia-ratio 0.5",
         "inverse --coefficient 0.2 --radius 0.03 --inertia-ratio 0.5 --x 0.3 --y 0.1 --angle 1.5 \
-         --max-speed 5 --max-spin 100"
-            .into(),
-        format!("deposit --width 8 --count 40 --out {}", place("deposit")),
-        "wrench --speed 0.1 --spin 0.7 --jacobian".into(),
-        format!("sweep disk --set spin=0,3 --out {}", place("sweep")),
+         --max-speed 5 --max-spin 100",
+        "deposit --width 8 --count 40 --out deposit",
+        "wrench --speed 0.1 --spin 0.7 --jacobian",
+        "sweep disk --set spin=0,3 --out sweep",
     ] {
-        let words: Vec<&str> = arguments.split_whitespace().collect();
-        let [text, _] = succeed(".", &words)?;
+        let [text, _] = succeed(folder.path(), line)?;
         for number in floats(&text) {
             let mantissa = number.split('e').next().unwrap_or_default();
             let digits = mantissa.trim_start_matches(['-', '0', '.']);
             let digits = digits.chars().filter(char::is_ascii_digit).count();
-            assert!(digits <= 6, "{arguments}: {number}\n{text}");
+            assert!(digits <= 6, "{line}: {number}\n{text}");
         }
     }
-    Ok(())
-}
-
-#[test]
-fn an_answer_repeats_the_contact_that_it_is_for() -> Outcome {
-    let [text, told] = succeed(".", ["wrench", "--speed", "1", "--spin", "1"])?;
-    assert_has(
-        &text,
-        &[
-            "patch           disk\n",
-            "radius          1 m\n",
-            "load            1 N\n",
-            "coefficient     1\n",
-            "alpha           0\n",
-        ],
-    );
-    assert_eq!(told, "");
-    let contact = wrench("--patch annulus:0.5 --alpha 0.5 --load 3 --speed 1 --spin 1")?;
-    let contact = &contact["contact"];
-    assert_eq!(contact["patch"], "annulus:0.5");
-    assert_eq!(contact["load"].as_f64(), Some(3.0));
-    assert_eq!(contact["coefficient"].as_f64(), Some(1.0));
-    let law = wrench("--law dry:mu_s=0.4,mu_d=0.3 --speed 1 --spin 1")?;
-    assert_eq!(law["contact"]["law"], "dry:mu_s=0.4,mu_d=0.3");
-    assert!(law["contact"]["coefficient"].is_null());
-    // Columns have no place for it.
-    let [_, told] = succeed(
-        ".",
-        ["wrench", "--speed", "1", "--spin", "1", "--format", "csv"],
-    )?;
-    assert!(
-        told.contains("contact: patch disk, radius 1 m, load 1 N"),
-        "{told}"
-    );
     Ok(())
 }
 

@@ -1,6 +1,6 @@
 //! `tribos wrench`, `laws` and `modes` with other patches and laws.
 
-use crate::program::{Error, Outcome, refused, told};
+use crate::program::{Error, Outcome, told};
 use std::f64::consts::PI;
 
 /// The named field of one twist.
@@ -53,12 +53,11 @@ fn tilt_adds_the_lateral_force_and_nothing_else() -> Outcome {
     // Dimensions: load 8, coefficient 1/2, radius 1/4 at the same ratio.
     let scaled = "--speed 1 --spin 4 --radius 0.25 --load 8 --coefficient 0.5 --tilt 0.5";
     assert_close(field(scaled, "lateral")?, 4.0 * lateral, 1e-15, scaled);
-    // The rear loaded more turns the sign; too much tips the body unless held.
+    // The rear loaded more turns the sign; a body that would tip may be held.
     assert_eq!(
         field("--speed 1 --spin 1 --tilt -0.5", "lateral")?,
         -lateral
     );
-    assert!(refused(".", "wrench --speed 1 --spin 1 --tilt 1.01")?.contains("tips"));
     let held = field("--speed 1 --spin 1 --tilt 9 --on-lift clamp", "lateral")?;
     assert_eq!(held, 2.0 * lateral);
     Ok(())
@@ -108,55 +107,6 @@ fn a_tripod_from_a_file_is_the_sum_of_its_feet() -> Outcome {
 }
 
 #[test]
-fn bad_patches_laws_and_points_are_refused_with_a_cure() -> Outcome {
-    for (arguments, words) in [
-        ("--patch square", "disk, ring, annulus:INNER"),
-        ("--patch annulus", "annulus:0.8"),
-        ("--patch annulus:1", "is a ring"),
-        ("--patch annulus:-0.1", ">= 0"),
-        ("--patch ring:2", "takes no `2`"),
-        ("--patch polynomial:1,-2", "nowhere negative"),
-        ("--patch polynomial:0", "carries no load"),
-        ("--patch polynomial:1,x", "number"),
-        ("--patch polynomial:1,1,1,1,1,1,1,1,1,1", "at most 9"),
-        ("--patch polynomial:1,1 --tier compact", "--tier table"),
-        (
-            "--patch polynomial:1,1 --precision f32 --tier table",
-            "--precision f64",
-        ),
-        ("--patch points:/nowhere.csv", "/nowhere.csv"),
-        ("--patch ring --alpha 11 --tier table", "--tier compact"),
-        ("--law coulomb", "`mu` is missing"),
-        ("--law coulomb:mu=-1", "not negative"),
-        ("--law stokes:eta=1,r=1", "not a law of the local speed"),
-        ("--law coulomb:mu=1 --alpha 1", "cannot be used with"),
-        ("--tilt 0.1 --jacobian", "--jacobian"),
-        ("--tilt nan", "finite"),
-    ] {
-        let message = refused(".", format!("wrench --speed 1 --spin 1 {arguments}"))?;
-        assert!(message.contains(words), "{arguments}: {message}");
-    }
-    let folder = tempfile::tempdir()?;
-    let path = folder.path().join("feet.csv");
-    for (text, words) in [
-        ("x,y\n1,2\n", "column `weight` is missing"),
-        ("x,y,weight\n", "no rows"),
-        ("x,y,weight\n0,0,-1\n", "negative weight"),
-        ("x,y,weight\n0,0,0\n", "no point carries load"),
-        ("x,y,weight\n0,0,1\n0,up,1\n", ":3: y is `up`"),
-    ] {
-        std::fs::write(&path, text)?;
-        let arguments = format!(
-            "wrench --speed 1 --spin 1 --patch points:{}",
-            path.display()
-        );
-        let message = refused(".", &arguments)?;
-        assert!(message.contains(words), "{text}: {message}");
-    }
-    Ok(())
-}
-
-#[test]
 fn every_law_is_listed_with_units_and_source() -> Outcome {
     let list: serde_json::Value = serde_json::from_str(&told("laws --format json")?)?;
     let laws = list.as_array().ok_or("no array")?;
@@ -174,8 +124,6 @@ fn every_law_is_listed_with_units_and_source() -> Outcome {
                 .is_some_and(|list| !list.is_empty())
         );
     }
-    assert!(told("laws stribeck")?.contains("vs       [m/s] Stribeck speed"));
-    assert!(refused(".", "laws strybeck")?.contains("stribeck"));
     Ok(())
 }
 
@@ -196,10 +144,6 @@ fn curves_of_laws_are_written_as_numbers_and_pictures() -> Outcome {
         .collect();
     assert_close(cells[1], 2.0 * cells[0].sqrt(), 1e-15, last);
     assert_eq!(cells[2], 0.3);
-    assert!(refused(".", format!("{base} --out x.pdf"))?.contains(".svg"));
-    assert!(
-        refused(".", "laws --curve coulomb:mu=1 --from 2 --to 1 --out x.csv")?.contains("below")
-    );
     Ok(())
 }
 
@@ -230,14 +174,6 @@ fn final_motion_depends_on_patch_and_lean() -> Outcome {
     let rock = "--inertia-ratio 2.69 --patch ring";
     assert_close(ratio(&format!("--alpha -0.5 {rock}"))?, 0.782, 5e-4, "rock");
     assert_eq!(ratio(&format!("--alpha -0.19 {rock}"))?, 0.0);
-    for (arguments, words) in [
-        ("--alpha 0 --lean 1.1", "from 0 to 1"),
-        ("--alpha 0.5 --lean 0.5", "--alpha 0"),
-        ("--alpha 0 --patch points:x.csv", "round patch"),
-    ] {
-        let message = refused(".", format!("modes --inertia-ratio 0.5 {arguments}"))?;
-        assert!(message.contains(words), "{arguments}: {message}");
-    }
     Ok(())
 }
 

@@ -1,9 +1,6 @@
 //! `tribos run` of bodies that slide along a path in the plane.
 
-use crate::program::{
-    Error, Outcome, assert_has, assert_refused_scenes, number, refusal, summary_of,
-};
-use assert_cmd::Command;
+use crate::program::{Error, Outcome, number, run, summary_of};
 
 #[test]
 fn the_cylinder_ends_where_the_table_says_and_leaves_complete_results() -> Outcome {
@@ -99,56 +96,6 @@ fn every_curling_model_runs_and_a_draw_stops_about_the_tee() -> Outcome {
 }
 
 #[test]
-fn bad_scenes_are_refused_with_their_line_and_cure() -> Outcome {
-    const PIPE: &str = "body = \"pipe\"\nspeed = 1.7\nspin = 10\ngamma = 0.2\n\
-                        gravity = 9.81\nradius = 0.05\ninner_radius = 0.046\nheight = 0.15\n\
-                        mass = 0.5\n";
-    const DRAW: &str = "body = \"curling\"\nspeed = 2.0\nspin = 1.5\n";
-    let cases = r#"
-        "pipe" | "tube" | scene.toml:1 | one of "disk", "cylinder"
-        "pipe" | 3 | scene.toml:1 | not a number
-        0.046 | 0.06 | scene.toml:7 | must not exceed `radius`
-        mass = 0.5\n |  | scene.toml: | `mass` is missing
-        inner_radius | inner_radios | scene.toml:7 | did you mean `inner_radius`?
-        height = 0.15 | height = -1 | scene.toml:8 | >= 0
-        # A disk's key, not a pipe's.
-        mass = 0.5 | mass = 0.5\nintegrator = "exact" | scene.toml:10 | unknown key
-        height = 0.15 | height = 1.5 | error | on_tipping = "clamp"
-    "#;
-    assert_refused_scenes(PIPE, cases)?;
-    let cases = r#"
-        spin = 1.5 | model = "magic"\nspin = 1 | scene.toml:3 | "scratch-guide"
-        spin = 1.5 | spin = 1\npivot_weight = 0.1 | scene.toml:4 | is for model "pivot-slide"
-        spin = 1.5 | spin = 1\nmodel = "dry"\nalpha = -0.5 | scene.toml:5 | `alpha` is 0
-        spin = 1.5 | spin = 1\nband_width = 1 | scene.toml:4 | `band_width` must not
-        spin = 1.5 | spin = 1\nmodel = "film"\nfilm_back = 2 | scene.toml:5 | from 0 to 1
-        spin = 1.5 | spin = 1\nalpha = 1 | scene.toml:4 | <= 0.9
-        speed = 2.0\nspin = 1.5 | speed = 0\nspin = 0 | scene.toml:2 | nothing moves
-    "#;
-    assert_refused_scenes(DRAW, cases)
-}
-
-#[test]
-fn all_problems_of_a_body_are_told_at_once() -> Outcome {
-    let text = "body = \"cylinder\"\nspeed = nan\nheight = -1\nradius = 0.1\n";
-    let (code, message) = refusal(text, &["mass=0", "pressure=square"])?;
-    assert_eq!(code, Some(2));
-    assert_has(
-        &message,
-        &[
-            "scene.toml:2: `speed`",
-            "scene.toml:3: `height`",
-            "--set: `mass`",
-            "--set: `pressure` must be one of",
-            "`gamma` is missing",
-            "`spin` is missing",
-            "`gravity` is missing",
-        ],
-    );
-    Ok(())
-}
-
-#[test]
 fn a_body_that_may_tip_is_held_at_the_edge_when_asked() -> Outcome {
     let folder = tempfile::tempdir()?;
     let summary = summary_of(
@@ -167,7 +114,6 @@ fn odd_numbers_end_with_a_result_or_a_reason() -> Outcome {
         "0", "-1", "1e308", "-1e308", "5e-324", "1e-310", "1e-17", "1e17", "nan", "inf",
     ];
     let folder = tempfile::tempdir()?;
-    let scenes = format!("{}/../scenes", env!("CARGO_MANIFEST_DIR"));
     for (scene, keys) in [
         (
             "cylinder",
@@ -188,11 +134,7 @@ fn odd_numbers_end_with_a_result_or_a_reason() -> Outcome {
         for key in keys {
             for value in odd {
                 let item = format!("{key}={value}");
-                let output = Command::cargo_bin("tribos")?
-                    .args(["run", &format!("{scenes}/{scene}.toml"), "--set", &item])
-                    .args(["--set", "samples=5", "--out"])
-                    .arg(folder.path())
-                    .output()?;
+                let output = run(scene, folder.path(), &[&item, "samples=5"]).output()?;
                 let message = String::from_utf8(output.stderr)?;
                 assert!(!message.contains("panicked"), "{scene}, {item}: {message}");
                 let code = output.status.code();

@@ -1,8 +1,7 @@
 //! The player of `tribos view` in a browser: keys, a narrow page, the arrows of a slider.
 
 use crate::browser::{Browser, Error};
-use crate::program::Outcome;
-use assert_cmd::Command;
+use crate::program::{Outcome, succeed, told};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -21,12 +20,8 @@ fn of_player(what: &str) -> String {
 
 /// The page of a scene that is run in the folder.
 fn film(folder: &Path, scene: &str) -> Result<PathBuf, Error> {
-    for arguments in [vec!["run", scene, "--out", "out"], vec!["view", "out"]] {
-        let mut tribos = Command::cargo_bin("tribos")?;
-        let output = tribos.current_dir(folder).args(&arguments).output()?;
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.success(), "{arguments:?}: {said}");
-    }
+    succeed(folder, ["run", scene, "--out", "out"])?;
+    succeed(folder, "view out")?;
     Ok(folder.join("out/view.html"))
 }
 
@@ -161,14 +156,10 @@ fn a_sliders_film_has_its_parameters_force_and_torque() -> Outcome {
         "{at}"
     );
     // F/(mu N) and T/(mu N R) are those of the ratio of the speeds.
-    let wrench = Command::cargo_bin("tribos")?
-        .args("wrench --coefficient 0.3 --load 0.981 --radius 0.08".split(' '))
-        .args(["--format", "json", "--speed"])
-        .arg(number("speed").to_string())
-        .arg("--spin")
-        .arg(number("spin").to_string())
-        .output()?;
-    let exact: Value = serde_json::from_slice(&wrench.stdout)?;
+    let [speed, spin] = ["speed", "spin"].map(number);
+    let contact = "--coefficient 0.3 --load 0.981 --radius 0.08 --format json";
+    let wrench = told(format!("wrench {contact} --speed {speed} --spin {spin}"))?;
+    let exact: Value = serde_json::from_str(&wrench)?;
     for (drawn, name) in [(force, "force"), (torque, "torque")] {
         let exact = exact[name].as_f64().unwrap_or(f64::NAN);
         // Means over the two intervals of the series around the picture.

@@ -1,9 +1,6 @@
 //! `tribos run` and `tribos sweep` of powders: complete, resumable, repeatable results.
 
-use crate::program::{
-    Error, Outcome, assert_has, assert_refused_scenes, json, number, prepared, summary, wait_for,
-};
-use assert_cmd::Command;
+use crate::program::{self, Error, Outcome, assert_has, json, number, prepared, summary, wait_for};
 use serde_json::Value;
 use std::path::Path;
 
@@ -11,25 +8,18 @@ use std::path::Path;
 const TINY: &str =
     "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\npiston_mass = 100\n";
 
-/// Writes the scene into the folder and begins a command on it.
-fn tribos(folder: &Path, command: &str) -> Result<Command, Error> {
-    let scene = folder.join("tiny.toml");
-    std::fs::write(&scene, TINY)?;
-    let mut tribos = Command::cargo_bin("tribos")?;
-    tribos.arg(command).arg(scene);
-    Ok(tribos)
+/// A command that works in the folder, where the scene is `tiny.toml`: what was said.
+fn succeed(folder: &Path, command: &str) -> Result<[String; 2], Error> {
+    std::fs::write(folder.join("tiny.toml"), TINY)?;
+    program::succeed(folder, command)
 }
 
 #[test]
 fn a_run_leaves_summary_series_states_and_pictures() -> Outcome {
     let folder = tempfile::tempdir()?;
     let out = folder.path().join("out");
-    let mut command = tribos(folder.path(), "run")?;
-    command.args(["--set", "mu_rolling=0.3", "--out"]).arg(&out);
-    let output = command.output()?;
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{said}");
-    let told = String::from_utf8(output.stdout)?;
+    let run = "run tiny.toml --set mu_rolling=0.3 --out out";
+    let [told, _] = succeed(folder.path(), run)?;
     assert_has(
         &told,
         &["blocked: ", "stress_zz", "of which", "rolling", "imbalance"],
@@ -110,22 +100,16 @@ fn a_run_leaves_summary_series_states_and_pictures() -> Outcome {
 }
 
 /// A heavy piston that falls on spheres that rebound.
-const CRUSHED: &str = "height=16 cohesion_range=0 restitution=0.5 pressure=10 piston_mass=1e4 \
-                       max_steps=300";
+const CRUSHED: &str = "--set height=16 --set cohesion_range=0 --set restitution=0.5 --set pressure=10 \
+                       --set piston_mass=1e4 --set max_steps=300";
 
 #[test]
 fn steps_that_end_approximately_are_told_and_counted() -> Outcome {
     let folder = tempfile::tempdir()?;
     let out = folder.path().join("out");
     let run = |keys: &str| -> Result<(String, Value), Error> {
-        let mut command = tribos(folder.path(), "run")?;
-        for key in keys.split_whitespace() {
-            command.args(["--set", key]);
-        }
-        let output = command.arg("--out").arg(&out).output()?;
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{keys}: {said}");
-        Ok((String::from_utf8(output.stdout)?, summary(&out)?))
+        let [told, _] = succeed(folder.path(), &format!("run tiny.toml {keys} --out out"))?;
+        Ok((told, summary(&out)?))
     };
     let lines = [
         ("impacts       cut in ", "steps_impacts_cut"),
@@ -133,7 +117,7 @@ fn steps_that_end_approximately_are_told_and_counted() -> Outcome {
         ("unmet         ", "steps_solver_unmet"),
     ];
     // As few sweeps for lasting contacts as leave some of them unsolved.
-    let (told, summary) = run(&format!("{CRUSHED} max_iterations=20"))?;
+    let (told, summary) = run(&format!("{CRUSHED} --set max_iterations=20"))?;
     let mut most = 0;
     let mut sum = 0;
     for (start, name) in lines {
@@ -148,7 +132,7 @@ fn steps_that_end_approximately_are_told_and_counted() -> Outcome {
     assert!((most..=sum).contains(&all), "{summary}");
 
     // Nothing is told of what did not happen, and nothing counted that cannot.
-    let (told, summary) = run("max_steps=300")?;
+    let (told, summary) = run("--set max_steps=300")?;
     assert_eq!(summary["steps_unmet"], 0);
     for (start, name) in lines {
         assert!(!told.lines().any(|line| line.starts_with(start)), "{told}");
@@ -161,20 +145,12 @@ fn steps_that_end_approximately_are_told_and_counted() -> Outcome {
 fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
     let folder = tempfile::tempdir()?;
     let [whole, broken] = ["whole", "broken"].map(|name| folder.path().join(name));
-    let sets = ["--set", "max_steps=400", "--set", "mu_rolling=0.1"];
-    let mut command = tribos(folder.path(), "run")?;
-    command
-        .args(sets)
-        .arg("--out")
-        .arg(&whole)
-        .assert()
-        .success();
+    let run = "run tiny.toml --set max_steps=400 --set mu_rolling=0.1";
+    succeed(folder.path(), &format!("{run} --out whole"))?;
 
     // A checkpoint after every step, until the run is killed somewhere on its way.
-    let mut child = prepared(folder.path(), ["run", "tiny.toml", "--checkpoint", "0"])
-        .args(sets)
-        .args(["--out", "broken"])
-        .spawn()?;
+    let under_way = format!("{run} --checkpoint 0 --out broken");
+    let mut child = prepared(folder.path(), under_way).spawn()?;
     let steps = || json(&broken.join("checkpoint.json")).ok()?["steps"].as_u64();
     wait_for("a checkpoint", || steps() >= Some(30));
     child.kill()?;
@@ -184,18 +160,15 @@ fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
     assert!(!broken.join("summary.json").exists());
 
     // Not for another scene.
-    let mut other = tribos(folder.path(), "run")?;
-    let refused = other.args(["--resume", "--out"]).arg(&broken).output()?;
-    assert_eq!(refused.status.code(), Some(2));
-    let said = String::from_utf8(refused.stderr)?;
+    let (code, _, said) = program::tribos(folder.path(), "run tiny.toml --resume --out broken")?;
+    assert_eq!(code, Some(2));
     assert!(
         said.contains("`mu_rolling` is") && said.contains("--anew"),
         "{said}"
     );
 
-    let mut command = tribos(folder.path(), "run")?;
-    command.args(sets).args(["--resume", "--out"]).arg(&broken);
-    command.assert().success();
+    let resume = format!("{run} --resume --out broken");
+    succeed(folder.path(), &resume)?;
     for file in ["series.csv", "final.xyz", "final.vtp", "final-contacts.vtp"] {
         let bytes = std::fs::read(whole.join(file))?;
         assert!(bytes == std::fs::read(broken.join(file))?, "{file}");
@@ -207,62 +180,23 @@ fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
     assert_eq!(one, other);
     // Done: nothing is run, and nothing is changed.
     let left = std::fs::read(broken.join("summary.json"))?;
-    let mut again = tribos(folder.path(), "run")?;
-    again.args(sets).args(["--resume", "--out"]).arg(&broken);
-    let output = again.output()?;
-    assert!(output.status.success());
-    let told = String::from_utf8(output.stdout)?;
+    let [told, _] = succeed(folder.path(), &resume)?;
     assert!(told.contains("finished already"), "{told}");
     assert!(std::fs::read(broken.join("summary.json"))? == left);
     Ok(())
 }
 
 #[test]
-fn bad_powders_are_refused_with_their_line_and_cure() -> Outcome {
-    let cases = r#"
-        width = 8\n |  | scene.toml: | `width` is missing
-        height = 12\n |  | scene.toml: | or give `count`
-        height = 12 | height = 12\ncount = 9 | scene.toml:4 | not both
-        width = 8 | width = 5 | scene.toml:2 | must be twice that
-        height = 12 | height = 12\ncapture_radius = 1 | scene.toml:4 | at least 2
-        height = 12 | height = 12\nradius_spread = 1 | scene.toml:4 | >= 0 and < 1
-        height = 12 | height = 1 | error | above a diameter
-        pressure = 0.01 | pressure = 0 | scene.toml:4 | > 0
-        pressure = 0.01 | mu_rolling = -0.1 | scene.toml:4 | >= 0
-        pressure = 0.01 | mu_torsoin = 0.1 | scene.toml:4 | did you mean `mu_torsion`?
-        pressure = 0.01 | sweep_order = "fixed" | scene.toml:4 | "gauss-seidel" only
-        pressure = 0.01 | wall_contact = "rough" | scene.toml:4 | "smooth"
-        pressure = 0.01 | restitution = 2 | scene.toml:4 | from 0 to 1
-        pressure = 0.01 | max_displacement = 3 | scene.toml:4 | <= 0.5
-        pressure = 0.01 | seed = 1.5 | scene.toml:4 | a whole number
-        pressure = 0.01 | solver = "gauss-seidel"\nstop_rule = "fixed"\ntolerance = 1e-3 | scene.toml:6 | not used
-    "#;
-    assert_refused_scenes(TINY, cases)
-}
-
-#[test]
 fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
     let folder = tempfile::tempdir()?;
     let [serial, parallel] = ["serial", "parallel"].map(|name| folder.path().join(name));
-    let sweep = |out: &Path, jobs: &str| -> Result<String, Error> {
-        let mut command = tribos(folder.path(), "sweep")?;
-        command.args(["--set", "mu_rolling=0,0.3", "--set", "mu_torsion=0,0.3"]);
-        command.args([
-            "--set",
-            "max_steps=200",
-            "--seeds",
-            "2",
-            "--jobs",
-            jobs,
-            "--out",
-        ]);
-        let output = command.arg(out).output()?;
-        let said = String::from_utf8(output.stderr)?;
-        assert!(output.status.success(), "{said}");
+    let sweep = |options: &str| -> Result<String, Error> {
+        let keys = "--set mu_rolling=0,0.3 --set mu_torsion=0,0.3 --set max_steps=200 --seeds 2";
+        let [_, said] = succeed(folder.path(), &format!("sweep tiny.toml {keys} {options}"))?;
         Ok(said)
     };
-    assert_eq!(sweep(&serial, "1")?.lines().count(), 8);
-    sweep(&parallel, "3")?;
+    assert_eq!(sweep("--jobs 1 --out serial")?.lines().count(), 8);
+    sweep("--jobs 3 --out parallel")?;
     let table = std::fs::read_to_string(serial.join("sweep.csv"))?;
     assert_eq!(table, std::fs::read_to_string(parallel.join("sweep.csv"))?);
 
@@ -307,7 +241,7 @@ fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
     let stranger = text.replace("\"pressure\": 0.", "\"pressure\": 1.");
     assert!(stranger != text, "{text}");
     std::fs::write(&other, stranger)?;
-    let said = sweep(&serial, "2")?;
+    let said = sweep("--jobs 2 --out serial")?;
     assert_eq!(said.lines().next(), Some("6 of 8 runs kept"), "{said}");
     assert_eq!(said.lines().count(), 4, "{said}");
     assert!(
@@ -319,64 +253,13 @@ fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
 }
 
 #[test]
-fn impossible_sweeps_are_refused_before_any_run() -> Outcome {
-    let cases: [(&[&str], &str); 6] = [
-        (&["--set", "rolling"], "not of the form"),
-        (&["--set", "mu_rolling=0,0"], "twice"),
-        (
-            &["--set", "mu_rolling=0", "--set", "mu_rolling=1"],
-            "at once",
-        ),
-        (&["--set", "mu_rolling=0,-1"], ">= 0"),
-        (&["--set", "seed=1,2", "--seeds", "2"], "one or the other"),
-        (&["--seeds", "2"], "no seed"),
-    ];
-    for (arguments, words) in cases {
-        let folder = tempfile::tempdir()?;
-        let out = folder.path().join("out");
-        let mut command = tribos(folder.path(), "sweep")?;
-        if words == "no seed" {
-            let disk = format!("{}/../scenes/disk.toml", env!("CARGO_MANIFEST_DIR"));
-            command = Command::cargo_bin("tribos")?;
-            command.args(["sweep", &disk]);
-        }
-        command.args(arguments);
-        let output = command.arg("--out").arg(&out).output()?;
-        let said = String::from_utf8(output.stderr)?;
-        assert_eq!(output.status.code(), Some(2), "{arguments:?} {said}");
-        assert!(said.contains(words), "{arguments:?} {said}");
-        assert!(!out.exists(), "{arguments:?}");
-    }
-    Ok(())
-}
-
-#[test]
 fn a_soft_powder_is_exported_for_lammps_and_starts_a_run_of_ours() -> Outcome {
     let home = tempfile::tempdir()?;
-    let export = |sets: &[&str]| -> Result<std::process::Output, Error> {
-        tribos(home.path(), "export")?; // writes the scene
-        let mut command = Command::cargo_bin("tribos")?;
-        command.args(["export", "lammps"]);
-        command.arg(home.path().join("tiny.toml"));
-        for set in sets {
-            command.args(["--set", set]);
-        }
-        Ok(command
-            .arg("--out")
-            .arg(home.path().join("files"))
-            .output()?)
-    };
-    let soft = export(&[
-        "method=soft",
-        "mu_torsion=0.2",
-        "mu_rolling=0.1",
-        "coupling=exact",
-        "wall_contact=smooth",
-        "gravity=0.001",
-    ])?;
-    let said = String::from_utf8(soft.stderr)?;
-    assert!(soft.status.success(), "{said}");
-    assert!(String::from_utf8(soft.stdout)?.contains("lmp -in in.powder"));
+    let sets = "--set method=soft --set mu_torsion=0.2 --set mu_rolling=0.1 --set coupling=exact \
+                --set wall_contact=smooth --set gravity=0.001";
+    let export = format!("export lammps tiny.toml {sets} --out files");
+    let [told, _] = succeed(home.path(), &export)?;
+    assert!(told.contains("lmp -in in.powder"));
     let script = std::fs::read_to_string(home.path().join("files/in.powder"))?;
     assert_has(
         &script,
@@ -392,18 +275,12 @@ fn a_soft_powder_is_exported_for_lammps_and_starts_a_run_of_ours() -> Outcome {
     );
 
     // The same spheres start a run of ours.
-    let data = home.path().join("files/powder.data");
     let mut porosities = Vec::new();
-    for start in [None, Some(format!("initial_state={}", data.display()))] {
+    for start in ["", "--set initial_state=files/powder.data"] {
         let out = home.path().join("out");
-        let mut command = tribos(home.path(), "run")?;
-        command.args(["--set", "method=soft", "--set", "max_steps=1"]);
-        if let Some(start) = &start {
-            command.args(["--set", start]);
-        }
-        let output = command.arg("--out").arg(&out).output()?;
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(matches!(output.status.code(), Some(0 | 3)), "{said}");
+        let run = format!("run tiny.toml --set method=soft --set max_steps=1 {start} --out out");
+        let (code, _, said) = program::tribos(home.path(), run)?;
+        assert!(matches!(code, Some(0 | 3)), "{said}");
         let summary = summary(&out)?;
         porosities.push((
             number(&summary, "/particles"),
@@ -413,10 +290,5 @@ fn a_soft_powder_is_exported_for_lammps_and_starts_a_run_of_ours() -> Outcome {
     }
     assert_eq!(porosities[0].0, porosities[1].0);
     assert!((porosities[0].1 - porosities[1].1).abs() < 1e-3);
-
-    // Rigid spheres have no springs.
-    let rigid = export(&[])?;
-    assert_eq!(rigid.status.code(), Some(2));
-    assert!(String::from_utf8(rigid.stderr)?.contains("--set method=soft"));
     Ok(())
 }

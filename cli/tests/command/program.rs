@@ -1,9 +1,9 @@
 //! The program as a test starts it, what it says, and what it leaves.
 
-use assert_cmd::Command;
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::{Output, Stdio};
+use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 pub type Error = Box<dyn std::error::Error>;
@@ -53,14 +53,9 @@ impl<S: AsRef<str>> Arguments for Vec<S> {
     }
 }
 
-/// The command in a folder, to be run.
-pub fn command(folder: impl AsRef<Path>, arguments: impl Arguments) -> Command {
-    Command::from_std(prepared(folder, arguments))
-}
-
-/// The command in a folder as a process of its own, which says nothing on the terminal.
-pub fn prepared(folder: impl AsRef<Path>, arguments: impl Arguments) -> std::process::Command {
-    let mut tribos = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"));
+/// The command in a folder, to be run: it says nothing on the terminal.
+pub fn prepared(folder: impl AsRef<Path>, arguments: impl Arguments) -> Command {
+    let mut tribos = Command::new(env!("CARGO_BIN_EXE_tribos"));
     tribos.current_dir(folder).args(arguments.words());
     tribos
         .stdin(Stdio::null())
@@ -71,7 +66,7 @@ pub fn prepared(folder: impl AsRef<Path>, arguments: impl Arguments) -> std::pro
 
 /// Runs the command in a folder.
 pub fn tribos(folder: impl AsRef<Path>, arguments: impl Arguments) -> Result<Said, Error> {
-    let output = command(folder, arguments).output()?;
+    let output = prepared(folder, arguments).output()?;
     let [out, err] = texts(&output)?;
     Ok((output.status.code(), out, err))
 }
@@ -89,13 +84,6 @@ pub fn told(arguments: impl Arguments) -> Result<String, Error> {
     Ok(out)
 }
 
-/// Runs a command that is refused in a folder: its standard error.
-pub fn refused(folder: impl AsRef<Path>, arguments: impl Arguments) -> Result<String, Error> {
-    let (code, _, err) = tribos(folder, &arguments)?;
-    assert_eq!(code, Some(2), "{:?}: {err}", arguments.words());
-    Ok(err)
-}
-
 /// Standard output and error of a command that has ended.
 pub fn texts(output: &Output) -> Result<[String; 2], Error> {
     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec());
@@ -109,7 +97,7 @@ pub fn scene(name: &str) -> String {
 
 /// `tribos run SCENE --out OUT --set …`, not yet run.
 pub fn run(scene: &str, out: &Path, overrides: &[&str]) -> Command {
-    let mut command = command(".", ["run", scene, "--out"]);
+    let mut command = prepared(".", ["run", scene, "--out"]);
     command.arg(out);
     for item in overrides {
         command.args(["--set", item]);
@@ -119,40 +107,10 @@ pub fn run(scene: &str, out: &Path, overrides: &[&str]) -> Command {
 
 /// The summary of a run of a scene that ships with the project.
 pub fn summary_of(name: &str, out: &Path, overrides: &[&str]) -> Result<Value, Error> {
-    run(&scene(name), out, overrides).assert().success();
+    let output = run(&scene(name), out, overrides).output()?;
+    let [_, said] = texts(&output)?;
+    assert!(output.status.success(), "{name}: {said}");
     summary(out)
-}
-
-/// Exit code and message for a bad scene; nothing may have been written.
-pub fn refusal(text: impl AsRef<[u8]>, overrides: &[&str]) -> Result<(Option<i32>, String), Error> {
-    let folder = tempfile::tempdir()?;
-    let (scene, out) = (folder.path().join("scene.toml"), folder.path().join("out"));
-    std::fs::write(&scene, text)?;
-    let output = run(&scene.display().to_string(), &out, overrides).output()?;
-    assert!(!out.exists(), "work was done before the refusal");
-    Ok((output.status.code(), String::from_utf8(output.stderr)?))
-}
-
-/// Scenes that are refused. Each line of the cases has a part of the good scene, what takes its place
-/// (`\n` for a new line), the place that the message names, and words of it; `#` begins a comment.
-pub fn assert_refused_scenes(good: &str, cases: &str) -> Outcome {
-    for case in cases.lines().map(str::trim) {
-        let cells: Vec<String> = case.split('|').map(|cell| cell.trim().into()).collect();
-        let [old, new, place, words] = &cells[..] else {
-            assert!(case.is_empty() || case.starts_with('#'), "{case}");
-            continue;
-        };
-        let [old, new] = [old, new].map(|text| text.replace("\\n", "\n"));
-        assert!(good.contains(&old), "{case}");
-        let (code, message) = refusal(good.replacen(&old, &new, 1), &[])?;
-        assert_eq!(code, Some(2), "{case}: {message}");
-        assert!(
-            message.contains(place) && message.contains(words),
-            "{case}: {message}"
-        );
-        assert!(!message.contains("panicked"), "{message}");
-    }
-    Ok(())
 }
 
 /// A file of JSON.
@@ -172,6 +130,30 @@ pub fn number(value: &Value, place: &str) -> f64 {
         false => value.get(place),
     };
     found.and_then(Value::as_f64).unwrap_or(f64::NAN)
+}
+
+/// The files of a folder with all below it; times on the clock left out.
+pub fn files(folder: &Path) -> Result<BTreeMap<String, Vec<u8>>, Error> {
+    let mut files = BTreeMap::new();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(here) = folders.pop() {
+        for entry in std::fs::read_dir(&here)? {
+            let path = entry?.path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let name = path.strip_prefix(folder)?.to_string_lossy().into_owned();
+            let mut bytes = std::fs::read(&path)?;
+            if name == "summary.json" {
+                let text = String::from_utf8(bytes)?;
+                let kept = text.lines().filter(|line| !line.contains("wall_seconds"));
+                bytes = kept.collect::<String>().into_bytes();
+            }
+            files.insert(name, bytes);
+        }
+    }
+    Ok(files)
 }
 
 /// The text has all of these words.

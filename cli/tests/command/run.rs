@@ -1,7 +1,6 @@
 //! `tribos run` leaves complete, repeatable results.
 
 use crate::program::{Error, Outcome, number, scene, succeed, summary, summary_of};
-use assert_cmd::Command;
 use serde_json::Value;
 
 #[test]
@@ -75,14 +74,8 @@ fn a_dimensionless_scene_is_the_scaled_dimensional_one() -> Outcome {
     );
     std::fs::write(&scene, text)?;
     let out = folder.path().join("out");
-    Command::cargo_bin("tribos")?
-        .arg("run")
-        .arg(&scene)
-        .arg("--out")
-        .arg(&out)
-        .assert()
-        .success();
-    let summary: Value = serde_json::from_str(&std::fs::read_to_string(out.join("summary.json"))?)?;
+    succeed(folder.path(), "run scene.toml --out out")?;
+    let summary = summary(&out)?;
     let dimensional = summary_of("disk", &folder.path().join("si"), &[])?;
     let time = number(&summary, "stop_time") * (0.08_f64 / 9.81).sqrt();
     assert!((time / number(&dimensional, "stop_time") - 1.0).abs() < 1e-12);

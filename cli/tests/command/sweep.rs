@@ -1,44 +1,22 @@
 //! `tribos sweep` stopped, in parts, as a job array: the same tables to the byte.
 
-use crate::program::{Error, Outcome, assert_has, texts};
-use assert_cmd::Command;
-use serde_json::Value;
+use crate::program::{Error, Outcome, assert_has, prepared, succeed, summary, texts, tribos};
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
+use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
 /// Some ten spheres, some milliseconds a run.
 const TINY: &str = "body = \"powder\"\nwidth = 7\nheight = 9\npressure = 0.01\npiston_mass = 100\n\
                     max_steps = 300\n";
 /// 25 runs of it.
-const GRID: [&str; 4] = [
-    "--set",
-    "mu_rolling=0,0.1,0.2,0.3,0.4",
-    "--set",
-    "mu_torsion=0,0.1,0.2,0.3,0.4",
-];
-
-fn sweep(folder: &Path) -> Result<Command, Error> {
-    let mut tribos = Command::cargo_bin("tribos")?;
-    tribos.current_dir(folder).arg("sweep");
-    Ok(tribos)
-}
-
-/// What was said on standard output and error by a command that worked.
-fn succeed(mut command: Command) -> Result<[String; 2], Error> {
-    let output = command.output()?;
-    let [told, said] = texts(&output)?;
-    assert!(output.status.success(), "{command:?}\n{said}");
-    Ok([told, said])
-}
+const GRID: &str =
+    "sweep tiny.toml --set mu_rolling=0,0.1,0.2,0.3,0.4 --set mu_torsion=0,0.1,0.2,0.3,0.4";
 
 /// A folder with the scene in tiny.toml, and the undisturbed sweep of 25 runs in `whole`.
 fn undisturbed() -> Result<tempfile::TempDir, Error> {
     let folder = tempfile::tempdir()?;
     std::fs::write(folder.path().join("tiny.toml"), TINY)?;
-    let mut command = sweep(folder.path())?;
-    command.arg("tiny.toml").args(GRID).args(["--out", "whole"]);
-    let [_, said] = succeed(command)?;
+    let [_, said] = succeed(folder.path(), format!("{GRID} --out whole"))?;
     assert_eq!(said.lines().count(), 25, "{said}");
     assert!(said.lines().all(|line| line.contains(" gone, ")), "{said}");
     Ok(folder)
@@ -70,12 +48,7 @@ fn summaries(out: &Path) -> Vec<PathBuf> {
 fn a_killed_sweep_goes_on_to_the_undisturbed_tables() -> Outcome {
     let folder = undisturbed()?;
     let out = folder.path().join("killed");
-    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"))
-        .current_dir(folder.path())
-        .args(["sweep", "tiny.toml", "--jobs", "1", "--out", "killed"])
-        .args(GRID)
-        .stderr(Stdio::null())
-        .spawn()?;
+    let mut child = prepared(folder.path(), format!("{GRID} --jobs 1 --out killed")).spawn()?;
     let began = Instant::now();
     while summaries(&out).len() < 5 && began.elapsed() < Duration::from_secs(60) {
         std::thread::sleep(Duration::from_micros(200));
@@ -86,9 +59,7 @@ fn a_killed_sweep_goes_on_to_the_undisturbed_tables() -> Outcome {
     let kept = summaries(&out).len();
     assert!((5..25).contains(&kept), "killed too late: {kept} of 25");
 
-    let mut again = sweep(folder.path())?;
-    again.arg("tiny.toml").args(GRID).args(["--out", "killed"]);
-    let [_, said] = succeed(again)?;
+    let [_, said] = succeed(folder.path(), format!("{GRID} --out killed"))?;
     let first = format!("{kept} of 25 runs kept");
     assert_eq!(said.lines().next(), Some(first.as_str()));
     assert_eq!(said.lines().count(), 26 - kept, "{said}");
@@ -98,12 +69,7 @@ fn a_killed_sweep_goes_on_to_the_undisturbed_tables() -> Outcome {
 #[test]
 fn parts_on_two_machines_merge_to_the_undisturbed_tables() -> Outcome {
     let folder = undisturbed()?;
-    let mut first = sweep(folder.path())?;
-    first.arg("tiny.toml").args(GRID);
-    let [told, said] = succeed({
-        first.args(["--out", "parts", "--part", "0/2"]);
-        first
-    })?;
+    let [told, said] = succeed(folder.path(), format!("{GRID} --out parts --part 0/2"))?;
     assert_eq!(said.lines().count(), 13, "{said}");
     assert!(told.contains("tribos sweep --merge parts"), "{told}");
     assert!(!folder.path().join("parts/sweep.csv").exists());
@@ -117,15 +83,11 @@ fn parts_on_two_machines_merge_to_the_undisturbed_tables() -> Outcome {
         folder.path().join("parts/sweep.json"),
         other.join("sweep.json"),
     )?;
-    let mut second = sweep(folder.path())?;
-    second.args(["--plan", "other", "--part", "1/2"]);
-    let [_, said] = succeed(second)?;
+    let [_, said] = succeed(folder.path(), "sweep --plan other --part 1/2")?;
     assert_eq!(said.lines().count(), 12, "{said}");
 
-    let mut early = sweep(folder.path())?;
-    let output = early.args(["--merge", "parts"]).output()?;
-    let [_, said] = texts(&output)?;
-    assert_eq!(output.status.code(), Some(1));
+    let (code, _, said) = tribos(folder.path(), "sweep --merge parts")?;
+    assert_eq!(code, Some(1));
     assert_has(
         &said,
         &[
@@ -143,29 +105,19 @@ fn parts_on_two_machines_merge_to_the_undisturbed_tables() -> Outcome {
         std::fs::create_dir_all(&home)?;
         std::fs::copy(&summary, home.join("summary.json"))?;
     }
-    let mut merge = sweep(folder.path())?;
-    merge.args(["--merge", "parts"]);
-    assert_eq!(succeed(merge)?[1], "");
+    assert_eq!(succeed(folder.path(), "sweep --merge parts")?[1], "");
     assert_same_tables(folder.path(), "parts")
 }
 
 #[test]
 fn a_job_array_holds_its_plan_and_gives_the_undisturbed_tables() -> Outcome {
     let folder = undisturbed()?;
-    let hand_over = |sets: [&str; 4]| -> Result<Command, Error> {
-        let mut command = sweep(folder.path())?;
-        command.arg("tiny.toml").args(sets).args([
-            "--out",
-            "a b",
-            "--slurm",
-            "--slurm-tasks",
-            "3",
-            "--slurm-option",
-            "--time=5",
-        ]);
-        Ok(command)
+    let hand_over = |sweep: &str| {
+        let options = "--slurm --slurm-tasks 3 --slurm-option --time=5 --out";
+        let words = sweep.split(' ').chain(options.split(' ')).chain(["a b"]);
+        words.map(str::to_owned).collect::<Vec<_>>()
     };
-    let [told, _] = succeed(hand_over(GRID)?)?;
+    let [told, _] = succeed(folder.path(), hand_over(GRID))?;
     assert!(told.starts_with("25 runs in 3 tasks\n"), "{told}");
     let script = std::fs::read_to_string(folder.path().join("a b/job.sh"))?;
     assert!(script.contains("#SBATCH --array=0-2\n"), "{script}");
@@ -180,19 +132,16 @@ fn a_job_array_holds_its_plan_and_gives_the_undisturbed_tables() -> Outcome {
             bash.arg(folder.path().join("a b/job.sh"))
                 .current_dir(elsewhere.path())
                 .env("SLURM_ARRAY_TASK_ID", task);
-            succeed(bash)?;
+            assert!(bash.status()?.success(), "{task}");
         }
-        let mut merge = sweep(folder.path())?;
-        merge.args(["--merge", "a b"]);
-        succeed(merge)?;
+        succeed(folder.path(), ["sweep", "--merge", "a b"])?;
         assert_same_tables(folder.path(), "a b")?;
     }
 
     // Tasks that still wait would take another plan.
-    let other = ["--set", "mu_rolling=0", "--set", "mu_torsion=1"];
-    let output = hand_over(other)?.output()?;
-    let [_, said] = texts(&output)?;
-    assert_eq!(output.status.code(), Some(2), "{said}");
+    let other = hand_over("sweep tiny.toml --set mu_rolling=0 --set mu_torsion=1");
+    let (code, _, said) = tribos(folder.path(), other)?;
+    assert_eq!(code, Some(2), "{said}");
     assert!(said.contains("another sweep"), "{said}");
     Ok(())
 }
@@ -207,9 +156,10 @@ fn sliders_are_swept_to_the_numbers_of_their_runs() -> Outcome {
         ("curling-draw", "speed=1.9,2", "curl"),
     ] {
         let file = format!("{scenes}/{scene}.toml");
-        let mut command = sweep(folder.path())?;
-        command.args([&file, "--set", key, "--out", scene]);
-        succeed(command)?;
+        succeed(
+            folder.path(),
+            format!("sweep {file} --set {key} --out {scene}"),
+        )?;
         let table = std::fs::read_to_string(folder.path().join(scene).join("sweep.csv"))?;
         let mut lines = table.lines();
         let head: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
@@ -217,12 +167,11 @@ fn sliders_are_swept_to_the_numbers_of_their_runs() -> Outcome {
         let [key, last] = key.split_once('=').map(|(k, v)| [k, v]).ok_or("a key")?;
         let last = last.split(',').next_back().unwrap_or_default();
 
-        let mut run = Command::cargo_bin("tribos")?;
-        run.current_dir(folder.path()).args(["run", &file, "--out"]);
-        run.args(["run", "--set", &format!("{key}={last}")]);
-        succeed(run)?;
-        let summary = std::fs::read_to_string(folder.path().join("run/summary.json"))?;
-        let summary: Value = serde_json::from_str(&summary)?;
+        succeed(
+            folder.path(),
+            format!("run {file} --set {key}={last} --out run"),
+        )?;
+        let summary = summary(&folder.path().join("run"))?;
         let cell = lines
             .last()
             .unwrap_or_default()
@@ -235,39 +184,6 @@ fn sliders_are_swept_to_the_numbers_of_their_runs() -> Outcome {
         assert!(number.is_some(), "{scene}");
         assert_eq!(cell.map(f64::to_bits), number.map(f64::to_bits), "{scene}");
         assert!(folder.path().join(scene).join("sweep.svg").exists());
-    }
-    Ok(())
-}
-
-#[test]
-fn impossible_shares_are_refused() -> Outcome {
-    let folder = tempfile::tempdir()?;
-    std::fs::write(folder.path().join("tiny.toml"), TINY)?;
-    std::fs::create_dir(folder.path().join("old"))?;
-    let old = "{\"version\": \"0.0.0\", \"keys\": []}";
-    std::fs::write(folder.path().join("old/sweep.json"), old)?;
-    for (arguments, words) in [
-        ("tiny.toml", "--out"),
-        ("tiny.toml --out x --part 2/2", "0/2 and 1/2"),
-        ("--plan x", "no plan of a sweep"),
-        ("--merge x --part 0/2", "cannot be used with"),
-        ("--plan x --set mu_rolling=1", "cannot be used with"),
-        ("--plan old", "same version"),
-        ("tiny.toml --out x --slurm-tasks 3", "--slurm"),
-        (
-            "tiny.toml --out x --slurm --slurm-option --array=1",
-            "--slurm-tasks",
-        ),
-        (
-            "tiny.toml --out x --set width=7,8 --set body=powder,disk",
-            "width",
-        ),
-    ] {
-        let output = sweep(folder.path())?.args(arguments.split(' ')).output()?;
-        let [_, said] = texts(&output)?;
-        assert_eq!(output.status.code(), Some(2), "{arguments}: {said}");
-        assert!(said.contains(words), "{arguments}: {said}");
-        assert!(!folder.path().join("x").exists(), "{arguments}");
     }
     Ok(())
 }
@@ -286,9 +202,10 @@ fn a_key_with_the_name_of_a_result_has_a_column_of_its_own() -> Outcome {
         folder.path().join("tiny.toml"),
         "body = \"gas\"\ncount = 100",
     )?;
-    let mut command = sweep(folder.path())?;
-    command.args(["tiny.toml", "--set", "collisions=1,2", "--out", "out"]);
-    succeed(command)?;
+    succeed(
+        folder.path(),
+        "sweep tiny.toml --set collisions=1,2 --out out",
+    )?;
     for table in ["sweep.csv", "runs.csv"] {
         let heads = heads(&folder.path().join("out").join(table))?;
         for (at, head) in heads.iter().enumerate() {
@@ -304,10 +221,8 @@ fn a_key_with_the_name_of_a_result_has_a_column_of_its_own() -> Outcome {
 #[test]
 fn a_refused_combination_has_its_row_and_the_others_run() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let keys = ["--set", "spin=0,5,20", "--set", "height=0.16,0.5,1.0"];
-    let mut command = sweep(folder.path())?;
-    command.arg("cylinder").args(keys).args(["--out", "whole"]);
-    let [told, said] = succeed(command)?;
+    let sweep = "sweep cylinder --set spin=0,5,20 --set height=0.16,0.5,1.0";
+    let [told, said] = succeed(folder.path(), format!("{sweep} --out whole"))?;
     assert!(said.contains("of 9 runs were refused"), "{said}");
     assert!(told.contains("refused: the body tips"), "{told}");
     let runs = std::fs::read_to_string(folder.path().join("whole/runs.csv"))?;
@@ -324,37 +239,18 @@ fn a_refused_combination_has_its_row_and_the_others_run() -> Outcome {
 
     // In parts, and merged: the same.
     for part in ["0/2", "1/2"] {
-        let mut command = sweep(folder.path())?;
-        command.arg("cylinder").args(keys);
-        command.args(["--out", "parts", "--part", part]);
-        succeed(command)?;
+        succeed(folder.path(), format!("{sweep} --out parts --part {part}"))?;
     }
-    let mut merge = sweep(folder.path())?;
-    merge.args(["--merge", "parts"]);
-    succeed(merge)?;
+    succeed(folder.path(), "sweep --merge parts")?;
     for name in ["sweep.csv", "runs.csv"] {
         let [whole, parts] =
             ["whole", "parts"].map(|out| std::fs::read(folder.path().join(out).join(name)));
         assert!(whole? == parts?, "{name}");
     }
 
-    // A value that nothing takes is bad input: nothing runs.
-    let mut command = sweep(folder.path())?;
-    let output = command
-        .args("cylinder --set spin=0,5 --set height=0.16,-1 --out none".split(' '))
-        .output()?;
-    let [_, said] = texts(&output)?;
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(
-        said.contains("height") && !folder.path().join("none").exists(),
-        "{said}"
-    );
     // All refused: their rows, and the exit code of bad input.
-    let mut command = sweep(folder.path())?;
-    let output = command
-        .args(["cylinder", "--set", "height=1:2:1", "--out", "all"])
-        .output()?;
-    assert_eq!(output.status.code(), Some(2));
+    let (code, ..) = tribos(folder.path(), "sweep cylinder --set height=1:2:1 --out all")?;
+    assert_eq!(code, Some(2));
     assert!(folder.path().join("all/runs.csv").exists());
     Ok(())
 }
@@ -363,20 +259,14 @@ fn a_refused_combination_has_its_row_and_the_others_run() -> Outcome {
 fn a_range_stands_for_its_values() -> Outcome {
     let folder = tempfile::tempdir()?;
     for (values, out) in [("spin=0:20:10,50", "range"), ("spin=0,10,20,50", "list")] {
-        let mut command = sweep(folder.path())?;
-        command.args(["disk", "--set", values, "--out", out]);
-        succeed(command)?;
+        succeed(
+            folder.path(),
+            format!("sweep disk --set {values} --out {out}"),
+        )?;
     }
     let [range, list] =
         ["range", "list"].map(|out| std::fs::read(folder.path().join(out).join("runs.csv")));
     assert_eq!(range?, list?);
-    let mut command = sweep(folder.path())?;
-    let output = command
-        .args(["disk", "--set", "spin=0:20", "--out", "bad"])
-        .output()?;
-    let [_, said] = texts(&output)?;
-    assert_eq!(output.status.code(), Some(2));
-    assert!(said.contains("FROM:TO:STEP"), "{said}");
     Ok(())
 }
 
@@ -393,16 +283,12 @@ fn a_summary_that_was_changed_is_not_taken_for_a_result() -> Outcome {
     assert_ne!(changed, kept);
     std::fs::write(&file, changed)?;
 
-    let mut merge = sweep(folder.path())?;
-    let output = merge.args(["--merge", "whole"]).output()?;
-    let [_, said] = texts(&output)?;
-    assert_eq!(output.status.code(), Some(1), "{said}");
+    let (code, _, said) = tribos(folder.path(), "sweep --merge whole")?;
+    assert_eq!(code, Some(1), "{said}");
     let words = "mu_rolling=0.1,mu_torsion=0.2 (its summary was changed after the run)";
     assert!(said.contains(words), "{said}");
 
-    let mut again = sweep(folder.path())?;
-    again.arg("tiny.toml").args(GRID).args(["--out", "whole"]);
-    let [_, said] = succeed(again)?;
+    let [_, said] = succeed(folder.path(), format!("{GRID} --out whole"))?;
     assert!(said.contains("the run is repeated"), "{said}");
     assert!(said.contains("24 of 25 runs kept"), "{said}");
     assert!(std::fs::read(whole.join("runs.csv"))? == tables);
@@ -412,17 +298,10 @@ fn a_summary_that_was_changed_is_not_taken_for_a_result() -> Outcome {
 #[test]
 fn two_processes_of_one_part_take_no_run_twice() -> Outcome {
     let folder = undisturbed()?;
-    let part = || -> Result<std::process::Child, Error> {
-        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"));
-        command
-            .current_dir(folder.path())
-            .args(["sweep", "tiny.toml", "--out", "both", "--part", "0/1"])
-            .args(GRID)
-            .stdout(Stdio::null())
-            .stderr(Stdio::piped());
-        Ok(command.spawn()?)
+    let part = || -> Result<Child, Error> {
+        Ok(prepared(folder.path(), format!("{GRID} --out both --part 0/1")).spawn()?)
     };
-    let outputs = [part()?, part()?].map(std::process::Child::wait_with_output);
+    let outputs = [part()?, part()?].map(Child::wait_with_output);
     for output in outputs {
         let output = output?;
         let [_, said] = texts(&output)?;
@@ -430,10 +309,6 @@ fn two_processes_of_one_part_take_no_run_twice() -> Outcome {
         let is_in_use = output.status.code() == Some(1) && said.contains("is in use by");
         assert!(output.status.success() || is_in_use, "{said}");
     }
-    succeed({
-        let mut again = sweep(folder.path())?;
-        again.arg("tiny.toml").args(GRID).args(["--out", "both"]);
-        again
-    })?;
+    succeed(folder.path(), format!("{GRID} --out both"))?;
     assert_same_tables(folder.path(), "both")
 }

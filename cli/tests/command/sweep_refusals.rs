@@ -1,9 +1,8 @@
 //! Combinations of a sweep that are refused, or fail, once they run: a row with the reason each, and the others go on.
 
-use crate::program::{Error, Outcome, prepared, texts};
+use crate::program::{Error, Outcome, prepared, texts, wait_for};
 use std::path::Path;
 use std::process::{Child, Command, Output};
-use std::time::{Duration, Instant};
 
 /// Some ten spheres, some milliseconds a run.
 const POWDER: &str = "body = \"powder\"\nwidth = 7\nheight = 9\npressure = 0.01\n\
@@ -205,15 +204,6 @@ fn a_run_that_failed_is_not_taken_again_and_a_damaged_checkpoint_is_no_refusal()
         }
     }
     Ok(())
-}
-
-/// Waits until something is there.
-fn wait_for(what: &str, is_there: impl Fn() -> bool) {
-    let patience = Instant::now();
-    while !is_there() {
-        assert!(patience.elapsed() < Duration::from_secs(60), "{what}");
-        std::thread::sleep(Duration::from_millis(1));
-    }
 }
 
 /// Asks a process to end.

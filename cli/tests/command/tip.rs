@@ -1,8 +1,6 @@
 //! Tips on a substrate: `tribos run`, `sweep`, `golden` and `export` of a small one.
 
-use crate::program::{
-    self, Error, Outcome, assert_has, assert_refused_scenes, json, prepared, wait_for,
-};
+use crate::program::{self, Error, Outcome, assert_has, json, prepared, wait_for};
 use std::path::Path;
 
 /// 748 atoms, 400 steps.
@@ -162,53 +160,6 @@ fn a_killed_run_goes_on_to_the_same_files() -> Outcome {
 }
 
 #[test]
-fn a_run_that_blows_up_says_where_and_keeps_its_checkpoint() -> Outcome {
-    let folder = tempfile::tempdir()?;
-    let run = "run tiny.toml --set lambda=1e6 --checkpoint 0 --out out";
-    let (code, said) = fail(folder.path(), run)?;
-    assert_eq!(code, Some(1), "{said}");
-    // The drive is on from step 100 on; a line of the series every twenty steps.
-    let is_told = said.contains("step 101: atom ") && said.contains("smaller time step");
-    assert!(is_told, "{said}");
-    let out = folder.path().join("out");
-    assert!(!out.join("summary.json").exists());
-    assert_eq!(json(&out.join("checkpoint.json"))?["steps"], 100);
-    // It goes on from there, to the same end.
-    assert_eq!(fail(folder.path(), &format!("{run} --resume"))?.1, said);
-    Ok(())
-}
-
-#[test]
-fn bad_tips_are_refused_with_their_line_and_cure() -> Outcome {
-    let cases = r#"
-        lambda = 0.02\n |  | scene.toml: | `lambda` is missing
-        lambda = 0.02 | lambda = "x" | scene.toml:2 | a finite number
-        substrate_rows = 14 | substrate_rows = 15 | scene.toml:4 | `substrate_rows` must be even with face
-        substrate_rows = 14 | substrate_rows = 6 | scene.toml:4 | `tip_side_atoms`, `cutoff` and `skin` need
-        substrate_columns = 12 | substrate_columns = 0 | scene.toml:3 | a whole number from 1
-        substrate_columns = 12 | substrate_columns = 6 | scene.toml:3 | `tip_side_atoms`, `cutoff` and `skin` need
-        tip_side_atoms = 3 | tip_side_atoms = 6 | scene.toml:3 | `tip_side_atoms`, `cutoff` and `skin` need
-        tip_side_atoms = 3 | tip_side_atoms = 0 | scene.toml:5 | a whole number from 1
-        tip_side_atoms = 3 | tip_side_atoms = 3\ncutoff = 7 | scene.toml:3 | `tip_side_atoms`, `cutoff` and `skin` need
-        tip_side_atoms = 3 | tip_side_atoms = 3\nskin = 20 | scene.toml:3 | `tip_side_atoms`, `cutoff` and `skin` need
-        tip_side_atoms = 3 | tip_side_atoms = 3\nload = 1 | scene.toml:6 | driven_constraint = "level"
-        tip_side_atoms = 3 | tip_side_atoms = 3\nskin = 0 | scene.toml:6 | > 0
-        tip_side_atoms = 3 | tip_side_atoms = 3\ntip_orientation = 200 | scene.toml:6 | 180
-        tip_side_atoms = 3 | tip_side_atoms = 3\noutline = "square" | scene.toml:6 | "hexagon"
-        tip_side_atoms = 3 | tip_side_atoms = 3\nthermostat = "cold" | scene.toml:6 | "langevin"
-        tip_side_atoms = 3 | tip_side_atoms = 3\ndrive_dampign_rate = 1 | scene.toml:6 | did you mean `drive_damping_rate`?
-        tip_side_atoms = 3 | tip_side_atoms = 3\ntime_step = 1 | scene.toml:6 | 0.05
-        tip_side_atoms = 3 | tip_side_atoms = 3\ncutoff = 0.5 | scene.toml:6 | 10
-        tip_layers = 4 | tip_layers = 3 | scene.toml:7 | from 4 to 100, not 3
-        substrate_layers = 4 | substrate_layers = 3 | scene.toml:6 | from 4 to 100
-        sample_every = 20 | sample_every = 0 | scene.toml:11 | a whole number from 1
-        drive_time = 1 | drive_time = 1e300 | scene.toml:9 | steps of `time_step`
-        drive_time = 1 | drive_time = -1 | scene.toml:9 | >= 0
-    "#;
-    assert_refused_scenes(TINY, cases)
-}
-
-#[test]
 fn a_sweep_tells_the_share_of_tips_that_turned_back() -> Outcome {
     let folder = tempfile::tempdir()?;
     let sets = "--set rest_time=0.2 --set temperature=1e-4 --set lambda=0,3";
@@ -339,10 +290,5 @@ fn exported_atoms_have_the_energy_of_the_run() -> Outcome {
         let off = evaluated.ok_or("no energy")? / energy - 1.0;
         assert!(off.abs() < 1e-12, "{name}: {off}");
     }
-    let disk = format!("{}/../scenes/disk.toml", env!("CARGO_MANIFEST_DIR"));
-    let (code, said) = fail(folder.path(), &format!("export lammps {disk} --out none"))?;
-    assert_eq!(code, Some(2));
-    assert!(said.contains("body = \"tip\""), "{said}");
-    assert!(!folder.path().join("none").exists());
     Ok(())
 }

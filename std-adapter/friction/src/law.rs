@@ -208,9 +208,9 @@ fn read(entry: &'static LawEntry, list: &str) -> Result<[f64; MOST_PARAMETERS], 
         let names = || entry.parameters.iter().map(|parameter| parameter.name);
         let index = names().position(|name| name == key).ok_or_else(|| {
             let meant = super::text::nearest(key, names())
-                .map_or(String::new(), |near| format!(", did you mean `{near}`?"));
+                .map_or("; ".into(), |near| format!("; did you mean `{near}`? "));
             FrictionError::Syntax(format!(
-                "{} has no `{key}`{meant}; {}",
+                "{} has no `{key}`{meant}{}",
                 entry.name,
                 needs(entry)
             ))

@@ -74,7 +74,7 @@ pub enum MotionError {
     /// A tall body would tip, and the scene forbids it.
     #[error(
         "the body tips: from {time:.6} s on its foot cannot bear the pressure gradient, which \
-         reaches {lean:.4} of the limit; lower `height` or `gamma`, or set \
+         reaches {lean:.4} times the limit; lower `height` or `gamma`, or set \
          on_tipping = \"clamp\""
     )]
     Tips {

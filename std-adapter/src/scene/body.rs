@@ -247,10 +247,12 @@ impl Scene {
         let (body, origin) = match entries.values.get(BODY.name) {
             None => (DEFAULT_BODY, Origin::File),
             Some((Written::Text(text), origin)) => (text.as_str(), *origin),
-            Some((other, origin)) => return Err(refusal(other.kind(), *origin, problems)),
+            Some((other, origin)) => {
+                return Err(refusal(&format!("not {}", other.kind()), *origin, problems));
+            }
         };
         Self::of(body, entries, problems.clone()).unwrap_or_else(|| {
-            let given = format!("\"{body}\"{}", meant(body, BODIES));
+            let given = format!("got \"{body}\"{}", meant(body, BODIES));
             Err(refusal(&given, origin, problems))
         })
     }
@@ -259,7 +261,7 @@ impl Scene {
 /// Without a body nothing else can be judged.
 fn refusal(given: &str, origin: Origin, mut problems: Vec<SceneProblem>) -> Vec<SceneProblem> {
     let domain = BODY.domain.describe();
-    let message = format!("`body` must be {domain}, not {given}");
+    let message = format!("`body` must be {domain}, {given}");
     problems.push(SceneProblem::new(origin, message));
     problems
 }

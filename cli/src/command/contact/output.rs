@@ -62,7 +62,7 @@ impl Row<'_> {
         if largest <= tolerance {
             return format!("normal speeds wrong by {:.1e}", residual.speed);
         }
-        format!("residual {largest:.1e}")
+        format!("largest residual {largest:.1e}")
     }
 
     /// Why nothing solves the problem, where that is proven.

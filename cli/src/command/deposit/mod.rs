@@ -133,10 +133,11 @@ impl Arguments {
             bytes: BYTES_A_SPHERE * bodies,
             seconds: SECONDS_A_SPHERE * bodies,
         };
+        check(&size, "spheres", MemoryPermission::of(self.allow_large))?;
         if bodies > LARGE {
             super::note(format_args!("{}", describe_size(&size, "spheres")));
         }
-        check(&size, "spheres", MemoryPermission::of(self.allow_large))
+        Ok(())
     }
 
     /// Grows it and tells, once a second, how far it is.

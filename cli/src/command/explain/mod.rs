@@ -17,7 +17,7 @@ use std::path::PathBuf;
 /// needs. Costs are measured on this machine, in a fraction of a second.
 ///
 /// The energy balance follows, with the parts that could be left out: for a sliding body at once, where
-/// it runs in a moment, else the time that the run takes; for a powder or a tip with --out DIR of a finished run.
+/// it runs in a moment, else the time that the run takes; for powders, grains, gases and tips with --out DIR of a finished run.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -26,7 +26,7 @@ pub struct Arguments {
     /// Replace or add a key of the scene; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Folder of a finished run of this powder or tip, for its energy balance.
+    /// Folder of a finished run of this scene, for its energy balance.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

@@ -14,7 +14,7 @@ use tribos::tip::{AtomRole, cost, size};
 /// The whole account.
 pub fn text(scene: &TipScene) -> Result<String, Failure> {
     // Its atoms are placed to be counted and timed.
-    check(&size(scene), "atoms", MemoryPermission::Usual)?;
+    check(&size(scene), "atoms", MemoryPermission::Never)?;
     let cost = cost(scene)?;
     let atoms: usize = cost.atoms.iter().sum();
     let parts = AtomRole::ALL.iter().zip(cost.atoms);

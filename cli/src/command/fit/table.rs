@@ -91,6 +91,9 @@ fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
             let line = lines.get(point).copied().unwrap_or(1);
             Failure::input(format!("{name}:{line}: {message}"))
         }
+        FitError::NoParameter { .. } | FitError::Range { .. } | FitError::NothingFree => {
+            Failure::input(format!("--fix: {error}"))
+        }
         error => Failure::input(format!("{name}: {error}")),
     }
 }

@@ -143,9 +143,12 @@ impl Arguments {
             } else {
                 "lower --max-spin for fewer".into()
             };
+            let listed = match listed {
+                1 => "the one with the fewest turns is".into(),
+                _ => format!("the {listed} with the fewest turns are"),
+            };
             super::note(format_args!(
-                "note: {many} launches lead there; the {listed} with the fewest turns are listed \
-                 ({cure})"
+                "note: {many} launches lead there; {listed} listed ({cure})"
             ));
         }
         if let Some(path) = &self.plot {

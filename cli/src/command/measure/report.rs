@@ -13,11 +13,16 @@ pub fn text(measures: &Measures, over_time: Option<&Table>, out: Option<&Path>) 
         KnownForces::Unknown => "of the geometry, without forces",
     };
     let coordination = &measures.coordination;
+    let without = match coordination.mean_without {
+        // All of them are rattlers.
+        mean if mean.is_nan() => String::new(),
+        mean => format!(", {} without them", shown(mean)),
+    };
     let mut text = format!(
         "spheres       {}, mean radius {}\n\
          porosity      {} %\n\
          contacts      {} {from}\n\
-         coordination  {} a sphere; {} rattlers, {} without them\n\
+         coordination  {} a sphere; {} rattlers{}\n\
          fabric        anisotropy {}, largest {} along ({})\n",
         assembly.radii.len(),
         shown(assembly.mean_radius()),
@@ -25,7 +30,7 @@ pub fn text(measures: &Measures, over_time: Option<&Table>, out: Option<&Path>) 
         assembly.contacts.len(),
         shown(coordination.mean),
         coordination.rattlers,
-        shown(coordination.mean_without),
+        without,
         shown(measures.fabric.anisotropy),
         shown(measures.fabric.values[0]),
         measures

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Patch};
 use tribos::push::{PUSH_BOX, PushResult};
 use tribos::record::{number as shortest, read_text, series_csv};
-use tribos::scene::{MOST_BYTES, PushScene, toml_value};
+use tribos::scene::{MOST_BYTES, Need, PushScene};
 
 /// A body that a pusher moves over the floor, slowly enough that nothing has inertia: whether the pusher
 /// sticks or slides, the motion cone, the body's path.
@@ -62,20 +62,9 @@ fn help() -> String {
     let mut text = format!("{EXAMPLES}\n\nKeys of a scene (places in the frame of the body):\n");
     let defaults = PushScene::default().json();
     for key in PushScene::KEYS.iter().filter(|key| key.name != "body") {
-        let default = defaults
-            .get(key.name)
-            .and_then(|value| toml_value(key, value));
-        let default = match (key.need, default) {
-            (tribos::scene::Need::Optional, Some(value)) => format!("; default {value}"),
-            _ => String::new(),
-        };
-        text += &format!(
-            "  {:<18} [{}] {} {}{default}\n",
-            key.name,
-            key.unit,
-            key.meaning,
-            key.domain.describe()
-        );
+        let default = defaults.get(key.name);
+        let default = default.filter(|_| matches!(key.need, Need::Optional));
+        text += &super::scene::key_line(key, default);
     }
     text
 }
@@ -113,12 +102,19 @@ impl Arguments {
     /// The scene in the file, or that of the program where there is no such file.
     fn read(&self) -> Result<PushScene, Failure> {
         let name = self.scene.display().to_string();
-        let text = if name == BUILT_IN.0 && !self.scene.exists() {
+        let text = if name == BUILT_IN.0 && (!self.scene.exists() || self.scene.is_dir()) {
             BUILT_IN.1.to_owned()
         } else {
             read_text(&self.scene, MOST_BYTES).map_err(|error| {
-                let what = format!("cannot read the scene {name}: {error}");
-                Failure::input(unknown(&what, &name, [BUILT_IN.0]))
+                Failure::input(if error.is_missing() {
+                    unknown(
+                        &format!("no file and no scene `{name}`"),
+                        &name,
+                        [BUILT_IN.0],
+                    )
+                } else {
+                    format!("cannot read the scene {name}: {error}")
+                })
             })?
         };
         let scene = PushScene::parse(&name, &text, &self.overrides).map_err(Failure::input)?;

@@ -14,6 +14,8 @@ pub enum MemoryPermission {
     Usual,
     /// Whatever the machine has.
     Large,
+    /// 4 GB at most, whatever is asked for.
+    Never,
 }
 
 impl MemoryPermission {
@@ -36,11 +38,14 @@ pub fn check(size: &RunSize, what: &str, allowed: MemoryPermission) -> Result<()
             describe_size(size, what)
         )));
     }
-    if size.bytes > MOST_BYTES && allowed == MemoryPermission::Usual {
-        return Err(Failure::input(format!(
-            "{}: more than the 4 GB that are taken without --allow-large",
-            describe_size(size, what)
-        )));
+    let most = match allowed {
+        MemoryPermission::Large => return Ok(()),
+        MemoryPermission::Usual => "the 4 GB that are taken without --allow-large",
+        MemoryPermission::Never => "the 4 GB that this command takes; make it smaller",
+    };
+    if size.bytes > MOST_BYTES {
+        let size = describe_size(size, what);
+        return Err(Failure::input(format!("{size}: more than {most}")));
     }
     Ok(())
 }

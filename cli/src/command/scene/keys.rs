@@ -92,10 +92,14 @@ fn text(known: &Vocabulary) -> String {
     text
 }
 
-fn line(key: &Key, default: Option<&Value>) -> String {
+/// Name, unit, meaning and, as a sentence of its own, what the key may be.
+pub fn line(key: &Key, default: Option<&Value>) -> String {
     let default = default.and_then(|value| toml_value(key, value));
     let default = default.map_or(String::new(), |value| format!("; default {value}"));
     let domain = key.domain.describe();
+    let mut letters = domain.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    let domain: String = first.chain(letters).collect();
     format!(
         "  {:<18} [{}] {} {domain}{default}\n",
         key.name, key.unit, key.meaning

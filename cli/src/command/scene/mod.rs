@@ -6,6 +6,7 @@ mod list;
 mod new;
 mod source;
 
+pub use keys::line as key_line;
 pub use source::{built_in, note_earlier_names, read, text};
 
 use crate::command::suggestions::unknown;
@@ -106,5 +107,5 @@ impl Schema {
 /// The vocabulary of a body, or which bodies there are.
 fn body(name: &str) -> Result<Vocabulary, Failure> {
     vocabulary(name)
-        .ok_or_else(|| Failure::input(unknown(&format!("unknown body `{name}`"), name, bodies())))
+        .ok_or_else(|| Failure::input(unknown(&format!("`{name}` is no body"), name, bodies())))
 }

@@ -59,9 +59,9 @@ pub fn named(name: &str) -> Result<LibraryScene, Failure> {
         .ok_or_else(|| Failure::input(unknown(&format!("no scene `{name}`"), name, all())))
 }
 
-/// The scene of this name that comes with the program, unless there is such a file.
+/// The scene of this name that comes with the program, unless there is such a file; a folder of results is none.
 pub fn built_in(scene: &Path) -> Option<LibraryScene> {
-    if scene.exists() {
+    if scene.exists() && !scene.is_dir() {
         return None;
     }
     library_scene(scene.to_str()?)

@@ -72,7 +72,7 @@ pub enum RecordError {
     #[error("the file is compressed ({0}); unpack it first")]
     Compressed(&'static str),
     /// The file contains a zero byte or is not UTF-8.
-    #[error("the file is not a text: byte {at} is not of one")]
+    #[error("the file is not text: its byte {at} is zero or not UTF-8")]
     NotText {
         /// Offset of the first byte that is not text.
         at: u64,

@@ -55,7 +55,9 @@ impl<'a> Lines<'a> {
                 );
             }
             if self.bytes.contains(&0) {
-                return Err(self.refusal("not a text: there is a zero byte; give plain CSV"));
+                return Err(
+                    self.refusal("the file is not text: it contains a zero byte; give plain CSV")
+                );
             }
             if self.bytes.len() > LONGEST {
                 let message = format!("longer than {LONGEST} bytes; give plain CSV");

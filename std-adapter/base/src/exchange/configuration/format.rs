@@ -54,7 +54,7 @@ pub fn recognised(text: &str) -> Result<Format, TextError> {
     Err(TextError::Unsupported {
         line: if is_plain_xyz { 2 } else { 1 },
         what: if is_plain_xyz {
-            "plain XYZ, without cell and columns".into()
+            "plain XYZ without cell and columns".into()
         } else {
             "a file that is none of extended XYZ, LAMMPS data and LAMMPS text dump".into()
         },

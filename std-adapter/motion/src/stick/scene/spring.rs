@@ -133,7 +133,8 @@ const LONGEST_HOLD: f64 = 1e12;
 
 fn rules(scene: &SpringScene, judge: &mut SceneDiagnostics<'_>) {
     if scene.mass == 0.0 && scene.friction_law != SpringFriction::RateState {
-        let message = "only friction = \"rate-state\" has a motion without mass: give `mass` > 0";
+        let message =
+            "only friction_law = \"rate-state\" has a motion without mass: give `mass` > 0";
         judge.refuse(&["mass", "friction_law"], message);
     }
     if scene.is_dry() && scene.mu_dynamic > scene.mu_static {
