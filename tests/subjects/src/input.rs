@@ -137,6 +137,26 @@ impl<'a> Input<'a> {
         let rounding = R::from_f64(ROUNDING) * R::EPSILON * scale.abs();
         self.holds(part <= whole + rounding, what, &[part, whole, scale])
     }
+
+    /// Judges `part` ≤ `whole` up to the accuracy of searches, of `scale`, and gives nothing if it holds: what is
+    /// pinned are answers.
+    pub fn accurate<R: Real>(
+        &mut self,
+        what: &'static str,
+        part: R,
+        whole: R,
+        scale: R,
+    ) -> Verdict {
+        if part <= whole + accuracy::<R>() * scale {
+            return Ok(());
+        }
+        self.holds(false, what, &[part, whole, scale])
+    }
+}
+
+/// Searches are accurate to 1e-8 (f32: 1e-5), and ten times as inaccurate is what follows from them.
+pub fn accuracy<R: Real>() -> R {
+    R::from_f64(if size_of::<R>() == 4 { 1e-4 } else { 1e-7 })
 }
 
 impl Deref for Input<'_> {

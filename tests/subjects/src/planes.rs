@@ -2,6 +2,7 @@
 
 use super::couplings::EXPONENTS;
 use super::patches::node;
+use crate::input::accuracy;
 use crate::{Input, Verdict};
 use nalgebra::Vector3;
 use tribos_core::contact::TimeStep;
@@ -107,6 +108,19 @@ fn upright<R: Real>(input: &mut Input<'_>) -> Verdict {
         && motion.speed() != motion.spin.abs() * puck.radius()
     {
         input.finite("Jacobian of a wrench", jacobian.iter().copied())?;
+        let slopes = puck.magnitudes_jacobian(load, speed, spin.abs());
+        let ahead = puck.wrench_jacobian(load, &Twist::new(speed, R::ZERO, spin.abs()));
+        for (entry, slope) in [
+            (ahead[(0, 0)], slopes.force_speed),
+            (ahead[(0, 2)], slopes.force_spin),
+            (ahead[(2, 0)], slopes.torque_speed),
+            (ahead[(2, 2)], slopes.torque_spin),
+        ] {
+            if input.is_mild() {
+                let (apart, scale) = ((entry + slope).abs(), entry.abs() + slope.abs());
+                input.accurate("slopes of magnitudes", apart, R::ZERO, scale)?;
+            }
+        }
     }
     dissipates(input, &friction, &motion)
 }
@@ -198,10 +212,12 @@ pub fn stepped<R: Real>(
             mass * (u.velocity.x * u.velocity.x + u.velocity.y * u.velocity.y)
                 + inertia * u.spin * u.spin
         };
-        // A projection is accurate to 1e-8 of the wrench (f32: 1e-5).
-        let slack = R::from_f64(if size_of::<R>() == 4 { 1e-4 } else { 1e-7 });
         let (was, is) = (energy(&before), energy(&after.twist));
-        input.holds(is <= was + slack * was, "energy falls", &[was, is])?;
+        input.holds(
+            is <= was + accuracy::<R>() * was,
+            "energy falls",
+            &[was, is],
+        )?;
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use tribos_core::limit_surface::{
     FrictionSet, LimitEllipsoid, Projection, Region, RoundLimitSurface,
 };
 use tribos_core::real::Real;
-use tribos_core::twist::Twist;
+use tribos_core::twist::{Twist, Wrench};
 
 /// Wrenches of a batch: more than go side by side.
 const BATCH: usize = 11;
@@ -161,5 +161,68 @@ pub fn asked<R: Real, S: FrictionSet<R>>(input: &mut Input<'_>, set: &S) -> Verd
             R::ONE,
         )?;
     }
+    if input.is_mild() && set.force_limit() > R::ZERO {
+        balanced(input, &motion, &met, power)?;
+        tangent(input, &-resisted, &surface, &met)?;
+        nearest(input, [&push, &near.wrench, &met], length)?;
+    }
     Ok(())
+}
+
+/// Power of a wrench on a motion, and the sum of its parts' magnitudes.
+fn powers<R: Real>(motion: &Twist<R>, wrench: &Wrench<R>) -> [R; 2] {
+    let ([vx, vy, spin], [fx, fy, torque]) = (rates(motion), parts(wrench));
+    let all = [vx * fx, vy * fy, spin * torque];
+    [
+        all[0] + all[1] + all[2],
+        all[0].abs() + all[1].abs() + all[2].abs(),
+    ]
+}
+
+/// Friction dissipates the support.
+fn balanced<R: Real>(
+    input: &mut Input<'_>,
+    motion: &Twist<R>,
+    met: &Wrench<R>,
+    power: R,
+) -> Verdict {
+    let [gained, scale] = powers(motion, met);
+    let apart = (power + gained).abs();
+    input.accurate("friction dissipates the support", apart, R::ZERO, scale)
+}
+
+/// No wrench of the set, whose mirror image is in it as well, is beyond the tangent plane where a ray meets the
+/// surface.
+fn tangent<R: Real>(
+    input: &mut Input<'_>,
+    normal: &Twist<R>,
+    surface: &Wrench<R>,
+    met: &Wrench<R>,
+) -> Verdict {
+    let ([whole, scale], [part, more]) = (powers(normal, surface), powers(normal, met));
+    let what = "the set is on one side of a tangent plane";
+    input.accurate(what, part.abs(), whole, scale + more)
+}
+
+/// Seen from the nearest wrench, every wrench of the set is on the other side than the wanted one.
+fn nearest<R: Real>(
+    input: &mut Input<'_>,
+    [push, near, met]: [&Wrench<R>; 3],
+    length: R,
+) -> Verdict {
+    let scaled = |wrench: &Wrench<R>| {
+        let [fx, fy, torque] = parts(wrench);
+        [fx, fy, torque / length]
+    };
+    let ([a, b, c], p, z) = (scaled(push), scaled(near), scaled(met));
+    let away = [a - p[0], b - p[1], c - p[2]];
+    let dot = |u: [R; 3], w: [R; 3]| u[0] * w[0] + u[1] * w[1] + u[2] * w[2];
+    let size = |u: [R; 3]| u[0].abs() + u[1].abs() + u[2].abs();
+    let scale = size(away) * (size(p) + size(z));
+    input.accurate(
+        "a projection is the nearest",
+        dot(away, z).abs(),
+        dot(away, p),
+        scale,
+    )
 }

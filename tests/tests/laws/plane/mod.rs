@@ -67,6 +67,7 @@ fn families() -> Vec<Family> {
     let lines = [
         ("polygon", uniform(false), DRY, even, single),
         ("leaning polygon", linear(false), DRY, leaning, None),
+        ("layer, leaning across", layer(), DRY, leaning, None),
         ("sliver", uniform(true), DRY, thin, None),
         ("leaning sliver", linear(true), DRY, thin, None),
         ("falling law, polygon", uniform(false), FALLING, power, None),
@@ -133,6 +134,13 @@ fn outlined(is_sliver: bool, lean: Option<[f64; 2]>) -> Vec<(String, Shape)> {
         (outline.name.clone(), Shape::Outline(outline, lean))
     };
     kept.map(with_lean).collect()
+}
+
+/// A strip whose pressure is twice the mean at one of its long edges and almost nothing at the other one.
+fn layer() -> Vec<(String, Shape)> {
+    let mut across = outlined(false, Some([0.05, 9.5]));
+    across.retain(|(name, _)| name == "plank");
+    across
 }
 
 /// Needles, and triangles that are much smaller than their mesh but carry a good part of its load, are uneven.
@@ -299,7 +307,7 @@ impl<'a> Case<'a> {
 const LEAST_CLEARANCE: f64 = 0.01;
 
 /// Patches under the laws of their families.
-const ALL: usize = 375;
+const ALL: usize = 376;
 
 /// Visits every patch under every law of its family, with a random stream; what `check` reports as errors
 /// of the wrench and of the Jacobian must stay within `bounds` of the family, where there are any. `cases`
