@@ -41,8 +41,8 @@ fn main() -> Result<(), MotionError> {
     for scene in [Film, PivotSlide, ScratchGuide].map(rock) {
         println!("{}", line(&scene)?);
     }
-    for back_to_front in [10.0, 100.0, NONE_IN_FRONT] {
-        let spin = spin_for_a_metre(&back_heavy(back_to_front))?;
+    for back_to_front in [10.0, 100.0, f64::INFINITY] {
+        let spin = spin_for_a_metre(&back_heavy(back_to_front.min(NONE_IN_FRONT)))?;
         println!("back-heavy {back_to_front:e}: 1 m at {spin:.2} rad/s");
     }
     Ok(())

@@ -50,6 +50,10 @@ bounds! {
     POLYGON_LINEAR = 5e-14, "promised in coupling::flat; moments about a centre up to 3 radii away cancel";
     /// Their Jacobian, of its largest entry.
     POLYGON_LINEAR_JACOBIAN = 2.5e-13, "promised in coupling::flat; 1.8e-13 at 10:1 among 100,800 twists";
+    /// The same on a strip of 10:1 whose pressure almost lifts one of its long edges.
+    POLYGON_LAYER = 1.25e-13, "promised in coupling::flat; 1.1e-13 against its pieces";
+    /// Its Jacobian, of its largest entry.
+    POLYGON_LAYER_JACOBIAN = 5e-13, "promised in coupling::flat; 5.1e-13 between two frames";
     /// Power laws of −1/2 ≤ α ≤ 3 on polygons, uniform pressure: of γN V^α, and that times R + |centre|.
     POLYGON_POWER = 5e-14, "promised in coupling::flat; opposite edges cancel: 1.4e-14 at 10:1 among 11,000 twists";
     /// Their Jacobian, of its largest entry.
@@ -71,7 +75,7 @@ bounds! {
     /// Its Jacobian, of its largest entry.
     SLIVER_JACOBIAN = 2e-11, "promised in coupling::flat: the aspect ratio times 2e-14";
     /// Push over gauge plus the friction of its motion, of μN with the torque over the largest arm.
-    PATCH_SURFACE = 1e-13, "promised in limit_surface::PatchSurface; Newton's residual and the gauge's rounding";
+    PATCH_SURFACE = 1e-13, "promised in limit_surface::ShapeLimitSurface; Newton's residual and the gauge's rounding";
     /// Gauge and normal of points, of the limits.
     POINT_SURFACE = 1e-9, "promised in limit_surface::ShapeLimitSurface between facets";
     /// Projections onto the surface of points, of the wrench.
@@ -186,9 +190,7 @@ bounds! {
     ACROSS_NORMAL = 1e-15, "normal and surface point round a few times";
     /// Friction of a projection's normal against the projection, of the set's size.
     FRICTION_OF_NORMAL = 2e-14, "noise of the arithmetic-geometric mean near equal speeds, ring and disk";
-    /// Growth of the distance of two wrenches by projection, of the set's size.
-    EXPANSION = 1e-15, "surface points round to a few ulp of the limits";
-    /// The same in f32.
+    /// Growth of the distance of two wrenches by projection in f32, of the set's size.
     EXPANSION_SINGLE = 4e-7, "surface points round to a few ulp of the limits";
     /// f32 projections against f64, of the set's size.
     SINGLE_PROJECTION = 5e-7, "surface points round to a few ulp of the limits";

@@ -246,7 +246,9 @@ fn candidates<'a>(
         here && !traits.is_empty() && traits.iter().all(|wanted| instance.traits.contains(wanted))
     };
     let listed = INSTANCES.iter().filter(suits).map(|instance| instance.of);
-    let plain = plain.iter().filter(|(_, name)| traits == [*name]);
+    let plain = plain
+        .iter()
+        .filter(|(_, name)| !traits.is_empty() && traits.iter().all(|wanted| wanted == name));
     listed.chain(plain.map(|(of, _)| *of)).collect()
 }
 

@@ -23,6 +23,17 @@ pub fn commands() -> Vec<(Vec<String>, Clap)> {
 }
 
 #[test]
+fn the_first_page_names_every_command_once() -> Outcome {
+    let page = told("--help")?;
+    for command in program().get_subcommands() {
+        let name = command.get_name();
+        let line = |line: &&str| line.starts_with(&format!("  {name} "));
+        assert_eq!(page.lines().filter(line).count(), 1, "{name}: {page}");
+    }
+    Ok(())
+}
+
+#[test]
 fn every_help_has_examples_and_more_than_its_line_on_the_first_page() {
     let commands = commands();
     assert!(commands.len() >= 16);

@@ -28,6 +28,7 @@ mod printed_commands;
 mod program;
 mod progress;
 mod push;
+#[cfg_attr(not(unix), expect(dead_code, reason = "lines are for a Unix shell"))]
 mod reader;
 mod reproduce;
 mod run;

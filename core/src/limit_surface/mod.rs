@@ -43,12 +43,12 @@
 //!
 //! | set | metric | accuracy | time | where |
 //! |---|---|---|---|---|
-//! | round patch, exact | any length | 1e-15 of the limits; 3 ε of the surface by table, 43 by AGM | 4 ns inside, 126 to 188 ns | [`RoundLimitSurface`] |
+//! | round patch, exact | any length | 1e-15 of the limits; 4 ε of the surface by table, 44 by AGM | 4 ns inside, 126 to 188 ns | [`RoundLimitSurface`] |
 //! | ellipsoid | any length | rounding | 4 ns inside, 103 to 122 ns | [`LimitEllipsoid`] |
-//! | polygons, bars, meshes, points, several bodies | any length | 1e-13 of the limits; points in the set to 16 ε, near the nearest to 1e-9 | about 5 wrenches with Jacobian | [`ShapeLimitSurface`] |
+//! | polygons, bars, meshes, points, several bodies | any length | 1e-13 of the limits; for points 1e-8 of the wrench, in the set to 16 ε | about 5 wrenches with Jacobian | [`ShapeLimitSurface`] |
 //! | discs, one for each mode, under a held bound | masses, which are equal along both tangents | 4 ulp of the length | 14 to 21 ns with the rest of a contact, four at a time | [`crate::contact::IndependentFriction`]; in lanes, to its bits, `cd/vectors` of `tribos-contacts` |
 //! | disc of rolling; sliding with torsion in a round set | masses | that of the set | that of the set | [`crate::contact::CoupledFriction`] |
-//! | discs of points that share a load | Euclidean | rounding | beside the balance of the points nothing | `planar/point_contacts` |
+//! | discs of points that share a load | Euclidean | rounding | none beyond that of the points' balance | `planar/point_contacts` |
 //! | curve fitted to an area, f32 | masses | 1e-6 to 3e-2 of the limits by steps and slenderness | 23 to 38 ns in four lanes, 88 to 150 ns alone | [`crate::manifold_friction::project_friction`] |
 //! | cone of all modes, whose bound is the projected one | that of the problem's scaled unknowns | rounding; orthogonal to 1e-14 | – | `problem/solve/cone` of `tribos-contacts` |
 

@@ -25,8 +25,9 @@ pub enum MotionError {
     Scene(#[from] InvalidScene),
     /// The time step is so short that the run would need too many steps.
     #[error(
-        "a time_step of {time_step} s needs {steps:.3e} steps, more than {most:.0e}; \
-         use at least {at_least:.1e} s"
+        "a time_step of {} s needs {steps:.3e} steps, more than {most:.0e}; \
+         use at least {at_least:.1e} s",
+        brief(.time_step)
     )]
     TooManySteps {
         /// Requested time step.

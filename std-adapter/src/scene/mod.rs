@@ -8,8 +8,8 @@
 //! checked by the same rules when its run begins.
 //!
 //! To add a body, declare its scene beside its runs, in the crate that has them; implement there what a run of
-//! it is (a body in motion: `MotionScene`, in the plane `PlanarScene`; another: `Measure` for golden files); and
-//! name it in the list of `body.rs`.
+//! it is (a body in motion: `MotionScene`; in the plane `PlanarScene`, and its name in the list of `slide/path.rs`,
+//! which gives it `run`; another: `Measure` for golden files); and name it in the list of `body.rs`.
 
 mod body;
 mod library;

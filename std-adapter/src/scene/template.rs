@@ -144,7 +144,8 @@ pub fn results_page() -> String {
     let mut page = String::from(
         "# Entries of summaries\n\nEvery run leaves `summary.json`; these tables, which it is made from, say what its \
          entries are. Units are those of the scene where it has units of its own. A sweep averages what has a column. What \
-         a run does not have is null or \"nan\". Every summary ends with `scene`, the keys in force, and `version`.\n",
+         a run does not have is null or \"nan\", or left out where its meaning says so. Every summary ends \
+         with `scene`, the keys in force, and `version`.\n",
     );
     let all: Vec<Vocabulary> = bodies().filter_map(vocabulary).collect();
     for (at, known) in all.iter().enumerate() {

@@ -2,6 +2,7 @@
 
 use super::couplings::inner_ratio;
 use super::planes::{dissipates, parts, rates, twist, wrench};
+use crate::input::accuracy;
 use crate::{Input, Verdict};
 use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::compact::CompactCoulombDisk;
@@ -164,9 +165,17 @@ pub fn asked<R: Real, S: FrictionSet<R>>(input: &mut Input<'_>, set: &S) -> Verd
     if input.is_mild() && set.force_limit() > R::ZERO {
         balanced(input, &motion, &met, power)?;
         tangent(input, &-resisted, &surface, &met)?;
-        nearest(input, [&push, &near.wrench, &met], length)?;
+        let (arm, widest) = (length / set.radius(), widest::<R>());
+        if arm * widest >= R::ONE && arm <= widest {
+            nearest(input, [&push, &near.wrench, &met], length)?;
+        }
     }
     Ok(())
+}
+
+/// Radii up to which, as a length, the nearest wrench is promised of shapes; down to its reciprocal.
+fn widest<R: Real>() -> R {
+    R::from_f64(if size_of::<R>() == 4 { 10.0 } else { 1e6 })
 }
 
 /// Power of a wrench on a motion, and the sum of its parts' magnitudes.
@@ -218,6 +227,10 @@ fn nearest<R: Real>(
     let away = [a - p[0], b - p[1], c - p[2]];
     let dot = |u: [R; 3], w: [R; 3]| u[0] * w[0] + u[1] * w[1] + u[2] * w[2];
     let size = |u: [R; 3]| u[0].abs() + u[1].abs() + u[2].abs();
+    // What is left of rounding has no direction.
+    if size(away) <= accuracy::<R>() * size([a, b, c]) {
+        return Ok(());
+    }
     let scale = size(away) * (size(p) + size(z));
     input.accurate(
         "a projection is the nearest",

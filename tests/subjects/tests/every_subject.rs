@@ -1,5 +1,6 @@
 //! Every part of the kernel: its properties hold for half a million seeded inputs, and the digests of
-//! `digests.txt`, which were printed once, come out everywhere, in every build profile.
+//! `digests.txt`, which were printed once, come out everywhere, in every build profile. That no input takes long is
+//! checked by the program `fuzz`.
 //!
 //! A change of a digest is a change of results: say so in the changelog under *Numerical results
 //! changed*. New values stand in the failure of this test. `cargo run -p tribos-tests --bin cross`

@@ -138,3 +138,14 @@ fn without_force_limit_nothing_is_carried() {
     let nowhere = surface.project_with_length(&push, 0.0).wrench;
     assert!(nowhere.torque.is_nan());
 }
+
+#[test]
+fn huge_wrenches_are_brought_to_the_surface_and_infinite_ones_move_nothing() {
+    let (_, surface) = surfaces().swap_remove(0);
+    let carried = surface.project(&Wrench::new(1e299, 2e299, 3e299)).wrench;
+    assert!((surface.gauge(&carried) - 1.0).abs() < 1e-13);
+    for infinite in [f64::INFINITY, f64::NEG_INFINITY] {
+        let push = Wrench::new(0.1, infinite, 0.0);
+        assert!(surface.twist_normal_to(&push).spin.is_nan());
+    }
+}

@@ -13,7 +13,7 @@ broadcast. Any consistent set of units serves.
 
 import sys
 
-from tribos import _command, _native, cd, md
+from tribos import _command, _native, _patches, cd, md, scenes
 from tribos._any_pressure import AnyPressure, TorqueLimits, any_pressure
 from tribos._contact import Collision, ContactLaw, Plates, Spheres
 from tribos._fit import Estimate, LawFit, SupportFit, fit, fit_support
@@ -32,7 +32,6 @@ from tribos._laws import Law, laws
 from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._modes import FixedPoint, Modes, modes
 from tribos._patches import *  # noqa: F403 - every patch
-from tribos._patches import __all__ as _PATCHES
 from tribos._planar import PlanarBody, Rollout, Step
 from tribos._push import (
     ConeEdge,
@@ -55,7 +54,6 @@ from tribos._surface import LimitSurface
 from tribos._sweep import cases, run_case, sweep
 from tribos._threads import num_threads, set_num_threads
 from tribos.scenes import *  # noqa: F403 - the scene of every body
-from tribos.scenes import __all__ as _SCENES
 
 __version__: str = _native.__version__
 
@@ -129,5 +127,5 @@ __all__ = [
     "softened",
     "sweep",
 ]
-__all__ += _PATCHES
-__all__ += _SCENES
+__all__ += _patches.__all__
+__all__ += scenes.__all__

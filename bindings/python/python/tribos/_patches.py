@@ -16,8 +16,8 @@ from tribos._plot import svg
 Pair = Sequence[float]
 Parameters = tuple[tuple[str, Any], ...]
 
-
-MAKERS = [
+__all__ = [
+    "Patch",
     "annulus",
     "bar",
     "box",
@@ -32,10 +32,9 @@ MAKERS = [
     "punch",
     "ring",
 ]
-"""The functions that make patches."""
 
-__all__ = ["Patch"]
-__all__ += MAKERS
+MAKERS = __all__[1:]
+"""The functions that make patches."""
 
 
 class Patch(Frozen):

@@ -107,7 +107,7 @@ impl<S: LongBody> Commands for &S {
     }
 
     fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), NoResult> {
-        check(&self.size(), S::SPHERES, MemoryPermission::Usual).map_err(NoResult::Refused)?;
+        check(&self.size(), S::SPHERES, MemoryPermission::Never).map_err(NoResult::Refused)?;
         let run = session(lock).run(*self)?;
         if S::KEEPS_SERIES {
             let written = lock.check().map_err(Failure::from);

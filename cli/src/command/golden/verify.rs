@@ -47,7 +47,7 @@ impl Arguments {
     fn chosen<'a>(&self, golden: &'a Golden) -> Result<Vec<&'a Pinned>, Failure> {
         let has = |name: &&String| golden.scenes.iter().any(|scene| scene.path == **name);
         if let Some(unknown) = self.only.iter().find(|name| !has(name)) {
-            let known: Vec<&str> = golden.scenes.iter().map(|s| s.path.as_str()).collect();
+            let known: Vec<String> = golden.scenes.iter().map(label).collect();
             return Err(Failure::input(format!(
                 "--only {unknown}: not in {}; its scenes are {}",
                 self.file.display(),

@@ -238,3 +238,28 @@ impl Measure for GrainsScene {
         GrainsSimulation::measured(self, watch, |run| run.outcome().json(self))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn every_grain_is_as_heavy_as_its_material_makes_it() {
+        let scene = GrainsScene {
+            width: 0.05,
+            count: 50,
+            second_fraction: 0.3,
+            second_radius: 0.5,
+            second_density: Some(1000.0),
+            ..GrainsScene::default()
+        };
+        let packing = GrainsSimulation::new(&scene).unwrap().seen.packing;
+        assert_eq!(packing.radii().iter().filter(|r| **r == 0.0025).count(), 15);
+        for (radius, sphere) in packing.radii().iter().zip(packing.spheres()) {
+            let density = if *radius == 0.005 { 2500.0 } else { 1000.0 };
+            let mass = density * 4.0 / 3.0 * PI * radius * radius * radius;
+            assert!((sphere.inv_mass * mass - 1.0).abs() < 1e-12);
+        }
+    }
+}

@@ -5,7 +5,8 @@ use crate::packing::{ContactStatistics, Dissipation, PackingEnergy, PackingStopR
 use tribos_base::results::{Reporting::*, summary};
 
 summary! {
-    /// Results of a run of grains, in the units of its scene.
+    /// Results of a run of grains, in the units of its scene. The parts of `end`, `statistics`, `dissipation` and
+    /// `energy` are listed with their meanings in docs/results.md.
     ///
     /// [`GrainsScene`](crate::grains::scene::GrainsScene) has an example.
     pub struct GrainsSummary;

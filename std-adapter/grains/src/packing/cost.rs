@@ -245,6 +245,33 @@ pub(crate) fn stable_step_between(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grains::scene::GrainsScene;
+    use crate::powder::scene::PowderScene;
+
+    /// Contacts of the block: three per sphere and two walls; the top layer has no layer above it.
+    const TOUCHING: usize = 3 * EDGE.pow(3) + EDGE.pow(2);
+
+    #[test]
+    fn a_block_under_any_laws_sweeps_all_of_its_contacts() {
+        let powder = |keys: &str| {
+            let text = format!("body = \"powder\"\nwidth = 6\nheight = 8\n{keys}");
+            let scene = PowderScene::parse("tiny.toml", &text, &[]).unwrap();
+            (scene.contact_keys(), 1.0)
+        };
+        let beads = GrainsScene::default();
+        for (keys, radius) in [
+            powder("mu = 0"),
+            powder(""),
+            powder("mu_rolling = 1\nmu_torsion = 1\ncoupling = \"exact\""),
+            powder("cohesion_range = 0"),
+            (beads.contact_keys(), beads.radius),
+        ] {
+            let mut block = block(&keys.material, &keys.method, (radius, 0.01)).unwrap();
+            let report = block.step().unwrap();
+            let found = (report.iterations.sweeps, report.contacts);
+            assert_eq!(found, (SWEEPS, TOUCHING), "{keys:?}");
+        }
+    }
 
     #[test]
     fn every_sphere_of_the_block_touches_six_and_nothing_is_crushed() {
@@ -264,8 +291,7 @@ mod tests {
                     .filter(|wall| (height(wall) - radius).abs() < 1e-5 * radius)
                     .count();
             }
-            // Three contacts per sphere and two walls; the top layer has no layer above it.
-            assert_eq!(touching, 3 * EDGE.pow(3) + EDGE.pow(2));
+            assert_eq!(touching, TOUCHING);
         }
     }
 }

@@ -28,7 +28,7 @@ summary! {
 
     /// Work of the loads on walls, of prescribed wall motions, of gravity, and of a shear.
     work: f64, "energy";
-    /// Kinetic energy of spheres at the moment they are put to sleep; left out where none sleeps.
+    /// Kinetic energy of spheres at the moment they are put to sleep; grains do not sleep and leave it out.
     stilled: Option<f64> = optional, "energy";
     /// Kinetic energy at the end.
     kinetic: f64, "energy";

@@ -44,7 +44,7 @@ pub(crate) use kinds::{Kinds, mixed, origin};
 pub use limits::Limits;
 pub use material::Material;
 pub(crate) use optional_features::{OptionalFeatures, SecondMaterial, SecondMaterialKeys};
-pub use placement_error::PlacementError;
+pub use placement_error::{MOST_SPHERES, PlacementError};
 pub use read::AssemblyError;
 pub use run::PackingRun;
 pub use run_error::PackingRunError;

@@ -1,9 +1,19 @@
 //! Why the spheres of a run cannot be placed.
 
 use crate::packing::SettingError;
-use crate::powder::deposit::MOST_SPHERES;
 use tribos_base::space::SpaceError;
 use tribos_contacts::event::{EventError, ImpactError};
+
+/// Largest number of spheres, for which about 4 GB of memory are sufficient.
+///
+/// ```
+/// use tribos::powder::deposit::{Ballistic, MOST_SPHERES, DepositTarget};
+/// use tribos::run::PlacementError;
+/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(DepositTarget::Count(MOST_SPHERES + 1), 1);
+/// assert_eq!(deposit, Err(PlacementError::TooMany));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub const MOST_SPHERES: usize = 20_000_000;
 
 /// Why a deposit cannot be grown, grains cannot be put into their box, or a gas cannot be mixed.
 ///

@@ -32,7 +32,8 @@ summary! {
 }
 
 summary! {
-    /// Statistics of the contacts of a packing, in its units.
+    /// Statistics of the contacts of a packing, in its units. The parts of `compression`, `tension` and `at_threshold`
+    /// are listed with their meanings in docs/results.md.
     ///
     /// ```
     /// use nalgebra::Vector3;

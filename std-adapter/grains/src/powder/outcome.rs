@@ -71,7 +71,8 @@ summary! {
 }
 
 summary! {
-    /// Results of a compaction, in the units of its scene.
+    /// Results of a compaction, in the units of its scene. The parts of `balance`, `stress`, `statistics`,
+    /// `dissipation` and `energy` are listed with their meanings in docs/results.md.
     ///
     /// ```
     /// use tribos::powder::{PowderSimulation, PowderSummary};

@@ -252,6 +252,8 @@ fn a_blocked_packing_carries_the_load_whatever_its_modes() -> Tested {
         );
         let residual = outcome.residual_final;
         assert!(residual < 1e-3, "{residual}");
+        let at_walls = outcome.statistics.wall_contacts;
+        assert_eq!(outcome.contacts + at_walls, compaction.contacts().len());
         assert!(outcome.energy.imbalance.abs() < 1e-9 * outcome.energy.work);
         // Less resistance, less room; modes without a coefficient take no energy.
         let porosity = outcome.porosity_final;

@@ -144,7 +144,7 @@ fn so_many_grains_are_of_the_second_material() -> Answer {
         let grains = now.radii.iter().zip(now.densities.unwrap_or_default());
         grains.map(mass).sum::<f64>()
     });
-    // Each as heavy as its material makes it: 15 of the one, 35 of the other.
+    // As heavy together as their materials make them: 15 of the one, 35 of the other.
     assert!((grains.outcome().mass / masses - 1.0).abs() < 1e-12);
     Ok(())
 }

@@ -91,7 +91,7 @@ summary! {
     #[derive(Copy)]
     pub struct PlanarSummary;
 
-    /// Why the run ended.
+    /// Why the run ended: `Rest` or `Faded`.
     ending: SlideStopReason, "-";
     /// Time at which the body comes to rest; none if it does not.
     stop_time: Option<f64>, "s";

@@ -53,6 +53,7 @@ fn families() -> Vec<Family> {
     let linear = |is_sliver| outlined(is_sliver, Some([0.4, -0.3]));
     let even = [POLYGON, POLYGON_JACOBIAN];
     let leaning = [POLYGON_LINEAR, POLYGON_LINEAR_JACOBIAN];
+    let steepest = [POLYGON_LAYER, POLYGON_LAYER_JACOBIAN];
     let thin = [SLIVER, SLIVER_JACOBIAN];
     let power = [POLYGON_POWER, POLYGON_POWER_JACOBIAN];
     let powers = [POLYGON_POWER_LINEAR, POLYGON_POWER_LINEAR_JACOBIAN];
@@ -67,7 +68,7 @@ fn families() -> Vec<Family> {
     let lines = [
         ("polygon", uniform(false), DRY, even, single),
         ("leaning polygon", linear(false), DRY, leaning, None),
-        ("layer, leaning across", layer(), DRY, leaning, None),
+        ("layer, leaning across", layer(), DRY, steepest, None),
         ("sliver", uniform(true), DRY, thin, None),
         ("leaning sliver", linear(true), DRY, thin, None),
         ("falling law, polygon", uniform(false), FALLING, power, None),

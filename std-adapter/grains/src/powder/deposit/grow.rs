@@ -91,7 +91,6 @@ impl Ballistic {
     ///
     /// ```
     /// use tribos::powder::deposit::{Ballistic, DepositTarget};
-    /// use tribos::run::PlacementError;
     /// let small = Ballistic::new(20.0, 1.0, 3.0)?;
     /// let told = small.expected_spheres(DepositTarget::Cut(61.5));
     /// assert!((told / 470.0 - 1.0).abs() < 0.1); // the thesis' small system

@@ -9,6 +9,7 @@ mod grow;
 mod order;
 mod porosity;
 
+pub use crate::packing::MOST_SPHERES;
 #[doc(hidden)]
 pub use crate::packing::volume_between;
 #[doc(hidden)]
@@ -32,17 +33,6 @@ use tribos_base::space::PeriodicBox;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub const STREAM: u64 = 0;
-
-/// Largest number of spheres, for which about 4 GB of memory are sufficient.
-///
-/// ```
-/// use tribos::powder::deposit::{Ballistic, MOST_SPHERES, DepositTarget};
-/// use tribos::run::PlacementError;
-/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(DepositTarget::Count(MOST_SPHERES + 1), 1);
-/// assert_eq!(deposit, Err(PlacementError::TooMany));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub const MOST_SPHERES: usize = 20_000_000;
 
 /// Parameters of the growth of a deposit.
 ///

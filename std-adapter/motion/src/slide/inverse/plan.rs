@@ -32,7 +32,7 @@ pub enum Turns {
 /// let all: Vec<LaunchSolution> = disk.launches(&target, turns, &LaunchLimits::new(3.0, 30.0)?)?;
 /// assert!(all.len() > 2);
 /// assert!(all.iter().all(|one| (one.turns() - one.turns().round()).abs() < 1e-12));
-/// // RotationBias only adds to the work of friction: the least is mu g d, without a turn.
+/// // Spin only adds to the work of friction: the least is mu g d, without a turn.
 /// assert_eq!(all[0].turns(), 0.0);
 /// assert!((all[0].energy_per_mass - 0.3 * 9.81).abs() < 1e-12);
 /// # Ok::<(), tribos::slide::inverse::MotionError>(())

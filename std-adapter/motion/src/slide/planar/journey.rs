@@ -48,7 +48,7 @@ pub struct PlanarState {
 pub struct PlanarResult {
     /// State at the end.
     pub point: PlanarState,
-    /// Why the journey ended.
+    /// Why the journey ended: `Rest` or `Faded`.
     pub ending: SlideStopReason,
     /// Largest |l| during the journey.
     pub most_lean: f64,
