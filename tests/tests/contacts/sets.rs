@@ -150,34 +150,30 @@ fn shape<P: tribos_core::coupling::flat::PatchShape<f64>>(patch: P) -> ShapeLimi
 }
 
 /// Places in a line, twice at the same one, with little between them, scattered over a factor of 100 in weight.
-fn points() -> impl Iterator<Item = (&'static str, NodeList<f64, 8>)> {
+fn points() -> [(&'static str, NodeList<f64, 8>); 4] {
     let mut rng = Lcg::new(21);
     let scattered = [(); 7].map(|()| {
         let [x, y] = [(); 2].map(|()| rng.between(-1.0, 1.0));
         (x, y, 10_f64.powf(rng.between(-2.0, 0.0)))
     });
-    let named: [(&str, Vec<(f64, f64, f64)>); 4] = [
-        (
-            "points in a line",
-            [-1.0, -0.25, 0.5, 1.0].map(|x| (x, 0.0, 1.0)).into(),
-        ),
-        (
-            "points twice",
-            [0.0, 0.0, 1.0, 1.0].map(|x| (x, x, 1.0)).into(),
-        ),
-        (
-            "light points",
-            [0.0, 1e-3, 2.0, 3.0].map(|x| (x, x * x, x)).into(),
-        ),
-        ("scattered points", scattered.into()),
-    ];
-    named.into_iter().map(|(name, places)| {
-        let mut nodes = NodeList::new();
-        for (x, y, weight) in places {
-            nodes.push(Node { x, y, weight }).expect("room");
-        }
-        (name, nodes)
-    })
+    let line = [-1.0, -0.25, 0.5, 1.0].map(|x| (x, 0.0, 1.0));
+    let twice = [0.0, 0.0, 1.0, 1.0].map(|x| (x, x, 1.0));
+    let light = [0.0, 1e-3, 2.0, 3.0].map(|x| (x, x * x, x));
+    [
+        ("points in a line", listed(&line)),
+        ("points twice", listed(&twice)),
+        ("light points", listed(&light)),
+        ("scattered points", listed(&scattered)),
+    ]
+}
+
+/// Nodes from places and weights.
+fn listed(places: &[(f64, f64, f64)]) -> NodeList<f64, 8> {
+    let mut nodes = NodeList::new();
+    for &(x, y, weight) in places {
+        nodes.push(Node { x, y, weight }).expect("room");
+    }
+    nodes
 }
 
 /// A wrench in any direction, its force and torque of `size` in those of the set.
