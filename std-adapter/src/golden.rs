@@ -52,7 +52,7 @@ mod tests {
             pinned.compare(&now)
         };
         let usual = DiskScene::default();
-        assert_eq!(compared(usual.clone()), Verdict::Same);
+        assert_eq!(compared(usual), Verdict::Same);
         let fewer = DiskScene {
             samples: usual.samples / 2,
             ..usual
