@@ -112,13 +112,12 @@ impl DiskScene {
     /// ```
     /// use tribos::{run::SceneRun, scene::DiskScene};
     /// let scene = DiskScene { speed: 1.0, spin: 0.0, gamma: 0.3, ..DiskScene::default() };
-    /// let result = scene.run()?;
-    /// assert!((result.outcome.distance - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-13);
+    /// let SceneRun { rows, outcome, .. } = scene.run()?;
+    /// assert!((outcome.distance - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-13);
     /// // On oil: dv/dt = -g (mu + k v), which ends after ln(1 + k v0/mu)/(g k).
     /// let law = Some("stribeck:mu_s=0.2,mu_d=0.2,vs=0.01,k=0.1".parse()?); // s/m
     /// let oiled = DiskScene { gravity: 10.0, law, ..scene };
-    /// let SceneRun { rows, outcome, .. } = oiled.run()?;
-    /// assert!((outcome.end_time - 1.5_f64.ln()).abs() < 1e-8);
+    /// assert!((oiled.run()?.outcome.end_time - 1.5_f64.ln()).abs() < 1e-8);
     /// for [.., kinetic, dissipated] in rows {
     ///     let sum = kinetic + dissipated; // stays what it was at the launch
     ///     assert!((sum - outcome.initial_energy).abs() < 1e-9 * outcome.initial_energy);
