@@ -111,7 +111,7 @@ fn framed(family: &Family) -> Option<[Bound; 2]> {
 /// Both sides of the comparison are wrong where a plank or a dome makes that add up.
 fn of_pieces(family: &Family) -> Option<[Bound; 2]> {
     match family.name {
-        "falling law, polygon" | "mesh" => twice(family),
+        "falling law, polygon" | "layer, leaning across" | "mesh" => twice(family),
         _ => once(family),
     }
 }
