@@ -19,6 +19,7 @@ import resource
 import subprocess
 import sys
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -74,15 +75,21 @@ def main():
     arguments.add_argument("share", nargs="?", default="7/64", help="which of the faults: k/n for every n-th from k on")
     arguments.add_argument("--tree", type=Path, default=ROOT / "target/mutants", help="where the copy is compiled")
     arguments.add_argument("--only", help="faults whose names match this regular expression")
+    arguments.add_argument("--jobs", type=int, default=1, help="how many faults are tried at once")
     wanted = arguments.parse_args()
     tree = wanted.tree.resolve()
     copied(tree)
     faults = compilable(tree, [fault for fault in drawn(wanted.share) if re.search(wanted.only or "", fault["name"])])
     suites = built(tree)
+    with ThreadPoolExecutor(wanted.jobs) as pool:
+        sys.exit(judged(faults, pool.map(lambda fault: noticed(suites, fault), faults)))
+
+
+def judged(faults, answers):
+    """Prints what noticed each fault, and the sums; gives whether there is a hole."""
     told, holes = Counter(), []
     known = {line for line in UNCHANGED.read_text().splitlines() if line.startswith("core/")}
-    for fault in faults:
-        seen = noticed(suites, fault)
+    for fault, seen in zip(faults, answers):
         if seen[0] == "nothing":
             if lasting(fault) in known:
                 seen = "unchanged", "changes nothing that is promised"
@@ -91,7 +98,7 @@ def main():
         told[seen[0]] += 1
         print(f"{seen[0]:9} {fault['name']}  [{seen[1]}]", flush=True)
     summary(told, holes)
-    sys.exit(bool(holes))
+    return bool(holes)
 
 
 def summary(told, holes):

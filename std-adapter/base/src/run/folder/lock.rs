@@ -56,14 +56,14 @@ impl Lock {
     /// Locks a folder, which is created if missing, unless another process holds the lock.
     pub fn attempt(folder: &Path, sharing: LockMode) -> Result<LockOutcome, RecordError> {
         let path = folder.join(NAME);
-        let fail = |error| RecordError::lost("lock", folder, error);
+        let fail = |verb| move |error| RecordError::lost(verb, folder, error);
         if folder.exists() && !folder.is_dir() {
             let name = folder.display();
             return Err(RecordError::Refused(format!(
                 "{name} is a file; give a folder for the results"
             )));
         }
-        std::fs::create_dir_all(folder).map_err(fail)?;
+        std::fs::create_dir_all(folder).map_err(fail("make the folder"))?;
         loop {
             let file = OpenOptions::new()
                 .read(true)
@@ -71,7 +71,7 @@ impl Lock {
                 .create(true)
                 .truncate(false)
                 .open(&path)
-                .map_err(fail)?;
+                .map_err(fail("lock"))?;
             let taken = match sharing {
                 LockMode::Alone => file.try_lock(),
                 LockMode::Shared => file.try_lock_shared(),
@@ -87,7 +87,7 @@ impl Lock {
                 {
                     None
                 }
-                Err(TryLockError::Error(error)) => return Err(fail(error)),
+                Err(TryLockError::Error(error)) => return Err(fail("lock")(error)),
             };
             return Ok(LockOutcome::Taken(Self {
                 folder: folder.to_owned(),
