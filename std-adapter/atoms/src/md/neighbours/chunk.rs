@@ -6,6 +6,7 @@ use super::images::Slot;
 use super::row::{RowWriter, SearchContext};
 use super::site::{LANES, Site};
 use super::window::Window;
+use crate::md::blocks::Blocks;
 use crate::md::lanes::{LaneLoop, Lanes};
 use nalgebra::Vector3;
 use std::ops::Range;
@@ -60,6 +61,10 @@ pub struct Chunk {
     /// Neighbours in blocks, and unused memory.
     neighbours: Vec<u32>,
     pairs: usize,
+    /// Atoms and sites of the slots, ordered by blocks of atoms.
+    by_block: Vec<[u32; 2]>,
+    /// First of `by_block` of each block, and the end of the last.
+    block_starts: Vec<u32>,
     /// What a law of several passes keeps of every block from one to the next.
     pub(crate) kept: Vec<[f64; LANES]>,
     /// Whether it kept something of each block.
@@ -118,6 +123,37 @@ impl Chunk {
         self.sites.retain(|_| each.next() == Some(&true));
     }
 
+    /// Orders the slots by blocks of their atoms.
+    fn sort_by_blocks(&mut self, atoms: usize) {
+        let blocks = Blocks::new(atoms);
+        let block = |slot: &Slot| blocks.of(slot.atom as usize);
+        let ends = &mut self.block_starts;
+        ends.clear();
+        ends.resize(atoms.div_ceil(blocks.len()) + 1, 0);
+        for slot in &self.window {
+            ends[block(slot)] += 1;
+        }
+        accumulate(ends, 0);
+        self.by_block.resize(self.window.len(), [0; 2]);
+        // From the last slot back, ends become starts, and the slots of a block keep their order.
+        for (site, slot) in self.window.iter().enumerate().rev() {
+            let start = &mut ends[block(slot)];
+            *start -= 1;
+            self.by_block[*start as usize] = [slot.atom, site as u32];
+        }
+    }
+
+    /// The atoms of a block that have sites here, with each of their sites.
+    pub(super) fn of_block(&self, block: usize) -> impl Iterator<Item = (usize, &Site)> {
+        let ends = self.block_starts.get(block..).unwrap_or_default();
+        let range = match *ends {
+            [start, end, ..] => start as usize..end as usize,
+            _ => 0..0,
+        };
+        let site = |&[atom, site]: &[u32; 2]| (atom as usize, &self.sites[site as usize]);
+        self.by_block[range].iter().map(site)
+    }
+
     /// Copies the positions of the atoms and clears the forces.
     pub(super) fn refresh(&mut self, positions: &[Vector3<f64>]) {
         for (site, slot) in self.sites.iter_mut().zip(&self.window) {
@@ -163,6 +199,15 @@ impl Chunk {
     /// Slots and sites in pairs.
     pub(crate) fn places_mut(&mut self) -> impl Iterator<Item = (&Slot, &mut Site)> {
         self.window.iter().zip(&mut self.sites)
+    }
+}
+
+/// Turns counts into their running sums from a start.
+pub(super) fn accumulate(counts: &mut [u32], start: u32) {
+    let mut sum = start;
+    for count in counts {
+        sum += *count;
+        *count = sum;
     }
 }
 
@@ -212,5 +257,6 @@ impl LaneLoop for Build<'_> {
         chunk.keep_used(&mut row);
         chunk.pairs = row.pairs();
         chunk.neighbours = row.into_memory();
+        chunk.sort_by_blocks(self.atoms.0.len());
     }
 }
