@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-/// Entries of a block at least, as a power of 2: some microseconds of work, far more than handing it to a thread.
+/// Atoms of a block at least, as a power of 2: some microseconds of work, far more than handing it to a thread.
 const LEAST_BITS: u32 = 11;
 /// Blocks at most, as a power of 2: every chunk of a list keeps a range of its sites for each.
 const MOST_BITS: u32 = 8;
@@ -19,9 +19,17 @@ pub(super) struct Blocks {
 impl Blocks {
     /// Blocks of some atoms.
     pub(super) fn new(atoms: usize) -> Self {
-        let bits = atoms.next_power_of_two().trailing_zeros();
+        let Self { bits } = Self::at_most(1 << MOST_BITS, atoms);
         Self {
-            bits: bits.saturating_sub(MOST_BITS).max(LEAST_BITS),
+            bits: bits.max(LEAST_BITS),
+        }
+    }
+
+    /// At most `count` blocks of some entries.
+    pub(super) fn at_most(count: usize, entries: usize) -> Self {
+        let len = entries.div_ceil(count.max(1)).next_power_of_two();
+        Self {
+            bits: len.trailing_zeros(),
         }
     }
 

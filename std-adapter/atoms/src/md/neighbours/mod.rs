@@ -1,5 +1,7 @@
 //! Verlet lists: all near pairs, each once, valid while atoms move less than the skin allows.
 
+mod batch;
+mod buckets;
 mod candidates;
 mod cells;
 mod chunk;
@@ -213,14 +215,14 @@ impl VerletList {
         }
         self.chunks
             .resize_with(count.div_ceil(SLOTS_PER_CHUNK), Chunk::default);
-        let reaches_sq = [self.cutoff, reach].map(|reach| reach * reach);
+        let reaches = [self.cutoff, reach];
         let build = |(index, chunk): (usize, &mut Chunk)| {
             let start = index * SLOTS_PER_CHUNK;
             lanes::run(Build {
                 chunk,
                 cells,
                 owned: start..(start + SLOTS_PER_CHUNK).min(count),
-                reaches_sq,
+                reaches,
                 atoms: (positions, species),
             });
         };
@@ -243,8 +245,13 @@ impl VerletList {
         let gather = |(block, sums): (usize, &mut [T])| {
             sums.fill(nothing);
             let first = blocks.entries(block, sums.len()).start;
-            for (atom, site) in self.chunks.iter().flat_map(|chunk| chunk.of_block(block)) {
-                add(&mut sums[atom - first], site);
+            for chunk in &self.chunks {
+                for &[atom, site] in chunk.block(block) {
+                    add(
+                        &mut sums[atom as usize - first],
+                        &chunk.sites()[site as usize],
+                    );
+                }
             }
         };
         sums.par_chunks_mut(blocks.len())

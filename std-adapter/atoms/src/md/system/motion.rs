@@ -12,8 +12,11 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 /// What changes the velocities of a group beside the forces of the interaction.
+#[derive(Clone, Copy)]
 struct Push<'a> {
-    group: &'a Group,
+    hold: MotionConstraint,
+    /// Force on each atom along z.
+    load: f64,
     members: &'a [usize],
     drive: Option<&'a TorqueDrive>,
     /// The support and its position.
@@ -152,9 +155,9 @@ impl<I: Interaction> System<I> {
         let blocks = Blocks::new(velocities.len());
         let kick = |(block, velocities): (usize, &mut [Vector3<f64>])| {
             let block = blocks.entries(block, velocities.len());
-            for push in &pushes {
+            for push in pushes.iter().copied() {
                 for (number, atom) in within(push.members, &block) {
-                    velocities[atom - block.start] += self.acceleration(push, number, atom) * time;
+                    velocities[atom - block.start] += self.acceleration(&push, number, atom) * time;
                 }
             }
         };
@@ -167,7 +170,8 @@ impl<I: Interaction> System<I> {
         let drive = self.drive.as_ref();
         let support = self.support.as_ref().filter(|s| s.group == index);
         Push {
-            group: &self.groups[index],
+            hold: self.groups[index].hold,
+            load: self.groups[index].load,
             members: &self.members[index],
             drive: drive.filter(|d| d.is_on(at) && d.groups.contains(&index)),
             support: support.map(|s| (s, s.position(self.time()))),
@@ -180,10 +184,10 @@ impl<I: Interaction> System<I> {
     fn acceleration(&self, push: &Push<'_>, number: usize, atom: usize) -> Vector3<f64> {
         let inv_mass = 1.0 / self.atoms.mass(atom);
         let mut sum = self.forces[atom] * inv_mass;
-        sum.z = match push.group.hold {
+        sum.z = match push.hold {
             MotionConstraint::Plane => 0.0,
             MotionConstraint::Level => push.common,
-            _ => sum.z + push.group.load * inv_mass,
+            _ => sum.z + push.load * inv_mass,
         };
         if let Some(drive) = push.drive {
             let [x, y] = drive.acceleration_at(&self.atoms.positions[atom]);
