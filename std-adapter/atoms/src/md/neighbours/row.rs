@@ -40,9 +40,9 @@ pub(super) struct SearchContext<'a> {
 }
 
 impl SearchContext<'_> {
-    /// Those among the possible ones that are within each reach of a site.
+    /// Which sites of a block are within each reach of a site, a bit for each lane.
     #[cold]
-    fn exactly(&self, site: u32, block: &[u32; ROUGH_LANES], possible: [usize; 2]) -> [usize; 2] {
+    fn exactly(&self, site: u32, block: &[u32; ROUGH_LANES]) -> [usize; 2] {
         let here = self.sites[site as usize].place;
         let mut within = [0; 2];
         for (lane, other) in block.iter().enumerate() {
@@ -53,7 +53,7 @@ impl SearchContext<'_> {
                 *within |= usize::from(square < reach_sq) << lane;
             }
         }
-        [within[0] & possible[0], within[1] & possible[1]]
+        within
     }
 }
 
@@ -148,9 +148,11 @@ impl RowWriter {
     /// Appends those that are in reach, near ones first, and fills up the last block.
     #[inline(always)]
     fn judge<N: Lanes>(&mut self, key: N::Key, around: SearchContext<'_>, site: u32) {
-        let limits = around
-            .limits
-            .map(|[sure, possible]| [N::Rough::splat(key, sure), N::Rough::splat(key, possible)]);
+        let [[near_sure, near_possible], [far_sure, far_possible]] = around.limits;
+        let near_sure = N::Rough::splat(key, near_sure);
+        let near_possible = N::Rough::splat(key, near_possible);
+        let far_sure = N::Rough::splat(key, far_sure);
+        let far_possible = N::Rough::splat(key, far_possible);
         let nowhere = around.sites.len() as u32 - 1;
         let Self {
             found, near, far, ..
@@ -164,17 +166,14 @@ impl RowWriter {
         let squares = found.squares[..found.count].as_chunks().0;
         for (block, squares) in sites.iter().zip(squares) {
             let squares = N::Rough::new(key, squares);
-            let [inner, outer] = limits;
-            let mut within = [inner[0].which_above(squares), outer[0].which_above(squares)];
-            let possible = [
-                squares.which_not_above(inner[1]),
-                squares.which_not_above(outer[1]),
-            ];
+            let mut inner = near_sure.which_above(squares);
+            let mut outer = far_sure.which_above(squares);
+            let doubt = inner ^ squares.which_not_above(near_possible)
+                | outer ^ squares.which_not_above(far_possible);
             // Rounding decides almost never.
-            if possible != within {
-                within = around.exactly(site, block, possible);
+            if doubt != 0 {
+                [inner, outer] = around.exactly(site, block);
             }
-            let [inner, outer] = within;
             near.keep::<N>(key, block, inner);
             far.keep::<N>(key, block, outer & !inner);
         }

@@ -252,7 +252,7 @@ impl<I: Interaction> System<I> {
         let atoms = places.zip(velocities).enumerate();
         atoms.for_each(|(block, (places, velocities))| {
             let block = blocks.entries(block, places.len());
-            for (path, members) in &paths {
+            for &(path, members) in &paths {
                 for (_, atom) in within(members, &block) {
                     let at = atom - block.start;
                     path.follow(&mut places[at], &mut velocities[at]);
@@ -288,8 +288,8 @@ impl<I: Interaction> System<I> {
 impl Path {
     /// Moves an atom.
     #[inline]
-    fn follow(&self, place: &mut Vector3<f64>, velocity: &mut Vector3<f64>) {
-        match *self {
+    fn follow(self, place: &mut Vector3<f64>, velocity: &mut Vector3<f64>) {
+        match self {
             Self::None => {}
             Self::Straight(time) => *place += *velocity * time,
             Self::Circle { axis, rate, angle } => {
