@@ -1,7 +1,7 @@
 //! Blocks of atoms that threads share.
 //!
-//! A block reads and writes only what belongs to its atoms, and sums run over the blocks in ascending order, so that
-//! any number of threads gives the same bits.
+//! What is computed for an atom does not depend on the other atoms of its block, so that any number of threads gives
+//! the same bits.
 
 use std::ops::Range;
 
