@@ -57,6 +57,35 @@ impl F32x8 {
         Self(unsafe { _mm256_set1_ps(number) })
     }
 
+    /// The numbers in some lanes, each modulo 8.
+    ///
+    /// ```
+    /// use tribos_avx2::{Avx2, F32x8, Work, run};
+    /// struct Turned([f32; 8]);
+    /// impl Work for Turned {
+    ///     type Out = [f32; 8];
+    ///     fn with_avx2(self, proof: Avx2) -> [f32; 8] {
+    ///         F32x8::new(proof, &self.0).pick(&[7, 6, 5, 4, 0, 0, 8, u32::MAX])
+    ///     }
+    ///     fn without(self) -> [f32; 8] {
+    ///         [7, 6, 5, 4, 0, 0, 8, u32::MAX as usize].map(|lane| self.0[lane % 8])
+    ///     }
+    /// }
+    /// let numbers = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7];
+    /// assert_eq!(run(Turned(numbers)), Turned(numbers).without());
+    /// ```
+    #[inline(always)]
+    pub fn pick(self, lanes: &[u32; 8]) -> [f32; 8] {
+        let mut picked = [0.0; 8];
+        // SAFETY: the value is there, so the processor has AVX2; eight numbers are read from an array of eight, and
+        // written to one.
+        unsafe {
+            let lanes = _mm256_loadu_si256(lanes.as_ptr().cast());
+            _mm256_storeu_ps(picked.as_mut_ptr(), _mm256_permutevar8x32_ps(self.0, lanes));
+        }
+        picked
+    }
+
     /// A bit for each number, from the lowest: whether it is not above that of `others`. NaN is not.
     #[inline(always)]
     pub fn not_above(self, others: Self) -> usize {

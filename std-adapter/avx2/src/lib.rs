@@ -20,7 +20,7 @@ pub use eight::F32x8;
 #[cfg(target_arch = "x86_64")]
 pub use four::F64x4;
 #[cfg(target_arch = "x86_64")]
-pub use pick::{pick, pick_of_eight};
+pub use pick::pick;
 
 /// Proof that the processor has AVX2.
 #[derive(Clone, Copy, Debug)]

@@ -1,50 +1,18 @@
-//! Numbers of some lanes.
-#![allow(unsafe_code)] // One instruction of AVX in each function.
+//! Whole numbers of some lanes.
+#![allow(unsafe_code)] // One instruction.
 
 use crate::Avx2;
 use core::arch::x86_64::*;
 
-/// The numbers in some lanes, each modulo 4.
-///
-/// ```
-/// use tribos_avx2::{Avx2, Work, pick, run};
-/// struct Turned([u32; 4]);
-/// impl Work for Turned {
-///     type Out = [u32; 4];
-///     fn with_avx2(self, proof: Avx2) -> [u32; 4] {
-///         pick(proof, &self.0, &[3, 1, 1, 4])
-///     }
-///     fn without(self) -> [u32; 4] {
-///         [3, 1, 1, 4].map(|lane| self.0[lane % 4])
-///     }
-/// }
-/// assert_eq!(run(Turned([10, u32::MAX, 12, 13])), [13, u32::MAX, u32::MAX, 10]);
-/// ```
-#[inline(always)]
-pub fn pick(_: Avx2, numbers: &[u32; 4], lanes: &[u32; 4]) -> [u32; 4] {
-    let mut picked = [0; 4];
-    // SAFETY: the proof; four numbers are read from arrays of four, and written to one. The bits of the numbers
-    // only move: the instruction does not compute.
-    unsafe {
-        let lanes = _mm_loadu_si128(lanes.as_ptr().cast());
-        let numbers = _mm_loadu_ps(numbers.as_ptr().cast());
-        _mm_storeu_ps(
-            picked.as_mut_ptr().cast(),
-            _mm_permutevar_ps(numbers, lanes),
-        );
-    }
-    picked
-}
-
 /// The numbers in some of eight lanes, each modulo 8.
 ///
 /// ```
-/// use tribos_avx2::{Avx2, Work, pick_of_eight, run};
+/// use tribos_avx2::{Avx2, Work, pick, run};
 /// struct Turned([u32; 8]);
 /// impl Work for Turned {
 ///     type Out = [u32; 8];
 ///     fn with_avx2(self, proof: Avx2) -> [u32; 8] {
-///         pick_of_eight(proof, &self.0, &[7, 6, 5, 4, 0, 0, 8, u32::MAX])
+///         pick(proof, &self.0, &[7, 6, 5, 4, 0, 0, 8, u32::MAX])
 ///     }
 ///     fn without(self) -> [u32; 8] {
 ///         [7, 6, 5, 4, 0, 0, 8, u32::MAX as usize].map(|lane| self.0[lane % 8])
@@ -54,7 +22,7 @@ pub fn pick(_: Avx2, numbers: &[u32; 4], lanes: &[u32; 4]) -> [u32; 4] {
 /// assert_eq!(run(Turned(numbers)), Turned(numbers).without());
 /// ```
 #[inline(always)]
-pub fn pick_of_eight(_: Avx2, numbers: &[u32; 8], lanes: &[u32; 8]) -> [u32; 8] {
+pub fn pick(_: Avx2, numbers: &[u32; 8], lanes: &[u32; 8]) -> [u32; 8] {
     let mut picked = [0; 8];
     // SAFETY: the proof; eight numbers are read from arrays of eight, and written to one.
     unsafe {

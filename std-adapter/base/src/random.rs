@@ -39,6 +39,12 @@ impl Random {
         self.0.next_u64()
     }
 
+    /// Leaves out some numbers of 64 bits.
+    #[doc(hidden)]
+    pub fn skip(&mut self, count: u64) {
+        self.0.advance(count.into());
+    }
+
     /// Uniform in [0, 1), a multiple of 2⁻⁵³: the upper 53 of the next 64 bits.
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * UNIT

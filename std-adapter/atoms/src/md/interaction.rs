@@ -86,7 +86,6 @@ pub fn evaluate(
     wanted: Evaluation,
 ) -> Result<Tally, ListError> {
     list.update(&atoms.positions, &atoms.species)?;
-    forces.clear();
     forces.resize(atoms.len(), Vector3::zeros());
     Ok(interaction.forces(list, forces, wanted))
 }

@@ -34,12 +34,6 @@ pub(super) trait Lanes:
     /// `chosen` where these are less than `others`, `other` elsewhere.
     fn if_below(self, others: Self, chosen: Self, other: Self) -> Self;
 
-    /// The numbers in some lanes, each below four.
-    #[inline(always)]
-    fn pick(_: Self::Key, numbers: &[u32; LANES], lanes: &[u32; LANES]) -> [u32; LANES] {
-        std::array::from_fn(|lane| numbers[lanes[lane] as usize % LANES])
-    }
-
     /// Places of a block of sites, axis by axis.
     #[inline(always)]
     fn places(key: Self::Key, block: [&[f64; 4]; LANES]) -> [Self; 3] {
@@ -128,11 +122,6 @@ impl Lanes for tribos_avx2::F64x4 {
     #[inline(always)]
     fn if_below(self, others: Self, chosen: Self, other: Self) -> Self {
         self.below(others).select(chosen, other)
-    }
-
-    #[inline(always)]
-    fn pick(key: Avx2, numbers: &[u32; LANES], lanes: &[u32; LANES]) -> [u32; LANES] {
-        tribos_avx2::pick(key, numbers, lanes)
     }
 
     #[inline(always)]

@@ -9,6 +9,7 @@
 //! Forces between atoms of a file are part of the promise: [`configuration`], [`atoms`], [`neighbours`],
 //! [`interaction`] and [`pair`]. The other modules serve [`crate::tip`] and the command.
 
+mod blocks;
 #[doc(hidden)]
 pub mod drive;
 #[doc(hidden)]

@@ -129,9 +129,9 @@ const TOGETHER: usize = 16;
 ///
 /// *Domain*: finite positions, inside the cell or not; radii finite and ≥ 0; `skin` finite, negative
 /// for overlapping pairs only; two largest radii and the skin at most half of every period. *Cost*:
-/// proportional to particles and pairs for similar radii and evenly spread positions; where radii
-/// differ much, each sphere searches for smaller ones within its own diameter plus the skin, so a few
-/// large spheres among many small ones are cheap. Large searches are shared among rayon's threads. Far outliers along an open axis make cells coarse and the search
+/// proportional to particles and pairs for evenly spread positions; spheres larger than 1.5 medians
+/// search for smaller ones within their own diameter plus the skin, so a few large spheres among many small
+/// ones are cheap. Large searches are shared among rayon's threads. Far outliers along an open axis make cells coarse and the search
 /// slower. For a time loop keep a [`Cells`] instead.
 ///
 /// ```

@@ -5,8 +5,8 @@ use super::grid::Grid;
 use nalgebra::Vector3;
 use std::ops::Range;
 
-/// Largest radius, in medians, up to which particles count as alike. Beyond it the reach of the largest
-/// would cost the many more than the search from both sides of a pair.
+/// Largest radius, in medians, up to which particles count as alike. The reach of larger ones would cost the many
+/// more than it costs the few to search on all sides.
 const ALIKE: f64 = 1.5;
 
 /// A particle in its cell.
@@ -17,21 +17,14 @@ pub struct Entry {
     pub index: u32,
 }
 
-/// Which of two particles searches for the other.
-#[derive(Clone, Copy, Debug)]
-enum Searcher {
-    /// The earlier entry, up to the largest radius.
-    Earlier { largest: f64 },
-    /// The larger particle, or the one of the higher index.
-    Larger,
-}
-
-/// A search over cells.
+/// A search over cells. Of two alike particles the earlier entry searches for the other; else it is the larger one, or
+/// that of the higher index.
 #[derive(Debug)]
 pub struct Search<'a> {
     grid: &'a Grid,
     space: &'a PeriodicBox,
-    searcher: Searcher,
+    /// Radius up to which particles are alike, and the largest of these.
+    alike: [f64; 2],
     skin: f64,
 }
 
@@ -43,16 +36,12 @@ impl<'a> Search<'a> {
         radii: &[f64],
         (median, skin): (f64, f64),
     ) -> Self {
-        let largest = radii.iter().copied().fold(0.0, f64::max);
-        let searcher = if largest <= ALIKE * median {
-            Searcher::Earlier { largest }
-        } else {
-            Searcher::Larger
-        };
+        let alike = ALIKE * median;
+        let radii = radii.iter().copied().filter(|&radius| radius <= alike);
         Self {
             grid,
             space,
-            searcher,
+            alike: [alike, radii.fold(0.0, f64::max)],
             skin,
         }
     }
@@ -72,9 +61,11 @@ impl<'a> Search<'a> {
             .take(stretch.end)
             .skip(stretch.start)
         {
-            let (reach, first) = match self.searcher {
-                Searcher::Earlier { largest } => (entry.radius + largest + self.skin, own + 1),
-                Searcher::Larger => (2.0 * entry.radius + self.skin, 0),
+            let [alike, largest] = self.alike;
+            let (reach, first) = if entry.radius <= alike {
+                (entry.radius + largest + self.skin, own + 1)
+            } else {
+                (2.0 * entry.radius + self.skin, 0)
             };
             if reach <= 0.0 {
                 continue;
@@ -99,13 +90,11 @@ impl<'a> Search<'a> {
         let mut count = found.len();
         found.resize(count + others.len(), [0; 2]);
         for other in others {
-            let is_mine = match self.searcher {
-                Searcher::Earlier { .. } => true,
-                Searcher::Larger => {
-                    let is_smaller = other.radius < entry.radius;
-                    let is_before = other.radius == entry.radius && other.index < entry.index;
-                    is_smaller | is_before
-                }
+            let is_mine = if entry.radius <= self.alike[0] {
+                other.radius <= self.alike[0]
+            } else {
+                let is_smaller = other.radius < entry.radius;
+                is_smaller | (other.radius == entry.radius && other.index < entry.index)
             };
             if let Some(place) = found.get_mut(count) {
                 *place = [entry.index.min(other.index), entry.index.max(other.index)];

@@ -16,25 +16,23 @@ pub(super) fn forces<F: Functions>(
     forces: &mut [Vector3<f64>],
     wanted: Evaluation,
 ) -> Tally {
-    let chunks = list.chunks_mut();
-    let energies: Vec<f64> = chunks
+    let energies: Vec<f64> = list
+        .chunks_mut()
         .par_iter_mut()
+        .with_max_len(1)
         .map(|chunk| lanes::run(DensityPass { law, chunk }))
         .collect();
-    let jets = embed(law, chunks, forces.len());
-    let tallies: Vec<Tally> = chunks
+    let jets = embed(law, list, forces.len());
+    let tallies: Vec<Tally> = list
+        .chunks_mut()
         .par_iter_mut()
+        .with_max_len(1)
         .map(|chunk| {
             set_slopes(chunk, &jets);
             lanes::run(ForcePass::<F>::new(chunk, wanted))
         })
         .collect();
-    for chunk in &*chunks {
-        for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
-            let [x, y, z, _] = site.force;
-            forces[slot.atom as usize] += Vector3::new(x, y, z);
-        }
-    }
+    list.gather_forces(forces);
     match wanted {
         Evaluation::Forces => Tally {
             energy: f64::NAN,
@@ -115,15 +113,13 @@ fn species(site: &Site) -> u8 {
 }
 
 /// F and F' of every atom at the sum of its densities.
-fn embed<F: Functions>(law: &F, chunks: &[Chunk], atoms: usize) -> Vec<[f64; 2]> {
-    let mut sums = vec![(0_u8, 0.0); atoms];
-    for chunk in chunks {
-        for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
-            let (species, sum) = &mut sums[slot.atom as usize];
-            *species = site.species() as u8;
-            *sum += site.density();
-        }
-    }
+fn embed<F: Functions>(law: &F, list: &VerletList, atoms: usize) -> Vec<[f64; 2]> {
+    let nothing = (0_u8, 0.0);
+    let mut sums = vec![nothing; atoms];
+    list.gather(&mut sums, nothing, |(species, sum), site| {
+        *species = site.species() as u8;
+        *sum += site.density();
+    });
     sums.par_iter()
         .map(|&(species, density)| law.embedding(species, density))
         .collect()

@@ -22,9 +22,18 @@ pub(in crate::md) trait Rough:
     /// A bit for each lane, from the lowest: whether it is not above that of the others. NaN is not.
     fn which_not_above(self, others: Self) -> usize;
 
-    /// The numbers in some lanes, each below eight.
+    /// A bit for each lane, from the lowest: whether it is above that of the others. NaN is not.
     #[inline(always)]
-    fn pick(
+    fn which_above(self, others: Self) -> usize {
+        !self.which_not_above(others) & ((1 << ROUGH_LANES) - 1)
+    }
+
+    /// These numbers in some lanes, each below eight.
+    fn pick(self, lanes: &[u32; ROUGH_LANES]) -> [f32; ROUGH_LANES];
+
+    /// Whole numbers in some lanes, each below eight.
+    #[inline(always)]
+    fn pick_whole(
         _: Self::Key,
         numbers: &[u32; ROUGH_LANES],
         lanes: &[u32; ROUGH_LANES],
@@ -51,6 +60,12 @@ impl Rough for wide::f32x8 {
         let above = self.simd_gt(others).to_bitmask() as usize;
         !above & ((1 << ROUGH_LANES) - 1)
     }
+
+    #[inline(always)]
+    fn pick(self, lanes: &[u32; ROUGH_LANES]) -> [f32; ROUGH_LANES] {
+        let numbers = self.to_array();
+        std::array::from_fn(|lane| numbers[lanes[lane] as usize % ROUGH_LANES])
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -73,11 +88,16 @@ impl Rough for tribos_avx2::F32x8 {
     }
 
     #[inline(always)]
-    fn pick(
+    fn pick(self, lanes: &[u32; ROUGH_LANES]) -> [f32; ROUGH_LANES] {
+        self.pick(lanes)
+    }
+
+    #[inline(always)]
+    fn pick_whole(
         key: Avx2,
         numbers: &[u32; ROUGH_LANES],
         lanes: &[u32; ROUGH_LANES],
     ) -> [u32; ROUGH_LANES] {
-        tribos_avx2::pick_of_eight(key, numbers, lanes)
+        tribos_avx2::pick(key, numbers, lanes)
     }
 }

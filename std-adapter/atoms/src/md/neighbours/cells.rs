@@ -1,8 +1,12 @@
 //! Slots sorted into cells as wide as the reach of the list.
 
-use super::images::{Slot, fill_slots};
-use super::rough::SinglePrecisionPositions;
+use super::batch::Batch;
+use super::buckets::accumulate;
+use super::images::Slot;
+use super::rough::{RoughUnit, SinglePrecisionPositions};
+use crate::md::blocks::Blocks;
 use nalgebra::Vector3;
+use rayon::prelude::*;
 use std::ops::Range;
 use tribos_base::space::PeriodicBox;
 
@@ -80,54 +84,116 @@ pub struct Cells {
     slots: Vec<Slot>,
     /// Rough positions of the slots.
     rough: SinglePrecisionPositions,
-    /// Cell of each slot.
-    cell_of: Vec<u32>,
     /// First slot of each cell, and the end of the last.
     starts: Vec<u32>,
     /// Number of images before each slot, and in total.
     images_before: Vec<u32>,
     /// The slots that are images.
     images: Vec<u32>,
-    /// Memory of the sorting: slots with their cells, and the place of the next slot of each cell.
-    unsorted: Vec<Slot>,
-    unsorted_cells: Vec<u32>,
-    next: Vec<u32>,
+    /// Memory of the sorting.
+    batches: Vec<Batch>,
+}
+
+/// Some consecutive cells and their slots.
+struct Part<'a> {
+    number: usize,
+    first_cell: usize,
+    first_slot: usize,
+    slots: &'a mut [Slot],
+    /// Rough positions of the slots.
+    along: [&'a mut [f32]; 3],
+    /// First slot of each cell.
+    starts: &'a mut [u32],
+    unit: RoughUnit,
+}
+
+impl Part<'_> {
+    /// Takes the slots from the batches in turn.
+    fn fill(self, batches: &[Batch], positions: &[Vector3<f64>]) {
+        let [x, y, z] = self.along;
+        let cell = |cell: u32| cell as usize - self.first_cell;
+        self.starts.fill(0);
+        for batch in batches {
+            for entry in batch.parts.get(self.number) {
+                self.starts[cell(entry[0])] += 1;
+            }
+        }
+        accumulate(self.starts, self.first_slot as u32);
+        // From the last slot back, ends become starts.
+        for batch in batches.iter().rev() {
+            for entry in batch.parts.get(self.number).iter().rev() {
+                let start = &mut self.starts[cell(entry[0])];
+                *start -= 1;
+                let at = *start as usize - self.first_slot;
+                let slot = batch.slots[entry[1] as usize];
+                self.slots[at] = slot;
+                [x[at], y[at], z[at]] = self.unit.rough(&slot.place(positions));
+            }
+        }
+    }
+}
+
+/// Cuts the first entries off.
+fn take<'a, T>(from: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    from.split_off_mut(..count).unwrap_or_default()
 }
 
 impl Cells {
     /// Sorts the atoms and their images; within a cell they keep their order.
+    ///
+    /// Blocks of atoms are sorted by parts of the cells, then each part takes its slots from all blocks in turn.
     pub fn fill(&mut self, space: &PeriodicBox, positions: &[Vector3<f64>], reach: f64) {
-        let mut slots = std::mem::take(&mut self.unsorted);
-        fill_slots(&mut slots, space, positions, reach);
-        let place = |slot: &Slot| positions[slot.atom as usize] + slot.shift;
-        let count = slots.len();
-        self.lay(slots.iter().map(place), count, reach);
-        let mut cells = std::mem::take(&mut self.unsorted_cells);
-        cells.clear();
-        cells.extend(slots.iter().map(|slot| self.cell(&place(slot))));
-        let [x, y, z] = self.axes.map(|axis| axis.cells);
-        self.starts.clear();
-        self.starts.resize(x * y * z + 1, 0);
-        for &cell in &cells {
-            self.starts[cell as usize + 1] += 1;
-        }
-        for cell in 1..self.starts.len() {
-            self.starts[cell] += self.starts[cell - 1];
-        }
-        self.next.clone_from(&self.starts);
+        let blocks = Blocks::new(positions.len());
+        let mut batches = std::mem::take(&mut self.batches);
+        batches.resize_with(positions.len().div_ceil(blocks.len()), Batch::default);
+        let collect = |(block, batch): (usize, &mut Batch)| {
+            let len = blocks.len().min(positions.len() - block * blocks.len());
+            batch.collect(space, positions, blocks.entries(block, len), reach);
+        };
+        batches.par_iter_mut().enumerate().for_each(collect);
+        let count = batches.iter().map(|batch| batch.slots.len()).sum();
+        self.lay(&batches, count, reach);
+        let cells = self.axes.iter().map(|axis| axis.cells).product();
+        let parts = Blocks::at_most(batches.len(), cells);
+        let part = |cell| parts.of(cell);
+        batches.par_iter_mut().for_each(|batch| {
+            let cell = |place: &Vector3<f64>| self.cell(place);
+            batch.sort(positions, cell, cells.div_ceil(parts.len()), part);
+        });
         self.slots.resize(count, Slot::NOWHERE);
-        self.cell_of.resize(count, 0);
         self.rough.resize(count);
-        for (slot, &cell) in slots.iter().zip(&cells) {
-            let next = &mut self.next[cell as usize];
-            let at = *next as usize;
-            *next += 1;
-            self.slots[at] = *slot;
-            self.cell_of[at] = cell;
-            self.rough.set(at, &place(slot));
-        }
+        self.starts.resize(cells + 1, 0);
+        self.starts[cells] = count as u32;
+        let parts = self.split(&batches, parts.len());
+        let fill = |part: Part<'_>| part.fill(&batches, positions);
+        parts.into_par_iter().for_each(fill);
         self.list_images();
-        (self.unsorted, self.unsorted_cells) = (slots, cells);
+        self.batches = batches;
+    }
+
+    /// Cuts the cells and their slots into parts of `len` cells.
+    fn split<'a>(&'a mut self, batches: &[Batch], len: usize) -> Vec<Part<'a>> {
+        let cells = self.starts.len() - 1;
+        let (unit, mut along) = self.rough.along_mut();
+        let mut slots = &mut self.slots[..];
+        let mut first_slot = 0;
+        let starts = self.starts[..cells].chunks_mut(len).enumerate();
+        let part = |(number, starts)| {
+            let slots_of = |batch: &Batch| batch.parts.get(number).len();
+            let count = batches.iter().map(slots_of).sum();
+            let part = Part {
+                number,
+                first_cell: number * len,
+                first_slot,
+                slots: take(&mut slots, count),
+                along: along.each_mut().map(|along| take(along, count)),
+                starts,
+                unit,
+            };
+            first_slot += count;
+            part
+        };
+        starts.map(part).collect()
     }
 
     /// Lists and counts the images.
@@ -143,13 +209,13 @@ impl Cells {
         self.images_before.push(self.images.len() as u32);
     }
 
-    /// Fits the cells to all positions.
-    fn lay(&mut self, places: impl Iterator<Item = Vector3<f64>>, count: usize, reach: f64) {
-        let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-        for place in places {
-            for (axis, [low, high]) in extent.iter_mut().enumerate() {
-                *low = low.min(place[axis]);
-                *high = high.max(place[axis]);
+    /// Fits the cells to all slots.
+    fn lay(&mut self, batches: &[Batch], count: usize, reach: f64) {
+        let mut extent = Batch::NO_EXTENT;
+        for batch in batches {
+            for ([low, high], [least, most]) in extent.iter_mut().zip(batch.extent) {
+                *low = low.min(least);
+                *high = high.max(most);
             }
         }
         if count == 0 {
@@ -190,7 +256,8 @@ impl Cells {
 
     /// Cell of a slot.
     pub fn cell_of(&self, slot: usize) -> u32 {
-        self.cell_of[slot]
+        let after = self.starts.partition_point(|&start| start as usize <= slot);
+        after as u32 - 1
     }
 
     /// Number of images before a slot.
@@ -247,7 +314,7 @@ impl Cells {
     /// All slots of one of the nine rows around the cell of `slot`.
     pub fn row(&self, slot: usize, row: usize) -> Range<usize> {
         let whole = [0, self.axes[0].cells - 1];
-        self.cells(self.row_start(&self.rows(self.cell_of[slot]), row), whole)
+        self.cells(self.row_start(&self.rows(self.cell_of(slot)), row), whole)
     }
 
     /// The slots of the rows before a place and of its own, without cells entirely beyond `reach_sq` of it.

@@ -1,11 +1,13 @@
 //! A part of a Verlet list: its slots, their neighbours, and the pairs.
 
+use super::buckets::Buckets;
 use super::candidates::Candidates;
 use super::cells::{Cells, Rows};
 use super::images::Slot;
 use super::row::{RowWriter, SearchContext};
 use super::site::{LANES, Site};
 use super::window::Window;
+use crate::md::blocks::Blocks;
 use crate::md::lanes::{LaneLoop, Lanes};
 use nalgebra::Vector3;
 use std::ops::Range;
@@ -60,6 +62,8 @@ pub struct Chunk {
     /// Neighbours in blocks, and unused memory.
     neighbours: Vec<u32>,
     pairs: usize,
+    /// Atoms and sites of the slots, sorted by blocks of atoms.
+    blocks: Buckets,
     /// What a law of several passes keeps of every block from one to the next.
     pub(crate) kept: Vec<[f64; LANES]>,
     /// Whether it kept something of each block.
@@ -84,10 +88,14 @@ impl Chunk {
         self.window.extend_from_slice(&slots[around.next.clone()]);
         self.sites.clear();
         let site = |slot: &Slot| {
-            let atom = slot.atom as usize;
-            let place = positions[atom] + slot.shift;
+            let place = slot.place(positions);
             Site {
-                place: [place.x, place.y, place.z, species[atom].into()],
+                place: [
+                    place.x,
+                    place.y,
+                    place.z,
+                    species[slot.atom as usize].into(),
+                ],
                 force: [0.0; 4],
             }
         };
@@ -118,10 +126,25 @@ impl Chunk {
         self.sites.retain(|_| each.next() == Some(&true));
     }
 
+    /// Sorts the sites by blocks of atoms.
+    fn sort_by_blocks(&mut self, atoms: usize) {
+        let blocks = Blocks::new(atoms);
+        let slots = self.window.iter().enumerate();
+        let entries = slots.map(|(site, slot)| [slot.atom, site as u32]);
+        let block = |[atom, _]: [u32; 2]| blocks.of(atom as usize);
+        self.blocks
+            .sort(entries, atoms.div_ceil(blocks.len()), block);
+    }
+
+    /// The atoms of a block that have slots here, with the site of each slot.
+    pub(super) fn block(&self, block: usize) -> &[[u32; 2]] {
+        self.blocks.get(block)
+    }
+
     /// Copies the positions of the atoms and clears the forces.
     pub(super) fn refresh(&mut self, positions: &[Vector3<f64>]) {
         for (site, slot) in self.sites.iter_mut().zip(&self.window) {
-            let place = positions[slot.atom as usize] + slot.shift;
+            let place = slot.place(positions);
             site.place[..3].copy_from_slice(place.as_slice());
             site.force = [0.0; 4];
         }
@@ -171,8 +194,8 @@ pub(super) struct Build<'a> {
     pub(super) chunk: &'a mut Chunk,
     pub(super) cells: &'a Cells,
     pub(super) owned: Range<usize>,
-    /// Squares of the cut-off, and of the cut-off plus the skin.
-    pub(super) reaches_sq: [f64; 2],
+    /// The cut-off, and the cut-off plus the skin.
+    pub(super) reaches: [f64; 2],
     /// Positions and species of the atoms.
     pub(super) atoms: (&'a [Vector3<f64>], &'a [u8]),
 }
@@ -192,15 +215,18 @@ impl LaneLoop for Build<'_> {
             cells,
             window: &window,
             sites: &sites,
-            reaches_sq: self.reaches_sq,
+            reaches_sq: self.reaches.map(|reach| reach * reach),
+            limits: self.reaches.map(|reach| cells.rough().limits(reach)),
         };
         let mut row = RowWriter::new(std::mem::take(&mut chunk.neighbours), sites.len());
         let mut candidates = Candidates::default();
-        let (mut cell, mut rows) = (u32::MAX, Rows::default());
+        let (mut end, mut rows) = (0, Rows::default());
         for slot in self.owned {
             if !cells.slots()[slot].is_image {
-                if cells.cell_of(slot) != cell {
-                    cell = cells.cell_of(slot);
+                // The first atom of a cell.
+                if slot >= end {
+                    let cell = cells.cell_of(slot);
+                    end = cells.start(cell + 1);
                     rows = cells.rows(cell);
                     candidates.gather(cells, &window, (cell, &rows), sites.len() as u32 - 1);
                 }
@@ -212,5 +238,6 @@ impl LaneLoop for Build<'_> {
         chunk.keep_used(&mut row);
         chunk.pairs = row.pairs();
         chunk.neighbours = row.into_memory();
+        chunk.sort_by_blocks(self.atoms.0.len());
     }
 }

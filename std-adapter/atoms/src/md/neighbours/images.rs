@@ -1,6 +1,7 @@
 //! Atoms and their periodic images.
 
 use nalgebra::Vector3;
+use std::ops::Range;
 use tribos_base::space::PeriodicBox;
 
 /// An atom or one of its images.
@@ -37,9 +38,15 @@ impl Slot {
         is_image: false,
         shift: Vector3::new(0.0, 0.0, 0.0),
     };
+
+    /// Its place, while the atoms are at `positions`.
+    #[inline(always)]
+    pub(super) fn place(&self, positions: &[Vector3<f64>]) -> Vector3<f64> {
+        positions[self.atom as usize] + self.shift
+    }
 }
 
-/// The atoms, each wrapped into the cell, and the images that pairs need.
+/// Some atoms, each wrapped into the cell, and the images that pairs need.
 ///
 /// Of two opposite images one suffices, since (i, j + L) and (i − L, j) are the same pair: the one
 /// whose last shifted axis is shifted upwards.
@@ -47,11 +54,12 @@ pub fn fill_slots(
     slots: &mut Vec<Slot>,
     space: &PeriodicBox,
     positions: &[Vector3<f64>],
+    atoms: Range<usize>,
     reach: f64,
 ) {
     let lengths = space.lengths();
     slots.clear();
-    for (atom, place) in positions.iter().enumerate() {
+    for (atom, place) in atoms.clone().zip(&positions[atoms]) {
         let inside = space.wrap(place);
         let home = inside - place;
         for z in shifts(inside.z, lengths[2], reach) {

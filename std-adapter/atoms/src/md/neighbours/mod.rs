@@ -1,5 +1,7 @@
 //! Verlet lists: all near pairs, each once, valid while atoms move less than the skin allows.
 
+mod batch;
+mod buckets;
 mod candidates;
 mod cells;
 mod chunk;
@@ -18,6 +20,7 @@ pub use images::Slot;
 #[doc(hidden)]
 pub use site::{LANES, Site};
 
+use super::blocks::Blocks;
 use super::lanes;
 use cells::Cells;
 use chunk::Build;
@@ -212,22 +215,66 @@ impl VerletList {
         }
         self.chunks
             .resize_with(count.div_ceil(SLOTS_PER_CHUNK), Chunk::default);
-        let reaches_sq = [self.cutoff, reach].map(|reach| reach * reach);
+        let reaches = [self.cutoff, reach];
         let build = |(index, chunk): (usize, &mut Chunk)| {
             let start = index * SLOTS_PER_CHUNK;
             lanes::run(Build {
                 chunk,
                 cells,
                 owned: start..(start + SLOTS_PER_CHUNK).min(count),
-                reaches_sq,
+                reaches,
                 atoms: (positions, species),
             });
         };
-        self.chunks.par_iter_mut().enumerate().for_each(build);
+        let chunks = self.chunks.par_iter_mut().with_max_len(1);
+        chunks.enumerate().for_each(build);
         self.reference.clear();
         self.reference.extend_from_slice(positions);
         self.builds += 1;
         Ok(())
+    }
+
+    /// Adds what the sites of each atom hold, chunk by chunk in the order of the sites.
+    pub(crate) fn gather<T: Copy + Send + Sync>(
+        &self,
+        sums: &mut [T],
+        nothing: T,
+        add: impl Fn(&mut T, &Site) + Sync,
+    ) {
+        if rayon::current_num_threads() == 1 {
+            // The same sums in the order of memory, which is quicker.
+            sums.fill(nothing);
+            for chunk in &self.chunks {
+                for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
+                    add(&mut sums[slot.atom as usize], site);
+                }
+            }
+            return;
+        }
+        let blocks = Blocks::new(self.reference.len());
+        let gather = |(block, sums): (usize, &mut [T])| {
+            sums.fill(nothing);
+            let first = blocks.entries(block, sums.len()).start;
+            for chunk in &self.chunks {
+                for &[atom, site] in chunk.block(block) {
+                    add(
+                        &mut sums[atom as usize - first],
+                        &chunk.sites()[site as usize],
+                    );
+                }
+            }
+        };
+        sums.par_chunks_mut(blocks.len())
+            .enumerate()
+            .for_each(gather);
+    }
+
+    /// Writes the sum of the forces on each atom.
+    pub(crate) fn gather_forces(&self, forces: &mut [Vector3<f64>]) {
+        self.gather(forces, Vector3::zeros(), |sum, site| {
+            let [x, y, z, _] = site.force;
+            *sum += Vector3::new(x, y, z);
+        });
     }
 
     /// Moves the sites of the list to the current positions.
@@ -249,21 +296,28 @@ impl VerletList {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn refresh(&mut self, positions: &[Vector3<f64>]) {
-        self.chunks
-            .par_iter_mut()
-            .for_each(|chunk| chunk.refresh(positions));
+        let chunks = self.chunks.par_iter_mut().with_max_len(1);
+        chunks.for_each(|chunk| chunk.refresh(positions));
     }
 
     /// Whether the two largest displacements since the last build add up to the skin.
     fn is_stale(&self, positions: &[Vector3<f64>]) -> bool {
-        let [mut farthest, mut second] = [0.0_f64; 2];
-        for (now, then) in positions.iter().zip(&self.reference) {
-            let way_sq = (now - then).norm_squared();
+        let add = |[farthest, second]: [f64; 2], way_sq: f64| {
             if way_sq > second {
-                second = way_sq.min(farthest);
-                farthest = way_sq.max(farthest);
+                [way_sq.max(farthest), way_sq.min(farthest)]
+            } else {
+                [farthest, second]
             }
-        }
+        };
+        let block = Blocks::new(positions.len()).len();
+        let [farthest, second] = positions
+            .par_chunks(block)
+            .zip(self.reference.par_chunks(block))
+            .map(|(now, then)| {
+                let ways = now.iter().zip(then).map(|(now, then)| now - then);
+                ways.fold([0.0; 2], |two, way| add(two, way.norm_squared()))
+            })
+            .reduce(|| [0.0; 2], |a, b| b.into_iter().fold(a, add));
         farthest.sqrt() + second.sqrt() > self.skin
     }
 }

@@ -6,10 +6,16 @@ use nalgebra::Vector3;
 #[derive(Clone, Debug, Default)]
 pub(super) struct SinglePrecisionPositions {
     along: [Vec<f32>; 3],
+    unit: RoughUnit,
+    /// Tolerance of rough distances.
+    doubt: f64,
+}
+
+/// What rough positions are measured from and in.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct RoughUnit {
     middle: Vector3<f64>,
     inv_reach: f64,
-    /// Squares of rough distances in reach are not above this.
-    limit: f32,
 }
 
 /// Tolerance of a rough distance relative to the sum of the farthest coordinate and the reach. Two positions
@@ -19,15 +25,24 @@ const DOUBT: f64 = 1.0 / 2_097_152.0;
 /// Tolerance of the square of a distance relative to it: above its five roundings of 2⁻²⁴.
 const DOUBT_OF_SQUARE: f64 = 1.0 / 1_048_576.0;
 
+impl RoughUnit {
+    /// Rough position.
+    #[inline(always)]
+    pub(super) fn rough(&self, place: &Vector3<f64>) -> [f32; 3] {
+        let [x, y, z] = ((place - self.middle) * self.inv_reach).into();
+        [x as f32, y as f32, z as f32]
+    }
+}
+
 impl SinglePrecisionPositions {
     /// Fits the unit to the positions and the reach.
     pub(super) fn fit(&mut self, extent: [[f64; 2]; 3], reach: f64) {
-        self.inv_reach = 1.0 / reach;
-        self.middle = Vector3::from(extent.map(|[low, high]| 0.5 * low + 0.5 * high));
-        let half = extent.map(|[low, high]| (0.5 * high - 0.5 * low) * self.inv_reach);
+        let inv_reach = 1.0 / reach;
+        let middle = Vector3::from(extent.map(|[low, high]| 0.5 * low + 0.5 * high));
+        let half = extent.map(|[low, high]| (0.5 * high - 0.5 * low) * inv_reach);
         let farthest = half.into_iter().fold(1.0, f64::max);
-        let reach = 1.0 + DOUBT * (farthest + 1.0);
-        self.limit = (reach * reach * (1.0 + DOUBT_OF_SQUARE)) as f32;
+        self.unit = RoughUnit { middle, inv_reach };
+        self.doubt = DOUBT * (farthest + 1.0);
     }
 
     /// Makes room for some slots.
@@ -37,12 +52,10 @@ impl SinglePrecisionPositions {
         }
     }
 
-    /// Sets the position of a slot.
-    pub(super) fn set(&mut self, slot: usize, place: &Vector3<f64>) {
-        let place = (place - self.middle) * self.inv_reach;
-        for (along, x) in self.along.iter_mut().zip(place.iter()) {
-            along[slot] = *x as f32;
-        }
+    /// The unit, and positions along x, y and z to write to.
+    pub(super) fn along_mut(&mut self) -> (RoughUnit, [&mut [f32]; 3]) {
+        let along = self.along.each_mut().map(Vec::as_mut_slice);
+        (self.unit, along)
     }
 
     /// Positions along x, y and z.
@@ -52,9 +65,13 @@ impl SinglePrecisionPositions {
         [x, y, z]
     }
 
-    /// Largest square of a rough distance of slots in reach.
-    #[inline(always)]
-    pub(super) fn limit(&self) -> f32 {
-        self.limit
+    /// Squares of rough distances: slots are nearer than `distance` below the first, and farther above the second.
+    pub(super) fn limits(&self, distance: f64) -> [f32; 2] {
+        let distance = distance * self.unit.inv_reach;
+        let [sure, possible] = [distance - self.doubt, distance + self.doubt].map(|d| d.max(0.0));
+        [
+            (sure * sure * (1.0 - DOUBT_OF_SQUARE)) as f32,
+            (possible * possible * (1.0 + DOUBT_OF_SQUARE)) as f32,
+        ]
     }
 }

@@ -4,10 +4,10 @@ use super::candidates::Candidates;
 use super::cells::{Cells, Rows};
 use super::window::Window;
 use super::{LANES, Site};
-use crate::md::lanes::{Lanes, ROUGH_LANES, Rough, spread, ways};
+use crate::md::lanes::{Lanes, ROUGH_LANES, Rough};
 use std::ops::Range;
 
-/// Lanes of each set of eight lanes. Those of four lanes come first.
+/// Lanes of each set of eight lanes.
 static CHOSEN: [[u32; ROUGH_LANES]; 1 << ROUGH_LANES] = chosen();
 /// Number of lanes of each set.
 static COUNTS: [u8; 1 << ROUGH_LANES] = counts();
@@ -16,7 +16,7 @@ static COUNTS: [u8; 1 << ROUGH_LANES] = counts();
 #[derive(Debug, Default)]
 pub(super) struct RowWriter {
     /// Those of the slot in reach, and some a little beyond.
-    found: SelectedSites,
+    found: FoundSites,
     /// The rows so far, then the neighbours of the slot within the cut-off.
     near: SelectedSites,
     /// Those beyond it, within the skin.
@@ -35,6 +35,26 @@ pub(super) struct SearchContext<'a> {
     pub(super) sites: &'a [Site],
     /// Squares of the cut-off, and of the cut-off plus the skin.
     pub(super) reaches_sq: [f64; 2],
+    /// Squares of rough distances for both: nearer below the first, farther above the second.
+    pub(super) limits: [[f32; 2]; 2],
+}
+
+impl SearchContext<'_> {
+    /// Which sites of a block are within each reach of a site, a bit for each lane.
+    #[cold]
+    fn exactly(&self, site: u32, block: &[u32; ROUGH_LANES]) -> [usize; 2] {
+        let here = self.sites[site as usize].place;
+        let mut within = [0; 2];
+        for (lane, other) in block.iter().enumerate() {
+            let there = self.sites[*other as usize].place;
+            let [x, y, z] = [0, 1, 2].map(|axis: usize| here[axis] - there[axis]);
+            let square = x * x + y * y + z * z;
+            for (within, reach_sq) in within.iter_mut().zip(self.reaches_sq) {
+                *within |= usize::from(square < reach_sq) << lane;
+            }
+        }
+        within
+    }
 }
 
 impl RowWriter {
@@ -61,22 +81,24 @@ impl RowWriter {
     ) {
         let SearchContext { cells, window, .. } = around;
         self.found.count = 0;
-        let site = &around.sites[window.site(slot) as usize];
-        let [x, y, z, _] = site.place;
-        let reach_sq = around.reaches_sq[1];
+        let site = window.site(slot);
         // Rows before the slot matter only for their images.
         if rows.has_image_before {
+            let [x, y, z, _] = around.sites[site as usize].place;
+            let reach_sq = around.reaches_sq[1];
             for range in cells.before(rows, [x, y, z], reach_sq) {
                 let before = range.start..range.end.min(slot).max(range.start);
-                self.find_images(cells, window, before);
+                self.find_images(around, slot, before);
             }
         }
-        self.find::<N>(key, candidates, (slot, cells.rough().limit()));
+        self.find::<N>(key, around, candidates, slot);
         self.judge::<N>(key, around, site);
     }
 
     /// Finds the images of a range, wherever they are.
-    fn find_images(&mut self, cells: &Cells, window: &Window, range: Range<usize>) {
+    #[inline(always)]
+    fn find_images(&mut self, around: SearchContext<'_>, here: usize, range: Range<usize>) {
+        let SearchContext { cells, window, .. } = around;
         let images = cells.images(&range);
         self.found.make_room(images.len());
         for &slot in images {
@@ -86,7 +108,9 @@ impl RowWriter {
             } else {
                 window.site(slot)
             };
+            let [x, y, z] = cells.rough().along().map(|along| along[slot] - along[here]);
             self.found.sites[self.found.count] = site;
+            self.found.squares[self.found.count] = x * x + y * y + z * z;
             self.found.count += 1;
         }
     }
@@ -96,23 +120,26 @@ impl RowWriter {
     fn find<N: Lanes>(
         &mut self,
         key: N::Key,
+        around: SearchContext<'_>,
         candidates: &Candidates,
-        (slot, limit): (usize, f32),
+        slot: usize,
     ) {
-        let limit = N::Rough::splat(key, limit);
+        let limit = N::Rough::splat(key, around.limits[1][1]);
         let here: [N::Rough; 3] = candidates.place(key, slot);
         let range = candidates.after(slot);
         self.found.make_room(range.len() + ROUGH_LANES);
-        let to = &mut self.found.sites[..];
         let mut count = self.found.count;
-        for ([x, y, z], sites) in candidates.blocks(range) {
+        let FoundSites { sites, squares, .. } = &mut self.found;
+        for ([x, y, z], block) in candidates.blocks(range) {
             let x = N::Rough::new(key, x) - here[0];
             let y = N::Rough::new(key, y) - here[1];
             let z = N::Rough::new(key, z) - here[2];
-            let which = (x * x + y * y + z * z).which_not_above(limit) & (CHOSEN.len() - 1);
+            let square = x * x + y * y + z * z;
+            let which = square.which_not_above(limit) & (CHOSEN.len() - 1);
             // A block is always written, so there is no branch to predict.
-            let chosen = N::Rough::pick(key, sites, &CHOSEN[which]);
-            to[count..count + ROUGH_LANES].copy_from_slice(&chosen);
+            let block = N::Rough::pick_whole(key, block, &CHOSEN[which]);
+            sites[count..count + ROUGH_LANES].copy_from_slice(&block);
+            squares[count..count + ROUGH_LANES].copy_from_slice(&square.pick(&CHOSEN[which]));
             count += usize::from(COUNTS[which]);
         }
         self.found.count = count;
@@ -120,25 +147,33 @@ impl RowWriter {
 
     /// Appends those that are in reach, near ones first, and fills up the last block.
     #[inline(always)]
-    fn judge<N: Lanes>(&mut self, key: N::Key, around: SearchContext<'_>, site: &Site) {
-        let place = spread::<N>(key, site);
-        let [cutoff_sq, reach_sq] = around.reaches_sq;
-        let [cutoff_sq, reach_sq] = [N::splat(key, cutoff_sq), N::splat(key, reach_sq)];
+    fn judge<N: Lanes>(&mut self, key: N::Key, around: SearchContext<'_>, site: u32) {
+        let [[near_sure, near_possible], [far_sure, far_possible]] = around.limits;
+        let near_sure = N::Rough::splat(key, near_sure);
+        let near_possible = N::Rough::splat(key, near_possible);
+        let far_sure = N::Rough::splat(key, far_sure);
+        let far_possible = N::Rough::splat(key, far_possible);
         let nowhere = around.sites.len() as u32 - 1;
         let Self {
             found, near, far, ..
         } = self;
         found.fill_up(nowhere);
-        let blocks = found.sites[..found.count].as_chunks::<LANES>().0;
         near.make_room(found.count);
         far.make_room(found.count);
         far.count = 0;
         let start = near.count;
-        for block in blocks {
-            let [x, y, z] = ways(key, &place, block, around.sites);
-            let r_sq = x * x + y * y + z * z;
-            let inner = r_sq.less_mask(cutoff_sq);
-            let outer = r_sq.less_mask(reach_sq);
+        let sites = found.sites[..found.count].as_chunks().0;
+        let squares = found.squares[..found.count].as_chunks().0;
+        for (block, squares) in sites.iter().zip(squares) {
+            let squares = N::Rough::new(key, squares);
+            let mut inner = near_sure.which_above(squares);
+            let mut outer = far_sure.which_above(squares);
+            let doubt = inner ^ squares.which_not_above(near_possible)
+                | outer ^ squares.which_not_above(far_possible);
+            // Rounding decides almost never.
+            if doubt != 0 {
+                [inner, outer] = around.exactly(site, block);
+            }
             near.keep::<N>(key, block, inner);
             far.keep::<N>(key, block, outer & !inner);
         }
@@ -179,6 +214,35 @@ impl RowWriter {
     }
 }
 
+/// Some sites, with the squares of their rough distances.
+#[derive(Debug, Default)]
+struct FoundSites {
+    sites: Vec<u32>,
+    squares: Vec<f32>,
+    /// Entries from here on are unused.
+    count: usize,
+}
+
+impl FoundSites {
+    /// Makes room for some more, and for a whole block after the last.
+    fn make_room(&mut self, more: usize) {
+        let needed = self.count + more + ROUGH_LANES;
+        if self.sites.len() < needed {
+            self.sites.resize(needed.next_power_of_two(), 0);
+            self.squares.resize(needed.next_power_of_two(), 0.0);
+        }
+    }
+
+    /// Fills up the last block.
+    #[inline(always)]
+    fn fill_up(&mut self, site: u32) {
+        self.make_room(ROUGH_LANES);
+        self.sites[self.count..self.count + ROUGH_LANES].fill(site);
+        self.squares[self.count..self.count + ROUGH_LANES].fill(f32::INFINITY);
+        self.count = self.count.next_multiple_of(ROUGH_LANES);
+    }
+}
+
 /// Some sites.
 #[derive(Debug, Default)]
 struct SelectedSites {
@@ -206,11 +270,10 @@ impl SelectedSites {
 
     /// Keeps the sites of a block whose bits are set; a block is always written.
     #[inline(always)]
-    fn keep<N: Lanes>(&mut self, key: N::Key, block: &[u32; LANES], which: usize) {
-        let which = which & ((1 << LANES) - 1);
-        let [a, b, c, d, ..] = CHOSEN[which];
-        let sites = N::pick(key, block, &[a, b, c, d]);
-        self.sites[self.count..self.count + LANES].copy_from_slice(&sites);
+    fn keep<N: Lanes>(&mut self, key: N::Key, block: &[u32; ROUGH_LANES], which: usize) {
+        let which = which & (CHOSEN.len() - 1);
+        let sites = N::Rough::pick_whole(key, block, &CHOSEN[which]);
+        self.sites[self.count..self.count + ROUGH_LANES].copy_from_slice(&sites);
         self.count += usize::from(COUNTS[which]);
     }
 }

@@ -106,7 +106,7 @@ fn the_processor_does_not_change_the_rows() {
             chunk,
             cells: &list.cells,
             owned: start..(start + SLOTS_PER_CHUNK).min(count),
-            reaches_sq: [CUTOFF, CUTOFF + SKIN].map(|reach| reach * reach),
+            reaches: [CUTOFF, CUTOFF + SKIN],
             atoms: (&places, &species),
         };
         lanes::LaneLoop::go::<wide::f64x4>(build, ());

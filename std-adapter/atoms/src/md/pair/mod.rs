@@ -50,17 +50,13 @@ fn forces<L: PairLaw>(
     let chunks = list.chunks_mut();
     let tallies: Vec<Tally> = chunks
         .par_iter_mut()
+        .with_max_len(1)
         .map(|chunk| match wanted {
             Evaluation::Forces => lanes::run(Loop::<L, ForcesOnly>::new(law, chunk)),
             Evaluation::Sums => lanes::run(Loop::<L, Totals>::new(law, chunk)),
         })
         .collect();
-    for chunk in &*chunks {
-        for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
-            let [x, y, z, _] = site.force;
-            forces[slot.atom as usize] += Vector3::new(x, y, z);
-        }
-    }
+    list.gather_forces(forces);
     tallies
         .into_iter()
         .fold(Tally::default(), |sum, part| Tally {

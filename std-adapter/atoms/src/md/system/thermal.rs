@@ -1,10 +1,12 @@
 //! Heat of the groups: damping, thermostats, and what they take.
 
 use super::System;
+use crate::md::blocks::{Blocks, within};
 use crate::md::group::{MotionConstraint, ThermalFrame};
 use crate::md::interaction::Interaction;
 use crate::md::thermostat::{Langevin, Noise, NoseHoover, RotationBias, Thermostat};
 use nalgebra::Vector3;
+use rayon::prelude::*;
 
 impl<I: Interaction> System<I> {
     /// Applies damping and Nosé–Hoover thermostats.
@@ -28,10 +30,9 @@ impl<I: Interaction> System<I> {
     fn damp(&mut self, index: usize, factor: f64) {
         let support = self.support.as_ref().filter(|s| s.group == index);
         let Some(support) = support else {
-            self.exchange.heat += self.kinetic(index) * (1.0 - factor * factor);
-            for &atom in &self.members[index] {
-                self.atoms.velocities[atom] *= factor;
-            }
+            let kinetic = self.kinetic(index, &CommonMotion::NONE);
+            self.exchange.heat += kinetic * (1.0 - factor * factor);
+            self.change_velocities(index, |_| (), |_, (), _, velocity| *velocity *= factor);
             return;
         };
         let rate = support.velocity(self.time());
@@ -47,47 +48,24 @@ impl<I: Interaction> System<I> {
         }
     }
 
-    /// Scales the velocities of a group, or their deviation from its common motion.
+    /// Scales the velocities of a group relative to its common motion.
     fn scale(&mut self, index: usize, thermostat: &mut NoseHoover, time: f64) {
         let freedoms = self.heat_freedoms(index);
-        match thermostat.spin() {
-            RotationBias::Counts if self.groups[index].frame == ThermalFrame::Mean => {
-                let common = self.mean_velocity(index);
-                let kinetic = self.heat_kinetic(index);
-                let factor = thermostat.scale(kinetic, freedoms, time);
-                self.exchange.heat += kinetic * (1.0 - factor * factor);
-                for &atom in &self.members[index] {
-                    let velocity = &mut self.atoms.velocities[atom];
-                    *velocity = (*velocity - common) * factor + common;
-                }
-            }
-            RotationBias::Counts => {
-                let kinetic = self.kinetic(index);
-                let factor = thermostat.scale(kinetic, freedoms, time);
-                self.exchange.heat += kinetic * (1.0 - factor * factor);
-                for &atom in &self.members[index] {
-                    self.atoms.velocities[atom] *= factor;
-                }
-            }
-            RotationBias::Spared { axis } => {
-                let rate = self.mean_rate(index, axis);
-                let mut kinetic = 0.0;
-                for &atom in &self.members[index] {
-                    let common = self.turning(atom, axis, rate);
-                    let velocity = &mut self.atoms.velocities[atom];
-                    *velocity -= common;
-                    let mass = self.atoms.masses[usize::from(self.atoms.species[atom])];
-                    kinetic += 0.5 * mass * velocity.norm_squared();
-                }
-                let factor = thermostat.scale(kinetic, freedoms, time);
-                self.exchange.heat += kinetic * (1.0 - factor * factor);
-                for &atom in &self.members[index] {
-                    let common = self.turning(atom, axis, rate);
-                    let velocity = &mut self.atoms.velocities[atom];
-                    *velocity = *velocity * factor + common;
-                }
-            }
-        }
+        let common = match thermostat.spin() {
+            RotationBias::Counts => CommonMotion::Uniform(self.frame_velocity(index)),
+            RotationBias::Spared { axis } => CommonMotion::Rotation {
+                axis,
+                rate: self.mean_rate(index, axis),
+            },
+        };
+        let kinetic = self.kinetic(index, &common);
+        let factor = thermostat.scale(kinetic, freedoms, time);
+        self.exchange.heat += kinetic * (1.0 - factor * factor);
+        let scale = |system: &Self, (): &mut (), atom: usize, velocity: &mut Vector3<f64>| {
+            let common = common.at(&system.atoms.positions[atom]);
+            *velocity = (*velocity - common) * factor + common;
+        };
+        self.change_velocities(index, |_| (), scale);
     }
 
     /// Degrees of freedom of a group that its thermostat controls.
@@ -152,18 +130,12 @@ impl<I: Interaction> System<I> {
             && self.drive.is_none()
     }
 
-    /// Kinetic energy of a group that its thermostat takes for heat, but for a spared rotation;
-    /// from the stored velocities.
-    fn heat_kinetic(&self, index: usize) -> f64 {
-        let common = match self.groups[index].frame {
-            ThermalFrame::Box => return self.kinetic(index),
+    /// Velocity of the frame in which the motion of a group is heat.
+    fn frame_velocity(&self, index: usize) -> Vector3<f64> {
+        match self.groups[index].frame {
+            ThermalFrame::Box => Vector3::zeros(),
             ThermalFrame::Mean => self.mean_velocity(index),
-        };
-        let part = |&atom: &usize| {
-            let velocity = self.atoms.velocities[atom] - common;
-            0.5 * self.atoms.mass(atom) * velocity.norm_squared()
-        };
-        self.members[index].iter().map(part).sum()
+        }
     }
 
     /// Mean velocity of a group along x and y.
@@ -181,10 +153,11 @@ impl<I: Interaction> System<I> {
         }
     }
 
-    /// Kinetic energy of a group, from the stored velocities.
-    fn kinetic(&self, index: usize) -> f64 {
+    /// Kinetic energy of a group beside its common motion, from the stored velocities.
+    fn kinetic(&self, index: usize, common: &CommonMotion) -> f64 {
         let part = |&atom: &usize| {
-            0.5 * self.atoms.mass(atom) * self.atoms.velocities[atom].norm_squared()
+            let velocity = self.atoms.velocities[atom] - common.at(&self.atoms.positions[atom]);
+            0.5 * self.atoms.mass(atom) * velocity.norm_squared()
         };
         self.members[index].iter().map(part).sum()
     }
@@ -206,59 +179,90 @@ impl<I: Interaction> System<I> {
         }
     }
 
-    /// Velocity of an atom in a rotation about a vertical axis.
-    pub(super) fn turning(&self, atom: usize, axis: [f64; 2], rate: f64) -> Vector3<f64> {
-        let place = &self.atoms.positions[atom];
-        Vector3::new(-rate * (place.y - axis[1]), rate * (place.x - axis[0]), 0.0)
-    }
-
-    /// Applies friction and noise over a whole step, along the free axes.
+    /// Applies friction and noise over a whole step, along the free axes, relative to the frame of the group.
     pub(super) fn langevin_kick(&mut self, index: usize, thermostat: &Langevin) {
         let [kept, unit] = thermostat.factors(self.time_step);
         let is_flat = matches!(
             self.groups[index].hold,
             MotionConstraint::Plane | MotionConstraint::Level
         );
-        let mut noise = Noise::new(self.seed, self.steps, index);
-        let before = self.kinetic(index);
-        if self.groups[index].frame == ThermalFrame::Mean {
-            self.shake_about_the_mean(index, [kept, unit], &mut noise, is_flat);
-            self.exchange.heat += before - self.kinetic(index);
-            return;
-        }
-        for &atom in &self.members[index] {
-            let size = unit / self.atoms.mass(atom).sqrt();
-            let velocity = &mut self.atoms.velocities[atom];
-            let lift = velocity.z;
-            *velocity = *velocity * kept + noise.vector() * size;
-            if is_flat {
-                velocity.z = lift;
-            }
-        }
-        self.exchange.heat += before - self.kinetic(index);
-    }
-
-    /// Friction and noise that leave the mean velocity along x and y as it is.
-    fn shake_about_the_mean(
-        &mut self,
-        index: usize,
-        [kept, unit]: [f64; 2],
-        noise: &mut Noise,
-        is_flat: bool,
-    ) {
-        let common = self.mean_velocity(index);
-        for &atom in &self.members[index] {
-            let size = unit / self.atoms.mass(atom).sqrt();
-            let velocity = &mut self.atoms.velocities[atom];
+        let before = self.kinetic(index, &CommonMotion::NONE);
+        let common = self.frame_velocity(index);
+        let noise = Noise::new(self.seed, self.steps, index);
+        let begin = |first: usize| noise.clone().skip(first);
+        let shake = |system: &Self, noise: &mut Noise, atom: usize, velocity: &mut Vector3<f64>| {
+            let size = unit / system.atoms.mass(atom).sqrt();
             let lift = velocity.z;
             *velocity = (*velocity - common) * kept + noise.vector() * size;
             if is_flat {
                 velocity.z = lift;
             }
+        };
+        self.change_velocities(index, begin, shake);
+        if self.groups[index].frame == ThermalFrame::Mean {
+            // Noise leaves the mean velocity as it is.
+            let excess = common - self.mean_velocity(index);
+            self.change_velocities(index, |_| (), |_, (), _, velocity| *velocity += excess);
         }
-        let excess = common - self.mean_velocity(index);
-        for &atom in &self.members[index] {
-            self.atoms.velocities[atom] += excess;
+        self.exchange.heat += before - self.kinetic(index, &CommonMotion::NONE);
+    }
+
+    /// Changes the velocities of a group, block by block; `begin` prepares a block, whose first atom has this number
+    /// in the group.
+    fn change_velocities<S>(
+        &mut self,
+        index: usize,
+        begin: impl Fn(usize) -> S + Sync,
+        change: impl Fn(&Self, &mut S, usize, &mut Vector3<f64>) + Sync,
+    ) {
+        let mut velocities = std::mem::take(&mut self.atoms.velocities);
+        let (blocks, system) = (Blocks::new(velocities.len()), &*self);
+        let in_block = |(block, velocities): (usize, &mut [Vector3<f64>])| {
+            let block = blocks.entries(block, velocities.len());
+            let mut members = within(&system.members[index], &block).peekable();
+            let Some((first, _)) = members.peek() else {
+                return;
+            };
+            let mut state = begin(*first);
+            for (_, atom) in members {
+                change(
+                    system,
+                    &mut state,
+                    atom,
+                    &mut velocities[atom - block.start],
+                );
+            }
+        };
+        let parts = velocities.par_chunks_mut(blocks.len());
+        parts.enumerate().for_each(in_block);
+        self.atoms.velocities = velocities;
+    }
+}
+
+/// The motion of a group that is no heat.
+enum CommonMotion {
+    /// At one velocity.
+    Uniform(Vector3<f64>),
+    /// About a vertical axis.
+    Rotation { axis: [f64; 2], rate: f64 },
+}
+
+impl CommonMotion {
+    /// None: all motion is heat.
+    const NONE: Self = Self::Uniform(Vector3::new(0.0, 0.0, 0.0));
+
+    /// Velocity at a place.
+    #[inline]
+    fn at(&self, place: &Vector3<f64>) -> Vector3<f64> {
+        match *self {
+            Self::Uniform(velocity) => velocity,
+            Self::Rotation { axis, rate } => turning(place, axis, rate),
         }
     }
+}
+
+/// Velocity at a place in a rotation about a vertical axis.
+#[inline]
+pub(super) fn turning(place: &Vector3<f64>, axis: [f64; 2], rate: f64) -> Vector3<f64> {
+    Vector3::new(-rate * (place.y - axis[1]), rate * (place.x - axis[0]), 0.0)
 }

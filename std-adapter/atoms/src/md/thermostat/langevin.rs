@@ -53,7 +53,8 @@ impl Langevin {
 /// use tribos::md::thermostat::Noise;
 /// let (seed, step, group) = (1, 40, 0);
 /// let mut noise = Noise::new(seed, step, group);
-/// assert_eq!(noise.clone().vector(), Noise::new(seed, step, group).vector());
+/// let [_, _, third] = [(); 3].map(|()| noise.vector());
+/// assert_eq!(third, Noise::new(seed, step, group).skip(2).vector());
 /// // The squares of three normal numbers add up to 3 on average, with a variance of 6.
 /// let n = 10_000;
 /// let mean = (0..n).map(|_| noise.vector().norm_squared()).sum::<f64>() / f64::from(n);
@@ -73,6 +74,12 @@ impl Noise {
         let [x, y] = self.pair();
         let [z, _] = self.pair();
         Vector3::new(x, y, z)
+    }
+
+    /// This stream after some vectors.
+    pub fn skip(mut self, vectors: usize) -> Self {
+        self.0.skip(4 * vectors as u64);
+        self
     }
 
     fn pair(&mut self) -> [f64; 2] {
