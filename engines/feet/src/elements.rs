@@ -184,7 +184,7 @@ impl<'a> Elements<'a> {
         Some(Ended {
             twist: twist_of(&end.twist)?,
             friction: wrench_of(&friction)?,
-            first: all.first().copied().unwrap_or_default(),
+            holds: !all.is_empty() && all.iter().all(|foot| foot.holds),
             all,
         })
     }
