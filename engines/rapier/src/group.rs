@@ -244,7 +244,8 @@ pub(crate) fn begin(
     let extra = |body: &RigidBody| body.additional_solver_iterations();
     let most = extra(foot).max(ground.map_or(0, extra));
     let substeps = (settings.iterations + most).max(1);
-    let carried = ground.map(|ground| FrameMotion::over(foot, ground, dt.dt(), substeps));
+    let turning = ground.filter(|ground| ground.angvel() != Vector::ZERO);
+    let carried = turning.map(|ground| FrameMotion::over(foot, ground, dt.dt(), substeps));
     let push = expected(settings.gravity, carried.as_ref(), &reduced, &frame, foot, ground);
     let known = first_pair.known.as_ref();
     let held = known.and_then(PreviousStep::held);
@@ -405,11 +406,13 @@ fn expected(
     ground: Option<&RigidBody>,
 ) -> Wrench<f32> {
     let [mut linear, mut angular] = free_acceleration(gravity, foot);
-    if let (Some(ground), Some(carried)) = (ground, carried) {
+    if let Some(ground) = ground {
         let [pull, turn] = free_acceleration(gravity, ground);
         linear -= pull;
-        linear -= carried.acceleration;
         angular -= turn;
+    }
+    if let Some(carried) = carried {
+        linear -= carried.acceleration;
     }
     reduced.push(&frame.twist(linear, angular), 1.0)
 }
