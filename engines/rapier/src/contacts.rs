@@ -316,7 +316,9 @@ impl PatchContacts {
         for begun in pending.groups.iter().rev() {
             self.undo(begun.lent, bodies);
             let body = index(begun.body);
-            let end = members.iter().rposition(|member| index(member.body) <= body);
+            let end = members
+                .iter()
+                .rposition(|member| index(member.body) <= body);
             members = &mut members[..end.map_or(0, |at| at + 1)];
             let others = members.iter().rposition(|member| index(member.body) < body);
             let of_body = &mut members[others.map_or(0, |at| at + 1)..];

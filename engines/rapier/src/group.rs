@@ -118,8 +118,8 @@ impl PendingPrediction {
         }
         let pair = &pairs[member.pair];
         member.stand = self.stands.clone().find(|&at| stands[at].is_of(pair));
-        member.is_done = member.stand.is_some()
-            || member.touching.normal.dot(self.frame.normal) > ONE_PLANE;
+        member.is_done =
+            member.stand.is_some() || member.touching.normal.dot(self.frame.normal) > ONE_PLANE;
         member.is_done
     }
 }
@@ -246,7 +246,14 @@ pub(crate) fn begin(
     let substeps = (settings.iterations + most).max(1);
     let turning = ground.filter(|ground| ground.angvel() != Vector::ZERO);
     let carried = turning.map(|ground| FrameMotion::over(foot, ground, dt.dt(), substeps));
-    let push = expected(settings.gravity, carried.as_ref(), &reduced, &frame, foot, ground);
+    let push = expected(
+        settings.gravity,
+        carried.as_ref(),
+        &reduced,
+        &frame,
+        foot,
+        ground,
+    );
     let known = first_pair.known.as_ref();
     let held = known.and_then(PreviousStep::held);
     // The feet at the middle of the step.
@@ -360,7 +367,9 @@ pub(crate) fn finish(
 
 /// Whether a foot was not at rest before.
 fn was_sliding(members: &[Member], pairs: &[Pair]) -> bool {
-    !members.iter().all(|member| pairs[member.pair].friction.holds)
+    !members
+        .iter()
+        .all(|member| pairs[member.pair].friction.holds)
 }
 
 /// Stores the results of a step for a foot.
