@@ -266,7 +266,7 @@ pub(crate) fn begin(
     }
     let stands = from..pending.stands.len();
     let stand_of = |member: &Member| Some(pending.stands[member.stand?].stance);
-    let drift = |member: &Member| drift(member, &before, &frame, foot, bodies);
+    let drift = |member: &Member| drift(member, below, &before, &frame, foot, bodies);
     let standing = standing(members, stand_of, pairs, &reduced, drift)?;
     let step = standing.predict(&before, &push, held, dt, substeps)?;
     let mut offset = step.offset;
@@ -341,7 +341,7 @@ pub(crate) fn finish(
         Some(kept) => Some(stands[kept].stance),
         None => Some(FootPose::now(&pairs[member.pair], frame, foot, colliders)?.stance),
     };
-    let drift = |member: &Member| drift(member, &after, frame, foot, bodies);
+    let drift = |member: &Member| drift(member, below, &after, frame, foot, bodies);
     let standing = standing(members, stand_of, pairs, reduced, drift)?;
     let end = standing.correct(step, &after, dt)?;
     let stops = end.ended.is_at_rest() && was_sliding(members, pairs);
@@ -391,15 +391,19 @@ fn remember(
     pair.known = Some(known);
 }
 
-/// Motion of a foot relative to its ground minus that of the first foot relative to its own, at the
-/// centre of mass.
+/// Motion of a foot relative to its ground minus that of the first foot relative to its own, which is on the ground
+/// `below`, at the centre of mass.
 fn drift(
     member: &Member,
+    below: Option<RigidBodyHandle>,
     first: &Twist<f32>,
     frame: &Frame,
     foot: &RigidBody,
     bodies: &RigidBodySet,
 ) -> [f64; 3] {
+    if member.ground == below {
+        return [0.0; 3];
+    }
     let ground = member.ground.and_then(|handle| bodies.get(handle));
     let drift = relative(frame, foot, ground) - *first;
     [drift.velocity.x, drift.velocity.y, drift.spin].map(f64::from)
