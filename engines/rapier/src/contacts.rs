@@ -2,7 +2,8 @@
 
 use crate::active_pairs::{ActivePair, bodies_of, colliders_of};
 use crate::grounds::{Ground, GroundMu};
-use crate::group::{self, Member, PendingGroups, StepSettings};
+use crate::group::{self, PendingGroups, StepSettings};
+use crate::members::{Member, by_body, index, prepare_groups};
 use crate::pair::{Friction, Pair, Stop};
 use crate::patch::Patch;
 use crate::refusal::{PairError, check};
@@ -266,7 +267,7 @@ impl PatchContacts {
     ) {
         let (pairs, pending, lent) = (&self.pairs, &mut self.pending, &mut self.lent);
         while !members.is_empty() {
-            let size = group::prepare_groups(members, bodies);
+            let size = prepare_groups(members, bodies);
             let (group, others) = members.split_at_mut(size);
             let from = pending.stands.len();
             if group::begin(group, pairs, settings, bodies, colliders, pending, lent).is_none() {
@@ -344,7 +345,7 @@ impl PatchContacts {
         let mut rest = &mut members[..];
         let mut sizes = Vec::new();
         while !rest.is_empty() {
-            let size = group::prepare_groups(rest, bodies);
+            let size = prepare_groups(rest, bodies);
             sizes.push(size);
             rest = &mut rest[size..];
         }
@@ -574,13 +575,4 @@ impl Pair {
     fn key(&self) -> Key {
         key(self.foot, self.ground)
     }
-}
-
-fn index(body: RigidBodyHandle) -> u32 {
-    body.into_raw_parts().0
-}
-
-/// Puts the feet of each body next to each other.
-fn by_body(members: &mut [Member]) {
-    members.sort_unstable_by_key(|member| (index(member.body), member.pair));
 }

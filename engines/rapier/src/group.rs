@@ -7,7 +7,8 @@
 
 use crate::foot_pose::FootPose;
 use crate::frame::{Frame, FrameMotion, relative};
-use crate::pair::{ContactLoad, Friction, Pair, PreviousStep, Stop};
+use crate::members::{Member, bring_forward, is_one_plane, share_motion};
+use crate::pair::{Friction, Pair, PreviousStep, Stop};
 use crate::reduced::{accelerate, is_free, reduced};
 use crate::temporary_forces::TemporaryForces;
 use core::ops::Range;
@@ -15,42 +16,6 @@ use rapier3d::prelude::*;
 use tribos_core::contact::TimeStep;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_feet::{Foot, FootFriction, Prediction, Reduced, Stance, Standing};
-
-/// Least cosine of the angle between the normals of two feet on one plane.
-const ONE_PLANE: f32 = 0.99;
-
-/// A foot of a group.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Member {
-    /// Index of the pair.
-    pub(crate) pair: usize,
-    pub(crate) body: RigidBodyHandle,
-    /// Body of the ground; a collider without body is at rest.
-    pub(crate) ground: Option<RigidBodyHandle>,
-    pub(crate) touching: ContactLoad,
-    /// Number of its position among those of the feet that began the step.
-    stand: Option<usize>,
-    /// Belongs to a group that has been solved.
-    pub(crate) is_done: bool,
-}
-
-impl Member {
-    pub(crate) fn new(
-        pair: usize,
-        body: RigidBodyHandle,
-        ground: Option<RigidBodyHandle>,
-        touching: ContactLoad,
-    ) -> Self {
-        Self {
-            pair,
-            body,
-            ground,
-            touching,
-            stand: None,
-            is_done: false,
-        }
-    }
-}
 
 /// What all groups of a step have in common.
 #[derive(Clone, Copy, Debug)]
@@ -119,58 +84,9 @@ impl PendingPrediction {
         let pair = &pairs[member.pair];
         member.stand = self.stands.clone().find(|&at| stands[at].is_of(pair));
         member.is_done =
-            member.stand.is_some() || member.touching.normal.dot(self.frame.normal) > ONE_PLANE;
+            member.stand.is_some() || is_one_plane(member.touching.normal, self.frame.normal);
         member.is_done
     }
-}
-
-/// Joins feet of one body on one plane: on grounds that friction does not move, or on the same one. Brings
-/// those that go with the first one of `members` to the front, and returns their number.
-///
-/// Feet of one body lie next to each other.
-pub(crate) fn prepare_groups(members: &mut [Member], bodies: &RigidBodySet) -> usize {
-    let Some(body) = members.first().map(|first| first.body) else {
-        return 0;
-    };
-    let mut size = 1;
-    for at in 1..members.len() {
-        let member = members[at];
-        if member.body != body {
-            break;
-        }
-        if members[..size]
-            .iter()
-            .all(|other| joins(&member, other, bodies))
-        {
-            bring_forward(members, at, &mut size);
-        }
-    }
-    size
-}
-
-/// Appends a foot to the first `size` ones; the others keep their order.
-fn bring_forward(members: &mut [Member], at: usize, size: &mut usize) {
-    if at > *size {
-        members[*size..=at].rotate_right(1);
-    }
-    *size += 1;
-}
-
-fn joins(one: &Member, other: &Member, bodies: &RigidBodySet) -> bool {
-    share_motion(one.ground, other.ground, bodies)
-        && one.touching.normal.dot(other.touching.normal) > ONE_PLANE
-}
-
-/// Whether both grounds can be treated as one.
-fn share_motion(
-    one: Option<RigidBodyHandle>,
-    other: Option<RigidBodyHandle>,
-    bodies: &RigidBodySet,
-) -> bool {
-    let movable = |ground: Option<RigidBodyHandle>| {
-        ground.filter(|&handle| bodies.get(handle).is_some_and(RigidBody::is_dynamic))
-    };
-    one == other || movable(one) == movable(other)
 }
 
 /// The feet of a group on their ground.
@@ -227,12 +143,8 @@ pub(crate) fn begin(
     pending: &mut PendingGroups,
     lent: &mut Vec<TemporaryForces>,
 ) -> Option<()> {
-    let &Member {
-        pair,
-        body,
-        ground: below,
-        ..
-    } = members.first()?;
+    let first = members.first()?;
+    let (pair, body, below) = (first.pair, first.body, first.ground);
     let first_pair = &pairs[pair];
     let foot = bodies.get(body)?;
     let ground = below.and_then(|handle| bodies.get(handle));
@@ -435,15 +347,11 @@ fn free_acceleration(gravity: Vector, body: &RigidBody) -> [Vector; 2] {
     if !is_free(body) {
         return [Vector::ZERO; 2];
     }
-    let (force, torque) = (body.user_force(), body.user_torque());
     // Most bodies have none.
-    let pull = match force == Vector::ZERO {
-        true => Vector::ZERO,
-        false => force / body.mass(),
-    };
-    let turn = match torque == Vector::ZERO {
-        true => Vector::ZERO,
-        false => body.mass_properties().effective_world_inv_inertia * torque,
-    };
+    let some = |by_user: Vector| (by_user != Vector::ZERO).then_some(by_user);
+    let pull = some(body.user_force()).map_or(Vector::ZERO, |force| force / body.mass());
+    let turn = some(body.user_torque()).map_or(Vector::ZERO, |torque| {
+        body.mass_properties().effective_world_inv_inertia * torque
+    });
     [gravity * body.gravity_scale() + pull, turn]
 }
