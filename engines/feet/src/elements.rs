@@ -23,7 +23,7 @@ const BEYOND: f64 = 1.01;
 
 impl<'a> Elements<'a> {
     pub(crate) fn of(feet: &[Foot<'a>]) -> Self {
-        let mut elements = Vec::new();
+        let mut elements = Vec::with_capacity(feet.len());
         for (number, foot) in feet.iter().enumerate() {
             foot.add_elements(number, &mut elements);
         }
@@ -184,7 +184,7 @@ impl<'a> Elements<'a> {
         Some(Ended {
             twist: twist_of(&end.twist)?,
             friction: wrench_of(&friction)?,
-            first: all.first().copied().unwrap_or_default(),
+            holds: !all.is_empty() && all.iter().all(|foot| foot.holds),
             all,
         })
     }

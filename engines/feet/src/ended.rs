@@ -39,9 +39,9 @@ pub struct Ended {
     pub twist: Twist<f32>,
     /// Friction of all feet at the centre of mass, as its mean over the step.
     pub friction: Wrench<f32>,
-    /// The first foot.
-    pub(crate) first: FootFriction,
-    /// All feet, if there are several.
+    /// Whether all feet are at rest.
+    pub(crate) holds: bool,
+    /// Each foot, where the kernel does not have the exact surface of a single one.
     pub(crate) all: Vec<FootFriction>,
 }
 
@@ -59,13 +59,16 @@ impl Ended {
     pub fn foot(&self, number: usize) -> FootFriction {
         match (self.all.get(number), number) {
             (Some(foot), _) => *foot,
-            (None, 0) => self.first,
+            (None, 0) => FootFriction {
+                wrench: self.friction,
+                holds: self.holds,
+            },
             (None, _) => FootFriction::default(),
         }
     }
 
     /// Whether all feet are at rest relative to their ground.
     pub fn is_at_rest(&self) -> bool {
-        self.first.holds && self.all.iter().all(|foot| foot.holds)
+        self.holds
     }
 }

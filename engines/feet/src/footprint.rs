@@ -7,6 +7,7 @@ use crate::points::{
     weighted_points,
 };
 use crate::refusal::FootprintError;
+use crate::standing::Exact;
 use crate::surface::Surface;
 use std::sync::Arc;
 use tribos_core::patch::mesh::Vertex;
@@ -207,35 +208,30 @@ impl Footprint {
         self.inner.radius
     }
 
-    /// The exact limit surface under 1 N about the foot's own centre, in its own axes.
-    pub(crate) fn surface(&self) -> Option<&Surface> {
-        self.inner.surface.as_ref()
+    /// Whether the direction of the foot's x axis makes no difference.
+    pub fn is_round(&self) -> bool {
+        self.inner.round.is_some()
     }
 
-    /// The same about a point from which the foot's centre is at `place`, in the foot's axes. `None` for
-    /// round feet, whose exact surface is known about their middle alone.
-    pub(crate) fn surface_from(&self, place: [f64; 2]) -> Option<Surface> {
-        match &self.inner.round {
-            Some(_) => None,
-            None => self.inner.outline.surface(place).ok(),
+    /// The exact limit surface under 1 N in the foot's axes, about a point from which the foot's centre is at
+    /// `place`. `None` for a round foot aside, whose exact surface is known about its middle alone.
+    pub(crate) fn surface_about(&self, [x, y]: [f64; 2], [c, s]: [f64; 2]) -> Option<Exact<'_>> {
+        let centred = self.inner.surface.as_ref()?;
+        // A distance that does not count.
+        if (x * x + y * y).sqrt() <= CENTRED * f64::from(self.inner.radius) {
+            return Some(Exact::Prepared(centred));
         }
+        if self.is_round() {
+            return None;
+        }
+        let in_foot = [c * x + s * y, c * y - s * x];
+        let moved = self.inner.outline.surface(in_foot).ok()?;
+        Some(Exact::Moved(Box::new(moved)))
     }
 
     /// Friction of a round foot among others.
     pub(crate) fn round_friction(&self) -> Option<&Round> {
         self.inner.round.as_ref()
-    }
-
-    /// Whether the exact surface is known for a foot whose centre is at `place` from the centre of mass: a
-    /// polygon or a bar anywhere, a round foot in the middle.
-    pub(crate) fn is_exact_at(&self, place: [f64; 2]) -> bool {
-        let is_round = self.inner.round.is_some();
-        self.inner.surface.is_some() && (!is_round || self.is_centred(place))
-    }
-
-    /// Whether the distance of the centre from the centre of mass does not count.
-    pub(crate) fn is_centred(&self, [x, y]: [f64; 2]) -> bool {
-        (x * x + y * y).sqrt() <= CENTRED * f64::from(self.inner.radius)
     }
 
     /// What follows from an outline and its exact surface.

@@ -24,6 +24,8 @@ pub struct Reduced {
     body: PlanarBody<f32>,
     inverse: [[f32; 2]; 2],
     lever: [f32; 2],
+    /// The mass matrix if friction moves the ground.
+    coupled: Option<[f64; 6]>,
 }
 
 impl Reduced {
@@ -39,10 +41,13 @@ impl Reduced {
             [false, true] => [sums[1].recip() * (LOCKED * LOCKED), sums[1].recip()],
             [false, false] => return None,
         };
+        let body = PlanarBody::new(mass, inertia).ok()?;
+        let coupled = is_moved(inverse[1]).then(|| mass_matrix(&body, inverse[1][1], lever));
         Some(Self {
-            body: PlanarBody::new(mass, inertia).ok()?,
+            body,
             inverse,
             lever,
+            coupled,
         })
     }
 
@@ -53,44 +58,19 @@ impl Reduced {
 
     /// Whether friction moves the foot and the ground.
     pub fn moved(&self) -> [bool; 2] {
-        self.inverse
-            .map(|[mass, inertia]| mass > 0.0 || inertia > 0.0)
+        self.inverse.map(is_moved)
     }
 
     /// The mass matrix of the relative motion if friction moves the ground, as [`Standing::new`](crate::Standing::new)
     /// has it.
-    pub fn coupled(&self) -> Option<[f64; 6]> {
-        self.moved()[1].then(|| self.mass())
-    }
-
-    /// The mass matrix of the relative motion at the foot's centre of mass: xx, xy, yy, xn, yn, nn.
-    fn mass(&self) -> [f64; 6] {
-        let [mass, inertia] = [self.body.mass(), self.body.inertia()].map(f64::from);
-        let [x, y] = self.lever.map(f64::from);
-        let turn = f64::from(self.inverse[1][1]);
-        if turn == 0.0 {
-            return [mass, 0.0, mass, 0.0, 0.0, inertia];
-        }
-        // A force on the ground rotates it, which moves points off its centre.
-        let inverse = [
-            1.0 / mass + turn * y * y,
-            -(turn * x * y),
-            1.0 / mass + turn * x * x,
-            -(turn * y),
-            turn * x,
-            1.0 / inertia,
-        ];
-        let column = |right: [f64; 3]| solved(&inverse, &right);
-        let [xx, xy, xn] = column([1.0, 0.0, 0.0]);
-        let [_, yy, yn] = column([0.0, 1.0, 0.0]);
-        let [_, _, nn] = column([0.0, 0.0, 1.0]);
-        [xx, xy, yy, xn, yn, nn]
+    pub fn coupled(&self) -> Option<&[f64; 6]> {
+        self.coupled.as_ref()
     }
 
     /// Changes of the foot's and the ground's motions that together give a change of the relative one.
     pub fn shared(&self, change: &Twist<f32>) -> [Twist<f32>; 2] {
         let [foot, ground] = self.inverse;
-        if !self.moved()[1] {
+        if self.coupled.is_none() {
             let free = foot.map(|inverse| f32::from(u8::from(inverse > 0.0)));
             let alone = Twist {
                 velocity: change.velocity * free[0],
@@ -110,6 +90,35 @@ impl Reduced {
 
     /// The mean push that makes `change` of the relative motion in a time `dt`, in s.
     pub fn push(&self, change: &Twist<f32>, dt: f32) -> Wrench<f32> {
-        push(&self.body, self.coupled().as_ref(), change, dt)
+        push(&self.body, self.coupled(), change, dt)
     }
+}
+
+/// Whether friction moves a body of this 1/mass and 1/inertia.
+fn is_moved([mass, inertia]: [f32; 2]) -> bool {
+    mass > 0.0 || inertia > 0.0
+}
+
+/// The mass matrix of the relative motion at the foot's centre of mass: xx, xy, yy, xn, yn, nn.
+fn mass_matrix(body: &PlanarBody<f32>, turn: f32, lever: [f32; 2]) -> [f64; 6] {
+    let [mass, inertia] = [body.mass(), body.inertia()].map(f64::from);
+    let [x, y] = lever.map(f64::from);
+    let turn = f64::from(turn);
+    if turn == 0.0 {
+        return [mass, 0.0, mass, 0.0, 0.0, inertia];
+    }
+    // A force on the ground rotates it, which moves points off its centre.
+    let inverse = [
+        1.0 / mass + turn * y * y,
+        -(turn * x * y),
+        1.0 / mass + turn * x * x,
+        -(turn * y),
+        turn * x,
+        1.0 / inertia,
+    ];
+    let column = |right: [f64; 3]| solved(&inverse, &right);
+    let [xx, xy, xn] = column([1.0, 0.0, 0.0]);
+    let [_, yy, yn] = column([0.0, 1.0, 0.0]);
+    let [_, _, nn] = column([0.0, 0.0, 1.0]);
+    [xx, xy, yy, xn, yn, nn]
 }

@@ -2,7 +2,7 @@
 //! elements of area for any others.
 
 use crate::elements::Elements;
-use crate::ended::{Ended, FootFriction};
+use crate::ended::Ended;
 use crate::foot::Foot;
 use crate::surface::Surface;
 use crate::symmetric::times;
@@ -15,25 +15,26 @@ use tribos_core::twist::{Twist, Wrench};
 #[derive(Debug)]
 pub struct Standing<'a> {
     body: &'a PlanarBody<f32>,
-    coupled: Option<[f64; 6]>,
+    coupled: Option<&'a [f64; 6]>,
     on: FootSolver<'a>,
 }
 
 #[derive(Debug)]
 enum FootSolver<'a> {
     /// One foot with its exact limit surface.
-    Exact { surface: Exact<'a>, foot: Foot<'a> },
-    Elements {
-        mass: [f64; 6],
-        elements: Elements<'a>,
+    Exact {
+        surface: Exact<'a>,
+        limit: f32,
+        axis: [f64; 2],
     },
+    Elements(Box<Elements<'a>>),
     /// Nothing resists.
     Nothing,
 }
 
 /// A limit surface about the centre of mass.
 #[derive(Debug)]
-enum Exact<'a> {
+pub(crate) enum Exact<'a> {
     Prepared(&'a Surface),
     Moved(Box<Surface>),
 }
@@ -50,24 +51,29 @@ impl Exact<'_> {
 impl<'a> Standing<'a> {
     /// `body` on `feet`. `coupled` has the components xx, xy, yy, xn, yn, nn of the mass matrix of the
     /// relative motion if friction moves the ground as well, by x, y and the rotation about the normal.
-    pub fn new(body: &'a PlanarBody<f32>, coupled: Option<[f64; 6]>, feet: &[Foot<'a>]) -> Self {
+    pub fn new(
+        body: &'a PlanarBody<f32>,
+        coupled: Option<&'a [f64; 6]>,
+        feet: &[Foot<'a>],
+    ) -> Self {
         let on = match (feet, coupled) {
             ([foot], None) => FootSolver::alone(foot),
             _ => None,
         };
-        let on = on.unwrap_or_else(|| {
-            let [mass, inertia] = [body.mass(), body.inertia()].map(f64::from);
-            FootSolver::Elements {
-                mass: coupled.unwrap_or([mass, 0.0, mass, 0.0, 0.0, inertia]),
-                elements: Elements::of(feet),
-            }
-        });
+        let on = on.unwrap_or_else(|| FootSolver::Elements(Box::new(Elements::of(feet))));
         Self { body, coupled, on }
     }
 
     /// The mean push that makes `change` of the motion in a time `dt`.
     pub(crate) fn push(&self, change: &Twist<f32>, dt: f32) -> Wrench<f32> {
-        push(self.body, self.coupled.as_ref(), change, dt)
+        push(self.body, self.coupled, change, dt)
+    }
+
+    /// The mass matrix of the relative motion.
+    fn mass(&self) -> [f64; 6] {
+        let [mass, inertia] = [self.body.mass(), self.body.inertia()].map(f64::from);
+        let alone = [mass, 0.0, mass, 0.0, 0.0, inertia];
+        self.coupled.copied().unwrap_or(alone)
     }
 
     /// `body` on points in the plane, each given by its place from the centre of mass in metres and its
@@ -88,14 +94,10 @@ impl<'a> Standing<'a> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn on_points(body: &'a PlanarBody<f32>, points: &[([f64; 2], f32)]) -> Self {
-        let [mass, inertia] = [body.mass(), body.inertia()].map(f64::from);
         Self {
             body,
             coupled: None,
-            on: FootSolver::Elements {
-                mass: [mass, 0.0, mass, 0.0, 0.0, inertia],
-                elements: Elements::of_points(points),
-            },
+            on: FootSolver::Elements(Box::new(Elements::of_points(points))),
         }
     }
 
@@ -107,12 +109,16 @@ impl<'a> Standing<'a> {
         dt: TimeStep<f32>,
     ) -> Option<Ended> {
         let step = match &self.on {
-            FootSolver::Elements { mass, elements } => {
-                return elements.step(mass, before, push, dt.dt());
+            FootSolver::Elements(elements) => {
+                return elements.step(&self.mass(), before, push, dt.dt());
             }
-            FootSolver::Exact { surface, foot } => {
+            FootSolver::Exact {
+                surface,
+                limit,
+                axis,
+            } => {
                 let surface = surface.surface();
-                surface.step(foot.limit, foot.axis, self.body, before, push, dt)?
+                surface.step(*limit, *axis, self.body, before, push, dt)?
             }
             FootSolver::Nothing => {
                 let nothing = LimitEllipsoid::new(0.0, 1.0, 1.0).ok()?;
@@ -122,10 +128,7 @@ impl<'a> Standing<'a> {
         Some(Ended {
             twist: step.twist,
             friction: step.friction,
-            first: FootFriction {
-                wrench: step.friction,
-                holds: step.is_at_rest,
-            },
+            holds: step.is_at_rest,
             all: Vec::new(),
         })
     }
@@ -134,10 +137,12 @@ impl<'a> Standing<'a> {
     pub(crate) fn share(&self, ended: &Ended, before: &Twist<f32>) -> f32 {
         let friction = &ended.friction;
         match &self.on {
-            FootSolver::Exact { surface, foot } => {
-                surface.surface().share(foot.limit, foot.axis, friction)
-            }
-            FootSolver::Elements { elements, .. } => {
+            FootSolver::Exact {
+                surface,
+                limit,
+                axis,
+            } => surface.surface().share(*limit, *axis, friction),
+            FootSolver::Elements(elements) => {
                 let share = -friction.power(before) / elements.dissipation(before);
                 // No friction under no load: no fraction.
                 if share > 0.0 { share.min(1.0) } else { 0.0 }
@@ -169,23 +174,14 @@ pub(crate) fn push(
 impl<'a> FootSolver<'a> {
     /// A foot alone, if the kernel has its exact limit surface.
     fn alone(foot: &Foot<'a>) -> Option<Self> {
-        if foot.limit == 0.0 {
+        let (limit, axis) = (foot.limit, foot.axis);
+        if limit == 0.0 {
             return Some(Self::Nothing);
         }
-        let footprint = foot.footprint;
-        if !footprint.is_exact_at(foot.place) {
-            return None;
-        }
-        let surface = if footprint.is_centred(foot.place) {
-            Exact::Prepared(footprint.surface()?)
-        } else {
-            let ([x, y], [c, s]) = (foot.place, foot.axis);
-            let in_foot = [c * x + s * y, c * y - s * x];
-            Exact::Moved(Box::new(footprint.surface_from(in_foot)?))
-        };
         Some(Self::Exact {
-            surface,
-            foot: *foot,
+            surface: foot.footprint.surface_about(foot.place, axis)?,
+            limit,
+            axis,
         })
     }
 }

@@ -2,6 +2,19 @@
 
 #include "vectors.h"
 
+// block += left * right', a row at a time.
+static void add_outer(double block[36], const double left[36], const double right[36])
+{
+    double turned[36];
+    for (int k = 0; k < 36; k++) turned[k] = right[6 * (k % 6) + k / 6];
+    for (int row = 0; row < 6; row++) {
+        double sum[6] = {0, 0, 0, 0, 0, 0};
+        for (int k = 0; k < 6; k++)
+            for (int column = 0; column < 6; column++) sum[column] += left[6 * row + k] * turned[6 * k + column];
+        for (int column = 0; column < 6; column++) block[6 * row + column] += sum[column];
+    }
+}
+
 // Where all bodies move freely.
 static void free_mobility(foot **feet, int count, double *mobility)
 {
@@ -12,13 +25,7 @@ static void free_mobility(foot **feet, int count, double *mobility)
             for (int a = 0; a < 2; a++)
                 for (int b = 0; b < 2; b++) {
                     if (!feet[i]->moves[a] || feet[i]->bodies[a] != feet[j]->bodies[b]) continue;
-                    const double *left = feet[i]->roots[a], *right = feet[j]->roots[b];
-                    for (int row = 0; row < 6; row++)
-                        for (int column = 0; column < 6; column++) {
-                            double sum = 0;
-                            for (int k = 0; k < 6; k++) sum += left[6 * row + k] * right[6 * column + k];
-                            block[6 * row + column] += sum;
-                        }
+                    add_outer(block, feet[i]->roots[a], feet[j]->roots[b]);
                 }
             double *mirror = mobility + 36 * (count * j + i);
             for (int k = 0; i != j && k < 36; k++) mirror[k] = block[6 * (k % 6) + k / 6];
@@ -83,12 +90,12 @@ static bool eliminate(double *system, double *right, int size, int columns)
             for (int j = 0; j < columns; j++) right[columns * i + j] -= factor * right[columns * k + j];
         }
     }
-    for (int k = size - 1; k >= 0; k--)
-        for (int j = 0; j < columns; j++) {
-            for (int i = k + 1; i < size; i++)
-                right[columns * k + j] -= system[size * k + i] * right[columns * i + j];
-            right[columns * k + j] /= system[size * k + k];
-        }
+    for (int k = size - 1; k >= 0; k--) {
+        double *found = right + columns * k;
+        for (int i = k + 1; i < size; i++)
+            for (int j = 0; j < columns; j++) found[j] -= system[size * k + i] * right[columns * i + j];
+        for (int j = 0; j < columns; j++) found[j] /= system[size * k + k];
+    }
     return true;
 }
 

@@ -5,6 +5,8 @@
 
 // By how much friction must be exceeded to be exceeded beyond all rounding.
 #define BEYOND 1.01
+// Accuracy to which a foot is solved among others, as a share of what the last sweep has changed.
+#define CLOSER 0.1
 // Change of friction at which iterations end, in units of the largest friction: far below a time step's error.
 #define TOLERANCE 1e-7
 // Velocity that counts as none after sweeps, in units of what the largest friction changes in a step.
@@ -107,12 +109,13 @@ static bool needed(const planar_foot *foot, const double start[3], const double 
     return norm2(wrench[0], wrench[1]) <= most && fabs(wrench[2]) <= most * foot->set->arm;
 }
 
-// The friction that leaves the least energy, from `at` where the motion is `slope`; true if it brings the
-// foot to rest.
-static bool minimise(planar_foot *foot, double at[3], const double slope[3])
+// The friction that leaves the least energy, to an `accuracy` in N, from `at` where the motion is `slope`; true if it
+// brings the foot to rest.
+static bool minimise(planar_foot *foot, double at[3], const double slope[3], double accuracy)
 {
     double rest[3];
     foot->is_cut = false;
+    foot->error = 0;
     if (needed(foot, at, slope, rest) && is_inside(foot, rest)) {
         memcpy(at, rest, sizeof rest);
         return true;
@@ -139,7 +142,8 @@ static bool minimise(planar_foot *foot, double at[3], const double slope[3])
         memcpy(ahead, next, sizeof next);
         if (!(uphill > 0)) add_scaled3(ahead, change, momentum);
         const double moved = fmax(norm2(change[0], change[1]), fabs(change[2]) / foot->length);
-        if (!(left * moved > TOLERANCE * foot->limit)) return false;
+        foot->error = left * moved;
+        if (!(foot->error > accuracy)) return false;
     }
     foot->is_cut = true;
     return false;
@@ -189,7 +193,7 @@ static bool mark_held(planar_foot *feet, int count, const double *compliance, do
 }
 
 // Friction of all feet with the least energy, in sweeps from that of the step before. True if the last sweep left
-// all of them held.
+// all of them held. No foot is solved much closer than the sweep before has changed the others.
 static bool minimise_all(planar_foot *feet, int count, const double *compliance, double inv_time)
 {
     double limit = 0;
@@ -197,22 +201,26 @@ static bool minimise_all(planar_foot *feet, int count, const double *compliance,
         memcpy(feet[i].friction, feet[i].start, sizeof feet[i].friction);
         limit = fmax(limit, feet[i].limit);
     }
+    const double tolerance = TOLERANCE * limit;
+    double accuracy = count == 1 ? tolerance : limit;
     bool is_held = true, is_met = false;
     for (int sweep = 0; sweep < SWEEPS && !is_met; sweep++) {
-        double change = 0;
+        double change = 0, error = 0;
         is_held = true;
         for (int i = 0; i < count; i++) {
             planar_foot *foot = feet + i;
             double slope[3], before[3], moved[3];
             memcpy(before, foot->friction, sizeof before);
             slope_of(feet, count, compliance, inv_time, i, slope);
-            foot->is_held = minimise(foot, foot->friction, slope);
+            foot->is_held = minimise(foot, foot->friction, slope, accuracy);
+            error = fmax(error, foot->error);
             is_held = is_held && foot->is_held;
             subtract3(moved, foot->friction, before);
             change = fmax(change, norm2(moved[0], moved[1]));
             change = fmax(change, fabs(moved[2]) / foot->set->arm);
         }
-        is_met = count == 1 || !(change > TOLERANCE * limit);
+        is_met = count == 1 || !(fmax(change, error) > tolerance);
+        accuracy = fmax(CLOSER * change, tolerance);
     }
     for (int i = 0; i < count; i++) feet[i].is_missed = feet[i].is_missed || feet[i].is_cut || !is_met;
     return is_held;

@@ -23,6 +23,7 @@ typedef struct planar_foot {
     bool has_inverse;
     double bound;        // of an isotropic metric above it: acceleration per force
     double length;       // which makes a force of a torque there
+    double error;        // bound of what the last search left of its own friction, in N
     bool is_cut;         // the last search for its own friction stopped at its count
     double condition;    // root of the condition number of the compliance in that metric
     double midway[3];    // friction of the motion at half time

@@ -172,8 +172,9 @@ static void together(double *left, double *changed, int *held)
 }
 
 // Four feet at other heights of a body that slides and tilts: searches stop at their counts, friction is in its sets and
-// gives no power to the mean motion all the same. Outside and power are in units of what the limits would do.
-static void sliding(double *outside, double *given, int *missed)
+// gives no power to the mean motion all the same; where they do not, it opposes the motion of each foot at half time or at
+// the end. Outside and power are in units of what the limits would do.
+static void sliding(double *outside, double *given, double *opposed, int *missed)
 {
     patch disk = read("disk", "0.02");
     for (int i = 0; i < CASES / 20; i++) {
@@ -199,9 +200,16 @@ static void sliding(double *outside, double *given, int *missed)
                     compliance[9 * (FEET * f + g) + k] = dot3(a, b) + a[3] * b[3] + a[4] * b[4];
                 }
         step_solve(feet, FEET, compliance, DT);
-        double power = 0, full = 0;
+        double power = 0, full = 0, apart[2] = {0, 0};
+        bool is_found = !feet[0].is_missed;
         for (int f = 0; f < FEET; f++) {
             double motion[3], nearest[3];
+            planar_foot among = feet[f];
+            for (int g = 0; g < FEET; g++)
+                if (g != f) add_product3(among.acceleration, compliance + 9 * (FEET * f + g), feet[g].friction);
+            for (int half = 0; half < 2; half++)
+                apart[half] = most(residual(&among, compliance + 9 * (FEET * f + f), (1 + half) / DT), apart[half]);
+            is_found = is_found && !feet[f].is_held;
             memcpy(motion, feet[f].acceleration, sizeof motion);
             for (int g = 0; g < FEET; g++) add_product3(motion, compliance + 9 * (FEET * f + g), feet[g].friction);
             for (int k = 0; k < 3; k++) motion[k] = 2 * feet[f].velocity[k] + DT * motion[k];
@@ -214,20 +222,21 @@ static void sliding(double *outside, double *given, int *missed)
         }
         *given = most(power / full, *given);
         *missed += feet[0].is_missed;
+        if (is_found) *opposed = most(fmin(apart[0], apart[1]), *opposed);
     }
     patch_free(&disk);
 }
 
 int main(void)
 {
-    double kernel = 0, conditions = 0, left = 0, changed = 0, outside = 0, given = -1;
+    double kernel = 0, conditions = 0, left = 0, changed = 0, outside = 0, given = -1, opposed = 0;
     int held = 0, others = 0, held_alone = 0, held_together = 0, missed = 0;
-    sliding(&outside, &given, &missed);
+    sliding(&outside, &given, &opposed, &missed);
     beside_the_kernel(&kernel, &held, &others);
     by_its_conditions(&conditions, &held_alone);
     together(&left, &changed, &held_together);
     printf("kernel %g\nheld %d\nothers %d\nconditions %g\nheld_alone %d\nleft %g\nchanged %g\nheld_together %d\n", kernel,
            held, others, conditions, held_alone, left, changed, held_together);
-    printf("outside %g\ngiven %g\nmissed %d\n", outside, given, missed);
+    printf("outside %g\ngiven %g\nopposed %g\nmissed %d\n", outside, given, opposed, missed);
     return 0;
 }

@@ -28,6 +28,8 @@ def test_friction_of_a_step_is_the_kernels_and_meets_its_conditions():
     assert found["held_together"] == 1000
     assert found["left"] < 1e-5
     assert found["changed"] < 1e-6
+    # Four feet that slide and move each other.
+    assert found["opposed"] < 1e-6
 
 
 def test_searches_that_stop_early_leave_friction_in_its_sets_without_power_and_count():

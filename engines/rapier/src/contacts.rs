@@ -1,14 +1,15 @@
 //! All pairs with a patch, around the engine's step.
 
 use crate::active_pairs::{ActivePair, bodies_of, colliders_of};
-use crate::foot_pose::FootPose;
 use crate::grounds::{Ground, GroundMu};
-use crate::group::{self, Member, PendingPrediction};
-use crate::pair::{ContactLoad, Friction, Pair, Stop};
+use crate::group::{self, PendingGroups, StepSettings};
+use crate::members::{Member, by_body, index, prepare_groups};
+use crate::pair::{Friction, Pair, Stop};
 use crate::patch::Patch;
 use crate::refusal::{PairError, check};
 use crate::temporary_forces::TemporaryForces;
 use rapier3d::prelude::*;
+use tribos_core::contact::TimeStep;
 
 /// Pairs of colliders whose friction is that of a patch.
 ///
@@ -61,17 +62,11 @@ pub struct PatchContacts {
     grounds: Vec<Ground>,
     /// Forces and offsets that bodies have received for the current step, group after group.
     lent: Vec<TemporaryForces>,
-    /// Prediction for each group, by the handle of its body.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
-    begun: Vec<PendingPrediction>,
-    /// Positions of the feet of all groups.
-    #[cfg_attr(feature = "serde-serialize", serde(skip))]
-    stands: Vec<FootPose>,
+    pending: PendingGroups,
     /// Memory that each step uses again.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     members: Vec<Member>,
-    #[cfg_attr(feature = "serde-serialize", serde(skip))]
-    group: Vec<Member>,
 }
 
 impl PatchContacts {
@@ -252,22 +247,34 @@ impl PatchContacts {
         self.cancel_step(bodies);
         let mut members = core::mem::take(&mut self.members);
         self.collect_known(&mut members, bodies, colliders);
-        let mut rest = &mut members[..];
-        while !rest.is_empty() {
-            let size = group::prepare_groups(rest, bodies);
-            let (group, others) = rest.split_at_mut(size);
-            let from = self.stands.len();
-            let (pairs, stands) = (&self.pairs, &mut self.stands);
-            match group::begin(group, pairs, gravity, parameters, bodies, colliders, stands) {
-                Some((begun, lent)) => {
-                    self.begun.push(begun);
-                    self.lent.extend(lent.into_iter().flatten());
-                }
-                None => self.stands.truncate(from),
-            }
-            rest = others;
+        if let Ok(dt) = TimeStep::new(parameters.dt) {
+            let settings = StepSettings {
+                gravity,
+                dt,
+                iterations: parameters.num_solver_iterations,
+            };
+            self.begin_groups(&mut members, &settings, bodies, colliders);
         }
         self.members = members;
+    }
+
+    fn begin_groups(
+        &mut self,
+        mut members: &mut [Member],
+        settings: &StepSettings,
+        bodies: &mut RigidBodySet,
+        colliders: &ColliderSet,
+    ) {
+        let (pairs, pending, lent) = (&self.pairs, &mut self.pending, &mut self.lent);
+        while !members.is_empty() {
+            let size = prepare_groups(members, bodies);
+            let (group, others) = members.split_at_mut(size);
+            let from = pending.stands.len();
+            if group::begin(group, pairs, settings, bodies, colliders, pending, lent).is_none() {
+                pending.stands.truncate(from);
+            }
+            members = others;
+        }
     }
 
     /// Corrects the motion with the loads that the engine has found, after its step.
@@ -279,61 +286,75 @@ impl PatchContacts {
         narrow_phase: &NarrowPhase,
     ) {
         // Restored in the middle of a step: forces are restored, the step is not corrected.
-        if self.begun.is_empty() {
+        if self.pending.groups.is_empty() {
             self.cancel_step(bodies);
         }
         if !self.grounds.is_empty() {
             self.add_ground_pairs(bodies, colliders, narrow_phase, parameters.dt);
         }
         let mut members = core::mem::take(&mut self.members);
-        let mut group = core::mem::take(&mut self.group);
         self.collect_touching(&mut members, bodies, colliders, narrow_phase, parameters.dt);
-        // Groups that began the step, each with the members of its body.
-        let mut end = members.len();
-        while let Some(begun) = self.begun.pop() {
-            self.undo(begun.lent, bodies);
-            let is_after = |member: &Member| index(member.body) > index(begun.body);
-            let run = members[..end].iter().rposition(|member| !is_after(member));
-            end = run.map_or(0, |at| at + 1);
-            let stands = &self.stands[begun.stands.clone()];
-            group.clear();
-            let same_body = |member: &&mut Member| index(member.body) == index(begun.body);
-            for member in members[..end].iter_mut().rev().take_while(same_body) {
-                if !member.is_done && begun.takes(member, stands, &self.pairs, bodies) {
-                    member.is_done = true;
-                    group.push(*member);
-                }
-            }
-            group.reverse();
-            let pairs = &mut self.pairs;
-            group::finish(
-                Some((begun, stands)),
-                &group,
-                pairs,
-                parameters,
-                bodies,
-                colliders,
-            );
-        }
-        self.stands.clear();
+        let dt = TimeStep::new(parameters.dt).ok();
+        self.finish_begun(&mut members, dt, bodies, colliders);
         members.retain(|member| !member.is_done);
-        // Contacts that are new in this step.
+        if let Some(dt) = dt {
+            self.finish_new(&mut members, dt, bodies, colliders);
+        }
+        self.remove_ground_pairs(colliders);
+        self.members = members;
+    }
+
+    /// Groups that began the step, each with the members of its body. Without `dt` bodies get their forces back only.
+    fn finish_begun(
+        &mut self,
+        mut members: &mut [Member],
+        dt: Option<TimeStep<f32>>,
+        bodies: &mut RigidBodySet,
+        colliders: &ColliderSet,
+    ) {
+        let mut pending = core::mem::take(&mut self.pending);
+        let stands = &pending.stands[..];
+        for begun in pending.groups.iter().rev() {
+            self.undo(begun.lent, bodies);
+            let body = index(begun.body);
+            let end = members
+                .iter()
+                .rposition(|member| index(member.body) <= body);
+            members = &mut members[..end.map_or(0, |at| at + 1)];
+            let others = members.iter().rposition(|member| index(member.body) < body);
+            let of_body = &mut members[others.map_or(0, |at| at + 1)..];
+            let size = begun.take(of_body, stands, &self.pairs, bodies);
+            let (group, pairs) = (&of_body[..size], &mut self.pairs);
+            if let Some(dt) = dt {
+                group::finish(Some((begun, stands)), group, pairs, dt, bodies, colliders);
+            }
+        }
+        pending.groups.clear();
+        pending.stands.clear();
+        self.pending = pending;
+    }
+
+    /// Contacts that are new in this step.
+    fn finish_new(
+        &mut self,
+        members: &mut [Member],
+        dt: TimeStep<f32>,
+        bodies: &mut RigidBodySet,
+        colliders: &ColliderSet,
+    ) {
         let mut rest = &mut members[..];
         let mut sizes = Vec::new();
         while !rest.is_empty() {
-            let size = group::prepare_groups(rest, bodies);
+            let size = prepare_groups(rest, bodies);
             sizes.push(size);
             rest = &mut rest[size..];
         }
         let mut end = members.len();
         for size in sizes.into_iter().rev() {
             let group = &members[end - size..end];
-            group::finish(None, group, &mut self.pairs, parameters, bodies, colliders);
+            group::finish(None, group, &mut self.pairs, dt, bodies, colliders);
             end -= size;
         }
-        self.remove_ground_pairs(colliders);
-        self.members = members;
-        self.group = group;
     }
 
     /// Patches for what has come to stand on the grounds.
@@ -424,8 +445,8 @@ impl PatchContacts {
     /// ```
     pub fn cancel_step(&mut self, bodies: &mut RigidBodySet) {
         self.undo(self.lent.len(), bodies);
-        self.begun.clear();
-        self.stands.clear();
+        self.pending.groups.clear();
+        self.pending.stands.clear();
     }
 
     /// Undoes the last `count` changes.
@@ -554,30 +575,4 @@ impl Pair {
     fn key(&self) -> Key {
         key(self.foot, self.ground)
     }
-}
-
-impl Member {
-    fn new(
-        pair: usize,
-        body: RigidBodyHandle,
-        ground: Option<RigidBodyHandle>,
-        touching: ContactLoad,
-    ) -> Self {
-        Self {
-            pair,
-            body,
-            ground,
-            touching,
-            is_done: false,
-        }
-    }
-}
-
-fn index(body: RigidBodyHandle) -> u32 {
-    body.into_raw_parts().0
-}
-
-/// Puts the feet of each body next to each other.
-fn by_body(members: &mut [Member]) {
-    members.sort_unstable_by_key(|member| (index(member.body), member.pair));
 }

@@ -23,12 +23,15 @@ impl FootPose {
     ) -> Option<Self> {
         let pose = colliders.get(pair.foot)?.position_wrt_parent()?;
         let arm = pose.transform_point(pair.patch.center()) - foot.local_center_of_mass();
-        let along = *foot.rotation() * (pose.rotation * pair.patch.axis());
         let place = frame.plane(*foot.rotation() * arm);
+        let along = match pair.patch.footprint().is_round() {
+            true => [1.0, 0.0],
+            false => frame.plane(*foot.rotation() * (pose.rotation * pair.patch.axis())),
+        };
         Some(Self {
             foot: pair.foot,
             ground: pair.ground,
-            stance: Stance::new(place, frame.plane(along)),
+            stance: Stance::new(place, along),
         })
     }
 

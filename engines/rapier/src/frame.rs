@@ -56,15 +56,15 @@ impl Frame {
 /// The motion of the foot relative to the ground, at the foot's centre of mass. A ground without
 /// body is at rest.
 pub(crate) fn relative(frame: &Frame, foot: &RigidBody, ground: Option<&RigidBody>) -> Twist<f32> {
-    let (below, turn) = ground.map_or((Vector::ZERO, Vector::ZERO), |ground| {
-        let below = ground.velocity_at_point(foot.center_of_mass());
-        (below, ground.angvel())
-    });
-    frame.twist(foot.linvel() - below, foot.angvel() - turn)
+    let Some(ground) = ground else {
+        return frame.twist(foot.linvel(), foot.angvel());
+    };
+    let below = ground.velocity_at_point(foot.center_of_mass());
+    frame.twist(foot.linvel() - below, foot.angvel() - ground.angvel())
 }
 
 /// What the rotation of the ground asks of a foot that it carries through a step.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct FrameMotion {
     /// Mean acceleration.
     pub(crate) acceleration: Vector,
@@ -74,20 +74,12 @@ pub(crate) struct FrameMotion {
 }
 
 impl FrameMotion {
-    /// A ground without body does not turn. *Derivation*: in a step dt the point r turns by θ, to
+    /// *Derivation*: in a step dt the point r turns by θ, to
     /// r + (1 + s) a + (½ + c) b with a = θ × r, b = θ × a, s = sin(θ)/θ − 1, c = (1 − cos θ)/θ² − ½ (Rodrigues), and
     /// its velocity changes by ω times that displacement. The engine turns bodies in n substeps by an angle whose half
     /// has the tangent ω dt/(2n): ω dt = (1 + u) θ, u = θ²/(12n²). An acceleration makes dt²(n + 1)/(2n) in its
     /// substeps. What a foot that slides has beyond the ground's velocity turns to first order.
-    pub(crate) fn over(
-        foot: &RigidBody,
-        ground: Option<&RigidBody>,
-        dt: f32,
-        substeps: usize,
-    ) -> Self {
-        let Some(ground) = ground else {
-            return Self::default();
-        };
+    pub(crate) fn over(foot: &RigidBody, ground: &RigidBody, dt: f32, substeps: usize) -> Self {
         let late = 0.5 / substeps as f32;
         let angle = ground.angvel() * dt;
         let u = angle.length_squared() * (late * late / 3.0);

@@ -55,6 +55,7 @@ mod foot_pose;
 mod frame;
 mod grounds;
 mod group;
+mod members;
 mod pair;
 mod patch;
 mod reduced;

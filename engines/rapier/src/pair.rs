@@ -164,12 +164,15 @@ impl PreviousStep {
         }
     }
 
-    /// The change of the ground's velocity at a point and of its spin since the step.
-    pub(crate) fn jump(&self, ground: Option<&RigidBody>, point: Vector) -> [Vector; 2] {
-        let [linear, angular] = motion(ground);
-        let [linear, angular] = [linear - self.below[0], angular - self.below[1]];
+    /// The change of the ground's velocity at a point and of its spin since the step, if there is one.
+    pub(crate) fn jump(&self, ground: Option<&RigidBody>, point: Vector) -> Option<[Vector; 2]> {
+        let now = motion(ground);
+        if now == self.below {
+            return None;
+        }
+        let [linear, angular] = [now[0] - self.below[0], now[1] - self.below[1]];
         let arm = ground.map_or(Vector::ZERO, |ground| point - ground.center_of_mass());
-        [linear + angular.cross(arm), angular]
+        Some([linear + angular.cross(arm), angular])
     }
 
     /// The push beyond the expected one against which friction held.

@@ -44,6 +44,9 @@ pub(crate) fn is_free(body: &RigidBody) -> bool {
 
 /// Changes the velocities of a body except along locked axes, without waking it.
 pub(crate) fn accelerate(body: &mut RigidBody, change: &[Vector; 2], sign: f32) {
+    if *change == [Vector::ZERO; 2] {
+        return;
+    }
     let free = body
         .mass_properties()
         .effective_inv_mass

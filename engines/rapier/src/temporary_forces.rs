@@ -18,23 +18,26 @@ pub(crate) struct TemporaryForces {
 }
 
 impl TemporaryForces {
-    /// Adds a force, a torque and an offset.
-    pub(crate) fn to(
+    /// Adds a force, a torque and an offset, and notes them in `lent`.
+    pub(crate) fn lend(
         bodies: &mut RigidBodySet,
         handle: RigidBodyHandle,
         force: [Vector; 2],
         offset: [Vector; 2],
-    ) -> Option<Self> {
-        let body = bodies.get_mut(handle)?;
+        lent: &mut Vec<Self>,
+    ) {
+        let Some(body) = bodies.get_mut(handle) else {
+            return;
+        };
         let user = [body.user_force(), body.user_torque()];
         body.add_force(force[0], false);
         body.add_torque(force[1], false);
         accelerate(body, &offset, 1.0);
-        Some(Self {
+        lent.push(Self {
             body: handle,
             offset,
             user,
-        })
+        });
     }
 
     /// Restores the user's forces and removes the velocity offsets. Removed bodies are ignored.
