@@ -11,6 +11,8 @@ pub trait Impulse: Copy + Default {
 
 /// Observer of a sweep over the contacts.
 pub trait Monitor: Send {
+    /// False if it records nothing.
+    const WATCHES: bool = true;
     /// A new monitor of the same kind, without data.
     fn fork(&self) -> Self;
     /// Records one contact: the square of its impulse's change, P (the force scale of its friction), and
@@ -156,6 +158,7 @@ pub trait Operator {
 pub struct NoMonitor;
 
 impl Monitor for NoMonitor {
+    const WATCHES: bool = false;
     fn fork(&self) -> Self {
         Self
     }
