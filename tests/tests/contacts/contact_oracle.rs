@@ -125,7 +125,7 @@ fn sliding_and_rolling_of_unequal_spheres_are_solved_together() {
 fn turns_of_sliding_and_rolling_end_where_both_are_solved_together() {
     let kind = ("thresholds", Solved::InTurns);
     let worst = worst::<f64, _>("contact of unequal spheres, in turns", kind, thresholds);
-    worst.assert_within(&tolerance::CONTACT);
+    worst.assert_within(&tolerance::CONTACT_IN_TURNS);
 }
 
 #[test]
