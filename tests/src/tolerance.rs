@@ -366,6 +366,8 @@ bounds! {
 
     /// Impulses of a contact against the table, of P and the momentum that meets.
     CONTACT = 2e-15, "velocity, mass and projection round a dozen times";
+    /// The same after turns of sliding and rolling.
+    CONTACT_IN_TURNS = 5e-15, "velocities round anew in each turn";
     /// The same in f32.
     CONTACT_SINGLE = 5e-7, "as CONTACT";
     /// Friction beyond its threshold, relative.

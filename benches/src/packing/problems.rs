@@ -41,9 +41,7 @@ pub fn pressed<F: ContactFriction<f64>>(
         let touch = ContactGeometry::spheres(&apart, [radii[i], radii[j]]).map_err(refused)?;
         let contact = Contact::new(&touch, &law, &spheres[i], &spheres[j], STEP);
         let bodies = [a, b];
-        problem
-            .pairs
-            .push(&Link { bodies, contact }, Some([&spheres[i], &spheres[j]]));
+        problem.pairs.push(&Link { bodies, contact });
     }
     // A floor, and a plate under load.
     let up = Vector3::z();

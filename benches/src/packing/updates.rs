@@ -7,7 +7,7 @@ use crate::timing::median;
 use crate::written::{Sheet, short};
 use std::hint::black_box;
 use tribos::cd::internals::{
-    Accelerated, Coefficients, NoMonitor, Operator, Spheres, Visit, residual,
+    Accelerated, Coefficients, NoMonitor, Operator, Pairs, Spheres, Visit, residual,
 };
 use tribos_core::contact::{
     AllModes, ContactFriction, ContactModes, Frictionless, IndependentFriction, SlidingOnly,
@@ -116,7 +116,7 @@ where
             modes,
             state,
             unknowns: M::UNKNOWNS,
-            bytes: problem.pairs.contact_bytes(),
+            bytes: Pairs::<M>::BYTES,
             contacts: problem.contacts(),
             seconds: f64::NAN,
         },

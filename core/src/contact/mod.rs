@@ -35,7 +35,6 @@ mod block;
 mod body;
 mod coupled;
 mod disc;
-mod dual_slip;
 mod friction;
 mod geometry;
 mod modes;

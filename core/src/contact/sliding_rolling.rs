@@ -1,37 +1,33 @@
 //! Sliding and rolling at one contact, solved together.
 //!
-//! There are four cases, by which of the two slips. While one sticks, its equation eliminates it, and what is
-//! left is isotropic in the plane: one projection with the mass that the other feels then. Where
-//! both slip two multipliers are found, and the two motions take turns from there. The problem is
-//! convex: the first case that does not contradict itself is the answer.
+//! While one sticks, its equation eliminates it, and what is left is isotropic in the plane: one projection
+//! with the mass that the other feels then. The problem is convex: the first case that does not contradict itself
+//! is the answer.
 //!
-//! Turns bring the pair nearer by k² m_t I each. For bodies whose k² m_t I is nearer to 1 than that
-//! of spheres one multiplier is bracketed instead. A multiplier λ ≥ 0 of the rolling limit raises 1/I to
-//! 1/I + λ = 1/(s I): rolling takes the share s ≤ 1 of the torque that would stop it, this equation
-//! eliminates it as where it sticks, and sliding feels the mass m/(1 − s k² m I). The torque grows
+//! Where both slip one multiplier is found. A multiplier λ ≥ 0 of the rolling limit raises 1/I to
+//! 1/I + λ = 1/(s I): rolling takes the share s ≤ 1 of the torque T that would stop it, this equation
+//! eliminates it as where it sticks, and sliding feels the mass m/(1 − s k² m I). The torque s |T| grows
 //! with s, for its square less that of the limit is the slope of the dual function, which is concave
 //! (Boyd & Vandenberghe, Convex Optimization (2004), section 5.1.2): the share at which it meets the
-//! limit lies between one that stays within and one that does not, whatever the masses.
+//! limit b lies between one that stays within and one that does not, whatever the masses. Secants of
+//! s − b/|T|, which is nearly linear in s (Moré & Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553),
+//! close in on it from both sides.
 
 use super::block::{Block, Masses};
-use super::dual_slip::DualSlipSystem;
 use super::friction::{ContactFriction, TangentialLoad};
 use super::modes::ContactVector;
-use super::vector::{cross, dot};
+use super::vector::{cross, dot, magnitude};
 use crate::real::Real;
 use nalgebra::Vector3;
 
-/// Turns of sliding and rolling while both slip. Each leaves k² m_t I of the distance, so that as many leave
-/// 1e-12 of it above [`WEAK`], and 1e-14 for touching solid spheres and plates, whose k² m_t I is at most 5/7.
-const MOST_ROUNDS: usize = 96;
-/// 1 − k² m_t I below which there are no turns. Where the last one changes no more than
-/// [`SETTLED_ULPS`], it is within so many of the answer, divided by this.
-const WEAK: f64 = 0.25;
-/// Relative change below which the rounds end, in units of rounding.
-const SETTLED_ULPS: f64 = 4.0;
 /// What is left of one motion when the other is stopped below which the two count as the same, as
 /// for a ball on an axle: rounding of the block, in units of it.
 const SINGULAR_ULPS: f64 = 64.0;
+/// Secants at most before halvings: most contacts take 6.
+const MOST_SECANTS: usize = 24;
+/// Least distance of an end from the root, of its share: rounding hides smaller ones, and a step across the root
+/// closes the bracket.
+const APART_ULPS: f64 = 4.0;
 /// Quotient of bounds above which their logarithms are halved, not they.
 const FAR_APART: f64 = 4.0;
 
@@ -117,29 +113,7 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         if held.sliding == sliding {
             return (held, turned);
         }
-        if left < R::from_f64(WEAK) {
-            return self.share(shared);
-        }
-        self.alternate_slip(held)
-    }
-
-    /// Both slip, from a guess of what sliding does.
-    #[cold]
-    fn alternate_slip(&self, mut held: TangentialLoad<R>) -> (TangentialLoad<R>, Vector3<R>) {
-        let turned = self.hold_rolling(&self.rolling_that_sticks(&held.sliding));
-        let mut rolling = self.near_balance(&held.sliding, &turned).unwrap_or(turned);
-        held = self.hold(&self.slip_after(&rolling), self.block.mass_sliding);
-        for _ in 0..MOST_ROUNDS {
-            let turned = self.hold_rolling(&self.rolling_that_sticks(&held.sliding));
-            let slid = self.hold(&self.slip_after(&turned), self.block.mass_sliding);
-            let settled = negligible(&(turned - rolling), &turned)
-                && negligible(&(slid.sliding - held.sliding), &slid.sliding);
-            (held, rolling) = (slid, turned);
-            if settled {
-                break;
-            }
-        }
-        (held, rolling)
+        self.share(shared)
     }
 
     /// Both slip, or are one motion, for any `shared` = k² m I: the share of rolling is bracketed.
@@ -155,36 +129,51 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
             (R::ONE - least_left) / shared
         };
         let mut beyond = self.shared(whole, shared);
-        let mut turned = self.hold_rolling(&beyond.rolling);
+        let turned = self.hold_rolling(&beyond.rolling);
         if turned == beyond.rolling {
             return (beyond.held, turned);
         }
-        // A share that stays within the limit, by steps that reach 0 after a dozen.
-        let mut step = R::HALF;
-        let mut within = loop {
-            let part = step * (sum(&turned) / sum(&beyond.rolling));
-            let trial = self.shared(beyond.share * part, shared);
-            let limited = self.hold_rolling(&trial.rolling);
-            let outside = limited != trial.rolling;
-            if !(outside && trial.share > R::ZERO) {
-                break trial;
-            }
-            (beyond, turned, step) = (trial, limited, step * step);
-        };
-        // Halved, by logarithms while that is quicker, until no number lies between.
+        let limit = magnitude(&turned);
+        let mut within = self.shared(R::ZERO, shared);
+        // Nothing resists rolling, as where the contact is open.
+        let resists = limit > R::ZERO;
+        if !resists {
+            return (within.held, turned);
+        }
+        let mut distances = [
+            within.distance(limit, R::ONE),
+            beyond.distance(limit, -R::ONE),
+        ];
+        let (mut secants, mut last) = (0, None);
+        // Until no number lies between the two shares.
         loop {
             let (low, high) = (within.share, beyond.share);
-            let middle = if high > R::from_f64(FAR_APART) * low {
-                low.sqrt() * high.sqrt()
+            let root = low + (high - low) * (distances[0] / (distances[0] + distances[1]));
+            let next = if secants < MOST_SECANTS && low < root && root < high {
+                root
             } else {
-                R::HALF * (low + high)
+                middle(low, high)
             };
-            if !(low < middle && middle < high) {
+            if !(low < next && next < high) {
                 return self.between(&within, &beyond);
             }
-            let trial = self.shared(middle, shared);
+            secants += 1;
+            let trial = self.shared(next, shared);
+            // An end that stays twice counts half, so that a secant crosses to it (the Illinois rule).
             let inside = self.hold_rolling(&trial.rolling) == trial.rolling;
-            *if inside { &mut within } else { &mut beyond } = trial;
+            let weight = if last == Some(inside) {
+                R::HALF
+            } else {
+                R::ONE
+            };
+            last = Some(inside);
+            if inside {
+                let distance = trial.distance(limit, R::ONE);
+                (within, distances) = (trial, [distance, weight * distances[1]]);
+            } else {
+                let distance = trial.distance(limit, -R::ONE);
+                (beyond, distances) = (trial, [weight * distances[0], distance]);
+            }
         }
     }
 
@@ -193,11 +182,12 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         let mass = self.block.mass_sliding / (R::ONE - share * shared);
         let alone = self.rolling_that_sticks(&self.old.sliding) * share;
         let held = self.hold(&self.slip_after(&alone), mass);
-        let rolling = self.rolling_that_sticks(&held.sliding) * share;
+        let stopping = self.rolling_that_sticks(&held.sliding);
         Shared {
             share,
             held,
-            rolling,
+            stopping,
+            rolling: stopping * share,
         }
     }
 
@@ -229,25 +219,15 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         };
         let masses = self.block.masses();
         let held = self.friction.hold(&load, self.bound, self.lever, &masses);
-        let rolling = within.rolling + (beyond.rolling - within.rolling) * part;
-        (held, self.hold_rolling(&rolling))
-    }
-
-    /// The rolling torque at which the turns end, if both thresholds stay what they are now.
-    fn near_balance(&self, sliding: &Vector3<R>, rolling: &Vector3<R>) -> Option<Vector3<R>> {
-        let (n, k) = (self.normal, self.block.coupling);
-        let [inv_mass, inv_inertia] =
-            [self.block.mass_sliding, self.block.inertia].map(|m| R::ONE / m);
-        let old = cross(n, &self.old_rolling);
-        let both = DualSlipSystem {
-            inv_mass,
-            inv_inertia,
-            coupling: k,
-            sliding: self.old.sliding * inv_mass - self.slip - old * k,
-            rolling: old * inv_inertia - cross(n, &self.roll) - self.old.sliding * k,
+        // As long as the limit, to which both ends are near.
+        let torque = start + way * part;
+        let length = dot(&torque, &torque).sqrt();
+        let rolling = if length > R::ZERO {
+            torque * (dot(&limit, &limit).sqrt() / length * size)
+        } else {
+            torque
         };
-        let turned = both.rolling([sliding, &cross(n, rolling)])?;
-        sum(&turned).is_finite().then(|| cross(&turned, n))
+        (held, self.hold_rolling(&rolling))
     }
 
     /// Sliding velocity after a rolling torque.
@@ -288,14 +268,32 @@ struct Shared<R> {
     /// s
     share: R,
     held: TangentialLoad<R>,
-    /// Not yet limited.
+    /// T, which would stop rolling.
+    stopping: Vector3<R>,
+    /// s T, not yet limited.
     rolling: Vector3<R>,
 }
 
-/// In sums of magnitudes: no square that could vanish for small grains.
-#[inline(always)]
-fn negligible<R: Real>(change: &Vector3<R>, value: &Vector3<R>) -> bool {
-    sum(change) <= R::from_f64(SETTLED_ULPS) * R::EPSILON * sum(value)
+impl<R: Real> Shared<R> {
+    /// b/|T| − s for the limit b where s |T| stays within it, s − b/|T| where it does not, and no less than the
+    /// rounding of both.
+    fn distance(&self, limit: R, stays: R) -> R {
+        let distance = stays * (limit / magnitude(&self.stopping) - self.share);
+        let least = R::from_f64(APART_ULPS) * R::EPSILON * self.share;
+        if distance > least { distance } else { least }
+    }
+}
+
+/// Half-way between two shares, by logarithms while that is quicker.
+fn middle<R: Real>(low: R, high: R) -> R {
+    if low == R::ZERO {
+        // Down to 0 after a dozen.
+        R::HALF * high * high
+    } else if high > R::from_f64(FAR_APART) * low {
+        low.sqrt() * high.sqrt()
+    } else {
+        R::HALF * (low + high)
+    }
 }
 
 #[inline(always)]

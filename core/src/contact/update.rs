@@ -298,6 +298,33 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     ) -> ContactVector<R, M> {
         let velocity = self.velocity(a, b);
         let new = self.solve(friction, &velocity);
+        self.move_to(new, a, b)
+    }
+
+    /// [`Contact::update`] for sweeps: sliding under the rolling torque so far, then rolling under the new
+    /// sliding force. What one visit leaves over, where the two are coupled, the next ones find: the impulses that
+    /// it does not change are those of `update`.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn take_turn<F: ContactFriction<R, Modes = M>>(
+        &mut self,
+        friction: &F,
+        a: &mut impl ContactBody<R>,
+        b: &mut impl ContactBody<R>,
+    ) -> ContactVector<R, M> {
+        let velocity = self.velocity(a, b);
+        let new = self.solve_in_turn(friction, &velocity, self.normal_impulse(&velocity));
+        self.move_to(new, a, b)
+    }
+
+    /// Takes a new impulse, applies its change to the bodies and returns it.
+    #[inline(always)]
+    fn move_to(
+        &mut self,
+        new: ContactVector<R, M>,
+        a: &mut impl ContactBody<R>,
+        b: &mut impl ContactBody<R>,
+    ) -> ContactVector<R, M> {
         let change = new.minus(&self.impulse);
         self.impulse = new;
         self.apply(&change, a, b);
@@ -311,21 +338,50 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
         friction: &F,
         velocity: &ContactVector<R, M>,
     ) -> ContactVector<R, M> {
+        let normal = self.normal_impulse(velocity);
+        if !self.rolls_while_sliding() {
+            return self.solve_in_turn(friction, velocity, normal);
+        }
+        let place = (&self.block, &self.normal, self.lever);
+        let bound = normal + self.step.cohesion;
+        let (held, rolling) =
+            CoupledSlip::new(friction, place, bound, &self.impulse, velocity).solve();
+        ContactVector {
+            normal,
+            sliding: M::Sliding::of(held.sliding),
+            rolling: M::Rolling::of(rolling),
+            torsion: M::Torsion::of(held.torsion),
+        }
+    }
+
+    /// The normal impulse that obeys its law.
+    #[inline(always)]
+    fn normal_impulse(&self, velocity: &ContactVector<R, M>) -> R {
+        let mass = self.block.mass_normal;
+        self.step
+            .impulse(self.impulse.normal - mass * velocity.normal, mass)
+    }
+
+    /// Whether a sliding force changes the rolling velocity, and a rolling torque the sliding one.
+    #[inline(always)]
+    fn rolls_while_sliding(&self) -> bool {
+        M::Sliding::PRESENT && M::Rolling::PRESENT && self.block.coupling != R::ZERO
+    }
+
+    /// Friction under a normal impulse: sliding and torsion, then rolling under the sliding force.
+    #[inline(always)]
+    fn solve_in_turn<F: ContactFriction<R, Modes = M>>(
+        &self,
+        friction: &F,
+        velocity: &ContactVector<R, M>,
+        normal: R,
+    ) -> ContactVector<R, M> {
         let (block, old) = (&self.block, &self.impulse);
-        let trial = old.normal - block.mass_normal * velocity.normal;
         let mut new = ContactVector {
-            normal: self.step.impulse(trial, block.mass_normal),
+            normal,
             ..ContactVector::default()
         };
-        let bound = new.normal + self.step.cohesion;
-        if M::Sliding::PRESENT && M::Rolling::PRESENT && block.coupling != R::ZERO {
-            let place = (block, &self.normal, self.lever);
-            let (held, rolling) = CoupledSlip::new(friction, place, bound, old, velocity).solve();
-            new.sliding = M::Sliding::of(held.sliding);
-            new.torsion = M::Torsion::of(held.torsion);
-            new.rolling = M::Rolling::of(rolling);
-            return new;
-        }
+        let bound = normal + self.step.cohesion;
         if M::Sliding::PRESENT || M::Torsion::PRESENT {
             let trial = TangentialLoad {
                 sliding: old.sliding() - velocity.sliding() * block.mass_sliding,
@@ -336,7 +392,12 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
             new.torsion = M::Torsion::of(held.torsion);
         }
         if M::Rolling::PRESENT {
-            let trial = old.rolling() - velocity.rolling() * block.inertia;
+            let mut roll = velocity.rolling();
+            if self.rolls_while_sliding() {
+                let push = new.sliding() - old.sliding();
+                roll += cross(&self.normal, &push) * block.coupling;
+            }
+            let trial = old.rolling() - roll * block.inertia;
             new.rolling = M::Rolling::of(friction.hold_rolling(&trial, bound, self.lever));
         }
         new

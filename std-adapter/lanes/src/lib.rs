@@ -50,7 +50,7 @@ pub trait Four:
     /// Where this mask holds and the other does not.
     #[must_use]
     fn and_not(self, other: Self) -> Self;
-    /// Where either mask holds.
+    /// Where either mask holds; of numbers, the bits that either has.
     #[must_use]
     fn or(self, other: Self) -> Self;
     /// `yes` where this mask holds, `no` elsewhere.

@@ -20,7 +20,7 @@ macro_rules! exact {
             "coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways",
             "limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation",
             "contact contact::block contact::body contact::update contact::coupled",
-            "contact::friction contact::modes contact::normal contact::sliding_rolling contact::dual_slip",
+            "contact::friction contact::modes contact::normal contact::sliding_rolling",
             "contact::geometry contact::vector" $(, $more)*
         )
     };
@@ -32,7 +32,7 @@ macro_rules! ellipsoid {
         impulse!(
             "limit_surface limit_surface::ellipsoid limit_surface::round",
             "limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation",
-            "contact::coupled contact::sliding_rolling contact::dual_slip"
+            "contact::coupled contact::sliding_rolling"
         )
     };
 }
@@ -70,19 +70,19 @@ pub const IMPULSES: [Item; 11] = [
     struck(
         "sliding, rolling",
         NARROW,
-        impulse!("contact::sliding_rolling contact::dual_slip"),
+        impulse!("contact::sliding_rolling"),
         "Struck::on_floor(IndependentFriction::sliding_rolling(b, a).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion",
         BOTH,
-        impulse!("contact::sliding_rolling contact::dual_slip"),
+        impulse!("contact::sliding_rolling"),
         "Struck::on_floor(IndependentFriction::all(b, a, b).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion: two balls",
         NARROW,
-        impulse!("contact::sliding_rolling contact::dual_slip"),
+        impulse!("contact::sliding_rolling"),
         "Struck::on_ball(IndependentFriction::all(b, a, b).ok()?)?",
     ),
     struck(

@@ -8,7 +8,7 @@ use crate::timing::median;
 use crate::written::{Sheet, short};
 use std::hint::black_box;
 use std::time::Instant;
-use tribos::cd::internals::{Coefficients, NoMonitor, Operator, Spheres, Visit};
+use tribos::cd::internals::{Coefficients, NoMonitor, Operator, Pairs, Spheres, Visit};
 use tribos::powder::deposit::Deposit;
 use tribos_core::contact::{ContactFriction, IndependentFriction};
 
@@ -107,7 +107,7 @@ where
                 order,
                 spheres: deposit.positions.len(),
                 contacts: start.contacts(),
-                bytes: start.pairs.contact_bytes(),
+                bytes: Pairs::<F::Modes>::BYTES,
                 processor,
                 day,
             });

@@ -22,7 +22,8 @@ pub enum IterationOrder {
 pub enum StopRule {
     /// A fixed number of sweeps.
     Fixed,
-    /// No contact's impulse changes by more than this fraction of its own P.
+    /// No contact's impulse changes by more than this fraction of its own P, or by more than the rounding of the
+    /// largest P.
     Local(f64),
     /// The mean change is below this fraction of the mean P.
     Global(f64),
@@ -171,7 +172,7 @@ pub fn solve<O: Operator>(
             StopRule::Local(tolerance) => {
                 let mut watch = LocalChange::above(tolerance);
                 sweeper.sweep(problem, &mut watch);
-                watch.count == 0
+                watch.is_at_rest()
             }
             StopRule::Global(tolerance) => {
                 let mut watch = GlobalChange::default();

@@ -209,9 +209,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
                     let number = reflection.pairs.len() as u32;
                     reflection.images.extend(image.map(|image| (number, image)));
                     let bodies = *bodies;
-                    reflection
-                        .pairs
-                        .push(&Link { bodies, contact }, Some([a, b]));
+                    reflection.pairs.push(&Link { bodies, contact });
                 }
             }
         }

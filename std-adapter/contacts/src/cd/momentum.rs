@@ -1,23 +1,26 @@
-//! Extrapolation of the impulses of pairs, with the velocities that follow: four at a time where pairs are grouped,
+//! Extrapolation of the impulses of pairs, with the velocities that follow: four at a time where these are together,
 //! with the same bits as one after the other.
 
 use super::aligned::Aligned;
 use super::four_contacts;
-use super::groups::{Groups, LANES};
-use super::identical_spheres::AlikePair;
 use super::mixture::PairFriction;
 use super::pairs::View;
-use super::sweep::{AHEAD, fetch};
+use super::sweep::{AHEAD, RECORDS_AHEAD, fetch, fetch_four};
+use super::vectors::Constants;
+use std::ops::Range;
 use tribos_core::contact::{ContactFriction, ContactModes, ContactVector};
 use tribos_lanes::{Four, Task};
 
 /// Pairs, their impulses, and those after the sweep before, which become the impulses further on.
 pub(super) struct Moving<'a, M: ContactModes<f64>> {
-    /// They themselves, and those that come after them, whose bodies are fetched.
+    /// All pairs of the problem.
     pub pairs: View<'a>,
+    /// Which of them these are.
+    pub part: Range<usize>,
     pub now: &'a [ContactVector<f64, M>],
     pub swept: &'a mut [ContactVector<f64, M>],
-    pub groups: Option<Groups<'a>>,
+    /// What four at a time need; without it each is moved by itself.
+    pub lanes: Option<&'a Constants>,
 }
 
 /// Moves impulses on by `beta` times their last step, as far as friction admits, and applies them to the spheres, the
@@ -30,61 +33,70 @@ pub(super) fn extrapolate<F: ContactFriction<f64>>(
 ) {
     let Moving {
         pairs,
+        part,
         now,
         swept,
-        groups,
+        lanes,
     } = moving;
-    let mut at = 0;
-    while at < now.len() {
-        if let View::Alike(_, pairs) = pairs
-            && let Some(groups) = groups.filter(|groups| groups.begins(at))
-        {
-            let done = all_groups(Run {
-                pairs: &pairs[at..],
-                now: &now[at..],
-                swept: &mut swept[at..],
-                groups: groups.after(at),
+    let mut records = pairs.records(&part);
+    while !records.is_empty() {
+        if let Some(constants) = lanes {
+            let done = all_fours(Run {
+                pairs,
+                start: part.start,
+                now,
+                swept: &mut *swept,
+                records: records.clone(),
                 first,
                 spheres: &mut *spheres,
                 beta,
+                constants,
             });
-            at += done;
+            records.start += done;
             if done > 0 {
                 continue;
             }
         }
-        fetch(pairs.bodies(at + AHEAD), spheres, first);
-        let (now, swept) = (&now[at], &mut swept[at]);
-        let further = now.plus_scaled(beta, &now.minus(swept));
-        if let (Some(numbers), Some(mut contact)) = (pairs.bodies(at), pairs.contact(at, &further))
-        {
-            contact.project_impulse(friction.of(numbers));
-            *swept = *contact.impulse();
-            let bodies = numbers.map(|body| (body - first) as usize);
-            if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
-                contact.apply(swept, &mut a.0, &mut b.0);
+        let group = pairs.group(records.start).unwrap_or_default();
+        for at in group.contacts() {
+            fetch(pairs.bodies(at + AHEAD), spheres, first);
+            let own = at - part.start;
+            let (now, swept) = (&now[own], &mut swept[own]);
+            let further = now.plus_scaled(beta, &now.minus(swept));
+            if let (Some(numbers), Some(mut contact)) =
+                (pairs.bodies(at), pairs.contact(at, &further))
+            {
+                contact.project_impulse(friction.of(numbers));
+                *swept = *contact.impulse();
+                let bodies = numbers.map(|body| (body - first) as usize);
+                if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
+                    contact.apply(swept, &mut a.0, &mut b.0);
+                }
             }
         }
-        at += 1;
+        records.start += 1;
     }
 }
 
-/// Extrapolates the groups at the beginning of some pairs, as far as there is one after another, and returns the
-/// number of their pairs. Apart from frictions: a copy for each would take minutes to compile.
+/// Extrapolates four contacts at a time from the first of some records on, as far as there is one after another, and
+/// returns the number of these records. Apart from frictions: a copy for each would take minutes to compile.
 #[inline(never)]
-fn all_groups<M: ContactModes<f64>>(run: Run<'_, M>) -> usize {
+fn all_fours<M: ContactModes<f64>>(run: Run<'_, M>) -> usize {
     tribos_lanes::run(run)
 }
 
-/// Groups one after the other.
+/// Records one after the other.
 struct Run<'a, M: ContactModes<f64>> {
-    pairs: &'a [AlikePair],
+    pairs: View<'a>,
+    /// Number of the pair with the first of the impulses.
+    start: usize,
     now: &'a [ContactVector<f64, M>],
     swept: &'a mut [ContactVector<f64, M>],
-    groups: Groups<'a>,
+    records: Range<usize>,
     first: u32,
     spheres: &'a mut [Aligned],
     beta: f64,
+    constants: &'a Constants,
 }
 
 impl<M: ContactModes<f64>> Task for Run<'_, M> {
@@ -94,33 +106,33 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
     fn run<L: Four>(self) -> usize {
         let Self {
             pairs,
+            start,
             now,
             swept,
-            groups,
+            records,
             first,
             spheres,
             beta,
+            constants,
         } = self;
-        let mut done = 0;
-        while groups.begins(done) {
-            for lane in 0..LANES {
-                let ahead = pairs.get(done + lane + AHEAD);
-                fetch(ahead.map(AlikePair::bodies), spheres, first);
-            }
-            let four = pairs.get(done..).and_then(<[_]>::first_chunk);
-            let new = now.get(done..).and_then(<[_]>::first_chunk);
-            let old = swept.get_mut(done..).and_then(<[_]>::first_chunk_mut);
-            let (Some(four), Some(new), Some(old)) = (four, new, old) else {
-                break;
+        let count = records.len();
+        for (done, record) in records.enumerate() {
+            let (Some(at), Some(quad)) = (pairs.four(record), pairs.quad(record)) else {
+                return done;
+            };
+            fetch_four(pairs.quad(record + RECORDS_AHEAD), spheres, first);
+            let own = at - start;
+            let new = now.get(own..).and_then(<[_]>::first_chunk);
+            let old = swept.get_mut(own..).and_then(<[_]>::first_chunk_mut);
+            let (Some(new), Some(old)) = (new, old) else {
+                return done;
             };
             let bodies = (first, &mut *spheres);
-            if four_contacts::extrapolate::<L, M>(four, new, old, bodies, beta, groups.common)
-                .is_none()
+            if four_contacts::extrapolate::<L, M>(quad, new, old, bodies, beta, constants).is_none()
             {
-                break;
+                return done;
             }
-            done += LANES;
         }
-        done
+        count
     }
 }

@@ -11,6 +11,8 @@ pub trait Impulse: Copy + Default {
 
 /// Observer of a sweep over the contacts.
 pub trait Monitor: Send {
+    /// False if it records nothing.
+    const WATCHES: bool = true;
     /// A new monitor of the same kind, without data.
     fn fork(&self) -> Self;
     /// Records one contact: the square of its impulse's change, P (the force scale of its friction), and
@@ -156,6 +158,7 @@ pub trait Operator {
 pub struct NoMonitor;
 
 impl Monitor for NoMonitor {
+    const WATCHES: bool = false;
     fn fork(&self) -> Self {
         Self
     }
@@ -243,46 +246,70 @@ impl Monitor for GlobalChange {
     }
 }
 
-/// Counts the contacts whose impulse changed by more than a fraction of P.
+/// Changes below this share of the largest P are rounding: each body sums the impulses of all its contacts.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Whether every impulse changed by less than a fraction of its P, or by what rounding leaves of the largest one.
 ///
 /// ```
 /// use tribos::cd::internals::{LocalChange, Monitor};
 /// let mut watch = LocalChange::above(0.1);
 /// watch.record(0.5 * 0.5, 10.0, 0.0); // |Δp| is a twentieth of P
-/// watch.record(2.0 * 2.0, 10.0, 0.0); // a fifth
-/// watch.record(f64::NAN, 10.0, 0.0); // never at rest
-/// assert_eq!(watch.count, 2);
+/// watch.record(1e-30, 0.0, 0.0); // the rounding of the other
+/// assert!(watch.is_at_rest());
+/// watch.record(1e-20, 0.0, 0.0); // more than that
+/// assert!(!watch.is_at_rest());
+/// let mut broken = watch.fork();
+/// broken.record(f64::NAN, 10.0, 0.0); // never at rest
+/// assert!(!broken.is_at_rest());
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalChange {
     tolerance_sq: f64,
-    /// Number of recorded contacts above the tolerance.
-    pub count: usize,
+    /// Largest change², among the contacts above the tolerance.
+    moved_sq: f64,
+    /// Largest P².
+    bound_sq: f64,
 }
 
 impl LocalChange {
-    /// Counts changes above `tolerance`·P.
+    /// Judges changes above `tolerance`·P.
     pub fn above(tolerance: f64) -> Self {
         Self {
             tolerance_sq: tolerance * tolerance,
-            count: 0,
+            moved_sq: 0.0,
+            bound_sq: 0.0,
         }
+    }
+
+    /// Whether no recorded contact changed by more.
+    pub fn is_at_rest(&self) -> bool {
+        self.moved_sq <= ROUNDING * ROUNDING * self.bound_sq
     }
 }
 
 impl Monitor for LocalChange {
     fn fork(&self) -> Self {
-        Self { count: 0, ..*self }
+        Self {
+            moved_sq: 0.0,
+            bound_sq: 0.0,
+            ..*self
+        }
     }
 
     #[inline(always)]
     fn record(&mut self, change_sq: f64, bound: f64, _: f64) {
+        let bound_sq = bound * bound;
         // A zero change has converged for any bound; NaN has not.
-        let rests = change_sq <= self.tolerance_sq * bound * bound;
-        self.count += usize::from(!rests);
+        let rests = change_sq <= self.tolerance_sq * bound_sq;
+        if !rests {
+            self.moved_sq = largest(self.moved_sq, change_sq);
+        }
+        self.bound_sq = largest(self.bound_sq, bound_sq);
     }
 
     fn join(&mut self, later: &Self) {
-        self.count += later.count;
+        self.moved_sq = largest(self.moved_sq, later.moved_sq);
+        self.bound_sq = largest(self.bound_sq, later.bound_sq);
     }
 }

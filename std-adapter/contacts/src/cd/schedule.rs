@@ -7,9 +7,8 @@
 //! by side. The order depends only on the contacts, never on the number of threads.
 
 use super::image::ImageVelocity;
-use super::pairs::{Pairs, View};
+use super::pairs::View;
 use std::ops::Range;
-use tribos_core::contact::ContactModes;
 
 /// Spheres per block: with their contacts a few hundred kilobytes, the size of a core's own cache.
 pub(super) const BLOCK: usize = 1024;
@@ -40,18 +39,12 @@ pub(super) struct Schedule {
 }
 
 impl Schedule {
-    /// Sorts the pairs, and renumbers their images in ascending order.
-    pub fn arrange<M: ContactModes<f64>>(
-        &mut self,
-        spheres: usize,
-        pairs: &mut Pairs<M>,
-        images: &mut [ImageVelocity],
-    ) {
+    /// Finds the order of the pairs, and renumbers their images in it.
+    pub fn arrange(&mut self, spheres: usize, view: View<'_>, images: &mut [ImageVelocity]) {
         let count = spheres.div_ceil(BLOCK).max(1);
         let across = count as u32;
         let block = |sphere: u32| sphere / BLOCK as u32;
         self.keys.clear();
-        let view = pairs.view();
         for (index, bodies) in (0..).map_while(|at| Some((at, view.bodies(at)?))) {
             let [a, b] = bodies.map(block);
             let group = if a == b { a } else { across };
@@ -62,8 +55,7 @@ impl Schedule {
         }
         self.colour(spheres, across, view);
         self.keys.sort_unstable();
-        pairs.arrange(self.keys.iter().map(|key| key.2 as usize));
-        self.images = pairs.len() - images.len();
+        self.images = self.keys.len() - images.len();
         self.renumber(images);
 
         let mut start = 0;
@@ -83,10 +75,15 @@ impl Schedule {
         self.blocks.last().map_or(0, |block| block.pairs.end)..self.images
     }
 
-    /// Positions of the pairs that are swept together: those of each block, and those across blocks.
+    /// Positions of the pairs that are swept together: those of each block, those across blocks, those with an image.
     pub fn parts(&self) -> impl Iterator<Item = Range<usize>> {
         let blocks = self.blocks.iter().map(|block| block.pairs.clone());
-        blocks.chain([self.across()])
+        blocks.chain([self.across(), self.images..self.keys.len()])
+    }
+
+    /// Numbers of the pairs before they were sorted, in the order of the sweep.
+    pub fn order(&self) -> Vec<u32> {
+        self.keys.iter().map(|key| key.2).collect()
     }
 
     /// Puts the images into the order of their pairs, which are the last ones.

@@ -1,7 +1,6 @@
 //! The contact problem of spheres and plates.
 
 use super::aligned::Aligned;
-use super::groups::Grouping;
 use super::image::{ImageVelocity, Images, seen};
 use super::mixture::{MaterialTable, PairFriction, Same};
 use super::momentum::{Moving, extrapolate};
@@ -9,8 +8,9 @@ use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::pairs::Pairs;
 use super::schedule::Schedule;
 use super::sweep::{
-    AHEAD, Stretch, SweepDirection, WORTHWHILE, fetch, solve_one, sweep_images, sweep_pairs, update,
+    AHEAD, Stretch, SweepDirection, WORTHWHILE, fetch, solve_one, sweep_images, sweep_pairs, visit,
 };
+use super::vectors::Constants;
 use rayon::prelude::*;
 use std::sync::Arc;
 use tribos_core::contact::{
@@ -87,7 +87,8 @@ pub struct Spheres<F: ContactFriction<f64>> {
     /// Materials and their friction, in place of `friction`, if there are several.
     pub mixture: Option<Arc<MaterialTable<F>>>,
     schedule: Schedule,
-    grouping: Grouping,
+    /// What pairs that are solved four at a time need.
+    lanes: Option<Constants>,
 }
 
 impl<F: ContactFriction<f64>> Spheres<F> {
@@ -103,48 +104,42 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             friction,
             mixture: None,
             schedule: Schedule::default(),
-            grouping: Grouping::default(),
+            lanes: None,
         }
     }
 
     /// Adds a contact of two of the free spheres.
     pub fn join(&mut self, link: &Link<F::Modes>) {
-        let [a, b] = link.bodies.map(|body| self.free.0.get(body as usize));
-        self.pairs.push(link, a.zip(b).map(|(a, b)| [a, b]));
+        self.pairs.push(link);
     }
 
     /// Sorts the pairs into the order of the sweep, and updates the velocities for new bodies, contacts and
     /// initial guesses.
     pub fn start(&mut self) {
         let count = self.free.0.len();
-        self.schedule
-            .arrange(count, &mut self.pairs, &mut self.images);
+        let schedule = &mut self.schedule;
+        schedule.arrange(count, self.pairs.view(), &mut self.images);
+        self.pairs.arrange(&schedule.order(), schedule.parts());
+        self.lanes = match &self.mixture {
+            None => self.friction[0].independent_limits().map(Constants::new),
+            Some(_) => None,
+        };
         self.spheres.clear();
         self.spheres
             .extend(self.free.0.iter().map(|sphere| Aligned(*sphere)));
         self.plates.clone_from(&self.free.1);
-        self.group();
         self.refresh();
-    }
-
-    /// Groups the pairs that are solved four at a time.
-    fn group(&mut self) {
-        let limits = match &self.mixture {
-            None => self.friction[0].independent_limits(),
-            Some(_) => None,
-        };
-        let parts = self.schedule.parts();
-        self.grouping.arrange(limits, parts, self.pairs.view());
     }
 
     /// Solves every pair by itself until the next [`Spheres::start`]; for comparisons, as the bits are the same.
     pub fn without_lanes(&mut self) {
-        self.grouping.clear();
+        self.lanes = None;
     }
 
     /// Number of pairs that are solved four at a time.
     pub fn lane_pairs(&self) -> usize {
-        self.grouping.count()
+        let view = self.pairs.view();
+        self.lanes.map_or(0, |_| view.together())
     }
 
     /// Friction between two spheres.
@@ -235,10 +230,11 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             (bodies, spheres) = spheres.split_at_mut(block.spheres.len());
             (own, impulses) = impulses.split_at_mut(block.pairs.len());
             let stretch = Stretch {
-                pairs: view.after(block.pairs.start),
+                pairs: view,
+                part: block.pairs.clone(),
                 impulses: own,
                 swept: swept.get(block.pairs.clone()).unwrap_or_default(),
-                groups: self.grouping.of(block.pairs.clone()),
+                lanes: self.lanes.as_ref(),
             };
             parts.push((stretch, (block.spheres.start as u32, bodies), watch.fork()));
         }
@@ -271,9 +267,10 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let across = self.schedule.across();
         let (view, impulses) = self.pairs.split();
         let stretch = Stretch {
-            pairs: view.after(across.start),
+            pairs: view,
+            part: across.clone(),
             swept: swept.get(across.clone()).unwrap_or_default(),
-            groups: self.grouping.of(across.clone()),
+            lanes: self.lanes.as_ref(),
             impulses: &mut impulses[across],
         };
         sweep_pairs(stretch, (0, &mut self.spheres), friction, way, watch);
@@ -290,9 +287,10 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let border = self.schedule.images..self.pairs.len();
         let (view, impulses) = self.pairs.split();
         let stretch = Stretch {
-            pairs: view.after(border.start),
+            pairs: view,
+            part: border.clone(),
             swept: swept.get(border.clone()).unwrap_or_default(),
-            groups: None,
+            lanes: None,
             impulses: &mut impulses[border],
         };
         let spheres = &mut self.spheres[..];
@@ -337,10 +335,11 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             (bodies, spheres) = spheres.split_at_mut(block.spheres.len());
             (own, swept) = swept.split_at_mut(block.pairs.len());
             let moving = Moving {
-                pairs: view.after(block.pairs.start),
+                pairs: view,
+                part: block.pairs.clone(),
                 now: &now[block.pairs.clone()],
                 swept: own,
-                groups: self.grouping.of(block.pairs.clone()),
+                lanes: self.lanes.as_ref(),
             };
             parts.push((moving, (block.spheres.start as u32, bodies)));
         }
@@ -353,10 +352,11 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             parts.into_iter().for_each(go_on);
         }
         let moving = Moving {
-            pairs: view.after(across),
+            pairs: view,
+            part: across..now.len(),
             now: &now[across..],
             swept: swept_across,
-            groups: self.grouping.of(across..now.len()),
+            lanes: self.lanes.as_ref(),
         };
         extrapolate(moving, (0, &mut self.spheres), friction, beta);
     }
@@ -385,19 +385,23 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let (one, both) = (Same(self.friction[0]), self.mixture.as_deref());
         let (view, impulses) = self.pairs.split();
         let Some(image) = index.checked_sub(self.schedule.images) else {
-            let pair = (view, index, &mut impulses[..], None);
+            let Some(impulse) = impulses.get_mut(index) else {
+                return;
+            };
+            let (pair, steps) = ((view, index), (impulse, None));
             match both {
-                None => solve_one(pair, (0, spheres), &one, watch),
-                Some(both) => solve_one(pair, (0, spheres), both, watch),
+                None => solve_one(pair, steps, (0, spheres), &one, watch),
+                Some(both) => solve_one(pair, steps, (0, spheres), both, watch),
             }
             return;
         };
         if let Some(impulses) = impulses.get_mut(index..=index) {
             let stretch = Stretch {
-                pairs: view.after(index),
+                pairs: view,
+                part: index..index + 1,
                 impulses,
                 swept: &[],
-                groups: None,
+                lanes: None,
             };
             let images = &self.images[image..];
             match both {
@@ -437,7 +441,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         };
         let [a, b] = link.bodies.map(|body| body as usize);
         if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
-            update(&mut link.contact, swept, friction, &mut a.0, b).tell(watch);
+            visit(&mut link.contact, swept, friction, &mut a.0, b).tell(watch);
         }
     }
 }

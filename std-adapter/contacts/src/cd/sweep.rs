@@ -2,14 +2,14 @@
 
 use super::aligned::Aligned;
 use super::four_contacts::{self, Records};
-use super::groups::{Groups, LANES};
-use super::identical_spheres::AlikePair;
 use super::image::{Image, ImageVelocity};
 use super::mixture::PairFriction;
 use super::operator::Monitor;
 use super::pairs::View;
+use super::quads::{LANES, Quad};
+use super::vectors::Constants;
+use std::ops::Range;
 use tribos_core::contact::{Contact, ContactBody, ContactFriction, ContactModes, ContactVector};
-use tribos_core::internals::PreparedContact;
 use tribos_lanes::{Four, Task};
 use tribos_prefetch::prefetch;
 
@@ -26,18 +26,24 @@ pub(super) const WORTHWHILE: usize = 10_000;
 /// How many pairs ahead bodies are fetched: the work of that many takes longer than the memory.
 pub(super) const AHEAD: usize = 24;
 
+/// How many records ahead that is.
+pub(super) const RECORDS_AHEAD: usize = AHEAD / LANES;
+
 /// Pairs that are swept together.
 pub(super) struct Stretch<'a, M: ContactModes<f64>> {
-    /// They themselves, and those that come after them, whose bodies are fetched.
+    /// All pairs of the problem.
     pub pairs: View<'a>,
+    /// Which of them these are.
+    pub part: Range<usize>,
+    /// Their own impulses.
     pub impulses: &'a mut [ContactVector<f64, M>],
     /// Their impulses after the sweep before, if a monitor follows the steps; empty else.
     pub swept: &'a [ContactVector<f64, M>],
-    /// Which of them are solved four at a time.
-    pub groups: Option<Groups<'a>>,
+    /// What four at a time need; without it each is solved by itself.
+    pub lanes: Option<&'a Constants>,
 }
 
-/// Solves pairs one after the other, or four at a time where they are grouped; the first element of `spheres`
+/// Solves pairs one after the other, or four at a time where these are together; the first element of `spheres`
 /// has the number `first`. Both give the same bits.
 pub(super) fn sweep_pairs<F: ContactFriction<f64>, W: Monitor>(
     stretch: Stretch<'_, F::Modes>,
@@ -48,46 +54,56 @@ pub(super) fn sweep_pairs<F: ContactFriction<f64>, W: Monitor>(
 ) {
     let Stretch {
         pairs,
+        part,
         impulses,
         swept,
-        groups,
+        lanes,
     } = stretch;
-    let count = impulses.len();
+    let all = pairs.records(&part);
     let mut records = [Records::default(); RUN];
     let mut done = 0;
-    while done < count {
-        let at = way.place(done, count);
-        if let View::Alike(_, pairs) = pairs
-            && let Some(groups) = groups.filter(|groups| groups.begins(way.start(at)))
-        {
+    while done < all.len() {
+        let record = all.start + way.place(done, all.len());
+        if let Some(constants) = lanes {
             let solved = solve_run(Run {
                 pairs,
+                start: part.start,
                 impulses: &mut *impulses,
                 swept,
-                groups,
+                watched: W::WATCHES,
                 spheres: &mut *spheres,
                 first,
                 way,
-                at,
+                record,
+                most: all.len() - done,
                 records: &mut records,
+                constants,
             });
-            for group in records.iter().take(solved) {
-                show(group, way, watch);
+            if W::WATCHES {
+                let seen = records.iter().take(solved);
+                seen.for_each(|four| show(four, way, watch));
             }
-            done += LANES * solved;
+            done += solved;
             if solved > 0 {
                 continue;
             }
         }
-        fetch(pairs.bodies(way.ahead(at)), spheres, first);
-        let one = (pairs, at, &mut *impulses, swept.get(at));
-        solve_one(one, (first, spheres), friction, watch);
+        let contacts = pairs.group(record).unwrap_or_default().contacts();
+        for turn in 0..contacts.len() {
+            let at = contacts.start + way.place(turn, contacts.len());
+            fetch(pairs.bodies(way.ahead(at, AHEAD)), spheres, first);
+            let own = at - part.start;
+            if let Some(impulse) = impulses.get_mut(own) {
+                let steps = (impulse, swept.get(own));
+                solve_one((pairs, at), steps, (first, &mut *spheres), friction, watch);
+            }
+        }
         done += 1;
     }
 }
 
 impl SweepDirection {
-    /// Position of the pair that comes after so many others.
+    /// Position of what comes after so many others.
     #[inline(always)]
     fn place(self, done: usize, count: usize) -> usize {
         match self {
@@ -96,26 +112,17 @@ impl SweepDirection {
         }
     }
 
-    /// Position of the first pair of a group, from that of the pair which comes first on this way.
+    /// Position of what comes so much later, if there is such.
     #[inline(always)]
-    fn start(self, at: usize) -> usize {
+    fn ahead(self, at: usize, later: usize) -> usize {
         match self {
-            Self::Forward => at,
-            Self::Backward => at.wrapping_sub(LANES - 1),
-        }
-    }
-
-    /// Position of the pair whose bodies are to be fetched, if there is one.
-    #[inline(always)]
-    fn ahead(self, at: usize) -> usize {
-        match self {
-            Self::Forward => at + AHEAD,
-            Self::Backward => at.wrapping_sub(AHEAD),
+            Self::Forward => at + later,
+            Self::Backward => at.wrapping_sub(later),
         }
     }
 }
 
-/// Lets a monitor see the contacts of a group in the order of the sweep.
+/// Lets a monitor see four contacts in the order of the sweep.
 #[inline(always)]
 fn show<W: Monitor>(
     [change_sq, bound, speed, along]: &Records,
@@ -141,60 +148,27 @@ pub(super) fn fetch(soon: Option<[u32; 2]>, spheres: &[Aligned], first: u32) {
 }
 
 /// A pair's impulse, and the one after the sweep before if a monitor follows it.
-type Steps<'a, M> = (
+pub(super) type Steps<'a, M> = (
     &'a mut ContactVector<f64, M>,
     Option<&'a ContactVector<f64, M>>,
 );
 
-/// The place of one pair among others, all impulses, and its own after the sweep before if a monitor follows it.
-pub(super) type ScalarPair<'a, M> = (
-    View<'a>,
-    usize,
-    &'a mut [ContactVector<f64, M>],
-    Option<&'a ContactVector<f64, M>>,
-);
-
-/// Solves one pair; the first element of `spheres` has the number `first`.
+/// Solves one pair of all; the first element of `spheres` has the number `first`.
 #[inline(always)]
 pub(super) fn solve_one<F: ContactFriction<f64>, W: Monitor>(
-    (pairs, at, impulses, swept): ScalarPair<'_, F::Modes>,
-    bodies: (u32, &mut [Aligned]),
-    friction: &impl PairFriction<F>,
-    watch: &mut W,
-) {
-    let Some(impulse) = impulses.get_mut(at) else {
-        return;
-    };
-    // Apart: a contact that comes from either kind would go through memory.
-    match pairs {
-        View::Alike(common, pairs) => {
-            if let Some(pair) = pairs.get(at) {
-                let contact = (pair.bodies(), &pair.prepared(common));
-                solve_contact(contact, (impulse, swept), bodies, friction, watch);
-            }
-        }
-        View::Any(pairs) => {
-            if let Some((numbers, prepared)) = pairs.get(at) {
-                let contact = (*numbers, prepared);
-                solve_contact(contact, (impulse, swept), bodies, friction, watch);
-            }
-        }
-    }
-}
-
-#[inline(always)]
-fn solve_contact<F: ContactFriction<f64>, W: Monitor>(
-    (numbers, prepared): ([u32; 2], &PreparedContact<f64>),
+    (pairs, at): (View<'_>, usize),
     (impulse, swept): Steps<'_, F::Modes>,
     (first, spheres): (u32, &mut [Aligned]),
     friction: &impl PairFriction<F>,
     watch: &mut W,
 ) {
+    let (Some(numbers), Some(mut contact)) = (pairs.bodies(at), pairs.contact(at, impulse)) else {
+        return;
+    };
     let bodies = numbers.map(|body| (body - first) as usize);
     if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
-        let mut contact = Contact::resume(prepared, impulse);
         let friction = friction.of(numbers);
-        update(&mut contact, swept, friction, &mut a.0, &mut b.0).tell(watch);
+        visit(&mut contact, swept, friction, &mut a.0, &mut b.0).tell(watch);
         *impulse = *contact.impulse();
     }
 }
@@ -218,9 +192,9 @@ impl PairRecord {
     }
 }
 
-/// Solves a contact; the step before led from `swept` to its impulse.
+/// Solves a contact for one turn; the step before led from `swept` to its impulse.
 #[inline(always)]
-pub(super) fn update<F: ContactFriction<f64>>(
+pub(super) fn visit<F: ContactFriction<f64>>(
     contact: &mut Contact<f64, F::Modes>,
     swept: Option<&ContactVector<f64, F::Modes>>,
     friction: &F,
@@ -228,7 +202,7 @@ pub(super) fn update<F: ContactFriction<f64>>(
     b: &mut impl ContactBody<f64>,
 ) -> PairRecord {
     let before = swept.map(|swept| contact.impulse().minus(swept));
-    let change = contact.update(friction, a, b);
+    let change = contact.take_turn(friction, a, b);
     let lever = contact.effective_radius();
     let speed = change.normal.abs() / contact.block().mass_normal;
     PairRecord {
@@ -241,28 +215,34 @@ pub(super) fn update<F: ContactFriction<f64>>(
     }
 }
 
-/// Number of groups that are solved before a monitor sees them.
+/// Number of records that are solved before a monitor sees them.
 const RUN: usize = 16;
 
-/// Solves groups one after the other, the first of which has the pair at `at`, as far as there is one after
-/// another; gives what a monitor records, and returns their number. Apart from monitors and frictions: a copy for each
-/// of these would take minutes to compile.
+/// Solves records four contacts at a time, from one on, as far as there is one after another; gives what a monitor
+/// records, and returns their number. Apart from monitors and frictions: a copy for each of these would take minutes
+/// to compile.
 #[inline(never)]
 fn solve_run<M: ContactModes<f64>>(run: Run<'_, M>) -> usize {
     tribos_lanes::run(run)
 }
 
-/// Groups one after the other.
+/// Records one after the other.
 struct Run<'a, M: ContactModes<f64>> {
-    pairs: &'a [AlikePair],
+    pairs: View<'a>,
+    /// Number of the pair with the first of the impulses.
+    start: usize,
     impulses: &'a mut [ContactVector<f64, M>],
     swept: &'a [ContactVector<f64, M>],
-    groups: Groups<'a>,
+    /// Whether a monitor records.
+    watched: bool,
     spheres: &'a mut [Aligned],
     first: u32,
     way: SweepDirection,
-    at: usize,
+    record: usize,
+    /// Number of records that are left.
+    most: usize,
     records: &'a mut [Records; RUN],
+    constants: &'a Constants,
 }
 
 impl<M: ContactModes<f64>> Task for Run<'_, M> {
@@ -272,42 +252,46 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
     fn run<L: Four>(self) -> usize {
         let Self {
             pairs,
+            start,
             impulses,
             swept,
-            groups,
+            watched,
             spheres,
             first,
             way,
-            at,
+            record,
+            most,
             records,
+            constants,
         } = self;
-        let mut start = way.start(at);
-        for (solved, record) in records.iter_mut().enumerate() {
-            if !groups.begins(start) {
-                return solved;
-            }
-            let four = pairs.get(start..).and_then(<[_]>::first_chunk);
-            let now = impulses.get_mut(start..).and_then(<[_]>::first_chunk_mut);
-            let (Some(four), Some(now)) = (four, now) else {
+        let most = most.min(RUN);
+        for (solved, seen) in records.iter_mut().enumerate().take(most) {
+            let record = way.ahead(record, solved);
+            let (Some(at), Some(quad)) = (pairs.four(record), pairs.quad(record)) else {
                 return solved;
             };
-            let old = swept.get(start..).and_then(<[_]>::first_chunk);
+            let own = at - start;
+            let Some(now) = impulses.get_mut(own..).and_then(<[_]>::first_chunk_mut) else {
+                return solved;
+            };
+            let old = watched.then(|| swept.get(own..).and_then(<[_]>::first_chunk));
             let bodies = (first, &mut *spheres);
-            let Some(seen) = four_contacts::update::<L, M>(four, now, old, bodies, groups.common)
+            let Some(four) = four_contacts::update::<L, M>(quad, now, old, bodies, constants)
             else {
                 return solved;
             };
-            *record = seen;
-            for lane in 0..LANES {
-                let ahead = pairs.get(way.ahead(start).wrapping_add(lane));
-                fetch(ahead.map(AlikePair::bodies), spheres, first);
-            }
-            start = match way {
-                SweepDirection::Forward => start + LANES,
-                SweepDirection::Backward => start.wrapping_sub(LANES),
-            };
+            *seen = four;
+            fetch_four(pairs.quad(way.ahead(record, RECORDS_AHEAD)), spheres, first);
         }
-        RUN
+        most
+    }
+}
+
+/// Asks for the bodies of four pairs before they are needed.
+#[inline(always)]
+pub(super) fn fetch_four(soon: Option<&Quad>, spheres: &[Aligned], first: u32) {
+    for lane in 0..LANES {
+        fetch(soon.map(|quad| quad.bodies(lane)), spheres, first);
     }
 }
 
@@ -322,12 +306,14 @@ pub(super) fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
 ) {
     let Stretch {
         pairs,
+        part,
         impulses,
         swept,
         ..
     } = stretch;
     let mut solve =
-        |(at, (impulse, (_, velocity))): (usize, (&mut ContactVector<_, _>, &ImageVelocity))| {
+        |(own, (impulse, (_, velocity))): (usize, (&mut ContactVector<_, _>, &ImageVelocity))| {
+            let at = part.start + own;
             let (Some(numbers), Some(mut contact)) = (pairs.bodies(at), pairs.contact(at, impulse))
             else {
                 return;
@@ -337,7 +323,7 @@ pub(super) fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
                 let (velocity, friction) = (*velocity, friction.of(numbers));
                 let sphere = &mut sphere.0;
                 let mut image = Image { sphere, velocity };
-                let seen = update(&mut contact, swept.get(at), friction, &mut a.0, &mut image);
+                let seen = visit(&mut contact, swept.get(own), friction, &mut a.0, &mut image);
                 seen.tell(watch);
                 *impulse = *contact.impulse();
             }

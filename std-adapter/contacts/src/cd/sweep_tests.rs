@@ -19,20 +19,24 @@ const SPHERES: usize = 5_000;
 const PAIRS: usize = 16_000;
 const REACH: usize = 300;
 
+/// Half widths of the radii around 1: alike spheres, and spheres of all sizes.
+const SPREADS: [f64; 2] = [0.0, 0.8];
+
 /// Spheres with random velocities, and contacts in random directions.
-fn tangle<F: ContactFriction<f64>>(friction: F) -> Spheres<F> {
+fn tangle<F: ContactFriction<f64>>(friction: F, spread: f64) -> Spheres<F> {
     let mut random = Random::new(7, 1);
     let mut number = |below: usize| (random.unit() * below as f64) as usize;
     let mut vector =
         |size: f64| Vector3::from([(); 3].map(|()| size * (number(2_001) as f64 / 1_000.0 - 1.0)));
     let mut problem = Spheres::new([friction; 2]);
-    let ball = solid(1.0, 1.0);
-    for _ in 0..SPHERES {
+    let mut radii = Vec::new();
+    for at in 0..SPHERES {
         let (velocity, spin) = (vector(1.0), vector(1.0));
+        radii.push(1.0 + spread * (at as f64).sin());
         problem.free.0.push(SphereBody {
             velocity,
             spin,
-            ..ball
+            ..solid(radii[at], 1.0)
         });
     }
     let cohesion = Cohesion::new(2.0, 0.01, Attraction::Pull).expect("cohesion is valid");
@@ -52,8 +56,10 @@ fn tangle<F: ContactFriction<f64>>(friction: F) -> Spheres<F> {
     let inside = taken.iter().filter(|[a, b]| a / BLOCK == b / BLOCK).count();
     assert!(inside >= WORTHWHILE && taken.len() - inside > 1_000);
     for [a, b] in taken {
-        let apart = vector(1.0).normalize() * (1.99 + 0.03 * number(1_000) as f64 / 1_000.0);
-        let touch = ContactGeometry::spheres(&apart, [1.0, 1.0]).expect("they are apart");
+        let [first, second] = [radii[a], radii[b]];
+        let gap = -0.01 + 0.03 * number(1_000) as f64 / 1_000.0;
+        let apart = vector(1.0).normalize() * (first + second + gap);
+        let touch = ContactGeometry::spheres(&apart, [first, second]).expect("they are apart");
         let [first, second] = [a, b].map(|body| &problem.free.0[body]);
         let contact = Contact::new(&touch, &law, first, second, 0.01);
         let bodies = [a as u32, b as u32];
@@ -71,10 +77,15 @@ enum Lanes {
 }
 
 /// Impulses, motions and what a monitor saw after some sweeps to and fro.
-fn swept<F: ContactFriction<f64>>(threads: usize, lanes: Lanes, friction: F) -> String {
+fn swept<F: ContactFriction<f64>>(
+    threads: usize,
+    lanes: Lanes,
+    friction: F,
+    spread: f64,
+) -> String {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     pool.expect("threads can be made").install(|| {
-        let mut problem = tangle(friction);
+        let mut problem = tangle(friction, spread);
         if lanes == Lanes::One {
             problem.without_lanes();
             assert_eq!(problem.lane_pairs(), 0);
@@ -135,21 +146,26 @@ impl<F: ContactFriction<f64>> Operator for Plain<F> {
 #[test]
 fn momentum_of_all_pairs_at_once_has_the_bits_of_one_contact_after_the_other() {
     let all = IndependentFriction::all(0.3, 0.1, 0.1).expect("in range");
-    let (mut four, mut plain) = (tangle(all), Plain(tangle(all)));
-    plain.0.without_lanes();
-    let iterations = Accelerated::default().solve(&mut four, NEVER, SWEEPS);
-    let one_by_one = Accelerated::default().solve(&mut plain, NEVER, SWEEPS);
-    assert_eq!(iterations, one_by_one);
-    assert!(solution(&four) == solution(&plain.0));
+    for spread in SPREADS {
+        let (mut four, mut plain) = (tangle(all, spread), Plain(tangle(all, spread)));
+        plain.0.without_lanes();
+        let iterations = Accelerated::default().solve(&mut four, NEVER, SWEEPS);
+        let one_by_one = Accelerated::default().solve(&mut plain, NEVER, SWEEPS);
+        assert_eq!(iterations, one_by_one);
+        assert!(solution(&four) == solution(&plain.0));
+    }
 }
 
 #[test]
 fn blocks_and_pairs_across_them_have_the_same_bits_on_any_number_of_threads() {
     let all = IndependentFriction::all(0.3, 0.1, 0.1).expect("in range");
-    let alone = swept(1, Lanes::One, all);
-    for threads in [2, 3] {
-        for lanes in [Lanes::One, Lanes::Four] {
-            assert!(swept(threads, lanes, all) == alone, "{threads} threads");
+    for spread in SPREADS {
+        let alone = swept(1, Lanes::One, all, spread);
+        for threads in [2, 3] {
+            for lanes in [Lanes::One, Lanes::Four] {
+                let shared = swept(threads, lanes, all, spread);
+                assert!(shared == alone, "{threads} threads, {spread}");
+            }
         }
     }
 }
@@ -157,7 +173,10 @@ fn blocks_and_pairs_across_them_have_the_same_bits_on_any_number_of_threads() {
 #[test]
 fn four_contacts_side_by_side_have_the_bits_of_one_after_the_other() {
     fn compare<F: ContactFriction<f64>>(friction: F) {
-        assert!(swept(1, Lanes::Four, friction) == swept(1, Lanes::One, friction));
+        for spread in SPREADS {
+            let four = swept(1, Lanes::Four, friction, spread);
+            assert!(four == swept(1, Lanes::One, friction, spread), "{spread}");
+        }
     }
     compare(IndependentFriction::none());
     for [mu, mu_rolling, mu_torsion] in [[0.3, 0.1, 0.1], [0.0, 0.0, 0.0], [1e-310, 0.1, 1.0]] {

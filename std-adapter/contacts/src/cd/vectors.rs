@@ -4,7 +4,7 @@
 
 use super::aligned::Aligned;
 use tribos_core::contact::{ContactModes, ContactVector};
-use tribos_core::internals::{AxialPart, PlanarPart, project_on_disc};
+use tribos_core::internals::{AxialPart, PlanarPart};
 use tribos_core::nalgebra::Vector3;
 use tribos_lanes::Four;
 
@@ -144,8 +144,8 @@ fn torques<L: Four, M: ContactModes<f64>>(one: &ContactVector<f64, M>) -> L {
 pub(super) struct Bodies<L> {
     pub velocity: Vectors<L>,
     pub spin: Vectors<L>,
-    /// Inverse masses and inertias, which are written back as they were.
-    inverses: [L; 2],
+    pub inv_mass: L,
+    pub inv_inertia: L,
 }
 
 impl<L: Four> Bodies<L> {
@@ -160,18 +160,19 @@ impl<L: Four> Bodies<L> {
         Some(Self {
             velocity: [vx, vy, vz],
             spin: [wx, wy, wz],
-            inverses: [inv_mass, inv_inertia],
+            inv_mass,
+            inv_inertia,
         })
     }
 
-    /// Gives the spheres at four places these velocities and, where these have `turned`, these spins.
+    /// Gives the spheres at four places these velocities and, where these have `turned`, these spins; their inverses
+    /// are written back as they were.
     #[inline(always)]
     pub fn write(self, spheres: &mut [Aligned], places: [usize; 4], turned: bool) {
         let ([vx, vy, vz], [wx, wy, wz]) = (self.velocity, self.spin);
-        let [inv_mass, inv_inertia] = self.inverses;
         let first = rows([vx, vy, vz, wx]);
         let second = if turned {
-            rows([wy, wz, inv_mass, inv_inertia])
+            rows([wy, wz, self.inv_mass, self.inv_inertia])
         } else {
             first
         };
@@ -238,54 +239,57 @@ pub(super) fn cross<L: Four>(a: Vectors<L>, b: Vectors<L>) -> Vectors<L> {
     ]
 }
 
-/// `x` limited to ±`bound`; NaN stays NaN.
-#[inline(always)]
-pub(super) fn clamp<L: Four>(x: L, bound: L) -> L {
-    let size = x.abs();
-    let beyond = bound.less(size).select(bound, L::splat(f64::NAN));
-    size.less_or_equal(bound).select(size, beyond).copysign(x)
+/// Numbers that all contacts have in common, four times each: a processor computes with them where they are in memory.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(32))]
+pub(super) struct Constants {
+    /// Limits of friction over P, and over P r_eff: sliding, rolling, torsion.
+    pub limits: [[f64; 4]; 3],
+    one: [f64; 4],
+    least: [f64; 4],
+    infinity: [f64; 4],
+    nan: [f64; 4],
+    collar: [f64; 4],
 }
 
-/// The nearest points of discs, as the kernel projects.
-#[inline(always)]
-pub(super) fn project<L: Four>(q: Vectors<L>, bound: L) -> Vectors<L> {
-    let (zero, one, least) = (L::splat(0.0), L::splat(1.0), L::splat(f64::MIN_POSITIVE));
-    let length_sq = dot(q, q);
-    let in_range = least
-        .less(length_sq)
-        .and(length_sq.less(L::splat(f64::INFINITY)));
-    let scale = bound * (length_sq.sqrt() * (one / length_sq));
-    // Where nothing is to be projected, as at the start, the vector remains.
-    let nothing = q[0].equal(zero).and(q[1].equal(zero)).and(q[2].equal(zero));
-    let vanishing = scale.less(least).and(zero.less(bound));
-    let everywhere = zero.equal(zero);
-    let ordinary = in_range.and_not(vanishing).or(nothing);
-    if everywhere.and_not(ordinary).any() {
-        return project_each(q, bound);
-    }
-    let inside = length_sq
-        .less_or_equal(bound * bound * L::splat(COLLAR))
-        .or(nothing);
-    scaled(q, inside.select(one, scale))
-}
-
-/// Squares and quotients beyond the normal numbers.
-#[inline(always)]
-fn project_each<L: Four>(q: Vectors<L>, bound: L) -> Vectors<L> {
-    let q = [q[0].lanes(), q[1].lanes(), q[2].lanes()];
-    let [x, y, z] = nearest_each(q, bound.lanes());
-    [L::new(x), L::new(y), L::new(z)]
-}
-
-#[cold]
-#[inline(never)]
-fn nearest_each(q: [[f64; 4]; 3], bounds: [f64; 4]) -> [[f64; 4]; 3] {
-    let mut nearest = q;
-    for (lane, bound) in bounds.into_iter().enumerate() {
-        let one = project_on_disc(&Vector3::new(q[0][lane], q[1][lane], q[2][lane]), bound);
-        for (axis, component) in nearest.iter_mut().zip(one.iter()) {
-            axis[lane] = *component;
+impl Constants {
+    /// Those of friction with these limits.
+    pub fn new(limits: [f64; 3]) -> Self {
+        Self {
+            limits: limits.map(|limit| [limit; 4]),
+            one: [1.0; 4],
+            least: [f64::MIN_POSITIVE; 4],
+            infinity: [f64::INFINITY; 4],
+            nan: [f64::NAN; 4],
+            collar: [COLLAR; 4],
         }
     }
-    nearest
+
+    /// `x` limited to ±`bound`; NaN stays NaN.
+    #[inline(always)]
+    pub fn clamp<L: Four>(&self, x: L, bound: L) -> L {
+        let size = x.abs();
+        let beyond = bound.less(size).select(bound, L::new(self.nan));
+        size.less_or_equal(bound).select(size, beyond).copysign(x)
+    }
+
+    /// The nearest points of discs, as the kernel projects, and where these are right: where neither a square nor a
+    /// quotient leaves the normal numbers.
+    #[inline(always)]
+    pub fn project<L: Four>(&self, q: Vectors<L>, bound: L) -> (Vectors<L>, L) {
+        let (zero, one, least) = (L::splat(0.0), L::new(self.one), L::new(self.least));
+        let length_sq = dot(q, q);
+        let in_range = least
+            .less(length_sq)
+            .and(length_sq.less(L::new(self.infinity)));
+        let scale = bound * (length_sq.sqrt() * (one / length_sq));
+        // Where nothing is to be projected, as at the start, the vector remains: no bit but signs is set.
+        let nothing = q[0].or(q[1]).or(q[2]).equal(zero);
+        let vanishing = scale.less(least).and(zero.less(bound));
+        let inside = length_sq
+            .less_or_equal(bound * bound * L::new(self.collar))
+            .or(nothing);
+        let nearest = scaled(q, inside.select(one, scale));
+        (nearest, in_range.and_not(vanishing).or(nothing))
+    }
 }

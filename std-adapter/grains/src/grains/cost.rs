@@ -74,12 +74,10 @@ fn count(scene: &GrainsScene) -> usize {
 /// ```
 pub fn cost(scene: &GrainsScene) -> Result<PackingCost, PackingRunError> {
     scene.check()?;
-    let spread = scene.radius_spread > 0.0 || scene.size_distribution.is_some();
-    let unequal = spread || scene.second_fraction > 0.0 || scene.initial_state.is_some();
     PackingCost::measured(
         &scene.contact_keys(),
         (scene.radius, usual_force(scene)),
-        (count(scene), unequal),
+        count(scene),
         |_| CONTACTS,
     )
 }

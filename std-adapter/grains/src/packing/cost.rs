@@ -61,11 +61,11 @@ pub struct PackingCost {
 
 impl PackingCost {
     /// Counts unknowns, and times updates in a small block of spheres of the mean radius under a usual force of
-    /// contacts; `contacts_a_sphere` are the usual contacts of a sphere, and unequal spheres need more memory.
+    /// contacts; `contacts_a_sphere` are the usual contacts of a sphere.
     pub(crate) fn measured(
         keys: &ContactKeys,
         usual: (f64, f64),
-        (spheres, is_unequal): (usize, bool),
+        spheres: usize,
         contacts_a_sphere: impl Fn(ModeSet) -> [f64; 2],
     ) -> Result<Self, PackingRunError> {
         let material = keys.material;
@@ -90,7 +90,7 @@ impl PackingCost {
             contacts: contacts_a_sphere(modes).map(contacts),
             unknowns: modes.unknowns(),
             bytes: match keys.method {
-                Method::ContactDynamics { .. } => modes.bytes()[usize::from(is_unequal)],
+                Method::ContactDynamics { .. } => modes.bytes(),
                 Method::Soft(_) => modes.soft_bytes(),
             },
             update_seconds,

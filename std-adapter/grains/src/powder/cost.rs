@@ -89,8 +89,8 @@ fn expected_spheres(scene: &PowderScene) -> f64 {
 
 /// Grows the deposit if it is not too large, and times updates in a small block of spheres under load.
 ///
-/// *Accuracy*: about ten per cent for the times; the updates of unequal spheres, or with all contacts at
-/// their thresholds, take longer.
+/// *Accuracy*: about ten per cent for the times; the updates of spheres of two materials, or of gaps that a
+/// resistance holds open, take longer.
 pub fn cost(scene: &PowderScene) -> Result<PackingCost, PackingRunError> {
     scene.check()?;
     let expected = expected_spheres(scene);
@@ -100,16 +100,9 @@ pub fn cost(scene: &PowderScene) -> Result<PackingCost, PackingRunError> {
     } else {
         expected.round() as usize
     };
-    let spread = scene.radius_spread > 0.0 || scene.size_distribution.is_some();
-    let unequal = spread || scene.second_fraction > 0.0 || scene.initial_state.is_some();
     // The load on a column of spheres of radius 1.
     let usual = (1.0, 4.0 * scene.pressure);
-    PackingCost::measured(
-        &scene.contact_keys(),
-        usual,
-        (spheres, unequal),
-        contacts_a_sphere,
-    )
+    PackingCost::measured(&scene.contact_keys(), usual, spheres, contacts_a_sphere)
 }
 
 #[cfg(test)]
