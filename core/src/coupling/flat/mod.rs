@@ -25,6 +25,7 @@ mod pole_far;
 mod pole_near;
 mod power;
 mod sums;
+mod uniform;
 
 use crate::law::{LawError, validated_coefficient};
 use crate::patch::outline::{Edge, Polygon, PressureField};
@@ -32,7 +33,7 @@ use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
 use layer::Layer;
 #[doc(hidden)]
-pub use motion::Motion;
+pub use motion::{Motion, SplitMotion};
 use nalgebra::{Matrix3, Vector2};
 use pole_far::TranslatingMotion;
 pub use power::{PolygonPowerLaw, PowerLawPatch, ShapePowerFriction};
@@ -150,21 +151,24 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
     #[inline]
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
         let (edges, pressure, area) = (self.edges(), self.pressure(), self.reduced_area());
+        if !K::IS_LINEAR {
+            return uniform::friction(edges, area, motion);
+        }
         let layer = Layer::of(edges, pressure);
-        let whole = match motion {
-            Motion::Turns { centre, spin } => {
-                let sense = R::ONE.copysign(*spin);
+        let whole = match motion.split() {
+            SplitMotion::Turns { centre, spin } => {
+                let sense = R::ONE.copysign(spin);
                 match layer {
-                    Some(layer) => layer.turns::<false>(centre, sense).0,
-                    None => pole_near::friction(edges, pressure, centre, sense),
+                    Some(layer) => layer.turns::<false>(&centre, sense).0,
+                    None => pole_near::friction(edges, pressure, &centre, sense),
                 }
             }
-            Motion::Slides {
+            SplitMotion::Slides {
                 direction, turn, ..
             } => {
                 let slide = TranslatingMotion {
-                    direction,
-                    spin: *turn,
+                    direction: &direction,
+                    spin: turn,
                 };
                 let size = [area, self.longest_half()];
                 match layer {
@@ -178,24 +182,27 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
 
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
         let (edges, pressure, area) = (self.edges(), self.pressure(), self.reduced_area());
+        if !K::IS_LINEAR {
+            return uniform::friction_and_hessian(edges, area, motion);
+        }
         let layer = Layer::of(edges, pressure);
-        let (whole, hessian, rate) = match motion {
-            Motion::Turns { centre, spin } => {
-                let sense = R::ONE.copysign(*spin);
+        let (whole, hessian, rate) = match motion.split() {
+            SplitMotion::Turns { centre, spin } => {
+                let sense = R::ONE.copysign(spin);
                 let (whole, hessian) = match layer {
-                    Some(layer) => layer.turns::<true>(centre, sense),
-                    None => pole_near::friction_and_hessian(edges, pressure, centre, sense),
+                    Some(layer) => layer.turns::<true>(&centre, sense),
+                    None => pole_near::friction_and_hessian(edges, pressure, &centre, sense),
                 };
                 (whole, hessian, spin.abs())
             }
-            Motion::Slides {
+            SplitMotion::Slides {
                 direction,
                 turn,
                 speed,
             } => {
                 let slide = TranslatingMotion {
-                    direction,
-                    spin: *turn,
+                    direction: &direction,
+                    spin: turn,
                 };
                 let half = self.longest_half();
                 let (whole, hessian) = match layer {
@@ -208,7 +215,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
                         slide.hessian(edges, pressure, half),
                     ),
                 };
-                (whole, hessian, *speed)
+                (whole, hessian, speed)
             }
         };
         let share = R::ONE / area;
