@@ -5,7 +5,7 @@ use crate::contact::internals::{InPlane, PreparedContact, TangentialLoad};
 use crate::contact::{Contact, ContactGeometry, ContactModes, ContactVector, SphereBody, WallBody};
 use crate::coupling::disk::Disk;
 use crate::coupling::equal_speeds::Exponent;
-use crate::coupling::flat::{Motion, PatchShape, PointLoad, PolygonPowerLaw, Reduced};
+use crate::coupling::flat::{Motion, PatchShape, PointLoad, PolygonPowerLaw, Reduced, SplitMotion};
 use crate::coupling::load_transfer::LoadTransferWrench;
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
 use crate::coupling::table::Table;
@@ -119,9 +119,11 @@ formats! {
         s.force_limit(), s.centre().x, s.centre().y, s.radius();
     [R: Real + Format] Reduced<R>: |r| "force [{}, {}], torque {}", r.force.x, r.force.y, r.torque;
     [R: Real + Format] PolygonPowerLaw<R>: |p| "prepared law of exponent {}", p.alpha();
-    [R: Real + Format] Motion<R>: |m| "{}", match m {
-        Motion::Turns { centre, spin } => Components(Vector3::new(centre.x, centre.y, *spin)),
-        Motion::Slides { direction, turn, .. } => {
+    [R: Real + Format] Motion<R>: |m| "{}",
+        Components(Vector3::new(m.velocity.x, m.velocity.y, m.rim));
+    [R: Real + Format] SplitMotion<R>: |m| "{}", match m {
+        SplitMotion::Turns { centre, spin } => Components(Vector3::new(centre.x, centre.y, *spin)),
+        SplitMotion::Slides { direction, turn, .. } => {
             Components(Vector3::new(direction.x, direction.y, *turn))
         }
     };

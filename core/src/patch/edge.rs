@@ -16,14 +16,13 @@ pub struct Edge<R> {
     /// First corner.
     x: R,
     y: R,
+    /// Second corner.
+    end_x: R,
+    end_y: R,
     /// Direction towards the second corner, of length 1.
     tangent_x: R,
     tangent_y: R,
     length: R,
-    /// Distance of the centre to the left of the edge's line: first corner · outward normal.
-    offset: R,
-    /// First corner · tangent.
-    along: R,
 }
 
 impl<R: Real> Edge<R> {
@@ -31,27 +30,30 @@ impl<R: Real> Edge<R> {
     pub(crate) fn new(from: Vector2<R>, to: Vector2<R>) -> Self {
         let side = to - from;
         let length = side.x.hypot(side.y);
-        Self::towards(from, Vector2::new(side.x / length, side.y / length), length)
+        let tangent = Vector2::new(side.x / length, side.y / length);
+        Self::between([from, to], tangent, length)
     }
 
     #[inline(always)]
-    pub(crate) fn towards(from: Vector2<R>, tangent: Vector2<R>, length: R) -> Self {
+    pub(crate) fn between([from, to]: [Vector2<R>; 2], tangent: Vector2<R>, length: R) -> Self {
         Self {
             x: from.x,
             y: from.y,
+            end_x: to.x,
+            end_y: to.y,
             tangent_x: tangent.x,
             tangent_y: tangent.y,
             length,
-            offset: from.x * tangent.y - from.y * tangent.x,
-            along: from.x * tangent.x + from.y * tangent.y,
         }
     }
 
     /// The same edge about another centre, in units of another radius.
     pub(crate) fn about(&self, centre: &Vector2<R>, radius: R) -> Self {
-        let from = self.start() - centre;
-        let from = Vector2::new(from.x / radius, from.y / radius);
-        Self::towards(from, self.tangent(), self.length / radius)
+        let ends = [self.start(), self.end()].map(|end| {
+            let from = end - centre;
+            Vector2::new(from.x / radius, from.y / radius)
+        });
+        Self::between(ends, self.tangent(), self.length / radius)
     }
 
     #[inline(always)]
@@ -61,7 +63,7 @@ impl<R: Real> Edge<R> {
 
     #[inline(always)]
     pub(crate) fn end(&self) -> Vector2<R> {
-        self.start() + self.tangent() * self.length
+        Vector2::new(self.end_x, self.end_y)
     }
 
     #[inline(always)]
@@ -80,15 +82,15 @@ impl<R: Real> Edge<R> {
         self.length
     }
 
-    /// First corner · outward normal.
+    /// First corner · outward normal: distance of the centre to the left of the edge's line.
     #[inline(always)]
     pub(crate) fn offset(&self) -> R {
-        self.offset
+        self.x * self.tangent_y - self.y * self.tangent_x
     }
 
     /// First corner · tangent.
     #[inline(always)]
     pub(crate) fn along(&self) -> R {
-        self.along
+        self.x * self.tangent_x + self.y * self.tangent_y
     }
 }

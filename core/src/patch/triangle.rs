@@ -142,8 +142,13 @@ impl<R: Real> Triangle<R> {
     pub(crate) fn edges(&self) -> [Edge<R>; 3] {
         let (a, [b, c]) = (self.corner(), self.sides());
         let [first, second, third] = self.directions();
-        let edge = |from, (tangent, length, _)| Edge::towards(from, tangent, length);
-        [edge(a, first), edge(a + b, second), edge(a + c, third)]
+        let edge = |ends, (tangent, length, _)| Edge::between(ends, tangent, length);
+        let (b, c) = (a + b, a + c);
+        [
+            edge([a, b], first),
+            edge([b, c], second),
+            edge([c, a], third),
+        ]
     }
 }
 

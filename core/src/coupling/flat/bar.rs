@@ -17,7 +17,7 @@
 //! with means along the bar. SecondMaterial derivatives are infinite where the centre lies on the bar: a large
 //! number stands for them.
 
-use super::motion::Motion;
+use super::motion::{Motion, SplitMotion};
 use super::pair_of_numbers::Pair2;
 use super::pole_far::{EdgePairs, FOR_HESSIAN, FOR_WRENCH, TranslatingMotion, by_rule};
 use super::pole_near::EdgeFromPole;
@@ -37,31 +37,31 @@ impl<R: Real> PatchShape<R> for Bar<R> {
     }
 
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
-        match motion {
-            Motion::Turns { centre, spin } => turning(self, centre, R::ONE.copysign(*spin)).0,
-            Motion::Slides {
+        match motion.split() {
+            SplitMotion::Turns { centre, spin } => turning(self, &centre, R::ONE.copysign(spin)).0,
+            SplitMotion::Slides {
                 direction, turn, ..
             } => {
-                let (direction, spin) = (direction, *turn);
+                let (direction, spin) = (&direction, turn);
                 sliding(self, &TranslatingMotion { direction, spin })
             }
         }
     }
 
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
-        match motion {
-            Motion::Turns { centre, spin } => {
-                let (reduced, hessian) = turning(self, centre, R::ONE.copysign(*spin));
+        match motion.split() {
+            SplitMotion::Turns { centre, spin } => {
+                let (reduced, hessian) = turning(self, &centre, R::ONE.copysign(spin));
                 (reduced, hessian.scaled(R::ONE / spin.abs()))
             }
-            Motion::Slides {
+            SplitMotion::Slides {
                 direction,
                 turn,
                 speed,
             } => {
-                let (direction, spin) = (direction, *turn);
+                let (direction, spin) = (&direction, turn);
                 let slide = TranslatingMotion { direction, spin };
-                let hessian = bent(self, &slide).scaled(R::ONE / *speed);
+                let hessian = bent(self, &slide).scaled(R::ONE / speed);
                 (sliding(self, &slide), hessian)
             }
         }

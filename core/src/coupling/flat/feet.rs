@@ -124,27 +124,16 @@ impl<R: Real> PartMotion<R> {
             return None;
         }
         let (at, scale) = feet.placed(foot);
-        let (velocity, spin) = match motion {
-            Motion::Turns { centre, spin } => {
-                let from = at - centre;
-                (Vector2::new(-(*spin * from.y), *spin * from.x), *spin)
-            }
-            Motion::Slides {
-                direction,
-                turn,
-                speed,
-            } => {
-                let spin = *turn * *speed;
-                let by = Vector2::new(-(*turn * at.y), *turn * at.x);
-                ((direction + by) * *speed, spin)
-            }
+        let (velocity, turn) = (&motion.velocity, motion.rim);
+        let motion = Motion {
+            velocity: Vector2::new(velocity.x - turn * at.y, velocity.y + turn * at.x),
+            rim: turn * scale,
         };
-        let rim = spin * scale;
-        if velocity.x == R::ZERO && velocity.y == R::ZERO && rim == R::ZERO {
+        if motion.is_rest() {
             return None;
         }
         Some(Self {
-            motion: Motion::dry(&velocity, rim),
+            motion,
             at,
             scale,
             share,

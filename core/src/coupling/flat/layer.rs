@@ -49,9 +49,6 @@ impl<'a, R: Real, K: PressureField<R>> Layer<'a, R, K> {
     /// None if the pressure is not steep.
     #[inline(always)]
     pub(super) fn of(edges: &'a [Edge<R>], pressure: &'a K) -> Option<Self> {
-        if !K::IS_LINEAR {
-            return None;
-        }
         let [x, y] = pressure.slope();
         let sq = x * x + y * y;
         (sq > R::from_f64(STEEP * STEEP)).then(|| Self {

@@ -17,7 +17,7 @@
 //! it turns, the line integrals of [`super::far`].
 
 use super::cone::about_centre;
-use super::motion::Motion;
+use super::motion::{Motion, SplitMotion};
 use super::pair_of_numbers::Pair2;
 use super::pole_far::TranslatingMotion;
 use super::sums::WrenchSums;
@@ -58,26 +58,26 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
     motion: &Motion<R>,
 ) -> (Reduced<R>, Hessian<R>) {
     let mut sums = WrenchSums::new();
-    match motion {
-        Motion::Turns { centre, spin } => {
+    match motion.split() {
+        SplitMotion::Turns { centre, spin } => {
             for triangle in triangles {
-                turn::<R, WITH_HESSIAN>(&mut sums, triangle, centre);
+                turn::<R, WITH_HESSIAN>(&mut sums, triangle, &centre);
             }
-            sums.turned(centre, *spin)
+            sums.turned(&centre, spin)
         }
-        Motion::Slides {
+        SplitMotion::Slides {
             direction,
             turn,
             speed,
         } => {
             let slide = TranslatingMotion {
-                direction,
-                spin: *turn,
+                direction: &direction,
+                spin: turn,
             };
             for triangle in triangles {
                 slip::<R, WITH_HESSIAN>(&mut sums, triangle, &slide);
             }
-            sums.slid(&slide, *speed)
+            sums.slid(&slide, speed)
         }
     }
 }

@@ -6,9 +6,10 @@
 //! force = −μ ∫p q/|q| dA,     torque = −μ ∫p (x × q)/|q| dA,     q = v + ω × x
 //! ```
 //!
-//! over any [`Polygon`] have closed forms where the centre of rotation lies on the patch or near it,
-//! and become a smooth integral along each edge where it does not. The Jacobian, minus the Hessian
-//! of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
+//! over any [`Polygon`] under uniform pressure have one closed form for all motions, rotation about a
+//! corner and translation included. Under linear pressure they have closed forms where the centre of rotation lies
+//! on the patch or near it, and become a smooth integral along each edge where it does not. The Jacobian, minus the
+//! Hessian of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
 //! the cost grows with the number of edges alone.
 //!
 //! [`ShapePowerFriction`] is the same for friction γ|q|^α, α > −1.
@@ -19,12 +20,14 @@ mod feet;
 mod layer;
 mod mesh;
 mod motion;
+mod moving_edge;
 mod pair_of_numbers;
 mod points;
 mod pole_far;
 mod pole_near;
 mod power;
 mod sums;
+mod uniform;
 
 use crate::law::{LawError, validated_coefficient};
 use crate::patch::outline::{Edge, Polygon, PressureField};
@@ -32,7 +35,7 @@ use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
 use layer::Layer;
 #[doc(hidden)]
-pub use motion::Motion;
+pub use motion::{Motion, SplitMotion};
 use nalgebra::{Matrix3, Vector2};
 use pole_far::TranslatingMotion;
 pub use power::{PolygonPowerLaw, PowerLawPatch, ShapePowerFriction};
@@ -150,21 +153,24 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
     #[inline]
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
         let (edges, pressure, area) = (self.edges(), self.pressure(), self.reduced_area());
+        if !K::IS_LINEAR {
+            return uniform::friction(edges, area, motion);
+        }
         let layer = Layer::of(edges, pressure);
-        let whole = match motion {
-            Motion::Turns { centre, spin } => {
-                let sense = R::ONE.copysign(*spin);
+        let whole = match motion.split() {
+            SplitMotion::Turns { centre, spin } => {
+                let sense = R::ONE.copysign(spin);
                 match layer {
-                    Some(layer) => layer.turns::<false>(centre, sense).0,
-                    None => pole_near::friction(edges, pressure, centre, sense),
+                    Some(layer) => layer.turns::<false>(&centre, sense).0,
+                    None => pole_near::friction(edges, pressure, &centre, sense),
                 }
             }
-            Motion::Slides {
+            SplitMotion::Slides {
                 direction, turn, ..
             } => {
                 let slide = TranslatingMotion {
-                    direction,
-                    spin: *turn,
+                    direction: &direction,
+                    spin: turn,
                 };
                 let size = [area, self.longest_half()];
                 match layer {
@@ -178,24 +184,27 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
 
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
         let (edges, pressure, area) = (self.edges(), self.pressure(), self.reduced_area());
+        if !K::IS_LINEAR {
+            return uniform::friction_and_hessian(edges, area, motion);
+        }
         let layer = Layer::of(edges, pressure);
-        let (whole, hessian, rate) = match motion {
-            Motion::Turns { centre, spin } => {
-                let sense = R::ONE.copysign(*spin);
+        let (whole, hessian, rate) = match motion.split() {
+            SplitMotion::Turns { centre, spin } => {
+                let sense = R::ONE.copysign(spin);
                 let (whole, hessian) = match layer {
-                    Some(layer) => layer.turns::<true>(centre, sense),
-                    None => pole_near::friction_and_hessian(edges, pressure, centre, sense),
+                    Some(layer) => layer.turns::<true>(&centre, sense),
+                    None => pole_near::friction_and_hessian(edges, pressure, &centre, sense),
                 };
                 (whole, hessian, spin.abs())
             }
-            Motion::Slides {
+            SplitMotion::Slides {
                 direction,
                 turn,
                 speed,
             } => {
                 let slide = TranslatingMotion {
-                    direction,
-                    spin: *turn,
+                    direction: &direction,
+                    spin: turn,
                 };
                 let half = self.longest_half();
                 let (whole, hessian) = match layer {
@@ -208,7 +217,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
                         slide.hessian(edges, pressure, half),
                     ),
                 };
-                (whole, hessian, *speed)
+                (whole, hessian, speed)
             }
         };
         let share = R::ONE / area;
@@ -260,12 +269,12 @@ impl<R: Real> Hessian<R> {
 ///
 /// *Units*: any consistent set; twist and wrench refer to the origin of the patch's coordinates.
 /// *Domain*: load · μ · radius and spin · radius are zero or normal numbers. *Accuracy*, of μN and
-/// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 2e-14, under
-/// linear pressure 5e-14, 6e-14 where it almost lifts a long edge (f32: 4e-6, linear pressure 3e-5); one that
-/// is longer loses its aspect ratio. The
+/// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 3e-15 (up to 4
+/// times: 1e-15), bars and points 2e-14, under linear pressure 5e-14, 6e-14 where it almost lifts a long edge (f32:
+/// 1.5e-6, linear pressure 3e-5); one that is longer loses its aspect ratio. The
 /// torque of a patch that hardly turns keeps that accuracy relative to itself.
-/// *Cost*: an edge takes two roots, a logarithm and four quotients; where the centre of rotation
-/// is farther away than 3 radii, 4 to 10 points, each with a root and two quotients.
+/// *Cost*: an edge takes two roots, a logarithm and five quotients; under linear pressure, where the centre of
+/// rotation is farther away than 3 radii, 4 to 10 points, each with a root and two quotients.
 /// *Special values*: zero at rest; NaN for infinite and NaN twists.
 ///
 /// ```
@@ -319,8 +328,9 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
 
     /// The wrench and ∂wrench/∂twist, symmetric and negative semidefinite.
     ///
-    /// *Accuracy*: the Jacobian 5e-14 of its largest entry, with the radius as the unit of length
-    /// (linear pressure 2.5e-13, 4e-13 where it almost lifts a long edge; f32 6e-6, linear pressure 3e-5), for
+    /// *Accuracy*: the Jacobian 4e-14 of its largest entry, with the radius as the unit of length
+    /// (bars and points 5e-14, linear pressure 2.5e-13, 4e-13 where it almost lifts a long edge; f32 1e-5, linear
+    /// pressure 3e-5), for
     /// patches up to 10 times as long as wide; one that is longer loses its aspect ratio, under linear pressure its
     /// square.
     /// *Special values*: zero at rest.

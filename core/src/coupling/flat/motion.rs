@@ -1,14 +1,24 @@
-//! The motion of a patch, as the closed forms need it.
+//! The motion of a patch, as its friction needs it.
 
 use super::PatchShape;
 use crate::real::Real;
 use crate::twist::Twist;
 use nalgebra::Vector2;
 
-/// A motion with lengths in units of the patch's radius, at its centre of pressure.
+/// A motion of the centre of pressure.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Motion<R: Real> {
+pub struct Motion<R: Real> {
+    /// Velocity of the centre.
+    pub velocity: Vector2<R>,
+    /// Spin times the radius of the patch.
+    pub rim: R,
+}
+
+/// A motion as the closed forms about a centre of rotation need it, with lengths in radii.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SplitMotion<R: Real> {
     /// About a centre that is at most 3 radii away (f32 and power laws: 2).
     Turns {
         /// Where it lies.
@@ -38,45 +48,25 @@ impl<R: Real> Motion<R> {
     /// that is infinite or NaN.
     #[inline(always)]
     pub(super) fn new(patch: &impl PatchShape<R>, twist: &Twist<R>) -> Result<Self, R> {
-        Self::split_at(near::<R>(), patch, twist)
-    }
-
-    /// The motion with this velocity and rim speed, whose squares are numbers.
-    #[inline(always)]
-    pub(super) fn dry(velocity: &Vector2<R>, rim: R) -> Self {
-        Self::of(near::<R>(), velocity, rim)
-    }
-
-    /// The same for a power law, whose closed form ends at 2 radii.
-    #[inline(always)]
-    pub(super) fn of_power(patch: &impl PatchShape<R>, twist: &Twist<R>) -> Result<Self, R> {
-        Self::split_at(NEAR_SINGLE, patch, twist)
-    }
-
-    #[inline(always)]
-    fn split_at(near: f64, patch: &impl PatchShape<R>, twist: &Twist<R>) -> Result<Self, R> {
-        let (velocity, rim) = at_centre(patch, twist);
-        let size = size(&velocity, rim);
-        if is_ordinary(size) {
-            return Ok(Self::of(near, &velocity, rim));
+        let motion = Self::at_centre(patch, twist);
+        if is_ordinary(motion.size()) {
+            return Ok(motion);
         }
         let scale = Self::unit(patch, twist);
-        if !twist_size(twist).is_finite() {
+        if !size(&twist.velocity, twist.spin).is_finite() {
             return Err(R::NAN);
         }
-        let twist = *twist * scale;
-        let (velocity, rim) = at_centre(patch, &twist);
-        if velocity.x == R::ZERO && velocity.y == R::ZERO && rim == R::ZERO {
+        let motion = Self::at_centre(patch, &(*twist * scale));
+        if motion.is_rest() {
             return Err(R::ZERO);
         }
-        Ok(Self::of(near, &velocity, rim))
+        Ok(motion)
     }
 
     /// The power of two that brings `twist` to speeds whose squares are numbers, almost always 1.
     #[inline]
     pub(super) fn unit(patch: &impl PatchShape<R>, twist: &Twist<R>) -> R {
-        let (velocity, rim) = at_centre(patch, twist);
-        let size = size(&velocity, rim);
+        let size = Self::at_centre(patch, twist).size();
         if is_ordinary(size) {
             R::ONE
         } else if size < R::ONE {
@@ -89,15 +79,48 @@ impl<R: Real> Motion<R> {
     }
 
     #[inline(always)]
-    fn of(near: f64, velocity: &Vector2<R>, rim: R) -> Self {
+    fn at_centre(patch: &impl PatchShape<R>, twist: &Twist<R>) -> Self {
+        let centre = patch.centre();
+        let velocity = Vector2::new(
+            twist.velocity.x - twist.spin * centre.y,
+            twist.velocity.y + twist.spin * centre.x,
+        );
+        let rim = twist.spin * patch.radius();
+        Self { velocity, rim }
+    }
+
+    pub(super) fn is_rest(&self) -> bool {
+        self.velocity.x == R::ZERO && self.velocity.y == R::ZERO && self.rim == R::ZERO
+    }
+
+    #[inline(always)]
+    fn size(&self) -> R {
+        size(&self.velocity, self.rim)
+    }
+
+    /// As dry friction about a centre of rotation needs it.
+    #[inline(always)]
+    pub(super) fn split(&self) -> SplitMotion<R> {
+        self.split_at(if R::IS_SINGLE { NEAR_SINGLE } else { NEAR })
+    }
+
+    /// The same for a power law, whose closed form ends at 2 radii.
+    #[inline(always)]
+    pub(super) fn split_for_power(&self) -> SplitMotion<R> {
+        self.split_at(NEAR_SINGLE)
+    }
+
+    #[inline(always)]
+    fn split_at(&self, near: f64) -> SplitMotion<R> {
+        let Self { velocity, rim } = *self;
         let speed = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
         if speed <= R::from_f64(near) * rim.abs() {
-            Self::Turns {
+            SplitMotion::Turns {
                 centre: Vector2::new(-(velocity.y / rim), velocity.x / rim),
                 spin: rim,
             }
         } else {
-            Self::Slides {
+            SplitMotion::Slides {
                 direction: Vector2::new(velocity.x / speed, velocity.y / speed),
                 turn: rim / speed,
                 speed,
@@ -106,36 +129,15 @@ impl<R: Real> Motion<R> {
     }
 }
 
-/// Radii up to which the closed form of dry friction serves.
-#[inline(always)]
-fn near<R: Real>() -> f64 {
-    if R::IS_SINGLE { NEAR_SINGLE } else { NEAR }
-}
-
-/// Velocity of the centre of pressure, and rim speed.
-#[inline(always)]
-fn at_centre<R: Real>(patch: &impl PatchShape<R>, twist: &Twist<R>) -> (Vector2<R>, R) {
-    let centre = patch.centre();
-    let velocity = Vector2::new(
-        twist.velocity.x - twist.spin * centre.y,
-        twist.velocity.y + twist.spin * centre.x,
-    );
-    (velocity, twist.spin * patch.radius())
-}
-
 /// An upper bound of the speeds that is not larger than three times the largest one.
 #[inline(always)]
 fn size<R: Real>(velocity: &Vector2<R>, rim: R) -> R {
     velocity.x.abs() + velocity.y.abs() + rim.abs()
 }
 
-fn twist_size<R: Real>(twist: &Twist<R>) -> R {
-    size(&twist.velocity, twist.spin)
-}
-
 /// True if the square is a normal number with digits to spare.
 #[inline(always)]
-fn is_ordinary<R: Real>(size: R) -> bool {
+pub(super) fn is_ordinary<R: Real>(size: R) -> bool {
     let sq = size * size;
     sq > R::MIN_POSITIVE / R::EPSILON && sq < R::INFINITY
 }

@@ -1,6 +1,6 @@
 //! Friction of points.
 
-use super::motion::Motion;
+use super::motion::{Motion, SplitMotion};
 use super::pair_of_numbers::Pair2;
 use super::pole_far::TranslatingMotion;
 use super::sums::WrenchSums;
@@ -72,8 +72,8 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
     let mut sums = WrenchSums::new();
     let none = ([R::ONE, R::ZERO], R::ZERO);
     let pairs = points.nodes().nodes().chunks(2);
-    match motion {
-        Motion::Turns { centre, spin } => {
+    match motion.split() {
+        SplitMotion::Turns { centre, spin } => {
             for pair in pairs {
                 let mut nodes = pair.iter().map(|node| {
                     let ([x, y], share) = points.reduced_node(node);
@@ -85,14 +85,14 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
                 let (at, share) = two(lanes);
                 sums.turn::<WITH_HESSIAN>(at, share);
             }
-            sums.turned(centre, *spin)
+            sums.turned(&centre, spin)
         }
-        Motion::Slides {
+        SplitMotion::Slides {
             direction,
             turn,
             speed,
         } => {
-            let (direction, spin) = (direction, *turn);
+            let (direction, spin) = (&direction, turn);
             let slide = TranslatingMotion { direction, spin };
             for pair in pairs {
                 let mut nodes = pair.iter().map(|node| {
@@ -112,7 +112,7 @@ fn summed<R: Real, const WITH_HESSIAN: bool>(
                 let (at, share) = two(lanes);
                 sums.slide::<WITH_HESSIAN>(Pair2::of(spin), at, share);
             }
-            sums.slid(&slide, *speed)
+            sums.slid(&slide, speed)
         }
     }
 }

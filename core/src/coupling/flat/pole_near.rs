@@ -1,4 +1,4 @@
-//! Friction of a patch with straight edges whose centre of rotation is on the patch or not far away.
+//! Friction of a patch with straight edges under linear pressure whose centre of rotation is on the patch or not far away.
 //!
 //! With the centre c, ρ = x − c and r = |ρ| the divergences div(ρ r) = 3 r and div(r) = ρ/r turn the
 //! area integrals into integrals along the edges. An edge with tangent τ and outward normal n lies
@@ -97,7 +97,7 @@ pub(super) fn friction<R: Real, K: PressureField<R>>(
 ) -> Reduced<R> {
     let mut sums = AreaIntegrals::new();
     for edge in edges {
-        sums.add(edge, pressure, &EdgeFromPole::new(edge, centre));
+        sums.add(edge, &EdgeFromPole::new(edge, centre));
     }
     sums.friction(pressure, centre, sense)
 }
@@ -113,7 +113,7 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
     let mut across = HessianIntegrals::new();
     for edge in edges {
         let seen = EdgeFromPole::new(edge, centre);
-        sums.add(edge, pressure, &seen);
+        sums.add(edge, &seen);
         across.add(edge, pressure, &seen);
     }
     let reduced = sums.friction(pressure, centre, sense);
@@ -124,8 +124,6 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
 struct AreaIntegrals<R: Real> {
     /// Σ τ I
     along: Vector2<R>,
-    /// Σ I (offset − 2h/3)
-    arm: R,
     /// ∫r dA
     distance: R,
     /// ∫ρ r dA
@@ -139,7 +137,6 @@ impl<R: Real> AreaIntegrals<R> {
         let zero = Vector2::new(R::ZERO, R::ZERO);
         Self {
             along: zero,
-            arm: R::ZERO,
             distance: R::ZERO,
             moment: zero,
             spread: [R::ZERO; 3],
@@ -147,14 +144,10 @@ impl<R: Real> AreaIntegrals<R> {
     }
 
     #[inline(always)]
-    fn add<K: PressureField<R>>(&mut self, edge: &Edge<R>, _: &K, seen: &EdgeFromPole<R>) {
+    fn add(&mut self, edge: &Edge<R>, seen: &EdgeFromPole<R>) {
         let third = R::ONE / R::from_f64(3.0);
         let (tangent, integral) = (edge.tangent(), seen.integral);
         self.along += tangent * integral;
-        if !K::IS_LINEAR {
-            self.arm += integral * (edge.offset() - R::TWO * third * seen.h);
-            return;
-        }
         let normal = edge.normal();
         let moment =
             seen.rise * (seen.r1 * seen.r1 + seen.r1 * seen.r0 + seen.r0 * seen.r0) * third;
@@ -178,12 +171,6 @@ impl<R: Real> AreaIntegrals<R> {
         centre: &Vector2<R>,
         sense: R,
     ) -> Reduced<R> {
-        if !K::IS_LINEAR {
-            return Reduced {
-                force: self.along * -sense,
-                torque: -(sense * self.arm),
-            };
-        }
         let ([slope_x, slope_y], here) = (pressure.slope(), at(pressure, centre));
         let [xx, xy, yy] = self.spread;
         let (xx, yy) = (xx - self.distance, yy - self.distance);
@@ -234,9 +221,6 @@ impl<R: Real> HessianIntegrals<R> {
         ];
         for (sum, part) in self.uniform.iter_mut().zip(parts) {
             *sum += part;
-        }
-        if !K::IS_LINEAR {
-            return;
         }
         let [x, y] = pressure.slope();
         let (out, on) = (x * normal.x + y * normal.y, x * tangent.x + y * tangent.y);

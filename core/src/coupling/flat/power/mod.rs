@@ -17,7 +17,7 @@ mod prepared;
 pub use prepared::PolygonPowerLaw;
 
 use super::pole_far::TranslatingMotion;
-use super::{Hessian, Motion, PatchShape, Reduced, ShapeFriction};
+use super::{Hessian, Motion, PatchShape, Reduced, ShapeFriction, SplitMotion};
 use crate::law::LawError;
 use crate::patch::outline::{Edge, Polygon, PressureField};
 use crate::real::Real;
@@ -30,26 +30,26 @@ use nalgebra::{Matrix3, Vector2};
 pub trait PowerLawPatch<R: Real>: PatchShape<R> {
     /// Friction at a motion of the centre, whose rim speed or velocity counts as 1.
     #[doc(hidden)]
-    fn of_power(&self, power: &PolygonPowerLaw<R>, motion: &Motion<R>) -> Reduced<R>;
+    fn of_power(&self, power: &PolygonPowerLaw<R>, motion: &SplitMotion<R>) -> Reduced<R>;
 
     /// The same with minus its derivatives.
     #[doc(hidden)]
     fn of_power_with_hessian(
         &self,
         power: &PolygonPowerLaw<R>,
-        motion: &Motion<R>,
+        motion: &SplitMotion<R>,
     ) -> (Reduced<R>, Hessian<R>);
 }
 
 impl<R: Real, P: PowerLawPatch<R> + ?Sized> PowerLawPatch<R> for &P {
     #[inline]
-    fn of_power(&self, power: &PolygonPowerLaw<R>, motion: &Motion<R>) -> Reduced<R> {
+    fn of_power(&self, power: &PolygonPowerLaw<R>, motion: &SplitMotion<R>) -> Reduced<R> {
         (**self).of_power(power, motion)
     }
     fn of_power_with_hessian(
         &self,
         power: &PolygonPowerLaw<R>,
-        motion: &Motion<R>,
+        motion: &SplitMotion<R>,
     ) -> (Reduced<R>, Hessian<R>) {
         (**self).of_power_with_hessian(power, motion)
     }
@@ -57,13 +57,13 @@ impl<R: Real, P: PowerLawPatch<R> + ?Sized> PowerLawPatch<R> for &P {
 
 impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PowerLawPatch<R> for Polygon<R, S, K> {
     #[inline]
-    fn of_power(&self, power: &PolygonPowerLaw<R>, motion: &Motion<R>) -> Reduced<R> {
+    fn of_power(&self, power: &PolygonPowerLaw<R>, motion: &SplitMotion<R>) -> Reduced<R> {
         let patch = (self.edges(), self.pressure());
         let whole = match motion {
-            Motion::Turns { centre, spin } => {
+            SplitMotion::Turns { centre, spin } => {
                 near::friction(power, patch, centre, R::ONE.copysign(*spin))
             }
-            Motion::Slides {
+            SplitMotion::Slides {
                 direction, turn, ..
             } => {
                 let spin = *turn;
@@ -77,14 +77,14 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PowerLawPatch<R> for Pol
     fn of_power_with_hessian(
         &self,
         power: &PolygonPowerLaw<R>,
-        motion: &Motion<R>,
+        motion: &SplitMotion<R>,
     ) -> (Reduced<R>, Hessian<R>) {
         let patch = (self.edges(), self.pressure());
         let (whole, hessian) = match motion {
-            Motion::Turns { centre, spin } => {
+            SplitMotion::Turns { centre, spin } => {
                 near::friction_and_hessian(power, patch, centre, R::ONE.copysign(*spin))
             }
-            Motion::Slides {
+            SplitMotion::Slides {
                 direction, turn, ..
             } => {
                 let spin = *turn;
@@ -165,8 +165,9 @@ impl<R: Real, P: PowerLawPatch<R>> ShapePowerFriction<R, P> {
     /// exclude.
     #[inline]
     pub fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
-        match Motion::of_power(self.patch(), twist) {
+        match Motion::new(self.patch(), twist) {
             Ok(motion) => {
+                let motion = motion.split_for_power();
                 let reduced = self.patch().of_power(&self.power, &motion);
                 let pace = self.pace(&motion, twist, self.power.alpha);
                 self.flat.at_origin(load, &reduced.scaled(pace))
@@ -203,8 +204,9 @@ impl<R: Real, P: PowerLawPatch<R>> ShapePowerFriction<R, P> {
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn wrench_and_jacobian(&self, load: R, twist: &Twist<R>) -> (Wrench<R>, WrenchJacobian<R>) {
-        let unmoved = match Motion::of_power(self.patch(), twist) {
+        let unmoved = match Motion::new(self.patch(), twist) {
             Ok(motion) => {
+                let motion = motion.split_for_power();
                 let (reduced, hessian) = self.patch().of_power_with_hessian(&self.power, &motion);
                 let alpha = self.power.alpha;
                 let pace = self.pace(&motion, twist, alpha);
@@ -218,7 +220,7 @@ impl<R: Real, P: PowerLawPatch<R>> ShapePowerFriction<R, P> {
         };
         let wrench = Wrench::new(unmoved, unmoved, unmoved);
         if unmoved == R::ZERO && self.power.alpha == R::ONE {
-            let turn = Motion::Turns {
+            let turn = SplitMotion::Turns {
                 centre: Vector2::new(R::ZERO, R::ZERO),
                 spin: R::ONE,
             };
@@ -230,10 +232,10 @@ impl<R: Real, P: PowerLawPatch<R>> ShapePowerFriction<R, P> {
 
     /// A power of the speed that a reduced motion has as its unit.
     #[inline(always)]
-    fn pace(&self, motion: &Motion<R>, twist: &Twist<R>, exponent: R) -> R {
+    fn pace(&self, motion: &SplitMotion<R>, twist: &Twist<R>, exponent: R) -> R {
         let speed = match motion {
-            Motion::Turns { spin, .. } => spin.abs(),
-            Motion::Slides { speed, .. } => *speed,
+            SplitMotion::Turns { spin, .. } => spin.abs(),
+            SplitMotion::Slides { speed, .. } => *speed,
         };
         let unit = Motion::unit(self.patch(), twist);
         if unit == R::ONE {
