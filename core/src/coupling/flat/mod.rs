@@ -16,7 +16,7 @@
 mod bar;
 mod cone;
 mod feet;
-mod layer;
+mod linear;
 mod mesh;
 mod motion;
 mod pair_of_numbers;
@@ -31,11 +31,9 @@ use crate::law::{LawError, validated_coefficient};
 use crate::patch::outline::{Edge, Polygon, PressureField};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
-use layer::Layer;
 #[doc(hidden)]
 pub use motion::{Motion, SplitMotion};
 use nalgebra::{Matrix3, Vector2};
-use pole_far::TranslatingMotion;
 pub use power::{PolygonPowerLaw, PowerLawPatch, ShapePowerFriction};
 
 /// Friction of a patch per limit μN, about its centre of pressure; the torque per radius.
@@ -154,30 +152,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
         if !K::IS_LINEAR {
             return uniform::friction(edges, area, motion);
         }
-        let layer = Layer::of(edges, pressure);
-        let whole = match motion.split() {
-            SplitMotion::Turns { centre, spin } => {
-                let sense = R::ONE.copysign(spin);
-                match layer {
-                    Some(layer) => layer.turns::<false>(&centre, sense).0,
-                    None => pole_near::friction(edges, pressure, &centre, sense),
-                }
-            }
-            SplitMotion::Slides {
-                direction, turn, ..
-            } => {
-                let slide = TranslatingMotion {
-                    direction: &direction,
-                    spin: turn,
-                };
-                let size = [area, self.longest_half()];
-                match layer {
-                    Some(layer) => layer.slides(&slide, size),
-                    None => slide.friction(edges, pressure, size),
-                }
-            }
-        };
-        whole.scaled(R::ONE / area)
+        linear::friction::<R, K, false>(edges, pressure, area, motion).0
     }
 
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
@@ -185,41 +160,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
         if !K::IS_LINEAR {
             return uniform::friction_and_hessian(edges, area, motion);
         }
-        let layer = Layer::of(edges, pressure);
-        let (whole, hessian, rate) = match motion.split() {
-            SplitMotion::Turns { centre, spin } => {
-                let sense = R::ONE.copysign(spin);
-                let (whole, hessian) = match layer {
-                    Some(layer) => layer.turns::<true>(&centre, sense),
-                    None => pole_near::friction_and_hessian(edges, pressure, &centre, sense),
-                };
-                (whole, hessian, spin.abs())
-            }
-            SplitMotion::Slides {
-                direction,
-                turn,
-                speed,
-            } => {
-                let slide = TranslatingMotion {
-                    direction: &direction,
-                    spin: turn,
-                };
-                let half = self.longest_half();
-                let (whole, hessian) = match layer {
-                    Some(layer) => (
-                        layer.slides(&slide, [area, half]),
-                        layer.bends(&slide, half),
-                    ),
-                    None => (
-                        slide.friction(edges, pressure, [area, half]),
-                        slide.hessian(edges, pressure, half),
-                    ),
-                };
-                (whole, hessian, speed)
-            }
-        };
-        let share = R::ONE / area;
-        (whole.scaled(share), hessian.scaled(share / rate))
+        linear::friction::<R, K, true>(edges, pressure, area, motion)
     }
 }
 

@@ -1,28 +1,14 @@
-//! Friction of a patch with straight edges that slides more than it turns.
+//! Friction of a patch with straight edges that slides more than it turns: bars, and triangles of meshes.
 //!
-//! The sliding velocity of the centre of pressure, the origin, is the unit of speed and has the
-//! direction e; w is the spin. With a = e·(z × x) an element at x has the speed q,
-//!
-//! ```text
-//! q² = 1 + 2 w a + w² x²,    q = 1 + w a + w² b,    b = (x² − a m)/s,    m = (2 a + w x²)/s,    s = q + 1
-//! ```
-//!
-//! *Uniform pressure*. Integrals of q along the edges give force and torque, and those of 1 and a are
-//! known. The part of b that is left at w = 0 has no share in the torque, where its line integral is that of an
-//! exact differential; b₁ = −(a b + m (x² − a²)/2)/s is the rest of b over w:
+//! The sliding velocity of the centre of pressure, the origin, is the unit of speed; w is the spin. Let the
+//! axes lie along the velocity and across it. An element has the velocity (g, w x) with g = 1 − w y and the
+//! speed q. Since the pressure k of the whole has its centre at the origin,
 //!
 //! ```text
-//! force = −(area e + w Σ τ ∫b dl),     torque = −w Σ [offset ∫b dl − 2 (e·τ) ∫b₁ dl]/3
-//! ```
-//!
-//! *Linear pressure* k, *and second derivatives*. Let the axes lie along e and across it. The
-//! velocity is (g, w x) with g = 1 − w y. Since the pressure has its centre at the origin,
-//!
-//! ```text
-//! force along e  = −∫k g/q            = −∫k + w² ∫k x²/(q s),     s = q + g
-//! force across   = −w ∫k x/q          = −w² ∫k x (y − w x²/s)/q
-//! torque         = −∫k (w x² − y g)/q = −w ∫k x² (1 + q)/(q s)
-//! D″             = ∫k (g², x g, x²)/q³   across and across, across and spin, spin and spin
+//! force along the velocity = −∫k g/q            = −∫k + w² ∫k x²/(q s),     s = q + g
+//! force across             = −w ∫k x/q          = −w² ∫k x (y − w x²/s)/q
+//! torque                   = −∫k (w x² − y g)/q = −w ∫k x² (1 + q)/(q s)
+//! D″                       = ∫k (g², x g, x²)/q³   across and across, across and spin, spin and spin
 //! ```
 //!
 //! The integrals over x have closed forms at every y in c = x/s, σ = w c (the tangent of half the
@@ -34,7 +20,7 @@
 //! P(σ²) = (1 − (1 − σ²) atanh(σ)/σ)/σ² = 2/3 + σ² P₁(σ²)
 //! ```
 //!
-//! In either case nothing cancels, no digit is lost as w → 0, and what is left is a smooth integral
+//! Nothing cancels, no digit is lost as w → 0, and what is left is a smooth integral
 //! along each edge, by Gauss' rule with as many points as the distance of the centre of rotation
 //! asks for.
 
@@ -114,55 +100,6 @@ pub(super) fn by_rule<R: Real, S: EdgeQuadrature<R>>(
     sum.sum(rule)
 }
 
-/// The edges under uniform pressure.
-struct UniformEdges<'a, R: Real> {
-    slide: &'a TranslatingMotion<'a, R>,
-    edges: &'a [Edge<R>],
-}
-
-impl<R: Real> EdgeQuadrature<R> for UniformEdges<'_, R> {
-    /// Σ τ ∫b dl and Σ [offset ∫b dl − 2 (e·τ) ∫b₁ dl].
-    type Sum = (Vector2<R>, R);
-
-    #[inline(always)]
-    fn sum(&self, rule: &[[f64; 2]]) -> Self::Sum {
-        let TranslatingMotion { direction: e, spin } = *self.slide;
-        let (one, w, one_half) = (Pair2::of(R::ONE), Pair2::of(spin), Pair2::of(R::HALF));
-        let mut force = Vector2::new(R::ZERO, R::ZERO);
-        let mut torque = R::ZERO;
-        for edge in self.edges {
-            let (tangent, half) = (edge.tangent(), R::HALF * edge.length());
-            let middle = edge.start() + tangent * half;
-            let along = e.x * tangent.x + e.y * tangent.y;
-            // a and x² are polynomials in the place along the edge.
-            let a_middle = e.y * middle.x - e.x * middle.y;
-            let a_rate = half * (e.y * tangent.x - e.x * tangent.y);
-            let sq_middle = middle.x * middle.x + middle.y * middle.y;
-            let sq_rate = R::TWO * half * (middle.x * tangent.x + middle.y * tangent.y);
-            let (mut b_sum, mut b1_sum) = (Pair2::of(R::ZERO), Pair2::of(R::ZERO));
-            for &[node, weight] in rule {
-                let (node, weight) = (R::from_f64(node), Pair2::of(R::from_f64(weight)));
-                let by = node * half;
-                let a = Pair2::of(a_middle) + Pair2([node * a_rate, -(node * a_rate)]);
-                let even = sq_middle + by * by;
-                let sq = Pair2::of(even) + Pair2([node * sq_rate, -(node * sq_rate)]);
-                let double = a + a + w * sq;
-                let inv = ((one + w * double).sqrt() + one).inverse();
-                let m = double * inv;
-                let b = (sq - a * m) * inv;
-                // −b₁
-                let b1 = (a * b + one_half * m * (sq - a * a)) * inv;
-                b_sum = b_sum + weight * b;
-                b1_sum = b1_sum + weight * b1;
-            }
-            let (b, b1) = (half * b_sum.sum(), half * b1_sum.sum());
-            force += tangent * b;
-            torque += edge.offset() * b + R::TWO * along * b1;
-        }
-        (force, torque)
-    }
-}
-
 /// Integrals along the edges of `N` functions, at two points at once.
 pub(super) struct EdgePairs<'a, R: Real, F, const N: usize> {
     pub(super) slide: &'a TranslatingMotion<'a, R>,
@@ -205,30 +142,6 @@ where
 }
 
 impl<R: Real> TranslatingMotion<'_, R> {
-    /// Friction, given the pressure's integral and half the length of the longest edge.
-    #[inline]
-    pub(super) fn friction<K: PressureField<R>>(
-        &self,
-        edges: &[Edge<R>],
-        pressure: &K,
-        [load, half]: [R; 2],
-    ) -> Reduced<R> {
-        let (e, spin) = (self.direction, self.spin);
-        let reach = half * spin.abs();
-        if K::IS_LINEAR {
-            let sums = self.linear(edges, pressure, reach);
-            return self.reduced_of(sums, load);
-        }
-        let (force, torque) = by_rule(&UniformEdges { slide: self, edges }, reach, FOR_WRENCH);
-        Reduced {
-            force: Vector2::new(
-                -(load * e.x + spin * force.x),
-                -(load * e.y + spin * force.y),
-            ),
-            torque: -(spin * torque * R::from_f64(1.0 / 3.0)),
-        }
-    }
-
     /// A vector along the direction and across it.
     #[inline(always)]
     pub(super) fn turned(&self, v: &Vector2<R>) -> [R; 2] {
@@ -288,16 +201,6 @@ impl<R: Real> TranslatingMotion<'_, R> {
             force: Vector2::new(along * e.x - across * e.y, along * e.y + across * e.x),
             torque: -(spin * torque),
         }
-    }
-
-    /// SecondMaterial derivatives of the power, given half the length of the longest edge.
-    pub(super) fn hessian<K: PressureField<R>>(
-        &self,
-        edges: &[Edge<R>],
-        pressure: &K,
-        half: R,
-    ) -> Hessian<R> {
-        self.hessian_of(self.bent(edges, pressure, half * self.spin.abs()))
     }
 
     /// Integrals of (g², x g, x²)/q³ under a pressure.

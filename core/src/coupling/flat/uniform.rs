@@ -90,17 +90,17 @@ impl InEach for Bend {
 
 /// A motion with |velocity|² + rim² = 1.
 #[derive(Clone, Copy)]
-struct UnitMotion<R> {
-    x: R,
-    y: R,
-    spin: R,
+pub(super) struct UnitMotion<R> {
+    pub(super) x: R,
+    pub(super) y: R,
+    pub(super) spin: R,
     /// 1 over the speed that is its unit.
-    rate: R,
+    pub(super) rate: R,
 }
 
 impl<R: Real> UnitMotion<R> {
     #[inline(always)]
-    fn of(motion: &Motion<R>) -> Self {
+    pub(super) fn of(motion: &Motion<R>) -> Self {
         let (velocity, spin) = (&motion.velocity, motion.rim);
         let sq = velocity.x * velocity.x + velocity.y * velocity.y + spin * spin;
         if sq > R::MIN_POSITIVE / R::EPSILON && sq < R::INFINITY {
@@ -133,22 +133,22 @@ const LEAST_SPEED: f64 = 0.25;
 
 /// A corner.
 #[derive(Clone, Copy)]
-struct Corner<R> {
+pub(super) struct Corner<R> {
     /// Its velocity.
     u: [R; 2],
     /// |u|
     q: R,
     /// α
-    arm: R,
+    pub(super) arm: R,
     /// p
-    p: R,
+    pub(super) p: R,
     /// p″
-    rest: R,
+    pub(super) rest: R,
 }
 
 impl<R: Real> Corner<R> {
     #[inline(always)]
-    fn new(motion: &UnitMotion<R>, place: &Vector2<R>) -> Self {
+    pub(super) fn new(motion: &UnitMotion<R>, place: &Vector2<R>) -> Self {
         let (v_x, v_y, w) = (motion.x, motion.y, motion.spin);
         let (x, y) = (place.x, place.y);
         let u = [v_x - w * y, v_y + w * x];
@@ -166,40 +166,41 @@ impl<R: Real> Corner<R> {
 }
 
 /// An edge under a motion.
-struct MovingEdge<R> {
-    length: R,
-    tangent: Vector2<R>,
+#[derive(Clone, Copy)]
+pub(super) struct MovingEdge<R> {
+    pub(super) length: R,
+    pub(super) tangent: Vector2<R>,
     /// H
-    offset: R,
+    pub(super) offset: R,
     /// w
-    spin: R,
+    pub(super) spin: R,
     /// v·τ
-    along: R,
+    pub(super) along: R,
     /// v·n
-    across: R,
+    pub(super) across: R,
     /// Middle · tangent.
-    middle: R,
+    pub(super) middle: R,
     /// Means of p, α and p″ at the ends.
-    p: R,
-    arm: R,
-    rest: R,
+    pub(super) p: R,
+    pub(super) arm: R,
+    pub(super) rest: R,
     /// S
-    sum: R,
+    pub(super) sum: R,
     /// l/S, ζ, y²
-    reach: R,
-    zeta: R,
-    y_sq: R,
+    pub(super) reach: R,
+    pub(super) zeta: R,
+    pub(super) y_sq: R,
     /// C
-    open: R,
+    pub(super) open: R,
     /// G
-    bend: R,
+    pub(super) bend: R,
     /// 1/S
-    inv_sum: R,
+    pub(super) inv_sum: R,
 }
 
 impl<R: Real> MovingEdge<R> {
     #[inline(always)]
-    fn new(motion: &UnitMotion<R>, edge: &Edge<R>, [from, to]: [&Corner<R>; 2]) -> Self {
+    pub(super) fn new(motion: &UnitMotion<R>, edge: &Edge<R>, [from, to]: [&Corner<R>; 2]) -> Self {
         let (tangent, length, offset) = (edge.tangent(), edge.length(), edge.offset());
         let (normal, w) = (edge.normal(), motion.spin);
         let (start, end) = (edge.start(), edge.end());
@@ -271,7 +272,7 @@ impl<R: Real> MovingEdge<R> {
 
     /// g
     #[inline(always)]
-    fn log(&self) -> R {
+    pub(super) fn log(&self) -> R {
         R::from_f64(1.0 / 3.0) + self.y_sq * self.bend
     }
 
@@ -301,13 +302,17 @@ pub(super) fn friction<R: Real>(edges: &[Edge<R>], area: R, motion: &Motion<R>) 
         y: R::ZERO,
         turn: R::ZERO,
     };
-    each(edges, &motion, |edge| sums.add(edge));
+    each(edges, &motion, |_, _, edge| sums.add(edge));
     sums.friction(&motion, R::ONE / area)
 }
 
-/// Calls `add` with each edge.
+/// Calls `add` with each edge and its corners.
 #[inline(always)]
-fn each<R: Real>(edges: &[Edge<R>], motion: &UnitMotion<R>, mut add: impl FnMut(&MovingEdge<R>)) {
+pub(super) fn each<R: Real>(
+    edges: &[Edge<R>],
+    motion: &UnitMotion<R>,
+    mut add: impl FnMut(&Edge<R>, [&Corner<R>; 2], &MovingEdge<R>),
+) {
     let mut last: Option<(Vector2<R>, Corner<R>)> = None;
     for edge in edges {
         // The corner that two edges share is computed once.
@@ -316,7 +321,8 @@ fn each<R: Real>(edges: &[Edge<R>], motion: &UnitMotion<R>, mut add: impl FnMut(
             _ => Corner::new(motion, &edge.start()),
         };
         let to = Corner::new(motion, &edge.end());
-        add(&MovingEdge::new(motion, edge, [&from, &to]));
+        let ends = [&from, &to];
+        add(edge, ends, &MovingEdge::new(motion, edge, ends));
         last = Some((edge.end(), to));
     }
 }
@@ -363,7 +369,7 @@ pub(super) fn friction_and_hessian<R: Real>(
         yn: zero,
         nn: zero,
     };
-    each(edges, &motion, |edge| {
+    each(edges, &motion, |_, _, edge| {
         sums.add(edge);
         edge.add_hessian(&mut bent);
     });
