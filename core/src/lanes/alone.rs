@@ -1,9 +1,13 @@
 //! Targets without vectors whose roots and quotients round as the scalar ones do.
 
+use super::Numbers;
 use core::ops::{Add, Mul};
 
 /// A precision; here without lanes.
 pub trait Laned: Copy + Add<Output = Self> + Mul<Output = Self> {
+    /// Its numbers one by one.
+    type Some: Numbers<Real = Self>;
+
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, even and odd powers apart, on pairs.
     #[inline]
     fn sums<const TERMS: usize>(pairs: &[[Self; 2]; TERMS], u: Self) -> [Self; 2] {
@@ -28,5 +32,9 @@ pub trait Laned: Copy + Add<Output = Self> + Mul<Output = Self> {
     }
 }
 
-impl Laned for f32 {}
-impl Laned for f64 {}
+impl Laned for f32 {
+    type Some = Self;
+}
+impl Laned for f64 {
+    type Some = Self;
+}

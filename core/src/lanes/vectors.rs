@@ -1,14 +1,16 @@
 //! Lanes of the processor's vectors; every operation rounds as the scalar one does.
 
-use super::{Group, Lanes};
+use super::{FOUR, Group, Lanes, Numbers, f32_bits, f64_bits};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Mul};
-use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8};
+use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8, u32x4, u64x4};
 
 /// A precision whose numbers go in lanes.
 pub trait Laned: Sized {
     /// Eight of its numbers.
     type Lanes: Eight<Real = Self>;
+    /// Four of its numbers.
+    type Some: Numbers<Real = Self>;
 
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, side by side.
     fn sums<const TERMS: usize>(pairs: &[[Self; 2]; TERMS], u: Self) -> [Self; 2];
@@ -16,6 +18,7 @@ pub trait Laned: Sized {
 
 impl Laned for f64 {
     type Lanes = f64x8;
+    type Some = f64x4;
 
     #[inline(always)]
     fn sums<const TERMS: usize>(pairs: &[[f64; 2]; TERMS], u: f64) -> [f64; 2] {
@@ -24,6 +27,7 @@ impl Laned for f64 {
 }
 impl Laned for f32 {
     type Lanes = f32x8;
+    type Some = f32x4;
 
     #[inline(always)]
     fn sums<const TERMS: usize>(pairs: &[[f32; 2]; TERMS], u: f32) -> [f32; 2] {
@@ -123,10 +127,63 @@ lanes!(f32x8, f32x8::splat, |mask| {
     let part: [f32x4; 2] = bytemuck::cast(mask);
     (part[0] & part[1]).all()
 });
+lanes!(f64x4, |value| f64x4::splat(f64::from(value)), |mask| mask
+    .all());
 lanes!(f64x8, |value| f64x8::splat(f64::from(value)), |mask| {
     let part: [f64x2; 4] = bytemuck::cast(mask);
     ((part[0] & part[1]) & (part[2] & part[3])).all()
 });
+
+macro_rules! four {
+    ($lanes:ty, $real:ty, $bits:ident, $bits_lanes:ty, |$single:ident, $double:ident| $own:expr) => {
+        impl Numbers for $lanes {
+            type Real = $real;
+            const COUNT: usize = FOUR;
+            type Sums = Self;
+
+            #[inline(always)]
+            fn of(mut at: impl FnMut(usize) -> $real) -> Self {
+                Self::new([at(0), at(1), at(2), at(3)])
+            }
+            #[inline(always)]
+            fn repeat(number: $real) -> Self {
+                Self::splat(number)
+            }
+            #[inline(always)]
+            fn none() -> Self {
+                Self::splat(0.0)
+            }
+            #[inline(always)]
+            fn add_to(self, sums: &mut Self, _: usize) {
+                *sums = *sums + self;
+            }
+            #[inline(always)]
+            fn total(sums: &Self) -> $real {
+                <$real>::total(&sums.to_array())
+            }
+            #[inline(always)]
+            fn sums<const SINGLE: usize, const DOUBLE: usize>(
+                $single: &[[f32; 2]; SINGLE],
+                $double: &[[f64; 2]; DOUBLE],
+                u: Self,
+            ) -> [Self; 2] {
+                even_and_odd_of_each($own, Self::splat, u)
+            }
+            #[inline(always)]
+            fn octaves(self) -> [Self; 2] {
+                use $bits::{DIGITS, HALF_ROOT, SIGN, WHOLE, ZERO};
+                let splat = <$bits_lanes>::splat;
+                let bits: $bits_lanes = bytemuck::cast(self);
+                let octaves = (bits + splat(SIGN.wrapping_sub(HALF_ROOT))) >> DIGITS;
+                let mantissa = bits - (octaves << DIGITS) + splat(SIGN);
+                let count: Self = bytemuck::cast(octaves | splat(WHOLE.to_bits()));
+                [bytemuck::cast(mantissa), count - Self::splat(ZERO)]
+            }
+        }
+    };
+}
+four!(f64x4, f64, f64_bits, u64x4, |_single, double| double);
+four!(f32x4, f32, f32_bits, u32x4, |single, _double| single);
 
 macro_rules! eight {
     ($lanes:ty, $real:ty, $sums:path) => {
@@ -197,6 +254,22 @@ fn single_sums<const TERMS: usize>(pairs: Group<&[[f32; 2]; TERMS]>, u: f32x8) -
     [
         f32x8::new([p[0], p[2], p[4], p[6], q[0], q[2], q[4], q[6]]),
         f32x8::new([p[1], p[3], p[5], p[7], q[1], q[3], q[5], q[7]]),
+    ]
+}
+
+/// The sums of both functions of the pairs.
+#[inline(always)]
+fn even_and_odd_of_each<R: Copy, V, const TERMS: usize>(
+    pairs: &[[R; 2]; TERMS],
+    splat: impl Fn(R) -> V,
+    u: V,
+) -> [V; 2]
+where
+    V: Copy + Add<Output = V> + Mul<Output = V>,
+{
+    [
+        even_and_odd::<_, TERMS>(|n| splat(pairs[n][0]), u),
+        even_and_odd::<_, TERMS>(|n| splat(pairs[n][1]), u),
     ]
 }
 

@@ -8,4 +8,4 @@ pub(crate) mod triangle;
 
 pub use elliptic::CompleteElliptic;
 pub use hypergeometric::{Gauss, Jet};
-pub(crate) use log_quotient::log_quotient;
+pub(crate) use log_quotient::{log, log_quotient};

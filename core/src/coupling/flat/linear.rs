@@ -23,7 +23,7 @@
 //! β″: E″ = −(l²/S) [2/3 (ζ₁ (ζ + ζ₀) − ζ₀² σ) + w (l/S)² C]
 //! β‴: E‴ = −(l²/S) [2/3 (ζ₀ (ζ₀ ε − 2 ζ₁₀ σ − 2 ζ p̄ − 2 ᾱ ζ₁) + ζ₁²) + (l/S)² C] − w H (v·τ) l²/6
 //! δ  = (l³/S) [c (1/6 + y² K) + v·n (σ/6 − w (l/S)² K)],        c = middle·τ
-//! δ″ = (l³/S) [c (w (l/S)² K + (w S/2 − σ)/6) − v·n (ε/6 + (l/S)² K)]
+//! δ″ = (l³/S) [c (w (l/S)² K + (w + w² σ − σ)/6) − v·n (ε/6 + (l/S)² K)]
 //! ```
 //!
 //! Nothing cancels, nothing is divided by a speed or a spin, and all terms are bounded.
@@ -49,8 +49,9 @@
 //! Products with corners cancel there, too, and are taken with what rounding leaves of them.
 
 use super::motion::Motion;
-use super::uniform::{Corner, MovingEdge, UnitMotion, each};
+use super::uniform::{MovingEdge, Sides, UnitMotion, splat, summed};
 use super::{Hessian, Reduced};
+use crate::lanes::{Laned, Numbers};
 use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
 use crate::special::legendre::FEW_HALF;
@@ -61,41 +62,45 @@ use nalgebra::Vector2;
 const STEEP: f64 = 4.0;
 /// Mean pressures at the centre of rotation up to which it is close: some widths of the layer away.
 const CLOSE: f64 = 8.0;
-
-/// One more than the power of two that cuts a number into halves of its digits, 2²⁷ and for f32 2¹².
+/// 2²⁷ + 1 for 53 digits, and 2¹² + 1 for the 24 of f32.
 const HALVES: f64 = 134_217_729.0;
 const HALVES_SINGLE: f64 = 4_097.0;
 
-/// A weight along an edge: that of its middle, and its rate along the tangent.
-struct Weight<R> {
-    middle: R,
-    rate: R,
+/// A weight along an edge: that of its middle, and the change from end to end.
+struct Weight<L> {
+    middle: L,
+    change: L,
 }
 
-impl<R: Real> Weight<R> {
-    /// That goes from one value to another one along a length.
+impl<L: Numbers<Real: Real>> Weight<L> {
+    /// That goes from one value to another one.
     #[inline(always)]
-    fn between([from, to]: [R; 2], length: R) -> Self {
+    fn between([from, to]: [L; 2]) -> Self {
         Self {
-            middle: R::HALF * (from + to),
-            rate: (to - from) / length,
+            middle: L::splat(0.5) * (from + to),
+            change: to - from,
         }
     }
 }
 
 /// The scalar product to rounding of itself, however much of its terms cancels.
 #[inline(always)]
-fn sharp<R: Real>(a: &Vector2<R>, b: &Vector2<R>) -> R {
-    let (first, second) = (a.x * b.x, a.y * b.y);
-    let lost = lost_in(first, a.x, b.x) + lost_in(second, a.y, b.y);
-    first + second + lost
+fn sharp<L: Numbers<Real: Real>>(a: [L; 2], b: [L; 2]) -> L {
+    let (first, second) = (a[0] * b[0], a[1] * b[1]);
+    first + second + (lost_in(first, a[0], b[0]) + lost_in(second, a[1], b[1]))
+}
+
+/// What cuts a number into halves of its digits: one more than a power of two.
+#[inline(always)]
+fn halves_at<R: Real>() -> f64 {
+    if R::IS_SINGLE { HALVES_SINGLE } else { HALVES }
 }
 
 /// What rounding took from a product (Dekker 1971, Numer. Math. 18, 224).
 #[inline(always)]
-fn lost_in<R: Real>(product: R, a: R, b: R) -> R {
-    let halves = |x: R| {
-        let large = x * R::from_f64(if R::IS_SINGLE { HALVES_SINGLE } else { HALVES });
+fn lost_in<L: Numbers<Real: Real>>(product: L, a: L, b: L) -> L {
+    let halves = |x: L| {
+        let large = x * splat::<L>(halves_at::<L::Real>());
         let high = large - (large - x);
         (high, x - high)
     };
@@ -103,351 +108,397 @@ fn lost_in<R: Real>(product: R, a: R, b: R) -> R {
     ((a * b - product) + a * b_low + a_low * b) + a_low * b_low
 }
 
-/// What an edge adds to integrals of p, p″ and p‴.
-struct EdgeIntegrals<R> {
+/// What edges add to integrals of p, p″ and p‴.
+struct EdgeIntegrals<'a, L> {
+    moving: &'a MovingEdge<L>,
+    /// σ
+    sigma: L,
+    /// ζ
+    zeta: L,
     /// β, β″, β‴
-    even: [R; 3],
-    /// δ, δ″
-    odd: [R; 2],
-    /// l E
-    bent: R,
-    /// 2 l (l/S)² g ζ
-    turned: R,
+    even: [L; 3],
+    /// δ/l, δ″/l
+    odd: [L; 2],
+    /// E
+    bent: L,
+    /// 2 (l/S)² g ζ
+    turned: L,
     /// (l/S)² K
-    part: R,
+    part: L,
     /// s, the velocity of the middle along the normal.
-    across: R,
+    across: L,
 }
 
-impl<R: Real> EdgeIntegrals<R> {
+impl<'a, L: Numbers<Real: Real>> EdgeIntegrals<'a, L> {
     #[inline(always)]
-    fn new(edge: &Edge<R>, ends: [&Corner<R>; 2], moving: &MovingEdge<R>) -> Self {
+    fn new(moving: &'a MovingEdge<L>) -> Self {
         let MovingEdge {
-            length,
-            offset,
             spin: w,
             along,
             across,
-            middle,
             p,
             arm,
-            sum,
-            reach,
-            zeta,
+            reach_sq,
+            open,
             ..
         } = *moving;
-        let [third, sixth] = [1.0 / 3.0, 1.0 / 6.0].map(R::from_f64);
-        let two_thirds = third + third;
-        let (zeta_sq, reach_sq) = (zeta * zeta, reach * reach);
-        let of_log = zeta_sq * moving.bend;
-        let whole = reach_sq * (moving.open - of_log);
-        let part = reach_sq * (third * moving.open - of_log);
+        let (length, offset) = (moving.sides.length, moving.sides.offset);
+        let [third, sixth] = [1.0 / 3.0, 1.0 / 6.0].map(splat::<L>);
+        let (two, half, middle) = (L::splat(2.0), L::splat(0.5), moving.sides.middle());
+        let zeta = moving.eta * moving.inv_sum;
+        let of_log = moving.zeta_sq * moving.bend;
+        let whole = reach_sq * (open - of_log);
+        let part = reach_sq * (third * open - of_log);
         let sigma = arm + w * p;
         let fall = arm * sigma - p;
-        let unit = -(length * reach);
+        let square = length * moving.reach;
         // ζ of a translation, and the rest over the spin, twice.
-        let zeta_0 = R::HALF * along;
-        let zeta_1 = R::HALF * offset - zeta * sigma;
-        let zeta_10 = R::HALF * (offset - along * arm);
+        let zeta_0 = half * along;
+        let zeta_1 = half * offset - zeta * sigma;
+        let zeta_10 = half * (offset - along * arm);
         let zeta_11 = zeta * p + arm * zeta_1;
-        let e = unit * (moving.open - zeta_sq * moving.log());
-        let e_2 =
-            unit * (two_thirds * (zeta_1 * (zeta + zeta_0) - zeta_0 * zeta_0 * sigma) + w * whole);
-        let once = zeta_0 * fall - R::TWO * (zeta_10 * sigma + zeta_11);
-        let e_3 = unit * (two_thirds * (zeta_0 * once + zeta_1 * zeta_1) + whole)
+        let bent = -(square * (open - moving.zeta_sq * moving.log));
+        let once = zeta_1 * (zeta + zeta_0) - zeta_0 * zeta_0 * sigma;
+        let twice = zeta_0 * (zeta_0 * fall - two * (zeta_10 * sigma + zeta_11)) + zeta_1 * zeta_1;
+        let bent_2 = -(square * (two * third * once + w * whole));
+        let bent_3 = -(square * (two * third * twice + whole))
             - sixth * (length * length) * (w * offset * along);
-        // p‴ of a corner.
-        let [from, to] = [(edge.start(), ends[0]), (edge.end(), ends[1])].map(|(at, corner)| {
-            R::HALF * (at.x * at.x + at.y * at.y - corner.p * corner.p) - corner.arm * corner.rest
-        });
-        let third_order = R::HALF * (from + to);
-        let cube = -(unit * length);
         let w_part = w * part;
         Self {
+            sigma,
+            zeta,
             even: [
-                length * (p + e),
-                length * (moving.rest + e_2),
-                length * (third_order + e_3),
+                length * (p + bent),
+                length * (moving.rest + bent_2),
+                length * (moving.third + bent_3),
             ],
             odd: [
-                cube * (middle * (sixth + w * w_part) + across * (sixth * sigma - w_part)),
-                cube * (middle * (w_part + sixth * (R::HALF * w * sum - sigma))
-                    - across * (sixth * fall + part)),
+                square * (middle * (sixth + w * w_part) + across * (sixth * sigma - w_part)),
+                square
+                    * (middle * (w_part + sixth * (w + w * w * sigma - sigma))
+                        - across * (sixth * fall + part)),
             ],
-            bent: length * e,
-            turned: R::TWO * length * reach_sq * moving.log() * zeta,
+            bent,
+            turned: two * reach_sq * moving.log * zeta,
             part,
             across: across - w * middle,
+            moving,
         }
     }
 
     /// γ and γ″
     #[inline(always)]
-    fn weighted(&self, weight: &Weight<R>) -> [R; 2] {
+    fn weighted(&self, weight: &Weight<L>) -> [L; 2] {
         let ([beta, beta_2, _], [delta, delta_2]) = (self.even, self.odd);
-        let Weight { middle, rate } = *weight;
+        let Weight { middle, change } = *weight;
         [
-            middle * beta + rate * delta,
-            middle * beta_2 + rate * delta_2,
+            middle * beta + change * delta,
+            middle * beta_2 + change * delta_2,
+        ]
+    }
+
+    /// What the force and the torque are made of: Σ τ γ, Σ τ γ″, Σ H γ, and of P and P″.
+    #[inline(always)]
+    fn wrench(&self, weight: &Weight<L>) -> [L; 7] {
+        let ([beta, beta_2, beta_3], [gamma, gamma_2]) = (self.even, self.weighted(weight));
+        let (sides, along) = (&self.moving.sides, self.moving.along);
+        let ([x, y], offset) = (sides.tangent, sides.offset);
+        [
+            x * gamma,
+            y * gamma,
+            x * gamma_2,
+            y * gamma_2,
+            offset * gamma,
+            offset * (beta - L::splat(0.5) * sides.length) + along * beta_2,
+            offset * beta_2 + along * beta_3,
         ]
     }
 
     /// W along the tangent and the normal.
     #[inline(always)]
-    fn slope(&self, moving: &MovingEdge<R>, weight: &Weight<R>) -> [R; 2] {
-        let Weight { middle, rate } = *weight;
-        let sigma = moving.arm + moving.spin * moving.p;
-        let (double, load) = (R::TWO * sigma, middle * moving.length);
-        let lengthwise = load * (moving.offset - double * moving.zeta)
-            + self.turned * (moving.spin * middle + rate * self.across);
-        let crosswise =
-            rate * self.bent - load * (moving.middle + double * self.across * moving.inv_sum);
-        [lengthwise, crosswise]
+    fn slope(&self, weight: &Weight<L>) -> [L; 2] {
+        let Weight { middle, change } = *weight;
+        let (sides, w) = (&self.moving.sides, self.moving.spin);
+        let (double, load) = (self.sigma + self.sigma, middle * sides.length);
+        let crossed = sides.middle() + double * self.across * self.moving.inv_sum;
+        [
+            load * (sides.offset - double * self.zeta + self.turned * w)
+                + self.turned * change * self.across,
+            change * self.bent - load * crossed,
+        ]
     }
 
     /// χ
     #[inline(always)]
-    fn spin_slope(&self, moving: &MovingEdge<R>, weight: &Weight<R>, speed_sq: R) -> R {
-        let Weight { middle, rate } = *weight;
+    fn spin_slope(&self, weight: &Weight<L>, speed_sq: L) -> L {
+        let Weight { middle, change } = *weight;
         let MovingEdge {
             spin: w,
-            reach,
-            length,
-            ..
-        } = *moving;
-        let three = R::from_f64(3.0);
-        let lever = length * length * reach * self.part;
-        R::TWO * reach * middle * (w * moving.arm - moving.p * speed_sq)
-            + self.turned * (middle * moving.along - rate * moving.offset * self.across)
-            + rate * (moving.middle * self.bent - three * w * self.across * lever)
-    }
-}
-
-/// Integrals over the area: P, P″ and B.
-struct AreaIntegrals<R: Real> {
-    p: R,
-    rest: R,
-    slope: Vector2<R>,
-}
-
-/// Sums over the edges.
-struct LinearSums<R: Real> {
-    /// Σ τ γ and Σ τ γ″
-    pull: Vector2<R>,
-    rest: Vector2<R>,
-    /// Σ H γ
-    turn: R,
-    /// Σ [H (β − l/2) + (v·τ) β″], Σ (H β″ + (v·τ) β‴) and Σ (v·τ) β″
-    area: [R; 3],
-    /// B
-    slope: Vector2<R>,
-    /// Σ τ ⊗ W: xx, xy and yy; Σ H W, Σ H χ
-    bend: [R; 3],
-    mixed: Vector2<R>,
-    spin: R,
-}
-
-impl<R: Real> LinearSums<R> {
-    fn new() -> Self {
-        let (zero, none) = (R::ZERO, Vector2::new(R::ZERO, R::ZERO));
-        Self {
-            pull: none,
-            rest: none,
-            turn: zero,
-            area: [zero; 3],
-            slope: none,
-            bend: [zero; 3],
-            mixed: none,
-            spin: zero,
-        }
-    }
-
-    #[inline(always)]
-    fn add(&mut self, moving: &MovingEdge<R>, own: &EdgeIntegrals<R>, weight: &Weight<R>) {
-        let (tangent, offset, along) = (moving.tangent, moving.offset, moving.along);
-        let ([beta, beta_2, beta_3], [gamma, gamma_2]) = (own.even, own.weighted(weight));
-        self.pull += tangent * gamma;
-        self.rest += tangent * gamma_2;
-        self.turn += offset * gamma;
-        let parts = [
-            offset * (beta - R::HALF * moving.length) + along * beta_2,
-            offset * beta_2 + along * beta_3,
-            along * beta_2,
-        ];
-        for (sum, part) in self.area.iter_mut().zip(parts) {
-            *sum += part;
-        }
-        self.slope += tangent * beta;
-    }
-
-    #[inline(always)]
-    fn add_hessian(
-        &mut self,
-        moving: &MovingEdge<R>,
-        own: &EdgeIntegrals<R>,
-        weight: &Weight<R>,
-        speed_sq: R,
-    ) {
-        let (x, y) = (moving.tangent.x, moving.tangent.y);
-        let [lengthwise, crosswise] = own.slope(moving, weight);
-        let parts = [
-            x * (lengthwise * x + crosswise * y),
-            lengthwise * x * y + R::HALF * crosswise * (y * y - x * x),
-            y * (lengthwise * y - crosswise * x),
-        ];
-        for (sum, part) in self.bend.iter_mut().zip(parts) {
-            *sum += part;
-        }
-        self.mixed += turned_back(&moving.tangent, [lengthwise, crosswise]) * moving.offset;
-        self.spin += moving.offset * own.spin_slope(moving, weight, speed_sq);
-    }
-
-    /// The integrals over the area by the divergence theorem.
-    #[inline(always)]
-    fn over_area(&self, w: R) -> AreaIntegrals<R> {
-        let [first, second, _] = self.area;
-        let three = R::from_f64(3.0);
-        let p = first / three;
-        AreaIntegrals {
+            along,
             p,
-            rest: (second + w * p) / (three + w * w),
-            slope: self.slope,
-        }
+            arm,
+            reach,
+            ..
+        } = *self.moving;
+        let Sides { length, offset, .. } = self.moving.sides;
+        let lever = w * self.across * (length * reach * self.part);
+        L::splat(2.0) * reach * middle * (w * arm - p * speed_sq)
+            + self.turned * (middle * length * along - change * offset * self.across)
+            + change * (self.moving.sides.middle() * self.bent - L::splat(3.0) * lever)
+    }
+
+    /// What the second derivatives are made of: B, Σ (v·τ) β″, Σ τ ⊗ W, Σ H W and Σ H χ.
+    #[inline(always)]
+    fn hessian(&self, weight: &Weight<L>, speed_sq: L) -> [L; 9] {
+        let sides = &self.moving.sides;
+        let ([x, y], offset, [beta, beta_2, _]) = (sides.tangent, sides.offset, self.even);
+        let [lengthwise, crosswise] = self.slope(weight);
+        let [to_x, to_y] = turned_back(sides.tangent, [lengthwise, crosswise]);
+        [
+            x * beta,
+            y * beta,
+            self.moving.along * beta_2,
+            x * to_x,
+            lengthwise * x * y + L::splat(0.5) * crosswise * (y * y - x * x),
+            y * to_y,
+            offset * to_x,
+            offset * to_y,
+            offset * self.spin_slope(weight, speed_sq),
+        ]
     }
 }
 
 /// The vector with these parts along a tangent and the normal to its right.
 #[inline(always)]
-fn turned_back<R: Real>(tangent: &Vector2<R>, [along, across]: [R; 2]) -> Vector2<R> {
-    let (x, y) = (tangent.x, tangent.y);
-    Vector2::new(along * x + across * y, along * y - across * x)
+fn turned_back<L: Numbers>([x, y]: [L; 2], [along, across]: [L; 2]) -> [L; 2] {
+    [along * x + across * y, along * y - across * x]
 }
 
-/// Reduced friction of a patch with this area, and second derivatives of the dissipated power, if asked for.
+/// A patch under linear pressure, and its motion.
+struct Loaded<'a, R: Real> {
+    edges: &'a [Edge<R>],
+    slope: [R; 2],
+    at_centre: R,
+    motion: UnitMotion<R>,
+    is_steep: bool,
+}
+
+/// Integrals over the area: P, P″ and B.
+struct AreaIntegrals<R> {
+    p: R,
+    rest: R,
+    slope: [R; 2],
+}
+
+/// Reduced friction of a patch with this area.
 #[inline]
-pub(super) fn friction<R: Real, K: PressureField<R>, const WITH_HESSIAN: bool>(
+pub(super) fn friction<R: Real, K: PressureField<R>>(
+    edges: &[Edge<R>],
+    pressure: &K,
+    area: R,
+    motion: &Motion<R>,
+) -> Reduced<R> {
+    let (loaded, _) = Loaded::new(edges, pressure, motion);
+    let wrench = loaded.summed::<<R as Laned>::Some, 7>(|own, weight| own.wrench(weight));
+    let over = loaded.over_area::<false>(wrench, [R::ZERO; 2]);
+    loaded.reduced(wrench, &over, area).0
+}
+
+/// The same, and second derivatives of the dissipated power.
+pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
     edges: &[Edge<R>],
     pressure: &K,
     area: R,
     motion: &Motion<R>,
 ) -> (Reduced<R>, Hessian<R>) {
-    let motion = UnitMotion::of(motion);
-    let (x, y, w) = (motion.x, motion.y, motion.spin);
-    let speed_sq = x * x + y * y;
-    let (slope, at_centre) = (Vector2::from(pressure.slope()), pressure.at_centre());
-    let is_steep = slope.x * slope.x + slope.y * slope.y > R::from_f64(STEEP * STEEP);
-    let velocity = Vector2::new(x, y);
-    let mut sums = LinearSums::new();
-    let mut last = None;
-    each(edges, &motion, |edge, ends, moving| {
-        let (start, end) = (edge.start(), edge.end());
-        let mut moving = *moving;
-        let pressure = |place: &Vector2<R>| {
-            at_centre
-                + if is_steep {
-                    sharp(&slope, place)
-                } else {
-                    slope.x * place.x + slope.y * place.y
-                }
-        };
-        if is_steep {
-            // Of a thin patch's long edges, whose sums cancel.
-            let inv = R::ONE / moving.length;
-            let across = [Vector2::new(start.x, -start.y), Vector2::new(end.y, end.x)];
-            moving.offset = sharp(&across[0], &across[1]) * inv;
-            moving.along = (sharp(&velocity, &end) - sharp(&velocity, &start)) * inv;
-        }
-        let own = EdgeIntegrals::new(edge, ends, &moving);
-        let from = match last {
-            Some((place, pressure)) if place == start => pressure,
-            _ => pressure(&start),
-        };
-        let to = pressure(&end);
-        last = Some((end, to));
-        let weight = Weight::between([from, to], moving.length);
-        sums.add(&moving, &own, &weight);
-        if WITH_HESSIAN {
-            sums.add_hessian(&moving, &own, &weight, speed_sq);
-        }
+    let (loaded, rate) = Loaded::new(edges, pressure, motion);
+    let UnitMotion { x, y, .. } = loaded.motion;
+    let speed_sq = <R as Laned>::Some::repeat(x * x + y * y);
+    let [
+        a,
+        b,
+        c,
+        d,
+        e,
+        f,
+        g,
+        along_x,
+        along_y,
+        lost,
+        xx,
+        xy,
+        yy,
+        xn,
+        yn,
+        spin,
+    ] = loaded.summed::<<R as Laned>::Some, 16>(|own, weight| {
+        let [a, b, c, d, e, f, g] = own.wrench(weight);
+        let [h, i, j, k, l, m, n, o, p] = own.hessian(weight, speed_sq);
+        [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]
     });
-    // Pressure at the centre of rotation times the spin.
-    let there = at_centre * w + (slope.y * x - slope.x * y);
-    let over = if is_steep && there.abs() > R::from_f64(CLOSE) * w.abs() {
-        over_layer::<R, WITH_HESSIAN>(edges, &slope, &motion)
-    } else {
-        sums.over_area(w)
-    };
-    // −(z × g)
-    let aside = Vector2::new(slope.y, -slope.x);
-    let (pull, rest) = (sums.pull + aside * over.p, sums.rest + aside * over.rest);
-    let (share, three) = (R::ONE / area, R::from_f64(3.0));
-    let along = x * rest.x + y * rest.y;
-    let turn = sums.turn + at_centre * over.p - three * along;
-    let by = w * share;
-    let reduced = Reduced {
-        force: Vector2::new(-(x + by * pull.x), -(y + by * pull.y)),
-        torque: -(R::HALF * R::HALF * w * (three + share * turn)),
-    };
-    let [xx, xy, yy] = sums.bend;
-    let slope = over.slope;
-    let mixed = sums.mixed - pull * three + slope * at_centre;
-    let [_, _, lost] = sums.area;
+    let wrench = [a, b, c, d, e, f, g];
+    let over = loaded.over_area::<true>(wrench, [along_x, along_y]);
+    let (reduced, [pull_x, pull_y, along]) = loaded.reduced(wrench, &over, area);
+    let (at_centre, three) = (loaded.at_centre, R::from_f64(3.0));
+    // −(z × g) ⊗ B
+    let ([slope_x, slope_y], [to_x, to_y]) = (loaded.slope, over.slope);
     let hessian = Hessian {
-        xx: xx + aside.x * slope.x,
-        xy: xy + R::HALF * (aside.x * slope.y + aside.y * slope.x),
-        yy: yy + aside.y * slope.y,
-        xn: mixed.x,
-        yn: mixed.y,
-        nn: three * along - sums.spin - at_centre * lost,
+        xx: xx + slope_y * to_x,
+        xy: xy + R::HALF * (slope_y * to_y - slope_x * to_x),
+        yy: yy - slope_x * to_y,
+        xn: xn - three * pull_x + at_centre * to_x,
+        yn: yn - three * pull_y + at_centre * to_y,
+        nn: three * along - spin - at_centre * lost,
     };
-    (reduced, hessian.scaled(share * motion.rate))
+    (reduced, hessian.scaled(rate / area))
 }
 
-/// The integrals over a layer about the level line of a steep pressure with this slope.
-#[cold]
-fn over_layer<R: Real, const WITH_HESSIAN: bool>(
-    edges: &[Edge<R>],
-    slope: &Vector2<R>,
-    motion: &UnitMotion<R>,
-) -> AreaIntegrals<R> {
-    let inv_sq = R::ONE / (slope.x * slope.x + slope.y * slope.y);
-    let mut over = AreaIntegrals {
-        p: R::ZERO,
-        rest: R::ZERO,
-        slope: Vector2::new(R::ZERO, R::ZERO),
-    };
-    for edge in edges {
-        let (ends, tangent) = ([edge.start(), edge.end()], edge.tangent());
-        // Pressure above the level line.
-        let [low, high] = ends.map(|end| sharp(slope, &end));
-        let measure = (slope.x * tangent.y - slope.y * tangent.x) * inv_sq * edge.length();
-        for_shares(|s, share| {
-            let [from, to] = [(ends[0], low), (ends[1], high)]
-                .map(|(end, above)| end - slope * ((R::ONE - s) * above * inv_sq));
-            let squeezed = Edge::new(from, to);
-            let corners = [from, to].map(|corner| Corner::new(motion, &corner));
-            let corners = [&corners[0], &corners[1]];
-            let moving = MovingEdge::new(motion, &squeezed, corners);
-            let own = EdgeIntegrals::new(&squeezed, corners, &moving);
-            let scale = measure * share / squeezed.length();
-            let weight = Weight::between([scale * low, scale * high], squeezed.length());
-            let [p, rest] = own.weighted(&weight);
-            over.p += p;
-            over.rest += rest;
-            if WITH_HESSIAN {
-                over.slope += turned_back(&moving.tangent, own.slope(&moving, &weight));
-            }
-        });
+impl<'a, R: Real> Loaded<'a, R> {
+    /// The patch, and 1 over the speed that is its motion's unit.
+    #[inline(always)]
+    fn new<K: PressureField<R>>(
+        edges: &'a [Edge<R>],
+        pressure: &K,
+        motion: &Motion<R>,
+    ) -> (Self, R) {
+        let (slope, (motion, rate)) = (pressure.slope(), UnitMotion::of(motion));
+        let slope_sq = slope[0] * slope[0] + slope[1] * slope[1];
+        let loaded = Self {
+            edges,
+            slope,
+            at_centre: pressure.at_centre(),
+            motion,
+            is_steep: slope_sq > R::from_f64(STEEP * STEEP),
+        };
+        (loaded, rate)
     }
-    over
+
+    /// Sums over the edges under the pressure.
+    #[inline(always)]
+    fn summed<L: Numbers<Real = R>, const N: usize>(
+        &self,
+        of: impl Fn(&EdgeIntegrals<'_, L>, &Weight<L>) -> [L; N],
+    ) -> [R; N] {
+        let [slope, at_centre] = [self.slope, [self.at_centre; 2]].map(|pair| pair.map(L::repeat));
+        if !self.is_steep {
+            return summed::<R, L, N>(self.edges, &self.motion, |moving| {
+                let ends = [moving.sides.from, moving.sides.to];
+                let pressure = ends.map(|[x, y]| at_centre[0] + (slope[0] * x + slope[1] * y));
+                of(&EdgeIntegrals::new(moving), &Weight::between(pressure))
+            });
+        }
+        let motion = self.motion.repeat::<L>();
+        summed::<R, L, N>(self.edges, &self.motion, |moving| {
+            let mut moving = *moving;
+            let (from, to) = (moving.sides.from, moving.sides.to);
+            // Long edges of a thin patch cancel each other.
+            let inv = L::splat(1.0) / (moving.sides.length + L::repeat(R::MIN_POSITIVE));
+            moving.sides.offset = sharp([from[0], -from[1]], [to[1], to[0]]) * inv;
+            let velocity = [motion.x, motion.y];
+            moving.along = (sharp(velocity, to) - sharp(velocity, from)) * inv;
+            let pressure = [from, to].map(|end| at_centre[0] + sharp(slope, end));
+            of(&EdgeIntegrals::new(&moving), &Weight::between(pressure))
+        })
+    }
+
+    /// Integrals over the area, given sums over the edges and B.
+    #[inline(always)]
+    fn over_area<const WITH_HESSIAN: bool>(&self, sums: [R; 7], slope: [R; 2]) -> AreaIntegrals<R> {
+        let UnitMotion { x, y, spin: w } = self.motion;
+        // Pressure at the centre of rotation times the spin.
+        let there = self.at_centre * w + (self.slope[1] * x - self.slope[0] * y);
+        if self.is_steep && there.abs() > R::from_f64(CLOSE) * w.abs() {
+            return self.over_layer::<<R as Laned>::Some, WITH_HESSIAN>();
+        }
+        let [.., first, second] = sums;
+        let three = R::from_f64(3.0);
+        let p = first / three;
+        AreaIntegrals {
+            p,
+            rest: (second + w * p) / (three + w * w),
+            slope,
+        }
+    }
+
+    /// Reduced friction, f and v·f″.
+    #[inline(always)]
+    fn reduced(
+        &self,
+        [pull_x, pull_y, rest_x, rest_y, turn, ..]: [R; 7],
+        over: &AreaIntegrals<R>,
+        area: R,
+    ) -> (Reduced<R>, [R; 3]) {
+        let (UnitMotion { x, y, spin: w }, [slope_x, slope_y]) = (self.motion, self.slope);
+        let (pull_x, pull_y) = (pull_x + slope_y * over.p, pull_y - slope_x * over.p);
+        let (rest_x, rest_y) = (rest_x + slope_y * over.rest, rest_y - slope_x * over.rest);
+        let (share, three) = (R::ONE / area, R::from_f64(3.0));
+        let along = x * rest_x + y * rest_y;
+        let turn = turn + self.at_centre * over.p - three * along;
+        let by = w * share;
+        let reduced = Reduced {
+            force: Vector2::new(-(x + by * pull_x), -(y + by * pull_y)),
+            torque: -(R::HALF * R::HALF * w * (three + share * turn)),
+        };
+        (reduced, [pull_x, pull_y, along])
+    }
+
+    /// The integrals over a layer about the level line of the centre of pressure.
+    #[cold]
+    fn over_layer<L: Numbers<Real = R>, const WITH_HESSIAN: bool>(&self) -> AreaIntegrals<R> {
+        let ([x, y], motion) = (self.slope.map(L::repeat), self.motion.repeat::<L>());
+        let inv_sq = L::splat(1.0) / (x * x + y * y);
+        let [p, rest, slope_x, slope_y] = summed::<R, L, 4>(self.edges, &self.motion, |moving| {
+            let sides = &moving.sides;
+            let ends = [sides.from, sides.to];
+            // Pressure above the level line.
+            let above = ends.map(|end| sharp([x, y], end));
+            let measure = (x * sides.tangent[1] - y * sides.tangent[0]) * inv_sq * sides.length;
+            let mut sums = [L::splat(0.0); 4];
+            for &[node, weight] in &FEW_HALF {
+                for node in [-node, node] {
+                    let back = splat::<L>(0.5 - 0.5 * node) * inv_sq;
+                    let squeezed = [(ends[0], above[0]), (ends[1], above[1])]
+                        .map(|(end, above)| [end[0] - back * above * x, end[1] - back * above * y]);
+                    let squeezed = MovingEdge::new(&motion, Sides::between(squeezed));
+                    let own = EdgeIntegrals::new(&squeezed);
+                    let length = squeezed.sides.length + L::repeat(R::MIN_POSITIVE);
+                    let scale = splat::<L>(0.5 * weight) * measure / length;
+                    let weight = Weight::between(above.map(|above| scale * above));
+                    let [p, rest] = own.weighted(&weight);
+                    let slope = if WITH_HESSIAN {
+                        turned_back(squeezed.sides.tangent, own.slope(&weight))
+                    } else {
+                        [L::splat(0.0); 2]
+                    };
+                    for (sum, part) in sums.iter_mut().zip([p, rest, slope[0], slope[1]]) {
+                        *sum = *sum + part;
+                    }
+                }
+            }
+            sums
+        });
+        AreaIntegrals {
+            p,
+            rest,
+            slope: [slope_x, slope_y],
+        }
+    }
 }
 
-/// Calls `each` with the shares s of Gauss' rule on 0 … 1 and their weights.
-#[inline(always)]
-fn for_shares<R: Real>(mut each: impl FnMut(R, R)) {
-    for &[node, weight] in &FEW_HALF {
-        for node in [-node, node] {
-            each(R::from_f64(0.5 + 0.5 * node), R::from_f64(0.5 * weight));
+impl<L: Numbers<Real: Real>> Sides<L> {
+    /// From corners to corners.
+    #[inline(always)]
+    fn between([from, to]: [[L; 2]; 2]) -> Self {
+        let (x, y) = (to[0] - from[0], to[1] - from[1]);
+        let length = (x * x + y * y).sqrt();
+        let inv = L::splat(1.0) / (length + L::repeat(L::Real::MIN_POSITIVE));
+        let tangent = [x * inv, y * inv];
+        Self {
+            from,
+            to,
+            tangent,
+            length,
+            offset: from[0] * tangent[1] - from[1] * tangent[0],
         }
     }
 }

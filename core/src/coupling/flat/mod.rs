@@ -152,7 +152,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
         if !K::IS_LINEAR {
             return uniform::friction(edges, area, motion);
         }
-        linear::friction::<R, K, false>(edges, pressure, area, motion).0
+        linear::friction(edges, pressure, area, motion)
     }
 
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
@@ -160,7 +160,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
         if !K::IS_LINEAR {
             return uniform::friction_and_hessian(edges, area, motion);
         }
-        linear::friction::<R, K, true>(edges, pressure, area, motion)
+        linear::friction_and_hessian(edges, pressure, area, motion)
     }
 }
 

@@ -41,9 +41,10 @@
 
 use super::motion::Motion;
 use super::{Hessian, Reduced};
+use crate::lanes::{FOUR, Laned, Numbers};
 use crate::patch::outline::Edge;
-use crate::real::{InEach, Real};
-use crate::special::log_quotient;
+use crate::real::Real;
+use crate::special::log;
 use nalgebra::Vector2;
 
 /// Functions P and Q of z = 1 − y² with G = P + Q ln z: joint least squares in 40 digits with Lawson's weights, G to
@@ -72,59 +73,53 @@ const BEND_SINGLE: [[f32; 2]; 6] = [
     [0.062_278_574, 0.0],
 ];
 
-/// P and Q.
-struct Bend;
-
-impl InEach for Bend {
-    type Input<R: Real> = R;
-    type Output<R: Real> = [R; 2];
-    #[inline(always)]
-    fn single(gap: f32) -> [f32; 2] {
-        crate::lanes::Laned::sums(&BEND_SINGLE, gap)
-    }
-    #[inline(always)]
-    fn double(gap: f64) -> [f64; 2] {
-        crate::lanes::Laned::sums(&BEND, gap)
-    }
+/// G, given 1 − y².
+#[inline(always)]
+fn bend<R: Real, L: Numbers<Real = R>>(gap: L) -> L {
+    let [smooth, of_log] = L::sums(&BEND_SINGLE, &BEND, gap);
+    smooth + log(gap) * of_log
 }
 
-/// A motion with |velocity|² + rim² = 1.
+/// A motion with |velocity|² + spin² = 1.
 #[derive(Clone, Copy)]
-pub(super) struct UnitMotion<R> {
-    pub(super) x: R,
-    pub(super) y: R,
-    pub(super) spin: R,
-    /// 1 over the speed that is its unit.
-    pub(super) rate: R,
+pub(super) struct UnitMotion<L> {
+    pub(super) x: L,
+    pub(super) y: L,
+    pub(super) spin: L,
 }
 
 impl<R: Real> UnitMotion<R> {
+    /// The motion in units of a speed, and 1 over that.
     #[inline(always)]
-    pub(super) fn of(motion: &Motion<R>) -> Self {
+    pub(super) fn of(motion: &Motion<R>) -> (Self, R) {
         let (velocity, spin) = (&motion.velocity, motion.rim);
         let sq = velocity.x * velocity.x + velocity.y * velocity.y + spin * spin;
         if sq > R::MIN_POSITIVE / R::EPSILON && sq < R::INFINITY {
             let rate = R::ONE / sq.sqrt();
-            return Self {
-                x: velocity.x * rate,
-                y: velocity.y * rate,
-                spin: spin * rate,
-                rate,
-            };
+            let (x, y) = (velocity.x * rate, velocity.y * rate);
+            let spin = spin * rate;
+            return (Self { x, y, spin }, rate);
         }
         Self::of_any(velocity, spin)
     }
 
-    /// Of a motion whose square may leave the range of numbers.
-    #[cold]
-    fn of_any(velocity: &Vector2<R>, spin: R) -> Self {
-        let size = velocity.x.hypot(velocity.y).hypot(spin);
-        Self {
-            x: velocity.x / size,
-            y: velocity.y / size,
-            spin: spin / size,
-            rate: R::ONE / size,
+    /// The same motion in every lane.
+    #[inline(always)]
+    pub(super) fn repeat<L: Numbers<Real = R>>(&self) -> UnitMotion<L> {
+        UnitMotion {
+            x: L::repeat(self.x),
+            y: L::repeat(self.y),
+            spin: L::repeat(self.spin),
         }
+    }
+
+    /// The same where the square leaves the range of numbers.
+    #[cold]
+    fn of_any(velocity: &Vector2<R>, spin: R) -> (Self, R) {
+        let size = velocity.x.hypot(velocity.y).hypot(spin);
+        let (x, y) = (velocity.x / size, velocity.y / size);
+        let spin = spin / size;
+        (Self { x, y, spin }, R::ONE / size)
     }
 }
 
@@ -132,219 +127,243 @@ impl<R: Real> UnitMotion<R> {
 const LEAST_SPEED: f64 = 0.25;
 
 /// A corner.
-#[derive(Clone, Copy)]
-pub(super) struct Corner<R> {
+struct Corner<L> {
     /// Its velocity.
-    u: [R; 2],
+    u: [L; 2],
     /// |u|
-    q: R,
+    q: L,
     /// α
-    pub(super) arm: R,
+    arm: L,
     /// p
-    pub(super) p: R,
+    p: L,
     /// p″
-    pub(super) rest: R,
+    rest: L,
+    /// p‴
+    third: L,
 }
 
-impl<R: Real> Corner<R> {
+impl<L: Numbers<Real: Real>> Corner<L> {
     #[inline(always)]
-    pub(super) fn new(motion: &UnitMotion<R>, place: &Vector2<R>) -> Self {
-        let (v_x, v_y, w) = (motion.x, motion.y, motion.spin);
-        let (x, y) = (place.x, place.y);
+    fn new(motion: &UnitMotion<L>, [x, y]: [L; 2]) -> Self {
+        let (v_x, v_y, w, one) = (motion.x, motion.y, motion.spin, L::splat(1.0));
         let u = [v_x - w * y, v_y + w * x];
-        let rest = R::from_f64(LEAST_SPEED) * R::EPSILON;
-        let q = (u[0] * u[0] + u[1] * u[1] + rest * rest).sqrt();
+        let least = L::repeat(L::Real::from_f64(LEAST_SPEED) * L::Real::EPSILON);
+        let q = (u[0] * u[0] + u[1] * u[1] + least * least).sqrt();
         let arm = v_y * x - v_x * y;
         let sq = x * x + y * y;
-        let from_rim = sq - R::ONE;
-        let inv = R::ONE / (q + R::ONE);
+        let from_rim = sq - one;
+        let inv = one / (q + one);
         let p = (from_rim - arm * ((arm + arm + w * from_rim) * inv)) * inv;
-        let half = R::HALF * w;
+        let half = L::splat(0.5) * w;
         let rest = half * sq - p * (arm + half * p);
-        Self { u, q, arm, p, rest }
+        let third = L::splat(0.5) * (sq - p * p) - arm * rest;
+        Self {
+            u,
+            q,
+            arm,
+            p,
+            rest,
+            third,
+        }
     }
 }
 
-/// An edge under a motion.
+/// Edges side by side.
 #[derive(Clone, Copy)]
-pub(super) struct MovingEdge<R> {
-    pub(super) length: R,
-    pub(super) tangent: Vector2<R>,
+pub(super) struct Sides<L> {
+    pub(super) from: [L; 2],
+    pub(super) to: [L; 2],
+    pub(super) tangent: [L; 2],
+    pub(super) length: L,
     /// H
-    pub(super) offset: R,
-    /// w
-    pub(super) spin: R,
-    /// v·τ
-    pub(super) along: R,
-    /// v·n
-    pub(super) across: R,
-    /// Middle · tangent.
-    pub(super) middle: R,
-    /// Means of p, α and p″ at the ends.
-    pub(super) p: R,
-    pub(super) arm: R,
-    pub(super) rest: R,
-    /// S
-    pub(super) sum: R,
-    /// l/S, ζ, y²
-    pub(super) reach: R,
-    pub(super) zeta: R,
-    pub(super) y_sq: R,
-    /// C
-    pub(super) open: R,
-    /// G
-    pub(super) bend: R,
-    /// 1/S
-    pub(super) inv_sum: R,
+    pub(super) offset: L,
 }
 
-impl<R: Real> MovingEdge<R> {
+impl<L: Numbers<Real: Real>> Sides<L> {
+    /// Edges without length where there are no more.
     #[inline(always)]
-    pub(super) fn new(motion: &UnitMotion<R>, edge: &Edge<R>, [from, to]: [&Corner<R>; 2]) -> Self {
-        let (tangent, length, offset) = (edge.tangent(), edge.length(), edge.offset());
-        let (normal, w) = (edge.normal(), motion.spin);
-        let (start, end) = (edge.start(), edge.end());
-        let along = motion.x * tangent.x + motion.y * tangent.y;
-        let sum = from.q + to.q;
-        let inv_sum = R::ONE / sum;
-        let reach = length * inv_sum;
-        let zeta = (along + w * offset) * inv_sum;
-        let zeta_sq = zeta * zeta;
-        let y = w * reach;
-        let y_sq = y * y;
-        // ζ²/(1 − y²) and 1 − y² by the sum that does not cancel.
-        let dot = from.u[0] * to.u[0] + from.u[1] * to.u[1];
-        let is_ahead = dot >= R::ZERO;
-        let both = (from.q * to.q + dot.abs()) * inv_sum * inv_sum;
-        let twice = both + both;
-        let inv = R::ONE / if is_ahead { twice } else { twice * y_sq };
-        let part = if is_ahead { zeta_sq } else { both * both };
-        let open = part * inv;
-        let twice_turned = (zeta * y_sq) + (zeta * y_sq);
-        let gap = if is_ahead {
-            twice
-        } else {
-            twice_turned * twice_turned * inv
+    fn of(edges: &[Edge<L::Real>]) -> Self {
+        let none = Edge::default();
+        let of = |part: fn(&Edge<L::Real>) -> L::Real| {
+            L::of(|lane| part(edges.get(lane).unwrap_or(&none)))
         };
-        let gap = gap + R::MIN_POSITIVE;
-        let [bend, of_log] = R::in_own::<Bend>(gap);
-        let bend = bend - of_log * log_quotient(y_sq, gap);
+        let from = [of(|edge| edge.start().x), of(|edge| edge.start().y)];
+        let tangent = [of(|edge| edge.tangent().x), of(|edge| edge.tangent().y)];
         Self {
-            length,
+            from,
+            to: [of(|edge| edge.end().x), of(|edge| edge.end().y)],
             tangent,
-            offset,
+            length: of(|edge| edge.length()),
+            offset: from[0] * tangent[1] - from[1] * tangent[0],
+        }
+    }
+
+    /// Middle · tangent.
+    #[inline(always)]
+    pub(super) fn middle(&self) -> L {
+        let (from, to, [x, y]) = (self.from, self.to, self.tangent);
+        L::splat(0.5) * ((from[0] + to[0]) * x + (from[1] + to[1]) * y)
+    }
+}
+
+/// Edges under a motion.
+#[derive(Clone, Copy)]
+pub(super) struct MovingEdge<L> {
+    pub(super) sides: Sides<L>,
+    /// w
+    pub(super) spin: L,
+    /// v·τ and v·n
+    pub(super) along: L,
+    pub(super) across: L,
+    /// η
+    pub(super) eta: L,
+    /// Means of p, α, p″ and, where pressure is linear, p‴ at the ends.
+    pub(super) p: L,
+    pub(super) arm: L,
+    pub(super) rest: L,
+    pub(super) third: L,
+    /// 1/S
+    pub(super) inv_sum: L,
+    /// l/S
+    pub(super) reach: L,
+    /// (l/S)²
+    pub(super) reach_sq: L,
+    /// ζ²
+    pub(super) zeta_sq: L,
+    /// ζ²/(1 − y²)
+    pub(super) open: L,
+    /// G
+    pub(super) bend: L,
+    /// g
+    pub(super) log: L,
+    /// σ (4 + 2 S + S²)/12
+    pub(super) spread: L,
+}
+
+impl<L: Numbers<Real: Real>> MovingEdge<L> {
+    #[inline(always)]
+    pub(super) fn new(motion: &UnitMotion<L>, sides: Sides<L>) -> Self {
+        let (w, half) = (motion.spin, L::splat(0.5));
+        let from = Corner::new(motion, sides.from);
+        let to = Corner::new(motion, sides.to);
+        let along = motion.x * sides.tangent[0] + motion.y * sides.tangent[1];
+        let eta = along + w * sides.offset;
+        let sum = from.q + to.q;
+        let inv_sum = L::splat(1.0) / sum;
+        let reach = sides.length * inv_sum;
+        let zeta = eta * inv_sum;
+        let (reach_sq, zeta_sq) = (reach * reach, zeta * zeta);
+        let y_sq = w * w * reach_sq;
+        let (open, gap) = opened([zeta_sq, y_sq], [&from, &to], inv_sum);
+        let bend = bend(gap);
+        let (p, arm) = (half * (from.p + to.p), half * (from.arm + to.arm));
+        Self {
             spin: w,
             along,
-            across: motion.x * normal.x + motion.y * normal.y,
-            middle: R::HALF * ((start.x + end.x) * tangent.x + (start.y + end.y) * tangent.y),
-            p: R::HALF * (from.p + to.p),
-            arm: R::HALF * (from.arm + to.arm),
-            rest: R::HALF * (from.rest + to.rest),
-            sum,
+            across: motion.x * sides.tangent[1] - motion.y * sides.tangent[0],
+            eta,
+            p,
+            arm,
+            rest: half * (from.rest + to.rest),
+            third: half * (from.third + to.third),
+            inv_sum,
             reach,
-            zeta,
-            y_sq,
+            reach_sq,
+            zeta_sq,
             open,
             bend,
-            inv_sum,
+            log: splat::<L>(1.0 / 3.0) + y_sq * bend,
+            spread: splat::<L>(1.0 / 6.0)
+                * (arm + w * p)
+                * (L::splat(4.0) + sum * (L::splat(2.0) + sum)),
+            sides,
         }
     }
 
     /// β
     #[inline(always)]
-    fn beta(&self) -> R {
-        let bent = self.open - self.zeta * self.zeta * self.log();
-        self.length * (self.p - self.length * self.reach * bent)
+    pub(super) fn beta(&self) -> L {
+        let bent = self.open - self.zeta_sq * self.log;
+        self.sides.length * (self.p - self.sides.length * self.reach * bent)
     }
 
     /// β″
     #[inline(always)]
-    fn beta_rest(&self) -> R {
-        let eta = self.along + self.spin * self.offset;
-        let two_thirds = R::from_f64(2.0 / 3.0);
+    fn beta_rest(&self) -> L {
+        let Self { along, eta, .. } = *self;
         let turned =
-            two_thirds * self.offset * (eta + self.along) - self.along * self.along * self.spread();
-        let closed = self.open - self.zeta * self.zeta * self.bend;
-        let bent =
-            turned * self.inv_sum * self.inv_sum + self.spin * self.reach * self.reach * closed;
-        self.length * (self.rest - self.length * self.reach * bent)
-    }
-
-    /// g
-    #[inline(always)]
-    pub(super) fn log(&self) -> R {
-        R::from_f64(1.0 / 3.0) + self.y_sq * self.bend
-    }
-
-    /// σ (4 + 2 S + S²)/12
-    #[inline(always)]
-    fn spread(&self) -> R {
-        let sigma = self.arm + self.spin * self.p;
-        let sixth = R::from_f64(1.0 / 6.0);
-        sixth * sigma * (R::TWO * R::TWO + self.sum * (R::TWO + self.sum))
+            splat::<L>(2.0 / 3.0) * self.sides.offset * (eta + along) - along * along * self.spread;
+        let closed = self.open - self.zeta_sq * self.bend;
+        let bent = turned * (self.inv_sum * self.inv_sum) + self.spin * self.reach_sq * closed;
+        self.sides.length * (self.rest - self.sides.length * self.reach * bent)
     }
 }
 
-/// Sums over the edges for the wrench.
-#[derive(Clone, Copy)]
-struct WrenchSums<R> {
-    x: R,
-    y: R,
-    turn: R,
+/// A number in every lane.
+#[inline(always)]
+pub(super) fn splat<L: Numbers<Real: Real>>(number: f64) -> L {
+    L::repeat(L::Real::from_f64(number))
+}
+
+/// ζ²/(1 − y²) and 1 − y², by the sum that does not cancel.
+#[inline(always)]
+fn opened<L: Numbers<Real: Real>>(
+    [zeta_sq, y_sq]: [L; 2],
+    [from, to]: [&Corner<L>; 2],
+    inv_sum: L,
+) -> (L, L) {
+    let dot = from.u[0] * to.u[0] + from.u[1] * to.u[1];
+    let is_ahead = L::splat(0.0).at_most(dot);
+    let both = (from.q * to.q + dot.abs()) * (inv_sum * inv_sum);
+    let twice = both + both;
+    let inv = L::splat(1.0) / L::select(is_ahead, twice, twice * y_sq);
+    let open = L::select(is_ahead, zeta_sq, both * both) * inv;
+    let turned = y_sq + y_sq;
+    let gap = L::select(is_ahead, twice, zeta_sq * (turned * turned) * inv);
+    (open, gap + L::repeat(L::Real::MIN_POSITIVE))
 }
 
 /// Reduced friction of a patch with this area.
 #[inline]
 pub(super) fn friction<R: Real>(edges: &[Edge<R>], area: R, motion: &Motion<R>) -> Reduced<R> {
-    let motion = UnitMotion::of(motion);
-    let mut sums = WrenchSums {
-        x: R::ZERO,
-        y: R::ZERO,
-        turn: R::ZERO,
-    };
-    each(edges, &motion, |_, _, edge| sums.add(edge));
-    sums.friction(&motion, R::ONE / area)
+    let (motion, _) = UnitMotion::of(motion);
+    let sums = summed::<R, <R as Laned>::Some, 3>(edges, &motion, |edge| edge.wrench());
+    reduced(sums, &motion, R::ONE / area)
 }
 
-/// Calls `add` with each edge and its corners.
+/// Sums over the edges, four of which are formed side by side.
 #[inline(always)]
-pub(super) fn each<R: Real>(
+pub(super) fn summed<R: Real, L: Numbers<Real = R>, const N: usize>(
     edges: &[Edge<R>],
     motion: &UnitMotion<R>,
-    mut add: impl FnMut(&Edge<R>, [&Corner<R>; 2], &MovingEdge<R>),
-) {
-    let mut last: Option<(Vector2<R>, Corner<R>)> = None;
-    for edge in edges {
-        // The corner that two edges share is computed once.
-        let from = match &last {
-            Some((place, corner)) if *place == edge.start() => *corner,
-            _ => Corner::new(motion, &edge.start()),
-        };
-        let to = Corner::new(motion, &edge.end());
-        let ends = [&from, &to];
-        add(edge, ends, &MovingEdge::new(motion, edge, ends));
-        last = Some((edge.end(), to));
+    of: impl Fn(&MovingEdge<L>) -> [L; N],
+) -> [R; N] {
+    let motion = motion.repeat();
+    let mut sums = [L::none(); N];
+    for four in edges.chunks(FOUR) {
+        for (first, group) in four.chunks(L::COUNT).enumerate() {
+            let parts = of(&MovingEdge::new(&motion, Sides::of(group)));
+            for (sum, part) in sums.iter_mut().zip(parts) {
+                part.add_to(sum, first);
+            }
+        }
     }
+    let mut totals = [R::ZERO; N];
+    for (total, sum) in totals.iter_mut().zip(&sums) {
+        *total = L::total(sum);
+    }
+    totals
 }
 
-impl<R: Real> WrenchSums<R> {
-    #[inline(always)]
-    fn add(&mut self, edge: &MovingEdge<R>) {
-        let beta = edge.beta();
-        self.x += edge.tangent.x * beta;
-        self.y += edge.tangent.y * beta;
-        self.turn += edge.offset * beta - R::TWO * edge.along * edge.beta_rest();
-    }
-
-    #[inline(always)]
-    fn friction(&self, motion: &UnitMotion<R>, share: R) -> Reduced<R> {
-        let w = motion.spin;
-        let by = w * share;
-        let third = R::from_f64(1.0 / 3.0);
-        Reduced {
-            force: Vector2::new(-(motion.x + by * self.x), -(motion.y + by * self.y)),
-            torque: -(third * w * (R::TWO + share * self.turn)),
-        }
+/// Friction of the sums of [`MovingEdge::wrench`].
+#[inline(always)]
+fn reduced<R: Real>([x, y, turn]: [R; 3], motion: &UnitMotion<R>, share: R) -> Reduced<R> {
+    let w = motion.spin;
+    let by = w * share;
+    let third = R::from_f64(1.0 / 3.0);
+    Reduced {
+        force: Vector2::new(-(motion.x + by * x), -(motion.y + by * y)),
+        torque: -(third * w * (R::TWO + share * turn)),
     }
 }
 
@@ -354,36 +373,24 @@ pub(super) fn friction_and_hessian<R: Real>(
     area: R,
     motion: &Motion<R>,
 ) -> (Reduced<R>, Hessian<R>) {
-    let motion = UnitMotion::of(motion);
-    let zero = R::ZERO;
-    let mut sums = WrenchSums {
-        x: zero,
-        y: zero,
-        turn: zero,
-    };
-    let mut bent = Hessian {
-        xx: zero,
-        xy: zero,
-        yy: zero,
-        xn: zero,
-        yn: zero,
-        nn: zero,
-    };
-    each(edges, &motion, |_, _, edge| {
-        sums.add(edge);
-        edge.add_hessian(&mut bent);
-    });
+    let (motion, rate) = UnitMotion::of(motion);
+    let [fx, fy, turn, xx, xy, yy, xn, yn, nn] =
+        summed::<R, <R as Laned>::Some, 9>(edges, &motion, |edge| {
+            let ([a, b, c], [d, e, f, g, h, i]) = (edge.wrench(), edge.hessian());
+            [a, b, c, d, e, f, g, h, i]
+        });
     let share = R::ONE / area;
     let (x, y, w) = (motion.x, motion.y, motion.spin);
-    let whole = bent.scaled(share);
-    let whole = Hessian {
-        xn: whole.xn - w * x,
-        yn: whole.yn - w * y,
-        nn: whole.nn + (x * x + y * y),
-        ..whole
+    let hessian = Hessian {
+        xx: share * xx,
+        xy: share * xy,
+        yy: share * yy,
+        xn: share * xn - w * x,
+        yn: share * yn - w * y,
+        nn: share * nn + (x * x + y * y),
     };
-    let hessian = whole.across([x, y, w]).scaled(motion.rate);
-    (sums.friction(&motion, share), hessian)
+    let hessian = hessian.across([x, y, w]).scaled(rate);
+    (reduced([fx, fy, turn], &motion, share), hessian)
 }
 
 impl<R: Real> Hessian<R> {
@@ -405,45 +412,58 @@ impl<R: Real> Hessian<R> {
     }
 }
 
-impl<R: Real> MovingEdge<R> {
-    /// Adds what the edge contributes to the second derivatives, of the area.
+impl<L: Numbers<Real: Real>> MovingEdge<L> {
+    /// τ β and H β − 2 (v·τ) β″
     #[inline(always)]
-    fn add_hessian(&self, sum: &mut Hessian<R>) {
+    fn wrench(&self) -> [L; 3] {
+        let (beta, [x, y]) = (self.beta(), self.sides.tangent);
+        let rest = self.along * self.beta_rest();
+        [x * beta, y * beta, self.sides.offset * beta - (rest + rest)]
+    }
+
+    /// What the edge contributes to the second derivatives xx, xy, yy, xn, yn and nn, of the area.
+    #[inline(always)]
+    fn hessian(&self) -> [L; 6] {
         let Self {
-            length,
             spin: w,
             along,
-            offset,
+            eta,
             p,
             arm,
-            reach,
-            inv_sum,
+            reach_sq,
+            log,
             ..
         } = *self;
-        let (x, y) = (self.tangent.x, self.tangent.y);
-        let eta = along + w * offset;
-        let reach_sq = reach * reach;
-        let log = self.log();
+        let Sides {
+            tangent: [x, y],
+            length,
+            offset,
+            ..
+        } = self.sides;
+        let (half, twice) = (L::splat(0.5), self.inv_sum + self.inv_sum);
         // κ̄ S/2
         let kappa = arm * arm - p + w * arm * p;
-        let twice = inv_sum + inv_sum;
         // Velocities.
         let lambda = twice * (kappa + reach_sq * log);
         let lengthwise = length * (offset - eta * arm + w * eta * lambda);
-        let rise = length * twice * (self.across * (arm + w * p) + self.middle);
-        sum.xx += lengthwise * x * x - rise * x * y;
-        sum.xy += lengthwise * x * y - R::HALF * rise * (y * y - x * x);
-        sum.yy += lengthwise * y * y + rise * x * y;
+        let rise = length * twice * (self.across * (arm + w * p) + self.sides.middle());
+        let xx = lengthwise * x * x - rise * x * y;
+        let xy = lengthwise * x * y - half * rise * (y * y - x * x);
+        let yy = lengthwise * y * y + rise * x * y;
         // Velocities and spin: ε.
         let mixed = length * twice * (reach_sq * log * eta * along - (p + w * w * kappa));
-        sum.xn -= mixed * x;
-        sum.yn -= mixed * y;
         // Spin: χ.
-        let left = R::from_f64(2.0 / 3.0) * offset - along * self.spread();
-        let turned = left + R::TWO * w * reach_sq * self.bend * eta;
-        let chi = length
-            * (arm * p - self.rest - w * twice * kappa * (R::ONE + p)
-                + reach_sq * inv_sum * along * turned);
-        sum.nn += along * chi;
+        let left = splat::<L>(2.0 / 3.0) * offset - along * self.spread;
+        let turned = left + L::splat(2.0) * w * reach_sq * self.bend * eta;
+        let chi = arm * p - self.rest - w * twice * kappa * (L::splat(1.0) + p)
+            + reach_sq * self.inv_sum * along * turned;
+        [
+            xx,
+            xy,
+            yy,
+            -(mixed * x),
+            -(mixed * y),
+            along * (length * chi),
+        ]
     }
 }
