@@ -47,13 +47,9 @@ bounds! {
     /// Their Jacobian, of its largest entry.
     POLYGON_JACOBIAN = 5e-14, "promised in coupling::flat; next to an edge its slope is the logarithm of the distance: 4.6e-14 at 10:1 among 100,800 twists";
     /// The same under linear pressure.
-    POLYGON_LINEAR = 5e-14, "promised in coupling::flat; moments about a centre up to 3 radii away cancel";
+    POLYGON_LINEAR = 4e-15, "promised in coupling::flat; long edges cancel: 3.0e-15 at 10:1, 1.1e-15 for other shapes";
     /// Their Jacobian, of its largest entry.
-    POLYGON_LINEAR_JACOBIAN = 2.5e-13, "promised in coupling::flat; 1.8e-13 at 10:1 among 100,800 twists";
-    /// The same on a strip of 10:1 whose pressure almost lifts one of its long edges.
-    POLYGON_LAYER = 6e-14, "promised in coupling::flat; 1.1e-13 against its pieces, which are as wrong";
-    /// Its Jacobian, of its largest entry.
-    POLYGON_LAYER_JACOBIAN = 4e-13, "promised in coupling::flat; 7.8e-13 against its pieces, which are as wrong";
+    POLYGON_LINEAR_JACOBIAN = 5e-14, "promised in coupling::flat; next to an edge its slope is the logarithm of the distance: 3.0e-14 at 10:1";
     /// Power laws of −1/2 ≤ α ≤ 3 on polygons, uniform pressure: of γN V^α, and that times R + |centre|.
     POLYGON_POWER = 5e-14, "promised in coupling::flat; opposite edges cancel: 1.4e-14 at 10:1 among 11,000 twists";
     /// Their Jacobian, of its largest entry.
@@ -100,7 +96,9 @@ bounds! {
     ANY_PRESSURE_SINGLE = 2e-3, "promised in limit_surface::AnyPressure; the barrier's last weight, of single precision, next to the largest force";
     /// Polygons in f32, of μN and μN (R + |centre|).
     POLYGON_SINGLE = 4e-6, "promised in coupling::flat; opposite edges cancel, most where the shape is long";
-    /// Their Jacobian, of its largest entry.
+    /// The same under linear pressure.
+    POLYGON_LINEAR_SINGLE = 2e-6, "promised in coupling::flat; long edges cancel: 1.5e-6 at 10:1, 5e-7 for other shapes";
+    /// Their Jacobian, of its largest entry, under either pressure.
     POLYGON_SINGLE_JACOBIAN = 6e-6, "logarithm of the distance from an edge, which single precision rounds";
 
     /// Jacobian of tables and compact forms at the tables' arguments, relative.

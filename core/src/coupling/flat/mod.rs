@@ -209,8 +209,7 @@ impl<R: Real> Hessian<R> {
 /// *Units*: any consistent set; twist and wrench refer to the origin of the patch's coordinates.
 /// *Domain*: load · μ · radius and spin · radius are zero or normal numbers. *Accuracy*, of μN and
 /// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 2e-14, under
-/// linear pressure 5e-14, 6e-14 where it almost lifts a long edge (f32: 4e-6, linear pressure 3e-5); one that
-/// is longer loses its aspect ratio. The
+/// linear pressure 4e-15 (f32: 4e-6, linear pressure 2e-6); one that is longer loses its aspect ratio. The
 /// torque of a patch that hardly turns keeps that accuracy relative to itself.
 /// *Cost*: an edge takes two roots, a logarithm and four quotients; where the centre of rotation
 /// is farther away than 3 radii, 4 to 10 points, each with a root and two quotients.
@@ -268,9 +267,8 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
     /// The wrench and ∂wrench/∂twist, symmetric and negative semidefinite.
     ///
     /// *Accuracy*: the Jacobian 5e-14 of its largest entry, with the radius as the unit of length
-    /// (linear pressure 2.5e-13, 4e-13 where it almost lifts a long edge; f32 6e-6, linear pressure 3e-5), for
-    /// patches up to 10 times as long as wide; one that is longer loses its aspect ratio, under linear pressure its
-    /// square.
+    /// (f32 6e-6), for patches up to 10 times as long as wide; one that is longer loses its aspect ratio, under
+    /// linear pressure its square.
     /// *Special values*: zero at rest.
     ///
     /// ```
