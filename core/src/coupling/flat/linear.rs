@@ -682,4 +682,22 @@ mod tests {
             assert!(off < 1e-15 * strip.aspect, "{} {off:e}", strip.aspect);
         }
     }
+
+    #[test]
+    fn the_small_torque_of_a_slow_spin_keeps_its_digits() {
+        // A square of side 2 whose centre of pressure is the origin, a quarter beside its middle: pressure
+        // 1 + 3 (x + 1/4)/4, mean squares 13/48 and 1/3.
+        let square = [[-1.25, -1.0], [0.75, -1.0], [0.75, 1.0], [-1.25, 1.0]];
+        let leaning = Polygon::new(square)
+            .unwrap()
+            .with_centre_of_pressure([0.0; 2]);
+        let friction = ShapeFriction::new(leaning.unwrap(), 1.0).unwrap();
+        for [x, y] in [[1.0, 0.0], [0.0, 1.0], [0.6, 0.8]] {
+            for spin in [1e-18, -1e-60, 1e-290] {
+                let torque = friction.wrench(1.0, &Twist::new(x, y, spin)).torque;
+                let expected = -spin * (13.0 / 48.0 * x * x + y * y / 3.0);
+                assert!((torque / expected - 1.0).abs() < 2e-15, "{x} {y} {spin}");
+            }
+        }
+    }
 }
