@@ -188,6 +188,55 @@ def centres(loops, rng, rows):
             yield mx + reach * radius * float(cos(angle)), my + reach * radius * float(sin(angle))
 
 
+def sliding(loops, twist):
+    """by_edges for a spin of 0 under uniform pressure: moments of the area."""
+    area, mx, my, _ = geometry(loops)
+    xx = xy = yy = mpf(0)
+    for (ax, ay), (bx, by) in edges(loops):
+        ax, ay, bx, by = ax - mx, ay - my, bx - mx, by - my
+        cross = (ax * by - ay * bx) / area
+        xx += cross * (ax * ax + ax * bx + bx * bx) / 12
+        xy += cross * (2 * ax * ay + ax * by + bx * ay + 2 * bx * by) / 24
+        yy += cross * (ay * ay + ay * by + by * by) / 12
+    vx, vy, _ = twist
+    speed = sqrt(vx * vx + vy * vy)
+    ex, ey = vx / speed, vy / speed
+    across = [part / speed for part in (ey * ey, -ex * ey, ex * ex)]
+    along = (ex * ex * xx + 2 * ex * ey * xy + ey * ey * yy) / speed
+    # The centroid moves with (-y, x) for each unit of spin about the origin.
+    xn, yn = across[1] * mx - across[0] * my, across[2] * mx - across[1] * my
+    nn = along + yn * mx - xn * my
+    return [-ex, -ey, my * ex - mx * ey], across + [xn, yn, nn]
+
+
+def beside(loops, rng):
+    """Twists about centres next to corners, edges and the centroid and far away; pure spin and pure sliding."""
+    _, mx, my, radius = geometry(loops)
+    mx, my, radius = float(mx), float(my), float(radius)
+    sides = list(edges(loops))
+    for kind in range(16):
+        (ax, ay), (bx, by) = ((float(p[0]), float(p[1])) for p in sides[rng.randrange(len(sides))])
+        angle, share = rng.uniform(0, 6.283185307179586), rng.random()
+        x, y = float(cos(angle)), float(sin(angle))
+        spin = rng.choice([-1, 1]) * 2.0 ** rng.randrange(-3, 4)
+        if kind < 2:
+            yield x, y, 0.0
+            continue
+        if kind < 4:
+            yield x, y, spin * 10 ** rng.uniform(-25, -10)
+            continue
+        if kind < 6:
+            at, reach = (mx, my), (kind - 4) * radius * 10 ** rng.uniform(-8, -1)
+        elif kind < 9:
+            at, reach = (ax, ay), radius * 10 ** rng.uniform(-16, -2)
+        elif kind < 13:
+            at, reach = (ax + share * (bx - ax), ay + share * (by - ay)), radius * 10 ** rng.uniform(-16, -2)
+        else:
+            at, reach = (mx, my), radius * 10 ** rng.uniform(1, 10)
+        x, y = at[0] + reach * x, at[1] + reach * y
+        yield spin * y, -spin * x, spin
+
+
 def rows(per_shape):
     for name, loops in SHAPES.items():
         rng = random.Random(name)
@@ -201,6 +250,9 @@ def rows(per_shape):
                 steep = rng.uniform(0, 0.9) / float(radius)
                 slope = (steep * float(cos(angle)), steep * float(sin(angle)))
             yield name, loops, twist, slope
+    for name, loops in SHAPES.items():
+        for twist in beside(loops, random.Random(name + ", beside")):
+            yield name, loops, twist, (0.0, 0.0)
 
 
 HEADER = "shape,slope_x,slope_y,velocity_x,velocity_y,spin,force_x,force_y,torque,xx,xy,yy,xn,yn,nn"
@@ -210,7 +262,8 @@ def make(per_shape):
     print("# Dry friction of polygons per muN, and the second derivatives of its power: generate_polygons.py make")
     print(HEADER)
     for name, loops, twist, slope in rows(per_shape):
-        wrench, hessian = by_edges(loops, [mpf(t) for t in twist], [mpf(s) for s in slope])
+        exact, lean = [mpf(t) for t in twist], [mpf(s) for s in slope]
+        wrench, hessian = by_edges(loops, exact, lean) if twist[2] else sliding(loops, exact)
         numbers = [repr(x) for x in (*slope, *twist)] + [mp.nstr(x, 25) for x in wrench + hessian]
         print(",".join([name, *numbers]))
 
@@ -221,6 +274,8 @@ def check(most):
     for name, loops, twist, slope in rows(16):
         _, mx, my, radius = geometry(loops)
         twist, slope = [mpf(t) for t in twist], [mpf(s) for s in slope]
+        if twist[2] == 0:
+            continue
         x, y = -twist[1] / twist[2], twist[0] / twist[2]
         if max(abs(x - mx), abs(y - my)) > 20 * radius or done >= most:
             continue

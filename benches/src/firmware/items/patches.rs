@@ -39,8 +39,8 @@ const fn dry(
 macro_rules! flat {
     ($more:literal) => {
         concat!(
-            "coupling::flat coupling::flat::pole_far coupling::flat::motion coupling::flat::pole_near ",
-            "coupling::flat::pair_of_numbers patch::edge patch::outline_extent patch::outline special::legendre ",
+            "coupling::flat coupling::flat::uniform coupling::flat::moving_edge lanes coupling::flat::pole_far ",
+            "coupling::flat::motion coupling::flat::pole_near coupling::flat::pair_of_numbers patch::edge patch::outline_extent patch::outline special::legendre ",
             "special::log_quotient ",
             $more
         )

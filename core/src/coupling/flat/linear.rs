@@ -1,6 +1,6 @@
 //! Friction of a patch with straight edges under linear pressure: one form for every motion.
 //!
-//! The notation is that of [`super::uniform`]; the centre of pressure is the origin. The pressure, of its mean,
+//! The notation is that of [`super::moving_edge`]; the centre of pressure is the origin. The pressure, of its mean,
 //! is k = k_c + g·x, and on an edge k_m + k_t t with the distance t from its middle. The divergence
 //! theorem for k q and x k q gives
 //!
@@ -10,7 +10,7 @@
 //! ```
 //!
 //! f″ is the rest of f over w in p = p₀ + w p″: the gradient of p₀ = ((v·x)² − 1)/2 has the direction of v, so
-//! that v·f is w v·f″. Once more, p″ = w p‴ − α p₀ with p‴ = (x² − p²)/2 − α p″:
+//! that v·f is w v·f″. Once more, p″ = w p‴ − α p₀:
 //!
 //! ```text
 //! f″ = Σ τ γ″ − (z × g) P″,    γ″ = k_m β″ + k_t δ″,    P″ = ∫p″ dA = [Σ (H β″ + (v·τ) β‴) + w P]/(3 + w²)
@@ -49,7 +49,8 @@
 //! Products with corners cancel there, too, and are taken with what rounding leaves of them.
 
 use super::motion::Motion;
-use super::uniform::{MovingEdge, Sides, UnitMotion, splat, summed};
+use super::moving_edge::{MovingEdge, Sides, UnitMotion, splat};
+use super::uniform::summed;
 use super::{Hessian, Reduced};
 use crate::lanes::{Laned, Numbers};
 use crate::patch::outline::{Edge, PressureField};
@@ -387,7 +388,7 @@ impl<'a, R: Real> Loaded<'a, R> {
                 of(&EdgeIntegrals::new(moving), &Weight::between(pressure))
             });
         }
-        let motion = self.motion.repeat::<L>();
+        let motion = self.motion.repeated::<L>();
         summed::<R, L, N>(self.edges, &self.motion, |moving| {
             let mut moving = *moving;
             let (from, to) = (moving.sides.from, moving.sides.to);
@@ -445,7 +446,7 @@ impl<'a, R: Real> Loaded<'a, R> {
     /// The integrals over a layer about the level line of the centre of pressure.
     #[cold]
     fn over_layer<L: Numbers<Real = R>, const WITH_HESSIAN: bool>(&self) -> AreaIntegrals<R> {
-        let ([x, y], motion) = (self.slope.map(L::repeat), self.motion.repeat::<L>());
+        let ([x, y], motion) = (self.slope.map(L::repeat), self.motion.repeated::<L>());
         let inv_sq = L::splat(1.0) / (x * x + y * y);
         let [p, rest, slope_x, slope_y] = summed::<R, L, 4>(self.edges, &self.motion, |moving| {
             let sides = &moving.sides;

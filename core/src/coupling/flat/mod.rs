@@ -6,9 +6,10 @@
 //! force = −μ ∫p q/|q| dA,     torque = −μ ∫p (x × q)/|q| dA,     q = v + ω × x
 //! ```
 //!
-//! over any [`Polygon`] have closed forms where the centre of rotation lies on the patch or near it,
-//! and become a smooth integral along each edge where it does not. The Jacobian, minus the Hessian
-//! of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
+//! over any [`Polygon`] under uniform pressure have one closed form for all motions, rotation about a
+//! corner and translation included. Under linear pressure they have closed forms where the centre of rotation lies
+//! on the patch or near it, and become a smooth integral along each edge where it does not. The Jacobian, minus the
+//! Hessian of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
 //! the cost grows with the number of edges alone.
 //!
 //! [`ShapePowerFriction`] is the same for friction γ|q|^α, α > −1.
@@ -19,6 +20,7 @@ mod feet;
 mod linear;
 mod mesh;
 mod motion;
+mod moving_edge;
 mod pair_of_numbers;
 mod points;
 mod pole_far;
@@ -208,11 +210,12 @@ impl<R: Real> Hessian<R> {
 ///
 /// *Units*: any consistent set; twist and wrench refer to the origin of the patch's coordinates.
 /// *Domain*: load · μ · radius and spin · radius are zero or normal numbers. *Accuracy*, of μN and
-/// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 2e-14, under
-/// linear pressure 4e-15 (f32: 4e-6, linear pressure 2e-6); one that is longer loses its aspect ratio. The
+/// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 2.5e-15 (up to 4
+/// times: 1e-15), under linear pressure 4e-15, bars and points 2e-14 (f32: 1.5e-6, linear pressure 2e-6); one that
+/// is longer loses its aspect ratio. The
 /// torque of a patch that hardly turns keeps that accuracy relative to itself.
-/// *Cost*: an edge takes two roots, a logarithm and four quotients; where the centre of rotation
-/// is farther away than 3 radii, 4 to 10 points, each with a root and two quotients.
+/// *Cost*: an edge takes two roots, a logarithm and five quotients; where linear pressure is steep across a thin
+/// patch and the centre of rotation is away from it, 9 times as much.
 /// *Special values*: zero at rest; NaN for infinite and NaN twists.
 ///
 /// ```
@@ -266,9 +269,9 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
 
     /// The wrench and ∂wrench/∂twist, symmetric and negative semidefinite.
     ///
-    /// *Accuracy*: the Jacobian 5e-14 of its largest entry, with the radius as the unit of length
-    /// (f32 6e-6), for patches up to 10 times as long as wide; one that is longer loses its aspect ratio, under
-    /// linear pressure its square.
+    /// *Accuracy*: the Jacobian 4e-14 of its largest entry, with the radius as the unit of length
+    /// (linear pressure, bars and points 5e-14; f32 1e-5), for patches up to 10 times as long as wide; one that is
+    /// longer loses its aspect ratio, under linear pressure its square.
     /// *Special values*: zero at rest.
     ///
     /// ```

@@ -222,16 +222,12 @@ impl<R: Real> TranslatingMotion<'_, R> {
             let (yy, yn) = (x * inv_q, x_c * inv_q);
             let full = x * at.c * at.c * ((at.q + at.g) * inv_q - at.p);
             let nn = full * inv_g;
-            if K::IS_LINEAR {
-                let (here, slope) = (pressure.at(y), pressure.slope_x);
-                [
-                    here * yy + slope * (at.g * yn),
-                    here * yn + slope * full,
-                    here * nn + slope * (x_c * x_c * inv_q),
-                ]
-            } else {
-                [yy, yn, nn]
-            }
+            let (here, slope) = (pressure.at(y), pressure.slope_x);
+            [
+                here * yy + slope * (at.g * yn),
+                here * yn + slope * full,
+                here * nn + slope * (x_c * x_c * inv_q),
+            ]
         };
         let sums = EdgePairs {
             slide: self,

@@ -54,6 +54,8 @@ fn families() -> Vec<Family> {
     let even = [POLYGON, POLYGON_JACOBIAN];
     let leaning = [POLYGON_LINEAR, POLYGON_LINEAR_JACOBIAN];
     let thin = [SLIVER, SLIVER_JACOBIAN];
+    let leaning_thin = [SLIVER_LINEAR, SLIVER_LINEAR_JACOBIAN];
+    let bar = [BAR, BAR_JACOBIAN];
     let power = [POLYGON_POWER, POLYGON_POWER_JACOBIAN];
     let powers = [POLYGON_POWER_LINEAR, POLYGON_POWER_LINEAR_JACOBIAN];
     let steep = [POLYGON_POWER_ENDS, POLYGON_POWER_ENDS_JACOBIAN];
@@ -70,7 +72,7 @@ fn families() -> Vec<Family> {
         ("leaning polygon", linear(false), DRY, leaning, leaning_single),
         ("layer, leaning across", layer(), DRY, leaning, None),
         ("sliver", uniform(true), DRY, thin, None),
-        ("leaning sliver", linear(true), DRY, thin, None),
+        ("leaning sliver", linear(true), DRY, leaning_thin, None),
         ("falling law, polygon", uniform(false), FALLING, power, None),
         (
             "rising law, polygon",
@@ -103,8 +105,8 @@ fn families() -> Vec<Family> {
         ),
         ("mesh", meshed(false), DRY, mesh, of_mesh),
         ("uneven mesh", meshed(true), DRY, uneven, None),
-        ("bar", bars(), DRY, even, None),
-        ("points", points, DRY, even, None),
+        ("bar", bars(), DRY, bar, None),
+        ("points", points, DRY, bar, None),
         ("nodes", nodes.clone(), DRY, sums, None),
         ("power law at nodes", nodes, POWERS, sums, None),
         (
