@@ -313,7 +313,7 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
     motion: &Motion<R>,
 ) -> (Reduced<R>, Hessian<R>) {
     let (loaded, rate) = Loaded::new(edges, pressure, motion);
-    let UnitMotion { x, y, .. } = loaded.motion;
+    let UnitMotion { x, y, spin: w } = loaded.motion;
     let speed_sq = <R as Laned>::Some::repeat(x * x + y * y);
     let [
         a,
@@ -351,7 +351,7 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
         yn: yn - three * pull_y + at_centre * to_y,
         nn: three * along - spin - at_centre * lost,
     };
-    (reduced, hessian.scaled(rate / area))
+    (reduced, hessian.across([x, y, w]).scaled(rate / area))
 }
 
 impl<'a, R: Real> Loaded<'a, R> {

@@ -94,7 +94,7 @@ pub(super) fn friction_and_hessian<R: Real>(
 
 impl<R: Real> Hessian<R> {
     /// The part across a twist of length 1, along which dry friction does not change.
-    fn across(&self, [x, y, n]: [R; 3]) -> Self {
+    pub(super) fn across(&self, [x, y, n]: [R; 3]) -> Self {
         let to_x = self.xx * x + self.xy * y + self.xn * n;
         let to_y = self.xy * x + self.yy * y + self.yn * n;
         let to_n = self.xn * x + self.yn * y + self.nn * n;
