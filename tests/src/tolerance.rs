@@ -75,9 +75,9 @@ bounds! {
     /// Its Jacobian, of its largest entry.
     SLIVER_JACOBIAN = 4e-12, "promised in coupling::flat: the aspect ratio times 4e-15";
     /// The same under linear pressure.
-    SLIVER_LINEAR = 5e-12, "promised in coupling::flat: the aspect ratio times 5e-15, long edges cancel";
+    SLIVER_LINEAR = 5e-13, "promised in coupling::flat: the aspect ratio times 5e-16, long edges cancel";
     /// Its Jacobian, of its largest entry.
-    SLIVER_LINEAR_JACOBIAN = 2e-11, "promised in coupling::flat: the aspect ratio times 2e-14";
+    SLIVER_LINEAR_JACOBIAN = 2e-12, "promised in coupling::flat: the aspect ratio times 2e-15";
     /// Push over gauge plus the friction of its motion, of μN with the torque over the largest arm.
     PATCH_SURFACE = 1e-13, "promised in limit_surface::ShapeLimitSurface; Newton's residual and the gauge's rounding";
     /// Gauge and normal of points, of the limits.

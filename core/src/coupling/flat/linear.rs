@@ -33,9 +33,13 @@
 //! ```text
 //! W = k_m l [z × middle − 2 σ u/S] + 2 l (l/S)² g ζ (w k_m + k_t s) τ + k_t l E n,     u = ζ S τ + s n
 //! χ = 2 (l/S) k_m (w ᾱ − p̄ V²) + 2 l (l/S)² g ζ (k_m v·τ − k_t H s) + k_t [c l E − 3 w s l² (l/S)³ K]
-//! D_vv = [Σ τ ⊗ W − (z × g) ⊗ B]/area,     B = Σ τ β = ∫∂p/∂v dA
+//! D_vv = [Σ τ ⊗ W − (z × g) ⊗ B]/area
 //! D_vw = [Σ H W − 3 f + k_c B]/area,       D_ww = [3 v·f″ − Σ H χ − k_c Σ (v·τ) β″]/area
+//! B = ∫∂p/∂v dA = Σ [H (W₁ + w l v/2) + (v·τ) W₁″]/2
+//! W₁″ = 2 l ([(l/S)² g ζ − ζ p̄ − ᾱ ζ₁] τ − [s p̄/S + ᾱ s₁] n),       s₁ = −c/2 − σ s/S
 //! ```
+//!
+//! where W₁ is W for the pressure 1, and W₁″ its rest over w.
 //!
 //! *Steep pressure*. On a patch that is thin along g the area integrals P, P″ and B are small, but sums of long edges
 //! that cancel unless the centre of rotation is close, and g multiplies them. The patch is a layer about the level line
@@ -252,12 +256,13 @@ impl<'a, L: Numbers<Real: Real>> EdgeIntegrals<'a, L> {
     #[inline(always)]
     fn hessian(&self, weight: &Weight<L>, speed_sq: L) -> [L; 9] {
         let sides = &self.moving.sides;
-        let ([x, y], offset, [beta, beta_2, _]) = (sides.tangent, sides.offset, self.even);
+        let ([x, y], offset, [_, beta_2, _]) = (sides.tangent, sides.offset, self.even);
         let [lengthwise, crosswise] = self.slope(weight);
         let [to_x, to_y] = turned_back(sides.tangent, [lengthwise, crosswise]);
+        let [over_x, over_y] = turned_back(sides.tangent, self.slope_over_area());
         [
-            x * beta,
-            y * beta,
+            over_x,
+            over_y,
             self.moving.along * beta_2,
             x * to_x,
             lengthwise * x * y + L::splat(0.5) * crosswise * (y * y - x * x),
@@ -265,6 +270,39 @@ impl<'a, L: Numbers<Real: Real>> EdgeIntegrals<'a, L> {
             offset * to_x,
             offset * to_y,
             offset * self.spin_slope(weight, speed_sq),
+        ]
+    }
+
+    /// What the edge adds to B, along the tangent and the normal.
+    #[inline(always)]
+    fn slope_over_area(&self) -> [L; 2] {
+        let MovingEdge {
+            spin: w,
+            along,
+            across,
+            p,
+            arm,
+            ..
+        } = *self.moving;
+        let (half, two) = (L::splat(0.5), L::splat(2.0));
+        let Sides { length, offset, .. } = self.moving.sides;
+        let one = Weight {
+            middle: L::splat(1.0),
+            change: L::splat(0.0),
+        };
+        let [lengthwise, crosswise] = self.slope(&one);
+        // s/S as ζ.
+        let crossing = self.across * self.moving.inv_sum;
+        let zeta_1 = half * offset - self.zeta * self.sigma;
+        let crossing_1 = -(half * self.moving.sides.middle() + crossing * self.sigma);
+        let rest = [
+            self.turned - two * (self.zeta * p + arm * zeta_1),
+            -(two * (crossing * p + arm * crossing_1)),
+        ];
+        let turned = half * length * w;
+        [
+            half * (offset * (lengthwise + turned * along) + along * length * rest[0]),
+            half * (offset * (crosswise + turned * across) + along * length * rest[1]),
         ]
     }
 }

@@ -271,7 +271,7 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
     ///
     /// *Accuracy*: the Jacobian 4e-14 of its largest entry, with the radius as the unit of length
     /// (linear pressure, bars and points 5e-14; f32 1e-5), for patches up to 10 times as long as wide; one that is
-    /// longer loses its aspect ratio, under linear pressure its square.
+    /// longer loses its aspect ratio.
     /// *Special values*: zero at rest.
     ///
     /// ```
