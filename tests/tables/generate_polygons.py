@@ -3,6 +3,7 @@
     python3 generate_polygons.py shapes                  their corners
     python3 generate_polygons.py make [rows a shape]     from line integrals with 150 digits
     python3 generate_polygons.py check [rows]            some of them again, by area integrals
+    python3 generate_polygons.py fit [terms]             polynomials of coupling/flat/moving_edge.rs: 12, in f32 6
 
 `make` sums closed line integrals about the centre of rotation with so many digits that their
 cancellation at a far centre does not matter. `check` shares nothing with it: the patch is cut into
@@ -298,6 +299,38 @@ def check(most):
     print(f"{done} rows, largest difference {mp.nstr(worst, 3)}")
 
 
+def fit(terms):
+    """P and Q of z = 1 - y^2 with G = P + Q ln z: least squares with Lawson's weights, Q with one term less."""
+    mp.dps = 40
+
+    def bend(z):
+        y = sqrt(1 - z)
+        if 1 - z < mpf("0.01"):
+            return sum((1 - z) ** n / (2 * n + 5) for n in range(25))
+        return ((mp.atanh(y) / y - 1) / y**2 - mpf(1) / 3) / y**2
+
+    count = 2 * terms - 1
+    places = [((1 - cos(mp.pi * (k + HALF) / (3 * count))) / 2) ** mpf("1.5") for k in range(3 * count)]
+    rows = [[z**k for k in range(terms)] + [mp.log(z) * z**k for k in range(terms - 1)] for z in places]
+    # Errors count less where the edge's terms are small.
+    scales = [(1 - z + mpf("0.03")) * (sqrt(z) + mpf("1e-3")) for z in places]
+    weights, best = [mpf(1)] * len(places), None
+    for _ in range(10):
+        scaled = [sqrt(w) * s for w, s in zip(weights, scales)]
+        left = matrix([[s * part for part in row] for s, row in zip(scaled, rows)])
+        found, _ = mp.qr_solve(left, matrix([s * bend(z) for s, z in zip(scaled, places)]))
+        wrong = [
+            abs(mp.fdot(row, found) - bend(z)) * s for row, z, s in zip(rows, places, scales)
+        ]
+        if best is None or max(wrong) < best[0]:
+            best = max(wrong), found
+        weights = [w * (e / max(wrong) + mpf("1e-3")) for w, e in zip(weights, wrong)]
+        weights = [w * len(places) / sum(weights) for w in weights]
+    print("largest error", mp.nstr(best[0], 2))
+    for k in range(terms):
+        print([mp.nstr(best[1][n], 18) for n in (k, terms + k) if n < count])
+
+
 def shapes():
     print("# Corners of the polygons of polygons.csv: generate_polygons.py shapes")
     print("shape,loop,x,y")
@@ -313,5 +346,7 @@ if __name__ == "__main__":
         check(count or 60)
     elif sys.argv[1:2] == ["shapes"]:
         shapes()
+    elif sys.argv[1:2] == ["fit"]:
+        fit(count or 12)
     else:
         make(count or 64)

@@ -6,7 +6,7 @@ use core::ops::{Add, Mul};
 /// A precision; here without lanes.
 pub trait Laned: Copy + Add<Output = Self> + Mul<Output = Self> {
     /// Its numbers one by one.
-    type Some: Numbers<Real = Self>;
+    type Several: Numbers<Real = Self>;
 
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, even and odd powers apart, on pairs.
     #[inline]
@@ -33,8 +33,8 @@ pub trait Laned: Copy + Add<Output = Self> + Mul<Output = Self> {
 }
 
 impl Laned for f32 {
-    type Some = Self;
+    type Several = Self;
 }
 impl Laned for f64 {
-    type Some = Self;
+    type Several = Self;
 }

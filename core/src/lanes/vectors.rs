@@ -10,7 +10,7 @@ pub trait Laned: Sized {
     /// Eight of its numbers.
     type Lanes: Eight<Real = Self>;
     /// Four of its numbers.
-    type Some: Numbers<Real = Self>;
+    type Several: Numbers<Real = Self>;
 
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, side by side.
     fn sums<const TERMS: usize>(pairs: &[[Self; 2]; TERMS], u: Self) -> [Self; 2];
@@ -18,7 +18,7 @@ pub trait Laned: Sized {
 
 impl Laned for f64 {
     type Lanes = f64x8;
-    type Some = f64x4;
+    type Several = f64x4;
 
     #[inline(always)]
     fn sums<const TERMS: usize>(pairs: &[[f64; 2]; TERMS], u: f64) -> [f64; 2] {
@@ -27,7 +27,7 @@ impl Laned for f64 {
 }
 impl Laned for f32 {
     type Lanes = f32x8;
-    type Some = f32x4;
+    type Several = f32x4;
 
     #[inline(always)]
     fn sums<const TERMS: usize>(pairs: &[[f32; 2]; TERMS], u: f32) -> [f32; 2] {

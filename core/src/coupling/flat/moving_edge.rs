@@ -110,7 +110,8 @@ impl<R: Real> UnitMotion<R> {
 const LEAST_SPEED: f64 = 0.25;
 
 /// A corner.
-struct Corner<L> {
+#[derive(Clone, Copy)]
+pub(super) struct Corner<L> {
     /// Its velocity.
     u: [L; 2],
     /// |u|
@@ -127,7 +128,7 @@ struct Corner<L> {
 
 impl<L: Numbers<Real: Real>> Corner<L> {
     #[inline(always)]
-    fn new(motion: &UnitMotion<L>, [x, y]: [L; 2]) -> Self {
+    pub(super) fn new(motion: &UnitMotion<L>, [x, y]: [L; 2]) -> Self {
         let (v_x, v_y, w, one) = (motion.x, motion.y, motion.spin, L::splat(1.0));
         let u = [v_x - w * y, v_y + w * x];
         let least = L::repeat(L::Real::from_f64(LEAST_SPEED) * L::Real::EPSILON);
@@ -225,10 +226,12 @@ pub(super) struct MovingEdge<L> {
 
 impl<L: Numbers<Real: Real>> MovingEdge<L> {
     #[inline(always)]
-    pub(super) fn new(motion: &UnitMotion<L>, sides: Sides<L>) -> Self {
+    pub(super) fn new(
+        motion: &UnitMotion<L>,
+        sides: Sides<L>,
+        [from, to]: [&Corner<L>; 2],
+    ) -> Self {
         let (w, half) = (motion.spin, L::splat(0.5));
-        let from = Corner::new(motion, sides.from);
-        let to = Corner::new(motion, sides.to);
         let along = motion.x * sides.tangent[0] + motion.y * sides.tangent[1];
         let eta = along + w * sides.offset;
         let sum = from.q + to.q;
@@ -237,7 +240,7 @@ impl<L: Numbers<Real: Real>> MovingEdge<L> {
         let zeta = eta * inv_sum;
         let (reach_sq, zeta_sq) = (reach * reach, zeta * zeta);
         let y_sq = w * w * reach_sq;
-        let (open, gap) = opened([zeta_sq, y_sq], [&from, &to], inv_sum);
+        let (open, gap) = opened([zeta_sq, y_sq], [from, to], inv_sum);
         let bend = bend(gap);
         let (p, arm) = (half * (from.p + to.p), half * (from.arm + to.arm));
         Self {

@@ -18,7 +18,7 @@
 //! with the middle x̄ of an edge. Nothing is divided by a speed or a spin.
 
 use super::motion::Motion;
-use super::moving_edge::{MovingEdge, Sides, UnitMotion, splat};
+use super::moving_edge::{Corner, MovingEdge, Sides, UnitMotion, splat};
 use super::{Hessian, Reduced};
 use crate::lanes::{FOUR, Numbers};
 use crate::patch::outline::Edge;
@@ -29,7 +29,7 @@ use nalgebra::Vector2;
 #[inline]
 pub(super) fn friction<R: Real>(edges: &[Edge<R>], area: R, motion: &Motion<R>) -> Reduced<R> {
     let (motion, _) = UnitMotion::of(motion);
-    let sums = summed::<R, R::Some, 3>(edges, &motion, MovingEdge::wrench);
+    let sums = summed::<R, R::Several, 3>(edges, &motion, MovingEdge::wrench);
     reduced(sums, &motion, R::ONE / area)
 }
 
@@ -42,9 +42,18 @@ pub(super) fn summed<R: Real, L: Numbers<Real = R>, const N: usize>(
 ) -> [R; N] {
     let motion = motion.repeated();
     let mut sums = [L::none(); N];
+    let mut last = None;
     for four in edges.chunks(FOUR) {
         for (first, group) in four.chunks(L::COUNT).enumerate() {
-            let parts = of(&MovingEdge::new(&motion, Sides::of(group)));
+            let sides = Sides::of(group);
+            // One by one, a corner that two edges share is computed once.
+            let from = match (&last, group) {
+                (Some((end, corner)), [edge]) if L::COUNT == 1 && *end == edge.start() => *corner,
+                _ => Corner::new(&motion, sides.from),
+            };
+            let to = Corner::new(&motion, sides.to);
+            last = group.last().map(|edge| (edge.end(), to));
+            let parts = of(&MovingEdge::new(&motion, sides, [&from, &to]));
             for (sum, part) in sums.iter_mut().zip(parts) {
                 part.add_to(sum, first);
             }
@@ -77,7 +86,7 @@ pub(super) fn friction_and_hessian<R: Real>(
 ) -> (Reduced<R>, Hessian<R>) {
     let (motion, rate) = UnitMotion::of(motion);
     let [fx, fy, turn, xx, xy, yy, xn, yn, nn] =
-        summed::<R, R::Some, 9>(edges, &motion, MovingEdge::wrench_and_hessian);
+        summed::<R, R::Several, 9>(edges, &motion, MovingEdge::wrench_and_hessian);
     let share = R::ONE / area;
     let (x, y, w) = (motion.x, motion.y, motion.spin);
     let hessian = Hessian {
@@ -198,7 +207,8 @@ mod tests {
             let (edges, _) = memory.split_at_mut(1 + seed as usize % 9);
             let motion = edges_and_motion(seed, edges);
             let of_one = summed::<R, L, 9>(edges, &motion, MovingEdge::wrench_and_hessian);
-            let of_four = summed::<R, R::Some, 9>(edges, &motion, MovingEdge::wrench_and_hessian);
+            let of_four =
+                summed::<R, R::Several, 9>(edges, &motion, MovingEdge::wrench_and_hessian);
             assert_eq!(of_one, of_four, "{seed}");
         }
     }
