@@ -53,10 +53,10 @@
 //! Products with corners cancel there, too, and are taken with what rounding leaves of them.
 
 use super::motion::Motion;
-use super::moving_edge::{MovingEdge, Sides, UnitMotion, splat};
+use super::moving_edge::{Corner, MovingEdge, Sides, UnitMotion, splat};
 use super::uniform::summed;
 use super::{Hessian, Reduced};
-use crate::lanes::{Laned, Numbers};
+use crate::lanes::Numbers;
 use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
 use crate::special::legendre::FEW_HALF;
@@ -338,7 +338,7 @@ pub(super) fn friction<R: Real, K: PressureField<R>>(
     motion: &Motion<R>,
 ) -> Reduced<R> {
     let (loaded, _) = Loaded::new(edges, pressure, motion);
-    let wrench = loaded.summed::<<R as Laned>::Some, 7>(|own, weight| own.wrench(weight));
+    let wrench = loaded.summed::<R::Several, 7>(|own, weight| own.wrench(weight));
     let over = loaded.over_area::<false>(wrench, [R::ZERO; 2]);
     loaded.reduced(wrench, &over, area).0
 }
@@ -352,7 +352,7 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
 ) -> (Reduced<R>, Hessian<R>) {
     let (loaded, rate) = Loaded::new(edges, pressure, motion);
     let UnitMotion { x, y, spin: w } = loaded.motion;
-    let speed_sq = <R as Laned>::Some::repeat(x * x + y * y);
+    let speed_sq = R::Several::repeat(x * x + y * y);
     let [
         a,
         b,
@@ -370,7 +370,7 @@ pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
         xn,
         yn,
         spin,
-    ] = loaded.summed::<<R as Laned>::Some, 16>(|own, weight| {
+    ] = loaded.summed::<R::Several, 16>(|own, weight| {
         let [a, b, c, d, e, f, g] = own.wrench(weight);
         let [h, i, j, k, l, m, n, o, p] = own.hessian(weight, speed_sq);
         [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]
@@ -447,7 +447,7 @@ impl<'a, R: Real> Loaded<'a, R> {
         // Pressure at the centre of rotation times the spin.
         let there = self.at_centre * w + (self.slope[1] * x - self.slope[0] * y);
         if self.is_steep && there.abs() > R::from_f64(CLOSE) * w.abs() {
-            return self.over_layer::<<R as Laned>::Some, WITH_HESSIAN>();
+            return self.over_layer::<R::Several, WITH_HESSIAN>();
         }
         let [.., first, second] = sums;
         let three = R::from_f64(3.0);
@@ -498,7 +498,9 @@ impl<'a, R: Real> Loaded<'a, R> {
                     let back = splat::<L>(0.5 - 0.5 * node) * inv_sq;
                     let squeezed = [(ends[0], above[0]), (ends[1], above[1])]
                         .map(|(end, above)| [end[0] - back * above * x, end[1] - back * above * y]);
-                    let squeezed = MovingEdge::new(&motion, Sides::between(squeezed));
+                    let corners = squeezed.map(|corner| Corner::new(&motion, corner));
+                    let [from, to] = &corners;
+                    let squeezed = MovingEdge::new(&motion, Sides::between(squeezed), [from, to]);
                     let own = EdgeIntegrals::new(&squeezed);
                     let length = squeezed.sides.length + L::repeat(R::MIN_POSITIVE);
                     let scale = splat::<L>(0.5 * weight) * measure / length;
