@@ -6,11 +6,9 @@
 //! force = −μ ∫p q/|q| dA,     torque = −μ ∫p (x × q)/|q| dA,     q = v + ω × x
 //! ```
 //!
-//! over any [`Polygon`] under uniform pressure have one closed form for all motions, rotation about a
-//! corner and translation included. Under linear pressure they have closed forms where the centre of rotation lies
-//! on the patch or near it, and become a smooth integral along each edge where it does not. The Jacobian, minus the
-//! Hessian of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
-//! the cost grows with the number of edges alone.
+//! over any [`Polygon`] under uniform or linear pressure have one closed form for all motions, rotation about a
+//! corner and translation included. The Jacobian, minus the Hessian of the dissipated power, follows from the same
+//! integrals. Nothing is sampled on the area, so that the cost grows with the number of edges alone.
 //!
 //! [`ShapePowerFriction`] is the same for friction γ|q|^α, α > −1.
 
