@@ -43,7 +43,7 @@ bounds! {
     QUADRATURE_JACOBIAN = 2e-6, "1e-5 is promised; logarithmic derivative near equal speeds";
 
     /// Polygons up to 10 times as long as wide, uniform pressure: of μN and μN (R + |centre|).
-    POLYGON = 2.5e-15, "promised in coupling::flat; opposite edges cancel: 1.9e-15 at 10:1 among 17,500 twists, 7e-16 for other shapes";
+    POLYGON = 3e-15, "promised in coupling::flat; opposite edges cancel: 1.9e-15 at 10:1 among 17,500 twists, 7e-16 for other shapes";
     /// Their Jacobian, of its largest entry.
     POLYGON_JACOBIAN = 4e-14, "promised in coupling::flat; next to an edge its slope is the logarithm of the distance: 3.1e-14 at 10:1 among 17,500 twists";
     /// The same under linear pressure.

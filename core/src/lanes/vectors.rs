@@ -155,7 +155,7 @@ macro_rules! four {
             }
             #[inline(always)]
             fn add_to(self, sums: &mut Self, _: usize) {
-                *sums = *sums + self;
+                *sums += self;
             }
             #[inline(always)]
             fn total(sums: &Self) -> $real {

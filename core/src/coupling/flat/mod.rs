@@ -208,7 +208,7 @@ impl<R: Real> Hessian<R> {
 ///
 /// *Units*: any consistent set; twist and wrench refer to the origin of the patch's coordinates.
 /// *Domain*: load · μ · radius and spin · radius are zero or normal numbers. *Accuracy*, of μN and
-/// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 2.5e-15 (up to 4
+/// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 3e-15 (up to 4
 /// times: 1e-15), under linear pressure 4e-15, bars and points 2e-14 (f32: 1.5e-6, linear pressure 2e-6); one that
 /// is longer loses its aspect ratio. The
 /// torque of a patch that hardly turns keeps that accuracy relative to itself.
