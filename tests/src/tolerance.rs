@@ -46,18 +46,14 @@ bounds! {
     POLYGON = 3e-15, "promised in coupling::flat; opposite edges cancel: 1.9e-15 at 10:1 among 17,500 twists, 7e-16 for other shapes";
     /// Their Jacobian, of its largest entry.
     POLYGON_JACOBIAN = 4e-14, "promised in coupling::flat; next to an edge its slope is the logarithm of the distance: 3.1e-14 at 10:1 among 17,500 twists";
+    /// The same under linear pressure.
+    POLYGON_LINEAR = 4e-15, "promised in coupling::flat; long edges cancel: 3.0e-15 at 10:1, 1.1e-15 for other shapes";
+    /// Their Jacobian, of its largest entry.
+    POLYGON_LINEAR_JACOBIAN = 5e-14, "promised in coupling::flat; next to an edge its slope is the logarithm of the distance: 3.0e-14 at 10:1";
     /// Bars and points: of μN and μN (R + |centre|).
     BAR = 2e-14, "promised in coupling::flat; moments about a centre up to 3 radii away cancel";
     /// Their Jacobian, of its largest entry.
     BAR_JACOBIAN = 5e-14, "promised in coupling::flat; moments about a centre up to 3 radii away cancel";
-    /// The same under linear pressure.
-    POLYGON_LINEAR = 5e-14, "promised in coupling::flat; moments about a centre up to 3 radii away cancel";
-    /// Their Jacobian, of its largest entry.
-    POLYGON_LINEAR_JACOBIAN = 2.5e-13, "promised in coupling::flat; 1.8e-13 at 10:1 among 100,800 twists";
-    /// The same on a strip of 10:1 whose pressure almost lifts one of its long edges.
-    POLYGON_LAYER = 6e-14, "promised in coupling::flat; 1.1e-13 against its pieces, which are as wrong";
-    /// Its Jacobian, of its largest entry.
-    POLYGON_LAYER_JACOBIAN = 4e-13, "promised in coupling::flat; 7.8e-13 against its pieces, which are as wrong";
     /// Power laws of −1/2 ≤ α ≤ 3 on polygons, uniform pressure: of γN V^α, and that times R + |centre|.
     POLYGON_POWER = 5e-14, "promised in coupling::flat; opposite edges cancel: 1.4e-14 at 10:1 among 11,000 twists";
     /// Their Jacobian, of its largest entry.
@@ -79,9 +75,9 @@ bounds! {
     /// Its Jacobian, of its largest entry.
     SLIVER_JACOBIAN = 4e-12, "promised in coupling::flat: the aspect ratio times 4e-15";
     /// The same under linear pressure.
-    SLIVER_LINEAR = 5e-12, "promised in coupling::flat: the aspect ratio times 5e-15, long edges cancel";
+    SLIVER_LINEAR = 5e-13, "promised in coupling::flat: the aspect ratio times 5e-16, long edges cancel";
     /// Its Jacobian, of its largest entry.
-    SLIVER_LINEAR_JACOBIAN = 2e-11, "promised in coupling::flat: the aspect ratio times 2e-14";
+    SLIVER_LINEAR_JACOBIAN = 2e-12, "promised in coupling::flat: the aspect ratio times 2e-15";
     /// Push over gauge plus the friction of its motion, of μN with the torque over the largest arm.
     PATCH_SURFACE = 1e-13, "promised in limit_surface::ShapeLimitSurface; Newton's residual and the gauge's rounding";
     /// Gauge and normal of points, of the limits.
@@ -108,7 +104,9 @@ bounds! {
     ANY_PRESSURE_SINGLE = 2e-3, "promised in limit_surface::AnyPressure; the barrier's last weight, of single precision, next to the largest force";
     /// Polygons in f32, of μN and μN (R + |centre|).
     POLYGON_SINGLE = 1.5e-6, "promised in coupling::flat; opposite edges cancel: 1.1e-6 at 10:1, 4e-7 for other shapes";
-    /// Their Jacobian, of its largest entry.
+    /// The same under linear pressure.
+    POLYGON_LINEAR_SINGLE = 2e-6, "promised in coupling::flat; long edges cancel: 1.5e-6 at 10:1, 5e-7 for other shapes";
+    /// Their Jacobian, of its largest entry, under either pressure.
     POLYGON_SINGLE_JACOBIAN = 1e-5, "logarithm of the distance from an edge, which single precision rounds";
 
     /// Jacobian of tables and compact forms at the tables' arguments, relative.

@@ -254,6 +254,14 @@ def rows(per_shape):
     for name, loops in SHAPES.items():
         for twist in beside(loops, random.Random(name + ", beside")):
             yield name, loops, twist, (0.0, 0.0)
+    # Pressure that falls across a strip, to almost nothing at one of the long edges.
+    for name in ("plank", "sliver"):
+        loops, rng = SHAPES[name], random.Random(name + ", steep")
+        _, half = loops[0][2]
+        for x, y in centres(loops, rng, 32):
+            spin, share = rng.choice([-1, 1]) * 2.0 ** rng.randrange(-3, 4), rng.uniform(0.5, 1)
+            across = rng.choice([-1, 1]) * 0.99 * share / half
+            yield name, loops, (spin * y, -spin * x, spin), (0.15 * (1 - share), across)
 
 
 HEADER = "shape,slope_x,slope_y,velocity_x,velocity_y,spin,force_x,force_y,torque,xx,xy,yy,xn,yn,nn"

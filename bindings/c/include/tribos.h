@@ -1335,7 +1335,7 @@ tribos_status tribos_polygon_lean_f64(struct tribos_polygon_f64 *polygon,
 
 // Wrench of Coulomb friction on a polygon, against its twist. Special values: zero at rest.
 // Accuracy: 2e-14 of coefficient x load, and x radius, about the centre of pressure, under linear pressure
-// 5e-14 (f32: 4e-6), for patches up to 10 times as long as wide.
+// 4e-15 (f32: 4e-6), for patches up to 10 times as long as wide.
 tribos_status tribos_polygon_wrench_f64(const struct tribos_polygon_f64 *polygon,
                                         double coefficient,
                                         double load,
@@ -1343,7 +1343,7 @@ tribos_status tribos_polygon_wrench_f64(const struct tribos_polygon_f64 *polygon
                                         struct tribos_wrench_f64 *wrench);
 
 // Wrench and Jacobian, which is symmetric. Special values: both zero at rest. Accuracy of the Jacobian,
-// of its largest entry with the radius as the unit of length: 5e-14, under linear pressure 2.5e-13
+// of its largest entry with the radius as the unit of length: 5e-14
 // (f32: 6e-6).
 tribos_status tribos_polygon_wrench_jacobian_f64(const struct tribos_polygon_f64 *polygon,
                                                  double coefficient,
@@ -2053,7 +2053,7 @@ tribos_status tribos_polygon_lean_f32(struct tribos_polygon_f32 *polygon,
 
 // Wrench of Coulomb friction on a polygon, against its twist. Special values: zero at rest.
 // Accuracy: 2e-14 of coefficient x load, and x radius, about the centre of pressure, under linear pressure
-// 5e-14 (f32: 4e-6), for patches up to 10 times as long as wide.
+// 4e-15 (f32: 4e-6), for patches up to 10 times as long as wide.
 tribos_status tribos_polygon_wrench_f32(const struct tribos_polygon_f32 *polygon,
                                         float coefficient,
                                         float load,
@@ -2061,7 +2061,7 @@ tribos_status tribos_polygon_wrench_f32(const struct tribos_polygon_f32 *polygon
                                         struct tribos_wrench_f32 *wrench);
 
 // Wrench and Jacobian, which is symmetric. Special values: both zero at rest. Accuracy of the Jacobian,
-// of its largest entry with the radius as the unit of length: 5e-14, under linear pressure 2.5e-13
+// of its largest entry with the radius as the unit of length: 5e-14
 // (f32: 6e-6).
 tribos_status tribos_polygon_wrench_jacobian_f32(const struct tribos_polygon_f32 *polygon,
                                                  float coefficient,

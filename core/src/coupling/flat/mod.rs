@@ -6,18 +6,16 @@
 //! force = −μ ∫p q/|q| dA,     torque = −μ ∫p (x × q)/|q| dA,     q = v + ω × x
 //! ```
 //!
-//! over any [`Polygon`] under uniform pressure have one closed form for all motions, rotation about a
-//! corner and translation included. Under linear pressure they have closed forms where the centre of rotation lies
-//! on the patch or near it, and become a smooth integral along each edge where it does not. The Jacobian, minus the
-//! Hessian of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
-//! the cost grows with the number of edges alone.
+//! over any [`Polygon`] under uniform or linear pressure have one closed form for all motions, rotation about a
+//! corner and translation included. The Jacobian, minus the Hessian of the dissipated power, follows from the same
+//! integrals. Nothing is sampled on the area, so that the cost grows with the number of edges alone.
 //!
 //! [`ShapePowerFriction`] is the same for friction γ|q|^α, α > −1.
 
 mod bar;
 mod cone;
 mod feet;
-mod layer;
+mod linear;
 mod mesh;
 mod motion;
 mod moving_edge;
@@ -33,11 +31,9 @@ use crate::law::{LawError, validated_coefficient};
 use crate::patch::outline::{Edge, Polygon, PressureField};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
-use layer::Layer;
 #[doc(hidden)]
 pub use motion::{Motion, SplitMotion};
 use nalgebra::{Matrix3, Vector2};
-use pole_far::TranslatingMotion;
 pub use power::{PolygonPowerLaw, PowerLawPatch, ShapePowerFriction};
 
 /// Friction of a patch per limit μN, about its centre of pressure; the torque per radius.
@@ -156,30 +152,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
         if !K::IS_LINEAR {
             return uniform::friction(edges, area, motion);
         }
-        let layer = Layer::of(edges, pressure);
-        let whole = match motion.split() {
-            SplitMotion::Turns { centre, spin } => {
-                let sense = R::ONE.copysign(spin);
-                match layer {
-                    Some(layer) => layer.turns::<false>(&centre, sense).0,
-                    None => pole_near::friction(edges, pressure, &centre, sense),
-                }
-            }
-            SplitMotion::Slides {
-                direction, turn, ..
-            } => {
-                let slide = TranslatingMotion {
-                    direction: &direction,
-                    spin: turn,
-                };
-                let size = [area, self.longest_half()];
-                match layer {
-                    Some(layer) => layer.slides(&slide, size),
-                    None => slide.friction(edges, pressure, size),
-                }
-            }
-        };
-        whole.scaled(R::ONE / area)
+        linear::friction(edges, pressure, area, motion)
     }
 
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
@@ -187,41 +160,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
         if !K::IS_LINEAR {
             return uniform::friction_and_hessian(edges, area, motion);
         }
-        let layer = Layer::of(edges, pressure);
-        let (whole, hessian, rate) = match motion.split() {
-            SplitMotion::Turns { centre, spin } => {
-                let sense = R::ONE.copysign(spin);
-                let (whole, hessian) = match layer {
-                    Some(layer) => layer.turns::<true>(&centre, sense),
-                    None => pole_near::friction_and_hessian(edges, pressure, &centre, sense),
-                };
-                (whole, hessian, spin.abs())
-            }
-            SplitMotion::Slides {
-                direction,
-                turn,
-                speed,
-            } => {
-                let slide = TranslatingMotion {
-                    direction: &direction,
-                    spin: turn,
-                };
-                let half = self.longest_half();
-                let (whole, hessian) = match layer {
-                    Some(layer) => (
-                        layer.slides(&slide, [area, half]),
-                        layer.bends(&slide, half),
-                    ),
-                    None => (
-                        slide.friction(edges, pressure, [area, half]),
-                        slide.hessian(edges, pressure, half),
-                    ),
-                };
-                (whole, hessian, speed)
-            }
-        };
-        let share = R::ONE / area;
-        (whole.scaled(share), hessian.scaled(share / rate))
+        linear::friction_and_hessian(edges, pressure, area, motion)
     }
 }
 
@@ -270,11 +209,11 @@ impl<R: Real> Hessian<R> {
 /// *Units*: any consistent set; twist and wrench refer to the origin of the patch's coordinates.
 /// *Domain*: load · μ · radius and spin · radius are zero or normal numbers. *Accuracy*, of μN and
 /// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 3e-15 (up to 4
-/// times: 1e-15), bars and points 2e-14, under linear pressure 5e-14, 6e-14 where it almost lifts a long edge (f32:
-/// 1.5e-6, linear pressure 3e-5); one that is longer loses its aspect ratio. The
+/// times: 1e-15), under linear pressure 4e-15, bars and points 2e-14 (f32: 1.5e-6, linear pressure 2e-6); one that
+/// is longer loses its aspect ratio. The
 /// torque of a patch that hardly turns keeps that accuracy relative to itself.
-/// *Cost*: an edge takes two roots, a logarithm and five quotients; under linear pressure, where the centre of
-/// rotation is farther away than 3 radii, 4 to 10 points, each with a root and two quotients.
+/// *Cost*: an edge takes two roots, a logarithm and five quotients; where linear pressure is steep across a thin
+/// patch and the centre of rotation is away from it, 9 times as much.
 /// *Special values*: zero at rest; NaN for infinite and NaN twists.
 ///
 /// ```
@@ -329,10 +268,8 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
     /// The wrench and ∂wrench/∂twist, symmetric and negative semidefinite.
     ///
     /// *Accuracy*: the Jacobian 4e-14 of its largest entry, with the radius as the unit of length
-    /// (bars and points 5e-14, linear pressure 2.5e-13, 4e-13 where it almost lifts a long edge; f32 1e-5, linear
-    /// pressure 3e-5), for
-    /// patches up to 10 times as long as wide; one that is longer loses its aspect ratio, under linear pressure its
-    /// square.
+    /// (linear pressure, bars and points 5e-14; f32 1e-5), for patches up to 10 times as long as wide; one that is
+    /// longer loses its aspect ratio.
     /// *Special values*: zero at rest.
     ///
     /// ```

@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! q² = 1 + 2 w α + w² e,        q = 1 + w α + w² p,        p = (e − α m)/(q + 1)
-//! p = ((v·x)² − 1)/2 + w p″,    p″ = w x²/2 − p (α + w p/2)
+//! p = ((v·x)² − 1)/2 + w p″,    p″ = w x²/2 − p (α + w p/2),    p‴ = (x² − p²)/2 − α p″
 //! ```
 //!
 //! The first part of p is that of w = 0, the line integral of which times v·τ is that of an exact differential.
@@ -120,6 +120,8 @@ pub(super) struct Corner<L> {
     p: L,
     /// p″
     rest: L,
+    /// p‴
+    third: L,
 }
 
 impl<L: Numbers<Real: Real>> Corner<L> {
@@ -136,11 +138,20 @@ impl<L: Numbers<Real: Real>> Corner<L> {
         let p = (from_rim - arm * ((arm + arm + w * from_rim) * inv)) * inv;
         let half = L::splat(0.5) * w;
         let rest = half * sq - p * (arm + half * p);
-        Self { u, q, arm, p, rest }
+        let third = L::splat(0.5) * (sq - p * p) - arm * rest;
+        Self {
+            u,
+            q,
+            arm,
+            p,
+            rest,
+            third,
+        }
     }
 }
 
 /// Edges side by side.
+#[derive(Clone, Copy)]
 pub(super) struct Sides<L> {
     pub(super) from: [L; 2],
     pub(super) to: [L; 2],
@@ -178,6 +189,7 @@ impl<L: Numbers<Real: Real>> Sides<L> {
 }
 
 /// Edges under a motion.
+#[derive(Clone, Copy)]
 pub(super) struct MovingEdge<L> {
     pub(super) sides: Sides<L>,
     /// w
@@ -187,10 +199,11 @@ pub(super) struct MovingEdge<L> {
     pub(super) across: L,
     /// η
     pub(super) eta: L,
-    /// Means of p, α and p″ at the ends.
+    /// Means of p, α, p″ and p‴ at the ends.
     pub(super) p: L,
     pub(super) arm: L,
     pub(super) rest: L,
+    pub(super) third: L,
     /// 1/S
     pub(super) inv_sum: L,
     /// l/S
@@ -236,6 +249,7 @@ impl<L: Numbers<Real: Real>> MovingEdge<L> {
             p,
             arm,
             rest: half * (from.rest + to.rest),
+            third: half * (from.third + to.third),
             inv_sum,
             reach,
             reach_sq,

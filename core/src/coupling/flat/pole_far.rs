@@ -1,14 +1,14 @@
-//! Friction of a patch with straight edges under linear pressure that slides more than it turns.
+//! Friction of a patch with straight edges that slides more than it turns: bars, and triangles of meshes.
 //!
-//! The sliding velocity of the centre of pressure, the origin, is the unit of speed and has the
-//! direction e; w is the spin. Let the axes lie along e and across it: the velocity is (g, w x) with
-//! g = 1 − w y and has the size q. Since the pressure k has its centre at the origin,
+//! The sliding velocity of the centre of pressure, the origin, is the unit of speed; w is the spin. Let the
+//! axes lie along the velocity and across it. An element has the velocity (g, w x) with g = 1 − w y and the
+//! speed q. Since the pressure k of the whole has its centre at the origin,
 //!
 //! ```text
-//! force along e  = −∫k g/q            = −∫k + w² ∫k x²/(q s),     s = q + g
-//! force across   = −w ∫k x/q          = −w² ∫k x (y − w x²/s)/q
-//! torque         = −∫k (w x² − y g)/q = −w ∫k x² (1 + q)/(q s)
-//! D″             = ∫k (g², x g, x²)/q³   across and across, across and spin, spin and spin
+//! force along the velocity = −∫k g/q            = −∫k + w² ∫k x²/(q s),     s = q + g
+//! force across             = −w ∫k x/q          = −w² ∫k x (y − w x²/s)/q
+//! torque                   = −∫k (w x² − y g)/q = −w ∫k x² (1 + q)/(q s)
+//! D″                       = ∫k (g², x g, x²)/q³   across and across, across and spin, spin and spin
 //! ```
 //!
 //! The integrals over x have closed forms at every y in c = x/s, σ = w c (the tangent of half the
@@ -142,18 +142,6 @@ where
 }
 
 impl<R: Real> TranslatingMotion<'_, R> {
-    /// Friction, given the pressure's integral and half the length of the longest edge.
-    #[inline]
-    pub(super) fn friction<K: PressureField<R>>(
-        &self,
-        edges: &[Edge<R>],
-        pressure: &K,
-        [load, half]: [R; 2],
-    ) -> Reduced<R> {
-        let sums = self.linear(edges, pressure, half * self.spin.abs());
-        self.reduced_of(sums, load)
-    }
-
     /// A vector along the direction and across it.
     #[inline(always)]
     pub(super) fn turned(&self, v: &Vector2<R>) -> [R; 2] {
@@ -213,16 +201,6 @@ impl<R: Real> TranslatingMotion<'_, R> {
             force: Vector2::new(along * e.x - across * e.y, along * e.y + across * e.x),
             torque: -(spin * torque),
         }
-    }
-
-    /// SecondMaterial derivatives of the power, given half the length of the longest edge.
-    pub(super) fn hessian<K: PressureField<R>>(
-        &self,
-        edges: &[Edge<R>],
-        pressure: &K,
-        half: R,
-    ) -> Hessian<R> {
-        self.hessian_of(self.bent(edges, pressure, half * self.spin.abs()))
     }
 
     /// Integrals of (g², x g, x²)/q³ under a pressure.

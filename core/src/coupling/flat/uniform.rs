@@ -35,7 +35,7 @@ pub(super) fn friction<R: Real>(edges: &[Edge<R>], area: R, motion: &Motion<R>) 
 
 /// Sums over the edges, four of which are formed side by side.
 #[inline(always)]
-fn summed<R: Real, L: Numbers<Real = R>, const N: usize>(
+pub(super) fn summed<R: Real, L: Numbers<Real = R>, const N: usize>(
     edges: &[Edge<R>],
     motion: &UnitMotion<R>,
     of: impl Fn(&MovingEdge<L>) -> [L; N],
@@ -103,7 +103,7 @@ pub(super) fn friction_and_hessian<R: Real>(
 
 impl<R: Real> Hessian<R> {
     /// The part across a twist of length 1, along which dry friction does not change.
-    fn across(&self, [x, y, n]: [R; 3]) -> Self {
+    pub(super) fn across(&self, [x, y, n]: [R; 3]) -> Self {
         let to_x = self.xx * x + self.xy * y + self.xn * n;
         let to_y = self.xy * x + self.yy * y + self.yn * n;
         let to_n = self.xn * x + self.yn * y + self.nn * n;

@@ -117,7 +117,7 @@ fn wrenches_and_jacobians_are_those_of_130_digits() {
 #[test]
 fn single_precision_follows_double_precision() {
     let bounds = |family: &Family| family.single;
-    hold("f32", 74, bounds, |case, rng, see| {
+    hold("f32", 85, bounds, |case, rng, see| {
         let single = case.shape.friction::<f32>(case.law, COEFFICIENT);
         let single = single.expect("a patch of the kernel");
         for _ in 0..200 {

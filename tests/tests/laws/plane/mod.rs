@@ -53,7 +53,6 @@ fn families() -> Vec<Family> {
     let linear = |is_sliver| outlined(is_sliver, Some([0.4, -0.3]));
     let even = [POLYGON, POLYGON_JACOBIAN];
     let leaning = [POLYGON_LINEAR, POLYGON_LINEAR_JACOBIAN];
-    let steepest = [POLYGON_LAYER, POLYGON_LAYER_JACOBIAN];
     let thin = [SLIVER, SLIVER_JACOBIAN];
     let leaning_thin = [SLIVER_LINEAR, SLIVER_LINEAR_JACOBIAN];
     let bar = [BAR, BAR_JACOBIAN];
@@ -64,13 +63,14 @@ fn families() -> Vec<Family> {
     let uneven = [MESH_UNEVEN, MESH_UNEVEN_JACOBIAN];
     let sums = [NODES, NODES_JACOBIAN];
     let single = Some([POLYGON_SINGLE, POLYGON_SINGLE_JACOBIAN]);
+    let leaning_single = Some([POLYGON_LINEAR_SINGLE, POLYGON_SINGLE_JACOBIAN]);
     let of_power = Some([POLYGON_POWER_SINGLE, POLYGON_POWER_SINGLE_JACOBIAN]);
     let of_mesh = Some([MESH_SINGLE, MESH_SINGLE_JACOBIAN]);
     let (nodes, points) = (scattered(Shape::Nodes), scattered(Shape::Points));
     let lines = [
         ("polygon", uniform(false), DRY, even, single),
-        ("leaning polygon", linear(false), DRY, leaning, None),
-        ("layer, leaning across", layer(), DRY, steepest, None),
+        ("leaning polygon", linear(false), DRY, leaning, leaning_single),
+        ("layer, leaning across", layer(), DRY, leaning, None),
         ("sliver", uniform(true), DRY, thin, None),
         ("leaning sliver", linear(true), DRY, leaning_thin, None),
         ("falling law, polygon", uniform(false), FALLING, power, None),

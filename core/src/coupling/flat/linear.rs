@@ -1,0 +1,715 @@
+//! Friction of a patch with straight edges under linear pressure: one form for every motion.
+//!
+//! The notation is that of [`super::moving_edge`]; the centre of pressure is the origin. The pressure, of its mean,
+//! is k = k_c + g·x, and on an edge k_m + k_t t with the distance t from its middle. The divergence
+//! theorem for k q and x k q gives
+//!
+//! ```text
+//! force = −(v + w f/area),     torque = −w [3 + (Σ H γ + k_c P − 3 v·f″)/area]/4
+//! f = Σ τ γ − (z × g) P,       γ = ∫k p dl = k_m β + k_t δ,       P = ∫p dA = Σ [H (β − l/2) + (v·τ) β″]/3
+//! ```
+//!
+//! f″ is the rest of f over w in p = p₀ + w p″: the gradient of p₀ = ((v·x)² − 1)/2 has the direction of v, so
+//! that v·f is w v·f″. Once more, p″ = w p‴ − α p₀:
+//!
+//! ```text
+//! f″ = Σ τ γ″ − (z × g) P″,    γ″ = k_m β″ + k_t δ″,    P″ = ∫p″ dA = [Σ (H β″ + (v·τ) β‴) + w P]/(3 + w²)
+//! ```
+//!
+//! An edge's β, β″, β‴ are the trapezoid's rule and E, E″, E‴; with σ = ᾱ + w p̄ (S = 2 + 2 w σ), ε = α σ − p,
+//! ζ = ζ₀ + w ζ₁, ζ₀ = v·τ/2, ζ₁ = H/2 − ζ σ, ζ₁₀ = (H − (v·τ) ᾱ)/2 and μ = ζ²/(1 − y²), C = μ − ζ² G, K = μ/3 − ζ² G
+//!
+//! ```text
+//! β″: E″ = −(l²/S) [2/3 (ζ₁ (ζ + ζ₀) − ζ₀² σ) + w (l/S)² C]
+//! β‴: E‴ = −(l²/S) [2/3 (ζ₀ (ζ₀ ε − 2 ζ₁₀ σ − 2 ζ p̄ − 2 ᾱ ζ₁) + ζ₁²) + (l/S)² C] − w H (v·τ) l²/6
+//! δ  = (l³/S) [c (1/6 + y² K) + v·n (σ/6 − w (l/S)² K)],        c = middle·τ
+//! δ″ = (l³/S) [c (w (l/S)² K + (w + w² σ − σ)/6) − v·n (ε/6 + (l/S)² K)]
+//! ```
+//!
+//! Nothing cancels, nothing is divided by a speed or a spin, and all terms are bounded.
+//!
+//! *Second derivatives* of the power. With ∫k ∂p/∂v dl = W and χ = (v·W)/w, whose parts along τ and n are
+//!
+//! ```text
+//! W = k_m l [z × middle − 2 σ u/S] + 2 l (l/S)² g ζ (w k_m + k_t s) τ + k_t l E n,     u = ζ S τ + s n
+//! χ = 2 (l/S) k_m (w ᾱ − p̄ V²) + 2 l (l/S)² g ζ (k_m v·τ − k_t H s) + k_t [c l E − 3 w s l² (l/S)³ K]
+//! D_vv = [Σ τ ⊗ W − (z × g) ⊗ B]/area
+//! D_vw = [Σ H W − 3 f + k_c B]/area,       D_ww = [3 v·f″ − Σ H χ − k_c Σ (v·τ) β″]/area
+//! B = ∫∂p/∂v dA = Σ [H (W₁ + w l v/2) + (v·τ) W₁″]/2
+//! W₁″ = 2 l ([(l/S)² g ζ − ζ p̄ − ᾱ ζ₁] τ − [s p̄/S + ᾱ s₁] n),       s₁ = −c/2 − σ s/S
+//! ```
+//!
+//! where W₁ is W for the pressure 1, and W₁″ its rest over w.
+//!
+//! *Steep pressure*. On a patch that is thin along g the area integrals P, P″ and B are small, but sums of long edges
+//! that cancel unless the centre of rotation is close, and g multiplies them. The patch is a layer about the level line
+//! of the centre of pressure: with e = g·x on an edge, and the points x_s on the way from that line to the edge,
+//!
+//! ```text
+//! ∫f dA = Σ (g × τ)/g² ∫∫e f(x_s) ds dl,     s = 0 … 1
+//! ```
+//!
+//! whose terms are as small as the layer is thin, by Gauss' rule in s and the closed forms along the squeezed edges.
+//! Products with corners cancel there, too, and are taken with what rounding leaves of them.
+
+use super::motion::Motion;
+use super::moving_edge::{Corner, MovingEdge, Sides, UnitMotion, splat};
+use super::uniform::summed;
+use super::{Hessian, Reduced};
+use crate::lanes::Numbers;
+use crate::patch::outline::{Edge, PressureField};
+use crate::real::Real;
+use crate::special::legendre::FEW_HALF;
+use nalgebra::Vector2;
+
+/// Slope, of the mean pressure over the radius, from which on a patch is a layer: pressure is nowhere negative,
+/// so that all of it lies within half a radius.
+const STEEP: f64 = 4.0;
+/// Mean pressures at the centre of rotation up to which it is close: some widths of the layer away.
+const CLOSE: f64 = 8.0;
+/// 2²⁷ + 1 for 53 digits, and 2¹² + 1 for the 24 of f32.
+const HALVES: f64 = 134_217_729.0;
+const HALVES_SINGLE: f64 = 4_097.0;
+
+/// A weight along an edge: that of its middle, and the change from end to end.
+struct Weight<L> {
+    middle: L,
+    change: L,
+}
+
+impl<L: Numbers<Real: Real>> Weight<L> {
+    /// That goes from one value to another one.
+    #[inline(always)]
+    fn between([from, to]: [L; 2]) -> Self {
+        Self {
+            middle: L::splat(0.5) * (from + to),
+            change: to - from,
+        }
+    }
+}
+
+/// The scalar product to rounding of itself, however much of its terms cancels.
+#[inline(always)]
+fn sharp<L: Numbers<Real: Real>>(a: [L; 2], b: [L; 2]) -> L {
+    let (first, second) = (a[0] * b[0], a[1] * b[1]);
+    first + second + (lost_in(first, a[0], b[0]) + lost_in(second, a[1], b[1]))
+}
+
+/// What cuts a number into halves of its digits: one more than a power of two.
+#[inline(always)]
+fn halves_at<R: Real>() -> f64 {
+    if R::IS_SINGLE { HALVES_SINGLE } else { HALVES }
+}
+
+/// What rounding took from a product (Dekker 1971, Numer. Math. 18, 224).
+#[inline(always)]
+fn lost_in<L: Numbers<Real: Real>>(product: L, a: L, b: L) -> L {
+    let halves = |x: L| {
+        let large = x * splat::<L>(halves_at::<L::Real>());
+        let high = large - (large - x);
+        (high, x - high)
+    };
+    let ((a, a_low), (b, b_low)) = (halves(a), halves(b));
+    ((a * b - product) + a * b_low + a_low * b) + a_low * b_low
+}
+
+/// What edges add to integrals of p, p″ and p‴.
+struct EdgeIntegrals<'a, L> {
+    moving: &'a MovingEdge<L>,
+    /// σ
+    sigma: L,
+    /// ζ
+    zeta: L,
+    /// β, β″, β‴
+    even: [L; 3],
+    /// δ/l, δ″/l
+    odd: [L; 2],
+    /// E
+    bent: L,
+    /// 2 (l/S)² g ζ
+    turned: L,
+    /// (l/S)² K
+    part: L,
+    /// s, the velocity of the middle along the normal.
+    across: L,
+}
+
+impl<'a, L: Numbers<Real: Real>> EdgeIntegrals<'a, L> {
+    #[inline(always)]
+    fn new(moving: &'a MovingEdge<L>) -> Self {
+        let MovingEdge {
+            spin: w,
+            along,
+            across,
+            p,
+            arm,
+            reach_sq,
+            open,
+            ..
+        } = *moving;
+        let (length, offset) = (moving.sides.length, moving.sides.offset);
+        let [third, sixth] = [1.0 / 3.0, 1.0 / 6.0].map(splat::<L>);
+        let (two, half, middle) = (L::splat(2.0), L::splat(0.5), moving.sides.middle());
+        let zeta = moving.eta * moving.inv_sum;
+        let of_log = moving.zeta_sq * moving.bend;
+        let whole = reach_sq * (open - of_log);
+        let part = reach_sq * (third * open - of_log);
+        let sigma = arm + w * p;
+        let fall = arm * sigma - p;
+        let square = length * moving.reach;
+        // ζ of a translation, and the rest over the spin, twice.
+        let zeta_0 = half * along;
+        let zeta_1 = half * offset - zeta * sigma;
+        let zeta_10 = half * (offset - along * arm);
+        let zeta_11 = zeta * p + arm * zeta_1;
+        let bent = -(square * (open - moving.zeta_sq * moving.log));
+        let once = zeta_1 * (zeta + zeta_0) - zeta_0 * zeta_0 * sigma;
+        let twice = zeta_0 * (zeta_0 * fall - two * (zeta_10 * sigma + zeta_11)) + zeta_1 * zeta_1;
+        let bent_2 = -(square * (two * third * once + w * whole));
+        let bent_3 = -(square * (two * third * twice + whole))
+            - sixth * (length * length) * (w * offset * along);
+        let w_part = w * part;
+        Self {
+            sigma,
+            zeta,
+            even: [
+                length * (p + bent),
+                length * (moving.rest + bent_2),
+                length * (moving.third + bent_3),
+            ],
+            odd: [
+                square * (middle * (sixth + w * w_part) + across * (sixth * sigma - w_part)),
+                square
+                    * (middle * (w_part + sixth * (w + w * w * sigma - sigma))
+                        - across * (sixth * fall + part)),
+            ],
+            bent,
+            turned: two * reach_sq * moving.log * zeta,
+            part,
+            across: across - w * middle,
+            moving,
+        }
+    }
+
+    /// γ and γ″
+    #[inline(always)]
+    fn weighted(&self, weight: &Weight<L>) -> [L; 2] {
+        let ([beta, beta_2, _], [delta, delta_2]) = (self.even, self.odd);
+        let Weight { middle, change } = *weight;
+        [
+            middle * beta + change * delta,
+            middle * beta_2 + change * delta_2,
+        ]
+    }
+
+    /// What the force and the torque are made of: Σ τ γ, Σ τ γ″, Σ H γ, and of P and P″.
+    #[inline(always)]
+    fn wrench(&self, weight: &Weight<L>) -> [L; 7] {
+        let ([beta, beta_2, beta_3], [gamma, gamma_2]) = (self.even, self.weighted(weight));
+        let (sides, along) = (&self.moving.sides, self.moving.along);
+        let ([x, y], offset) = (sides.tangent, sides.offset);
+        [
+            x * gamma,
+            y * gamma,
+            x * gamma_2,
+            y * gamma_2,
+            offset * gamma,
+            offset * (beta - L::splat(0.5) * sides.length) + along * beta_2,
+            offset * beta_2 + along * beta_3,
+        ]
+    }
+
+    /// W along the tangent and the normal.
+    #[inline(always)]
+    fn slope(&self, weight: &Weight<L>) -> [L; 2] {
+        let Weight { middle, change } = *weight;
+        let (sides, w) = (&self.moving.sides, self.moving.spin);
+        let (double, load) = (self.sigma + self.sigma, middle * sides.length);
+        let crossed = sides.middle() + double * self.across * self.moving.inv_sum;
+        [
+            load * (sides.offset - double * self.zeta + self.turned * w)
+                + self.turned * change * self.across,
+            change * self.bent - load * crossed,
+        ]
+    }
+
+    /// χ
+    #[inline(always)]
+    fn spin_slope(&self, weight: &Weight<L>, speed_sq: L) -> L {
+        let Weight { middle, change } = *weight;
+        let MovingEdge {
+            spin: w,
+            along,
+            p,
+            arm,
+            reach,
+            ..
+        } = *self.moving;
+        let Sides { length, offset, .. } = self.moving.sides;
+        let lever = w * self.across * (length * reach * self.part);
+        L::splat(2.0) * reach * middle * (w * arm - p * speed_sq)
+            + self.turned * (middle * length * along - change * offset * self.across)
+            + change * (self.moving.sides.middle() * self.bent - L::splat(3.0) * lever)
+    }
+
+    /// What the second derivatives are made of: B, Σ (v·τ) β″, Σ τ ⊗ W, Σ H W and Σ H χ.
+    #[inline(always)]
+    fn hessian(&self, weight: &Weight<L>, speed_sq: L) -> [L; 9] {
+        let sides = &self.moving.sides;
+        let ([x, y], offset, [_, beta_2, _]) = (sides.tangent, sides.offset, self.even);
+        let [lengthwise, crosswise] = self.slope(weight);
+        let [to_x, to_y] = turned_back(sides.tangent, [lengthwise, crosswise]);
+        let [over_x, over_y] = turned_back(sides.tangent, self.slope_over_area());
+        [
+            over_x,
+            over_y,
+            self.moving.along * beta_2,
+            x * to_x,
+            lengthwise * x * y + L::splat(0.5) * crosswise * (y * y - x * x),
+            y * to_y,
+            offset * to_x,
+            offset * to_y,
+            offset * self.spin_slope(weight, speed_sq),
+        ]
+    }
+
+    /// What the edge adds to B, along the tangent and the normal.
+    #[inline(always)]
+    fn slope_over_area(&self) -> [L; 2] {
+        let MovingEdge {
+            spin: w,
+            along,
+            across,
+            p,
+            arm,
+            ..
+        } = *self.moving;
+        let (half, two) = (L::splat(0.5), L::splat(2.0));
+        let Sides { length, offset, .. } = self.moving.sides;
+        let one = Weight {
+            middle: L::splat(1.0),
+            change: L::splat(0.0),
+        };
+        let [lengthwise, crosswise] = self.slope(&one);
+        // s/S as ζ.
+        let crossing = self.across * self.moving.inv_sum;
+        let zeta_1 = half * offset - self.zeta * self.sigma;
+        let crossing_1 = -(half * self.moving.sides.middle() + crossing * self.sigma);
+        let rest = [
+            self.turned - two * (self.zeta * p + arm * zeta_1),
+            -(two * (crossing * p + arm * crossing_1)),
+        ];
+        let turned = half * length * w;
+        [
+            half * (offset * (lengthwise + turned * along) + along * length * rest[0]),
+            half * (offset * (crosswise + turned * across) + along * length * rest[1]),
+        ]
+    }
+}
+
+/// The vector with these parts along a tangent and the normal to its right.
+#[inline(always)]
+fn turned_back<L: Numbers>([x, y]: [L; 2], [along, across]: [L; 2]) -> [L; 2] {
+    [along * x + across * y, along * y - across * x]
+}
+
+/// A patch under linear pressure, and its motion.
+struct Loaded<'a, R: Real> {
+    edges: &'a [Edge<R>],
+    slope: [R; 2],
+    at_centre: R,
+    motion: UnitMotion<R>,
+    is_steep: bool,
+}
+
+/// Integrals over the area: P, P″ and B.
+struct AreaIntegrals<R> {
+    p: R,
+    rest: R,
+    slope: [R; 2],
+}
+
+/// Reduced friction of a patch with this area.
+#[inline]
+pub(super) fn friction<R: Real, K: PressureField<R>>(
+    edges: &[Edge<R>],
+    pressure: &K,
+    area: R,
+    motion: &Motion<R>,
+) -> Reduced<R> {
+    let (loaded, _) = Loaded::new(edges, pressure, motion);
+    let wrench = loaded.summed::<R::Several, 7>(|own, weight| own.wrench(weight));
+    let over = loaded.over_area::<false>(wrench, [R::ZERO; 2]);
+    loaded.reduced(wrench, &over, area).0
+}
+
+/// The same, and second derivatives of the dissipated power.
+pub(super) fn friction_and_hessian<R: Real, K: PressureField<R>>(
+    edges: &[Edge<R>],
+    pressure: &K,
+    area: R,
+    motion: &Motion<R>,
+) -> (Reduced<R>, Hessian<R>) {
+    let (loaded, rate) = Loaded::new(edges, pressure, motion);
+    let UnitMotion { x, y, spin: w } = loaded.motion;
+    let speed_sq = R::Several::repeat(x * x + y * y);
+    let [
+        a,
+        b,
+        c,
+        d,
+        e,
+        f,
+        g,
+        along_x,
+        along_y,
+        lost,
+        xx,
+        xy,
+        yy,
+        xn,
+        yn,
+        spin,
+    ] = loaded.summed::<R::Several, 16>(|own, weight| {
+        let [a, b, c, d, e, f, g] = own.wrench(weight);
+        let [h, i, j, k, l, m, n, o, p] = own.hessian(weight, speed_sq);
+        [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]
+    });
+    let wrench = [a, b, c, d, e, f, g];
+    let over = loaded.over_area::<true>(wrench, [along_x, along_y]);
+    let (reduced, [pull_x, pull_y, along]) = loaded.reduced(wrench, &over, area);
+    let (at_centre, three) = (loaded.at_centre, R::from_f64(3.0));
+    // −(z × g) ⊗ B
+    let ([slope_x, slope_y], [to_x, to_y]) = (loaded.slope, over.slope);
+    let hessian = Hessian {
+        xx: xx + slope_y * to_x,
+        xy: xy + R::HALF * (slope_y * to_y - slope_x * to_x),
+        yy: yy - slope_x * to_y,
+        xn: xn - three * pull_x + at_centre * to_x,
+        yn: yn - three * pull_y + at_centre * to_y,
+        nn: three * along - spin - at_centre * lost,
+    };
+    (reduced, hessian.across([x, y, w]).scaled(rate / area))
+}
+
+impl<'a, R: Real> Loaded<'a, R> {
+    /// The patch, and 1 over the speed that is its motion's unit.
+    #[inline(always)]
+    fn new<K: PressureField<R>>(
+        edges: &'a [Edge<R>],
+        pressure: &K,
+        motion: &Motion<R>,
+    ) -> (Self, R) {
+        let (slope, (motion, rate)) = (pressure.slope(), UnitMotion::of(motion));
+        let slope_sq = slope[0] * slope[0] + slope[1] * slope[1];
+        let loaded = Self {
+            edges,
+            slope,
+            at_centre: pressure.at_centre(),
+            motion,
+            is_steep: slope_sq > R::from_f64(STEEP * STEEP),
+        };
+        (loaded, rate)
+    }
+
+    /// Sums over the edges under the pressure.
+    #[inline(always)]
+    fn summed<L: Numbers<Real = R>, const N: usize>(
+        &self,
+        of: impl Fn(&EdgeIntegrals<'_, L>, &Weight<L>) -> [L; N],
+    ) -> [R; N] {
+        let [slope, at_centre] = [self.slope, [self.at_centre; 2]].map(|pair| pair.map(L::repeat));
+        if !self.is_steep {
+            return summed::<R, L, N>(self.edges, &self.motion, |moving| {
+                let ends = [moving.sides.from, moving.sides.to];
+                let pressure = ends.map(|[x, y]| at_centre[0] + (slope[0] * x + slope[1] * y));
+                of(&EdgeIntegrals::new(moving), &Weight::between(pressure))
+            });
+        }
+        let motion = self.motion.repeated::<L>();
+        summed::<R, L, N>(self.edges, &self.motion, |moving| {
+            let mut moving = *moving;
+            let (from, to) = (moving.sides.from, moving.sides.to);
+            // Long edges of a thin patch cancel each other.
+            let inv = L::splat(1.0) / (moving.sides.length + L::repeat(R::MIN_POSITIVE));
+            moving.sides.offset = sharp([from[0], -from[1]], [to[1], to[0]]) * inv;
+            let velocity = [motion.x, motion.y];
+            moving.along = (sharp(velocity, to) - sharp(velocity, from)) * inv;
+            let pressure = [from, to].map(|end| at_centre[0] + sharp(slope, end));
+            of(&EdgeIntegrals::new(&moving), &Weight::between(pressure))
+        })
+    }
+
+    /// Integrals over the area, given sums over the edges and B.
+    #[inline(always)]
+    fn over_area<const WITH_HESSIAN: bool>(&self, sums: [R; 7], slope: [R; 2]) -> AreaIntegrals<R> {
+        let UnitMotion { x, y, spin: w } = self.motion;
+        // Pressure at the centre of rotation times the spin.
+        let there = self.at_centre * w + (self.slope[1] * x - self.slope[0] * y);
+        if self.is_steep && there.abs() > R::from_f64(CLOSE) * w.abs() {
+            return self.over_layer::<R::Several, WITH_HESSIAN>();
+        }
+        let [.., first, second] = sums;
+        let three = R::from_f64(3.0);
+        let p = first / three;
+        AreaIntegrals {
+            p,
+            rest: (second + w * p) / (three + w * w),
+            slope,
+        }
+    }
+
+    /// Reduced friction, f and v·f″.
+    #[inline(always)]
+    fn reduced(
+        &self,
+        [pull_x, pull_y, rest_x, rest_y, turn, ..]: [R; 7],
+        over: &AreaIntegrals<R>,
+        area: R,
+    ) -> (Reduced<R>, [R; 3]) {
+        let (UnitMotion { x, y, spin: w }, [slope_x, slope_y]) = (self.motion, self.slope);
+        let (pull_x, pull_y) = (pull_x + slope_y * over.p, pull_y - slope_x * over.p);
+        let (rest_x, rest_y) = (rest_x + slope_y * over.rest, rest_y - slope_x * over.rest);
+        let (share, three) = (R::ONE / area, R::from_f64(3.0));
+        let along = x * rest_x + y * rest_y;
+        let turn = turn + self.at_centre * over.p - three * along;
+        let by = w * share;
+        let reduced = Reduced {
+            force: Vector2::new(-(x + by * pull_x), -(y + by * pull_y)),
+            torque: -(R::HALF * R::HALF * w * (three + share * turn)),
+        };
+        (reduced, [pull_x, pull_y, along])
+    }
+
+    /// The integrals over a layer about the level line of the centre of pressure.
+    #[cold]
+    fn over_layer<L: Numbers<Real = R>, const WITH_HESSIAN: bool>(&self) -> AreaIntegrals<R> {
+        let ([x, y], motion) = (self.slope.map(L::repeat), self.motion.repeated::<L>());
+        let inv_sq = L::splat(1.0) / (x * x + y * y);
+        let [p, rest, slope_x, slope_y] = summed::<R, L, 4>(self.edges, &self.motion, |moving| {
+            let sides = &moving.sides;
+            let ends = [sides.from, sides.to];
+            // Pressure above the level line.
+            let above = ends.map(|end| sharp([x, y], end));
+            let measure = (x * sides.tangent[1] - y * sides.tangent[0]) * inv_sq * sides.length;
+            let mut sums = [L::splat(0.0); 4];
+            for &[node, weight] in &FEW_HALF {
+                for node in [-node, node] {
+                    let back = splat::<L>(0.5 - 0.5 * node) * inv_sq;
+                    let squeezed = [(ends[0], above[0]), (ends[1], above[1])]
+                        .map(|(end, above)| [end[0] - back * above * x, end[1] - back * above * y]);
+                    let corners = squeezed.map(|corner| Corner::new(&motion, corner));
+                    let [from, to] = &corners;
+                    let squeezed = MovingEdge::new(&motion, Sides::between(squeezed), [from, to]);
+                    let own = EdgeIntegrals::new(&squeezed);
+                    let length = squeezed.sides.length + L::repeat(R::MIN_POSITIVE);
+                    let scale = splat::<L>(0.5 * weight) * measure / length;
+                    let weight = Weight::between(above.map(|above| scale * above));
+                    let [p, rest] = own.weighted(&weight);
+                    let slope = if WITH_HESSIAN {
+                        turned_back(squeezed.sides.tangent, own.slope(&weight))
+                    } else {
+                        [L::splat(0.0); 2]
+                    };
+                    for (sum, part) in sums.iter_mut().zip([p, rest, slope[0], slope[1]]) {
+                        *sum = *sum + part;
+                    }
+                }
+            }
+            sums
+        });
+        AreaIntegrals {
+            p,
+            rest,
+            slope: [slope_x, slope_y],
+        }
+    }
+}
+
+impl<L: Numbers<Real: Real>> Sides<L> {
+    /// From corners to corners.
+    #[inline(always)]
+    fn between([from, to]: [[L; 2]; 2]) -> Self {
+        let (x, y) = (to[0] - from[0], to[1] - from[1]);
+        let length = (x * x + y * y).sqrt();
+        let inv = L::splat(1.0) / (length + L::repeat(L::Real::MIN_POSITIVE));
+        let tangent = [x * inv, y * inv];
+        Self {
+            from,
+            to,
+            tangent,
+            length,
+            offset: from[0] * tangent[1] - from[1] * tangent[0],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coupling::flat::ShapeFriction;
+    use crate::patch::outline::{LinearPressure, Polygon};
+    use crate::twist::Twist;
+
+    /// A strip, its centre of pressure, a twist, and force and torque about the origin for a μN of 1.
+    struct Strip {
+        aspect: f64,
+        corners: [[f64; 2]; 4],
+        centre: [f64; 2],
+        twist: [f64; 3],
+        wrench: [f64; 3],
+    }
+
+    /// By line integrals about the centre of rotation with 50 digits (mpmath 1.3, in polar coordinates):
+    /// centres on the strip, beside it, and beyond three radii.
+    const STRIPS: &[Strip] = &[
+        Strip {
+            aspect: 1000.0,
+            corners: [
+                [-0.969033930767656, -0.24692962766947554],
+                [0.9695258514632127, 0.2449910678872447],
+                [0.969033930767656, 0.24692962766947554],
+                [-0.9695258514632127, -0.2449910678872447],
+            ],
+            centre: [0.1459956094817801, 0.03708292793076651],
+            twist: [
+                -0.010418496191435879,
+                0.031759003650815056,
+                0.4651433783184657,
+            ],
+            wrench: [
+                0.10089806835528019,
+                -0.2802363112912042,
+                -0.4974244055788887,
+            ],
+        },
+        Strip {
+            aspect: 10000.0,
+            corners: [
+                [0.17116487004046727, -0.9852424053318198],
+                [-0.17096781813807405, 0.9852766186006376],
+                [-0.17116487004046727, 0.9852424053318198],
+                [0.17096781813807405, -0.9852766186006376],
+            ],
+            centre: [-0.007400133926319752, 0.04258907488345833],
+            twist: [
+                -0.23304764717836451,
+                -0.04046752883627514,
+                1.0602712684580482,
+            ],
+            wrench: [
+                0.28048983296277435,
+                0.04879777451198943,
+                -0.4755955739971934,
+            ],
+        },
+        Strip {
+            aspect: 10000.0,
+            corners: [
+                [-0.7677228816604734, -0.6407820120563145],
+                [0.7678510227071457, 0.6406284546658777],
+                [0.7677228816604734, 0.6407820120563145],
+                [-0.7678510227071457, -0.6406284546658777],
+            ],
+            centre: [0.11442620725665044, 0.09547523687275052],
+            twist: [1.3030334530414185, -1.5352026165047248, 2.3132504657364663],
+            wrench: [
+                -0.5588998188044645,
+                0.5966660773082062,
+                -0.022789576013526387,
+            ],
+        },
+        Strip {
+            aspect: 10000.0,
+            corners: [
+                [0.17116487004046727, -0.9852424053318198],
+                [-0.17096781813807405, 0.9852766186006376],
+                [-0.17116487004046727, 0.9852424053318198],
+                [0.17096781813807405, -0.9852766186006376],
+            ],
+            centre: [-0.007400133926319752, 0.04258907488345833],
+            twist: [-2.944263026899032, 15.112344103640279, 2.2908882638982795],
+            wrench: [0.1966564748553997, -0.976768965124603, -0.05011552904781815],
+        },
+    ];
+
+    #[test]
+    fn linear_pressure_on_strips_loses_the_aspect_ratio_and_not_its_square() {
+        for strip in STRIPS {
+            let even = Polygon::new(strip.corners).unwrap();
+            let leaning = even.with_centre_of_pressure(strip.centre).unwrap();
+            let friction = ShapeFriction::new(leaning, 1.0).unwrap();
+            let [x, y, spin] = strip.twist;
+            let found = friction.wrench(1.0, &Twist::new(x, y, spin));
+            let [x, y, torque] = strip.wrench;
+            // Torques about the origin, of at most twice the radius.
+            let off =
+                libm::hypot(found.force.x - x, found.force.y - y) + (found.torque - torque).abs();
+            assert!(off < 1e-15 * strip.aspect, "{} {off:e}", strip.aspect);
+        }
+    }
+
+    #[test]
+    fn the_small_torque_of_a_slow_spin_keeps_its_digits() {
+        // A square of side 2 whose centre of pressure is the origin, a quarter beside its middle: pressure
+        // 1 + 3 (x + 1/4)/4, mean squares 13/48 and 1/3.
+        let square = [[-1.25, -1.0], [0.75, -1.0], [0.75, 1.0], [-1.25, 1.0]];
+        let leaning = Polygon::new(square)
+            .unwrap()
+            .with_centre_of_pressure([0.0; 2]);
+        let friction = ShapeFriction::new(leaning.unwrap(), 1.0).unwrap();
+        for [x, y] in [[1.0, 0.0], [0.0, 1.0], [0.6, 0.8]] {
+            for spin in [1e-18, -1e-60, 1e-290] {
+                let torque = friction.wrench(1.0, &Twist::new(x, y, spin)).torque;
+                let expected = -spin * (13.0 / 48.0 * x * x + y * y / 3.0);
+                assert!((torque / expected - 1.0).abs() < 2e-15, "{x} {y} {spin}");
+            }
+        }
+    }
+
+    fn bits_agree<R: Real, L: Numbers<Real = R>>() {
+        let ell = [
+            [0.0, 0.0],
+            [2.0, 0.125],
+            [2.0, 1.0],
+            [1.0, 1.0],
+            [0.875, 2.0],
+            [0.0, 2.0],
+        ];
+        let ell = Polygon::new(ell.map(|corner| corner.map(R::from_f64))).unwrap();
+        for slope in [[0.25, -0.375], [0.5, 9.5]] {
+            let pressure = LinearPressure::new(R::ONE, slope.map(R::from_f64));
+            for [x, y, spin] in [[0.5, 0.25, 1.0], [-3.0, 2.0, 0.125], [0.25, 8.0, -0.5]] {
+                let motion = Motion {
+                    velocity: Vector2::new(R::from_f64(x), R::from_f64(y)),
+                    rim: R::from_f64(spin),
+                };
+                let (loaded, _) = Loaded::new(ell.edges(), &pressure, &motion);
+                let speed_sq = R::from_f64(0.75);
+                let one =
+                    loaded.summed::<L, 9>(|own, weight| own.hessian(weight, L::repeat(speed_sq)));
+                let several = loaded.summed::<R::Several, 9>(|own, weight| {
+                    own.hessian(weight, R::Several::repeat(speed_sq))
+                });
+                assert_eq!(one, several);
+                let one = loaded.summed::<L, 7>(|own, weight| own.wrench(weight));
+                assert_eq!(
+                    one,
+                    loaded.summed::<R::Several, 7>(|own, weight| own.wrench(weight))
+                );
+                let (one, several) = (
+                    loaded.over_layer::<L, true>(),
+                    loaded.over_layer::<R::Several, true>(),
+                );
+                assert_eq!([one.p, one.rest], [several.p, several.rest]);
+                assert_eq!(one.slope, several.slope);
+            }
+        }
+    }
+
+    #[test]
+    fn edges_side_by_side_give_the_bits_of_one_by_one() {
+        bits_agree::<f64, f64>();
+        bits_agree::<f32, f32>();
+    }
+}
