@@ -44,6 +44,7 @@ mod speeds;
 
 pub mod closed;
 pub mod compact;
+pub mod coulomb;
 pub mod flat;
 pub mod load_transfer;
 pub mod nodes;
@@ -182,11 +183,12 @@ pub trait ReducedFriction<R: Real> {
         batch::reduced_jacobians(self, [slides, rims], jacobians);
     }
 
-    /// F/v and T. *Domain*: ordinary speeds, whose squares are far from the ends of the number
-    /// range; `rim` may be 0.
+    /// F/v and T for v² and w. *Domain*: ordinary speeds, whose squares are far from the ends of the
+    /// number range; `rim` may be 0.
     #[doc(hidden)]
     #[inline]
-    fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
+    fn reduced_drag(&self, slide_sq: R, rim: R) -> [R; 2] {
+        let slide = slide_sq.sqrt();
         let ReducedWrench { force, torque } = self.reduced_wrench(slide, rim);
         [force / slide, torque]
     }
@@ -195,7 +197,7 @@ pub trait ReducedFriction<R: Real> {
     /// lanes, or a lane needs care.
     #[doc(hidden)]
     #[inline]
-    fn reduced_drags(&self, _slides: &[R; 8], _rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
+    fn reduced_drags(&self, _slide_squares: &[R; 8], _rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
         None
     }
 
@@ -267,12 +269,12 @@ impl<R: Real, C: ReducedFriction<R> + ?Sized> ReducedFriction<R> for &C {
         (**self).reduced_jacobian(slide, rim)
     }
     #[inline]
-    fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
-        (**self).reduced_drag(slide, rim)
+    fn reduced_drag(&self, slide_sq: R, rim: R) -> [R; 2] {
+        (**self).reduced_drag(slide_sq, rim)
     }
     #[inline]
-    fn reduced_drags(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
-        (**self).reduced_drags(slides, rims)
+    fn reduced_drags(&self, slide_squares: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
+        (**self).reduced_drags(slide_squares, rims)
     }
     #[inline]
     fn reduced_wrenches(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
