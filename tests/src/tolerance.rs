@@ -217,7 +217,7 @@ bounds! {
     /// Their derivatives, of the larger of themselves and F/v.
     FORM_JACOBIAN = 3e-15, "as FORM";
     /// f32 fitted forms, ulp of f32.
-    SINGLE_FORM_ULPS = 10.0, "promised in coupling::coulomb; the ratio's rounding near equal speeds for the ring";
+    SINGLE_FORM_ULPS = 8.0, "promised in coupling::coulomb; torque from force and slope, ring worst";
     /// f32 tables of pressures −1 ≤ q ≤ 2, −0.75 ≤ α ≤ 3, ulp of f32.
     SINGLE_ROUND_ULPS = 10.0, "as SINGLE_ULPS; the profile of q = 2 falls to a quarter over the cells";
     /// The same at α = 5.

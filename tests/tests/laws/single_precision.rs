@@ -47,7 +47,7 @@ const LINES: [Line; 7] = {
     use tolerance::*;
     let (few, steep) = ([SINGLE_ULPS; 2], Some(SINGLE_ULPS));
     [
-        ("form disk", &[0.0], few, [None; 2]),
+        ("form disk", &[0.0], [SINGLE_FORM_ULPS; 2], [None; 2]),
         ("disk table", &MODERATE, few, [None; 2]),
         ("disk table", &STEEP, [SINGLE_STEEP_ULPS; 2], [steep; 2]),
         // Close to −1 the torque alone loses digits.
