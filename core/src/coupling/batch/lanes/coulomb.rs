@@ -117,6 +117,10 @@ impl<R: Real, F: Fitted + SmoothProfile<R>> LaneProfile<R> for F {
         // Sliding leads where a scalar says so: not where h was rounded to 1.
         let slides = at.slides & one.above(at.ratio);
         let z = at.complement();
+        // Infinite slopes of a ring are left to the scalar, and so is the sign of ∞ − ∞.
+        if F::TWICE_POWER == 0 && !Lanes::<R>::all(z.above(Eight::repeat(R::ZERO))) {
+            return None;
+        }
         let [phi, slope] = forces_and_slopes::<F, R>(slides, z);
         let inv_n = R::ONE / moment(R::from_f64(F::PRESSURE.order()), R::ZERO);
         let inv_n = Lanes::<R>::repeat(inv_n);
