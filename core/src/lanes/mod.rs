@@ -12,13 +12,13 @@
 )]
 mod vectors;
 
+pub(crate) use vectors::Laned;
 #[cfg(any(
     target_feature = "sse2",
     all(target_arch = "aarch64", target_feature = "neon"),
     target_feature = "simd128"
 ))]
-pub(crate) use vectors::Eight;
-pub(crate) use vectors::Laned;
+pub(crate) use vectors::{Eight, even_and_odd};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -3,7 +3,7 @@
 use super::{FOUR, Group, Lanes, Numbers, f32_bits, f64_bits};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Mul};
-use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8, u32x4, u64x4};
+use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8, u32x4, u32x8, u64x4, u64x8};
 
 /// A precision whose numbers go in lanes.
 pub trait Laned: Sized {
@@ -14,6 +14,9 @@ pub trait Laned: Sized {
 
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, side by side.
     fn sums<const TERMS: usize>(pairs: &[[Self; 2]; TERMS], u: Self) -> [Self; 2];
+
+    /// The same of four sums.
+    fn four_sums<const TERMS: usize>(terms: &[[Self; 4]; TERMS], u: Self) -> [Self; 4];
 }
 
 impl Laned for f64 {
@@ -23,6 +26,10 @@ impl Laned for f64 {
     #[inline(always)]
     fn sums<const TERMS: usize>(pairs: &[[f64; 2]; TERMS], u: f64) -> [f64; 2] {
         even_and_odd::<_, TERMS>(|n| f64x2::new(pairs[n]), f64x2::splat(u)).to_array()
+    }
+    #[inline(always)]
+    fn four_sums<const TERMS: usize>(terms: &[[f64; 4]; TERMS], u: f64) -> [f64; 4] {
+        even_and_odd::<_, TERMS>(|n| f64x4::new(terms[n]), f64x4::splat(u)).to_array()
     }
 }
 impl Laned for f32 {
@@ -38,6 +45,10 @@ impl Laned for f32 {
         let [phi, partner, ..] = even_and_odd::<_, TERMS>(term, f32x4::splat(u)).to_array();
         [phi, partner]
     }
+    #[inline(always)]
+    fn four_sums<const TERMS: usize>(terms: &[[f32; 4]; TERMS], u: f32) -> [f32; 4] {
+        even_and_odd::<_, TERMS>(|n| f32x4::new(terms[n]), f32x4::splat(u)).to_array()
+    }
 }
 
 /// Eight numbers, or a mask of ones or zeros for each.
@@ -52,6 +63,8 @@ pub trait Eight: Lanes<Mask = Self> + Debug + BitAnd<Output = Self> + BitOr<Outp
     fn equal(self, other: Self) -> Self;
     /// The mask, a bit a lane.
     fn bits(self) -> u32;
+    /// k and 2ᵏ for the 2ᵏ nearest to each positive normal number.
+    fn octave(self) -> [Self; 2];
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, of the pairs (aₙ, bₙ) that each lane has.
     fn sums<const TERMS: usize>(pairs: Group<&[[Self::Real; 2]; TERMS]>, u: Self) -> [Self; 2];
 
@@ -186,7 +199,7 @@ four!(f64x4, f64, f64_bits, u64x4, |_single, double| double);
 four!(f32x4, f32, f32_bits, u32x4, |single, _double| single);
 
 macro_rules! eight {
-    ($lanes:ty, $real:ty, $sums:path) => {
+    ($lanes:ty, $real:ty, $sums:path, $bits:ty, $mantissa:expr) => {
         impl Eight for $lanes {
             type Real = $real;
 
@@ -211,14 +224,28 @@ macro_rules! eight {
                 self.to_bitmask()
             }
             #[inline(always)]
+            fn octave(self) -> [Self; 2] {
+                const BIAS: $real = (<$real>::MAX_EXP - 1) as $real;
+                // The last digit of this number is 1: whole numbers below it are read off its last bits.
+                const WHOLE: $real = ((1_u64) << $mantissa) as $real;
+                let bits: $bits = bytemuck::cast(self);
+                let exponent = (bits + <$bits>::splat(1 << ($mantissa - 1))) >> $mantissa;
+                let whole: Self =
+                    bytemuck::cast(exponent | bytemuck::cast::<Self, $bits>(Self::splat(WHOLE)));
+                [
+                    whole - Self::splat(WHOLE + BIAS),
+                    bytemuck::cast(exponent << $mantissa),
+                ]
+            }
+            #[inline(always)]
             fn sums<const TERMS: usize>(pairs: Group<&[[$real; 2]; TERMS]>, u: Self) -> [Self; 2] {
                 $sums(pairs, u)
             }
         }
     };
 }
-eight!(f64x8, f64, double_sums);
-eight!(f32x8, f32, single_sums);
+eight!(f64x8, f64, double_sums, u64x8, 52);
+eight!(f32x8, f32, single_sums, u32x8, 23);
 
 /// Both functions of a contact lie next to each other, and those of the next contact beside them: a
 /// coefficient is loaded, not gathered.
@@ -275,7 +302,7 @@ where
 
 /// Σ term(n) uⁿ, even and odd powers apart.
 #[inline(always)]
-fn even_and_odd<V: Copy + Add<Output = V> + Mul<Output = V>, const TERMS: usize>(
+pub fn even_and_odd<V: Copy + Add<Output = V> + Mul<Output = V>, const TERMS: usize>(
     term: impl Fn(usize) -> V,
     u: V,
 ) -> V {

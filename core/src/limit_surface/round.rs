@@ -26,7 +26,7 @@ use crate::twist::{Twist, Wrench};
 /// two searches end after at most 64 points each. A surface is prepared with 9.
 ///
 /// ```
-/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::coupling::coulomb::CoulombDisk;
 /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 /// use tribos_core::twist::Twist;
 /// let puck = RoundLimitSurface::new(CoulombDisk, 0.51_f64, 0.04)?; // N, m

@@ -10,14 +10,15 @@ use tribos_core::contact::{
     Cohesion, Contact, ContactFriction, ContactGeometry, CoupledFriction, IndependentFriction,
     NormalLaw, SphereBody,
 };
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::coupling::flat::{
     PatchShape, PolygonPowerLaw, PowerLawPatch, ShapeFriction, ShapePowerFriction,
 };
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::round::{PolynomialTable, RoundTable64};
-use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::coupling::{
-    Annulus, DryProfile, DryReducedFriction, ReducedFriction, RoundFriction, closed,
+    Annulus, DryProfile, DryReducedFriction, ReducedFriction, RoundFriction, coulomb,
 };
 use tribos_core::limit_surface::{
     FrictionSet, Projection, Region, RoundLimitSurface, ShapeLimitSurface,
@@ -108,15 +109,17 @@ trait WithDry {
 }
 
 fn with_dry<W: WithDry>(name: &str, work: W) -> W::Output {
-    let table = |pressure| DryProfile::new(RoundTable64::new(0.0, pressure).unwrap()).unwrap();
     match name {
         "disk" => work.with(CoulombDisk),
-        "ring" => work.with(closed::CoulombRing),
-        "hertz" => work.with(closed::CoulombHertz),
-        "punch" => work.with(closed::CoulombPunch),
+        "ring" => work.with(coulomb::CoulombRing),
+        "hertz" => work.with(coulomb::CoulombHertz),
+        "punch" => work.with(coulomb::CoulombPunch),
         "annulus:0.5" => work.with(Annulus::new(CoulombDisk, 0.5).unwrap()),
-        "paraboloid" => work.with(table(PowerPressure::PARABOLOID)),
-        "power:0.25" => work.with(table(PowerPressure::new(0.25).unwrap())),
+        "paraboloid" => work.with(coulomb::CoulombParaboloid),
+        "power:0.25" => {
+            let pressure = PowerPressure::new(0.25).unwrap();
+            work.with(DryProfile::new(RoundTable64::new(0.0, pressure).unwrap()).unwrap())
+        }
         _ => {
             let pressure = PolynomialPressure::new([1.0, -0.5]).unwrap();
             work.with(DryProfile::new(PolynomialTable::new(0.0, &pressure).unwrap()).unwrap())
@@ -142,7 +145,7 @@ const LAWS: [&str; 3] = [
     "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05",
 ];
 
-/// The same of a round area: tables of powers of the speed, quadrature of other laws.
+/// The same of a round area: forms and tables of powers of the speed, quadrature of other laws.
 fn round_kernel(name: &str, law: &Law) -> AtTwist {
     fn of_patch<C: ReducedFriction<f64> + 'static>(coupling: C, coefficient: f64) -> AtTwist {
         let friction = RoundFriction::new(coupling, coefficient, RADIUS).unwrap();
@@ -165,6 +168,10 @@ fn round_kernel(name: &str, law: &Law) -> AtTwist {
             let disk = DiskTable64::new(alpha).unwrap();
             of_patch(Annulus::new(disk, 0.5).unwrap(), mu)
         }
+        ("ring", _) if alpha == 0.0 => of_patch(coulomb::CoulombRing, mu),
+        ("hertz", _) if alpha == 0.0 => of_patch(coulomb::CoulombHertz, mu),
+        ("punch", _) if alpha == 0.0 => of_patch(coulomb::CoulombPunch, mu),
+        ("paraboloid", _) if alpha == 0.0 => of_patch(coulomb::CoulombParaboloid, mu),
         (_, Some(pressure)) => of_patch(RoundTable64::new(alpha, pressure).unwrap(), mu),
         (_, None) => of_patch(PolynomialTable::new(alpha, &polynomial).unwrap(), mu),
     }

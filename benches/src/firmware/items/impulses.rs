@@ -17,7 +17,7 @@ macro_rules! impulse {
 macro_rules! exact {
     ($($more:literal),*) => {
         round!(
-            "coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways",
+            "coupling::coulomb special::log_part coupling::batch::ways",
             "limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation",
             "contact contact::block contact::body contact::update contact::coupled",
             "contact::friction contact::modes contact::normal contact::sliding_rolling",
@@ -89,13 +89,13 @@ pub const IMPULSES: [Item; 11] = [
         "coupled: exact",
         NARROW,
         exact!(),
-        "Struck::on_floor(CoupledFriction::sliding_torsion(RoundLimitSurface::new(table::CoulombDisk, b, 0.5).ok()?))?",
+        "Struck::on_floor(CoupledFriction::sliding_torsion(RoundLimitSurface::new(coulomb::CoulombDisk, b, 0.5).ok()?))?",
     ),
     struck(
         "coupled: exact, and rolling",
         NARROW,
         exact!("contact::disc"),
-        "Struck::on_floor(CoupledFriction::all(RoundLimitSurface::new(table::CoulombDisk, b, 0.5).ok()?, a).ok()?)?",
+        "Struck::on_floor(CoupledFriction::all(RoundLimitSurface::new(coulomb::CoulombDisk, b, 0.5).ok()?, a).ok()?)?",
     ),
     struck(
         "coupled: ellipsoid",

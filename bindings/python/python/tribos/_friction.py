@@ -32,7 +32,7 @@ class Friction(Frozen):
         Exponent of the speed, above -1: any on round patches, at most 10 on polygons; 0 for dry
         friction.
     tier
-        On round patches ``"table"`` (a few ulp, the quickest), ``"compact"`` (tens of ulp) or
+        On round patches ``"exact"`` (to rounding, powers of the speed; ``"table"`` and ``"compact"`` mean it too) or
         ``"quadrature"`` (1e-8 on a disk). None for the quickest that serves patch and law.
 
     Notes
