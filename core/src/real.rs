@@ -54,6 +54,11 @@ mod sealed {
         /// *Domain*: positive normal numbers; k ends at ±[`Sealed::MOST_OCTAVES`].
         fn octaves_above(self, other: Self) -> i32;
 
+        /// k and 2ᵏ for the whole number k whose 2ᵏ is nearest to `self`, by a factor of 1.5 at most.
+        ///
+        /// *Domain*: positive normal numbers.
+        fn octave(self) -> [Self; 2];
+
         /// 2ᵏ, exact. *Domain*: |k| ≤ [`Sealed::MOST_OCTAVES`].
         fn power_of_two(k: i32) -> Self;
 
@@ -92,6 +97,15 @@ mod sealed {
                 } else {
                     octaves as i32
                 }
+            }
+            #[inline(always)]
+            fn octave(self) -> [Self; 2] {
+                const BIAS: i32 = <$real>::MAX_EXP - 1;
+                let exponent = self.to_bits().wrapping_add(1 << ($mantissa - 1)) >> $mantissa;
+                [
+                    (exponent as i32).wrapping_sub(BIAS) as $real,
+                    Self::from_bits(exponent << $mantissa),
+                ]
             }
             #[inline]
             fn power_of_two(k: i32) -> Self {

@@ -81,8 +81,8 @@ impl<R: Real, P: SmoothProfile<R>> ReducedFriction<R> for DryProfile<P> {
         super::profile::jacobian(self, slide, rim)
     }
     #[inline]
-    fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
-        super::profile::drag(self, slide, rim)
+    fn reduced_drag(&self, slide_sq: R, rim: R) -> [R; 2] {
+        self.profile.drag(slide_sq, rim)
     }
 }
 

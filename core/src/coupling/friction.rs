@@ -134,7 +134,7 @@ impl<R: Real, C: ReducedFriction<R>> RoundFriction<R, C> {
         let moves = square > least * least && square < most * most;
         if moves && (rim == R::ZERO || rim > least && rim < most) {
             let strength = self.coefficient * load;
-            let [drag, torque] = self.coupling.reduced_drag(square.sqrt(), rim);
+            let [drag, torque] = self.coupling.reduced_drag(square, rim);
             let drag = strength * drag;
             if is_in_normal_range(drag) {
                 let torque = strength * self.radius * torque;

@@ -90,8 +90,8 @@ macro_rules! coupled_in_lanes {
             $crate::coupling::pressure_family::coupling_methods!();
 
             #[inline]
-            fn reduced_drags(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
-                $crate::coupling::batch::drags(self, slides, rims)
+            fn reduced_drags(&self, slide_squares: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
+                $crate::coupling::batch::drags(self, slide_squares, rims)
             }
             #[inline]
             fn reduced_wrenches(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
@@ -119,8 +119,8 @@ macro_rules! coupling_methods {
             $crate::coupling::profile::jacobian(self, slide, rim)
         }
         #[inline]
-        fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
-            $crate::coupling::profile::drag(self, slide, rim)
+        fn reduced_drag(&self, slide_sq: R, rim: R) -> [R; 2] {
+            $crate::coupling::PowerLawFriction::drag(self, slide_sq, rim)
         }
     };
 }

@@ -63,6 +63,13 @@ pub trait PowerLawFriction<R: Real> {
         [phi, at.rim * chi]
     }
 
+    /// F/v and T for v² and w. *Domain*: that of [`super::ReducedFriction::reduced_drag`].
+    #[doc(hidden)]
+    #[inline]
+    fn drag(&self, slide_sq: R, rim: R) -> [R; 2] {
+        drag(self, slide_sq, rim)
+    }
+
     /// C_α(ε) − C: its sign decides where ε goes, its size how fast.
     /// A profile that can keeps its digits where the plain difference has none, at α → 1.
     #[doc(hidden)]
@@ -130,6 +137,10 @@ impl<R: Real, P: PowerLawFriction<R> + ?Sized> PowerLawFriction<R> for &P {
     #[inline]
     fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
         (**self).drag_and_torque(at)
+    }
+    #[inline]
+    fn drag(&self, slide_sq: R, rim: R) -> [R; 2] {
+        (**self).drag(slide_sq, rim)
     }
     #[inline]
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
@@ -209,9 +220,10 @@ pub(super) fn wrench<R: Real, P: PowerLawFriction<R>>(
     ReducedWrench { force, torque }
 }
 
-/// [`super::FrictionCoupling::reduced_drag`] of a profile: one division for all.
+/// [`PowerLawFriction::drag`] of any profile: one division for all.
 #[inline]
-pub(super) fn drag<R: Real, P: PowerLawFriction<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
+fn drag<R: Real, P: PowerLawFriction<R> + ?Sized>(profile: &P, slide_sq: R, rim: R) -> [R; 2] {
+    let slide = slide_sq.sqrt();
     let (speeds, per_major) = Speeds::of_ordinary(slide, rim);
     let scale = profile.speed_scale(speeds.major);
     let per_speed = scale * per_major;
@@ -226,8 +238,12 @@ pub(super) fn drag<R: Real, P: PowerLawFriction<R>>(profile: &P, slide: R, rim: 
 
 #[cold]
 #[inline(never)]
-fn drag_extended_range<R: Real, P: PowerLawFriction<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
-    let ReducedWrench { force, torque } = wrench(profile, slide, rim);
+fn drag_extended_range<R: Real, P: PowerLawFriction<R> + ?Sized>(
+    profile: &P,
+    slide: R,
+    rim: R,
+) -> [R; 2] {
+    let ReducedWrench { force, torque } = wrench(&profile, slide, rim);
     [force / slide, torque]
 }
 

@@ -1,11 +1,13 @@
 //! The quickest tier: polynomial tables, a few ulp, the same cost for every exponent.
 
 use super::DryReducedFriction;
+use super::coulomb;
 use super::disk::Disk;
 use super::equal_speeds::{DryExponent, Exponent, GeneralExponent};
 use super::pressure_family;
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{DominantSpeed, Speeds};
+use crate::lanes::Lanes;
 use crate::law::{LawError, validated_exponent};
 use crate::power::FixedPower;
 use crate::real::Real;
@@ -269,7 +271,35 @@ impl<R: Real> SmoothProfile<R> for CoulombDisk {
 impl<R: Real> DryReducedFriction<R> for CoulombDisk {
     #[inline]
     fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
-        super::profile::point(self, lead, ratio)
+        coulomb::CoulombDisk.reduced_point(lead, ratio)
+    }
+    #[inline]
+    fn reduced_points(
+        &self,
+        slides: <R::Beside as Lanes>::Mask,
+        ratios: R::Beside,
+    ) -> [R::Beside; 3] {
+        DryReducedFriction::<R>::reduced_points(&coulomb::CoulombDisk, slides, ratios)
+    }
+    #[inline]
+    fn rough_point(&self, lead: DominantSpeed, ratio: R) -> Option<[R; 3]> {
+        coulomb::CoulombDisk.rough_point(lead, ratio)
+    }
+    #[inline]
+    fn rough_points(
+        &self,
+        slides: <R::Beside as Lanes>::Mask,
+        ratios: R::Beside,
+    ) -> Option<[R::Beside; 3]> {
+        DryReducedFriction::<R>::rough_points(&coulomb::CoulombDisk, slides, ratios)
+    }
+    #[inline]
+    fn minor_powers(&self, lead: DominantSpeed) -> Option<[R; 6]> {
+        coulomb::CoulombDisk.minor_powers(lead)
+    }
+    #[inline]
+    fn is_smooth(&self) -> bool {
+        true
     }
 }
 

@@ -1,32 +1,62 @@
 //! Targets without vectors whose roots and quotients round as the scalar ones do.
 
+use super::Numbers;
 use core::ops::{Add, Mul};
 
 /// A precision; here without lanes.
 pub trait Laned: Copy + Add<Output = Self> + Mul<Output = Self> {
-    /// The sum of aₙ uⁿ and that of bₙ uⁿ, even and odd powers apart, on pairs.
+    /// A number of a body that is written once for numbers alone and side by side.
+    type Alone: Numbers<Real = Self, Array = [Self; 1], Mask = bool>;
+    /// As many of them as go side by side; here one.
+    type Beside: Numbers<Real = Self>;
+
+    /// The sum of aₙ uⁿ and that of bₙ uⁿ.
     #[inline]
     fn sums<const TERMS: usize>(pairs: &[[Self; 2]; TERMS], u: Self) -> [Self; 2] {
-        let square = u * u;
-        let mut sums = [pairs[TERMS - 1], pairs[TERMS - 2]];
-        for n in (1..TERMS - 2).rev() {
-            let sum = &mut sums[(TERMS - 1 - n) % 2];
-            sum[0] = sum[0] * square + pairs[n][0];
-            sum[1] = sum[1] * square + pairs[n][1];
-        }
-        // The sums end with the first and the second power.
-        let [first, second] = if TERMS.is_multiple_of(2) {
-            sums
-        } else {
-            [sums[1], sums[0]]
-        };
-        let [a, b] = pairs[0];
-        [
-            a + (first[0] * u + second[0] * square),
-            b + (first[1] * u + second[1] * square),
-        ]
+        side_by_side(pairs, u)
+    }
+
+    /// The same of four sums.
+    #[inline]
+    fn four_sums<const TERMS: usize>(terms: &[[Self; 4]; TERMS], u: Self) -> [Self; 4] {
+        side_by_side(terms, u)
     }
 }
 
-impl Laned for f32 {}
-impl Laned for f64 {}
+/// Sums with even and odd powers apart, as vectors compute them.
+#[inline]
+fn side_by_side<R, const SUMS: usize, const TERMS: usize>(
+    terms: &[[R; SUMS]; TERMS],
+    u: R,
+) -> [R; SUMS]
+where
+    R: Copy + Add<Output = R> + Mul<Output = R>,
+{
+    let square = u * u;
+    let mut sums = [terms[TERMS - 1], terms[TERMS - 2]];
+    for n in (1..TERMS - 2).rev() {
+        for (sum, term) in sums[(TERMS - 1 - n) % 2].iter_mut().zip(terms[n]) {
+            *sum = *sum * square + term;
+        }
+    }
+    // The sums end with the first and the second power.
+    let [first, second] = if TERMS.is_multiple_of(2) {
+        sums
+    } else {
+        [sums[1], sums[0]]
+    };
+    let mut whole = terms[0];
+    for ((whole, first), second) in whole.iter_mut().zip(first).zip(second) {
+        *whole = *whole + (first * u + second * square);
+    }
+    whole
+}
+
+impl Laned for f32 {
+    type Alone = f32;
+    type Beside = f32;
+}
+impl Laned for f64 {
+    type Alone = f64;
+    type Beside = f64;
+}

@@ -2,6 +2,7 @@
 //!
 //! It knows no physics and no other room: the scalar of the kernel, [`crate::real`], stands on it.
 
+mod numbers;
 #[cfg_attr(
     not(any(
         target_feature = "sse2",
@@ -12,6 +13,7 @@
 )]
 mod vectors;
 
+pub(crate) use numbers::Numbers;
 #[cfg(any(
     target_feature = "sse2",
     all(target_arch = "aarch64", target_feature = "neon"),
@@ -27,6 +29,26 @@ pub(crate) const GROUP: usize = 8;
 
 /// One value for each number of a group.
 pub(crate) type Group<T> = [T; GROUP];
+
+/// Σ term(n) uⁿ, even and odd powers apart.
+#[inline(always)]
+pub(crate) fn even_and_odd<V: Copy + Add<Output = V> + Mul<Output = V>, const TERMS: usize>(
+    term: impl Fn(usize) -> V,
+    u: V,
+) -> V {
+    let square = u * u;
+    let mut sums = [term(TERMS - 1), term(TERMS - 2)];
+    for n in (1..TERMS - 2).rev() {
+        let sum = &mut sums[(TERMS - 1 - n) % 2];
+        *sum = *sum * square + term(n);
+    }
+    let [first, second] = if TERMS.is_multiple_of(2) {
+        sums
+    } else {
+        [sums[1], sums[0]]
+    };
+    term(0) + (first * u + second * square)
+}
 
 /// A number, or several numbers side by side that are computed independently.
 ///

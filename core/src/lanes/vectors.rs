@@ -1,29 +1,44 @@
 //! Lanes of the processor's vectors; every operation rounds as the scalar one does.
 
-use super::{Group, Lanes};
+use super::{Group, Lanes, Numbers, even_and_odd};
 use core::fmt::Debug;
-use core::ops::{Add, BitAnd, BitOr, Mul};
-use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8};
+use core::ops::{BitAnd, BitOr};
+use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8, u32x8, u64x8};
 
 /// A precision whose numbers go in lanes.
 pub trait Laned: Sized {
     /// Eight of its numbers.
     type Lanes: Eight<Real = Self>;
+    /// A number of a body that is written once for numbers alone and side by side.
+    type Alone: Numbers<Real = Self, Array = [Self; 1], Mask = bool>;
+    /// As many of them as two vectors of the least width hold.
+    type Beside: Numbers<Real = Self>;
 
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, side by side.
     fn sums<const TERMS: usize>(pairs: &[[Self; 2]; TERMS], u: Self) -> [Self; 2];
+
+    /// The same of four sums.
+    fn four_sums<const TERMS: usize>(terms: &[[Self; 4]; TERMS], u: Self) -> [Self; 4];
 }
 
 impl Laned for f64 {
     type Lanes = f64x8;
+    type Alone = f64;
+    type Beside = f64x4;
 
     #[inline(always)]
     fn sums<const TERMS: usize>(pairs: &[[f64; 2]; TERMS], u: f64) -> [f64; 2] {
         even_and_odd::<_, TERMS>(|n| f64x2::new(pairs[n]), f64x2::splat(u)).to_array()
     }
+    #[inline(always)]
+    fn four_sums<const TERMS: usize>(terms: &[[f64; 4]; TERMS], u: f64) -> [f64; 4] {
+        even_and_odd::<_, TERMS>(|n| f64x4::new(terms[n]), f64x4::splat(u)).to_array()
+    }
 }
 impl Laned for f32 {
     type Lanes = f32x8;
+    type Alone = f32;
+    type Beside = f32x8;
 
     #[inline(always)]
     fn sums<const TERMS: usize>(pairs: &[[f32; 2]; TERMS], u: f32) -> [f32; 2] {
@@ -33,6 +48,10 @@ impl Laned for f32 {
         };
         let [phi, partner, ..] = even_and_odd::<_, TERMS>(term, f32x4::splat(u)).to_array();
         [phi, partner]
+    }
+    #[inline(always)]
+    fn four_sums<const TERMS: usize>(terms: &[[f32; 4]; TERMS], u: f32) -> [f32; 4] {
+        even_and_odd::<_, TERMS>(|n| f32x4::new(terms[n]), f32x4::splat(u)).to_array()
     }
 }
 
@@ -48,6 +67,8 @@ pub trait Eight: Lanes<Mask = Self> + Debug + BitAnd<Output = Self> + BitOr<Outp
     fn equal(self, other: Self) -> Self;
     /// The mask, a bit a lane.
     fn bits(self) -> u32;
+    /// k and 2ᵏ for the 2ᵏ nearest to each positive normal number.
+    fn octave(self) -> [Self; 2];
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, of the pairs (aₙ, bₙ) that each lane has.
     fn sums<const TERMS: usize>(pairs: Group<&[[Self::Real; 2]; TERMS]>, u: Self) -> [Self; 2];
 
@@ -123,13 +144,15 @@ lanes!(f32x8, f32x8::splat, |mask| {
     let part: [f32x4; 2] = bytemuck::cast(mask);
     (part[0] & part[1]).all()
 });
+lanes!(f64x4, |value| f64x4::splat(f64::from(value)), |mask| mask
+    .all());
 lanes!(f64x8, |value| f64x8::splat(f64::from(value)), |mask| {
     let part: [f64x2; 4] = bytemuck::cast(mask);
     ((part[0] & part[1]) & (part[2] & part[3])).all()
 });
 
 macro_rules! eight {
-    ($lanes:ty, $real:ty, $sums:path) => {
+    ($lanes:ty, $real:ty, $sums:path, $bits:ty, $mantissa:expr) => {
         impl Eight for $lanes {
             type Real = $real;
 
@@ -154,14 +177,28 @@ macro_rules! eight {
                 self.to_bitmask()
             }
             #[inline(always)]
+            fn octave(self) -> [Self; 2] {
+                const BIAS: $real = (<$real>::MAX_EXP - 1) as $real;
+                // The last digit of this number is 1: whole numbers below it are read off its last bits.
+                const WHOLE: $real = ((1_u64) << $mantissa) as $real;
+                let bits: $bits = bytemuck::cast(self);
+                let exponent = (bits + <$bits>::splat(1 << ($mantissa - 1))) >> $mantissa;
+                let whole: Self =
+                    bytemuck::cast(exponent | bytemuck::cast::<Self, $bits>(Self::splat(WHOLE)));
+                [
+                    whole - Self::splat(WHOLE + BIAS),
+                    bytemuck::cast(exponent << $mantissa),
+                ]
+            }
+            #[inline(always)]
             fn sums<const TERMS: usize>(pairs: Group<&[[$real; 2]; TERMS]>, u: Self) -> [Self; 2] {
                 $sums(pairs, u)
             }
         }
     };
 }
-eight!(f64x8, f64, double_sums);
-eight!(f32x8, f32, single_sums);
+eight!(f64x8, f64, double_sums, u64x8, 52);
+eight!(f32x8, f32, single_sums, u32x8, 23);
 
 /// Both functions of a contact lie next to each other, and those of the next contact beside them: a
 /// coefficient is loaded, not gathered.
@@ -198,24 +235,4 @@ fn single_sums<const TERMS: usize>(pairs: Group<&[[f32; 2]; TERMS]>, u: f32x8) -
         f32x8::new([p[0], p[2], p[4], p[6], q[0], q[2], q[4], q[6]]),
         f32x8::new([p[1], p[3], p[5], p[7], q[1], q[3], q[5], q[7]]),
     ]
-}
-
-/// Σ term(n) uⁿ, even and odd powers apart.
-#[inline(always)]
-fn even_and_odd<V: Copy + Add<Output = V> + Mul<Output = V>, const TERMS: usize>(
-    term: impl Fn(usize) -> V,
-    u: V,
-) -> V {
-    let square = u * u;
-    let mut sums = [term(TERMS - 1), term(TERMS - 2)];
-    for n in (1..TERMS - 2).rev() {
-        let sum = &mut sums[(TERMS - 1 - n) % 2];
-        *sum = *sum * square + term(n);
-    }
-    let [first, second] = if TERMS.is_multiple_of(2) {
-        sums
-    } else {
-        [sums[1], sums[0]]
-    };
-    term(0) + (first * u + second * square)
 }

@@ -1,11 +1,12 @@
 //! The exact limit surface of a dry coupling.
 
-use super::meridian::{Meridian, Normal};
-use super::polar::AxisymmetricPair;
-use super::searches::{ScaledCurve, inside};
+use super::meridian::Meridian;
+use super::polar::pair;
+use super::searches::ScaledCurve;
 use super::{FrictionSet, LimitEllipsoid, Projection, collar};
-use crate::coupling::{DryReducedFriction, ReducedWrench};
+use crate::coupling::DryReducedFriction;
 use crate::error::Error;
+use crate::lanes::Numbers;
 use crate::law::validated_not_negative;
 use crate::patch::validated_radius;
 use crate::real::Real;
@@ -73,48 +74,32 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     }
 
     fn spin_torque(&self) -> R {
-        let Self { meridian, .. } = self;
-        let spinning = Normal {
-            slide: R::ZERO,
-            rim: R::ONE,
-        };
-        meridian.point(spinning).torque
+        let [_, torque] = self.meridian.point([R::ZERO, R::ONE]);
+        torque
     }
 
-    /// The curve in reduced units.
-    #[inline]
-    pub(super) fn meridian(&self) -> &Meridian<R, C> {
-        &self.meridian
-    }
-
-    /// The set under `load` times the force limit; no number for a negative load.
-    #[inline]
-    pub(super) fn loaded(&self, load: R) -> ScaledCurve<'_, R, C> {
+    /// The set under each lane's load times the force limit; no number for a negative load.
+    #[inline(always)]
+    pub(super) fn loaded<L: Numbers<Real = R>>(&self, load: L) -> ScaledCurve<'_, R, C, L> {
         // A quotient by −0 would have the wrong sign.
-        let force_limit = self.force_limit * load + R::ZERO;
+        let force_limit = L::each(self.force_limit) * load + L::splat(0.0);
         ScaledCurve {
-            force_limit: if force_limit >= R::ZERO {
-                force_limit
-            } else {
-                R::NAN
-            },
-            ..self.itself()
+            meridian: &self.meridian,
+            force_limit: L::select(
+                L::splat(0.0).at_most(force_limit),
+                force_limit,
+                L::each(R::NAN),
+            ),
+            radius: self.radius,
         }
-    }
-
-    /// The projection of a wrench that is not deep inside.
-    #[inline(never)]
-    fn searched(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
-        let projection = self.itself().project(wrench, length);
-        projection.answer(&self.meridian)
     }
 
     /// The set itself.
     #[inline]
-    fn itself(&self) -> ScaledCurve<'_, R, C> {
+    fn itself(&self) -> ScaledCurve<'_, R, C, R::Alone> {
         ScaledCurve {
             meridian: &self.meridian,
-            force_limit: self.force_limit,
+            force_limit: R::Alone::each(self.force_limit),
             radius: self.radius,
         }
     }
@@ -134,35 +119,35 @@ impl<R: Real, C: DryReducedFriction<R>> FrictionSet<R> for RoundLimitSurface<R, 
     #[inline]
     fn support(&self, twist: &Twist<R>) -> R {
         let (slide, rim) = (twist.speed(), (twist.spin * self.radius).abs());
-        let ReducedWrench { force, torque } = self.meridian.point(Normal { slide, rim });
+        let [force, torque] = self.meridian.point([slide, rim]);
         self.force_limit * (slide * force + rim * torque)
     }
 
     #[inline]
     fn wrench(&self, twist: &Twist<R>) -> Wrench<R> {
-        let polar = AxisymmetricPair::new(&twist.velocity, twist.spin);
-        let (slide, rim) = (polar.planar, polar.normal * self.radius);
-        let ReducedWrench { force, torque } = self.meridian.point(Normal { slide, rim });
-        let against = ReducedWrench {
-            force: -force,
-            torque: -torque,
-        };
-        self.itself().surface_wrench(&polar, against)
+        let pair = pair(&twist.velocity, twist.spin);
+        let [[planar], [spin]] = [pair.planar, pair.normal].map(Numbers::to_array);
+        let at = self.meridian.point([planar, spin * self.radius]);
+        let push = self.itself().surface_wrench(&pair, at.map(R::Alone::each));
+        let [[x], [y], [torque]] = push.map(Numbers::to_array);
+        -Wrench::new(x, y, torque)
     }
 
     #[inline]
     fn gauge(&self, wrench: &Wrench<R>) -> R {
-        self.itself().gauge(wrench).answer(&self.meridian)
+        self.itself().gauge_of(wrench)
     }
 
     #[inline]
     fn contains(&self, wrench: &Wrench<R>) -> bool {
-        self.itself().is_deep_inside(wrench) || self.gauge(wrench) <= R::ONE + collar()
+        let set = self.itself();
+        set.is_deep_inside(set.lengths(&pair(&wrench.force, wrench.torque)))
+            || self.gauge(wrench) <= R::ONE + collar()
     }
 
     #[inline]
     fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {
-        self.itself().twist_normal_to(push).answer(&self.meridian)
+        self.itself().motion_of(push)
     }
 
     #[inline]
@@ -172,10 +157,6 @@ impl<R: Real, C: DryReducedFriction<R>> FrictionSet<R> for RoundLimitSurface<R, 
 
     #[inline]
     fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
-        let set = self.itself();
-        if set.is_deep_inside(wrench) {
-            return inside(wrench);
-        }
-        self.searched(wrench, length)
+        self.itself().project_one(wrench, length)
     }
 }

@@ -233,11 +233,11 @@ impl<R: Precision> ReducedFriction<R> for AnyFriction<R> {
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
         self.lateral_coupling().reduced_jacobian(slide, rim)
     }
-    fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
-        self.lateral_coupling().reduced_drag(slide, rim)
+    fn reduced_drag(&self, slide_sq: R, rim: R) -> [R; 2] {
+        self.lateral_coupling().reduced_drag(slide_sq, rim)
     }
-    fn reduced_drags(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
-        self.lateral_coupling().reduced_drags(slides, rims)
+    fn reduced_drags(&self, slide_squares: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
+        self.lateral_coupling().reduced_drags(slide_squares, rims)
     }
     fn reduced_wrenches(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
         self.lateral_coupling().reduced_wrenches(slides, rims)

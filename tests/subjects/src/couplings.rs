@@ -99,7 +99,7 @@ fn exact<R: Real>(
     [slide, rim]: [R; 2],
 ) -> Verdict {
     let wrench = tier.reduced_wrench(slide, rim);
-    let [drag, _] = tier.reduced_drag(slide, rim);
+    let [drag, _] = tier.reduced_drag(slide * slide, rim);
     let slopes = slopes(tier.reduced_jacobian(slide, rim));
     let values = [slide, rim, wrench.force, wrench.torque];
     input.give(slopes.into_iter().chain([drag]));

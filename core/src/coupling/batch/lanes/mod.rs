@@ -1,5 +1,6 @@
 //! Groups in lanes: the formulas of the scalar functions, a selection for every branch.
 
+mod coulomb;
 mod patch;
 mod power;
 mod profile;

@@ -43,7 +43,7 @@ pub fn patch_wrenches<R: Real, C: ReducedFriction<R>>(
         return None;
     }
     let [drag, torque] = coupling
-        .reduced_drags(&square.sqrt().to_array(), &rim.to_array())?
+        .reduced_drags(&square.to_array(), &rim.to_array())?
         .map(Lanes::<R>::new);
     let drag = splat(strength) * drag;
     if !Lanes::<R>::all(are_ordinary::<R>(drag)) {

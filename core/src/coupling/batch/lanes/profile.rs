@@ -15,6 +15,11 @@ use crate::real::Real;
 
 /// [`SmoothProfile`] of a group. Nothing where an argument is out of the ordinary.
 pub trait LaneProfile<R: Real>: SmoothProfile<R> {
+    /// F/v and T for v² and w.
+    #[inline(always)]
+    fn drags(&self, slide_sq: Lanes<R>, rim: Lanes<R>) -> Option<[Lanes<R>; 2]> {
+        super::speeds::drags_of_speeds(self, slide_sq.sqrt(), rim)
+    }
     /// Φ and T/m^α.
     fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]>;
     /// Φ, Φ' and Χ.

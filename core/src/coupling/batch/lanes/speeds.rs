@@ -48,14 +48,24 @@ pub fn are_ordinary<R: Real>(scale: Lanes<R>) -> Lanes<R> {
     scale.at_least(Eight::repeat(R::MIN_POSITIVE)) & Lanes::<R>::repeat(R::INFINITY).above(scale)
 }
 
-/// F/v and T of ordinary speeds.
+/// F/v and T of ordinary speeds, from v² and w.
 #[inline(always)]
 pub fn drags<R: Real, P: LaneProfile<R>>(
     profile: &P,
-    slides: &Group<R>,
+    slide_squares: &Group<R>,
     rims: &Group<R>,
 ) -> Option<[Group<R>; 2]> {
-    let [slide, rim] = [slides, rims].map(|speeds| Lanes::<R>::new(*speeds));
+    let [slide_sq, rim] = [slide_squares, rims].map(|numbers| Lanes::<R>::new(*numbers));
+    Some(profile.drags(slide_sq, rim)?.map(Eight::to_array))
+}
+
+/// The same, from v and w.
+#[inline(always)]
+pub fn drags_of_speeds<R: Real, P: LaneProfile<R> + ?Sized>(
+    profile: &P,
+    slide: Lanes<R>,
+    rim: Lanes<R>,
+) -> Option<[Lanes<R>; 2]> {
     let (major, minor) = (slide.larger(rim), slide.smaller(rim));
     let per_major = Lanes::<R>::repeat(R::ONE) / major;
     let at = LaneSpeeds {
@@ -70,7 +80,7 @@ pub fn drags<R: Real, P: LaneProfile<R>>(
         return None;
     }
     let [drag, torque] = profile.drags_and_torques(&at)?;
-    Some([per_speed * drag, scale * torque].map(Eight::to_array))
+    Some([per_speed * drag, scale * torque])
 }
 
 /// The speeds of a group, divided one by one.

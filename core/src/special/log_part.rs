@@ -1,0 +1,35 @@
+//! Logarithm of a number up to 1, of one number or of several side by side.
+
+use super::log_quotient::{ATANH, ATANH_SINGLE};
+use crate::real::Real;
+use core::ops::{Add, Div, Mul, Sub};
+
+/// ln z for z next to 2ᵏ, from z, k and 2ᵏ; `repeat` makes a constant of each lane.
+///
+/// *Accuracy*: 4 ulp of the larger of it and 1 − z. At z = 0 some finite number below −80: products with z vanish.
+#[inline(always)]
+pub(crate) fn log_part<R: Real, V>(z: V, [octaves, nearest]: [V; 2], repeat: impl Fn(R) -> V) -> V
+where
+    V: Copy + Add<Output = V> + Sub<Output = V> + Mul<Output = V> + Div<Output = V>,
+{
+    // ln(z/2ᵏ) = 2 atanh f; the difference is exact.
+    let f = (z - nearest) / (z + nearest);
+    let f_sq = f * f;
+    let four = f_sq * f_sq;
+    let constant = |c: f64| repeat(R::from_f64(c));
+    let pair = |low: V, high: V| low + high * f_sq;
+    let sum = if R::IS_SINGLE {
+        let [a, b, c] = ATANH_SINGLE.map(|c| constant(f64::from(c)));
+        pair(a, b) + c * four
+    } else {
+        let [a, b, c, d, e, g, h] = ATANH.map(constant);
+        (pair(a, b) + four * pair(c, d)) + four * four * (pair(e, g) + four * h)
+    };
+    octaves * constant(core::f64::consts::LN_2) + f * (repeat(R::TWO) + f_sq * sum)
+}
+
+/// ln z. *Domain*: positive normal numbers; NaN for NaN.
+#[inline(always)]
+pub(crate) fn ln_part<R: Real>(z: R) -> R {
+    log_part(z, z.octave(), |constant| constant)
+}
