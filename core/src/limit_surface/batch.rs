@@ -44,9 +44,7 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     pub fn gauge_batch(&self, loads: &[R], wrenches: &[Wrench<R>], gauges: &mut [R]) {
         each_group(
             self,
-            loads
-                .chunks(lanes::<R>())
-                .zip(wrenches.chunks(lanes::<R>())),
+            loaded(loads, wrenches),
             gauges,
             true,
             |group, _, gauges| {
@@ -75,13 +73,9 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn twist_normal_to_batch(&self, pushes: &[Wrench<R>], twists: &mut [Twist<R>]) {
-        let ones = [R::ONE; MOST];
-        let loads = |group: &[_]| ones.get(..group.len()).unwrap_or_default();
         each_group(
             self,
-            pushes
-                .chunks(lanes::<R>())
-                .map(|group| (loads(group), group)),
+            under_one_load(pushes),
             twists,
             true,
             |group, _, twists| group.store_motions(twists),
@@ -114,11 +108,19 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
         wrenches: &[Wrench<R>],
         projections: &mut [Projection<R>],
     ) {
+        self.project_groups(length, loaded(loads, wrenches), projections);
+    }
+
+    /// Projections of groups of loads and wrenches.
+    pub(super) fn project_groups<'a>(
+        &self,
+        length: R,
+        groups: impl Iterator<Item = Inputs<'a, R>>,
+        projections: &mut [Projection<R>],
+    ) {
         each_group(
             self,
-            loads
-                .chunks(lanes::<R>())
-                .zip(wrenches.chunks(lanes::<R>())),
+            groups,
             projections,
             length > R::ZERO && length.is_finite(),
             |group, wrenches, projections| group.store_projections(length, wrenches, projections),
@@ -133,20 +135,18 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
 impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
     /// Nothing for other counts than that of the lanes, and where a wrench or a load is out of the ordinary.
     #[inline(always)]
-    fn new(
-        surface: &'a RoundLimitSurface<R, C>,
-        loads: &[R],
-        wrenches: &[Wrench<R>],
-    ) -> Option<Self> {
-        let [mut x, mut y, mut torque, mut load] = [R::Beside::splat(0.0).to_array(); 4];
-        if loads.len() != x.as_ref().len() || wrenches.len() != loads.len() {
+    fn new(surface: &'a RoundLimitSurface<R, C>, (loads, wrenches): Inputs<'_, R>) -> Option<Self> {
+        let [mut x, mut y, mut torque] = [R::Beside::splat(0.0).to_array(); 3];
+        let mut load = R::Beside::splat(1.0).to_array();
+        let count = x.as_ref().len();
+        if wrenches.len() != count || loads.is_some_and(|loads| loads.len() != count) {
             return None;
         }
         let forces = x.as_mut().iter_mut().zip(y.as_mut());
         for (((x, y), torque), wrench) in forces.zip(torque.as_mut()).zip(wrenches) {
             (*x, *y, *torque) = (wrench.force.x, wrench.force.y, wrench.torque);
         }
-        for (to, from) in load.as_mut().iter_mut().zip(loads) {
+        for (to, from) in load.as_mut().iter_mut().zip(loads.unwrap_or_default()) {
             *to = *from;
         }
         let wrench = [x, y, torque].map(R::Beside::new);
@@ -230,8 +230,24 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
     }
 }
 
-/// Most lanes of a precision.
-const MOST: usize = 8;
+/// A group's loads, all 1 where there are none, and its wrenches.
+type Inputs<'a, R> = (Option<&'a [R]>, &'a [Wrench<R>]);
+
+/// Groups of wrenches with their loads.
+fn loaded<'a, R: Real>(
+    loads: &'a [R],
+    wrenches: &'a [Wrench<R>],
+) -> impl Iterator<Item = Inputs<'a, R>> {
+    let loads = loads.chunks(lanes::<R>()).map(Some);
+    loads.zip(wrenches.chunks(lanes::<R>()))
+}
+
+/// Groups of wrenches under the force limit itself.
+pub(super) fn under_one_load<R: Real>(
+    wrenches: &[Wrench<R>],
+) -> impl Iterator<Item = Inputs<'_, R>> {
+    wrenches.chunks(lanes::<R>()).map(|group| (None, group))
+}
 
 /// Lanes of a precision.
 #[inline(always)]
@@ -252,7 +268,7 @@ fn rows<'a, R: Copy + 'a, A: AsRef<[R]>>(
 #[inline(always)]
 fn each_group<'a, R: Real, C: DryReducedFriction<R>, T>(
     surface: &RoundLimitSurface<R, C>,
-    inputs: impl Iterator<Item = (&'a [R], &'a [Wrench<R>])>,
+    inputs: impl Iterator<Item = Inputs<'a, R>>,
     answers: &mut [T],
     may_be_together: bool,
     together: impl Fn(&Group<'_, R, C>, &[Wrench<R>], &mut [T]),
@@ -260,13 +276,15 @@ fn each_group<'a, R: Real, C: DryReducedFriction<R>, T>(
 ) {
     let groups = answers.chunks_mut(lanes::<R>());
     for ((loads, wrenches), answers) in inputs.zip(groups) {
-        match Group::new(surface, loads, wrenches) {
-            Some(group) if may_be_together && answers.len() == loads.len() => {
+        match Group::new(surface, (loads, wrenches)) {
+            Some(group) if may_be_together && answers.len() == wrenches.len() => {
                 together(&group, wrenches, answers);
             }
             _ => {
-                for ((load, wrench), answer) in loads.iter().zip(wrenches).zip(answers) {
-                    *answer = alone(*load, wrench);
+                for (n, (wrench, answer)) in wrenches.iter().zip(answers).enumerate() {
+                    if let Some(load) = loads.map_or(Some(&R::ONE), |loads| loads.get(n)) {
+                        *answer = alone(*load, wrench);
+                    }
                 }
             }
         }

@@ -146,6 +146,14 @@ pub trait FrictionSet<R: Real> {
         self.project_with_length(wrench, self.radius())
     }
 
+    /// [`FrictionSet::project_with_length`] of many wrenches, to the same bits.
+    #[doc(hidden)]
+    fn project_each(&self, wrenches: &[Wrench<R>], length: R, projections: &mut [Projection<R>]) {
+        for (wrench, projection) in wrenches.iter().zip(projections) {
+            *projection = self.project_with_length(wrench, length);
+        }
+    }
+
     /// The motion that meets the friction `wrench`, scaled radially to the surface:
     /// −[`FrictionSet::twist_normal_to`].
     #[inline]

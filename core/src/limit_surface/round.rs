@@ -1,5 +1,6 @@
 //! The exact limit surface of a dry coupling.
 
+use super::batch::under_one_load;
 use super::meridian::Meridian;
 use super::polar::pair;
 use super::searches::ScaledCurve;
@@ -158,5 +159,9 @@ impl<R: Real, C: DryReducedFriction<R>> FrictionSet<R> for RoundLimitSurface<R, 
     #[inline]
     fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
         self.itself().project_one(wrench, length)
+    }
+
+    fn project_each(&self, wrenches: &[Wrench<R>], length: R, projections: &mut [Projection<R>]) {
+        self.project_groups(length, under_one_load(wrenches), projections);
     }
 }
