@@ -15,7 +15,6 @@ use crate::twist::{Twist, Wrench};
 /// Wrenches of a group with their loads, part by part.
 struct Group<'a, R: Real, C> {
     set: ScaledCurve<'a, R, C, R::Beside>,
-    wrench: [R::Beside; 3],
     pair: AxisymmetricPair<R::Beside>,
     /// Force and torque/radius.
     lengths: [R::Beside; 2],
@@ -160,12 +159,7 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
             R::Beside::both(is_ordinary_planar(x, y), is_ordinary(turn)),
             R::Beside::both(is_ordinary(set.force_limit), has_limit),
         );
-        R::Beside::all(is_known).then_some(Self {
-            set,
-            wrench,
-            pair,
-            lengths,
-        })
+        R::Beside::all(is_known).then_some(Self { set, pair, lengths })
     }
 
     #[inline(always)]
@@ -209,23 +203,33 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
         let Projected {
             wrench,
             normal,
-            is_inside,
-        } = self.set.project(&curve, self.wrench, &self.pair, length);
-        let is_inside = R::Beside::select(is_deep, R::Beside::splat(1.0), is_inside).to_array();
+            side,
+        } = self.set.project(&curve, &self.pair, length);
+        let side = R::Beside::select(is_deep, R::Beside::splat(1.0), side).to_array();
         let (wrench, normal) = (wrench.map(Numbers::to_array), normal.map(Numbers::to_array));
-        let lanes = rows(&wrench).zip(rows(&normal)).zip(is_inside.as_ref());
-        for (projection, (([x, y, torque], [vx, vy, spin]), is_inside)) in
-            projections.iter_mut().zip(lanes)
+        let limits = self.set.force_limit.to_array();
+        let lanes = rows(&wrench).zip(rows(&normal)).zip(side.as_ref());
+        let given = wrenches.iter().zip(limits.as_ref());
+        for ((projection, (given, limit)), (([x, y, torque], [vx, vy, spin]), side)) in
+            projections.iter_mut().zip(given).zip(lanes)
         {
-            *projection = Projection {
-                wrench: Wrench::new(x, y, torque),
-                region: if *is_inside > R::ZERO {
-                    Region::Inside
-                } else {
-                    let normal = Twist::new(vx, vy, spin);
-                    Region::OnSurface { normal }
-                },
+            *projection = if *side > R::ZERO {
+                inside(given)
+            } else {
+                let normal = Twist::new(vx, vy, spin);
+                Projection {
+                    wrench: Wrench::new(x, y, torque),
+                    region: Region::OnSurface { normal },
+                }
             };
+            if *side == R::ZERO {
+                let alone = ScaledCurve {
+                    meridian: self.set.meridian,
+                    force_limit: R::Alone::each(*limit),
+                    radius: self.set.radius,
+                };
+                *projection = alone.beside_surface(given, *projection);
+            }
         }
     }
 }

@@ -17,12 +17,12 @@ pub(super) struct ScaledCurve<'a, R, C, L> {
     pub radius: R,
 }
 
-/// Projected wrenches and outward normals.
+/// Points of the surface and outward normals there: the nearest ones of wrenches outside.
 pub(super) struct Projected<L> {
     pub wrench: [L; 3],
     pub normal: [L; 3],
-    /// 1 where the given wrench is inside, else 0.
-    pub is_inside: L,
+    /// 1 inside, −1 outside, 0 next to the surface, where the gauge is to decide.
+    pub side: L,
 }
 
 impl<R: Real, C: DryReducedFriction<R>, L: Numbers<Real = R>> ScaledCurve<'_, R, C, L> {
@@ -81,7 +81,6 @@ impl<R: Real, C: DryReducedFriction<R>, L: Numbers<Real = R>> ScaledCurve<'_, R,
     pub fn project(
         &self,
         curve: &impl Curve<L>,
-        wrench: [L; 3],
         pair: &AxisymmetricPair<L>,
         length: R,
     ) -> Projected<L> {
@@ -93,17 +92,15 @@ impl<R: Real, C: DryReducedFriction<R>, L: Numbers<Real = R>> ScaledCurve<'_, R,
             power,
             beyond,
         } = self.meridian.nearest(curve, point, lever * lever);
-        let width = L::each(collar()) * power;
-        let keeps = beyond.at_most(width);
-        let [x, y, torque] = self.surface_wrench(pair, at);
+        // Twice the collar: there the gauge is measured, whose rounding is its own.
+        let width = L::each(R::TWO * collar()) * power;
+        let is_inside = beyond.below(-width);
+        let (one, none) = (L::splat(1.0), L::splat(0.0));
+        let outside = L::select(width.below(beyond), -one, none);
         Projected {
-            wrench: [
-                L::select(keeps, wrench[0], x),
-                L::select(keeps, wrench[1], y),
-                L::select(keeps, wrench[2], torque),
-            ],
+            wrench: self.surface_wrench(pair, at),
             normal: self.unit_twist(pair, normal),
-            is_inside: L::select(beyond.below(-width), L::splat(1.0), L::splat(0.0)),
+            side: L::select(is_inside, one, outside),
         }
     }
 }
@@ -180,31 +177,47 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C, R::Alone> {
         pair: &AxisymmetricPair<R::Alone>,
         length: Option<R>,
     ) -> Projection<R> {
-        let given = [wrench.force.x, wrench.force.y, wrench.torque].map(R::Alone::each);
         let Projected {
             wrench: nearest,
             normal,
-            is_inside,
-        } = self.project(
-            &Alone(self.meridian),
-            given,
-            pair,
-            length.unwrap_or(self.radius),
-        );
-        let [[x], [y], [torque]] = nearest.map(Numbers::to_array);
-        let [is_inside] = is_inside.to_array();
-        let nearest = Wrench::new(x, y, torque);
-        if is_inside == R::ONE {
+            side,
+        } = self.project(&Alone(self.meridian), pair, length.unwrap_or(self.radius));
+        let [side] = side.to_array();
+        if side > R::ZERO {
             return inside(wrench);
         }
-        if length.is_none() && nearest != *wrench {
-            return no_projection();
-        }
-        Projection {
-            wrench: nearest,
-            region: Region::OnSurface {
-                normal: twist(normal),
+        let [[x], [y], [torque]] = nearest.map(Numbers::to_array);
+        let nearest = match length {
+            Some(_) => Projection {
+                wrench: Wrench::new(x, y, torque),
+                region: Region::OnSurface {
+                    normal: twist(normal),
+                },
             },
+            None => no_projection(),
+        };
+        if side < R::ZERO {
+            nearest
+        } else {
+            self.beside_surface(wrench, nearest)
+        }
+    }
+
+    /// The projection of a wrench next to the surface, of which `nearest` is that of one outside.
+    #[cold]
+    pub fn beside_surface(&self, wrench: &Wrench<R>, nearest: Projection<R>) -> Projection<R> {
+        let gauge = self.gauge_of(wrench);
+        if gauge < R::ONE - collar() {
+            inside(wrench)
+        } else if gauge <= R::ONE + collar() {
+            Projection {
+                wrench: *wrench,
+                region: Region::OnSurface {
+                    normal: self.motion_of(wrench),
+                },
+            }
+        } else {
+            nearest
         }
     }
 
