@@ -21,11 +21,11 @@ use crate::twist::{Twist, Wrench};
 /// The coupling's wrench must turn with its twist, without jumps, from (1, 0) in pure sliding to
 /// (0, T₀) in pure spinning, as that of every axisymmetric patch does; slopes may be infinite.
 ///
-/// *Accuracy* (f64, table tier): gauge, surface points and projections 1e-15 of the limits, the motion's ratio
-/// 1e-15 relative; f32: 3e-7 of the limits.
-/// *Cost* in points of the coupling with their rates, on the uniform disk: gauge 2, normal 2 or 3, projection
-/// none deep inside, 1 to 3 next to the surface, 2 outside (more for lengths far from the radius). A projection's
-/// two searches end after at most 64 points each. A surface is prepared with 9.
+/// *Accuracy* (f64): gauge, surface points and projections 1e-15 of the limits, the motion's ratio along a ray
+/// 1e-15 relative; f32: 3e-7 of the limits, 4e-7 for lengths below 0.3 R.
+/// *Cost* in points of the coupling with their rates: gauge, normal and projection 2 or 3 (more for lengths far from the
+/// radius), a projection deep inside none, within 128 roundings of the surface those of a gauge more. A search ends after
+/// at most 66 points. A surface is prepared with 15, that of a uniform disk with 3.
 ///
 /// ```
 /// use tribos_core::coupling::table::CoulombDisk;
