@@ -8,7 +8,8 @@ use tribos_benches::contact::Contact;
 use tribos_benches::mix;
 use tribos_core::Real;
 use tribos_core::coupling::ReducedFriction;
-use tribos_core::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
+use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
 
 const SEED: u64 = 1;
 /// An exponent for which no power is a root or a product.

@@ -12,7 +12,7 @@ use tribos_core::contact::{
     Cohesion, Contact, ContactFriction, ContactGeometry, CoupledFriction, IndependentFriction,
     NormalLaw, SphereBody,
 };
-use tribos_core::coupling::table;
+use tribos_core::coupling::coulomb;
 use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 use tribos_tests::sweep::Lcg;
 
@@ -222,7 +222,7 @@ fn contact_for<F: ContactFriction<f64>>(
 fn contacts(criterion: &mut Criterion) {
     let equal = [1.0, 1.0];
     let all = IndependentFriction::all(MU, 0.1, 0.1).expect("in range");
-    let exact = RoundLimitSurface::new(table::CoulombDisk, MU, 0.5).expect("in range");
+    let exact = RoundLimitSurface::new(coulomb::CoulombDisk, MU, 0.5).expect("in range");
     let usual = LimitEllipsoid::new(MU, 0.5, 2.0 / 3.0).expect("in range");
     let sliding = IndependentFriction::sliding(MU).expect("in range");
     let torsion = IndependentFriction::sliding_torsion(MU, 0.1).expect("in range");

@@ -6,8 +6,8 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::hint::black_box;
 use tribos_benches::mix;
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::table::{self, DiskTable64};
-use tribos_core::coupling::{ReducedFriction, ReducedJacobian, compact};
+use tribos_core::coupling::table::DiskTable64;
+use tribos_core::coupling::{ReducedFriction, ReducedJacobian, compact, coulomb};
 use tribos_core::law;
 use tribos_core::real::Real;
 
@@ -56,16 +56,14 @@ fn jacobian(criterion: &mut Criterion) {
     let power = compact::CompactPower::new(0.5).expect("1/2 is a valid exponent");
     let law = law::CoulombLaw::new(1.0).expect("1 is a valid coefficient");
     let quadrature = DiskQuadrature::new(law);
-    assert_right(&table::CoulombDisk);
+    assert_right(&coulomb::CoulombDisk);
     assert_right(&half);
-    assert_right(&compact::CompactCoulombDisk);
     assert_right(&power);
     assert_right(&quadrature);
 
-    time(criterion, "table", &pairs, &table::CoulombDisk);
-    time(criterion, "table f32", &narrow, &table::CoulombDisk);
+    time(criterion, "form", &pairs, &coulomb::CoulombDisk);
+    time(criterion, "form f32", &narrow, &coulomb::CoulombDisk);
     time(criterion, "table alpha 0.5", &pairs, &half);
-    time(criterion, "compact", &pairs, &compact::CompactCoulombDisk);
     time(criterion, "compact alpha 0.5", &few, &power);
     time(criterion, "quadrature", &few, &quadrature);
 }

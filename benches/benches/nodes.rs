@@ -6,7 +6,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::hint::black_box;
 use tribos_benches::mix;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{RoundFriction, table};
+use tribos_core::coupling::{RoundFriction, coulomb};
 use tribos_core::law::{CoulombLaw, PowerLaw};
 use tribos_core::patch::nodes::{NodeList, NodePatch, Nodes};
 use tribos_core::patch::polar::PolarQuadrature;
@@ -33,8 +33,8 @@ fn disk<R: Real, const CAPACITY: usize>(rings: u32, angles: u32) -> NodeList<R, 
 }
 
 /// The disk that the rules stand for.
-fn whole_disk() -> RoundFriction<f64, table::CoulombDisk> {
-    RoundFriction::new(table::CoulombDisk, 1.0, 1.0).expect("1 is a valid coefficient")
+fn whole_disk() -> RoundFriction<f64, coulomb::CoulombDisk> {
+    RoundFriction::new(coulomb::CoulombDisk, 1.0, 1.0).expect("1 is a valid coefficient")
 }
 
 /// Compares with the table of the disk at one moderate twist.

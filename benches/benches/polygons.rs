@@ -7,7 +7,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::hint::black_box;
 use tribos_core::coupling::flat::{PatchShape, PolygonPowerLaw, ShapeFriction, ShapePowerFriction};
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{RoundFriction, table};
+use tribos_core::coupling::{RoundFriction, coulomb};
 use tribos_core::law::CoulombLaw;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::NodeList;
@@ -102,7 +102,8 @@ fn polygons(criterion: &mut Criterion) {
     let triangle = dry(Polygon::new(TRIANGLE).expect("a triangle"));
     let ell = dry(Polygon::new(ELL).expect("an L"));
     let octagon = dry(Polygon::new(OCTAGON).expect("an octagon"));
-    let disk = RoundFriction::new(table::CoulombDisk, 1.0, 1.0).expect("1 is a valid coefficient");
+    let disk =
+        RoundFriction::new(coulomb::CoulombDisk, 1.0, 1.0).expect("1 is a valid coefficient");
     let nodes: NodeList<f64, 504> = NodeList::polygon(&SQUARE, 6).expect("room for all nodes");
     let law = CoulombLaw::new(1.0).expect("1 is a valid coefficient");
     let nodes = NodeFriction::new(law, nodes);

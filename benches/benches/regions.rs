@@ -10,7 +10,7 @@ use tribos_benches::mix::Region;
 
 const SEED: u64 = 1;
 /// The table and what it is first compared with.
-const METHODS: [&str; 2] = ["table", "agm"];
+const METHODS: [&str; 2] = ["form", "agm"];
 
 fn regions(criterion: &mut Criterion) {
     let mut all = catalogue::tiers().expect("alpha = 0 is a valid exponent");

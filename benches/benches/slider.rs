@@ -5,7 +5,7 @@ mod settings;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use tribos_benches::stepping::{DISK, SPEED, SPINS};
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 /// The step of an engine, in s.

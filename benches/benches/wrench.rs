@@ -40,7 +40,7 @@ fn price(criterion: &mut Criterion) {
     let mut all = catalogue::tiers().expect("alpha = 0 is a valid exponent");
     all.extend(catalogue::exponents().expect("the listed exponents are valid"));
     let named = [
-        "table",
+        "form",
         "table alpha 0.5 unscaled",
         "table alpha 0.5",
         "table alpha 1.5",

@@ -4,9 +4,9 @@ use crate::baselines::trapezoid::Trapezoid;
 use crate::baselines::{agm, bulirsch, cephes, decoupled, ellipsoid, micromath_agm, pade, series};
 use crate::methods::{Kind, Method, as_pair};
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
 use tribos_core::coupling::unscaled_wrench;
-use tribos_core::coupling::{ReducedFriction, compact};
+use tribos_core::coupling::{ReducedFriction, compact, coulomb};
 use tribos_core::law::{CoulombLaw, LawError};
 
 /// Exponents for which the tables are timed.
@@ -20,21 +20,16 @@ pub fn tiers() -> Result<Vec<Method>, LawError> {
     let quadrature_narrow = DiskQuadrature::new(CoulombLaw::new(1.0_f32)?);
     let power = compact::CompactPower::new(0.0)?;
     let power_narrow = compact::CompactPower::new(0.0_f32)?;
-    let wrench = |slide, rim| as_pair(table::CoulombDisk.reduced_wrench(slide, rim));
-    let narrow = |slide, rim| as_pair(table::CoulombDisk.reduced_wrench(slide, rim));
-    let compact = |slide, rim| as_pair(compact::CompactCoulombDisk.reduced_wrench(slide, rim));
-    let compact_narrow =
-        |slide, rim| as_pair(compact::CompactCoulombDisk.reduced_wrench(slide, rim));
+    let wrench = |slide, rim| as_pair(coulomb::CoulombDisk.reduced_wrench(slide, rim));
+    let narrow = |slide, rim| as_pair(coulomb::CoulombDisk.reduced_wrench(slide, rim));
     let power = move |slide, rim| as_pair(power.reduced_wrench(slide, rim));
     let quadrature = move |slide, rim| as_pair(quadrature.reduced_wrench(slide, rim));
     let power_narrow = move |slide, rim| as_pair(power_narrow.reduced_wrench(slide, rim));
     let quadrature_narrow = move |slide, rim| as_pair(quadrature_narrow.reduced_wrench(slide, rim));
     let tier = Kind::Tier;
     Ok(vec![
-        Method::wide("table", tier, 1e-15, wrench),
-        Method::narrow("table f32", tier, 5e-7, narrow),
-        Method::wide("compact", tier, 1e-14, compact),
-        Method::narrow("compact f32", tier, 5e-6, compact_narrow),
+        Method::wide("form", tier, 1e-15, wrench),
+        Method::narrow("form f32", tier, 5e-7, narrow),
         Method::wide("compact power", tier, 2e-15, power).every(10),
         Method::narrow("compact power f32", tier, 1e-6, power_narrow).every(10),
         Method::wide("quadrature", tier, 1e-8, quadrature).every(10),

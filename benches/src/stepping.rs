@@ -3,7 +3,7 @@
 use crate::baselines::PURE_SPIN_TORQUE;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::ReducedFriction;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::planar::PlanarBody;
 use tribos_core::slider::{Slider, SliderState};

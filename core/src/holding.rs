@@ -45,7 +45,7 @@ pub enum Stiction {
 /// The answer, and how far away the others are.
 ///
 /// ```
-/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::coupling::coulomb::CoulombDisk;
 /// use tribos_core::holding::{Stiction, StictionBounds};
 /// use tribos_core::limit_surface::RoundLimitSurface;
 /// use tribos_core::twist::Wrench;

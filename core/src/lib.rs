@@ -130,7 +130,6 @@ pub mod internals {
     pub use crate::contact::internals::*;
     pub use crate::coupling::internals::*;
     pub use crate::coupling::load_transfer::{LeaningWrench, leaning_wrench};
-    pub use crate::coupling::table::COULOMB_TABLE_BYTES;
     pub use crate::limit_surface::COLLAR_ULPS;
     pub use crate::patch::tripod::tripod_shares;
     pub use crate::slider::runge_kutta;
@@ -140,7 +139,7 @@ pub mod internals {
 pub use nalgebra;
 
 pub use contact::{Contact, IndependentFriction};
-pub use coupling::{RoundFriction, table::CoulombDisk};
+pub use coupling::{RoundFriction, coulomb::CoulombDisk};
 pub use error::Error;
 pub use limit_surface::{FrictionSet, RoundLimitSurface};
 pub use manifold::ContactSystem;

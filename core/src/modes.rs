@@ -14,7 +14,7 @@ use crate::real::Real;
 /// How ε moves near a fixed point.
 ///
 /// ```
-/// use tribos_core::coupling::{compact::CompactPower, table::CoulombDisk};
+/// use tribos_core::coupling::{compact::CompactPower, coulomb::CoulombDisk};
 /// use tribos_core::modes::{TerminalMotion, Stability};
 /// // A puck under dry friction leaves pure spinning, a thick hoop returns to it.
 /// let [puck, hoop] = [0.5, 0.8_f64].map(|inertia| TerminalMotion::new(CoulombDisk, inertia));
@@ -39,7 +39,7 @@ pub enum Stability {
 /// All fixed points of one slider.
 ///
 /// ```
-/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::coupling::coulomb::CoulombDisk;
 /// use tribos_core::modes::{FixedPoints, TerminalMotion, Stability};
 /// let FixedPoints { spinning, finite, sliding } = TerminalMotion::new(CoulombDisk, 0.5_f64)?.fixed_points();
 /// // Between two ends that it leaves there is one ratio to which the motion tends.
@@ -61,7 +61,7 @@ pub struct FixedPoints<R> {
 /// The motion that dominates just before rest.
 ///
 /// ```
-/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::coupling::coulomb::CoulombDisk;
 /// use tribos_core::modes::{TerminalMode, TerminalMotion};
 /// // A disk loaded at its rim, one loaded at its hub, and a plain one, all thrown with v = ωR.
 /// let last = |inertia: f64| Ok(TerminalMotion::new(CoulombDisk, inertia)?.terminal_mode(1.0));
@@ -116,7 +116,7 @@ fn in_order<R: Real>([spinning, sliding]: [R; 2]) -> (R, R) {
 /// The final motion of sliders that share a law and an inertia ratio.
 ///
 /// ```
-/// use tribos_core::{coupling::table::CoulombDisk, modes::TerminalMotion};
+/// use tribos_core::{coupling::coulomb::CoulombDisk, modes::TerminalMotion};
 /// let disk = TerminalMotion::new(CoulombDisk, 0.5_f64)?;
 /// let ratio = disk.finite_fixed_point().unwrap_or(f64::NAN);
 /// assert!((ratio - 0.653001789206).abs() < 1e-12);

@@ -11,9 +11,9 @@ pub use crate::contact::{
     Cohesion, Contact, ContactBody, ContactFriction, ContactGeometry, CoupledFriction,
     IndependentFriction, NormalLaw, SphereBody, TimeStep, WallBody,
 };
+pub use crate::coupling::coulomb::CoulombDisk;
 pub use crate::coupling::nodes::NodeFriction;
 pub use crate::coupling::quadrature::DiskQuadrature;
-pub use crate::coupling::table::CoulombDisk;
 pub use crate::coupling::{DryReducedFriction, ReducedFriction, RoundFriction};
 pub use crate::error::Error;
 pub use crate::law::{

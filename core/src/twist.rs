@@ -73,7 +73,7 @@ pub struct Displacement<R: Real> {
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+/// use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
 /// use tribos_core::twist::{Twist, WrenchJacobian};
 /// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?; // mu, radius in m
 /// let twist = Twist::new(1.0, 0.5, 20.0);

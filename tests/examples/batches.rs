@@ -2,8 +2,9 @@
 //!
 //! `cargo run --release -p tribos-tests --example batches`; panics at the first difference.
 
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::coupling::round::{RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
 use tribos_core::patch::PowerPressure;
 use tribos_tests::batches::compare;
 

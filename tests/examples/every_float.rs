@@ -8,7 +8,7 @@
 
 use rayon::prelude::*;
 use tribos_core::coupling::round::{RoundTable32, RoundTable64};
-use tribos_core::coupling::{Annulus, ReducedFriction, table::CoulombDisk};
+use tribos_core::coupling::{Annulus, ReducedFriction, coulomb::CoulombDisk};
 use tribos_core::law::LawError;
 use tribos_core::patch::PowerPressure;
 use tribos_tests::reference::{Reference, ulp_f32};

@@ -6,7 +6,7 @@
 //! `engines/rapier/examples/grip.rs`.
 
 use rayon::prelude::*;
-use tribos_core::coupling::{DryReducedFriction, table::CoulombDisk};
+use tribos_core::coupling::{DryReducedFriction, coulomb::CoulombDisk};
 use tribos_core::real::Real;
 use tribos_tests::holds::{Case, cases};
 

@@ -4,7 +4,7 @@
 //! by default of 10⁶ paths and 10⁸ steps.
 
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::planar::{ElasticState, PlanarBody};
 use tribos_core::presliding::{Anchor, MicroslipPresliding, Pose, Presliding};

@@ -3,7 +3,7 @@
 //! Loads are those of the reports where they give them; patches and bonds are ours.
 
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::nodes::{Node, Nodes};

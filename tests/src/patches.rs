@@ -5,11 +5,11 @@ use crate::reference::Reference;
 use crate::tables::Row;
 use crate::tolerance::Bound;
 use crate::worst::Worst;
-use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::coulomb::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
-use tribos_core::coupling::{LateralFriction, ReducedFriction, compact};
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
+use tribos_core::coupling::{LateralFriction, ReducedFriction, compact, coulomb};
 use tribos_core::law::PowerLaw;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
@@ -79,11 +79,13 @@ pub fn tiers<R: RoundTabulated>(order: f64, alpha: f64) -> Vec<PatchTier<R>> {
     tiers.push(("round compact", Box::new(power)));
     if alpha == 0.0 {
         if order == -1.0 {
-            tiers.push(("closed ring", Box::new(CoulombRing)));
+            tiers.push(("form ring", Box::new(CoulombRing)));
         } else if order == -0.5 {
-            tiers.push(("closed punch", Box::new(CoulombPunch)));
+            tiers.push(("form punch", Box::new(CoulombPunch)));
         } else if order == 0.5 {
-            tiers.push(("closed Hertz", Box::new(CoulombHertz)));
+            tiers.push(("form Hertz", Box::new(CoulombHertz)));
+        } else if order == 1.0 {
+            tiers.push(("form paraboloid", Box::new(coulomb::CoulombParaboloid)));
         }
     }
     if order == 0.0 {
@@ -103,8 +105,7 @@ pub fn disks<R: RoundTabulated>(alpha: f64) -> Vec<PatchTier<R>> {
         tiers.push(("disk table", disk));
     }
     if alpha == 0.0 {
-        tiers.push(("coulomb table", Box::new(table::CoulombDisk)));
-        tiers.push(("coulomb compact", Box::new(compact::CompactCoulombDisk)));
+        tiers.push(("form disk", Box::new(coulomb::CoulombDisk)));
     }
     tiers
 }

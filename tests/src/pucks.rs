@@ -1,7 +1,8 @@
 //! The disk of the slider tests: 8 cm on a table with μg = 2.943 m/s², C = 1/2.
 
 use crate::reference::Reference;
-use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::slider::{Slider, SliderParameters};
 
 /// Coefficient times gravity, m/s² for α = 0.

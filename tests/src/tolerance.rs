@@ -23,14 +23,12 @@ macro_rules! bounds {
 bounds! {
     /// Time, path length and angle of a body on a path, each relative to itself.
     MINOR_MOTION = 2e-12, "promised for journeys; errors of steps, each at most 1e-13, add up";
-    /// Coulomb table and table of α = 0, ulp.
-    COULOMB_TABLE_ULPS = 5.0, "promised in coupling::table; Horner scheme and two products";
+    /// Fitted form of the disk and its table of α = 0, ulp.
+    COULOMB_ULPS = 6.0, "promised in coupling::coulomb; Horner scheme, torque from force and slope";
     /// Tables of −0.75 ≤ α ≤ 10, relative.
     TABLE = 1.5e-15, "7 ulp: speed power, Horner scheme, weights";
     /// Tables of α < −0.75, relative.
     TABLE_DEEP = 1.2e-14, "torque near equal speeds: its singular part is conditioned like 1/(1+alpha)";
-    /// Elliptic integrals by the arithmetic-geometric mean, relative.
-    AGM = 1e-14, "promised in coupling::compact; rounds of the mean add up near equal speeds";
     /// Compact powers of −0.99 ≤ α ≤ 30, relative.
     COMPACT = 2.5e-15, "speed power, series with compensated sums";
     /// Compact powers of α > 30, relative.
@@ -111,8 +109,6 @@ bounds! {
     JACOBIAN_DENSE = 2e-13, "economized polynomials differentiated at the cell borders";
     /// Two tiers compared on a dense sweep, relative.
     TIERS_AGREE = 2.2e-15, "sum of the two tiers' own errors";
-    /// AGM tier against the Coulomb table, ulp.
-    AGM_AGAINST_TABLE_ULPS = 48.0, "cross-check only; 5.2e-15, the AGM tier's own error";
     /// Tiers against the rim mean, relative; α ≥ −0.5.
     RIM_MEAN = 4e-15, "double-exponential rule in f64";
     /// Tiers against the rim mean, relative; α < −0.5.
@@ -124,8 +120,6 @@ bounds! {
     SINGLE_STEEP_ULPS = 8.0, "the profile rises by a factor 40 on one cell of degree 5; 7.05 in a sweep of 800,000 ratios";
     /// f32 tables of −0.99 ≤ α < −0.75, ulp of f32.
     SINGLE_DEEP_ULPS = 66.0, "1 - h^2 is rounded before the torque subtracts from it: 1/(1+alpha)";
-    /// f32 AGM tier, relative.
-    SINGLE_AGM = 2e-6, "5e-6 is promised; rounds of the mean add up near equal speeds";
     /// f32 Jacobian of −0.75 ≤ α ≤ 5, of F/v.
     SINGLE_JACOBIAN = 6e-6, "derivative of a polynomial of degree 4 (alpha 0) or 5; 5.3e-6 in a sweep of 800,000 ratios";
 
@@ -218,12 +212,12 @@ bounds! {
     ROUND_COMPACT_DEEP = 1e-14, "promised in coupling::compact; ring: torque is (1+alpha)/2 of two terms that cancel, 7.2e-15 at v = 1.044 w";
     /// Derivatives of compact powers of pressures, of the larger of themselves and F/v.
     ROUND_COMPACT_JACOBIAN = 2e-13, "ring at alpha = 0.001 and equal speeds: 1/alpha against a logarithm that almost cancels";
-    /// Closed forms of flat punch and Hertz, relative.
-    CLOSED = 5e-15, "arc sines cancel down to a square of the ratio of 1/4";
-    /// Derivatives of closed forms, of the larger of themselves and F/v.
-    CLOSED_JACOBIAN = 6e-15, "as CLOSED";
-    /// f32 closed forms, ulp of f32.
-    SINGLE_CLOSED_ULPS = 60.0, "as CLOSED; the torque of Hertz just below v = 2w";
+    /// Fitted forms, relative.
+    FORM = 2.5e-15, "promised in coupling::coulomb; the paraboloid's slope is a fifth of the sum of its terms";
+    /// Their derivatives, of the larger of themselves and F/v.
+    FORM_JACOBIAN = 3e-15, "as FORM";
+    /// f32 fitted forms, ulp of f32.
+    SINGLE_FORM_ULPS = 10.0, "promised in coupling::coulomb; the ratio's rounding near equal speeds for the ring";
     /// f32 tables of pressures −1 ≤ q ≤ 2, −0.75 ≤ α ≤ 3, ulp of f32.
     SINGLE_ROUND_ULPS = 10.0, "as SINGLE_ULPS; the profile of q = 2 falls to a quarter over the cells";
     /// The same at α = 5.
@@ -237,7 +231,7 @@ bounds! {
     /// Their derivatives, relative.
     RANGES_JACOBIAN = 2e-12, "as ROUND_JACOBIAN";
     /// The same in f32.
-    RANGES_SINGLE = 4e-6, "as SINGLE_CLOSED_ULPS";
+    RANGES_SINGLE = 4e-6, "speed power over the whole range of f32";
     /// The same in f32.
     RANGES_SINGLE_JACOBIAN = 2.7e-5, "as RANGES_SINGLE";
     /// Quadrature at speeds of the whole range, −0.75 ≤ α ≤ 10, relative.
@@ -254,8 +248,6 @@ bounds! {
     ANNULUS = 6e-16, "two disks' roundings; 3e-16 is half an ulp of either";
     /// Annuli above 15/16, relative, without that factor, for α ≥ 0.
     THIN_ANNULUS = 6e-15, "means over rings of the disk's wrench and slopes: a table's are right to 5e-15 at an end of a cell";
-    /// The same of the AGM.
-    THIN_ANNULUS_AGM = 1e-14, "the disk's";
     /// The same for α = −1/2.
     THIN_ANNULUS_WEAKENING = 1e-13, "rings go as the root of their distance from the centre of rotation, 1e-6 here";
     /// Derivatives of annuli, of the larger of themselves and F/v, of the factor 2/(1−k).

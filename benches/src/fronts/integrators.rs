@@ -10,7 +10,7 @@ use crate::timing::{self, Task};
 use crate::written::{self, Sheet, short};
 use std::hint::black_box;
 use std::path::Path;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 

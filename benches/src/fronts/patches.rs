@@ -46,17 +46,18 @@ pub fn run(setting: &Setting<'_>) -> Result<Finding, Refused> {
     })
 }
 
-/// Summary of the front: the tables of all round patches and laws in f64.
+/// Summary of the front: the forms and tables of all round patches and laws in f64.
 fn line(rows: &[Row], samples: &Samples) -> String {
-    let of_tables =
-        |index: &usize| rows[*index].label.tier == "table" && rows[*index].precision == "f64";
+    let of_tables = |index: &usize| {
+        ["form", "table"].contains(&rows[*index].label.tier) && rows[*index].precision == "f64"
+    };
     let tables: Vec<usize> = (0..rows.len()).filter(of_tables).collect();
     let ratio = |&index: &usize| samples.ratio(&index.to_string(), &UNIT.to_string());
     let ratios: Vec<f64> = tables.iter().filter_map(ratio).collect();
     let worst = tables.iter().map(|&index| rows[index].worst.of_larger);
     format!(
-        "Tables serve {} combinations of patch and power law in f64 with errors up to {} of the larger \
-         of force and torque, in {} to {} times the time of the disk's Coulomb table (powers of the \
+        "Forms and tables serve {} combinations of patch and power law in f64 with errors up to {} of the larger \
+         of force and torque, in {} to {} times the time of the disk's Coulomb form (powers of the \
          speed included); {} rows of other tiers and precisions tell the price of everything else.",
         tables.len(),
         short(worst.fold(0.0, f64::max)),

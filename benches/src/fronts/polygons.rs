@@ -7,7 +7,7 @@ use crate::timing::{self, Samples, Task};
 use crate::written::{Sheet, short};
 use std::hint::black_box;
 use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
-use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
 use tribos_core::twist::{Twist, Wrench};
 
 const ROUNDS: usize = 31;

@@ -12,7 +12,6 @@ use tribos::friction::{Patch, Precision, RoundPower, Tier, Visitor, visit};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::PolynomialTable;
 use tribos_core::coupling::{Annulus, ReducedFriction, compact};
-use tribos_core::internals::COULOMB_TABLE_BYTES;
 use tribos_core::law::LocalLaw;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
@@ -104,32 +103,28 @@ struct Row<'a> {
 impl<R: Precision> Visitor<R> for Row<'_> {
     type Output = Entry;
     fn visit<P: RoundPower<R> + 'static>(self, friction: P) -> Entry {
-        let bytes = match self.label.tier {
-            "closed" => 0,
-            _ => table_bytes::<R, P>(),
-        };
-        coupled::<R, _>(self.label, bytes, self.judged, friction)
+        coupled::<R, _>(self.label, table_bytes::<R, P>(), self.judged, friction)
     }
 }
 
-/// Size of a coupling with its table: one without data of its own looks up that in the program.
+/// Size of a coupling with its table or, where it has no data of its own, of the numbers of a form.
 pub fn table_bytes<R: Precision, P>() -> usize {
     let own = size_of::<P>();
     if own > size_of::<R>() {
         own
     } else {
-        coulomb_table_bytes::<R>()
+        form_bytes::<R>()
     }
 }
 
-/// Size of the table of Coulomb friction in the program.
-pub fn coulomb_table_bytes<R: Real>() -> usize {
-    let [single, double] = COULOMB_TABLE_BYTES;
-    if size_of::<R>() == size_of::<f32>() {
-        single
+/// Size of the numbers of Coulomb friction in the program: two sides of four functions.
+pub fn form_bytes<R: Real>() -> usize {
+    let terms = if size_of::<R>() == size_of::<f32>() {
+        6
     } else {
-        double
-    }
+        12
+    };
+    2 * 4 * terms * size_of::<R>()
 }
 
 /// Power laws on the pressures (1−r²)^q and the annulus, all tiers but the quadrature.
@@ -161,23 +156,19 @@ pub fn powers<R: Precision>() -> Result<Vec<Entry>, Refused> {
     Ok(rows)
 }
 
-/// The rows of the table and, under Coulomb friction, of the closed form; the latter is not known for the
-/// paraboloid.
+/// The row of the form, for Coulomb friction, or of the table.
 fn exact<R: Precision>(
     rows: &mut Vec<Entry>,
     (name, law): (&'static str, &'static str),
     (patch, alpha): (&Patch, f64),
     cases: &[Case],
 ) -> Result<(), Refused> {
-    let has_closed_form = alpha == 0.0 && *patch != Patch::Paraboloid;
-    let tiers = [("table", Tier::Table), ("closed", Tier::Compact)];
-    for (tier, served) in tiers.into_iter().take(1 + usize::from(has_closed_form)) {
-        let row = Row {
-            label: label::<R>(name, law, tier),
-            judged: (cases, TABLE_STRIDE),
-        };
-        rows.push(visit::<R, _>(patch, alpha, served, row)?);
-    }
+    let tier = if alpha == 0.0 { "form" } else { "table" };
+    let row = Row {
+        label: label::<R>(name, law, tier),
+        judged: (cases, TABLE_STRIDE),
+    };
+    rows.push(visit::<R, _>(patch, alpha, Tier::Exact, row)?);
     Ok(())
 }
 

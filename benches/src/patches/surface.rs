@@ -1,11 +1,10 @@
 //! The limit surface: gauge, motion and projection, checked with points that lie on it.
 
-use super::round::{TABLE_STRIDE, coulomb_table_bytes, timed};
+use super::round::{TABLE_STRIDE, form_bytes, timed};
 use super::tables::{self, Source};
 use super::{Case, Entry, Label, Refused};
 use crate::reference::Wide;
-use tribos_core::coupling::table;
-use tribos_core::coupling::{DryReducedFriction, ReducedFriction, closed, compact};
+use tribos_core::coupling::{DryReducedFriction, ReducedFriction, coulomb};
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::real::Real;
 use tribos_core::twist::Wrench;
@@ -101,31 +100,17 @@ where
     ])
 }
 
-const TABLE: [&str; 3] = ["table gauge", "table motion", "table projection"];
-const CLOSED: [&str; 3] = ["closed gauge", "closed motion", "closed projection"];
+const FORM: [&str; 3] = ["form gauge", "form motion", "form projection"];
 
-/// The disk by its table and in closed form, the ring and Hertz' pressure in closed form.
+/// The disk, the ring and Hertz' pressure.
 pub fn rows<R: Real>() -> Result<Vec<Entry>, Refused> {
-    let (disk, bytes) = (["disk surface", "uniform"], coulomb_table_bytes::<R>());
+    let bytes = form_bytes::<R>();
     let mut rows = Vec::new();
-    rows.extend(rows_of::<R, _>(disk, TABLE, bytes, table::CoulombDisk)?);
-    rows.extend(rows_of::<R, _>(
-        disk,
-        CLOSED,
-        0,
-        compact::CompactCoulombDisk,
-    )?);
-    rows.extend(rows_of::<R, _>(
-        ["ring surface", "ring"],
-        CLOSED,
-        0,
-        closed::CoulombRing,
-    )?);
-    rows.extend(rows_of::<R, _>(
-        ["Hertz surface", "hertz"],
-        CLOSED,
-        0,
-        closed::CoulombHertz,
-    )?);
+    let disk = ["disk surface", "uniform"];
+    rows.extend(rows_of::<R, _>(disk, FORM, bytes, coulomb::CoulombDisk)?);
+    let ring = ["ring surface", "ring"];
+    rows.extend(rows_of::<R, _>(ring, FORM, bytes, coulomb::CoulombRing)?);
+    let hertz = ["Hertz surface", "hertz"];
+    rows.extend(rows_of::<R, _>(hertz, FORM, bytes, coulomb::CoulombHertz)?);
     Ok(rows)
 }

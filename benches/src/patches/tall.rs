@@ -113,7 +113,7 @@ pub fn rows<R: Precision>() -> Result<Vec<Entry>, Refused> {
         about: (&'static str, &'static str, &Friction),
     ) -> Result<Entry, Refused> {
         let lean = PhantomData::<L>;
-        visit::<R, _>(&Patch::Disk, alpha, Tier::Table, Row { about, lean })?
+        visit::<R, _>(&Patch::Disk, alpha, Tier::Exact, Row { about, lean })?
     }
     let mut rows = Vec::new();
     let frictions = laws::frictions()?;

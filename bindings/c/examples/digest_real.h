@@ -120,8 +120,6 @@ static void LOCAL(patches)(struct stream *s)
     inner = p[3] / 2;
     WRENCH(NAME(disk_wrench)(&patch, load, &twist, &out));
     JACOBIAN(NAME(disk_jacobian)(&patch, load, &twist, &out));
-    WRENCH(NAME(disk_compact_wrench)(&patch, load, &twist, &out));
-    JACOBIAN(NAME(disk_compact_jacobian)(&patch, load, &twist, &out));
     WRENCH(NAME(annulus_wrench)(&patch, inner, load, &twist, &out));
     JACOBIAN(NAME(annulus_jacobian)(&patch, inner, load, &twist, &out));
     WRENCH(NAME(hertz_wrench)(&patch, load, &twist, &out));

@@ -14,7 +14,7 @@ trap 'rm -f "$image"' EXIT
 echo "| function | bytes, _f32 | bytes, _f64 |"
 echo "|---|---|---|"
 for name in lugre_step stribeck_friction rate_state_friction \
-  disk_wrench disk_jacobian disk_compact_wrench hertz_wrench ring_wrench punch_wrench \
+  disk_wrench disk_jacobian hertz_wrench ring_wrench punch_wrench \
   power_compact_build power_compact_wrench power_table_build power_table_wrench nodes_coulomb_wrench polygon_nodes \
   disk_surface_gauge disk_surface_project ellipsoid_gauge \
   polygon_new polygon_lean polygon_wrench polygon_wrench_jacobian polygon_gauge polygon_project \

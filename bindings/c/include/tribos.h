@@ -1000,33 +1000,20 @@ tribos_status tribos_rate_state_steady_slope_f64(const struct tribos_rate_state_
                                                  double speed,
                                                  double *slope);
 
-// Uniform disk under Coulomb friction, by table, the fastest method. Flash: 12 KiB of table (f32: 2).
+// Uniform disk under Coulomb friction. Flash: 0.4 KiB of numbers (f32: 0.1).
 // Accuracy: 5 ulp in force and torque.
 tribos_status tribos_disk_wrench_f64(const struct tribos_round_f64 *patch,
                                      double load,
                                      const struct tribos_twist_f64 *twist,
                                      struct tribos_wrench_f64 *wrench);
 
-// Jacobian of the uniform disk, by table.
+// Jacobian of the uniform disk.
 tribos_status tribos_disk_jacobian_f64(const struct tribos_round_f64 *patch,
                                        double load,
                                        const struct tribos_twist_f64 *twist,
                                        struct tribos_jacobian_f64 *jacobian);
 
-// Uniform disk under Coulomb friction without a table, by elliptic integrals: a few KiB of code, 5
-// times slower. Accuracy: 1e-14 relative (f32: 5e-6).
-tribos_status tribos_disk_compact_wrench_f64(const struct tribos_round_f64 *patch,
-                                             double load,
-                                             const struct tribos_twist_f64 *twist,
-                                             struct tribos_wrench_f64 *wrench);
-
-// Jacobian of the uniform disk without a table.
-tribos_status tribos_disk_compact_jacobian_f64(const struct tribos_round_f64 *patch,
-                                               double load,
-                                               const struct tribos_twist_f64 *twist,
-                                               struct tribos_jacobian_f64 *jacobian);
-
-// Annulus between inner_ratio and 1 radii under uniform pressure and Coulomb friction, by the disk's table.
+// Annulus between inner_ratio and 1 radii under uniform pressure and Coulomb friction, from the disk.
 // Domain: 0 <= inner_ratio <= 0.999999. Accuracy: that of the disk times 2/(1 - inner_ratio), at most 32.
 tribos_status tribos_annulus_wrench_f64(const struct tribos_round_f64 *patch,
                                         double inner_ratio,
@@ -1041,8 +1028,8 @@ tribos_status tribos_annulus_jacobian_f64(const struct tribos_round_f64 *patch,
                                           const struct tribos_twist_f64 *twist,
                                           struct tribos_jacobian_f64 *jacobian);
 
-// Hertz' pressure (a ball on a plane) under Coulomb friction, in closed form.
-// Accuracy: 1e-14 relative (f32: 1e-5).
+// Hertz' pressure (a ball on a plane) under Coulomb friction.
+// Accuracy: 5 ulp in force and torque.
 tribos_status tribos_hertz_wrench_f64(const struct tribos_round_f64 *patch,
                                       double load,
                                       const struct tribos_twist_f64 *twist,
@@ -1054,8 +1041,8 @@ tribos_status tribos_hertz_jacobian_f64(const struct tribos_round_f64 *patch,
                                         const struct tribos_twist_f64 *twist,
                                         struct tribos_jacobian_f64 *jacobian);
 
-// A thin ring under Coulomb friction, by elliptic integrals.
-// Accuracy: 1e-14 relative (f32: 1e-5).
+// A thin ring under Coulomb friction.
+// Accuracy: 5 ulp in force and torque (f32: 10).
 tribos_status tribos_ring_wrench_f64(const struct tribos_round_f64 *patch,
                                      double load,
                                      const struct tribos_twist_f64 *twist,
@@ -1067,8 +1054,8 @@ tribos_status tribos_ring_jacobian_f64(const struct tribos_round_f64 *patch,
                                        const struct tribos_twist_f64 *twist,
                                        struct tribos_jacobian_f64 *jacobian);
 
-// A rigid flat punch on an elastic half space under Coulomb friction, in closed form.
-// Accuracy: 1e-14 relative (f32: 1e-5).
+// A rigid flat punch on an elastic half space under Coulomb friction.
+// Accuracy: 5 ulp in force and torque.
 tribos_status tribos_punch_wrench_f64(const struct tribos_round_f64 *patch,
                                       double load,
                                       const struct tribos_twist_f64 *twist,
@@ -1718,33 +1705,20 @@ tribos_status tribos_rate_state_steady_slope_f32(const struct tribos_rate_state_
                                                  float speed,
                                                  float *slope);
 
-// Uniform disk under Coulomb friction, by table, the fastest method. Flash: 12 KiB of table (f32: 2).
+// Uniform disk under Coulomb friction. Flash: 0.4 KiB of numbers (f32: 0.1).
 // Accuracy: 5 ulp in force and torque.
 tribos_status tribos_disk_wrench_f32(const struct tribos_round_f32 *patch,
                                      float load,
                                      const struct tribos_twist_f32 *twist,
                                      struct tribos_wrench_f32 *wrench);
 
-// Jacobian of the uniform disk, by table.
+// Jacobian of the uniform disk.
 tribos_status tribos_disk_jacobian_f32(const struct tribos_round_f32 *patch,
                                        float load,
                                        const struct tribos_twist_f32 *twist,
                                        struct tribos_jacobian_f32 *jacobian);
 
-// Uniform disk under Coulomb friction without a table, by elliptic integrals: a few KiB of code, 5
-// times slower. Accuracy: 1e-14 relative (f32: 5e-6).
-tribos_status tribos_disk_compact_wrench_f32(const struct tribos_round_f32 *patch,
-                                             float load,
-                                             const struct tribos_twist_f32 *twist,
-                                             struct tribos_wrench_f32 *wrench);
-
-// Jacobian of the uniform disk without a table.
-tribos_status tribos_disk_compact_jacobian_f32(const struct tribos_round_f32 *patch,
-                                               float load,
-                                               const struct tribos_twist_f32 *twist,
-                                               struct tribos_jacobian_f32 *jacobian);
-
-// Annulus between inner_ratio and 1 radii under uniform pressure and Coulomb friction, by the disk's table.
+// Annulus between inner_ratio and 1 radii under uniform pressure and Coulomb friction, from the disk.
 // Domain: 0 <= inner_ratio <= 0.999999. Accuracy: that of the disk times 2/(1 - inner_ratio), at most 32.
 tribos_status tribos_annulus_wrench_f32(const struct tribos_round_f32 *patch,
                                         float inner_ratio,
@@ -1759,8 +1733,8 @@ tribos_status tribos_annulus_jacobian_f32(const struct tribos_round_f32 *patch,
                                           const struct tribos_twist_f32 *twist,
                                           struct tribos_jacobian_f32 *jacobian);
 
-// Hertz' pressure (a ball on a plane) under Coulomb friction, in closed form.
-// Accuracy: 1e-14 relative (f32: 1e-5).
+// Hertz' pressure (a ball on a plane) under Coulomb friction.
+// Accuracy: 5 ulp in force and torque.
 tribos_status tribos_hertz_wrench_f32(const struct tribos_round_f32 *patch,
                                       float load,
                                       const struct tribos_twist_f32 *twist,
@@ -1772,8 +1746,8 @@ tribos_status tribos_hertz_jacobian_f32(const struct tribos_round_f32 *patch,
                                         const struct tribos_twist_f32 *twist,
                                         struct tribos_jacobian_f32 *jacobian);
 
-// A thin ring under Coulomb friction, by elliptic integrals.
-// Accuracy: 1e-14 relative (f32: 1e-5).
+// A thin ring under Coulomb friction.
+// Accuracy: 5 ulp in force and torque (f32: 10).
 tribos_status tribos_ring_wrench_f32(const struct tribos_round_f32 *patch,
                                      float load,
                                      const struct tribos_twist_f32 *twist,
@@ -1785,8 +1759,8 @@ tribos_status tribos_ring_jacobian_f32(const struct tribos_round_f32 *patch,
                                        const struct tribos_twist_f32 *twist,
                                        struct tribos_jacobian_f32 *jacobian);
 
-// A rigid flat punch on an elastic half space under Coulomb friction, in closed form.
-// Accuracy: 1e-14 relative (f32: 1e-5).
+// A rigid flat punch on an elastic half space under Coulomb friction.
+// Accuracy: 5 ulp in force and torque.
 tribos_status tribos_punch_wrench_f32(const struct tribos_round_f32 *patch,
                                       float load,
                                       const struct tribos_twist_f32 *twist,

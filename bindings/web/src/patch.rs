@@ -4,7 +4,7 @@ use crate::exchange::Refused;
 use crate::friction::Contact;
 use crate::slide::Glides;
 use tribos_core::coupling::RoundFriction;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 
 /// Work with a limit surface.

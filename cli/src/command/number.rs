@@ -64,7 +64,7 @@ pub fn exponent(text: &str) -> Result<f64, String> {
         .and_then(|x| tribos::friction::valid_exponent(x).map_err(|refusal| refusal.to_string()))
 }
 
-/// One of these words, each with its help, as the library reads it.
+/// One of these words, each with its help, as the library reads it. Older names of a word follow it after bars.
 pub fn named<T, const N: usize>(
     words: [(&'static str, &'static str); N],
 ) -> impl TypedValueParser<Value = T>
@@ -75,7 +75,11 @@ where
         + Sync
         + 'static,
 {
-    let values = words.map(|(word, help)| PossibleValue::new(word).help(help));
+    let values = words.map(|(word, help)| {
+        let (word, older) = word.split_once('|').unwrap_or((word, ""));
+        let older = older.split('|').filter(|name| !name.is_empty());
+        PossibleValue::new(word).aliases(older).help(help)
+    });
     PossibleValuesParser::new(values).try_map(|word| word.parse::<T>())
 }
 

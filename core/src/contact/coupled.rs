@@ -32,7 +32,7 @@ use nalgebra::Vector3;
 ///
 /// ```
 /// use tribos_core::contact::CoupledFriction;
-/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::coupling::coulomb::CoulombDisk;
 /// use tribos_core::limit_surface::{LimitEllipsoid, FrictionSet, RoundLimitSurface};
 /// let exact = RoundLimitSurface::new(CoulombDisk, 0.3_f64, 0.5)?; // mu, R_c/r_eff
 /// let billiard = CoupledFriction::sliding_torsion(exact);

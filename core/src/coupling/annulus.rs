@@ -21,8 +21,8 @@ use crate::real::Real;
 /// 16 wrenches and Jacobians of the disk, or 32 with the centre of rotation in the band or next to it.
 ///
 /// ```
-/// use tribos_core::coupling::{Annulus, ReducedFriction, table};
-/// let band = Annulus::new(table::CoulombDisk, 0.5_f64)?;
+/// use tribos_core::coupling::{Annulus, ReducedFriction, coulomb};
+/// let band = Annulus::new(coulomb::CoulombDisk, 0.5_f64)?;
 /// let torque = band.reduced_wrench(0.0, 1.0).torque;
 /// assert!((torque - (2.0 / 3.0) * (1.0 - 0.125) / (1.0 - 0.25)).abs() < 1e-15);
 /// # Ok::<(), tribos_core::patch::PatchError>(())
@@ -42,7 +42,7 @@ impl<R: Real, C> Annulus<R, C> {
     /// Thinnest annulus: beyond, a ring is as good to six digits.
     ///
     /// ```
-    /// use tribos_core::coupling::{Annulus, table::CoulombDisk};
+    /// use tribos_core::coupling::{Annulus, coulomb::CoulombDisk};
     /// use tribos_core::patch::PatchError;
     /// let max = Annulus::<f64, CoulombDisk>::MAX_INNER_RATIO;
     /// let refused = Annulus::new(CoulombDisk, 0.999_999_9_f64);

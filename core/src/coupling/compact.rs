@@ -1,6 +1,5 @@
-//! The tier without tables: a few KiB of code, tens of ulp.
+//! Any exponent by its power series: no table, tens of ulp, slow.
 
-use super::DryReducedFriction;
 use super::family_member::FamilyMember;
 use super::half_octave_table::Pair;
 use super::pressure_family;
@@ -9,72 +8,6 @@ use super::speeds::{DominantSpeed, Speeds};
 use crate::law::{LawError, PowerLaw, validated_exponent};
 use crate::patch::PowerPressure;
 use crate::real::Real;
-use crate::special::CompleteElliptic;
-
-/// Coulomb friction, α = 0, from complete elliptic integrals by the arithmetic–geometric mean.
-///
-/// Φ = 4/(3π) (2B + (1−m) D) and Φ' = 2/(3π) (C − D) with m = h².
-/// *Accuracy*: at most 1e-14 relative in f64 (5e-6 in f32).
-/// *Source*: eqs. 3.11 and 3.13 in the integrals B, C, D, which do not cancel.
-///
-/// ```
-/// use core::f64::consts::PI;
-/// use tribos_core::coupling::{ReducedFriction, compact::CompactCoulombDisk};
-/// // At equal speeds the disk turns about a point of its rim. It dissipates as the mean distance
-/// // from there, which is 32/(9π) radii.
-/// let wrench = CompactCoulombDisk.reduced_wrench(1.0_f64, 1.0);
-/// assert!((wrench.force + wrench.torque - 32.0 / (9.0 * PI)).abs() < 1e-13);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CompactCoulombDisk;
-
-impl<R: Real> PowerLawFriction<R> for CompactCoulombDisk {
-    #[inline]
-    fn exponent(&self) -> R {
-        R::ZERO
-    }
-    #[inline]
-    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
-        let [phi, _, chi] = self.factors_and_slope(at);
-        [phi, chi]
-    }
-    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
-        pressure_family::inertia_excess(self, R::ZERO, at, inertia_ratio)
-    }
-    fn inertia_ends(&self) -> [R; 2] {
-        pressure_family::inertia_ends(self.exponent(), R::ZERO)
-    }
-}
-
-impl<R: Real> SmoothProfile<R> for CompactCoulombDisk {
-    #[inline]
-    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
-        let third_of_pi = R::from_f64(4.0 / (3.0 * core::f64::consts::PI));
-        let complement = at.complement();
-        let [phi, slope] = if complement == R::ZERO {
-            [R::TWO * third_of_pi, -R::HALF * third_of_pi]
-        } else {
-            let CompleteElliptic { b, d, c, .. } = CompleteElliptic::new(complement);
-            [
-                third_of_pi * (R::TWO * b + complement * d),
-                R::HALF * third_of_pi * (c - d),
-            ]
-        };
-        [
-            phi,
-            slope,
-            pressure_family::torque_factor(R::ZERO, R::ZERO, at, [phi, slope]),
-        ]
-    }
-}
-
-impl<R: Real> DryReducedFriction<R> for CompactCoulombDisk {
-    #[inline]
-    fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
-        super::profile::point(self, lead, ratio)
-    }
-}
 
 /// |v|^α for any −1 < α ≤ 128 under any pressure (1−r²)^q, from the power series and its
 /// continuation.
@@ -162,7 +95,5 @@ impl<R: Real> SmoothProfile<R> for CompactPower<R> {
         [phi, slope, chi].map(R::from_f64)
     }
 }
-
-pressure_family::coupled!([R: Real] CompactCoulombDisk, |_coulomb| R::ZERO);
 
 pressure_family::coupled!([R: Real] CompactPower<R>, |power| power.order);

@@ -21,7 +21,7 @@ use nalgebra::Matrix3;
 /// zero or short of digits, and zero times infinity NaN, even where the whole would be a number.
 ///
 /// ```
-/// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+/// use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
 /// use tribos_core::twist::Twist;
 ///
 /// let puck = RoundFriction::new(CoulombDisk, 0.3_f32, 0.04)?;
@@ -40,7 +40,7 @@ pub struct RoundFriction<R, C> {
 /// Force and torque that oppose the motion, as magnitudes.
 ///
 /// ```
-/// use tribos_core::coupling::{Magnitudes, RoundFriction, table::CoulombDisk};
+/// use tribos_core::coupling::{Magnitudes, RoundFriction, coulomb::CoulombDisk};
 /// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?; // mu, m
 /// // Under 1.7 N, spinning in place at 20 rad/s: 2/3 of μ N R.
 /// let Magnitudes { force, torque } = puck.magnitudes(1.7, 0.0, 20.0); // N, N m
@@ -171,7 +171,7 @@ impl<R: Real, C: ReducedFriction<R>> RoundFriction<R, C> {
     ///
     /// ```
     /// use nalgebra::Vector3;
-    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+    /// use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
     /// use tribos_core::twist::Twist;
     /// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?;
     /// let jacobian = puck.wrench_jacobian(1.7, &Twist::new(1.0, -0.5, 20.0)); // N; m/s, rad/s
@@ -216,7 +216,7 @@ impl<R: Real, C: ReducedFriction<R>> RoundFriction<R, C> {
     /// compute eight twists side by side.
     ///
     /// ```
-    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+    /// use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
     /// use tribos_core::twist::{Twist, Wrench};
     /// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?;
     /// let twists = [1.0, -1.0].map(|sign| Twist::new(sign * 0.2, 0.0, sign * 5.0)); // m/s, rad/s
@@ -238,7 +238,7 @@ impl<R: Real, C: ReducedFriction<R>> RoundFriction<R, C> {
     /// shortest slice are not changed.
     ///
     /// ```
-    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+    /// use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
     /// use tribos_core::twist::Twist;
     /// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?;
     /// let (vx, vy, spins) = ([0.2, -0.1], [0.0, 0.3], [5.0, -2.0]); // m/s, m/s, rad/s
@@ -259,7 +259,7 @@ impl<R: Real, C: ReducedFriction<R>> RoundFriction<R, C> {
     /// shorter slice are not changed.
     ///
     /// ```
-    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+    /// use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
     /// use tribos_core::twist::{Twist, WrenchJacobian};
     /// let puck = RoundFriction::new(CoulombDisk, 0.3_f64, 0.04)?;
     /// let twists = [1.0, 2.0].map(|scale| Twist::new(scale * 0.2, 0.0, scale * 5.0)); // m/s, rad/s
@@ -300,8 +300,9 @@ impl<R: Real, C: ReducedFriction<R>> RoundFriction<R, C> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::coupling::coulomb::CoulombDisk;
     use crate::coupling::round::RoundTable64;
-    use crate::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
+    use crate::coupling::table::{DiskTable32, DiskTable64};
     use crate::patch::PowerPressure;
 
     /// Speeds of all sizes, also zero, and a few that are no numbers.

@@ -27,7 +27,7 @@ use crate::real::Real;
 /// A coupling with its lateral function G.
 ///
 /// ```
-/// use tribos_core::coupling::{LateralFriction, table::CoulombDisk};
+/// use tribos_core::coupling::{LateralFriction, coulomb::CoulombDisk};
 /// // Spinning in place under a pressure that leans: half the mean radius goes sideways.
 /// assert!((CoulombDisk.lateral(0.0_f64, 1.0) - 0.5 * 2.0 / 3.0).abs() < 1e-14);
 /// assert_eq!(CoulombDisk.lateral(1.0_f64, 0.0), 0.0); // sliding without spin: nothing

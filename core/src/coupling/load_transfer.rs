@@ -70,7 +70,7 @@ pub fn leaning_wrench<R: Real, C: LateralFriction<R>>(
 /// FrameSelector components of the pressure gradient are computed.
 ///
 /// ```
-/// use tribos_core::coupling::{table::CoulombDisk, load_transfer::{FullGradient, LongitudinalGradient, PressureGradient}};
+/// use tribos_core::coupling::{coulomb::CoulombDisk, load_transfer::{FullGradient, LongitudinalGradient, PressureGradient}};
 /// let (speeds, lean) = ([1.0_f64, 1.0], 0.1);
 /// let (simple, _) = LongitudinalGradient::balance(&CoulombDisk, speeds, lean);
 /// let (both, [along, across]) = FullGradient::balance(&CoulombDisk, speeds, lean);
@@ -98,7 +98,7 @@ mod sealed {
 /// Only the gradient along the velocity, from the upright body's force (eq. 3.37).
 ///
 /// ```
-/// use tribos_core::coupling::{ReducedFriction, table::CoulombDisk, load_transfer::{LongitudinalGradient, PressureGradient}};
+/// use tribos_core::coupling::{ReducedFriction, coulomb::CoulombDisk, load_transfer::{LongitudinalGradient, PressureGradient}};
 /// let (wrench, gradient) = LongitudinalGradient::balance(&CoulombDisk, [0.3_f64, 0.4], 0.5);
 /// let upright = CoulombDisk.reduced_wrench(0.3, 0.4);
 /// assert_eq!([wrench.force, wrench.torque], [upright.force, upright.torque]);
@@ -158,7 +158,7 @@ impl PressureGradient for FullGradient {
 ///
 /// ```
 /// use tribos_core::coupling::load_transfer::{FullGradient, LoadTransferFriction, LoadTransferWrench};
-/// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+/// use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
 /// use tribos_core::twist::Twist;
 /// let foot = RoundFriction::new(CoulombDisk, 0.2_f64, 0.08)?; // mu, m
 /// let (height, load) = (0.05, 9.81); // m, N
@@ -190,7 +190,7 @@ impl<R: Real> LoadTransferWrench<R> {
     ///
     /// ```
     /// use tribos_core::coupling::load_transfer::{FullGradient, LoadTransferFriction};
-    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+    /// use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
     /// use tribos_core::patch::PatchError;
     /// use tribos_core::twist::Twist;
     /// let foot = RoundFriction::new(CoulombDisk, 0.5_f64, 0.05)?; // mu, m
@@ -216,7 +216,7 @@ impl<R: Real> LoadTransferWrench<R> {
 /// *Units*: as [`RoundFriction`]. The wrench acts at the foot's centre.
 ///
 /// ```
-/// use tribos_core::coupling::{RoundFriction, load_transfer::{FullGradient, LoadTransferFriction}, table::CoulombDisk};
+/// use tribos_core::coupling::{RoundFriction, load_transfer::{FullGradient, LoadTransferFriction}, coulomb::CoulombDisk};
 /// use tribos_core::twist::Twist;
 /// // A cylinder of radius 8 cm and height 16 cm: it drifts to the right when it spins left.
 /// let foot = RoundFriction::new(CoulombDisk, 0.2_f64, 0.08)?;
@@ -292,7 +292,7 @@ impl<R: Real, C: LateralFriction<R>, L: PressureGradient> LoadTransferFriction<R
     /// λ: the pressure gradient per unit of reduced force.
     ///
     /// ```
-    /// use tribos_core::coupling::{RoundFriction, table::CoulombDisk, load_transfer::{FullGradient, LoadTransferFriction}};
+    /// use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk, load_transfer::{FullGradient, LoadTransferFriction}};
     /// let (mu, radius) = (0.5_f64, 0.05); // m
     /// let foot = RoundFriction::new(CoulombDisk, mu, radius)?;
     /// // Friction's resultant leaves the kern of the disk, a quarter of its radius: λ = 1.

@@ -1,21 +1,23 @@
 //! Law × patch → wrench: force and torque of friction as functions of the twist (sliding and spin).
 //!
-//! A caller picks pressure, law and accuracy tier by type:
+//! A caller picks pressure and law by type:
 //!
-//! | contact | table, a few ulp | compact, tens of ulp | quadrature, any local law |
+//! | law | uniform disk | (1−r²)^q: ring, punch, Hertz, … | accuracy |
 //! |---|---|---|---|
-//! | uniform disk | [`table::CoulombDisk`], [`table::DiskTable64`], [`table::DiskTable32`] | [`compact::CompactCoulombDisk`], [`compact::CompactPower`] | [`quadrature::DiskQuadrature`], 1e-8 |
-//! | (1−r²)^q: ring, punch, Hertz, … | [`round::RoundTable64`], [`round::RoundTable32`] | [`closed`] (Coulomb), [`compact::CompactPower::with_pressure`] | nodes |
-//! | polynomial in r² | [`round::PolynomialTable`] | – | nodes |
-//! | annulus | [`Annulus`] of the disk's | [`Annulus`] of the disk's | [`Annulus`] of the disk's |
-//! | points, any pressure map | – | – | [`nodes::NodeFriction`] |
+//! | Coulomb | [`coulomb::CoulombDisk`] | [`coulomb`], five pressures | a few ulp |
+//! | \|v\|^α, α ≤ 10 | [`table::DiskTable64`], [`table::DiskTable32`] | [`round::RoundTable64`], [`round::RoundTable32`] | a few ulp |
+//! | \|v\|^α, α ≤ 128 | [`compact::CompactPower`] | [`compact::CompactPower::with_pressure`] | tens of ulp, slow |
+//! | any local law | [`quadrature::DiskQuadrature`] | [`nodes::NodeFriction`] | 1e-8, nodes 1e-3 |
+//!
+//! An [`Annulus`] is made of any disk, a polynomial in r² is a [`round::PolynomialTable`], and points or a pressure
+//! map are [`nodes::NodeFriction`].
 //!
 //! Polygons, bars and meshes under Coulomb's law have closed forms, a few ulp without a table: [`flat`]; polygons
 //! under |v|^α need 127 prepared numbers.
 //!
-//! Tables take 14 KiB a law on the uniform disk and 48 KiB elsewhere (f32: 3 and 7 KiB) and the same
-//! time for every pressure and exponent; compact tiers are code only, 5 times as slow, 150 times for
-//! any exponent.
+//! Coulomb's forms are code and 0.4 to 0.8 KiB of numbers (f32: 100 to 200 bytes). Tables take 14 KiB a law on the
+//! uniform disk and 48 KiB elsewhere (f32: 3 and 7 KiB) and the same time for every pressure and exponent; the
+//! series is code only, 150 times as slow.
 //!
 //! [`RoundFriction`] adds radius and coefficient. A pressure that leans makes spinning friction
 //! lateral ([`LateralFriction`]); [`load_transfer::LoadTransferFriction`] finds the lean of a tall body. A tier that a program
@@ -42,7 +44,6 @@ mod regime_table;
 mod rings;
 mod speeds;
 
-pub mod closed;
 pub mod compact;
 pub mod coulomb;
 pub mod flat;
@@ -79,7 +80,7 @@ use crate::real::Real;
 /// dimensionless functions 𝓕(ε), 𝓣(ε) of the velocity ratio ε = v/(ωR).
 ///
 /// ```
-/// use tribos_core::coupling::{ReducedFriction, ReducedWrench, table::CoulombDisk};
+/// use tribos_core::coupling::{ReducedFriction, ReducedWrench, coulomb::CoulombDisk};
 /// // A disk that spins in place: no force, and the mean radius 2/3 as the arm of the torque.
 /// let ReducedWrench { force, torque } = CoulombDisk.reduced_wrench(0.0_f64, 1.0);
 /// assert!(force == 0.0 && (torque - 2.0 / 3.0).abs() < 1e-15);
@@ -98,7 +99,7 @@ pub struct ReducedWrench<R> {
 /// Derivatives of a [`ReducedWrench`] with respect to sliding speed v and rim speed w.
 ///
 /// ```
-/// use tribos_core::coupling::{ReducedFriction, ReducedJacobian, table::CoulombDisk};
+/// use tribos_core::coupling::{ReducedFriction, ReducedJacobian, coulomb::CoulombDisk};
 /// let (v, w) = (0.3_f64, 0.4);
 /// let ReducedJacobian { force_slide, mixed, torque_rim, .. } = CoulombDisk.reduced_jacobian(v, w);
 /// // Dry friction does not care how fast both motions are, as long as their ratio stays.
@@ -128,15 +129,16 @@ pub struct ReducedJacobian<R> {
 /// range is infinite or zero; one that does not is right, whatever its factors do.
 ///
 /// ```
-/// use tribos_core::coupling::{ReducedFriction, compact, table};
+/// use tribos_core::coupling::{ReducedFriction, compact::CompactPower, coulomb::CoulombDisk};
 /// // Force on a disk that spins at rim speed 1 and is pushed aside slowly, over that slow speed.
 /// fn drag(disk: &impl ReducedFriction<f64>) -> f64 {
 ///     disk.reduced_wrench(1e-4, 1.0).force / 1e-4
 /// }
 /// // Spinning makes dry friction viscous, F = ε − ε³/8 + …, in every tier.
-/// assert!((drag(&table::CoulombDisk) - 1.0).abs() < 2e-9);
-/// assert!((drag(&compact::CompactCoulombDisk) - 1.0).abs() < 2e-9);
-/// assert!((table::CoulombDisk.reduced_jacobian(0.0_f64, 1.0).force_slide - 1.0).abs() < 1e-12);
+/// assert!((drag(&CoulombDisk) - 1.0).abs() < 2e-9);
+/// assert!((drag(&CompactPower::new(0.0)?) - 1.0).abs() < 2e-9);
+/// assert!((CoulombDisk.reduced_jacobian(0.0_f64, 1.0).force_slide - 1.0).abs() < 1e-15);
+/// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 pub trait ReducedFriction<R: Real> {
     /// Force and torque for sliding speed `slide` and rim speed `rim` = |ω|R.
@@ -148,10 +150,10 @@ pub trait ReducedFriction<R: Real> {
     /// [`ReducedFriction::reduced_wrench`] of many speeds, to the same bits: `slides` and `rims` in, `forces`
     /// and `torques` out. Elements beyond the shortest slice are not changed.
     ///
-    /// *Cost*: tables take about half the time of single calls where the processor has vectors.
+    /// *Cost*: Coulomb's forms and tables take about half the time of single calls where the processor has vectors.
     ///
     /// ```
-    /// use tribos_core::coupling::{ReducedFriction, table::CoulombDisk};
+    /// use tribos_core::coupling::{ReducedFriction, coulomb::CoulombDisk};
     /// let (slides, rims) = ([1.0_f64, 0.0], [0.0, 1.0]); // sliding alone, spinning in place
     /// let (mut forces, mut torques) = ([0.0; 2], [0.0; 2]);
     /// CoulombDisk.reduced_wrench_batch(&slides, &rims, &mut forces, &mut torques);
@@ -167,7 +169,7 @@ pub trait ReducedFriction<R: Real> {
     /// slice are not changed.
     ///
     /// ```
-    /// use tribos_core::coupling::{ReducedFriction, ReducedJacobian, table::CoulombDisk};
+    /// use tribos_core::coupling::{ReducedFriction, ReducedJacobian, coulomb::CoulombDisk};
     /// let (slides, rims) = ([1.0_f64, 2.0], [0.5, 1.0]);
     /// let mut jacobians = [ReducedJacobian::default(); 2];
     /// CoulombDisk.reduced_jacobian_batch(&slides, &rims, &mut jacobians);
@@ -224,7 +226,7 @@ pub trait ReducedFriction<R: Real> {
 /// D(v, w) = v F + w T.
 ///
 /// ```
-/// use tribos_core::coupling::{DryReducedFriction, table::CoulombDisk};
+/// use tribos_core::coupling::{DryReducedFriction, coulomb::CoulombDisk};
 /// // Power that friction takes, per coefficient and load.
 /// fn dissipation(dry: &impl DryReducedFriction<f64>, slide: f64, rim: f64) -> f64 {
 ///     let wrench = dry.reduced_wrench(slide, rim);

@@ -35,12 +35,12 @@ use super::speeds::{DominantSpeed, Speeds};
 use super::{ReducedJacobian, ReducedWrench};
 use crate::real::Real;
 
-/// A round patch under a power law |v|^α: every table, compact tier and closed form is one.
+/// A round patch under a power law |v|^α: every fitted form, table and series is one.
 ///
 /// Its methods but [`PowerLawFriction::exponent`] serve the kernel and are no part of the promise.
 ///
 /// ```
-/// use tribos_core::coupling::{PowerLawFriction, compact::CompactPower, table::CoulombDisk};
+/// use tribos_core::coupling::{PowerLawFriction, compact::CompactPower, coulomb::CoulombDisk};
 /// fn is_dry(profile: &impl PowerLawFriction<f64>) -> bool {
 ///     profile.exponent() == 0.0
 /// }

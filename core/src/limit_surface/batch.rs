@@ -30,7 +30,7 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// *Accuracy*: bit for bit [`super::FrictionSet::gauge`] of the surface with that force limit.
     ///
     /// ```
-    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::coupling::coulomb::CoulombDisk;
     /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
     /// use tribos_core::twist::Wrench;
     /// let puck = RoundLimitSurface::new(CoulombDisk, 0.3_f64, 0.04)?; // coefficient, radius in m
@@ -61,7 +61,7 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// *Accuracy*: bit for bit [`super::FrictionSet::twist_normal_to`].
     ///
     /// ```
-    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::coupling::coulomb::CoulombDisk;
     /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
     /// use tribos_core::twist::{Twist, Wrench};
     /// let puck = RoundLimitSurface::new(CoulombDisk, 0.3_f64, 0.04)?;
@@ -89,7 +89,7 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// *Special values*: NaN for a negative load and every wrench but zero. *Accuracy*: bit for bit that of the surface with that force limit.
     ///
     /// ```
-    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::coupling::coulomb::CoulombDisk;
     /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, Projection, Region};
     /// use tribos_core::twist::Wrench;
     /// let puck = RoundLimitSurface::new(CoulombDisk, 0.3_f64, 0.04)?; // coefficient, radius in m

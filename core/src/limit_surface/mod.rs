@@ -19,7 +19,7 @@
 //! friction it carries as push.
 //!
 //! ```
-//! use tribos_core::coupling::table::CoulombDisk;
+//! use tribos_core::coupling::coulomb::CoulombDisk;
 //! use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 //! use tribos_core::twist::{Twist, Wrench};
 //!
@@ -223,7 +223,7 @@ fn shortened<R: Real>(carried: &Wrench<R>, wanted: &Wrench<R>, length: R) -> Wre
 /// A wrench of the set nearest to a given one.
 ///
 /// ```
-/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::coupling::coulomb::CoulombDisk;
 /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, Projection, Region};
 /// use tribos_core::twist::Wrench;
 /// let puck = RoundLimitSurface::new(CoulombDisk, 0.5_f64, 0.04)?; // N, m
@@ -246,7 +246,7 @@ pub struct Projection<R: Real> {
 /// Where a projected wrench lies.
 ///
 /// ```
-/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::coupling::coulomb::CoulombDisk;
 /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, Region};
 /// use tribos_core::twist::Wrench;
 /// let puck = RoundLimitSurface::new(CoulombDisk, 0.5_f64, 0.04)?; // N, m

@@ -28,7 +28,7 @@ use crate::twist::{Twist, Wrench};
 /// at most 66 points. A surface is prepared with 15, that of a uniform disk with 3.
 ///
 /// ```
-/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::coupling::coulomb::CoulombDisk;
 /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 /// use tribos_core::twist::Twist;
 /// let puck = RoundLimitSurface::new(CoulombDisk, 0.51_f64, 0.04)?; // N, m

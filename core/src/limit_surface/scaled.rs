@@ -14,7 +14,7 @@ use crate::twist::{Twist, Wrench};
 /// *Accuracy*: that of the set. *Cost*: that of the set and three divisions.
 ///
 /// ```
-/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::coupling::coulomb::CoulombDisk;
 /// use tribos_core::law::{RestTime, StaticAgeing, StickSlip};
 /// use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ScaledSet};
 /// use tribos_core::twist::Wrench;

@@ -7,7 +7,7 @@ use crate::real::Real;
 /// it.
 ///
 /// ```
-/// use tribos_core::coupling::{Annulus, table::CoulombDisk};
+/// use tribos_core::coupling::{Annulus, coulomb::CoulombDisk};
 /// use tribos_core::limit_surface::UnknownPressureSet;
 /// use tribos_core::patch::nodes::{Node, NodeList, Nodes};
 /// use tribos_core::patch::polar::PolarQuadrature;

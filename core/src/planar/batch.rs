@@ -66,7 +66,7 @@ impl<R: Real> PlanarBody<R> {
     ///
     /// ```
     /// use tribos_core::contact::TimeStep;
-    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::coupling::coulomb::CoulombDisk;
     /// use tribos_core::limit_surface::RoundLimitSurface;
     /// use tribos_core::planar::{PlanarBody, PlanarStep};
     /// use tribos_core::twist::{Twist, Wrench};

@@ -181,7 +181,7 @@ impl<R: Real> PlanarBody<R> {
     ///
     /// ```
     /// use tribos_core::contact::TimeStep;
-    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::coupling::coulomb::CoulombDisk;
     /// use tribos_core::limit_surface::RoundLimitSurface;
     /// use tribos_core::planar::{ElasticState, PlanarBody};
     /// use tribos_core::presliding::{Pose, Presliding};

@@ -22,7 +22,7 @@
 //!
 //! ```
 //! use tribos_core::contact::TimeStep;
-//! use tribos_core::coupling::table::CoulombDisk;
+//! use tribos_core::coupling::coulomb::CoulombDisk;
 //! use tribos_core::limit_surface::RoundLimitSurface;
 //! use tribos_core::planar::PlanarBody;
 //! use tribos_core::twist::{Twist, Wrench};

@@ -11,7 +11,7 @@ use crate::twist::{Twist, Wrench};
 ///
 /// ```
 /// use tribos_core::contact::TimeStep;
-/// use tribos_core::coupling::table::CoulombDisk;
+/// use tribos_core::coupling::coulomb::CoulombDisk;
 /// use tribos_core::limit_surface::RoundLimitSurface;
 /// use tribos_core::planar::{PlanarBody, PlanarStep};
 /// use tribos_core::twist::{Twist, Wrench};
@@ -244,7 +244,7 @@ mod tests {
     extern crate std;
 
     use super::*;
-    use crate::coupling::table::CoulombDisk;
+    use crate::coupling::coulomb::CoulombDisk;
     use crate::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 
     const LIMIT: f64 = 0.5;

@@ -47,7 +47,7 @@
 //! state, instead of a sum of increments, is ours.
 //!
 //! ```
-//! use tribos_core::coupling::table::CoulombDisk;
+//! use tribos_core::coupling::coulomb::CoulombDisk;
 //! use tribos_core::law::StickSlip;
 //! use tribos_core::limit_surface::RoundLimitSurface;
 //! use tribos_core::presliding::{Anchor, Pose, Presliding};

@@ -136,7 +136,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     /// Power lost to friction per mass, κ (v F + w T).
     ///
     /// ```
-    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::coupling::coulomb::CoulombDisk;
     /// use tribos_core::slider::{SliderState, Slider};
     /// # use tribos_core::slider::SliderParameters;
     /// # let parameters = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 };
@@ -158,7 +158,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     /// Velocity ratio ε = v/(|ω|R); infinite without spin, NaN at rest.
     ///
     /// ```
-    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::coupling::coulomb::CoulombDisk;
     /// use tribos_core::slider::{SliderState, Slider};
     /// # use tribos_core::slider::SliderParameters;
     /// # let parameters = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 };

@@ -15,7 +15,7 @@ impl<R: Real, P: PowerLawFriction<R> + ReducedFriction<R>> Slider<R, P> {
     /// `duration` × deceleration, first order at the stop.
     ///
     /// ```
-    /// use tribos_core::coupling::table::CoulombDisk;
+    /// use tribos_core::coupling::coulomb::CoulombDisk;
     /// use tribos_core::slider::{SliderState, Slider};
     /// # use tribos_core::slider::SliderParameters;
     /// # let parameters = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 };

@@ -104,7 +104,7 @@ impl<R: Precision> AreaFriction<R> {
     ) -> Result<Self, FrictionError> {
         let tier = Tier::choose::<R>(patch, law, tier)?;
         let kernel = match (tier, law.power_of_speed()) {
-            (Tier::Table | Tier::Compact, Some([coefficient, alpha])) => {
+            (Tier::Exact, Some([coefficient, alpha])) => {
                 let coefficient = R::from_f64(coefficient);
                 let boxed = PowerLawVisitor {
                     coefficient,

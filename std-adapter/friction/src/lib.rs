@@ -6,7 +6,7 @@
 //! let patch: Patch = "hertz".parse()?;
 //! let law: Law = "power:gamma=0.3,alpha=0.5".parse()?;
 //! let ball = AnyFriction::<f64>::new(&patch, &law, None)?; // None: the quickest tier that serves both
-//! assert_eq!(ball.tier(), Tier::Table);
+//! assert_eq!(ball.tier(), Tier::Exact);
 //! let contact = ball.with_radius(0.01)?; // m
 //! let wrench = contact.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // N; m/s, m/s, rad/s
 //! assert!(wrench.force.x < 0.0 && wrench.torque < 0.0);
@@ -113,7 +113,7 @@ use tribos_core::real::Real;
 /// use tribos::friction::{AnyFriction, Law, Patch, Tier};
 /// use tribos::kernel::coupling::ReducedFriction;
 /// let dry = AnyFriction::<f64>::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?;
-/// assert_eq!((dry.tier(), dry.coefficient(), dry.accuracy()), (Tier::Table, 0.3, 0.0));
+/// assert_eq!((dry.tier(), dry.coefficient(), dry.accuracy()), (Tier::Exact, 0.3, 0.0));
 /// assert!((dry.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.0).abs() < 1e-14); // the mean radius
 /// assert!(dry.power().is_some_and(|power| power.exponent() == 0.0));
 /// let law: Law = "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05".parse()?;
@@ -146,7 +146,7 @@ impl<R: Precision> AnyFriction<R> {
         let tier = Tier::choose::<R>(patch, law, tier)?;
         let any = |law: &Law| Ok::<_, FrictionError>(DiskOfAnyLaw::new(law.build::<R>()?));
         let kind = match (patch, tier) {
-            (_, Tier::Table | Tier::Compact) => {
+            (_, Tier::Exact) => {
                 Kind::Power(visit(patch, law.exponent(), tier, visit::BoxingVisitor)?)
             }
             (Patch::Disk, _) => Kind::Quadrature(Box::new(any(law)?)),

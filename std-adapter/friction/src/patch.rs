@@ -21,7 +21,6 @@ use tribos_core::patch::PowerPressure;
 /// assert_eq!(Patch::from(PowerPressure::RING), Patch::Ring);
 /// // An annulus too thin to be told from a ring is one.
 /// assert_eq!([0.5, 1.0].map(Patch::band), [Patch::Annulus(0.5), Patch::Ring]);
-/// assert!(Patch::Punch.has_closed_form() && !Patch::Paraboloid.has_closed_form());
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Patch {
@@ -111,10 +110,12 @@ impl Patch {
         !matches!(self, Self::Points(_) | Self::Flat(_))
     }
 
-    /// Whether Coulomb friction on it has elementary or elliptic closed forms, which the compact tier
-    /// evaluates without a table. (The disk has one too, but its table is part of the program.)
-    pub fn has_closed_form(&self) -> bool {
-        matches!(self, Self::Ring | Self::Hertz | Self::Punch)
+    /// Whether Coulomb friction on it has a fitted form of its own.
+    pub(super) fn has_form(&self) -> bool {
+        matches!(
+            self,
+            Self::Disk | Self::Ring | Self::Hertz | Self::Punch | Self::Paraboloid
+        )
     }
 }
 

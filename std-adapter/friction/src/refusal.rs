@@ -10,8 +10,9 @@ use tribos_core::patch::PatchError;
 /// use tribos::friction::{AnyFriction, Law, Patch, FrictionError, Tier};
 /// let unknown = "hetrz".parse::<Patch>().map_err(|refusal| refusal.to_string());
 /// assert_eq!(unknown, Err("unknown patch `hetrz`; did you mean `hertz`?".into()));
-/// let steep = AnyFriction::<f64>::new(&Patch::Disk, &Law::power(0.3, 20.0)?, Some(Tier::Table));
-/// assert!(matches!(steep, Err(FrictionError::Tier { cure: Some(Tier::Compact), .. })));
+/// let patch = Patch::Polynomial(vec![1.0, 1.0]);
+/// let steep = AnyFriction::<f64>::new(&patch, &Law::power(0.3, 20.0)?, Some(Tier::Exact));
+/// assert!(matches!(steep, Err(FrictionError::Tier { cure: Some(Tier::Quadrature), .. })));
 /// assert!(matches!(Law::power(0.3, 200.0), Err(FrictionError::Exponent { .. })));
 /// # Ok::<(), FrictionError>(())
 /// ```

@@ -6,7 +6,7 @@ use std::fmt;
 use std::path::Path;
 use tribos_core::coupling::{
     Annulus, DryProfile, DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench,
-    closed, table::CoulombDisk,
+    coulomb, coulomb::CoulombDisk,
 };
 use tribos_core::internals::DominantSpeed;
 use tribos_core::limit_surface::{
@@ -115,7 +115,7 @@ impl LimitSurfaces {
     }
 }
 
-/// Dry friction of a round patch: the closed form where there is one, else a table.
+/// Dry friction of a round patch: a fitted form where there is one, else a table.
 ///
 /// Contacts copy what they are made of, so that the tables are here and not behind a pointer. All else takes
 /// what is made of the one type that the patch needs.
@@ -123,9 +123,10 @@ impl LimitSurfaces {
 #[derive(Clone, Copy, Debug)]
 pub enum DryRound<R: Precision> {
     Disk(CoulombDisk),
-    Ring(closed::CoulombRing),
-    Hertz(closed::CoulombHertz),
-    Punch(closed::CoulombPunch),
+    Ring(coulomb::CoulombRing),
+    Hertz(coulomb::CoulombHertz),
+    Punch(coulomb::CoulombPunch),
+    Paraboloid(coulomb::CoulombParaboloid),
     Annulus(Annulus<R, CoulombDisk>),
     Power(DryProfile<R::Round>),
     Polynomial(R::Polynomial),
@@ -139,6 +140,7 @@ macro_rules! each {
             Self::Ring($dry) => $work,
             Self::Hertz($dry) => $work,
             Self::Punch($dry) => $work,
+            Self::Paraboloid($dry) => $work,
             Self::Annulus($dry) => $work,
             Self::Power($dry) => $work,
             Self::Polynomial($dry) => $work,
@@ -150,14 +152,12 @@ impl<R: Precision> DryRound<R> {
     pub(super) fn new(patch: &Patch) -> Result<Self, FrictionError> {
         Ok(match patch {
             Patch::Disk => Self::Disk(CoulombDisk),
-            Patch::Ring => Self::Ring(closed::CoulombRing),
-            Patch::Hertz => Self::Hertz(closed::CoulombHertz),
-            Patch::Punch => Self::Punch(closed::CoulombPunch),
+            Patch::Ring => Self::Ring(coulomb::CoulombRing),
+            Patch::Hertz => Self::Hertz(coulomb::CoulombHertz),
+            Patch::Punch => Self::Punch(coulomb::CoulombPunch),
+            Patch::Paraboloid => Self::Paraboloid(coulomb::CoulombParaboloid),
             Patch::Annulus(inner) => Self::Annulus(Annulus::new(CoulombDisk, R::from_f64(*inner))?),
-            Patch::Paraboloid | Patch::Power(_) => {
-                let pressure = patch.pressure().ok_or(FrictionError::NoAxis)?;
-                Self::Power(DryProfile::new(R::round(R::ZERO, pressure)?)?)
-            }
+            Patch::Power(pressure) => Self::Power(DryProfile::new(R::round(R::ZERO, *pressure)?)?),
             Patch::Polynomial(coefficients) => Self::Polynomial(R::dry_polynomial(coefficients)?),
             Patch::Points(_) | Patch::Flat(_) => return Err(FrictionError::NoAxis),
         })

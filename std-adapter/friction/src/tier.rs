@@ -28,27 +28,32 @@ pub fn valid_exponent(alpha: f64) -> Result<f64, FrictionError> {
 ///
 /// ```
 /// use tribos::friction::{Evaluation, Law, Patch, FrictionError, Tier};
-/// let choose = |alpha| Tier::choose::<f64>(&Patch::Disk, &Law::power(0.3, alpha)?, None);
-/// assert_eq!([choose(0.5)?, choose(20.0)?], [Tier::Table, Tier::Compact]);
-/// assert_eq!(Tier::ALL.map(|tier| tier.to_string()), ["table", "compact", "quadrature"]);
-/// assert_eq!("compact".parse(), Ok(Tier::Compact));
-/// let evaluation: Evaluation = Tier::Table.evaluation(&Patch::Disk, &Law::coulomb(0.3)?);
-/// assert_eq!(evaluation.to_string(), "table in the program, to a few ulp; no quadrature");
+/// let choose = |law: &str| Tier::choose::<f64>(&Patch::Disk, &law.parse()?, None);
+/// assert_eq!(choose("coulomb:mu=0.3")?, Tier::Exact);
+/// assert_eq!(choose("dry:mu_s=0.3,mu_d=0.2")?, Tier::Quadrature);
+/// assert_eq!(Tier::ALL.map(|tier| tier.to_string()), ["exact", "quadrature"]);
+/// assert_eq!("compact".parse(), Ok(Tier::Exact)); // and "table": names of older programs
+/// let evaluation: Evaluation = Tier::Exact.evaluation(&Patch::Disk, &Law::coulomb(0.3)?);
+/// assert_eq!(evaluation.to_string(), "fitted form, to a few ulp; no quadrature");
 /// # Ok::<(), FrictionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tier {
-    /// Polynomial tables: a few ulp, the quickest.
-    Table,
-    /// Closed forms and series without tables: tens of ulp.
-    Compact,
+    /// To rounding, for powers of the speed: a fitted form for Coulomb's law, a table up to α = 10, a series beyond.
+    Exact,
     /// Quadrature on fixed nodes, for any local law.
     Quadrature,
 }
 
+/// Names of [`Tier::Exact`] in programs that told tables from what needs none.
+const OLDER_NAMES: [&str; 2] = ["table", "compact"];
+
+/// Largest exponent that tables serve.
+const MOST_IN_TABLES: f64 = table::DiskTable64::MAX_EXPONENT;
+
 impl Tier {
     /// All tiers, the quickest first.
-    pub const ALL: [Self; 3] = [Self::Table, Self::Compact, Self::Quadrature];
+    pub const ALL: [Self; 2] = [Self::Exact, Self::Quadrature];
 
     /// The tier that serves `law` on `patch`: the one asked for, if it does, or the quickest.
     pub fn choose<R: Precision>(
@@ -79,47 +84,38 @@ impl Tier {
         let is_polynomial = matches!(patch, Patch::Polynomial(_));
         match (self, law.power_of_speed()) {
             (Self::Quadrature, _) => Ok(()),
-            (_, None) => refused(
+            (Self::Exact, None) => refused(
                 "serves coefficient * |v|^alpha alone; other laws are served by quadrature".into(),
                 None,
             ),
-            (Self::Table, Some([_, alpha])) if alpha > table::DiskTable64::MAX_EXPONENT => refused(
+            (Self::Exact, Some([_, alpha])) if is_polynomial && alpha > MOST_IN_TABLES => refused(
                 format!(
-                    "serves -1 < alpha <= {}, not {alpha}",
-                    table::DiskTable64::MAX_EXPONENT
+                    "serves polynomial pressures for -1 < alpha <= {MOST_IN_TABLES}, not {alpha}"
                 ),
-                Some(if is_polynomial {
-                    Self::Quadrature
-                } else {
-                    Self::Compact
-                }),
+                Some(Self::Quadrature),
             ),
-            (Self::Table, _) if is_polynomial && !R::HAS_POLYNOMIALS => {
+            (Self::Exact, _) if is_polynomial && !R::HAS_POLYNOMIALS => {
                 Err(FrictionError::SinglePrecision)
             }
-            (Self::Compact, Some([_, alpha])) if is_polynomial => refused(
-                "does not serve polynomial pressures".into(),
-                Some(if alpha > table::DiskTable64::MAX_EXPONENT {
-                    Self::Quadrature
-                } else {
-                    Self::Table
-                }),
-            ),
             _ => Ok(()),
         }
     }
 
     /// What an evaluation in this tier consists of.
     pub fn evaluation(self, patch: &Patch, law: &Law) -> Evaluation {
-        let is_dry = law.exponent() == 0.0;
-        match (self, patch) {
-            (Self::Table, Patch::Disk) if is_dry => Evaluation::TableInProgram,
-            (Self::Table, Patch::Annulus(_)) => Evaluation::TwoTables,
-            (Self::Table, _) => Evaluation::TableMade,
-            (Self::Compact, Patch::Annulus(_)) => Evaluation::TwoSeries,
-            (Self::Compact, _) => Evaluation::Series,
-            (Self::Quadrature, Patch::Disk | Patch::Annulus(_)) => Evaluation::Quadrature,
-            (Self::Quadrature, _) => Evaluation::Nodes,
+        let alpha = law.exponent();
+        let is_annulus = matches!(patch, Patch::Annulus(_));
+        let one_or_two = |one, two| if is_annulus { two } else { one };
+        match self {
+            Self::Quadrature if is_annulus || *patch == Patch::Disk => Evaluation::Quadrature,
+            Self::Quadrature => Evaluation::Nodes,
+            Self::Exact if alpha == 0.0 && (is_annulus || patch.has_form()) => {
+                one_or_two(Evaluation::Form, Evaluation::TwoForms)
+            }
+            Self::Exact if alpha <= MOST_IN_TABLES => {
+                one_or_two(Evaluation::TableMade, Evaluation::TwoTables)
+            }
+            Self::Exact => one_or_two(Evaluation::Series, Evaluation::TwoSeries),
         }
     }
 }
@@ -127,15 +123,17 @@ impl Tier {
 /// What an evaluation of force and torque consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Evaluation {
-    /// One look-up in a table that is part of the program.
-    TableInProgram,
+    /// One fitted form of Coulomb friction.
+    Form,
+    /// Two of them, because an annulus is the difference of two disks.
+    TwoForms,
     /// One look-up in a table that is made at the start.
     TableMade,
-    /// Two look-ups, because an annulus is the difference of two disks.
+    /// Two look-ups, for an annulus.
     TwoTables,
-    /// One closed form or series.
+    /// One series.
     Series,
-    /// Two closed forms or series, for an annulus.
+    /// Two series, for an annulus.
     TwoSeries,
     /// Quadrature over the rim and the inside of a disk.
     Quadrature,
@@ -153,7 +151,8 @@ pub enum Evaluation {
 impl fmt::Display for Evaluation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::TableInProgram => "table in the program, to a few ulp; no quadrature",
+            Self::Form => "fitted form, to a few ulp; no quadrature",
+            Self::TwoForms => "two disks by a fitted form, to a few ulp; no quadrature",
             Self::TableMade => "table made at the start, to a few ulp; no quadrature",
             Self::TwoTables => "two disks from a table, to a few ulp; no quadrature",
             Self::Series => "series without a table, to tens of ulp; no quadrature",
@@ -171,8 +170,7 @@ impl fmt::Display for Evaluation {
 impl fmt::Display for Tier {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Table => "table",
-            Self::Compact => "compact",
+            Self::Exact => "exact",
             Self::Quadrature => "quadrature",
         })
     }
@@ -182,17 +180,13 @@ impl FromStr for Tier {
     type Err = FrictionError;
 
     fn from_str(text: &str) -> Result<Self, FrictionError> {
-        let found = Self::ALL
-            .into_iter()
-            .find(|tier| tier.to_string() == text.trim());
-        found.ok_or_else(|| {
-            let names = ["table", "compact", "quadrature"];
-            FrictionError::unknown(
-                "tier",
-                text,
-                names,
-                "the tiers are table, compact, quadrature",
-            )
+        let text = text.trim();
+        let mut named = Self::ALL.into_iter();
+        let found = named.find(|tier| tier.to_string() == text);
+        let older = OLDER_NAMES.contains(&text).then_some(Self::Exact);
+        found.or(older).ok_or_else(|| {
+            let names = ["exact", "quadrature"];
+            FrictionError::unknown("tier", text, names, "the tiers are exact, quadrature")
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{FrictionError, Law, Patch, Precision, Tier};
 use tribos_core::coupling::{
-    Annulus, DryProfile, DryReducedFriction, LateralFriction, PowerLawFriction, closed, compact,
+    Annulus, DryProfile, DryReducedFriction, LateralFriction, PowerLawFriction, compact, coulomb,
     table,
 };
 use tribos_core::internals::{LeanProfile, SmoothProfile};
@@ -24,7 +24,7 @@ use tribos_core::real::Real;
 ///         (1..=100).map(|k| friction.reduced_wrench(0.0, 0.01 * f64::from(k)).torque).sum::<f64>() / 100.0
 ///     }
 /// }
-/// let dry = visit(&Patch::Ring, 0.0, Tier::Compact, Mean)?;
+/// let dry = visit(&Patch::Ring, 0.0, Tier::Exact, Mean)?;
 /// assert!((dry - 1.0).abs() < 1e-14); // Coulomb friction does not depend on the speed
 /// # Ok::<(), tribos::friction::FrictionError>(())
 /// ```
@@ -107,14 +107,12 @@ pub fn visit_disk<R: Precision, V: Visitor<R>>(
 /// ```
 pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn PowerLawFriction<f64>>, FrictionError> {
     match patch {
-        Patch::Annulus(inner) => TiltVisitor(lean).dry(Annulus::new(table::CoulombDisk, *inner)?),
-        _ if patch.has_closed_form() => smooth(patch, 0.0, Tier::Compact, TiltVisitor(lean)),
-        _ => smooth(patch, 0.0, Tier::Table, TiltVisitor(lean)),
+        Patch::Annulus(inner) => TiltVisitor(lean).dry(Annulus::new(coulomb::CoulombDisk, *inner)?),
+        _ => smooth(patch, 0.0, Tier::Exact, TiltVisitor(lean)),
     }
 }
 
-/// |v|^`alpha` on an upright `patch`, for final motion and launches: the closed form where there is one,
-/// else the quickest tier.
+/// |v|^`alpha` on an upright `patch`, for final motion and launches.
 ///
 /// ```
 /// use tribos::friction::{Patch, upright};
@@ -125,9 +123,7 @@ pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn PowerLawFriction<f64>
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn upright(patch: &Patch, alpha: f64) -> Result<Box<dyn RoundPower<f64>>, FrictionError> {
-    let closed = alpha == 0.0 && patch.has_closed_form();
-    let asked = closed.then_some(Tier::Compact);
-    let tier = Tier::choose::<f64>(patch, &Law::power(1.0, alpha)?, asked)?;
+    let tier = Tier::choose::<f64>(patch, &Law::power(1.0, alpha)?, None)?;
     visit(patch, alpha, tier, BoxingVisitor)
 }
 
@@ -145,12 +141,15 @@ fn smooth<R: Precision, V: Smooth<R>>(
         (Patch::Points(_) | Patch::Flat(_), _) => Err(FrictionError::NoAxis),
         (Patch::Disk, _) => disk(alpha, tier, visitor),
         (_, Tier::Quadrature) => Err(FrictionError::NoProfile),
-        (Patch::Polynomial(a), _) => R::polynomial(narrow, a, visitor),
-        (_, Tier::Table) => visitor.smooth(R::round(narrow, pressure)?),
-        (Patch::Ring, _) if is_dry => visitor.smooth(closed::CoulombRing),
-        (Patch::Hertz, _) if is_dry => visitor.smooth(closed::CoulombHertz),
-        (Patch::Punch, _) if is_dry => visitor.smooth(closed::CoulombPunch),
-        _ => visitor.smooth(compact::CompactPower::with_pressure(narrow, pressure)?),
+        (Patch::Polynomial(a), Tier::Exact) => R::polynomial(narrow, a, visitor),
+        (Patch::Ring, Tier::Exact) if is_dry => visitor.smooth(coulomb::CoulombRing),
+        (Patch::Hertz, Tier::Exact) if is_dry => visitor.smooth(coulomb::CoulombHertz),
+        (Patch::Punch, Tier::Exact) if is_dry => visitor.smooth(coulomb::CoulombPunch),
+        (Patch::Paraboloid, Tier::Exact) if is_dry => visitor.smooth(coulomb::CoulombParaboloid),
+        (_, Tier::Exact) if alpha <= table::DiskTable64::MAX_EXPONENT => {
+            visitor.smooth(R::round(narrow, pressure)?)
+        }
+        (_, Tier::Exact) => visitor.smooth(compact::CompactPower::with_pressure(narrow, pressure)?),
     }
 }
 
@@ -162,10 +161,11 @@ fn disk<R: Precision, V: Smooth<R>>(
 ) -> Result<V::Output, FrictionError> {
     let narrow = R::from_f64(alpha);
     match tier {
-        Tier::Table if alpha == 0.0 => visitor.smooth(table::CoulombDisk),
-        Tier::Table => visitor.smooth(R::disk(narrow)?),
-        Tier::Compact if alpha == 0.0 => visitor.smooth(compact::CompactCoulombDisk),
-        Tier::Compact => visitor.smooth(compact::CompactPower::new(narrow)?),
+        Tier::Exact if alpha == 0.0 => visitor.smooth(coulomb::CoulombDisk),
+        Tier::Exact if alpha <= table::DiskTable64::MAX_EXPONENT => {
+            visitor.smooth(R::disk(narrow)?)
+        }
+        Tier::Exact => visitor.smooth(compact::CompactPower::new(narrow)?),
         Tier::Quadrature => Err(FrictionError::NoProfile),
     }
 }

@@ -78,13 +78,13 @@ pub const INSTANCES: &[Instance] = &[
     instance("law::AgeingLaw", &["StateEvolution"]),
     instance("law::SlipLaw", &["StateEvolution"]),
     // Tiers.
-    instance("coupling::table::CoulombDisk", DRY),
-    similar(instance("&'static coupling::table::CoulombDisk", DRY)),
-    instance("coupling::compact::CompactCoulombDisk", DRY),
+    instance("coupling::coulomb::CoulombDisk", DRY),
+    similar(instance("&'static coupling::coulomb::CoulombDisk", DRY)),
     instance("coupling::compact::CompactPower<R>", TIER),
-    instance("coupling::closed::CoulombRing", DRY),
-    similar(instance("coupling::closed::CoulombPunch", DRY)),
-    similar(instance("coupling::closed::CoulombHertz", DRY)),
+    instance("coupling::coulomb::CoulombRing", DRY),
+    similar(instance("coupling::coulomb::CoulombPunch", DRY)),
+    similar(instance("coupling::coulomb::CoulombHertz", DRY)),
+    similar(instance("coupling::coulomb::CoulombParaboloid", DRY)),
     only(
         "f32",
         similar(instance("coupling::table::DiskTable32", TIER)),
@@ -177,7 +177,7 @@ pub const INSTANCES: &[Instance] = &[
     ),
     // Limit surfaces.
     instance(
-        "limit_surface::RoundLimitSurface<R, coupling::table::CoulombDisk>",
+        "limit_surface::RoundLimitSurface<R, coupling::coulomb::CoulombDisk>",
         &["FrictionSet"],
     ),
     instance("limit_surface::LimitEllipsoid<R>", &["FrictionSet"]),
@@ -232,11 +232,11 @@ pub const INSTANCES: &[Instance] = &[
         &["ContactFriction"],
     ),
     instance(
-        "contact::CoupledFriction<R, limit_surface::RoundLimitSurface<R, coupling::table::CoulombDisk>, contact::SlidingTorsion>",
+        "contact::CoupledFriction<R, limit_surface::RoundLimitSurface<R, coupling::coulomb::CoulombDisk>, contact::SlidingTorsion>",
         &["ContactFriction"],
     ),
     instance(
-        "contact::CoupledFriction<R, limit_surface::RoundLimitSurface<R, coupling::table::CoulombDisk>, contact::AllModes>",
+        "contact::CoupledFriction<R, limit_surface::RoundLimitSurface<R, coupling::coulomb::CoulombDisk>, contact::AllModes>",
         &["ContactFriction"],
     ),
     instance(

@@ -6,7 +6,7 @@ use tribos_core::contact::{
     ContactModes, ContactVector, CoupledFriction, IndependentFriction, NormalLaw, SphereBody,
     TimeStep, WallBody,
 };
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::internals::{InPlane, Masses, TangentialLoad, project_on_disc};
 use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
 use tribos_core::manifold::{ContactSystem, InitialGuess, SolverSettings, SystemBody};

@@ -2,10 +2,11 @@
 
 use crate::planes::{parts, twist};
 use crate::{Input, Verdict};
-use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
-use tribos_core::coupling::compact::{CompactCoulombDisk, CompactPower};
+use tribos_core::coupling::compact::CompactPower;
+use tribos_core::coupling::coulomb::{
+    CoulombDisk, CoulombHertz, CoulombParaboloid, CoulombPunch, CoulombRing,
+};
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::coupling::{
     Annulus, DryProfile, LateralFriction, PowerLawFriction, ReducedFriction, ReducedJacobian,
     RoundFriction, unscaled_wrench,
@@ -33,7 +34,7 @@ pub(crate) const PRESSURES: [PowerPressure; 5] = [
 pub fn closed<R: Real>(input: &mut Input<'_>) -> Verdict {
     match input.below(7) {
         0 => smooth::<R>(input, &CoulombDisk),
-        1 => smooth::<R>(input, &CompactCoulombDisk),
+        1 => smooth::<R>(input, &CoulombParaboloid),
         2 => smooth::<R>(input, &CoulombRing),
         3 => smooth::<R>(input, &CoulombPunch),
         4 => smooth::<R>(input, &CoulombHertz),

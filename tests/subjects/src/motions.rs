@@ -1,9 +1,8 @@
 //! Final motion and complete motions.
 
 use crate::{Input, Verdict};
-use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::compact::CompactPower;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::{CoulombDisk, CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::internals::runge_kutta::{judge, step, tolerance};
 use tribos_core::modes::{TerminalMode, TerminalMotion, inertia_interval};

@@ -6,13 +6,13 @@ use crate::input::accuracy;
 use crate::{Input, Verdict};
 use nalgebra::Vector3;
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::closed::CoulombHertz;
 use tribos_core::coupling::compact::CompactPower;
+use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombHertz;
 use tribos_core::coupling::load_transfer::{
     FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
 };
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::table::CoulombDisk;
 use tribos_core::coupling::{LateralFriction, RoundFriction};
 use tribos_core::internals::leaning_wrench;
 use tribos_core::law::PowerLaw;

@@ -4,9 +4,9 @@ use super::couplings::inner_ratio;
 use super::planes::{dissipates, parts, rates, twist, wrench};
 use crate::input::accuracy;
 use crate::{Input, Verdict};
-use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
-use tribos_core::coupling::compact::CompactCoulombDisk;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::{
+    CoulombDisk, CoulombHertz, CoulombParaboloid, CoulombPunch, CoulombRing,
+};
 use tribos_core::coupling::{Annulus, DryProfile, DryReducedFriction};
 use tribos_core::limit_surface::{
     FrictionSet, LimitEllipsoid, Projection, Region, RoundLimitSurface,
@@ -51,7 +51,7 @@ pub fn sets<R: Real>(input: &mut Input<'_>) -> Verdict {
 fn rare<R: Real>(input: &mut Input<'_>, force: R, radius: R) -> Verdict {
     match input.below(3) {
         0 => {
-            let set = input.taken(RoundLimitSurface::new(CompactCoulombDisk, force, radius))?;
+            let set = input.taken(RoundLimitSurface::new(CoulombParaboloid, force, radius))?;
             asked(input, &set)
         }
         1 => {

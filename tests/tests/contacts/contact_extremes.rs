@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use tribos_core::Real;
 use tribos_core::contact::{ContactFriction, CoupledFriction, IndependentFriction, SlidingTorsion};
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::coupling::{DryReducedFriction, ReducedFriction};
 use tribos_core::internals::project_on_disc;
 use tribos_core::internals::{Masses, TangentialLoad};

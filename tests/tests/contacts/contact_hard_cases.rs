@@ -5,7 +5,7 @@ use tribos_core::contact::{
     Attraction, Cohesion, Contact, ContactError, ContactFriction, ContactGeometry, CoupledFriction,
     IndependentFriction, NormalLaw, SphereBody, TimeStep, WallBody,
 };
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::internals::project_on_disc;
 use tribos_core::internals::{Masses, TangentialLoad};
 use tribos_core::limit_surface::RoundLimitSurface;

@@ -6,7 +6,7 @@ use tribos_core::contact::{
     AllModes, Attraction, Cohesion, Contact, ContactFriction, ContactGeometry, ContactVector,
     CoupledFriction, IndependentFriction, NormalLaw, SlidingTorsion, SphereBody,
 };
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 use tribos_core::real::Real;
 use tribos_tests::contacts::{size, vector as random};

@@ -5,7 +5,7 @@ use tribos_core::contact::{
     Attraction, Cohesion, Contact, ContactFriction, ContactGeometry, CoupledFriction,
     IndependentFriction, NormalLaw, SphereBody, WallBody,
 };
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::RoundLimitSurface;
 use tribos_tests::tolerance::{self, Bound};
 use tribos_tests::worst::Worst;

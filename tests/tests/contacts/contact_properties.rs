@@ -5,7 +5,7 @@ use tribos_core::contact::{
     ContactBody, ContactFriction, ContactGeometry, ContactVector, CoupledFriction,
     IndependentFriction, SphereBody,
 };
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::internals::Masses;
 use tribos_core::internals::project_on_disc;
 use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};

@@ -1,6 +1,6 @@
 //! The ellipsoid against its closed forms, and how far it is from the exact surface of a disk.
 
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::surfaces::{FORCE_LIMIT, RADIUS, norm, random_wrench};

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 use std::hint::black_box;
 use tribos_core::Error;
-use tribos_core::coupling::table::CoulombDisk;
-use tribos_core::coupling::{DryReducedFriction, ReducedFriction, compact};
+use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::{DryReducedFriction, ReducedFriction};
 use tribos_core::law::LawError;
 use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, Region, RoundLimitSurface};
 use tribos_core::patch::PatchError;
@@ -93,7 +93,6 @@ fn recovered<C: DryReducedFriction<f64>>(name: &'static str, coupling: C) -> Wor
 #[test]
 fn motion_and_friction_are_each_others_inverse() {
     recovered("ratio, table", CoulombDisk).assert_within(&tolerance::NORMAL);
-    recovered("ratio, AGM", compact::CompactCoulombDisk).assert_within(&tolerance::NORMAL);
     recovered("ratio, ring", Ring).assert_within(&tolerance::NORMAL_RING);
 }
 

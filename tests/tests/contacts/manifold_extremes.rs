@@ -7,7 +7,7 @@ use tribos_core::contact::{
     IndependentFriction, NormalLaw, SphereBody, TimeStep, WallBody,
 };
 use tribos_core::coupling::DryReducedFriction;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::RoundLimitSurface;
 use tribos_core::manifold::{ContactSystem, InitialGuess, SolverReport, SolverSettings};
 use tribos_tests::sweep::Lcg;

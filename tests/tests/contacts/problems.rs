@@ -7,7 +7,7 @@ use tribos::problem::{
     ProblemMethod, ReducedProblem, Solution, SolverOptions, SolverStatus, residual, solve,
 };
 use tribos_core::contact::CoupledFriction;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 use tribos_tests::packings::{dry, rough};
 use tribos_tests::problems::{CHANGES, changed, random};

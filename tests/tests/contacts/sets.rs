@@ -1,9 +1,7 @@
 //! Sets of wrenches that friction can carry: one list of them, and what each must obey.
 
 use tribos_core::Real;
-use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch};
-use tribos_core::coupling::compact::CompactCoulombDisk;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::{CoulombDisk, CoulombHertz, CoulombPunch};
 use tribos_core::coupling::{Annulus, DryReducedFriction};
 use tribos_core::internals::COLLAR_ULPS;
 use tribos_core::limit_surface::{
@@ -75,7 +73,6 @@ const POINTS: Promise = Promise {
 fn instances() -> Vec<Instance> {
     let mut all = vec![
         round("disk", CoulombDisk, ROUND),
-        round("disk, AGM", CompactCoulombDisk, AGM),
         round("ring", Ring, AGM),
         round("Hertz", CoulombHertz, AGM),
         round("punch", CoulombPunch, AGM),
@@ -555,7 +552,7 @@ fn wrenches_deep_inside_are_told_from_others_as_the_gauge_tells_them() {
 fn singles() -> [(&'static str, Box<dyn FrictionSet<f32>>); 2] {
     [
         ("disk", Box::new(puck(CoulombDisk))),
-        ("disk, AGM", Box::new(puck(CompactCoulombDisk))),
+        ("Hertz", Box::new(puck(CoulombHertz))),
     ]
 }
 

@@ -2,8 +2,8 @@
 
 use std::fmt::Debug;
 use tribos_core::Real;
-use tribos_core::coupling::table::CoulombDisk;
-use tribos_core::coupling::{Annulus, DryReducedFriction, closed, compact};
+use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::{Annulus, DryReducedFriction, coulomb};
 use tribos_core::internals::COLLAR_ULPS;
 use tribos_core::limit_surface::{FrictionSet, Projection, Region, RoundLimitSurface};
 use tribos_core::twist::{Twist, Wrench};
@@ -126,9 +126,9 @@ fn two_million_wrenches_get_the_bits_of_single_calls() {
 
 #[test]
 fn other_pressures_get_the_bits_of_single_calls() {
-    assert_all_regions(closed::CoulombRing, 100);
-    assert_all_regions(closed::CoulombHertz, 100);
-    assert_all_regions(compact::CompactCoulombDisk, 100);
+    assert_all_regions(coulomb::CoulombRing, 100);
+    assert_all_regions(coulomb::CoulombHertz, 100);
+    assert_all_regions(coulomb::CoulombParaboloid, 100);
     assert_all_regions(Annulus::new(CoulombDisk, 0.6).expect("valid"), 100);
 }
 

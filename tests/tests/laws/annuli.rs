@@ -1,8 +1,8 @@
 //! Annuli of every width: their factors and their limit surfaces are consistent.
 use tribos_core::Real;
-use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::coulomb::CoulombRing;
 use tribos_core::coupling::{
-    Annulus, DryReducedFriction, PowerLawFriction, ReducedFriction, compact, table,
+    Annulus, DryReducedFriction, PowerLawFriction, ReducedFriction, compact, coulomb,
 };
 use tribos_core::internals::Speeds;
 use tribos_core::limit_surface::{FrictionSet, Projection, RoundLimitSurface};
@@ -76,22 +76,20 @@ fn moved<R: Real, C: DryReducedFriction<R>>(disk: C, inner: f64) -> u32 {
 fn projecting_again_moves_no_wrench() {
     for inner in RATIOS {
         let counts = [
-            moved::<f64, _>(table::CoulombDisk, inner),
-            moved::<f64, _>(compact::CompactCoulombDisk, inner),
-            moved::<f32, _>(table::CoulombDisk, inner),
-            moved::<f32, _>(compact::CompactCoulombDisk, inner),
+            moved::<f64, _>(coulomb::CoulombDisk, inner),
+            moved::<f32, _>(coulomb::CoulombDisk, inner),
         ];
-        assert_eq!(counts, [0; 4], "k {inner}: of table and AGM, f64 and f32");
+        assert_eq!(counts, [0; 2], "k {inner}: f64 and f32");
     }
 }
 
 /// The distance of a projection to the projection by the ring itself, of the limits.
 fn off_the_ring<R: Real>(inner: f64) -> f64
 where
-    table::CoulombDisk: DryReducedFriction<R>,
+    coulomb::CoulombDisk: DryReducedFriction<R>,
 {
     let [force, radius] = [FORCE_LIMIT, RADIUS].map(R::from_f64);
-    let band = Annulus::new(table::CoulombDisk, R::from_f64(inner)).expect("in range");
+    let band = Annulus::new(coulomb::CoulombDisk, R::from_f64(inner)).expect("in range");
     let band = RoundLimitSurface::new(band, force, radius).expect("in range");
     let ring = RoundLimitSurface::<f64, _>::new(CoulombRing, FORCE_LIMIT, RADIUS);
     let ring = ring.expect("in range");

@@ -10,14 +10,15 @@ use tribos_core::contact::{
     Cohesion, Contact, ContactFriction, ContactGeometry, CoupledFriction, IndependentFriction,
     NormalLaw, SphereBody,
 };
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::coupling::flat::{
     PatchShape, PolygonPowerLaw, PowerLawPatch, ShapeFriction, ShapePowerFriction,
 };
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::round::{PolynomialTable, RoundTable64};
-use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::coupling::{
-    Annulus, DryProfile, DryReducedFriction, ReducedFriction, RoundFriction, closed,
+    Annulus, DryProfile, DryReducedFriction, ReducedFriction, RoundFriction, coulomb,
 };
 use tribos_core::limit_surface::{
     FrictionSet, Projection, Region, RoundLimitSurface, ShapeLimitSurface,
@@ -111,9 +112,9 @@ fn with_dry<W: WithDry>(name: &str, work: W) -> W::Output {
     let table = |pressure| DryProfile::new(RoundTable64::new(0.0, pressure).unwrap()).unwrap();
     match name {
         "disk" => work.with(CoulombDisk),
-        "ring" => work.with(closed::CoulombRing),
-        "hertz" => work.with(closed::CoulombHertz),
-        "punch" => work.with(closed::CoulombPunch),
+        "ring" => work.with(coulomb::CoulombRing),
+        "hertz" => work.with(coulomb::CoulombHertz),
+        "punch" => work.with(coulomb::CoulombPunch),
         "annulus:0.5" => work.with(Annulus::new(CoulombDisk, 0.5).unwrap()),
         "paraboloid" => work.with(table(PowerPressure::PARABOLOID)),
         "power:0.25" => work.with(table(PowerPressure::new(0.25).unwrap())),

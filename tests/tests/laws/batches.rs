@@ -1,9 +1,12 @@
 //! Batches have the bits of single calls.
 
 use tribos_core::Real;
-use tribos_core::coupling::closed::CoulombHertz;
+use tribos_core::coupling::compact::CompactPower;
+use tribos_core::coupling::coulomb::{
+    CoulombDisk, CoulombHertz, CoulombParaboloid, CoulombPunch, CoulombRing,
+};
 use tribos_core::coupling::round::{RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
 use tribos_core::coupling::{ReducedFriction, RoundFriction};
 use tribos_core::patch::PowerPressure;
 use tribos_core::twist::{Twist, Wrench};
@@ -13,9 +16,17 @@ use tribos_tests::batches::{GROUP, compare};
 const COUNT: usize = 150_000;
 
 #[test]
-fn tables_of_dry_friction_have_the_bits_of_single_calls() {
+fn forms_of_dry_friction_have_the_bits_of_single_calls() {
     compare::<f64, _>(&CoulombDisk, COUNT, 1);
     compare::<f32, _>(&CoulombDisk, COUNT, 2);
+    compare::<f64, _>(&CoulombRing, COUNT / 2, 13);
+    compare::<f32, _>(&CoulombRing, COUNT / 2, 14);
+    compare::<f64, _>(&CoulombPunch, COUNT / 2, 15);
+    compare::<f32, _>(&CoulombPunch, COUNT / 2, 16);
+    compare::<f64, _>(&CoulombHertz, COUNT / 2, 17);
+    compare::<f32, _>(&CoulombHertz, COUNT / 2, 18);
+    compare::<f64, _>(&CoulombParaboloid, COUNT / 2, 19);
+    compare::<f32, _>(&CoulombParaboloid, COUNT / 2, 20);
 }
 
 #[test]
@@ -46,8 +57,8 @@ fn tables_of_round_pressures_have_the_bits_of_single_calls() {
 
 #[test]
 fn couplings_without_lanes_have_batches() {
-    compare::<f64, _>(&CoulombHertz, COUNT / 4, 11);
-    compare::<f32, _>(&CoulombHertz, COUNT / 4, 12);
+    compare::<f64, _>(&CompactPower::new(0.5).unwrap(), COUNT / 40, 11);
+    compare::<f32, _>(&CompactPower::new(0.5).unwrap(), COUNT / 40, 12);
 }
 
 /// True if an ordinary group goes in lanes.
@@ -58,13 +69,14 @@ fn goes_in_lanes<R: Real>(coupling: impl ReducedFriction<R>) -> bool {
 }
 
 #[test]
-fn tables_go_in_lanes_where_there_are_vectors() {
+fn forms_and_tables_go_in_lanes_where_there_are_vectors() {
     let has = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
     assert_eq!(goes_in_lanes::<f64>(CoulombDisk), has);
     assert_eq!(goes_in_lanes::<f32>(&CoulombDisk), has);
     assert_eq!(goes_in_lanes(DiskTable64::new(0.37).unwrap()), has);
     assert_eq!(goes_in_lanes(DiskTable32::new(0.37).unwrap()), has);
-    assert!(!goes_in_lanes::<f64>(CoulombHertz));
+    assert_eq!(goes_in_lanes::<f64>(CoulombHertz), has);
+    assert!(!goes_in_lanes(CompactPower::new(0.5).unwrap()));
 }
 
 #[test]

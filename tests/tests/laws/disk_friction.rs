@@ -1,7 +1,8 @@
 //! Round contacts: directions, units, reversal to the bit, and the damping at rest.
 
 use nalgebra::{Matrix3, Vector3};
-use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::coupling::{ReducedFriction, RoundFriction};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;

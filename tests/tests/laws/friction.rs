@@ -11,9 +11,9 @@ use tribos::slide::{MotionError, SlideStopReason, SlideSummary};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{self, DiskTable32, DiskTable64};
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
 use tribos_core::coupling::{
-    Annulus, LateralFriction, PowerLawFriction, ReducedFriction, closed, compact,
+    Annulus, LateralFriction, PowerLawFriction, ReducedFriction, compact, coulomb,
 };
 use tribos_core::internals::LeanProfile;
 use tribos_core::law::{
@@ -90,41 +90,37 @@ fn assert_same<R: Precision>(
 /// The kernel's type for a power on a patch in 64 bit, written down once more.
 fn kernel(name: &str, alpha: f64, tier: Tier) -> Option<Box<dyn LateralFriction<f64>>> {
     let dry = alpha == 0.0;
-    let power = |pressure| compact::CompactPower::with_pressure(alpha, pressure).unwrap();
-    let round = |pressure| RoundTable64::new(alpha, pressure).unwrap();
-    let quarter = PowerPressure::new(0.25).unwrap();
+    let in_table = alpha <= DiskTable64::MAX_EXPONENT;
     let polynomial = PolynomialPressure::new([1.0, -0.5]).unwrap();
-    Some(match (name, tier) {
-        (_, Tier::Quadrature) | ("polynomial:1,-0.5", Tier::Compact) => return None,
-        (_, Tier::Table) if alpha > 10.0 => return None,
-        ("disk", Tier::Table) if dry => Box::new(table::CoulombDisk),
-        ("disk", Tier::Table) => Box::new(DiskTable64::new(alpha).unwrap()),
-        ("disk", Tier::Compact) if dry => Box::new(compact::CompactCoulombDisk),
-        ("disk", Tier::Compact) => Box::new(compact::CompactPower::new(alpha).unwrap()),
-        ("annulus:0.5", Tier::Table) if dry => {
-            Box::new(Annulus::new(table::CoulombDisk, 0.5).unwrap())
+    let pressure = match name {
+        _ if tier == Tier::Quadrature => return None,
+        "polynomial:1,-0.5" if !in_table => return None,
+        "polynomial:1,-0.5" => {
+            return Some(Box::new(
+                LateralPolynomialTable::new(alpha, &polynomial).unwrap(),
+            ));
         }
-        ("annulus:0.5", Tier::Table) => {
-            Box::new(Annulus::new(DiskTable64::new(alpha).unwrap(), 0.5).unwrap())
-        }
-        ("annulus:0.5", _) if dry => {
-            Box::new(Annulus::new(compact::CompactCoulombDisk, 0.5).unwrap())
-        }
-        ("annulus:0.5", _) => Box::new(Annulus::new(power(PowerPressure::UNIFORM), 0.5).unwrap()),
-        ("ring", Tier::Compact) if dry => Box::new(closed::CoulombRing),
-        ("hertz", Tier::Compact) if dry => Box::new(closed::CoulombHertz),
-        ("punch", Tier::Compact) if dry => Box::new(closed::CoulombPunch),
-        ("ring", Tier::Table) => Box::new(round(PowerPressure::RING)),
-        ("hertz", Tier::Table) => Box::new(round(PowerPressure::HERTZ)),
-        ("punch", Tier::Table) => Box::new(round(PowerPressure::FLAT_PUNCH)),
-        ("paraboloid", Tier::Table) => Box::new(round(PowerPressure::PARABOLOID)),
-        ("power:0.25", Tier::Table) => Box::new(round(quarter)),
-        ("ring", _) => Box::new(power(PowerPressure::RING)),
-        ("hertz", _) => Box::new(power(PowerPressure::HERTZ)),
-        ("punch", _) => Box::new(power(PowerPressure::FLAT_PUNCH)),
-        ("paraboloid", _) => Box::new(power(PowerPressure::PARABOLOID)),
-        ("power:0.25", _) => Box::new(power(quarter)),
-        _ => Box::new(LateralPolynomialTable::new(alpha, &polynomial).unwrap()),
+        "ring" if dry => return Some(Box::new(coulomb::CoulombRing)),
+        "hertz" if dry => return Some(Box::new(coulomb::CoulombHertz)),
+        "punch" if dry => return Some(Box::new(coulomb::CoulombPunch)),
+        "paraboloid" if dry => return Some(Box::new(coulomb::CoulombParaboloid)),
+        "ring" => PowerPressure::RING,
+        "hertz" => PowerPressure::HERTZ,
+        "punch" => PowerPressure::FLAT_PUNCH,
+        "paraboloid" => PowerPressure::PARABOLOID,
+        "power:0.25" => PowerPressure::new(0.25).unwrap(),
+        _ => PowerPressure::UNIFORM,
+    };
+    let power = || compact::CompactPower::with_pressure(alpha, pressure).unwrap();
+    let disk = || DiskTable64::new(alpha).unwrap();
+    Some(match name {
+        "disk" if dry => Box::new(coulomb::CoulombDisk),
+        "disk" if in_table => Box::new(disk()),
+        "annulus:0.5" if dry => Box::new(Annulus::new(coulomb::CoulombDisk, 0.5).unwrap()),
+        "annulus:0.5" if in_table => Box::new(Annulus::new(disk(), 0.5).unwrap()),
+        "annulus:0.5" => Box::new(Annulus::new(power(), 0.5).unwrap()),
+        _ if in_table => Box::new(RoundTable64::new(alpha, pressure).unwrap()),
+        _ => Box::new(power()),
     })
 }
 
@@ -142,7 +138,7 @@ fn powers_of_the_speed_are_the_kernel_s_own_types_or_refused() {
             LARGEST_EXPONENT,
         ] {
             let power = Law::power(0.3, alpha).unwrap();
-            for tier in [Tier::Table, Tier::Compact] {
+            for tier in [Tier::Exact] {
                 let made = AnyFriction::<f64>::new(&patch(name), &power, Some(tier));
                 let what = format!("{name}, alpha {alpha}, {tier}");
                 match (made, kernel(name, alpha, tier)) {
@@ -195,7 +191,7 @@ fn single_precision_has_its_own_tables() {
     let polynomial = |tier| AnyFriction::<f32>::new(&patch("polynomial:1,-0.5"), &half, tier);
     assert_eq!(polynomial(None).unwrap().tier(), Tier::Quadrature);
     assert_eq!(
-        polynomial(Some(Tier::Table)).err(),
+        polynomial(Some(Tier::Exact)).err(),
         Some(FrictionError::SinglePrecision)
     );
 }
@@ -256,13 +252,11 @@ fn other_laws_are_the_kernel_s_quadratures() {
                 "{text}"
             );
         }
-        for tier in [Tier::Table, Tier::Compact] {
-            let refused = AnyFriction::<f64>::new(&Patch::Disk, &spec, Some(tier));
-            assert!(
-                matches!(refused, Err(FrictionError::Tier { cure: None, .. })),
-                "{text}"
-            );
-        }
+        let refused = AnyFriction::<f64>::new(&Patch::Disk, &spec, Some(Tier::Exact));
+        assert!(
+            matches!(refused, Err(FrictionError::Tier { cure: None, .. })),
+            "{text}"
+        );
     }
     agree(STRIBECK, stribeck);
     agree(PLATEAU, plateau);
@@ -290,7 +284,7 @@ fn the_lateral_force_of_a_quadrature_is_that_of_the_table() {
         let power = Law::power(1.0, alpha).unwrap();
         for name in ["disk", "annulus:0.5"] {
             let by = |tier| AnyFriction::<f64>::new(&patch(name), &power, Some(tier)).unwrap();
-            let (table, any) = (by(Tier::Table), by(Tier::Quadrature));
+            let (table, any) = (by(Tier::Exact), by(Tier::Quadrature));
             for ratio in [1e-3, 0.1, 0.4, 0.9, 1.0, 1.1, 3.0, 50.0] {
                 let [exact, near] = [&table, &any].map(|c| c.lateral(ratio, 1.0));
                 let error = (near / exact - 1.0).abs();
@@ -309,7 +303,7 @@ fn the_lateral_force_of_a_quadrature_is_that_of_the_table() {
         }
         // Nodes are coarse, and coarser where friction falls with the speed.
         let by = |tier| AnyFriction::<f64>::new(&Patch::Hertz, &power, Some(tier)).unwrap();
-        let [exact, near] = [Tier::Table, Tier::Quadrature].map(|tier| by(tier).lateral(0.4, 1.0));
+        let [exact, near] = [Tier::Exact, Tier::Quadrature].map(|tier| by(tier).lateral(0.4, 1.0));
         assert!(
             (near / exact - 1.0).abs() < 2e-2,
             "hertz, {alpha}: {near}, not {exact}"
@@ -329,8 +323,8 @@ fn final_motion_takes_closed_forms_then_tables_then_series() {
         let room = upright(&patch(name), alpha).unwrap();
         assert_eq!(growth(&&*room), growth(kernel), "{name}, {alpha}");
     };
-    same("disk", 0.0, &table::CoulombDisk);
-    same("ring", 0.0, &closed::CoulombRing);
+    same("disk", 0.0, &coulomb::CoulombDisk);
+    same("ring", 0.0, &coulomb::CoulombRing);
     same(
         "ring",
         0.5,
@@ -339,10 +333,10 @@ fn final_motion_takes_closed_forms_then_tables_then_series() {
     same(
         "annulus:0.5",
         0.0,
-        &Annulus::new(table::CoulombDisk, 0.5).unwrap(),
+        &Annulus::new(coulomb::CoulombDisk, 0.5).unwrap(),
     );
     same("disk", 20.0, &compact::CompactPower::new(20.0).unwrap());
-    let leant = LeanProfile::new(closed::CoulombHertz, 0.6).unwrap();
+    let leant = LeanProfile::new(coulomb::CoulombHertz, 0.6).unwrap();
     assert_eq!(
         growth(&&*leaning(&Patch::Hertz, 0.6).unwrap()),
         growth(&leant)

@@ -45,10 +45,7 @@ fn assert_rows(
 
 #[test]
 fn every_hard_twist_has_its_force_and_torque() {
-    let limit = |tier: &str| match tier {
-        "coulomb compact" => tolerance::AGM.limit,
-        _ => tolerance::HARD_WRENCH.limit,
-    };
+    let limit = |_: &str| tolerance::HARD_WRENCH.limit;
     assert_rows(limit, |row, (_, tier)| {
         let got = tier.reduced_wrench(row.number("v"), row.number("w"));
         vec![

@@ -5,7 +5,7 @@
 
 use core::f64::consts::{PI, TAU};
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{RoundFriction, compact};
+use tribos_core::coupling::{RoundFriction, compact, coulomb};
 use tribos_core::law::{CoulombLaw, PowerLaw};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{NodeList, NodePatch};
@@ -150,7 +150,7 @@ fn odd_exponents_are_exact() {
 fn standard_rule_keeps_its_bound_for_every_pressure() {
     let mut worst = Worst::of("standard rule, Coulomb, centre anywhere");
     let mut rng = Lcg::new(4);
-    let tier = compact::CompactCoulombDisk;
+    let tier = coulomb::CoulombDisk;
     let exact = RoundFriction::new(tier, 1.0, 1.0).expect("a coefficient");
     let nodes = [0.0, 0.5, -0.5].map(|q| {
         let rule = PolarQuadrature::standard(1.0).expect("a radius");

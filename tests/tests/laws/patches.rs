@@ -3,7 +3,7 @@
 use tribos_core::coupling::round::{
     LateralPolynomialTable, PolynomialTable, RoundTable32, RoundTable64,
 };
-use tribos_core::coupling::{Annulus, compact, table};
+use tribos_core::coupling::{Annulus, compact, coulomb, table};
 use tribos_core::law::PowerLaw;
 use tribos_core::patch::{PatchError, PolynomialPressure, PowerPressure};
 use tribos_tests::pucks::relative;
@@ -50,7 +50,7 @@ fn named_pressures_are_their_orders() {
 
 #[test]
 fn inner_ratios_that_leave_no_disk_or_no_digits_are_refused() {
-    let band = |inner: f64| Annulus::new(table::CoulombDisk, inner);
+    let band = |inner: f64| Annulus::new(coulomb::CoulombDisk, inner);
     for inner in [0.0, -0.0, 5e-324, 0.5, 0.999_999] {
         assert!(band(inner).is_ok(), "{inner}");
     }
@@ -72,7 +72,7 @@ fn inner_ratios_that_leave_no_disk_or_no_digits_are_refused() {
             "{error}"
         );
     }
-    assert!(Annulus::new(table::CoulombDisk, 0.999_999_f32).is_ok());
+    assert!(Annulus::new(coulomb::CoulombDisk, 0.999_999_f32).is_ok());
 }
 
 #[test]

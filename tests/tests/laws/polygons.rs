@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{RoundFriction, compact};
+use tribos_core::coupling::{RoundFriction, coulomb};
 use tribos_core::law::CoulombLaw;
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{NodeList, NodePatch};
@@ -140,7 +140,7 @@ fn nearly_a_disk(divisions: u32) -> NodeList<f64, 16384> {
 
 #[test]
 fn a_polygon_of_many_corners_is_a_disk() {
-    let exact = RoundFriction::new(compact::CompactCoulombDisk, 1.0, 1.0).expect("a coefficient");
+    let exact = RoundFriction::new(coulomb::CoulombDisk, 1.0, 1.0).expect("a coefficient");
     let nodes = NodeFriction::new(dry(), nearly_a_disk(3));
     for eps in [1.5, 3.0] {
         let twist = Twist::new(0.6 * eps, 0.8 * eps, 1.0);

@@ -19,7 +19,7 @@ const POWERS: [&str; 5] = [
 ];
 
 /// A tier, the exponents between which a bound of F, T and G and of the derivatives is promised.
-const PROMISED: [(&str, [f64; 2], Bound, Bound); 7] = {
+const PROMISED: [(&str, [f64; 2], Bound, Bound); 8] = {
     use tolerance::*;
     [
         ("round table", [-0.5, 3.0], ROUND_TABLE, ROUND_JACOBIAN),
@@ -41,9 +41,10 @@ const PROMISED: [(&str, [f64; 2], Bound, Bound); 7] = {
             ROUND_COMPACT_DEEP,
             ROUND_COMPACT_JACOBIAN,
         ),
-        ("closed ring", [0.0, 0.0], AGM, CLOSED_JACOBIAN),
-        ("closed punch", [0.0, 0.0], CLOSED, CLOSED_JACOBIAN),
-        ("closed Hertz", [0.0, 0.0], CLOSED, CLOSED_JACOBIAN),
+        ("form ring", [0.0, 0.0], FORM, FORM_JACOBIAN),
+        ("form punch", [0.0, 0.0], FORM, FORM_JACOBIAN),
+        ("form Hertz", [0.0, 0.0], FORM, FORM_JACOBIAN),
+        ("form paraboloid", [0.0, 0.0], FORM, FORM_JACOBIAN),
     ]
 };
 
@@ -77,9 +78,9 @@ fn every_tier_keeps_its_bound_at_every_row() {
 }
 
 #[test]
-fn closed_forms_and_f32_tables_hit_arguments_that_f32_can_hold() {
-    let [mut closed, mut rounds] = [
-        "f32 closed F, T, G (ulp)",
+fn fitted_forms_and_f32_tables_hit_arguments_that_f32_can_hold() {
+    let [mut forms, mut rounds] = [
+        "f32 fitted forms F, T, G (ulp)",
         "f32 round tiers F, T, G, alpha [-0.75, 5] (ulp)",
     ]
     .map(Worst::of);
@@ -95,8 +96,8 @@ fn closed_forms_and_f32_tables_hit_arguments_that_f32_can_hold() {
                 let got = tier.reduced_wrench(ratio as f32, 1.0);
                 let lateral = tier.lateral(ratio as f32, 1.0);
                 let place = || format!("{name}, q {order}, alpha {alpha}, eps {ratio:e}");
-                let worst = if name.starts_with("closed") {
-                    &mut closed
+                let worst = if name.starts_with("form") {
+                    &mut forms
                 } else {
                     &mut rounds
                 };
@@ -106,17 +107,13 @@ fn closed_forms_and_f32_tables_hit_arguments_that_f32_can_hold() {
             }
         }
     }
-    closed.assert_within(&tolerance::SINGLE_CLOSED_ULPS);
+    forms.assert_within(&tolerance::SINGLE_FORM_ULPS);
     rounds.assert_within(&tolerance::SINGLE_ROUND_ULPS);
 }
 
 #[test]
 fn lateral_function_of_the_uniform_disk_stays_within_its_bound() {
-    let [mut exact, mut elliptic] = [
-        "f64 uniform disk G, alpha [-0.9, 10]",
-        "f64 uniform disk G, AGM",
-    ]
-    .map(Worst::of);
+    let mut exact = Worst::of("f64 uniform disk G, alpha [-0.9, 10]");
     let table = Table::read("uniform_lateral.csv");
     for alpha in table.distinct("alpha") {
         let mut tiers = patches::disks::<f64>(alpha);
@@ -125,17 +122,11 @@ fn lateral_function_of_the_uniform_disk_stays_within_its_bound() {
             for row in table.rows().filter(|row| row.number("alpha") == alpha) {
                 let ratio = row.number("eps");
                 let error = row.reference("G").relative(tier.lateral(ratio, 1.0));
-                let worst = if *name == "coulomb compact" {
-                    &mut elliptic
-                } else {
-                    &mut exact
-                };
-                worst.see(error, || format!("{name}, alpha {alpha}, eps {ratio:e}"));
+                exact.see(error, || format!("{name}, alpha {alpha}, eps {ratio:e}"));
             }
         }
     }
     exact.assert_within(&tolerance::DISK_LATERAL);
-    elliptic.assert_within(&tolerance::AGM);
 }
 
 /// The disk's factor of cancellation under an annulus of inner ratio k: 2/(1−k).
@@ -149,26 +140,17 @@ fn annuli_lose_what_cancels_and_no_more() {
         ["F, T, G", "dF, dT"]
             .map(|part| Worst::of(format!("f64 annulus of {disk}, {part} (of 2/(1-k))")))
     };
-    let (mut exact, mut elliptic) = (of("tables"), of("the AGM"));
-    let thin = ["of tables", "of tables, alpha < 0", "of the AGM"];
-    let mut thin = thin.map(|disk| Worst::of(format!("thin bands {disk}, F, T")));
+    let mut exact = of("forms and tables");
+    let thin = ["alpha >= 0", "alpha < 0"];
+    let mut thin = thin.map(|part| Worst::of(format!("thin bands, {part}, F, T")));
     let table = Table::read("annulus.csv");
     for alpha in table.distinct("alpha") {
         let mut tiers = patches::disks::<f64>(alpha);
         tiers.extend(patches::tiers(0.0, alpha).into_iter().take(2));
         for (name, tier) in tiers {
-            let [wrench, derivatives] = if name == "coulomb compact" {
-                &mut elliptic
-            } else {
-                &mut exact
-            };
-            let is_elliptic = name == "coulomb compact";
-            let kind = if is_elliptic {
-                2
-            } else {
-                usize::from(alpha < 0.0)
-            };
-            let is_promised = is_elliptic || name == "disk table" || name == "coulomb table";
+            let [wrench, derivatives] = &mut exact;
+            let kind = usize::from(alpha < 0.0);
+            let is_promised = name == "disk table" || name == "form disk";
             for row in table.rows().filter(|row| row.number("alpha") == alpha) {
                 let [inner, ratio] = ["k", "eps"].map(|column| row.number(column));
                 let band = Annulus::new(tier.as_ref(), inner).expect("an inner ratio in range");
@@ -192,13 +174,14 @@ fn annuli_lose_what_cancels_and_no_more() {
     }
     let bounds = {
         use tolerance::*;
-        let thin = [THIN_ANNULUS, THIN_ANNULUS_WEAKENING, THIN_ANNULUS_AGM];
-        [[ANNULUS, ANNULUS_JACOBIAN], [AGM, ANNULUS_JACOBIAN]]
-            .concat()
-            .into_iter()
-            .chain(thin)
+        [
+            ANNULUS,
+            ANNULUS_JACOBIAN,
+            THIN_ANNULUS,
+            THIN_ANNULUS_WEAKENING,
+        ]
     };
-    for (worst, bound) in exact.iter().chain(&elliptic).chain(&thin).zip(bounds) {
+    for (worst, bound) in exact.iter().chain(&thin).zip(bounds) {
         worst.assert_within(&bound);
     }
 }

@@ -4,11 +4,11 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
-use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::coulomb::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable64};
-use tribos_core::coupling::table::{self, DiskTable64};
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::coupling::{
-    Annulus, LateralFriction, ReducedFriction, ReducedWrench, RoundFriction, compact,
+    Annulus, LateralFriction, ReducedFriction, ReducedWrench, RoundFriction, compact, coulomb,
 };
 use tribos_core::internals::Gauss;
 use tribos_core::patch::PolynomialPressure;
@@ -164,7 +164,7 @@ proptest! {
         let got = compact(order, alpha).reduced_wrench(v, w);
         prop_assert!(got.force > 0.0 && got.torque > 0.0);
         prop_assert!(v * got.force + w * got.torque > 0.0);
-        for dry in [table::CoulombDisk.reduced_wrench(v, w), CoulombRing.reduced_wrench(v, w), CoulombPunch.reduced_wrench(v, w), CoulombHertz.reduced_wrench(v, w)] {
+        for dry in [coulomb::CoulombDisk.reduced_wrench(v, w), CoulombRing.reduced_wrench(v, w), CoulombPunch.reduced_wrench(v, w), CoulombHertz.reduced_wrench(v, w)] {
             prop_assert!(dry.force > 0.0 && dry.torque > 0.0);
         }
     }
@@ -233,7 +233,7 @@ proptest! {
         prop_assert_eq!(CoulombPunch.reduced_wrench(v, w), CoulombPunch.reduced_wrench(scale * v, scale * w));
         prop_assert_eq!(CoulombHertz.reduced_wrench(v, w), CoulombHertz.reduced_wrench(scale * v, scale * w));
         prop_assert_eq!(CoulombHertz.lateral(v, w), CoulombHertz.lateral(scale * v, scale * w));
-        let disk = table::CoulombDisk;
+        let disk = coulomb::CoulombDisk;
         prop_assert_eq!(disk.reduced_wrench(v, w), disk.reduced_wrench(scale * v, scale * w));
         let (near, far) = (disk.reduced_jacobian(v, w), disk.reduced_jacobian(scale * v, scale * w));
         prop_assert_eq!(near.force_slide, far.force_slide * scale);
@@ -261,7 +261,7 @@ proptest! {
         let twist = Twist::new(v * angle.cos(), v * angle.sin(), spin);
         let hertz = RoundFriction::new(CoulombHertz, 0.4, 1.0).expect("in range").wrench(2.0, &twist);
         let ring = RoundFriction::new(CoulombRing, 0.4, 1.0).expect("in range").wrench(2.0, &twist);
-        let disk = RoundFriction::new(table::CoulombDisk, 0.4, 1.0).expect("in range").wrench(2.0, &twist);
+        let disk = RoundFriction::new(coulomb::CoulombDisk, 0.4, 1.0).expect("in range").wrench(2.0, &twist);
         let most = 0.8 * (1.0 + tolerance::ROUNDING.limit);
         prop_assert!(disk.force.norm() <= most && disk.torque.abs() <= most * 2.0 / 3.0);
         for wrench in [hertz, ring, disk] {

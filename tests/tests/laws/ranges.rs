@@ -392,14 +392,14 @@ fn quadrature_at_every_power_of_two() {
 /// without bound there.
 #[test]
 fn derivatives_next_to_equal_speeds() {
-    let [mut closed, mut other] = ["closed forms next to equal speeds", "others"].map(Worst::of);
+    let [mut form, mut other] = ["fitted forms next to equal speeds", "others"].map(Worst::of);
     for row in Table::read("equal_speeds.csv").rows() {
         let [q, alpha, v] = ["q", "alpha", "v"].map(|name| row.number(name));
         for (name, tier) in patches::tiers::<f64>(q, alpha) {
             let [_, _, _, got @ .., _, _] = numbers(tier.as_ref(), v, 1.0);
             let drag = row.number("drag");
-            let worst = if name.starts_with("closed") {
-                &mut closed
+            let worst = if name.starts_with("form") {
+                &mut form
             } else {
                 &mut other
             };
@@ -412,6 +412,6 @@ fn derivatives_next_to_equal_speeds() {
             }
         }
     }
-    closed.assert_within(&tolerance::CLOSED_JACOBIAN);
+    form.assert_within(&tolerance::FORM_JACOBIAN);
     other.assert_within(&tolerance::ROUND_JACOBIAN_DENSE);
 }

@@ -47,7 +47,7 @@ const LINES: [Line; 7] = {
     use tolerance::*;
     let (few, steep) = ([SINGLE_ULPS; 2], Some(SINGLE_ULPS));
     [
-        ("coulomb table", &[0.0], few, [None; 2]),
+        ("form disk", &[0.0], few, [None; 2]),
         ("disk table", &MODERATE, few, [None; 2]),
         ("disk table", &STEEP, [SINGLE_STEEP_ULPS; 2], [steep; 2]),
         // Close to −1 the torque alone loses digits.
@@ -102,16 +102,6 @@ fn every_tier_stays_within_a_few_units() {
                 None => worst.assert_within(bound),
             }
         }
-    }
-}
-
-#[test]
-fn elliptic_coulomb_stays_within_its_bound() {
-    let mut worst = ["f32 AGM F", "f32 AGM T"].map(Worst::of);
-    let relative = |wanted: &Reference, got| wanted.relative(f64::from(got));
-    see(&mut worst, "coulomb compact", 0.0, relative);
-    for worst in worst {
-        worst.assert_within(&tolerance::SINGLE_AGM);
     }
 }
 

@@ -1,10 +1,10 @@
 //! Tall bodies: leaning pressures by brute force, the balance of moments, tipping, the ends.
 
-use tribos_core::coupling::closed::{CoulombHertz, CoulombRing};
+use tribos_core::coupling::coulomb::{CoulombHertz, CoulombRing};
 use tribos_core::coupling::load_transfer::{
     FullGradient, LoadTransferFriction, LongitudinalGradient, PressureGradient,
 };
-use tribos_core::coupling::{LateralFriction, ReducedFriction, RoundFriction, table};
+use tribos_core::coupling::{LateralFriction, ReducedFriction, RoundFriction, coulomb};
 use tribos_core::coupling::{ReducedJacobian, ReducedWrench};
 use tribos_core::internals::LateralJacobian;
 use tribos_core::internals::leaning_wrench;
@@ -172,15 +172,19 @@ fn friction_of_a_leaning_body_is_that_of_brute_force() {
 fn front_and_back_alone_are_the_thesis_formula() {
     // 3.38: lateral force mu^2 N (H/R) F 2G; force and torque are the upright body's.
     let height = 0.16;
-    let tall = body::<_, LongitudinalGradient>(table::CoulombDisk, 0.5 * height);
+    let tall = body::<_, LongitudinalGradient>(coulomb::CoulombDisk, 0.5 * height);
     for twist in twists(300) {
         let (speed, rim) = (twist.speed(), (twist.spin * RADIUS).abs());
         let upright = tall.foot().wrench(LOAD, &twist);
         let got = tall.wrench(LOAD, &twist);
         assert!(!got.is_lifting);
-        let force = table::CoulombDisk.reduced_wrench(speed, rim).force;
-        let wanted =
-            0.04 * LOAD * (height / RADIUS) * force * 2.0 * table::CoulombDisk.lateral(speed, rim);
+        let force = coulomb::CoulombDisk.reduced_wrench(speed, rim).force;
+        let wanted = 0.04
+            * LOAD
+            * (height / RADIUS)
+            * force
+            * 2.0
+            * coulomb::CoulombDisk.lateral(speed, rim);
         let (cos, sin) = (twist.velocity.x / speed, twist.velocity.y / speed);
         let right =
             (got.wrench.force.x * sin - got.wrench.force.y * cos) * 1.0_f64.copysign(twist.spin);
@@ -209,7 +213,7 @@ fn counterclockwise_spin_bends_the_path_to_the_right() {
 
 #[test]
 fn a_mirrored_motion_has_the_mirrored_wrench_to_the_bit() {
-    let tall = body::<_, FullGradient>(table::CoulombDisk, 0.1);
+    let tall = body::<_, FullGradient>(coulomb::CoulombDisk, 0.1);
     for twist in twists(500) {
         let (x, y, spin) = (twist.velocity.x, twist.velocity.y, twist.spin);
         let one = tall.wrench(LOAD, &twist);
@@ -287,7 +291,7 @@ fn tipping_begins_exactly_where_the_trailing_edge_bears_nothing() {
 
 #[test]
 fn a_tipping_body_feels_the_wrench_of_the_largest_lean_its_foot_can_bear() {
-    let tall = body::<_, FullGradient>(table::CoulombDisk, 0.4);
+    let tall = body::<_, FullGradient>(coulomb::CoulombDisk, 0.4);
     let mut seen = 0;
     for twist in twists(300) {
         let got = tall.wrench(LOAD, &twist);
@@ -306,7 +310,7 @@ fn a_tipping_body_feels_the_wrench_of_the_largest_lean_its_foot_can_bear() {
         ]
         .map(|l| l / lean);
         let wanted = leaning_wrench(
-            &table::CoulombDisk,
+            &coulomb::CoulombDisk,
             [speed, (twist.spin * RADIUS).abs()],
             held,
         );
@@ -320,8 +324,8 @@ fn a_tipping_body_feels_the_wrench_of_the_largest_lean_its_foot_can_bear() {
 
 #[test]
 fn a_body_without_height_is_its_foot() {
-    let tall = body::<_, FullGradient>(table::CoulombDisk, 0.0);
-    let front = body::<_, LongitudinalGradient>(table::CoulombDisk, 0.0);
+    let tall = body::<_, FullGradient>(coulomb::CoulombDisk, 0.0);
+    let front = body::<_, LongitudinalGradient>(coulomb::CoulombDisk, 0.0);
     for twist in twists(500) {
         let upright = tall.foot().wrench(LOAD, &twist);
         for got in [tall.wrench(LOAD, &twist), front.wrench(LOAD, &twist)] {
@@ -396,7 +400,7 @@ fn a_tall_body_at_rest_feels_no_friction() {
 
 #[test]
 fn nan_goes_through_and_counts_as_lifting() {
-    let tall = body::<_, FullGradient>(table::CoulombDisk, 0.1);
+    let tall = body::<_, FullGradient>(coulomb::CoulombDisk, 0.1);
     for other in special_f64() {
         for twist in [
             Twist::new(f64::NAN, other, other),

@@ -1,7 +1,8 @@
 //! The printed formulas of chapter 3, with their errata, against the kernel.
 
 use std::f64::consts::PI;
-use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::coupling::{ReducedFriction, ReducedWrench};
 use tribos_core::internals::CompleteElliptic;
 use tribos_core::modes::inertia_interval;

@@ -1,6 +1,6 @@
 //! Inputs that broke a property once, found by `--bin fuzz`, in the smallest form.
 use tribos_core::coupling::RoundFriction;
-use tribos_core::coupling::closed::CoulombHertz;
+use tribos_core::coupling::coulomb::CoulombHertz;
 use tribos_core::internals::tripod_shares;
 use tribos_core::law::{AgeingLaw, CoulombLaw, LocalLaw, PowerLaw, SlipLaw, StateEvolution};
 use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};

@@ -33,15 +33,14 @@ type Line = (
     [Bound; 2],
 );
 
-const LINES: [Line; 9] = {
+const LINES: [Line; 8] = {
     use tolerance::*;
     let (relative, ulps) = (Reference::relative, Reference::ulps);
     [
-        ("coulomb table", [0.0, 0.0], ulps, [COULOMB_TABLE_ULPS; 2]),
-        ("disk table", [0.0, 0.0], ulps, [COULOMB_TABLE_ULPS; 2]),
+        ("form disk", [0.0, 0.0], ulps, [COULOMB_ULPS; 2]),
+        ("disk table", [0.0, 0.0], ulps, [COULOMB_ULPS; 2]),
         ("disk table", [-0.75, 10.0], relative, [TABLE; 2]),
         ("disk table", [-0.99, -0.76], relative, [TABLE, TABLE_DEEP]),
-        ("coulomb compact", [0.0, 0.0], relative, [AGM; 2]),
         ("compact", [-0.99, 30.0], relative, [COMPACT; 2]),
         ("compact", [31.0, 128.0], relative, [COMPACT_ENDS; 2]),
         ("quadrature", [0.0, 5.0], relative, [QUADRATURE; 2]),

@@ -1,7 +1,8 @@
 //! Where the velocity ratio goes: fixed points, their stability, and the modes of chapter 3.4.
 
 use tribos_core::coupling::PowerLawFriction;
-use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::modes::{Stability, TerminalMode, TerminalMotion, inertia_interval};
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_tests::tables::Table;

@@ -1,7 +1,7 @@
 //! The set of wrenches that many points carry, against the closed ring and by its own geometry.
 
 use nalgebra::Vector2;
-use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::coulomb::CoulombRing;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::CoulombLaw;
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};

@@ -2,7 +2,7 @@
 
 use crate::elastic_steps::{LIMIT, RADIUS, sets};
 use tribos_core::Real;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::law::StickSlip;
 use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface, ScaledSet};
 use tribos_core::presliding::{Anchor, MicroslipPresliding, Pose, Presliding, PreslidingStep};

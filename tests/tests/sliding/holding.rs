@@ -5,7 +5,7 @@ use tribos_core::contact::{
     Cohesion, ContactBody, ContactFriction, ContactGeometry, IndependentFriction, NormalLaw,
     SphereBody, TimeStep, WallBody,
 };
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::manifold::{ContactSystem, InitialGuess, SolverSettings};
 use tribos_core::patch::nodes::NodeList;

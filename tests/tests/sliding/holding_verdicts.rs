@@ -1,7 +1,7 @@
 //! What holds for certain, what slips for certain, and what lies between.
 
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::holding::{Stiction, StictionBounds};
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::planar::PlanarBody;

@@ -5,9 +5,9 @@ use std::num::NonZeroU32;
 use tribos::slide::inverse::{
     Launch, LaunchLimits, LaunchSolution, MotionError, Pose, RestMap, Turns,
 };
-use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::coulomb::{CoulombDisk, CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::coupling::{Annulus, PowerLawFriction, ReducedFriction};
 use tribos_core::patch::PowerPressure;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
@@ -46,9 +46,9 @@ fn bodies(alpha: f64) -> Bodies {
         ));
     }
     if alpha == 0.0 {
-        all.push(("closed ring".into(), Box::new(CoulombRing)));
-        all.push(("closed punch".into(), Box::new(CoulombPunch)));
-        all.push(("closed Hertz".into(), Box::new(CoulombHertz)));
+        all.push(("form ring".into(), Box::new(CoulombRing)));
+        all.push(("form punch".into(), Box::new(CoulombPunch)));
+        all.push(("form Hertz".into(), Box::new(CoulombHertz)));
     }
     all
 }

@@ -1,7 +1,8 @@
 //! The stepper against closed forms, the fixed-step method and f32 against the stepper.
 
-use tribos_core::coupling::closed::CoulombHertz;
-use tribos_core::coupling::table::{CoulombDisk, DiskTable32, DiskTable64};
+use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombHertz;
+use tribos_core::coupling::table::{DiskTable32, DiskTable64};
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_tests::pucks::{MU_G, RADIUS, coulomb, power, relative};

@@ -7,7 +7,8 @@ use tribos::slide::planar::{
 };
 use tribos::slide::planar::{TallBody, TallCylinder};
 use tribos::slide::{PlanarScene, follow_path};
-use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::modes::{TerminalMode, TerminalMotion};
 use tribos_core::slider::{Slider, SliderParameters, SliderRest, SliderState};

@@ -4,8 +4,7 @@
 use nalgebra::Vector2;
 use tribos_core::Real;
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::closed::{CoulombHertz, CoulombRing};
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::{CoulombDisk, CoulombHertz, CoulombRing};
 use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
 use tribos_core::patch::nodes::{Node, NodeList};
 use tribos_core::planar::{PlanarBody, PlanarStep, PointContacts};

@@ -2,7 +2,7 @@
 
 use nalgebra::{Rotation2, Vector2};
 use tribos_core::Real;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::law::StickSlip;
 use tribos_core::limit_surface::{
     FrictionSet, LimitEllipsoid, RoundLimitSurface, ScaledSet, ShapeLimitSurface,

@@ -1,6 +1,6 @@
 //! Final motion under pressures: fixed points, their uniqueness and their ends.
 
-use tribos_core::coupling::closed::CoulombRing;
+use tribos_core::coupling::coulomb::CoulombRing;
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction, compact};
 use tribos_core::modes::{Stability, TerminalMode, TerminalMotion, inertia_interval};

@@ -1,6 +1,6 @@
 //! Motions to rest under pressures: stops of the table, tiers among each other, closed forms.
 
-use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::coulomb::{CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction, compact};
 use tribos_core::modes::TerminalMotion;
@@ -93,9 +93,9 @@ fn stops_are_those_of_the_table() {
             seen("compact", to_rest(compact(order, alpha), c, launched));
         }
         match (order, alpha) {
-            (-1.0, 0.0) => seen("closed", to_rest(CoulombRing, c, launched)),
-            (-0.5, 0.0) => seen("closed", to_rest(CoulombPunch, c, launched)),
-            (0.5, 0.0) => seen("closed", to_rest(CoulombHertz, c, launched)),
+            (-1.0, 0.0) => seen("form", to_rest(CoulombRing, c, launched)),
+            (-0.5, 0.0) => seen("form", to_rest(CoulombPunch, c, launched)),
+            (0.5, 0.0) => seen("form", to_rest(CoulombHertz, c, launched)),
             _ => {}
         }
     }

@@ -1,7 +1,7 @@
 //! Published cases of creep: what friction holds keeps its place to the last bit, and is let go at the
 //! right load. `examples/hold.rs` follows them for ten million steps.
 
-use tribos_core::coupling::{DryReducedFriction, table::CoulombDisk};
+use tribos_core::coupling::{DryReducedFriction, coulomb::CoulombDisk};
 use tribos_core::real::Real;
 use tribos_tests::holds::{BREAK, cases};
 

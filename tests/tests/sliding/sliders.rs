@@ -1,7 +1,8 @@
 //! A body slides and spins to rest: when, where, how, and in the steps of any clock.
 
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::coupling::table::{CoulombDisk, DiskTable64};
+use tribos_core::coupling::table::DiskTable64;
 use tribos_core::coupling::{Annulus, PowerLawFriction, ReducedFriction};
 use tribos_core::patch::PowerPressure;
 use tribos_core::slider::{Slider, SliderParameters, SliderRest, SliderState};

@@ -3,53 +3,47 @@
 use super::{BOTH, Code, Item, NARROW, item, round};
 
 /// Modules of every item built on the disk's Coulomb table.
-macro_rules! on_table {
+macro_rules! on_form {
     ($($more:literal),*) => {
-        round!("coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways" $(, $more)*)
+        round!("coupling::coulomb special::log_part coupling::batch::ways" $(, $more)*)
     };
 }
 
 /// The same with the modules of the limit surface.
 macro_rules! surface {
     () => {
-        on_table!("limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve special::log_part limit_surface::curve_approximation")
+        on_form!("limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation")
     };
 }
 
 const WRENCH: &str = "whole(&object.wrench(given.load, &given.twist))";
 const TALL_WRENCH: &str = "whole(&object.wrench(given.load, &given.twist).wrench)";
-const SURFACE: &str = "RoundLimitSurface::new(table::CoulombDisk, 1.0 as R, 1.0).ok()?";
+const SURFACE: &str = "RoundLimitSurface::new(coulomb::CoulombDisk, 1.0 as R, 1.0).ok()?";
 const PROJECTION: &str = "whole(&object.project(&given.push).wrench)";
 
-/// Each with the Coulomb table of its precision, unless named otherwise.
-pub const BODIES: [Item; 11] = [
+/// Each with the fitted form of Coulomb friction, unless named otherwise.
+pub const BODIES: [Item; 10] = [
     item(
         ["body", "disk with dimensions"],
         BOTH,
-        on_table!(),
-        Code::new("disk(table::CoulombDisk)?", WRENCH),
-    ),
-    item(
-        ["body", "disk with dimensions: compact"],
-        BOTH,
-        round!("coupling::compact special::elliptic"),
-        Code::new("disk(compact::CompactCoulombDisk)?", WRENCH),
+        on_form!(),
+        Code::new("disk(coulomb::CoulombDisk)?", WRENCH),
     ),
     item(
         ["body", "tall: front-back"],
         NARROW,
-        on_table!("coupling::load_transfer"),
+        on_form!("coupling::load_transfer"),
         Code::new(
-            "LoadTransferFriction::<_, _, LongitudinalGradient>::new(disk(table::CoulombDisk)?, 0.25).ok()?",
+            "LoadTransferFriction::<_, _, LongitudinalGradient>::new(disk(coulomb::CoulombDisk)?, 0.25).ok()?",
             TALL_WRENCH,
         ),
     ),
     item(
         ["body", "tall: all round"],
         NARROW,
-        on_table!("coupling::load_transfer"),
+        on_form!("coupling::load_transfer"),
         Code::new(
-            "LoadTransferFriction::<_, _, FullGradient>::new(disk(table::CoulombDisk)?, 0.25).ok()?",
+            "LoadTransferFriction::<_, _, FullGradient>::new(disk(coulomb::CoulombDisk)?, 0.25).ok()?",
             TALL_WRENCH,
         ),
     ),
@@ -68,7 +62,7 @@ pub const BODIES: [Item; 11] = [
     item(
         ["limit surface", "ellipsoid: projection"],
         NARROW,
-        "limit_surface limit_surface::ellipsoid limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve special::log_part limit_surface::curve_approximation",
+        "limit_surface limit_surface::ellipsoid limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation",
         Code::new(
             "LimitEllipsoid::new(1.0 as R, 1.0, 0.625).ok()?",
             PROJECTION,
@@ -77,16 +71,16 @@ pub const BODIES: [Item; 11] = [
     item(
         ["motion", "final modes"],
         NARROW,
-        on_table!("modes"),
+        on_form!("modes"),
         Code::new(
-            "table::CoulombDisk",
+            "coulomb::CoulombDisk",
             "TerminalMotion::new(*object, b).ok().and_then(|modes| modes.finite_fixed_point()).unwrap_or(0.0)",
         ),
     ),
     item(
         ["motion", "slider to rest"],
         BOTH,
-        on_table!(
+        on_form!(
             "modes slider slider::rest slider::direction_arc slider::march slider::march::arcs slider::march::finish slider::march::panel slider::march::rates slider::gauss_legendre slider::final_decay special::legendre"
         ),
         Code::new(
@@ -97,7 +91,7 @@ pub const BODIES: [Item; 11] = [
     item(
         ["motion", "slider: a given time"],
         NARROW,
-        on_table!(
+        on_form!(
             "modes slider slider::rest slider::advance slider::runge_kutta slider::short_f32 slider::direction_arc slider::march slider::march::arcs slider::march::finish slider::march::panel slider::march::rates slider::gauss_legendre slider::final_decay special::legendre"
         ),
         Code::new(
@@ -108,7 +102,7 @@ pub const BODIES: [Item; 11] = [
     item(
         ["motion", "slider: Verlet step"],
         BOTH,
-        on_table!("slider slider::verlet"),
+        on_form!("slider slider::verlet"),
         Code::new(
             "slider()?",
             "state(&object.verlet_step(&given.motion, given.duration))",

@@ -17,8 +17,8 @@ macro_rules! impulse {
 macro_rules! exact {
     ($($more:literal),*) => {
         round!(
-            "coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways",
-            "limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve special::log_part limit_surface::curve_approximation",
+            "coupling::coulomb special::log_part coupling::batch::ways",
+            "limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation",
             "contact contact::block contact::body contact::update contact::coupled",
             "contact::friction contact::modes contact::normal contact::sliding_rolling contact::dual_slip",
             "contact::geometry contact::vector" $(, $more)*
@@ -31,7 +31,7 @@ macro_rules! ellipsoid {
     () => {
         impulse!(
             "limit_surface limit_surface::ellipsoid limit_surface::round",
-            "limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve special::log_part limit_surface::curve_approximation",
+            "limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation",
             "contact::coupled contact::sliding_rolling contact::dual_slip"
         )
     };
@@ -89,13 +89,13 @@ pub const IMPULSES: [Item; 11] = [
         "coupled: exact",
         NARROW,
         exact!(),
-        "Struck::on_floor(CoupledFriction::sliding_torsion(RoundLimitSurface::new(table::CoulombDisk, b, 0.5).ok()?))?",
+        "Struck::on_floor(CoupledFriction::sliding_torsion(RoundLimitSurface::new(coulomb::CoulombDisk, b, 0.5).ok()?))?",
     ),
     struck(
         "coupled: exact, and rolling",
         NARROW,
         exact!("contact::disc"),
-        "Struck::on_floor(CoupledFriction::all(RoundLimitSurface::new(table::CoulombDisk, b, 0.5).ok()?, a).ok()?)?",
+        "Struck::on_floor(CoupledFriction::all(RoundLimitSurface::new(coulomb::CoulombDisk, b, 0.5).ok()?, a).ok()?)?",
     ),
     struck(
         "coupled: ellipsoid",

@@ -2,8 +2,6 @@
 
 use super::{BOTH, Code, Item, NARROW, WIDE, item, round};
 
-const HERTZ_TABLE: &str = "static TABLE: RoundTable = match RoundTable::new(0.0, PowerPressure::HERTZ) { Ok(table) => table, Err(_) => panic!() };";
-
 /// A round patch, without dimensions.
 const fn coupled(
     name: &'static str,
@@ -48,38 +46,30 @@ macro_rules! flat {
 }
 
 /// One pair of speeds or one twist in.
-pub const PATCHES: [Item; 19] = [
-    item(
-        ["patch", "Hertz: table: Coulomb"],
+pub const PATCHES: [Item; 18] = [
+    coupled(
+        "Hertz: form",
         BOTH,
-        round!("coupling::round coupling::regime_table coupling::batch::ways"),
-        Code::new("&TABLE", "couple(object, a, b)").with_statics(HERTZ_TABLE),
+        round!("coupling::coulomb special::log_part coupling::batch::ways"),
+        "coulomb::CoulombHertz",
     ),
     coupled(
-        "Hertz: closed",
+        "punch: form",
         NARROW,
-        round!("coupling::closed"),
-        "closed::CoulombHertz",
+        round!("coupling::coulomb special::log_part coupling::batch::ways"),
+        "coulomb::CoulombPunch",
     ),
     coupled(
-        "punch: closed",
+        "ring: form",
         NARROW,
-        round!("coupling::closed"),
-        "closed::CoulombPunch",
+        round!("coupling::coulomb special::log_part coupling::batch::ways"),
+        "coulomb::CoulombRing",
     ),
     coupled(
-        "ring: closed",
+        "annulus: form",
         NARROW,
-        round!("coupling::closed special::elliptic"),
-        "closed::CoulombRing",
-    ),
-    coupled(
-        "annulus: table: Coulomb",
-        NARROW,
-        round!(
-            "coupling::annulus coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways"
-        ),
-        "Annulus::new(table::CoulombDisk, 0.5 as R).ok()?",
+        round!("coupling::annulus coupling::coulomb special::log_part coupling::batch::ways"),
+        "Annulus::new(coulomb::CoulombDisk, 0.5 as R).ok()?",
     ),
     coupled(
         "polynomial: table built at run time",

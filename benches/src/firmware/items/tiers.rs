@@ -21,14 +21,12 @@ const fn tier(
 }
 
 /// One sliding speed and one rim speed in.
-pub const TIERS: [Item; 7] = [
+pub const TIERS: [Item; 6] = [
     tier(
-        "table: Coulomb",
+        "form: Coulomb",
         BOTH,
-        round!(
-            "coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways"
-        ),
-        "table::CoulombDisk",
+        round!("coupling::coulomb special::log_part coupling::batch::ways"),
+        "coulomb::CoulombDisk",
     ),
     item(
         [TIER, "table: alpha 0.5"],
@@ -37,12 +35,6 @@ pub const TIERS: [Item; 7] = [
             "coupling::table coupling::disk coupling::equal_speeds special::log_quotient coupling::regime_table coupling::batch::ways power"
         ),
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HALF_TABLE),
-    ),
-    tier(
-        "compact: Coulomb",
-        BOTH,
-        round!("coupling::compact special::elliptic"),
-        "compact::CompactCoulombDisk",
     ),
     tier(
         "compact: alpha 0.5",

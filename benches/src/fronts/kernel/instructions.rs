@@ -6,10 +6,9 @@ use crate::firmware::{TIER, all_programs};
 use crate::methods::Method;
 
 /// Methods, without their precision, that are items of the firmware's front.
-const ITEMS: [(&str, &str); 5] = [
-    ("table", "table: Coulomb"),
+const ITEMS: [(&str, &str); 4] = [
+    ("form", "form: Coulomb"),
     ("table alpha 0.5", "table: alpha 0.5"),
-    ("compact", "compact: Coulomb"),
     ("compact power", "compact: power alpha 0"),
     ("quadrature", "quadrature: Coulomb"),
 ];

@@ -17,7 +17,7 @@ use crate::picture::{self, PicturePoint};
 use crate::timing::{self, Samples, Task};
 use crate::written::{Sheet, short};
 use std::path::Path;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 
 /// Seed of the mix.
 const SEED: u64 = 1;
@@ -98,20 +98,19 @@ fn line(rows: &[Row], samples: &Samples) -> String {
     let of = |name: &str| rows.iter().find(|row| row.method.name == name);
     let error = |name| short(of(name).map_or(f64::NAN, |row| row.errors.relative()));
     let time = |name| short(of(name).map_or(f64::NAN, |row| row.nanoseconds));
-    let ratio = |name| short(samples.ratio(name, "table").unwrap_or(f64::NAN));
-    let [fast, small] = of("table f32").map_or([None; 2], |row| row.instructions);
+    let ratio = |name| short(samples.ratio(name, "form").unwrap_or(f64::NAN));
+    let [fast, small] = of("form f32").map_or([None; 2], |row| row.instructions);
     let told = |count: Option<u64>| count.map_or("(not measured)".into(), |n| n.to_string());
     format!(
-        "The table gives force and torque with a relative error of {} in {} ns here (f32: {} in {} ns, \
-         {} instructions on a Cortex-M4F, {} on an M0); without a table it takes {} times as long, by \
-         an AGM as usual {}, by quadrature {}.",
-        error("table"),
-        time("table"),
-        error("table f32"),
-        time("table f32"),
+        "The form gives force and torque with a relative error of {} in {} ns here (f32: {} in {} ns, \
+         {} instructions on a Cortex-M4F, {} on an M0); an AGM as usual takes {} times as long, \
+         quadrature {}.",
+        error("form"),
+        time("form"),
+        error("form f32"),
+        time("form f32"),
         told(fast),
         told(small),
-        ratio("compact"),
         ratio("agm"),
         ratio("quadrature"),
     )
@@ -302,24 +301,24 @@ fn sheet(rows: &[Row], rounds: usize) -> Sheet {
 /// The ratios that matter, each the median of the rounds' own ratios.
 fn ratios(samples: &Samples, n: usize) -> String {
     let ratio = |above: &str, below: &str| samples.ratio(above, below).unwrap_or(f64::NAN);
-    let agm = ratio("table", "agm").max(ratio("table", "agm libm"));
-    let bare = |alpha: &f64| ratio(&format!("table alpha {alpha} unscaled"), "table");
+    let agm = ratio("form", "agm").max(ratio("form", "agm libm"));
+    let bare = |alpha: &f64| ratio(&format!("table alpha {alpha} unscaled"), "form");
     let costs: Vec<f64> = catalogue::EXPONENTS.iter().map(bare).chain([1.0]).collect();
     let slowest = costs.iter().copied().fold(0.0, f64::max);
     let quickest = costs.iter().copied().fold(f64::INFINITY, f64::min);
-    let trapezoid = ratio(TRAPEZOID_TASK, "table");
+    let trapezoid = ratio(TRAPEZOID_TASK, "form");
     let lines = [
-        ("table / quicker AGM".into(), agm),
-        ("table / Bulirsch".into(), ratio("table", "bulirsch")),
+        ("form / quicker AGM".into(), agm),
+        ("form / Bulirsch".into(), ratio("form", "bulirsch")),
         (
-            format!("trapezoid {n} (error 1e-3), root at every node / table"),
+            format!("trapezoid {n} (error 1e-3), root at every node / form"),
             trapezoid,
         ),
         (
-            format!("trapezoid {n} (error 1e-3), power at every node / table"),
-            ratio(GENERAL_TASK, "table"),
+            format!("trapezoid {n} (error 1e-3), power at every node / form"),
+            ratio(GENERAL_TASK, "form"),
         ),
-        ("table f64 / f32".into(), ratio("table", "table f32")),
+        ("form f64 / f32".into(), ratio("form", "form f32")),
         (
             "contact f64, batch / single".into(),
             ratio("contact batch", "contact"),
@@ -335,11 +334,11 @@ fn ratios(samples: &Samples, n: usize) -> String {
         ("alpha 0.5 without power / Coulomb".into(), bare(&0.5)),
         (
             "alpha 0.5 with power (a root) / Coulomb".into(),
-            ratio("table alpha 0.5", "table"),
+            ratio("table alpha 0.5", "form"),
         ),
         (
             "alpha 1.5 with power / Coulomb".into(),
-            ratio("table alpha 1.5", "table"),
+            ratio("table alpha 1.5", "form"),
         ),
     ];
     let line = |(name, value): &(String, f64)| format!("- {name}: {}\n", short(*value));

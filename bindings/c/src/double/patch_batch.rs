@@ -8,7 +8,7 @@ use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{CHUNK, pieces, pieces_mut, read, slice, slice_mut, status};
 use crate::status::tribos_status;
 use crate::table::{held, tribos_power_table_f64};
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::coupling::{ReducedFriction, RoundFriction};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};

@@ -3,7 +3,7 @@
 use crate::fields::same_fields;
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 /// A sliding body; all parameters are positive and finite.

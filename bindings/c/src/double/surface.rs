@@ -8,7 +8,7 @@ use super::vectors::{tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::Error;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{
     FrictionSet, LimitEllipsoid, Projection, Region, RoundLimitSurface,
 };

@@ -11,7 +11,7 @@ use super::contact::{
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::contact::{Contact, ContactFriction, CoupledFriction, IndependentFriction};
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::RoundLimitSurface;
 
 /// Friction with validated parameters, or the reason for their refusal.

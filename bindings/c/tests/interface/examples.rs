@@ -6,7 +6,7 @@ use crate::programs::{
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
 use tribos_core::law::{Bristle, LuGre, LuGreParameters};
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_core::twist::Twist;

@@ -4,7 +4,7 @@ use super::prepared::profile;
 use super::store;
 use crate::exchange::{Refused, said};
 use core::num::NonZeroU32;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 use tribos_core::slider::SliderParameters;
 use tribos_motion::slide::inverse::{LaunchLimits, LaunchSolution, Pose, RestMap, Turns};

@@ -1,7 +1,7 @@
 //! Reasons of refusals.
 
 use tribos_core::Error;
-use tribos_core::coupling::{RoundFriction, table::CoulombDisk};
+use tribos_core::coupling::{RoundFriction, coulomb::CoulombDisk};
 use tribos_core::limit_surface::RoundLimitSurface;
 use tribos_core::modes::TerminalMotion;
 use tribos_core::planar::PlanarBody;

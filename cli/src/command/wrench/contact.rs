@@ -150,7 +150,7 @@ impl<R: Precision> Contact<R> {
 /// The error of nodes that stand for a pressure, if the law falls with the speed.
 const NODES_AND_FALLING_LAWS: &str = "nodes stand for the pressure: one of them close to the centre \
     of rotation counts too much under a law that falls with the speed (errors up to 1e-2 of the load \
-    at alpha = -0.2, a third of it at alpha = -0.5); --tier table or compact are exact";
+    at alpha = -0.2, a third of it at alpha = -0.5); --tier exact has none";
 
 impl<R: Precision> Contact<R> {
     /// What is to be known of the answers.

@@ -85,10 +85,9 @@ pub struct Arguments {
     /// polygons, bars, meshes and points the nine dforce_x_dvelocity_x ... dtorque_dspin.
     #[arg(long)]
     jacobian: bool,
-    /// Accuracy tier [default: the quickest that serves the law: table, compact for alpha > 10, quadrature for other laws].
-    #[arg(long, value_parser = number::named::<Tier, 3>([
-        ("table", "Polynomial tables: a few ulp, quickest (alpha <= 10)"),
-        ("compact", "Series without tables: tens of ulp (alpha <= 128)"),
+    /// Accuracy tier [default: exact for coefficient * |v|^alpha, quadrature for other laws].
+    #[arg(long, value_parser = number::named::<Tier, 2>([
+        ("exact|table|compact", "To rounding: a form for Coulomb's law, a table up to alpha = 10, a series up to 128"),
         ("quadrature", "Quadrature on fixed nodes: about 1e-8 on disk and annulus; elsewhere 1e-3 of \
             the load, for alpha < 0 far less (1e-2 at -0.2, a third of the load at -0.5)"),
     ]))]
@@ -139,7 +138,7 @@ Examples:
   The contact face of a solver, triangles with a pressure at each corner:
     tribos wrench --patch mesh:face.csv --coefficient 0.5 --load 80 --speed 0.1 --spin 2 --jacobian
   Many twists from a file, evaluated without tables in single precision:
-    tribos wrench --twists twists.csv --tier compact --precision f32 --output wrenches.csv";
+    tribos wrench --twists twists.csv --tier quadrature --precision f32 --output wrenches.csv";
 
 /// All patches as they are written.
 pub fn patches() -> String {

@@ -8,77 +8,16 @@
 //! ```
 
 use super::super::pressure_family::moment;
+use super::terms::{DISK_POWERS, DISK_ROUGH};
 use super::{DominantSpeed, Fitted, order, sums};
 use crate::lanes::{Numbers, even_and_odd};
 use crate::real::Real;
 use crate::special::log_part;
 
-/// [`super::terms::DISK_F64`] in fewer terms, for a search's first step: largest relative errors of force and slope
-/// 9.0e-11, 6.2e-9.
-const ROUGH: [[f64; 4]; 6] = [
-    [
-        0.848_826_363_228_715_2,
-        0.079_530_687_383_476_9,
-        -0.212_206_589_523_618_18,
-        -0.159_149_855_195_353_2,
-    ],
-    [
-        0.212_206_401_638_621_28,
-        0.096_519_427_004_755_44,
-        -0.142_260_732_726_220_33,
-        -0.297_078_904_468_421_94,
-    ],
-    [
-        0.031_110_334_500_886_74,
-        0.076_737_616_591_727_04,
-        -0.131_701_420_739_662_6,
-        -0.394_171_471_781_390_6,
-    ],
-    [
-        0.003_350_715_438_620_191,
-        0.019_418_554_976_999_704,
-        -0.029_231_035_034_146_407,
-        -0.287_572_738_408_273_13,
-    ],
-    [
-        -0.046_908_257_616_592_06,
-        -0.001_268_668_364_556_848_2,
-        0.237_523_390_061_625_8,
-        -0.053_397_759_994_692_796,
-    ],
-    [
-        -0.048_585_557_100_456_735,
-        0.000_143_996_317_370_455_68,
-        0.152_876_388_683_079,
-        0.001_502_014_088_466_975_1,
-    ],
-];
-
-/// Θ and Φ by powers of h²: the polynomials of degree 5 with their values at the points of Chebyshev, by mpmath; they err
-/// by 1e-5.
-const POWERS: [[f64; 6]; 2] = [
-    [
-        0.249_991_541_773_505_74,
-        0.021_435_416_085_238_655,
-        -0.000_753_807_376_006_170_8,
-        0.027_361_512_451_160_724,
-        -0.036_944_608_557_294_666,
-        0.021_772_480_209_553_493,
-    ],
-    [
-        1.000_010_196_288_802_8,
-        -0.125_725_977_487_733_2,
-        -0.007_640_610_867_945_975,
-        -0.035_051_838_621_499_9,
-        0.044_332_341_545_866_856,
-        -0.027_009_538_407_044_908,
-    ],
-];
-
 /// m/h by powers of h².
 #[inline]
 pub(super) fn minor_powers<R: Real>(lead: DominantSpeed) -> [R; 6] {
-    let [theta, phi] = &POWERS;
+    let [theta, phi] = &DISK_POWERS;
     match lead {
         DominantSpeed::Sliding => theta.map(R::from_f64),
         DominantSpeed::Spinning => phi.map(R::from_f64),
@@ -197,7 +136,7 @@ pub(super) fn rough_point<F: Fitted, R: Real, L: Numbers<Real = R>>(
     let force = hooked(
         F::TWICE_POWER,
         z,
-        abreast::<L, 6>(|n, sum| ROUGH[n][sum], z),
+        abreast::<L, 6>(|n, sum| DISK_ROUGH[n][sum], z),
     );
     Some(components(inv_n, slides, [ratio, z], force))
 }

@@ -4,7 +4,7 @@ use super::Material;
 use crate::packing::method::{FrictionCoupling, WallLaw};
 use nalgebra::Vector3;
 use tribos_base::record::{ContactRow, Partner};
-use tribos_core::coupling::table;
+use tribos_core::coupling::coulomb;
 use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, RoundLimitSurface};
 use tribos_core::twist::Wrench;
 
@@ -48,7 +48,7 @@ pub struct Limits {
 #[derive(Clone, Copy, Debug)]
 enum CommonThreshold {
     Ellipsoid(LimitEllipsoid<f64>),
-    Exact(RoundLimitSurface<f64, table::CoulombDisk>),
+    Exact(RoundLimitSurface<f64, coulomb::CoulombDisk>),
 }
 
 impl Limits {

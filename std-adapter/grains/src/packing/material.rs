@@ -3,7 +3,7 @@
 use crate::packing::method::{FrictionCoupling, WallLaw};
 use tribos_core::Error;
 use tribos_core::contact::{Attraction, Cohesion, NormalLaw};
-use tribos_core::coupling::table;
+use tribos_core::coupling::coulomb;
 use tribos_core::law::LawError;
 use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 
@@ -73,7 +73,7 @@ impl Material {
     pub(crate) fn exact(
         &self,
         mu: f64,
-    ) -> Result<RoundLimitSurface<f64, table::CoulombDisk>, Error> {
-        RoundLimitSurface::new(table::CoulombDisk, mu, self.contact_radius())
+    ) -> Result<RoundLimitSurface<f64, coulomb::CoulombDisk>, Error> {
+        RoundLimitSurface::new(coulomb::CoulombDisk, mu, self.contact_radius())
     }
 }

@@ -5,7 +5,7 @@ use super::planar::Resistance;
 use crate::slide::scene::DiskScene;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::coupling::{ReducedFriction, ReducedWrench};
 use tribos_friction::{AnyFriction, Evaluation, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
 
@@ -33,7 +33,7 @@ impl DiskScene {
     /// ```
     /// use tribos::{friction::Evaluation, scene::DiskScene};
     /// let evaluation = |alpha| DiskScene { alpha, ..DiskScene::default() }.evaluation();
-    /// assert_eq!(evaluation(0.0)?, Evaluation::TableInProgram);
+    /// assert_eq!(evaluation(0.0)?, Evaluation::Form);
     /// assert_eq!(evaluation(-0.5)?, Evaluation::TableMade);
     /// assert_eq!(evaluation(20.0)?, Evaluation::Series);
     /// # Ok::<(), tribos::slide::MotionError>(())
@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn every_body_says_where_its_friction_comes_from_and_can_be_timed() {
         for (alpha, expected) in [
-            (0.0, Evaluation::TableInProgram),
+            (0.0, Evaluation::Form),
             (0.5, Evaluation::TableMade),
             (20.0, Evaluation::Series),
         ] {
@@ -182,9 +182,9 @@ mod tests {
             ..rock
         };
         let scenes: [(&dyn PlanarScene, Evaluation); 6] = [
-            (&cylinder, Evaluation::TableInProgram),
-            (&hertz, Evaluation::TableMade),
-            (&pipe, Evaluation::TwoTables),
+            (&cylinder, Evaluation::Form),
+            (&hertz, Evaluation::Form),
+            (&pipe, Evaluation::TwoForms),
             (&thin, Evaluation::TableMade),
             (&rock, Evaluation::TableMade),
             (&film, Evaluation::RingRule { points: 256 }),

@@ -36,7 +36,7 @@ use tribos_friction::{FrictionError, Law, Patch, RoundPower, Tier, Visitor, visi
 ///
 /// ```
 /// use tribos::slide::inverse::{Launch, RestMap};
-/// use tribos::kernel::coupling::table::CoulombDisk;
+/// use tribos::kernel::coupling::coulomb::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let throw = Launch { velocity: [1.0, 0.0], spin: 12.5 };
 /// let mirrored = Launch { spin: -12.5, ..throw };

@@ -51,7 +51,7 @@ enum StepLength {
 /// The simulation of one slider.
 ///
 /// ```
-/// use tribos::kernel::coupling::table::CoulombDisk;
+/// use tribos::kernel::coupling::coulomb::CoulombDisk;
 /// use tribos::run::Simulation;
 /// use tribos::scene::DiskScene;
 /// use tribos::slide::{SlideStopReason, SlideSimulation};

@@ -195,8 +195,8 @@ fn rounds() -> Vec<(String, Shape)> {
         "round table",
         "round compact",
         "disk table",
-        "coulomb table",
-        "closed Hertz",
+        "form disk",
+        "form Hertz",
     ];
     let all = tiers
         .into_iter()

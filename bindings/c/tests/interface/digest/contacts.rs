@@ -6,7 +6,7 @@ use tribos_core::contact::{
     Attraction, Cohesion, Contact, ContactBody, ContactFriction, ContactGeometry, ContactVector,
     CoupledFriction, IndependentFriction, NormalLaw, SphereBody, TimeStep, WallBody,
 };
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::RoundLimitSurface;
 use tribos_core::real::Real;
 

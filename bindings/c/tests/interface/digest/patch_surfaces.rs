@@ -3,8 +3,7 @@
 use super::points::four_nodes;
 use super::stream::{Precision, Range, Stream};
 use super::surfaces::feed_projection;
-use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::{CoulombDisk, CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::{Annulus, DryReducedFriction, RoundFriction};
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
 use tribos_core::patch::points::PointPatch;

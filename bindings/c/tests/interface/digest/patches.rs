@@ -1,8 +1,8 @@
 //! Round patches.
 
 use super::stream::{Precision, Range, Stream};
-use tribos_core::coupling::closed::{CoulombHertz, CoulombPunch, CoulombRing};
-use tribos_core::coupling::{Annulus, ReducedFriction, RoundFriction, compact, table};
+use tribos_core::coupling::coulomb::{CoulombHertz, CoulombPunch, CoulombRing};
+use tribos_core::coupling::{Annulus, ReducedFriction, RoundFriction, compact, coulomb};
 use tribos_core::patch::PowerPressure;
 use tribos_core::twist::Twist;
 
@@ -58,13 +58,12 @@ pub fn round<R: Precision>(s: &mut Stream) {
         load,
         twist: s.twist(Range::Wide),
     };
-    case.feed(s, sound(table::CoulombDisk));
-    case.feed(s, sound(compact::CompactCoulombDisk));
-    case.feed(s, Annulus::new(table::CoulombDisk, inner / R::TWO));
+    case.feed(s, sound(coulomb::CoulombDisk));
+    case.feed(s, Annulus::new(coulomb::CoulombDisk, inner / R::TWO));
     case.feed(s, sound(CoulombHertz));
     case.feed(s, sound(CoulombRing));
     case.feed(s, sound(CoulombPunch));
-    feed_batch(s, &case, table::CoulombDisk);
+    feed_batch(s, &case, coulomb::CoulombDisk);
 }
 
 pub fn powers<R: Precision>(s: &mut Stream) {

@@ -1,7 +1,7 @@
 //! Bodies that slide to rest.
 
 use super::stream::{Precision, Range, Stream};
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::real::Real;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 

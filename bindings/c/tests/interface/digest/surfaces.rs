@@ -2,7 +2,7 @@
 
 use super::stream::{Precision, Range, Stream};
 use tribos_core::contact::TimeStep;
-use tribos_core::coupling::table::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{
     FrictionSet, LimitEllipsoid, Projection, Region, RoundLimitSurface,
 };

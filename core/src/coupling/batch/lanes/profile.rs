@@ -3,12 +3,12 @@
 use super::speeds::LaneSpeeds;
 use super::{Lanes, power};
 use crate::coupling::disk::{Disk, pure_spin_torque};
-use crate::coupling::equal_speeds::Exponent;
+use crate::coupling::equal_speeds::{bends_slopes, bends_values};
 use crate::coupling::half_octave_table::Cell;
 use crate::coupling::pressure_family::moment;
 use crate::coupling::regime_table::RegimeTables;
 use crate::coupling::round::RoundTable;
-use crate::coupling::table::{CoulombDisk, Table, in_own_table};
+use crate::coupling::table::Table;
 use crate::coupling::{PowerLawFriction, SmoothProfile};
 use crate::lanes::{Eight, Group, Lanes as _};
 use crate::real::Real;
@@ -64,7 +64,7 @@ fn value_and_slope<R: Real, const TERMS: usize>(
     [phi, -slope]
 }
 
-impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Disk<R, E, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> Disk<R, CELLS, TERMS> {
     #[inline(always)]
     fn cells(&self, z: Lanes<R>) -> Group<&Cell<R, TERMS>> {
         let z = z.larger(Eight::repeat(self.side.least()));
@@ -96,9 +96,7 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> Disk<R, E,
     }
 }
 
-impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> LaneProfile<R>
-    for Disk<R, E, CELLS, TERMS>
-{
+impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Disk<R, CELLS, TERMS> {
     #[inline(always)]
     fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
         let one = Lanes::<R>::repeat(R::ONE);
@@ -107,7 +105,7 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> LaneProfil
         let z = one - x;
         let cells = self.cells(z);
         let mut factors = evaluated(&cells, of_each(&cells, |cell| cell.mirror) - x);
-        if self.exponent.bends_values() && !self.above_end(z) {
+        if bends_values(self.alpha) && !self.above_end(z) {
             factors = self.with_ends(z, factors, |z| self.bent_force_and_theta(z));
         }
         let [phi, theta] = factors;
@@ -119,7 +117,7 @@ impl<R: Real, E: Exponent<R>, const CELLS: usize, const TERMS: usize> LaneProfil
     fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
         let z = at.complement();
         let mut factors = value_and_slope(&self.cells(z), z);
-        if self.exponent.bends_slopes() && !self.above_end(z) {
+        if bends_slopes(self.alpha) && !self.above_end(z) {
             factors = self.with_ends(z, factors, |z| self.bent_force_and_slope(z));
         }
         let [phi, slope] = factors;
@@ -159,25 +157,6 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Table<R
     #[inline(always)]
     fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
         power::rate(&self.power, speed)
-    }
-}
-
-impl<R: Real> LaneProfile<R> for CoulombDisk {
-    #[inline(always)]
-    fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
-        in_own_table!(R, LaneSpeeds<R> => Option<[Lanes<R>; 2]>, |table, at| table.drags_and_torques(&at), *at)
-    }
-    #[inline(always)]
-    fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
-        in_own_table!(R, LaneSpeeds<R> => Option<[Lanes<R>; 3]>, |table, at| table.factors_and_slopes(&at), *at)
-    }
-    #[inline(always)]
-    fn speed_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
-        in_own_table!(R, Lanes<R> => Option<Lanes<R>>, |table, speed| table.speed_scales(speed), speed)
-    }
-    #[inline(always)]
-    fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
-        in_own_table!(R, Lanes<R> => Option<Lanes<R>>, |table, speed| table.rate_scales(speed), speed)
     }
 }
 

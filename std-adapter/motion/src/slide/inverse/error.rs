@@ -6,7 +6,7 @@ use super::{LaunchLimits, LaunchSolution};
 ///
 /// ```
 /// use tribos::slide::inverse::{MotionError, LaunchLimits, OutOfReach, Pose, RestMap, Turns};
-/// use tribos::kernel::coupling::table::CoulombDisk;
+/// use tribos::kernel::coupling::coulomb::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let (target, limits) = (Pose { x: 10.0, y: 0.0, angle: 0.0 }, LaunchLimits::new(3.0, 100.0)?);
 /// let thrown = disk.launches(&target, Turns::Exact, &limits);

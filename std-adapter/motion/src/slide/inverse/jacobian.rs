@@ -29,7 +29,7 @@ impl<P: PowerLawFriction<f64> + ReducedFriction<f64>> RestMap<P> {
     ///
     /// ```
     /// use tribos::slide::inverse::{Launch, PoseJacobian, RestMap};
-    /// use tribos::kernel::coupling::table::CoulombDisk;
+    /// use tribos::kernel::coupling::coulomb::CoulombDisk;
     /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
     /// let by: PoseJacobian = disk.jacobian(&Launch { velocity: [1.0, 0.0], spin: 0.0 });
     /// // x = v²/(2 mu g), and a small turn of the velocity turns the way.

@@ -9,7 +9,7 @@ use tribos_core::coupling::{PowerLawFriction, ReducedFriction};
 ///
 /// ```
 /// use tribos::slide::inverse::{MotionError, LaunchLimits, RestMap};
-/// use tribos::kernel::coupling::table::CoulombDisk;
+/// use tribos::kernel::coupling::coulomb::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let limits = LaunchLimits::new(3.0, 50.0)?;
 /// assert_eq!((limits.max_speed(), limits.max_spin()), (3.0, 50.0));

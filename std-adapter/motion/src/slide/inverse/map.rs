@@ -9,7 +9,7 @@ use tribos_core::slider::{Slider, SliderParameters, SliderState};
 ///
 /// ```
 /// use tribos::slide::inverse::{Launch, RestMap};
-/// use tribos::kernel::coupling::table::CoulombDisk;
+/// use tribos::kernel::coupling::coulomb::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let end = disk.rest(&Launch { velocity: [0.0, 1.0], spin: 0.0 });
 /// assert_eq!(end.pose.x, 0.0);
@@ -30,7 +30,7 @@ pub struct RestMap<P> {
 /// ```
 /// use tribos::slide::inverse::{RestPose, Launch, RestMap};
 /// use tribos::kernel::coupling::PowerLawFriction;
-/// use tribos::kernel::coupling::table::CoulombDisk;
+/// use tribos::kernel::coupling::coulomb::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// assert_eq!((disk.deceleration(), disk.radius(), disk.inertia_ratio()), (0.3 * 9.81, 0.08, 0.5));
 /// let alpha: f64 = disk.profile().exponent();

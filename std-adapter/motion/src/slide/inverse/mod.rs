@@ -30,7 +30,7 @@
 //!
 //! ```
 //! use tribos::slide::inverse::{LaunchLimits, Pose, RestMap, Turns};
-//! use tribos::kernel::coupling::table::CoulombDisk;
+//! use tribos::kernel::coupling::coulomb::CoulombDisk;
 //!
 //! let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 //! let target = Pose { x: 1.2, y: 0.3, angle: 1.57 };

@@ -25,7 +25,7 @@ pub enum Turns {
 ///
 /// ```
 /// use tribos::slide::inverse::{LaunchLimits, Pose, RestMap, LaunchSolution, Turns};
-/// use tribos::kernel::coupling::table::CoulombDisk;
+/// use tribos::kernel::coupling::coulomb::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let target = Pose { x: 1.0, y: 0.0, angle: 0.0 };
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
@@ -66,7 +66,7 @@ impl LaunchSolution {
 ///
 /// ```
 /// use tribos::slide::inverse::{MotionError, LaunchLimits, MAX_SOLUTIONS, Pose, RestMap, Turns};
-/// use tribos::kernel::coupling::table::CoulombDisk;
+/// use tribos::kernel::coupling::coulomb::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
 /// let spins = LaunchLimits::new(3.0, 1e4)?; // ω² 3 R/(8 mu g) = 10⁶ rad
@@ -81,7 +81,7 @@ pub const MAX_SOLUTIONS: u64 = 10_000;
 ///
 /// ```
 /// use tribos::slide::inverse::{Launches, LaunchLimits, Pose, RestMap, Turns};
-/// use tribos::kernel::coupling::table::CoulombDisk;
+/// use tribos::kernel::coupling::coulomb::CoulombDisk;
 /// let disk = RestMap::new(CoulombDisk, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let target = Pose { x: 1.0, y: 0.0, angle: 0.0 };
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };

@@ -126,8 +126,8 @@ fn worst(at: &State, error: &State) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribos_core::coupling::closed::CoulombHertz;
-    use tribos_core::coupling::table::CoulombDisk;
+    use tribos_core::coupling::coulomb::CoulombDisk;
+    use tribos_core::coupling::coulomb::CoulombHertz;
 
     /// Central differences of two widths, extrapolated.
     fn differences<P: PowerLawFriction<f64> + ReducedFriction<f64>>(
