@@ -177,7 +177,9 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
 
     #[inline(always)]
     fn store_motions(&self, twists: &mut [Twist<R>]) {
-        let motion = self.set.motion(&Beside(self.set.meridian), &self.pair);
+        let motion = self
+            .set
+            .motion(&Beside(self.set.meridian), &self.pair, self.lengths);
         let (is_none, zero) = (self.is_none(), R::Beside::splat(0.0));
         let parts = motion.map(|part| R::Beside::select(is_none, zero, part).to_array());
         for (twist, [x, y, spin]) in twists.iter_mut().zip(rows(&parts)) {

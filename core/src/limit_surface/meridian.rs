@@ -30,6 +30,8 @@ use crate::real::Real;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Meridian<R, C> {
     pub coupling: C,
+    /// T₀, of pure spinning.
+    pub spin_torque: R,
     /// Point at equal speeds, where the leading component changes.
     equal: ReducedWrench<R>,
     /// Where searches start: sliding leads, spinning leads.
@@ -61,7 +63,7 @@ pub(super) struct NormalAndPoint<L> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RayNormal<L> {
     pub normal: [L; 2],
-    /// Gauge of the given point.
+    /// Gauge of the given point, in its unit.
     pub gauge: L,
 }
 
@@ -130,12 +132,16 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
         let point = |slide, rim| coupling.reduced_wrench(slide, rim);
         let equal = point(R::ONE, R::ONE);
         let top = point(R::ONE, R::ZERO).force;
-        let side = point(R::ZERO, R::ONE).torque;
+        let spin_torque = point(R::ZERO, R::ONE).torque;
         let chords = [
             [R::ONE / top, (R::ONE - equal.force / top) / equal.torque],
-            [(R::ONE - equal.torque / side) / equal.force, R::ONE / side],
+            [
+                (R::ONE - equal.torque / spin_torque) / equal.force,
+                R::ONE / spin_torque,
+            ],
         ];
         Self {
+            spin_torque,
             equal,
             chords,
             approximations: [
@@ -148,7 +154,7 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
                 CurveApproximation::of(
                     &coupling,
                     DominantSpeed::Spinning,
-                    side,
+                    spin_torque,
                     [equal.torque, equal.force],
                 ),
             ],
@@ -175,7 +181,7 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
 
     /// The normal where the ray of a point meets the curve, which has these points.
     ///
-    /// *Domain*: finite components ≥ 0 of which the larger is of order 1; NaN gives NaN.
+    /// *Domain*: components ≥ 0 whose products are normal numbers, in any unit; NaN gives NaN.
     #[inline(always)]
     pub fn ray<L: Numbers<Real = R>>(
         &self,
@@ -189,10 +195,12 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
         let start = CurveApproximation::chosen(&self.approximations, slides).on_ray(&equation);
         let SearchEnd {
             ratio,
-            major,
-            minor,
+            before,
+            power,
+            ..
         } = solved(curve, slides, start, &equation);
-        let gauge = (given[0] + given[1] * ratio) / (major + minor * ratio);
+        // The gauge is stationary in the normal: what the last step would change is below rounding.
+        let gauge = (given[0] + given[1] * before) / power;
         // A direction that is not a number has no normal, though the search ends somewhere.
         let known = L::splat(1.0) + L::splat(0.0) * gauge;
         RayNormal {
@@ -221,11 +229,13 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
             ratio,
             major,
             minor,
+            power,
+            ..
         } = solved(curve, slides, start, &equation);
         NormalAndPoint {
             normal: ordered(slides, [one, ratio]),
             at: ordered(slides, [major, minor]),
-            power: major + ratio * minor,
+            power,
             beyond: (given[0] - major) + ratio * (given[1] - minor),
         }
     }

@@ -32,6 +32,9 @@ pub(super) struct SearchEnd<L> {
     pub ratio: L,
     pub major: L,
     pub minor: L,
+    /// The last ratio whose point was computed, next to the end, and the power M + h m there.
+    pub before: L,
+    pub power: L,
 }
 
 /// Bracket and next ratio of a search.
@@ -145,6 +148,8 @@ pub(super) fn solved<R: Real, L: Numbers<Real = R>>(
     let by = L::select(moves, by, zero);
     let change = L::select(moves, at.rate * by, zero);
     SearchEnd {
+        before: ratio,
+        power: at.major + ratio * at.minor,
         ratio: ratio + by,
         major: at.major - (ratio + L::splat(0.5) * by) * change,
         minor: at.minor + change,

@@ -66,17 +66,12 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
 
     /// The largest torque, μN R T(0, 1).
     pub fn torque_limit(&self) -> R {
-        self.force_limit * self.radius * self.spin_torque()
+        self.force_limit * self.radius * self.meridian.spin_torque
     }
 
     /// The ellipsoid with the same largest force and torque.
     pub fn ellipsoid(&self) -> Result<LimitEllipsoid<R>, Error> {
-        LimitEllipsoid::new(self.force_limit, self.radius, self.spin_torque())
-    }
-
-    fn spin_torque(&self) -> R {
-        let [_, torque] = self.meridian.point([R::ZERO, R::ONE]);
-        torque
+        LimitEllipsoid::new(self.force_limit, self.radius, self.meridian.spin_torque)
     }
 
     /// The set under each lane's load times the force limit; no number for a negative load.
@@ -120,6 +115,9 @@ impl<R: Real, C: DryReducedFriction<R>> FrictionSet<R> for RoundLimitSurface<R, 
     #[inline]
     fn support(&self, twist: &Twist<R>) -> R {
         let (slide, rim) = (twist.speed(), (twist.spin * self.radius).abs());
+        if slide == R::ZERO {
+            return self.force_limit * (rim * self.meridian.spin_torque);
+        }
         let [force, torque] = self.meridian.point([slide, rim]);
         self.force_limit * (slide * force + rim * torque)
     }

@@ -1,11 +1,11 @@
 //! A limit surface under loads: gauges, normals and projections of one wrench, or of several side by side.
 
 use super::meridian::{Alone, Meridian, NormalAndPoint, RayNormal};
-use super::polar::{AxisymmetricPair, pair};
+use super::polar::{AxisymmetricPair, is_ordinary, pair};
 use super::ratio_search::Curve;
 use super::{Projection, Region, collar};
 use crate::coupling::DryReducedFriction;
-use crate::lanes::Numbers;
+use crate::lanes::{Lanes, Numbers};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
@@ -40,24 +40,21 @@ impl<R: Real, C: DryReducedFriction<R>, L: Numbers<Real = R>> ScaledCurve<'_, R,
         bound.below(self.force_limit * L::each(R::ONE - R::TWO * collar()))
     }
 
-    /// The larger of force and torque/radius, and both in units of it.
-    #[inline(always)]
-    fn unit([force, torque]: [L; 2]) -> (L, [L; 2]) {
-        let size = torque.larger(force);
-        (size, [force / size, torque / size])
-    }
-
+    /// *Domain*: lengths that are [`is_ordinary`], not both zero.
     #[inline(always)]
     pub fn gauge(&self, curve: &impl Curve<L>, lengths: [L; 2]) -> L {
-        let (size, unit) = Self::unit(lengths);
-        size / self.force_limit * self.meridian.ray(curve, unit).gauge
+        self.meridian.ray(curve, lengths).gauge / self.force_limit
     }
 
-    /// The outward normal along the ray of a wrench.
+    /// The outward normal along the ray of a wrench with these lengths, in any unit.
     #[inline(always)]
-    pub fn motion(&self, curve: &impl Curve<L>, pair: &AxisymmetricPair<L>) -> [L; 3] {
-        let (_, unit) = Self::unit(self.lengths(pair));
-        let RayNormal { normal, .. } = self.meridian.ray(curve, unit);
+    pub fn motion(
+        &self,
+        curve: &impl Curve<L>,
+        pair: &AxisymmetricPair<L>,
+        lengths: [L; 2],
+    ) -> [L; 3] {
+        let RayNormal { normal, .. } = self.meridian.ray(curve, lengths);
         self.unit_twist(pair, normal)
     }
 
@@ -124,7 +121,14 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C, R::Alone> {
         if is_infinite([force, torque]) {
             return R::INFINITY;
         }
-        let [gauge] = self.gauge(&Alone(self.meridian), lengths).to_array();
+        let (size, unit) = in_range(lengths);
+        let gauge = if size == R::ONE {
+            self.gauge(&Alone(self.meridian), lengths)
+        } else {
+            let ray = self.meridian.ray(&Alone(self.meridian), unit);
+            R::Alone::each(size) / self.force_limit * ray.gauge
+        };
+        let [gauge] = gauge.to_array();
         gauge
     }
 
@@ -134,7 +138,8 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C, R::Alone> {
             return Twist::ZERO;
         }
         let pair = pair(&push.force, push.torque);
-        twist(self.motion(&Alone(self.meridian), &pair))
+        let (_, unit) = in_range::<R>(self.lengths(&pair));
+        twist(self.motion(&Alone(self.meridian), &pair, unit))
     }
 
     pub fn scale_to_surface(&self, wrench: &Wrench<R>) -> Wrench<R> {
@@ -142,7 +147,7 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C, R::Alone> {
             return *wrench;
         }
         let pair = pair(&wrench.force, wrench.torque);
-        let (_, unit) = Self::unit(self.lengths(&pair));
+        let (_, unit) = in_range::<R>(self.lengths(&pair));
         let RayNormal { gauge, .. } = self.meridian.ray(&Alone(self.meridian), unit);
         let [[x], [y], [torque]] = self
             .surface_wrench(&pair, unit.map(|part| part / gauge))
@@ -241,6 +246,18 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C, R::Alone> {
             },
         }
     }
+}
+
+/// A unit of lengths, and lengths in it whose products are normal numbers: 1 where they are so themselves, else the larger.
+#[inline]
+fn in_range<R: Real>(lengths: [R::Alone; 2]) -> (R, [R::Alone; 2]) {
+    let [force, torque] = lengths;
+    if is_ordinary::<R, R::Alone>(force) && is_ordinary::<R, R::Alone>(torque) {
+        return (R::ONE, lengths);
+    }
+    let size = torque.larger(force);
+    let [number] = size.to_array();
+    (number, [force / size, torque / size])
 }
 
 #[inline]

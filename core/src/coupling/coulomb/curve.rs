@@ -107,16 +107,21 @@ fn components<R: Real, L: Numbers<Real = R>>(
     ]
 }
 
+/// 1 − h². Where Φ has a slope everywhere, half a rounding of it does not matter near z = 0, and there is one at z = 1.
 #[inline(always)]
-fn complement<L: Numbers>(ratio: L) -> L {
+fn complement<F: Fitted, L: Numbers>(ratio: L) -> L {
     let one = L::splat(1.0);
-    (one - ratio) * (one + ratio)
+    if F::PRESSURE.order() < 0.0 {
+        (one - ratio) * (one + ratio)
+    } else {
+        one - ratio * ratio
+    }
 }
 
 /// The point in the digits of the precision.
 #[inline(always)]
 pub(super) fn point<F: Fitted, R: Real, L: Numbers<Real = R>>(slides: L::Mask, ratio: L) -> [L; 3] {
-    let z = complement(ratio);
+    let z = complement::<F, L>(ratio);
     let inv_n = R::ONE / moment(order::<F, R>(), R::ZERO);
     let force = force_and_slope::<F, R, L>(slides, z);
     components(inv_n, slides, [ratio, z], force)
@@ -131,7 +136,7 @@ pub(super) fn rough_point<F: Fitted, R: Real, L: Numbers<Real = R>>(
     if R::IS_SINGLE || !F::IS_ONE_SIDED {
         return None;
     }
-    let z = complement(ratio);
+    let z = complement::<F, L>(ratio);
     let inv_n = R::ONE / moment(order::<F, R>(), R::ZERO);
     let force = hooked(
         F::TWICE_POWER,
