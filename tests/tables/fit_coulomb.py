@@ -19,7 +19,10 @@ mp.mp.dps = 40
 HALF = mp.mpf(1) / 2
 ROUNDS = 8
 PRESSURES = {"RING": -1, "PUNCH": -HALF, "DISK": 0, "HERTZ": HALF, "PARABOLOID": 1}
-SIZES = {"f32": 6, "f64": 12}
+SIZES = {"F32": ("f32", 6), "F64": ("f64", 12)}
+# For the first step of a search along the disk's curve.
+ROUGH = {"ROUGH": ("f64", 6)}
+POWERS = 6
 
 
 def spinning(q):
@@ -95,6 +98,15 @@ def elementary(q, terms):
     return [0, 0], rows + [[0] * 4] * (terms - 2)
 
 
+def powers():
+    """Polynomials in x with the values of the disk's functions at the points of Chebyshev: right to 1e-5."""
+    force, _ = sliding(0)
+    torque = lambda x: mp.hyp2f1(HALF, HALF, 3, x) / 4
+    points = [(1 - mp.cos(mp.pi * (k + HALF) / POWERS)) / 2 for k in range(POWERS)]
+    matrix = mp.matrix([[x**k for k in range(POWERS)] for x in points])
+    return [list(mp.lu_solve(matrix, mp.matrix([f(x) for x in points]))) for f in (torque, force)]
+
+
 def written(number, single):
     """The shortest text of the nearest number of the precision."""
     number = float(number)
@@ -116,19 +128,26 @@ def main(out):
         sides = {"SPINNING": spinning, "SLIDING": sliding}
         if q == 0:
             sides = {"": sliding}
+        sizes = SIZES | (ROUGH if q == 0 else {})
         for side, functions in sides.items():
-            for precision, terms in SIZES.items():
+            for size, (precision, terms) in sizes.items():
                 if q in (-HALF, HALF) and side == "SPINNING":
                     errors, rows = elementary(q, terms)
                 else:
                     errors, rows = both(functions, q, terms)
-                label = "_".join(part for part in (name, side, precision.upper()) if part)
+                label = "_".join(part for part in (name, side, size) if part)
                 out.write(f"\n/// Largest relative errors of force and slope: {', '.join(mp.nstr(e, 2) for e in errors)}.\n")
                 out.write(f"pub(super) static {label}: [[{precision}; 4]; {terms}] = [\n")
                 for row in rows:
                     out.write(f"    [{', '.join(written(term, precision == 'f32') for term in row)}],\n")
                 out.write("];\n")
                 print(label, *(mp.nstr(e, 3) for e in errors), file=sys.stderr)
+        if q == 0:
+            out.write("\n/// Torque/h where sliding leads and force/h where spinning does, by powers of x.\n")
+            out.write(f"pub(super) static {name}_POWERS: [[f64; {POWERS}]; 2] = [\n")
+            for row in powers():
+                out.write(f"    [{', '.join(written(term, False) for term in row)}],\n")
+            out.write("];\n")
 
 
 if __name__ == "__main__":

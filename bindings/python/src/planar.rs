@@ -9,8 +9,9 @@ use numpy::{PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use tribos_core::contact::TimeStep;
 use tribos_core::limit_surface::FrictionSet;
-use tribos_core::planar::PlanarBody;
+use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::real::Real;
+use tribos_core::twist::{Twist, Wrench};
 
 /// Twist, friction and whether friction holds the body, after a step.
 #[derive(Clone, Copy, Default)]
@@ -18,6 +19,16 @@ struct StepResult {
     twist: [f64; 3],
     friction: [f64; 3],
     is_at_rest: bool,
+}
+
+impl StepResult {
+    fn of(step: &PlanarStep<f64>) -> Self {
+        Self {
+            twist: twist_numbers(&step.twist),
+            friction: numbers(&step.friction),
+            is_at_rest: step.is_at_rest,
+        }
+    }
 }
 
 /// What the bodies of a batch are, as Python gives it.
@@ -95,6 +106,11 @@ impl Bodies<'_> {
         }
     }
 
+    /// True if all bodies are alike.
+    fn are_alike(&self) -> bool {
+        self.0.iter().all(|one| matches!(one, View::One(_)))
+    }
+
     fn stepper(&self, index: usize) -> PyResult<Stepper> {
         let [_, mass, inertia, dt] = self.0.map(|one| one.at(index)[0]);
         Ok(Stepper {
@@ -138,11 +154,41 @@ impl Stepper {
         push: [f64; 3],
     ) -> StepResult {
         let (twist, push) = (twist_of(twist), wrench_of(push));
-        let step = self.body.step(set, &twist, &push, self.dt);
-        StepResult {
-            twist: twist_numbers(&step.twist),
-            friction: numbers(&step.friction),
-            is_at_rest: step.is_at_rest,
+        StepResult::of(&self.body.step(set, &twist, &push, self.dt))
+    }
+}
+
+/// Bodies that are stepped together.
+const CHUNK: usize = 256;
+
+/// One step of bodies that are alike, on a set that their turning does not change; their motions and pushes come by
+/// index, from `first` on.
+fn step_alike(
+    stepper: &Stepper,
+    set: &dyn FrictionSet<f64>,
+    first: usize,
+    [twists, pushes]: [View<'_, 3>; 2],
+    results: &mut [StepResult],
+) {
+    let blank = PlanarStep {
+        twist: Twist::ZERO,
+        friction: Wrench::ZERO,
+        is_at_rest: false,
+    };
+    let mut given = ([Twist::ZERO; CHUNK], [Wrench::ZERO; CHUNK]);
+    let mut steps = [blank; CHUNK];
+    for (from, results) in (first..).step_by(CHUNK).zip(results.chunks_mut(CHUNK)) {
+        let slots = given.0.iter_mut().zip(&mut given.1);
+        for (index, (twist, push)) in (from..from + results.len()).zip(slots) {
+            *twist = twist_of(twists.at(index));
+            *push = wrench_of(pushes.at(index));
+        }
+        let (twists, pushes) = (&given.0[..results.len()], &given.1);
+        stepper
+            .body
+            .step_batch(set, twists, pushes, stepper.dt, &mut steps);
+        for (result, step) in results.iter_mut().zip(&steps) {
+            *result = StepResult::of(step);
         }
     }
 }
@@ -188,6 +234,11 @@ pub fn planar_step<'py>(
     fill(py, &mut steps, cost(patch), |from, piece| {
         if let Some(limit) = bodies.limit_of_all() {
             return surface.sets.with(limit, |set| {
+                if bodies.are_alike() && !turns {
+                    let given = [start, pushes];
+                    step_alike(&bodies.stepper(from)?, set, from, given, piece);
+                    return Ok(());
+                }
                 let all = (from..).zip(piece.iter_mut());
                 store_all(all, |index| step(set, index))
             })?;

@@ -70,6 +70,7 @@ pub(crate) mod internals {
 
 pub(crate) use internals::{DominantSpeed, LateralJacobian, SmoothProfile, Speeds};
 
+use crate::lanes::{Lanes, Numbers};
 use crate::real::Real;
 
 /// Magnitudes of friction force and torque, reduced: F per coefficient × load, T per
@@ -252,12 +253,99 @@ pub trait DryReducedFriction<R: Real>: ReducedFriction<R> {
             DominantSpeed::Spinning => [torque, force, rates.force_slide],
         }
     }
+
+    /// [`DryReducedFriction::reduced_point`] of several ratios side by side, to the same bits; sliding leads where
+    /// `slides`.
+    #[doc(hidden)]
+    #[inline]
+    fn reduced_points(
+        &self,
+        slides: <R::Beside as Lanes>::Mask,
+        ratios: R::Beside,
+    ) -> [R::Beside; 3] {
+        let leads = R::Beside::select(slides, Lanes::splat(1.0), Lanes::splat(0.0)).to_array();
+        let ratios = ratios.to_array();
+        let mut points = [ratios; 3];
+        let [majors, minors, rates] = points.each_mut().map(AsMut::as_mut);
+        let inputs = leads.as_ref().iter().zip(ratios.as_ref());
+        let outputs = majors.iter_mut().zip(minors).zip(rates);
+        for ((slides, ratio), ((major, minor), rate)) in inputs.zip(outputs) {
+            let lead = if *slides > R::ZERO {
+                DominantSpeed::Sliding
+            } else {
+                DominantSpeed::Spinning
+            };
+            [*major, *minor, *rate] = self.reduced_point(lead, *ratio);
+        }
+        points.map(R::Beside::new)
+    }
+
+    /// [`DryReducedFriction::reduced_point`] to half of its digits, for a search's first step; nothing where it would
+    /// cost as much.
+    #[doc(hidden)]
+    #[inline]
+    fn rough_point(&self, _: DominantSpeed, _ratio: R) -> Option<[R; 3]> {
+        None
+    }
+
+    /// [`DryReducedFriction::rough_point`] of several ratios side by side.
+    #[doc(hidden)]
+    #[inline]
+    fn rough_points(
+        &self,
+        _slides: <R::Beside as Lanes>::Mask,
+        _ratios: R::Beside,
+    ) -> Option<[R::Beside; 3]> {
+        None
+    }
+
+    /// Coefficients of m/h by powers of h², right to 1e-4, where they are known beforehand.
+    #[doc(hidden)]
+    #[inline]
+    fn minor_powers(&self, _lead: DominantSpeed) -> Option<[R; 6]> {
+        None
+    }
+
+    /// True if a Newton step along the curve leaves at most the square of it, everywhere.
+    #[doc(hidden)]
+    #[inline]
+    fn is_smooth(&self) -> bool {
+        false
+    }
 }
 
 impl<R: Real, C: DryReducedFriction<R> + ?Sized> DryReducedFriction<R> for &C {
     #[inline]
     fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
         (**self).reduced_point(lead, ratio)
+    }
+    #[inline]
+    fn reduced_points(
+        &self,
+        slides: <R::Beside as Lanes>::Mask,
+        ratios: R::Beside,
+    ) -> [R::Beside; 3] {
+        (**self).reduced_points(slides, ratios)
+    }
+    #[inline]
+    fn rough_point(&self, lead: DominantSpeed, ratio: R) -> Option<[R; 3]> {
+        (**self).rough_point(lead, ratio)
+    }
+    #[inline]
+    fn rough_points(
+        &self,
+        slides: <R::Beside as Lanes>::Mask,
+        ratios: R::Beside,
+    ) -> Option<[R::Beside; 3]> {
+        (**self).rough_points(slides, ratios)
+    }
+    #[inline]
+    fn minor_powers(&self, lead: DominantSpeed) -> Option<[R; 6]> {
+        (**self).minor_powers(lead)
+    }
+    #[inline]
+    fn is_smooth(&self) -> bool {
+        (**self).is_smooth()
     }
 }
 

@@ -1,12 +1,16 @@
 //! Targets without vectors whose roots and quotients round as the scalar ones do.
 
-use super::Numbers;
+use super::{Numbers, Summed};
 use core::ops::{Add, Mul};
 
 /// A precision; here without lanes.
 pub trait Laned: Copy + Add<Output = Self> + Mul<Output = Self> {
-    /// Its numbers one by one.
-    type Several: Numbers<Real = Self>;
+    /// A number of a body that is written once for numbers alone and side by side.
+    type Alone: Numbers<Real = Self, Array = [Self; 1], Mask = bool>;
+    /// As many of them as go side by side; here one.
+    type Beside: Numbers<Real = Self>;
+    /// As many as are summed side by side; here one.
+    type Several: Summed<Real = Self>;
 
     /// The sum of aₙ uⁿ and that of bₙ uⁿ.
     #[inline]
@@ -51,8 +55,12 @@ where
 }
 
 impl Laned for f32 {
-    type Several = Self;
+    type Alone = f32;
+    type Beside = f32;
+    type Several = f32;
 }
 impl Laned for f64 {
-    type Several = Self;
+    type Alone = f64;
+    type Beside = f64;
+    type Several = f64;
 }

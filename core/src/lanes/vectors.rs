@@ -1,16 +1,20 @@
 //! Lanes of the processor's vectors; every operation rounds as the scalar one does.
 
-use super::{FOUR, Group, Lanes, Numbers, f32_bits, f64_bits};
+use super::{Group, Lanes, Numbers, Summed, even_and_odd};
 use core::fmt::Debug;
-use core::ops::{Add, BitAnd, BitOr, Mul};
-use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8, u32x4, u32x8, u64x4, u64x8};
+use core::ops::{BitAnd, BitOr};
+use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8, u32x8, u64x8};
 
 /// A precision whose numbers go in lanes.
 pub trait Laned: Sized {
     /// Eight of its numbers.
     type Lanes: Eight<Real = Self>;
-    /// Four of its numbers.
-    type Several: Numbers<Real = Self>;
+    /// A number of a body that is written once for numbers alone and side by side.
+    type Alone: Numbers<Real = Self, Array = [Self; 1], Mask = bool>;
+    /// As many of them as two vectors of the least width hold.
+    type Beside: Numbers<Real = Self>;
+    /// Four of them, for sums.
+    type Several: Summed<Real = Self>;
 
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, side by side.
     fn sums<const TERMS: usize>(pairs: &[[Self; 2]; TERMS], u: Self) -> [Self; 2];
@@ -21,6 +25,8 @@ pub trait Laned: Sized {
 
 impl Laned for f64 {
     type Lanes = f64x8;
+    type Alone = f64;
+    type Beside = f64x4;
     type Several = f64x4;
 
     #[inline(always)]
@@ -34,6 +40,8 @@ impl Laned for f64 {
 }
 impl Laned for f32 {
     type Lanes = f32x8;
+    type Alone = f32;
+    type Beside = f32x8;
     type Several = f32x4;
 
     #[inline(always)]
@@ -147,57 +155,6 @@ lanes!(f64x8, |value| f64x8::splat(f64::from(value)), |mask| {
     ((part[0] & part[1]) & (part[2] & part[3])).all()
 });
 
-macro_rules! four {
-    ($lanes:ty, $real:ty, $bits:ident, $bits_lanes:ty, |$single:ident, $double:ident| $own:expr) => {
-        impl Numbers for $lanes {
-            type Real = $real;
-            const COUNT: usize = FOUR;
-            type Sums = Self;
-
-            #[inline(always)]
-            fn of(mut at: impl FnMut(usize) -> $real) -> Self {
-                Self::new([at(0), at(1), at(2), at(3)])
-            }
-            #[inline(always)]
-            fn repeat(number: $real) -> Self {
-                Self::splat(number)
-            }
-            #[inline(always)]
-            fn none() -> Self {
-                Self::splat(0.0)
-            }
-            #[inline(always)]
-            fn add_to(self, sums: &mut Self, _: usize) {
-                *sums += self;
-            }
-            #[inline(always)]
-            fn total(sums: &Self) -> $real {
-                <$real>::total(&sums.to_array())
-            }
-            #[inline(always)]
-            fn sums<const SINGLE: usize, const DOUBLE: usize>(
-                $single: &[[f32; 2]; SINGLE],
-                $double: &[[f64; 2]; DOUBLE],
-                u: Self,
-            ) -> [Self; 2] {
-                even_and_odd_of_each($own, Self::splat, u)
-            }
-            #[inline(always)]
-            fn octaves(self) -> [Self; 2] {
-                use $bits::{DIGITS, HALF_ROOT, SIGN, WHOLE, ZERO};
-                let splat = <$bits_lanes>::splat;
-                let bits: $bits_lanes = bytemuck::cast(self);
-                let octaves = (bits + splat(SIGN.wrapping_sub(HALF_ROOT))) >> DIGITS;
-                let mantissa = bits - (octaves << DIGITS) + splat(SIGN);
-                let count: Self = bytemuck::cast(octaves | splat(WHOLE.to_bits()));
-                [bytemuck::cast(mantissa), count - Self::splat(ZERO)]
-            }
-        }
-    };
-}
-four!(f64x4, f64, f64_bits, u64x4, |_single, double| double);
-four!(f32x4, f32, f32_bits, u32x4, |single, _double| single);
-
 macro_rules! eight {
     ($lanes:ty, $real:ty, $sums:path, $bits:ty, $mantissa:expr) => {
         impl Eight for $lanes {
@@ -282,40 +239,4 @@ fn single_sums<const TERMS: usize>(pairs: Group<&[[f32; 2]; TERMS]>, u: f32x8) -
         f32x8::new([p[0], p[2], p[4], p[6], q[0], q[2], q[4], q[6]]),
         f32x8::new([p[1], p[3], p[5], p[7], q[1], q[3], q[5], q[7]]),
     ]
-}
-
-/// The sums of both functions of the pairs.
-#[inline(always)]
-fn even_and_odd_of_each<R: Copy, V, const TERMS: usize>(
-    pairs: &[[R; 2]; TERMS],
-    splat: impl Fn(R) -> V,
-    u: V,
-) -> [V; 2]
-where
-    V: Copy + Add<Output = V> + Mul<Output = V>,
-{
-    [
-        even_and_odd::<_, TERMS>(|n| splat(pairs[n][0]), u),
-        even_and_odd::<_, TERMS>(|n| splat(pairs[n][1]), u),
-    ]
-}
-
-/// Σ term(n) uⁿ, even and odd powers apart.
-#[inline(always)]
-pub fn even_and_odd<V: Copy + Add<Output = V> + Mul<Output = V>, const TERMS: usize>(
-    term: impl Fn(usize) -> V,
-    u: V,
-) -> V {
-    let square = u * u;
-    let mut sums = [term(TERMS - 1), term(TERMS - 2)];
-    for n in (1..TERMS - 2).rev() {
-        let sum = &mut sums[(TERMS - 1 - n) % 2];
-        *sum = *sum * square + term(n);
-    }
-    let [first, second] = if TERMS.is_multiple_of(2) {
-        sums
-    } else {
-        [sums[1], sums[0]]
-    };
-    term(0) + (first * u + second * square)
 }

@@ -1,17 +1,24 @@
 //! Many wrenches at once, each under its own load.
 //!
-//! Every wrench goes through the searches of its own call, so that the bits are the same; a group of them goes
-//! on point by point, and a processor computes the points of one while those of another wait for a root.
+//! The wrenches of a group go through the search of their own calls side by side, to the same bits. A group with a
+//! wrench or load out of the ordinary, and what remains of the slices, goes one by one.
 
-use super::meridian::Meridian;
-use super::searches::{SurfaceSearch, inside};
-use super::{Projection, RoundLimitSurface};
+use super::meridian::Beside;
+use super::polar::{AxisymmetricPair, is_ordinary, is_ordinary_planar};
+use super::searches::{Projected, ScaledCurve, inside};
+use super::{Projection, Region, RoundLimitSurface};
 use crate::coupling::DryReducedFriction;
+use crate::lanes::{Lanes, Numbers};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
-/// Searches that go on side by side.
-const GROUP: usize = 8;
+/// Wrenches of a group with their loads, part by part.
+struct Group<'a, R: Real, C> {
+    set: ScaledCurve<'a, R, C, R::Beside>,
+    pair: AxisymmetricPair<R::Beside>,
+    /// Force and torque/radius.
+    lengths: [R::Beside; 2],
+}
 
 impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// Gauges of many wrenches: the force limit of each is that of this surface times its load.
@@ -34,11 +41,18 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn gauge_batch(&self, loads: &[R], wrenches: &[Wrench<R>], gauges: &mut [R]) {
-        side_by_side(
-            self.meridian(),
-            loads.iter().zip(wrenches),
+        each_group(
+            self,
+            loaded(loads, wrenches),
             gauges,
-            |(load, wrench), gauge| self.loaded(*load).gauge(wrench).open(gauge),
+            true,
+            |group, _, gauges| {
+                let found = group.gauges().to_array();
+                for (gauge, found) in gauges.iter_mut().zip(found.as_ref()) {
+                    *gauge = *found;
+                }
+            },
+            |load, wrench| self.loaded(R::Alone::repeat(load)).gauge_of(wrench),
         );
     }
 
@@ -58,9 +72,14 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn twist_normal_to_batch(&self, pushes: &[Wrench<R>], twists: &mut [Twist<R>]) {
-        side_by_side(self.meridian(), pushes.iter(), twists, |push, twist| {
-            self.loaded(R::ONE).twist_normal_to(push).open(twist)
-        });
+        each_group(
+            self,
+            under_one_load(pushes),
+            twists,
+            true,
+            |group, _, twists| group.store_motions(twists),
+            |load, push| self.loaded(R::Alone::repeat(load)).motion_of(push),
+        );
     }
 
     /// Projections of many wrenches: the force limit of each is that of this surface times its load, as in
@@ -88,50 +107,190 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
         wrenches: &[Wrench<R>],
         projections: &mut [Projection<R>],
     ) {
-        side_by_side(
-            self.meridian(),
-            loads.iter().zip(wrenches),
+        self.project_groups(length, loaded(loads, wrenches), projections);
+    }
+
+    /// Projections of groups of loads and wrenches.
+    pub(super) fn project_groups<'a>(
+        &self,
+        length: R,
+        groups: impl Iterator<Item = Inputs<'a, R>>,
+        projections: &mut [Projection<R>],
+    ) {
+        each_group(
+            self,
+            groups,
             projections,
-            |(load, wrench), projection| {
-                let set = self.loaded(*load);
-                if set.is_deep_inside(wrench) {
-                    *projection = inside(wrench);
-                    return None;
-                }
-                set.project(wrench, length).open(projection)
+            length > R::ZERO && length.is_finite(),
+            |group, wrenches, projections| group.store_projections(length, wrenches, projections),
+            |load, wrench| {
+                self.loaded(R::Alone::repeat(load))
+                    .project_one(wrench, length)
             },
         );
     }
 }
 
-/// Starts the tasks of a group, and advances them by turns until all are done. `start` puts an answer that
-/// needs no search in its place.
-#[inline]
-fn side_by_side<R, C, I, S>(
-    curve: &Meridian<R, C>,
-    mut inputs: impl Iterator<Item = I>,
-    answers: &mut [S::Answer],
-    start: impl Fn(I, &mut S::Answer) -> Option<S>,
-) where
-    R: Real,
-    C: DryReducedFriction<R>,
-    S: SurfaceSearch<R>,
-{
-    for answers in answers.chunks_mut(GROUP) {
-        let mut open = [const { None }; GROUP];
-        let mut left = 0;
-        for (slot, (answer, input)) in open.iter_mut().zip(answers.iter_mut().zip(&mut inputs)) {
-            *slot = start(input, answer);
-            left += usize::from(slot.is_some());
+impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
+    /// Nothing for other counts than that of the lanes, and where a wrench or a load is out of the ordinary.
+    #[inline(always)]
+    fn new(surface: &'a RoundLimitSurface<R, C>, (loads, wrenches): Inputs<'_, R>) -> Option<Self> {
+        let [mut x, mut y, mut torque] = [R::Beside::splat(0.0).to_array(); 3];
+        let mut load = R::Beside::splat(1.0).to_array();
+        let count = x.as_ref().len();
+        if wrenches.len() != count || loads.is_some_and(|loads| loads.len() != count) {
+            return None;
         }
-        while left > 0 {
-            for (slot, answer) in open.iter_mut().zip(answers.iter_mut()) {
-                if let Some(task) = slot
-                    && let Some(found) = task.advance(curve)
-                {
-                    *answer = found;
-                    *slot = None;
-                    left -= 1;
+        let forces = x.as_mut().iter_mut().zip(y.as_mut());
+        for (((x, y), torque), wrench) in forces.zip(torque.as_mut()).zip(wrenches) {
+            (*x, *y, *torque) = (wrench.force.x, wrench.force.y, wrench.torque);
+        }
+        for (to, from) in load.as_mut().iter_mut().zip(loads.unwrap_or_default()) {
+            *to = *from;
+        }
+        let wrench = [x, y, torque].map(R::Beside::new);
+        let set = surface.loaded(R::Beside::new(load));
+        let [x, y, _] = wrench;
+        let pair = AxisymmetricPair::of_ordinary(wrench);
+        let lengths = set.lengths(&pair);
+        let [_, turn] = lengths;
+        let has_limit = R::Beside::splat(0.0).below(set.force_limit);
+        let is_known = R::Beside::both(
+            R::Beside::both(is_ordinary_planar(x, y), is_ordinary(turn)),
+            R::Beside::both(is_ordinary(set.force_limit), has_limit),
+        );
+        R::Beside::all(is_known).then_some(Self { set, pair, lengths })
+    }
+
+    #[inline(always)]
+    fn gauges(&self) -> R::Beside {
+        let gauge = self.set.gauge(&Beside(self.set.meridian), self.lengths);
+        R::Beside::select(self.is_none(), R::Beside::splat(0.0), gauge)
+    }
+
+    /// True where neither force nor torque is given.
+    #[inline(always)]
+    fn is_none(&self) -> <R::Beside as Lanes>::Mask {
+        let [force, torque] = self.lengths;
+        (force + torque).at_most(R::Beside::splat(0.0))
+    }
+
+    #[inline(always)]
+    fn store_motions(&self, twists: &mut [Twist<R>]) {
+        let motion = self
+            .set
+            .motion(&Beside(self.set.meridian), &self.pair, self.lengths);
+        let (is_none, zero) = (self.is_none(), R::Beside::splat(0.0));
+        let parts = motion.map(|part| R::Beside::select(is_none, zero, part).to_array());
+        for (twist, [x, y, spin]) in twists.iter_mut().zip(rows(&parts)) {
+            *twist = Twist::new(x, y, spin);
+        }
+    }
+
+    #[inline(always)]
+    fn store_projections(
+        &self,
+        length: R,
+        wrenches: &[Wrench<R>],
+        projections: &mut [Projection<R>],
+    ) {
+        let is_deep = self.set.is_deep_inside(self.lengths);
+        if R::Beside::all(is_deep) {
+            for (projection, wrench) in projections.iter_mut().zip(wrenches) {
+                *projection = inside(wrench);
+            }
+            return;
+        }
+        let curve = Beside(self.set.meridian);
+        let Projected {
+            wrench,
+            normal,
+            side,
+        } = self.set.project(&curve, &self.pair, length);
+        let side = R::Beside::select(is_deep, R::Beside::splat(1.0), side).to_array();
+        let (wrench, normal) = (wrench.map(Numbers::to_array), normal.map(Numbers::to_array));
+        let limits = self.set.force_limit.to_array();
+        let lanes = rows(&wrench).zip(rows(&normal)).zip(side.as_ref());
+        let given = wrenches.iter().zip(limits.as_ref());
+        for ((projection, (given, limit)), (([x, y, torque], [vx, vy, spin]), side)) in
+            projections.iter_mut().zip(given).zip(lanes)
+        {
+            *projection = if *side > R::ZERO {
+                inside(given)
+            } else {
+                let normal = Twist::new(vx, vy, spin);
+                Projection {
+                    wrench: Wrench::new(x, y, torque),
+                    region: Region::OnSurface { normal },
+                }
+            };
+            if *side == R::ZERO {
+                let alone = ScaledCurve {
+                    meridian: self.set.meridian,
+                    force_limit: R::Alone::repeat(*limit),
+                    radius: self.set.radius,
+                };
+                *projection = alone.beside_surface(given, *projection);
+            }
+        }
+    }
+}
+
+/// A group's loads, all 1 where there are none, and its wrenches.
+type Inputs<'a, R> = (Option<&'a [R]>, &'a [Wrench<R>]);
+
+/// Groups of wrenches with their loads.
+fn loaded<'a, R: Real>(
+    loads: &'a [R],
+    wrenches: &'a [Wrench<R>],
+) -> impl Iterator<Item = Inputs<'a, R>> {
+    let loads = loads.chunks(lanes::<R>()).map(Some);
+    loads.zip(wrenches.chunks(lanes::<R>()))
+}
+
+/// Groups of wrenches under the force limit itself.
+pub(super) fn under_one_load<R: Real>(
+    wrenches: &[Wrench<R>],
+) -> impl Iterator<Item = Inputs<'_, R>> {
+    wrenches.chunks(lanes::<R>()).map(|group| (None, group))
+}
+
+/// Lanes of a precision.
+#[inline(always)]
+fn lanes<R: Real>() -> usize {
+    R::Beside::splat(0.0).to_array().as_ref().len()
+}
+
+/// The three parts of each lane.
+#[inline(always)]
+fn rows<'a, R: Copy + 'a, A: AsRef<[R]>>(
+    [x, y, z]: &'a [A; 3],
+) -> impl Iterator<Item = [R; 3]> + 'a {
+    let rows = x.as_ref().iter().zip(y.as_ref()).zip(z.as_ref());
+    rows.map(|((x, y), z)| [*x, *y, *z])
+}
+
+/// Answers each group `together`, where it is ordinary and whole, else one by one.
+#[inline(always)]
+fn each_group<'a, R: Real, C: DryReducedFriction<R>, T>(
+    surface: &RoundLimitSurface<R, C>,
+    inputs: impl Iterator<Item = Inputs<'a, R>>,
+    answers: &mut [T],
+    may_be_together: bool,
+    together: impl Fn(&Group<'_, R, C>, &[Wrench<R>], &mut [T]),
+    alone: impl Fn(R, &Wrench<R>) -> T,
+) {
+    let groups = answers.chunks_mut(lanes::<R>());
+    for ((loads, wrenches), answers) in inputs.zip(groups) {
+        match Group::new(surface, (loads, wrenches)) {
+            Some(group) if may_be_together && answers.len() == wrenches.len() => {
+                together(&group, wrenches, answers);
+            }
+            _ => {
+                for (n, (wrench, answer)) in wrenches.iter().zip(answers).enumerate() {
+                    if let Some(load) = loads.map_or(Some(&R::ONE), |loads| loads.get(n)) {
+                        *answer = alone(*load, wrench);
+                    }
                 }
             }
         }

@@ -1,42 +1,56 @@
-//! A point of the curve of a limit surface, and what the searches ask of it.
+//! A point of the curve of a limit surface, and the equations that searches solve along it.
 
-use crate::coupling::{DominantSpeed, DryReducedFriction};
-use crate::real::Real;
+use crate::lanes::Numbers;
 
 /// Point and rate at one normal, the leading component first.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct CurvePoint<R> {
-    pub major: R,
-    pub minor: R,
+pub(super) struct CurvePoint<L> {
+    pub major: L,
+    pub minor: L,
     /// dm/dh
-    pub rate: R,
+    pub rate: L,
 }
 
-impl<R: Real> CurvePoint<R> {
-    #[inline]
-    pub fn of(coupling: &impl DryReducedFriction<R>, lead: DominantSpeed, ratio: R) -> Self {
-        let [major, minor, rate] = coupling.reduced_point(lead, ratio);
-        Self { major, minor, rate }
-    }
+/// A function of the ratio that rises through one zero along the curve.
+pub(super) trait Equation<L> {
+    /// Its value and its rate.
+    fn at(&self, ratio: L, point: &CurvePoint<L>) -> [L; 2];
+}
 
-    /// A m − a M and its rate.
-    #[inline]
-    pub fn across_ray(&self, ratio: R, [major, minor]: [R; 2]) -> [R; 2] {
+/// A m − a M: the point (m, M) lies on the ray of (a, A).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OnRay<L> {
+    pub given: [L; 2],
+}
+
+/// (A − M) h − κ (a − m): the displacement from the curve to (a, A) has the direction of the normal.
+///
+/// Products with a weight only overflow where the other component leads.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct AlongNormal<L> {
+    pub given: [L; 2],
+    pub weight: L,
+}
+
+impl<L: Numbers> Equation<L> for OnRay<L> {
+    #[inline(always)]
+    fn at(&self, ratio: L, point: &CurvePoint<L>) -> [L; 2] {
+        let [major, minor] = self.given;
         [
-            major * self.minor - minor * self.major,
-            (major + minor * ratio) * self.rate,
+            major * point.minor - minor * point.major,
+            (major + minor * ratio) * point.rate,
         ]
     }
+}
 
-    /// (A − M) h − κ (a − m) and its rate.
-    ///
-    /// Products with a weight only overflow where the other component leads.
-    #[inline]
-    pub fn beside_normal(&self, ratio: R, [major, minor]: [R; 2], weight: R) -> [R; 2] {
-        let ahead = major - self.major;
+impl<L: Numbers> Equation<L> for AlongNormal<L> {
+    #[inline(always)]
+    fn at(&self, ratio: L, point: &CurvePoint<L>) -> [L; 2] {
+        let [major, minor] = self.given;
+        let ahead = major - point.major;
         [
-            ahead * ratio - weight * (minor - self.minor),
-            ahead + (ratio * ratio + weight) * self.rate,
+            ahead * ratio - self.weight * (minor - point.minor),
+            ahead + (ratio * ratio + self.weight) * point.rate,
         ]
     }
 }

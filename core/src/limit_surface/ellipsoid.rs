@@ -146,4 +146,7 @@ impl<R: Real> FrictionSet<R> for LimitEllipsoid<R> {
     fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
         self.surface.project_with_length(wrench, length)
     }
+    fn project_each(&self, wrenches: &[Wrench<R>], length: R, projections: &mut [Projection<R>]) {
+        self.surface.project_each(wrenches, length, projections);
+    }
 }

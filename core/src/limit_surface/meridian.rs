@@ -11,85 +11,120 @@
 //! nearest to p:            (A − M(h)) h − κ (a − m(h))              p − (M, m) along the normal
 //! ```
 //!
-//! are unique: along the curve both rise through zero, the second because a normal that points
+//! are unique for a point outside: along the curve both rise through zero, the second because a normal that points
 //! inwards from the quarter plane never leaves the set. κ is the squared ratio of
 //! the lever that weighs torque to the radius if spinning leads, its inverse if sliding leads.
 //!
-//! The curve depends on the ratio alone, so that dM/dh = −h dm/dh: the last step of a search moves the point
-//! that it has computed instead of computing another.
+//! The second search also tells the sides apart. At its zero p − (M, m) is λ times the normal, whose parts are ≥ 0.
+//! Where λ > 0 the tangent plane leaves p outside. Where λ < 0 no part of p exceeds that of (M, m), and the set
+//! holds with a point all that are nearer to both axes: p is inside, whichever of several zeros was found.
 
-use super::collar;
 use super::curve_approximation::CurveApproximation;
-use super::curve_point::CurvePoint;
-use super::monotone_root::{MonotoneRoot, Step};
+use super::curve_point::{AlongNormal, CurvePoint, OnRay};
+use super::ratio_search::{Curve, SearchEnd, solved};
 use crate::coupling::{DominantSpeed, DryReducedFriction, ReducedWrench};
+use crate::lanes::{Lanes, Numbers};
 use crate::real::Real;
-
-/// What a gauge gains on the way from a normal to that of the ray, over the square of the step and the rate: ½ is
-/// expected.
-const SPREAD: f64 = 16.0;
 
 /// The curve of one coupling.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Meridian<R, C> {
     pub coupling: C,
+    /// T₀, of pure spinning.
+    pub spin_torque: R,
     /// Point at equal speeds, where the leading component changes.
     equal: ReducedWrench<R>,
     /// Where searches start: sliding leads, spinning leads.
-    sketches: [CurveApproximation<R>; 2],
+    approximations: [CurveApproximation<R>; 2],
     /// Lines through the equal point and a pole, as α f + β t = 1: of the force's pole, of the torque's.
     chords: [[R; 2]; 2],
-    /// 1/D of pure sliding, of pure spinning and of equal speeds.
-    tangents: [R; 3],
 }
 
-/// An outward normal: the larger of the two speeds is 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Normal<R> {
-    pub slide: R,
-    pub rim: R,
-}
+/// The points of a curve, one after the other.
+pub(super) struct Alone<'a, R, C>(pub &'a Meridian<R, C>);
 
-/// A normal and its point of the curve.
+/// Several points of a curve at once.
+pub(super) struct Beside<'a, R, C>(pub &'a Meridian<R, C>);
+
+/// A point of the curve with its normal, of which the larger part is 1.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct NormalAndPoint<R> {
-    pub normal: Normal<R>,
-    pub at: ReducedWrench<R>,
+pub(super) struct NormalAndPoint<L> {
+    /// Sliding and rim speed.
+    pub normal: [L; 2],
+    /// Force and torque.
+    pub at: [L; 2],
+    /// Normal · point.
+    pub power: L,
+    /// Normal · (given − point): above 0 outside, below 0 inside.
+    pub beyond: L,
 }
 
-/// A point's normal along its ray.
+/// A normal along a ray.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RayNormal<R> {
-    pub normal: Normal<R>,
-    /// Gauge of the given point, over its size.
-    pub gauge: R,
+pub(super) struct RayNormal<L> {
+    pub normal: [L; 2],
+    /// Gauge of the given point, in its unit.
+    pub gauge: L,
 }
 
-/// How closely the normal along a ray is wanted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum NormalTolerance<R> {
-    /// The gauge: stationary in the normal, a quarter of its digits are enough.
-    Gauge,
-    /// The normal itself.
-    Normal,
-    /// FrameSelector side of 1 the gauge lies on, of a point of this size in units of the force limit. The gauge itself
-    /// only in the collar.
-    Side(R),
+fn curve_point<L>([major, minor, rate]: [L; 3]) -> CurvePoint<L> {
+    CurvePoint { major, minor, rate }
+}
+
+impl<R: Real, C: DryReducedFriction<R>> Curve<R::Alone> for Alone<'_, R, C> {
+    #[inline(always)]
+    fn point(&self, slides: bool, ratio: R::Alone) -> CurvePoint<R::Alone> {
+        let [ratio] = ratio.to_array();
+        let point = self.0.coupling.reduced_point(lead(slides), ratio);
+        curve_point(point.map(R::Alone::repeat))
+    }
+    #[inline(always)]
+    fn rough_point(&self, slides: bool, ratio: R::Alone) -> Option<CurvePoint<R::Alone>> {
+        let [ratio] = ratio.to_array();
+        let point = self.0.coupling.rough_point(lead(slides), ratio)?;
+        Some(curve_point(point.map(R::Alone::repeat)))
+    }
+    #[inline(always)]
+    fn is_smooth(&self) -> bool {
+        self.0.coupling.is_smooth()
+    }
+}
+
+impl<R: Real, C: DryReducedFriction<R>> Curve<R::Beside> for Beside<'_, R, C> {
+    #[inline(always)]
+    fn point(&self, slides: <R::Beside as Lanes>::Mask, ratio: R::Beside) -> CurvePoint<R::Beside> {
+        curve_point(self.0.coupling.reduced_points(slides, ratio))
+    }
+    #[inline(always)]
+    fn rough_point(
+        &self,
+        slides: <R::Beside as Lanes>::Mask,
+        ratio: R::Beside,
+    ) -> Option<CurvePoint<R::Beside>> {
+        self.0.coupling.rough_points(slides, ratio).map(curve_point)
+    }
+    #[inline(always)]
+    fn is_smooth(&self) -> bool {
+        self.0.coupling.is_smooth()
+    }
 }
 
 #[inline]
-fn normal_of<R: Real>(lead: DominantSpeed, ratio: R) -> Normal<R> {
-    let [slide, rim] = ordered(lead, R::ONE, ratio);
-    Normal { slide, rim }
+fn lead(slides: bool) -> DominantSpeed {
+    if slides {
+        DominantSpeed::Sliding
+    } else {
+        DominantSpeed::Spinning
+    }
 }
 
 /// Force and torque, or the other way round: the leading component first; and back.
-#[inline]
-fn ordered<T>(lead: DominantSpeed, force: T, torque: T) -> [T; 2] {
-    match lead {
-        DominantSpeed::Sliding => [force, torque],
-        DominantSpeed::Spinning => [torque, force],
-    }
+#[inline(always)]
+fn ordered<L: Numbers>(slides: L::Mask, [force, torque]: [L; 2]) -> [L; 2] {
+    [
+        L::select(slides, force, torque),
+        L::select(slides, torque, force),
+    ]
 }
 
 impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
@@ -97,17 +132,32 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
         let point = |slide, rim| coupling.reduced_wrench(slide, rim);
         let equal = point(R::ONE, R::ONE);
         let top = point(R::ONE, R::ZERO).force;
-        let side = point(R::ZERO, R::ONE).torque;
+        let spin_torque = point(R::ZERO, R::ONE).torque;
         let chords = [
             [R::ONE / top, (R::ONE - equal.force / top) / equal.torque],
-            [(R::ONE - equal.torque / side) / equal.force, R::ONE / side],
+            [
+                (R::ONE - equal.torque / spin_torque) / equal.force,
+                R::ONE / spin_torque,
+            ],
         ];
         Self {
+            spin_torque,
             equal,
             chords,
-            tangents: [top, side, equal.force + equal.torque].map(|power| R::ONE / power),
-            sketches: [DominantSpeed::Sliding, DominantSpeed::Spinning]
-                .map(|lead| CurveApproximation::of(&coupling, lead)),
+            approximations: [
+                CurveApproximation::of(
+                    &coupling,
+                    DominantSpeed::Sliding,
+                    top,
+                    [equal.force, equal.torque],
+                ),
+                CurveApproximation::of(
+                    &coupling,
+                    DominantSpeed::Spinning,
+                    spin_torque,
+                    [equal.torque, equal.force],
+                ),
+            ],
             coupling,
         }
     }
@@ -115,194 +165,78 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
     /// A bound from above of the gauge: the set is convex and holds its poles and the equal point.
     ///
     /// *Domain*: components ≥ 0; NaN gives NaN.
-    #[inline]
-    pub fn gauge_bound(&self, force: R, torque: R) -> R {
-        let [[a, b], [c, d]] = self.chords;
-        let [one, other] = [a * force + b * torque, c * force + d * torque];
-        if one > other { one } else { other }
+    #[inline(always)]
+    pub fn gauge_bound<L: Numbers<Real = R>>(&self, [force, torque]: [L; 2]) -> L {
+        let line = |[a, b]: [R; 2]| L::repeat(a) * force + L::repeat(b) * torque;
+        let [one, other] = self.chords;
+        line(other).larger(line(one))
     }
 
-    /// True if the gauge is more than `most`: the tangents at the poles and at the equal point leave the point
-    /// outside.
+    /// Force and torque of the point whose outward normal is given.
     #[inline]
-    pub fn is_beyond_tangents(&self, point: ReducedWrench<R>, most: R) -> bool {
-        let ReducedWrench { force, torque } = point;
-        let [slide, spin, equal] = self.tangents;
-        force * slide > most || torque * spin > most || (force + torque) * equal > most
+    pub fn point(&self, [slide, rim]: [R; 2]) -> [R; 2] {
+        let ReducedWrench { force, torque } = self.coupling.reduced_wrench(slide, rim);
+        [force, torque]
     }
 
-    /// The point whose outward normal is given.
-    #[inline]
-    pub fn point(&self, normal: Normal<R>) -> ReducedWrench<R> {
-        self.coupling.reduced_wrench(normal.slide, normal.rim)
-    }
-
-    #[inline]
-    fn sketch(&self, lead: DominantSpeed) -> &CurveApproximation<R> {
-        let [slide, rim] = &self.sketches;
-        match lead {
-            DominantSpeed::Sliding => slide,
-            DominantSpeed::Spinning => rim,
-        }
-    }
-
-    #[inline]
-    fn local(&self, lead: DominantSpeed, ratio: R) -> CurvePoint<R> {
-        CurvePoint::of(&self.coupling, lead, ratio)
-    }
-
-    /// The search for the normal where the ray of a point meets the curve.
+    /// The normal where the ray of a point meets the curve, which has these points.
     ///
-    /// *Domain*: finite components ≥ 0 of which the larger is of order 1; NaN gives NaN.
-    #[inline]
-    pub fn ray(&self, point: ReducedWrench<R>, aim: NormalTolerance<R>) -> RaySearch<R> {
-        let ReducedWrench { force, torque } = point;
-        let lead = if force * self.equal.torque >= torque * self.equal.force {
-            DominantSpeed::Sliding
-        } else {
-            DominantSpeed::Spinning
-        };
-        let given = ordered(lead, force, torque);
-        let [major, minor] = given;
-        let start = self.sketch(lead).on_ray(minor / major);
-        RaySearch {
-            lead,
-            given,
-            aim,
-            search: MonotoneRoot::new(start),
-        }
-    }
-
-    /// The search for the point of the curve nearest to one outside, in the norm √(f² + t²/`lever_sq`).
-    #[inline]
-    pub fn offset(&self, point: ReducedWrench<R>, lever_sq: R) -> NearestPointSearch<R> {
-        let ReducedWrench { force, torque } = point;
+    /// *Domain*: components ≥ 0 whose products are normal numbers, in any unit; NaN gives NaN.
+    #[inline(always)]
+    pub fn ray<L: Numbers<Real = R>>(
+        &self,
+        curve: &impl Curve<L>,
+        [force, torque]: [L; 2],
+    ) -> RayNormal<L> {
         let equal = &self.equal;
-        let lead = if torque - equal.torque <= lever_sq * (force - equal.force) {
-            DominantSpeed::Sliding
-        } else {
-            DominantSpeed::Spinning
-        };
-        let given = ordered(lead, force, torque);
-        let [weight, _] = ordered(lead, R::ONE / lever_sq, lever_sq);
-        let start = self.sketch(lead).nearest(given, weight);
-        NearestPointSearch {
-            lead,
-            given,
-            weight,
-            search: MonotoneRoot::new(start),
-        }
-    }
-}
-
-/// A search along the curve, one point of it after the other.
-pub(super) trait Search<R: Real> {
-    type Answer;
-
-    /// Computes the next point; what is looked for, if that is known then.
-    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>)
-    -> Option<Self::Answer>;
-}
-
-/// What a search finds.
-#[inline]
-pub(super) fn solved<R: Real, C: DryReducedFriction<R>, S: Search<R>>(
-    search: &mut S,
-    curve: &Meridian<R, C>,
-) -> S::Answer {
-    loop {
-        if let Some(found) = search.advance(curve) {
-            return found;
-        }
-    }
-}
-
-/// The search for the normal on the ray of a point.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct RaySearch<R> {
-    lead: DominantSpeed,
-    given: [R; 2],
-    aim: NormalTolerance<R>,
-    search: MonotoneRoot<R>,
-}
-
-/// The search for the nearest point.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct NearestPointSearch<R> {
-    lead: DominantSpeed,
-    given: [R; 2],
-    weight: R,
-    search: MonotoneRoot<R>,
-}
-
-impl<R: Real> RaySearch<R> {
-    /// The gauge by a normal: every one bounds it from below.
-    #[inline]
-    fn gauge(&self, ratio: R, [on_major, on_minor]: [R; 2]) -> R {
-        let [major, minor] = self.given;
-        (major + minor * ratio) / (on_major + on_minor * ratio)
-    }
-
-    /// True if the normal where a step starts tells on which side of 1 the gauge lies.
-    #[inline]
-    fn is_side_known(&self, step: &Step<R>, at: &CurvePoint<R>) -> bool {
-        let NormalTolerance::Side(size) = self.aim else {
-            return false;
-        };
-        let gauge = size * self.gauge(step.from, [at.major, at.minor]);
-        let gain = R::from_f64(SPREAD) * at.rate * (step.by * step.by);
-        gauge > R::ONE + R::TWO * collar() || gauge + gain < R::ONE - R::TWO * collar()
-    }
-}
-
-impl<R: Real> Search<R> for RaySearch<R> {
-    type Answer = RayNormal<R>;
-
-    #[inline]
-    fn advance<C: DryReducedFriction<R>>(
-        &mut self,
-        curve: &Meridian<R, C>,
-    ) -> Option<RayNormal<R>> {
-        let ratio = self.search.at();
-        let at = curve.local(self.lead, ratio);
-        let this = *self;
-        let end = self
-            .search
-            .update(at, at.across_ray(ratio, self.given), |step| {
-                match this.aim {
-                    NormalTolerance::Normal => step.is_settled(),
-                    _ => step.is_stationary() || this.is_side_known(step, &at),
-                }
-            })?;
-        let gauge = if self.is_side_known(&end.step, &end.at) {
-            self.gauge(end.step.from, [end.at.major, end.at.minor])
-        } else {
-            self.gauge(end.ratio(), end.point())
-        };
-        Some(RayNormal {
-            normal: normal_of(self.lead, end.ratio()),
+        let slides = (torque * L::repeat(equal.force)).at_most(force * L::repeat(equal.torque));
+        let given = ordered(slides, [force, torque]);
+        let equation = OnRay { given };
+        let start = CurveApproximation::chosen(&self.approximations, slides).on_ray(&equation);
+        let SearchEnd {
+            ratio,
+            before,
+            power,
+            ..
+        } = solved(curve, slides, start, &equation);
+        // The gauge is stationary in the normal: what the last step would change is below rounding.
+        let gauge = (given[0] + given[1] * before) / power;
+        // A direction that is not a number has no normal, though the search ends somewhere.
+        let known = L::splat(1.0) + L::splat(0.0) * gauge;
+        RayNormal {
+            normal: ordered(slides, [known, ratio * known]),
             gauge,
-        })
+        }
     }
-}
 
-impl<R: Real> Search<R> for NearestPointSearch<R> {
-    type Answer = NormalAndPoint<R>;
-
-    #[inline]
-    fn advance<C: DryReducedFriction<R>>(
-        &mut self,
-        curve: &Meridian<R, C>,
-    ) -> Option<NormalAndPoint<R>> {
-        let ratio = self.search.at();
-        let at = curve.local(self.lead, ratio);
-        let value = at.beside_normal(ratio, self.given, self.weight);
-        let end = self.search.update(at, value, Step::is_settled)?;
-        let [major, minor] = end.point();
-        let [force, torque] = ordered(self.lead, major, minor);
-        Some(NormalAndPoint {
-            normal: normal_of(self.lead, end.ratio()),
-            at: ReducedWrench { force, torque },
-        })
+    /// The point of the curve nearest to one outside, in the norm √(f² + t²/`lever_sq`); for a point inside one that
+    /// proves it.
+    #[inline(always)]
+    pub fn nearest<L: Numbers<Real = R>>(
+        &self,
+        curve: &impl Curve<L>,
+        [force, torque]: [L; 2],
+        lever_sq: R,
+    ) -> NormalAndPoint<L> {
+        let (one, equal) = (L::splat(1.0), &self.equal);
+        let slides = (torque - L::repeat(equal.torque))
+            .at_most(L::repeat(lever_sq) * (force - L::repeat(equal.force)));
+        let given = ordered(slides, [force, torque]);
+        let weight = L::select(slides, L::repeat(R::ONE / lever_sq), L::repeat(lever_sq));
+        let equation = AlongNormal { given, weight };
+        let start = CurveApproximation::chosen(&self.approximations, slides).nearest(&equation);
+        let SearchEnd {
+            ratio,
+            major,
+            minor,
+            power,
+            ..
+        } = solved(curve, slides, start, &equation);
+        NormalAndPoint {
+            normal: ordered(slides, [one, ratio]),
+            at: ordered(slides, [major, minor]),
+            power,
+            beyond: (given[0] - major) + ratio * (given[1] - minor),
+        }
     }
 }

@@ -43,8 +43,8 @@
 //!
 //! | set | metric | accuracy | time | where |
 //! |---|---|---|---|---|
-//! | round patch, exact | any length | 1e-15 of the limits; 4 ε of the surface by table, 44 by AGM | 4 ns inside, 126 to 188 ns | [`RoundLimitSurface`] |
-//! | ellipsoid | any length | rounding | 4 ns inside, 103 to 122 ns | [`LimitEllipsoid`] |
+//! | round patch, exact | any length | 1e-15 of the limits; 5 ε of the surface | 6 ns inside, 132 to 144 ns; 4 and 55 to 72 ns in a batch | [`RoundLimitSurface`] |
+//! | ellipsoid | any length | rounding | 6 ns inside, 104 to 129 ns | [`LimitEllipsoid`] |
 //! | polygons, bars, meshes, points, several bodies | any length | 1e-13 of the limits; for points 1e-8 of the wrench, in the set to 16 ε | about 5 wrenches with Jacobian | [`ShapeLimitSurface`] |
 //! | discs, one for each mode, under a held bound | masses, which are equal along both tangents | 4 ulp of the length | 14 to 21 ns with the rest of a contact, four at a time | [`crate::contact::IndependentFriction`]; in lanes, to its bits, `cd/vectors` of `tribos-contacts` |
 //! | disc of rolling; sliding with torsion in a round set | masses | that of the set | that of the set | [`crate::contact::CoupledFriction`] |
@@ -60,10 +60,10 @@ mod curve_point;
 mod ellipsoid;
 mod load_sharing;
 mod meridian;
-mod monotone_root;
 mod nonsmooth_search;
 mod polar;
 mod quadratic;
+mod ratio_search;
 mod round;
 mod scaled;
 mod search;
@@ -144,6 +144,14 @@ pub trait FrictionSet<R: Real> {
     #[inline]
     fn project(&self, wrench: &Wrench<R>) -> Projection<R> {
         self.project_with_length(wrench, self.radius())
+    }
+
+    /// [`FrictionSet::project_with_length`] of many wrenches, to the same bits.
+    #[doc(hidden)]
+    fn project_each(&self, wrenches: &[Wrench<R>], length: R, projections: &mut [Projection<R>]) {
+        for (wrench, projection) in wrenches.iter().zip(projections) {
+            *projection = self.project_with_length(wrench, length);
+        }
     }
 
     /// The motion that meets the friction `wrench`, scaled radially to the surface:

@@ -1,62 +1,82 @@
 //! A planar vector and a normal component as magnitudes: the surface depends on nothing else.
 
+use crate::lanes::Numbers;
 use crate::real::Real;
-use crate::twist::{Twist, Wrench};
 use nalgebra::Vector2;
 
 /// Magnitudes of a planar vector and its normal companion, with what they leave out.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct AxisymmetricPair<R> {
+pub(super) struct AxisymmetricPair<L> {
     /// Length of the planar part.
-    pub planar: R,
+    pub planar: L,
     /// Absolute value of the normal part.
-    pub normal: R,
-    axis: [R; 2],
-    sign: R,
+    pub normal: L,
+    axis: [L; 2],
+    sign: L,
 }
 
-impl<R: Real> AxisymmetricPair<R> {
-    /// A wrench or twist in parts; both units are left as they are.
-    #[inline]
-    pub fn new(vector: &Vector2<R>, normal: R) -> Self {
-        let planar = length(vector);
+impl<L: Numbers> AxisymmetricPair<L> {
+    /// A wrench or twist in parts, both units left as they are. *Domain*: planar parts that are [`is_ordinary`].
+    #[inline(always)]
+    pub fn of_ordinary([x, y, normal]: [L; 3]) -> Self {
+        Self::of_length((x * x + y * y).sqrt(), [x, y, normal])
+    }
+
+    #[inline(always)]
+    fn of_length(planar: L, [x, y, normal]: [L; 3]) -> Self {
         // Without length there is no axis, and none is needed.
-        let axis = if planar == R::ZERO {
-            [R::ZERO; 2]
-        } else {
-            [vector.x / planar, vector.y / planar]
-        };
+        let zero = L::splat(0.0);
+        let is_none = planar.at_most(zero);
+        let along = |part: L| L::select(is_none, zero, part / planar);
         Self {
             planar,
             normal: normal.abs(),
-            axis,
-            sign: R::ONE.copysign(normal),
+            axis: [along(x), along(y)],
+            sign: normal,
         }
     }
 
-    /// A wrench along the same axes.
-    #[inline]
-    pub fn wrench(&self, force: R, torque: R) -> Wrench<R> {
+    /// A vector along the same axes.
+    #[inline(always)]
+    pub fn vector(&self, [planar, normal]: [L; 2]) -> [L; 3] {
         let [x, y] = self.axis;
-        Wrench::new(force * x, force * y, self.sign * torque)
-    }
-
-    /// A twist along the same axes.
-    #[inline]
-    pub fn twist(&self, speed: R, spin: R) -> Twist<R> {
-        let [x, y] = self.axis;
-        Twist::new(speed * x, speed * y, self.sign * spin)
+        [planar * x, planar * y, normal.with_sign(self.sign)]
     }
 }
 
-/// The length, from the squares where these are ordinary numbers. *Accuracy*: 2 ulp.
+/// True of a size whose square, quotients and reciprocal are normal numbers, and of none.
+#[inline(always)]
+pub(super) fn is_ordinary<R: Real, L: Numbers<Real = R>>(size: L) -> L::Mask {
+    let (least, most) = (R::LEAST_SPEED, R::ONE / R::LEAST_SPEED);
+    L::either(
+        L::both(L::repeat(least).below(size), size.below(L::repeat(most))),
+        size.abs().at_most(L::splat(0.0)),
+    )
+}
+
+/// True of a planar vector whose squares give its length.
+#[inline(always)]
+pub(super) fn is_ordinary_planar<R: Real, L: Numbers<Real = R>>(x: L, y: L) -> L::Mask {
+    let (zero, least) = (L::splat(0.0), R::LEAST_SPEED * R::LEAST_SPEED);
+    let square = x * x + y * y;
+    L::either(
+        L::both(
+            L::repeat(least).below(square),
+            square.below(L::repeat(R::ONE / least)),
+        ),
+        (x.abs() + y.abs()).at_most(zero),
+    )
+}
+
+/// A wrench or twist in parts. *Accuracy*: 2 ulp of the length.
 #[inline]
-fn length<R: Real>(vector: &Vector2<R>) -> R {
-    let square = vector.x * vector.x + vector.y * vector.y;
-    let least = R::LEAST_SPEED * R::LEAST_SPEED;
-    if square > least && square < R::ONE / least {
-        square.sqrt()
+pub(super) fn pair<R: Real>(vector: &Vector2<R>, normal: R) -> AxisymmetricPair<R::Alone> {
+    let parts = [vector.x, vector.y, normal].map(R::Alone::repeat);
+    let [x, y, _] = parts;
+    if is_ordinary_planar::<R, R::Alone>(x, y) {
+        AxisymmetricPair::of_ordinary(parts)
     } else {
-        vector.x.hypot(vector.y)
+        let length = vector.x.hypot(vector.y);
+        AxisymmetricPair::of_length(R::Alone::repeat(length), parts)
     }
 }

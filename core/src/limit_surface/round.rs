@@ -1,11 +1,13 @@
 //! The exact limit surface of a dry coupling.
 
-use super::meridian::{Meridian, Normal};
-use super::polar::AxisymmetricPair;
-use super::searches::{ScaledCurve, inside};
+use super::batch::under_one_load;
+use super::meridian::Meridian;
+use super::polar::pair;
+use super::searches::ScaledCurve;
 use super::{FrictionSet, LimitEllipsoid, Projection, collar};
-use crate::coupling::{DryReducedFriction, ReducedWrench};
+use crate::coupling::DryReducedFriction;
 use crate::error::Error;
+use crate::lanes::Numbers;
 use crate::law::validated_not_negative;
 use crate::patch::validated_radius;
 use crate::real::Real;
@@ -19,11 +21,11 @@ use crate::twist::{Twist, Wrench};
 /// The coupling's wrench must turn with its twist, without jumps, from (1, 0) in pure sliding to
 /// (0, T₀) in pure spinning, as that of every axisymmetric patch does; slopes may be infinite.
 ///
-/// *Accuracy* (f64, table tier): gauge, surface points and projections 1e-15 of the limits, the motion's ratio
-/// 1e-15 relative; f32: 3e-7 of the limits.
-/// *Cost* in points of the coupling with their rates, on the uniform disk: gauge 2, normal 2 or 3, projection
-/// none deep inside, 1 to 3 next to the surface, 2 outside (more for lengths far from the radius). A projection's
-/// two searches end after at most 64 points each. A surface is prepared with 9.
+/// *Accuracy* (f64): gauge, surface points and projections 1e-15 of the limits, the motion's ratio along a ray
+/// 1e-15 relative; f32: 3e-7 of the limits, 4e-7 for lengths below 0.3 R.
+/// *Cost* in points of the coupling with their rates: gauge, normal and projection 2 or 3 (more for lengths far from the
+/// radius), a projection deep inside none, within 128 roundings of the surface those of a gauge more. A search ends after
+/// at most 66 points. A surface is prepared with 15, that of a uniform disk with 3.
 ///
 /// ```
 /// use tribos_core::coupling::coulomb::CoulombDisk;
@@ -64,57 +66,36 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
 
     /// The largest torque, μN R T(0, 1).
     pub fn torque_limit(&self) -> R {
-        self.force_limit * self.radius * self.spin_torque()
+        self.force_limit * self.radius * self.meridian.spin_torque
     }
 
     /// The ellipsoid with the same largest force and torque.
     pub fn ellipsoid(&self) -> Result<LimitEllipsoid<R>, Error> {
-        LimitEllipsoid::new(self.force_limit, self.radius, self.spin_torque())
+        LimitEllipsoid::new(self.force_limit, self.radius, self.meridian.spin_torque)
     }
 
-    fn spin_torque(&self) -> R {
-        let Self { meridian, .. } = self;
-        let spinning = Normal {
-            slide: R::ZERO,
-            rim: R::ONE,
-        };
-        meridian.point(spinning).torque
-    }
-
-    /// The curve in reduced units.
-    #[inline]
-    pub(super) fn meridian(&self) -> &Meridian<R, C> {
-        &self.meridian
-    }
-
-    /// The set under `load` times the force limit; no number for a negative load.
-    #[inline]
-    pub(super) fn loaded(&self, load: R) -> ScaledCurve<'_, R, C> {
+    /// The set under each lane's load times the force limit; no number for a negative load.
+    #[inline(always)]
+    pub(super) fn loaded<L: Numbers<Real = R>>(&self, load: L) -> ScaledCurve<'_, R, C, L> {
         // A quotient by −0 would have the wrong sign.
-        let force_limit = self.force_limit * load + R::ZERO;
+        let force_limit = L::repeat(self.force_limit) * load + L::splat(0.0);
         ScaledCurve {
-            force_limit: if force_limit >= R::ZERO {
-                force_limit
-            } else {
-                R::NAN
-            },
-            ..self.itself()
+            meridian: &self.meridian,
+            force_limit: L::select(
+                L::splat(0.0).at_most(force_limit),
+                force_limit,
+                L::repeat(R::NAN),
+            ),
+            radius: self.radius,
         }
-    }
-
-    /// The projection of a wrench that is not deep inside.
-    #[inline(never)]
-    fn searched(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
-        let projection = self.itself().project(wrench, length);
-        projection.answer(&self.meridian)
     }
 
     /// The set itself.
     #[inline]
-    fn itself(&self) -> ScaledCurve<'_, R, C> {
+    fn itself(&self) -> ScaledCurve<'_, R, C, R::Alone> {
         ScaledCurve {
             meridian: &self.meridian,
-            force_limit: self.force_limit,
+            force_limit: R::Alone::repeat(self.force_limit),
             radius: self.radius,
         }
     }
@@ -134,35 +115,38 @@ impl<R: Real, C: DryReducedFriction<R>> FrictionSet<R> for RoundLimitSurface<R, 
     #[inline]
     fn support(&self, twist: &Twist<R>) -> R {
         let (slide, rim) = (twist.speed(), (twist.spin * self.radius).abs());
-        let ReducedWrench { force, torque } = self.meridian.point(Normal { slide, rim });
+        if slide == R::ZERO {
+            return self.force_limit * (rim * self.meridian.spin_torque);
+        }
+        let [force, torque] = self.meridian.point([slide, rim]);
         self.force_limit * (slide * force + rim * torque)
     }
 
     #[inline]
     fn wrench(&self, twist: &Twist<R>) -> Wrench<R> {
-        let polar = AxisymmetricPair::new(&twist.velocity, twist.spin);
-        let (slide, rim) = (polar.planar, polar.normal * self.radius);
-        let ReducedWrench { force, torque } = self.meridian.point(Normal { slide, rim });
-        let against = ReducedWrench {
-            force: -force,
-            torque: -torque,
-        };
-        self.itself().surface_wrench(&polar, against)
+        let pair = pair(&twist.velocity, twist.spin);
+        let [[planar], [spin]] = [pair.planar, pair.normal].map(Numbers::to_array);
+        let at = self.meridian.point([planar, spin * self.radius]);
+        let push = self.itself().surface_wrench(&pair, at.map(R::Alone::repeat));
+        let [[x], [y], [torque]] = push.map(Numbers::to_array);
+        -Wrench::new(x, y, torque)
     }
 
     #[inline]
     fn gauge(&self, wrench: &Wrench<R>) -> R {
-        self.itself().gauge(wrench).answer(&self.meridian)
+        self.itself().gauge_of(wrench)
     }
 
     #[inline]
     fn contains(&self, wrench: &Wrench<R>) -> bool {
-        self.itself().is_deep_inside(wrench) || self.gauge(wrench) <= R::ONE + collar()
+        let set = self.itself();
+        set.is_deep_inside(set.lengths(&pair(&wrench.force, wrench.torque)))
+            || self.gauge(wrench) <= R::ONE + collar()
     }
 
     #[inline]
     fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {
-        self.itself().twist_normal_to(push).answer(&self.meridian)
+        self.itself().motion_of(push)
     }
 
     #[inline]
@@ -172,10 +156,10 @@ impl<R: Real, C: DryReducedFriction<R>> FrictionSet<R> for RoundLimitSurface<R, 
 
     #[inline]
     fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
-        let set = self.itself();
-        if set.is_deep_inside(wrench) {
-            return inside(wrench);
-        }
-        self.searched(wrench, length)
+        self.itself().project_one(wrench, length)
+    }
+
+    fn project_each(&self, wrenches: &[Wrench<R>], length: R, projections: &mut [Projection<R>]) {
+        self.project_groups(length, under_one_load(wrenches), projections);
     }
 }

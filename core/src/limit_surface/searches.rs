@@ -1,354 +1,281 @@
-//! A limit surface under one load: gauge, normal and projection as searches that can go on side by side.
+//! A limit surface under loads: gauges, normals and projections of one wrench, or of several side by side.
 
-use super::meridian::{
-    Meridian, NearestPointSearch, Normal, NormalAndPoint, NormalTolerance, RayNormal, RaySearch,
-    Search, solved,
-};
-use super::polar::AxisymmetricPair;
+use super::meridian::{Alone, Meridian, NormalAndPoint, RayNormal};
+use super::polar::{AxisymmetricPair, is_ordinary, pair};
+use super::ratio_search::Curve;
 use super::{Projection, Region, collar};
-use crate::coupling::{DryReducedFriction, ReducedWrench};
+use crate::coupling::DryReducedFriction;
+use crate::lanes::{Lanes, Numbers};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
-/// The set of one curve, force limit and radius.
+/// The set of one curve and radius under each lane's force limit.
 #[derive(Debug)]
-pub(super) struct ScaledCurve<'a, R, C> {
+pub(super) struct ScaledCurve<'a, R, C, L> {
     pub meridian: &'a Meridian<R, C>,
-    pub force_limit: R,
+    pub force_limit: L,
     pub radius: R,
 }
 
-/// An answer, or the search for it.
-pub(super) enum AnswerOrSearch<T, S> {
-    Known(T),
-    Open(S),
+/// Points of the surface and outward normals there: the nearest ones of wrenches outside.
+pub(super) struct Projected<L> {
+    pub wrench: [L; 3],
+    pub normal: [L; 3],
+    /// 1 inside, −1 outside, 0 next to the surface, where the gauge is to decide.
+    pub side: L,
 }
 
-/// A search whose answer is in units of the wrench.
-pub(super) trait SurfaceSearch<R: Real> {
-    type Answer;
-
-    /// Computes one more point of the curve; the answer, if it is known then.
-    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>)
-    -> Option<Self::Answer>;
-}
-
-/// The search for a gauge.
-pub(super) struct GaugeSearch<R> {
-    /// The larger one of force and torque/radius, over the force limit.
-    size: R,
-    ray: RaySearch<R>,
-}
-
-/// The search for a normal.
-pub(super) struct NormalSearch<R> {
-    polar: AxisymmetricPair<R>,
-    radius: R,
-    ray: RaySearch<R>,
-}
-
-/// The search for the nearest point.
-pub(super) struct ProjectionSearch<R> {
-    polar: AxisymmetricPair<R>,
-    force_limit: R,
-    radius: R,
-    offset: NearestPointSearch<R>,
-}
-
-/// A wrench on the quarter plane.
-struct Scaled<R> {
-    polar: AxisymmetricPair<R>,
+impl<R: Real, C: DryReducedFriction<R>, L: Numbers<Real = R>> ScaledCurve<'_, R, C, L> {
     /// Force and torque/radius.
-    lengths: ReducedWrench<R>,
-    /// The larger of the two.
-    size: R,
-    /// The two in units of the larger one.
-    unit: ReducedWrench<R>,
-}
-
-impl<R: Real> Scaled<R> {
-    #[inline]
-    fn is_zero(&self) -> bool {
-        self.lengths.force == R::ZERO && self.lengths.torque == R::ZERO
+    #[inline(always)]
+    pub fn lengths(&self, pair: &AxisymmetricPair<L>) -> [L; 2] {
+        [pair.planar, pair.normal / L::repeat(self.radius)]
     }
 
-    /// True if infinite without being NaN.
-    #[inline]
-    fn is_infinite(&self) -> bool {
-        let sum = self.lengths.force + self.lengths.torque;
-        self.size == R::INFINITY && !sum.is_nan()
-    }
-}
-
-impl<R: Real> SurfaceSearch<R> for GaugeSearch<R> {
-    type Answer = R;
-
-    #[inline]
-    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<R> {
-        let RayNormal { gauge, .. } = self.ray.advance(curve)?;
-        Some(self.size * gauge)
-    }
-}
-
-impl<R: Real> SurfaceSearch<R> for NormalSearch<R> {
-    type Answer = Twist<R>;
-
-    #[inline]
-    fn advance<C: DryReducedFriction<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Twist<R>> {
-        let RayNormal { normal, gauge } = self.ray.advance(curve)?;
-        // A direction that is not a number has no normal, though the search ends somewhere.
-        let Normal { slide, rim } = normal;
-        let known = R::ONE + R::ZERO * gauge;
-        let normal = Normal {
-            slide: slide * known,
-            rim: rim * known,
-        };
-        Some(unit_twist(&self.polar, normal, self.radius))
-    }
-}
-
-impl<R: Real> SurfaceSearch<R> for ProjectionSearch<R> {
-    type Answer = Projection<R>;
-
-    #[inline]
-    fn advance<C: DryReducedFriction<R>>(
-        &mut self,
-        curve: &Meridian<R, C>,
-    ) -> Option<Projection<R>> {
-        let NormalAndPoint { normal, at } = self.offset.advance(curve)?;
-        let limits = [self.force_limit, self.force_limit * self.radius];
-        Some(Projection {
-            wrench: surface_wrench(&self.polar, limits, at),
-            region: Region::OnSurface {
-                normal: unit_twist(&self.polar, normal, self.radius),
-            },
-        })
-    }
-}
-
-impl<T, S> AnswerOrSearch<T, S> {
-    /// The search, or the answer put in its place.
-    #[inline]
-    pub fn open(self, answer: &mut T) -> Option<S> {
-        match self {
-            Self::Known(known) => {
-                *answer = known;
-                None
-            }
-            Self::Open(task) => Some(task),
-        }
-    }
-
-    /// The answer, by a search of its own.
-    #[inline]
-    pub fn answer<R: Real, C: DryReducedFriction<R>>(self, curve: &Meridian<R, C>) -> T
-    where
-        S: SurfaceSearch<R, Answer = T>,
-    {
-        match self {
-            Self::Known(answer) => answer,
-            Self::Open(mut task) => loop {
-                if let Some(answer) = task.advance(curve) {
-                    return answer;
-                }
-            },
-        }
-    }
-}
-
-/// A normal in the quarter plane, of which the larger part is 1, as a twist of length 1.
-#[inline]
-fn unit_twist<R: Real>(polar: &AxisymmetricPair<R>, normal: Normal<R>, radius: R) -> Twist<R> {
-    let ratio = normal.slide * normal.rim;
-    let share = R::ONE / (R::ONE + ratio * ratio).sqrt();
-    polar.twist(normal.slide * share, normal.rim * share / radius)
-}
-
-/// A point of the curve as a wrench, with what is 1 there of force and torque.
-#[inline]
-fn surface_wrench<R: Real>(
-    polar: &AxisymmetricPair<R>,
-    [force, torque]: [R; 2],
-    at: ReducedWrench<R>,
-) -> Wrench<R> {
-    polar.wrench(force * at.force, torque * at.torque)
-}
-
-impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C> {
     /// True of wrenches so far inside that no search is needed, by the inscribed quadrangle; never of one whose
     /// gauge would be found on the surface or outside.
-    #[inline]
-    pub fn is_deep_inside(&self, wrench: &Wrench<R>) -> bool {
-        // Squares of smaller numbers are lost.
-        let least = R::MIN_POSITIVE / R::EPSILON;
-        let square = wrench.force.x * wrench.force.x + wrench.force.y * wrench.force.y;
-        let is_plain = square > least || (wrench.force.x == R::ZERO && wrench.force.y == R::ZERO);
-        let torque = wrench.torque.abs() / self.radius;
-        let bound = self.meridian.gauge_bound(square.sqrt(), torque);
-        let most = self.force_limit * (R::ONE - R::TWO * collar());
-        is_plain && self.force_limit > least && bound < most
+    #[inline(always)]
+    pub fn is_deep_inside(&self, lengths: [L; 2]) -> L::Mask {
+        let bound = self.meridian.gauge_bound(lengths);
+        bound.below(self.force_limit * L::repeat(R::ONE - R::TWO * collar()))
     }
 
-    #[inline]
-    fn scaled(&self, wrench: &Wrench<R>) -> Scaled<R> {
-        let polar = AxisymmetricPair::new(&wrench.force, wrench.torque);
-        let (force, torque) = (polar.planar, polar.normal / self.radius);
-        let size = if force > torque { force } else { torque };
-        Scaled {
-            polar,
-            lengths: ReducedWrench { force, torque },
-            size,
-            unit: ReducedWrench {
-                force: force / size,
-                torque: torque / size,
-            },
+    /// *Domain*: lengths that are [`is_ordinary`], not both zero.
+    #[inline(always)]
+    pub fn gauge(&self, curve: &impl Curve<L>, lengths: [L; 2]) -> L {
+        self.meridian.ray(curve, lengths).gauge / self.force_limit
+    }
+
+    /// The outward normal along the ray of a wrench with these lengths, in any unit.
+    #[inline(always)]
+    pub fn motion(
+        &self,
+        curve: &impl Curve<L>,
+        pair: &AxisymmetricPair<L>,
+        lengths: [L; 2],
+    ) -> [L; 3] {
+        let RayNormal { normal, .. } = self.meridian.ray(curve, lengths);
+        self.unit_twist(pair, normal)
+    }
+
+    /// A normal in the quarter plane, of which the larger part is 1, as a twist of length 1.
+    #[inline(always)]
+    fn unit_twist(&self, pair: &AxisymmetricPair<L>, [slide, rim]: [L; 2]) -> [L; 3] {
+        let (one, ratio) = (L::splat(1.0), slide * rim);
+        let share = one / (one + ratio * ratio).sqrt();
+        pair.vector([slide * share, rim * share / L::repeat(self.radius)])
+    }
+
+    /// A point of the curve as a wrench.
+    #[inline(always)]
+    pub fn surface_wrench(&self, pair: &AxisymmetricPair<L>, [force, torque]: [L; 2]) -> [L; 3] {
+        let limit = self.force_limit;
+        pair.vector([limit * force, limit * L::repeat(self.radius) * torque])
+    }
+
+    /// The nearest wrench of the set. *Domain*: a wrench with a finite gauge, a positive force limit and length.
+    #[inline(always)]
+    pub fn project(
+        &self,
+        curve: &impl Curve<L>,
+        pair: &AxisymmetricPair<L>,
+        length: R,
+    ) -> Projected<L> {
+        let lever = length / self.radius;
+        let point = self.lengths(pair).map(|part| part / self.force_limit);
+        let NormalAndPoint {
+            normal,
+            at,
+            power,
+            beyond,
+        } = self.meridian.nearest(curve, point, lever * lever);
+        // Twice the collar: there the gauge is measured, whose rounding is its own.
+        let width = L::repeat(R::TWO * collar()) * power;
+        let is_inside = beyond.below(-width);
+        let (one, none) = (L::splat(1.0), L::splat(0.0));
+        let outside = L::select(width.below(beyond), -one, none);
+        Projected {
+            wrench: self.surface_wrench(pair, at),
+            normal: self.unit_twist(pair, normal),
+            side: L::select(is_inside, one, outside),
         }
     }
+}
+
+/// One wrench of any size.
+impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C, R::Alone> {
+    #[inline]
+    fn limit(&self) -> R {
+        let [limit] = self.force_limit.to_array();
+        limit
+    }
 
     #[inline]
-    pub fn gauge(&self, wrench: &Wrench<R>) -> AnswerOrSearch<R, GaugeSearch<R>> {
-        let scaled = self.scaled(wrench);
-        if scaled.is_zero() {
-            return AnswerOrSearch::Known(R::ZERO);
+    pub fn gauge_of(&self, wrench: &Wrench<R>) -> R {
+        let lengths = self.lengths(&pair(&wrench.force, wrench.torque));
+        let [[force], [torque]] = lengths.map(Numbers::to_array);
+        if force == R::ZERO && torque == R::ZERO {
+            return R::ZERO;
         }
         // Infinity over infinity is a direction lost, not a gauge.
-        if scaled.is_infinite() {
-            return AnswerOrSearch::Known(R::INFINITY);
+        if is_infinite([force, torque]) {
+            return R::INFINITY;
         }
-        AnswerOrSearch::Open(GaugeSearch {
-            size: scaled.size / self.force_limit,
-            ray: self.meridian.ray(scaled.unit, NormalTolerance::Gauge),
-        })
+        let (size, unit) = in_range(lengths);
+        let gauge = if size == R::ONE {
+            self.gauge(&Alone(self.meridian), lengths)
+        } else {
+            let ray = self.meridian.ray(&Alone(self.meridian), unit);
+            R::Alone::repeat(size) / self.force_limit * ray.gauge
+        };
+        let [gauge] = gauge.to_array();
+        gauge
     }
 
     #[inline]
-    pub fn twist_normal_to(&self, push: &Wrench<R>) -> AnswerOrSearch<Twist<R>, NormalSearch<R>> {
-        let scaled = self.scaled(push);
-        if scaled.is_zero() {
-            return AnswerOrSearch::Known(Twist::ZERO);
+    pub fn motion_of(&self, push: &Wrench<R>) -> Twist<R> {
+        if is_none(push) {
+            return Twist::ZERO;
         }
-        AnswerOrSearch::Open(NormalSearch {
-            polar: scaled.polar,
-            radius: self.radius,
-            ray: self.meridian.ray(scaled.unit, NormalTolerance::Normal),
-        })
+        let pair = pair(&push.force, push.torque);
+        let (_, unit) = in_range::<R>(self.lengths(&pair));
+        twist(self.motion(&Alone(self.meridian), &pair, unit))
     }
 
     pub fn scale_to_surface(&self, wrench: &Wrench<R>) -> Wrench<R> {
-        let scaled = self.scaled(wrench);
-        if scaled.is_zero() {
+        if is_none(wrench) {
             return *wrench;
         }
-        let RayNormal { gauge, .. } = solved(
-            &mut self.meridian.ray(scaled.unit, NormalTolerance::Gauge),
-            self.meridian,
-        );
-        let at = ReducedWrench {
-            force: scaled.unit.force / gauge,
-            torque: scaled.unit.torque / gauge,
-        };
-        self.surface_wrench(&scaled.polar, at)
+        let pair = pair(&wrench.force, wrench.torque);
+        let (_, unit) = in_range::<R>(self.lengths(&pair));
+        let RayNormal { gauge, .. } = self.meridian.ray(&Alone(self.meridian), unit);
+        let [[x], [y], [torque]] = self
+            .surface_wrench(&pair, unit.map(|part| part / gauge))
+            .map(Numbers::to_array);
+        Wrench::new(x, y, torque)
     }
 
     #[inline]
-    pub fn surface_wrench(&self, polar: &AxisymmetricPair<R>, at: ReducedWrench<R>) -> Wrench<R> {
-        let limits = [self.force_limit, self.force_limit * self.radius];
-        surface_wrench(polar, limits, at)
+    pub fn project_one(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
+        let pair = pair(&wrench.force, wrench.torque);
+        let lengths = self.lengths(&pair);
+        if self.is_deep_inside(lengths) || is_none(wrench) {
+            return inside(wrench);
+        }
+        let limit = self.limit();
+        if limit == R::ZERO {
+            return self.project_to_origin(wrench, length);
+        }
+        let has_length = length > R::ZERO && length.is_finite();
+        let [[force], [torque]] = lengths.map(|part| (part / self.force_limit).to_array());
+        if !(force.is_finite() && torque.is_finite()) {
+            return no_projection();
+        }
+        self.searched(wrench, &pair, if has_length { Some(length) } else { None })
     }
 
-    /// The projection of a wrench that is not deep inside.
-    #[inline]
-    pub fn project(
+    /// The projection of a wrench that is not deep inside; NaN for one outside where there is no length.
+    #[inline(never)]
+    fn searched(
         &self,
         wrench: &Wrench<R>,
-        length: R,
-    ) -> AnswerOrSearch<Projection<R>, ProjectionSearch<R>> {
-        if self.force_limit == R::ZERO {
-            return AnswerOrSearch::Known(self.project_to_origin(wrench, length));
+        pair: &AxisymmetricPair<R::Alone>,
+        length: Option<R>,
+    ) -> Projection<R> {
+        let Projected {
+            wrench: nearest,
+            normal,
+            side,
+        } = self.project(&Alone(self.meridian), pair, length.unwrap_or(self.radius));
+        let [side] = side.to_array();
+        if side > R::ZERO {
+            return inside(wrench);
         }
-        let scaled = self.scaled(wrench);
-        // A tangent may tell what a search would.
-        let most = self.force_limit * (R::ONE + R::TWO * collar());
-        if !self.meridian.is_beyond_tangents(scaled.lengths, most)
-            && let Some(known) = self.not_outside(wrench, &scaled)
-        {
-            return AnswerOrSearch::Known(known);
-        }
-        self.project_outside(wrench, &scaled, length)
-    }
-
-    /// The projection of a wrench inside or on the surface; none for one outside or NaN.
-    fn not_outside(&self, wrench: &Wrench<R>, scaled: &Scaled<R>) -> Option<Projection<R>> {
-        if scaled.is_zero() {
-            return Some(inside(wrench));
-        }
-        let size = scaled.size / self.force_limit;
-        let mut ray = self.meridian.ray(scaled.unit, NormalTolerance::Side(size));
-        let gauge = size * solved(&mut ray, self.meridian).gauge;
-        if gauge < R::ONE - collar() {
-            Some(inside(wrench))
-        } else if gauge <= R::ONE + collar() {
-            let normal = self.twist_normal_to(wrench).answer(self.meridian);
-            Some(Projection {
-                wrench: *wrench,
-                region: Region::OnSurface { normal },
-            })
+        let [[x], [y], [torque]] = nearest.map(Numbers::to_array);
+        let nearest = match length {
+            Some(_) => Projection {
+                wrench: Wrench::new(x, y, torque),
+                region: Region::OnSurface {
+                    normal: twist(normal),
+                },
+            },
+            None => no_projection(),
+        };
+        if side < R::ZERO {
+            nearest
         } else {
-            None
+            self.beside_surface(wrench, nearest)
         }
     }
 
-    /// The nearest point for a wrench outside.
-    #[inline]
-    fn project_outside(
-        &self,
-        wrench: &Wrench<R>,
-        scaled: &Scaled<R>,
-        length: R,
-    ) -> AnswerOrSearch<Projection<R>, ProjectionSearch<R>> {
-        let lever = length / self.radius;
-        let far = ReducedWrench {
-            force: scaled.lengths.force / self.force_limit,
-            torque: scaled.lengths.torque / self.force_limit,
-        };
-        let bound = self.meridian.gauge_bound(far.force, far.torque);
-        let has_gauge = bound.is_finite() || self.has_gauge(wrench);
-        if !(has_gauge && length > R::ZERO && length.is_finite()) {
-            return AnswerOrSearch::Known(no_projection());
-        }
-        AnswerOrSearch::Open(ProjectionSearch {
-            polar: scaled.polar,
-            force_limit: self.force_limit,
-            radius: self.radius,
-            offset: self.meridian.offset(far, lever * lever),
-        })
-    }
-
+    /// The projection of a wrench next to the surface, of which `nearest` is that of one outside.
     #[cold]
-    fn has_gauge(&self, wrench: &Wrench<R>) -> bool {
-        self.gauge(wrench).answer(self.meridian).is_finite()
+    pub fn beside_surface(&self, wrench: &Wrench<R>, nearest: Projection<R>) -> Projection<R> {
+        let gauge = self.gauge_of(wrench);
+        if gauge < R::ONE - collar() {
+            inside(wrench)
+        } else if gauge <= R::ONE + collar() {
+            Projection {
+                wrench: *wrench,
+                region: Region::OnSurface {
+                    normal: self.motion_of(wrench),
+                },
+            }
+        } else {
+            nearest
+        }
     }
 
     /// The projection onto {0}, the set without force limit.
     #[cold]
     fn project_to_origin(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
-        let polar = AxisymmetricPair::new(&wrench.force, wrench.torque);
-        if polar.planar == R::ZERO && polar.normal == R::ZERO {
-            return inside(wrench);
-        }
+        let pair = pair(&wrench.force, wrench.torque);
+        let [[planar], [turn]] = [pair.planar, pair.normal].map(Numbers::to_array);
         // Every twist is a normal of a point; this one lies along the displacement.
         let lever = length / self.radius;
-        let (slide, rim) = (polar.planar, polar.normal / length / lever);
+        let (slide, rim) = (planar, turn / length / lever);
         let norm = slide.hypot(rim);
         if !(norm.is_finite() && length > R::ZERO) {
             return no_projection();
         }
-        let normal = polar.twist(slide / norm, rim / norm / self.radius);
+        let normal = [slide / norm, rim / norm / self.radius].map(R::Alone::repeat);
         Projection {
             wrench: Wrench::ZERO,
-            region: Region::OnSurface { normal },
+            region: Region::OnSurface {
+                normal: twist(pair.vector(normal)),
+            },
         }
     }
+}
+
+/// A unit of lengths, and lengths in it whose products are normal numbers: 1 where they are so themselves, else the larger.
+#[inline]
+fn in_range<R: Real>(lengths: [R::Alone; 2]) -> (R, [R::Alone; 2]) {
+    let [force, torque] = lengths;
+    if is_ordinary::<R, R::Alone>(force) && is_ordinary::<R, R::Alone>(torque) {
+        return (R::ONE, lengths);
+    }
+    let size = torque.larger(force);
+    let [number] = size.to_array();
+    (number, [force / size, torque / size])
+}
+
+#[inline]
+fn is_none<R: Real>(wrench: &Wrench<R>) -> bool {
+    wrench.force.x == R::ZERO && wrench.force.y == R::ZERO && wrench.torque == R::ZERO
+}
+
+/// True if infinite without being NaN.
+#[inline]
+fn is_infinite<R: Real>([force, torque]: [R; 2]) -> bool {
+    let sum = force + torque;
+    sum == R::INFINITY && (force == R::INFINITY || torque == R::INFINITY)
+}
+
+#[inline]
+fn twist<R: Real>(parts: [R::Alone; 3]) -> Twist<R> {
+    let [[x], [y], [spin]] = parts.map(Numbers::to_array);
+    Twist::new(x, y, spin)
 }
 
 /// The answer to a wrench of the set.

@@ -40,6 +40,7 @@
 //! ```
 
 mod balance;
+mod batch;
 mod elastic;
 mod point_contacts;
 mod step;

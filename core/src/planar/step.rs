@@ -67,12 +67,16 @@ impl<R: Real> PlanarBody<R> {
         dt: TimeStep<R>,
     ) -> (PlanarStep<R>, Option<R>) {
         let length = self.gyration;
-        // Power at unit spin is the largest torque.
-        let torque_limit = set.support(&Twist::new(R::ZERO, R::ZERO, R::ONE));
-        let limits = [set.force_limit(), torque_limit];
-        self.step_within(twist, push, dt, limits, |needed| {
+        self.step_within(twist, push, dt, self.limits(set), |needed| {
             set.project_with_length(needed, length).wrench
         })
+    }
+
+    /// The largest force and torque of friction.
+    pub(super) fn limits<S: FrictionSet<R> + ?Sized>(&self, set: &S) -> [R; 2] {
+        // Power at unit spin is the largest torque.
+        let torque_limit = set.support(&Twist::new(R::ZERO, R::ZERO, R::ONE));
+        [set.force_limit(), torque_limit]
     }
 
     /// The same on a foot of many points.
@@ -124,13 +128,28 @@ impl<R: Real> PlanarBody<R> {
         limits: [R; 2],
         mut nearest: impl FnMut(&Wrench<R>) -> Wrench<R>,
     ) -> (PlanarStep<R>, Option<R>) {
+        // Friction that would end the step at rest, where it may.
+        let at_end = self.stopping_wrench(twist, push, dt.dt());
+        let ended = (!is_beyond(&at_end, limits))
+            .then(|| without_gain(&nearest(&at_end), &at_end, self.gyration));
+        self.step_found(twist, push, dt, [ended, None], nearest)
+    }
+
+    /// The same, with the wrenches of friction nearest to those needed for rest at the end and at half time as far as
+    /// they are known; none for the end tells that it is surely out of reach.
+    pub(super) fn step_found(
+        &self,
+        twist: &Twist<R>,
+        push: &Wrench<R>,
+        dt: TimeStep<R>,
+        [ended, midway]: [Option<Wrench<R>>; 2],
+        mut nearest: impl FnMut(&Wrench<R>) -> Wrench<R>,
+    ) -> (PlanarStep<R>, Option<R>) {
         let dt = dt.dt();
         // Friction takes power at the instant whose motion it opposes, whatever the search has missed.
         let mut nearest =
             |needed: &Wrench<R>| without_gain(&nearest(needed), needed, self.gyration);
-        // Friction that would end the step at rest, and the one that is.
         let at_end = self.stopping_wrench(twist, push, dt);
-        let ended = (!is_beyond(&at_end, limits)).then(|| nearest(&at_end));
         if ended == Some(at_end) {
             let held = PlanarStep {
                 twist: Twist::ZERO,
@@ -140,8 +159,8 @@ impl<R: Real> PlanarBody<R> {
             return (held, None);
         }
         // The motion at half time under the friction that it meets itself.
-        let at_half = self.stopping_wrench(twist, push, R::HALF * dt);
-        let midway = nearest(&at_half);
+        let midway =
+            midway.unwrap_or_else(|| nearest(&self.stopping_wrench(twist, push, R::HALF * dt)));
         let after = PlanarStep {
             twist: self.moved(twist, push, &midway, dt),
             friction: midway,
@@ -215,13 +234,15 @@ fn power<R: Real>(wrench: &Wrench<R>, twist: &Twist<R>) -> R {
 const BEYOND: f64 = 1.01;
 
 /// True if friction with these largest force and torque can surely not be `wrench`.
-fn is_beyond<R: Real>(wrench: &Wrench<R>, [force, torque]: [R; 2]) -> bool {
+pub(super) fn is_beyond<R: Real>(wrench: &Wrench<R>, [force, torque]: [R; 2]) -> bool {
     let beyond = R::from_f64(BEYOND);
     wrench.force.x.hypot(wrench.force.y) > beyond * force || wrench.torque.abs() > beyond * torque
 }
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
+
     use super::*;
     use crate::coupling::coulomb::CoulombDisk;
     use crate::limit_surface::{LimitEllipsoid, RoundLimitSurface};
@@ -256,6 +277,47 @@ mod tests {
         let dt = TimeStep::new(DT).unwrap();
         let step = body.step(&set, &Twist::ZERO, &push, dt);
         assert!(step.is_at_rest, "{step:?}");
+    }
+
+    /// Compares one batch with a step for each of its bodies.
+    fn assert_same<R: Real>(set: &impl FrictionSet<R>, of: impl Fn(f64) -> R) {
+        let body = PlanarBody::new(of(0.17), of(0.5 * 0.17 * 0.04 * 0.04)).unwrap();
+        let dt = TimeStep::new(of(DT)).unwrap();
+        let odd = [f64::NAN, f64::INFINITY, 0.0, 1e-300, 1e300].map(|x| {
+            let twist = Twist::new(x, 0.0, x);
+            (twist, Wrench::new(0.0, x, 1.0))
+        });
+        let all: std::vec::Vec<_> = cases().chain(odd).collect();
+        let twists: std::vec::Vec<_> = all
+            .iter()
+            .map(|(t, _)| Twist::new(of(t.velocity.x), of(t.velocity.y), of(t.spin)))
+            .collect();
+        let pushes: std::vec::Vec<_> = all
+            .iter()
+            .map(|(_, w)| Wrench::new(of(w.force.x), of(w.force.y), of(w.torque)))
+            .collect();
+        let one = |(twist, push)| body.step(set, twist, push, dt);
+        let singly: std::vec::Vec<_> = twists.iter().zip(&pushes).map(one).collect();
+        assert!(singly.iter().any(|step| step.is_at_rest));
+        for count in [0, 1, 31, 40, all.len()] {
+            let mut steps = std::vec![singly[0]; all.len() + 1];
+            body.step_batch(set, &twists[..count], &pushes, dt, &mut steps);
+            for (n, (step, single)) in steps.iter().zip(&singly).take(count).enumerate() {
+                // NaN differs from itself, and is written the same.
+                let [got, wanted] = [step, single].map(|step| std::format!("{step:?}"));
+                assert_eq!(got, wanted, "{n} of {count}");
+            }
+            assert!(steps[count..].iter().all(|step| *step == singly[0]));
+        }
+    }
+
+    #[test]
+    fn a_batch_of_steps_has_the_bits_of_single_steps() {
+        let disk = RoundLimitSurface::new(CoulombDisk, LIMIT, 0.04).unwrap();
+        assert_same(&disk, |x| x);
+        assert_same(&LimitEllipsoid::new(LIMIT, 0.04, 0.5).unwrap(), |x| x);
+        let disk = RoundLimitSurface::new(CoulombDisk, LIMIT as f32, 0.04).unwrap();
+        assert_same(&disk, |x| x as f32);
     }
 
     #[test]

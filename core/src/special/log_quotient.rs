@@ -1,8 +1,6 @@
 //! Logarithm of a quotient near or far from 1, with one division.
 
-use crate::lanes::Numbers;
 use crate::real::Real;
-use core::ops::{Add, Mul};
 
 /// 2 (atanh(f)/f − 1)/f² for f² ≤ 0.0402, from the constant term on: `chebyfit` of mpmath 1.3 with 7
 /// terms, to 1.4e-15; the logarithm to 3e-17 of itself.
@@ -30,37 +28,18 @@ pub(crate) fn log_quotient<R: Real>(excess: R, base: R) -> R {
     // The difference that is known is used where it counts.
     let difference = if octaves == 0 { excess } else { reduced - base };
     let f = difference / (reduced + base);
-    R::from_f64(f64::from(octaves)) * R::from_f64(core::f64::consts::LN_2)
-        + f * twice_atanh::<R, R>(f * f, R::from_f64)
-}
-
-/// ln(`of`) of each lane. *Domain*: positive normal numbers. *Accuracy*: 2 ulp, of 1 next to 1.
-#[inline(always)]
-pub(crate) fn log<R: Real, L: Numbers<Real = R>>(of: L) -> L {
-    let [mantissa, octaves] = of.octaves();
-    let (one, splat) = (L::splat(1.0), |number: f64| L::repeat(R::from_f64(number)));
-    let f = (mantissa - one) / (mantissa + one);
-    octaves * splat(core::f64::consts::LN_2) + f * twice_atanh::<R, L>(f * f, splat)
-}
-
-/// 2 atanh(f)/f
-#[inline(always)]
-fn twice_atanh<R: Real, T: Copy + Add<Output = T> + Mul<Output = T>>(
-    f_sq: T,
-    splat: impl Fn(f64) -> T,
-) -> T {
-    let pair = |low: T, high: T| low + high * f_sq;
+    let f_sq = f * f;
+    let pair = |low: R, high: R| low + high * f_sq;
     let four = f_sq * f_sq;
     let sum = if R::IS_SINGLE {
-        let [a, b, c] = ATANH_SINGLE;
-        let splat = |number: f32| splat(f64::from(number));
-        pair(splat(a), splat(b)) + splat(c) * four
+        let [a, b, c] = ATANH_SINGLE.map(|c| R::from_f64(f64::from(c)));
+        pair(a, b) + c * four
     } else {
-        let [a, b, c, d, e, g, h] = ATANH;
-        let pair = |low: f64, high: f64| pair(splat(low), splat(high));
-        (pair(a, b) + four * pair(c, d)) + four * four * (pair(e, g) + four * splat(h))
+        let [a, b, c, d, e, g, h] = ATANH.map(R::from_f64);
+        (pair(a, b) + four * pair(c, d)) + four * four * (pair(e, g) + four * h)
     };
-    splat(2.0) + f_sq * sum
+    R::from_f64(f64::from(octaves)) * R::from_f64(core::f64::consts::LN_2)
+        + f * (R::TWO + f_sq * sum)
 }
 
 #[cfg(test)]

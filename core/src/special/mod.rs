@@ -10,6 +10,5 @@ pub(crate) mod triangle;
 pub use elliptic::CompleteElliptic;
 pub use hypergeometric::{Gauss, Jet};
 pub(crate) use log_part::ln_part;
-#[allow(unused_imports, reason = "for targets with vectors")]
 pub(crate) use log_part::log_part;
-pub(crate) use log_quotient::{log, log_quotient};
+pub(crate) use log_quotient::log_quotient;

@@ -12,6 +12,7 @@ use tribos_core::internals::DominantSpeed;
 use tribos_core::limit_surface::{
     FrictionSet, LimitEllipsoid, RoundLimitSurface, ShapeLimitSurface,
 };
+use tribos_core::manifold_friction::Lanes;
 use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodePatch, NodeSlice};
 use tribos_core::real::Real;
@@ -201,6 +202,29 @@ impl<R: Precision> ReducedFriction<R> for DryRound<R> {
 impl<R: Precision> DryReducedFriction<R> for DryRound<R> {
     fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
         each!(self, dry => dry.reduced_point(lead, ratio))
+    }
+    fn reduced_points(
+        &self,
+        slides: <R::Beside as Lanes>::Mask,
+        ratios: R::Beside,
+    ) -> [R::Beside; 3] {
+        each!(self, dry => DryReducedFriction::<R>::reduced_points(dry, slides, ratios))
+    }
+    fn rough_point(&self, lead: DominantSpeed, ratio: R) -> Option<[R; 3]> {
+        each!(self, dry => dry.rough_point(lead, ratio))
+    }
+    fn rough_points(
+        &self,
+        slides: <R::Beside as Lanes>::Mask,
+        ratios: R::Beside,
+    ) -> Option<[R::Beside; 3]> {
+        each!(self, dry => DryReducedFriction::<R>::rough_points(dry, slides, ratios))
+    }
+    fn minor_powers(&self, lead: DominantSpeed) -> Option<[R; 6]> {
+        each!(self, dry => dry.minor_powers(lead))
+    }
+    fn is_smooth(&self) -> bool {
+        each!(self, dry => DryReducedFriction::<R>::is_smooth(dry))
     }
 }
 

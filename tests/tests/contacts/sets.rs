@@ -569,13 +569,15 @@ fn wide(w: &Wrench<f32>) -> Wrench<f64> {
 fn single_precision_follows_double_and_moves_no_pair_apart() {
     let [limit, radius] = [FORCE_LIMIT, RADIUS].map(|x| f64::from(x as f32));
     let exact = RoundLimitSurface::new(CoulombDisk, limit, radius).expect("valid");
-    for (name, set) in singles() {
+    let hertz = RoundLimitSurface::new(CoulombHertz, limit, radius).expect("valid");
+    let all: [Box<dyn FrictionSet<f64>>; 2] = [Box::new(exact), Box::new(hertz)];
+    for ((name, set), exact) in singles().into_iter().zip(all) {
         let [mut error, mut growth] =
             ["projection", "expansion"].map(|what| Worst::of(format!("f32 {what}, {name}")));
         let mut rng = Lcg::new(44);
         for _ in 0..100_000 {
-            let a = outer(&mut rng, &exact);
-            let (a, b) = (narrow(&a), narrow(&partner(&mut rng, &exact, &a)));
+            let a = outer(&mut rng, &*exact);
+            let (a, b) = (narrow(&a), narrow(&partner(&mut rng, &*exact, &a)));
             let [near, other] = [a, b].map(|given| set.project(&given).wrench);
             assert_eq!(set.project(&near).wrench, near);
             let rest = wide(&near) - exact.project(&wide(&a)).wrench;

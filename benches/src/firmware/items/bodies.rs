@@ -12,7 +12,7 @@ macro_rules! on_form {
 /// The same with the modules of the limit surface.
 macro_rules! surface {
     () => {
-        on_form!("limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation")
+        on_form!("limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation")
     };
 }
 
@@ -62,7 +62,7 @@ pub const BODIES: [Item; 10] = [
     item(
         ["limit surface", "ellipsoid: projection"],
         NARROW,
-        "limit_surface limit_surface::ellipsoid limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::monotone_root limit_surface::curve_approximation",
+        "limit_surface limit_surface::ellipsoid limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation",
         Code::new(
             "LimitEllipsoid::new(1.0 as R, 1.0, 0.625).ok()?",
             PROJECTION,

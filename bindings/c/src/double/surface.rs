@@ -1,7 +1,7 @@
 //! The limit surface: all wrenches that dry friction can carry.
 //!
 //! Friction opposes the motion; a push is the wrench that moves the patch against friction. Each call
-//! builds the surface again: it validates two numbers and computes six points of the disk, in addition
+//! builds the surface again: it validates two numbers and computes three points of the disk, in addition
 //! to the 2 or 3 of a gauge, a normal or a projection. A batch builds it once.
 
 use super::vectors::{tribos_twist_f64, tribos_wrench_f64};

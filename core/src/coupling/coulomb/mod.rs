@@ -27,11 +27,13 @@ use super::DryReducedFriction;
 use super::pressure_family::{self, moment};
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{DominantSpeed, Speeds};
+use crate::lanes::Lanes;
 use crate::patch::PowerPressure;
 use crate::real::{InEach, Real};
 use crate::special::ln_part;
 use core::marker::PhantomData;
 
+mod curve;
 #[rustfmt::skip]
 mod terms;
 
@@ -163,7 +165,35 @@ macro_rules! fitted {
         impl<R: Real> DryReducedFriction<R> for $form {
             #[inline]
             fn reduced_point(&self, lead: DominantSpeed, ratio: R) -> [R; 3] {
-                super::profile::point(self, lead, ratio)
+                curve::point_alone::<Self, R>(lead, ratio)
+            }
+            #[inline]
+            fn reduced_points(
+                &self,
+                slides: <R::Beside as Lanes>::Mask,
+                ratios: R::Beside,
+            ) -> [R::Beside; 3] {
+                curve::point::<Self, R, R::Beside>(slides, ratios)
+            }
+            #[inline]
+            fn rough_point(&self, lead: DominantSpeed, ratio: R) -> Option<[R; 3]> {
+                curve::rough_point_alone::<Self, R>(lead, ratio)
+            }
+            #[inline]
+            fn rough_points(
+                &self,
+                slides: <R::Beside as Lanes>::Mask,
+                ratios: R::Beside,
+            ) -> Option<[R::Beside; 3]> {
+                curve::rough_point::<Self, R, R::Beside>(slides, ratios)
+            }
+            #[inline]
+            fn minor_powers(&self, lead: DominantSpeed) -> Option<[R; 6]> {
+                Self::IS_ONE_SIDED.then(|| curve::minor_powers(lead))
+            }
+            #[inline]
+            fn is_smooth(&self) -> bool {
+                Self::PRESSURE.order() >= 0.0
             }
         }
 

@@ -56,7 +56,7 @@ use super::motion::Motion;
 use super::moving_edge::{Corner, MovingEdge, Sides, UnitMotion, splat};
 use super::uniform::summed;
 use super::{Hessian, Reduced};
-use crate::lanes::Numbers;
+use crate::lanes::{Numbers, Summed};
 use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
 use crate::special::legendre::FEW_HALF;
@@ -77,7 +77,7 @@ struct Weight<L> {
     change: L,
 }
 
-impl<L: Numbers<Real: Real>> Weight<L> {
+impl<L: Summed<Real: Real>> Weight<L> {
     /// That goes from one value to another one.
     #[inline(always)]
     fn between([from, to]: [L; 2]) -> Self {
@@ -90,7 +90,7 @@ impl<L: Numbers<Real: Real>> Weight<L> {
 
 /// The scalar product to rounding of itself, however much of its terms cancels.
 #[inline(always)]
-fn sharp<L: Numbers<Real: Real>>(a: [L; 2], b: [L; 2]) -> L {
+fn sharp<L: Summed<Real: Real>>(a: [L; 2], b: [L; 2]) -> L {
     let (first, second) = (a[0] * b[0], a[1] * b[1]);
     first + second + (lost_in(first, a[0], b[0]) + lost_in(second, a[1], b[1]))
 }
@@ -103,7 +103,7 @@ fn halves_at<R: Real>() -> f64 {
 
 /// What rounding took from a product (Dekker 1971, Numer. Math. 18, 224).
 #[inline(always)]
-fn lost_in<L: Numbers<Real: Real>>(product: L, a: L, b: L) -> L {
+fn lost_in<L: Summed<Real: Real>>(product: L, a: L, b: L) -> L {
     let halves = |x: L| {
         let large = x * splat::<L>(halves_at::<L::Real>());
         let high = large - (large - x);
@@ -134,7 +134,7 @@ struct EdgeIntegrals<'a, L> {
     across: L,
 }
 
-impl<'a, L: Numbers<Real: Real>> EdgeIntegrals<'a, L> {
+impl<'a, L: Summed<Real: Real>> EdgeIntegrals<'a, L> {
     #[inline(always)]
     fn new(moving: &'a MovingEdge<L>) -> Self {
         let MovingEdge {
@@ -309,7 +309,7 @@ impl<'a, L: Numbers<Real: Real>> EdgeIntegrals<'a, L> {
 
 /// The vector with these parts along a tangent and the normal to its right.
 #[inline(always)]
-fn turned_back<L: Numbers>([x, y]: [L; 2], [along, across]: [L; 2]) -> [L; 2] {
+fn turned_back<L: Summed>([x, y]: [L; 2], [along, across]: [L; 2]) -> [L; 2] {
     [along * x + across * y, along * y - across * x]
 }
 
@@ -414,7 +414,7 @@ impl<'a, R: Real> Loaded<'a, R> {
 
     /// Sums over the edges under the pressure.
     #[inline(always)]
-    fn summed<L: Numbers<Real = R>, const N: usize>(
+    fn summed<L: Summed<Real = R>, const N: usize>(
         &self,
         of: impl Fn(&EdgeIntegrals<'_, L>, &Weight<L>) -> [L; N],
     ) -> [R; N] {
@@ -483,7 +483,7 @@ impl<'a, R: Real> Loaded<'a, R> {
 
     /// The integrals over a layer about the level line of the centre of pressure.
     #[cold]
-    fn over_layer<L: Numbers<Real = R>, const WITH_HESSIAN: bool>(&self) -> AreaIntegrals<R> {
+    fn over_layer<L: Summed<Real = R>, const WITH_HESSIAN: bool>(&self) -> AreaIntegrals<R> {
         let ([x, y], motion) = (self.slope.map(L::repeat), self.motion.repeated::<L>());
         let inv_sq = L::splat(1.0) / (x * x + y * y);
         let [p, rest, slope_x, slope_y] = summed::<R, L, 4>(self.edges, &self.motion, |moving| {
@@ -526,7 +526,7 @@ impl<'a, R: Real> Loaded<'a, R> {
     }
 }
 
-impl<L: Numbers<Real: Real>> Sides<L> {
+impl<L: Summed<Real: Real>> Sides<L> {
     /// From corners to corners.
     #[inline(always)]
     fn between([from, to]: [[L; 2]; 2]) -> Self {
@@ -667,7 +667,7 @@ mod tests {
         }
     }
 
-    fn bits_agree<R: Real, L: Numbers<Real = R>>() {
+    fn bits_agree<R: Real, L: Summed<Real = R>>() {
         let ell = [
             [0.0, 0.0],
             [2.0, 0.125],

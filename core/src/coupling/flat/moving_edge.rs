@@ -22,10 +22,10 @@
 //! 2 (q₀ q₁ + u₀·u₁) with the velocities u of the ends or, where these are opposed, 2 (η w l)²/(q₀ q₁ − u₀·u₁).
 
 use super::motion::Motion;
-use crate::lanes::Numbers;
+use crate::lanes::Summed;
 use crate::patch::outline::Edge;
 use crate::real::Real;
-use crate::special::log;
+use crate::special::log_part;
 use nalgebra::Vector2;
 
 /// Functions P and Q of z = 1 − y² with G = P + Q ln z, fitted together (`generate_polygons.py fit` of the
@@ -56,9 +56,9 @@ const BEND_SINGLE: [[f32; 2]; 6] = [
 
 /// G, given 1 − y².
 #[inline(always)]
-fn bend<R: Real, L: Numbers<Real = R>>(gap: L) -> L {
+fn bend<R: Real, L: Summed<Real = R>>(gap: L) -> L {
     let [smooth, of_log] = L::sums(&BEND_SINGLE, &BEND, gap);
-    smooth + log(gap) * of_log
+    smooth + log_part(gap, gap.octaves(), L::repeat) * of_log
 }
 
 /// A motion with |velocity|² + spin² = 1.
@@ -95,7 +95,7 @@ impl<R: Real> UnitMotion<R> {
 
     /// In every lane.
     #[inline(always)]
-    pub(super) fn repeated<L: Numbers<Real = R>>(&self) -> UnitMotion<L> {
+    pub(super) fn repeated<L: Summed<Real = R>>(&self) -> UnitMotion<L> {
         UnitMotion {
             x: L::repeat(self.x),
             y: L::repeat(self.y),
@@ -124,7 +124,7 @@ pub(super) struct Corner<L> {
     third: L,
 }
 
-impl<L: Numbers<Real: Real>> Corner<L> {
+impl<L: Summed<Real: Real>> Corner<L> {
     #[inline(always)]
     pub(super) fn new(motion: &UnitMotion<L>, [x, y]: [L; 2]) -> Self {
         let (v_x, v_y, w, one) = (motion.x, motion.y, motion.spin, L::splat(1.0));
@@ -161,7 +161,7 @@ pub(super) struct Sides<L> {
     pub(super) offset: L,
 }
 
-impl<L: Numbers<Real: Real>> Sides<L> {
+impl<L: Summed<Real: Real>> Sides<L> {
     /// Edges without length where there are no more.
     #[inline(always)]
     pub(super) fn of(edges: &[Edge<L::Real>]) -> Self {
@@ -222,7 +222,7 @@ pub(super) struct MovingEdge<L> {
     pub(super) spread: L,
 }
 
-impl<L: Numbers<Real: Real>> MovingEdge<L> {
+impl<L: Summed<Real: Real>> MovingEdge<L> {
     #[inline(always)]
     pub(super) fn new(
         motion: &UnitMotion<L>,
@@ -285,13 +285,13 @@ impl<L: Numbers<Real: Real>> MovingEdge<L> {
 
 /// A number in every lane.
 #[inline(always)]
-pub(super) fn splat<L: Numbers<Real: Real>>(number: f64) -> L {
+pub(super) fn splat<L: Summed<Real: Real>>(number: f64) -> L {
     L::repeat(L::Real::from_f64(number))
 }
 
 /// ζ²/(1 − y²) and 1 − y², by the sum that does not cancel.
 #[inline(always)]
-fn opened<L: Numbers<Real: Real>>(
+fn opened<L: Summed<Real: Real>>(
     [zeta_sq, y_sq]: [L; 2],
     [from, to]: [&Corner<L>; 2],
     inv_sum: L,

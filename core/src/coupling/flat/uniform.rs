@@ -20,7 +20,7 @@
 use super::motion::Motion;
 use super::moving_edge::{Corner, MovingEdge, Sides, UnitMotion, splat};
 use super::{Hessian, Reduced};
-use crate::lanes::{FOUR, Numbers};
+use crate::lanes::{FOUR, Summed};
 use crate::patch::outline::Edge;
 use crate::real::Real;
 use nalgebra::Vector2;
@@ -35,7 +35,7 @@ pub(super) fn friction<R: Real>(edges: &[Edge<R>], area: R, motion: &Motion<R>) 
 
 /// Sums over the edges, four of which are formed side by side.
 #[inline(always)]
-pub(super) fn summed<R: Real, L: Numbers<Real = R>, const N: usize>(
+pub(super) fn summed<R: Real, L: Summed<Real = R>, const N: usize>(
     edges: &[Edge<R>],
     motion: &UnitMotion<R>,
     of: impl Fn(&MovingEdge<L>) -> [L; N],
@@ -120,7 +120,7 @@ impl<R: Real> Hessian<R> {
     }
 }
 
-impl<L: Numbers<Real: Real>> MovingEdge<L> {
+impl<L: Summed<Real: Real>> MovingEdge<L> {
     /// τ β and H β − 2 (v·τ) β″
     #[inline(always)]
     fn wrench(&self) -> [L; 3] {
@@ -201,7 +201,7 @@ mod tests {
         UnitMotion::of(&Motion { velocity, rim }).0
     }
 
-    fn bits_agree<R: Real, L: Numbers<Real = R>>() {
+    fn bits_agree<R: Real, L: Summed<Real = R>>() {
         for seed in 0..2000 {
             let mut memory = [Edge::<R>::default(); 9];
             let (edges, _) = memory.split_at_mut(1 + seed as usize % 9);
