@@ -1,6 +1,6 @@
 //! Logarithm of a number up to 1, of one number or of several side by side.
 
-use super::log_quotient::{ATANH, ATANH_SINGLE};
+use super::log_quotient::twice_atanh;
 use crate::real::Real;
 use core::ops::{Add, Div, Mul, Sub};
 
@@ -14,18 +14,7 @@ where
 {
     // ln(z/2ᵏ) = 2 atanh f; the difference is exact.
     let f = (z - nearest) / (z + nearest);
-    let f_sq = f * f;
-    let four = f_sq * f_sq;
-    let constant = |c: f64| repeat(R::from_f64(c));
-    let pair = |low: V, high: V| low + high * f_sq;
-    let sum = if R::IS_SINGLE {
-        let [a, b, c] = ATANH_SINGLE.map(|c| constant(f64::from(c)));
-        pair(a, b) + c * four
-    } else {
-        let [a, b, c, d, e, g, h] = ATANH.map(constant);
-        (pair(a, b) + four * pair(c, d)) + four * four * (pair(e, g) + four * h)
-    };
-    octaves * constant(core::f64::consts::LN_2) + f * (repeat(R::TWO) + f_sq * sum)
+    octaves * repeat(R::from_f64(core::f64::consts::LN_2)) + f * twice_atanh(f * f, repeat)
 }
 
 /// ln z. *Domain*: positive normal numbers; NaN for NaN.

@@ -1,10 +1,11 @@
 //! Logarithm of a quotient near or far from 1, with one division.
 
 use crate::real::Real;
+use core::ops::{Add, Mul};
 
 /// 2 (atanh(f)/f − 1)/f² for f² ≤ 0.0402, from the constant term on: `chebyfit` of mpmath 1.3 with 7
 /// terms, to 1.4e-15; the logarithm to 3e-17 of itself.
-pub(super) const ATANH: [f64; 7] = [
+const ATANH: [f64; 7] = [
     0.666_666_666_666_669_4,
     0.399_999_999_993_253_34,
     0.285_714_288_394_464_1,
@@ -14,7 +15,7 @@ pub(super) const ATANH: [f64; 7] = [
     0.151_232_952_086_141_02,
 ];
 /// The same with 3 terms, to 2.5e-7; the logarithm to 5e-9.
-pub(super) const ATANH_SINGLE: [f32; 3] = [0.666_667_1, 0.399_788_02, 0.299_627_9];
+const ATANH_SINGLE: [f32; 3] = [0.666_667_1, 0.399_788_02, 0.299_627_9];
 
 /// ln(1 + `excess`/`base`), as if `excess` and `base` were exact.
 ///
@@ -28,18 +29,27 @@ pub(crate) fn log_quotient<R: Real>(excess: R, base: R) -> R {
     // The difference that is known is used where it counts.
     let difference = if octaves == 0 { excess } else { reduced - base };
     let f = difference / (reduced + base);
-    let f_sq = f * f;
-    let pair = |low: R, high: R| low + high * f_sq;
+    R::from_f64(f64::from(octaves)) * R::from_f64(core::f64::consts::LN_2)
+        + f * twice_atanh(f * f, |constant: R| constant)
+}
+
+/// 2 atanh(f)/f of f², of one number or of several side by side; `repeat` makes a constant of each lane.
+#[inline(always)]
+pub(super) fn twice_atanh<R: Real, V: Copy + Add<Output = V> + Mul<Output = V>>(
+    f_sq: V,
+    repeat: impl Fn(R) -> V,
+) -> V {
+    let constant = |c: f64| repeat(R::from_f64(c));
+    let pair = |low: V, high: V| low + high * f_sq;
     let four = f_sq * f_sq;
     let sum = if R::IS_SINGLE {
-        let [a, b, c] = ATANH_SINGLE.map(|c| R::from_f64(f64::from(c)));
+        let [a, b, c] = ATANH_SINGLE.map(|c| constant(f64::from(c)));
         pair(a, b) + c * four
     } else {
-        let [a, b, c, d, e, g, h] = ATANH.map(R::from_f64);
+        let [a, b, c, d, e, g, h] = ATANH.map(constant);
         (pair(a, b) + four * pair(c, d)) + four * four * (pair(e, g) + four * h)
     };
-    R::from_f64(f64::from(octaves)) * R::from_f64(core::f64::consts::LN_2)
-        + f * (R::TWO + f_sq * sum)
+    repeat(R::TWO) + f_sq * sum
 }
 
 #[cfg(test)]
