@@ -129,7 +129,7 @@ fn cost_text(cost: &EvaluationCost, with: &str) -> String {
     line(
         "cost",
         format!(
-            "{:.0} ns an evaluation here{with}: {:.1} times the table of a disk under Coulomb's law",
+            "{:.0} ns an evaluation here{with}: {:.1} times the disk under Coulomb's law",
             NANO * cost.seconds,
             cost.seconds / cost.table_seconds
         ),

@@ -137,8 +137,8 @@ Examples:
     tribos wrench --patch box:0.3x0.2 --centre 0.03,0 --coefficient 0.4 --load 20 --speed 0.5 --spin 3
   The contact face of a solver, triangles with a pressure at each corner:
     tribos wrench --patch mesh:face.csv --coefficient 0.5 --load 80 --speed 0.1 --spin 2 --jacobian
-  Many twists from a file, evaluated without tables in single precision:
-    tribos wrench --twists twists.csv --tier quadrature --precision f32 --output wrenches.csv";
+  Many twists from a file, in single precision:
+    tribos wrench --twists twists.csv --precision f32 --output wrenches.csv";
 
 /// All patches as they are written.
 pub fn patches() -> String {
