@@ -76,23 +76,38 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
     /// The impulses that obey their thresholds.
     #[inline(never)]
     pub fn solve(&self) -> (TangentialLoad<R>, Vector3<R>) {
+        self.solve_sticking()
+            .unwrap_or_else(|| self.share(self.shared_inverse()))
+    }
+
+    /// 1 less the share of each mass' inverse that is left when the other motion is stopped: k² m I.
+    fn shared_inverse(&self) -> R {
         let (m, inertia, k) = (
             self.block.mass_sliding,
             self.block.inertia,
             self.block.coupling,
         );
-        // 1 − k² m I, the share of each mass' inverse that is left when the other motion is stopped.
-        // Without k² where its square is out of range, which the share is not.
+        // Without k² where its square is out of range, which the product is not.
         let square = k * k;
-        let shared = if square > R::MIN_POSITIVE && square < R::INFINITY {
+        if square > R::MIN_POSITIVE && square < R::INFINITY {
             square * m * inertia
         } else {
             (k * m) * (k * inertia)
-        };
-        let left = R::ONE - shared;
+        }
+    }
+
+    /// The impulses where one of the two motions sticks, or both; `None` where both slip or are one motion.
+    #[inline(always)]
+    pub fn solve_sticking(&self) -> Option<(TangentialLoad<R>, Vector3<R>)> {
+        let (m, inertia, k) = (
+            self.block.mass_sliding,
+            self.block.inertia,
+            self.block.coupling,
+        );
+        let left = R::ONE - self.shared_inverse();
         let distinct = left > R::from_f64(SINGULAR_ULPS) * R::EPSILON;
         if !distinct {
-            return self.share(shared);
+            return None;
         }
 
         // Rolling sticks: sliding feels the mass m/left.
@@ -101,7 +116,7 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         let rolling = self.rolling_that_sticks(&held.sliding);
         let turned = self.hold_rolling(&rolling);
         if turned == rolling {
-            return (held, rolling);
+            return Some((held, rolling));
         }
 
         // Sliding sticks: rolling feels the moment I/left.
@@ -110,10 +125,7 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         let slip = self.slip_after(&turned);
         let sliding = self.old.sliding - slip * m;
         let held = self.hold(&slip, m);
-        if held.sliding == sliding {
-            return (held, turned);
-        }
-        self.share(shared)
+        (held.sliding == sliding).then_some((held, turned))
     }
 
     /// Both slip, or are one motion, for any `shared` = k² m I: the share of rolling is bracketed.

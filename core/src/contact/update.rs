@@ -317,6 +317,27 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
         self.move_to(new, a, b)
     }
 
+    /// [`Contact::take_turn`] where sliding and rolling both slip, [`Contact::update`] where one of them sticks: a
+    /// body that a plate holds is held by one visit.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn hold_or_take_turn<F: ContactFriction<R, Modes = M>>(
+        &mut self,
+        friction: &F,
+        a: &mut impl ContactBody<R>,
+        b: &mut impl ContactBody<R>,
+    ) -> ContactVector<R, M> {
+        let velocity = self.velocity(a, b);
+        let normal = self.normal_impulse(&velocity);
+        let coupled = self.coupled(friction, &velocity, normal);
+        let held = coupled.and_then(|coupled| coupled.solve_sticking());
+        let new = match held {
+            Some(held) => Self::joined(normal, held),
+            None => self.solve_in_turn(friction, &velocity, normal),
+        };
+        self.move_to(new, a, b)
+    }
+
     /// Takes a new impulse, applies its change to the bodies and returns it.
     #[inline(always)]
     fn move_to(
@@ -339,13 +360,29 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
         velocity: &ContactVector<R, M>,
     ) -> ContactVector<R, M> {
         let normal = self.normal_impulse(velocity);
-        if !self.rolls_while_sliding() {
-            return self.solve_in_turn(friction, velocity, normal);
+        match self.coupled(friction, velocity, normal) {
+            Some(coupled) => Self::joined(normal, coupled.solve()),
+            None => self.solve_in_turn(friction, velocity, normal),
         }
+    }
+
+    /// Sliding and rolling under a normal impulse, if the two are coupled.
+    #[inline(always)]
+    fn coupled<'a, F: ContactFriction<R, Modes = M>>(
+        &'a self,
+        friction: &'a F,
+        velocity: &ContactVector<R, M>,
+        normal: R,
+    ) -> Option<CoupledSlip<'a, R, F>> {
         let place = (&self.block, &self.normal, self.lever);
         let bound = normal + self.step.cohesion;
-        let (held, rolling) =
-            CoupledSlip::new(friction, place, bound, &self.impulse, velocity).solve();
+        self.rolls_while_sliding()
+            .then(|| CoupledSlip::new(friction, place, bound, &self.impulse, velocity))
+    }
+
+    /// The impulses of all modes.
+    #[inline(always)]
+    fn joined(normal: R, (held, rolling): (TangentialLoad<R>, Vector3<R>)) -> ContactVector<R, M> {
         ContactVector {
             normal,
             sliding: M::Sliding::of(held.sliding),

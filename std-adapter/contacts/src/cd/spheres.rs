@@ -8,7 +8,8 @@ use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::pairs::Pairs;
 use super::schedule::Schedule;
 use super::sweep::{
-    AHEAD, Stretch, SweepDirection, WORTHWHILE, fetch, solve_one, sweep_images, sweep_pairs, visit,
+    AHEAD, Stretch, SweepDirection, WORTHWHILE, fetch, solve_one, sweep_images, sweep_pairs,
+    visit_plate,
 };
 use super::vectors::Constants;
 use rayon::prelude::*;
@@ -441,7 +442,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         };
         let [a, b] = link.bodies.map(|body| body as usize);
         if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
-            visit(&mut link.contact, swept, friction, &mut a.0, b).tell(watch);
+            visit_plate(&mut link.contact, swept, friction, &mut a.0, b).tell(watch);
         }
     }
 }

@@ -203,14 +203,34 @@ pub(super) fn visit<F: ContactFriction<f64>>(
 ) -> PairRecord {
     let before = swept.map(|swept| contact.impulse().minus(swept));
     let change = contact.take_turn(friction, a, b);
+    seen(contact, before, &change)
+}
+
+/// [`visit`] for a plate, where a sphere that sticks is held at once.
+#[inline(always)]
+pub(super) fn visit_plate<F: ContactFriction<f64>>(
+    contact: &mut Contact<f64, F::Modes>,
+    swept: Option<&ContactVector<f64, F::Modes>>,
+    friction: &F,
+    a: &mut impl ContactBody<f64>,
+    b: &mut impl ContactBody<f64>,
+) -> PairRecord {
+    let before = swept.map(|swept| contact.impulse().minus(swept));
+    let change = contact.hold_or_take_turn(friction, a, b);
+    seen(contact, before, &change)
+}
+
+/// What a monitor records of a change and of the step before.
+#[inline(always)]
+fn seen<M: ContactModes<f64>>(
+    contact: &Contact<f64, M>,
+    before: Option<ContactVector<f64, M>>,
+    change: &ContactVector<f64, M>,
+) -> PairRecord {
     let lever = contact.effective_radius();
     let speed = change.normal.abs() / contact.block().mass_normal;
     PairRecord {
-        change: [
-            change.dot_with_lever(&change, lever),
-            contact.bound(),
-            speed,
-        ],
+        change: [change.dot_with_lever(change, lever), contact.bound(), speed],
         along: before.map(|before| change.dot_with_lever(&before, lever)),
     }
 }
