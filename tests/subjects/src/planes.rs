@@ -170,13 +170,26 @@ fn points<R: Real>(input: &mut Input<'_>) -> Verdict {
     dissipates(input, &wrench, &motion)
 }
 
+/// Steps of a batch: as many as go side by side.
+const TOGETHER: usize = 8;
+
 /// Implicit steps on sets.
 pub fn steps<R: Real>(input: &mut Input<'_>) -> Verdict {
     let (force, radius) = (input.size::<R>(), input.positive());
     if input.one_in(2) {
         let set = input.taken(RoundLimitSurface::new(CoulombDisk, force, radius))?;
         stepped(input, |body, twist, push, dt| {
-            body.step(&set, twist, push, dt)
+            // The last of a batch, side by side with others alike; alone it has the same bits.
+            let mut steps = [body.step(&set, twist, push, dt); TOGETHER];
+            body.step_batch(
+                &set,
+                &[*twist; TOGETHER],
+                &[*push; TOGETHER],
+                dt,
+                &mut steps,
+            );
+            let [.., last] = steps;
+            last
         })
     } else {
         let set = LimitEllipsoid::new(force, radius, input.positive());
