@@ -141,9 +141,11 @@ fn sliding_and_torsion_meet_the_exact_set() {
 #[test]
 fn single_precision_keeps_its_digits() {
     let name = "contact of unequal spheres, f32";
-    worst::<f32, _>(name, ("thresholds", Solved::Together), thresholds).assert_within(&tolerance::CONTACT_SINGLE);
+    worst::<f32, _>(name, ("thresholds", Solved::Together), thresholds)
+        .assert_within(&tolerance::CONTACT_SINGLE);
     let name = "contact, coupled torsion, f32";
-    worst::<f32, _>(name, ("coupled", Solved::Together), exact).assert_within(&tolerance::CONTACT_SINGLE);
+    worst::<f32, _>(name, ("coupled", Solved::Together), exact)
+        .assert_within(&tolerance::CONTACT_SINGLE);
 }
 
 #[test]
