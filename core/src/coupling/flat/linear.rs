@@ -16,11 +16,10 @@
 //! f″ = Σ τ γ″ − (z × g) P″,    γ″ = k_m β″ + k_t δ″,    P″ = ∫p″ dA = [Σ (H β″ + (v·τ) β‴) + w P]/(3 + w²)
 //! ```
 //!
-//! An edge's β, β″, β‴ are the trapezoid's rule and E, E″, E‴; with σ = ᾱ + w p̄ (S = 2 + 2 w σ), ε = α σ − p,
-//! ζ = ζ₀ + w ζ₁, ζ₀ = v·τ/2, ζ₁ = H/2 − ζ σ, ζ₁₀ = (H − (v·τ) ᾱ)/2 and μ = ζ²/(1 − y²), C = μ − ζ² G, K = μ/3 − ζ² G
+//! An edge's β, β″, β‴ are the trapezoid's rule and E, E″, E‴; with ε = ᾱ σ − p̄, ζ₁₀ = (H − (v·τ) ᾱ)/2,
+//! C = b − ζ² G and K = b/3 − ζ² G
 //!
 //! ```text
-//! β″: E″ = −(l²/S) [2/3 (ζ₁ (ζ + ζ₀) − ζ₀² σ) + w (l/S)² C]
 //! β‴: E‴ = −(l²/S) [2/3 (ζ₀ (ζ₀ ε − 2 ζ₁₀ σ − 2 ζ p̄ − 2 ᾱ ζ₁) + ζ₁²) + (l/S)² C] − w H (v·τ) l²/6
 //! δ  = (l³/S) [c (1/6 + y² K) + v·n (σ/6 − w (l/S)² K)],        c = middle·τ
 //! δ″ = (l³/S) [c (w (l/S)² K + (w + w² σ − σ)/6) − v·n (ε/6 + (l/S)² K)]
@@ -116,10 +115,6 @@ fn lost_in<L: Summed<Real: Real>>(product: L, a: L, b: L) -> L {
 /// What edges add to integrals of p, p″ and p‴.
 struct EdgeIntegrals<'a, L> {
     moving: &'a MovingEdge<L>,
-    /// σ
-    sigma: L,
-    /// ζ
-    zeta: L,
     /// β, β″, β‴
     even: [L; 3],
     /// δ/l, δ″/l
@@ -144,17 +139,17 @@ impl<'a, L: Summed<Real: Real>> EdgeIntegrals<'a, L> {
             p,
             arm,
             reach_sq,
+            sigma,
+            zeta,
             open,
             ..
         } = *moving;
         let (length, offset) = (moving.sides.length, moving.sides.offset);
         let [third, sixth] = [1.0 / 3.0, 1.0 / 6.0].map(splat::<L>);
         let (two, half, middle) = (L::splat(2.0), L::splat(0.5), moving.sides.middle());
-        let zeta = moving.eta * moving.inv_sum;
         let of_log = moving.zeta_sq * moving.bend;
         let whole = reach_sq * (open - of_log);
         let part = reach_sq * (third * open - of_log);
-        let sigma = arm + w * p;
         let fall = arm * sigma - p;
         let square = length * moving.reach;
         // ζ of a translation, and the rest over the spin, twice.
@@ -163,18 +158,14 @@ impl<'a, L: Summed<Real: Real>> EdgeIntegrals<'a, L> {
         let zeta_10 = half * (offset - along * arm);
         let zeta_11 = zeta * p + arm * zeta_1;
         let bent = -(square * (open - moving.zeta_sq * moving.log));
-        let once = zeta_1 * (zeta + zeta_0) - zeta_0 * zeta_0 * sigma;
         let twice = zeta_0 * (zeta_0 * fall - two * (zeta_10 * sigma + zeta_11)) + zeta_1 * zeta_1;
-        let bent_2 = -(square * (two * third * once + w * whole));
         let bent_3 = -(square * (two * third * twice + whole))
             - sixth * (length * length) * (w * offset * along);
         let w_part = w * part;
         Self {
-            sigma,
-            zeta,
             even: [
                 length * (p + bent),
-                length * (moving.rest + bent_2),
+                moving.beta_rest(),
                 length * (moving.third + bent_3),
             ],
             odd: [
@@ -224,10 +215,10 @@ impl<'a, L: Summed<Real: Real>> EdgeIntegrals<'a, L> {
     fn slope(&self, weight: &Weight<L>) -> [L; 2] {
         let Weight { middle, change } = *weight;
         let (sides, w) = (&self.moving.sides, self.moving.spin);
-        let (double, load) = (self.sigma + self.sigma, middle * sides.length);
+        let (double, load) = (self.moving.sigma + self.moving.sigma, middle * sides.length);
         let crossed = sides.middle() + double * self.across * self.moving.inv_sum;
         [
-            load * (sides.offset - double * self.zeta + self.turned * w)
+            load * (sides.offset - double * self.moving.zeta + self.turned * w)
                 + self.turned * change * self.across,
             change * self.bent - load * crossed,
         ]
@@ -293,10 +284,10 @@ impl<'a, L: Summed<Real: Real>> EdgeIntegrals<'a, L> {
         let [lengthwise, crosswise] = self.slope(&one);
         // s/S as ζ.
         let crossing = self.across * self.moving.inv_sum;
-        let zeta_1 = half * offset - self.zeta * self.sigma;
-        let crossing_1 = -(half * self.moving.sides.middle() + crossing * self.sigma);
+        let zeta_1 = half * offset - self.moving.zeta * self.moving.sigma;
+        let crossing_1 = -(half * self.moving.sides.middle() + crossing * self.moving.sigma);
         let rest = [
-            self.turned - two * (self.zeta * p + arm * zeta_1),
+            self.turned - two * (self.moving.zeta * p + arm * zeta_1),
             -(two * (crossing * p + arm * crossing_1)),
         ];
         let turned = half * length * w;

@@ -10,12 +10,13 @@
 //!
 //! The first part of p is that of w = 0, the line integral of which times v·τ is that of an exact differential.
 //! An edge of length l with tangent τ, outward normal n and H = x·n has the velocity η = v·τ + w H along itself
-//! and the speeds q₀ and q₁ at its ends; with S = q₀ + q₁ = 2 + w σ, y = w l/S, ζ = η/S and means p̄ of both ends,
+//! and the speeds q₀ and q₁ at its ends; with means p̄ of both ends, σ = ᾱ + w p̄, S = q₀ + q₁ = 2 + 2 w σ, y = w l/S and
+//! ζ = η/S = ζ₀ + w ζ₁, in which ζ₀ = v·τ/2 and ζ₁ = H/2 − ζ σ,
 //!
 //! ```text
-//! G(y²) = ((artanh y/y − 1)/y² − 1/3)/y² = Σ y²ⁿ/(2 n + 5),      g = 1/3 + y² G,      B = ζ²/(1 − y²)
-//! β = ∫p dl = l [p̄ − (l²/S) (B − ζ² g)]
-//! β″ = ∫p″ dl = l [p̄″ − (l²/S) ((2/3 H (η + v·τ) − (v·τ)² σ (4 + 2 S + S²)/12)/S² + w (l/S)² (B − ζ² G))]
+//! G(y²) = ((artanh y/y − 1)/y² − 1/3)/y² = Σ y²ⁿ/(2 n + 5),      g = 1/3 + y² G,      b = ζ²/(1 − y²)
+//! β = ∫p dl = l [p̄ − (l²/S) (b − ζ² g)]
+//! β″ = ∫p″ dl = l [p̄″ − (l²/S) (2/3 (ζ₁ (ζ + ζ₀) − ζ₀² σ) + w (l/S)² (b − ζ² G))]
 //! ```
 //!
 //! Nothing cancels, nothing is divided by a speed or a spin, and all terms are bounded: (1 − y²) S² is
@@ -210,6 +211,10 @@ pub(super) struct MovingEdge<L> {
     pub(super) reach: L,
     /// (l/S)²
     pub(super) reach_sq: L,
+    /// σ
+    pub(super) sigma: L,
+    /// ζ
+    pub(super) zeta: L,
     /// ζ²
     pub(super) zeta_sq: L,
     /// ζ²/(1 − y²)
@@ -218,8 +223,6 @@ pub(super) struct MovingEdge<L> {
     pub(super) bend: L,
     /// g
     pub(super) log: L,
-    /// σ (4 + 2 S + S²)/12
-    pub(super) spread: L,
 }
 
 impl<L: Summed<Real: Real>> MovingEdge<L> {
@@ -253,13 +256,12 @@ impl<L: Summed<Real: Real>> MovingEdge<L> {
             inv_sum,
             reach,
             reach_sq,
+            sigma: arm + w * p,
+            zeta,
             zeta_sq,
             open,
             bend,
             log: splat::<L>(1.0 / 3.0) + y_sq * bend,
-            spread: splat::<L>(1.0 / 6.0)
-                * (arm + w * p)
-                * (L::splat(4.0) + sum * (L::splat(2.0) + sum)),
             sides,
         }
     }
@@ -274,11 +276,12 @@ impl<L: Summed<Real: Real>> MovingEdge<L> {
     /// β″
     #[inline(always)]
     pub(super) fn beta_rest(&self) -> L {
-        let Self { along, eta, .. } = *self;
-        let turned =
-            splat::<L>(2.0 / 3.0) * self.sides.offset * (eta + along) - along * along * self.spread;
+        let half = L::splat(0.5);
+        let zeta_0 = half * self.along;
+        let zeta_1 = half * self.sides.offset - self.zeta * self.sigma;
+        let once = zeta_1 * (self.zeta + zeta_0) - zeta_0 * zeta_0 * self.sigma;
         let closed = self.open - self.zeta_sq * self.bend;
-        let bent = turned * (self.inv_sum * self.inv_sum) + self.spin * self.reach_sq * closed;
+        let bent = splat::<L>(2.0 / 3.0) * once + self.spin * self.reach_sq * closed;
         self.sides.length * (self.rest - self.sides.length * self.reach * bent)
     }
 }

@@ -145,6 +145,7 @@ impl<L: Summed<Real: Real>> MovingEdge<L> {
             p,
             arm,
             reach_sq,
+            sigma,
             log,
             ..
         } = *self;
@@ -154,21 +155,23 @@ impl<L: Summed<Real: Real>> MovingEdge<L> {
             offset,
             ..
         } = self.sides;
-        let (half, twice) = (L::splat(0.5), self.inv_sum + self.inv_sum);
+        let (half, two, twice) = (L::splat(0.5), L::splat(2.0), self.inv_sum + self.inv_sum);
         // κ̄ S/2
         let kappa = arm * arm - p + w * arm * p;
         // Velocities.
         let lambda = twice * (kappa + reach_sq * log);
         let lengthwise = length * (offset - eta * arm + w * eta * lambda);
-        let rise = length * twice * (self.across * (arm + w * p) + self.sides.middle());
+        let rise = length * twice * (self.across * sigma + self.sides.middle());
         let xx = lengthwise * x * x - rise * x * y;
         let xy = lengthwise * x * y - half * rise * (y * y - x * x);
         let yy = lengthwise * y * y + rise * x * y;
         // Velocities and spin: ε.
         let mixed = length * twice * (reach_sq * log * eta * along - (p + w * w * kappa));
         // Spin: χ.
-        let left = splat::<L>(2.0 / 3.0) * offset - along * self.spread;
-        let turned = left + L::splat(2.0) * w * reach_sq * self.bend * eta;
+        let sum = two + two * w * sigma;
+        let spread = splat::<L>(1.0 / 6.0) * sigma * (L::splat(4.0) + sum * (two + sum));
+        let left = splat::<L>(2.0 / 3.0) * offset - along * spread;
+        let turned = left + two * w * reach_sq * self.bend * eta;
         let chi = arm * p - self.rest - w * twice * kappa * (L::splat(1.0) + p)
             + reach_sq * self.inv_sum * along * turned;
         [
