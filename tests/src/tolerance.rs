@@ -183,7 +183,7 @@ bounds! {
     /// Gauge of projections against 1, in units of EPSILON; the collar is 64.
     ON_SURFACE_ULPS = 8.0, "surface point and gauge round a few times each";
     /// The same for couplings by the arithmetic-geometric mean.
-    ON_SURFACE_AGM_ULPS = 56.0, "noise of the mean near equal speeds, 31 ulp, in point and gauge";
+    ON_SURFACE_PLANE_ULPS = 56.0, "noise of annuli and of patches in the plane, in point and gauge";
     /// The same for points, whose gauge between facets is right to POINT_SURFACE.
     ON_SURFACE_POINT_ULPS = 4.5e6, "POINT_SURFACE in units of EPSILON";
     /// Displacement across the normal, of the set's size and the displacement.

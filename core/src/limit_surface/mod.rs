@@ -84,7 +84,7 @@ use crate::twist::{Twist, Wrench};
 /// |gauge − 1| ≤ 64 [`Real::EPSILON`] counts as on the surface.
 ///
 /// It covers the rounding of a surface point and of its gauge, for couplings that are themselves
-/// right to about 30 units (the AGM tier), so that no projection moves a projected wrench.
+/// right to about 30 units, so that no projection moves a projected wrench.
 #[doc(hidden)]
 pub const COLLAR_ULPS: f64 = 64.0;
 

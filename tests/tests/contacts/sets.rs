@@ -50,17 +50,17 @@ const ROUND: Promise = Promise {
     displacement: tolerance::ACROSS_NORMAL,
     on_surface: tolerance::ON_SURFACE_ULPS,
 };
-/// By the arithmetic-geometric mean, or with another one's.
-const AGM: Promise = Promise {
+/// The difference of two disks.
+const ANNULUS: Promise = Promise {
     gauge: tolerance::FRICTION_OF_NORMAL,
-    on_surface: tolerance::ON_SURFACE_AGM_ULPS,
+    on_surface: tolerance::ON_SURFACE_PLANE_ULPS,
     ..ROUND
 };
 const SHAPE: Promise = Promise {
     gauge: tolerance::PATCH_SURFACE,
     friction: tolerance::PATCH_SURFACE,
     displacement: tolerance::PATCH_SURFACE,
-    on_surface: tolerance::ON_SURFACE_AGM_ULPS,
+    on_surface: tolerance::ON_SURFACE_PLANE_ULPS,
 };
 const POINTS: Promise = Promise {
     gauge: tolerance::POINT_SURFACE,
@@ -73,13 +73,13 @@ const POINTS: Promise = Promise {
 fn instances() -> Vec<Instance> {
     let mut all = vec![
         round("disk", CoulombDisk, ROUND),
-        round("ring", Ring, AGM),
-        round("Hertz", CoulombHertz, AGM),
-        round("punch", CoulombPunch, AGM),
+        round("ring", Ring, ROUND),
+        round("Hertz", CoulombHertz, ROUND),
+        round("punch", CoulombPunch, ROUND),
         round(
             "annulus",
             Annulus::new(CoulombDisk, 0.6).expect("valid"),
-            AGM,
+            ANNULUS,
         ),
         revolved("ellipsoid", ellipsoid(), ROUND),
         revolved("stronger disk", stronger(), ROUND),
