@@ -177,7 +177,7 @@ bounds! {
     /// Gauge of surface points known to 32 digits, absolute.
     GAUGE = 1e-15, "dissipation of the table tier and three roundings";
     /// Velocity ratio recovered from its own friction, relative.
-    NORMAL = 2e-15, "table's error over the curvature of the surface";
+    NORMAL = 2e-15, "the form's error over the curvature of the surface";
     /// The same for a ring, whose slopes are infinite at equal speeds.
     NORMAL_RING = 4e-15, "the last Newton step only divides its error by a logarithm";
     /// Gauge of projections against 1, in units of EPSILON; the collar is 64.
@@ -189,7 +189,7 @@ bounds! {
     /// Displacement across the normal, of the set's size and the displacement.
     ACROSS_NORMAL = 1e-15, "normal and surface point round a few times";
     /// Friction of a projection's normal against the projection, of the set's size.
-    FRICTION_OF_NORMAL = 2e-14, "noise of the arithmetic-geometric mean near equal speeds, ring and disk";
+    FRICTION_OF_NORMAL = 2e-14, "noise of annuli near equal speeds";
     /// Growth of the distance of two wrenches by projection in f32, of the set's size.
     EXPANSION_SINGLE = 4e-7, "surface points round to a few ulp of the limits";
     /// f32 projections against f64, of the set's size.

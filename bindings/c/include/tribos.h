@@ -1001,7 +1001,7 @@ tribos_status tribos_rate_state_steady_slope_f64(const struct tribos_rate_state_
                                                  double *slope);
 
 // Uniform disk under Coulomb friction. Flash: 0.4 KiB of numbers (f32: 0.1).
-// Accuracy: 5 ulp in force and torque.
+// Accuracy: 6 ulp in force and torque.
 tribos_status tribos_disk_wrench_f64(const struct tribos_round_f64 *patch,
                                      double load,
                                      const struct tribos_twist_f64 *twist,
@@ -1029,7 +1029,7 @@ tribos_status tribos_annulus_jacobian_f64(const struct tribos_round_f64 *patch,
                                           struct tribos_jacobian_f64 *jacobian);
 
 // Hertz' pressure (a ball on a plane) under Coulomb friction.
-// Accuracy: 5 ulp in force and torque.
+// Accuracy: 6 ulp in force and torque.
 tribos_status tribos_hertz_wrench_f64(const struct tribos_round_f64 *patch,
                                       double load,
                                       const struct tribos_twist_f64 *twist,
@@ -1042,7 +1042,7 @@ tribos_status tribos_hertz_jacobian_f64(const struct tribos_round_f64 *patch,
                                         struct tribos_jacobian_f64 *jacobian);
 
 // A thin ring under Coulomb friction.
-// Accuracy: 5 ulp in force and torque (f32: 10).
+// Accuracy: 6 ulp in force and torque (f32: 8).
 tribos_status tribos_ring_wrench_f64(const struct tribos_round_f64 *patch,
                                      double load,
                                      const struct tribos_twist_f64 *twist,
@@ -1055,7 +1055,7 @@ tribos_status tribos_ring_jacobian_f64(const struct tribos_round_f64 *patch,
                                        struct tribos_jacobian_f64 *jacobian);
 
 // A rigid flat punch on an elastic half space under Coulomb friction.
-// Accuracy: 5 ulp in force and torque.
+// Accuracy: 6 ulp in force and torque.
 tribos_status tribos_punch_wrench_f64(const struct tribos_round_f64 *patch,
                                       double load,
                                       const struct tribos_twist_f64 *twist,
@@ -1706,7 +1706,7 @@ tribos_status tribos_rate_state_steady_slope_f32(const struct tribos_rate_state_
                                                  float *slope);
 
 // Uniform disk under Coulomb friction. Flash: 0.4 KiB of numbers (f32: 0.1).
-// Accuracy: 5 ulp in force and torque.
+// Accuracy: 6 ulp in force and torque.
 tribos_status tribos_disk_wrench_f32(const struct tribos_round_f32 *patch,
                                      float load,
                                      const struct tribos_twist_f32 *twist,
@@ -1734,7 +1734,7 @@ tribos_status tribos_annulus_jacobian_f32(const struct tribos_round_f32 *patch,
                                           struct tribos_jacobian_f32 *jacobian);
 
 // Hertz' pressure (a ball on a plane) under Coulomb friction.
-// Accuracy: 5 ulp in force and torque.
+// Accuracy: 6 ulp in force and torque.
 tribos_status tribos_hertz_wrench_f32(const struct tribos_round_f32 *patch,
                                       float load,
                                       const struct tribos_twist_f32 *twist,
@@ -1747,7 +1747,7 @@ tribos_status tribos_hertz_jacobian_f32(const struct tribos_round_f32 *patch,
                                         struct tribos_jacobian_f32 *jacobian);
 
 // A thin ring under Coulomb friction.
-// Accuracy: 5 ulp in force and torque (f32: 10).
+// Accuracy: 6 ulp in force and torque (f32: 8).
 tribos_status tribos_ring_wrench_f32(const struct tribos_round_f32 *patch,
                                      float load,
                                      const struct tribos_twist_f32 *twist,
@@ -1760,7 +1760,7 @@ tribos_status tribos_ring_jacobian_f32(const struct tribos_round_f32 *patch,
                                        struct tribos_jacobian_f32 *jacobian);
 
 // A rigid flat punch on an elastic half space under Coulomb friction.
-// Accuracy: 5 ulp in force and torque.
+// Accuracy: 6 ulp in force and torque.
 tribos_status tribos_punch_wrench_f32(const struct tribos_round_f32 *patch,
                                       float load,
                                       const struct tribos_twist_f32 *twist,

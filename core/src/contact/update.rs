@@ -303,7 +303,8 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
 
     /// [`Contact::update`] for sweeps: sliding under the rolling torque so far, then rolling under the new
     /// sliding force. What one visit leaves over, where the two are coupled, the next ones find: the impulses that
-    /// it does not change are those of `update`.
+    /// it does not change are those of `update`. It leaves k² m I of the distance where both stick, which is nearly all of it
+    /// for bodies whose mass lies on an axle.
     #[doc(hidden)]
     #[inline(always)]
     pub fn take_turn<F: ContactFriction<R, Modes = M>>(

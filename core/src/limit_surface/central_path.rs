@@ -61,7 +61,7 @@ pub(super) struct WrenchRay<R: Real> {
     pub(super) torque: R,
 }
 
-/// Pair2 motions across the ray, and one along it.
+/// Two motions across the ray, and one along it.
 struct Axes<R: Real> {
     direction: Vector2<R>,
     lead: R,
@@ -114,7 +114,7 @@ pub(super) fn reach<R: Real, S: AsRef<[[R; 2]]>>(
 }
 
 impl<R: Real> Axes<R> {
-    /// Pair2 directions across that of the ray, and each other.
+    /// Two directions across that of the ray, and each other.
     fn of(ray: &WrenchRay<R>) -> Self {
         let (x, y, z) = (ray.along.x, ray.along.y, ray.along.z);
         let zero = R::ZERO;

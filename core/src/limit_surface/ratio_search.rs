@@ -72,7 +72,8 @@ impl<L: Numbers> RatioSearch<L> {
             step.abs().at_most(settled * newton),
             L::both(
                 next.at_most(
-                    L::repeat(R::from_f64(SHARE) * R::EPSILON) * (self.before * self.before * newton),
+                    L::repeat(R::from_f64(SHARE) * R::EPSILON)
+                        * (self.before * self.before * newton),
                 ),
                 square.at_most(L::repeat(R::from_f64(SQUARE_SHARE) * R::EPSILON)),
             ),

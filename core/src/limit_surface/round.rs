@@ -127,7 +127,9 @@ impl<R: Real, C: DryReducedFriction<R>> FrictionSet<R> for RoundLimitSurface<R, 
         let pair = pair(&twist.velocity, twist.spin);
         let [[planar], [spin]] = [pair.planar, pair.normal].map(Numbers::to_array);
         let at = self.meridian.point([planar, spin * self.radius]);
-        let push = self.itself().surface_wrench(&pair, at.map(R::Alone::repeat));
+        let push = self
+            .itself()
+            .surface_wrench(&pair, at.map(R::Alone::repeat));
         let [[x], [y], [torque]] = push.map(Numbers::to_array);
         -Wrench::new(x, y, torque)
     }

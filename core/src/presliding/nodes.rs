@@ -23,7 +23,7 @@ use nalgebra::Vector2;
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
 /// use tribos_core::presliding::{PointPresliding, Pose};
-/// // Pair2 feet, the nearer one at a tenth of the lever of the other.
+/// // Two feet, the nearer one at a tenth of the lever of the other.
 /// let feet = Nodes::new([0.01, 0.1].map(|x| Node { x, y: 0.0, weight: 1.0_f64 }))?; // m
 /// let (stiffness, limit, pose) = (1e4, 10.0, Pose::new(0.0, 0.0, 0.0)); // N/m, N
 /// let mut bound: PointPresliding<f64, _, 2> = PointPresliding::new(feet, stiffness, limit, &pose)?;

@@ -9,8 +9,8 @@ use bevy::transform::TransformPlugin;
 use std::error::Error;
 use std::time::Duration;
 use tribos_bevy::{FrictionPatch, FrictionPatchPlugin, PatchFriction};
-use tribos_core::coupling::coulomb::CoulombRing;
 use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombRing;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 
 const MU: f32 = 0.3;

@@ -174,7 +174,7 @@ static void together(double *left, double *changed, int *held)
 // Four feet at other heights of a body that slides and tilts: searches stop at their counts, friction is in its sets and
 // gives no power to the mean motion all the same; where they do not, it opposes the motion of each foot at half time or at
 // the end. Outside and power are in units of what the limits would do.
-static void sliding(double *outside, double *given, double *opposed, int *missed)
+static void sliding(double *outside, double *given, double *opposed, int *missed, int *found)
 {
     patch disk = read("disk", "0.02");
     for (int i = 0; i < CASES / 20; i++) {
@@ -223,6 +223,7 @@ static void sliding(double *outside, double *given, double *opposed, int *missed
         *given = most(power / full, *given);
         *missed += feet[0].is_missed;
         if (is_found) *opposed = most(fmin(apart[0], apart[1]), *opposed);
+        *found += is_found;
     }
     patch_free(&disk);
 }
@@ -230,13 +231,13 @@ static void sliding(double *outside, double *given, double *opposed, int *missed
 int main(void)
 {
     double kernel = 0, conditions = 0, left = 0, changed = 0, outside = 0, given = -1, opposed = 0;
-    int held = 0, others = 0, held_alone = 0, held_together = 0, missed = 0;
-    sliding(&outside, &given, &opposed, &missed);
+    int held = 0, others = 0, held_alone = 0, held_together = 0, missed = 0, found = 0;
+    sliding(&outside, &given, &opposed, &missed, &found);
     beside_the_kernel(&kernel, &held, &others);
     by_its_conditions(&conditions, &held_alone);
     together(&left, &changed, &held_together);
     printf("kernel %g\nheld %d\nothers %d\nconditions %g\nheld_alone %d\nleft %g\nchanged %g\nheld_together %d\n", kernel,
            held, others, conditions, held_alone, left, changed, held_together);
-    printf("outside %g\ngiven %g\nopposed %g\nmissed %d\n", outside, given, opposed, missed);
+    printf("outside %g\ngiven %g\nopposed %g\nmissed %d\nfound %d\n", outside, given, opposed, missed, found);
     return 0;
 }

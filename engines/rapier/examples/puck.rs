@@ -7,8 +7,8 @@ mod picture;
 use picture::{COLOURS, Picture};
 use rapier3d::prelude::*;
 use std::error::Error;
-use tribos_core::coupling::coulomb::CoulombRing;
 use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombRing;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_rapier::{Patch, PatchContacts};
 

@@ -74,6 +74,8 @@ pub(crate) struct FrameMotion {
 }
 
 impl FrameMotion {
+    /// What the turning ground asks of the foot in a step of so many substeps.
+    ///
     /// *Derivation*: in a step dt the point r turns by θ, to
     /// r + (1 + s) a + (½ + c) b with a = θ × r, b = θ × a, s = sin(θ)/θ − 1, c = (1 − cos θ)/θ² − ½ (Rodrigues), and
     /// its velocity changes by ω times that displacement. The engine turns bodies in n substeps by an angle whose half

@@ -9,8 +9,8 @@ mod exact;
 use exact::{GRAVITY, MU, RADIUS, Throw, on_cells, rectangle};
 use rapier2d::prelude::*;
 use std::error::Error;
-use tribos_core::coupling::coulomb::CoulombRing;
 use tribos_core::coupling::coulomb::CoulombDisk;
+use tribos_core::coupling::coulomb::CoulombRing;
 use tribos_core::slider::{Slider, SliderParameters, SliderState};
 use tribos_rapier2d::{Floor, Footprint, PlacedFoot};
 

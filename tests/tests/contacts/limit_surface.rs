@@ -92,7 +92,7 @@ fn recovered<C: DryReducedFriction<f64>>(name: &'static str, coupling: C) -> Wor
 
 #[test]
 fn motion_and_friction_are_each_others_inverse() {
-    recovered("ratio, table", CoulombDisk).assert_within(&tolerance::NORMAL);
+    recovered("ratio, disk", CoulombDisk).assert_within(&tolerance::NORMAL);
     recovered("ratio, ring", Ring).assert_within(&tolerance::NORMAL_RING);
 }
 

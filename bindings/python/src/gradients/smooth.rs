@@ -217,7 +217,7 @@ impl Smooth for Curved<'_> {
     }
 }
 
-/// Pair2 directions of length 1 across another and each other.
+/// Two directions of length 1 across another and each other.
 fn across(along: &Vector3<f64>) -> Matrix3x2<f64> {
     let mut axis = Vector3::zeros();
     axis[along.iamin()] = 1.0;

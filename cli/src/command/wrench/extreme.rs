@@ -31,7 +31,7 @@ fn least_exponent<R: Real>() -> i64 {
     -ExtendedRange::new(R::MIN_POSITIVE.to_f64()).exponent()
 }
 
-/// Pair2 speeds in units of 2^e.
+/// Two speeds in units of 2^e.
 struct Scaled<R> {
     speeds: [R; 2],
     /// e, zero if the law is not homogeneous.

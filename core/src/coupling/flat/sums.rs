@@ -41,7 +41,7 @@ impl<R: Real> WrenchSums<R> {
         self.add(found.map(|part| Pair2([part, R::ZERO])));
     }
 
-    /// Pair2 points about the centre of rotation, which lies on neither of them.
+    /// Two points about the centre of rotation, which lies on neither of them.
     #[inline(always)]
     pub(super) fn turn<const WITH_HESSIAN: bool>(
         &mut self,
@@ -68,7 +68,7 @@ impl<R: Real> WrenchSums<R> {
         }
     }
 
-    /// Pair2 points that slide along x.
+    /// Two points that slide along x.
     #[inline(always)]
     pub(super) fn slide<const WITH_HESSIAN: bool>(
         &mut self,

@@ -69,7 +69,7 @@ impl<I: Interaction + ?Sized> Interaction for Box<I> {
 /// let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
 /// let potential = LennardJones::single(unit, Shift::None)?;
 /// let mut list = VerletList::new(PeriodicBox::OPEN, potential.cutoff(), 0.3)?;
-/// // Pair2 atoms σ apart: U = 0 and −U' = 24 ε/σ, so that Σ r · F = 24 ε.
+/// // Two atoms σ apart: U = 0 and −U' = 24 ε/σ, so that Σ r · F = 24 ε.
 /// let pair = Atoms::at(vec![Vector3::zeros(), Vector3::x()]);
 /// let mut forces = Vec::new();
 /// let sums: Tally = evaluate(&potential, &mut list, &pair, &mut forces, Evaluation::Sums)?;

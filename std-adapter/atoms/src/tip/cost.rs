@@ -109,7 +109,7 @@ pub fn size(scene: &TipScene) -> RunSize {
 ///     ..TipScene::default()
 /// };
 /// let told: TipCost = cost(&scene)?;
-/// // Pair2 layers of 8 × 8 atoms a part below, two hexagons of 7 a part above.
+/// // Two layers of 8 × 8 atoms a part below, two hexagons of 7 a part above.
 /// assert_eq!(told.atoms, [128, 128, 0, 0, 14, 14]);
 /// assert_eq!(told.steps.total(), 10_000 + 200 + 20_000);
 /// assert_eq!(told.atom_steps(), 284.0 * 30_200.0);

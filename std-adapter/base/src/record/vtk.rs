@@ -102,7 +102,7 @@ pub fn particles_vtp(snapshot: &Snapshot) -> Result<String, SnapshotError> {
 /// #     densities: None,
 /// #     contacts: &contacts,
 /// # };
-/// // Pair2 spheres that touch.
+/// // Two spheres that touch.
 /// assert!(contacts_vtp(&pair)?.contains("NumberOfLines=\"1\""));
 /// let stranger = [ContactRow { a: 2, ..contacts[0] }];
 /// assert_eq!(

@@ -29,7 +29,7 @@ const NAMELESS: &str = "X";
 /// #     densities: None,
 /// #     contacts: &[],
 /// # };
-/// // Pair2 spheres, the first just outside of a cell with sides of 10, periodic along x.
+/// // Two spheres, the first just outside of a cell with sides of 10, periodic along x.
 /// let text = extended_xyz(&pair)?;
 /// let lines: Vec<&str> = text.lines().collect();
 /// assert_eq!((lines.len(), lines[0]), (4, "2"));

@@ -92,7 +92,7 @@ pub enum SpaceError {
 /// use nalgebra::Vector3;
 /// use tribos::space::{PeriodicBox, pairs::Cells};
 /// let mut cells = Cells::default();
-/// // Pair2 spheres of radius 1 come together; neighbours are those less than 0.5 apart.
+/// // Two spheres of radius 1 come together; neighbours are those less than 0.5 apart.
 /// for (distance, pairs) in [(3.0, 0), (2.4, 1), (1.9, 1)] {
 ///     let positions = [Vector3::zeros(), Vector3::x() * distance];
 ///     let found = cells.find(&PeriodicBox::OPEN, &positions, &[1.0; 2], 0.5)?;
@@ -131,8 +131,8 @@ const TOGETHER: usize = 16;
 /// for overlapping pairs only; two largest radii and the skin at most half of every period. *Cost*:
 /// proportional to particles and pairs for evenly spread positions; spheres larger than 1.5 medians
 /// search for smaller ones within their own diameter plus the skin, so a few large spheres among many small
-/// ones are cheap. Large searches are shared among rayon's threads. Far outliers along an open axis make cells coarse and the search
-/// slower. For a time loop keep a [`Cells`] instead.
+/// ones are cheap. Large searches are shared among rayon's threads. Far outliers along an open axis make cells
+/// coarse and the search slower. For a time loop keep a [`Cells`] instead.
 ///
 /// ```
 /// use nalgebra::Vector3;

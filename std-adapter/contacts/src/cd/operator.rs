@@ -171,7 +171,7 @@ impl Monitor for NoMonitor {
 ///
 /// ```
 /// use tribos::cd::internals::{GlobalChange, Monitor};
-/// // Pair2 contacts: |Δp| of 3 and 4 where P is 10 each, and no speed but 0.2 at the second.
+/// // Two contacts: |Δp| of 3 and 4 where P is 10 each, and no speed but 0.2 at the second.
 /// let mut change = GlobalChange::default();
 /// change.record(9.0, 10.0, 0.0);
 /// let mut other = change.fork(); // on another thread
@@ -246,7 +246,8 @@ impl Monitor for GlobalChange {
     }
 }
 
-/// Changes below this share of the largest P are rounding: each body sums the impulses of all its contacts.
+/// Changes below this share of the problem's largest P are rounding: bodies sum the impulses of all their contacts.
+/// Forces that are less than that are not resolved.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Whether every impulse changed by less than a fraction of its P, or by what rounding leaves of the largest one.
@@ -284,7 +285,7 @@ impl LocalChange {
 
     /// Whether no recorded contact changed by more.
     pub fn is_at_rest(&self) -> bool {
-        self.moved_sq <= ROUNDING * ROUNDING * self.bound_sq
+        self.moved_sq <= ROUNDING * ROUNDING * self.bound_sq && self.bound_sq < f64::INFINITY
     }
 }
 

@@ -33,7 +33,7 @@ impl<M: ContactModes<f64>> Default for Pairs<M> {
 }
 
 impl<M: ContactModes<f64>> Pairs<M> {
-    /// Bytes of a contact.
+    /// Bytes of a contact, of which there are two copies while contacts are put in order.
     pub const BYTES: usize =
         size_of::<Quad>() / LANES + size_of::<u32>() + size_of::<ContactVector<f64, M>>();
 
@@ -47,7 +47,7 @@ impl<M: ContactModes<f64>> Pairs<M> {
         self.impulses.is_empty()
     }
 
-    /// Removes all contacts and keeps their memory.
+    /// Removes all contacts.
     pub fn clear(&mut self) {
         self.quads.clear();
         self.places.clear();
@@ -274,7 +274,7 @@ mod tests {
         .collect();
         assert!(given[0].contact.holds_gap_open() && !given[2].contact.holds_gap_open());
         let mut pairs = Pairs::default();
-        // Twice: memory is kept.
+        // Twice: once with the memory of before.
         for _ in 0..2 {
             pairs.clear();
             for (number, link) in given.iter().enumerate() {

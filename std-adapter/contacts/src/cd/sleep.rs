@@ -15,7 +15,7 @@ const PATIENCE: u8 = 4;
 /// use tribos::cd::{EnergyBalance, solid};
 /// use tribos::cd::internals::Sleep;
 /// use tribos::kernel::contact::ContactGeometry;
-/// // Pair2 balls that touch and do not move: after a few steps they sleep.
+/// // Two balls that touch and do not move: after a few steps they sleep.
 /// let pairs = [([0, 1], ContactGeometry::spheres(&Vector3::new(0.02, 0.0, 0.0), [0.01; 2])?)];
 /// let mut balls = [solid(0.01, 2500.0); 2];
 /// let mut rest = Sleep::new(2);

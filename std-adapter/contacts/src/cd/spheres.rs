@@ -45,7 +45,7 @@ pub struct Link<M: ContactModes<f64>> {
 /// use tribos::cd::{IterationOrder, StopRule};
 /// use tribos::cd::internals::{Link, Spheres, Sweeper, solve};
 /// use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, WallBody, SphereBody, IndependentFriction, ContactGeometry};
-/// // Pair2 balls of 1 kg and 5 cm, one upon the other; gravity has pulled for 1 ms.
+/// // Two balls of 1 kg and 5 cm, one upon the other; gravity has pulled for 1 ms.
 /// let (up, dt) = (Vector3::z(), 1e-3);
 /// let velocity = up * (-9.81 * dt);
 /// let ball = SphereBody { velocity, spin: Vector3::zeros(), inv_mass: 1.0, inv_inertia: 1e3 };

@@ -92,7 +92,7 @@ pub struct WorldState<M: ContactModes<f64>> {
 /// let setup = WorldSetup::new(smooth)
 ///     .sphere(Vector3::zeros(), 0.05, ball)
 ///     .sphere(Vector3::x() * 0.1, 0.05, ball);
-/// // Pair2 ivory balls at rest touch. The first is struck and hands all of its speed to the second.
+/// // Two ivory balls at rest touch. The first is struck and hands all of its speed to the second.
 /// let mut world = World::new(setup)?;
 /// world.state_mut().spheres[0].velocity.x = 2.0;
 /// let before: WorldState<_> = world.state().clone();

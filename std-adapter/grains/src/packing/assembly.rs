@@ -12,7 +12,7 @@ use tribos_base::space::pairs::neighbours;
 ///
 /// ```
 /// use tribos::measure::Assembly;
-/// // Pair2 touching spheres, 1 and 2 in radius, in a box that is open along z.
+/// // Two touching spheres, 1 and 2 in radius, in a box that is open along z.
 /// let text = "2\nLattice=\"20 0 0 0 20 0 0 0 9\" pbc=\"T T F\" \
 ///             Properties=species:S:1:pos:R:3:radius:R:1\nX 19 1 1 1\nX 2 1 1 2\n";
 /// let mut pair = Assembly::parse("pair.xyz", text)?;

@@ -69,7 +69,13 @@ fn families() -> Vec<Family> {
     let (nodes, points) = (scattered(Shape::Nodes), scattered(Shape::Points));
     let lines = [
         ("polygon", uniform(false), DRY, even, single),
-        ("leaning polygon", linear(false), DRY, leaning, leaning_single),
+        (
+            "leaning polygon",
+            linear(false),
+            DRY,
+            leaning,
+            leaning_single,
+        ),
         ("layer, leaning across", layer(), DRY, leaning, None),
         ("sliver", uniform(true), DRY, thin, None),
         ("leaning sliver", linear(true), DRY, leaning_thin, None),

@@ -75,7 +75,7 @@ const MOST_EXPONENT: u32 = 64;
 ///     taper: 6.5,
 /// };
 /// let copper = SuttonChen::new(given)?;
-/// // Pair2 atoms alone: E = ε ((a/r)⁹ − 2 c (a/r)³).
+/// // Two atoms alone: E = ε ((a/r)⁹ − 2 c (a/r)³).
 /// # let mut list = VerletList::new(PeriodicBox::OPEN, copper.cutoff(), 0.3)?;
 /// # let mut forces = Vec::new();
 /// let pair = Atoms::at(vec![Vector3::zeros(), Vector3::x() * 2.3]);

@@ -10,7 +10,7 @@ use tribos_base::space::PeriodicBox;
 /// use nalgebra::Vector3;
 /// use tribos::md::neighbours::{Slot, VerletList};
 /// use tribos::space::PeriodicBox;
-/// // Pair2 atoms 1 apart over the end of a period of 4: the left one stands at 4.5 too.
+/// // Two atoms 1 apart over the end of a period of 4: the left one stands at 4.5 too.
 /// let places = [Vector3::x() * 0.5, Vector3::x() * 3.5];
 /// let space = PeriodicBox::new([Some(4.0), None, None])?;
 /// let mut list = VerletList::new(space, 1.5, 0.3)?;

@@ -25,7 +25,7 @@ use crate::md::neighbours::ListError;
 /// #     time_step,
 /// #     seed: 1,
 /// # };
-/// // Pair2 atoms a tenth of σ apart would be thrown out in the first step.
+/// // Two atoms a tenth of σ apart would be thrown out in the first step.
 /// let overlapping = System::new(setup(0.1, 0.005)).err();
 /// assert_eq!(overlapping, Some(SystemError::Overlap { pair: [0, 1], distance: 0.1 }));
 /// let backwards = System::new(setup(1.1, -0.005)).err();

@@ -115,7 +115,7 @@ pub struct Exchange {
 /// use tribos::md::system::{Integrator, Setup, System};
 /// use tribos::md::{atoms::Atoms, group::Group, interaction::{Interaction, Evaluation}};
 /// use tribos::space::PeriodicBox;
-/// // Pair2 atoms, a little farther apart than r₀ = 2^(1/6), where U'' = 72/r₀²: they vibrate with
+/// // Two atoms, a little farther apart than r₀ = 2^(1/6), where U'' = 72/r₀²: they vibrate with
 /// // ω = √(2 U''/m) = 12/r₀.
 /// let bond = 2.0_f64.powf(1.0 / 6.0);
 /// let period = std::f64::consts::TAU * bond / 12.0;
@@ -308,7 +308,7 @@ impl<I: Interaction> System<I> {
     /// #     time_step: 0.005,
     /// #     seed: 1,
     /// # })?;
-    /// // Pair2 atoms out of each other's reach, 2 from the axis: a torque for a time, then none.
+    /// // Two atoms out of each other's reach, 2 from the axis: a torque for a time, then none.
     /// let (axis, acceleration) = ([0.0; 2], 0.1);
     /// let groups = vec![0];
     /// system.set_drive(Some(TorqueDrive { axis, acceleration, from: 0.0, until: 9.0, groups }));

@@ -29,7 +29,7 @@ pub enum Kind {
 ///
 /// ```
 /// use tribos::record::frames::{Bodies, FrameFolder, Kind};
-/// // Pair2 atoms in two layers, one of which is to stand out; every tenth state may be kept.
+/// // Two atoms in two layers, one of which is to stand out; every tenth state may be kept.
 /// let atoms = Bodies {
 ///     kind: Kind::Tip,
 ///     scene: serde_json::json!({"lambda": 0.02}),
