@@ -117,14 +117,14 @@ pub fn table_bytes<R: Precision, P>() -> usize {
     }
 }
 
-/// Size of the numbers of Coulomb friction in the program: two sides of four functions.
+/// Size of the numbers of Coulomb friction on a disk in the program: four functions.
 pub fn form_bytes<R: Real>() -> usize {
     let terms = if size_of::<R>() == size_of::<f32>() {
         6
     } else {
         12
     };
-    2 * 4 * terms * size_of::<R>()
+    4 * terms * size_of::<R>()
 }
 
 /// Power laws on the pressures (1−r²)^q and the annulus, all tiers but the quadrature.

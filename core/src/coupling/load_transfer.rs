@@ -67,7 +67,7 @@ pub fn leaning_wrench<R: Real, C: LateralFriction<R>>(
     }
 }
 
-/// FrameSelector components of the pressure gradient are computed.
+/// Which components of the pressure gradient are computed.
 ///
 /// ```
 /// use tribos_core::coupling::{coulomb::CoulombDisk, load_transfer::{FullGradient, LongitudinalGradient, PressureGradient}};

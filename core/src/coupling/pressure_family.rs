@@ -72,7 +72,7 @@ pub(super) fn inertia_excess<R: Real, P: SmoothProfile<R>>(
     scaled / moment(order, profile.exponent())
 }
 
-/// [`super::FrictionCoupling`] and [`super::LateralFriction`] of a smooth profile, from its order q.
+/// [`super::ReducedFriction`] and [`super::LateralFriction`] of a smooth profile, from its order q.
 macro_rules! coupled {
     ([$($generics:tt)*] $profile:ty, |$this:ident| $order:expr) => {
         impl<$($generics)*> $crate::coupling::ReducedFriction<R> for $profile {
@@ -107,7 +107,7 @@ macro_rules! coupled_in_lanes {
     };
 }
 
-/// The methods of [`super::FrictionCoupling`].
+/// The methods of [`super::ReducedFriction`].
 macro_rules! coupling_methods {
     () => {
         #[inline]

@@ -199,7 +199,7 @@ pub fn unscaled_wrench<R: Real, P: PowerLawFriction<R>>(
     }
 }
 
-/// [`super::FrictionCoupling::reduced_wrench`] of a profile.
+/// [`super::ReducedFriction::reduced_wrench`] of a profile.
 #[inline]
 pub(super) fn wrench<R: Real, P: PowerLawFriction<R>>(
     profile: &P,
@@ -247,7 +247,7 @@ fn drag_extended_range<R: Real, P: PowerLawFriction<R> + ?Sized>(
     [force / slide, torque]
 }
 
-/// [`super::FrictionCoupling::reduced_jacobian`] of a profile.
+/// [`super::ReducedFriction::reduced_jacobian`] of a profile.
 #[inline]
 pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
     profile: &P,

@@ -153,10 +153,13 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
         let [x, y, _] = wrench;
         let pair = AxisymmetricPair::of_ordinary(wrench);
         let lengths = set.lengths(&pair);
-        let [_, turn] = lengths;
+        let [force, turn] = lengths;
         let has_limit = R::Beside::splat(0.0).below(set.force_limit);
         let is_known = R::Beside::both(
-            R::Beside::both(is_ordinary_planar(x, y), is_ordinary(turn)),
+            R::Beside::both(
+                is_ordinary_planar(x, y),
+                R::Beside::both(is_ordinary(force), is_ordinary(turn)),
+            ),
             R::Beside::both(is_ordinary(set.force_limit), has_limit),
         );
         R::Beside::all(is_known).then_some(Self { set, pair, lengths })

@@ -9,7 +9,7 @@ use core::ops::{Add, Mul, Sub};
 ///
 /// ```
 /// use tribos_avx2::{Avx2, F32x8, Work, run};
-/// /// FrameSelector squares of these numbers are above 10.
+/// /// Which squares of these numbers are above 10.
 /// struct Squares([f32; 8]);
 /// impl Work for Squares {
 ///     type Out = usize;

@@ -75,7 +75,7 @@ pub const PATCHES: [Item; 18] = [
         "polynomial: table built at run time",
         WIDE,
         round!(
-            "coupling::polynomial coupling::regime_table coupling::batch::ways coupling::family_member coupling::half_octave_table power power::build special::hypergeometric patch::polynomial"
+            "coupling::round coupling::polynomial coupling::regime_table coupling::batch::ways coupling::family_member coupling::half_octave_table power power::build special::hypergeometric patch::polynomial"
         ),
         "round::PolynomialTable::new(0.0, &PolynomialPressure::new([1.0, -2.0, 1.5]).ok()?).ok()?",
     ),
