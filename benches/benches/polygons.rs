@@ -1,4 +1,4 @@
-//! Exact friction of polygons and of meshes, near the centre of rotation and far from it, beside the disk's table
+//! Exact friction of polygons and of meshes, near the centre of rotation and far from it, beside the disk's form
 //! and 504 nodes on the same square.
 
 mod settings;
@@ -112,7 +112,7 @@ fn polygons(criterion: &mut Criterion) {
     assert!((found.force - exact.force).norm() < CHECK, "force");
     assert!((found.torque - exact.torque).abs() < CHECK, "torque");
 
-    time(criterion, "disk by table", |t| disk.wrench(1.0, t));
+    time(criterion, "disk", |t| disk.wrench(1.0, t));
     time(criterion, "square", |t| square.wrench(1.0, t));
     time(criterion, "triangle", |t| triangle.wrench(1.0, t));
     time(criterion, "L", |t| ell.wrench(1.0, t));

@@ -101,9 +101,9 @@ bounds! {
     /// Yaw limits under any pressure in f32, of μN times the radius.
     ANY_PRESSURE_SINGLE = 2e-3, "promised in limit_surface::AnyPressure; the barrier's last weight, of single precision, next to the largest force";
     /// Polygons in f32, of μN and μN (R + |centre|).
-    POLYGON_SINGLE = 1.5e-6, "promised in coupling::flat; opposite edges cancel: 1.1e-6 at 10:1, 4e-7 for other shapes";
+    POLYGON_SINGLE = 1.5e-6, "opposite edges cancel: 1.1e-6 at 10:1, 4e-7 for other shapes; 2.5e-6 is promised, for wedges";
     /// The same under linear pressure.
-    POLYGON_LINEAR_SINGLE = 2e-6, "promised in coupling::flat; long edges cancel: 1.5e-6 at 10:1, 5e-7 for other shapes";
+    POLYGON_LINEAR_SINGLE = 2e-6, "long edges cancel: 1.5e-6 at 10:1, 5e-7 for other shapes; 4e-6 is promised, for wedges";
     /// Their Jacobian, of its largest entry, under either pressure.
     POLYGON_SINGLE_JACOBIAN = 1e-5, "logarithm of the distance from an edge, which single precision rounds";
 

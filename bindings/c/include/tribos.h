@@ -1321,8 +1321,8 @@ tribos_status tribos_polygon_lean_f64(struct tribos_polygon_f64 *polygon,
                                       const struct tribos_point_f64 *centre);
 
 // Wrench of Coulomb friction on a polygon, against its twist. Special values: zero at rest.
-// Accuracy: 3e-15 of coefficient x load, and x radius, about the centre of pressure, under linear pressure
-// 4e-15 (f32: 2e-6), for patches up to 10 times as long as wide.
+// Accuracy: 6e-15 of coefficient x load, and x radius, about the centre of pressure, under linear pressure
+// 8e-15 (f32: 4e-6), for patches up to 10 times as long as wide.
 tribos_status tribos_polygon_wrench_f64(const struct tribos_polygon_f64 *polygon,
                                         double coefficient,
                                         double load,
@@ -2026,8 +2026,8 @@ tribos_status tribos_polygon_lean_f32(struct tribos_polygon_f32 *polygon,
                                       const struct tribos_point_f32 *centre);
 
 // Wrench of Coulomb friction on a polygon, against its twist. Special values: zero at rest.
-// Accuracy: 3e-15 of coefficient x load, and x radius, about the centre of pressure, under linear pressure
-// 4e-15 (f32: 2e-6), for patches up to 10 times as long as wide.
+// Accuracy: 6e-15 of coefficient x load, and x radius, about the centre of pressure, under linear pressure
+// 8e-15 (f32: 4e-6), for patches up to 10 times as long as wide.
 tribos_status tribos_polygon_wrench_f32(const struct tribos_polygon_f32 *polygon,
                                         float coefficient,
                                         float load,

@@ -351,8 +351,8 @@ mod tests {
 
     #[test]
     fn one_root_and_one_division_are_as_good_as_many() {
-        compare::<f64, _>(CoulombDisk, 6.0);
-        compare::<f32, _>(CoulombDisk, 6.0);
+        compare::<f64, _>(CoulombDisk, 8.0);
+        compare::<f32, _>(CoulombDisk, 8.0);
         for alpha in [0.0, 0.37, 1.0, 3.0] {
             compare(DiskTable64::new(alpha).unwrap(), 10.0);
             compare(DiskTable32::new(alpha as f32).unwrap(), 10.0);

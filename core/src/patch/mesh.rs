@@ -39,7 +39,7 @@ pub struct Vertex<R> {
 /// 2.5e-13 of its largest entry, for triangles up to 5 times as long as wide (f32: 1e-5, 2e-5); however
 /// small a triangle is beside the mesh, unless it carries a good part of the load and the centre of
 /// rotation lies next to it, where a rounding error of the radius counts. *Cost*: a triangle takes about
-/// 3.5 times as long as the disk's table; alone or among few, at 5 to 50 radii, 8 to 12 times.
+/// 3.5 times as long as a table of the disk; alone or among few, at 5 to 50 radii, 8 to 12 times.
 /// *Units*: length. *Size*: 16 numbers a triangle and 6 more.
 ///
 /// ```

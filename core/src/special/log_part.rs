@@ -6,7 +6,7 @@ use core::ops::{Add, Div, Mul, Sub};
 
 /// ln z for z next to 2ᵏ, from z, k and 2ᵏ; `repeat` makes a constant of each lane.
 ///
-/// *Accuracy*: 4 ulp of the larger of it and 1 − z. At z = 0 some finite number below −80: products with z vanish.
+/// *Domain*: positive normal numbers. *Accuracy*: 4 ulp of the larger of it and 1 − z.
 #[inline(always)]
 pub(crate) fn log_part<R: Real, V>(z: V, [octaves, nearest]: [V; 2], repeat: impl Fn(R) -> V) -> V
 where

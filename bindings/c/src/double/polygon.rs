@@ -215,8 +215,8 @@ pub unsafe extern "C" fn tribos_polygon_lean_f64(
 }
 
 /// Wrench of Coulomb friction on a polygon, against its twist. Special values: zero at rest.
-/// Accuracy: 3e-15 of coefficient x load, and x radius, about the centre of pressure, under linear pressure
-/// 4e-15 (f32: 2e-6), for patches up to 10 times as long as wide.
+/// Accuracy: 6e-15 of coefficient x load, and x radius, about the centre of pressure, under linear pressure
+/// 8e-15 (f32: 4e-6), for patches up to 10 times as long as wide.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_polygon_wrench_f64(
     polygon: *const tribos_polygon_f64,

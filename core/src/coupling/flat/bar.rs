@@ -1,20 +1,20 @@
 //! Friction of a bar: the line integrals themselves.
 //!
-//! About a centre of rotation with ρ = h n + t τ (see [`super::near`])
+//! About a centre of rotation with ρ = h n + t τ (see [`super::pole_near`])
 //!
 //! ```text
 //! ∫ρ/r dt = h L n + (r₁ − r₀) τ,     ∫r dt = I,     ∫ρρ/r³ dt = nn [t/r] − (nτ + τn) h [1/r] + ττ (L − [t/r])
 //! ```
 //!
 //! and for a bar that slides more than it turns, with the velocity (g, w x) of a point as in
-//! [`super::far`], Gauss' rule on
+//! [`super::pole_far`], Gauss' rule on
 //!
 //! ```text
 //! force along e = −1 + w² ⟨x²/(q s)⟩,   across −w² ⟨x (y − w x²/s)/q⟩,   torque −w ⟨x² (1 + q)/(q s)⟩
 //! D″ = ⟨(g², x g, x²)/q³⟩
 //! ```
 //!
-//! with means along the bar. SecondMaterial derivatives are infinite where the centre lies on the bar: a large
+//! with means along the bar. Second derivatives are infinite where the centre lies on the bar: a large
 //! number stands for them.
 
 use super::motion::{Motion, SplitMotion};

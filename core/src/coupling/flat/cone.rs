@@ -9,7 +9,7 @@
 //! ∫k ρρ/r³ dA = Σ h ∫(k₀ + k)/2 ρρ/r³ dt,     ρ = h n + t τ
 //! ```
 //!
-//! with the notation of [`super::near`]; all integrals over t follow from L, I and the ends.
+//! with the notation of [`super::pole_near`]; all integrals over t follow from L, I and the ends.
 
 use super::pole_near::EdgeFromPole;
 use crate::patch::mesh::Triangle;

@@ -14,7 +14,7 @@
 //! (largest among ten triangles and pressures a ratio, needles among them, against 484 points with
 //! 25 digits). A triangle that is nearer takes the closed forms of [`super::cone`], of which it loses at
 //! most the square of that ratio in rounding errors of its own load; where the whole mesh slides more than
-//! it turns, the line integrals of [`super::far`].
+//! it turns, the line integrals of [`super::pole_far`].
 
 use super::cone::about_centre;
 use super::motion::{Motion, SplitMotion};

@@ -44,7 +44,7 @@ pub struct Reduced<R: Real> {
     pub torque: R,
 }
 
-/// SecondMaterial derivatives of the dissipated power per limit μN, in velocity and rim speed.
+/// Second derivatives of the dissipated power per limit μN, in velocity and rim speed.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -208,10 +208,10 @@ impl<R: Real> Hessian<R> {
 ///
 /// *Units*: any consistent set; twist and wrench refer to the origin of the patch's coordinates.
 /// *Domain*: load · μ · radius and spin · radius are zero or normal numbers. *Accuracy*, of μN and
-/// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 3e-15 (up to 4
-/// times: 1e-15), under linear pressure 4e-15, bars and points 2e-14 (f32: 1.5e-6, linear pressure 2e-6); one that
-/// is longer loses its aspect ratio. The
-/// torque of a patch that hardly turns keeps that accuracy relative to itself.
+/// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 6e-15 (up to 4
+/// times: 1e-15), under linear pressure 8e-15, bars and points 2e-14 (f32: 2.5e-6, linear pressure 4e-6); one that
+/// is longer loses its aspect ratio. The torque of a patch that hardly turns has that error times its rim speed over
+/// its speed.
 /// *Cost*: an edge takes two roots, a logarithm and five quotients; where linear pressure is steep across a thin
 /// patch and the centre of rotation is away from it, 9 times as much.
 /// *Special values*: zero at rest; NaN for infinite and NaN twists.
@@ -269,7 +269,7 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
     ///
     /// *Accuracy*: the Jacobian 4e-14 of its largest entry, with the radius as the unit of length
     /// (linear pressure, bars and points 5e-14; f32 1e-5), for patches up to 10 times as long as wide; one that is
-    /// longer loses its aspect ratio.
+    /// longer loses its aspect ratio, under linear pressure from 1e4 on the square of it.
     /// *Special values*: zero at rest.
     ///
     /// ```

@@ -137,7 +137,7 @@ fn size<R: Real>(velocity: &Vector2<R>, rim: R) -> R {
 
 /// True if the square is a normal number with digits to spare.
 #[inline(always)]
-pub(super) fn is_ordinary<R: Real>(size: R) -> bool {
+fn is_ordinary<R: Real>(size: R) -> bool {
     let sq = size * size;
     sq > R::MIN_POSITIVE / R::EPSILON && sq < R::INFINITY
 }

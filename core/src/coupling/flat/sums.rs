@@ -1,7 +1,7 @@
 //! Sums over points that each carry a share of the load, two points at a time.
 //!
-//! Real points, or those of a rule on a triangle. The forms are those of [`super::near`] and
-//! [`super::far`]: about a centre of rotation with ρ the place relative to it
+//! Real points, or those of a rule on a triangle. The forms are those of [`super::pole_near`] and
+//! [`super::pole_far`]: about a centre of rotation with ρ the place relative to it
 //!
 //! ```text
 //! Σ k ρ/r,   Σ k r,   and for D″  Σ k ρρ/r³

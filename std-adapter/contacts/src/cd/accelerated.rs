@@ -10,7 +10,7 @@
 //! with x₋ the impulses of the sweep before (Nesterov 1983). When a sweep leads back, against
 //! y − x₋, the momentum is reset (the gradient scheme of O'Donoghue and Candès, Found. Comput. Math.
 //! 15 (2015) 715). Mazhar et al. (ACM Trans. Graph. 34 (2015) 32) applied the method to contacts with
-//! projected gradients. SecondMaterialKeys: the gradient step is a sweep, which needs no step length;
+//! projected gradients. Second: the gradient step is a sweep, which needs no step length;
 //! every extrapolated impulse is first projected onto the impulses that its contact admits; a restart
 //! halves the age t of the momentum instead of setting it to 1, because bounds that follow the normal
 //! forces reverse sweeps more often than the curvature does; products count torques as forces at the

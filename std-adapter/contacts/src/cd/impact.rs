@@ -19,7 +19,7 @@
 //! 32 (2014) 431). For a single contact of spheres all these laws agree.
 //!
 //! Repeating the reflection until no contact approaches follows Smith, Kaufman, Vouga, Tamstorf and
-//! Grinspun (ACM Trans. Graph. 31 (2012) 106). SecondMaterialKeys: friction after each reflection, e < 1,
+//! Grinspun (ACM Trans. Graph. 31 (2012) 106). Second: friction after each reflection, e < 1,
 //! and contacts that close within the step count as closed, so that several impacts of a body in
 //! one step happen one after the other.
 

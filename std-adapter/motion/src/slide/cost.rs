@@ -185,7 +185,7 @@ mod tests {
             (&cylinder, Evaluation::Form),
             (&hertz, Evaluation::Form),
             (&pipe, Evaluation::TwoForms),
-            (&thin, Evaluation::TableMade),
+            (&thin, Evaluation::Form),
             (&rock, Evaluation::TableMade),
             (&film, Evaluation::RingRule { points: 256 }),
         ];
