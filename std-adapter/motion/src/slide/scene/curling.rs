@@ -199,8 +199,7 @@ impl PlanarScene for CurlingScene {
         let points = RING_POINTS;
         match self.model {
             IceModel::Film => Ok(Evaluation::RingRule { points }),
-            // Every law of ice is a power that has tables.
-            _ => of_law(&self.rock().patch(), &Law::coulomb(1.0)?),
+            _ => of_law(&self.rock().patch(), &Law::power(1.0, self.ice().alpha)?),
         }
     }
 }
