@@ -260,10 +260,10 @@ pub trait DryReducedFriction<R: Real>: ReducedFriction<R> {
     #[inline]
     fn reduced_points(
         &self,
-        slides: <R::Beside as Lanes>::Mask,
-        ratios: R::Beside,
-    ) -> [R::Beside; 3] {
-        let leads = R::Beside::select(slides, Lanes::splat(1.0), Lanes::splat(0.0)).to_array();
+        slides: <R::SideBySide as Lanes>::Mask,
+        ratios: R::SideBySide,
+    ) -> [R::SideBySide; 3] {
+        let leads = R::SideBySide::select(slides, Lanes::splat(1.0), Lanes::splat(0.0)).to_array();
         let ratios = ratios.to_array();
         let mut points = [ratios; 3];
         let [majors, minors, rates] = points.each_mut().map(AsMut::as_mut);
@@ -277,7 +277,7 @@ pub trait DryReducedFriction<R: Real>: ReducedFriction<R> {
             };
             [*major, *minor, *rate] = self.reduced_point(lead, *ratio);
         }
-        points.map(R::Beside::new)
+        points.map(R::SideBySide::new)
     }
 
     /// [`DryReducedFriction::reduced_point`] to half of its digits, for a search's first step; nothing where it would
@@ -293,9 +293,9 @@ pub trait DryReducedFriction<R: Real>: ReducedFriction<R> {
     #[inline]
     fn rough_points(
         &self,
-        _slides: <R::Beside as Lanes>::Mask,
-        _ratios: R::Beside,
-    ) -> Option<[R::Beside; 3]> {
+        _slides: <R::SideBySide as Lanes>::Mask,
+        _ratios: R::SideBySide,
+    ) -> Option<[R::SideBySide; 3]> {
         None
     }
 
@@ -322,9 +322,9 @@ impl<R: Real, C: DryReducedFriction<R> + ?Sized> DryReducedFriction<R> for &C {
     #[inline]
     fn reduced_points(
         &self,
-        slides: <R::Beside as Lanes>::Mask,
-        ratios: R::Beside,
-    ) -> [R::Beside; 3] {
+        slides: <R::SideBySide as Lanes>::Mask,
+        ratios: R::SideBySide,
+    ) -> [R::SideBySide; 3] {
         (**self).reduced_points(slides, ratios)
     }
     #[inline]
@@ -334,9 +334,9 @@ impl<R: Real, C: DryReducedFriction<R> + ?Sized> DryReducedFriction<R> for &C {
     #[inline]
     fn rough_points(
         &self,
-        slides: <R::Beside as Lanes>::Mask,
-        ratios: R::Beside,
-    ) -> Option<[R::Beside; 3]> {
+        slides: <R::SideBySide as Lanes>::Mask,
+        ratios: R::SideBySide,
+    ) -> Option<[R::SideBySide; 3]> {
         (**self).rough_points(slides, ratios)
     }
     #[inline]

@@ -8,7 +8,7 @@ pub trait Laned: Copy + Add<Output = Self> + Mul<Output = Self> {
     /// A number of a body that is written once for numbers alone and side by side.
     type Alone: Numbers<Real = Self, Array = [Self; 1], Mask = bool>;
     /// As many of them as go side by side; here one.
-    type Beside: Numbers<Real = Self>;
+    type SideBySide: Numbers<Real = Self>;
     /// As many as are summed side by side; here one.
     type Several: Summed<Real = Self>;
 
@@ -27,11 +27,11 @@ pub trait Laned: Copy + Add<Output = Self> + Mul<Output = Self> {
 
 impl Laned for f32 {
     type Alone = f32;
-    type Beside = f32;
+    type SideBySide = f32;
     type Several = f32;
 }
 impl Laned for f64 {
     type Alone = f64;
-    type Beside = f64;
+    type SideBySide = f64;
     type Several = f64;
 }

@@ -12,7 +12,7 @@ pub trait Laned: Sized {
     /// A number of a body that is written once for numbers alone and side by side.
     type Alone: Numbers<Real = Self, Array = [Self; 1], Mask = bool>;
     /// As many of them as two vectors of the least width hold.
-    type Beside: Numbers<Real = Self>;
+    type SideBySide: Numbers<Real = Self>;
     /// Four of them, for sums.
     type Several: Summed<Real = Self>;
 
@@ -26,7 +26,7 @@ pub trait Laned: Sized {
 impl Laned for f64 {
     type Lanes = f64x8;
     type Alone = f64;
-    type Beside = f64x4;
+    type SideBySide = f64x4;
     type Several = f64x4;
 
     #[inline(always)]
@@ -41,7 +41,7 @@ impl Laned for f64 {
 impl Laned for f32 {
     type Lanes = f32x8;
     type Alone = f32;
-    type Beside = f32x8;
+    type SideBySide = f32x8;
     type Several = f32x4;
 
     #[inline(always)]

@@ -3,7 +3,7 @@
 //! The wrenches of a group go through the search of their own calls side by side, to the same bits. A group with a
 //! wrench or load out of the ordinary, and what remains of the slices, goes one by one.
 
-use super::meridian::Beside;
+use super::meridian::SideBySide;
 use super::polar::{AxisymmetricPair, is_ordinary, is_ordinary_planar};
 use super::searches::{Projected, ScaledCurve, inside};
 use super::{Projection, Region, RoundLimitSurface};
@@ -14,10 +14,10 @@ use crate::twist::{Twist, Wrench};
 
 /// Wrenches of a group with their loads, part by part.
 struct Group<'a, R: Real, C> {
-    set: ScaledCurve<'a, R, C, R::Beside>,
-    pair: AxisymmetricPair<R::Beside>,
+    set: ScaledCurve<'a, R, C, R::SideBySide>,
+    pair: AxisymmetricPair<R::SideBySide>,
     /// Force and torque/radius.
-    lengths: [R::Beside; 2],
+    lengths: [R::SideBySide; 2],
 }
 
 impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
@@ -135,8 +135,8 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
     /// Nothing for other counts than that of the lanes, and where a wrench or a load is out of the ordinary.
     #[inline(always)]
     fn new(surface: &'a RoundLimitSurface<R, C>, (loads, wrenches): Inputs<'_, R>) -> Option<Self> {
-        let [mut x, mut y, mut torque] = [R::Beside::splat(0.0).to_array(); 3];
-        let mut load = R::Beside::splat(1.0).to_array();
+        let [mut x, mut y, mut torque] = [R::SideBySide::splat(0.0).to_array(); 3];
+        let mut load = R::SideBySide::splat(1.0).to_array();
         let count = x.as_ref().len();
         if wrenches.len() != count || loads.is_some_and(|loads| loads.len() != count) {
             return None;
@@ -148,43 +148,43 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
         for (to, from) in load.as_mut().iter_mut().zip(loads.unwrap_or_default()) {
             *to = *from;
         }
-        let wrench = [x, y, torque].map(R::Beside::new);
-        let set = surface.loaded(R::Beside::new(load));
-        let [x, y, _] = wrench;
+        let wrench = [x, y, torque].map(R::SideBySide::new);
+        let set = surface.loaded(R::SideBySide::new(load));
+        let [x, y, torque] = wrench;
         let pair = AxisymmetricPair::of_ordinary(wrench);
         let lengths = set.lengths(&pair);
-        let [force, turn] = lengths;
-        let has_limit = R::Beside::splat(0.0).below(set.force_limit);
-        let is_known = R::Beside::both(
-            R::Beside::both(
-                is_ordinary_planar(x, y),
-                R::Beside::both(is_ordinary(force), is_ordinary(turn)),
-            ),
-            R::Beside::both(is_ordinary(set.force_limit), has_limit),
+        let ([force, turn], zero) = (lengths, R::SideBySide::splat(0.0));
+        // Over a large radius a torque may vanish.
+        let is_kept = R::SideBySide::either(zero.below(turn), torque.abs().at_most(zero));
+        let sizes = R::SideBySide::both(
+            R::SideBySide::both(is_ordinary_planar(x, y), is_ordinary(force)),
+            R::SideBySide::both(is_ordinary(turn), is_kept),
         );
-        R::Beside::all(is_known).then_some(Self { set, pair, lengths })
+        let limits = R::SideBySide::both(is_ordinary(set.force_limit), zero.below(set.force_limit));
+        let is_known = R::SideBySide::both(sizes, limits);
+        R::SideBySide::all(is_known).then_some(Self { set, pair, lengths })
     }
 
     #[inline(always)]
-    fn gauges(&self) -> R::Beside {
-        let gauge = self.set.gauge(&Beside(self.set.meridian), self.lengths);
-        R::Beside::select(self.is_none(), R::Beside::splat(0.0), gauge)
+    fn gauges(&self) -> R::SideBySide {
+        let gauge = self.set.gauge(&SideBySide(self.set.meridian), self.lengths);
+        R::SideBySide::select(self.is_none(), R::SideBySide::splat(0.0), gauge)
     }
 
     /// True where neither force nor torque is given.
     #[inline(always)]
-    fn is_none(&self) -> <R::Beside as Lanes>::Mask {
+    fn is_none(&self) -> <R::SideBySide as Lanes>::Mask {
         let [force, torque] = self.lengths;
-        (force + torque).at_most(R::Beside::splat(0.0))
+        (force + torque).at_most(R::SideBySide::splat(0.0))
     }
 
     #[inline(always)]
     fn store_motions(&self, twists: &mut [Twist<R>]) {
         let motion = self
             .set
-            .motion(&Beside(self.set.meridian), &self.pair, self.lengths);
-        let (is_none, zero) = (self.is_none(), R::Beside::splat(0.0));
-        let parts = motion.map(|part| R::Beside::select(is_none, zero, part).to_array());
+            .motion(&SideBySide(self.set.meridian), &self.pair, self.lengths);
+        let (is_none, zero) = (self.is_none(), R::SideBySide::splat(0.0));
+        let parts = motion.map(|part| R::SideBySide::select(is_none, zero, part).to_array());
         for (twist, [x, y, spin]) in twists.iter_mut().zip(rows(&parts)) {
             *twist = Twist::new(x, y, spin);
         }
@@ -198,19 +198,19 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
         projections: &mut [Projection<R>],
     ) {
         let is_deep = self.set.is_deep_inside(self.lengths);
-        if R::Beside::all(is_deep) {
+        if R::SideBySide::all(is_deep) {
             for (projection, wrench) in projections.iter_mut().zip(wrenches) {
                 *projection = inside(wrench);
             }
             return;
         }
-        let curve = Beside(self.set.meridian);
+        let curve = SideBySide(self.set.meridian);
         let Projected {
             wrench,
             normal,
             side,
         } = self.set.project(&curve, &self.pair, length);
-        let side = R::Beside::select(is_deep, R::Beside::splat(1.0), side).to_array();
+        let side = R::SideBySide::select(is_deep, R::SideBySide::splat(1.0), side).to_array();
         let (wrench, normal) = (wrench.map(Numbers::to_array), normal.map(Numbers::to_array));
         let limits = self.set.force_limit.to_array();
         let lanes = rows(&wrench).zip(rows(&normal)).zip(side.as_ref());
@@ -261,7 +261,7 @@ pub(super) fn under_one_load<R: Real>(
 /// Lanes of a precision.
 #[inline(always)]
 fn lanes<R: Real>() -> usize {
-    R::Beside::splat(0.0).to_array().as_ref().len()
+    R::SideBySide::splat(0.0).to_array().as_ref().len()
 }
 
 /// The three parts of each lane.

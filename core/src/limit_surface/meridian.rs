@@ -44,7 +44,7 @@ pub(super) struct Meridian<R, C> {
 pub(super) struct Alone<'a, R, C>(pub &'a Meridian<R, C>);
 
 /// Several points of a curve at once.
-pub(super) struct Beside<'a, R, C>(pub &'a Meridian<R, C>);
+pub(super) struct SideBySide<'a, R, C>(pub &'a Meridian<R, C>);
 
 /// A point of the curve with its normal, of which the larger part is 1.
 #[derive(Clone, Copy, Debug)]
@@ -90,17 +90,21 @@ impl<R: Real, C: DryReducedFriction<R>> Curve<R::Alone> for Alone<'_, R, C> {
     }
 }
 
-impl<R: Real, C: DryReducedFriction<R>> Curve<R::Beside> for Beside<'_, R, C> {
+impl<R: Real, C: DryReducedFriction<R>> Curve<R::SideBySide> for SideBySide<'_, R, C> {
     #[inline(always)]
-    fn point(&self, slides: <R::Beside as Lanes>::Mask, ratio: R::Beside) -> CurvePoint<R::Beside> {
+    fn point(
+        &self,
+        slides: <R::SideBySide as Lanes>::Mask,
+        ratio: R::SideBySide,
+    ) -> CurvePoint<R::SideBySide> {
         curve_point(self.0.coupling.reduced_points(slides, ratio))
     }
     #[inline(always)]
     fn rough_point(
         &self,
-        slides: <R::Beside as Lanes>::Mask,
-        ratio: R::Beside,
-    ) -> Option<CurvePoint<R::Beside>> {
+        slides: <R::SideBySide as Lanes>::Mask,
+        ratio: R::SideBySide,
+    ) -> Option<CurvePoint<R::SideBySide>> {
         self.0.coupling.rough_points(slides, ratio).map(curve_point)
     }
     #[inline(always)]

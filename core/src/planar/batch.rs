@@ -11,13 +11,13 @@ use crate::twist::{Twist, Wrench};
 const CHUNK: usize = 32;
 
 /// Wrenches to project, and the bodies that ask for them.
-struct Asked<R: Real> {
+struct WrenchesToProject<R: Real> {
     wrenches: [Wrench<R>; CHUNK],
     bodies: [usize; CHUNK],
     count: usize,
 }
 
-impl<R: Real> Asked<R> {
+impl<R: Real> WrenchesToProject<R> {
     fn new() -> Self {
         Self {
             wrenches: [Wrench::ZERO; CHUNK],
@@ -106,7 +106,7 @@ impl<R: Real> PlanarBody<R> {
         let bodies = || twists.iter().zip(pushes).zip(0..steps.len());
         let (mut ends, mut midways) = ([None; CHUNK], [None; CHUNK]);
         // Friction that would end the step at rest, where that is possible.
-        let mut asked = Asked::new();
+        let mut asked = WrenchesToProject::new();
         for ((twist, push), body) in bodies() {
             let at_end = self.stopping_wrench(twist, push, dt.dt());
             if !is_beyond(&at_end, limits) {
@@ -115,7 +115,7 @@ impl<R: Real> PlanarBody<R> {
         }
         asked.nearest(set, length, &mut ends);
         // The motion at half time, of all that do not rest.
-        let mut asked = Asked::new();
+        let mut asked = WrenchesToProject::new();
         for (((twist, push), body), end) in bodies().zip(&ends) {
             let at_end = self.stopping_wrench(twist, push, dt.dt());
             if *end != Some(at_end) {

@@ -170,10 +170,10 @@ macro_rules! fitted {
             #[inline]
             fn reduced_points(
                 &self,
-                slides: <R::Beside as Lanes>::Mask,
-                ratios: R::Beside,
-            ) -> [R::Beside; 3] {
-                curve::point::<Self, R, R::Beside>(slides, ratios)
+                slides: <R::SideBySide as Lanes>::Mask,
+                ratios: R::SideBySide,
+            ) -> [R::SideBySide; 3] {
+                curve::point::<Self, R, R::SideBySide>(slides, ratios)
             }
             #[inline]
             fn rough_point(&self, lead: DominantSpeed, ratio: R) -> Option<[R; 3]> {
@@ -182,10 +182,10 @@ macro_rules! fitted {
             #[inline]
             fn rough_points(
                 &self,
-                slides: <R::Beside as Lanes>::Mask,
-                ratios: R::Beside,
-            ) -> Option<[R::Beside; 3]> {
-                curve::rough_point::<Self, R, R::Beside>(slides, ratios)
+                slides: <R::SideBySide as Lanes>::Mask,
+                ratios: R::SideBySide,
+            ) -> Option<[R::SideBySide; 3]> {
+                curve::rough_point::<Self, R, R::SideBySide>(slides, ratios)
             }
             #[inline]
             fn minor_powers(&self, lead: DominantSpeed) -> Option<[R; 6]> {
