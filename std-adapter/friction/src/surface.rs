@@ -205,9 +205,9 @@ impl<R: Precision> DryReducedFriction<R> for DryRound<R> {
     }
     fn reduced_points(
         &self,
-        slides: <R::Beside as Lanes>::Mask,
-        ratios: R::Beside,
-    ) -> [R::Beside; 3] {
+        slides: <R::SideBySide as Lanes>::Mask,
+        ratios: R::SideBySide,
+    ) -> [R::SideBySide; 3] {
         each!(self, dry => DryReducedFriction::<R>::reduced_points(dry, slides, ratios))
     }
     fn rough_point(&self, lead: DominantSpeed, ratio: R) -> Option<[R; 3]> {
@@ -215,9 +215,9 @@ impl<R: Precision> DryReducedFriction<R> for DryRound<R> {
     }
     fn rough_points(
         &self,
-        slides: <R::Beside as Lanes>::Mask,
-        ratios: R::Beside,
-    ) -> Option<[R::Beside; 3]> {
+        slides: <R::SideBySide as Lanes>::Mask,
+        ratios: R::SideBySide,
+    ) -> Option<[R::SideBySide; 3]> {
         each!(self, dry => DryReducedFriction::<R>::rough_points(dry, slides, ratios))
     }
     fn minor_powers(&self, lead: DominantSpeed) -> Option<[R; 6]> {
